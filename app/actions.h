@@ -1,0 +1,58 @@
+// The window's actions: names, icons, shortcuts, menus. What they do is connected by the window.
+#pragma once
+
+#include <QAction>
+#include <QList>
+
+#include <map>
+
+class QMainWindow;
+class QMenu;
+class QToolBar;
+
+namespace suffuse {
+
+enum class Command {
+    New, Open, Save, SaveAs, Export, Close, Quit,
+    Undo, Redo, Delete, Duplicate, SelectAll, Deselect, Settings,
+    Brush, Select, Segments, Pan,
+    Raise, Lower, Top, Bottom,
+    ZoomIn, ZoomOut, Zoom100, Fit, RotateLeft, RotateRight, ResetRotation, Mirror, HideDocks, FullScreen,
+    Shortcuts, About,
+};
+
+/// Makes all actions of a window and puts them into its menus and tool bar.
+class Actions : public QObject {
+    Q_OBJECT
+
+public:
+    /// Actions whose keys mean something else in lists and fields (arrange, Tab) belong to `canvas`.
+    Actions(QMainWindow &window, QWidget &canvas);
+
+    QAction &operator[](Command command) const { return *m_actions.at(command); }
+    /// All, in the order of the menus.
+    QList<QAction *> all() const;
+
+    /// Fills the menu bar; the docks' toggles go into `docksMenu()` afterwards.
+    void fillMenus();
+    QMenu *recentMenu() const { return m_recentMenu; }
+    QMenu *docksMenu() const { return m_docksMenu; }
+    /// The tools, exclusive of each other.
+    QToolBar *makeToolBar();
+
+private:
+    void add(Command command, const QString &text, const char *icon, const QList<QKeySequence> &keys,
+             const QString &tip = {});
+    void addFileAndEdit();
+    void addTools();
+    void addViewAndHelp();
+    QMenu *addMenu(const QString &title, const QList<Command> &commands);
+
+    QMainWindow &m_window;
+    QWidget &m_canvas;
+    std::map<Command, QAction *> m_actions;
+    QMenu *m_recentMenu = nullptr;
+    QMenu *m_docksMenu = nullptr;
+};
+
+} // namespace suffuse

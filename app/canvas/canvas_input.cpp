@@ -1,0 +1,316 @@
+// Mouse, pen, wheel, touch and keys of the canvas: either they move the view, or the tool gets them.
+#include "app/canvas/canvas_widget.h"
+#include "app/editor.h"
+
+#include <QAbstractSpinBox>
+#include <QApplication>
+#include <QGestureEvent>
+#include <QKeyEvent>
+#include <QLineEdit>
+#include <QMouseEvent>
+#include <QNativeGestureEvent>
+#include <QPinchGesture>
+#include <QTabletEvent>
+#include <QWheelEvent>
+
+#include <numbers>
+
+namespace suffuse {
+
+namespace {
+
+constexpr double zoomPerNotch = 1.25;
+constexpr double notch = 120;           ///< eighths of a degree, as QWheelEvent counts
+constexpr double pixelsPerNotch = 60;   ///< logical pixels that a notch pans
+/// Device time stamps further than this from the document's clock are not believed.
+constexpr Microseconds maxStampLag = 250'000;
+
+} // namespace
+
+Point CanvasWidget::toPixels(const QPointF &logical) const
+{
+    const double dpr = devicePixelRatioF();
+    return {logical.x() * dpr, logical.y() * dpr};
+}
+
+PointerEvent CanvasWidget::pointerEvent(const QSinglePointEvent &event, PointerDevice device) const
+{
+    PointerEvent e;
+    e.pixel = toPixels(event.position());
+    e.point = view().toCanvas(e.pixel);
+    e.button = event.button();
+    e.buttons = event.buttons();
+    e.modifiers = event.modifiers();
+    e.device = device;
+    e.time = m_editor.time();
+    // Reports come in bunches: the device's own stamps keep their pace.
+    if (!m_editor.hasManualClock() && m_pressed && event.timestamp() > m_pressStamp && m_pressStamp > 0) {
+        const Microseconds stamped = m_pressTime + Microseconds(event.timestamp() - m_pressStamp) * 1000;
+        if (std::abs(stamped - e.time) < maxStampLag)
+            e.time = stamped;
+    }
+    return e;
+}
+
+CanvasWidget::Navigation CanvasWidget::navigationFor(const QSinglePointEvent &event) const
+{
+    if (m_spaceDown && event.button() == Qt::LeftButton)
+        return event.modifiers() & Qt::ShiftModifier ? Navigation::Rotate : Navigation::Pan;
+    if (m_rotateKeyDown && event.button() == Qt::LeftButton)
+        return Navigation::Rotate;
+    if (event.button() == Qt::MiddleButton)
+        return Navigation::Pan;
+    return Navigation::None;
+}
+
+void CanvasWidget::pointerPress(const PointerEvent &event, Navigation navigation)
+{
+    m_lastPixel = event.pixel;
+    if (m_navigation != Navigation::None || m_pressed)
+        return; // a second button changes nothing of what the first one began
+    m_pressButton = event.button;
+    if (navigation != Navigation::None) {
+        m_navigation = navigation;
+        refreshCursor();
+    } else if (m_tool && event.button == Qt::LeftButton) {
+        m_pressed = true;
+        m_tool->press(event);
+    }
+}
+
+void CanvasWidget::pointerMove(const PointerEvent &event)
+{
+    if (m_navigation != Navigation::None)
+        navigate(event.pixel);
+    else if (m_tool && m_pressed)
+        m_tool->move(event);
+    else if (m_tool)
+        m_tool->hover(event);
+    m_lastPixel = event.pixel;
+    emit pointerMoved(event.point.x, event.point.y);
+}
+
+void CanvasWidget::pointerRelease(const PointerEvent &event)
+{
+    m_lastPixel = event.pixel;
+    if (event.button != m_pressButton)
+        return;
+    m_pressButton = Qt::NoButton;
+    if (m_navigation != Navigation::None) {
+        m_navigation = Navigation::None;
+        refreshCursor();
+    } else if (m_pressed) {
+        m_pressed = false;
+        if (m_tool)
+            m_tool->release(event);
+    }
+}
+
+void CanvasWidget::navigate(Point pixel)
+{
+    if (m_navigation == Navigation::Pan) {
+        m_transform.panBy(pixel - m_lastPixel);
+    } else {
+        const Point centre = m_transform.centrePixel();
+        const Point a = m_lastPixel - centre, b = pixel - centre;
+        m_transform.rotateAt(centre, std::atan2(cross(a, b), dot(a, b)));
+    }
+    moveByHand();
+}
+
+void CanvasWidget::mousePressEvent(QMouseEvent *event)
+{
+    if (m_penDown || event->source() != Qt::MouseEventNotSynthesized)
+        return;
+    PointerEvent e = pointerEvent(*event, PointerDevice::Mouse);
+    m_pressStamp = event->timestamp();
+    m_pressTime = e.time;
+    pointerPress(e, navigationFor(*event));
+}
+
+void CanvasWidget::mouseMoveEvent(QMouseEvent *event)
+{
+    if (!m_penDown && event->source() == Qt::MouseEventNotSynthesized)
+        pointerMove(pointerEvent(*event, PointerDevice::Mouse));
+}
+
+void CanvasWidget::mouseReleaseEvent(QMouseEvent *event)
+{
+    if (!m_penDown && event->source() == Qt::MouseEventNotSynthesized)
+        pointerRelease(pointerEvent(*event, PointerDevice::Mouse));
+}
+
+void CanvasWidget::mouseDoubleClickEvent(QMouseEvent *event)
+{
+    mousePressEvent(event); // quick dots are dots
+}
+
+void CanvasWidget::tabletEvent(QTabletEvent *event)
+{
+    event->accept(); // so that no mouse events are made of it
+    const bool eraser = event->pointerType() == QPointingDevice::PointerType::Eraser;
+    PointerEvent e = pointerEvent(*event, eraser ? PointerDevice::Eraser : PointerDevice::Pen);
+    e.pressure = std::clamp(event->pressure(), 0.0, 1.0);
+    e.tiltX = event->xTilt();
+    e.tiltY = event->yTilt();
+    switch (event->type()) {
+    case QEvent::TabletPress:
+        if (m_penDown)
+            return; // some drivers repeat it
+        m_penDown = true;
+        setFocus(Qt::MouseFocusReason);
+        m_pressStamp = event->timestamp();
+        m_pressTime = e.time;
+        pointerPress(e, navigationFor(*event));
+        break;
+    case QEvent::TabletMove:
+        pointerMove(e);
+        break;
+    case QEvent::TabletRelease:
+        m_penDown = false;
+        pointerRelease(e);
+        break;
+    default:
+        break;
+    }
+}
+
+void CanvasWidget::wheelEvent(QWheelEvent *event)
+{
+    event->accept();
+    const bool touchpad = !event->pixelDelta().isNull() && event->phase() != Qt::NoScrollPhase;
+    const Qt::KeyboardModifiers modifiers = event->modifiers();
+    const double dpr = devicePixelRatioF();
+    if (touchpad && !(modifiers & Qt::ControlModifier)) {
+        m_transform.panBy({event->pixelDelta().x() * dpr, event->pixelDelta().y() * dpr});
+        moveByHand();
+        return;
+    }
+    const QPoint angle = event->angleDelta();
+    const double notches = (angle.y() != 0 ? angle.y() : angle.x()) / notch;
+    const double pan = notches * pixelsPerNotch * dpr;
+    if (modifiers & Qt::ShiftModifier)
+        m_transform.panBy({pan, 0});
+    else if (modifiers & Qt::ControlModifier && !touchpad)
+        m_transform.panBy({0, pan});
+    else
+        m_transform.zoomAt(toPixels(event->position()), std::pow(zoomPerNotch, notches));
+    moveByHand();
+}
+
+bool CanvasWidget::nativeGesture(QNativeGestureEvent *event)
+{
+    const Point at = toPixels(event->position());
+    switch (event->gestureType()) {
+    case Qt::ZoomNativeGesture:
+        m_transform.zoomAt(at, 1 + event->value());
+        break;
+    case Qt::RotateNativeGesture:
+        m_transform.rotateAt(at, event->value() * std::numbers::pi / 180);
+        break;
+    case Qt::SmartZoomNativeGesture:
+        fit();
+        return true;
+    default:
+        return false;
+    }
+    moveByHand();
+    return true;
+}
+
+bool CanvasWidget::gesture(QGestureEvent *event)
+{
+    const auto *pinch = static_cast<QPinchGesture *>(event->gesture(Qt::PinchGesture));
+    if (!pinch)
+        return false;
+    const QPointF centre = mapFromGlobal(pinch->centerPoint());
+    const QPointF last = mapFromGlobal(pinch->lastCenterPoint());
+    const Point at = toPixels(centre);
+    if (pinch->changeFlags() & QPinchGesture::CenterPointChanged)
+        m_transform.panBy(at - toPixels(last));
+    if (pinch->changeFlags() & QPinchGesture::ScaleFactorChanged)
+        m_transform.zoomAt(at, pinch->scaleFactor());
+    if (pinch->changeFlags() & QPinchGesture::RotationAngleChanged)
+        m_transform.rotateAt(at, (pinch->rotationAngle() - pinch->lastRotationAngle()) * std::numbers::pi / 180);
+    moveByHand();
+    return true;
+}
+
+bool CanvasWidget::event(QEvent *event)
+{
+    if (event->type() == QEvent::NativeGesture && nativeGesture(static_cast<QNativeGestureEvent *>(event)))
+        return true;
+    if (event->type() == QEvent::Gesture && gesture(static_cast<QGestureEvent *>(event)))
+        return true;
+    if (event->type() == QEvent::ShortcutOverride) {
+        const auto *key = static_cast<QKeyEvent *>(event);
+        // Escape gives up what is in hand before it means anything else.
+        if (key->key() == Qt::Key_Escape && m_tool && m_tool->isBusy()) {
+            event->accept();
+            return true;
+        }
+    }
+    return QWidget::event(event);
+}
+
+void CanvasWidget::keyPressEvent(QKeyEvent *event)
+{
+    if (event->key() == Qt::Key_Space && !m_pressed) {
+        m_spaceDown = true;
+        refreshCursor();
+    } else if (event->key() == Qt::Key_R && event->modifiers() == Qt::NoModifier && !m_pressed) {
+        m_rotateKeyDown = true;
+        refreshCursor();
+    } else if (event->key() == Qt::Key_Escape && m_tool && m_tool->isBusy()) {
+        m_pressed = false;
+        m_tool->cancel();
+    } else if (!m_tool || !m_tool->keyPress(event)) {
+        QWidget::keyPressEvent(event);
+    }
+}
+
+void CanvasWidget::keyReleaseEvent(QKeyEvent *event)
+{
+    if (event->isAutoRepeat())
+        return;
+    if (event->key() == Qt::Key_Space)
+        m_spaceDown = false;
+    else if (event->key() == Qt::Key_R)
+        m_rotateKeyDown = false;
+    else
+        QWidget::keyReleaseEvent(event);
+    refreshCursor();
+}
+
+void CanvasWidget::enterEvent(QEnterEvent *event)
+{
+    m_pointerInside = true;
+    m_lastPixel = toPixels(event->position());
+    // Keys mean the canvas when the pointer is over it, unless something is being typed.
+    const QWidget *focus = QApplication::focusWidget();
+    const bool typing = qobject_cast<const QLineEdit *>(focus) || qobject_cast<const QAbstractSpinBox *>(focus);
+    if (!typing && isActiveWindow())
+        setFocus(Qt::MouseFocusReason);
+}
+
+void CanvasWidget::leaveEvent(QEvent *)
+{
+    m_pointerInside = false;
+    if (m_tool)
+        m_tool->leave();
+    emit pointerLeft();
+}
+
+void CanvasWidget::focusOutEvent(QFocusEvent *event)
+{
+    m_spaceDown = m_rotateKeyDown = false; // their release goes elsewhere
+    refreshCursor();
+    QWidget::focusOutEvent(event);
+}
+
+bool CanvasWidget::focusNextPrevChild(bool next)
+{
+    return !next && QWidget::focusNextPrevChild(next); // Tab hides the docks, Shift+Tab leaves the canvas
+}
+
+} // namespace suffuse

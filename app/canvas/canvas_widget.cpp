@@ -1,0 +1,259 @@
+#include "app/canvas/canvas_widget.h"
+
+#include "app/editor.h"
+#include "app/panels/colour_convert.h"
+#include "app/settings.h"
+
+#include <QEvent>
+#include <QPainter>
+
+#include <numbers>
+
+namespace suffuse {
+
+namespace {
+
+constexpr double fitMargin = 24; ///< logical pixels around the canvas
+
+RendererOptions rendererOptions()
+{
+    RendererOptions options;
+    options.threads = settings::threads();
+    return options;
+}
+
+} // namespace
+
+CanvasWidget::CanvasWidget(Editor &editor, QWidget *parent)
+    : QWidget(parent), m_editor(editor), m_worker(rendererOptions())
+{
+    setObjectName("canvas");
+    setAccessibleName(tr("Canvas"));
+    setFocusPolicy(Qt::StrongFocus);
+    setMouseTracking(true);
+    setTabletTracking(true);
+    setMinimumSize(160, 120);
+    grabGesture(Qt::PinchGesture);
+    readPalette();
+    m_presenter = makePresenter(*this, this);
+    connect(&m_worker, &RenderWorker::frameReady, this, &CanvasWidget::frameReady);
+    connect(&editor, &Editor::timeChanged, this, &CanvasWidget::scheduleRender);
+    connect(&editor.document(), &Document::changed, this, [this](const Change &change) {
+        if (change.reset) {
+            m_pressed = false;
+            if (m_tool)
+                m_tool->cancel();
+            fit();
+        }
+        if (change.selection || change.canvas || change.reset || !m_editor.document().selection().isEmpty())
+            updateOverlay();
+        scheduleRender();
+    });
+}
+
+CanvasWidget::~CanvasWidget()
+{
+    delete m_presenter->widget(); // it draws what this object holds
+}
+
+void CanvasWidget::setTool(Tool *tool)
+{
+    if (tool == m_tool)
+        return;
+    if (m_tool) {
+        m_tool->cancel();
+        m_tool->leave();
+    }
+    m_tool = tool;
+    m_pressed = false;
+    refreshCursor();
+    updateOverlay();
+    emit toolChanged();
+}
+
+Point CanvasWidget::zoomCentre() const
+{
+    return m_pointerInside ? m_lastPixel : m_transform.centrePixel();
+}
+
+void CanvasWidget::zoomBy(double factor)
+{
+    m_transform.zoomAt(zoomCentre(), factor);
+    moveByHand();
+}
+
+void CanvasWidget::setZoom(double scale)
+{
+    m_transform.setScaleAt(zoomCentre(), scale);
+    moveByHand();
+}
+
+void CanvasWidget::fit()
+{
+    m_transform.fit(m_editor.document().painting()->canvas.area(), fitMargin * devicePixelRatioF());
+    m_fitted = true;
+    viewMoved();
+}
+
+void CanvasWidget::panBy(Point pixels)
+{
+    m_transform.panBy(pixels);
+    moveByHand();
+}
+
+void CanvasWidget::rotateBy(double degrees)
+{
+    m_transform.rotateAt(m_transform.centrePixel(), degrees * std::numbers::pi / 180);
+    moveByHand();
+}
+
+void CanvasWidget::resetRotation()
+{
+    m_transform.setRotationAt(m_transform.centrePixel(), 0);
+    moveByHand();
+}
+
+void CanvasWidget::mirror()
+{
+    m_transform.mirrorAt(m_transform.centrePixel());
+    moveByHand();
+}
+
+void CanvasWidget::moveByHand()
+{
+    m_fitted = false;
+    viewMoved();
+}
+
+void CanvasWidget::viewMoved()
+{
+    updateOverlay();
+    scheduleRender();
+    emit viewChanged();
+}
+
+void CanvasWidget::updateOverlay()
+{
+    m_presenter->updateArea(m_presenter->widget()->rect());
+}
+
+void CanvasWidget::updateOverlay(const QRectF &pixels)
+{
+    const double dpr = devicePixelRatioF();
+    const QRectF logical(pixels.topLeft() / dpr, pixels.size() / dpr);
+    m_presenter->updateArea(logical.toAlignedRect().adjusted(-1, -1, 1, 1) & m_presenter->widget()->rect());
+}
+
+void CanvasWidget::refreshCursor()
+{
+    if (m_navigation == Navigation::Pan)
+        setCursor(Qt::ClosedHandCursor);
+    else if (m_spaceDown)
+        setCursor(Qt::OpenHandCursor);
+    else if (m_navigation == Navigation::Rotate || m_rotateKeyDown)
+        setCursor(Qt::SizeAllCursor);
+    else
+        setCursor(m_tool ? m_tool->cursor() : QCursor(Qt::ArrowCursor));
+}
+
+void CanvasWidget::scheduleRender()
+{
+    // One request for all that happens before the event loop comes round: a stroke that turns from the draft into a
+    // part of the painting must not vanish for a frame.
+    if (m_renderScheduled)
+        return;
+    m_renderScheduled = true;
+    QMetaObject::invokeMethod(this, &CanvasWidget::requestFrame, Qt::QueuedConnection);
+}
+
+void CanvasWidget::requestFrame()
+{
+    m_renderScheduled = false;
+    if (view().width <= 0 || view().height <= 0)
+        return;
+    RenderRequest request;
+    request.painting = m_editor.document().snapshot();
+    request.time = m_editor.time();
+    request.view = view();
+    m_lastSerial = m_worker.request(std::move(request));
+}
+
+bool CanvasWidget::isUpToDate() const
+{
+    return !m_renderScheduled && m_lastSerial > 0 && m_worker.shownSerial() == m_lastSerial;
+}
+
+void CanvasWidget::frameReady(const FrameInfo &frame)
+{
+    if (frame.error.isEmpty()) {
+        if (frame.view == view())
+            for (const PixelRect &r : frame.stats.dirty)
+                updateOverlay(QRectF(r.x, r.y, r.width, r.height));
+        else
+            updateOverlay();
+    }
+    emit framePresented(frame);
+}
+
+QImage CanvasWidget::picture()
+{
+    QImage copy;
+    m_worker.withFrame([&](ShownFrame &frame) {
+        if (!frame.picture.argb.empty())
+            copy = QImage(reinterpret_cast<const uchar *>(frame.picture.argb.data()), frame.picture.width,
+                          frame.picture.height, qsizetype(frame.picture.width) * 4, QImage::Format_ARGB32)
+                       .copy();
+    });
+    return copy;
+}
+
+QColor CanvasWidget::backgroundColour() const
+{
+    return toOpaqueScreen(m_editor.document().painting()->canvas.background);
+}
+
+void CanvasWidget::paintOverlay(QPainter &painter)
+{
+    const double dpr = devicePixelRatioF();
+    const Document &document = m_editor.document();
+    painter.save();
+    paintPasteboard(painter, view(), document.painting()->canvas.area(), m_colours, dpr);
+    painter.restore();
+    painter.save();
+    paintSelection(painter, view(), *document.painting(), document.selection(), m_colours, dpr);
+    painter.restore();
+    if (m_tool) {
+        painter.setRenderHint(QPainter::Antialiasing);
+        m_tool->paint(painter, view(), dpr);
+    }
+}
+
+void CanvasWidget::readPalette()
+{
+    const bool dark = palette().color(QPalette::Window).lightness() < 128;
+    m_colours.pasteboard = dark ? QColor(38, 40, 44, 225) : QColor(206, 208, 212, 225);
+    m_colours.border = dark ? QColor(12, 12, 14) : QColor(120, 124, 130);
+    m_colours.accent = QColor(20, 110, 230);
+}
+
+void CanvasWidget::changeEvent(QEvent *event)
+{
+    if (event->type() == QEvent::PaletteChange && m_presenter) {
+        readPalette();
+        updateOverlay();
+    }
+    QWidget::changeEvent(event);
+}
+
+void CanvasWidget::resizeEvent(QResizeEvent *)
+{
+    m_presenter->widget()->setGeometry(rect());
+    const double dpr = devicePixelRatioF();
+    m_transform.resize(int(std::lround(width() * dpr)), int(std::lround(height() * dpr)));
+    if (m_fitted)
+        fit();
+    else
+        viewMoved();
+}
+
+} // namespace suffuse

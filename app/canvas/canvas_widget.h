@@ -1,0 +1,136 @@
+// The canvas: shows the painting, moves the view, and hands the pointer to the tool in use.
+#pragma once
+
+#include "app/canvas/overlay.h"
+#include "app/canvas/presenter.h"
+#include "app/canvas/render_worker.h"
+#include "app/canvas/view_transform.h"
+#include "app/tools/tool.h"
+
+#include <QImage>
+#include <QWidget>
+
+class QGestureEvent;
+class QNativeGestureEvent;
+class QPinchGesture;
+class QSinglePointEvent;
+
+namespace suffuse {
+
+class Editor;
+
+/// Shows the last finished frame at once wherever the view is, and swaps in the sharp one when it is ready.
+/// All pixels of its interface are device pixels.
+class CanvasWidget : public QWidget, private CanvasContent {
+    Q_OBJECT
+
+public:
+    explicit CanvasWidget(Editor &editor, QWidget *parent = nullptr);
+    ~CanvasWidget() override;
+
+    Editor &editor() { return m_editor; }
+    const View &view() const { return m_transform.view(); }
+    /// "CPU · 2 threads · AVX2"
+    const QString &backendText() const { return m_worker.backendText(); }
+    QString presenterName() const { return m_presenter->name(); }
+
+    /// The tool in use; tools belong to whoever makes them. The old one is cancelled.
+    void setTool(Tool *tool);
+    Tool *tool() const { return m_tool; }
+
+    void zoomBy(double factor);   ///< at the pointer if it is over the canvas, else at the centre
+    void setZoom(double scale);   ///< pixels per unit
+    void fit();                   ///< the whole canvas; stays so when the window changes size
+    void panBy(Point pixels);
+    void rotateBy(double degrees);
+    void resetRotation();
+    void mirror();
+
+    /// Repaints the overlay, or the part of it in `pixels`.
+    void updateOverlay();
+    void updateOverlay(const QRectF &pixels);
+    void refreshCursor();
+
+    /// True when the picture on the screen is that of the document as it is now, at this moment, in this view.
+    bool isUpToDate() const;
+    /// A copy of the last finished frame, without overlay.
+    QImage picture();
+    /// Theme colours of pasteboard and overlay, from the palette.
+    const OverlayColours &overlayColours() const { return m_colours; }
+
+signals:
+    void viewChanged();
+    void toolChanged();
+    void pointerMoved(double x, double y); ///< canvas units
+    void pointerLeft();
+    void framePresented(const suffuse::FrameInfo &frame);
+
+protected:
+    bool event(QEvent *event) override;
+    void resizeEvent(QResizeEvent *event) override;
+    void changeEvent(QEvent *event) override;
+    void mousePressEvent(QMouseEvent *event) override;
+    void mouseMoveEvent(QMouseEvent *event) override;
+    void mouseReleaseEvent(QMouseEvent *event) override;
+    void mouseDoubleClickEvent(QMouseEvent *event) override;
+    void tabletEvent(QTabletEvent *event) override;
+    void wheelEvent(QWheelEvent *event) override;
+    void keyPressEvent(QKeyEvent *event) override;
+    void keyReleaseEvent(QKeyEvent *event) override;
+    void enterEvent(QEnterEvent *event) override;
+    void leaveEvent(QEvent *event) override;
+    void focusOutEvent(QFocusEvent *event) override;
+    bool focusNextPrevChild(bool next) override;
+
+private:
+    /// What a drag does to the view.
+    enum class Navigation { None, Pan, Rotate };
+
+    // CanvasContent
+    const View &shownView() const override { return view(); }
+    void withFrame(const std::function<void(ShownFrame &)> &use) override { m_worker.withFrame(use); }
+    QColor backgroundColour() const override;
+    void paintOverlay(QPainter &painter) override;
+
+    void scheduleRender();
+    void requestFrame();
+    void frameReady(const FrameInfo &frame);
+    void viewMoved();
+    void moveByHand();
+    void readPalette();
+    Point zoomCentre() const;
+
+    Point toPixels(const QPointF &logical) const;
+    PointerEvent pointerEvent(const QSinglePointEvent &event, PointerDevice device) const;
+    Navigation navigationFor(const QSinglePointEvent &event) const;
+    void pointerPress(const PointerEvent &event, Navigation navigation);
+    void pointerMove(const PointerEvent &event);
+    void pointerRelease(const PointerEvent &event);
+    void navigate(Point pixel);
+    bool nativeGesture(QNativeGestureEvent *event);
+    bool gesture(QGestureEvent *event);
+
+    Editor &m_editor;
+    RenderWorker m_worker;
+    Presenter *m_presenter = nullptr;
+    ViewTransform m_transform;
+    OverlayColours m_colours;
+    Tool *m_tool = nullptr;
+
+    bool m_fitted = true;      ///< the view has not been moved by hand since it was fitted
+    bool m_renderScheduled = false;
+    quint64 m_lastSerial = 0;
+
+    Navigation m_navigation = Navigation::None;
+    Point m_lastPixel;
+    bool m_pointerInside = false;
+    bool m_pressed = false;    ///< the tool has seen a press
+    Qt::MouseButton m_pressButton = Qt::NoButton;
+    bool m_penDown = false;
+    bool m_spaceDown = false;
+    bool m_rotateKeyDown = false;
+    quint64 m_pressStamp = 0;       ///< milliseconds, the device's clock
+    Microseconds m_pressTime = 0;   ///< document time of the press
+};
+
+} // namespace suffuse

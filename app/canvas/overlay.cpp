@@ -1,0 +1,148 @@
+#include "app/canvas/overlay.h"
+
+#include "app/canvas/view_transform.h"
+
+namespace suffuse {
+
+namespace {
+
+constexpr double flatness = 0.3;
+constexpr int maxDepth = 40;
+constexpr double beyond = 64; ///< pixels around the window that lines may still run through
+
+Rect windowOf(const View &view)
+{
+    return Rect::of(0, 0, view.width, view.height).grown(beyond);
+}
+
+bool isFlat(const Cubic &c)
+{
+    const Point chord = c.p[3] - c.p[0];
+    const double l = length(chord);
+    const auto off = [&](Point q) {
+        const Point d = q - c.p[0];
+        return l > 0 ? std::max(std::abs(cross(chord, d)) / l, std::max(-dot(chord, d) / l, dot(chord, d) / l - l))
+                     : length(d);
+    };
+    return std::max(off(c.p[1]), off(c.p[2])) < flatness;
+}
+
+void addLine(QPainterPath &path, Point a, Point b, const Rect &window)
+{
+    if (!clipLine(a, b, window))
+        return;
+    const QPointF from(a.x, a.y);
+    if (path.elementCount() == 0 || path.currentPosition() != from)
+        path.moveTo(from);
+    path.lineTo(QPointF(b.x, b.y));
+}
+
+void flatten(QPainterPath &path, const Cubic &c, const Rect &window, int depth)
+{
+    if (!c.controlBox().intersects(window))
+        return;
+    if (depth == 0 || isFlat(c)) {
+        addLine(path, c.p[0], c.p[3], window);
+        return;
+    }
+    const auto [left, right] = c.split(0.5);
+    flatten(path, left, window, depth - 1);
+    flatten(path, right, window, depth - 1);
+}
+
+void paintNode(QPainter &painter, Point p, const OverlayColours &colours, double dpr)
+{
+    const double r = 3.0 * dpr;
+    painter.setPen(QPen(colours.accent, 1.2 * dpr));
+    painter.setBrush(Qt::white);
+    painter.drawEllipse(QPointF(p.x, p.y), r, r);
+    painter.setBrush(Qt::NoBrush);
+}
+
+} // namespace
+
+void addCurve(QPainterPath &path, const Cubic &cubic, const View &view)
+{
+    Cubic pixels;
+    for (int i = 0; i < 4; ++i)
+        pixels.p[i] = view.toPixels(cubic.p[i]);
+    flatten(path, pixels, windowOf(view), maxDepth);
+}
+
+void strokeTwoTone(QPainter &painter, const QPainterPath &path, const QColor &colour, double width, Qt::PenStyle style)
+{
+    QPen under(QColor(255, 255, 255, 190), width * 2.6);
+    under.setJoinStyle(Qt::RoundJoin);
+    under.setCapStyle(Qt::RoundCap);
+    painter.setBrush(Qt::NoBrush);
+    painter.setPen(under);
+    painter.drawPath(path);
+    QPen over(colour, width, style);
+    over.setJoinStyle(Qt::RoundJoin);
+    painter.setPen(over);
+    painter.drawPath(path);
+}
+
+void paintPasteboard(QPainter &painter, const View &view, const Rect &canvas, const OverlayColours &colours, double dpr)
+{
+    const Rect window = windowOf(view);
+    const QPolygonF inside = clippedCorners(view, canvas, window);
+    QPainterPath outside;
+    outside.setFillRule(Qt::OddEvenFill);
+    outside.addRect(QRectF(QPointF(window.left, window.top), QPointF(window.right, window.bottom)));
+    QPainterPath sheet;
+    if (inside.size() > 2) {
+        sheet.addPolygon(inside);
+        sheet.closeSubpath();
+        outside.addPath(sheet);
+    }
+    painter.setRenderHint(QPainter::Antialiasing);
+    painter.fillPath(outside, colours.pasteboard);
+    if (sheet.isEmpty())
+        return;
+    painter.save();
+    painter.setClipPath(outside, Qt::IntersectClip);
+    painter.setBrush(Qt::NoBrush);
+    for (int ring = 5; ring >= 1; --ring) { // a shadow that fades within a few pixels
+        painter.setPen(QPen(QColor(0, 0, 0, 11), 2 * ring * dpr));
+        painter.drawPath(sheet.translated(0, dpr));
+    }
+    painter.restore();
+    painter.setBrush(Qt::NoBrush);
+    painter.setPen(QPen(colours.border, dpr));
+    painter.drawPath(sheet);
+}
+
+void paintSelection(QPainter &painter, const View &view, const Painting &painting, const Selection &selection,
+                    const OverlayColours &colours, double dpr)
+{
+    if (selection.isEmpty())
+        return;
+    painter.setRenderHint(QPainter::Antialiasing);
+    QPainterPath strokes, segments;
+    std::vector<Point> nodes;
+    for (const StrokePtr &stroke : painting.strokes) {
+        const StrokeId id = stroke->id;
+        if (!selection.strokes.contains(id))
+            continue;
+        for (int k = 0; k < int(stroke->segments.size()); ++k) {
+            const Cubic cubic = stroke->cubicOf(stroke->segments[k]);
+            const bool chosen = selection.segments.contains({id, k});
+            addCurve(chosen ? segments : strokes, cubic, view);
+            if (chosen) {
+                nodes.push_back(view.toPixels(cubic.p[0]));
+                nodes.push_back(view.toPixels(cubic.p[3]));
+            }
+        }
+    }
+    QColor quiet = colours.accent;
+    quiet.setAlpha(selection.segments.empty() ? 255 : 150);
+    strokeTwoTone(painter, strokes, quiet, 1.1 * dpr);
+    strokeTwoTone(painter, segments, colours.accent, 2.2 * dpr);
+    const Rect window = windowOf(view);
+    for (const Point &node : nodes)
+        if (window.contains(node))
+            paintNode(painter, node, colours, dpr);
+}
+
+} // namespace suffuse

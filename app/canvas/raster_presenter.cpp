@@ -1,0 +1,68 @@
+#include "app/canvas/presenter.h"
+#include "app/canvas/view_transform.h"
+
+#include <QImage>
+#include <QPaintEvent>
+#include <QPainter>
+
+namespace suffuse {
+
+namespace {
+
+/// Draws the frame with QPainter on a plain widget: the fast way where OpenGL is software.
+class RasterPresenter : public QWidget, public Presenter {
+public:
+    RasterPresenter(CanvasContent &content, QWidget *parent) : QWidget(parent), m_content(content)
+    {
+        setAttribute(Qt::WA_TransparentForMouseEvents);
+        setAttribute(Qt::WA_OpaquePaintEvent);
+        setFocusPolicy(Qt::NoFocus);
+    }
+
+    QWidget *widget() override { return this; }
+    QString name() const override { return QStringLiteral("raster"); }
+    void updateArea(const QRect &area) override { update(area); }
+
+protected:
+    void paintEvent(QPaintEvent *event) override
+    {
+        QPainter painter(this);
+        painter.setClipRegion(event->region());
+        const double toDevice = 1 / devicePixelRatioF();
+        painter.scale(toDevice, toDevice);
+        m_content.withFrame([&](ShownFrame &frame) { paintFrame(painter, frame); });
+        m_content.paintOverlay(painter);
+    }
+
+private:
+    void paintFrame(QPainter &painter, ShownFrame &frame)
+    {
+        frame.dirty.clear();
+        const View &view = m_content.shownView();
+        const bool sharp = frame.view == view;
+        if (!sharp || frame.picture.argb.empty())
+            painter.fillRect(QRectF(0, 0, view.width + 1, view.height + 1), m_content.backgroundColour());
+        if (!isFrameUseful(frame, view))
+            return;
+        const QImage image(reinterpret_cast<const uchar *>(frame.picture.argb.data()), frame.picture.width,
+                           frame.picture.height, qsizetype(frame.picture.width) * 4, QImage::Format_RGB32);
+        painter.save();
+        if (!sharp) {
+            painter.setRenderHint(QPainter::SmoothPixmapTransform);
+            painter.setTransform(mapBetween(frame.view, view), true);
+        }
+        painter.drawImage(QPointF(0, 0), image);
+        painter.restore();
+    }
+
+    CanvasContent &m_content;
+};
+
+} // namespace
+
+Presenter *makeRasterPresenter(CanvasContent &content, QWidget *parent)
+{
+    return new RasterPresenter(content, parent);
+}
+
+} // namespace suffuse

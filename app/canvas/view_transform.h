@@ -1,0 +1,53 @@
+// The view that the user moves, and how an older picture lies in it.
+#pragma once
+
+#include "render/view.h"
+
+#include <QPolygonF>
+#include <QTransform>
+
+namespace suffuse {
+
+/// A View with the moves of a hand on it. Pixels are device pixels; what is named stays under the pixel that is named.
+class ViewTransform {
+public:
+    static constexpr double minScale = 1e-3;
+    static constexpr double maxScale = 1e9;
+
+    const View &view() const { return m_view; }
+
+    /// Another size of the picture; its centre stays in the centre.
+    void resize(int width, int height);
+    /// Moves the canvas under the window by device pixels.
+    void panBy(Point pixels);
+    /// Zooms by a factor, within minScale … maxScale.
+    void zoomAt(Point pixel, double factor) { setScaleAt(pixel, m_view.scale * factor); }
+    void setScaleAt(Point pixel, double scale);
+    /// Turns clockwise on screen, radians.
+    void rotateAt(Point pixel, double radians) { setRotationAt(pixel, m_view.rotation + radians); }
+    void setRotationAt(Point pixel, double radians);
+    /// Swaps left and right on screen.
+    void mirrorAt(Point pixel);
+    /// Shows all of `area`, as large as it goes with `margin` device pixels around; keeps rotation and mirroring.
+    void fit(const Rect &area, double margin);
+    Point centrePixel() const { return {0.5 * m_view.width, 0.5 * m_view.height}; }
+
+private:
+    template <typename Change>
+    void keeping(Point pixel, Change change);
+
+    View m_view;
+};
+
+/// Maps pixels of a picture that shows `from` to pixels of one that shows `to`; the differences are taken in canvas
+/// units first, so that deep zoom loses nothing.
+QTransform mapBetween(const View &from, const View &to);
+
+/// The four corners of a canvas rectangle in pixels, clipped to `clip` in double precision (coordinates at deep zoom
+/// are far beyond what a painter takes). May be empty.
+QPolygonF clippedCorners(const View &view, const Rect &area, const Rect &clip);
+
+/// Clips a line in place; false if nothing of it lies in `clip`.
+bool clipLine(Point &a, Point &b, const Rect &clip);
+
+} // namespace suffuse

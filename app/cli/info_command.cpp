@@ -1,0 +1,190 @@
+#include "app/cli/options.h"
+#include "model/formats/files.h"
+#include "model/influence.h"
+
+#include <QCoreApplication>
+#include <QFile>
+#include <QFileInfo>
+#include <QJsonArray>
+
+#include <algorithm>
+
+namespace suffuse::cli {
+
+namespace {
+
+/// What `info` tells; the moment is the end.
+struct Facts {
+    QString file;
+    FileFormat format = FileFormat::Unknown;
+    qint64 bytes = 0;
+    Painting painting;
+    Rect bounds;
+    Microseconds begin = 0;
+    Microseconds end = 0;
+    std::vector<ChunkInfo> chunks;
+};
+
+const char *idOf(FileFormat format)
+{
+    switch (format) {
+    case FileFormat::Suffuse:
+        return "suffuse";
+    case FileFormat::Text:
+        return "suffuse-text";
+    case FileFormat::InkCsv:
+        return "ink-csv";
+    case FileFormat::UniversalInk:
+        return "universal-ink";
+    case FileFormat::Excalidraw:
+        return "excalidraw";
+    case FileFormat::MyPaintEvents:
+        return "mypaint-events";
+    case FileFormat::Unknown:
+        break;
+    }
+    return "unknown";
+}
+
+const char *idOf(PaperKind kind)
+{
+    return kind == PaperKind::None ? "none" : kind == PaperKind::Procedural ? "procedural" : "image";
+}
+
+Result<QByteArray> readInput(const QString &path)
+{
+    QFile file(path);
+    const bool opened = path == "-" ? file.open(stdin, QIODevice::ReadOnly) : file.open(QIODevice::ReadOnly);
+    if (!opened)
+        return Error{QCoreApplication::translate("Cli", "%1: cannot be read (%2). Check the name and its permissions.")
+                         .arg(path, file.errorString())};
+    QByteArray bytes;
+    constexpr qint64 step = 16 << 20, most = qint64(2) << 30; // what the loader takes
+    for (QByteArray part = file.read(step); !part.isEmpty() && bytes.size() <= most; part = file.read(step))
+        bytes += part;
+    if (file.error() != QFileDevice::NoError)
+        return Error{QCoreApplication::translate("Cli", "%1: cannot be read (%2). Check the name and its permissions.")
+                         .arg(path, file.errorString())};
+    if (bytes.size() > most)
+        return Error{
+            QCoreApplication::translate("Cli", "%1: has more than 2 GB; that is more than can be opened").arg(path)};
+    return bytes;
+}
+
+Result<Facts> factsOf(const QString &path)
+{
+    // The painting first: its loader knows every way in which a file can be bad.
+    Facts facts;
+    facts.file = path;
+    QByteArray bytes;
+    if (path == "-" || QFileInfo(path).isFile()) {
+        const Result<QByteArray> input = readInput(path);
+        if (!input)
+            return Error{input.error()};
+        bytes = *input;
+    }
+    Result<Painting> painting = bytes.isEmpty() && path != "-" ? loadPainting(path) : readPainting(bytes, path);
+    if (!painting)
+        return Error{painting.error()};
+    facts.painting = std::move(*painting);
+    facts.format = detectFormat(bytes);
+    facts.bytes = bytes.size();
+    facts.end = facts.painting.end();
+    facts.begin = facts.end;
+    for (const StrokePtr &s : facts.painting.strokes)
+        facts.begin = std::min(facts.begin, s->born());
+    facts.bounds = influenceOf(facts.painting, facts.end);
+    if (facts.format == FileFormat::Suffuse) {
+        Result<std::vector<ChunkInfo>> chunks = suffuseChunks(bytes, path);
+        if (!chunks)
+            return Error{chunks.error()};
+        facts.chunks = std::move(*chunks);
+    }
+    return facts;
+}
+
+QJsonObject jsonOf(const Facts &f)
+{
+    const Canvas &canvas = f.painting.canvas;
+    const Colour &b = canvas.background;
+    QJsonObject object{{"file", f.file},
+                       {"format", idOf(f.format)},
+                       {"bytes", f.bytes},
+                       {"canvas", QJsonObject{{"width", canvas.width},
+                                              {"height", canvas.height},
+                                              {"background", QJsonArray{double(b.red), double(b.yellow), double(b.blue),
+                                                                        double(b.opacity)}},
+                                              {"paper", idOf(canvas.paper.kind)}}},
+                       {"strokes", qint64(f.painting.strokes.size())},
+                       {"segments", qint64(f.painting.segmentCount())},
+                       {"groups", qint64(f.painting.groups.size())},
+                       {"begin", toSeconds(f.begin)},
+                       {"end", toSeconds(f.end)},
+                       {"duration", toSeconds(f.end - f.begin)},
+                       {"bounds", QJsonValue()}};
+    if (!f.bounds.isEmpty())
+        object["bounds"] = QJsonArray{f.bounds.left, f.bounds.top, f.bounds.width(), f.bounds.height()};
+    QJsonArray chunks;
+    for (const ChunkInfo &c : f.chunks)
+        chunks.append(QJsonObject{{"name", c.name}, {"bytes", c.bytes}});
+    object["chunks"] = chunks;
+    return object;
+}
+
+QString textOf(const Facts &f)
+{
+    const Canvas &canvas = f.painting.canvas;
+    QStringList lines{
+        QStringLiteral("%1: %2").arg(f.file, nameOf(f.format)),
+        QCoreApplication::translate("Cli", "  bytes     %1").arg(f.bytes),
+        QCoreApplication::translate("Cli", "  canvas    %1 × %2").arg(canvas.width).arg(canvas.height),
+        QCoreApplication::translate("Cli", "  strokes   %1").arg(f.painting.strokes.size()),
+        QCoreApplication::translate("Cli", "  segments  %1").arg(f.painting.segmentCount()),
+        f.bounds.isEmpty() ? QCoreApplication::translate("Cli", "  bounds    none: nothing is painted")
+                           : QCoreApplication::translate("Cli", "  bounds    x %1, y %2, %3 × %4")
+                                 .arg(f.bounds.left, 0, 'f', 1)
+                                 .arg(f.bounds.top, 0, 'f', 1)
+                                 .arg(f.bounds.width(), 0, 'f', 1)
+                                 .arg(f.bounds.height(), 0, 'f', 1),
+        QCoreApplication::translate("Cli", "  duration  %1 s").arg(toSeconds(f.end - f.begin), 0, 'f', 3)};
+    for (const ChunkInfo &c : f.chunks)
+        lines.append(QCoreApplication::translate("Cli", "  chunk     %1, %2 bytes").arg(c.name).arg(c.bytes));
+    return lines.join('\n') + '\n';
+}
+
+int printBackends(bool json)
+{
+    QString text;
+    QJsonArray list;
+    for (const BackendInfo &b : backends()) {
+        list.append(QJsonObject{
+            {"name", b.name}, {"device", b.device}, {"available", b.unavailable.isEmpty()}, {"reason", b.unavailable}});
+        text +=
+            b.unavailable.isEmpty()
+                ? QStringLiteral("%1%2\n").arg(b.name, -11).arg(b.device)
+                : QCoreApplication::translate("Cli", "%1not available: %2").arg(b.name, -11).arg(b.unavailable) + '\n';
+    }
+    return json ? printJson({{"backends", list}}) : print(text);
+}
+
+} // namespace
+
+int infoCommand(const QStringList &arguments)
+{
+    CommandLine line("info", QCoreApplication::translate("Cli", "Tells what a painting or a recording holds."), {"IN"});
+    line.add({"json"}, QCoreApplication::translate("Cli", "Prints JSON (docs/cli.md)."));
+    line.add({"backends"},
+             QCoreApplication::translate("Cli", "The backends and devices there are, and why one is missing."));
+    if (const std::optional<int> code = line.parse(arguments, 0))
+        return *code;
+    if (line.isSet("backends") == !line.argument(0).isEmpty())
+        return failUsage("info", QCoreApplication::translate("Cli", "give a file, or --backends"));
+    if (line.isSet("backends"))
+        return printBackends(line.isSet("json"));
+    const Result<Facts> facts = factsOf(line.argument(0));
+    if (!facts)
+        return fail(facts.error());
+    return line.isSet("json") ? printJson(jsonOf(*facts)) : print(textOf(*facts));
+}
+
+} // namespace suffuse::cli

@@ -1,0 +1,73 @@
+// suffuse-cli: paintings without a window, and without a display.
+#include "app/cli/options.h"
+
+#include <QCoreApplication>
+#include <QTextStream>
+
+#include <array>
+#include <csignal>
+
+namespace suffuse::cli {
+
+namespace {
+
+struct Command {
+    const char *name;
+    int (*run)(const QStringList &);
+    const char *summary;
+};
+
+constexpr std::array commands = {
+    Command{"render", renderCommand, QT_TRANSLATE_NOOP("Cli", "draw a painting into an image file")},
+    Command{"info", infoCommand, QT_TRANSLATE_NOOP("Cli", "what a file holds; the backends there are")},
+    Command{"convert", convertCommand, QT_TRANSLATE_NOOP("Cli", "between documents, the text form and recordings")},
+    Command{"probe", probeCommand, QT_TRANSLATE_NOOP("Cli", "what lies at a point of the canvas")},
+    Command{"verify", verifyCommand, QT_TRANSLATE_NOOP("Cli", "compare the backends with the reference")},
+};
+
+QString help()
+{
+    QString text = QCoreApplication::translate("Cli", "Usage: suffuse-cli COMMAND [options] …") + "\n\n";
+    for (const Command &c : commands)
+        text += QStringLiteral("  %1%2\n")
+                    .arg(QLatin1String(c.name), -10)
+                    .arg(QCoreApplication::translate("Cli", c.summary));
+    text += '\n' +
+            QCoreApplication::translate(
+                "Cli", "suffuse-cli COMMAND --help lists the options of a command. An input of - is standard "
+                       "input.\nExit codes: 0 done, 1 the work failed, 2 wrong usage.") +
+            '\n';
+    return text;
+}
+
+int run(const QStringList &arguments)
+{
+    const QString name = arguments.value(1);
+    if (name == "--help" || name == "-h" || name == "help")
+        return print(help());
+    if (name == "--version" || name == "-v")
+        return print(QStringLiteral("suffuse-cli " SUFFUSE_VERSION "\n"));
+    for (const Command &c : commands)
+        if (name == QLatin1String(c.name))
+            return c.run(arguments);
+    if (name.isEmpty()) {
+        QTextStream(stderr) << help();
+        return WrongUsage;
+    }
+    return fail(QCoreApplication::translate("Cli", "%1: there is no such command. See suffuse-cli --help.").arg(name),
+                WrongUsage);
+}
+
+} // namespace
+
+} // namespace suffuse::cli
+
+int main(int argc, char *argv[])
+{
+    std::signal(SIGPIPE, SIG_IGN); // a closed pipe is a failed write, not a silent end
+    QCoreApplication app(argc, argv);
+    QCoreApplication::setApplicationName(QStringLiteral("suffuse-cli"));
+    QCoreApplication::setApplicationVersion(QStringLiteral(SUFFUSE_VERSION));
+    suffuse::cli::interrupted(); // from now on an interrupt leaves no half file
+    return suffuse::cli::run(app.arguments());
+}

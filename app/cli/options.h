@@ -1,0 +1,91 @@
+// What the commands of suffuse-cli share: exit codes, parsing, the picture's size, output.
+#pragma once
+
+#include "model/painting.h"
+#include "model/result.h"
+#include "render/renderer.h"
+
+#include <QCommandLineParser>
+#include <QJsonObject>
+#include <QString>
+#include <QStringList>
+
+#include <atomic>
+#include <optional>
+
+namespace suffuse::cli {
+
+enum ExitCode { Done = 0, Failed = 1, WrongUsage = 2 };
+
+/// `arguments` as QCoreApplication::arguments(): program, command, then the command's own. Each returns an ExitCode.
+int renderCommand(const QStringList &arguments);
+int infoCommand(const QStringList &arguments);
+int convertCommand(const QStringList &arguments);
+int probeCommand(const QStringList &arguments);
+int verifyCommand(const QStringList &arguments);
+
+/// The parser of one command.
+class CommandLine {
+public:
+    /// `positional`: the syntax of its arguments, one by one, e.g. {"IN", "OUT"}.
+    CommandLine(const QString &command, const QString &description, const QStringList &positional);
+
+    /// Adds an option; without `value` (its name in the help) it is a switch.
+    void add(const QStringList &names, const QString &description, const QString &value = {});
+    /// Parses. An exit code where the command ends here: help, unknown options, a wrong number of arguments. Negative
+    /// numbers are arguments, not options. `required` = -1: all of the positional ones.
+    std::optional<int> parse(const QStringList &arguments, int required = -1);
+
+    /// False too for an option that the command does not have.
+    bool isSet(const QString &option) const { return m_options.contains(option) && m_parser.isSet(option); }
+    QString value(const QString &option) const { return m_parser.value(option); }
+    /// The positional argument i, or empty.
+    QString argument(int i) const { return m_positional.value(i); }
+
+private:
+    QStringList withProtectedNumbers(const QStringList &arguments) const;
+
+    QString m_command;
+    int m_most;
+    QCommandLineParser m_parser;
+    QStringList m_options;
+    QStringList m_valueOptions; ///< with dashes
+    QStringList m_positional;
+};
+
+/// Prints "suffuse-cli: MESSAGE" on stderr and returns the code.
+int fail(const QString &message, ExitCode code = Failed);
+/// A usage error: the message and where help is.
+int failUsage(const QString &command, const QString &message);
+/// Writes text to stdout; Failed where that fails (a closed pipe, a full disk).
+int print(const QString &text);
+/// The object on several lines, keys in alphabetical order.
+int printJson(const QJsonObject &object);
+
+/// A finite number, whole text, C locale.
+std::optional<double> toNumber(const QString &text);
+
+/// What part of the painting is drawn, how large and when.
+struct PictureOptions {
+    Rect area;
+    int width = 0;
+    int height = 0;
+    Microseconds time = 0;
+};
+/// --size, --scale, --area and --time of the command line, as far as the command has them. Errors are usage errors.
+Result<PictureOptions> pictureOptions(const CommandLine &line, const Painting &painting);
+/// --time alone; default the end.
+Result<Microseconds> timeOption(const CommandLine &line, const Painting &painting);
+/// --backend and --threads, as far as the command has them.
+Result<RendererOptions> rendererOptions(const CommandLine &line);
+
+/// Largest picture that is drawn: pixels, at 16 bytes each in memory.
+inline constexpr qint64 maxPicturePixels = qint64(1) << 28;
+
+/// True after SIGINT or SIGTERM: work stops and nothing is left behind. Installs the handler on the first call.
+const std::atomic<bool> &interrupted();
+
+/// Draws the whole request, with a progress line on stderr where that is a terminal.
+Result<RenderStats> renderPicture(Renderer &renderer, const RenderRequest &request, FloatPicture &picture);
+
+} // namespace suffuse::cli

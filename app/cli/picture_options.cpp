@@ -1,0 +1,159 @@
+#include "app/cli/options.h"
+
+#include <QCoreApplication>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace suffuse::cli {
+
+namespace {
+
+const QString sizeOption = QStringLiteral("size");
+const QString scaleOption = QStringLiteral("scale");
+const QString areaOption = QStringLiteral("area");
+
+Result<Rect> areaOf(const QString &text)
+{
+    const QStringList parts = text.split(QLatin1Char(','));
+    std::array<double, 4> v{};
+    bool good = parts.size() == 4;
+    for (int i = 0; good && i < 4; ++i) {
+        const std::optional<double> number = toNumber(parts.at(i));
+        good = number && std::abs(*number) <= 1e12;
+        v[std::size_t(i)] = number.value_or(0);
+    }
+    if (!good || v[2] <= 0 || v[3] <= 0)
+        return Error{
+            QCoreApplication::translate("Cli", "--area %1: give X,Y,W,H in canvas units, W and H above 0").arg(text)};
+    return Rect::of(v[0], v[1], v[2], v[3]);
+}
+
+std::optional<int> pixelsOf(const QString &text)
+{
+    bool ok = false;
+    const int v = text.toInt(&ok);
+    return ok && v >= 1 ? std::optional(v) : std::nullopt;
+}
+
+/// What --size or --scale ask for; the height follows unless it is given.
+struct Wish {
+    int width = 0;
+    std::optional<int> height;
+};
+
+/// "WxH" or "W".
+Result<Wish> sizeOf(const QString &text)
+{
+    const QStringList parts = text.toLower().split(QLatin1Char('x'));
+    const std::optional<int> width = pixelsOf(parts.value(0));
+    const std::optional<int> height = parts.size() == 2 ? pixelsOf(parts.at(1)) : std::nullopt;
+    if (!width || parts.size() > 2 || (parts.size() == 2 && !height))
+        return Error{QCoreApplication::translate("Cli", "--size %1: give WxH or W in pixels, e.g. 1024x768").arg(text)};
+    return Wish{*width, height};
+}
+
+Result<Wish> scaledBy(const QString &text, const Rect &area)
+{
+    const std::optional<double> factor = toNumber(text);
+    if (!factor || *factor <= 0)
+        return Error{QCoreApplication::translate("Cli", "--scale %1: give pixels a unit, above 0, e.g. 2").arg(text)};
+    const double width = std::clamp(std::round(area.width() * *factor), 1.0, 2.0 * double(maxPicturePixels));
+    return Wish{int(width), std::nullopt};
+}
+
+QString limitProblem(const Rect &area, int width)
+{
+    const double height = area.height() / (area.width() / width); // before it is cut to an int
+    if (double(width) * std::max(height, 1.0) > double(maxPicturePixels))
+        return QCoreApplication::translate(
+                   "Cli", "a picture of %1 × %2 pixels is too large: at most %3 million pixels. Choose a "
+                          "smaller --size, --scale or --area")
+            .arg(width)
+            .arg(height, 0, 'f', 0)
+            .arg(maxPicturePixels / 1'000'000);
+    const double zoom = width / area.width();
+    if (!(zoom >= 1e-3 && zoom <= 1e9))
+        return QCoreApplication::translate(
+                   "Cli", "%1 pixels a unit are out of range: 0.001 to 1e9. Choose another --size, --scale "
+                          "or --area")
+            .arg(zoom, 0, 'g', 4);
+    return {};
+}
+
+} // namespace
+
+Result<PictureOptions> pictureOptions(const CommandLine &line, const Painting &painting)
+{
+    PictureOptions out;
+    out.area = painting.canvas.area();
+    if (line.isSet(areaOption)) {
+        const Result<Rect> area = areaOf(line.value(areaOption));
+        if (!area)
+            return Error{area.error()};
+        out.area = *area;
+    }
+    if (line.isSet(sizeOption) && line.isSet(scaleOption))
+        return Error{QCoreApplication::translate("Cli", "give --size or --scale, not both")};
+    const QString scale = line.isSet(scaleOption) ? line.value(scaleOption) : QStringLiteral("1");
+    const Result<Wish> wish = line.isSet(sizeOption) ? sizeOf(line.value(sizeOption)) : scaledBy(scale, out.area);
+    if (!wish)
+        return Error{wish.error()};
+    out.width = wish->width;
+    if (const QString problem = limitProblem(out.area, out.width); !problem.isEmpty())
+        return Error{problem};
+    out.height = std::max(heightForWidth(out.area, out.width), 1);
+    if (wish->height && *wish->height != out.height)
+        return Error{QCoreApplication::translate(
+                         "Cli", "--size %1: the picture is scaled uniformly, so a width of %2 has the height "
+                                "%3: use --size %2x%3")
+                         .arg(line.value(sizeOption))
+                         .arg(out.width)
+                         .arg(out.height)};
+    const Result<Microseconds> time = timeOption(line, painting);
+    if (!time)
+        return Error{time.error()};
+    out.time = *time;
+    return out;
+}
+
+Result<Microseconds> timeOption(const CommandLine &line, const Painting &painting)
+{
+    const QString option = QStringLiteral("time");
+    if (!line.isSet(option))
+        return painting.end();
+    const std::optional<double> seconds = toNumber(line.value(option));
+    if (!seconds || std::abs(*seconds) > 1e12)
+        return Error{QCoreApplication::translate("Cli", "--time %1: give a moment in seconds, e.g. 1.5")
+                         .arg(line.value(option))};
+    return toMicroseconds(*seconds);
+}
+
+Result<RendererOptions> rendererOptions(const CommandLine &line)
+{
+    RendererOptions out;
+    const QString backend =
+        line.isSet(QStringLiteral("backend")) ? line.value(QStringLiteral("backend")) : QStringLiteral("auto");
+    if (backend == QLatin1String("auto"))
+        out.backend = Backend::Auto;
+    else if (backend == QLatin1String("cpu"))
+        out.backend = Backend::Cpu;
+    else if (backend == QLatin1String("cuda"))
+        out.backend = Backend::Cuda;
+    else if (backend == QLatin1String("reference"))
+        out.backend = Backend::Reference;
+    else
+        return Error{
+            QCoreApplication::translate("Cli", "--backend %1: give auto, cpu, cuda or reference").arg(backend)};
+    if (line.isSet(QStringLiteral("threads"))) {
+        const std::optional<int> threads = pixelsOf(line.value(QStringLiteral("threads")));
+        if (!threads || *threads > 1024)
+            return Error{QCoreApplication::translate("Cli", "--threads %1: give a number from 1 to 1024")
+                             .arg(line.value(QStringLiteral("threads")))};
+        out.threads = *threads;
+    }
+    return out;
+}
+
+} // namespace suffuse::cli

@@ -1,0 +1,68 @@
+#pragma once
+
+#include "app/dialogs/export_job.h"
+
+#include <QDialog>
+
+class QCheckBox;
+class QComboBox;
+class QDialogButtonBox;
+class QGridLayout;
+class QLineEdit;
+class QProgressBar;
+class QPushButton;
+class QSpinBox;
+
+namespace suffuse {
+
+class Editor;
+class HintLabel;
+
+/// Exports the painting as a picture: file, size, moment, alpha, depth. Does the work itself, with a bar and a way to
+/// stop it; what stood at the target stays until the new picture is whole.
+class ExportDialog : public QDialog {
+    Q_OBJECT
+
+public:
+    explicit ExportDialog(Editor &editor, QWidget *parent = nullptr);
+
+    QLineEdit *path() const { return m_path; }
+    QSpinBox *widthBox() const { return m_width; }
+    QSpinBox *heightBox() const { return m_height; }
+    QCheckBox *transparent() const { return m_transparent; }
+    QComboBox *depth() const { return m_depth; }
+    QPushButton *exportButton() const { return m_export; }
+    HintLabel *hint() const { return m_hint; }
+    bool isExporting() const { return m_job.isRunning(); }
+
+    void reject() override;
+
+private:
+    void addFields(QGridLayout &grid);
+    void addSizeFields(QGridLayout &grid, int row);
+    void browse();
+    void formatChanged();
+    void sizeChanged(int width);
+    void startExport();
+    void exportFinished(bool written, const QString &error);
+    void setBusy(bool busy);
+    ImageOptions imageOptions() const;
+    QString suggestedPath() const;
+
+    Editor &m_editor;
+    ExportJob m_job;
+    QWidget *m_form = nullptr;
+    QLineEdit *m_path = nullptr;
+    QSpinBox *m_width = nullptr;
+    QSpinBox *m_height = nullptr;
+    QComboBox *m_moment = nullptr;
+    QCheckBox *m_transparent = nullptr;
+    QComboBox *m_depth = nullptr;
+    QSpinBox *m_quality = nullptr;
+    QProgressBar *m_progress = nullptr;
+    QPushButton *m_export = nullptr;
+    QPushButton *m_cancel = nullptr;
+    HintLabel *m_hint = nullptr;
+};
+
+} // namespace suffuse

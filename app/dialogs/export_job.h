@@ -1,0 +1,52 @@
+#pragma once
+
+#include "model/result.h"
+#include "render/image_io/image_io.h"
+#include "render/renderer.h"
+
+#include <QObject>
+
+#include <thread>
+
+namespace suffuse {
+
+/// What is to be exported, and where.
+struct ExportOrder {
+    QString path;
+    PaintingPtr painting;
+    Microseconds time = 0;
+    Rect area; ///< canvas units
+    int width = 0;
+    int height = 0;
+    bool transparent = false;
+    ImageOptions image;
+    int threads = 0; ///< 0: all cores
+};
+
+/// Renders and writes a picture on a thread of its own. Cancelled or failed, it leaves the target as it was.
+class ExportJob : public QObject {
+    Q_OBJECT
+
+public:
+    explicit ExportJob(QObject *parent = nullptr);
+    ~ExportJob() override; ///< cancels and waits
+
+    /// One order at a time.
+    void start(const ExportOrder &order);
+    void cancel() { m_cancel = true; }
+    bool isRunning() const { return m_running; }
+
+signals:
+    void progressed(int perMille);
+    /// On the caller's thread. `error` is empty after success and after a cancel.
+    void finished(bool written, const QString &error);
+
+private:
+    void run(const ExportOrder &order);
+
+    std::atomic<bool> m_cancel = false;
+    bool m_running = false;
+    std::jthread m_thread;
+};
+
+} // namespace suffuse

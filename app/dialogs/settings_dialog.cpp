@@ -1,0 +1,88 @@
+#include "app/dialogs/settings_dialog.h"
+
+#include "app/panels/section.h"
+#include "app/settings.h"
+#include "app/theme.h"
+
+#include <QComboBox>
+#include <QDialogButtonBox>
+#include <QFormLayout>
+#include <QSpinBox>
+#include <QVBoxLayout>
+
+namespace suffuse {
+
+SettingsDialog::SettingsDialog(QWidget *parent) : QDialog(parent), m_themeBefore(int(settings::theme()))
+{
+    setWindowTitle(tr("Settings"));
+    auto *column = new QVBoxLayout(this);
+    column->setContentsMargins(16, 16, 16, 16);
+    column->setSpacing(16);
+    auto *form = new QFormLayout;
+    form->setHorizontalSpacing(16);
+    form->setVerticalSpacing(8);
+    column->addLayout(form);
+
+    m_language = addCombo(*form, tr("Language"), tr("Language of the program. Changes when it starts again."));
+    m_language->addItem(tr("System"), QString());
+    m_language->addItem(QStringLiteral("English"), QStringLiteral("en"));
+    m_language->addItem(QStringLiteral("简体中文"), QStringLiteral("zh_CN"));
+    m_language->addItem(QStringLiteral("Deutsch"), QStringLiteral("de"));
+    m_language->setCurrentIndex(std::max(0, m_language->findData(settings::language())));
+
+    m_theme = addCombo(*form, tr("Theme"), tr("Colours of the windows"));
+    m_theme->addItems({tr("System"), tr("Dark"), tr("Light")});
+    m_theme->setCurrentIndex(m_themeBefore);
+    connect(m_theme, &QComboBox::currentIndexChanged, this, [](int index) {
+        settings::setTheme(settings::Theme(index));
+        applyTheme();
+    });
+
+    m_presenter = addCombo(*form, tr("Canvas"), tr("How the picture comes to the screen. Changes when the program starts again."));
+    m_presenter->addItems({tr("Automatic"), tr("Raster"), QStringLiteral("OpenGL")});
+    m_presenter->setCurrentIndex(int(settings::presenter()));
+
+    m_threads = new QSpinBox(this);
+    m_threads->setRange(0, 256);
+    m_threads->setSpecialValueText(tr("All cores"));
+    m_threads->setValue(settings::threads());
+    m_threads->setAccessibleName(tr("Threads"));
+    m_threads->setToolTip(tr("Processor threads for drawing. Changes when the program starts again."));
+    form->addRow(tr("Threads"), m_threads);
+
+    column->addWidget(quietLabel(tr("Language, canvas and threads change when Suffuse starts again."), this));
+    auto *buttons = new QDialogButtonBox(QDialogButtonBox::Ok | QDialogButtonBox::Cancel, this);
+    connect(buttons, &QDialogButtonBox::accepted, this, &SettingsDialog::accept);
+    connect(buttons, &QDialogButtonBox::rejected, this, &SettingsDialog::reject);
+    column->addWidget(buttons);
+    setMinimumWidth(360);
+}
+
+QComboBox *SettingsDialog::addCombo(QFormLayout &form, const QString &name, const QString &tip)
+{
+    auto *combo = new QComboBox(this);
+    combo->setAccessibleName(name);
+    combo->setToolTip(tip);
+    form.addRow(name, combo);
+    return combo;
+}
+
+void SettingsDialog::accept()
+{
+    settings::setLanguage(m_language->currentData().toString());
+    settings::setPresenter(settings::Presenter(m_presenter->currentIndex()));
+    settings::setThreads(m_threads->value());
+    settings::store().sync();
+    QDialog::accept();
+}
+
+void SettingsDialog::reject()
+{
+    if (int(settings::theme()) != m_themeBefore) {
+        settings::setTheme(settings::Theme(m_themeBefore));
+        applyTheme();
+    }
+    QDialog::reject();
+}
+
+} // namespace suffuse

@@ -1,0 +1,36 @@
+#pragma once
+
+#include <QDialog>
+
+class QComboBox;
+class QFormLayout;
+class QSpinBox;
+
+namespace suffuse {
+
+/// Language, theme and how pictures come to the screen. The theme changes at once; the rest is said to need a restart.
+class SettingsDialog : public QDialog {
+    Q_OBJECT
+
+public:
+    explicit SettingsDialog(QWidget *parent = nullptr);
+
+    QComboBox *language() const { return m_language; }
+    QComboBox *theme() const { return m_theme; }
+    QComboBox *presenter() const { return m_presenter; }
+    QSpinBox *threads() const { return m_threads; }
+
+    void accept() override;
+    void reject() override;
+
+private:
+    QComboBox *addCombo(QFormLayout &form, const QString &name, const QString &tip);
+
+    QComboBox *m_language = nullptr;
+    QComboBox *m_theme = nullptr;
+    QComboBox *m_presenter = nullptr;
+    QSpinBox *m_threads = nullptr;
+    int m_themeBefore = 0;
+};
+
+} // namespace suffuse

@@ -1,0 +1,59 @@
+#pragma once
+
+#include <QDialog>
+#include <QKeySequence>
+#include <QList>
+
+#include <map>
+
+class QAction;
+class QKeySequenceEdit;
+class QLabel;
+class QLineEdit;
+class QPushButton;
+class QTreeWidget;
+class QTreeWidgetItem;
+class QVBoxLayout;
+
+namespace suffuse {
+
+/// Remembers each action's own shortcuts and puts those in the settings in their place. Call it once all actions exist;
+/// actions are known by their object name, or where they have none by their text.
+void applyStoredShortcuts(const QList<QAction *> &actions);
+
+/// Edits the shortcuts of actions; what several actions would share is marked and cannot be kept.
+class ShortcutsDialog : public QDialog {
+    Q_OBJECT
+
+public:
+    explicit ShortcutsDialog(const QList<QAction *> &actions, QWidget *parent = nullptr);
+
+    QTreeWidget *list() const { return m_list; }
+    QKeySequenceEdit *editor() const { return m_edit; }
+    QLabel *conflict() const { return m_conflict; }
+
+    void accept() override;
+
+private:
+    void addList(QVBoxLayout &column);
+    /// The row below the list; returns its button that takes a shortcut away.
+    QPushButton *addEditor(QVBoxLayout &column);
+    QTreeWidgetItem *itemOf(QAction *action) const;
+    QAction *currentAction() const;
+    void fill(const QList<QAction *> &actions);
+    void showCurrent();
+    void takeSequence(const QKeySequence &sequence);
+    void reset(QAction *action);
+    void refresh();
+
+    QTreeWidget *m_list = nullptr;
+    QLineEdit *m_search = nullptr;
+    QKeySequenceEdit *m_edit = nullptr;
+    QPushButton *m_resetOne = nullptr;
+    QPushButton *m_ok = nullptr;
+    QLabel *m_conflict = nullptr;
+    QList<QAction *> m_actions;
+    std::map<QAction *, QList<QKeySequence>> m_chosen;
+};
+
+} // namespace suffuse

@@ -1,0 +1,83 @@
+// One open document and what is being done with it: the part of the window that has no pixels.
+#pragma once
+
+#include "model/brush.h"
+#include "model/document.h"
+#include "model/result.h"
+#include "undo/edit_command.h"
+
+#include <QBasicTimer>
+#include <QElapsedTimer>
+#include <QObject>
+#include <QUndoStack>
+
+namespace suffuse {
+
+/// Holds document, undo stack, file, brush and painting clock; panels and tools talk to it, never to each other.
+class Editor : public QObject {
+    Q_OBJECT
+
+public:
+    explicit Editor(QObject *parent = nullptr);
+
+    Document &document() { return m_document; }
+    QUndoStack &undoStack() { return m_undoStack; }
+
+    /// Pushes an edit under a translated name; an empty edit is ignored. Edits of one run (a drag) become one step.
+    void push(Edit edit, const QString &text, EditRun run = 0);
+
+    /// What the next stroke is painted with; its colour is the current colour.
+    const Brush &brush() const { return m_brush; }
+    void setBrush(const Brush &brush);
+    void setColour(const Colour &colour);
+
+    /// Document time T that is looked at. It runs while a stroke is drawn or something still spreads, and stands still
+    /// otherwise; opening sets it to the end; undo never turns it back.
+    Microseconds time() const;
+    bool isRunning() const { return m_running; }
+    /// Starts the clock (a stroke begins); it stops by itself when `holdClock` is over and all has dried.
+    void holdClock(bool drawing);
+    /// Looks at another moment; the clock goes on from there while something still spreads at it.
+    void setTime(Microseconds time);
+    /// With it the clock moves by `setTime` only, never by itself: for scripts and tests.
+    void setManualClock(bool manual);
+    bool hasManualClock() const { return m_manual; }
+
+    const QString &filePath() const { return m_filePath; } ///< empty: untitled
+    /// Title without the program's name: file name or "Untitled", translated.
+    QString displayName() const;
+    bool isModified() const { return !m_undoStack.isClean(); }
+
+    void newPainting(const Canvas &canvas);
+    /// Formats that cannot be saved (recordings) open untitled.
+    Result<void> open(const QString &path);
+    Result<void> save(const QString &path);
+
+signals:
+    void brushChanged();
+    void timeChanged();
+    void fileChanged(); ///< path or modified state
+
+protected:
+    void timerEvent(QTimerEvent *event) override;
+
+private:
+    void tick();
+    void startClock();
+    void stopClock();
+    void show(PaintingPtr painting, const QString &path);
+
+    Document m_document;
+    QUndoStack m_undoStack;
+    Brush m_brush;
+    QString m_filePath;
+    Microseconds m_time = 0;        ///< when the clock last stood
+    Microseconds m_end = 0;         ///< when all has dried
+    QElapsedTimer m_since;          ///< real time since then, while it runs
+    bool m_running = false;
+    bool m_drawing = false;
+    bool m_manual = false;
+    QBasicTimer m_timer;
+};
+
+} // namespace suffuse

@@ -1,0 +1,126 @@
+// The editor.
+#include "app/canvas/presenter.h"
+#include "app/icons.h"
+#include "app/main_window.h"
+#include "app/settings.h"
+#include "app/theme.h"
+#include "app/translation.h"
+
+#include <QApplication>
+
+#include <cstdio>
+#include <string_view>
+#include <vector>
+
+namespace {
+
+constexpr const char *usage = "Usage: suffuse [OPTIONS] [FILE...]\n"
+                              "\n"
+                              "Opens the editor, each FILE in a window of its own: paintings (.suffuse, or their text\n"
+                              "form .json) and pen recordings (.csv, .json, .excalidraw, .dat).\n"
+                              "\n"
+                              "  --reset-layout  forget where windows and docks were\n"
+                              "  --version       print the version\n"
+                              "  --help          print this\n"
+                              "\n"
+                              "Options of Qt (such as -platform) are taken too. suffuse-cli needs no display.\n";
+
+struct Options {
+    bool resetLayout = false;
+    int exitCode = -1; ///< 0 or more: nothing is left to do
+};
+
+/// What can be answered without a display is answered here; Qt's own options have one dash.
+Options readOptions(int argc, char **argv)
+{
+    Options options;
+    for (int i = 1; i < argc; ++i) {
+        const std::string_view arg = argv[i];
+        if (arg == "--")
+            break;
+        if (arg == "--version") {
+            std::printf("suffuse %s\n", SUFFUSE_VERSION);
+            options.exitCode = 0;
+        } else if (arg == "--help" || arg == "-h") {
+            std::fputs(usage, stdout);
+            options.exitCode = 0;
+        } else if (arg == "--reset-layout") {
+            options.resetLayout = true;
+        } else if (arg.starts_with("--") && arg != "--platform" && arg != "--style") {
+            std::fprintf(stderr, "suffuse: unknown option %s. suffuse --help lists the options.\n", argv[i]);
+            options.exitCode = 2;
+        }
+        if (options.exitCode >= 0)
+            break;
+    }
+    return options;
+}
+
+/// Qt aborts without a display; a message is better.
+bool hasDisplay(int argc, char **argv)
+{
+#ifdef Q_OS_LINUX
+    for (int i = 1; i < argc; ++i)
+        if (std::string_view(argv[i]) == "-platform" || std::string_view(argv[i]) == "--platform")
+            return true;
+    return qEnvironmentVariableIsSet("QT_QPA_PLATFORM") || !qEnvironmentVariableIsEmpty("DISPLAY") ||
+           !qEnvironmentVariableIsEmpty("WAYLAND_DISPLAY");
+#else
+    (void)argc, (void)argv;
+    return true;
+#endif
+}
+
+QStringList filesOf(const QStringList &arguments)
+{
+    QStringList files;
+    bool onlyFiles = false;
+    for (const QString &argument : arguments) {
+        if (!onlyFiles && argument == "--")
+            onlyFiles = true;
+        else if (onlyFiles || !argument.startsWith("--"))
+            files << argument;
+    }
+    return files;
+}
+
+} // namespace
+
+int main(int argc, char **argv)
+{
+    const Options options = readOptions(argc, argv);
+    if (options.exitCode >= 0)
+        return options.exitCode;
+    if (options.resetLayout && !hasDisplay(argc, argv)) {
+        QCoreApplication::setApplicationName("suffuse");
+        suffuse::settings::resetLayout();
+        return 0;
+    }
+    if (!hasDisplay(argc, argv)) {
+        std::fputs("suffuse: there is no display (neither DISPLAY nor WAYLAND_DISPLAY is set). Start it in a desktop "
+                   "session, or use suffuse-cli, which needs none.\n",
+                   stderr);
+        return 1;
+    }
+    QCoreApplication::setAttribute(Qt::AA_ShareOpenGLContexts);
+    suffuse::prepareOpenGl();
+    QApplication app(argc, argv);
+    QCoreApplication::setApplicationName("suffuse");
+    QCoreApplication::setApplicationVersion(SUFFUSE_VERSION);
+    QGuiApplication::setApplicationDisplayName({}); // titles name the program themselves
+    QGuiApplication::setDesktopFileName("suffuse");
+    QGuiApplication::setWindowIcon(suffuse::applicationIcon());
+    suffuse::installTranslators();
+    suffuse::applyTheme();
+    if (options.resetLayout)
+        suffuse::settings::resetLayout();
+
+    auto *first = new suffuse::MainWindow;
+    first->setAttribute(Qt::WA_DeleteOnClose);
+    first->show();
+    suffuse::MainWindow *window = first;
+    for (const QString &file : filesOf(app.arguments().mid(1)))
+        if (suffuse::MainWindow *opened = window->openFile(file))
+            window = opened;
+    return QApplication::exec();
+}

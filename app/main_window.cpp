@@ -1,0 +1,285 @@
+#include "app/main_window.h"
+
+#include "app/canvas/canvas_widget.h"
+#include "app/dialogs/about_dialog.h"
+#include "app/dialogs/export_dialog.h"
+#include "app/dialogs/new_dialog.h"
+#include "app/dialogs/settings_dialog.h"
+#include "app/dialogs/shortcuts_dialog.h"
+#include "app/icons.h"
+#include "app/messages.h"
+#include "app/panels/brush_panel.h"
+#include "app/panels/colour_panel.h"
+#include "app/panels/history_panel.h"
+#include "app/panels/inspector_panel.h"
+#include "app/panels/strokes_panel.h"
+#include "app/settings.h"
+#include "app/tools/brush_tool.h"
+#include "app/tools/commands.h"
+#include "app/tools/pan_tool.h"
+#include "app/tools/select_tool.h"
+
+#include <QApplication>
+#include <QDockWidget>
+#include <QLocale>
+#include <QMenu>
+#include <QStatusBar>
+#include <QToolBar>
+
+namespace suffuse {
+
+MainWindow::MainWindow(QWidget *parent) : QMainWindow(parent)
+{
+    setWindowIcon(applicationIcon());
+    setAcceptDrops(true);
+    setDockNestingEnabled(true);
+    resize(1280, 800);
+    m_canvas = new CanvasWidget(m_editor, this);
+    setCentralWidget(m_canvas);
+    m_actions = new Actions(*this, *m_canvas);
+    m_actions->fillMenus();
+    QToolBar *tools = m_actions->makeToolBar();
+    addToolBar(Qt::LeftToolBarArea, tools);
+    makeDocks();
+    m_actions->docksMenu()->addSeparator();
+    m_actions->docksMenu()->addAction(tools->toggleViewAction());
+    makeStatusBar();
+    makeTools();
+    connectActions();
+    connectViewActions();
+    connectUpdates();
+    updateTitle();
+    updateActions();
+    updateZoom();
+    settings::restoreLayout(*this);
+    m_canvas->setFocus();
+}
+
+MainWindow::~MainWindow()
+{
+    // A stack that goes reports that it is empty; there is no canvas to tell any more.
+    disconnect(&m_editor, nullptr, this, nullptr);
+    disconnect(&m_editor.document(), nullptr, this, nullptr);
+    disconnect(&m_editor.undoStack(), nullptr, this, nullptr);
+    // The canvas draws the document, which as a member goes before the child widgets do.
+    delete m_canvas;
+    for (QDockWidget *dock : std::as_const(m_docks))
+        delete dock;
+}
+
+QDockWidget *MainWindow::addDock(const char *name, const QString &title, QWidget *panel)
+{
+    auto *dock = new QDockWidget(title, this);
+    dock->setObjectName(QString::fromLatin1(name));
+    dock->setWidget(panel);
+    addDockWidget(Qt::RightDockWidgetArea, dock);
+    m_actions->docksMenu()->addAction(dock->toggleViewAction());
+    m_docks << dock;
+    return dock;
+}
+
+void MainWindow::makeDocks()
+{
+    QDockWidget *colour = addDock("colourDock", tr("Colour"), new ColourPanel(m_editor));
+    QDockWidget *brushes = addDock("brushesDock", tr("Brushes"), new BrushPanel(m_editor));
+    QDockWidget *inspector = addDock("inspectorDock", tr("Inspector"), new InspectorPanel(m_editor));
+    QDockWidget *strokes = addDock("strokesDock", tr("Strokes"), new StrokesPanel(m_editor));
+    QDockWidget *history = addDock("historyDock", tr("History"), new HistoryPanel(m_editor));
+    tabifyDockWidget(colour, brushes);
+    tabifyDockWidget(strokes, history);
+    colour->raise();
+    strokes->raise();
+    setTabPosition(Qt::RightDockWidgetArea, QTabWidget::North);
+    resizeDocks({colour, inspector, strokes}, {300, 300, 300}, Qt::Horizontal);
+    resizeDocks({colour, inspector, strokes}, {290, 310, 130}, Qt::Vertical);
+}
+
+void MainWindow::makeStatusBar()
+{
+    const auto label = [this](const QString &tip, int width) {
+        auto *l = new QLabel(this);
+        l->setToolTip(tip);
+        l->setMinimumWidth(width);
+        l->setContentsMargins(8, 0, 8, 0);
+        return l;
+    };
+    m_hint = new QLabel(this);
+    m_hint->setContentsMargins(6, 0, 0, 0);
+    m_hint->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
+    m_position = label(tr("Position of the pointer in canvas units"), fontMetrics().horizontalAdvance("00000.0, 00000.0"));
+    m_zoom = label(tr("Zoom"), fontMetrics().horizontalAdvance("00000 %"));
+    m_backend = label(tr("What renders the picture"), 0);
+    m_frameTime = label(tr("Time that the last frame took"), fontMetrics().horizontalAdvance("0000.0 ms"));
+    for (QLabel *number : {m_position, m_zoom, m_frameTime})
+        number->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
+    m_backend->setText(m_canvas->backendText());
+    statusBar()->addWidget(m_hint, 1);
+    for (QLabel *l : {m_position, m_zoom, m_backend, m_frameTime})
+        statusBar()->addPermanentWidget(l);
+}
+
+void MainWindow::makeTools()
+{
+    const std::pair<Command, Tool *> tools[] = {{Command::Brush, new BrushTool(*m_canvas, m_canvas)},
+                                                {Command::Select, new SelectTool(*m_canvas, m_canvas)},
+                                                {Command::Segments, new SegmentTool(*m_canvas, m_canvas)},
+                                                {Command::Pan, new PanTool(*m_canvas, m_canvas)}};
+    for (const auto &[command, tool] : tools)
+        connect(&action(command), &QAction::toggled, this, [this, tool = tool](bool on) {
+            if (on)
+                useTool(tool);
+        });
+    action(Command::Brush).setChecked(true);
+}
+
+void MainWindow::useTool(Tool *tool)
+{
+    m_canvas->setTool(tool);
+    m_hint->setText(tool->hint());
+    m_hint->setToolTip(tool->hint());
+}
+
+void MainWindow::connectActions()
+{
+    const auto on = [this](Command command, auto function) {
+        connect(&action(command), &QAction::triggered, this, function);
+    };
+    // A stroke in hand belongs to no step yet: undo gives it up instead, as in Krita.
+    const auto givesUp = [this] {
+        const bool busy = m_canvas->tool() && m_canvas->tool()->isBusy();
+        if (busy)
+            m_canvas->tool()->cancel();
+        return busy;
+    };
+    on(Command::New, [this] { newWindow(); });
+    on(Command::Open, [this] { chooseFileToOpen(); });
+    on(Command::Save, [this] { save(); });
+    on(Command::SaveAs, [this] { saveAs(); });
+    on(Command::Export, [this] { ExportDialog(m_editor, this).exec(); });
+    on(Command::Close, [this] { close(); });
+    on(Command::Quit, [] { QApplication::closeAllWindows(); });
+    on(Command::Undo, [this, givesUp] {
+        if (!givesUp())
+            m_editor.undoStack().undo();
+    });
+    on(Command::Redo, [this, givesUp] {
+        if (!givesUp())
+            m_editor.undoStack().redo();
+    });
+    on(Command::Delete, [this, givesUp] {
+        if (!givesUp())
+            commands::deleteSelected(m_editor);
+    });
+    on(Command::Duplicate, [this] { commands::duplicateSelected(m_editor); });
+    on(Command::SelectAll, [this] { commands::selectAll(m_editor); });
+    on(Command::Deselect, [this] { m_editor.document().setSelection({}); });
+    on(Command::Raise, [this] { commands::arrangeSelected(m_editor, Arrange::Raise); });
+    on(Command::Lower, [this] { commands::arrangeSelected(m_editor, Arrange::Lower); });
+    on(Command::Top, [this] { commands::arrangeSelected(m_editor, Arrange::Top); });
+    on(Command::Bottom, [this] { commands::arrangeSelected(m_editor, Arrange::Bottom); });
+    on(Command::Settings, [this] { SettingsDialog(this).exec(); });
+    on(Command::Shortcuts, [this] { ShortcutsDialog(m_actions->all(), this).exec(); });
+    on(Command::About, [this] { AboutDialog(this).exec(); });
+    connect(m_actions->recentMenu(), &QMenu::aboutToShow, this, &MainWindow::fillRecentMenu);
+}
+
+void MainWindow::connectViewActions()
+{
+    const auto on = [this](Command command, auto function) {
+        connect(&action(command), &QAction::triggered, this, function);
+    };
+    constexpr double step = 1.4142135623730951;
+    constexpr double turn = 15; // degrees
+    on(Command::ZoomIn, [this] { m_canvas->zoomBy(step); });
+    on(Command::ZoomOut, [this] { m_canvas->zoomBy(1 / step); });
+    on(Command::Zoom100, [this] { m_canvas->setZoom(1); });
+    on(Command::Fit, [this] { m_canvas->fit(); });
+    on(Command::RotateLeft, [this] { m_canvas->rotateBy(-turn); });
+    on(Command::RotateRight, [this] { m_canvas->rotateBy(turn); });
+    on(Command::ResetRotation, [this] { m_canvas->resetRotation(); });
+    on(Command::Mirror, [this] { m_canvas->mirror(); });
+    on(Command::HideDocks, [this](bool hide) { hideDocks(hide); });
+    on(Command::FullScreen, [this](bool full) {
+        setWindowState(full ? windowState() | Qt::WindowFullScreen : windowState() & ~Qt::WindowFullScreen);
+    });
+}
+
+void MainWindow::connectUpdates()
+{
+    connect(&m_editor, &Editor::fileChanged, this, &MainWindow::updateTitle);
+    connect(&m_editor.document(), &Document::changed, this, [this](const Change &change) {
+        if (!change.draft)
+            updateActions();
+    });
+    connect(&m_editor.undoStack(), &QUndoStack::indexChanged, this, &MainWindow::updateActions);
+    connect(m_canvas, &CanvasWidget::viewChanged, this, &MainWindow::updateZoom);
+    connect(m_canvas, &CanvasWidget::framePresented, this, &MainWindow::showFrame);
+    connect(m_canvas, &CanvasWidget::pointerLeft, this, [this] { m_position->clear(); });
+    connect(m_canvas, &CanvasWidget::pointerMoved, this, [this](double x, double y) {
+        // As many decimals as a pixel shows.
+        const int decimals = std::clamp(int(std::ceil(std::log10(m_canvas->view().scale))) + 1, 0, 10);
+        const QLocale l = locale();
+        m_position->setText(QStringLiteral("%1, %2").arg(l.toString(x, 'f', decimals), l.toString(y, 'f', decimals)));
+    });
+}
+
+void MainWindow::updateActions()
+{
+    const bool any = !m_editor.document().selection().isEmpty();
+    for (const Command command : {Command::Delete, Command::Duplicate, Command::Deselect, Command::Raise,
+                                  Command::Lower, Command::Top, Command::Bottom})
+        action(command).setEnabled(any);
+    const QUndoStack &stack = m_editor.undoStack();
+    const auto name = [&](Command command, const QString &plain, const QString &named, const QString &step, bool can) {
+        action(command).setEnabled(can);
+        action(command).setText(can && !step.isEmpty() ? named.arg(step) : plain);
+    };
+    name(Command::Undo, tr("&Undo"), tr("&Undo: %1"), stack.undoText(), stack.canUndo());
+    name(Command::Redo, tr("&Redo"), tr("&Redo: %1"), stack.redoText(), stack.canRedo());
+}
+
+void MainWindow::updateTitle()
+{
+    setWindowTitle(QStringLiteral("%1[*] — Suffuse").arg(m_editor.displayName()));
+    setWindowFilePath(m_editor.filePath());
+    setWindowModified(m_editor.isModified());
+}
+
+void MainWindow::updateZoom()
+{
+    const double percent = m_canvas->view().scale * 100;
+    const bool plain = percent >= 0.1 && percent < 1e6;
+    m_zoom->setText(tr("%1 %").arg(plain ? locale().toString(percent, 'f', percent < 10 ? 1 : 0)
+                                         : locale().toString(percent, 'g', 3)));
+    QSignalBlocker blocked(action(Command::Mirror));
+    action(Command::Mirror).setChecked(m_canvas->view().mirrored);
+}
+
+void MainWindow::showFrame(const FrameInfo &frame)
+{
+    if (frame.error.isEmpty())
+        m_frameTime->setText(tr("%1 ms").arg(locale().toString(frame.stats.totalMs, 'f', 1)));
+    if (frame.error != m_renderError) { // once, not sixty times a second
+        m_renderError = frame.error;
+        if (!m_renderError.isEmpty())
+            showError(this, m_renderError);
+    }
+}
+
+void MainWindow::hideDocks(bool hide)
+{
+    if (hide) {
+        m_hiddenDocks.clear();
+        for (QDockWidget *dock : std::as_const(m_docks)) {
+            if (dock->toggleViewAction()->isChecked())
+                m_hiddenDocks << dock;
+            dock->hide();
+        }
+    } else {
+        for (QDockWidget *dock : std::as_const(m_hiddenDocks))
+            dock->show();
+        m_hiddenDocks.clear();
+    }
+}
+
+} // namespace suffuse

@@ -1,0 +1,191 @@
+// Opening, saving and closing: the part of the window that deals with files.
+#include "app/canvas/canvas_widget.h"
+#include "app/dialogs/new_dialog.h"
+#include "app/main_window.h"
+#include "app/messages.h"
+#include "app/settings.h"
+#include "model/formats/files.h"
+
+#include <QCloseEvent>
+#include <QDragEnterEvent>
+#include <QFileDialog>
+#include <QFileInfo>
+#include <QMenu>
+#include <QMimeData>
+
+namespace suffuse {
+
+namespace {
+
+QString startFolder(const QString &path)
+{
+    if (!path.isEmpty())
+        return QFileInfo(path).absolutePath();
+    const QStringList recent = settings::recentFiles();
+    return recent.isEmpty() ? QString() : QFileInfo(recent.front()).absolutePath();
+}
+
+QStringList localFiles(const QMimeData *data)
+{
+    QStringList files;
+    for (const QUrl &url : data->urls())
+        if (url.isLocalFile())
+            files << url.toLocalFile();
+    return files;
+}
+
+} // namespace
+
+bool MainWindow::isUntouched()
+{
+    return m_editor.filePath().isEmpty() && m_editor.undoStack().count() == 0 &&
+           m_editor.document().painting()->strokes.empty();
+}
+
+MainWindow *MainWindow::openWindow()
+{
+    auto *window = new MainWindow;
+    window->setAttribute(Qt::WA_DeleteOnClose);
+    window->setGeometry(geometry().translated(28, 28));
+    window->show();
+    return window;
+}
+
+void MainWindow::newWindow()
+{
+    const std::optional<Canvas> canvas = NewDialog::ask(this);
+    if (!canvas)
+        return;
+    MainWindow *window = isUntouched() ? this : openWindow();
+    window->m_editor.newPainting(*canvas);
+}
+
+void MainWindow::chooseFileToOpen()
+{
+    const QString filter = tr("All that can be opened (*.suffuse *.json *.csv *.excalidraw *.dat)") + ";;" +
+                           tr("Suffuse paintings (*.suffuse *.json)") + ";;" +
+                           tr("Pen recordings (*.csv *.json *.excalidraw *.dat)") + ";;" + tr("All files (*)");
+    const QStringList files =
+        QFileDialog::getOpenFileNames(this, tr("Open"), startFolder(m_editor.filePath()), filter);
+    MainWindow *window = this;
+    for (const QString &file : files)
+        if (MainWindow *opened = window->openFile(file))
+            window = opened;
+}
+
+MainWindow *MainWindow::openFile(const QString &path)
+{
+    // Into an editor of its own first, so that a file that cannot be read opens no window.
+    MainWindow *window = this;
+    std::unique_ptr<MainWindow> made;
+    if (!isUntouched()) {
+        made = std::make_unique<MainWindow>();
+        window = made.get();
+    }
+    if (const Result<void> opened = window->m_editor.open(path); !opened) {
+        showError(this, opened.error());
+        return nullptr;
+    }
+    settings::addRecentFile(QFileInfo(path).absoluteFilePath());
+    if (made) {
+        made->setAttribute(Qt::WA_DeleteOnClose);
+        made->setGeometry(geometry().translated(28, 28));
+        made.release()->show();
+    }
+    return window;
+}
+
+bool MainWindow::save()
+{
+    return m_editor.filePath().isEmpty() ? saveAs() : saveTo(m_editor.filePath());
+}
+
+bool MainWindow::saveAs()
+{
+    QFileDialog dialog(this, tr("Save As"), startFolder(m_editor.filePath()));
+    dialog.setAcceptMode(QFileDialog::AcceptSave);
+    dialog.setNameFilters({tr("Suffuse painting (*.suffuse)"), tr("Text form (*.json)")});
+    dialog.setDefaultSuffix("suffuse");
+    connect(&dialog, &QFileDialog::filterSelected, &dialog, [&dialog](const QString &filter) {
+        dialog.setDefaultSuffix(filter.contains("*.json") ? "json" : "suffuse");
+    });
+    const QString name = m_editor.filePath().isEmpty() ? m_editor.displayName() + ".suffuse" : m_editor.displayName();
+    if (name.endsWith(".json", Qt::CaseInsensitive))
+        dialog.selectNameFilter(dialog.nameFilters().last());
+    dialog.selectFile(name);
+    return dialog.exec() == QDialog::Accepted && saveTo(dialog.selectedFiles().value(0));
+}
+
+bool MainWindow::saveTo(const QString &path)
+{
+    if (const Result<void> saved = m_editor.save(path); !saved) {
+        showError(this, saved.error());
+        return false;
+    }
+    settings::addRecentFile(m_editor.filePath());
+    return true;
+}
+
+bool MainWindow::maySwitch()
+{
+    if (!m_editor.isModified())
+        return true;
+    switch (askToSave(this, m_editor.displayName())) {
+    case SaveAnswer::Save:
+        return save();
+    case SaveAnswer::Discard:
+        return true;
+    case SaveAnswer::Cancel:
+        break;
+    }
+    return false;
+}
+
+void MainWindow::fillRecentMenu()
+{
+    QMenu *menu = m_actions->recentMenu();
+    menu->clear();
+    const QStringList files = settings::recentFiles();
+    for (const QString &path : files) {
+        QString text = QFileInfo(path).fileName();
+        QAction *entry = menu->addAction(text.replace('&', "&&"));
+        entry->setToolTip(path);
+        connect(entry, &QAction::triggered, this, [this, path] { openFile(path); });
+    }
+    menu->setToolTipsVisible(true);
+    menu->addSeparator();
+    QAction *clear = menu->addAction(tr("&Clear the List"));
+    clear->setEnabled(!files.isEmpty());
+    connect(clear, &QAction::triggered, this, [] { settings::clearRecentFiles(); });
+}
+
+void MainWindow::closeEvent(QCloseEvent *event)
+{
+    if (m_canvas->tool())
+        m_canvas->tool()->cancel();
+    if (!maySwitch()) {
+        event->ignore();
+        return;
+    }
+    if (action(Command::HideDocks).isChecked()) // they are to come back next time
+        action(Command::HideDocks).trigger();
+    settings::saveLayout(*this);
+    event->accept();
+}
+
+void MainWindow::dragEnterEvent(QDragEnterEvent *event)
+{
+    if (!localFiles(event->mimeData()).isEmpty())
+        event->acceptProposedAction();
+}
+
+void MainWindow::dropEvent(QDropEvent *event)
+{
+    event->acceptProposedAction();
+    MainWindow *window = this;
+    for (const QString &file : localFiles(event->mimeData()))
+        if (MainWindow *opened = window->openFile(file))
+            window = opened;
+}
+
+} // namespace suffuse

@@ -1,0 +1,14 @@
+#pragma once
+
+#include <QString>
+
+#include <optional>
+
+namespace suffuse {
+
+/// Value of what was typed into a number field: numbers with + − * / and parentheses ("12*1.5"), a decimal comma or
+/// point. A leading + * or / works on `current` where there is one ("+2", "*1.5"); a leading − is a sign, "−=2" takes 2
+/// away. `unit` may stand at the end. Nothing if it cannot be read or is not finite.
+std::optional<double> evaluateArithmetic(const QString &text, std::optional<double> current, const QString &unit = {});
+
+} // namespace suffuse

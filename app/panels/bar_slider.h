@@ -1,0 +1,43 @@
+#pragma once
+
+#include <QSlider>
+
+#include <functional>
+
+namespace suffuse {
+
+/// A slim horizontal slider: a press anywhere jumps there and drags on, the bar is filled up to the handle or shows a
+/// gradient. Positions are 0 … steps.
+class BarSlider : public QSlider {
+    Q_OBJECT
+
+public:
+    static constexpr int steps = 1000;
+
+    explicit BarSlider(QWidget *parent = nullptr);
+
+    /// Colour along the bar at position 0 … 1; null: a plain bar.
+    void setGradient(std::function<QColor(double)> gradient);
+    /// No handle: the values are mixed.
+    void setMixed(bool mixed);
+    bool isMixed() const { return m_mixed; }
+
+    QSize sizeHint() const override;
+    QSize minimumSizeHint() const override;
+
+protected:
+    void paintEvent(QPaintEvent *event) override;
+    void mousePressEvent(QMouseEvent *event) override;
+    void mouseMoveEvent(QMouseEvent *event) override;
+    void mouseReleaseEvent(QMouseEvent *event) override;
+    void wheelEvent(QWheelEvent *event) override;
+
+private:
+    int positionAt(double x) const;
+    QRectF track() const;
+
+    std::function<QColor(double)> m_gradient;
+    bool m_mixed = false;
+};
+
+} // namespace suffuse

@@ -1,0 +1,213 @@
+#include "app/panels/canvas_section.h"
+
+#include "app/panels/colour_rows.h"
+#include "app/panels/colour_swatch.h"
+#include "app/panels/number_field.h"
+#include "app/panels/section.h"
+#include "model/validate.h"
+#include "render/paper.h"
+
+#include <QComboBox>
+#include <QFile>
+#include <QFileDialog>
+#include <QGridLayout>
+#include <QPushButton>
+#include <QVBoxLayout>
+
+namespace suffuse {
+
+namespace {
+constexpr qint64 maxImageBytes = 64 * 1024 * 1024;
+}
+
+CanvasSection::CanvasSection(QWidget *parent) : QWidget(parent)
+{
+    auto *column = new QVBoxLayout(this);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->setSpacing(4);
+    column->addWidget(sectionTitle(tr("Canvas"), this));
+    addSize(*addFieldGrid(*column));
+
+    auto *head = new QHBoxLayout;
+    head->addWidget(sectionTitle(tr("Background"), this), 1);
+    m_swatch = new ColourSwatch(this);
+    m_swatch->setAccessibleName(tr("Background"));
+    m_swatch->setToolTip(tr("Background colour. Click: white."));
+    head->addWidget(m_swatch);
+    column->addSpacing(8);
+    column->addLayout(head);
+    m_background = new ColourRows(true, this);
+    column->addWidget(m_background);
+    connect(m_swatch, &ColourSwatch::clicked, this,
+            [this] { change([](Canvas &c) { c.background = Colour{}; }, tr("Change background")); });
+    connect(m_background, &ColourRows::edited, this, [this](int channel, double value, EditRun run) {
+        change([=](Canvas &c) { ColourRows::channelOf(c.background, channel) = float(value); },
+               tr("Change background"), run);
+    });
+    connect(m_background, &ColourRows::refused, this, &CanvasSection::refused);
+
+    column->addSpacing(8);
+    column->addWidget(sectionTitle(tr("Paper"), this));
+    addPaper(*addFieldGrid(*column));
+    refresh();
+}
+
+void CanvasSection::addSize(QGridLayout &grid)
+{
+    const auto add = [&](int row, const QString &name, const QString &tip, double Canvas::*member) {
+        auto *label = new QLabel(name, this);
+        auto *field = new NumberField(this);
+        field->setRange(0.001, 1e6);
+        field->setStep(1);
+        field->setUnit(QStringLiteral(" u"));
+        field->setAccessibleName(name);
+        field->setToolTip(tip);
+        label->setBuddy(field);
+        grid.addWidget(label, row, 0);
+        grid.addWidget(field, row, 2);
+        connect(field, &NumberField::refused, this, &CanvasSection::refused);
+        connect(field, &NumberField::entered, this,
+                [=, this](double value) { change([=](Canvas &c) { c.*member = value; }, tr("Resize canvas")); });
+        return field;
+    };
+    m_width = add(0, tr("Width"), tr("Width of the canvas in units; a unit is a pixel at 100 %."), &Canvas::width);
+    m_height = add(1, tr("Height"), tr("Height of the canvas in units; a unit is a pixel at 100 %."), &Canvas::height);
+}
+
+void CanvasSection::addPaper(QGridLayout &grid)
+{
+    auto *kindLabel = new QLabel(tr("Texture"), this);
+    m_kind = new QComboBox(this);
+    m_kind->addItems({tr("None"), tr("Procedural"), tr("Image…")});
+    m_kind->setAccessibleName(tr("Texture"));
+    m_kind->setToolTip(tr("The paper's grain, which granulating strokes show."));
+    m_kind->setFocusPolicy(Qt::StrongFocus);
+    kindLabel->setBuddy(m_kind);
+    grid.addWidget(kindLabel, 0, 0);
+    grid.addWidget(m_kind, 0, 1, 1, 2);
+    connect(m_kind, &QComboBox::activated, this, [this](int index) { choosePaper(PaperKind(index)); });
+
+    m_image = new QPushButton(tr("Choose image…"), this);
+    m_image->setToolTip(tr("Take the grain from another picture file."));
+    grid.addWidget(m_image, 1, 1, 1, 2);
+    connect(m_image, &QPushButton::clicked, this, [this] { choosePaper(PaperKind::Image); });
+
+    m_seedLabel = new QLabel(tr("Seed"), this);
+    m_seed = new NumberField(this);
+    m_seed->setInteger(true);
+    m_seed->setRange(0, 4294967295.0);
+    m_seed->setStep(1);
+    m_seed->setAccessibleName(tr("Seed"));
+    m_seed->setToolTip(tr("Another number gives another grain."));
+    m_seedLabel->setBuddy(m_seed);
+    grid.addWidget(m_seedLabel, 2, 0);
+    grid.addWidget(m_seed, 2, 2);
+    connect(m_seed, &NumberField::refused, this, &CanvasSection::refused);
+    connect(m_seed, &NumberField::entered, this, [this](double value) {
+        change([=](Canvas &c) { c.paper.seed = std::uint32_t(value); }, tr("Change paper"));
+    });
+
+    m_scale = new SliderField({.name = tr("Scale"),
+                               .toolTip = tr("Size of the coarsest grain in units, or units per pixel of the image."),
+                               .unit = QStringLiteral(" u"),
+                               .minimum = 1e-6,
+                               .maximum = 1e6,
+                               .sliderMinimum = 0.1,
+                               .sliderMaximum = 400,
+                               .logarithmic = true,
+                               .defaultValue = Paper{}.scale},
+                              grid, 3, this);
+    m_strength = new SliderField({.name = tr("Strength"),
+                                  .toolTip = tr("How deep the grain goes."),
+                                  .unit = QStringLiteral(" %"),
+                                  .factor = 100,
+                                  .step = 0.01,
+                                  .defaultValue = Paper{}.strength},
+                                 grid, 4, this);
+    const auto connectField = [this](SliderField *field, float Paper::*member) {
+        connect(field, &SliderField::refused, this, &CanvasSection::refused);
+        connect(field, &SliderField::edited, this, [this, member](double value, EditRun run) {
+            change([=](Canvas &c) { c.paper.*member = float(value); }, tr("Change paper"), run);
+        });
+    };
+    connectField(m_scale, &Paper::scale);
+    connectField(m_strength, &Paper::strength);
+}
+
+void CanvasSection::choosePaper(PaperKind kind)
+{
+    Paper paper = m_canvas.paper;
+    if (kind == PaperKind::Image && !chooseImage(paper)) {
+        refresh();
+        return;
+    }
+    paper.kind = kind;
+    if (kind != PaperKind::Image)
+        paper.image.reset();
+    if (kind == PaperKind::Image && m_canvas.paper.kind != kind)
+        paper.scale = 1;
+    else if (kind == PaperKind::Procedural && m_canvas.paper.kind != kind)
+        paper.scale = Paper{}.scale;
+    change([&](Canvas &c) { c.paper = paper; }, tr("Change paper"));
+}
+
+bool CanvasSection::chooseImage(Paper &paper)
+{
+    const QString path = QFileDialog::getOpenFileName(
+        this, tr("Paper image"), QString(), tr("Pictures") + QStringLiteral(" (*.png *.jpg *.jpeg *.tif *.tiff *.webp *.exr)"));
+    if (path.isEmpty())
+        return false;
+    QFile file(path);
+    if (!file.open(QIODevice::ReadOnly) || file.size() > maxImageBytes) {
+        emit refused(file.isOpen() ? tr("%1 is larger than 64 MB: choose a smaller picture.").arg(path)
+                                   : tr("%1 cannot be read: %2.").arg(path, file.errorString()));
+        return false;
+    }
+    paper.image = std::make_shared<const QByteArray>(file.readAll());
+    paper.kind = PaperKind::Image;
+    if (const auto texture = paperTexture(paper); !texture) {
+        emit refused(tr("%1 cannot be used as paper: %2").arg(path, texture.error()));
+        return false;
+    }
+    return true;
+}
+
+void CanvasSection::change(const std::function<void(Canvas &)> &change, const QString &undoText, EditRun run)
+{
+    Canvas canvas = m_canvas;
+    change(canvas);
+    if (const QString problem = problemOf(canvas); !problem.isEmpty()) {
+        emit refused(problem);
+        refresh();
+        return;
+    }
+    m_canvas = canvas;
+    refresh();
+    emit edited(canvas, undoText, run);
+}
+
+void CanvasSection::setCanvas(const Canvas &canvas)
+{
+    m_canvas = canvas;
+    refresh();
+}
+
+void CanvasSection::refresh()
+{
+    const Paper &paper = m_canvas.paper;
+    m_width->setValue(m_canvas.width);
+    m_height->setValue(m_canvas.height);
+    m_swatch->setColour(m_canvas.background);
+    m_background->setColour(m_canvas.background);
+    m_kind->setCurrentIndex(int(paper.kind));
+    m_image->setVisible(paper.kind == PaperKind::Image);
+    m_seedLabel->setVisible(paper.kind == PaperKind::Procedural);
+    m_seed->setVisible(paper.kind == PaperKind::Procedural);
+    m_seed->setValue(double(paper.seed));
+    m_scale->setVisible(paper.kind != PaperKind::None);
+    m_scale->setValue(double(paper.scale));
+    m_strength->setVisible(paper.kind != PaperKind::None);
+    m_strength->setValue(double(paper.strength));
+}
+
+} // namespace suffuse

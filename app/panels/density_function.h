@@ -1,0 +1,29 @@
+// The density modification F (eq 17-19) and figures derived from a segment, for panels.
+#pragma once
+
+#include "model/segment.h"
+#include "model/style.h"
+
+#include <optional>
+
+namespace suffuse {
+
+/// F(φ′) in [0, 1], with the defined edges (0 below φ₀ or φ_e).
+double densityFunction(const Style &style, double density);
+
+/// Density at which the visible stroke ends: where (17) and (18) reach ½, φ_e of (19).
+double visibleCut(const Style &style);
+
+/// Figures of a long straight stroke of constant values, dried out.
+struct DerivedFigures {
+    double spread = 0;    ///< s = √(4 D t_max), units
+    double peak = 0;      ///< pk = φˢ/(√π s)
+    double halfWidth = 0; ///< w = s √ln(pk/cut), units; 0 where nothing is visible
+    std::optional<double> driesOut; ///< age at which the peak falls under the cut, s; none: it stays visible
+};
+DerivedFigures derivedFigures(const Segment &segment, const Style &style);
+
+/// φˢ of a peak density at full age: pk √π s.
+double densityForPeak(double peak, double diffusion, double maxAge);
+
+} // namespace suffuse

@@ -1,0 +1,115 @@
+#include "app/panels/inspector_panel.h"
+
+#include "app/editor.h"
+#include "app/panels/canvas_section.h"
+#include "app/panels/section.h"
+#include "app/panels/segment_section.h"
+#include "app/panels/stroke_section.h"
+#include "app/panels/style_section.h"
+#include "undo/edits.h"
+
+#include <QScrollArea>
+#include <QVBoxLayout>
+
+namespace suffuse {
+
+InspectorPanel::InspectorPanel(Editor &editor, QWidget *parent) : QWidget(parent), m_editor(editor)
+{
+    auto *outer = new QVBoxLayout(this);
+    outer->setContentsMargins(0, 0, 0, 0);
+    outer->setSpacing(0);
+    m_scroll = new QScrollArea(this);
+    m_scroll->setWidgetResizable(true);
+    m_scroll->setFrameShape(QFrame::NoFrame);
+    m_scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    m_scroll->setFocusPolicy(Qt::NoFocus);
+    m_hint = new HintLabel(this);
+    outer->addWidget(m_scroll, 1);
+    outer->addWidget(m_hint);
+
+    auto *content = new QWidget;
+    auto *pages = new QVBoxLayout(content);
+    pages->setContentsMargins(8, 8, 8, 8);
+    pages->setSpacing(0);
+    m_selectionPage = new QWidget(content);
+    m_canvasPage = new QWidget(content);
+    pages->addWidget(m_selectionPage);
+    pages->addWidget(m_canvasPage);
+    pages->addStretch(1);
+
+    auto *selection = new QVBoxLayout(m_selectionPage);
+    selection->setContentsMargins(0, 0, 0, 0);
+    selection->setSpacing(12);
+    m_summary = quietLabel(QString(), m_selectionPage);
+    m_segments = new SegmentSection(editor, m_selectionPage);
+    m_style = new StyleSection(editor, m_selectionPage);
+    m_strokes = new StrokeSection(editor, m_selectionPage);
+    for (QWidget *widget : {static_cast<QWidget *>(m_summary), static_cast<QWidget *>(m_segments),
+                            static_cast<QWidget *>(m_style), static_cast<QWidget *>(m_strokes)})
+        selection->addWidget(widget);
+
+    auto *canvas = new QVBoxLayout(m_canvasPage);
+    canvas->setContentsMargins(0, 0, 0, 0);
+    canvas->setSpacing(12);
+    canvas->addWidget(quietLabel(tr("Nothing is selected. Click a stroke to see and change its values."), m_canvasPage));
+    m_canvas = new CanvasSection(m_canvasPage);
+    canvas->addWidget(m_canvas);
+    m_scroll->setWidget(content);
+    alignFieldLabels(*content);
+
+    connect(m_segments, &SegmentSection::refused, m_hint, &HintLabel::showHint);
+    connect(m_style, &StyleSection::refused, m_hint, &HintLabel::showHint);
+    connect(m_strokes, &StrokeSection::refused, m_hint, &HintLabel::showHint);
+    connect(m_canvas, &CanvasSection::refused, m_hint, &HintLabel::showHint);
+    connect(m_canvas, &CanvasSection::edited, this, [this](const Canvas &value, const QString &text, EditRun run) {
+        m_editor.push(setCanvas(m_editor.document(), value), text, run);
+    });
+    connect(&editor.document(), &Document::changed, this, &InspectorPanel::documentChanged);
+    refresh();
+}
+
+QSize InspectorPanel::sizeHint() const
+{
+    return {280, 480};
+}
+
+void InspectorPanel::documentChanged(const Change &change)
+{
+    // The stroke in hand is not inspected, and comes many times a second.
+    if (change.strokes.empty() && !change.selection && !change.canvas && !change.reset)
+        return;
+    if (change.selection || change.reset)
+        m_hint->showHint({});
+    if (isVisible())
+        refresh();
+    else
+        m_stale = true;
+}
+
+void InspectorPanel::showEvent(QShowEvent *event)
+{
+    QWidget::showEvent(event);
+    if (m_stale)
+        refresh();
+}
+
+void InspectorPanel::refresh()
+{
+    m_stale = false;
+    const Document &document = m_editor.document();
+    const Inspected inspected = inspect(document);
+    m_selectionPage->setVisible(!inspected.isEmpty());
+    m_canvasPage->setVisible(inspected.isEmpty());
+    if (inspected.isEmpty()) {
+        m_canvas->setCanvas(document.painting()->canvas);
+        return;
+    }
+    m_summary->setText(tr("%1 · %2")
+                           .arg(tr("%n stroke(s)", nullptr, int(inspected.strokes.size())),
+                                tr("%n segment(s)", nullptr, int(inspected.segments.size()))));
+    m_segments->refresh(inspected);
+    m_style->refresh(inspected);
+    m_strokes->refresh(inspected);
+}
+
+} // namespace suffuse

@@ -1,0 +1,62 @@
+#pragma once
+
+#include <QLineEdit>
+
+#include <optional>
+
+namespace suffuse {
+
+/// A field for one number with a unit: takes arithmetic ("12*1.5", "+2"), steps by arrow keys and the wheel, and shows
+/// "—" where several values are mixed. A number outside the range is refused, never clamped in silence.
+class NumberField : public QLineEdit {
+    Q_OBJECT
+
+public:
+    explicit NumberField(QWidget *parent = nullptr);
+
+    /// Closed range; ends that are open in the domain are given as the smallest value allowed.
+    void setRange(double minimum, double maximum);
+    double minimum() const { return m_minimum; }
+    double maximum() const { return m_maximum; }
+    /// Shown behind the number, " s" or " %"; taken off again where typed.
+    void setUnit(const QString &unit);
+    /// Shown and typed number = value · factor (100 for per cent).
+    void setDisplayFactor(double factor) { m_factor = factor; }
+    /// A step of the arrow keys: so much, or where 0 a tenth of the value.
+    void setStep(double step) { m_step = step; }
+    void setInteger(bool integer) { m_integer = integer; }
+
+    /// Shows a value, or mixed; emits nothing.
+    void setValue(std::optional<double> value);
+    std::optional<double> value() const { return m_value; }
+
+signals:
+    /// A valid number was entered (Return, leaving the field, steps).
+    void entered(double value);
+    /// What was typed was refused; `hint` says why, empty: all is well again.
+    void refused(const QString &hint);
+
+protected:
+    void keyPressEvent(QKeyEvent *event) override;
+    void wheelEvent(QWheelEvent *event) override;
+    void focusInEvent(QFocusEvent *event) override;
+    QSize sizeHint() const override;
+    QSize minimumSizeHint() const override;
+
+private:
+    void commit();
+    void stepBy(double steps);
+    void show(std::optional<double> value);
+    QString format(double shown) const;
+
+    double m_minimum = 0;
+    double m_maximum = 1;
+    double m_factor = 1;
+    double m_step = 0;
+    bool m_integer = false;
+    QString m_unit;
+    QString m_shown;
+    std::optional<double> m_value;
+};
+
+} // namespace suffuse

@@ -1,0 +1,147 @@
+#include "app/panels/segment_section.h"
+
+#include "app/editor.h"
+#include "app/panels/colour_rows.h"
+#include "app/panels/colour_swatch.h"
+#include "app/panels/section.h"
+#include "undo/edits.h"
+
+#include <QGridLayout>
+#include <QHBoxLayout>
+#include <QVBoxLayout>
+
+namespace suffuse {
+
+namespace {
+
+constexpr double smallestPositive = 1e-9;
+
+FieldSpec diffusionSpec()
+{
+    return {.name = SegmentSection::tr("Diffusion D"),
+            .toolTip = SegmentSection::tr("How fast the paint spreads: the spread grows with the root of D times time."),
+            .unit = QStringLiteral(" u²/s"),
+            .minimum = smallestPositive,
+            .maximum = 1e12,
+            .sliderMinimum = 0.1,
+            .sliderMaximum = 10000,
+            .logarithmic = true,
+            .defaultValue = Segment{}.diffusion};
+}
+
+FieldSpec densitySpec()
+{
+    return {.name = SegmentSection::tr("Density φ"),
+            .toolTip = SegmentSection::tr("How much paint the segment gives off along its length."),
+            .unit = QStringLiteral(" u"),
+            .minimum = 0,
+            .maximum = 1e12,
+            .sliderMinimum = 0.1,
+            .sliderMaximum = 1000,
+            .logarithmic = true,
+            .defaultValue = Segment{}.density};
+}
+
+FieldSpec granulationSpec()
+{
+    return {.name = SegmentSection::tr("Granulation ω"),
+            .toolTip = SegmentSection::tr("100 % hides the paper's texture, 0 % shows it fully."),
+            .unit = QStringLiteral(" %"),
+            .factor = 100,
+            .step = 0.01,
+            .defaultValue = Segment{}.granulation};
+}
+
+FieldSpec maxAgeSpec()
+{
+    return {.name = SegmentSection::tr("Drying time"),
+            .toolTip = SegmentSection::tr("t_max: how long the paint spreads after it was laid down."),
+            .unit = QStringLiteral(" s"),
+            .minimum = smallestPositive,
+            .maximum = 1e6,
+            .sliderMinimum = 0.01,
+            .sliderMaximum = 100,
+            .logarithmic = true,
+            .defaultValue = Segment{}.maxAge};
+}
+
+} // namespace
+
+SegmentSection::SegmentSection(Editor &editor, QWidget *parent) : QWidget(parent), m_editor(editor)
+{
+    auto *column = new QVBoxLayout(this);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->setSpacing(4);
+    column->addWidget(sectionTitle(tr("Segments"), this));
+    auto *grid = addFieldGrid(*column);
+    m_diffusion = addRow(diffusionSpec(), *grid, &Segment::diffusion, tr("Change diffusion"));
+    m_density = addRow(densitySpec(), *grid, &Segment::density, tr("Change density"));
+    m_granulation = addRow(granulationSpec(), *grid, &Segment::granulation, tr("Change granulation"));
+    m_maxAge = addRow(maxAgeSpec(), *grid, &Segment::maxAge, tr("Change drying time"));
+
+    auto *head = new QHBoxLayout;
+    head->addWidget(sectionTitle(tr("Colour"), this), 1);
+    m_swatch = new ColourSwatch(this);
+    m_swatch->setAccessibleName(tr("Colour of the selection"));
+    m_swatch->setToolTip(tr("Colour of the selection. Click: paint with it."));
+    head->addWidget(m_swatch);
+    column->addSpacing(8);
+    column->addLayout(head);
+    m_colour = new ColourRows(true, this);
+    column->addWidget(m_colour);
+    connect(m_colour, &ColourRows::edited, this, &SegmentSection::changeColour);
+    connect(m_colour, &ColourRows::refused, this, &SegmentSection::refused);
+    connect(m_swatch, &ColourSwatch::clicked, this, &SegmentSection::takeCurrentColour);
+}
+
+SliderField *SegmentSection::addRow(const FieldSpec &spec, QGridLayout &grid, float Segment::*member,
+                                    const QString &undoText)
+{
+    auto *field = new SliderField(spec, grid, grid.rowCount(), this);
+    connect(field, &SliderField::edited, this, [this, member, undoText](double value, EditRun run) {
+        Document &document = m_editor.document();
+        m_editor.push(changeSegments(document, targetSegments(document),
+                                     [=](Segment &segment) { segment.*member = float(value); }),
+                      undoText, run);
+    });
+    connect(field, &SliderField::refused, this, &SegmentSection::refused);
+    return field;
+}
+
+void SegmentSection::changeColour(int channel, double value, EditRun run)
+{
+    Document &document = m_editor.document();
+    m_editor.push(changeSegments(document, targetSegments(document),
+                                 [=](Segment &segment) {
+                                     ColourRows::channelOf(segment.colour, channel) = float(value);
+                                 }),
+                  channel == ColourRows::Opacity ? tr("Change opacity") : tr("Change colour"), run);
+}
+
+void SegmentSection::takeCurrentColour()
+{
+    if (m_swatch->colour())
+        m_editor.setColour(*m_swatch->colour());
+}
+
+void SegmentSection::refresh(const Inspected &inspected)
+{
+    const auto &segments = inspected.segments;
+    const auto common = [&segments](float Segment::*member) {
+        return commonNumber(segments, [member](const InspectedSegment &s) { return s.segment->*member; });
+    };
+    m_diffusion->setValue(common(&Segment::diffusion));
+    m_density->setValue(common(&Segment::density));
+    m_granulation->setValue(common(&Segment::granulation));
+    m_maxAge->setValue(common(&Segment::maxAge));
+
+    std::array<std::optional<double>, 4> channels;
+    for (int channel = 0; channel < 4; ++channel)
+        channels[std::size_t(channel)] = commonNumber(segments, [channel](const InspectedSegment &s) {
+            return ColourRows::channelOf(s.segment->colour, channel);
+        });
+    m_colour->setColour(channels, segments.empty() ? Colour{} : segments.front().segment->colour);
+    m_swatch->setColour(commonValue(segments, [](const InspectedSegment &s) { return s.segment->colour; }));
+}
+
+} // namespace suffuse

@@ -1,0 +1,197 @@
+#include "app/settings.h"
+
+#include <QDataStream>
+#include <QDir>
+#include <QFileInfo>
+#include <QMainWindow>
+#include <QTimer>
+
+#include <memory>
+
+namespace suffuse::settings {
+
+namespace {
+
+constexpr int layoutVersion = 1;
+constexpr int maxRecentFiles = 10;
+constexpr int maxThreads = 256;
+constexpr int maxLayoutBytes = 1 << 20;
+
+/// CRC-32 (IEEE 802.3), bit by bit: layouts are a few kilobytes.
+quint32 crc32(const QByteArray &bytes)
+{
+    quint32 crc = 0xFFFFFFFFu;
+    for (const char c : bytes) {
+        crc ^= quint8(c);
+        for (int bit = 0; bit < 8; ++bit)
+            crc = (crc >> 1) ^ (0xEDB88320u & (0u - (crc & 1u)));
+    }
+    return ~crc;
+}
+
+struct Layout {
+    QByteArray geometry;
+    QByteArray state;
+};
+
+QByteArray pack(const Layout &layout)
+{
+    QByteArray body;
+    QDataStream out(&body, QIODevice::WriteOnly);
+    out.setVersion(QDataStream::Qt_6_4);
+    out << layout.geometry << layout.state;
+    return body;
+}
+
+/// Empty state where the stored bytes are not exactly what was saved.
+Layout readLayout()
+{
+    QSettings &s = store();
+    const QByteArray body = QByteArray::fromBase64(s.value("layout/bytes").toString().toLatin1());
+    Layout layout;
+    if (s.value("layout/version").toInt() != layoutVersion || body.isEmpty() || body.size() > maxLayoutBytes
+        || s.value("layout/crc").toString() != QString::number(crc32(body), 16))
+        return layout;
+    QDataStream in(body);
+    in.setVersion(QDataStream::Qt_6_4);
+    in >> layout.geometry >> layout.state;
+    return in.status() == QDataStream::Ok ? layout : Layout{};
+}
+
+/// Clears the "starting" flag at the first idle moment with the window shown.
+void watchStart(QMainWindow &window)
+{
+    auto *timer = new QTimer(&window);
+    timer->setInterval(300);
+    QObject::connect(timer, &QTimer::timeout, &window, [timer, &window] {
+        if (!window.isVisible())
+            return;
+        store().remove("layout/starting");
+        store().sync();
+        timer->deleteLater();
+    });
+    timer->start();
+}
+
+} // namespace
+
+QSettings &store()
+{
+    static std::unique_ptr<QSettings> settings;
+    static QString openedPath;
+    const QString path = qEnvironmentVariable("SUFFUSE_SETTINGS");
+    if (settings && path == openedPath)
+        return *settings;
+    openedPath = path;
+    if (path.isEmpty())
+        settings = std::make_unique<QSettings>(QSettings::IniFormat, QSettings::UserScope, "suffuse", "suffuse");
+    else
+        settings = std::make_unique<QSettings>(path, QSettings::IniFormat);
+    return *settings;
+}
+
+QString language()
+{
+    const QString code = store().value("language").toString();
+    return QStringList{"en", "zh_CN", "de"}.contains(code) ? code : QString();
+}
+
+void setLanguage(const QString &code)
+{
+    store().setValue("language", code);
+}
+
+Theme theme()
+{
+    const QString name = store().value("theme").toString();
+    return name == "dark" ? Theme::Dark : name == "light" ? Theme::Light : Theme::System;
+}
+
+void setTheme(Theme theme)
+{
+    store().setValue("theme", theme == Theme::Dark ? "dark" : theme == Theme::Light ? "light" : "system");
+}
+
+Presenter presenter()
+{
+    const QString name = store().value("presenter").toString();
+    return name == "raster" ? Presenter::Raster : name == "opengl" ? Presenter::OpenGL : Presenter::Auto;
+}
+
+void setPresenter(Presenter presenter)
+{
+    store().setValue("presenter", presenter == Presenter::Raster   ? "raster"
+                                  : presenter == Presenter::OpenGL ? "opengl"
+                                                                   : "auto");
+}
+
+int threads()
+{
+    const int count = store().value("threads").toInt();
+    return count > 0 && count <= maxThreads ? count : 0;
+}
+
+void setThreads(int count)
+{
+    store().setValue("threads", count);
+}
+
+QStringList recentFiles()
+{
+    QStringList files;
+    for (const QString &path : store().value("recentFiles").toStringList())
+        if (files.size() < maxRecentFiles && QDir::isAbsolutePath(path) && QFileInfo(path).isFile()
+            && !files.contains(path))
+            files << path;
+    return files;
+}
+
+void addRecentFile(const QString &path)
+{
+    const QString absolute = QFileInfo(path).absoluteFilePath();
+    QStringList files = recentFiles();
+    files.removeAll(absolute);
+    files.prepend(absolute);
+    store().setValue("recentFiles", files.mid(0, maxRecentFiles));
+}
+
+void clearRecentFiles()
+{
+    store().remove("recentFiles");
+}
+
+void saveLayout(const QMainWindow &window)
+{
+    const QByteArray body = pack({window.saveGeometry(), window.saveState(layoutVersion)});
+    QSettings &s = store();
+    s.setValue("layout/version", layoutVersion);
+    s.setValue("layout/crc", QString::number(crc32(body), 16));
+    s.setValue("layout/bytes", QString::fromLatin1(body.toBase64()));
+    s.remove("layout/starting");
+    s.sync();
+}
+
+bool restoreLayout(QMainWindow &window)
+{
+    const bool lastStartFailed = store().value("layout/starting").toBool();
+    if (lastStartFailed) {
+        resetLayout();
+        return false;
+    }
+    const Layout layout = readLayout();
+    if (layout.state.isEmpty())
+        return false;
+    store().setValue("layout/starting", true);
+    store().sync();
+    const bool restored = window.restoreGeometry(layout.geometry) && window.restoreState(layout.state, layoutVersion);
+    watchStart(window);
+    return restored;
+}
+
+void resetLayout()
+{
+    store().remove("layout");
+    store().sync();
+}
+
+} // namespace suffuse::settings

@@ -1,0 +1,44 @@
+// What the program remembers between sessions.
+#pragma once
+
+#include <QSettings>
+#include <QStringList>
+
+class QMainWindow;
+
+namespace suffuse::settings {
+
+/// The one store: the user's settings file, or the INI file that the environment variable SUFFUSE_SETTINGS names (for
+/// tests). A file that cannot be read counts as empty.
+QSettings &store();
+
+enum class Theme { System, Dark, Light };
+enum class Presenter { Auto, Raster, OpenGL };
+
+/// "" (the system's), "en", "zh_CN" or "de"; anything else that a file holds counts as "".
+QString language();
+void setLanguage(const QString &code);
+Theme theme();
+void setTheme(Theme theme);
+/// The environment variable SUFFUSE_PRESENTER is not looked at here.
+Presenter presenter();
+void setPresenter(Presenter presenter);
+/// Threads for rendering, 0: all cores; at most 256.
+int threads();
+void setThreads(int count);
+
+/// Absolute paths, the newest first, at most 10; files that are gone are left out.
+QStringList recentFiles();
+void addRecentFile(const QString &path);
+void clearRecentFiles();
+
+/// Stores geometry and docks with a version and a checksum.
+void saveLayout(const QMainWindow &window);
+/// Puts back what saveLayout stored; call it once all docks exist. Returns false, and leaves the window alone, where
+/// nothing fit is stored, or where the last start that restored a layout did not come up (Qt's own readers crash or hang
+/// on damaged bytes). The start counts as up once the event loop runs with the window shown.
+bool restoreLayout(QMainWindow &window);
+/// Forgets the stored layout (`--reset-layout`).
+void resetLayout();
+
+} // namespace suffuse::settings

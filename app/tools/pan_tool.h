@@ -1,0 +1,27 @@
+#pragma once
+
+#include "app/tools/tool.h"
+
+namespace suffuse {
+
+/// Drags the canvas under the window, as space-drag does with any tool.
+class PanTool : public Tool {
+    Q_OBJECT
+
+public:
+    using Tool::Tool;
+
+    QString hint() const override;
+    QCursor cursor() const override { return m_dragging ? Qt::ClosedHandCursor : Qt::OpenHandCursor; }
+    void press(const PointerEvent &event) override;
+    void move(const PointerEvent &event) override;
+    void release(const PointerEvent &event) override;
+    bool isBusy() const override { return m_dragging; }
+    void cancel() override { m_dragging = false; }
+
+private:
+    bool m_dragging = false;
+    Point m_last;
+};
+
+} // namespace suffuse

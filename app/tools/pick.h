@@ -1,0 +1,30 @@
+// What lies under the pointer: by visible paint, not by a thin curve.
+#pragma once
+
+#include "model/painting.h"
+#include "model/selection.h"
+#include "render/view.h"
+
+#include <optional>
+
+namespace suffuse {
+
+/// A stroke whose opacity w at a point is less than this is not seen there.
+inline constexpr double visibleOpacity = 0.02;
+
+/// The topmost visible, unlocked stroke that paints at the point or, for hairlines, within `tolerance` canvas units of
+/// it; `segment` is the one with the largest share of the density there.
+std::optional<SegmentRef> pickTopmost(const Painting &painting, Microseconds T, Point point, double tolerance);
+
+/// The same for one stroke alone, whatever lies above it.
+std::optional<SegmentRef> pickOn(const Painting &painting, StrokeId stroke, Microseconds T, Point point,
+                                 double tolerance);
+
+/// The visible, unlocked strokes whose curves lie wholly within a rectangle of the view's pixels.
+std::set<StrokeId> strokesWithin(const Painting &painting, const View &view, const Rect &pixels);
+/// The segments of visible, unlocked strokes whose curves' middles lie within a rectangle of the view's pixels.
+std::set<SegmentRef> segmentsWithin(const Painting &painting, const View &view, const Rect &pixels);
+/// All visible, unlocked strokes.
+std::set<StrokeId> selectableStrokes(const Painting &painting);
+
+} // namespace suffuse

@@ -1,0 +1,173 @@
+#include "app/tools/selection_tool.h"
+
+#include "app/canvas/canvas_widget.h"
+#include "app/editor.h"
+#include "app/tools/commands.h"
+#include "app/tools/pick.h"
+
+#include <QApplication>
+#include <QKeyEvent>
+#include <QPainter>
+
+namespace suffuse {
+
+namespace {
+
+constexpr double clickSlack = 3; ///< logical pixels around the pointer in which hairlines are found
+
+std::optional<Point> directionOf(int key)
+{
+    switch (key) {
+    case Qt::Key_Left:
+        return Point{-1, 0};
+    case Qt::Key_Right:
+        return Point{1, 0};
+    case Qt::Key_Up:
+        return Point{0, -1};
+    case Qt::Key_Down:
+        return Point{0, 1};
+    default:
+        return {};
+    }
+}
+
+} // namespace
+
+void SelectionTool::press(const PointerEvent &event)
+{
+    m_start = m_now = event;
+    m_state = State::Pressed;
+    pressed(event);
+}
+
+void SelectionTool::move(const PointerEvent &event)
+{
+    if (m_state == State::Idle)
+        return;
+    updateBand();
+    m_now = event;
+    const double slack = QApplication::startDragDistance() * 0.5 * m_canvas.devicePixelRatioF();
+    if (m_state == State::Pressed && length(event.pixel - m_start.pixel) > slack)
+        m_state = beginDrag(m_start) ? State::Drag : State::Band;
+    if (m_state == State::Drag)
+        drag(event);
+    updateBand();
+}
+
+void SelectionTool::release(const PointerEvent &event)
+{
+    const State state = m_state;
+    const Rect area = band();
+    m_state = State::Idle;
+    if (state == State::Pressed)
+        clicked(event);
+    else if (state == State::Band)
+        banded(area, event);
+    else if (state == State::Drag)
+        endDrag(false);
+    m_canvas.updateOverlay();
+}
+
+void SelectionTool::cancel()
+{
+    const State state = m_state;
+    m_state = State::Idle;
+    if (state == State::Drag)
+        endDrag(true);
+    if (state != State::Idle)
+        m_canvas.updateOverlay();
+}
+
+bool SelectionTool::keyPress(QKeyEvent *event)
+{
+    if (event->key() == Qt::Key_Escape) {
+        commands::deselect(m_editor);
+        return true;
+    }
+    const std::optional<Point> direction = directionOf(event->key());
+    if (!direction || isBusy() || selection().isEmpty())
+        return false;
+    if (!event->isAutoRepeat() || m_nudgeRun == 0)
+        m_nudgeRun = beginEditRun(); // a key held down is one step
+    const View &view = m_canvas.view();
+    const Point centre{0.5 * view.width, 0.5 * view.height};
+    const Point pixel = view.toCanvas(centre + *direction) - view.toCanvas(centre);
+    double step = event->modifiers() & Qt::AltModifier ? 1 : view.scale;
+    if (event->modifiers() & Qt::ShiftModifier)
+        step *= 10;
+    commands::moveSelected(m_editor, step * pixel, m_nudgeRun);
+    return true;
+}
+
+Rect SelectionTool::band() const
+{
+    Rect r;
+    r.include(m_start.pixel);
+    r.include(m_now.pixel);
+    return r;
+}
+
+void SelectionTool::updateBand() const
+{
+    if (m_state == State::Band)
+        m_canvas.updateOverlay(QRectF(band().left - 3, band().top - 3, band().width() + 6, band().height() + 6));
+}
+
+void SelectionTool::paint(QPainter &painter, const View &, double dpr) const
+{
+    if (m_state != State::Band)
+        return;
+    const Rect r = band();
+    const QRectF rect(r.left, r.top, r.width(), r.height());
+    QColor fill = m_canvas.overlayColours().accent;
+    fill.setAlpha(28);
+    painter.fillRect(rect, fill);
+    QPainterPath path;
+    path.addRect(rect);
+    strokeTwoTone(painter, path, m_canvas.overlayColours().accent, dpr, Qt::DashLine);
+}
+
+double SelectionTool::tolerance() const
+{
+    return clickSlack * m_canvas.devicePixelRatioF() / m_canvas.view().scale;
+}
+
+std::optional<SegmentRef> SelectionTool::pick(const PointerEvent &event) const
+{
+    return pickTopmost(*m_editor.document().painting(), m_editor.time(), event.point, tolerance());
+}
+
+const Selection &SelectionTool::selection() const
+{
+    return m_editor.document().selection();
+}
+
+void SelectionTool::select(Selection selection)
+{
+    m_editor.document().setSelection(std::move(selection));
+}
+
+void SelectionTool::selectSegment(const SegmentRef &segment)
+{
+    m_anchor = segment;
+    select(Selection{{segment.stroke}, {segment}});
+}
+
+bool SelectionTool::selectRun(const PointerEvent &event)
+{
+    if (!selection().segments.contains(m_anchor))
+        return false;
+    const std::optional<SegmentRef> to =
+        pickOn(*m_editor.document().painting(), m_anchor.stroke, m_editor.time(), event.point, tolerance());
+    if (!to)
+        return false;
+    Selection chosen = selection();
+    const auto [first, last] = std::minmax(m_anchor.segment, to->segment);
+    for (int k = first; k <= last; ++k)
+        chosen.segments.insert({to->stroke, k});
+    m_anchor = *to;
+    select(std::move(chosen));
+    return true;
+}
+
+} // namespace suffuse

@@ -1,0 +1,62 @@
+// What the tools that select have in common: click, rubber band, nudging.
+#pragma once
+
+#include "app/tools/tool.h"
+#include "model/selection.h"
+#include "undo/edit_command.h"
+
+#include <optional>
+
+namespace suffuse {
+
+/// Tells clicks from drags; a drag is a rubber band unless the tool takes it.
+class SelectionTool : public Tool {
+    Q_OBJECT
+
+public:
+    using Tool::Tool;
+
+    void press(const PointerEvent &event) override;
+    void move(const PointerEvent &event) override;
+    void release(const PointerEvent &event) override;
+    bool isBusy() const override { return m_state != State::Idle; }
+    void cancel() override;
+    /// Arrows nudge the selected strokes on screen by 1 unit (Shift: 10, Alt: 1 pixel); Esc deselects.
+    bool keyPress(QKeyEvent *event) override;
+    void paint(QPainter &painter, const View &view, double dpr) const override;
+
+protected:
+    virtual void pressed(const PointerEvent &) {}
+    virtual void clicked(const PointerEvent &event) = 0;
+    /// The band is in device pixels.
+    virtual void banded(const Rect &band, const PointerEvent &event) = 0;
+    /// True if the drag that begins is the tool's own.
+    virtual bool beginDrag(const PointerEvent &) { return false; }
+    virtual void drag(const PointerEvent &) {}
+    virtual void endDrag(bool /*cancelled*/) {}
+
+    std::optional<SegmentRef> pick(const PointerEvent &event) const;
+    const Selection &selection() const;
+    void select(Selection selection);
+    /// Selects one segment, from which a run may start.
+    void selectSegment(const SegmentRef &segment);
+    /// Adds the segments from the last one clicked to the one under the pointer, of that stroke even where another lies
+    /// above it; false if the last one is not selected any more, or its stroke is not seen there.
+    bool selectRun(const PointerEvent &event);
+    const PointerEvent &start() const { return m_start; }
+
+private:
+    enum class State { Idle, Pressed, Band, Drag };
+
+    double tolerance() const;
+    Rect band() const;
+    void updateBand() const;
+
+    State m_state = State::Idle;
+    PointerEvent m_start;
+    PointerEvent m_now;
+    SegmentRef m_anchor;
+    EditRun m_nudgeRun = 0;
+};
+
+} // namespace suffuse

@@ -1,0 +1,66 @@
+// What happens between pointer and document.
+#pragma once
+
+#include "model/geometry.h"
+#include "model/segment.h"
+#include "render/view.h"
+
+#include <QCursor>
+#include <QObject>
+
+class QKeyEvent;
+class QPainter;
+
+namespace suffuse {
+
+class CanvasWidget;
+class Editor;
+
+enum class PointerDevice { Mouse, Pen, Eraser };
+
+/// One report of the pointer.
+struct PointerEvent {
+    Point point;                ///< canvas units
+    Point pixel;                ///< device pixels of the canvas widget
+    double pressure = 1;        ///< [0, 1]; a mouse presses fully
+    double tiltX = 0;           ///< degrees
+    double tiltY = 0;           ///< degrees
+    Microseconds time = 0;      ///< document time
+    Qt::MouseButton button = Qt::NoButton; ///< what caused it
+    Qt::MouseButtons buttons;   ///< what is down
+    Qt::KeyboardModifiers modifiers;
+    PointerDevice device = PointerDevice::Mouse;
+};
+
+/// A tool of the canvas. It sees press, moves, release of the main button, and hovering in between; it changes the
+/// document through the editor and draws only on the overlay.
+class Tool : public QObject {
+    Q_OBJECT
+
+public:
+    explicit Tool(CanvasWidget &canvas, QObject *parent = nullptr);
+
+    /// One line for the status bar, translated.
+    virtual QString hint() const = 0;
+    virtual QCursor cursor() const { return Qt::ArrowCursor; }
+
+    virtual void press(const PointerEvent &event) = 0;
+    virtual void move(const PointerEvent &event) = 0;
+    virtual void release(const PointerEvent &event) = 0;
+    virtual void hover(const PointerEvent &) {}
+    virtual void leave() {}
+    /// True between press and release.
+    virtual bool isBusy() const = 0;
+    /// Gives up what is in hand, as if it had not begun.
+    virtual void cancel() = 0;
+    /// True if the key was used.
+    virtual bool keyPress(QKeyEvent *) { return false; }
+    /// Draws over the picture, in device pixels.
+    virtual void paint(QPainter &, const View &, double /*dpr*/) const {}
+
+protected:
+    CanvasWidget &m_canvas;
+    Editor &m_editor;
+};
+
+} // namespace suffuse

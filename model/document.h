@@ -1,0 +1,54 @@
+#pragma once
+
+#include "model/edit.h"
+
+#include <QObject>
+
+namespace suffuse {
+
+/// The only writer of a painting. Lives on the GUI thread; snapshots may go anywhere.
+class Document : public QObject {
+    Q_OBJECT
+
+public:
+    explicit Document(QObject *parent = nullptr);
+
+    /// The committed painting, without the draft.
+    const PaintingPtr &painting() const { return m_painting; }
+    /// What is to be seen: the painting with the draft on top, if there is one.
+    PaintingPtr snapshot() const;
+
+    const Selection &selection() const { return m_selection; }
+    /// Selects without an undo step. Ids and segments that do not exist are dropped.
+    void setSelection(Selection selection);
+
+    /// Swaps the edit's state with the document's and emits `changed` once. The edit must name existing strokes or ones
+    /// that it adds, and its order must be a permutation of what is then there (asserted). Segments that no longer
+    /// exist leave the selection.
+    void exchange(Edit &edit);
+
+    /// The stroke in hand, drawn on top, in no undo step; null removes it.
+    void setDraft(StrokePtr draft);
+    const StrokePtr &draft() const { return m_draft; }
+
+    /// Another painting: selection and draft are cleared.
+    void reset(PaintingPtr painting);
+
+    /// An id that no stroke has, nor had in this document's life (undo may bring strokes back).
+    StrokeId takeStrokeId();
+    GroupId takeGroupId();
+
+signals:
+    void changed(const suffuse::Change &change);
+
+private:
+    void dropStaleSelection();
+
+    PaintingPtr m_painting;
+    StrokePtr m_draft;
+    Selection m_selection;
+    StrokeId m_nextStroke = 1;
+    GroupId m_nextGroup = 1;
+};
+
+} // namespace suffuse

@@ -1,0 +1,104 @@
+#include "model/formats/files.h"
+#include "model/formats/messages.h"
+
+#include <QDir>
+#include <QFileInfo>
+#include <QSaveFile>
+
+#ifdef Q_OS_UNIX
+#include <cerrno>
+#include <cstring>
+#include <fcntl.h>
+#include <unistd.h>
+#endif
+
+namespace suffuse {
+
+namespace {
+
+/// Only after this does the new name survive a power failure. Empty, or why not.
+QString syncFolder(const QString &folder)
+{
+#ifdef Q_OS_UNIX
+    const int fd = ::open(QFile::encodeName(folder).constData(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+    if (fd < 0)
+        return errno == EACCES ? QString() : QString::fromLocal8Bit(std::strerror(errno)); // may write, may not list
+    const int result = ::fsync(fd);
+    const int problem = errno;
+    ::close(fd);
+    // Some network and FUSE file systems have no such call for folders.
+    if (result != 0 && problem != EINVAL && problem != ENOTSUP && problem != ENOSYS)
+        return QString::fromLocal8Bit(std::strerror(problem));
+#else
+    Q_UNUSED(folder)
+#endif
+    return {};
+}
+
+/// Why `path` cannot be replaced, with the remedy; empty if it may be tried.
+QString obstacle(const QString &path)
+{
+    const QFileInfo info(path);
+    if (info.isDir())
+        return FileMessages::tr("is a folder; give a file name inside it");
+    if (info.exists() && !info.isFile())
+        return FileMessages::tr("is a device or a pipe, not a file; save to a file");
+    const QFileInfo folder(info.absolutePath());
+    if (info.isSymLink())
+        return {};
+    if (!folder.exists())
+        return FileMessages::tr("the folder %1 does not exist; create it or choose another one")
+            .arg(QDir::toNativeSeparators(folder.filePath()));
+    if (!folder.isDir())
+        return FileMessages::tr("%1 is not a folder; choose another place")
+            .arg(QDir::toNativeSeparators(folder.filePath()));
+    if (!folder.isWritable())
+        return FileMessages::tr("the folder %1 is read-only; choose another one or change its permissions")
+            .arg(QDir::toNativeSeparators(folder.filePath()));
+    return {};
+}
+
+} // namespace
+
+Result<void> writeFileAtomically(const QString &path, const QByteArray &bytes)
+{
+    if (path.isEmpty())
+        return Error{FileMessages::tr("The file has no name; choose one")};
+    if (bytes.size() > largestFile)
+        return fileError(path, FileMessages::tr("would have more than 2 GB; nothing was written"));
+    if (const QString problem = obstacle(path); !problem.isEmpty())
+        return fileError(path, problem);
+    QSaveFile file(path);
+    const auto failed = [&](const QString &what) {
+        const QString why = file.errorString();
+        file.cancelWriting();
+        return fileError(path,
+                         FileMessages::tr("%1 (%2); the old file, if there was one, is as before. Free some space or "
+                                          "choose another place")
+                             .arg(what, why));
+    };
+    if (!file.open(QIODevice::WriteOnly))
+        return failed(FileMessages::tr("cannot be written"));
+    // QSaveFile forgets a short write when it commits, so every step is asked for its outcome.
+    qint64 written = 0;
+    while (written < bytes.size()) {
+        const qint64 part = file.write(bytes.constData() + written, bytes.size() - written);
+        if (part <= 0)
+            return failed(FileMessages::tr("could not be written in full"));
+        written += part;
+    }
+    if (!file.flush() || file.error() != QFileDevice::NoError || file.size() != bytes.size())
+        return failed(FileMessages::tr("could not be written in full"));
+    if (!file.commit())
+        return failed(FileMessages::tr("could not be put in place"));
+    const QFileInfo target(path);
+    const QString folder = QFileInfo(target.canonicalFilePath()).absolutePath();
+    if (const QString problem = syncFolder(folder); !problem.isEmpty())
+        return fileError(
+            path, FileMessages::tr("was written, but the folder could not be brought to the disk (%1); save once "
+                                   "more before you switch off")
+                      .arg(problem));
+    return {};
+}
+
+} // namespace suffuse

@@ -1,0 +1,15 @@
+// Colours as CSS writes them. Qt's own parser lives in Qt Gui, which the model does not link.
+#pragma once
+
+#include <QString>
+
+#include <array>
+#include <optional>
+
+namespace suffuse {
+
+/// sRGB-encoded red, green, blue and alpha in [0, 1] of "#rgb", "#rgba", "#rrggbb", "#rrggbbaa", "rgb(1, 2, 3)",
+/// "rgba(1, 2, 3, 0.5)", "transparent" or a CSS colour name; nothing for other text.
+std::optional<std::array<double, 4>> cssColour(const QString &text);
+
+} // namespace suffuse

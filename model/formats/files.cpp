@@ -1,0 +1,264 @@
+#include "model/formats/files.h"
+
+#include "model/formats/messages.h"
+#include "model/formats/recording.h"
+#include "model/formats/suffuse_layout.h"
+
+#include <QDir>
+#include <QFile>
+#include <QFileInfo>
+
+#include <algorithm>
+
+namespace suffuse {
+
+namespace {
+
+/// Walks over the top level of a JSON object, however damaged, and finds what kind of file it is.
+class JsonGlance {
+public:
+    explicit JsonGlance(std::string_view text) : m_text(text) {}
+
+    FileFormat format()
+    {
+        std::string_view key, word;
+        bool value = false; // after a colon
+        for (m_at = m_text.find('{') + 1; m_at < m_text.size(); ++m_at) {
+            const char c = m_text[m_at];
+            if (c == '"') {
+                word = string();
+                if (m_depth == 0 && !value)
+                    key = word;
+                else if (m_depth == 0 && known(key, word) != FileFormat::Unknown)
+                    return known(key, word);
+            } else if (c == '{' || c == '[') {
+                if (m_depth == 0 && key == "inkData" && value)
+                    return FileFormat::UniversalInk;
+                m_canvas = m_canvas || (m_depth == 0 && value && (key == "canvas" || key == "strokes"));
+                ++m_depth;
+            } else if (c == '}' || c == ']') {
+                if (m_depth-- == 0)
+                    break;
+            } else if (m_depth == 0 && (c == ':' || c == ',')) {
+                value = c == ':';
+            }
+        }
+        // One that is cut off, or like a painting: its reader says what is wrong, and where.
+        return m_canvas || m_at >= m_text.size() ? FileFormat::Text : FileFormat::Unknown;
+    }
+
+private:
+    static FileFormat known(std::string_view key, std::string_view word)
+    {
+        if (key == "format" && word == "suffuse-text")
+            return FileFormat::Text;
+        if (key == "type" && (word == "excalidraw" || word == "excalidrawlib"))
+            return FileFormat::Excalidraw;
+        return FileFormat::Unknown;
+    }
+
+    std::string_view string()
+    {
+        const std::size_t from = m_at + 1;
+        for (m_at = from; m_at < m_text.size() && m_text[m_at] != '"'; ++m_at)
+            m_at += m_text[m_at] == '\\';
+        return m_text.substr(from, std::min(m_at, m_text.size()) - from);
+    }
+
+    std::string_view m_text;
+    std::size_t m_at = 0;
+    qint64 m_depth = 0;
+    bool m_canvas = false;
+};
+
+bool isText(std::string_view text)
+{
+    return std::none_of(text.begin(), text.end(), [](char c) {
+        return static_cast<unsigned char>(c) < 0x20 && c != '\n' && c != '\r' && c != '\t' && c != '\f';
+    });
+}
+
+/// Recordings made of lines: the first line that is not empty nor a comment tells.
+FileFormat formatOfLines(std::string_view text)
+{
+    std::string_view line;
+    while (!text.empty() && (line.empty() || line.front() == '#')) {
+        const std::size_t end = std::min(text.find('\n'), text.size());
+        line = trimmed(text.substr(0, end));
+        text.remove_prefix(std::min(end + 1, text.size()));
+    }
+    if (line.empty() || line.size() > 4096 || !isText(line))
+        return FileFormat::Unknown;
+    std::vector<std::string_view> words;
+    for (std::size_t from = 0; from < line.size();) {
+        const std::size_t end = std::min(line.find_first_of(" \t", from), line.size());
+        if (end > from)
+            words.push_back(line.substr(from, end - from));
+        from = end + 1;
+    }
+    const auto isNumber = [](std::string_view word) { return numberIn(word).has_value(); };
+    if (words.size() == 4 && line.find_first_of(",;") == line.npos && std::all_of(words.begin(), words.end(), isNumber))
+        return FileFormat::MyPaintEvents;
+    const std::size_t separator = line.find_first_of(",;\t");
+    if (separator == line.npos)
+        return FileFormat::Unknown;
+    if (isNumber(line.substr(0, separator)))
+        return FileFormat::InkCsv;
+    QString lower = QString::fromUtf8(line.data(), qsizetype(line.size())).toLower();
+    const QStringList cells = lower.replace(QLatin1Char(';'), QLatin1Char(','))
+                                  .replace(QLatin1Char('\t'), QLatin1Char(','))
+                                  .split(QLatin1Char(','));
+    const auto has = [&](QLatin1Char axis) {
+        return std::any_of(cells.begin(), cells.end(), [&](QString cell) {
+            cell = cell.remove(QLatin1Char('"')).trimmed();
+            return cell == axis || cell.endsWith(QString(QLatin1Char('_')) + axis);
+        });
+    };
+    return has(QLatin1Char('x')) && has(QLatin1Char('y')) ? FileFormat::InkCsv : FileFormat::Unknown;
+}
+
+QString unknownFormat(const QByteArray &bytes)
+{
+    const QString known =
+        FileMessages::tr("Suffuse reads .suffuse, its text form (.json), ink as CSV, Universal Ink JSON, "
+                         "Excalidraw and MyPaint events");
+    if (bytes.startsWith("\xff\xfe") || bytes.startsWith("\xfe\xff"))
+        return FileMessages::tr("is UTF-16 text; save it as UTF-8");
+    if (bytes.startsWith("\x89PNG") || bytes.startsWith("\xff\xd8\xff"))
+        return FileMessages::tr("is a picture, not a painting; %1").arg(known);
+    return FileMessages::tr("is not a painting nor a recording; %1").arg(known);
+}
+
+Result<QByteArray> readAll(QFile &file, const QString &path)
+{
+    const auto tooLarge = [&] {
+        return fileError(path, FileMessages::tr("has more than 2 GB; that is more than can be opened"));
+    };
+    if (!file.isSequential() && file.size() > largestFile)
+        return tooLarge();
+    QByteArray bytes;
+    constexpr qint64 step = 16 << 20;
+    for (;;) {
+        const QByteArray part = file.read(std::max(step, file.isSequential() ? 0 : file.size() - bytes.size()));
+        if (part.isEmpty())
+            break;
+        bytes = bytes.isEmpty() ? part : bytes + part;
+        if (bytes.size() > largestFile)
+            return tooLarge();
+    }
+    if (file.error() != QFileDevice::NoError)
+        return fileError(path, FileMessages::tr("could not be read: %1").arg(file.errorString()));
+    return bytes;
+}
+
+} // namespace
+
+FileFormat detectFormat(const QByteArray &bytes)
+{
+    if (bytes.startsWith(suffuseName))
+        return FileFormat::Suffuse;
+    std::string_view text(bytes.constData(), std::size_t(bytes.size()));
+    if (text.starts_with("\xef\xbb\xbf"))
+        text.remove_prefix(3);
+    const std::size_t first = text.find_first_not_of(" \t\r\n");
+    if (first == text.npos)
+        return FileFormat::Unknown;
+    return text[first] == '{' ? JsonGlance(text).format() : formatOfLines(text);
+}
+
+FileFormat formatForSaving(const QString &path)
+{
+    const QString ending = QFileInfo(path).suffix().toLower();
+    if (ending == QLatin1String("suffuse"))
+        return FileFormat::Suffuse;
+    return ending == QLatin1String("json") ? FileFormat::Text : FileFormat::Unknown;
+}
+
+QString nameOf(FileFormat format)
+{
+    switch (format) {
+    case FileFormat::Suffuse:
+        return FileMessages::tr("Suffuse painting");
+    case FileFormat::Text:
+        return FileMessages::tr("Suffuse text form");
+    case FileFormat::InkCsv:
+        return FileMessages::tr("Ink recording (CSV)");
+    case FileFormat::UniversalInk:
+        return FileMessages::tr("Universal Ink (JSON)");
+    case FileFormat::Excalidraw:
+        return FileMessages::tr("Excalidraw drawing");
+    case FileFormat::MyPaintEvents:
+        return FileMessages::tr("MyPaint events");
+    case FileFormat::Unknown:
+        break;
+    }
+    return FileMessages::tr("Unknown format");
+}
+
+Result<Painting> readPainting(const QByteArray &bytes, const QString &fileName, const Brush *brush)
+{
+    if (bytes.isEmpty())
+        return fileError(fileName, FileMessages::tr("is empty; nothing was saved in it"));
+    const auto painted = [&](const Result<Recording> &recording) -> Result<Painting> {
+        if (!recording)
+            return Error{recording.error()};
+        return paintRecording(*recording, brush ? *brush : builtinBrushes().front(), fileName);
+    };
+    switch (detectFormat(bytes)) {
+    case FileFormat::Suffuse:
+        return readSuffuseFile(bytes, fileName);
+    case FileFormat::Text:
+        return readTextForm(bytes, fileName);
+    case FileFormat::InkCsv:
+        return painted(readInkCsv(bytes, fileName));
+    case FileFormat::UniversalInk:
+        return painted(readUniversalInk(bytes, fileName));
+    case FileFormat::Excalidraw:
+        return painted(readExcalidraw(bytes, fileName));
+    case FileFormat::MyPaintEvents:
+        return painted(readMyPaintEvents(bytes, fileName));
+    case FileFormat::Unknown:
+        break;
+    }
+    return fileError(fileName, unknownFormat(bytes));
+}
+
+Result<Painting> loadPainting(const QString &path, const Brush *brush)
+{
+    QFile file;
+    if (path == QLatin1String("-")) {
+        if (!file.open(stdin, QIODevice::ReadOnly))
+            return fileError(path, FileMessages::tr("could not be read: %1").arg(file.errorString()));
+    } else {
+        const QFileInfo info(path);
+        if (!info.exists())
+            return fileError(
+                path,
+                FileMessages::tr("there is no such file: %1").arg(QDir::toNativeSeparators(info.absoluteFilePath())));
+        if (info.isDir())
+            return fileError(path, FileMessages::tr("is a folder; give a file inside it"));
+        file.setFileName(path);
+        if (!file.open(QIODevice::ReadOnly))
+            return fileError(
+                path, FileMessages::tr("could not be opened: %1; check its permissions").arg(file.errorString()));
+    }
+    const auto bytes = readAll(file, path);
+    if (!bytes)
+        return Error{bytes.error()};
+    return readPainting(*bytes, path, brush);
+}
+
+QByteArray writePainting(const Painting &painting, FileFormat format)
+{
+    return format == FileFormat::Text ? writeTextForm(painting) : writeSuffuseFile(painting);
+}
+
+Result<void> savePainting(const Painting &painting, const QString &path)
+{
+    const FileFormat format = formatForSaving(path);
+    if (format == FileFormat::Unknown)
+        return fileError(path, FileMessages::tr("the ending is neither .suffuse nor .json; choose one of them"));
+    return writeFileAtomically(path, writePainting(painting, format));
+}
+
+} // namespace suffuse

@@ -1,0 +1,71 @@
+// The outer layout of a .suffuse file (docs/file-format.md): signature, chunks, checksums.
+#pragma once
+
+#include "model/result.h"
+
+#include <QByteArray>
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+namespace suffuse {
+
+/// First bytes: not ASCII, the name, then a line ending that transfers as text would change.
+inline constexpr char suffuseName[] = "\x89SUFFUSE";
+inline constexpr char suffuseLineEnds[] = "\r\n\x1a\n";
+inline constexpr qsizetype suffuseSignatureSize = 12;
+
+/// Version that is written, and the least version of a reader that understands it.
+inline constexpr int suffuseVersion = 1;
+inline constexpr int suffuseLeastReader = 1;
+
+/// Segments (and rewettings) that a small file may declare; beyond it has at least one byte for each.
+inline constexpr std::uint64_t freeElements = 500'000;
+/// A stroke chunk is closed when it holds this many segments.
+inline constexpr std::size_t segmentsPerChunk = 65'536;
+/// Names and palettes that are stored compressed, bytes before compression in the whole file; more is stored raw.
+inline constexpr std::uint64_t blockBudget = std::uint64_t(64) << 20;
+
+/// CRC-32C (Castagnoli), as iSCSI has it.
+std::uint32_t crc32c(const char *bytes, std::size_t size);
+
+void appendU32(QByteArray &out, std::uint32_t value);
+/// Seven bits a byte, low ones first, high bit set where more follow.
+void appendVarint(QByteArray &out, std::uint64_t value);
+
+/// type (4 letters), length, payload, CRC-32C of those three. A capital first letter: a reader must understand it.
+void appendChunk(QByteArray &out, const char *type, const QByteArray &payload);
+
+struct Chunk {
+    QByteArray type;
+    qsizetype start = 0; ///< of its type, from the start of the file
+    QByteArrayView payload;
+    qsizetype size() const { return payload.size() + 12; }
+};
+
+/// "a.suffuse: chunk STRK at byte 1234: WHAT; REMEDY"
+Error chunkError(const QString &fileName, const Chunk &chunk, const QString &what);
+
+/// Checks signature, chunk lengths, checksums and the hash at the end. The views look into `bytes`.
+Result<std::vector<Chunk>> splitChunks(const QByteArray &bytes, const QString &fileName);
+
+/// Reads little-endian numbers from memory that may be too short; after the first failure everything fails.
+class ByteCursor {
+public:
+    explicit ByteCursor(QByteArrayView bytes) : m_bytes(bytes) {}
+
+    bool ok() const { return m_ok; }
+    qsizetype left() const { return m_bytes.size() - m_at; }
+    std::uint8_t u8();
+    std::uint32_t u32();
+    std::uint64_t varint();
+    QByteArrayView take(std::uint64_t size);
+
+private:
+    QByteArrayView m_bytes;
+    qsizetype m_at = 0;
+    bool m_ok = true;
+};
+
+} // namespace suffuse

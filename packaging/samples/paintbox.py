@@ -1,0 +1,341 @@
+"""What the sample paintings are painted with: colours, shapes, brushes, and the text form they are written in.
+
+Lengths are canvas units, times seconds, angles degrees. A colour is (red, yellow, blue, opacity), RYB. Where a parameter
+says *field*, it takes a value or a function of (x, y) that gives one: paint that changes along the stroke.
+"""
+import json
+import math
+import random
+
+SEGMENT_TIME = 1 / 60  # the hand's pace: a segment takes this long
+PAUSE = 0.3            # between two strokes
+ROOT_PI = math.sqrt(math.pi)
+
+
+# ---------------------------------------------------------------- colours
+
+def ryb(text, opacity=1.0):
+    """The RYB colour of '#rrggbb' (Sugita & Takahashi; exact inverse of the renderer's)."""
+    rgb = [int(text[i:i + 2], 16) / 255 for i in (1, 3, 5)]
+    white, black = min(rgb), 1 - max(rgb)
+    r, g, b = (v - white for v in rgb)
+    m = min(r, g)
+    red, yellow, blue = r - m, (g + m) / 2, (b + g - m) / 2
+    top, most = max(r, g, b), max(red, yellow, blue)
+    n = most / top if top > 0 and most > 0 else 1
+    return (red / n + black, yellow / n + black, blue / n + black, opacity)
+
+
+def lerp(a, b, t):
+    return a + (b - a) * t
+
+
+def blend(a, b, t):
+    """From colour a (t = 0) to colour b (t = 1), channel by channel."""
+    t = min(1.0, max(0.0, t))
+    return tuple(lerp(x, y, t) for x, y in zip(a, b))
+
+
+def fade(colour, factor):
+    """The colour with its opacity multiplied."""
+    return colour[:3] + (colour[3] * min(1.0, max(0.0, factor)),)
+
+
+def ramp(*stops):
+    """A function of t from (t, value) stops; values are numbers or colours; smooth between them."""
+    def at(t):
+        if t <= stops[0][0]:
+            return stops[0][1]
+        for (t0, a), (t1, b) in zip(stops, stops[1:]):
+            if t <= t1:
+                f = (t - t0) / (t1 - t0) if t1 > t0 else 1.0
+                f = f * f * (3 - 2 * f)
+                return blend(a, b, f) if isinstance(a, tuple) else lerp(a, b, f)
+        return stops[-1][1]
+    return at
+
+
+def across(x0, y0, x1, y1, stops):
+    """A field that runs through the stops from point 0 to point 1."""
+    at, dx, dy = ramp(*stops), x1 - x0, y1 - y0
+    return lambda x, y: at(((x - x0) * dx + (y - y0) * dy) / (dx * dx + dy * dy))
+
+
+def around(cx, cy, rx, ry, stops):
+    """A field that runs through the stops from the centre (t = 0) outwards; t = 1 on the ellipse."""
+    at = ramp(*stops)
+    return lambda x, y: at(math.hypot((x - cx) / rx, (y - cy) / ry))
+
+
+# ---------------------------------------------------------------- styles and mixing
+
+def uniform(softness=0.05, cut=0.5):
+    return {"kind": "uniform", "xi": [cut, softness]}
+
+
+def feather(full=1.0, power=1.2):
+    return {"kind": "feathering", "xi": [full, power]}
+
+
+def edge(inside=0.6, shape=0.95, cut=0.5):
+    """Edge darkening whose paint ends at density `cut`; `inside` is the tone far in, as a share of the rim's."""
+    x = (shape ** 3 + math.sqrt(shape ** 6 + 4 * (1 / inside - 1))) / 2
+    dark = cut * x ** (1 / 3)
+    return {"kind": "edge", "xi": [round(dark, 4), round(shape * dark, 4), inside]}
+
+
+def glaze(beta=1.0):
+    """Mixes like pigment: 1 adds the colour to what lies below, 0 covers it."""
+    return {"mode": "beta", "beta": beta}
+
+
+COVER = {"mode": "alpha"}
+
+
+# ---------------------------------------------------------------- shapes: lists of points
+
+def curve(points, closed=False, step=4.0):
+    """The Catmull-Rom curve through the points, as points about `step` apart."""
+    n, out = len(points), []
+    for i in range(n if closed else n - 1):
+        p = [points[(i + k) % n] if closed else points[min(n - 1, max(0, i + k))] for k in (-1, 0, 1, 2)]
+        pieces = max(1, round(math.dist(p[1], p[2]) / step))
+        for k in range(pieces):
+            t = k / pieces
+            out.append(tuple(0.5 * (2 * p[1][a] + (p[2][a] - p[0][a]) * t
+                                    + (2 * p[0][a] - 5 * p[1][a] + 4 * p[2][a] - p[3][a]) * t * t
+                                    + (3 * p[1][a] - p[0][a] - 3 * p[2][a] + p[3][a]) * t ** 3) for a in (0, 1)))
+    return out if closed else out + [tuple(points[-1])]
+
+
+def ellipse(cx, cy, rx, ry, turn=0.0, start=0.0, end=360.0):
+    n = max(12, int((rx + ry) * abs(end - start) / 360))
+    c, s = math.cos(math.radians(turn)), math.sin(math.radians(turn))
+    out = []
+    for i in range(n + (end - start < 360)):
+        a = math.radians(lerp(start, end, i / n))
+        x, y = rx * math.cos(a), ry * math.sin(a)
+        out.append((cx + c * x - s * y, cy + s * x + c * y))
+    return out
+
+
+def rectangle(x0, y0, x1, y1):
+    return [(x0, y0), (x1, y0), (x1, y1), (x0, y1)]
+
+
+def placed(points, x=0.0, y=0.0, scale=1.0, turn=0.0, mirror=False):
+    """The points scaled, turned and moved, in this order."""
+    c, s, m = math.cos(math.radians(turn)) * scale, math.sin(math.radians(turn)) * scale, -1 if mirror else 1
+    return [(x + c * m * px - s * py, y + s * m * px + c * py) for px, py in points]
+
+
+class Noise:
+    """Smooth value noise in one and two dimensions, in [-1, 1]."""
+
+    def __init__(self, seed):
+        rng = random.Random(seed)
+        self.table = [rng.uniform(-1, 1) for _ in range(4096)]
+
+    def corner(self, i, j):
+        return self.table[(i * 73 + j * 1579 + ((i * j) & 255) * 31) & 4095]
+
+    def __call__(self, x, y=0.0):
+        i, j = math.floor(x), math.floor(y)
+        u, v = x - i, y - j
+        u, v = u * u * (3 - 2 * u), v * v * (3 - 2 * v)
+        low = lerp(self.corner(i, j), self.corner(i + 1, j), u)
+        return lerp(low, lerp(self.corner(i, j + 1), self.corner(i + 1, j + 1), u), v)
+
+
+def wobbly(points, amount, length, seed):
+    """The points moved by smooth noise: the outline of a hand that is not a machine."""
+    nx, ny = Noise(seed), Noise(seed + 1)
+    return [(x + amount * nx(x / length, y / length), y + amount * ny(x / length, y / length)) for x, y in points]
+
+
+def resampled(points, step):
+    """The open polyline in steps of equal length, at most `step`."""
+    lengths = [math.dist(a, b) for a, b in zip(points, points[1:])]
+    total = sum(lengths)
+    n = max(1, math.ceil(total / step))
+    out, k, done = [tuple(points[0])], 0, 0.0
+    for i in range(1, n):
+        at = total * i / n
+        while k < len(lengths) - 1 and done + lengths[k] < at:
+            done += lengths[k]
+            k += 1
+        f = (at - done) / lengths[k] if lengths[k] else 0.0
+        out.append((lerp(points[k][0], points[k + 1][0], f), lerp(points[k][1], points[k + 1][1], f)))
+    return out + [tuple(points[-1])]
+
+
+# ---------------------------------------------------------------- filling a shape with one stroke
+
+def crossings(outlines, y):
+    """The intervals of x where the line at height y is inside (even-odd)."""
+    xs = []
+    for points in outlines:
+        for (x0, y0), (x1, y1) in zip(points, points[1:] + points[:1]):
+            if (y0 <= y) != (y1 <= y):
+                xs.append(x0 + (x1 - x0) * (y - y0) / (y1 - y0))
+    xs.sort()
+    return list(zip(xs[::2], xs[1::2]))
+
+
+def rows_of(outlines, spacing):
+    """Chains of rows [(y, x0, x1), …]: each chain is filled by going to and fro. Gives (chains, spacing used)."""
+    ys = [y for points in outlines for _, y in points]
+    low, high = min(ys), max(ys)
+    n = max(1, round((high - low) / spacing))
+    pitch = (high - low) / n
+    chains, open_chains = [], []
+    for k in range(n):
+        y = low + (k + 0.5) * pitch
+        still_open = []
+        for x0, x1 in crossings(outlines, y):
+            if x1 - x0 < 0.2 * pitch:
+                continue
+            above = [c for c in open_chains if c[-1][1] < x1 and c[-1][2] > x0 and c not in still_open]
+            chain = above[0] if above else []
+            if not above:
+                chains.append(chain)
+            chain.append((y, x0, x1))
+            still_open.append(chain)
+        open_chains = still_open
+    return chains, pitch
+
+
+def value(field, x, y):
+    return field(x, y) if callable(field) else field
+
+
+class Painting:
+    """Strokes in the order of painting, on a clock that the hand drives."""
+
+    def __init__(self, width, height, background="#ffffff", paper=None):
+        self.canvas = {"width": width, "height": height, "background": self.rounded(ryb(background)),
+                       "paper": paper or {"kind": "none"}}
+        self.groups, self.open_groups, self.strokes = [], [], []
+        self.clock = 0.0
+
+    @staticmethod
+    def rounded(colour):
+        return [round(min(1.0, max(0.0, v)), 3) for v in colour]
+
+    # -- groups: with painting.group("lemon"): …
+    def group(self, name):
+        parent = self.open_groups[-1] if self.open_groups else None
+        self.groups.append({"id": len(self.groups) + 1, "name": name, "parent": parent, "visible": True, "locked": False})
+        self.open_groups.append(len(self.groups))
+        return self
+
+    def __enter__(self):
+        return self
+
+    def __exit__(self, *_):
+        self.open_groups.pop()
+
+    # -- strokes
+    def add(self, name, segments, style, mix):
+        """segments: (four points, spread s, density, granulation, colour); zero-length ones are left out."""
+        out, clean = [], lambda p: [round(p[0], 2), round(p[1], 2)]
+        for points, s, density, granulation, colour in segments:
+            bezier = [clean(p) for p in points]
+            if all(p == bezier[0] for p in bezier):
+                continue
+            out.append({"bezier": bezier, "diffusion": round(s * s / 4, 3), "density": float(f"{density:.4g}"),
+                        "granulation": granulation, "maxAge": 1, "born": round(self.clock, 6),
+                        "colour": self.rounded(colour)})
+            self.clock += SEGMENT_TIME
+        if not out:
+            raise ValueError(f"the stroke “{name}” is empty")
+        self.clock += PAUSE
+        self.strokes.append({"id": len(self.strokes) + 1, "name": name,
+                             "group": self.open_groups[-1] if self.open_groups else None,
+                             "visible": True, "locked": False, "style": style, "mix": mix, "segments": out})
+
+    def line(self, name, points, width, colour, style=None, mix=COVER, spread=None, step=None, granulation=1.0,
+             smooth=True):
+        """A brush stroke through the points. width: half-width, or a list of them along the stroke (the pressure, which
+        sets the density). colour: a field, or a list of colours along the stroke. spread: s, default 0.8 of the width."""
+        style = style or uniform()
+        widths = width if isinstance(width, (list, tuple)) else [width]
+        s = spread or 0.8 * max(widths)
+        cut = style["xi"][0] if style["kind"] == "uniform" else 0.5
+        at = ramp(*[(i / max(1, len(widths) - 1), w) for i, w in enumerate(widths)])
+        shade = None
+        if isinstance(colour, list):
+            shade = ramp(*[(i / max(1, len(colour) - 1), c) for i, c in enumerate(colour)])
+        nodes = resampled(curve(points, step=min(2.0, s)) if smooth else points, step or max(1.5, 0.9 * s))
+        n, segments = len(nodes) - 1, []
+        for k in range(n):
+            before, a, b, after = nodes[max(0, k - 1)], nodes[k], nodes[k + 1], nodes[min(n, k + 2)]
+            w = at((k + 0.5) / n)
+            density = cut * ROOT_PI * s * math.exp(min(3.5, (w / s) ** 2)) * (1 if w > 0 else 0)
+            paint = shade((k + 0.5) / n) if shade else value(colour, (a[0] + b[0]) / 2, (a[1] + b[1]) / 2)
+            one = (a[0] + (b[0] - before[0]) / 6, a[1] + (b[1] - before[1]) / 6)
+            two = (b[0] - (after[0] - a[0]) / 6, b[1] - (after[1] - a[1]) / 6)
+            segments.append(((a, one, two, b), s, density, granulation, paint))
+        self.add(name, segments, style, mix)
+
+    def dot(self, name, x, y, radius, colour, style=None, mix=COVER, granulation=1.0):
+        """A touch of the brush."""
+        s = 0.8 * radius
+        short, cut = 0.1 * s, (style or uniform())["xi"][0]
+        density = cut * ROOT_PI * s * math.exp((radius / s) ** 2) / math.erf(0.05)
+        ends = [(x + short * (k / 3 - 0.5), y) for k in range(4)]
+        self.add(name, [(ends, s, density, granulation, colour)], style or uniform(), mix)
+
+    def fill(self, name, outlines, colour, s=8.0, row=None, angle=0.0, level=1.0, style=None, mix=COVER,
+             granulation=1.0, piece=None, spread=None):
+        """A shape filled by one scribbled stroke. Inside, its density is `level` (a field; 1 ends a style that cuts at 0.5
+        exactly on the outline). s sets the rows' distance, spread (a field, default s) the spread; colour is a field."""
+        outlines = [outlines] if isinstance(outlines[0][0], (int, float)) else outlines
+        c, sn = math.cos(math.radians(angle)), math.sin(math.radians(angle))
+        turned = [[(c * x + sn * y, -sn * x + c * y) for x, y in points] for points in outlines]
+        back = lambda x, y: (c * x - sn * y, sn * x + c * y)
+        chains, pitch = rows_of(turned, row or 1.2 * s)
+        varies = callable(colour) or callable(level) or callable(spread)
+        piece = piece or (1.6 * s if varies else 1e9)
+        spread, segments, last = spread or s, [], None
+
+        def lay(points, share):
+            (x0, y0), (x3, y3) = points[0], points[3]
+            x, y = back((x0 + x3) / 2, (y0 + y3) / 2)
+            segments.append(([back(*p) for p in points], value(spread, x, y), share * pitch * value(level, x, y),
+                             granulation, value(colour, x, y)))
+
+        def straight(a, b, share, pieces=1):
+            cut = [tuple(lerp(a[i], b[i], k / (3 * pieces)) for i in (0, 1)) for k in range(3 * pieces + 1)]
+            for k in range(pieces):
+                lay(cut[3 * k:3 * k + 4], share)
+
+        for chain in chains:
+            right = True
+            for k, (y, x0, x1) in enumerate(chain):
+                inset = min(pitch / 4, (x1 - x0) / 4)
+                a, b = ((x0 + inset, y), (x1 - inset, y)) if right else ((x1 - inset, y), (x0 + inset, y))
+                if last and k:
+                    self.turn(last, a, right, pitch, lay)
+                elif last:
+                    straight(last, a, 0.0)
+                straight(a, b, 1.0, max(1, math.ceil((x1 - x0) / piece)))
+                last, right = b, not right
+        self.add(name, segments, style or uniform(), mix)
+
+    @staticmethod
+    def turn(a, b, right, pitch, lay):
+        """From the end of a row to the start of the next, with the paint that the rows' inset leaves out."""
+        bow = (-0.4 if right else 0.4) * pitch
+        lay([a, (a[0] + bow, a[1]), (b[0] + bow, b[1]), b], 0.5 * pitch / max(pitch, 1.15 * math.dist(a, b)))
+
+    def write(self, path):
+        """Writes the text form; a line a segment."""
+        line = lambda value: json.dumps(value, separators=(",", ":"), ensure_ascii=False)
+        rows = []
+        for stroke in self.strokes:
+            head = {k: v for k, v in stroke.items() if k != "segments"}
+            rows.append(line(head)[:-1] + ',"segments":[\n' + ",\n".join(map(line, stroke["segments"])) + "]}")
+        with open(path, "w", encoding="utf-8") as out:
+            out.write('{"format":"suffuse-text","version":1,\n"canvas":' + line(self.canvas) + ',\n"groups":'
+                      + line(self.groups) + ',\n"strokes":[\n' + ",\n".join(rows) + "]}\n")

@@ -1,0 +1,65 @@
+# shellcheck shell=bash
+# Sourced by packaging/run and packaging/test: packages, configuration, build. Expects `set -eu` and the source root as
+# the current folder.
+
+build=build
+
+say() { printf '%s\n' "$*" >&2; }
+
+missing_packages() {
+    local wanted
+    wanted=$(grep -v '^#' packaging/dependencies)
+    # shellcheck disable=SC2086  # one word a package
+    dpkg-query -W -f '${db:Status-Abbrev} ${Package}\n' $wanted 2>/dev/null \
+        | awk -v wanted="$wanted" '
+            $1 == "ii" { have[$2] = 1 }
+            END { n = split(wanted, w, "\n"); for (i = 1; i <= n; ++i) if (!(w[i] in have)) print w[i] }'
+}
+
+install_missing() {
+    if ! command -v dpkg-query >/dev/null; then
+        say "This is no Debian system: install what packaging/dependencies lists by its names here. Going on."
+        return
+    fi
+    local missing as_root=()
+    missing=$(missing_packages | tr '\n' ' ')
+    [ -n "$missing" ] || return 0
+    if [ "$(id -u)" -ne 0 ]; then
+        if ! command -v sudo >/dev/null || ! sudo -n true 2>/dev/null; then
+            say "Packages are missing and there is no right to install them. Run this line as root, then start again:"
+            say "apt-get install --no-install-recommends -y $missing"
+            exit 1
+        fi
+        as_root=(sudo -n)
+    fi
+    say "Installing: $missing"
+    "${as_root[@]}" apt-get update -q >&2 || say "The package lists could not be refreshed; trying those that are there."
+    # shellcheck disable=SC2086
+    "${as_root[@]}" env DEBIAN_FRONTEND=noninteractive apt-get install --no-install-recommends -y -q $missing >&2
+}
+
+# Ninja runs CMake again by itself when a CMake file changes; this is for the first time and for another setting.
+configure() {
+    local werror=OFF
+    [ -z "${CI:-}" ] || werror=ON
+    if [ -f $build/build.ninja ] && [ ! CMakePresets.json -nt $build/build.ninja ] \
+        && grep -q "^SUFFUSE_WERROR:BOOL=$werror\$" $build/CMakeCache.txt; then
+        return
+    fi
+    local options=("-DSUFFUSE_WERROR=$werror")
+    if command -v ccache >/dev/null; then
+        options+=(-DCMAKE_CXX_COMPILER_LAUNCHER=ccache)
+    fi
+    cmake --preset default "${options[@]}" >&2
+}
+
+build_targets() {
+    local log=$build/build.log
+    say "Building …"
+    if [ -t 2 ]; then
+        cmake --build $build --target "$@" >&2
+    elif ! cmake --build $build --target "$@" >$log 2>&1; then
+        cat $log >&2
+        return 1
+    fi
+}

@@ -1,0 +1,217 @@
+#include "render/cpu/cpu_renderer.h"
+
+#include "render/parallel.h"
+
+#include <QCoreApplication>
+#include <QElapsedTimer>
+
+#include <algorithm>
+
+namespace suffuse {
+
+namespace {
+
+constexpr int defaultTile = 32;
+
+double milliseconds(const QElapsedTimer &timer)
+{
+    return double(timer.nsecsElapsed()) * 1e-6;
+}
+
+/// As processors name it, not as Highway does.
+QString instructionSet()
+{
+    const QString name = QString::fromLatin1(cpu::kernels().name);
+    return name.startsWith(QLatin1String("AVX3")) ? QStringLiteral("AVX-512") : name;
+}
+
+} // namespace
+
+CpuRenderer::CpuRenderer(int threads, int tileSize)
+    : m_threads(threads > 0 ? threads : hardwareThreads()),
+      m_tileSize(tileSize > 0 ? (tileSize + 7) / 8 * 8 : defaultTile)
+{
+}
+
+QString CpuRenderer::deviceName() const
+{
+    return QCoreApplication::translate("Renderer", "%n threads", nullptr, m_threads) + QStringLiteral(" · ") +
+           instructionSet();
+}
+
+bool CpuRenderer::sameFrame(const RenderRequest &request, const Target &target) const
+{
+    return m_target == &target && m_frame.view == request.view && m_frame.transparent == request.transparent &&
+           m_frame.canvas.background == request.painting->canvas.background &&
+           m_frame.canvas.paper == request.painting->canvas.paper;
+}
+
+void CpuRenderer::updateScene(const RenderRequest &request)
+{
+    const View &view = request.view;
+    const int octave = zoomOctave(view.scale);
+    const Rect visible = visibleBox(view);
+    const bool sameView = m_frame.view == view;
+    const bool sameOctave = zoomOctave(m_frame.view.scale) == octave;
+    ++m_generation;
+    std::vector<StrokePtr> strokes;
+    for (const StrokePtr &s : request.painting->strokes)
+        if (request.painting->isVisible(*s))
+            strokes.push_back(s);
+    for (const StrokePtr &s : strokes)
+        m_entries[s->id].seen = m_generation;
+    std::erase_if(m_entries, [&](const auto &e) { return e.second.seen != m_generation; });
+
+    parallelFor(strokes.size(), m_threads, [&](std::size_t i) {
+        const StrokePtr &stroke = strokes[i];
+        Entry &entry = m_entries.find(stroke->id)->second;
+        const bool sameStroke = entry.scene && entry.scene->stroke == stroke;
+        const bool dry = stroke->driesAt() <= request.time;
+        const bool sameAge = entry.time == request.time || (entry.dry && dry);
+        std::shared_ptr<const StrokeNodes> nodes;
+        if (sameStroke && sameAge && sameOctave && (sameView || !entry.scene->source->clipped)) {
+            entry.dry = dry;
+            entry.time = request.time;
+            if (sameView)
+                return;
+            nodes = entry.scene->source;
+        } else {
+            nodes = buildNodes(*stroke, request.time, octave, visible);
+        }
+        entry.scene = std::make_shared<const SceneStroke>(makeSceneStroke(stroke, std::move(nodes), view));
+        entry.dry = dry;
+        entry.time = request.time;
+    });
+    m_scene.clear();
+    for (const StrokePtr &s : strokes)
+        m_scene.push_back(m_entries[s->id].scene);
+}
+
+void CpuRenderer::markDifferences(const std::vector<std::shared_ptr<const SceneStroke>> &before)
+{
+    std::unordered_map<StrokeId, const SceneStroke *> old;
+    std::vector<StrokeId> orderBefore, orderAfter;
+    for (const auto &s : before)
+        old[s->stroke->id] = s.get(), orderBefore.push_back(s->stroke->id);
+    for (const auto &s : m_scene) {
+        orderAfter.push_back(s->stroke->id);
+        const auto it = old.find(s->stroke->id);
+        if (it == old.end()) {
+            m_region.mark(s->bounds);
+            continue;
+        }
+        if (it->second != s.get())
+            markChanged(*it->second, *s, m_frame.view, m_region);
+        old.erase(it);
+    }
+    for (const auto &[id, stroke] : old)
+        m_region.mark(stroke->bounds);
+    for (StrokeId id : movedInOrder(orderBefore, orderAfter))
+        m_region.mark(m_entries[id].scene->bounds);
+}
+
+std::vector<cpu::TileStroke> CpuRenderer::rowStrokes(int row) const
+{
+    std::vector<cpu::TileStroke> result;
+    const PixelRect first = m_region.tile(0, row);
+    const Rect band = Rect::of(0, first.y, m_frame.view.width, first.height);
+    std::vector<const cpu::ViewNode *> all;
+    cpu::TileStroke selected;
+    for (const auto &s : m_scene) {
+        const PixelRect &b = s->bounds;
+        if (b.isEmpty() || b.y >= first.y + first.height || b.y + b.height <= first.y)
+            continue;
+        all.clear();
+        for (const cpu::ViewNode &n : s->nodes)
+            all.push_back(&n);
+        if (cpu::selectNodes(*m_frame.kernels, *s, all, band.grown(1), selected))
+            result.push_back(selected);
+    }
+    return result;
+}
+
+void CpuRenderer::paint(int column, int row, const std::vector<cpu::TileStroke> &strokes, Target &target)
+{
+    const PixelRect tile = m_region.tile(column, row);
+    // Blocks reach over the picture's edge; a pixel around covers supersampled samples.
+    const Rect area = Rect::of(tile.x, tile.y, std::max(tile.width, cpu::blockSide), std::max(tile.height, cpu::blockSide));
+    std::vector<cpu::TileStroke> selected;
+    cpu::TileStroke one;
+    for (const cpu::TileStroke &s : strokes) {
+        const PixelRect &b = s.stroke->bounds;
+        if (b.x >= tile.x + tile.width || b.x + b.width <= tile.x)
+            continue;
+        if (cpu::selectNodes(*m_frame.kernels, *s.stroke, s.nodes, area.grown(1), one))
+            selected.push_back(std::move(one));
+        one = {};
+    }
+    std::vector<float> rgba(std::size_t(tile.width) * tile.height * 4);
+    cpu::paintTile(m_frame, tile, selected, rgba.data());
+    target.store(tile, rgba.data(), tile.width);
+}
+
+Result<RenderStats> CpuRenderer::render(const RenderRequest &request, Target &target, const std::atomic<bool> *cancel)
+{
+    RenderStats stats;
+    QElapsedTimer total, stage;
+    total.start();
+    stage.start();
+    const auto cancelled = [cancel] { return cancel && cancel->load(std::memory_order_relaxed); };
+    auto paper = paperTexture(request.painting->canvas.paper);
+    if (!paper)
+        return Error{paper.error()};
+
+    const bool incremental = sameFrame(request, target);
+    const auto before = m_scene;
+    updateScene(request);
+    const bool resized =
+        m_target != &target || m_frame.view.width != request.view.width || m_frame.view.height != request.view.height;
+    m_frame = {request.view, request.painting->canvas, *paper, request.transparent, &cpu::kernels()};
+    if (resized)
+        target.resize(request.view.width, request.view.height);
+    if (incremental) {
+        markDifferences(before);
+    } else {
+        m_region.reset(request.view.width, request.view.height, m_tileSize);
+        m_target = &target;
+    }
+    for (const auto &s : m_scene)
+        stats.nodes += s->source->nodes.size();
+    stats.nodesMs = milliseconds(stage);
+    stage.restart();
+
+    std::vector<std::vector<cpu::TileStroke>> rows(std::size_t(m_region.rows()));
+    parallelFor(rows.size(), m_threads, [&](std::size_t row) {
+        if (m_region.anyInRow(int(row)) && !cancelled())
+            rows[row] = rowStrokes(int(row));
+    });
+    stats.binningMs = milliseconds(stage);
+    stage.restart();
+
+    std::vector<std::pair<int, int>> tiles;
+    for (int row = 0; row < m_region.rows(); ++row)
+        for (int column = 0; column < m_region.columns(); ++column)
+            if (m_region.isDirty(column, row))
+                tiles.emplace_back(column, row);
+    std::vector<std::uint8_t> done(tiles.size(), 0);
+    if (!cancelled())
+        parallelFor(tiles.size(), m_threads, [&](std::size_t i) {
+            if (cancelled())
+                return;
+            paint(tiles[i].first, tiles[i].second, rows[std::size_t(tiles[i].second)], target);
+            done[i] = 1;
+        });
+    for (std::size_t i = 0; i < tiles.size(); ++i)
+        if (done[i]) {
+            m_region.clean(tiles[i].first, tiles[i].second);
+            stats.dirty.push_back(m_region.tile(tiles[i].first, tiles[i].second));
+        }
+    stats.tiles = m_region.columns() * m_region.rows();
+    stats.tilesEvaluated = int(stats.dirty.size());
+    stats.cancelled = stats.dirty.size() < tiles.size();
+    stats.tilesMs = milliseconds(stage);
+    stats.totalMs = milliseconds(total);
+    return stats;
+}
+
+} // namespace suffuse

@@ -1,0 +1,11 @@
+// Strokes so wide on screen that a float sum would lose their edge: a cubic Taylor polynomial per cell, in double.
+#pragma once
+
+#include "render/scene.h"
+
+namespace suffuse::cpu {
+
+/// Shades a block of a stroke with deep nodes; `sums` hold what its other nodes add. Cost does not grow with zoom.
+void shadeDeep(const SceneStroke &stroke, const Block &block, const Sums &sums, const float *eta, Shaded &out);
+
+} // namespace suffuse::cpu

@@ -1,0 +1,83 @@
+// The inner loops, compiled for several SIMD instruction sets; the best one for this machine is chosen at run time.
+#pragma once
+
+#include "render/math/shade_params.h"
+
+#include <cstdint>
+
+namespace suffuse::cpu {
+
+/// Samples are evaluated in blocks of 16 × 16.
+inline constexpr int blockSide = 16;
+inline constexpr int blockSize = blockSide * blockSide;
+/// Node distances are taken from the centres of cells of 8 × 8 samples whose corners lie on the picture's 8-pixel grid,
+/// so that a sample's bits do not depend on the tile it is evaluated in.
+inline constexpr int cellSide = 8;
+
+/// A node in pixels of the picture. Separable: b = 0.
+struct ViewNode {
+    double x = 0, y = 0;
+    float a = 0, b = 0, c = 0;       ///< metric, px⁻²
+    float weight = 0;                ///< density at its centre
+    float cut = 0;                   ///< e^(−R²)
+    float reachX = 0, reachY = 0;    ///< half-sizes of its box, px
+    float slowest = 0;               ///< least eigenvalue of the metric, px⁻²: q ≥ slowest·d²
+    float steepest = 0;              ///< root of the greatest: |∇q| ≤ 2·steepest·√q
+    std::uint32_t segment = 0;       ///< row of the stroke's channel values
+};
+
+/// A rectangle of pixels as centre and half-sizes.
+struct Area {
+    double x = 0, y = 0;
+    double halfWidth = 0, halfHeight = 0;
+};
+
+/// Upper bounds of φ and |∇φ| (per pixel) of some nodes over an area.
+struct Bound {
+    float density = 0;
+    float slope = 0;
+};
+
+/// Sample (i, j) lies at (x + (i+½)·step, y + (j+½)·step), in pixels.
+struct Block {
+    double x = 0, y = 0;
+    double step = 1;
+};
+
+/// Sums at the samples of a block (render/math/shade_params.h).
+struct Sums {
+    alignas(64) float v[fixedSums + maxChannels][blockSize];
+};
+
+/// Opacity w = F·C̄_opacity and colour C̄ at the samples of a block.
+struct Shaded {
+    alignas(64) float w[blockSize];
+    alignas(64) float colour[3][blockSize];
+};
+
+/// A block of the picture while strokes are mixed into it: RYB backdrop and coverage.
+struct Backdrop {
+    alignas(64) float ryb[3][blockSize];
+    alignas(64) float coverage[blockSize];
+};
+
+struct Kernels {
+    const char *name;
+    /// Keeps the nodes whose boxes meet `area`; conservative, what it drops adds exactly nothing. Returns how many;
+    /// `out` has room for `count`. `bound` may be null.
+    int (*select)(const ViewNode *const *nodes, int count, const Area &area, const ViewNode **out, Bound *bound);
+    /// Adds nodes (the first `separable` ones have b = 0) to zeroed sums. `values`: `channels` floats a segment.
+    void (*accumulate)(const Block &block, const ViewNode *const *nodes, int count, int separable, const float *values,
+                       int channels, Sums &sums);
+    /// `eta`: paper texture at the samples, or null for 1. `step`: size of a sample in pixels.
+    void (*shade)(const ShadeParams &params, const Sums &sums, const float *eta, float step, Shaded &out);
+    /// Mixes one stroke into the block (eq 22 with keep = 1, eq 23 with keep = 1 − β).
+    void (*mix)(const Shaded &stroke, float keep, Backdrop &backdrop);
+    /// To straight RGBA, blockSize·4 floats. `transparent`: uncover the colour from its white background.
+    void (*finish)(const Backdrop &backdrop, bool transparent, float *rgba);
+};
+
+/// The best set for this machine. SUFFUSE_SIMD names another one that it supports ("SSE2", "AVX2", …).
+const Kernels &kernels();
+
+} // namespace suffuse::cpu

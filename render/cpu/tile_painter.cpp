@@ -1,0 +1,238 @@
+#include "render/cpu/tile_painter.h"
+
+#include "render/cpu/deep.h"
+#include "render/math/paper.h"
+
+#include <algorithm>
+#include <cstring>
+#include <numbers>
+
+namespace suffuse::cpu {
+
+namespace {
+
+/// Scratch of one block; large, so it lives on the heap, one a thread.
+struct Scratch {
+    Sums sums;
+    Shaded shaded;
+    Shaded samples;
+    Backdrop backdrop;
+    alignas(64) float eta[blockSize];
+    alignas(64) float sampleEta[blockSize];
+    float rgba[blockSize * 4];
+    TileStroke block;
+    TileStroke group;
+};
+
+class BlockPainter {
+public:
+    BlockPainter(const Frame &frame, int x, int y, Scratch &scratch) : m_frame(frame), m_x(x), m_y(y), m_s(scratch)
+    {
+        const Colour &b = frame.canvas.background;
+        // An unopaque background lies on white, RYB (0, 0, 0).
+        const float ryb[3] = {b.red * b.opacity, b.yellow * b.opacity, b.blue * b.opacity};
+        for (int c = 0; c < 3; ++c)
+            std::fill_n(m_s.backdrop.ryb[c], blockSize, frame.transparent ? 0.0f : ryb[c]);
+        std::fill_n(m_s.backdrop.coverage, blockSize, 0.0f);
+    }
+
+    void add(const TileStroke &stroke)
+    {
+        const Block block{double(m_x), double(m_y), 1};
+        const SceneStroke &scene = *stroke.stroke;
+        if (!selectNodes(*m_frame.kernels, scene, stroke.nodes, boxOf(block), m_s.block))
+            return;
+        const bool small = markLevels(scene);
+        evaluate(m_s.block, block, scene.granulated ? eta() : nullptr, m_s.shaded);
+        if (small)
+            supersample(m_s.block);
+        m_frame.kernels->mix(m_s.shaded, scene.keep, m_s.backdrop);
+    }
+
+    const float *finish()
+    {
+        m_frame.kernels->finish(m_s.backdrop, m_frame.transparent, m_s.rgba);
+        return m_s.rgba;
+    }
+
+private:
+    static Rect boxOf(const Block &b) { return Rect::of(b.x, b.y, blockSide * b.step, blockSide * b.step); }
+
+    /// Opacity and colour of a stroke at a block of samples.
+    void evaluate(const TileStroke &stroke, const Block &block, const float *eta, Shaded &out)
+    {
+        const SceneStroke &scene = *stroke.stroke;
+        std::memset(m_s.sums.v, 0, sizeof(m_s.sums.v[0]) * std::size_t(fixedSums + scene.channels));
+        m_frame.kernels->accumulate(block, stroke.nodes.data(), int(stroke.nodes.size()), stroke.separable,
+                                    scene.values.data(), scene.channels, m_s.sums);
+        if (scene.deep.empty())
+            m_frame.kernels->shade(scene.shade, m_s.sums, eta, float(block.step), out);
+        else
+            shadeDeep(scene, block, m_s.sums, eta, out);
+    }
+
+    bool hasPaper() const { return m_frame.canvas.paper.kind != PaperKind::None && m_frame.canvas.paper.strength > 0; }
+
+    void fillEta(const Block &block, float *out) const
+    {
+        const Paper &paper = m_frame.canvas.paper;
+        const View &view = m_frame.view;
+        for (int j = 0; j < blockSide; ++j)
+            for (int i = 0; i < blockSide; ++i) {
+                const Point at = view.toCanvas({block.x + (i + 0.5) * block.step, block.y + (j + 0.5) * block.step});
+                double eta = 1;
+                if (paper.kind == PaperKind::Procedural)
+                    eta = math::proceduralPaper(at.x, at.y, block.step * view.px(), paper.seed, paper.scale,
+                                                paper.strength);
+                else if (m_frame.paperImage)
+                    eta = math::imagePaper(at.x, at.y, m_frame.paperImage->grey.data(), m_frame.paperImage->width,
+                                           m_frame.paperImage->height, paper.scale, paper.strength);
+                out[j * blockSide + i] = float(eta);
+            }
+    }
+
+    /// The paper at the block's pixels, once for all strokes.
+    const float *eta()
+    {
+        if (!hasPaper())
+            return nullptr;
+        if (!m_haveEta)
+            fillEta({double(m_x), double(m_y), 1}, m_s.eta);
+        m_haveEta = true;
+        return m_s.eta;
+    }
+
+    /// For each pixel the greatest level of the small segments that reach it (docs/reference.md); false: none.
+    bool markLevels(const SceneStroke &stroke)
+    {
+        if (stroke.small.empty())
+            return false;
+        m_level.fill(0);
+        bool any = false;
+        const View &view = m_frame.view;
+        const double quarter = view.rotation / (0.5 * std::numbers::pi);
+        const bool upright = std::abs(quarter - std::round(quarter)) < 1e-12;
+        const double margin = view.px() * (upright ? 0.5 : std::numbers::sqrt2 / 2);
+        for (const SmallSegment &segment : stroke.small) {
+            const Rect box = segment.reach.grown(margin);
+            Rect pixels;
+            for (const Point corner : {Point{box.left, box.top}, Point{box.right, box.top}, Point{box.left, box.bottom},
+                                       Point{box.right, box.bottom}})
+                pixels.include(view.toPixels(corner));
+            const auto clampTo = [](double v) { return int(std::clamp(v, 0.0, double(blockSide))); };
+            const int x0 = clampTo(std::floor(pixels.left - m_x - 1)), x1 = clampTo(std::ceil(pixels.right - m_x + 1));
+            const int y0 = clampTo(std::floor(pixels.top - m_y - 1)), y1 = clampTo(std::ceil(pixels.bottom - m_y + 1));
+            for (int j = y0; j < y1; ++j)
+                for (int i = x0; i < x1; ++i)
+                    if (m_level[j * blockSide + i] < segment.level &&
+                        box.contains(view.toCanvas({m_x + i + 0.5, m_y + j + 0.5})))
+                        m_level[j * blockSide + i] = std::uint8_t(segment.level), any = true;
+        }
+        return any;
+    }
+
+    /// Replaces opacity and colour of the marked pixels by means over 2^k × 2^k points.
+    void supersample(const TileStroke &stroke)
+    {
+        for (int level = 1; level <= 6; ++level) {
+            if (std::find(m_level.begin(), m_level.end(), level) == m_level.end())
+                continue;
+            const int side = std::max(1, blockSide >> level); // pixels of a group of samples
+            for (int j = 0; j < blockSide; j += side)
+                for (int i = 0; i < blockSide; i += side)
+                    supersampleGroup(stroke, level, i, j, side);
+        }
+    }
+
+    void supersampleGroup(const TileStroke &stroke, int level, int i, int j, int side)
+    {
+        bool any = false;
+        for (int y = j; y < j + side; ++y)
+            for (int x = i; x < i + side; ++x)
+                any |= m_level[y * blockSide + x] == level;
+        if (!any)
+            return;
+        const Rect area = Rect::of(m_x + i, m_y + j, side, side);
+        const bool nothing = !selectNodes(*m_frame.kernels, *stroke.stroke, stroke.nodes, area, m_s.group);
+        std::array<std::array<double, 4>, blockSize> mean{}; // w, w·C of the group's pixels
+        const int samples = 1 << level;                       // a side of a pixel
+        const double step = 1.0 / samples;
+        const int blocks = std::max(1, samples / blockSide);  // of samples, a side of the group
+        for (int v = 0; v < blocks && !nothing; ++v)
+            for (int u = 0; u < blocks; ++u) {
+                const Block block{m_x + i + u * blockSide * step, m_y + j + v * blockSide * step, step};
+                const bool paper = stroke.stroke->granulated && hasPaper();
+                if (paper)
+                    fillEta(block, m_s.sampleEta);
+                evaluate(m_s.group, block, paper ? m_s.sampleEta : nullptr, m_s.samples);
+                for (int y = 0; y < blockSide; ++y)
+                    for (int x = 0; x < blockSide; ++x) {
+                        const int at = y * blockSide + x;
+                        auto &m = mean[blocks > 1 ? 0 : std::size_t((y >> level) * side + (x >> level))];
+                        m[0] += double(m_s.samples.w[at]);
+                        for (int c = 0; c < 3; ++c)
+                            m[1 + c] += double(m_s.samples.w[at]) * double(m_s.samples.colour[c][at]);
+                    }
+            }
+        const double share = 1.0 / (double(samples) * samples);
+        for (int y = 0; y < side; ++y)
+            for (int x = 0; x < side; ++x) {
+                const int at = (j + y) * blockSide + i + x;
+                if (m_level[at] != level)
+                    continue;
+                const auto &m = mean[std::size_t(y * side + x)];
+                m_s.shaded.w[at] = float(m[0] * share);
+                for (int c = 0; c < 3; ++c)
+                    m_s.shaded.colour[c][at] = m[0] > 0 ? float(m[1 + c] / m[0]) : 0.0f;
+            }
+    }
+
+    const Frame &m_frame;
+    int m_x;
+    int m_y;
+    Scratch &m_s;
+    bool m_haveEta = false;
+    std::array<std::uint8_t, blockSize> m_level{};
+};
+
+} // namespace
+
+bool selectNodes(const Kernels &kernels, const SceneStroke &stroke, const std::vector<const ViewNode *> &nodes,
+                 const Rect &area, TileStroke &out)
+{
+    const Point centre = area.centre();
+    Bound bound;
+    out.stroke = &stroke;
+    out.nodes.resize(nodes.size());
+    const int kept = kernels.select(nodes.data(), int(nodes.size()),
+                                    {centre.x, centre.y, 0.5 * area.width() + 0.01, 0.5 * area.height() + 0.01},
+                                    out.nodes.data(), &bound);
+    out.nodes.resize(std::size_t(kept));
+    out.separable = int(std::partition_point(out.nodes.begin(), out.nodes.end(),
+                                             [](const ViewNode *n) { return n->b == 0; }) - out.nodes.begin());
+    if (out.nodes.empty())
+        return !stroke.deep.empty();
+    return !canVanish(stroke, bound.density, bound.slope);
+}
+
+void paintTile(const Frame &frame, const PixelRect &tile, const std::vector<TileStroke> &strokes, float *rgba)
+{
+    thread_local const auto scratch = std::make_unique<Scratch>();
+    for (int y = 0; y < tile.height; y += blockSide)
+        for (int x = 0; x < tile.width; x += blockSide) {
+            BlockPainter painter(frame, tile.x + x, tile.y + y, *scratch);
+            const Rect pixels = Rect::of(tile.x + x, tile.y + y, blockSide, blockSide);
+            for (const TileStroke &s : strokes) {
+                const PixelRect &b = s.stroke->bounds;
+                if (Rect::of(b.x, b.y, b.width, b.height).intersects(pixels))
+                    painter.add(s);
+            }
+            const float *block = painter.finish();
+            const int width = std::min(blockSide, tile.width - x), height = std::min(blockSide, tile.height - y);
+            for (int j = 0; j < height; ++j)
+                std::copy_n(block + j * blockSide * 4, std::size_t(width) * 4,
+                            rgba + (std::size_t(y + j) * tile.width + x) * 4);
+        }
+}
+
+} // namespace suffuse::cpu

@@ -1,0 +1,143 @@
+#include "render/dirty_region.h"
+
+#include <algorithm>
+#include <unordered_map>
+#include <unordered_set>
+
+namespace suffuse {
+
+void DirtyRegion::reset(int width, int height, int tileSize)
+{
+    m_width = width, m_height = height, m_tileSize = tileSize;
+    m_columns = (width + tileSize - 1) / tileSize;
+    m_rows = (height + tileSize - 1) / tileSize;
+    m_dirty.assign(std::size_t(m_columns) * m_rows, 1);
+}
+
+PixelRect DirtyRegion::tile(int column, int row) const
+{
+    const int x = column * m_tileSize, y = row * m_tileSize;
+    return {x, y, std::min(m_tileSize, m_width - x), std::min(m_tileSize, m_height - y)};
+}
+
+void DirtyRegion::mark(const PixelRect &r)
+{
+    if (r.isEmpty())
+        return;
+    const int x1 = std::min((r.x + r.width - 1) / m_tileSize, m_columns - 1);
+    const int y1 = std::min((r.y + r.height - 1) / m_tileSize, m_rows - 1);
+    for (int y = std::max(0, r.y / m_tileSize); y <= y1; ++y)
+        for (int x = std::max(0, r.x / m_tileSize); x <= x1; ++x)
+            m_dirty[index(x, y)] = 1;
+}
+
+bool DirtyRegion::anyInRow(int row) const
+{
+    const auto first = m_dirty.begin() + std::ptrdiff_t(index(0, row));
+    return std::find(first, first + m_columns, 1) != first + m_columns;
+}
+
+namespace {
+
+bool sameSegment(const StrokeNodes &a, const SegmentNodes &s, const StrokeNodes &b, const SegmentNodes &t)
+{
+    return s.values == t.values && s.end - s.begin == t.end - t.begin && s.spread == t.spread && s.reach == t.reach &&
+           std::equal(a.nodes.begin() + s.begin, a.nodes.begin() + s.end, b.nodes.begin() + t.begin);
+}
+
+/// Everything about a stroke that is not a segment's own.
+bool samePlan(const SceneStroke &a, const SceneStroke &b)
+{
+    const auto sameKinds = [&] {
+        if (a.shade.kinds != b.shade.kinds)
+            return false;
+        for (int i = 0; i < a.shade.kinds; ++i) {
+            const KindParams &p = a.shade.kind[i], &q = b.shade.kind[i];
+            if (p.kind != q.kind || p.xiChannel != q.xiChannel || p.shareChannel != q.shareChannel ||
+                (p.xiChannel < 0 && !std::equal(p.xi, p.xi + 3, q.xi)))
+                return false;
+        }
+        return true;
+    };
+    return a.keep == b.keep && a.granulated == b.granulated && a.channels == b.channels &&
+           a.shade.colourChannel == b.shade.colourChannel && a.shade.grainChannel == b.shade.grainChannel &&
+           (a.shade.colourChannel >= 0 || a.shade.colour == b.shade.colour) &&
+           (a.shade.grainChannel >= 0 || a.shade.grain == b.shade.grain) && a.deep.empty() == b.deep.empty() &&
+           a.stroke->origin == b.stroke->origin && sameKinds();
+}
+
+} // namespace
+
+void markChanged(const SceneStroke &before, const SceneStroke &after, const View &view, DirtyRegion &region)
+{
+    const auto &a = before.source->segments, &b = after.source->segments;
+    if (before.source == after.source && samePlan(before, after))
+        return;
+    if (a.empty() || b.empty() || !samePlan(before, after)) {
+        region.mark(before.bounds);
+        region.mark(after.bounds);
+        return;
+    }
+    const auto same = [&](std::size_t i, std::size_t j) {
+        return sameSegment(*before.source, a[i], *after.source, b[j]);
+    };
+    const auto markBefore = [&](std::size_t i) {
+        region.mark(pixelBounds(*before.source, a[i], before.stroke->origin, view));
+    };
+    const auto markAfter = [&](std::size_t j) {
+        region.mark(pixelBounds(*after.source, b[j], after.stroke->origin, view));
+    };
+    std::size_t suffix = 0;
+    if (a.size() == b.size()) { // the same segments, some with other values
+        for (std::size_t i = 0; i < a.size(); ++i)
+            if (!same(i, i))
+                markBefore(i), markAfter(i);
+        return;
+    }
+    std::size_t prefix = 0; // segments came or went in the middle
+    const std::size_t shorter = std::min(a.size(), b.size());
+    while (prefix < shorter && same(prefix, prefix))
+        ++prefix;
+    while (suffix < shorter - prefix && same(a.size() - 1 - suffix, b.size() - 1 - suffix))
+        ++suffix;
+    for (std::size_t i = prefix; i < a.size() - suffix; ++i)
+        markBefore(i);
+    for (std::size_t j = prefix; j < b.size() - suffix; ++j)
+        markAfter(j);
+}
+
+std::vector<StrokeId> movedInOrder(const std::vector<StrokeId> &before, const std::vector<StrokeId> &after)
+{
+    std::unordered_map<StrokeId, std::size_t> position;
+    for (std::size_t i = 0; i < before.size(); ++i)
+        position[before[i]] = i;
+    // Longest increasing subsequence of the old positions, by patience sorting: O(n log n).
+    std::vector<StrokeId> common;
+    std::vector<std::size_t> old;
+    for (StrokeId id : after)
+        if (const auto it = position.find(id); it != position.end())
+            common.push_back(id), old.push_back(it->second);
+    if (std::is_sorted(old.begin(), old.end()))
+        return {};
+    std::vector<std::size_t> tails, previous(old.size(), SIZE_MAX);
+    for (std::size_t i = 0; i < old.size(); ++i) {
+        const auto at = std::lower_bound(tails.begin(), tails.end(), i,
+                                         [&](std::size_t tail, std::size_t k) { return old[tail] < old[k]; });
+        if (at != tails.begin())
+            previous[i] = *(at - 1);
+        if (at == tails.end())
+            tails.push_back(i);
+        else
+            *at = i;
+    }
+    std::unordered_set<StrokeId> kept;
+    for (std::size_t i = tails.back(); i != SIZE_MAX; i = previous[i])
+        kept.insert(common[i]);
+    std::vector<StrokeId> moved;
+    for (StrokeId id : common)
+        if (!kept.contains(id))
+            moved.push_back(id);
+    return moved;
+}
+
+} // namespace suffuse

@@ -1,0 +1,39 @@
+// Which tiles differ between two scenes.
+#pragma once
+
+#include "render/scene.h"
+
+#include <vector>
+
+namespace suffuse {
+
+/// The tiles of a picture, each clean or dirty.
+class DirtyRegion {
+public:
+    void reset(int width, int height, int tileSize);
+    int columns() const { return m_columns; }
+    int rows() const { return m_rows; }
+    PixelRect tile(int column, int row) const;
+
+    void markAll() { std::fill(m_dirty.begin(), m_dirty.end(), std::uint8_t(1)); }
+    void mark(const PixelRect &pixels);
+    bool isDirty(int column, int row) const { return m_dirty[index(column, row)] != 0; }
+    void clean(int column, int row) { m_dirty[index(column, row)] = 0; }
+    bool anyInRow(int row) const;
+
+private:
+    std::size_t index(int column, int row) const { return std::size_t(row) * m_columns + column; }
+
+    int m_width = 0, m_height = 0, m_tileSize = 1, m_columns = 0, m_rows = 0;
+    std::vector<std::uint8_t> m_dirty;
+};
+
+/// Marks where one stroke differs from what it was, in the same view: only segments whose nodes or values differ, old
+/// and new; all of it where a choice for the whole stroke differs.
+void markChanged(const SceneStroke &before, const SceneStroke &after, const View &view, DirtyRegion &region);
+
+/// Ids that must be marked whole because they moved against the others: those outside a longest common subsequence of
+/// the two orders (ids in only one of them are not reported).
+std::vector<StrokeId> movedInOrder(const std::vector<StrokeId> &before, const std::vector<StrokeId> &after);
+
+} // namespace suffuse

@@ -1,0 +1,68 @@
+// Image files: pictures out, images in. Everything but PFM goes through a module that is loaded on first use.
+#pragma once
+
+#include "model/result.h"
+#include "render/target.h"
+
+#include <QByteArray>
+#include <QString>
+
+#include <atomic>
+#include <functional>
+#include <optional>
+
+namespace suffuse {
+
+enum class ImageFormat { Unknown, Png, Tiff, Exr, Jpeg, WebP, Pfm };
+
+/// Bits of a channel: 8 or 16 bit whole numbers, 16 bit (half) or 32 bit floating point.
+enum class ImageDepth { Bits8, Bits16, Half, Float };
+
+/// How a picture is stored. PNG, TIFF, JPEG, WebP and PFM hold sRGB-encoded values as they are; EXR holds linear light
+/// with associated (premultiplied) alpha, as OpenEXR has it; the others hold straight alpha.
+struct ImageOptions {
+    std::optional<ImageDepth> depth;                  ///< none: the format's usual one (`usualDepth`)
+    bool alpha = false;                               ///< four channels instead of three
+    int quality = 92;                                 ///< JPEG and WebP, 1 … 100; 100 is lossless in WebP
+    const std::atomic<bool> *cancel = nullptr;        ///< becomes true: stop soon, leave nothing behind
+    std::function<void(int done, int rows)> progress; ///< called after each row
+};
+
+/// From the file's ending, whatever its case; Unknown for others.
+ImageFormat imageFormatForPath(const QString &path);
+/// PNG, JPEG, TIFF, EXR or WebP by the first bytes, never by name; Unknown for anything else.
+ImageFormat detectImageFormat(const QByteArray &bytes);
+QString nameOf(ImageFormat format); ///< "PNG" …
+QString nameOf(ImageDepth depth);   ///< "8", "16", "half", "float": as the command line spells them
+ImageDepth usualDepth(ImageFormat format);
+/// The endings that can be written, for messages and file dialogs: "png", "tiff", "tif", "exr", "jpg", "jpeg", "webp",
+/// "pfm".
+QStringList imageEndings();
+
+/// Empty if the format can hold such a picture, else why not and what to choose instead (depth, alpha, size).
+QString problemOf(ImageFormat format, const ImageOptions &options, int width, int height);
+
+/// Writes the picture in the format of the path's ending. The target is replaced when the whole picture is on disk, or
+/// left as it was: rows are streamed to a temporary file beside it. Errors name the file and the remedy. Any thread.
+Result<void> writeImage(const QString &path, const FloatPicture &picture, const ImageOptions &options);
+
+/// Largest image that is read: sides, and pixels (256 MB as 8 bit RGBA). Declared sizes are checked before decoding.
+inline constexpr int maxImageSide = 16384;
+inline constexpr qint64 maxImagePixels = qint64(1) << 26;
+
+/// Decodes PNG, JPEG, TIFF, EXR or WebP: sRGB-encoded, straight alpha, values in [0, 1] (NaN becomes 0). `name` stands
+/// in messages. Any thread.
+Result<FloatPicture> readImage(const QByteArray &bytes, const QString &name);
+
+/// Receives an image while it is decoded, a row of `width` straight RGBA pixels at a time, top to bottom.
+struct ImageRows {
+    std::function<void(int width, int height)> begin;
+    std::function<void(int y, const float *rgba)> row;
+};
+/// As `readImage`, without holding the picture.
+Result<void> readImageRows(const QByteArray &bytes, const QString &name, const ImageRows &rows);
+
+/// Empty if the module can be loaded, else why not, with the remedy.
+QString imageModuleProblem();
+
+} // namespace suffuse

@@ -1,0 +1,156 @@
+#include "render/image_io/image_io.h"
+#include "render/image_io/image_module.h"
+#include "render/image_io/srgb.h"
+#include "render/image_io/strip_metadata.h"
+
+#include <QCoreApplication>
+#include <QtEndian>
+
+#include <algorithm>
+#include <array>
+
+namespace suffuse {
+
+namespace {
+
+struct Size {
+    qint64 width = 0;
+    qint64 height = 0;
+};
+
+std::uint32_t littleEndian(const QByteArray &bytes, int at, int count)
+{
+    std::uint32_t v = 0;
+    for (int i = 0; i < count && at + i < bytes.size(); ++i)
+        v |= std::uint32_t(static_cast<unsigned char>(bytes[at + i])) << (8 * i);
+    return v;
+}
+
+/// What a WebP file declares. Its decoder takes memory for the whole picture when it opens the file, so this comes
+/// first.
+Size webpSize(const QByteArray &bytes)
+{
+    const QByteArray chunk = bytes.mid(12, 4);
+    if (chunk == "VP8X")
+        return {qint64(littleEndian(bytes, 24, 3)) + 1, qint64(littleEndian(bytes, 27, 3)) + 1};
+    if (chunk == "VP8L") {
+        const std::uint32_t v = littleEndian(bytes, 21, 4);
+        return {(v & 0x3FFF) + 1, (v >> 14 & 0x3FFF) + 1};
+    }
+    if (chunk == "VP8 ")
+        return {littleEndian(bytes, 26, 2) & 0x3FFF, littleEndian(bytes, 28, 2) & 0x3FFF};
+    return {};
+}
+
+Size pngSize(const QByteArray &bytes)
+{
+    const auto bigEndian = [&bytes](int at) { return qint64(qbswap(littleEndian(bytes, at, 4))); };
+    return {bigEndian(16), bigEndian(20)};
+}
+
+bool isTooLarge(Size s)
+{
+    return s.width > maxImageSide || s.height > maxImageSide || s.width * s.height > maxImagePixels;
+}
+
+/// Turns the module's rows into straight sRGB-encoded RGBA.
+struct RowConverter {
+    const ImageRows &rows;
+    int width = 0;
+    int channels = 0;
+    bool linear = false;
+    bool associated = false;
+    std::vector<float> rgba;
+
+    void begin(int w, int h, int c, bool isLinear, bool isAssociated)
+    {
+        width = w, channels = c, linear = isLinear, associated = isAssociated;
+        rgba.resize(std::size_t(w) * 4);
+        rows.begin(w, h);
+    }
+    void row(int y, const float *values)
+    {
+        for (int x = 0; x < width; ++x)
+            pixel(values + std::size_t(x) * channels, rgba.data() + std::size_t(x) * 4);
+        rows.row(y, rgba.data());
+    }
+    void pixel(const float *v, float *out) const
+    {
+        const bool grey = channels < 3;
+        for (int c = 0; c < 3; ++c)
+            out[c] = v[grey ? 0 : c];
+        out[3] = channels == 2 ? v[1] : channels == 4 ? v[3] : 1;
+        for (int c = 0; c < 4; ++c)
+            if (!(out[c] >= 0)) // NaN too
+                out[c] = 0;
+        out[3] = std::min(out[3], 1.0f);
+        for (int c = 0; c < 3; ++c) {
+            if (associated && (channels == 2 || channels == 4))
+                out[c] = out[3] > 0 ? out[c] / out[3] : 0;
+            out[c] = std::min(linear ? srgbFromLinear(out[c]) : out[c], 1.0f);
+        }
+    }
+};
+
+Error tooLarge(const QString &name)
+{
+    return {QCoreApplication::translate("ImageReader", "%1: the image declares more than %2 × %2 or %3 million pixels. "
+                                                       "Scale it down first.")
+                .arg(name)
+                .arg(maxImageSide)
+                .arg(maxImagePixels / 1'000'000)};
+}
+
+} // namespace
+
+Result<void> readImageRows(const QByteArray &bytes, const QString &name, const ImageRows &rows)
+{
+    const ImageFormat format = detectImageFormat(bytes);
+    if (format == ImageFormat::Unknown)
+        return Error{QCoreApplication::translate(
+                         "ImageReader", "%1: is not a PNG, JPEG, TIFF, EXR or WebP image. Convert it to one of them.")
+                         .arg(name)};
+    if ((format == ImageFormat::WebP && isTooLarge(webpSize(bytes))) ||
+        (format == ImageFormat::Png && isTooLarge(pngSize(bytes))))
+        return tooLarge(name);
+    if (!imageModule())
+        return Error{QCoreApplication::translate("ImageReader", "%1: cannot read %2: %3.")
+                         .arg(name, nameOf(format), imageModule().error())};
+    RowConverter converter{rows, 0, 0, false, false, {}};
+    ImageModuleRead job{};
+    job.format = imageModuleName(format);
+    const QByteArray pixels = withoutMetadata(bytes, format);
+    job.bytes = pixels.constData();
+    job.size = std::size_t(pixels.size());
+    job.maxSide = maxImageSide;
+    job.maxPixels = maxImagePixels;
+    job.context = &converter;
+    job.begin = [](void *c, int w, int h, int channels, bool linear, bool associated) {
+        static_cast<RowConverter *>(c)->begin(w, h, channels, linear, associated);
+    };
+    job.row = [](void *c, int y, const float *values) { static_cast<RowConverter *>(c)->row(y, values); };
+    std::array<char, 512> error{};
+    if (!imageModule()->read(&job, error.data(), error.size()))
+        return Error{QCoreApplication::translate(
+                         "ImageReader", "%1: the %2 image cannot be read (%3). It may be damaged, or too large "
+                                        "(at most %4 pixels a side, %5 million in all).")
+                         .arg(name, nameOf(format), QString::fromUtf8(error.data()).trimmed())
+                         .arg(maxImageSide)
+                         .arg(maxImagePixels / 1'000'000)};
+    return {};
+}
+
+Result<FloatPicture> readImage(const QByteArray &bytes, const QString &name)
+{
+    FloatPicture picture;
+    ImageRows rows;
+    rows.begin = [&picture](int width, int height) { picture.resize(width, height); };
+    rows.row = [&picture](int y, const float *rgba) {
+        std::copy_n(rgba, std::size_t(picture.width) * 4, picture.rgba.data() + std::size_t(y) * picture.width * 4);
+    };
+    if (Result<void> read = readImageRows(bytes, name, rows); !read)
+        return Error{read.error()};
+    return picture;
+}
+
+} // namespace suffuse

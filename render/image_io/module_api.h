@@ -1,0 +1,54 @@
+// The border between the program and the image module: plain C types, so that the module needs nothing of the program.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+namespace suffuse {
+
+/// Both sides must have the same number; raise it with every change below.
+inline constexpr int imageModuleVersion = 1;
+
+/// Codes of `ImageDepth` and `ImageFormat` on the border.
+enum ImageModuleDepth { ModuleBits8, ModuleBits16, ModuleHalf, ModuleFloat };
+
+/// A file to write as the module sees it; offsets in bytes. A short count means that the transfer failed.
+struct ImageModuleFile {
+    void *context;
+    std::size_t (*read)(void *context, void *to, std::size_t bytes, std::int64_t offset);
+    std::size_t (*write)(void *context, const void *from, std::size_t bytes, std::int64_t offset);
+    std::int64_t (*size)(void *context);
+};
+
+struct ImageModuleWrite {
+    const char *format; ///< OpenImageIO's name: "png", "tiff", "openexr", "jpeg", "webp"
+    ImageModuleFile file;
+    int width;
+    int height;
+    int channels; ///< 3, or 4 with alpha
+    int depth;    ///< ImageModuleDepth
+    bool linear;  ///< linear light instead of sRGB
+    bool associated;
+    int quality; ///< 1 … 100
+    void *context;
+    const float *(*row)(void *context, int y); ///< width·channels floats, valid until the next call; null: stop
+};
+
+struct ImageModuleRead {
+    const char *format;
+    const void *bytes;
+    std::size_t size;
+    int maxSide;
+    std::int64_t maxPixels;
+    void *context;
+    void (*begin)(void *context, int width, int height, int channels, bool linear, bool associated);
+    void (*row)(void *context, int y, const float *values); ///< width·channels floats, 1 … 4 channels
+};
+
+/// The module's entry points (C linkage): `suffuse_image_module_version`, `suffuse_image_write`, `suffuse_image_read`.
+/// The latter two return false and put a message (UTF-8, cut to `size` bytes) into `error` where they fail.
+using ImageModuleVersionFunction = int (*)();
+using ImageModuleWriteFunction = bool (*)(const ImageModuleWrite *job, char *error, std::size_t size);
+using ImageModuleReadFunction = bool (*)(const ImageModuleRead *job, char *error, std::size_t size);
+
+} // namespace suffuse

@@ -1,0 +1,106 @@
+#include "render/image_io/strip_metadata.h"
+
+#include <QSet>
+
+#include <algorithm>
+
+namespace suffuse {
+
+namespace {
+
+/// Whole numbers of a file, most or least significant byte first; 0 beyond the end.
+struct Numbers {
+    const QByteArray &bytes;
+    bool littleEndian = false;
+
+    quint64 at(quint64 offset, int count) const
+    {
+        if (offset > quint64(bytes.size()) || quint64(bytes.size()) - offset < quint64(count))
+            return 0;
+        quint64 v = 0;
+        for (int i = 0; i < count; ++i) {
+            const quint64 place = offset + quint64(littleEndian ? count - 1 - i : i);
+            v = v << 8 | static_cast<unsigned char>(bytes[qsizetype(place)]);
+        }
+        return v;
+    }
+};
+
+/// The chunks that make the picture; a broken chunk ends it.
+QByteArray strippedPng(const QByteArray &bytes)
+{
+    const Numbers numbers{bytes};
+    QByteArray out = bytes.left(8);
+    for (qsizetype at = 8; at + 12 <= bytes.size();) {
+        const qsizetype length = qsizetype(numbers.at(quint64(at), 4)) + 12;
+        const QByteArray type = bytes.mid(at + 4, 4);
+        if (type == "IHDR" || type == "PLTE" || type == "tRNS" || type == "IDAT" || type == "IEND")
+            out += bytes.mid(at, length);
+        at += length;
+    }
+    return out;
+}
+
+/// Without APP1 … APP13, APP15 and comments up to the first scan. APP14 tells how the colours are stored.
+QByteArray strippedJpeg(const QByteArray &bytes)
+{
+    const Numbers numbers{bytes};
+    QByteArray out = bytes.left(2);
+    qsizetype at = 2;
+    while (at + 4 <= bytes.size() && bytes[at] == '\xFF') {
+        const int marker = static_cast<unsigned char>(bytes[at + 1]);
+        if (marker == 0xFF) { // fill
+            ++at;
+            continue;
+        }
+        const bool isScan = marker == 0xDA, standsAlone = marker <= 0x01 || (marker >= 0xD0 && marker <= 0xD9);
+        if (isScan || standsAlone)
+            break;
+        const qsizetype length = qsizetype(numbers.at(quint64(at) + 2, 2)) + 2;
+        const bool isMetadata = marker == 0xFE || (marker >= 0xE1 && marker <= 0xEF && marker != 0xEE);
+        if (!isMetadata)
+            out += bytes.mid(at, length);
+        at += length;
+    }
+    return out + bytes.mid(at);
+}
+
+/// Entries of the first directory that are not about pixels get a tag that nothing reads. Offsets stay.
+QByteArray strippedTiff(const QByteArray &bytes)
+{
+    // XMP, IPTC, Photoshop, ICC profile, Exif, GPS, Interoperability.
+    static const QSet<quint64> metadata = {700, 33723, 34377, 34675, 34665, 34853, 40965};
+    const Numbers numbers{bytes, bytes.startsWith('I')};
+    const bool big = numbers.at(2, 2) == 43;
+    const quint64 directory = big ? numbers.at(8, 8) : numbers.at(4, 4);
+    const quint64 size = quint64(bytes.size());
+    const quint64 head = big ? 8 : 2, entry = big ? 20 : 12;
+    if (directory > size || size - directory < head)
+        return bytes;
+    const quint64 count = std::min(numbers.at(directory, int(head)), (size - directory - head) / entry);
+    QByteArray out = bytes;
+    for (quint64 i = 0; i < count; ++i) {
+        const quint64 at = directory + head + i * entry;
+        if (metadata.contains(numbers.at(at, 2)))
+            out[qsizetype(at)] = out[qsizetype(at) + 1] = '\xFE';
+    }
+    return out;
+}
+
+} // namespace
+
+QByteArray withoutMetadata(const QByteArray &bytes, ImageFormat format)
+{
+    switch (format) {
+    case ImageFormat::Png:
+        return strippedPng(bytes);
+    case ImageFormat::Jpeg:
+        return strippedJpeg(bytes);
+    case ImageFormat::Tiff:
+        return strippedTiff(bytes);
+    default:
+        return bytes;
+    }
+}
+
+} // namespace suffuse

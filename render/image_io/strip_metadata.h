@@ -1,0 +1,12 @@
+#pragma once
+
+#include "render/image_io/image_io.h"
+
+namespace suffuse {
+
+/// A PNG, JPEG or TIFF without what its pixels do not need: colour profiles, Exif, IPTC, XMP, comments. OpenImageIO 2.4
+/// parses them before it looks at a pixel, and reads beyond its buffers where they are damaged. Other formats, and what is
+/// not understood, come back as they are.
+QByteArray withoutMetadata(const QByteArray &bytes, ImageFormat format);
+
+} // namespace suffuse

@@ -1,0 +1,29 @@
+// How one stroke turns density sums into opacity and colour: plain data, shared by all backends.
+#pragma once
+
+#include "model/style.h"
+
+namespace suffuse {
+
+/// Sums at a sample: φ, ∂φ/∂x, ∂φ/∂y (per pixel), then Σφ_k·value for each channel.
+inline constexpr int fixedSums = 3;
+inline constexpr int maxChannels = 15; ///< colour 4, granulation 1, shares 3, ξ 7
+
+/// How one kind of style of a stroke is evaluated: from constants, or from channels where segments differ.
+struct KindParams {
+    StyleKind kind = StyleKind::Uniform;
+    float xi[3] = {0, 0, 0};
+    int xiChannel = -1;    ///< Σφξ1, Σφξ2 (, Σφξ3) from this channel on; −1: constant `xi`
+    int shareChannel = -1; ///< Σφ over the segments of this kind; −1: it is the only kind
+};
+
+struct ShadeParams {
+    int kinds = 1;
+    KindParams kind[3];
+    int colourChannel = -1; ///< −1: constant `colour`
+    Colour colour;
+    int grainChannel = -1;  ///< −1: constant `grain`
+    float grain = 1;
+};
+
+} // namespace suffuse

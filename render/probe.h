@@ -1,0 +1,45 @@
+// What lies at a point of a painting, number by number.
+#pragma once
+
+#include "model/painting.h"
+#include "model/result.h"
+
+#include <array>
+#include <vector>
+
+namespace suffuse {
+
+/// One segment's part of a stroke's density at the point.
+struct ProbeShare {
+    int segment = 0;    ///< index
+    double density = 0; ///< φ_k
+    double share = 0;   ///< φ_k/φ
+};
+
+/// A stroke at the point, and the canvas after it.
+struct ProbeStroke {
+    StrokeId id = 0;
+    QString name;
+    double density = 0;               ///< φ (14)
+    double granulation = 1;           ///< ω̄ (15)
+    double modulated = 0;             ///< φ′ = γφ (16)
+    double densityFunction = 0;       ///< F (17-19)
+    std::array<double, 4> colour{};   ///< C̄ (20): R, Y, B, opacity
+    double opacity = 0;               ///< w (21)
+    std::vector<ProbeShare> shares;   ///< of the segments with φ_k > 0, in their order
+    std::array<double, 3> rybAfter{}; ///< canvas colour after the stroke
+    std::array<double, 3> rgbAfter{};
+};
+
+struct Probe {
+    double paper = 1;                  ///< η, all octaves
+    std::array<double, 3> rybBefore{}; ///< background over white
+    std::array<double, 3> rgbBefore{};
+    std::vector<ProbeStroke> strokes; ///< bottom to top; those within whose reach the point lies or that colour it
+};
+
+/// At the point itself (px → 0: no coverage, no supersampling), in canvas units, at document time T; hidden strokes are
+/// left out. Fails where an image paper cannot be decoded.
+Result<Probe> probe(const Painting &painting, Microseconds time, double x, double y);
+
+} // namespace suffuse

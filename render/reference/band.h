@@ -1,0 +1,43 @@
+// A band of rows of the reference's picture.
+#pragma once
+
+#include "render/reference/paper.h"
+#include "render/reference/sums.h"
+
+namespace suffuse::reference {
+
+/// What all bands share.
+struct Scene {
+    View view;
+    std::vector<StrokeSource> strokes; ///< visible ones, bottom to top
+    PaperField paper;
+    Colour background;
+    bool transparent = false;
+};
+
+/// Draws rows of a scene; one a thread, used again for band after band.
+class BandPainter {
+public:
+    explicit BandPainter(const Scene &scene) : m_scene(scene) {}
+
+    /// Rows [first, first + count) as stored colours, 4 floats a pixel. Empty once `cancel` is set.
+    const std::vector<float> &draw(int first, int count, const std::atomic<bool> *cancel);
+
+private:
+    void addStroke(const StrokeSource &stroke);
+    bool findLevels(const StrokeSource &stroke, const SampleBlock &block);
+    void mixPlain(const StrokeSource &stroke, const SampleBlock &block);
+    void mixSupersampled(const StrokeSource &stroke, const SampleBlock &block);
+    Paint supersampled(const StrokeSource &stroke, const SampleBlock &samples, int column, int level);
+    Spot &spotAt(double x, double y);
+
+    const Scene &m_scene;
+    int m_first = 0;
+    int m_count = 0;
+    std::vector<Spot> m_spots;
+    std::vector<std::uint8_t> m_levels; ///< k of each pixel of the block in hand
+    StrokeSums m_sums;
+    std::vector<float> m_stored;
+};
+
+} // namespace suffuse::reference

@@ -1,0 +1,27 @@
+// The paper's texture η (docs/paper.md), written from its definition.
+#pragma once
+
+#include "render/paper.h"
+
+namespace suffuse::reference {
+
+class PaperField {
+public:
+    /// `texture`: the decoded image of an image paper, else null.
+    PaperField(const Paper &paper, std::shared_ptr<const PaperTexture> texture);
+
+    /// η ∈ [0, 1] at a canvas point; `px`: size of a sample in canvas units, 0 for all 48 octaves.
+    double at(Point canvas, double px) const;
+
+private:
+    double procedural(Point canvas, double px) const;
+    double image(Point canvas) const;
+
+    Paper m_paper;
+    std::shared_ptr<const PaperTexture> m_texture;
+};
+
+/// Corner value a ∈ [−1, 1] of octave i at the lattice point whose coordinates are X, Y modulo 2³².
+double paperCorner(std::uint32_t x, std::uint32_t y, std::uint32_t octave, std::uint32_t seed);
+
+} // namespace suffuse::reference

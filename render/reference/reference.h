@@ -1,0 +1,27 @@
+// The truth: the contract of a picture in double precision, as plainly as it can be computed (docs/reference.md).
+#pragma once
+
+#include "render/renderer.h"
+
+namespace suffuse {
+
+/// Always draws the whole picture, a band of rows at a time on each thread. `cancel` is looked at before every row's
+/// band and every stroke. Shares no maths with the other backends.
+class ReferenceRenderer : public Renderer {
+public:
+    /// `threads`: 0 for all cores.
+    explicit ReferenceRenderer(int threads);
+
+    QString backendName() const override;
+    QString deviceName() const override;
+    Result<RenderStats> render(const RenderRequest &request, Target &target,
+                               const std::atomic<bool> *cancel = nullptr) override;
+    void invalidate() override {}
+
+private:
+    int m_threads;
+};
+
+std::unique_ptr<Renderer> makeReferenceRenderer(int threads);
+
+} // namespace suffuse

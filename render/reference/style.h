@@ -1,0 +1,24 @@
+// Density functions F (eq 17-19) as docs and contract define their edges, and their means over a pixel.
+#pragma once
+
+#include "model/style.h"
+
+#include <array>
+
+namespace suffuse::reference {
+
+using Xi = std::array<double, 3>; ///< ξ1, ξ2, ξ3
+
+/// φ₀ = max(0, ξ1 − 8ξ2): uniform strokes are exactly 0 below it.
+double uniformCut(const Xi &xi);
+/// φ_e, where edge darkening (19) first reaches 1 coming from inside: strokes end there.
+double edgeCut(const Xi &xi);
+
+/// F̃ (17), F (18) or F (19) at a density φ′ ≥ 0; in [0, 1].
+double densityFunction(StyleKind kind, const Xi &xi, double density);
+
+/// Its mean over φ ∈ [φ′ − h, φ′ + h] for (17) and (18), over ln φ ∈ [ln φ′ ± min(h/φ′, 2)] for (19); h ≥ 0, and h = 0
+/// gives F itself. Closed forms; Gauss quadrature of the smooth pieces where their difference would cancel.
+double densityFunctionMean(StyleKind kind, const Xi &xi, double density, double h);
+
+} // namespace suffuse::reference

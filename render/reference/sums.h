@@ -1,0 +1,55 @@
+// Sums over a stroke's segments at a block of sample points.
+#pragma once
+
+#include "render/reference/local_paint.h"
+#include "render/reference/stroke_source.h"
+
+namespace suffuse::reference {
+
+/// Sample (i, j) lies at first + step·(i, j), in pixels.
+struct SampleBlock {
+    Point first;
+    double step = 1;
+    int nx = 0;
+    int ny = 0;
+
+    Rect area() const { return {first.x, first.y, first.x + step * (nx - 1), first.y + step * (ny - 1)}; }
+    /// Samples i with lo ≤ x_i ≤ hi: [from, to).
+    struct Range {
+        int from = 0;
+        int to = 0;
+        bool isEmpty() const { return from >= to; }
+    };
+    Range columns(double lo, double hi) const { return range(lo, hi, first.x, nx); }
+    Range rows(double lo, double hi) const { return range(lo, hi, first.y, ny); }
+
+private:
+    Range range(double lo, double hi, double start, int n) const;
+};
+
+/// φ, ∇φ and Σφ_k·value for every channel, at every sample of a block. Its memory is used again and again.
+class StrokeSums {
+public:
+    /// Adds up all segments of the stroke that reach the block.
+    void evaluate(const StrokeSource &stroke, const SampleBlock &block);
+
+    /// φ = 0 there: nothing of the stroke.
+    bool isEmpty(int i, int j) const { return !(m_density[index(i, j)] > 0); }
+    /// The slope is per pixel.
+    LocalDensity at(const StrokeSource &stroke, int i, int j) const;
+
+private:
+    std::size_t index(int i, int j) const { return std::size_t(j) * std::size_t(m_block.nx) + std::size_t(i); }
+    void addSegment(const SegmentSource &segment);
+    void addNode(const Node &node, const SegmentSource &segment);
+    void addAnisotropicNode(const Node &node, const SegmentSource &segment);
+
+    SampleBlock m_block;
+    std::vector<double> m_density, m_gradientX, m_gradientY;
+    std::vector<std::vector<double>> m_channels;
+    std::vector<double> m_own, m_ownX, m_ownY; ///< of the segment in hand
+    std::vector<double> m_column, m_columnX;   ///< factors of the node in hand
+    std::vector<Panel> m_panels;
+};
+
+} // namespace suffuse::reference

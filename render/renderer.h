@@ -1,0 +1,71 @@
+// A picture from a painting, by any backend.
+#pragma once
+
+#include "model/painting.h"
+#include "model/result.h"
+#include "render/target.h"
+#include "render/view.h"
+
+#include <atomic>
+#include <memory>
+#include <vector>
+
+namespace suffuse {
+
+/// What is to be drawn. The picture is a pure function of this.
+struct RenderRequest {
+    PaintingPtr painting;
+    Microseconds time = 0;    ///< document time T
+    View view;
+    bool transparent = false; ///< no background: alpha holds the coverage
+};
+
+struct RenderStats {
+    double nodesMs = 0;   ///< segments to Gaussian nodes
+    double binningMs = 0; ///< nodes to tiles
+    double tilesMs = 0;   ///< pixels
+    double totalMs = 0;
+    int tiles = 0;          ///< in the picture
+    int tilesEvaluated = 0; ///< of them evaluated in this call
+    std::size_t nodes = 0;  ///< in the scene
+    std::vector<PixelRect> dirty; ///< what was stored, disjoint
+    bool cancelled = false; ///< `cancel` was set: what was not stored is still dirty for the next call
+};
+
+enum class Backend { Auto, Cpu, Cuda, Reference };
+
+/// Draws into one target again and again, evaluating only what differs from its last call.
+class Renderer {
+public:
+    virtual ~Renderer() = default;
+    virtual QString backendName() const = 0; ///< "CPU", "CUDA", "reference"
+    virtual QString deviceName() const = 0;  ///< "2 threads · AVX2", "H100"
+
+    /// Brings `target` up to date with the request. The first call, another target, size, view or paper draw all of it.
+    /// Returns early, with `cancelled`, soon after `cancel` becomes true.
+    virtual Result<RenderStats> render(const RenderRequest &request, Target &target,
+                                       const std::atomic<bool> *cancel = nullptr) = 0;
+    /// Forgets what was drawn: the next call draws all of it.
+    virtual void invalidate() = 0;
+};
+
+struct RendererOptions {
+    Backend backend = Backend::Auto;
+    int threads = 0;  ///< 0: all cores
+    int tileSize = 0; ///< 0: the backend's choice; the picture's bits do not depend on it
+};
+
+/// Never null for Auto, Cpu and Reference; Cuda fails with the reason where it cannot run.
+Result<std::unique_ptr<Renderer>> makeRenderer(const RendererOptions &options);
+
+struct BackendInfo {
+    QString name;
+    QString device;
+    QString unavailable; ///< empty, or why it cannot run here
+};
+std::vector<BackendInfo> backends();
+
+/// Size of a picture of `area`: height = round(area.height / (area.width / width)).
+int heightForWidth(const Rect &area, int width);
+
+} // namespace suffuse

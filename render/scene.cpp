@@ -1,0 +1,236 @@
+#include "render/scene.h"
+
+#include "render/math/scalar.h"
+// After the numbers: templates over them.
+#include "render/math/shade.h"
+
+#include <algorithm>
+#include <cstring>
+
+namespace suffuse {
+
+namespace {
+
+/// The view's linear part, canvas to pixels: (dx, dy) → (m00 dx + m01 dy, m10 dx + m11 dy).
+struct Linear {
+    double m00, m01, m10, m11;
+
+    explicit Linear(const View &v)
+    {
+        const double c = std::cos(v.rotation) * v.scale, s = std::sin(v.rotation) * v.scale, flip = v.mirrored ? -1 : 1;
+        m00 = c * flip;
+        m01 = -s;
+        m10 = s * flip;
+        m11 = c;
+    }
+    Point operator()(Point d) const { return {m00 * d.x + m01 * d.y, m10 * d.x + m11 * d.y}; }
+};
+
+/// A node's metric in pixels: J^−T M J^−1 with J a similarity.
+struct Metric {
+    double a, b, c;
+
+    Metric(const Node &n, const Linear &j, double scale)
+    {
+        const double k = 1 / (scale * scale * scale * scale);
+        if (n.b == 0 && n.a == n.c) {
+            a = c = n.a / (scale * scale);
+            b = 0;
+            return;
+        }
+        // J^−1 = Jᵀ/scale² for a similarity: M′ = J M Jᵀ / scale⁴.
+        const double ax = j.m00 * n.a + j.m01 * n.b, ay = j.m00 * n.b + j.m01 * n.c;
+        const double bx = j.m10 * n.a + j.m11 * n.b, by = j.m10 * n.b + j.m11 * n.c;
+        a = k * (ax * j.m00 + ay * j.m01);
+        b = k * (ax * j.m10 + ay * j.m11);
+        c = k * (bx * j.m10 + by * j.m11);
+        if (std::abs(b) < 1e-9 * std::min(a, c))
+            b = 0;
+    }
+    /// Half-sizes of the box of q ≤ r².
+    Point reach(double r) const
+    {
+        const double det = a * c - b * b;
+        return {r * std::sqrt(c / det), r * std::sqrt(a / det)};
+    }
+    /// Eigenvalues.
+    double greatest() const { return 0.5 * (a + c) + std::hypot(0.5 * (a - c), b); }
+    double least() const { return 0.5 * (a + c) - std::hypot(0.5 * (a - c), b); }
+    /// Spread along the narrowest axis.
+    double narrowest() const { return 1 / std::sqrt(greatest()); }
+};
+
+PixelRect toPixelRect(const Rect &r, const View &view)
+{
+    if (r.isEmpty() || r.right < 0 || r.bottom < 0 || r.left > view.width || r.top > view.height)
+        return {};
+    const int x0 = int(std::max(0.0, std::floor(r.left))), y0 = int(std::max(0.0, std::floor(r.top)));
+    const int x1 = int(std::min<double>(view.width, std::ceil(r.right)));
+    const int y1 = int(std::min<double>(view.height, std::ceil(r.bottom)));
+    return {x0, y0, x1 - x0, y1 - y0};
+}
+
+/// Where the node may show: its box, and a pixel around it for the coverage of the pixel that it ends in.
+void includeNode(Rect &box, Point at, Point reach)
+{
+    box.include({at.x - reach.x - 1, at.y - reach.y - 1});
+    box.include({at.x + reach.x + 1, at.y + reach.y + 1});
+}
+
+template <class Get>
+bool varies(const StrokeNodes &nodes, Get get)
+{
+    const auto &s = nodes.segments;
+    return std::any_of(s.begin(), s.end(), [&](const SegmentNodes &n) { return !(get(n.values) == get(s[0].values)); });
+}
+
+int xiCount(StyleKind kind)
+{
+    return kind == StyleKind::Edge ? 3 : 2;
+}
+
+/// Chooses constants where all segments agree, channels where they differ.
+void planChannels(SceneStroke &s)
+{
+    const auto &segments = s.source->segments;
+    const SegmentValues &first = segments.front().values;
+    s.shade.colour = first.colour;
+    s.shade.grain = first.granulation;
+    if (varies(*s.source, [](const SegmentValues &v) { return v.colour; }))
+        s.shade.colourChannel = s.channels, s.channels += 4;
+    if (varies(*s.source, [](const SegmentValues &v) { return v.granulation; }))
+        s.shade.grainChannel = s.channels++;
+    s.granulated = s.shade.grainChannel >= 0 || s.shade.grain != 1;
+    const bool styles = varies(*s.source, [](const SegmentValues &v) { return v.style; });
+    const bool severalKinds = varies(*s.source, [](const SegmentValues &v) { return v.style.kind; });
+    s.shade.kinds = 0;
+    for (StyleKind kind : {StyleKind::Uniform, StyleKind::Feathering, StyleKind::Edge}) {
+        const auto member =
+            std::find_if(segments.begin(), segments.end(), [&](const auto &n) { return n.values.style.kind == kind; });
+        if (member == segments.end())
+            continue;
+        KindParams &p = s.shade.kind[s.shade.kinds++];
+        p.kind = kind;
+        std::copy_n(member->values.style.xi.begin(), 3, p.xi);
+        if (severalKinds)
+            p.shareChannel = s.channels++;
+        if (styles)
+            p.xiChannel = s.channels, s.channels += xiCount(kind);
+    }
+}
+
+void fillValues(SceneStroke &s)
+{
+    const auto &segments = s.source->segments;
+    s.values.assign(std::size_t(s.channels) * segments.size(), 0.0f);
+    for (std::size_t k = 0; k < segments.size(); ++k) {
+        float *row = s.values.data() + k * s.channels;
+        const SegmentValues &v = segments[k].values;
+        if (const int c = s.shade.colourChannel; c >= 0) {
+            const float colour[4] = {v.colour.red, v.colour.yellow, v.colour.blue, v.colour.opacity};
+            std::copy_n(colour, 4, row + c);
+        }
+        if (s.shade.grainChannel >= 0)
+            row[s.shade.grainChannel] = v.granulation;
+        for (int i = 0; i < s.shade.kinds; ++i) {
+            const KindParams &p = s.shade.kind[i];
+            if (p.kind != v.style.kind)
+                continue;
+            if (p.shareChannel >= 0)
+                row[p.shareChannel] = 1;
+            if (p.xiChannel >= 0)
+                std::copy_n(v.style.xi.begin(), xiCount(p.kind), row + p.xiChannel);
+        }
+    }
+}
+
+} // namespace
+
+Rect visibleBox(const View &view)
+{
+    Rect box;
+    for (double x : {0.0, double(view.width)})
+        for (double y : {0.0, double(view.height)})
+            box.include(view.toCanvas({x, y}));
+    return box;
+}
+
+bool canVanish(const SceneStroke &stroke, float density, float slope)
+{
+    for (int k = 0; k < stroke.shade.kinds; ++k) {
+        const KindParams &kind = stroke.shade.kind[k];
+        // Where ξ varies the cuts do too: not worth a bound.
+        if (kind.xiChannel >= 0)
+            return false;
+        const bool zero = math::withStyle<double>(
+            kind.kind, [&](int i) { return double(kind.xi[i]); },
+            [&](const auto &style) { return style.vanishes(double(density) * 1.001, 0.5 * double(slope) * 1.001); });
+        if (!zero)
+            return false;
+    }
+    return stroke.deep.empty();
+}
+
+PixelRect pixelBounds(const StrokeNodes &nodes, const SegmentNodes &segment, Point origin, const View &view)
+{
+    const Linear j(view);
+    const Point base = view.toPixels(origin);
+    Rect box;
+    for (std::uint32_t i = segment.begin; i < segment.end; ++i) {
+        const Node &n = nodes.nodes[i];
+        includeNode(box, base + j({n.x, n.y}), Metric(n, j, view.scale).reach(n.cutRadius));
+    }
+    return toPixelRect(box, view);
+}
+
+SceneStroke makeSceneStroke(StrokePtr stroke, std::shared_ptr<const StrokeNodes> nodes, const View &view)
+{
+    SceneStroke s;
+    s.stroke = std::move(stroke);
+    s.source = std::move(nodes);
+    if (s.source->segments.empty())
+        return s;
+    s.keep = s.stroke->mix.mode == MixMode::Beta ? 1 - s.stroke->mix.beta : 1;
+    const Linear j(view);
+    // Subtract in double before scaling: a document far from 0 loses nothing at deep zoom.
+    const Point fromCentre = s.stroke->origin - view.centre;
+    std::vector<cpu::ViewNode> oblique;
+    Rect box;
+    for (std::size_t k = 0; k < s.source->segments.size(); ++k) {
+        const SegmentNodes &segment = s.source->segments[k];
+        for (std::uint32_t i = segment.begin; i < segment.end; ++i) {
+            const Node &n = s.source->nodes[i];
+            const Point d = j(fromCentre + Point{n.x, n.y});
+            const Point at{d.x + 0.5 * view.width, d.y + 0.5 * view.height};
+            const Metric m(n, j, view.scale);
+            const Point reach = m.reach(n.cutRadius);
+            if (at.x + reach.x < -1 || at.y + reach.y < -1 || at.x - reach.x > view.width + 1 ||
+                at.y - reach.y > view.height + 1)
+                continue;
+            includeNode(box, at, reach);
+            if (m.narrowest() > deepSpread) {
+                s.deep.push_back({at.x, at.y, m.a, m.b, m.c, n.weight, std::uint32_t(k)});
+                continue;
+            }
+            (m.b == 0 ? s.nodes : oblique)
+                .push_back({at.x, at.y, float(m.a), float(m.b), float(m.c), n.weight,
+                            std::exp(-n.cutRadius * n.cutRadius), float(reach.x), float(reach.y), float(m.least()),
+                            float(std::sqrt(m.greatest())), std::uint32_t(k)});
+        }
+        const double pixels = segment.spread * view.scale;
+        if (pixels < 1) {
+            const int level = std::min(6, int(std::ceil(-std::log2(pixels))));
+            const Rect &r = segment.reach;
+            const Point o = s.stroke->origin;
+            s.small.push_back({level, {o.x + r.left, o.y + r.top, o.x + r.right, o.y + r.bottom}});
+        }
+    }
+    s.separable = int(s.nodes.size());
+    s.nodes.insert(s.nodes.end(), oblique.begin(), oblique.end());
+    s.bounds = toPixelRect(box, view);
+    planChannels(s);
+    fillValues(s);
+    return s;
+}
+
+} // namespace suffuse

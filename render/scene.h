@@ -1,0 +1,53 @@
+// A painting prepared for one view: strokes in order, with their nodes in pixels.
+#pragma once
+
+#include "render/cpu/kernels.h"
+#include "render/node_builder.h"
+#include "render/renderer.h"
+
+#include <unordered_map>
+
+namespace suffuse {
+
+/// Double-precision node of a segment so wide on screen (s > deepSpread px) that floats would lose its edge.
+struct DeepNode {
+    double x = 0, y = 0;       ///< pixels
+    double a = 0, b = 0, c = 0;///< px⁻²
+    double weight = 0;
+    std::uint32_t segment = 0;
+};
+inline constexpr double deepSpread = 4096; // px
+
+/// A segment with s < 1 px: the pixels that it reaches are supersampled 2^level × 2^level.
+struct SmallSegment {
+    int level = 0;
+    Rect reach; ///< canvas units
+};
+
+struct SceneStroke {
+    StrokePtr stroke;
+    std::shared_ptr<const StrokeNodes> source;
+    PixelRect bounds; ///< pixels of the picture that it can touch; empty: none
+    std::vector<cpu::ViewNode> nodes; ///< the separable ones first
+    int separable = 0;
+    std::vector<DeepNode> deep;
+    std::vector<SmallSegment> small;
+    ShadeParams shade;
+    int channels = 0;
+    std::vector<float> values; ///< channels a segment of `source`
+    float keep = 1;            ///< eq 23: 1 − β
+    bool granulated = false;
+};
+
+/// True only where opacity is exactly zero for every density and slope (per pixel) up to these.
+bool canVanish(const SceneStroke &stroke, float density, float slope);
+
+/// Pixels that the segments' nodes touch, rounded outwards and cut to the picture.
+PixelRect pixelBounds(const StrokeNodes &nodes, const SegmentNodes &segment, Point origin, const View &view);
+
+SceneStroke makeSceneStroke(StrokePtr stroke, std::shared_ptr<const StrokeNodes> nodes, const View &view);
+
+/// The canvas as the view shows it, as a box in canvas units.
+Rect visibleBox(const View &view);
+
+} // namespace suffuse

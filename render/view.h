@@ -1,0 +1,60 @@
+// Which part of the canvas a picture shows.
+#pragma once
+
+#include "model/geometry.h"
+
+namespace suffuse {
+
+/// A rectangle of whole pixels.
+struct PixelRect {
+    int x = 0;
+    int y = 0;
+    int width = 0;
+    int height = 0;
+    bool isEmpty() const { return width <= 0 || height <= 0; }
+    friend bool operator==(const PixelRect &, const PixelRect &) = default;
+};
+
+/// A similarity between canvas units and pixels, kept as the canvas point at the picture's centre so that deep zoom
+/// loses nothing: subtract in double first, then scale.
+struct View {
+    Point centre;            ///< canvas point at the centre of the picture
+    double scale = 1;        ///< pixels per unit (the zoom), 1e-3 … 1e9
+    double rotation = 0;     ///< radians, clockwise on screen (y down)
+    bool mirrored = false;   ///< left and right swapped, before the rotation
+    int width = 0;           ///< pixels
+    int height = 0;
+    friend bool operator==(const View &, const View &) = default;
+
+    double px() const { return 1 / scale; } ///< size of a pixel in canvas units
+
+    /// The picture of an area: pixel (i, j) samples area.xy + (i+½, j+½)·px, px = area.width/width.
+    static View ofArea(const Rect &area, int width, int height)
+    {
+        View v;
+        v.scale = width / area.width();
+        v.width = width;
+        v.height = height;
+        v.centre = {area.left + 0.5 * width / v.scale, area.top + 0.5 * height / v.scale};
+        return v;
+    }
+    Point toPixels(Point canvas) const
+    {
+        Point d = canvas - centre;
+        if (mirrored)
+            d.x = -d.x;
+        const double c = std::cos(rotation), s = std::sin(rotation);
+        return {scale * (c * d.x - s * d.y) + 0.5 * width, scale * (s * d.x + c * d.y) + 0.5 * height};
+    }
+    Point toCanvas(Point pixel) const
+    {
+        const double c = std::cos(rotation), s = std::sin(rotation);
+        const Point q{(pixel.x - 0.5 * width) / scale, (pixel.y - 0.5 * height) / scale};
+        Point d{c * q.x + s * q.y, c * q.y - s * q.x};
+        if (mirrored)
+            d.x = -d.x;
+        return centre + d;
+    }
+};
+
+} // namespace suffuse

@@ -1,0 +1,208 @@
+// Dialogs: export writes whole pictures or nothing, shortcuts never clash, settings are kept or put back.
+#include "app/dialogs/about_dialog.h"
+#include "app/dialogs/export_dialog.h"
+#include "app/dialogs/new_dialog.h"
+#include "app/dialogs/settings_dialog.h"
+#include "app/dialogs/shortcuts_dialog.h"
+#include "app/icons.h"
+#include "app/panels/canvas_section.h"
+#include "app/panels/number_field.h"
+#include "app/panels/section.h"
+#include "app/settings.h"
+#include "app/theme.h"
+#include "tests/app/panel_bench.h"
+
+#include <QAction>
+#include <QCheckBox>
+#include <QComboBox>
+#include <QDialogButtonBox>
+#include <QKeySequenceEdit>
+#include <QPushButton>
+#include <QSpinBox>
+#include <QTemporaryDir>
+#include <QTreeWidget>
+
+using namespace suffuse;
+
+class TestDialogs : public QObject {
+    Q_OBJECT
+
+private slots:
+    void init()
+    {
+        m_folder = std::make_unique<QTemporaryDir>();
+        QVERIFY(m_folder->isValid());
+        qputenv("SUFFUSE_SETTINGS", m_folder->filePath("settings.ini").toUtf8());
+    }
+
+    void exportWritesThePicture()
+    {
+        Bench bench;
+        ExportDialog dialog(bench.editor);
+        dialog.show();
+        QCOMPARE(dialog.widthBox()->value(), 1024);
+        dialog.widthBox()->setValue(64);
+        QCOMPARE(dialog.heightBox()->value(), 48);
+        const QString path = m_folder->filePath("picture.pfm"); // needs no image module
+        dialog.path()->setText(path);
+        dialog.depth()->setCurrentIndex(dialog.depth()->findData(int(ImageDepth::Float)));
+        QTest::mouseClick(dialog.exportButton(), Qt::LeftButton);
+        QTRY_COMPARE_WITH_TIMEOUT(dialog.result(), int(QDialog::Accepted), 20000);
+        QFile file(path);
+        QVERIFY(file.open(QIODevice::ReadOnly));
+        const QByteArray bytes = file.readAll();
+        QVERIFY(bytes.startsWith("PF\n64 48\n"));
+        QVERIFY(bytes.size() >= 64 * 48 * 12);
+    }
+
+    void exportRefusesWithAReason()
+    {
+        Bench bench;
+        ExportDialog dialog(bench.editor);
+        dialog.show();
+        dialog.widthBox()->setValue(32);
+        const auto refused = [&](const QString &name) {
+            dialog.path()->setText(m_folder->filePath(name));
+            QTest::mouseClick(dialog.exportButton(), Qt::LeftButton);
+            return QTest::qWaitFor([&] { return dialog.hint()->isVisible() && !dialog.isExporting(); }, 20000);
+        };
+        QVERIFY(refused("picture.doc"));
+        QVERIFY(dialog.hint()->text().contains("png"));
+        QVERIFY(refused("no/such/folder/picture.pfm"));
+        QVERIFY(dialog.hint()->text().contains("folder"));
+        QVERIFY(dialog.isVisible());
+        QCOMPARE(QDir(m_folder->path()).entryList(QDir::Files).filter("picture").size(), 0);
+    }
+
+    void cancelledExportLeavesNothing()
+    {
+        Bench bench(200);
+        ExportDialog dialog(bench.editor);
+        dialog.show();
+        dialog.widthBox()->setValue(4000);
+        dialog.path()->setText(m_folder->filePath("large.pfm"));
+        dialog.depth()->setCurrentIndex(dialog.depth()->findData(int(ImageDepth::Float)));
+        QTest::mouseClick(dialog.exportButton(), Qt::LeftButton);
+        QVERIFY(dialog.isExporting());
+        dialog.reject();
+        QTRY_VERIFY_WITH_TIMEOUT(!dialog.isExporting(), 60000);
+        QVERIFY(dialog.isVisible()); // it can be tried again
+        QVERIFY(dialog.exportButton()->isEnabled());
+        QCOMPARE(QDir(m_folder->path()).entryList(QDir::Files).filter("large").size(), 0);
+    }
+
+    void newCanvas()
+    {
+        NewDialog dialog;
+        dialog.show();
+        QCOMPARE(dialog.canvas(), Canvas{});
+        emit dialog.presets()->activated(1);
+        QCOMPARE(dialog.canvas().width, 1920.0);
+        QCOMPARE(dialog.canvas().height, 1080.0);
+        type(*dialog.section()->widthField(), "1000");
+        QCOMPARE(dialog.canvas().width, 1000.0);
+        QCOMPARE(dialog.presets()->currentIndex(), -1);
+    }
+
+    void settingsAreKeptOrPutBack()
+    {
+        settings::setTheme(settings::Theme::Light);
+        applyTheme();
+        {
+            SettingsDialog dialog;
+            dialog.theme()->setCurrentIndex(int(settings::Theme::Dark));
+            QVERIFY(isDarkTheme()); // shown at once
+            dialog.reject();
+        }
+        QVERIFY(!isDarkTheme());
+        QCOMPARE(settings::theme(), settings::Theme::Light);
+        SettingsDialog dialog;
+        dialog.language()->setCurrentIndex(dialog.language()->findData("de"));
+        dialog.presenter()->setCurrentIndex(int(settings::Presenter::Raster));
+        dialog.threads()->setValue(2);
+        dialog.accept();
+        QCOMPARE(settings::language(), QString("de"));
+        QCOMPARE(settings::presenter(), settings::Presenter::Raster);
+        QCOMPARE(settings::threads(), 2);
+    }
+
+    void shortcutsAreEditedAndKept()
+    {
+        const auto make = [](QObject *parent) {
+            QList<QAction *> actions;
+            for (const char *name : {"Open", "Save", "Undo"}) {
+                auto *action = new QAction(QString::fromLatin1(name), parent);
+                action->setObjectName(name);
+                action->setShortcut(QKeySequence(QString("Ctrl+") + QLatin1Char(name[0])));
+                actions << action;
+            }
+            return actions;
+        };
+        QObject first;
+        const QList<QAction *> actions = make(&first);
+        applyStoredShortcuts(actions);
+        ShortcutsDialog dialog(actions);
+        dialog.show();
+        QCOMPARE(dialog.list()->topLevelItemCount(), 3);
+        auto *ok = dialog.findChild<QDialogButtonBox *>()->button(QDialogButtonBox::Ok);
+        dialog.list()->setCurrentItem(dialog.list()->topLevelItem(2));
+        dialog.editor()->setKeySequence(QKeySequence("Ctrl+S"));
+        QVERIFY(dialog.conflict()->isVisible());
+        QVERIFY(!ok->isEnabled());
+        dialog.editor()->setKeySequence(QKeySequence("Alt+Z"));
+        QVERIFY(!dialog.conflict()->isVisible());
+        QVERIFY(ok->isEnabled());
+        dialog.accept();
+        QCOMPARE(actions[2]->shortcut(), QKeySequence("Alt+Z"));
+
+        QObject second; // the next start
+        const QList<QAction *> next = make(&second);
+        applyStoredShortcuts(next);
+        QCOMPARE(next[2]->shortcut(), QKeySequence("Alt+Z"));
+        QCOMPARE(next[1]->shortcut(), QKeySequence("Ctrl+S"));
+        ShortcutsDialog again(next);
+        again.findChild<QDialogButtonBox *>()->button(QDialogButtonBox::RestoreDefaults)->click();
+        again.accept();
+        QCOMPARE(next[2]->shortcut(), QKeySequence("Ctrl+U"));
+        QVERIFY(settings::store().allKeys().filter("shortcuts/").isEmpty());
+    }
+
+    void iconsAreDrawnInThePalettesColour()
+    {
+        for (const settings::Theme theme : {settings::Theme::Light, settings::Theme::Dark}) {
+            settings::setTheme(theme);
+            applyTheme();
+            const QRgb ink = QApplication::palette().color(QPalette::ButtonText).rgb();
+            for (const QString &name : iconNames()) {
+                const QImage image = icon(name).pixmap(QSize(32, 32)).toImage().convertToFormat(QImage::Format_ARGB32);
+                int drawn = 0;
+                for (int y = 0; y < image.height(); ++y)
+                    for (int x = 0; x < image.width(); ++x)
+                        if (qAlpha(image.pixel(x, y)) == 255) {
+                            QVERIFY2(std::abs(qGray(image.pixel(x, y)) - qGray(ink)) < 3, qPrintable(name));
+                            ++drawn;
+                        }
+                QVERIFY2(drawn > 5 && drawn < 32 * 32 / 2, qPrintable(name));
+            }
+        }
+        QVERIFY(icon("no such icon").isNull());
+        QVERIFY(!applicationIcon().isNull());
+    }
+
+    void aboutSaysWhatRuns()
+    {
+        AboutDialog dialog;
+        QString all;
+        for (const QLabel *label : dialog.findChildren<QLabel *>())
+            all += label->text() + '\n';
+        QVERIFY(all.contains(SUFFUSE_VERSION));
+        QVERIFY(all.contains("CPU"));
+        QVERIFY(all.contains(qVersion()));
+    }
+
+private:
+    std::unique_ptr<QTemporaryDir> m_folder;
+};
+
+QTEST_MAIN(TestDialogs)
+#include "test_dialogs.moc"

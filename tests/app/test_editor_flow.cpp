@@ -1,0 +1,289 @@
+// A session as a painter has it: paint, select, change, undo.
+#include "app/tools/brush_tool.h"
+#include "tests/app/session.h"
+
+#include <QDockWidget>
+#include <QTemporaryDir>
+
+using namespace suffuse;
+
+class TestEditorFlow : public QObject {
+    Q_OBJECT
+
+private slots:
+    void initTestCase()
+    {
+        QVERIFY(m_folder.isValid());
+        qputenv("SUFFUSE_PRESENTER", "raster");
+        qputenv("SUFFUSE_SETTINGS", m_folder.filePath("settings.ini").toLocal8Bit());
+    }
+
+    void mousePaintsAStroke()
+    {
+        Session s;
+        QVERIFY(!s.window.isWindowModified());
+        s.paintLine({200, 300}, {700, 300});
+        QCOMPARE(s.painting().strokes.size(), std::size_t(1));
+        QVERIFY(!s.editor().document().draft());
+        QCOMPARE(s.editor().undoStack().count(), 1);
+        QVERIFY(s.window.isWindowModified());
+        const Stroke &stroke = *s.painting().strokes.front();
+        QVERIFY(stroke.segments.size() >= 3);
+        const Point first = stroke.cubicOf(stroke.segments.front()).p[0];
+        const Point last = stroke.cubicOf(stroke.segments.back()).p[3];
+        QVERIFY(length(first - Point{200, 300}) < 4);
+        QVERIFY(length(last - Point{700, 300}) < 4);
+
+        s.dry();
+        const QImage picture = s.canvas().picture();
+        const Point middle = s.canvas().view().toPixels({450, 300});
+        QVERIFY(picture.pixel(int(middle.x), int(middle.y)) != qRgb(255, 255, 255));
+    }
+
+    void strokeSpreadsAfterThePenLifts()
+    {
+        Session s;
+        s.paintLine({200, 300}, {700, 300});
+        const auto painted = [&] {
+            const QImage picture = s.canvas().picture();
+            int count = 0;
+            for (int y = 0; y < picture.height(); ++y)
+                for (int x = 0; x < picture.width(); ++x)
+                    count += picture.pixel(x, y) != qRgb(255, 255, 255);
+            return count;
+        };
+        QTRY_VERIFY_WITH_TIMEOUT(s.canvas().isUpToDate(), waitMs);
+        QVERIFY(s.editor().isRunning());
+        const int early = painted();
+        s.dry();
+        QVERIFY(painted() > early);
+        QVERIFY(!s.editor().isRunning());
+        QCOMPARE(s.editor().time(), s.painting().end());
+    }
+
+    void draftIsTheStrokeThatStays()
+    {
+        Session s;
+        QTest::mousePress(&s.canvas(), Qt::LeftButton, {}, s.at({100, 100}));
+        for (int i = 1; i <= 10; ++i) {
+            s.advance(interval);
+            QTest::mouseMove(&s.canvas(), s.at({100.0 + 30 * i, 100}));
+        }
+        QVERIFY(s.editor().document().draft());
+        const StrokeId id = s.editor().document().draft()->id;
+        QVERIFY(s.painting().strokes.empty());
+        QTest::mouseRelease(&s.canvas(), Qt::LeftButton, {}, s.at({400, 100}));
+        QCOMPARE(s.painting().strokes.at(0)->id, id);
+    }
+
+    void escapeGivesTheStrokeUp()
+    {
+        Session s;
+        QTest::mousePress(&s.canvas(), Qt::LeftButton, {}, s.at({100, 100}));
+        s.advance(interval);
+        QTest::mouseMove(&s.canvas(), s.at({200, 100}));
+        QTest::keyClick(&s.canvas(), Qt::Key_Escape);
+        QVERIFY(!s.editor().document().draft());
+        QTest::mouseRelease(&s.canvas(), Qt::LeftButton, {}, s.at({200, 100}));
+        QVERIFY(s.painting().strokes.empty());
+        QCOMPARE(s.editor().undoStack().count(), 0);
+    }
+
+    void penPressureBecomesDensity()
+    {
+        Session s;
+        Pen pen;
+        const auto stroke = [&](double y, double pressure) {
+            pen.send(s.canvas(), QEvent::TabletPress, s.at({200, y}), pressure);
+            pen.send(s.canvas(), QEvent::TabletPress, s.at({200, y}), pressure); // drivers repeat it
+            for (int i = 1; i <= 20; ++i) {
+                s.advance(interval);
+                pen.send(s.canvas(), QEvent::TabletMove, s.at({200 + 20.0 * i, y}), pressure);
+            }
+            pen.send(s.canvas(), QEvent::TabletRelease, s.at({600, y}), 0);
+        };
+        stroke(200, 1.0);
+        stroke(400, 0.2);
+        QCOMPARE(s.painting().strokes.size(), std::size_t(2));
+        const auto middle = [&](int k) {
+            const auto &segments = s.painting().strokes.at(k)->segments;
+            return segments.at(segments.size() / 2).density;
+        };
+        QVERIFY(middle(1) < 0.9f * middle(0));
+        QVERIFY(middle(1) > 0);
+    }
+
+    void tapLeavesADot()
+    {
+        Session s;
+        s.click({300, 300});
+        QCOMPARE(s.painting().strokes.size(), std::size_t(1));
+        s.dry();
+        const Point p = s.canvas().view().toPixels({300, 300});
+        QVERIFY(s.canvas().picture().pixel(int(p.x), int(p.y)) != qRgb(255, 255, 255));
+    }
+
+    void clickSelectsVisiblePaintThenASegment()
+    {
+        Session s;
+        s.paintLine({200, 250}, {700, 250});
+        s.advance(interval);
+        s.paintLine({200, 450}, {700, 450});
+        s.dry();
+        const StrokeId upper = s.painting().strokes[0]->id, lower = s.painting().strokes[1]->id;
+        s.use(Command::Select);
+
+        const double side = 0.5 * halfWidthOf(s.editor().brush()); // beside the curve, but on the paint
+        s.click({450, 250 + side});
+        QCOMPARE(s.selection().strokes, std::set<StrokeId>{upper});
+        QVERIFY(s.selection().segments.empty());
+        s.click({450, 450}, Qt::ShiftModifier);
+        QCOMPARE(s.selection().strokes, (std::set<StrokeId>{upper, lower}));
+        s.click({450, 450}, Qt::ShiftModifier);
+        QCOMPARE(s.selection().strokes, std::set<StrokeId>{upper});
+        s.click({450, 350}); // far from paint
+        QVERIFY(s.selection().isEmpty());
+
+        s.click({300, 250});
+        s.click({300, 250});
+        QCOMPARE(s.selection().segments.size(), std::size_t(1));
+        const int from = s.selection().segments.begin()->segment;
+        s.click({600, 250}, Qt::ShiftModifier);
+        QVERIFY(s.selection().segments.size() > 3);
+        QCOMPARE(s.selection().segments.begin()->segment, from);
+        QTest::keyClick(&s.canvas(), Qt::Key_Escape);
+        QVERIFY(s.selection().segments.empty());
+        QCOMPARE(s.selection().strokes.size(), std::size_t(1));
+        QTest::keyClick(&s.canvas(), Qt::Key_Escape);
+        QVERIFY(s.selection().isEmpty());
+    }
+
+    void runGoesOnUnderAnotherStroke()
+    {
+        Session s;
+        s.paintLine({200, 300}, {700, 300});
+        s.advance(interval);
+        s.paintLine({450, 100}, {450, 500});
+        s.dry();
+        const StrokeId covered = s.painting().strokes[0]->id, above = s.painting().strokes[1]->id;
+        s.use(Command::Segments);
+        s.click({450, 300});
+        QCOMPARE(s.selection().strokes, std::set<StrokeId>{above});
+        s.click({300, 300});
+        s.click({450, 300}, Qt::ShiftModifier);
+        QCOMPARE(s.selection().strokes, std::set<StrokeId>{covered});
+        QVERIFY(s.selection().segments.size() > 2);
+    }
+
+    void undoGivesUpTheStrokeInHand()
+    {
+        Session s;
+        s.paintLine({200, 300}, {700, 300});
+        QVERIFY(!s.window.action(Command::Redo).isEnabled());
+        QTest::mousePress(&s.canvas(), Qt::LeftButton, {}, s.at({100, 100}));
+        s.advance(interval);
+        QTest::mouseMove(&s.canvas(), s.at({200, 100}));
+        s.use(Command::Undo);
+        QVERIFY(!s.editor().document().draft());
+        QCOMPARE(s.painting().strokes.size(), std::size_t(1));
+        QTest::mouseRelease(&s.canvas(), Qt::LeftButton, {}, s.at({200, 100}));
+        QCOMPARE(s.painting().strokes.size(), std::size_t(1));
+        s.use(Command::Undo);
+        QVERIFY(s.painting().strokes.empty());
+        QVERIFY(s.window.action(Command::Redo).isEnabled());
+    }
+
+    void rubberBandSelectsWhatItEncloses()
+    {
+        Session s;
+        s.paintLine({200, 250}, {400, 250});
+        s.advance(interval);
+        s.paintLine({500, 450}, {800, 450});
+        s.dry();
+        s.use(Command::Select);
+        QTest::mousePress(&s.canvas(), Qt::LeftButton, {}, s.at({150, 150}));
+        QTest::mouseMove(&s.canvas(), s.at({300, 300}));
+        QTest::mouseMove(&s.canvas(), s.at({450, 350}));
+        QTest::mouseRelease(&s.canvas(), Qt::LeftButton, {}, s.at({450, 350}));
+        QCOMPARE(s.selection().strokes, std::set<StrokeId>{s.painting().strokes[0]->id});
+        s.use(Command::SelectAll);
+        QCOMPARE(s.selection().strokes.size(), std::size_t(2));
+    }
+
+    void dragMovesInOneStep()
+    {
+        Session s;
+        s.paintLine({200, 300}, {700, 300});
+        s.dry();
+        s.use(Command::Select);
+        const Point origin = s.painting().strokes[0]->origin;
+        const auto drag = [&](bool escape) {
+            QTest::mousePress(&s.canvas(), Qt::LeftButton, {}, s.at({450, 300}));
+            for (int i = 1; i <= 5; ++i)
+                QTest::mouseMove(&s.canvas(), s.at({450, 300.0 + 20 * i}));
+            if (escape)
+                QTest::keyClick(&s.canvas(), Qt::Key_Escape);
+            QTest::mouseRelease(&s.canvas(), Qt::LeftButton, {}, s.at({450, 400}));
+        };
+        drag(true);
+        QCOMPARE(s.painting().strokes[0]->origin, origin);
+        QCOMPARE(s.editor().undoStack().count(), 1);
+        drag(false);
+        QVERIFY(std::abs(s.painting().strokes[0]->origin.y - origin.y - 100) < 3);
+        QCOMPARE(s.editor().undoStack().count(), 2);
+        s.use(Command::Undo);
+        QCOMPARE(s.painting().strokes[0]->origin, origin);
+
+        s.editor().document().setSelection({{s.painting().strokes[0]->id}, {}});
+        QTest::keyClick(&s.canvas(), Qt::Key_Right, Qt::ShiftModifier);
+        QVERIFY(std::abs(s.painting().strokes[0]->origin.x - origin.x - 10) < 1e-6);
+    }
+
+    void commandsOnTheSelection()
+    {
+        Session s;
+        s.paintLine({200, 300}, {700, 300});
+        s.advance(interval);
+        s.paintLine({450, 100}, {450, 500});
+        s.dry();
+        QVERIFY(!s.window.action(Command::Delete).isEnabled());
+        const StrokeId first = s.painting().strokes[0]->id;
+        s.editor().document().setSelection({{first}, {}});
+        QVERIFY(s.window.action(Command::Delete).isEnabled());
+        s.use(Command::Raise);
+        QCOMPARE(s.painting().strokes[1]->id, first);
+        s.use(Command::Bottom);
+        QCOMPARE(s.painting().strokes[0]->id, first);
+        s.use(Command::Duplicate);
+        QCOMPARE(s.painting().strokes.size(), std::size_t(3));
+        QVERIFY(!s.selection().strokes.contains(first));
+        s.use(Command::Delete);
+        QCOMPARE(s.painting().strokes.size(), std::size_t(2));
+        const QByteArray before = hashOf(s.painting());
+        while (s.editor().undoStack().canUndo())
+            s.use(Command::Undo);
+        QVERIFY(s.painting().strokes.empty());
+        while (s.editor().undoStack().canRedo())
+            s.use(Command::Redo);
+        QCOMPARE(hashOf(s.painting()), before);
+    }
+
+    void docksHideAndComeBack()
+    {
+        Session s;
+        const QList<QDockWidget *> docks = s.window.findChildren<QDockWidget *>();
+        QCOMPARE(docks.size(), 5);
+        s.use(Command::HideDocks);
+        for (QDockWidget *dock : docks)
+            QVERIFY(dock->isHidden());
+        s.use(Command::HideDocks);
+        for (QDockWidget *dock : docks)
+            QVERIFY(dock->toggleViewAction()->isChecked());
+    }
+
+private:
+    QTemporaryDir m_folder;
+};
+
+QTEST_MAIN(TestEditorFlow)
+#include "test_editor_flow.moc"

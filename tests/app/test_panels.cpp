@@ -1,0 +1,364 @@
+// Panels driven by real events: each gesture is one undo step, mixed values stay mixed, what is refused changes nothing.
+#include "app/panels/arithmetic.h"
+#include "app/panels/brush_panel.h"
+#include "app/panels/canvas_section.h"
+#include "app/panels/colour_convert.h"
+#include "app/panels/colour_panel.h"
+#include "app/panels/colour_rows.h"
+#include "app/panels/colour_wheel.h"
+#include "app/panels/density_function.h"
+#include "app/panels/history_panel.h"
+#include "app/panels/inspector_panel.h"
+#include "app/panels/number_field.h"
+#include "app/panels/section.h"
+#include "app/panels/segment_section.h"
+#include "app/panels/stroke_section.h"
+#include "app/panels/strokes_model.h"
+#include "app/panels/strokes_panel.h"
+#include "app/panels/style_section.h"
+#include "tests/app/panel_bench.h"
+
+#include <QComboBox>
+#include <QListWidget>
+#include <QPushButton>
+#include <QTemporaryDir>
+#include <QToolButton>
+
+using namespace suffuse;
+
+class TestPanels : public QObject {
+    Q_OBJECT
+
+private slots:
+    void initTestCase()
+    {
+        QVERIFY(m_folder.isValid());
+        qputenv("SUFFUSE_SETTINGS", m_folder.filePath("settings.ini").toUtf8());
+    }
+
+    void arithmetic()
+    {
+        QCOMPARE(evaluateArithmetic("12*1.5", {}).value(), 18.0);
+        QCOMPARE(evaluateArithmetic("+2", 10.0).value(), 12.0);
+        QCOMPARE(evaluateArithmetic("*1.5", 10.0).value(), 15.0);
+        QCOMPARE(evaluateArithmetic("-=2", 10.0).value(), 8.0);
+        QCOMPARE(evaluateArithmetic("-2", 10.0).value(), -2.0);
+        QCOMPARE(evaluateArithmetic("(1+2)*3 - 4/2", {}).value(), 7.0);
+        QCOMPARE(evaluateArithmetic("2,5 s", {}, "s").value(), 2.5);
+        QCOMPARE(evaluateArithmetic("1e3", {}).value(), 1000.0);
+        for (const char *bad : {"", "abc", "1+", "(1", "1)", "1/0", "nan", "inf", "1 2*", "1..2"})
+            QVERIFY2(!evaluateArithmetic(bad, {}), bad);
+        QVERIFY(!evaluateArithmetic("+2", {}).has_value() || evaluateArithmetic("+2", {}).value() == 2.0);
+        QVERIFY(!evaluateArithmetic(QString(10000, '('), {}));
+    }
+
+    void sliderDragIsOneStep()
+    {
+        Bench bench;
+        InspectorPanel panel(bench.editor);
+        showAt(panel);
+        bench.select({1});
+        BarSlider *slider = panel.segmentSection()->diffusion()->slider();
+        QTest::mousePress(slider, Qt::LeftButton, {}, sliderPoint(*slider, 0.1));
+        for (const double share : {0.3, 0.5, 0.7, 0.8})
+            QTest::mouseMove(slider, sliderPoint(*slider, share));
+        const float live = bench.stroke(1).segments[0].diffusion;
+        QVERIFY(live > 100); // seen before the button is let go
+        QTest::mouseRelease(slider, Qt::LeftButton, {}, sliderPoint(*slider, 0.8));
+        QCOMPARE(bench.steps(), 1);
+        for (const Segment &segment : bench.stroke(1).segments)
+            QCOMPARE(segment.diffusion, live);
+        QCOMPARE(bench.stroke(2).segments[0].diffusion, 20.0f);
+        bench.editor.undoStack().undo();
+        QCOMPARE(bench.stroke(1).segments[0].diffusion, 10.0f);
+        QCOMPARE(panel.segmentSection()->diffusion()->number()->value().value(), 10.0);
+    }
+
+    void twoDragsAreTwoSteps()
+    {
+        Bench bench;
+        InspectorPanel panel(bench.editor);
+        showAt(panel);
+        bench.select({1});
+        BarSlider *slider = panel.segmentSection()->granulation()->slider();
+        for (const double share : {0.2, 0.6})
+            QTest::mouseClick(slider, Qt::LeftButton, {}, sliderPoint(*slider, share));
+        QCOMPARE(bench.steps(), 2);
+    }
+
+    void dragBackLeavesNoStep()
+    {
+        Bench bench;
+        InspectorPanel panel(bench.editor);
+        showAt(panel);
+        bench.select({1}, {{1, 2}});
+        SliderField *field = panel.segmentSection()->diffusion();
+        BarSlider *slider = field->slider();
+        // The handle's own point: a press there takes hold of it without a jump.
+        const double share = double(slider->value()) / BarSlider::steps;
+        QTest::mousePress(slider, Qt::LeftButton, {}, sliderPoint(*slider, share));
+        QTest::mouseMove(slider, sliderPoint(*slider, 0.9));
+        QVERIFY(bench.stroke(1).segments[2].diffusion > 100);
+        QCOMPARE(bench.stroke(1).segments[1].diffusion, 10.0f);
+        slider->setSliderPosition(int(std::lround(share * BarSlider::steps)));
+        QTest::mouseRelease(slider, Qt::LeftButton, {}, sliderPoint(*slider, share));
+        QCOMPARE(bench.stroke(1).segments[2].diffusion, 10.0f);
+        QCOMPARE(bench.steps(), 0);
+    }
+
+    void mixedStaysMixedUntilSet()
+    {
+        Bench bench;
+        InspectorPanel panel(bench.editor);
+        showAt(panel);
+        bench.select({1, 2});
+        NumberField *diffusion = panel.segmentSection()->diffusion()->number();
+        NumberField *density = panel.segmentSection()->density()->number();
+        QVERIFY(!diffusion->value());
+        QCOMPARE(diffusion->text(), QString("—"));
+        QVERIFY(panel.segmentSection()->diffusion()->slider()->isMixed());
+        QCOMPARE(density->value().value(), 9.0);
+
+        type(*density, "12*1.5");
+        QCOMPARE(bench.steps(), 1);
+        QCOMPARE(bench.stroke(2).segments[3].density, 18.0f);
+        QCOMPARE(bench.stroke(1).segments[0].diffusion, 10.0f); // untouched by the other field
+        QCOMPARE(diffusion->text(), QString("—"));
+        // Leaving the mixed field as it is changes nothing.
+        diffusion->setFocus();
+        QTest::keyClick(diffusion, Qt::Key_Return);
+        QCOMPARE(bench.steps(), 1);
+        type(*diffusion, "33");
+        QCOMPARE(bench.stroke(1).segments[0].diffusion, 33.0f);
+        QCOMPARE(bench.stroke(2).segments[0].diffusion, 33.0f);
+        QCOMPARE(diffusion->value().value(), 33.0);
+    }
+
+    void refusedInputSaysWhy()
+    {
+        Bench bench;
+        InspectorPanel panel(bench.editor);
+        showAt(panel);
+        bench.select({1});
+        for (const char *bad : {"-3", "0", "2e12", "twelve", "1/0"}) {
+            type(*panel.segmentSection()->diffusion()->number(), bad);
+            QVERIFY2(panel.hint()->isVisible() && !panel.hint()->text().isEmpty(), bad);
+            QCOMPARE(bench.stroke(1).segments[0].diffusion, 10.0f);
+        }
+        QCOMPARE(bench.steps(), 0);
+        type(*panel.segmentSection()->diffusion()->number(), "+2");
+        QVERIFY(!panel.hint()->isVisible());
+        QCOMPARE(bench.stroke(1).segments[0].diffusion, 12.0f);
+    }
+
+    void labelDoubleClickResets()
+    {
+        Bench bench;
+        InspectorPanel panel(bench.editor);
+        showAt(panel);
+        bench.select({3});
+        QTest::mouseDClick(panel.segmentSection()->diffusion()->label(), Qt::LeftButton);
+        QCOMPARE(bench.stroke(3).segments[0].diffusion, Segment{}.diffusion);
+        QCOMPARE(bench.steps(), 1);
+    }
+
+    void ownStyleOfSegments()
+    {
+        Bench bench;
+        InspectorPanel panel(bench.editor);
+        showAt(panel);
+        bench.select({1}, {{1, 1}});
+        StyleSection *section = panel.styleSection();
+        QCOMPARE(section->source()->currentIndex(), 0);
+        emit section->source()->activated(1);
+        QVERIFY(bench.stroke(1).segments[1].style.has_value());
+        QVERIFY(!bench.stroke(1).segments[0].style.has_value());
+        QCOMPARE(section->source()->currentIndex(), 1);
+
+        emit section->kind()->activated(int(StyleKind::Edge));
+        QCOMPARE(bench.stroke(1).segments[1].style->kind, StyleKind::Edge);
+        QCOMPARE(bench.stroke(1).style.kind, StyleKind::Uniform);
+        QCOMPARE(bench.steps(), 2);
+        // ξ2 ≤ 2^(1/3) ξ1
+        type(*section->xi(1)->number(), "0.9");
+        QVERIFY(panel.hint()->isVisible());
+        QCOMPARE(bench.stroke(1).segments[1].style->xi[1], StyleSection::defaultStyle(StyleKind::Edge).xi[1]);
+        type(*section->xi(1)->number(), "0.7");
+        QCOMPARE(bench.stroke(1).segments[1].style->xi[1], 0.7f);
+
+        bench.select({1});
+        QCOMPARE(section->source()->currentIndex(), -1);
+        QCOMPARE(section->kind()->currentIndex(), -1);
+        emit section->source()->activated(0);
+        QVERIFY(!bench.stroke(1).segments[1].style.has_value());
+        emit section->kind()->activated(int(StyleKind::Feathering));
+        QCOMPARE(bench.stroke(1).style.kind, StyleKind::Feathering);
+        QCOMPARE(bench.stroke(1).style.xi[2], 0.0f);
+    }
+
+    void strokeFields()
+    {
+        Bench bench;
+        InspectorPanel panel(bench.editor);
+        showAt(panel);
+        bench.select({1, 2});
+        StrokeSection *section = panel.strokeSection();
+        type(*section->name(), "Hill");
+        QCOMPARE(bench.stroke(1).name, QString("Hill"));
+        QCOMPARE(bench.stroke(2).name, QString("Hill"));
+        QCOMPARE(bench.steps(), 1);
+        emit section->mode()->activated(int(MixMode::Beta));
+        QCOMPARE(bench.stroke(2).mix.mode, MixMode::Beta);
+        type(*section->beta()->number(), "80");
+        QCOMPARE(bench.stroke(1).mix.beta, 0.8f);
+        emit section->mode()->activated(int(MixMode::Alpha));
+        QCOMPARE(bench.stroke(1).mix, Mix{});
+        QCOMPARE(bench.steps(), 4);
+    }
+
+    void canvasWithoutSelection()
+    {
+        Bench bench;
+        InspectorPanel panel(bench.editor);
+        showAt(panel);
+        QVERIFY(panel.canvasSection()->isVisible());
+        type(*panel.canvasSection()->widthField(), "*2");
+        QCOMPARE(bench.editor.document().painting()->canvas.width, 2048.0);
+        emit panel.canvasSection()->paperKind()->activated(int(PaperKind::Procedural));
+        QCOMPARE(bench.editor.document().painting()->canvas.paper.kind, PaperKind::Procedural);
+        QCOMPARE(bench.steps(), 2);
+        BarSlider *strength = panel.canvasSection()->paperStrength()->slider();
+        QVERIFY(strength->isVisible());
+        QTest::mousePress(strength, Qt::LeftButton, {}, sliderPoint(*strength, 0.1));
+        QTest::mouseMove(strength, sliderPoint(*strength, 0.4));
+        QTest::mouseRelease(strength, Qt::LeftButton, {}, sliderPoint(*strength, 0.9));
+        QCOMPARE(bench.steps(), 3);
+        bench.editor.undoStack().setIndex(0);
+        QCOMPARE(bench.editor.document().painting()->canvas, Canvas{});
+    }
+
+    void wheelPicksColours()
+    {
+        for (const double hue : {0.0, 1.0 / 3, 0.5, 0.9}) {
+            const Colour pure = pureHue(hue);
+            QVERIFY(std::abs(toShares(pure, 0).hue - hue) < 1e-6);
+        }
+        Bench bench;
+        bench.editor.setColour({1, 0, 0, 0.5f});
+        ColourPanel panel(bench.editor);
+        showAt(panel);
+        ColourWheel *wheel = panel.wheel();
+        QTest::mouseClick(wheel, Qt::LeftButton, {}, wheel->ringPoint(1.0 / 3).toPoint());
+        Colour colour = bench.editor.brush().colour;
+        QVERIFY(colour.yellow > 0.99f && colour.red < 0.06f && colour.blue < 0.06f);
+        QCOMPARE(colour.opacity, 0.5f);
+        QTest::mouseClick(wheel, Qt::LeftButton, {}, wheel->trianglePoint(0, 0).toPoint());
+        colour = bench.editor.brush().colour;
+        QVERIFY(colour.red < 0.05f && colour.yellow < 0.05f && colour.blue < 0.05f); // white
+        QTest::mouseClick(wheel, Qt::LeftButton, {}, wheel->trianglePoint(0.5, 0.25).toPoint());
+        const HueShares shares = toShares(bench.editor.brush().colour, 0);
+        QVERIFY(std::abs(shares.hue - 1.0 / 3) < 0.02); // white kept the hue
+        QVERIFY(std::abs(shares.chroma - 0.5) < 0.02 && std::abs(shares.black - 0.25) < 0.02);
+        QCOMPARE(bench.steps(), 0);
+    }
+
+    void hexAndApply()
+    {
+        Bench bench;
+        ColourPanel panel(bench.editor);
+        showAt(panel);
+        QVERIFY(!panel.applyButton()->isEnabled());
+        type(*panel.hex(), "#2f6690");
+        QCOMPARE(toOpaqueScreen(bench.editor.brush().colour).name(), QString("#2f6690"));
+        const Colour before = bench.editor.brush().colour;
+        type(*panel.hex(), "nice");
+        QCOMPARE(bench.editor.brush().colour, before);
+        QCOMPARE(panel.hex()->text(), QString("#2f6690"));
+        bench.select({1, 3});
+        QVERIFY(panel.applyButton()->isEnabled());
+        QTest::mouseClick(panel.applyButton(), Qt::LeftButton);
+        QCOMPARE(bench.steps(), 1);
+        QCOMPARE(bench.stroke(3).segments[3].colour, before);
+        QCOMPARE(bench.stroke(2).segments[0].colour, Colour{});
+    }
+
+    void brushesKeepTheColour()
+    {
+        Bench bench;
+        bench.editor.setColour({0.1f, 0.2f, 0.3f, 1});
+        BrushPanel panel(bench.editor);
+        showAt(panel, {280, 500});
+        QCOMPARE(panel.list()->count(), int(builtinBrushes().size()));
+        panel.list()->setCurrentRow(3);
+        const Brush &preset = builtinBrushes()[3];
+        QCOMPARE(bench.editor.brush().name, preset.name);
+        QCOMPARE(bench.editor.brush().colour.blue, 0.3f);
+        QVERIFY(!panel.resetButton()->isEnabled());
+        type(*panel.size()->number(), "40");
+        QVERIFY(std::abs(bench.editor.brush().spread() - 40) < 1e-3);
+        QCOMPARE(bench.editor.brush().peak, preset.peak);
+        QVERIFY(panel.resetButton()->isEnabled());
+        QTest::mouseClick(panel.resetButton(), Qt::LeftButton);
+        QCOMPARE(bench.editor.brush().diffusion, preset.diffusion);
+        QVERIFY(!panel.resetButton()->isEnabled());
+        QTRY_COMPARE(panel.pendingPreviews(), 0);
+        // The preview is paint, not an empty sheet.
+        BrushPreview preview;
+        const QImage picture = preview.render(preset, {112, 44});
+        QCOMPARE(picture.size(), QSize(112, 44));
+        int painted = 0;
+        for (int y = 0; y < picture.height(); ++y)
+            for (int x = 0; x < picture.width(); ++x)
+                painted += qAlpha(picture.pixel(x, y)) > 64;
+        QVERIFY(painted > 200 && painted < 112 * 44 * 3 / 4);
+    }
+
+    void densityFunctionEdges()
+    {
+        const Style uniform{StyleKind::Uniform, {0.5f, 0.05f, 0}};
+        QCOMPARE(densityFunction(uniform, 0.05), 0.0);
+        QVERIFY(std::abs(densityFunction(uniform, 0.5) - 0.5) < 2e-4);
+        const Style feather{StyleKind::Feathering, {2, 2, 0}};
+        QCOMPARE(densityFunction(feather, 1.0), 0.25);
+        QCOMPARE(densityFunction(feather, 5.0), 1.0);
+        QVERIFY(std::abs(densityFunction(feather, visibleCut(feather)) - 0.5) < 1e-12);
+        const Style edge{StyleKind::Edge, {0.6f, 0.65f, 0.9f}};
+        const double start = visibleCut(edge);
+        QCOMPARE(densityFunction(edge, start * 0.9999), 0.0);
+        QVERIFY(std::abs(densityFunction(edge, start * 1.000001) - 1) < 1e-4);
+        Segment segment;
+        segment.density = float(densityForPeak(1.2, segment.diffusion, segment.maxAge));
+        const DerivedFigures figures = derivedFigures(segment, uniform);
+        QVERIFY(std::abs(figures.peak - 1.2) < 1e-6);
+        QVERIFY(std::abs(figures.halfWidth - figures.spread * std::sqrt(std::log(2.4))) < 1e-5);
+        QVERIFY(!figures.driesOut);
+    }
+
+    void everyFocusableWidgetHasAName()
+    {
+        Bench bench;
+        InspectorPanel inspector(bench.editor);
+        ColourPanel colour(bench.editor);
+        BrushPanel brush(bench.editor);
+        StrokesPanel strokes(bench.editor);
+        HistoryPanel history(bench.editor);
+        for (QWidget *panel : std::initializer_list<QWidget *>{&inspector, &colour, &brush, &strokes, &history})
+            for (QWidget *widget : panel->findChildren<QWidget *>()) {
+                bool inner = widget->objectName().startsWith("qt_"); // parts that Qt makes and names itself
+                for (QWidget *above = widget->parentWidget(); above; above = above->parentWidget())
+                    inner = inner || above->inherits("QComboBox");
+                if (!(widget->focusPolicy() & Qt::TabFocus) || inner)
+                    continue;
+                const auto *button = qobject_cast<QAbstractButton *>(widget);
+                QVERIFY2(!widget->accessibleName().isEmpty() || (button && !button->text().isEmpty()),
+                         widget->metaObject()->className());
+                QVERIFY2(!widget->toolTip().isEmpty(), qPrintable(widget->accessibleName()));
+            }
+    }
+
+private:
+    QTemporaryDir m_folder;
+};
+
+QTEST_MAIN(TestPanels)
+#include "test_panels.moc"

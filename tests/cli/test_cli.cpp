@@ -1,0 +1,223 @@
+// suffuse-cli's arguments, exit codes and answers.
+#include "cli_process.h"
+
+#include <QJsonArray>
+#include <QTest>
+
+#include <cmath>
+
+class TestCli : public QObject {
+    Q_OBJECT
+
+private slots:
+    void initTestCase();
+    void helpAndVersion();
+    void wrongUsage_data();
+    void wrongUsage();
+    void info();
+    void backends();
+    void convertIsExact();
+    void convertWithBrush();
+    void probe();
+    void probeTakesNegativeNumbers();
+    void verify();
+    void standardInput();
+
+private:
+    QString path(const QString &name) const { return m_folder.filePath(name); }
+
+    QTemporaryDir m_folder;
+};
+
+void TestCli::initTestCase()
+{
+    QVERIFY(m_folder.isValid());
+    QVERIFY(writeFile(path("a.json"), smallPainting()));
+}
+
+void TestCli::helpAndVersion()
+{
+    const CliOutcome help = runCli({"--help"});
+    QCOMPARE(help.code, 0);
+    for (const char *command : {"render", "info", "convert", "probe", "verify"}) {
+        QVERIFY2(help.out.contains(command), command);
+        const CliOutcome own = runCli({command, "--help"});
+        QCOMPARE(own.code, 0);
+        QVERIFY2(own.out.contains("Usage: ") && own.out.contains(command), qPrintable(own.text()));
+    }
+    QCOMPARE(runCli({"--version"}).out, QByteArray("suffuse-cli " SUFFUSE_VERSION "\n"));
+}
+
+void TestCli::wrongUsage_data()
+{
+    QTest::addColumn<QStringList>("arguments");
+    QTest::addColumn<QString>("says");
+    const QString in = path("a.json"), out = path("out.png");
+    const auto row = [](const char *name, const QStringList &arguments, const char *says) {
+        QTest::newRow(name) << arguments << QString(says);
+    };
+    row("no command", {}, "Usage");
+    row("unknown command", {"timelapse", in}, "no such command");
+    row("unknown option", {"render", in, "-o", out, "--colour"}, "colour");
+    row("no input", {"render", "-o", out}, "too few");
+    row("two inputs", {"render", in, in, "-o", out}, "too many");
+    row("no output", {"render", in}, "-o OUT");
+    row("unknown ending", {"render", in, "-o", path("out.bmp")}, "png, tiff");
+    row("wrong height", {"render", in, "-o", out, "--size", "80x61"}, "80x60");
+    row("wrong height of an area", {"render", in, "-o", out, "--area", "0,0,10,20", "--size", "50x50"}, "50x100");
+    row("size is no size", {"render", in, "-o", out, "--size", "big"}, "WxH");
+    row("size 0", {"render", in, "-o", out, "--size", "0x0"}, "WxH");
+    row("size and scale", {"render", in, "-o", out, "--size", "80", "--scale", "2"}, "not both");
+    row("scale 0", {"render", in, "-o", out, "--scale", "0"}, "above 0");
+    row("too large", {"render", in, "-o", out, "--size", "2000000000"}, "too large");
+    row("too large by scale", {"render", in, "-o", out, "--scale", "1e300"}, "too large");
+    row("too thin an area", {"render", in, "-o", out, "--area", "0,0,1e-9,1e9", "--size", "5"}, "too large");
+    row("empty area", {"render", in, "-o", out, "--area", "0,0,0,5"}, "X,Y,W,H");
+    row("infinite area", {"render", in, "-o", out, "--area", "0,0,inf,5"}, "X,Y,W,H");
+    row("half an area", {"render", in, "-o", out, "--area", "0,0,5"}, "X,Y,W,H");
+    row("no moment", {"render", in, "-o", out, "--time", "nan"}, "--time");
+    row("no depth", {"render", in, "-o", out, "--depth", "12"}, "8, 16, half or float");
+    row("PNG holds no half", {"render", in, "-o", out, "--depth", "half"}, "8, 16");
+    row("EXR holds no 8 bit", {"render", in, "-o", path("out.exr"), "--depth", "8"}, "half, float");
+    row("JPEG is opaque", {"render", in, "-o", path("out.jpg"), "--transparent"}, "transparency");
+    row("no backend", {"render", in, "-o", out, "--backend", "vulkan"}, "auto, cpu, cuda or reference");
+    row("no threads", {"render", in, "-o", out, "--threads", "0"}, "--threads");
+    row("info without a file", {"info"}, "--backends");
+    row("info of two things", {"info", in, "--backends"}, "--backends");
+    row("convert without a target", {"convert", in}, "too few");
+    row("convert to an unknown ending", {"convert", in, path("a.txt")}, ".suffuse or .json");
+    row("no brush", {"convert", in, path("b.json"), "--brush", "spade"}, "ink-wash");
+    row("probe without a place", {"probe", in, "3"}, "too few");
+    row("probe at no number", {"probe", in, "a", "b"}, "X and Y");
+    row("verify with a wrong height", {"verify", in, "--size", "80x50"}, "80x60");
+}
+
+void TestCli::wrongUsage()
+{
+    QFETCH(QStringList, arguments);
+    QFETCH(QString, says);
+    const CliOutcome outcome = runCli(arguments);
+    QVERIFY2(outcome.code == 2, qPrintable(outcome.text()));
+    QVERIFY2(QString::fromUtf8(outcome.err).contains(says), qPrintable(outcome.text()));
+    QVERIFY2(outcome.out.isEmpty(), qPrintable(outcome.text()));
+    QCOMPARE(filesIn(m_folder.path()), QStringList("a.json"));
+}
+
+void TestCli::info()
+{
+    const CliOutcome outcome = runCli({"info", path("a.json"), "--json"});
+    QVERIFY2(outcome.code == 0, qPrintable(outcome.text()));
+    const QJsonObject o = outcome.json();
+    QCOMPARE(o["format"].toString(), QString("suffuse-text"));
+    QCOMPARE(o["bytes"].toInt(), int(smallPainting().size()));
+    QCOMPARE(o["strokes"].toInt(), 2);
+    QCOMPARE(o["segments"].toInt(), 3);
+    QCOMPARE(o["canvas"]["width"].toDouble(), 40.0);
+    QCOMPARE(o["canvas"]["height"].toDouble(), 30.0);
+    QCOMPARE(o["begin"].toDouble(), 0.0);
+    QCOMPARE(o["end"].toDouble(), 3.0);
+    QCOMPARE(o["duration"].toDouble(), 3.0);
+    const QJsonArray bounds = o["bounds"].toArray();
+    QCOMPARE(bounds.size(), 4);
+    QVERIFY(bounds[0].toDouble() < 5 && bounds[0].toDouble() + bounds[2].toDouble() > 35);
+    QVERIFY(runCli({"info", path("a.json")}).out.contains("40 × 30"));
+}
+
+void TestCli::backends()
+{
+    const CliOutcome outcome = runCli({"info", "--backends", "--json"});
+    QCOMPARE(outcome.code, 0);
+    QMap<QString, QJsonObject> found;
+    for (const QJsonValue &b : outcome.json()["backends"].toArray())
+        found[b["name"].toString()] = b.toObject();
+    QVERIFY(found["CPU"]["available"].toBool());
+    QVERIFY(found["reference"]["available"].toBool());
+    QVERIFY(found.contains("CUDA"));
+    QVERIFY(found["CUDA"]["available"].toBool() != !found["CUDA"]["reason"].toString().isEmpty());
+    QVERIFY(runCli({"info", "--backends"}).out.contains("CPU"));
+}
+
+void TestCli::convertIsExact()
+{
+    QVERIFY2(runCli({"convert", path("a.json"), path("b.suffuse")}).code == 0, "to binary");
+    QVERIFY2(runCli({"convert", path("b.suffuse"), path("c.json")}).code == 0, "to text");
+    QVERIFY2(runCli({"convert", path("c.json"), path("d.suffuse")}).code == 0, "and back");
+    QVERIFY(!readFile(path("b.suffuse")).isEmpty());
+    QCOMPARE(readFile(path("b.suffuse")), readFile(path("d.suffuse")));
+    const QJsonObject o = runCli({"info", path("b.suffuse"), "--json"}).json();
+    QCOMPARE(o["format"].toString(), QString("suffuse"));
+    QVERIFY(!o["chunks"].toArray().isEmpty());
+    QCOMPARE(o["segments"].toInt(), 3);
+}
+
+void TestCli::convertWithBrush()
+{
+    QVERIFY(writeFile(path("pen.csv"), "x,y,time,pressure\n0,0,0,0.5\n10,0,0.02,0.6\n20,5,0.04,0.7\n30,5,0.06,0.7\n"));
+    QVERIFY(runCli({"convert", path("pen.csv"), path("default.json")}).code == 0);
+    const CliOutcome edge = runCli({"convert", path("pen.csv"), path("edge.json"), "--brush", "watercolour-edge"});
+    QVERIFY2(edge.code == 0, qPrintable(edge.text()));
+    const auto styleKind = [](const QByteArray &text) {
+        return QJsonDocument::fromJson(text)["strokes"][0]["style"]["kind"].toString();
+    };
+    QCOMPARE(styleKind(readFile(path("edge.json"))), QString("edge"));
+    QVERIFY(readFile(path("default.json")) != readFile(path("edge.json")));
+}
+
+void TestCli::probe()
+{
+    const CliOutcome outcome = runCli({"probe", path("a.json"), "20", "15", "--json"});
+    QVERIFY2(outcome.code == 0, qPrintable(outcome.text()));
+    const QJsonObject o = outcome.json();
+    QCOMPARE(o["time"].toDouble(), 3.0);
+    QCOMPARE(o["paper"].toDouble(), 1.0);
+    const QJsonObject bar = o["strokes"][0].toObject();
+    QCOMPARE(bar["id"].toInt(), 1);
+    QCOMPARE(bar["name"].toString(), QString("bar"));
+    // A straight line, 15 units to both sides, s = √8: φ = φˢ/(√π s)·erf(15/s), eq 13.
+    const double s = std::sqrt(8.0);
+    const double expected = 6 / (std::sqrt(3.14159265358979323846) * s) * std::erf(15 / s);
+    QVERIFY2(std::abs(bar["density"].toDouble() - expected) < 1e-9, qPrintable(outcome.text()));
+    QVERIFY(std::abs(bar["segments"][0]["share"].toDouble() - 0.5) < 1e-9);
+    QCOMPARE(bar["colour"].toArray(), QJsonArray({0, 0, 1, 1}));
+    QVERIFY(bar["opacity"].toDouble() > 0.99);
+
+    // Before its second half is born only one segment is there.
+    const QJsonObject early = runCli({"probe", path("a.json"), "12", "15", "--time", "0.25", "--json"}).json();
+    QCOMPARE(early["time"].toDouble(), 0.25);
+    QCOMPARE(early["strokes"][0]["segments"].toArray().size(), 1);
+    QVERIFY(runCli({"probe", path("a.json"), "20", "15"}).out.contains("bar"));
+}
+
+void TestCli::probeTakesNegativeNumbers()
+{
+    const CliOutcome outcome = runCli({"probe", path("a.json"), "-500.5", "-2e2", "--json"});
+    QVERIFY2(outcome.code == 0, qPrintable(outcome.text()));
+    QCOMPARE(outcome.json()["x"].toDouble(), -500.5);
+    QCOMPARE(outcome.json()["y"].toDouble(), -200.0);
+    QVERIFY(outcome.json()["strokes"].toArray().isEmpty());
+    QCOMPARE(runCli({"probe", path("a.json"), "1", "1", "--time", "-1"}).code, 0);
+}
+
+void TestCli::verify()
+{
+    const CliOutcome outcome = runCli({"verify", path("a.json"), "--size", "80x60"});
+    QVERIFY2(outcome.code == 0, qPrintable(outcome.text()));
+    QVERIFY2(outcome.out.contains("80 × 60") && outcome.out.contains("CPU") &&
+                 outcome.out.contains("within the contract"),
+             qPrintable(outcome.text()));
+}
+
+void TestCli::standardInput()
+{
+    const CliOutcome info = runCli({"info", "-", "--json"}, smallPainting());
+    QVERIFY2(info.code == 0, qPrintable(info.text()));
+    QCOMPARE(info.json()["segments"].toInt(), 3);
+    const CliOutcome convert = runCli({"convert", "-", path("stdin.suffuse")}, smallPainting());
+    QVERIFY2(convert.code == 0, qPrintable(convert.text()));
+    QVERIFY(runCli({"convert", path("a.json"), path("file.suffuse")}).code == 0);
+    QCOMPARE(readFile(path("stdin.suffuse")), readFile(path("file.suffuse")));
+    QCOMPARE(runCli({"info", "-"}, "").code, 1);
+}
+
+QTEST_GUILESS_MAIN(TestCli)
+#include "test_cli.moc"

@@ -1,0 +1,383 @@
+// From painting to image file through suffuse-cli, good and bad.
+#include "cli_process.h"
+
+#include "render/image_io/image_io.h"
+
+#include <QJsonArray>
+#include <QTest>
+
+#include <cmath>
+#include <cstring>
+
+#include <sys/stat.h>
+#include <unistd.h>
+
+using namespace suffuse;
+
+class TestCliPictures : public QObject {
+    Q_OBJECT
+
+private slots:
+    void initTestCase();
+    void png();
+    void formatsAgree_data();
+    void formatsAgree();
+    void pfmNeedsNoModule();
+    void sizesAndAreas();
+    void moments();
+    void transparent();
+    void threadsAndBackends();
+    void hostileInputs_data();
+    void hostileInputs();
+    void unwritableTargets();
+    void oldPictureSurvives();
+    void recordings_data();
+    void recordings();
+    void awkwardStrokes();
+
+private:
+    QString path(const QString &name) const { return m_folder.filePath(name); }
+    FloatPicture picture(const QString &name) const;
+    FloatPicture rendered(const QStringList &options, const QString &name);
+
+    QTemporaryDir m_folder;
+};
+
+void TestCliPictures::initTestCase()
+{
+    QVERIFY(m_folder.isValid());
+    QVERIFY2(imageModuleProblem().isEmpty(), qPrintable(imageModuleProblem()));
+    QVERIFY(writeFile(path("a.json"), smallPainting()));
+}
+
+FloatPicture TestCliPictures::picture(const QString &name) const
+{
+    const Result<FloatPicture> read = readImage(readFile(path(name)), name);
+    if (!read)
+        qWarning("%s", qPrintable(read.error()));
+    return read ? *read : FloatPicture();
+}
+
+FloatPicture TestCliPictures::rendered(const QStringList &options, const QString &name)
+{
+    const CliOutcome outcome = runCli(QStringList{"render", path("a.json"), "-o", path(name)} + options);
+    if (outcome.code != 0)
+        qWarning("%s", qPrintable(outcome.text()));
+    return picture(name);
+}
+
+void TestCliPictures::png()
+{
+    const CliOutcome outcome = runCli({"render", path("a.json"), "-o", path("a.png"), "--stats"});
+    QVERIFY2(outcome.code == 0, qPrintable(outcome.text()));
+    const QJsonObject stats = outcome.json();
+    QCOMPARE(stats["width"].toInt(), 40);
+    QCOMPARE(stats["height"].toInt(), 30);
+    QCOMPARE(stats["segments"].toInt(), 3);
+    QCOMPARE(stats["backend"].toString(), QString("CPU"));
+    QVERIFY(stats["nodes"].toInt() >= 3 && stats["tiles"].toInt() > 0);
+    for (const char *stage : {"load", "nodes", "binning", "tiles", "render", "write"})
+        QVERIFY2(stats["ms"][stage].isDouble(), stage);
+    const FloatPicture p = picture("a.png");
+    QCOMPARE(p.width, 40);
+    QCOMPARE(p.height, 30);
+    // White paper in the corner; blue on the bar; the dot is redder than green.
+    const float *corner = p.at(0, 0), *bar = p.at(12, 15), *dot = p.at(30, 8);
+    for (int c = 0; c < 3; ++c)
+        QCOMPARE(corner[c], 1.0f);
+    QVERIFY(bar[0] < 0.05f && bar[1] < 0.05f && bar[2] > 0.95f);
+    QVERIFY(dot[0] > 0.8f && dot[1] < 0.4f);
+}
+
+void TestCliPictures::formatsAgree_data()
+{
+    QTest::addColumn<QString>("name");
+    QTest::addColumn<QStringList>("options");
+    QTest::addColumn<double>("tolerance");
+    const double half = 1.0 / 1024;
+    QTest::newRow("PNG 8") << "f.png" << QStringList() << 0.5 / 255 + 1e-6;
+    QTest::newRow("PNG 16") << "f16.png" << QStringList{"--depth", "16"} << 0.5 / 65535 + 1e-6;
+    QTest::newRow("TIFF 8") << "f.tif" << QStringList() << 0.5 / 255 + 1e-6;
+    QTest::newRow("TIFF 16") << "f16.tiff" << QStringList{"--depth", "16"} << 0.5 / 65535 + 1e-6;
+    QTest::newRow("TIFF half") << "fh.tif" << QStringList{"--depth", "half"} << half;
+    QTest::newRow("TIFF float") << "ff.tif" << QStringList{"--depth", "float"} << 1e-7;
+    QTest::newRow("EXR half") << "f.exr" << QStringList() << half;
+    QTest::newRow("EXR float") << "ff.exr" << QStringList{"--depth", "float"} << 1e-6;
+    QTest::newRow("JPEG") << "f.jpg" << QStringList() << 0.08;
+    QTest::newRow("WebP") << "f.webp" << QStringList() << 0.25; // colour at half resolution
+}
+
+void TestCliPictures::formatsAgree()
+{
+    QFETCH(QString, name);
+    QFETCH(QStringList, options);
+    QFETCH(double, tolerance);
+    const FloatPicture truth = rendered({"--depth", "float", "--size", "80x60"}, "truth.tif");
+    const FloatPicture p = rendered(options + QStringList{"--size", "80x60"}, name);
+    QCOMPARE(p.width, 80);
+    QCOMPARE(p.height, 60);
+    double largest = 0, sum = 0;
+    for (std::size_t i = 0; i < p.rgba.size(); ++i) {
+        largest = std::max(largest, double(std::abs(p.rgba[i] - truth.rgba[i])));
+        sum += std::abs(p.rgba[i] - truth.rgba[i]);
+    }
+    QVERIFY(sum / double(p.rgba.size()) < 0.005);
+    QVERIFY2(largest <= tolerance, qPrintable(QString::number(largest)));
+}
+
+void TestCliPictures::pfmNeedsNoModule()
+{
+    QTemporaryDir empty;
+    const QStringList without{"SUFFUSE_MODULE_DIR=" + empty.path()};
+    const CliOutcome pfm = runCli({"render", path("a.json"), "-o", path("a.pfm")}, {}, without);
+    QVERIFY2(pfm.code == 0, qPrintable(pfm.text()));
+    const QByteArray bytes = readFile(path("a.pfm"));
+    const QByteArray header = "PF\n40 30\n-1.0\n";
+    QVERIFY(bytes.startsWith(header));
+    QCOMPARE(bytes.size(), header.size() + 40 * 30 * 3 * 4);
+    const FloatPicture truth = rendered({"--depth", "float"}, "t.tif");
+    const auto *values = reinterpret_cast<const float *>(bytes.constData() + header.size());
+    std::vector<float> copy(40 * 30 * 3);
+    std::memcpy(copy.data(), values, copy.size() * sizeof(float));
+    for (int y = 0; y < 30; ++y)
+        for (int x = 0; x < 40; ++x)
+            for (int c = 0; c < 3; ++c) // rows from bottom to top
+                QCOMPARE(copy[std::size_t(((29 - y) * 40 + x) * 3 + c)], truth.at(x, y)[c]);
+
+    const CliOutcome png = runCli({"render", path("a.json"), "-o", path("none.png")}, {}, without);
+    QCOMPARE(png.code, 1);
+    QVERIFY2(png.err.contains("suffuse_image_io.so") && png.err.contains("is missing") && png.err.contains(".pfm"),
+             qPrintable(png.text()));
+    QVERIFY(!QFile::exists(path("none.png")));
+}
+
+void TestCliPictures::sizesAndAreas()
+{
+    QCOMPARE(rendered({"--scale", "2.5"}, "s.png").width, 100);
+    QCOMPARE(rendered({"--size", "20"}, "s.png").height, 15);
+    const FloatPicture part = rendered({"--area", "10,10,20,10", "--depth", "16"}, "part.png");
+    const FloatPicture whole = rendered({"--depth", "16"}, "whole.png");
+    QCOMPARE(part.width, 20);
+    QCOMPARE(part.height, 10);
+    for (int y = 0; y < 10; ++y)
+        for (int x = 0; x < 20; ++x)
+            for (int c = 0; c < 3; ++c)
+                QVERIFY(std::abs(part.at(x, y)[c] - whole.at(x + 10, y + 10)[c]) < 2e-4f);
+    // Beyond the canvas there is paper, and at deep zoom there is still paint.
+    QCOMPARE(rendered({"--area", "-30,-30,20,20"}, "outside.png").at(3, 3)[0], 1.0f);
+    QVERIFY(rendered({"--area", "12,15,1e-6,1e-6", "--size", "16x16"}, "deep.png").at(8, 8)[0] < 0.05f);
+}
+
+void TestCliPictures::moments()
+{
+    const auto blue = [](const FloatPicture &p, int x) { return p.at(x, 15)[0] < 0.5f; };
+    const FloatPicture early = rendered({"--time", "0.4"}, "m.png");
+    QVERIFY(blue(early, 12));
+    QVERIFY(!blue(early, 28));
+    const FloatPicture late = rendered({"--time", "1.5"}, "m.png");
+    QVERIFY(blue(late, 12) && blue(late, 28));
+    QCOMPARE(late.at(30, 8)[1], 1.0f); // the dot is not there yet
+    QVERIFY(rendered({}, "m.png").at(30, 8)[1] < 0.5f);
+    QCOMPARE(rendered({"--time", "-1"}, "m.png").at(12, 15)[0], 1.0f);
+}
+
+void TestCliPictures::transparent()
+{
+    for (const char *name : {"t.png", "t.tif", "t.exr", "t.webp"}) {
+        const FloatPicture p = rendered({"--transparent"}, name);
+        QCOMPARE(p.width, 40);
+        QVERIFY2(p.at(0, 0)[3] == 0, name);
+        const float *bar = p.at(12, 15);
+        QVERIFY2(bar[3] > 0.99f && bar[0] < 0.1f && bar[2] > 0.9f, name);
+    }
+    // Straight colours: where it is half covered the bar is as blue as inside.
+    const FloatPicture p = rendered({"--transparent", "--depth", "16"}, "t.png");
+    int edges = 0;
+    for (int y = 0; y < 30; ++y)
+        if (const float *v = p.at(12, y); v[3] > 0.2f && v[3] < 0.8f) {
+            QVERIFY(v[0] < 0.02f && v[2] > 0.98f);
+            ++edges;
+        }
+    QVERIFY(edges >= 2);
+}
+
+void TestCliPictures::threadsAndBackends()
+{
+    QVERIFY(!rendered({"--threads", "1", "--depth", "float"}, "one.tif").rgba.empty());
+    QVERIFY(!rendered({"--threads", "3", "--depth", "float"}, "three.tif").rgba.empty());
+    QVERIFY(picture("one.tif").rgba == picture("three.tif").rgba);
+    const FloatPicture cpu = rendered({"--backend", "cpu", "--depth", "float"}, "cpu.tif");
+    const FloatPicture reference = rendered({"--backend", "reference", "--depth", "float"}, "ref.tif");
+    QCOMPARE(cpu.rgba.size(), reference.rgba.size());
+    for (std::size_t i = 0; i < cpu.rgba.size(); ++i)
+        QVERIFY(std::abs(cpu.rgba[i] - reference.rgba[i]) <= 1.0f / 512);
+}
+
+void TestCliPictures::hostileInputs_data()
+{
+    QTest::addColumn<QByteArray>("bytes");
+    QVERIFY(runCli({"convert", path("a.json"), path("good.suffuse")}).code == 0);
+    const QByteArray good = readFile(path("good.suffuse"));
+    QVERIFY(good.size() > 64);
+    QTest::newRow("empty") << QByteArray();
+    QTest::newRow("one byte") << good.left(1);
+    QTest::newRow("the signature") << good.left(8);
+    QTest::newRow("half") << good.left(good.size() / 2);
+    QTest::newRow("all but one byte") << good.left(good.size() - 1);
+    QByteArray flipped = good;
+    flipped[flipped.size() / 2] = char(flipped[flipped.size() / 2] ^ 0x10);
+    QTest::newRow("one bit") << flipped;
+    QTest::newRow("a picture") << QByteArray("\x89PNG\r\n\x1a\n\0\0\0\rIHDR", 16);
+    QTest::newRow("a program") << QByteArray("\x7f"
+                                             "ELF\2\1\1\0\0\0\0",
+                                             11);
+    QTest::newRow("prose") << QByteArray("It was a dark and stormy night.\n");
+    QTest::newRow("other JSON") << QByteArray("{\"format\": \"other\"}");
+    QTest::newRow("cut JSON") << smallPainting().left(300);
+    QTest::newRow("deep JSON") << QByteArray(100'000, '[');
+    const auto with = [](const char *what, const char *by) {
+        QByteArray text = smallPainting();
+        const qsizetype at = text.indexOf(what);
+        return at < 0 ? QByteArray() : text.replace(at, qsizetype(qstrlen(what)), by);
+    };
+    QTest::newRow("NaN") << with("\"density\": 6", "\"density\": NaN");
+    QTest::newRow("infinite") << with("\"density\": 6", "\"density\": 1e999");
+    QTest::newRow("negative") << with("\"diffusion\": 2", "\"diffusion\": -2");
+    QTest::newRow("huge") << with("\"diffusion\": 2", "\"diffusion\": 1e30");
+    QTest::newRow("a gap") << with("[20,15],[25", "[21,15],[25");
+    QTest::newRow("no canvas") << with("\"width\": 40", "\"width\": 0");
+    QTest::newRow("huge canvas") << with("\"width\": 40", "\"width\": 1e300");
+    QTest::newRow("same id") << with("\"id\": 2", "\"id\": 1");
+    QTest::newRow("unknown style") << with("feathering", "glitter");
+}
+
+void TestCliPictures::hostileInputs()
+{
+    QFETCH(QByteArray, bytes);
+    QTemporaryDir folder;
+    const QString in = folder.filePath("in"), png = folder.filePath("out.png"),
+                  document = folder.filePath("out.suffuse");
+    QVERIFY(writeFile(in, bytes));
+    for (const QStringList &arguments : {QStringList{"render", in, "-o", png},
+                                         {"info", in},
+                                         {"convert", in, document},
+                                         {"probe", in, "1", "1"},
+                                         {"verify", in},
+                                         {"info", in, "--json"}}) {
+        const CliOutcome outcome = runCli(arguments);
+        QVERIFY2(outcome.code == 1, qPrintable(arguments.join(' ') + '\n' + outcome.text()));
+        QVERIFY2(outcome.out.isEmpty(), qPrintable(outcome.text()));
+        QVERIFY2(outcome.err.startsWith("suffuse-cli: in: ") || outcome.err.startsWith("suffuse-cli: " + in.toUtf8()),
+                 qPrintable(outcome.text()));
+        QVERIFY2(outcome.err.size() < 1000 && outcome.err.count('\n') == 1, qPrintable(outcome.text()));
+    }
+    QCOMPARE(filesIn(folder.path()), QStringList("in"));
+}
+
+void TestCliPictures::unwritableTargets()
+{
+    const auto fails = [&](const QString &out, const char *says) {
+        const CliOutcome outcome = runCli({"render", path("a.json"), "-o", out});
+        QVERIFY2(outcome.code == 1, qPrintable(outcome.text()));
+        QVERIFY2(outcome.err.contains(says) && outcome.err.contains(out.toUtf8()), qPrintable(outcome.text()));
+    };
+    fails(path("nowhere/a.png"), "does not exist");
+    QVERIFY(QDir(m_folder.path()).mkdir("folder.png"));
+    fails(path("folder.png"), "is a folder");
+    QVERIFY(filesIn(path("folder.png")).isEmpty());
+    QCOMPARE(::mkfifo(QFile::encodeName(path("pipe.png")).constData(), 0600), 0);
+    fails(path("pipe.png"), "not a plain file");
+    QCOMPARE(runCli({"convert", path("a.json"), path("nowhere/a.suffuse")}).code, 1);
+    if (::geteuid() != 0) {
+        QTemporaryDir closed;
+        QFile::setPermissions(closed.path(), QFile::ReadOwner | QFile::ExeOwner);
+        fails(closed.filePath("a.png"), "permissions");
+        QFile::setPermissions(closed.path(), QFile::ReadOwner | QFile::WriteOwner | QFile::ExeOwner);
+        QVERIFY(filesIn(closed.path()).isEmpty());
+    }
+    for (const QString &name : filesIn(m_folder.path()))
+        QVERIFY2(!name.endsWith(".tmp"), qPrintable(name));
+}
+
+void TestCliPictures::oldPictureSurvives()
+{
+    // A limit on file sizes stands for a full disk; the shell sets it.
+    QVERIFY(writeFile(path("old.png"), "old"));
+    for (const char *name : {"old.png", "old.tif", "old.exr", "old.jpg", "old.webp", "old.pfm"}) {
+        QTemporaryDir folder;
+        const QString out = folder.filePath(name);
+        QVERIFY(writeFile(out, "old"));
+        QProcess shell;
+        shell.start("bash", {"-c", "trap '' XFSZ; ulimit -f 4; exec \"$0\" render \"$1\" -o \"$2\" --scale 20",
+                             SUFFUSE_BIN_DIR "/suffuse-cli", path("a.json"), out});
+        QVERIFY(shell.waitForFinished(120'000));
+        const QByteArray err = shell.readAllStandardError();
+        QVERIFY2(shell.exitCode() == 1, (name + QByteArray(": ") + err).constData());
+        QVERIFY2(err.contains("disk is full") && err.contains(name), err.constData());
+        QCOMPARE(readFile(out), QByteArray("old"));
+        QCOMPARE(filesIn(folder.path()), QStringList(name));
+    }
+}
+
+void TestCliPictures::recordings_data()
+{
+    QTest::addColumn<QString>("file");
+    for (const char *file : {"ink/digital_ink.json", "ink/sensor_data.csv", "excalidraw/biology.excalidrawlib",
+                             "excalidraw/despair.excalidrawlib", "painting30sec.dat"})
+        QTest::newRow(file) << QString(file);
+}
+
+void TestCliPictures::recordings()
+{
+    QFETCH(QString, file);
+    const QString in = QStringLiteral(SUFFUSE_SOURCE_DIR "/../shared/data/") + file;
+    if (!QFile::exists(in))
+        QSKIP("../shared/data is missing: recordings are not checked");
+    const QString document = path("recording.suffuse");
+    const CliOutcome converted = runCli({"convert", in, document});
+    QVERIFY2(converted.code == 0, qPrintable(converted.text()));
+    const QJsonObject info = runCli({"info", document, "--json"}).json();
+    QVERIFY(info["strokes"].toInt() >= 4 && info["segments"].toInt() > 200);
+    const CliOutcome drawn = runCli({"render", document, "-o", path("recording.png"), "--size", "160"});
+    QVERIFY2(drawn.code == 0, qPrintable(drawn.text()));
+    const FloatPicture p = picture("recording.png");
+    int painted = 0;
+    for (int y = 0; y < p.height; ++y)
+        for (int x = 0; x < p.width; ++x)
+            painted += p.at(x, y)[0] < 0.9f;
+    QVERIFY2(painted > 100, qPrintable(QString::number(painted)));
+    const CliOutcome verified = runCli({"verify", document, "--size", "96"});
+    QVERIFY2(verified.code == 0, qPrintable(verified.text()));
+}
+
+void TestCliPictures::awkwardStrokes()
+{
+    const QString file = QStringLiteral(SUFFUSE_SOURCE_DIR "/../shared/data/awkward_inputs.json");
+    if (!QFile::exists(file))
+        QSKIP("../shared/data is missing: awkward strokes are not checked");
+    const QJsonObject strokes = QJsonDocument::fromJson(readFile(file)).object();
+    QVERIFY(strokes.size() >= 6);
+    for (auto it = strokes.begin(); it != strokes.end(); ++it) {
+        QByteArray csv = "x,y,time,pressure\n";
+        int k = 0;
+        for (const QJsonValue &point : it->toArray()) {
+            const bool pair = point.isArray();
+            csv += QByteArray::number((pair ? point[0] : point["x"]).toDouble()) + ',' +
+                   QByteArray::number((pair ? point[1] : point["y"]).toDouble()) + ',' +
+                   QByteArray::number(0.016 * k++) + ",0.7\n";
+        }
+        if (k == 0)
+            continue;
+        QVERIFY(writeFile(path("awkward.csv"), csv));
+        const CliOutcome outcome = runCli({"render", path("awkward.csv"), "-o", path("awkward.png")});
+        QVERIFY2(outcome.code == 0, qPrintable(it.key() + '\n' + outcome.text()));
+        const FloatPicture p = picture("awkward.png");
+        float darkest = 1;
+        for (std::size_t i = 0; i < p.rgba.size(); i += 4)
+            darkest = std::min(darkest, p.rgba[i]);
+        QVERIFY2(darkest < 0.8f, qPrintable(it.key())); // a single point is a dot
+    }
+}
+
+QTEST_GUILESS_MAIN(TestCliPictures)
+#include "test_cli_pictures.moc"

@@ -1,0 +1,248 @@
+// Image files in and out of the program, good and hostile.
+#include "render/image_io/image_io.h"
+#include "render/paper.h"
+
+#include <QFile>
+#include <QTemporaryDir>
+#include <QTest>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+using namespace suffuse;
+
+namespace {
+
+/// A ramp of every channel; alpha from 0 to 1.
+FloatPicture ramp(int width, int height)
+{
+    FloatPicture p;
+    p.resize(width, height);
+    for (int y = 0; y < height; ++y)
+        for (int x = 0; x < width; ++x) {
+            float *v = p.rgba.data() + (std::size_t(y) * width + x) * 4;
+            v[0] = float(x) / float(width - 1);
+            v[1] = float(y) / float(height - 1);
+            v[2] = 0.03f;
+            v[3] = float(x + y) / float(width + height - 2);
+        }
+    return p;
+}
+
+QByteArray bytesOf(const QString &path)
+{
+    QFile file(path);
+    return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
+}
+
+double distance(const FloatPicture &a, const FloatPicture &b, float leastAlpha)
+{
+    if (a.width != b.width || a.height != b.height)
+        return std::numeric_limits<double>::infinity();
+    double largest = 0;
+    for (std::size_t i = 0; i < a.rgba.size(); ++i)
+        if (i % 4 == 3 || a.rgba[i | 3] >= leastAlpha)
+            largest = std::max(largest, double(std::abs(a.rgba[i] - b.rgba[i])));
+    return largest;
+}
+
+QByteArray bigEndian(quint32 v)
+{
+    QByteArray b(4, 0);
+    for (int i = 0; i < 4; ++i)
+        b[i] = char(v >> (24 - 8 * i));
+    return b;
+}
+
+} // namespace
+
+class TestImageFiles : public QObject {
+    Q_OBJECT
+
+private slots:
+    void alphaRoundTrip_data();
+    void alphaRoundTrip();
+    void endingsAndMagic();
+    void cancelledWritingLeavesNothing();
+    void declaredSizes_data();
+    void declaredSizes();
+    void truncated_data();
+    void truncated();
+    void notANumber();
+    void paper();
+
+private:
+    QString path(const QString &name) const { return m_folder.filePath(name); }
+
+    QTemporaryDir m_folder;
+};
+
+void TestImageFiles::alphaRoundTrip_data()
+{
+    QTest::addColumn<QString>("name");
+    QTest::addColumn<int>("depth");
+    QTest::addColumn<double>("tolerance");
+    QTest::addColumn<float>("leastAlpha"); // associated half floats lose colour where nothing is covered
+    QTest::newRow("PNG 8") << "a.png" << 0 << 0.5 / 255 + 1e-6 << 0.0f;
+    QTest::newRow("PNG 16") << "a.png" << 1 << 0.5 / 65535 + 1e-6 << 0.0f;
+    QTest::newRow("TIFF 8") << "a.tif" << 0 << 0.5 / 255 + 1e-6 << 0.0f;
+    QTest::newRow("TIFF 16") << "a.tif" << 1 << 0.5 / 65535 + 1e-6 << 0.0f;
+    QTest::newRow("TIFF half") << "a.tif" << 2 << 1.0 / 2048 << 0.0f;
+    QTest::newRow("TIFF float") << "a.tif" << 3 << 0.0 << 0.0f;
+    QTest::newRow("EXR half") << "a.exr" << 2 << 1.0 / 1024 << 0.01f;
+    QTest::newRow("EXR float") << "a.exr" << 3 << 1e-6 << 0.01f;
+    QTest::newRow("WebP, lossless") << "a.webp" << 0 << 0.5 / 255 + 1e-6 << 0.01f;
+}
+
+void TestImageFiles::alphaRoundTrip()
+{
+    QFETCH(QString, name);
+    QFETCH(int, depth);
+    QFETCH(double, tolerance);
+    QFETCH(float, leastAlpha);
+    const FloatPicture p = ramp(61, 37);
+    ImageOptions options;
+    options.depth = ImageDepth(depth);
+    options.alpha = true;
+    options.quality = 100;
+    const Result<void> written = writeImage(path(name), p, options);
+    QVERIFY2(written, qPrintable(written.error()));
+    const Result<FloatPicture> read = readImage(bytesOf(path(name)), name);
+    QVERIFY2(read, qPrintable(read.error()));
+    const double d = distance(p, *read, leastAlpha);
+    QVERIFY2(d <= tolerance, qPrintable(QString::number(d)));
+}
+
+void TestImageFiles::endingsAndMagic()
+{
+    QCOMPARE(imageFormatForPath("a/B.PNG"), ImageFormat::Png);
+    QCOMPARE(imageFormatForPath("a.tif"), ImageFormat::Tiff);
+    QCOMPARE(imageFormatForPath("png"), ImageFormat::Unknown);
+    QCOMPARE(imageFormatForPath("a.png.txt"), ImageFormat::Unknown);
+    const FloatPicture p = ramp(8, 8);
+    for (const QString &ending : imageEndings()) {
+        QVERIFY(writeImage(path("m." + ending), p, {}));
+        const ImageFormat expected = ending == "pfm" ? ImageFormat::Unknown : imageFormatForPath("m." + ending);
+        QCOMPARE(detectImageFormat(bytesOf(path("m." + ending))), expected);
+    }
+    QVERIFY(!problemOf(ImageFormat::WebP, {}, 20000, 10).isEmpty());
+    QVERIFY(problemOf(ImageFormat::Png, {}, 20000, 10).isEmpty());
+    QVERIFY(!readImage("GIF89a", "a.gif"));
+    QVERIFY(!readImage({}, "empty.png"));
+}
+
+void TestImageFiles::cancelledWritingLeavesNothing()
+{
+    QTemporaryDir folder;
+    for (const char *name : {"c.png", "c.tif", "c.exr", "c.jpg", "c.webp", "c.pfm"}) {
+        std::atomic<bool> cancel{false};
+        ImageOptions options;
+        options.cancel = &cancel;
+        options.progress = [&cancel](int done, int) { cancel = done == 5; };
+        QVERIFY2(!writeImage(folder.filePath(name), ramp(64, 64), options), name);
+    }
+    QVERIFY(QDir(folder.path()).entryList(QDir::AllEntries | QDir::Hidden | QDir::NoDotAndDotDot).isEmpty());
+}
+
+void TestImageFiles::declaredSizes_data()
+{
+    QTest::addColumn<QByteArray>("bytes");
+    const QByteArray png = QByteArray("\x89PNG\r\n\x1a\n\0\0\0\rIHDR", 16);
+    QTest::newRow("PNG of 14 GB") << png + bigEndian(60000) + bigEndian(60000) + QByteArray("\x08\x06\0\0\0", 5);
+    QTest::newRow("PNG one line too wide") << png + bigEndian(16385) + bigEndian(1) + QByteArray("\x08\x06\0\0\0", 5);
+    QTest::newRow("PNG of negative size")
+        << png + bigEndian(0xFFFFFFFF) + bigEndian(1) + QByteArray("\x08\x06\0\0\0", 5);
+    QTest::newRow("WebP, extended") << QByteArray("RIFF\x20\0\0\0WEBPVP8X\x0a\0\0\0\0\0\0\0\xff\xff\xff\xff\xff\xff",
+                                                  30);
+    QTest::newRow("WebP, lossless") << QByteArray("RIFF\x20\0\0\0WEBPVP8L\x0a\0\0\0\x2f\xff\xff\xff\x0f\0\0\0\0\0", 30);
+}
+
+void TestImageFiles::declaredSizes()
+{
+    QFETCH(QByteArray, bytes);
+    const Result<FloatPicture> read = readImage(bytes, "huge");
+    QVERIFY(!read);
+    QVERIFY2(read.error().startsWith("huge: ") && read.error().contains("declares"), qPrintable(read.error()));
+}
+
+void TestImageFiles::truncated_data()
+{
+    QTest::addColumn<QString>("name");
+    for (const char *name : {"t.png", "t.tif", "t.exr", "t.jpg", "t.webp"})
+        QTest::newRow(name) << QString(name);
+}
+
+void TestImageFiles::truncated()
+{
+    QFETCH(QString, name);
+    QVERIFY(writeImage(path(name), ramp(64, 48), {}));
+    const QByteArray whole = bytesOf(path(name));
+    int refused = 0;
+    for (int part = 0; part < 40; ++part) {
+        const Result<FloatPicture> read = readImage(whole.left(whole.size() * part / 40), name);
+        if (!read) {
+            QVERIFY2(read.error().startsWith(name + ": "), qPrintable(read.error()));
+            ++refused;
+        } else // some decoders fill in what is missing: the picture has its size and is made of numbers
+            QVERIFY(read->width == 64 &&
+                    std::all_of(read->rgba.begin(), read->rgba.end(), [](float v) { return v >= 0 && v <= 1; }));
+    }
+    QVERIFY2(refused >= 2, qPrintable(QString::number(refused)));
+    for (int flip = 0; flip < 1000; ++flip) { // no crash and no wild values, whatever a damaged file decodes to
+        QByteArray damaged = whole;
+        const qsizetype at = 8 + flip * (whole.size() - 8) / 1000;
+        damaged[at] = char(damaged[at] ^ (1 << flip % 8));
+        const Result<FloatPicture> read = readImage(damaged, name);
+        QVERIFY(!read || std::all_of(read->rgba.begin(), read->rgba.end(), [](float v) { return v >= 0 && v <= 1; }));
+    }
+}
+
+void TestImageFiles::notANumber()
+{
+    FloatPicture p = ramp(8, 8);
+    p.rgba[0] = std::numeric_limits<float>::quiet_NaN();
+    p.rgba[1] = std::numeric_limits<float>::infinity();
+    p.rgba[2] = -3;
+    ImageOptions options;
+    options.depth = ImageDepth::Float;
+    QVERIFY(writeImage(path("n.tif"), p, options));
+    const Result<FloatPicture> read = readImage(bytesOf(path("n.tif")), "n.tif");
+    QVERIFY(read);
+    QCOMPARE(read->rgba[0], 0.0f);
+    QCOMPARE(read->rgba[1], 1.0f);
+    QCOMPARE(read->rgba[2], 0.0f);
+}
+
+void TestImageFiles::paper()
+{
+    Paper none;
+    const auto nothing = paperTexture(none);
+    QVERIFY(nothing && !*nothing);
+    FloatPicture p = ramp(9, 7);
+    ImageOptions options;
+    options.depth = ImageDepth::Bits16;
+    options.alpha = true; // and ignored
+    QVERIFY(writeImage(path("paper.png"), p, options));
+    Paper paper;
+    paper.kind = PaperKind::Image;
+    QVERIFY(!paperTexture(paper));
+    paper.image = std::make_shared<const QByteArray>(bytesOf(path("paper.png")));
+    const auto texture = paperTexture(paper);
+    QVERIFY2(texture, qPrintable(texture.error()));
+    QCOMPARE((*texture)->width, 9);
+    QCOMPARE((*texture)->height, 7);
+    for (int y = 0; y < 7; ++y)
+        for (int x = 0; x < 9; ++x) {
+            const float *v = p.at(x, y);
+            const double grey = 0.2126 * v[0] + 0.7152 * v[1] + 0.0722 * v[2];
+            QVERIFY(std::abs((*texture)->grey[std::size_t(y * 9 + x)] - grey) < 1e-5);
+        }
+    QVERIFY(*paperTexture(paper) == *texture); // decoded once
+    Paper other = paper;
+    other.image = std::make_shared<const QByteArray>("no image");
+    QVERIFY(!paperTexture(other));
+}
+
+QTEST_GUILESS_MAIN(TestImageFiles)
+#include "test_image_files.moc"

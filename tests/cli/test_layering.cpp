@@ -1,0 +1,216 @@
+// Who may know whom: ARCHITECTURE.md's table, checked against every #include.
+#include <QDirIterator>
+#include <QFile>
+#include <QFileInfo>
+#include <QLibraryInfo>
+#include <QRegularExpression>
+#include <QTest>
+
+namespace {
+
+/// What the files of a folder may include. The longest matching path decides.
+struct Rule {
+    QString path;
+    QStringList own;      ///< the project's folders
+    QStringList qt;       ///< Qt modules
+    QStringList packages; ///< first part of other libraries' headers
+};
+
+const QList<Rule> &rules()
+{
+    static const QList<Rule> table = {
+        {"model/", {"model/"}, {"QtCore"}, {"Eigen", "unsupported", "zstd.h"}},
+        {"undo/", {"model/", "undo/"}, {"QtCore", "QtGui"}, {}},
+        {"render/", {"model/", "render/"}, {"QtCore"}, {"Eigen", "hwy", "tbb", "oneapi"}},
+        // Written once for host and device.
+        {"render/math/", {"render/math/", "model/style.h"}, {}, {"hwy"}},
+        {"render/cuda/", {"model/", "render/"}, {"QtCore"}, {"cuda_runtime.h", "cuda.h", "cuda_fp16.h", "cub"}},
+        // Where OpenImageIO is known, the program is not.
+        {"render/image_io/module_", {"render/image_io/module_"}, {}, {"OpenImageIO"}},
+        {"app/",
+         {"model/", "undo/", "render/", "app/"},
+         {"QtCore", "QtGui", "QtWidgets", "QtOpenGL", "QtOpenGLWidgets", "QtSvg"},
+         {"GL"}},
+        // suffuse-cli links model and render only.
+        {"app/cli/", {"model/", "render/", "app/cli/"}, {"QtCore"}, {}},
+    };
+    return table;
+}
+
+const Rule *ruleFor(const QString &file)
+{
+    const Rule *best = nullptr;
+    for (const Rule &r : rules())
+        if (file.startsWith(r.path) && (!best || r.path.size() > best->path.size()))
+            best = &r;
+    return best;
+}
+
+bool isDevice(const QString &file)
+{
+    return file.endsWith(".cu") || file.endsWith(".cuh");
+}
+
+/// The Qt module of a header, or empty. "QtCore/QString" and "QString" alike.
+QString qtModule(const QString &header)
+{
+    const QString first = header.section('/', 0, 0);
+    const QDir includes(QLibraryInfo::path(QLibraryInfo::HeadersPath));
+    if (header.contains('/'))
+        return first.startsWith("Qt") && includes.exists(first) ? first : QString();
+    for (const char *module : {"QtCore", "QtGui", "QtWidgets", "QtOpenGL", "QtOpenGLWidgets", "QtSvg", "QtSvgWidgets",
+                               "QtTest", "QtNetwork", "QtConcurrent", "QtPrintSupport", "QtXml", "QtSql", "QtDBus"})
+        if (includes.exists(QString(module) + '/' + header))
+            return module;
+    return {};
+}
+
+/// Headers of the standard library and of POSIX.
+bool isSystem(const QString &header)
+{
+    static const QRegularExpression standard("^(std)?[a-z_0-9]+$|^sys/[a-z]+\\.h$");
+    static const QStringList posix = {"unistd.h", "fcntl.h",     "dlfcn.h", "signal.h",
+                                      "errno.h",  "immintrin.h", "sched.h"};
+    return standard.match(header).hasMatch() || posix.contains(header);
+}
+
+/// Empty if `file` may include `header`, else why not.
+QString breach(const QString &file, const QString &header, bool quoted)
+{
+    const Rule *rule = ruleFor(file);
+    if (!rule)
+        return {};
+    if (quoted) {
+        static const QStringList folders = {"model", "undo", "render", "app", "tests"};
+        if (header.endsWith(".moc") || !header.contains('/'))
+            return {};
+        if (!folders.contains(header.section('/', 0, 0)))
+            return breach(file, header, false);
+        for (const QString &own : rule->own)
+            if (header.startsWith(own))
+                return {};
+        return QString("%1 may include %2 only").arg(rule->path, rule->own.join(", "));
+    }
+    const QString qt = qtModule(header);
+    if (!qt.isEmpty()) {
+        if (isDevice(file))
+            return "CUDA sources include no Qt";
+        return rule->qt.contains(qt) ? QString() : QString("%1 is of %2").arg(header, qt);
+    }
+    if (isSystem(header))
+        return {};
+    const QString package = header.section('/', 0, 0);
+    if (package == "Eigen" && (isDevice(file) || file.startsWith("render/cuda/")))
+        return "CUDA sources include no Eigen";
+    if (!rule->packages.contains(package))
+        return QString("%1 does not know <%2>").arg(rule->path, header);
+    // Matrices are the interface of the spline fit; no header may pass it on.
+    if (package == "Eigen" && file.endsWith(".h") && file.startsWith("model/") && file != "model/spline_fit.h")
+        return "model includes Eigen in .cpp files only";
+    return {};
+}
+
+struct Include {
+    QString header;
+    bool quoted = false;
+    int line = 0;
+};
+
+QList<Include> includesOf(const QString &text)
+{
+    static const QRegularExpression pattern("^\\s*#\\s*include\\s*([<\"])([^>\"]+)[>\"]");
+    QList<Include> out;
+    int line = 0;
+    for (const QString &l : text.split('\n')) {
+        ++line;
+        const auto match = pattern.match(l);
+        if (match.hasMatch())
+            out.append({match.captured(2), match.captured(1) == "\"", line});
+    }
+    return out;
+}
+
+QStringList breachesIn(const QString &file, const QString &text)
+{
+    QStringList out;
+    for (const Include &i : includesOf(text)) {
+        QString why = breach(file, i.header, i.quoted);
+        if (why.isEmpty() && i.header == "model/spline_fit.h" && file.endsWith(".h"))
+            why = "headers do not pass Eigen on";
+        if (!why.isEmpty())
+            out.append(QString("%1:%2: %3: %4").arg(file).arg(i.line).arg(i.header, why));
+    }
+    return out;
+}
+
+} // namespace
+
+class TestLayering : public QObject {
+    Q_OBJECT
+
+private slots:
+    void everyFileKeepsToItsLevel();
+    void breachesAreFound_data();
+    void breachesAreFound();
+};
+
+void TestLayering::everyFileKeepsToItsLevel()
+{
+    const QDir root(SUFFUSE_SOURCE_DIR);
+    QStringList problems;
+    int files = 0;
+    for (const char *folder : {"model", "undo", "render", "app"}) {
+        QDirIterator it(root.filePath(folder), {"*.h", "*.cpp", "*.cu", "*.cuh"}, QDir::Files,
+                        QDirIterator::Subdirectories);
+        while (it.hasNext()) {
+            QFile file(it.next());
+            QVERIFY2(file.open(QIODevice::ReadOnly), qPrintable(file.fileName()));
+            problems += breachesIn(root.relativeFilePath(file.fileName()), QString::fromUtf8(file.readAll()));
+            ++files;
+        }
+    }
+    QVERIFY2(files > 40, "the sources were not found");
+    QVERIFY2(problems.isEmpty(), qPrintable('\n' + problems.join('\n')));
+}
+
+void TestLayering::breachesAreFound_data()
+{
+    QTest::addColumn<QString>("file");
+    QTest::addColumn<QString>("text");
+    QTest::addColumn<int>("breaches");
+    const auto row = [](const char *name, const char *file, const char *text, int count) {
+        QTest::newRow(name) << QString(file) << QString(text) << count;
+    };
+    row("model may use Qt Core", "model/a.cpp", "#include <QString>\n#include <vector>\n#include <zstd.h>\n", 0);
+    row("model uses no Qt Gui", "model/a.cpp", "#include <QColor>", 1);
+    row("nor by its long name", "model/a.cpp", "#include <QtGui/QColor>", 1);
+    row("model does not know render", "model/a.h", "#include \"render/view.h\"", 1);
+    row("Eigen in a model source", "model/a.cpp", "#include <Eigen/Core>", 0);
+    row("Eigen in a model header", "model/a.h", "#include <Eigen/Core>", 1);
+    row("Eigen passed on by a header", "model/a.h", "#include \"model/spline_fit.h\"", 1);
+    row("undo does not know render", "undo/a.cpp", "#include \"model/a.h\"\n#include \"render/view.h\"", 1);
+    row("render does not know undo", "render/a.cpp", "#include \"undo/edits.h\"", 1);
+    row("quotes change nothing", "model/a.cpp", "#include \"hwy/highway.h\"", 1);
+    row("render uses no Widgets", "render/a.cpp", "#include <QWidget>\n#include <QObject>", 1);
+    row("OpenImageIO outside its module", "render/a.cpp", "#include <OpenImageIO/imageio.h>", 1);
+    row("OpenImageIO in its module", "render/image_io/module_a.cpp", "#include <OpenImageIO/imageio.h>", 0);
+    row("the module does not know the program", "render/image_io/module_a.cpp", "#include \"render/target.h\"", 1);
+    row("CUDA sources without Qt and Eigen", "render/cuda/a.cu", "#include <QString>\n#include <Eigen/Core>", 2);
+    row("kernels without Qt", "render/math/a.h", "#include <QString>\n#include <cmath>", 1);
+    row("the command line without undo", "app/cli/a.cpp", "#include \"undo/edits.h\"\n#include \"app/editor.h\"", 2);
+    row("the command line without Gui", "app/cli/a.cpp", "#include <QImage>", 1);
+    row("the window knows all", "app/a.cpp",
+        "#include \"undo/edits.h\"\n#include <QWidget>\n#include \"render/view.h\"", 0);
+}
+
+void TestLayering::breachesAreFound()
+{
+    QFETCH(QString, file);
+    QFETCH(QString, text);
+    QFETCH(int, breaches);
+    const QStringList found = breachesIn(file, text);
+    QVERIFY2(found.size() == breaches, qPrintable(found.join('\n')));
+}
+
+QTEST_GUILESS_MAIN(TestLayering)
+#include "test_layering.moc"

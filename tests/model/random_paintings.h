@@ -1,0 +1,155 @@
+// Valid paintings with every optional member and extreme values, the same for the same seed.
+#pragma once
+
+#include "model/painting.h"
+
+#include <QRandomGenerator>
+
+#include <limits>
+
+namespace suffuse::test {
+
+class RandomPaintings {
+public:
+    explicit RandomPaintings(quint32 seed) : m_random(seed) {}
+
+    Painting painting(int strokes, int segments)
+    {
+        Painting p;
+        p.canvas = canvas();
+        if (chance(2))
+            p.groups = {{7, QStringLiteral("Gruppe \"ä\\\n\t\x01 😀"), 0, false, true},
+                        {9, QStringLiteral("in"), 7, true, false}};
+        for (int k = 0; k < strokes; ++k)
+            p.strokes.push_back(
+                stroke(StrokeId(k * 3 + 1), 1 + below(segments), p.groups.empty() || k > strokes / 2 ? 0 : 9));
+        if (chance(2))
+            p.swatches = {{QStringLiteral("湖"), colour()}, {QString(), colour()}};
+        if (chance(2)) {
+            auto u = std::make_shared<Underlay>();
+            u->image = image();
+            u->area = Rect::of(coordinate(100), coordinate(100), unit() * 500, unit() * 1e5);
+            u->opacity = float(unit());
+            u->visible = chance(2);
+            p.underlay = u;
+        }
+        return p;
+    }
+
+    quint32 below(int n) { return m_random.bounded(quint32(n)); }
+    bool chance(int oneIn) { return below(oneIn) == 0; }
+
+private:
+    double unit() { return m_random.generateDouble(); }
+    double coordinate(double size) { return (unit() * 2 - 1) * size; }
+    EncodedImage image()
+    {
+        QByteArray bytes("\x89PNG\r\n\x1a\n");
+        for (int k = 0; k < 50; ++k)
+            bytes.append(char(below(256)));
+        return std::make_shared<const QByteArray>(bytes);
+    }
+    Colour colour() { return {float(unit()), 1, 0, float(unit())}; }
+    Canvas canvas()
+    {
+        Canvas c;
+        c.width = chance(3) ? 1e6 : 1 + unit() * 4000;
+        c.height = chance(3) ? 1e-300 : 768;
+        c.background = colour();
+        c.paper.kind = PaperKind(below(3));
+        c.paper.seed = m_random.generate();
+        c.paper.scale = float(1e-3 + unit() * 100);
+        c.paper.strength = float(unit());
+        if (c.paper.kind == PaperKind::Image || chance(5))
+            c.paper.image = image();
+        return c;
+    }
+    Style style()
+    {
+        switch (below(3)) {
+        case 0:
+            return {StyleKind::Uniform, {float(0.1 + unit()), float(1e-6 + unit()), 0}};
+        case 1:
+            return {StyleKind::Feathering, {std::numeric_limits<float>::max(), float(0.5 + 63 * unit()), 0}};
+        default:
+            return {StyleKind::Edge, {0.36f, float(0.4 * unit() + 1e-3), float(0.01 + 0.99 * unit())}};
+        }
+    }
+    /// Up to the ends of the domain, and the smallest number above 0.
+    float quantity(float largest)
+    {
+        switch (below(5)) {
+        case 0:
+            return largest;
+        case 1:
+            return std::numeric_limits<float>::denorm_min();
+        case 2:
+            return 0.5f;
+        default:
+            return float(unit() * std::min(largest, 50.0f) + 1e-9);
+        }
+    }
+    Offset point()
+    {
+        switch (below(8)) {
+        case 0:
+            return {0, -0.0f};
+        case 1:
+            return {1e11f, -std::numeric_limits<float>::denorm_min()};
+        case 2:
+            return {12.25f, 1234.5678f};
+        default:
+            return {float(coordinate(1000)), float(coordinate(1000))};
+        }
+    }
+    Microseconds time()
+    {
+        return chance(4) ? (chance(2) ? 1 : -1) * Microseconds(999'999'999'999'999 - below(1000))
+                         : Microseconds(m_random.generate());
+    }
+    Segment segment(Offset start)
+    {
+        Segment s;
+        s.bezier = {start, point(), point(), point()};
+        s.diffusion = quantity(1e12f);
+        s.density = chance(4) ? 0 : quantity(1e12f);
+        s.granulation = float(unit());
+        s.maxAge = quantity(1e6f);
+        s.born = time();
+        s.colour = colour();
+        if (chance(3))
+            s.style = style();
+        if (chance(4)) {
+            s.anisotropyRatio = quantity(1e6f);
+            s.anisotropyAngle = float(coordinate(7));
+        }
+        s.node = NodeKind(below(3));
+        for (Microseconds t = -5; chance(3); t += below(1000))
+            s.rewet.push_back({t, chance(3) ? 0 : Microseconds(below(1'000'000))});
+        return s;
+    }
+    StrokePtr stroke(StrokeId id, quint32 segments, GroupId group)
+    {
+        auto s = std::make_shared<Stroke>();
+        s->id = id;
+        s->name = chance(2) ? QString() : QStringLiteral("line \"%1\" ü\u2028").arg(id);
+        s->group = group;
+        s->visible = chance(2);
+        s->locked = chance(2);
+        s->style = style();
+        s->mix = chance(2) ? Mix{} : Mix{MixMode::Beta, float(unit())};
+        if (chance(2))
+            s->origin = {coordinate(1e10), 0.1};
+        s->brush = chance(2) ? QString() : QStringLiteral("ink-wash");
+        Offset at = point();
+        for (quint32 k = 0; k < segments; ++k) {
+            s->segments.push_back(segment(at));
+            at = s->segments.back().bezier[3];
+        }
+        return s;
+    }
+
+    QRandomGenerator m_random;
+};
+
+} // namespace suffuse::test

@@ -1,0 +1,243 @@
+// Recordings become paintings: what is found in them, their timing, and what is said of damaged ones.
+#include "model/formats/css_colours.h"
+#include "model/formats/files.h"
+#include "model/ryb.h"
+#include "model/validate.h"
+
+#include <QFile>
+#include <QTest>
+
+using namespace suffuse;
+
+namespace {
+
+Result<Painting> import(const QByteArray &bytes)
+{
+    return readPainting(bytes, QStringLiteral("a.ink"));
+}
+
+QString errorOf(const QByteArray &bytes)
+{
+    const auto p = import(bytes);
+    return p ? QStringLiteral("no error") : p.error();
+}
+
+double seconds(const StrokePtr &stroke)
+{
+    return toSeconds(stroke->segments.back().born - stroke->born());
+}
+
+QByteArray csvLine(double time)
+{
+    QByteArray text("x,y,time\n");
+    for (int k = 0; k < 40; ++k)
+        text += QByteArray::number(10 + k) + ",20," + QByteArray::number(time * k, 'g', 17) + "\n";
+    return text;
+}
+
+} // namespace
+
+class TestImports : public QObject {
+    Q_OBJECT
+
+private slots:
+    void recordings_data()
+    {
+        QTest::addColumn<QString>("path");
+        QTest::addColumn<int>("format");
+        QTest::addColumn<int>("strokes");
+        QTest::addColumn<double>("least");
+        QTest::addColumn<double>("most");
+        const auto row = [](const char *path, FileFormat format, int strokes, double least, double most) {
+            QTest::newRow(path) << QString::fromLatin1(path) << int(format) << strokes << least << most;
+        };
+        // The seconds from the first stroke to the last segment, from the recordings' own stamps.
+        row("ink/sensor_data.csv", FileFormat::InkCsv, 4, 6.3, 6.6);
+        row("ink/digital_ink.json", FileFormat::UniversalInk, 177, 60, 1e5);
+        row("excalidraw/biology.excalidrawlib", FileFormat::Excalidraw, 173, 50, 1e4);
+        row("excalidraw/despair.excalidrawlib", FileFormat::Excalidraw, 137, 40, 1e4);
+        row("painting30sec.dat", FileFormat::MyPaintEvents, 30, 28, 30);
+    }
+
+    void recordings()
+    {
+        QFETCH(QString, path);
+        QFETCH(int, format);
+        QFETCH(int, strokes);
+        QFETCH(double, least);
+        QFETCH(double, most);
+        QFile file(QStringLiteral(SUFFUSE_SOURCE_DIR "/../shared/data/") + path);
+        if (!file.open(QIODevice::ReadOnly))
+            QSKIP(qPrintable(QStringLiteral("../shared/data/%1 is missing").arg(path)));
+        const QByteArray bytes = file.readAll();
+        QCOMPARE(int(detectFormat(bytes)), format);
+        const auto p = readPainting(bytes, path);
+        QVERIFY2(p, p ? "" : qPrintable(p.error()));
+        QCOMPARE(int(p->strokes.size()), strokes);
+        QCOMPARE(problemOf(*p), QString());
+        Microseconds first = std::numeric_limits<Microseconds>::max(), last = 0;
+        Rect box;
+        for (const StrokePtr &s : p->strokes) {
+            first = std::min(first, s->born());
+            last = std::max(last, s->segments.back().born);
+            QCOMPARE(s->brush, builtinBrushes().front().name);
+            for (const Segment &segment : s->segments) {
+                box.include(s->origin + segment.bezier[0]);
+                box.include(s->origin + segment.bezier[3]);
+            }
+        }
+        QVERIFY2(first >= 0 && first < 100'000,
+                 qPrintable(QString::number(first))); // a first pair of equal samples may go
+        QVERIFY2(toSeconds(last) >= least && toSeconds(last) <= most, qPrintable(QString::number(toSeconds(last))));
+        QVERIFY(p->canvas.area().contains({box.left, box.top}) && p->canvas.area().contains({box.right, box.bottom}));
+        QCOMPARE(p->canvas.width, std::ceil(p->canvas.width));
+        const auto again = readSuffuseFile(writeSuffuseFile(*p), QStringLiteral("a.suffuse"));
+        QVERIFY(again && *again == *p);
+        const auto text = readTextForm(writeTextForm(*p), QStringLiteral("a.json"));
+        QVERIFY(text && *text == *p);
+    }
+
+    void damagedRecordingsEnd()
+    {
+        for (const char *path :
+             {"ink/sensor_data.csv", "ink/digital_ink.json", "excalidraw/despair.excalidrawlib", "painting30sec.dat"}) {
+            QFile file(QStringLiteral(SUFFUSE_SOURCE_DIR "/../shared/data/") + QLatin1String(path));
+            if (!file.open(QIODevice::ReadOnly))
+                QSKIP("../shared/data is missing");
+            const QByteArray bytes = file.readAll();
+            QRandomGenerator random(1);
+            for (int k = 0; k < 25; ++k) {
+                QByteArray damaged = k % 2 ? bytes.left(random.bounded(qint64(bytes.size()))) : bytes;
+                for (int n = 0; n < 4 && !damaged.isEmpty(); ++n)
+                    damaged[random.bounded(int(damaged.size()))] = char(random.bounded(256));
+                const auto p = import(damaged);
+                if (p)
+                    QCOMPARE(problemOf(*p), QString());
+                else
+                    QVERIFY2(p.error().startsWith(QLatin1String("a.ink: ")), qPrintable(p.error()));
+            }
+        }
+    }
+
+    void canvasIsBoundsPlusTwoSpreads()
+    {
+        const auto p = import("x,y,time,pressure\n-100,50,0,1\n-60.5,50,0.1,1\n-20,80,0.2,1\n");
+        QVERIFY2(p, p ? "" : qPrintable(p.error()));
+        const double s = builtinBrushes().front().spread();
+        QCOMPARE(p->canvas.width, std::ceil(80 + 4 * s));
+        QCOMPARE(p->canvas.height, std::ceil(30 + 4 * s));
+        const Stroke &stroke = *p->strokes[0];
+        const Point start = stroke.origin + stroke.segments.front().bezier[0];
+        const Point end = stroke.origin + stroke.segments.back().bezier[3];
+        QVERIFY(length(start - Point{2 * s, 2 * s}) < 1e-3);
+        QVERIFY(length(end - Point{2 * s + 80, 2 * s + 30}) < 1e-3);
+    }
+
+    void timeUnits()
+    {
+        // 8 ms a sample, 39 steps: the last segment starts within 1/60 s of 0.312 s.
+        for (const double unit : {0.008, 8.0, 8000.0}) {
+            const auto p = import(csvLine(unit));
+            QVERIFY(p);
+            const double t = seconds(p->strokes[0]);
+            QVERIFY2(t > 0.28 && t < 0.313, qPrintable(QString::number(t)));
+        }
+        // A name may say the unit, whatever the steps look like.
+        const auto slow = import(csvLine(0.5).replace("time", "time_ms"));
+        QVERIFY(slow && seconds(slow->strokes[0]) < 0.021);
+        // Milliseconds since 1970 when a stroke starts, plus seconds.
+        const auto mixed =
+            import("stroke,x,y,timestamp\n0,0,0,1722443386312.0\n0,5,0,1722443386312.05\n0,9,0,1722443386312.1\n"
+                   "1,0,9,1722443387312.0\n1,5,9,1722443387312.05\n1,9,9,1722443387312.1\n");
+        QVERIFY(mixed);
+        QCOMPARE(mixed->strokes[1]->born() - mixed->strokes[0]->born(), Microseconds(1'000'000));
+        // No times at all.
+        const auto untimed = import("x;y\n0;0\n5;0\n9;1\n20;5\n30;8\n40;9\n");
+        QVERIFY(untimed && untimed->strokes.size() == 1);
+        QVERIFY(seconds(untimed->strokes[0]) <= 0.04);
+    }
+
+    void columnsInAnyOrder()
+    {
+        const auto p = import("# a "
+                              "comment\n\"Pressure\"\tstroke\tTime\tY\tX\n0.5\ta\t0\t2\t1\n0.7\tb\t1\t9\t9\n0.5\ta\t0."
+                              "01\t2\t30\n\n0.7\tb\t1.01\t20\t9\n");
+        QVERIFY2(p, p ? "" : qPrintable(p.error()));
+        QCOMPARE(p->strokes.size(), std::size_t(2));
+        const auto headless = import("1,2,0,1\n30,2,0.01,1\n31,2,0.02,0\n60,2,0.5,1\n70,2,0.51,1\n");
+        QVERIFY(headless);
+        QCOMPARE(headless->strokes.size(), std::size_t(2)); // the pen was up once
+        const auto dot = import("x,y\r\n5,6\r\n");
+        QVERIFY(dot);
+        QCOMPARE(dot->strokes.size(), std::size_t(1));
+        const auto unpressed = import("x,y,pressure\n1,2,0\n30,2,0\n");
+        QVERIFY(unpressed && unpressed->strokes.size() == 1);
+    }
+
+    void badLinesAreNamed()
+    {
+        QVERIFY2(errorOf("x,y,time\n1,2,0\n3,oops,1\n")
+                     .startsWith(QLatin1String("a.ink: line 3, column y: “oops” is not a number")),
+                 qPrintable(errorOf("x,y,time\n1,2,0\n3,oops,1\n")));
+        QVERIFY(errorOf("x,y,time\n1,2,nan\n").contains(QLatin1String("line 2, column time: “nan”")));
+        QVERIFY(errorOf("x,y\n1e300,2\n").contains(QLatin1String("line 2, column x")));
+        QVERIFY(errorOf("x,y\n1\n").contains(QLatin1String("line 2, column y")));
+        QVERIFY(errorOf("x,y\n").contains(QLatin1String("no pen strokes")));
+        QVERIFY(errorOf("x,y\n0,0\n1e9,0\n").contains(QLatin1String("at most 1e6")));
+        QVERIFY(errorOf("0 1 2 1\n0 1 x 1\n").contains(QLatin1String("line 2, column y: “x”")));
+        QVERIFY(errorOf("0 1 2 1\n0 1\n").contains(QLatin1String("line 2, column y")));
+        QVERIFY(errorOf("{\"type\": \"excalidraw\", \"elements\": [").contains(QLatin1String("line 1, column ")));
+        QVERIFY(
+            errorOf("{\"type\": \"excalidraw\", \"elements\": []}").contains(QLatin1String("no freedraw elements")));
+        QVERIFY(errorOf("{\"type\": \"excalidraw\", \"elements\": [{\"type\": \"freedraw\", \"x\": 0, \"y\": 0, "
+                        "\"points\": [[0,0],[1,\"a\"]]}]}")
+                    .contains(QLatin1String("elements[0].points[1][1]: is not a number")));
+        QVERIFY(errorOf("{\"inkData\": {\"strokes\": [{\"splineX\": [1,2], \"splineY\": [1]}]}}")
+                    .contains(QLatin1String("inkData.strokes[0]: splineX has 2 numbers, splineY 1")));
+        QVERIFY(errorOf("{\"inkData\": {\"strokes\": [{\"splineX\": 3}]}}")
+                    .contains(QLatin1String("inkData.strokes[0].splineX")));
+        QVERIFY(errorOf("{\"inkData\": 7}").contains(QLatin1String("not a painting")) ||
+                errorOf("{\"inkData\": 7}").contains(QLatin1String("no pen strokes")));
+    }
+
+    void foreignFilesAreNamed()
+    {
+        QVERIFY(errorOf({}).contains(QLatin1String("is empty")));
+        QVERIFY(errorOf("\x89PNG\r\n\x1a\n").contains(QLatin1String("is a picture")));
+        QVERIFY(errorOf("<?xml version=\"1.0\"?><svg/>").contains(QLatin1String("not a painting")));
+        QVERIFY(errorOf("{\"a\": [1,2]}").contains(QLatin1String("not a painting")));
+        QVERIFY(errorOf(QByteArray("\xff\xfe{\0", 4)).contains(QLatin1String("UTF-16")));
+        QVERIFY(errorOf(QByteArray(100, '\0')).contains(QLatin1String("not a painting")));
+        QVERIFY(errorOf("name,value\na,1\n").contains(QLatin1String("not a painting")));
+        QCOMPARE(detectFormat("{\"canvas\": {}, \"format\": \"suffuse-text\"}"), FileFormat::Text);
+        QCOMPARE(detectFormat("{\"strokes\": [{\"format\": \"}\\\"\"}]}"), FileFormat::Text);
+    }
+
+    void excalidrawColoursAndTurns()
+    {
+        const auto p = import(
+            "{\"elements\": [{\"type\": \"freedraw\", \"x\": 100, \"y\": 100, \"angle\": 1.5707963267948966, "
+            "\"strokeColor\": \"#f00\","
+            " \"opacity\": 50, \"points\": [[0,0],[50,0],[100,0]], \"pressures\": []}, {\"type\": \"rectangle\"},"
+            " {\"type\": \"freedraw\", \"isDeleted\": true, \"points\": [[0,0]]}], \"type\": \"excalidraw\"}");
+        QVERIFY2(p, p ? "" : qPrintable(p.error()));
+        QCOMPARE(p->strokes.size(), std::size_t(1));
+        QCOMPARE(p->strokes[0]->segments[0].colour, (Colour{1, 0, 0, 0.5f}));
+        QVERIFY(p->canvas.height > p->canvas.width + 90); // upright after a quarter turn
+    }
+
+    void cssColours()
+    {
+        using Rgba = std::array<double, 4>;
+        QCOMPARE(*cssColour(QStringLiteral("#1e90ff")), *cssColour(QStringLiteral("DodgerBlue")));
+        QCOMPARE(*cssColour(QStringLiteral("#fff")), *cssColour(QStringLiteral("white")));
+        QCOMPARE(*cssColour(QStringLiteral("#0000")), *cssColour(QStringLiteral("transparent")));
+        QCOMPARE(*cssColour(QStringLiteral("#ff000080")), (Rgba{1, 0, 0, 128 / 255.0}));
+        QCOMPARE(*cssColour(QStringLiteral("rgba(255, 0, 51, 0.5)")), (Rgba{1, 0, 0.2, 0.5}));
+        for (const char *bad : {"", "#12", "#12345g", "nocolour", "rgb(1,2)", "rgb", "rgb(a,b,c)", "rgb)"})
+            QVERIFY2(!cssColour(QLatin1String(bad)), bad);
+    }
+};
+
+QTEST_APPLESS_MAIN(TestImports)
+#include "test_imports.moc"

@@ -1,0 +1,110 @@
+// The CPU renderer against the reference, 1/512 per channel at every pixel (docs/solver.md, "Tolerance").
+#include "tests/render/paintings.h"
+
+using namespace suffuse;
+using namespace suffuse::test;
+
+class TestContract : public QObject {
+    Q_OBJECT
+
+    std::unique_ptr<Renderer> m_cpu = make(Backend::Cpu), m_reference = make(Backend::Reference);
+
+    void compare(const PaintingPtr &p, const View &view, Microseconds time = -1, bool transparent = false)
+    {
+        const FloatPicture a = test::render(*m_cpu, p, view, time, transparent);
+        const FloatPicture b = test::render(*m_reference, p, view, time, transparent);
+        const Worst w = worst(a, b);
+        QVERIFY2(w.difference <= 1.0 / 512,
+                 qPrintable(QStringLiteral("%1/512 at %2, %3").arg(w.difference * 512).arg(w.x).arg(w.y)));
+    }
+
+private slots:
+    void everyStyleMixingAndShape()
+    {
+        for (StyleKind kind : {StyleKind::Uniform, StyleKind::Feathering, StyleKind::Edge})
+            for (const Mix mix : {Mix{}, Mix{MixMode::Beta, 0.8f}})
+                for (Shape shape : allShapes) {
+                    Stroke below = stroke(1, Shape::Curved, {50, 30}, 30, 9, styleOf(StyleKind::Uniform), {},
+                                          {0.9f, 0.2f, 0.1f, 1});
+                    const auto p = painting({below, stroke(2, shape, {48, 36}, 25, 6, styleOf(kind), mix)});
+                    compare(p, View::ofArea(p->canvas.area(), 96, 72));
+                    if (QTest::currentTestFailed())
+                        QFAIL(qPrintable(QStringLiteral("style %1 mix %2 shape %3")
+                                             .arg(int(kind)).arg(int(mix.mode)).arg(int(shape))));
+                }
+    }
+
+    void steepStyles()
+    {
+        for (const Style style : {Style{StyleKind::Uniform, {0.5f, 0.001f, 0}}, Style{StyleKind::Uniform, {0.1f, 0.05f, 0}},
+                                  Style{StyleKind::Uniform, {0.05f, 1.0f, 0}},
+                                  Style{StyleKind::Feathering, {0.6f, 64, 0}}, Style{StyleKind::Feathering, {1, 0.5f, 0}},
+                                  Style{StyleKind::Feathering, {0.1f, 4, 0}}, Style{StyleKind::Edge, {0.3f, 0.37f, 1}},
+                                  Style{StyleKind::Edge, {0.3f, 0.1f, 0.05f}}, Style{StyleKind::Edge, {0.8f, 0.9f, 0.7f}}})
+            for (double spread : {1.2, 5.0, 14.0}) {
+                const auto p = painting({stroke(1, Shape::Curved, {48, 36}, 35, spread, style),
+                                         stroke(2, Shape::Looping, {40, 36}, 25, spread, style)});
+                compare(p, View::ofArea(p->canvas.area(), 96, 72));
+                if (QTest::currentTestFailed())
+                    QFAIL(qPrintable(QStringLiteral("kind %1 xi %2 %3 %4 spread %5").arg(int(style.kind))
+                                         .arg(double(style.xi[0])).arg(double(style.xi[1])).arg(double(style.xi[2])).arg(spread)));
+            }
+    }
+
+    void randomPaintings()
+    {
+        std::mt19937_64 random(7);
+        Paper papers[3];
+        papers[1] = {PaperKind::Procedural, 5, 20, 0.8f, {}};
+        for (int i = 0; i < 12; ++i) {
+            const auto p = painting(randomStrokes(random, 12, 96, 72), 96, 72, papers[i % 2]);
+            compare(p, View::ofArea(p->canvas.area(), 96, 72), -1, i % 3 == 2);
+            compare(p, View::ofArea(p->canvas.area(), 96, 72), 600000); // still spreading
+        }
+    }
+
+    void zoomedTurnedAndMirrored()
+    {
+        std::mt19937_64 random(11);
+        const auto p = painting(randomStrokes(random, 10, 96, 72), 96, 72, {PaperKind::Procedural, 3, 12, 1, {}});
+        for (double scale : {0.02, 0.1, 0.4, 3.0, 40.0, 900.0, 20000.0})
+            for (double rotation : {0.0, 0.7}) {
+                View v{{40.2, 33.1}, scale, rotation, rotation > 0, 48, 40};
+                compare(p, v);
+                if (QTest::currentTestFailed())
+                    QFAIL(qPrintable(QStringLiteral("scale %1 rotation %2").arg(scale).arg(rotation)));
+            }
+    }
+
+    void anisotropic()
+    {
+        for (double angle : {0.0, 0.4, 1.5707963267948966})
+            for (double ratio : {0.1, 1.0, 9.0}) {
+                Stroke s = stroke(1, Shape::Curved, {48, 36}, 30, 5, styleOf(StyleKind::Edge));
+                for (Segment &g : s.segments)
+                    g.anisotropyRatio = float(ratio), g.anisotropyAngle = float(angle);
+                const auto p = painting({s});
+                compare(p, View::ofArea(p->canvas.area(), 96, 72));
+                compare(p, View{{48, 36}, 1.5, 0.3, true, 64, 64});
+            }
+    }
+
+    void hairlines()
+    {
+        for (double spread : {0.02, 0.1, 0.3, 0.7}) {
+            Stroke s = stroke(1, Shape::Curved, {20, 16}, 14, spread, styleOf(StyleKind::Uniform));
+            Stroke t = stroke(2, Shape::Looping, {20, 16}, 10, 2 * spread, styleOf(StyleKind::Edge));
+            const auto p = painting({s, t}, 40, 32);
+            compare(p, View::ofArea(p->canvas.area(), 40, 32));
+        }
+        // Young segments of a live stroke: spreads from a hairline to full size in one stroke.
+        Stroke s = stroke(1, Shape::Curved, {20, 16}, 14, 4, styleOf(StyleKind::Uniform));
+        for (std::size_t i = 0; i < s.segments.size(); ++i)
+            s.segments[i].born = Microseconds(i) * 499000;
+        const auto p = painting({s}, 40, 32);
+        compare(p, View::ofArea(p->canvas.area(), 40, 32), 1000000);
+    }
+};
+
+QTEST_GUILESS_MAIN(TestContract)
+#include "test_contract.moc"

@@ -1,0 +1,166 @@
+// One picture: the same bits for any tiling, thread count, instruction order, dirty region and history.
+#include "tests/render/paintings.h"
+
+#include "model/influence.h"
+
+using namespace suffuse;
+using namespace suffuse::test;
+
+class TestOnePicture : public QObject {
+    Q_OBJECT
+
+    static bool same(const FloatPicture &a, const FloatPicture &b)
+    {
+        return a.width == b.width && a.height == b.height && a.rgba == b.rgba;
+    }
+
+    static PaintingPtr withStroke(const PaintingPtr &p, std::size_t index, const Stroke &s)
+    {
+        auto q = std::make_shared<Painting>(*p);
+        q->strokes[index] = std::make_shared<const Stroke>(s);
+        return q;
+    }
+
+private slots:
+    void tilingAndThreads()
+    {
+        std::mt19937_64 random(3);
+        const auto p = painting(randomStrokes(random, 25, 130, 101), 130, 101, {PaperKind::Procedural, 1, 16, 0.7f, {}});
+        for (const View &v : {View::ofArea(p->canvas.area(), 130, 101), View{{60, 50}, 0.11, 0.5, true, 70, 61},
+                              View{{60, 50}, 900, 0, false, 70, 61}}) {
+            const FloatPicture first = test::render(*make(Backend::Cpu, 1, 16), p, v);
+            for (int tile : {8, 16, 24, 32, 64})
+                for (int threads : {1, 2, 5, 16})
+                    QVERIFY2(same(first, test::render(*make(Backend::Cpu, threads, tile), p, v)),
+                             qPrintable(QStringLiteral("tile %1, %2 threads").arg(tile).arg(threads)));
+        }
+    }
+
+    void dirtyRedrawIsFullRedraw()
+    {
+        std::mt19937_64 random(5);
+        std::uniform_real_distribution<double> u(0, 1);
+        auto p = painting(randomStrokes(random, 20, 160, 120), 160, 120);
+        const auto live = make(Backend::Cpu);
+        FloatPicture picture;
+        Microseconds time = p->end();
+        const View view = View::ofArea(p->canvas.area(), 160, 120);
+        QVERIFY(live->render({p, time, view, false}, picture));
+        bool partial = false;
+        for (int step = 0; step < 120; ++step) {
+            const std::size_t j = random() % p->strokes.size();
+            Stroke s = *p->strokes[j];
+            Segment &g = s.segments[random() % s.segments.size()];
+            auto q = std::make_shared<Painting>(*p);
+            switch (random() % 9) {
+            case 0: g.diffusion *= float(0.5 + u(random)); break;
+            case 1: g.density *= float(0.5 + u(random)); break;
+            case 2: g.colour = {float(u(random)), 0.5f, float(u(random)), 1}; break;
+            case 3: g.style = randomStyle(random); break;
+            case 4: s.style = randomStyle(random); break;
+            case 5: s.mix = {MixMode::Beta, float(u(random))}; break;
+            case 6: s.visible = !s.visible; break;
+            case 7: g.granulation = float(u(random)); break;
+            case 8: s.segments.front().born += 100000; break;
+            }
+            q->strokes[j] = std::make_shared<const Stroke>(s);
+            if (random() % 5 == 0)
+                std::swap(q->strokes[random() % q->strokes.size()], q->strokes[random() % q->strokes.size()]);
+            if (random() % 7 == 0 && q->strokes.size() > 3)
+                q->strokes.erase(q->strokes.begin() + std::ptrdiff_t(random() % q->strokes.size()));
+            if (random() % 6 == 0)
+                time = Microseconds(u(random) * double(q->end()));
+            p = q;
+            const auto stats = live->render({p, time, view, false}, picture);
+            QVERIFY(stats);
+            partial |= stats->tilesEvaluated > 0 && stats->tilesEvaluated < stats->tiles;
+            QVERIFY2(same(picture, test::render(*make(Backend::Cpu), p, view, time)),
+                     qPrintable(QStringLiteral("step %1").arg(step)));
+        }
+        QVERIFY(partial);
+    }
+
+    void onlyWhatChangedIsEvaluated()
+    {
+        const auto p = painting({stroke(1, Shape::Straight, {60, 40}, 30, 4, styleOf(StyleKind::Uniform)),
+                                 stroke(2, Shape::Curved, {300, 200}, 60, 6, styleOf(StyleKind::Edge))},
+                                400, 300);
+        const auto renderer = make(Backend::Cpu);
+        FloatPicture picture;
+        const View view = View::ofArea(p->canvas.area(), 400, 300);
+        QVERIFY(renderer->render({p, p->end(), view, false}, picture));
+        const auto idle = renderer->render({p, p->end() + 5'000'000, view, false}, picture);
+        QVERIFY(idle);
+        QCOMPARE(idle->tilesEvaluated, 0);
+
+        Stroke s = *p->strokes[1];
+        s.segments[2].density *= 1.1f;
+        const auto q = withStroke(p, 1, s);
+        const auto stats = renderer->render({q, q->end(), view, false}, picture);
+        QVERIFY(stats);
+        QVERIFY(stats->tilesEvaluated > 0);
+        Rect touched; // the segment's influence, old = new here, rounded to tiles
+        touched = influenceOf(s, s.segments[2], q->end()).grown(34);
+        for (const PixelRect &r : stats->dirty) {
+            QVERIFY(touched.contains({double(r.x), double(r.y)}));
+            QVERIFY(touched.contains({double(r.x + r.width), double(r.y + r.height)}));
+        }
+    }
+
+    void reorderingRedrawsTheMovedStrokesOnly()
+    {
+        std::vector<Stroke> strokes;
+        for (int i = 0; i < 6; ++i)
+            strokes.push_back(stroke(StrokeId(i + 1), Shape::Straight, {60.0 + 90 * i, 60}, 25, 4, styleOf(StyleKind::Uniform)));
+        const auto p = painting(strokes, 600, 120);
+        const auto renderer = make(Backend::Cpu);
+        FloatPicture picture;
+        const View view = View::ofArea(p->canvas.area(), 600, 120);
+        QVERIFY(renderer->render({p, p->end(), view, false}, picture));
+        auto q = std::make_shared<Painting>(*p);
+        std::rotate(q->strokes.begin(), q->strokes.begin() + 1, q->strokes.end());
+        const auto stats = renderer->render({q, q->end(), view, false}, picture);
+        QVERIFY(stats);
+        for (const PixelRect &r : stats->dirty)
+            QVERIFY(r.x < 140); // stroke 1 alone
+        QVERIFY(stats->tilesEvaluated > 0);
+    }
+
+    void cancelledWorkIsDoneLater()
+    {
+        std::mt19937_64 random(9);
+        const auto p = painting(randomStrokes(random, 10, 200, 150), 200, 150);
+        const View view = View::ofArea(p->canvas.area(), 200, 150);
+        const auto renderer = make(Backend::Cpu);
+        FloatPicture picture;
+        std::atomic<bool> cancel{true};
+        const auto first = renderer->render({p, p->end(), view, false}, picture, &cancel);
+        QVERIFY(first && first->cancelled);
+        const auto second = renderer->render({p, p->end(), view, false}, picture);
+        QVERIFY(second && !second->cancelled);
+        QVERIFY(same(picture, test::render(*make(Backend::Cpu), p, view)));
+    }
+
+    void extremeValuesGiveNoNaN()
+    {
+        std::mt19937_64 random(13);
+        std::uniform_real_distribution<double> u(0, 1);
+        const auto renderer = make(Backend::Cpu);
+        for (int i = 0; i < 60; ++i) {
+            auto strokes = randomStrokes(random, 4, 64, 48);
+            for (Stroke &s : strokes)
+                for (Segment &g : s.segments) {
+                    g.diffusion = float(std::pow(10, -12 + 24 * u(random)));
+                    g.density = float(std::pow(10, -20 + 32 * u(random)));
+                    g.maxAge = float(std::pow(10, -6 + 12 * u(random)));
+                }
+            const auto p = painting(strokes, 64, 48);
+            const FloatPicture picture = test::render(*renderer, p, View{{32, 24}, std::pow(10, -2 + 4 * u(random)), 0, false, 32, 24});
+            for (float v : picture.rgba)
+                QVERIFY(v >= 0 && v <= 1);
+        }
+    }
+};
+
+QTEST_GUILESS_MAIN(TestOnePicture)
+#include "test_one_picture.moc"

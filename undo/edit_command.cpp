@@ -1,0 +1,106 @@
+#include "undo/edit_command.h"
+
+#include <unordered_map>
+
+namespace suffuse {
+
+namespace {
+
+bool sameStroke(const StrokePtr &a, const StrokePtr &b)
+{
+    return a == b || (a && b && *a == *b);
+}
+
+bool sameOrder(const std::vector<StrokeId> &order, const std::vector<StrokePtr> &strokes)
+{
+    return std::equal(order.begin(), order.end(), strokes.begin(), strokes.end(),
+                      [](StrokeId id, const StrokePtr &s) { return s->id == id; });
+}
+
+/// True if the state that the edit would put in is the one that is there, the selection aside. Compares values.
+bool changesNothing(const Edit &edit, const Painting &painting)
+{
+    if (edit.order && !sameOrder(*edit.order, painting.strokes))
+        return false;
+    if (edit.canvas && *edit.canvas != painting.canvas)
+        return false;
+    if (edit.groups && *edit.groups != painting.groups)
+        return false;
+    if (edit.swatches && *edit.swatches != painting.swatches)
+        return false;
+    if (edit.underlay) {
+        const Underlay *a = edit.underlay->get(), *b = painting.underlay.get();
+        if (a != b && (!a || !b || !(*a == *b)))
+            return false;
+    }
+    if (edit.strokes.empty())
+        return true;
+    std::unordered_map<StrokeId, const StrokePtr *> there;
+    for (const StrokePtr &stroke : painting.strokes)
+        if (edit.strokes.contains(stroke->id))
+            there.emplace(stroke->id, &stroke);
+    return std::all_of(edit.strokes.begin(), edit.strokes.end(), [&there](const auto &entry) {
+        const auto it = there.find(entry.first);
+        return it == there.end() ? !entry.second : sameStroke(entry.second, *it->second);
+    });
+}
+
+/// Keeps the older state of each part.
+template <typename T>
+void keepOldest(std::optional<T> &older, const std::optional<T> &newer)
+{
+    if (!older)
+        older = newer;
+}
+
+} // namespace
+
+EditRun beginEditRun()
+{
+    static EditRun last = 0;
+    return ++last;
+}
+
+EditCommand::EditCommand(Document &document, Edit edit, const QString &text, EditRun run)
+    : QUndoCommand(text), m_document(document), m_edit(std::move(edit)), m_run(run)
+{}
+
+void EditCommand::redo()
+{
+    const bool isFirst = !m_done;
+    // Undo brings the selection back too, whether the edit altered it or not.
+    if (!m_edit.selection)
+        m_edit.selection = m_document.selection();
+    m_document.exchange(m_edit);
+    m_done = true;
+    if (isFirst && changesNothing(m_edit, *m_document.painting()))
+        setObsolete(true);
+}
+
+void EditCommand::undo()
+{
+    m_document.exchange(m_edit);
+}
+
+int EditCommand::id() const
+{
+    return m_run == 0 ? -1 : m_run;
+}
+
+bool EditCommand::mergeWith(const QUndoCommand *other)
+{
+    const auto *newer = dynamic_cast<const EditCommand *>(other);
+    if (!newer || m_run == 0 || newer->m_run != m_run || &newer->m_document != &m_document)
+        return false;
+    m_edit.strokes.insert(newer->m_edit.strokes.begin(), newer->m_edit.strokes.end());
+    keepOldest(m_edit.order, newer->m_edit.order);
+    keepOldest(m_edit.canvas, newer->m_edit.canvas);
+    keepOldest(m_edit.groups, newer->m_edit.groups);
+    keepOldest(m_edit.swatches, newer->m_edit.swatches);
+    keepOldest(m_edit.underlay, newer->m_edit.underlay);
+    keepOldest(m_edit.selection, newer->m_edit.selection);
+    setObsolete(changesNothing(m_edit, *m_document.painting()));
+    return true;
+}
+
+} // namespace suffuse

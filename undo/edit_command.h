@@ -1,0 +1,34 @@
+// The one undo command: an Edit and its name.
+#pragma once
+
+#include "model/document.h"
+
+#include <QUndoCommand>
+
+namespace suffuse {
+
+/// A drag is a run: its edits merge into one command. 0 means "not in a run"; ids never repeat, so two drags never
+/// merge.
+using EditRun = int;
+EditRun beginEditRun();
+
+/// redo() and undo() are the same exchange; undo brings the selection back too. Commands of one run merge, each part
+/// keeping its oldest state. An edit that changes nothing but the selection, and a run that comes back to its start,
+/// become obsolete, and the stack drops them.
+class EditCommand : public QUndoCommand {
+public:
+    EditCommand(Document &document, Edit edit, const QString &text, EditRun run = 0);
+
+    void redo() override;
+    void undo() override;
+    int id() const override;
+    bool mergeWith(const QUndoCommand *other) override;
+
+private:
+    Document &m_document;
+    Edit m_edit;
+    EditRun m_run;
+    bool m_done = false;
+};
+
+} // namespace suffuse

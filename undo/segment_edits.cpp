@@ -1,0 +1,128 @@
+#include "model/validate.h"
+#include "undo/edits.h"
+
+#include <unordered_map>
+
+namespace suffuse {
+
+namespace {
+
+using SegmentsOfStrokes = std::unordered_map<StrokeId, std::vector<int>>; ///< ascending, without repetition
+
+SegmentsOfStrokes byStroke(const std::vector<SegmentRef> &targets)
+{
+    const std::set<SegmentRef> sorted(targets.begin(), targets.end());
+    SegmentsOfStrokes result;
+    for (const SegmentRef &ref : sorted)
+        result[ref.stroke].push_back(ref.segment);
+    return result;
+}
+
+/// Changes the segments it can; null if none.
+StrokePtr withChanged(const Stroke &stroke, const std::vector<int> &segments,
+                      const std::function<void(Segment &)> &change)
+{
+    auto result = std::make_shared<Stroke>(stroke);
+    for (int index : segments) {
+        if (index < 0 || std::size_t(index) >= stroke.segments.size())
+            continue;
+        Segment segment = stroke.segments[std::size_t(index)];
+        change(segment);
+        if (problemOf(segment).isEmpty())
+            result->segments[std::size_t(index)] = std::move(segment);
+    }
+    // A segment that came off its neighbours breaks the whole stroke.
+    if (result->segments == stroke.segments || !problemOf(*result).isEmpty())
+        return nullptr;
+    return result;
+}
+
+/// What is left of a stroke without the segments (ascending): runs of segments, strokes of their own.
+std::vector<StrokePtr> remainingRuns(const Stroke &stroke, const std::vector<int> &deleted, Document &document)
+{
+    std::vector<StrokePtr> runs;
+    auto next = deleted.begin();
+    std::shared_ptr<Stroke> run;
+    for (std::size_t k = 0; k < stroke.segments.size(); ++k) {
+        if (next != deleted.end() && std::size_t(*next) == k) {
+            ++next;
+            run.reset();
+            continue;
+        }
+        if (!run) {
+            run = std::make_shared<Stroke>(stroke);
+            run->segments.clear();
+            if (!runs.empty())
+                run->id = document.takeStrokeId();
+            runs.push_back(run);
+        }
+        run->segments.push_back(stroke.segments[k]);
+    }
+    return runs;
+}
+
+} // namespace
+
+std::vector<SegmentRef> targetSegments(const Document &document)
+{
+    const Selection &selection = document.selection();
+    std::set<StrokeId> inPart;
+    for (const SegmentRef &ref : selection.segments)
+        inPart.insert(ref.stroke);
+    std::vector<SegmentRef> result(selection.segments.begin(), selection.segments.end());
+    if (inPart.size() < selection.strokes.size())
+        for (const StrokePtr &stroke : document.painting()->strokes)
+            if (selection.strokes.contains(stroke->id) && !inPart.contains(stroke->id))
+                for (std::size_t k = 0; k < stroke->segments.size(); ++k)
+                    result.push_back({stroke->id, int(k)});
+    std::sort(result.begin(), result.end());
+    return result;
+}
+
+Edit changeSegments(const Document &document, const std::vector<SegmentRef> &targets,
+                    const std::function<void(Segment &)> &change)
+{
+    Edit edit;
+    const SegmentsOfStrokes wanted = byStroke(targets);
+    if (wanted.empty())
+        return edit;
+    const Painting &painting = *document.painting();
+    for (const StrokePtr &stroke : painting.strokes) {
+        const auto it = wanted.find(stroke->id);
+        if (it == wanted.end() || painting.isLocked(*stroke))
+            continue;
+        if (StrokePtr changed = withChanged(*stroke, it->second, change))
+            edit.strokes.emplace(stroke->id, std::move(changed));
+    }
+    return edit;
+}
+
+Edit deleteSelection(Document &document)
+{
+    const PaintingPtr painting = document.painting();
+    const Selection &selection = document.selection();
+    const SegmentsOfStrokes parts = byStroke({selection.segments.begin(), selection.segments.end()});
+    Edit edit;
+    std::vector<StrokeId> order;
+    for (const StrokePtr &stroke : painting->strokes) {
+        if (!selection.strokes.contains(stroke->id) || painting->isLocked(*stroke)) {
+            order.push_back(stroke->id);
+            continue;
+        }
+        const auto it = parts.find(stroke->id);
+        const std::vector<StrokePtr> runs =
+            it == parts.end() ? std::vector<StrokePtr>() : remainingRuns(*stroke, it->second, document);
+        edit.strokes[stroke->id] = nullptr;
+        for (const StrokePtr &run : runs) {
+            edit.strokes[run->id] = run;
+            order.push_back(run->id);
+        }
+    }
+    if (edit.strokes.empty())
+        return {};
+    edit.order = std::move(order);
+    edit.selection = Selection();
+    return edit;
+}
+
+} // namespace suffuse
