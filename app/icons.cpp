@@ -57,8 +57,8 @@ const QHash<QString, QByteArray> &outlines()
 QByteArray svgOf(const QString &name, const QColor &colour)
 {
     QByteArray svg = "<svg xmlns='http://www.w3.org/2000/svg' viewBox='0 0 24 24'><g fill='none' stroke-width='1.7' "
-                     "stroke-linecap='round' stroke-linejoin='round' stroke='"
-                     + colour.name().toLatin1() + "' stroke-opacity='" + QByteArray::number(colour.alphaF()) + "'>";
+                     "stroke-linecap='round' stroke-linejoin='round' stroke='" +
+                     colour.name().toLatin1() + "' stroke-opacity='" + QByteArray::number(colour.alphaF()) + "'>";
     for (const QByteArray &path : outlines().value(name).split('|'))
         svg += "<path d='" + path + "'/>";
     return svg + "</g></svg>";

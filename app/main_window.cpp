@@ -38,6 +38,7 @@ MainWindow::MainWindow(QWidget *parent) : QMainWindow(parent)
     setCentralWidget(m_canvas);
     m_actions = new Actions(*this, *m_canvas);
     m_actions->fillMenus();
+    applyStoredShortcuts(m_actions->all());
     QToolBar *tools = m_actions->makeToolBar();
     addToolBar(Qt::LeftToolBarArea, tools);
     makeDocks();
@@ -91,7 +92,7 @@ void MainWindow::makeDocks()
     strokes->raise();
     setTabPosition(Qt::RightDockWidgetArea, QTabWidget::North);
     resizeDocks({colour, inspector, strokes}, {300, 300, 300}, Qt::Horizontal);
-    resizeDocks({colour, inspector, strokes}, {290, 310, 130}, Qt::Vertical);
+    resizeDocks({colour, inspector, strokes}, {345, 290, 120}, Qt::Vertical);
 }
 
 void MainWindow::makeStatusBar()

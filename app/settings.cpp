@@ -49,8 +49,8 @@ Layout readLayout()
     QSettings &s = store();
     const QByteArray body = QByteArray::fromBase64(s.value("layout/bytes").toString().toLatin1());
     Layout layout;
-    if (s.value("layout/version").toInt() != layoutVersion || body.isEmpty() || body.size() > maxLayoutBytes
-        || s.value("layout/crc").toString() != QString::number(crc32(body), 16))
+    if (s.value("layout/version").toInt() != layoutVersion || body.isEmpty() || body.size() > maxLayoutBytes ||
+        s.value("layout/crc").toString() != QString::number(crc32(body), 16))
         return layout;
     QDataStream in(body);
     in.setVersion(QDataStream::Qt_6_4);
@@ -140,8 +140,8 @@ QStringList recentFiles()
 {
     QStringList files;
     for (const QString &path : store().value("recentFiles").toStringList())
-        if (files.size() < maxRecentFiles && QDir::isAbsolutePath(path) && QFileInfo(path).isFile()
-            && !files.contains(path))
+        if (files.size() < maxRecentFiles && QDir::isAbsolutePath(path) && QFileInfo(path).isFile() &&
+            !files.contains(path))
             files << path;
     return files;
 }

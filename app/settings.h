@@ -35,8 +35,8 @@ void clearRecentFiles();
 /// Stores geometry and docks with a version and a checksum.
 void saveLayout(const QMainWindow &window);
 /// Puts back what saveLayout stored; call it once all docks exist. Returns false, and leaves the window alone, where
-/// nothing fit is stored, or where the last start that restored a layout did not come up (Qt's own readers crash or hang
-/// on damaged bytes). The start counts as up once the event loop runs with the window shown.
+/// nothing fit is stored, or where the last start that restored a layout did not come up (Qt's own readers crash or
+/// hang on damaged bytes). The start counts as up once the event loop runs with the window shown.
 bool restoreLayout(QMainWindow &window);
 /// Forgets the stored layout (`--reset-layout`).
 void resetLayout();

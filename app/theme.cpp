@@ -15,12 +15,12 @@ struct Tones {
     QRgb window, base, alternate, button, text, dim, disabled, accent, accentText, light, mid, dark, tip, tipText, link;
 };
 
-constexpr Tones lightTones{0xFFF0F0F1, 0xFFFCFCFC, 0xFFF5F5F6, 0xFFE6E6E8, 0xFF1E1F22, 0xFF5C5F66, 0xFF9A9CA2,
-                           0xFF2F6690, 0xFFFFFFFF, 0xFFFFFFFF, 0xFFC4C5C9, 0xFFA3A5AA, 0xFF2B2D31, 0xFFF0F0F1,
-                           0xFF275A80};
-constexpr Tones darkTones{0xFF2B2D30, 0xFF222427, 0xFF26282B, 0xFF3A3D41, 0xFFE3E4E6, 0xFFA6A9AF, 0xFF74777D,
-                          0xFF376F9B, 0xFFFFFFFF, 0xFF4A4E53, 0xFF1D1E21, 0xFF17181A, 0xFFE3E4E6, 0xFF1E1F22,
-                          0xFF86B6DA};
+constexpr Tones lightTones{0xFFF0F0F1, 0xFFFCFCFC, 0xFFF5F5F6, 0xFFE6E6E8, 0xFF1E1F22,
+                           0xFF5C5F66, 0xFF9A9CA2, 0xFF2F6690, 0xFFFFFFFF, 0xFFFFFFFF,
+                           0xFFC4C5C9, 0xFFA3A5AA, 0xFF2B2D31, 0xFFF0F0F1, 0xFF275A80};
+constexpr Tones darkTones{0xFF2B2D30, 0xFF222427, 0xFF26282B, 0xFF3A3D41, 0xFFE3E4E6,
+                          0xFFA6A9AF, 0xFF74777D, 0xFF376F9B, 0xFFFFFFFF, 0xFF4A4E53,
+                          0xFF1D1E21, 0xFF17181A, 0xFFE3E4E6, 0xFF1E1F22, 0xFF86B6DA};
 
 QPalette paletteOf(const Tones &t)
 {
@@ -56,8 +56,8 @@ QPalette paletteOf(const Tones &t)
 bool systemIsDark()
 {
     // Before the first applyTheme the palette is the platform's own.
-    static const bool dark = QApplication::palette().color(QPalette::Window).lightness()
-                             < QApplication::palette().color(QPalette::WindowText).lightness();
+    static const bool dark = QApplication::palette().color(QPalette::Window).lightness() <
+                             QApplication::palette().color(QPalette::WindowText).lightness();
     return dark;
 }
 

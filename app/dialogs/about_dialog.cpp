@@ -48,7 +48,8 @@ AboutDialog::AboutDialog(QWidget *parent) : QDialog(parent)
     what->setWordWrap(true);
     text->addWidget(what);
     text->addWidget(quietLabel(tr("Free software under the Apache License 2.0."), this));
-    auto *builtWith = quietLabel(QStringLiteral("Qt %1\n%2").arg(QString::fromLatin1(qVersion()), backendLines()), this);
+    auto *builtWith =
+        quietLabel(QStringLiteral("Qt %1\n%2").arg(QString::fromLatin1(qVersion()), backendLines()), this);
     builtWith->setTextInteractionFlags(Qt::TextSelectableByMouse);
     text->addWidget(builtWith);
     row->addLayout(text, 1);

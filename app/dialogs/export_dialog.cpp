@@ -226,9 +226,9 @@ void ExportDialog::startExport()
         m_hint->showHint(problem);
         return;
     }
-    if (target.exists()
-        && QMessageBox::question(this, windowTitle(), tr("%1 exists. Replace it?").arg(target.fileName()))
-               != QMessageBox::Yes)
+    if (target.exists() &&
+        QMessageBox::question(this, windowTitle(), tr("%1 exists. Replace it?").arg(target.fileName())) !=
+            QMessageBox::Yes)
         return;
 
     ExportOrder order;

@@ -62,7 +62,8 @@ void ExportJob::run(const ExportOrder &order)
             Qt::QueuedConnection);
     };
     const auto progress = [this](int perMille) {
-        QMetaObject::invokeMethod(this, [this, perMille] { emit progressed(perMille); }, Qt::QueuedConnection);
+        QMetaObject::invokeMethod(
+            this, [this, perMille] { emit progressed(perMille); }, Qt::QueuedConnection);
     };
     auto renderer = makeRenderer({.backend = Backend::Auto, .threads = order.threads});
     if (!renderer)

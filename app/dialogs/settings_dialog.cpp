@@ -38,7 +38,8 @@ SettingsDialog::SettingsDialog(QWidget *parent) : QDialog(parent), m_themeBefore
         applyTheme();
     });
 
-    m_presenter = addCombo(*form, tr("Canvas"), tr("How the picture comes to the screen. Changes when the program starts again."));
+    m_presenter = addCombo(*form, tr("Canvas"),
+                           tr("How the picture comes to the screen. Changes when the program starts again."));
     m_presenter->addItems({tr("Automatic"), tr("Raster"), QStringLiteral("OpenGL")});
     m_presenter->setCurrentIndex(int(settings::presenter()));
 

@@ -60,8 +60,8 @@ ShortcutsDialog::ShortcutsDialog(const QList<QAction *> &actions, QWidget *paren
     column->setSpacing(8);
     addList(*column);
     QPushButton *clear = addEditor(*column);
-    auto *buttons = new QDialogButtonBox(
-        QDialogButtonBox::Ok | QDialogButtonBox::Cancel | QDialogButtonBox::RestoreDefaults, this);
+    auto *buttons =
+        new QDialogButtonBox(QDialogButtonBox::Ok | QDialogButtonBox::Cancel | QDialogButtonBox::RestoreDefaults, this);
     m_ok = buttons->button(QDialogButtonBox::Ok);
     m_ok->setAutoDefault(false);
     column->addWidget(buttons);
@@ -216,8 +216,8 @@ void ShortcutsDialog::refresh()
         font.setBold(m_chosen[action] != ownShortcutsOf(action));
         item->setFont(1, font);
         item->setForeground(1, clashes[action] ? QBrush(m_conflict->palette().color(QPalette::WindowText)) : QBrush());
-        item->setHidden(!wanted.isEmpty() && !item->text(0).contains(wanted, Qt::CaseInsensitive)
-                        && !item->text(1).contains(wanted, Qt::CaseInsensitive));
+        item->setHidden(!wanted.isEmpty() && !item->text(0).contains(wanted, Qt::CaseInsensitive) &&
+                        !item->text(1).contains(wanted, Qt::CaseInsensitive));
     }
 }
 

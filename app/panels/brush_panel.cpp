@@ -38,7 +38,8 @@ QPixmap onPaper(const QImage &stroke, double ratio, bool chosen)
         painter.drawImage(QRectF(QPointF(), QSizeF(previewSize)), stroke);
         painter.setClipping(false);
     }
-    painter.strokePath(sheet, chosen ? QPen(QApplication::palette().color(QPalette::Highlight), 4) : QPen(hairline(), 1));
+    painter.strokePath(sheet,
+                       chosen ? QPen(QApplication::palette().color(QPalette::Highlight), 4) : QPen(hairline(), 1));
     return pixmap;
 }
 
@@ -144,8 +145,7 @@ void BrushPanel::addFields(QVBoxLayout &column)
     connect(m_size, &SliderField::edited, this, [this](double spread) {
         edit([=](Brush &b) { b.diffusion = float(spread * spread / (4 * double(b.maxAge))); });
     });
-    connect(m_flow, &SliderField::edited, this,
-            [this](double peak) { edit([=](Brush &b) { b.peak = float(peak); }); });
+    connect(m_flow, &SliderField::edited, this, [this](double peak) { edit([=](Brush &b) { b.peak = float(peak); }); });
     connect(m_opacity, &SliderField::edited, this,
             [this](double opacity) { edit([=](Brush &b) { b.colour.opacity = float(opacity); }); });
 }

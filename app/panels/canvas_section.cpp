@@ -41,8 +41,8 @@ CanvasSection::CanvasSection(QWidget *parent) : QWidget(parent)
     connect(m_swatch, &ColourSwatch::clicked, this,
             [this] { change([](Canvas &c) { c.background = Colour{}; }, tr("Change background")); });
     connect(m_background, &ColourRows::edited, this, [this](int channel, double value, EditRun run) {
-        change([=](Canvas &c) { ColourRows::channelOf(c.background, channel) = float(value); },
-               tr("Change background"), run);
+        change([=](Canvas &c) { ColourRows::channelOf(c.background, channel) = float(value); }, tr("Change background"),
+               run);
     });
     connect(m_background, &ColourRows::refused, this, &CanvasSection::refused);
 
@@ -154,7 +154,8 @@ void CanvasSection::choosePaper(PaperKind kind)
 bool CanvasSection::chooseImage(Paper &paper)
 {
     const QString path = QFileDialog::getOpenFileName(
-        this, tr("Paper image"), QString(), tr("Pictures") + QStringLiteral(" (*.png *.jpg *.jpeg *.tif *.tiff *.webp *.exr)"));
+        this, tr("Paper image"), QString(),
+        tr("Pictures") + QStringLiteral(" (*.png *.jpg *.jpeg *.tif *.tiff *.webp *.exr)"));
     if (path.isEmpty())
         return false;
     QFile file(path);

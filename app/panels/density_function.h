@@ -16,9 +16,9 @@ double visibleCut(const Style &style);
 
 /// Figures of a long straight stroke of constant values, dried out.
 struct DerivedFigures {
-    double spread = 0;    ///< s = √(4 D t_max), units
-    double peak = 0;      ///< pk = φˢ/(√π s)
-    double halfWidth = 0; ///< w = s √ln(pk/cut), units; 0 where nothing is visible
+    double spread = 0;              ///< s = √(4 D t_max), units
+    double peak = 0;                ///< pk = φˢ/(√π s)
+    double halfWidth = 0;           ///< w = s √ln(pk/cut), units; 0 where nothing is visible
     std::optional<double> driesOut; ///< age at which the peak falls under the cut, s; none: it stays visible
 };
 DerivedFigures derivedFigures(const Segment &segment, const Style &style);

@@ -41,8 +41,8 @@ QSize DensityPlot::minimumSizeHint() const
 
 double DensityPlot::horizontalRange() const
 {
-    const double inside = m_style->kind == StyleKind::Uniform ? m_style->xi[0] + 6 * double(m_style->xi[1])
-                                                              : 2 * double(m_style->xi[0]);
+    const double inside =
+        m_style->kind == StyleKind::Uniform ? m_style->xi[0] + 6 * double(m_style->xi[1]) : 2 * double(m_style->xi[0]);
     // A far peak must not flatten the curve to nothing: it is marked at the right end then.
     return std::max(inside, std::min(1.15 * m_highestPeak, 4 * inside));
 }

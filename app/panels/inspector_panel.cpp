@@ -51,7 +51,8 @@ InspectorPanel::InspectorPanel(Editor &editor, QWidget *parent) : QWidget(parent
     auto *canvas = new QVBoxLayout(m_canvasPage);
     canvas->setContentsMargins(0, 0, 0, 0);
     canvas->setSpacing(12);
-    canvas->addWidget(quietLabel(tr("Nothing is selected. Click a stroke to see and change its values."), m_canvasPage));
+    canvas->addWidget(
+        quietLabel(tr("Nothing is selected. Click a stroke to see and change its values."), m_canvasPage));
     m_canvas = new CanvasSection(m_canvasPage);
     canvas->addWidget(m_canvas);
     m_scroll->setWidget(content);
@@ -104,9 +105,8 @@ void InspectorPanel::refresh()
         m_canvas->setCanvas(document.painting()->canvas);
         return;
     }
-    m_summary->setText(tr("%1 · %2")
-                           .arg(tr("%n stroke(s)", nullptr, int(inspected.strokes.size())),
-                                tr("%n segment(s)", nullptr, int(inspected.segments.size()))));
+    m_summary->setText(tr("%1 · %2").arg(tr("%n stroke(s)", nullptr, int(inspected.strokes.size())),
+                                         tr("%n segment(s)", nullptr, int(inspected.segments.size()))));
     m_segments->refresh(inspected);
     m_style->refresh(inspected);
     m_strokes->refresh(inspected);

@@ -19,7 +19,8 @@ constexpr double smallestPositive = 1e-9;
 FieldSpec diffusionSpec()
 {
     return {.name = SegmentSection::tr("Diffusion D"),
-            .toolTip = SegmentSection::tr("How fast the paint spreads: the spread grows with the root of D times time."),
+            .toolTip =
+                SegmentSection::tr("How fast the paint spreads: the spread grows with the root of D times time."),
             .unit = QStringLiteral(" u²/s"),
             .minimum = smallestPositive,
             .maximum = 1e12,
@@ -111,11 +112,10 @@ SliderField *SegmentSection::addRow(const FieldSpec &spec, QGridLayout &grid, fl
 void SegmentSection::changeColour(int channel, double value, EditRun run)
 {
     Document &document = m_editor.document();
-    m_editor.push(changeSegments(document, targetSegments(document),
-                                 [=](Segment &segment) {
-                                     ColourRows::channelOf(segment.colour, channel) = float(value);
-                                 }),
-                  channel == ColourRows::Opacity ? tr("Change opacity") : tr("Change colour"), run);
+    m_editor.push(
+        changeSegments(document, targetSegments(document),
+                       [=](Segment &segment) { ColourRows::channelOf(segment.colour, channel) = float(value); }),
+        channel == ColourRows::Opacity ? tr("Change opacity") : tr("Change colour"), run);
 }
 
 void SegmentSection::takeCurrentColour()

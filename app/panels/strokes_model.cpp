@@ -160,7 +160,8 @@ QVariant StrokesModel::strokeData(const Stroke &stroke, int column, int role) co
     case Qt::ToolTipRole:
         return tr("%n segment(s)", nullptr, int(stroke.segments.size()));
     case ColourRole:
-        return stroke.segments.empty() ? QVariant() : toOpaqueScreen(stroke.segments[stroke.segments.size() / 2].colour);
+        return stroke.segments.empty() ? QVariant()
+                                       : toOpaqueScreen(stroke.segments[stroke.segments.size() / 2].colour);
     case UnnamedRole:
         return stroke.name.isEmpty();
     default:
@@ -197,9 +198,11 @@ bool StrokesModel::setData(const QModelIndex &index, const QVariant &value, int 
     const QString name = value.toString().trimmed();
     const Node *node = nodeAt(index);
     if (node->group)
-        changeGroup(node->group, [&](Group &g) { g.name = name; }, tr("Rename group"));
+        changeGroup(
+            node->group, [&](Group &g) { g.name = name; }, tr("Rename group"));
     else
-        changeStroke(node->stroke, [&](Stroke &s) { s.name = name; }, tr("Rename stroke"));
+        changeStroke(
+            node->stroke, [&](Stroke &s) { s.name = name; }, tr("Rename stroke"));
     return true;
 }
 
@@ -218,12 +221,13 @@ void StrokesModel::toggle(const QModelIndex &index)
     if (node->group) {
         const Group *group = groupOf(node->group);
         const bool on = group && (eye ? group->visible : group->locked);
-        changeGroup(node->group, flip, eye ? (on ? tr("Hide group") : tr("Show group"))
-                                           : (on ? tr("Unlock group") : tr("Lock group")));
+        changeGroup(node->group, flip,
+                    eye ? (on ? tr("Hide group") : tr("Show group")) : (on ? tr("Unlock group") : tr("Lock group")));
     } else if (const auto it = m_values.find(node->stroke); it != m_values.end()) {
         const bool on = eye ? it->second->visible : it->second->locked;
-        changeStroke(node->stroke, flip, eye ? (on ? tr("Hide stroke") : tr("Show stroke"))
-                                             : (on ? tr("Unlock stroke") : tr("Lock stroke")));
+        changeStroke(node->stroke, flip,
+                     eye ? (on ? tr("Hide stroke") : tr("Show stroke"))
+                         : (on ? tr("Unlock stroke") : tr("Lock stroke")));
     }
 }
 

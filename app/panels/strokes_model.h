@@ -96,7 +96,7 @@ private:
     void moveInto(const std::set<StrokeId> &strokes, StrokeId before, GroupId group);
 
     Editor &m_editor;
-    PaintingPtr m_painting;                             ///< what the rows show
+    PaintingPtr m_painting; ///< what the rows show
     std::vector<Group> m_groups;
     std::unordered_map<StrokeId, const Stroke *> m_values; ///< into m_painting
     std::unordered_map<StrokeId, Node *> m_nodes;

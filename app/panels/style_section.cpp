@@ -78,8 +78,8 @@ void StyleSection::addCombos(QGridLayout &grid)
     };
     m_source = add(0, tr("Belongs to"), tr("Whether the segments follow their stroke's style or have their own."),
                    {tr("The stroke"), tr("These segments")});
-    m_kind = add(1, tr("Kind"), tr("How density becomes coverage."),
-                 {tr("Uniform"), tr("Feathering"), tr("Dark edges")});
+    m_kind =
+        add(1, tr("Kind"), tr("How density becomes coverage."), {tr("Uniform"), tr("Feathering"), tr("Dark edges")});
     connect(m_source, &QComboBox::activated, this, [this](int index) { chooseSource(index == 1); });
     connect(m_kind, &QComboBox::activated, this, [this](int index) {
         const Style style = defaultStyle(StyleKind(index));
@@ -122,11 +122,10 @@ void StyleSection::addFigures(QVBoxLayout &column)
 {
     QGridLayout *grid = addFieldGrid(column);
     const std::array<QString, 4> names{tr("Spread s"), tr("Peak density"), tr("Half-width"), tr("Fades away")};
-    const std::array<QString, 4> tips{
-        tr("How far the paint has spread once it is dry: √(4·D·t_max)."),
-        tr("Density in the middle of a long straight stroke, dry."),
-        tr("From the middle to the visible edge of a long straight stroke, dry."),
-        tr("When the paint has spread so thin that nothing of it is visible any more.")};
+    const std::array<QString, 4> tips{tr("How far the paint has spread once it is dry: √(4·D·t_max)."),
+                                      tr("Density in the middle of a long straight stroke, dry."),
+                                      tr("From the middle to the visible edge of a long straight stroke, dry."),
+                                      tr("When the paint has spread so thin that nothing of it is visible any more.")};
     for (int i = 0; i < 4; ++i) {
         auto *name = quietLabel(names[std::size_t(i)], this);
         name->setWordWrap(false);
@@ -233,8 +232,8 @@ void StyleSection::nameXi(StyleKind kind)
     const std::array<std::array<QString, 3>, 3> tips{
         {{tr("Density at which the stroke covers by half."), tr("How gently the edge fades."), QString()},
          {tr("Density from which the stroke covers fully."), tr("How steeply coverage grows with density."), QString()},
-         {tr("Density at which the dark rim stands."), tr("How much the inside is lighter than the rim; at most 1.26·ξ1."),
-          tr("Coverage far inside the stroke.")}}};
+         {tr("Density at which the dark rim stands."),
+          tr("How much the inside is lighter than the rim; at most 1.26·ξ1."), tr("Coverage far inside the stroke.")}}};
     const Style fallback = defaultStyle(kind);
     for (std::size_t i = 0; i < 3; ++i) {
         if (names[std::size_t(kind)][i].isEmpty())
@@ -286,9 +285,13 @@ void StyleSection::refreshFigures(const Inspected &inspected)
             fadesTo = std::max(fadesTo, *f.driesOut);
             fades = true;
         }
-        low = first ? f : DerivedFigures{std::min(low.spread, f.spread), std::min(low.peak, f.peak),
-                                         std::min(low.halfWidth, f.halfWidth), {}};
-        high = {std::max(high.spread, f.spread), std::max(high.peak, f.peak), std::max(high.halfWidth, f.halfWidth), {}};
+        low = first ? f
+                    : DerivedFigures{std::min(low.spread, f.spread),
+                                     std::min(low.peak, f.peak),
+                                     std::min(low.halfWidth, f.halfWidth),
+                                     {}};
+        high = {
+            std::max(high.spread, f.spread), std::max(high.peak, f.peak), std::max(high.halfWidth, f.halfWidth), {}};
         first = false;
     }
     m_figures[0]->setText(rangeText(low.spread, high.spread, QStringLiteral(" u")));

@@ -9,7 +9,7 @@ namespace suffuse {
 namespace {
 
 /// Planes are short and cost little time even at a high level.
-constexpr int zstdLevel = 12;
+constexpr int zstdLevel = 9;
 
 QByteArray compressed(const QByteArray &bytes)
 {

@@ -124,17 +124,17 @@ inline double timeRatio(const std::vector<Microseconds> &born, std::size_t k)
     return ratio;
 }
 
-/// Handles of one axis, first and second of each segment in turn; nodes (and born) are known.
+/// Handles of one axis, first and second of each segment in turn; all nodes and births are known.
 template <typename Code>
-void walkHandles(const std::vector<float> &node, const std::vector<Microseconds> &born, std::vector<float> &first,
-                 std::vector<float> &second, int predictor, Code code)
+void walkHandles(const std::vector<float> &node, const std::vector<Microseconds> &born, std::span<float> first,
+                 std::span<float> second, int predictor, Code code)
 {
     const std::size_t n = first.size();
     for (std::size_t k = 0; k < n; ++k) {
         const double a = node[k], b = node[k + 1];
         if (predictor == NeighbourHandles) {
             code(first[k], a + (b - double(node[k > 0 ? k - 1 : 0])) / 6);
-            code(second[k], b - (double(node[k + 2 <= n ? k + 2 : n]) - a) / 6);
+            code(second[k], b - (double(node[std::min(k + 2, node.size() - 1)]) - a) / 6);
         } else if (predictor == StraightHandles || k == 0) {
             code(first[k], a + (b - a) / 3);
             code(second[k], b - (b - a) / 3);

@@ -1,6 +1,7 @@
 #include "model/formats/suffuse_predict.h"
 #include "model/formats/suffuse_strokes.h"
 
+#include <algorithm>
 #include <map>
 
 namespace suffuse {
@@ -61,25 +62,29 @@ StrokeColumns columnsOf(const Stroke &stroke)
     return c;
 }
 
+bool fits(float value, int digits)
+{
+    return std::bit_cast<std::uint32_t>(dequantised(quantised(value, digits), digits)) ==
+           std::bit_cast<std::uint32_t>(value);
+}
+
 /// Fewest decimals that give back every float bit for bit; −1 if seven do not.
 int decimalsOf(std::initializer_list<std::span<const float>> columns)
 {
     int digits = 0;
-    for (const auto &column : columns) {
-        for (const float v : column) {
-            while (digits < 8 && std::bit_cast<std::uint32_t>(dequantised(quantised(v, digits), digits)) !=
-                                     std::bit_cast<std::uint32_t>(v))
+    for (bool raised = true; raised;) {
+        // A value that needs more decimals sends all back to the start: those before it must fit too.
+        raised = false;
+        for (const auto &column : columns) {
+            const auto misfit =
+                std::find_if_not(column.begin(), column.end(), [&](float v) { return fits(v, digits); });
+            if (misfit == column.end())
+                continue;
+            for (++digits; digits < 8 && !fits(*misfit, digits);)
                 ++digits;
             if (digits == 8)
                 return -1;
-        }
-    }
-    // A later value may have raised the number of decimals: the earlier ones must still fit.
-    for (const auto &column : columns) {
-        for (const float v : column) {
-            if (std::bit_cast<std::uint32_t>(dequantised(quantised(v, digits), digits)) !=
-                std::bit_cast<std::uint32_t>(v))
-                return -1;
+            raised = true;
         }
     }
     return digits;
@@ -206,18 +211,20 @@ private:
 
     void addHandles(StrokeColumns &c)
     {
-        const auto walk = [&c](std::size_t axis, int predictor, auto code) {
-            walkHandles(c.node[axis], c.born, c.handle[0][axis], c.handle[1][axis], predictor, code);
+        const std::size_t all = c.born.size(), sample = std::min(all, sampleSize);
+        const auto walk = [&c](std::size_t count, std::size_t axis, int predictor, auto code) {
+            walkHandles(c.node[axis], c.born, std::span(c.handle[0][axis]).first(count),
+                        std::span(c.handle[1][axis]).first(count), predictor, code);
         };
         const int decimals = decimalsOf({c.handle[0][0], c.handle[0][1], c.handle[1][0], c.handle[1][1]});
         const ColumnMode mode = bestMode(decimals, 4, [&](int predictor, auto code) {
-            walk(0, predictor, code);
-            walk(1, predictor, code);
+            walk(sample, 0, predictor, code);
+            walk(sample, 1, predictor, code);
         });
         m_modes[1].push_back(mode.toByte());
         for (std::size_t axis = 0; axis < 2; ++axis) {
             std::size_t which = 0;
-            walk(axis, mode.predictor, [&](float value, double prediction) {
+            walk(all, axis, mode.predictor, [&](float value, double prediction) {
                 m_handle[axis][which].push_back(residual(value, prediction, mode.digits));
                 which ^= 1;
             });

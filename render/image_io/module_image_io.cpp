@@ -91,6 +91,8 @@ std::string problemOf(const ImageSpec &spec, const ImageModuleRead &job)
         return "it declares " + std::to_string(spec.width) + " x " + std::to_string(spec.height) + " pixels";
     if (spec.nchannels < 1 || spec.nchannels > 16)
         return "it declares " + std::to_string(spec.nchannels) + " channels";
+    if (spec.get_int_attribute("tiff:RowsPerStrip", 1) < 1) // it divides by them
+        return "its strips have no rows";
     if (spec.tile_width > 0) { // a row of tiles is decoded at a time
         const std::int64_t across =
             (spec.width + std::int64_t(spec.tile_width) - 1) / spec.tile_width * spec.tile_width;

@@ -41,28 +41,33 @@ QByteArray strippedPng(const QByteArray &bytes)
     return out;
 }
 
-/// Without APP1 … APP13, APP15 and comments up to the first scan. APP14 tells how the colours are stored.
+/// Without APP1 … APP13, APP15 and comments up to the first scan. APP14 tells how the colours are stored. Stray bytes
+/// between markers are left out, as the decoder does.
 QByteArray strippedJpeg(const QByteArray &bytes)
 {
     const Numbers numbers{bytes};
     QByteArray out = bytes.left(2);
-    qsizetype at = 2;
-    while (at + 4 <= bytes.size() && bytes[at] == '\xFF') {
+    for (qsizetype at = 2; at + 4 <= bytes.size();) {
         const int marker = static_cast<unsigned char>(bytes[at + 1]);
-        if (marker == 0xFF) { // fill
+        if (bytes[at] != '\xFF' || marker == 0xFF) {
             ++at;
             continue;
         }
-        const bool isScan = marker == 0xDA, standsAlone = marker <= 0x01 || (marker >= 0xD0 && marker <= 0xD9);
-        if (isScan || standsAlone)
-            break;
+        if (marker <= 0x01 || (marker >= 0xD0 && marker <= 0xD7)) { // no marker, or one without a length
+            at += 2;
+            continue;
+        }
         const qsizetype length = qsizetype(numbers.at(quint64(at) + 2, 2)) + 2;
+        if (marker == 0xDA)
+            return out + bytes.mid(at);
+        if (marker == 0xD8 || marker == 0xD9 || length < 4) // begins again, ends, or is broken
+            return out;
         const bool isMetadata = marker == 0xFE || (marker >= 0xE1 && marker <= 0xEF && marker != 0xEE);
         if (!isMetadata)
             out += bytes.mid(at, length);
         at += length;
     }
-    return out + bytes.mid(at);
+    return out;
 }
 
 /// Entries of the first directory that are not about pixels get a tag that nothing reads. Offsets stay.

@@ -73,5 +73,4 @@ inline std::vector<StrokeId> orderOf(Editor &editor)
     return ids;
 }
 
-
 } // namespace suffuse

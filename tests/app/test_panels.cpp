@@ -1,4 +1,5 @@
-// Panels driven by real events: each gesture is one undo step, mixed values stay mixed, what is refused changes nothing.
+// Panels driven by real events: each gesture is one undo step, mixed values stay mixed, what is refused changes
+// nothing.
 #include "app/panels/arithmetic.h"
 #include "app/panels/brush_panel.h"
 #include "app/panels/canvas_section.h"

@@ -34,9 +34,9 @@ private slots:
                           panel.view()->visualRect(panel.viewIndexOf(1)).center());
         QCOMPARE(bench.editor.document().selection().strokes, std::set<StrokeId>{1});
 
-        bench.editor.push(addStrokes(bench.editor.document(),
-                                     {makeStroke(bench.editor.document().takeStrokeId(), 2, 5)}, false),
-                          "add");
+        bench.editor.push(
+            addStrokes(bench.editor.document(), {makeStroke(bench.editor.document().takeStrokeId(), 2, 5)}, false),
+            "add");
         QCOMPARE(panel.model()->rowCount(), 4);
         bench.select({2});
         bench.editor.push(deleteSelection(bench.editor.document()), "delete");

@@ -5,6 +5,7 @@
 #include "model/validate.h"
 
 #include <QFile>
+#include <QRandomGenerator>
 #include <QTest>
 
 using namespace suffuse;
@@ -177,14 +178,14 @@ private slots:
     void badLinesAreNamed()
     {
         QVERIFY2(errorOf("x,y,time\n1,2,0\n3,oops,1\n")
-                     .startsWith(QLatin1String("a.ink: line 3, column y: “oops” is not a number")),
+                     .startsWith(QStringLiteral("a.ink: line 3, column y: “oops” is not a number")),
                  qPrintable(errorOf("x,y,time\n1,2,0\n3,oops,1\n")));
-        QVERIFY(errorOf("x,y,time\n1,2,nan\n").contains(QLatin1String("line 2, column time: “nan”")));
+        QVERIFY(errorOf("x,y,time\n1,2,nan\n").contains(QStringLiteral("line 2, column time: “nan”")));
         QVERIFY(errorOf("x,y\n1e300,2\n").contains(QLatin1String("line 2, column x")));
         QVERIFY(errorOf("x,y\n1\n").contains(QLatin1String("line 2, column y")));
         QVERIFY(errorOf("x,y\n").contains(QLatin1String("no pen strokes")));
         QVERIFY(errorOf("x,y\n0,0\n1e9,0\n").contains(QLatin1String("at most 1e6")));
-        QVERIFY(errorOf("0 1 2 1\n0 1 x 1\n").contains(QLatin1String("line 2, column y: “x”")));
+        QVERIFY(errorOf("0 1 2 1\n0 1 x 1\n").contains(QStringLiteral("line 2, column y: “x”")));
         QVERIFY(errorOf("0 1 2 1\n0 1\n").contains(QLatin1String("line 2, column y")));
         QVERIFY(errorOf("{\"type\": \"excalidraw\", \"elements\": [").contains(QLatin1String("line 1, column ")));
         QVERIFY(
