@@ -44,27 +44,36 @@ HWY_INLINE void store(Lanes v, float *p)
     hn::Store(v.v, tag, p);
 }
 
-/// Distances from a node to the block's 16 sample columns (or rows).
-HWY_INLINE void distances(double node, double origin, double step, float *out)
+/// Distances from a node to the block's 16 sample columns (or rows), lanes from `first` on.
+HWY_INLINE Lanes distances(float firstCell, float secondCell, const float *offsets, int first)
 {
-    for (int cell = 0; cell < blockSide; cell += cellSide) {
-        const float base = float(node - (origin + step * (cell + cellSide / 2)));
-        const float s = float(step);
-        for (int i = 0; i < cellSide; ++i)
-            out[cell + i] = (float(i) - 3.5f) * s - base;
-    }
+    const Lanes offset = load(offsets + first);
+    if (hn::Lanes(tag) > cellSide) // both cells in one vector
+        return offset - Lanes(hn::IfThenElse(hn::FirstN(tag, cellSide), Lanes(firstCell).v, Lanes(secondCell).v));
+    return offset - Lanes(first < cellSide ? firstCell : secondCell);
+}
+
+/// Offsets of a block's samples from the centres of their cells.
+HWY_INLINE void cellOffsets(double step, float *out)
+{
+    for (int i = 0; i < blockSide; ++i)
+        out[i] = (float(i % cellSide) - 3.5f) * float(step);
 }
 
 /// Cut Gaussian along one axis and its slope, both times `weight`.
-HWY_INLINE void axisTable(const float *distance, float metric, float cut, float weight, float *value, float *slope)
+HWY_INLINE void axisTable(double node, double origin, double step, const float *offsets, float metric, float cut,
+                          float weight, float *value, float *slope)
 {
+    const double toCell = step * (cellSide / 2);
+    const float first = float(node - (origin + toCell)), second = float(node - (origin + 3 * toCell));
+    const Lanes exponent(float(-log2e) * metric), w(weight), slopeFactor(-2 * metric * weight);
     for (int i = 0; i < blockSide; i += int(hn::Lanes(tag))) {
-        const Lanes d = load(distance + i);
-        const Lanes e = exp2_(Lanes(float(-log2e) * metric) * d * d);
+        const Lanes d = distances(first, second, offsets, i);
+        const Lanes e = exp2_(exponent * d * d);
         const Lanes inside = e - Lanes(cut);
         const auto there = less_(Lanes(0), inside);
-        store(select_(there, inside * Lanes(weight), Lanes(0)), value + i);
-        store(select_(there, Lanes(-2 * metric * weight) * d * e, Lanes(0)), slope + i);
+        store(Lanes(hn::IfThenElseZero(there, (inside * w).v)), value + i);
+        store(Lanes(hn::IfThenElseZero(there, (slopeFactor * d * e).v)), slope + i);
     }
 }
 
@@ -96,15 +105,14 @@ void addSeparable(const Block &block, const ViewNode *const *nodes, int count, c
                   Sums &sums)
 {
     Tables t;
-    alignas(64) float distance[blockSide];
+    alignas(64) float offsets[blockSide];
+    cellOffsets(block.step, offsets);
     for (int first = 0; first < count; first += chunk) {
         const int n = std::min(chunk, count - first);
         for (int i = 0; i < n; ++i) {
             const ViewNode &node = *nodes[first + i];
-            distances(node.x, block.x, block.step, distance);
-            axisTable(distance, node.a, node.cut, 1, t.column[i], t.columnSlope[i]);
-            distances(node.y, block.y, block.step, distance);
-            axisTable(distance, node.c, node.cut, node.weight, t.row[i], t.rowSlope[i]);
+            axisTable(node.x, block.x, block.step, offsets, node.a, node.cut, 1, t.column[i], t.columnSlope[i]);
+            axisTable(node.y, block.y, block.step, offsets, node.c, node.cut, node.weight, t.row[i], t.rowSlope[i]);
         }
         addOuter(t.column, t.row, n, sums.v[0]);
         addOuter(t.columnSlope, t.row, n, sums.v[1]);
@@ -124,11 +132,16 @@ void addSeparable(const Block &block, const ViewNode *const *nodes, int count, c
 void addOblique(const Block &block, const ViewNode *const *nodes, int count, const float *values, int channels,
                 Sums &sums)
 {
-    alignas(64) float dx[blockSide], dy[blockSide];
+    alignas(64) float dx[blockSide], dy[blockSide], offsets[blockSide];
+    cellOffsets(block.step, offsets);
+    const double toCell = block.step * (cellSide / 2);
     for (int n = 0; n < count; ++n) {
         const ViewNode &node = *nodes[n];
-        distances(node.x, block.x, block.step, dx);
-        distances(node.y, block.y, block.step, dy);
+        const double x = node.x - block.x - toCell, y = node.y - block.y - toCell;
+        for (int i = 0; i < blockSide; i += int(hn::Lanes(tag))) {
+            store(distances(float(x), float(x - 2 * toCell), offsets, i), dx + i);
+            store(distances(float(y), float(y - 2 * toCell), offsets, i), dy + i);
+        }
         const float *value = values + std::size_t(node.segment) * channels;
         for (int y = 0; y < blockSide; ++y)
             for (int x = 0; x < blockSide; x += int(hn::Lanes(tag))) {
@@ -196,6 +209,13 @@ void accumulate(const Block &block, const ViewNode *const *nodes, int count, int
     addOblique(block, nodes + separable, count - separable, values, channels, sums);
 }
 
+/// Zero without evaluating anything where a whole vector is: the same bits, sooner.
+template <class Style>
+HWY_INLINE Lanes meanOrNothing(const Style &style, Lanes phi, Lanes h)
+{
+    return hn::AllFalse(tag, style.visible(phi, h)) ? Lanes(0) : style.mean(phi, h);
+}
+
 template <class MakeFactor>
 HWY_INLINE void shadeBlock(const ShadeParams &params, const Sums &sums, const float *eta, float step, Shaded &out,
                            MakeFactor makeFactor)
@@ -218,7 +238,7 @@ void shade(const ShadeParams &params, const Sums &sums, const float *eta, float 
         const auto xi = [&](int i) { return Lanes(params.kind[0].xi[i]); };
         withStyle<Lanes>(params.kind[0].kind, xi, [&](const auto &style) {
             shadeBlock(params, sums, eta, step, out, [&](const auto &) {
-                return [&](Lanes, Lanes phi, Lanes h) { return style.mean(phi, h); };
+                return [&](Lanes, Lanes phi, Lanes h) { return meanOrNothing(style, phi, h); };
             });
         });
         return;

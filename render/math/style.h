@@ -40,6 +40,8 @@ struct Uniform {
     }
     /// F is zero wherever φ and h are at most these.
     SUFFUSE_INLINE bool vanishes(V phi, V h) const { return phi + h <= phi0; }
+    /// False only where the mean is exactly zero.
+    SUFFUSE_INLINE auto visible(V phi, V h) const { return less_(phi0, phi + h); }
     /// ln(1 + e^x)
     static SUFFUSE_INLINE V softplus(V x)
     {
@@ -70,6 +72,7 @@ struct Feathering {
     {
     }
     SUFFUSE_INLINE bool vanishes(V phi, V h) const { return phi + h <= cut; }
+    SUFFUSE_INLINE auto visible(V phi, V h) const { return less_(cut, phi + h); }
     static SUFFUSE_INLINE V power(V x, V p) { return exp2_(max_(V(-120), p * log2_(max_(x, V(1e-36))))); }
 
     SUFFUSE_INLINE V mean(V phi, V h) const
@@ -103,6 +106,8 @@ struct Edge {
         beta = r * q;
         phiE = x1 * exp2_(V(-1.0 / 3) * log2_(max_(q, V(1e-30))));
     }
+    /// At most e² = 7.39 times the density counts (q ≤ 2).
+    SUFFUSE_INLINE auto visible(V phi, V) const { return less_(phiE, V(7.5) * phi); }
     /// φ e^min(h/φ, 2) ≤ φ_e for all φ, h up to these: it is greatest at the ends of the range, or where h/φ = 2.
     SUFFUSE_INLINE bool vanishes(V phi, V h) const
     {
