@@ -123,6 +123,13 @@ QString Editor::displayName() const
     return m_filePath.isEmpty() ? tr("Untitled") : QFileInfo(m_filePath).fileName();
 }
 
+Canvas Editor::usualCanvas()
+{
+    Canvas canvas;
+    canvas.paper.kind = PaperKind::Procedural;
+    return canvas;
+}
+
 void Editor::newPainting(const Canvas &canvas)
 {
     auto painting = std::make_shared<Painting>();

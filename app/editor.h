@@ -48,6 +48,8 @@ public:
     QString displayName() const;
     bool isModified() const { return !m_undoStack.isClean(); }
 
+    /// What a new painting has where nothing else is asked for: a sheet of grainy paper.
+    static Canvas usualCanvas();
     void newPainting(const Canvas &canvas);
     /// Formats that cannot be saved (recordings) open untitled.
     Result<void> open(const QString &path);

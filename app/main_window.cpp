@@ -21,6 +21,7 @@
 
 #include <QApplication>
 #include <QDockWidget>
+#include <QLineEdit>
 #include <QLocale>
 #include <QMenu>
 #include <QStatusBar>
@@ -34,6 +35,7 @@ MainWindow::MainWindow(QWidget *parent) : QMainWindow(parent)
     setAcceptDrops(true);
     setDockNestingEnabled(true);
     resize(1280, 800);
+    m_editor.newPainting(Editor::usualCanvas());
     m_canvas = new CanvasWidget(m_editor, this);
     setCentralWidget(m_canvas);
     m_actions = new Actions(*this, *m_canvas);
@@ -53,6 +55,7 @@ MainWindow::MainWindow(QWidget *parent) : QMainWindow(parent)
     updateActions();
     updateZoom();
     settings::restoreLayout(*this);
+    action(Command::FullScreen).setChecked(isFullScreen());
     m_canvas->setFocus();
 }
 
@@ -76,6 +79,9 @@ QDockWidget *MainWindow::addDock(const char *name, const QString &title, QWidget
     addDockWidget(Qt::RightDockWidgetArea, dock);
     m_actions->docksMenu()->addAction(dock->toggleViewAction());
     m_docks << dock;
+    // What was entered is done: keys mean the canvas again, Ctrl+Z among them.
+    for (QLineEdit *field : panel->findChildren<QLineEdit *>())
+        connect(field, &QLineEdit::returnPressed, m_canvas, [this] { m_canvas->setFocus(); }, Qt::QueuedConnection);
     return dock;
 }
 
@@ -179,7 +185,7 @@ void MainWindow::connectActions()
     on(Command::Top, [this] { commands::arrangeSelected(m_editor, Arrange::Top); });
     on(Command::Bottom, [this] { commands::arrangeSelected(m_editor, Arrange::Bottom); });
     on(Command::Settings, [this] { SettingsDialog(this).exec(); });
-    on(Command::Shortcuts, [this] { ShortcutsDialog(m_actions->all(), this).exec(); });
+    on(Command::Shortcuts, [this] { changeShortcuts(); });
     on(Command::About, [this] { AboutDialog(this).exec(); });
     connect(m_actions->recentMenu(), &QMenu::aboutToShow, this, &MainWindow::fillRecentMenu);
 }
@@ -265,6 +271,22 @@ void MainWindow::showFrame(const FrameInfo &frame)
         if (!m_renderError.isEmpty())
             showError(this, m_renderError);
     }
+}
+
+void MainWindow::changeShortcuts()
+{
+    if (ShortcutsDialog(m_actions->all(), this).exec() != QDialog::Accepted)
+        return;
+    for (QWidget *widget : QApplication::topLevelWidgets())
+        if (auto *window = qobject_cast<MainWindow *>(widget))
+            applyStoredShortcuts(window->m_actions->all());
+}
+
+void MainWindow::changeEvent(QEvent *event)
+{
+    if (event->type() == QEvent::WindowStateChange && m_actions) // the window manager has keys for it, too
+        action(Command::FullScreen).setChecked(isFullScreen());
+    QMainWindow::changeEvent(event);
 }
 
 void MainWindow::hideDocks(bool hide)

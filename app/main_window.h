@@ -34,6 +34,7 @@ public:
     bool saveTo(const QString &path);
 
 protected:
+    void changeEvent(QEvent *event) override;
     void closeEvent(QCloseEvent *event) override;
     void dragEnterEvent(QDragEnterEvent *event) override;
     void dropEvent(QDropEvent *event) override;
@@ -51,6 +52,7 @@ private:
     void chooseFileToOpen();
     void fillRecentMenu();
     void hideDocks(bool hide);
+    void changeShortcuts();
     void useTool(Tool *tool);
     void updateActions();
     void updateTitle();

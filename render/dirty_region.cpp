@@ -39,10 +39,14 @@ bool DirtyRegion::anyInRow(int row) const
 
 namespace {
 
-bool sameSegment(const StrokeNodes &a, const SegmentNodes &s, const StrokeNodes &b, const SegmentNodes &t)
+bool sameGroup(const StrokeNodes &a, const NodeGroup &g, const StrokeNodes &b, const NodeGroup &h)
 {
-    return s.values == t.values && s.end - s.begin == t.end - t.begin && s.spread == t.spread && s.reach == t.reach &&
-           std::equal(a.nodes.begin() + s.begin, a.nodes.begin() + s.end, b.nodes.begin() + t.begin);
+    const std::uint32_t count = g.end - g.begin, rows = g.rowPerNode ? count : 1;
+    return count == h.end - h.begin && g.rowPerNode == h.rowPerNode &&
+           std::equal(a.nodes.begin() + g.begin, a.nodes.begin() + g.end, b.nodes.begin() + h.begin) &&
+           std::equal(a.rows.begin() + g.row, a.rows.begin() + g.row + rows, b.rows.begin() + h.row) &&
+           std::equal(a.reaches.begin() + g.reachBegin, a.reaches.begin() + g.reachEnd, b.reaches.begin() + h.reachBegin,
+                      b.reaches.begin() + h.reachEnd);
 }
 
 /// Everything about a stroke that is not a segment's own.
@@ -70,7 +74,7 @@ bool samePlan(const SceneStroke &a, const SceneStroke &b)
 
 void markChanged(const SceneStroke &before, const SceneStroke &after, const View &view, DirtyRegion &region)
 {
-    const auto &a = before.source->segments, &b = after.source->segments;
+    const auto &a = before.source->groups, &b = after.source->groups;
     if (before.source == after.source && samePlan(before, after))
         return;
     if (a.empty() || b.empty() || !samePlan(before, after)) {
@@ -79,7 +83,7 @@ void markChanged(const SceneStroke &before, const SceneStroke &after, const View
         return;
     }
     const auto same = [&](std::size_t i, std::size_t j) {
-        return sameSegment(*before.source, a[i], *after.source, b[j]);
+        return sameGroup(*before.source, a[i], *after.source, b[j]);
     };
     const auto markBefore = [&](std::size_t i) {
         region.mark(pixelBounds(*before.source, a[i], before.stroke->origin, view));
@@ -88,13 +92,13 @@ void markChanged(const SceneStroke &before, const SceneStroke &after, const View
         region.mark(pixelBounds(*after.source, b[j], after.stroke->origin, view));
     };
     std::size_t suffix = 0;
-    if (a.size() == b.size()) { // the same segments, some with other values
+    if (a.size() == b.size()) { // the same groups, some with other values
         for (std::size_t i = 0; i < a.size(); ++i)
             if (!same(i, i))
                 markBefore(i), markAfter(i);
         return;
     }
-    std::size_t prefix = 0; // segments came or went in the middle
+    std::size_t prefix = 0; // groups came or went in the middle
     const std::size_t shorter = std::min(a.size(), b.size());
     while (prefix < shorter && same(prefix, prefix))
         ++prefix;

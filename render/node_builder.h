@@ -21,29 +21,43 @@ struct Node {
     friend bool operator==(const Node &, const Node &) = default;
 };
 
-/// What one segment contributes to a picture, beside its geometry.
-struct SegmentValues {
+/// What a node carries beside its density.
+struct NodeValues {
     Colour colour;
     float granulation = 1;
-    Style style; ///< its own or the stroke's
-    friend bool operator==(const SegmentValues &, const SegmentValues &) = default;
+    Style style; ///< the segment's own or the stroke's
+    friend bool operator==(const NodeValues &, const NodeValues &) = default;
 };
 
-struct SegmentNodes {
+/// Where a segment makes pixels supersampled (docs/reference.md): offsets from the stroke's origin.
+struct SegmentReach {
+    double spread = 0; ///< s, the smaller axis where anisotropic
+    Rect box;          ///< influenceOf
+    friend bool operator==(const SegmentReach &, const SegmentReach &) = default;
+};
+
+/// The nodes of one segment, or of a block of segments that were merged: the unit of what is redrawn.
+struct NodeGroup {
     std::uint32_t begin = 0; ///< range in StrokeNodes::nodes
     std::uint32_t end = 0;
-    SegmentValues values;
-    double spread = 0; ///< s, the smaller axis where anisotropic
-    Rect reach;        ///< influenceOf, for the supersampling rule; offsets from the stroke's origin
+    std::uint32_t row = 0;   ///< in StrokeNodes::rows: of all its nodes, or of the first one
+    bool rowPerNode = false;
+    std::uint32_t reachBegin = 0; ///< range in StrokeNodes::reaches
+    std::uint32_t reachEnd = 0;
 };
 
 /// The nodes of a stroke at a time and zoom octave. A pure function of stroke, T, octave (and clip, for segments of
 /// extreme length: outside of it nodes are left out).
 struct StrokeNodes {
-    std::vector<Node> nodes; ///< by segment, in order
-    std::vector<SegmentNodes> segments; ///< those that are there at T and can be seen at the octave
+    std::vector<Node> nodes; ///< by group, in order along the stroke
+    std::vector<NodeGroup> groups; ///< of what is there at T and can be seen at the octave
+    std::vector<NodeValues> rows;
+    std::vector<SegmentReach> reaches;
     bool clipped = false; ///< depends on the clip
 };
+
+/// Segments are merged within blocks of so many, all of them dry: so an edit changes nodes of its block only.
+inline constexpr int mergeBlock = 32;
 
 /// Zoom octave of a scale in pixels per unit: the smallest o with 2^o ≥ scale.
 int zoomOctave(double scale);
@@ -51,8 +65,8 @@ int zoomOctave(double scale);
 /// `clip`: what the view shows, canvas units.
 std::shared_ptr<const StrokeNodes> buildNodes(const Stroke &stroke, Microseconds T, int octave, const Rect &clip);
 
-/// Absolute density error that a style lets pass unseen: 5e-4 of opacity at its steepest point, where a pixel's own
-/// width also softens a hard edge. `peak`: the segment's pk; `spreadPixels`: s in pixels at the octave.
+/// Absolute density error that a style lets pass unseen: 5e-4 of opacity at its steepest; (19) jumps, but no pixel sees it
+/// sharper than its own width. `peak`: the segment's pk; `spreadPixels`: s in pixels at the octave.
 double densityTolerance(const Style &style, double peak, double spreadPixels);
 
 } // namespace suffuse

@@ -80,8 +80,8 @@ void includeNode(Rect &box, Point at, Point reach)
 template <class Get>
 bool varies(const StrokeNodes &nodes, Get get)
 {
-    const auto &s = nodes.segments;
-    return std::any_of(s.begin(), s.end(), [&](const SegmentNodes &n) { return !(get(n.values) == get(s[0].values)); });
+    const auto &rows = nodes.rows;
+    return std::any_of(rows.begin(), rows.end(), [&](const NodeValues &v) { return !(get(v) == get(rows[0])); });
 }
 
 int xiCount(StyleKind kind)
@@ -92,26 +92,26 @@ int xiCount(StyleKind kind)
 /// Chooses constants where all segments agree, channels where they differ.
 void planChannels(SceneStroke &s)
 {
-    const auto &segments = s.source->segments;
-    const SegmentValues &first = segments.front().values;
+    const auto &rows = s.source->rows;
+    const NodeValues &first = rows.front();
     s.shade.colour = first.colour;
     s.shade.grain = first.granulation;
-    if (varies(*s.source, [](const SegmentValues &v) { return v.colour; }))
+    if (varies(*s.source, [](const NodeValues &v) { return v.colour; }))
         s.shade.colourChannel = s.channels, s.channels += 4;
-    if (varies(*s.source, [](const SegmentValues &v) { return v.granulation; }))
+    if (varies(*s.source, [](const NodeValues &v) { return v.granulation; }))
         s.shade.grainChannel = s.channels++;
     s.granulated = s.shade.grainChannel >= 0 || s.shade.grain != 1;
-    const bool styles = varies(*s.source, [](const SegmentValues &v) { return v.style; });
-    const bool severalKinds = varies(*s.source, [](const SegmentValues &v) { return v.style.kind; });
+    const bool styles = varies(*s.source, [](const NodeValues &v) { return v.style; });
+    const bool severalKinds = varies(*s.source, [](const NodeValues &v) { return v.style.kind; });
     s.shade.kinds = 0;
     for (StyleKind kind : {StyleKind::Uniform, StyleKind::Feathering, StyleKind::Edge}) {
         const auto member =
-            std::find_if(segments.begin(), segments.end(), [&](const auto &n) { return n.values.style.kind == kind; });
-        if (member == segments.end())
+            std::find_if(rows.begin(), rows.end(), [&](const NodeValues &v) { return v.style.kind == kind; });
+        if (member == rows.end())
             continue;
         KindParams &p = s.shade.kind[s.shade.kinds++];
         p.kind = kind;
-        std::copy_n(member->values.style.xi.begin(), 3, p.xi);
+        std::copy_n(member->style.xi.begin(), 3, p.xi);
         if (severalKinds)
             p.shareChannel = s.channels++;
         if (styles)
@@ -121,11 +121,11 @@ void planChannels(SceneStroke &s)
 
 void fillValues(SceneStroke &s)
 {
-    const auto &segments = s.source->segments;
-    s.values.assign(std::size_t(s.channels) * segments.size(), 0.0f);
-    for (std::size_t k = 0; k < segments.size(); ++k) {
+    const auto &rows = s.source->rows;
+    s.values.assign(std::size_t(s.channels) * rows.size(), 0.0f);
+    for (std::size_t k = 0; k < rows.size(); ++k) {
         float *row = s.values.data() + k * s.channels;
-        const SegmentValues &v = segments[k].values;
+        const NodeValues &v = rows[k];
         if (const int c = s.shade.colourChannel; c >= 0) {
             const float colour[4] = {v.colour.red, v.colour.yellow, v.colour.blue, v.colour.opacity};
             std::copy_n(colour, 4, row + c);
@@ -171,15 +171,21 @@ bool canVanish(const SceneStroke &stroke, float density, float slope)
     return stroke.deep.empty();
 }
 
-PixelRect pixelBounds(const StrokeNodes &nodes, const SegmentNodes &segment, Point origin, const View &view)
+PixelRect pixelBounds(const StrokeNodes &nodes, const NodeGroup &group, Point origin, const View &view)
 {
     const Linear j(view);
     const Point base = view.toPixels(origin);
     Rect box;
-    for (std::uint32_t i = segment.begin; i < segment.end; ++i) {
+    for (std::uint32_t i = group.begin; i < group.end; ++i) {
         const Node &n = nodes.nodes[i];
         includeNode(box, base + j({n.x, n.y}), Metric(n, j, view.scale).reach(n.cutRadius));
     }
+    // A small segment sets how pixels of its neighbours are sampled.
+    for (std::uint32_t i = group.reachBegin; i < group.reachEnd; ++i)
+        if (const SegmentReach &r = nodes.reaches[i]; r.spread * view.scale < 1)
+            for (const double x : {r.box.left, r.box.right})
+                for (const double y : {r.box.top, r.box.bottom})
+                    includeNode(box, base + j({x, y}), {1, 1});
     return toPixelRect(box, view);
 }
 
@@ -188,7 +194,7 @@ SceneStroke makeSceneStroke(StrokePtr stroke, std::shared_ptr<const StrokeNodes>
     SceneStroke s;
     s.stroke = std::move(stroke);
     s.source = std::move(nodes);
-    if (s.source->segments.empty())
+    if (s.source->groups.empty())
         return s;
     s.keep = s.stroke->mix.mode == MixMode::Beta ? 1 - s.stroke->mix.beta : 1;
     const Linear j(view);
@@ -196,35 +202,32 @@ SceneStroke makeSceneStroke(StrokePtr stroke, std::shared_ptr<const StrokeNodes>
     const Point fromCentre = s.stroke->origin - view.centre;
     std::vector<cpu::ViewNode> oblique;
     Rect box;
-    for (std::size_t k = 0; k < s.source->segments.size(); ++k) {
-        const SegmentNodes &segment = s.source->segments[k];
-        for (std::uint32_t i = segment.begin; i < segment.end; ++i) {
-            const Node &n = s.source->nodes[i];
-            const Point d = j(fromCentre + Point{n.x, n.y});
-            const Point at{d.x + 0.5 * view.width, d.y + 0.5 * view.height};
-            const Metric m(n, j, view.scale);
-            const Point reach = m.reach(n.cutRadius);
-            if (at.x + reach.x < -1 || at.y + reach.y < -1 || at.x - reach.x > view.width + 1 ||
-                at.y - reach.y > view.height + 1)
-                continue;
-            includeNode(box, at, reach);
-            if (m.narrowest() > deepSpread) {
-                s.deep.push_back({at.x, at.y, m.a, m.b, m.c, n.weight, std::uint32_t(k)});
-                continue;
-            }
-            (m.b == 0 ? s.nodes : oblique)
-                .push_back({at.x, at.y, float(m.a), float(m.b), float(m.c), n.weight,
-                            std::exp(-n.cutRadius * n.cutRadius), float(reach.x), float(reach.y), float(m.least()),
-                            float(std::sqrt(m.greatest())), std::uint32_t(k)});
+    const auto add = [&](const Node &n, std::uint32_t row) {
+        const Point d = j(fromCentre + Point{n.x, n.y});
+        const Point at{d.x + 0.5 * view.width, d.y + 0.5 * view.height};
+        const Metric m(n, j, view.scale);
+        const Point reach = m.reach(n.cutRadius);
+        if (at.x + reach.x < -1 || at.y + reach.y < -1 || at.x - reach.x > view.width + 1 ||
+            at.y - reach.y > view.height + 1)
+            return;
+        includeNode(box, at, reach);
+        if (m.narrowest() > deepSpread) {
+            s.deep.push_back({at.x, at.y, m.a, m.b, m.c, n.weight, row});
+            return;
         }
-        const double pixels = segment.spread * view.scale;
-        if (pixels < 1) {
+        (m.b == 0 ? s.nodes : oblique)
+            .push_back({at.x, at.y, float(m.a), float(m.b), float(m.c), n.weight, std::exp(-n.cutRadius * n.cutRadius),
+                        float(reach.x), float(reach.y), float(m.least()), float(std::sqrt(m.greatest())), row});
+    };
+    for (const NodeGroup &group : s.source->groups)
+        for (std::uint32_t i = group.begin; i < group.end; ++i)
+            add(s.source->nodes[i], group.row + (group.rowPerNode ? i - group.begin : 0));
+    for (const SegmentReach &r : s.source->reaches)
+        if (const double pixels = r.spread * view.scale; pixels < 1) {
             const int level = std::min(6, int(std::ceil(-std::log2(pixels))));
-            const Rect &r = segment.reach;
             const Point o = s.stroke->origin;
-            s.small.push_back({level, {o.x + r.left, o.y + r.top, o.x + r.right, o.y + r.bottom}});
+            s.small.push_back({level, {o.x + r.box.left, o.y + r.box.top, o.x + r.box.right, o.y + r.box.bottom}});
         }
-    }
     s.separable = int(s.nodes.size());
     s.nodes.insert(s.nodes.end(), oblique.begin(), oblique.end());
     s.bounds = toPixelRect(box, view);

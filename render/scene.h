@@ -14,7 +14,7 @@ struct DeepNode {
     double x = 0, y = 0;       ///< pixels
     double a = 0, b = 0, c = 0;///< px⁻²
     double weight = 0;
-    std::uint32_t segment = 0;
+    std::uint32_t row = 0;
 };
 inline constexpr double deepSpread = 4096; // px
 
@@ -34,7 +34,7 @@ struct SceneStroke {
     std::vector<SmallSegment> small;
     ShadeParams shade;
     int channels = 0;
-    std::vector<float> values; ///< channels a segment of `source`
+    std::vector<float> values; ///< channels a row of `source`
     float keep = 1;            ///< eq 23: 1 − β
     bool granulated = false;
 };
@@ -42,8 +42,8 @@ struct SceneStroke {
 /// True only where opacity is exactly zero for every density and slope (per pixel) up to these.
 bool canVanish(const SceneStroke &stroke, float density, float slope);
 
-/// Pixels that the segments' nodes touch, rounded outwards and cut to the picture.
-PixelRect pixelBounds(const StrokeNodes &nodes, const SegmentNodes &segment, Point origin, const View &view);
+/// Pixels that a group can change, rounded outwards and cut to the picture.
+PixelRect pixelBounds(const StrokeNodes &nodes, const NodeGroup &group, Point origin, const View &view);
 
 SceneStroke makeSceneStroke(StrokePtr stroke, std::shared_ptr<const StrokeNodes> nodes, const View &view);
 

@@ -1,8 +1,15 @@
 #include "render/target.h"
 
 #include <algorithm>
+#include <atomic>
 
 namespace suffuse {
+
+std::uint64_t Target::nextSerial()
+{
+    static std::atomic<std::uint64_t> last{0};
+    return ++last;
+}
 
 void FloatPicture::store(const PixelRect &rect, const float *pixels, int stride)
 {

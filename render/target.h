@@ -11,11 +11,21 @@ namespace suffuse {
 /// Receives finished pixels: straight (unassociated) RGBA, RGB sRGB-encoded, each in [0, 1].
 class Target {
 public:
+    Target() : m_serial(nextSerial()) {}
+    Target(const Target &) : Target() {}
+    Target &operator=(const Target &) { return *this; }
     virtual ~Target() = default;
+    /// Never used twice in a process, as an address is: a renderer knows by it which target it drew last.
+    std::uint64_t serial() const { return m_serial; }
     /// Before the first store of a picture of another size.
     virtual void resize(int width, int height) = 0;
     /// `rgba`: 4 floats a pixel, rows of `stride` pixels. Called from several threads at once for disjoint rectangles.
     virtual void store(const PixelRect &rect, const float *rgba, int stride) = 0;
+
+private:
+    static std::uint64_t nextSerial();
+
+    std::uint64_t m_serial;
 };
 
 /// A picture in memory, float RGBA.

@@ -1,4 +1,5 @@
 // suffuse-cli: paintings without a window, and without a display.
+#include "app/cli/bench_command.h"
 #include "app/cli/options.h"
 
 #include <QCoreApplication>
@@ -23,6 +24,7 @@ constexpr std::array commands = {
     Command{"convert", convertCommand, QT_TRANSLATE_NOOP("Cli", "between documents, the text form and recordings")},
     Command{"probe", probeCommand, QT_TRANSLATE_NOOP("Cli", "what lies at a point of the canvas")},
     Command{"verify", verifyCommand, QT_TRANSLATE_NOOP("Cli", "compare the backends with the reference")},
+    Command{"bench", benchCommand, QT_TRANSLATE_NOOP("Cli", "measure how fast this machine draws")},
 };
 
 QString help()

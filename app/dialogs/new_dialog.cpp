@@ -1,5 +1,6 @@
 #include "app/dialogs/new_dialog.h"
 
+#include "app/editor.h"
 #include "app/icons.h"
 #include "app/panels/canvas_section.h"
 #include "app/panels/section.h"
@@ -35,11 +36,11 @@ const std::vector<SizePreset> &sizePresets()
 
 Canvas lastCanvas()
 {
-    Canvas canvas;
+    Canvas canvas = Editor::usualCanvas();
     const QSettings &s = settings::store();
     canvas.width = s.value("newCanvas/width", canvas.width).toDouble();
     canvas.height = s.value("newCanvas/height", canvas.height).toDouble();
-    return problemOf(canvas).isEmpty() ? canvas : Canvas{};
+    return problemOf(canvas).isEmpty() ? canvas : Editor::usualCanvas();
 }
 
 } // namespace

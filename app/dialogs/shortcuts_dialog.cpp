@@ -49,6 +49,8 @@ void applyStoredShortcuts(const QList<QAction *> &actions)
         const QVariant stored = settings::store().value(keyOf(action));
         if (stored.isValid())
             action->setShortcuts(QKeySequence::listFromString(stored.toString(), QKeySequence::PortableText));
+        else
+            action->setShortcuts(ownShortcutsOf(action));
     }
 }
 

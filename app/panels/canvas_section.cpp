@@ -66,8 +66,9 @@ void CanvasSection::addSize(QGridLayout &grid)
         grid.addWidget(label, row, 0);
         grid.addWidget(field, row, 2);
         connect(field, &NumberField::refused, this, &CanvasSection::refused);
-        connect(field, &NumberField::entered, this,
-                [=, this](double value) { change([=](Canvas &c) { c.*member = value; }, tr("Resize canvas")); });
+        for (const auto signal : {&NumberField::entered, &NumberField::stepped})
+            connect(field, signal, this,
+                    [=, this](double value) { change([=](Canvas &c) { c.*member = value; }, tr("Resize canvas")); });
         return field;
     };
     m_width = add(0, tr("Width"), tr("Width of the canvas in units; a unit is a pixel at 100 %."), &Canvas::width);
@@ -103,9 +104,10 @@ void CanvasSection::addPaper(QGridLayout &grid)
     grid.addWidget(m_seedLabel, 2, 0);
     grid.addWidget(m_seed, 2, 2);
     connect(m_seed, &NumberField::refused, this, &CanvasSection::refused);
-    connect(m_seed, &NumberField::entered, this, [this](double value) {
-        change([=](Canvas &c) { c.paper.seed = std::uint32_t(value); }, tr("Change paper"));
-    });
+    for (const auto signal : {&NumberField::entered, &NumberField::stepped})
+        connect(m_seed, signal, this, [this](double value) {
+            change([=](Canvas &c) { c.paper.seed = std::uint32_t(value); }, tr("Change paper"));
+        });
 
     m_scale = new SliderField({.name = tr("Scale"),
                                .toolTip = tr("Size of the coarsest grain in units, or units per pixel of the image."),

@@ -106,7 +106,20 @@ void NumberField::stepBy(double steps)
         return;
     m_value = value;
     show(value);
-    emit entered(value);
+    emit stepped(value);
+}
+
+bool NumberField::event(QEvent *event)
+{
+    // Where nothing has been typed there is nothing to undo here: the keys undo in the painting.
+    if (event->type() == QEvent::ShortcutOverride && !isModified()) {
+        const auto *key = static_cast<QKeyEvent *>(event);
+        if (key->matches(QKeySequence::Undo) || key->matches(QKeySequence::Redo)) {
+            event->ignore();
+            return true;
+        }
+    }
+    return QLineEdit::event(event);
 }
 
 void NumberField::keyPressEvent(QKeyEvent *event)

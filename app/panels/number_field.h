@@ -31,12 +31,15 @@ public:
     std::optional<double> value() const { return m_value; }
 
 signals:
-    /// A valid number was entered (Return, leaving the field, steps).
+    /// A valid number was entered (Return, leaving the field).
     void entered(double value);
+    /// The number was stepped by the arrow keys or the wheel.
+    void stepped(double value);
     /// What was typed was refused; `hint` says why, empty: all is well again.
     void refused(const QString &hint);
 
 protected:
+    bool event(QEvent *event) override;
     void keyPressEvent(QKeyEvent *event) override;
     void wheelEvent(QWheelEvent *event) override;
     void focusInEvent(QFocusEvent *event) override;

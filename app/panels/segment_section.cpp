@@ -10,6 +10,9 @@
 #include <QHBoxLayout>
 #include <QVBoxLayout>
 
+#include <algorithm>
+#include <numbers>
+
 namespace suffuse {
 
 namespace {
@@ -66,6 +69,35 @@ FieldSpec maxAgeSpec()
             .defaultValue = Segment{}.maxAge};
 }
 
+FieldSpec anisotropySpec()
+{
+    return {.name = SegmentSection::tr("Anisotropy"),
+            .toolTip = SegmentSection::tr("How many times faster the paint spreads along the angle than across it; "
+                                          "1 spreads evenly."),
+            .minimum = smallestPositive,
+            .maximum = 1e6,
+            .sliderMinimum = 0.01,
+            .sliderMaximum = 100,
+            .logarithmic = true,
+            .defaultValue = Segment{}.anisotropyRatio};
+}
+
+FieldSpec angleSpec()
+{
+    constexpr double degree = std::numbers::pi / 180;
+    return {.name = SegmentSection::tr("Angle"),
+            .toolTip = SegmentSection::tr("Direction of the anisotropy, clockwise from the horizontal."),
+            .unit = QStringLiteral("°"),
+            .minimum = -360 * degree,
+            .maximum = 360 * degree,
+            .sliderMinimum = -90 * degree, // a half turn is the same again
+            .sliderMaximum = 90 * degree,
+            .factor = 1 / degree,
+            .step = degree,
+            .sliderStep = degree,
+            .defaultValue = Segment{}.anisotropyAngle};
+}
+
 } // namespace
 
 SegmentSection::SegmentSection(Editor &editor, QWidget *parent) : QWidget(parent), m_editor(editor)
@@ -79,6 +111,8 @@ SegmentSection::SegmentSection(Editor &editor, QWidget *parent) : QWidget(parent
     m_density = addRow(densitySpec(), *grid, &Segment::density, tr("Change density"));
     m_granulation = addRow(granulationSpec(), *grid, &Segment::granulation, tr("Change granulation"));
     m_maxAge = addRow(maxAgeSpec(), *grid, &Segment::maxAge, tr("Change drying time"));
+    m_anisotropy = addRow(anisotropySpec(), *grid, &Segment::anisotropyRatio, tr("Change anisotropy"));
+    m_angle = addRow(angleSpec(), *grid, &Segment::anisotropyAngle, tr("Change angle"));
 
     auto *head = new QHBoxLayout;
     head->addWidget(sectionTitle(tr("Colour"), this), 1);
@@ -134,6 +168,10 @@ void SegmentSection::refresh(const Inspected &inspected)
     m_density->setValue(common(&Segment::density));
     m_granulation->setValue(common(&Segment::granulation));
     m_maxAge->setValue(common(&Segment::maxAge));
+    m_anisotropy->setValue(common(&Segment::anisotropyRatio));
+    m_angle->setValue(common(&Segment::anisotropyAngle));
+    m_angle->setEnabled(std::any_of(segments.begin(), segments.end(),
+                                    [](const InspectedSegment &s) { return !s.segment->isIsotropic(); }));
 
     std::array<std::optional<double>, 4> channels;
     for (int channel = 0; channel < 4; ++channel)

@@ -9,7 +9,7 @@ class ColourRows;
 class ColourSwatch;
 class Editor;
 
-/// D, φ, ω, t_max and colour of the selected segments.
+/// D, φ, ω, t_max, anisotropy and colour of the selected segments.
 class SegmentSection : public QWidget {
     Q_OBJECT
 
@@ -22,6 +22,8 @@ public:
     SliderField *density() const { return m_density; }
     SliderField *granulation() const { return m_granulation; }
     SliderField *maxAge() const { return m_maxAge; }
+    SliderField *anisotropy() const { return m_anisotropy; } ///< ratio
+    SliderField *angle() const { return m_angle; }           ///< radians
     ColourRows *colour() const { return m_colour; }
 
 signals:
@@ -37,6 +39,8 @@ private:
     SliderField *m_density = nullptr;
     SliderField *m_granulation = nullptr;
     SliderField *m_maxAge = nullptr;
+    SliderField *m_anisotropy = nullptr;
+    SliderField *m_angle = nullptr;
     ColourSwatch *m_swatch = nullptr;
     ColourRows *m_colour = nullptr;
 };

@@ -40,6 +40,7 @@ SliderField::SliderField(const FieldSpec &spec, QGridLayout &grid, int row, QWid
         emit dragEnded();
     });
     connect(m_number, &NumberField::entered, this, [this](double value) { emit edited(value, 0); });
+    connect(m_number, &NumberField::stepped, this, [this](double value) { emit edited(value, nudgeRun()); });
     connect(m_number, &NumberField::refused, this, &SliderField::refused);
 }
 
@@ -67,8 +68,10 @@ double SliderField::toValue(int position) const
 {
     const double share = double(position) / BarSlider::steps;
     const double low = m_spec.sliderMinimum, high = m_spec.sliderMaximum;
-    if (!m_spec.logarithmic)
-        return low + share * (high - low);
+    if (!m_spec.logarithmic) {
+        const double value = low + share * (high - low);
+        return m_spec.sliderStep > 0 ? std::round(value / m_spec.sliderStep) * m_spec.sliderStep : value;
+    }
     // Three significant digits: nobody wants 12.589254.
     const double value = low * std::pow(high / low, share);
     const double unit = std::pow(10.0, std::floor(std::log10(value)) - 2);
@@ -130,15 +133,20 @@ void SliderField::sliderChanged(int position)
         if (m_pressedValue && position == m_pressedPosition)
             value = *m_pressedValue;
     } else {
-        if (!m_nudgeRun || !m_sinceNudge.isValid() || m_sinceNudge.elapsed() > nudgeGapMs)
-            m_nudgeRun = beginEditRun();
-        m_sinceNudge.restart();
-        run = m_nudgeRun;
+        run = nudgeRun();
     }
     m_value = value;
     m_slider->setMixed(false);
     m_number->setValue(value);
     emit edited(value, run);
+}
+
+EditRun SliderField::nudgeRun()
+{
+    if (!m_nudgeRun || !m_sinceNudge.isValid() || m_sinceNudge.elapsed() > nudgeGapMs)
+        m_nudgeRun = beginEditRun();
+    m_sinceNudge.restart();
+    return m_nudgeRun;
 }
 
 bool SliderField::eventFilter(QObject *watched, QEvent *event)

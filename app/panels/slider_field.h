@@ -27,6 +27,7 @@ struct FieldSpec {
     bool logarithmic = false;
     double factor = 1;       ///< shown = value · factor
     double step = 0;         ///< of arrow keys, 0: a tenth of the value
+    double sliderStep = 0;   ///< the slider's values are whole multiples of it, 0: any
     double defaultValue = 0; ///< double click resets to it
 };
 
@@ -65,6 +66,7 @@ protected:
 private:
     void sliderPressed();
     void sliderChanged(int position);
+    EditRun nudgeRun();
     int toPosition(double value) const;
     double toValue(int position) const;
 

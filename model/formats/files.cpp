@@ -142,7 +142,7 @@ Result<QByteArray> readAll(QFile &file, const QString &path)
         const QByteArray part = file.read(std::max(step, file.isSequential() ? 0 : file.size() - bytes.size()));
         if (part.isEmpty())
             break;
-        bytes = bytes.isEmpty() ? part : bytes + part;
+        bytes.append(part); // the first part is shared, not copied
         if (bytes.size() > largestFile)
             return tooLarge();
     }

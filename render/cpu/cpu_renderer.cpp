@@ -41,7 +41,7 @@ QString CpuRenderer::deviceName() const
 
 bool CpuRenderer::sameFrame(const RenderRequest &request, const Target &target) const
 {
-    return m_target == &target && m_frame.view == request.view && m_frame.transparent == request.transparent &&
+    return m_target == target.serial() && m_frame.view == request.view && m_frame.transparent == request.transparent &&
            m_frame.canvas.background == request.painting->canvas.background &&
            m_frame.canvas.paper == request.painting->canvas.paper;
 }
@@ -165,7 +165,7 @@ Result<RenderStats> CpuRenderer::render(const RenderRequest &request, Target &ta
     const auto before = m_scene;
     updateScene(request);
     const bool resized =
-        m_target != &target || m_frame.view.width != request.view.width || m_frame.view.height != request.view.height;
+        m_target != target.serial() || m_frame.view.width != request.view.width || m_frame.view.height != request.view.height;
     m_frame = {request.view, request.painting->canvas, *paper, request.transparent, &cpu::kernels()};
     if (resized)
         target.resize(request.view.width, request.view.height);
@@ -173,7 +173,7 @@ Result<RenderStats> CpuRenderer::render(const RenderRequest &request, Target &ta
         markDifferences(before);
     } else {
         m_region.reset(request.view.width, request.view.height, m_tileSize);
-        m_target = &target;
+        m_target = target.serial();
     }
     for (const auto &s : m_scene)
         stats.nodes += s->source->nodes.size();

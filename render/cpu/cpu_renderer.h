@@ -15,7 +15,7 @@ public:
     QString deviceName() const override;
     Result<RenderStats> render(const RenderRequest &request, Target &target,
                                const std::atomic<bool> *cancel = nullptr) override;
-    void invalidate() override { m_target = nullptr; }
+    void invalidate() override { m_target = 0; }
 
 private:
     /// A stroke's state when it was last seen: enough to tell whether it differs.
@@ -39,7 +39,7 @@ private:
     std::uint64_t m_generation = 0;
     DirtyRegion m_region;
     cpu::Frame m_frame;
-    Target *m_target = nullptr;
+    std::uint64_t m_target = 0; ///< serial of the one drawn last
 };
 
 } // namespace suffuse

@@ -57,7 +57,7 @@ void shadeDeep(const SceneStroke &stroke, const Block &block, const Sums &sums, 
             for (const DeepNode &node : stroke.deep) {
                 Cubic2 gaussian{};
                 addGaussian(node, centre, gaussian);
-                const float *value = stroke.values.data() + std::size_t(node.segment) * stroke.channels;
+                const float *value = stroke.values.data() + std::size_t(node.row) * stroke.channels;
                 for (int i = 0; i < 10; ++i) {
                     polynomial[0][i] += gaussian[i];
                     for (int c = 0; c < stroke.channels; ++c)

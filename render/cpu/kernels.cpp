@@ -119,7 +119,7 @@ void addSeparable(const Block &block, const ViewNode *const *nodes, int count, c
         addOuter(t.column, t.rowSlope, n, sums.v[2]);
         for (int c = 0; c < channels; ++c) {
             for (int i = 0; i < n; ++i) {
-                const Lanes value(values[std::size_t(nodes[first + i]->segment) * channels + c]);
+                const Lanes value(values[std::size_t(nodes[first + i]->row) * channels + c]);
                 for (int y = 0; y < blockSide; y += int(hn::Lanes(tag)))
                     store(load(t.row[i] + y) * value, t.scaledRow[i] + y);
             }
@@ -142,7 +142,7 @@ void addOblique(const Block &block, const ViewNode *const *nodes, int count, con
             store(distances(float(x), float(x - 2 * toCell), offsets, i), dx + i);
             store(distances(float(y), float(y - 2 * toCell), offsets, i), dy + i);
         }
-        const float *value = values + std::size_t(node.segment) * channels;
+        const float *value = values + std::size_t(node.row) * channels;
         for (int y = 0; y < blockSide; ++y)
             for (int x = 0; x < blockSide; x += int(hn::Lanes(tag))) {
                 const Lanes X = load(dx + x), Y(dy[y]);

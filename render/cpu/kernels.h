@@ -23,7 +23,7 @@ struct ViewNode {
     float reachX = 0, reachY = 0;    ///< half-sizes of its box, px
     float slowest = 0;               ///< least eigenvalue of the metric, px⁻²: q ≥ slowest·d²
     float steepest = 0;              ///< root of the greatest: |∇q| ≤ 2·steepest·√q
-    std::uint32_t segment = 0;       ///< row of the stroke's channel values
+    std::uint32_t row = 0;           ///< of the stroke's channel values
 };
 
 /// A rectangle of pixels as centre and half-sizes.
@@ -66,7 +66,7 @@ struct Kernels {
     /// Keeps the nodes whose boxes meet `area`; conservative, what it drops adds exactly nothing. Returns how many;
     /// `out` has room for `count`. `bound` may be null.
     int (*select)(const ViewNode *const *nodes, int count, const Area &area, const ViewNode **out, Bound *bound);
-    /// Adds nodes (the first `separable` ones have b = 0) to zeroed sums. `values`: `channels` floats a segment.
+    /// Adds nodes (the first `separable` ones have b = 0) to zeroed sums. `values`: `channels` floats a row.
     void (*accumulate)(const Block &block, const ViewNode *const *nodes, int count, int separable, const float *values,
                        int channels, Sums &sums);
     /// `eta`: paper texture at the samples, or null for 1. `step`: size of a sample in pixels.

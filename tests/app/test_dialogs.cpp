@@ -95,7 +95,7 @@ private slots:
     {
         NewDialog dialog;
         dialog.show();
-        QCOMPARE(dialog.canvas(), Canvas{});
+        QCOMPARE(dialog.canvas(), Editor::usualCanvas());
         emit dialog.presets()->activated(1);
         QCOMPARE(dialog.canvas().width, 1920.0);
         QCOMPARE(dialog.canvas().height, 1080.0);

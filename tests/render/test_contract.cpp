@@ -63,6 +63,34 @@ private slots:
         }
     }
 
+    void longStrokes()
+    {
+        // Pen-like strokes of 70 segments: their dry blocks are merged into fewer nodes.
+        std::mt19937_64 random(21);
+        std::normal_distribution<double> normal;
+        for (int i = 0; i < 6; ++i) {
+            Stroke s = stroke(1, Shape::Tiny, {}, 1, 3 + 2 * i, randomStyle(random));
+            const Segment first = s.segments.front();
+            s.origin = {};
+            s.segments.clear();
+            Point at{10, 20.0 + 5 * i}, handle{2, 1};
+            for (int k = 0; k < 70; ++k) {
+                const Point next = at + Point{1.4 + 0.3 * normal(random), 2.5 * std::sin(0.2 * k) + 0.3 * normal(random)};
+                const Point turn{1 + 0.2 * normal(random), 0.8 * std::cos(0.2 * k)};
+                Segment g = first;
+                g.bezier = {toOffset(at, {}), toOffset(at + 0.4 * handle, {}), toOffset(next - 0.4 * turn, {}), toOffset(next, {})};
+                g.density = float(1.2 * std::sqrt(std::numbers::pi) * (3 + 2 * i) * (0.7 + 0.3 * std::sin(0.1 * k)));
+                if (i % 2)
+                    g.colour = {float(0.5 + 0.5 * std::sin(0.15 * k)), 0.3f, 0.9f, 0.8f};
+                s.segments.push_back(g);
+                at = next, handle = turn;
+            }
+            const auto p = painting({s}, 128, 96);
+            compare(p, View::ofArea(p->canvas.area(), 128, 96));
+            compare(p, View{{60, 50}, 7, 0.2, false, 96, 96});
+        }
+    }
+
     void zoomedTurnedAndMirrored()
     {
         std::mt19937_64 random(11);

@@ -123,7 +123,7 @@ private slots:
         const auto strokes = randomStrokes(random, 20, 100, 100);
         for (const Stroke &s : strokes) {
             const Rect everywhere = Rect::of(-1e6, -1e6, 2e6, 2e6);
-            const auto whole = buildNodes(s, s.driesAt(), 0, everywhere);
+            const auto whole = buildNodes(s, s.driesAt() - 1, 0, everywhere);
             // The same segment in a stroke of its own gives the same nodes, unless styles of others matter.
             for (std::size_t k = 0; k < s.segments.size(); ++k) {
                 Stroke alone = s;
@@ -133,8 +133,8 @@ private slots:
                     plain &= !g.style;
                 if (!plain)
                     continue;
-                const auto one = buildNodes(alone, s.driesAt(), 0, everywhere);
-                const SegmentNodes &range = whole->segments[k];
+                const auto one = buildNodes(alone, s.driesAt() - 1, 0, everywhere);
+                const NodeGroup &range = whole->groups[k];
                 QVERIFY(std::equal(whole->nodes.begin() + range.begin, whole->nodes.begin() + range.end,
                                    one->nodes.begin(), one->nodes.end()));
             }

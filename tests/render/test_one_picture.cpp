@@ -99,8 +99,8 @@ private slots:
         const auto stats = renderer->render({q, q->end(), view, false}, picture);
         QVERIFY(stats);
         QVERIFY(stats->tilesEvaluated > 0);
-        Rect touched; // the segment's influence, old = new here, rounded to tiles
-        touched = influenceOf(s, s.segments[2], q->end()).grown(34);
+        // The segment's influence, old = new here, and the rest of the windows it shares, rounded to tiles.
+        const Rect touched = influenceOf(s, s.segments[2], q->end()).grown(2.5 * 6 + 34);
         for (const PixelRect &r : stats->dirty) {
             QVERIFY(touched.contains({double(r.x), double(r.y)}));
             QVERIFY(touched.contains({double(r.x + r.width), double(r.y + r.height)}));
