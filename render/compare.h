@@ -4,7 +4,9 @@
 #include "model/result.h"
 #include "render/target.h"
 
+#include <algorithm>
 #include <array>
+#include <cstddef>
 
 namespace suffuse {
 

@@ -14,6 +14,8 @@ namespace {
 
 constexpr double unseen = 5e-4;       // opacity
 constexpr double finest = 0x1p-22;    // float sums carry no more
+constexpr double finestDeep = 0x1p-44; // double ones, for segments that a deep zoom shows the edge of
+constexpr double mergeable = 0x1p-20; // the check of merged nodes is in float
 constexpr double coarsest = 0x1p-12;
 constexpr double thinnest = 0x1p-13;  // px: a line of this spread covers less than 1/512 of a pixel
 constexpr int maxDepth = 40;
@@ -61,7 +63,7 @@ void addPanel(const Source &s, const Cubic &curve, int n, std::vector<Node> &out
         const Point at = curve.at(rule.x[i]);
         const double weight = s.gain * rule.weight[i] * length(curve.derivative(rule.x[i]));
         if (weight > 0)
-            out.push_back({at.x, at.y, float(s.a), float(s.b), float(s.c), float(weight), float(s.radius)});
+            out.push_back({at.x, at.y, s.a, s.b, s.c, weight, float(s.radius)});
     }
 }
 
@@ -153,7 +155,7 @@ struct Built {
     double epsilon = 0; ///< error budget relative to the peak
     double peak = 0;
     bool clipped = false;   ///< to the view
-    bool mergeable = false; ///< isotropic, dry and not clipped
+    bool mergeable = false; ///< isotropic, dry, not clipped, and not too exact
 };
 
 /// False: nothing to be seen.
@@ -169,7 +171,7 @@ bool buildSegment(const Stroke &stroke, const Segment &segment, const std::vecto
     double tolerance = 1e300;
     for (const Style &style : styles)
         tolerance = std::min(tolerance, densityTolerance(style, out.peak, spread * scale));
-    out.epsilon = std::clamp(tolerance / out.peak, finest, coarsest);
+    out.epsilon = std::clamp(tolerance / out.peak, spread * scale > deepSpread ? finestDeep : finest, coarsest);
 
     Source s{};
     for (int i = 0; i < 4; ++i)
@@ -187,7 +189,7 @@ bool buildSegment(const Stroke &stroke, const Segment &segment, const std::vecto
     addPanels(s, s.curve, out.epsilon * std::min(1.0, chord / (4 * spread) + 0.1), 0, out.nodes);
     out.values = {segment.colour, segment.granulation, stroke.styleOf(segment)};
     out.reach = {spread, s.curve.controlBox().grown(reachInSpreads * larger)};
-    out.mergeable = segment.isIsotropic() && !out.clipped && segment.driesAt() <= T;
+    out.mergeable = segment.isIsotropic() && !out.clipped && segment.driesAt() <= T && out.epsilon >= mergeable;
     return true;
 }
 
@@ -220,12 +222,12 @@ void appendMerged(const Built *run, std::size_t count, StrokeNodes &out)
         firstNode.push_back(fine.size());
         const Colour &c = b.values.colour;
         for (const Node &n : b.nodes) {
-            fine.push_back({n.x / s, n.y / s, double(n.weight), b.epsilon * b.peak,
+            fine.push_back({n.x / s, n.y / s, n.weight, b.epsilon * b.peak,
                             {c.red, c.yellow, c.blue, c.opacity, b.values.granulation}});
             radii.push_back(n.cutRadius);
         }
     }
-    const float metric = float(1 / (s * s));
+    const double metric = 1 / (s * s);
     std::size_t segment = 0;
     for (const SpanWindow &window : mergeSpan(fine, epsilon)) {
         NodeGroup g;
@@ -236,7 +238,7 @@ void appendMerged(const Built *run, std::size_t count, StrokeNodes &out)
         const float radius = *std::max_element(radii.begin() + std::ptrdiff_t(window.begin),
                                                radii.begin() + std::ptrdiff_t(window.end));
         for (const SpanNode &n : window.nodes) {
-            out.nodes.push_back({n.x * s, n.y * s, metric, 0, metric, float(n.weight), radius});
+            out.nodes.push_back({n.x * s, n.y * s, metric, 0, metric, n.weight, radius});
             if (g.rowPerNode || out.rows.size() == g.row) {
                 const auto &v = n.values;
                 out.rows.push_back(

@@ -13,13 +13,16 @@ namespace suffuse {
 struct Node {
     double x = 0; ///< offset from the stroke's origin, canvas units
     double y = 0;
-    float a = 0; ///< 1/s² where isotropic (then b = 0, c = a), unit⁻²
-    float b = 0;
-    float c = 0;
-    float weight = 0;    ///< density at the node's centre
+    double a = 0; ///< 1/s² where isotropic (then b = 0, c = a), unit⁻²
+    double b = 0;
+    double c = 0;
+    double weight = 0;   ///< density at the node's centre
     float cutRadius = 0; ///< R, in spreads
     friend bool operator==(const Node &, const Node &) = default;
 };
+
+/// Nodes with s > deepSpread px are evaluated in double (render/cpu/deep.h).
+inline constexpr double deepSpread = 4096;
 
 /// What a node carries beside its density.
 struct NodeValues {

@@ -216,7 +216,7 @@ SceneStroke makeSceneStroke(StrokePtr stroke, std::shared_ptr<const StrokeNodes>
             return;
         }
         (m.b == 0 ? s.nodes : oblique)
-            .push_back({at.x, at.y, float(m.a), float(m.b), float(m.c), n.weight, std::exp(-n.cutRadius * n.cutRadius),
+            .push_back({at.x, at.y, float(m.a), float(m.b), float(m.c), float(n.weight), std::exp(-n.cutRadius * n.cutRadius),
                         float(reach.x), float(reach.y), float(m.least()), float(std::sqrt(m.greatest())), row});
     };
     for (const NodeGroup &group : s.source->groups)

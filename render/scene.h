@@ -16,7 +16,6 @@ struct DeepNode {
     double weight = 0;
     std::uint32_t row = 0;
 };
-inline constexpr double deepSpread = 4096; // px
 
 /// A segment with s < 1 px: the pixels that it reaches are supersampled 2^level × 2^level.
 struct SmallSegment {

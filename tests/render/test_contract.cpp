@@ -104,6 +104,29 @@ private slots:
             }
     }
 
+    /// Follows an edge from 1:1 to 1e9×, in a document far from 0: each view is centred where the last one was steepest.
+    void deepZoom()
+    {
+        for (const Style &style : {styleOf(StyleKind::Uniform), styleOf(StyleKind::Feathering), styleOf(StyleKind::Edge)}) {
+            Stroke s = stroke(1, Shape::Curved, {10053.3, -9947.7}, 30, 9, style);
+            s.segments[1].colour = {0.9f, 0.4f, 0.2f, 1};
+            const auto p = painting({s});
+            Point centre = s.origin;
+            for (double scale = 1; scale < 2e9; scale *= 8) {
+                const View v{centre, std::min(scale, 1e9), 0, false, 40, 40};
+                compare(p, v);
+                if (QTest::currentTestFailed())
+                    QFAIL(qPrintable(QStringLiteral("style %1 at %2x").arg(int(style.kind)).arg(scale)));
+                const FloatPicture picture = test::render(*m_reference, p, v);
+                double steepest = -1;
+                for (int y = 4; y < 36; ++y)
+                    for (int x = 4; x < 36; ++x)
+                        if (const double d = std::abs(double(picture.at(x, y)[0]) - double(picture.at(x + 1, y)[0])); d > steepest)
+                            steepest = d, centre = v.toCanvas({x + 1.0, y + 0.5});
+            }
+        }
+    }
+
     void anisotropic()
     {
         for (double angle : {0.0, 0.4, 1.5707963267948966})
