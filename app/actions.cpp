@@ -6,6 +6,7 @@
 #include <QMainWindow>
 #include <QMenu>
 #include <QMenuBar>
+#include <QRegularExpression>
 #include <QToolBar>
 
 #include <iterator>
@@ -41,6 +42,15 @@ bool isCanvasOnly(Command command)
 
 } // namespace
 
+QString plainTitle(QString title)
+{
+    static const QRegularExpression mnemonic(QStringLiteral("\\(&.\\)"));
+    title.remove(mnemonic).remove('&');
+    while (title.endsWith('.') || title.endsWith(QStringLiteral("…")) || title.endsWith(' '))
+        title.chop(1);
+    return title;
+}
+
 Actions::Actions(QMainWindow &window, QWidget &canvas) : QObject(&window), m_window(window), m_canvas(canvas)
 {
     addFileAndEdit();
@@ -54,11 +64,16 @@ void Actions::add(Command command, const QString &text, const char *iconName, co
     auto *action = new QAction(text, this);
     if (*iconName)
         action->setIcon(icon(QString::fromLatin1(iconName)));
+    action->setObjectName(commandNames[std::size_t(command)]);
+    action->setIconText(plainTitle(text)); // stays when the text names the step that is undone
     action->setShortcuts(keys);
-    if (!tip.isEmpty()) {
-        const QString key = keys.isEmpty() ? QString() : keys.front().toString(QKeySequence::NativeText);
-        action->setToolTip(key.isEmpty() ? tip : QStringLiteral("%1 (%2)").arg(tip, key));
-    }
+    const auto showKey = [action, tip] {
+        const QString key = action->shortcut().toString(QKeySequence::NativeText);
+        const QString what = tip.isEmpty() ? plainTitle(action->text()) : tip;
+        action->setToolTip(key.isEmpty() ? what : QStringLiteral("%1 (%2)").arg(what, key));
+    };
+    showKey();
+    connect(action, &QAction::changed, this, showKey);
     m_actions[command] = action;
     if (isCanvasOnly(command)) {
         action->setShortcutContext(Qt::WidgetWithChildrenShortcut);

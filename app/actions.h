@@ -21,6 +21,9 @@ enum class Command {
     Shortcuts, About,
 };
 
+/// A menu entry's text without mnemonic ("&Open", "打开(&O)") and dots.
+QString plainTitle(QString title);
+
 /// Makes all actions of a window and puts them into its menus and tool bar.
 class Actions : public QObject {
     Q_OBJECT

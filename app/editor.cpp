@@ -11,6 +11,7 @@ namespace suffuse {
 namespace {
 
 constexpr int tickMs = 16;
+constexpr int dragPauseMs = 120; // without an edit of the run
 /// Enough of a file to tell its format.
 constexpr qint64 headBytes = 64 * 1024;
 
@@ -27,6 +28,9 @@ bool canBeSavedAs(const QString &path)
 
 Editor::Editor(QObject *parent) : QObject(parent), m_brush(builtinBrushes().front())
 {
+    m_dragEnd.setSingleShot(true);
+    m_dragEnd.setInterval(dragPauseMs);
+    connect(&m_dragEnd, &QTimer::timeout, this, &Editor::dragEnded);
     connect(&m_undoStack, &QUndoStack::cleanChanged, this, &Editor::fileChanged);
     connect(&m_document, &Document::changed, this, [this](const Change &) {
         const Microseconds now = time();
@@ -38,8 +42,11 @@ Editor::Editor(QObject *parent) : QObject(parent), m_brush(builtinBrushes().fron
 
 void Editor::push(Edit edit, const QString &text, EditRun run)
 {
-    if (!edit.isEmpty())
-        m_undoStack.push(new EditCommand(m_document, std::move(edit), text, run));
+    if (edit.isEmpty())
+        return;
+    if (run != 0)
+        m_dragEnd.start();
+    m_undoStack.push(new EditCommand(m_document, std::move(edit), text, run));
 }
 
 void Editor::setBrush(const Brush &brush)

@@ -9,6 +9,7 @@
 #include <QBasicTimer>
 #include <QElapsedTimer>
 #include <QObject>
+#include <QTimer>
 #include <QUndoStack>
 
 namespace suffuse {
@@ -43,6 +44,9 @@ public:
     void setManualClock(bool manual);
     bool hasManualClock() const { return m_manual; }
 
+    /// A run of edits is coming in (a value is being dragged): frames may be quick ones. Over a moment after the last.
+    bool isDragging() const { return m_dragEnd.isActive(); }
+
     const QString &filePath() const { return m_filePath; } ///< empty: untitled
     /// Title without the program's name: file name or "Untitled", translated.
     QString displayName() const;
@@ -58,6 +62,7 @@ public:
 signals:
     void brushChanged();
     void timeChanged();
+    void dragEnded(); ///< exact frames again
     void fileChanged(); ///< path or modified state
 
 protected:
@@ -71,6 +76,7 @@ private:
 
     Document m_document;
     QUndoStack m_undoStack;
+    QTimer m_dragEnd;
     Brush m_brush;
     QString m_filePath;
     Microseconds m_time = 0;        ///< when the clock last stood

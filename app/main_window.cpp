@@ -226,7 +226,8 @@ void MainWindow::connectUpdates()
         // As many decimals as a pixel shows.
         const int decimals = std::clamp(int(std::ceil(std::log10(m_canvas->view().scale))) + 1, 0, 10);
         const QLocale l = locale();
-        m_position->setText(QStringLiteral("%1, %2").arg(l.toString(x, 'f', decimals), l.toString(y, 'f', decimals)));
+        //: a position: x, y
+        m_position->setText(tr("%1, %2").arg(l.toString(x, 'f', decimals), l.toString(y, 'f', decimals)));
     });
 }
 

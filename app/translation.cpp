@@ -42,6 +42,9 @@ void installTranslators()
 
     const QString chosen = settings::language();
     const QString code = chosen.isEmpty() ? systemLanguage() : chosen;
+    // Numbers as the texts: the system's own ways where they are of the same language.
+    const QLocale language(code), system = QLocale::system();
+    QLocale::setDefault(system.language() == language.language() ? system : language);
     // English too: it holds the plural forms.
     if (ownTexts.load(":/i18n/suffuse_" + code + ".qm"))
         QCoreApplication::installTranslator(&ownTexts);

@@ -1,2546 +1,2718 @@
 <?xml version="1.0" encoding="utf-8"?>
 <!DOCTYPE TS>
 <TS version="2.1" language="de" sourcelanguage="en">
-    <context>
-        <name>Brushes</name>
-        <message>
-            <source>Ink wash</source>
-            <translation>Tuschelavierung</translation>
-        </message>
-        <message>
-            <source>Watercolour edge</source>
-            <translation>Aquarell mit Rand</translation>
-        </message>
-        <message>
-            <source>Soft airbrush</source>
-            <translation>Weicher Airbrush</translation>
-        </message>
-        <message>
-            <source>Flat marker</source>
-            <translation>Flacher Marker</translation>
-        </message>
-        <message>
-            <source>Dry chalk</source>
-            <translation>Trockene Kreide</translation>
-        </message>
-        <message>
-            <source>Pencil</source>
-            <translation>Bleistift</translation>
-        </message>
-    </context>
-    <context>
-        <name>Cli</name>
-        <message>
-            <source>Converts between documents (.suffuse), the text form (.json) and pen recordings. What IN is, is found from its content; what OUT is, from its ending.</source>
-            <translation>Wandelt zwischen Dokumenten (.suffuse), der Textform (.json) und Stiftaufzeichnungen um. Was IN ist, zeigt sein Inhalt; was OUT ist, seine Endung.</translation>
-        </message>
-        <message>
-            <source>The brush that recordings are painted with.</source>
-            <translation>Der Pinsel, mit dem Aufzeichnungen gemalt werden.</translation>
-        </message>
-        <message>
-            <source>%1: unknown ending; use .suffuse or .json</source>
-            <translation>%1: unbekannte Endung; möglich sind .suffuse und .json</translation>
-        </message>
-        <message>
-            <source>--brush %1: there is no such brush; choose one of %2</source>
-            <translation>--brush %1: diesen Pinsel gibt es nicht; möglich sind %2</translation>
-        </message>
-        <message>
-            <source>%1: cannot be read (%2). Check the name and its permissions.</source>
-            <translation>%1: kann nicht gelesen werden (%2). Bitte Namen und Rechte prüfen.</translation>
-        </message>
-        <message>
-            <source>%1: has more than 2 GB; that is more than can be opened</source>
-            <translation>%1: hat mehr als 2 GB; das ist mehr, als sich öffnen lässt</translation>
-        </message>
-        <message>
-            <source>  bytes     %1</source>
-            <translation>  Bytes     %1</translation>
-        </message>
-        <message>
-            <source>  canvas    %1 × %2</source>
-            <translation>  Leinwand  %1 × %2</translation>
-        </message>
-        <message>
-            <source>  strokes   %1</source>
-            <translation>  Striche   %1</translation>
-        </message>
-        <message>
-            <source>  segments  %1</source>
-            <translation>  Segmente  %1</translation>
-        </message>
-        <message>
-            <source>  bounds    none: nothing is painted</source>
-            <translation>  Grenzen   keine: Es ist nichts gemalt</translation>
-        </message>
-        <message>
-            <source>  bounds    x %1, y %2, %3 × %4</source>
-            <translation>  Grenzen   x %1, y %2, %3 × %4</translation>
-        </message>
-        <message>
-            <source>  duration  %1 s</source>
-            <translation>  Dauer     %1 s</translation>
-        </message>
-        <message>
-            <source>  chunk     %1, %2 bytes</source>
-            <translation>  Block     %1, %2 Bytes</translation>
-        </message>
-        <message>
-            <source>%1not available: %2</source>
-            <translation>%1nicht verfügbar: %2</translation>
-        </message>
-        <message>
-            <source>Tells what a painting or a recording holds.</source>
-            <translation>Sagt, was ein Bild oder eine Aufzeichnung enthält.</translation>
-        </message>
-        <message>
-            <source>Prints JSON (docs/cli.md).</source>
-            <translation>Gibt JSON aus (docs/cli.md).</translation>
-        </message>
-        <message>
-            <source>The backends and devices there are, and why one is missing.</source>
-            <translation>Welche Backends und Geräte es gibt, und warum eines fehlt.</translation>
-        </message>
-        <message>
-            <source>give a file, or --backends</source>
-            <translation>bitte eine Datei oder --backends angeben</translation>
-        </message>
-        <message>
-            <source>draw a painting into an image file</source>
-            <translation>ein Bild in eine Bilddatei zeichnen</translation>
-        </message>
-        <message>
-            <source>what a file holds; the backends there are</source>
-            <translation>was eine Datei enthält; welche Backends es gibt</translation>
-        </message>
-        <message>
-            <source>between documents, the text form and recordings</source>
-            <translation>zwischen Dokumenten, der Textform und Aufzeichnungen</translation>
-        </message>
-        <message>
-            <source>what lies at a point of the canvas</source>
-            <translation>was an einem Punkt der Leinwand liegt</translation>
-        </message>
-        <message>
-            <source>compare the backends with the reference</source>
-            <translation>die Backends mit der Referenz vergleichen</translation>
-        </message>
-        <message>
-            <source>Usage: suffuse-cli COMMAND [options] …</source>
-            <translation>Aufruf: suffuse-cli BEFEHL [Optionen] …</translation>
-        </message>
-        <message>
-            <source>suffuse-cli COMMAND --help lists the options of a command. An input of - is standard input.
+<context>
+    <name>Bench</name>
+    <message>
+        <source>stopped before all was measured</source>
+        <translation>abgebrochen, bevor alles gemessen war</translation>
+    </message>
+    <message>
+        <source>no temporary folder can be made: %1. Set TMPDIR to a folder that can be written.</source>
+        <translation>es lässt sich kein temporärer Ordner anlegen: %1. Setzen Sie TMPDIR auf einen beschreibbaren Ordner.</translation>
+    </message>
+    <message>
+        <source>there is no stroke to drag in this painting</source>
+        <translation>in diesem Bild gibt es keinen Strich, der sich ziehen ließe</translation>
+    </message>
+    <message>
+        <source>measuring %1</source>
+        <translation>%1 wird gemessen</translation>
+    </message>
+    <message>
+        <source>name</source>
+        <translation>Name</translation>
+    </message>
+    <message>
+        <source>compared</source>
+        <translation>verglichen</translation>
+    </message>
+    <message>
+        <source>painting</source>
+        <translation>Gemälde</translation>
+    </message>
+    <message>
+        <source>size</source>
+        <translation>Größe</translation>
+    </message>
+    <message>
+        <source>backend</source>
+        <translation>Backend</translation>
+    </message>
+    <message>
+        <source>device</source>
+        <translation>Gerät</translation>
+    </message>
+    <message>
+        <source>median ms</source>
+        <translation>Median ms</translation>
+    </message>
+    <message>
+        <source>min ms</source>
+        <translation>Minimum ms</translation>
+    </message>
+    <message>
+        <source>runs</source>
+        <translation>Läufe</translation>
+    </message>
+    <message>
+        <source>ratio</source>
+        <translation>Verhältnis</translation>
+    </message>
+</context>
+<context>
+    <name>Brushes</name>
+    <message>
+        <source>Ink wash</source>
+        <translation>Tuschelavierung</translation>
+    </message>
+    <message>
+        <source>Watercolour edge</source>
+        <translation>Aquarell mit Rand</translation>
+    </message>
+    <message>
+        <source>Soft airbrush</source>
+        <translation>Weicher Airbrush</translation>
+    </message>
+    <message>
+        <source>Flat marker</source>
+        <translation>Flacher Marker</translation>
+    </message>
+    <message>
+        <source>Dry chalk</source>
+        <translation>Trockene Kreide</translation>
+    </message>
+    <message>
+        <source>Pencil</source>
+        <translation>Bleistift</translation>
+    </message>
+</context>
+<context>
+    <name>Cli</name>
+    <message>
+        <source>Converts between documents (.suffuse), the text form (.json) and pen recordings. What IN is, is found from its content; what OUT is, from its ending.</source>
+        <translation>Wandelt zwischen Dokumenten (.suffuse), der Textform (.json) und Stiftaufzeichnungen um. Was IN ist, zeigt sein Inhalt; was OUT ist, seine Endung.</translation>
+    </message>
+    <message>
+        <source>The brush that recordings are painted with.</source>
+        <translation>Der Pinsel, mit dem Aufzeichnungen gemalt werden.</translation>
+    </message>
+    <message>
+        <source>%1: unknown ending; use .suffuse or .json</source>
+        <translation>%1: unbekannte Endung; möglich sind .suffuse und .json</translation>
+    </message>
+    <message>
+        <source>--brush %1: there is no such brush; choose one of %2</source>
+        <translation>--brush %1: diesen Pinsel gibt es nicht; möglich sind %2</translation>
+    </message>
+    <message>
+        <source>%1: cannot be read (%2). Check the name and its permissions.</source>
+        <translation>%1: kann nicht gelesen werden (%2). Bitte Namen und Rechte prüfen.</translation>
+    </message>
+    <message>
+        <source>%1: has more than 2 GB; that is more than can be opened</source>
+        <translation>%1: hat mehr als 2 GB; das ist mehr, als sich öffnen lässt</translation>
+    </message>
+    <message>
+        <source>  bytes     %1</source>
+        <translation>  Bytes     %1</translation>
+    </message>
+    <message>
+        <source>  canvas    %1 × %2</source>
+        <translation>  Leinwand  %1 × %2</translation>
+    </message>
+    <message>
+        <source>  strokes   %1</source>
+        <translation>  Striche   %1</translation>
+    </message>
+    <message>
+        <source>  segments  %1</source>
+        <translation>  Segmente  %1</translation>
+    </message>
+    <message>
+        <source>  bounds    none: nothing is painted</source>
+        <translation>  Grenzen   keine: Es ist nichts gemalt</translation>
+    </message>
+    <message>
+        <source>  bounds    x %1, y %2, %3 × %4</source>
+        <translation>  Grenzen   x %1, y %2, %3 × %4</translation>
+    </message>
+    <message>
+        <source>  duration  %1 s</source>
+        <translation>  Dauer     %1 s</translation>
+    </message>
+    <message>
+        <source>  chunk     %1, %2 bytes</source>
+        <translation>  Block     %1, %2 Bytes</translation>
+    </message>
+    <message>
+        <source>%1not available: %2</source>
+        <translation>%1nicht verfügbar: %2</translation>
+    </message>
+    <message>
+        <source>Tells what a painting or a recording holds.</source>
+        <translation>Sagt, was ein Bild oder eine Aufzeichnung enthält.</translation>
+    </message>
+    <message>
+        <source>Prints JSON (docs/cli.md).</source>
+        <translation>Gibt JSON aus (docs/cli.md).</translation>
+    </message>
+    <message>
+        <source>The backends and devices there are, and why one is missing.</source>
+        <translation>Welche Backends und Geräte es gibt, und warum eines fehlt.</translation>
+    </message>
+    <message>
+        <source>give a file, or --backends</source>
+        <translation>bitte eine Datei oder --backends angeben</translation>
+    </message>
+    <message>
+        <source>draw a painting into an image file</source>
+        <translation>ein Bild in eine Bilddatei zeichnen</translation>
+    </message>
+    <message>
+        <source>what a file holds; the backends there are</source>
+        <translation>was eine Datei enthält; welche Backends es gibt</translation>
+    </message>
+    <message>
+        <source>between documents, the text form and recordings</source>
+        <translation>zwischen Dokumenten, der Textform und Aufzeichnungen</translation>
+    </message>
+    <message>
+        <source>what lies at a point of the canvas</source>
+        <translation>was an einem Punkt der Leinwand liegt</translation>
+    </message>
+    <message>
+        <source>compare the backends with the reference</source>
+        <translation>die Backends mit der Referenz vergleichen</translation>
+    </message>
+    <message>
+        <source>Usage: suffuse-cli COMMAND [options] …</source>
+        <translation>Aufruf: suffuse-cli BEFEHL [Optionen] …</translation>
+    </message>
+    <message>
+        <source>suffuse-cli COMMAND --help lists the options of a command. An input of - is standard input.
 Exit codes: 0 done, 1 the work failed, 2 wrong usage.</source>
-            <translation>suffuse-cli BEFEHL --help zeigt die Optionen eines Befehls. Die Eingabe - ist die Standardeingabe.
+        <translation>suffuse-cli BEFEHL --help zeigt die Optionen eines Befehls. Die Eingabe - ist die Standardeingabe.
 Rückgabewerte: 0 fertig, 1 fehlgeschlagen, 2 falscher Aufruf.</translation>
-        </message>
-        <message>
-            <source>%1: there is no such command. See suffuse-cli --help.</source>
-            <translation>%1: Diesen Befehl gibt es nicht. Siehe suffuse-cli --help.</translation>
-        </message>
-        <message>
-            <source>The command.</source>
-            <translation>Der Befehl.</translation>
-        </message>
-        <message>
-            <source>Shows this help.</source>
-            <translation>Zeigt diese Hilfe.</translation>
-        </message>
-        <message>
-            <source>too few arguments</source>
-            <translation>zu wenige Argumente</translation>
-        </message>
-        <message>
-            <source>one argument too many: %1</source>
-            <translation>ein Argument zu viel: %1</translation>
-        </message>
-        <message>
-            <source>%1: %2. See suffuse-cli %1 --help.</source>
-            <translation>%1: %2. Siehe suffuse-cli %1 --help.</translation>
-        </message>
-        <message>
-            <source>standard output cannot be written: %1</source>
-            <translation>die Standardausgabe kann nicht geschrieben werden: %1</translation>
-        </message>
-        <message>
-            <source>drawing</source>
-            <translation>zeichnet</translation>
-        </message>
-        <message>
-            <source>stopped; nothing was written</source>
-            <translation>angehalten; nichts wurde geschrieben</translation>
-        </message>
-        <message>
-            <source>there is not enough memory for %1 × %2 pixels. Choose a smaller size.</source>
-            <translation>der Speicher reicht nicht für %1 × %2 Pixel. Bitte eine kleinere Größe wählen.</translation>
-        </message>
-        <message>
-            <source>--area %1: give X,Y,W,H in canvas units, W and H above 0</source>
-            <translation>--area %1: bitte X,Y,W,H in Leinwandeinheiten angeben, W und H über 0</translation>
-        </message>
-        <message>
-            <source>--size %1: give WxH or W in pixels, e.g. 1024x768</source>
-            <translation>--size %1: bitte WxH oder W in Pixeln angeben, z. B. 1024x768</translation>
-        </message>
-        <message>
-            <source>--scale %1: give pixels a unit, above 0, e.g. 2</source>
-            <translation>--scale %1: bitte Pixel je Einheit angeben, über 0, z. B. 2</translation>
-        </message>
-        <message>
-            <source>a picture of %1 × %2 pixels is too large: at most %3 million pixels. Choose a smaller --size, --scale or --area</source>
-            <translation>ein Bild von %1 × %2 Pixeln ist zu groß: höchstens %3 Millionen Pixel. Bitte --size, --scale oder --area kleiner wählen</translation>
-        </message>
-        <message>
-            <source>%1 pixels a unit are out of range: 0.001 to 1e9. Choose another --size, --scale or --area</source>
-            <translation>%1 Pixel je Einheit liegen außerhalb von 0.001 bis 1e9. Bitte --size, --scale oder --area anders wählen</translation>
-        </message>
-        <message>
-            <source>give --size or --scale, not both</source>
-            <translation>bitte --size oder --scale angeben, nicht beides</translation>
-        </message>
-        <message>
-            <source>--size %1: the picture is scaled uniformly, so a width of %2 has the height %3: use --size %2x%3</source>
-            <translation>--size %1: Das Bild wird gleichmäßig skaliert, zur Breite %2 gehört die Höhe %3: bitte --size %2x%3 verwenden</translation>
-        </message>
-        <message>
-            <source>--time %1: give a moment in seconds, e.g. 1.5</source>
-            <translation>--time %1: bitte einen Zeitpunkt in Sekunden angeben, z. B. 1.5</translation>
-        </message>
-        <message>
-            <source>--backend %1: give auto, cpu, cuda or reference</source>
-            <translation>--backend %1: möglich sind auto, cpu, cuda und reference</translation>
-        </message>
-        <message>
-            <source>--threads %1: give a number from 1 to 1024</source>
-            <translation>--threads %1: bitte eine Zahl von 1 bis 1024 angeben</translation>
-        </message>
-        <message>
-            <source>stroke %1</source>
-            <translation>Strich %1</translation>
-        </message>
-        <message>
-            <source>stroke %1, %2</source>
-            <translation>Strich %1, %2</translation>
-        </message>
-        <message>
-            <source>
+    </message>
+    <message>
+        <source>%1: there is no such command. See suffuse-cli --help.</source>
+        <translation>%1: Diesen Befehl gibt es nicht. Siehe suffuse-cli --help.</translation>
+    </message>
+    <message>
+        <source>The command.</source>
+        <translation>Der Befehl.</translation>
+    </message>
+    <message>
+        <source>Shows this help.</source>
+        <translation>Zeigt diese Hilfe.</translation>
+    </message>
+    <message>
+        <source>too few arguments</source>
+        <translation>zu wenige Argumente</translation>
+    </message>
+    <message>
+        <source>one argument too many: %1</source>
+        <translation>ein Argument zu viel: %1</translation>
+    </message>
+    <message>
+        <source>%1: %2. See suffuse-cli %1 --help.</source>
+        <translation>%1: %2. Siehe suffuse-cli %1 --help.</translation>
+    </message>
+    <message>
+        <source>standard output cannot be written: %1</source>
+        <translation>die Standardausgabe kann nicht geschrieben werden: %1</translation>
+    </message>
+    <message>
+        <source>drawing</source>
+        <translation>zeichnet</translation>
+    </message>
+    <message>
+        <source>stopped; nothing was written</source>
+        <translation>angehalten; nichts wurde geschrieben</translation>
+    </message>
+    <message>
+        <source>there is not enough memory for %1 × %2 pixels. Choose a smaller size.</source>
+        <translation>der Speicher reicht nicht für %1 × %2 Pixel. Bitte eine kleinere Größe wählen.</translation>
+    </message>
+    <message>
+        <source>--area %1: give X,Y,W,H in canvas units, W and H above 0</source>
+        <translation>--area %1: bitte X,Y,W,H in Leinwandeinheiten angeben, W und H über 0</translation>
+    </message>
+    <message>
+        <source>--size %1: give WxH or W in pixels, e.g. 1024x768</source>
+        <translation>--size %1: bitte WxH oder W in Pixeln angeben, z. B. 1024x768</translation>
+    </message>
+    <message>
+        <source>--scale %1: give pixels a unit, above 0, e.g. 2</source>
+        <translation>--scale %1: bitte Pixel je Einheit angeben, über 0, z. B. 2</translation>
+    </message>
+    <message>
+        <source>a picture of %1 × %2 pixels is too large: at most %3 million pixels. Choose a smaller --size, --scale or --area</source>
+        <translation>ein Bild von %1 × %2 Pixeln ist zu groß: höchstens %3 Millionen Pixel. Bitte --size, --scale oder --area kleiner wählen</translation>
+    </message>
+    <message>
+        <source>%1 pixels a unit are out of range: 0.001 to 1e9. Choose another --size, --scale or --area</source>
+        <translation>%1 Pixel je Einheit liegen außerhalb von 0.001 bis 1e9. Bitte --size, --scale oder --area anders wählen</translation>
+    </message>
+    <message>
+        <source>give --size or --scale, not both</source>
+        <translation>bitte --size oder --scale angeben, nicht beides</translation>
+    </message>
+    <message>
+        <source>--size %1: the picture is scaled uniformly, so a width of %2 has the height %3: use --size %2x%3</source>
+        <translation>--size %1: Das Bild wird gleichmäßig skaliert, zur Breite %2 gehört die Höhe %3: bitte --size %2x%3 verwenden</translation>
+    </message>
+    <message>
+        <source>--time %1: give a moment in seconds, e.g. 1.5</source>
+        <translation>--time %1: bitte einen Zeitpunkt in Sekunden angeben, z. B. 1.5</translation>
+    </message>
+    <message>
+        <source>--backend %1: give auto, cpu, cuda or reference</source>
+        <translation>--backend %1: möglich sind auto, cpu, cuda und reference</translation>
+    </message>
+    <message>
+        <source>--threads %1: give a number from 1 to 1024</source>
+        <translation>--threads %1: bitte eine Zahl von 1 bis 1024 angeben</translation>
+    </message>
+    <message>
+        <source>stroke %1</source>
+        <translation>Strich %1</translation>
+    </message>
+    <message>
+        <source>stroke %1, %2</source>
+        <translation>Strich %1, %2</translation>
+    </message>
+    <message>
+        <source>
   φ %1   ω̄ %2   φ′ %3   F %4   w %5
   C̄ %6 (red, yellow, blue, opacity)
   after it: RYB %7, RGB %8
 </source>
-            <translation>
+        <translation>
   φ %1   ω̄ %2   φ′ %3   F %4   w %5
   C̄ %6 (Rot, Gelb, Blau, Deckkraft)
   danach: RYB %7, RGB %8
 </translation>
-        </message>
-        <message>
-            <source>  segment %1: φ %2, share %3
+    </message>
+    <message>
+        <source>  segment %1: φ %2, share %3
 </source>
-            <translation>  Segment %1: φ %2, Anteil %3
+        <translation>  Segment %1: φ %2, Anteil %3
 </translation>
-        </message>
-        <message>
-            <source>at %1, %2, %3 s: paper η %4, background RYB %5, RGB %6
+    </message>
+    <message>
+        <source>at %1, %2, %3 s: paper η %4, background RYB %5, RGB %6
 </source>
-            <translation>bei %1, %2, %3 s: Papier η %4, Hintergrund RYB %5, RGB %6
+        <translation>bei %1, %2, %3 s: Papier η %4, Hintergrund RYB %5, RGB %6
 </translation>
-        </message>
-        <message>
-            <source>no stroke reaches this point
+    </message>
+    <message>
+        <source>no stroke reaches this point
 </source>
-            <translation>kein Strich reicht bis hierher
+        <translation>kein Strich reicht bis hierher
 </translation>
-        </message>
-        <message>
-            <source>Tells what lies at a point of the canvas, stroke by stroke from bottom to top. X and Y are in canvas units.</source>
-            <translation>Sagt, was an einem Punkt der Leinwand liegt, Strich für Strich von unten nach oben. X und Y in Leinwandeinheiten.</translation>
-        </message>
-        <message>
-            <source>The moment, in seconds (default: the end).</source>
-            <translation>Der Zeitpunkt in Sekunden (Vorgabe: das Ende).</translation>
-        </message>
-        <message>
-            <source>%1 %2: give X and Y as numbers, in canvas units</source>
-            <translation>%1 %2: bitte X und Y als Zahlen in Leinwandeinheiten angeben</translation>
-        </message>
-        <message>
-            <source>The picture: .png, .tiff, .exr, .jpg, .webp or .pfm.</source>
-            <translation>Das Bild: .png, .tiff, .exr, .jpg, .webp oder .pfm.</translation>
-        </message>
-        <message>
-            <source>Pixels: WxH, or W alone; scales uniformly.</source>
-            <translation>Pixel: WxH oder nur W; skaliert gleichmäßig.</translation>
-        </message>
-        <message>
-            <source>Pixels a canvas unit (default 1).</source>
-            <translation>Pixel je Leinwandeinheit (Vorgabe 1).</translation>
-        </message>
-        <message>
-            <source>Part of the canvas, in canvas units (default: all of it).</source>
-            <translation>Teil der Leinwand in Leinwandeinheiten (Vorgabe: alles).</translation>
-        </message>
-        <message>
-            <source>The moment that is drawn, in seconds (default: the end).</source>
-            <translation>Der gezeichnete Zeitpunkt in Sekunden (Vorgabe: das Ende).</translation>
-        </message>
-        <message>
-            <source>No background: alpha holds the coverage.</source>
-            <translation>Kein Hintergrund: Alpha hält die Deckung.</translation>
-        </message>
-        <message>
-            <source>8, 16, half or float (default: the format's usual one).</source>
-            <translation>8, 16, half oder float (Vorgabe: das Übliche des Formats).</translation>
-        </message>
-        <message>
-            <source>auto, cpu, cuda or reference.</source>
-            <translation>auto, cpu, cuda oder reference.</translation>
-        </message>
-        <message>
-            <source>Number of threads (default: one a core).</source>
-            <translation>Zahl der Threads (Vorgabe: einer je Kern).</translation>
-        </message>
-        <message>
-            <source>Prints times and counts as JSON.</source>
-            <translation>Gibt Zeiten und Zahlen als JSON aus.</translation>
-        </message>
-        <message>
-            <source>--depth %1: give 8, 16, half or float</source>
-            <translation>--depth %1: möglich sind 8, 16, half und float</translation>
-        </message>
-        <message>
-            <source>Draws a painting or a recording into an image file.</source>
-            <translation>Zeichnet ein Bild oder eine Aufzeichnung in eine Bilddatei.</translation>
-        </message>
-        <message>
-            <source>-o OUT is missing: name the picture to write</source>
-            <translation>-o OUT fehlt: bitte das zu schreibende Bild nennen</translation>
-        </message>
-        <message>
-            <source>%1 and %2: largest difference R %3, G %4, B %5</source>
-            <translation>%1 und %2: größter Unterschied R %3, G %4, B %5</translation>
-        </message>
-        <message>
-            <source>  at pixel %1, %2: RGB %3 and %4</source>
-            <translation>  bei Pixel %1, %2: RGB %3 und %4</translation>
-        </message>
-        <message>
-            <source>  %1 of %2 pixels over 1/512</source>
-            <translation>  %1 von %2 Pixeln über 1/512</translation>
-        </message>
-        <message>
-            <source>  %1 pixels that are no numbers</source>
-            <translation>  %1 Pixel sind keine Zahlen</translation>
-        </message>
-        <message>
-            <source>%1 and %2: largest difference in 8 bits %3, at pixel %4, %5</source>
-            <translation>%1 und %2: größter Unterschied in 8 Bit %3, bei Pixel %4, %5</translation>
-        </message>
-        <message>
-            <source>%1, %2 × %3 pixels, at %4 s</source>
-            <translation>%1, %2 × %3 Pixel, bei %4 s</translation>
-        </message>
-        <message>
-            <source>within the contract</source>
-            <translation>innerhalb der Vereinbarung</translation>
-        </message>
-        <message>
-            <source>OVER the contract: 1/512 to the reference, 1 level of 8 bits between backends</source>
-            <translation>ÜBER der Vereinbarung: 1/512 zur Referenz, 1 Stufe in 8 Bit zwischen Backends</translation>
-        </message>
-        <message>
-            <source>Draws a painting on every backend there is and on the reference, and compares the pictures.</source>
-            <translation>Zeichnet ein Bild mit jedem Backend und der Referenz und vergleicht die Ergebnisse.</translation>
-        </message>
-    </context>
-    <context>
-        <name>Commands</name>
-        <message>
-            <source>Delete segments</source>
-            <translation>Segmente löschen</translation>
-        </message>
-        <message>
-            <source>Delete strokes</source>
-            <translation>Striche löschen</translation>
-        </message>
-        <message>
-            <source>Duplicate</source>
-            <translation>Duplizieren</translation>
-        </message>
-        <message>
-            <source>Raise</source>
-            <translation>Anheben</translation>
-        </message>
-        <message>
-            <source>Lower</source>
-            <translation>Absenken</translation>
-        </message>
-        <message>
-            <source>Raise to top</source>
-            <translation>Nach ganz oben</translation>
-        </message>
-        <message>
-            <source>Lower to bottom</source>
-            <translation>Nach ganz unten</translation>
-        </message>
-        <message>
-            <source>Move</source>
-            <translation>Verschieben</translation>
-        </message>
-    </context>
-    <context>
-        <name>FileReplacement</name>
-        <message>
-            <source>%1: cannot be written (%2). Choose another folder, or change its permissions.</source>
-            <translation>%1: kann nicht geschrieben werden (%2). Bitte einen anderen Ordner wählen oder die Rechte ändern.</translation>
-        </message>
-        <message>
-            <source>%1: the disk is full (%2). Free some space, or choose another disk.</source>
-            <translation>%1: Die Platte ist voll (%2). Bitte Platz schaffen oder eine andere wählen.</translation>
-        </message>
-        <message>
-            <source>%1: writing failed (%2). Choose another place.</source>
-            <translation>%1: Schreiben fehlgeschlagen (%2). Bitte einen anderen Ort wählen.</translation>
-        </message>
-        <message>
-            <source>%1: is a folder. Give a file name.</source>
-            <translation>%1: ist ein Ordner. Bitte einen Dateinamen angeben.</translation>
-        </message>
-        <message>
-            <source>%1: is not a plain file. Choose another name.</source>
-            <translation>%1: ist keine gewöhnliche Datei. Bitte einen anderen Namen wählen.</translation>
-        </message>
-        <message>
-            <source>%1: the folder %2 does not exist. Create it, or choose another.</source>
-            <translation>%1: Den Ordner %2 gibt es nicht. Bitte anlegen oder einen anderen wählen.</translation>
-        </message>
-    </context>
-    <context>
-        <name>ImageFormat</name>
-        <message>
-            <source>This is no image format that can be written. Use one of these endings: %1.</source>
-            <translation>Dieses Bildformat kann nicht geschrieben werden. Mögliche Endungen: %1.</translation>
-        </message>
-        <message>
-            <source>%1 cannot hold depth %2. Choose %3, or another format.</source>
-            <translation>%1 kennt die Farbtiefe %2 nicht. Bitte %3 oder ein anderes Format wählen.</translation>
-        </message>
-        <message>
-            <source>%1 cannot hold transparency. Use PNG, TIFF, EXR or WebP, or export with the background.</source>
-            <translation>%1 kennt keine Transparenz. Bitte PNG, TIFF, EXR oder WebP verwenden oder mit Hintergrund exportieren.</translation>
-        </message>
-        <message>
-            <source>%1 holds 1 to %2 pixels a side, not %3 × %4. Choose another size or format.</source>
-            <translation>%1 fasst 1 bis %2 Pixel je Seite, nicht %3 × %4. Bitte eine andere Größe oder ein anderes Format wählen.</translation>
-        </message>
-    </context>
-    <context>
-        <name>ImageModule</name>
-        <message>
-            <source>the image module %1 %2; install or build Suffuse again (target suffuse_image_io). Pictures ending in .pfm work without it</source>
-            <translation>das Bildmodul %1 %2; bitte Suffuse neu installieren oder bauen (Ziel suffuse_image_io). Bilder mit der Endung .pfm gehen auch ohne es</translation>
-        </message>
-        <message>
-            <source>is missing</source>
-            <translation>fehlt</translation>
-        </message>
-        <message>
-            <source>cannot be loaded (%1)</source>
-            <translation>kann nicht geladen werden (%1)</translation>
-        </message>
-        <message>
-            <source>is of another version of Suffuse</source>
-            <translation>gehört zu einer anderen Version von Suffuse</translation>
-        </message>
-    </context>
-    <context>
-        <name>ImageReader</name>
-        <message>
-            <source>%1: the image declares more than %2 × %2 or %3 million pixels. Scale it down first.</source>
-            <translation>%1: Das Bild gibt mehr als %2 × %2 oder %3 Millionen Pixel an. Bitte erst verkleinern.</translation>
-        </message>
-        <message>
-            <source>%1: is not a PNG, JPEG, TIFF, EXR or WebP image. Convert it to one of them.</source>
-            <translation>%1: ist kein PNG-, JPEG-, TIFF-, EXR- oder WebP-Bild. Bitte in eines davon umwandeln.</translation>
-        </message>
-        <message>
-            <source>%1: cannot read %2: %3.</source>
-            <translation>%1: %2 kann nicht gelesen werden: %3.</translation>
-        </message>
-        <message>
-            <source>%1: the %2 image cannot be read (%3). It may be damaged, or too large (at most %4 pixels a side, %5 million in all).</source>
-            <translation>%1: Das %2-Bild kann nicht gelesen werden (%3). Es ist vielleicht beschädigt oder zu groß (höchstens %4 Pixel je Seite, %5 Millionen insgesamt).</translation>
-        </message>
-    </context>
-    <context>
-        <name>ImageWriter</name>
-        <message>
-            <source>%1: cannot write %2: %3.</source>
-            <translation>%1: %2 kann nicht geschrieben werden: %3.</translation>
-        </message>
-        <message>
-            <source>%1: writing was cancelled; nothing was changed.</source>
-            <translation>%1: Das Schreiben wurde abgebrochen; nichts wurde geändert.</translation>
-        </message>
-        <message>
-            <source>%1: %2 could not be written (%3). Choose another format or depth.</source>
-            <translation>%1: %2 konnte nicht geschrieben werden (%3). Bitte ein anderes Format oder eine andere Farbtiefe wählen.</translation>
-        </message>
-    </context>
-    <context>
-        <name>Messages</name>
-        <message>
-            <source>Save the changes to “%1” before closing?</source>
-            <translation>Änderungen an „%1“ vor dem Schließen speichern?</translation>
-        </message>
-        <message>
-            <source>Without saving, what was painted since the last save is lost.</source>
-            <translation>Ohne Speichern geht verloren, was seit dem letzten Speichern gemalt wurde.</translation>
-        </message>
-    </context>
-    <context>
-        <name>Paper</name>
-        <message>
-            <source>paper image</source>
-            <translation>Papierbild</translation>
-        </message>
-        <message>
-            <source>paper image: there is none. Choose an image, or another kind of paper.</source>
-            <translation>Papierbild: Es fehlt. Bitte ein Bild oder eine andere Papierart wählen.</translation>
-        </message>
-    </context>
-    <context>
-        <name>ReferenceRenderer</name>
-        <message>
-            <source>%1 threads · double</source>
-            <translation>%1 Threads · doppelt genau</translation>
-        </message>
-    </context>
-    <context>
-        <name>Renderer</name>
-        <message numerus="yes">
-            <source>%n threads</source>
-            <translation>
-                <numerusform>%n Thread</numerusform>
-                <numerusform>%n Threads</numerusform>
-            </translation>
-        </message>
-        <message>
-            <source>this program was built without the CUDA renderer</source>
-            <translation>dieses Programm wurde ohne den CUDA-Renderer gebaut</translation>
-        </message>
-        <message>
-            <source>The CUDA backend cannot run: %1. Use the CPU backend.</source>
-            <translation>Das CUDA-Backend kann nicht laufen: %1. Bitte das CPU-Backend verwenden.</translation>
-        </message>
-    </context>
-    <context>
-        <name>Validate</name>
-        <message>
-            <source>it is earlier than the one before it; put them in order of time</source>
-            <translation>liegt vor dem vorigen; bitte nach der Zeit ordnen</translation>
-        </message>
-        <message>
-            <source>another group has the same id</source>
-            <translation>eine andere Gruppe hat dieselbe Kennung</translation>
-        </message>
-        <message>
-            <source>there is no group with this id</source>
-            <translation>es gibt keine Gruppe mit dieser Kennung</translation>
-        </message>
-        <message>
-            <source>the group would lie within itself</source>
-            <translation>die Gruppe läge in sich selbst</translation>
-        </message>
-        <message>
-            <source>the group's members do not stand together in the order</source>
-            <translation>die Mitglieder der Gruppe stehen in der Reihenfolge nicht beieinander</translation>
-        </message>
-        <message>
-            <source>there is no such style</source>
-            <translation>diesen Stil gibt es nicht</translation>
-        </message>
-        <message>
-            <source>only edge darkening has a third value</source>
-            <translation>nur dunkle Ränder haben einen dritten Wert</translation>
-        </message>
-        <message>
-            <source>there is no such mixing mode</source>
-            <translation>diese Mischart gibt es nicht</translation>
-        </message>
-        <message>
-            <source>only beta mixing has a beta</source>
-            <translation>nur die Beta-Mischung hat ein Beta</translation>
-        </message>
-        <message>
-            <source>there is no such kind of node</source>
-            <translation>diese Art von Knoten gibt es nicht</translation>
-        </message>
-        <message>
-            <source>a stroke needs at least one</source>
-            <translation>ein Strich braucht mindestens eines</translation>
-        </message>
-        <message>
-            <source>the segment does not start where the one before it ends</source>
-            <translation>das Segment beginnt nicht, wo das vorige endet</translation>
-        </message>
-        <message>
-            <source>there is no such kind of paper</source>
-            <translation>diese Papierart gibt es nicht</translation>
-        </message>
-        <message>
-            <source>the paper's image is missing</source>
-            <translation>das Bild des Papiers fehlt</translation>
-        </message>
-        <message>
-            <source>the stroke is missing</source>
-            <translation>der Strich fehlt</translation>
-        </message>
-        <message>
-            <source>another stroke has the same id</source>
-            <translation>ein anderer Strich hat dieselbe Kennung</translation>
-        </message>
-    </context>
-    <context>
-        <name>compare</name>
-        <message>
-            <source>The pictures differ in size (%1 × %2 and %3 × %4): render both at one size.</source>
-            <translation>Die Bilder sind verschieden groß (%1 × %2 und %3 × %4): bitte beide in einer Größe rendern.</translation>
-        </message>
-    </context>
-    <context>
-        <name>suffuse::AboutDialog</name>
-        <message>
-            <source>About Suffuse</source>
-            <translation>Über Suffuse</translation>
-        </message>
-        <message>
-            <source>Icon of Suffuse</source>
-            <translation>Symbol von Suffuse</translation>
-        </message>
-        <message>
-            <source>Suffuse %1</source>
-            <translation>Suffuse %1</translation>
-        </message>
-        <message>
-            <source>Paints with strokes that really diffuse, and stay editable.</source>
-            <translation>Malt mit Strichen, die wirklich verlaufen und bearbeitbar bleiben.</translation>
-        </message>
-        <message>
-            <source>Free software under the Apache License 2.0.</source>
-            <translation>Freie Software unter der Apache-Lizenz 2.0.</translation>
-        </message>
-    </context>
-    <context>
-        <name>suffuse::Actions</name>
-        <message>
-            <source>&amp;New…</source>
-            <translation>&amp;Neu …</translation>
-        </message>
-        <message>
-            <source>&amp;Open…</source>
-            <translation>Ö&amp;ffnen …</translation>
-        </message>
-        <message>
-            <source>&amp;Save</source>
-            <translation>&amp;Speichern</translation>
-        </message>
-        <message>
-            <source>Save &amp;As…</source>
-            <translation>Speichern &amp;unter …</translation>
-        </message>
-        <message>
-            <source>Ctrl+Shift+S</source>
-            <translation>Ctrl+Shift+S</translation>
-        </message>
-        <message>
-            <source>&amp;Export…</source>
-            <translation>&amp;Exportieren …</translation>
-        </message>
-        <message>
-            <source>Ctrl+Shift+E</source>
-            <translation>Ctrl+Shift+E</translation>
-        </message>
-        <message>
-            <source>&amp;Close Window</source>
-            <translation>Fenster s&amp;chließen</translation>
-        </message>
-        <message>
-            <source>&amp;Quit</source>
-            <translation>&amp;Beenden</translation>
-        </message>
-        <message>
-            <source>Ctrl+Q</source>
-            <translation>Ctrl+Q</translation>
-        </message>
-        <message>
-            <source>&amp;Undo</source>
-            <translation>&amp;Rückgängig</translation>
-        </message>
-        <message>
-            <source>&amp;Redo</source>
-            <translation>&amp;Wiederholen</translation>
-        </message>
-        <message>
-            <source>Ctrl+Shift+Z</source>
-            <translation>Ctrl+Shift+Z</translation>
-        </message>
-        <message>
-            <source>Ctrl+Y</source>
-            <translation>Ctrl+Y</translation>
-        </message>
-        <message>
-            <source>&amp;Delete</source>
-            <translation>&amp;Löschen</translation>
-        </message>
-        <message>
-            <source>D&amp;uplicate</source>
-            <translation>&amp;Duplizieren</translation>
-        </message>
-        <message>
-            <source>Ctrl+D</source>
-            <translation>Ctrl+D</translation>
-        </message>
-        <message>
-            <source>Select &amp;All</source>
-            <translation>&amp;Alles auswählen</translation>
-        </message>
-        <message>
-            <source>D&amp;eselect</source>
-            <translation>Auswahl auf&amp;heben</translation>
-        </message>
-        <message>
-            <source>Ctrl+Shift+A</source>
-            <translation>Ctrl+Shift+A</translation>
-        </message>
-        <message>
-            <source>Se&amp;ttings…</source>
-            <translation>&amp;Einstellungen …</translation>
-        </message>
-        <message>
-            <source>Ctrl+,</source>
-            <translation>Ctrl+,</translation>
-        </message>
-        <message>
-            <source>&amp;Brush</source>
-            <translation>&amp;Pinsel</translation>
-        </message>
-        <message>
-            <source>Paint strokes</source>
-            <translation>Striche malen</translation>
-        </message>
-        <message>
-            <source>&amp;Select</source>
-            <translation>&amp;Auswahl</translation>
-        </message>
-        <message>
-            <source>Select and move strokes</source>
-            <translation>Striche auswählen und verschieben</translation>
-        </message>
-        <message>
-            <source>Se&amp;gments</source>
-            <translation>&amp;Segmente</translation>
-        </message>
-        <message>
-            <source>Select segments of strokes</source>
-            <translation>Segmente von Strichen auswählen</translation>
-        </message>
-        <message>
-            <source>&amp;Hand</source>
-            <translation>&amp;Hand</translation>
-        </message>
-        <message>
-            <source>Move the canvas</source>
-            <translation>Leinwand verschieben</translation>
-        </message>
-        <message>
-            <source>&amp;Raise</source>
-            <translation>&amp;Anheben</translation>
-        </message>
-        <message>
-            <source>&amp;Lower</source>
-            <translation>A&amp;bsenken</translation>
-        </message>
-        <message>
-            <source>Raise to &amp;Top</source>
-            <translation>&amp;Nach ganz oben</translation>
-        </message>
-        <message>
-            <source>Lower to &amp;Bottom</source>
-            <translation>Nach ganz &amp;unten</translation>
-        </message>
-        <message>
-            <source>Zoom &amp;In</source>
-            <translation>Ver&amp;größern</translation>
-        </message>
-        <message>
-            <source>Zoom &amp;Out</source>
-            <translation>Ver&amp;kleinern</translation>
-        </message>
-        <message>
-            <source>&amp;100 %</source>
-            <translation>&amp;100 %</translation>
-        </message>
-        <message>
-            <source>&amp;Fit the Canvas</source>
-            <translation>Leinwand &amp;einpassen</translation>
-        </message>
-        <message>
-            <source>Turn &amp;Left</source>
-            <translation>Nach &amp;links drehen</translation>
-        </message>
-        <message>
-            <source>Turn &amp;Right</source>
-            <translation>Nach &amp;rechts drehen</translation>
-        </message>
-        <message>
-            <source>&amp;Upright</source>
-            <translation>&amp;Aufrecht</translation>
-        </message>
-        <message>
-            <source>&amp;Mirror</source>
-            <translation>&amp;Spiegeln</translation>
-        </message>
-        <message>
-            <source>&amp;Hide the Docks</source>
-            <translation>&amp;Andockfenster ausblenden</translation>
-        </message>
-        <message>
-            <source>F&amp;ull Screen</source>
-            <translation>&amp;Vollbild</translation>
-        </message>
-        <message>
-            <source>&amp;Keyboard Shortcuts…</source>
-            <translation>&amp;Tastenkürzel …</translation>
-        </message>
-        <message>
-            <source>&amp;About Suffuse…</source>
-            <translation>&amp;Über Suffuse …</translation>
-        </message>
-        <message>
-            <source>&amp;File</source>
-            <translation>&amp;Datei</translation>
-        </message>
-        <message>
-            <source>Open &amp;Recent</source>
-            <translation>&amp;Zuletzt geöffnet</translation>
-        </message>
-        <message>
-            <source>&amp;Edit</source>
-            <translation>&amp;Bearbeiten</translation>
-        </message>
-        <message>
-            <source>&amp;View</source>
-            <translation>&amp;Ansicht</translation>
-        </message>
-        <message>
-            <source>&amp;Docks</source>
-            <translation>An&amp;dockfenster</translation>
-        </message>
-        <message>
-            <source>&amp;Stroke</source>
-            <translation>&amp;Strich</translation>
-        </message>
-        <message>
-            <source>&amp;Tools</source>
-            <translation>&amp;Werkzeuge</translation>
-        </message>
-        <message>
-            <source>&amp;Help</source>
-            <translation>&amp;Hilfe</translation>
-        </message>
-        <message>
-            <source>Tools</source>
-            <translation>Werkzeuge</translation>
-        </message>
-    </context>
-    <context>
-        <name>suffuse::BrushPanel</name>
-        <message>
-            <source>Brushes</source>
-            <translation>Pinsel</translation>
-        </message>
-        <message>
-            <source>Choose what to paint with. The colour stays.</source>
-            <translation>Womit gemalt wird. Die Farbe bleibt.</translation>
-        </message>
-        <message>
-            <source>%1: spread %2 units, dry after %3 s</source>
-            <translation>%1: Ausbreitung %2 Einheiten, trocken nach %3 s</translation>
-        </message>
-        <message>
-            <source>Reset brush</source>
-            <translation>Pinsel zurücksetzen</translation>
-        </message>
-        <message>
-            <source>Back to the brush as it came</source>
-            <translation>Zurück zum ursprünglichen Pinsel</translation>
-        </message>
-        <message>
-            <source>Size</source>
-            <translation>Größe</translation>
-        </message>
-        <message>
-            <source>How far the paint spreads, in units; sets the diffusion.</source>
-            <translation>Wie weit die Farbe verläuft, in Einheiten; bestimmt die Diffusion.</translation>
-        </message>
-        <message>
-            <source>Flow</source>
-            <translation>Fluss</translation>
-        </message>
-        <message>
-            <source>Density in the middle of the stroke at full pressure.</source>
-            <translation>Dichte in der Mitte des Strichs bei vollem Druck.</translation>
-        </message>
-        <message>
-            <source>Opacity</source>
-            <translation>Deckkraft</translation>
-        </message>
-        <message>
-            <source>How much the paint covers at full density</source>
-            <translation>Wie stark die Farbe bei voller Dichte deckt</translation>
-        </message>
-        <message>
-            <source>%1 (changed)</source>
-            <translation>%1 (geändert)</translation>
-        </message>
-    </context>
-    <context>
-        <name>suffuse::BrushTool</name>
-        <message>
-            <source>Drag to paint; a tap leaves a dot. Esc gives the stroke up.</source>
-            <translation>Ziehen malt, ein Tipp setzt einen Punkt. Esc verwirft den Strich.</translation>
-        </message>
-        <message>
-            <source>Brush stroke</source>
-            <translation>Pinselstrich</translation>
-        </message>
-    </context>
-    <context>
-        <name>suffuse::CanvasSection</name>
-        <message>
-            <source>Canvas</source>
-            <translation>Leinwand</translation>
-        </message>
-        <message>
-            <source>Background</source>
-            <translation>Hintergrund</translation>
-        </message>
-        <message>
-            <source>Background colour. Click: white.</source>
-            <translation>Hintergrundfarbe. Klick: Weiß.</translation>
-        </message>
-        <message>
-            <source>Change background</source>
-            <translation>Hintergrund ändern</translation>
-        </message>
-        <message>
-            <source>Paper</source>
-            <translation>Papier</translation>
-        </message>
-        <message>
-            <source>Resize canvas</source>
-            <translation>Leinwandgröße ändern</translation>
-        </message>
-        <message>
-            <source>Width</source>
-            <translation>Breite</translation>
-        </message>
-        <message>
-            <source>Width of the canvas in units; a unit is a pixel at 100 %.</source>
-            <translation>Breite der Leinwand in Einheiten; eine Einheit ist bei 100 % ein Pixel.</translation>
-        </message>
-        <message>
-            <source>Height</source>
-            <translation>Höhe</translation>
-        </message>
-        <message>
-            <source>Height of the canvas in units; a unit is a pixel at 100 %.</source>
-            <translation>Höhe der Leinwand in Einheiten; eine Einheit ist bei 100 % ein Pixel.</translation>
-        </message>
-        <message>
-            <source>Texture</source>
-            <translation>Textur</translation>
-        </message>
-        <message>
-            <source>None</source>
-            <translation>Keine</translation>
-        </message>
-        <message>
-            <source>Procedural</source>
-            <translation>Prozedural</translation>
-        </message>
-        <message>
-            <source>Image…</source>
-            <translation>Bild …</translation>
-        </message>
-        <message>
-            <source>The paper's grain, which granulating strokes show.</source>
-            <translation>Die Körnung des Papiers, die granulierende Striche zeigen.</translation>
-        </message>
-        <message>
-            <source>Choose image…</source>
-            <translation>Bild wählen …</translation>
-        </message>
-        <message>
-            <source>Take the grain from another picture file.</source>
-            <translation>Die Körnung aus einer anderen Bilddatei nehmen.</translation>
-        </message>
-        <message>
-            <source>Seed</source>
-            <translation>Startwert</translation>
-        </message>
-        <message>
-            <source>Another number gives another grain.</source>
-            <translation>Eine andere Zahl gibt eine andere Körnung.</translation>
-        </message>
-        <message>
-            <source>Change paper</source>
-            <translation>Papier ändern</translation>
-        </message>
-        <message>
-            <source>Scale</source>
-            <translation>Skalierung</translation>
-        </message>
-        <message>
-            <source>Size of the coarsest grain in units, or units per pixel of the image.</source>
-            <translation>Größe des gröbsten Korns in Einheiten, oder Einheiten je Bildpixel.</translation>
-        </message>
-        <message>
-            <source>Strength</source>
-            <translation>Stärke</translation>
-        </message>
-        <message>
-            <source>How deep the grain goes.</source>
-            <translation>Wie tief die Körnung reicht.</translation>
-        </message>
-        <message>
-            <source>Paper image</source>
-            <translation>Papierbild</translation>
-        </message>
-        <message>
-            <source>Pictures</source>
-            <translation>Bilder</translation>
-        </message>
-        <message>
-            <source>%1 is larger than 64 MB: choose a smaller picture.</source>
-            <translation>%1 ist größer als 64 MB: Bitte ein kleineres Bild wählen.</translation>
-        </message>
-        <message>
-            <source>%1 cannot be read: %2.</source>
-            <translation>%1 kann nicht gelesen werden: %2.</translation>
-        </message>
-        <message>
-            <source>%1 cannot be used as paper: %2</source>
-            <translation>%1 kann nicht als Papier dienen: %2</translation>
-        </message>
-    </context>
-    <context>
-        <name>suffuse::CanvasWidget</name>
-        <message>
-            <source>Canvas</source>
-            <translation>Leinwand</translation>
-        </message>
-    </context>
-    <context>
-        <name>suffuse::ColourPanel</name>
-        <message>
-            <source>Current colour</source>
-            <translation>Aktuelle Farbe</translation>
-        </message>
-        <message>
-            <source>The colour that is painted with</source>
-            <translation>Die Farbe, mit der gemalt wird</translation>
-        </message>
-        <message>
-            <source>Previous colour</source>
-            <translation>Vorherige Farbe</translation>
-        </message>
-        <message>
-            <source>The colour painted with last. Click: back to it.</source>
-            <translation>Die zuletzt gemalte Farbe. Klick: zurück zu ihr.</translation>
-        </message>
-        <message>
-            <source>Recent colour %1</source>
-            <translation>Letzte Farbe %1</translation>
-        </message>
-        <message>
-            <source>A colour painted with before. Click: take it.</source>
-            <translation>Eine früher gemalte Farbe. Klick: übernehmen.</translation>
-        </message>
-        <message>
-            <source>Hex</source>
-            <translation>Hex</translation>
-        </message>
-        <message>
-            <source>sRGB colour as #rrggbb, or #rgb</source>
-            <translation>sRGB-Farbe als #rrggbb oder #rgb</translation>
-        </message>
-        <message>
-            <source>Apply to selection</source>
-            <translation>Auf Auswahl anwenden</translation>
-        </message>
-        <message>
-            <source>Gives the selected segments this colour.</source>
-            <translation>Gibt den ausgewählten Segmenten diese Farbe.</translation>
-        </message>
-        <message>
-            <source>“%1” is not a colour. Write it as #rrggbb, for example #2f6690.</source>
-            <translation>„%1“ ist keine Farbe. Schreibweise: #rrggbb, zum Beispiel #2f6690.</translation>
-        </message>
-        <message>
-            <source>Apply colour</source>
-            <translation>Farbe anwenden</translation>
-        </message>
-    </context>
-    <context>
-        <name>suffuse::ColourRows</name>
-        <message>
-            <source>Red</source>
-            <translation>Rot</translation>
-        </message>
-        <message>
-            <source>Yellow</source>
-            <translation>Gelb</translation>
-        </message>
-        <message>
-            <source>Blue</source>
-            <translation>Blau</translation>
-        </message>
-        <message>
-            <source>Opacity</source>
-            <translation>Deckkraft</translation>
-        </message>
-        <message>
-            <source>Share of red pigment</source>
-            <translation>Anteil des roten Pigments</translation>
-        </message>
-        <message>
-            <source>Share of yellow pigment</source>
-            <translation>Anteil des gelben Pigments</translation>
-        </message>
-        <message>
-            <source>Share of blue pigment</source>
-            <translation>Anteil des blauen Pigments</translation>
-        </message>
-        <message>
-            <source>How much the paint covers at full density</source>
-            <translation>Wie stark die Farbe bei voller Dichte deckt</translation>
-        </message>
-    </context>
-    <context>
-        <name>suffuse::ColourWheel</name>
-        <message>
-            <source>Colour wheel</source>
-            <translation>Farbkreis</translation>
-        </message>
-        <message>
-            <source>Ring: hue in the order of pigments. Triangle: pure, white and black.
+    </message>
+    <message>
+        <source>Tells what lies at a point of the canvas, stroke by stroke from bottom to top. X and Y are in canvas units.</source>
+        <translation>Sagt, was an einem Punkt der Leinwand liegt, Strich für Strich von unten nach oben. X und Y in Leinwandeinheiten.</translation>
+    </message>
+    <message>
+        <source>The moment, in seconds (default: the end).</source>
+        <translation>Der Zeitpunkt in Sekunden (Vorgabe: das Ende).</translation>
+    </message>
+    <message>
+        <source>%1 %2: give X and Y as numbers, in canvas units</source>
+        <translation>%1 %2: bitte X und Y als Zahlen in Leinwandeinheiten angeben</translation>
+    </message>
+    <message>
+        <source>The picture: .png, .tiff, .exr, .jpg, .webp or .pfm.</source>
+        <translation>Das Bild: .png, .tiff, .exr, .jpg, .webp oder .pfm.</translation>
+    </message>
+    <message>
+        <source>Pixels: WxH, or W alone; scales uniformly.</source>
+        <translation>Pixel: WxH oder nur W; skaliert gleichmäßig.</translation>
+    </message>
+    <message>
+        <source>Pixels a canvas unit (default 1).</source>
+        <translation>Pixel je Leinwandeinheit (Vorgabe 1).</translation>
+    </message>
+    <message>
+        <source>Part of the canvas, in canvas units (default: all of it).</source>
+        <translation>Teil der Leinwand in Leinwandeinheiten (Vorgabe: alles).</translation>
+    </message>
+    <message>
+        <source>The moment that is drawn, in seconds (default: the end).</source>
+        <translation>Der gezeichnete Zeitpunkt in Sekunden (Vorgabe: das Ende).</translation>
+    </message>
+    <message>
+        <source>No background: alpha holds the coverage.</source>
+        <translation>Kein Hintergrund: Alpha hält die Deckung.</translation>
+    </message>
+    <message>
+        <source>8, 16, half or float (default: the format&apos;s usual one).</source>
+        <translation>8, 16, half oder float (Vorgabe: das Übliche des Formats).</translation>
+    </message>
+    <message>
+        <source>auto, cpu, cuda or reference.</source>
+        <translation>auto, cpu, cuda oder reference.</translation>
+    </message>
+    <message>
+        <source>Number of threads (default: one a core).</source>
+        <translation>Zahl der Threads (Vorgabe: einer je Kern).</translation>
+    </message>
+    <message>
+        <source>Prints times and counts as JSON.</source>
+        <translation>Gibt Zeiten und Zahlen als JSON aus.</translation>
+    </message>
+    <message>
+        <source>--depth %1: give 8, 16, half or float</source>
+        <translation>--depth %1: möglich sind 8, 16, half und float</translation>
+    </message>
+    <message>
+        <source>Draws a painting or a recording into an image file.</source>
+        <translation>Zeichnet ein Bild oder eine Aufzeichnung in eine Bilddatei.</translation>
+    </message>
+    <message>
+        <source>-o OUT is missing: name the picture to write</source>
+        <translation>-o OUT fehlt: bitte das zu schreibende Bild nennen</translation>
+    </message>
+    <message>
+        <source>%1 and %2: largest difference R %3, G %4, B %5</source>
+        <translation>%1 und %2: größter Unterschied R %3, G %4, B %5</translation>
+    </message>
+    <message>
+        <source>  at pixel %1, %2: RGB %3 and %4</source>
+        <translation>  bei Pixel %1, %2: RGB %3 und %4</translation>
+    </message>
+    <message>
+        <source>  %1 of %2 pixels over 1/512</source>
+        <translation>  %1 von %2 Pixeln über 1/512</translation>
+    </message>
+    <message>
+        <source>  %1 pixels that are no numbers</source>
+        <translation>  %1 Pixel sind keine Zahlen</translation>
+    </message>
+    <message>
+        <source>%1 and %2: largest difference in 8 bits %3, at pixel %4, %5</source>
+        <translation>%1 und %2: größter Unterschied in 8 Bit %3, bei Pixel %4, %5</translation>
+    </message>
+    <message>
+        <source>%1, %2 × %3 pixels, at %4 s</source>
+        <translation>%1, %2 × %3 Pixel, bei %4 s</translation>
+    </message>
+    <message>
+        <source>within the contract</source>
+        <translation>innerhalb der Vereinbarung</translation>
+    </message>
+    <message>
+        <source>OVER the contract: 1/512 to the reference, 1 level of 8 bits between backends</source>
+        <translation>ÜBER der Vereinbarung: 1/512 zur Referenz, 1 Stufe in 8 Bit zwischen Backends</translation>
+    </message>
+    <message>
+        <source>Draws a painting on every backend there is and on the reference, and compares the pictures.</source>
+        <translation>Zeichnet ein Bild mit jedem Backend und der Referenz und vergleicht die Ergebnisse.</translation>
+    </message>
+    <message>
+        <source>Prints the rows as a JSON array.</source>
+        <translation>Gibt die Zeilen als JSON-Feld aus.</translation>
+    </message>
+    <message>
+        <source>Measures on this document instead of a generated painting of figure 11f&apos;s size.</source>
+        <translation>Misst an diesem Dokument statt an einem erzeugten Bild von der Größe der Abbildung 11f.</translation>
+    </message>
+    <message>
+        <source>all: every backend that can run here, one after the other.</source>
+        <translation>all: nacheinander jedes Backend, das hier laufen kann.</translation>
+    </message>
+    <message>
+        <source>Numbers of threads; several: full renders with each (default: 1, and one a core).</source>
+        <translation>Anzahl der Threads; mehrere: vollständige Bilder mit jeder (Vorgabe: 1 und einer je Kern).</translation>
+    </message>
+    <message>
+        <source>Pixels: WxH, or W alone (default: 1 px a unit, and full renders at 2.8125 px too).</source>
+        <translation>Pixel: BxH oder nur B (Vorgabe: 1 px je Einheit, vollständige Bilder auch mit 2.8125 px).</translation>
+    </message>
+    <message>
+        <source>Names of rows, with commas between: takes these only.</source>
+        <translation>Namen von Zeilen, durch Kommas getrennt: nimmt nur diese.</translation>
+    </message>
+    <message>
+        <source>Runs a row (default: 9).</source>
+        <translation>Läufe je Zeile (Vorgabe: 9).</translation>
+    </message>
+    <message>
+        <source>Full renders of all thirteen sizes of the paper&apos;s Table 2 too.</source>
+        <translation>Auch vollständige Bilder in allen dreizehn Größen der Tabelle 2 des Artikels.</translation>
+    </message>
+    <message>
+        <source>Range of the generated strokes&apos; spread, in units (default: 6 20).</source>
+        <translation>Bereich der Ausbreitung der erzeugten Striche in Einheiten (Vorgabe: 6 20).</translation>
+    </message>
+    <message>
+        <source>Segments of the growth rows (default: 1000,10000,100000).</source>
+        <translation>Segmente der Wachstumszeilen (Vorgabe: 1000,10000,100000).</translation>
+    </message>
+    <message>
+        <source>A growth row of 1000000 segments too.</source>
+        <translation>Auch eine Wachstumszeile mit 1000000 Segmenten.</translation>
+    </message>
+    <message>
+        <source>Width of the generated painting&apos;s canvas (default: 1024).</source>
+        <translation>Breite der Leinwand des erzeugten Bildes (Vorgabe: 1024).</translation>
+    </message>
+    <message>
+        <source>Height of the generated painting&apos;s canvas (default: 768).</source>
+        <translation>Höhe der Leinwand des erzeugten Bildes (Vorgabe: 768).</translation>
+    </message>
+    <message>
+        <source>Scale of the generated strokes (default: width / 1024).</source>
+        <translation>Maßstab der erzeugten Striche (Vorgabe: Breite / 1024).</translation>
+    </message>
+    <message>
+        <source>--%1 %2: give whole numbers from %3 to %4</source>
+        <translation>--%1 %2: geben Sie ganze Zahlen von %3 bis %4 an</translation>
+    </message>
+    <message>
+        <source>--%1 %2: give a number above 0, at most %3</source>
+        <translation>--%1 %2: geben Sie eine Zahl über 0 an, höchstens %3</translation>
+    </message>
+    <message>
+        <source>--spread %1: give two numbers, e.g. --spread 6 20</source>
+        <translation>--spread %1: geben Sie zwei Zahlen an, z. B. --spread 6 20</translation>
+    </message>
+    <message>
+        <source>--devices %1: give all, or leave it out</source>
+        <translation>--devices %1: geben Sie all an oder lassen Sie es weg</translation>
+    </message>
+    <message>
+        <source>--only %1: the rows are %2</source>
+        <translation>--only %1: die Zeilen sind %2</translation>
+    </message>
+    <message>
+        <source>Measures how fast this machine draws: the figures of docs/performance.md.</source>
+        <translation>Misst, wie schnell dieser Rechner zeichnet: die Zahlen von docs/performance.md.</translation>
+    </message>
+    <message>
+        <source>measure how fast this machine draws</source>
+        <translation>misst, wie schnell dieser Rechner zeichnet</translation>
+    </message>
+</context>
+<context>
+    <name>Commands</name>
+    <message>
+        <source>Delete segments</source>
+        <translation>Segmente löschen</translation>
+    </message>
+    <message>
+        <source>Delete strokes</source>
+        <translation>Striche löschen</translation>
+    </message>
+    <message>
+        <source>Duplicate</source>
+        <translation>Duplizieren</translation>
+    </message>
+    <message>
+        <source>Raise</source>
+        <translation>Anheben</translation>
+    </message>
+    <message>
+        <source>Lower</source>
+        <translation>Absenken</translation>
+    </message>
+    <message>
+        <source>Raise to top</source>
+        <translation>Nach ganz oben</translation>
+    </message>
+    <message>
+        <source>Lower to bottom</source>
+        <translation>Nach ganz unten</translation>
+    </message>
+    <message>
+        <source>Move</source>
+        <translation>Verschieben</translation>
+    </message>
+</context>
+<context>
+    <name>FileReplacement</name>
+    <message>
+        <source>%1: cannot be written (%2). Choose another folder, or change its permissions.</source>
+        <translation>%1: kann nicht geschrieben werden (%2). Bitte einen anderen Ordner wählen oder die Rechte ändern.</translation>
+    </message>
+    <message>
+        <source>%1: the disk is full (%2). Free some space, or choose another disk.</source>
+        <translation>%1: Die Platte ist voll (%2). Bitte Platz schaffen oder eine andere wählen.</translation>
+    </message>
+    <message>
+        <source>%1: writing failed (%2). Choose another place.</source>
+        <translation>%1: Schreiben fehlgeschlagen (%2). Bitte einen anderen Ort wählen.</translation>
+    </message>
+    <message>
+        <source>%1: is a folder. Give a file name.</source>
+        <translation>%1: ist ein Ordner. Bitte einen Dateinamen angeben.</translation>
+    </message>
+    <message>
+        <source>%1: is not a plain file. Choose another name.</source>
+        <translation>%1: ist keine gewöhnliche Datei. Bitte einen anderen Namen wählen.</translation>
+    </message>
+    <message>
+        <source>%1: the folder %2 does not exist. Create it, or choose another.</source>
+        <translation>%1: Den Ordner %2 gibt es nicht. Bitte anlegen oder einen anderen wählen.</translation>
+    </message>
+</context>
+<context>
+    <name>ImageFormat</name>
+    <message>
+        <source>This is no image format that can be written. Use one of these endings: %1.</source>
+        <translation>Dieses Bildformat kann nicht geschrieben werden. Mögliche Endungen: %1.</translation>
+    </message>
+    <message>
+        <source>%1 cannot hold depth %2. Choose %3, or another format.</source>
+        <translation>%1 kennt die Farbtiefe %2 nicht. Bitte %3 oder ein anderes Format wählen.</translation>
+    </message>
+    <message>
+        <source>%1 cannot hold transparency. Use PNG, TIFF, EXR or WebP, or export with the background.</source>
+        <translation>%1 kennt keine Transparenz. Bitte PNG, TIFF, EXR oder WebP verwenden oder mit Hintergrund exportieren.</translation>
+    </message>
+    <message>
+        <source>%1 holds 1 to %2 pixels a side, not %3 × %4. Choose another size or format.</source>
+        <translation>%1 fasst 1 bis %2 Pixel je Seite, nicht %3 × %4. Bitte eine andere Größe oder ein anderes Format wählen.</translation>
+    </message>
+</context>
+<context>
+    <name>ImageModule</name>
+    <message>
+        <source>the image module %1 %2; install or build Suffuse again (target suffuse_image_io). Pictures ending in .pfm work without it</source>
+        <translation>das Bildmodul %1 %2; bitte Suffuse neu installieren oder bauen (Ziel suffuse_image_io). Bilder mit der Endung .pfm gehen auch ohne es</translation>
+    </message>
+    <message>
+        <source>is missing</source>
+        <translation>fehlt</translation>
+    </message>
+    <message>
+        <source>cannot be loaded (%1)</source>
+        <translation>kann nicht geladen werden (%1)</translation>
+    </message>
+    <message>
+        <source>is of another version of Suffuse</source>
+        <translation>gehört zu einer anderen Version von Suffuse</translation>
+    </message>
+</context>
+<context>
+    <name>ImageReader</name>
+    <message>
+        <source>%1: the image declares more than %2 × %2 or %3 million pixels. Scale it down first.</source>
+        <translation>%1: Das Bild gibt mehr als %2 × %2 oder %3 Millionen Pixel an. Bitte erst verkleinern.</translation>
+    </message>
+    <message>
+        <source>%1: is not a PNG, JPEG, TIFF, EXR or WebP image. Convert it to one of them.</source>
+        <translation>%1: ist kein PNG-, JPEG-, TIFF-, EXR- oder WebP-Bild. Bitte in eines davon umwandeln.</translation>
+    </message>
+    <message>
+        <source>%1: cannot read %2: %3.</source>
+        <translation>%1: %2 kann nicht gelesen werden: %3.</translation>
+    </message>
+    <message>
+        <source>%1: the %2 image cannot be read (%3). It may be damaged, or too large (at most %4 pixels a side, %5 million in all).</source>
+        <translation>%1: Das %2-Bild kann nicht gelesen werden (%3). Es ist vielleicht beschädigt oder zu groß (höchstens %4 Pixel je Seite, %5 Millionen insgesamt).</translation>
+    </message>
+</context>
+<context>
+    <name>ImageWriter</name>
+    <message>
+        <source>%1: cannot write %2: %3.</source>
+        <translation>%1: %2 kann nicht geschrieben werden: %3.</translation>
+    </message>
+    <message>
+        <source>%1: writing was cancelled; nothing was changed.</source>
+        <translation>%1: Das Schreiben wurde abgebrochen; nichts wurde geändert.</translation>
+    </message>
+    <message>
+        <source>%1: %2 could not be written (%3). Choose another format or depth.</source>
+        <translation>%1: %2 konnte nicht geschrieben werden (%3). Bitte ein anderes Format oder eine andere Farbtiefe wählen.</translation>
+    </message>
+</context>
+<context>
+    <name>Messages</name>
+    <message>
+        <source>Save the changes to “%1” before closing?</source>
+        <translation>Änderungen an „%1“ vor dem Schließen speichern?</translation>
+    </message>
+    <message>
+        <source>Without saving, what was painted since the last save is lost.</source>
+        <translation>Ohne Speichern geht verloren, was seit dem letzten Speichern gemalt wurde.</translation>
+    </message>
+</context>
+<context>
+    <name>Paper</name>
+    <message>
+        <source>paper image</source>
+        <translation>Papierbild</translation>
+    </message>
+    <message>
+        <source>paper image: there is none. Choose an image, or another kind of paper.</source>
+        <translation>Papierbild: Es fehlt. Bitte ein Bild oder eine andere Papierart wählen.</translation>
+    </message>
+</context>
+<context>
+    <name>ReferenceRenderer</name>
+    <message>
+        <source>%1 threads · double</source>
+        <translation>%1 Threads · doppelt genau</translation>
+    </message>
+</context>
+<context>
+    <name>Renderer</name>
+    <message numerus="yes">
+        <source>%n threads</source>
+        <translation>
+            <numerusform>%n Thread</numerusform>
+            <numerusform>%n Threads</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>this program was built without the CUDA renderer</source>
+        <translation>dieses Programm wurde ohne den CUDA-Renderer gebaut</translation>
+    </message>
+    <message>
+        <source>The CUDA backend cannot run: %1. Use the CPU backend.</source>
+        <translation>Das CUDA-Backend kann nicht laufen: %1. Bitte das CPU-Backend verwenden.</translation>
+    </message>
+</context>
+<context>
+    <name>Validate</name>
+    <message>
+        <source>it is earlier than the one before it; put them in order of time</source>
+        <translation>liegt vor dem vorigen; bitte nach der Zeit ordnen</translation>
+    </message>
+    <message>
+        <source>another group has the same id</source>
+        <translation>eine andere Gruppe hat dieselbe Kennung</translation>
+    </message>
+    <message>
+        <source>there is no group with this id</source>
+        <translation>es gibt keine Gruppe mit dieser Kennung</translation>
+    </message>
+    <message>
+        <source>the group would lie within itself</source>
+        <translation>die Gruppe läge in sich selbst</translation>
+    </message>
+    <message>
+        <source>the group&apos;s members do not stand together in the order</source>
+        <translation>die Mitglieder der Gruppe stehen in der Reihenfolge nicht beieinander</translation>
+    </message>
+    <message>
+        <source>there is no such style</source>
+        <translation>diesen Stil gibt es nicht</translation>
+    </message>
+    <message>
+        <source>only edge darkening has a third value</source>
+        <translation>nur dunkle Ränder haben einen dritten Wert</translation>
+    </message>
+    <message>
+        <source>there is no such mixing mode</source>
+        <translation>diese Mischart gibt es nicht</translation>
+    </message>
+    <message>
+        <source>only beta mixing has a beta</source>
+        <translation>nur die Beta-Mischung hat ein Beta</translation>
+    </message>
+    <message>
+        <source>there is no such kind of node</source>
+        <translation>diese Art von Knoten gibt es nicht</translation>
+    </message>
+    <message>
+        <source>a stroke needs at least one</source>
+        <translation>ein Strich braucht mindestens eines</translation>
+    </message>
+    <message>
+        <source>the segment does not start where the one before it ends</source>
+        <translation>das Segment beginnt nicht, wo das vorige endet</translation>
+    </message>
+    <message>
+        <source>there is no such kind of paper</source>
+        <translation>diese Papierart gibt es nicht</translation>
+    </message>
+    <message>
+        <source>the paper&apos;s image is missing</source>
+        <translation>das Bild des Papiers fehlt</translation>
+    </message>
+    <message>
+        <source>the stroke is missing</source>
+        <translation>der Strich fehlt</translation>
+    </message>
+    <message>
+        <source>another stroke has the same id</source>
+        <translation>ein anderer Strich hat dieselbe Kennung</translation>
+    </message>
+</context>
+<context>
+    <name>compare</name>
+    <message>
+        <source>The pictures differ in size (%1 × %2 and %3 × %4): render both at one size.</source>
+        <translation>Die Bilder sind verschieden groß (%1 × %2 und %3 × %4): bitte beide in einer Größe rendern.</translation>
+    </message>
+</context>
+<context>
+    <name>suffuse::AboutDialog</name>
+    <message>
+        <source>About Suffuse</source>
+        <translation>Über Suffuse</translation>
+    </message>
+    <message>
+        <source>Icon of Suffuse</source>
+        <translation>Symbol von Suffuse</translation>
+    </message>
+    <message>
+        <source>Suffuse %1</source>
+        <translation>Suffuse %1</translation>
+    </message>
+    <message>
+        <source>Paints with strokes that really diffuse, and stay editable.</source>
+        <translation>Malt mit Strichen, die wirklich verlaufen und bearbeitbar bleiben.</translation>
+    </message>
+    <message>
+        <source>Free software under the Apache License 2.0.</source>
+        <translation>Freie Software unter der Apache-Lizenz 2.0.</translation>
+    </message>
+</context>
+<context>
+    <name>suffuse::Actions</name>
+    <message>
+        <source>&amp;New…</source>
+        <translation>&amp;Neu …</translation>
+    </message>
+    <message>
+        <source>&amp;Open…</source>
+        <translation>Ö&amp;ffnen …</translation>
+    </message>
+    <message>
+        <source>&amp;Save</source>
+        <translation>&amp;Speichern</translation>
+    </message>
+    <message>
+        <source>Save &amp;As…</source>
+        <translation>Speichern &amp;unter …</translation>
+    </message>
+    <message>
+        <source>Ctrl+Shift+S</source>
+        <translation>Ctrl+Shift+S</translation>
+    </message>
+    <message>
+        <source>&amp;Export…</source>
+        <translation>&amp;Exportieren …</translation>
+    </message>
+    <message>
+        <source>Ctrl+Shift+E</source>
+        <translation>Ctrl+Shift+E</translation>
+    </message>
+    <message>
+        <source>&amp;Close Window</source>
+        <translation>Fenster s&amp;chließen</translation>
+    </message>
+    <message>
+        <source>&amp;Quit</source>
+        <translation>&amp;Beenden</translation>
+    </message>
+    <message>
+        <source>Ctrl+Q</source>
+        <translation>Ctrl+Q</translation>
+    </message>
+    <message>
+        <source>&amp;Undo</source>
+        <translation>&amp;Rückgängig</translation>
+    </message>
+    <message>
+        <source>&amp;Redo</source>
+        <translation>&amp;Wiederholen</translation>
+    </message>
+    <message>
+        <source>Ctrl+Shift+Z</source>
+        <translation>Ctrl+Shift+Z</translation>
+    </message>
+    <message>
+        <source>Ctrl+Y</source>
+        <translation>Ctrl+Y</translation>
+    </message>
+    <message>
+        <source>&amp;Delete</source>
+        <translation>&amp;Löschen</translation>
+    </message>
+    <message>
+        <source>D&amp;uplicate</source>
+        <translation>&amp;Duplizieren</translation>
+    </message>
+    <message>
+        <source>Ctrl+D</source>
+        <translation>Ctrl+D</translation>
+    </message>
+    <message>
+        <source>Select &amp;All</source>
+        <translation>&amp;Alles auswählen</translation>
+    </message>
+    <message>
+        <source>D&amp;eselect</source>
+        <translation>Auswahl auf&amp;heben</translation>
+    </message>
+    <message>
+        <source>Ctrl+Shift+A</source>
+        <translation>Ctrl+Shift+A</translation>
+    </message>
+    <message>
+        <source>Se&amp;ttings…</source>
+        <translation>&amp;Einstellungen …</translation>
+    </message>
+    <message>
+        <source>Ctrl+,</source>
+        <translation>Ctrl+,</translation>
+    </message>
+    <message>
+        <source>&amp;Brush</source>
+        <translation>&amp;Pinsel</translation>
+    </message>
+    <message>
+        <source>Paint strokes</source>
+        <translation>Striche malen</translation>
+    </message>
+    <message>
+        <source>&amp;Select</source>
+        <translation>&amp;Auswahl</translation>
+    </message>
+    <message>
+        <source>Select and move strokes</source>
+        <translation>Striche auswählen und verschieben</translation>
+    </message>
+    <message>
+        <source>Se&amp;gments</source>
+        <translation>&amp;Segmente</translation>
+    </message>
+    <message>
+        <source>Select segments of strokes</source>
+        <translation>Segmente von Strichen auswählen</translation>
+    </message>
+    <message>
+        <source>&amp;Hand</source>
+        <translation>&amp;Hand</translation>
+    </message>
+    <message>
+        <source>Move the canvas</source>
+        <translation>Leinwand verschieben</translation>
+    </message>
+    <message>
+        <source>&amp;Raise</source>
+        <translation>&amp;Anheben</translation>
+    </message>
+    <message>
+        <source>&amp;Lower</source>
+        <translation>A&amp;bsenken</translation>
+    </message>
+    <message>
+        <source>Raise to &amp;Top</source>
+        <translation>&amp;Nach ganz oben</translation>
+    </message>
+    <message>
+        <source>Lower to &amp;Bottom</source>
+        <translation>Nach ganz &amp;unten</translation>
+    </message>
+    <message>
+        <source>Zoom &amp;In</source>
+        <translation>Ver&amp;größern</translation>
+    </message>
+    <message>
+        <source>Zoom &amp;Out</source>
+        <translation>Ver&amp;kleinern</translation>
+    </message>
+    <message>
+        <source>&amp;100 %</source>
+        <translation>&amp;100 %</translation>
+    </message>
+    <message>
+        <source>&amp;Fit the Canvas</source>
+        <translation>Leinwand &amp;einpassen</translation>
+    </message>
+    <message>
+        <source>Turn &amp;Left</source>
+        <translation>Nach &amp;links drehen</translation>
+    </message>
+    <message>
+        <source>Turn &amp;Right</source>
+        <translation>Nach &amp;rechts drehen</translation>
+    </message>
+    <message>
+        <source>&amp;Upright</source>
+        <translation>&amp;Aufrecht</translation>
+    </message>
+    <message>
+        <source>&amp;Mirror</source>
+        <translation>&amp;Spiegeln</translation>
+    </message>
+    <message>
+        <source>&amp;Hide the Docks</source>
+        <translation>&amp;Andockfenster ausblenden</translation>
+    </message>
+    <message>
+        <source>F&amp;ull Screen</source>
+        <translation>&amp;Vollbild</translation>
+    </message>
+    <message>
+        <source>&amp;Keyboard Shortcuts…</source>
+        <translation>&amp;Tastenkürzel …</translation>
+    </message>
+    <message>
+        <source>&amp;About Suffuse…</source>
+        <translation>&amp;Über Suffuse …</translation>
+    </message>
+    <message>
+        <source>&amp;File</source>
+        <translation>&amp;Datei</translation>
+    </message>
+    <message>
+        <source>Open &amp;Recent</source>
+        <translation>&amp;Zuletzt geöffnet</translation>
+    </message>
+    <message>
+        <source>&amp;Edit</source>
+        <translation>&amp;Bearbeiten</translation>
+    </message>
+    <message>
+        <source>&amp;View</source>
+        <translation>&amp;Ansicht</translation>
+    </message>
+    <message>
+        <source>&amp;Docks</source>
+        <translation>An&amp;dockfenster</translation>
+    </message>
+    <message>
+        <source>&amp;Stroke</source>
+        <translation>&amp;Strich</translation>
+    </message>
+    <message>
+        <source>&amp;Tools</source>
+        <translation>&amp;Werkzeuge</translation>
+    </message>
+    <message>
+        <source>&amp;Help</source>
+        <translation>&amp;Hilfe</translation>
+    </message>
+    <message>
+        <source>Tools</source>
+        <translation>Werkzeuge</translation>
+    </message>
+</context>
+<context>
+    <name>suffuse::BrushPanel</name>
+    <message>
+        <source>Brushes</source>
+        <translation>Pinsel</translation>
+    </message>
+    <message>
+        <source>Choose what to paint with. The colour stays.</source>
+        <translation>Womit gemalt wird. Die Farbe bleibt.</translation>
+    </message>
+    <message>
+        <source>%1: spread %2 units, dry after %3 s</source>
+        <translation>%1: Ausbreitung %2 Einheiten, trocken nach %3 s</translation>
+    </message>
+    <message>
+        <source>Reset brush</source>
+        <translation>Pinsel zurücksetzen</translation>
+    </message>
+    <message>
+        <source>Back to the brush as it came</source>
+        <translation>Zurück zum ursprünglichen Pinsel</translation>
+    </message>
+    <message>
+        <source>Size</source>
+        <translation>Größe</translation>
+    </message>
+    <message>
+        <source>How far the paint spreads, in units; sets the diffusion.</source>
+        <translation>Wie weit die Farbe verläuft, in Einheiten; bestimmt die Diffusion.</translation>
+    </message>
+    <message>
+        <source>Flow</source>
+        <translation>Fluss</translation>
+    </message>
+    <message>
+        <source>Density in the middle of the stroke at full pressure.</source>
+        <translation>Dichte in der Mitte des Strichs bei vollem Druck.</translation>
+    </message>
+    <message>
+        <source>Opacity</source>
+        <translation>Deckkraft</translation>
+    </message>
+    <message>
+        <source>How much the paint covers at full density</source>
+        <translation>Wie stark die Farbe bei voller Dichte deckt</translation>
+    </message>
+    <message>
+        <source>%1 (changed)</source>
+        <translation>%1 (geändert)</translation>
+    </message>
+</context>
+<context>
+    <name>suffuse::BrushTool</name>
+    <message>
+        <source>Drag to paint; a tap leaves a dot. Esc gives the stroke up.</source>
+        <translation>Ziehen malt, ein Tipp setzt einen Punkt. Esc verwirft den Strich.</translation>
+    </message>
+    <message>
+        <source>Brush stroke</source>
+        <translation>Pinselstrich</translation>
+    </message>
+</context>
+<context>
+    <name>suffuse::CanvasSection</name>
+    <message>
+        <source>Canvas</source>
+        <translation>Leinwand</translation>
+    </message>
+    <message>
+        <source>Background</source>
+        <translation>Hintergrund</translation>
+    </message>
+    <message>
+        <source>Background colour. Click: white.</source>
+        <translation>Hintergrundfarbe. Klick: Weiß.</translation>
+    </message>
+    <message>
+        <source>Change background</source>
+        <translation>Hintergrund ändern</translation>
+    </message>
+    <message>
+        <source>Paper</source>
+        <translation>Papier</translation>
+    </message>
+    <message>
+        <source>Resize canvas</source>
+        <translation>Leinwandgröße ändern</translation>
+    </message>
+    <message>
+        <source>Width</source>
+        <translation>Breite</translation>
+    </message>
+    <message>
+        <source>Width of the canvas in units; a unit is a pixel at 100 %.</source>
+        <translation>Breite der Leinwand in Einheiten; eine Einheit ist bei 100 % ein Pixel.</translation>
+    </message>
+    <message>
+        <source>Height</source>
+        <translation>Höhe</translation>
+    </message>
+    <message>
+        <source>Height of the canvas in units; a unit is a pixel at 100 %.</source>
+        <translation>Höhe der Leinwand in Einheiten; eine Einheit ist bei 100 % ein Pixel.</translation>
+    </message>
+    <message>
+        <source>Texture</source>
+        <translation>Textur</translation>
+    </message>
+    <message>
+        <source>None</source>
+        <translation>Keine</translation>
+    </message>
+    <message>
+        <source>Procedural</source>
+        <translation>Prozedural</translation>
+    </message>
+    <message>
+        <source>Image…</source>
+        <translation>Bild …</translation>
+    </message>
+    <message>
+        <source>The paper&apos;s grain, which granulating strokes show.</source>
+        <translation>Die Körnung des Papiers, die granulierende Striche zeigen.</translation>
+    </message>
+    <message>
+        <source>Choose image…</source>
+        <translation>Bild wählen …</translation>
+    </message>
+    <message>
+        <source>Take the grain from another picture file.</source>
+        <translation>Die Körnung aus einer anderen Bilddatei nehmen.</translation>
+    </message>
+    <message>
+        <source>Seed</source>
+        <translation>Startwert</translation>
+    </message>
+    <message>
+        <source>Another number gives another grain.</source>
+        <translation>Eine andere Zahl gibt eine andere Körnung.</translation>
+    </message>
+    <message>
+        <source>Change paper</source>
+        <translation>Papier ändern</translation>
+    </message>
+    <message>
+        <source>Scale</source>
+        <translation>Skalierung</translation>
+    </message>
+    <message>
+        <source>Size of the coarsest grain in units, or units per pixel of the image.</source>
+        <translation>Größe des gröbsten Korns in Einheiten, oder Einheiten je Bildpixel.</translation>
+    </message>
+    <message>
+        <source>Strength</source>
+        <translation>Stärke</translation>
+    </message>
+    <message>
+        <source>How deep the grain goes.</source>
+        <translation>Wie tief die Körnung reicht.</translation>
+    </message>
+    <message>
+        <source>Paper image</source>
+        <translation>Papierbild</translation>
+    </message>
+    <message>
+        <source>Pictures</source>
+        <translation>Bilder</translation>
+    </message>
+    <message>
+        <source>%1 is larger than 64 MB: choose a smaller picture.</source>
+        <translation>%1 ist größer als 64 MB: Bitte ein kleineres Bild wählen.</translation>
+    </message>
+    <message>
+        <source>%1 cannot be read: %2.</source>
+        <translation>%1 kann nicht gelesen werden: %2.</translation>
+    </message>
+    <message>
+        <source>%1 cannot be used as paper: %2</source>
+        <translation>%1 kann nicht als Papier dienen: %2</translation>
+    </message>
+</context>
+<context>
+    <name>suffuse::CanvasWidget</name>
+    <message>
+        <source>Canvas</source>
+        <translation>Leinwand</translation>
+    </message>
+</context>
+<context>
+    <name>suffuse::ColourPanel</name>
+    <message>
+        <source>Current colour</source>
+        <translation>Aktuelle Farbe</translation>
+    </message>
+    <message>
+        <source>The colour that is painted with</source>
+        <translation>Die Farbe, mit der gemalt wird</translation>
+    </message>
+    <message>
+        <source>Previous colour</source>
+        <translation>Vorherige Farbe</translation>
+    </message>
+    <message>
+        <source>The colour painted with last. Click: back to it.</source>
+        <translation>Die zuletzt gemalte Farbe. Klick: zurück zu ihr.</translation>
+    </message>
+    <message>
+        <source>Recent colour %1</source>
+        <translation>Letzte Farbe %1</translation>
+    </message>
+    <message>
+        <source>A colour painted with before. Click: take it.</source>
+        <translation>Eine früher gemalte Farbe. Klick: übernehmen.</translation>
+    </message>
+    <message>
+        <source>Hex</source>
+        <translation>Hex</translation>
+    </message>
+    <message>
+        <source>sRGB colour as #rrggbb, or #rgb</source>
+        <translation>sRGB-Farbe als #rrggbb oder #rgb</translation>
+    </message>
+    <message>
+        <source>Apply to selection</source>
+        <translation>Auf Auswahl anwenden</translation>
+    </message>
+    <message>
+        <source>Gives the selected segments this colour.</source>
+        <translation>Gibt den ausgewählten Segmenten diese Farbe.</translation>
+    </message>
+    <message>
+        <source>“%1” is not a colour. Write it as #rrggbb, for example #2f6690.</source>
+        <translation>„%1“ ist keine Farbe. Schreibweise: #rrggbb, zum Beispiel #2f6690.</translation>
+    </message>
+    <message>
+        <source>Apply colour</source>
+        <translation>Farbe anwenden</translation>
+    </message>
+</context>
+<context>
+    <name>suffuse::ColourRows</name>
+    <message>
+        <source>Red</source>
+        <translation>Rot</translation>
+    </message>
+    <message>
+        <source>Yellow</source>
+        <translation>Gelb</translation>
+    </message>
+    <message>
+        <source>Blue</source>
+        <translation>Blau</translation>
+    </message>
+    <message>
+        <source>Opacity</source>
+        <translation>Deckkraft</translation>
+    </message>
+    <message>
+        <source>Share of red pigment</source>
+        <translation>Anteil des roten Pigments</translation>
+    </message>
+    <message>
+        <source>Share of yellow pigment</source>
+        <translation>Anteil des gelben Pigments</translation>
+    </message>
+    <message>
+        <source>Share of blue pigment</source>
+        <translation>Anteil des blauen Pigments</translation>
+    </message>
+    <message>
+        <source>How much the paint covers at full density</source>
+        <translation>Wie stark die Farbe bei voller Dichte deckt</translation>
+    </message>
+</context>
+<context>
+    <name>suffuse::ColourWheel</name>
+    <message>
+        <source>Colour wheel</source>
+        <translation>Farbkreis</translation>
+    </message>
+    <message>
+        <source>Ring: hue in the order of pigments. Triangle: pure, white and black.
 Arrow keys work too.</source>
-            <translation>Ring: Farbton in der Ordnung der Pigmente. Dreieck: rein, weiß und schwarz.
+        <translation>Ring: Farbton in der Ordnung der Pigmente. Dreieck: rein, weiß und schwarz.
 Auch die Pfeiltasten wirken.</translation>
-        </message>
-    </context>
-    <context>
-        <name>suffuse::DensityPlot</name>
-        <message>
-            <source>Coverage at the peak density %1: %2 %</source>
-            <translation>Deckung bei der Spitzendichte %1: %2 %</translation>
-        </message>
-        <message>
-            <source>density φ — first of several styles</source>
-            <translation>Dichte φ – erster von mehreren Stilen</translation>
-        </message>
-        <message>
-            <source>density φ</source>
-            <translation>Dichte φ</translation>
-        </message>
-        <message>
-            <source>F(φ), peak %1</source>
-            <translation>F(φ), Spitze %1</translation>
-        </message>
-    </context>
-    <context>
-        <name>suffuse::Editor</name>
-        <message>
-            <source>Untitled</source>
-            <translation>Unbenannt</translation>
-        </message>
-    </context>
-    <context>
-        <name>suffuse::ExportDialog</name>
-        <message>
-            <source>8 bit</source>
-            <translation>8 Bit</translation>
-        </message>
-        <message>
-            <source>16 bit</source>
-            <translation>16 Bit</translation>
-        </message>
-        <message>
-            <source>16 bit floating point</source>
-            <translation>16 Bit Gleitkomma</translation>
-        </message>
-        <message>
-            <source>32 bit floating point</source>
-            <translation>32 Bit Gleitkomma</translation>
-        </message>
-        <message>
-            <source>Export picture</source>
-            <translation>Bild exportieren</translation>
-        </message>
-        <message>
-            <source>Progress</source>
-            <translation>Fortschritt</translation>
-        </message>
-        <message>
-            <source>Export</source>
-            <translation>Exportieren</translation>
-        </message>
-        <message>
-            <source>File</source>
-            <translation>Datei</translation>
-        </message>
-        <message>
-            <source>The ending chooses the format: png, tiff, exr, jpg, webp or pfm.</source>
-            <translation>Die Endung bestimmt das Format: png, tiff, exr, jpg, webp oder pfm.</translation>
-        </message>
-        <message>
-            <source>Browse…</source>
-            <translation>Durchsuchen …</translation>
-        </message>
-        <message>
-            <source>Choose a folder and a name</source>
-            <translation>Ordner und Namen wählen</translation>
-        </message>
-        <message>
-            <source>All dried</source>
-            <translation>Alles getrocknet</translation>
-        </message>
-        <message>
-            <source>As it looks now</source>
-            <translation>Wie es jetzt aussieht</translation>
-        </message>
-        <message>
-            <source>Moment</source>
-            <translation>Zeitpunkt</translation>
-        </message>
-        <message>
-            <source>The finished painting, or the moment that the canvas shows.</source>
-            <translation>Das fertige Bild oder der Augenblick, den die Leinwand zeigt.</translation>
-        </message>
-        <message>
-            <source>Depth</source>
-            <translation>Farbtiefe</translation>
-        </message>
-        <message>
-            <source>Precision of each colour channel</source>
-            <translation>Genauigkeit jedes Farbkanals</translation>
-        </message>
-        <message>
-            <source>Quality</source>
-            <translation>Qualität</translation>
-        </message>
-        <message>
-            <source>Of JPEG and WebP; 100 is the best. WebP loses nothing then.</source>
-            <translation>Für JPEG und WebP; 100 ist am besten. WebP verliert dann nichts.</translation>
-        </message>
-        <message>
-            <source>Transparent background</source>
-            <translation>Transparenter Hintergrund</translation>
-        </message>
-        <message>
-            <source>Leaves the background out and stores how much the paint covers.</source>
-            <translation>Lässt den Hintergrund weg und speichert, wie stark die Farbe deckt.</translation>
-        </message>
-        <message>
-            <source>Size</source>
-            <translation>Größe</translation>
-        </message>
-        <message>
-            <source> px</source>
-            <translation> px</translation>
-        </message>
-        <message>
-            <source>Width in pixels</source>
-            <translation>Breite in Pixeln</translation>
-        </message>
-        <message>
-            <source>Width in pixels; the height follows.</source>
-            <translation>Breite in Pixeln; die Höhe folgt.</translation>
-        </message>
-        <message>
-            <source>Height in pixels</source>
-            <translation>Höhe in Pixeln</translation>
-        </message>
-        <message>
-            <source>Height in pixels; the width follows.</source>
-            <translation>Höhe in Pixeln; die Breite folgt.</translation>
-        </message>
-        <message>
-            <source>painting</source>
-            <translation>Gemälde</translation>
-        </message>
-        <message>
-            <source>Pictures</source>
-            <translation>Bilder</translation>
-        </message>
-        <message>
-            <source>“%1” has no ending of a picture format. Choose one of: %2.</source>
-            <translation>„%1“ hat keine Endung eines Bildformats. Möglich sind: %2.</translation>
-        </message>
-        <message>
-            <source>A picture of %1 × %2 pixels is too large. Choose a smaller size.</source>
-            <translation>Ein Bild von %1 × %2 Pixeln ist zu groß. Bitte eine kleinere Größe wählen.</translation>
-        </message>
-        <message>
-            <source>%1 exists. Replace it?</source>
-            <translation>%1 gibt es schon. Ersetzen?</translation>
-        </message>
-    </context>
-    <context>
-        <name>suffuse::Files</name>
-        <message>
-            <source>is a folder; give a file name inside it</source>
-            <translation>ist ein Ordner; bitte einen Dateinamen darin angeben</translation>
-        </message>
-        <message>
-            <source>is a device or a pipe, not a file; save to a file</source>
-            <translation>ist ein Gerät oder eine Pipe, keine Datei; bitte in eine Datei speichern</translation>
-        </message>
-        <message>
-            <source>the folder %1 does not exist; create it or choose another one</source>
-            <translation>den Ordner %1 gibt es nicht; bitte anlegen oder einen anderen wählen</translation>
-        </message>
-        <message>
-            <source>%1 is not a folder; choose another place</source>
-            <translation>%1 ist kein Ordner; bitte einen anderen Ort wählen</translation>
-        </message>
-        <message>
-            <source>the folder %1 is read-only; choose another one or change its permissions</source>
-            <translation>der Ordner %1 ist schreibgeschützt; bitte einen anderen wählen oder die Rechte ändern</translation>
-        </message>
-        <message>
-            <source>The file has no name; choose one</source>
-            <translation>Die Datei hat keinen Namen; bitte einen wählen</translation>
-        </message>
-        <message>
-            <source>would have more than 2 GB; nothing was written</source>
-            <translation>hätte mehr als 2 GB; nichts wurde geschrieben</translation>
-        </message>
-        <message>
-            <source>%1 (%2); the old file, if there was one, is as before. Free some space or choose another place</source>
-            <translation>%1 (%2); die alte Datei, falls es sie gab, ist unverändert. Bitte Platz schaffen oder einen anderen Ort wählen</translation>
-        </message>
-        <message>
-            <source>cannot be written</source>
-            <translation>kann nicht geschrieben werden</translation>
-        </message>
-        <message>
-            <source>could not be written in full</source>
-            <translation>konnte nicht vollständig geschrieben werden</translation>
-        </message>
-        <message>
-            <source>could not be put in place</source>
-            <translation>konnte nicht an ihren Platz gebracht werden</translation>
-        </message>
-        <message>
-            <source>was written, but the folder could not be brought to the disk (%1); save once more before you switch off</source>
-            <translation>wurde geschrieben, aber der Ordner kam nicht auf die Platte (%1); bitte vor dem Ausschalten noch einmal speichern</translation>
-        </message>
-        <message>
-            <source>the image has %1 MB; at most 64 MB are possible, make it smaller</source>
-            <translation>das Bild hat %1 MB; höchstens 64 MB sind möglich, bitte verkleinern</translation>
-        </message>
-        <message>
-            <source>is not a PNG, JPEG, TIFF, WebP or EXR image; convert it to one of them</source>
-            <translation>ist kein PNG-, JPEG-, TIFF-, WebP- oder EXR-Bild; bitte in eines davon umwandeln</translation>
-        </message>
-        <message>
-            <source>is empty; give a data: URL or the path of an image file</source>
-            <translation>ist leer; bitte eine data:-URL oder den Pfad einer Bilddatei angeben</translation>
-        </message>
-        <message>
-            <source>the image file %1 is missing; put it there or correct the path</source>
-            <translation>die Bilddatei %1 fehlt; bitte dort ablegen oder den Pfad berichtigen</translation>
-        </message>
-        <message>
-            <source>%1 is not a file</source>
-            <translation>%1 ist keine Datei</translation>
-        </message>
-        <message>
-            <source>the image file %1 has %2 MB; at most 64 MB are possible</source>
-            <translation>die Bilddatei %1 hat %2 MB; höchstens 64 MB sind möglich</translation>
-        </message>
-        <message>
-            <source>the image file %1 cannot be read: %2</source>
-            <translation>die Bilddatei %1 kann nicht gelesen werden: %2</translation>
-        </message>
-        <message>
-            <source>is not a data:…;base64,… URL</source>
-            <translation>ist keine data:…;base64,…-URL</translation>
-        </message>
-        <message>
-            <source>the image is too large; at most 64 MB are possible</source>
-            <translation>das Bild ist zu groß; höchstens 64 MB sind möglich</translation>
-        </message>
-        <message>
-            <source>the base64 data of the image are damaged</source>
-            <translation>die base64-Daten des Bildes sind beschädigt</translation>
-        </message>
-        <message>
-            <source>Suffuse reads .suffuse, its text form (.json), ink as CSV, Universal Ink JSON, Excalidraw and MyPaint events</source>
-            <translation>Suffuse liest .suffuse, die Textform (.json), Tinte als CSV, Universal-Ink-JSON, Excalidraw und MyPaint-Ereignisse</translation>
-        </message>
-        <message>
-            <source>is UTF-16 text; save it as UTF-8</source>
-            <translation>ist UTF-16-Text; bitte als UTF-8 speichern</translation>
-        </message>
-        <message>
-            <source>is a picture, not a painting; %1</source>
-            <translation>ist eine Bilddatei, kein gemaltes Bild; %1</translation>
-        </message>
-        <message>
-            <source>is not a painting nor a recording; %1</source>
-            <translation>ist weder ein Bild noch eine Aufzeichnung; %1</translation>
-        </message>
-        <message>
-            <source>has more than 2 GB; that is more than can be opened</source>
-            <translation>hat mehr als 2 GB; das ist mehr, als sich öffnen lässt</translation>
-        </message>
-        <message>
-            <source>could not be read: %1</source>
-            <translation>konnte nicht gelesen werden: %1</translation>
-        </message>
-        <message>
-            <source>Suffuse painting</source>
-            <translation>Suffuse-Bild</translation>
-        </message>
-        <message>
-            <source>Suffuse text form</source>
-            <translation>Suffuse-Textform</translation>
-        </message>
-        <message>
-            <source>Ink recording (CSV)</source>
-            <translation>Tintenaufzeichnung (CSV)</translation>
-        </message>
-        <message>
-            <source>Universal Ink (JSON)</source>
-            <translation>Universal Ink (JSON)</translation>
-        </message>
-        <message>
-            <source>Excalidraw drawing</source>
-            <translation>Excalidraw-Zeichnung</translation>
-        </message>
-        <message>
-            <source>MyPaint events</source>
-            <translation>MyPaint-Ereignisse</translation>
-        </message>
-        <message>
-            <source>Unknown format</source>
-            <translation>Unbekanntes Format</translation>
-        </message>
-        <message>
-            <source>is empty; nothing was saved in it</source>
-            <translation>ist leer; darin wurde nichts gespeichert</translation>
-        </message>
-        <message>
-            <source>there is no such file: %1</source>
-            <translation>diese Datei gibt es nicht: %1</translation>
-        </message>
-        <message>
-            <source>is a folder; give a file inside it</source>
-            <translation>ist ein Ordner; bitte eine Datei darin angeben</translation>
-        </message>
-        <message>
-            <source>could not be opened: %1; check its permissions</source>
-            <translation>konnte nicht geöffnet werden: %1; bitte die Rechte prüfen</translation>
-        </message>
-        <message>
-            <source>the ending is neither .suffuse nor .json; choose one of them</source>
-            <translation>die Endung ist weder .suffuse noch .json; bitte eine davon wählen</translation>
-        </message>
-        <message>
-            <source>%1: has less than 2 numbers</source>
-            <translation>%1: hat weniger als 2 Zahlen</translation>
-        </message>
-        <message>
-            <source>holds no freedraw elements; only those become strokes</source>
-            <translation>enthält keine Freihandelemente; nur diese werden zu Strichen</translation>
-        </message>
-        <message>
-            <source>is not a JSON object</source>
-            <translation>ist kein JSON-Objekt</translation>
-        </message>
-        <message>
-            <source>: is not a list of numbers</source>
-            <translation>: ist keine Liste von Zahlen</translation>
-        </message>
-        <message>
-            <source>%1[%2]: is not a number within ±1e15</source>
-            <translation>%1[%2]: ist keine Zahl innerhalb von ±1e15</translation>
-        </message>
-        <message>
-            <source>line %1, column %2: “%3” is not a number within ±1e15</source>
-            <translation>Zeile %1, Spalte %2: „%3“ ist keine Zahl innerhalb von ±1e15</translation>
-        </message>
-        <message>
-            <source>is empty; there is nothing to paint</source>
-            <translation>ist leer; es gibt nichts zu malen</translation>
-        </message>
-        <message>
-            <source>line %1: no columns x and y; name the columns x, y, time and pressure</source>
-            <translation>Zeile %1: keine Spalten x und y; bitte die Spalten x, y, time und pressure nennen</translation>
-        </message>
-        <message>
-            <source>%1: splineX has %2 numbers, splineY %3</source>
-            <translation>%1: splineX hat %2 Zahlen, splineY %3</translation>
-        </message>
-        <message>
-            <source>an object {…}</source>
-            <translation>ein Objekt {…}</translation>
-        </message>
-        <message>
-            <source>a list […]</source>
-            <translation>eine Liste […]</translation>
-        </message>
-        <message>
-            <source>the file ends here, “%1” is missing; it is probably cut off</source>
-            <translation>die Datei endet hier, „%1“ fehlt; sie ist wohl abgeschnitten</translation>
-        </message>
-        <message>
-            <source>expected “,” or “%1” before “%2”</source>
-            <translation>vor „%2“ fehlt „,“ oder „%1“</translation>
-        </message>
-        <message>
-            <source>expected a member's name in quotes before “%1”</source>
-            <translation>vor „%1“ fehlt der Name eines Eintrags in Anführungszeichen</translation>
-        </message>
-        <message>
-            <source>expected “:” after “%1”</source>
-            <translation>nach „%1“ fehlt „:“</translation>
-        </message>
-        <message>
-            <source>is given twice; keep one of them</source>
-            <translation>steht zweimal da; bitte nur einmal</translation>
-        </message>
-        <message>
-            <source>is not a member of this format; correct or remove it</source>
-            <translation>gehört nicht zu diesem Format; bitte berichtigen oder entfernen</translation>
-        </message>
-        <message>
-            <source>a string has a wrong escape “\%1”</source>
-            <translation>eine Zeichenkette hat eine falsche Maskierung „\%1“</translation>
-        </message>
-        <message>
-            <source>the file ends inside a string; it is probably cut off</source>
-            <translation>die Datei endet in einer Zeichenkette; sie ist wohl abgeschnitten</translation>
-        </message>
-        <message>
-            <source>a string has a control character; write it as an escape such as \n</source>
-            <translation>eine Zeichenkette hat ein Steuerzeichen; bitte maskieren, etwa als \n</translation>
-        </message>
-        <message>
-            <source>the file ends here; it is probably cut off</source>
-            <translation>die Datei endet hier; sie ist wohl abgeschnitten</translation>
-        </message>
-        <message>
-            <source>expected %1 before “%2”</source>
-            <translation>vor „%2“ fehlt %1</translation>
-        </message>
-        <message>
-            <source>%1 is not %2</source>
-            <translation>%1 ist nicht %2</translation>
-        </message>
-        <message>
-            <source>has %1 numbers instead of %2</source>
-            <translation>hat %1 Zahlen statt %2</translation>
-        </message>
-        <message>
-            <source>a number</source>
-            <translation>eine Zahl</translation>
-        </message>
-        <message>
-            <source>%1 is too large; the largest number is %2</source>
-            <translation>%1 ist zu groß; die größte Zahl ist %2</translation>
-        </message>
-        <message>
-            <source>%1 is not a whole number from 0 to 2^64 − 1</source>
-            <translation>%1 ist keine ganze Zahl von 0 bis 2^64 − 1</translation>
-        </message>
-        <message>
-            <source>%1 s is not in [-1e12, 1e12]</source>
-            <translation>%1 s liegt nicht in [-1e12, 1e12]</translation>
-        </message>
-        <message>
-            <source>true or false</source>
-            <translation>true oder false</translation>
-        </message>
-        <message>
-            <source>a string in quotes</source>
-            <translation>eine Zeichenkette in Anführungszeichen</translation>
-        </message>
-        <message>
-            <source>is not UTF-8; save the file in that encoding</source>
-            <translation>ist kein UTF-8; bitte die Datei so speichern</translation>
-        </message>
-        <message>
-            <source>“%1” follows after the end of the painting; remove it</source>
-            <translation>„%1“ folgt nach dem Ende des Bildes; bitte entfernen</translation>
-        </message>
-        <message>
-            <source>line %1, column %2: %3</source>
-            <translation>Zeile %1, Spalte %2: %3</translation>
-        </message>
-        <message>
-            <source>standard input</source>
-            <translation>Standardeingabe</translation>
-        </message>
-        <message>
-            <source>holds no pen strokes; there is nothing to paint</source>
-            <translation>enthält keine Stiftstriche; es gibt nichts zu malen</translation>
-        </message>
-        <message>
-            <source>the strokes span %1 × %2 units; at most 1e6 are possible, scale them down</source>
-            <translation>die Striche reichen über %1 × %2 Einheiten; höchstens 1e6 sind möglich, bitte verkleinern</translation>
-        </message>
-        <message>
-            <source>line %1, column %2</source>
-            <translation>Zeile %1, Spalte %2</translation>
-        </message>
-        <message>
-            <source>a value has the wrong type</source>
-            <translation>ein Wert hat den falschen Typ</translation>
-        </message>
-        <message>
-            <source>the first chunk must be HEAD</source>
-            <translation>der erste Block muss HEAD sein</translation>
-        </message>
-        <message>
-            <source>there is more than one HEAD</source>
-            <translation>es gibt mehr als einen HEAD</translation>
-        </message>
-        <message>
-            <source>there is more than one</source>
-            <translation>es gibt mehr als einen</translation>
-        </message>
-        <message>
-            <source>chunk %1 at byte %2 is unknown, and the painting needs it; update Suffuse</source>
-            <translation>Block %1 bei Byte %2 ist unbekannt, und das Bild braucht ihn; bitte Suffuse aktualisieren</translation>
-        </message>
-        <message>
-            <source>is not a CBOR map</source>
-            <translation>ist keine CBOR-Tabelle</translation>
-        </message>
-        <message>
-            <source>lacks the version or the counts</source>
-            <translation>es fehlen Version oder Anzahlen</translation>
-        </message>
-        <message>
-            <source>was written by a newer program (%1): it needs a reader of version %2, this one is %3; update Suffuse</source>
-            <translation>stammt von einem neueren Programm (%1): braucht einen Leser der Version %2, dieser hat %3; bitte Suffuse aktualisieren</translation>
-        </message>
-        <message>
-            <source>the chunk DOCU is missing; the file is damaged, take a backup copy</source>
-            <translation>der Block DOCU fehlt; die Datei ist beschädigt, bitte eine Sicherung nehmen</translation>
-        </message>
-        <message>
-            <source>should hold %1 strokes and %2 segments, but holds %3 and %4; the file is damaged, take a backup copy</source>
-            <translation>sollte %1 Striche und %2 Segmente enthalten, enthält aber %3 und %4; die Datei ist beschädigt, bitte eine Sicherung nehmen</translation>
-        </message>
-        <message>
-            <source>the file is damaged, take a backup copy</source>
-            <translation>die Datei ist beschädigt, bitte eine Sicherung nehmen</translation>
-        </message>
-        <message>
-            <source>chunk %1 at byte %2: %3; %4</source>
-            <translation>Block %1 bei Byte %2: %3; %4</translation>
-        </message>
-        <message>
-            <source>is not a .suffuse file</source>
-            <translation>ist keine .suffuse-Datei</translation>
-        </message>
-        <message>
-            <source>ends after %1 bytes; %2</source>
-            <translation>endet nach %1 Bytes; %2</translation>
-        </message>
-        <message>
-            <source>its line endings were changed on the way; transfer it as a binary file</source>
-            <translation>ihre Zeilenenden wurden unterwegs verändert; bitte als Binärdatei übertragen</translation>
-        </message>
-        <message>
-            <source>the hash of the whole differs</source>
-            <translation>der Hash des Ganzen stimmt nicht</translation>
-        </message>
-        <message>
-            <source>%1 bytes follow after the end</source>
-            <translation>%1 Bytes folgen nach dem Ende</translation>
-        </message>
-        <message>
-            <source>is cut off after %1 bytes; %2</source>
-            <translation>ist nach %1 Bytes abgeschnitten; %2</translation>
-        </message>
-        <message>
-            <source>has %1 bytes, but the file only %2 more</source>
-            <translation>hat %1 Bytes, die Datei aber nur noch %2</translation>
-        </message>
-        <message>
-            <source>checksum differs</source>
-            <translation>die Prüfsumme stimmt nicht</translation>
-        </message>
-        <message>
-            <source>%1 strokes and %2 segments are more than the file can hold</source>
-            <translation>%1 Striche und %2 Segmente sind mehr, als die Datei enthalten kann</translation>
-        </message>
-        <message>
-            <source>its columns are not what the format allows</source>
-            <translation>seine Spalten entsprechen nicht dem Format</translation>
-        </message>
-        <message>
-            <source>stroke %1 of it is not what the format allows</source>
-            <translation>Strich %1 darin entspricht nicht dem Format</translation>
-        </message>
-        <message>
-            <source>is missing</source>
-            <translation>fehlt</translation>
-        </message>
-        <message>
-            <source>“%1” is none of: %2</source>
-            <translation>„%1“ ist keines von: %2</translation>
-        </message>
-        <message>
-            <source>has %1 numbers; the kind %2 has %3</source>
-            <translation>hat %1 Zahlen; die Art %2 hat %3</translation>
-        </message>
-        <message>
-            <source>belongs to the mode beta; remove it or change the mode</source>
-            <translation>gehört zum Modus beta; bitte entfernen oder den Modus ändern</translation>
-        </message>
-        <message>
-            <source>has %1 points instead of 4</source>
-            <translation>hat %1 Punkte statt 4</translation>
-        </message>
-        <message>
-            <source>has %1 numbers instead of 2</source>
-            <translation>hat %1 Zahlen statt 2</translation>
-        </message>
-        <message>
-            <source>0 is not an id; count from 1 or leave it out</source>
-            <translation>0 ist keine Kennung; bitte ab 1 zählen oder weglassen</translation>
-        </message>
-        <message>
-            <source>%1 is not in [0, 4294967295]</source>
-            <translation>%1 liegt nicht in [0, 4294967295]</translation>
-        </message>
-        <message>
-            <source>width and height must not be negative</source>
-            <translation>Breite und Höhe dürfen nicht negativ sein</translation>
-        </message>
-        <message>
-            <source>%1 is not in [0, 1]</source>
-            <translation>%1 liegt nicht in [0, 1]</translation>
-        </message>
-        <message>
-            <source>“%1” is not “suffuse-text”</source>
-            <translation>„%1“ ist nicht „suffuse-text“</translation>
-        </message>
-        <message>
-            <source>0 is not a version; write 1</source>
-            <translation>0 ist keine Version; bitte 1 schreiben</translation>
-        </message>
-        <message>
-            <source>%1 is newer than this program, which reads version 1; update Suffuse</source>
-            <translation>%1 ist neuer als dieses Programm, das Version 1 liest; bitte Suffuse aktualisieren</translation>
-        </message>
-    </context>
-    <context>
-        <name>suffuse::HintLabel</name>
-        <message>
-            <source>Hint</source>
-            <translation>Hinweis</translation>
-        </message>
-    </context>
-    <context>
-        <name>suffuse::HistoryPanel</name>
-        <message>
-            <source>Start</source>
-            <translation>Anfang</translation>
-        </message>
-        <message>
-            <source>History</source>
-            <translation>Verlauf</translation>
-        </message>
-        <message>
-            <source>Every change since the painting was opened. Click one to go back or forward to it.</source>
-            <translation>Jede Änderung seit dem Öffnen. Ein Klick geht dorthin zurück oder vor.</translation>
-        </message>
-    </context>
-    <context>
-        <name>suffuse::InspectorPanel</name>
-        <message>
-            <source>Nothing is selected. Click a stroke to see and change its values.</source>
-            <translation>Nichts ist ausgewählt. Ein Klick auf einen Strich zeigt seine Werte, die sich ändern lassen.</translation>
-        </message>
-        <message>
-            <source>%1 · %2</source>
-            <translation>%1 · %2</translation>
-        </message>
-        <message numerus="yes">
-            <source>%n stroke(s)</source>
-            <translation>
-                <numerusform>%n Strich</numerusform>
-                <numerusform>%n Striche</numerusform>
-            </translation>
-        </message>
-        <message numerus="yes">
-            <source>%n segment(s)</source>
-            <translation>
-                <numerusform>%n Segment</numerusform>
-                <numerusform>%n Segmente</numerusform>
-            </translation>
-        </message>
-    </context>
-    <context>
-        <name>suffuse::MainWindow</name>
-        <message>
-            <source>Colour</source>
-            <translation>Farbe</translation>
-        </message>
-        <message>
-            <source>Brushes</source>
-            <translation>Pinsel</translation>
-        </message>
-        <message>
-            <source>Inspector</source>
-            <translation>Inspektor</translation>
-        </message>
-        <message>
-            <source>Strokes</source>
-            <translation>Striche</translation>
-        </message>
-        <message>
-            <source>History</source>
-            <translation>Verlauf</translation>
-        </message>
-        <message>
-            <source>Position of the pointer in canvas units</source>
-            <translation>Position des Zeigers in Leinwandeinheiten</translation>
-        </message>
-        <message>
-            <source>Zoom</source>
-            <translation>Zoom</translation>
-        </message>
-        <message>
-            <source>What renders the picture</source>
-            <translation>Was das Bild berechnet</translation>
-        </message>
-        <message>
-            <source>Time that the last frame took</source>
-            <translation>Dauer des letzten Bildes</translation>
-        </message>
-        <message>
-            <source>&amp;Undo</source>
-            <translation>&amp;Rückgängig</translation>
-        </message>
-        <message>
-            <source>&amp;Undo: %1</source>
-            <translation>&amp;Rückgängig: %1</translation>
-        </message>
-        <message>
-            <source>&amp;Redo</source>
-            <translation>&amp;Wiederholen</translation>
-        </message>
-        <message>
-            <source>&amp;Redo: %1</source>
-            <translation>&amp;Wiederholen: %1</translation>
-        </message>
-        <message>
-            <source>%1 %</source>
-            <translation>%1 %</translation>
-        </message>
-        <message>
-            <source>%1 ms</source>
-            <translation>%1 ms</translation>
-        </message>
-        <message>
-            <source>All that can be opened (*.suffuse *.json *.csv *.excalidraw *.dat)</source>
-            <translation>Alles, was sich öffnen lässt (*.suffuse *.json *.csv *.excalidraw *.dat)</translation>
-        </message>
-        <message>
-            <source>Suffuse paintings (*.suffuse *.json)</source>
-            <translation>Suffuse-Bilder (*.suffuse *.json)</translation>
-        </message>
-        <message>
-            <source>Pen recordings (*.csv *.json *.excalidraw *.dat)</source>
-            <translation>Stiftaufzeichnungen (*.csv *.json *.excalidraw *.dat)</translation>
-        </message>
-        <message>
-            <source>All files (*)</source>
-            <translation>Alle Dateien (*)</translation>
-        </message>
-        <message>
-            <source>Open</source>
-            <translation>Öffnen</translation>
-        </message>
-        <message>
-            <source>Save As</source>
-            <translation>Speichern unter</translation>
-        </message>
-        <message>
-            <source>Suffuse painting (*.suffuse)</source>
-            <translation>Suffuse-Bild (*.suffuse)</translation>
-        </message>
-        <message>
-            <source>Text form (*.json)</source>
-            <translation>Textform (*.json)</translation>
-        </message>
-        <message>
-            <source>&amp;Clear the List</source>
-            <translation>Liste &amp;leeren</translation>
-        </message>
-    </context>
-    <context>
-        <name>suffuse::NewDialog</name>
-        <message>
-            <source>Sketch</source>
-            <translation>Skizze</translation>
-        </message>
-        <message>
-            <source>Full HD</source>
-            <translation>Full HD</translation>
-        </message>
-        <message>
-            <source>4K</source>
-            <translation>4K</translation>
-        </message>
-        <message>
-            <source>Square</source>
-            <translation>Quadrat</translation>
-        </message>
-        <message>
-            <source>A5, 150 dpi</source>
-            <translation>A5, 150 dpi</translation>
-        </message>
-        <message>
-            <source>A4, 150 dpi</source>
-            <translation>A4, 150 dpi</translation>
-        </message>
-        <message>
-            <source>A4, 300 dpi</source>
-            <translation>A4, 300 dpi</translation>
-        </message>
-        <message>
-            <source>New painting</source>
-            <translation>Neues Bild</translation>
-        </message>
-        <message>
-            <source>Size</source>
-            <translation>Größe</translation>
-        </message>
-        <message>
-            <source>Custom</source>
-            <translation>Eigene</translation>
-        </message>
-        <message>
-            <source>Usual sizes in units; a unit is a pixel at 100 %.</source>
-            <translation>Übliche Größen in Einheiten; eine Einheit ist bei 100 % ein Pixel.</translation>
-        </message>
-        <message>
-            <source>Swap width and height</source>
-            <translation>Breite und Höhe tauschen</translation>
-        </message>
-        <message>
-            <source>Create</source>
-            <translation>Anlegen</translation>
-        </message>
-    </context>
-    <context>
-        <name>suffuse::NumberField</name>
-        <message>
-            <source>“%1” is not a number. Sums such as 12*1.5 or +2 work too.</source>
-            <translation>„%1“ ist keine Zahl. Auch Rechnungen wie 12*1.5 oder +2 gehen.</translation>
-        </message>
-        <message>
-            <source>%1 is out of range: %2 to %3 is possible.</source>
-            <translation>%1 liegt außerhalb des Bereichs: Möglich ist %2 bis %3.</translation>
-        </message>
-    </context>
-    <context>
-        <name>suffuse::PanTool</name>
-        <message>
-            <source>Drag to move the canvas. The wheel zooms; R and drag turns.</source>
-            <translation>Ziehen verschiebt die Leinwand. Das Rad zoomt; R und Ziehen dreht.</translation>
-        </message>
-    </context>
-    <context>
-        <name>suffuse::SegmentSection</name>
-        <message>
-            <source>Diffusion D</source>
-            <translation>Diffusion D</translation>
-        </message>
-        <message>
-            <source>How fast the paint spreads: the spread grows with the root of D times time.</source>
-            <translation>Wie schnell die Farbe verläuft: Die Ausbreitung wächst mit der Wurzel aus D mal Zeit.</translation>
-        </message>
-        <message>
-            <source>Density φ</source>
-            <translation>Dichte φ</translation>
-        </message>
-        <message>
-            <source>How much paint the segment gives off along its length.</source>
-            <translation>Wie viel Farbe das Segment entlang seiner Länge abgibt.</translation>
-        </message>
-        <message>
-            <source>Granulation ω</source>
-            <translation>Granulation ω</translation>
-        </message>
-        <message>
-            <source>100 % hides the paper's texture, 0 % shows it fully.</source>
-            <translation>100 % verbirgt die Papiertextur, 0 % zeigt sie ganz.</translation>
-        </message>
-        <message>
-            <source>Drying time</source>
-            <translation>Trockenzeit</translation>
-        </message>
-        <message>
-            <source>t_max: how long the paint spreads after it was laid down.</source>
-            <translation>t_max: wie lange die Farbe nach dem Auftragen verläuft.</translation>
-        </message>
-        <message>
-            <source>Segments</source>
-            <translation>Segmente</translation>
-        </message>
-        <message>
-            <source>Change diffusion</source>
-            <translation>Diffusion ändern</translation>
-        </message>
-        <message>
-            <source>Change density</source>
-            <translation>Dichte ändern</translation>
-        </message>
-        <message>
-            <source>Change granulation</source>
-            <translation>Granulation ändern</translation>
-        </message>
-        <message>
-            <source>Change drying time</source>
-            <translation>Trockenzeit ändern</translation>
-        </message>
-        <message>
-            <source>Colour</source>
-            <translation>Farbe</translation>
-        </message>
-        <message>
-            <source>Colour of the selection</source>
-            <translation>Farbe der Auswahl</translation>
-        </message>
-        <message>
-            <source>Colour of the selection. Click: paint with it.</source>
-            <translation>Farbe der Auswahl. Klick: damit malen.</translation>
-        </message>
-        <message>
-            <source>Change opacity</source>
-            <translation>Deckkraft ändern</translation>
-        </message>
-        <message>
-            <source>Change colour</source>
-            <translation>Farbe ändern</translation>
-        </message>
-    </context>
-    <context>
-        <name>suffuse::SegmentTool</name>
-        <message>
-            <source>Click a segment to select it, Shift+click for a run, Ctrl+click to add or remove one.</source>
-            <translation>Klick wählt ein Segment, Umschalt+Klick eine Folge, Strg+Klick fügt eines hinzu oder nimmt es weg.</translation>
-        </message>
-    </context>
-    <context>
-        <name>suffuse::SelectTool</name>
-        <message>
-            <source>Click paint to select its stroke, click again for a segment, Shift+click for more. Drag to move.</source>
-            <translation>Klick auf Farbe wählt den Strich, ein zweiter das Segment, Umschalt+Klick mehr. Ziehen verschiebt.</translation>
-        </message>
-        <message>
-            <source>Move</source>
-            <translation>Verschieben</translation>
-        </message>
-    </context>
-    <context>
-        <name>suffuse::SettingsDialog</name>
-        <message>
-            <source>Settings</source>
-            <translation>Einstellungen</translation>
-        </message>
-        <message>
-            <source>Language</source>
-            <translation>Sprache</translation>
-        </message>
-        <message>
-            <source>Language of the program. Changes when it starts again.</source>
-            <translation>Sprache des Programms. Gilt ab dem nächsten Start.</translation>
-        </message>
-        <message>
-            <source>System</source>
-            <translation>System</translation>
-        </message>
-        <message>
-            <source>Theme</source>
-            <translation>Farbschema</translation>
-        </message>
-        <message>
-            <source>Colours of the windows</source>
-            <translation>Farben der Fenster</translation>
-        </message>
-        <message>
-            <source>Dark</source>
-            <translation>Dunkel</translation>
-        </message>
-        <message>
-            <source>Light</source>
-            <translation>Hell</translation>
-        </message>
-        <message>
-            <source>Canvas</source>
-            <translation>Leinwand</translation>
-        </message>
-        <message>
-            <source>How the picture comes to the screen. Changes when the program starts again.</source>
-            <translation>Wie das Bild auf den Bildschirm kommt. Gilt ab dem nächsten Start.</translation>
-        </message>
-        <message>
-            <source>Automatic</source>
-            <translation>Automatisch</translation>
-        </message>
-        <message>
-            <source>Raster</source>
-            <translation>Raster</translation>
-        </message>
-        <message>
-            <source>All cores</source>
-            <translation>Alle Kerne</translation>
-        </message>
-        <message>
-            <source>Threads</source>
-            <translation>Threads</translation>
-        </message>
-        <message>
-            <source>Processor threads for drawing. Changes when the program starts again.</source>
-            <translation>Prozessor-Threads zum Zeichnen. Gilt ab dem nächsten Start.</translation>
-        </message>
-        <message>
-            <source>Language, canvas and threads change when Suffuse starts again.</source>
-            <translation>Sprache, Leinwand und Threads ändern sich beim nächsten Start von Suffuse.</translation>
-        </message>
-    </context>
-    <context>
-        <name>suffuse::ShortcutsDialog</name>
-        <message>
-            <source>Keyboard shortcuts</source>
-            <translation>Tastenkürzel</translation>
-        </message>
-        <message>
-            <source>Search</source>
-            <translation>Suchen</translation>
-        </message>
-        <message>
-            <source>Search shortcuts</source>
-            <translation>Tastenkürzel suchen</translation>
-        </message>
-        <message>
-            <source>Shows only commands whose name or shortcut holds this text.</source>
-            <translation>Zeigt nur Befehle, deren Name oder Kürzel diesen Text enthält.</translation>
-        </message>
-        <message>
-            <source>Command</source>
-            <translation>Befehl</translation>
-        </message>
-        <message>
-            <source>Shortcut</source>
-            <translation>Kürzel</translation>
-        </message>
-        <message>
-            <source>Commands</source>
-            <translation>Befehle</translation>
-        </message>
-        <message>
-            <source>Choose a command, then press its new shortcut below.</source>
-            <translation>Einen Befehl wählen, dann unten das neue Kürzel drücken.</translation>
-        </message>
-        <message>
-            <source>Press the keys</source>
-            <translation>Tasten drücken</translation>
-        </message>
-        <message>
-            <source>None</source>
-            <translation>Keines</translation>
-        </message>
-        <message>
-            <source>No shortcut for this command</source>
-            <translation>Kein Kürzel für diesen Befehl</translation>
-        </message>
-        <message>
-            <source>Reset</source>
-            <translation>Zurücksetzen</translation>
-        </message>
-        <message>
-            <source>This command's own shortcut</source>
-            <translation>Das eigene Kürzel dieses Befehls</translation>
-        </message>
-        <message>
-            <source>%1 belongs to “%2” and “%3”. Give one of them another shortcut.</source>
-            <translation>%1 gehört zu „%2“ und „%3“. Bitte einem von beiden ein anderes Kürzel geben.</translation>
-        </message>
-    </context>
-    <context>
-        <name>suffuse::SliderField</name>
-        <message>
-            <source>Double-click: back to the default.</source>
-            <translation>Doppelklick: zurück zum Standardwert.</translation>
-        </message>
-        <message>
-            <source>%1, slider</source>
-            <translation>%1, Schieberegler</translation>
-        </message>
-    </context>
-    <context>
-        <name>suffuse::StrokeSection</name>
-        <message>
-            <source>Strokes</source>
-            <translation>Striche</translation>
-        </message>
-        <message>
-            <source>Name</source>
-            <translation>Name</translation>
-        </message>
-        <message>
-            <source>Name of the selected strokes, as the list of strokes shows it.</source>
-            <translation>Name der ausgewählten Striche, wie ihn die Strichliste zeigt.</translation>
-        </message>
-        <message>
-            <source>Rename stroke</source>
-            <translation>Strich umbenennen</translation>
-        </message>
-        <message>
-            <source>Mixing</source>
-            <translation>Mischung</translation>
-        </message>
-        <message>
-            <source>Covering (alpha)</source>
-            <translation>Deckend (Alpha)</translation>
-        </message>
-        <message>
-            <source>Pigment (β)</source>
-            <translation>Pigment (β)</translation>
-        </message>
-        <message>
-            <source>How the paint mixes with what lies below it: it covers, or pigments add up.</source>
-            <translation>Wie sich die Farbe mit dem Darunterliegenden mischt: Sie deckt, oder Pigmente addieren sich.</translation>
-        </message>
-        <message>
-            <source>Pigment β</source>
-            <translation>Pigment β</translation>
-        </message>
-        <message>
-            <source>Share of the colour below that stays: 0 % covers, 100 % adds.</source>
-            <translation>Anteil der unteren Farbe, der bleibt: 0 % deckt, 100 % addiert.</translation>
-        </message>
-        <message>
-            <source>Change pigment mixing</source>
-            <translation>Pigmentmischung ändern</translation>
-        </message>
-        <message>
-            <source>Change mixing</source>
-            <translation>Mischung ändern</translation>
-        </message>
-        <message>
-            <source>unnamed</source>
-            <translation>unbenannt</translation>
-        </message>
-    </context>
-    <context>
-        <name>suffuse::StrokesModel</name>
-        <message>
-            <source>Name</source>
-            <translation>Name</translation>
-        </message>
-        <message>
-            <source>Visible</source>
-            <translation>Sichtbar</translation>
-        </message>
-        <message>
-            <source>Locked</source>
-            <translation>Gesperrt</translation>
-        </message>
-        <message>
-            <source>Visible. Click: hide.</source>
-            <translation>Sichtbar. Klick: ausblenden.</translation>
-        </message>
-        <message>
-            <source>Hidden. Click: show.</source>
-            <translation>Ausgeblendet. Klick: einblenden.</translation>
-        </message>
-        <message>
-            <source>Locked. Click: unlock.</source>
-            <translation>Gesperrt. Klick: entsperren.</translation>
-        </message>
-        <message>
-            <source>Not locked. Click: lock.</source>
-            <translation>Nicht gesperrt. Klick: sperren.</translation>
-        </message>
-        <message>
-            <source>Stroke %1</source>
-            <translation>Strich %1</translation>
-        </message>
-        <message numerus="yes">
-            <source>%n segment(s)</source>
-            <translation>
-                <numerusform>%n Segment</numerusform>
-                <numerusform>%n Segmente</numerusform>
-            </translation>
-        </message>
-        <message>
-            <source>Group %1</source>
-            <translation>Gruppe %1</translation>
-        </message>
-        <message>
-            <source>Rename group</source>
-            <translation>Gruppe umbenennen</translation>
-        </message>
-        <message>
-            <source>Rename stroke</source>
-            <translation>Strich umbenennen</translation>
-        </message>
-        <message>
-            <source>Hide group</source>
-            <translation>Gruppe ausblenden</translation>
-        </message>
-        <message>
-            <source>Show group</source>
-            <translation>Gruppe einblenden</translation>
-        </message>
-        <message>
-            <source>Unlock group</source>
-            <translation>Gruppe entsperren</translation>
-        </message>
-        <message>
-            <source>Lock group</source>
-            <translation>Gruppe sperren</translation>
-        </message>
-        <message>
-            <source>Hide stroke</source>
-            <translation>Strich ausblenden</translation>
-        </message>
-        <message>
-            <source>Show stroke</source>
-            <translation>Strich einblenden</translation>
-        </message>
-        <message>
-            <source>Unlock stroke</source>
-            <translation>Strich entsperren</translation>
-        </message>
-        <message>
-            <source>Lock stroke</source>
-            <translation>Strich sperren</translation>
-        </message>
-        <message>
-            <source>Reorder strokes</source>
-            <translation>Striche umordnen</translation>
-        </message>
-    </context>
-    <context>
-        <name>suffuse::StrokesPanel</name>
-        <message>
-            <source>Search</source>
-            <translation>Suchen</translation>
-        </message>
-        <message>
-            <source>Search strokes</source>
-            <translation>Striche suchen</translation>
-        </message>
-        <message>
-            <source>Shows only strokes and groups whose name holds this text.</source>
-            <translation>Zeigt nur Striche und Gruppen, deren Name diesen Text enthält.</translation>
-        </message>
-        <message>
-            <source>Strokes</source>
-            <translation>Striche</translation>
-        </message>
-        <message>
-            <source>The topmost stroke comes first. Drag to reorder, double-click to rename.</source>
-            <translation>Der oberste Strich steht zuerst. Ziehen ordnet um, Doppelklick benennt um.</translation>
-        </message>
-    </context>
-    <context>
-        <name>suffuse::StyleSection</name>
-        <message>
-            <source>Style</source>
-            <translation>Stil</translation>
-        </message>
-        <message>
-            <source>Density function</source>
-            <translation>Dichtefunktion</translation>
-        </message>
-        <message>
-            <source>How density becomes coverage. The mark is the peak density of the selected segments.</source>
-            <translation>Wie aus Dichte Deckung wird. Die Marke ist die Spitzendichte der ausgewählten Segmente.</translation>
-        </message>
-        <message>
-            <source>Belongs to</source>
-            <translation>Gehört zu</translation>
-        </message>
-        <message>
-            <source>Whether the segments follow their stroke's style or have their own.</source>
-            <translation>Ob die Segmente dem Stil ihres Strichs folgen oder einen eigenen haben.</translation>
-        </message>
-        <message>
-            <source>The stroke</source>
-            <translation>Dem Strich</translation>
-        </message>
-        <message>
-            <source>These segments</source>
-            <translation>Diesen Segmenten</translation>
-        </message>
-        <message>
-            <source>Kind</source>
-            <translation>Art</translation>
-        </message>
-        <message>
-            <source>How density becomes coverage.</source>
-            <translation>Wie aus Dichte Deckung wird.</translation>
-        </message>
-        <message>
-            <source>Uniform</source>
-            <translation>Gleichmäßig</translation>
-        </message>
-        <message>
-            <source>Feathering</source>
-            <translation>Weich auslaufend</translation>
-        </message>
-        <message>
-            <source>Dark edges</source>
-            <translation>Dunkle Ränder</translation>
-        </message>
-        <message>
-            <source>Change style</source>
-            <translation>Stil ändern</translation>
-        </message>
-        <message>
-            <source>Parameter of the style</source>
-            <translation>Parameter des Stils</translation>
-        </message>
-        <message>
-            <source>Spread s</source>
-            <translation>Ausbreitung s</translation>
-        </message>
-        <message>
-            <source>Peak density</source>
-            <translation>Spitzendichte</translation>
-        </message>
-        <message>
-            <source>Half-width</source>
-            <translation>Halbe Breite</translation>
-        </message>
-        <message>
-            <source>Fades away</source>
-            <translation>Verblasst</translation>
-        </message>
-        <message>
-            <source>How far the paint has spread once it is dry: √(4·D·t_max).</source>
-            <translation>Wie weit die Farbe getrocknet verlaufen ist: √(4·D·t_max).</translation>
-        </message>
-        <message>
-            <source>Density in the middle of a long straight stroke, dry.</source>
-            <translation>Dichte in der Mitte eines langen geraden Strichs, getrocknet.</translation>
-        </message>
-        <message>
-            <source>From the middle to the visible edge of a long straight stroke, dry.</source>
-            <translation>Von der Mitte bis zum sichtbaren Rand eines langen geraden Strichs, getrocknet.</translation>
-        </message>
-        <message>
-            <source>When the paint has spread so thin that nothing of it is visible any more.</source>
-            <translation>Wann die Farbe so dünn verlaufen ist, dass nichts mehr zu sehen ist.</translation>
-        </message>
-        <message>
-            <source>Give segments their own style</source>
-            <translation>Segmenten eigenen Stil geben</translation>
-        </message>
-        <message>
-            <source>Follow the stroke's style</source>
-            <translation>Dem Stil des Strichs folgen</translation>
-        </message>
-        <message>
-            <source>Not possible for all that is selected: %1</source>
-            <translation>Nicht für die ganze Auswahl möglich: %1</translation>
-        </message>
-        <message>
-            <source>Threshold ξ1</source>
-            <translation>Schwelle ξ1</translation>
-        </message>
-        <message>
-            <source>Softness ξ2</source>
-            <translation>Weichheit ξ2</translation>
-        </message>
-        <message>
-            <source>Full at ξ1</source>
-            <translation>Voll bei ξ1</translation>
-        </message>
-        <message>
-            <source>Steepness ξ2</source>
-            <translation>Steilheit ξ2</translation>
-        </message>
-        <message>
-            <source>Edge ξ1</source>
-            <translation>Rand ξ1</translation>
-        </message>
-        <message>
-            <source>Lightening ξ2</source>
-            <translation>Aufhellung ξ2</translation>
-        </message>
-        <message>
-            <source>Strength ξ3</source>
-            <translation>Stärke ξ3</translation>
-        </message>
-        <message>
-            <source>Density at which the stroke covers by half.</source>
-            <translation>Dichte, bei der der Strich zur Hälfte deckt.</translation>
-        </message>
-        <message>
-            <source>How gently the edge fades.</source>
-            <translation>Wie sanft der Rand ausläuft.</translation>
-        </message>
-        <message>
-            <source>Density from which the stroke covers fully.</source>
-            <translation>Dichte, ab der der Strich ganz deckt.</translation>
-        </message>
-        <message>
-            <source>How steeply coverage grows with density.</source>
-            <translation>Wie steil die Deckung mit der Dichte wächst.</translation>
-        </message>
-        <message>
-            <source>Density at which the dark rim stands.</source>
-            <translation>Dichte, bei der der dunkle Rand steht.</translation>
-        </message>
-        <message>
-            <source>How much the inside is lighter than the rim; at most 1.26·ξ1.</source>
-            <translation>Wie viel heller das Innere ist als der Rand; höchstens 1,26·ξ1.</translation>
-        </message>
-        <message>
-            <source>Coverage far inside the stroke.</source>
-            <translation>Deckung tief im Inneren des Strichs.</translation>
-        </message>
-        <message>
-            <source>never</source>
-            <translation>nie</translation>
-        </message>
-        <message>
-            <source>partly, from %1</source>
-            <translation>teilweise, ab %1</translation>
-        </message>
-        <message>
-            <source>after %1</source>
-            <translation>nach %1</translation>
-        </message>
-    </context>
+    </message>
+</context>
+<context>
+    <name>suffuse::DensityPlot</name>
+    <message>
+        <source>Coverage at the peak density %1: %2 %</source>
+        <translation>Deckung bei der Spitzendichte %1: %2 %</translation>
+    </message>
+    <message>
+        <source>density φ — first of several styles</source>
+        <translation>Dichte φ – erster von mehreren Stilen</translation>
+    </message>
+    <message>
+        <source>density φ</source>
+        <translation>Dichte φ</translation>
+    </message>
+    <message>
+        <source>F(φ), peak %1</source>
+        <translation>F(φ), Spitze %1</translation>
+    </message>
+</context>
+<context>
+    <name>suffuse::Editor</name>
+    <message>
+        <source>Untitled</source>
+        <translation>Unbenannt</translation>
+    </message>
+</context>
+<context>
+    <name>suffuse::ExportDialog</name>
+    <message>
+        <source>8 bit</source>
+        <translation>8 Bit</translation>
+    </message>
+    <message>
+        <source>16 bit</source>
+        <translation>16 Bit</translation>
+    </message>
+    <message>
+        <source>16 bit floating point</source>
+        <translation>16 Bit Gleitkomma</translation>
+    </message>
+    <message>
+        <source>32 bit floating point</source>
+        <translation>32 Bit Gleitkomma</translation>
+    </message>
+    <message>
+        <source>Export picture</source>
+        <translation>Bild exportieren</translation>
+    </message>
+    <message>
+        <source>Progress</source>
+        <translation>Fortschritt</translation>
+    </message>
+    <message>
+        <source>Export</source>
+        <translation>Exportieren</translation>
+    </message>
+    <message>
+        <source>File</source>
+        <translation>Datei</translation>
+    </message>
+    <message>
+        <source>The ending chooses the format: png, tiff, exr, jpg, webp or pfm.</source>
+        <translation>Die Endung bestimmt das Format: png, tiff, exr, jpg, webp oder pfm.</translation>
+    </message>
+    <message>
+        <source>Browse…</source>
+        <translation>Durchsuchen …</translation>
+    </message>
+    <message>
+        <source>Choose a folder and a name</source>
+        <translation>Ordner und Namen wählen</translation>
+    </message>
+    <message>
+        <source>All dried</source>
+        <translation>Alles getrocknet</translation>
+    </message>
+    <message>
+        <source>As it looks now</source>
+        <translation>Wie es jetzt aussieht</translation>
+    </message>
+    <message>
+        <source>Moment</source>
+        <translation>Zeitpunkt</translation>
+    </message>
+    <message>
+        <source>The finished painting, or the moment that the canvas shows.</source>
+        <translation>Das fertige Bild oder der Augenblick, den die Leinwand zeigt.</translation>
+    </message>
+    <message>
+        <source>Depth</source>
+        <translation>Farbtiefe</translation>
+    </message>
+    <message>
+        <source>Precision of each colour channel</source>
+        <translation>Genauigkeit jedes Farbkanals</translation>
+    </message>
+    <message>
+        <source>Quality</source>
+        <translation>Qualität</translation>
+    </message>
+    <message>
+        <source>Of JPEG and WebP; 100 is the best. WebP loses nothing then.</source>
+        <translation>Für JPEG und WebP; 100 ist am besten. WebP verliert dann nichts.</translation>
+    </message>
+    <message>
+        <source>Transparent background</source>
+        <translation>Transparenter Hintergrund</translation>
+    </message>
+    <message>
+        <source>Leaves the background out and stores how much the paint covers.</source>
+        <translation>Lässt den Hintergrund weg und speichert, wie stark die Farbe deckt.</translation>
+    </message>
+    <message>
+        <source>Size</source>
+        <translation>Größe</translation>
+    </message>
+    <message>
+        <source> px</source>
+        <translation> px</translation>
+    </message>
+    <message>
+        <source>Width in pixels</source>
+        <translation>Breite in Pixeln</translation>
+    </message>
+    <message>
+        <source>Width in pixels; the height follows.</source>
+        <translation>Breite in Pixeln; die Höhe folgt.</translation>
+    </message>
+    <message>
+        <source>Height in pixels</source>
+        <translation>Höhe in Pixeln</translation>
+    </message>
+    <message>
+        <source>Height in pixels; the width follows.</source>
+        <translation>Höhe in Pixeln; die Breite folgt.</translation>
+    </message>
+    <message>
+        <source>painting</source>
+        <translation>Gemälde</translation>
+    </message>
+    <message>
+        <source>Pictures</source>
+        <translation>Bilder</translation>
+    </message>
+    <message>
+        <source>“%1” has no ending of a picture format. Choose one of: %2.</source>
+        <translation>„%1“ hat keine Endung eines Bildformats. Möglich sind: %2.</translation>
+    </message>
+    <message>
+        <source>A picture of %1 × %2 pixels is too large. Choose a smaller size.</source>
+        <translation>Ein Bild von %1 × %2 Pixeln ist zu groß. Bitte eine kleinere Größe wählen.</translation>
+    </message>
+    <message>
+        <source>%1 exists. Replace it?</source>
+        <translation>%1 gibt es schon. Ersetzen?</translation>
+    </message>
+</context>
+<context>
+    <name>suffuse::Files</name>
+    <message>
+        <source>is a folder; give a file name inside it</source>
+        <translation>ist ein Ordner; bitte einen Dateinamen darin angeben</translation>
+    </message>
+    <message>
+        <source>is a device or a pipe, not a file; save to a file</source>
+        <translation>ist ein Gerät oder eine Pipe, keine Datei; bitte in eine Datei speichern</translation>
+    </message>
+    <message>
+        <source>the folder %1 does not exist; create it or choose another one</source>
+        <translation>den Ordner %1 gibt es nicht; bitte anlegen oder einen anderen wählen</translation>
+    </message>
+    <message>
+        <source>%1 is not a folder; choose another place</source>
+        <translation>%1 ist kein Ordner; bitte einen anderen Ort wählen</translation>
+    </message>
+    <message>
+        <source>the folder %1 is read-only; choose another one or change its permissions</source>
+        <translation>der Ordner %1 ist schreibgeschützt; bitte einen anderen wählen oder die Rechte ändern</translation>
+    </message>
+    <message>
+        <source>The file has no name; choose one</source>
+        <translation>Die Datei hat keinen Namen; bitte einen wählen</translation>
+    </message>
+    <message>
+        <source>would have more than 2 GB; nothing was written</source>
+        <translation>hätte mehr als 2 GB; nichts wurde geschrieben</translation>
+    </message>
+    <message>
+        <source>%1 (%2); the old file, if there was one, is as before. Free some space or choose another place</source>
+        <translation>%1 (%2); die alte Datei, falls es sie gab, ist unverändert. Bitte Platz schaffen oder einen anderen Ort wählen</translation>
+    </message>
+    <message>
+        <source>cannot be written</source>
+        <translation>kann nicht geschrieben werden</translation>
+    </message>
+    <message>
+        <source>could not be written in full</source>
+        <translation>konnte nicht vollständig geschrieben werden</translation>
+    </message>
+    <message>
+        <source>could not be put in place</source>
+        <translation>konnte nicht an ihren Platz gebracht werden</translation>
+    </message>
+    <message>
+        <source>was written, but the folder could not be brought to the disk (%1); save once more before you switch off</source>
+        <translation>wurde geschrieben, aber der Ordner kam nicht auf die Platte (%1); bitte vor dem Ausschalten noch einmal speichern</translation>
+    </message>
+    <message>
+        <source>the image has %1 MB; at most 64 MB are possible, make it smaller</source>
+        <translation>das Bild hat %1 MB; höchstens 64 MB sind möglich, bitte verkleinern</translation>
+    </message>
+    <message>
+        <source>is not a PNG, JPEG, TIFF, WebP or EXR image; convert it to one of them</source>
+        <translation>ist kein PNG-, JPEG-, TIFF-, WebP- oder EXR-Bild; bitte in eines davon umwandeln</translation>
+    </message>
+    <message>
+        <source>is empty; give a data: URL or the path of an image file</source>
+        <translation>ist leer; bitte eine data:-URL oder den Pfad einer Bilddatei angeben</translation>
+    </message>
+    <message>
+        <source>the image file %1 is missing; put it there or correct the path</source>
+        <translation>die Bilddatei %1 fehlt; bitte dort ablegen oder den Pfad berichtigen</translation>
+    </message>
+    <message>
+        <source>%1 is not a file</source>
+        <translation>%1 ist keine Datei</translation>
+    </message>
+    <message>
+        <source>the image file %1 has %2 MB; at most 64 MB are possible</source>
+        <translation>die Bilddatei %1 hat %2 MB; höchstens 64 MB sind möglich</translation>
+    </message>
+    <message>
+        <source>the image file %1 cannot be read: %2</source>
+        <translation>die Bilddatei %1 kann nicht gelesen werden: %2</translation>
+    </message>
+    <message>
+        <source>is not a data:…;base64,… URL</source>
+        <translation>ist keine data:…;base64,…-URL</translation>
+    </message>
+    <message>
+        <source>the image is too large; at most 64 MB are possible</source>
+        <translation>das Bild ist zu groß; höchstens 64 MB sind möglich</translation>
+    </message>
+    <message>
+        <source>the base64 data of the image are damaged</source>
+        <translation>die base64-Daten des Bildes sind beschädigt</translation>
+    </message>
+    <message>
+        <source>Suffuse reads .suffuse, its text form (.json), ink as CSV, Universal Ink JSON, Excalidraw and MyPaint events</source>
+        <translation>Suffuse liest .suffuse, die Textform (.json), Tinte als CSV, Universal-Ink-JSON, Excalidraw und MyPaint-Ereignisse</translation>
+    </message>
+    <message>
+        <source>is UTF-16 text; save it as UTF-8</source>
+        <translation>ist UTF-16-Text; bitte als UTF-8 speichern</translation>
+    </message>
+    <message>
+        <source>is a picture, not a painting; %1</source>
+        <translation>ist eine Bilddatei, kein gemaltes Bild; %1</translation>
+    </message>
+    <message>
+        <source>is not a painting nor a recording; %1</source>
+        <translation>ist weder ein Bild noch eine Aufzeichnung; %1</translation>
+    </message>
+    <message>
+        <source>has more than 2 GB; that is more than can be opened</source>
+        <translation>hat mehr als 2 GB; das ist mehr, als sich öffnen lässt</translation>
+    </message>
+    <message>
+        <source>could not be read: %1</source>
+        <translation>konnte nicht gelesen werden: %1</translation>
+    </message>
+    <message>
+        <source>Suffuse painting</source>
+        <translation>Suffuse-Bild</translation>
+    </message>
+    <message>
+        <source>Suffuse text form</source>
+        <translation>Suffuse-Textform</translation>
+    </message>
+    <message>
+        <source>Ink recording (CSV)</source>
+        <translation>Tintenaufzeichnung (CSV)</translation>
+    </message>
+    <message>
+        <source>Universal Ink (JSON)</source>
+        <translation>Universal Ink (JSON)</translation>
+    </message>
+    <message>
+        <source>Excalidraw drawing</source>
+        <translation>Excalidraw-Zeichnung</translation>
+    </message>
+    <message>
+        <source>MyPaint events</source>
+        <translation>MyPaint-Ereignisse</translation>
+    </message>
+    <message>
+        <source>Unknown format</source>
+        <translation>Unbekanntes Format</translation>
+    </message>
+    <message>
+        <source>is empty; nothing was saved in it</source>
+        <translation>ist leer; darin wurde nichts gespeichert</translation>
+    </message>
+    <message>
+        <source>there is no such file: %1</source>
+        <translation>diese Datei gibt es nicht: %1</translation>
+    </message>
+    <message>
+        <source>is a folder; give a file inside it</source>
+        <translation>ist ein Ordner; bitte eine Datei darin angeben</translation>
+    </message>
+    <message>
+        <source>could not be opened: %1; check its permissions</source>
+        <translation>konnte nicht geöffnet werden: %1; bitte die Rechte prüfen</translation>
+    </message>
+    <message>
+        <source>the ending is neither .suffuse nor .json; choose one of them</source>
+        <translation>die Endung ist weder .suffuse noch .json; bitte eine davon wählen</translation>
+    </message>
+    <message>
+        <source>%1: has less than 2 numbers</source>
+        <translation>%1: hat weniger als 2 Zahlen</translation>
+    </message>
+    <message>
+        <source>holds no freedraw elements; only those become strokes</source>
+        <translation>enthält keine Freihandelemente; nur diese werden zu Strichen</translation>
+    </message>
+    <message>
+        <source>is not a JSON object</source>
+        <translation>ist kein JSON-Objekt</translation>
+    </message>
+    <message>
+        <source>: is not a list of numbers</source>
+        <translation>: ist keine Liste von Zahlen</translation>
+    </message>
+    <message>
+        <source>%1[%2]: is not a number within ±1e15</source>
+        <translation>%1[%2]: ist keine Zahl innerhalb von ±1e15</translation>
+    </message>
+    <message>
+        <source>line %1, column %2: “%3” is not a number within ±1e15</source>
+        <translation>Zeile %1, Spalte %2: „%3“ ist keine Zahl innerhalb von ±1e15</translation>
+    </message>
+    <message>
+        <source>is empty; there is nothing to paint</source>
+        <translation>ist leer; es gibt nichts zu malen</translation>
+    </message>
+    <message>
+        <source>line %1: no columns x and y; name the columns x, y, time and pressure</source>
+        <translation>Zeile %1: keine Spalten x und y; bitte die Spalten x, y, time und pressure nennen</translation>
+    </message>
+    <message>
+        <source>%1: splineX has %2 numbers, splineY %3</source>
+        <translation>%1: splineX hat %2 Zahlen, splineY %3</translation>
+    </message>
+    <message>
+        <source>an object {…}</source>
+        <translation>ein Objekt {…}</translation>
+    </message>
+    <message>
+        <source>a list […]</source>
+        <translation>eine Liste […]</translation>
+    </message>
+    <message>
+        <source>the file ends here, “%1” is missing; it is probably cut off</source>
+        <translation>die Datei endet hier, „%1“ fehlt; sie ist wohl abgeschnitten</translation>
+    </message>
+    <message>
+        <source>expected “,” or “%1” before “%2”</source>
+        <translation>vor „%2“ fehlt „,“ oder „%1“</translation>
+    </message>
+    <message>
+        <source>expected a member&apos;s name in quotes before “%1”</source>
+        <translation>vor „%1“ fehlt der Name eines Eintrags in Anführungszeichen</translation>
+    </message>
+    <message>
+        <source>expected “:” after “%1”</source>
+        <translation>nach „%1“ fehlt „:“</translation>
+    </message>
+    <message>
+        <source>is given twice; keep one of them</source>
+        <translation>steht zweimal da; bitte nur einmal</translation>
+    </message>
+    <message>
+        <source>is not a member of this format; correct or remove it</source>
+        <translation>gehört nicht zu diesem Format; bitte berichtigen oder entfernen</translation>
+    </message>
+    <message>
+        <source>a string has a wrong escape “\%1”</source>
+        <translation>eine Zeichenkette hat eine falsche Maskierung „\%1“</translation>
+    </message>
+    <message>
+        <source>the file ends inside a string; it is probably cut off</source>
+        <translation>die Datei endet in einer Zeichenkette; sie ist wohl abgeschnitten</translation>
+    </message>
+    <message>
+        <source>a string has a control character; write it as an escape such as \n</source>
+        <translation>eine Zeichenkette hat ein Steuerzeichen; bitte maskieren, etwa als \n</translation>
+    </message>
+    <message>
+        <source>the file ends here; it is probably cut off</source>
+        <translation>die Datei endet hier; sie ist wohl abgeschnitten</translation>
+    </message>
+    <message>
+        <source>expected %1 before “%2”</source>
+        <translation>vor „%2“ fehlt %1</translation>
+    </message>
+    <message>
+        <source>%1 is not %2</source>
+        <translation>%1 ist nicht %2</translation>
+    </message>
+    <message>
+        <source>has %1 numbers instead of %2</source>
+        <translation>hat %1 Zahlen statt %2</translation>
+    </message>
+    <message>
+        <source>a number</source>
+        <translation>eine Zahl</translation>
+    </message>
+    <message>
+        <source>%1 is too large; the largest number is %2</source>
+        <translation>%1 ist zu groß; die größte Zahl ist %2</translation>
+    </message>
+    <message>
+        <source>%1 is not a whole number from 0 to 2^64 − 1</source>
+        <translation>%1 ist keine ganze Zahl von 0 bis 2^64 − 1</translation>
+    </message>
+    <message>
+        <source>%1 s is not in [-1e12, 1e12]</source>
+        <translation>%1 s liegt nicht in [-1e12, 1e12]</translation>
+    </message>
+    <message>
+        <source>true or false</source>
+        <translation>true oder false</translation>
+    </message>
+    <message>
+        <source>a string in quotes</source>
+        <translation>eine Zeichenkette in Anführungszeichen</translation>
+    </message>
+    <message>
+        <source>is not UTF-8; save the file in that encoding</source>
+        <translation>ist kein UTF-8; bitte die Datei so speichern</translation>
+    </message>
+    <message>
+        <source>“%1” follows after the end of the painting; remove it</source>
+        <translation>„%1“ folgt nach dem Ende des Bildes; bitte entfernen</translation>
+    </message>
+    <message>
+        <source>line %1, column %2: %3</source>
+        <translation>Zeile %1, Spalte %2: %3</translation>
+    </message>
+    <message>
+        <source>standard input</source>
+        <translation>Standardeingabe</translation>
+    </message>
+    <message>
+        <source>holds no pen strokes; there is nothing to paint</source>
+        <translation>enthält keine Stiftstriche; es gibt nichts zu malen</translation>
+    </message>
+    <message>
+        <source>the strokes span %1 × %2 units; at most 1e6 are possible, scale them down</source>
+        <translation>die Striche reichen über %1 × %2 Einheiten; höchstens 1e6 sind möglich, bitte verkleinern</translation>
+    </message>
+    <message>
+        <source>line %1, column %2</source>
+        <translation>Zeile %1, Spalte %2</translation>
+    </message>
+    <message>
+        <source>a value has the wrong type</source>
+        <translation>ein Wert hat den falschen Typ</translation>
+    </message>
+    <message>
+        <source>the first chunk must be HEAD</source>
+        <translation>der erste Block muss HEAD sein</translation>
+    </message>
+    <message>
+        <source>there is more than one HEAD</source>
+        <translation>es gibt mehr als einen HEAD</translation>
+    </message>
+    <message>
+        <source>there is more than one</source>
+        <translation>es gibt mehr als einen</translation>
+    </message>
+    <message>
+        <source>chunk %1 at byte %2 is unknown, and the painting needs it; update Suffuse</source>
+        <translation>Block %1 bei Byte %2 ist unbekannt, und das Bild braucht ihn; bitte Suffuse aktualisieren</translation>
+    </message>
+    <message>
+        <source>is not a CBOR map</source>
+        <translation>ist keine CBOR-Tabelle</translation>
+    </message>
+    <message>
+        <source>lacks the version or the counts</source>
+        <translation>es fehlen Version oder Anzahlen</translation>
+    </message>
+    <message>
+        <source>was written by a newer program (%1): it needs a reader of version %2, this one is %3; update Suffuse</source>
+        <translation>stammt von einem neueren Programm (%1): braucht einen Leser der Version %2, dieser hat %3; bitte Suffuse aktualisieren</translation>
+    </message>
+    <message>
+        <source>the chunk DOCU is missing; the file is damaged, take a backup copy</source>
+        <translation>der Block DOCU fehlt; die Datei ist beschädigt, bitte eine Sicherung nehmen</translation>
+    </message>
+    <message>
+        <source>should hold %1 strokes and %2 segments, but holds %3 and %4; the file is damaged, take a backup copy</source>
+        <translation>sollte %1 Striche und %2 Segmente enthalten, enthält aber %3 und %4; die Datei ist beschädigt, bitte eine Sicherung nehmen</translation>
+    </message>
+    <message>
+        <source>the file is damaged, take a backup copy</source>
+        <translation>die Datei ist beschädigt, bitte eine Sicherung nehmen</translation>
+    </message>
+    <message>
+        <source>chunk %1 at byte %2: %3; %4</source>
+        <translation>Block %1 bei Byte %2: %3; %4</translation>
+    </message>
+    <message>
+        <source>is not a .suffuse file</source>
+        <translation>ist keine .suffuse-Datei</translation>
+    </message>
+    <message>
+        <source>ends after %1 bytes; %2</source>
+        <translation>endet nach %1 Bytes; %2</translation>
+    </message>
+    <message>
+        <source>its line endings were changed on the way; transfer it as a binary file</source>
+        <translation>ihre Zeilenenden wurden unterwegs verändert; bitte als Binärdatei übertragen</translation>
+    </message>
+    <message>
+        <source>the hash of the whole differs</source>
+        <translation>der Hash des Ganzen stimmt nicht</translation>
+    </message>
+    <message>
+        <source>%1 bytes follow after the end</source>
+        <translation>%1 Bytes folgen nach dem Ende</translation>
+    </message>
+    <message>
+        <source>is cut off after %1 bytes; %2</source>
+        <translation>ist nach %1 Bytes abgeschnitten; %2</translation>
+    </message>
+    <message>
+        <source>has %1 bytes, but the file only %2 more</source>
+        <translation>hat %1 Bytes, die Datei aber nur noch %2</translation>
+    </message>
+    <message>
+        <source>checksum differs</source>
+        <translation>die Prüfsumme stimmt nicht</translation>
+    </message>
+    <message>
+        <source>%1 strokes and %2 segments are more than the file can hold</source>
+        <translation>%1 Striche und %2 Segmente sind mehr, als die Datei enthalten kann</translation>
+    </message>
+    <message>
+        <source>its columns are not what the format allows</source>
+        <translation>seine Spalten entsprechen nicht dem Format</translation>
+    </message>
+    <message>
+        <source>stroke %1 of it is not what the format allows</source>
+        <translation>Strich %1 darin entspricht nicht dem Format</translation>
+    </message>
+    <message>
+        <source>is missing</source>
+        <translation>fehlt</translation>
+    </message>
+    <message>
+        <source>“%1” is none of: %2</source>
+        <translation>„%1“ ist keines von: %2</translation>
+    </message>
+    <message>
+        <source>has %1 numbers; the kind %2 has %3</source>
+        <translation>hat %1 Zahlen; die Art %2 hat %3</translation>
+    </message>
+    <message>
+        <source>belongs to the mode beta; remove it or change the mode</source>
+        <translation>gehört zum Modus beta; bitte entfernen oder den Modus ändern</translation>
+    </message>
+    <message>
+        <source>has %1 points instead of 4</source>
+        <translation>hat %1 Punkte statt 4</translation>
+    </message>
+    <message>
+        <source>has %1 numbers instead of 2</source>
+        <translation>hat %1 Zahlen statt 2</translation>
+    </message>
+    <message>
+        <source>0 is not an id; count from 1 or leave it out</source>
+        <translation>0 ist keine Kennung; bitte ab 1 zählen oder weglassen</translation>
+    </message>
+    <message>
+        <source>%1 is not in [0, 4294967295]</source>
+        <translation>%1 liegt nicht in [0, 4294967295]</translation>
+    </message>
+    <message>
+        <source>width and height must not be negative</source>
+        <translation>Breite und Höhe dürfen nicht negativ sein</translation>
+    </message>
+    <message>
+        <source>%1 is not in [0, 1]</source>
+        <translation>%1 liegt nicht in [0, 1]</translation>
+    </message>
+    <message>
+        <source>“%1” is not “suffuse-text”</source>
+        <translation>„%1“ ist nicht „suffuse-text“</translation>
+    </message>
+    <message>
+        <source>0 is not a version; write 1</source>
+        <translation>0 ist keine Version; bitte 1 schreiben</translation>
+    </message>
+    <message>
+        <source>%1 is newer than this program, which reads version 1; update Suffuse</source>
+        <translation>%1 ist neuer als dieses Programm, das Version 1 liest; bitte Suffuse aktualisieren</translation>
+    </message>
+</context>
+<context>
+    <name>suffuse::HintLabel</name>
+    <message>
+        <source>Hint</source>
+        <translation>Hinweis</translation>
+    </message>
+</context>
+<context>
+    <name>suffuse::HistoryPanel</name>
+    <message>
+        <source>Start</source>
+        <translation>Anfang</translation>
+    </message>
+    <message>
+        <source>History</source>
+        <translation>Verlauf</translation>
+    </message>
+    <message>
+        <source>Every change since the painting was opened. Click one to go back or forward to it.</source>
+        <translation>Jede Änderung seit dem Öffnen. Ein Klick geht dorthin zurück oder vor.</translation>
+    </message>
+</context>
+<context>
+    <name>suffuse::InspectorPanel</name>
+    <message>
+        <source>Nothing is selected. Click a stroke to see and change its values.</source>
+        <translation>Nichts ist ausgewählt. Ein Klick auf einen Strich zeigt seine Werte, die sich ändern lassen.</translation>
+    </message>
+    <message>
+        <source>%1 · %2</source>
+        <translation>%1 · %2</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n stroke(s)</source>
+        <translation>
+            <numerusform>%n Strich</numerusform>
+            <numerusform>%n Striche</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n segment(s)</source>
+        <translation>
+            <numerusform>%n Segment</numerusform>
+            <numerusform>%n Segmente</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>suffuse::MainWindow</name>
+    <message>
+        <source>Colour</source>
+        <translation>Farbe</translation>
+    </message>
+    <message>
+        <source>Brushes</source>
+        <translation>Pinsel</translation>
+    </message>
+    <message>
+        <source>Inspector</source>
+        <translation>Inspektor</translation>
+    </message>
+    <message>
+        <source>Strokes</source>
+        <translation>Striche</translation>
+    </message>
+    <message>
+        <source>History</source>
+        <translation>Verlauf</translation>
+    </message>
+    <message>
+        <source>Position of the pointer in canvas units</source>
+        <translation>Position des Zeigers in Leinwandeinheiten</translation>
+    </message>
+    <message>
+        <source>Zoom</source>
+        <translation>Zoom</translation>
+    </message>
+    <message>
+        <source>What renders the picture</source>
+        <translation>Was das Bild berechnet</translation>
+    </message>
+    <message>
+        <source>Time that the last frame took</source>
+        <translation>Dauer des letzten Bildes</translation>
+    </message>
+    <message>
+        <source>&amp;Undo</source>
+        <translation>&amp;Rückgängig</translation>
+    </message>
+    <message>
+        <source>&amp;Undo: %1</source>
+        <translation>&amp;Rückgängig: %1</translation>
+    </message>
+    <message>
+        <source>&amp;Redo</source>
+        <translation>&amp;Wiederholen</translation>
+    </message>
+    <message>
+        <source>&amp;Redo: %1</source>
+        <translation>&amp;Wiederholen: %1</translation>
+    </message>
+    <message>
+        <source>%1 %</source>
+        <translation>%1 %</translation>
+    </message>
+    <message>
+        <source>%1 ms</source>
+        <translation>%1 ms</translation>
+    </message>
+    <message>
+        <source>All that can be opened (*.suffuse *.json *.csv *.excalidraw *.dat)</source>
+        <translation>Alles, was sich öffnen lässt (*.suffuse *.json *.csv *.excalidraw *.dat)</translation>
+    </message>
+    <message>
+        <source>Suffuse paintings (*.suffuse *.json)</source>
+        <translation>Suffuse-Bilder (*.suffuse *.json)</translation>
+    </message>
+    <message>
+        <source>Pen recordings (*.csv *.json *.excalidraw *.dat)</source>
+        <translation>Stiftaufzeichnungen (*.csv *.json *.excalidraw *.dat)</translation>
+    </message>
+    <message>
+        <source>All files (*)</source>
+        <translation>Alle Dateien (*)</translation>
+    </message>
+    <message>
+        <source>Open</source>
+        <translation>Öffnen</translation>
+    </message>
+    <message>
+        <source>Save As</source>
+        <translation>Speichern unter</translation>
+    </message>
+    <message>
+        <source>Suffuse painting (*.suffuse)</source>
+        <translation>Suffuse-Bild (*.suffuse)</translation>
+    </message>
+    <message>
+        <source>Text form (*.json)</source>
+        <translation>Textform (*.json)</translation>
+    </message>
+    <message>
+        <source>&amp;Clear the List</source>
+        <translation>Liste &amp;leeren</translation>
+    </message>
+    <message>
+        <source>%1, %2</source>
+        <extracomment>a position: x, y</extracomment>
+        <translation>%1; %2</translation>
+    </message>
+</context>
+<context>
+    <name>suffuse::NewDialog</name>
+    <message>
+        <source>Sketch</source>
+        <translation>Skizze</translation>
+    </message>
+    <message>
+        <source>Full HD</source>
+        <translation>Full HD</translation>
+    </message>
+    <message>
+        <source>4K</source>
+        <translation>4K</translation>
+    </message>
+    <message>
+        <source>Square</source>
+        <translation>Quadrat</translation>
+    </message>
+    <message>
+        <source>A5, 150 dpi</source>
+        <translation>A5, 150 dpi</translation>
+    </message>
+    <message>
+        <source>A4, 150 dpi</source>
+        <translation>A4, 150 dpi</translation>
+    </message>
+    <message>
+        <source>A4, 300 dpi</source>
+        <translation>A4, 300 dpi</translation>
+    </message>
+    <message>
+        <source>New painting</source>
+        <translation>Neues Bild</translation>
+    </message>
+    <message>
+        <source>Size</source>
+        <translation>Größe</translation>
+    </message>
+    <message>
+        <source>Custom</source>
+        <translation>Eigene</translation>
+    </message>
+    <message>
+        <source>Usual sizes in units; a unit is a pixel at 100 %.</source>
+        <translation>Übliche Größen in Einheiten; eine Einheit ist bei 100 % ein Pixel.</translation>
+    </message>
+    <message>
+        <source>Swap width and height</source>
+        <translation>Breite und Höhe tauschen</translation>
+    </message>
+    <message>
+        <source>Create</source>
+        <translation>Anlegen</translation>
+    </message>
+</context>
+<context>
+    <name>suffuse::NumberField</name>
+    <message>
+        <source>“%1” is not a number. Sums such as 12*1.5 or +2 work too.</source>
+        <translation>„%1“ ist keine Zahl. Auch Rechnungen wie 12*1.5 oder +2 gehen.</translation>
+    </message>
+    <message>
+        <source>%1 is out of range: %2 to %3 is possible.</source>
+        <translation>%1 liegt außerhalb des Bereichs: Möglich ist %2 bis %3.</translation>
+    </message>
+</context>
+<context>
+    <name>suffuse::PanTool</name>
+    <message>
+        <source>Drag to move the canvas. The wheel zooms; R and drag turns.</source>
+        <translation>Ziehen verschiebt die Leinwand. Das Rad zoomt; R und Ziehen dreht.</translation>
+    </message>
+</context>
+<context>
+    <name>suffuse::SegmentSection</name>
+    <message>
+        <source>Diffusion D</source>
+        <translation>Diffusion D</translation>
+    </message>
+    <message>
+        <source>How fast the paint spreads: the spread grows with the root of D times time.</source>
+        <translation>Wie schnell die Farbe verläuft: Die Ausbreitung wächst mit der Wurzel aus D mal Zeit.</translation>
+    </message>
+    <message>
+        <source>Density φ</source>
+        <translation>Dichte φ</translation>
+    </message>
+    <message>
+        <source>How much paint the segment gives off along its length.</source>
+        <translation>Wie viel Farbe das Segment entlang seiner Länge abgibt.</translation>
+    </message>
+    <message>
+        <source>Granulation ω</source>
+        <translation>Granulation ω</translation>
+    </message>
+    <message>
+        <source>100 % hides the paper&apos;s texture, 0 % shows it fully.</source>
+        <translation>100 % verbirgt die Papiertextur, 0 % zeigt sie ganz.</translation>
+    </message>
+    <message>
+        <source>Drying time</source>
+        <translation>Trockenzeit</translation>
+    </message>
+    <message>
+        <source>t_max: how long the paint spreads after it was laid down.</source>
+        <translation>t_max: wie lange die Farbe nach dem Auftragen verläuft.</translation>
+    </message>
+    <message>
+        <source>Segments</source>
+        <translation>Segmente</translation>
+    </message>
+    <message>
+        <source>Change diffusion</source>
+        <translation>Diffusion ändern</translation>
+    </message>
+    <message>
+        <source>Change density</source>
+        <translation>Dichte ändern</translation>
+    </message>
+    <message>
+        <source>Change granulation</source>
+        <translation>Granulation ändern</translation>
+    </message>
+    <message>
+        <source>Change drying time</source>
+        <translation>Trockenzeit ändern</translation>
+    </message>
+    <message>
+        <source>Colour</source>
+        <translation>Farbe</translation>
+    </message>
+    <message>
+        <source>Colour of the selection</source>
+        <translation>Farbe der Auswahl</translation>
+    </message>
+    <message>
+        <source>Colour of the selection. Click: paint with it.</source>
+        <translation>Farbe der Auswahl. Klick: damit malen.</translation>
+    </message>
+    <message>
+        <source>Change opacity</source>
+        <translation>Deckkraft ändern</translation>
+    </message>
+    <message>
+        <source>Change colour</source>
+        <translation>Farbe ändern</translation>
+    </message>
+    <message>
+        <source>Anisotropy</source>
+        <translation>Anisotropie</translation>
+    </message>
+    <message>
+        <source>Angle</source>
+        <translation>Winkel</translation>
+    </message>
+    <message>
+        <source>Direction of the anisotropy, clockwise from the horizontal.</source>
+        <translation>Richtung der Anisotropie, im Uhrzeigersinn von der Waagerechten.</translation>
+    </message>
+    <message>
+        <source>Change anisotropy</source>
+        <translation>Anisotropie ändern</translation>
+    </message>
+    <message>
+        <source>Change angle</source>
+        <translation>Winkel ändern</translation>
+    </message>
+    <message>
+        <source>How many times D along the angle is D across it; 1 spreads evenly.</source>
+        <translation>Wievielmal so groß D längs des Winkels ist wie quer dazu; bei 1 breitet sich die Farbe gleichmäßig aus.</translation>
+    </message>
+</context>
+<context>
+    <name>suffuse::SegmentTool</name>
+    <message>
+        <source>Click a segment to select it, Shift+click for a run, Ctrl+click to add or remove one.</source>
+        <translation>Klick wählt ein Segment, Umschalt+Klick eine Folge, Strg+Klick fügt eines hinzu oder nimmt es weg.</translation>
+    </message>
+</context>
+<context>
+    <name>suffuse::SelectTool</name>
+    <message>
+        <source>Click paint to select its stroke, click again for a segment, Shift+click for more. Drag to move.</source>
+        <translation>Klick auf Farbe wählt den Strich, ein zweiter das Segment, Umschalt+Klick mehr. Ziehen verschiebt.</translation>
+    </message>
+    <message>
+        <source>Move</source>
+        <translation>Verschieben</translation>
+    </message>
+</context>
+<context>
+    <name>suffuse::SettingsDialog</name>
+    <message>
+        <source>Settings</source>
+        <translation>Einstellungen</translation>
+    </message>
+    <message>
+        <source>Language</source>
+        <translation>Sprache</translation>
+    </message>
+    <message>
+        <source>Language of the program. Changes when it starts again.</source>
+        <translation>Sprache des Programms. Gilt ab dem nächsten Start.</translation>
+    </message>
+    <message>
+        <source>System</source>
+        <translation>System</translation>
+    </message>
+    <message>
+        <source>Theme</source>
+        <translation>Farbschema</translation>
+    </message>
+    <message>
+        <source>Colours of the windows</source>
+        <translation>Farben der Fenster</translation>
+    </message>
+    <message>
+        <source>Dark</source>
+        <translation>Dunkel</translation>
+    </message>
+    <message>
+        <source>Light</source>
+        <translation>Hell</translation>
+    </message>
+    <message>
+        <source>Canvas</source>
+        <translation>Leinwand</translation>
+    </message>
+    <message>
+        <source>How the picture comes to the screen. Changes when the program starts again.</source>
+        <translation>Wie das Bild auf den Bildschirm kommt. Gilt ab dem nächsten Start.</translation>
+    </message>
+    <message>
+        <source>Automatic</source>
+        <translation>Automatisch</translation>
+    </message>
+    <message>
+        <source>Raster</source>
+        <translation>Raster</translation>
+    </message>
+    <message>
+        <source>All cores</source>
+        <translation>Alle Kerne</translation>
+    </message>
+    <message>
+        <source>Threads</source>
+        <translation>Threads</translation>
+    </message>
+    <message>
+        <source>Processor threads for drawing. Changes when the program starts again.</source>
+        <translation>Prozessor-Threads zum Zeichnen. Gilt ab dem nächsten Start.</translation>
+    </message>
+    <message>
+        <source>Language, canvas and threads change when Suffuse starts again.</source>
+        <translation>Sprache, Leinwand und Threads ändern sich beim nächsten Start von Suffuse.</translation>
+    </message>
+</context>
+<context>
+    <name>suffuse::ShortcutsDialog</name>
+    <message>
+        <source>Keyboard shortcuts</source>
+        <translation>Tastenkürzel</translation>
+    </message>
+    <message>
+        <source>Search</source>
+        <translation>Suchen</translation>
+    </message>
+    <message>
+        <source>Search shortcuts</source>
+        <translation>Tastenkürzel suchen</translation>
+    </message>
+    <message>
+        <source>Shows only commands whose name or shortcut holds this text.</source>
+        <translation>Zeigt nur Befehle, deren Name oder Kürzel diesen Text enthält.</translation>
+    </message>
+    <message>
+        <source>Command</source>
+        <translation>Befehl</translation>
+    </message>
+    <message>
+        <source>Shortcut</source>
+        <translation>Kürzel</translation>
+    </message>
+    <message>
+        <source>Commands</source>
+        <translation>Befehle</translation>
+    </message>
+    <message>
+        <source>Choose a command, then press its new shortcut below.</source>
+        <translation>Einen Befehl wählen, dann unten das neue Kürzel drücken.</translation>
+    </message>
+    <message>
+        <source>Press the keys</source>
+        <translation>Tasten drücken</translation>
+    </message>
+    <message>
+        <source>None</source>
+        <translation>Keines</translation>
+    </message>
+    <message>
+        <source>No shortcut for this command</source>
+        <translation>Kein Kürzel für diesen Befehl</translation>
+    </message>
+    <message>
+        <source>Reset</source>
+        <translation>Zurücksetzen</translation>
+    </message>
+    <message>
+        <source>This command&apos;s own shortcut</source>
+        <translation>Das eigene Kürzel dieses Befehls</translation>
+    </message>
+    <message>
+        <source>%1 belongs to “%2” and “%3”. Give one of them another shortcut.</source>
+        <translation>%1 gehört zu „%2“ und „%3“. Bitte einem von beiden ein anderes Kürzel geben.</translation>
+    </message>
+</context>
+<context>
+    <name>suffuse::SliderField</name>
+    <message>
+        <source>Double-click: back to the default.</source>
+        <translation>Doppelklick: zurück zum Standardwert.</translation>
+    </message>
+    <message>
+        <source>%1, slider</source>
+        <translation>%1, Schieberegler</translation>
+    </message>
+</context>
+<context>
+    <name>suffuse::StrokeSection</name>
+    <message>
+        <source>Strokes</source>
+        <translation>Striche</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>Name</translation>
+    </message>
+    <message>
+        <source>Name of the selected strokes, as the list of strokes shows it.</source>
+        <translation>Name der ausgewählten Striche, wie ihn die Strichliste zeigt.</translation>
+    </message>
+    <message>
+        <source>Rename stroke</source>
+        <translation>Strich umbenennen</translation>
+    </message>
+    <message>
+        <source>Mixing</source>
+        <translation>Mischung</translation>
+    </message>
+    <message>
+        <source>Covering (alpha)</source>
+        <translation>Deckend (Alpha)</translation>
+    </message>
+    <message>
+        <source>Pigment (β)</source>
+        <translation>Pigment (β)</translation>
+    </message>
+    <message>
+        <source>How the paint mixes with what lies below it: it covers, or pigments add up.</source>
+        <translation>Wie sich die Farbe mit dem Darunterliegenden mischt: Sie deckt, oder Pigmente addieren sich.</translation>
+    </message>
+    <message>
+        <source>Pigment β</source>
+        <translation>Pigment β</translation>
+    </message>
+    <message>
+        <source>Share of the colour below that stays: 0 % covers, 100 % adds.</source>
+        <translation>Anteil der unteren Farbe, der bleibt: 0 % deckt, 100 % addiert.</translation>
+    </message>
+    <message>
+        <source>Change pigment mixing</source>
+        <translation>Pigmentmischung ändern</translation>
+    </message>
+    <message>
+        <source>Change mixing</source>
+        <translation>Mischung ändern</translation>
+    </message>
+    <message>
+        <source>unnamed</source>
+        <translation>unbenannt</translation>
+    </message>
+</context>
+<context>
+    <name>suffuse::StrokesModel</name>
+    <message>
+        <source>Name</source>
+        <translation>Name</translation>
+    </message>
+    <message>
+        <source>Visible</source>
+        <translation>Sichtbar</translation>
+    </message>
+    <message>
+        <source>Locked</source>
+        <translation>Gesperrt</translation>
+    </message>
+    <message>
+        <source>Visible. Click: hide.</source>
+        <translation>Sichtbar. Klick: ausblenden.</translation>
+    </message>
+    <message>
+        <source>Hidden. Click: show.</source>
+        <translation>Ausgeblendet. Klick: einblenden.</translation>
+    </message>
+    <message>
+        <source>Locked. Click: unlock.</source>
+        <translation>Gesperrt. Klick: entsperren.</translation>
+    </message>
+    <message>
+        <source>Not locked. Click: lock.</source>
+        <translation>Nicht gesperrt. Klick: sperren.</translation>
+    </message>
+    <message>
+        <source>Stroke %1</source>
+        <translation>Strich %1</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n segment(s)</source>
+        <translation>
+            <numerusform>%n Segment</numerusform>
+            <numerusform>%n Segmente</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Group %1</source>
+        <translation>Gruppe %1</translation>
+    </message>
+    <message>
+        <source>Rename group</source>
+        <translation>Gruppe umbenennen</translation>
+    </message>
+    <message>
+        <source>Rename stroke</source>
+        <translation>Strich umbenennen</translation>
+    </message>
+    <message>
+        <source>Hide group</source>
+        <translation>Gruppe ausblenden</translation>
+    </message>
+    <message>
+        <source>Show group</source>
+        <translation>Gruppe einblenden</translation>
+    </message>
+    <message>
+        <source>Unlock group</source>
+        <translation>Gruppe entsperren</translation>
+    </message>
+    <message>
+        <source>Lock group</source>
+        <translation>Gruppe sperren</translation>
+    </message>
+    <message>
+        <source>Hide stroke</source>
+        <translation>Strich ausblenden</translation>
+    </message>
+    <message>
+        <source>Show stroke</source>
+        <translation>Strich einblenden</translation>
+    </message>
+    <message>
+        <source>Unlock stroke</source>
+        <translation>Strich entsperren</translation>
+    </message>
+    <message>
+        <source>Lock stroke</source>
+        <translation>Strich sperren</translation>
+    </message>
+    <message>
+        <source>Reorder strokes</source>
+        <translation>Striche umordnen</translation>
+    </message>
+</context>
+<context>
+    <name>suffuse::StrokesPanel</name>
+    <message>
+        <source>Search</source>
+        <translation>Suchen</translation>
+    </message>
+    <message>
+        <source>Search strokes</source>
+        <translation>Striche suchen</translation>
+    </message>
+    <message>
+        <source>Shows only strokes and groups whose name holds this text.</source>
+        <translation>Zeigt nur Striche und Gruppen, deren Name diesen Text enthält.</translation>
+    </message>
+    <message>
+        <source>Strokes</source>
+        <translation>Striche</translation>
+    </message>
+    <message>
+        <source>The topmost stroke comes first. Drag to reorder, double-click to rename.</source>
+        <translation>Der oberste Strich steht zuerst. Ziehen ordnet um, Doppelklick benennt um.</translation>
+    </message>
+</context>
+<context>
+    <name>suffuse::StyleSection</name>
+    <message>
+        <source>Style</source>
+        <translation>Stil</translation>
+    </message>
+    <message>
+        <source>Density function</source>
+        <translation>Dichtefunktion</translation>
+    </message>
+    <message>
+        <source>How density becomes coverage. The mark is the peak density of the selected segments.</source>
+        <translation>Wie aus Dichte Deckung wird. Die Marke ist die Spitzendichte der ausgewählten Segmente.</translation>
+    </message>
+    <message>
+        <source>Belongs to</source>
+        <translation>Gehört zu</translation>
+    </message>
+    <message>
+        <source>Whether the segments follow their stroke&apos;s style or have their own.</source>
+        <translation>Ob die Segmente dem Stil ihres Strichs folgen oder einen eigenen haben.</translation>
+    </message>
+    <message>
+        <source>The stroke</source>
+        <translation>Dem Strich</translation>
+    </message>
+    <message>
+        <source>These segments</source>
+        <translation>Diesen Segmenten</translation>
+    </message>
+    <message>
+        <source>Kind</source>
+        <translation>Art</translation>
+    </message>
+    <message>
+        <source>How density becomes coverage.</source>
+        <translation>Wie aus Dichte Deckung wird.</translation>
+    </message>
+    <message>
+        <source>Uniform</source>
+        <translation>Gleichmäßig</translation>
+    </message>
+    <message>
+        <source>Feathering</source>
+        <translation>Weich auslaufend</translation>
+    </message>
+    <message>
+        <source>Dark edges</source>
+        <translation>Dunkle Ränder</translation>
+    </message>
+    <message>
+        <source>Change style</source>
+        <translation>Stil ändern</translation>
+    </message>
+    <message>
+        <source>Parameter of the style</source>
+        <translation>Parameter des Stils</translation>
+    </message>
+    <message>
+        <source>Spread s</source>
+        <translation>Ausbreitung s</translation>
+    </message>
+    <message>
+        <source>Peak density</source>
+        <translation>Spitzendichte</translation>
+    </message>
+    <message>
+        <source>Half-width</source>
+        <translation>Halbe Breite</translation>
+    </message>
+    <message>
+        <source>Fades away</source>
+        <translation>Verblasst</translation>
+    </message>
+    <message>
+        <source>How far the paint has spread once it is dry: √(4·D·t_max).</source>
+        <translation>Wie weit die Farbe getrocknet verlaufen ist: √(4·D·t_max).</translation>
+    </message>
+    <message>
+        <source>Density in the middle of a long straight stroke, dry.</source>
+        <translation>Dichte in der Mitte eines langen geraden Strichs, getrocknet.</translation>
+    </message>
+    <message>
+        <source>From the middle to the visible edge of a long straight stroke, dry.</source>
+        <translation>Von der Mitte bis zum sichtbaren Rand eines langen geraden Strichs, getrocknet.</translation>
+    </message>
+    <message>
+        <source>When the paint has spread so thin that nothing of it is visible any more.</source>
+        <translation>Wann die Farbe so dünn verlaufen ist, dass nichts mehr zu sehen ist.</translation>
+    </message>
+    <message>
+        <source>Give segments their own style</source>
+        <translation>Segmenten eigenen Stil geben</translation>
+    </message>
+    <message>
+        <source>Follow the stroke&apos;s style</source>
+        <translation>Dem Stil des Strichs folgen</translation>
+    </message>
+    <message>
+        <source>Not possible for all that is selected: %1</source>
+        <translation>Nicht für die ganze Auswahl möglich: %1</translation>
+    </message>
+    <message>
+        <source>Threshold ξ1</source>
+        <translation>Schwelle ξ1</translation>
+    </message>
+    <message>
+        <source>Softness ξ2</source>
+        <translation>Weichheit ξ2</translation>
+    </message>
+    <message>
+        <source>Full at ξ1</source>
+        <translation>Voll bei ξ1</translation>
+    </message>
+    <message>
+        <source>Steepness ξ2</source>
+        <translation>Steilheit ξ2</translation>
+    </message>
+    <message>
+        <source>Edge ξ1</source>
+        <translation>Rand ξ1</translation>
+    </message>
+    <message>
+        <source>Lightening ξ2</source>
+        <translation>Aufhellung ξ2</translation>
+    </message>
+    <message>
+        <source>Strength ξ3</source>
+        <translation>Stärke ξ3</translation>
+    </message>
+    <message>
+        <source>Density at which the stroke covers by half.</source>
+        <translation>Dichte, bei der der Strich zur Hälfte deckt.</translation>
+    </message>
+    <message>
+        <source>How gently the edge fades.</source>
+        <translation>Wie sanft der Rand ausläuft.</translation>
+    </message>
+    <message>
+        <source>Density from which the stroke covers fully.</source>
+        <translation>Dichte, ab der der Strich ganz deckt.</translation>
+    </message>
+    <message>
+        <source>How steeply coverage grows with density.</source>
+        <translation>Wie steil die Deckung mit der Dichte wächst.</translation>
+    </message>
+    <message>
+        <source>Density at which the dark rim stands.</source>
+        <translation>Dichte, bei der der dunkle Rand steht.</translation>
+    </message>
+    <message>
+        <source>How much the inside is lighter than the rim; at most 1.26·ξ1.</source>
+        <translation>Wie viel heller das Innere ist als der Rand; höchstens 1,26·ξ1.</translation>
+    </message>
+    <message>
+        <source>Coverage far inside the stroke.</source>
+        <translation>Deckung tief im Inneren des Strichs.</translation>
+    </message>
+    <message>
+        <source>never</source>
+        <translation>nie</translation>
+    </message>
+    <message>
+        <source>partly, from %1</source>
+        <translation>teilweise, ab %1</translation>
+    </message>
+    <message>
+        <source>after %1</source>
+        <translation>nach %1</translation>
+    </message>
+</context>
 </TS>

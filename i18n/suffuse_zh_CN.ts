@@ -1,2542 +1,2714 @@
 <?xml version="1.0" encoding="utf-8"?>
 <!DOCTYPE TS>
 <TS version="2.1" language="zh_CN" sourcelanguage="en">
-    <context>
-        <name>Brushes</name>
-        <message>
-            <source>Ink wash</source>
-            <translation>水墨</translation>
-        </message>
-        <message>
-            <source>Watercolour edge</source>
-            <translation>水彩深边</translation>
-        </message>
-        <message>
-            <source>Soft airbrush</source>
-            <translation>柔和喷枪</translation>
-        </message>
-        <message>
-            <source>Flat marker</source>
-            <translation>平头马克笔</translation>
-        </message>
-        <message>
-            <source>Dry chalk</source>
-            <translation>干粉笔</translation>
-        </message>
-        <message>
-            <source>Pencil</source>
-            <translation>铅笔</translation>
-        </message>
-    </context>
-    <context>
-        <name>Cli</name>
-        <message>
-            <source>Converts between documents (.suffuse), the text form (.json) and pen recordings. What IN is, is found from its content; what OUT is, from its ending.</source>
-            <translation>在文档 (.suffuse)、文本形式 (.json) 和笔迹记录之间转换。IN 的格式由其内容判断，OUT 的格式由其扩展名判断。</translation>
-        </message>
-        <message>
-            <source>The brush that recordings are painted with.</source>
-            <translation>绘制笔迹记录所用的画笔。</translation>
-        </message>
-        <message>
-            <source>%1: unknown ending; use .suffuse or .json</source>
-            <translation>%1：未知的扩展名；请使用 .suffuse 或 .json</translation>
-        </message>
-        <message>
-            <source>--brush %1: there is no such brush; choose one of %2</source>
-            <translation>--brush %1：没有此画笔；请选择 %2 之一</translation>
-        </message>
-        <message>
-            <source>%1: cannot be read (%2). Check the name and its permissions.</source>
-            <translation>%1：无法读取（%2）。请检查文件名及其权限。</translation>
-        </message>
-        <message>
-            <source>%1: has more than 2 GB; that is more than can be opened</source>
-            <translation>%1：超过 2 GB，无法打开</translation>
-        </message>
-        <message>
-            <source>  bytes     %1</source>
-            <translation>  字节      %1</translation>
-        </message>
-        <message>
-            <source>  canvas    %1 × %2</source>
-            <translation>  画布      %1 × %2</translation>
-        </message>
-        <message>
-            <source>  strokes   %1</source>
-            <translation>  笔画      %1</translation>
-        </message>
-        <message>
-            <source>  segments  %1</source>
-            <translation>  线段      %1</translation>
-        </message>
-        <message>
-            <source>  bounds    none: nothing is painted</source>
-            <translation>  边界      无：没有绘制内容</translation>
-        </message>
-        <message>
-            <source>  bounds    x %1, y %2, %3 × %4</source>
-            <translation>  边界      x %1, y %2, %3 × %4</translation>
-        </message>
-        <message>
-            <source>  duration  %1 s</source>
-            <translation>  时长      %1 秒</translation>
-        </message>
-        <message>
-            <source>  chunk     %1, %2 bytes</source>
-            <translation>  数据块    %1，%2 字节</translation>
-        </message>
-        <message>
-            <source>%1not available: %2</source>
-            <translation>%1不可用：%2</translation>
-        </message>
-        <message>
-            <source>Tells what a painting or a recording holds.</source>
-            <translation>显示画作或笔迹记录的内容。</translation>
-        </message>
-        <message>
-            <source>Prints JSON (docs/cli.md).</source>
-            <translation>输出 JSON（docs/cli.md）。</translation>
-        </message>
-        <message>
-            <source>The backends and devices there are, and why one is missing.</source>
-            <translation>可用的后端和设备，以及某个后端缺失的原因。</translation>
-        </message>
-        <message>
-            <source>give a file, or --backends</source>
-            <translation>请给出文件，或使用 --backends</translation>
-        </message>
-        <message>
-            <source>draw a painting into an image file</source>
-            <translation>将画作绘制为图像文件</translation>
-        </message>
-        <message>
-            <source>what a file holds; the backends there are</source>
-            <translation>文件的内容；可用的后端</translation>
-        </message>
-        <message>
-            <source>between documents, the text form and recordings</source>
-            <translation>在文档、文本形式和笔迹记录之间转换</translation>
-        </message>
-        <message>
-            <source>what lies at a point of the canvas</source>
-            <translation>画布上某点处的内容</translation>
-        </message>
-        <message>
-            <source>compare the backends with the reference</source>
-            <translation>将各后端与参考实现比较</translation>
-        </message>
-        <message>
-            <source>Usage: suffuse-cli COMMAND [options] …</source>
-            <translation>用法：suffuse-cli 命令 [选项] …</translation>
-        </message>
-        <message>
-            <source>suffuse-cli COMMAND --help lists the options of a command. An input of - is standard input.
+<context>
+    <name>Bench</name>
+    <message>
+        <source>stopped before all was measured</source>
+        <translation>在全部测量完成之前已停止</translation>
+    </message>
+    <message>
+        <source>no temporary folder can be made: %1. Set TMPDIR to a folder that can be written.</source>
+        <translation>无法创建临时文件夹：%1。请将 TMPDIR 设为可写入的文件夹。</translation>
+    </message>
+    <message>
+        <source>there is no stroke to drag in this painting</source>
+        <translation>此画作中没有可拖动的笔画</translation>
+    </message>
+    <message>
+        <source>measuring %1</source>
+        <translation>正在测量 %1</translation>
+    </message>
+    <message>
+        <source>name</source>
+        <translation>名称</translation>
+    </message>
+    <message>
+        <source>compared</source>
+        <translation>对照</translation>
+    </message>
+    <message>
+        <source>painting</source>
+        <translation>画作</translation>
+    </message>
+    <message>
+        <source>size</source>
+        <translation>大小</translation>
+    </message>
+    <message>
+        <source>backend</source>
+        <translation>后端</translation>
+    </message>
+    <message>
+        <source>device</source>
+        <translation>设备</translation>
+    </message>
+    <message>
+        <source>median ms</source>
+        <translation>中位数 ms</translation>
+    </message>
+    <message>
+        <source>min ms</source>
+        <translation>最小 ms</translation>
+    </message>
+    <message>
+        <source>runs</source>
+        <translation>次数</translation>
+    </message>
+    <message>
+        <source>ratio</source>
+        <translation>比值</translation>
+    </message>
+</context>
+<context>
+    <name>Brushes</name>
+    <message>
+        <source>Ink wash</source>
+        <translation>水墨</translation>
+    </message>
+    <message>
+        <source>Watercolour edge</source>
+        <translation>水彩深边</translation>
+    </message>
+    <message>
+        <source>Soft airbrush</source>
+        <translation>柔和喷枪</translation>
+    </message>
+    <message>
+        <source>Flat marker</source>
+        <translation>平头马克笔</translation>
+    </message>
+    <message>
+        <source>Dry chalk</source>
+        <translation>干粉笔</translation>
+    </message>
+    <message>
+        <source>Pencil</source>
+        <translation>铅笔</translation>
+    </message>
+</context>
+<context>
+    <name>Cli</name>
+    <message>
+        <source>Converts between documents (.suffuse), the text form (.json) and pen recordings. What IN is, is found from its content; what OUT is, from its ending.</source>
+        <translation>在文档 (.suffuse)、文本形式 (.json) 和笔迹记录之间转换。IN 的格式由其内容判断，OUT 的格式由其扩展名判断。</translation>
+    </message>
+    <message>
+        <source>The brush that recordings are painted with.</source>
+        <translation>绘制笔迹记录所用的画笔。</translation>
+    </message>
+    <message>
+        <source>%1: unknown ending; use .suffuse or .json</source>
+        <translation>%1：未知的扩展名；请使用 .suffuse 或 .json</translation>
+    </message>
+    <message>
+        <source>--brush %1: there is no such brush; choose one of %2</source>
+        <translation>--brush %1：没有此画笔；请选择 %2 之一</translation>
+    </message>
+    <message>
+        <source>%1: cannot be read (%2). Check the name and its permissions.</source>
+        <translation>%1：无法读取（%2）。请检查文件名及其权限。</translation>
+    </message>
+    <message>
+        <source>%1: has more than 2 GB; that is more than can be opened</source>
+        <translation>%1：超过 2 GB，无法打开</translation>
+    </message>
+    <message>
+        <source>  bytes     %1</source>
+        <translation>  字节      %1</translation>
+    </message>
+    <message>
+        <source>  canvas    %1 × %2</source>
+        <translation>  画布      %1 × %2</translation>
+    </message>
+    <message>
+        <source>  strokes   %1</source>
+        <translation>  笔画      %1</translation>
+    </message>
+    <message>
+        <source>  segments  %1</source>
+        <translation>  线段      %1</translation>
+    </message>
+    <message>
+        <source>  bounds    none: nothing is painted</source>
+        <translation>  边界      无：没有绘制内容</translation>
+    </message>
+    <message>
+        <source>  bounds    x %1, y %2, %3 × %4</source>
+        <translation>  边界      x %1, y %2, %3 × %4</translation>
+    </message>
+    <message>
+        <source>  duration  %1 s</source>
+        <translation>  时长      %1 秒</translation>
+    </message>
+    <message>
+        <source>  chunk     %1, %2 bytes</source>
+        <translation>  数据块    %1，%2 字节</translation>
+    </message>
+    <message>
+        <source>%1not available: %2</source>
+        <translation>%1不可用：%2</translation>
+    </message>
+    <message>
+        <source>Tells what a painting or a recording holds.</source>
+        <translation>显示画作或笔迹记录的内容。</translation>
+    </message>
+    <message>
+        <source>Prints JSON (docs/cli.md).</source>
+        <translation>输出 JSON（docs/cli.md）。</translation>
+    </message>
+    <message>
+        <source>The backends and devices there are, and why one is missing.</source>
+        <translation>可用的后端和设备，以及某个后端缺失的原因。</translation>
+    </message>
+    <message>
+        <source>give a file, or --backends</source>
+        <translation>请给出文件，或使用 --backends</translation>
+    </message>
+    <message>
+        <source>draw a painting into an image file</source>
+        <translation>将画作绘制为图像文件</translation>
+    </message>
+    <message>
+        <source>what a file holds; the backends there are</source>
+        <translation>文件的内容；可用的后端</translation>
+    </message>
+    <message>
+        <source>between documents, the text form and recordings</source>
+        <translation>在文档、文本形式和笔迹记录之间转换</translation>
+    </message>
+    <message>
+        <source>what lies at a point of the canvas</source>
+        <translation>画布上某点处的内容</translation>
+    </message>
+    <message>
+        <source>compare the backends with the reference</source>
+        <translation>将各后端与参考实现比较</translation>
+    </message>
+    <message>
+        <source>Usage: suffuse-cli COMMAND [options] …</source>
+        <translation>用法：suffuse-cli 命令 [选项] …</translation>
+    </message>
+    <message>
+        <source>suffuse-cli COMMAND --help lists the options of a command. An input of - is standard input.
 Exit codes: 0 done, 1 the work failed, 2 wrong usage.</source>
-            <translation>suffuse-cli 命令 --help 列出该命令的选项。输入 - 表示标准输入。
+        <translation>suffuse-cli 命令 --help 列出该命令的选项。输入 - 表示标准输入。
 退出码：0 完成，1 执行失败，2 用法错误。</translation>
-        </message>
-        <message>
-            <source>%1: there is no such command. See suffuse-cli --help.</source>
-            <translation>%1：没有此命令。参见 suffuse-cli --help。</translation>
-        </message>
-        <message>
-            <source>The command.</source>
-            <translation>命令。</translation>
-        </message>
-        <message>
-            <source>Shows this help.</source>
-            <translation>显示此帮助。</translation>
-        </message>
-        <message>
-            <source>too few arguments</source>
-            <translation>参数过少</translation>
-        </message>
-        <message>
-            <source>one argument too many: %1</source>
-            <translation>多余的参数：%1</translation>
-        </message>
-        <message>
-            <source>%1: %2. See suffuse-cli %1 --help.</source>
-            <translation>%1：%2。参见 suffuse-cli %1 --help。</translation>
-        </message>
-        <message>
-            <source>standard output cannot be written: %1</source>
-            <translation>无法写入标准输出：%1</translation>
-        </message>
-        <message>
-            <source>drawing</source>
-            <translation>正在绘制</translation>
-        </message>
-        <message>
-            <source>stopped; nothing was written</source>
-            <translation>已停止；未写入任何内容</translation>
-        </message>
-        <message>
-            <source>there is not enough memory for %1 × %2 pixels. Choose a smaller size.</source>
-            <translation>内存不足以容纳 %1 × %2 像素。请选择较小的尺寸。</translation>
-        </message>
-        <message>
-            <source>--area %1: give X,Y,W,H in canvas units, W and H above 0</source>
-            <translation>--area %1：请以画布单位给出 X,Y,W,H，W 和 H 须大于 0</translation>
-        </message>
-        <message>
-            <source>--size %1: give WxH or W in pixels, e.g. 1024x768</source>
-            <translation>--size %1：请以像素给出 WxH 或 W，例如 1024x768</translation>
-        </message>
-        <message>
-            <source>--scale %1: give pixels a unit, above 0, e.g. 2</source>
-            <translation>--scale %1：请给出每单位的像素数，须大于 0，例如 2</translation>
-        </message>
-        <message>
-            <source>a picture of %1 × %2 pixels is too large: at most %3 million pixels. Choose a smaller --size, --scale or --area</source>
-            <translation>%1 × %2 像素的图片太大：最多 %3 百万像素。请选择较小的 --size、--scale 或 --area</translation>
-        </message>
-        <message>
-            <source>%1 pixels a unit are out of range: 0.001 to 1e9. Choose another --size, --scale or --area</source>
-            <translation>每单位 %1 像素超出范围：0.001 到 1e9。请选择其他 --size、--scale 或 --area</translation>
-        </message>
-        <message>
-            <source>give --size or --scale, not both</source>
-            <translation>--size 与 --scale 只能给出其一</translation>
-        </message>
-        <message>
-            <source>--size %1: the picture is scaled uniformly, so a width of %2 has the height %3: use --size %2x%3</source>
-            <translation>--size %1：图片等比缩放，宽度 %2 对应高度 %3：请使用 --size %2x%3</translation>
-        </message>
-        <message>
-            <source>--time %1: give a moment in seconds, e.g. 1.5</source>
-            <translation>--time %1：请以秒给出时刻，例如 1.5</translation>
-        </message>
-        <message>
-            <source>--backend %1: give auto, cpu, cuda or reference</source>
-            <translation>--backend %1：请给出 auto、cpu、cuda 或 reference</translation>
-        </message>
-        <message>
-            <source>--threads %1: give a number from 1 to 1024</source>
-            <translation>--threads %1：请给出 1 到 1024 的数字</translation>
-        </message>
-        <message>
-            <source>stroke %1</source>
-            <translation>笔画 %1</translation>
-        </message>
-        <message>
-            <source>stroke %1, %2</source>
-            <translation>笔画 %1，%2</translation>
-        </message>
-        <message>
-            <source>
+    </message>
+    <message>
+        <source>%1: there is no such command. See suffuse-cli --help.</source>
+        <translation>%1：没有此命令。参见 suffuse-cli --help。</translation>
+    </message>
+    <message>
+        <source>The command.</source>
+        <translation>命令。</translation>
+    </message>
+    <message>
+        <source>Shows this help.</source>
+        <translation>显示此帮助。</translation>
+    </message>
+    <message>
+        <source>too few arguments</source>
+        <translation>参数过少</translation>
+    </message>
+    <message>
+        <source>one argument too many: %1</source>
+        <translation>多余的参数：%1</translation>
+    </message>
+    <message>
+        <source>%1: %2. See suffuse-cli %1 --help.</source>
+        <translation>%1：%2。参见 suffuse-cli %1 --help。</translation>
+    </message>
+    <message>
+        <source>standard output cannot be written: %1</source>
+        <translation>无法写入标准输出：%1</translation>
+    </message>
+    <message>
+        <source>drawing</source>
+        <translation>正在绘制</translation>
+    </message>
+    <message>
+        <source>stopped; nothing was written</source>
+        <translation>已停止；未写入任何内容</translation>
+    </message>
+    <message>
+        <source>there is not enough memory for %1 × %2 pixels. Choose a smaller size.</source>
+        <translation>内存不足以容纳 %1 × %2 像素。请选择较小的尺寸。</translation>
+    </message>
+    <message>
+        <source>--area %1: give X,Y,W,H in canvas units, W and H above 0</source>
+        <translation>--area %1：请以画布单位给出 X,Y,W,H，W 和 H 须大于 0</translation>
+    </message>
+    <message>
+        <source>--size %1: give WxH or W in pixels, e.g. 1024x768</source>
+        <translation>--size %1：请以像素给出 WxH 或 W，例如 1024x768</translation>
+    </message>
+    <message>
+        <source>--scale %1: give pixels a unit, above 0, e.g. 2</source>
+        <translation>--scale %1：请给出每单位的像素数，须大于 0，例如 2</translation>
+    </message>
+    <message>
+        <source>a picture of %1 × %2 pixels is too large: at most %3 million pixels. Choose a smaller --size, --scale or --area</source>
+        <translation>%1 × %2 像素的图片太大：最多 %3 百万像素。请选择较小的 --size、--scale 或 --area</translation>
+    </message>
+    <message>
+        <source>%1 pixels a unit are out of range: 0.001 to 1e9. Choose another --size, --scale or --area</source>
+        <translation>每单位 %1 像素超出范围：0.001 到 1e9。请选择其他 --size、--scale 或 --area</translation>
+    </message>
+    <message>
+        <source>give --size or --scale, not both</source>
+        <translation>--size 与 --scale 只能给出其一</translation>
+    </message>
+    <message>
+        <source>--size %1: the picture is scaled uniformly, so a width of %2 has the height %3: use --size %2x%3</source>
+        <translation>--size %1：图片等比缩放，宽度 %2 对应高度 %3：请使用 --size %2x%3</translation>
+    </message>
+    <message>
+        <source>--time %1: give a moment in seconds, e.g. 1.5</source>
+        <translation>--time %1：请以秒给出时刻，例如 1.5</translation>
+    </message>
+    <message>
+        <source>--backend %1: give auto, cpu, cuda or reference</source>
+        <translation>--backend %1：请给出 auto、cpu、cuda 或 reference</translation>
+    </message>
+    <message>
+        <source>--threads %1: give a number from 1 to 1024</source>
+        <translation>--threads %1：请给出 1 到 1024 的数字</translation>
+    </message>
+    <message>
+        <source>stroke %1</source>
+        <translation>笔画 %1</translation>
+    </message>
+    <message>
+        <source>stroke %1, %2</source>
+        <translation>笔画 %1，%2</translation>
+    </message>
+    <message>
+        <source>
   φ %1   ω̄ %2   φ′ %3   F %4   w %5
   C̄ %6 (red, yellow, blue, opacity)
   after it: RYB %7, RGB %8
 </source>
-            <translation>
+        <translation>
   φ %1   ω̄ %2   φ′ %3   F %4   w %5
   C̄ %6（红、黄、蓝、不透明度）
   混合后：RYB %7，RGB %8
 </translation>
-        </message>
-        <message>
-            <source>  segment %1: φ %2, share %3
+    </message>
+    <message>
+        <source>  segment %1: φ %2, share %3
 </source>
-            <translation>  线段 %1：φ %2，占比 %3
+        <translation>  线段 %1：φ %2，占比 %3
 </translation>
-        </message>
-        <message>
-            <source>at %1, %2, %3 s: paper η %4, background RYB %5, RGB %6
+    </message>
+    <message>
+        <source>at %1, %2, %3 s: paper η %4, background RYB %5, RGB %6
 </source>
-            <translation>位于 %1, %2，%3 秒：纸张 η %4，背景 RYB %5，RGB %6
+        <translation>位于 %1, %2，%3 秒：纸张 η %4，背景 RYB %5，RGB %6
 </translation>
-        </message>
-        <message>
-            <source>no stroke reaches this point
+    </message>
+    <message>
+        <source>no stroke reaches this point
 </source>
-            <translation>没有笔画到达此点
+        <translation>没有笔画到达此点
 </translation>
-        </message>
-        <message>
-            <source>Tells what lies at a point of the canvas, stroke by stroke from bottom to top. X and Y are in canvas units.</source>
-            <translation>从下到上逐笔画显示画布上某点处的内容。X 和 Y 以画布单位计。</translation>
-        </message>
-        <message>
-            <source>The moment, in seconds (default: the end).</source>
-            <translation>时刻（秒，默认：结束时）。</translation>
-        </message>
-        <message>
-            <source>%1 %2: give X and Y as numbers, in canvas units</source>
-            <translation>%1 %2：请以画布单位给出数字 X 和 Y</translation>
-        </message>
-        <message>
-            <source>The picture: .png, .tiff, .exr, .jpg, .webp or .pfm.</source>
-            <translation>图片：.png、.tiff、.exr、.jpg、.webp 或 .pfm。</translation>
-        </message>
-        <message>
-            <source>Pixels: WxH, or W alone; scales uniformly.</source>
-            <translation>像素：WxH，或仅 W；等比缩放。</translation>
-        </message>
-        <message>
-            <source>Pixels a canvas unit (default 1).</source>
-            <translation>每画布单位的像素数（默认 1）。</translation>
-        </message>
-        <message>
-            <source>Part of the canvas, in canvas units (default: all of it).</source>
-            <translation>画布的一部分，以画布单位计（默认：全部）。</translation>
-        </message>
-        <message>
-            <source>The moment that is drawn, in seconds (default: the end).</source>
-            <translation>要绘制的时刻（秒，默认：结束时）。</translation>
-        </message>
-        <message>
-            <source>No background: alpha holds the coverage.</source>
-            <translation>无背景：alpha 保存覆盖率。</translation>
-        </message>
-        <message>
-            <source>8, 16, half or float (default: the format's usual one).</source>
-            <translation>8、16、half 或 float（默认：该格式常用的位深）。</translation>
-        </message>
-        <message>
-            <source>auto, cpu, cuda or reference.</source>
-            <translation>auto、cpu、cuda 或 reference。</translation>
-        </message>
-        <message>
-            <source>Number of threads (default: one a core).</source>
-            <translation>线程数（默认：每核心一个）。</translation>
-        </message>
-        <message>
-            <source>Prints times and counts as JSON.</source>
-            <translation>以 JSON 输出时间和计数。</translation>
-        </message>
-        <message>
-            <source>--depth %1: give 8, 16, half or float</source>
-            <translation>--depth %1：请给出 8、16、half 或 float</translation>
-        </message>
-        <message>
-            <source>Draws a painting or a recording into an image file.</source>
-            <translation>将画作或笔迹记录绘制为图像文件。</translation>
-        </message>
-        <message>
-            <source>-o OUT is missing: name the picture to write</source>
-            <translation>缺少 -o OUT：请指定要写入的图片</translation>
-        </message>
-        <message>
-            <source>%1 and %2: largest difference R %3, G %4, B %5</source>
-            <translation>%1 与 %2：最大差异 R %3，G %4，B %5</translation>
-        </message>
-        <message>
-            <source>  at pixel %1, %2: RGB %3 and %4</source>
-            <translation>  像素 %1, %2 处：RGB %3 与 %4</translation>
-        </message>
-        <message>
-            <source>  %1 of %2 pixels over 1/512</source>
-            <translation>  %2 个像素中有 %1 个超过 1/512</translation>
-        </message>
-        <message>
-            <source>  %1 pixels that are no numbers</source>
-            <translation>  %1 个像素不是数字</translation>
-        </message>
-        <message>
-            <source>%1 and %2: largest difference in 8 bits %3, at pixel %4, %5</source>
-            <translation>%1 与 %2：8 位下最大差异 %3，位于像素 %4, %5</translation>
-        </message>
-        <message>
-            <source>%1, %2 × %3 pixels, at %4 s</source>
-            <translation>%1，%2 × %3 像素，%4 秒</translation>
-        </message>
-        <message>
-            <source>within the contract</source>
-            <translation>符合约定</translation>
-        </message>
-        <message>
-            <source>OVER the contract: 1/512 to the reference, 1 level of 8 bits between backends</source>
-            <translation>超出约定：与参考实现相差 1/512，后端之间相差 8 位的 1 级</translation>
-        </message>
-        <message>
-            <source>Draws a painting on every backend there is and on the reference, and compares the pictures.</source>
-            <translation>用所有可用后端和参考实现绘制画作，并比较图片。</translation>
-        </message>
-    </context>
-    <context>
-        <name>Commands</name>
-        <message>
-            <source>Delete segments</source>
-            <translation>删除线段</translation>
-        </message>
-        <message>
-            <source>Delete strokes</source>
-            <translation>删除笔画</translation>
-        </message>
-        <message>
-            <source>Duplicate</source>
-            <translation>再制</translation>
-        </message>
-        <message>
-            <source>Raise</source>
-            <translation>上移一层</translation>
-        </message>
-        <message>
-            <source>Lower</source>
-            <translation>下移一层</translation>
-        </message>
-        <message>
-            <source>Raise to top</source>
-            <translation>移到顶层</translation>
-        </message>
-        <message>
-            <source>Lower to bottom</source>
-            <translation>移到底层</translation>
-        </message>
-        <message>
-            <source>Move</source>
-            <translation>移动</translation>
-        </message>
-    </context>
-    <context>
-        <name>FileReplacement</name>
-        <message>
-            <source>%1: cannot be written (%2). Choose another folder, or change its permissions.</source>
-            <translation>%1：无法写入（%2）。请选择其他文件夹，或更改其权限。</translation>
-        </message>
-        <message>
-            <source>%1: the disk is full (%2). Free some space, or choose another disk.</source>
-            <translation>%1：磁盘已满（%2）。请释放空间或选择其他磁盘。</translation>
-        </message>
-        <message>
-            <source>%1: writing failed (%2). Choose another place.</source>
-            <translation>%1：写入失败（%2）。请选择其他位置。</translation>
-        </message>
-        <message>
-            <source>%1: is a folder. Give a file name.</source>
-            <translation>%1：是文件夹。请给出文件名。</translation>
-        </message>
-        <message>
-            <source>%1: is not a plain file. Choose another name.</source>
-            <translation>%1：不是普通文件。请选择其他名称。</translation>
-        </message>
-        <message>
-            <source>%1: the folder %2 does not exist. Create it, or choose another.</source>
-            <translation>%1：文件夹 %2 不存在。请创建它或选择其他文件夹。</translation>
-        </message>
-    </context>
-    <context>
-        <name>ImageFormat</name>
-        <message>
-            <source>This is no image format that can be written. Use one of these endings: %1.</source>
-            <translation>这不是可写入的图像格式。请使用以下扩展名之一：%1。</translation>
-        </message>
-        <message>
-            <source>%1 cannot hold depth %2. Choose %3, or another format.</source>
-            <translation>%1 不支持位深 %2。请选择 %3 或其他格式。</translation>
-        </message>
-        <message>
-            <source>%1 cannot hold transparency. Use PNG, TIFF, EXR or WebP, or export with the background.</source>
-            <translation>%1 不支持透明度。请使用 PNG、TIFF、EXR 或 WebP，或连同背景一起导出。</translation>
-        </message>
-        <message>
-            <source>%1 holds 1 to %2 pixels a side, not %3 × %4. Choose another size or format.</source>
-            <translation>%1 每边支持 1 到 %2 像素，而不是 %3 × %4。请选择其他尺寸或格式。</translation>
-        </message>
-    </context>
-    <context>
-        <name>ImageModule</name>
-        <message>
-            <source>the image module %1 %2; install or build Suffuse again (target suffuse_image_io). Pictures ending in .pfm work without it</source>
-            <translation>图像模块 %1 %2；请重新安装或构建 Suffuse（目标 suffuse_image_io）。扩展名为 .pfm 的图片无需该模块</translation>
-        </message>
-        <message>
-            <source>is missing</source>
-            <translation>缺失</translation>
-        </message>
-        <message>
-            <source>cannot be loaded (%1)</source>
-            <translation>无法加载（%1）</translation>
-        </message>
-        <message>
-            <source>is of another version of Suffuse</source>
-            <translation>属于另一版本的 Suffuse</translation>
-        </message>
-    </context>
-    <context>
-        <name>ImageReader</name>
-        <message>
-            <source>%1: the image declares more than %2 × %2 or %3 million pixels. Scale it down first.</source>
-            <translation>%1：图像声明的尺寸超过 %2 × %2 或 %3 百万像素。请先缩小。</translation>
-        </message>
-        <message>
-            <source>%1: is not a PNG, JPEG, TIFF, EXR or WebP image. Convert it to one of them.</source>
-            <translation>%1：不是 PNG、JPEG、TIFF、EXR 或 WebP 图像。请转换为其中之一。</translation>
-        </message>
-        <message>
-            <source>%1: cannot read %2: %3.</source>
-            <translation>%1：无法读取 %2：%3。</translation>
-        </message>
-        <message>
-            <source>%1: the %2 image cannot be read (%3). It may be damaged, or too large (at most %4 pixels a side, %5 million in all).</source>
-            <translation>%1：无法读取 %2 图像（%3）。它可能已损坏或过大（每边最多 %4 像素，总计 %5 百万）。</translation>
-        </message>
-    </context>
-    <context>
-        <name>ImageWriter</name>
-        <message>
-            <source>%1: cannot write %2: %3.</source>
-            <translation>%1：无法写入 %2：%3。</translation>
-        </message>
-        <message>
-            <source>%1: writing was cancelled; nothing was changed.</source>
-            <translation>%1：写入已取消；未做任何更改。</translation>
-        </message>
-        <message>
-            <source>%1: %2 could not be written (%3). Choose another format or depth.</source>
-            <translation>%1：未能写入 %2（%3）。请选择其他格式或位深。</translation>
-        </message>
-    </context>
-    <context>
-        <name>Messages</name>
-        <message>
-            <source>Save the changes to “%1” before closing?</source>
-            <translation>关闭前要保存对“%1”的更改吗？</translation>
-        </message>
-        <message>
-            <source>Without saving, what was painted since the last save is lost.</source>
-            <translation>若不保存，上次保存后所画的内容将丢失。</translation>
-        </message>
-    </context>
-    <context>
-        <name>Paper</name>
-        <message>
-            <source>paper image</source>
-            <translation>纸张图像</translation>
-        </message>
-        <message>
-            <source>paper image: there is none. Choose an image, or another kind of paper.</source>
-            <translation>纸张图像：没有图像。请选择图像或另一种纸张。</translation>
-        </message>
-    </context>
-    <context>
-        <name>ReferenceRenderer</name>
-        <message>
-            <source>%1 threads · double</source>
-            <translation>%1 个线程 · 双精度</translation>
-        </message>
-    </context>
-    <context>
-        <name>Renderer</name>
-        <message numerus="yes">
-            <source>%n threads</source>
-            <translation>
-                <numerusform>%n 个线程</numerusform>
-            </translation>
-        </message>
-        <message>
-            <source>this program was built without the CUDA renderer</source>
-            <translation>此程序构建时未包含 CUDA 渲染器</translation>
-        </message>
-        <message>
-            <source>The CUDA backend cannot run: %1. Use the CPU backend.</source>
-            <translation>CUDA 后端无法运行：%1。请使用 CPU 后端。</translation>
-        </message>
-    </context>
-    <context>
-        <name>Validate</name>
-        <message>
-            <source>it is earlier than the one before it; put them in order of time</source>
-            <translation>它早于前一个；请按时间顺序排列</translation>
-        </message>
-        <message>
-            <source>another group has the same id</source>
-            <translation>另一个组有相同的 id</translation>
-        </message>
-        <message>
-            <source>there is no group with this id</source>
-            <translation>没有此 id 的组</translation>
-        </message>
-        <message>
-            <source>the group would lie within itself</source>
-            <translation>组将包含其自身</translation>
-        </message>
-        <message>
-            <source>the group's members do not stand together in the order</source>
-            <translation>组的成员在顺序中不相邻</translation>
-        </message>
-        <message>
-            <source>there is no such style</source>
-            <translation>没有此样式</translation>
-        </message>
-        <message>
-            <source>only edge darkening has a third value</source>
-            <translation>只有深色边缘有第三个值</translation>
-        </message>
-        <message>
-            <source>there is no such mixing mode</source>
-            <translation>没有此混合模式</translation>
-        </message>
-        <message>
-            <source>only beta mixing has a beta</source>
-            <translation>只有 beta 混合有 beta 值</translation>
-        </message>
-        <message>
-            <source>there is no such kind of node</source>
-            <translation>没有此类型的节点</translation>
-        </message>
-        <message>
-            <source>a stroke needs at least one</source>
-            <translation>一条笔画至少需要一条</translation>
-        </message>
-        <message>
-            <source>the segment does not start where the one before it ends</source>
-            <translation>线段的起点不在前一段的终点</translation>
-        </message>
-        <message>
-            <source>there is no such kind of paper</source>
-            <translation>没有此类型的纸张</translation>
-        </message>
-        <message>
-            <source>the paper's image is missing</source>
-            <translation>缺少纸张图像</translation>
-        </message>
-        <message>
-            <source>the stroke is missing</source>
-            <translation>缺少笔画</translation>
-        </message>
-        <message>
-            <source>another stroke has the same id</source>
-            <translation>另一条笔画有相同的 id</translation>
-        </message>
-    </context>
-    <context>
-        <name>compare</name>
-        <message>
-            <source>The pictures differ in size (%1 × %2 and %3 × %4): render both at one size.</source>
-            <translation>图片尺寸不同（%1 × %2 与 %3 × %4）：请以相同尺寸渲染。</translation>
-        </message>
-    </context>
-    <context>
-        <name>suffuse::AboutDialog</name>
-        <message>
-            <source>About Suffuse</source>
-            <translation>关于 Suffuse</translation>
-        </message>
-        <message>
-            <source>Icon of Suffuse</source>
-            <translation>Suffuse 图标</translation>
-        </message>
-        <message>
-            <source>Suffuse %1</source>
-            <translation>Suffuse %1</translation>
-        </message>
-        <message>
-            <source>Paints with strokes that really diffuse, and stay editable.</source>
-            <translation>用真正会扩散、且始终可编辑的笔画作画。</translation>
-        </message>
-        <message>
-            <source>Free software under the Apache License 2.0.</source>
-            <translation>基于 Apache 许可证 2.0 的自由软件。</translation>
-        </message>
-    </context>
-    <context>
-        <name>suffuse::Actions</name>
-        <message>
-            <source>&amp;New…</source>
-            <translation>新建(&amp;N)…</translation>
-        </message>
-        <message>
-            <source>&amp;Open…</source>
-            <translation>打开(&amp;O)…</translation>
-        </message>
-        <message>
-            <source>&amp;Save</source>
-            <translation>保存(&amp;S)</translation>
-        </message>
-        <message>
-            <source>Save &amp;As…</source>
-            <translation>另存为(&amp;A)…</translation>
-        </message>
-        <message>
-            <source>Ctrl+Shift+S</source>
-            <translation>Ctrl+Shift+S</translation>
-        </message>
-        <message>
-            <source>&amp;Export…</source>
-            <translation>导出(&amp;E)…</translation>
-        </message>
-        <message>
-            <source>Ctrl+Shift+E</source>
-            <translation>Ctrl+Shift+E</translation>
-        </message>
-        <message>
-            <source>&amp;Close Window</source>
-            <translation>关闭窗口(&amp;C)</translation>
-        </message>
-        <message>
-            <source>&amp;Quit</source>
-            <translation>退出(&amp;Q)</translation>
-        </message>
-        <message>
-            <source>Ctrl+Q</source>
-            <translation>Ctrl+Q</translation>
-        </message>
-        <message>
-            <source>&amp;Undo</source>
-            <translation>撤销(&amp;U)</translation>
-        </message>
-        <message>
-            <source>&amp;Redo</source>
-            <translation>重做(&amp;R)</translation>
-        </message>
-        <message>
-            <source>Ctrl+Shift+Z</source>
-            <translation>Ctrl+Shift+Z</translation>
-        </message>
-        <message>
-            <source>Ctrl+Y</source>
-            <translation>Ctrl+Y</translation>
-        </message>
-        <message>
-            <source>&amp;Delete</source>
-            <translation>删除(&amp;D)</translation>
-        </message>
-        <message>
-            <source>D&amp;uplicate</source>
-            <translation>再制(&amp;U)</translation>
-        </message>
-        <message>
-            <source>Ctrl+D</source>
-            <translation>Ctrl+D</translation>
-        </message>
-        <message>
-            <source>Select &amp;All</source>
-            <translation>全选(&amp;A)</translation>
-        </message>
-        <message>
-            <source>D&amp;eselect</source>
-            <translation>取消选择(&amp;E)</translation>
-        </message>
-        <message>
-            <source>Ctrl+Shift+A</source>
-            <translation>Ctrl+Shift+A</translation>
-        </message>
-        <message>
-            <source>Se&amp;ttings…</source>
-            <translation>设置(&amp;T)…</translation>
-        </message>
-        <message>
-            <source>Ctrl+,</source>
-            <translation>Ctrl+,</translation>
-        </message>
-        <message>
-            <source>&amp;Brush</source>
-            <translation>画笔(&amp;B)</translation>
-        </message>
-        <message>
-            <source>Paint strokes</source>
-            <translation>绘制笔画</translation>
-        </message>
-        <message>
-            <source>&amp;Select</source>
-            <translation>选择(&amp;S)</translation>
-        </message>
-        <message>
-            <source>Select and move strokes</source>
-            <translation>选择和移动笔画</translation>
-        </message>
-        <message>
-            <source>Se&amp;gments</source>
-            <translation>线段(&amp;G)</translation>
-        </message>
-        <message>
-            <source>Select segments of strokes</source>
-            <translation>选择笔画的线段</translation>
-        </message>
-        <message>
-            <source>&amp;Hand</source>
-            <translation>抓手(&amp;H)</translation>
-        </message>
-        <message>
-            <source>Move the canvas</source>
-            <translation>移动画布</translation>
-        </message>
-        <message>
-            <source>&amp;Raise</source>
-            <translation>上移一层(&amp;R)</translation>
-        </message>
-        <message>
-            <source>&amp;Lower</source>
-            <translation>下移一层(&amp;L)</translation>
-        </message>
-        <message>
-            <source>Raise to &amp;Top</source>
-            <translation>移到顶层(&amp;T)</translation>
-        </message>
-        <message>
-            <source>Lower to &amp;Bottom</source>
-            <translation>移到底层(&amp;B)</translation>
-        </message>
-        <message>
-            <source>Zoom &amp;In</source>
-            <translation>放大(&amp;I)</translation>
-        </message>
-        <message>
-            <source>Zoom &amp;Out</source>
-            <translation>缩小(&amp;O)</translation>
-        </message>
-        <message>
-            <source>&amp;100 %</source>
-            <translation>&amp;100 %</translation>
-        </message>
-        <message>
-            <source>&amp;Fit the Canvas</source>
-            <translation>适合画布(&amp;F)</translation>
-        </message>
-        <message>
-            <source>Turn &amp;Left</source>
-            <translation>向左旋转(&amp;L)</translation>
-        </message>
-        <message>
-            <source>Turn &amp;Right</source>
-            <translation>向右旋转(&amp;R)</translation>
-        </message>
-        <message>
-            <source>&amp;Upright</source>
-            <translation>恢复正向(&amp;U)</translation>
-        </message>
-        <message>
-            <source>&amp;Mirror</source>
-            <translation>镜像(&amp;M)</translation>
-        </message>
-        <message>
-            <source>&amp;Hide the Docks</source>
-            <translation>隐藏面板(&amp;H)</translation>
-        </message>
-        <message>
-            <source>F&amp;ull Screen</source>
-            <translation>全屏(&amp;U)</translation>
-        </message>
-        <message>
-            <source>&amp;Keyboard Shortcuts…</source>
-            <translation>键盘快捷键(&amp;K)…</translation>
-        </message>
-        <message>
-            <source>&amp;About Suffuse…</source>
-            <translation>关于 Suffuse(&amp;A)…</translation>
-        </message>
-        <message>
-            <source>&amp;File</source>
-            <translation>文件(&amp;F)</translation>
-        </message>
-        <message>
-            <source>Open &amp;Recent</source>
-            <translation>最近打开(&amp;R)</translation>
-        </message>
-        <message>
-            <source>&amp;Edit</source>
-            <translation>编辑(&amp;E)</translation>
-        </message>
-        <message>
-            <source>&amp;View</source>
-            <translation>视图(&amp;V)</translation>
-        </message>
-        <message>
-            <source>&amp;Docks</source>
-            <translation>面板(&amp;D)</translation>
-        </message>
-        <message>
-            <source>&amp;Stroke</source>
-            <translation>笔画(&amp;S)</translation>
-        </message>
-        <message>
-            <source>&amp;Tools</source>
-            <translation>工具(&amp;T)</translation>
-        </message>
-        <message>
-            <source>&amp;Help</source>
-            <translation>帮助(&amp;H)</translation>
-        </message>
-        <message>
-            <source>Tools</source>
-            <translation>工具</translation>
-        </message>
-    </context>
-    <context>
-        <name>suffuse::BrushPanel</name>
-        <message>
-            <source>Brushes</source>
-            <translation>画笔</translation>
-        </message>
-        <message>
-            <source>Choose what to paint with. The colour stays.</source>
-            <translation>选择作画所用的画笔，颜色保持不变。</translation>
-        </message>
-        <message>
-            <source>%1: spread %2 units, dry after %3 s</source>
-            <translation>%1：扩散 %2 单位，%3 秒后干透</translation>
-        </message>
-        <message>
-            <source>Reset brush</source>
-            <translation>重置画笔</translation>
-        </message>
-        <message>
-            <source>Back to the brush as it came</source>
-            <translation>恢复画笔的原始设置</translation>
-        </message>
-        <message>
-            <source>Size</source>
-            <translation>大小</translation>
-        </message>
-        <message>
-            <source>How far the paint spreads, in units; sets the diffusion.</source>
-            <translation>颜料扩散的距离（单位）；由此决定扩散系数。</translation>
-        </message>
-        <message>
-            <source>Flow</source>
-            <translation>流量</translation>
-        </message>
-        <message>
-            <source>Density in the middle of the stroke at full pressure.</source>
-            <translation>全压感时笔画中央的密度。</translation>
-        </message>
-        <message>
-            <source>Opacity</source>
-            <translation>不透明度</translation>
-        </message>
-        <message>
-            <source>How much the paint covers at full density</source>
-            <translation>密度饱和时颜料的覆盖程度</translation>
-        </message>
-        <message>
-            <source>%1 (changed)</source>
-            <translation>%1（已修改）</translation>
-        </message>
-    </context>
-    <context>
-        <name>suffuse::BrushTool</name>
-        <message>
-            <source>Drag to paint; a tap leaves a dot. Esc gives the stroke up.</source>
-            <translation>拖动以绘画，轻点留下一个点。按 Esc 放弃当前笔画。</translation>
-        </message>
-        <message>
-            <source>Brush stroke</source>
-            <translation>画笔笔画</translation>
-        </message>
-    </context>
-    <context>
-        <name>suffuse::CanvasSection</name>
-        <message>
-            <source>Canvas</source>
-            <translation>画布</translation>
-        </message>
-        <message>
-            <source>Background</source>
-            <translation>背景</translation>
-        </message>
-        <message>
-            <source>Background colour. Click: white.</source>
-            <translation>背景颜色。点击恢复白色。</translation>
-        </message>
-        <message>
-            <source>Change background</source>
-            <translation>更改背景</translation>
-        </message>
-        <message>
-            <source>Paper</source>
-            <translation>纸张</translation>
-        </message>
-        <message>
-            <source>Resize canvas</source>
-            <translation>调整画布大小</translation>
-        </message>
-        <message>
-            <source>Width</source>
-            <translation>宽度</translation>
-        </message>
-        <message>
-            <source>Width of the canvas in units; a unit is a pixel at 100 %.</source>
-            <translation>画布宽度（单位）；100 % 时 1 单位即 1 像素。</translation>
-        </message>
-        <message>
-            <source>Height</source>
-            <translation>高度</translation>
-        </message>
-        <message>
-            <source>Height of the canvas in units; a unit is a pixel at 100 %.</source>
-            <translation>画布高度（单位）；100 % 时 1 单位即 1 像素。</translation>
-        </message>
-        <message>
-            <source>Texture</source>
-            <translation>纹理</translation>
-        </message>
-        <message>
-            <source>None</source>
-            <translation>无</translation>
-        </message>
-        <message>
-            <source>Procedural</source>
-            <translation>程序生成</translation>
-        </message>
-        <message>
-            <source>Image…</source>
-            <translation>图像…</translation>
-        </message>
-        <message>
-            <source>The paper's grain, which granulating strokes show.</source>
-            <translation>纸张的颗粒，会在有颗粒效果的笔画中显现。</translation>
-        </message>
-        <message>
-            <source>Choose image…</source>
-            <translation>选择图像…</translation>
-        </message>
-        <message>
-            <source>Take the grain from another picture file.</source>
-            <translation>从另一个图片文件获取颗粒。</translation>
-        </message>
-        <message>
-            <source>Seed</source>
-            <translation>随机种子</translation>
-        </message>
-        <message>
-            <source>Another number gives another grain.</source>
-            <translation>不同的数字产生不同的颗粒。</translation>
-        </message>
-        <message>
-            <source>Change paper</source>
-            <translation>更改纸张</translation>
-        </message>
-        <message>
-            <source>Scale</source>
-            <translation>缩放</translation>
-        </message>
-        <message>
-            <source>Size of the coarsest grain in units, or units per pixel of the image.</source>
-            <translation>最粗颗粒的大小（单位），或图像每像素对应的单位数。</translation>
-        </message>
-        <message>
-            <source>Strength</source>
-            <translation>强度</translation>
-        </message>
-        <message>
-            <source>How deep the grain goes.</source>
-            <translation>颗粒的深浅。</translation>
-        </message>
-        <message>
-            <source>Paper image</source>
-            <translation>纸张图像</translation>
-        </message>
-        <message>
-            <source>Pictures</source>
-            <translation>图片</translation>
-        </message>
-        <message>
-            <source>%1 is larger than 64 MB: choose a smaller picture.</source>
-            <translation>%1 大于 64 MB：请选择较小的图片。</translation>
-        </message>
-        <message>
-            <source>%1 cannot be read: %2.</source>
-            <translation>无法读取 %1：%2。</translation>
-        </message>
-        <message>
-            <source>%1 cannot be used as paper: %2</source>
-            <translation>%1 不能用作纸张：%2</translation>
-        </message>
-    </context>
-    <context>
-        <name>suffuse::CanvasWidget</name>
-        <message>
-            <source>Canvas</source>
-            <translation>画布</translation>
-        </message>
-    </context>
-    <context>
-        <name>suffuse::ColourPanel</name>
-        <message>
-            <source>Current colour</source>
-            <translation>当前颜色</translation>
-        </message>
-        <message>
-            <source>The colour that is painted with</source>
-            <translation>正在使用的颜色</translation>
-        </message>
-        <message>
-            <source>Previous colour</source>
-            <translation>上一个颜色</translation>
-        </message>
-        <message>
-            <source>The colour painted with last. Click: back to it.</source>
-            <translation>上次作画用的颜色。点击返回该颜色。</translation>
-        </message>
-        <message>
-            <source>Recent colour %1</source>
-            <translation>最近颜色 %1</translation>
-        </message>
-        <message>
-            <source>A colour painted with before. Click: take it.</source>
-            <translation>先前用过的颜色。点击选用。</translation>
-        </message>
-        <message>
-            <source>Hex</source>
-            <translation>十六进制</translation>
-        </message>
-        <message>
-            <source>sRGB colour as #rrggbb, or #rgb</source>
-            <translation>sRGB 颜色，写作 #rrggbb 或 #rgb</translation>
-        </message>
-        <message>
-            <source>Apply to selection</source>
-            <translation>应用到所选</translation>
-        </message>
-        <message>
-            <source>Gives the selected segments this colour.</source>
-            <translation>将所选线段设为此颜色。</translation>
-        </message>
-        <message>
-            <source>“%1” is not a colour. Write it as #rrggbb, for example #2f6690.</source>
-            <translation>“%1”不是颜色。请写成 #rrggbb，例如 #2f6690。</translation>
-        </message>
-        <message>
-            <source>Apply colour</source>
-            <translation>应用颜色</translation>
-        </message>
-    </context>
-    <context>
-        <name>suffuse::ColourRows</name>
-        <message>
-            <source>Red</source>
-            <translation>红</translation>
-        </message>
-        <message>
-            <source>Yellow</source>
-            <translation>黄</translation>
-        </message>
-        <message>
-            <source>Blue</source>
-            <translation>蓝</translation>
-        </message>
-        <message>
-            <source>Opacity</source>
-            <translation>不透明度</translation>
-        </message>
-        <message>
-            <source>Share of red pigment</source>
-            <translation>红色颜料的比例</translation>
-        </message>
-        <message>
-            <source>Share of yellow pigment</source>
-            <translation>黄色颜料的比例</translation>
-        </message>
-        <message>
-            <source>Share of blue pigment</source>
-            <translation>蓝色颜料的比例</translation>
-        </message>
-        <message>
-            <source>How much the paint covers at full density</source>
-            <translation>密度饱和时颜料的覆盖程度</translation>
-        </message>
-    </context>
-    <context>
-        <name>suffuse::ColourWheel</name>
-        <message>
-            <source>Colour wheel</source>
-            <translation>色轮</translation>
-        </message>
-        <message>
-            <source>Ring: hue in the order of pigments. Triangle: pure, white and black.
+    </message>
+    <message>
+        <source>Tells what lies at a point of the canvas, stroke by stroke from bottom to top. X and Y are in canvas units.</source>
+        <translation>从下到上逐笔画显示画布上某点处的内容。X 和 Y 以画布单位计。</translation>
+    </message>
+    <message>
+        <source>The moment, in seconds (default: the end).</source>
+        <translation>时刻（秒，默认：结束时）。</translation>
+    </message>
+    <message>
+        <source>%1 %2: give X and Y as numbers, in canvas units</source>
+        <translation>%1 %2：请以画布单位给出数字 X 和 Y</translation>
+    </message>
+    <message>
+        <source>The picture: .png, .tiff, .exr, .jpg, .webp or .pfm.</source>
+        <translation>图片：.png、.tiff、.exr、.jpg、.webp 或 .pfm。</translation>
+    </message>
+    <message>
+        <source>Pixels: WxH, or W alone; scales uniformly.</source>
+        <translation>像素：WxH，或仅 W；等比缩放。</translation>
+    </message>
+    <message>
+        <source>Pixels a canvas unit (default 1).</source>
+        <translation>每画布单位的像素数（默认 1）。</translation>
+    </message>
+    <message>
+        <source>Part of the canvas, in canvas units (default: all of it).</source>
+        <translation>画布的一部分，以画布单位计（默认：全部）。</translation>
+    </message>
+    <message>
+        <source>The moment that is drawn, in seconds (default: the end).</source>
+        <translation>要绘制的时刻（秒，默认：结束时）。</translation>
+    </message>
+    <message>
+        <source>No background: alpha holds the coverage.</source>
+        <translation>无背景：alpha 保存覆盖率。</translation>
+    </message>
+    <message>
+        <source>8, 16, half or float (default: the format&apos;s usual one).</source>
+        <translation>8、16、half 或 float（默认：该格式常用的位深）。</translation>
+    </message>
+    <message>
+        <source>auto, cpu, cuda or reference.</source>
+        <translation>auto、cpu、cuda 或 reference。</translation>
+    </message>
+    <message>
+        <source>Number of threads (default: one a core).</source>
+        <translation>线程数（默认：每核心一个）。</translation>
+    </message>
+    <message>
+        <source>Prints times and counts as JSON.</source>
+        <translation>以 JSON 输出时间和计数。</translation>
+    </message>
+    <message>
+        <source>--depth %1: give 8, 16, half or float</source>
+        <translation>--depth %1：请给出 8、16、half 或 float</translation>
+    </message>
+    <message>
+        <source>Draws a painting or a recording into an image file.</source>
+        <translation>将画作或笔迹记录绘制为图像文件。</translation>
+    </message>
+    <message>
+        <source>-o OUT is missing: name the picture to write</source>
+        <translation>缺少 -o OUT：请指定要写入的图片</translation>
+    </message>
+    <message>
+        <source>%1 and %2: largest difference R %3, G %4, B %5</source>
+        <translation>%1 与 %2：最大差异 R %3，G %4，B %5</translation>
+    </message>
+    <message>
+        <source>  at pixel %1, %2: RGB %3 and %4</source>
+        <translation>  像素 %1, %2 处：RGB %3 与 %4</translation>
+    </message>
+    <message>
+        <source>  %1 of %2 pixels over 1/512</source>
+        <translation>  %2 个像素中有 %1 个超过 1/512</translation>
+    </message>
+    <message>
+        <source>  %1 pixels that are no numbers</source>
+        <translation>  %1 个像素不是数字</translation>
+    </message>
+    <message>
+        <source>%1 and %2: largest difference in 8 bits %3, at pixel %4, %5</source>
+        <translation>%1 与 %2：8 位下最大差异 %3，位于像素 %4, %5</translation>
+    </message>
+    <message>
+        <source>%1, %2 × %3 pixels, at %4 s</source>
+        <translation>%1，%2 × %3 像素，%4 秒</translation>
+    </message>
+    <message>
+        <source>within the contract</source>
+        <translation>符合约定</translation>
+    </message>
+    <message>
+        <source>OVER the contract: 1/512 to the reference, 1 level of 8 bits between backends</source>
+        <translation>超出约定：与参考实现相差 1/512，后端之间相差 8 位的 1 级</translation>
+    </message>
+    <message>
+        <source>Draws a painting on every backend there is and on the reference, and compares the pictures.</source>
+        <translation>用所有可用后端和参考实现绘制画作，并比较图片。</translation>
+    </message>
+    <message>
+        <source>Prints the rows as a JSON array.</source>
+        <translation>以 JSON 数组形式输出各行。</translation>
+    </message>
+    <message>
+        <source>Measures on this document instead of a generated painting of figure 11f&apos;s size.</source>
+        <translation>在此文档上测量，而不是在与图 11f 大小相当的生成画作上测量。</translation>
+    </message>
+    <message>
+        <source>all: every backend that can run here, one after the other.</source>
+        <translation>all：依次测量此处可运行的所有后端。</translation>
+    </message>
+    <message>
+        <source>Numbers of threads; several: full renders with each (default: 1, and one a core).</source>
+        <translation>线程数；给出多个时，每个都完整渲染（默认：1，以及每核一个）。</translation>
+    </message>
+    <message>
+        <source>Pixels: WxH, or W alone (default: 1 px a unit, and full renders at 2.8125 px too).</source>
+        <translation>像素：宽x高，或仅给宽（默认：每单位 1 px，完整渲染另加 2.8125 px）。</translation>
+    </message>
+    <message>
+        <source>Names of rows, with commas between: takes these only.</source>
+        <translation>行的名称，以逗号分隔：只测量这些行。</translation>
+    </message>
+    <message>
+        <source>Runs a row (default: 9).</source>
+        <translation>每行的运行次数（默认：9）。</translation>
+    </message>
+    <message>
+        <source>Full renders of all thirteen sizes of the paper&apos;s Table 2 too.</source>
+        <translation>同时以论文表 2 的全部十三种大小完整渲染。</translation>
+    </message>
+    <message>
+        <source>Range of the generated strokes&apos; spread, in units (default: 6 20).</source>
+        <translation>生成笔画的扩散距离范围，以单位计（默认：6 20）。</translation>
+    </message>
+    <message>
+        <source>Segments of the growth rows (default: 1000,10000,100000).</source>
+        <translation>增长各行的线段数（默认：1000,10000,100000）。</translation>
+    </message>
+    <message>
+        <source>A growth row of 1000000 segments too.</source>
+        <translation>另加一行 1000000 条线段的增长测量。</translation>
+    </message>
+    <message>
+        <source>Width of the generated painting&apos;s canvas (default: 1024).</source>
+        <translation>生成画作的画布宽度（默认：1024）。</translation>
+    </message>
+    <message>
+        <source>Height of the generated painting&apos;s canvas (default: 768).</source>
+        <translation>生成画作的画布高度（默认：768）。</translation>
+    </message>
+    <message>
+        <source>Scale of the generated strokes (default: width / 1024).</source>
+        <translation>生成笔画的比例（默认：宽度 / 1024）。</translation>
+    </message>
+    <message>
+        <source>--%1 %2: give whole numbers from %3 to %4</source>
+        <translation>--%1 %2：请给出 %3 到 %4 之间的整数</translation>
+    </message>
+    <message>
+        <source>--%1 %2: give a number above 0, at most %3</source>
+        <translation>--%1 %2：请给出大于 0 且不超过 %3 的数</translation>
+    </message>
+    <message>
+        <source>--spread %1: give two numbers, e.g. --spread 6 20</source>
+        <translation>--spread %1：请给出两个数，例如 --spread 6 20</translation>
+    </message>
+    <message>
+        <source>--devices %1: give all, or leave it out</source>
+        <translation>--devices %1：请给出 all，或省略此选项</translation>
+    </message>
+    <message>
+        <source>--only %1: the rows are %2</source>
+        <translation>--only %1：可用的行有 %2</translation>
+    </message>
+    <message>
+        <source>Measures how fast this machine draws: the figures of docs/performance.md.</source>
+        <translation>测量本机的绘制速度：即 docs/performance.md 中的数据。</translation>
+    </message>
+    <message>
+        <source>measure how fast this machine draws</source>
+        <translation>测量本机的绘制速度</translation>
+    </message>
+</context>
+<context>
+    <name>Commands</name>
+    <message>
+        <source>Delete segments</source>
+        <translation>删除线段</translation>
+    </message>
+    <message>
+        <source>Delete strokes</source>
+        <translation>删除笔画</translation>
+    </message>
+    <message>
+        <source>Duplicate</source>
+        <translation>再制</translation>
+    </message>
+    <message>
+        <source>Raise</source>
+        <translation>上移一层</translation>
+    </message>
+    <message>
+        <source>Lower</source>
+        <translation>下移一层</translation>
+    </message>
+    <message>
+        <source>Raise to top</source>
+        <translation>移到顶层</translation>
+    </message>
+    <message>
+        <source>Lower to bottom</source>
+        <translation>移到底层</translation>
+    </message>
+    <message>
+        <source>Move</source>
+        <translation>移动</translation>
+    </message>
+</context>
+<context>
+    <name>FileReplacement</name>
+    <message>
+        <source>%1: cannot be written (%2). Choose another folder, or change its permissions.</source>
+        <translation>%1：无法写入（%2）。请选择其他文件夹，或更改其权限。</translation>
+    </message>
+    <message>
+        <source>%1: the disk is full (%2). Free some space, or choose another disk.</source>
+        <translation>%1：磁盘已满（%2）。请释放空间或选择其他磁盘。</translation>
+    </message>
+    <message>
+        <source>%1: writing failed (%2). Choose another place.</source>
+        <translation>%1：写入失败（%2）。请选择其他位置。</translation>
+    </message>
+    <message>
+        <source>%1: is a folder. Give a file name.</source>
+        <translation>%1：是文件夹。请给出文件名。</translation>
+    </message>
+    <message>
+        <source>%1: is not a plain file. Choose another name.</source>
+        <translation>%1：不是普通文件。请选择其他名称。</translation>
+    </message>
+    <message>
+        <source>%1: the folder %2 does not exist. Create it, or choose another.</source>
+        <translation>%1：文件夹 %2 不存在。请创建它或选择其他文件夹。</translation>
+    </message>
+</context>
+<context>
+    <name>ImageFormat</name>
+    <message>
+        <source>This is no image format that can be written. Use one of these endings: %1.</source>
+        <translation>这不是可写入的图像格式。请使用以下扩展名之一：%1。</translation>
+    </message>
+    <message>
+        <source>%1 cannot hold depth %2. Choose %3, or another format.</source>
+        <translation>%1 不支持位深 %2。请选择 %3 或其他格式。</translation>
+    </message>
+    <message>
+        <source>%1 cannot hold transparency. Use PNG, TIFF, EXR or WebP, or export with the background.</source>
+        <translation>%1 不支持透明度。请使用 PNG、TIFF、EXR 或 WebP，或连同背景一起导出。</translation>
+    </message>
+    <message>
+        <source>%1 holds 1 to %2 pixels a side, not %3 × %4. Choose another size or format.</source>
+        <translation>%1 每边支持 1 到 %2 像素，而不是 %3 × %4。请选择其他尺寸或格式。</translation>
+    </message>
+</context>
+<context>
+    <name>ImageModule</name>
+    <message>
+        <source>the image module %1 %2; install or build Suffuse again (target suffuse_image_io). Pictures ending in .pfm work without it</source>
+        <translation>图像模块 %1 %2；请重新安装或构建 Suffuse（目标 suffuse_image_io）。扩展名为 .pfm 的图片无需该模块</translation>
+    </message>
+    <message>
+        <source>is missing</source>
+        <translation>缺失</translation>
+    </message>
+    <message>
+        <source>cannot be loaded (%1)</source>
+        <translation>无法加载（%1）</translation>
+    </message>
+    <message>
+        <source>is of another version of Suffuse</source>
+        <translation>属于另一版本的 Suffuse</translation>
+    </message>
+</context>
+<context>
+    <name>ImageReader</name>
+    <message>
+        <source>%1: the image declares more than %2 × %2 or %3 million pixels. Scale it down first.</source>
+        <translation>%1：图像声明的尺寸超过 %2 × %2 或 %3 百万像素。请先缩小。</translation>
+    </message>
+    <message>
+        <source>%1: is not a PNG, JPEG, TIFF, EXR or WebP image. Convert it to one of them.</source>
+        <translation>%1：不是 PNG、JPEG、TIFF、EXR 或 WebP 图像。请转换为其中之一。</translation>
+    </message>
+    <message>
+        <source>%1: cannot read %2: %3.</source>
+        <translation>%1：无法读取 %2：%3。</translation>
+    </message>
+    <message>
+        <source>%1: the %2 image cannot be read (%3). It may be damaged, or too large (at most %4 pixels a side, %5 million in all).</source>
+        <translation>%1：无法读取 %2 图像（%3）。它可能已损坏或过大（每边最多 %4 像素，总计 %5 百万）。</translation>
+    </message>
+</context>
+<context>
+    <name>ImageWriter</name>
+    <message>
+        <source>%1: cannot write %2: %3.</source>
+        <translation>%1：无法写入 %2：%3。</translation>
+    </message>
+    <message>
+        <source>%1: writing was cancelled; nothing was changed.</source>
+        <translation>%1：写入已取消；未做任何更改。</translation>
+    </message>
+    <message>
+        <source>%1: %2 could not be written (%3). Choose another format or depth.</source>
+        <translation>%1：未能写入 %2（%3）。请选择其他格式或位深。</translation>
+    </message>
+</context>
+<context>
+    <name>Messages</name>
+    <message>
+        <source>Save the changes to “%1” before closing?</source>
+        <translation>关闭前要保存对“%1”的更改吗？</translation>
+    </message>
+    <message>
+        <source>Without saving, what was painted since the last save is lost.</source>
+        <translation>若不保存，上次保存后所画的内容将丢失。</translation>
+    </message>
+</context>
+<context>
+    <name>Paper</name>
+    <message>
+        <source>paper image</source>
+        <translation>纸张图像</translation>
+    </message>
+    <message>
+        <source>paper image: there is none. Choose an image, or another kind of paper.</source>
+        <translation>纸张图像：没有图像。请选择图像或另一种纸张。</translation>
+    </message>
+</context>
+<context>
+    <name>ReferenceRenderer</name>
+    <message>
+        <source>%1 threads · double</source>
+        <translation>%1 个线程 · 双精度</translation>
+    </message>
+</context>
+<context>
+    <name>Renderer</name>
+    <message numerus="yes">
+        <source>%n threads</source>
+        <translation>
+            <numerusform>%n 个线程</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>this program was built without the CUDA renderer</source>
+        <translation>此程序构建时未包含 CUDA 渲染器</translation>
+    </message>
+    <message>
+        <source>The CUDA backend cannot run: %1. Use the CPU backend.</source>
+        <translation>CUDA 后端无法运行：%1。请使用 CPU 后端。</translation>
+    </message>
+</context>
+<context>
+    <name>Validate</name>
+    <message>
+        <source>it is earlier than the one before it; put them in order of time</source>
+        <translation>它早于前一个；请按时间顺序排列</translation>
+    </message>
+    <message>
+        <source>another group has the same id</source>
+        <translation>另一个组有相同的 id</translation>
+    </message>
+    <message>
+        <source>there is no group with this id</source>
+        <translation>没有此 id 的组</translation>
+    </message>
+    <message>
+        <source>the group would lie within itself</source>
+        <translation>组将包含其自身</translation>
+    </message>
+    <message>
+        <source>the group&apos;s members do not stand together in the order</source>
+        <translation>组的成员在顺序中不相邻</translation>
+    </message>
+    <message>
+        <source>there is no such style</source>
+        <translation>没有此样式</translation>
+    </message>
+    <message>
+        <source>only edge darkening has a third value</source>
+        <translation>只有深色边缘有第三个值</translation>
+    </message>
+    <message>
+        <source>there is no such mixing mode</source>
+        <translation>没有此混合模式</translation>
+    </message>
+    <message>
+        <source>only beta mixing has a beta</source>
+        <translation>只有 beta 混合有 beta 值</translation>
+    </message>
+    <message>
+        <source>there is no such kind of node</source>
+        <translation>没有此类型的节点</translation>
+    </message>
+    <message>
+        <source>a stroke needs at least one</source>
+        <translation>一条笔画至少需要一条</translation>
+    </message>
+    <message>
+        <source>the segment does not start where the one before it ends</source>
+        <translation>线段的起点不在前一段的终点</translation>
+    </message>
+    <message>
+        <source>there is no such kind of paper</source>
+        <translation>没有此类型的纸张</translation>
+    </message>
+    <message>
+        <source>the paper&apos;s image is missing</source>
+        <translation>缺少纸张图像</translation>
+    </message>
+    <message>
+        <source>the stroke is missing</source>
+        <translation>缺少笔画</translation>
+    </message>
+    <message>
+        <source>another stroke has the same id</source>
+        <translation>另一条笔画有相同的 id</translation>
+    </message>
+</context>
+<context>
+    <name>compare</name>
+    <message>
+        <source>The pictures differ in size (%1 × %2 and %3 × %4): render both at one size.</source>
+        <translation>图片尺寸不同（%1 × %2 与 %3 × %4）：请以相同尺寸渲染。</translation>
+    </message>
+</context>
+<context>
+    <name>suffuse::AboutDialog</name>
+    <message>
+        <source>About Suffuse</source>
+        <translation>关于 Suffuse</translation>
+    </message>
+    <message>
+        <source>Icon of Suffuse</source>
+        <translation>Suffuse 图标</translation>
+    </message>
+    <message>
+        <source>Suffuse %1</source>
+        <translation>Suffuse %1</translation>
+    </message>
+    <message>
+        <source>Paints with strokes that really diffuse, and stay editable.</source>
+        <translation>用真正会扩散、且始终可编辑的笔画作画。</translation>
+    </message>
+    <message>
+        <source>Free software under the Apache License 2.0.</source>
+        <translation>基于 Apache 许可证 2.0 的自由软件。</translation>
+    </message>
+</context>
+<context>
+    <name>suffuse::Actions</name>
+    <message>
+        <source>&amp;New…</source>
+        <translation>新建(&amp;N)…</translation>
+    </message>
+    <message>
+        <source>&amp;Open…</source>
+        <translation>打开(&amp;O)…</translation>
+    </message>
+    <message>
+        <source>&amp;Save</source>
+        <translation>保存(&amp;S)</translation>
+    </message>
+    <message>
+        <source>Save &amp;As…</source>
+        <translation>另存为(&amp;A)…</translation>
+    </message>
+    <message>
+        <source>Ctrl+Shift+S</source>
+        <translation>Ctrl+Shift+S</translation>
+    </message>
+    <message>
+        <source>&amp;Export…</source>
+        <translation>导出(&amp;E)…</translation>
+    </message>
+    <message>
+        <source>Ctrl+Shift+E</source>
+        <translation>Ctrl+Shift+E</translation>
+    </message>
+    <message>
+        <source>&amp;Close Window</source>
+        <translation>关闭窗口(&amp;C)</translation>
+    </message>
+    <message>
+        <source>&amp;Quit</source>
+        <translation>退出(&amp;Q)</translation>
+    </message>
+    <message>
+        <source>Ctrl+Q</source>
+        <translation>Ctrl+Q</translation>
+    </message>
+    <message>
+        <source>&amp;Undo</source>
+        <translation>撤销(&amp;U)</translation>
+    </message>
+    <message>
+        <source>&amp;Redo</source>
+        <translation>重做(&amp;R)</translation>
+    </message>
+    <message>
+        <source>Ctrl+Shift+Z</source>
+        <translation>Ctrl+Shift+Z</translation>
+    </message>
+    <message>
+        <source>Ctrl+Y</source>
+        <translation>Ctrl+Y</translation>
+    </message>
+    <message>
+        <source>&amp;Delete</source>
+        <translation>删除(&amp;D)</translation>
+    </message>
+    <message>
+        <source>D&amp;uplicate</source>
+        <translation>再制(&amp;U)</translation>
+    </message>
+    <message>
+        <source>Ctrl+D</source>
+        <translation>Ctrl+D</translation>
+    </message>
+    <message>
+        <source>Select &amp;All</source>
+        <translation>全选(&amp;A)</translation>
+    </message>
+    <message>
+        <source>D&amp;eselect</source>
+        <translation>取消选择(&amp;E)</translation>
+    </message>
+    <message>
+        <source>Ctrl+Shift+A</source>
+        <translation>Ctrl+Shift+A</translation>
+    </message>
+    <message>
+        <source>Se&amp;ttings…</source>
+        <translation>设置(&amp;T)…</translation>
+    </message>
+    <message>
+        <source>Ctrl+,</source>
+        <translation>Ctrl+,</translation>
+    </message>
+    <message>
+        <source>&amp;Brush</source>
+        <translation>画笔(&amp;B)</translation>
+    </message>
+    <message>
+        <source>Paint strokes</source>
+        <translation>绘制笔画</translation>
+    </message>
+    <message>
+        <source>&amp;Select</source>
+        <translation>选择(&amp;S)</translation>
+    </message>
+    <message>
+        <source>Select and move strokes</source>
+        <translation>选择和移动笔画</translation>
+    </message>
+    <message>
+        <source>Se&amp;gments</source>
+        <translation>线段(&amp;G)</translation>
+    </message>
+    <message>
+        <source>Select segments of strokes</source>
+        <translation>选择笔画的线段</translation>
+    </message>
+    <message>
+        <source>&amp;Hand</source>
+        <translation>抓手(&amp;H)</translation>
+    </message>
+    <message>
+        <source>Move the canvas</source>
+        <translation>移动画布</translation>
+    </message>
+    <message>
+        <source>&amp;Raise</source>
+        <translation>上移一层(&amp;R)</translation>
+    </message>
+    <message>
+        <source>&amp;Lower</source>
+        <translation>下移一层(&amp;L)</translation>
+    </message>
+    <message>
+        <source>Raise to &amp;Top</source>
+        <translation>移到顶层(&amp;T)</translation>
+    </message>
+    <message>
+        <source>Lower to &amp;Bottom</source>
+        <translation>移到底层(&amp;B)</translation>
+    </message>
+    <message>
+        <source>Zoom &amp;In</source>
+        <translation>放大(&amp;I)</translation>
+    </message>
+    <message>
+        <source>Zoom &amp;Out</source>
+        <translation>缩小(&amp;O)</translation>
+    </message>
+    <message>
+        <source>&amp;100 %</source>
+        <translation>&amp;100 %</translation>
+    </message>
+    <message>
+        <source>&amp;Fit the Canvas</source>
+        <translation>适合画布(&amp;F)</translation>
+    </message>
+    <message>
+        <source>Turn &amp;Left</source>
+        <translation>向左旋转(&amp;L)</translation>
+    </message>
+    <message>
+        <source>Turn &amp;Right</source>
+        <translation>向右旋转(&amp;R)</translation>
+    </message>
+    <message>
+        <source>&amp;Upright</source>
+        <translation>恢复正向(&amp;U)</translation>
+    </message>
+    <message>
+        <source>&amp;Mirror</source>
+        <translation>镜像(&amp;M)</translation>
+    </message>
+    <message>
+        <source>&amp;Hide the Docks</source>
+        <translation>隐藏面板(&amp;H)</translation>
+    </message>
+    <message>
+        <source>F&amp;ull Screen</source>
+        <translation>全屏(&amp;U)</translation>
+    </message>
+    <message>
+        <source>&amp;Keyboard Shortcuts…</source>
+        <translation>键盘快捷键(&amp;K)…</translation>
+    </message>
+    <message>
+        <source>&amp;About Suffuse…</source>
+        <translation>关于 Suffuse(&amp;A)…</translation>
+    </message>
+    <message>
+        <source>&amp;File</source>
+        <translation>文件(&amp;F)</translation>
+    </message>
+    <message>
+        <source>Open &amp;Recent</source>
+        <translation>最近打开(&amp;R)</translation>
+    </message>
+    <message>
+        <source>&amp;Edit</source>
+        <translation>编辑(&amp;E)</translation>
+    </message>
+    <message>
+        <source>&amp;View</source>
+        <translation>视图(&amp;V)</translation>
+    </message>
+    <message>
+        <source>&amp;Docks</source>
+        <translation>面板(&amp;D)</translation>
+    </message>
+    <message>
+        <source>&amp;Stroke</source>
+        <translation>笔画(&amp;S)</translation>
+    </message>
+    <message>
+        <source>&amp;Tools</source>
+        <translation>工具(&amp;T)</translation>
+    </message>
+    <message>
+        <source>&amp;Help</source>
+        <translation>帮助(&amp;H)</translation>
+    </message>
+    <message>
+        <source>Tools</source>
+        <translation>工具</translation>
+    </message>
+</context>
+<context>
+    <name>suffuse::BrushPanel</name>
+    <message>
+        <source>Brushes</source>
+        <translation>画笔</translation>
+    </message>
+    <message>
+        <source>Choose what to paint with. The colour stays.</source>
+        <translation>选择作画所用的画笔，颜色保持不变。</translation>
+    </message>
+    <message>
+        <source>%1: spread %2 units, dry after %3 s</source>
+        <translation>%1：扩散 %2 单位，%3 秒后干透</translation>
+    </message>
+    <message>
+        <source>Reset brush</source>
+        <translation>重置画笔</translation>
+    </message>
+    <message>
+        <source>Back to the brush as it came</source>
+        <translation>恢复画笔的原始设置</translation>
+    </message>
+    <message>
+        <source>Size</source>
+        <translation>大小</translation>
+    </message>
+    <message>
+        <source>How far the paint spreads, in units; sets the diffusion.</source>
+        <translation>颜料扩散的距离（单位）；由此决定扩散系数。</translation>
+    </message>
+    <message>
+        <source>Flow</source>
+        <translation>流量</translation>
+    </message>
+    <message>
+        <source>Density in the middle of the stroke at full pressure.</source>
+        <translation>全压感时笔画中央的密度。</translation>
+    </message>
+    <message>
+        <source>Opacity</source>
+        <translation>不透明度</translation>
+    </message>
+    <message>
+        <source>How much the paint covers at full density</source>
+        <translation>密度饱和时颜料的覆盖程度</translation>
+    </message>
+    <message>
+        <source>%1 (changed)</source>
+        <translation>%1（已修改）</translation>
+    </message>
+</context>
+<context>
+    <name>suffuse::BrushTool</name>
+    <message>
+        <source>Drag to paint; a tap leaves a dot. Esc gives the stroke up.</source>
+        <translation>拖动以绘画，轻点留下一个点。按 Esc 放弃当前笔画。</translation>
+    </message>
+    <message>
+        <source>Brush stroke</source>
+        <translation>画笔笔画</translation>
+    </message>
+</context>
+<context>
+    <name>suffuse::CanvasSection</name>
+    <message>
+        <source>Canvas</source>
+        <translation>画布</translation>
+    </message>
+    <message>
+        <source>Background</source>
+        <translation>背景</translation>
+    </message>
+    <message>
+        <source>Background colour. Click: white.</source>
+        <translation>背景颜色。点击恢复白色。</translation>
+    </message>
+    <message>
+        <source>Change background</source>
+        <translation>更改背景</translation>
+    </message>
+    <message>
+        <source>Paper</source>
+        <translation>纸张</translation>
+    </message>
+    <message>
+        <source>Resize canvas</source>
+        <translation>调整画布大小</translation>
+    </message>
+    <message>
+        <source>Width</source>
+        <translation>宽度</translation>
+    </message>
+    <message>
+        <source>Width of the canvas in units; a unit is a pixel at 100 %.</source>
+        <translation>画布宽度（单位）；100 % 时 1 单位即 1 像素。</translation>
+    </message>
+    <message>
+        <source>Height</source>
+        <translation>高度</translation>
+    </message>
+    <message>
+        <source>Height of the canvas in units; a unit is a pixel at 100 %.</source>
+        <translation>画布高度（单位）；100 % 时 1 单位即 1 像素。</translation>
+    </message>
+    <message>
+        <source>Texture</source>
+        <translation>纹理</translation>
+    </message>
+    <message>
+        <source>None</source>
+        <translation>无</translation>
+    </message>
+    <message>
+        <source>Procedural</source>
+        <translation>程序生成</translation>
+    </message>
+    <message>
+        <source>Image…</source>
+        <translation>图像…</translation>
+    </message>
+    <message>
+        <source>The paper&apos;s grain, which granulating strokes show.</source>
+        <translation>纸张的颗粒，会在有颗粒效果的笔画中显现。</translation>
+    </message>
+    <message>
+        <source>Choose image…</source>
+        <translation>选择图像…</translation>
+    </message>
+    <message>
+        <source>Take the grain from another picture file.</source>
+        <translation>从另一个图片文件获取颗粒。</translation>
+    </message>
+    <message>
+        <source>Seed</source>
+        <translation>随机种子</translation>
+    </message>
+    <message>
+        <source>Another number gives another grain.</source>
+        <translation>不同的数字产生不同的颗粒。</translation>
+    </message>
+    <message>
+        <source>Change paper</source>
+        <translation>更改纸张</translation>
+    </message>
+    <message>
+        <source>Scale</source>
+        <translation>缩放</translation>
+    </message>
+    <message>
+        <source>Size of the coarsest grain in units, or units per pixel of the image.</source>
+        <translation>最粗颗粒的大小（单位），或图像每像素对应的单位数。</translation>
+    </message>
+    <message>
+        <source>Strength</source>
+        <translation>强度</translation>
+    </message>
+    <message>
+        <source>How deep the grain goes.</source>
+        <translation>颗粒的深浅。</translation>
+    </message>
+    <message>
+        <source>Paper image</source>
+        <translation>纸张图像</translation>
+    </message>
+    <message>
+        <source>Pictures</source>
+        <translation>图片</translation>
+    </message>
+    <message>
+        <source>%1 is larger than 64 MB: choose a smaller picture.</source>
+        <translation>%1 大于 64 MB：请选择较小的图片。</translation>
+    </message>
+    <message>
+        <source>%1 cannot be read: %2.</source>
+        <translation>无法读取 %1：%2。</translation>
+    </message>
+    <message>
+        <source>%1 cannot be used as paper: %2</source>
+        <translation>%1 不能用作纸张：%2</translation>
+    </message>
+</context>
+<context>
+    <name>suffuse::CanvasWidget</name>
+    <message>
+        <source>Canvas</source>
+        <translation>画布</translation>
+    </message>
+</context>
+<context>
+    <name>suffuse::ColourPanel</name>
+    <message>
+        <source>Current colour</source>
+        <translation>当前颜色</translation>
+    </message>
+    <message>
+        <source>The colour that is painted with</source>
+        <translation>正在使用的颜色</translation>
+    </message>
+    <message>
+        <source>Previous colour</source>
+        <translation>上一个颜色</translation>
+    </message>
+    <message>
+        <source>The colour painted with last. Click: back to it.</source>
+        <translation>上次作画用的颜色。点击返回该颜色。</translation>
+    </message>
+    <message>
+        <source>Recent colour %1</source>
+        <translation>最近颜色 %1</translation>
+    </message>
+    <message>
+        <source>A colour painted with before. Click: take it.</source>
+        <translation>先前用过的颜色。点击选用。</translation>
+    </message>
+    <message>
+        <source>Hex</source>
+        <translation>十六进制</translation>
+    </message>
+    <message>
+        <source>sRGB colour as #rrggbb, or #rgb</source>
+        <translation>sRGB 颜色，写作 #rrggbb 或 #rgb</translation>
+    </message>
+    <message>
+        <source>Apply to selection</source>
+        <translation>应用到所选</translation>
+    </message>
+    <message>
+        <source>Gives the selected segments this colour.</source>
+        <translation>将所选线段设为此颜色。</translation>
+    </message>
+    <message>
+        <source>“%1” is not a colour. Write it as #rrggbb, for example #2f6690.</source>
+        <translation>“%1”不是颜色。请写成 #rrggbb，例如 #2f6690。</translation>
+    </message>
+    <message>
+        <source>Apply colour</source>
+        <translation>应用颜色</translation>
+    </message>
+</context>
+<context>
+    <name>suffuse::ColourRows</name>
+    <message>
+        <source>Red</source>
+        <translation>红</translation>
+    </message>
+    <message>
+        <source>Yellow</source>
+        <translation>黄</translation>
+    </message>
+    <message>
+        <source>Blue</source>
+        <translation>蓝</translation>
+    </message>
+    <message>
+        <source>Opacity</source>
+        <translation>不透明度</translation>
+    </message>
+    <message>
+        <source>Share of red pigment</source>
+        <translation>红色颜料的比例</translation>
+    </message>
+    <message>
+        <source>Share of yellow pigment</source>
+        <translation>黄色颜料的比例</translation>
+    </message>
+    <message>
+        <source>Share of blue pigment</source>
+        <translation>蓝色颜料的比例</translation>
+    </message>
+    <message>
+        <source>How much the paint covers at full density</source>
+        <translation>密度饱和时颜料的覆盖程度</translation>
+    </message>
+</context>
+<context>
+    <name>suffuse::ColourWheel</name>
+    <message>
+        <source>Colour wheel</source>
+        <translation>色轮</translation>
+    </message>
+    <message>
+        <source>Ring: hue in the order of pigments. Triangle: pure, white and black.
 Arrow keys work too.</source>
-            <translation>圆环：按颜料顺序排列的色相。三角形：纯色、白与黑。
+        <translation>圆环：按颜料顺序排列的色相。三角形：纯色、白与黑。
 也可使用方向键。</translation>
-        </message>
-    </context>
-    <context>
-        <name>suffuse::DensityPlot</name>
-        <message>
-            <source>Coverage at the peak density %1: %2 %</source>
-            <translation>峰值密度 %1 处的覆盖率：%2 %</translation>
-        </message>
-        <message>
-            <source>density φ — first of several styles</source>
-            <translation>密度 φ — 多种样式中的第一种</translation>
-        </message>
-        <message>
-            <source>density φ</source>
-            <translation>密度 φ</translation>
-        </message>
-        <message>
-            <source>F(φ), peak %1</source>
-            <translation>F(φ)，峰值 %1</translation>
-        </message>
-    </context>
-    <context>
-        <name>suffuse::Editor</name>
-        <message>
-            <source>Untitled</source>
-            <translation>未命名</translation>
-        </message>
-    </context>
-    <context>
-        <name>suffuse::ExportDialog</name>
-        <message>
-            <source>8 bit</source>
-            <translation>8 位</translation>
-        </message>
-        <message>
-            <source>16 bit</source>
-            <translation>16 位</translation>
-        </message>
-        <message>
-            <source>16 bit floating point</source>
-            <translation>16 位浮点</translation>
-        </message>
-        <message>
-            <source>32 bit floating point</source>
-            <translation>32 位浮点</translation>
-        </message>
-        <message>
-            <source>Export picture</source>
-            <translation>导出图片</translation>
-        </message>
-        <message>
-            <source>Progress</source>
-            <translation>进度</translation>
-        </message>
-        <message>
-            <source>Export</source>
-            <translation>导出</translation>
-        </message>
-        <message>
-            <source>File</source>
-            <translation>文件</translation>
-        </message>
-        <message>
-            <source>The ending chooses the format: png, tiff, exr, jpg, webp or pfm.</source>
-            <translation>扩展名决定格式：png、tiff、exr、jpg、webp 或 pfm。</translation>
-        </message>
-        <message>
-            <source>Browse…</source>
-            <translation>浏览…</translation>
-        </message>
-        <message>
-            <source>Choose a folder and a name</source>
-            <translation>选择文件夹和文件名</translation>
-        </message>
-        <message>
-            <source>All dried</source>
-            <translation>全部干透</translation>
-        </message>
-        <message>
-            <source>As it looks now</source>
-            <translation>当前所见</translation>
-        </message>
-        <message>
-            <source>Moment</source>
-            <translation>时刻</translation>
-        </message>
-        <message>
-            <source>The finished painting, or the moment that the canvas shows.</source>
-            <translation>完成的画作，或画布当前显示的时刻。</translation>
-        </message>
-        <message>
-            <source>Depth</source>
-            <translation>位深</translation>
-        </message>
-        <message>
-            <source>Precision of each colour channel</source>
-            <translation>每个颜色通道的精度</translation>
-        </message>
-        <message>
-            <source>Quality</source>
-            <translation>质量</translation>
-        </message>
-        <message>
-            <source>Of JPEG and WebP; 100 is the best. WebP loses nothing then.</source>
-            <translation>用于 JPEG 和 WebP；100 为最佳，此时 WebP 无损。</translation>
-        </message>
-        <message>
-            <source>Transparent background</source>
-            <translation>透明背景</translation>
-        </message>
-        <message>
-            <source>Leaves the background out and stores how much the paint covers.</source>
-            <translation>去掉背景，并保存颜料的覆盖程度。</translation>
-        </message>
-        <message>
-            <source>Size</source>
-            <translation>大小</translation>
-        </message>
-        <message>
-            <source> px</source>
-            <translation> 像素</translation>
-        </message>
-        <message>
-            <source>Width in pixels</source>
-            <translation>宽度（像素）</translation>
-        </message>
-        <message>
-            <source>Width in pixels; the height follows.</source>
-            <translation>宽度（像素）；高度随之变化。</translation>
-        </message>
-        <message>
-            <source>Height in pixels</source>
-            <translation>高度（像素）</translation>
-        </message>
-        <message>
-            <source>Height in pixels; the width follows.</source>
-            <translation>高度（像素）；宽度随之变化。</translation>
-        </message>
-        <message>
-            <source>painting</source>
-            <translation>画作</translation>
-        </message>
-        <message>
-            <source>Pictures</source>
-            <translation>图片</translation>
-        </message>
-        <message>
-            <source>“%1” has no ending of a picture format. Choose one of: %2.</source>
-            <translation>“%1”没有图片格式的扩展名。请选择其一：%2。</translation>
-        </message>
-        <message>
-            <source>A picture of %1 × %2 pixels is too large. Choose a smaller size.</source>
-            <translation>%1 × %2 像素的图片太大。请选择较小的尺寸。</translation>
-        </message>
-        <message>
-            <source>%1 exists. Replace it?</source>
-            <translation>%1 已存在。要替换吗？</translation>
-        </message>
-    </context>
-    <context>
-        <name>suffuse::Files</name>
-        <message>
-            <source>is a folder; give a file name inside it</source>
-            <translation>是文件夹；请给出其中的文件名</translation>
-        </message>
-        <message>
-            <source>is a device or a pipe, not a file; save to a file</source>
-            <translation>是设备或管道而不是文件；请保存到文件</translation>
-        </message>
-        <message>
-            <source>the folder %1 does not exist; create it or choose another one</source>
-            <translation>文件夹 %1 不存在；请创建它或选择其他文件夹</translation>
-        </message>
-        <message>
-            <source>%1 is not a folder; choose another place</source>
-            <translation>%1 不是文件夹；请选择其他位置</translation>
-        </message>
-        <message>
-            <source>the folder %1 is read-only; choose another one or change its permissions</source>
-            <translation>文件夹 %1 为只读；请选择其他文件夹或更改其权限</translation>
-        </message>
-        <message>
-            <source>The file has no name; choose one</source>
-            <translation>文件没有名称；请指定一个</translation>
-        </message>
-        <message>
-            <source>would have more than 2 GB; nothing was written</source>
-            <translation>将超过 2 GB；未写入任何内容</translation>
-        </message>
-        <message>
-            <source>%1 (%2); the old file, if there was one, is as before. Free some space or choose another place</source>
-            <translation>%1（%2）；原有文件（如有）保持不变。请释放空间或选择其他位置</translation>
-        </message>
-        <message>
-            <source>cannot be written</source>
-            <translation>无法写入</translation>
-        </message>
-        <message>
-            <source>could not be written in full</source>
-            <translation>未能完整写入</translation>
-        </message>
-        <message>
-            <source>could not be put in place</source>
-            <translation>未能放到目标位置</translation>
-        </message>
-        <message>
-            <source>was written, but the folder could not be brought to the disk (%1); save once more before you switch off</source>
-            <translation>已写入，但文件夹未能同步到磁盘（%1）；关机前请再保存一次</translation>
-        </message>
-        <message>
-            <source>the image has %1 MB; at most 64 MB are possible, make it smaller</source>
-            <translation>图像有 %1 MB；最多 64 MB，请缩小</translation>
-        </message>
-        <message>
-            <source>is not a PNG, JPEG, TIFF, WebP or EXR image; convert it to one of them</source>
-            <translation>不是 PNG、JPEG、TIFF、WebP 或 EXR 图像；请转换为其中之一</translation>
-        </message>
-        <message>
-            <source>is empty; give a data: URL or the path of an image file</source>
-            <translation>为空；请给出 data: URL 或图像文件的路径</translation>
-        </message>
-        <message>
-            <source>the image file %1 is missing; put it there or correct the path</source>
-            <translation>图像文件 %1 不存在；请放到该处或更正路径</translation>
-        </message>
-        <message>
-            <source>%1 is not a file</source>
-            <translation>%1 不是文件</translation>
-        </message>
-        <message>
-            <source>the image file %1 has %2 MB; at most 64 MB are possible</source>
-            <translation>图像文件 %1 有 %2 MB；最多 64 MB</translation>
-        </message>
-        <message>
-            <source>the image file %1 cannot be read: %2</source>
-            <translation>无法读取图像文件 %1：%2</translation>
-        </message>
-        <message>
-            <source>is not a data:…;base64,… URL</source>
-            <translation>不是 data:…;base64,… URL</translation>
-        </message>
-        <message>
-            <source>the image is too large; at most 64 MB are possible</source>
-            <translation>图像太大；最多 64 MB</translation>
-        </message>
-        <message>
-            <source>the base64 data of the image are damaged</source>
-            <translation>图像的 base64 数据已损坏</translation>
-        </message>
-        <message>
-            <source>Suffuse reads .suffuse, its text form (.json), ink as CSV, Universal Ink JSON, Excalidraw and MyPaint events</source>
-            <translation>Suffuse 可读取 .suffuse、其文本形式 (.json)、CSV 笔迹、Universal Ink JSON、Excalidraw 和 MyPaint 事件</translation>
-        </message>
-        <message>
-            <source>is UTF-16 text; save it as UTF-8</source>
-            <translation>是 UTF-16 文本；请保存为 UTF-8</translation>
-        </message>
-        <message>
-            <source>is a picture, not a painting; %1</source>
-            <translation>是图片而不是画作；%1</translation>
-        </message>
-        <message>
-            <source>is not a painting nor a recording; %1</source>
-            <translation>既不是画作也不是笔迹记录；%1</translation>
-        </message>
-        <message>
-            <source>has more than 2 GB; that is more than can be opened</source>
-            <translation>超过 2 GB，无法打开</translation>
-        </message>
-        <message>
-            <source>could not be read: %1</source>
-            <translation>无法读取：%1</translation>
-        </message>
-        <message>
-            <source>Suffuse painting</source>
-            <translation>Suffuse 画作</translation>
-        </message>
-        <message>
-            <source>Suffuse text form</source>
-            <translation>Suffuse 文本形式</translation>
-        </message>
-        <message>
-            <source>Ink recording (CSV)</source>
-            <translation>笔迹记录 (CSV)</translation>
-        </message>
-        <message>
-            <source>Universal Ink (JSON)</source>
-            <translation>Universal Ink (JSON)</translation>
-        </message>
-        <message>
-            <source>Excalidraw drawing</source>
-            <translation>Excalidraw 绘图</translation>
-        </message>
-        <message>
-            <source>MyPaint events</source>
-            <translation>MyPaint 事件</translation>
-        </message>
-        <message>
-            <source>Unknown format</source>
-            <translation>未知格式</translation>
-        </message>
-        <message>
-            <source>is empty; nothing was saved in it</source>
-            <translation>为空；其中没有保存任何内容</translation>
-        </message>
-        <message>
-            <source>there is no such file: %1</source>
-            <translation>没有此文件：%1</translation>
-        </message>
-        <message>
-            <source>is a folder; give a file inside it</source>
-            <translation>是文件夹；请给出其中的文件</translation>
-        </message>
-        <message>
-            <source>could not be opened: %1; check its permissions</source>
-            <translation>无法打开：%1；请检查其权限</translation>
-        </message>
-        <message>
-            <source>the ending is neither .suffuse nor .json; choose one of them</source>
-            <translation>扩展名既不是 .suffuse 也不是 .json；请选择其一</translation>
-        </message>
-        <message>
-            <source>%1: has less than 2 numbers</source>
-            <translation>%1：少于 2 个数字</translation>
-        </message>
-        <message>
-            <source>holds no freedraw elements; only those become strokes</source>
-            <translation>不含自由绘制元素；只有这类元素能成为笔画</translation>
-        </message>
-        <message>
-            <source>is not a JSON object</source>
-            <translation>不是 JSON 对象</translation>
-        </message>
-        <message>
-            <source>: is not a list of numbers</source>
-            <translation>：不是数字列表</translation>
-        </message>
-        <message>
-            <source>%1[%2]: is not a number within ±1e15</source>
-            <translation>%1[%2]：不是 ±1e15 以内的数字</translation>
-        </message>
-        <message>
-            <source>line %1, column %2: “%3” is not a number within ±1e15</source>
-            <translation>第 %1 行第 %2 列：“%3”不是 ±1e15 以内的数字</translation>
-        </message>
-        <message>
-            <source>is empty; there is nothing to paint</source>
-            <translation>为空；没有可绘制的内容</translation>
-        </message>
-        <message>
-            <source>line %1: no columns x and y; name the columns x, y, time and pressure</source>
-            <translation>第 %1 行：没有 x 和 y 列；请将列命名为 x、y、time 和 pressure</translation>
-        </message>
-        <message>
-            <source>%1: splineX has %2 numbers, splineY %3</source>
-            <translation>%1：splineX 有 %2 个数字，splineY 有 %3 个</translation>
-        </message>
-        <message>
-            <source>an object {…}</source>
-            <translation>对象 {…}</translation>
-        </message>
-        <message>
-            <source>a list […]</source>
-            <translation>列表 […]</translation>
-        </message>
-        <message>
-            <source>the file ends here, “%1” is missing; it is probably cut off</source>
-            <translation>文件在此结束，缺少“%1”；可能已被截断</translation>
-        </message>
-        <message>
-            <source>expected “,” or “%1” before “%2”</source>
-            <translation>“%2”之前应为“,”或“%1”</translation>
-        </message>
-        <message>
-            <source>expected a member's name in quotes before “%1”</source>
-            <translation>“%1”之前应为带引号的成员名</translation>
-        </message>
-        <message>
-            <source>expected “:” after “%1”</source>
-            <translation>“%1”之后应为“:”</translation>
-        </message>
-        <message>
-            <source>is given twice; keep one of them</source>
-            <translation>重复给出；请只保留一个</translation>
-        </message>
-        <message>
-            <source>is not a member of this format; correct or remove it</source>
-            <translation>不是此格式的成员；请更正或删除</translation>
-        </message>
-        <message>
-            <source>a string has a wrong escape “\%1”</source>
-            <translation>字符串含有错误的转义“\%1”</translation>
-        </message>
-        <message>
-            <source>the file ends inside a string; it is probably cut off</source>
-            <translation>文件在字符串中结束；可能已被截断</translation>
-        </message>
-        <message>
-            <source>a string has a control character; write it as an escape such as \n</source>
-            <translation>字符串含有控制字符；请写成 \n 之类的转义</translation>
-        </message>
-        <message>
-            <source>the file ends here; it is probably cut off</source>
-            <translation>文件在此结束；可能已被截断</translation>
-        </message>
-        <message>
-            <source>expected %1 before “%2”</source>
-            <translation>“%2”之前应为%1</translation>
-        </message>
-        <message>
-            <source>%1 is not %2</source>
-            <translation>%1 不是%2</translation>
-        </message>
-        <message>
-            <source>has %1 numbers instead of %2</source>
-            <translation>有 %1 个数字，应为 %2 个</translation>
-        </message>
-        <message>
-            <source>a number</source>
-            <translation>数字</translation>
-        </message>
-        <message>
-            <source>%1 is too large; the largest number is %2</source>
-            <translation>%1 太大；最大为 %2</translation>
-        </message>
-        <message>
-            <source>%1 is not a whole number from 0 to 2^64 − 1</source>
-            <translation>%1 不是 0 到 2^64 − 1 的整数</translation>
-        </message>
-        <message>
-            <source>%1 s is not in [-1e12, 1e12]</source>
-            <translation>%1 秒不在 [-1e12, 1e12] 内</translation>
-        </message>
-        <message>
-            <source>true or false</source>
-            <translation>true 或 false</translation>
-        </message>
-        <message>
-            <source>a string in quotes</source>
-            <translation>带引号的字符串</translation>
-        </message>
-        <message>
-            <source>is not UTF-8; save the file in that encoding</source>
-            <translation>不是 UTF-8；请以该编码保存文件</translation>
-        </message>
-        <message>
-            <source>“%1” follows after the end of the painting; remove it</source>
-            <translation>画作结束后还有“%1”；请删除</translation>
-        </message>
-        <message>
-            <source>line %1, column %2: %3</source>
-            <translation>第 %1 行第 %2 列：%3</translation>
-        </message>
-        <message>
-            <source>standard input</source>
-            <translation>标准输入</translation>
-        </message>
-        <message>
-            <source>holds no pen strokes; there is nothing to paint</source>
-            <translation>不含笔画；没有可绘制的内容</translation>
-        </message>
-        <message>
-            <source>the strokes span %1 × %2 units; at most 1e6 are possible, scale them down</source>
-            <translation>笔画跨度为 %1 × %2 单位；最多 1e6，请缩小</translation>
-        </message>
-        <message>
-            <source>line %1, column %2</source>
-            <translation>第 %1 行第 %2 列</translation>
-        </message>
-        <message>
-            <source>a value has the wrong type</source>
-            <translation>某个值的类型不正确</translation>
-        </message>
-        <message>
-            <source>the first chunk must be HEAD</source>
-            <translation>第一个数据块必须是 HEAD</translation>
-        </message>
-        <message>
-            <source>there is more than one HEAD</source>
-            <translation>HEAD 多于一个</translation>
-        </message>
-        <message>
-            <source>there is more than one</source>
-            <translation>多于一个</translation>
-        </message>
-        <message>
-            <source>chunk %1 at byte %2 is unknown, and the painting needs it; update Suffuse</source>
-            <translation>字节 %2 处的数据块 %1 未知，而画作需要它；请更新 Suffuse</translation>
-        </message>
-        <message>
-            <source>is not a CBOR map</source>
-            <translation>不是 CBOR 映射</translation>
-        </message>
-        <message>
-            <source>lacks the version or the counts</source>
-            <translation>缺少版本或计数</translation>
-        </message>
-        <message>
-            <source>was written by a newer program (%1): it needs a reader of version %2, this one is %3; update Suffuse</source>
-            <translation>由较新的程序写成（%1）：需要版本 %2 的读取器，当前为 %3；请更新 Suffuse</translation>
-        </message>
-        <message>
-            <source>the chunk DOCU is missing; the file is damaged, take a backup copy</source>
-            <translation>缺少数据块 DOCU；文件已损坏，请使用备份</translation>
-        </message>
-        <message>
-            <source>should hold %1 strokes and %2 segments, but holds %3 and %4; the file is damaged, take a backup copy</source>
-            <translation>应有 %1 条笔画和 %2 条线段，实际为 %3 和 %4；文件已损坏，请使用备份</translation>
-        </message>
-        <message>
-            <source>the file is damaged, take a backup copy</source>
-            <translation>文件已损坏，请使用备份</translation>
-        </message>
-        <message>
-            <source>chunk %1 at byte %2: %3; %4</source>
-            <translation>字节 %2 处的数据块 %1：%3；%4</translation>
-        </message>
-        <message>
-            <source>is not a .suffuse file</source>
-            <translation>不是 .suffuse 文件</translation>
-        </message>
-        <message>
-            <source>ends after %1 bytes; %2</source>
-            <translation>在 %1 字节后结束；%2</translation>
-        </message>
-        <message>
-            <source>its line endings were changed on the way; transfer it as a binary file</source>
-            <translation>其换行符在传输中被更改；请以二进制方式传输</translation>
-        </message>
-        <message>
-            <source>the hash of the whole differs</source>
-            <translation>整体哈希值不符</translation>
-        </message>
-        <message>
-            <source>%1 bytes follow after the end</source>
-            <translation>结束后还有 %1 字节</translation>
-        </message>
-        <message>
-            <source>is cut off after %1 bytes; %2</source>
-            <translation>在 %1 字节后被截断；%2</translation>
-        </message>
-        <message>
-            <source>has %1 bytes, but the file only %2 more</source>
-            <translation>有 %1 字节，但文件只剩 %2 字节</translation>
-        </message>
-        <message>
-            <source>checksum differs</source>
-            <translation>校验和不符</translation>
-        </message>
-        <message>
-            <source>%1 strokes and %2 segments are more than the file can hold</source>
-            <translation>%1 条笔画和 %2 条线段超出文件的容量</translation>
-        </message>
-        <message>
-            <source>its columns are not what the format allows</source>
-            <translation>其数据列不符合格式</translation>
-        </message>
-        <message>
-            <source>stroke %1 of it is not what the format allows</source>
-            <translation>其中的笔画 %1 不符合格式</translation>
-        </message>
-        <message>
-            <source>is missing</source>
-            <translation>缺失</translation>
-        </message>
-        <message>
-            <source>“%1” is none of: %2</source>
-            <translation>“%1”不是以下之一：%2</translation>
-        </message>
-        <message>
-            <source>has %1 numbers; the kind %2 has %3</source>
-            <translation>有 %1 个数字；类型 %2 应有 %3 个</translation>
-        </message>
-        <message>
-            <source>belongs to the mode beta; remove it or change the mode</source>
-            <translation>属于 beta 模式；请删除或更改模式</translation>
-        </message>
-        <message>
-            <source>has %1 points instead of 4</source>
-            <translation>有 %1 个点，应为 4 个</translation>
-        </message>
-        <message>
-            <source>has %1 numbers instead of 2</source>
-            <translation>有 %1 个数字，应为 2 个</translation>
-        </message>
-        <message>
-            <source>0 is not an id; count from 1 or leave it out</source>
-            <translation>0 不是有效的 id；请从 1 开始或省略</translation>
-        </message>
-        <message>
-            <source>%1 is not in [0, 4294967295]</source>
-            <translation>%1 不在 [0, 4294967295] 内</translation>
-        </message>
-        <message>
-            <source>width and height must not be negative</source>
-            <translation>宽度和高度不能为负</translation>
-        </message>
-        <message>
-            <source>%1 is not in [0, 1]</source>
-            <translation>%1 不在 [0, 1] 内</translation>
-        </message>
-        <message>
-            <source>“%1” is not “suffuse-text”</source>
-            <translation>“%1”不是“suffuse-text”</translation>
-        </message>
-        <message>
-            <source>0 is not a version; write 1</source>
-            <translation>0 不是有效版本；请写 1</translation>
-        </message>
-        <message>
-            <source>%1 is newer than this program, which reads version 1; update Suffuse</source>
-            <translation>%1 比此程序新（此程序读取版本 1）；请更新 Suffuse</translation>
-        </message>
-    </context>
-    <context>
-        <name>suffuse::HintLabel</name>
-        <message>
-            <source>Hint</source>
-            <translation>提示</translation>
-        </message>
-    </context>
-    <context>
-        <name>suffuse::HistoryPanel</name>
-        <message>
-            <source>Start</source>
-            <translation>开始</translation>
-        </message>
-        <message>
-            <source>History</source>
-            <translation>历史记录</translation>
-        </message>
-        <message>
-            <source>Every change since the painting was opened. Click one to go back or forward to it.</source>
-            <translation>打开画作以来的每次更改。点击某项即可回到或前进到该处。</translation>
-        </message>
-    </context>
-    <context>
-        <name>suffuse::InspectorPanel</name>
-        <message>
-            <source>Nothing is selected. Click a stroke to see and change its values.</source>
-            <translation>未选择任何内容。点击一条笔画以查看和更改其数值。</translation>
-        </message>
-        <message>
-            <source>%1 · %2</source>
-            <translation>%1 · %2</translation>
-        </message>
-        <message numerus="yes">
-            <source>%n stroke(s)</source>
-            <translation>
-                <numerusform>%n 条笔画</numerusform>
-            </translation>
-        </message>
-        <message numerus="yes">
-            <source>%n segment(s)</source>
-            <translation>
-                <numerusform>%n 条线段</numerusform>
-            </translation>
-        </message>
-    </context>
-    <context>
-        <name>suffuse::MainWindow</name>
-        <message>
-            <source>Colour</source>
-            <translation>颜色</translation>
-        </message>
-        <message>
-            <source>Brushes</source>
-            <translation>画笔</translation>
-        </message>
-        <message>
-            <source>Inspector</source>
-            <translation>检查器</translation>
-        </message>
-        <message>
-            <source>Strokes</source>
-            <translation>笔画</translation>
-        </message>
-        <message>
-            <source>History</source>
-            <translation>历史记录</translation>
-        </message>
-        <message>
-            <source>Position of the pointer in canvas units</source>
-            <translation>指针位置（画布单位）</translation>
-        </message>
-        <message>
-            <source>Zoom</source>
-            <translation>缩放</translation>
-        </message>
-        <message>
-            <source>What renders the picture</source>
-            <translation>渲染图片的后端</translation>
-        </message>
-        <message>
-            <source>Time that the last frame took</source>
-            <translation>上一帧所用时间</translation>
-        </message>
-        <message>
-            <source>&amp;Undo</source>
-            <translation>撤销(&amp;U)</translation>
-        </message>
-        <message>
-            <source>&amp;Undo: %1</source>
-            <translation>撤销(&amp;U)：%1</translation>
-        </message>
-        <message>
-            <source>&amp;Redo</source>
-            <translation>重做(&amp;R)</translation>
-        </message>
-        <message>
-            <source>&amp;Redo: %1</source>
-            <translation>重做(&amp;R)：%1</translation>
-        </message>
-        <message>
-            <source>%1 %</source>
-            <translation>%1 %</translation>
-        </message>
-        <message>
-            <source>%1 ms</source>
-            <translation>%1 毫秒</translation>
-        </message>
-        <message>
-            <source>All that can be opened (*.suffuse *.json *.csv *.excalidraw *.dat)</source>
-            <translation>所有可打开的文件 (*.suffuse *.json *.csv *.excalidraw *.dat)</translation>
-        </message>
-        <message>
-            <source>Suffuse paintings (*.suffuse *.json)</source>
-            <translation>Suffuse 画作 (*.suffuse *.json)</translation>
-        </message>
-        <message>
-            <source>Pen recordings (*.csv *.json *.excalidraw *.dat)</source>
-            <translation>笔迹记录 (*.csv *.json *.excalidraw *.dat)</translation>
-        </message>
-        <message>
-            <source>All files (*)</source>
-            <translation>所有文件 (*)</translation>
-        </message>
-        <message>
-            <source>Open</source>
-            <translation>打开</translation>
-        </message>
-        <message>
-            <source>Save As</source>
-            <translation>另存为</translation>
-        </message>
-        <message>
-            <source>Suffuse painting (*.suffuse)</source>
-            <translation>Suffuse 画作 (*.suffuse)</translation>
-        </message>
-        <message>
-            <source>Text form (*.json)</source>
-            <translation>文本形式 (*.json)</translation>
-        </message>
-        <message>
-            <source>&amp;Clear the List</source>
-            <translation>清空列表(&amp;C)</translation>
-        </message>
-    </context>
-    <context>
-        <name>suffuse::NewDialog</name>
-        <message>
-            <source>Sketch</source>
-            <translation>草图</translation>
-        </message>
-        <message>
-            <source>Full HD</source>
-            <translation>全高清</translation>
-        </message>
-        <message>
-            <source>4K</source>
-            <translation>4K</translation>
-        </message>
-        <message>
-            <source>Square</source>
-            <translation>正方形</translation>
-        </message>
-        <message>
-            <source>A5, 150 dpi</source>
-            <translation>A5，150 dpi</translation>
-        </message>
-        <message>
-            <source>A4, 150 dpi</source>
-            <translation>A4，150 dpi</translation>
-        </message>
-        <message>
-            <source>A4, 300 dpi</source>
-            <translation>A4，300 dpi</translation>
-        </message>
-        <message>
-            <source>New painting</source>
-            <translation>新建画作</translation>
-        </message>
-        <message>
-            <source>Size</source>
-            <translation>大小</translation>
-        </message>
-        <message>
-            <source>Custom</source>
-            <translation>自定义</translation>
-        </message>
-        <message>
-            <source>Usual sizes in units; a unit is a pixel at 100 %.</source>
-            <translation>常用尺寸（单位）；100 % 时 1 单位即 1 像素。</translation>
-        </message>
-        <message>
-            <source>Swap width and height</source>
-            <translation>交换宽度和高度</translation>
-        </message>
-        <message>
-            <source>Create</source>
-            <translation>创建</translation>
-        </message>
-    </context>
-    <context>
-        <name>suffuse::NumberField</name>
-        <message>
-            <source>“%1” is not a number. Sums such as 12*1.5 or +2 work too.</source>
-            <translation>“%1”不是数字。也可以输入 12*1.5 或 +2 这样的算式。</translation>
-        </message>
-        <message>
-            <source>%1 is out of range: %2 to %3 is possible.</source>
-            <translation>%1 超出范围：允许 %2 到 %3。</translation>
-        </message>
-    </context>
-    <context>
-        <name>suffuse::PanTool</name>
-        <message>
-            <source>Drag to move the canvas. The wheel zooms; R and drag turns.</source>
-            <translation>拖动以移动画布。滚轮缩放；按住 R 拖动可旋转。</translation>
-        </message>
-    </context>
-    <context>
-        <name>suffuse::SegmentSection</name>
-        <message>
-            <source>Diffusion D</source>
-            <translation>扩散系数 D</translation>
-        </message>
-        <message>
-            <source>How fast the paint spreads: the spread grows with the root of D times time.</source>
-            <translation>颜料扩散的快慢：扩散距离随 D 与时间乘积的平方根增长。</translation>
-        </message>
-        <message>
-            <source>Density φ</source>
-            <translation>密度 φ</translation>
-        </message>
-        <message>
-            <source>How much paint the segment gives off along its length.</source>
-            <translation>线段沿其长度释放的颜料量。</translation>
-        </message>
-        <message>
-            <source>Granulation ω</source>
-            <translation>颗粒 ω</translation>
-        </message>
-        <message>
-            <source>100 % hides the paper's texture, 0 % shows it fully.</source>
-            <translation>100 % 隐藏纸张纹理，0 % 完全显示。</translation>
-        </message>
-        <message>
-            <source>Drying time</source>
-            <translation>干燥时间</translation>
-        </message>
-        <message>
-            <source>t_max: how long the paint spreads after it was laid down.</source>
-            <translation>t_max：颜料落下后扩散多久。</translation>
-        </message>
-        <message>
-            <source>Segments</source>
-            <translation>线段</translation>
-        </message>
-        <message>
-            <source>Change diffusion</source>
-            <translation>更改扩散系数</translation>
-        </message>
-        <message>
-            <source>Change density</source>
-            <translation>更改密度</translation>
-        </message>
-        <message>
-            <source>Change granulation</source>
-            <translation>更改颗粒</translation>
-        </message>
-        <message>
-            <source>Change drying time</source>
-            <translation>更改干燥时间</translation>
-        </message>
-        <message>
-            <source>Colour</source>
-            <translation>颜色</translation>
-        </message>
-        <message>
-            <source>Colour of the selection</source>
-            <translation>所选内容的颜色</translation>
-        </message>
-        <message>
-            <source>Colour of the selection. Click: paint with it.</source>
-            <translation>所选内容的颜色。点击以此颜色作画。</translation>
-        </message>
-        <message>
-            <source>Change opacity</source>
-            <translation>更改不透明度</translation>
-        </message>
-        <message>
-            <source>Change colour</source>
-            <translation>更改颜色</translation>
-        </message>
-    </context>
-    <context>
-        <name>suffuse::SegmentTool</name>
-        <message>
-            <source>Click a segment to select it, Shift+click for a run, Ctrl+click to add or remove one.</source>
-            <translation>点击选择线段，Shift+点击选择连续多段，Ctrl+点击添加或移除。</translation>
-        </message>
-    </context>
-    <context>
-        <name>suffuse::SelectTool</name>
-        <message>
-            <source>Click paint to select its stroke, click again for a segment, Shift+click for more. Drag to move.</source>
-            <translation>点击颜料选择其笔画，再次点击选择线段，Shift+点击加选。拖动以移动。</translation>
-        </message>
-        <message>
-            <source>Move</source>
-            <translation>移动</translation>
-        </message>
-    </context>
-    <context>
-        <name>suffuse::SettingsDialog</name>
-        <message>
-            <source>Settings</source>
-            <translation>设置</translation>
-        </message>
-        <message>
-            <source>Language</source>
-            <translation>语言</translation>
-        </message>
-        <message>
-            <source>Language of the program. Changes when it starts again.</source>
-            <translation>程序的语言。重新启动后生效。</translation>
-        </message>
-        <message>
-            <source>System</source>
-            <translation>跟随系统</translation>
-        </message>
-        <message>
-            <source>Theme</source>
-            <translation>主题</translation>
-        </message>
-        <message>
-            <source>Colours of the windows</source>
-            <translation>窗口的颜色</translation>
-        </message>
-        <message>
-            <source>Dark</source>
-            <translation>深色</translation>
-        </message>
-        <message>
-            <source>Light</source>
-            <translation>浅色</translation>
-        </message>
-        <message>
-            <source>Canvas</source>
-            <translation>画布</translation>
-        </message>
-        <message>
-            <source>How the picture comes to the screen. Changes when the program starts again.</source>
-            <translation>图片如何显示到屏幕。重新启动后生效。</translation>
-        </message>
-        <message>
-            <source>Automatic</source>
-            <translation>自动</translation>
-        </message>
-        <message>
-            <source>Raster</source>
-            <translation>光栅</translation>
-        </message>
-        <message>
-            <source>All cores</source>
-            <translation>所有核心</translation>
-        </message>
-        <message>
-            <source>Threads</source>
-            <translation>线程</translation>
-        </message>
-        <message>
-            <source>Processor threads for drawing. Changes when the program starts again.</source>
-            <translation>用于绘制的处理器线程数。重新启动后生效。</translation>
-        </message>
-        <message>
-            <source>Language, canvas and threads change when Suffuse starts again.</source>
-            <translation>语言、画布和线程的更改将在 Suffuse 重新启动后生效。</translation>
-        </message>
-    </context>
-    <context>
-        <name>suffuse::ShortcutsDialog</name>
-        <message>
-            <source>Keyboard shortcuts</source>
-            <translation>键盘快捷键</translation>
-        </message>
-        <message>
-            <source>Search</source>
-            <translation>搜索</translation>
-        </message>
-        <message>
-            <source>Search shortcuts</source>
-            <translation>搜索快捷键</translation>
-        </message>
-        <message>
-            <source>Shows only commands whose name or shortcut holds this text.</source>
-            <translation>仅显示名称或快捷键包含此文本的命令。</translation>
-        </message>
-        <message>
-            <source>Command</source>
-            <translation>命令</translation>
-        </message>
-        <message>
-            <source>Shortcut</source>
-            <translation>快捷键</translation>
-        </message>
-        <message>
-            <source>Commands</source>
-            <translation>命令</translation>
-        </message>
-        <message>
-            <source>Choose a command, then press its new shortcut below.</source>
-            <translation>选择命令，然后在下方按下新的快捷键。</translation>
-        </message>
-        <message>
-            <source>Press the keys</source>
-            <translation>按下按键</translation>
-        </message>
-        <message>
-            <source>None</source>
-            <translation>无</translation>
-        </message>
-        <message>
-            <source>No shortcut for this command</source>
-            <translation>此命令不使用快捷键</translation>
-        </message>
-        <message>
-            <source>Reset</source>
-            <translation>重置</translation>
-        </message>
-        <message>
-            <source>This command's own shortcut</source>
-            <translation>此命令的默认快捷键</translation>
-        </message>
-        <message>
-            <source>%1 belongs to “%2” and “%3”. Give one of them another shortcut.</source>
-            <translation>%1 同时属于“%2”和“%3”。请为其中之一设置其他快捷键。</translation>
-        </message>
-    </context>
-    <context>
-        <name>suffuse::SliderField</name>
-        <message>
-            <source>Double-click: back to the default.</source>
-            <translation>双击：恢复默认值。</translation>
-        </message>
-        <message>
-            <source>%1, slider</source>
-            <translation>%1，滑块</translation>
-        </message>
-    </context>
-    <context>
-        <name>suffuse::StrokeSection</name>
-        <message>
-            <source>Strokes</source>
-            <translation>笔画</translation>
-        </message>
-        <message>
-            <source>Name</source>
-            <translation>名称</translation>
-        </message>
-        <message>
-            <source>Name of the selected strokes, as the list of strokes shows it.</source>
-            <translation>所选笔画在笔画列表中显示的名称。</translation>
-        </message>
-        <message>
-            <source>Rename stroke</source>
-            <translation>重命名笔画</translation>
-        </message>
-        <message>
-            <source>Mixing</source>
-            <translation>混合</translation>
-        </message>
-        <message>
-            <source>Covering (alpha)</source>
-            <translation>覆盖（alpha）</translation>
-        </message>
-        <message>
-            <source>Pigment (β)</source>
-            <translation>颜料（β）</translation>
-        </message>
-        <message>
-            <source>How the paint mixes with what lies below it: it covers, or pigments add up.</source>
-            <translation>颜料与下层的混合方式：覆盖，或颜料叠加。</translation>
-        </message>
-        <message>
-            <source>Pigment β</source>
-            <translation>颜料 β</translation>
-        </message>
-        <message>
-            <source>Share of the colour below that stays: 0 % covers, 100 % adds.</source>
-            <translation>下层颜色保留的比例：0 % 覆盖，100 % 叠加。</translation>
-        </message>
-        <message>
-            <source>Change pigment mixing</source>
-            <translation>更改颜料混合</translation>
-        </message>
-        <message>
-            <source>Change mixing</source>
-            <translation>更改混合</translation>
-        </message>
-        <message>
-            <source>unnamed</source>
-            <translation>未命名</translation>
-        </message>
-    </context>
-    <context>
-        <name>suffuse::StrokesModel</name>
-        <message>
-            <source>Name</source>
-            <translation>名称</translation>
-        </message>
-        <message>
-            <source>Visible</source>
-            <translation>可见</translation>
-        </message>
-        <message>
-            <source>Locked</source>
-            <translation>已锁定</translation>
-        </message>
-        <message>
-            <source>Visible. Click: hide.</source>
-            <translation>可见。点击隐藏。</translation>
-        </message>
-        <message>
-            <source>Hidden. Click: show.</source>
-            <translation>已隐藏。点击显示。</translation>
-        </message>
-        <message>
-            <source>Locked. Click: unlock.</source>
-            <translation>已锁定。点击解锁。</translation>
-        </message>
-        <message>
-            <source>Not locked. Click: lock.</source>
-            <translation>未锁定。点击锁定。</translation>
-        </message>
-        <message>
-            <source>Stroke %1</source>
-            <translation>笔画 %1</translation>
-        </message>
-        <message numerus="yes">
-            <source>%n segment(s)</source>
-            <translation>
-                <numerusform>%n 条线段</numerusform>
-            </translation>
-        </message>
-        <message>
-            <source>Group %1</source>
-            <translation>组 %1</translation>
-        </message>
-        <message>
-            <source>Rename group</source>
-            <translation>重命名组</translation>
-        </message>
-        <message>
-            <source>Rename stroke</source>
-            <translation>重命名笔画</translation>
-        </message>
-        <message>
-            <source>Hide group</source>
-            <translation>隐藏组</translation>
-        </message>
-        <message>
-            <source>Show group</source>
-            <translation>显示组</translation>
-        </message>
-        <message>
-            <source>Unlock group</source>
-            <translation>解锁组</translation>
-        </message>
-        <message>
-            <source>Lock group</source>
-            <translation>锁定组</translation>
-        </message>
-        <message>
-            <source>Hide stroke</source>
-            <translation>隐藏笔画</translation>
-        </message>
-        <message>
-            <source>Show stroke</source>
-            <translation>显示笔画</translation>
-        </message>
-        <message>
-            <source>Unlock stroke</source>
-            <translation>解锁笔画</translation>
-        </message>
-        <message>
-            <source>Lock stroke</source>
-            <translation>锁定笔画</translation>
-        </message>
-        <message>
-            <source>Reorder strokes</source>
-            <translation>调整笔画顺序</translation>
-        </message>
-    </context>
-    <context>
-        <name>suffuse::StrokesPanel</name>
-        <message>
-            <source>Search</source>
-            <translation>搜索</translation>
-        </message>
-        <message>
-            <source>Search strokes</source>
-            <translation>搜索笔画</translation>
-        </message>
-        <message>
-            <source>Shows only strokes and groups whose name holds this text.</source>
-            <translation>仅显示名称包含此文本的笔画和组。</translation>
-        </message>
-        <message>
-            <source>Strokes</source>
-            <translation>笔画</translation>
-        </message>
-        <message>
-            <source>The topmost stroke comes first. Drag to reorder, double-click to rename.</source>
-            <translation>最上层的笔画排在最前。拖动可排序，双击可重命名。</translation>
-        </message>
-    </context>
-    <context>
-        <name>suffuse::StyleSection</name>
-        <message>
-            <source>Style</source>
-            <translation>样式</translation>
-        </message>
-        <message>
-            <source>Density function</source>
-            <translation>密度函数</translation>
-        </message>
-        <message>
-            <source>How density becomes coverage. The mark is the peak density of the selected segments.</source>
-            <translation>密度如何转化为覆盖率。标记处为所选线段的峰值密度。</translation>
-        </message>
-        <message>
-            <source>Belongs to</source>
-            <translation>归属</translation>
-        </message>
-        <message>
-            <source>Whether the segments follow their stroke's style or have their own.</source>
-            <translation>线段沿用所属笔画的样式，还是使用自己的样式。</translation>
-        </message>
-        <message>
-            <source>The stroke</source>
-            <translation>笔画</translation>
-        </message>
-        <message>
-            <source>These segments</source>
-            <translation>这些线段</translation>
-        </message>
-        <message>
-            <source>Kind</source>
-            <translation>类型</translation>
-        </message>
-        <message>
-            <source>How density becomes coverage.</source>
-            <translation>密度如何转化为覆盖率。</translation>
-        </message>
-        <message>
-            <source>Uniform</source>
-            <translation>均匀</translation>
-        </message>
-        <message>
-            <source>Feathering</source>
-            <translation>羽化</translation>
-        </message>
-        <message>
-            <source>Dark edges</source>
-            <translation>深色边缘</translation>
-        </message>
-        <message>
-            <source>Change style</source>
-            <translation>更改样式</translation>
-        </message>
-        <message>
-            <source>Parameter of the style</source>
-            <translation>样式的参数</translation>
-        </message>
-        <message>
-            <source>Spread s</source>
-            <translation>扩散距离 s</translation>
-        </message>
-        <message>
-            <source>Peak density</source>
-            <translation>峰值密度</translation>
-        </message>
-        <message>
-            <source>Half-width</source>
-            <translation>半宽</translation>
-        </message>
-        <message>
-            <source>Fades away</source>
-            <translation>消褪</translation>
-        </message>
-        <message>
-            <source>How far the paint has spread once it is dry: √(4·D·t_max).</source>
-            <translation>颜料干透时扩散的距离：√(4·D·t_max)。</translation>
-        </message>
-        <message>
-            <source>Density in the middle of a long straight stroke, dry.</source>
-            <translation>干透的长直笔画中央的密度。</translation>
-        </message>
-        <message>
-            <source>From the middle to the visible edge of a long straight stroke, dry.</source>
-            <translation>干透的长直笔画从中央到可见边缘的距离。</translation>
-        </message>
-        <message>
-            <source>When the paint has spread so thin that nothing of it is visible any more.</source>
-            <translation>颜料扩散到稀薄得完全看不见的时间。</translation>
-        </message>
-        <message>
-            <source>Give segments their own style</source>
-            <translation>赋予线段独立样式</translation>
-        </message>
-        <message>
-            <source>Follow the stroke's style</source>
-            <translation>沿用笔画样式</translation>
-        </message>
-        <message>
-            <source>Not possible for all that is selected: %1</source>
-            <translation>无法应用于全部所选内容：%1</translation>
-        </message>
-        <message>
-            <source>Threshold ξ1</source>
-            <translation>阈值 ξ1</translation>
-        </message>
-        <message>
-            <source>Softness ξ2</source>
-            <translation>柔和度 ξ2</translation>
-        </message>
-        <message>
-            <source>Full at ξ1</source>
-            <translation>饱和点 ξ1</translation>
-        </message>
-        <message>
-            <source>Steepness ξ2</source>
-            <translation>陡度 ξ2</translation>
-        </message>
-        <message>
-            <source>Edge ξ1</source>
-            <translation>边缘 ξ1</translation>
-        </message>
-        <message>
-            <source>Lightening ξ2</source>
-            <translation>提亮 ξ2</translation>
-        </message>
-        <message>
-            <source>Strength ξ3</source>
-            <translation>强度 ξ3</translation>
-        </message>
-        <message>
-            <source>Density at which the stroke covers by half.</source>
-            <translation>笔画覆盖一半时的密度。</translation>
-        </message>
-        <message>
-            <source>How gently the edge fades.</source>
-            <translation>边缘过渡的柔和程度。</translation>
-        </message>
-        <message>
-            <source>Density from which the stroke covers fully.</source>
-            <translation>笔画完全覆盖所需的密度。</translation>
-        </message>
-        <message>
-            <source>How steeply coverage grows with density.</source>
-            <translation>覆盖率随密度增长的陡度。</translation>
-        </message>
-        <message>
-            <source>Density at which the dark rim stands.</source>
-            <translation>深色边缘所在的密度。</translation>
-        </message>
-        <message>
-            <source>How much the inside is lighter than the rim; at most 1.26·ξ1.</source>
-            <translation>内部比边缘浅多少；最大为 1.26·ξ1。</translation>
-        </message>
-        <message>
-            <source>Coverage far inside the stroke.</source>
-            <translation>笔画内部深处的覆盖率。</translation>
-        </message>
-        <message>
-            <source>never</source>
-            <translation>不会</translation>
-        </message>
-        <message>
-            <source>partly, from %1</source>
-            <translation>部分，自 %1 起</translation>
-        </message>
-        <message>
-            <source>after %1</source>
-            <translation>%1 后</translation>
-        </message>
-    </context>
+    </message>
+</context>
+<context>
+    <name>suffuse::DensityPlot</name>
+    <message>
+        <source>Coverage at the peak density %1: %2 %</source>
+        <translation>峰值密度 %1 处的覆盖率：%2 %</translation>
+    </message>
+    <message>
+        <source>density φ — first of several styles</source>
+        <translation>密度 φ — 多种样式中的第一种</translation>
+    </message>
+    <message>
+        <source>density φ</source>
+        <translation>密度 φ</translation>
+    </message>
+    <message>
+        <source>F(φ), peak %1</source>
+        <translation>F(φ)，峰值 %1</translation>
+    </message>
+</context>
+<context>
+    <name>suffuse::Editor</name>
+    <message>
+        <source>Untitled</source>
+        <translation>未命名</translation>
+    </message>
+</context>
+<context>
+    <name>suffuse::ExportDialog</name>
+    <message>
+        <source>8 bit</source>
+        <translation>8 位</translation>
+    </message>
+    <message>
+        <source>16 bit</source>
+        <translation>16 位</translation>
+    </message>
+    <message>
+        <source>16 bit floating point</source>
+        <translation>16 位浮点</translation>
+    </message>
+    <message>
+        <source>32 bit floating point</source>
+        <translation>32 位浮点</translation>
+    </message>
+    <message>
+        <source>Export picture</source>
+        <translation>导出图片</translation>
+    </message>
+    <message>
+        <source>Progress</source>
+        <translation>进度</translation>
+    </message>
+    <message>
+        <source>Export</source>
+        <translation>导出</translation>
+    </message>
+    <message>
+        <source>File</source>
+        <translation>文件</translation>
+    </message>
+    <message>
+        <source>The ending chooses the format: png, tiff, exr, jpg, webp or pfm.</source>
+        <translation>扩展名决定格式：png、tiff、exr、jpg、webp 或 pfm。</translation>
+    </message>
+    <message>
+        <source>Browse…</source>
+        <translation>浏览…</translation>
+    </message>
+    <message>
+        <source>Choose a folder and a name</source>
+        <translation>选择文件夹和文件名</translation>
+    </message>
+    <message>
+        <source>All dried</source>
+        <translation>全部干透</translation>
+    </message>
+    <message>
+        <source>As it looks now</source>
+        <translation>当前所见</translation>
+    </message>
+    <message>
+        <source>Moment</source>
+        <translation>时刻</translation>
+    </message>
+    <message>
+        <source>The finished painting, or the moment that the canvas shows.</source>
+        <translation>完成的画作，或画布当前显示的时刻。</translation>
+    </message>
+    <message>
+        <source>Depth</source>
+        <translation>位深</translation>
+    </message>
+    <message>
+        <source>Precision of each colour channel</source>
+        <translation>每个颜色通道的精度</translation>
+    </message>
+    <message>
+        <source>Quality</source>
+        <translation>质量</translation>
+    </message>
+    <message>
+        <source>Of JPEG and WebP; 100 is the best. WebP loses nothing then.</source>
+        <translation>用于 JPEG 和 WebP；100 为最佳，此时 WebP 无损。</translation>
+    </message>
+    <message>
+        <source>Transparent background</source>
+        <translation>透明背景</translation>
+    </message>
+    <message>
+        <source>Leaves the background out and stores how much the paint covers.</source>
+        <translation>去掉背景，并保存颜料的覆盖程度。</translation>
+    </message>
+    <message>
+        <source>Size</source>
+        <translation>大小</translation>
+    </message>
+    <message>
+        <source> px</source>
+        <translation> 像素</translation>
+    </message>
+    <message>
+        <source>Width in pixels</source>
+        <translation>宽度（像素）</translation>
+    </message>
+    <message>
+        <source>Width in pixels; the height follows.</source>
+        <translation>宽度（像素）；高度随之变化。</translation>
+    </message>
+    <message>
+        <source>Height in pixels</source>
+        <translation>高度（像素）</translation>
+    </message>
+    <message>
+        <source>Height in pixels; the width follows.</source>
+        <translation>高度（像素）；宽度随之变化。</translation>
+    </message>
+    <message>
+        <source>painting</source>
+        <translation>画作</translation>
+    </message>
+    <message>
+        <source>Pictures</source>
+        <translation>图片</translation>
+    </message>
+    <message>
+        <source>“%1” has no ending of a picture format. Choose one of: %2.</source>
+        <translation>“%1”没有图片格式的扩展名。请选择其一：%2。</translation>
+    </message>
+    <message>
+        <source>A picture of %1 × %2 pixels is too large. Choose a smaller size.</source>
+        <translation>%1 × %2 像素的图片太大。请选择较小的尺寸。</translation>
+    </message>
+    <message>
+        <source>%1 exists. Replace it?</source>
+        <translation>%1 已存在。要替换吗？</translation>
+    </message>
+</context>
+<context>
+    <name>suffuse::Files</name>
+    <message>
+        <source>is a folder; give a file name inside it</source>
+        <translation>是文件夹；请给出其中的文件名</translation>
+    </message>
+    <message>
+        <source>is a device or a pipe, not a file; save to a file</source>
+        <translation>是设备或管道而不是文件；请保存到文件</translation>
+    </message>
+    <message>
+        <source>the folder %1 does not exist; create it or choose another one</source>
+        <translation>文件夹 %1 不存在；请创建它或选择其他文件夹</translation>
+    </message>
+    <message>
+        <source>%1 is not a folder; choose another place</source>
+        <translation>%1 不是文件夹；请选择其他位置</translation>
+    </message>
+    <message>
+        <source>the folder %1 is read-only; choose another one or change its permissions</source>
+        <translation>文件夹 %1 为只读；请选择其他文件夹或更改其权限</translation>
+    </message>
+    <message>
+        <source>The file has no name; choose one</source>
+        <translation>文件没有名称；请指定一个</translation>
+    </message>
+    <message>
+        <source>would have more than 2 GB; nothing was written</source>
+        <translation>将超过 2 GB；未写入任何内容</translation>
+    </message>
+    <message>
+        <source>%1 (%2); the old file, if there was one, is as before. Free some space or choose another place</source>
+        <translation>%1（%2）；原有文件（如有）保持不变。请释放空间或选择其他位置</translation>
+    </message>
+    <message>
+        <source>cannot be written</source>
+        <translation>无法写入</translation>
+    </message>
+    <message>
+        <source>could not be written in full</source>
+        <translation>未能完整写入</translation>
+    </message>
+    <message>
+        <source>could not be put in place</source>
+        <translation>未能放到目标位置</translation>
+    </message>
+    <message>
+        <source>was written, but the folder could not be brought to the disk (%1); save once more before you switch off</source>
+        <translation>已写入，但文件夹未能同步到磁盘（%1）；关机前请再保存一次</translation>
+    </message>
+    <message>
+        <source>the image has %1 MB; at most 64 MB are possible, make it smaller</source>
+        <translation>图像有 %1 MB；最多 64 MB，请缩小</translation>
+    </message>
+    <message>
+        <source>is not a PNG, JPEG, TIFF, WebP or EXR image; convert it to one of them</source>
+        <translation>不是 PNG、JPEG、TIFF、WebP 或 EXR 图像；请转换为其中之一</translation>
+    </message>
+    <message>
+        <source>is empty; give a data: URL or the path of an image file</source>
+        <translation>为空；请给出 data: URL 或图像文件的路径</translation>
+    </message>
+    <message>
+        <source>the image file %1 is missing; put it there or correct the path</source>
+        <translation>图像文件 %1 不存在；请放到该处或更正路径</translation>
+    </message>
+    <message>
+        <source>%1 is not a file</source>
+        <translation>%1 不是文件</translation>
+    </message>
+    <message>
+        <source>the image file %1 has %2 MB; at most 64 MB are possible</source>
+        <translation>图像文件 %1 有 %2 MB；最多 64 MB</translation>
+    </message>
+    <message>
+        <source>the image file %1 cannot be read: %2</source>
+        <translation>无法读取图像文件 %1：%2</translation>
+    </message>
+    <message>
+        <source>is not a data:…;base64,… URL</source>
+        <translation>不是 data:…;base64,… URL</translation>
+    </message>
+    <message>
+        <source>the image is too large; at most 64 MB are possible</source>
+        <translation>图像太大；最多 64 MB</translation>
+    </message>
+    <message>
+        <source>the base64 data of the image are damaged</source>
+        <translation>图像的 base64 数据已损坏</translation>
+    </message>
+    <message>
+        <source>Suffuse reads .suffuse, its text form (.json), ink as CSV, Universal Ink JSON, Excalidraw and MyPaint events</source>
+        <translation>Suffuse 可读取 .suffuse、其文本形式 (.json)、CSV 笔迹、Universal Ink JSON、Excalidraw 和 MyPaint 事件</translation>
+    </message>
+    <message>
+        <source>is UTF-16 text; save it as UTF-8</source>
+        <translation>是 UTF-16 文本；请保存为 UTF-8</translation>
+    </message>
+    <message>
+        <source>is a picture, not a painting; %1</source>
+        <translation>是图片而不是画作；%1</translation>
+    </message>
+    <message>
+        <source>is not a painting nor a recording; %1</source>
+        <translation>既不是画作也不是笔迹记录；%1</translation>
+    </message>
+    <message>
+        <source>has more than 2 GB; that is more than can be opened</source>
+        <translation>超过 2 GB，无法打开</translation>
+    </message>
+    <message>
+        <source>could not be read: %1</source>
+        <translation>无法读取：%1</translation>
+    </message>
+    <message>
+        <source>Suffuse painting</source>
+        <translation>Suffuse 画作</translation>
+    </message>
+    <message>
+        <source>Suffuse text form</source>
+        <translation>Suffuse 文本形式</translation>
+    </message>
+    <message>
+        <source>Ink recording (CSV)</source>
+        <translation>笔迹记录 (CSV)</translation>
+    </message>
+    <message>
+        <source>Universal Ink (JSON)</source>
+        <translation>Universal Ink (JSON)</translation>
+    </message>
+    <message>
+        <source>Excalidraw drawing</source>
+        <translation>Excalidraw 绘图</translation>
+    </message>
+    <message>
+        <source>MyPaint events</source>
+        <translation>MyPaint 事件</translation>
+    </message>
+    <message>
+        <source>Unknown format</source>
+        <translation>未知格式</translation>
+    </message>
+    <message>
+        <source>is empty; nothing was saved in it</source>
+        <translation>为空；其中没有保存任何内容</translation>
+    </message>
+    <message>
+        <source>there is no such file: %1</source>
+        <translation>没有此文件：%1</translation>
+    </message>
+    <message>
+        <source>is a folder; give a file inside it</source>
+        <translation>是文件夹；请给出其中的文件</translation>
+    </message>
+    <message>
+        <source>could not be opened: %1; check its permissions</source>
+        <translation>无法打开：%1；请检查其权限</translation>
+    </message>
+    <message>
+        <source>the ending is neither .suffuse nor .json; choose one of them</source>
+        <translation>扩展名既不是 .suffuse 也不是 .json；请选择其一</translation>
+    </message>
+    <message>
+        <source>%1: has less than 2 numbers</source>
+        <translation>%1：少于 2 个数字</translation>
+    </message>
+    <message>
+        <source>holds no freedraw elements; only those become strokes</source>
+        <translation>不含自由绘制元素；只有这类元素能成为笔画</translation>
+    </message>
+    <message>
+        <source>is not a JSON object</source>
+        <translation>不是 JSON 对象</translation>
+    </message>
+    <message>
+        <source>: is not a list of numbers</source>
+        <translation>：不是数字列表</translation>
+    </message>
+    <message>
+        <source>%1[%2]: is not a number within ±1e15</source>
+        <translation>%1[%2]：不是 ±1e15 以内的数字</translation>
+    </message>
+    <message>
+        <source>line %1, column %2: “%3” is not a number within ±1e15</source>
+        <translation>第 %1 行第 %2 列：“%3”不是 ±1e15 以内的数字</translation>
+    </message>
+    <message>
+        <source>is empty; there is nothing to paint</source>
+        <translation>为空；没有可绘制的内容</translation>
+    </message>
+    <message>
+        <source>line %1: no columns x and y; name the columns x, y, time and pressure</source>
+        <translation>第 %1 行：没有 x 和 y 列；请将列命名为 x、y、time 和 pressure</translation>
+    </message>
+    <message>
+        <source>%1: splineX has %2 numbers, splineY %3</source>
+        <translation>%1：splineX 有 %2 个数字，splineY 有 %3 个</translation>
+    </message>
+    <message>
+        <source>an object {…}</source>
+        <translation>对象 {…}</translation>
+    </message>
+    <message>
+        <source>a list […]</source>
+        <translation>列表 […]</translation>
+    </message>
+    <message>
+        <source>the file ends here, “%1” is missing; it is probably cut off</source>
+        <translation>文件在此结束，缺少“%1”；可能已被截断</translation>
+    </message>
+    <message>
+        <source>expected “,” or “%1” before “%2”</source>
+        <translation>“%2”之前应为“,”或“%1”</translation>
+    </message>
+    <message>
+        <source>expected a member&apos;s name in quotes before “%1”</source>
+        <translation>“%1”之前应为带引号的成员名</translation>
+    </message>
+    <message>
+        <source>expected “:” after “%1”</source>
+        <translation>“%1”之后应为“:”</translation>
+    </message>
+    <message>
+        <source>is given twice; keep one of them</source>
+        <translation>重复给出；请只保留一个</translation>
+    </message>
+    <message>
+        <source>is not a member of this format; correct or remove it</source>
+        <translation>不是此格式的成员；请更正或删除</translation>
+    </message>
+    <message>
+        <source>a string has a wrong escape “\%1”</source>
+        <translation>字符串含有错误的转义“\%1”</translation>
+    </message>
+    <message>
+        <source>the file ends inside a string; it is probably cut off</source>
+        <translation>文件在字符串中结束；可能已被截断</translation>
+    </message>
+    <message>
+        <source>a string has a control character; write it as an escape such as \n</source>
+        <translation>字符串含有控制字符；请写成 \n 之类的转义</translation>
+    </message>
+    <message>
+        <source>the file ends here; it is probably cut off</source>
+        <translation>文件在此结束；可能已被截断</translation>
+    </message>
+    <message>
+        <source>expected %1 before “%2”</source>
+        <translation>“%2”之前应为%1</translation>
+    </message>
+    <message>
+        <source>%1 is not %2</source>
+        <translation>%1 不是%2</translation>
+    </message>
+    <message>
+        <source>has %1 numbers instead of %2</source>
+        <translation>有 %1 个数字，应为 %2 个</translation>
+    </message>
+    <message>
+        <source>a number</source>
+        <translation>数字</translation>
+    </message>
+    <message>
+        <source>%1 is too large; the largest number is %2</source>
+        <translation>%1 太大；最大为 %2</translation>
+    </message>
+    <message>
+        <source>%1 is not a whole number from 0 to 2^64 − 1</source>
+        <translation>%1 不是 0 到 2^64 − 1 的整数</translation>
+    </message>
+    <message>
+        <source>%1 s is not in [-1e12, 1e12]</source>
+        <translation>%1 秒不在 [-1e12, 1e12] 内</translation>
+    </message>
+    <message>
+        <source>true or false</source>
+        <translation>true 或 false</translation>
+    </message>
+    <message>
+        <source>a string in quotes</source>
+        <translation>带引号的字符串</translation>
+    </message>
+    <message>
+        <source>is not UTF-8; save the file in that encoding</source>
+        <translation>不是 UTF-8；请以该编码保存文件</translation>
+    </message>
+    <message>
+        <source>“%1” follows after the end of the painting; remove it</source>
+        <translation>画作结束后还有“%1”；请删除</translation>
+    </message>
+    <message>
+        <source>line %1, column %2: %3</source>
+        <translation>第 %1 行第 %2 列：%3</translation>
+    </message>
+    <message>
+        <source>standard input</source>
+        <translation>标准输入</translation>
+    </message>
+    <message>
+        <source>holds no pen strokes; there is nothing to paint</source>
+        <translation>不含笔画；没有可绘制的内容</translation>
+    </message>
+    <message>
+        <source>the strokes span %1 × %2 units; at most 1e6 are possible, scale them down</source>
+        <translation>笔画跨度为 %1 × %2 单位；最多 1e6，请缩小</translation>
+    </message>
+    <message>
+        <source>line %1, column %2</source>
+        <translation>第 %1 行第 %2 列</translation>
+    </message>
+    <message>
+        <source>a value has the wrong type</source>
+        <translation>某个值的类型不正确</translation>
+    </message>
+    <message>
+        <source>the first chunk must be HEAD</source>
+        <translation>第一个数据块必须是 HEAD</translation>
+    </message>
+    <message>
+        <source>there is more than one HEAD</source>
+        <translation>HEAD 多于一个</translation>
+    </message>
+    <message>
+        <source>there is more than one</source>
+        <translation>多于一个</translation>
+    </message>
+    <message>
+        <source>chunk %1 at byte %2 is unknown, and the painting needs it; update Suffuse</source>
+        <translation>字节 %2 处的数据块 %1 未知，而画作需要它；请更新 Suffuse</translation>
+    </message>
+    <message>
+        <source>is not a CBOR map</source>
+        <translation>不是 CBOR 映射</translation>
+    </message>
+    <message>
+        <source>lacks the version or the counts</source>
+        <translation>缺少版本或计数</translation>
+    </message>
+    <message>
+        <source>was written by a newer program (%1): it needs a reader of version %2, this one is %3; update Suffuse</source>
+        <translation>由较新的程序写成（%1）：需要版本 %2 的读取器，当前为 %3；请更新 Suffuse</translation>
+    </message>
+    <message>
+        <source>the chunk DOCU is missing; the file is damaged, take a backup copy</source>
+        <translation>缺少数据块 DOCU；文件已损坏，请使用备份</translation>
+    </message>
+    <message>
+        <source>should hold %1 strokes and %2 segments, but holds %3 and %4; the file is damaged, take a backup copy</source>
+        <translation>应有 %1 条笔画和 %2 条线段，实际为 %3 和 %4；文件已损坏，请使用备份</translation>
+    </message>
+    <message>
+        <source>the file is damaged, take a backup copy</source>
+        <translation>文件已损坏，请使用备份</translation>
+    </message>
+    <message>
+        <source>chunk %1 at byte %2: %3; %4</source>
+        <translation>字节 %2 处的数据块 %1：%3；%4</translation>
+    </message>
+    <message>
+        <source>is not a .suffuse file</source>
+        <translation>不是 .suffuse 文件</translation>
+    </message>
+    <message>
+        <source>ends after %1 bytes; %2</source>
+        <translation>在 %1 字节后结束；%2</translation>
+    </message>
+    <message>
+        <source>its line endings were changed on the way; transfer it as a binary file</source>
+        <translation>其换行符在传输中被更改；请以二进制方式传输</translation>
+    </message>
+    <message>
+        <source>the hash of the whole differs</source>
+        <translation>整体哈希值不符</translation>
+    </message>
+    <message>
+        <source>%1 bytes follow after the end</source>
+        <translation>结束后还有 %1 字节</translation>
+    </message>
+    <message>
+        <source>is cut off after %1 bytes; %2</source>
+        <translation>在 %1 字节后被截断；%2</translation>
+    </message>
+    <message>
+        <source>has %1 bytes, but the file only %2 more</source>
+        <translation>有 %1 字节，但文件只剩 %2 字节</translation>
+    </message>
+    <message>
+        <source>checksum differs</source>
+        <translation>校验和不符</translation>
+    </message>
+    <message>
+        <source>%1 strokes and %2 segments are more than the file can hold</source>
+        <translation>%1 条笔画和 %2 条线段超出文件的容量</translation>
+    </message>
+    <message>
+        <source>its columns are not what the format allows</source>
+        <translation>其数据列不符合格式</translation>
+    </message>
+    <message>
+        <source>stroke %1 of it is not what the format allows</source>
+        <translation>其中的笔画 %1 不符合格式</translation>
+    </message>
+    <message>
+        <source>is missing</source>
+        <translation>缺失</translation>
+    </message>
+    <message>
+        <source>“%1” is none of: %2</source>
+        <translation>“%1”不是以下之一：%2</translation>
+    </message>
+    <message>
+        <source>has %1 numbers; the kind %2 has %3</source>
+        <translation>有 %1 个数字；类型 %2 应有 %3 个</translation>
+    </message>
+    <message>
+        <source>belongs to the mode beta; remove it or change the mode</source>
+        <translation>属于 beta 模式；请删除或更改模式</translation>
+    </message>
+    <message>
+        <source>has %1 points instead of 4</source>
+        <translation>有 %1 个点，应为 4 个</translation>
+    </message>
+    <message>
+        <source>has %1 numbers instead of 2</source>
+        <translation>有 %1 个数字，应为 2 个</translation>
+    </message>
+    <message>
+        <source>0 is not an id; count from 1 or leave it out</source>
+        <translation>0 不是有效的 id；请从 1 开始或省略</translation>
+    </message>
+    <message>
+        <source>%1 is not in [0, 4294967295]</source>
+        <translation>%1 不在 [0, 4294967295] 内</translation>
+    </message>
+    <message>
+        <source>width and height must not be negative</source>
+        <translation>宽度和高度不能为负</translation>
+    </message>
+    <message>
+        <source>%1 is not in [0, 1]</source>
+        <translation>%1 不在 [0, 1] 内</translation>
+    </message>
+    <message>
+        <source>“%1” is not “suffuse-text”</source>
+        <translation>“%1”不是“suffuse-text”</translation>
+    </message>
+    <message>
+        <source>0 is not a version; write 1</source>
+        <translation>0 不是有效版本；请写 1</translation>
+    </message>
+    <message>
+        <source>%1 is newer than this program, which reads version 1; update Suffuse</source>
+        <translation>%1 比此程序新（此程序读取版本 1）；请更新 Suffuse</translation>
+    </message>
+</context>
+<context>
+    <name>suffuse::HintLabel</name>
+    <message>
+        <source>Hint</source>
+        <translation>提示</translation>
+    </message>
+</context>
+<context>
+    <name>suffuse::HistoryPanel</name>
+    <message>
+        <source>Start</source>
+        <translation>开始</translation>
+    </message>
+    <message>
+        <source>History</source>
+        <translation>历史记录</translation>
+    </message>
+    <message>
+        <source>Every change since the painting was opened. Click one to go back or forward to it.</source>
+        <translation>打开画作以来的每次更改。点击某项即可回到或前进到该处。</translation>
+    </message>
+</context>
+<context>
+    <name>suffuse::InspectorPanel</name>
+    <message>
+        <source>Nothing is selected. Click a stroke to see and change its values.</source>
+        <translation>未选择任何内容。点击一条笔画以查看和更改其数值。</translation>
+    </message>
+    <message>
+        <source>%1 · %2</source>
+        <translation>%1 · %2</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n stroke(s)</source>
+        <translation>
+            <numerusform>%n 条笔画</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n segment(s)</source>
+        <translation>
+            <numerusform>%n 条线段</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>suffuse::MainWindow</name>
+    <message>
+        <source>Colour</source>
+        <translation>颜色</translation>
+    </message>
+    <message>
+        <source>Brushes</source>
+        <translation>画笔</translation>
+    </message>
+    <message>
+        <source>Inspector</source>
+        <translation>检查器</translation>
+    </message>
+    <message>
+        <source>Strokes</source>
+        <translation>笔画</translation>
+    </message>
+    <message>
+        <source>History</source>
+        <translation>历史记录</translation>
+    </message>
+    <message>
+        <source>Position of the pointer in canvas units</source>
+        <translation>指针位置（画布单位）</translation>
+    </message>
+    <message>
+        <source>Zoom</source>
+        <translation>缩放</translation>
+    </message>
+    <message>
+        <source>What renders the picture</source>
+        <translation>渲染图片的后端</translation>
+    </message>
+    <message>
+        <source>Time that the last frame took</source>
+        <translation>上一帧所用时间</translation>
+    </message>
+    <message>
+        <source>&amp;Undo</source>
+        <translation>撤销(&amp;U)</translation>
+    </message>
+    <message>
+        <source>&amp;Undo: %1</source>
+        <translation>撤销(&amp;U)：%1</translation>
+    </message>
+    <message>
+        <source>&amp;Redo</source>
+        <translation>重做(&amp;R)</translation>
+    </message>
+    <message>
+        <source>&amp;Redo: %1</source>
+        <translation>重做(&amp;R)：%1</translation>
+    </message>
+    <message>
+        <source>%1 %</source>
+        <translation>%1 %</translation>
+    </message>
+    <message>
+        <source>%1 ms</source>
+        <translation>%1 毫秒</translation>
+    </message>
+    <message>
+        <source>All that can be opened (*.suffuse *.json *.csv *.excalidraw *.dat)</source>
+        <translation>所有可打开的文件 (*.suffuse *.json *.csv *.excalidraw *.dat)</translation>
+    </message>
+    <message>
+        <source>Suffuse paintings (*.suffuse *.json)</source>
+        <translation>Suffuse 画作 (*.suffuse *.json)</translation>
+    </message>
+    <message>
+        <source>Pen recordings (*.csv *.json *.excalidraw *.dat)</source>
+        <translation>笔迹记录 (*.csv *.json *.excalidraw *.dat)</translation>
+    </message>
+    <message>
+        <source>All files (*)</source>
+        <translation>所有文件 (*)</translation>
+    </message>
+    <message>
+        <source>Open</source>
+        <translation>打开</translation>
+    </message>
+    <message>
+        <source>Save As</source>
+        <translation>另存为</translation>
+    </message>
+    <message>
+        <source>Suffuse painting (*.suffuse)</source>
+        <translation>Suffuse 画作 (*.suffuse)</translation>
+    </message>
+    <message>
+        <source>Text form (*.json)</source>
+        <translation>文本形式 (*.json)</translation>
+    </message>
+    <message>
+        <source>&amp;Clear the List</source>
+        <translation>清空列表(&amp;C)</translation>
+    </message>
+    <message>
+        <source>%1, %2</source>
+        <extracomment>a position: x, y</extracomment>
+        <translation>%1, %2</translation>
+    </message>
+</context>
+<context>
+    <name>suffuse::NewDialog</name>
+    <message>
+        <source>Sketch</source>
+        <translation>草图</translation>
+    </message>
+    <message>
+        <source>Full HD</source>
+        <translation>全高清</translation>
+    </message>
+    <message>
+        <source>4K</source>
+        <translation>4K</translation>
+    </message>
+    <message>
+        <source>Square</source>
+        <translation>正方形</translation>
+    </message>
+    <message>
+        <source>A5, 150 dpi</source>
+        <translation>A5，150 dpi</translation>
+    </message>
+    <message>
+        <source>A4, 150 dpi</source>
+        <translation>A4，150 dpi</translation>
+    </message>
+    <message>
+        <source>A4, 300 dpi</source>
+        <translation>A4，300 dpi</translation>
+    </message>
+    <message>
+        <source>New painting</source>
+        <translation>新建画作</translation>
+    </message>
+    <message>
+        <source>Size</source>
+        <translation>大小</translation>
+    </message>
+    <message>
+        <source>Custom</source>
+        <translation>自定义</translation>
+    </message>
+    <message>
+        <source>Usual sizes in units; a unit is a pixel at 100 %.</source>
+        <translation>常用尺寸（单位）；100 % 时 1 单位即 1 像素。</translation>
+    </message>
+    <message>
+        <source>Swap width and height</source>
+        <translation>交换宽度和高度</translation>
+    </message>
+    <message>
+        <source>Create</source>
+        <translation>创建</translation>
+    </message>
+</context>
+<context>
+    <name>suffuse::NumberField</name>
+    <message>
+        <source>“%1” is not a number. Sums such as 12*1.5 or +2 work too.</source>
+        <translation>“%1”不是数字。也可以输入 12*1.5 或 +2 这样的算式。</translation>
+    </message>
+    <message>
+        <source>%1 is out of range: %2 to %3 is possible.</source>
+        <translation>%1 超出范围：允许 %2 到 %3。</translation>
+    </message>
+</context>
+<context>
+    <name>suffuse::PanTool</name>
+    <message>
+        <source>Drag to move the canvas. The wheel zooms; R and drag turns.</source>
+        <translation>拖动以移动画布。滚轮缩放；按住 R 拖动可旋转。</translation>
+    </message>
+</context>
+<context>
+    <name>suffuse::SegmentSection</name>
+    <message>
+        <source>Diffusion D</source>
+        <translation>扩散系数 D</translation>
+    </message>
+    <message>
+        <source>How fast the paint spreads: the spread grows with the root of D times time.</source>
+        <translation>颜料扩散的快慢：扩散距离随 D 与时间乘积的平方根增长。</translation>
+    </message>
+    <message>
+        <source>Density φ</source>
+        <translation>密度 φ</translation>
+    </message>
+    <message>
+        <source>How much paint the segment gives off along its length.</source>
+        <translation>线段沿其长度释放的颜料量。</translation>
+    </message>
+    <message>
+        <source>Granulation ω</source>
+        <translation>颗粒 ω</translation>
+    </message>
+    <message>
+        <source>100 % hides the paper&apos;s texture, 0 % shows it fully.</source>
+        <translation>100 % 隐藏纸张纹理，0 % 完全显示。</translation>
+    </message>
+    <message>
+        <source>Drying time</source>
+        <translation>干燥时间</translation>
+    </message>
+    <message>
+        <source>t_max: how long the paint spreads after it was laid down.</source>
+        <translation>t_max：颜料落下后扩散多久。</translation>
+    </message>
+    <message>
+        <source>Segments</source>
+        <translation>线段</translation>
+    </message>
+    <message>
+        <source>Change diffusion</source>
+        <translation>更改扩散系数</translation>
+    </message>
+    <message>
+        <source>Change density</source>
+        <translation>更改密度</translation>
+    </message>
+    <message>
+        <source>Change granulation</source>
+        <translation>更改颗粒</translation>
+    </message>
+    <message>
+        <source>Change drying time</source>
+        <translation>更改干燥时间</translation>
+    </message>
+    <message>
+        <source>Colour</source>
+        <translation>颜色</translation>
+    </message>
+    <message>
+        <source>Colour of the selection</source>
+        <translation>所选内容的颜色</translation>
+    </message>
+    <message>
+        <source>Colour of the selection. Click: paint with it.</source>
+        <translation>所选内容的颜色。点击以此颜色作画。</translation>
+    </message>
+    <message>
+        <source>Change opacity</source>
+        <translation>更改不透明度</translation>
+    </message>
+    <message>
+        <source>Change colour</source>
+        <translation>更改颜色</translation>
+    </message>
+    <message>
+        <source>Anisotropy</source>
+        <translation>各向异性</translation>
+    </message>
+    <message>
+        <source>Angle</source>
+        <translation>角度</translation>
+    </message>
+    <message>
+        <source>Direction of the anisotropy, clockwise from the horizontal.</source>
+        <translation>各向异性的方向，从水平方向起顺时针计算。</translation>
+    </message>
+    <message>
+        <source>Change anisotropy</source>
+        <translation>更改各向异性</translation>
+    </message>
+    <message>
+        <source>Change angle</source>
+        <translation>更改角度</translation>
+    </message>
+    <message>
+        <source>How many times D along the angle is D across it; 1 spreads evenly.</source>
+        <translation>沿该角度的 D 是垂直方向 D 的多少倍；1 表示均匀扩散。</translation>
+    </message>
+</context>
+<context>
+    <name>suffuse::SegmentTool</name>
+    <message>
+        <source>Click a segment to select it, Shift+click for a run, Ctrl+click to add or remove one.</source>
+        <translation>点击选择线段，Shift+点击选择连续多段，Ctrl+点击添加或移除。</translation>
+    </message>
+</context>
+<context>
+    <name>suffuse::SelectTool</name>
+    <message>
+        <source>Click paint to select its stroke, click again for a segment, Shift+click for more. Drag to move.</source>
+        <translation>点击颜料选择其笔画，再次点击选择线段，Shift+点击加选。拖动以移动。</translation>
+    </message>
+    <message>
+        <source>Move</source>
+        <translation>移动</translation>
+    </message>
+</context>
+<context>
+    <name>suffuse::SettingsDialog</name>
+    <message>
+        <source>Settings</source>
+        <translation>设置</translation>
+    </message>
+    <message>
+        <source>Language</source>
+        <translation>语言</translation>
+    </message>
+    <message>
+        <source>Language of the program. Changes when it starts again.</source>
+        <translation>程序的语言。重新启动后生效。</translation>
+    </message>
+    <message>
+        <source>System</source>
+        <translation>跟随系统</translation>
+    </message>
+    <message>
+        <source>Theme</source>
+        <translation>主题</translation>
+    </message>
+    <message>
+        <source>Colours of the windows</source>
+        <translation>窗口的颜色</translation>
+    </message>
+    <message>
+        <source>Dark</source>
+        <translation>深色</translation>
+    </message>
+    <message>
+        <source>Light</source>
+        <translation>浅色</translation>
+    </message>
+    <message>
+        <source>Canvas</source>
+        <translation>画布</translation>
+    </message>
+    <message>
+        <source>How the picture comes to the screen. Changes when the program starts again.</source>
+        <translation>图片如何显示到屏幕。重新启动后生效。</translation>
+    </message>
+    <message>
+        <source>Automatic</source>
+        <translation>自动</translation>
+    </message>
+    <message>
+        <source>Raster</source>
+        <translation>光栅</translation>
+    </message>
+    <message>
+        <source>All cores</source>
+        <translation>所有核心</translation>
+    </message>
+    <message>
+        <source>Threads</source>
+        <translation>线程</translation>
+    </message>
+    <message>
+        <source>Processor threads for drawing. Changes when the program starts again.</source>
+        <translation>用于绘制的处理器线程数。重新启动后生效。</translation>
+    </message>
+    <message>
+        <source>Language, canvas and threads change when Suffuse starts again.</source>
+        <translation>语言、画布和线程的更改将在 Suffuse 重新启动后生效。</translation>
+    </message>
+</context>
+<context>
+    <name>suffuse::ShortcutsDialog</name>
+    <message>
+        <source>Keyboard shortcuts</source>
+        <translation>键盘快捷键</translation>
+    </message>
+    <message>
+        <source>Search</source>
+        <translation>搜索</translation>
+    </message>
+    <message>
+        <source>Search shortcuts</source>
+        <translation>搜索快捷键</translation>
+    </message>
+    <message>
+        <source>Shows only commands whose name or shortcut holds this text.</source>
+        <translation>仅显示名称或快捷键包含此文本的命令。</translation>
+    </message>
+    <message>
+        <source>Command</source>
+        <translation>命令</translation>
+    </message>
+    <message>
+        <source>Shortcut</source>
+        <translation>快捷键</translation>
+    </message>
+    <message>
+        <source>Commands</source>
+        <translation>命令</translation>
+    </message>
+    <message>
+        <source>Choose a command, then press its new shortcut below.</source>
+        <translation>选择命令，然后在下方按下新的快捷键。</translation>
+    </message>
+    <message>
+        <source>Press the keys</source>
+        <translation>按下按键</translation>
+    </message>
+    <message>
+        <source>None</source>
+        <translation>无</translation>
+    </message>
+    <message>
+        <source>No shortcut for this command</source>
+        <translation>此命令不使用快捷键</translation>
+    </message>
+    <message>
+        <source>Reset</source>
+        <translation>重置</translation>
+    </message>
+    <message>
+        <source>This command&apos;s own shortcut</source>
+        <translation>此命令的默认快捷键</translation>
+    </message>
+    <message>
+        <source>%1 belongs to “%2” and “%3”. Give one of them another shortcut.</source>
+        <translation>%1 同时属于“%2”和“%3”。请为其中之一设置其他快捷键。</translation>
+    </message>
+</context>
+<context>
+    <name>suffuse::SliderField</name>
+    <message>
+        <source>Double-click: back to the default.</source>
+        <translation>双击：恢复默认值。</translation>
+    </message>
+    <message>
+        <source>%1, slider</source>
+        <translation>%1，滑块</translation>
+    </message>
+</context>
+<context>
+    <name>suffuse::StrokeSection</name>
+    <message>
+        <source>Strokes</source>
+        <translation>笔画</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>名称</translation>
+    </message>
+    <message>
+        <source>Name of the selected strokes, as the list of strokes shows it.</source>
+        <translation>所选笔画在笔画列表中显示的名称。</translation>
+    </message>
+    <message>
+        <source>Rename stroke</source>
+        <translation>重命名笔画</translation>
+    </message>
+    <message>
+        <source>Mixing</source>
+        <translation>混合</translation>
+    </message>
+    <message>
+        <source>Covering (alpha)</source>
+        <translation>覆盖（alpha）</translation>
+    </message>
+    <message>
+        <source>Pigment (β)</source>
+        <translation>颜料（β）</translation>
+    </message>
+    <message>
+        <source>How the paint mixes with what lies below it: it covers, or pigments add up.</source>
+        <translation>颜料与下层的混合方式：覆盖，或颜料叠加。</translation>
+    </message>
+    <message>
+        <source>Pigment β</source>
+        <translation>颜料 β</translation>
+    </message>
+    <message>
+        <source>Share of the colour below that stays: 0 % covers, 100 % adds.</source>
+        <translation>下层颜色保留的比例：0 % 覆盖，100 % 叠加。</translation>
+    </message>
+    <message>
+        <source>Change pigment mixing</source>
+        <translation>更改颜料混合</translation>
+    </message>
+    <message>
+        <source>Change mixing</source>
+        <translation>更改混合</translation>
+    </message>
+    <message>
+        <source>unnamed</source>
+        <translation>未命名</translation>
+    </message>
+</context>
+<context>
+    <name>suffuse::StrokesModel</name>
+    <message>
+        <source>Name</source>
+        <translation>名称</translation>
+    </message>
+    <message>
+        <source>Visible</source>
+        <translation>可见</translation>
+    </message>
+    <message>
+        <source>Locked</source>
+        <translation>已锁定</translation>
+    </message>
+    <message>
+        <source>Visible. Click: hide.</source>
+        <translation>可见。点击隐藏。</translation>
+    </message>
+    <message>
+        <source>Hidden. Click: show.</source>
+        <translation>已隐藏。点击显示。</translation>
+    </message>
+    <message>
+        <source>Locked. Click: unlock.</source>
+        <translation>已锁定。点击解锁。</translation>
+    </message>
+    <message>
+        <source>Not locked. Click: lock.</source>
+        <translation>未锁定。点击锁定。</translation>
+    </message>
+    <message>
+        <source>Stroke %1</source>
+        <translation>笔画 %1</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n segment(s)</source>
+        <translation>
+            <numerusform>%n 条线段</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Group %1</source>
+        <translation>组 %1</translation>
+    </message>
+    <message>
+        <source>Rename group</source>
+        <translation>重命名组</translation>
+    </message>
+    <message>
+        <source>Rename stroke</source>
+        <translation>重命名笔画</translation>
+    </message>
+    <message>
+        <source>Hide group</source>
+        <translation>隐藏组</translation>
+    </message>
+    <message>
+        <source>Show group</source>
+        <translation>显示组</translation>
+    </message>
+    <message>
+        <source>Unlock group</source>
+        <translation>解锁组</translation>
+    </message>
+    <message>
+        <source>Lock group</source>
+        <translation>锁定组</translation>
+    </message>
+    <message>
+        <source>Hide stroke</source>
+        <translation>隐藏笔画</translation>
+    </message>
+    <message>
+        <source>Show stroke</source>
+        <translation>显示笔画</translation>
+    </message>
+    <message>
+        <source>Unlock stroke</source>
+        <translation>解锁笔画</translation>
+    </message>
+    <message>
+        <source>Lock stroke</source>
+        <translation>锁定笔画</translation>
+    </message>
+    <message>
+        <source>Reorder strokes</source>
+        <translation>调整笔画顺序</translation>
+    </message>
+</context>
+<context>
+    <name>suffuse::StrokesPanel</name>
+    <message>
+        <source>Search</source>
+        <translation>搜索</translation>
+    </message>
+    <message>
+        <source>Search strokes</source>
+        <translation>搜索笔画</translation>
+    </message>
+    <message>
+        <source>Shows only strokes and groups whose name holds this text.</source>
+        <translation>仅显示名称包含此文本的笔画和组。</translation>
+    </message>
+    <message>
+        <source>Strokes</source>
+        <translation>笔画</translation>
+    </message>
+    <message>
+        <source>The topmost stroke comes first. Drag to reorder, double-click to rename.</source>
+        <translation>最上层的笔画排在最前。拖动可排序，双击可重命名。</translation>
+    </message>
+</context>
+<context>
+    <name>suffuse::StyleSection</name>
+    <message>
+        <source>Style</source>
+        <translation>样式</translation>
+    </message>
+    <message>
+        <source>Density function</source>
+        <translation>密度函数</translation>
+    </message>
+    <message>
+        <source>How density becomes coverage. The mark is the peak density of the selected segments.</source>
+        <translation>密度如何转化为覆盖率。标记处为所选线段的峰值密度。</translation>
+    </message>
+    <message>
+        <source>Belongs to</source>
+        <translation>归属</translation>
+    </message>
+    <message>
+        <source>Whether the segments follow their stroke&apos;s style or have their own.</source>
+        <translation>线段沿用所属笔画的样式，还是使用自己的样式。</translation>
+    </message>
+    <message>
+        <source>The stroke</source>
+        <translation>笔画</translation>
+    </message>
+    <message>
+        <source>These segments</source>
+        <translation>这些线段</translation>
+    </message>
+    <message>
+        <source>Kind</source>
+        <translation>类型</translation>
+    </message>
+    <message>
+        <source>How density becomes coverage.</source>
+        <translation>密度如何转化为覆盖率。</translation>
+    </message>
+    <message>
+        <source>Uniform</source>
+        <translation>均匀</translation>
+    </message>
+    <message>
+        <source>Feathering</source>
+        <translation>羽化</translation>
+    </message>
+    <message>
+        <source>Dark edges</source>
+        <translation>深色边缘</translation>
+    </message>
+    <message>
+        <source>Change style</source>
+        <translation>更改样式</translation>
+    </message>
+    <message>
+        <source>Parameter of the style</source>
+        <translation>样式的参数</translation>
+    </message>
+    <message>
+        <source>Spread s</source>
+        <translation>扩散距离 s</translation>
+    </message>
+    <message>
+        <source>Peak density</source>
+        <translation>峰值密度</translation>
+    </message>
+    <message>
+        <source>Half-width</source>
+        <translation>半宽</translation>
+    </message>
+    <message>
+        <source>Fades away</source>
+        <translation>消褪</translation>
+    </message>
+    <message>
+        <source>How far the paint has spread once it is dry: √(4·D·t_max).</source>
+        <translation>颜料干透时扩散的距离：√(4·D·t_max)。</translation>
+    </message>
+    <message>
+        <source>Density in the middle of a long straight stroke, dry.</source>
+        <translation>干透的长直笔画中央的密度。</translation>
+    </message>
+    <message>
+        <source>From the middle to the visible edge of a long straight stroke, dry.</source>
+        <translation>干透的长直笔画从中央到可见边缘的距离。</translation>
+    </message>
+    <message>
+        <source>When the paint has spread so thin that nothing of it is visible any more.</source>
+        <translation>颜料扩散到稀薄得完全看不见的时间。</translation>
+    </message>
+    <message>
+        <source>Give segments their own style</source>
+        <translation>赋予线段独立样式</translation>
+    </message>
+    <message>
+        <source>Follow the stroke&apos;s style</source>
+        <translation>沿用笔画样式</translation>
+    </message>
+    <message>
+        <source>Not possible for all that is selected: %1</source>
+        <translation>无法应用于全部所选内容：%1</translation>
+    </message>
+    <message>
+        <source>Threshold ξ1</source>
+        <translation>阈值 ξ1</translation>
+    </message>
+    <message>
+        <source>Softness ξ2</source>
+        <translation>柔和度 ξ2</translation>
+    </message>
+    <message>
+        <source>Full at ξ1</source>
+        <translation>饱和点 ξ1</translation>
+    </message>
+    <message>
+        <source>Steepness ξ2</source>
+        <translation>陡度 ξ2</translation>
+    </message>
+    <message>
+        <source>Edge ξ1</source>
+        <translation>边缘 ξ1</translation>
+    </message>
+    <message>
+        <source>Lightening ξ2</source>
+        <translation>提亮 ξ2</translation>
+    </message>
+    <message>
+        <source>Strength ξ3</source>
+        <translation>强度 ξ3</translation>
+    </message>
+    <message>
+        <source>Density at which the stroke covers by half.</source>
+        <translation>笔画覆盖一半时的密度。</translation>
+    </message>
+    <message>
+        <source>How gently the edge fades.</source>
+        <translation>边缘过渡的柔和程度。</translation>
+    </message>
+    <message>
+        <source>Density from which the stroke covers fully.</source>
+        <translation>笔画完全覆盖所需的密度。</translation>
+    </message>
+    <message>
+        <source>How steeply coverage grows with density.</source>
+        <translation>覆盖率随密度增长的陡度。</translation>
+    </message>
+    <message>
+        <source>Density at which the dark rim stands.</source>
+        <translation>深色边缘所在的密度。</translation>
+    </message>
+    <message>
+        <source>How much the inside is lighter than the rim; at most 1.26·ξ1.</source>
+        <translation>内部比边缘浅多少；最大为 1.26·ξ1。</translation>
+    </message>
+    <message>
+        <source>Coverage far inside the stroke.</source>
+        <translation>笔画内部深处的覆盖率。</translation>
+    </message>
+    <message>
+        <source>never</source>
+        <translation>不会</translation>
+    </message>
+    <message>
+        <source>partly, from %1</source>
+        <translation>部分，自 %1 起</translation>
+    </message>
+    <message>
+        <source>after %1</source>
+        <translation>%1 后</translation>
+    </message>
+</context>
 </TS>

@@ -18,6 +18,9 @@ struct RenderRequest {
     Microseconds time = 0;    ///< document time T
     View view;
     bool transparent = false; ///< no background: alpha holds the coverage
+    /// A value is being dragged: this frame may differ by 1e-5 a channel from the exact one, if that makes it faster.
+    /// The next frame without it is exact again.
+    bool interactive = false;
 };
 
 struct RenderStats {

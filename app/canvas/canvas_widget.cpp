@@ -38,6 +38,7 @@ CanvasWidget::CanvasWidget(Editor &editor, QWidget *parent)
     m_presenter = makePresenter(*this, this);
     connect(&m_worker, &RenderWorker::frameReady, this, &CanvasWidget::frameReady);
     connect(&editor, &Editor::timeChanged, this, &CanvasWidget::scheduleRender);
+    connect(&editor, &Editor::dragEnded, this, &CanvasWidget::scheduleRender);
     connect(&editor.document(), &Document::changed, this, [this](const Change &change) {
         if (change.reset) {
             m_pressed = false;
@@ -175,6 +176,7 @@ void CanvasWidget::requestFrame()
     request.painting = m_editor.document().snapshot();
     request.time = m_editor.time();
     request.view = view();
+    request.interactive = m_editor.isDragging();
     m_lastSerial = m_worker.request(std::move(request));
 }
 

@@ -1,5 +1,6 @@
 #include "app/dialogs/shortcuts_dialog.h"
 
+#include "app/actions.h"
 #include "app/panels/section.h"
 #include "app/settings.h"
 
@@ -32,11 +33,10 @@ QList<QKeySequence> ownShortcutsOf(const QAction *action)
     return own.isValid() ? own.value<QList<QKeySequence>>() : action->shortcuts();
 }
 
+/// For undo without the step's name.
 QString titleOf(const QAction *action)
 {
-    QString title = action->text();
-    title.remove('&');
-    return title.endsWith(QStringLiteral("…")) ? title.chopped(1) : title;
+    return plainTitle(action->iconText());
 }
 
 } // namespace
@@ -98,6 +98,7 @@ void ShortcutsDialog::addList(QVBoxLayout &column)
     m_list = new QTreeWidget(this);
     m_list->setRootIsDecorated(false);
     m_list->setAlternatingRowColors(true);
+    m_list->setUniformRowHeights(true);
     m_list->setHeaderLabels({tr("Command"), tr("Shortcut")});
     m_list->setAccessibleName(tr("Commands"));
     m_list->setToolTip(tr("Choose a command, then press its new shortcut below."));
@@ -135,13 +136,16 @@ QPushButton *ShortcutsDialog::addEditor(QVBoxLayout &column)
 
 void ShortcutsDialog::fill(const QList<QAction *> &actions)
 {
+    QPixmap nothing(m_list->iconSize().isValid() ? m_list->iconSize() : QSize(16, 16));
+    nothing.fill(Qt::transparent);
+    const QIcon blank(nothing); // so that all titles stand in one line
     for (QAction *action : actions) {
         if (action->isSeparator() || action->menu() || action->text().isEmpty())
             continue;
         m_actions << action;
         m_chosen[action] = action->shortcuts();
         auto *item = new QTreeWidgetItem(m_list, {titleOf(action), QString()});
-        item->setIcon(0, action->icon());
+        item->setIcon(0, action->icon().isNull() ? blank : action->icon());
         item->setData(0, Qt::UserRole, QVariant::fromValue<quintptr>(reinterpret_cast<quintptr>(action)));
     }
 }

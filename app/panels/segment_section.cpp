@@ -72,8 +72,7 @@ FieldSpec maxAgeSpec()
 FieldSpec anisotropySpec()
 {
     return {.name = SegmentSection::tr("Anisotropy"),
-            .toolTip = SegmentSection::tr("How many times faster the paint spreads along the angle than across it; "
-                                          "1 spreads evenly."),
+            .toolTip = SegmentSection::tr("How many times D along the angle is D across it; 1 spreads evenly."),
             .minimum = smallestPositive,
             .maximum = 1e6,
             .sliderMinimum = 0.01,

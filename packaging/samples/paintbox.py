@@ -169,6 +169,54 @@ def resampled(points, step):
     return out + [tuple(points[-1])]
 
 
+def area(points):
+    """Twice the signed area; positive where the points go clockwise on the screen."""
+    return sum(x0 * y1 - x1 * y0 for (x0, y0), (x1, y1) in zip(points, points[1:] + points[:1]))
+
+
+def inset(points, distance):
+    """The closed outline moved inwards; mitred corners, at most 2.5 distances long."""
+    points = [p for p, q in zip(points, points[1:] + points[:1]) if math.dist(p, q) > 1e-6]
+    side, out = math.copysign(distance, area(points)), []
+    for (ax, ay), (bx, by), (cx, cy) in zip(points[-1:] + points[:-1], points, points[1:] + points[:1]):
+        u, v = math.hypot(bx - ax, by - ay), math.hypot(cx - bx, cy - by)
+        nx, ny = -(by - ay) / u - (cy - by) / v, (bx - ax) / u + (cx - bx) / v
+        size = math.hypot(nx, ny)
+        reach = side * min(2.5, 2 / size) / size if size > 1e-9 else 0.0
+        out.append((bx + nx * reach, by + ny * reach))
+    return out
+
+
+def corners(points, bend=35.0):
+    """Where the closed outline turns sharply: positions in the list."""
+    out, n = [], len(points)
+    for i, (bx, by) in enumerate(points):
+        (ax, ay), (cx, cy) = points[i - 1], points[(i + 1) % n]
+        turn = math.degrees(math.atan2(cy - by, cx - bx) - math.atan2(by - ay, bx - ax))
+        if abs((turn + 180) % 360 - 180) > bend:
+            out.append(i)
+    return out
+
+
+def runs(points):
+    """The closed outline as open runs between its corners, each to be drawn as one smooth curve."""
+    at = corners(points) or [0]
+    loop = points + points
+    return [loop[i:j + 1] for i, j in zip(at, at[1:] + [at[0] + len(points)])]
+
+
+def smoothed(nodes, closed=False):
+    """The nodes' polyline as cubics (lists of four points) that pass through them."""
+    n, out = len(nodes) - 1, []
+    for k in range(n):
+        a, b = nodes[k], nodes[k + 1]
+        before = nodes[k - 1] if k else (nodes[-2] if closed and n > 2 else a)
+        after = nodes[k + 2] if k + 2 <= n else (nodes[1] if closed and n > 2 else b)
+        out.append([a, (a[0] + (b[0] - before[0]) / 6, a[1] + (b[1] - before[1]) / 6),
+                    (b[0] - (after[0] - a[0]) / 6, b[1] - (after[1] - a[1]) / 6), b])
+    return out
+
+
 # ---------------------------------------------------------------- filling a shape with one stroke
 
 def crossings(outlines, y):
@@ -268,14 +316,11 @@ class Painting:
             shade = ramp(*[(i / max(1, len(colour) - 1), c) for i, c in enumerate(colour)])
         nodes = resampled(curve(points, step=min(2.0, s)) if smooth else points, step or max(1.5, 0.9 * s))
         n, segments = len(nodes) - 1, []
-        for k in range(n):
-            before, a, b, after = nodes[max(0, k - 1)], nodes[k], nodes[k + 1], nodes[min(n, k + 2)]
+        for k, points in enumerate(smoothed(nodes)):
             w = at((k + 0.5) / n)
-            density = cut * ROOT_PI * s * math.exp(min(3.5, (w / s) ** 2)) * (1 if w > 0 else 0)
-            paint = shade((k + 0.5) / n) if shade else value(colour, (a[0] + b[0]) / 2, (a[1] + b[1]) / 2)
-            one = (a[0] + (b[0] - before[0]) / 6, a[1] + (b[1] - before[1]) / 6)
-            two = (b[0] - (after[0] - a[0]) / 6, b[1] - (after[1] - a[1]) / 6)
-            segments.append(((a, one, two, b), s, density, granulation, paint))
+            density = cut * ROOT_PI * s * math.exp(min(3.5, (w / s) ** 2)) if w > 0 else 0.0
+            x, y = (points[0][0] + points[3][0]) / 2, (points[0][1] + points[3][1]) / 2
+            segments.append((points, s, density, granulation, shade((k + 0.5) / n) if shade else value(colour, x, y)))
         self.add(name, segments, style, mix)
 
     def dot(self, name, x, y, radius, colour, style=None, mix=COVER, granulation=1.0):
@@ -287,47 +332,61 @@ class Painting:
         self.add(name, [(ends, s, density, granulation, colour)], style or uniform(), mix)
 
     def fill(self, name, outlines, colour, s=8.0, row=None, angle=0.0, level=1.0, style=None, mix=COVER,
-             granulation=1.0, piece=None, spread=None):
-        """A shape filled by one scribbled stroke. Inside, its density is `level` (a field; 1 ends a style that cuts at 0.5
-        exactly on the outline). s sets the rows' distance, spread (a field, default s) the spread; colour is a field."""
+             granulation=1.0, piece=None, spread=None, rims=None):
+        """A shape filled by one stroke: round its outline, then to and fro. Inside, its density is `level` (a field; 1
+        ends a style that cuts at 0.5 on the outline). s sets the rows' distance, spread (a field, default s) the spread;
+        colour is a field. rims: how often round, default 1, or 2 for large shapes."""
         outlines = [outlines] if isinstance(outlines[0][0], (int, float)) else outlines
-        c, sn = math.cos(math.radians(angle)), math.sin(math.radians(angle))
-        turned = [[(c * x + sn * y, -sn * x + c * y) for x, y in points] for points in outlines]
-        back = lambda x, y: (c * x - sn * y, sn * x + c * y)
-        chains, pitch = rows_of(turned, row or 1.2 * s)
+        pitch = row or 1.1 * s
         varies = callable(colour) or callable(level) or callable(spread)
         piece = piece or (1.6 * s if varies else 1e9)
-        spread, segments, last = spread or s, [], None
+        spread, segments = spread or s, []
 
         def lay(points, share):
-            (x0, y0), (x3, y3) = points[0], points[3]
-            x, y = back((x0 + x3) / 2, (y0 + y3) / 2)
-            segments.append(([back(*p) for p in points], value(spread, x, y), share * pitch * value(level, x, y),
-                             granulation, value(colour, x, y)))
+            x, y = (points[0][0] + points[3][0]) / 2, (points[0][1] + points[3][1]) / 2
+            density = share * value(level, x, y)
+            segments.append((points, value(spread, x, y), density, granulation, value(colour, x, y)))
 
         def straight(a, b, share, pieces=1):
             cut = [tuple(lerp(a[i], b[i], k / (3 * pieces)) for i in (0, 1)) for k in range(3 * pieces + 1)]
             for k in range(pieces):
                 lay(cut[3 * k:3 * k + 4], share)
 
-        for chain in chains:
-            right = True
-            for k, (y, x0, x1) in enumerate(chain):
-                inset = min(pitch / 4, (x1 - x0) / 4)
-                a, b = ((x0 + inset, y), (x1 - inset, y)) if right else ((x1 - inset, y), (x0 + inset, y))
-                if last and k:
-                    self.turn(last, a, right, pitch, lay)
-                elif last:
-                    straight(last, a, 0.0)
-                straight(a, b, 1.0, max(1, math.ceil((x1 - x0) / piece)))
-                last, right = b, not right
+        if rims is None:
+            thin = min(max(q[i] for q in outlines[0]) - min(q[i] for q in outlines[0]) for i in (0, 1)) < 12 * s
+            rims = 1 if thin or s < 5 else 2
+        for _ in range(rims):
+            for outline in outlines:
+                for run in runs(inset(outline, pitch / 2)):
+                    if segments:
+                        straight(segments[-1][0][3], run[0], 0.0)
+                    for points in smoothed(resampled(run, 1.4 * s), math.dist(run[0], run[-1]) < 1e-9):
+                        lay(points, pitch)
+            outlines = [inset(outline, pitch) for outline in outlines]
+        self.scribble(outlines, pitch, angle, piece, straight, lay, segments)
         self.add(name, segments, style or uniform(), mix)
 
     @staticmethod
-    def turn(a, b, right, pitch, lay):
-        """From the end of a row to the start of the next, with the paint that the rows' inset leaves out."""
-        bow = (-0.4 if right else 0.4) * pitch
-        lay([a, (a[0] + bow, a[1]), (b[0] + bow, b[1]), b], 0.5 * pitch / max(pitch, 1.15 * math.dist(a, b)))
+    def scribble(outlines, spacing, angle, piece, straight, lay, segments):
+        """Lays the rows to and fro. A row ends a quarter pitch early; its turn lays what that leaves out."""
+        c, sn = math.cos(math.radians(angle)), math.sin(math.radians(angle))
+        back = lambda x, y: (c * x - sn * y, sn * x + c * y)
+        chains, pitch = rows_of([[(c * x + sn * y, -sn * x + c * y) for x, y in points] for points in outlines], spacing)
+        last = None
+        for chain in chains:
+            right = True
+            for k, (y, x0, x1) in enumerate(chain):
+                gap = min(pitch / 4, (x1 - x0) / 4)
+                ends = ((x0 + gap, y), (x1 - gap, y)) if right else ((x1 - gap, y), (x0 + gap, y))
+                a, b = back(*ends[0]), back(*ends[1])
+                if k:
+                    bow = (-0.4 if right else 0.4) * pitch
+                    lay([last, (last[0] + c * bow, last[1] + sn * bow), (a[0] + c * bow, a[1] + sn * bow), a],
+                        0.5 * pitch * pitch / max(pitch, 1.15 * math.dist(a, last)))
+                elif segments:
+                    straight(segments[-1][0][3], a, 0.0)
+                straight(a, b, pitch, max(1, math.ceil((x1 - x0) / piece)))
+                last, right = b, not right
 
     def write(self, path):
         """Writes the text form; a line a segment."""

@@ -110,43 +110,119 @@ void CpuRenderer::markDifferences(const std::vector<std::shared_ptr<const SceneS
         m_region.mark(m_entries[id].scene->bounds);
 }
 
-std::vector<cpu::TileStroke> CpuRenderer::rowStrokes(int row) const
+void CpuRenderer::updateLayers(const std::vector<std::shared_ptr<const SceneStroke>> &before, bool incremental,
+                               bool interactive)
 {
-    std::vector<cpu::TileStroke> result;
+    if (!incremental) {
+        m_layers.clear();
+        m_edited = noEdit;
+        m_oneEdited = false;
+        m_approximate.assign(std::size_t(m_region.columns()) * std::size_t(m_region.rows()), 0);
+        return;
+    }
+    // Scene strokes are shared while they stay the same: what both scenes begin with did not change.
+    const std::size_t common = std::min(before.size(), m_scene.size());
+    std::size_t first = 0;
+    while (first < common && before[first] == m_scene[first])
+        ++first;
+    m_oneEdited = false;
+    if (first < before.size() || first < m_scene.size()) {
+        // Kept a little lower than needed while several strokes change by turns (they dry one after another).
+        constexpr std::size_t slack = 4;
+        if (m_edited == noEdit || first < m_edited || first > m_edited + slack) {
+            m_layers.clear();
+            m_edited = first;
+        }
+        m_oneEdited = first == m_edited && before.size() == m_scene.size() &&
+                      std::equal(before.begin() + std::ptrdiff_t(first) + 1, before.end(),
+                                 m_scene.begin() + std::ptrdiff_t(first) + 1);
+        if (!m_oneEdited)
+            m_layers.dropOver();
+    }
+    if (!interactive)
+        for (int row = 0; row < m_region.rows(); ++row)
+            for (int column = 0; column < m_region.columns(); ++column)
+                if (std::uint8_t &approximate = m_approximate[tileIndex(column, row)]; approximate) {
+                    m_region.mark(m_region.tile(column, row));
+                    approximate = 0;
+                }
+}
+
+std::vector<CpuRenderer::Job> CpuRenderer::planJobs(bool interactive)
+{
+    std::vector<Job> jobs;
+    for (int row = 0; row < m_region.rows(); ++row)
+        for (int column = 0; column < m_region.columns(); ++column) {
+            if (!m_region.isDirty(column, row))
+                continue;
+            Job job{column, row, {}};
+            if (m_edited != noEdit && m_edited > 0) {
+                cpu::TileLayers &layers = m_layers.at(tileIndex(column, row));
+                const PixelRect tile = m_region.tile(column, row);
+                const auto across = [](int pixels) { return std::size_t((pixels + cpu::blockSide - 1) / cpu::blockSide); };
+                const std::size_t blocks = across(tile.width) * across(tile.height);
+                job.plan.layers = &layers;
+                job.plan.storeUnder = layers.under.empty();
+                layers.under.resize(blocks);
+                if (interactive && m_oneEdited) {
+                    job.plan.applyOver = !layers.over.empty();
+                    job.plan.storeOver = layers.over.empty();
+                    layers.over.resize(blocks);
+                }
+            }
+            jobs.push_back(job);
+        }
+    return jobs;
+}
+
+CpuRenderer::Row CpuRenderer::rowStrokes(int row, bool fromEdited) const
+{
+    Row result;
     const PixelRect first = m_region.tile(0, row);
     const Rect band = Rect::of(0, first.y, m_frame.view.width, first.height);
     std::vector<const cpu::ViewNode *> all;
     cpu::TileStroke selected;
-    for (const auto &s : m_scene) {
-        const PixelRect &b = s->bounds;
+    for (std::size_t i = fromEdited ? m_edited : 0; i < m_scene.size(); ++i) {
+        const SceneStroke &s = *m_scene[i];
+        const PixelRect &b = s.bounds;
         if (b.isEmpty() || b.y >= first.y + first.height || b.y + b.height <= first.y)
             continue;
         all.clear();
-        for (const cpu::ViewNode &n : s->nodes)
+        for (const cpu::ViewNode &n : s.nodes)
             all.push_back(&n);
-        if (cpu::selectNodes(*m_frame.kernels, *s, all, band.grown(1), selected))
-            result.push_back(selected);
+        if (!cpu::selectNodes(*m_frame.kernels, s, all, band.grown(1), selected))
+            continue;
+        result.strokes.push_back(selected);
+        result.below += m_edited != noEdit && i < m_edited;
     }
     return result;
 }
 
-void CpuRenderer::paint(int column, int row, const std::vector<cpu::TileStroke> &strokes, Target &target)
+void CpuRenderer::paint(const Job &job, const Row &row, Target &target)
 {
-    const PixelRect tile = m_region.tile(column, row);
+    const PixelRect tile = m_region.tile(job.column, job.row);
+    const SceneStroke *edited = m_edited < m_scene.size() ? m_scene[m_edited].get() : nullptr;
     // Blocks reach over the picture's edge; a pixel around covers supersampled samples.
     const Rect area = Rect::of(tile.x, tile.y, std::max(tile.width, cpu::blockSide), std::max(tile.height, cpu::blockSide));
+    const bool haveUnder = job.plan.layers && !job.plan.storeUnder;
     std::vector<cpu::TileStroke> selected;
+    cpu::TilePlan plan = job.plan;
     cpu::TileStroke one;
-    for (const cpu::TileStroke &s : strokes) {
+    for (std::size_t i = haveUnder ? row.below : 0; i < row.strokes.size(); ++i) {
+        const cpu::TileStroke &s = row.strokes[i];
+        if (plan.applyOver && s.stroke != edited)
+            continue;
         const PixelRect &b = s.stroke->bounds;
         if (b.x >= tile.x + tile.width || b.x + b.width <= tile.x)
             continue;
-        if (cpu::selectNodes(*m_frame.kernels, *s.stroke, s.nodes, area.grown(1), one))
-            selected.push_back(std::move(one));
+        if (!cpu::selectNodes(*m_frame.kernels, *s.stroke, s.nodes, area.grown(1), one))
+            continue;
+        plan.below += i < row.below;
+        selected.push_back(std::move(one));
         one = {};
     }
-    std::vector<float> rgba(std::size_t(tile.width) * tile.height * 4);
-    cpu::paintTile(m_frame, tile, selected, rgba.data());
+    std::vector<float> rgba(std::size_t(tile.width) * std::size_t(tile.height) * 4);
+    cpu::paintTile(m_frame, tile, selected, plan, edited, rgba.data());
     target.store(tile, rgba.data(), tile.width);
 }
 
@@ -180,35 +256,45 @@ Result<RenderStats> CpuRenderer::render(const RenderRequest &request, Target &ta
     stats.nodesMs = milliseconds(stage);
     stage.restart();
 
-    std::vector<std::vector<cpu::TileStroke>> rows(std::size_t(m_region.rows()));
+    updateLayers(before, incremental, request.interactive);
+    const std::vector<Job> jobs = planJobs(request.interactive);
+    std::vector<std::uint8_t> needed(std::size_t(m_region.rows()), 0); // 1: from the edited stroke on, 2: all
+    for (const Job &job : jobs) {
+        const bool haveUnder = job.plan.layers && !job.plan.storeUnder;
+        needed[std::size_t(job.row)] = std::max<std::uint8_t>(needed[std::size_t(job.row)], haveUnder ? 1 : 2);
+    }
+    std::vector<Row> rows(needed.size());
     parallelFor(rows.size(), m_threads, [&](std::size_t row) {
-        if (m_region.anyInRow(int(row)) && !cancelled())
-            rows[row] = rowStrokes(int(row));
+        if (needed[row] && !cancelled())
+            rows[row] = rowStrokes(int(row), needed[row] == 1);
     });
     stats.binningMs = milliseconds(stage);
     stage.restart();
 
-    std::vector<std::pair<int, int>> tiles;
-    for (int row = 0; row < m_region.rows(); ++row)
-        for (int column = 0; column < m_region.columns(); ++column)
-            if (m_region.isDirty(column, row))
-                tiles.emplace_back(column, row);
-    std::vector<std::uint8_t> done(tiles.size(), 0);
+    std::vector<std::uint8_t> done(jobs.size(), 0);
     if (!cancelled())
-        parallelFor(tiles.size(), m_threads, [&](std::size_t i) {
+        parallelFor(jobs.size(), m_threads, [&](std::size_t i) {
             if (cancelled())
                 return;
-            paint(tiles[i].first, tiles[i].second, rows[std::size_t(tiles[i].second)], target);
+            paint(jobs[i], rows[std::size_t(jobs[i].row)], target);
             done[i] = 1;
         });
-    for (std::size_t i = 0; i < tiles.size(); ++i)
+    std::vector<std::size_t> used;
+    for (std::size_t i = 0; i < jobs.size(); ++i) {
+        const std::size_t tile = tileIndex(jobs[i].column, jobs[i].row);
         if (done[i]) {
-            m_region.clean(tiles[i].first, tiles[i].second);
-            stats.dirty.push_back(m_region.tile(tiles[i].first, tiles[i].second));
+            m_region.clean(jobs[i].column, jobs[i].row);
+            stats.dirty.push_back(m_region.tile(jobs[i].column, jobs[i].row));
+            m_approximate[tile] = jobs[i].plan.applyOver;
+            used.push_back(tile);
+        } else if (jobs[i].plan.layers) {
+            *jobs[i].plan.layers = {}; // not filled
         }
+    }
+    m_layers.keep(used);
     stats.tiles = m_region.columns() * m_region.rows();
     stats.tilesEvaluated = int(stats.dirty.size());
-    stats.cancelled = stats.dirty.size() < tiles.size();
+    stats.cancelled = stats.dirty.size() < jobs.size();
     stats.tilesMs = milliseconds(stage);
     stats.totalMs = milliseconds(total);
     return stats;

@@ -28,9 +28,25 @@ private:
     bool sameFrame(const RenderRequest &request, const Target &target) const;
     void updateScene(const RenderRequest &request);
     void markDifferences(const std::vector<std::shared_ptr<const SceneStroke>> &before);
-    /// The strokes that meet a row of tiles, with the nodes that do.
-    std::vector<cpu::TileStroke> rowStrokes(int row) const;
-    void paint(int column, int row, const std::vector<cpu::TileStroke> &strokes, Target &target);
+    /// What one call evaluates.
+    struct Job {
+        int column = 0;
+        int row = 0;
+        cpu::TilePlan plan;
+    };
+    /// Strokes of a row of tiles, from the bottom and from the first edited one on.
+    struct Row {
+        std::vector<cpu::TileStroke> strokes;
+        std::size_t below = 0; ///< so many lie below the first edited one
+    };
+
+    /// Decides which layers still hold and where the edited strokes begin.
+    void updateLayers(const std::vector<std::shared_ptr<const SceneStroke>> &before, bool incremental, bool interactive);
+    std::vector<Job> planJobs(bool interactive);
+    /// The strokes that meet a row of tiles, with the nodes that do; `fromEdited`: none below the first edited one.
+    Row rowStrokes(int row, bool fromEdited) const;
+    void paint(const Job &job, const Row &row, Target &target);
+    std::size_t tileIndex(int column, int row) const { return std::size_t(row) * std::size_t(m_region.columns()) + std::size_t(column); }
 
     int m_threads;
     int m_tileSize;
@@ -38,6 +54,11 @@ private:
     std::vector<std::shared_ptr<const SceneStroke>> m_scene; ///< visible strokes, bottom to top
     std::uint64_t m_generation = 0;
     DirtyRegion m_region;
+    static constexpr std::size_t noEdit = SIZE_MAX;
+    cpu::LayerCache m_layers{std::size_t(48) << 20};
+    std::size_t m_edited = noEdit;  ///< index in the scene of the first edited stroke: what lies below is in the layers
+    bool m_oneEdited = false;       ///< it alone differs from the frame before
+    std::vector<std::uint8_t> m_approximate; ///< tiles drawn with an over map, by index
     cpu::Frame m_frame;
     std::uint64_t m_target = 0; ///< serial of the one drawn last
 };

@@ -258,6 +258,32 @@ void mix(const Shaded &stroke, float keep, Backdrop &backdrop)
     }
 }
 
+void compose(const Shaded &stroke, float keep, OverMap &map)
+{
+    for (int at = 0; at < blockSize; at += int(hn::Lanes(tag))) {
+        const Lanes w = load(stroke.w + at), factor = Lanes(1) - w * Lanes(keep);
+        for (int c = 0; c < 3; ++c) {
+            const Lanes paint = w * load(stroke.colour[c] + at);
+            store(factor * load(map.keep[c] + at), map.keep[c] + at);
+            store(factor * load(map.add[c] + at) + paint, map.add[c] + at);
+            store(min_(Lanes(1), factor * load(map.limit[c] + at) + paint), map.limit[c] + at);
+        }
+        store((Lanes(1) - w) * load(map.hold + at), map.hold + at);
+        store((Lanes(1) - w) * load(map.gain + at) + w, map.gain + at);
+    }
+}
+
+void apply(const OverMap &map, Backdrop &backdrop)
+{
+    for (int at = 0; at < blockSize; at += int(hn::Lanes(tag))) {
+        for (int c = 0; c < 3; ++c)
+            store(min_(load(map.limit[c] + at),
+                       load(map.keep[c] + at) * load(backdrop.ryb[c] + at) + load(map.add[c] + at)),
+                  backdrop.ryb[c] + at);
+        store(load(map.hold + at) * load(backdrop.coverage + at) + load(map.gain + at), backdrop.coverage + at);
+    }
+}
+
 void finish(const Backdrop &backdrop, bool transparent, float *rgba)
 {
     alignas(64) float planes[4][blockSize];
@@ -283,7 +309,7 @@ void finish(const Backdrop &backdrop, bool transparent, float *rgba)
 
 Kernels table()
 {
-    return {hwy::TargetName(HWY_TARGET), select, accumulate, shade, mix, finish};
+    return {hwy::TargetName(HWY_TARGET), select, accumulate, shade, mix, compose, apply, finish};
 }
 
 } // namespace suffuse::HWY_NAMESPACE

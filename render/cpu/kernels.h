@@ -61,6 +61,16 @@ struct Backdrop {
     alignas(64) float coverage[blockSize];
 };
 
+/// A run of strokes as one map of the backdrop: B ← min(limit, keep·B + add), coverage a ← hold·a + gain. Such maps
+/// compose (docs/solver.md, "Layers").
+struct OverMap {
+    alignas(64) float keep[3][blockSize];
+    alignas(64) float add[3][blockSize];
+    alignas(64) float limit[3][blockSize];
+    alignas(64) float hold[blockSize];
+    alignas(64) float gain[blockSize];
+};
+
 struct Kernels {
     const char *name;
     /// Keeps the nodes whose boxes meet `area`; conservative, what it drops adds exactly nothing. Returns how many;
@@ -73,6 +83,9 @@ struct Kernels {
     void (*shade)(const ShadeParams &params, const Sums &sums, const float *eta, float step, Shaded &out);
     /// Mixes one stroke into the block (eq 22 with keep = 1, eq 23 with keep = 1 − β).
     void (*mix)(const Shaded &stroke, float keep, Backdrop &backdrop);
+    /// Puts one stroke on top of a map.
+    void (*compose)(const Shaded &stroke, float keep, OverMap &map);
+    void (*apply)(const OverMap &map, Backdrop &backdrop);
     /// To straight RGBA, blockSize·4 floats. `transparent`: uncover the colour from its white background.
     void (*finish)(const Backdrop &backdrop, bool transparent, float *rgba);
 };

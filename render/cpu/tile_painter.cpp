@@ -36,6 +36,23 @@ public:
         std::fill_n(m_s.backdrop.coverage, blockSize, 0.0f);
     }
 
+    Backdrop &backdrop() { return m_s.backdrop; }
+
+    /// Starts a map of the strokes that follow; null ends it.
+    void record(OverMap *map)
+    {
+        m_map = map;
+        if (!map)
+            return;
+        for (int c = 0; c < 3; ++c) {
+            std::fill_n(map->keep[c], blockSize, 1.0f);
+            std::fill_n(map->add[c], blockSize, 0.0f);
+            std::fill_n(map->limit[c], blockSize, 1.0f);
+        }
+        std::fill_n(map->hold, blockSize, 1.0f);
+        std::fill_n(map->gain, blockSize, 0.0f);
+    }
+
     void add(const TileStroke &stroke)
     {
         const Block block{double(m_x), double(m_y), 1};
@@ -47,6 +64,8 @@ public:
         if (small)
             supersample(m_s.block);
         m_frame.kernels->mix(m_s.shaded, scene.keep, m_s.backdrop);
+        if (m_map)
+            m_frame.kernels->compose(m_s.shaded, scene.keep, *m_map);
     }
 
     const float *finish()
@@ -191,6 +210,7 @@ private:
     int m_x;
     int m_y;
     Scratch &m_s;
+    OverMap *m_map = nullptr;
     bool m_haveEta = false;
     std::array<std::uint8_t, blockSize> m_level{};
 };
@@ -215,17 +235,46 @@ bool selectNodes(const Kernels &kernels, const SceneStroke &stroke, const std::v
     return !canVanish(stroke, bound.density, bound.slope);
 }
 
-void paintTile(const Frame &frame, const PixelRect &tile, const std::vector<TileStroke> &strokes, float *rgba)
+namespace {
+
+/// Strokes [from, to) that meet a block.
+void addStrokes(BlockPainter &painter, const Rect &pixels, const std::vector<TileStroke> &strokes, std::size_t from,
+                std::size_t to)
+{
+    for (std::size_t i = from; i < to; ++i) {
+        const PixelRect &b = strokes[i].stroke->bounds;
+        if (Rect::of(b.x, b.y, b.width, b.height).intersects(pixels))
+            painter.add(strokes[i]);
+    }
+}
+
+} // namespace
+
+void paintTile(const Frame &frame, const PixelRect &tile, const std::vector<TileStroke> &strokes, const TilePlan &plan,
+               const SceneStroke *edited, float *rgba)
 {
     thread_local const auto scratch = std::make_unique<Scratch>();
+    const bool haveUnder = plan.layers && !plan.storeUnder;
+    // The edited stroke may miss this tile; then all the rest lies above it.
+    const bool meetsEdited = plan.below < strokes.size() && strokes[plan.below].stroke == edited;
+    const std::size_t above = plan.below + (meetsEdited ? 1 : 0);
+    std::size_t index = 0;
     for (int y = 0; y < tile.height; y += blockSide)
-        for (int x = 0; x < tile.width; x += blockSide) {
+        for (int x = 0; x < tile.width; x += blockSide, ++index) {
             BlockPainter painter(frame, tile.x + x, tile.y + y, *scratch);
             const Rect pixels = Rect::of(tile.x + x, tile.y + y, blockSide, blockSide);
-            for (const TileStroke &s : strokes) {
-                const PixelRect &b = s.stroke->bounds;
-                if (Rect::of(b.x, b.y, b.width, b.height).intersects(pixels))
-                    painter.add(s);
+            if (haveUnder)
+                painter.backdrop() = plan.layers->under[index];
+            else
+                addStrokes(painter, pixels, strokes, 0, plan.below);
+            if (plan.storeUnder)
+                plan.layers->under[index] = painter.backdrop();
+            addStrokes(painter, pixels, strokes, plan.below, above);
+            if (plan.applyOver) {
+                frame.kernels->apply(plan.layers->over[index], painter.backdrop());
+            } else {
+                painter.record(plan.storeOver ? &plan.layers->over[index] : nullptr);
+                addStrokes(painter, pixels, strokes, above, strokes.size());
             }
             const float *block = painter.finish();
             const int width = std::min(blockSide, tile.width - x), height = std::min(blockSide, tile.height - y);

@@ -1,6 +1,7 @@
 // Paints one tile: every stroke that meets it, from bottom to top.
 #pragma once
 
+#include "render/cpu/layer_cache.h"
 #include "render/paper.h"
 #include "render/scene.h"
 
@@ -26,7 +27,18 @@ struct TileStroke {
 bool selectNodes(const Kernels &kernels, const SceneStroke &stroke, const std::vector<const ViewNode *> &nodes,
                  const Rect &area, TileStroke &out);
 
-/// Evaluates `tile` (its corner on the picture's 8-pixel grid) into `rgba`, rows of tile.width pixels.
-void paintTile(const Frame &frame, const PixelRect &tile, const std::vector<TileStroke> &strokes, float *rgba);
+/// How a tile is painted with layers (render/cpu/layer_cache.h).
+struct TilePlan {
+    std::size_t below = 0;    ///< so many of its strokes lie below the first edited one; 0 where `under` holds them
+    TileLayers *layers = nullptr;
+    bool storeUnder = false;  ///< into the layers, before the first edited stroke
+    bool storeOver = false;   ///< strokes after the first edited one, as a map
+    bool applyOver = false;   ///< instead of those strokes
+};
+
+/// Evaluates `tile` (its corner on the picture's 8-pixel grid) into `rgba`, rows of tile.width pixels. `strokes` in
+/// order; with layers, the one at `plan.below` may be the edited one (`edited` names it).
+void paintTile(const Frame &frame, const PixelRect &tile, const std::vector<TileStroke> &strokes, const TilePlan &plan,
+               const SceneStroke *edited, float *rgba);
 
 } // namespace suffuse::cpu

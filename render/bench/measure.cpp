@@ -1,0 +1,238 @@
+#include "render/bench/measure.h"
+
+#include "model/formats/files.h"
+#include "render/bench/generator.h"
+#include "render/parallel.h"
+
+#include <QCoreApplication>
+#include <QElapsedTimer>
+#include <QTemporaryDir>
+
+#include <algorithm>
+
+namespace suffuse::bench {
+
+namespace {
+
+double milliseconds(const QElapsedTimer &timer)
+{
+    return double(timer.nsecsElapsed()) * 1e-6;
+}
+
+Error stopped()
+{
+    return Error{QCoreApplication::translate("Bench", "stopped before all was measured")};
+}
+
+/// One renderer with the picture it keeps up to date, as a window has it.
+class Session {
+public:
+    static Result<Session> make(const Job &job)
+    {
+        Result<std::unique_ptr<Renderer>> renderer = makeRenderer(job.renderer);
+        if (!renderer)
+            return Error{renderer.error()};
+        return Session(job, std::move(*renderer));
+    }
+    Result<RenderStats> draw(PaintingPtr painting, Microseconds time, bool interactive = false)
+    {
+        RenderRequest request;
+        request.painting = std::move(painting);
+        request.time = time;
+        request.view = m_job->view;
+        request.interactive = interactive;
+        Result<RenderStats> stats = m_renderer->render(request, *m_picture, m_job->cancel);
+        if (stats && stats->cancelled)
+            return stopped();
+        return stats;
+    }
+    Result<RenderStats> draw() { return draw(m_job->painting, m_job->time); }
+    Renderer &renderer() { return *m_renderer; }
+
+private:
+    Session(const Job &job, std::unique_ptr<Renderer> renderer)
+        : m_job(&job), m_renderer(std::move(renderer)), m_picture(std::make_unique<Picture8>())
+    {
+    }
+    const Job *m_job;
+    std::unique_ptr<Renderer> m_renderer;
+    std::unique_ptr<Picture8> m_picture;
+};
+
+/// The painting with one stroke's density times a factor: an edit as the document makes it.
+PaintingPtr withDensity(const Painting &painting, int index, float factor)
+{
+    Painting out = painting;
+    StrokePtr &place = out.strokes[std::size_t(index)];
+    Stroke stroke = *place;
+    for (Segment &s : stroke.segments)
+        s.density *= factor;
+    place = std::make_shared<const Stroke>(std::move(stroke));
+    return std::make_shared<const Painting>(std::move(out));
+}
+
+} // namespace
+
+Job jobOf(PaintingPtr painting, int width, const RendererOptions &renderer)
+{
+    Job job;
+    const Rect area = painting->canvas.area();
+    job.view = View::ofArea(area, width, std::max(1, heightForWidth(area, width)));
+    job.time = painting->end();
+    job.painting = std::move(painting);
+    job.renderer = renderer;
+    return job;
+}
+
+Result<StageTimings> measureStages(const Job &job)
+{
+    std::vector<double> nodes, first, binning, full;
+    for (int run = 0; run < job.runs; ++run) {
+        Result<Session> session = Session::make(job);
+        if (!session)
+            return Error{session.error()};
+        const Result<RenderStats> fresh = session->draw();
+        if (!fresh)
+            return Error{fresh.error()};
+        session->renderer().invalidate();
+        const Result<RenderStats> again = session->draw();
+        if (!again)
+            return Error{again.error()};
+        nodes.push_back(fresh->nodesMs);
+        first.push_back(fresh->totalMs);
+        binning.push_back(again->binningMs);
+        full.push_back(again->binningMs + again->tilesMs);
+    }
+    return StageTimings{timingOf(nodes), timingOf(binning), timingOf(full), timingOf(first)};
+}
+
+Result<Timing> measureOpen(const Job &job)
+{
+    const QTemporaryDir folder;
+    if (!folder.isValid())
+        return Error{QCoreApplication::translate("Bench", "no temporary folder can be made: %1. Set TMPDIR to a "
+                                                          "folder that can be written.")
+                         .arg(folder.errorString())};
+    const QString path = folder.filePath(QStringLiteral("bench.suffuse"));
+    if (const Result<void> saved = savePainting(*job.painting, path); !saved)
+        return Error{saved.error()};
+    std::vector<double> times;
+    for (int run = 0; run <= job.runs; ++run) {
+        QElapsedTimer timer;
+        timer.start();
+        Result<Painting> painting = loadPainting(path);
+        if (!painting)
+            return Error{painting.error()};
+        Result<Session> session = Session::make(job);
+        if (!session)
+            return Error{session.error()};
+        const Result<RenderStats> drawn = session->draw(std::make_shared<const Painting>(std::move(*painting)), job.time);
+        if (!drawn)
+            return Error{drawn.error()};
+        if (run > 0) // the first one warms caches
+            times.push_back(milliseconds(timer));
+    }
+    return timingOf(times);
+}
+
+Result<Timing> measureDrag(const Job &job, StrokeId stroke)
+{
+    const int index = job.painting->indexOf(stroke);
+    if (index < 0)
+        return Error{QCoreApplication::translate("Bench", "there is no stroke to drag in this painting")};
+    Result<Session> session = Session::make(job);
+    if (!session)
+        return Error{session.error()};
+    if (const Result<RenderStats> drawn = session->draw(); !drawn)
+        return Error{drawn.error()};
+    std::vector<double> times;
+    PaintingPtr before = job.painting; // freed outside of the frame's time, as the editor's worker does
+    for (int step = 0; step < job.dragSteps; ++step) {
+        QElapsedTimer timer;
+        timer.start();
+        PaintingPtr after = withDensity(*before, index, step % 2 == 0 ? 1.03f : 0.98f);
+        const Result<RenderStats> drawn = session->draw(after, job.time, true);
+        times.push_back(milliseconds(timer));
+        if (!drawn)
+            return Error{drawn.error()};
+        before = std::move(after);
+    }
+    return timingOf(times);
+}
+
+Result<Timing> measureLiveStroke(const Job &job, double spread)
+{
+    constexpr int begin = 60, end = 200;
+    Result<Session> session = Session::make(job);
+    if (!session)
+        return Error{session.error()};
+    const Microseconds start = job.painting->end() + 1'000'000;
+    if (const Result<RenderStats> drawn = session->draw(job.painting, start); !drawn)
+        return Error{drawn.error()};
+    std::vector<double> times;
+    const StrokeId id = job.painting->nextStrokeId();
+    PaintingPtr before;
+    for (int segments = begin; segments <= end; ++segments) {
+        const Microseconds now = start + Microseconds(segments) * 1'000'000 / 60;
+        auto stroke = std::make_shared<const Stroke>(makeLiveStroke(job.painting->canvas, spread, segments, id, start));
+        QElapsedTimer timer;
+        timer.start();
+        Painting painting = *job.painting;
+        painting.strokes.push_back(std::move(stroke));
+        PaintingPtr after = std::make_shared<const Painting>(std::move(painting));
+        const Result<RenderStats> drawn = session->draw(after, now);
+        if (segments > begin) // the first frame draws all of the stroke
+            times.push_back(milliseconds(timer));
+        if (!drawn)
+            return Error{drawn.error()};
+        before = std::move(after);
+    }
+    return timingOf(times);
+}
+
+StrokePtr middleStroke(const Painting &painting)
+{
+    std::vector<StrokePtr> visible;
+    for (const StrokePtr &s : painting.strokes)
+        if (painting.isVisible(*s))
+            visible.push_back(s);
+    if (visible.empty())
+        return nullptr;
+    const std::size_t middle = visible.size() / 2, from = middle - std::min<std::size_t>(middle, 5);
+    const std::size_t to = std::min(visible.size(), middle + 5);
+    std::vector<StrokePtr> ten(visible.begin() + std::ptrdiff_t(from), visible.begin() + std::ptrdiff_t(to));
+    std::stable_sort(ten.begin(), ten.end(),
+                     [](const StrokePtr &a, const StrokePtr &b) { return a->segments.size() < b->segments.size(); });
+    return ten[ten.size() / 2];
+}
+
+Painting amongOthers(const Painting &painting, const StrokePtr &stroke, std::size_t count)
+{
+    Painting out;
+    out.canvas = painting.canvas;
+    out.strokes = repeatedStrokes(painting, count, 2);
+    Stroke dragged = *stroke;
+    dragged.id = 1;
+    dragged.group = 0;
+    out.strokes.insert(out.strokes.begin() + std::ptrdiff_t(out.strokes.size() / 2),
+                       std::make_shared<const Stroke>(std::move(dragged)));
+    return out;
+}
+
+Result<Row> rowFor(const Job &job, const QString &name, const QString &paintingName)
+{
+    const Result<std::unique_ptr<Renderer>> renderer = makeRenderer(job.renderer);
+    if (!renderer)
+        return Error{renderer.error()};
+    Row row;
+    row.name = name;
+    row.backend = (*renderer)->backendName();
+    row.device = (*renderer)->deviceName();
+    row.painting = paintingName;
+    row.width = job.view.width;
+    row.height = job.view.height;
+    row.threads = job.renderer.threads > 0 ? job.renderer.threads : hardwareThreads();
+    return row;
+}
+
+} // namespace suffuse::bench

@@ -1,0 +1,40 @@
+// What lies below and above the strokes that are being edited, per tile, so that a frame costs those strokes only.
+#pragma once
+
+#include "render/cpu/kernels.h"
+
+#include <cstddef>
+#include <unordered_map>
+#include <vector>
+
+namespace suffuse::cpu {
+
+/// Layers of one tile, by block.
+struct TileLayers {
+    std::vector<Backdrop> under; ///< the picture before the first edited stroke: a prefix of the order, exact
+    std::vector<OverMap> over;   ///< all strokes above it as one affine map: exact in arithmetic, not in its last bits
+    std::uint64_t used = 0;
+};
+
+/// Layers by tile, bounded in memory: what was not used for longest goes first. Prepared by one thread; then several
+/// threads may fill different tiles.
+class LayerCache {
+public:
+    explicit LayerCache(std::size_t bytes) : m_capacity(bytes) {}
+
+    /// The tile's layers, empty if they are new.
+    TileLayers &at(std::size_t tile) { return m_tiles[tile]; }
+    /// Null if there are none.
+    const TileLayers *find(std::size_t tile) const;
+    void clear() { m_tiles.clear(); }
+    void dropOver();
+    /// Marks tiles as used now and drops the rest, oldest first, down to the capacity.
+    void keep(const std::vector<std::size_t> &usedNow);
+
+private:
+    std::size_t m_capacity;
+    std::uint64_t m_clock = 0;
+    std::unordered_map<std::size_t, TileLayers> m_tiles;
+};
+
+} // namespace suffuse::cpu

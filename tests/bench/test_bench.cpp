@@ -1,0 +1,277 @@
+// The measuring code measures what it says: paintings, rows, and baselines that draw the same picture.
+#include "model/validate.h"
+#include "render/bench/generator.h"
+#include "render/bench/measure.h"
+#include "render/bench/plan.h"
+#include "tests/bench/baselines.h"
+
+#include <QJsonArray>
+#include <QJsonDocument>
+#include <QJsonObject>
+#include <QTest>
+
+#include <cmath>
+#include <map>
+
+using namespace suffuse;
+
+namespace {
+
+bench::PaintingOptions smallOptions()
+{
+    bench::PaintingOptions o;
+    o.strokes = 12;
+    o.segments = 240;
+    o.width = 256;
+    o.height = 192;
+    return o;
+}
+
+/// Small strokes so that 0.1 W reaches their whole spread, in soft styles that a pixel's width does not matter for.
+PaintingPtr softPainting()
+{
+    bench::PaintingOptions o = smallOptions();
+    o.spreadLow = 6;
+    o.spreadHigh = 8;
+    Painting painting = bench::makePainting(o);
+    int index = 0;
+    for (StrokePtr &place : painting.strokes) {
+        Stroke stroke = *place;
+        stroke.style = index++ % 2 == 0 ? Style{StyleKind::Uniform, {0.5f, 0.1f, 0}}
+                                        : Style{StyleKind::Feathering, {1.1f, 1.5f, 0}};
+        place = std::make_shared<const Stroke>(std::move(stroke));
+    }
+    return std::make_shared<const Painting>(std::move(painting));
+}
+
+RenderRequest requestFor(const PaintingPtr &painting)
+{
+    const bench::Job job = bench::jobOf(painting, int(painting->canvas.width), {});
+    RenderRequest request;
+    request.painting = job.painting;
+    request.time = job.time;
+    request.view = job.view;
+    return request;
+}
+
+FloatPicture drawn(const RenderRequest &request)
+{
+    RendererOptions options;
+    options.backend = Backend::Cpu;
+    const auto renderer = makeRenderer(options);
+    FloatPicture picture;
+    if (!renderer || !(*renderer)->render(request, picture))
+        return {};
+    return picture;
+}
+
+struct Difference {
+    double mean = 0;
+    double largest = 0;
+    double covered = 0; ///< share of the pixels that are not white
+};
+
+Difference difference(const std::vector<float> &a, const FloatPicture &b)
+{
+    Difference out;
+    for (std::size_t i = 0; i < b.rgba.size(); i += 4) {
+        double d = 0;
+        for (std::size_t c = 0; c < 3; ++c)
+            d = std::max(d, std::abs(double(a[i + c]) - double(b.rgba[i + c])));
+        out.mean += d;
+        out.largest = std::max(out.largest, d);
+        out.covered += b.rgba[i] + b.rgba[i + 1] + b.rgba[i + 2] < 2.9;
+    }
+    const double pixels = double(b.width) * b.height;
+    out.mean /= pixels;
+    out.covered /= pixels;
+    return out;
+}
+
+} // namespace
+
+class TestBench : public QObject {
+    Q_OBJECT
+
+private slots:
+    void generatedPaintingsAreWhatTheySay();
+    void table2HasThePapersSizes();
+    void repeatedPaintingHasSoManySegments();
+    void othersStandAroundTheStroke();
+    void medianAndMinimum();
+    void rowsAsJson();
+    void planTakesEveryRow();
+    void paperMethodDrawsThePicture();
+    void finiteDifferencesDrawThePicture();
+    void finiteDifferencesConverge();
+};
+
+void TestBench::generatedPaintingsAreWhatTheySay()
+{
+    const Painting painting = bench::makePainting({});
+    QCOMPARE(painting.strokes.size(), std::size_t(778));
+    QCOMPARE(painting.segmentCount(), std::size_t(17917));
+    QCOMPARE(problemOf(painting), QString());
+    QCOMPARE(hashOf(bench::makePainting({})), hashOf(painting));
+    bench::PaintingOptions other;
+    other.seed = 2;
+    QVERIFY(hashOf(bench::makePainting(other)) != hashOf(painting));
+
+    std::map<StyleKind, int> kinds;
+    for (const StrokePtr &s : painting.strokes) {
+        ++kinds[s->style.kind];
+        const double spread = s->segments.front().spread(painting.end());
+        QVERIFY2(spread > 5.999 && spread < 20.001, qPrintable(QString::number(spread)));
+    }
+    QVERIFY2(std::abs(kinds[StyleKind::Uniform] - 467) < 60, qPrintable(QString::number(kinds[StyleKind::Uniform])));
+    QVERIFY2(std::abs(kinds[StyleKind::Edge] - 124) < 40, qPrintable(QString::number(kinds[StyleKind::Edge])));
+}
+
+void TestBench::table2HasThePapersSizes()
+{
+    QCOMPARE(bench::table2().size(), std::size_t(13));
+    int segments = 0;
+    for (const bench::Table2Size &size : bench::table2())
+        segments += size.segments;
+    QCOMPARE(segments, 117836);
+    bench::PaintingOptions o;
+    o.strokes = 83;
+    o.segments = 3780;
+    QCOMPARE(bench::makePainting(o).segmentCount(), std::size_t(3780));
+}
+
+void TestBench::repeatedPaintingHasSoManySegments()
+{
+    const Painting painting = bench::makePainting(smallOptions());
+    for (std::size_t segments : {1u, 100u, 1001u}) {
+        const Painting repeated = bench::repeatedPainting(painting, segments);
+        QCOMPARE(repeated.segmentCount(), segments);
+        QCOMPARE(problemOf(repeated), QString());
+    }
+}
+
+void TestBench::othersStandAroundTheStroke()
+{
+    const Painting painting = bench::makePainting(smallOptions());
+    const StrokePtr stroke = bench::middleStroke(painting);
+    QVERIFY(stroke);
+    const Painting among = bench::amongOthers(painting, stroke, 100);
+    QCOMPARE(among.strokes.size(), std::size_t(101));
+    QCOMPARE(problemOf(among), QString());
+    QCOMPARE(among.indexOf(1), 50);
+    QVERIFY(among.strokes[50]->segments == stroke->segments);
+    QVERIFY(!bench::middleStroke(Painting{}));
+}
+
+void TestBench::medianAndMinimum()
+{
+    QCOMPARE(bench::timingOf({3, 1, 2}).medianMs, 2.0);
+    QCOMPARE(bench::timingOf({3, 1, 2}).minMs, 1.0);
+    QCOMPARE(bench::timingOf({4, 1, 2, 3}).medianMs, 2.5);
+    QCOMPARE(bench::timingOf({4, 1, 2, 3}).runs, 4);
+    QCOMPARE(bench::timingOf({}).runs, 0);
+}
+
+void TestBench::rowsAsJson()
+{
+    bench::Row row;
+    row.name = "drag-among-10000";
+    row.backend = "CPU";
+    row.device = "2 threads · AVX2";
+    row.painting = "figure11f";
+    row.width = 1024;
+    row.height = 768;
+    row.threads = 2;
+    row.timing = {1.5, 1.25, 30};
+    bench::Row compared = row;
+    compared.baseline = "drag-among-100";
+    compared.ratio = 1.125;
+    const QJsonArray array = QJsonDocument::fromJson(bench::toJson({row, compared})).array();
+    QCOMPARE(array.size(), 2);
+    const QJsonObject object = array.at(0).toObject();
+    QCOMPARE(object.keys(), QStringList({"backend", "baseline", "device", "height", "median_ms", "min_ms", "name",
+                                         "painting", "ratio", "runs", "threads", "width"}));
+    QCOMPARE(object["median_ms"].toDouble(), 1.5);
+    QVERIFY(object["baseline"].isNull() && object["ratio"].isNull());
+    QCOMPARE(array.at(1)["baseline"].toString(), QString("drag-among-100"));
+    QCOMPARE(array.at(1)["ratio"].toDouble(), 1.125);
+    const QStringList lines = bench::toTable({row, compared}).split('\n', Qt::SkipEmptyParts);
+    QCOMPARE(lines.size(), 3);
+    QVERIFY(lines.at(2).endsWith("1.13") || lines.at(2).endsWith("1.12"));
+}
+
+void TestBench::planTakesEveryRow()
+{
+    bench::Plan plan;
+    plan.painting = std::make_shared<const Painting>(bench::makePainting(smallOptions()));
+    plan.name = "small";
+    plan.devices = {RendererOptions{Backend::Cpu, 0, 0}};
+    plan.threads = {1, 2};
+    plan.widths = {64, 128};
+    plan.growth = {50, 100};
+    plan.runs = 1;
+    const auto rows = bench::run(plan);
+    QVERIFY2(rows, rows ? "" : qPrintable(rows.error()));
+    std::map<QString, int> names;
+    for (const bench::Row &row : *rows) {
+        ++names[row.name];
+        QVERIFY2(row.timing.runs > 0 && row.timing.minMs > 0 && row.timing.minMs <= row.timing.medianMs,
+                 qPrintable(row.name));
+        QVERIFY(row.width == 64 || row.width == 128);
+        QCOMPARE(row.height, row.width * 3 / 4);
+        QCOMPARE(row.backend, QString("CPU"));
+        QVERIFY(!row.device.isEmpty());
+    }
+    const std::map<QString, int> expected = {{"full-render", 4},    {"node-build", 4},       {"binning", 4},
+                                             {"open", 1},           {"drag", 1},             {"drag-among-100", 1},
+                                             {"drag-among-10000", 1}, {"live-stroke", 1},    {"growth-50", 1},
+                                             {"growth-100", 1}};
+    QVERIFY(names == expected);
+
+    plan.only = {"drag"};
+    const auto dragOnly = bench::run(plan);
+    QVERIFY(dragOnly && dragOnly->size() == 1);
+    const std::atomic<bool> cancel{true};
+    plan.cancel = &cancel;
+    QVERIFY(!bench::run(plan));
+}
+
+void TestBench::paperMethodDrawsThePicture()
+{
+    const RenderRequest request = requestFor(softPainting());
+    const FloatPicture picture = drawn(request);
+    QCOMPARE(picture.width, 256);
+    for (int nodes : {5, 8})
+        for (int threads : {1, 2}) {
+            const Difference d = difference(baseline::paperMethod(request, nodes, threads), picture);
+            QVERIFY2(d.covered > 0.1, qPrintable(QString::number(d.covered)));
+            // 0.1 W = 25.6 px is 3.2 to 4.3 s.
+            QVERIFY2(d.mean < 0.002 && d.largest < 0.05,
+                     qPrintable(QString("mean %1, largest %2").arg(d.mean).arg(d.largest)));
+        }
+    QVERIFY(baseline::paperMethod(request, 8, 1) == baseline::paperMethod(request, 8, 2));
+}
+
+void TestBench::finiteDifferencesDrawThePicture()
+{
+    const RenderRequest request = requestFor(softPainting());
+    const FloatPicture picture = drawn(request);
+    const Difference d = difference(baseline::finiteDifferences(request, 10, 2), picture);
+    QVERIFY2(d.mean < 0.02 && d.largest < 0.3, qPrintable(QString("mean %1, largest %2").arg(d.mean).arg(d.largest)));
+    QVERIFY(baseline::finiteDifferences(request, 10, 1) == baseline::finiteDifferences(request, 10, 2));
+}
+
+void TestBench::finiteDifferencesConverge()
+{
+    const RenderRequest request = requestFor(softPainting());
+    const FloatPicture picture = drawn(request);
+    double before = difference(baseline::finiteDifferences(request, 5, 2), picture).mean;
+    for (int steps : {20, 80}) {
+        const double mean = difference(baseline::finiteDifferences(request, steps, 2), picture).mean;
+        QVERIFY2(mean < 0.5 * before, qPrintable(QString("%1 steps: %2 after %3").arg(steps).arg(mean).arg(before)));
+        before = mean;
+    }
+}
+
+QTEST_GUILESS_MAIN(TestBench)
+#include "test_bench.moc"

@@ -1,0 +1,99 @@
+// Layers for editing: the under layer is exact, the over map to 1e-5, and the frame after a drag exact again.
+#include "tests/render/paintings.h"
+
+using namespace suffuse;
+using namespace suffuse::test;
+
+class TestLayers : public QObject {
+    Q_OBJECT
+
+    const View m_view = View::ofArea(Rect::of(0, 0, 200, 150), 200, 150);
+
+    static PaintingPtr withDensity(const PaintingPtr &p, std::size_t index, double factor)
+    {
+        auto q = std::make_shared<Painting>(*p);
+        Stroke s = *p->strokes[index];
+        for (Segment &g : s.segments)
+            g.density *= float(factor);
+        q->strokes[index] = std::make_shared<const Stroke>(s);
+        return q;
+    }
+
+    static double difference(const FloatPicture &a, const FloatPicture &b)
+    {
+        double worst = 0;
+        for (std::size_t i = 0; i < a.rgba.size(); ++i)
+            worst = std::max(worst, std::abs(double(a.rgba[i]) - double(b.rgba[i])));
+        return worst;
+    }
+
+private slots:
+    void draggingAndLettingGo()
+    {
+        std::mt19937_64 random(17);
+        for (const bool transparent : {false, true})
+            for (int round = 0; round < 4; ++round) {
+                const auto p = painting(randomStrokes(random, 24, 200, 150), 200, 150);
+                const std::size_t index = 3 + random() % 18;
+                const auto live = make(Backend::Cpu);
+                FloatPicture picture;
+                QVERIFY(live->render({p, p->end(), m_view, transparent}, picture));
+                PaintingPtr q = p;
+                for (int step = 1; step <= 12; ++step) {
+                    q = withDensity(p, index, 1 + 0.05 * step);
+                    QVERIFY(live->render({q, q->end(), m_view, transparent, true}, picture));
+                    const FloatPicture exact = test::render(*make(Backend::Cpu), q, m_view, -1, transparent);
+                    if (!transparent) // straight colours at no coverage are noise
+                        QVERIFY2(difference(picture, exact) <= 1e-5,
+                                 qPrintable(QStringLiteral("step %1: %2").arg(step).arg(difference(picture, exact))));
+                    else
+                        QVERIFY(worst(picture, exact).difference <= 1e-5);
+                }
+                QVERIFY(live->render({q, q->end(), m_view, transparent, false}, picture));
+                QVERIFY(picture.rgba == test::render(*make(Backend::Cpu), q, m_view, -1, transparent).rgba);
+            }
+    }
+
+    void editsOfOtherStrokesBetweenDrags()
+    {
+        std::mt19937_64 random(23);
+        auto p = painting(randomStrokes(random, 30, 200, 150), 200, 150);
+        const auto live = make(Backend::Cpu);
+        FloatPicture picture;
+        QVERIFY(live->render({p, p->end(), m_view}, picture));
+        for (int step = 0; step < 150; ++step) {
+            const bool interactive = random() % 3 != 0;
+            p = withDensity(p, random() % 5 == 0 ? random() % p->strokes.size() : std::size_t(step / 20 * 3), 0.97);
+            RenderRequest request{p, p->end(), m_view, false, interactive};
+            QVERIFY(live->render(request, picture));
+            if (interactive)
+                continue;
+            QVERIFY2(picture.rgba == test::render(*make(Backend::Cpu), p, m_view).rgba,
+                     qPrintable(QStringLiteral("step %1").arg(step)));
+        }
+    }
+
+    void aLiveStrokeOnTop()
+    {
+        std::mt19937_64 random(29);
+        const auto below = painting(randomStrokes(random, 20, 200, 150), 200, 150);
+        Stroke growing = stroke(999, Shape::Curved, {100, 75}, 60, 5, styleOf(StyleKind::Edge));
+        const std::vector<Segment> all = growing.segments;
+        const auto live = make(Backend::Cpu);
+        FloatPicture picture;
+        for (int frame = 0; frame < 40; ++frame) {
+            growing.segments.assign(all.begin(), all.begin() + 1 + std::min<std::ptrdiff_t>(2, frame / 10));
+            for (std::size_t k = 0; k < growing.segments.size(); ++k)
+                growing.segments[k].born = below->end() + Microseconds(k) * 160000;
+            auto p = std::make_shared<Painting>(*below);
+            p->strokes.push_back(std::make_shared<const Stroke>(growing));
+            const Microseconds time = below->end() + frame * 16000;
+            QVERIFY(live->render({p, time, m_view}, picture));
+            QVERIFY2(picture.rgba == test::render(*make(Backend::Cpu), p, m_view, time).rgba,
+                     qPrintable(QStringLiteral("frame %1").arg(frame)));
+        }
+    }
+};
+
+QTEST_GUILESS_MAIN(TestLayers)
+#include "test_layers.moc"

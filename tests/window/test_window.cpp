@@ -1,0 +1,386 @@
+// The window on a real screen: both presenters show exactly the picture, docks float and come back, whatever the scale.
+#include "model/formats/files.h"
+#include "tests/app/session.h"
+
+#include <QDockWidget>
+#include <QElapsedTimer>
+#include <QLineEdit>
+#include <QOpenGLWidget>
+#include <QProcess>
+#include <QSignalSpy>
+#include <QTemporaryDir>
+
+#include <algorithm>
+
+using namespace suffuse;
+
+namespace {
+
+/// Why a window test cannot run here; empty: it can.
+QString noScreen()
+{
+    const QString platform = QGuiApplication::platformName();
+    return platform == "xcb" ? QString()
+                             : QStringLiteral("needs an X server, the platform is %1: run it under xvfb-run").arg(platform);
+}
+
+/// The canvas as it stands on the screen, in device pixels, the overlay with it.
+QImage shown(CanvasWidget &canvas)
+{
+    if (auto *gl = canvas.findChild<QOpenGLWidget *>())
+        return gl->grabFramebuffer().convertToFormat(QImage::Format_RGB32);
+    return canvas.grab().toImage().convertToFormat(QImage::Format_RGB32);
+}
+
+/// What one call of the renderer draws of the same moment and view.
+QImage rendered(Session &s)
+{
+    auto renderer = makeRenderer({.backend = Backend::Cpu});
+    if (!renderer)
+        return {};
+    Picture8 picture;
+    const RenderRequest request{s.editor().document().snapshot(), s.editor().time(), s.canvas().view()};
+    if (!(*renderer)->render(request, picture))
+        return {};
+    return QImage(reinterpret_cast<const uchar *>(picture.argb.data()), picture.width, picture.height,
+                  QImage::Format_RGB32)
+        .copy();
+}
+
+int levels(QRgb a, QRgb b)
+{
+    return std::max({std::abs(qRed(a) - qRed(b)), std::abs(qGreen(a) - qGreen(b)), std::abs(qBlue(a) - qBlue(b))});
+}
+
+/// Compares within the painting's canvas, a little inside: its border is overlay. Empty: at most one level apart.
+QString difference(Session &s, const QImage &screen, const QImage &truth)
+{
+    if (screen.size() != truth.size())
+        return QStringLiteral("the screen has %1 × %2 pixels, the picture %3 × %4")
+            .arg(screen.width())
+            .arg(screen.height())
+            .arg(truth.width())
+            .arg(truth.height());
+    const View &view = s.canvas().view();
+    const Rect area = s.painting().canvas.area();
+    const double margin = 12 * view.px() * s.canvas().devicePixelRatioF();
+    qint64 compared = 0;
+    for (int y = 0; y < truth.height(); ++y)
+        for (int x = 0; x < truth.width(); ++x) {
+            const Point p = view.toCanvas({x + 0.5, y + 0.5});
+            if (p.x < area.left + margin || p.y < area.top + margin || p.x > area.right - margin ||
+                p.y > area.bottom - margin)
+                continue;
+            ++compared;
+            if (levels(screen.pixel(x, y), truth.pixel(x, y)) > 1)
+                return QStringLiteral("pixel %1, %2: %3 on the screen, %4 in the picture")
+                    .arg(x)
+                    .arg(y)
+                    .arg(screen.pixel(x, y), 8, 16)
+                    .arg(truth.pixel(x, y), 8, 16);
+        }
+    return compared > 10'000 ? QString() : QStringLiteral("only %1 pixels were to be compared").arg(compared);
+}
+
+/// No ring under the pointer: only the picture is left inside the canvas.
+void leaveCanvas(Session &s)
+{
+    QEvent leave(QEvent::Leave);
+    QCoreApplication::sendEvent(&s.canvas(), &leave);
+    QCoreApplication::processEvents();
+}
+
+int paintedPixels(const QImage &picture)
+{
+    int count = 0;
+    for (int y = 0; y < picture.height(); ++y)
+        for (int x = 0; x < picture.width(); ++x)
+            count += qGray(picture.pixel(x, y)) < 128;
+    return count;
+}
+
+#define COMPARE_SCREEN(s)                                                                                              \
+    do {                                                                                                               \
+        QTRY_VERIFY_WITH_TIMEOUT((s).canvas().isUpToDate(), waitMs);                                                   \
+        leaveCanvas(s);                                                                                                \
+        const QImage truth = rendered(s);                                                                              \
+        QVERIFY(paintedPixels(truth) > 1000);                                                                          \
+        QTRY_COMPARE_WITH_TIMEOUT(difference(s, shown((s).canvas()), truth), QString(), 5000);                         \
+    } while (false)
+
+} // namespace
+
+class TestWindow : public QObject {
+    Q_OBJECT
+
+private slots:
+    void initTestCase();
+    void init();
+
+    void bothPresentersShowThePicture_data() { presenters(); }
+    void bothPresentersShowThePicture();
+    void turnedAndMirroredViews_data() { presenters(); }
+    void turnedAndMirroredViews();
+    void docksFloatAndComeBack_data() { presenters(); }
+    void docksFloatAndComeBack();
+    void scaleOfTwo();
+    void keysWorkAfterAField();
+    void fullScreenAndBack();
+    void paintingKeepsUpWithTheHand_data() { presenters(); }
+    void paintingKeepsUpWithTheHand();
+
+private:
+    static void presenters();
+
+    QTemporaryDir m_folder;
+};
+
+void TestWindow::initTestCase()
+{
+    if (const QString why = noScreen(); !why.isEmpty())
+        QSKIP(qPrintable(why));
+    qInfo("scale %g", qApp->devicePixelRatio());
+    QVERIFY(m_folder.isValid());
+    qputenv("SUFFUSE_SETTINGS", m_folder.filePath("settings.ini").toLocal8Bit());
+}
+
+void TestWindow::init()
+{
+    qputenv("SUFFUSE_PRESENTER", "raster");
+    QFile::remove(m_folder.filePath("settings.ini"));
+}
+
+void TestWindow::presenters()
+{
+    QTest::addColumn<QString>("presenter");
+    QTest::newRow("raster") << "raster";
+    QTest::newRow("OpenGL") << "OpenGL";
+}
+
+void TestWindow::bothPresentersShowThePicture()
+{
+    QFETCH(QString, presenter);
+    qputenv("SUFFUSE_PRESENTER", presenter.toLatin1());
+    Session s;
+    QVERIFY(QTest::qWaitForWindowExposed(&s.window));
+    QCOMPARE(s.canvas().presenterName(), presenter);
+    QCOMPARE(s.canvas().view().width, qRound(s.canvas().width() * s.canvas().devicePixelRatioF()));
+    s.paintLine({150, 200}, {850, 300});
+    s.paintLine({150, 600}, {850, 250});
+    COMPARE_SCREEN(s); // half way
+    s.dry();
+    COMPARE_SCREEN(s);
+    s.use(Command::Undo);
+    COMPARE_SCREEN(s);
+    s.use(Command::Redo);
+    s.canvas().setZoom(3);
+    COMPARE_SCREEN(s);
+}
+
+void TestWindow::turnedAndMirroredViews()
+{
+    QFETCH(QString, presenter);
+    qputenv("SUFFUSE_PRESENTER", presenter.toLatin1());
+    Session s;
+    QVERIFY(QTest::qWaitForWindowExposed(&s.window));
+    s.paintLine({200, 200}, {800, 500});
+    s.dry();
+    s.canvas().rotateBy(33);
+    s.canvas().mirror();
+    s.canvas().panBy({17, -9});
+    COMPARE_SCREEN(s);
+    s.window.resize(900, 640);
+    COMPARE_SCREEN(s);
+}
+
+void TestWindow::docksFloatAndComeBack()
+{
+    QFETCH(QString, presenter);
+    qputenv("SUFFUSE_PRESENTER", presenter.toLatin1());
+    Session s;
+    QVERIFY(QTest::qWaitForWindowExposed(&s.window));
+    s.paintLine({150, 200}, {850, 500});
+    s.dry();
+    const QList<QDockWidget *> docks = s.window.findChildren<QDockWidget *>();
+    QCOMPARE(docks.size(), 5);
+    for (QDockWidget *dock : docks) {
+        dock->setFloating(true);
+        QTest::qWait(30);
+    }
+    COMPARE_SCREEN(s);
+    s.paintLine({150, 500}, {850, 200}); // the picture goes on while they float
+    s.dry();
+    COMPARE_SCREEN(s);
+    for (QDockWidget *dock : docks) {
+        dock->setFloating(false);
+        QTest::qWait(30);
+    }
+    COMPARE_SCREEN(s);
+    s.use(Command::HideDocks);
+    QVERIFY(std::none_of(docks.begin(), docks.end(), [](QDockWidget *dock) { return dock->isVisible(); }));
+    COMPARE_SCREEN(s);
+    s.use(Command::HideDocks);
+    COMPARE_SCREEN(s);
+}
+
+/// The scale is read when a program starts: this one runs itself.
+void TestWindow::scaleOfTwo()
+{
+    if (qApp->devicePixelRatio() == 2)
+        QSKIP("runs at a scale of 2 already");
+    QProcess program;
+    QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
+    environment.insert("QT_SCALE_FACTOR", "2");
+    program.setProcessEnvironment(environment);
+    program.setProcessChannelMode(QProcess::MergedChannels);
+    program.start(QCoreApplication::applicationFilePath(),
+                  {"bothPresentersShowThePicture", "turnedAndMirroredViews", "docksFloatAndComeBack"});
+    QVERIFY(program.waitForFinished(600'000));
+    const QByteArray output = program.readAll();
+    QVERIFY2(program.exitStatus() == QProcess::NormalExit && program.exitCode() == 0, output.constData());
+    QVERIFY2(output.contains("scale 2"), output.constData());
+}
+
+void TestWindow::keysWorkAfterAField()
+{
+    Session s;
+    QVERIFY(QTest::qWaitForWindowExposed(&s.window));
+    s.window.activateWindow();
+    QTRY_VERIFY_WITH_TIMEOUT(s.window.isActiveWindow(), waitMs);
+    QLineEdit *width = nullptr;
+    for (QLineEdit *field : s.window.findChildren<QLineEdit *>())
+        if (field->isVisible() && field->accessibleName() == "Width")
+            width = field;
+    QVERIFY(width);
+    width->setFocus();
+    QTest::qWait(1); // the field selects its text when it gets the focus
+    width->selectAll();
+    QTest::keyClicks(width, "2000");
+    QTest::keyClick(width, Qt::Key_Return);
+    QCOMPARE(s.painting().canvas.width, 2000.0);
+    QTRY_VERIFY_WITH_TIMEOUT(s.canvas().hasFocus(), waitMs);
+    QTest::keyClick(QApplication::focusWidget(), Qt::Key_Z, Qt::ControlModifier);
+    QCOMPARE(s.painting().canvas.width, 1024.0);
+    // In a field in which nothing has been typed, too.
+    QTest::keyClick(QApplication::focusWidget(), Qt::Key_Z, Qt::ControlModifier | Qt::ShiftModifier);
+    QCOMPARE(s.painting().canvas.width, 2000.0);
+    width->setFocus();
+    QTest::keyClick(width, Qt::Key_Z, Qt::ControlModifier);
+    QCOMPARE(s.painting().canvas.width, 1024.0);
+}
+
+void TestWindow::fullScreenAndBack()
+{
+    Session s;
+    QVERIFY(QTest::qWaitForWindowExposed(&s.window));
+    s.use(Command::FullScreen);
+    QTRY_VERIFY_WITH_TIMEOUT(s.window.isFullScreen(), waitMs);
+    QVERIFY(s.window.action(Command::FullScreen).isChecked());
+    s.window.showNormal(); // as a window manager's key does it
+    QTRY_VERIFY_WITH_TIMEOUT(!s.window.action(Command::FullScreen).isChecked(), waitMs);
+}
+
+/// 778 strokes with 23 segments each lie below, as many as the paper's largest figure has.
+PaintingPtr largePainting()
+{
+    auto painting = std::make_shared<Painting>();
+    for (int i = 0; i < 778; ++i) {
+        Stroke stroke;
+        stroke.id = StrokeId(i + 1);
+        stroke.origin = {double(37 * i % 900), double(61 * i % 700)};
+        stroke.style = {StyleKind::Uniform, {0.4f, 0.1f, 0}};
+        for (int k = 0; k < 23; ++k) {
+            const auto at = [&](double t) {
+                return Offset{float(5 * (k + t)), float(20 * std::sin((k + t) / 5 + i))};
+            };
+            Segment segment;
+            segment.bezier = {at(0), at(1.0 / 3), at(2.0 / 3), at(1)};
+            segment.colour = {float(i % 7) / 7, float(i % 5) / 5, float(i % 3) / 3, 0.8f};
+            stroke.segments.push_back(segment);
+        }
+        painting->strokes.push_back(std::make_shared<const Stroke>(std::move(stroke)));
+    }
+    return painting;
+}
+
+/// "median 8.2 ms, p99 34.0 ms"
+QString spread(std::vector<double> times)
+{
+    std::sort(times.begin(), times.end());
+    const auto at = [&](double share) { return times[std::size_t(share * double(times.size() - 1))]; };
+    return QStringLiteral("median %1 ms, p99 %2 ms").arg(at(0.5), 0, 'f', 1).arg(at(0.99), 0, 'f', 1);
+}
+
+/// Frame times are printed, never judged: how fast a machine is belongs to no test. SUFFUSE_FRAMES_PAINTING names
+/// another painting to paint on.
+void TestWindow::paintingKeepsUpWithTheHand()
+{
+    QFETCH(QString, presenter);
+    qputenv("SUFFUSE_PRESENTER", presenter.toLatin1());
+    Session s;
+    PaintingPtr below = largePainting();
+    if (const QString file = qEnvironmentVariable("SUFFUSE_FRAMES_PAINTING"); !file.isEmpty()) {
+        Result<Painting> loaded = loadPainting(file);
+        QVERIFY2(bool(loaded), qPrintable(loaded ? QString() : loaded.error()));
+        below = std::make_shared<const Painting>(std::move(*loaded));
+    }
+    s.editor().document().reset(below);
+    s.window.resize(s.window.width() + 1024 - s.canvas().width(), s.window.height() + 768 - s.canvas().height());
+    QVERIFY(QTest::qWaitForWindowExposed(&s.window));
+    s.canvas().setZoom(1);
+    s.dry();
+    s.editor().setManualClock(false);
+    const std::size_t before = s.painting().strokes.size();
+
+    struct Frame {
+        qint64 at;     ///< µs
+        double totalMs; ///< of the renderer
+        double lagMs;   ///< from asking for it, which the event before does at once, to having it
+    };
+    std::vector<Frame> frames;
+    QElapsedTimer clock;
+    clock.start();
+    connect(&s.canvas(), &CanvasWidget::framePresented, &s.window, [&](const FrameInfo &frame) {
+        if (!frame.stats.dirty.empty())
+            frames.push_back({clock.nsecsElapsed() / 1000, frame.stats.totalMs,
+                              1e3 * toSeconds(s.editor().time() - frame.time)});
+    });
+    const auto point = [&](int i) {
+        return QPoint(int(s.canvas().width() * (0.1 + 0.0025 * i)),
+                      int(s.canvas().height() * (0.5 + 0.3 * std::sin(i * 0.05))));
+    };
+    QTest::mousePress(&s.canvas(), Qt::LeftButton, {}, point(0));
+    for (int i = 1; i <= 320; ++i) { // 2.5 s of a hand at 125 reports a second
+        QTest::qWait(std::max<int>(0, int(8 * i - clock.elapsed())));
+        QTest::mouseMove(&s.canvas(), point(i));
+    }
+    QTest::mouseRelease(&s.canvas(), Qt::LeftButton, {}, point(320));
+    QCOMPARE(s.painting().strokes.size(), before + 1);
+    QTRY_VERIFY_WITH_TIMEOUT(!s.editor().isRunning() && s.canvas().isUpToDate(), waitMs);
+
+    QVERIFY(frames.size() > 2);
+    std::vector<double> gaps, renders, lags;
+    for (std::size_t i = 1; i < frames.size(); ++i)
+        gaps.push_back(double(frames[i].at - frames[i - 1].at) / 1000);
+    for (const Frame &frame : frames) {
+        renders.push_back(frame.totalMs);
+        lags.push_back(frame.lagMs);
+    }
+    qInfo("%s: %zu frames; from frame to frame %s; rendering %s; from event to frame %s", qPrintable(presenter),
+          frames.size(), qPrintable(spread(gaps)), qPrintable(spread(renders)), qPrintable(spread(lags)));
+    COMPARE_SCREEN(s);
+}
+
+int main(int argc, char **argv)
+{
+    // As main.cpp of the program has it.
+    QCoreApplication::setAttribute(Qt::AA_ShareOpenGLContexts);
+    prepareOpenGl();
+    if (qEnvironmentVariableIsEmpty("DISPLAY"))
+        qputenv("QT_QPA_PLATFORM", "offscreen"); // so that it can say why it does nothing
+    QApplication app(argc, argv);
+    TestWindow test;
+    return QTest::qExec(&test, argc, argv);
+}
+
+#include "test_window.moc"
