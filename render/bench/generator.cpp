@@ -146,8 +146,8 @@ Stroke randomStroke(const PaintingOptions &o, int segments, Microseconds &clock,
 std::span<const Table2Size> table2()
 {
     static constexpr Table2Size sizes[] = {
-        {"figure1", 752, 17065},   {"figure7", 197, 5523},    {"figure8", 590, 5228},   {"figure9", 206, 1696},
-        {"figure10", 83, 3780},    {"figure11a", 479, 13560}, {"figure11b", 645, 6938}, {"figure11c", 177, 6033},
+        {"figure1", 752, 17065},   {"figure7", 197, 5523},    {"figure8", 590, 5228},    {"figure9", 206, 1696},
+        {"figure10", 83, 3780},    {"figure11a", 479, 13560}, {"figure11b", 645, 6938},  {"figure11c", 177, 6033},
         {"figure11d", 183, 13617}, {"figure11e", 597, 7769},  {"figure11f", 778, 17917}, {"figure11g", 431, 14987},
         {"figure11h", 128, 3723}};
     return sizes;

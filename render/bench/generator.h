@@ -13,7 +13,7 @@ struct PaintingOptions {
     int segments = 17917; ///< in all; at least one a stroke
     double width = 1024;
     double height = 768;
-    double unit = 1; ///< scale of the strokes: a segment is 5-12 units long
+    double unit = 1;      ///< scale of the strokes: a segment is 5-12 units long
     double spreadLow = 6; ///< range of s at full age, in `unit`
     double spreadHigh = 20;
     std::uint64_t seed = 1;
@@ -27,9 +27,9 @@ struct Table2Size {
 };
 std::span<const Table2Size> table2();
 
-/// Strokes of wandering curvature with a pen's pressure: 60 % uniform, 24 % feathering, 16 % edge darkening; 30 % change
-/// colour along the stroke; 40 % granulated; 25 % mixed as pigment (make_paintings.py's shares). A pure function of the
-/// options.
+/// Strokes of wandering curvature with a pen's pressure: 60 % uniform, 24 % feathering, 16 % edge darkening; 30 %
+/// change colour along the stroke; 40 % granulated; 25 % mixed as pigment (make_paintings.py's shares). A pure function
+/// of the options.
 Painting makePainting(const PaintingOptions &options);
 
 /// A stroke as it is being drawn: a sample each 1/60 s from `born` on, along a loop over the whole canvas. The first

@@ -52,8 +52,7 @@ public:
 private:
     Session(const Job &job, std::unique_ptr<Renderer> renderer)
         : m_job(&job), m_renderer(std::move(renderer)), m_picture(std::make_unique<Picture8>())
-    {
-    }
+    {}
     const Job *m_job;
     std::unique_ptr<Renderer> m_renderer;
     std::unique_ptr<Picture8> m_picture;
@@ -126,7 +125,8 @@ Result<Timing> measureOpen(const Job &job)
         Result<Session> session = Session::make(job);
         if (!session)
             return Error{session.error()};
-        const Result<RenderStats> drawn = session->draw(std::make_shared<const Painting>(std::move(*painting)), job.time);
+        const Result<RenderStats> drawn =
+            session->draw(std::make_shared<const Painting>(std::move(*painting)), job.time);
         if (!drawn)
             return Error{drawn.error()};
         if (run > 0) // the first one warms caches

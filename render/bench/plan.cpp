@@ -16,8 +16,7 @@ public:
     Runner(const Plan &plan, const RendererOptions &device, const std::function<void(const QString &)> &progress,
            std::vector<Row> &rows)
         : m_plan(plan), m_device(device), m_progress(progress), m_rows(rows)
-    {
-    }
+    {}
     /// Each returns false where a figure could not be taken; `error` says why.
     bool stages(const PaintingPtr &painting, const QString &name);
     bool open(const PaintingPtr &painting);

@@ -88,8 +88,7 @@ QString toTable(const std::vector<Row> &rows)
             qsizetype width = 0;
             for (const QStringList &other : lines)
                 width = std::max(width, other.at(i).size());
-            const QString cell =
-                i < firstNumber ? line.at(i).leftJustified(width) : line.at(i).rightJustified(width);
+            const QString cell = i < firstNumber ? line.at(i).leftJustified(width) : line.at(i).rightJustified(width);
             out += cell + QStringLiteral("  ");
         }
         while (out.endsWith(QLatin1Char(' ')))

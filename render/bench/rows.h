@@ -28,7 +28,7 @@ struct Row {
     int height = 0;
     int threads = 0;
     Timing timing;
-    QString baseline; ///< the method timed, or the row compared with; empty: none
+    QString baseline;            ///< the method timed, or the row compared with; empty: none
     std::optional<double> ratio; ///< this median over that of the row it is compared with
 };
 

@@ -4,6 +4,8 @@
 // After the numbers: templates over them.
 #include "render/math/shade.h"
 
+#include <cstring>
+
 namespace suffuse::cpu {
 
 namespace {
@@ -31,59 +33,175 @@ void addGaussian(const DeepNode &n, Point centre, Cubic2 &out)
     out[9] += e * (h * h * h / 6 + h * yy);
 }
 
-double valueAt(const Cubic2 &c, double x, double y)
+/// A row of a polynomial: c0 + c1 x + c2 x² + c3 x³.
+struct Row {
+    double c0, c1, c2, c3;
+
+    double at(double x) const { return c0 + x * (c1 + x * (c2 + x * c3)); }
+};
+
+Row valueRow(const Cubic2 &c, double y)
 {
-    return c[0] + x * (c[1] + x * (c[3] + x * c[6]) + y * (c[4] + x * c[7])) + y * (c[2] + y * (c[5] + x * c[8] + y * c[9]));
+    return {c[0] + y * (c[2] + y * (c[5] + y * c[9])), c[1] + y * (c[4] + y * c[8]), c[3] + y * c[7], c[6]};
 }
 
-Point slopeAt(const Cubic2 &c, double x, double y)
+Row slopeXRow(const Cubic2 &c, double y)
 {
-    return {c[1] + x * (2 * c[3] + 3 * x * c[6]) + y * (c[4] + 2 * x * c[7] + y * c[8]),
-            c[2] + y * (2 * c[5] + 3 * y * c[9]) + x * (c[4] + x * c[7] + 2 * y * c[8])};
+    return {c[1] + y * (c[4] + y * c[8]), 2 * (c[3] + y * c[7]), 3 * c[6], 0};
+}
+
+Row slopeYRow(const Cubic2 &c, double y)
+{
+    return {c[2] + y * (2 * c[5] + 3 * y * c[9]), c[4] + 2 * y * c[8], c[7], 0};
+}
+
+/// Side of the cells in pixels: twice as wide where the narrowest deep node is twice as wide, so that a cell spans the
+/// same small part of it (the fourth-order term stays below 1e-12 of the peak).
+double cellSideFor(const SceneStroke &stroke)
+{
+    double steepest = 0;
+    for (const DeepNode &n : stroke.deep)
+        steepest = std::max(steepest, 0.5 * (n.a + n.c) + std::hypot(0.5 * (n.a - n.c), n.b));
+    const double spread = 1 / std::sqrt(steepest);
+    return std::exp2(std::clamp(std::floor(std::log2(spread / deepSpread)), 0.0, 3.0)) * cellSide;
+}
+
+/// Part of a block that lies in one cell.
+struct Piece {
+    int x0, y0, x1, y1; // samples of the block
+    double left, top;   // first sample, from the cell's centre
+};
+
+/// One cell's polynomials: density, then density times each channel.
+class Cell {
+public:
+    Cell(const SceneStroke &stroke, Point centre) : m_stroke(stroke)
+    {
+        for (int c = 0; c <= stroke.channels; ++c)
+            m_polynomial[std::size_t(c)].fill(0);
+        for (const DeepNode &node : stroke.deep) {
+            Cubic2 gaussian{};
+            addGaussian(node, centre, gaussian);
+            const float *value = stroke.values.data() + std::size_t(node.row) * std::size_t(stroke.channels);
+            for (std::size_t i = 0; i < gaussian.size(); ++i)
+                m_polynomial[0][i] += gaussian[i];
+            for (int c = 0; c < stroke.channels; ++c)
+                for (std::size_t i = 0; i < gaussian.size(); ++i)
+                    m_polynomial[std::size_t(1 + c)][i] += gaussian[i] * double(value[c]);
+        }
+    }
+
+    void addTo(Sums &sums, const Piece &p, double step) const
+    {
+        for (int j = p.y0; j < p.y1; ++j) {
+            const double y = p.top + (j - p.y0) * step;
+            const auto add = [&](float *out, const Row &row) {
+                for (int i = p.x0; i < p.x1; ++i)
+                    out[j * blockSide + i] = float(double(out[j * blockSide + i]) + row.at(p.left + (i - p.x0) * step));
+            };
+            add(sums.v[0], valueRow(m_polynomial[0], y));
+            add(sums.v[1], slopeXRow(m_polynomial[0], y));
+            add(sums.v[2], slopeYRow(m_polynomial[0], y));
+            for (int c = 0; c < m_stroke.channels; ++c)
+                add(sums.v[fixedSums + c], valueRow(m_polynomial[std::size_t(1 + c)], y));
+        }
+    }
+
+    /// In double from the sum to the opacity: `other` holds what nodes that are not deep add.
+    void shadeSharply(const Sums &other, const Piece &p, double step, const float *eta, Shaded &out) const
+    {
+        double channels[maxChannels];
+        const auto channel = [&](int c) { return channels[c]; };
+        for (int j = p.y0; j < p.y1; ++j)
+            for (int i = p.x0; i < p.x1; ++i) {
+                const int at = j * blockSide + i;
+                const double x = p.left + (i - p.x0) * step, y = p.top + (j - p.y0) * step;
+                for (int c = 0; c < m_stroke.channels; ++c)
+                    channels[c] = double(other.v[fixedSums + c][at]) + valueRow(m_polynomial[std::size_t(1 + c)], y).at(x);
+                const auto paint = math::shadeSample<double>(
+                    m_stroke.shade, double(other.v[0][at]) + valueRow(m_polynomial[0], y).at(x),
+                    double(other.v[1][at]) + slopeXRow(m_polynomial[0], y).at(x),
+                    double(other.v[2][at]) + slopeYRow(m_polynomial[0], y).at(x), channel, eta ? double(eta[at]) : 1.0,
+                    0.5 * step, [&](double inverse, double phi, double h) {
+                        return math::mixedStyles<double>(m_stroke.shade, channel, inverse, phi, h);
+                    });
+                out.w[at] = float(paint.w);
+                out.colour[0][at] = float(paint.red);
+                out.colour[1][at] = float(paint.yellow);
+                out.colour[2][at] = float(paint.blue);
+            }
+    }
+
+private:
+    const SceneStroke &m_stroke;
+    std::array<Cubic2, 1 + maxChannels> m_polynomial;
+};
+
+/// Whether floats could show in the style at densities of [low, high]: where it jumps or is steeper than 1000/φ.
+bool isSharp(const ShadeParams &shade, double low, double high)
+{
+    for (int k = 0; k < shade.kinds; ++k) {
+        const KindParams &kind = shade.kind[k];
+        const double xi1 = double(kind.xi[0]), xi2 = double(kind.xi[1]);
+        if (kind.xiChannel >= 0)
+            return true;
+        if (kind.kind == StyleKind::Edge) {
+            const double edge = math::Edge<double>(xi1, xi2, double(kind.xi[2])).phiE;
+            if (low < 1.001 * edge && high > 0.999 * edge)
+                return true;
+        }
+        if (kind.kind == StyleKind::Uniform && xi2 < 1e-3 * xi1 && low < xi1 + 20 * xi2 && high > xi1 - 20 * xi2)
+            return true;
+    }
+    return false;
+}
+
+/// Cuts a block at the borders of the cells of the picture's grid.
+template <class Use>
+void forEachPiece(const Block &block, double side, Use use)
+{
+    const auto cellOf = [&](double at) { return std::floor(at / side); };
+    const auto border = [&](double origin, int from) { // first sample of the next cell
+        const double next = (cellOf(origin + (from + 0.5) * block.step) + 1) * side;
+        return std::min(blockSide, int(std::ceil((next - origin) / block.step - 0.5)));
+    };
+    for (int y0 = 0, y1 = 0; y0 < blockSide; y0 = y1) {
+        y1 = border(block.y, y0);
+        for (int x0 = 0, x1 = 0; x0 < blockSide; x0 = x1) {
+            x1 = border(block.x, x0);
+            const double x = block.x + (x0 + 0.5) * block.step, y = block.y + (y0 + 0.5) * block.step;
+            const Point centre{(cellOf(x) + 0.5) * side, (cellOf(y) + 0.5) * side};
+            use(Piece{x0, y0, x1, y1, x - centre.x, y - centre.y}, centre);
+        }
+    }
 }
 
 } // namespace
 
-void shadeDeep(const SceneStroke &stroke, const Block &block, const Sums &sums, const float *eta, Shaded &out)
+void shadeDeep(const Kernels &kernels, const SceneStroke &stroke, const Block &block, Sums &sums, const float *eta,
+               Shaded &out)
 {
-    std::array<Cubic2, 1 + maxChannels> polynomial;
-    double channels[maxChannels];
-    const auto channel = [&](int c) { return channels[c]; };
-    for (int cellY = 0; cellY < blockSide; cellY += cellSide)
-        for (int cellX = 0; cellX < blockSide; cellX += cellSide) {
-            const Point centre{block.x + block.step * (cellX + cellSide / 2), block.y + block.step * (cellY + cellSide / 2)};
-            for (int c = 0; c <= stroke.channels; ++c)
-                polynomial[c].fill(0);
-            for (const DeepNode &node : stroke.deep) {
-                Cubic2 gaussian{};
-                addGaussian(node, centre, gaussian);
-                const float *value = stroke.values.data() + std::size_t(node.row) * stroke.channels;
-                for (int i = 0; i < 10; ++i) {
-                    polynomial[0][i] += gaussian[i];
-                    for (int c = 0; c < stroke.channels; ++c)
-                        polynomial[1 + c][i] += gaussian[i] * value[c];
-                }
+    const double side = cellSideFor(stroke);
+    thread_local const auto other = std::make_unique<Sums>();
+    std::memcpy(other->v, sums.v, sizeof(sums.v[0]) * std::size_t(fixedSums + stroke.channels));
+    std::vector<std::pair<Cell, Piece>> sharp;
+    forEachPiece(block, side, [&](const Piece &piece, Point centre) {
+        const Cell cell(stroke, centre);
+        cell.addTo(sums, piece, block.step);
+        float low = 1e38f, high = 0;
+        for (int j = piece.y0; j < piece.y1; ++j)
+            for (int i = piece.x0; i < piece.x1; ++i) {
+                low = std::min(low, sums.v[0][j * blockSide + i]);
+                high = std::max(high, sums.v[0][j * blockSide + i]);
             }
-            for (int j = 0; j < cellSide; ++j)
-                for (int i = 0; i < cellSide; ++i) {
-                    const int at = (cellY + j) * blockSide + cellX + i;
-                    const double x = (i + 0.5 - cellSide / 2) * block.step, y = (j + 0.5 - cellSide / 2) * block.step;
-                    const Point slope = slopeAt(polynomial[0], x, y);
-                    for (int c = 0; c < stroke.channels; ++c)
-                        channels[c] = double(sums.v[fixedSums + c][at]) + valueAt(polynomial[1 + c], x, y);
-                    const auto paint = math::shadeSample<double>(
-                        stroke.shade, double(sums.v[0][at]) + valueAt(polynomial[0], x, y),
-                        double(sums.v[1][at]) + slope.x, double(sums.v[2][at]) + slope.y,
-                        channel, eta ? double(eta[at]) : 1.0, 0.5 * block.step,
-                        [&](double inverse, double phi, double h) {
-                            return math::mixedStyles<double>(stroke.shade, channel, inverse, phi, h);
-                        });
-                    out.w[at] = float(paint.w);
-                    out.colour[0][at] = float(paint.red);
-                    out.colour[1][at] = float(paint.yellow);
-                    out.colour[2][at] = float(paint.blue);
-                }
-        }
+        if (stroke.granulated && eta)
+            low = 0; // the paper takes some away
+        if (isSharp(stroke.shade, double(low), double(high)))
+            sharp.emplace_back(cell, piece);
+    });
+    kernels.shade(stroke.shade, sums, eta, float(block.step), out);
+    for (const auto &[cell, piece] : sharp)
+        cell.shadeSharply(*other, piece, block.step, eta, out);
 }
 
 } // namespace suffuse::cpu

@@ -5,7 +5,9 @@
 
 namespace suffuse::cpu {
 
-/// Shades a block of a stroke with deep nodes; `sums` hold what its other nodes add. Cost does not grow with zoom.
-void shadeDeep(const SceneStroke &stroke, const Block &block, const Sums &sums, const float *eta, Shaded &out);
+/// Shades a block of a stroke with deep nodes; `sums` hold what its other nodes add, and then everything. Cost does not
+/// grow with zoom.
+void shadeDeep(const Kernels &kernels, const SceneStroke &stroke, const Block &block, Sums &sums, const float *eta,
+               Shaded &out);
 
 } // namespace suffuse::cpu

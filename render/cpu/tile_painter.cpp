@@ -87,7 +87,7 @@ private:
         if (scene.deep.empty())
             m_frame.kernels->shade(scene.shade, m_s.sums, eta, float(block.step), out);
         else
-            shadeDeep(scene, block, m_s.sums, eta, out);
+            shadeDeep(*m_frame.kernels, scene, block, m_s.sums, eta, out);
     }
 
     bool hasPaper() const { return m_frame.canvas.paper.kind != PaperKind::None && m_frame.canvas.paper.strength > 0; }
