@@ -17,11 +17,11 @@ namespace {
 
 /// Name in the settings, the same in every language; in the order of Command.
 constexpr const char *commandNames[] = {
-    "new",           "open",      "save",         "saveAs",    "export",      "close",          "quit",
-    "undo",          "redo",      "delete",       "duplicate", "selectAll",   "deselect",       "settings",
-    "brush",         "select",    "segments",     "pan",       "raise",       "lower",          "top",
-    "bottom",        "zoomIn",    "zoomOut",      "zoom100",   "fit",         "rotateLeft",     "rotateRight",
-    "resetRotation", "mirror",    "hideDocks",    "fullScreen", "shortcuts",  "about",
+    "new",           "open",   "save",      "saveAs",     "export",    "close",      "quit",
+    "undo",          "redo",   "delete",    "duplicate",  "selectAll", "deselect",   "settings",
+    "brush",         "select", "segments",  "pan",        "raise",     "lower",      "top",
+    "bottom",        "zoomIn", "zoomOut",   "zoom100",    "fit",       "rotateLeft", "rotateRight",
+    "resetRotation", "mirror", "hideDocks", "fullScreen", "shortcuts", "about",
 };
 static_assert(std::size(commandNames) == std::size_t(Command::About) + 1);
 

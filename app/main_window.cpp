@@ -81,7 +81,8 @@ QDockWidget *MainWindow::addDock(const char *name, const QString &title, QWidget
     m_docks << dock;
     // What was entered is done: keys mean the canvas again, Ctrl+Z among them.
     for (QLineEdit *field : panel->findChildren<QLineEdit *>())
-        connect(field, &QLineEdit::returnPressed, m_canvas, [this] { m_canvas->setFocus(); }, Qt::QueuedConnection);
+        connect(
+            field, &QLineEdit::returnPressed, m_canvas, [this] { m_canvas->setFocus(); }, Qt::QueuedConnection);
     return dock;
 }
 
@@ -113,7 +114,8 @@ void MainWindow::makeStatusBar()
     m_hint = new QLabel(this);
     m_hint->setContentsMargins(6, 0, 0, 0);
     m_hint->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
-    m_position = label(tr("Position of the pointer in canvas units"), fontMetrics().horizontalAdvance("00000.0, 00000.0"));
+    m_position =
+        label(tr("Position of the pointer in canvas units"), fontMetrics().horizontalAdvance("00000.0, 00000.0"));
     m_zoom = label(tr("Zoom"), fontMetrics().horizontalAdvance("00000 %"));
     m_backend = label(tr("What renders the picture"), 0);
     m_frameTime = label(tr("Time that the last frame took"), fontMetrics().horizontalAdvance("0000.0 ms"));
@@ -214,10 +216,7 @@ void MainWindow::connectViewActions()
 void MainWindow::connectUpdates()
 {
     connect(&m_editor, &Editor::fileChanged, this, &MainWindow::updateTitle);
-    connect(&m_editor.document(), &Document::changed, this, [this](const Change &change) {
-        if (!change.draft)
-            updateActions();
-    });
+    connect(&m_editor.document(), &Document::changed, this, &MainWindow::updateActions);
     connect(&m_editor.undoStack(), &QUndoStack::indexChanged, this, &MainWindow::updateActions);
     connect(m_canvas, &CanvasWidget::viewChanged, this, &MainWindow::updateZoom);
     connect(m_canvas, &CanvasWidget::framePresented, this, &MainWindow::showFrame);
@@ -242,7 +241,9 @@ void MainWindow::updateActions()
         action(command).setEnabled(can);
         action(command).setText(can && !step.isEmpty() ? named.arg(step) : plain);
     };
-    name(Command::Undo, tr("&Undo"), tr("&Undo: %1"), stack.undoText(), stack.canUndo());
+    const bool strokeInHand = m_editor.document().draft() != nullptr; // undo gives it up
+    name(Command::Undo, tr("&Undo"), tr("&Undo: %1"), strokeInHand ? QString() : stack.undoText(),
+         strokeInHand || stack.canUndo());
     name(Command::Redo, tr("&Redo"), tr("&Redo: %1"), stack.redoText(), stack.canRedo());
 }
 

@@ -2,6 +2,7 @@
 
 #include "app/theme.h"
 
+#include <QDialog>
 #include <QEvent>
 #include <QGridLayout>
 #include <QVBoxLayout>
@@ -48,6 +49,14 @@ void HintLabel::showHint(const QString &hint)
 {
     setText(hint);
     setVisible(!hint.isEmpty());
+    // A dialog does not grow by itself for a text that wraps; its fields would be squeezed.
+    QWidget *dialog = window();
+    if (hint.isEmpty() || !qobject_cast<QDialog *>(dialog) || !dialog->layout())
+        return;
+    dialog->layout()->activate();
+    const int wanted = dialog->layout()->totalHeightForWidth(dialog->width());
+    if (wanted > dialog->height())
+        dialog->resize(dialog->width(), wanted);
 }
 
 void HintLabel::takeColour()

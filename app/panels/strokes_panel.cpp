@@ -6,6 +6,7 @@
 #include "app/theme.h"
 
 #include <QAction>
+#include <QApplication>
 #include <QHeaderView>
 #include <QLineEdit>
 #include <QMouseEvent>
@@ -14,6 +15,8 @@
 #include <QStyledItemDelegate>
 #include <QTreeView>
 #include <QVBoxLayout>
+
+#include <utility>
 
 namespace suffuse {
 
@@ -27,13 +30,26 @@ public:
     void initStyleOption(QStyleOptionViewItem *option, const QModelIndex &index) const override
     {
         QStyledItemDelegate::initStyleOption(option, index);
-        if (index.column() != StrokesModel::NameColumn) {
-            option->decorationAlignment = Qt::AlignCenter;
-            option->decorationPosition = QStyleOptionViewItem::Top;
-        } else if (index.data(StrokesModel::ColourRole).isValid()) {
+        if (index.column() == StrokesModel::NameColumn && index.data(StrokesModel::ColourRole).isValid()) {
             option->features |= QStyleOptionViewItem::HasDecoration;
             option->icon = chip(index.data(StrokesModel::ColourRole).value<QColor>(), option->decorationSize);
         }
+    }
+
+    void paint(QPainter *painter, const QStyleOptionViewItem &option, const QModelIndex &index) const override
+    {
+        if (index.column() == StrokesModel::NameColumn) {
+            QStyledItemDelegate::paint(painter, option, index);
+            return;
+        }
+        QStyleOptionViewItem empty = option;
+        initStyleOption(&empty, index);
+        const QIcon icon = std::exchange(empty.icon, QIcon());
+        empty.features &= ~QStyleOptionViewItem::HasDecoration;
+        const QStyle *style = option.widget ? option.widget->style() : QApplication::style();
+        style->drawControl(QStyle::CE_ItemViewItem, &empty, painter, option.widget);
+        icon.paint(painter, QStyle::alignedRect(Qt::LeftToRight, Qt::AlignCenter, empty.decorationSize, option.rect),
+                   Qt::AlignCenter, option.state & QStyle::State_Selected ? QIcon::Selected : QIcon::Normal);
     }
 
     QSize sizeHint(const QStyleOptionViewItem &option, const QModelIndex &index) const override

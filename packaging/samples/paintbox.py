@@ -1,7 +1,7 @@
 """What the sample paintings are painted with: colours, shapes, brushes, and the text form they are written in.
 
-Lengths are canvas units, times seconds, angles degrees. A colour is (red, yellow, blue, opacity), RYB. Where a parameter
-says *field*, it takes a value or a function of (x, y) that gives one: paint that changes along the stroke.
+Lengths are canvas units, times seconds, angles degrees. A colour is (red, yellow, blue, opacity), RYB. Where a
+parameter says *field*, it takes a value or a function of (x, y) that gives one: paint that changes along the stroke.
 """
 import json
 import math
@@ -273,7 +273,8 @@ class Painting:
     # -- groups: with painting.group("lemon"): …
     def group(self, name):
         parent = self.open_groups[-1] if self.open_groups else None
-        self.groups.append({"id": len(self.groups) + 1, "name": name, "parent": parent, "visible": True, "locked": False})
+        self.groups.append({"id": len(self.groups) + 1, "name": name, "parent": parent,
+                            "visible": True, "locked": False})
         self.open_groups.append(len(self.groups))
         return self
 
@@ -303,9 +304,10 @@ class Painting:
                              "visible": True, "locked": False, "style": style, "mix": mix, "segments": out})
 
     def line(self, name, points, width, colour, style=None, mix=COVER, spread=None, step=None, granulation=1.0,
-             smooth=True):
+             smooth=True, follow=False):
         """A brush stroke through the points. width: half-width, or a list of them along the stroke (the pressure, which
-        sets the density). colour: a field, or a list of colours along the stroke. spread: s, default 0.8 of the width."""
+        sets the density). colour: a field, or a list of colours along the stroke. spread: s, default 0.8 of the
+        greatest width; follow: of the width at each place, which keeps thin ends crisp."""
         style = style or uniform()
         widths = width if isinstance(width, (list, tuple)) else [width]
         s = spread or 0.8 * max(widths)
@@ -318,6 +320,7 @@ class Painting:
         n, segments = len(nodes) - 1, []
         for k, points in enumerate(smoothed(nodes)):
             w = at((k + 0.5) / n)
+            s = 0.8 * max(w, 0.25 * max(widths)) if follow else s
             density = cut * ROOT_PI * s * math.exp(min(3.5, (w / s) ** 2)) if w > 0 else 0.0
             x, y = (points[0][0] + points[3][0]) / 2, (points[0][1] + points[3][1]) / 2
             segments.append((points, s, density, granulation, shade((k + 0.5) / n) if shade else value(colour, x, y)))
@@ -334,8 +337,8 @@ class Painting:
     def fill(self, name, outlines, colour, s=8.0, row=None, angle=0.0, level=1.0, style=None, mix=COVER,
              granulation=1.0, piece=None, spread=None, rims=None):
         """A shape filled by one stroke: round its outline, then to and fro. Inside, its density is `level` (a field; 1
-        ends a style that cuts at 0.5 on the outline). s sets the rows' distance, spread (a field, default s) the spread;
-        colour is a field. rims: how often round, default 1, or 2 for large shapes."""
+        ends a style that cuts at 0.5 on the outline). s sets the rows' distance, spread (a field, default s) the
+        spread; colour is a field. rims: how often round, default 1, or 2 for large shapes."""
         outlines = [outlines] if isinstance(outlines[0][0], (int, float)) else outlines
         pitch = row or 1.1 * s
         varies = callable(colour) or callable(level) or callable(spread)
@@ -371,7 +374,8 @@ class Painting:
         """Lays the rows to and fro. A row ends a quarter pitch early; its turn lays what that leaves out."""
         c, sn = math.cos(math.radians(angle)), math.sin(math.radians(angle))
         back = lambda x, y: (c * x - sn * y, sn * x + c * y)
-        chains, pitch = rows_of([[(c * x + sn * y, -sn * x + c * y) for x, y in points] for points in outlines], spacing)
+        turned = [[(c * x + sn * y, -sn * x + c * y) for x, y in points] for points in outlines]
+        chains, pitch = rows_of(turned, spacing)
         last = None
         for chain in chains:
             right = True

@@ -5,6 +5,8 @@
 #include <QDockWidget>
 #include <QTemporaryDir>
 
+#include <set>
+
 using namespace suffuse;
 
 class TestEditorFlow : public QObject {
@@ -193,6 +195,20 @@ private slots:
         QVERIFY(s.window.action(Command::Redo).isEnabled());
     }
 
+    void undoGivesUpEvenTheFirstStroke()
+    {
+        Session s;
+        QVERIFY(!s.window.action(Command::Undo).isEnabled());
+        QTest::mousePress(&s.canvas(), Qt::LeftButton, {}, s.at({100, 100}));
+        s.advance(interval);
+        QTest::mouseMove(&s.canvas(), s.at({200, 100}));
+        QVERIFY(s.window.action(Command::Undo).isEnabled());
+        s.use(Command::Undo);
+        QTest::mouseRelease(&s.canvas(), Qt::LeftButton, {}, s.at({200, 100}));
+        QVERIFY(s.painting().strokes.empty());
+        QVERIFY(!s.window.action(Command::Undo).isEnabled());
+    }
+
     void rubberBandSelectsWhatItEncloses()
     {
         Session s;
@@ -266,6 +282,31 @@ private slots:
         while (s.editor().undoStack().canRedo())
             s.use(Command::Redo);
         QCOMPARE(hashOf(s.painting()), before);
+    }
+
+    void actionsKeepTheirNames()
+    {
+        Session s;
+        std::set<QString> names;
+        for (int command = 0; command <= int(Command::About); ++command)
+            names.insert(s.window.action(Command(command)).objectName());
+        QCOMPARE(names.size(), std::size_t(Command::About) + 1); // shortcuts are stored under them
+        QVERIFY(!names.contains(QString()));
+        s.paintLine({200, 300}, {700, 300});
+        const QAction &undo = s.window.action(Command::Undo);
+        QCOMPARE(undo.text(), QString("&Undo: Brush stroke"));
+        QCOMPARE(undo.iconText(), QString("Undo"));
+        QCOMPARE(undo.toolTip(), QString("Undo: Brush stroke (Ctrl+Z)"));
+        QCOMPARE(plainTitle(QStringLiteral("打开(&O)…")), QStringLiteral("打开"));
+        QCOMPARE(plainTitle("Save &As…"), QString("Save As"));
+    }
+
+    void newPaintingsLieOnPaper()
+    {
+        Session s;
+        QCOMPARE(s.painting().canvas.paper.kind, PaperKind::Procedural);
+        QVERIFY(!s.window.isWindowModified());
+        QCOMPARE(s.editor().undoStack().count(), 0);
     }
 
     void docksHideAndComeBack()

@@ -25,6 +25,8 @@
 #include <QTemporaryDir>
 #include <QToolButton>
 
+#include <numbers>
+
 using namespace suffuse;
 
 class TestPanels : public QObject {
@@ -160,6 +162,49 @@ private slots:
         bench.select({3});
         QTest::mouseDClick(panel.segmentSection()->diffusion()->label(), Qt::LeftButton);
         QCOMPARE(bench.stroke(3).segments[0].diffusion, Segment{}.diffusion);
+        QCOMPARE(bench.steps(), 1);
+    }
+
+    void anisotropyOfSegments()
+    {
+        Bench bench;
+        InspectorPanel panel(bench.editor);
+        showAt(panel);
+        bench.select({1}, {{1, 0}});
+        SegmentSection *section = panel.segmentSection();
+        QVERIFY(!section->angle()->number()->isEnabled()); // it would mean nothing
+        type(*section->anisotropy()->number(), "4");
+        QCOMPARE(bench.stroke(1).segments[0].anisotropyRatio, 4.0f);
+        QCOMPARE(bench.stroke(1).segments[1].anisotropyRatio, 1.0f);
+        type(*section->angle()->number(), "30");
+        QVERIFY(std::abs(bench.stroke(1).segments[0].anisotropyAngle - float(std::numbers::pi / 6)) < 1e-6f);
+        QCOMPARE(section->angle()->number()->text(), QString("30°"));
+        QCOMPARE(bench.steps(), 2);
+        BarSlider *slider = section->angle()->slider();
+        QTest::mouseClick(slider, Qt::LeftButton, {}, sliderPoint(*slider, 0.91));
+        const double degrees = double(bench.stroke(1).segments[0].anisotropyAngle) * 180 / std::numbers::pi;
+        QVERIFY(degrees > 30 && std::abs(degrees - std::round(degrees)) < 1e-5); // whole degrees
+        bench.select({1});
+        QCOMPARE(section->anisotropy()->number()->text(), QString("—"));
+        QVERIFY(section->angle()->number()->isEnabled());
+        for (const char *bad : {"0", "-1", "2e6"}) {
+            type(*section->anisotropy()->number(), bad);
+            QVERIFY2(panel.hint()->isVisible(), bad);
+        }
+        QCOMPARE(bench.steps(), 3);
+    }
+
+    void stepsOfAFieldAreOneStep()
+    {
+        Bench bench;
+        InspectorPanel panel(bench.editor);
+        showAt(panel);
+        bench.select({1});
+        NumberField *granulation = panel.segmentSection()->granulation()->number();
+        granulation->setFocus();
+        for (int i = 0; i < 3; ++i)
+            QTest::keyClick(granulation, Qt::Key_Down);
+        QVERIFY(std::abs(bench.stroke(1).segments[0].granulation - 0.97f) < 1e-6f);
         QCOMPARE(bench.steps(), 1);
     }
 
