@@ -46,6 +46,35 @@ bool CpuRenderer::sameFrame(const RenderRequest &request, const Target &target) 
            m_frame.canvas.paper == request.painting->canvas.paper;
 }
 
+void CpuRenderer::alignEntries(const Painting &painting)
+{
+    std::vector<StrokePtr> strokes;
+    strokes.reserve(painting.strokes.size());
+    for (const StrokePtr &s : painting.strokes)
+        if (painting.isVisible(*s))
+            strokes.push_back(s);
+    // Most edits leave the order as it is.
+    std::size_t same = 0;
+    while (same < strokes.size() && same < m_entries.size() && m_entries[same].stroke->id == strokes[same]->id)
+        ++same;
+    if (same < strokes.size() || same < m_entries.size()) {
+        std::unordered_map<StrokeId, std::size_t> old;
+        for (std::size_t i = same; i < m_entries.size(); ++i)
+            old[m_entries[i].stroke->id] = i;
+        std::vector<Entry> rest(strokes.size() - same);
+        for (std::size_t i = same; i < strokes.size(); ++i)
+            if (const auto it = old.find(strokes[i]->id); it != old.end())
+                rest[i - same] = std::move(m_entries[it->second]);
+        m_entries.resize(same);
+        std::move(rest.begin(), rest.end(), std::back_inserter(m_entries));
+    }
+    for (std::size_t i = 0; i < strokes.size(); ++i)
+        if (Entry &entry = m_entries[i]; entry.stroke != strokes[i]) {
+            entry.stroke = strokes[i];
+            entry.driesAt = strokes[i]->driesAt();
+        }
+}
+
 void CpuRenderer::updateScene(const RenderRequest &request)
 {
     const View &view = request.view;
@@ -53,61 +82,56 @@ void CpuRenderer::updateScene(const RenderRequest &request)
     const Rect visible = visibleBox(view);
     const bool sameView = m_frame.view == view;
     const bool sameOctave = zoomOctave(m_frame.view.scale) == octave;
-    ++m_generation;
-    std::vector<StrokePtr> strokes;
-    for (const StrokePtr &s : request.painting->strokes)
-        if (request.painting->isVisible(*s))
-            strokes.push_back(s);
-    for (const StrokePtr &s : strokes)
-        m_entries[s->id].seen = m_generation;
-    std::erase_if(m_entries, [&](const auto &e) { return e.second.seen != m_generation; });
+    alignEntries(*request.painting);
 
-    parallelFor(strokes.size(), m_threads, [&](std::size_t i) {
-        const StrokePtr &stroke = strokes[i];
-        Entry &entry = m_entries.find(stroke->id)->second;
-        const bool sameStroke = entry.scene && entry.scene->stroke == stroke;
-        const bool dry = stroke->driesAt() <= request.time;
-        const bool sameAge = entry.time == request.time || (entry.dry && dry);
-        std::shared_ptr<const StrokeNodes> nodes;
-        if (sameStroke && sameAge && sameOctave && (sameView || !entry.scene->source->clipped)) {
-            entry.dry = dry;
-            entry.time = request.time;
-            if (sameView)
-                return;
-            nodes = entry.scene->source;
-        } else {
-            nodes = buildNodes(*stroke, request.time, octave, visible);
-        }
-        entry.scene = std::make_shared<const SceneStroke>(makeSceneStroke(stroke, std::move(nodes), view));
-        entry.dry = dry;
+    std::vector<std::pair<std::size_t, bool>> stale; // entry; whether its nodes are still good
+    for (std::size_t i = 0; i < m_entries.size(); ++i) {
+        Entry &entry = m_entries[i];
+        const bool sameStroke = entry.scene && entry.scene->stroke == entry.stroke;
+        const bool sameAge =
+            entry.time == request.time || (entry.driesAt <= entry.time && entry.driesAt <= request.time);
+        const bool nodes = sameStroke && sameAge && sameOctave && (sameView || !entry.scene->source->clipped);
+        if (!nodes || !sameView)
+            stale.emplace_back(i, nodes);
         entry.time = request.time;
+    }
+    parallelFor(stale.size(), m_threads, [&](std::size_t i) {
+        Entry &entry = m_entries[stale[i].first];
+        auto nodes = stale[i].second ? entry.scene->source : buildNodes(*entry.stroke, request.time, octave, visible);
+        entry.scene = std::make_shared<const SceneStroke>(makeSceneStroke(entry.stroke, std::move(nodes), view));
     });
-    m_scene.clear();
-    for (const StrokePtr &s : strokes)
-        m_scene.push_back(m_entries[s->id].scene);
+    m_scene.resize(m_entries.size());
+    for (std::size_t i = 0; i < m_entries.size(); ++i)
+        if (m_scene[i] != m_entries[i].scene)
+            m_scene[i] = m_entries[i].scene;
 }
 
 void CpuRenderer::markDifferences(const std::vector<std::shared_ptr<const SceneStroke>> &before)
 {
-    std::unordered_map<StrokeId, const SceneStroke *> old;
+    const auto sameIds = [](const auto &a, const auto &b) { return a->stroke->id == b->stroke->id; };
+    if (std::equal(before.begin(), before.end(), m_scene.begin(), m_scene.end(), sameIds)) {
+        for (std::size_t i = 0; i < m_scene.size(); ++i)
+            if (before[i] != m_scene[i])
+                markChanged(*before[i], *m_scene[i], m_frame.view, m_region);
+        return;
+    }
+    std::unordered_map<StrokeId, const SceneStroke *> old, now;
     std::vector<StrokeId> orderBefore, orderAfter;
     for (const auto &s : before)
         old[s->stroke->id] = s.get(), orderBefore.push_back(s->stroke->id);
     for (const auto &s : m_scene) {
-        orderAfter.push_back(s->stroke->id);
+        now[s->stroke->id] = s.get(), orderAfter.push_back(s->stroke->id);
         const auto it = old.find(s->stroke->id);
-        if (it == old.end()) {
+        if (it == old.end())
             m_region.mark(s->bounds);
-            continue;
-        }
-        if (it->second != s.get())
+        else if (it->second != s.get())
             markChanged(*it->second, *s, m_frame.view, m_region);
-        old.erase(it);
+        old.erase(s->stroke->id);
     }
     for (const auto &[id, stroke] : old)
         m_region.mark(stroke->bounds);
     for (StrokeId id : movedInOrder(orderBefore, orderAfter))
-        m_region.mark(m_entries[id].scene->bounds);
+        m_region.mark(now[id]->bounds);
 }
 
 void CpuRenderer::updateLayers(const std::vector<std::shared_ptr<const SceneStroke>> &before, bool incremental,

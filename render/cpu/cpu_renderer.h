@@ -18,15 +18,17 @@ public:
     void invalidate() override { m_target = 0; }
 
 private:
-    /// A stroke's state when it was last seen: enough to tell whether it differs.
+    /// A visible stroke's state when it was last seen: enough to tell whether it differs.
     struct Entry {
+        StrokePtr stroke;
         std::shared_ptr<const SceneStroke> scene;
-        bool dry = false; ///< no segment spreads any more at the time it was built for
-        Microseconds time = 0;
-        std::uint64_t seen = 0;
+        Microseconds driesAt = 0;
+        Microseconds time = 0; ///< that the scene was built for
     };
     bool sameFrame(const RenderRequest &request, const Target &target) const;
     void updateScene(const RenderRequest &request);
+    /// Brings the entries into the order of the painting's visible strokes, keeping what is known of each.
+    void alignEntries(const Painting &painting);
     void markDifferences(const std::vector<std::shared_ptr<const SceneStroke>> &before);
     /// What one call evaluates.
     struct Job {
@@ -50,9 +52,8 @@ private:
 
     int m_threads;
     int m_tileSize;
-    std::unordered_map<StrokeId, Entry> m_entries;
+    std::vector<Entry> m_entries; ///< as m_scene
     std::vector<std::shared_ptr<const SceneStroke>> m_scene; ///< visible strokes, bottom to top
-    std::uint64_t m_generation = 0;
     DirtyRegion m_region;
     static constexpr std::size_t noEdit = SIZE_MAX;
     cpu::LayerCache m_layers{std::size_t(48) << 20};

@@ -154,7 +154,8 @@ int main(int argc, char *argv[])
         error << "bench_baselines: " << message << Qt::endl;
         return 2;
     }
-    const std::vector<int> threads = options.threads > 0 ? std::vector{options.threads} : std::vector{1, hardwareThreads()};
+    const std::vector<int> threads =
+        options.threads > 0 ? std::vector{options.threads} : std::vector{1, hardwareThreads()};
     std::vector<bench::Row> rows;
     for (int n : threads) {
         const Result<std::vector<bench::Row>> some = measure(options, n);

@@ -21,11 +21,11 @@ constexpr int side = 16; // of a block
 
 struct Counts {
     long long nodes = 0;
-    long long boxPairs = 0;      ///< (node, block) whose boxes meet
-    long long pairs = 0;         ///< of them, in blocks where the stroke can be seen
-    long long strokeBlocks = 0;  ///< (stroke, block) where it can be seen
-    long long sums = 0;          ///< Σ over pairs of the sums that a pixel needs
-    long long densitySums = 0;   ///< the same without the two of the gradient
+    long long boxPairs = 0;     ///< (node, block) whose boxes meet
+    long long pairs = 0;        ///< of them, in blocks where the stroke can be seen
+    long long strokeBlocks = 0; ///< (stroke, block) where it can be seen
+    long long sums = 0;         ///< Σ over pairs of the sums that a pixel needs
+    long long densitySums = 0;  ///< the same without the two of the gradient
 };
 
 /// Density below which a style draws nothing.
@@ -60,8 +60,7 @@ struct BlockSum {
 void countStroke(const Stroke &stroke, const bench::Job &job, Counts &counts)
 {
     const View &view = job.view;
-    const auto source =
-        buildNodes(stroke, job.time, zoomOctave(view.scale), Rect::of(-1e9, -1e9, 2e9, 2e9));
+    const auto source = buildNodes(stroke, job.time, zoomOctave(view.scale), Rect::of(-1e9, -1e9, 2e9, 2e9));
     const int columns = (view.width + side - 1) / side, rows = (view.height + side - 1) / side;
     std::vector<BlockSum> blocks(std::size_t(columns) * std::size_t(rows));
     for (const Node &n : source->nodes) {
@@ -132,8 +131,27 @@ QString report(const Counts &c, const View &view)
     line("floor, one core: density and channels alone, ms", QString::number(1e3 * densityFma / peak, 'f', 2));
     // Counted in operations of one lane: 12 an exponential, 40 a pixel shaded and mixed.
     const double all = fma + 12 * exponentials + 40 * double(c.strokeBlocks) * pixels;
-    line("floor, one core: with exponentials (12 each) and shading (40), ms", QString::number(1e3 * all / peak, 'f', 2));
+    line("floor, one core: with exponentials (12 each) and shading (40), ms",
+         QString::number(1e3 * all / peak, 'f', 2));
     return text;
+}
+
+/// The document named, or a generated painting.
+Result<PaintingPtr> paintingOf(const QCommandLineParser &parser)
+{
+    if (parser.isSet("painting")) {
+        Result<Painting> loaded = loadPainting(parser.value("painting"));
+        if (!loaded)
+            return Error{loaded.error()};
+        return PaintingPtr(std::make_shared<const Painting>(std::move(*loaded)));
+    }
+    bench::PaintingOptions options;
+    const QStringList spread = parser.value("spread").split(',');
+    options.spreadLow = spread.value(0).toDouble();
+    options.spreadHigh = spread.value(1).toDouble();
+    if (!(options.spreadLow > 0) || !(options.spreadHigh >= options.spreadLow))
+        return Error{QStringLiteral("--spread: give two numbers, e.g. --spread 6,20")};
+    return PaintingPtr(std::make_shared<const Painting>(bench::makePainting(options)));
 }
 
 } // namespace
@@ -148,28 +166,15 @@ int main(int argc, char *argv[])
                        {"spread", "Range of the generated strokes' spread, in units.", "LO,HI", "6,20"},
                        {"width", "Pixels across.", "W", "1024"}});
     parser.process(app);
-    PaintingPtr painting;
-    if (parser.isSet("painting")) {
-        Result<Painting> loaded = loadPainting(parser.value("painting"));
-        if (!loaded) {
-            QTextStream(stderr) << "bench_floor: " << loaded.error() << Qt::endl;
-            return 1;
-        }
-        painting = std::make_shared<const Painting>(std::move(*loaded));
-    } else {
-        bench::PaintingOptions options;
-        options.spreadLow = parser.value("spread").section(',', 0, 0).toDouble();
-        options.spreadHigh = parser.value("spread").section(',', 1, 1).toDouble();
-        if (!(options.spreadLow > 0) || !(options.spreadHigh >= options.spreadLow)) {
-            QTextStream(stderr) << "bench_floor: --spread: give two numbers, e.g. --spread 6,20" << Qt::endl;
-            return 2;
-        }
-        painting = std::make_shared<const Painting>(bench::makePainting(options));
+    const Result<PaintingPtr> painting = paintingOf(parser);
+    if (!painting) {
+        QTextStream(stderr) << "bench_floor: " << painting.error() << Qt::endl;
+        return 1;
     }
-    const bench::Job job = bench::jobOf(painting, std::clamp(parser.value("width").toInt(), 1, 8192), {});
+    const bench::Job job = bench::jobOf(*painting, std::clamp(parser.value("width").toInt(), 1, 8192), {});
     Counts counts;
-    for (const StrokePtr &stroke : painting->strokes)
-        if (painting->isVisible(*stroke))
+    for (const StrokePtr &stroke : job.painting->strokes)
+        if (job.painting->isVisible(*stroke))
             countStroke(*stroke, job, counts);
     QTextStream(stdout) << report(counts, job.view);
     return 0;

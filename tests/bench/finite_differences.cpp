@@ -76,7 +76,8 @@ void diffuse(Grid &grid, float r, int steps)
                             from.values[std::size_t(y) * std::size_t(from.stride()) + std::size_t(x)];
     };
     transpose(grid, turned);
-    kernels.diffuseColumns(turned.values.data(), turned.stride(), turned.width, turned.height, r, steps, factors.data());
+    kernels.diffuseColumns(turned.values.data(), turned.stride(), turned.width, turned.height, r, steps,
+                           factors.data());
     transpose(turned, grid);
 }
 

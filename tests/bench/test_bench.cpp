@@ -1,13 +1,16 @@
 // The measuring code measures what it says: paintings, rows, and baselines that draw the same picture.
+#include "model/formats/files.h"
 #include "model/validate.h"
 #include "render/bench/generator.h"
 #include "render/bench/measure.h"
 #include "render/bench/plan.h"
 #include "tests/bench/baselines.h"
+#include "tests/cli/cli_process.h"
 
 #include <QJsonArray>
 #include <QJsonDocument>
 #include <QJsonObject>
+#include <QTemporaryDir>
 #include <QTest>
 
 #include <cmath>
@@ -101,6 +104,9 @@ private slots:
     void medianAndMinimum();
     void rowsAsJson();
     void planTakesEveryRow();
+    void commandPrintsRows();
+    void commandRefusesWrongUsage_data();
+    void commandRefusesWrongUsage();
     void paperMethodDrawsThePicture();
     void finiteDifferencesDrawThePicture();
     void finiteDifferencesConverge();
@@ -222,10 +228,9 @@ void TestBench::planTakesEveryRow()
         QCOMPARE(row.backend, QString("CPU"));
         QVERIFY(!row.device.isEmpty());
     }
-    const std::map<QString, int> expected = {{"full-render", 4},    {"node-build", 4},       {"binning", 4},
-                                             {"open", 1},           {"drag", 1},             {"drag-among-100", 1},
-                                             {"drag-among-10000", 1}, {"live-stroke", 1},    {"growth-50", 1},
-                                             {"growth-100", 1}};
+    const std::map<QString, int> expected = {
+        {"full-render", 4},    {"node-build", 4},       {"binning", 4},     {"open", 1},      {"drag", 1},
+        {"drag-among-100", 1}, {"drag-among-10000", 1}, {"live-stroke", 1}, {"growth-50", 1}, {"growth-100", 1}};
     QVERIFY(names == expected);
 
     plan.only = {"drag"};
@@ -234,6 +239,55 @@ void TestBench::planTakesEveryRow()
     const std::atomic<bool> cancel{true};
     plan.cancel = &cancel;
     QVERIFY(!bench::run(plan));
+}
+
+void TestBench::commandPrintsRows()
+{
+    QTemporaryDir folder;
+    const QString path = folder.filePath("small.suffuse");
+    QVERIFY(savePainting(bench::makePainting(smallOptions()), path));
+    const CliOutcome json = runCli({"bench", "--json", "--painting", path, "--only", "full-render,drag,growth",
+                                    "--segments", "50", "--threads", "1", "--runs", "2", "--size", "64x48"});
+    QVERIFY2(json.code == 0, qPrintable(json.text()));
+    const QJsonArray rows = QJsonDocument::fromJson(json.out).array();
+    QStringList names;
+    for (const QJsonValue &row : rows) {
+        names.append(row["name"].toString());
+        QCOMPARE(row["painting"].toString(), QString("small"));
+        QCOMPARE(row["threads"].toInt(), 1);
+        QCOMPARE(row["width"].toInt(), 64);
+        QVERIFY(row["median_ms"].toDouble() > 0);
+    }
+    QCOMPARE(names, QStringList({"full-render", "drag", "growth-50"}));
+    const CliOutcome table = runCli({"bench", "--painting", path, "--only", "binning", "--runs", "1", "--threads", "1",
+                                     "--spread", "6", "20", "--size", "64"});
+    QVERIFY2(table.code == 0, qPrintable(table.text()));
+    QCOMPARE(table.out.count('\n'), 2);
+    QVERIFY(table.out.contains("64×48"));
+}
+
+void TestBench::commandRefusesWrongUsage_data()
+{
+    QTest::addColumn<QStringList>("arguments");
+    QTest::addColumn<QString>("named");
+    QTest::newRow("a row that is not there") << QStringList{"--only", "nope"} << "full-render";
+    QTest::newRow("no threads") << QStringList{"--threads", "0"} << "--threads 0";
+    QTest::newRow("half a range") << QStringList{"--spread", "6"} << "--spread 6 20";
+    QTest::newRow("a range upside down") << QStringList{"--spread", "20", "6"} << "--spread 6 20";
+    QTest::newRow("a backend that is not there") << QStringList{"--backend", "x"} << "reference";
+    QTest::newRow("some devices") << QStringList{"--devices", "some"} << "all";
+    QTest::newRow("another shape") << QStringList{"--size", "1024x700"} << "1024x768";
+    QTest::newRow("a width of words") << QStringList{"--width", "wide"} << "--width wide";
+    QTest::newRow("an argument") << QStringList{"more"} << "more";
+}
+
+void TestBench::commandRefusesWrongUsage()
+{
+    QFETCH(QStringList, arguments);
+    QFETCH(QString, named);
+    const CliOutcome outcome = runCli(QStringList{"bench"} + arguments);
+    QVERIFY2(outcome.code == 2 && outcome.out.isEmpty(), qPrintable(outcome.text()));
+    QVERIFY2(QString::fromUtf8(outcome.err).contains(named), qPrintable(outcome.text()));
 }
 
 void TestBench::paperMethodDrawsThePicture()
