@@ -33,23 +33,24 @@ Selection existing(const Selection &selection, const Painting &painting)
 }
 
 /// Swaps strokes in place; none comes or goes.
-void swapStrokes(std::vector<StrokePtr> &strokes, std::map<StrokeId, StrokePtr> &states)
+void swapStrokes(StrokeList &strokes, std::map<StrokeId, StrokePtr> &states)
 {
     std::size_t found = 0;
-    for (StrokePtr &stroke : strokes) {
-        const auto it = states.find(stroke->id);
+    for (std::size_t i = 0; i < strokes.size(); ++i) {
+        const auto it = states.find(std::as_const(strokes)[i]->id); // writing would end the sharing
         if (it == states.end())
             continue;
         Q_ASSERT_X(it->second, "Document::exchange", "a stroke goes, but the edit gives no order");
         if (it->second)
-            std::swap(stroke, it->second);
-        ++found;
+            std::swap(strokes[i], it->second);
+        if (++found == states.size())
+            break;
     }
     Q_ASSERT_X(found == states.size(), "Document::exchange", "a stroke comes, but the edit gives no order");
 }
 
 /// Swaps strokes and the order of all.
-void swapStrokes(std::vector<StrokePtr> &strokes, std::map<StrokeId, StrokePtr> &states, std::vector<StrokeId> &order)
+void swapStrokes(StrokeList &strokes, std::map<StrokeId, StrokePtr> &states, std::vector<StrokeId> &order)
 {
     std::unordered_map<StrokeId, StrokePtr> there;
     there.reserve(strokes.size() + states.size());
@@ -62,7 +63,6 @@ void swapStrokes(std::vector<StrokePtr> &strokes, std::map<StrokeId, StrokePtr> 
     for (auto &[id, state] : states)
         std::swap(there[id], state);
     strokes.clear();
-    strokes.reserve(order.size());
     for (StrokeId id : order) {
         const auto it = there.find(id);
         const bool known = it != there.end() && it->second;

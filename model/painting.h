@@ -1,6 +1,6 @@
 #pragma once
 
-#include "model/stroke.h"
+#include "model/stroke_list.h"
 
 #include <QByteArray>
 
@@ -61,7 +61,7 @@ bool operator==(const Underlay &a, const Underlay &b);
 /// The painting: an immutable value once it is shared. Strokes stand from bottom to top.
 struct Painting {
     Canvas canvas;
-    std::vector<StrokePtr> strokes;
+    StrokeList strokes;
     std::vector<Group> groups;
     std::vector<Swatch> swatches;
     std::shared_ptr<const Underlay> underlay;

@@ -20,21 +20,21 @@ PixelRect DirtyRegion::tile(int column, int row) const
     return {x, y, std::min(m_tileSize, m_width - x), std::min(m_tileSize, m_height - y)};
 }
 
-void DirtyRegion::mark(const PixelRect &r)
+TileRange DirtyRegion::tilesOf(const PixelRect &r) const
 {
     if (r.isEmpty())
-        return;
-    const int x1 = std::min((r.x + r.width - 1) / m_tileSize, m_columns - 1);
-    const int y1 = std::min((r.y + r.height - 1) / m_tileSize, m_rows - 1);
-    for (int y = std::max(0, r.y / m_tileSize); y <= y1; ++y)
-        for (int x = std::max(0, r.x / m_tileSize); x <= x1; ++x)
-            m_dirty[index(x, y)] = 1;
+        return {};
+    return {std::max(0, r.x / m_tileSize), std::max(0, r.y / m_tileSize),
+            std::min((r.x + r.width - 1) / m_tileSize + 1, m_columns),
+            std::min((r.y + r.height - 1) / m_tileSize + 1, m_rows)};
 }
 
-bool DirtyRegion::anyInRow(int row) const
+void DirtyRegion::mark(const PixelRect &pixels)
 {
-    const auto first = m_dirty.begin() + std::ptrdiff_t(index(0, row));
-    return std::find(first, first + m_columns, 1) != first + m_columns;
+    const TileRange tiles = tilesOf(pixels);
+    for (int y = tiles.top; y < tiles.bottom; ++y)
+        for (int x = tiles.left; x < tiles.right; ++x)
+            m_dirty[index(x, y)] = 1;
 }
 
 namespace {
@@ -64,8 +64,10 @@ bool samePlan(const SceneStroke &a, const SceneStroke &b)
         return true;
     };
     return a.keep == b.keep && a.granulated == b.granulated && a.channels == b.channels &&
-           a.shade.colourChannel == b.shade.colourChannel && a.shade.grainChannel == b.shade.grainChannel &&
+           a.shade.colourChannel == b.shade.colourChannel && a.shade.lineChannel == b.shade.lineChannel &&
+           a.shade.grainChannel == b.shade.grainChannel &&
            (a.shade.colourChannel >= 0 || a.shade.colour == b.shade.colour) &&
+           (a.shade.lineChannel < 0 || a.shade.colourEnd == b.shade.colourEnd) &&
            (a.shade.grainChannel >= 0 || a.shade.grain == b.shade.grain) && a.deep.empty() == b.deep.empty() &&
            a.stroke->origin == b.stroke->origin && sameKinds();
 }

@@ -7,6 +7,11 @@
 
 namespace suffuse {
 
+/// Columns left … right − 1 and rows top … bottom − 1 of tiles.
+struct TileRange {
+    int left = 0, top = 0, right = 0, bottom = 0;
+};
+
 /// The tiles of a picture, each clean or dirty.
 class DirtyRegion {
 public:
@@ -14,12 +19,13 @@ public:
     int columns() const { return m_columns; }
     int rows() const { return m_rows; }
     PixelRect tile(int column, int row) const;
+    /// The tiles that pixels of the picture lie in; empty where they are.
+    TileRange tilesOf(const PixelRect &pixels) const;
 
     void markAll() { std::fill(m_dirty.begin(), m_dirty.end(), std::uint8_t(1)); }
     void mark(const PixelRect &pixels);
     bool isDirty(int column, int row) const { return m_dirty[index(column, row)] != 0; }
     void clean(int column, int row) { m_dirty[index(column, row)] = 0; }
-    bool anyInRow(int row) const;
 
 private:
     std::size_t index(int column, int row) const { return std::size_t(row) * m_columns + column; }

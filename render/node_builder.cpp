@@ -7,30 +7,37 @@
 #include "render/math/style.h"
 
 #include <numbers>
+#include <span>
 
 namespace suffuse {
 
 namespace {
 
-constexpr double unseen = 5e-4;       // opacity
-constexpr double finest = 0x1p-22;    // float sums carry no more
+constexpr double unseen = 5e-4;        // opacity
+constexpr double finest = 0x1p-22;     // float sums carry no more
 constexpr double finestDeep = 0x1p-44; // double ones, for segments that a deep zoom shows the edge of
-constexpr double mergeable = 0x1p-20; // the check of merged nodes is in float
+constexpr double mergeable = 0x1p-20;  // the check of merged nodes is in float
 constexpr double coarsest = 0x1p-12;
-constexpr double thinnest = 0x1p-13;  // px: a line of this spread covers less than 1/512 of a pixel
+constexpr double thinnest = 0x1p-13; // px: a line of this spread covers less than 1/512 of a pixel
+constexpr double cutShare = 0.35;    // of the tolerance, for cutting nodes off at R
+// What the kernel b(u)b(v), b(u) = e^(−u²) − e^(−R²), takes from a long line is between 1 and 5 e^(−R²) of its peak, as
+// the line lies. Raising the weights by 3.5 e^(−R²) leaves −2.5 to 0.7, and for oblique nodes −3.3 to −0.4.
+constexpr double cutGain = 3.5;
+constexpr double lossSeparable = 2.5, lossOblique = 3.3, lossUnraised = 5;
 constexpr int maxDepth = 40;
-constexpr double longSegment = 512;   // spreads: longer ones are built per view
+constexpr double longSegment = 512; // spreads: longer ones are built per view
 
 /// A segment ready to be cut into panels.
 struct Source {
-    Cubic curve;    // offsets from the stroke's origin
-    double a, b, c; // metric, unit⁻²
+    Cubic curve;          // offsets from the stroke's origin
+    double a, b, c;       // metric, unit⁻²
     double wxx, wxy, wyy; // its square root: whitening
     double speedScale;    // makes |g′| comparable: 1/s of the smaller axis
-    double gain;    // φˢ √det M / π
-    double radius;  // R
-    Rect clip;      // empty: none
-    double reach;   // R · larger axis
+    double gain;          // φˢ √det M / π
+    double radius;        // R
+    Rect clip;            // empty: none
+    double reach;         // R · larger axis
+    bool isotropic;
 };
 
 Cubic whitened(const Source &s, const Cubic &curve)
@@ -51,9 +58,15 @@ Cubic scaled(const Source &s, const Cubic &curve)
     return w;
 }
 
+/// Without hypot's care for overflow, which canvas coordinates do not need.
+double norm(Point p)
+{
+    return std::sqrt(dot(p, p));
+}
+
 double polygonLength(const Cubic &c)
 {
-    return length(c.p[1] - c.p[0]) + length(c.p[2] - c.p[1]) + length(c.p[3] - c.p[2]);
+    return norm(c.p[1] - c.p[0]) + norm(c.p[2] - c.p[1]) + norm(c.p[3] - c.p[2]);
 }
 
 void addPanel(const Source &s, const Cubic &curve, int n, std::vector<Node> &out)
@@ -61,7 +74,7 @@ void addPanel(const Source &s, const Cubic &curve, int n, std::vector<Node> &out
     const QuadratureRule &rule = gaussLegendre(n);
     for (int i = 0; i < n; ++i) {
         const Point at = curve.at(rule.x[i]);
-        const double weight = s.gain * rule.weight[i] * length(curve.derivative(rule.x[i]));
+        const double weight = s.gain * rule.weight[i] * norm(curve.derivative(rule.x[i]));
         if (weight > 0)
             out.push_back({at.x, at.y, s.a, s.b, s.c, weight, float(s.radius)});
     }
@@ -72,7 +85,7 @@ void addPanels(const Source &s, const Cubic &curve, double tolerance, int depth,
     if (!s.clip.isEmpty() && !curve.controlBox().grown(s.reach).intersects(s.clip))
         return;
     const Cubic metric = scaled(s, curve);
-    int n = panelNodes(whitened(s, curve), metric, tolerance);
+    int n = panelNodes(s.isotropic ? metric : whitened(s, curve), metric, tolerance);
     // A piece (of a cusp) so short that all its mass counts for less than the tolerance takes any rule.
     if (n == 0 && (depth == maxDepth || 2 * polygonLength(metric) < tolerance * std::sqrt(std::numbers::pi)))
         n = 4;
@@ -87,19 +100,20 @@ void addPanels(const Source &s, const Cubic &curve, double tolerance, int depth,
 void setMetric(Source &s, const Segment &segment, double spread)
 {
     const double across = 1 / (spread * spread), along = across / segment.anisotropyRatio;
-    const double cs = std::cos(double(segment.anisotropyAngle)), sn = std::sin(double(segment.anisotropyAngle));
-    const auto compose = [&](double l, double n, double &xx, double &xy, double &yy) {
-        xx = l * cs * cs + n * sn * sn;
-        xy = (l - n) * cs * sn;
-        yy = l * sn * sn + n * cs * cs;
-    };
-    if (segment.isIsotropic()) {
+    s.isotropic = segment.isIsotropic();
+    if (s.isotropic) {
         s.a = s.c = across;
         s.b = 0;
         s.wxx = s.wyy = 1 / spread;
         s.wxy = 0;
         return;
     }
+    const double cs = std::cos(double(segment.anisotropyAngle)), sn = std::sin(double(segment.anisotropyAngle));
+    const auto compose = [&](double l, double n, double &xx, double &xy, double &yy) {
+        xx = l * cs * cs + n * sn * sn;
+        xy = (l - n) * cs * sn;
+        yy = l * sn * sn + n * cs * cs;
+    };
     compose(along, across, s.a, s.b, s.c);
     compose(std::sqrt(along), std::sqrt(across), s.wxx, s.wxy, s.wyy);
     // Axis-aligned tensors are separable: keep that exact.
@@ -107,12 +121,14 @@ void setMetric(Source &s, const Segment &segment, double spread)
         s.b = s.wxy = 0;
 }
 
-/// R: beyond it neither the density itself nor its slope over a sample can be seen.
-double cutRadius(double tolerance, const std::vector<Style> &styles, double peak, double spreadPixels)
+/// R: beyond it neither the density itself nor its slope over a sample can be seen. `lineLoss`: what cutting takes from
+/// a line at most, in units of e^(−R²) of its peak.
+double cutRadius(double tolerance, const std::vector<Style> &styles, double peak, double spreadPixels, double lineLoss)
 {
     // A sample is at most one spread wide, but where even 64 × 64 of them a pixel do not suffice.
     const double sample = spreadPixels < 1 ? std::max(1.0, 1 / (64 * spreadPixels)) : 1 / spreadPixels;
-    double r2 = std::log(16 * (1 + 5 * sample) * std::max(peak / tolerance, 1.0));
+    // At the edge of its box a node's slope jumps by 2R e^(−R²), half of which counts.
+    double r2 = std::log((lineLoss + 3.5 * sample) / cutShare * std::max(peak / tolerance, 1.0));
     for (const Style &style : styles)
         if (style.kind == StyleKind::Feathering) // its tail reaches far where ξ2 is small
             r2 = std::max(r2, std::log(std::max(peak / style.xi[0], 1e-6)) + std::log(1 / unseen) / style.xi[1]);
@@ -139,7 +155,8 @@ double densityTolerance(const Style &style, double peak, double spreadPixels)
     case StyleKind::Edge:
         break;
     }
-    // A jump: the pixel's width alone softens it. It spans 2h = |∇φ| px of density, |∇φ| = 2uφ/s at u spreads from a line.
+    // A jump: the pixel's width alone softens it. It spans 2h = |∇φ| px of density, |∇φ| = 2uφ/s at u spreads from a
+    // line.
     const double edge = math::Edge<double>(xi1, xi2, style.xi[2]).phiE;
     const double u = std::sqrt(std::max(std::log(peak / edge), 0.25));
     return unseen * 2 * u * edge / std::max(spreadPixels, 1.0);
@@ -149,18 +166,28 @@ namespace {
 
 /// One segment's Level 0 nodes, before they are put together.
 struct Built {
-    std::vector<Node> nodes;
+    std::size_t begin = 0; ///< range of its nodes in the block's
+    std::size_t end = 0;
     NodeValues values;
     SegmentReach reach;
     double epsilon = 0; ///< error budget relative to the peak
     double peak = 0;
+    double weightGain = 1;  ///< makes up for the cut
+    float radius = 0;       ///< R
     bool clipped = false;   ///< to the view
     bool mergeable = false; ///< isotropic, dry, not clipped, and not too exact
 };
 
+/// Segments of a block that can be seen, in order.
+struct BuiltBlock {
+    std::vector<Built> segments;
+    std::vector<Node> nodes;
+    std::vector<SpanNode> fine; ///< scratch of a run to be merged
+};
+
 /// False: nothing to be seen.
 bool buildSegment(const Stroke &stroke, const Segment &segment, const std::vector<Style> &styles, Microseconds T,
-                  double scale, const Rect &clip, Built &out)
+                  double scale, const Rect &clip, std::vector<Node> &nodes, Built &out)
 {
     const double across = segment.spread(T);
     const double along = across * std::sqrt(double(segment.anisotropyRatio));
@@ -179,26 +206,38 @@ bool buildSegment(const Stroke &stroke, const Segment &segment, const std::vecto
     setMetric(s, segment, across);
     s.speedScale = 1 / spread;
     s.gain = segment.density * std::sqrt(s.a * s.c - s.b * s.b) / std::numbers::pi;
-    s.radius = cutRadius(tolerance, styles, out.peak, spread * scale);
+    // Nodes evaluated in double are not cut.
+    const bool raised = larger * scale <= deepSpread;
+    const double lineLoss = !raised ? lossUnraised : s.isotropic ? lossSeparable : lossOblique;
+    const Rect box = s.curve.controlBox();
+    const double polygon = polygonLength(s.curve);
+    // How often the segment may lie on top of itself.
+    const double folds = std::max(1.0, polygon / (norm({box.width(), box.height()}) + 0.5 * spread));
+    s.radius = cutRadius(tolerance, styles, out.peak, spread * scale, folds * lineLoss);
+    out.radius = float(s.radius);
+    out.weightGain = raised ? 1 + cutGain * std::exp(-s.radius * s.radius) : 1;
     s.reach = s.radius * larger;
-    out.clipped = polygonLength(s.curve) > longSegment * spread;
+    out.clipped = polygon > longSegment * spread;
     if (out.clipped)
         s.clip = {clip.left - stroke.origin.x, clip.top - stroke.origin.y, clip.right - stroke.origin.x,
                   clip.bottom - stroke.origin.y};
-    const double chord = length(s.curve.p[3] - s.curve.p[0]);
-    addPanels(s, s.curve, out.epsilon * std::min(1.0, chord / (4 * spread) + 0.1), 0, out.nodes);
+    const double chord = norm(s.curve.p[3] - s.curve.p[0]);
+    out.begin = nodes.size();
+    addPanels(s, s.curve, out.epsilon * std::min(1.0, chord / (4 * spread) + 0.1), 0, nodes);
+    out.end = nodes.size();
     out.values = {segment.colour, segment.granulation, stroke.styleOf(segment)};
-    out.reach = {spread, s.curve.controlBox().grown(reachInSpreads * larger)};
+    out.reach = {spread, box.grown(reachInSpreads * larger)};
     out.mergeable = segment.isIsotropic() && !out.clipped && segment.driesAt() <= T && out.epsilon >= mergeable;
     return true;
 }
 
 /// Appends one segment as a group of its own.
-void append(const Built &b, StrokeNodes &out)
+void append(const BuiltBlock &block, const Built &b, StrokeNodes &out)
 {
     NodeGroup g;
     g.begin = std::uint32_t(out.nodes.size());
-    out.nodes.insert(out.nodes.end(), b.nodes.begin(), b.nodes.end());
+    for (std::size_t i = b.begin; i < b.end; ++i)
+        out.nodes.emplace_back(block.nodes[i]).weight *= b.weightGain;
     g.end = std::uint32_t(out.nodes.size());
     g.row = std::uint32_t(out.rows.size());
     out.rows.push_back(b.values);
@@ -208,37 +247,47 @@ void append(const Built &b, StrokeNodes &out)
     out.groups.push_back(g);
 }
 
-/// Appends a run of segments of one spread and style with fewer nodes, a group for each window.
-void appendMerged(const Built *run, std::size_t count, StrokeNodes &out)
+/// Nodes of a run of segments in units of its spread.
+void toSpan(const BuiltBlock &block, std::span<const Built> run, std::vector<SpanNode> &fine)
 {
-    const double s = run[0].reach.spread;
-    double epsilon = 1;
-    std::vector<SpanNode> fine;
-    std::vector<float> radii;
-    std::vector<std::size_t> firstNode; // of each segment
-    for (std::size_t k = 0; k < count; ++k) {
-        const Built &b = run[k];
-        epsilon = std::min(epsilon, b.epsilon);
-        firstNode.push_back(fine.size());
+    const double inverse = 1 / run[0].reach.spread;
+    fine.clear();
+    for (const Built &b : run) {
         const Colour &c = b.values.colour;
-        for (const Node &n : b.nodes) {
-            fine.push_back({n.x / s, n.y / s, n.weight, b.epsilon * b.peak,
+        for (std::size_t i = b.begin; i < b.end; ++i) {
+            const Node &n = block.nodes[i];
+            fine.push_back({n.x * inverse,
+                            n.y * inverse,
+                            n.weight,
+                            b.epsilon * b.peak,
                             {c.red, c.yellow, c.blue, c.opacity, b.values.granulation}});
-            radii.push_back(n.cutRadius);
         }
     }
-    const double metric = 1 / (s * s);
-    std::size_t segment = 0;
-    for (const SpanWindow &window : mergeSpan(fine, epsilon)) {
+}
+
+/// Appends a run of segments of one spread and style with fewer nodes, a group for each window.
+void appendMerged(BuiltBlock &block, std::span<const Built> run, StrokeNodes &out)
+{
+    toSpan(block, run, block.fine);
+    const double s = run[0].reach.spread, metric = 1 / (s * s);
+    const MergedSpan merged = mergeSpan(block.fine);
+    const std::size_t origin = run[0].begin;
+    std::size_t first = 0, next = 0; // segments of the window, and of the next one
+    for (const SpanWindow &window : merged.windows) {
+        float radius = 0;
+        double gain = 1;
+        while (run[first].end - origin <= window.begin)
+            ++first;
+        for (std::size_t k = first; k < run.size() && run[k].begin - origin < window.end; ++k)
+            if (run[k].radius > radius)
+                radius = run[k].radius, gain = run[k].weightGain;
+        const std::span nodes(&merged.nodes[window.nodes], window.nodesEnd - window.nodes);
         NodeGroup g;
         g.begin = std::uint32_t(out.nodes.size());
         g.row = std::uint32_t(out.rows.size());
-        const auto differ = [&](const SpanNode &n) { return n.values != window.nodes[0].values; };
-        g.rowPerNode = std::any_of(window.nodes.begin(), window.nodes.end(), differ);
-        const float radius = *std::max_element(radii.begin() + std::ptrdiff_t(window.begin),
-                                               radii.begin() + std::ptrdiff_t(window.end));
-        for (const SpanNode &n : window.nodes) {
-            out.nodes.push_back({n.x * s, n.y * s, metric, 0, metric, n.weight, radius});
+        g.rowPerNode = std::ranges::any_of(nodes, [&](const SpanNode &n) { return n.values != nodes[0].values; });
+        for (const SpanNode &n : nodes) {
+            out.nodes.push_back({n.x * s, n.y * s, metric, 0, metric, n.weight * gain, radius});
             if (g.rowPerNode || out.rows.size() == g.row) {
                 const auto &v = n.values;
                 out.rows.push_back(
@@ -247,28 +296,29 @@ void appendMerged(const Built *run, std::size_t count, StrokeNodes &out)
         }
         g.end = std::uint32_t(out.nodes.size());
         g.reachBegin = std::uint32_t(out.reaches.size());
-        for (; segment < count && firstNode[segment] < window.end; ++segment)
-            out.reaches.push_back(run[segment].reach);
+        for (; next < run.size() && run[next].begin - origin < window.end; ++next)
+            out.reaches.push_back(run[next].reach);
         g.reachEnd = std::uint32_t(out.reaches.size());
         out.groups.push_back(g);
     }
 }
 
 /// Appends a block's segments, merging runs of them if all are dry.
-void appendBlock(const std::vector<Built> &block, StrokeNodes &out)
+void appendBlock(BuiltBlock &block, StrokeNodes &out)
 {
-    const bool merge = std::all_of(block.begin(), block.end(), [](const Built &b) { return b.mergeable; });
+    const auto &segments = block.segments;
+    const bool merge = std::ranges::all_of(segments, &Built::mergeable);
     const auto together = [](const Built &a, const Built &b) {
         return a.reach.spread == b.reach.spread && a.values.style == b.values.style;
     };
-    for (std::size_t i = 0; i < block.size();) {
-        std::size_t end = i + 1, nodes = block[i].nodes.size();
-        while (merge && end < block.size() && together(block[i], block[end]))
-            nodes += block[end++].nodes.size();
-        if (end - i > 1 && nodes > 0)
-            appendMerged(&block[i], end - i, out);
+    for (std::size_t i = 0; i < segments.size();) {
+        std::size_t end = i + 1;
+        while (merge && end < segments.size() && together(segments[i], segments[end]))
+            ++end;
+        if (end - i > 1 && segments[end - 1].end > segments[i].begin)
+            appendMerged(block, std::span(&segments[i], end - i), out);
         else
-            append(block[i], out);
+            append(block, segments[i], out);
         i = end;
     }
 }
@@ -283,17 +333,17 @@ std::shared_ptr<const StrokeNodes> buildNodes(const Stroke &stroke, Microseconds
         if (std::find(styles.begin(), styles.end(), stroke.styleOf(segment)) == styles.end())
             styles.push_back(stroke.styleOf(segment));
 
-    std::vector<Built> block;
+    BuiltBlock block;
     for (std::size_t first = 0; first < stroke.segments.size(); first += mergeBlock) {
-        block.clear();
+        block.segments.clear();
+        block.nodes.clear();
         const std::size_t last = std::min(first + mergeBlock, stroke.segments.size());
         for (std::size_t k = first; k < last; ++k) {
-            const Segment &segment = stroke.segments[k];
             Built built;
-            if (!buildSegment(stroke, segment, styles, T, std::ldexp(1.0, octave), clip, built))
+            if (!buildSegment(stroke, stroke.segments[k], styles, T, std::ldexp(1.0, octave), clip, block.nodes, built))
                 continue;
             result->clipped |= built.clipped;
-            block.push_back(std::move(built));
+            block.segments.push_back(built);
         }
         appendBlock(block, *result);
     }

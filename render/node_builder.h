@@ -43,7 +43,7 @@ struct SegmentReach {
 struct NodeGroup {
     std::uint32_t begin = 0; ///< range in StrokeNodes::nodes
     std::uint32_t end = 0;
-    std::uint32_t row = 0;   ///< in StrokeNodes::rows: of all its nodes, or of the first one
+    std::uint32_t row = 0; ///< in StrokeNodes::rows: of all its nodes, or of the first one
     bool rowPerNode = false;
     std::uint32_t reachBegin = 0; ///< range in StrokeNodes::reaches
     std::uint32_t reachEnd = 0;
@@ -52,7 +52,7 @@ struct NodeGroup {
 /// The nodes of a stroke at a time and zoom octave. A pure function of stroke, T, octave (and clip, for segments of
 /// extreme length: outside of it nodes are left out).
 struct StrokeNodes {
-    std::vector<Node> nodes; ///< by group, in order along the stroke
+    std::vector<Node> nodes;       ///< by group, in order along the stroke
     std::vector<NodeGroup> groups; ///< of what is there at T and can be seen at the octave
     std::vector<NodeValues> rows;
     std::vector<SegmentReach> reaches;
@@ -68,8 +68,8 @@ int zoomOctave(double scale);
 /// `clip`: what the view shows, canvas units.
 std::shared_ptr<const StrokeNodes> buildNodes(const Stroke &stroke, Microseconds T, int octave, const Rect &clip);
 
-/// Absolute density error that a style lets pass unseen: 5e-4 of opacity at its steepest; (19) jumps, but no pixel sees it
-/// sharper than its own width. `peak`: the segment's pk; `spreadPixels`: s in pixels at the octave.
+/// Absolute density error that a style lets pass unseen: 5e-4 of opacity at its steepest; (19) jumps, but no pixel sees
+/// it sharper than its own width. `peak`: the segment's pk; `spreadPixels`: s in pixels at the octave.
 double densityTolerance(const Style &style, double peak, double spreadPixels);
 
 } // namespace suffuse

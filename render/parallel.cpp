@@ -7,6 +7,8 @@
 #include <atomic>
 #include <vector>
 #else
+#include <optional>
+#include <tbb/global_control.h>
 #include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
 #endif
@@ -37,6 +39,9 @@ void parallelFor(std::size_t count, int threads, const std::function<void(std::s
         pool.emplace_back(work);
     work();
 #else
+    std::optional<tbb::global_control> more; // by itself oneTBB starts a thread a core
+    if (threads > hardwareThreads())
+        more.emplace(tbb::global_control::max_allowed_parallelism, std::size_t(threads));
     tbb::task_arena arena(threads);
     arena.execute([&] { tbb::parallel_for(std::size_t(0), count, body); });
 #endif

@@ -29,7 +29,7 @@ Result<std::unique_ptr<Renderer>> makeRenderer(const RendererOptions &options)
     case Backend::Cpu:
         break;
     }
-    return std::unique_ptr<Renderer>(std::make_unique<CpuRenderer>(options.threads, options.tileSize));
+    return std::unique_ptr<Renderer>(std::make_unique<CpuRenderer>(options.threads, options.tileSize, options.cull));
 }
 
 std::vector<BackendInfo> backends()

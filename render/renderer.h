@@ -56,6 +56,7 @@ struct RendererOptions {
     Backend backend = Backend::Auto;
     int threads = 0;  ///< 0: all cores
     int tileSize = 0; ///< 0: the backend's choice; the picture's bits do not depend on it
+    bool cull = true; ///< false: every stroke is evaluated everywhere, to test that culling changes no bit
 };
 
 /// Never null for Auto, Cpu and Reference; Cuda fails with the reason where it cannot run.

@@ -1,5 +1,6 @@
 #include "render/scene.h"
 
+#include "render/colour_line.h"
 #include "render/math/scalar.h"
 // After the numbers: templates over them.
 #include "render/math/shade.h"
@@ -70,6 +71,40 @@ PixelRect toPixelRect(const Rect &r, const View &view)
     return {x0, y0, x1 - x0, y1 - y0};
 }
 
+/// A node in pixels.
+struct Placed {
+    Point at;
+    Metric metric;
+    Point reach;
+    float weight;
+    float cutRadius;
+    std::uint32_t row;
+};
+
+void placeNodes(const std::vector<Placed> &placed, SceneStroke &s)
+{
+    s.nodes.reserve(placed.size());
+    s.boxes.reserve(placed.size());
+    const cpu::NodeBoxSink boxes = s.boxes.sink();
+    float radius = -1, cut = 0;
+    for (std::size_t i = 0; i < placed.size(); ++i) {
+        const Placed &p = placed[i];
+        const Metric &m = p.metric;
+        if (p.cutRadius != radius) // most nodes of a stroke share it
+            radius = p.cutRadius, cut = std::exp(-radius * radius);
+        s.nodes.push_back({p.at.x, p.at.y, float(m.a), float(m.b), float(m.c), p.weight, cut, p.row});
+        boxes.x[i] = float(p.at.x);
+        boxes.y[i] = float(p.at.y);
+        // 1.0001: rounded to float.
+        boxes.reachX[i] = float(p.reach.x * 1.0001);
+        boxes.reachY[i] = float(p.reach.y * 1.0001);
+        boxes.weight[i] = p.weight;
+        boxes.slowest[i] = float(m.least());
+        boxes.steepest[i] = float(std::sqrt(m.greatest()));
+        boxes.node[i] = std::uint32_t(i);
+    }
+}
+
 /// Where the node may show: its box, and a pixel around it for the coverage of the pixel that it ends in.
 void includeNode(Rect &box, Point at, Point reach)
 {
@@ -96,8 +131,13 @@ void planChannels(SceneStroke &s)
     const NodeValues &first = rows.front();
     s.shade.colour = first.colour;
     s.shade.grain = first.granulation;
-    if (varies(*s.source, [](const NodeValues &v) { return v.colour; }))
+    if (const auto line = lineThrough(rows)) {
+        s.shade.lineChannel = s.channels++;
+        s.shade.colour = line->from;
+        s.shade.colourEnd = line->to;
+    } else if (varies(*s.source, [](const NodeValues &v) { return v.colour; })) {
         s.shade.colourChannel = s.channels, s.channels += 4;
+    }
     if (varies(*s.source, [](const NodeValues &v) { return v.granulation; }))
         s.shade.grainChannel = s.channels++;
     s.granulated = s.shade.grainChannel >= 0 || s.shade.grain != 1;
@@ -119,6 +159,18 @@ void planChannels(SceneStroke &s)
     }
 }
 
+/// Where ξ varies the levels do too: not worth a bound.
+void findLevels(SceneStroke &s)
+{
+    s.hasLevels = s.deep.empty();
+    for (int k = 0; k < s.shade.kinds; ++k) {
+        const KindParams &kind = s.shade.kind[k];
+        s.hasLevels &= kind.xiChannel < 0;
+        s.level[k] = math::withStyle<float>(
+            kind.kind, [&](int i) { return kind.xi[i]; }, [](const auto &style) { return style.level(); });
+    }
+}
+
 void fillValues(SceneStroke &s)
 {
     const auto &rows = s.source->rows;
@@ -130,6 +182,8 @@ void fillValues(SceneStroke &s)
             const float colour[4] = {v.colour.red, v.colour.yellow, v.colour.blue, v.colour.opacity};
             std::copy_n(colour, 4, row + c);
         }
+        if (s.shade.lineChannel >= 0)
+            row[s.shade.lineChannel] = ColourLine{s.shade.colour, s.shade.colourEnd}.placeOf(v.colour);
         if (s.shade.grainChannel >= 0)
             row[s.shade.grainChannel] = v.granulation;
         for (int i = 0; i < s.shade.kinds; ++i) {
@@ -157,18 +211,12 @@ Rect visibleBox(const View &view)
 
 bool canVanish(const SceneStroke &stroke, float density, float slope)
 {
-    for (int k = 0; k < stroke.shade.kinds; ++k) {
-        const KindParams &kind = stroke.shade.kind[k];
-        // Where ξ varies the cuts do too: not worth a bound.
-        if (kind.xiChannel >= 0)
+    if (!stroke.hasLevels)
+        return false;
+    for (int k = 0; k < stroke.shade.kinds; ++k)
+        if (!math::vanishes(stroke.shade.kind[k].kind, stroke.level[k], density * 1.001f, 0.5f * slope * 1.001f))
             return false;
-        const bool zero = math::withStyle<double>(
-            kind.kind, [&](int i) { return double(kind.xi[i]); },
-            [&](const auto &style) { return style.vanishes(double(density) * 1.001, 0.5 * double(slope) * 1.001); });
-        if (!zero)
-            return false;
-    }
-    return stroke.deep.empty();
+    return true;
 }
 
 PixelRect pixelBounds(const StrokeNodes &nodes, const NodeGroup &group, Point origin, const View &view)
@@ -200,7 +248,8 @@ SceneStroke makeSceneStroke(StrokePtr stroke, std::shared_ptr<const StrokeNodes>
     const Linear j(view);
     // Subtract in double before scaling: a document far from 0 loses nothing at deep zoom.
     const Point fromCentre = s.stroke->origin - view.centre;
-    std::vector<cpu::ViewNode> oblique;
+    std::vector<Placed> separable, oblique;
+    separable.reserve(s.source->nodes.size());
     Rect box;
     const auto add = [&](const Node &n, std::uint32_t row) {
         const Point d = j(fromCentre + Point{n.x, n.y});
@@ -211,13 +260,10 @@ SceneStroke makeSceneStroke(StrokePtr stroke, std::shared_ptr<const StrokeNodes>
             at.y - reach.y > view.height + 1)
             return;
         includeNode(box, at, reach);
-        if (m.narrowest() > deepSpread) {
+        if (m.narrowest() > deepSpread)
             s.deep.push_back({at.x, at.y, m.a, m.b, m.c, n.weight, row});
-            return;
-        }
-        (m.b == 0 ? s.nodes : oblique)
-            .push_back({at.x, at.y, float(m.a), float(m.b), float(m.c), float(n.weight), std::exp(-n.cutRadius * n.cutRadius),
-                        float(reach.x), float(reach.y), float(m.least()), float(std::sqrt(m.greatest())), row});
+        else
+            (m.b == 0 ? separable : oblique).push_back({at, m, reach, float(n.weight), n.cutRadius, row});
     };
     for (const NodeGroup &group : s.source->groups)
         for (std::uint32_t i = group.begin; i < group.end; ++i)
@@ -228,10 +274,12 @@ SceneStroke makeSceneStroke(StrokePtr stroke, std::shared_ptr<const StrokeNodes>
             const Point o = s.stroke->origin;
             s.small.push_back({level, {o.x + r.box.left, o.y + r.box.top, o.x + r.box.right, o.y + r.box.bottom}});
         }
-    s.separable = int(s.nodes.size());
-    s.nodes.insert(s.nodes.end(), oblique.begin(), oblique.end());
+    s.separable = int(separable.size());
+    separable.insert(separable.end(), oblique.begin(), oblique.end());
+    placeNodes(separable, s);
     s.bounds = toPixelRect(box, view);
     planChannels(s);
+    findLevels(s);
     fillValues(s);
     return s;
 }

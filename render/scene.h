@@ -28,10 +28,13 @@ struct SceneStroke {
     std::shared_ptr<const StrokeNodes> source;
     PixelRect bounds; ///< pixels of the picture that it can touch; empty: none
     std::vector<cpu::ViewNode> nodes; ///< the separable ones first
+    cpu::NodeBoxStore boxes;          ///< of `nodes`
     int separable = 0;
     std::vector<DeepNode> deep;
     std::vector<SmallSegment> small;
     ShadeParams shade;
+    float level[3] = {0, 0, 0}; ///< of each kind of style: it shows nothing where densities stay below (render/math/style.h)
+    bool hasLevels = false;
     int channels = 0;
     std::vector<float> values; ///< channels a row of `source`
     float keep = 1;            ///< eq 23: 1 − β

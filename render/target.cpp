@@ -1,5 +1,7 @@
 #include "render/target.h"
 
+#include "render/cpu/kernels.h"
+
 #include <algorithm>
 #include <atomic>
 
@@ -20,13 +22,9 @@ void FloatPicture::store(const PixelRect &rect, const float *pixels, int stride)
 
 void Picture8::store(const PixelRect &rect, const float *pixels, int stride)
 {
-    const auto level = [](float v) { return std::uint32_t(v * 255.0f + 0.5f); };
-    for (int y = 0; y < rect.height; ++y) {
-        const float *in = pixels + std::size_t(y) * stride * 4;
-        std::uint32_t *out = argb.data() + std::size_t(rect.y + y) * width + rect.x;
-        for (int x = 0; x < rect.width; ++x, in += 4)
-            out[x] = level(in[3]) << 24 | level(in[0]) << 16 | level(in[1]) << 8 | level(in[2]);
-    }
+    for (int y = 0; y < rect.height; ++y)
+        cpu::kernels().toArgb(pixels + std::size_t(y) * stride * 4, rect.width,
+                              argb.data() + std::size_t(rect.y + y) * width + rect.x);
 }
 
 } // namespace suffuse

@@ -11,7 +11,7 @@ bool sameStroke(const StrokePtr &a, const StrokePtr &b)
     return a == b || (a && b && *a == *b);
 }
 
-bool sameOrder(const std::vector<StrokeId> &order, const std::vector<StrokePtr> &strokes)
+bool sameOrder(const std::vector<StrokeId> &order, const StrokeList &strokes)
 {
     return std::equal(order.begin(), order.end(), strokes.begin(), strokes.end(),
                       [](StrokeId id, const StrokePtr &s) { return s->id == id; });

@@ -162,7 +162,8 @@ QByteArray writeSuffuseFile(const Painting &painting)
     for (const EncodedImage &image : images)
         appendChunk(out, "IMAG", *image);
     appendChunk(out, "DOCU", document);
-    const std::span<const StrokePtr> strokes(painting.strokes);
+    const std::vector<StrokePtr> all(painting.strokes.begin(), painting.strokes.end());
+    const std::span<const StrokePtr> strokes(all);
     for (std::size_t from = 0; from < strokes.size();) {
         std::size_t to = from;
         for (std::size_t segments = 0; to < strokes.size() && segments < segmentsPerChunk; ++to)

@@ -24,7 +24,7 @@ struct Allowance {
     std::uint64_t blocks = blockBudget;
 };
 /// Appends the strokes of a chunk; empty, or what is wrong with it.
-QString readStrokes(QByteArrayView payload, Allowance &allowance, std::vector<StrokePtr> &strokes);
+QString readStrokes(QByteArrayView payload, Allowance &allowance, StrokeList &strokes);
 
 /// Canvas, groups, swatches and underlay as CBOR; images are appended to `images` and named by their place in it.
 QByteArray writeDocument(const Painting &painting, std::vector<EncodedImage> &images);

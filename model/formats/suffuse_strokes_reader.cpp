@@ -13,7 +13,7 @@ class StrokesReader {
 public:
     explicit StrokesReader(QByteArrayView payload) : m_in(payload) {}
 
-    QString read(Allowance &allowance, std::vector<StrokePtr> &strokes)
+    QString read(Allowance &allowance, StrokeList &strokes)
     {
         const std::size_t n = m_in.getU32(), m = m_in.getU32();
         if (!m_in.ok() || n > m || m > allowance.segments)
@@ -216,7 +216,7 @@ private:
 
 } // namespace
 
-QString readStrokes(QByteArrayView payload, Allowance &allowance, std::vector<StrokePtr> &strokes)
+QString readStrokes(QByteArrayView payload, Allowance &allowance, StrokeList &strokes)
 {
     return StrokesReader(payload).read(allowance, strokes);
 }

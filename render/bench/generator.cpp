@@ -171,11 +171,10 @@ Painting makePainting(const PaintingOptions &options)
 
 Stroke makeLiveStroke(const Canvas &canvas, double spread, int segments, StrokeId id, Microseconds born)
 {
-    constexpr int whole = 200;
     std::vector<Point> points;
-    for (int i = 0; i <= std::min(segments, whole); ++i) {
-        const double a = std::numbers::pi * i / whole;
-        points.push_back({canvas.width * (0.5 + 0.36 * std::cos(a)), canvas.height * (0.5 + 0.36 * std::sin(3 * a))});
+    for (int i = 0; i <= segments; ++i) {
+        const double a = std::numbers::pi * i / 200;
+        points.push_back({canvas.width * (0.5 + 0.36 * std::cos(a)), canvas.height * (0.5 + 0.36 * std::sin(2.9 * a))});
     }
     Stroke stroke;
     stroke.id = id;
@@ -205,9 +204,9 @@ StrokePtr movedStroke(const Painting &painting, StrokeId id, Random &random)
 
 } // namespace
 
-std::vector<StrokePtr> repeatedStrokes(const Painting &painting, std::size_t count, StrokeId firstId)
+StrokeList repeatedStrokes(const Painting &painting, std::size_t count, StrokeId firstId)
 {
-    std::vector<StrokePtr> out;
+    StrokeList out;
     Random random(7);
     for (std::size_t i = 0; i < count && !painting.strokes.empty(); ++i)
         out.push_back(movedStroke(painting, firstId + i, random));

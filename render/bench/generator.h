@@ -32,12 +32,12 @@ std::span<const Table2Size> table2();
 /// of the options.
 Painting makePainting(const PaintingOptions &options);
 
-/// A stroke as it is being drawn: a sample each 1/60 s from `born` on, along a loop over the whole canvas. The first
-/// `segments` of 200; `spread`: s at full age, canvas units; t_max 1 s.
+/// A stroke as it is being drawn: a sample each 1/60 s from `born` on, along loops over the whole canvas, 200 each.
+/// `spread`: s at full age, canvas units; t_max 1 s.
 Stroke makeLiveStroke(const Canvas &canvas, double spread, int segments, StrokeId id, Microseconds born);
 
 /// `count` copies of strokes of a painting, picked and laid over its canvas at random, with ids from `firstId` on.
-std::vector<StrokePtr> repeatedStrokes(const Painting &painting, std::size_t count, StrokeId firstId);
+StrokeList repeatedStrokes(const Painting &painting, std::size_t count, StrokeId firstId);
 
 /// A painting of such copies with `segments` in all; the last one is cut to fit.
 Painting repeatedPainting(const Painting &painting, std::size_t segments);

@@ -160,9 +160,9 @@ Result<Timing> measureDrag(const Job &job, StrokeId stroke)
     return timingOf(times);
 }
 
-Result<Timing> measureLiveStroke(const Job &job, double spread)
+Result<Timing> measureLiveStroke(const Job &job, double spread, int end)
 {
-    constexpr int begin = 60, end = 200;
+    const int begin = end - 140;
     Result<Session> session = Session::make(job);
     if (!session)
         return Error{session.error()};

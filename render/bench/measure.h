@@ -39,8 +39,9 @@ Result<Timing> measureOpen(const Job &job);
 /// Frames in which one stroke's density changes a little, snapshot and all. `stroke` is a stroke of the painting.
 Result<Timing> measureDrag(const Job &job, StrokeId stroke);
 
-/// Frames of a stroke on top of the painting that grows from 60 to 200 segments, one each 1/60 s, while they spread.
-Result<Timing> measureLiveStroke(const Job &job, double spread);
+/// Frames of a stroke on top of the painting that grows to `segments` (at least 140), one each 1/60 s, while they spread:
+/// the last 140 of them.
+Result<Timing> measureLiveStroke(const Job &job, double spread, int segments);
 
 /// An ordinary stroke from the middle of the order: of the ten there, the visible one with the median number of
 /// segments. Null where no stroke is visible.

@@ -149,14 +149,22 @@ bool Runner::drag(const PaintingPtr &painting)
 
 bool Runner::liveStroke(const PaintingPtr &painting)
 {
-    const QString name = QStringLiteral("live-stroke");
-    if (!wanted(name))
-        return true;
-    say(name);
-    const Job j = mainJob(painting);
     const double spread = 0.5 * (m_plan.generated.spreadLow + m_plan.generated.spreadHigh) * m_plan.generated.unit;
-    const Result<Timing> timing = measureLiveStroke(j, spread);
-    return timing ? add(j, name, m_plan.name, *timing) : failed(timing.error());
+    const QString shortName = QStringLiteral("live-stroke");
+    double before = 0;
+    for (const auto &[name, segments] : {std::pair(shortName, 200), {QStringLiteral("live-stroke-2000"), 2000}}) {
+        if (!wanted(name))
+            continue;
+        say(name);
+        const Job j = mainJob(painting);
+        const Result<Timing> timing = measureLiveStroke(j, spread, segments);
+        if (!timing)
+            return failed(timing.error());
+        if (!addCompared(j, name, *timing, shortName, before))
+            return false;
+        before = timing->medianMs;
+    }
+    return true;
 }
 
 bool Runner::growth(const PaintingPtr &painting)
@@ -190,8 +198,8 @@ bool Runner::growth(const PaintingPtr &painting)
 
 QStringList rowNames()
 {
-    return {"full-render",    "node-build",       "binning",     "open",    "drag",
-            "drag-among-100", "drag-among-10000", "live-stroke", growthName};
+    return {"full-render",      "node-build",  "binning",          "open",    "drag", "drag-among-100",
+            "drag-among-10000", "live-stroke", "live-stroke-2000", growthName};
 }
 
 Result<std::vector<Row>> run(const Plan &plan, const std::function<void(const QString &)> &progress)

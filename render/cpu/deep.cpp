@@ -45,14 +45,15 @@ Row valueRow(const Cubic2 &c, double y)
     return {c[0] + y * (c[2] + y * (c[5] + y * c[9])), c[1] + y * (c[4] + y * c[8]), c[3] + y * c[7], c[6]};
 }
 
+/// −½ of the derivative along x, as in Sums.
 Row slopeXRow(const Cubic2 &c, double y)
 {
-    return {c[1] + y * (c[4] + y * c[8]), 2 * (c[3] + y * c[7]), 3 * c[6], 0};
+    return {-0.5 * (c[1] + y * (c[4] + y * c[8])), -(c[3] + y * c[7]), -1.5 * c[6], 0};
 }
 
 Row slopeYRow(const Cubic2 &c, double y)
 {
-    return {c[2] + y * (2 * c[5] + 3 * y * c[9]), c[4] + 2 * y * c[8], c[7], 0};
+    return {-0.5 * (c[2] + y * (2 * c[5] + 3 * y * c[9])), -(0.5 * c[4] + y * c[8]), -0.5 * c[7], 0};
 }
 
 /// Side of the cells in pixels: twice as wide where the narrowest deep node is twice as wide, so that a cell spans the
@@ -118,13 +119,13 @@ public:
                 const double x = p.left + (i - p.x0) * step, y = p.top + (j - p.y0) * step;
                 for (int c = 0; c < m_stroke.channels; ++c)
                     channels[c] = double(other.v[fixedSums + c][at]) + valueRow(m_polynomial[std::size_t(1 + c)], y).at(x);
-                const auto paint = math::shadeSample<double>(
-                    m_stroke.shade, double(other.v[0][at]) + valueRow(m_polynomial[0], y).at(x),
-                    double(other.v[1][at]) + slopeXRow(m_polynomial[0], y).at(x),
-                    double(other.v[2][at]) + slopeYRow(m_polynomial[0], y).at(x), channel, eta ? double(eta[at]) : 1.0,
-                    0.5 * step, [&](double inverse, double phi, double h) {
-                        return math::mixedStyles<double>(m_stroke.shade, channel, inverse, phi, h);
-                    });
+                const double density = double(other.v[0][at]) + valueRow(m_polynomial[0], y).at(x);
+                const auto m = math::modulate(m_stroke.shade, density,
+                                              double(other.v[1][at]) + slopeXRow(m_polynomial[0], y).at(x),
+                                              double(other.v[2][at]) + slopeYRow(m_polynomial[0], y).at(x), channel,
+                                              eta ? double(eta[at]) : 1.0, step);
+                const double f = math::mixedStyles<double>(m_stroke.shade, channel, m.inverse, m.phi, m.h2);
+                const auto paint = math::paintOf(m_stroke.shade, m.inverse, channel, f);
                 out.w[at] = float(paint.w);
                 out.colour[0][at] = float(paint.red);
                 out.colour[1][at] = float(paint.yellow);

@@ -14,6 +14,7 @@
 #include "render/math/shade.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <cstdlib>
 #include <cstring>
@@ -28,10 +29,11 @@ inline constexpr int chunk = 32; // nodes whose tables are in cache at once
 
 struct alignas(64) Tables {
     float column[chunk][blockSide];      // e^(−a dx²) − cut
-    float columnSlope[chunk][blockSide]; // its derivative
+    float columnSlope[chunk][blockSide]; // −½ of its derivative: a dx e^(−a dx²)
     float row[chunk][blockSide];         // weight · (e^(−c dy²) − cut)
     float rowSlope[chunk][blockSide];
-    float scaledRow[chunk][blockSide];   // row · channel value
+    float scaledRow[chunk][blockSide]; // row · channel value
+    float place[chunk][4];             // of the node from the cells: x from the first and the second, y likewise
 };
 
 HWY_INLINE Lanes load(const float *p)
@@ -44,13 +46,14 @@ HWY_INLINE void store(Lanes v, float *p)
     hn::Store(v.v, tag, p);
 }
 
-/// Distances from a node to the block's 16 sample columns (or rows), lanes from `first` on.
-HWY_INLINE Lanes distances(float firstCell, float secondCell, const float *offsets, int first)
+/// Distances from a node to the block's 16 sample columns (or rows), lanes from `first` on. `place`: the node from the
+/// centres of the block's two cells.
+HWY_INLINE Lanes distances(const float *place, const float *offsets, int first)
 {
     const Lanes offset = load(offsets + first);
     if (hn::Lanes(tag) > cellSide) // both cells in one vector
-        return offset - Lanes(hn::IfThenElse(hn::FirstN(tag, cellSide), Lanes(firstCell).v, Lanes(secondCell).v));
-    return offset - Lanes(first < cellSide ? firstCell : secondCell);
+        return offset - Lanes(hn::IfThenElse(hn::FirstN(tag, cellSide), Lanes(place[0]).v, Lanes(place[1]).v));
+    return offset - Lanes(place[first < cellSide ? 0 : 1]);
 }
 
 /// Offsets of a block's samples from the centres of their cells.
@@ -60,97 +63,143 @@ HWY_INLINE void cellOffsets(double step, float *out)
         out[i] = (float(i % cellSide) - 3.5f) * float(step);
 }
 
-/// Cut Gaussian along one axis and its slope, both times `weight`.
-HWY_INLINE void axisTable(double node, double origin, double step, const float *offsets, float metric, float cut,
-                          float weight, float *value, float *slope)
+/// Cut Gaussian along one axis and −½ of its slope, times `weight` where there is one.
+template <bool weighted>
+HWY_INLINE void axisTable(const float *place, const float *offsets, float metric, float cut, float weight, float *value,
+                          float *slope)
 {
-    const double toCell = step * (cellSide / 2);
-    const float first = float(node - (origin + toCell)), second = float(node - (origin + 3 * toCell));
-    const Lanes exponent(float(-log2e) * metric), w(weight), slopeFactor(-2 * metric * weight);
     for (int i = 0; i < blockSide; i += int(hn::Lanes(tag))) {
-        const Lanes d = distances(first, second, offsets, i);
-        const Lanes e = exp2_(exponent * d * d);
-        const Lanes inside = e - Lanes(cut);
-        const auto there = less_(Lanes(0), inside);
-        store(Lanes(hn::IfThenElseZero(there, (inside * w).v)), value + i);
-        store(Lanes(hn::IfThenElseZero(there, (slopeFactor * d * e).v)), slope + i);
+        const Lanes d = distances(place, offsets, i), rise = Lanes(metric) * d;
+        const Lanes e = exp2Down(Lanes(-log2e) * (rise * d));
+        Lanes inside = max_(e - Lanes(cut), Lanes(0)), fall = rise * e;
+        if (weighted) {
+            inside = inside * Lanes(weight);
+            fall = fall * Lanes(weight);
+        }
+        store(inside, value + i);
+        store(Lanes(hn::IfThenElseZero(less_(Lanes(cut), e), fall.v)), slope + i);
     }
 }
 
-/// sums[row][column] += left[node][column] · right[node][row] over the nodes, for up to two products that share `left`.
-HWY_INLINE void addOuter(const float (*left)[blockSide], const float (*right)[blockSide], int nodes, float *sums)
+/// Rows of a block whose sums are in registers at once: of one product, of two.
+inline constexpr int tallRows = hn::MaxLanes(tag) >= blockSide ? 16 : 8, pairRows = tallRows / 2;
+
+/// Sums of `rows` rows of one vector of columns.
+template <int rows>
+struct Accumulators {
+    Vec v[rows];
+
+    HWY_INLINE void load(const float *sums, bool add)
+    {
+        for (int r = 0; r < rows; ++r)
+            v[r] = add ? hn::Load(tag, sums + r * blockSide) : hn::Zero(tag);
+    }
+    HWY_INLINE void store(float *sums) const
+    {
+        for (int r = 0; r < rows; ++r)
+            hn::Store(v[r], tag, sums + r * blockSide);
+    }
+};
+
+/// sums[row][column] (+)= Σ left[node][column] · right[node][row].
+HWY_INLINE void addOuter(const float (*left)[blockSide], const float (*right)[blockSide], int nodes, bool add,
+                         float *sums)
 {
-    const int lanes = int(hn::Lanes(tag));
-    for (int x = 0; x < blockSide; x += lanes)
-        for (int y = 0; y < blockSide; y += 4) {
-            float *out = sums + y * blockSide + x;
-            Vec s0 = hn::Load(tag, out), s1 = hn::Load(tag, out + blockSide), s2 = hn::Load(tag, out + 2 * blockSide),
-                s3 = hn::Load(tag, out + 3 * blockSide);
+    for (int x = 0; x < blockSide; x += int(hn::Lanes(tag)))
+        for (int y = 0; y < blockSide; y += tallRows) {
+            Accumulators<tallRows> s;
+            s.load(sums + y * blockSide + x, add);
             for (int n = 0; n < nodes; ++n) {
                 const Vec l = hn::Load(tag, left[n] + x);
-                const float *r = right[n] + y;
-                s0 = hn::MulAdd(l, hn::Set(tag, r[0]), s0);
-                s1 = hn::MulAdd(l, hn::Set(tag, r[1]), s1);
-                s2 = hn::MulAdd(l, hn::Set(tag, r[2]), s2);
-                s3 = hn::MulAdd(l, hn::Set(tag, r[3]), s3);
+                for (int r = 0; r < tallRows; ++r)
+                    s.v[r] = hn::MulAdd(l, hn::Set(tag, right[n][y + r]), s.v[r]);
             }
-            hn::Store(s0, tag, out);
-            hn::Store(s1, tag, out + blockSide);
-            hn::Store(s2, tag, out + 2 * blockSide);
-            hn::Store(s3, tag, out + 3 * blockSide);
+            s.store(sums + y * blockSide + x);
         }
 }
 
-void addSeparable(const Block &block, const ViewNode *const *nodes, int count, const float *values, int channels,
-                  Sums &sums)
+/// Two products that share `right`.
+HWY_INLINE void addOuterPair(const float (*left0)[blockSide], const float (*left1)[blockSide],
+                             const float (*right)[blockSide], int nodes, bool add, float *sums0, float *sums1)
+{
+    for (int x = 0; x < blockSide; x += int(hn::Lanes(tag)))
+        for (int y = 0; y < blockSide; y += pairRows) {
+            Accumulators<pairRows> s0, s1;
+            s0.load(sums0 + y * blockSide + x, add);
+            s1.load(sums1 + y * blockSide + x, add);
+            for (int n = 0; n < nodes; ++n) {
+                const Vec l0 = hn::Load(tag, left0[n] + x), l1 = hn::Load(tag, left1[n] + x);
+                for (int r = 0; r < pairRows; ++r) {
+                    const Vec value = hn::Set(tag, right[n][y + r]);
+                    s0.v[r] = hn::MulAdd(l0, value, s0.v[r]);
+                    s1.v[r] = hn::MulAdd(l1, value, s1.v[r]);
+                }
+            }
+            s0.store(sums0 + y * blockSide + x);
+            s1.store(sums1 + y * blockSide + x);
+        }
+}
+
+void addSeparable(const Block &block, const ViewNode *nodes, const std::uint32_t *listed, int count,
+                  const float *values, int channels, Sums &sums)
 {
     Tables t;
     alignas(64) float offsets[blockSide];
     cellOffsets(block.step, offsets);
-    for (int first = 0; first < count; first += chunk) {
+    const double toCell = block.step * (cellSide / 2);
+    const double x0 = block.x + toCell, x1 = block.x + 3 * toCell, y0 = block.y + toCell, y1 = block.y + 3 * toCell;
+    for (int first = 0; first == 0 || first < count; first += chunk) {
         const int n = std::min(chunk, count - first);
         for (int i = 0; i < n; ++i) {
-            const ViewNode &node = *nodes[first + i];
-            axisTable(node.x, block.x, block.step, offsets, node.a, node.cut, 1, t.column[i], t.columnSlope[i]);
-            axisTable(node.y, block.y, block.step, offsets, node.c, node.cut, node.weight, t.row[i], t.rowSlope[i]);
+            const ViewNode &node = nodes[listed[first + i]];
+            t.place[i][0] = float(node.x - x0);
+            t.place[i][1] = float(node.x - x1);
+            t.place[i][2] = float(node.y - y0);
+            t.place[i][3] = float(node.y - y1);
         }
-        addOuter(t.column, t.row, n, sums.v[0]);
-        addOuter(t.columnSlope, t.row, n, sums.v[1]);
-        addOuter(t.column, t.rowSlope, n, sums.v[2]);
+        for (int i = 0; i < n; ++i) {
+            const ViewNode &node = nodes[listed[first + i]];
+            axisTable<false>(t.place[i], offsets, node.a, node.cut, 1, t.column[i], t.columnSlope[i]);
+            axisTable<true>(t.place[i] + 2, offsets, node.c, node.cut, node.weight, t.row[i], t.rowSlope[i]);
+        }
+        const bool add = first > 0;
+        addOuterPair(t.column, t.columnSlope, t.row, n, add, sums.v[0], sums.v[1]);
+        addOuter(t.column, t.rowSlope, n, add, sums.v[2]);
         for (int c = 0; c < channels; ++c) {
             for (int i = 0; i < n; ++i) {
-                const Lanes value(values[std::size_t(nodes[first + i]->row) * channels + c]);
+                const Lanes value(values[std::size_t(nodes[listed[first + i]].row) * channels + c]);
                 for (int y = 0; y < blockSide; y += int(hn::Lanes(tag)))
                     store(load(t.row[i] + y) * value, t.scaledRow[i] + y);
             }
-            addOuter(t.column, t.scaledRow, n, sums.v[fixedSums + c]);
+            addOuter(t.column, t.scaledRow, n, add, sums.v[fixedSums + c]);
         }
     }
 }
 
 /// Nodes whose axes lie askew: no product of two tables.
-void addOblique(const Block &block, const ViewNode *const *nodes, int count, const float *values, int channels,
-                Sums &sums)
+void addOblique(const Block &block, const ViewNode *nodes, const std::uint32_t *listed, int count, const float *values,
+                int channels, Sums &sums)
 {
     alignas(64) float dx[blockSide], dy[blockSide], offsets[blockSide];
     cellOffsets(block.step, offsets);
     const double toCell = block.step * (cellSide / 2);
     for (int n = 0; n < count; ++n) {
-        const ViewNode &node = *nodes[n];
+        const ViewNode &node = nodes[listed[n]];
         const double x = node.x - block.x - toCell, y = node.y - block.y - toCell;
+        const float place[4] = {float(x), float(x - 2 * toCell), float(y), float(y - 2 * toCell)};
         for (int i = 0; i < blockSide; i += int(hn::Lanes(tag))) {
-            store(distances(float(x), float(x - 2 * toCell), offsets, i), dx + i);
-            store(distances(float(y), float(y - 2 * toCell), offsets, i), dy + i);
+            store(distances(place, offsets, i), dx + i);
+            store(distances(place + 2, offsets, i), dy + i);
         }
         const float *value = values + std::size_t(node.row) * channels;
         for (int y = 0; y < blockSide; ++y)
             for (int x = 0; x < blockSide; x += int(hn::Lanes(tag))) {
                 const Lanes X = load(dx + x), Y(dy[y]);
                 const Lanes ax = Lanes(node.a) * X + Lanes(node.b) * Y, cy = Lanes(node.b) * X + Lanes(node.c) * Y;
-                const Lanes e = exp2_(Lanes(float(-log2e)) * (X * ax + Y * cy)), inside = e - Lanes(node.cut);
+                const Lanes e = exp2Down(Lanes(-log2e) * (X * ax + Y * cy)), inside = e - Lanes(node.cut);
                 const auto there = less_(Lanes(0), inside);
                 const Lanes density = select_(there, inside * Lanes(node.weight), Lanes(0));
-                const Lanes slope = select_(there, Lanes(-2 * node.weight) * e, Lanes(0));
+                const Lanes slope = select_(there, Lanes(node.weight) * e, Lanes(0)); // −½ of it, as above
                 const int at = y * blockSide + x;
                 store(load(sums.v[0] + at) + density, sums.v[0] + at);
                 store(load(sums.v[1] + at) + slope * ax, sums.v[1] + at);
@@ -161,115 +210,206 @@ void addOblique(const Block &block, const ViewNode *const *nodes, int count, con
     }
 }
 
-int select(const ViewNode *const *nodes, int count, const Area &area, const ViewNode **out, Bound *bound)
+int select(const NodeBoxes &in, int count, const Area &area, const NodeBoxSink &out, Bound &bound)
 {
-    alignas(64) float distance2[blockSide], weight[blockSide], steepness[blockSide];
-    const Lanes margin(1.0001f);
+    const hn::RebindToUnsigned<Tag> indexTag;
+    const Lanes margin(1.0001f), centreX(area.x), centreY(area.y);
+    const Lanes halfWidth(area.halfWidth + boxMargin), halfHeight(area.halfHeight + boxMargin);
     Lanes density(0), slope(0);
-    int kept = 0, pending = 0;
-    const auto flush = [&] {
-        for (int i = pending; i < blockSide; ++i)
-            distance2[i] = weight[i] = steepness[i] = 0;
-        for (int i = 0; i < blockSide; i += int(hn::Lanes(tag))) {
-            // Distance u in spreads to the nearest point: e^(−u²), and 2u e^(−u²), which is greatest at u² = ½.
-            const Lanes u2 = load(distance2 + i), s2 = max_(u2, Lanes(0.5)), w = load(weight + i) * margin;
-            density = density + w * exp2_(Lanes(-log2e) * u2);
-            slope = slope + w * load(steepness + i) * Lanes(2) * sqrt_(s2) * exp2_(Lanes(-log2e) * s2);
+    int kept = 0;
+    for (int i = 0; i < count; i += int(hn::Lanes(tag))) {
+        const auto plane = [i](const float *p) { return Lanes(hn::LoadU(tag, p + i)); };
+        const Lanes x = plane(in.x), y = plane(in.y), reachX = plane(in.reachX), reachY = plane(in.reachY);
+        const Lanes dx = abs_(x - centreX) - halfWidth, dy = abs_(y - centreY) - halfHeight;
+        const Mask meets = hn::And(hn::Le(dx.v, reachX.v), hn::Le(dy.v, reachY.v));
+        const Mask there = hn::And(hn::FirstN(tag, std::size_t(count - i)), meets);
+        if (hn::AllFalse(tag, there))
+            continue;
+        // Distance u in spreads to the nearest point: e^(−u²), and 2u e^(−u²), which is greatest at u² = ½ and then at
+        // most (1 + u²) e^(−u²).
+        const Lanes ox = max_(dx, Lanes(0)), oy = max_(dy, Lanes(0));
+        const Lanes weight = plane(in.weight), slowest = plane(in.slowest), steepest = plane(in.steepest);
+        const Lanes u2 = (ox * ox + oy * oy) * slowest * Lanes(0.9999f);
+        const Lanes e = exp2Down(Lanes(-log2e) * u2) * margin;
+        const Lanes rise = select_(less_(u2, Lanes(0.5)), Lanes(0.8578), mulAdd_(u2, e, e)); // √2 e^−½ = 0.85776
+        density = density + Lanes(hn::IfThenElseZero(there, (weight * e).v));
+        slope = slope + Lanes(hn::IfThenElseZero(there, (weight * steepest * rise).v));
+        // Compressed in a register: storing a whole vector is faster, and there is room.
+        const auto keep = [&](Lanes v, float *plane) { hn::StoreU(hn::Compress(v.v, there), tag, plane + kept); };
+        if (out.x) {
+            keep(x, out.x);
+            keep(y, out.y);
+            keep(reachX, out.reachX);
+            keep(reachY, out.reachY);
+            keep(weight, out.weight);
+            keep(slowest, out.slowest);
+            keep(steepest, out.steepest);
         }
-        pending = 0;
-    };
-    for (int i = 0; i < count; ++i) {
-        const ViewNode &n = *nodes[i];
-        const double dx = std::abs(n.x - area.x) - area.halfWidth, dy = std::abs(n.y - area.y) - area.halfHeight;
-        // 1.0001: the box is rounded to float.
-        if (dx > double(n.reachX) * 1.0001 || dy > double(n.reachY) * 1.0001)
-            continue;
-        out[kept++] = &n;
-        if (!bound)
-            continue;
-        const float ox = float(std::max(dx, 0.0)), oy = float(std::max(dy, 0.0));
-        distance2[pending] = (ox * ox + oy * oy) * n.slowest * 0.9999f;
-        weight[pending] = n.weight;
-        steepness[pending] = n.steepest;
-        if (++pending == blockSide)
-            flush();
+        const auto node = hn::LoadU(indexTag, in.node + i);
+        hn::StoreU(hn::Compress(node, hn::RebindMask(indexTag, there)), indexTag, out.node + kept);
+        kept += int(hn::CountTrue(tag, there));
     }
-    if (bound) {
-        flush();
-        bound->density = hn::GetLane(hn::SumOfLanes(tag, density.v));
-        bound->slope = hn::GetLane(hn::SumOfLanes(tag, slope.v));
-    }
+    bound = {hn::GetLane(hn::SumOfLanes(tag, density.v)), hn::GetLane(hn::SumOfLanes(tag, slope.v))};
     return kept;
 }
 
-void accumulate(const Block &block, const ViewNode *const *nodes, int count, int separable, const float *values,
-                int channels, Sums &sums)
+void accumulate(const Block &block, const ViewNode *nodes, const std::uint32_t *listed, int count, int separable,
+                const float *values, int channels, Sums &sums)
 {
-    addSeparable(block, nodes, separable, values, channels, sums);
-    addOblique(block, nodes + separable, count - separable, values, channels, sums);
+    addSeparable(block, nodes, listed, separable, values, channels, sums);
+    addOblique(block, nodes, listed + separable, count - separable, values, channels, sums);
 }
 
-/// Zero without evaluating anything where a whole vector is: the same bits, sooner.
-template <class Style>
-HWY_INLINE Lanes meanOrNothing(const Style &style, Lanes phi, Lanes h)
-{
-    return hn::AllFalse(tag, style.visible(phi, h)) ? Lanes(0) : style.mean(phi, h);
-}
-
-template <class MakeFactor>
-HWY_INLINE void shadeBlock(const ShadeParams &params, const Sums &sums, const float *eta, float step, Shaded &out,
-                           MakeFactor makeFactor)
+/// Where what a vector of samples shows is stored or mixed: `use(at, paint)`. Samples that show nothing may be left
+/// out.
+template <class Use>
+HWY_INLINE void shadeMixedStyles(const ShadeParams &params, const Sums &sums, const float *eta, float step, Use use)
 {
     for (int at = 0; at < blockSize; at += int(hn::Lanes(tag))) {
-        const auto channel = [&](int c) { return load(sums.v[fixedSums + c] + at); };
-        const auto paint = shadeSample<Lanes>(params, load(sums.v[0] + at), load(sums.v[1] + at), load(sums.v[2] + at),
-                                              channel, eta ? load(eta + at) : Lanes(1), Lanes(0.5f * step),
-                                              makeFactor(channel));
-        store(paint.w, out.w + at);
-        store(paint.red, out.colour[0] + at);
-        store(paint.yellow, out.colour[1] + at);
-        store(paint.blue, out.colour[2] + at);
+        const auto sum = [&](int i) { return load(sums.v[i] + at); };
+        const auto channel = [&](int c) { return sum(fixedSums + c); };
+        const auto m = modulate(params, sum(0), sum(1), sum(2), channel, eta ? load(eta + at) : Lanes(1), Lanes(step));
+        const Lanes f = mixedStyles<Lanes>(params, channel, m.inverse, m.phi, m.h2);
+        use(at, paintOf(params, m.inverse, channel, f));
     }
+}
+
+/// The long form of the mean for single samples of a block, wherever they lie, a vector at a time.
+class LongMeans {
+public:
+    HWY_INLINE void add(hn::Vec<hn::RebindToSigned<Tag>> samples, Mask where, Lanes phi, Lanes h2)
+    {
+        hn::StoreU(hn::Compress(phi.v, where), tag, m_phi + m_count);
+        hn::StoreU(hn::Compress(h2.v, where), tag, m_h2 + m_count);
+        hn::StoreU(hn::Compress(samples, hn::RebindMask(indexTag, where)), indexTag, m_at + m_count);
+        m_count += int(hn::CountTrue(tag, where));
+    }
+    template <class Style>
+    HWY_INLINE void write(const Style &style, float *f)
+    {
+        alignas(64) float mean[boxRun];
+        hn::StoreU(hn::Zero(tag), tag, m_phi + m_count);
+        hn::StoreU(hn::Zero(tag), tag, m_h2 + m_count);
+        for (int i = 0; i < m_count; i += int(hn::Lanes(tag))) {
+            store(style.longMean(load(m_phi + i), sqrt_(load(m_h2 + i))), mean);
+            for (int k = 0; k < int(hn::Lanes(tag)) && i + k < m_count; ++k)
+                f[m_at[i + k]] = mean[k];
+        }
+    }
+
+private:
+    static constexpr hn::RebindToSigned<Tag> indexTag{};
+
+    int m_count = 0;
+    alignas(64) float m_phi[blockSize + boxRun];
+    alignas(64) float m_h2[blockSize + boxRun];
+    alignas(64) std::int32_t m_at[blockSize + boxRun];
+};
+
+/// In passes, so that nothing waits for a branch that depends on a sample, and only samples that need the long form of
+/// the mean pay for it.
+template <class Style, class Use>
+HWY_INLINE void shadeOneStyle(const Style &style, const ShadeParams &params, const Sums &sums, const float *eta,
+                              float step, Use use)
+{
+    alignas(64) float phi[blockSize], h2[blockSize], f[blockSize];
+    std::uint8_t seen[blockSize]; // first samples of vectors that show something
+    int vectors = 0;
+    LongMeans others;
+    const hn::RebindToSigned<Tag> indexTag;
+    const auto iota = hn::Iota(indexTag, 0);
+    const auto sum = [&](int i, int at) { return load(sums.v[i] + at); };
+    for (int at = 0; at < blockSize; at += int(hn::Lanes(tag))) {
+        const auto channel = [&](int c) { return sum(fixedSums + c, at); };
+        const auto m =
+            modulate(params, sum(0, at), sum(1, at), sum(2, at), channel, eta ? load(eta + at) : Lanes(1), Lanes(step));
+        const Mask isSeen = style.seen(m.phi, m.h2), simple = style.simple(m.phi, m.h2);
+        store(Lanes(hn::IfThenElseZero(isSeen, m.phi.v)), phi + at);
+        store(m.h2, h2 + at);
+        seen[vectors] = std::uint8_t(at);
+        vectors += !hn::AllFalse(tag, isSeen);
+        if (!hn::AllTrue(tag, simple))
+            others.add(hn::Add(iota, hn::Set(indexTag, at)), hn::Not(simple), m.phi, m.h2);
+    }
+    for (int i = 0; i < vectors; ++i)
+        store(style.simpleMean(load(phi + seen[i]), load(h2 + seen[i])), f + seen[i]);
+    others.write(style, f);
+    for (int i = 0; i < vectors; ++i) {
+        const int at = seen[i];
+        const auto channel = [&](int c) { return sum(fixedSums + c, at); };
+        Lanes inverse(0);
+        if (usesChannels(params))
+            inverse = inverseDensity(sum(0, at));
+        use(at, paintOf(params, inverse, channel, load(f + at)));
+    }
+}
+
+template <class Use>
+HWY_INLINE void shadeBlock(const ShadeParams &params, const Sums &sums, const float *eta, float step, Use use)
+{
+    if (!hasOneStyle(params))
+        return shadeMixedStyles(params, sums, eta, step, use);
+    const auto xi = [&](int i) { return Lanes(params.kind[0].xi[i]); };
+    withStyle<Lanes>(params.kind[0].kind, xi,
+                     [&](const auto &style) { shadeOneStyle(style, params, sums, eta, step, use); });
 }
 
 void shade(const ShadeParams &params, const Sums &sums, const float *eta, float step, Shaded &out)
 {
-    if (hasOneStyle(params)) {
-        const auto xi = [&](int i) { return Lanes(params.kind[0].xi[i]); };
-        withStyle<Lanes>(params.kind[0].kind, xi, [&](const auto &style) {
-            shadeBlock(params, sums, eta, step, out, [&](const auto &) {
-                return [&](Lanes, Lanes phi, Lanes h) { return meanOrNothing(style, phi, h); };
-            });
-        });
-        return;
+    std::memset(&out, 0, sizeof out);
+    shadeBlock(params, sums, eta, step, [&](int at, const Paint<Lanes> &paint) {
+        store(paint.w, out.w + at);
+        store(paint.red, out.colour[0] + at);
+        store(paint.yellow, out.colour[1] + at);
+        store(paint.blue, out.colour[2] + at);
+    });
+}
+
+HWY_INLINE void mixSample(int at, Lanes w, const Lanes (&colour)[3], float keep, Backdrop &backdrop)
+{
+    for (int c = 0; c < 3; ++c)
+        store(mixed(load(backdrop.ryb[c] + at), colour[c], w, Lanes(keep)), backdrop.ryb[c] + at);
+    store(mulAdd_(Lanes(1) - w, load(backdrop.coverage + at), w), backdrop.coverage + at);
+}
+
+HWY_INLINE void composeSample(int at, Lanes w, const Lanes (&colour)[3], float keep, OverMap &map)
+{
+    const Lanes factor = Lanes(1) - w * Lanes(keep);
+    for (int c = 0; c < 3; ++c) {
+        const Lanes paint = w * colour[c];
+        store(factor * load(map.keep[c] + at), map.keep[c] + at);
+        store(mulAdd_(factor, load(map.add[c] + at), paint), map.add[c] + at);
+        store(min_(Lanes(1), mulAdd_(factor, load(map.limit[c] + at), paint)), map.limit[c] + at);
     }
-    shadeBlock(params, sums, eta, step, out, [&](const auto &channel) {
-        return [&](Lanes inverse, Lanes phi, Lanes h) { return mixedStyles<Lanes>(params, channel, inverse, phi, h); };
+    store((Lanes(1) - w) * load(map.hold + at), map.hold + at);
+    store(mulAdd_(Lanes(1) - w, load(map.gain + at), w), map.gain + at);
+}
+
+void shadeInto(const ShadeParams &params, const Sums &sums, const float *eta, float step, float keep,
+               Backdrop &backdrop, OverMap *map)
+{
+    const ShadeParams own = params; // cannot alias what is stored
+    shadeBlock(own, sums, eta, step, [&](int at, const Paint<Lanes> &paint) {
+        const Lanes colour[3] = {paint.red, paint.yellow, paint.blue};
+        mixSample(at, paint.w, colour, keep, backdrop);
+        if (map)
+            composeSample(at, paint.w, colour, keep, *map);
     });
 }
 
 void mix(const Shaded &stroke, float keep, Backdrop &backdrop)
 {
     for (int at = 0; at < blockSize; at += int(hn::Lanes(tag))) {
-        const Lanes w = load(stroke.w + at), coverage = load(backdrop.coverage + at);
-        for (int c = 0; c < 3; ++c)
-            store(mixed(load(backdrop.ryb[c] + at), load(stroke.colour[c] + at), w, Lanes(keep)), backdrop.ryb[c] + at);
-        store(w + (Lanes(1) - w) * coverage, backdrop.coverage + at);
+        const Lanes colour[3] = {load(stroke.colour[0] + at), load(stroke.colour[1] + at), load(stroke.colour[2] + at)};
+        mixSample(at, load(stroke.w + at), colour, keep, backdrop);
     }
 }
 
 void compose(const Shaded &stroke, float keep, OverMap &map)
 {
     for (int at = 0; at < blockSize; at += int(hn::Lanes(tag))) {
-        const Lanes w = load(stroke.w + at), factor = Lanes(1) - w * Lanes(keep);
-        for (int c = 0; c < 3; ++c) {
-            const Lanes paint = w * load(stroke.colour[c] + at);
-            store(factor * load(map.keep[c] + at), map.keep[c] + at);
-            store(factor * load(map.add[c] + at) + paint, map.add[c] + at);
-            store(min_(Lanes(1), factor * load(map.limit[c] + at) + paint), map.limit[c] + at);
-        }
-        store((Lanes(1) - w) * load(map.hold + at), map.hold + at);
-        store((Lanes(1) - w) * load(map.gain + at) + w, map.gain + at);
+        const Lanes colour[3] = {load(stroke.colour[0] + at), load(stroke.colour[1] + at), load(stroke.colour[2] + at)};
+        composeSample(at, load(stroke.w + at), colour, keep, map);
     }
 }
 
@@ -286,7 +426,6 @@ void apply(const OverMap &map, Backdrop &backdrop)
 
 void finish(const Backdrop &backdrop, bool transparent, float *rgba)
 {
-    alignas(64) float planes[4][blockSize];
     for (int at = 0; at < blockSize; at += int(hn::Lanes(tag))) {
         const auto rgb = rgbFromRyb(load(backdrop.ryb[0] + at), load(backdrop.ryb[1] + at), load(backdrop.ryb[2] + at));
         Lanes c[3] = {rgb.x, rgb.y, rgb.z}, alpha(1);
@@ -298,18 +437,37 @@ void finish(const Backdrop &backdrop, bool transparent, float *rgba)
                             min_(Lanes(1), max_(Lanes(0), (v - (Lanes(1) - alpha)) / max_(alpha, Lanes(1e-30)))),
                             Lanes(0));
         }
-        for (int i = 0; i < 3; ++i)
-            store(c[i], planes[i] + at);
-        store(alpha, planes[3] + at);
+        hn::StoreInterleaved4(c[0].v, c[1].v, c[2].v, alpha.v, tag, rgba + 4 * at);
     }
-    for (int at = 0; at < blockSize; ++at)
-        for (int i = 0; i < 4; ++i)
-            rgba[at * 4 + i] = planes[i][at];
+}
+
+void toArgb(const float *rgba, int count, std::uint32_t *argb)
+{
+    const hn::RebindToSigned<Tag> intTag;
+    const hn::RebindToUnsigned<Tag> argbTag;
+    const auto level = [&](Vec v) {
+        return hn::BitCast(argbTag, hn::ConvertTo(intTag, hn::MulAdd(v, hn::Set(tag, 255.0f), hn::Set(tag, 0.5f))));
+    };
+    const int lanes = int(hn::Lanes(tag));
+    int i = 0;
+    for (; i + lanes <= count; i += lanes) {
+        Vec r, g, b, a;
+        hn::LoadInterleaved4(tag, rgba + 4 * i, r, g, b, a);
+        const auto high = hn::Or(hn::ShiftLeft<24>(level(a)), hn::ShiftLeft<16>(level(r)));
+        hn::StoreU(hn::Or(high, hn::Or(hn::ShiftLeft<8>(level(g)), level(b))), argbTag, argb + i);
+    }
+    if (i < count) { // the rest through a padded copy
+        alignas(64) float rest[4 * boxRun] = {};
+        alignas(64) std::uint32_t out[boxRun];
+        std::copy_n(rgba + 4 * i, 4 * (count - i), rest);
+        toArgb(rest, lanes, out);
+        std::copy_n(out, count - i, argb + i);
+    }
 }
 
 Kernels table()
 {
-    return {hwy::TargetName(HWY_TARGET), select, accumulate, shade, mix, compose, apply, finish};
+    return {hwy::TargetName(HWY_TARGET), select, accumulate, shade, shadeInto, mix, compose, apply, finish, toArgb};
 }
 
 } // namespace suffuse::HWY_NAMESPACE

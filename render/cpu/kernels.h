@@ -1,6 +1,7 @@
 // The inner loops, compiled for several SIMD instruction sets; the best one for this machine is chosen at run time.
 #pragma once
 
+#include "render/cpu/node_boxes.h"
 #include "render/math/shade_params.h"
 
 #include <cstdint>
@@ -17,13 +18,10 @@ inline constexpr int cellSide = 8;
 /// A node in pixels of the picture. Separable: b = 0.
 struct ViewNode {
     double x = 0, y = 0;
-    float a = 0, b = 0, c = 0;       ///< metric, px⁻²
-    float weight = 0;                ///< density at its centre
-    float cut = 0;                   ///< e^(−R²)
-    float reachX = 0, reachY = 0;    ///< half-sizes of its box, px
-    float slowest = 0;               ///< least eigenvalue of the metric, px⁻²: q ≥ slowest·d²
-    float steepest = 0;              ///< root of the greatest: |∇q| ≤ 2·steepest·√q
-    std::uint32_t row = 0;           ///< of the stroke's channel values
+    float a = 0, b = 0, c = 0; ///< metric, px⁻²
+    float weight = 0;          ///< density at its centre
+    float cut = 0;             ///< e^(−R²)
+    std::uint32_t row = 0;     ///< of the stroke's channel values
 };
 
 /// A rectangle of pixels as centre and half-sizes.
@@ -73,14 +71,16 @@ struct OverMap {
 
 struct Kernels {
     const char *name;
-    /// Keeps the nodes whose boxes meet `area`; conservative, what it drops adds exactly nothing. Returns how many;
-    /// `out` has room for `count`. `bound` may be null.
-    int (*select)(const ViewNode *const *nodes, int count, const Area &area, const ViewNode **out, Bound *bound);
-    /// Adds nodes (the first `separable` ones have b = 0) to zeroed sums. `values`: `channels` floats a row.
-    void (*accumulate)(const Block &block, const ViewNode *const *nodes, int count, int separable, const float *values,
-                       int channels, Sums &sums);
+    /// Keeps the boxes that meet `area`, in order; conservative, what it drops adds exactly nothing. Returns how many.
+    int (*select)(const NodeBoxes &in, int count, const Area &area, const NodeBoxSink &out, Bound &bound);
+    /// The sums of the nodes that are listed, of which the first `separable` have b = 0. `values`: `channels` floats a row.
+    void (*accumulate)(const Block &block, const ViewNode *nodes, const std::uint32_t *listed, int count, int separable,
+                       const float *values, int channels, Sums &sums);
     /// `eta`: paper texture at the samples, or null for 1. `step`: size of a sample in pixels.
     void (*shade)(const ShadeParams &params, const Sums &sums, const float *eta, float step, Shaded &out);
+    /// The same, mixed into the block at once, and put on top of `map` if there is one.
+    void (*shadeInto)(const ShadeParams &params, const Sums &sums, const float *eta, float step, float keep,
+                      Backdrop &backdrop, OverMap *map);
     /// Mixes one stroke into the block (eq 22 with keep = 1, eq 23 with keep = 1 − β).
     void (*mix)(const Shaded &stroke, float keep, Backdrop &backdrop);
     /// Puts one stroke on top of a map.
@@ -88,6 +88,8 @@ struct Kernels {
     void (*apply)(const OverMap &map, Backdrop &backdrop);
     /// To straight RGBA, blockSize·4 floats. `transparent`: uncover the colour from its white background.
     void (*finish)(const Backdrop &backdrop, bool transparent, float *rgba);
+    /// RGBA in [0, 1] to 8 bits as 0xAARRGGBB, `count` pixels.
+    void (*toArgb)(const float *rgba, int count, std::uint32_t *argb);
 };
 
 /// The best set for this machine. SUFFUSE_SIMD names another one that it supports ("SSE2", "AVX2", …).

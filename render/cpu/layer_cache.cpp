@@ -26,13 +26,13 @@ void LayerCache::keep(const std::vector<std::size_t> &usedNow)
         return t.under.size() * sizeof(Backdrop) + t.over.size() * sizeof(OverMap);
     };
     std::size_t bytes = 0;
-    std::vector<std::pair<std::uint64_t, std::size_t>> byAge;
-    for (const auto &[tile, layers] : m_tiles) {
+    for (const auto &[tile, layers] : m_tiles)
         bytes += bytesOf(layers);
-        byAge.emplace_back(layers.used, tile);
-    }
     if (bytes <= m_capacity)
         return;
+    std::vector<std::pair<std::uint64_t, std::size_t>> byAge;
+    for (const auto &[tile, layers] : m_tiles)
+        byAge.emplace_back(layers.used, tile);
     std::sort(byAge.begin(), byAge.end());
     for (const auto &[used, tile] : byAge) {
         if (bytes <= m_capacity)

@@ -4,7 +4,6 @@
 #include "render/math/paper.h"
 
 #include <algorithm>
-#include <cstring>
 #include <numbers>
 
 namespace suffuse::cpu {
@@ -20,9 +19,28 @@ struct Scratch {
     alignas(64) float eta[blockSize];
     alignas(64) float sampleEta[blockSize];
     float rgba[blockSize * 4];
-    TileStroke block;
-    TileStroke group;
+    std::vector<std::uint32_t> block; ///< nodes
+    std::vector<std::uint32_t> group;
 };
+
+Area areaOf(const Rect &r)
+{
+    const Point centre = r.centre();
+    return {centre.x, centre.y, 0.5 * r.width(), 0.5 * r.height()};
+}
+
+/// Of a tile's nodes those that meet `area`, into `listed`; false where they add nothing there.
+bool listNodes(const Kernels &kernels, const TileStroke &stroke, const Rect &area, std::vector<std::uint32_t> &listed)
+{
+    Bound bound;
+    NodeBoxSink sink;
+    listed.resize(std::size_t(stroke.count) + boxRun);
+    sink.node = listed.data();
+    listed.resize(std::size_t(kernels.select(stroke.boxes.boxes(), stroke.count, areaOf(area), sink, bound)));
+    if (listed.empty())
+        return !stroke.stroke->deep.empty();
+    return !canVanish(*stroke.stroke, bound.density, bound.slope);
+}
 
 class BlockPainter {
 public:
@@ -57,12 +75,18 @@ public:
     {
         const Block block{double(m_x), double(m_y), 1};
         const SceneStroke &scene = *stroke.stroke;
-        if (!selectNodes(*m_frame.kernels, scene, stroke.nodes, boxOf(block), m_s.block))
+        if (!listNodes(*m_frame.kernels, stroke, boxOf(block), m_s.block))
             return;
+        const float *paper = scene.granulated ? eta() : nullptr;
         const bool small = markLevels(scene);
-        evaluate(m_s.block, block, scene.granulated ? eta() : nullptr, m_s.shaded);
+        if (!small && scene.deep.empty()) {
+            sum(scene, m_s.block, block);
+            m_frame.kernels->shadeInto(scene.shade, m_s.sums, paper, 1, scene.keep, m_s.backdrop, m_map);
+            return;
+        }
+        evaluate(scene, m_s.block, block, paper, m_s.shaded);
         if (small)
-            supersample(m_s.block);
+            supersample(stroke);
         m_frame.kernels->mix(m_s.shaded, scene.keep, m_s.backdrop);
         if (m_map)
             m_frame.kernels->compose(m_s.shaded, scene.keep, *m_map);
@@ -77,13 +101,18 @@ public:
 private:
     static Rect boxOf(const Block &b) { return Rect::of(b.x, b.y, blockSide * b.step, blockSide * b.step); }
 
-    /// Opacity and colour of a stroke at a block of samples.
-    void evaluate(const TileStroke &stroke, const Block &block, const float *eta, Shaded &out)
+    void sum(const SceneStroke &scene, const std::vector<std::uint32_t> &listed, const Block &block)
     {
-        const SceneStroke &scene = *stroke.stroke;
-        std::memset(m_s.sums.v, 0, sizeof(m_s.sums.v[0]) * std::size_t(fixedSums + scene.channels));
-        m_frame.kernels->accumulate(block, stroke.nodes.data(), int(stroke.nodes.size()), stroke.separable,
-                                    scene.values.data(), scene.channels, m_s.sums);
+        const auto oblique = std::lower_bound(listed.begin(), listed.end(), std::uint32_t(scene.separable));
+        m_frame.kernels->accumulate(block, scene.nodes.data(), listed.data(), int(listed.size()),
+                                    int(oblique - listed.begin()), scene.values.data(), scene.channels, m_s.sums);
+    }
+
+    /// Opacity and colour of a stroke at a block of samples.
+    void evaluate(const SceneStroke &scene, const std::vector<std::uint32_t> &listed, const Block &block,
+                  const float *eta, Shaded &out)
+    {
+        sum(scene, listed, block);
         if (scene.deep.empty())
             m_frame.kernels->shade(scene.shade, m_s.sums, eta, float(block.step), out);
         else
@@ -172,18 +201,18 @@ private:
         if (!any)
             return;
         const Rect area = Rect::of(m_x + i, m_y + j, side, side);
-        const bool nothing = !selectNodes(*m_frame.kernels, *stroke.stroke, stroke.nodes, area, m_s.group);
+        const bool nothing = !listNodes(*m_frame.kernels, stroke, area, m_s.group);
         std::array<std::array<double, 4>, blockSize> mean{}; // w, w·C of the group's pixels
-        const int samples = 1 << level;                       // a side of a pixel
+        const int samples = 1 << level;                      // a side of a pixel
         const double step = 1.0 / samples;
-        const int blocks = std::max(1, samples / blockSide);  // of samples, a side of the group
+        const int blocks = std::max(1, samples / blockSide); // of samples, a side of the group
         for (int v = 0; v < blocks && !nothing; ++v)
             for (int u = 0; u < blocks; ++u) {
                 const Block block{m_x + i + u * blockSide * step, m_y + j + v * blockSide * step, step};
                 const bool paper = stroke.stroke->granulated && hasPaper();
                 if (paper)
                     fillEta(block, m_s.sampleEta);
-                evaluate(m_s.group, block, paper ? m_s.sampleEta : nullptr, m_s.samples);
+                evaluate(*stroke.stroke, m_s.group, block, paper ? m_s.sampleEta : nullptr, m_s.samples);
                 for (int y = 0; y < blockSide; ++y)
                     for (int x = 0; x < blockSide; ++x) {
                         const int at = y * blockSide + x;
@@ -217,20 +246,13 @@ private:
 
 } // namespace
 
-bool selectNodes(const Kernels &kernels, const SceneStroke &stroke, const std::vector<const ViewNode *> &nodes,
-                 const Rect &area, TileStroke &out)
+bool selectNodes(const Kernels &kernels, const SceneStroke &stroke, const Rect &area, TileStroke &out)
 {
-    const Point centre = area.centre();
     Bound bound;
     out.stroke = &stroke;
-    out.nodes.resize(nodes.size());
-    const int kept = kernels.select(nodes.data(), int(nodes.size()),
-                                    {centre.x, centre.y, 0.5 * area.width() + 0.01, 0.5 * area.height() + 0.01},
-                                    out.nodes.data(), &bound);
-    out.nodes.resize(std::size_t(kept));
-    out.separable = int(std::partition_point(out.nodes.begin(), out.nodes.end(),
-                                             [](const ViewNode *n) { return n->b == 0; }) - out.nodes.begin());
-    if (out.nodes.empty())
+    out.boxes.reserve(stroke.nodes.size());
+    out.count = kernels.select(stroke.boxes.boxes(), int(stroke.nodes.size()), areaOf(area), out.boxes.sink(), bound);
+    if (out.count == 0)
         return !stroke.deep.empty();
     return !canVanish(stroke, bound.density, bound.slope);
 }
@@ -238,7 +260,7 @@ bool selectNodes(const Kernels &kernels, const SceneStroke &stroke, const std::v
 namespace {
 
 /// Strokes [from, to) that meet a block.
-void addStrokes(BlockPainter &painter, const Rect &pixels, const std::vector<TileStroke> &strokes, std::size_t from,
+void addStrokes(BlockPainter &painter, const Rect &pixels, std::span<const TileStroke> strokes, std::size_t from,
                 std::size_t to)
 {
     for (std::size_t i = from; i < to; ++i) {
@@ -250,7 +272,7 @@ void addStrokes(BlockPainter &painter, const Rect &pixels, const std::vector<Til
 
 } // namespace
 
-void paintTile(const Frame &frame, const PixelRect &tile, const std::vector<TileStroke> &strokes, const TilePlan &plan,
+void paintTile(const Frame &frame, const PixelRect &tile, std::span<const TileStroke> strokes, const TilePlan &plan,
                const SceneStroke *edited, float *rgba)
 {
     thread_local const auto scratch = std::make_unique<Scratch>();

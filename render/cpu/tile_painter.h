@@ -5,6 +5,8 @@
 #include "render/paper.h"
 #include "render/scene.h"
 
+#include <span>
+
 namespace suffuse::cpu {
 
 /// What all tiles of a picture share.
@@ -19,13 +21,12 @@ struct Frame {
 /// A stroke's nodes that may touch a tile, in the stroke's order.
 struct TileStroke {
     const SceneStroke *stroke = nullptr;
-    std::vector<const ViewNode *> nodes;
-    int separable = 0; ///< the first ones, with b = 0
+    NodeBoxStore boxes;
+    int count = 0;
 };
 
 /// Keeps a stroke's nodes whose boxes meet `area` (pixels); false where they add nothing there.
-bool selectNodes(const Kernels &kernels, const SceneStroke &stroke, const std::vector<const ViewNode *> &nodes,
-                 const Rect &area, TileStroke &out);
+bool selectNodes(const Kernels &kernels, const SceneStroke &stroke, const Rect &area, TileStroke &out);
 
 /// How a tile is painted with layers (render/cpu/layer_cache.h).
 struct TilePlan {
@@ -38,7 +39,7 @@ struct TilePlan {
 
 /// Evaluates `tile` (its corner on the picture's 8-pixel grid) into `rgba`, rows of tile.width pixels. `strokes` in
 /// order; with layers, the one at `plan.below` may be the edited one (`edited` names it).
-void paintTile(const Frame &frame, const PixelRect &tile, const std::vector<TileStroke> &strokes, const TilePlan &plan,
+void paintTile(const Frame &frame, const PixelRect &tile, std::span<const TileStroke> strokes, const TilePlan &plan,
                const SceneStroke *edited, float *rgba);
 
 } // namespace suffuse::cpu

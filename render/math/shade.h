@@ -34,7 +34,7 @@ SUFFUSE_INLINE auto withStyle(StyleKind kind, Xi xi, Use use)
 
 /// F = Σ_kind share·F_kind(φ′; ξ̄_kind) where segments of a stroke have different styles. `channel(i)`: its sum.
 template <class V, class Channel>
-SUFFUSE_INLINE V mixedStyles(const ShadeParams &params, Channel channel, V inversePhi, V phi, V h)
+SUFFUSE_INLINE V mixedStyles(const ShadeParams &params, Channel channel, V inversePhi, V phi, V h2)
 {
     V total(0);
     for (int k = 0; k < params.kinds; ++k) {
@@ -45,31 +45,62 @@ SUFFUSE_INLINE V mixedStyles(const ShadeParams &params, Channel channel, V inver
         const auto xi = [&](int i) {
             return kind.xiChannel < 0 ? V(kind.xi[i]) : max_(channel(kind.xiChannel + i) * weight, V(1e-30));
         };
-        const V f = withStyle<V>(kind.kind, xi, [&](const auto &style) { return style.mean(phi, h); });
+        const V f = withStyle<V>(kind.kind, xi, [&](const auto &style) { return meanOf(style, phi, h2); });
         total = total + select_(less_(V(0), share), share * f, V(0));
     }
     return total;
 }
 
-/// `gx`, `gy`: gradient per pixel; `halfStep`: half the sample's size in pixels; `eta`: paper (1: none);
-/// `factor(1/φ, φ′, h)`: the coverage mean of F.
-template <class V, class Channel, class Factor>
-SUFFUSE_INLINE Paint<V> shadeSample(const ShadeParams &params, V density, V gx, V gy, Channel channel, V eta, V halfStep,
-                                    Factor factor)
+/// Whether anything varies along the stroke.
+inline bool usesChannels(const ShadeParams &params)
 {
-    const V phi = min_(density, V(1e30)), inverse = V(1) / max_(phi, V(1e-36));
-    const V grain =
-        params.grainChannel < 0 ? V(params.grain) : min_(channel(params.grainChannel) * inverse, V(1));
-    const V gamma = (V(1) - grain) * eta + grain;
-    const V h = min_(halfStep * gamma * sqrt_(gx * gx + gy * gy), V(1e30));
-    const V f = factor(inverse, gamma * phi, h);
-    const int c = params.colourChannel;
-    const auto mean = [&](int i, float constant) {
-        return c < 0 ? V(constant) : min_(channel(c + i) * inverse, V(1));
+    return params.colourChannel >= 0 || params.lineChannel >= 0 || params.grainChannel >= 0 || params.kinds > 1 ||
+           params.kind[0].xiChannel >= 0;
+}
+
+template <class V>
+SUFFUSE_INLINE V inverseDensity(V density)
+{
+    return reciprocal_(min_(max_(density, V(1e-36)), V(1e18)));
+}
+
+/// What styles act on at a sample.
+template <class V>
+struct Modulated {
+    V phi;     ///< φ′ = γφ
+    V h2;      ///< square of h = ½γ|∇φ|px
+    V inverse; ///< 1/φ where something varies along the stroke, else 0
+};
+
+/// `gx`, `gy`: −½ of the gradient per pixel; `step`: the sample's size in pixels; `eta`: paper (1: none).
+template <class V, class Channel>
+SUFFUSE_INLINE Modulated<V> modulate(const ShadeParams &params, V density, V gx, V gy, Channel channel, V eta, V step)
+{
+    const V phi = min_(density, V(1e18));
+    V inverse(0);
+    if (usesChannels(params))
+        inverse = inverseDensity(density);
+    const V grain = params.grainChannel < 0 ? V(params.grain) : min_(channel(params.grainChannel) * inverse, V(1));
+    const V gamma = mulAdd_(V(1) - grain, eta, grain), width = step * gamma;
+    return {gamma * phi, min_(width * width * mulAdd_(gx, gx, gy * gy), V(1e36)), inverse};
+}
+
+/// `f`: the coverage mean of F.
+template <class V, class Channel>
+SUFFUSE_INLINE Paint<V> paintOf(const ShadeParams &params, V inverse, Channel channel, V f)
+{
+    const int c = params.colourChannel, line = params.lineChannel;
+    V place(0);
+    if (line >= 0)
+        place = min_(channel(line) * inverse, V(1));
+    const auto mean = [&](int i, float from, float to) {
+        if (c >= 0)
+            return min_(channel(c + i) * inverse, V(1));
+        return line < 0 ? V(from) : mulAdd_(place, V(to - from), V(from));
     };
-    const V w = f * mean(3, params.colour.opacity);
-    return {select_(less_(V(0), phi), w, V(0)), mean(0, params.colour.red), mean(1, params.colour.yellow),
-            mean(2, params.colour.blue)};
+    const Colour &from = params.colour, &to = params.colourEnd;
+    return {f * mean(3, from.opacity, to.opacity), mean(0, from.red, to.red), mean(1, from.yellow, to.yellow),
+            mean(2, from.blue, to.blue)};
 }
 
 /// One style for the whole stroke: made once, used for all samples.

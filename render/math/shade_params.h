@@ -5,7 +5,7 @@
 
 namespace suffuse {
 
-/// Sums at a sample: φ, ∂φ/∂x, ∂φ/∂y (per pixel), then Σφ_k·value for each channel.
+/// Sums at a sample: φ, −½∂φ/∂x, −½∂φ/∂y (per pixel), then Σφ_k·value for each channel.
 inline constexpr int fixedSums = 3;
 inline constexpr int maxChannels = 15; ///< colour 4, granulation 1, shares 3, ξ 7
 
@@ -20,9 +20,11 @@ struct KindParams {
 struct ShadeParams {
     int kinds = 1;
     KindParams kind[3];
-    int colourChannel = -1; ///< −1: constant `colour`
+    int colourChannel = -1; ///< four of them; −1: constant `colour`, or
+    int lineChannel = -1;   ///< one: the place between `colour` and `colourEnd`
     Colour colour;
-    int grainChannel = -1;  ///< −1: constant `grain`
+    Colour colourEnd;
+    int grainChannel = -1; ///< −1: constant `grain`
     float grain = 1;
 };
 

@@ -6,6 +6,7 @@
 #define SUFFUSE_RENDER_MATH_STYLE_H
 #endif
 
+#include "model/style.h"
 #include "render/math/compat.h"
 
 SUFFUSE_MATH_BEGIN
@@ -14,88 +15,140 @@ namespace suffuse::SUFFUSE_MATH {
 inline constexpr double log2e = 1.4426950408889634;
 inline constexpr double ln2 = 0.6931471805599453;
 
-/// Mean of f over [a, b] by two Gauss points: for ranges so short that a difference of antiderivatives would cancel.
-template <class V, class F>
-SUFFUSE_INLINE V gaussMean(V a, V b, F f)
+// A pixel shows the mean of F over densities φ ± h. Over a short range that is a Taylor series about φ, in h² alone
+// (odd terms cancel); over a long one a difference of antiderivatives. Each sample takes its own form, so that its
+// value does not depend on its neighbours; a form that no sample needs is left out.
+//
+// Each style has: level(): F is zero where the whole range lies below; seen(φ, h²): false only where the mean
+// is exactly zero; simple(φ, h²): simpleMean suffices; simpleMean(φ, h²): zero for φ = 0; longMean(φ, h).
+
+template <class Style, class V>
+SUFFUSE_INLINE V meanOf(const Style &style, V phi, V h2)
 {
-    const V middle = V(0.5) * (a + b), offset = V(0.28867513459481287) * (b - a);
-    return V(0.5) * (f(middle - offset) + f(middle + offset));
+    const auto simple = style.simple(phi, h2), seen = style.seen(phi, h2);
+    const V f = style.simpleMean(phi, h2);
+    return select_(seen, all_(simple) ? f : select_(simple, f, style.longMean(phi, sqrt_(h2))), V(0));
+}
+
+template <class V>
+SUFFUSE_INLINE V clamp01(V x)
+{
+    return min_(V(1), max_(V(0), x));
+}
+
+/// h < a, from h².
+template <class V>
+SUFFUSE_INLINE auto below_(V h2, V a)
+{
+    return and_(less_(V(0), a), less_(h2, a * a));
 }
 
 /// Uniform colouring (17), F̃: zero below φ₀ = max(0, ξ1 − 8ξ2).
 template <class V>
 struct Uniform {
-    V xi1, xi2, inverseXi2, phi0, f0, gain;
+    V xi1, xi2, inverseXi2, phi0, f0, gain, wholeFrom, slope, offset;
 
     SUFFUSE_INLINE Uniform(V x1, V x2)
         : xi1(x1), xi2(x2), inverseXi2(V(1) / x2), phi0(max_(V(0), x1 - V(8) * x2)),
-          f0(V(1) / (V(1) + exp2_(V(log2e) * (x1 - phi0) * inverseXi2))), gain(V(1) / (V(1) - f0))
+          f0(V(1) / (V(1) + exp2_(V(log2e) * (x1 - phi0) * inverseXi2))), gain(V(1) / (V(1) - f0)),
+          wholeFrom(select_(less_(V(0), phi0), V(-1e18), V(0))), slope(V(-log2e) * inverseXi2),
+          offset(V(log2e) * xi1 * inverseXi2)
+    {}
+    SUFFUSE_INLINE V level() const { return phi0; }
+    SUFFUSE_INLINE auto seen(V phi, V h2) const
     {
+        return or_(less_(phi0, phi), less_((phi0 - phi) * (phi0 - phi), h2));
     }
-    SUFFUSE_INLINE V value(V phi) const
+    /// Whole: 1 − F < 5e-5 throughout. Short: h < 0.8 ξ2, and above φ = 0; φ₀ may lie in the range, F is flat there
+    /// (less than 7e-5 is lost).
+    SUFFUSE_INLINE auto simple(V phi, V h2) const
     {
-        const V x = max_((xi1 - phi) * inverseXi2, V(-80));
-        const V f = V(1) / (V(1) + exp2_(V(log2e) * min_(x, V(80))));
-        return max_(V(0), (f - f0) * gain);
+        const auto isShort = and_(less_(h2, V(0.64) * xi2 * xi2), below_(h2, phi - wholeFrom));
+        return or_(or_(isShort, full(phi, h2)), not_(seen(phi, h2)));
     }
-    /// F is zero wherever φ and h are at most these.
-    SUFFUSE_INLINE bool vanishes(V phi, V h) const { return phi + h <= phi0; }
-    /// False only where the mean is exactly zero.
-    SUFFUSE_INLINE auto visible(V phi, V h) const { return less_(phi0, phi + h); }
-    /// ln(1 + e^x)
-    static SUFFUSE_INLINE V softplus(V x)
+    /// Where the range is whole, F needs no more than its value (the rest of the series is below 1e-5).
+    SUFFUSE_INLINE V simpleMean(V phi, V h2) const
     {
-        return max_(x, V(0)) + V(ln2) * log2_(V(1) + exp2_(V(-log2e) * min_(abs_(x), V(80))));
+        return clamp01(shortMean(mulAdd_(phi, slope, offset), h2 * (inverseXi2 * inverseXi2)));
     }
-    /// Mean over [φ − h, φ + h].
-    SUFFUSE_INLINE V mean(V phi, V h) const
+    SUFFUSE_INLINE V longMean(V phi, V h) const
     {
-        const V a = max_(phi - h, phi0), b = max_(phi + h, phi0);
-        const V range = (b - a) * inverseXi2;
-        const V inside = gaussMean(a, b, [this](V x) { return value(x); });
-        const V x = (a - xi1) * inverseXi2;
-        const V quotient = ((softplus(x + range) - softplus(x)) / max_(range, V(1e-30)) - f0) * gain;
-        const V f = select_(less_(range, V(0.6)), inside, quotient);
-        // Part of [φ − h, φ + h] that lies above φ₀; 1 also where h is 0.
-        const V share = select_(less_(phi - h, phi0), (b - a) / max_(V(2) * h, V(1e-30)), V(1));
-        return select_(less_(V(16), x), V(1), min_(V(1), max_(V(0), f * share)));
+        const auto scaled = [this](V density) { return min_((max_(density, phi0) - xi1) * inverseXi2, V(1e37)); };
+        const V a = scaled(phi - h), b = scaled(phi + h), range = b - a, half = V(0.5) * range;
+        // ln(1 + e^x) = max(x, 0) + ln(1 + e^−|x|)
+        const V ea = exp2_(V(-log2e) * abs_(a)), eb = exp2_(V(-log2e) * abs_(b));
+        const V softplus = max_(b, V(0)) - max_(a, V(0)) + V(ln2) * log2_((V(1) + eb) * reciprocal_(V(1) + ea));
+        const auto wide = less_(V(0.8), half); // else the range ends near φ₀, and the difference would cancel
+        V sum = (softplus - f0 * range) * gain;
+        if (!all_(wide))
+            sum = select_(wide, sum, shortMean(V(-log2e) * (a + half), half * half) * range);
+        return clamp01(sum * xi2 * reciprocal_(max_(V(2) * h, V(1e-30))));
+    }
+
+private:
+    SUFFUSE_INLINE auto full(V phi, V h2) const { return below_(h2, mulAdd_(V(-10), xi2, phi - xi1)); }
+    /// Of (f − f₀)/(1 − f₀) over x ± q, to fourth order in q: the sixth is below 1.4e-5. `exponent`: −x log₂ e. Less
+    /// 2e-7, so that nothing is left below φ₀.
+    SUFFUSE_INLINE V shortMean(V exponent, V q2) const
+    {
+        const V f = reciprocal_(V(1) + exp2_(exponent));
+        const V g = f * (V(1) - f), second = g * (V(1) - f - f), fourth = second * mulAdd_(V(-12), g, V(1));
+        const V series = mulAdd_(mulAdd_(fourth * q2, V(1.0 / 120), second * V(1.0 / 6)), q2, f);
+        return mulAdd_(series - f0, gain, V(-2e-7));
     }
 };
 
 /// Feathering (18): min(1, (φ/ξ1)^ξ2); zero where it is below 2⁻¹³ over the whole pixel, so that it ends somewhere.
 template <class V>
 struct Feathering {
-    V xi1, xi2, inverseXi1, cut;
+    V xi1, xi2, inverseXi1, cut, second, fourth, narrow;
 
     SUFFUSE_INLINE Feathering(V x1, V x2)
-        : xi1(x1), xi2(x2), inverseXi1(V(1) / x1), cut(x1 * exp2_(max_(V(-13) / x2, V(-100))))
+        : xi1(x1), xi2(x2), inverseXi1(V(1) / x1), cut(x1 * exp2_(max_(V(-13) / x2, V(-100)))),
+          second(x2 * (x2 - V(1)) * V(1.0 / 6)), fourth(second * (x2 - V(2)) * (x2 - V(3)) * V(1.0 / 20)),
+          narrow(V(0.8) / max_(x2, V(2)))
+    {}
+    SUFFUSE_INLINE V level() const { return cut; }
+    SUFFUSE_INLINE auto seen(V phi, V h2) const { return or_(less_(cut, phi), less_((cut - phi) * (cut - phi), h2)); }
+    /// Full: F = 1 throughout (the series is at least that). Short: h < 0.8 φ/max(ξ2, 2), and F < 1 throughout.
+    SUFFUSE_INLINE auto simple(V phi, V h2) const
     {
+        const auto isShort = and_(below_(h2, narrow * phi), below_(h2, xi1 - phi));
+        return or_(or_(isShort, full(phi, h2)), not_(seen(phi, h2)));
     }
-    SUFFUSE_INLINE bool vanishes(V phi, V h) const { return phi + h <= cut; }
-    SUFFUSE_INLINE auto visible(V phi, V h) const { return less_(cut, phi + h); }
-    static SUFFUSE_INLINE V power(V x, V p) { return exp2_(max_(V(-120), p * log2_(max_(x, V(1e-36))))); }
-
-    SUFFUSE_INLINE V mean(V phi, V h) const
+    SUFFUSE_INLINE V simpleMean(V phi, V h2) const
     {
-        // In x = φ/ξ1 the range [a, a + range] has a part below 0 (F = 0), one in [0, 1] (the power), one above (F = 1).
-        const V a = (phi - h) * inverseXi1, range = max_(V(2) * h * inverseXi1, V(1e-30));
-        const V toZero = min_(V(1), max_(V(0), (V(0) - a) / range));
-        const V toOne = min_(V(1), max_(V(0), (V(1) - a) / range));
-        const V a1 = min_(max_(a, V(0)), V(1)), b1 = min_(max_((phi + h) * inverseXi1, V(0)), V(1));
-        const V inside = gaussMean(a1, b1, [this](V x) { return power(x, xi2); });
-        const V p1 = xi2 + V(1);
-        const V low = select_(less_(V(0), a1), power(a1, p1), V(0));
+        const V f = clamp01(shortMean(phi * inverseXi1, h2 * (inverseXi1 * inverseXi1)));
+        return select_(less_(V(0), phi), f, V(0));
+    }
+    /// The range has a part below 0 (F = 0), one in [0, ξ1] (the power), one above (F = 1).
+    SUFFUSE_INLINE V longMean(V phi, V h) const
+    {
+        const V x = phi * inverseXi1, reach = h * inverseXi1, a = x - reach, range = max_(V(2) * reach, V(1e-30));
+        const V toZero = clamp01((V(0) - a) / range), toOne = clamp01((V(1) - a) / range);
+        const V a1 = clamp01(a), b1 = clamp01(x + reach), middle = V(0.5) * (a1 + b1), half = V(0.5) * (b1 - a1);
+        const V p1 = xi2 + V(1), low = select_(less_(V(0), a1), power(a1, p1), V(0));
         const V quotient = (power(b1, p1) - low) / (p1 * max_(b1 - a1, V(1e-30)));
-        const V mean = select_(less_((b1 - a1) * max_(p1, V(2)), V(0.5) * b1), inside, quotient);
-        const V f = min_(V(1), max_(V(0), (toOne - toZero) * mean + (V(1) - toOne)));
-        return select_(less_(cut, phi + h), f, V(0));
+        const V mean = select_(less_(half, narrow * middle), shortMean(middle, half * half), quotient);
+        return clamp01((toOne - toZero) * mean + (V(1) - toOne));
+    }
+
+private:
+    SUFFUSE_INLINE auto full(V phi, V h2) const { return below_(h2, phi - xi1); }
+    static SUFFUSE_INLINE V power(V x, V p) { return exp2_(p * log2_(max_(x, V(1e-36)))); }
+    /// Of x^ξ2 over x ± half, to fourth order: the sixth is below 5e-5 for half/x < 0.8/max(ξ2, 2).
+    SUFFUSE_INLINE V shortMean(V x, V half2) const
+    {
+        const V r2 = half2 * reciprocal_(max_(x * x, V(1e-36)));
+        return power(x, xi2) * mulAdd_(mulAdd_(fourth, r2, second), r2, V(1));
     }
 };
 
-/// Edge darkening (19), in v = ln(φ/φ_e): F = ξ3(α e^(−6v) − β e^(−3v) + 1) for v ≥ 0, else 0.
+/// Edge darkening (19), in v = ln(φ/φ_e): F = ξ3(α e^(−6v) − β e^(−3v) + 1) for v ≥ 0, else 0. The mean is taken over
+/// v ± q, q = min(h/φ, 2).
 template <class V>
 struct Edge {
-    V xi3, phiE, alpha, beta;
+    V xi3, phiE, inversePhiE, alpha, beta;
 
     SUFFUSE_INLINE Edge(V x1, V x2, V x3) : xi3(x3)
     {
@@ -105,36 +158,68 @@ struct Edge {
         alpha = q * q;
         beta = r * q;
         phiE = x1 * exp2_(V(-1.0 / 3) * log2_(max_(q, V(1e-30))));
+        inversePhiE = V(1) / phiE;
     }
-    /// At most e² = 7.39 times the density counts (q ≤ 2).
-    SUFFUSE_INLINE auto visible(V phi, V) const { return less_(phiE, V(7.5) * phi); }
-    /// φ e^min(h/φ, 2) ≤ φ_e for all φ, h up to these: it is greatest at the ends of the range, or where h/φ = 2.
-    SUFFUSE_INLINE bool vanishes(V phi, V h) const
+    SUFFUSE_INLINE V level() const { return phiE; }
+    /// φ e^q > φ_e, by e^q ≤ 1/(1 − q) and e^q < 7.5. With p = φ/φ_e: p > 1 − h/φ.
+    SUFFUSE_INLINE auto seen(V phi, V h2) const
     {
-        const V atEnd = phi * exp2_(V(log2e) * min_(V(2), h / max_(phi, V(1e-36))));
-        return atEnd <= phiE && V(7.38905609893065) * min_(phi, V(0.5) * h) <= phiE;
+        const V p = phi * inversePhiE, a = p * (V(1) - p);
+        const auto reached = less_(a * a, h2 * inversePhiE * inversePhiE);
+        return or_(less_(V(1), p), and_(less_(V(1), V(7.5) * p), reached));
     }
-    SUFFUSE_INLINE V value(V v) const
+    /// Short: φ − h > φ_e (then φ e^−q > φ_e) and q < 0.4.
+    SUFFUSE_INLINE auto simple(V phi, V h2) const
     {
-        const V e = exp2_(V(-3 * log2e) * min_(v, V(20)));
-        return xi3 * ((alpha * e - beta) * e + V(1));
+        return or_(and_(less_(h2, V(0.16) * phi * phi), below_(h2, phi - phiE)), not_(seen(phi, h2)));
     }
-    /// Mean over u ∈ [ln φ − q, ln φ + q], q = min(h/φ, 2).
-    SUFFUSE_INLINE V mean(V phi, V h) const
+    SUFFUSE_INLINE V simpleMean(V phi, V h2) const
     {
-        const V p = max_(phi, V(1e-36));
-        const V v = V(ln2) * log2_(p / phiE), q = min_(h / p, V(2));
-        const V a = max_(v - q, V(0)), b = max_(v + q, V(0)), range = b - a;
-        const V inside = gaussMean(a, b, [this](V x) { return value(x); });
-        const V ea = exp2_(V(-3 * log2e) * min_(a, V(20))), eb = exp2_(V(-3 * log2e) * min_(b, V(20)));
+        const V inverse = reciprocal_(max_(phi, V(1e-18)));
+        return select_(less_(V(0), phi), clamp01(shortMean(phiE * inverse, h2 * inverse * inverse)), V(0));
+    }
+    SUFFUSE_INLINE V longMean(V phi, V h) const
+    {
+        const V p = max_(phi, V(1e-36)), v = V(ln2) * log2_(p * inversePhiE), q = min_(h / p, V(2));
+        const V a = max_(v - q, V(0)), b = max_(v + q, V(0)), range = b - a, half = V(0.5) * range;
+        const V ea = exp2_(V(-3 * log2e) * a), eb = exp2_(V(-3 * log2e) * b);
         const V quotient =
             xi3 * (V(1) + ((ea - eb) * (V(1.0 / 6) * alpha * (ea + eb) - V(1.0 / 3) * beta)) / max_(range, V(1e-30)));
-        const V f = select_(less_(range, V(0.1)), inside, quotient);
+        const V middle = exp2_(V(-log2e) * (a + half));
+        const V f = select_(less_(range, V(0.1)), shortMean(middle, half * half), quotient);
+        // Part of the range that lies inside; 1 also where q is 0.
         const V share = select_(less_(v, q), range / max_(V(2) * q, V(1e-30)), V(1));
         const V whole = select_(less_(v, V(0)), select_(less_(V(0), range), V(1), V(0)), V(1));
-        return whole * min_(V(1), max_(V(0), f * min_(share, V(1))));
+        return clamp01(whole * max_(V(0), f) * min_(share, V(1)));
+    }
+
+private:
+    /// The mean of e^(−kv) over v ± q is e^(−kv) sinh(kq)/(kq). `ratio`: e^−v.
+    SUFFUSE_INLINE V shortMean(V ratio, V q2) const
+    {
+        const V e = ratio * ratio * ratio, z = V(9) * q2;
+        return xi3 * mulAdd_(mulAdd_(alpha * e, sinhOver(V(4) * z), V(0) - beta * sinhOver(z)), e, V(1));
+    }
+    /// sinh(x)/x from x², to 6e-6 for x ≤ 2.4.
+    static SUFFUSE_INLINE V sinhOver(V x2)
+    {
+        V s(1.0 / 39916800);
+        for (const double c : {1.0 / 362880, 1.0 / 5040, 1.0 / 120, 1.0 / 6, 1.0})
+            s = mulAdd_(s, x2, V(c));
+        return s;
     }
 };
+
+/// True only if F is zero for all densities and h up to these. `level`: the style's.
+inline bool vanishes(StyleKind kind, float level, float phi, float h)
+{
+    if (kind != StyleKind::Edge)
+        return phi + h <= level;
+    // φ e^min(h/φ, 2) is greatest at the ends of the range, or where h/φ = 2. e^q from above, as 1 + q + … + q⁴/12.
+    const float q = h < 0.5f * phi ? h / phi : 2.0f;
+    const float e = q < 0.5f ? 1 + q * (1 + q * (0.5f + q * (1.0f / 6 + q / 12))) : 7.3890561f;
+    return phi * e <= level && 7.3890561f * (phi < 0.5f * h ? phi : 0.5f * h) <= level;
+}
 
 } // namespace suffuse::SUFFUSE_MATH
 SUFFUSE_MATH_END

@@ -97,7 +97,7 @@ void drag(benchmark::State &state)
     }
 }
 
-/// Arguments: segments below, width, threads. A stroke of 60 to 200 segments grows and spreads on top of them.
+/// Arguments: segments below, width, threads, segments of a stroke whose last 140 grow and spread on top of them.
 void liveStroke(benchmark::State &state)
 {
     const PaintingPtr painting = paintingOf(int(state.range(0)), 6, 20);
@@ -105,7 +105,8 @@ void liveStroke(benchmark::State &state)
     const auto renderer = rendererWith(int(state.range(2)));
     Picture8 picture;
     const Microseconds start = painting->end() + 1'000'000;
-    int segments = 60;
+    const int end = int(state.range(3));
+    int segments = end - 140;
     for ([[maybe_unused]] auto _ : state) {
         Painting edited = *painting;
         edited.strokes.push_back(std::make_shared<const Stroke>(
@@ -113,7 +114,7 @@ void liveStroke(benchmark::State &state)
         request.painting = std::make_shared<const Painting>(std::move(edited));
         request.time = start + Microseconds(segments) * 1'000'000 / 60;
         (void)renderer->render(request, picture);
-        segments = segments == 200 ? 60 : segments + 1;
+        segments = segments == end ? end - 140 : segments + 1;
     }
 }
 
@@ -142,8 +143,8 @@ BENCHMARK(drag)
     ->Unit(benchmark::kMillisecond)
     ->UseRealTime();
 BENCHMARK(liveStroke)
-    ->ArgNames({"segments", "width", "threads"})
-    ->ArgsProduct({{17917}, {1024, 2880}, {2}})
+    ->ArgNames({"segments", "width", "threads", "live"})
+    ->ArgsProduct({{17917}, {1024, 2880, 3840}, {2}, {200, 2000}})
     ->Unit(benchmark::kMillisecond)
     ->UseRealTime();
 

@@ -93,6 +93,48 @@ private slots:
                      qPrintable(QStringLiteral("frame %1").arg(frame)));
         }
     }
+
+    /// Blocks of it dry while it grows, and keep the nodes that they had: the picture is that of a stroke that was loaded.
+    void aLongLiveStroke()
+    {
+        std::mt19937_64 random(31);
+        const auto below = painting(randomStrokes(random, 6, 200, 150), 200, 150);
+        Stroke growing;
+        growing.id = 999;
+        growing.style = styleOf(StyleKind::Uniform);
+        const auto at = [](int k) {
+            return Offset{float(100 + 80 * std::cos(0.05 * k)), float(75 + 60 * std::sin(0.11 * k))};
+        };
+        const auto live = make(Backend::Cpu);
+        FloatPicture picture;
+        for (int frame = 1; frame <= 240; ++frame) {
+            Segment g;
+            for (int i = 0; i < 4; ++i)
+                g.bezier[std::size_t(i)] = {at(frame).x + float(i) / 3 * (at(frame + 1).x - at(frame).x),
+                                            at(frame).y + float(i) / 3 * (at(frame + 1).y - at(frame).y)};
+            g.diffusion = 6;
+            g.density = 8;
+            g.maxAge = 0.4f;
+            g.born = below->end() + frame * 16000;
+            growing.segments.push_back(g);
+            if (frame == 170) // it is edited where it is dry
+                growing.segments[40].density = 3;
+            if (frame == 190)
+                growing.origin = {3, 1};
+            if (frame == 210)
+                growing.segments[100].style = styleOf(StyleKind::Edge);
+            auto p = std::make_shared<Painting>(*below);
+            p->strokes.push_back(std::make_shared<const Stroke>(growing));
+            const Microseconds time = g.born + (frame < 230 ? 20000 : frame * 16000); // at last all is dry
+            const auto stats = live->render({p, time, m_view}, picture);
+            QVERIFY(stats);
+            if (frame > 100 && frame < 160)
+                QVERIFY(stats->tilesEvaluated < stats->tiles);
+            if (frame % 7 == 0 || frame > 165)
+                QVERIFY2(picture.rgba == test::render(*make(Backend::Cpu), p, m_view, time).rgba,
+                         qPrintable(QStringLiteral("frame %1").arg(frame)));
+        }
+    }
 };
 
 QTEST_GUILESS_MAIN(TestLayers)

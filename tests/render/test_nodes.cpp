@@ -24,12 +24,14 @@ double truth(const Cubic &c, double s, double phi, Point x)
     return phi * sum / (std::numbers::pi * s * s);
 }
 
+/// As the renderer sums them: cut off at R.
 double fromNodes(const StrokeNodes &nodes, Point x)
 {
     double sum = 0;
     for (const Node &n : nodes.nodes) {
-        const double dx = x.x - n.x, dy = x.y - n.y;
-        sum += n.weight * std::exp(-(n.a * dx * dx + 2 * n.b * dx * dy + n.c * dy * dy));
+        const double dx = x.x - n.x, dy = x.y - n.y, cut = std::exp(-double(n.cutRadius) * double(n.cutRadius));
+        const auto axis = [cut](double q) { return std::max(0.0, std::exp(-q) - cut); };
+        sum += n.weight * axis(n.a * dx * dx) * axis(n.c * dy * dy);
     }
     return sum;
 }

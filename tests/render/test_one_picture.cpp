@@ -2,6 +2,7 @@
 #include "tests/render/paintings.h"
 
 #include "model/influence.h"
+#include "render/cpu/kernels.h"
 
 using namespace suffuse;
 using namespace suffuse::test;
@@ -22,6 +23,14 @@ class TestOnePicture : public QObject {
     }
 
 private slots:
+    /// ctest runs this program once for each SIMD instruction set that a machine may have.
+    void initTestCase()
+    {
+        const QByteArray wanted = qgetenv("SUFFUSE_SIMD");
+        if (!wanted.isEmpty() && wanted != cpu::kernels().name)
+            QSKIP("this machine does not have that instruction set");
+    }
+
     void tilingAndThreads()
     {
         std::mt19937_64 random(3);
@@ -34,6 +43,20 @@ private slots:
                     QVERIFY2(same(first, test::render(*make(Backend::Cpu, threads, tile), p, v)),
                              qPrintable(QStringLiteral("tile %1, %2 threads").arg(tile).arg(threads)));
         }
+    }
+
+    void cullingChangesNothing()
+    {
+        std::mt19937_64 random(4);
+        const auto p = painting(randomStrokes(random, 25, 130, 101), 130, 101, {PaperKind::Procedural, 1, 16, 0.7f, {}});
+        for (const View &v : {View::ofArea(p->canvas.area(), 130, 101), View{{60, 50}, 0.11, 0.5, true, 70, 61},
+                              View{{60, 50}, 30, 0.2, false, 70, 61}, View{{60, 50}, 900, 0, false, 70, 61}})
+            for (int tile : {8, 32}) {
+                RendererOptions options{Backend::Cpu, 2, tile};
+                const FloatPicture culled = test::render(**makeRenderer(options), p, v);
+                options.cull = false;
+                QVERIFY(same(culled, test::render(**makeRenderer(options), p, v)));
+            }
     }
 
     void dirtyRedrawIsFullRedraw()

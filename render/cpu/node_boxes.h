@@ -1,0 +1,57 @@
+// Where nodes reach and how dense they are, side by side: what choosing among them needs (Kernels::select).
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace suffuse::cpu {
+
+/// Runs of boxes may be read and written up to a multiple of so many.
+inline constexpr std::size_t boxRun = 16;
+/// Positions are floats: they are off by less than this, px.
+inline constexpr double boxMargin = 0.05;
+
+template <class F, class I>
+struct BoxPlanes {
+    F *x = nullptr, *y = nullptr;           ///< centre, px
+    F *reachX = nullptr, *reachY = nullptr; ///< half-sizes, px
+    F *weight = nullptr;                    ///< density at the centre
+    F *slowest = nullptr;                   ///< least eigenvalue of the metric, px⁻²: q ≥ slowest·d²
+    F *steepest = nullptr;                  ///< root of the greatest, px⁻¹: |∇q| ≤ 2·steepest·√q
+    I *node = nullptr;                      ///< index of the node in its stroke
+};
+using NodeBoxes = BoxPlanes<const float, const std::uint32_t>;
+/// To write to; where x is null, only `node` is written.
+using NodeBoxSink = BoxPlanes<float, std::uint32_t>;
+
+/// Boxes with their memory.
+class NodeBoxStore {
+public:
+    /// Room for `count`; what was there is lost where it grows.
+    void reserve(std::size_t count)
+    {
+        const std::size_t padded = (count + boxRun - 1) / boxRun * boxRun;
+        if (padded <= m_room)
+            return;
+        m_room = padded;
+        m_planes.resize(7 * m_room);
+        m_nodes.resize(m_room);
+    }
+    NodeBoxSink sink() { return planes<float, std::uint32_t>(m_planes.data(), m_nodes.data()); }
+    NodeBoxes boxes() const { return planes<const float, const std::uint32_t>(m_planes.data(), m_nodes.data()); }
+
+private:
+    template <class F, class I>
+    BoxPlanes<F, I> planes(F *p, I *node) const
+    {
+        const std::size_t n = m_room;
+        return {p, p + n, p + 2 * n, p + 3 * n, p + 4 * n, p + 5 * n, p + 6 * n, node};
+    }
+
+    std::size_t m_room = 0;
+    std::vector<float> m_planes;
+    std::vector<std::uint32_t> m_nodes;
+};
+
+} // namespace suffuse::cpu

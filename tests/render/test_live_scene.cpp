@@ -1,0 +1,141 @@
+// A scene that follows a painting: it holds what a fresh one would, and prepares anew only what differs.
+#include "tests/render/paintings.h"
+
+#include "render/live_scene.h"
+
+using namespace suffuse;
+using namespace suffuse::test;
+
+class TestLiveScene : public QObject {
+    Q_OBJECT
+
+    const View m_view = View::ofArea(Rect::of(0, 0, 200, 150), 200, 150);
+
+    static bool sameNodes(const StrokeNodes &a, const StrokeNodes &b)
+    {
+        const auto sameGroup = [](const NodeGroup &g, const NodeGroup &h) {
+            return g.begin == h.begin && g.end == h.end && g.row == h.row && g.rowPerNode == h.rowPerNode &&
+                   g.reachBegin == h.reachBegin && g.reachEnd == h.reachEnd;
+        };
+        return a.nodes == b.nodes && a.rows == b.rows && a.reaches == b.reaches && a.clipped == b.clipped &&
+               std::ranges::equal(a.groups, b.groups, sameGroup);
+    }
+
+    static bool sameScene(const LiveScene &a, const LiveScene &b)
+    {
+        const auto sameStroke = [](const SceneStrokePtr &s, const SceneStrokePtr &t) {
+            return s->stroke == t->stroke && s->bounds == t->bounds && s->values == t->values &&
+                   sameNodes(*s->source, *t->source);
+        };
+        return std::ranges::equal(a.strokes(), b.strokes(), sameStroke) && a.bounds() == b.bounds() &&
+               a.nodeCount() == b.nodeCount();
+    }
+
+    /// `segments` of a wandering stroke, a sample each 16 ms.
+    static Stroke longStroke(int segments)
+    {
+        Stroke s;
+        s.id = 1;
+        const auto at = [](int k) {
+            return Offset{float(100 + 80 * std::cos(0.05 * k)), float(75 + 60 * std::sin(0.11 * k))};
+        };
+        for (int k = 0; k < segments; ++k) {
+            Segment g;
+            for (int i = 0; i < 4; ++i)
+                g.bezier[std::size_t(i)] = {at(k).x + float(i) / 3 * (at(k + 1).x - at(k).x),
+                                            at(k).y + float(i) / 3 * (at(k + 1).y - at(k).y)};
+            g.maxAge = 0.4f;
+            g.born = k * 16000;
+            s.segments.push_back(g);
+        }
+        return s;
+    }
+
+private slots:
+    void followsAnyHistory()
+    {
+        std::mt19937_64 random(41);
+        auto p = painting(randomStrokes(random, 100, 200, 150), 200, 150);
+        LiveScene live;
+        View view = m_view;
+        for (int step = 0; step < 80; ++step) {
+            auto q = std::make_shared<Painting>(*p);
+            const std::size_t at = random() % q->strokes.size();
+            Stroke s = *std::as_const(*q).strokes[at];
+            switch (random() % 7) {
+            case 0: s.visible = !s.visible; break;
+            case 1: s.group = 1 - s.group; break;
+            case 2: q->strokes.erase(q->strokes.begin() + std::ptrdiff_t(at)); break;
+            case 3: view.scale *= 1.3; break;
+            case 4: q->groups = {{1, {}, 0, random() % 2 == 0, false}}; break;
+            default: s.segments.front().density *= 1.1f; break;
+            }
+            if (at < q->strokes.size() && std::as_const(*q).strokes[at]->id == s.id)
+                q->strokes[at] = std::make_shared<const Stroke>(s);
+            p = q;
+            const Microseconds time = random() % 2 ? p->end() : Microseconds(random() % 1'000'000);
+            const RenderRequest request{p, time, view};
+            live.update(request, 2);
+            LiveScene fresh;
+            fresh.update(request, 2);
+            QVERIFY2(sameScene(live, fresh), qPrintable(QStringLiteral("step %1").arg(step)));
+        }
+    }
+
+    void preparesWhatDiffers()
+    {
+        std::mt19937_64 random(43);
+        const auto p = painting(randomStrokes(random, 200, 200, 150), 200, 150);
+        LiveScene live;
+        live.update({p, p->end(), m_view}, 1);
+        const auto before = live.strokes();
+        auto q = std::make_shared<Painting>(*p);
+        for (const std::size_t i : {std::size_t(150), std::size_t(7)}) {
+            Stroke s = *std::as_const(*q).strokes[i];
+            s.segments.front().density *= 2;
+            q->strokes[i] = std::make_shared<const Stroke>(s);
+        }
+        const SceneChange change = live.update({q, q->end(), m_view}, 1);
+        QVERIFY(!change.reordered);
+        QCOMPARE(change.replaced.size(), std::size_t(2));
+        QCOMPARE(change.replaced[0].index, std::size_t(7));
+        QCOMPARE(change.replaced[1].index, std::size_t(150));
+        QVERIFY(change.replaced[1].before == before[150]);
+        for (std::size_t i = 0; i < before.size(); ++i)
+            QCOMPARE(live.strokes()[i] == before[i], i != 7 && i != 150);
+        QVERIFY(live.update({q, q->end() + 1000, m_view}, 1).replaced.empty());
+    }
+
+    void frozenNodesAreBuiltOnes()
+    {
+        const Stroke whole = longStroke(300);
+        FrozenNodes frozen;
+        std::size_t kept = 0;
+        for (int segments = 1; segments <= 300; ++segments) {
+            auto s = std::make_shared<Stroke>(whole);
+            s->segments.resize(std::size_t(segments));
+            if (segments > 200)
+                s->segments[50].density = 3;
+            if (segments > 220)
+                s->origin = {5, 7};
+            if (segments > 240)
+                s->style = styleOf(StyleKind::Edge);
+            if (segments > 260)
+                s->segments[10].bezier[3].x += 1e6f; // so long that its nodes depend on the view
+            if (segments > 280)
+                s->segments[250].style = styleOf(StyleKind::Uniform);
+            const Microseconds time = s->segments.back().born + 16000;
+            const int octave = segments > 180 ? 2 : 0;
+            const Rect clip = Rect::of(0, 0, 200 + segments, 150);
+            const auto nodes = buildNodes(s, time, octave, clip, frozen);
+            QVERIFY2(sameNodes(*nodes, *buildNodes(*s, time, octave, clip)), qPrintable(QString::number(segments)));
+            kept = std::max(kept, frozen.segments);
+            if (segments == 170)
+                QCOMPARE(frozen.segments, std::size_t(128)); // 146 are dry
+        }
+        QVERIFY(kept > 200);
+    }
+};
+
+QTEST_GUILESS_MAIN(TestLiveScene)
+#include "test_live_scene.moc"
