@@ -209,16 +209,6 @@ Rect visibleBox(const View &view)
     return box;
 }
 
-bool canVanish(const SceneStroke &stroke, float density, float slope)
-{
-    if (!stroke.hasLevels)
-        return false;
-    for (int k = 0; k < stroke.shade.kinds; ++k)
-        if (!math::vanishes(stroke.shade.kind[k].kind, stroke.level[k], density * 1.001f, 0.5f * slope * 1.001f))
-            return false;
-    return true;
-}
-
 PixelRect pixelBounds(const StrokeNodes &nodes, const NodeGroup &group, Point origin, const View &view)
 {
     const Linear j(view);

@@ -42,7 +42,15 @@ struct SceneStroke {
 };
 
 /// True only where opacity is exactly zero for every density and slope (per pixel) up to these.
-bool canVanish(const SceneStroke &stroke, float density, float slope);
+inline bool canVanish(const SceneStroke &stroke, float density, float slope)
+{
+    if (!stroke.hasLevels)
+        return false;
+    for (int k = 0; k < stroke.shade.kinds; ++k)
+        if (!vanishes(stroke.shade.kind[k].kind, stroke.level[k], density * 1.001f, 0.5f * slope * 1.001f))
+            return false;
+    return true;
+}
 
 /// Pixels that a group can change, rounded outwards and cut to the picture.
 PixelRect pixelBounds(const StrokeNodes &nodes, const NodeGroup &group, Point origin, const View &view);

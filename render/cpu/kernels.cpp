@@ -33,7 +33,7 @@ struct alignas(64) Tables {
     float row[chunk][blockSide];         // weight · (e^(−c dy²) − cut)
     float rowSlope[chunk][blockSide];
     float scaledRow[chunk][blockSide]; // row · channel value
-    float place[chunk][4];             // of the node from the cells: x from the first and the second, y likewise
+    float place[chunk][4];             // of the node from the centres of the first cell (x, y) and of the last
 };
 
 HWY_INLINE Lanes load(const float *p)
@@ -46,14 +46,14 @@ HWY_INLINE void store(Lanes v, float *p)
     hn::Store(v.v, tag, p);
 }
 
-/// Distances from a node to the block's 16 sample columns (or rows), lanes from `first` on. `place`: the node from the
-/// centres of the block's two cells.
-HWY_INLINE Lanes distances(const float *place, const float *offsets, int first)
+/// Distances from a node to the block's 16 sample columns (or rows), lanes from `from` on. `first`, `last`: the node
+/// from the centres of the block's cells.
+HWY_INLINE Lanes distances(float first, float last, const float *offsets, int from)
 {
-    const Lanes offset = load(offsets + first);
+    const Lanes offset = load(offsets + from);
     if (hn::Lanes(tag) > cellSide) // both cells in one vector
-        return offset - Lanes(hn::IfThenElse(hn::FirstN(tag, cellSide), Lanes(place[0]).v, Lanes(place[1]).v));
-    return offset - Lanes(place[first < cellSide ? 0 : 1]);
+        return offset - Lanes(hn::IfThenElse(hn::FirstN(tag, cellSide), Lanes(first).v, Lanes(last).v));
+    return offset - Lanes(from < cellSide ? first : last);
 }
 
 /// Offsets of a block's samples from the centres of their cells.
@@ -65,11 +65,11 @@ HWY_INLINE void cellOffsets(double step, float *out)
 
 /// Cut Gaussian along one axis and −½ of its slope, times `weight` where there is one.
 template <bool weighted>
-HWY_INLINE void axisTable(const float *place, const float *offsets, float metric, float cut, float weight, float *value,
-                          float *slope)
+HWY_INLINE void axisTable(float first, float last, const float *offsets, float metric, float cut, float weight,
+                          float *value, float *slope)
 {
     for (int i = 0; i < blockSide; i += int(hn::Lanes(tag))) {
-        const Lanes d = distances(place, offsets, i), rise = Lanes(metric) * d;
+        const Lanes d = distances(first, last, offsets, i), rise = Lanes(metric) * d;
         const Lanes e = exp2Down(Lanes(-log2e) * (rise * d));
         Lanes inside = max_(e - Lanes(cut), Lanes(0)), fall = rise * e;
         if (weighted) {
@@ -147,20 +147,27 @@ void addSeparable(const Block &block, const ViewNode *nodes, const std::uint32_t
     alignas(64) float offsets[blockSide];
     cellOffsets(block.step, offsets);
     const double toCell = block.step * (cellSide / 2);
-    const double x0 = block.x + toCell, x1 = block.x + 3 * toCell, y0 = block.y + toCell, y1 = block.y + 3 * toCell;
+    const double firstCell[2] = {block.x + toCell, block.y + toCell};
+    const double lastCell[2] = {block.x + 3 * toCell, block.y + 3 * toCell};
+    const hn::CappedTag<double, 2> pairTag;
+    const hn::Rebind<float, decltype(pairTag)> pairOut;
     for (int first = 0; first == 0 || first < count; first += chunk) {
         const int n = std::min(chunk, count - first);
         for (int i = 0; i < n; ++i) {
             const ViewNode &node = nodes[listed[first + i]];
-            t.place[i][0] = float(node.x - x0);
-            t.place[i][1] = float(node.x - x1);
-            t.place[i][2] = float(node.y - y0);
-            t.place[i][3] = float(node.y - y1);
+            for (int axis = 0; axis < 2; axis += int(hn::Lanes(pairTag))) {
+                const auto at = hn::LoadU(pairTag, &node.x + axis);
+                hn::StoreU(hn::DemoteTo(pairOut, hn::Sub(at, hn::LoadU(pairTag, firstCell + axis))), pairOut,
+                           t.place[i] + axis);
+                hn::StoreU(hn::DemoteTo(pairOut, hn::Sub(at, hn::LoadU(pairTag, lastCell + axis))), pairOut,
+                           t.place[i] + 2 + axis);
+            }
         }
         for (int i = 0; i < n; ++i) {
             const ViewNode &node = nodes[listed[first + i]];
-            axisTable<false>(t.place[i], offsets, node.a, node.cut, 1, t.column[i], t.columnSlope[i]);
-            axisTable<true>(t.place[i] + 2, offsets, node.c, node.cut, node.weight, t.row[i], t.rowSlope[i]);
+            const float *place = t.place[i];
+            axisTable<false>(place[0], place[2], offsets, node.a, node.cut, 1, t.column[i], t.columnSlope[i]);
+            axisTable<true>(place[1], place[3], offsets, node.c, node.cut, node.weight, t.row[i], t.rowSlope[i]);
         }
         const bool add = first > 0;
         addOuterPair(t.column, t.columnSlope, t.row, n, add, sums.v[0], sums.v[1]);
@@ -186,10 +193,9 @@ void addOblique(const Block &block, const ViewNode *nodes, const std::uint32_t *
     for (int n = 0; n < count; ++n) {
         const ViewNode &node = nodes[listed[n]];
         const double x = node.x - block.x - toCell, y = node.y - block.y - toCell;
-        const float place[4] = {float(x), float(x - 2 * toCell), float(y), float(y - 2 * toCell)};
         for (int i = 0; i < blockSide; i += int(hn::Lanes(tag))) {
-            store(distances(place, offsets, i), dx + i);
-            store(distances(place + 2, offsets, i), dy + i);
+            store(distances(float(x), float(x - 2 * toCell), offsets, i), dx + i);
+            store(distances(float(y), float(y - 2 * toCell), offsets, i), dy + i);
         }
         const float *value = values + std::size_t(node.row) * channels;
         for (int y = 0; y < blockSide; ++y)
@@ -287,13 +293,13 @@ public:
     template <class Style>
     HWY_INLINE void write(const Style &style, float *f)
     {
-        alignas(64) float mean[boxRun];
+        // Pad: beside the block.
         hn::StoreU(hn::Zero(tag), tag, m_phi + m_count);
         hn::StoreU(hn::Zero(tag), tag, m_h2 + m_count);
+        hn::StoreU(hn::Set(indexTag, blockSize), indexTag, m_at + m_count);
         for (int i = 0; i < m_count; i += int(hn::Lanes(tag))) {
-            store(style.longMean(load(m_phi + i), sqrt_(load(m_h2 + i))), mean);
-            for (int k = 0; k < int(hn::Lanes(tag)) && i + k < m_count; ++k)
-                f[m_at[i + k]] = mean[k];
+            const Lanes mean = style.longMean(load(m_phi + i), sqrt_(load(m_h2 + i)));
+            hn::ScatterIndex(mean.v, tag, f, hn::Load(indexTag, m_at + i));
         }
     }
 
@@ -312,7 +318,7 @@ template <class Style, class Use>
 HWY_INLINE void shadeOneStyle(const Style &style, const ShadeParams &params, const Sums &sums, const float *eta,
                               float step, Use use)
 {
-    alignas(64) float phi[blockSize], h2[blockSize], f[blockSize];
+    alignas(64) float phi[blockSize], h2[blockSize], f[blockSize + 1];
     std::uint8_t seen[blockSize]; // first samples of vectors that show something
     int vectors = 0;
     LongMeans others;
@@ -374,7 +380,7 @@ HWY_INLINE void mixSample(int at, Lanes w, const Lanes (&colour)[3], float keep,
 
 HWY_INLINE void composeSample(int at, Lanes w, const Lanes (&colour)[3], float keep, OverMap &map)
 {
-    const Lanes factor = Lanes(1) - w * Lanes(keep);
+    const Lanes factor = negMulAdd_(w, Lanes(keep), Lanes(1));
     for (int c = 0; c < 3; ++c) {
         const Lanes paint = w * colour[c];
         store(factor * load(map.keep[c] + at), map.keep[c] + at);

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <numbers>
+#include <optional>
 
 namespace suffuse::cpu {
 
@@ -19,9 +20,11 @@ struct Scratch {
     alignas(64) float eta[blockSize];
     alignas(64) float sampleEta[blockSize];
     float rgba[blockSize * 4];
-    std::vector<std::uint32_t> block; ///< nodes
+    std::vector<std::uint32_t> block; ///< room for lists of nodes
     std::vector<std::uint32_t> group;
 };
+
+using NodeList = std::span<const std::uint32_t>;
 
 Area areaOf(const Rect &r)
 {
@@ -29,17 +32,19 @@ Area areaOf(const Rect &r)
     return {centre.x, centre.y, 0.5 * r.width(), 0.5 * r.height()};
 }
 
-/// Of a tile's nodes those that meet `area`, into `listed`; false where they add nothing there.
-bool listNodes(const Kernels &kernels, const TileStroke &stroke, const Rect &area, std::vector<std::uint32_t> &listed)
+/// Of a tile's nodes those that meet `area`, in `room`; none where they add nothing there.
+std::optional<NodeList> listNodes(const Kernels &kernels, const TileStroke &stroke, const Rect &area,
+                                  std::vector<std::uint32_t> &room)
 {
     Bound bound;
     NodeBoxSink sink;
-    listed.resize(std::size_t(stroke.count) + boxRun);
-    sink.node = listed.data();
-    listed.resize(std::size_t(kernels.select(stroke.boxes.boxes(), stroke.count, areaOf(area), sink, bound)));
-    if (listed.empty())
-        return !stroke.stroke->deep.empty();
-    return !canVanish(*stroke.stroke, bound.density, bound.slope);
+    if (room.size() < std::size_t(stroke.count) + boxRun)
+        room.resize(std::size_t(stroke.count) + boxRun);
+    sink.node = room.data();
+    const int count = kernels.select(stroke.boxes.boxes(), stroke.count, areaOf(area), sink, bound);
+    if (count == 0 ? stroke.stroke->deep.empty() : canVanish(*stroke.stroke, bound.density, bound.slope))
+        return {};
+    return NodeList(room.data(), std::size_t(count));
 }
 
 class BlockPainter {
@@ -75,16 +80,17 @@ public:
     {
         const Block block{double(m_x), double(m_y), 1};
         const SceneStroke &scene = *stroke.stroke;
-        if (!listNodes(*m_frame.kernels, stroke, boxOf(block), m_s.block))
+        const auto listed = listNodes(*m_frame.kernels, stroke, boxOf(block), m_s.block);
+        if (!listed)
             return;
         const float *paper = scene.granulated ? eta() : nullptr;
         const bool small = markLevels(scene);
         if (!small && scene.deep.empty()) {
-            sum(scene, m_s.block, block);
+            sum(scene, *listed, block);
             m_frame.kernels->shadeInto(scene.shade, m_s.sums, paper, 1, scene.keep, m_s.backdrop, m_map);
             return;
         }
-        evaluate(scene, m_s.block, block, paper, m_s.shaded);
+        evaluate(scene, *listed, block, paper, m_s.shaded);
         if (small)
             supersample(stroke);
         m_frame.kernels->mix(m_s.shaded, scene.keep, m_s.backdrop);
@@ -101,7 +107,7 @@ public:
 private:
     static Rect boxOf(const Block &b) { return Rect::of(b.x, b.y, blockSide * b.step, blockSide * b.step); }
 
-    void sum(const SceneStroke &scene, const std::vector<std::uint32_t> &listed, const Block &block)
+    void sum(const SceneStroke &scene, NodeList listed, const Block &block)
     {
         const auto oblique = std::lower_bound(listed.begin(), listed.end(), std::uint32_t(scene.separable));
         m_frame.kernels->accumulate(block, scene.nodes.data(), listed.data(), int(listed.size()),
@@ -109,8 +115,7 @@ private:
     }
 
     /// Opacity and colour of a stroke at a block of samples.
-    void evaluate(const SceneStroke &scene, const std::vector<std::uint32_t> &listed, const Block &block,
-                  const float *eta, Shaded &out)
+    void evaluate(const SceneStroke &scene, NodeList listed, const Block &block, const float *eta, Shaded &out)
     {
         sum(scene, listed, block);
         if (scene.deep.empty())
@@ -201,18 +206,18 @@ private:
         if (!any)
             return;
         const Rect area = Rect::of(m_x + i, m_y + j, side, side);
-        const bool nothing = !listNodes(*m_frame.kernels, stroke, area, m_s.group);
+        const auto listed = listNodes(*m_frame.kernels, stroke, area, m_s.group);
         std::array<std::array<double, 4>, blockSize> mean{}; // w, w·C of the group's pixels
         const int samples = 1 << level;                      // a side of a pixel
         const double step = 1.0 / samples;
         const int blocks = std::max(1, samples / blockSide); // of samples, a side of the group
-        for (int v = 0; v < blocks && !nothing; ++v)
+        for (int v = 0; v < blocks && listed; ++v)
             for (int u = 0; u < blocks; ++u) {
                 const Block block{m_x + i + u * blockSide * step, m_y + j + v * blockSide * step, step};
                 const bool paper = stroke.stroke->granulated && hasPaper();
                 if (paper)
                     fillEta(block, m_s.sampleEta);
-                evaluate(*stroke.stroke, m_s.group, block, paper ? m_s.sampleEta : nullptr, m_s.samples);
+                evaluate(*stroke.stroke, *listed, block, paper ? m_s.sampleEta : nullptr, m_s.samples);
                 for (int y = 0; y < blockSide; ++y)
                     for (int x = 0; x < blockSide; ++x) {
                         const int at = y * blockSide + x;

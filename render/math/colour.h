@@ -36,7 +36,7 @@ SUFFUSE_INLINE Triple<V> rgbFromRyb(V red, V yellow, V blue)
 template <class V>
 SUFFUSE_INLINE V mixed(V backdrop, V colour, V w, V keep)
 {
-    return min_(V(1), mulAdd_(w, colour, (V(1) - w * keep) * backdrop));
+    return min_(V(1), mulAdd_(w, colour, negMulAdd_(w, keep, V(1)) * backdrop));
 }
 
 } // namespace suffuse::SUFFUSE_MATH

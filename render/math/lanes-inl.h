@@ -69,6 +69,10 @@ HWY_INLINE bool all_(Mask m)
 {
     return hn::AllTrue(Tag(), m);
 }
+HWY_INLINE Lanes negMulAdd_(Lanes a, Lanes b, Lanes c)
+{
+    return Lanes(hn::NegMulAdd(a.v, b.v, c.v));
+}
 HWY_INLINE Lanes mulAdd_(Lanes a, Lanes b, Lanes c)
 {
     return Lanes(hn::MulAdd(a.v, b.v, c.v));

@@ -80,6 +80,8 @@ SUFFUSE_INLINE Modulated<V> modulate(const ShadeParams &params, V density, V gx,
     V inverse(0);
     if (usesChannels(params))
         inverse = inverseDensity(density);
+    if (params.grainChannel < 0 && params.grain == 1) // γ = 1
+        return {phi, min_(step * step * mulAdd_(gx, gx, gy * gy), V(1e36)), inverse};
     const V grain = params.grainChannel < 0 ? V(params.grain) : min_(channel(params.grainChannel) * inverse, V(1));
     const V gamma = mulAdd_(V(1) - grain, eta, grain), width = step * gamma;
     return {gamma * phi, min_(width * width * mulAdd_(gx, gx, gy * gy), V(1e36)), inverse};

@@ -28,4 +28,15 @@ struct ShadeParams {
     float grain = 1;
 };
 
+/// True only if F is zero for all densities and h up to these. `level`: the style's.
+inline bool vanishes(StyleKind kind, float level, float phi, float h)
+{
+    if (kind != StyleKind::Edge)
+        return phi + h <= level;
+    // φ e^min(h/φ, 2) is greatest at the ends of the range, or where h/φ = 2. e^q from above, as 1 + q + … + q⁴/12.
+    const float q = h < 0.5f * phi ? h / phi : 2.0f;
+    const float e = q < 0.5f ? 1 + q * (1 + q * (0.5f + q * (1.0f / 6 + q / 12))) : 7.3890561f;
+    return phi * e <= level && 7.3890561f * (phi < 0.5f * h ? phi : 0.5f * h) <= level;
+}
+
 } // namespace suffuse

@@ -6,7 +6,6 @@
 #define SUFFUSE_RENDER_MATH_STYLE_H
 #endif
 
-#include "model/style.h"
 #include "render/math/compat.h"
 
 SUFFUSE_MATH_BEGIN
@@ -19,8 +18,9 @@ inline constexpr double ln2 = 0.6931471805599453;
 // (odd terms cancel); over a long one a difference of antiderivatives. Each sample takes its own form, so that its
 // value does not depend on its neighbours; a form that no sample needs is left out.
 //
-// Each style has: level(): F is zero where the whole range lies below; seen(φ, h²): false only where the mean
-// is exactly zero; simple(φ, h²): simpleMean suffices; simpleMean(φ, h²): zero for φ = 0; longMean(φ, h).
+// Each style has: level(): F is zero where the whole range lies below (`vanishes`, shade_params.h); seen(φ, h²): false
+// only where the mean is exactly zero; simple(φ, h²): simpleMean suffices; simpleMean(φ, h²): zero for φ = 0;
+// longMean(φ, h).
 
 template <class Style, class V>
 SUFFUSE_INLINE V meanOf(const Style &style, V phi, V h2)
@@ -40,33 +40,33 @@ SUFFUSE_INLINE V clamp01(V x)
 template <class V>
 SUFFUSE_INLINE auto below_(V h2, V a)
 {
-    return and_(less_(V(0), a), less_(h2, a * a));
+    const V positive = max_(a, V(0));
+    return less_(h2, positive * positive);
 }
 
 /// Uniform colouring (17), F̃: zero below φ₀ = max(0, ξ1 − 8ξ2).
 template <class V>
 struct Uniform {
-    V xi1, xi2, inverseXi2, phi0, f0, gain, wholeFrom, slope, offset;
+    V xi1, xi2, inverseXi2, phi0, f0, gain, slope, offset, shortLimit, reachesZero, fullFrom;
 
     SUFFUSE_INLINE Uniform(V x1, V x2)
         : xi1(x1), xi2(x2), inverseXi2(V(1) / x2), phi0(max_(V(0), x1 - V(8) * x2)),
           f0(V(1) / (V(1) + exp2_(V(log2e) * (x1 - phi0) * inverseXi2))), gain(V(1) / (V(1) - f0)),
-          wholeFrom(select_(less_(V(0), phi0), V(-1e18), V(0))), slope(V(-log2e) * inverseXi2),
-          offset(V(log2e) * xi1 * inverseXi2)
+          slope(V(-log2e) * inverseXi2), offset(V(log2e) * xi1 * inverseXi2), shortLimit(V(0.64) * x2 * x2),
+          reachesZero(select_(less_(V(0), phi0), V(1e36), V(0))), fullFrom(x1 + V(10) * x2)
     {}
     SUFFUSE_INLINE V level() const { return phi0; }
     SUFFUSE_INLINE auto seen(V phi, V h2) const
     {
         return or_(less_(phi0, phi), less_((phi0 - phi) * (phi0 - phi), h2));
     }
-    /// Whole: 1 − F < 5e-5 throughout. Short: h < 0.8 ξ2, and above φ = 0; φ₀ may lie in the range, F is flat there
-    /// (less than 7e-5 is lost).
+    /// Full: 1 − F < 5e-5 throughout; the series is that near then, too. Short: h < 0.8 ξ2, and above φ = 0; φ₀ may lie
+    /// in the range, F is flat there (less than 7e-5 is lost).
     SUFFUSE_INLINE auto simple(V phi, V h2) const
     {
-        const auto isShort = and_(less_(h2, V(0.64) * xi2 * xi2), below_(h2, phi - wholeFrom));
-        return or_(or_(isShort, full(phi, h2)), not_(seen(phi, h2)));
+        const auto isShort = less_(h2, min_(shortLimit, mulAdd_(phi, phi, reachesZero)));
+        return or_(or_(isShort, below_(h2, phi - fullFrom)), not_(seen(phi, h2)));
     }
-    /// Where the range is whole, F needs no more than its value (the rest of the series is below 1e-5).
     SUFFUSE_INLINE V simpleMean(V phi, V h2) const
     {
         return clamp01(shortMean(mulAdd_(phi, slope, offset), h2 * (inverseXi2 * inverseXi2)));
@@ -86,15 +86,15 @@ struct Uniform {
     }
 
 private:
-    SUFFUSE_INLINE auto full(V phi, V h2) const { return below_(h2, mulAdd_(V(-10), xi2, phi - xi1)); }
     /// Of (f − f₀)/(1 − f₀) over x ± q, to fourth order in q: the sixth is below 1.4e-5. `exponent`: −x log₂ e. Less
     /// 2e-7, so that nothing is left below φ₀.
     SUFFUSE_INLINE V shortMean(V exponent, V q2) const
     {
-        const V f = reciprocal_(V(1) + exp2_(exponent));
-        const V g = f * (V(1) - f), second = g * (V(1) - f - f), fourth = second * mulAdd_(V(-12), g, V(1));
-        const V series = mulAdd_(mulAdd_(fourth * q2, V(1.0 / 120), second * V(1.0 / 6)), q2, f);
-        return mulAdd_(series - f0, gain, V(-2e-7));
+        const V f = reciprocal_(V(1) + exp2_(exponent)), rest = V(1) - f, g = f * rest;
+        // f″ = g (1 − 2f), f⁗ = f″ (1 − 12 g)
+        const V fourth = mulAdd_(q2 * V(1.0 / 20), mulAdd_(V(-12), g, V(1)), V(1));
+        const V series = mulAdd_(q2 * V(1.0 / 6) * (g * (rest - f)), fourth, f);
+        return mulAdd_(series, gain, V(-2e-7) - f0 * gain);
     }
 };
 
@@ -209,17 +209,6 @@ private:
         return s;
     }
 };
-
-/// True only if F is zero for all densities and h up to these. `level`: the style's.
-inline bool vanishes(StyleKind kind, float level, float phi, float h)
-{
-    if (kind != StyleKind::Edge)
-        return phi + h <= level;
-    // φ e^min(h/φ, 2) is greatest at the ends of the range, or where h/φ = 2. e^q from above, as 1 + q + … + q⁴/12.
-    const float q = h < 0.5f * phi ? h / phi : 2.0f;
-    const float e = q < 0.5f ? 1 + q * (1 + q * (0.5f + q * (1.0f / 6 + q / 12))) : 7.3890561f;
-    return phi * e <= level && 7.3890561f * (phi < 0.5f * h ? phi : 0.5f * h) <= level;
-}
 
 } // namespace suffuse::SUFFUSE_MATH
 SUFFUSE_MATH_END
