@@ -99,8 +99,8 @@ void placeNodes(const std::vector<Placed> &placed, SceneStroke &s)
         boxes.reachX[i] = float(p.reach.x * 1.0001);
         boxes.reachY[i] = float(p.reach.y * 1.0001);
         boxes.weight[i] = p.weight;
-        boxes.slowest[i] = float(m.least());
-        boxes.steepest[i] = float(std::sqrt(m.greatest()));
+        boxes.slowest[i] = float(m.least() * 0.9999);
+        boxes.steepest[i] = p.weight * float(std::sqrt(m.greatest()));
         boxes.node[i] = std::uint32_t(i);
     }
 }

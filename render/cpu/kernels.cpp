@@ -71,13 +71,14 @@ HWY_INLINE void axisTable(float first, float last, const float *offsets, float m
     for (int i = 0; i < blockSide; i += int(hn::Lanes(tag))) {
         const Lanes d = distances(first, last, offsets, i), rise = Lanes(metric) * d;
         const Lanes e = exp2Down(Lanes(-log2e) * (rise * d));
-        Lanes inside = max_(e - Lanes(cut), Lanes(0)), fall = rise * e;
+        Lanes inside = e - Lanes(cut), fall = rise * e;
         if (weighted) {
             inside = inside * Lanes(weight);
             fall = fall * Lanes(weight);
         }
-        store(inside, value + i);
-        store(Lanes(hn::IfThenElseZero(less_(Lanes(cut), e), fall.v)), slope + i);
+        const Mask there = less_(Lanes(cut), e);
+        store(Lanes(hn::IfThenElseZero(there, inside.v)), value + i);
+        store(Lanes(hn::IfThenElseZero(there, fall.v)), slope + i);
     }
 }
 
@@ -219,7 +220,7 @@ void addOblique(const Block &block, const ViewNode *nodes, const std::uint32_t *
 int select(const NodeBoxes &in, int count, const Area &area, const NodeBoxSink &out, Bound &bound)
 {
     const hn::RebindToUnsigned<Tag> indexTag;
-    const Lanes margin(1.0001f), centreX(area.x), centreY(area.y);
+    const Lanes centreX(area.x), centreY(area.y);
     const Lanes halfWidth(area.halfWidth + boxMargin), halfHeight(area.halfHeight + boxMargin);
     Lanes density(0), slope(0);
     int kept = 0;
@@ -235,11 +236,11 @@ int select(const NodeBoxes &in, int count, const Area &area, const NodeBoxSink &
         // most (1 + u²) e^(−u²).
         const Lanes ox = max_(dx, Lanes(0)), oy = max_(dy, Lanes(0));
         const Lanes weight = plane(in.weight), slowest = plane(in.slowest), steepest = plane(in.steepest);
-        const Lanes u2 = (ox * ox + oy * oy) * slowest * Lanes(0.9999f);
-        const Lanes e = exp2Down(Lanes(-log2e) * u2) * margin;
+        const Lanes u2 = mulAdd_(ox, ox, oy * oy) * slowest;
+        const Lanes e = exp2Down(Lanes(-log2e) * u2);
         const Lanes rise = select_(less_(u2, Lanes(0.5)), Lanes(0.8578), mulAdd_(u2, e, e)); // √2 e^−½ = 0.85776
         density = density + Lanes(hn::IfThenElseZero(there, (weight * e).v));
-        slope = slope + Lanes(hn::IfThenElseZero(there, (weight * steepest * rise).v));
+        slope = slope + Lanes(hn::IfThenElseZero(there, (steepest * rise).v));
         // Compressed in a register: storing a whole vector is faster, and there is room.
         const auto keep = [&](Lanes v, float *plane) { hn::StoreU(hn::Compress(v.v, there), tag, plane + kept); };
         if (out.x) {
@@ -255,7 +256,9 @@ int select(const NodeBoxes &in, int count, const Area &area, const NodeBoxSink &
         hn::StoreU(hn::Compress(node, hn::RebindMask(indexTag, there)), indexTag, out.node + kept);
         kept += int(hn::CountTrue(tag, there));
     }
-    bound = {hn::GetLane(hn::SumOfLanes(tag, density.v)), hn::GetLane(hn::SumOfLanes(tag, slope.v))};
+    constexpr float rounding = 1.0001f;
+    bound = {hn::GetLane(hn::SumOfLanes(tag, density.v)) * rounding,
+             hn::GetLane(hn::SumOfLanes(tag, slope.v)) * rounding};
     return kept;
 }
 
@@ -375,7 +378,8 @@ HWY_INLINE void mixSample(int at, Lanes w, const Lanes (&colour)[3], float keep,
 {
     for (int c = 0; c < 3; ++c)
         store(mixed(load(backdrop.ryb[c] + at), colour[c], w, Lanes(keep)), backdrop.ryb[c] + at);
-    store(mulAdd_(Lanes(1) - w, load(backdrop.coverage + at), w), backdrop.coverage + at);
+    if (backdrop.transparent)
+        store(mulAdd_(Lanes(1) - w, load(backdrop.coverage + at), w), backdrop.coverage + at);
 }
 
 HWY_INLINE void composeSample(int at, Lanes w, const Lanes (&colour)[3], float keep, OverMap &map)

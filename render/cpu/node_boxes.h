@@ -18,7 +18,7 @@ struct BoxPlanes {
     F *reachX = nullptr, *reachY = nullptr; ///< half-sizes, px
     F *weight = nullptr;                    ///< density at the centre
     F *slowest = nullptr;                   ///< least eigenvalue of the metric, px⁻²: q ≥ slowest·d²
-    F *steepest = nullptr;                  ///< root of the greatest, px⁻¹: |∇q| ≤ 2·steepest·√q
+    F *steepest = nullptr;                  ///< weight times the root of the greatest, px⁻¹: weight·|∇q| ≤ 2·steepest·√q
     I *node = nullptr;                      ///< index of the node in its stroke
 };
 using NodeBoxes = BoxPlanes<const float, const std::uint32_t>;

@@ -57,6 +57,7 @@ public:
         for (int c = 0; c < 3; ++c)
             std::fill_n(m_s.backdrop.ryb[c], blockSize, frame.transparent ? 0.0f : ryb[c]);
         std::fill_n(m_s.backdrop.coverage, blockSize, 0.0f);
+        m_s.backdrop.transparent = frame.transparent;
     }
 
     Backdrop &backdrop() { return m_s.backdrop; }
@@ -264,13 +265,13 @@ bool selectNodes(const Kernels &kernels, const SceneStroke &stroke, const Rect &
 
 namespace {
 
-/// Strokes [from, to) that meet a block.
-void addStrokes(BlockPainter &painter, const Rect &pixels, std::span<const TileStroke> strokes, std::size_t from,
+/// Strokes [from, to) that meet the block at (x, y).
+void addStrokes(BlockPainter &painter, int x, int y, std::span<const TileStroke> strokes, std::size_t from,
                 std::size_t to)
 {
     for (std::size_t i = from; i < to; ++i) {
         const PixelRect &b = strokes[i].stroke->bounds;
-        if (Rect::of(b.x, b.y, b.width, b.height).intersects(pixels))
+        if (b.x < x + blockSide && x < b.x + b.width && b.y < y + blockSide && y < b.y + b.height)
             painter.add(strokes[i]);
     }
 }
@@ -288,20 +289,20 @@ void paintTile(const Frame &frame, const PixelRect &tile, std::span<const TileSt
     std::size_t index = 0;
     for (int y = 0; y < tile.height; y += blockSide)
         for (int x = 0; x < tile.width; x += blockSide, ++index) {
-            BlockPainter painter(frame, tile.x + x, tile.y + y, *scratch);
-            const Rect pixels = Rect::of(tile.x + x, tile.y + y, blockSide, blockSide);
+            const int left = tile.x + x, top = tile.y + y;
+            BlockPainter painter(frame, left, top, *scratch);
             if (haveUnder)
                 painter.backdrop() = plan.layers->under[index];
             else
-                addStrokes(painter, pixels, strokes, 0, plan.below);
+                addStrokes(painter, left, top, strokes, 0, plan.below);
             if (plan.storeUnder)
                 plan.layers->under[index] = painter.backdrop();
-            addStrokes(painter, pixels, strokes, plan.below, above);
+            addStrokes(painter, left, top, strokes, plan.below, above);
             if (plan.applyOver) {
                 frame.kernels->apply(plan.layers->over[index], painter.backdrop());
             } else {
                 painter.record(plan.storeOver ? &plan.layers->over[index] : nullptr);
-                addStrokes(painter, pixels, strokes, above, strokes.size());
+                addStrokes(painter, left, top, strokes, above, strokes.size());
             }
             const float *block = painter.finish();
             const int width = std::min(blockSide, tile.width - x), height = std::min(blockSide, tile.height - y);
