@@ -347,6 +347,11 @@ std::shared_ptr<const StrokeNodes> buildNodes(const Stroke &stroke, Microseconds
         }
         appendBlock(block, *result);
     }
+    // Kept for as long as the stroke stays as it is.
+    result->nodes.shrink_to_fit();
+    result->groups.shrink_to_fit();
+    result->rows.shrink_to_fit();
+    result->reaches.shrink_to_fit();
     return result;
 }
 

@@ -168,6 +168,7 @@ void findLevels(SceneStroke &s)
         s.hasLevels &= kind.xiChannel < 0;
         s.level[k] = math::withStyle<float>(
             kind.kind, [&](int i) { return kind.xi[i]; }, [](const auto &style) { return style.level(); });
+        s.lowest = k == 0 ? s.level[k] : std::min(s.lowest, s.level[k]);
     }
 }
 

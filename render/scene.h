@@ -35,6 +35,7 @@ struct SceneStroke {
     ShadeParams shade;
     float level[3] = {0, 0, 0}; ///< of each kind of style: it shows nothing where densities stay below (render/math/style.h)
     bool hasLevels = false;
+    float lowest = -1; ///< of the levels: a density above shows in any case
     int channels = 0;
     std::vector<float> values; ///< channels a row of `source`
     float keep = 1;            ///< eq 23: 1 − β
@@ -44,7 +45,7 @@ struct SceneStroke {
 /// True only where opacity is exactly zero for every density and slope (per pixel) up to these.
 inline bool canVanish(const SceneStroke &stroke, float density, float slope)
 {
-    if (!stroke.hasLevels)
+    if (!stroke.hasLevels || density > stroke.lowest)
         return false;
     for (int k = 0; k < stroke.shade.kinds; ++k)
         if (!vanishes(stroke.shade.kind[k].kind, stroke.level[k], density * 1.001f, 0.5f * slope * 1.001f))

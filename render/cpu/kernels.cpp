@@ -217,7 +217,7 @@ void addOblique(const Block &block, const ViewNode *nodes, const std::uint32_t *
     }
 }
 
-int select(const NodeBoxes &in, int count, const Area &area, const NodeBoxSink &out, Bound &bound)
+int select(const NodeBoxes &in, int count, const Area &area, float level, const NodeBoxSink &out, Bound &bound)
 {
     const hn::RebindToUnsigned<Tag> indexTag;
     const Lanes centreX(area.x), centreY(area.y);
@@ -257,8 +257,8 @@ int select(const NodeBoxes &in, int count, const Area &area, const NodeBoxSink &
         kept += int(hn::CountTrue(tag, there));
     }
     constexpr float rounding = 1.0001f;
-    bound = {hn::GetLane(hn::SumOfLanes(tag, density.v)) * rounding,
-             hn::GetLane(hn::SumOfLanes(tag, slope.v)) * rounding};
+    bound.density = hn::GetLane(hn::SumOfLanes(tag, density.v)) * rounding;
+    bound.slope = bound.density > level ? 0 : hn::GetLane(hn::SumOfLanes(tag, slope.v)) * rounding;
     return kept;
 }
 
@@ -434,7 +434,7 @@ void apply(const OverMap &map, Backdrop &backdrop)
     }
 }
 
-void finish(const Backdrop &backdrop, bool transparent, float *rgba)
+void finish(const Backdrop &backdrop, bool transparent, float *rgba, int stride)
 {
     for (int at = 0; at < blockSize; at += int(hn::Lanes(tag))) {
         const auto rgb = rgbFromRyb(load(backdrop.ryb[0] + at), load(backdrop.ryb[1] + at), load(backdrop.ryb[2] + at));
@@ -447,7 +447,8 @@ void finish(const Backdrop &backdrop, bool transparent, float *rgba)
                             min_(Lanes(1), max_(Lanes(0), (v - (Lanes(1) - alpha)) / max_(alpha, Lanes(1e-30)))),
                             Lanes(0));
         }
-        hn::StoreInterleaved4(c[0].v, c[1].v, c[2].v, alpha.v, tag, rgba + 4 * at);
+        hn::StoreInterleaved4(c[0].v, c[1].v, c[2].v, alpha.v, tag,
+                              rgba + 4 * (at / blockSide * stride + at % blockSide));
     }
 }
 

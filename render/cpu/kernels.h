@@ -73,7 +73,8 @@ struct OverMap {
 struct Kernels {
     const char *name;
     /// Keeps the boxes that meet `area`, in order; conservative, what it drops adds exactly nothing. Returns how many.
-    int (*select)(const NodeBoxes &in, int count, const Area &area, const NodeBoxSink &out, Bound &bound);
+    /// The slope's bound is of interest, and found, only where that of the density is at most `level`.
+    int (*select)(const NodeBoxes &in, int count, const Area &area, float level, const NodeBoxSink &out, Bound &bound);
     /// The sums of the nodes that are listed, of which the first `separable` have b = 0. `values`: `channels` floats a row.
     void (*accumulate)(const Block &block, const ViewNode *nodes, const std::uint32_t *listed, int count, int separable,
                        const float *values, int channels, Sums &sums);
@@ -87,8 +88,8 @@ struct Kernels {
     /// Puts one stroke on top of a map.
     void (*compose)(const Shaded &stroke, float keep, OverMap &map);
     void (*apply)(const OverMap &map, Backdrop &backdrop);
-    /// To straight RGBA, blockSize·4 floats. `transparent`: uncover the colour from its white background.
-    void (*finish)(const Backdrop &backdrop, bool transparent, float *rgba);
+    /// To straight RGBA, rows `stride` pixels apart. `transparent`: uncover the colour from its white background.
+    void (*finish)(const Backdrop &backdrop, bool transparent, float *rgba, int stride);
     /// RGBA in [0, 1] to 8 bits as 0xAARRGGBB, `count` pixels.
     void (*toArgb)(const float *rgba, int count, std::uint32_t *argb);
 };

@@ -41,7 +41,8 @@ std::optional<NodeList> listNodes(const Kernels &kernels, const TileStroke &stro
     if (room.size() < std::size_t(stroke.count) + boxRun)
         room.resize(std::size_t(stroke.count) + boxRun);
     sink.node = room.data();
-    const int count = kernels.select(stroke.boxes.boxes(), stroke.count, areaOf(area), sink, bound);
+    const int count =
+        kernels.select(stroke.boxes.boxes(), stroke.count, areaOf(area), stroke.stroke->lowest, sink, bound);
     if (count == 0 ? stroke.stroke->deep.empty() : canVanish(*stroke.stroke, bound.density, bound.slope))
         return {};
     return NodeList(room.data(), std::size_t(count));
@@ -99,10 +100,13 @@ public:
             m_frame.kernels->compose(m_s.shaded, scene.keep, *m_map);
     }
 
-    const float *finish()
+    /// Writes the block's first columns and rows into `rgba`, rows `stride` pixels apart.
+    void finish(float *rgba, int stride, int columns, int rows)
     {
-        m_frame.kernels->finish(m_s.backdrop, m_frame.transparent, m_s.rgba);
-        return m_s.rgba;
+        const bool whole = columns == blockSide && rows == blockSide;
+        m_frame.kernels->finish(m_s.backdrop, m_frame.transparent, whole ? rgba : m_s.rgba, whole ? stride : blockSide);
+        for (int j = 0; j < rows && !whole; ++j)
+            std::copy_n(m_s.rgba + j * blockSide * 4, std::size_t(columns) * 4, rgba + std::size_t(j) * stride * 4);
     }
 
 private:
@@ -257,7 +261,8 @@ bool selectNodes(const Kernels &kernels, const SceneStroke &stroke, const Rect &
     Bound bound;
     out.stroke = &stroke;
     out.boxes.reserve(stroke.nodes.size());
-    out.count = kernels.select(stroke.boxes.boxes(), int(stroke.nodes.size()), areaOf(area), out.boxes.sink(), bound);
+    out.count = kernels.select(stroke.boxes.boxes(), int(stroke.nodes.size()), areaOf(area), stroke.lowest,
+                               out.boxes.sink(), bound);
     if (out.count == 0)
         return !stroke.deep.empty();
     return !canVanish(stroke, bound.density, bound.slope);
@@ -304,11 +309,8 @@ void paintTile(const Frame &frame, const PixelRect &tile, std::span<const TileSt
                 painter.record(plan.storeOver ? &plan.layers->over[index] : nullptr);
                 addStrokes(painter, left, top, strokes, above, strokes.size());
             }
-            const float *block = painter.finish();
-            const int width = std::min(blockSide, tile.width - x), height = std::min(blockSide, tile.height - y);
-            for (int j = 0; j < height; ++j)
-                std::copy_n(block + j * blockSide * 4, std::size_t(width) * 4,
-                            rgba + (std::size_t(y + j) * tile.width + x) * 4);
+            painter.finish(rgba + (std::size_t(y) * tile.width + x) * 4, tile.width,
+                           std::min(blockSide, tile.width - x), std::min(blockSide, tile.height - y));
         }
 }
 
