@@ -11,7 +11,7 @@ namespace suffuse {
 
 namespace {
 
-constexpr int defaultTile = 32;
+constexpr int defaultTile = 48;
 
 double milliseconds(const QElapsedTimer &timer)
 {
