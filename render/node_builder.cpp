@@ -164,6 +164,13 @@ double densityTolerance(const Style &style, double peak, double spreadPixels)
 
 namespace {
 
+/// Density from which on a style shows plainly.
+double shownFrom(const Style &style)
+{
+    const double xi1 = style.xi[0];
+    return style.kind == StyleKind::Edge ? math::Edge<double>(xi1, style.xi[1], style.xi[2]).phiE : xi1;
+}
+
 /// One segment's Level 0 nodes, before they are put together.
 struct Built {
     std::size_t begin = 0; ///< range of its nodes in the block's
@@ -196,8 +203,10 @@ bool buildSegment(const Stroke &stroke, const Segment &segment, const std::vecto
         return false;
     out.peak = segment.density / (std::sqrt(std::numbers::pi) * spread);
     double tolerance = 1e300;
+    // Where a segment alone does not reach what the style shows, several lie on top of each other and their errors add.
     for (const Style &style : styles)
-        tolerance = std::min(tolerance, densityTolerance(style, out.peak, spread * scale));
+        tolerance = std::min(tolerance, densityTolerance(style, out.peak, spread * scale) *
+                                            std::min(1.0, out.peak / shownFrom(style)));
     out.epsilon = std::clamp(tolerance / out.peak, spread * scale > deepSpread ? finestDeep : finest, coarsest);
 
     Source s{};
@@ -213,7 +222,7 @@ bool buildSegment(const Stroke &stroke, const Segment &segment, const std::vecto
     const double polygon = polygonLength(s.curve);
     // How often the segment may lie on top of itself.
     const double folds = std::max(1.0, polygon / (norm({box.width(), box.height()}) + 0.5 * spread));
-    s.radius = cutRadius(tolerance, styles, out.peak, spread * scale, folds * lineLoss);
+    s.radius = cutRadius(out.epsilon * out.peak, styles, out.peak, spread * scale, folds * lineLoss);
     out.radius = float(s.radius);
     out.weightGain = raised ? 1 + cutGain * std::exp(-s.radius * s.radius) : 1;
     s.reach = s.radius * larger;

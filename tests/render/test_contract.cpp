@@ -30,24 +30,31 @@ private slots:
                     compare(p, View::ofArea(p->canvas.area(), 96, 72));
                     if (QTest::currentTestFailed())
                         QFAIL(qPrintable(QStringLiteral("style %1 mix %2 shape %3")
-                                             .arg(int(kind)).arg(int(mix.mode)).arg(int(shape))));
+                                             .arg(int(kind))
+                                             .arg(int(mix.mode))
+                                             .arg(int(shape))));
                 }
     }
 
     void steepStyles()
     {
-        for (const Style style : {Style{StyleKind::Uniform, {0.5f, 0.001f, 0}}, Style{StyleKind::Uniform, {0.1f, 0.05f, 0}},
-                                  Style{StyleKind::Uniform, {0.05f, 1.0f, 0}},
-                                  Style{StyleKind::Feathering, {0.6f, 64, 0}}, Style{StyleKind::Feathering, {1, 0.5f, 0}},
-                                  Style{StyleKind::Feathering, {0.1f, 4, 0}}, Style{StyleKind::Edge, {0.3f, 0.37f, 1}},
-                                  Style{StyleKind::Edge, {0.3f, 0.1f, 0.05f}}, Style{StyleKind::Edge, {0.8f, 0.9f, 0.7f}}})
+        for (const Style style :
+             {Style{StyleKind::Uniform, {0.5f, 0.001f, 0}}, Style{StyleKind::Uniform, {0.1f, 0.05f, 0}},
+              Style{StyleKind::Uniform, {0.05f, 1.0f, 0}}, Style{StyleKind::Feathering, {0.6f, 64, 0}},
+              Style{StyleKind::Feathering, {1, 0.5f, 0}}, Style{StyleKind::Feathering, {0.1f, 4, 0}},
+              Style{StyleKind::Edge, {0.3f, 0.37f, 1}}, Style{StyleKind::Edge, {0.3f, 0.1f, 0.05f}},
+              Style{StyleKind::Edge, {0.8f, 0.9f, 0.7f}}})
             for (double spread : {1.2, 5.0, 14.0}) {
                 const auto p = painting({stroke(1, Shape::Curved, {48, 36}, 35, spread, style),
                                          stroke(2, Shape::Looping, {40, 36}, 25, spread, style)});
                 compare(p, View::ofArea(p->canvas.area(), 96, 72));
                 if (QTest::currentTestFailed())
-                    QFAIL(qPrintable(QStringLiteral("kind %1 xi %2 %3 %4 spread %5").arg(int(style.kind))
-                                         .arg(double(style.xi[0])).arg(double(style.xi[1])).arg(double(style.xi[2])).arg(spread)));
+                    QFAIL(qPrintable(QStringLiteral("kind %1 xi %2 %3 %4 spread %5")
+                                         .arg(int(style.kind))
+                                         .arg(double(style.xi[0]))
+                                         .arg(double(style.xi[1]))
+                                         .arg(double(style.xi[2]))
+                                         .arg(spread)));
             }
     }
 
@@ -75,10 +82,12 @@ private slots:
             s.segments.clear();
             Point at{10, 20.0 + 5 * i}, handle{2, 1};
             for (int k = 0; k < 70; ++k) {
-                const Point next = at + Point{1.4 + 0.3 * normal(random), 2.5 * std::sin(0.2 * k) + 0.3 * normal(random)};
+                const Point next =
+                    at + Point{1.4 + 0.3 * normal(random), 2.5 * std::sin(0.2 * k) + 0.3 * normal(random)};
                 const Point turn{1 + 0.2 * normal(random), 0.8 * std::cos(0.2 * k)};
                 Segment g = first;
-                g.bezier = {toOffset(at, {}), toOffset(at + 0.4 * handle, {}), toOffset(next - 0.4 * turn, {}), toOffset(next, {})};
+                g.bezier = {toOffset(at, {}), toOffset(at + 0.4 * handle, {}), toOffset(next - 0.4 * turn, {}),
+                            toOffset(next, {})};
                 g.density = float(1.2 * std::sqrt(std::numbers::pi) * (3 + 2 * i) * (0.7 + 0.3 * std::sin(0.1 * k)));
                 if (i % 2)
                     g.colour = {float(0.5 + 0.5 * std::sin(0.15 * k)), 0.3f, 0.9f, 0.8f};
@@ -88,6 +97,32 @@ private slots:
             const auto p = painting({s}, 128, 96);
             compare(p, View::ofArea(p->canvas.area(), 128, 96));
             compare(p, View{{60, 50}, 7, 0.2, false, 96, 96});
+        }
+    }
+
+    void scribbles()
+    {
+        // Passes so faint that only ten of them together show: what each leaves out adds up.
+        for (const Style &style :
+             {Style{StyleKind::Uniform, {0.5f, 0.005f, 0}}, Style{StyleKind::Feathering, {1, 12, 0}},
+              Style{StyleKind::Edge, {0.36f, 0.4f, 0.5f}}}) {
+            Stroke s = stroke(1, Shape::Tiny, {}, 1, 6, style);
+            const Segment first = s.segments.front();
+            s.origin = {};
+            s.segments.clear();
+            Point at{16, 20};
+            for (int pass = 0; pass < 60; ++pass)
+                for (int k = 0; k < 8; ++k) {
+                    const Point next = at + Point{pass % 2 ? -8.0 : 8.0, 0.6 / 8};
+                    Segment g = first;
+                    g.bezier = {toOffset(at, {}), toOffset(at + (1.0 / 3) * (next - at), {}),
+                                toOffset(at + (2.0 / 3) * (next - at), {}), toOffset(next, {})};
+                    g.density = float(0.062 * double(style.xi[0]) * std::sqrt(std::numbers::pi) * 6);
+                    s.segments.push_back(g);
+                    at = next;
+                }
+            const auto p = painting({s}, 96, 72);
+            compare(p, View::ofArea(p->canvas.area(), 96, 72));
         }
     }
 
@@ -104,10 +139,12 @@ private slots:
             }
     }
 
-    /// Follows an edge from 1:1 to 1e9×, in a document far from 0: each view is centred where the last one was steepest.
+    /// Follows an edge from 1:1 to 1e9×, in a document far from 0: each view is centred where the last one was
+    /// steepest.
     void deepZoom()
     {
-        for (const Style &style : {styleOf(StyleKind::Uniform), styleOf(StyleKind::Feathering), styleOf(StyleKind::Edge)}) {
+        for (const Style &style :
+             {styleOf(StyleKind::Uniform), styleOf(StyleKind::Feathering), styleOf(StyleKind::Edge)}) {
             Stroke s = stroke(1, Shape::Curved, {10053.3, -9947.7}, 30, 9, style);
             s.segments[1].colour = {0.9f, 0.4f, 0.2f, 1};
             const auto p = painting({s});
@@ -121,7 +158,8 @@ private slots:
                 double steepest = -1;
                 for (int y = 4; y < 36; ++y)
                     for (int x = 4; x < 36; ++x)
-                        if (const double d = std::abs(double(picture.at(x, y)[0]) - double(picture.at(x + 1, y)[0])); d > steepest)
+                        if (const double d = std::abs(double(picture.at(x, y)[0]) - double(picture.at(x + 1, y)[0]));
+                            d > steepest)
                             steepest = d, centre = v.toCanvas({x + 1.0, y + 0.5});
             }
         }
