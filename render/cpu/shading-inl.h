@@ -1,0 +1,115 @@
+// Sums at the samples of a block to what they show. Included once per Highway target.
+#if defined(SUFFUSE_RENDER_CPU_SHADING_INL_H) == defined(HWY_TARGET_TOGGLE)
+#ifdef SUFFUSE_RENDER_CPU_SHADING_INL_H
+#undef SUFFUSE_RENDER_CPU_SHADING_INL_H
+#else
+#define SUFFUSE_RENDER_CPU_SHADING_INL_H
+#endif
+
+#include "render/cpu/block-inl.h"
+// After the lanes: templates over them.
+#include "render/math/shade.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace suffuse::HWY_NAMESPACE {
+
+using namespace suffuse::cpu;
+
+/// Where what a vector of samples shows is stored or mixed: `use(at, paint)`. Samples that show nothing may be left
+/// out.
+template <class Use>
+HWY_INLINE void shadeMixedStyles(const ShadeParams &params, const Sums &sums, const float *eta, float step, Use use)
+{
+    for (int at = 0; at < blockSize; at += int(hn::Lanes(tag))) {
+        const auto sum = [&](int i) { return load(sums.v[i] + at); };
+        const auto channel = [&](int c) { return sum(fixedSums + c); };
+        const auto m = modulate(params, sum(0), sum(1), sum(2), channel, eta ? load(eta + at) : Lanes(1), Lanes(step));
+        const Lanes f = mixedStyles<Lanes>(params, channel, m.inverse, m.phi, m.h2);
+        use(at, paintOf(params, m.inverse, channel, f));
+    }
+}
+
+/// The long form of the mean for single samples of a block, wherever they lie, a vector at a time.
+class LongMeans {
+public:
+    HWY_INLINE void add(hn::Vec<hn::RebindToSigned<Tag>> samples, Mask where, Lanes phi, Lanes h2)
+    {
+        hn::StoreU(hn::Compress(phi.v, where), tag, m_phi + m_count);
+        hn::StoreU(hn::Compress(h2.v, where), tag, m_h2 + m_count);
+        hn::StoreU(hn::Compress(samples, hn::RebindMask(indexTag, where)), indexTag, m_at + m_count);
+        m_count += int(hn::CountTrue(tag, where));
+    }
+    template <class Style>
+    HWY_INLINE void write(const Style &style, float *f)
+    {
+        // Pad: beside the block.
+        hn::StoreU(hn::Zero(tag), tag, m_phi + m_count);
+        hn::StoreU(hn::Zero(tag), tag, m_h2 + m_count);
+        hn::StoreU(hn::Set(indexTag, blockSize), indexTag, m_at + m_count);
+        for (int i = 0; i < m_count; i += int(hn::Lanes(tag))) {
+            const Lanes mean = style.longMean(load(m_phi + i), sqrt_(load(m_h2 + i)));
+            hn::ScatterIndex(mean.v, tag, f, hn::Load(indexTag, m_at + i));
+        }
+    }
+
+private:
+    static constexpr hn::RebindToSigned<Tag> indexTag{};
+
+    int m_count = 0;
+    alignas(64) float m_phi[blockSize + boxRun];
+    alignas(64) float m_h2[blockSize + boxRun];
+    alignas(64) std::int32_t m_at[blockSize + boxRun];
+};
+
+/// In passes, so that nothing waits for a branch that depends on a sample, and only samples that need the long form of
+/// the mean pay for it.
+template <class Style, class Use>
+HWY_INLINE void shadeOneStyle(const Style &style, const ShadeParams &params, const Sums &sums, const float *eta,
+                              float step, Use use)
+{
+    alignas(64) float phi[blockSize], h2[blockSize], f[blockSize + 1];
+    std::uint8_t seen[blockSize]; // first samples of vectors that show something
+    int vectors = 0;
+    LongMeans others;
+    const hn::RebindToSigned<Tag> indexTag;
+    const auto iota = hn::Iota(indexTag, 0);
+    const auto sum = [&](int i, int at) { return load(sums.v[i] + at); };
+    for (int at = 0; at < blockSize; at += int(hn::Lanes(tag))) {
+        const auto channel = [&](int c) { return sum(fixedSums + c, at); };
+        const auto m =
+            modulate(params, sum(0, at), sum(1, at), sum(2, at), channel, eta ? load(eta + at) : Lanes(1), Lanes(step));
+        const Mask isSeen = style.seen(m.phi, m.h2), simple = style.simple(m.phi, m.h2);
+        store(Lanes(hn::IfThenElseZero(isSeen, m.phi.v)), phi + at);
+        store(m.h2, h2 + at);
+        seen[vectors] = std::uint8_t(at);
+        vectors += !hn::AllFalse(tag, isSeen);
+        if (!hn::AllTrue(tag, simple))
+            others.add(hn::Add(iota, hn::Set(indexTag, at)), hn::Not(simple), m.phi, m.h2);
+    }
+    for (int i = 0; i < vectors; ++i)
+        store(style.simpleMean(load(phi + seen[i]), load(h2 + seen[i])), f + seen[i]);
+    others.write(style, f);
+    for (int i = 0; i < vectors; ++i) {
+        const int at = seen[i];
+        const auto channel = [&](int c) { return sum(fixedSums + c, at); };
+        Lanes inverse(0);
+        if (usesChannels(params))
+            inverse = inverseDensity(sum(0, at));
+        use(at, paintOf(params, inverse, channel, load(f + at)));
+    }
+}
+
+template <class Use>
+HWY_INLINE void shadeBlock(const ShadeParams &params, const Sums &sums, const float *eta, float step, Use use)
+{
+    if (!hasOneStyle(params))
+        return shadeMixedStyles(params, sums, eta, step, use);
+    const auto xi = [&](int i) { return Lanes(params.kind[0].xi[i]); };
+    withStyle<Lanes>(params.kind[0].kind, xi,
+                     [&](const auto &style) { shadeOneStyle(style, params, sums, eta, step, use); });
+}
+
+} // namespace suffuse::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#endif
