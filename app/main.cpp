@@ -19,6 +19,7 @@ constexpr const char *usage = "Usage: suffuse [OPTIONS] [FILE...]\n"
                               "Opens the editor, each FILE in a window of its own: paintings (.suffuse, or their text\n"
                               "form .json) and pen recordings (.csv, .json, .excalidraw, .dat).\n"
                               "\n"
+                              "  --backend=NAME  draw with auto, cpu or cuda, whatever the settings say\n"
                               "  --reset-layout  forget where windows and docks were\n"
                               "  --version       print the version\n"
                               "  --help          print this\n"
@@ -46,6 +47,8 @@ Options readOptions(int argc, char **argv)
             options.exitCode = 0;
         } else if (arg == "--reset-layout") {
             options.resetLayout = true;
+        } else if (arg == "--backend=auto" || arg == "--backend=cpu" || arg == "--backend=cuda") {
+            qputenv("SUFFUSE_BACKEND", argv[i] + arg.find('=') + 1);
         } else if (arg.starts_with("--") && arg != "--platform" && arg != "--style") {
             std::fprintf(stderr, "suffuse: unknown option %s. suffuse --help lists the options.\n", argv[i]);
             options.exitCode = 2;

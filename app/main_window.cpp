@@ -29,14 +29,14 @@
 
 namespace suffuse {
 
-MainWindow::MainWindow(QWidget *parent) : QMainWindow(parent)
+MainWindow::MainWindow(QWidget *parent, MakeRenderer make) : QMainWindow(parent)
 {
     setWindowIcon(applicationIcon());
     setAcceptDrops(true);
     setDockNestingEnabled(true);
     resize(1280, 800);
     m_editor.newPainting(Editor::usualCanvas());
-    m_canvas = new CanvasWidget(m_editor, this);
+    m_canvas = new CanvasWidget(m_editor, this, std::move(make));
     setCentralWidget(m_canvas);
     m_actions = new Actions(*this, *m_canvas);
     m_actions->fillMenus();
@@ -121,7 +121,8 @@ void MainWindow::makeStatusBar()
     m_frameTime = label(tr("Time that the last frame took"), fontMetrics().horizontalAdvance("0000.0 ms"));
     for (QLabel *number : {m_position, m_zoom, m_frameTime})
         number->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
-    m_backend->setText(m_canvas->backendText());
+    m_backend->setObjectName("backend");
+    showBackend();
     statusBar()->addWidget(m_hint, 1);
     for (QLabel *l : {m_position, m_zoom, m_backend, m_frameTime})
         statusBar()->addPermanentWidget(l);
@@ -220,6 +221,7 @@ void MainWindow::connectUpdates()
     connect(&m_editor.undoStack(), &QUndoStack::indexChanged, this, &MainWindow::updateActions);
     connect(m_canvas, &CanvasWidget::viewChanged, this, &MainWindow::updateZoom);
     connect(m_canvas, &CanvasWidget::framePresented, this, &MainWindow::showFrame);
+    connect(m_canvas, &CanvasWidget::backendChanged, this, &MainWindow::showBackend);
     connect(m_canvas, &CanvasWidget::pointerLeft, this, [this] { m_position->clear(); });
     connect(m_canvas, &CanvasWidget::pointerMoved, this, [this](double x, double y) {
         // As many decimals as a pixel shows.
@@ -273,6 +275,16 @@ void MainWindow::showFrame(const FrameInfo &frame)
         if (!m_renderError.isEmpty())
             showError(this, m_renderError);
     }
+}
+
+void MainWindow::showBackend()
+{
+    const QString before = m_backend->text(), text = m_canvas->backendText(), notice = m_canvas->backendNotice();
+    const QString tip = tr("What renders the picture");
+    m_backend->setText(text);
+    m_backend->setToolTip(notice.isEmpty() ? tip : tip + '\n' + notice);
+    if (!before.isEmpty() && before != text) // it went over while at work
+        statusBar()->showMessage(notice.section('\n', 0, 0), 15'000);
 }
 
 void MainWindow::changeShortcuts()

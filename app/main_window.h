@@ -2,6 +2,7 @@
 #pragma once
 
 #include "app/actions.h"
+#include "app/canvas/render_worker.h"
 #include "app/editor.h"
 
 #include <QLabel>
@@ -11,13 +12,12 @@ namespace suffuse {
 
 class CanvasWidget;
 class Tool;
-struct FrameInfo;
 
 class MainWindow : public QMainWindow {
     Q_OBJECT
 
 public:
-    explicit MainWindow(QWidget *parent = nullptr);
+    explicit MainWindow(QWidget *parent = nullptr, MakeRenderer make = makeRenderer);
     ~MainWindow() override;
 
     Editor &editor() { return m_editor; }
@@ -58,6 +58,7 @@ private:
     void updateTitle();
     void updateZoom();
     void showFrame(const FrameInfo &frame);
+    void showBackend();
     /// True if the painting may go: saved, discarded or never changed.
     bool maySwitch();
     bool isUntouched();

@@ -125,6 +125,17 @@ void setPresenter(Presenter presenter)
                                                                    : "auto");
 }
 
+Backend backend()
+{
+    const QString name = store().value("backend").toString();
+    return name == "cpu" ? Backend::Cpu : name == "cuda" ? Backend::Cuda : Backend::Auto;
+}
+
+void setBackend(Backend backend)
+{
+    store().setValue("backend", backend == Backend::Cpu ? "cpu" : backend == Backend::Cuda ? "cuda" : "auto");
+}
+
 int threads()
 {
     const int count = store().value("threads").toInt();

@@ -1,6 +1,8 @@
 // What the program remembers between sessions.
 #pragma once
 
+#include "render/renderer.h"
+
 #include <QSettings>
 #include <QStringList>
 
@@ -23,6 +25,9 @@ void setTheme(Theme theme);
 /// The environment variable SUFFUSE_PRESENTER is not looked at here.
 Presenter presenter();
 void setPresenter(Presenter presenter);
+/// Auto, Cpu or Cuda. The environment variable SUFFUSE_BACKEND is not looked at here.
+Backend backend();
+void setBackend(Backend backend);
 /// Threads for rendering, 0: all cores; at most 256.
 int threads();
 void setThreads(int count);

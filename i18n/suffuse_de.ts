@@ -671,12 +671,12 @@ Rückgabewerte: 0 fertig, 1 fehlgeschlagen, 2 falscher Aufruf.</translation>
         </translation>
     </message>
     <message>
-        <source>this program was built without the CUDA renderer</source>
-        <translation>dieses Programm wurde ohne den CUDA-Renderer gebaut</translation>
-    </message>
-    <message>
         <source>The CUDA backend cannot run: %1. Use the CPU backend.</source>
         <translation>Das CUDA-Backend kann nicht laufen: %1. Bitte das CPU-Backend verwenden.</translation>
+    </message>
+    <message>
+        <source>%1 stopped: %2. The CPU draws now.</source>
+        <translation>%1 hat aufgehört: %2. Nun zeichnet die CPU.</translation>
     </message>
 </context>
 <context>
@@ -1185,6 +1185,10 @@ Rückgabewerte: 0 fertig, 1 fehlgeschlagen, 2 falscher Aufruf.</translation>
     <message>
         <source>Canvas</source>
         <translation>Leinwand</translation>
+    </message>
+    <message>
+        <source>The picture goes to the screen by way of memory: %1</source>
+        <translation>Das Bild nimmt den Weg über den Hauptspeicher: %1</translation>
     </message>
 </context>
 <context>
@@ -2302,8 +2306,16 @@ Auch die Pfeiltasten wirken.</translation>
         <translation>Prozessor-Threads zum Zeichnen. Gilt ab dem nächsten Start.</translation>
     </message>
     <message>
-        <source>Language, canvas and threads change when Suffuse starts again.</source>
-        <translation>Sprache, Leinwand und Threads ändern sich beim nächsten Start von Suffuse.</translation>
+        <source>Language, canvas, renderer and threads change when Suffuse starts again.</source>
+        <translation>Sprache, Leinwand, Renderer und Threads ändern sich beim nächsten Start von Suffuse.</translation>
+    </message>
+    <message>
+        <source>Renderer</source>
+        <translation>Renderer</translation>
+    </message>
+    <message>
+        <source>What computes the picture. Changes when the program starts again.</source>
+        <translation>Was das Bild berechnet. Gilt ab dem nächsten Start.</translation>
     </message>
 </context>
 <context>

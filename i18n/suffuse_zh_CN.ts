@@ -670,12 +670,12 @@ Exit codes: 0 done, 1 the work failed, 2 wrong usage.</source>
         </translation>
     </message>
     <message>
-        <source>this program was built without the CUDA renderer</source>
-        <translation>此程序构建时未包含 CUDA 渲染器</translation>
-    </message>
-    <message>
         <source>The CUDA backend cannot run: %1. Use the CPU backend.</source>
         <translation>CUDA 后端无法运行：%1。请使用 CPU 后端。</translation>
+    </message>
+    <message>
+        <source>%1 stopped: %2. The CPU draws now.</source>
+        <translation>%1 已停止：%2。现由 CPU 绘制。</translation>
     </message>
 </context>
 <context>
@@ -1184,6 +1184,10 @@ Exit codes: 0 done, 1 the work failed, 2 wrong usage.</source>
     <message>
         <source>Canvas</source>
         <translation>画布</translation>
+    </message>
+    <message>
+        <source>The picture goes to the screen by way of memory: %1</source>
+        <translation>图像经由内存送到屏幕：%1</translation>
     </message>
 </context>
 <context>
@@ -2299,8 +2303,16 @@ Arrow keys work too.</source>
         <translation>用于绘制的处理器线程数。重新启动后生效。</translation>
     </message>
     <message>
-        <source>Language, canvas and threads change when Suffuse starts again.</source>
-        <translation>语言、画布和线程的更改将在 Suffuse 重新启动后生效。</translation>
+        <source>Language, canvas, renderer and threads change when Suffuse starts again.</source>
+        <translation>语言、画布、渲染器和线程的更改将在 Suffuse 重新启动后生效。</translation>
+    </message>
+    <message>
+        <source>Renderer</source>
+        <translation>渲染器</translation>
+    </message>
+    <message>
+        <source>What computes the picture. Changes when the program starts again.</source>
+        <translation>用什么计算图像。重新启动后生效。</translation>
     </message>
 </context>
 <context>

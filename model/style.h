@@ -4,6 +4,13 @@
 #include <array>
 #include <cstdint>
 
+// Read as C++17 by device compilers, which compare nothing.
+#if __cplusplus >= 202002L
+#define SUFFUSE_COMPARES_VALUES(T) friend bool operator==(const T &, const T &) = default;
+#else
+#define SUFFUSE_COMPARES_VALUES(T)
+#endif
+
 namespace suffuse {
 
 /// RYB colour and opacity, each in [0, 1]; white is (0, 0, 0), black (1, 1, 1).
@@ -12,7 +19,7 @@ struct Colour {
     float yellow = 0;
     float blue = 0;
     float opacity = 1;
-    friend bool operator==(const Colour &, const Colour &) = default;
+    SUFFUSE_COMPARES_VALUES(Colour)
 };
 
 enum class StyleKind : std::uint8_t { Uniform, Feathering, Edge };
@@ -21,7 +28,7 @@ enum class StyleKind : std::uint8_t { Uniform, Feathering, Edge };
 struct Style {
     StyleKind kind = StyleKind::Uniform;
     std::array<float, 3> xi{0.5f, 0.05f, 0};
-    friend bool operator==(const Style &, const Style &) = default;
+    SUFFUSE_COMPARES_VALUES(Style)
 };
 
 enum class MixMode : std::uint8_t { Alpha, Beta };
@@ -30,7 +37,9 @@ enum class MixMode : std::uint8_t { Alpha, Beta };
 struct Mix {
     MixMode mode = MixMode::Alpha;
     float beta = 0;
-    friend bool operator==(const Mix &, const Mix &) = default;
+    SUFFUSE_COMPARES_VALUES(Mix)
 };
+
+#undef SUFFUSE_COMPARES_VALUES
 
 } // namespace suffuse

@@ -1,6 +1,8 @@
 #include "render/renderer.h"
 
 #include "render/cpu/cpu_renderer.h"
+#include "render/cuda/cuda_renderer.h"
+#include "render/fallback_renderer.h"
 #include "render/parallel.h"
 #include "render/reference/reference.h"
 
@@ -8,26 +10,18 @@
 
 namespace suffuse {
 
-namespace {
-
-QString whyNoCuda()
-{
-    return QCoreApplication::translate("Renderer", "this program was built without the CUDA renderer");
-}
-
-} // namespace
-
 Result<std::unique_ptr<Renderer>> makeRenderer(const RendererOptions &options)
 {
-    switch (options.backend) {
-    case Backend::Reference:
+    if (options.backend == Backend::Reference)
         return makeReferenceRenderer(options.threads);
-    case Backend::Cuda:
-        return Error{QCoreApplication::translate("Renderer", "The CUDA backend cannot run: %1. Use the CPU backend.")
-                         .arg(whyNoCuda())};
-    case Backend::Auto:
-    case Backend::Cpu:
-        break;
+    if (options.backend != Backend::Cpu) {
+        Result<std::unique_ptr<Renderer>> cuda = makeCudaRenderer(options);
+        if (cuda)
+            return std::unique_ptr<Renderer>(std::make_unique<FallbackRenderer>(std::move(*cuda), options));
+        if (options.backend == Backend::Cuda)
+            return Error{
+                QCoreApplication::translate("Renderer", "The CUDA backend cannot run: %1. Use the CPU backend.")
+                    .arg(cuda.error())};
     }
     return std::unique_ptr<Renderer>(std::make_unique<CpuRenderer>(options.threads, options.tileSize, options.cull));
 }
@@ -37,8 +31,9 @@ std::vector<BackendInfo> backends()
     const int threads = hardwareThreads();
     const CpuRenderer cpu(threads, 0);
     const auto reference = makeReferenceRenderer(threads);
+    const auto cuda = makeCudaRenderer({.devices = allDevices});
     return {{cpu.backendName(), cpu.deviceName(), {}},
-            {QStringLiteral("CUDA"), {}, whyNoCuda()},
+            {QStringLiteral("CUDA"), cuda ? (*cuda)->deviceName() : QString(), cuda ? QString() : cuda.error()},
             {reference->backendName(), reference->deviceName(), {}}};
 }
 

@@ -3,6 +3,7 @@
 
 #include "model/painting.h"
 #include "model/result.h"
+#include "render/device_frame.h"
 #include "render/target.h"
 #include "render/view.h"
 
@@ -32,6 +33,8 @@ struct RenderStats {
     int tilesEvaluated = 0; ///< of them evaluated in this call
     std::size_t nodes = 0;  ///< in the scene
     std::vector<PixelRect> dirty; ///< what was stored, disjoint
+    double deviceMs = 0;          ///< of the device alone, by its clock; 0 on the CPU
+    std::shared_ptr<DeviceFrame> frame; ///< where the picture stayed on the device; null: it is in the target
     bool cancelled = false; ///< `cancel` was set: what was not stored is still dirty for the next call
 };
 
@@ -50,13 +53,21 @@ public:
                                        const std::atomic<bool> *cancel = nullptr) = 0;
     /// Forgets what was drawn: the next call draws all of it.
     virtual void invalidate() = 0;
+    /// Empty, or why another backend draws than the one that was asked for: "CUDA stopped: out of memory. …".
+    virtual QString notice() const { return {}; }
+    /// True once its device failed: every further call would fail, and another renderer may take the same request over.
+    virtual bool isLost() const { return false; }
 };
+
+/// For RendererOptions::devices.
+inline constexpr int allDevices = -1;
 
 struct RendererOptions {
     Backend backend = Backend::Auto;
     int threads = 0;  ///< 0: all cores
     int tileSize = 0; ///< 0: the backend's choice; the picture's bits do not depend on it
     bool cull = true; ///< false: every stroke is evaluated everywhere, to test that culling changes no bit
+    int devices = 1;  ///< of several GPUs so many share each picture, or allDevices; the picture's bits stay the same
 };
 
 /// Never null for Auto, Cpu and Reference; Cuda fails with the reason where it cannot run.

@@ -27,4 +27,11 @@ void Picture8::store(const PixelRect &rect, const float *pixels, int stride)
                               argb.data() + std::size_t(rect.y + y) * width + rect.x);
 }
 
+void Picture8::storeArgb(const PixelRect &rect, const std::uint32_t *pixels, int stride)
+{
+    for (int y = 0; y < rect.height; ++y)
+        std::copy_n(pixels + std::size_t(y) * stride, rect.width,
+                    argb.data() + std::size_t(rect.y + y) * width + rect.x);
+}
+
 } // namespace suffuse

@@ -22,6 +22,13 @@ public:
     /// `rgba`: 4 floats a pixel, rows of `stride` pixels. Called from several threads at once for disjoint rectangles.
     virtual void store(const PixelRect &rect, const float *rgba, int stride) = 0;
 
+    /// True where 8 bits are all that is kept: then renderers that make them themselves call `storeArgb` instead.
+    virtual bool keepsArgb() const { return false; }
+    /// `argb`: 0xAARRGGBB, rows of `stride` pixels.
+    virtual void storeArgb(const PixelRect &, const std::uint32_t *, int) {}
+    /// True where the picture may stay on the device (RenderStats::frame) and nothing need be stored.
+    virtual bool takesDeviceFrames() const { return false; }
+
 private:
     static std::uint64_t nextSerial();
 
@@ -57,6 +64,8 @@ public:
         argb.assign(std::size_t(w) * h, 0);
     }
     void store(const PixelRect &rect, const float *pixels, int stride) override;
+    bool keepsArgb() const override { return true; }
+    void storeArgb(const PixelRect &rect, const std::uint32_t *pixels, int stride) override;
 };
 
 } // namespace suffuse

@@ -15,17 +15,23 @@ namespace {
 
 constexpr double fitMargin = 24; ///< logical pixels around the canvas
 
+/// The environment variable SUFFUSE_BACKEND=auto|cpu|cuda goes before the setting.
 RendererOptions rendererOptions()
 {
     RendererOptions options;
     options.threads = settings::threads();
+    const QByteArray wish = qgetenv("SUFFUSE_BACKEND").toLower();
+    options.backend = wish == "cuda"   ? Backend::Cuda
+                      : wish == "cpu"  ? Backend::Cpu
+                      : wish == "auto" ? Backend::Auto
+                                       : settings::backend();
     return options;
 }
 
 } // namespace
 
-CanvasWidget::CanvasWidget(Editor &editor, QWidget *parent)
-    : QWidget(parent), m_editor(editor), m_worker(rendererOptions())
+CanvasWidget::CanvasWidget(Editor &editor, QWidget *parent, MakeRenderer make)
+    : QWidget(parent), m_editor(editor), m_worker(rendererOptions(), std::move(make))
 {
     setObjectName("canvas");
     setAccessibleName(tr("Canvas"));
@@ -185,8 +191,28 @@ bool CanvasWidget::isUpToDate() const
     return !m_renderScheduled && m_lastSerial > 0 && m_worker.shownSerial() == m_lastSerial;
 }
 
+void CanvasWidget::setDeviceFramesWanted(bool wanted, const QString &why)
+{
+    m_worker.setDeviceFramesWanted(wanted);
+    m_presenterNotice = wanted ? QString() : tr("The picture goes to the screen by way of memory: %1").arg(why);
+    scheduleRender();
+    emit backendChanged();
+}
+
+QString CanvasWidget::backendNotice() const
+{
+    QStringList lines{m_rendererNotice, m_presenterNotice};
+    lines.removeAll(QString());
+    return lines.join('\n');
+}
+
 void CanvasWidget::frameReady(const FrameInfo &frame)
 {
+    if (frame.backendText != m_backendText || frame.notice != m_rendererNotice) {
+        m_backendText = frame.backendText;
+        m_rendererNotice = frame.notice;
+        emit backendChanged();
+    }
     if (frame.error.isEmpty()) {
         if (frame.view == view())
             for (const PixelRect &r : frame.stats.dirty)

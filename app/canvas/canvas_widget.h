@@ -25,22 +25,24 @@ class CanvasWidget : public QWidget, private CanvasContent {
     Q_OBJECT
 
 public:
-    explicit CanvasWidget(Editor &editor, QWidget *parent = nullptr);
+    explicit CanvasWidget(Editor &editor, QWidget *parent = nullptr, MakeRenderer make = makeRenderer);
     ~CanvasWidget() override;
 
     Editor &editor() { return m_editor; }
     const View &view() const { return m_transform.view(); }
-    /// "CPU · 2 threads · AVX2"
-    const QString &backendText() const { return m_worker.backendText(); }
+    /// "CPU · 2 threads · AVX2", of the last frame; empty before the first one.
+    const QString &backendText() const { return m_backendText; }
+    /// Empty, or why the CPU draws, and why the picture takes the way over memory: a line each.
+    QString backendNotice() const;
     QString presenterName() const { return m_presenter->name(); }
 
     /// The tool in use; tools belong to whoever makes them. The old one is cancelled.
     void setTool(Tool *tool);
     Tool *tool() const { return m_tool; }
 
-    void zoomBy(double factor);   ///< at the pointer if it is over the canvas, else at the centre
-    void setZoom(double scale);   ///< pixels per unit
-    void fit();                   ///< the whole canvas; stays so when the window changes size
+    void zoomBy(double factor); ///< at the pointer if it is over the canvas, else at the centre
+    void setZoom(double scale); ///< pixels per unit
+    void fit();                 ///< the whole canvas; stays so when the window changes size
     void panBy(Point pixels);
     void rotateBy(double degrees);
     void resetRotation();
@@ -53,7 +55,7 @@ public:
 
     /// True when the picture on the screen is that of the document as it is now, at this moment, in this view.
     bool isUpToDate() const;
-    /// A copy of the last finished frame, without overlay.
+    /// A copy of the last finished frame, without overlay; null while frames stay on the device.
     QImage picture();
     /// Theme colours of pasteboard and overlay, from the palette.
     const OverlayColours &overlayColours() const { return m_colours; }
@@ -64,6 +66,7 @@ signals:
     void pointerMoved(double x, double y); ///< canvas units
     void pointerLeft();
     void framePresented(const suffuse::FrameInfo &frame);
+    void backendChanged(); ///< its text or its notice
 
 protected:
     bool event(QEvent *event) override;
@@ -89,6 +92,7 @@ private:
     // CanvasContent
     const View &shownView() const override { return view(); }
     void withFrame(const std::function<void(ShownFrame &)> &use) override { m_worker.withFrame(use); }
+    void setDeviceFramesWanted(bool wanted, const QString &why) override;
     QColor backgroundColour() const override;
     void paintOverlay(QPainter &painter) override;
 
@@ -115,22 +119,25 @@ private:
     Presenter *m_presenter = nullptr;
     ViewTransform m_transform;
     OverlayColours m_colours;
+    QString m_backendText;
+    QString m_rendererNotice;
+    QString m_presenterNotice;
     Tool *m_tool = nullptr;
 
-    bool m_fitted = true;      ///< the view has not been moved by hand since it was fitted
+    bool m_fitted = true; ///< the view has not been moved by hand since it was fitted
     bool m_renderScheduled = false;
     quint64 m_lastSerial = 0;
 
     Navigation m_navigation = Navigation::None;
     Point m_lastPixel;
     bool m_pointerInside = false;
-    bool m_pressed = false;    ///< the tool has seen a press
+    bool m_pressed = false; ///< the tool has seen a press
     Qt::MouseButton m_pressButton = Qt::NoButton;
     bool m_penDown = false;
     bool m_spaceDown = false;
     bool m_rotateKeyDown = false;
-    quint64 m_pressStamp = 0;       ///< milliseconds, the device's clock
-    Microseconds m_pressTime = 0;   ///< document time of the press
+    quint64 m_pressStamp = 0;     ///< milliseconds, the device's clock
+    Microseconds m_pressTime = 0; ///< document time of the press
 };
 
 } // namespace suffuse

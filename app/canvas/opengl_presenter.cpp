@@ -10,13 +10,14 @@
 #include <QSurfaceFormat>
 
 #include <array>
+#include <memory>
 
 namespace suffuse {
 
 namespace {
 
 // Not in the header of OpenGL ES, which Qt may have been built for.
-constexpr GLenum bgra = 0x80E1;
+constexpr GLenum rgba8 = 0x8058;
 constexpr GLenum unpackRowLength = 0x0CF2;
 
 constexpr const char *vertexShader = R"(
@@ -29,16 +30,18 @@ void main()
 }
 )";
 
+// A pixel's bytes are blue, green, red, alpha. The texture takes them as they are, from memory as from a device.
 constexpr const char *fragmentShader = R"(
 uniform sampler2D picture;
 varying highp vec2 texel;
 void main()
 {
-    gl_FragColor = vec4(texture2D(picture, texel).rgb, 1.0);
+    gl_FragColor = vec4(texture2D(picture, texel).bgr, 1.0);
 }
 )";
 
-/// Keeps the frame in a texture, of which only what is dirty is sent, and draws it as one quad.
+/// Keeps the frame in a texture, of which only what is dirty is sent, and draws it as one quad. A frame that is on a
+/// device is copied there; where that device does not draw this context, frames are asked for in memory.
 class OpenGlPresenter : public QOpenGLWidget, public Presenter, protected QOpenGLFunctions {
 public:
     OpenGlPresenter(CanvasContent &content, QWidget *parent) : QOpenGLWidget(parent), m_content(content)
@@ -77,21 +80,24 @@ protected:
         m_corners.setUsagePattern(QOpenGLBuffer::DynamicDraw);
         glGenTextures(1, &m_texture);
         glBindTexture(GL_TEXTURE_2D, m_texture);
+        glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST); // it has one level: else it is incomplete
         glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
         glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
         m_textureWidth = m_textureHeight = 0;
+        if (!m_refused)
+            m_content.setDeviceFramesWanted(true, {});
     }
 
     void paintGL() override
     {
         m_content.withFrame([this](ShownFrame &frame) {
-            upload(frame);
+            const bool uploaded = upload(frame);
             const QColor background = m_content.backgroundColour();
             glDisable(GL_BLEND);
             glDisable(GL_SCISSOR_TEST);
             glClearColor(float(background.redF()), float(background.greenF()), float(background.blueF()), 1);
             glClear(GL_COLOR_BUFFER_BIT);
-            if (isFrameUseful(frame, m_content.shownView()))
+            if (uploaded && isFrameUseful(frame, m_content.shownView()))
                 drawQuad(frame);
         });
         QPainter painter(this);
@@ -101,26 +107,64 @@ protected:
     }
 
 private:
-    void upload(ShownFrame &frame)
+    /// False where the texture does not show the frame.
+    bool upload(ShownFrame &frame)
     {
-        const Picture8 &picture = frame.picture;
-        if (picture.argb.empty())
-            return;
+        const int width = frame.width(), height = frame.height();
+        if (width <= 0 || height <= 0)
+            return false;
+        if (!frame.device)
+            m_link.reset();
         glBindTexture(GL_TEXTURE_2D, m_texture);
-        glPixelStorei(GL_UNPACK_ALIGNMENT, 4);
-        if (picture.width != m_textureWidth || picture.height != m_textureHeight) {
-            m_textureWidth = picture.width;
-            m_textureHeight = picture.height;
-            glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA, picture.width, picture.height, 0, bgra, GL_UNSIGNED_BYTE,
-                         picture.argb.data());
+        if (width != m_textureWidth || height != m_textureHeight) {
+            m_link.reset(); // it holds on to the old pixels
+            glTexImage2D(GL_TEXTURE_2D, 0, rgba8, width, height, 0, GL_RGBA, GL_UNSIGNED_BYTE, nullptr);
+            m_textureWidth = width;
+            m_textureHeight = height;
+            frame.dirty = {PixelRect{0, 0, width, height}};
+        }
+        if (frame.device) {
+            if (!copyFromDevice(frame.device, frame.dirty))
+                return false;
         } else {
-            glPixelStorei(unpackRowLength, picture.width);
-            for (const PixelRect &r : frame.dirty)
-                glTexSubImage2D(GL_TEXTURE_2D, 0, r.x, r.y, r.width, r.height, bgra, GL_UNSIGNED_BYTE,
-                                picture.argb.data() + std::size_t(r.y) * picture.width + r.x);
-            glPixelStorei(unpackRowLength, 0);
+            sendPicture(frame.picture, frame.dirty);
         }
         frame.dirty.clear();
+        return true;
+    }
+
+    void sendPicture(const Picture8 &picture, const std::vector<PixelRect> &dirty)
+    {
+        glPixelStorei(GL_UNPACK_ALIGNMENT, 4);
+        glPixelStorei(unpackRowLength, picture.width);
+        for (const PixelRect &r : dirty)
+            glTexSubImage2D(GL_TEXTURE_2D, 0, r.x, r.y, r.width, r.height, GL_RGBA, GL_UNSIGNED_BYTE,
+                            picture.argb.data() + std::size_t(r.y) * picture.width + r.x);
+        glPixelStorei(unpackRowLength, 0);
+    }
+
+    bool copyFromDevice(const std::shared_ptr<DeviceFrame> &device, const std::vector<PixelRect> &dirty)
+    {
+        if (m_refused)
+            return false; // a frame in memory is on its way
+        if (!m_link || m_linked.owner_before(device) || device.owner_before(m_linked)) {
+            m_link.reset();
+            Result<std::unique_ptr<TextureLink>> link = device->link(m_texture);
+            if (!link)
+                return refuse(link.error());
+            m_link = std::move(*link);
+            m_linked = device;
+        }
+        const Result<void> copied = device->copyTo(*m_link, dirty);
+        return copied || refuse(copied.error());
+    }
+
+    bool refuse(const QString &why)
+    {
+        m_refused = true;
+        m_link.reset();
+        m_content.setDeviceFramesWanted(false, why);
+        return false;
     }
 
     void drawQuad(const ShownFrame &frame)
@@ -128,7 +172,7 @@ private:
         const View &view = m_content.shownView();
         const QTransform map = mapBetween(frame.view, view);
         const bool sharp = frame.view == view;
-        const double w = frame.picture.width, h = frame.picture.height;
+        const double w = frame.width(), h = frame.height();
         std::array<float, 16> corners;
         float *out = corners.data();
         for (const auto &[u, v] : {std::pair{0.0, 0.0}, {1.0, 0.0}, {0.0, 1.0}, {1.0, 1.0}}) {
@@ -160,6 +204,7 @@ private:
         if (!m_program)
             return;
         makeCurrent();
+        m_link.reset();
         glDeleteTextures(1, &m_texture);
         m_texture = 0;
         m_corners.destroy();
@@ -172,6 +217,9 @@ private:
     std::unique_ptr<QOpenGLShaderProgram> m_program;
     QOpenGLBuffer m_corners;
     GLuint m_texture = 0;
+    std::unique_ptr<TextureLink> m_link; ///< of m_texture with the device of m_linked; ends before the texture does
+    std::weak_ptr<DeviceFrame> m_linked;
+    bool m_refused = false; ///< no device draws this context, or it failed
     int m_textureWidth = 0;
     int m_textureHeight = 0;
 };

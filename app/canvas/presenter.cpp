@@ -59,7 +59,7 @@ Presenter *makePresenter(CanvasContent &content, QWidget *parent)
 bool isFrameUseful(const ShownFrame &frame, const View &view)
 {
     const double k = view.scale / frame.view.scale;
-    return frame.picture.width > 0 && frame.picture.height > 0 && k < 256 && k > 1.0 / 256;
+    return frame.width() > 0 && frame.height() > 0 && k < 256 && k > 1.0 / 256;
 }
 
 void prepareOpenGl()

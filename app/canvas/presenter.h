@@ -16,6 +16,9 @@ public:
     virtual ~CanvasContent() = default;
     virtual const View &shownView() const = 0;
     virtual void withFrame(const std::function<void(ShownFrame &)> &use) = 0;
+    /// Pictures may stay on the device that computes them, or must come to memory, as at first: then `why` says for the
+    /// user why. Older frames may still come either way.
+    virtual void setDeviceFramesWanted(bool wanted, const QString &why) = 0;
     /// Fills what no frame covers yet.
     virtual QColor backgroundColour() const = 0;
     /// Everything that lies over the picture; the painter's units are device pixels.
@@ -33,7 +36,8 @@ public:
 };
 
 /// OpenGL where it is hardware, raster where OpenGL is software, absent or the platform is offscreen. The setting and,
-/// before it, the environment variable SUFFUSE_PRESENTER=raster|opengl override, except on the offscreen platform. The presenter's widget is a child of `parent`.
+/// before it, the environment variable SUFFUSE_PRESENTER=raster|opengl override, except on the offscreen platform. The
+/// presenter's widget is a child of `parent`.
 Presenter *makePresenter(CanvasContent &content, QWidget *parent);
 
 /// The two kinds, for makePresenter.

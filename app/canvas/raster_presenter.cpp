@@ -42,7 +42,7 @@ private:
         const bool sharp = frame.view == view;
         if (!sharp || frame.picture.argb.empty())
             painter.fillRect(QRectF(0, 0, view.width + 1, view.height + 1), m_content.backgroundColour());
-        if (!isFrameUseful(frame, view))
+        if (frame.picture.argb.empty() || !isFrameUseful(frame, view))
             return;
         const QImage image(reinterpret_cast<const uchar *>(frame.picture.argb.data()), frame.picture.width,
                            frame.picture.height, qsizetype(frame.picture.width) * 4, QImage::Format_RGB32);

@@ -1,6 +1,7 @@
 #include "app/canvas/render_worker.h"
 
 #include <cstring>
+#include <utility>
 
 namespace suffuse {
 
@@ -16,6 +17,15 @@ constexpr auto starving = 250ms;
 constexpr auto patience = 400ms;
 constexpr std::size_t maxDirtyRects = 4096;
 
+/// Empty where CUDA can run.
+QString whyNoCuda()
+{
+    for (const BackendInfo &backend : backends())
+        if (backend.name == "CUDA" && !backend.unavailable.isEmpty())
+            return QStringLiteral("CUDA: %1").arg(backend.unavailable);
+    return {};
+}
+
 void copyRect(const Picture8 &from, Picture8 &to, const PixelRect &r)
 {
     for (int y = r.y; y < r.y + r.height; ++y) {
@@ -26,17 +36,9 @@ void copyRect(const Picture8 &from, Picture8 &to, const PixelRect &r)
 
 } // namespace
 
-RenderWorker::RenderWorker(const RendererOptions &options, QObject *parent) : QObject(parent)
+RenderWorker::RenderWorker(const RendererOptions &options, MakeRenderer make, QObject *parent)
+    : QObject(parent), m_options(options), m_make(std::move(make))
 {
-    Result<std::unique_ptr<Renderer>> renderer = makeRenderer(options);
-    if (!renderer) {
-        m_rendererError = renderer.error();
-        renderer = makeRenderer(RendererOptions{Backend::Cpu, options.threads, options.tileSize});
-    }
-    if (renderer) {
-        m_renderer = std::move(*renderer);
-        m_backendText = QStringLiteral("%1 · %2").arg(m_renderer->backendName(), m_renderer->deviceName());
-    }
     m_thread = std::thread([this] { run(); });
 }
 
@@ -83,15 +85,59 @@ void RenderWorker::withFrame(const std::function<void(ShownFrame &)> &use)
 
 void RenderWorker::run()
 {
+    openRenderer();
     Job job;
     while (next(job)) {
-        if (!m_renderer) {
+        if (m_renderer)
+            finish(job, render(job));
+        else
             finish(job, Error{m_rendererError});
-            continue;
-        }
-        finish(job, m_renderer->render(job.request, m_back, &m_cancel));
         job = {}; // the snapshot must not live on in a thread that sleeps
     }
+    // A device is used by one thread, to the end.
+    withFrame([](ShownFrame &frame) { frame.device.reset(); });
+    m_renderer.reset();
+}
+
+void RenderWorker::openRenderer()
+{
+    Result<std::unique_ptr<Renderer>> renderer = m_make(m_options);
+    if (!renderer) {
+        m_notice = renderer.error();
+        m_options.backend = Backend::Cpu;
+        renderer = m_make(m_options);
+    } else if (m_options.backend == Backend::Auto && (*renderer)->backendName() == "CPU") {
+        m_notice = whyNoCuda();
+    }
+    if (renderer)
+        m_renderer = std::move(*renderer);
+    else
+        m_rendererError = renderer.error();
+}
+
+Result<RenderStats> RenderWorker::render(const Job &job)
+{
+    const bool onDevice = m_deviceFramesWanted && !m_deviceFramesFailed;
+    if (m_back.onDevice != onDevice) {
+        m_back.onDevice = onDevice;
+        m_renderer->invalidate();
+    }
+    Result<RenderStats> stats = m_renderer->render(job.request, m_back, &m_cancel);
+    if (!stats)
+        return stats;
+    m_backDirty.insert(m_backDirty.end(), stats->dirty.begin(), stats->dirty.end());
+    if (stats->cancelled)
+        return stats;
+    stats->dirty = m_backDirty;
+    // The device belongs to this thread: nobody else may hold its last picture.
+    const Result<void> published = publish(job.request.view, std::exchange(stats->frame, nullptr));
+    if (published)
+        return stats;
+    if (m_deviceFramesFailed)
+        return Error{published.error()};
+    m_deviceFramesFailed = true; // once more, to memory: by the device if it still can, else by what stands in for it
+    m_notice = published.error();
+    return render(job);
 }
 
 bool RenderWorker::next(Job &job)
@@ -115,14 +161,15 @@ void RenderWorker::finish(const Job &job, const Result<RenderStats> &result)
     frame.view = job.request.view;
     frame.time = job.request.time;
     frame.serial = job.serial;
+    if (m_renderer) {
+        frame.backendText = QStringLiteral("%1 · %2").arg(m_renderer->backendName(), m_renderer->deviceName());
+        frame.notice = m_renderer->notice().isEmpty() ? m_notice : m_renderer->notice();
+    }
     if (result) {
-        frame.stats = *result;
-        m_backDirty.insert(m_backDirty.end(), result->dirty.begin(), result->dirty.end());
         m_cancelledLast = result->cancelled;
         if (result->cancelled)
             return; // a newer request waits; what is not drawn stays dirty in the renderer
-        frame.stats.dirty = m_backDirty;
-        publish(job.request.view);
+        frame.stats = *result;
     } else {
         frame.error = result.error();
     }
@@ -134,25 +181,42 @@ void RenderWorker::finish(const Job &job, const Result<RenderStats> &result)
     emit frameReady(frame);
 }
 
-void RenderWorker::publish(const View &view)
+Result<void> RenderWorker::publish(const View &view, const std::shared_ptr<DeviceFrame> &device)
 {
     const std::lock_guard lock(m_frameMutex);
-    Picture8 &shown = m_shown.picture;
-    if (m_publishedView != view || shown.width != m_back.width || shown.height != m_back.height) {
-        shown.width = m_back.width;
-        shown.height = m_back.height;
-        shown.argb = m_back.argb;
-        m_shown.dirty = {PixelRect{0, 0, shown.width, shown.height}};
+    const int width = device ? device->width() : m_back.width;
+    const int height = device ? device->height() : m_back.height;
+    const PixelRect all{0, 0, width, height};
+    const bool whole =
+        m_publishedView != view || device != m_shown.device || width != m_shown.width() || height != m_shown.height();
+    if (whole)
+        m_backDirty = {all};
+    if (device) {
+        if (const Result<void> published = device->publish(m_backDirty); !published)
+            return published;
+        m_shown.picture = {};
     } else {
-        for (const PixelRect &r : m_backDirty)
-            copyRect(m_back, shown, r);
-        m_shown.dirty.insert(m_shown.dirty.end(), m_backDirty.begin(), m_backDirty.end());
-        if (m_shown.dirty.size() > maxDirtyRects)
-            m_shown.dirty = {PixelRect{0, 0, shown.width, shown.height}};
+        publishFromMemory(whole);
     }
+    m_shown.device = device;
+    m_shown.dirty.insert(m_shown.dirty.end(), m_backDirty.begin(), m_backDirty.end());
+    if (whole || m_shown.dirty.size() > maxDirtyRects)
+        m_shown.dirty = {all};
     m_shown.view = view;
     m_publishedView = view;
     m_backDirty.clear();
+    return {};
+}
+
+void RenderWorker::publishFromMemory(bool whole)
+{
+    Picture8 &shown = m_shown.picture;
+    if (whole) {
+        shown = m_back;
+        return;
+    }
+    for (const PixelRect &r : m_backDirty)
+        copyRect(m_back, shown, r);
 }
 
 } // namespace suffuse

@@ -13,6 +13,7 @@
 #include <mutex>
 #include <optional>
 #include <thread>
+#include <vector>
 
 namespace suffuse {
 
@@ -21,27 +22,39 @@ struct FrameInfo {
     RenderStats stats;
     View view;
     Microseconds time = 0;
-    quint64 serial = 0; ///< of the request, from 1
-    QString error;      ///< empty, or why there is no new picture
+    quint64 serial = 0;  ///< of the request, from 1
+    QString error;       ///< empty, or why there is no new picture
+    QString backendText; ///< what drew it: "CPU · 2 threads · AVX2"
+    QString notice;      ///< empty, or why the CPU drew it, or why it did not stay on the device
 };
 
-/// The last whole picture. `dirty` lists what changed since a presenter last cleared it.
+/// The last whole picture, on the device or in memory. `dirty` lists what changed since a presenter last cleared it.
 struct ShownFrame {
     View view;
+    std::shared_ptr<DeviceFrame> device; ///< null: `picture` has the pixels; else it is empty
     Picture8 picture;
     std::vector<PixelRect> dirty;
+
+    int width() const { return device ? device->width() : picture.width; }
+    int height() const { return device ? device->height() : picture.height; }
 };
 
-/// Owns the renderer and the thread that it runs on. The window asks and is told; it never waits for pixels.
+/// As makeRenderer (render/renderer.h); tests put others in its place.
+using MakeRenderer = std::function<Result<std::unique_ptr<Renderer>>(const RendererOptions &)>;
+
+/// Owns the renderer and the thread that it is made, runs and ends on. The window asks and is told; it never waits for
+/// pixels.
 class RenderWorker : public QObject {
     Q_OBJECT
 
 public:
-    explicit RenderWorker(const RendererOptions &options, QObject *parent = nullptr);
+    /// `make` is called on the worker's thread. Where it fails the CPU draws, and `FrameInfo::notice` says why.
+    explicit RenderWorker(const RendererOptions &options, MakeRenderer make = makeRenderer, QObject *parent = nullptr);
     ~RenderWorker() override;
 
-    /// "CPU · 2 threads · AVX2"
-    const QString &backendText() const { return m_backendText; }
+    /// True: pictures may stay on the device that computes them. At first they come to memory. Takes effect with the
+    /// next request, which then draws everything.
+    void setDeviceFramesWanted(bool wanted) { m_deviceFramesWanted = wanted; }
 
     /// Asks for a picture; a request that has not begun is forgotten, one that runs is cancelled where the view has
     /// changed or it takes long. Returns the request's serial.
@@ -64,15 +77,27 @@ private:
         quint64 serial = 0;
     };
 
+    /// Where the renderer draws.
+    struct CanvasTarget : Picture8 {
+        bool onDevice = false;
+        bool takesDeviceFrames() const override { return onDevice; }
+    };
+
     void run();
+    void openRenderer();
     bool next(Job &job);
+    Result<RenderStats> render(const Job &job);
     void finish(const Job &job, const Result<RenderStats> &result);
-    void publish(const View &view);
+    Result<void> publish(const View &view, const std::shared_ptr<DeviceFrame> &device);
+    void publishFromMemory(bool whole);
     void cancelIfUseless(const View &wanted);
 
+    // Worker thread only.
+    RendererOptions m_options;
+    MakeRenderer m_make;
     std::unique_ptr<Renderer> m_renderer;
     QString m_rendererError;
-    QString m_backendText;
+    QString m_notice; ///< where the renderer itself has none
 
     std::mutex m_jobMutex;
     std::condition_variable m_wake;
@@ -85,9 +110,11 @@ private:
     quint64 m_serial = 0;
     std::atomic<bool> m_cancel = false;
     std::atomic<quint64> m_shownSerial = 0;
+    std::atomic<bool> m_deviceFramesWanted = false;
 
-    Picture8 m_back;                       ///< worker thread only
-    std::vector<PixelRect> m_backDirty;    ///< stored into m_back and not shown yet
+    CanvasTarget m_back;                ///< worker thread only, as the next three
+    bool m_deviceFramesFailed = false;  ///< a finished one could not be shown
+    std::vector<PixelRect> m_backDirty; ///< stored and not shown yet
     std::optional<View> m_publishedView;
 
     std::mutex m_frameMutex;

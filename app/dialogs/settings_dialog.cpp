@@ -38,10 +38,28 @@ SettingsDialog::SettingsDialog(QWidget *parent) : QDialog(parent), m_themeBefore
         applyTheme();
     });
 
-    m_presenter = addCombo(*form, tr("Canvas"),
-                           tr("How the picture comes to the screen. Changes when the program starts again."));
+    addDrawing(*form);
+    column->addWidget(quietLabel(tr("Language, canvas, renderer and threads change when Suffuse starts again."), this));
+    auto *buttons = new QDialogButtonBox(QDialogButtonBox::Ok | QDialogButtonBox::Cancel, this);
+    connect(buttons, &QDialogButtonBox::accepted, this, &SettingsDialog::accept);
+    connect(buttons, &QDialogButtonBox::rejected, this, &SettingsDialog::reject);
+    column->addWidget(buttons);
+    setMinimumWidth(360);
+}
+
+/// The canvas, what computes its picture, and with how much.
+void SettingsDialog::addDrawing(QFormLayout &form)
+{
+    m_presenter =
+        addCombo(form, tr("Canvas"), tr("How the picture comes to the screen. Changes when the program starts again."));
     m_presenter->addItems({tr("Automatic"), tr("Raster"), QStringLiteral("OpenGL")});
     m_presenter->setCurrentIndex(int(settings::presenter()));
+
+    m_backend = addCombo(form, tr("Renderer"), tr("What computes the picture. Changes when the program starts again."));
+    m_backend->addItem(tr("Automatic"), int(Backend::Auto));
+    m_backend->addItem(QStringLiteral("CPU"), int(Backend::Cpu));
+    m_backend->addItem(QStringLiteral("CUDA"), int(Backend::Cuda));
+    m_backend->setCurrentIndex(std::max(0, m_backend->findData(int(settings::backend()))));
 
     m_threads = new QSpinBox(this);
     m_threads->setRange(0, 256);
@@ -49,14 +67,7 @@ SettingsDialog::SettingsDialog(QWidget *parent) : QDialog(parent), m_themeBefore
     m_threads->setValue(settings::threads());
     m_threads->setAccessibleName(tr("Threads"));
     m_threads->setToolTip(tr("Processor threads for drawing. Changes when the program starts again."));
-    form->addRow(tr("Threads"), m_threads);
-
-    column->addWidget(quietLabel(tr("Language, canvas and threads change when Suffuse starts again."), this));
-    auto *buttons = new QDialogButtonBox(QDialogButtonBox::Ok | QDialogButtonBox::Cancel, this);
-    connect(buttons, &QDialogButtonBox::accepted, this, &SettingsDialog::accept);
-    connect(buttons, &QDialogButtonBox::rejected, this, &SettingsDialog::reject);
-    column->addWidget(buttons);
-    setMinimumWidth(360);
+    form.addRow(tr("Threads"), m_threads);
 }
 
 QComboBox *SettingsDialog::addCombo(QFormLayout &form, const QString &name, const QString &tip)
@@ -72,6 +83,7 @@ void SettingsDialog::accept()
 {
     settings::setLanguage(m_language->currentData().toString());
     settings::setPresenter(settings::Presenter(m_presenter->currentIndex()));
+    settings::setBackend(Backend(m_backend->currentData().toInt()));
     settings::setThreads(m_threads->value());
     settings::store().sync();
     QDialog::accept();

@@ -8,7 +8,8 @@ class QSpinBox;
 
 namespace suffuse {
 
-/// Language, theme and how pictures come to the screen. The theme changes at once; the rest is said to need a restart.
+/// Language, theme, and how pictures are made and come to the screen. The theme changes at once; the rest is said to
+/// need a restart.
 class SettingsDialog : public QDialog {
     Q_OBJECT
 
@@ -18,17 +19,20 @@ public:
     QComboBox *language() const { return m_language; }
     QComboBox *theme() const { return m_theme; }
     QComboBox *presenter() const { return m_presenter; }
+    QComboBox *backend() const { return m_backend; }
     QSpinBox *threads() const { return m_threads; }
 
     void accept() override;
     void reject() override;
 
 private:
+    void addDrawing(QFormLayout &form);
     QComboBox *addCombo(QFormLayout &form, const QString &name, const QString &tip);
 
     QComboBox *m_language = nullptr;
     QComboBox *m_theme = nullptr;
     QComboBox *m_presenter = nullptr;
+    QComboBox *m_backend = nullptr;
     QSpinBox *m_threads = nullptr;
     int m_themeBefore = 0;
 };

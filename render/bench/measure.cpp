@@ -24,6 +24,12 @@ Error stopped()
     return Error{QCoreApplication::translate("Bench", "stopped before all was measured")};
 }
 
+/// As the canvas takes a picture: on the device where that can be, else in memory.
+class CanvasPicture : public Picture8 {
+public:
+    bool takesDeviceFrames() const override { return true; }
+};
+
 /// One renderer with the picture it keeps up to date, as a window has it.
 class Session {
 public:
@@ -44,6 +50,11 @@ public:
         Result<RenderStats> stats = m_renderer->render(request, *m_picture, m_job->cancel);
         if (stats && stats->cancelled)
             return stopped();
+        if (m_job->renderer.backend == Backend::Cuda && !m_renderer->notice().isEmpty())
+            return Error{m_renderer->notice()};
+        if (stats && stats->frame)
+            if (const Result<void> published = stats->frame->publish(stats->dirty); !published)
+                return Error{published.error()};
         return stats;
     }
     Result<RenderStats> draw() { return draw(m_job->painting, m_job->time); }
@@ -51,23 +62,57 @@ public:
 
 private:
     Session(const Job &job, std::unique_ptr<Renderer> renderer)
-        : m_job(&job), m_renderer(std::move(renderer)), m_picture(std::make_unique<Picture8>())
+        : m_job(&job), m_renderer(std::move(renderer)), m_picture(std::make_unique<CanvasPicture>())
     {}
     const Job *m_job;
     std::unique_ptr<Renderer> m_renderer;
-    std::unique_ptr<Picture8> m_picture;
+    std::unique_ptr<CanvasPicture> m_picture;
 };
 
-/// The painting with one stroke's density times a factor: an edit as the document makes it.
-PaintingPtr withDensity(const Painting &painting, int index, float factor)
+/// Binning and pixels: on the device by its own clock.
+double fullRenderMs(const RenderStats &stats)
+{
+    return stats.deviceMs > 0 ? stats.deviceMs : stats.binningMs + stats.tilesMs;
+}
+
+/// The painting with a factor on the density of one stroke's segments [from, to): an edit as the document makes it.
+PaintingPtr withDensity(const Painting &painting, int index, std::size_t from, std::size_t to, float factor)
 {
     Painting out = painting;
     StrokePtr &place = out.strokes[std::size_t(index)];
     Stroke stroke = *place;
-    for (Segment &s : stroke.segments)
-        s.density *= factor;
+    for (std::size_t i = from; i < to; ++i)
+        stroke.segments[i].density *= factor;
     place = std::make_shared<const Stroke>(std::move(stroke));
     return std::make_shared<const Painting>(std::move(out));
+}
+
+/// Frames in which the density of the stroke's segments [from, to) changes.
+Result<Timing> measureEdits(const Job &job, int index, std::size_t from, std::size_t to)
+{
+    Result<Session> session = Session::make(job);
+    if (!session)
+        return Error{session.error()};
+    if (const Result<RenderStats> drawn = session->draw(); !drawn)
+        return Error{drawn.error()};
+    std::vector<double> times;
+    PaintingPtr before = job.painting; // freed outside of the frame's time, as the editor's worker does
+    for (int step = 0; step < job.dragSteps; ++step) {
+        QElapsedTimer timer;
+        timer.start();
+        PaintingPtr after = withDensity(*before, index, from, to, step % 2 == 0 ? 1.03f : 0.98f);
+        const Result<RenderStats> drawn = session->draw(after, job.time, true);
+        times.push_back(milliseconds(timer));
+        if (!drawn)
+            return Error{drawn.error()};
+        before = std::move(after);
+    }
+    return timingOf(times);
+}
+
+Error nothingToDrag()
+{
+    return Error{QCoreApplication::translate("Bench", "there is no stroke to drag in this painting")};
 }
 
 } // namespace
@@ -86,6 +131,7 @@ Job jobOf(PaintingPtr painting, int width, const RendererOptions &renderer)
 Result<StageTimings> measureStages(const Job &job)
 {
     std::vector<double> nodes, first, binning, full;
+    bool onDevice = false;
     for (int run = 0; run < job.runs; ++run) {
         Result<Session> session = Session::make(job);
         if (!session)
@@ -100,9 +146,35 @@ Result<StageTimings> measureStages(const Job &job)
         nodes.push_back(fresh->nodesMs);
         first.push_back(fresh->totalMs);
         binning.push_back(again->binningMs);
-        full.push_back(again->binningMs + again->tilesMs);
+        full.push_back(fullRenderMs(*again));
+        onDevice = again->deviceMs > 0;
     }
-    return StageTimings{timingOf(nodes), timingOf(binning), timingOf(full), timingOf(first)};
+    StageTimings out{timingOf(nodes), timingOf(binning), timingOf(full), timingOf(first)};
+    if (onDevice) { // its clock rate rises with use
+        const Result<Timing> warm = measureFullRender(job);
+        if (!warm)
+            return Error{warm.error()};
+        out.fullRender = *warm;
+    }
+    return out;
+}
+
+Result<Timing> measureFullRender(const Job &job)
+{
+    Result<Session> session = Session::make(job);
+    if (!session)
+        return Error{session.error()};
+    constexpr int warmUps = 3;
+    std::vector<double> times;
+    for (int run = -warmUps; run < job.runs; ++run) {
+        session->renderer().invalidate();
+        const Result<RenderStats> drawn = session->draw();
+        if (!drawn)
+            return Error{drawn.error()};
+        if (run >= 0)
+            times.push_back(fullRenderMs(*drawn));
+    }
+    return timingOf(times);
 }
 
 Result<Timing> measureOpen(const Job &job)
@@ -139,28 +211,20 @@ Result<Timing> measureDrag(const Job &job, StrokeId stroke)
 {
     const int index = job.painting->indexOf(stroke);
     if (index < 0)
-        return Error{QCoreApplication::translate("Bench", "there is no stroke to drag in this painting")};
-    Result<Session> session = Session::make(job);
-    if (!session)
-        return Error{session.error()};
-    if (const Result<RenderStats> drawn = session->draw(); !drawn)
-        return Error{drawn.error()};
-    std::vector<double> times;
-    PaintingPtr before = job.painting; // freed outside of the frame's time, as the editor's worker does
-    for (int step = 0; step < job.dragSteps; ++step) {
-        QElapsedTimer timer;
-        timer.start();
-        PaintingPtr after = withDensity(*before, index, step % 2 == 0 ? 1.03f : 0.98f);
-        const Result<RenderStats> drawn = session->draw(after, job.time, true);
-        times.push_back(milliseconds(timer));
-        if (!drawn)
-            return Error{drawn.error()};
-        before = std::move(after);
-    }
-    return timingOf(times);
+        return nothingToDrag();
+    return measureEdits(job, index, 0, job.painting->strokes[std::size_t(index)]->segments.size());
 }
 
-Result<Timing> measureLiveStroke(const Job &job, double spread, int end)
+Result<Timing> measureSegmentEdit(const Job &job, StrokeId stroke)
+{
+    const int index = job.painting->indexOf(stroke);
+    if (index < 0)
+        return nothingToDrag();
+    const std::size_t middle = job.painting->strokes[std::size_t(index)]->segments.size() / 2;
+    return measureEdits(job, index, middle, middle + 1);
+}
+
+Result<Timing> measureLiveStroke(const Job &job, double spread, int end, float maxAge)
 {
     const int begin = end - 140;
     Result<Session> session = Session::make(job);
@@ -174,7 +238,12 @@ Result<Timing> measureLiveStroke(const Job &job, double spread, int end)
     PaintingPtr before;
     for (int segments = begin; segments <= end; ++segments) {
         const Microseconds now = start + Microseconds(segments) * 1'000'000 / 60;
-        auto stroke = std::make_shared<const Stroke>(makeLiveStroke(job.painting->canvas, spread, segments, id, start));
+        Stroke live = makeLiveStroke(job.painting->canvas, spread, segments, id, start);
+        for (Segment &s : live.segments) {
+            s.maxAge = maxAge;
+            s.diffusion /= maxAge; // so wide when it has dried
+        }
+        auto stroke = std::make_shared<const Stroke>(std::move(live));
         QElapsedTimer timer;
         timer.start();
         Painting painting = *job.painting;

@@ -25,7 +25,7 @@ Job jobOf(PaintingPtr painting, int width, const RendererOptions &renderer);
 struct StageTimings {
     Timing nodeBuild;  ///< segments to nodes, by a fresh renderer
     Timing binning;    ///< nodes to tiles, of a full render
-    Timing fullRender; ///< binning and pixels, nodes being there
+    Timing fullRender; ///< binning and pixels, nodes being there; on a device by its clock (RenderStats::deviceMs)
     Timing first;      ///< all three, by a fresh renderer
 };
 
@@ -33,15 +33,22 @@ struct StageTimings {
 /// or with a message when `cancel` was set.
 Result<StageTimings> measureStages(const Job &job);
 
+/// Full renders as in StageTimings, all by one renderer that is warm.
+Result<Timing> measureFullRender(const Job &job);
+
 /// Reading the painting from a `.suffuse` file and drawing it with a fresh renderer: what opening costs.
 Result<Timing> measureOpen(const Job &job);
 
-/// Frames in which one stroke's density changes a little, snapshot and all. `stroke` is a stroke of the painting.
+/// Frames in which one stroke's density changes a little, snapshot and all, up to the finished picture in memory or on
+/// the device. `stroke` is a stroke of the painting.
 Result<Timing> measureDrag(const Job &job, StrokeId stroke);
 
-/// Frames of a stroke on top of the painting that grows to `segments` (at least 140), one each 1/60 s, while they spread:
-/// the last 140 of them.
-Result<Timing> measureLiveStroke(const Job &job, double spread, int segments);
+/// The same for one segment from the middle of the stroke.
+Result<Timing> measureSegmentEdit(const Job &job, StrokeId stroke);
+
+/// Frames of a stroke on top of the painting that grows to `segments` (at least 140), one each 1/60 s, while they
+/// spread: the last 140 of them. They spread for `maxAge` seconds, so that 60 · maxAge of them are active.
+Result<Timing> measureLiveStroke(const Job &job, double spread, int segments, float maxAge = 1);
 
 /// An ordinary stroke from the middle of the order: of the ten there, the visible one with the median number of
 /// segments. Null where no stroke is visible.

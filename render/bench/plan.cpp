@@ -89,8 +89,10 @@ bool Runner::stages(const PaintingPtr &painting, const QString &name)
                          binning = QStringLiteral("binning");
     if (!wanted(full) && !wanted(nodes) && !wanted(binning))
         return true;
+    const bool onDevice = m_device.backend == Backend::Cuda; // then threads hardly count
+    const std::vector<int> threadCounts = onDevice ? std::vector{m_plan.threads.back()} : m_plan.threads;
     for (int width : m_plan.widths)
-        for (int threads : m_plan.threads) {
+        for (int threads : threadCounts) {
             const Job j = job(painting, width, threads);
             say(QStringLiteral("%1, %2, %3×%4").arg(full, name).arg(j.view.width).arg(j.view.height));
             const Result<StageTimings> timings = measureStages(j);
@@ -120,10 +122,13 @@ bool Runner::drag(const PaintingPtr &painting)
     const StrokePtr stroke = middleStroke(*painting);
     if (!stroke)
         return true; // an empty painting has nothing to drag
-    if (const QString name = QStringLiteral("drag"); wanted(name)) {
+    for (const auto &[name, measure] :
+         {std::pair(QStringLiteral("drag"), &measureDrag), {QStringLiteral("edit-segment"), &measureSegmentEdit}}) {
+        if (!wanted(name))
+            continue;
         say(name);
         const Job j = mainJob(painting);
-        const Result<Timing> timing = measureDrag(j, stroke->id);
+        const Result<Timing> timing = measure(j, stroke->id);
         if (!timing)
             return failed(timing.error());
         if (!add(j, name, m_plan.name, *timing))
@@ -198,7 +203,7 @@ bool Runner::growth(const PaintingPtr &painting)
 
 QStringList rowNames()
 {
-    return {"full-render",      "node-build",  "binning",          "open",    "drag", "drag-among-100",
+    return {"full-render",      "node-build",  "binning",          "open",    "drag", "edit-segment", "drag-among-100",
             "drag-among-10000", "live-stroke", "live-stroke-2000", growthName};
 }
 

@@ -13,9 +13,15 @@ namespace suffuse::bench {
 
 namespace {
 
-double microsecondsExact(double ms)
+/// To four places: a tenth of a microsecond where the unit is milliseconds.
+double rounded(double value)
 {
-    return std::round(ms * 1000) / 1000;
+    return std::round(value * 1e4) / 1e4;
+}
+
+QString msText(double ms)
+{
+    return QString::number(ms, 'f', ms < 1 ? 4 : 2);
 }
 
 QJsonValue textOrNull(const QString &text)
@@ -31,8 +37,8 @@ QStringList cellsOf(const Row &row)
             QStringLiteral("%1×%2").arg(row.width).arg(row.height),
             row.backend,
             row.device,
-            QString::number(row.timing.medianMs, 'f', 2),
-            QString::number(row.timing.minMs, 'f', 2),
+            msText(row.timing.medianMs),
+            msText(row.timing.minMs),
             QString::number(row.timing.runs),
             row.ratio ? QString::number(*row.ratio, 'f', 2) : QString()};
 }
@@ -59,11 +65,11 @@ QByteArray toJson(const std::vector<Row> &rows)
                                  {"width", row.width},
                                  {"height", row.height},
                                  {"threads", row.threads},
-                                 {"median_ms", microsecondsExact(row.timing.medianMs)},
-                                 {"min_ms", microsecondsExact(row.timing.minMs)},
+                                 {"median_ms", rounded(row.timing.medianMs)},
+                                 {"min_ms", rounded(row.timing.minMs)},
                                  {"runs", row.timing.runs},
                                  {"baseline", textOrNull(row.baseline)},
-                                 {"ratio", row.ratio ? QJsonValue(microsecondsExact(*row.ratio)) : QJsonValue()}});
+                                 {"ratio", row.ratio ? QJsonValue(rounded(*row.ratio)) : QJsonValue()}});
     return QJsonDocument(array).toJson(QJsonDocument::Indented);
 }
 

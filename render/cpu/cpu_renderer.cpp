@@ -11,7 +11,7 @@ namespace suffuse {
 
 namespace {
 
-constexpr int defaultTile = 48;
+constexpr int defaultTile = 48, greatestTile = cpu::gridSide * cpu::blockSide;
 
 double milliseconds(const QElapsedTimer &timer)
 {
@@ -29,7 +29,7 @@ QString instructionSet()
 
 CpuRenderer::CpuRenderer(int threads, int tileSize, bool cull)
     : m_threads(threads > 0 ? threads : hardwareThreads()),
-      m_tileSize(tileSize > 0 ? (tileSize + 7) / 8 * 8 : defaultTile), m_scene(cull)
+      m_history(tileSize > 0 ? std::min((tileSize + 7) / 8 * 8, greatestTile) : defaultTile, cull)
 {
 }
 
@@ -39,100 +39,26 @@ QString CpuRenderer::deviceName() const
            instructionSet();
 }
 
-bool CpuRenderer::sameFrame(const RenderRequest &request, const Target &target) const
-{
-    return m_target == target.serial() && m_frame.view == request.view && m_frame.transparent == request.transparent &&
-           m_frame.canvas.background == request.painting->canvas.background &&
-           m_frame.canvas.paper == request.painting->canvas.paper;
-}
-
-void CpuRenderer::markDifferences(const SceneChange &change)
-{
-    const auto &scene = m_scene.strokes();
-    if (!change.reordered) {
-        for (const SceneChange::Replaced &r : change.replaced)
-            markChanged(*r.before, *scene[r.index], m_frame.view, m_region);
-        return;
-    }
-    std::unordered_map<StrokeId, const SceneStroke *> old, now;
-    std::vector<StrokeId> orderBefore, orderAfter;
-    for (const auto &s : change.before)
-        old[s->stroke->id] = s.get(), orderBefore.push_back(s->stroke->id);
-    for (const auto &s : scene) {
-        now[s->stroke->id] = s.get(), orderAfter.push_back(s->stroke->id);
-        const auto it = old.find(s->stroke->id);
-        if (it == old.end())
-            m_region.mark(s->bounds);
-        else if (it->second != s.get())
-            markChanged(*it->second, *s, m_frame.view, m_region);
-        old.erase(s->stroke->id);
-    }
-    for (const auto &[id, stroke] : old)
-        m_region.mark(stroke->bounds);
-    for (StrokeId id : movedInOrder(orderBefore, orderAfter))
-        m_region.mark(now[id]->bounds);
-}
-
-std::size_t CpuRenderer::firstDifference(const SceneChange &change) const
-{
-    if (!change.reordered)
-        return change.replaced.empty() ? noEdit : change.replaced.front().index;
-    // Scene strokes are shared while they stay the same: what both scenes begin with did not change.
-    const auto &scene = m_scene.strokes();
-    const auto [before, now] = std::mismatch(change.before.begin(), change.before.end(), scene.begin(), scene.end());
-    return before == change.before.end() && now == scene.end() ? noEdit : std::size_t(now - scene.begin());
-}
-
-void CpuRenderer::updateLayers(const SceneChange &change, bool interactive)
-{
-    m_oneEdited = false;
-    if (const std::size_t first = firstDifference(change); first != noEdit) {
-        // Kept a little lower than needed while several strokes change by turns (they dry one after another).
-        const std::size_t slack = interactive ? 0 : 4;
-        if (m_edited == noEdit || first < m_edited || first > m_edited + slack) {
-            m_layers.clear();
-            m_edited = first;
-        }
-        m_oneEdited = first == m_edited && change.replaced.size() == 1;
-        if (!m_oneEdited)
-            m_layers.dropOver();
-    }
-    if (!interactive)
-        for (int row = 0; row < m_region.rows(); ++row)
-            for (int column = 0; column < m_region.columns(); ++column)
-                if (std::uint8_t &approximate = m_approximate[tileIndex(column, row)]; approximate) {
-                    m_region.mark(m_region.tile(column, row));
-                    approximate = 0;
-                }
-}
-
-void CpuRenderer::forgetLayers()
-{
-    m_layers.clear();
-    m_edited = noEdit;
-    m_oneEdited = false;
-    m_approximate.assign(std::size_t(m_region.columns()) * std::size_t(m_region.rows()), 0);
-}
-
 std::vector<CpuRenderer::Job> CpuRenderer::planJobs(bool interactive)
 {
     std::vector<Job> jobs;
-    for (int row = 0; row < m_region.rows(); ++row)
-        for (int column = 0; column < m_region.columns(); ++column) {
-            if (!m_region.isDirty(column, row))
+    const DirtyRegion &region = m_history.region();
+    for (int row = 0; row < region.rows(); ++row)
+        for (int column = 0; column < region.columns(); ++column) {
+            if (!region.isDirty(column, row))
                 continue;
             Job job;
             job.column = column;
             job.row = row;
-            if (m_edited != noEdit) {
-                cpu::TileLayers &layers = m_layers.at(tileIndex(column, row));
-                const PixelRect tile = m_region.tile(column, row);
+            if (m_history.edited() != FrameHistory::noEdit) {
+                cpu::TileLayers &layers = m_layers.at(m_history.tileIndex(column, row));
+                const PixelRect tile = region.tile(column, row);
                 const auto across = [](int pixels) { return std::size_t((pixels + cpu::blockSide - 1) / cpu::blockSide); };
                 const std::size_t blocks = across(tile.width) * across(tile.height);
                 job.plan.layers = &layers;
                 job.plan.storeUnder = layers.under.empty();
                 layers.under.resize(blocks);
-                if (interactive && m_oneEdited) {
+                if (interactive && m_history.oneEdited()) {
                     job.plan.applyOver = !layers.over.empty();
                     job.plan.storeOver = layers.over.empty();
                     layers.over.resize(blocks);
@@ -145,32 +71,35 @@ std::vector<CpuRenderer::Job> CpuRenderer::planJobs(bool interactive)
 
 void CpuRenderer::binStrokes(std::vector<Job> &jobs) const
 {
+    const DirtyRegion &region = m_history.region();
+    const LiveScene &scene = m_history.scene();
+    const std::size_t edited = m_history.edited();
     struct Row {
         std::vector<Job *> jobs;
         std::vector<std::uint32_t> strokes;
     };
-    std::vector<Row> rows(std::size_t(m_region.rows()));
-    std::size_t from = m_scene.strokes().size(), to = 0;
+    std::vector<Row> rows(std::size_t(region.rows()));
+    std::size_t from = scene.strokes().size(), to = 0;
     for (Job &job : jobs) {
         rows[std::size_t(job.row)].jobs.push_back(&job);
         const bool haveUnder = job.plan.layers && !job.plan.storeUnder;
-        job.from = haveUnder ? m_edited : 0;
-        job.to = job.plan.applyOver ? std::min(m_edited + 1, m_scene.strokes().size()) : m_scene.strokes().size();
+        job.from = haveUnder ? edited : 0;
+        job.to = job.plan.applyOver ? std::min(edited + 1, scene.strokes().size()) : scene.strokes().size();
         from = std::min(from, job.from);
         to = std::max(to, job.to);
     }
     for (std::size_t i = from; i < to; ++i) {
-        const TileRange tiles = m_region.tilesOf(m_scene.bounds()[i]);
+        const TileRange tiles = region.tilesOf(scene.bounds()[i]);
         for (int y = tiles.top; y < tiles.bottom; ++y)
             if (Row &row = rows[std::size_t(y)]; !row.jobs.empty())
                 row.strokes.push_back(std::uint32_t(i));
     }
     parallelFor(rows.size(), m_threads, [&](std::size_t y) {
-        std::vector<Job *> atColumn(std::size_t(m_region.columns()), nullptr);
+        std::vector<Job *> atColumn(std::size_t(region.columns()), nullptr);
         for (Job *job : rows[y].jobs)
             atColumn[std::size_t(job->column)] = job;
         for (const std::uint32_t i : rows[y].strokes) {
-            const TileRange tiles = m_region.tilesOf(m_scene.bounds()[i]);
+            const TileRange tiles = region.tilesOf(scene.bounds()[i]);
             for (int x = tiles.left; x < tiles.right; ++x)
                 if (Job *job = atColumn[std::size_t(x)]; job && i >= job->from && i < job->to)
                     job->strokes.push_back(i);
@@ -180,25 +109,18 @@ void CpuRenderer::binStrokes(std::vector<Job> &jobs) const
 
 void CpuRenderer::paint(const Job &job, Target &target)
 {
-    const PixelRect tile = m_region.tile(job.column, job.row);
-    const auto &scene = m_scene.strokes();
-    const SceneStroke *edited = m_edited < scene.size() ? scene[m_edited].get() : nullptr;
-    // Blocks reach over the picture's edge; a pixel around covers supersampled samples.
-    const Rect area = Rect::of(tile.x, tile.y, std::max(tile.width, cpu::blockSide), std::max(tile.height, cpu::blockSide));
-    thread_local std::vector<cpu::TileStroke> selected; // keeps its memory from tile to tile
-    std::size_t count = 0;
+    const PixelRect tile = m_history.region().tile(job.column, job.row);
+    const auto &scene = m_history.scene().strokes();
+    const std::size_t first = m_history.edited();
+    const SceneStroke *edited = first < scene.size() ? scene[first].get() : nullptr;
+    thread_local cpu::TileStrokes strokes; // keeps its memory from tile to tile
+    strokes.begin(*m_frame.kernels, tile);
     cpu::TilePlan plan = job.plan;
-    for (const std::uint32_t i : job.strokes) {
-        if (count == selected.size())
-            selected.emplace_back();
-        if (!cpu::selectNodes(*m_frame.kernels, *scene[i], area.grown(1), selected[count]))
-            continue;
-        plan.below += m_edited != noEdit && i < m_edited;
-        ++count;
-    }
+    for (const std::uint32_t i : job.strokes)
+        plan.below += strokes.add(*scene[i]) && first != FrameHistory::noEdit && i < first;
     thread_local std::vector<float> rgba;
     rgba.resize(std::size_t(tile.width) * std::size_t(tile.height) * 4);
-    cpu::paintTile(m_frame, tile, {selected.data(), count}, plan, edited, rgba.data());
+    cpu::paintTile(m_frame, tile, strokes, plan, edited, rgba.data());
     target.store(tile, rgba.data(), tile.width);
 }
 
@@ -213,22 +135,13 @@ Result<RenderStats> CpuRenderer::render(const RenderRequest &request, Target &ta
     if (!paper)
         return Error{paper.error()};
 
-    const bool incremental = sameFrame(request, target);
-    const SceneChange change = m_scene.update(request, m_threads);
-    const bool resized =
-        m_target != target.serial() || m_frame.view.width != request.view.width || m_frame.view.height != request.view.height;
+    const FrameHistory::Step step = m_history.advance(request, target, m_threads);
     m_frame = {request.view, request.painting->canvas, *paper, request.transparent, &cpu::kernels()};
-    if (resized)
-        target.resize(request.view.width, request.view.height);
-    if (incremental) {
-        markDifferences(change);
-        updateLayers(change, request.interactive);
-    } else {
-        m_region.reset(request.view.width, request.view.height, m_tileSize);
-        forgetLayers();
-        m_target = target.serial();
-    }
-    stats.nodes = m_scene.nodeCount();
+    if (!step.keepsUnder)
+        m_layers.clear();
+    else if (!step.keepsOver)
+        m_layers.dropOver();
+    stats.nodes = m_history.scene().nodeCount();
     stats.nodesMs = milliseconds(stage);
     stage.restart();
 
@@ -248,18 +161,16 @@ Result<RenderStats> CpuRenderer::render(const RenderRequest &request, Target &ta
         });
     std::vector<std::size_t> used;
     for (std::size_t i = 0; i < jobs.size(); ++i) {
-        const std::size_t tile = tileIndex(jobs[i].column, jobs[i].row);
         if (done[i]) {
-            m_region.clean(jobs[i].column, jobs[i].row);
-            stats.dirty.push_back(m_region.tile(jobs[i].column, jobs[i].row));
-            m_approximate[tile] = jobs[i].plan.applyOver;
-            used.push_back(tile);
+            m_history.drawn(jobs[i].column, jobs[i].row, jobs[i].plan.applyOver);
+            stats.dirty.push_back(m_history.region().tile(jobs[i].column, jobs[i].row));
+            used.push_back(m_history.tileIndex(jobs[i].column, jobs[i].row));
         } else if (jobs[i].plan.layers) {
             *jobs[i].plan.layers = {}; // not filled
         }
     }
     m_layers.keep(used);
-    stats.tiles = m_region.columns() * m_region.rows();
+    stats.tiles = m_history.region().columns() * m_history.region().rows();
     stats.tilesEvaluated = int(stats.dirty.size());
     stats.cancelled = stats.dirty.size() < jobs.size();
     stats.tilesMs = milliseconds(stage);

@@ -22,49 +22,104 @@ namespace suffuse::HWY_NAMESPACE {
 
 using namespace suffuse::cpu;
 
-int select(const NodeBoxes &in, int count, const Area &area, float level, const NodeBoxSink &out, Bound &bound)
-{
-    const hn::RebindToUnsigned<Tag> indexTag;
-    const Lanes centreX(area.x), centreY(area.y);
-    const Lanes halfWidth(area.halfWidth + boxMargin), halfHeight(area.halfHeight + boxMargin);
-    Lanes density(0), slope(0);
-    int kept = 0;
-    for (int i = 0; i < count; i += int(hn::Lanes(tag))) {
-        const auto plane = [i](const float *p) { return Lanes(hn::LoadU(tag, p + i)); };
-        const Lanes x = plane(in.x), y = plane(in.y), reachX = plane(in.reachX), reachY = plane(in.reachY);
-        const Lanes dx = abs_(x - centreX) - halfWidth, dy = abs_(y - centreY) - halfHeight;
-        const Mask meets = hn::And(hn::Le(dx.v, reachX.v), hn::Le(dy.v, reachY.v));
-        const Mask there = hn::And(hn::FirstN(tag, std::size_t(count - i)), meets);
-        if (hn::AllFalse(tag, there))
-            continue;
-        // Distance u in spreads to the nearest point: e^(−u²), and 2u e^(−u²), which is greatest at u² = ½ and then at
-        // most (1 + u²) e^(−u²).
-        const Lanes ox = max_(dx, Lanes(0)), oy = max_(dy, Lanes(0));
-        const Lanes weight = plane(in.weight), slowest = plane(in.slowest), steepest = plane(in.steepest);
-        const Lanes u2 = mulAdd_(ox, ox, oy * oy) * slowest;
-        const Lanes e = exp2Down(Lanes(-log2e) * u2);
-        const Lanes rise = select_(less_(u2, Lanes(0.5)), Lanes(0.8578), mulAdd_(u2, e, e)); // √2 e^−½ = 0.85776
+/// Boxes and an area along one axis.
+struct Approach {
+    Mask meets;
+    Lanes u2; // square of the distance in spreads to the nearest point
+
+    HWY_INLINE Approach() {}
+    HWY_INLINE Approach(Lanes at, Lanes reach, Lanes slowest, double centre, double half)
+    {
+        const Lanes d = abs_(at - Lanes(centre)) - Lanes(half + boxMargin), beyond = max_(d, Lanes(0));
+        meets = hn::Le(d.v, reach.v);
+        u2 = beyond * beyond * slowest;
+    }
+    /// e^(−u²), from 2^−63 on: products of two are normal.
+    HWY_INLINE Lanes e() const
+    {
+        return Lanes(exp2InRange(hn::Max((Lanes(-log2e) * u2).v, hn::Set(tag, -63.0f))));
+    }
+};
+
+/// Bounds summed over boxes.
+struct Bounds {
+    Lanes density, slope;
+    int count = 0;
+
+    HWY_INLINE Bounds() {} // compiled for the target, as the implicit one is not
+    HWY_INLINE void add(Mask there, Lanes u2, Lanes e, Lanes weight, Lanes steepest)
+    {
+        // 2u e^(−u²) is greatest at u² = ½, √2 e^−½ = 0.85776, and then at most (1 + u²) e^(−u²).
+        const Lanes rise = select_(less_(u2, Lanes(0.5)), Lanes(0.8578), mulAdd_(u2, e, e));
         density = density + Lanes(hn::IfThenElseZero(there, (weight * e).v));
         slope = slope + Lanes(hn::IfThenElseZero(there, (steepest * rise).v));
-        // Compressed in a register: storing a whole vector is faster, and there is room.
-        const auto keep = [&](Lanes v, float *plane) { hn::StoreU(hn::Compress(v.v, there), tag, plane + kept); };
-        if (out.x) {
-            keep(x, out.x);
-            keep(y, out.y);
-            keep(reachX, out.reachX);
-            keep(reachY, out.reachY);
-            keep(weight, out.weight);
-            keep(slowest, out.slowest);
-            keep(steepest, out.steepest);
-        }
-        const auto node = hn::LoadU(indexTag, in.node + i);
-        hn::StoreU(hn::Compress(node, hn::RebindMask(indexTag, there)), indexTag, out.node + kept);
-        kept += int(hn::CountTrue(tag, there));
+        count += int(hn::CountTrue(tag, there));
     }
-    constexpr float rounding = 1.0001f;
-    bound.density = hn::GetLane(hn::SumOfLanes(tag, density.v)) * rounding;
-    bound.slope = bound.density > level ? 0 : hn::GetLane(hn::SumOfLanes(tag, slope.v)) * rounding;
-    return kept;
+    HWY_INLINE Meeting meeting() const
+    {
+        constexpr float rounding = 1.0001f;
+        return {count, hn::GetLane(hn::SumOfLanes(tag, density.v)) * rounding,
+                hn::GetLane(hn::SumOfLanes(tag, slope.v)) * rounding};
+    }
+};
+
+int findRuns(const NodeBoxes &in, int count, const Area &area, std::uint32_t *runs, Meeting &meeting)
+{
+    Bounds bounds;
+    int found = 0;
+    for (int i = 0; i < count; i += int(boxRun)) {
+        const int before = bounds.count;
+        for (int j = i; j < std::min(count, i + int(boxRun)); j += int(hn::Lanes(tag))) {
+            const auto plane = [j](const float *p) { return Lanes(hn::LoadU(tag, p + j)); };
+            const Lanes slowest = plane(in.slowest);
+            const Approach x(plane(in.x), plane(in.reachX), slowest, area.x, area.halfWidth);
+            const Approach y(plane(in.y), plane(in.reachY), slowest, area.y, area.halfHeight);
+            const Mask there = hn::And(hn::FirstN(tag, std::size_t(count - j)), hn::And(x.meets, y.meets));
+            if (!hn::AllFalse(tag, there))
+                bounds.add(there, x.u2 + y.u2, exp2Down(Lanes(-log2e) * (x.u2 + y.u2)), plane(in.weight),
+                           plane(in.steepest));
+        }
+        runs[found] = std::uint32_t(i);
+        found += bounds.count > before;
+    }
+    meeting = bounds.meeting();
+    return found;
+}
+
+void listNodes(const NodeBoxes &in, int count, const std::uint32_t *runs, int runCount, const Grid &grid,
+               std::uint32_t *nodes, Meeting *cells)
+{
+    const hn::RebindToUnsigned<Tag> indexTag;
+    const int room = runCount * int(boxRun);
+    Bounds bounds[gridSide * gridSide];
+    for (int k = 0; k < room; k += int(hn::Lanes(tag))) {
+        const int at = int(runs[k / int(boxRun)]) + k % int(boxRun);
+        const auto plane = [at](const float *p) { return Lanes(hn::LoadU(tag, p + at)); };
+        const Lanes slowest = plane(in.slowest), weight = plane(in.weight), steepest = plane(in.steepest);
+        const double half = 0.5 * grid.side;
+        Approach across[gridSide];
+        Lanes acrossE[gridSide];
+        for (int i = 0; i < grid.columns; ++i) {
+            across[i] = Approach(plane(in.x), plane(in.reachX), slowest, grid.x + (2 * i + 1) * half, half);
+            acrossE[i] = across[i].e();
+        }
+        const Mask within = hn::FirstN(tag, std::size_t(std::max(0, count - at)));
+        const auto node = hn::LoadU(indexTag, in.node + at);
+        for (int row = 0, i = 0; row < grid.rows; ++row) {
+            const Approach down(plane(in.y), plane(in.reachY), slowest, grid.y + (2 * row + 1) * half, half);
+            const Lanes downE = down.e();
+            const Mask inRow = hn::And(within, down.meets);
+            for (int column = 0; column < grid.columns; ++column, ++i) {
+                const Mask there = hn::And(inRow, across[column].meets);
+                // Compressed in a register: storing a whole vector is faster, and there is room.
+                hn::StoreU(hn::Compress(node, hn::RebindMask(indexTag, there)), indexTag,
+                           nodes + i * room + bounds[i].count);
+                bounds[i].add(there, across[column].u2 + down.u2, acrossE[column] * downE, weight, steepest);
+            }
+        }
+    }
+    for (int i = 0; i < grid.columns * grid.rows; ++i)
+        cells[i] = bounds[i].meeting();
 }
 
 void shade(const ShadeParams &params, const Sums &sums, const float *eta, float step, Shaded &out)
@@ -182,7 +237,7 @@ void toArgb(const float *rgba, int count, std::uint32_t *argb)
 
 Kernels table()
 {
-    return {hwy::TargetName(HWY_TARGET), select, accumulate, shade, shadeInto, mix, compose, apply, finish, toArgb};
+    return {hwy::TargetName(HWY_TARGET), findRuns, listNodes, accumulate, shade, shadeInto, mix, compose, apply, finish, toArgb};
 }
 
 } // namespace suffuse::HWY_NAMESPACE

@@ -30,8 +30,17 @@ struct Area {
     double halfWidth = 0, halfHeight = 0;
 };
 
-/// Upper bounds of φ and |∇φ| (per pixel) of some nodes over an area.
-struct Bound {
+/// Square cells side by side, the first at (x, y): at most gridSide columns and rows.
+inline constexpr int gridSide = 4;
+struct Grid {
+    double x = 0, y = 0;
+    double side = blockSide; ///< of a cell
+    int columns = 1, rows = 1;
+};
+
+/// How many nodes meet an area, and upper bounds of their φ and |∇φ| (per pixel) over it.
+struct Meeting {
+    int count = 0;
     float density = 0;
     float slope = 0;
 };
@@ -72,9 +81,13 @@ struct OverMap {
 
 struct Kernels {
     const char *name;
-    /// Keeps the boxes that meet `area`, in order; conservative, what it drops adds exactly nothing. Returns how many.
-    /// The slope's bound is of interest, and found, only where that of the density is at most `level`.
-    int (*select)(const NodeBoxes &in, int count, const Area &area, float level, const NodeBoxSink &out, Bound &bound);
+    /// The boxes that meet `area`; conservative, what is left out adds exactly nothing. `runs`: the first of each boxRun
+    /// boxes with one that meets; their number is returned.
+    int (*findRuns)(const NodeBoxes &in, int count, const Area &area, std::uint32_t *runs, Meeting &meeting);
+    /// The same for each cell of a grid (row by row), of the boxes in some runs. The nodes of cell i, in order, lie in
+    /// `nodes` from i·runCount·boxRun on.
+    void (*listNodes)(const NodeBoxes &in, int count, const std::uint32_t *runs, int runCount, const Grid &grid,
+                      std::uint32_t *nodes, Meeting *cells);
     /// The sums of the nodes that are listed, of which the first `separable` have b = 0. `values`: `channels` floats a row.
     void (*accumulate)(const Block &block, const ViewNode *nodes, const std::uint32_t *listed, int count, int separable,
                        const float *values, int channels, Sums &sums);

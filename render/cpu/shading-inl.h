@@ -87,7 +87,9 @@ HWY_INLINE void shadeOneStyle(const Style &style, const ShadeParams &params, con
             others.add(hn::Add(iota, hn::Set(indexTag, at)), hn::Not(simple), m.phi, m.h2);
     }
     for (int i = 0; i < vectors; ++i)
-        store(style.simpleMean(load(phi + seen[i]), load(h2 + seen[i])), f + seen[i]);
+        store(style.begin(load(phi + seen[i])), f + seen[i]);
+    for (int i = 0; i < vectors; ++i)
+        store(style.finish(load(f + seen[i]), load(phi + seen[i]), load(h2 + seen[i])), f + seen[i]);
     others.write(style, f);
     for (int i = 0; i < vectors; ++i) {
         const int at = seen[i];

@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <numbers>
-#include <optional>
 
 namespace suffuse::cpu {
 
@@ -20,11 +19,9 @@ struct Scratch {
     alignas(64) float eta[blockSize];
     alignas(64) float sampleEta[blockSize];
     float rgba[blockSize * 4];
-    std::vector<std::uint32_t> block; ///< room for lists of nodes
-    std::vector<std::uint32_t> group;
+    std::vector<std::uint32_t> runs;  ///< of boxes that meet the block, where it is supersampled,
+    std::vector<std::uint32_t> group; ///< and nodes that meet a group of its pixels
 };
-
-using NodeList = std::span<const std::uint32_t>;
 
 Area areaOf(const Rect &r)
 {
@@ -32,20 +29,25 @@ Area areaOf(const Rect &r)
     return {centre.x, centre.y, 0.5 * r.width(), 0.5 * r.height()};
 }
 
-/// Of a tile's nodes those that meet `area`, in `room`; none where they add nothing there.
-std::optional<NodeList> listNodes(const Kernels &kernels, const TileStroke &stroke, const Rect &area,
-                                  std::vector<std::uint32_t> &room)
+/// Runs of the stroke's boxes that meet `area`, in `room`.
+int findRuns(const Kernels &kernels, const SceneStroke &stroke, const Area &area, std::vector<std::uint32_t> &room,
+             Meeting &meeting)
 {
-    Bound bound;
-    NodeBoxSink sink;
-    if (room.size() < std::size_t(stroke.count) + boxRun)
-        room.resize(std::size_t(stroke.count) + boxRun);
-    sink.node = room.data();
-    const int count =
-        kernels.select(stroke.boxes.boxes(), stroke.count, areaOf(area), stroke.stroke->lowest, sink, bound);
-    if (count == 0 ? stroke.stroke->deep.empty() : canVanish(*stroke.stroke, bound.density, bound.slope))
-        return {};
-    return NodeList(room.data(), std::size_t(count));
+    const std::size_t most = (stroke.nodes.size() + boxRun - 1) / boxRun;
+    if (room.size() < most)
+        room.resize(most);
+    return kernels.findRuns(stroke.boxes.boxes(), int(stroke.nodes.size()), area, room.data(), meeting);
+}
+
+bool shows(const SceneStroke &stroke, const Meeting &meeting)
+{
+    return meeting.count == 0 ? !stroke.deep.empty() : !canVanish(stroke, meeting.density, meeting.slope);
+}
+
+bool meets(const PixelRect &bounds, double x, double y)
+{
+    return bounds.x < x + blockSide && x < bounds.x + bounds.width && bounds.y < y + blockSide &&
+           y < bounds.y + bounds.height;
 }
 
 class BlockPainter {
@@ -78,23 +80,19 @@ public:
         std::fill_n(map->gain, blockSize, 0.0f);
     }
 
-    void add(const TileStroke &stroke)
+    void add(const SceneStroke &scene, NodeList listed)
     {
         const Block block{double(m_x), double(m_y), 1};
-        const SceneStroke &scene = *stroke.stroke;
-        const auto listed = listNodes(*m_frame.kernels, stroke, boxOf(block), m_s.block);
-        if (!listed)
-            return;
         const float *paper = scene.granulated ? eta() : nullptr;
         const bool small = markLevels(scene);
         if (!small && scene.deep.empty()) {
-            sum(scene, *listed, block);
+            sum(scene, listed, block);
             m_frame.kernels->shadeInto(scene.shade, m_s.sums, paper, 1, scene.keep, m_s.backdrop, m_map);
             return;
         }
-        evaluate(scene, *listed, block, paper, m_s.shaded);
+        evaluate(scene, listed, block, paper, m_s.shaded);
         if (small)
-            supersample(stroke);
+            supersample(scene);
         m_frame.kernels->mix(m_s.shaded, scene.keep, m_s.backdrop);
         if (m_map)
             m_frame.kernels->compose(m_s.shaded, scene.keep, *m_map);
@@ -110,8 +108,6 @@ public:
     }
 
 private:
-    static Rect boxOf(const Block &b) { return Rect::of(b.x, b.y, blockSide * b.step, blockSide * b.step); }
-
     void sum(const SceneStroke &scene, NodeList listed, const Block &block)
     {
         const auto oblique = std::lower_bound(listed.begin(), listed.end(), std::uint32_t(scene.separable));
@@ -190,19 +186,23 @@ private:
     }
 
     /// Replaces opacity and colour of the marked pixels by means over 2^k × 2^k points.
-    void supersample(const TileStroke &stroke)
+    void supersample(const SceneStroke &stroke)
     {
+        Meeting block;
+        const Area area = areaOf(Rect::of(m_x, m_y, blockSide, blockSide));
+        const int runs = findRuns(*m_frame.kernels, stroke, area, m_s.runs, block);
+        m_s.group.resize(std::max(m_s.group.size(), std::size_t(runs) * boxRun));
         for (int level = 1; level <= 6; ++level) {
             if (std::find(m_level.begin(), m_level.end(), level) == m_level.end())
                 continue;
             const int side = std::max(1, blockSide >> level); // pixels of a group of samples
             for (int j = 0; j < blockSide; j += side)
                 for (int i = 0; i < blockSide; i += side)
-                    supersampleGroup(stroke, level, i, j, side);
+                    supersampleGroup(stroke, runs, level, i, j, side);
         }
     }
 
-    void supersampleGroup(const TileStroke &stroke, int level, int i, int j, int side)
+    void supersampleGroup(const SceneStroke &stroke, int runs, int level, int i, int j, int side)
     {
         bool any = false;
         for (int y = j; y < j + side; ++y)
@@ -210,19 +210,22 @@ private:
                 any |= m_level[y * blockSide + x] == level;
         if (!any)
             return;
-        const Rect area = Rect::of(m_x + i, m_y + j, side, side);
-        const auto listed = listNodes(*m_frame.kernels, stroke, area, m_s.group);
+        Meeting cell;
+        m_frame.kernels->listNodes(stroke.boxes.boxes(), int(stroke.nodes.size()), m_s.runs.data(), runs,
+                                   {double(m_x + i), double(m_y + j), double(side)}, m_s.group.data(), &cell);
+        const bool shown = shows(stroke, cell);
+        const NodeList listed(m_s.group.data(), std::size_t(cell.count));
         std::array<std::array<double, 4>, blockSize> mean{}; // w, w·C of the group's pixels
         const int samples = 1 << level;                      // a side of a pixel
         const double step = 1.0 / samples;
         const int blocks = std::max(1, samples / blockSide); // of samples, a side of the group
-        for (int v = 0; v < blocks && listed; ++v)
+        for (int v = 0; v < blocks && shown; ++v)
             for (int u = 0; u < blocks; ++u) {
                 const Block block{m_x + i + u * blockSide * step, m_y + j + v * blockSide * step, step};
-                const bool paper = stroke.stroke->granulated && hasPaper();
+                const bool paper = stroke.granulated && hasPaper();
                 if (paper)
                     fillEta(block, m_s.sampleEta);
-                evaluate(*stroke.stroke, *listed, block, paper ? m_s.sampleEta : nullptr, m_s.samples);
+                evaluate(stroke, listed, block, paper ? m_s.sampleEta : nullptr, m_s.samples);
                 for (int y = 0; y < blockSide; ++y)
                     for (int x = 0; x < blockSide; ++x) {
                         const int at = y * blockSide + x;
@@ -256,58 +259,83 @@ private:
 
 } // namespace
 
-bool selectNodes(const Kernels &kernels, const SceneStroke &stroke, const Rect &area, TileStroke &out)
+void TileStrokes::begin(const Kernels &kernels, const PixelRect &tile)
 {
-    Bound bound;
-    out.stroke = &stroke;
-    out.boxes.reserve(stroke.nodes.size());
-    out.count = kernels.select(stroke.boxes.boxes(), int(stroke.nodes.size()), areaOf(area), stroke.lowest,
-                               out.boxes.sink(), bound);
-    if (out.count == 0)
-        return !stroke.deep.empty();
-    return !canVanish(stroke, bound.density, bound.slope);
+    const auto blocks = [](int pixels) { return (pixels + blockSide - 1) / blockSide; };
+    m_kernels = &kernels;
+    m_grid = {double(tile.x), double(tile.y), blockSide, blocks(tile.width), blocks(tile.height)};
+    m_area = areaOf(Rect::of(tile.x, tile.y, m_grid.columns * blockSide, m_grid.rows * blockSide));
+    m_strokes.clear();
+    m_used = 0;
+}
+
+bool TileStrokes::add(const SceneStroke &stroke)
+{
+    Meeting tile;
+    const int runs = findRuns(*m_kernels, stroke, m_area, m_runs, tile);
+    if (!shows(stroke, tile))
+        return false;
+    const int blocks = m_grid.columns * m_grid.rows;
+    const std::size_t room = std::size_t(runs) * boxRun, end = m_used + room * std::size_t(blocks);
+    if (m_nodes.size() < end)
+        m_nodes.resize(2 * end);
+    std::array<Meeting, gridSide * gridSide> cells;
+    m_kernels->listNodes(stroke.boxes.boxes(), int(stroke.nodes.size()), m_runs.data(), runs, m_grid,
+                         m_nodes.data() + m_used, cells.data());
+    Entry &entry = m_strokes.emplace_back();
+    entry.scene = &stroke;
+    bool shown = false;
+    for (int i = 0; i < blocks; ++i) {
+        const auto at = std::size_t(i);
+        const double x = m_grid.x + i % m_grid.columns * blockSide, y = m_grid.y + i / m_grid.columns * blockSide;
+        if (!shows(stroke, cells[at]) || !meets(stroke.bounds, x, y))
+            continue;
+        entry.blocks[at] = {std::uint32_t(m_used + at * room), cells[at].count};
+        shown = true;
+    }
+    if (shown)
+        m_used = end;
+    else
+        m_strokes.pop_back();
+    return shown;
 }
 
 namespace {
 
-/// Strokes [from, to) that meet the block at (x, y).
-void addStrokes(BlockPainter &painter, int x, int y, std::span<const TileStroke> strokes, std::size_t from,
-                std::size_t to)
+/// Strokes [from, to) at a block of the tile.
+void addStrokes(BlockPainter &painter, const TileStrokes &strokes, std::size_t block, std::size_t from, std::size_t to)
 {
-    for (std::size_t i = from; i < to; ++i) {
-        const PixelRect &b = strokes[i].stroke->bounds;
-        if (b.x < x + blockSide && x < b.x + b.width && b.y < y + blockSide && y < b.y + b.height)
-            painter.add(strokes[i]);
-    }
+    for (std::size_t i = from; i < to; ++i)
+        if (const auto nodes = strokes.nodesAt(i, block))
+            painter.add(strokes[i], *nodes);
 }
 
 } // namespace
 
-void paintTile(const Frame &frame, const PixelRect &tile, std::span<const TileStroke> strokes, const TilePlan &plan,
+void paintTile(const Frame &frame, const PixelRect &tile, const TileStrokes &strokes, const TilePlan &plan,
                const SceneStroke *edited, float *rgba)
 {
     thread_local const auto scratch = std::make_unique<Scratch>();
     const bool haveUnder = plan.layers && !plan.storeUnder;
     // The edited stroke may miss this tile; then all the rest lies above it.
-    const bool meetsEdited = plan.below < strokes.size() && strokes[plan.below].stroke == edited;
+    const bool meetsEdited = plan.below < strokes.size() && &strokes[plan.below] == edited;
     const std::size_t above = plan.below + (meetsEdited ? 1 : 0);
     std::size_t index = 0;
     for (int y = 0; y < tile.height; y += blockSide)
         for (int x = 0; x < tile.width; x += blockSide, ++index) {
-            const int left = tile.x + x, top = tile.y + y;
-            BlockPainter painter(frame, left, top, *scratch);
+            BlockPainter painter(frame, tile.x + x, tile.y + y, *scratch);
             if (haveUnder)
                 painter.backdrop() = plan.layers->under[index];
             else
-                addStrokes(painter, left, top, strokes, 0, plan.below);
+                addStrokes(painter, strokes, index, 0, plan.below);
             if (plan.storeUnder)
                 plan.layers->under[index] = painter.backdrop();
-            addStrokes(painter, left, top, strokes, plan.below, above);
+            addStrokes(painter, strokes, index, plan.below, above);
             if (plan.applyOver) {
                 frame.kernels->apply(plan.layers->over[index], painter.backdrop());
             } else {
                 painter.record(plan.storeOver ? &plan.layers->over[index] : nullptr);
-                addStrokes(painter, left, top, strokes, above, strokes.size());
+                addStrokes(painter, strokes, index, above, strokes.size());
             }
             painter.finish(rgba + (std::size_t(y) * tile.width + x) * 4, tile.width,
                            std::min(blockSide, tile.width - x), std::min(blockSide, tile.height - y));

@@ -5,6 +5,8 @@
 #include "render/paper.h"
 #include "render/scene.h"
 
+#include <array>
+#include <optional>
 #include <span>
 
 namespace suffuse::cpu {
@@ -18,15 +20,44 @@ struct Frame {
     const Kernels *kernels = nullptr;
 };
 
-/// A stroke's nodes that may touch a tile, in the stroke's order.
-struct TileStroke {
-    const SceneStroke *stroke = nullptr;
-    NodeBoxStore boxes;
-    int count = 0;
-};
+/// Nodes of a stroke, as indices.
+using NodeList = std::span<const std::uint32_t>;
 
-/// Keeps a stroke's nodes whose boxes meet `area` (pixels); false where they add nothing there.
-bool selectNodes(const Kernels &kernels, const SceneStroke &stroke, const Rect &area, TileStroke &out);
+/// The strokes that show in a tile, in order, with their nodes by block (rows of blocks first).
+class TileStrokes {
+public:
+    /// Starts a tile of at most gridSide × gridSide blocks; keeps its memory.
+    void begin(const Kernels &kernels, const PixelRect &tile);
+    /// Adds a stroke; false where it shows nothing in any block.
+    bool add(const SceneStroke &stroke);
+    std::size_t size() const { return m_strokes.size(); }
+    const SceneStroke &operator[](std::size_t i) const { return *m_strokes[i].scene; }
+    /// The nodes of stroke `i` that meet a block; none where it shows nothing there.
+    std::optional<NodeList> nodesAt(std::size_t i, std::size_t block) const
+    {
+        const Run &run = m_strokes[i].blocks[block];
+        if (run.count < 0)
+            return {};
+        return NodeList(m_nodes.data() + run.from, std::size_t(run.count));
+    }
+
+private:
+    struct Run {
+        std::uint32_t from = 0;
+        int count = -1; ///< negative: it shows nothing
+    };
+    struct Entry {
+        const SceneStroke *scene = nullptr;
+        std::array<Run, gridSide * gridSide> blocks;
+    };
+
+    const Kernels *m_kernels = nullptr;
+    Grid m_grid;
+    Area m_area;
+    std::vector<Entry> m_strokes;
+    std::vector<std::uint32_t> m_nodes, m_runs;
+    std::size_t m_used = 0; ///< of m_nodes
+};
 
 /// How a tile is painted with layers (render/cpu/layer_cache.h).
 struct TilePlan {
@@ -39,7 +70,7 @@ struct TilePlan {
 
 /// Evaluates `tile` (its corner on the picture's 8-pixel grid) into `rgba`, rows of tile.width pixels. `strokes` in
 /// order; with layers, the one at `plan.below` may be the edited one (`edited` names it).
-void paintTile(const Frame &frame, const PixelRect &tile, std::span<const TileStroke> strokes, const TilePlan &plan,
+void paintTile(const Frame &frame, const PixelRect &tile, const TileStrokes &strokes, const TilePlan &plan,
                const SceneStroke *edited, float *rgba);
 
 } // namespace suffuse::cpu

@@ -26,7 +26,7 @@ SUFFUSE_INLINE double paperCorner(std::uint32_t base, std::int64_t x, std::int64
 }
 
 /// η of the procedural paper at canvas point (x, y) for samples of size px (canvas units).
-inline double proceduralPaper(double x, double y, double px, std::uint32_t seed, double scale, double strength)
+SUFFUSE_INLINE double proceduralPaper(double x, double y, double px, std::uint32_t seed, double scale, double strength)
 {
     const auto fade = [](double f) { return f * f * f * (f * (f * 6 - 15) + 10); };
     double sum = 0, amplitude = 1, wavelength = scale;
@@ -47,7 +47,7 @@ inline double proceduralPaper(double x, double y, double px, std::uint32_t seed,
 }
 
 /// η of an image paper: bilinear between texel centres, repeated.
-inline double imagePaper(double x, double y, const float *grey, int width, int height, double scale, double strength)
+SUFFUSE_INLINE double imagePaper(double x, double y, const float *grey, int width, int height, double scale, double strength)
 {
     const double u = x / scale - 0.5, v = y / scale - 0.5, fu = std::floor(u), fv = std::floor(v);
     const auto wrap = [](double i, int n) { return int(i - std::floor(i / n) * n); };

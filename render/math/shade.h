@@ -52,7 +52,7 @@ SUFFUSE_INLINE V mixedStyles(const ShadeParams &params, Channel channel, V inver
 }
 
 /// Whether anything varies along the stroke.
-inline bool usesChannels(const ShadeParams &params)
+SUFFUSE_INLINE bool usesChannels(const ShadeParams &params)
 {
     return params.colourChannel >= 0 || params.lineChannel >= 0 || params.grainChannel >= 0 || params.kinds > 1 ||
            params.kind[0].xiChannel >= 0;
@@ -106,7 +106,7 @@ SUFFUSE_INLINE Paint<V> paintOf(const ShadeParams &params, V inverse, Channel ch
 }
 
 /// One style for the whole stroke: made once, used for all samples.
-inline bool hasOneStyle(const ShadeParams &params)
+SUFFUSE_INLINE bool hasOneStyle(const ShadeParams &params)
 {
     return params.kinds == 1 && params.kind[0].xiChannel < 0;
 }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "model/style.h"
+#include "render/math/compat.h"
 
 namespace suffuse {
 
@@ -29,7 +30,7 @@ struct ShadeParams {
 };
 
 /// True only if F is zero for all densities and h up to these. `level`: the style's.
-inline bool vanishes(StyleKind kind, float level, float phi, float h)
+SUFFUSE_INLINE bool vanishes(StyleKind kind, float level, float phi, float h)
 {
     if (kind != StyleKind::Edge)
         return phi + h <= level;

@@ -20,7 +20,8 @@ inline constexpr double ln2 = 0.6931471805599453;
 //
 // Each style has: level(): F is zero where the whole range lies below (`vanishes`, shade_params.h); seen(φ, h²): false
 // only where the mean is exactly zero; simple(φ, h²): simpleMean suffices; simpleMean(φ, h²): zero for φ = 0;
-// longMean(φ, h).
+// longMean(φ, h). Where many samples are in turn, simpleMean = finish(begin(φ), φ, h²) in two passes is faster: half of
+// it fits a processor's window several times, the whole waits for its own results.
 
 template <class Style, class V>
 SUFFUSE_INLINE V meanOf(const Style &style, V phi, V h2)
@@ -44,14 +45,14 @@ SUFFUSE_INLINE auto below_(V h2, V a)
     return less_(h2, positive * positive);
 }
 
-/// Uniform colouring (17), F̃: zero below φ₀ = max(0, ξ1 − 8ξ2).
+/// Uniform colouring (17), F̃: zero below φ₀ = max(0, ξ1 − 8ξ2). F̃ = gain·f − loss, with f₀ = loss/gain.
 template <class V>
 struct Uniform {
-    V xi1, xi2, inverseXi2, phi0, f0, gain, slope, offset, shortLimit, reachesZero, fullFrom;
+    V xi1, xi2, inverseXi2, phi0, loss, gain, slope, offset, shortLimit, reachesZero, fullFrom;
 
     SUFFUSE_INLINE Uniform(V x1, V x2)
         : xi1(x1), xi2(x2), inverseXi2(V(1) / x2), phi0(max_(V(0), x1 - V(8) * x2)),
-          f0(V(1) / (V(1) + exp2_(V(log2e) * (x1 - phi0) * inverseXi2))), gain(V(1) / (V(1) - f0)),
+          loss(exp2_(V(-log2e) * (x1 - phi0) * inverseXi2)), gain(V(1) + loss),
           slope(V(-log2e) * inverseXi2), offset(V(log2e) * xi1 * inverseXi2), shortLimit(V(0.64) * x2 * x2),
           reachesZero(select_(less_(V(0), phi0), V(1e36), V(0))), fullFrom(x1 + V(10) * x2)
     {}
@@ -67,9 +68,11 @@ struct Uniform {
         const auto isShort = less_(h2, min_(shortLimit, mulAdd_(phi, phi, reachesZero)));
         return or_(or_(isShort, below_(h2, phi - fullFrom)), not_(seen(phi, h2)));
     }
-    SUFFUSE_INLINE V simpleMean(V phi, V h2) const
+    SUFFUSE_INLINE V simpleMean(V phi, V h2) const { return finish(begin(phi), phi, h2); }
+    SUFFUSE_INLINE V begin(V phi) const { return exp2_(mulAdd_(phi, slope, offset)); }
+    SUFFUSE_INLINE V finish(V begun, V, V h2) const
     {
-        return clamp01(shortMean(mulAdd_(phi, slope, offset), h2 * (inverseXi2 * inverseXi2)));
+        return clamp01(shortMean(begun, h2 * (inverseXi2 * inverseXi2)));
     }
     SUFFUSE_INLINE V longMean(V phi, V h) const
     {
@@ -79,22 +82,22 @@ struct Uniform {
         const V ea = exp2_(V(-log2e) * abs_(a)), eb = exp2_(V(-log2e) * abs_(b));
         const V softplus = max_(b, V(0)) - max_(a, V(0)) + V(ln2) * log2_((V(1) + eb) * reciprocal_(V(1) + ea));
         const auto wide = less_(V(0.8), half); // else the range ends near φ₀, and the difference would cancel
-        V sum = (softplus - f0 * range) * gain;
+        V sum = negMulAdd_(range, loss, softplus * gain);
         if (!all_(wide))
-            sum = select_(wide, sum, shortMean(V(-log2e) * (a + half), half * half) * range);
+            sum = select_(wide, sum, shortMean(exp2_(V(-log2e) * (a + half)), half * half) * range);
         return clamp01(sum * xi2 * reciprocal_(max_(V(2) * h, V(1e-30))));
     }
 
 private:
-    /// Of (f − f₀)/(1 − f₀) over x ± q, to fourth order in q: the sixth is below 1.4e-5. `exponent`: −x log₂ e. Less
-    /// 2e-7, so that nothing is left below φ₀.
-    SUFFUSE_INLINE V shortMean(V exponent, V q2) const
+    /// Of (f − f₀)/(1 − f₀) over x ± q, to fourth order in q: the sixth is below 1.4e-5. `power`: e^−x. Less 2e-7, so
+    /// that nothing is left below φ₀.
+    SUFFUSE_INLINE V shortMean(V power, V q2) const
     {
-        const V f = reciprocal_(V(1) + exp2_(exponent)), rest = V(1) - f, g = f * rest;
+        const V f = reciprocal_(V(1) + power), rest = V(1) - f, g = f * rest;
         // f″ = g (1 − 2f), f⁗ = f″ (1 − 12 g)
         const V fourth = mulAdd_(q2 * V(1.0 / 20), mulAdd_(V(-12), g, V(1)), V(1));
         const V series = mulAdd_(q2 * V(1.0 / 6) * (g * (rest - f)), fourth, f);
-        return mulAdd_(series, gain, V(-2e-7) - f0 * gain);
+        return mulAdd_(series, gain, V(-2e-7) - loss);
     }
 };
 
@@ -116,9 +119,11 @@ struct Feathering {
         const auto isShort = and_(below_(h2, narrow * phi), below_(h2, xi1 - phi));
         return or_(or_(isShort, full(phi, h2)), not_(seen(phi, h2)));
     }
-    SUFFUSE_INLINE V simpleMean(V phi, V h2) const
+    SUFFUSE_INLINE V simpleMean(V phi, V h2) const { return finish(begin(phi), phi, h2); }
+    SUFFUSE_INLINE V begin(V phi) const { return logarithm(phi * inverseXi1); }
+    SUFFUSE_INLINE V finish(V begun, V phi, V h2) const
     {
-        const V f = clamp01(shortMean(phi * inverseXi1, h2 * (inverseXi1 * inverseXi1)));
+        const V f = clamp01(shortMean(begun, phi * inverseXi1, h2 * (inverseXi1 * inverseXi1)));
         return select_(less_(V(0), phi), f, V(0));
     }
     /// The range has a part below 0 (F = 0), one in [0, ξ1] (the power), one above (F = 1).
@@ -129,18 +134,19 @@ struct Feathering {
         const V a1 = clamp01(a), b1 = clamp01(x + reach), middle = V(0.5) * (a1 + b1), half = V(0.5) * (b1 - a1);
         const V p1 = xi2 + V(1), low = select_(less_(V(0), a1), power(a1, p1), V(0));
         const V quotient = (power(b1, p1) - low) / (p1 * max_(b1 - a1, V(1e-30)));
-        const V mean = select_(less_(half, narrow * middle), shortMean(middle, half * half), quotient);
+        const V mean = select_(less_(half, narrow * middle), shortMean(logarithm(middle), middle, half * half), quotient);
         return clamp01((toOne - toZero) * mean + (V(1) - toOne));
     }
 
 private:
     SUFFUSE_INLINE auto full(V phi, V h2) const { return below_(h2, phi - xi1); }
-    static SUFFUSE_INLINE V power(V x, V p) { return exp2_(p * log2_(max_(x, V(1e-36)))); }
-    /// Of x^ξ2 over x ± half, to fourth order: the sixth is below 5e-5 for half/x < 0.8/max(ξ2, 2).
-    SUFFUSE_INLINE V shortMean(V x, V half2) const
+    static SUFFUSE_INLINE V logarithm(V x) { return log2_(max_(x, V(1e-36))); }
+    static SUFFUSE_INLINE V power(V x, V p) { return exp2_(p * logarithm(x)); }
+    /// Of x^ξ2 over x ± half, `log`: log₂ x, to fourth order: the sixth is below 5e-5 for half/x < 0.8/max(ξ2, 2).
+    SUFFUSE_INLINE V shortMean(V log, V x, V half2) const
     {
         const V r2 = half2 * reciprocal_(max_(x * x, V(1e-36)));
-        return power(x, xi2) * mulAdd_(mulAdd_(fourth, r2, second), r2, V(1));
+        return exp2_(xi2 * log) * mulAdd_(mulAdd_(fourth, r2, second), r2, V(1));
     }
 };
 
@@ -173,9 +179,10 @@ struct Edge {
     {
         return or_(and_(less_(h2, V(0.16) * phi * phi), below_(h2, phi - phiE)), not_(seen(phi, h2)));
     }
-    SUFFUSE_INLINE V simpleMean(V phi, V h2) const
+    SUFFUSE_INLINE V simpleMean(V phi, V h2) const { return finish(begin(phi), phi, h2); }
+    SUFFUSE_INLINE V begin(V phi) const { return reciprocal_(max_(phi, V(1e-18))); }
+    SUFFUSE_INLINE V finish(V inverse, V phi, V h2) const
     {
-        const V inverse = reciprocal_(max_(phi, V(1e-18)));
         return select_(less_(V(0), phi), clamp01(shortMean(phiE * inverse, h2 * inverse * inverse)), V(0));
     }
     SUFFUSE_INLINE V longMean(V phi, V h) const

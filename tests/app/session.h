@@ -17,7 +17,7 @@ inline constexpr Microseconds interval = 16'000;
 struct Session {
     MainWindow window;
 
-    Session()
+    explicit Session(MakeRenderer make = makeRenderer) : window(nullptr, std::move(make))
     {
         window.resize(1100, 760);
         window.show();
@@ -63,8 +63,7 @@ public:
     Pen()
         : m_device("test pen", 7, QInputDevice::DeviceType::Stylus, QPointingDevice::PointerType::Pen,
                    QInputDevice::Capability::Position | QInputDevice::Capability::Pressure, 1, 1)
-    {
-    }
+    {}
     void send(QWidget &widget, QEvent::Type type, QPointF at, double pressure)
     {
         const bool down = type != QEvent::TabletRelease;

@@ -287,7 +287,7 @@ private slots:
         }
         QTRY_VERIFY_WITH_TIMEOUT(canvas.isUpToDate(), waitMs);
 
-        Result<std::unique_ptr<Renderer>> renderer = makeRenderer({Backend::Cpu});
+        Result<std::unique_ptr<Renderer>> renderer = makeRenderer({}); // as the canvas chooses
         QVERIFY2(bool(renderer), qPrintable(renderer.error()));
         Picture8 picture;
         RenderRequest request{editor.document().snapshot(), editor.time(), canvas.view()};

@@ -119,10 +119,12 @@ private slots:
         SettingsDialog dialog;
         dialog.language()->setCurrentIndex(dialog.language()->findData("de"));
         dialog.presenter()->setCurrentIndex(int(settings::Presenter::Raster));
+        dialog.backend()->setCurrentText("CUDA");
         dialog.threads()->setValue(2);
         dialog.accept();
         QCOMPARE(settings::language(), QString("de"));
         QCOMPARE(settings::presenter(), settings::Presenter::Raster);
+        QCOMPARE(settings::backend(), Backend::Cuda);
         QCOMPARE(settings::threads(), 2);
     }
 

@@ -58,10 +58,12 @@ private slots:
         settings::setLanguage("de");
         settings::setTheme(settings::Theme::Dark);
         settings::setPresenter(settings::Presenter::OpenGL);
+        settings::setBackend(Backend::Cpu);
         settings::setThreads(3);
         QCOMPARE(settings::language(), QString("de"));
         QCOMPARE(settings::theme(), settings::Theme::Dark);
         QCOMPARE(settings::presenter(), settings::Presenter::OpenGL);
+        QCOMPARE(settings::backend(), Backend::Cpu);
         QCOMPARE(settings::threads(), 3);
     }
 
@@ -70,10 +72,12 @@ private slots:
         settings::store().setValue("language", "klingon");
         settings::store().setValue("theme", 17);
         settings::store().setValue("presenter", "smoke");
+        settings::store().setValue("backend", "abacus");
         settings::store().setValue("threads", -5);
         QCOMPARE(settings::language(), QString());
         QCOMPARE(settings::theme(), settings::Theme::System);
         QCOMPARE(settings::presenter(), settings::Presenter::Auto);
+        QCOMPARE(settings::backend(), Backend::Auto);
         QCOMPARE(settings::threads(), 0);
     }
 

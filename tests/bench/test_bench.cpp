@@ -1,10 +1,9 @@
-// The measuring code measures what it says: paintings, rows, and baselines that draw the same picture.
+// The measuring code measures what it says: paintings and rows.
 #include "model/formats/files.h"
 #include "model/validate.h"
-#include "render/bench/generator.h"
 #include "render/bench/measure.h"
 #include "render/bench/plan.h"
-#include "tests/bench/baselines.h"
+#include "tests/bench/small_painting.h"
 #include "tests/cli/cli_process.h"
 
 #include <QJsonArray>
@@ -18,81 +17,6 @@
 
 using namespace suffuse;
 
-namespace {
-
-bench::PaintingOptions smallOptions()
-{
-    bench::PaintingOptions o;
-    o.strokes = 12;
-    o.segments = 240;
-    o.width = 256;
-    o.height = 192;
-    return o;
-}
-
-/// Small strokes so that 0.1 W reaches their whole spread, in soft styles that a pixel's width does not matter for.
-PaintingPtr softPainting()
-{
-    bench::PaintingOptions o = smallOptions();
-    o.spreadLow = 6;
-    o.spreadHigh = 8;
-    Painting painting = bench::makePainting(o);
-    int index = 0;
-    for (StrokePtr &place : painting.strokes) {
-        Stroke stroke = *place;
-        stroke.style = index++ % 2 == 0 ? Style{StyleKind::Uniform, {0.5f, 0.1f, 0}}
-                                        : Style{StyleKind::Feathering, {1.1f, 1.5f, 0}};
-        place = std::make_shared<const Stroke>(std::move(stroke));
-    }
-    return std::make_shared<const Painting>(std::move(painting));
-}
-
-RenderRequest requestFor(const PaintingPtr &painting)
-{
-    const bench::Job job = bench::jobOf(painting, int(painting->canvas.width), {});
-    RenderRequest request;
-    request.painting = job.painting;
-    request.time = job.time;
-    request.view = job.view;
-    return request;
-}
-
-FloatPicture drawn(const RenderRequest &request)
-{
-    RendererOptions options;
-    options.backend = Backend::Cpu;
-    const auto renderer = makeRenderer(options);
-    FloatPicture picture;
-    if (!renderer || !(*renderer)->render(request, picture))
-        return {};
-    return picture;
-}
-
-struct Difference {
-    double mean = 0;
-    double largest = 0;
-    double covered = 0; ///< share of the pixels that are not white
-};
-
-Difference difference(const std::vector<float> &a, const FloatPicture &b)
-{
-    Difference out;
-    for (std::size_t i = 0; i < b.rgba.size(); i += 4) {
-        double d = 0;
-        for (std::size_t c = 0; c < 3; ++c)
-            d = std::max(d, std::abs(double(a[i + c]) - double(b.rgba[i + c])));
-        out.mean += d;
-        out.largest = std::max(out.largest, d);
-        out.covered += b.rgba[i] + b.rgba[i + 1] + b.rgba[i + 2] < 2.9;
-    }
-    const double pixels = double(b.width) * b.height;
-    out.mean /= pixels;
-    out.covered /= pixels;
-    return out;
-}
-
-} // namespace
-
 class TestBench : public QObject {
     Q_OBJECT
 
@@ -105,11 +29,9 @@ private slots:
     void rowsAsJson();
     void planTakesEveryRow();
     void commandPrintsRows();
+    void commandMeasuresTheBackendAskedFor();
     void commandRefusesWrongUsage_data();
     void commandRefusesWrongUsage();
-    void paperMethodDrawsThePicture();
-    void finiteDifferencesDrawThePicture();
-    void finiteDifferencesConverge();
 };
 
 void TestBench::generatedPaintingsAreWhatTheySay()
@@ -229,9 +151,9 @@ void TestBench::planTakesEveryRow()
         QVERIFY(!row.device.isEmpty());
     }
     const std::map<QString, int> expected = {
-        {"full-render", 4},    {"node-build", 4},       {"binning", 4},     {"open", 1},      {"drag", 1},
-        {"drag-among-100", 1}, {"drag-among-10000", 1}, {"live-stroke", 1},
-        {"live-stroke-2000", 1}, {"growth-50", 1}, {"growth-100", 1}};
+        {"full-render", 4}, {"node-build", 4},       {"binning", 4},        {"open", 1},
+        {"drag", 1},        {"edit-segment", 1},     {"drag-among-100", 1}, {"drag-among-10000", 1},
+        {"live-stroke", 1}, {"live-stroke-2000", 1}, {"growth-50", 1},      {"growth-100", 1}};
     QVERIFY(names == expected);
 
     plan.only = {"drag"};
@@ -267,6 +189,30 @@ void TestBench::commandPrintsRows()
     QVERIFY(table.out.contains("64×48"));
 }
 
+void TestBench::commandMeasuresTheBackendAskedFor()
+{
+    QTemporaryDir folder;
+    const QString path = folder.filePath("small.suffuse");
+    QVERIFY(savePainting(bench::makePainting(smallOptions()), path));
+    const QStringList arguments{"bench", "--json", "--painting", path,     "--runs",
+                                "1",     "--size", "64x48",      "--only", "full-render,drag,edit-segment"};
+    for (const auto &[option, name] : {std::pair("cpu", "CPU"), {"cuda", "CUDA"}}) {
+        const CliOutcome outcome = runCli(arguments + QStringList{"--backend", option});
+        if (outcome.code != 0) { // no device here: said so, and nothing else measured in its place
+            QCOMPARE(name, "CUDA");
+            QVERIFY2(QString::fromUtf8(outcome.err).contains(name) && outcome.out.isEmpty(),
+                     qPrintable(outcome.text()));
+            continue;
+        }
+        const QJsonArray rows = QJsonDocument::fromJson(outcome.out).array();
+        QVERIFY(rows.size() >= 3);
+        for (const QJsonValue &row : rows) {
+            QCOMPARE(row["backend"].toString(), QString(name));
+            QVERIFY(!row["device"].toString().isEmpty() && row["median_ms"].toDouble() > 0);
+        }
+    }
+}
+
 void TestBench::commandRefusesWrongUsage_data()
 {
     QTest::addColumn<QStringList>("arguments");
@@ -289,43 +235,6 @@ void TestBench::commandRefusesWrongUsage()
     const CliOutcome outcome = runCli(QStringList{"bench"} + arguments);
     QVERIFY2(outcome.code == 2 && outcome.out.isEmpty(), qPrintable(outcome.text()));
     QVERIFY2(QString::fromUtf8(outcome.err).contains(named), qPrintable(outcome.text()));
-}
-
-void TestBench::paperMethodDrawsThePicture()
-{
-    const RenderRequest request = requestFor(softPainting());
-    const FloatPicture picture = drawn(request);
-    QCOMPARE(picture.width, 256);
-    for (int nodes : {5, 8})
-        for (int threads : {1, 2}) {
-            const Difference d = difference(baseline::paperMethod(request, nodes, threads), picture);
-            QVERIFY2(d.covered > 0.1, qPrintable(QString::number(d.covered)));
-            // 0.1 W = 25.6 px is 3.2 to 4.3 s.
-            QVERIFY2(d.mean < 0.002 && d.largest < 0.05,
-                     qPrintable(QString("mean %1, largest %2").arg(d.mean).arg(d.largest)));
-        }
-    QVERIFY(baseline::paperMethod(request, 8, 1) == baseline::paperMethod(request, 8, 2));
-}
-
-void TestBench::finiteDifferencesDrawThePicture()
-{
-    const RenderRequest request = requestFor(softPainting());
-    const FloatPicture picture = drawn(request);
-    const Difference d = difference(baseline::finiteDifferences(request, 10, 2), picture);
-    QVERIFY2(d.mean < 0.02 && d.largest < 0.3, qPrintable(QString("mean %1, largest %2").arg(d.mean).arg(d.largest)));
-    QVERIFY(baseline::finiteDifferences(request, 10, 1) == baseline::finiteDifferences(request, 10, 2));
-}
-
-void TestBench::finiteDifferencesConverge()
-{
-    const RenderRequest request = requestFor(softPainting());
-    const FloatPicture picture = drawn(request);
-    double before = difference(baseline::finiteDifferences(request, 5, 2), picture).mean;
-    for (int steps : {20, 80}) {
-        const double mean = difference(baseline::finiteDifferences(request, steps, 2), picture).mean;
-        QVERIFY2(mean < 0.5 * before, qPrintable(QString("%1 steps: %2 after %3").arg(steps).arg(mean).arg(before)));
-        before = mean;
-    }
 }
 
 QTEST_GUILESS_MAIN(TestBench)

@@ -24,7 +24,9 @@ const QList<Rule> &rules()
         {"render/", {"model/", "render/"}, {"QtCore"}, {"Eigen", "hwy", "tbb", "oneapi"}},
         // Written once for host and device.
         {"render/math/", {"render/math/", "model/style.h"}, {}, {"hwy"}},
-        {"render/cuda/", {"model/", "render/"}, {"QtCore"}, {"cuda_runtime.h", "cuda.h", "cuda_fp16.h", "cub"}},
+        {"render/cuda/", {"model/", "render/"}, {"QtCore"}, {"cuda_runtime.h", "cuda_pipeline.h"}},
+        // OpenGL by its types only: no library of it is linked.
+        {"render/cuda/gl_interop", {"render/"}, {}, {"cuda_runtime.h", "cuda_gl_interop.h"}},
         // Where OpenImageIO is known, the program is not.
         {"render/image_io/module_", {"render/image_io/module_"}, {}, {"OpenImageIO"}},
         {"app/",
@@ -196,6 +198,8 @@ void TestLayering::breachesAreFound_data()
     row("OpenImageIO in its module", "render/image_io/module_a.cpp", "#include <OpenImageIO/imageio.h>", 0);
     row("the module does not know the program", "render/image_io/module_a.cpp", "#include \"render/target.h\"", 1);
     row("CUDA sources without Qt and Eigen", "render/cuda/a.cu", "#include <QString>\n#include <Eigen/Core>", 2);
+    row("OpenGL where CUDA meets it", "render/cuda/gl_interop.cu", "#include <cuda_gl_interop.h>", 0);
+    row("and nowhere else", "render/cuda/device.cu", "#include <cuda_gl_interop.h>\n#include <GL/gl.h>", 2);
     row("kernels without Qt", "render/math/a.h", "#include <QString>\n#include <cmath>", 1);
     row("the command line without undo", "app/cli/a.cpp", "#include \"undo/edits.h\"\n#include \"app/editor.h\"", 2);
     row("the command line without Gui", "app/cli/a.cpp", "#include <QImage>", 1);

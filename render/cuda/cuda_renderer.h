@@ -1,0 +1,51 @@
+// Draws on one or several CUDA devices, evaluating only what differs from the last call.
+#pragma once
+
+#include "render/cuda/cuda_frame.h"
+#include "render/cuda/tile_worker.h"
+#include "render/renderer.h"
+
+#include <functional>
+
+namespace suffuse {
+
+class CudaRenderer : public Renderer {
+public:
+    /// `devices`: at least one; they share each picture by macro-rows. `threads`: of the host, 0 for all cores.
+    CudaRenderer(const std::vector<std::shared_ptr<cuda::Device>> &devices, int threads, bool cull = true);
+    ~CudaRenderer() override;
+
+    QString backendName() const override { return QStringLiteral("CUDA"); }
+    QString deviceName() const override { return m_deviceName; }
+    Result<RenderStats> render(const RenderRequest &request, Target &target,
+                               const std::atomic<bool> *cancel = nullptr) override;
+    void invalidate() override { m_history.forget(); }
+    bool isLost() const override { return m_lost; }
+
+private:
+    /// The picture on the device where the target takes it and the device has room, else null: then into the target.
+    std::uint32_t *pictureFor(const RenderRequest &request, const Target &target);
+    /// The tiles to evaluate, a list for each device.
+    std::vector<std::vector<cuda::TileTask>> planTasks() const;
+    /// Calls work(i) for each device, at the same time; the first fault.
+    cuda::Fault onDevices(const std::function<cuda::Fault(std::size_t)> &work);
+    /// Notes what was drawn.
+    void finish(const std::vector<std::vector<cuda::TileTask>> &tasks, RenderStats &stats);
+    Error lose(const cuda::Fault &fault);
+
+    int m_threads;
+    QString m_deviceName;
+    FrameHistory m_history;
+    std::vector<std::unique_ptr<cuda::TileWorker>> m_workers;
+    std::vector<std::shared_ptr<cuda::Device>> m_devices;
+    std::shared_ptr<CudaFrame> m_frame;
+    bool m_noFrame = false; ///< the device has no room for one of this size
+    int m_frameWidth = 0, m_frameHeight = 0;
+    bool m_onDevice = false; ///< where the last picture went
+    bool m_lost = false;
+};
+
+/// Opens devices as RendererOptions::devices says; fails with the reason.
+Result<std::unique_ptr<Renderer>> makeCudaRenderer(const RendererOptions &options);
+
+} // namespace suffuse

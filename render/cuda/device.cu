@@ -1,0 +1,258 @@
+// The CUDA device. A stream in order; lists and tiles as one graph, whose kernels get the frame of each call.
+#include "render/cuda/device.h"
+
+#include "render/cuda/gl_interop.h"
+#include "render/cuda/kernels.cuh"
+
+namespace suffuse::cuda {
+
+namespace {
+
+Fault faultOf(cudaError_t error)
+{
+    if (error == cudaSuccess)
+        return {};
+    cudaGetLastError(); // else the next call would find it
+    const bool memory = error == cudaErrorMemoryAllocation;
+    return {memory ? Fault::OutOfMemory : Fault::Lost, cudaGetErrorString(error)};
+}
+
+/// The calls of one frame, made once for each kind of work.
+class FrameGraph {
+public:
+    FrameGraph() = default;
+    FrameGraph(const FrameGraph &) = delete;
+    FrameGraph &operator=(const FrameGraph &) = delete;
+    ~FrameGraph()
+    {
+        if (m_runnable)
+            cudaGraphExecDestroy(m_runnable);
+        if (m_graph)
+            cudaGraphDestroy(m_graph);
+    }
+
+    cudaError_t launch(const Frame &frame, Work work, const Grid &grid, cudaStream_t stream)
+    {
+        const cudaError_t error = m_runnable ? update(frame) : record(frame, work, grid, stream);
+        return error == cudaSuccess ? cudaGraphLaunch(m_runnable, stream) : error;
+    }
+
+private:
+    static constexpr int mostNodes = 8;
+
+    cudaError_t record(const Frame &frame, Work work, const Grid &grid, cudaStream_t stream)
+    {
+        cudaError_t error = cudaStreamBeginCapture(stream, cudaStreamCaptureModeThreadLocal);
+        if (error != cudaSuccess)
+            return error;
+        error = launchLists(frame, grid, stream);
+        if (error == cudaSuccess && work.plain)
+            error = launchTiles(frame, false, grid, stream);
+        if (error == cudaSuccess && work.general)
+            error = launchTiles(frame, true, grid, stream);
+        const cudaError_t ended = cudaStreamEndCapture(stream, &m_graph);
+        if (error == cudaSuccess)
+            error = ended;
+        m_kernels = mostNodes;
+        if (error == cudaSuccess)
+            error = cudaGraphGetNodes(m_graph, m_node, &m_kernels);
+        return error == cudaSuccess ? cudaGraphInstantiate(&m_runnable, m_graph, 0) : error;
+    }
+
+    cudaError_t update(const Frame &frame)
+    {
+        for (std::size_t i = 0; i < m_kernels; ++i) {
+            cudaKernelNodeParams params = {};
+            cudaError_t error = cudaGraphKernelNodeGetParams(m_node[i], &params);
+            if (error != cudaSuccess)
+                return error;
+            Frame own = frame;
+            void *arguments[] = {&own};
+            params.kernelParams = arguments;
+            params.extra = nullptr;
+            error = cudaGraphExecKernelNodeSetParams(m_runnable, m_node[i], &params);
+            if (error != cudaSuccess)
+                return error;
+        }
+        return cudaSuccess;
+    }
+
+    cudaGraph_t m_graph = nullptr;
+    cudaGraphExec_t m_runnable = nullptr;
+    cudaGraphNode_t m_node[mostNodes] = {};
+    std::size_t m_kernels = 0;
+};
+
+class CudaDevice : public Device {
+public:
+    explicit CudaDevice(int index) : m_index(index) {}
+    CudaDevice(const CudaDevice &) = delete;
+    CudaDevice &operator=(const CudaDevice &) = delete;
+    ~CudaDevice() override
+    {
+        use();
+        if (m_stream)
+            cudaStreamSynchronize(m_stream);
+        cudaFree(m_rects);
+        for (cudaEvent_t event : {m_begin, m_end})
+            if (event)
+                cudaEventDestroy(event);
+        if (m_stream)
+            cudaStreamDestroy(m_stream);
+        cudaGetLastError();
+    }
+
+    Fault open()
+    {
+        cudaDeviceProp properties;
+        for (cudaError_t error : {use(), cudaGetDeviceProperties(&properties, m_index),
+                                  cudaStreamCreateWithFlags(&m_stream, cudaStreamNonBlocking),
+                                  cudaEventCreate(&m_begin), cudaEventCreate(&m_end), fillingGrid(m_index, m_grid)})
+            if (error != cudaSuccess)
+                return faultOf(error);
+        m_name = properties.name;
+        return {};
+    }
+
+    std::string name() const override { return m_name; }
+
+    std::size_t freeMemory() const override
+    {
+        std::size_t unused = 0, all = 0;
+        use();
+        return cudaMemGetInfo(&unused, &all) == cudaSuccess ? unused : 0;
+    }
+
+    Fault allocate(std::size_t bytes, void **memory) override
+    {
+        return call([&] { return cudaMalloc(memory, bytes); });
+    }
+    void release(void *memory) override
+    {
+        use();
+        cudaFree(memory);
+        cudaGetLastError();
+    }
+    Fault allocateHost(std::size_t bytes, void **memory) override
+    {
+        return call([&] { return cudaMallocHost(memory, bytes); });
+    }
+    void releaseHost(void *memory) override
+    {
+        use();
+        cudaFreeHost(memory);
+        cudaGetLastError();
+    }
+
+    Fault upload(void *to, const void *from, std::size_t bytes) override
+    {
+        return call([&] { return cudaMemcpyAsync(to, from, bytes, cudaMemcpyHostToDevice, m_stream); });
+    }
+    Fault download(void *to, const void *from, std::size_t bytes) override
+    {
+        return call([&] { return cudaMemcpyAsync(to, from, bytes, cudaMemcpyDeviceToHost, m_stream); });
+    }
+    Fault copy(void *to, const void *from, std::size_t bytes) override
+    {
+        return call([&] { return cudaMemcpyAsync(to, from, bytes, cudaMemcpyDeviceToDevice, m_stream); });
+    }
+    Fault copyRects(std::uint32_t *to, const std::uint32_t *from, int rowPixels, const int (*rects)[4],
+                    int count) override
+    {
+        if (count == 0)
+            return {};
+        if (count > m_rectRoom) {
+            use();
+            cudaStreamSynchronize(m_stream);
+            cudaFree(m_rects);
+            m_rects = nullptr;
+            m_rectRoom = 2 * count;
+            if (const Fault fault =
+                    call([&] { return cudaMalloc(&m_rects, sizeof(int4) * std::size_t(m_rectRoom)); })) {
+                m_rectRoom = 0;
+                return fault;
+            }
+        }
+        if (const Fault fault = upload(m_rects, rects, sizeof(int4) * std::size_t(count)))
+            return fault;
+        return call([&] { return launchCopy(to, from, rowPixels, m_rects, count, m_stream); });
+    }
+    Fault clear(void *memory, std::size_t bytes) override
+    {
+        return call([&] { return cudaMemsetAsync(memory, 0, bytes, m_stream); });
+    }
+
+    Fault run(const Frame &frame, Work work) override
+    {
+        use();
+        m_timed = true;
+        cudaEventRecord(m_begin, m_stream);
+        FrameGraph &graph = m_graphs[work.plain][work.general];
+        if (const Fault fault = call([&] { return graph.launch(frame, work, m_grid, m_stream); }))
+            return fault;
+        return call([&] { return cudaEventRecord(m_end, m_stream); });
+    }
+
+    Fault finish(double *milliseconds) override
+    {
+        use();
+        const Fault fault = call([&] { return cudaStreamSynchronize(m_stream); });
+        float time = 0;
+        if (!fault && m_timed && milliseconds && cudaEventElapsedTime(&time, m_begin, m_end) == cudaSuccess)
+            *milliseconds = double(time);
+        return fault;
+    }
+
+    std::unique_ptr<GlTexture> registerTexture(unsigned texture, Fault &fault) override
+    {
+        return registerGlTexture(m_index, texture, fault);
+    }
+
+private:
+    cudaError_t use() const { return cudaSetDevice(m_index); }
+    /// Which device is used is a state of the thread.
+    template <class Calls>
+    Fault call(Calls calls)
+    {
+        const cudaError_t error = use();
+        return faultOf(error == cudaSuccess ? calls() : error);
+    }
+
+    int m_index;
+    std::string m_name;
+    cudaStream_t m_stream = nullptr;
+    cudaEvent_t m_begin = nullptr, m_end = nullptr;
+    bool m_timed = false;
+    Grid m_grid;
+    FrameGraph m_graphs[2][2];
+    int4 *m_rects = nullptr;
+    int m_rectRoom = 0;
+};
+
+} // namespace
+
+int deviceCount(std::string &why)
+{
+    int count = 0;
+    if (const Fault fault = faultOf(cudaGetDeviceCount(&count))) {
+        why = fault.what;
+        return 0;
+    }
+    if (count == 0)
+        why = "no CUDA device was found";
+    return count;
+}
+
+std::unique_ptr<Device> openDevice(int index, std::string &why)
+{
+    if (deviceCount(why) == 0)
+        return nullptr;
+    auto device = std::make_unique<CudaDevice>(index);
+    if (const Fault fault = device->open()) {
+        why = fault.what;
+        return nullptr;
+    }
+    return device;
+}
+
+} // namespace suffuse::cuda

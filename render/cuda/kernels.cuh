@@ -1,0 +1,24 @@
+// The kernels, for device.cu.
+#pragma once
+
+#include "render/cuda/records.h"
+
+#include <cuda_runtime.h>
+
+namespace suffuse::cuda {
+
+/// Blocks of one warp that fill a device, of each kernel.
+struct Grid {
+    unsigned lists = 1, culls = 1, plain = 1, general = 1;
+};
+cudaError_t fillingGrid(int device, Grid &grid);
+
+/// Runs once per macro job: its list of chunks; then once per entry of the lists: where it can be seen.
+cudaError_t launchLists(const Frame &frame, const Grid &grid, cudaStream_t stream);
+/// Runs once per tile job, of those that are plain or of the others.
+cudaError_t launchTiles(const Frame &frame, bool general, const Grid &grid, cudaStream_t stream);
+/// Runs once per rectangle {x, y, width, height}: copies it from one picture to another of the same size.
+cudaError_t launchCopy(std::uint32_t *to, const std::uint32_t *from, int rowPixels, const int4 *rects, int count,
+                       cudaStream_t stream);
+
+} // namespace suffuse::cuda

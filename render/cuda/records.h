@@ -1,0 +1,167 @@
+// What the device knows of a scene: plain records, written by the host (device_scene) and read by the kernels. C++17.
+#pragma once
+
+#include "render/math/shade_params.h"
+
+#include <cstddef>
+#include <cstdint>
+
+namespace suffuse::cuda {
+
+/// Pixels are evaluated in tiles of 16 × 16 whose corners lie on the picture's 16-pixel grid, one warp a tile.
+inline constexpr int tileSide = 16;
+inline constexpr int tileSize = tileSide * tileSide;
+/// Lists of chunks are made for macro-tiles of 8 × 8 tiles.
+inline constexpr int macroSide = 128;
+inline constexpr int macroTiles = macroSide / tileSide;
+/// Nodes of one stroke that are chosen together, one a lane.
+inline constexpr int chunkNodes = 32;
+
+/// A node in pixels of the picture: where it reaches and how dense it is there (as render/cpu/node_boxes.h).
+/// Its place is kept as a whole number of 16-pixel cells and the rest in [0, 16), so that floats lose nothing.
+struct alignas(16) NodeRecord {
+    std::int32_t cellX = 0, cellY = 0;
+    float x = 0, y = 0;
+    float reachX = 0, reachY = 0; ///< half-sizes of its box, px
+    float slowest = 0;            ///< least eigenvalue of the metric, px⁻²
+    float steepest = 0;           ///< weight times the root of the greatest, px⁻¹
+    float a = 0, b = 0, c = 0;    ///< metric, px⁻²; separable: b = 0
+    float weight = 0;             ///< density at the centre
+    float cut = 0;                ///< e^(−R²)
+    std::uint32_t row = 0;        ///< of the stroke's channel values
+    std::uint32_t padding[2] = {0, 0};
+};
+
+/// As DeepNode (render/scene.h): s > 4096 px.
+struct DeepRecord {
+    double x = 0, y = 0;
+    double a = 0, b = 0, c = 0;
+    double weight = 0;
+    std::uint32_t row = 0;
+    std::uint32_t padding = 0;
+};
+
+/// As SmallSegment (render/scene.h): where pixels are supersampled 2^level × 2^level. Canvas units.
+struct SmallRecord {
+    double left = 0, top = 0, right = 0, bottom = 0;
+    std::int32_t level = 0;
+    std::int32_t padding = 0;
+};
+
+/// Up to 32 nodes of one stroke and the pixels that they can touch; all chunks of a scene lie in document order, those
+/// of a stroke side by side. A stroke with deep nodes has a chunk of no nodes whose bounds are the stroke's, its first.
+struct alignas(16) ChunkRecord {
+    std::int32_t left = 0, top = 0, right = 0, bottom = 0; ///< [left, right) × [top, bottom)
+    std::uint32_t firstNode = 0;
+    std::uint32_t nodes = 0;
+    std::uint32_t stroke = 0; ///< index of the StrokeRecord
+    std::uint32_t padding = 0;
+};
+
+/// How one stroke shows.
+struct alignas(16) StrokeRecord {
+    ShadeParams shade;
+    float style[3][12] =
+        {}; ///< of each kind with constant ξ: math::Uniform, Feathering or Edge<float>, made by the host
+    float level[3] = {0, 0, 0}; ///< as SceneStroke
+    float lowest = -1;
+    float keep = 1;
+    std::uint32_t hasLevels = 0;
+    std::uint32_t channels = 0;
+    std::uint32_t granulated = 0;
+    std::uint32_t plain = 0; ///< one style, one granulation, only separable nodes, nothing small or deep
+    std::uint32_t firstChunk = 0, chunks = 0;
+    std::uint32_t firstValue = 0; ///< of its channel values, `channels` a row
+    std::uint32_t firstDeep = 0, deep = 0;
+    std::uint32_t firstSmall = 0, small = 0;
+};
+
+/// One tile to evaluate, by one warp.
+struct TileJob {
+    std::uint16_t column = 0, row = 0; ///< in tiles
+    std::uint16_t macro = 0;           ///< index in Frame::macros
+    std::uint16_t flags = 0;           ///< TileFlag
+    std::uint32_t layer = 0;           ///< slot in Frame::under and Frame::over
+    std::uint32_t padding = 0;
+};
+
+/// How layers are used (docs/solver.md, "Layers").
+enum TileFlag : std::uint16_t {
+    haveUnder = 1, ///< begin from the stored colour below the first edited stroke
+    storeUnder = 2,
+    storeOver = 4, ///< strokes above the edited one as a map
+    applyOver = 8, ///< instead of those strokes
+    plainTile = 16 ///< all strokes near it are plain, the picture is not transparent, not storeOver; changes no bit
+};
+
+/// A list of the chunks that meet a macro-tile, in order.
+struct MacroJob {
+    std::int32_t column = 0, row = 0; ///< in macro-tiles
+    std::uint32_t from = 0, to = 0;   ///< chunks looked at: [from, to)
+};
+
+/// RYB and coverage of one pixel while strokes are mixed into it.
+struct BackdropPixel {
+    float red, yellow, blue, coverage;
+};
+
+/// B ← min(limit, keep·B + add) for each of RYB; coverage ← hold·coverage + gain.
+inline constexpr int overPlanes = 9; ///< keep, add 3, limit 3, hold, gain
+
+struct PaperParams {
+    std::int32_t kind = 0; ///< PaperKind
+    std::uint32_t seed = 0;
+    double scale = 1;
+    float strength = 0;
+    std::int32_t width = 0, height = 0; ///< of the image
+    const float *grey = nullptr;
+};
+
+/// Pixels to canvas units: x = x0 + xx·X + xy·Y, y = y0 + yx·X + yy·Y.
+struct ToCanvas {
+    double x0 = 0, y0 = 0, xx = 1, xy = 0, yx = 0, yy = 1;
+    double px = 1;     ///< size of a pixel
+    double margin = 0; ///< half a pixel's extent along the canvas' axes, canvas units
+};
+
+/// One call: everything that the kernels read and write. All pointers are the device's.
+struct Frame {
+    const NodeRecord *nodes = nullptr;
+    const float *values = nullptr;
+    const DeepRecord *deep = nullptr;
+    const SmallRecord *small = nullptr;
+    const ChunkRecord *chunks = nullptr;
+    const StrokeRecord *strokes = nullptr;
+
+    const MacroJob *macros = nullptr;
+    const TileJob *tiles = nullptr;
+    std::uint32_t macroCount = 0, tileCount = 0;
+    std::uint32_t *lists = nullptr;      ///< `listRoom` chunk indices a macro job
+    std::uint32_t *listCounts = nullptr; ///< one a macro job; may exceed listRoom: then the list is cut off
+    std::uint64_t *masks = nullptr;      ///< as `lists`: bit 8·row + column: its stroke can be seen in that tile
+    std::uint32_t listRoom = 0;
+    std::uint32_t editedFrom = 0xffffffff,
+                  editedTo = 0xffffffff; ///< chunks of the first edited stroke, where layers are used
+
+    std::int32_t width = 0, height = 0; ///< of the picture
+    float background[3] = {0, 0, 0};    ///< RYB on white; all 0 where transparent
+    std::uint32_t transparent = 0;
+    PaperParams paper;
+    ToCanvas toCanvas;
+    std::uint32_t cull = 1;
+
+    BackdropPixel *under = nullptr; ///< tileSize a slot
+    float *over = nullptr;          ///< overPlanes × tileSize a slot
+
+    // Where finished pixels go; null: not there.
+    std::uint32_t *picture = nullptr;   ///< 0xAARRGGBB, `width` a row
+    std::uint32_t *tilesArgb = nullptr; ///< the same, tileSize a tile job
+    float *tilesRgba = nullptr;         ///< straight RGBA, 4·tileSize a tile job
+
+    std::uint32_t *status = nullptr; ///< status words, cleared by the host before each call
+};
+
+/// Words of Frame::status.
+enum StatusWord { nextMacro, nextEntry, nextPlainTile, nextGeneralTile, longestList, statusWords };
+
+} // namespace suffuse::cuda

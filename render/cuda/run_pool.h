@@ -1,0 +1,64 @@
+// Runs of records in one array, taken and given back.
+#pragma once
+
+#include <algorithm>
+#include <bit>
+#include <cstdint>
+#include <unordered_map>
+#include <vector>
+
+namespace suffuse::cuda {
+
+/// `count` records from `begin` on, with room for `room`.
+struct Run {
+    std::uint32_t begin = 0, count = 0, room = 0;
+};
+
+/// Rooms are rounded up by at most a quarter, so that what one run leaves another one fits.
+class RunPool {
+public:
+    /// Length of the array.
+    std::size_t size() const { return m_size; }
+    /// Records that runs have room for.
+    std::size_t used() const { return m_used; }
+
+    /// Makes the run hold `count` records; they may then lie elsewhere.
+    void fit(Run &run, std::uint32_t count)
+    {
+        if (count > run.room || 4 * std::uint64_t(count) < run.room) {
+            give(run);
+            run = take(count);
+        }
+        run.count = count;
+    }
+    void give(Run &run)
+    {
+        if (run.room)
+            m_free[run.room].push_back(run.begin);
+        m_used -= run.room;
+        run = {};
+    }
+    void clear() { *this = {}; }
+
+private:
+    Run take(std::uint32_t count)
+    {
+        if (count == 0)
+            return {};
+        const std::uint32_t step = std::bit_floor(std::max(count, 8u)) / 4, room = (count + step - 1) / step * step;
+        m_used += room;
+        if (auto &free = m_free[room]; !free.empty()) {
+            const std::uint32_t begin = free.back();
+            free.pop_back();
+            return {begin, count, room};
+        }
+        const auto begin = std::uint32_t(m_size);
+        m_size += room;
+        return {begin, count, room};
+    }
+
+    std::size_t m_size = 0, m_used = 0;
+    std::unordered_map<std::uint32_t, std::vector<std::uint32_t>> m_free; ///< begins, by room
+};
+
+} // namespace suffuse::cuda

@@ -1,0 +1,117 @@
+#include "render/cuda/stroke_records.h"
+
+#include "render/math/scalar.h"
+// After the numbers: templates over them.
+#include "render/math/shade.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <type_traits>
+
+namespace suffuse::cuda {
+
+namespace {
+
+/// A style made once, as the bytes that the device takes for it.
+template <class Style>
+void keepStyle(const Style &style, float (&bytes)[12])
+{
+    static_assert(std::is_trivially_copyable_v<Style> && sizeof(Style) <= sizeof(bytes));
+    std::memcpy(bytes, &style, sizeof(Style));
+}
+
+/// As StrokeRecord::plain.
+bool isPlain(const SceneStroke &s)
+{
+    return math::hasOneStyle(s.shade) && s.shade.grainChannel < 0 && s.separable == int(s.nodes.size()) &&
+           s.deep.empty() && s.small.empty();
+}
+
+/// The pixels that nodes [begin, end) may show in: their boxes and a pixel around them for its coverage.
+void bound(const SceneStroke &s, std::size_t begin, std::size_t end, int width, int height, ChunkRecord &chunk)
+{
+    const cpu::NodeBoxes boxes = s.boxes.boxes();
+    double left = 1e30, top = 1e30, right = -1e30, bottom = -1e30;
+    for (std::size_t i = begin; i < end; ++i) {
+        const double x = s.nodes[i].x, y = s.nodes[i].y;
+        const double reachX = double(boxes.reachX[i]) + 1, reachY = double(boxes.reachY[i]) + 1;
+        left = std::min(left, x - reachX), right = std::max(right, x + reachX);
+        top = std::min(top, y - reachY), bottom = std::max(bottom, y + reachY);
+    }
+    const auto cut = [](double v, int size) { return std::int32_t(std::clamp(v, 0.0, double(size))); };
+    chunk.left = cut(std::floor(left), width), chunk.right = cut(std::ceil(right), width);
+    chunk.top = cut(std::floor(top), height), chunk.bottom = cut(std::ceil(bottom), height);
+}
+
+} // namespace
+
+NodeRecord nodeRecord(const SceneStroke &stroke, std::size_t i)
+{
+    const cpu::ViewNode &n = stroke.nodes[i];
+    const cpu::NodeBoxes boxes = stroke.boxes.boxes();
+    NodeRecord r;
+    const double cellX = std::floor(n.x / tileSide), cellY = std::floor(n.y / tileSide);
+    r.cellX = std::int32_t(cellX), r.cellY = std::int32_t(cellY);
+    r.x = float(n.x - tileSide * cellX), r.y = float(n.y - tileSide * cellY);
+    r.reachX = boxes.reachX[i], r.reachY = boxes.reachY[i];
+    r.slowest = boxes.slowest[i], r.steepest = boxes.steepest[i];
+    r.a = n.a, r.b = n.b, r.c = n.c;
+    r.weight = n.weight;
+    r.cut = n.cut;
+    r.row = n.row;
+    return r;
+}
+
+DeepRecord deepRecord(const DeepNode &n)
+{
+    return {n.x, n.y, n.a, n.b, n.c, n.weight, n.row, 0};
+}
+
+SmallRecord smallRecord(const SmallSegment &s)
+{
+    return {s.reach.left, s.reach.top, s.reach.right, s.reach.bottom, s.level, 0};
+}
+
+StrokeRecord strokeRecord(const SceneStroke &s)
+{
+    StrokeRecord r;
+    r.shade = s.shade;
+    for (int k = 0; k < s.shade.kinds; ++k) {
+        const KindParams &kind = s.shade.kind[k];
+        r.level[k] = s.level[k];
+        if (kind.xiChannel < 0)
+            math::withStyle<float>(
+                kind.kind, [&](int i) { return kind.xi[i]; }, [&](const auto &style) { keepStyle(style, r.style[k]); });
+    }
+    r.lowest = s.lowest;
+    r.keep = s.keep;
+    r.hasLevels = s.hasLevels;
+    r.channels = std::uint32_t(s.channels);
+    r.granulated = s.granulated;
+    r.plain = isPlain(s);
+    return r;
+}
+
+std::vector<ChunkRecord> chunksOf(const SceneStroke &s, std::uint32_t slot, std::uint32_t firstNode, int width,
+                                  int height)
+{
+    std::vector<ChunkRecord> chunks;
+    const auto nodes = s.nodes.size(), separable = std::size_t(s.separable);
+    chunks.reserve(nodes / chunkNodes + 3);
+    if (!s.deep.empty())
+        chunks.push_back(
+            {s.bounds.x, s.bounds.y, s.bounds.x + s.bounds.width, s.bounds.y + s.bounds.height, firstNode, 0, slot, 0});
+    for (std::size_t begin = 0; begin < nodes;) {
+        const std::size_t end = std::min(begin + chunkNodes, begin < separable ? separable : nodes);
+        ChunkRecord &chunk = chunks.emplace_back();
+        bound(s, begin, end, width, height, chunk);
+        chunk.firstNode = firstNode + std::uint32_t(begin);
+        chunk.nodes = std::uint32_t(end - begin);
+        chunk.stroke = slot;
+        begin = end;
+    }
+    return chunks;
+}
+
+} // namespace suffuse::cuda

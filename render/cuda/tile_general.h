@@ -1,0 +1,342 @@
+// Strokes of every kind at one tile: granulated, of several styles or colours, anisotropic, too wide on screen for
+// floats, or too narrow for single samples. By one warp.
+#pragma once
+
+#include "render/cuda/tile_deep.h"
+#include "render/cuda/tile_paper.h"
+#include "render/cuda/tile_shade.h"
+
+namespace suffuse::cuda {
+
+/// Shared memory. Samples lie as `sampleAt` says, so that lanes meet no bank twice.
+struct GeneralScratch {
+    float sums[fixedSums + maxChannels][tileSize];
+    float paint[4][tileSize];  ///< w and colour of a block of samples
+    float result[4][tileSize]; ///< of the tile's pixels
+    std::uint8_t level[tileSize];
+    double deep[1 + maxChannels][deepTerms];
+};
+
+template <class Warp>
+class GeneralStroke {
+public:
+    template <class T>
+    using Var = typename Warp::template Var<T>;
+
+    SUFFUSE_PROGRAM GeneralStroke(Warp &warp, const Frame &frame, const TileJob &job, const StrokeRecord &stroke,
+                                  SumScratch &sums, GeneralScratch &scratch)
+        : m_warp(warp), m_frame(frame), m_stroke(stroke), m_left(job.column * tileSide), m_top(job.row * tileSide),
+          m_sums(sums), m_s(scratch)
+    {}
+
+    /// Leaves what the stroke shows at the tile's pixels in the scratch's `result`. `forEachListing(use)` calls
+    /// use(listing) until all nodes that meet the tile were listed.
+    template <class ForEachListing>
+    SUFFUSE_PROGRAM void evaluateTile(ForEachListing forEachListing)
+    {
+        const bool small = markLevels();
+        const int levels = small ? 7 : 1;
+        for (int level = 0; level < levels; ++level) {
+            if (level > 0 && !m_warp.any([&](int lane) {
+                    bool there = false;
+                    for (int k = 0; k < laneSamples; ++k)
+                        there = there || m_s.level[sampleAt(lane, k)] == level;
+                    return there;
+                }))
+                continue;
+            const int side = level == 0 ? 1 : tileSide >> (level < 4 ? level : 4);
+            const int groups = level == 0 ? 1 : tileSide / side;
+            for (int group = 0; group < groups * groups; ++group)
+                evaluateGroup(forEachListing, level, group % groups * side, group / groups * side, side);
+        }
+    }
+
+private:
+    SUFFUSE_PROGRAM bool hasPaper() const { return m_stroke.granulated && m_frame.paper.kind != 0; }
+
+    /// For each pixel the greatest level of the small segments that reach it (docs/reference.md); false: none.
+    SUFFUSE_PROGRAM bool markLevels()
+    {
+        if (m_stroke.small == 0)
+            return false;
+        m_warp.each([&](int lane) {
+            for (int k = 0; k < laneSamples; ++k)
+                m_s.level[sampleAt(lane, k)] = 0;
+        });
+        double left = 1e300, top = 1e300, right = -1e300, bottom = -1e300; // the tile in canvas units
+        for (int corner = 0; corner < 4; ++corner) {
+            double x, y;
+            toCanvas(m_frame, m_left + corner % 2 * tileSide, m_top + corner / 2 * tileSide, x, y);
+            left = x < left ? x : left, right = x > right ? x : right;
+            top = y < top ? y : top, bottom = y > bottom ? y : bottom;
+        }
+        const double margin = m_frame.toCanvas.margin;
+        const SmallRecord *small = m_frame.small + m_stroke.firstSmall;
+        bool any = false;
+        for (std::uint32_t base = 0; base < m_stroke.small; base += warpLanes) {
+            std::uint32_t hits = m_warp.ballot([&](int lane) {
+                if (base + std::uint32_t(lane) >= m_stroke.small)
+                    return false;
+                const SmallRecord &s = small[base + std::uint32_t(lane)];
+                return s.left - margin <= right && left <= s.right + margin && s.top - margin <= bottom &&
+                       top <= s.bottom + margin;
+            });
+            for (; hits; hits &= hits - 1) {
+                const SmallRecord s = small[base + std::uint32_t(Warp::lowest(hits))];
+                any |= m_warp.any([&](int lane) {
+                    bool marked = false;
+                    for (int k = 0; k < laneSamples; ++k) {
+                        double x, y;
+                        toCanvas(m_frame, m_left + sampleColumn(lane, k) + 0.5, m_top + sampleRow(lane, k) + 0.5, x, y);
+                        std::uint8_t &level = m_s.level[sampleAt(lane, k)];
+                        if (level < s.level && x >= s.left - margin && x <= s.right + margin && y >= s.top - margin &&
+                            y <= s.bottom + margin)
+                            level = std::uint8_t(s.level), marked = true;
+                    }
+                    return marked;
+                });
+            }
+        }
+        m_warp.each([](int) {});
+        return any;
+    }
+
+    /// Pixels (i…, j…) of the tile: level 0, the whole tile by its centres; above, a group of side × side pixels by
+    /// means over 2^level × 2^level points.
+    template <class ForEachListing>
+    SUFFUSE_PROGRAM void evaluateGroup(ForEachListing forEachListing, int level, int i, int j, int side)
+    {
+        if (level > 0 && !m_warp.any([&](int lane) {
+                bool there = false;
+                for (int p = lane; p < side * side; p += warpLanes)
+                    there = there || m_s.level[sampleAtPixel(i + p % side, j + p / side)] == level;
+                return there;
+            }))
+            return;
+        const float step = 1.0f / float(1 << level);
+        const int blocks = level > 4 ? 1 << (level - 4) : 1; // of samples, a side of the group
+        float total[4] = {0, 0, 0, 0};                       // w, w·C where the group is one pixel
+        for (int b = 0; b < blocks * blocks; ++b) {
+            Block block;
+            if (level > 0) {
+                constexpr float half = tileSide / 2;
+                block.x = float(i - tileSide / 2) + (float(b % blocks * tileSide) + half) * step;
+                block.y = float(j - tileSide / 2) + (float(b / blocks * tileSide) + half) * step;
+                block.step = step;
+            }
+            evaluateBlock(forEachListing, block);
+            if (side == 1 && level > 0)
+                addToTotal(total);
+        }
+        if (level == 0)
+            m_warp.each([&](int lane) {
+                for (int k = 0; k < laneSamples; ++k)
+                    for (int c = 0; c < 4; ++c)
+                        m_s.result[c][sampleAt(lane, k)] = m_s.paint[c][sampleAt(lane, k)];
+            });
+        else if (side == 1)
+            m_warp.each([&](int lane) {
+                if (lane == 0)
+                    setMean(i, j, total, step);
+            });
+        else
+            averageGroup(level, i, j, side, step);
+    }
+
+    /// The block's sums of w and w·C over all samples.
+    SUFFUSE_PROGRAM void addToTotal(float (&total)[4])
+    {
+        for (int c = 0; c < 4; ++c) {
+            Var<float> part;
+            m_warp.each([&](int lane) {
+                part[lane] = 0;
+                for (int k = 0; k < laneSamples; ++k) {
+                    const float w = m_s.paint[0][sampleAt(lane, k)];
+                    part[lane] += c == 0 ? w : w * m_s.paint[c][sampleAt(lane, k)];
+                }
+            });
+            total[c] += m_warp.sum(part);
+        }
+    }
+
+    SUFFUSE_PROGRAM void setMean(int column, int row, const float (&total)[4], float step)
+    {
+        const int at = sampleAtPixel(column, row);
+        m_s.result[0][at] = total[0] * (step * step);
+        for (int c = 1; c < 4; ++c)
+            m_s.result[c][at] = total[0] > 0 ? total[c] / total[0] : 0.0f;
+    }
+
+    SUFFUSE_PROGRAM void averageGroup(int level, int i, int j, int side, float step)
+    {
+        m_warp.each([&](int lane) {
+            const int samples = 1 << level;
+            for (int p = lane; p < side * side; p += warpLanes) {
+                const int column = p % side, row = p / side;
+                if (m_s.level[sampleAtPixel(i + column, j + row)] != level)
+                    continue;
+                float total[4] = {0, 0, 0, 0};
+                for (int y = row * samples; y < (row + 1) * samples; ++y)
+                    for (int x = column * samples; x < (column + 1) * samples; ++x) {
+                        const int at = sampleAtPixel(x, y);
+                        const float w = m_s.paint[0][at];
+                        total[0] += w;
+                        for (int c = 1; c < 4; ++c)
+                            total[c] += w * m_s.paint[c][at];
+                    }
+                setMean(i + column, j + row, total, step);
+            }
+        });
+    }
+
+    /// Opacity and colour at a block of samples, into the scratch's `paint`.
+    template <class ForEachListing>
+    SUFFUSE_PROGRAM void evaluateBlock(ForEachListing forEachListing, const Block &block)
+    {
+        m_warp.each([&](int lane) {
+            for (int k = 0; k < laneSamples; ++k)
+                for (int c = 0; c < fixedSums + int(m_stroke.channels); ++c)
+                    m_s.sums[c][sampleAt(lane, k)] = 0;
+        });
+        forEachListing([&](const Listing &listing) {
+            addSeparable(listing, block);
+            for (int n = listing.separable; n < listing.count; ++n)
+                addOblique(n, block);
+        });
+        if (m_stroke.deep) {
+            sumDeep(m_warp, m_frame, m_stroke, double(m_left + tileSide / 2) + double(block.x),
+                    double(m_top + tileSide / 2) + double(block.y), m_s.deep);
+            shade<double>(block);
+        } else {
+            shade<float>(block);
+        }
+    }
+
+    SUFFUSE_PROGRAM const float *values() const { return m_frame.values + m_stroke.firstValue; }
+
+    SUFFUSE_PROGRAM void addSeparable(const Listing &listing, const Block &block)
+    {
+        for (int from = 0; from < listing.separable; from += batch) {
+            const int to = from + batch < listing.separable ? from + batch : listing.separable;
+            fillTables(m_warp, from, to, block, m_sums);
+            Var<SampleSums> sums;
+            m_warp.each([&](int lane) {
+                SUFFUSE_UNROLL
+                for (int k = 0; k < laneSamples; ++k) {
+                    sums[lane].density[k] = m_s.sums[0][sampleAt(lane, k)];
+                    sums[lane].slopeX[k] = m_s.sums[1][sampleAt(lane, k)];
+                    sums[lane].slopeY[k] = m_s.sums[2][sampleAt(lane, k)];
+                }
+            });
+            addBatch(m_warp, to - from, m_sums, sums);
+            m_warp.each([&](int lane) {
+                SUFFUSE_UNROLL
+                for (int k = 0; k < laneSamples; ++k) {
+                    m_s.sums[0][sampleAt(lane, k)] = sums[lane].density[k];
+                    m_s.sums[1][sampleAt(lane, k)] = sums[lane].slopeX[k];
+                    m_s.sums[2][sampleAt(lane, k)] = sums[lane].slopeY[k];
+                }
+            });
+            for (std::uint32_t c = 0; c < m_stroke.channels; ++c) {
+                Var<SampleValues> sum;
+                float *plane = m_s.sums[fixedSums + c];
+                m_warp.each([&](int lane) {
+                    SUFFUSE_UNROLL
+                    for (int k = 0; k < laneSamples; ++k)
+                        sum[lane].v[k] = plane[sampleAt(lane, k)];
+                });
+                addChannel(m_warp, from, to - from, values(), m_stroke.channels, c, m_sums, sum);
+                m_warp.each([&](int lane) {
+                    SUFFUSE_UNROLL
+                    for (int k = 0; k < laneSamples; ++k)
+                        plane[sampleAt(lane, k)] = sum[lane].v[k];
+                });
+            }
+        }
+    }
+
+    /// A node whose axes lie askew: no product of two tables.
+    SUFFUSE_PROGRAM void addOblique(int n, const Block &block)
+    {
+        const ListedNode node = m_sums.listed[n];
+        const float a = node.first.z, b = node.first.w, c = node.second.x, cut = node.second.y, weight = node.second.z;
+        const float *value = values() + std::size_t(m_sums.rows[n]) * m_stroke.channels;
+        m_warp.each([&](int lane) {
+            for (int k = 0; k < laneSamples; ++k) {
+                const float x = math::mulAdd_(float(sampleColumn(lane, k)) - 7.5f, block.step, block.x) - node.first.x;
+                const float y = math::mulAdd_(float(sampleRow(lane, k)) - 7.5f, block.step, block.y) - node.first.y;
+                const float ax = a * x + b * y, cy = b * x + c * y;
+                const float e = math::exp2_(-float(math::log2e) * (x * ax + y * cy));
+                if (!(cut < e))
+                    continue;
+                const int at = sampleAt(lane, k);
+                const float density = (e - cut) * weight, slope = weight * e;
+                m_s.sums[0][at] += density;
+                m_s.sums[1][at] += slope * ax;
+                m_s.sums[2][at] += slope * cy;
+                for (std::uint32_t i = 0; i < m_stroke.channels; ++i)
+                    m_s.sums[fixedSums + i][at] += density * value[i];
+            }
+        });
+    }
+
+    /// From sums to opacity and colour, in double where the stroke is so wide that floats would lose its edge.
+    template <class V>
+    SUFFUSE_PROGRAM void shade(const Block &block)
+    {
+        const ShadeParams &params = m_stroke.shade;
+        m_warp.each([&](int lane) {
+            for (int k = 0; k < laneSamples; ++k) {
+                const int at = sampleAt(lane, k), column = sampleColumn(lane, k), row = sampleRow(lane, k);
+                const double x = (double(column) - 7.5) * double(block.step),
+                             y = (double(row) - 7.5) * double(block.step);
+                DeepSample deep;
+                if (sizeof(V) == sizeof(double))
+                    deep = deepSample(m_s.deep[0], x, y);
+                const auto channel = [&](int c) {
+                    V sum = V(m_s.sums[fixedSums + c][at]);
+                    if (sizeof(V) == sizeof(double))
+                        sum += V(deepValue(m_s.deep[1 + c], x, y));
+                    return sum;
+                };
+                V eta(1);
+                if (hasPaper())
+                    eta = V(etaAt(m_frame, m_left + tileSide / 2 + double(block.x) + x,
+                                  m_top + tileSide / 2 + double(block.y) + y, block.step));
+                const auto m =
+                    math::modulate(params, V(m_s.sums[0][at]) + V(deep.density), V(m_s.sums[1][at]) + V(deep.slopeX),
+                                   V(m_s.sums[2][at]) + V(deep.slopeY), channel, eta, V(block.step));
+                const V f = meanAt(params, channel, m);
+                const auto paint = math::paintOf(params, m.inverse, channel, f);
+                m_s.paint[0][at] = float(paint.w);
+                m_s.paint[1][at] = float(paint.red);
+                m_s.paint[2][at] = float(paint.yellow);
+                m_s.paint[3][at] = float(paint.blue);
+            }
+        });
+    }
+
+    template <class Channel>
+    SUFFUSE_PROGRAM double meanAt(const ShadeParams &params, Channel channel, const math::Modulated<double> &m)
+    {
+        return math::mixedStyles<double>(params, channel, m.inverse, m.phi, m.h2);
+    }
+    template <class Channel>
+    SUFFUSE_PROGRAM float meanAt(const ShadeParams &params, Channel channel, const math::Modulated<float> &m)
+    {
+        if (!math::hasOneStyle(params))
+            return math::mixedStyles<float>(params, channel, m.inverse, m.phi, m.h2);
+        float f = 0;
+        withMadeStyle(m_stroke, 0, [&](const auto &style) { f = math::meanOf(style, m.phi, m.h2); });
+        return f;
+    }
+
+    Warp &m_warp;
+    const Frame &m_frame;
+    const StrokeRecord &m_stroke;
+    int m_left, m_top;
+    SumScratch &m_sums;
+    GeneralScratch &m_s;
+};
+
+} // namespace suffuse::cuda

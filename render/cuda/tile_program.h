@@ -1,0 +1,338 @@
+// Evaluates one tile: every stroke that meets it, from bottom to top. A program of one warp.
+#pragma once
+
+#include "render/cuda/tile_general.h"
+#include "render/cuda/tile_plain.h"
+
+namespace suffuse::cuda {
+
+/// Shared memory while strokes are painted.
+struct PaintScratch {
+    SumScratch sums;
+    Fetched fetched[2]; ///< the chunk at hand and the next one
+    Float4 stroke[sizeof(StrokeRecord) / sizeof(Float4)];
+    float eta[tileSize]; ///< paper at the tile's pixels, once it is needed
+};
+
+/// Shared memory of a warp that paints tiles.
+template <bool general>
+struct TileScratch {
+    union { // one after the other
+        PaintScratch paint;
+        Float4 finished[tileSize]; ///< RYB and coverage
+    };
+};
+template <>
+struct TileScratch<true> : TileScratch<false> {
+    GeneralScratch general;
+};
+
+/// `general`: anything; else as TileFlag::plainTile says.
+/// What a plain stroke shows has the same bits either way.
+template <bool general, class Warp>
+class TilePainter {
+public:
+    template <class T>
+    using Var = typename Warp::template Var<T>;
+
+    SUFFUSE_PROGRAM TilePainter(Warp &warp, const Frame &frame, const TileJob &job, TileScratch<general> &scratch)
+        : m_warp(warp), m_frame(frame), m_job(job), m_s(scratch)
+    {}
+
+    SUFFUSE_PROGRAM void paint(std::uint32_t index)
+    {
+        begin();
+        Found next = findChunk();
+        for (int turn = 0;; turn ^= 1) { // one place that ends strokes: its code is long
+            const Found found = next;
+            if (found.stroke != none)
+                next = findChunk();
+            m_warp.arrive(found.stroke != none);
+            if (found.stroke != m_stroke || found.stroke == none) {
+                endStroke();
+                if (found.stroke == none)
+                    break;
+                startStroke(found, m_s.paint.fetched[turn]);
+            }
+            addChunk(m_s.paint.fetched[turn], int(found.nodes));
+        }
+        enter(none);
+        if (m_job.flags & applyOver)
+            m_warp.each([&](int lane) {
+                SUFFUSE_UNROLL
+                for (int k = 0; k < laneSamples; ++k)
+                    applySample(over(), pixelOf(lane, k), m_backdrop[lane], k);
+            });
+        finish(index);
+    }
+
+private:
+    static constexpr std::uint32_t none = 0xffffffff;
+
+    static SUFFUSE_PROGRAM int pixelOf(int lane, int k)
+    {
+        return sampleRow(lane, k) * tileSide + sampleColumn(lane, k);
+    }
+    SUFFUSE_PROGRAM float *over() const { return m_frame.over + std::size_t(m_job.layer) * (overPlanes * tileSize); }
+    SUFFUSE_PROGRAM BackdropPixel *under() const { return m_frame.under + std::size_t(m_job.layer) * tileSize; }
+
+    struct Found {
+        std::uint32_t chunk = none, stroke = none, nodes = 0;
+    };
+
+    /// The next chunk of the macro-tile's list that meets the tile, on its way to shared memory.
+    SUFFUSE_PROGRAM Found findChunk()
+    {
+        const std::uint32_t counted = m_frame.listCounts[m_job.macro];
+        const std::uint32_t count = counted < m_frame.listRoom ? counted : m_frame.listRoom;
+        const std::uint32_t *list = m_frame.lists + std::size_t(m_job.macro) * m_frame.listRoom;
+        const std::uint64_t *masks = m_frame.masks + std::size_t(m_job.macro) * m_frame.listRoom;
+        const int tile = m_job.row % macroTiles * macroTiles + m_job.column % macroTiles;
+        for (; m_hits == 0; m_listed += warpLanes) {
+            if (m_listed >= count) {
+                m_warp.fetch([](int, auto) {});
+                return {};
+            }
+            m_hits = m_warp.ballot([&](int lane) {
+                const std::uint32_t i = m_listed + std::uint32_t(lane);
+                if (i >= count)
+                    return false;
+                m_candidate[lane] = list[i];
+                return (masks[i] >> tile & 1) != 0 && isWanted(list[i]);
+            });
+        }
+        const std::uint32_t index = m_warp.read(m_candidate, Warp::lowest(m_hits));
+        m_hits &= m_hits - 1;
+        const ChunkRecord chunk = m_frame.chunks[index];
+        m_turn ^= 1;
+        fetchChunk(m_warp, m_frame, chunk, m_s.paint.fetched[m_turn]);
+        return {index, chunk.stroke, chunk.nodes};
+    }
+
+    SUFFUSE_PROGRAM bool isWanted(std::uint32_t chunk) const
+    {
+        return !((m_job.flags & haveUnder) && chunk < m_frame.editedFrom) &&
+               !((m_job.flags & applyOver) && chunk >= m_frame.editedTo);
+    }
+
+    SUFFUSE_PROGRAM void begin()
+    {
+        m_warp.each([&](int lane) {
+            LaneBackdrop &b = m_backdrop[lane];
+            SUFFUSE_UNROLL
+            for (int k = 0; k < laneSamples; ++k) {
+                if (m_job.flags & haveUnder) {
+                    const BackdropPixel p = under()[pixelOf(lane, k)];
+                    b.red[k] = p.red, b.yellow[k] = p.yellow, b.blue[k] = p.blue;
+                    b.coverage[k] = general ? p.coverage : 0;
+                } else {
+                    b.red[k] = m_frame.background[0], b.yellow[k] = m_frame.background[1];
+                    b.blue[k] = m_frame.background[2], b.coverage[k] = 0;
+                }
+            }
+        });
+        m_underStored = !(m_job.flags & storeUnder);
+        m_overBegun = !general || !(m_job.flags & storeOver);
+    }
+
+    /// Before anything of `chunk` is painted: layers end and begin where the edited stroke does.
+    SUFFUSE_PROGRAM void enter(std::uint32_t chunk)
+    {
+        if (!m_underStored && chunk >= m_frame.editedFrom) {
+            m_underStored = true;
+            m_warp.each([&](int lane) {
+                const LaneBackdrop &b = m_backdrop[lane];
+                SUFFUSE_UNROLL
+                for (int k = 0; k < laneSamples; ++k)
+                    under()[pixelOf(lane, k)] = {b.red[k], b.yellow[k], b.blue[k], general ? b.coverage[k] : 0};
+            });
+        }
+        if (!m_overBegun && chunk >= m_frame.editedTo) {
+            m_overBegun = true;
+            m_warp.each([&](int lane) {
+                SUFFUSE_UNROLL
+                for (int k = 0; k < laneSamples; ++k)
+                    for (int p = 0; p < overPlanes; ++p)
+                        over()[p * tileSize + pixelOf(lane, k)] = p == 0 || (p >= 4 && p <= 7) ? 1.0f : 0.0f;
+            });
+        }
+    }
+    SUFFUSE_PROGRAM bool composes() const { return general && (m_job.flags & storeOver) && m_overBegun; }
+
+    SUFFUSE_PROGRAM void startStroke(const Found &found, const Fetched &fetched)
+    {
+        enter(found.chunk);
+        m_stroke = found.stroke;
+        m_listing = {};
+        m_overflown = false;
+        m_warp.each([&](int lane) {
+            if (lane < int(sizeof(m_s.paint.stroke) / sizeof(Float4)))
+                m_s.paint.stroke[lane] = fetched.stroke[lane];
+        });
+    }
+    SUFFUSE_PROGRAM void addChunk(const Fetched &fetched, int nodes)
+    {
+        if (m_listing.count + chunkNodes > nodeRoom)
+            m_overflown = true; // too many to keep: they are chosen again when they are summed
+        if (!m_overflown)
+            listNodes(m_warp, m_frame.cull != 0, fetched, nodes, m_job.column, m_job.row, m_s.paint.sums, m_listing);
+    }
+
+    SUFFUSE_PROGRAM void endStroke()
+    {
+        if (m_stroke == none)
+            return;
+        const StrokeRecord &stroke = strokeOf(m_s.paint.stroke);
+        if (stroke.plain)
+            paintPlain(stroke);
+        else if constexpr (general)
+            paintGeneral(stroke);
+    }
+
+    /// Calls `use` for runs of listed nodes until all that meet the tile were there.
+    template <class Use>
+    SUFFUSE_PROGRAM void forEachListing(const StrokeRecord &stroke, Use use)
+    {
+        PartialListing part{m_listing, stroke.firstChunk};
+        const std::uint32_t end = m_overflown ? part.chunk + stroke.chunks : part.chunk;
+        do {
+            if (m_overflown)
+                part = listChunks(m_warp, m_frame, part.chunk, end, m_job.column, m_job.row, m_s.paint.sums);
+            use(part.listing);
+        } while (part.chunk < end);
+    }
+
+    /// The paper where it touches the stroke, else null.
+    SUFFUSE_PROGRAM const float *eta(const StrokeRecord &stroke)
+    {
+        if (!stroke.granulated || m_frame.paper.kind == 0)
+            return nullptr;
+        if (!m_haveEta)
+            m_warp.each([&](int lane) {
+                for (int k = 0; k < laneSamples; ++k)
+                    m_s.paint.eta[sampleAt(lane, k)] =
+                        etaAt(m_frame, m_job.column * tileSide + sampleColumn(lane, k) + 0.5,
+                              m_job.row * tileSide + sampleRow(lane, k) + 0.5, 1);
+            });
+        m_haveEta = true;
+        return m_s.paint.eta;
+    }
+
+    SUFFUSE_PROGRAM void paintPlain(const StrokeRecord &stroke)
+    {
+        PlainStroke<Warp> plain(m_warp, m_frame, stroke, m_s.paint.sums);
+        const auto listings = [&](auto use) { forEachListing(stroke, use); };
+        if (!plain.evaluate(listings, eta(stroke)))
+            return;
+        const float keep = stroke.keep;
+        if (!plain.hasColours()) {
+            plain.forEachSample([&](int lane, int k, float w, float red, float yellow, float blue) {
+                mixCoverage(lane, k, w, keep);
+                mixColour<0>(lane, k, w, red, keep);
+                mixColour<1>(lane, k, w, yellow, keep);
+                mixColour<2>(lane, k, w, blue, keep);
+            });
+            return;
+        }
+        for (int turn = 0; turn < 4; ++turn) {
+            const int component = (turn + 3) % 4; // opacity first
+            plain.forEachSample(listings, component, [&](int lane, int k, float w, float colour) {
+                if (component == 3)
+                    mixCoverage(lane, k, w, keep);
+                else if (component == 0)
+                    mixColour<0>(lane, k, w, colour, keep);
+                else if (component == 1)
+                    mixColour<1>(lane, k, w, colour, keep);
+                else
+                    mixColour<2>(lane, k, w, colour, keep);
+            });
+        }
+    }
+
+    /// One sample of a stroke onto the backdrop and the map of layers (eq 22, 23).
+    SUFFUSE_PROGRAM void mixCoverage(int lane, int k, float w, float keep)
+    {
+        if (general) { // else the picture is not transparent
+            float &coverage = m_backdrop[lane].coverage[k];
+            coverage = math::mulAdd_(1 - w, coverage, w);
+        }
+        if (composes())
+            composeCoverage(over(), pixelOf(lane, k), w, keep);
+    }
+    template <int component> // 0 red, 1 yellow, 2 blue
+    SUFFUSE_PROGRAM void mixColour(int lane, int k, float w, float colour, float keep)
+    {
+        LaneBackdrop &b = m_backdrop[lane];
+        float &backdrop = component == 0 ? b.red[k] : component == 1 ? b.yellow[k] : b.blue[k];
+        backdrop = math::mixed(backdrop, colour, w, keep);
+        if (composes())
+            composeColour(over(), pixelOf(lane, k), component, w, colour, keep);
+    }
+
+    SUFFUSE_PROGRAM void paintGeneral(const StrokeRecord &stroke)
+    {
+        GeneralStroke<Warp> evaluator(m_warp, m_frame, m_job, stroke, m_s.paint.sums, m_s.general);
+        evaluator.evaluateTile([&](auto use) { forEachListing(stroke, use); });
+        const float keep = stroke.keep;
+        m_warp.each([&](int lane) {
+            SUFFUSE_UNROLL
+            for (int k = 0; k < laneSamples; ++k) {
+                const float w = m_s.general.result[0][sampleAt(lane, k)];
+                mixCoverage(lane, k, w, keep);
+                mixColour<0>(lane, k, w, m_s.general.result[1][sampleAt(lane, k)], keep);
+                mixColour<1>(lane, k, w, m_s.general.result[2][sampleAt(lane, k)], keep);
+                mixColour<2>(lane, k, w, m_s.general.result[3][sampleAt(lane, k)], keep);
+            }
+        });
+    }
+
+    SUFFUSE_PROGRAM void finish(std::uint32_t index)
+    {
+        m_warp.each([&](int lane) {
+            const LaneBackdrop &b = m_backdrop[lane];
+            SUFFUSE_UNROLL
+            for (int k = 0; k < laneSamples; ++k) {
+                m_s.finished[sampleAt(lane, k)] = {b.red[k], b.yellow[k], b.blue[k],
+                                                   general && m_frame.transparent ? b.coverage[k] : 1.0f};
+            }
+        });
+        SUFFUSE_ROLLED
+        for (int k = 0; k < laneSamples; ++k)
+            m_warp.each([&](int lane) { store(index, lane, k, finishSample(m_s.finished[sampleAt(lane, k)])); });
+    }
+
+    SUFFUSE_PROGRAM void store(std::uint32_t index, int lane, int k, const Float4 &rgba) const
+    {
+        const std::size_t at = std::size_t(index) * tileSize + std::size_t(pixelOf(lane, k));
+        if (m_frame.tilesRgba)
+            reinterpret_cast<Float4 *>(m_frame.tilesRgba)[at] = rgba;
+        if (m_frame.tilesArgb)
+            m_frame.tilesArgb[at] = argbOf(rgba);
+        const int x = m_job.column * tileSide + sampleColumn(lane, k);
+        const int y = m_job.row * tileSide + sampleRow(lane, k);
+        if (m_frame.picture && x < m_frame.width && y < m_frame.height)
+            m_frame.picture[std::size_t(y) * std::size_t(m_frame.width) + std::size_t(x)] = argbOf(rgba);
+    }
+
+    Warp &m_warp;
+    const Frame &m_frame;
+    const TileJob m_job;
+    TileScratch<general> &m_s;
+    Var<LaneBackdrop> m_backdrop;
+    Var<std::uint32_t> m_candidate;
+    std::uint32_t m_hits = 0, m_listed = 0; ///< of the candidates; of the macro-tile's list
+    std::uint32_t m_stroke = none;
+    Listing m_listing;
+    int m_turn = 1; ///< of `fetched`, where the last chunk goes
+    bool m_overflown = false;
+    bool m_underStored = false, m_overBegun = false, m_haveEta = false;
+};
+
+/// One tile job.
+template <bool general, class Warp>
+SUFFUSE_PROGRAM void paintTile(Warp &warp, const Frame &frame, std::uint32_t job, TileScratch<general> &scratch)
+{
+    TilePainter<general, Warp>(warp, frame, frame.tiles[job], scratch).paint(job);
+}
+
+} // namespace suffuse::cuda

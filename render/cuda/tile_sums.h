@@ -1,0 +1,208 @@
+// Density, slopes and channels at the samples of a block, by one warp: which nodes meet the tile, and their sums
+// (docs/solver.md, "Sums").
+#pragma once
+
+#include "render/cuda/tile_nodes.h"
+
+namespace suffuse::cuda {
+
+/// 16 × 16 samples: (i, j) lies at (x + (i − 7½)·step, y + (j − 7½)·step) from the tile's centre, px.
+struct Block {
+    float x = 0, y = 0, step = 1;
+};
+
+/// Samples of a lane: two columns and four rows. Sample k: column 2·(lane mod 8) + k mod 2, row 4·(lane div 8) + k
+/// div 2.
+inline constexpr int laneSamples = tileSize / warpLanes;
+
+SUFFUSE_PROGRAM int sampleColumn(int lane, int k)
+{
+    return lane % 8 * 2 + k % 2;
+}
+SUFFUSE_PROGRAM int sampleRow(int lane, int k)
+{
+    return lane / 8 * 4 + k / 2;
+}
+
+/// Where a lane's sample lies in shared memory, so that lanes meet no bank twice.
+SUFFUSE_PROGRAM int sampleAt(int lane, int k)
+{
+    return k * warpLanes + lane;
+}
+SUFFUSE_PROGRAM int sampleAtPixel(int column, int row)
+{
+    return sampleAt(row / 4 * 8 + column / 2, row % 4 * 2 + column % 2);
+}
+
+inline constexpr int nodeRoom = 96; ///< nodes of a stroke that are listed at once
+inline constexpr int batch = 16;    ///< of them whose tables are in shared memory at once
+
+/// A node near the tile. Separable: (dx, a, cut, 1) and (dy, c, cut, weight), d from the tile's centre. Oblique:
+/// (dx, dy, a, b) and (c, cut, weight, 0).
+struct ListedNode {
+    Float4 first, second;
+};
+
+/// Shared memory of one warp while it sums a batch.
+struct BatchScratch {
+    /// (e^(−a dx²) − cut, a dx e^(−a dx²)) by column, then the same by row times the weight.
+    Float4 tables[batch][warpLanes / 2];
+    Float4 channel[batch][tileSide / 4]; ///< row's value times a channel's
+};
+
+/// φ′, h² and the pixel mean of F at the tile's pixels, as `sampleAt` says.
+struct MeanScratch {
+    float density[tileSize], h2[tileSize], mean[tileSize];
+    std::uint16_t
+        longOnes[tileSize]; ///< samples that need the long form, wherever they lie, so that lanes share the work
+};
+
+/// Shared memory of one warp.
+struct SumScratch {
+    ListedNode listed[nodeRoom];
+    std::uint32_t rows[nodeRoom]; ///< of channel values, from the stroke's first
+    union {                       // one after the other
+        BatchScratch sums;
+        MeanScratch means;
+        Fetched chosenAgain;
+    };
+};
+
+struct SampleSums {
+    float density[laneSamples], slopeX[laneSamples], slopeY[laneSamples]; ///< slopes: −½ ∂φ, per pixel
+};
+struct SampleValues {
+    float v[laneSamples];
+};
+
+/// Nodes chosen so far, the same in all lanes.
+struct Listing {
+    int count = 0;     ///< listed
+    int separable = 0; ///< of them, the first
+};
+
+/// Adds to the list those of a chunk's nodes, which have arrived, that meet the tile. There has to be room for 32.
+template <class Warp>
+SUFFUSE_PROGRAM void listNodes(Warp &warp, bool cull, const Fetched &chunk, int nodes, std::int32_t cellX,
+                               std::int32_t cellY, SumScratch &s, Listing &listing)
+{
+    typename Warp::template Var<ListedNode> node;
+    typename Warp::template Var<std::uint32_t> row;
+    typename Warp::template Var<bool> oblique;
+    const std::uint32_t hits = warp.ballot([&](int lane) {
+        oblique[lane] = false;
+        if (lane >= nodes)
+            return false;
+        const NodeRecord n = nodeOf(chunk, lane);
+        const NodePlace place(n, cellX, cellY);
+        if (cull && !place.meets)
+            return false;
+        oblique[lane] = n.b != 0;
+        node[lane] = n.b == 0 ? ListedNode{{place.dx, n.a, n.cut, 1}, {place.dy, n.c, n.cut, n.weight}}
+                              : ListedNode{{place.dx, place.dy, n.a, n.b}, {n.c, n.cut, n.weight, 0}};
+        row[lane] = n.row;
+        return true;
+    });
+    const bool askew = warp.any([&](int lane) { return oblique[lane]; });
+    warp.each([&](int lane) {
+        if (hits >> lane & 1) {
+            const int at = listing.count + Warp::rank(hits, lane);
+            s.listed[at] = node[lane];
+            s.rows[at] = row[lane];
+        }
+    });
+    listing.count += Warp::count(hits);
+    if (!askew)
+        listing.separable = listing.count; // a chunk holds one kind, and the separable ones come first
+}
+
+/// Where a stroke has more nodes near a tile than can be listed at once: lists those of chunks [chunk, end) until the
+/// list is full. Rare, so it is called, not inlined.
+struct PartialListing {
+    Listing listing;
+    std::uint32_t chunk = 0; ///< the first that is not listed
+};
+template <class Warp>
+SUFFUSE_CALL PartialListing listChunks(Warp warp, const Frame &frame, std::uint32_t chunk, std::uint32_t end,
+                                       std::int32_t cellX, std::int32_t cellY, SumScratch &s)
+{
+    PartialListing part;
+    for (part.chunk = chunk; part.chunk < end && part.listing.count + chunkNodes <= nodeRoom; ++part.chunk) {
+        const ChunkRecord &c = frame.chunks[part.chunk];
+        if (!meetsTile(c, cellX, cellY))
+            continue;
+        fetchChunk(warp, frame, c, s.chosenAgain);
+        warp.arrive(false);
+        listNodes(warp, frame.cull != 0, s.chosenAgain, int(c.nodes), cellX, cellY, s, part.listing);
+    }
+    return part;
+}
+
+/// Tables of nodes [from, to) of the list, one entry a lane: its column or its row.
+template <class Warp>
+SUFFUSE_PROGRAM void fillTables(Warp &warp, int from, int to, const Block &block, SumScratch &s)
+{
+    warp.each([&](int lane) {
+        const bool isRow = lane >= tileSide;
+        const float offset = math::mulAdd_(float(lane % tileSide) - 7.5f, block.step, isRow ? block.y : block.x);
+        for (int n = from; n < to; ++n) {
+            const ListedNode &node = s.listed[n];
+            const Float4 axis = isRow ? node.second : node.first;
+            const float d = offset - axis.x, rise = axis.y * d;
+            const float e = math::exp2_(-float(math::log2e) * (rise * d));
+            const bool there = axis.z < e;
+            Float2 entry{there ? (e - axis.z) * axis.w : 0.0f, there ? rise * e * axis.w : 0.0f};
+            reinterpret_cast<Float2 *>(s.sums.tables[n - from])[lane] = entry;
+        }
+    });
+}
+
+/// Sums of a batch of separable nodes whose tables are filled.
+template <class Warp>
+SUFFUSE_PROGRAM void addBatch(Warp &warp, int nodes, const SumScratch &s, typename Warp::template Var<SampleSums> &sums)
+{
+    warp.each([&](int lane) {
+        SampleSums &sum = sums[lane];
+        for (int n = 0; n < nodes; ++n) {
+            const Float4 columns = s.sums.tables[n][lane % 8];
+            const Float4 *rows = &s.sums.tables[n][8 + lane / 8 * 2];
+            const Float4 low = rows[0], high = rows[1];
+            const float value[4] = {low.x, low.z, high.x, high.z}, slope[4] = {low.y, low.w, high.y, high.w};
+            SUFFUSE_UNROLL
+            for (int k = 0; k < laneSamples; ++k) {
+                const float x = k % 2 ? columns.z : columns.x, xSlope = k % 2 ? columns.w : columns.y;
+                sum.density[k] = math::mulAdd_(x, value[k / 2], sum.density[k]);
+                sum.slopeX[k] = math::mulAdd_(xSlope, value[k / 2], sum.slopeX[k]);
+                sum.slopeY[k] = math::mulAdd_(x, slope[k / 2], sum.slopeY[k]);
+            }
+        }
+    });
+}
+
+/// The same for one channel: Σ φ·value. `values` of the stroke, `channels` a row.
+template <class Warp>
+SUFFUSE_PROGRAM void addChannel(Warp &warp, int from, int nodes, const float *values, std::uint32_t channels,
+                                std::uint32_t channel, SumScratch &s, typename Warp::template Var<SampleValues> &sums)
+{
+    warp.each([&](int lane) { // a lane takes one node's 16 rows by halves
+        const int n = lane % batch, part = lane / batch * 2;
+        if (n < nodes) {
+            const float value = values[std::size_t(s.rows[from + n]) * channels + channel];
+            for (int q = part; q < part + 2; ++q) {
+                const Float4 low = s.sums.tables[n][8 + q * 2], high = s.sums.tables[n][9 + q * 2];
+                s.sums.channel[n][q] = {low.x * value, low.z * value, high.x * value, high.z * value};
+            }
+        }
+    });
+    warp.each([&](int lane) {
+        for (int n = 0; n < nodes; ++n) {
+            const Float4 columns = s.sums.tables[n][lane % 8], rows = s.sums.channel[n][lane / 8];
+            const float value[4] = {rows.x, rows.y, rows.z, rows.w};
+            SUFFUSE_UNROLL
+            for (int k = 0; k < laneSamples; ++k)
+                sums[lane].v[k] = math::mulAdd_(k % 2 ? columns.z : columns.x, value[k / 2], sums[lane].v[k]);
+        }
+    });
+}
+
+} // namespace suffuse::cuda

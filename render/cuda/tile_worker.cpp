@@ -1,0 +1,306 @@
+#include "render/cuda/tile_worker.h"
+
+#include "render/parallel.h"
+
+#include <bit>
+#include <numbers>
+
+namespace suffuse::cuda {
+
+namespace {
+
+constexpr std::size_t mostBandTiles = 65536;
+constexpr std::size_t fewestBandTiles = 64;
+/// Chunk indices of all lists of a band; macro-tiles are counted by 16 bits.
+constexpr std::size_t mostListed = std::size_t(1) << 23, mostMacros = 65535;
+
+ToCanvas toCanvasOf(const View &v)
+{
+    const Point origin = v.toCanvas({0, 0});
+    const double c = std::cos(v.rotation) / v.scale, s = std::sin(v.rotation) / v.scale, flip = v.mirrored ? -1 : 1;
+    // As the CPU does: a pixel turned against the canvas' axes may reach half its diagonal.
+    const double quarter = v.rotation / (0.5 * std::numbers::pi);
+    const bool upright = std::abs(quarter - std::round(quarter)) < 1e-12;
+    return {origin.x, origin.y, flip * c, flip * s, -s, c, v.px(), v.px() * (upright ? 0.5 : std::numbers::sqrt2 / 2)};
+}
+
+} // namespace
+
+TileWorker::TileWorker(std::shared_ptr<Device> device, bool cull, int threads)
+    : m_device(std::move(device)), m_threads(threads), m_scene(*m_device), m_layers(*m_device), m_paper(*m_device),
+      m_tileJobs(*m_device), m_macroJobs(*m_device), m_hostStatus(*m_device), m_deviceTileJobs(*m_device),
+      m_deviceMacroJobs(*m_device), m_status(*m_device), m_lists(*m_device), m_listCounts(*m_device),
+      m_masks(*m_device), m_argb(*m_device), m_hostArgb(*m_device), m_rgba(*m_device), m_hostRgba(*m_device),
+      m_bandTiles(mostBandTiles)
+{
+    m_frame.cull = cull;
+}
+
+void TileWorker::releaseBuffers()
+{
+    m_lists.release();
+    m_masks.release();
+    m_argb.release(), m_hostArgb.release();
+    m_rgba.release(), m_hostRgba.release();
+}
+
+bool TileWorker::releaseSpare()
+{
+    const bool any = m_layers.hasMemory() || m_lists.data();
+    m_layers.refuse();
+    releaseBuffers();
+    return any;
+}
+
+Fault TileWorker::updatePaper(const Paper &paper, const std::shared_ptr<const PaperTexture> &texture)
+{
+    m_frame.paper = {};
+    if (paper.strength <= 0 || (paper.kind == PaperKind::Image && !texture))
+        return {};
+    m_frame.paper.kind = std::int32_t(paper.kind);
+    m_frame.paper.seed = paper.seed;
+    m_frame.paper.scale = paper.scale;
+    m_frame.paper.strength = paper.strength;
+    if (paper.kind != PaperKind::Image)
+        return {};
+    if (texture != m_paperTexture) {
+        m_paperTexture = nullptr;
+        if (Fault fault = m_paper.reserve(texture->grey.size()))
+            return fault;
+        if (Fault fault = m_device->upload(m_paper.data(), texture->grey.data(), texture->grey.size() * sizeof(float)))
+            return fault;
+        m_paperTexture = texture;
+    }
+    m_frame.paper.width = texture->width, m_frame.paper.height = texture->height;
+    m_frame.paper.grey = m_paper.data();
+    return {};
+}
+
+Fault TileWorker::prepare(const FrameHistory &history, const FrameHistory::Step &step, const RenderRequest &request,
+                          const std::shared_ptr<const PaperTexture> &paper)
+{
+    if (step.whole) {
+        m_layers.allow();
+        m_bandTiles = mostBandTiles;
+    }
+    if (!step.keepsUnder)
+        m_layers.clear();
+    else if (!step.keepsOver)
+        m_layers.dropOver();
+    const Canvas &canvas = request.painting->canvas;
+    const auto update = [&] {
+        Fault fault = updatePaper(canvas.paper, paper);
+        return fault ? fault
+                     : m_scene.update(history.scene().strokes(), step.scene, request.view.width, request.view.height,
+                                      m_threads);
+    };
+    Fault fault = update();
+    if (fault.kind == Fault::OutOfMemory && releaseSpare()) {
+        m_scene.forget();
+        fault = update();
+    }
+    const bool edits = history.edited() != FrameHistory::noEdit;
+    if (!fault && edits)
+        fault = m_layers.beginFrame(std::size_t(history.region().columns()) * std::size_t(history.region().rows()));
+    if (fault)
+        return fault;
+    m_scene.fill(m_frame);
+    m_frame.editedFrom = edits ? m_scene.firstChunk(history.edited()) : 0xffffffff;
+    m_frame.editedTo = edits ? m_scene.firstChunk(history.edited() + 1) : 0xffffffff;
+    m_frame.width = request.view.width, m_frame.height = request.view.height;
+    // An unopaque background lies on white, RYB (0, 0, 0).
+    const Colour &b = canvas.background;
+    const float opacity = request.transparent ? 0 : b.opacity;
+    m_frame.background[0] = b.red * opacity;
+    m_frame.background[1] = b.yellow * opacity;
+    m_frame.background[2] = b.blue * opacity;
+    m_frame.transparent = request.transparent;
+    m_frame.toCanvas = toCanvasOf(request.view);
+    return {};
+}
+
+Fault TileWorker::reserveJobs(std::size_t tiles)
+{
+    for (const Fault &fault :
+         {m_tileJobs.reserve(tiles), m_macroJobs.reserve(tiles), m_hostStatus.reserve(statusWords),
+          m_deviceTileJobs.reserve(tiles), m_deviceMacroJobs.reserve(tiles), m_status.reserve(statusWords)})
+        if (fault)
+            return fault;
+    return {};
+}
+
+TileJob TileWorker::jobOf(const FrameHistory &history, bool interactive, const TileTask &task)
+{
+    TileJob job;
+    job.column = std::uint16_t(task.column);
+    job.row = std::uint16_t(task.row);
+    int flags = 0;
+    if (history.edited() != FrameHistory::noEdit)
+        if (const TileLayer *layer = m_layers.at(history.tileIndex(task.column, task.row))) {
+            job.layer = layer->slot;
+            flags |= layer->under ? haveUnder : storeUnder;
+            if (interactive && history.oneEdited())
+                flags |= layer->over ? applyOver : storeOver;
+        }
+    if (!m_frame.transparent && !(flags & storeOver) && m_scene.isPlain(task.column, task.row))
+        flags |= plainTile;
+    job.flags = std::uint16_t(flags);
+    return job;
+}
+
+TileWorker::Band TileWorker::plan(const FrameHistory &history, bool interactive, std::span<const TileTask> tasks)
+{
+    constexpr std::size_t none = SIZE_MAX;
+    const std::size_t macroLimit = std::clamp<std::size_t>(mostListed / m_listRoom, 1, mostMacros);
+    Band band;
+    std::array<std::size_t, 4> macro{}; // of the current macro-tile, by which chunks are left out
+    int column = -1, row = -1;
+    for (const TileTask &task : tasks) {
+        TileJob job = jobOf(history, interactive, task);
+        if (task.column / macroTiles != column || task.row / macroTiles != row) {
+            column = task.column / macroTiles, row = task.row / macroTiles;
+            macro.fill(none);
+        }
+        std::size_t &list = macro[std::size_t((job.flags & haveUnder ? 1 : 0) + (job.flags & applyOver ? 2 : 0))];
+        if (list == none) {
+            if (band.macros == macroLimit)
+                break;
+            m_macroJobs.data()[band.macros] = {column, row, job.flags & haveUnder ? m_frame.editedFrom : 0,
+                                               job.flags & applyOver ? m_frame.editedTo : m_scene.chunkCount()};
+            list = band.macros++;
+        }
+        job.macro = std::uint16_t(list);
+        (job.flags & plainTile ? band.anyPlain : band.anyGeneral) = true;
+        m_tileJobs.data()[band.tiles++] = job;
+    }
+    return band;
+}
+
+Fault TileWorker::run(const Band &band)
+{
+    for (const Fault &fault : {m_lists.reserve(band.macros * m_listRoom), m_masks.reserve(band.macros * m_listRoom),
+                               m_listCounts.reserve(band.macros)})
+        if (fault)
+            return fault;
+    m_frame.macros = m_deviceMacroJobs.data();
+    m_frame.macroCount = std::uint32_t(band.macros);
+    m_frame.tiles = m_deviceTileJobs.data();
+    m_frame.tileCount = std::uint32_t(band.tiles);
+    m_frame.lists = m_lists.data();
+    m_frame.listCounts = m_listCounts.data();
+    m_frame.masks = m_masks.data();
+    m_frame.listRoom = m_listRoom;
+    m_frame.under = m_layers.under();
+    m_frame.over = m_layers.over();
+    m_frame.status = m_status.data();
+    if (Fault fault = m_device->clear(m_status.data(), statusWords * sizeof(std::uint32_t)))
+        return fault;
+    if (Fault fault = m_device->upload(m_deviceTileJobs.data(), m_tileJobs.data(), band.tiles * sizeof(TileJob)))
+        return fault;
+    if (Fault fault = m_device->upload(m_deviceMacroJobs.data(), m_macroJobs.data(), band.macros * sizeof(MacroJob)))
+        return fault;
+    if (Fault fault = m_device->run(m_frame, {band.anyPlain, band.anyGeneral}))
+        return fault;
+    return m_device->download(m_hostStatus.data(), m_status.data(), statusWords * sizeof(std::uint32_t));
+}
+
+Fault TileWorker::draw(const Band &band, Output output, std::uint32_t *picture)
+{
+    m_frame.picture = picture;
+    m_frame.tilesArgb = nullptr;
+    m_frame.tilesRgba = nullptr;
+    const auto withBuffers = [&](auto &onDevice, auto &onHost, auto *&place, std::size_t perTile) {
+        const std::size_t count = band.tiles * perTile;
+        if (Fault fault = onDevice.reserve(count))
+            return fault;
+        if (Fault fault = onHost.reserve(count))
+            return fault;
+        place = onDevice.data();
+        if (Fault fault = run(band))
+            return fault;
+        return m_device->download(onHost.data(), onDevice.data(), count * sizeof(*place));
+    };
+    Fault fault = output == Output::Argb   ? withBuffers(m_argb, m_hostArgb, m_frame.tilesArgb, tileSize)
+                  : output == Output::Rgba ? withBuffers(m_rgba, m_hostRgba, m_frame.tilesRgba, 4 * tileSize)
+                                           : run(band);
+    double milliseconds = 0;
+    // Always waits: what was asked for reads and writes host memory.
+    const Fault finished = m_device->finish(&milliseconds);
+    m_deviceMs += milliseconds;
+    return fault ? fault : finished;
+}
+
+void TileWorker::store(const FrameHistory &history, Output output, std::span<TileTask> tasks, Target &target,
+                       const std::atomic<bool> *cancel)
+{
+    constexpr std::size_t together = 64;
+    parallelFor((tasks.size() + together - 1) / together, m_threads, [&](std::size_t group) {
+        if (cancel && cancel->load(std::memory_order_relaxed))
+            return;
+        for (std::size_t i = group * together; i < std::min(tasks.size(), (group + 1) * together); ++i) {
+            const PixelRect rect = history.region().tile(tasks[i].column, tasks[i].row);
+            if (output == Output::Argb)
+                target.storeArgb(rect, m_hostArgb.data() + i * tileSize, tileSide);
+            else if (output == Output::Rgba)
+                target.store(rect, m_hostRgba.data() + i * 4 * tileSize, tileSide);
+            tasks[i].drawn = true;
+        }
+    });
+}
+
+void TileWorker::keepLayers(const FrameHistory &history, std::span<TileTask> tasks)
+{
+    for (std::size_t i = 0; i < tasks.size(); ++i) {
+        const int flags = m_tileJobs.data()[i].flags;
+        tasks[i].approximate = (flags & applyOver) != 0;
+        if ((flags & (storeUnder | storeOver)) == 0)
+            continue;
+        TileLayer *layer = m_layers.at(history.tileIndex(tasks[i].column, tasks[i].row));
+        layer->under |= (flags & storeUnder) != 0;
+        layer->over |= (flags & storeOver) != 0;
+    }
+}
+
+bool TileWorker::makeRoom(std::size_t triedTiles)
+{
+    releaseBuffers();
+    if (m_layers.hasMemory()) {
+        m_layers.refuse();
+        return true;
+    }
+    if (triedTiles <= fewestBandTiles)
+        return false;
+    m_bandTiles = triedTiles / 2;
+    return true;
+}
+
+Fault TileWorker::paint(const FrameHistory &history, bool interactive, std::span<TileTask> tasks,
+                        std::uint32_t *picture, Target &target, const std::atomic<bool> *cancel)
+{
+    const Output output = picture ? Output::Picture : target.keepsArgb() ? Output::Argb : Output::Rgba;
+    m_deviceMs = 0;
+    while (!tasks.empty() && !(cancel && cancel->load(std::memory_order_relaxed))) {
+        const std::size_t most = std::min(m_bandTiles, output == Output::Rgba ? mostBandTiles / 4 : mostBandTiles);
+        const auto tried = tasks.first(std::min(tasks.size(), most));
+        Band band;
+        Fault fault = reserveJobs(tried.size());
+        if (!fault) {
+            band = plan(history, interactive, tried);
+            fault = draw(band, output, picture);
+        }
+        if (fault.kind == Fault::OutOfMemory && makeRoom(tried.size()))
+            continue;
+        if (fault)
+            return fault;
+        if (const std::uint32_t longest = m_hostStatus.data()[longestList]; longest > m_listRoom) {
+            m_listRoom = std::bit_ceil(longest); // lists were cut off: once more
+            continue;
+        }
+        keepLayers(history, tasks.first(band.tiles));
+        store(history, output, tasks.first(band.tiles), target, cancel);
+        tasks = tasks.subspan(band.tiles);
+    }
+    return {};
+}
+
+} // namespace suffuse::cuda

@@ -1,0 +1,84 @@
+// One device's share of a picture: what differs goes up, tiles come back.
+#pragma once
+
+#include "render/cuda/device_layers.h"
+#include "render/cuda/device_scene.h"
+#include "render/frame_history.h"
+#include "render/paper.h"
+
+#include <atomic>
+#include <span>
+
+namespace suffuse::cuda {
+
+/// A tile to evaluate. Those of a macro-tile lie side by side.
+struct TileTask {
+    int column = 0, row = 0;
+    bool drawn = false;       ///< it is where it was wanted
+    bool approximate = false; ///< drawn with an over map
+};
+
+class TileWorker {
+public:
+    TileWorker(std::shared_ptr<Device> device, bool cull, int threads);
+
+    Device &device() { return *m_device; }
+    /// Brings the device up to date with the step that `history` made.
+    Fault prepare(const FrameHistory &history, const FrameHistory::Step &step, const RenderRequest &request,
+                  const std::shared_ptr<const PaperTexture> &paper);
+    /// Evaluates tiles into `picture` (device memory), or, where that is null, into `target`; sets what became of each.
+    Fault paint(const FrameHistory &history, bool interactive, std::span<TileTask> tasks, std::uint32_t *picture,
+                Target &target, const std::atomic<bool> *cancel);
+    /// Milliseconds that the device took for the last `paint`, by its own clock.
+    double deviceMs() const { return m_deviceMs; }
+
+private:
+    enum class Output { Picture, Argb, Rgba };
+    /// What one run of the device evaluates.
+    struct Band {
+        std::size_t tiles = 0, macros = 0;
+        bool anyPlain = false, anyGeneral = false;
+    };
+
+    Fault updatePaper(const Paper &paper, const std::shared_ptr<const PaperTexture> &texture);
+    Fault reserveJobs(std::size_t tiles);
+    /// Makes jobs of the first tasks, as many as fit.
+    Band plan(const FrameHistory &history, bool interactive, std::span<const TileTask> tasks);
+    TileJob jobOf(const FrameHistory &history, bool interactive, const TileTask &task);
+    Fault run(const Band &band);
+    /// Runs the band and waits for its tiles and status words.
+    Fault draw(const Band &band, Output output, std::uint32_t *picture);
+    void store(const FrameHistory &history, Output output, std::span<TileTask> tasks, Target &target,
+               const std::atomic<bool> *cancel);
+    /// Notes which layers the band's jobs filled.
+    void keepLayers(const FrameHistory &history, std::span<TileTask> tasks);
+    /// After memory ran out for so many tiles: true where it is worth another try, without layers or with less.
+    bool makeRoom(std::size_t triedTiles);
+    /// Gives up layers and buffers; false where there are none.
+    bool releaseSpare();
+    void releaseBuffers();
+
+    std::shared_ptr<Device> m_device;
+    const int m_threads;
+    DeviceScene m_scene;
+    DeviceLayers m_layers;
+    Frame m_frame;
+    std::shared_ptr<const PaperTexture> m_paperTexture; ///< on the device
+    DeviceArray<float> m_paper;
+    PinnedArray<TileJob> m_tileJobs;
+    PinnedArray<MacroJob> m_macroJobs;
+    PinnedArray<std::uint32_t> m_hostStatus;
+    DeviceArray<TileJob> m_deviceTileJobs;
+    DeviceArray<MacroJob> m_deviceMacroJobs;
+    DeviceArray<std::uint32_t> m_status, m_lists, m_listCounts;
+    DeviceArray<std::uint64_t> m_masks;
+    DeviceArray<std::uint32_t> m_argb;
+    PinnedArray<std::uint32_t> m_hostArgb;
+    DeviceArray<float> m_rgba;
+    PinnedArray<float> m_hostRgba;
+    std::uint32_t m_listRoom = 256;
+    std::size_t m_bandTiles; ///< at most in one run
+    double m_deviceMs = 0;
+};
+
+} // namespace suffuse::cuda

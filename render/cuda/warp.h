@@ -1,0 +1,179 @@
+// Programs of one warp of 32 lanes, written once: a program is a template over the warp it runs on. DeviceWarp is a
+// warp of a GPU; HostWarp does the same lane after lane, for tests and for machines without one.
+//
+// A program's own variables are the same in all lanes; what differs by lane is a Var, and is touched inside `each`,
+// whose lanes do not see what other lanes write to shared memory before it ends.
+#pragma once
+
+#include "render/math/compat.h"
+
+#include <cstdint>
+
+#ifdef __CUDACC__
+#include <cuda_pipeline.h>
+#define SUFFUSE_PROGRAM __device__ __forceinline__
+#define SUFFUSE_CALL static __device__ __noinline__
+#define SUFFUSE_UNROLL _Pragma("unroll")
+#define SUFFUSE_ROLLED _Pragma("unroll 1")
+#else
+#include <array>
+#include <bit>
+#include <cstring>
+#define SUFFUSE_PROGRAM inline
+#define SUFFUSE_CALL static inline
+#define SUFFUSE_UNROLL
+#define SUFFUSE_ROLLED
+#endif
+
+namespace suffuse::cuda {
+
+inline constexpr int warpLanes = 32;
+inline constexpr int fetchBytes = 16;
+
+#ifdef __CUDACC__
+
+class DeviceWarp {
+public:
+    template <class T>
+    struct Var {
+        T value;
+        SUFFUSE_PROGRAM T &operator[](int) { return value; }
+        SUFFUSE_PROGRAM const T &operator[](int) const { return value; }
+    };
+
+    SUFFUSE_PROGRAM DeviceWarp() : m_lane(int(threadIdx.x) % warpLanes) {}
+
+    template <class F>
+    SUFFUSE_PROGRAM void each(F f)
+    {
+        f(m_lane);
+        __syncwarp();
+    }
+    /// Bit i: what f(i) says.
+    template <class F>
+    SUFFUSE_PROGRAM std::uint32_t ballot(F f)
+    {
+        return __ballot_sync(everyLane, f(m_lane));
+    }
+    template <class F>
+    SUFFUSE_PROGRAM bool any(F f)
+    {
+        return __any_sync(everyLane, f(m_lane)) != 0;
+    }
+    /// Lane `from`'s value.
+    template <class T>
+    SUFFUSE_PROGRAM T read(const Var<T> &v, int from)
+    {
+        return __shfl_sync(everyLane, v.value, from);
+    }
+    /// Of all lanes, always in the same order.
+    template <class T>
+    SUFFUSE_PROGRAM T sum(const Var<T> &v)
+    {
+        T s = v.value;
+        for (int by = warpLanes / 2; by > 0; by /= 2)
+            s += __shfl_xor_sync(everyLane, s, by);
+        return s;
+    }
+    SUFFUSE_PROGRAM float least(const Var<float> &v)
+    {
+        float s = v.value;
+        for (int by = warpLanes / 2; by > 0; by /= 2)
+            s = fminf(s, __shfl_xor_sync(everyLane, s, by));
+        return s;
+    }
+    /// Starts copies of 16 bytes to shared memory, one a lane: copy(lane, start) calls start(to, from) as often as it
+    /// likes. They have arrived after `arrive`, which may leave the copies of the last `fetch` under way.
+    template <class Copy>
+    SUFFUSE_PROGRAM void fetch(Copy copy)
+    {
+        copy(m_lane, [](void *to, const void *from) { __pipeline_memcpy_async(to, from, fetchBytes); });
+        __pipeline_commit();
+    }
+    SUFFUSE_PROGRAM void arrive(bool allButLast)
+    {
+        if (allButLast)
+            __pipeline_wait_prior(1);
+        else
+            __pipeline_wait_prior(0);
+        __syncwarp();
+    }
+    /// How many bits of a mask lie below a lane's.
+    static SUFFUSE_PROGRAM int rank(std::uint32_t mask, int lane) { return __popc(mask & ((1u << lane) - 1)); }
+    static SUFFUSE_PROGRAM int count(std::uint32_t mask) { return __popc(mask); }
+    static SUFFUSE_PROGRAM int lowest(std::uint32_t mask) { return __ffs(int(mask)) - 1; }
+    static SUFFUSE_PROGRAM void raise(std::uint32_t *word, std::uint32_t to) { atomicMax(word, to); }
+
+private:
+    static constexpr std::uint32_t everyLane = 0xffffffffu;
+
+    int m_lane;
+};
+
+#else
+
+class HostWarp {
+public:
+    template <class T>
+    struct Var {
+        std::array<T, warpLanes> values{};
+        T &operator[](int lane) { return values[std::size_t(lane)]; }
+        const T &operator[](int lane) const { return values[std::size_t(lane)]; }
+    };
+
+    template <class F>
+    void each(F f)
+    {
+        for (int lane = 0; lane < warpLanes; ++lane)
+            f(lane);
+    }
+    template <class F>
+    std::uint32_t ballot(F f)
+    {
+        std::uint32_t mask = 0;
+        for (int lane = 0; lane < warpLanes; ++lane)
+            mask |= std::uint32_t(bool(f(lane))) << lane;
+        return mask;
+    }
+    template <class F>
+    bool any(F f)
+    {
+        return ballot(f) != 0;
+    }
+    template <class T>
+    T read(const Var<T> &v, int from)
+    {
+        return v[from];
+    }
+    template <class T>
+    T sum(const Var<T> &v)
+    {
+        Var<T> s = v;
+        for (int by = warpLanes / 2; by > 0; by /= 2)
+            for (int lane = 0; lane < by; ++lane)
+                s[lane] += s[lane + by];
+        return s[0];
+    }
+    float least(const Var<float> &v)
+    {
+        float s = v[0];
+        for (const float value : v.values)
+            s = value < s ? value : s;
+        return s;
+    }
+    template <class Copy>
+    void fetch(Copy copy)
+    {
+        for (int lane = 0; lane < warpLanes; ++lane)
+            copy(lane, [](void *to, const void *from) { std::memcpy(to, from, fetchBytes); });
+    }
+    void arrive(bool) {}
+    static int rank(std::uint32_t mask, int lane) { return std::popcount(mask & ((1u << lane) - 1)); }
+    static int count(std::uint32_t mask) { return std::popcount(mask); }
+    static int lowest(std::uint32_t mask) { return std::countr_zero(mask); }
+    static void raise(std::uint32_t *word, std::uint32_t to) { *word = *word < to ? to : *word; }
+};
+
+#endif
+
+} // namespace suffuse::cuda

@@ -1,0 +1,285 @@
+// What a CUDA renderer must do on any device, emulated or real.
+#pragma once
+
+#include "render/cuda/cuda_renderer.h"
+#include "tests/render/paintings.h"
+
+#include <functional>
+
+namespace suffuse::test {
+
+using OpenDevice = std::function<std::shared_ptr<cuda::Device>()>;
+
+inline PaintingPtr withDensity(const PaintingPtr &p, std::size_t index, double factor)
+{
+    auto q = std::make_shared<Painting>(*p);
+    Stroke s = *p->strokes[index];
+    for (Segment &g : s.segments)
+        g.density *= float(factor);
+    q->strokes[index] = std::make_shared<const Stroke>(s);
+    return q;
+}
+
+/// At most one level of 8 bits apart, as far as pixels are covered.
+inline void compare8(const FloatPicture &a, const FloatPicture &b, const char *what)
+{
+    const auto level = [](const FloatPicture &p, int x, int y, int c) {
+        const float *v = p.at(x, y);
+        return std::lround(255 * double(v[c] * (c < 3 ? v[3] : 1)));
+    };
+    QCOMPARE(a.rgba.size(), b.rgba.size());
+    for (int y = 0; y < a.height; ++y)
+        for (int x = 0; x < a.width; ++x)
+            for (int c = 0; c < 4; ++c)
+                QVERIFY2(std::abs(level(a, x, y, c) - level(b, x, y, c)) <= 1,
+                         qPrintable(QStringLiteral("%1: channel %2 at %3, %4: %5 against %6")
+                                        .arg(QLatin1String(what))
+                                        .arg(c)
+                                        .arg(x)
+                                        .arg(y)
+                                        .arg(double(a.at(x, y)[c]))
+                                        .arg(double(b.at(x, y)[c]))));
+}
+
+/// Within a level of the CPU and within 1/512 of the reference.
+inline void compareWithOthers(Renderer &cuda, const PaintingPtr &p, const View &view, const char *what,
+                              Microseconds time = -1, bool transparent = false)
+{
+    const FloatPicture picture = test::render(cuda, p, view, time, transparent);
+    compare8(picture, test::render(*make(Backend::Cpu), p, view, time, transparent), what);
+    const Worst w = worst(picture, test::render(*make(Backend::Reference), p, view, time, transparent));
+    QVERIFY2(w.difference <= 1.0 / 512, qPrintable(QStringLiteral("%1: %2/512 at %3, %4")
+                                                       .arg(QLatin1String(what))
+                                                       .arg(w.difference * 512)
+                                                       .arg(w.x)
+                                                       .arg(w.y)));
+}
+
+inline void checkPictures(const OpenDevice &open)
+{
+    CudaRenderer cuda({open()}, 0);
+    std::mt19937_64 random(7);
+    for (int i = 0; i < 4; ++i) {
+        const Paper paper = i % 2 ? Paper{PaperKind::Procedural, 5, 20, 0.8f, {}} : Paper{};
+        const auto p = painting(randomStrokes(random, 10, 72, 54), 72, 54, paper);
+        const View view = View::ofArea(p->canvas.area(), 72, 54);
+        compareWithOthers(cuda, p, view, "random painting", -1, i == 2);
+        compareWithOthers(cuda, p, view, "still spreading", 600000);
+    }
+    const auto p = painting(randomStrokes(random, 8, 72, 54), 72, 54, {PaperKind::Procedural, 3, 12, 1, {}});
+    for (const double scale : {0.02, 0.1, 0.4, 3.0, 40.0, 900.0, 20000.0})
+        for (const double rotation : {0.0, 0.7})
+            compareWithOthers(cuda, p, {{30.2, 23.1}, scale, rotation, rotation > 0, 37, 30}, "zoomed");
+}
+
+inline void checkKinds(const OpenDevice &open)
+{
+    CudaRenderer cuda({open()}, 0);
+    for (const StyleKind kind : {StyleKind::Uniform, StyleKind::Feathering, StyleKind::Edge})
+        for (const Shape shape : allShapes) {
+            const auto p = painting({stroke(1, Shape::Curved, {25, 15}, 20, 7, styleOf(StyleKind::Uniform)),
+                                     stroke(2, shape, {24, 18}, 15, 5, styleOf(kind), {MixMode::Beta, 0.8f})},
+                                    48, 36);
+            compareWithOthers(cuda, p, View::ofArea(p->canvas.area(), 48, 36), "plain strokes");
+        }
+    for (const double angle : {0.0, 0.4}) {
+        Stroke s = stroke(1, Shape::Curved, {24, 18}, 15, 3, styleOf(StyleKind::Edge));
+        for (Segment &g : s.segments)
+            g.anisotropyRatio = 5, g.anisotropyAngle = float(angle);
+        compareWithOthers(cuda, painting({s}, 48, 36), {{24, 18}, 1.5, 0.3, true, 50, 50}, "anisotropic");
+    }
+    for (const double spread : {0.02, 0.3}) {
+        const auto p = painting({stroke(1, Shape::Curved, {20, 16}, 14, spread, styleOf(StyleKind::Uniform)),
+                                 stroke(2, Shape::Looping, {20, 16}, 10, 2 * spread, styleOf(StyleKind::Edge))},
+                                40, 32);
+        compareWithOthers(cuda, p, View::ofArea(p->canvas.area(), 40, 32), "hairlines");
+    }
+    Stroke s = stroke(1, Shape::Curved, {10053.3, -9947.7}, 30, 9, styleOf(StyleKind::Uniform));
+    s.segments[1].colour = {0.9f, 0.4f, 0.2f, 1};
+    for (double scale = 512; scale < 2e9; scale *= 64)
+        compareWithOthers(cuda, painting({s}), {s.origin, scale, 0, false, 24, 24}, "deep zoom");
+}
+
+/// One random edit of a painting: of a stroke's attributes, of the order, or of what is there.
+inline PaintingPtr randomlyEdited(const PaintingPtr &p, std::mt19937_64 &random)
+{
+    std::uniform_real_distribution<double> u(0, 1);
+    const std::size_t j = random() % p->strokes.size();
+    Stroke s = *p->strokes[j];
+    Segment &g = s.segments[random() % s.segments.size()];
+    auto q = std::make_shared<Painting>(*p);
+    switch (random() % 9) {
+    case 0: g.diffusion *= float(0.5 + u(random)); break;
+    case 1: g.density *= float(0.5 + u(random)); break;
+    case 2: g.colour = {float(u(random)), 0.5f, float(u(random)), 1}; break;
+    case 3: g.style = randomStyle(random); break;
+    case 4: s.style = randomStyle(random); break;
+    case 5: s.mix = {MixMode::Beta, float(u(random))}; break;
+    case 6: s.visible = !s.visible; break;
+    case 7: g.granulation = float(u(random)); break;
+    case 8: s.segments.front().born += 100000; break;
+    }
+    q->strokes[j] = std::make_shared<const Stroke>(s);
+    if (random() % 5 == 0)
+        std::swap(q->strokes[random() % q->strokes.size()], q->strokes[random() % q->strokes.size()]);
+    if (random() % 7 == 0 && q->strokes.size() > 3)
+        q->strokes.erase(q->strokes.begin() + std::ptrdiff_t(random() % q->strokes.size()));
+    return q;
+}
+
+inline void checkDirtyIsFull(const OpenDevice &open, int steps)
+{
+    std::mt19937_64 random(5);
+    std::uniform_real_distribution<double> u(0, 1);
+    auto p = painting(randomStrokes(random, 24, 120, 90), 120, 90, {PaperKind::Procedural, 5, 20, 0.8f, {}});
+    CudaRenderer live({open()}, 0), fresh({open()}, 0);
+    const View view = View::ofArea(p->canvas.area(), 120, 90);
+    Microseconds time = p->end();
+    FloatPicture picture;
+    QVERIFY(live.render({p, time, view}, picture));
+    bool partial = false;
+    for (int step = 0; step < steps; ++step) {
+        p = randomlyEdited(p, random);
+        if (random() % 6 == 0)
+            time = Microseconds(u(random) * double(p->end()));
+        const auto stats = live.render({p, time, view}, picture);
+        QVERIFY(stats);
+        partial |= stats->tilesEvaluated > 0 && stats->tilesEvaluated < stats->tiles;
+        int stored = 0;
+        for (const PixelRect &r : stats->dirty)
+            stored += ((r.width + 15) / 16) * ((r.height + 15) / 16);
+        QCOMPARE(stored, stats->tilesEvaluated);
+        QVERIFY2(picture.rgba == test::render(fresh, p, view, time).rgba,
+                 qPrintable(QStringLiteral("step %1").arg(step)));
+    }
+    QVERIFY(partial);
+}
+
+/// A stroke that grows on top, and below others that come later.
+inline void checkGrowingStroke(const OpenDevice &open)
+{
+    std::mt19937_64 random(29);
+    auto p = painting(randomStrokes(random, 10, 100, 75), 100, 75);
+    CudaRenderer live({open()}, 0), fresh({open()}, 0);
+    const View view = View::ofArea(p->canvas.area(), 100, 75);
+    FloatPicture picture;
+    Stroke growing = stroke(999, Shape::Tiny, {}, 1, 3, styleOf(StyleKind::Edge));
+    const Segment first = growing.segments.front();
+    growing.segments.clear();
+    growing.origin = {};
+    for (int frame = 0; frame < 60; ++frame) {
+        Segment g = first;
+        const auto at = [](int k) { return Point{50 + 40 * std::cos(0.15 * k), 37 + 30 * std::sin(0.33 * k)}; };
+        const Point a = at(frame), b = at(frame + 1);
+        g.bezier = {toOffset(a, {}), toOffset(a + (1.0 / 3) * (b - a), {}), toOffset(a + (2.0 / 3) * (b - a), {}),
+                    toOffset(b, {})};
+        g.density = 5;
+        g.born = p->end();
+        growing.segments.push_back(g);
+        auto q = std::make_shared<Painting>(*p);
+        q->strokes.push_back(std::make_shared<const Stroke>(growing));
+        if (frame > 30)
+            q->strokes.push_back(p->strokes[0]);
+        if (frame > 30)
+            q->strokes.erase(q->strokes.begin());
+        const Microseconds time = p->end() + frame * 40000;
+        QVERIFY(live.render({q, time, view}, picture));
+        if (frame % 4 == 0 || frame == 31)
+            QVERIFY2(picture.rgba == test::render(fresh, q, view, time).rgba,
+                     qPrintable(QStringLiteral("frame %1").arg(frame)));
+    }
+}
+
+/// A drag may differ by 1e-5; letting go is exact.
+inline void checkLayers(const OpenDevice &open)
+{
+    std::mt19937_64 random(17);
+    CudaRenderer live({open()}, 0), fresh({open()}, 0);
+    const View view = View::ofArea(Rect::of(0, 0, 100, 75), 100, 75);
+    for (const bool transparent : {false, true})
+        for (int round = 0; round < 2; ++round) {
+            const auto p = painting(randomStrokes(random, 18, 100, 75), 100, 75);
+            const std::size_t index = 3 + random() % 12;
+            FloatPicture picture;
+            QVERIFY(live.render({p, p->end(), view, transparent}, picture));
+            PaintingPtr q = p;
+            for (int step = 1; step <= 6; ++step) {
+                q = withDensity(p, index, 1 + 0.05 * step);
+                QVERIFY(live.render({q, q->end(), view, transparent, true}, picture));
+                const double off = worst(picture, test::render(fresh, q, view, -1, transparent)).difference;
+                QVERIFY2(off <= 1e-5, qPrintable(QStringLiteral("step %1: %2").arg(step).arg(off)));
+            }
+            QVERIFY(live.render({q, q->end(), view, transparent, false}, picture));
+            QVERIFY(picture.rgba == test::render(fresh, q, view, -1, transparent).rgba);
+        }
+}
+
+/// 8 bits made by the device, and culling, change nothing that they should not.
+inline void checkTargetsAndCulling(const OpenDevice &open)
+{
+    std::mt19937_64 random(19);
+    const auto p = painting(randomStrokes(random, 12, 70, 50), 70, 50);
+    const View view = View::ofArea(p->canvas.area(), 70, 50);
+    CudaRenderer cuda({open()}, 0), whole({open()}, 0, false);
+    const FloatPicture picture = test::render(cuda, p, view);
+    QVERIFY(picture.rgba == test::render(whole, p, view).rgba);
+    Picture8 eight, rounded;
+    QVERIFY(cuda.render({p, p->end(), view}, eight));
+    rounded.resize(70, 50);
+    rounded.store({0, 0, 70, 50}, picture.rgba.data(), 70);
+    QVERIFY(eight.argb == rounded.argb);
+}
+
+/// Keeps its picture on the device.
+struct DeviceTarget : Picture8 {
+    bool onDevice = true;
+    bool takesDeviceFrames() const override { return onDevice; }
+};
+
+inline void checkDeviceFrames(const OpenDevice &open)
+{
+    std::mt19937_64 random(37);
+    auto p = painting(randomStrokes(random, 10, 70, 50), 70, 50);
+    const View view = View::ofArea(p->canvas.area(), 70, 50);
+    const std::shared_ptr<cuda::Device> device = open();
+    CudaRenderer cuda({device}, 0), fresh({open()}, 0);
+    DeviceTarget target;
+    for (int step = 0; step < 4; ++step) {
+        const auto stats = cuda.render({p, p->end(), view}, target);
+        QVERIFY(stats && stats->frame);
+        const auto frame = std::dynamic_pointer_cast<CudaFrame>(stats->frame);
+        QVERIFY(frame);
+        std::vector<std::uint32_t> argb(70 * 50);
+        QVERIFY(!device->download(argb.data(), frame->picture(), argb.size() * sizeof(argb[0])));
+        QVERIFY(!device->finish(nullptr));
+        Picture8 expected;
+        QVERIFY(fresh.render({p, p->end(), view}, expected));
+        QVERIFY2(argb == expected.argb, qPrintable(QStringLiteral("step %1").arg(step)));
+        p = withDensity(p, std::size_t(step), 0.9);
+    }
+    target.onDevice = false; // from now on into memory
+    const auto stats = cuda.render({p, p->end(), view}, target);
+    QVERIFY(stats && !stats->frame);
+    QCOMPARE(stats->tilesEvaluated, stats->tiles);
+    Picture8 expected;
+    QVERIFY(fresh.render({p, p->end(), view}, expected));
+    QVERIFY(target.argb == expected.argb);
+}
+
+inline void checkCancelling(const OpenDevice &open)
+{
+    std::mt19937_64 random(9);
+    const auto p = painting(randomStrokes(random, 8, 70, 50), 70, 50);
+    const View view = View::ofArea(p->canvas.area(), 70, 50);
+    CudaRenderer cuda({open()}, 0);
+    FloatPicture picture;
+    std::atomic<bool> cancel{true};
+    const auto first = cuda.render({p, p->end(), view}, picture, &cancel);
+    QVERIFY(first && first->cancelled);
+    QCOMPARE(first->tilesEvaluated, 0);
+    const auto second = cuda.render({p, p->end(), view}, picture);
+    QVERIFY(second && !second->cancelled);
+    QVERIFY(picture.rgba == test::render(cuda, p, view).rgba);
+}
+
+} // namespace suffuse::test

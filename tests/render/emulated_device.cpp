@@ -1,0 +1,150 @@
+#include "tests/render/emulated_device.h"
+
+#include "render/cuda/tile_lists.h"
+#include "render/cuda/tile_program.h"
+
+#include <algorithm>
+#include <cstring>
+#include <new>
+
+namespace suffuse::test {
+
+using namespace cuda;
+
+namespace {
+
+constexpr std::align_val_t alignment{256};
+const Fault outside{Fault::Lost, "an address outside of the device's memory"};
+
+} // namespace
+
+EmulatedDevice::~EmulatedDevice()
+{
+    for (const auto &[block, bytes] : m_blocks)
+        ::operator delete(const_cast<std::byte *>(block), alignment);
+}
+
+bool EmulatedDevice::holds(const void *memory, std::size_t bytes) const
+{
+    const auto *at = static_cast<const std::byte *>(memory);
+    auto it = m_blocks.upper_bound(at);
+    return it != m_blocks.begin() && (--it, at + bytes <= it->first + it->second);
+}
+
+Fault EmulatedDevice::allocate(std::size_t bytes, void **memory)
+{
+    if (bytes > m_memory - m_used)
+        return {Fault::OutOfMemory, "out of memory"};
+    *memory = ::operator new(bytes, alignment);
+    std::memset(*memory, 0xcd, bytes); // nobody may rely on what new memory holds
+    m_blocks[static_cast<std::byte *>(*memory)] = bytes;
+    m_used += bytes;
+    return {};
+}
+
+void EmulatedDevice::release(void *memory)
+{
+    const auto it = m_blocks.find(static_cast<std::byte *>(memory));
+    m_used -= it->second;
+    ::operator delete(memory, alignment);
+    m_blocks.erase(it);
+}
+
+Fault EmulatedDevice::allocateHost(std::size_t bytes, void **memory)
+{
+    *memory = ::operator new(bytes, alignment);
+    return {};
+}
+
+void EmulatedDevice::releaseHost(void *memory)
+{
+    ::operator delete(memory, alignment);
+}
+
+Fault EmulatedDevice::upload(void *to, const void *from, std::size_t bytes)
+{
+    if (!holds(to, bytes))
+        return outside;
+    counts.uploaded += bytes;
+    std::memcpy(to, from, bytes);
+    return {};
+}
+
+Fault EmulatedDevice::download(void *to, const void *from, std::size_t bytes)
+{
+    if (!holds(from, bytes))
+        return outside;
+    std::memcpy(to, from, bytes);
+    return {};
+}
+
+Fault EmulatedDevice::copy(void *to, const void *from, std::size_t bytes)
+{
+    if (!holds(to, bytes) || !holds(from, bytes))
+        return outside;
+    std::memcpy(to, from, bytes);
+    return {};
+}
+
+Fault EmulatedDevice::copyRects(std::uint32_t *to, const std::uint32_t *from, int rowPixels, const int (*rects)[4],
+                                int count)
+{
+    for (int i = 0; i < count; ++i) {
+        const auto [x, y, width, height] = rects[i];
+        for (int row = y; row < y + height; ++row) {
+            const std::size_t at = std::size_t(row) * std::size_t(rowPixels) + std::size_t(x);
+            if (Fault fault = copy(to + at, from + at, std::size_t(width) * sizeof(*to)))
+                return fault;
+        }
+    }
+    return {};
+}
+
+Fault EmulatedDevice::clear(void *memory, std::size_t bytes)
+{
+    if (!holds(memory, bytes))
+        return outside;
+    std::memset(memory, 0, bytes);
+    return {};
+}
+
+Fault EmulatedDevice::run(const Frame &frame, Work work)
+{
+    HostWarp warp;
+    const auto fetched = std::make_unique<Fetched>();
+    for (std::uint32_t i = 0; i < frame.macroCount; ++i) {
+        makeList(warp, frame, i);
+        for (std::uint32_t entry = 0; entry < frame.listCounts[i]; ++entry)
+            cullEntry(warp, frame, i, entry, *fetched);
+    }
+    const auto plain = std::make_unique<TileScratch<false>>();
+    const auto general = std::make_unique<TileScratch<true>>();
+    for (std::uint32_t i = 0; i < frame.tileCount; ++i) {
+        const int flags = frame.tiles[i].flags;
+        counts.haveUnder += (flags & haveUnder) != 0;
+        counts.applyOver += (flags & applyOver) != 0;
+        counts.plainTiles += (flags & plainTile) != 0;
+        if ((flags & plainTile) && work.plain)
+            paintTile<false>(warp, frame, i, *plain);
+        else if (!(flags & plainTile) && work.general)
+            paintTile<true>(warp, frame, i, *general);
+    }
+    ++counts.runs;
+    counts.tiles += frame.tileCount;
+    counts.longestList = std::max(counts.longestList, frame.status[longestList]);
+    return {};
+}
+
+Fault EmulatedDevice::finish(double *milliseconds)
+{
+    if (milliseconds)
+        *milliseconds = 0;
+    return {};
+}
+
+std::unique_ptr<GlTexture> EmulatedDevice::registerTexture(unsigned, Fault &)
+{
+    return nullptr;
+}
+
+} // namespace suffuse::test
