@@ -497,6 +497,18 @@ Rückgabewerte: 0 fertig, 1 fehlgeschlagen, 2 falscher Aufruf.</translation>
         <source>measure how fast this machine draws</source>
         <translation>misst, wie schnell dieser Rechner zeichnet</translation>
     </message>
+    <message>
+        <source>--devices %1: give all, or a number of GPUs, at least 1</source>
+        <translation>--devices %1: erwartet werden all oder eine Anzahl von GPUs, mindestens 1</translation>
+    </message>
+    <message>
+        <source>--devices is for CUDA: use it with --backend cuda</source>
+        <translation>--devices gilt für CUDA: bitte mit --backend cuda verwenden</translation>
+    </message>
+    <message>
+        <source>With CUDA: GPUs that share the picture, all or a number (default 1).</source>
+        <translation>Mit CUDA: GPUs, die sich das Bild teilen, all oder eine Anzahl (sonst 1).</translation>
+    </message>
 </context>
 <context>
     <name>Commands</name>
@@ -677,6 +689,26 @@ Rückgabewerte: 0 fertig, 1 fehlgeschlagen, 2 falscher Aufruf.</translation>
     <message>
         <source>%1 stopped: %2. The CPU draws now.</source>
         <translation>%1 hat aufgehört: %2. Nun zeichnet die CPU.</translation>
+    </message>
+    <message>
+        <source>the picture is too large</source>
+        <translation>das Bild ist zu groß</translation>
+    </message>
+    <message>
+        <source>this program was built without the CUDA renderer</source>
+        <translation>dieses Programm wurde ohne den CUDA-Renderer gebaut</translation>
+    </message>
+    <message>
+        <source>no NVIDIA driver, or one that is too old for this program</source>
+        <translation>kein NVIDIA-Treiber, oder einer, der für dieses Programm zu alt ist</translation>
+    </message>
+    <message>
+        <source>there is no NVIDIA GPU</source>
+        <translation>es gibt keine NVIDIA-GPU</translation>
+    </message>
+    <message>
+        <source>the NVIDIA driver does not work</source>
+        <translation>der NVIDIA-Treiber funktioniert nicht</translation>
     </message>
 </context>
 <context>

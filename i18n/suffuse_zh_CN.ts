@@ -497,6 +497,18 @@ Exit codes: 0 done, 1 the work failed, 2 wrong usage.</source>
         <source>measure how fast this machine draws</source>
         <translation>测量本机的绘制速度</translation>
     </message>
+    <message>
+        <source>--devices %1: give all, or a number of GPUs, at least 1</source>
+        <translation>--devices %1：请给出 all 或 GPU 数量（至少 1）</translation>
+    </message>
+    <message>
+        <source>--devices is for CUDA: use it with --backend cuda</source>
+        <translation>--devices 仅用于 CUDA：请与 --backend cuda 一起使用</translation>
+    </message>
+    <message>
+        <source>With CUDA: GPUs that share the picture, all or a number (default 1).</source>
+        <translation>使用 CUDA 时共同绘制图像的 GPU：all 或数量（默认 1）。</translation>
+    </message>
 </context>
 <context>
     <name>Commands</name>
@@ -676,6 +688,26 @@ Exit codes: 0 done, 1 the work failed, 2 wrong usage.</source>
     <message>
         <source>%1 stopped: %2. The CPU draws now.</source>
         <translation>%1 已停止：%2。现由 CPU 绘制。</translation>
+    </message>
+    <message>
+        <source>the picture is too large</source>
+        <translation>图像过大</translation>
+    </message>
+    <message>
+        <source>this program was built without the CUDA renderer</source>
+        <translation>此程序构建时未包含 CUDA 渲染器</translation>
+    </message>
+    <message>
+        <source>no NVIDIA driver, or one that is too old for this program</source>
+        <translation>没有 NVIDIA 驱动程序，或其版本对本程序而言过旧</translation>
+    </message>
+    <message>
+        <source>there is no NVIDIA GPU</source>
+        <translation>没有 NVIDIA GPU</translation>
+    </message>
+    <message>
+        <source>the NVIDIA driver does not work</source>
+        <translation>NVIDIA 驱动程序无法工作</translation>
     </message>
 </context>
 <context>

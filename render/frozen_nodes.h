@@ -11,12 +11,12 @@ struct FrozenNodes {
     StrokePtr stroke;
     int octave = 0;
     std::size_t segments = 0; ///< so many from the stroke's begin; whole blocks
-    std::shared_ptr<const StrokeNodes> nodes;
+    StrokeNodes nodes;
 };
 
 /// As buildNodes, bit for bit, at the cost of what `frozen` does not hold. Brings `frozen` (of any stroke, or empty) up
 /// to date for the next call.
 std::shared_ptr<const StrokeNodes> buildNodes(const StrokePtr &stroke, Microseconds T, int octave, const Rect &clip,
-                                              FrozenNodes &frozen);
+                                              FrozenNodes &frozen, int threads = 1);
 
 } // namespace suffuse

@@ -5,6 +5,7 @@
 #include "render/level1.h"
 #include "render/math/scalar.h"
 #include "render/math/style.h"
+#include "render/parallel.h"
 
 #include <numbers>
 #include <span>
@@ -193,10 +194,11 @@ struct BuiltBlock {
 };
 
 /// False: nothing to be seen.
-bool buildSegment(const Stroke &stroke, const Segment &segment, const std::vector<Style> &styles, Microseconds T,
-                  double scale, const Rect &clip, std::vector<Node> &nodes, Built &out)
+bool buildSegment(const Stroke &stroke, const Segment &segment, const NodeContext &context, double scale,
+                  std::vector<Node> &nodes, Built &out)
 {
-    const double across = segment.spread(T);
+    const std::vector<Style> &styles = context.styles;
+    const double across = segment.spread(context.T);
     const double along = across * std::sqrt(double(segment.anisotropyRatio));
     const double spread = std::min(across, along), larger = std::max(across, along);
     if (!(across > 0) || segment.density <= 0 || larger * scale < thinnest)
@@ -228,15 +230,15 @@ bool buildSegment(const Stroke &stroke, const Segment &segment, const std::vecto
     s.reach = s.radius * larger;
     out.clipped = polygon > longSegment * spread;
     if (out.clipped)
-        s.clip = {clip.left - stroke.origin.x, clip.top - stroke.origin.y, clip.right - stroke.origin.x,
-                  clip.bottom - stroke.origin.y};
+        s.clip = {context.clip.left - stroke.origin.x, context.clip.top - stroke.origin.y,
+                  context.clip.right - stroke.origin.x, context.clip.bottom - stroke.origin.y};
     const double chord = norm(s.curve.p[3] - s.curve.p[0]);
     out.begin = nodes.size();
     addPanels(s, s.curve, out.epsilon * std::min(1.0, chord / (4 * spread) + 0.1), 0, nodes);
     out.end = nodes.size();
     out.values = {segment.colour, segment.granulation, stroke.styleOf(segment)};
     out.reach = {spread, box.grown(reachInSpreads * larger)};
-    out.mergeable = segment.isIsotropic() && !out.clipped && segment.driesAt() <= T && out.epsilon >= mergeable;
+    out.mergeable = segment.isIsotropic() && !out.clipped && segment.driesAt() <= context.T && out.epsilon >= mergeable;
     return true;
 }
 
@@ -332,30 +334,89 @@ void appendBlock(BuiltBlock &block, StrokeNodes &out)
     }
 }
 
+/// Room for so many more.
+void reserve(std::size_t segments, std::size_t nodes, StrokeNodes &out)
+{
+    out.nodes.reserve(out.nodes.size() + nodes);
+    out.groups.reserve(out.groups.size() + segments);
+    out.rows.reserve(out.rows.size() + segments);
+    out.reaches.reserve(out.reaches.size() + segments);
+}
+
+/// Appends segments [from, to), block by block.
+void appendBlocks(const Stroke &stroke, std::size_t from, std::size_t to, const NodeContext &context, StrokeNodes &out)
+{
+    const double scale = std::ldexp(1.0, context.octave);
+    reserve(to - from, 5 * (to - from), out);
+    BuiltBlock block;
+    for (std::size_t first = from; first < to; first += mergeBlock) {
+        block.segments.clear();
+        block.nodes.clear();
+        for (std::size_t k = first; k < std::min(first + mergeBlock, to); ++k) {
+            Built &built = block.segments.emplace_back();
+            if (buildSegment(stroke, stroke.segments[k], context, scale, block.nodes, built))
+                out.clipped |= built.clipped;
+            else
+                block.segments.pop_back();
+        }
+        appendBlock(block, out);
+    }
+}
+
+template <class T>
+void appendAll(const std::vector<T> &from, std::vector<T> &to)
+{
+    to.insert(to.end(), from.begin(), from.end());
+}
+
 } // namespace
 
-std::shared_ptr<const StrokeNodes> buildNodes(const Stroke &stroke, Microseconds T, int octave, const Rect &clip)
+void appendNodes(const StrokeNodes &part, StrokeNodes &out)
 {
-    auto result = std::make_shared<StrokeNodes>();
-    std::vector<Style> styles; // every segment's density passes through all of the stroke's styles
+    const auto nodes = std::uint32_t(out.nodes.size()), rows = std::uint32_t(out.rows.size());
+    const auto reaches = std::uint32_t(out.reaches.size());
+    for (NodeGroup group : part.groups) {
+        group.begin += nodes, group.end += nodes;
+        group.row += rows;
+        group.reachBegin += reaches, group.reachEnd += reaches;
+        out.groups.push_back(group);
+    }
+    appendAll(part.nodes, out.nodes);
+    appendAll(part.rows, out.rows);
+    appendAll(part.reaches, out.reaches);
+    out.clipped |= part.clipped;
+}
+
+void appendNodes(const Stroke &stroke, std::size_t from, std::size_t to, const NodeContext &context, int threads,
+                 StrokeNodes &out)
+{
+    constexpr std::size_t share = 4 * mergeBlock; // segments: tens of microseconds
+    const std::size_t shares = (to - from + share - 1) / share;
+    if (threads == 1 || shares < 3)
+        return appendBlocks(stroke, from, to, context, out);
+    std::vector<StrokeNodes> parts(shares);
+    parallelFor(shares, threads, [&](std::size_t i) {
+        const std::size_t first = from + i * share;
+        appendBlocks(stroke, first, std::min(first + share, to), context, parts[i]);
+    });
+    std::size_t nodes = 0;
+    for (const StrokeNodes &part : parts)
+        nodes += part.nodes.size();
+    reserve(to - from, nodes, out);
+    for (const StrokeNodes &part : parts)
+        appendNodes(part, out);
+}
+
+std::shared_ptr<const StrokeNodes> buildNodes(const Stroke &stroke, Microseconds T, int octave, const Rect &clip,
+                                              int threads)
+{
+    NodeContext context{T, octave, clip, {}};
+    auto &styles = context.styles; // every segment's density passes through all of the stroke's styles
     for (const Segment &segment : stroke.segments)
         if (std::find(styles.begin(), styles.end(), stroke.styleOf(segment)) == styles.end())
             styles.push_back(stroke.styleOf(segment));
-
-    BuiltBlock block;
-    for (std::size_t first = 0; first < stroke.segments.size(); first += mergeBlock) {
-        block.segments.clear();
-        block.nodes.clear();
-        const std::size_t last = std::min(first + mergeBlock, stroke.segments.size());
-        for (std::size_t k = first; k < last; ++k) {
-            Built built;
-            if (!buildSegment(stroke, stroke.segments[k], styles, T, std::ldexp(1.0, octave), clip, block.nodes, built))
-                continue;
-            result->clipped |= built.clipped;
-            block.segments.push_back(built);
-        }
-        appendBlock(block, *result);
-    }
+    auto result = std::make_shared<StrokeNodes>();
+    appendNodes(stroke, 0, stroke.segments.size(), context, threads, *result);
     // Kept for as long as the stroke stays as it is.
     result->nodes.shrink_to_fit();
     result->groups.shrink_to_fit();

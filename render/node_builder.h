@@ -65,8 +65,24 @@ inline constexpr int mergeBlock = 32;
 /// Zoom octave of a scale in pixels per unit: the smallest o with 2^o ≥ scale.
 int zoomOctave(double scale);
 
-/// `clip`: what the view shows, canvas units.
-std::shared_ptr<const StrokeNodes> buildNodes(const Stroke &stroke, Microseconds T, int octave, const Rect &clip);
+/// `clip`: what the view shows, canvas units. The same bits for any number of threads.
+std::shared_ptr<const StrokeNodes> buildNodes(const Stroke &stroke, Microseconds T, int octave, const Rect &clip,
+                                              int threads = 1);
+
+/// What nodes depend on beside their block of segments.
+struct NodeContext {
+    Microseconds T = 0;
+    int octave = 0;
+    Rect clip;                 ///< what the view shows, canvas units
+    std::vector<Style> styles; ///< of all segments of the stroke, each once
+};
+
+/// Appends the nodes of the stroke's segments [from, to), `from` a multiple of mergeBlock; `to` another one or the end.
+void appendNodes(const Stroke &stroke, std::size_t from, std::size_t to, const NodeContext &context, int threads,
+                 StrokeNodes &out);
+
+/// Appends all of `part`.
+void appendNodes(const StrokeNodes &part, StrokeNodes &out);
 
 /// Absolute density error that a style lets pass unseen: 5e-4 of opacity at its steepest; (19) jumps, but no pixel sees
 /// it sharper than its own width. `peak`: the segment's pk; `spreadPixels`: s in pixels at the octave.

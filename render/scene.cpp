@@ -2,11 +2,13 @@
 
 #include "render/colour_line.h"
 #include "render/math/scalar.h"
+#include "render/parallel.h"
 // After the numbers: templates over them.
 #include "render/math/shade.h"
 
 #include <algorithm>
 #include <cstring>
+#include <optional>
 
 namespace suffuse {
 
@@ -55,10 +57,13 @@ struct Metric {
         return {r * std::sqrt(c / det), r * std::sqrt(a / det)};
     }
     /// Eigenvalues.
-    double greatest() const { return 0.5 * (a + c) + std::hypot(0.5 * (a - c), b); }
-    double least() const { return 0.5 * (a + c) - std::hypot(0.5 * (a - c), b); }
+    double greatest() const { return 0.5 * (a + c) + radius(); }
+    double least() const { return 0.5 * (a + c) - radius(); }
     /// Spread along the narrowest axis.
     double narrowest() const { return 1 / std::sqrt(greatest()); }
+
+private:
+    double radius() const { return a == c && b == 0 ? 0 : std::hypot(0.5 * (a - c), b); }
 };
 
 PixelRect toPixelRect(const Rect &r, const View &view)
@@ -71,37 +76,64 @@ PixelRect toPixelRect(const Rect &r, const View &view)
     return {x0, y0, x1 - x0, y1 - y0};
 }
 
+/// What neighbours along a stroke have in common: most segments have nodes of one metric.
+struct Footprint {
+    double a, b, c, cutRadius; ///< of the node that it was made for
+    Metric metric;
+    Point reach;
+    double narrowest;
+
+    Footprint(const Node &n, const Linear &j, double scale)
+        : a(n.a), b(n.b), c(n.c), cutRadius(n.cutRadius), metric(n, j, scale), reach(metric.reach(n.cutRadius)),
+          narrowest(metric.narrowest())
+    {}
+    bool fits(const Node &n) const { return n.a == a && n.b == b && n.c == c && n.cutRadius == cutRadius; }
+};
+
 /// A node in pixels.
 struct Placed {
     Point at;
-    Metric metric;
-    Point reach;
     float weight;
-    float cutRadius;
     std::uint32_t row;
+    std::uint32_t footprint;
 };
 
-void placeNodes(const std::vector<Placed> &placed, SceneStroke &s)
+/// What shows of some of a stroke's groups.
+struct PlacedNodes {
+    std::vector<Footprint> footprints;
+    std::vector<Placed> separable, oblique;
+    std::vector<DeepNode> deep;
+    Rect box;
+};
+
+/// Writes nodes of a stroke from the `at`-th on.
+void writeNodes(const std::vector<Placed> &placed, const std::vector<Footprint> &footprints, SceneStroke &s,
+                std::size_t at)
 {
-    s.nodes.reserve(placed.size());
-    s.boxes.reserve(placed.size());
     const cpu::NodeBoxSink boxes = s.boxes.sink();
-    float radius = -1, cut = 0;
-    for (std::size_t i = 0; i < placed.size(); ++i) {
-        const Placed &p = placed[i];
-        const Metric &m = p.metric;
-        if (p.cutRadius != radius) // most nodes of a stroke share it
-            radius = p.cutRadius, cut = std::exp(-radius * radius);
-        s.nodes.push_back({p.at.x, p.at.y, float(m.a), float(m.b), float(m.c), p.weight, cut, p.row});
-        boxes.x[i] = float(p.at.x);
-        boxes.y[i] = float(p.at.y);
+    std::uint32_t last = ~0u;
+    float radius = -1, cut = 0, slowest = 0, steepest = 0;
+    for (const Placed &p : placed) {
+        const Footprint &f = footprints[p.footprint];
+        const Metric &m = f.metric;
+        if (p.footprint != last) {
+            last = p.footprint;
+            if (float(f.cutRadius) != radius) // most nodes of a stroke share it
+                radius = float(f.cutRadius), cut = std::exp(-radius * radius);
+            slowest = float(m.least() * 0.9999);
+            steepest = float(std::sqrt(m.greatest()));
+        }
+        s.nodes[at] = {p.at.x, p.at.y, float(m.a), float(m.b), float(m.c), p.weight, cut, p.row};
+        boxes.x[at] = float(p.at.x);
+        boxes.y[at] = float(p.at.y);
         // 1.0001: rounded to float.
-        boxes.reachX[i] = float(p.reach.x * 1.0001);
-        boxes.reachY[i] = float(p.reach.y * 1.0001);
-        boxes.weight[i] = p.weight;
-        boxes.slowest[i] = float(m.least() * 0.9999);
-        boxes.steepest[i] = p.weight * float(std::sqrt(m.greatest()));
-        boxes.node[i] = std::uint32_t(i);
+        boxes.reachX[at] = float(f.reach.x * 1.0001);
+        boxes.reachY[at] = float(f.reach.y * 1.0001);
+        boxes.weight[at] = p.weight;
+        boxes.slowest[at] = slowest;
+        boxes.steepest[at] = p.weight * steepest;
+        boxes.node[at] = std::uint32_t(at);
+        ++at;
     }
 }
 
@@ -110,6 +142,73 @@ void includeNode(Rect &box, Point at, Point reach)
 {
     box.include({at.x - reach.x - 1, at.y - reach.y - 1});
     box.include({at.x + reach.x + 1, at.y + reach.y + 1});
+}
+
+/// Puts groups [from, to) into the picture.
+PlacedNodes placeGroups(const StrokeNodes &source, std::size_t from, std::size_t to, Point origin, const View &view)
+{
+    PlacedNodes out;
+    out.footprints.reserve(to - from);
+    out.separable.reserve(source.groups[to - 1].end - source.groups[from].begin);
+    const Linear j(view);
+    // Subtract in double before scaling: a document far from 0 loses nothing at deep zoom.
+    const Point fromCentre = origin - view.centre;
+    const auto add = [&](const Node &n, std::uint32_t row) {
+        if (out.footprints.empty() || !out.footprints.back().fits(n))
+            out.footprints.emplace_back(n, j, view.scale);
+        const Footprint &f = out.footprints.back();
+        const Point d = j(fromCentre + Point{n.x, n.y});
+        const Point at{d.x + 0.5 * view.width, d.y + 0.5 * view.height};
+        if (at.x + f.reach.x < -1 || at.y + f.reach.y < -1 || at.x - f.reach.x > view.width + 1 ||
+            at.y - f.reach.y > view.height + 1)
+            return;
+        includeNode(out.box, at, f.reach);
+        if (f.narrowest > deepSpread)
+            out.deep.push_back({at.x, at.y, f.metric.a, f.metric.b, f.metric.c, n.weight, row});
+        else
+            (f.metric.b == 0 ? out.separable : out.oblique)
+                .push_back({at, float(n.weight), row, std::uint32_t(out.footprints.size() - 1)});
+    };
+    for (std::size_t g = from; g < to; ++g) {
+        const NodeGroup &group = source.groups[g];
+        for (std::uint32_t i = group.begin; i < group.end; ++i)
+            add(source.nodes[i], group.row + (group.rowPerNode ? i - group.begin : 0));
+    }
+    return out;
+}
+
+/// Puts the stroke's nodes into the picture, the separable ones first, and finds its bounds.
+void placeNodes(SceneStroke &s, const View &view, int threads)
+{
+    const StrokeNodes &source = *s.source;
+    constexpr std::size_t share = 512; // groups: tens of microseconds
+    const std::size_t count = source.groups.size();
+    std::vector<PlacedNodes> parts(threads == 1 || count < 2 * share ? 1 : (count + share - 1) / share);
+    parallelFor(parts.size(), threads, [&](std::size_t k) {
+        const std::size_t from = k * share, to = k + 1 == parts.size() ? count : from + share;
+        parts[k] = placeGroups(source, from, to, s.stroke->origin, view);
+    });
+    std::size_t separable = 0, nodes = 0;
+    Rect box;
+    for (const PlacedNodes &part : parts) {
+        separable += part.separable.size();
+        nodes += part.separable.size() + part.oblique.size();
+        box = box.united(part.box);
+        s.deep.insert(s.deep.end(), part.deep.begin(), part.deep.end());
+    }
+    s.separable = int(separable);
+    s.bounds = toPixelRect(box, view);
+    s.nodes.resize(nodes);
+    s.boxes.reserve(nodes);
+    std::vector<std::array<std::size_t, 2>> places; // where each part's separable and oblique ones begin
+    for (std::size_t first = 0, second = separable; const PlacedNodes &part : parts) {
+        places.push_back({first, second});
+        first += part.separable.size(), second += part.oblique.size();
+    }
+    parallelFor(parts.size(), threads, [&](std::size_t k) {
+        writeNodes(parts[k].separable, parts[k].footprints, s, places[k][0]);
+        writeNodes(parts[k].oblique, parts[k].footprints, s, places[k][1]);
+    });
 }
 
 template <class Get>
@@ -215,9 +314,12 @@ PixelRect pixelBounds(const StrokeNodes &nodes, const NodeGroup &group, Point or
     const Linear j(view);
     const Point base = view.toPixels(origin);
     Rect box;
+    std::optional<Footprint> f;
     for (std::uint32_t i = group.begin; i < group.end; ++i) {
         const Node &n = nodes.nodes[i];
-        includeNode(box, base + j({n.x, n.y}), Metric(n, j, view.scale).reach(n.cutRadius));
+        if (!f || !f->fits(n))
+            f.emplace(n, j, view.scale);
+        includeNode(box, base + j({n.x, n.y}), f->reach);
     }
     // A small segment sets how pixels of its neighbours are sampled.
     for (std::uint32_t i = group.reachBegin; i < group.reachEnd; ++i)
@@ -228,7 +330,7 @@ PixelRect pixelBounds(const StrokeNodes &nodes, const NodeGroup &group, Point or
     return toPixelRect(box, view);
 }
 
-SceneStroke makeSceneStroke(StrokePtr stroke, std::shared_ptr<const StrokeNodes> nodes, const View &view)
+SceneStroke makeSceneStroke(StrokePtr stroke, std::shared_ptr<const StrokeNodes> nodes, const View &view, int threads)
 {
     SceneStroke s;
     s.stroke = std::move(stroke);
@@ -236,39 +338,13 @@ SceneStroke makeSceneStroke(StrokePtr stroke, std::shared_ptr<const StrokeNodes>
     if (s.source->groups.empty())
         return s;
     s.keep = s.stroke->mix.mode == MixMode::Beta ? 1 - s.stroke->mix.beta : 1;
-    const Linear j(view);
-    // Subtract in double before scaling: a document far from 0 loses nothing at deep zoom.
-    const Point fromCentre = s.stroke->origin - view.centre;
-    std::vector<Placed> separable, oblique;
-    separable.reserve(s.source->nodes.size());
-    Rect box;
-    const auto add = [&](const Node &n, std::uint32_t row) {
-        const Point d = j(fromCentre + Point{n.x, n.y});
-        const Point at{d.x + 0.5 * view.width, d.y + 0.5 * view.height};
-        const Metric m(n, j, view.scale);
-        const Point reach = m.reach(n.cutRadius);
-        if (at.x + reach.x < -1 || at.y + reach.y < -1 || at.x - reach.x > view.width + 1 ||
-            at.y - reach.y > view.height + 1)
-            return;
-        includeNode(box, at, reach);
-        if (m.narrowest() > deepSpread)
-            s.deep.push_back({at.x, at.y, m.a, m.b, m.c, n.weight, row});
-        else
-            (m.b == 0 ? separable : oblique).push_back({at, m, reach, float(n.weight), n.cutRadius, row});
-    };
-    for (const NodeGroup &group : s.source->groups)
-        for (std::uint32_t i = group.begin; i < group.end; ++i)
-            add(s.source->nodes[i], group.row + (group.rowPerNode ? i - group.begin : 0));
+    placeNodes(s, view, threads);
     for (const SegmentReach &r : s.source->reaches)
         if (const double pixels = r.spread * view.scale; pixels < 1) {
             const int level = std::min(6, int(std::ceil(-std::log2(pixels))));
             const Point o = s.stroke->origin;
             s.small.push_back({level, {o.x + r.box.left, o.y + r.box.top, o.x + r.box.right, o.y + r.box.bottom}});
         }
-    s.separable = int(separable.size());
-    separable.insert(separable.end(), oblique.begin(), oblique.end());
-    placeNodes(separable, s);
-    s.bounds = toPixelRect(box, view);
     planChannels(s);
     findLevels(s);
     fillValues(s);

@@ -56,7 +56,9 @@ inline bool canVanish(const SceneStroke &stroke, float density, float slope)
 /// Pixels that a group can change, rounded outwards and cut to the picture.
 PixelRect pixelBounds(const StrokeNodes &nodes, const NodeGroup &group, Point origin, const View &view);
 
-SceneStroke makeSceneStroke(StrokePtr stroke, std::shared_ptr<const StrokeNodes> nodes, const View &view);
+/// The same bits for any number of threads.
+SceneStroke makeSceneStroke(StrokePtr stroke, std::shared_ptr<const StrokeNodes> nodes, const View &view,
+                            int threads = 1);
 
 /// The canvas as the view shows it, as a box in canvas units.
 Rect visibleBox(const View &view);

@@ -70,9 +70,14 @@ std::optional<int> CommandLine::parse(const QStringList &arguments, int required
     return {};
 }
 
-int fail(const QString &message, ExitCode code)
+void warn(const QString &message)
 {
     QTextStream(stderr) << "suffuse-cli: " << message << Qt::endl;
+}
+
+int fail(const QString &message, ExitCode code)
+{
+    warn(message);
     return code;
 }
 

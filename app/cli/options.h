@@ -53,7 +53,9 @@ private:
     QStringList m_positional;
 };
 
-/// Prints "suffuse-cli: MESSAGE" on stderr and returns the code.
+/// Prints "suffuse-cli: MESSAGE" on stderr.
+void warn(const QString &message);
+/// The same, and returns the code.
 int fail(const QString &message, ExitCode code = Failed);
 /// A usage error: the message and where help is.
 int failUsage(const QString &command, const QString &message);
@@ -76,7 +78,7 @@ struct PictureOptions {
 Result<PictureOptions> pictureOptions(const CommandLine &line, const Painting &painting);
 /// --time alone; default the end.
 Result<Microseconds> timeOption(const CommandLine &line, const Painting &painting);
-/// --backend and --threads, as far as the command has them.
+/// --backend, --threads and --devices, as far as the command has them. Errors are usage errors.
 Result<RendererOptions> rendererOptions(const CommandLine &line);
 
 /// Largest picture that is drawn: pixels, at 16 bytes each in memory.

@@ -3,6 +3,7 @@
 #include <QCoreApplication>
 #include <QElapsedTimer>
 
+#include <algorithm>
 #include <csignal>
 #include <cstdio>
 #include <mutex>
@@ -32,6 +33,8 @@ public:
     void resize(int width, int height) override
     {
         m_total = qint64(width) * height;
+        m_done = 0; // another renderer may begin anew
+        m_percent = std::min(m_percent, 0);
         m_picture.resize(width, height);
     }
     void store(const PixelRect &rect, const float *rgba, int stride) override

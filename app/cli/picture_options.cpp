@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <map>
 
 namespace suffuse::cli {
 
@@ -30,7 +31,8 @@ Result<Rect> areaOf(const QString &text)
     return Rect::of(v[0], v[1], v[2], v[3]);
 }
 
-std::optional<int> pixelsOf(const QString &text)
+/// A whole number, at least 1.
+std::optional<int> countOf(const QString &text)
 {
     bool ok = false;
     const int v = text.toInt(&ok);
@@ -47,8 +49,8 @@ struct Wish {
 Result<Wish> sizeOf(const QString &text)
 {
     const QStringList parts = text.toLower().split(QLatin1Char('x'));
-    const std::optional<int> width = pixelsOf(parts.value(0));
-    const std::optional<int> height = parts.size() == 2 ? pixelsOf(parts.at(1)) : std::nullopt;
+    const std::optional<int> width = countOf(parts.value(0));
+    const std::optional<int> height = parts.size() == 2 ? countOf(parts.at(1)) : std::nullopt;
     if (!width || parts.size() > 2 || (parts.size() == 2 && !height))
         return Error{QCoreApplication::translate("Cli", "--size %1: give WxH or W in pixels, e.g. 1024x768").arg(text)};
     return Wish{*width, height};
@@ -132,26 +134,32 @@ Result<Microseconds> timeOption(const CommandLine &line, const Painting &paintin
 
 Result<RendererOptions> rendererOptions(const CommandLine &line)
 {
+    static const std::map<QString, Backend> backends = {
+        {"auto", Backend::Auto}, {"cpu", Backend::Cpu}, {"cuda", Backend::Cuda}, {"reference", Backend::Reference}};
+    const QString backend = QStringLiteral("backend"), threads = QStringLiteral("threads"),
+                  devices = QStringLiteral("devices");
     RendererOptions out;
-    const QString backend =
-        line.isSet(QStringLiteral("backend")) ? line.value(QStringLiteral("backend")) : QStringLiteral("auto");
-    if (backend == QLatin1String("auto"))
-        out.backend = Backend::Auto;
-    else if (backend == QLatin1String("cpu"))
-        out.backend = Backend::Cpu;
-    else if (backend == QLatin1String("cuda"))
-        out.backend = Backend::Cuda;
-    else if (backend == QLatin1String("reference"))
-        out.backend = Backend::Reference;
-    else
-        return Error{
-            QCoreApplication::translate("Cli", "--backend %1: give auto, cpu, cuda or reference").arg(backend)};
-    if (line.isSet(QStringLiteral("threads"))) {
-        const std::optional<int> threads = pixelsOf(line.value(QStringLiteral("threads")));
-        if (!threads || *threads > 1024)
+    if (line.isSet(backend)) {
+        const auto named = backends.find(line.value(backend));
+        if (named == backends.end())
+            return Error{QCoreApplication::translate("Cli", "--backend %1: give auto, cpu, cuda or reference")
+                             .arg(line.value(backend))};
+        out.backend = named->second;
+    }
+    if (line.isSet(threads)) {
+        out.threads = countOf(line.value(threads)).value_or(0);
+        if (out.threads < 1 || out.threads > 1024)
             return Error{QCoreApplication::translate("Cli", "--threads %1: give a number from 1 to 1024")
-                             .arg(line.value(QStringLiteral("threads")))};
-        out.threads = *threads;
+                             .arg(line.value(threads))};
+    }
+    if (line.isSet(devices)) {
+        const bool all = line.value(devices) == QLatin1String("all");
+        out.devices = all ? allDevices : countOf(line.value(devices)).value_or(0);
+        if (out.devices == 0)
+            return Error{QCoreApplication::translate("Cli", "--devices %1: give all, or a number of GPUs, at least 1")
+                             .arg(line.value(devices))};
+        if (out.backend == Backend::Cpu || out.backend == Backend::Reference)
+            return Error{QCoreApplication::translate("Cli", "--devices is for CUDA: use it with --backend cuda")};
     }
     return out;
 }

@@ -25,6 +25,9 @@ void addOptions(CommandLine &line)
     line.add({"depth"}, QCoreApplication::translate("Cli", "8, 16, half or float (default: the format's usual one)."),
              "DEPTH");
     line.add({"backend"}, QCoreApplication::translate("Cli", "auto, cpu, cuda or reference."), "BACKEND");
+    line.add({"devices"},
+             QCoreApplication::translate("Cli", "With CUDA: GPUs that share the picture, all or a number (default 1)."),
+             "N");
     line.add({"threads"}, QCoreApplication::translate("Cli", "Number of threads (default: one a core)."), "N");
     line.add({"stats"}, QCoreApplication::translate("Cli", "Prints times and counts as JSON."));
 }
@@ -116,6 +119,8 @@ int render(const CommandLine &line, ImageOptions image, const RendererOptions &o
     if (!stats)
         return fail(QStringLiteral("%1: %2").arg(line.argument(0), stats.error()));
     times.renderMs = lap(clock);
+    if (const QString notice = (*renderer)->notice(); !notice.isEmpty())
+        warn(notice);
     image.cancel = &interrupted();
     if (const Result<void> written = writeImage(out, pixels, image); !written)
         return fail(written.error());

@@ -27,6 +27,8 @@ Result<Drawn> draw(Backend backend, const RenderRequest &request)
     const Result<RenderStats> stats = renderPicture(**renderer, request, out.picture);
     if (!stats)
         return Error{QStringLiteral("%1: %2").arg((*renderer)->backendName(), stats.error())};
+    if (const QString notice = (*renderer)->notice(); !notice.isEmpty()) // this is another backend's picture
+        return Error{notice};
     return out;
 }
 

@@ -96,13 +96,15 @@ std::vector<std::vector<TileTask>> CudaRenderer::planTasks() const
     const DirtyRegion &region = m_history.region();
     std::vector<std::vector<TileTask>> tasks(m_workers.size());
     for (int macroRow = 0; macroRow * side < region.rows(); ++macroRow) {
-        auto &share = tasks[std::size_t(macroRow) % tasks.size()];
-        for (int macroColumn = 0; macroColumn * side < region.columns(); ++macroColumn)
+        for (int macroColumn = 0; macroColumn * side < region.columns(); ++macroColumn) {
+            // Always the same device's, which may have layers of it.
+            auto &share = tasks[std::size_t(macroRow + macroColumn) % tasks.size()];
             for (int row = macroRow * side; row < std::min((macroRow + 1) * side, region.rows()); ++row)
                 for (int column = macroColumn * side; column < std::min((macroColumn + 1) * side, region.columns());
                      ++column)
                     if (region.isDirty(column, row))
                         share.push_back({column, row});
+        }
     }
     return tasks;
 }
@@ -122,10 +124,10 @@ Fault CudaRenderer::onDevices(const std::function<Fault(std::size_t)> &work)
     return {};
 }
 
-Error CudaRenderer::lose(const Fault &fault)
+Error CudaRenderer::lose(const QString &why)
 {
     m_lost = true;
-    return Error{QString::fromStdString(fault.what)};
+    return Error{why};
 }
 
 Result<RenderStats> CudaRenderer::render(const RenderRequest &request, Target &target, const std::atomic<bool> *cancel)
@@ -138,7 +140,7 @@ Result<RenderStats> CudaRenderer::render(const RenderRequest &request, Target &t
     if (!paper)
         return Error{paper.error()};
     if (std::max(request.view.width, request.view.height) > mostPixels)
-        return lose({Fault::Lost, "the picture is too large"});
+        return lose(QCoreApplication::translate("Renderer", "the picture is too large"));
     std::uint32_t *picture = pictureFor(request, target);
     if (m_onDevice != (picture != nullptr))
         m_history.forget();
@@ -150,7 +152,7 @@ Result<RenderStats> CudaRenderer::render(const RenderRequest &request, Target &t
     stage.restart();
     if (const Fault fault =
             onDevices([&](std::size_t i) { return m_workers[i]->prepare(m_history, step, request, *paper); }))
-        return lose(fault);
+        return lose(QString::fromStdString(fault.what));
     auto tasks = planTasks();
     stats.binningMs = milliseconds(stage);
     stage.restart();
@@ -159,7 +161,7 @@ Result<RenderStats> CudaRenderer::render(const RenderRequest &request, Target &t
         return m_workers[i]->paint(m_history, request.interactive, tasks[i], picture, target, cancel);
     });
     if (fault)
-        return lose(fault);
+        return lose(QString::fromStdString(fault.what));
     finish(tasks, stats);
     stats.frame = picture ? m_frame : nullptr;
     stats.tilesMs = milliseconds(stage);
@@ -191,20 +193,37 @@ void CudaRenderer::finish(const std::vector<std::vector<TileTask>> &tasks, Rende
         stats.deviceMs = std::max(stats.deviceMs, worker->deviceMs());
 }
 
+QString whyNone(const cuda::Devices &devices)
+{
+    const auto reason = [&] {
+        switch (devices.why) {
+        case cuda::NoDevice::NotBuilt:
+            return QCoreApplication::translate("Renderer", "this program was built without the CUDA renderer");
+        case cuda::NoDevice::NoDriver:
+            return QCoreApplication::translate("Renderer", "no NVIDIA driver, or one that is too old for this program");
+        case cuda::NoDevice::NoGpu:
+            return QCoreApplication::translate("Renderer", "there is no NVIDIA GPU");
+        case cuda::NoDevice::Failed:
+            break;
+        }
+        return QCoreApplication::translate("Renderer", "the NVIDIA driver does not work");
+    }();
+    return devices.said.empty() ? reason : QStringLiteral("%1 (%2)").arg(reason, QString::fromStdString(devices.said));
+}
+
 Result<std::unique_ptr<Renderer>> makeCudaRenderer(const RendererOptions &options)
 {
-    std::string why;
-    const int count = cuda::deviceCount(why);
-    if (count == 0)
-        return Error{QString::fromStdString(why)};
+    const cuda::Devices found = cuda::findDevices();
+    if (found.count == 0)
+        return Error{whyNone(found)};
+    const auto wanted = std::size_t(options.devices == allDevices ? found.count : std::max(options.devices, 1));
     std::vector<std::shared_ptr<cuda::Device>> devices;
-    const int wanted = options.devices == allDevices ? count : std::clamp(options.devices, 1, count);
-    for (int i = 0; i < wanted; ++i) {
-        auto device = cuda::openDevice(i, why);
-        if (!device)
-            return Error{QString::fromStdString(why)};
-        devices.push_back(cuda::failingIfAsked(std::move(device)));
-    }
+    std::string why;
+    for (int i = 0; i < found.count && devices.size() < wanted; ++i)
+        if (auto device = cuda::openDevice(i, why))
+            devices.push_back(cuda::failingIfAsked(std::move(device)));
+    if (devices.empty())
+        return Error{QString::fromStdString(why)};
     return std::unique_ptr<Renderer>(std::make_unique<CudaRenderer>(devices, options.threads, options.cull));
 }
 

@@ -11,7 +11,7 @@ namespace suffuse {
 
 class CudaRenderer : public Renderer {
 public:
-    /// `devices`: at least one; they share each picture by macro-rows. `threads`: of the host, 0 for all cores.
+    /// `devices`: at least one; they share each picture by macro-tiles. `threads`: of the host, 0 for all cores.
     CudaRenderer(const std::vector<std::shared_ptr<cuda::Device>> &devices, int threads, bool cull = true);
     ~CudaRenderer() override;
 
@@ -31,7 +31,7 @@ private:
     cuda::Fault onDevices(const std::function<cuda::Fault(std::size_t)> &work);
     /// Notes what was drawn.
     void finish(const std::vector<std::vector<cuda::TileTask>> &tasks, RenderStats &stats);
-    Error lose(const cuda::Fault &fault);
+    Error lose(const QString &why);
 
     int m_threads;
     QString m_deviceName;
@@ -45,7 +45,9 @@ private:
     bool m_lost = false;
 };
 
-/// Opens devices as RendererOptions::devices says; fails with the reason.
+/// For a user: why there is no device.
+QString whyNone(const cuda::Devices &devices);
+/// Opens devices as RendererOptions::devices says, those that can be opened; fails with the reason where none can.
 Result<std::unique_ptr<Renderer>> makeCudaRenderer(const RendererOptions &options);
 
 } // namespace suffuse

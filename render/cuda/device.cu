@@ -33,7 +33,7 @@ public:
 
     cudaError_t launch(const Frame &frame, Work work, const Grid &grid, cudaStream_t stream)
     {
-        const cudaError_t error = m_runnable ? update(frame) : record(frame, work, grid, stream);
+        const cudaError_t error = m_runnable ? update(frame, grid) : record(frame, work, grid, stream);
         return error == cudaSuccess ? cudaGraphLaunch(m_runnable, stream) : error;
     }
 
@@ -42,6 +42,9 @@ private:
 
     cudaError_t record(const Frame &frame, Work work, const Grid &grid, cudaStream_t stream)
     {
+        if (m_graph) // of an attempt that failed
+            cudaGraphDestroy(m_graph);
+        m_graph = nullptr;
         cudaError_t error = cudaStreamBeginCapture(stream, cudaStreamCaptureModeThreadLocal);
         if (error != cudaSuccess)
             return error;
@@ -59,7 +62,7 @@ private:
         return error == cudaSuccess ? cudaGraphInstantiate(&m_runnable, m_graph, 0) : error;
     }
 
-    cudaError_t update(const Frame &frame)
+    cudaError_t update(const Frame &frame, const Grid &grid)
     {
         for (std::size_t i = 0; i < m_kernels; ++i) {
             cudaKernelNodeParams params = {};
@@ -69,6 +72,7 @@ private:
             Frame own = frame;
             void *arguments[] = {&own};
             params.kernelParams = arguments;
+            params.gridDim = dim3(blocksOf(params.func, frame, grid));
             params.extra = nullptr;
             error = cudaGraphExecKernelNodeSetParams(m_runnable, m_node[i], &params);
             if (error != cudaSuccess)
@@ -152,10 +156,6 @@ public:
     {
         return call([&] { return cudaMemcpyAsync(to, from, bytes, cudaMemcpyDeviceToHost, m_stream); });
     }
-    Fault copy(void *to, const void *from, std::size_t bytes) override
-    {
-        return call([&] { return cudaMemcpyAsync(to, from, bytes, cudaMemcpyDeviceToDevice, m_stream); });
-    }
     Fault copyRects(std::uint32_t *to, const std::uint32_t *from, int rowPixels, const int (*rects)[4],
                     int count) override
     {
@@ -187,8 +187,10 @@ public:
         use();
         m_timed = true;
         cudaEventRecord(m_begin, m_stream);
-        FrameGraph &graph = m_graphs[work.plain][work.general];
-        if (const Fault fault = call([&] { return graph.launch(frame, work, m_grid, m_stream); }))
+        Frame own = frame;
+        own.ordered = frame.tileCount > m_grid.plain; // else all tiles begin at once
+        FrameGraph &graph = m_graphs[work.plain][work.general][own.ordered];
+        if (const Fault fault = call([&] { return graph.launch(own, work, m_grid, m_stream); }))
             return fault;
         return call([&] { return cudaEventRecord(m_end, m_stream); });
     }
@@ -224,29 +226,29 @@ private:
     cudaEvent_t m_begin = nullptr, m_end = nullptr;
     bool m_timed = false;
     Grid m_grid;
-    FrameGraph m_graphs[2][2];
+    FrameGraph m_graphs[2][2][2];
     int4 *m_rects = nullptr;
     int m_rectRoom = 0;
 };
 
 } // namespace
 
-int deviceCount(std::string &why)
+Devices findDevices()
 {
-    int count = 0;
-    if (const Fault fault = faultOf(cudaGetDeviceCount(&count))) {
-        why = fault.what;
-        return 0;
-    }
-    if (count == 0)
-        why = "no CUDA device was found";
-    return count;
+    Devices found;
+    const cudaError_t error = cudaGetDeviceCount(&found.count);
+    if (error == cudaSuccess && found.count > 0)
+        return found;
+    found.count = 0;
+    found.why = error == cudaErrorInsufficientDriver                 ? NoDevice::NoDriver
+                : error == cudaErrorNoDevice || error == cudaSuccess ? NoDevice::NoGpu
+                                                                     : NoDevice::Failed;
+    found.said = faultOf(error).what;
+    return found;
 }
 
 std::unique_ptr<Device> openDevice(int index, std::string &why)
 {
-    if (deviceCount(why) == 0)
-        return nullptr;
     auto device = std::make_unique<CudaDevice>(index);
     if (const Fault fault = device->open()) {
         why = fault.what;

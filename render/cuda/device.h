@@ -25,16 +25,18 @@ struct Work {
     bool general = true; ///< the others
 };
 
-/// An OpenGL texture or buffer that the device writes to.
+/// An OpenGL texture that the device writes to. Its calls and its end come from the thread whose context is current
+/// (the window's), also while another one renders.
 class GlTexture {
 public:
     virtual ~GlTexture() = default;
     /// Copies rectangles {x, y, width, height} of a picture (device memory, 0xAARRGGBB, `rowPixels` a row) into the
-    /// texture. The context that it was registered in must be current.
+    /// texture; the context that it was registered in.
     virtual Fault copyFrom(const std::uint32_t *picture, int rowPixels, const int (*rects)[4], int count) = 0;
 };
 
-/// Calls are made by one thread at a time. After a Fault of kind Lost every call fails.
+/// Calls are made by one thread at a time, but `registerTexture` may be called by the window's while another one
+/// renders. After a Fault of kind Lost every call fails.
 class Device {
 public:
     virtual ~Device() = default;
@@ -52,7 +54,7 @@ public:
     // until finish() where they come from allocateHost.
     virtual Fault upload(void *to, const void *from, std::size_t bytes) = 0;
     virtual Fault download(void *to, const void *from, std::size_t bytes) = 0;
-    virtual Fault copy(void *to, const void *from, std::size_t bytes) = 0; ///< within the device
+    /// Within the device: rectangles {x, y, width, height} of pictures with `rowPixels` a row.
     virtual Fault copyRects(std::uint32_t *to, const std::uint32_t *from, int rowPixels, const int (*rects)[4],
                             int count) = 0;
     virtual Fault clear(void *memory, std::size_t bytes) = 0; ///< to zeros
@@ -65,8 +67,15 @@ public:
     virtual std::unique_ptr<GlTexture> registerTexture(unsigned texture, Fault &fault) = 0;
 };
 
-/// How many there are, or why there is none.
-int deviceCount(std::string &why);
+/// Why there is no device.
+enum class NoDevice { NotBuilt, NoDriver, NoGpu, Failed };
+/// The devices that can be opened by an index below `count`.
+struct Devices {
+    int count = 0;
+    NoDevice why = NoDevice::NotBuilt; ///< where there is none
+    std::string said;                  ///< by the driver, then
+};
+Devices findDevices();
 /// Null, and why.
 std::unique_ptr<Device> openDevice(int index, std::string &why);
 

@@ -38,6 +38,8 @@ Fault DeviceLayers::beginFrame(std::size_t tiles)
     if (m_refused || tiles <= m_wanted)
         return {};
     clear();
+    m_under.release();
+    m_over.release();
     m_room = 0;
     m_wanted = tiles;
     const std::size_t slots = std::min(tiles, std::min(mostBytes, m_device.freeMemory() / 4) / slotBytes);

@@ -47,13 +47,6 @@ public:
         m_room = 0;
     }
     T *data() const { return m_data; }
-    std::size_t room() const { return m_room; }
-    void swap(Buffer &other)
-    {
-        std::swap(m_device, other.m_device);
-        std::swap(m_data, other.m_data);
-        std::swap(m_room, other.m_room);
-    }
 
 private:
     Fault allocate(std::size_t count)

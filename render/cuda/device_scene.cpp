@@ -103,11 +103,27 @@ void DeviceScene::placeRecords(const std::vector<Prepared> &changed)
     m_small.resize(m_smallRuns.size());
 }
 
-void DeviceScene::prepare(Prepared &p)
+IndexRange DeviceScene::setNodes(const Entry &e, int threads)
+{
+    constexpr std::size_t share = 2048; // nodes: tens of microseconds
+    std::vector<IndexRange> changed((e.nodes.count + share - 1) / share);
+    parallelFor(changed.size(), threads, [&](std::size_t k) {
+        const std::size_t first = k * share;
+        changed[k] = m_nodes.set(e.nodes.begin + first, std::min(share, e.nodes.count - first),
+                                 [&](std::size_t i) { return nodeRecord(*e.stroke, first + i); });
+    });
+    IndexRange all{m_nodes.host().size(), 0};
+    for (const auto &[begin, end] : changed)
+        if (begin < end)
+            all = {std::min(all.first, begin), end};
+    return all;
+}
+
+void DeviceScene::prepare(Prepared &p, int threads)
 {
     const Entry &e = m_entries[p.index];
     const SceneStroke &s = *e.stroke;
-    p.nodes = m_nodes.set(e.nodes.begin, e.nodes.count, [&](std::size_t i) { return nodeRecord(s, i); });
+    p.nodes = setNodes(e, threads);
     p.values = m_values.set(e.values.begin, e.values.count, [&](std::size_t i) { return s.values[i]; });
     p.deep = m_deep.set(e.deep.begin, e.deep.count, [&](std::size_t i) { return deepRecord(s.deep[i]); });
     p.small = m_small.set(e.small.begin, e.small.count, [&](std::size_t i) { return smallRecord(s.small[i]); });
@@ -198,7 +214,7 @@ Fault DeviceScene::update(const std::vector<SceneStrokePtr> &strokes, const Scen
     std::size_t from = m_entries.size();
     if (anew || change.reordered) {
         from = align(strokes, changed);
-        if (changed.size() == strokes.size() && !strokes.empty()) { // packed again
+        if (!anew && changed.size() == strokes.size() && !strokes.empty()) { // packed again
             reset(width, height);
             changed.clear();
             from = align(strokes, changed);
@@ -211,7 +227,8 @@ Fault DeviceScene::update(const std::vector<SceneStrokePtr> &strokes, const Scen
         }
     }
     placeRecords(changed);
-    parallelFor(changed.size(), threads, [&](std::size_t i) { prepare(changed[i]); });
+    const int threadsEach = std::max(1, threads / std::max(1, int(changed.size())));
+    parallelFor(changed.size(), threads, [&](std::size_t i) { prepare(changed[i], threadsEach); });
     for (const Prepared &p : changed)
         m_nodes.touch(p.nodes), m_values.touch(p.values), m_deep.touch(p.deep), m_small.touch(p.small);
     placeChunks(changed, from);

@@ -45,7 +45,9 @@ private:
     void reset(int width, int height);
     void drop(Entry &entry);
     void placeRecords(const std::vector<Prepared> &changed);
-    void prepare(Prepared &p);
+    void prepare(Prepared &p, int threads);
+    /// Writes the stroke's node records; returns those that changed.
+    IndexRange setNodes(const Entry &e, int threads);
     /// Puts chunks in document order: in place before stroke `from`, moved together from there on.
     void placeChunks(std::vector<Prepared> &changed, std::size_t from);
     void moveChunks(std::vector<Prepared> &changed, std::size_t from);

@@ -37,12 +37,6 @@ Fault FailingDevice::download(void *to, const void *from, std::size_t bytes)
     return fault ? fault : m_device->download(to, from, bytes);
 }
 
-Fault FailingDevice::copy(void *to, const void *from, std::size_t bytes)
-{
-    const Fault fault = next();
-    return fault ? fault : m_device->copy(to, from, bytes);
-}
-
 Fault FailingDevice::copyRects(std::uint32_t *to, const std::uint32_t *from, int rowPixels, const int (*rects)[4],
                                int count)
 {

@@ -29,7 +29,6 @@ public:
     void releaseHost(void *memory) override { m_device->releaseHost(memory); }
     Fault upload(void *to, const void *from, std::size_t bytes) override;
     Fault download(void *to, const void *from, std::size_t bytes) override;
-    Fault copy(void *to, const void *from, std::size_t bytes) override;
     Fault copyRects(std::uint32_t *to, const std::uint32_t *from, int rowPixels, const int (*rects)[4],
                     int count) override;
     Fault clear(void *memory, std::size_t bytes) override;

@@ -7,44 +7,92 @@ namespace suffuse::cuda {
 
 namespace {
 
-/// The next of the jobs that all blocks share.
-__device__ std::uint32_t next(const Frame &frame, StatusWord counter)
-{
-    std::uint32_t job = 0;
-    if (threadIdx.x == 0)
-        job = atomicAdd(frame.status + counter, 1u);
-    return __shfl_sync(0xffffffffu, job, 0);
-}
-
 // Runs once per macro job, by one warp.
 __global__ void __launch_bounds__(warpLanes) listsKernel(const __grid_constant__ Frame frame)
 {
     DeviceWarp warp;
-    for (std::uint32_t job = next(frame, nextMacro); job < frame.macroCount; job = next(frame, nextMacro))
+    for (std::uint32_t job = blockIdx.x; job < frame.macroCount; job += gridDim.x)
         makeList(warp, frame, job);
 }
 
-// Runs once per entry of the macro jobs' lists, by one warp.
+// Runs once per entry of the macro jobs' lists and half of the macro-tile, by one warp.
 __global__ void __launch_bounds__(warpLanes) cullKernel(const __grid_constant__ Frame frame)
 {
     __shared__ Fetched fetched;
     DeviceWarp warp;
     const std::uint32_t longest = frame.status[longestList], room = longest < frame.listRoom ? longest : frame.listRoom;
-    const std::uint32_t jobs = room * frame.macroCount;
-    for (std::uint32_t job = next(frame, nextEntry); job < jobs; job = next(frame, nextEntry))
-        cullEntry(warp, frame, job % frame.macroCount, job / frame.macroCount, fetched);
+    const std::uint32_t jobs = room * frame.macroCount * 2;
+    for (std::uint32_t job = blockIdx.x; job < jobs; job += gridDim.x)
+        cullEntry(warp, frame, job / 2 % frame.macroCount, job / 2 / frame.macroCount, int(job % 2), fetched);
+}
+
+constexpr int orderThreads = 1024, weightClasses = 256;
+
+/// Eight classes an octave, heavy ones first.
+__device__ int classOf(std::uint32_t weight)
+{
+    const int log8 = int(__log2f(float(weight + 1)) * 8);
+    return weightClasses - 1 - (log8 < weightClasses ? log8 : weightClasses - 1);
+}
+
+__device__ std::uint32_t weightOf(const Frame &frame, std::uint32_t job)
+{
+    const TileJob &tile = frame.tiles[job];
+    const int at = tile.row % macroTiles * macroTiles + tile.column % macroTiles;
+    return frame.weights[std::size_t(tile.macro) * macroTiles * macroTiles + at];
+}
+
+// Runs once, by one block: puts heavy tiles first, so that no long one is begun last. Which of two of a class comes
+// first may differ from call to call; pixels do not depend on it.
+__global__ void __launch_bounds__(orderThreads) orderKernel(const __grid_constant__ Frame frame)
+{
+    __shared__ std::uint32_t places[weightClasses];
+    for (int i = int(threadIdx.x); i < weightClasses; i += orderThreads)
+        places[i] = 0;
+    __syncthreads();
+    for (std::uint32_t job = threadIdx.x; job < frame.tileCount; job += orderThreads)
+        atomicAdd(places + classOf(weightOf(frame, job)), 1u);
+    __syncthreads();
+    if (threadIdx.x < warpLanes) { // counts to first places
+        std::uint32_t before = 0;
+        for (int from = 0; from < weightClasses; from += warpLanes) {
+            const std::uint32_t own = places[from + threadIdx.x];
+            std::uint32_t sum = own;
+            for (int by = 1; by < warpLanes; by *= 2) {
+                const std::uint32_t lower = __shfl_up_sync(0xffffffffu, sum, by);
+                sum += int(threadIdx.x) >= by ? lower : 0;
+            }
+            places[from + threadIdx.x] = before + sum - own;
+            before += __shfl_sync(0xffffffffu, sum, warpLanes - 1);
+        }
+    }
+    __syncthreads();
+    for (std::uint32_t job = threadIdx.x; job < frame.tileCount; job += orderThreads)
+        frame.order[atomicAdd(places + classOf(weightOf(frame, job)), 1u)] = job;
+}
+
+/// The first job of a block is its own; of the rest each takes the next that nobody has.
+template <StatusWord counter>
+__device__ std::uint32_t nextJob(const Frame &frame)
+{
+    std::uint32_t job = 0;
+    if (threadIdx.x == 0)
+        job = gridDim.x + atomicAdd(frame.status + counter, 1u);
+    return __shfl_sync(0xffffffffu, job, 0);
 }
 
 // Runs once per tile job, by one warp.
 template <bool general>
-__global__ void __launch_bounds__(warpLanes, general ? 5 : 14) tilesKernel(const __grid_constant__ Frame frame)
+__global__ void __launch_bounds__(warpLanes, general ? 5 : 12) tilesKernel(const __grid_constant__ Frame frame)
 {
     __shared__ TileScratch<general> scratch;
     DeviceWarp warp;
     constexpr StatusWord counter = general ? nextGeneralTile : nextPlainTile;
-    for (std::uint32_t job = next(frame, counter); job < frame.tileCount; job = next(frame, counter))
+    for (std::uint32_t i = blockIdx.x; i < frame.tileCount; i = nextJob<counter>(frame)) {
+        const std::uint32_t job = frame.ordered ? frame.order[i] : i;
         if (((frame.tiles[job].flags & plainTile) == 0) == general)
             paintTile<general>(warp, frame, job, scratch);
+    }
 }
 
 // Runs once per rectangle, by one block.
@@ -76,19 +124,36 @@ cudaError_t fillingGrid(int device, Grid &grid)
     return error;
 }
 
+unsigned blocksOf(const void *kernel, const Frame &frame, const Grid &grid)
+{
+    const auto least = [](unsigned a, std::size_t b) { return unsigned(b < a ? b : a); };
+    if (kernel == reinterpret_cast<const void *>(listsKernel))
+        return least(grid.lists, frame.macroCount);
+    if (kernel == reinterpret_cast<const void *>(cullKernel))
+        return least(grid.culls, std::size_t(frame.macroCount) * frame.listRoom * 2);
+    if (kernel == reinterpret_cast<const void *>(orderKernel))
+        return 1;
+    const bool general = kernel == reinterpret_cast<const void *>(tilesKernel<true>);
+    return least(general ? grid.general : grid.plain, frame.tileCount);
+}
+
 cudaError_t launchLists(const Frame &frame, const Grid &grid, cudaStream_t stream)
 {
-    listsKernel<<<grid.lists, warpLanes, 0, stream>>>(frame);
-    cullKernel<<<grid.culls, warpLanes, 0, stream>>>(frame);
+    const auto blocks = [&](auto *kernel) { return blocksOf(reinterpret_cast<const void *>(kernel), frame, grid); };
+    listsKernel<<<blocks(listsKernel), warpLanes, 0, stream>>>(frame);
+    cullKernel<<<blocks(cullKernel), warpLanes, 0, stream>>>(frame);
+    if (frame.ordered)
+        orderKernel<<<1, orderThreads, 0, stream>>>(frame);
     return cudaGetLastError();
 }
 
 cudaError_t launchTiles(const Frame &frame, bool general, const Grid &grid, cudaStream_t stream)
 {
+    const auto blocks = [&](auto *kernel) { return blocksOf(reinterpret_cast<const void *>(kernel), frame, grid); };
     if (general)
-        tilesKernel<true><<<grid.general, warpLanes, 0, stream>>>(frame);
+        tilesKernel<true><<<blocks(tilesKernel<true>), warpLanes, 0, stream>>>(frame);
     else
-        tilesKernel<false><<<grid.plain, warpLanes, 0, stream>>>(frame);
+        tilesKernel<false><<<blocks(tilesKernel<false>), warpLanes, 0, stream>>>(frame);
     return cudaGetLastError();
 }
 

@@ -13,6 +13,9 @@ struct Grid {
 };
 cudaError_t fillingGrid(int device, Grid &grid);
 
+/// How many blocks one of the kernels of a frame is launched with.
+unsigned blocksOf(const void *kernel, const Frame &frame, const Grid &grid);
+
 /// Runs once per macro job: its list of chunks; then once per entry of the lists: where it can be seen.
 cudaError_t launchLists(const Frame &frame, const Grid &grid, cudaStream_t stream);
 /// Runs once per tile job, of those that are plain or of the others.

@@ -3,15 +3,14 @@
 
 namespace suffuse::cuda {
 
-int deviceCount(std::string &why)
+Devices findDevices()
 {
-    why = "this program was built without CUDA";
-    return 0;
+    return {};
 }
 
 std::unique_ptr<Device> openDevice(int, std::string &why)
 {
-    deviceCount(why);
+    why = "built without CUDA";
     return nullptr;
 }
 

@@ -17,19 +17,16 @@ inline constexpr int macroTiles = macroSide / tileSide;
 /// Nodes of one stroke that are chosen together, one a lane.
 inline constexpr int chunkNodes = 32;
 
-/// A node in pixels of the picture: where it reaches and how dense it is there (as render/cpu/node_boxes.h).
-/// Its place is kept as a whole number of 16-pixel cells and the rest in [0, 16), so that floats lose nothing.
+/// A node in pixels of the picture and the box where it is not zero. Its place is kept as a whole number of 16-pixel
+/// cells and the rest in [0, 16), so that floats lose nothing.
 struct alignas(16) NodeRecord {
     std::int32_t cellX = 0, cellY = 0;
     float x = 0, y = 0;
-    float reachX = 0, reachY = 0; ///< half-sizes of its box, px
-    float slowest = 0;            ///< least eigenvalue of the metric, px⁻²
-    float steepest = 0;           ///< weight times the root of the greatest, px⁻¹
+    float reachX = 0, reachY = 0; ///< half-sizes of the box, px
     float a = 0, b = 0, c = 0;    ///< metric, px⁻²; separable: b = 0
     float weight = 0;             ///< density at the centre
     float cut = 0;                ///< e^(−R²)
     std::uint32_t row = 0;        ///< of the stroke's channel values
-    std::uint32_t padding[2] = {0, 0};
 };
 
 /// As DeepNode (render/scene.h): s > 4096 px.
@@ -138,7 +135,7 @@ struct Frame {
     std::uint32_t macroCount = 0, tileCount = 0;
     std::uint32_t *lists = nullptr;      ///< `listRoom` chunk indices a macro job
     std::uint32_t *listCounts = nullptr; ///< one a macro job; may exceed listRoom: then the list is cut off
-    std::uint64_t *masks = nullptr;      ///< as `lists`: bit 8·row + column: its stroke can be seen in that tile
+    std::uint32_t *masks = nullptr; ///< two an index: bit 8·row + column of both: its stroke can be seen in that tile
     std::uint32_t listRoom = 0;
     std::uint32_t editedFrom = 0xffffffff,
                   editedTo = 0xffffffff; ///< chunks of the first edited stroke, where layers are used
@@ -158,10 +155,14 @@ struct Frame {
     std::uint32_t *tilesArgb = nullptr; ///< the same, tileSize a tile job
     float *tilesRgba = nullptr;         ///< straight RGBA, 4·tileSize a tile job
 
-    std::uint32_t *status = nullptr; ///< status words, cleared by the host before each call
+    // Cleared by the host before each call.
+    std::uint32_t *status = nullptr;  ///< status words
+    std::uint32_t *weights = nullptr; ///< macroTiles² a macro job: what its tiles cost, roughly
+    std::uint32_t *order = nullptr;   ///< of the tile jobs, heavy ones first, where `ordered`
+    std::uint32_t ordered = 0;
 };
 
 /// Words of Frame::status.
-enum StatusWord { nextMacro, nextEntry, nextPlainTile, nextGeneralTile, longestList, statusWords };
+enum StatusWord { nextPlainTile, nextGeneralTile, longestList, statusWords };
 
 } // namespace suffuse::cuda

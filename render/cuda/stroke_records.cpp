@@ -55,7 +55,6 @@ NodeRecord nodeRecord(const SceneStroke &stroke, std::size_t i)
     r.cellX = std::int32_t(cellX), r.cellY = std::int32_t(cellY);
     r.x = float(n.x - tileSide * cellX), r.y = float(n.y - tileSide * cellY);
     r.reachX = boxes.reachX[i], r.reachY = boxes.reachY[i];
-    r.slowest = boxes.slowest[i], r.steepest = boxes.steepest[i];
     r.a = n.a, r.b = n.b, r.c = n.c;
     r.weight = n.weight;
     r.cut = n.cut;

@@ -10,7 +10,7 @@ namespace suffuse::cuda {
 template <class Warp>
 SUFFUSE_PROGRAM void makeList(Warp &warp, const Frame &frame, std::uint32_t job)
 {
-    constexpr int group = 4; // of 32 chunks, so that several loads are under way
+    constexpr int group = 8; // of 32 chunks, so that several loads are under way
     const MacroJob macro = frame.macros[job];
     const std::int32_t left = macro.column * macroSide, top = macro.row * macroSide;
     std::uint32_t *list = frame.lists + std::size_t(job) * frame.listRoom;
@@ -44,52 +44,48 @@ SUFFUSE_PROGRAM void makeList(Warp &warp, const Frame &frame, std::uint32_t job)
     });
 }
 
-/// Which tiles of a macro-tile one stroke may show in, two tiles a lane.
+/// Which tiles of half a macro-tile one stroke may show in, one tile a lane.
 template <class Warp>
 class StrokeCull {
 public:
     template <class T>
     using Var = typename Warp::template Var<T>;
 
-    SUFFUSE_PROGRAM StrokeCull(Warp &warp, const Frame &frame, const MacroJob &macro, Fetched &fetched)
-        : m_warp(warp), m_frame(frame), m_cellX(macro.column * macroTiles), m_cellY(macro.row * macroTiles),
-          m_fetched(fetched)
+    /// `half`: 0, the upper four rows of tiles; 1, the lower ones.
+    SUFFUSE_PROGRAM StrokeCull(Warp &warp, const Frame &frame, const MacroJob &macro, int half, Fetched &fetched)
+        : m_warp(warp), m_frame(frame), m_cellX(macro.column * macroTiles),
+          m_cellY(macro.row * macroTiles + half * (macroTiles / 2)), m_fetched(fetched)
     {
-        m_warp.each([&](int lane) { m_bound[lane][0] = m_bound[lane][1] = {}; });
+        m_warp.each([&](int lane) { m_bound[lane] = {}, m_weight[lane] = strokeWeight; });
     }
 
-    /// Bit i: whether nodes of the chunk meet tile i of the macro-tile.
-    SUFFUSE_PROGRAM std::uint64_t add(const ChunkRecord &chunk)
+    /// Bit i: whether nodes of the chunk meet tile i.
+    SUFFUSE_PROGRAM std::uint32_t add(const ChunkRecord &chunk)
     {
         fetchChunk(m_warp, m_frame, chunk, m_fetched);
         m_warp.arrive(false);
-        Var<std::uint32_t> hits; // by the lane's tiles
-        m_warp.each([&](int lane) {
-            hits[lane] = 0;
-            if (chunk.nodes == 0) // deep nodes lie everywhere
-                for (int t = 0; t < 2; ++t)
-                    hits[lane] |= std::uint32_t(meetsTile(chunk, cellX(lane), cellY(lane, t))) << t;
+        return m_warp.ballot([&](int lane) {
+            bool hit = chunk.nodes == 0 && meetsTile(chunk, cellX(lane), cellY(lane)); // deep nodes lie everywhere
             for (int n = 0; n < int(chunk.nodes); ++n) {
                 const NodeRecord node = nodeOf(m_fetched, n);
-                for (int t = 0; t < 2; ++t)
-                    if (const NodePlace place(node, cellX(lane), cellY(lane, t)); place.meets || !m_frame.cull) {
-                        hits[lane] |= 1u << t;
-                        place.addTo(node, m_bound[lane][t]);
-                    }
+                const NodePlace place(node, cellX(lane), cellY(lane));
+                if (!place.meets && m_frame.cull)
+                    continue;
+                hit = true;
+                ++m_weight[lane];
+                place.addTo(node, m_bound[lane]);
             }
+            return hit;
         });
-        return ballots([&](int lane, int t) { return (hits[lane] >> t & 1) != 0; });
     }
 
     /// Of the tiles that nodes met those where the stroke may show: F is exactly zero in the others.
-    SUFFUSE_PROGRAM std::uint64_t seen()
+    SUFFUSE_PROGRAM std::uint32_t seen()
     {
         const StrokeRecord &stroke = strokeOf(m_fetched.stroke);
-        if (!m_frame.cull || !stroke.hasLevels)
-            return ~std::uint64_t(0);
-        return ballots([&](int lane, int t) {
-            const float phi = m_bound[lane][t].density * 1.001f, h = 0.5f * m_bound[lane][t].slope * 1.001f;
-            if (phi > stroke.lowest)
+        return m_warp.ballot([&](int lane) {
+            const float phi = m_bound[lane].density * 1.001f, h = 0.5f * m_bound[lane].slope * 1.001f;
+            if (!m_frame.cull || !stroke.hasLevels || phi > stroke.lowest)
                 return true;
             for (int k = 0; k < stroke.shade.kinds; ++k)
                 if (!vanishes(stroke.shade.kind[k].kind, stroke.level[k], phi, h))
@@ -98,65 +94,64 @@ public:
         });
     }
 
+    /// Tells what the stroke costs in the tiles of the mask.
+    SUFFUSE_PROGRAM void addWeights(std::uint32_t mask, std::uint32_t *weights)
+    {
+        m_warp.each([&](int lane) {
+            if (mask >> lane & 1)
+                Warp::add(weights + lane, m_weight[lane]);
+        });
+    }
+
 private:
+    static constexpr std::uint32_t strokeWeight = 24; ///< of shading and mixing a tile, in nodes
+
     SUFFUSE_PROGRAM std::int32_t cellX(int lane) const { return m_cellX + lane % macroTiles; }
-    SUFFUSE_PROGRAM std::int32_t cellY(int lane, int t) const
-    {
-        return m_cellY + lane / macroTiles + t * (warpLanes / macroTiles);
-    }
-
-    template <class Test>
-    SUFFUSE_PROGRAM std::uint64_t ballots(Test test)
-    {
-        const std::uint32_t low = m_warp.ballot([&](int lane) { return test(lane, 0); });
-        const std::uint32_t high = m_warp.ballot([&](int lane) { return test(lane, 1); });
-        return std::uint64_t(high) << warpLanes | low;
-    }
-
-    struct Bounds {
-        LaneBound of[2];
-        SUFFUSE_PROGRAM LaneBound &operator[](int t) { return of[t]; }
-    };
+    SUFFUSE_PROGRAM std::int32_t cellY(int lane) const { return m_cellY + lane / macroTiles; }
 
     Warp &m_warp;
     const Frame &m_frame;
     std::int32_t m_cellX, m_cellY;
     Fetched &m_fetched;
-    Var<Bounds> m_bound;
+    Var<LaneBound> m_bound;
+    Var<std::uint32_t> m_weight;
 };
 
-/// Where the stroke of a list's entry can be seen: writes the masks of all its entries, which lie side by side. Entries
-/// that are not their stroke's first are left to that one.
+/// Where the stroke of a list's entry can be seen in half a macro-tile: writes the masks of all its entries, which lie
+/// side by side. Entries that are not their stroke's first are left to that one.
 template <class Warp>
-SUFFUSE_PROGRAM void cullEntry(Warp &warp, const Frame &frame, std::uint32_t job, std::uint32_t entry, Fetched &fetched)
+SUFFUSE_PROGRAM void cullEntry(Warp &warp, const Frame &frame, std::uint32_t job, std::uint32_t entry, int half,
+                               Fetched &fetched)
 {
     const std::uint32_t counted = frame.listCounts[job];
     const std::uint32_t count = counted < frame.listRoom ? counted : frame.listRoom;
     if (entry >= count)
         return;
     const std::uint32_t *list = frame.lists + std::size_t(job) * frame.listRoom;
-    std::uint64_t *masks = frame.masks + std::size_t(job) * frame.listRoom;
+    std::uint32_t *masks = frame.masks + std::size_t(job) * frame.listRoom * 2 + half;
     const std::uint32_t stroke = frame.chunks[list[entry]].stroke;
     if (entry > 0 && frame.chunks[list[entry - 1]].stroke == stroke)
         return;
-    StrokeCull<Warp> cull(warp, frame, frame.macros[job], fetched);
-    std::uint32_t end = entry;
+    StrokeCull<Warp> cull(warp, frame, frame.macros[job], half, fetched);
+    std::uint32_t end = entry, all = 0;
     for (; end < count; ++end) {
         const ChunkRecord chunk = frame.chunks[list[end]];
         if (chunk.stroke != stroke)
             break;
-        const std::uint64_t mask = cull.add(chunk);
+        const std::uint32_t mask = cull.add(chunk);
+        all |= mask;
         warp.each([&](int lane) {
             if (lane == 0)
-                masks[end] = mask;
+                masks[std::size_t(end) * 2] = mask;
         });
     }
-    const std::uint64_t seen = cull.seen();
+    const std::uint32_t seen = cull.seen();
     for (std::uint32_t from = entry; from < end; from += warpLanes)
         warp.each([&](int lane) {
             if (from + std::uint32_t(lane) < end)
-                masks[from + std::uint32_t(lane)] &= seen;
+                masks[std::size_t(from + std::uint32_t(lane)) * 2] &= seen;
         });
+    cull.addWeights(all & seen, frame.weights + std::size_t(job) * macroTiles * macroTiles + half * warpLanes);
 }
 
 } // namespace suffuse::cuda

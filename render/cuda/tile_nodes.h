@@ -17,8 +17,8 @@ struct alignas(8) [[gnu::may_alias]] Float2 {
     float x, y;
 };
 
-/// A chunk's nodes and its stroke, as they come from memory: the node's quarters one after another, so that lanes meet
-/// no bank twice.
+/// A chunk's nodes and its stroke, as they come from memory: the nodes' parts of 16 bytes one after another, so that
+/// lanes meet no bank twice.
 struct Fetched {
     Float4 nodes[sizeof(NodeRecord) / sizeof(Float4)][chunkNodes];
     Float4 stroke[sizeof(StrokeRecord) / sizeof(Float4)];
@@ -36,8 +36,8 @@ SUFFUSE_PROGRAM void fetchChunk(Warp &warp, const Frame &frame, const ChunkRecor
             return;
         const auto *node = reinterpret_cast<const Float4 *>(frame.nodes + chunk.firstNode + std::uint32_t(lane));
         SUFFUSE_UNROLL
-        for (int quarter = 0; quarter < int(sizeof(NodeRecord) / fetchBytes); ++quarter)
-            start(&to.nodes[quarter][lane], node + quarter);
+        for (int part = 0; part < int(sizeof(NodeRecord) / fetchBytes); ++part)
+            start(&to.nodes[part][lane], node + part);
     });
 }
 
@@ -45,8 +45,8 @@ SUFFUSE_PROGRAM NodeRecord nodeOf(const Fetched &chunk, int n)
 {
     NodeRecord node;
     SUFFUSE_UNROLL
-    for (int quarter = 0; quarter < int(sizeof(NodeRecord) / fetchBytes); ++quarter)
-        reinterpret_cast<Float4 *>(&node)[quarter] = chunk.nodes[quarter][n];
+    for (int part = 0; part < int(sizeof(NodeRecord) / fetchBytes); ++part)
+        reinterpret_cast<Float4 *>(&node)[part] = chunk.nodes[part][n];
     return node;
 }
 
@@ -88,9 +88,13 @@ struct NodePlace {
     SUFFUSE_PROGRAM void addTo(const NodeRecord &n, LaneBound &bound) const
     {
         const float ox = math::max_(outX, 0.0f), oy = math::max_(outY, 0.0f);
-        const float u2 = math::mulAdd_(ox, ox, oy * oy) * n.slowest, e = math::exp2_(-float(math::log2e) * u2);
+        // Eigenvalues of the metric.
+        const float middle = 0.5f * (n.a + n.c), half = 0.5f * (n.a - n.c);
+        const float spread = n.b == 0 ? math::abs_(half) : math::sqrt_(math::mulAdd_(half, half, n.b * n.b));
+        const float slowest = math::max_(0.9999f * (middle - spread), 0.0f), greatest = 1.0001f * (middle + spread);
+        const float u2 = math::mulAdd_(ox, ox, oy * oy) * slowest, e = math::exp2_(-float(math::log2e) * u2);
         bound.density += n.weight * e;
-        bound.slope += n.steepest * (u2 < 0.5f ? 0.8578f : math::mulAdd_(u2, e, e));
+        bound.slope += n.weight * math::sqrt_(greatest) * (u2 < 0.5f ? 0.8578f : math::mulAdd_(u2, e, e));
     }
 };
 

@@ -16,37 +16,53 @@ public:
         : m_warp(warp), m_frame(frame), m_stroke(stroke), m_s(scratch)
     {}
 
-    /// Finds F at the tile's pixels; false: the stroke shows nothing. `forEachListing(use)` calls use(listing) until
-    /// all nodes that meet the tile were listed. `eta`: paper at the pixels, as `sampleAt` says; null for 1.
+    /// How often the stroke's nodes are summed: density and slopes first; then, where colours vary and do not lie on a
+    /// line, one component after the other.
+    SUFFUSE_PROGRAM int passes() const { return m_stroke.shade.colourChannel < 0 ? 1 : 5; }
+    /// 0 red, 1 yellow, 2 blue, 3 opacity, which is summed first.
+    static SUFFUSE_PROGRAM int componentOf(int pass) { return (pass + 2) % 4; }
+
+    /// Adds up a pass. `forEachListing(use)` calls use(listing) until all nodes that meet the tile were listed;
+    /// `chosenAgain`: it lists them anew each time.
     template <class ForEachListing>
-    SUFFUSE_PROGRAM bool evaluate(ForEachListing forEachListing, const float *eta)
+    SUFFUSE_PROGRAM void sum(ForEachListing forEachListing, bool chosenAgain, int pass)
     {
-        const bool hasLine = m_stroke.shade.lineChannel >= 0, hasColours = m_stroke.shade.colourChannel >= 0;
-        m_warp.each([&](int lane) { m_sums[lane] = {}, m_share[lane] = {}; });
-        forEachListing([&](const Listing &listing) {
-            forEachBatch(listing, [&](int from, int nodes) {
-                addBatch(m_warp, nodes, m_s, m_sums);
-                if (hasLine)
-                    addChannel(from, nodes, m_stroke.shade.lineChannel, m_share);
-            });
+        m_warp.each([&](int lane) {
+            m_values[lane] = {};
+            if (pass == 0)
+                m_sums[lane] = {};
         });
-        if (hasLine || hasColours)
+        const int channel = pass == 0 ? m_stroke.shade.lineChannel : m_stroke.shade.colourChannel + componentOf(pass);
+        forEachListing([&](const Listing &listing) {
+            SUFFUSE_ROLLED
+            for (int from = 0; from < listing.separable; from += batch) {
+                const int to = from + batch < listing.separable ? from + batch : listing.separable;
+                if (pass == 0 || chosenAgain || listing.separable > batch) // else the tables still hold
+                    fillTables(m_warp, from, to, Block{}, m_s);
+                if (pass == 0)
+                    addBatch(m_warp, to - from, m_s, m_sums);
+                if (channel >= 0)
+                    addChannel(m_warp, from, to - from, m_frame.values + m_stroke.firstValue, m_stroke.channels,
+                               std::uint32_t(channel), m_s, m_values);
+            }
+        });
+    }
+
+    /// After the first pass: finds F at the tile's pixels; false: the stroke shows nothing. `eta`: paper at the pixels,
+    /// as `sampleAt` says; null for 1.
+    SUFFUSE_PROGRAM bool style(const float *eta)
+    {
+        if (m_stroke.channels > 0)
             m_warp.each([&](int lane) {
                 SUFFUSE_UNROLL
                 for (int k = 0; k < laneSamples; ++k) {
-                    const float inverse = math::inverseDensity(m_sums[lane].density[k]);
-                    m_share[lane].v[k] = hasLine ? math::min_(m_share[lane].v[k] * inverse, 1.0f) : inverse;
+                    m_inverse[lane].v[k] = math::inverseDensity(m_sums[lane].density[k]);
+                    m_values[lane].v[k] = math::min_(m_values[lane].v[k] * m_inverse[lane].v[k], 1.0f);
                 }
             });
         modulate(eta);
         bool seen = false;
         withMadeStyle(m_stroke, 0, [&](const auto &style) { seen = meanOfStyle(m_warp, style, m_s.means); });
-        if (hasColours)
-            m_warp.each([&](int lane) {
-                SUFFUSE_UNROLL
-                for (int k = 0; k < laneSamples; ++k)
-                    m_sums[lane].density[k] = meanAt(lane, k); // the tables will be needed again
-            });
         return seen;
     }
 
@@ -59,7 +75,7 @@ public:
         m_warp.each([&](int lane) {
             SUFFUSE_UNROLL
             for (int k = 0; k < laneSamples; ++k) {
-                const float t = m_share[lane].v[k];
+                const float t = m_values[lane].v[k];
                 const auto mean = [&](float a, float b) { return math::mulAdd_(t, b - a, a); };
                 use(lane, k, meanAt(lane, k) * mean(from.opacity, end.opacity), mean(from.red, end.red),
                     mean(from.yellow, end.yellow), mean(from.blue, end.blue));
@@ -67,49 +83,22 @@ public:
         });
     }
 
-    SUFFUSE_PROGRAM bool hasColours() const { return m_stroke.shade.colourChannel >= 0; }
-
-    /// Of a stroke whose colours vary otherwise, one component (0 red … 3 opacity) after the other: use(lane, sample,
-    /// w, colour). What it gives for the opacity is what it hands on as w.
-    template <class ForEachListing, class Use>
-    SUFFUSE_PROGRAM void forEachSample(ForEachListing forEachListing, int component, Use use)
+    /// After a later pass: calls use(lane, sample, w, mean of its component).
+    template <class Use>
+    SUFFUSE_PROGRAM void forEachSample(int pass, Use use)
     {
-        Var<SampleValues> sum;
-        m_warp.each([&](int lane) { sum[lane] = {}; });
-        forEachListing([&](const Listing &listing) {
-            forEachBatch(listing, [&](int from, int nodes) {
-                addChannel(from, nodes, m_stroke.shade.colourChannel + component, sum);
-            });
-        });
         m_warp.each([&](int lane) {
             SUFFUSE_UNROLL
             for (int k = 0; k < laneSamples; ++k) {
-                const float mean = math::min_(sum[lane].v[k] * m_share[lane].v[k], 1.0f);
-                float &w = m_sums[lane].density[k];
-                if (component == 3)
-                    w *= mean;
-                use(lane, k, w, mean);
+                const float mean = math::min_(m_values[lane].v[k] * m_inverse[lane].v[k], 1.0f);
+                if (pass == 1)
+                    m_sums[lane].density[k] = meanAt(lane, k) * mean;
+                use(lane, k, m_sums[lane].density[k], mean);
             }
         });
     }
 
 private:
-    template <class Use>
-    SUFFUSE_PROGRAM void forEachBatch(const Listing &listing, Use use)
-    {
-        for (int from = 0; from < listing.separable; from += batch) {
-            const int to = from + batch < listing.separable ? from + batch : listing.separable;
-            fillTables(m_warp, from, to, Block{}, m_s);
-            use(from, to - from);
-        }
-    }
-
-    SUFFUSE_PROGRAM void addChannel(int from, int nodes, int channel, Var<SampleValues> &sum)
-    {
-        cuda::addChannel(m_warp, from, nodes, m_frame.values + m_stroke.firstValue, m_stroke.channels,
-                         std::uint32_t(channel), m_s, sum);
-    }
-
     /// Hands φ′ = γφ and h² = (½γ|∇φ|)² on to the style.
     SUFFUSE_PROGRAM void modulate(const float *eta)
     {
@@ -132,14 +121,15 @@ private:
     }
 
     /// F.
-    SUFFUSE_PROGRAM float meanAt(int lane, int k) const { return m_s.means.mean[sampleAt(lane, k)]; }
+    SUFFUSE_PROGRAM float meanAt(int lane, int k) const { return m_s.means.density[sampleAt(lane, k)]; }
 
     Warp &m_warp;
     const Frame &m_frame;
     const StrokeRecord &m_stroke;
     SumScratch &m_s;
-    Var<SampleSums> m_sums;    ///< at last, where colours vary, w in the density
-    Var<SampleValues> m_share; ///< the place on the line of colours, or 1/φ
+    Var<SampleSums> m_sums;      ///< at last, where colours vary, w in the density
+    Var<SampleValues> m_values;  ///< of the pass's channel; the place on the line of colours
+    Var<SampleValues> m_inverse; ///< 1/φ
 };
 
 } // namespace suffuse::cuda

@@ -86,8 +86,8 @@ private:
         const std::uint32_t counted = m_frame.listCounts[m_job.macro];
         const std::uint32_t count = counted < m_frame.listRoom ? counted : m_frame.listRoom;
         const std::uint32_t *list = m_frame.lists + std::size_t(m_job.macro) * m_frame.listRoom;
-        const std::uint64_t *masks = m_frame.masks + std::size_t(m_job.macro) * m_frame.listRoom;
         const int tile = m_job.row % macroTiles * macroTiles + m_job.column % macroTiles;
+        const std::uint32_t *masks = m_frame.masks + std::size_t(m_job.macro) * m_frame.listRoom * 2 + tile / warpLanes;
         for (; m_hits == 0; m_listed += warpLanes) {
             if (m_listed >= count) {
                 m_warp.fetch([](int, auto) {});
@@ -98,7 +98,7 @@ private:
                 if (i >= count)
                     return false;
                 m_candidate[lane] = list[i];
-                return (masks[i] >> tile & 1) != 0 && isWanted(list[i]);
+                return (masks[std::size_t(i) * 2] >> tile % warpLanes & 1) != 0 && isWanted(list[i]);
             });
         }
         const std::uint32_t index = m_warp.read(m_candidate, Warp::lowest(m_hits));
@@ -221,31 +221,37 @@ private:
     SUFFUSE_PROGRAM void paintPlain(const StrokeRecord &stroke)
     {
         PlainStroke<Warp> plain(m_warp, m_frame, stroke, m_s.paint.sums);
-        const auto listings = [&](auto use) { forEachListing(stroke, use); };
-        if (!plain.evaluate(listings, eta(stroke)))
-            return;
         const float keep = stroke.keep;
-        if (!plain.hasColours()) {
-            plain.forEachSample([&](int lane, int k, float w, float red, float yellow, float blue) {
-                mixCoverage(lane, k, w, keep);
-                mixColour<0>(lane, k, w, red, keep);
-                mixColour<1>(lane, k, w, yellow, keep);
-                mixColour<2>(lane, k, w, blue, keep);
-            });
-            return;
-        }
-        for (int turn = 0; turn < 4; ++turn) {
-            const int component = (turn + 3) % 4; // opacity first
-            plain.forEachSample(listings, component, [&](int lane, int k, float w, float colour) {
-                if (component == 3)
+        for (int pass = 0; pass < plain.passes(); ++pass) {
+            plain.sum([&](auto use) { forEachListing(stroke, use); }, m_overflown, pass);
+            if (pass == 0 && !plain.style(eta(stroke)))
+                return;
+            if (pass == 0 && plain.passes() == 1)
+                plain.forEachSample([&](int lane, int k, float w, float red, float yellow, float blue) {
                     mixCoverage(lane, k, w, keep);
-                else if (component == 0)
-                    mixColour<0>(lane, k, w, colour, keep);
-                else if (component == 1)
-                    mixColour<1>(lane, k, w, colour, keep);
-                else
-                    mixColour<2>(lane, k, w, colour, keep);
-            });
+                    mixColour<0>(lane, k, w, red, keep);
+                    mixColour<1>(lane, k, w, yellow, keep);
+                    mixColour<2>(lane, k, w, blue, keep);
+                });
+            else if (pass > 0)
+                mixComponent(plain, pass, keep);
+        }
+    }
+
+    SUFFUSE_PROGRAM void mixComponent(PlainStroke<Warp> &plain, int pass, float keep)
+    {
+        switch (plain.componentOf(pass)) {
+        case 0:
+            return plain.forEachSample(
+                pass, [&](int lane, int k, float w, float red) { mixColour<0>(lane, k, w, red, keep); });
+        case 1:
+            return plain.forEachSample(
+                pass, [&](int lane, int k, float w, float yellow) { mixColour<1>(lane, k, w, yellow, keep); });
+        case 2:
+            return plain.forEachSample(
+                pass, [&](int lane, int k, float w, float blue) { mixColour<2>(lane, k, w, blue, keep); });
+        default:
+            return plain.forEachSample(pass, [&](int lane, int k, float w, float) { mixCoverage(lane, k, w, keep); });
         }
     }
 

@@ -26,8 +26,9 @@ SUFFUSE_PROGRAM void withMadeStyle(const StrokeRecord &stroke, int kind, Use use
     }
 }
 
-/// From φ′ and h² to the pixel mean of F for a stroke of one style; false: it shows nothing at any sample. Loops over
-/// samples stay loops: unrolled, the styles' code would not fit the instruction cache.
+/// From φ′ and h² to the pixel mean of F, which takes the place of φ′, for a stroke of one style; false: it shows
+/// nothing at any sample. Loops over samples stay loops: unrolled, the styles' code would not fit the instruction
+/// cache.
 template <class Warp, class Style>
 SUFFUSE_PROGRAM bool meanOfStyle(Warp &warp, const Style style, MeanScratch &s)
 {
@@ -39,9 +40,10 @@ SUFFUSE_PROGRAM bool meanOfStyle(Warp &warp, const Style style, MeanScratch &s)
             const int at = sampleAt(lane, k);
             const float phi = s.density[at], h2 = s.h2[at], f = style.simpleMean(phi, h2);
             const bool isSeen = style.seen(phi, h2);
-            s.mean[at] = isSeen ? f : 0.0f;
+            const bool needsLong = isSeen && !style.simple(phi, h2);
+            s.density[at] = needsLong ? phi : isSeen ? f : 0.0f;
             seen[lane] |= std::uint32_t(isSeen);
-            isLong[lane] |= std::uint32_t(isSeen && !style.simple(phi, h2)) << k;
+            isLong[lane] |= std::uint32_t(needsLong) << k;
         }
     });
     if (!warp.any([&](int lane) { return seen[lane] != 0; }))
@@ -53,7 +55,7 @@ SUFFUSE_PROGRAM bool meanOfStyle(Warp &warp, const Style style, MeanScratch &s)
             const std::uint32_t mask = warp.ballot([&](int lane) { return (isLong[lane] >> k & 1) != 0; });
             warp.each([&](int lane) {
                 if (mask >> lane & 1)
-                    s.longOnes[longOnes + Warp::rank(mask, lane)] = std::uint16_t(sampleAt(lane, k));
+                    s.longOnes[longOnes + Warp::rank(mask, lane)] = std::uint8_t(sampleAt(lane, k));
             });
             longOnes += Warp::count(mask);
         }
@@ -62,7 +64,7 @@ SUFFUSE_PROGRAM bool meanOfStyle(Warp &warp, const Style style, MeanScratch &s)
         warp.each([&](int lane) {
             if (from + lane < longOnes) {
                 const int at = s.longOnes[from + lane];
-                s.mean[at] = style.longMean(s.density[at], math::sqrt_(s.h2[at]));
+                s.density[at] = style.longMean(s.density[at], math::sqrt_(s.h2[at]));
             }
         });
     return true;

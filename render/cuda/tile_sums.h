@@ -34,7 +34,7 @@ SUFFUSE_PROGRAM int sampleAtPixel(int column, int row)
     return sampleAt(row / 4 * 8 + column / 2, row % 4 * 2 + column % 2);
 }
 
-inline constexpr int nodeRoom = 96; ///< nodes of a stroke that are listed at once
+inline constexpr int nodeRoom = 64; ///< nodes of a stroke that are listed at once
 inline constexpr int batch = 16;    ///< of them whose tables are in shared memory at once
 
 /// A node near the tile. Separable: (dx, a, cut, 1) and (dy, c, cut, weight), d from the tile's centre. Oblique:
@@ -50,10 +50,10 @@ struct BatchScratch {
     Float4 channel[batch][tileSide / 4]; ///< row's value times a channel's
 };
 
-/// φ′, h² and the pixel mean of F at the tile's pixels, as `sampleAt` says.
+/// φ′ and h² at the tile's pixels, as `sampleAt` says; then the pixel mean of F in place of φ′.
 struct MeanScratch {
-    float density[tileSize], h2[tileSize], mean[tileSize];
-    std::uint16_t
+    float density[tileSize], h2[tileSize];
+    std::uint8_t
         longOnes[tileSize]; ///< samples that need the long form, wherever they lie, so that lanes share the work
 };
 
@@ -63,9 +63,9 @@ struct SumScratch {
     std::uint32_t rows[nodeRoom]; ///< of channel values, from the stroke's first
     union {                       // one after the other
         BatchScratch sums;
-        MeanScratch means;
         Fetched chosenAgain;
     };
+    MeanScratch means;
 };
 
 struct SampleSums {
@@ -145,6 +145,7 @@ SUFFUSE_PROGRAM void fillTables(Warp &warp, int from, int to, const Block &block
     warp.each([&](int lane) {
         const bool isRow = lane >= tileSide;
         const float offset = math::mulAdd_(float(lane % tileSide) - 7.5f, block.step, isRow ? block.y : block.x);
+        SUFFUSE_UNROLL_BY_4
         for (int n = from; n < to; ++n) {
             const ListedNode &node = s.listed[n];
             const Float4 axis = isRow ? node.second : node.first;
@@ -163,6 +164,7 @@ SUFFUSE_PROGRAM void addBatch(Warp &warp, int nodes, const SumScratch &s, typena
 {
     warp.each([&](int lane) {
         SampleSums &sum = sums[lane];
+        SUFFUSE_UNROLL_BY_4
         for (int n = 0; n < nodes; ++n) {
             const Float4 columns = s.sums.tables[n][lane % 8];
             const Float4 *rows = &s.sums.tables[n][8 + lane / 8 * 2];
@@ -195,6 +197,7 @@ SUFFUSE_PROGRAM void addChannel(Warp &warp, int from, int nodes, const float *va
         }
     });
     warp.each([&](int lane) {
+        SUFFUSE_UNROLL_BY_4
         for (int n = 0; n < nodes; ++n) {
             const Float4 columns = s.sums.tables[n][lane % 8], rows = s.sums.channel[n][lane / 8];
             const float value[4] = {rows.x, rows.y, rows.z, rows.w};

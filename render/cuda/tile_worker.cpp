@@ -4,12 +4,15 @@
 
 #include <bit>
 #include <numbers>
+#include <utility>
 
 namespace suffuse::cuda {
 
 namespace {
 
 constexpr std::size_t mostBandTiles = 65536;
+/// Of float pixels: 32 MiB.
+constexpr std::size_t mostFloatTiles = 8192;
 constexpr std::size_t fewestBandTiles = 64;
 /// Chunk indices of all lists of a band; macro-tiles are counted by 16 bits.
 constexpr std::size_t mostListed = std::size_t(1) << 23, mostMacros = 65535;
@@ -29,9 +32,8 @@ ToCanvas toCanvasOf(const View &v)
 TileWorker::TileWorker(std::shared_ptr<Device> device, bool cull, int threads)
     : m_device(std::move(device)), m_threads(threads), m_scene(*m_device), m_layers(*m_device), m_paper(*m_device),
       m_tileJobs(*m_device), m_macroJobs(*m_device), m_hostStatus(*m_device), m_deviceTileJobs(*m_device),
-      m_deviceMacroJobs(*m_device), m_status(*m_device), m_lists(*m_device), m_listCounts(*m_device),
-      m_masks(*m_device), m_argb(*m_device), m_hostArgb(*m_device), m_rgba(*m_device), m_hostRgba(*m_device),
-      m_bandTiles(mostBandTiles)
+      m_deviceMacroJobs(*m_device), m_status(*m_device), m_order(*m_device), m_lists(*m_device), m_listCounts(*m_device),
+      m_masks(*m_device), m_buffers{TileBuffer(*m_device), TileBuffer(*m_device)}, m_bandTiles(mostBandTiles)
 {
     m_frame.cull = cull;
 }
@@ -40,8 +42,8 @@ void TileWorker::releaseBuffers()
 {
     m_lists.release();
     m_masks.release();
-    m_argb.release(), m_hostArgb.release();
-    m_rgba.release(), m_hostRgba.release();
+    for (TileBuffer &buffer : m_buffers)
+        buffer.onDevice.release(), buffer.onHost.release();
 }
 
 bool TileWorker::releaseSpare()
@@ -123,7 +125,7 @@ Fault TileWorker::reserveJobs(std::size_t tiles)
 {
     for (const Fault &fault :
          {m_tileJobs.reserve(tiles), m_macroJobs.reserve(tiles), m_hostStatus.reserve(statusWords),
-          m_deviceTileJobs.reserve(tiles), m_deviceMacroJobs.reserve(tiles), m_status.reserve(statusWords)})
+          m_deviceTileJobs.reserve(tiles), m_deviceMacroJobs.reserve(tiles), m_order.reserve(tiles)})
         if (fault)
             return fault;
     return {};
@@ -178,8 +180,9 @@ TileWorker::Band TileWorker::plan(const FrameHistory &history, bool interactive,
 
 Fault TileWorker::run(const Band &band)
 {
-    for (const Fault &fault : {m_lists.reserve(band.macros * m_listRoom), m_masks.reserve(band.macros * m_listRoom),
-                               m_listCounts.reserve(band.macros)})
+    const std::size_t words = statusWords + band.macros * macroTiles * macroTiles; // with the tiles' weights
+    for (const Fault &fault : {m_lists.reserve(band.macros * m_listRoom), m_masks.reserve(2 * band.macros * m_listRoom),
+                               m_listCounts.reserve(band.macros), m_status.reserve(words)})
         if (fault)
             return fault;
     m_frame.macros = m_deviceMacroJobs.data();
@@ -193,7 +196,9 @@ Fault TileWorker::run(const Band &band)
     m_frame.under = m_layers.under();
     m_frame.over = m_layers.over();
     m_frame.status = m_status.data();
-    if (Fault fault = m_device->clear(m_status.data(), statusWords * sizeof(std::uint32_t)))
+    m_frame.weights = m_status.data() + statusWords;
+    m_frame.order = m_order.data();
+    if (Fault fault = m_device->clear(m_status.data(), words * sizeof(std::uint32_t)))
         return fault;
     if (Fault fault = m_device->upload(m_deviceTileJobs.data(), m_tileJobs.data(), band.tiles * sizeof(TileJob)))
         return fault;
@@ -204,45 +209,36 @@ Fault TileWorker::run(const Band &band)
     return m_device->download(m_hostStatus.data(), m_status.data(), statusWords * sizeof(std::uint32_t));
 }
 
-Fault TileWorker::draw(const Band &band, Output output, std::uint32_t *picture)
+Fault TileWorker::start(const Band &band, Output output, std::uint32_t *picture, TileBuffer &buffer)
 {
+    const std::size_t words = output == Output::Picture ? 0 : band.tiles * tileSize * (output == Output::Rgba ? 4 : 1);
+    for (const Fault &fault : {buffer.onDevice.reserve(words), buffer.onHost.reserve(words)})
+        if (fault)
+            return fault;
     m_frame.picture = picture;
-    m_frame.tilesArgb = nullptr;
-    m_frame.tilesRgba = nullptr;
-    const auto withBuffers = [&](auto &onDevice, auto &onHost, auto *&place, std::size_t perTile) {
-        const std::size_t count = band.tiles * perTile;
-        if (Fault fault = onDevice.reserve(count))
-            return fault;
-        if (Fault fault = onHost.reserve(count))
-            return fault;
-        place = onDevice.data();
-        if (Fault fault = run(band))
-            return fault;
-        return m_device->download(onHost.data(), onDevice.data(), count * sizeof(*place));
-    };
-    Fault fault = output == Output::Argb   ? withBuffers(m_argb, m_hostArgb, m_frame.tilesArgb, tileSize)
-                  : output == Output::Rgba ? withBuffers(m_rgba, m_hostRgba, m_frame.tilesRgba, 4 * tileSize)
-                                           : run(band);
-    double milliseconds = 0;
-    // Always waits: what was asked for reads and writes host memory.
-    const Fault finished = m_device->finish(&milliseconds);
-    m_deviceMs += milliseconds;
-    return fault ? fault : finished;
+    m_frame.tilesArgb = output == Output::Argb ? buffer.onDevice.data() : nullptr;
+    m_frame.tilesRgba = output == Output::Rgba ? reinterpret_cast<float *>(buffer.onDevice.data()) : nullptr;
+    const Fault fault = run(band);
+    if (fault || words == 0)
+        return fault;
+    return m_device->download(buffer.onHost.data(), buffer.onDevice.data(), words * sizeof(std::uint32_t));
 }
 
-void TileWorker::store(const FrameHistory &history, Output output, std::span<TileTask> tasks, Target &target,
-                       const std::atomic<bool> *cancel)
+void TileWorker::store(const FrameHistory &history, Output output, const TileBuffer &buffer, std::span<TileTask> tasks,
+                       Target &target, const std::atomic<bool> *cancel)
 {
     constexpr std::size_t together = 64;
+    const std::uint32_t *argb = buffer.onHost.data();
+    const auto *rgba = reinterpret_cast<const float *>(argb);
     parallelFor((tasks.size() + together - 1) / together, m_threads, [&](std::size_t group) {
         if (cancel && cancel->load(std::memory_order_relaxed))
             return;
         for (std::size_t i = group * together; i < std::min(tasks.size(), (group + 1) * together); ++i) {
             const PixelRect rect = history.region().tile(tasks[i].column, tasks[i].row);
             if (output == Output::Argb)
-                target.storeArgb(rect, m_hostArgb.data() + i * tileSize, tileSide);
+                target.storeArgb(rect, argb + i * tileSize, tileSide);
             else if (output == Output::Rgba)
-                target.store(rect, m_hostRgba.data() + i * 4 * tileSize, tileSide);
+                target.store(rect, rgba + i * 4 * tileSize, tileSide);
             tasks[i].drawn = true;
         }
     });
@@ -278,28 +274,42 @@ Fault TileWorker::paint(const FrameHistory &history, bool interactive, std::span
                         std::uint32_t *picture, Target &target, const std::atomic<bool> *cancel)
 {
     const Output output = picture ? Output::Picture : target.keepsArgb() ? Output::Argb : Output::Rgba;
+    std::size_t current = 0;      // buffer that the device writes to
+    std::span<TileTask> finished; // in the other one, not stored yet
+    const auto storeFinished = [&] {
+        store(history, output, m_buffers[1 - current], std::exchange(finished, {}), target, cancel);
+    };
     m_deviceMs = 0;
     while (!tasks.empty() && !(cancel && cancel->load(std::memory_order_relaxed))) {
-        const std::size_t most = std::min(m_bandTiles, output == Output::Rgba ? mostBandTiles / 4 : mostBandTiles);
+        const std::size_t most = std::min(m_bandTiles, output == Output::Rgba ? mostFloatTiles : mostBandTiles);
         const auto tried = tasks.first(std::min(tasks.size(), most));
         Band band;
         Fault fault = reserveJobs(tried.size());
         if (!fault) {
             band = plan(history, interactive, tried);
-            fault = draw(band, output, picture);
+            fault = start(band, output, picture, m_buffers[current]);
         }
+        storeFinished();
+        // Always waits: what was asked for reads and writes host memory.
+        double milliseconds = 0;
+        const Fault waited = m_device->finish(&milliseconds);
+        if (!fault)
+            fault = waited;
         if (fault.kind == Fault::OutOfMemory && makeRoom(tried.size()))
             continue;
         if (fault)
             return fault;
+        m_deviceMs += milliseconds;
         if (const std::uint32_t longest = m_hostStatus.data()[longestList]; longest > m_listRoom) {
             m_listRoom = std::bit_ceil(longest); // lists were cut off: once more
             continue;
         }
-        keepLayers(history, tasks.first(band.tiles));
-        store(history, output, tasks.first(band.tiles), target, cancel);
+        finished = tasks.first(band.tiles);
+        keepLayers(history, finished);
+        current = 1 - current;
         tasks = tasks.subspan(band.tiles);
     }
+    storeFinished();
     return {};
 }
 

@@ -6,6 +6,7 @@
 #include "render/frame_history.h"
 #include "render/paper.h"
 
+#include <array>
 #include <atomic>
 #include <span>
 
@@ -39,6 +40,13 @@ private:
         std::size_t tiles = 0, macros = 0;
         bool anyPlain = false, anyGeneral = false;
     };
+    /// Finished tiles, 0xAARRGGBB or four floats a pixel.
+    struct TileBuffer {
+        explicit TileBuffer(Device &device) : onDevice(device), onHost(device) {}
+
+        DeviceArray<std::uint32_t> onDevice;
+        PinnedArray<std::uint32_t> onHost;
+    };
 
     Fault updatePaper(const Paper &paper, const std::shared_ptr<const PaperTexture> &texture);
     Fault reserveJobs(std::size_t tiles);
@@ -46,10 +54,10 @@ private:
     Band plan(const FrameHistory &history, bool interactive, std::span<const TileTask> tasks);
     TileJob jobOf(const FrameHistory &history, bool interactive, const TileTask &task);
     Fault run(const Band &band);
-    /// Runs the band and waits for its tiles and status words.
-    Fault draw(const Band &band, Output output, std::uint32_t *picture);
-    void store(const FrameHistory &history, Output output, std::span<TileTask> tasks, Target &target,
-               const std::atomic<bool> *cancel);
+    /// Asks for the band's tiles and status words; `buffer` is where tiles arrive that do not stay in `picture`.
+    Fault start(const Band &band, Output output, std::uint32_t *picture, TileBuffer &buffer);
+    void store(const FrameHistory &history, Output output, const TileBuffer &buffer, std::span<TileTask> tasks,
+               Target &target, const std::atomic<bool> *cancel);
     /// Notes which layers the band's jobs filled.
     void keepLayers(const FrameHistory &history, std::span<TileTask> tasks);
     /// After memory ran out for so many tiles: true where it is worth another try, without layers or with less.
@@ -70,12 +78,8 @@ private:
     PinnedArray<std::uint32_t> m_hostStatus;
     DeviceArray<TileJob> m_deviceTileJobs;
     DeviceArray<MacroJob> m_deviceMacroJobs;
-    DeviceArray<std::uint32_t> m_status, m_lists, m_listCounts;
-    DeviceArray<std::uint64_t> m_masks;
-    DeviceArray<std::uint32_t> m_argb;
-    PinnedArray<std::uint32_t> m_hostArgb;
-    DeviceArray<float> m_rgba;
-    PinnedArray<float> m_hostRgba;
+    DeviceArray<std::uint32_t> m_status, m_order, m_lists, m_listCounts, m_masks;
+    std::array<TileBuffer, 2> m_buffers; ///< one band is computed while the other is stored
     std::uint32_t m_listRoom = 256;
     std::size_t m_bandTiles; ///< at most in one run
     double m_deviceMs = 0;

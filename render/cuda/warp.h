@@ -14,6 +14,7 @@
 #define SUFFUSE_PROGRAM __device__ __forceinline__
 #define SUFFUSE_CALL static __device__ __noinline__
 #define SUFFUSE_UNROLL _Pragma("unroll")
+#define SUFFUSE_UNROLL_BY_4 _Pragma("unroll 4")
 #define SUFFUSE_ROLLED _Pragma("unroll 1")
 #else
 #include <array>
@@ -22,6 +23,7 @@
 #define SUFFUSE_PROGRAM inline
 #define SUFFUSE_CALL static inline
 #define SUFFUSE_UNROLL
+#define SUFFUSE_UNROLL_BY_4
 #define SUFFUSE_ROLLED
 #endif
 
@@ -102,7 +104,9 @@ public:
     static SUFFUSE_PROGRAM int rank(std::uint32_t mask, int lane) { return __popc(mask & ((1u << lane) - 1)); }
     static SUFFUSE_PROGRAM int count(std::uint32_t mask) { return __popc(mask); }
     static SUFFUSE_PROGRAM int lowest(std::uint32_t mask) { return __ffs(int(mask)) - 1; }
+    /// For words that other warps change, too.
     static SUFFUSE_PROGRAM void raise(std::uint32_t *word, std::uint32_t to) { atomicMax(word, to); }
+    static SUFFUSE_PROGRAM void add(std::uint32_t *word, std::uint32_t value) { atomicAdd(word, value); }
 
 private:
     static constexpr std::uint32_t everyLane = 0xffffffffu;
@@ -172,6 +176,7 @@ public:
     static int count(std::uint32_t mask) { return std::popcount(mask); }
     static int lowest(std::uint32_t mask) { return std::countr_zero(mask); }
     static void raise(std::uint32_t *word, std::uint32_t to) { *word = *word < to ? to : *word; }
+    static void add(std::uint32_t *word, std::uint32_t value) { *word += value; }
 };
 
 #endif

@@ -81,6 +81,9 @@ void TestCli::wrongUsage_data()
     row("EXR holds no 8 bit", {"render", in, "-o", path("out.exr"), "--depth", "8"}, "half, float");
     row("JPEG is opaque", {"render", in, "-o", path("out.jpg"), "--transparent"}, "transparency");
     row("no backend", {"render", in, "-o", out, "--backend", "vulkan"}, "auto, cpu, cuda or reference");
+    row("no device", {"render", in, "-o", out, "--devices", "0"}, "--devices 0");
+    row("devices are no number", {"render", in, "-o", out, "--devices", "every"}, "all, or a number");
+    row("devices of the CPU", {"render", in, "-o", out, "--backend", "cpu", "--devices", "all"}, "--backend cuda");
     row("no threads", {"render", in, "-o", out, "--threads", "0"}, "--threads");
     row("info without a file", {"info"}, "--backends");
     row("info of two things", {"info", in, "--backends"}, "--backends");

@@ -27,6 +27,7 @@ private slots:
     void moments();
     void transparent();
     void threadsAndBackends();
+    void cuda();
     void hostileInputs_data();
     void hostileInputs();
     void unwritableTargets();
@@ -211,6 +212,33 @@ void TestCliPictures::threadsAndBackends()
     QCOMPARE(cpu.rgba.size(), reference.rgba.size());
     for (std::size_t i = 0; i < cpu.rgba.size(); ++i)
         QVERIFY(std::abs(cpu.rgba[i] - reference.rgba[i]) <= 1.0f / 512);
+}
+
+/// All GPUs together; without one a reason and no picture; with one that fails the CPU's picture and a word about it.
+void TestCliPictures::cuda()
+{
+    QString reason;
+    for (const QJsonValue &b : runCli({"info", "--backends", "--json"}).json()["backends"].toArray())
+        if (b["name"].toString() == "CUDA")
+            reason = b["reason"].toString();
+    const QStringList arguments{"render",    path("a.json"), "-o",        path("cuda.tif"), "--depth", "float",
+                                "--backend", "cuda",         "--devices", "all"};
+    const CliOutcome outcome = runCli(arguments);
+    if (!reason.isEmpty()) {
+        QCOMPARE(outcome.code, 1);
+        QVERIFY2(QString::fromUtf8(outcome.err).contains(reason), qPrintable(outcome.text()));
+        QVERIFY(!QFile::exists(path("cuda.tif")));
+        return;
+    }
+    QVERIFY2(outcome.code == 0 && outcome.err.isEmpty(), qPrintable(outcome.text()));
+    const FloatPicture cpu = rendered({"--backend", "cpu", "--depth", "float"}, "cpu.tif");
+    const FloatPicture cuda = picture("cuda.tif");
+    QCOMPARE(cuda.rgba.size(), cpu.rgba.size());
+    for (std::size_t i = 0; i < cpu.rgba.size(); ++i)
+        QVERIFY(std::abs(cpu.rgba[i] - cuda.rgba[i]) <= 1.0f / 512);
+    const CliOutcome failing = runCli(arguments, {}, {"SUFFUSE_CUDA_FAIL=5"});
+    QVERIFY2(failing.code == 0 && failing.err.contains("The CPU draws now"), qPrintable(failing.text()));
+    QVERIFY(picture("cuda.tif").rgba == cpu.rgba);
 }
 
 void TestCliPictures::hostileInputs_data()

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cstring>
 #include <new>
+#include <utility>
 
 namespace suffuse::test {
 
@@ -20,15 +21,30 @@ const Fault outside{Fault::Lost, "an address outside of the device's memory"};
 
 EmulatedDevice::~EmulatedDevice()
 {
-    for (const auto &[block, bytes] : m_blocks)
-        ::operator delete(const_cast<std::byte *>(block), alignment);
+    for (const Blocks &blocks : {m_blocks, m_pinned})
+        for (const auto &[block, bytes] : blocks)
+            ::operator delete(const_cast<std::byte *>(block), alignment);
 }
 
-bool EmulatedDevice::holds(const void *memory, std::size_t bytes) const
+bool EmulatedDevice::holds(const Blocks &blocks, const void *memory, std::size_t bytes)
 {
     const auto *at = static_cast<const std::byte *>(memory);
-    auto it = m_blocks.upper_bound(at);
-    return it != m_blocks.begin() && (--it, at + bytes <= it->first + it->second);
+    auto it = blocks.upper_bound(at);
+    return it != blocks.begin() && (--it, at + bytes <= it->first + it->second);
+}
+
+void EmulatedDevice::perform(std::function<void()> work)
+{
+    if (m_timing == Timing::Late)
+        m_late.push_back(std::move(work));
+    else
+        work();
+}
+
+void EmulatedDevice::performLate()
+{
+    for (const auto &work : std::exchange(m_late, {}))
+        work();
 }
 
 Fault EmulatedDevice::allocate(std::size_t bytes, void **memory)
@@ -44,6 +60,7 @@ Fault EmulatedDevice::allocate(std::size_t bytes, void **memory)
 
 void EmulatedDevice::release(void *memory)
 {
+    performLate(); // as cudaFree does
     const auto it = m_blocks.find(static_cast<std::byte *>(memory));
     m_used -= it->second;
     ::operator delete(memory, alignment);
@@ -53,36 +70,38 @@ void EmulatedDevice::release(void *memory)
 Fault EmulatedDevice::allocateHost(std::size_t bytes, void **memory)
 {
     *memory = ::operator new(bytes, alignment);
+    m_pinned[static_cast<std::byte *>(*memory)] = bytes;
     return {};
 }
 
 void EmulatedDevice::releaseHost(void *memory)
 {
+    performLate();
+    m_pinned.erase(static_cast<std::byte *>(memory));
     ::operator delete(memory, alignment);
 }
 
 Fault EmulatedDevice::upload(void *to, const void *from, std::size_t bytes)
 {
-    if (!holds(to, bytes))
+    if (!holds(m_blocks, to, bytes))
         return outside;
     counts.uploaded += bytes;
-    std::memcpy(to, from, bytes);
+    if (holds(m_pinned, from, bytes)) {
+        perform([=] { std::memcpy(to, from, bytes); });
+    } else { // it may change at once
+        const auto *begin = static_cast<const std::byte *>(from);
+        perform([to, kept = std::vector(begin, begin + bytes)] { std::memcpy(to, kept.data(), kept.size()); });
+    }
     return {};
 }
 
 Fault EmulatedDevice::download(void *to, const void *from, std::size_t bytes)
 {
-    if (!holds(from, bytes))
+    if (!holds(m_blocks, from, bytes))
         return outside;
-    std::memcpy(to, from, bytes);
-    return {};
-}
-
-Fault EmulatedDevice::copy(void *to, const void *from, std::size_t bytes)
-{
-    if (!holds(to, bytes) || !holds(from, bytes))
-        return outside;
-    std::memcpy(to, from, bytes);
+    perform([=] { std::memcpy(to, from, bytes); });
+    if (!holds(m_pinned, to, bytes))
+        performLate();
     return {};
 }
 
@@ -93,8 +112,10 @@ Fault EmulatedDevice::copyRects(std::uint32_t *to, const std::uint32_t *from, in
         const auto [x, y, width, height] = rects[i];
         for (int row = y; row < y + height; ++row) {
             const std::size_t at = std::size_t(row) * std::size_t(rowPixels) + std::size_t(x);
-            if (Fault fault = copy(to + at, from + at, std::size_t(width) * sizeof(*to)))
-                return fault;
+            const std::size_t bytes = std::size_t(width) * sizeof(*to);
+            if (!holds(m_blocks, to + at, bytes) || !holds(m_blocks, from + at, bytes))
+                return outside;
+            perform([=] { std::memcpy(to + at, from + at, bytes); });
         }
     }
     return {};
@@ -102,20 +123,27 @@ Fault EmulatedDevice::copyRects(std::uint32_t *to, const std::uint32_t *from, in
 
 Fault EmulatedDevice::clear(void *memory, std::size_t bytes)
 {
-    if (!holds(memory, bytes))
+    if (!holds(m_blocks, memory, bytes))
         return outside;
-    std::memset(memory, 0, bytes);
+    perform([=] { std::memset(memory, 0, bytes); });
     return {};
 }
 
 Fault EmulatedDevice::run(const Frame &frame, Work work)
+{
+    perform([=, this] { paint(frame, work); });
+    return {};
+}
+
+void EmulatedDevice::paint(const Frame &frame, Work work)
 {
     HostWarp warp;
     const auto fetched = std::make_unique<Fetched>();
     for (std::uint32_t i = 0; i < frame.macroCount; ++i) {
         makeList(warp, frame, i);
         for (std::uint32_t entry = 0; entry < frame.listCounts[i]; ++entry)
-            cullEntry(warp, frame, i, entry, *fetched);
+            for (const int half : {0, 1})
+                cullEntry(warp, frame, i, entry, half, *fetched);
     }
     const auto plain = std::make_unique<TileScratch<false>>();
     const auto general = std::make_unique<TileScratch<true>>();
@@ -132,11 +160,11 @@ Fault EmulatedDevice::run(const Frame &frame, Work work)
     ++counts.runs;
     counts.tiles += frame.tileCount;
     counts.longestList = std::max(counts.longestList, frame.status[longestList]);
-    return {};
 }
 
 Fault EmulatedDevice::finish(double *milliseconds)
 {
+    performLate();
     if (milliseconds)
         *milliseconds = 0;
     return {};

@@ -4,14 +4,20 @@
 #include "render/cuda/device.h"
 
 #include <cstddef>
+#include <functional>
 #include <map>
+#include <vector>
 
 namespace suffuse::test {
 
 class EmulatedDevice : public cuda::Device {
 public:
+    /// When what is asked for is done: with the call, or as late as a stream may do it, in `finish`.
+    enum class Timing { AtOnce, Late };
     /// `memory`: bytes that it has.
-    explicit EmulatedDevice(std::size_t memory = std::size_t(1) << 30) : m_memory(memory) {}
+    explicit EmulatedDevice(std::size_t memory = std::size_t(1) << 30, Timing timing = Timing::AtOnce)
+        : m_memory(memory), m_timing(timing)
+    {}
     ~EmulatedDevice() override;
 
     std::string name() const override { return "emulated"; }
@@ -22,7 +28,6 @@ public:
     void releaseHost(void *memory) override;
     cuda::Fault upload(void *to, const void *from, std::size_t bytes) override;
     cuda::Fault download(void *to, const void *from, std::size_t bytes) override;
-    cuda::Fault copy(void *to, const void *from, std::size_t bytes) override;
     cuda::Fault copyRects(std::uint32_t *to, const std::uint32_t *from, int rowPixels, const int (*rects)[4],
                           int count) override;
     cuda::Fault clear(void *memory, std::size_t bytes) override;
@@ -40,10 +45,17 @@ public:
     Counts counts;
 
 private:
-    bool holds(const void *memory, std::size_t bytes) const;
+    using Blocks = std::map<const std::byte *, std::size_t>; ///< sizes by address
+
+    static bool holds(const Blocks &blocks, const void *memory, std::size_t bytes);
+    void perform(std::function<void()> work);
+    void performLate();
+    void paint(const cuda::Frame &frame, cuda::Work work);
 
     std::size_t m_memory, m_used = 0;
-    std::map<const std::byte *, std::size_t> m_blocks; ///< sizes of the device's memory, by address
+    Timing m_timing;
+    Blocks m_blocks, m_pinned; ///< of the device, of the host
+    std::vector<std::function<void()>> m_late;
 };
 
 } // namespace suffuse::test

@@ -19,9 +19,8 @@ class TestCudaDevice : public QObject {
 private slots:
     void initTestCase()
     {
-        std::string why;
-        if (cuda::deviceCount(why) == 0)
-            QSKIP(why.c_str());
+        if (const cuda::Devices found = cuda::findDevices(); found.count == 0)
+            QSKIP(qPrintable(whyNone(found)));
         qInfo("%s", open()->name().c_str());
     }
 

@@ -1,12 +1,18 @@
 // The CUDA renderer on an emulated device: the kernels' programs and all of the host side, without a GPU.
+#include "render/image_io/image_io.h"
 #include "tests/render/cuda_checks.h"
 #include "tests/render/emulated_device.h"
+
+#include <QFile>
+#include <QTemporaryDir>
 
 using namespace suffuse;
 using namespace suffuse::test;
 
 class TestCudaEmulated : public QObject {
     Q_OBJECT
+
+    static constexpr std::size_t size = std::size_t(1) << 30; ///< bytes of a device's memory
 
     static std::shared_ptr<cuda::Device> open() { return std::make_shared<EmulatedDevice>(); }
 
@@ -78,11 +84,65 @@ private slots:
         compare8(picture, test::render(*make(Backend::Cpu), p, view), "many strokes");
     }
 
+    /// The paper's image as the CPU sees it, upright and turned.
+    void imagePaper()
+    {
+        FloatPicture image;
+        image.resize(5, 4);
+        std::mt19937_64 random(59);
+        for (float &v : image.rgba)
+            v = float(random() % 256) / 255;
+        const QTemporaryDir folder;
+        QVERIFY(writeImage(folder.filePath("paper.png"), image, {}));
+        QFile file(folder.filePath("paper.png"));
+        QVERIFY(file.open(QIODevice::ReadOnly));
+        CudaRenderer cuda({open()}, 0);
+        const Paper paper{PaperKind::Image, 1, 6, 0.9f, std::make_shared<const QByteArray>(file.readAll())};
+        const auto p = painting(randomStrokes(random, 8, 64, 48), 64, 48, paper);
+        compareWithOthers(cuda, p, View::ofArea(p->canvas.area(), 64, 48), "image paper");
+        compareWithOthers(cuda, p, {{30, 20}, 3, 0.7, true, 40, 30}, "image paper, turned");
+        auto bare = std::make_shared<Painting>(*p);
+        bare->canvas.paper = {};
+        const View view = View::ofArea(p->canvas.area(), 64, 48);
+        QVERIFY(test::render(cuda, p, view).rgba != test::render(cuda, bare, view).rgba);
+    }
+
+    /// Bands of tiles are stored while the next one is computed: nothing depends on when the device does its work.
+    void bandsOverlap()
+    {
+        const auto late = [] { return std::make_shared<EmulatedDevice>(size, EmulatedDevice::Timing::Late); };
+        std::vector<Stroke> strokes;
+        for (int i = 0; i < 12; ++i)
+            strokes.push_back(stroke(StrokeId(i + 1), allShapes[i % 4], {120.0 * i + 60, 130.0 * i + 60}, 20, 2,
+                                     styleOf(StyleKind(i % 3))));
+        auto p = painting(strokes, 1500, 1600);
+        const View view = View::ofArea(p->canvas.area(), 1500, 1600);
+        const auto device = late();
+        CudaRenderer one({open()}, 1), overlapping({device}, 2), three({late(), late(), late()}, 2);
+        FloatPicture a, b, c;
+        for (int step = 0; step < 2; ++step) {
+            for (auto &[renderer, picture] : {std::pair(&one, &a), std::pair(&overlapping, &b), std::pair(&three, &c)})
+                QVERIFY(renderer->render({p, p->end(), view}, *picture));
+            QVERIFY(a.rgba == b.rgba && a.rgba == c.rgba);
+            QCOMPARE(device->counts.runs, step == 0 ? 2u : 3u);
+            p = withDensity(p, 5, 0.8);
+        }
+    }
+
+    void reasonsForNoDevice()
+    {
+        using cuda::NoDevice;
+        QCOMPARE(whyNone({0, NoDevice::NoDriver, "version 1 < 2"}),
+                 QStringLiteral("no NVIDIA driver, or one that is too old for this program (version 1 < 2)"));
+        QCOMPARE(whyNone({}), QStringLiteral("this program was built without the CUDA renderer"));
+        QVERIFY(whyNone({0, NoDevice::NoGpu, {}}) != whyNone({0, NoDevice::Failed, {}}));
+    }
+
     void severalDevicesGiveTheSameBits()
     {
         std::mt19937_64 random(47);
-        auto p = painting(randomStrokes(random, 12, 100, 300), 100, 300);
-        const View view = View::ofArea(p->canvas.area(), 100, 300);
+        auto p = painting(randomStrokes(random, 12, 200, 300), 200, 300);
+        const View view = View::ofArea(p->canvas.area(), 200, 300);
         CudaRenderer one({open()}, 1), three({open(), open(), open()}, 2);
         FloatPicture a, b;
         for (int step = 0; step < 4; ++step) {

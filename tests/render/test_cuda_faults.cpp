@@ -20,7 +20,8 @@ class TestCudaFaults : public QObject {
     static Session open(cuda::PlannedFault fault, std::size_t memory = std::size_t(1) << 30)
     {
         Session s;
-        s.device = std::make_shared<cuda::FailingDevice>(std::make_unique<EmulatedDevice>(memory), fault);
+        auto late = std::make_unique<EmulatedDevice>(memory, EmulatedDevice::Timing::Late);
+        s.device = std::make_shared<cuda::FailingDevice>(std::move(late), fault);
         auto cuda = std::make_unique<CudaRenderer>(std::vector<std::shared_ptr<cuda::Device>>{s.device}, 1);
         s.renderer = std::make_unique<FallbackRenderer>(std::move(cuda), RendererOptions{.threads = 1});
         return s;

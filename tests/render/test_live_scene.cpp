@@ -106,6 +106,51 @@ private slots:
         QVERIFY(live.update({q, q->end() + 1000, m_view}, 1).replaced.empty());
     }
 
+    void threadsChangeNoBit()
+    {
+        auto stroke = std::make_shared<Stroke>(longStroke(1500));
+        for (std::size_t k = 0; k < stroke->segments.size(); ++k) {
+            Segment &s = stroke->segments[k];
+            s.maxAge = 15;
+            s.diffusion = k % 300 == 299 ? 1e8f : 12.5f; // so wide that its nodes are deep
+            s.anisotropyRatio = k % 7 == 6 ? 3 : 1;
+            s.anisotropyAngle = 0.4f;
+            s.colour.red = float(k) / 1500;
+        }
+        const auto same = [](const SceneStroke &a, const SceneStroke &b) {
+            const auto deep = [](const DeepNode &m, const DeepNode &n) {
+                return m.x == n.x && m.y == n.y && m.a == n.a && m.b == n.b && m.c == n.c && m.weight == n.weight &&
+                       m.row == n.row;
+            };
+            const auto node = [&](std::size_t i) {
+                const cpu::ViewNode &m = a.nodes[i], &n = b.nodes[i];
+                const cpu::NodeBoxes p = a.boxes.boxes(), q = b.boxes.boxes();
+                return m.x == n.x && m.y == n.y && m.a == n.a && m.b == n.b && m.c == n.c && m.weight == n.weight &&
+                       m.cut == n.cut && m.row == n.row && p.x[i] == q.x[i] && p.y[i] == q.y[i] &&
+                       p.reachX[i] == q.reachX[i] && p.reachY[i] == q.reachY[i] && p.weight[i] == q.weight[i] &&
+                       p.slowest[i] == q.slowest[i] && p.steepest[i] == q.steepest[i] && p.node[i] == q.node[i];
+            };
+            bool all = a.nodes.size() == b.nodes.size();
+            for (std::size_t i = 0; all && i < a.nodes.size(); ++i)
+                all = node(i);
+            return all && a.separable == b.separable && a.bounds == b.bounds && a.values == b.values &&
+                   std::ranges::equal(a.deep, b.deep, deep);
+        };
+        for (const Microseconds time : {Microseconds(1500 * 16000), stroke->driesAt() - 1, stroke->driesAt()}) {
+            const auto serial = buildNodes(*stroke, time, 0, visibleBox(m_view));
+            const SceneStroke scene = makeSceneStroke(stroke, serial, m_view);
+            QVERIFY(scene.separable > 0 && scene.separable < int(scene.nodes.size()) && !scene.deep.empty());
+            QVERIFY(serial->groups.size() >= 1024);
+            for (const int threads : {2, 3, 16}) {
+                const auto parallel = buildNodes(*stroke, time, 0, visibleBox(m_view), threads);
+                QVERIFY(sameNodes(*serial, *parallel));
+                FrozenNodes frozen;
+                QVERIFY(sameNodes(*serial, *buildNodes(stroke, time, 0, visibleBox(m_view), frozen, threads)));
+                QVERIFY(same(scene, makeSceneStroke(stroke, parallel, m_view, threads)));
+            }
+        }
+    }
+
     void frozenNodesAreBuiltOnes()
     {
         const Stroke whole = longStroke(300);
