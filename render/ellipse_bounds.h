@@ -17,8 +17,8 @@ struct EvenCurve {
     float rest1 = 0, rest2 = 0;             ///< of g′, beside the constant one
     float perSpeed = 0;                     ///< 1 over the constant one
 };
-/// Nodes that the bound asks for, not rounded, the least over all ellipses; 1e30: nothing can be said. `logAllowed`: how
-/// much more than the tolerance the constant speed is, as a logarithm.
+/// Nodes that the bound asks for, not rounded, the least over all ellipses; 1e30: nothing can be said. `logAllowed`:
+/// how much more than the tolerance the constant speed is, as a logarithm.
 float nodesOfEvenCurve(const EvenCurve &curve, float logAllowed);
 
 /// Control points of a cubic from the first one, and differences of those of its measure, in spreads.

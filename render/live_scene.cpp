@@ -128,12 +128,11 @@ void LiveScene::prepare(const std::vector<Stale> &stale, const RenderRequest &re
     const int threadsEach = std::max(1, threads / std::max(1, int(stale.size())));
     parallelFor(stale.size(), threads, [&](std::size_t k) {
         const std::size_t i = stale[k].index;
-        auto nodes = stale[k].nodesHold
-                         ? m_strokes[i]->source
+        auto nodes = stale[k].nodesHold ? m_strokes[i]->source
                      : frozen[k] ? buildNodes(m_sources[i], request.time, octave, visible, *frozen[k], threadsEach)
                                  : buildNodes(*m_sources[i], request.time, octave, visible, threadsEach);
-        auto stroke = std::make_shared<SceneStroke>(
-            makeSceneStroke(m_sources[i], std::move(nodes), request.view, threadsEach));
+        auto stroke =
+            std::make_shared<SceneStroke>(makeSceneStroke(m_sources[i], std::move(nodes), request.view, threadsEach));
         if (!m_cull)
             reachEverywhere(*stroke, request.view);
         m_bounds[i] = stroke->bounds;

@@ -8,7 +8,6 @@
 
 #include <algorithm>
 #include <cstring>
-#include <optional>
 
 namespace suffuse {
 
@@ -314,12 +313,14 @@ PixelRect pixelBounds(const StrokeNodes &nodes, const NodeGroup &group, Point or
     const Linear j(view);
     const Point base = view.toPixels(origin);
     Rect box;
-    std::optional<Footprint> f;
-    for (std::uint32_t i = group.begin; i < group.end; ++i) {
-        const Node &n = nodes.nodes[i];
-        if (!f || !f->fits(n))
-            f.emplace(n, j, view.scale);
-        includeNode(box, base + j({n.x, n.y}), f->reach);
+    for (std::uint32_t i = group.begin; i < group.end;) {
+        const Footprint f(nodes.nodes[i], j, view.scale);
+        Rect centres;
+        do
+            centres.include(base + j({nodes.nodes[i].x, nodes.nodes[i].y}));
+        while (++i < group.end && f.fits(nodes.nodes[i]));
+        includeNode(box, {centres.left, centres.top}, f.reach);
+        includeNode(box, {centres.right, centres.bottom}, f.reach);
     }
     // A small segment sets how pixels of its neighbours are sampled.
     for (std::uint32_t i = group.reachBegin; i < group.reachEnd; ++i)

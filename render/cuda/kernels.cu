@@ -18,12 +18,12 @@ __global__ void __launch_bounds__(warpLanes) listsKernel(const __grid_constant__
 // Runs once per entry of the macro jobs' lists and half of the macro-tile, by one warp.
 __global__ void __launch_bounds__(warpLanes) cullKernel(const __grid_constant__ Frame frame)
 {
-    __shared__ Fetched fetched;
+    __shared__ CullScratch scratch;
     DeviceWarp warp;
     const std::uint32_t longest = frame.status[longestList], room = longest < frame.listRoom ? longest : frame.listRoom;
     const std::uint32_t jobs = room * frame.macroCount * 2;
     for (std::uint32_t job = blockIdx.x; job < jobs; job += gridDim.x)
-        cullEntry(warp, frame, job / 2 % frame.macroCount, job / 2 / frame.macroCount, int(job % 2), fetched);
+        cullEntry(warp, frame, job / 2 % frame.macroCount, job / 2 / frame.macroCount, int(job % 2), scratch);
 }
 
 constexpr int orderThreads = 1024, weightClasses = 256;
@@ -50,6 +50,7 @@ __global__ void __launch_bounds__(orderThreads) orderKernel(const __grid_constan
     for (int i = int(threadIdx.x); i < weightClasses; i += orderThreads)
         places[i] = 0;
     __syncthreads();
+    SUFFUSE_UNROLL_BY_4
     for (std::uint32_t job = threadIdx.x; job < frame.tileCount; job += orderThreads)
         atomicAdd(places + classOf(weightOf(frame, job)), 1u);
     __syncthreads();
@@ -67,6 +68,7 @@ __global__ void __launch_bounds__(orderThreads) orderKernel(const __grid_constan
         }
     }
     __syncthreads();
+    SUFFUSE_UNROLL_BY_4
     for (std::uint32_t job = threadIdx.x; job < frame.tileCount; job += orderThreads)
         frame.order[atomicAdd(places + classOf(weightOf(frame, job)), 1u)] = job;
 }
@@ -95,14 +97,18 @@ __global__ void __launch_bounds__(warpLanes, general ? 5 : 12) tilesKernel(const
     }
 }
 
-// Runs once per rectangle, by one block.
-__global__ void copyKernel(std::uint32_t *to, const std::uint32_t *from, int rowPixels, const int4 *rects)
+constexpr int copyThreads = 256, copySlices = 128;
+
+// Runs once per rectangle, by as many blocks as it has slices of rows.
+__global__ void __launch_bounds__(copyThreads)
+    copyKernel(std::uint32_t *to, const std::uint32_t *from, int rowPixels, const int4 *rects)
 {
     const int4 r = rects[blockIdx.x];
-    for (int i = int(threadIdx.x); i < r.z * r.w; i += int(blockDim.x)) {
-        const std::size_t at = std::size_t(r.y + i / r.z) * std::size_t(rowPixels) + std::size_t(r.x + i % r.z);
-        to[at] = from[at];
-    }
+    for (int y = int(blockIdx.y); y < r.w; y += int(gridDim.y))
+        for (int x = int(threadIdx.x); x < r.z; x += copyThreads) {
+            const std::size_t at = std::size_t(r.y + y) * std::size_t(rowPixels) + std::size_t(r.x + x);
+            to[at] = from[at];
+        }
 }
 
 } // namespace
@@ -160,8 +166,7 @@ cudaError_t launchTiles(const Frame &frame, bool general, const Grid &grid, cuda
 cudaError_t launchCopy(std::uint32_t *to, const std::uint32_t *from, int rowPixels, const int4 *rects, int count,
                        cudaStream_t stream)
 {
-    constexpr int threads = 256;
-    copyKernel<<<unsigned(count), threads, 0, stream>>>(to, from, rowPixels, rects);
+    copyKernel<<<dim3(unsigned(count), copySlices), copyThreads, 0, stream>>>(to, from, rowPixels, rects);
     return cudaGetLastError();
 }
 

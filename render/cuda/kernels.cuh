@@ -20,7 +20,7 @@ unsigned blocksOf(const void *kernel, const Frame &frame, const Grid &grid);
 cudaError_t launchLists(const Frame &frame, const Grid &grid, cudaStream_t stream);
 /// Runs once per tile job, of those that are plain or of the others.
 cudaError_t launchTiles(const Frame &frame, bool general, const Grid &grid, cudaStream_t stream);
-/// Runs once per rectangle {x, y, width, height}: copies it from one picture to another of the same size.
+/// For each rectangle {x, y, width, height}: copies it from one picture to another of the same size.
 cudaError_t launchCopy(std::uint32_t *to, const std::uint32_t *from, int rowPixels, const int4 *rects, int count,
                        cudaStream_t stream);
 

@@ -270,7 +270,7 @@ private:
                 if (!(cut < e))
                     continue;
                 const int at = sampleAt(lane, k);
-                const float density = (e - cut) * weight, slope = weight * e;
+                const float density = (e - cut) * weight, slope = weight * e * (1 / slopeUnit);
                 m_s.sums[0][at] += density;
                 m_s.sums[1][at] += slope * ax;
                 m_s.sums[2][at] += slope * cy;
@@ -303,9 +303,10 @@ private:
                 if (hasPaper())
                     eta = V(etaAt(m_frame, m_left + tileSide / 2 + double(block.x) + x,
                                   m_top + tileSide / 2 + double(block.y) + y, block.step));
-                const auto m =
-                    math::modulate(params, V(m_s.sums[0][at]) + V(deep.density), V(m_s.sums[1][at]) + V(deep.slopeX),
-                                   V(m_s.sums[2][at]) + V(deep.slopeY), channel, eta, V(block.step));
+                const V slopeX = V(m_s.sums[1][at]) * V(slopeUnit) + V(deep.slopeX);
+                const V slopeY = V(m_s.sums[2][at]) * V(slopeUnit) + V(deep.slopeY);
+                const auto m = math::modulate(params, V(m_s.sums[0][at]) + V(deep.density), slopeX, slopeY, channel,
+                                              eta, V(block.step));
                 const V f = meanAt(params, channel, m);
                 const auto paint = math::paintOf(params, m.inverse, channel, f);
                 m_s.paint[0][at] = float(paint.w);

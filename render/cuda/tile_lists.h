@@ -44,6 +44,28 @@ SUFFUSE_PROGRAM void makeList(Warp &warp, const Frame &frame, std::uint32_t job)
     });
 }
 
+/// A node as culling sees it: centre from the macro-tile's corner and reach, px; least eigenvalue of the metric,
+/// weight, and weight times the root of the greatest eigenvalue (as render/cpu/node_boxes.h).
+struct CullNode {
+    Float4 place; ///< x, y, reachX, reachY
+    Float4 decay; ///< slowest, weight, steepest, –
+};
+
+/// Shared memory of a warp that culls.
+struct CullScratch {
+    CullNode nodes[chunkNodes];
+    Float4 stroke[sizeof(StrokeRecord) / sizeof(Float4)];
+};
+
+SUFFUSE_PROGRAM CullNode cullNodeOf(const NodeRecord &n, std::int32_t cellX, std::int32_t cellY)
+{
+    const float middle = 0.5f * (n.a + n.c), half = 0.5f * (n.a - n.c);
+    const float spread = n.b == 0 ? math::abs_(half) : math::sqrt_(math::mulAdd_(half, half, n.b * n.b));
+    const float slowest = math::max_(0.9999f * (middle - spread), 0.0f), greatest = 1.0001f * (middle + spread);
+    const float x = float((n.cellX - cellX) * tileSide) + n.x, y = float((n.cellY - cellY) * tileSide) + n.y;
+    return {{x, y, n.reachX, n.reachY}, {slowest, n.weight, n.weight * math::sqrt_(greatest), 0}};
+}
+
 /// Which tiles of half a macro-tile one stroke may show in, one tile a lane.
 template <class Warp>
 class StrokeCull {
@@ -52,39 +74,56 @@ public:
     using Var = typename Warp::template Var<T>;
 
     /// `half`: 0, the upper four rows of tiles; 1, the lower ones.
-    SUFFUSE_PROGRAM StrokeCull(Warp &warp, const Frame &frame, const MacroJob &macro, int half, Fetched &fetched)
+    SUFFUSE_PROGRAM StrokeCull(Warp &warp, const Frame &frame, std::uint32_t stroke, const MacroJob &macro, int half,
+                               CullScratch &scratch)
         : m_warp(warp), m_frame(frame), m_cellX(macro.column * macroTiles),
-          m_cellY(macro.row * macroTiles + half * (macroTiles / 2)), m_fetched(fetched)
+          m_cellY(macro.row * macroTiles + half * (macroTiles / 2)), m_s(scratch)
     {
-        m_warp.each([&](int lane) { m_bound[lane] = {}, m_weight[lane] = strokeWeight; });
+        m_warp.fetch([&](int lane, auto start) { fetchStroke(m_frame, stroke, lane, start, m_s.stroke); });
+        m_warp.each([&](int lane) { m_density[lane] = m_slope[lane] = 0, m_weight[lane] = strokeWeight; });
     }
 
     /// Bit i: whether nodes of the chunk meet tile i.
     SUFFUSE_PROGRAM std::uint32_t add(const ChunkRecord &chunk)
     {
-        fetchChunk(m_warp, m_frame, chunk, m_fetched);
-        m_warp.arrive(false);
-        return m_warp.ballot([&](int lane) {
-            bool hit = chunk.nodes == 0 && meetsTile(chunk, cellX(lane), cellY(lane)); // deep nodes lie everywhere
-            for (int n = 0; n < int(chunk.nodes); ++n) {
-                const NodeRecord node = nodeOf(m_fetched, n);
-                const NodePlace place(node, cellX(lane), cellY(lane));
-                if (!place.meets && m_frame.cull)
-                    continue;
-                hit = true;
-                ++m_weight[lane];
-                place.addTo(node, m_bound[lane]);
+        const int nodes = int(chunk.nodes);
+        m_warp.each([&](int lane) {
+            if (lane < nodes)
+                m_s.nodes[lane] = cullNodeOf(m_frame.nodes[chunk.firstNode + std::uint32_t(lane)], m_cellX, m_cellY);
+        });
+        const std::uint32_t hits = m_warp.ballot([&](int lane) {
+            bool hit = nodes == 0 && meetsTile(chunk, cellX(lane), cellY(lane)); // deep nodes lie everywhere
+            constexpr float half = tileSide / 2;
+            const float centreX = float(lane % macroTiles * tileSide) + half;
+            const float centreY = float(lane / macroTiles * tileSide) + half;
+            SUFFUSE_UNROLL_BY_4
+            for (int n = 0; n < nodes; ++n) {
+                const Float4 place = m_s.nodes[n].place, decay = m_s.nodes[n].decay;
+                const float outX = NodePlace::outside(place.x - centreX), outY = NodePlace::outside(place.y - centreY);
+                const bool counts = (outX <= place.z && outY <= place.w) || !m_frame.cull;
+                // Distance u in spreads to the nearest point: e^(−u²), and 2u e^(−u²), which is greatest at u² = ½ and
+                // then at most (1 + u²) e^(−u²).
+                const float ox = math::max_(outX, 0.0f), oy = math::max_(outY, 0.0f);
+                const float u2 = math::mulAdd_(ox, ox, oy * oy) * decay.x, e = math::exp2_(-float(math::log2e) * u2);
+                const float rise = u2 < 0.5f ? 0.8578f : math::mulAdd_(u2, e, e);
+                hit |= counts;
+                m_weight[lane] += counts;
+                m_density[lane] += counts ? decay.y * e : 0.0f;
+                m_slope[lane] += counts ? decay.z * rise : 0.0f;
             }
             return hit;
         });
+        m_warp.each([](int) {}); // before the next chunk's nodes
+        return hits;
     }
 
     /// Of the tiles that nodes met those where the stroke may show: F is exactly zero in the others.
     SUFFUSE_PROGRAM std::uint32_t seen()
     {
-        const StrokeRecord &stroke = strokeOf(m_fetched.stroke);
+        m_warp.arrive(false);
+        const StrokeRecord &stroke = strokeOf(m_s.stroke);
         return m_warp.ballot([&](int lane) {
-            const float phi = m_bound[lane].density * 1.001f, h = 0.5f * m_bound[lane].slope * 1.001f;
+            const float phi = m_density[lane] * 1.001f, h = 0.5f * m_slope[lane] * 1.001f;
             if (!m_frame.cull || !stroke.hasLevels || phi > stroke.lowest)
                 return true;
             for (int k = 0; k < stroke.shade.kinds; ++k)
@@ -112,8 +151,8 @@ private:
     Warp &m_warp;
     const Frame &m_frame;
     std::int32_t m_cellX, m_cellY;
-    Fetched &m_fetched;
-    Var<LaneBound> m_bound;
+    CullScratch &m_s;
+    Var<float> m_density, m_slope; ///< bounds of φ and |∇φ| (per pixel) in the lane's tile
     Var<std::uint32_t> m_weight;
 };
 
@@ -121,36 +160,45 @@ private:
 /// side by side. Entries that are not their stroke's first are left to that one.
 template <class Warp>
 SUFFUSE_PROGRAM void cullEntry(Warp &warp, const Frame &frame, std::uint32_t job, std::uint32_t entry, int half,
-                               Fetched &fetched)
+                               CullScratch &scratch)
 {
-    const std::uint32_t counted = frame.listCounts[job];
+    const std::uint32_t *list = frame.lists + std::size_t(job) * frame.listRoom;
+    std::uint32_t *masks = frame.masks + std::size_t(job) * frame.listRoom * 2 + half;
+    // All loads at once; what lies beyond the list is not used.
+    const std::uint32_t counted = frame.listCounts[job], own = list[entry], before = list[entry > 0 ? entry - 1 : 0];
     const std::uint32_t count = counted < frame.listRoom ? counted : frame.listRoom;
     if (entry >= count)
         return;
-    const std::uint32_t *list = frame.lists + std::size_t(job) * frame.listRoom;
-    std::uint32_t *masks = frame.masks + std::size_t(job) * frame.listRoom * 2 + half;
-    const std::uint32_t stroke = frame.chunks[list[entry]].stroke;
-    if (entry > 0 && frame.chunks[list[entry - 1]].stroke == stroke)
+    ChunkRecord chunk = frame.chunks[own];
+    const std::uint32_t stroke = chunk.stroke;
+    if (entry > 0 && frame.chunks[before].stroke == stroke)
         return;
-    StrokeCull<Warp> cull(warp, frame, frame.macros[job], half, fetched);
-    std::uint32_t end = entry, all = 0;
-    for (; end < count; ++end) {
-        const ChunkRecord chunk = frame.chunks[list[end]];
-        if (chunk.stroke != stroke)
+    StrokeCull<Warp> cull(warp, frame, stroke, frame.macros[job], half, scratch);
+    std::uint32_t end = entry, all = 0, last = 0;
+    for (;;) {
+        last = cull.add(chunk);
+        all |= last;
+        if (++end == count)
             break;
-        const std::uint32_t mask = cull.add(chunk);
-        all |= mask;
+        const ChunkRecord next = frame.chunks[list[end]];
+        if (next.stroke != stroke)
+            break;
         warp.each([&](int lane) {
             if (lane == 0)
-                masks[std::size_t(end) * 2] = mask;
+                masks[std::size_t(end - 1) * 2] = last;
         });
+        chunk = next;
     }
     const std::uint32_t seen = cull.seen();
-    for (std::uint32_t from = entry; from < end; from += warpLanes)
+    for (std::uint32_t from = entry; from + 1 < end; from += warpLanes)
         warp.each([&](int lane) {
-            if (from + std::uint32_t(lane) < end)
+            if (from + std::uint32_t(lane) + 1 < end)
                 masks[std::size_t(from + std::uint32_t(lane)) * 2] &= seen;
         });
+    warp.each([&](int lane) {
+        if (lane == 0)
+            masks[std::size_t(end - 1) * 2] = last & seen;
+    });
     cull.addWeights(all & seen, frame.weights + std::size_t(job) * macroTiles * macroTiles + half * warpLanes);
 }
 

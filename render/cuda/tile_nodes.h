@@ -24,14 +24,20 @@ struct Fetched {
     Float4 stroke[sizeof(StrokeRecord) / sizeof(Float4)];
 };
 
+/// What a lane copies of a stroke's record.
+template <class Start>
+SUFFUSE_PROGRAM void fetchStroke(const Frame &frame, std::uint32_t stroke, int lane, Start start, Float4 *to)
+{
+    static_assert(sizeof(Float4) == fetchBytes && sizeof(StrokeRecord) <= warpLanes * fetchBytes);
+    if (lane < int(sizeof(StrokeRecord) / fetchBytes))
+        start(to + lane, reinterpret_cast<const Float4 *>(frame.strokes + stroke) + lane);
+}
+
 template <class Warp>
 SUFFUSE_PROGRAM void fetchChunk(Warp &warp, const Frame &frame, const ChunkRecord &chunk, Fetched &to)
 {
-    static_assert(sizeof(Float4) == fetchBytes);
     warp.fetch([&](int lane, auto start) {
-        const auto *stroke = reinterpret_cast<const Float4 *>(frame.strokes + chunk.stroke);
-        if (lane < int(sizeof(to.stroke) / fetchBytes))
-            start(to.stroke + lane, stroke + lane);
+        fetchStroke(frame, chunk.stroke, lane, start, to.stroke);
         if (std::uint32_t(lane) >= chunk.nodes)
             return;
         const auto *node = reinterpret_cast<const Float4 *>(frame.nodes + chunk.firstNode + std::uint32_t(lane));
@@ -63,38 +69,27 @@ SUFFUSE_PROGRAM bool meetsTile(const ChunkRecord &c, std::int32_t cellX, std::in
     return c.left < left + tileSide && left < c.right && c.top < top + tileSide && top < c.bottom;
 }
 
-/// Bounds of φ and |∇φ| (per pixel) in a tile, as Kernels::findRuns (render/cpu/kernels.h).
-struct LaneBound {
-    float density = 0, slope = 0;
-};
-
 /// A node seen from the centre of a tile, px.
 struct NodePlace {
-    float dx, dy, outX, outY; ///< centre; distance of the tile's edge, below 0 inside
-    bool meets;               ///< conservative: where false, the node adds exactly nothing
+    float dx, dy;
 
     SUFFUSE_PROGRAM NodePlace(const NodeRecord &n, std::int32_t cellX, std::int32_t cellY)
     {
-        constexpr float half = tileSide / 2, margin = 0.05f; // places in floats are off by less
+        constexpr float half = tileSide / 2;
         dx = float((n.cellX - cellX) * tileSide) + (n.x - half);
         dy = float((n.cellY - cellY) * tileSide) + (n.y - half);
-        outX = math::abs_(dx) - (half + margin);
-        outY = math::abs_(dy) - (half + margin);
-        meets = outX <= n.reachX && outY <= n.reachY;
     }
 
-    /// Distance u in spreads to the nearest point: e^(−u²), and 2u e^(−u²), which is greatest at u² = ½ and then at
-    /// most (1 + u²) e^(−u²).
-    SUFFUSE_PROGRAM void addTo(const NodeRecord &n, LaneBound &bound) const
+    /// Conservative: where false, the node adds exactly nothing.
+    SUFFUSE_PROGRAM bool meetsTile(float reachX, float reachY) const
     {
-        const float ox = math::max_(outX, 0.0f), oy = math::max_(outY, 0.0f);
-        // Eigenvalues of the metric.
-        const float middle = 0.5f * (n.a + n.c), half = 0.5f * (n.a - n.c);
-        const float spread = n.b == 0 ? math::abs_(half) : math::sqrt_(math::mulAdd_(half, half, n.b * n.b));
-        const float slowest = math::max_(0.9999f * (middle - spread), 0.0f), greatest = 1.0001f * (middle + spread);
-        const float u2 = math::mulAdd_(ox, ox, oy * oy) * slowest, e = math::exp2_(-float(math::log2e) * u2);
-        bound.density += n.weight * e;
-        bound.slope += n.weight * math::sqrt_(greatest) * (u2 < 0.5f ? 0.8578f : math::mulAdd_(u2, e, e));
+        return outside(dx) <= reachX && outside(dy) <= reachY;
+    }
+    /// Distance from the tile's edge along an axis, below 0 inside.
+    static SUFFUSE_PROGRAM float outside(float d)
+    {
+        constexpr float half = tileSide / 2, margin = 0.05f; // places in floats are off by less
+        return math::abs_(d) - (half + margin);
     }
 };
 

@@ -108,7 +108,7 @@ private:
             SUFFUSE_UNROLL
             for (int k = 0; k < laneSamples; ++k) {
                 float phi = math::min_(s.density[k], 1e18f);
-                float h2 = math::mulAdd_(s.slopeX[k], s.slopeX[k], s.slopeY[k] * s.slopeY[k]);
+                float h2 = math::mulAdd_(s.slopeX[k], s.slopeX[k], s.slopeY[k] * s.slopeY[k]) * (slopeUnit * slopeUnit);
                 const int at = sampleAt(lane, k);
                 if (eta) {
                     const float gamma = math::mulAdd_(1 - grain, eta[at], grain);

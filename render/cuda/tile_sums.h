@@ -37,15 +37,18 @@ SUFFUSE_PROGRAM int sampleAtPixel(int column, int row)
 inline constexpr int nodeRoom = 64; ///< nodes of a stroke that are listed at once
 inline constexpr int batch = 16;    ///< of them whose tables are in shared memory at once
 
-/// A node near the tile. Separable: (dx, a, cut, 1) and (dy, c, cut, weight), d from the tile's centre. Oblique:
-/// (dx, dy, a, b) and (c, cut, weight, 0).
+/// Tables hold exponents to base 2: slopes come out times −log₂ e, and are put right by this.
+inline constexpr float slopeUnit = -float(math::ln2);
+
+/// A node near the tile. Separable: (dx, −a log₂ e, cut, 1) and (dy, −c log₂ e, cut, weight), d from the tile's centre.
+/// Oblique: (dx, dy, a, b) and (c, cut, weight, 0).
 struct ListedNode {
     Float4 first, second;
 };
 
 /// Shared memory of one warp while it sums a batch.
 struct BatchScratch {
-    /// (e^(−a dx²) − cut, a dx e^(−a dx²)) by column, then the same by row times the weight.
+    /// (e^(−a dx²) − cut, a dx e^(−a dx²)/slopeUnit) by column, then the same by row times the weight.
     Float4 tables[batch][warpLanes / 2];
     Float4 channel[batch][tileSide / 4]; ///< row's value times a channel's
 };
@@ -69,7 +72,7 @@ struct SumScratch {
 };
 
 struct SampleSums {
-    float density[laneSamples], slopeX[laneSamples], slopeY[laneSamples]; ///< slopes: −½ ∂φ, per pixel
+    float density[laneSamples], slopeX[laneSamples], slopeY[laneSamples]; ///< slopes: −½ ∂φ/slopeUnit, per pixel
 };
 struct SampleValues {
     float v[laneSamples];
@@ -95,10 +98,11 @@ SUFFUSE_PROGRAM void listNodes(Warp &warp, bool cull, const Fetched &chunk, int 
             return false;
         const NodeRecord n = nodeOf(chunk, lane);
         const NodePlace place(n, cellX, cellY);
-        if (cull && !place.meets)
+        if (cull && !place.meetsTile(n.reachX, n.reachY))
             return false;
         oblique[lane] = n.b != 0;
-        node[lane] = n.b == 0 ? ListedNode{{place.dx, n.a, n.cut, 1}, {place.dy, n.c, n.cut, n.weight}}
+        constexpr float base2 = -float(math::log2e);
+        node[lane] = n.b == 0 ? ListedNode{{place.dx, base2 * n.a, n.cut, 1}, {place.dy, base2 * n.c, n.cut, n.weight}}
                               : ListedNode{{place.dx, place.dy, n.a, n.b}, {n.c, n.cut, n.weight, 0}};
         row[lane] = n.row;
         return true;
@@ -150,7 +154,7 @@ SUFFUSE_PROGRAM void fillTables(Warp &warp, int from, int to, const Block &block
             const ListedNode &node = s.listed[n];
             const Float4 axis = isRow ? node.second : node.first;
             const float d = offset - axis.x, rise = axis.y * d;
-            const float e = math::exp2_(-float(math::log2e) * (rise * d));
+            const float e = math::exp2_(rise * d);
             const bool there = axis.z < e;
             Float2 entry{there ? (e - axis.z) * axis.w : 0.0f, there ? rise * e * axis.w : 0.0f};
             reinterpret_cast<Float2 *>(s.sums.tables[n - from])[lane] = entry;

@@ -138,12 +138,12 @@ Fault EmulatedDevice::run(const Frame &frame, Work work)
 void EmulatedDevice::paint(const Frame &frame, Work work)
 {
     HostWarp warp;
-    const auto fetched = std::make_unique<Fetched>();
+    const auto culling = std::make_unique<CullScratch>();
     for (std::uint32_t i = 0; i < frame.macroCount; ++i) {
         makeList(warp, frame, i);
         for (std::uint32_t entry = 0; entry < frame.listCounts[i]; ++entry)
             for (const int half : {0, 1})
-                cullEntry(warp, frame, i, entry, half, *fetched);
+                cullEntry(warp, frame, i, entry, half, *culling);
     }
     const auto plain = std::make_unique<TileScratch<false>>();
     const auto general = std::make_unique<TileScratch<true>>();

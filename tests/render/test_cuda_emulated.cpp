@@ -93,7 +93,8 @@ private slots:
         for (float &v : image.rgba)
             v = float(random() % 256) / 255;
         const QTemporaryDir folder;
-        QVERIFY(writeImage(folder.filePath("paper.png"), image, {}));
+        const Result<void> written = writeImage(folder.filePath("paper.png"), image, {});
+        QVERIFY2(written, qPrintable(written.error()));
         QFile file(folder.filePath("paper.png"));
         QVERIFY(file.open(QIODevice::ReadOnly));
         CudaRenderer cuda({open()}, 0);
