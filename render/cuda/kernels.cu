@@ -7,23 +7,23 @@ namespace suffuse::cuda {
 
 namespace {
 
-// Runs once per macro job, by one warp.
+// Runs once per list, by one warp.
 __global__ void __launch_bounds__(warpLanes) listsKernel(const __grid_constant__ Frame frame)
 {
     DeviceWarp warp;
-    for (std::uint32_t job = blockIdx.x; job < frame.macroCount; job += gridDim.x)
-        makeList(warp, frame, job);
+    for (std::uint32_t list = blockIdx.x; list < frame.macroCount * listParts; list += gridDim.x)
+        makeList(warp, frame, list);
 }
 
-// Runs once per entry of the macro jobs' lists and half of the macro-tile, by one warp.
+// Runs once per entry of the lists and half of the macro-tile, by one warp.
 __global__ void __launch_bounds__(warpLanes) cullKernel(const __grid_constant__ Frame frame)
 {
     __shared__ CullScratch scratch;
     DeviceWarp warp;
     const std::uint32_t longest = frame.status[longestList], room = longest < frame.listRoom ? longest : frame.listRoom;
-    const std::uint32_t jobs = room * frame.macroCount * 2;
+    const std::uint32_t lists = frame.macroCount * listParts, jobs = room * lists * 2;
     for (std::uint32_t job = blockIdx.x; job < jobs; job += gridDim.x)
-        cullEntry(warp, frame, job / 2 % frame.macroCount, job / 2 / frame.macroCount, int(job % 2), scratch);
+        cullEntry(warp, frame, job / 2 % lists, job / 2 / lists, int(job % 2), scratch);
 }
 
 constexpr int orderThreads = 1024, weightClasses = 256;
@@ -134,9 +134,9 @@ unsigned blocksOf(const void *kernel, const Frame &frame, const Grid &grid)
 {
     const auto least = [](unsigned a, std::size_t b) { return unsigned(b < a ? b : a); };
     if (kernel == reinterpret_cast<const void *>(listsKernel))
-        return least(grid.lists, frame.macroCount);
+        return least(grid.lists, std::size_t(frame.macroCount) * listParts);
     if (kernel == reinterpret_cast<const void *>(cullKernel))
-        return least(grid.culls, std::size_t(frame.macroCount) * frame.listRoom * 2);
+        return least(grid.culls, std::size_t(frame.macroCount) * listParts * frame.listRoom * 2);
     if (kernel == reinterpret_cast<const void *>(orderKernel))
         return 1;
     const bool general = kernel == reinterpret_cast<const void *>(tilesKernel<true>);

@@ -14,6 +14,8 @@ inline constexpr int tileSize = tileSide * tileSide;
 /// Lists of chunks are made for macro-tiles of 8 × 8 tiles.
 inline constexpr int macroSide = 128;
 inline constexpr int macroTiles = macroSide / tileSide;
+/// A macro job's chunks are listed in so many parts, side by side: each is a list of its own.
+inline constexpr int listParts = 4;
 /// Nodes of one stroke that are chosen together, one a lane.
 inline constexpr int chunkNodes = 32;
 
@@ -133,8 +135,8 @@ struct Frame {
     const MacroJob *macros = nullptr;
     const TileJob *tiles = nullptr;
     std::uint32_t macroCount = 0, tileCount = 0;
-    std::uint32_t *lists = nullptr;      ///< `listRoom` chunk indices a macro job
-    std::uint32_t *listCounts = nullptr; ///< one a macro job; may exceed listRoom: then the list is cut off
+    std::uint32_t *lists = nullptr;      ///< `listRoom` chunk indices a list, listParts lists a macro job
+    std::uint32_t *listCounts = nullptr; ///< one a list; may exceed listRoom: then the list is cut off
     std::uint32_t *masks = nullptr; ///< two an index: bit 8·row + column of both: its stroke can be seen in that tile
     std::uint32_t listRoom = 0;
     std::uint32_t editedFrom = 0xffffffff,

@@ -5,23 +5,42 @@
 
 namespace suffuse::cuda {
 
-/// Writes the list of one macro job: the chunks of [from, to) whose bounds meet it, in order. What does not fit is left
-/// out, and the longest list's length is told in the status words.
+/// The first chunk from `at` on that begins a stroke.
 template <class Warp>
-SUFFUSE_PROGRAM void makeList(Warp &warp, const Frame &frame, std::uint32_t job)
+SUFFUSE_PROGRAM std::uint32_t strokeBorder(Warp &warp, const Frame &frame, const MacroJob &macro, std::uint32_t at)
 {
-    constexpr int group = 8; // of 32 chunks, so that several loads are under way
-    const MacroJob macro = frame.macros[job];
+    for (; at > macro.from && at < macro.to; at += warpLanes) {
+        const std::uint32_t begins = warp.ballot([&](int lane) {
+            const std::uint32_t i = at + std::uint32_t(lane);
+            return i >= macro.to || frame.chunks[i].stroke != frame.chunks[i - 1].stroke;
+        });
+        if (begins)
+            return at + std::uint32_t(Warp::lowest(begins));
+    }
+    return at;
+}
+
+/// Writes one list: of a part of a macro job's chunks, whole strokes, those whose bounds meet it, in order. What does
+/// not fit is left out, and the longest list's length is told in the status words.
+template <class Warp>
+SUFFUSE_PROGRAM void makeList(Warp &warp, const Frame &frame, std::uint32_t index)
+{
+    constexpr int group = 4; // of 32 chunks, so that several loads are under way
+    const MacroJob macro = frame.macros[index / listParts];
+    const std::uint32_t part = index % listParts, size = (macro.to - macro.from + listParts - 1) / listParts;
+    const std::uint32_t begin = strokeBorder(warp, frame, macro, macro.from + part * size);
+    const std::uint32_t end = strokeBorder(warp, frame, macro, macro.from + (part + 1) * size);
+    const std::uint32_t to = end < macro.to ? end : macro.to;
     const std::int32_t left = macro.column * macroSide, top = macro.row * macroSide;
-    std::uint32_t *list = frame.lists + std::size_t(job) * frame.listRoom;
+    std::uint32_t *list = frame.lists + std::size_t(index) * frame.listRoom;
     std::uint32_t length = 0;
-    for (std::uint32_t base = macro.from; base < macro.to; base += group * warpLanes) {
+    for (std::uint32_t base = begin; base < to; base += group * warpLanes) {
         std::uint32_t hits[group];
         SUFFUSE_UNROLL
         for (int g = 0; g < group; ++g)
             hits[g] = warp.ballot([&](int lane) {
                 const std::uint32_t i = base + std::uint32_t(g * warpLanes + lane);
-                if (i >= macro.to)
+                if (i >= to)
                     return false;
                 const ChunkRecord &c = frame.chunks[i];
                 return c.left < left + macroSide && left < c.right && c.top < top + macroSide && top < c.bottom;
@@ -38,7 +57,7 @@ SUFFUSE_PROGRAM void makeList(Warp &warp, const Frame &frame, std::uint32_t job)
     }
     warp.each([&](int lane) {
         if (lane == 0) {
-            frame.listCounts[job] = length;
+            frame.listCounts[index] = length;
             Warp::raise(frame.status + longestList, length);
         }
     });
@@ -159,13 +178,14 @@ private:
 /// Where the stroke of a list's entry can be seen in half a macro-tile: writes the masks of all its entries, which lie
 /// side by side. Entries that are not their stroke's first are left to that one.
 template <class Warp>
-SUFFUSE_PROGRAM void cullEntry(Warp &warp, const Frame &frame, std::uint32_t job, std::uint32_t entry, int half,
+SUFFUSE_PROGRAM void cullEntry(Warp &warp, const Frame &frame, std::uint32_t index, std::uint32_t entry, int half,
                                CullScratch &scratch)
 {
-    const std::uint32_t *list = frame.lists + std::size_t(job) * frame.listRoom;
-    std::uint32_t *masks = frame.masks + std::size_t(job) * frame.listRoom * 2 + half;
+    const std::uint32_t *list = frame.lists + std::size_t(index) * frame.listRoom;
+    std::uint32_t *masks = frame.masks + std::size_t(index) * frame.listRoom * 2 + half;
+    const std::uint32_t job = index / listParts;
     // All loads at once; what lies beyond the list is not used.
-    const std::uint32_t counted = frame.listCounts[job], own = list[entry], before = list[entry > 0 ? entry - 1 : 0];
+    const std::uint32_t counted = frame.listCounts[index], own = list[entry], before = list[entry > 0 ? entry - 1 : 0];
     const std::uint32_t count = counted < frame.listRoom ? counted : frame.listRoom;
     if (entry >= count)
         return;

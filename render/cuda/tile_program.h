@@ -83,23 +83,29 @@ private:
     /// The next chunk of the macro-tile's list that meets the tile, on its way to shared memory.
     SUFFUSE_PROGRAM Found findChunk()
     {
-        const std::uint32_t counted = m_frame.listCounts[m_job.macro];
-        const std::uint32_t count = counted < m_frame.listRoom ? counted : m_frame.listRoom;
-        const std::uint32_t *list = m_frame.lists + std::size_t(m_job.macro) * m_frame.listRoom;
         const int tile = m_job.row % macroTiles * macroTiles + m_job.column % macroTiles;
-        const std::uint32_t *masks = m_frame.masks + std::size_t(m_job.macro) * m_frame.listRoom * 2 + tile / warpLanes;
-        for (; m_hits == 0; m_listed += warpLanes) {
-            if (m_listed >= count) {
-                m_warp.fetch([](int, auto) {});
-                return {};
+        while (m_hits == 0) {
+            if (m_listed >= m_listCount) { // the next list of the macro job
+                if (m_part == listParts) {
+                    m_warp.fetch([](int, auto) {});
+                    return {};
+                }
+                m_list = std::size_t(m_job.macro) * listParts + std::size_t(m_part++);
+                const std::uint32_t counted = m_frame.listCounts[m_list];
+                m_listCount = counted < m_frame.listRoom ? counted : m_frame.listRoom;
+                m_listed = 0;
+                continue;
             }
+            const std::uint32_t *list = m_frame.lists + m_list * m_frame.listRoom;
+            const std::uint32_t *masks = m_frame.masks + m_list * m_frame.listRoom * 2 + tile / warpLanes;
             m_hits = m_warp.ballot([&](int lane) {
                 const std::uint32_t i = m_listed + std::uint32_t(lane);
-                if (i >= count)
+                if (i >= m_listCount)
                     return false;
                 m_candidate[lane] = list[i];
                 return (masks[std::size_t(i) * 2] >> tile % warpLanes & 1) != 0 && isWanted(list[i]);
             });
+            m_listed += warpLanes;
         }
         const std::uint32_t index = m_warp.read(m_candidate, Warp::lowest(m_hits));
         m_hits &= m_hits - 1;
@@ -326,7 +332,9 @@ private:
     TileScratch<general> &m_s;
     Var<LaneBackdrop> m_backdrop;
     Var<std::uint32_t> m_candidate;
-    std::uint32_t m_hits = 0, m_listed = 0; ///< of the candidates; of the macro-tile's list
+    std::size_t m_list = 0; ///< that candidates come from
+    int m_part = 0;         ///< the next one
+    std::uint32_t m_listCount = 0, m_listed = 0, m_hits = 0;
     std::uint32_t m_stroke = none;
     Listing m_listing;
     int m_turn = 1; ///< of `fetched`, where the last chunk goes

@@ -32,8 +32,9 @@ ToCanvas toCanvasOf(const View &v)
 TileWorker::TileWorker(std::shared_ptr<Device> device, bool cull, int threads)
     : m_device(std::move(device)), m_threads(threads), m_scene(*m_device), m_layers(*m_device), m_paper(*m_device),
       m_tileJobs(*m_device), m_macroJobs(*m_device), m_hostStatus(*m_device), m_deviceTileJobs(*m_device),
-      m_deviceMacroJobs(*m_device), m_status(*m_device), m_order(*m_device), m_lists(*m_device), m_listCounts(*m_device),
-      m_masks(*m_device), m_buffers{TileBuffer(*m_device), TileBuffer(*m_device)}, m_bandTiles(mostBandTiles)
+      m_deviceMacroJobs(*m_device), m_status(*m_device), m_order(*m_device), m_lists(*m_device),
+      m_listCounts(*m_device), m_masks(*m_device), m_buffers{TileBuffer(*m_device), TileBuffer(*m_device)},
+      m_bandTiles(mostBandTiles)
 {
     m_frame.cull = cull;
 }
@@ -153,7 +154,7 @@ TileJob TileWorker::jobOf(const FrameHistory &history, bool interactive, const T
 TileWorker::Band TileWorker::plan(const FrameHistory &history, bool interactive, std::span<const TileTask> tasks)
 {
     constexpr std::size_t none = SIZE_MAX;
-    const std::size_t macroLimit = std::clamp<std::size_t>(mostListed / m_listRoom, 1, mostMacros);
+    const std::size_t macroLimit = std::clamp<std::size_t>(mostListed / (m_listRoom * listParts), 1, mostMacros);
     Band band;
     std::array<std::size_t, 4> macro{}; // of the current macro-tile, by which chunks are left out
     int column = -1, row = -1;
@@ -180,9 +181,10 @@ TileWorker::Band TileWorker::plan(const FrameHistory &history, bool interactive,
 
 Fault TileWorker::run(const Band &band)
 {
+    const std::size_t lists = band.macros * listParts;
     const std::size_t words = statusWords + band.macros * macroTiles * macroTiles; // with the tiles' weights
-    for (const Fault &fault : {m_lists.reserve(band.macros * m_listRoom), m_masks.reserve(2 * band.macros * m_listRoom),
-                               m_listCounts.reserve(band.macros), m_status.reserve(words)})
+    for (const Fault &fault : {m_lists.reserve(lists * m_listRoom), m_masks.reserve(2 * lists * m_listRoom),
+                               m_listCounts.reserve(lists), m_status.reserve(words)})
         if (fault)
             return fault;
     m_frame.macros = m_deviceMacroJobs.data();

@@ -80,7 +80,7 @@ private:
     DeviceArray<MacroJob> m_deviceMacroJobs;
     DeviceArray<std::uint32_t> m_status, m_order, m_lists, m_listCounts, m_masks;
     std::array<TileBuffer, 2> m_buffers; ///< one band is computed while the other is stored
-    std::uint32_t m_listRoom = 256;
+    std::uint32_t m_listRoom = 128;
     std::size_t m_bandTiles; ///< at most in one run
     double m_deviceMs = 0;
 };

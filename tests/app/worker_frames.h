@@ -4,8 +4,6 @@
 #include "app/canvas/render_worker.h"
 #include "tests/app/session.h"
 
-#include <QSignalSpy>
-
 namespace suffuse {
 
 inline constexpr int width = 300, height = 200;
@@ -47,14 +45,14 @@ inline std::vector<std::uint32_t> pixelsOf(const RenderRequest &r)
 inline FrameInfo draw(RenderWorker &worker, const RenderRequest &r)
 {
     FrameInfo last;
-    QSignalSpy frames(&worker, &RenderWorker::frameReady);
-    const quint64 serial = worker.request(r);
-    const auto arrived = [&] {
-        for (const QList<QVariant> &arguments : frames)
-            if (arguments[0].value<FrameInfo>().serial == serial)
-                last = arguments[0].value<FrameInfo>();
-        return last.serial == serial;
-    };
+    quint64 serial = 0;
+    QObject here; // a signal spy would listen on the worker's thread
+    QObject::connect(&worker, &RenderWorker::frameReady, &here, [&](const FrameInfo &frame) {
+        if (frame.serial == serial)
+            last = frame;
+    });
+    serial = worker.request(r);
+    const auto arrived = [&] { return last.serial == serial; };
     return QTest::qWaitFor(arrived, waitMs) ? last : FrameInfo{};
 }
 

@@ -139,9 +139,9 @@ void EmulatedDevice::paint(const Frame &frame, Work work)
 {
     HostWarp warp;
     const auto culling = std::make_unique<CullScratch>();
-    for (std::uint32_t i = 0; i < frame.macroCount; ++i) {
+    for (std::uint32_t i = 0; i < frame.macroCount * listParts; ++i) {
         makeList(warp, frame, i);
-        for (std::uint32_t entry = 0; entry < frame.listCounts[i]; ++entry)
+        for (std::uint32_t entry = 0; entry < std::min(frame.listCounts[i], frame.listRoom); ++entry)
             for (const int half : {0, 1})
                 cullEntry(warp, frame, i, entry, half, *culling);
     }
