@@ -1,5 +1,7 @@
 #include "render/dirty_region.h"
 
+#include "render/parallel.h"
+
 #include <algorithm>
 #include <unordered_map>
 #include <unordered_set>
@@ -33,8 +35,38 @@ void DirtyRegion::mark(const PixelRect &pixels)
 {
     const TileRange tiles = tilesOf(pixels);
     for (int y = tiles.top; y < tiles.bottom; ++y)
-        for (int x = tiles.left; x < tiles.right; ++x)
-            m_dirty[index(x, y)] = 1;
+        std::fill_n(m_dirty.begin() + std::ptrdiff_t(index(tiles.left, y)), std::max(0, tiles.right - tiles.left),
+                    std::uint8_t(1));
+}
+
+void DirtyRegion::mark(const std::vector<PixelRect> &boxes)
+{
+    constexpr std::size_t many = 256;
+    if (boxes.size() < many) {
+        for (const PixelRect &box : boxes)
+            mark(box);
+        return;
+    }
+    // Differences along columns and rows of how many boxes cover a tile, summed up at the end.
+    const std::size_t stride = std::size_t(m_columns) + 1;
+    std::vector<std::int32_t> covered(stride * (std::size_t(m_rows) + 1), 0);
+    for (const PixelRect &box : boxes) {
+        const TileRange t = tilesOf(box);
+        if (t.left >= t.right || t.top >= t.bottom)
+            continue;
+        const auto at = [&](int x, int y) -> std::int32_t & {
+            return covered[std::size_t(y) * stride + std::size_t(x)];
+        };
+        ++at(t.left, t.top), --at(t.right, t.top), --at(t.left, t.bottom), ++at(t.right, t.bottom);
+    }
+    std::vector<std::int32_t> column(stride, 0);
+    for (int y = 0; y < m_rows; ++y) {
+        std::int32_t count = 0;
+        for (int x = 0; x < m_columns; ++x) {
+            count += column[std::size_t(x)] += covered[std::size_t(y) * stride + std::size_t(x)];
+            m_dirty[index(x, y)] |= std::uint8_t(count != 0);
+        }
+    }
 }
 
 namespace {
@@ -45,8 +77,8 @@ bool sameGroup(const StrokeNodes &a, const NodeGroup &g, const StrokeNodes &b, c
     return count == h.end - h.begin && g.rowPerNode == h.rowPerNode &&
            std::equal(a.nodes.begin() + g.begin, a.nodes.begin() + g.end, b.nodes.begin() + h.begin) &&
            std::equal(a.rows.begin() + g.row, a.rows.begin() + g.row + rows, b.rows.begin() + h.row) &&
-           std::equal(a.reaches.begin() + g.reachBegin, a.reaches.begin() + g.reachEnd, b.reaches.begin() + h.reachBegin,
-                      b.reaches.begin() + h.reachEnd);
+           std::equal(a.reaches.begin() + g.reachBegin, a.reaches.begin() + g.reachEnd,
+                      b.reaches.begin() + h.reachBegin, b.reaches.begin() + h.reachEnd);
 }
 
 /// Everything about a stroke that is not a segment's own.
@@ -74,7 +106,8 @@ bool samePlan(const SceneStroke &a, const SceneStroke &b)
 
 } // namespace
 
-void markChanged(const SceneStroke &before, const SceneStroke &after, const View &view, DirtyRegion &region)
+void markChanged(const SceneStroke &before, const SceneStroke &after, const View &view, int threads,
+                 DirtyRegion &region)
 {
     const auto &a = before.source->groups, &b = after.source->groups;
     if (before.source == after.source && samePlan(before, after))
@@ -87,29 +120,27 @@ void markChanged(const SceneStroke &before, const SceneStroke &after, const View
     const auto same = [&](std::size_t i, std::size_t j) {
         return sameGroup(*before.source, a[i], *after.source, b[j]);
     };
-    const auto markBefore = [&](std::size_t i) {
-        region.mark(pixelBounds(*before.source, a[i], before.stroke->origin, view));
-    };
-    const auto markAfter = [&](std::size_t j) {
-        region.mark(pixelBounds(*after.source, b[j], after.stroke->origin, view));
-    };
-    std::size_t suffix = 0;
-    if (a.size() == b.size()) { // the same groups, some with other values
-        for (std::size_t i = 0; i < a.size(); ++i)
-            if (!same(i, i))
-                markBefore(i), markAfter(i);
-        return;
-    }
-    std::size_t prefix = 0; // groups came or went in the middle
+    std::size_t prefix = 0, suffix = 0;        // what stays the same at the ends
+    const bool inPlace = a.size() == b.size(); // the same groups, some with other values
     const std::size_t shorter = std::min(a.size(), b.size());
-    while (prefix < shorter && same(prefix, prefix))
+    while (!inPlace && prefix < shorter && same(prefix, prefix)) // groups came or went in the middle
         ++prefix;
-    while (suffix < shorter - prefix && same(a.size() - 1 - suffix, b.size() - 1 - suffix))
+    while (!inPlace && suffix < shorter - prefix && same(a.size() - 1 - suffix, b.size() - 1 - suffix))
         ++suffix;
-    for (std::size_t i = prefix; i < a.size() - suffix; ++i)
-        markBefore(i);
-    for (std::size_t j = prefix; j < b.size() - suffix; ++j)
-        markAfter(j);
+    constexpr std::size_t share = 256;
+    const std::size_t end = std::max(a.size(), b.size()) - suffix, count = end - prefix;
+    std::vector<PixelRect> boxes(2 * count); // before and after; empty where nothing differs
+    parallelFor((count + share - 1) / share, count < 2 * share ? 1 : threads, [&](std::size_t k) {
+        for (std::size_t i = prefix + k * share; i < std::min(prefix + (k + 1) * share, end); ++i) {
+            if (inPlace && same(i, i))
+                continue;
+            if (i < a.size() - suffix)
+                boxes[2 * (i - prefix)] = pixelBounds(*before.source, a[i], before.stroke->origin, view);
+            if (i < b.size() - suffix)
+                boxes[2 * (i - prefix) + 1] = pixelBounds(*after.source, b[i], after.stroke->origin, view);
+        }
+    });
+    region.mark(boxes);
 }
 
 std::vector<StrokeId> movedInOrder(const std::vector<StrokeId> &before, const std::vector<StrokeId> &after)

@@ -24,6 +24,8 @@ public:
 
     void markAll() { std::fill(m_dirty.begin(), m_dirty.end(), std::uint8_t(1)); }
     void mark(const PixelRect &pixels);
+    /// All of them, at a cost that hardly depends on how large they are.
+    void mark(const std::vector<PixelRect> &boxes);
     bool isDirty(int column, int row) const { return m_dirty[index(column, row)] != 0; }
     void clean(int column, int row) { m_dirty[index(column, row)] = 0; }
 
@@ -35,8 +37,9 @@ private:
 };
 
 /// Marks where one stroke differs from what it was, in the same view: only segments whose nodes or values differ, old
-/// and new; all of it where a choice for the whole stroke differs.
-void markChanged(const SceneStroke &before, const SceneStroke &after, const View &view, DirtyRegion &region);
+/// and new; all of it where a choice for the whole stroke differs. The same tiles for any number of threads.
+void markChanged(const SceneStroke &before, const SceneStroke &after, const View &view, int threads,
+                 DirtyRegion &region);
 
 /// Ids that must be marked whole because they moved against the others: those outside a longest common subsequence of
 /// the two orders (ids in only one of them are not reported).

@@ -11,12 +11,12 @@ bool FrameHistory::sameFrame(const RenderRequest &request, const Target &target)
            m_canvas.paper == request.painting->canvas.paper;
 }
 
-void FrameHistory::markDifferences(const SceneChange &change)
+void FrameHistory::markDifferences(const SceneChange &change, int threads)
 {
     const auto &scene = m_scene.strokes();
     if (!change.reordered) {
         for (const SceneChange::Replaced &r : change.replaced)
-            markChanged(*r.before, *scene[r.index], m_view, m_region);
+            markChanged(*r.before, *scene[r.index], m_view, threads, m_region);
         return;
     }
     std::unordered_map<StrokeId, const SceneStroke *> old, now;
@@ -29,7 +29,7 @@ void FrameHistory::markDifferences(const SceneChange &change)
         if (it == old.end())
             m_region.mark(s->bounds);
         else if (it->second != s.get())
-            markChanged(*it->second, *s, m_view, m_region);
+            markChanged(*it->second, *s, m_view, threads, m_region);
         old.erase(s->stroke->id);
     }
     for (const auto &[id, stroke] : old)
@@ -91,7 +91,7 @@ FrameHistory::Step FrameHistory::advance(const RenderRequest &request, Target &t
         m_approximate.assign(std::size_t(m_region.columns()) * std::size_t(m_region.rows()), 0);
         m_target = target.serial();
     } else {
-        markDifferences(step.scene);
+        markDifferences(step.scene, threads);
         followEdits(step, request.interactive);
     }
     return step;

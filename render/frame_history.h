@@ -41,7 +41,7 @@ public:
 
 private:
     bool sameFrame(const RenderRequest &request, const Target &target) const;
-    void markDifferences(const SceneChange &change);
+    void markDifferences(const SceneChange &change, int threads);
     /// Where the scene's strokes begin to differ from the last frame's, or noEdit.
     std::size_t firstDifference(const SceneChange &change) const;
     /// Decides which layers still hold and where the edited strokes begin.
