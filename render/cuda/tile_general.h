@@ -97,7 +97,7 @@ private:
                 });
             }
         }
-        m_warp.each([](int) {});
+        m_warp.meet();
         return any;
     }
 

@@ -132,7 +132,7 @@ public:
             }
             return hit;
         });
-        m_warp.each([](int) {}); // before the next chunk's nodes
+        m_warp.meet(); // before the next chunk's nodes
         return hits;
     }
 

@@ -167,6 +167,7 @@ private:
 
     SUFFUSE_PROGRAM void startStroke(const Found &found, const Fetched &fetched)
     {
+        m_warp.meet(); // all have done with the last stroke's record
         enter(found.chunk);
         m_stroke = found.stroke;
         m_listing = {};

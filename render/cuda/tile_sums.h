@@ -131,13 +131,23 @@ SUFFUSE_CALL PartialListing listChunks(Warp warp, const Frame &frame, std::uint3
                                        std::int32_t cellX, std::int32_t cellY, SumScratch &s)
 {
     PartialListing part;
-    for (part.chunk = chunk; part.chunk < end && part.listing.count + chunkNodes <= nodeRoom; ++part.chunk) {
-        const ChunkRecord &c = frame.chunks[part.chunk];
-        if (!meetsTile(c, cellX, cellY))
-            continue;
-        fetchChunk(warp, frame, c, s.chosenAgain);
-        warp.arrive(false);
-        listNodes(warp, frame.cull != 0, s.chosenAgain, int(c.nodes), cellX, cellY, s, part.listing);
+    for (part.chunk = chunk; part.chunk < end; part.chunk += warpLanes) {
+        const std::uint32_t base = part.chunk;
+        std::uint32_t hits = warp.ballot([&](int lane) {
+            const std::uint32_t i = base + std::uint32_t(lane);
+            return i < end && meetsTile(frame.chunks[i], cellX, cellY);
+        });
+        for (; hits; hits &= hits - 1) {
+            const std::uint32_t at = base + std::uint32_t(Warp::lowest(hits));
+            if (part.listing.count + chunkNodes > nodeRoom) {
+                part.chunk = at;
+                return part;
+            }
+            const ChunkRecord c = frame.chunks[at];
+            fetchChunk(warp, frame, c, s.chosenAgain);
+            warp.arrive(false);
+            listNodes(warp, frame.cull != 0, s.chosenAgain, int(c.nodes), cellX, cellY, s, part.listing);
+        }
     }
     return part;
 }

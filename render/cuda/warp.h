@@ -51,6 +51,8 @@ public:
         f(m_lane);
         __syncwarp();
     }
+    /// What lanes read outside of `each` may be written to afterwards.
+    SUFFUSE_PROGRAM void meet() { __syncwarp(); }
     /// Bit i: what f(i) says.
     template <class F>
     SUFFUSE_PROGRAM std::uint32_t ballot(F f)
@@ -131,6 +133,7 @@ public:
         for (int lane = 0; lane < warpLanes; ++lane)
             f(lane);
     }
+    void meet() {}
     template <class F>
     std::uint32_t ballot(F f)
     {
