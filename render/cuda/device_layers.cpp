@@ -12,14 +12,14 @@ constexpr std::size_t mostBytes = std::size_t(512) << 20;
 
 void DeviceLayers::clear()
 {
-    m_tiles.clear();
+    std::fill(m_tiles.begin(), m_tiles.end(), TileLayer{});
     m_free.clear();
     m_slots = 0;
 }
 
 void DeviceLayers::dropOver()
 {
-    for (auto &[tile, layer] : m_tiles)
+    for (TileLayer &layer : m_tiles)
         layer.over = false;
 }
 
@@ -35,6 +35,8 @@ void DeviceLayers::refuse()
 Fault DeviceLayers::beginFrame(std::size_t tiles)
 {
     ++m_frame;
+    if (m_tiles.size() < tiles)
+        m_tiles.resize(tiles);
     if (m_refused || tiles <= m_wanted)
         return {};
     clear();
@@ -58,32 +60,30 @@ void DeviceLayers::dropUnused()
     if (m_swept == m_frame)
         return;
     m_swept = m_frame;
-    for (auto it = m_tiles.begin(); it != m_tiles.end();) {
-        const bool unused = it->second.used + 1 < m_frame;
-        if (unused)
-            m_free.push_back(it->second.slot);
-        it = unused ? m_tiles.erase(it) : std::next(it);
-    }
+    for (TileLayer &layer : m_tiles)
+        if (layer.slot != TileLayer::none && layer.used + 1 < m_frame) {
+            m_free.push_back(layer.slot);
+            layer = {};
+        }
 }
 
 TileLayer *DeviceLayers::at(std::size_t tile)
 {
-    auto it = m_tiles.find(tile);
-    if (it == m_tiles.end()) {
+    TileLayer &layer = m_tiles[tile];
+    if (layer.slot == TileLayer::none) {
         if (m_free.empty() && m_slots >= m_room)
             dropUnused();
         if (m_free.empty() && m_slots >= m_room)
             return nullptr;
-        it = m_tiles.emplace(tile, TileLayer{}).first;
         if (m_free.empty()) {
-            it->second.slot = m_slots++;
+            layer.slot = m_slots++;
         } else {
-            it->second.slot = m_free.back();
+            layer.slot = m_free.back();
             m_free.pop_back();
         }
     }
-    it->second.used = m_frame;
-    return &it->second;
+    layer.used = m_frame;
+    return &layer;
 }
 
 } // namespace suffuse::cuda

@@ -3,14 +3,16 @@
 
 #include "render/cuda/device_memory.h"
 
-#include <unordered_map>
+#include <cstdint>
 #include <vector>
 
 namespace suffuse::cuda {
 
 /// Where a tile's layers lie, and which of them hold.
 struct TileLayer {
-    std::uint32_t slot = 0;
+    static constexpr std::uint32_t none = UINT32_MAX;
+
+    std::uint32_t slot = none;
     bool under = false;
     bool over = false;
     std::uint64_t used = 0; ///< frame that last drew with them
@@ -31,7 +33,7 @@ public:
     void allow() { m_refused = false; }
     bool hasMemory() const { return m_room > 0; }
 
-    /// A tile's layers, made where it has none; null where there is no room.
+    /// A tile's layers, made where it has none; null where there is no room. `tile`: below what the frame began with.
     TileLayer *at(std::size_t tile);
     BackdropPixel *under() const { return m_under.data(); }
     float *over() const { return m_over.data(); }
@@ -43,7 +45,7 @@ private:
     Device &m_device;
     DeviceArray<BackdropPixel> m_under;
     DeviceArray<float> m_over;
-    std::unordered_map<std::size_t, TileLayer> m_tiles;
+    std::vector<TileLayer> m_tiles; ///< of the picture, whether they have layers or not
     std::vector<std::uint32_t> m_free;
     std::size_t m_room = 0;    ///< slots in the device's memory
     std::size_t m_wanted = 0;  ///< tiles that it was made for
