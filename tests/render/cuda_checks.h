@@ -10,16 +10,6 @@ namespace suffuse::test {
 
 using OpenDevice = std::function<std::shared_ptr<cuda::Device>()>;
 
-inline PaintingPtr withDensity(const PaintingPtr &p, std::size_t index, double factor)
-{
-    auto q = std::make_shared<Painting>(*p);
-    Stroke s = *p->strokes[index];
-    for (Segment &g : s.segments)
-        g.density *= float(factor);
-    q->strokes[index] = std::make_shared<const Stroke>(s);
-    return q;
-}
-
 /// At most one level of 8 bits apart, as far as pixels are covered.
 inline void compare8(const FloatPicture &a, const FloatPicture &b, const char *what)
 {
@@ -98,33 +88,6 @@ inline void checkKinds(const OpenDevice &open)
     s.segments[1].colour = {0.9f, 0.4f, 0.2f, 1};
     for (double scale = 512; scale < 2e9; scale *= 64)
         compareWithOthers(cuda, painting({s}), {s.origin, scale, 0, false, 24, 24}, "deep zoom");
-}
-
-/// One random edit of a painting: of a stroke's attributes, of the order, or of what is there.
-inline PaintingPtr randomlyEdited(const PaintingPtr &p, std::mt19937_64 &random)
-{
-    std::uniform_real_distribution<double> u(0, 1);
-    const std::size_t j = random() % p->strokes.size();
-    Stroke s = *p->strokes[j];
-    Segment &g = s.segments[random() % s.segments.size()];
-    auto q = std::make_shared<Painting>(*p);
-    switch (random() % 9) {
-    case 0: g.diffusion *= float(0.5 + u(random)); break;
-    case 1: g.density *= float(0.5 + u(random)); break;
-    case 2: g.colour = {float(u(random)), 0.5f, float(u(random)), 1}; break;
-    case 3: g.style = randomStyle(random); break;
-    case 4: s.style = randomStyle(random); break;
-    case 5: s.mix = {MixMode::Beta, float(u(random))}; break;
-    case 6: s.visible = !s.visible; break;
-    case 7: g.granulation = float(u(random)); break;
-    case 8: s.segments.front().born += 100000; break;
-    }
-    q->strokes[j] = std::make_shared<const Stroke>(s);
-    if (random() % 5 == 0)
-        std::swap(q->strokes[random() % q->strokes.size()], q->strokes[random() % q->strokes.size()]);
-    if (random() % 7 == 0 && q->strokes.size() > 3)
-        q->strokes.erase(q->strokes.begin() + std::ptrdiff_t(random() % q->strokes.size()));
-    return q;
 }
 
 inline void checkDirtyIsFull(const OpenDevice &open, int steps)

@@ -133,6 +133,44 @@ inline std::vector<Stroke> randomStrokes(std::mt19937_64 &random, int count, dou
     return strokes;
 }
 
+/// The painting with one stroke stronger or weaker.
+inline PaintingPtr withDensity(const PaintingPtr &p, std::size_t index, double factor)
+{
+    auto q = std::make_shared<Painting>(*p);
+    Stroke s = *p->strokes[index];
+    for (Segment &g : s.segments)
+        g.density *= float(factor);
+    q->strokes[index] = std::make_shared<const Stroke>(s);
+    return q;
+}
+
+/// One random edit of a painting: of a stroke's attributes, of the order, or of what is there.
+inline PaintingPtr randomlyEdited(const PaintingPtr &p, std::mt19937_64 &random)
+{
+    std::uniform_real_distribution<double> u(0, 1);
+    const std::size_t j = random() % p->strokes.size();
+    Stroke s = *p->strokes[j];
+    Segment &g = s.segments[random() % s.segments.size()];
+    auto q = std::make_shared<Painting>(*p);
+    switch (random() % 9) {
+    case 0: g.diffusion *= float(0.5 + u(random)); break;
+    case 1: g.density *= float(0.5 + u(random)); break;
+    case 2: g.colour = {float(u(random)), 0.5f, float(u(random)), 1}; break;
+    case 3: g.style = randomStyle(random); break;
+    case 4: s.style = randomStyle(random); break;
+    case 5: s.mix = {MixMode::Beta, float(u(random))}; break;
+    case 6: s.visible = !s.visible; break;
+    case 7: g.granulation = float(u(random)); break;
+    case 8: s.segments.front().born += 100000; break;
+    }
+    q->strokes[j] = std::make_shared<const Stroke>(s);
+    if (random() % 5 == 0)
+        std::swap(q->strokes[random() % q->strokes.size()], q->strokes[random() % q->strokes.size()]);
+    if (random() % 7 == 0 && q->strokes.size() > 3)
+        q->strokes.erase(q->strokes.begin() + std::ptrdiff_t(random() % q->strokes.size()));
+    return q;
+}
+
 inline FloatPicture render(Renderer &renderer, const PaintingPtr &painting, const View &view, Microseconds time = -1,
                            bool transparent = false)
 {

@@ -9,16 +9,6 @@ class TestLayers : public QObject {
 
     const View m_view = View::ofArea(Rect::of(0, 0, 200, 150), 200, 150);
 
-    static PaintingPtr withDensity(const PaintingPtr &p, std::size_t index, double factor)
-    {
-        auto q = std::make_shared<Painting>(*p);
-        Stroke s = *p->strokes[index];
-        for (Segment &g : s.segments)
-            g.density *= float(factor);
-        q->strokes[index] = std::make_shared<const Stroke>(s);
-        return q;
-    }
-
     static double difference(const FloatPicture &a, const FloatPicture &b)
     {
         double worst = 0;

@@ -71,26 +71,7 @@ private slots:
         QVERIFY(live->render({p, time, view, false}, picture));
         bool partial = false;
         for (int step = 0; step < 120; ++step) {
-            const std::size_t j = random() % p->strokes.size();
-            Stroke s = *p->strokes[j];
-            Segment &g = s.segments[random() % s.segments.size()];
-            auto q = std::make_shared<Painting>(*p);
-            switch (random() % 9) {
-            case 0: g.diffusion *= float(0.5 + u(random)); break;
-            case 1: g.density *= float(0.5 + u(random)); break;
-            case 2: g.colour = {float(u(random)), 0.5f, float(u(random)), 1}; break;
-            case 3: g.style = randomStyle(random); break;
-            case 4: s.style = randomStyle(random); break;
-            case 5: s.mix = {MixMode::Beta, float(u(random))}; break;
-            case 6: s.visible = !s.visible; break;
-            case 7: g.granulation = float(u(random)); break;
-            case 8: s.segments.front().born += 100000; break;
-            }
-            q->strokes[j] = std::make_shared<const Stroke>(s);
-            if (random() % 5 == 0)
-                std::swap(q->strokes[random() % q->strokes.size()], q->strokes[random() % q->strokes.size()]);
-            if (random() % 7 == 0 && q->strokes.size() > 3)
-                q->strokes.erase(q->strokes.begin() + std::ptrdiff_t(random() % q->strokes.size()));
+            const PaintingPtr q = randomlyEdited(p, random);
             if (random() % 6 == 0)
                 time = Microseconds(u(random) * double(q->end()));
             p = q;
