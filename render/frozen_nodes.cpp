@@ -55,6 +55,7 @@ std::shared_ptr<const StrokeNodes> buildNodes(const StrokePtr &stroke, Microseco
     }
     frozen.stroke = stroke;
     auto nodes = std::make_shared<StrokeNodes>(frozen.nodes);
+    nodes->settledRows = std::uint32_t(nodes->rows.size());
     appendNodes(*stroke, frozen.segments, stroke->segments.size(), context, threads, *nodes);
     return nodes;
 }

@@ -56,7 +56,8 @@ struct StrokeNodes {
     std::vector<NodeGroup> groups; ///< of what is there at T and can be seen at the octave
     std::vector<NodeValues> rows;
     std::vector<SegmentReach> reaches;
-    bool clipped = false; ///< depends on the clip
+    bool clipped = false;  ///< depends on the clip
+    std::uint32_t settledRows = 0; ///< rows of leading blocks that have dried: they stay while the stroke grows
 };
 
 /// Segments are merged within blocks of so many, all of them dry: so an edit changes nodes of its block only.

@@ -39,6 +39,22 @@ QString CpuRenderer::deviceName() const
            instructionSet();
 }
 
+void CpuRenderer::followEdits(const FrameHistory::Step &step)
+{
+    if (!step.keepsUnder)
+        m_layers.clear();
+    else if (!step.keepsOver)
+        m_layers.dropOver();
+    m_changed.clear();
+    for (const SceneChange::Replaced &r : step.scene.replaced)
+        m_changed.push_back(
+            {std::uint32_t(r.index), cpu::steadyNodes(*r.before, *m_history.scene().strokes()[r.index])});
+    if (step.scene.reordered)
+        m_layers.dropPrefixes();
+    else
+        m_layers.dropPrefixes(m_changed);
+}
+
 std::vector<CpuRenderer::Job> CpuRenderer::planJobs(bool interactive)
 {
     std::vector<Job> jobs;
@@ -107,6 +123,16 @@ void CpuRenderer::binStrokes(std::vector<Job> &jobs) const
     });
 }
 
+const cpu::StrokePrefix *CpuRenderer::prefixOf(const Job &job, std::uint32_t stroke, cpu::TileStrokes &strokes) const
+{
+    const auto changed = std::ranges::lower_bound(m_changed, stroke, {}, &cpu::SteadyStroke::stroke);
+    if (!job.plan.layers || changed == m_changed.end() || changed->stroke != stroke || changed->nodes == 0)
+        return nullptr;
+    cpu::StrokePrefix &prefix = job.plan.layers->prefixOf(stroke);
+    strokes.settle(*m_history.scene().strokes()[stroke], changed->nodes, prefix);
+    return &prefix;
+}
+
 void CpuRenderer::paint(const Job &job, Target &target)
 {
     const PixelRect tile = m_history.region().tile(job.column, job.row);
@@ -117,7 +143,7 @@ void CpuRenderer::paint(const Job &job, Target &target)
     strokes.begin(*m_frame.kernels, tile);
     cpu::TilePlan plan = job.plan;
     for (const std::uint32_t i : job.strokes)
-        plan.below += strokes.add(*scene[i]) && first != FrameHistory::noEdit && i < first;
+        plan.below += strokes.add(*scene[i], prefixOf(job, i, strokes)) && first != FrameHistory::noEdit && i < first;
     thread_local std::vector<float> rgba;
     rgba.resize(std::size_t(tile.width) * std::size_t(tile.height) * 4);
     cpu::paintTile(m_frame, tile, strokes, plan, edited, rgba.data());
@@ -137,10 +163,7 @@ Result<RenderStats> CpuRenderer::render(const RenderRequest &request, Target &ta
 
     const FrameHistory::Step step = m_history.advance(request, target, m_threads);
     m_frame = {request.view, request.painting->canvas, *paper, request.transparent, &cpu::kernels()};
-    if (!step.keepsUnder)
-        m_layers.clear();
-    else if (!step.keepsOver)
-        m_layers.dropOver();
+    followEdits(step);
     stats.nodes = m_history.scene().nodeCount();
     stats.nodesMs = milliseconds(stage);
     stage.restart();

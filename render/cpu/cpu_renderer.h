@@ -27,14 +27,19 @@ private:
         std::vector<std::uint32_t> strokes; ///< and those of them whose bounds meet it
     };
 
+    /// Drops layers that no longer hold, and finds what of the changed strokes stays.
+    void followEdits(const FrameHistory::Step &step);
     std::vector<Job> planJobs(bool interactive);
     /// Gives each job its strokes: rows of tiles first, then columns, so that it costs what strokes touch.
     void binStrokes(std::vector<Job> &jobs) const;
+    /// Sums of what stays of a stroke that changes, for the job's tile; null where nothing does.
+    const cpu::StrokePrefix *prefixOf(const Job &job, std::uint32_t stroke, cpu::TileStrokes &strokes) const;
     void paint(const Job &job, Target &target);
 
     int m_threads;
     FrameHistory m_history;
-    cpu::LayerCache m_layers{std::size_t(40) << 20};
+    cpu::LayerCache m_layers{std::size_t(64) << 20};
+    std::vector<cpu::SteadyStroke> m_changed; ///< strokes that differ from the frame before, ascending
     cpu::Frame m_frame;
 };
 

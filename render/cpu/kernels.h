@@ -22,6 +22,7 @@ struct ViewNode {
     float weight = 0;          ///< density at its centre
     float cut = 0;             ///< e^(−R²)
     std::uint32_t row = 0;     ///< of the stroke's channel values
+    friend bool operator==(const ViewNode &, const ViewNode &) = default;
 };
 
 /// A rectangle of pixels as centre and half-sizes.
@@ -43,6 +44,12 @@ struct Meeting {
     int count = 0;
     float density = 0;
     float slope = 0;
+
+    Meeting &operator+=(const Meeting &other)
+    {
+        count += other.count, density += other.density, slope += other.slope;
+        return *this;
+    }
 };
 
 /// Sample (i, j) lies at (x + (i+½)·step, y + (j+½)·step), in pixels.
@@ -88,9 +95,10 @@ struct Kernels {
     /// `nodes` from i·runCount·boxRun on.
     void (*listNodes)(const NodeBoxes &in, int count, const std::uint32_t *runs, int runCount, const Grid &grid,
                       std::uint32_t *nodes, Meeting *cells);
-    /// The sums of the nodes that are listed, of which the first `separable` have b = 0. `values`: `channels` floats a row.
+    /// The sums of the nodes that are listed, of which the first `separable` have b = 0; with `add`, on top of what
+    /// `sums` holds. `values`: `channels` floats a row.
     void (*accumulate)(const Block &block, const ViewNode *nodes, const std::uint32_t *listed, int count, int separable,
-                       const float *values, int channels, Sums &sums);
+                       const float *values, int channels, bool add, Sums &sums);
     /// `eta`: paper texture at the samples, or null for 1. `step`: size of a sample in pixels.
     void (*shade)(const ShadeParams &params, const Sums &sums, const float *eta, float step, Shaded &out);
     /// The same, mixed into the block at once, and put on top of `map` if there is one.

@@ -4,6 +4,12 @@
 
 namespace suffuse::cpu {
 
+StrokePrefix &TileLayers::prefixOf(std::uint32_t stroke)
+{
+    const auto known = std::ranges::find(prefixes, stroke, &StrokePrefix::stroke);
+    return known != prefixes.end() ? *known : prefixes.emplace_back(StrokePrefix{stroke, 0, {}, {}});
+}
+
 const TileLayers *LayerCache::find(std::size_t tile) const
 {
     const auto it = m_tiles.find(tile);
@@ -16,18 +22,36 @@ void LayerCache::dropOver()
         layers.over.clear();
 }
 
+void LayerCache::dropPrefixes()
+{
+    for (auto &[tile, layers] : m_tiles)
+        layers.prefixes.clear();
+}
+
+void LayerCache::dropPrefixes(const std::vector<SteadyStroke> &changed)
+{
+    for (auto &[tile, layers] : m_tiles)
+        std::erase_if(layers.prefixes, [&](const StrokePrefix &prefix) {
+            const auto steady = std::ranges::lower_bound(changed, prefix.stroke, {}, &SteadyStroke::stroke);
+            return steady != changed.end() && steady->stroke == prefix.stroke && prefix.nodes > steady->nodes;
+        });
+}
+
 void LayerCache::keep(const std::vector<std::size_t> &usedNow)
 {
     ++m_clock;
     for (std::size_t tile : usedNow)
         if (const auto it = m_tiles.find(tile); it != m_tiles.end())
             it->second.used = m_clock;
-    const auto bytesOf = [](const TileLayers &t) {
-        return t.under.size() * sizeof(Backdrop) + t.over.size() * sizeof(OverMap);
+    const auto layerBytes = [](const TileLayers &t) {
+        std::size_t sums = 0;
+        for (const StrokePrefix &prefix : t.prefixes)
+            sums += bytesOf(prefix);
+        return t.under.size() * sizeof(Backdrop) + t.over.size() * sizeof(OverMap) + sums;
     };
     std::size_t bytes = 0;
     for (const auto &[tile, layers] : m_tiles)
-        bytes += bytesOf(layers);
+        bytes += layerBytes(layers);
     if (bytes <= m_capacity)
         return;
     std::vector<std::pair<std::uint64_t, std::size_t>> byAge;
@@ -37,7 +61,7 @@ void LayerCache::keep(const std::vector<std::size_t> &usedNow)
     for (const auto &[used, tile] : byAge) {
         if (bytes <= m_capacity)
             break;
-        bytes -= bytesOf(m_tiles[tile]);
+        bytes -= layerBytes(m_tiles[tile]);
         m_tiles.erase(tile);
     }
 }

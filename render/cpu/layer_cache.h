@@ -1,9 +1,10 @@
 // What lies below and above the strokes that are being edited, per tile, so that a frame costs those strokes only.
 #pragma once
 
-#include "render/cpu/kernels.h"
+#include "render/cpu/prefix_sums.h"
 
 #include <cstddef>
+#include <list>
 #include <unordered_map>
 #include <vector>
 
@@ -13,7 +14,11 @@ namespace suffuse::cpu {
 struct TileLayers {
     std::vector<Backdrop> under; ///< the picture before the first edited stroke: a prefix of the order, exact
     std::vector<OverMap> over;   ///< all strokes above it as one affine map: exact in arithmetic, not in its last bits
+    std::list<StrokePrefix> prefixes; ///< of strokes that grow: what of them has dried, exact
     std::uint64_t used = 0;
+
+    /// The stroke's prefix, empty if it is new.
+    StrokePrefix &prefixOf(std::uint32_t stroke);
 };
 
 /// Layers by tile, bounded in memory: what was not used for longest goes first. Prepared by one thread; then several
@@ -28,6 +33,9 @@ public:
     const TileLayers *find(std::size_t tile) const;
     void clear() { m_tiles.clear(); }
     void dropOver();
+    void dropPrefixes();
+    /// Drops sums over more nodes than stay. `changed`: the strokes that differ from the frame before, ascending.
+    void dropPrefixes(const std::vector<SteadyStroke> &changed);
     /// Marks tiles as used now and drops the rest, oldest first, down to the capacity.
     void keep(const std::vector<std::size_t> &usedNow);
 

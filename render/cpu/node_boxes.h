@@ -7,7 +7,7 @@
 
 namespace suffuse::cpu {
 
-/// Runs of boxes may be read and written up to a multiple of so many.
+/// Boxes are read and written in runs of so many, whichever comes first.
 inline constexpr std::size_t boxRun = 16;
 /// Positions are floats: they are off by less than this, px.
 inline constexpr double boxMargin = 0.05;
@@ -20,6 +20,13 @@ struct BoxPlanes {
     F *slowest = nullptr;                   ///< least eigenvalue of the metric, px⁻²: q ≥ slowest·d²
     F *steepest = nullptr;                  ///< weight times the root of the greatest, px⁻¹: weight·|∇q| ≤ 2·steepest·√q
     I *node = nullptr;                      ///< index of the node in its stroke
+
+    /// Those from the one at `first` on.
+    BoxPlanes from(std::size_t first) const
+    {
+        return {x + first,      y + first,       reachX + first,   reachY + first,
+                weight + first, slowest + first, steepest + first, node + first};
+    }
 };
 using NodeBoxes = BoxPlanes<const float, const std::uint32_t>;
 /// To write to; where x is null, only `node` is written.
@@ -31,7 +38,7 @@ public:
     /// Room for `count`; what was there is lost where it grows.
     void reserve(std::size_t count)
     {
-        const std::size_t padded = (count + boxRun - 1) / boxRun * boxRun;
+        const std::size_t padded = (count + boxRun - 1) / boxRun * boxRun + boxRun;
         if (padded <= m_room)
             return;
         m_room = padded;

@@ -122,7 +122,7 @@ HWY_INLINE void addOuterPair(const float (*left0)[blockSide], const float (*left
 }
 
 void addSeparable(const Block &block, const ViewNode *nodes, const std::uint32_t *listed, int count,
-                  const float *values, int channels, Sums &sums)
+                  const float *values, int channels, bool addFirst, Sums &sums)
 {
     Tables t;
     alignas(64) float offsets[blockSide];
@@ -132,7 +132,7 @@ void addSeparable(const Block &block, const ViewNode *nodes, const std::uint32_t
     const double lastCell[2] = {block.x + 3 * toCell, block.y + 3 * toCell};
     const hn::CappedTag<double, 2> pairTag;
     const hn::Rebind<float, decltype(pairTag)> pairOut;
-    for (int first = 0; first == 0 || first < count; first += chunk) {
+    for (int first = 0; first < count || (first == 0 && !addFirst); first += chunk) {
         const int n = std::min(chunk, count - first);
         for (int i = 0; i < n; ++i) {
             const ViewNode &node = nodes[listed[first + i]];
@@ -150,7 +150,7 @@ void addSeparable(const Block &block, const ViewNode *nodes, const std::uint32_t
             axisTable<false>(place[0], place[2], offsets, node.a, node.cut, 1, t.column[i], t.columnSlope[i]);
             axisTable<true>(place[1], place[3], offsets, node.c, node.cut, node.weight, t.row[i], t.rowSlope[i]);
         }
-        const bool add = first > 0;
+        const bool add = addFirst || first > 0;
         addOuterPair(t.column, t.columnSlope, t.row, n, add, sums.v[0], sums.v[1]);
         addOuter(t.column, t.rowSlope, n, add, sums.v[2]);
         for (int c = 0; c < channels; ++c) {
@@ -198,9 +198,9 @@ void addOblique(const Block &block, const ViewNode *nodes, const std::uint32_t *
 }
 
 void accumulate(const Block &block, const ViewNode *nodes, const std::uint32_t *listed, int count, int separable,
-                const float *values, int channels, Sums &sums)
+                const float *values, int channels, bool add, Sums &sums)
 {
-    addSeparable(block, nodes, listed, separable, values, channels, sums);
+    addSeparable(block, nodes, listed, separable, values, channels, add, sums);
     addOblique(block, nodes, listed + separable, count - separable, values, channels, sums);
 }
 

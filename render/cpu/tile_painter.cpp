@@ -23,37 +23,16 @@ struct Scratch {
     std::vector<std::uint32_t> group; ///< and nodes that meet a group of its pixels
 };
 
-Area areaOf(const Rect &r)
-{
-    const Point centre = r.centre();
-    return {centre.x, centre.y, 0.5 * r.width(), 0.5 * r.height()};
-}
-
-/// Runs of the stroke's boxes that meet `area`, in `room`.
-int findRuns(const Kernels &kernels, const SceneStroke &stroke, const Area &area, std::vector<std::uint32_t> &room,
-             Meeting &meeting)
-{
-    const std::size_t most = (stroke.nodes.size() + boxRun - 1) / boxRun;
-    if (room.size() < most)
-        room.resize(most);
-    return kernels.findRuns(stroke.boxes.boxes(), int(stroke.nodes.size()), area, room.data(), meeting);
-}
-
-bool shows(const SceneStroke &stroke, const Meeting &meeting)
-{
-    return meeting.count == 0 ? !stroke.deep.empty() : !canVanish(stroke, meeting.density, meeting.slope);
-}
-
-bool meets(const PixelRect &bounds, double x, double y)
-{
-    return bounds.x < x + blockSide && x < bounds.x + bounds.width && bounds.y < y + blockSide &&
-           y < bounds.y + bounds.height;
-}
-
 class BlockPainter {
 public:
-    BlockPainter(const Frame &frame, int x, int y, Scratch &scratch) : m_frame(frame), m_x(x), m_y(y), m_s(scratch)
+    /// `under`: what to start from; null for the background.
+    BlockPainter(const Frame &frame, int x, int y, const Backdrop *under, Scratch &scratch)
+        : m_frame(frame), m_x(x), m_y(y), m_s(scratch)
     {
+        if (under) {
+            m_s.backdrop = *under;
+            return;
+        }
         const Colour &b = frame.canvas.background;
         // An unopaque background lies on white, RYB (0, 0, 0).
         const float ryb[3] = {b.red * b.opacity, b.yellow * b.opacity, b.blue * b.opacity};
@@ -80,17 +59,18 @@ public:
         std::fill_n(map->gain, blockSize, 0.0f);
     }
 
-    void add(const SceneStroke &scene, NodeList listed)
+    /// `prefix`: sums of the nodes before those that are listed; empty for none.
+    void add(const SceneStroke &scene, NodeList listed, std::span<const float> prefix)
     {
         const Block block{double(m_x), double(m_y), 1};
         const float *paper = scene.granulated ? eta() : nullptr;
         const bool small = markLevels(scene);
         if (!small && scene.deep.empty()) {
-            sum(scene, listed, block);
+            sum(scene, listed, block, prefix);
             m_frame.kernels->shadeInto(scene.shade, m_s.sums, paper, 1, scene.keep, m_s.backdrop, m_map);
             return;
         }
-        evaluate(scene, listed, block, paper, m_s.shaded);
+        evaluate(scene, listed, block, paper, m_s.shaded, prefix);
         if (small)
             supersample(scene);
         m_frame.kernels->mix(m_s.shaded, scene.keep, m_s.backdrop);
@@ -108,17 +88,20 @@ public:
     }
 
 private:
-    void sum(const SceneStroke &scene, NodeList listed, const Block &block)
+    void sum(const SceneStroke &scene, NodeList listed, const Block &block, std::span<const float> prefix)
     {
+        std::ranges::copy(prefix, m_s.sums.v[0]);
         const auto oblique = std::lower_bound(listed.begin(), listed.end(), std::uint32_t(scene.separable));
         m_frame.kernels->accumulate(block, scene.nodes.data(), listed.data(), int(listed.size()),
-                                    int(oblique - listed.begin()), scene.values.data(), scene.channels, m_s.sums);
+                                    int(oblique - listed.begin()), scene.values.data(), scene.channels, !prefix.empty(),
+                                    m_s.sums);
     }
 
     /// Opacity and colour of a stroke at a block of samples.
-    void evaluate(const SceneStroke &scene, NodeList listed, const Block &block, const float *eta, Shaded &out)
+    void evaluate(const SceneStroke &scene, NodeList listed, const Block &block, const float *eta, Shaded &out,
+                  std::span<const float> prefix = {})
     {
-        sum(scene, listed, block);
+        sum(scene, listed, block, prefix);
         if (scene.deep.empty())
             m_frame.kernels->shade(scene.shade, m_s.sums, eta, float(block.step), out);
         else
@@ -190,7 +173,7 @@ private:
     {
         Meeting block;
         const Area area = areaOf(Rect::of(m_x, m_y, blockSide, blockSide));
-        const int runs = findRuns(*m_frame.kernels, stroke, area, m_s.runs, block);
+        const int runs = findRuns(*m_frame.kernels, stroke, {0, stroke.nodes.size()}, area, m_s.runs, block);
         m_s.group.resize(std::max(m_s.group.size(), std::size_t(runs) * boxRun));
         for (int level = 1; level <= 6; ++level) {
             if (std::find(m_level.begin(), m_level.end(), level) == m_level.end())
@@ -257,57 +240,12 @@ private:
     std::array<std::uint8_t, blockSize> m_level{};
 };
 
-} // namespace
-
-void TileStrokes::begin(const Kernels &kernels, const PixelRect &tile)
-{
-    const auto blocks = [](int pixels) { return (pixels + blockSide - 1) / blockSide; };
-    m_kernels = &kernels;
-    m_grid = {double(tile.x), double(tile.y), blockSide, blocks(tile.width), blocks(tile.height)};
-    m_area = areaOf(Rect::of(tile.x, tile.y, m_grid.columns * blockSide, m_grid.rows * blockSide));
-    m_strokes.clear();
-    m_used = 0;
-}
-
-bool TileStrokes::add(const SceneStroke &stroke)
-{
-    Meeting tile;
-    const int runs = findRuns(*m_kernels, stroke, m_area, m_runs, tile);
-    if (!shows(stroke, tile))
-        return false;
-    const int blocks = m_grid.columns * m_grid.rows;
-    const std::size_t room = std::size_t(runs) * boxRun, end = m_used + room * std::size_t(blocks);
-    if (m_nodes.size() < end)
-        m_nodes.resize(2 * end);
-    std::array<Meeting, gridSide * gridSide> cells;
-    m_kernels->listNodes(stroke.boxes.boxes(), int(stroke.nodes.size()), m_runs.data(), runs, m_grid,
-                         m_nodes.data() + m_used, cells.data());
-    Entry &entry = m_strokes.emplace_back();
-    entry.scene = &stroke;
-    bool shown = false;
-    for (int i = 0; i < blocks; ++i) {
-        const auto at = std::size_t(i);
-        const double x = m_grid.x + i % m_grid.columns * blockSide, y = m_grid.y + i / m_grid.columns * blockSide;
-        if (!shows(stroke, cells[at]) || !meets(stroke.bounds, x, y))
-            continue;
-        entry.blocks[at] = {std::uint32_t(m_used + at * room), cells[at].count};
-        shown = true;
-    }
-    if (shown)
-        m_used = end;
-    else
-        m_strokes.pop_back();
-    return shown;
-}
-
-namespace {
-
 /// Strokes [from, to) at a block of the tile.
 void addStrokes(BlockPainter &painter, const TileStrokes &strokes, std::size_t block, std::size_t from, std::size_t to)
 {
     for (std::size_t i = from; i < to; ++i)
         if (const auto nodes = strokes.nodesAt(i, block))
-            painter.add(strokes[i], *nodes);
+            painter.add(strokes[i], *nodes, strokes.sumsAt(i, block));
 }
 
 } // namespace
@@ -323,10 +261,9 @@ void paintTile(const Frame &frame, const PixelRect &tile, const TileStrokes &str
     std::size_t index = 0;
     for (int y = 0; y < tile.height; y += blockSide)
         for (int x = 0; x < tile.width; x += blockSide, ++index) {
-            BlockPainter painter(frame, tile.x + x, tile.y + y, *scratch);
-            if (haveUnder)
-                painter.backdrop() = plan.layers->under[index];
-            else
+            BlockPainter painter(frame, tile.x + x, tile.y + y, haveUnder ? &plan.layers->under[index] : nullptr,
+                                 *scratch);
+            if (!haveUnder)
                 addStrokes(painter, strokes, index, 0, plan.below);
             if (plan.storeUnder)
                 plan.layers->under[index] = painter.backdrop();

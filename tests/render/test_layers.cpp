@@ -84,20 +84,36 @@ private slots:
         }
     }
 
-    /// Blocks of it dry while it grows, and keep the nodes that they had: the picture is that of a stroke that was loaded.
+    void aLongLiveStroke_data()
+    {
+        QTest::addColumn<bool>("varied");
+        QTest::addColumn<bool>("oblique");
+        QTest::addColumn<bool>("two");
+        QTest::newRow("of one colour") << false << false << false;
+        QTest::newRow("colour, granulation vary") << true << false << false;
+        QTest::newRow("partly anisotropic") << false << true << false;
+        QTest::newRow("another one dries below") << true << false << true;
+    }
+
+    /// Blocks of it dry while it grows and keep their nodes and sums: the picture is that of a stroke that was loaded.
     void aLongLiveStroke()
     {
+        QFETCH(bool, varied);
+        QFETCH(bool, oblique);
+        QFETCH(bool, two);
         std::mt19937_64 random(31);
         const auto below = painting(randomStrokes(random, 6, 200, 150), 200, 150);
-        Stroke growing;
-        growing.id = 999;
-        growing.style = styleOf(StyleKind::Uniform);
+        const auto begun = [](StrokeId id, StyleKind kind) {
+            Stroke s;
+            s.id = id;
+            s.style = styleOf(kind);
+            return s;
+        };
+        Stroke lower = begun(998, StyleKind::Feathering), growing = begun(999, StyleKind::Uniform);
         const auto at = [](int k) {
             return Offset{float(100 + 80 * std::cos(0.05 * k)), float(75 + 60 * std::sin(0.11 * k))};
         };
-        const auto live = make(Backend::Cpu);
-        FloatPicture picture;
-        for (int frame = 1; frame <= 240; ++frame) {
+        const auto segmentAt = [&](int frame) {
             Segment g;
             for (int i = 0; i < 4; ++i)
                 g.bezier[std::size_t(i)] = {at(frame).x + float(i) / 3 * (at(frame + 1).x - at(frame).x),
@@ -106,7 +122,25 @@ private slots:
             g.density = 8;
             g.maxAge = 0.4f;
             g.born = below->end() + frame * 16000;
+            if (varied) {
+                g.colour = {0.5f + 0.4f * std::sin(0.1f * float(frame)), 0.3f, 0.5f + 0.4f * std::cos(0.07f * float(frame)),
+                            0.9f};
+                g.granulation = 0.5f + 0.4f * std::sin(0.2f * float(frame));
+            }
+            if (oblique && frame % 50 > 20)
+                g.anisotropyRatio = 2, g.anisotropyAngle = 0.5f;
+            return g;
+        };
+        const auto live = make(Backend::Cpu);
+        FloatPicture picture;
+        for (int frame = 1; frame <= 240; ++frame) {
+            const Segment g = segmentAt(frame);
             growing.segments.push_back(g);
+            if (two && frame < 120) {
+                Segment other = segmentAt(frame + 300);
+                other.born = g.born;
+                lower.segments.push_back(other);
+            }
             if (frame == 170) // it is edited where it is dry
                 growing.segments[40].density = 3;
             if (frame == 190)
@@ -114,11 +148,13 @@ private slots:
             if (frame == 210)
                 growing.segments[100].style = styleOf(StyleKind::Edge);
             auto p = std::make_shared<Painting>(*below);
+            if (two)
+                p->strokes.push_back(std::make_shared<const Stroke>(lower));
             p->strokes.push_back(std::make_shared<const Stroke>(growing));
             const Microseconds time = g.born + (frame < 230 ? 20000 : frame * 16000); // at last all is dry
             const auto stats = live->render({p, time, m_view}, picture);
             QVERIFY(stats);
-            if (frame > 100 && frame < 160)
+            if (frame > 100 && frame < 160 && !two)
                 QVERIFY(stats->tilesEvaluated < stats->tiles);
             if (frame % 7 == 0 || frame > 165)
                 QVERIFY2(picture.rgba == test::render(*make(Backend::Cpu), p, m_view, time).rgba,

@@ -1,0 +1,118 @@
+#include "render/cpu/tile_strokes.h"
+
+#include <algorithm>
+
+namespace suffuse::cpu {
+
+namespace {
+
+bool meets(const PixelRect &bounds, double x, double y)
+{
+    return bounds.x < x + blockSide && x < bounds.x + bounds.width && bounds.y < y + blockSide &&
+           y < bounds.y + bounds.height;
+}
+
+} // namespace
+
+Area areaOf(const Rect &r)
+{
+    const Point centre = r.centre();
+    return {centre.x, centre.y, 0.5 * r.width(), 0.5 * r.height()};
+}
+
+int findRuns(const Kernels &kernels, const SceneStroke &stroke, const NodeRange &range, const Area &area,
+             std::vector<std::uint32_t> &room, Meeting &meeting)
+{
+    const std::size_t most = (range.to - range.from + boxRun - 1) / boxRun;
+    if (room.size() < most)
+        room.resize(most);
+    return kernels.findRuns(stroke.boxes.boxes().from(range.from), range.size(), area, room.data(), meeting);
+}
+
+bool shows(const SceneStroke &stroke, const Meeting &meeting)
+{
+    return meeting.count == 0 ? !stroke.deep.empty() : !canVanish(stroke, meeting.density, meeting.slope);
+}
+
+void TileStrokes::begin(const Kernels &kernels, const PixelRect &tile)
+{
+    const auto blocks = [](int pixels) { return (pixels + blockSide - 1) / blockSide; };
+    m_kernels = &kernels;
+    m_grid = {double(tile.x), double(tile.y), blockSide, blocks(tile.width), blocks(tile.height)};
+    m_area = areaOf(Rect::of(tile.x, tile.y, m_grid.columns * blockSide, m_grid.rows * blockSide));
+    m_strokes.clear();
+    m_used = 0;
+}
+
+std::size_t TileStrokes::list(const SceneStroke &stroke, const NodeRange &range, int runs, Cells &cells)
+{
+    const std::size_t room = std::size_t(runs) * boxRun, end = m_used + room * blockCount();
+    if (m_nodes.size() < end)
+        m_nodes.resize(2 * end);
+    m_kernels->listNodes(stroke.boxes.boxes().from(range.from), range.size(), m_runs.data(), runs, m_grid,
+                         m_nodes.data() + m_used, cells.data());
+    return room;
+}
+
+bool TileStrokes::add(const SceneStroke &stroke, const StrokePrefix *prefix)
+{
+    const NodeRange range{prefix ? prefix->nodes : 0, stroke.nodes.size()};
+    Meeting tile;
+    const int runs = findRuns(*m_kernels, stroke, range, m_area, m_runs, tile);
+    if (prefix)
+        tile += prefix->meeting;
+    if (!shows(stroke, tile))
+        return false;
+    Cells cells;
+    const std::size_t room = list(stroke, range, runs, cells);
+    Entry &entry = m_strokes.emplace_back();
+    entry.scene = &stroke;
+    entry.prefix = prefix;
+    bool shown = false;
+    for (std::size_t i = 0; i < blockCount(); ++i) {
+        const int listed = cells[i].count, column = int(i) % m_grid.columns, row = int(i) / m_grid.columns;
+        if (prefix)
+            cells[i] += prefix->blocks[i].meeting;
+        if (!shows(stroke, cells[i]) ||
+            !meets(stroke.bounds, m_grid.x + column * blockSide, m_grid.y + row * blockSide))
+            continue;
+        entry.blocks[i] = {std::uint32_t(m_used + i * room), listed};
+        shown = true;
+    }
+    if (shown)
+        m_used += room * blockCount();
+    else
+        m_strokes.pop_back();
+    return shown;
+}
+
+void TileStrokes::settle(const SceneStroke &stroke, std::size_t steady, StrokePrefix &prefix)
+{
+    if (steady <= prefix.nodes)
+        return;
+    const NodeRange range{prefix.nodes, steady};
+    Meeting tile;
+    const int runs = findRuns(*m_kernels, stroke, range, m_area, m_runs, tile);
+    Cells cells;
+    const std::size_t room = list(stroke, range, runs, cells);
+    prefix.meeting += tile;
+    prefix.nodes = steady;
+    prefix.blocks.resize(blockCount());
+    const std::size_t floats = std::size_t(fixedSums + stroke.channels) * blockSize;
+    Sums sums;
+    for (std::size_t i = 0; i < blockCount(); ++i) {
+        BlockPrefix &block = prefix.blocks[i];
+        const int count = cells[i].count;
+        if (count == 0)
+            continue;
+        block.meeting += cells[i];
+        std::ranges::copy(block.sums, sums.v[0]);
+        const Block place{m_grid.x + int(i) % m_grid.columns * blockSide,
+                          m_grid.y + int(i) / m_grid.columns * blockSide};
+        m_kernels->accumulate(place, stroke.nodes.data(), m_nodes.data() + m_used + i * room, count, count,
+                              stroke.values.data(), stroke.channels, !block.sums.empty(), sums);
+        block.sums.assign(sums.v[0], sums.v[0] + floats);
+    }
+}
+
+} // namespace suffuse::cpu
