@@ -67,6 +67,7 @@ struct RendererOptions {
     int threads = 0;  ///< 0: all cores
     int tileSize = 0; ///< 0: the backend's choice; the picture's bits do not depend on it
     bool cull = true; ///< false: every stroke is evaluated everywhere, to test that culling changes no bit
+    int firstDevice = 0; ///< the GPU to begin with
     int devices = 1;  ///< of several GPUs so many share each picture, or allDevices; the picture's bits stay the same
 };
 

@@ -24,6 +24,7 @@ constexpr std::array commands = {
     Command{"convert", convertCommand, QT_TRANSLATE_NOOP("Cli", "between documents, the text form and recordings")},
     Command{"probe", probeCommand, QT_TRANSLATE_NOOP("Cli", "what lies at a point of the canvas")},
     Command{"verify", verifyCommand, QT_TRANSLATE_NOOP("Cli", "compare the backends with the reference")},
+    Command{"timelapse", timelapseCommand, QT_TRANSLATE_NOOP("Cli", "draw a painting while it is painted, as frames")},
     Command{"bench", benchCommand, QT_TRANSLATE_NOOP("Cli", "measure how fast this machine draws")},
 };
 

@@ -23,6 +23,7 @@ int infoCommand(const QStringList &arguments);
 int convertCommand(const QStringList &arguments);
 int probeCommand(const QStringList &arguments);
 int verifyCommand(const QStringList &arguments);
+int timelapseCommand(const QStringList &arguments);
 
 /// The parser of one command.
 class CommandLine {

@@ -219,7 +219,7 @@ Result<std::unique_ptr<Renderer>> makeCudaRenderer(const RendererOptions &option
     const auto wanted = std::size_t(options.devices == allDevices ? found.count : std::max(options.devices, 1));
     std::vector<std::shared_ptr<cuda::Device>> devices;
     std::string why;
-    for (int i = 0; i < found.count && devices.size() < wanted; ++i)
+    for (int i = options.firstDevice; i < found.count && devices.size() < wanted; ++i)
         if (auto device = cuda::openDevice(i, why))
             devices.push_back(cuda::failingIfAsked(std::move(device)));
     if (devices.empty())
