@@ -3,6 +3,7 @@
 #include "render/parallel.h"
 
 #include <algorithm>
+#include <bit>
 #include <unordered_map>
 #include <unordered_set>
 
@@ -11,6 +12,7 @@ namespace suffuse {
 void DirtyRegion::reset(int width, int height, int tileSize)
 {
     m_width = width, m_height = height, m_tileSize = tileSize;
+    m_shift = std::has_single_bit(unsigned(tileSize)) ? std::countr_zero(unsigned(tileSize)) : -1;
     m_columns = (width + tileSize - 1) / tileSize;
     m_rows = (height + tileSize - 1) / tileSize;
     m_dirty.assign(std::size_t(m_columns) * m_rows, 1);
@@ -26,33 +28,31 @@ TileRange DirtyRegion::tilesOf(const PixelRect &r) const
 {
     if (r.isEmpty())
         return {};
-    return {std::max(0, r.x / m_tileSize), std::max(0, r.y / m_tileSize),
-            std::min((r.x + r.width - 1) / m_tileSize + 1, m_columns),
-            std::min((r.y + r.height - 1) / m_tileSize + 1, m_rows)};
+    const auto tile = [this](int pixel) { return m_shift >= 0 ? pixel >> m_shift : pixel / m_tileSize; };
+    return {std::max(0, tile(r.x)), std::max(0, tile(r.y)), std::min(tile(r.x + r.width - 1) + 1, m_columns),
+            std::min(tile(r.y + r.height - 1) + 1, m_rows)};
 }
 
-void DirtyRegion::mark(const PixelRect &pixels)
+void DirtyRegion::mark(const TileRange &tiles)
 {
-    const TileRange tiles = tilesOf(pixels);
     for (int y = tiles.top; y < tiles.bottom; ++y)
         std::fill_n(m_dirty.begin() + std::ptrdiff_t(index(tiles.left, y)), std::max(0, tiles.right - tiles.left),
                     std::uint8_t(1));
 }
 
-void DirtyRegion::mark(const std::vector<PixelRect> &boxes)
+void DirtyRegion::mark(const std::vector<TileRange> &ranges)
 {
     constexpr std::size_t many = 256;
-    if (boxes.size() < many) {
-        for (const PixelRect &box : boxes)
-            mark(box);
+    if (ranges.size() < many) {
+        for (const TileRange &range : ranges)
+            mark(range);
         return;
     }
-    // Differences along columns and rows of how many boxes cover a tile, summed up at the end.
+    // Differences along columns and rows of how many ranges cover a tile, summed up at the end.
     const std::size_t stride = std::size_t(m_columns) + 1;
     std::vector<std::int32_t> covered(stride * (std::size_t(m_rows) + 1), 0);
-    for (const PixelRect &box : boxes) {
-        const TileRange t = tilesOf(box);
-        if (t.left >= t.right || t.top >= t.bottom)
+    for (const TileRange &t : ranges) {
+        if (t.isEmpty())
             continue;
         const auto at = [&](int x, int y) -> std::int32_t & {
             return covered[std::size_t(y) * stride + std::size_t(x)];
@@ -61,10 +61,14 @@ void DirtyRegion::mark(const std::vector<PixelRect> &boxes)
     }
     std::vector<std::int32_t> column(stride, 0);
     for (int y = 0; y < m_rows; ++y) {
+        const std::int32_t *row = covered.data() + std::size_t(y) * stride;
+        for (std::size_t x = 0; x < stride; ++x)
+            column[x] += row[x];
         std::int32_t count = 0;
+        std::uint8_t *dirty = m_dirty.data() + index(0, y);
         for (int x = 0; x < m_columns; ++x) {
-            count += column[std::size_t(x)] += covered[std::size_t(y) * stride + std::size_t(x)];
-            m_dirty[index(x, y)] |= std::uint8_t(count != 0);
+            count += column[std::size_t(x)];
+            dirty[x] |= std::uint8_t(count != 0);
         }
     }
 }
@@ -117,6 +121,11 @@ void markChanged(const SceneStroke &before, const SceneStroke &after, const View
         region.mark(after.bounds);
         return;
     }
+    const auto tilesOf = [&](const SceneStroke &s, std::size_t i) {
+        return region.tilesOf(s.groupBounds.empty()
+                                  ? pixelBounds(*s.source, s.source->groups[i], s.stroke->origin, view)
+                                  : s.groupBounds[i]);
+    };
     const auto same = [&](std::size_t i, std::size_t j) {
         return sameGroup(*before.source, a[i], *after.source, b[j]);
     };
@@ -129,18 +138,22 @@ void markChanged(const SceneStroke &before, const SceneStroke &after, const View
         ++suffix;
     constexpr std::size_t share = 256;
     const std::size_t end = std::max(a.size(), b.size()) - suffix, count = end - prefix;
-    std::vector<PixelRect> boxes(2 * count); // before and after; empty where nothing differs
-    parallelFor((count + share - 1) / share, count < 2 * share ? 1 : threads, [&](std::size_t k) {
+    std::vector<TileRange> ranges(2 * count); // before and after; empty where nothing differs
+    const bool isQuick = !inPlace && !before.groupBounds.empty() && !after.groupBounds.empty();
+    parallelFor((count + share - 1) / share, isQuick || count < 2 * share ? 1 : threads, [&](std::size_t k) {
         for (std::size_t i = prefix + k * share; i < std::min(prefix + (k + 1) * share, end); ++i) {
             if (inPlace && same(i, i))
                 continue;
+            TileRange &was = ranges[2 * (i - prefix)], &is = ranges[2 * (i - prefix) + 1];
             if (i < a.size() - suffix)
-                boxes[2 * (i - prefix)] = pixelBounds(*before.source, a[i], before.stroke->origin, view);
+                was = tilesOf(before, i);
             if (i < b.size() - suffix)
-                boxes[2 * (i - prefix) + 1] = pixelBounds(*after.source, b[i], after.stroke->origin, view);
+                is = tilesOf(after, i);
+            if (is.contains(was))
+                was = {};
         }
     });
-    region.mark(boxes);
+    region.mark(ranges);
 }
 
 std::vector<StrokeId> movedInOrder(const std::vector<StrokeId> &before, const std::vector<StrokeId> &after)

@@ -62,8 +62,9 @@ void FrameHistory::followEdits(Step &step, bool interactive)
         m_oneEdited = first == m_edited && step.scene.replaced.size() == 1;
         step.keepsOver = step.keepsUnder && m_oneEdited;
     }
-    if (interactive)
+    if (interactive || !m_anyApproximate)
         return;
+    m_anyApproximate = false;
     for (int row = 0; row < m_region.rows(); ++row)
         for (int column = 0; column < m_region.columns(); ++column)
             if (std::uint8_t &approximate = m_approximate[tileIndex(column, row)]; approximate) {
@@ -89,6 +90,7 @@ FrameHistory::Step FrameHistory::advance(const RenderRequest &request, Target &t
         m_edited = noEdit;
         m_oneEdited = false;
         m_approximate.assign(std::size_t(m_region.columns()) * std::size_t(m_region.rows()), 0);
+        m_anyApproximate = false;
         m_target = target.serial();
     } else {
         markDifferences(step.scene, threads);
@@ -97,10 +99,12 @@ FrameHistory::Step FrameHistory::advance(const RenderRequest &request, Target &t
     return step;
 }
 
-void FrameHistory::drawn(int column, int row, bool approximate)
+void FrameHistory::drawnAll()
 {
-    m_region.clean(column, row);
-    m_approximate[tileIndex(column, row)] = approximate;
+    if (m_anyApproximate)
+        std::transform(m_approximate.begin(), m_approximate.end(), m_region.dirtyRow(0), m_approximate.begin(),
+                       [](std::uint8_t approximate, std::uint8_t dirty) { return approximate & (1 - dirty); });
+    m_region.cleanAll();
 }
 
 } // namespace suffuse

@@ -26,7 +26,14 @@ public:
     /// The next step is whole.
     void forget() { m_target = 0; }
     /// Tile (column, row) was drawn; `approximate`: with an over map.
-    void drawn(int column, int row, bool approximate);
+    void drawn(int column, int row, bool approximate)
+    {
+        m_region.clean(column, row);
+        m_approximate[tileIndex(column, row)] = approximate;
+        m_anyApproximate |= approximate;
+    }
+    /// All dirty tiles were drawn, none of them with an over map.
+    void drawnAll();
 
     const LiveScene &scene() const { return m_scene; }
     const DirtyRegion &region() const { return m_region; }
@@ -53,6 +60,7 @@ private:
     std::size_t m_edited = noEdit;
     bool m_oneEdited = false;
     std::vector<std::uint8_t> m_approximate; ///< tiles drawn with an over map, by index
+    bool m_anyApproximate = false;           ///< some of them may be
     View m_view;
     bool m_transparent = false;
     Canvas m_canvas;

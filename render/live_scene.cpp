@@ -131,8 +131,8 @@ void LiveScene::prepare(const std::vector<Stale> &stale, const RenderRequest &re
         auto nodes = stale[k].nodesHold ? m_strokes[i]->source
                      : frozen[k] ? buildNodes(m_sources[i], request.time, octave, visible, *frozen[k], threadsEach)
                                  : buildNodes(*m_sources[i], request.time, octave, visible, threadsEach);
-        auto stroke =
-            std::make_shared<SceneStroke>(makeSceneStroke(m_sources[i], std::move(nodes), request.view, threadsEach));
+        auto stroke = std::make_shared<SceneStroke>(
+            makeSceneStroke(m_sources[i], std::move(nodes), request.view, threadsEach, frozen[k] != nullptr));
         if (!m_cull)
             reachEverywhere(*stroke, request.view);
         m_bounds[i] = stroke->bounds;

@@ -1,142 +1,12 @@
 #include "render/node_builder.h"
 
-#include "model/influence.h"
-#include "render/level0.h"
 #include "render/level1.h"
-#include "render/math/scalar.h"
-#include "render/math/style.h"
 #include "render/parallel.h"
+#include "render/segment_nodes.h"
 
-#include <numbers>
 #include <span>
 
 namespace suffuse {
-
-namespace {
-
-constexpr double unseen = 5e-4;        // opacity
-constexpr double finest = 0x1p-22;     // float sums carry no more
-constexpr double finestDeep = 0x1p-44; // double ones, for segments that a deep zoom shows the edge of
-constexpr double mergeable = 0x1p-20;  // the check of merged nodes is in float
-constexpr double coarsest = 0x1p-12;
-constexpr double thinnest = 0x1p-13; // px: a line of this spread covers less than 1/512 of a pixel
-constexpr double cutShare = 0.35;    // of the tolerance, for cutting nodes off at R
-// What the kernel b(u)b(v), b(u) = e^(−u²) − e^(−R²), takes from a long line is between 1 and 5 e^(−R²) of its peak, as
-// the line lies. Raising the weights by 3.5 e^(−R²) leaves −2.5 to 0.7, and for oblique nodes −3.3 to −0.4.
-constexpr double cutGain = 3.5;
-constexpr double lossSeparable = 2.5, lossOblique = 3.3, lossUnraised = 5;
-constexpr int maxDepth = 40;
-constexpr double longSegment = 512; // spreads: longer ones are built per view
-
-/// A segment ready to be cut into panels.
-struct Source {
-    Cubic curve;          // offsets from the stroke's origin
-    double a, b, c;       // metric, unit⁻²
-    double wxx, wxy, wyy; // its square root: whitening
-    double speedScale;    // makes |g′| comparable: 1/s of the smaller axis
-    double gain;          // φˢ √det M / π
-    double radius;        // R
-    Rect clip;            // empty: none
-    double reach;         // R · larger axis
-    bool isotropic;
-};
-
-Cubic whitened(const Source &s, const Cubic &curve)
-{
-    Cubic w;
-    for (int i = 0; i < 4; ++i) {
-        const Point d = curve.p[i] - s.curve.p[0];
-        w.p[i] = {s.wxx * d.x + s.wxy * d.y, s.wxy * d.x + s.wyy * d.y};
-    }
-    return w;
-}
-
-Cubic scaled(const Source &s, const Cubic &curve)
-{
-    Cubic w;
-    for (int i = 0; i < 4; ++i)
-        w.p[i] = s.speedScale * (curve.p[i] - s.curve.p[0]);
-    return w;
-}
-
-/// Without hypot's care for overflow, which canvas coordinates do not need.
-double norm(Point p)
-{
-    return std::sqrt(dot(p, p));
-}
-
-double polygonLength(const Cubic &c)
-{
-    return norm(c.p[1] - c.p[0]) + norm(c.p[2] - c.p[1]) + norm(c.p[3] - c.p[2]);
-}
-
-void addPanel(const Source &s, const Cubic &curve, int n, std::vector<Node> &out)
-{
-    const QuadratureRule &rule = gaussLegendre(n);
-    for (int i = 0; i < n; ++i) {
-        const Point at = curve.at(rule.x[i]);
-        const double weight = s.gain * rule.weight[i] * norm(curve.derivative(rule.x[i]));
-        if (weight > 0)
-            out.push_back({at.x, at.y, s.a, s.b, s.c, weight, float(s.radius)});
-    }
-}
-
-void addPanels(const Source &s, const Cubic &curve, double tolerance, int depth, std::vector<Node> &out)
-{
-    if (!s.clip.isEmpty() && !curve.controlBox().grown(s.reach).intersects(s.clip))
-        return;
-    const Cubic metric = scaled(s, curve);
-    int n = panelNodes(s.isotropic ? metric : whitened(s, curve), metric, tolerance);
-    // A piece (of a cusp) so short that all its mass counts for less than the tolerance takes any rule.
-    if (n == 0 && (depth == maxDepth || 2 * polygonLength(metric) < tolerance * std::sqrt(std::numbers::pi)))
-        n = 4;
-    if (n > 0)
-        return addPanel(s, curve, n, out);
-    const auto halves = curve.split(0.5);
-    addPanels(s, halves[0], tolerance / 2, depth + 1, out);
-    addPanels(s, halves[1], tolerance / 2, depth + 1, out);
-}
-
-/// Metric M = D⁻¹/4t of an age and its square root.
-void setMetric(Source &s, const Segment &segment, double spread)
-{
-    const double across = 1 / (spread * spread), along = across / segment.anisotropyRatio;
-    s.isotropic = segment.isIsotropic();
-    if (s.isotropic) {
-        s.a = s.c = across;
-        s.b = 0;
-        s.wxx = s.wyy = 1 / spread;
-        s.wxy = 0;
-        return;
-    }
-    const double cs = std::cos(double(segment.anisotropyAngle)), sn = std::sin(double(segment.anisotropyAngle));
-    const auto compose = [&](double l, double n, double &xx, double &xy, double &yy) {
-        xx = l * cs * cs + n * sn * sn;
-        xy = (l - n) * cs * sn;
-        yy = l * sn * sn + n * cs * cs;
-    };
-    compose(along, across, s.a, s.b, s.c);
-    compose(std::sqrt(along), std::sqrt(across), s.wxx, s.wxy, s.wyy);
-    // Axis-aligned tensors are separable: keep that exact.
-    if (std::abs(s.b) < 1e-9 * std::min(s.a, s.c))
-        s.b = s.wxy = 0;
-}
-
-/// R: beyond it neither the density itself nor its slope over a sample can be seen. `lineLoss`: what cutting takes from
-/// a line at most, in units of e^(−R²) of its peak.
-double cutRadius(double tolerance, const std::vector<Style> &styles, double peak, double spreadPixels, double lineLoss)
-{
-    // A sample is at most one spread wide, but where even 64 × 64 of them a pixel do not suffice.
-    const double sample = spreadPixels < 1 ? std::max(1.0, 1 / (64 * spreadPixels)) : 1 / spreadPixels;
-    // At the edge of its box a node's slope jumps by 2R e^(−R²), half of which counts.
-    double r2 = std::log((lineLoss + 3.5 * sample) / cutShare * std::max(peak / tolerance, 1.0));
-    for (const Style &style : styles)
-        if (style.kind == StyleKind::Feathering) // its tail reaches far where ξ2 is small
-            r2 = std::max(r2, std::log(std::max(peak / style.xi[0], 1e-6)) + std::log(1 / unseen) / style.xi[1]);
-    return std::sqrt(std::clamp(r2, 6.0, 80.0));
-}
-
-} // namespace
 
 int zoomOctave(double scale)
 {
@@ -145,111 +15,23 @@ int zoomOctave(double scale)
     return mantissa == 0.5 ? exponent - 1 : exponent;
 }
 
-double densityTolerance(const Style &style, double peak, double spreadPixels)
-{
-    const double xi1 = style.xi[0], xi2 = style.xi[1];
-    switch (style.kind) {
-    case StyleKind::Uniform:
-        return unseen * 4 * xi2;
-    case StyleKind::Feathering:
-        return unseen * xi1 / std::max(xi2, 1.0);
-    case StyleKind::Edge:
-        break;
-    }
-    // A jump: the pixel's width alone softens it. It spans 2h = |∇φ| px of density, |∇φ| = 2uφ/s at u spreads from a
-    // line.
-    const double edge = math::Edge<double>(xi1, xi2, style.xi[2]).phiE;
-    const double u = std::sqrt(std::max(std::log(peak / edge), 0.25));
-    return unseen * 2 * u * edge / std::max(spreadPixels, 1.0);
-}
-
 namespace {
-
-/// Density from which on a style shows plainly.
-double shownFrom(const Style &style)
-{
-    const double xi1 = style.xi[0];
-    return style.kind == StyleKind::Edge ? math::Edge<double>(xi1, style.xi[1], style.xi[2]).phiE : xi1;
-}
-
-/// One segment's Level 0 nodes, before they are put together.
-struct Built {
-    std::size_t begin = 0; ///< range of its nodes in the block's
-    std::size_t end = 0;
-    NodeValues values;
-    SegmentReach reach;
-    double epsilon = 0; ///< error budget relative to the peak
-    double peak = 0;
-    double weightGain = 1;  ///< makes up for the cut
-    float radius = 0;       ///< R
-    bool clipped = false;   ///< to the view
-    bool mergeable = false; ///< isotropic, dry, not clipped, and not too exact
-};
 
 /// Segments of a block that can be seen, in order.
 struct BuiltBlock {
-    std::vector<Built> segments;
+    std::vector<SegmentNodes> segments;
     std::vector<Node> nodes;
     std::vector<SpanNode> fine; ///< scratch of a run to be merged
 };
 
-/// False: nothing to be seen.
-bool buildSegment(const Stroke &stroke, const Segment &segment, const NodeContext &context, double scale,
-                  std::vector<Node> &nodes, Built &out)
-{
-    const std::vector<Style> &styles = context.styles;
-    const double across = segment.spread(context.T);
-    const double along = across * std::sqrt(double(segment.anisotropyRatio));
-    const double spread = std::min(across, along), larger = std::max(across, along);
-    if (!(across > 0) || segment.density <= 0 || larger * scale < thinnest)
-        return false;
-    out.peak = segment.density / (std::sqrt(std::numbers::pi) * spread);
-    double tolerance = 1e300;
-    // Where a segment alone does not reach what the style shows, several lie on top of each other and their errors add.
-    for (const Style &style : styles)
-        tolerance = std::min(tolerance, densityTolerance(style, out.peak, spread * scale) *
-                                            std::min(1.0, out.peak / shownFrom(style)));
-    out.epsilon = std::clamp(tolerance / out.peak, spread * scale > deepSpread ? finestDeep : finest, coarsest);
-
-    Source s{};
-    for (int i = 0; i < 4; ++i)
-        s.curve.p[i] = Point{} + segment.bezier[i];
-    setMetric(s, segment, across);
-    s.speedScale = 1 / spread;
-    s.gain = segment.density * std::sqrt(s.a * s.c - s.b * s.b) / std::numbers::pi;
-    // Nodes evaluated in double are not cut.
-    const bool raised = larger * scale <= deepSpread;
-    const double lineLoss = !raised ? lossUnraised : s.isotropic ? lossSeparable : lossOblique;
-    const Rect box = s.curve.controlBox();
-    const double polygon = polygonLength(s.curve);
-    // How often the segment may lie on top of itself.
-    const double folds = std::max(1.0, polygon / (norm({box.width(), box.height()}) + 0.5 * spread));
-    s.radius = cutRadius(out.epsilon * out.peak, styles, out.peak, spread * scale, folds * lineLoss);
-    out.radius = float(s.radius);
-    out.weightGain = raised ? 1 + cutGain * std::exp(-s.radius * s.radius) : 1;
-    s.reach = s.radius * larger;
-    out.clipped = polygon > longSegment * spread;
-    if (out.clipped)
-        s.clip = {context.clip.left - stroke.origin.x, context.clip.top - stroke.origin.y,
-                  context.clip.right - stroke.origin.x, context.clip.bottom - stroke.origin.y};
-    const double chord = norm(s.curve.p[3] - s.curve.p[0]);
-    out.begin = nodes.size();
-    addPanels(s, s.curve, out.epsilon * std::min(1.0, chord / (4 * spread) + 0.1), 0, nodes);
-    out.end = nodes.size();
-    out.values = {segment.colour, segment.granulation, stroke.styleOf(segment)};
-    out.reach = {spread, box.grown(reachInSpreads * larger)};
-    out.mergeable = segment.isIsotropic() && !out.clipped && segment.driesAt() <= context.T && out.epsilon >= mergeable;
-    return true;
-}
-
-/// Appends one segment as a group of its own.
-void append(const BuiltBlock &block, const Built &b, StrokeNodes &out)
+/// Makes one segment a group of its own; its nodes are the last ones of `out`, from `begin` on.
+void appendGroup(const SegmentNodes &b, std::size_t begin, StrokeNodes &out)
 {
     NodeGroup g;
-    g.begin = std::uint32_t(out.nodes.size());
-    for (std::size_t i = b.begin; i < b.end; ++i)
-        out.nodes.emplace_back(block.nodes[i]).weight *= b.weightGain;
+    g.begin = std::uint32_t(begin);
     g.end = std::uint32_t(out.nodes.size());
+    for (std::size_t i = begin; i < out.nodes.size(); ++i)
+        out.nodes[i].weight *= b.weightGain;
     g.row = std::uint32_t(out.rows.size());
     out.rows.push_back(b.values);
     g.reachBegin = std::uint32_t(out.reaches.size());
@@ -258,12 +40,21 @@ void append(const BuiltBlock &block, const Built &b, StrokeNodes &out)
     out.groups.push_back(g);
 }
 
+/// Appends one segment of a block as a group of its own.
+void append(const BuiltBlock &block, const SegmentNodes &b, StrokeNodes &out)
+{
+    const std::size_t begin = out.nodes.size();
+    out.nodes.insert(out.nodes.end(), block.nodes.begin() + std::ptrdiff_t(b.begin),
+                     block.nodes.begin() + std::ptrdiff_t(b.end));
+    appendGroup(b, begin, out);
+}
+
 /// Nodes of a run of segments in units of its spread.
-void toSpan(const BuiltBlock &block, std::span<const Built> run, std::vector<SpanNode> &fine)
+void toSpan(const BuiltBlock &block, std::span<const SegmentNodes> run, std::vector<SpanNode> &fine)
 {
     const double inverse = 1 / run[0].reach.spread;
     fine.clear();
-    for (const Built &b : run) {
+    for (const SegmentNodes &b : run) {
         const Colour &c = b.values.colour;
         for (std::size_t i = b.begin; i < b.end; ++i) {
             const Node &n = block.nodes[i];
@@ -277,7 +68,7 @@ void toSpan(const BuiltBlock &block, std::span<const Built> run, std::vector<Spa
 }
 
 /// Appends a run of segments of one spread and style with fewer nodes, a group for each window.
-void appendMerged(BuiltBlock &block, std::span<const Built> run, StrokeNodes &out)
+void appendMerged(BuiltBlock &block, std::span<const SegmentNodes> run, StrokeNodes &out)
 {
     toSpan(block, run, block.fine);
     const double s = run[0].reach.spread, metric = 1 / (s * s);
@@ -318,8 +109,8 @@ void appendMerged(BuiltBlock &block, std::span<const Built> run, StrokeNodes &ou
 void appendBlock(BuiltBlock &block, StrokeNodes &out)
 {
     const auto &segments = block.segments;
-    const bool merge = std::ranges::all_of(segments, &Built::mergeable);
-    const auto together = [](const Built &a, const Built &b) {
+    const bool merge = std::ranges::all_of(segments, &SegmentNodes::mergeable);
+    const auto together = [](const SegmentNodes &a, const SegmentNodes &b) {
         return a.reach.spread == b.reach.spread && a.values.style == b.values.style;
     };
     for (std::size_t i = 0; i < segments.size();) {
@@ -343,6 +134,27 @@ void reserve(std::size_t segments, std::size_t nodes, StrokeNodes &out)
     out.reaches.reserve(out.reaches.size() + segments);
 }
 
+/// Whether a segment keeps its block from being merged: as SegmentNodes::mergeable, as far as that does not take
+/// building it.
+bool standsAlone(const Segment &segment, const NodeContext &context, double scale)
+{
+    return (!segment.isIsotropic() || segment.driesAt() > context.T) && isSeen(segment, context.T, scale);
+}
+
+/// Appends segments [from, to) one by one.
+void appendApart(const Stroke &stroke, std::size_t from, std::size_t to, const NodeContext &context, double scale,
+                 StrokeNodes &out)
+{
+    for (std::size_t k = from; k < to; ++k) {
+        SegmentNodes built;
+        const std::size_t begin = out.nodes.size();
+        if (!buildSegment(stroke, stroke.segments[k], context, scale, out.nodes, built))
+            continue;
+        appendGroup(built, begin, out);
+        out.clipped |= built.clipped;
+    }
+}
+
 /// Appends segments [from, to), block by block.
 void appendBlocks(const Stroke &stroke, std::size_t from, std::size_t to, const NodeContext &context, StrokeNodes &out)
 {
@@ -350,10 +162,16 @@ void appendBlocks(const Stroke &stroke, std::size_t from, std::size_t to, const 
     reserve(to - from, 5 * (to - from), out);
     BuiltBlock block;
     for (std::size_t first = from; first < to; first += mergeBlock) {
+        const std::size_t end = std::min(first + mergeBlock, to);
+        const auto alone = [&](const Segment &s) { return standsAlone(s, context, scale); };
+        if (std::any_of(&stroke.segments[first], stroke.segments.data() + end, alone)) {
+            appendApart(stroke, first, end, context, scale, out);
+            continue;
+        }
         block.segments.clear();
         block.nodes.clear();
-        for (std::size_t k = first; k < std::min(first + mergeBlock, to); ++k) {
-            Built &built = block.segments.emplace_back();
+        for (std::size_t k = first; k < end; ++k) {
+            SegmentNodes &built = block.segments.emplace_back();
             if (buildSegment(stroke, stroke.segments[k], context, scale, block.nodes, built))
                 out.clipped |= built.clipped;
             else
@@ -363,48 +181,71 @@ void appendBlocks(const Stroke &stroke, std::size_t from, std::size_t to, const 
     }
 }
 
-template <class T>
-void appendAll(const std::vector<T> &from, std::vector<T> &to)
+/// How many of each kind there are.
+struct Extent {
+    std::size_t nodes, groups, rows, reaches;
+
+    explicit Extent(const StrokeNodes &s)
+        : nodes(s.nodes.size()), groups(s.groups.size()), rows(s.rows.size()), reaches(s.reaches.size())
+    {}
+    void operator+=(const Extent &e) { nodes += e.nodes, groups += e.groups, rows += e.rows, reaches += e.reaches; }
+    void resize(StrokeNodes &s) const
+    {
+        s.nodes.resize(nodes);
+        s.groups.resize(groups);
+        s.rows.resize(rows);
+        s.reaches.resize(reaches);
+    }
+};
+
+/// Puts all of `part` into `out` from `at` on, where there is room.
+void copyNodes(const StrokeNodes &part, const Extent &at, StrokeNodes &out)
 {
-    to.insert(to.end(), from.begin(), from.end());
+    const auto nodes = std::uint32_t(at.nodes), reaches = std::uint32_t(at.reaches);
+    std::ranges::transform(part.groups, out.groups.begin() + std::ptrdiff_t(at.groups), [&](NodeGroup group) {
+        group.begin += nodes, group.end += nodes;
+        group.row += std::uint32_t(at.rows);
+        group.reachBegin += reaches, group.reachEnd += reaches;
+        return group;
+    });
+    std::ranges::copy(part.nodes, out.nodes.begin() + std::ptrdiff_t(at.nodes));
+    std::ranges::copy(part.rows, out.rows.begin() + std::ptrdiff_t(at.rows));
+    std::ranges::copy(part.reaches, out.reaches.begin() + std::ptrdiff_t(at.reaches));
 }
 
 } // namespace
 
 void appendNodes(const StrokeNodes &part, StrokeNodes &out)
 {
-    const auto nodes = std::uint32_t(out.nodes.size()), rows = std::uint32_t(out.rows.size());
-    const auto reaches = std::uint32_t(out.reaches.size());
-    for (NodeGroup group : part.groups) {
-        group.begin += nodes, group.end += nodes;
-        group.row += rows;
-        group.reachBegin += reaches, group.reachEnd += reaches;
-        out.groups.push_back(group);
-    }
-    appendAll(part.nodes, out.nodes);
-    appendAll(part.rows, out.rows);
-    appendAll(part.reaches, out.reaches);
+    const Extent at(out);
+    Extent end = at;
+    end += Extent(part);
+    end.resize(out);
+    copyNodes(part, at, out);
     out.clipped |= part.clipped;
 }
 
 void appendNodes(const Stroke &stroke, std::size_t from, std::size_t to, const NodeContext &context, int threads,
                  StrokeNodes &out)
 {
-    constexpr std::size_t share = 4 * mergeBlock; // segments: tens of microseconds
+    constexpr std::size_t share = 2 * mergeBlock; // segments: tens of microseconds
     const std::size_t shares = (to - from + share - 1) / share;
-    if (threads == 1 || shares < 3)
+    if (threads == 1 || shares < 4)
         return appendBlocks(stroke, from, to, context, out);
     std::vector<StrokeNodes> parts(shares);
     parallelFor(shares, threads, [&](std::size_t i) {
         const std::size_t first = from + i * share;
         appendBlocks(stroke, first, std::min(first + share, to), context, parts[i]);
     });
-    std::size_t nodes = 0;
-    for (const StrokeNodes &part : parts)
-        nodes += part.nodes.size();
-    reserve(to - from, nodes, out);
-    for (const StrokeNodes &part : parts)
-        appendNodes(part, out);
+    std::vector<Extent> places; // where each part begins
+    Extent end(out);
+    for (const StrokeNodes &part : parts) {
+        places.push_back(end);
+        end += Extent(part);
+        out.clipped |= part.clipped;
+    }
+    end.resize(out);
+    parallelFor(shares, threads, [&](std::size_t i) { copyNodes(parts[i], places[i], out); });
 }
 
 std::shared_ptr<const StrokeNodes> buildNodes(const Stroke &stroke, Microseconds T, int octave, const Rect &clip,

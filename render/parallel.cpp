@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <thread>
+#include <utility>
 
 #ifdef SUFFUSE_JTHREAD
 #include <atomic>
@@ -14,6 +15,36 @@
 #endif
 
 namespace suffuse {
+
+#ifndef SUFFUSE_JTHREAD
+namespace {
+
+/// While a thread is in a loop's body; loops in there share the outer one's threads.
+class InLoop {
+public:
+    InLoop() : m_before(std::exchange(s_now, true)) {}
+    ~InLoop() { s_now = m_before; }
+    InLoop(const InLoop &) = delete;
+    InLoop &operator=(const InLoop &) = delete;
+    static bool now() { return s_now; }
+
+private:
+    static inline thread_local bool s_now = false;
+    const bool m_before; // a thread that waits for an inner loop may run more of the outer one's bodies
+};
+
+/// A calling thread's own: after a loop oneTBB's threads wait in its arena for the next one for a while, whereas into a
+/// new one they must be woken, which takes as long as a small loop.
+tbb::task_arena &arenaOf(int threads)
+{
+    thread_local std::optional<tbb::task_arena> arena;
+    if (!arena || arena->max_concurrency() != threads)
+        arena.emplace(threads);
+    return *arena;
+}
+
+} // namespace
+#endif
 
 int hardwareThreads()
 {
@@ -39,11 +70,18 @@ void parallelFor(std::size_t count, int threads, const std::function<void(std::s
         pool.emplace_back(work);
     work();
 #else
+    const auto loop = [&] {
+        tbb::parallel_for(std::size_t(0), count, [&](std::size_t i) {
+            const InLoop inLoop;
+            body(i);
+        });
+    };
+    if (InLoop::now())
+        return loop();
     std::optional<tbb::global_control> more; // by itself oneTBB starts a thread a core
     if (threads > hardwareThreads())
         more.emplace(tbb::global_control::max_allowed_parallelism, std::size_t(threads));
-    tbb::task_arena arena(threads);
-    arena.execute([&] { tbb::parallel_for(std::size_t(0), count, body); });
+    arenaOf(threads).execute(loop);
 #endif
 }
 

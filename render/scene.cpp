@@ -97,8 +97,27 @@ struct Placed {
     std::uint32_t footprint;
 };
 
+/// What segments of a stroke differ in, from its first one.
+struct Differences {
+    bool colour = false, granulation = false, style = false, kind = false;
+
+    void look(const NodeValues &first, const NodeValues &v)
+    {
+        colour |= v.colour != first.colour;
+        granulation |= v.granulation != first.granulation;
+        style |= v.style != first.style;
+        kind |= v.style.kind != first.style.kind;
+    }
+    void operator|=(const Differences &d)
+    {
+        colour |= d.colour, granulation |= d.granulation, style |= d.style, kind |= d.kind;
+    }
+};
+
 /// What shows of some of a stroke's groups.
 struct PlacedNodes {
+    Differences differences;
+    std::vector<SmallSegment> small;
     std::vector<Footprint> footprints;
     std::vector<Placed> separable, oblique;
     std::vector<DeepNode> deep;
@@ -143,15 +162,34 @@ void includeNode(Rect &box, Point at, Point reach)
     box.include({at.x + reach.x + 1, at.y + reach.y + 1});
 }
 
-/// Puts groups [from, to) into the picture.
-PlacedNodes placeGroups(const StrokeNodes &source, std::size_t from, std::size_t to, Point origin, const View &view)
+/// A small segment sets how pixels of its neighbours are sampled.
+void includeSmall(Rect &box, const StrokeNodes &nodes, const NodeGroup &group, Point base, const Linear &j,
+                  const View &view)
+{
+    for (std::uint32_t i = group.reachBegin; i < group.reachEnd; ++i)
+        if (const SegmentReach &r = nodes.reaches[i]; r.spread * view.scale < 1)
+            for (const double x : {r.box.left, r.box.right})
+                for (const double y : {r.box.top, r.box.bottom})
+                    includeNode(box, base + j({x, y}), {1, 1});
+}
+
+SmallSegment smallSegment(const SegmentReach &r, Point origin, const View &view)
+{
+    const int level = std::min(6, int(std::ceil(-std::log2(r.spread * view.scale))));
+    return {level, {origin.x + r.box.left, origin.y + r.box.top, origin.x + r.box.right, origin.y + r.box.bottom}};
+}
+
+/// Puts groups [from, to) into the picture. `bounds`, where not null: the pixels that each group can change.
+PlacedNodes placeGroups(const StrokeNodes &source, std::size_t from, std::size_t to, Point origin, const View &view,
+                        PixelRect *bounds)
 {
     PlacedNodes out;
     out.footprints.reserve(to - from);
     out.separable.reserve(source.groups[to - 1].end - source.groups[from].begin);
     const Linear j(view);
     // Subtract in double before scaling: a document far from 0 loses nothing at deep zoom.
-    const Point fromCentre = origin - view.centre;
+    const Point fromCentre = origin - view.centre, base = view.toPixels(origin);
+    Rect box; // of a group
     const auto add = [&](const Node &n, std::uint32_t row) {
         if (out.footprints.empty() || !out.footprints.back().fits(n))
             out.footprints.emplace_back(n, j, view.scale);
@@ -161,7 +199,7 @@ PlacedNodes placeGroups(const StrokeNodes &source, std::size_t from, std::size_t
         if (at.x + f.reach.x < -1 || at.y + f.reach.y < -1 || at.x - f.reach.x > view.width + 1 ||
             at.y - f.reach.y > view.height + 1)
             return;
-        includeNode(out.box, at, f.reach);
+        includeNode(box, at, f.reach);
         if (f.narrowest > deepSpread)
             out.deep.push_back({at.x, at.y, f.metric.a, f.metric.b, f.metric.c, n.weight, row});
         else
@@ -170,29 +208,47 @@ PlacedNodes placeGroups(const StrokeNodes &source, std::size_t from, std::size_t
     };
     for (std::size_t g = from; g < to; ++g) {
         const NodeGroup &group = source.groups[g];
+        box = {};
         for (std::uint32_t i = group.begin; i < group.end; ++i)
             add(source.nodes[i], group.row + (group.rowPerNode ? i - group.begin : 0));
+        out.box = out.box.united(box);
+        if (!bounds)
+            continue;
+        includeSmall(box, source, group, base, j, view);
+        bounds[g] = toPixelRect(box, view);
     }
+    const std::size_t rowsEnd = to < source.groups.size() ? source.groups[to].row : source.rows.size();
+    for (std::size_t k = source.groups[from].row; k < rowsEnd; ++k)
+        out.differences.look(source.rows.front(), source.rows[k]);
+    for (std::uint32_t k = source.groups[from].reachBegin; k < source.groups[to - 1].reachEnd; ++k)
+        if (const SegmentReach &r = source.reaches[k]; r.spread * view.scale < 1)
+            out.small.push_back(smallSegment(r, origin, view));
     return out;
 }
 
-/// Puts the stroke's nodes into the picture, the separable ones first, and finds its bounds.
-void placeNodes(SceneStroke &s, const View &view, int threads)
+/// Puts the stroke's nodes into the picture, the separable ones first, and finds its bounds and what its segments
+/// differ in.
+Differences placeNodes(SceneStroke &s, const View &view, int threads, bool changes)
 {
     const StrokeNodes &source = *s.source;
-    constexpr std::size_t share = 512; // groups: tens of microseconds
+    constexpr std::size_t share = 64, worthSharing = 8 * share; // groups
     const std::size_t count = source.groups.size();
-    std::vector<PlacedNodes> parts(threads == 1 || count < 2 * share ? 1 : (count + share - 1) / share);
+    if (changes)
+        s.groupBounds.resize(count);
+    std::vector<PlacedNodes> parts(threads == 1 || count < worthSharing ? 1 : (count + share - 1) / share);
     parallelFor(parts.size(), threads, [&](std::size_t k) {
         const std::size_t from = k * share, to = k + 1 == parts.size() ? count : from + share;
-        parts[k] = placeGroups(source, from, to, s.stroke->origin, view);
+        parts[k] = placeGroups(source, from, to, s.stroke->origin, view, changes ? s.groupBounds.data() : nullptr);
     });
     std::size_t separable = 0, nodes = 0;
+    Differences differences;
     Rect box;
     for (const PlacedNodes &part : parts) {
         separable += part.separable.size();
         nodes += part.separable.size() + part.oblique.size();
         box = box.united(part.box);
+        differences |= part.differences;
+        s.small.insert(s.small.end(), part.small.begin(), part.small.end());
         s.deep.insert(s.deep.end(), part.deep.begin(), part.deep.end());
     }
     s.separable = int(separable);
@@ -208,13 +264,7 @@ void placeNodes(SceneStroke &s, const View &view, int threads)
         writeNodes(parts[k].separable, parts[k].footprints, s, places[k][0]);
         writeNodes(parts[k].oblique, parts[k].footprints, s, places[k][1]);
     });
-}
-
-template <class Get>
-bool varies(const StrokeNodes &nodes, Get get)
-{
-    const auto &rows = nodes.rows;
-    return std::any_of(rows.begin(), rows.end(), [&](const NodeValues &v) { return !(get(v) == get(rows[0])); });
+    return differences;
 }
 
 int xiCount(StyleKind kind)
@@ -223,24 +273,22 @@ int xiCount(StyleKind kind)
 }
 
 /// Chooses constants where all segments agree, channels where they differ.
-void planChannels(SceneStroke &s)
+void planChannels(SceneStroke &s, const Differences &differ)
 {
     const auto &rows = s.source->rows;
     const NodeValues &first = rows.front();
     s.shade.colour = first.colour;
     s.shade.grain = first.granulation;
-    if (const auto line = lineThrough(rows)) {
+    if (const auto line = differ.colour ? lineThrough(rows) : std::nullopt) {
         s.shade.lineChannel = s.channels++;
         s.shade.colour = line->from;
         s.shade.colourEnd = line->to;
-    } else if (varies(*s.source, [](const NodeValues &v) { return v.colour; })) {
+    } else if (differ.colour) {
         s.shade.colourChannel = s.channels, s.channels += 4;
     }
-    if (varies(*s.source, [](const NodeValues &v) { return v.granulation; }))
+    if (differ.granulation)
         s.shade.grainChannel = s.channels++;
     s.granulated = s.shade.grainChannel >= 0 || s.shade.grain != 1;
-    const bool styles = varies(*s.source, [](const NodeValues &v) { return v.style; });
-    const bool severalKinds = varies(*s.source, [](const NodeValues &v) { return v.style.kind; });
     s.shade.kinds = 0;
     for (StyleKind kind : {StyleKind::Uniform, StyleKind::Feathering, StyleKind::Edge}) {
         const auto member =
@@ -250,9 +298,9 @@ void planChannels(SceneStroke &s)
         KindParams &p = s.shade.kind[s.shade.kinds++];
         p.kind = kind;
         std::copy_n(member->style.xi.begin(), 3, p.xi);
-        if (severalKinds)
+        if (differ.kind)
             p.shareChannel = s.channels++;
-        if (styles)
+        if (differ.style)
             p.xiChannel = s.channels, s.channels += xiCount(kind);
     }
 }
@@ -272,6 +320,8 @@ void findLevels(SceneStroke &s)
 
 void fillValues(SceneStroke &s)
 {
+    if (s.channels == 0)
+        return;
     const auto &rows = s.source->rows;
     s.values.assign(std::size_t(s.channels) * rows.size(), 0.0f);
     for (std::size_t k = 0; k < rows.size(); ++k) {
@@ -322,16 +372,12 @@ PixelRect pixelBounds(const StrokeNodes &nodes, const NodeGroup &group, Point or
         includeNode(box, {centres.left, centres.top}, f.reach);
         includeNode(box, {centres.right, centres.bottom}, f.reach);
     }
-    // A small segment sets how pixels of its neighbours are sampled.
-    for (std::uint32_t i = group.reachBegin; i < group.reachEnd; ++i)
-        if (const SegmentReach &r = nodes.reaches[i]; r.spread * view.scale < 1)
-            for (const double x : {r.box.left, r.box.right})
-                for (const double y : {r.box.top, r.box.bottom})
-                    includeNode(box, base + j({x, y}), {1, 1});
+    includeSmall(box, nodes, group, base, j, view);
     return toPixelRect(box, view);
 }
 
-SceneStroke makeSceneStroke(StrokePtr stroke, std::shared_ptr<const StrokeNodes> nodes, const View &view, int threads)
+SceneStroke makeSceneStroke(StrokePtr stroke, std::shared_ptr<const StrokeNodes> nodes, const View &view, int threads,
+                            bool changes)
 {
     SceneStroke s;
     s.stroke = std::move(stroke);
@@ -339,14 +385,8 @@ SceneStroke makeSceneStroke(StrokePtr stroke, std::shared_ptr<const StrokeNodes>
     if (s.source->groups.empty())
         return s;
     s.keep = s.stroke->mix.mode == MixMode::Beta ? 1 - s.stroke->mix.beta : 1;
-    placeNodes(s, view, threads);
-    for (const SegmentReach &r : s.source->reaches)
-        if (const double pixels = r.spread * view.scale; pixels < 1) {
-            const int level = std::min(6, int(std::ceil(-std::log2(pixels))));
-            const Point o = s.stroke->origin;
-            s.small.push_back({level, {o.x + r.box.left, o.y + r.box.top, o.x + r.box.right, o.y + r.box.bottom}});
-        }
-    planChannels(s);
+    const Differences differences = placeNodes(s, view, threads, changes);
+    planChannels(s, differences);
     findLevels(s);
     fillValues(s);
     return s;

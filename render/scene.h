@@ -40,6 +40,7 @@ struct SceneStroke {
     std::vector<float> values; ///< channels a row of `source`
     float keep = 1;            ///< eq 23: 1 − β
     bool granulated = false;
+    std::vector<PixelRect> groupBounds; ///< as pixelBounds, of each group of `source`; only where that was asked for
 };
 
 /// True only where opacity is exactly zero for every density and slope (per pixel) up to these.
@@ -56,9 +57,9 @@ inline bool canVanish(const SceneStroke &stroke, float density, float slope)
 /// Pixels that a group can change, rounded outwards and cut to the picture.
 PixelRect pixelBounds(const StrokeNodes &nodes, const NodeGroup &group, Point origin, const View &view);
 
-/// The same bits for any number of threads.
+/// `changes`: it will be compared with what it becomes, group by group. The same bits for any number of threads.
 SceneStroke makeSceneStroke(StrokePtr stroke, std::shared_ptr<const StrokeNodes> nodes, const View &view,
-                            int threads = 1);
+                            int threads = 1, bool changes = false);
 
 /// The canvas as the view shows it, as a box in canvas units.
 Rect visibleBox(const View &view);

@@ -6,6 +6,7 @@
 #include <QCoreApplication>
 #include <QElapsedTimer>
 
+#include <cstring>
 #include <thread>
 
 namespace suffuse {
@@ -28,34 +29,56 @@ class DirtyRects {
 public:
     explicit DirtyRects(std::vector<PixelRect> &out) : m_out(out) {}
 
-    /// In order of rows, then columns.
-    void add(const PixelRect &tile)
+    void beginRow()
     {
-        if (m_run.height > 0 && m_run.y == tile.y && m_run.x + m_run.width == tile.x) {
-            m_run.width += tile.width;
-            return;
-        }
-        flush();
-        m_run = tile;
+        m_above.swap(m_row);
+        m_row.clear();
+        m_next = 0;
     }
-    void flush()
+    /// Runs that do not touch, in order of columns.
+    void add(const PixelRect &run)
     {
-        if (m_run.height == 0)
-            return;
-        const auto above = std::find_if(m_out.rbegin(), m_out.rend(), [&](const PixelRect &r) {
-            return r.x == m_run.x && r.width == m_run.width && r.y + r.height == m_run.y;
-        });
-        if (above != m_out.rend())
-            above->height += m_run.height;
-        else
-            m_out.push_back(m_run);
-        m_run = {};
+        while (m_next < m_above.size() && m_out[m_above[m_next]].x < run.x)
+            ++m_next;
+        if (m_next < m_above.size() && m_out[m_above[m_next]].x == run.x && m_out[m_above[m_next]].width == run.width) {
+            m_out[m_above[m_next]].height += run.height;
+            m_row.push_back(m_above[m_next]);
+        } else {
+            m_row.push_back(m_out.size());
+            m_out.push_back(run);
+        }
     }
 
 private:
     std::vector<PixelRect> &m_out;
-    PixelRect m_run;
+    std::vector<std::size_t> m_above, m_row; ///< rectangles that end with the last row and with this one
+    std::size_t m_next = 0;
 };
+
+/// Tiles of the region as few rectangles. `marked`: a byte a tile, row by row, 1 where it is one of them, else 0.
+std::vector<PixelRect> dirtyRects(const DirtyRegion &region, const std::uint8_t *marked)
+{
+    const auto find = [](const std::uint8_t *from, const std::uint8_t *end, int value) {
+        const void *found = std::memchr(from, value, std::size_t(end - from));
+        return found ? static_cast<const std::uint8_t *>(found) : end;
+    };
+    std::vector<PixelRect> out;
+    DirtyRects rects(out);
+    for (int row = 0; row < region.rows(); ++row) {
+        rects.beginRow();
+        const std::uint8_t *begin = marked + std::size_t(row) * std::size_t(region.columns());
+        const std::uint8_t *end = begin + region.columns();
+        for (const std::uint8_t *from = find(begin, end, 1); from != end;) {
+            const std::uint8_t *to = find(from, end, 0);
+            PixelRect run = region.tile(int(from - begin), row);
+            const PixelRect last = region.tile(int(to - begin) - 1, row);
+            run.width = last.x + last.width - run.x;
+            rects.add(run);
+            from = find(to, end, 1);
+        }
+    }
+    return out;
+}
 
 } // namespace
 
@@ -65,6 +88,7 @@ CudaRenderer::CudaRenderer(const std::vector<std::shared_ptr<cuda::Device>> &dev
     m_deviceName = QString::fromStdString(devices.front()->name());
     if (devices.size() > 1)
         m_deviceName = QStringLiteral("%1 × %2").arg(devices.size()).arg(m_deviceName);
+    m_shares.resize(devices.size());
     for (const auto &device : devices)
         m_workers.push_back(std::make_unique<cuda::TileWorker>(device, cull, m_threads));
 }
@@ -90,23 +114,34 @@ std::uint32_t *CudaRenderer::pictureFor(const RenderRequest &request, const Targ
     return m_frame ? m_frame->picture() : nullptr;
 }
 
-std::vector<std::vector<TileTask>> CudaRenderer::planTasks() const
+void CudaRenderer::planTasks()
 {
-    constexpr int side = cuda::macroSide / cuda::tileSide;
+    constexpr int side = cuda::macroTiles;
     const DirtyRegion &region = m_history.region();
-    std::vector<std::vector<TileTask>> tasks(m_workers.size());
-    for (int macroRow = 0; macroRow * side < region.rows(); ++macroRow) {
-        for (int macroColumn = 0; macroColumn * side < region.columns(); ++macroColumn) {
+    const std::size_t tiles = std::size_t(region.columns()) * std::size_t(region.rows());
+    std::vector<TileTask *> next;
+    for (Share &share : m_shares) {
+        if (share.room.size() <= tiles)
+            share.room.resize(tiles + 1);
+        next.push_back(share.room.data());
+    }
+    for (int top = 0; top < region.rows(); top += side) {
+        for (int left = 0; left < region.columns(); left += side) {
             // Always the same device's, which may have layers of it.
-            auto &share = tasks[std::size_t(macroRow + macroColumn) % tasks.size()];
-            for (int row = macroRow * side; row < std::min((macroRow + 1) * side, region.rows()); ++row)
-                for (int column = macroColumn * side; column < std::min((macroColumn + 1) * side, region.columns());
-                     ++column)
-                    if (region.isDirty(column, row))
-                        share.push_back({column, row});
+            TileTask *&share = next[std::size_t((top + left) / side) % next.size()], *task = share;
+            for (int row = top; row < std::min(top + side, region.rows()); ++row) {
+                const std::uint8_t *dirty = region.dirtyRow(row);
+                for (int column = left; column < std::min(left + side, region.columns()); ++column) {
+                    *task = {std::uint16_t(column), std::uint16_t(row),
+                             std::uint32_t(m_history.tileIndex(column, row))};
+                    task += dirty[column]; // without a jump that nobody can foresee
+                }
+            }
+            share = task;
         }
     }
-    return tasks;
+    for (std::size_t i = 0; i < next.size(); ++i)
+        m_shares[i].tasks = {m_shares[i].room.data(), next[i]};
 }
 
 Fault CudaRenderer::onDevices(const std::function<Fault(std::size_t)> &work)
@@ -153,44 +188,57 @@ Result<RenderStats> CudaRenderer::render(const RenderRequest &request, Target &t
     if (const Fault fault =
             onDevices([&](std::size_t i) { return m_workers[i]->prepare(m_history, step, request, *paper); }))
         return lose(QString::fromStdString(fault.what));
-    auto tasks = planTasks();
+    planTasks();
     stats.binningMs = milliseconds(stage);
     stage.restart();
 
     const Fault fault = onDevices([&](std::size_t i) {
-        return m_workers[i]->paint(m_history, request.interactive, tasks[i], picture, target, cancel);
+        const auto findDirty = [&] { stats.dirty = dirtyRects(m_history.region(), m_history.region().dirtyRow(0)); };
+        return m_workers[i]->paint(m_history, request.interactive, m_shares[i].tasks, picture, target, cancel,
+                                   i == 0 ? std::function<void()>(findDirty) : nullptr);
     });
     if (fault)
         return lose(QString::fromStdString(fault.what));
-    finish(tasks, stats);
+    finish(stats);
     stats.frame = picture ? m_frame : nullptr;
     stats.tilesMs = milliseconds(stage);
     stats.totalMs = milliseconds(total);
     return stats;
 }
 
-void CudaRenderer::finish(const std::vector<std::vector<TileTask>> &tasks, RenderStats &stats)
+void CudaRenderer::finish(RenderStats &stats)
 {
     const DirtyRegion &region = m_history.region();
-    std::vector<std::uint8_t> drawn(std::size_t(region.columns()) * std::size_t(region.rows()), 0);
-    for (const auto &share : tasks)
-        for (const TileTask &task : share) {
-            stats.cancelled |= !task.drawn;
-            if (!task.drawn)
-                continue;
-            ++stats.tilesEvaluated;
-            m_history.drawn(task.column, task.row, task.approximate);
-            drawn[m_history.tileIndex(task.column, task.row)] = 1;
-        }
-    DirtyRects rects(stats.dirty);
-    for (int row = 0; row < region.rows(); ++row)
-        for (int column = 0; column < region.columns(); ++column)
-            if (drawn[m_history.tileIndex(column, row)])
-                rects.add(region.tile(column, row));
-    rects.flush();
+    std::size_t all = 0, drawn = 0;
+    bool approximate = false;
+    for (const Share &share : m_shares) {
+        all += share.tasks.size();
+        for (const TileTask &task : share.tasks)
+            drawn += task.drawn, approximate |= task.approximate;
+    }
+    if (drawn < all || (all > 0 && stats.dirty.empty()))
+        stats.dirty = dirtyRects(region, drawnTiles().data());
+    if (drawn == all && !approximate)
+        m_history.drawnAll();
+    else
+        for (const Share &share : m_shares)
+            for (const TileTask &task : share.tasks)
+                if (task.drawn)
+                    m_history.drawn(task.column, task.row, task.approximate);
+    stats.cancelled = drawn < all;
+    stats.tilesEvaluated = int(drawn);
     stats.tiles = region.columns() * region.rows();
     for (const auto &worker : m_workers)
         stats.deviceMs = std::max(stats.deviceMs, worker->deviceMs());
+}
+
+std::vector<std::uint8_t> CudaRenderer::drawnTiles() const
+{
+    std::vector<std::uint8_t> tiles(std::size_t(m_history.region().columns() * m_history.region().rows()), 0);
+    for (const Share &share : m_shares)
+        for (const TileTask &task : share.tasks)
+            tiles[task.index] = task.drawn;
+    return tiles;
 }
 
 QString whyNone(const cuda::Devices &devices)

@@ -23,20 +23,28 @@ public:
     bool isLost() const override { return m_lost; }
 
 private:
+    /// The tiles that a device evaluates.
+    struct Share {
+        std::vector<cuda::TileTask> room; ///< kept from frame to frame
+        std::span<cuda::TileTask> tasks;
+    };
     /// The picture on the device where the target takes it and the device has room, else null: then into the target.
     std::uint32_t *pictureFor(const RenderRequest &request, const Target &target);
-    /// The tiles to evaluate, a list for each device.
-    std::vector<std::vector<cuda::TileTask>> planTasks() const;
+    /// Lists the tiles to evaluate, for each device its own.
+    void planTasks();
     /// Calls work(i) for each device, at the same time; the first fault.
     cuda::Fault onDevices(const std::function<cuda::Fault(std::size_t)> &work);
     /// Notes what was drawn.
-    void finish(const std::vector<std::vector<cuda::TileTask>> &tasks, RenderStats &stats);
+    void finish(RenderStats &stats);
+    /// A byte for each tile of the picture, row by row: 1 where it was drawn.
+    std::vector<std::uint8_t> drawnTiles() const;
     Error lose(const QString &why);
 
     int m_threads;
     QString m_deviceName;
     FrameHistory m_history;
     std::vector<std::unique_ptr<cuda::TileWorker>> m_workers;
+    std::vector<Share> m_shares; ///< of each of them
     std::vector<std::shared_ptr<cuda::Device>> m_devices;
     std::shared_ptr<CudaFrame> m_frame;
     bool m_noFrame = false; ///< the device has no room for one of this size

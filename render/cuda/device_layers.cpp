@@ -67,23 +67,19 @@ void DeviceLayers::dropUnused()
         }
 }
 
-TileLayer *DeviceLayers::at(std::size_t tile)
+bool DeviceLayers::place(TileLayer &layer)
 {
-    TileLayer &layer = m_tiles[tile];
-    if (layer.slot == TileLayer::none) {
-        if (m_free.empty() && m_slots >= m_room)
-            dropUnused();
-        if (m_free.empty() && m_slots >= m_room)
-            return nullptr;
-        if (m_free.empty()) {
-            layer.slot = m_slots++;
-        } else {
-            layer.slot = m_free.back();
-            m_free.pop_back();
-        }
+    if (m_free.empty() && m_slots >= m_room)
+        dropUnused();
+    if (m_free.empty() && m_slots >= m_room)
+        return false;
+    if (m_free.empty()) {
+        layer.slot = m_slots++;
+    } else {
+        layer.slot = m_free.back();
+        m_free.pop_back();
     }
-    layer.used = m_frame;
-    return &layer;
+    return true;
 }
 
 } // namespace suffuse::cuda

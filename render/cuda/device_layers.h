@@ -15,7 +15,7 @@ struct TileLayer {
     std::uint32_t slot = none;
     bool under = false;
     bool over = false;
-    std::uint64_t used = 0; ///< frame that last drew with them
+    std::uint32_t used = 0; ///< frame that last drew with them
 };
 
 class DeviceLayers {
@@ -34,11 +34,20 @@ public:
     bool hasMemory() const { return m_room > 0; }
 
     /// A tile's layers, made where it has none; null where there is no room. `tile`: below what the frame began with.
-    TileLayer *at(std::size_t tile);
+    TileLayer *at(std::size_t tile)
+    {
+        TileLayer &layer = m_tiles[tile];
+        if (layer.slot == TileLayer::none && !place(layer))
+            return nullptr;
+        layer.used = m_frame;
+        return &layer;
+    }
     BackdropPixel *under() const { return m_under.data(); }
     float *over() const { return m_over.data(); }
 
 private:
+    /// Finds a slot for it; false: there is no room.
+    bool place(TileLayer &layer);
     /// Takes slots back that neither this frame nor the last one used.
     void dropUnused();
 
@@ -50,7 +59,7 @@ private:
     std::size_t m_room = 0;    ///< slots in the device's memory
     std::size_t m_wanted = 0;  ///< tiles that it was made for
     std::uint32_t m_slots = 0; ///< of them handed out so far
-    std::uint64_t m_frame = 0, m_swept = 0;
+    std::uint32_t m_frame = 0, m_swept = 0;
     bool m_refused = false;
 };
 

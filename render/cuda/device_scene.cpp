@@ -103,31 +103,41 @@ void DeviceScene::placeRecords(const std::vector<Prepared> &changed)
     m_small.resize(m_smallRuns.size());
 }
 
-IndexRange DeviceScene::setNodes(const Entry &e, int threads)
+void DeviceScene::setNodes(Prepared &p, int threads)
 {
-    constexpr std::size_t share = 2048; // nodes: tens of microseconds
-    std::vector<IndexRange> changed((e.nodes.count + share - 1) / share);
-    parallelFor(changed.size(), threads, [&](std::size_t k) {
-        const std::size_t first = k * share;
-        changed[k] = m_nodes.set(e.nodes.begin + first, std::min(share, e.nodes.count - first),
-                                 [&](std::size_t i) { return nodeRecord(*e.stroke, first + i); });
+    const Entry &e = m_entries[p.index];
+    const SceneStroke &s = *e.stroke;
+    const std::size_t deep = s.deep.empty() ? 0 : 1, count = nodeChunks(s);
+    p.chunks.resize(deep + count);
+    if (deep)
+        p.chunks[0] = deepChunk(s);
+    constexpr std::size_t share = 16, worthSharing = 4 * share; // chunks
+    const std::size_t shares = (count + share - 1) / share;
+    std::vector<IndexRange> changed(count);
+    parallelFor(shares, count < worthSharing ? 1 : threads, [&](std::size_t k) {
+        for (std::size_t i = k * share; i < std::min((k + 1) * share, count); ++i) {
+            ChunkRecord &chunk = p.chunks[deep + i] = chunkOf(s, i, m_width, m_height);
+            const std::size_t first = chunk.firstNode;
+            changed[i] = m_nodes.set(e.nodes.begin + first, chunk.nodes,
+                                     [&](std::size_t node) { return nodeRecord(s, first + node); });
+        }
     });
-    IndexRange all{m_nodes.host().size(), 0};
+    for (ChunkRecord &chunk : p.chunks)
+        chunk.firstNode += e.nodes.begin, chunk.stroke = e.slot;
+    p.nodes = {m_nodes.host().size(), 0};
     for (const auto &[begin, end] : changed)
         if (begin < end)
-            all = {std::min(all.first, begin), end};
-    return all;
+            p.nodes = {std::min(p.nodes.first, begin), end};
 }
 
 void DeviceScene::prepare(Prepared &p, int threads)
 {
     const Entry &e = m_entries[p.index];
     const SceneStroke &s = *e.stroke;
-    p.nodes = setNodes(e, threads);
+    setNodes(p, threads);
     p.values = m_values.set(e.values.begin, e.values.count, [&](std::size_t i) { return s.values[i]; });
     p.deep = m_deep.set(e.deep.begin, e.deep.count, [&](std::size_t i) { return deepRecord(s.deep[i]); });
     p.small = m_small.set(e.small.begin, e.small.count, [&](std::size_t i) { return smallRecord(s.small[i]); });
-    p.chunks = chunksOf(s, e.slot, e.nodes.begin, m_width, m_height);
     p.record = strokeRecord(s);
     p.record.chunks = std::uint32_t(p.chunks.size());
     p.record.firstValue = e.values.begin;

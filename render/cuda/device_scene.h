@@ -22,8 +22,8 @@ public:
     /// Where the chunks of the i-th stroke begin; their end for i ≥ number of strokes.
     std::uint32_t firstChunk(std::size_t i) const;
     std::uint32_t chunkCount() const { return std::uint32_t(m_chunks.host().size()); }
-    /// Whether no stroke near a tile needs the general kernel.
-    bool isPlain(int column, int row) const { return m_general[std::size_t(row) * m_columns + column] == 0; }
+    /// Whether no stroke near a tile, counted row by row, needs the general kernel.
+    bool isPlain(std::size_t tile) const { return m_general[tile] == 0; }
 
 private:
     struct Entry {
@@ -46,8 +46,8 @@ private:
     void drop(Entry &entry);
     void placeRecords(const std::vector<Prepared> &changed);
     void prepare(Prepared &p, int threads);
-    /// Writes the stroke's node records; returns those that changed.
-    IndexRange setNodes(const Entry &e, int threads);
+    /// Writes the stroke's node records and makes its chunks.
+    void setNodes(Prepared &p, int threads);
     /// Puts chunks in document order: in place before stroke `from`, moved together from there on.
     void placeChunks(std::vector<Prepared> &changed, std::size_t from);
     void moveChunks(std::vector<Prepared> &changed, std::size_t from);

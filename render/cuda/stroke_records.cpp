@@ -44,6 +44,14 @@ void bound(const SceneStroke &s, std::size_t begin, std::size_t end, int width, 
     chunk.top = cut(std::floor(top), height), chunk.bottom = cut(std::ceil(bottom), height);
 }
 
+/// ⌊v / tileSide⌋, without a call.
+std::int32_t cellOf(double v)
+{
+    const double cells = v / tileSide;
+    const auto cell = std::int32_t(cells);
+    return cell - (cells < cell);
+}
+
 } // namespace
 
 NodeRecord nodeRecord(const SceneStroke &stroke, std::size_t i)
@@ -51,9 +59,8 @@ NodeRecord nodeRecord(const SceneStroke &stroke, std::size_t i)
     const cpu::ViewNode &n = stroke.nodes[i];
     const cpu::NodeBoxes boxes = stroke.boxes.boxes();
     NodeRecord r;
-    const double cellX = std::floor(n.x / tileSide), cellY = std::floor(n.y / tileSide);
-    r.cellX = std::int32_t(cellX), r.cellY = std::int32_t(cellY);
-    r.x = float(n.x - tileSide * cellX), r.y = float(n.y - tileSide * cellY);
+    r.cellX = cellOf(n.x), r.cellY = cellOf(n.y);
+    r.x = float(n.x - double(tileSide) * r.cellX), r.y = float(n.y - double(tileSide) * r.cellY);
     r.reachX = boxes.reachX[i], r.reachY = boxes.reachY[i];
     r.a = n.a, r.b = n.b, r.c = n.c;
     r.weight = n.weight;
@@ -92,25 +99,31 @@ StrokeRecord strokeRecord(const SceneStroke &s)
     return r;
 }
 
-std::vector<ChunkRecord> chunksOf(const SceneStroke &s, std::uint32_t slot, std::uint32_t firstNode, int width,
-                                  int height)
+std::size_t nodeChunks(const SceneStroke &s)
 {
-    std::vector<ChunkRecord> chunks;
-    const auto nodes = s.nodes.size(), separable = std::size_t(s.separable);
-    chunks.reserve(nodes / chunkNodes + 3);
-    if (!s.deep.empty())
-        chunks.push_back(
-            {s.bounds.x, s.bounds.y, s.bounds.x + s.bounds.width, s.bounds.y + s.bounds.height, firstNode, 0, slot, 0});
-    for (std::size_t begin = 0; begin < nodes;) {
-        const std::size_t end = std::min(begin + chunkNodes, begin < separable ? separable : nodes);
-        ChunkRecord &chunk = chunks.emplace_back();
-        bound(s, begin, end, width, height, chunk);
-        chunk.firstNode = firstNode + std::uint32_t(begin);
-        chunk.nodes = std::uint32_t(end - begin);
-        chunk.stroke = slot;
-        begin = end;
-    }
-    return chunks;
+    const std::size_t nodes = s.nodes.size(), separable = std::size_t(s.separable);
+    return (separable + chunkNodes - 1) / chunkNodes + (nodes - separable + chunkNodes - 1) / chunkNodes;
+}
+
+ChunkRecord chunkOf(const SceneStroke &s, std::size_t i, int width, int height)
+{
+    const std::size_t separable = std::size_t(s.separable), chunks = (separable + chunkNodes - 1) / chunkNodes;
+    const bool oblique = i >= chunks;
+    const std::size_t begin = oblique ? separable + (i - chunks) * chunkNodes : i * chunkNodes;
+    const std::size_t end = std::min(begin + chunkNodes, oblique ? s.nodes.size() : separable);
+    ChunkRecord chunk;
+    bound(s, begin, end, width, height, chunk);
+    chunk.firstNode = std::uint32_t(begin);
+    chunk.nodes = std::uint32_t(end - begin);
+    return chunk;
+}
+
+ChunkRecord deepChunk(const SceneStroke &s)
+{
+    ChunkRecord chunk;
+    chunk.left = s.bounds.x, chunk.top = s.bounds.y;
+    chunk.right = s.bounds.x + s.bounds.width, chunk.bottom = s.bounds.y + s.bounds.height;
+    return chunk;
 }
 
 } // namespace suffuse::cuda

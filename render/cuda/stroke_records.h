@@ -4,8 +4,6 @@
 #include "render/cuda/records.h"
 #include "render/scene.h"
 
-#include <vector>
-
 namespace suffuse::cuda {
 
 /// The i-th of stroke.nodes.
@@ -16,8 +14,11 @@ SmallRecord smallRecord(const SmallSegment &segment);
 /// How the stroke shows; where its records lie is left at 0.
 StrokeRecord strokeRecord(const SceneStroke &stroke);
 
-/// Its chunks in order, cut to a picture of width × height pixels; `firstNode` counts from `firstNode`.
-std::vector<ChunkRecord> chunksOf(const SceneStroke &stroke, std::uint32_t slot, std::uint32_t firstNode, int width,
-                                  int height);
+/// Chunks that its nodes make.
+std::size_t nodeChunks(const SceneStroke &stroke);
+/// The i-th of them, cut to a picture of width × height pixels, with indices of nodes in the stroke and no slot.
+ChunkRecord chunkOf(const SceneStroke &stroke, std::size_t i, int width, int height);
+/// The chunk for its deep nodes.
+ChunkRecord deepChunk(const SceneStroke &stroke);
 
 } // namespace suffuse::cuda

@@ -132,51 +132,49 @@ Fault TileWorker::reserveJobs(std::size_t tiles)
     return {};
 }
 
-TileJob TileWorker::jobOf(const FrameHistory &history, bool interactive, const TileTask &task)
-{
-    TileJob job;
-    job.column = std::uint16_t(task.column);
-    job.row = std::uint16_t(task.row);
-    int flags = 0;
-    if (history.edited() != FrameHistory::noEdit)
-        if (const TileLayer *layer = m_layers.at(history.tileIndex(task.column, task.row))) {
-            job.layer = layer->slot;
-            flags |= layer->under ? haveUnder : storeUnder;
-            if (interactive && history.oneEdited())
-                flags |= layer->over ? applyOver : storeOver;
-        }
-    if (!m_frame.transparent && !(flags & storeOver) && m_scene.isPlain(task.column, task.row))
-        flags |= plainTile;
-    job.flags = std::uint16_t(flags);
-    return job;
-}
-
 TileWorker::Band TileWorker::plan(const FrameHistory &history, bool interactive, std::span<const TileTask> tasks)
 {
     constexpr std::size_t none = SIZE_MAX;
     const std::size_t macroLimit = std::clamp<std::size_t>(mostListed / (m_listRoom * listParts), 1, mostMacros);
-    Band band;
-    std::array<std::size_t, 4> macro{}; // of the current macro-tile, by which chunks are left out
-    int column = -1, row = -1;
+    const bool edits = history.edited() != FrameHistory::noEdit, useOver = interactive && history.oneEdited();
+    const bool opaque = !m_frame.transparent;
+    std::size_t macros = 0;
+    TileJob *job = m_tileJobs.data();
+    std::array<std::size_t, 4> lists{}; // of the current macro-tile, by which chunks are left out
+    std::size_t list = none;            // of the last tile
+    int column = -macroTiles, row = -macroTiles, last = 0;
+    int any = 0, all = plainTile;
     for (const TileTask &task : tasks) {
-        TileJob job = jobOf(history, interactive, task);
-        if (task.column / macroTiles != column || task.row / macroTiles != row) {
-            column = task.column / macroTiles, row = task.row / macroTiles;
-            macro.fill(none);
+        std::uint32_t slot = 0;
+        int flags = 0;
+        if (const TileLayer *layer = edits ? m_layers.at(task.index) : nullptr) {
+            slot = layer->slot;
+            flags = layer->under ? haveUnder : storeUnder;
+            if (useOver)
+                flags |= layer->over ? applyOver : storeOver;
         }
-        std::size_t &list = macro[std::size_t((job.flags & haveUnder ? 1 : 0) + (job.flags & applyOver ? 2 : 0))];
-        if (list == none) {
-            if (band.macros == macroLimit)
-                break;
-            m_macroJobs.data()[band.macros] = {column, row, job.flags & haveUnder ? m_frame.editedFrom : 0,
-                                               job.flags & applyOver ? m_frame.editedTo : m_scene.chunkCount()};
-            list = band.macros++;
+        if (opaque && !(flags & storeOver) && m_scene.isPlain(task.index))
+            flags |= plainTile;
+        const bool nextMacro = unsigned((task.column ^ column) | (task.row ^ row)) >= unsigned(macroTiles);
+        if (nextMacro || flags != last) {
+            if (nextMacro)
+                lists.fill(none);
+            column = task.column, row = task.row, last = flags;
+            std::size_t &known = lists[std::size_t((flags & haveUnder ? 1 : 0) + (flags & applyOver ? 2 : 0))];
+            if (known == none) {
+                if (macros == macroLimit)
+                    break;
+                m_macroJobs.data()[macros] = {column / macroTiles, row / macroTiles,
+                                              flags & haveUnder ? m_frame.editedFrom : 0,
+                                              flags & applyOver ? m_frame.editedTo : m_scene.chunkCount()};
+                known = macros++;
+            }
+            list = known;
+            any |= flags, all &= flags;
         }
-        job.macro = std::uint16_t(list);
-        (job.flags & plainTile ? band.anyPlain : band.anyGeneral) = true;
-        m_tileJobs.data()[band.tiles++] = job;
+        *job++ = {task.column, task.row, std::uint16_t(list), std::uint16_t(flags), slot, 0};
     }
-    return band;
+    return {std::size_t(job - m_tileJobs.data()), macros, any, !(all & plainTile)};
 }
 
 Fault TileWorker::run(const Band &band)
@@ -206,7 +204,7 @@ Fault TileWorker::run(const Band &band)
         return fault;
     if (Fault fault = m_device->upload(m_deviceMacroJobs.data(), m_macroJobs.data(), band.macros * sizeof(MacroJob)))
         return fault;
-    if (Fault fault = m_device->run(m_frame, {band.anyPlain, band.anyGeneral}))
+    if (Fault fault = m_device->run(m_frame, {(band.flags & plainTile) != 0, band.anyGeneral}))
         return fault;
     return m_device->download(m_hostStatus.data(), m_status.data(), statusWords * sizeof(std::uint32_t));
 }
@@ -229,6 +227,11 @@ Fault TileWorker::start(const Band &band, Output output, std::uint32_t *picture,
 void TileWorker::store(const FrameHistory &history, Output output, const TileBuffer &buffer, std::span<TileTask> tasks,
                        Target &target, const std::atomic<bool> *cancel)
 {
+    if (output == Output::Picture) {
+        for (TileTask &task : tasks)
+            task.drawn = true;
+        return;
+    }
     constexpr std::size_t together = 64;
     const std::uint32_t *argb = buffer.onHost.data();
     const auto *rgba = reinterpret_cast<const float *>(argb);
@@ -246,14 +249,16 @@ void TileWorker::store(const FrameHistory &history, Output output, const TileBuf
     });
 }
 
-void TileWorker::keepLayers(const FrameHistory &history, std::span<TileTask> tasks)
+void TileWorker::keepLayers(const Band &band, std::span<TileTask> tasks)
 {
+    if (!(band.flags & (storeUnder | storeOver | applyOver)))
+        return;
     for (std::size_t i = 0; i < tasks.size(); ++i) {
         const int flags = m_tileJobs.data()[i].flags;
         tasks[i].approximate = (flags & applyOver) != 0;
         if ((flags & (storeUnder | storeOver)) == 0)
             continue;
-        TileLayer *layer = m_layers.at(history.tileIndex(tasks[i].column, tasks[i].row));
+        TileLayer *layer = m_layers.at(tasks[i].index);
         layer->under |= (flags & storeUnder) != 0;
         layer->over |= (flags & storeOver) != 0;
     }
@@ -273,7 +278,8 @@ bool TileWorker::makeRoom(std::size_t triedTiles)
 }
 
 Fault TileWorker::paint(const FrameHistory &history, bool interactive, std::span<TileTask> tasks,
-                        std::uint32_t *picture, Target &target, const std::atomic<bool> *cancel)
+                        std::uint32_t *picture, Target &target, const std::atomic<bool> *cancel,
+                        std::function<void()> meanwhile)
 {
     const Output output = picture ? Output::Picture : target.keepsArgb() ? Output::Argb : Output::Rgba;
     std::size_t current = 0;      // buffer that the device writes to
@@ -292,6 +298,8 @@ Fault TileWorker::paint(const FrameHistory &history, bool interactive, std::span
             fault = start(band, output, picture, m_buffers[current]);
         }
         storeFinished();
+        if (meanwhile)
+            std::exchange(meanwhile, nullptr)();
         // Always waits: what was asked for reads and writes host memory.
         double milliseconds = 0;
         const Fault waited = m_device->finish(&milliseconds);
@@ -307,7 +315,7 @@ Fault TileWorker::paint(const FrameHistory &history, bool interactive, std::span
             continue;
         }
         finished = tasks.first(band.tiles);
-        keepLayers(history, finished);
+        keepLayers(band, finished);
         current = 1 - current;
         tasks = tasks.subspan(band.tiles);
     }

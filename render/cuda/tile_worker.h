@@ -8,13 +8,15 @@
 
 #include <array>
 #include <atomic>
+#include <functional>
 #include <span>
 
 namespace suffuse::cuda {
 
 /// A tile to evaluate. Those of a macro-tile lie side by side.
 struct TileTask {
-    int column = 0, row = 0;
+    std::uint16_t column = 0, row = 0;
+    std::uint32_t index = 0;  ///< counted row by row
     bool drawn = false;       ///< it is where it was wanted
     bool approximate = false; ///< drawn with an over map
 };
@@ -28,8 +30,9 @@ public:
     Fault prepare(const FrameHistory &history, const FrameHistory::Step &step, const RenderRequest &request,
                   const std::shared_ptr<const PaperTexture> &paper);
     /// Evaluates tiles into `picture` (device memory), or, where that is null, into `target`; sets what became of each.
+    /// `meanwhile` is called while the device is at work, where there is any.
     Fault paint(const FrameHistory &history, bool interactive, std::span<TileTask> tasks, std::uint32_t *picture,
-                Target &target, const std::atomic<bool> *cancel);
+                Target &target, const std::atomic<bool> *cancel, std::function<void()> meanwhile);
     /// Milliseconds that the device took for the last `paint`, by its own clock.
     double deviceMs() const { return m_deviceMs; }
 
@@ -38,7 +41,8 @@ private:
     /// What one run of the device evaluates.
     struct Band {
         std::size_t tiles = 0, macros = 0;
-        bool anyPlain = false, anyGeneral = false;
+        int flags = 0;           ///< of any of its tiles
+        bool anyGeneral = false; ///< not all of them are plain
     };
     /// Finished tiles, 0xAARRGGBB or four floats a pixel.
     struct TileBuffer {
@@ -52,14 +56,13 @@ private:
     Fault reserveJobs(std::size_t tiles);
     /// Makes jobs of the first tasks, as many as fit.
     Band plan(const FrameHistory &history, bool interactive, std::span<const TileTask> tasks);
-    TileJob jobOf(const FrameHistory &history, bool interactive, const TileTask &task);
     Fault run(const Band &band);
     /// Asks for the band's tiles and status words; `buffer` is where tiles arrive that do not stay in `picture`.
     Fault start(const Band &band, Output output, std::uint32_t *picture, TileBuffer &buffer);
     void store(const FrameHistory &history, Output output, const TileBuffer &buffer, std::span<TileTask> tasks,
                Target &target, const std::atomic<bool> *cancel);
     /// Notes which layers the band's jobs filled.
-    void keepLayers(const FrameHistory &history, std::span<TileTask> tasks);
+    void keepLayers(const Band &band, std::span<TileTask> tasks);
     /// After memory ran out for so many tiles: true where it is worth another try, without layers or with less.
     bool makeRoom(std::size_t triedTiles);
     /// Gives up layers and buffers; false where there are none.

@@ -151,6 +151,40 @@ private slots:
         }
     }
 
+    /// Found along with the nodes they are what is found for each group by itself, but for rounding and for nodes out
+    /// of the picture.
+    void boundsOfGroups()
+    {
+        auto stroke = std::make_shared<Stroke>(longStroke(700));
+        for (Segment &segment : stroke->segments)
+            segment.maxAge = 100, segment.diffusion = 0.5f; // all spread still
+        stroke->segments[3].bezier[3] = {400, 75};          // partly outside
+        stroke->segments[5].diffusion = 1e-4f;              // supersampled
+        for (const View &view : {m_view, View::ofArea(Rect::of(30, 10, 100, 75), 400, 300)}) {
+            const auto nodes = buildNodes(*stroke, 699 * 16000, zoomOctave(view.scale), visibleBox(view));
+            const SceneStroke scene = makeSceneStroke(stroke, nodes, view, 1, true);
+            QCOMPARE(scene.groupBounds.size(), nodes->groups.size());
+            QVERIFY(makeSceneStroke(stroke, nodes, view, 3, true).groupBounds == scene.groupBounds);
+            QVERIFY(makeSceneStroke(stroke, nodes, view).groupBounds.empty());
+            std::size_t seen = 0;
+            for (std::size_t g = 0; g < nodes->groups.size(); ++g) {
+                const PixelRect &a = scene.groupBounds[g];
+                const PixelRect b = pixelBounds(*nodes, nodes->groups[g], stroke->origin, view);
+                const auto edges = [](const PixelRect &r) {
+                    return std::array{-r.x, -r.y, r.x + r.width, r.y + r.height};
+                };
+                const bool whole = b.x > 0 && b.y > 0 && b.x + b.width < view.width && b.y + b.height < view.height;
+                seen += whole;
+                for (std::size_t i = 0; !a.isEmpty() && i < 4; ++i) {
+                    QVERIFY(edges(a)[i] <= edges(b)[i] + 1);
+                    QVERIFY(!whole || edges(a)[i] >= edges(b)[i] - 1);
+                }
+                QVERIFY(!whole || !a.isEmpty());
+            }
+            QVERIFY2(seen > 20, qPrintable(QString::number(seen)));
+        }
+    }
+
     void frozenNodesAreBuiltOnes()
     {
         const Stroke whole = longStroke(300);
