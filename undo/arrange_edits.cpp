@@ -1,79 +1,22 @@
 #include "model/influence.h"
 #include "undo/edits.h"
-
-#include <unordered_map>
+#include "undo/order_tree.h"
 
 namespace suffuse {
 
 namespace {
 
-/// The order as a tree: a group with its members, or one stroke. Siblings stand from bottom to top.
-struct Sibling {
-    GroupId group = 0; ///< 0: a stroke
-    StrokeId stroke = 0;
-    std::vector<Sibling> members;
-    bool selected = false; ///< the stroke, or all members
-    Rect influence;        ///< of what is visible
-};
-
-class Tree {
-public:
-    Tree(const Painting &painting, const std::set<StrokeId> &selected)
-    {
-        for (const Group &g : painting.groups)
-            m_parents.emplace(g.id, g.parent);
-        const Microseconds end = painting.end();
-        for (const StrokePtr &s : painting.strokes) {
-            Sibling leaf;
-            leaf.stroke = s->id;
-            leaf.selected = selected.contains(s->id) && !painting.isLocked(*s);
-            if (painting.isVisible(*s))
-                leaf.influence = influenceOf(*s, end);
-            siblingsOf(s->group).push_back(std::move(leaf));
-        }
-        summarise(m_roots);
+/// Fills in how far what is visible of the siblings reaches.
+void fillInfluence(std::vector<Sibling> &siblings, const std::unordered_map<StrokeId, Rect> &influences)
+{
+    for (Sibling &s : siblings) {
+        fillInfluence(s.members, influences);
+        if (const auto it = influences.find(s.stroke); it != influences.end())
+            s.influence = it->second;
+        for (const Sibling &m : s.members)
+            s.influence = s.influence.united(m.influence);
     }
-
-    std::vector<Sibling> &roots() { return m_roots; }
-
-    static void appendOrder(const std::vector<Sibling> &siblings, std::vector<StrokeId> &order)
-    {
-        for (const Sibling &s : siblings) {
-            if (s.group == 0)
-                order.push_back(s.stroke);
-            appendOrder(s.members, order);
-        }
-    }
-
-private:
-    /// The members of a group that is on top of its siblings, which it is made if it is not there yet.
-    std::vector<Sibling> &siblingsOf(GroupId id)
-    {
-        if (id == 0 || !m_parents.contains(id))
-            return m_roots;
-        std::vector<Sibling> &around = siblingsOf(m_parents[id]);
-        if (around.empty() || around.back().group != id) {
-            around.emplace_back();
-            around.back().group = id;
-        }
-        return around.back().members;
-    }
-
-    static void summarise(std::vector<Sibling> &siblings)
-    {
-        for (Sibling &s : siblings) {
-            if (s.group == 0)
-                continue;
-            summarise(s.members);
-            s.selected = std::all_of(s.members.begin(), s.members.end(), [](const Sibling &m) { return m.selected; });
-            for (const Sibling &m : s.members)
-                s.influence = s.influence.united(m.influence);
-        }
-    }
-
-    std::unordered_map<GroupId, GroupId> m_parents;
-    std::vector<Sibling> m_roots;
-};
+}
 
 /// Each selected sibling, the topmost first, goes above the next one whose influence it meets, unless that is selected.
 void raise(std::vector<Sibling> &siblings)
@@ -154,11 +97,16 @@ Edit arrangeSelection(const Document &document, Arrange how)
     Edit edit;
     if (document.selection().strokes.empty())
         return edit;
-    Tree tree(*document.painting(), document.selection().strokes);
-    arrange(tree.roots(), how);
-    std::vector<StrokeId> order;
-    order.reserve(document.painting()->strokes.size());
-    Tree::appendOrder(tree.roots(), order);
+    const Painting &painting = *document.painting();
+    std::vector<Sibling> tree = orderTree(painting, document.selection().strokes);
+    std::unordered_map<StrokeId, Rect> influences;
+    const Microseconds end = painting.end();
+    for (const StrokePtr &s : painting.strokes)
+        if (painting.isVisible(*s))
+            influences.emplace(s->id, influenceOf(*s, end));
+    fillInfluence(tree, influences);
+    arrange(tree, how);
+    std::vector<StrokeId> order = orderOf(tree);
     if (!isOrderOf(order, *document.painting()))
         edit.order = std::move(order);
     return edit;

@@ -1,18 +1,10 @@
 #include "model/validate.h"
 #include "undo/edits.h"
+#include "undo/order_tree.h"
 
 namespace suffuse {
 
 namespace {
-
-std::vector<StrokeId> orderOf(const Painting &painting)
-{
-    std::vector<StrokeId> order;
-    order.reserve(painting.strokes.size() + 1);
-    for (const StrokePtr &s : painting.strokes)
-        order.push_back(s->id);
-    return order;
-}
 
 /// A locked stroke may be renamed, hidden and unlocked, nothing else.
 void keepLocked(const Stroke &before, Stroke &after)

@@ -1,0 +1,150 @@
+// Affine maps of strokes: curves, spread and density.
+#include "model/split.h"
+#include "model/tensor.h"
+#include "model/transform.h"
+#include "model/validate.h"
+#include "tests/model/awkward_strokes.h"
+
+#include <QTest>
+
+using namespace suffuse;
+using namespace suffuse::test;
+
+class TestTransform : public QObject {
+    Q_OBJECT
+
+private slots:
+    void evenMapsScaleSpreadAndDensityExactly()
+    {
+        AwkwardStrokes random(13);
+        for (int i = 0; i < 200; ++i) {
+            const Stroke s = random.stroke(3);
+            const Point fixed = random.point(100);
+            const Stroke twice = transformed(s, Affine::scaling(fixed, 2, 2), SpreadRule::Scales);
+            const Stroke stays = transformed(s, Affine::scaling(fixed, 2, 2), SpreadRule::Stays);
+            const double angle = random.real(-3, 3);
+            const Stroke turned = transformed(s, Affine::rotation(fixed, angle), SpreadRule::Scales);
+            const Stroke mirrored = transformed(s, Affine::scaling(fixed, -1, 1), SpreadRule::Scales);
+            for (std::size_t k = 0; k < 3; ++k) {
+                const Segment &a = s.segments[k];
+                QCOMPARE(twice.segments[k].diffusion, 4 * a.diffusion);
+                QCOMPARE(twice.segments[k].density, 2 * a.density);
+                QCOMPARE(twice.segments[k].anisotropyAngle, a.anisotropyAngle);
+                QVERIFY(sameValues(stays.segments[k], a));
+                QCOMPARE(stays.segments[k].bezier, twice.segments[k].bezier);
+                QCOMPARE(turned.segments[k].diffusion, a.diffusion);
+                QCOMPARE(turned.segments[k].density, a.density);
+                QCOMPARE(mirrored.segments[k].diffusion, a.diffusion);
+                if (a.isIsotropic())
+                    continue;
+                QVERIFY(std::abs(turned.segments[k].anisotropyAngle - (a.anisotropyAngle + angle)) < 1e-5);
+                const double straight = mirrored.segments[k].anisotropyAngle + a.anisotropyAngle;
+                QVERIFY(std::abs(std::sin(straight)) < 1e-5); // the sum is half a turn
+            }
+            QVERIFY(largestDifference(mirrored, transformed(mirrored, Affine(), SpreadRule::Scales)) == 0);
+            const Stroke back = transformed(mirrored, Affine::scaling(fixed, -1, 1), SpreadRule::Scales);
+            QVERIFY(largestDifference(back, s) < 1e-9);
+            // Moves leave the segments.
+            const Stroke moved = transformed(s, Affine::translation({3, 4}), SpreadRule::Scales);
+            QCOMPARE(moved.segments, s.segments);
+            QCOMPARE(moved.origin, (s.origin + Point{3, 4}));
+        }
+    }
+
+    void turningKeepsItsPrecisionAtDeepZoom()
+    {
+        // A stroke of a millionth of a unit far from the canvas's corner.
+        AwkwardStrokes random(14);
+        for (int i = 0; i < 100; ++i) {
+            Stroke s = random.stroke(3);
+            for (Segment &g : s.segments)
+                for (Offset &o : g.bezier)
+                    o = {o.x * 1e-8f, o.y * 1e-8f};
+            const double size = polygonLength(offsetsOf(s.segments[0]));
+            const Stroke t = transformed(s, Affine::rotation(s.origin, 1), SpreadRule::Scales);
+            const Stroke back = transformed(t, Affine::rotation(s.origin, -1), SpreadRule::Scales);
+            QVERIFY(length(back.origin - s.origin) < 1e-12);
+            for (std::size_t k = 0; k < 3; ++k)
+                for (std::size_t p = 0; p < 4; ++p)
+                    QVERIFY(length((Point() + back.segments[k].bezier[p]) - (Point() + s.segments[k].bezier[p])) <
+                            1e-5 * size + resolutionAt(offsetsOf(s.segments[k])));
+        }
+    }
+
+    void unevenMapsMakeTensorsAndKeepTheAmount()
+    {
+        AwkwardStrokes random(15);
+        for (int i = 0; i < 200; ++i) {
+            const Stroke s = random.stroke(3);
+            const Affine map = Affine::about(random.point(50), random.real(0.3, 3), random.real(-1, 1),
+                                             random.real(-1, 1), random.real(-3, -0.3));
+            if (std::abs(map.determinant()) < 0.5)
+                continue; // nearly flat: float32 shows in the directions
+            std::vector<int> sources;
+            const Stroke t = *tryTransformed(s, map, SpreadRule::Scales, &sources);
+            QCOMPARE(problemOf(t), QString());
+            QCOMPARE(sources.size(), t.segments.size());
+            const Affine back = *map.inverse();
+            for (std::size_t k = 0; k < t.segments.size(); ++k) {
+                const Segment &g = t.segments[k], &source = s.segments[std::size_t(sources[k])];
+                const Tensor expected = mapped(tensorOf(source), map), tensor = tensorOf(g);
+                const double scale = expected.xx + expected.yy;
+                QVERIFY(std::abs(tensor.xx - expected.xx) < 1e-5 * scale);
+                QVERIFY(std::abs(tensor.xy - expected.xy) < 1e-5 * scale);
+                QVERIFY(std::abs(tensor.yy - expected.yy) < 1e-5 * scale);
+                // φ′|dl′| = φ·|det A|·|dl|, within 1 % everywhere, but in what is much shorter than the spread.
+                const Cubic c = offsetsOf(g);
+                const double before = polygonLength(c) / std::sqrt(std::abs(map.determinant()));
+                const double s1 = source.spread(source.driesAt()) * std::sqrt(std::min(1.0f, source.anisotropyRatio));
+                int off = 0;
+                for (double p = 1.0 / 64; p < 1; p += 1.0 / 32) {
+                    const Point d = c.derivative(p);
+                    const double wanted =
+                        source.density * std::abs(map.determinant()) * length(back.turned(d)) / length(d);
+                    off += !(std::abs(g.density / wanted - 1) < 0.0102);
+                }
+                QVERIFY2(off == 0 || before < s1 / 64,
+                         qPrintable(QStringLiteral("%1/%2: %3").arg(i).arg(k).arg(polygonLength(c))));
+            }
+            QVERIFY(distanceFrom(t, transformed(s, map, SpreadRule::Stays)) < 1e-3);
+        }
+    }
+
+    void mapsThatCannotBeChangeNothing()
+    {
+        AwkwardStrokes random(16);
+        const Stroke s = random.stroke(3);
+        for (const Affine &map :
+             {Affine::scaling({}, 0, 1), Affine::scaling({}, 1e13, 1e13), Affine::scaling({}, 1e-60, 1),
+              Affine::translation({1e13, 0}), Affine{std::nan(""), 0, 0, 1, {}}}) {
+            QVERIFY(!tryTransformed(s, map, SpreadRule::Scales));
+            QCOMPARE(transformed(s, map, SpreadRule::Scales), s);
+        }
+        const Affine map = Affine::about({3, 4}, 1, 2, 3, 4), round = *map.inverse() * map;
+        QVERIFY(std::abs(round.a - 1) + std::abs(round.b) + std::abs(round.c) + std::abs(round.d - 1) < 1e-14);
+        QVERIFY(length(round({5, 6}) - Point{5, 6}) < 1e-12);
+        QCOMPARE(map({3, 4}), (Point{3, 4}));
+        QCOMPARE(Affine::between(Rect::of(0, 0, 2, 2), Rect::of(1, 1, 4, 6))({2, 1}), (Point{5, 4}));
+        QCOMPARE(Affine::rotation({}, std::acos(-1) / 2)({1, 0}), (Point{0, 1}));
+    }
+
+    void boxesAreTight()
+    {
+        AwkwardStrokes random(17);
+        for (int i = 0; i < 200; ++i) {
+            const Stroke s = random.stroke(3);
+            Rect sampled;
+            for (const Segment &g : s.segments)
+                for (int k = 0; k <= 2000; ++k)
+                    sampled.include(s.cubicOf(g).at(k / 2000.0));
+            const Rect box = curveBox(s);
+            for (const auto &[a, b] : {std::pair{box.left, sampled.left}, {box.top, sampled.top}})
+                QVERIFY(a <= b + 1e-9 && a > b - 1e-3);
+            for (const auto &[a, b] : {std::pair{box.right, sampled.right}, {box.bottom, sampled.bottom}})
+                QVERIFY(a >= b - 1e-9 && a < b + 1e-3);
+        }
+    }
+};
+
+QTEST_APPLESS_MAIN(TestTransform)
+#include "test_transform.moc"

@@ -1,0 +1,203 @@
+// Aligning, distributing, grouping, locking, and selecting by likeness.
+#include "model/validate.h"
+#include "tests/undo/random_edits.h"
+#include "undo/edit_command.h"
+#include "undo/group_edits.h"
+#include "undo/transform_edits.h"
+
+#include <QTest>
+
+using namespace suffuse;
+
+namespace {
+
+std::vector<StrokeId> orderOf(const Document &d)
+{
+    std::vector<StrokeId> order;
+    for (const StrokePtr &s : d.painting()->strokes)
+        order.push_back(s->id);
+    return order;
+}
+using Order = std::vector<StrokeId>;
+
+const Stroke &strokeOf(const Document &d, StrokeId id)
+{
+    return *d.painting()->find(id);
+}
+
+void lock(Document &d, StrokeId id)
+{
+    Edit edit = setLocked(d, {id}, true);
+    d.exchange(edit);
+}
+
+void select(Document &d, std::set<StrokeId> strokes)
+{
+    d.setSelection({std::move(strokes), {}});
+}
+
+} // namespace
+
+class TestGroupEdits : public QObject {
+    Q_OBJECT
+
+private slots:
+    void alignMovesBoxes()
+    {
+        Document d;
+        d.reset(makePainting(3)); // from 60 i to 60 i + 40
+        select(d, {1, 2, 3});
+        const auto lefts = [&d] {
+            std::vector<double> x;
+            for (const StrokePtr &s : d.painting()->strokes)
+                x.push_back(curveBox(*s).left);
+            return x;
+        };
+        const auto after = [&](Edit edit) {
+            d.exchange(edit);
+            const std::vector<double> x = lefts();
+            d.exchange(edit);
+            return x;
+        };
+        using X = std::vector<double>;
+        QCOMPARE(selectionBox(*d.painting(), d.selection()), Rect::of(60, 0, 160, 0));
+        QCOMPARE(after(align(d, Align::Left)), (X{60, 60, 60}));
+        QCOMPARE(after(align(d, Align::Right)), (X{180, 180, 180}));
+        QCOMPARE(after(align(d, Align::Centre)), (X{120, 120, 120}));
+        QCOMPARE(after(align(d, Align::Left, AlignTo::LastSelected, 2)), (X{120, 120, 120}));
+        QCOMPARE(after(align(d, Align::Left, AlignTo::LastSelected)), (X{180, 180, 180})); // the topmost
+        QCOMPARE(after(align(d, Align::Right, AlignTo::Canvas)), (X{984, 984, 984}));
+        QVERIFY(align(d, Align::Top).isEmpty());
+        Edit middle = align(d, Align::Middle, AlignTo::Canvas);
+        d.exchange(middle);
+        QCOMPARE(curveBox(strokeOf(d, 2)).top, 384.0);
+        d.exchange(middle);
+        // A group that is selected as a whole moves as one.
+        select(d, {2, 3});
+        Edit grouped = groupSelection(d, QStringLiteral("g"));
+        d.exchange(grouped);
+        select(d, {1, 2, 3});
+        QCOMPARE(after(align(d, Align::Left)), (X{60, 60, 120}));
+        lock(d, 2);
+        QCOMPARE(after(align(d, Align::Left)), (X{60, 120, 60}));
+    }
+
+    void distributeMakesGapsAndCentresEven()
+    {
+        auto p = std::make_shared<Painting>();
+        p->strokes.push_back(makeStroke(1, 200, 0, 1)); // the outermost ones need not come first
+        p->strokes.push_back(makeStroke(2, 0, 0, 2));
+        p->strokes.push_back(makeStroke(3, 30, 50, 4));
+        p->strokes.push_back(makeStroke(4, 40, 7, 1));
+        Document d;
+        d.reset(p);
+        select(d, {1, 2, 3, 4});
+        Edit gaps = distribute(d, Axis::Horizontal, Spacing::Gaps); // 210 − 80 in three
+        d.exchange(gaps);
+        const double gap = 130.0 / 3;
+        QCOMPARE(curveBox(strokeOf(d, 1)).left, 200.0);
+        QCOMPARE(curveBox(strokeOf(d, 2)).left, 0.0);
+        // By centres: 2 (10), 4 (45), 3 (50), 1 (205).
+        QVERIFY(std::abs(curveBox(strokeOf(d, 4)).left - (20 + gap)) < 1e-9);
+        QVERIFY(std::abs(curveBox(strokeOf(d, 3)).left - (30 + 2 * gap)) < 1e-9);
+        d.exchange(gaps);
+        Edit centres = distribute(d, Axis::Horizontal, Spacing::Centres);
+        d.exchange(centres);
+        QVERIFY(std::abs(curveBox(strokeOf(d, 4)).centre().x - 75) < 1e-9);
+        QVERIFY(std::abs(curveBox(strokeOf(d, 3)).centre().x - 140) < 1e-9);
+        d.exchange(centres);
+        select(d, {1, 2});
+        QVERIFY(distribute(d, Axis::Vertical, Spacing::Gaps).isEmpty());
+    }
+
+    void groupsStandTogetherAndNest()
+    {
+        Document d;
+        d.reset(makePainting(6));
+        const auto push = [&d](Edit edit) {
+            d.exchange(edit);
+            QCOMPARE(problemOf(*d.painting()), QString());
+        };
+        select(d, {1, 4});
+        push(groupSelection(d, QStringLiteral("a")));
+        QCOMPARE(orderOf(d), (Order{2, 3, 1, 4, 5, 6}));
+        const GroupId a = strokeOf(d, 1).group;
+        QVERIFY(a != 0 && strokeOf(d, 4).group == a);
+        QCOMPARE(d.painting()->groups, (std::vector<Group>{{a, QStringLiteral("a"), 0, true, false}}));
+        // With a stroke outside: the group goes into the new one as it is.
+        select(d, {1, 4, 6});
+        push(groupSelection(d, QStringLiteral("b")));
+        QCOMPARE(orderOf(d), (Order{2, 3, 5, 1, 4, 6}));
+        const GroupId b = strokeOf(d, 6).group;
+        QCOMPARE(strokeOf(d, 1).group, a);
+        QCOMPARE(d.painting()->groups[0].parent, b);
+        // A part of a group leaves it; the new group stands above what it came from.
+        select(d, {2, 4});
+        push(groupSelection(d, QStringLiteral("c")));
+        QCOMPARE(orderOf(d), (Order{3, 5, 1, 6, 2, 4}));
+        QCOMPARE(strokeOf(d, 1).group, a);
+        // Within a group.
+        select(d, {6});
+        push(groupSelection(d, QStringLiteral("d")));
+        QCOMPARE(d.painting()->groups.back().parent, b);
+        // The outermost that is selected as a whole dissolves.
+        select(d, {1, 6});
+        push(ungroupSelection(d));
+        QCOMPARE(d.painting()->groups.size(), std::size_t(3));
+        QCOMPARE(strokeOf(d, 1).group, a);
+        QCOMPARE(d.painting()->groups[0].parent, GroupId(0));
+        select(d, {2}); // a part of c
+        push(ungroupSelection(d));
+        QCOMPARE(strokeOf(d, 4).group, GroupId(0));
+        push(ungroup(d, a));
+        QCOMPARE(strokeOf(d, 1).group, GroupId(0));
+        QVERIFY(ungroup(d, a).isEmpty());
+        select(d, {});
+        QVERIFY(groupSelection(d, QString()).isEmpty());
+    }
+
+    void locksNamesAndLikeness()
+    {
+        Document d;
+        d.reset(makePainting(4));
+        const auto push = [&d](Edit edit) { d.exchange(edit); };
+        push(setLocked(d, {1, 2}, true));
+        push(setVisible(d, {2, 3}, false));
+        QVERIFY(setLocked(d, {1, 2}, true).isEmpty());
+        QVERIFY(strokeOf(d, 1).locked && !strokeOf(d, 2).visible);
+        push(renameStroke(d, 1, QStringLiteral("sky"))); // though it is locked
+        QCOMPARE(strokeOf(d, 1).name, QStringLiteral("sky"));
+        push(showAll(d));
+        push(unlockAll(d));
+        QVERIFY(!strokeOf(d, 1).locked && strokeOf(d, 2).visible && strokeOf(d, 3).visible);
+        QVERIFY(unlockAll(d).isEmpty() && showAll(d).isEmpty());
+        select(d, {1, 2});
+        push(groupSelection(d, QStringLiteral("g")));
+        const GroupId g = strokeOf(d, 1).group;
+        push(renameGroup(d, g, QStringLiteral("hills")));
+        push(setGroupLocked(d, g, true));
+        push(setGroupVisible(d, g, false));
+        QCOMPARE(d.painting()->groups, (std::vector<Group>{{g, QStringLiteral("hills"), 0, false, true}}));
+        QVERIFY(ungroup(d, g).isEmpty()); // locked
+        push(unlockAll(d));
+        push(showAll(d));
+        QVERIFY(d.painting()->groups[0].visible && !d.painting()->groups[0].locked);
+
+        push(changeStrokes(d, {1, 3}, [](Stroke &s) {
+            s.brush = QStringLiteral("pencil");
+            s.segments[0].colour.red = 0.9f;
+        }));
+        push(changeStrokes(d, {2, 3}, [](Stroke &s) { s.style = {StyleKind::Feathering, {1, 2, 0}}; }));
+        select(d, {3});
+        QCOMPARE(selectSame(d, Same::Brush).strokes, (std::set<StrokeId>{1, 3}));
+        QCOMPARE(selectSame(d, Same::Colour).strokes, (std::set<StrokeId>{1, 3}));
+        QCOMPARE(selectSame(d, Same::Style).strokes, (std::set<StrokeId>{2, 3}));
+        push(setVisible(d, {1}, false));
+        QCOMPARE(selectSame(d, Same::Brush).strokes, (std::set<StrokeId>{3}));
+        select(d, {});
+        QVERIFY(selectSame(d, Same::Style).isEmpty());
+    }
+};
+
+QTEST_APPLESS_MAIN(TestGroupEdits)
+#include "test_group_edits.moc"

@@ -1,0 +1,481 @@
+// Edits of nodes, shapes and groups: what they do, and that undo takes it back.
+#include "model/erase.h"
+#include "model/validate.h"
+#include "tests/model/awkward_strokes.h"
+#include "tests/undo/random_edits.h"
+#include "undo/edit_command.h"
+#include "undo/group_edits.h"
+#include "undo/node_edits.h"
+#include "undo/transform_edits.h"
+
+#include <QTest>
+#include <QUndoStack>
+
+using namespace suffuse;
+using namespace suffuse::test;
+
+namespace {
+
+PaintingPtr awkwardPainting(AwkwardStrokes &random, int strokes)
+{
+    auto p = std::make_shared<Painting>();
+    for (int i = 1; i <= strokes; ++i) {
+        auto s = std::make_shared<Stroke>(random.stroke(1 + random.below(6)));
+        s->id = StrokeId(i);
+        p->strokes.push_back(s);
+    }
+    return p;
+}
+
+std::vector<StrokeId> orderOf(const Document &d)
+{
+    std::vector<StrokeId> order;
+    for (const StrokePtr &s : d.painting()->strokes)
+        order.push_back(s->id);
+    return order;
+}
+using Order = std::vector<StrokeId>;
+
+const Stroke &strokeOf(const Document &d, StrokeId id)
+{
+    return *d.painting()->find(id);
+}
+
+void lock(Document &d, StrokeId id)
+{
+    Edit edit = setLocked(d, {id}, true);
+    d.exchange(edit);
+}
+
+void select(Document &d, std::set<StrokeId> strokes, std::set<SegmentRef> segments = {})
+{
+    d.setSelection({std::move(strokes), std::move(segments)});
+}
+
+/// One of all the edits that shape; may be empty.
+class ShapeEdits {
+public:
+    ShapeEdits(Document &document, unsigned seed) : m_document(document), m_random(seed), m_others(document, seed) {}
+
+    Edit next()
+    {
+        if (m_random.below(3) == 0)
+            selectSome();
+        switch (m_random.below(22)) {
+        case 0:
+            return insertNodes(m_document, places());
+        case 1:
+            return deleteNodes(m_document, nodes(4));
+        case 2:
+            return bridgeSegments(m_document, m_document.selection().segments);
+        case 3:
+            return moveNodes(m_document, nodes(3), m_random.point(20));
+        case 4:
+            return setNodeKind(m_document, nodes(4), NodeKind(m_random.below(3)));
+        case 5:
+            return splitAt(m_document, places());
+        case 6:
+            return splitAtNodes(m_document, nodes(3));
+        case 7:
+            return eraseAlong(m_document, m_random.below(2) ? m_document.selection().strokes : std::set<StrokeId>(),
+                              {m_random.point(300), m_random.point(300)}, m_random.real(0, 30));
+        case 8:
+            return joinNodes(m_document, endNode(), endNode());
+        case 9:
+            return joinSelection(m_document);
+        case 10:
+            return reverseSelection(m_document);
+        case 11:
+            return extendStroke(m_document, anyId(), m_random.below(2), m_random.stroke(2));
+        case 12: {
+            const double k = std::exp(m_random.real(-0.3, 0.3));
+            const Point fixed = m_random.point(200);
+            return transformSelection(m_document,
+                                      m_random.below(2) ? Affine::scaling(fixed, k, -k)
+                                                        : Affine::about(fixed, k, m_random.real(-0.2, 0.2), 0, 1 / k),
+                                      SpreadRule(m_random.below(8) != 0));
+        }
+        case 13:
+            return align(m_document, Align(m_random.below(6)), AlignTo(m_random.below(3)), anyId());
+        case 14:
+            return distribute(m_document, Axis(m_random.below(2)), Spacing(m_random.below(2)));
+        case 15:
+            return groupSelection(m_document, QStringLiteral("group"));
+        case 16:
+            return m_random.below(2) ? ungroupSelection(m_document) : ungroup(m_document, anyGroup());
+        case 17:
+            return m_random.below(2) ? setLocked(m_document, m_document.selection().strokes, m_random.below(2))
+                                     : setVisible(m_document, m_document.selection().strokes, m_random.below(2));
+        case 18:
+            return m_random.below(2) ? setGroupLocked(m_document, anyGroup(), m_random.below(3) == 0)
+                                     : setGroupVisible(m_document, anyGroup(), m_random.below(2));
+        case 19:
+            return m_random.below(2) ? unlockAll(m_document) : showAll(m_document);
+        case 20: {
+            const QString name = QString::number(m_random.below(100));
+            return m_random.below(2) ? renameStroke(m_document, anyId(), name)
+                                     : renameGroup(m_document, anyGroup(), name);
+        }
+        default:
+            return m_others.next();
+        }
+    }
+
+    int below(int n) { return m_random.below(n); }
+
+private:
+    StrokePtr any()
+    {
+        const auto &strokes = m_document.painting()->strokes;
+        return strokes.empty() ? nullptr : strokes[std::size_t(m_random.below(int(strokes.size())))];
+    }
+    StrokeId anyId()
+    {
+        const StrokePtr s = any();
+        return s ? s->id : 0;
+    }
+    GroupId anyGroup()
+    {
+        const auto &groups = m_document.painting()->groups;
+        return groups.empty() ? 0 : groups[std::size_t(m_random.below(int(groups.size())))].id;
+    }
+    NodeRef endNode()
+    {
+        const StrokePtr s = any();
+        return s ? NodeRef{s->id, m_random.below(2) ? nodeCount(*s) - 1 : 0} : NodeRef();
+    }
+    std::set<NodeRef> nodes(int count)
+    {
+        std::set<NodeRef> result;
+        for (int i = m_random.below(count); i >= 0; --i)
+            if (const StrokePtr s = any())
+                result.insert({s->id, m_random.below(nodeCount(*s) + 1)}); // one too far, at times
+        return result;
+    }
+    PlacesOfStrokes places()
+    {
+        PlacesOfStrokes result;
+        for (int i = m_random.below(4); i >= 0; --i)
+            if (const StrokePtr s = any())
+                result[s->id].push_back({m_random.below(int(s->segments.size())), m_random.real(0, 1)});
+        return result;
+    }
+    void selectSome()
+    {
+        Selection selection;
+        for (int i = m_random.below(5); i >= 0; --i)
+            if (const StrokePtr s = any()) {
+                selection.strokes.insert(s->id);
+                if (m_random.below(2))
+                    selection.segments.insert({s->id, m_random.below(int(s->segments.size()))});
+            }
+        m_document.setSelection(selection);
+    }
+
+    Document &m_document;
+    AwkwardStrokes m_random;
+    RandomEdits m_others;
+};
+
+} // namespace
+
+class TestShapeEdits : public QObject {
+    Q_OBJECT
+
+private slots:
+    void undoReturnsToEqualDocuments()
+    {
+        for (unsigned walk = 0; walk < 60; ++walk) {
+            AwkwardStrokes random(walk);
+            Document d;
+            d.reset(awkwardPainting(random, 6));
+            QUndoStack stack;
+            ShapeEdits edits(d, walk);
+            const QByteArray first = hashOf(*d.painting());
+            EditRun run = 0;
+            for (int i = 0; i < 150; ++i) {
+                if (edits.below(4) == 0)
+                    run = edits.below(2) ? beginEditRun() : 0;
+                const QByteArray before = hashOf(*d.painting());
+                const Selection selection = d.selection();
+                Edit edit = edits.next();
+                if (d.painting()->segmentCount() > 3000) // uneven maps split
+                    break;
+                if (edit.isEmpty())
+                    continue;
+                const Selection selected = d.selection();
+                Edit copy = edit;
+                d.exchange(copy);
+                QCOMPARE(problemOf(*d.painting()), QString());
+                d.exchange(copy);
+                QCOMPARE(hashOf(*d.painting()), before);
+                QCOMPARE(d.selection(), selected);
+                stack.push(new EditCommand(d, std::move(edit), QStringLiteral("edit"), run));
+            }
+            const QByteArray last = hashOf(*d.painting());
+            const int steps = stack.index();
+            QVERIFY(steps > 10);
+            while (stack.canUndo())
+                stack.undo();
+            QCOMPARE(hashOf(*d.painting()), first);
+            while (stack.index() < steps)
+                stack.redo();
+            QCOMPARE(hashOf(*d.painting()), last);
+        }
+    }
+
+    void lockedStrokesAreLeftAlone()
+    {
+        for (unsigned walk = 0; walk < 20; ++walk) {
+            AwkwardStrokes random(walk);
+            Document d;
+            d.reset(awkwardPainting(random, 5));
+            lock(d, 3);
+            ShapeEdits edits(d, walk);
+            Stroke expected = strokeOf(d, 3);
+            for (int i = 0; i < 150; ++i) {
+                Edit edit = edits.next();
+                if (!edit.strokes.contains(3))
+                    continue;
+                // Names, visibility and its lock may change, and its group may be dissolved.
+                const StrokePtr after = edit.strokes.at(3);
+                QVERIFY(after);
+                expected.name = after->name;
+                expected.visible = after->visible;
+                expected.locked = after->locked;
+                expected.group = after->group;
+                QCOMPARE(*after, expected);
+            }
+        }
+    }
+
+    void insertedNodesKeepTheSelectionOnTheirSegments()
+    {
+        Document d;
+        d.reset(makePainting(2));
+        select(d, {1, 2}, {{1, 1}, {1, 3}, {2, 0}});
+        Edit edit = insertNodes(d, {{1, {{1, 0.5}, {0, 0.5}}}});
+        d.exchange(edit);
+        QCOMPARE(strokeOf(d, 1).segments.size(), std::size_t(6));
+        QCOMPARE(d.selection().segments, (std::set<SegmentRef>{{1, 2}, {1, 3}, {1, 5}, {2, 0}}));
+        d.exchange(edit);
+        QCOMPARE(d.selection().segments, (std::set<SegmentRef>{{1, 1}, {1, 3}, {2, 0}}));
+        QVERIFY(insertNodes(d, {{1, {{1, 0.0}, {2, 1.0}, {9, 0.5}}}}).isEmpty());
+        QVERIFY(insertNodes(d, {{7, {{0, 0.5}}}}).isEmpty());
+    }
+
+    void deletedNodesTakeSegmentsAndStrokesAlong()
+    {
+        Document d;
+        d.reset(makePainting(3));
+        select(d, {1, 2}, {{1, 2}});
+        Edit edit = deleteNodes(d, {{1, 2}, {2, 0}, {3, 0}, {3, 1}, {3, 2}, {3, 3}});
+        d.exchange(edit);
+        QCOMPARE(orderOf(d), (Order{1, 2}));
+        QCOMPARE(strokeOf(d, 1).segments.size(), std::size_t(3));
+        QCOMPARE(strokeOf(d, 1).segments[1].density, 10.5f); // 10 and 11, equally long
+        QCOMPARE(strokeOf(d, 2).segments.size(), std::size_t(3));
+        QCOMPARE(strokeOf(d, 2).segments[0].density, 10.0f);
+        QCOMPARE(d.selection().segments, (std::set<SegmentRef>{{1, 1}}));
+        d.exchange(edit);
+        QCOMPARE(*d.painting(), *makePainting(3));
+    }
+
+    void splittingMakesStrokesThatStandTogether()
+    {
+        Document d;
+        d.reset(makePainting(3));
+        select(d, {2}, {{2, 0}, {2, 2}});
+        const Stroke before = strokeOf(d, 2);
+        Edit edit = splitAt(d, {{2, {{1, 0.5}, {2, 0.0}}}});
+        d.exchange(edit);
+        QCOMPARE(orderOf(d), (Order{1, 2, 4, 5, 3}));
+        QCOMPARE(strokeOf(d, 2).segments.size(), std::size_t(2));
+        QCOMPARE(strokeOf(d, 4).segments.size(), std::size_t(1));
+        QCOMPARE(strokeOf(d, 5).segments.size(), std::size_t(2));
+        QCOMPARE(strokeOf(d, 5).segments[1], before.segments[3]);
+        QCOMPARE(strokeOf(d, 5).brush, before.brush);
+        QCOMPARE(d.selection().strokes, (std::set<StrokeId>{2, 4, 5}));
+        QCOMPARE(d.selection().segments, (std::set<SegmentRef>{{2, 0}, {5, 0}}));
+        // And joined again: the curve that there was, with two more nodes.
+        Edit join = joinSelection(d);
+        d.exchange(join);
+        QCOMPARE(orderOf(d), (Order{1, 5, 3}));
+        QCOMPARE(strokeOf(d, 5).segments.size(), std::size_t(5));
+        QCOMPARE(strokeOf(d, 5).segments[0], before.segments[0]);
+        d.exchange(join);
+        d.exchange(edit);
+        QCOMPARE(orderOf(d), (Order{1, 2, 3}));
+        QVERIFY(splitAtNodes(d, {{1, 0}, {1, 4}}).isEmpty());
+    }
+
+    void joinTakesTheNearestEnds()
+    {
+        Document d;
+        d.reset(makePainting(3)); // from 60 i to 60 i + 40
+        select(d, {1, 2});
+        Edit edit = joinSelection(d);
+        d.exchange(edit);
+        QCOMPARE(orderOf(d), (Order{2, 3}));
+        const Stroke whole = strokeOf(d, 2);
+        QCOMPARE(whole.segments.size(), std::size_t(9));
+        QCOMPARE(nodePosition(whole, 0), (Point{60, 0}));
+        QCOMPARE(nodePosition(whole, 9), (Point{160, 0}));
+        QCOMPARE(whole.segments[4].density, 9.0f); // the bridge, by the upper one's start
+        QCOMPARE(d.selection().strokes, std::set<StrokeId>{2});
+        d.exchange(edit);
+        Edit nodes = joinNodes(d, {1, 0}, {3, 4});
+        d.exchange(nodes);
+        QCOMPARE(orderOf(d), (Order{2, 3}));
+        d.exchange(nodes);
+        Edit ring = joinNodes(d, {1, 0}, {1, 4});
+        d.exchange(ring);
+        QCOMPARE(strokeOf(d, 1).segments.size(), std::size_t(5));
+        QCOMPARE(nodePosition(strokeOf(d, 1), 5), nodePosition(strokeOf(d, 1), 0));
+        QVERIFY(joinNodes(d, {2, 1}, {3, 0}).isEmpty()); // not an end
+        QVERIFY(joinNodes(d, {2, 0}, {9, 0}).isEmpty());
+        QVERIFY(joinNodes(d, {2, 0}, {2, 0}).isEmpty());
+    }
+
+    void erasingTouchesOnlyWhatLiesUnderIt()
+    {
+        Document d;
+        d.reset(makePainting(4));
+        lock(d, 3);
+        select(d, {1}, {{1, 3}});
+        const PaintingPtr before = d.painting();
+        Edit edit = eraseAlong(d, {}, {{0, 0}, {500, 0}}, 3);
+        QCOMPARE(edit.strokes.size(), std::size_t(3));
+        d.exchange(edit);
+        QCOMPARE(orderOf(d), Order{3});
+        QVERIFY(d.selection().isEmpty());
+        d.exchange(edit);
+        QCOMPARE(*d.painting(), *before);
+        // A hole: two runs, the second one with an id of its own; the others are the same strokes.
+        edit = eraseAlong(d, {}, {{80, 5}}, 6);
+        d.exchange(edit);
+        QCOMPARE(orderOf(d), (Order{1, 5, 2, 3, 4}));
+        QCOMPARE(d.selection().strokes, (std::set<StrokeId>{1, 5}));
+        QCOMPARE(d.selection().segments, (std::set<SegmentRef>{{5, 1}}));
+        QCOMPARE(strokeOf(d, 1).segments[0], before->strokes[0]->segments[0]);
+        QCOMPARE(strokeOf(d, 5).segments.back(), before->strokes[0]->segments.back());
+        const double half = std::sqrt(36.0 - 25.0);
+        QVERIFY(std::abs(nodePosition(strokeOf(d, 1), 2).x - (80 - half)) < 1e-5);
+        QVERIFY(std::abs(nodePosition(strokeOf(d, 5), 0).x - (80 + half)) < 1e-5);
+        for (std::size_t i = 1; i < 4; ++i)
+            QCOMPARE(d.painting()->strokes[i + 1], before->strokes[i]); // the pointers
+        d.exchange(edit);
+        QVERIFY(eraseAlong(d, {2}, {{80, 5}}, 6).isEmpty());
+        QVERIFY(eraseAlong(d, {}, {{80, 50}}, 6).isEmpty());
+    }
+
+    void anErasersDragIsOneStep()
+    {
+        Document d;
+        d.reset(makePainting(3));
+        QUndoStack stack;
+        const EditRun run = beginEditRun();
+        for (double x = 50; x < 250; x += 5)
+            if (Edit edit = eraseAlong(d, {}, {{x, -20}, {x + 5, 20}}, 2); !edit.isEmpty())
+                stack.push(new EditCommand(d, std::move(edit), QStringLiteral("erase"), run));
+        QCOMPARE(stack.count(), 1);
+        QVERIFY(d.painting()->strokes.size() > 10);
+        stack.undo();
+        QCOMPARE(*d.painting(), *makePainting(3));
+    }
+
+    void reversingIsItsOwnInverse()
+    {
+        Document d;
+        d.reset(makePainting(2));
+        select(d, {1, 2}, {{1, 0}});
+        Edit edit = reverseSelection(d);
+        d.exchange(edit);
+        QCOMPARE(d.selection().segments, (std::set<SegmentRef>{{1, 3}}));
+        QCOMPARE(nodePosition(strokeOf(d, 1), 0), (Point{100, 0}));
+        Edit again = reverseSelection(d);
+        d.exchange(again);
+        QCOMPARE(*d.painting(), *makePainting(2));
+        QCOMPARE(d.selection().segments, (std::set<SegmentRef>{{1, 0}}));
+    }
+
+    void aStrokeGoesOnAtEitherEnd()
+    {
+        Document d;
+        d.reset(makePainting(1));
+        select(d, {1}, {{1, 1}});
+        const Stroke more = *makeStroke(9, 100, 0, 2);
+        Edit edit = extendStroke(d, 1, true, more);
+        d.exchange(edit);
+        QCOMPARE(strokeOf(d, 1).segments.size(), std::size_t(6));
+        QCOMPARE(d.selection().segments, (std::set<SegmentRef>{{1, 1}}));
+        Edit front = extendStroke(d, 1, false, *makeStroke(9, 60, 0, 3));
+        d.exchange(front);
+        QCOMPARE(strokeOf(d, 1).segments.size(), std::size_t(9));
+        QCOMPARE(d.selection().segments, (std::set<SegmentRef>{{1, 4}}));
+        QCOMPARE(nodePosition(strokeOf(d, 1), 3), (Point{60, 0})); // drawn away from the start
+        QCOMPARE(nodePosition(strokeOf(d, 1), 0), (Point{90, 0}));
+    }
+
+    void aDragOfHandlesComesBack()
+    {
+        AwkwardStrokes random(3);
+        Document d;
+        d.reset(awkwardPainting(random, 4));
+        lock(d, 4);
+        const PaintingPtr before = d.painting();
+        std::set<SegmentRef> segments;
+        for (int k = 0; k < int(before->find(1)->segments.size()); ++k)
+            segments.insert({1, k});
+        select(d, {1, 2, 4}, segments);
+        const Selection selection = d.selection();
+        QUndoStack stack;
+        const EditRun run = beginEditRun();
+        const auto drag = [&](const Affine &map) {
+            stack.push(new EditCommand(d, transformSelection(d, *before, selection, map, SpreadRule::Scales),
+                                       QStringLiteral("scale"), run));
+        };
+        for (double k : {1.1, 1.4, 2.0, 0.7})
+            drag(Affine::scaling({10, 10}, k, 1 / k));
+        QVERIFY(strokeOf(d, 1).segments.size() > before->find(1)->segments.size());
+        QCOMPARE(d.selection().segments.size(), strokeOf(d, 1).segments.size()); // the parts of what was selected
+        QCOMPARE(strokeOf(d, 4), *before->find(4));
+        QCOMPARE(stack.count(), 1);
+        drag(Affine());
+        QCOMPARE(stack.count(), 0); // it came back to its start
+        QCOMPARE(*d.painting(), *before);
+        QCOMPARE(d.selection(), selection);
+        // All or none: what one stroke cannot take, no one does.
+        QVERIFY(transformSelection(d, Affine::scaling({}, 1e13, 1e13), SpreadRule::Scales).isEmpty());
+        QVERIFY(transformSelection(d, Affine(), SpreadRule::Scales).isEmpty());
+    }
+
+    void dragsReplaceWhatIsThere()
+    {
+        Document d;
+        d.reset(makePainting(2));
+        lock(d, 2);
+        const Stroke before = strokeOf(d, 1), other = strokeOf(d, 2);
+        Edit edit = replaceStrokes(d, {withNodeMoved(before, {1}, {3, 4}), withNodeMoved(other, {1}, {3, 4})});
+        QCOMPARE(edit.strokes.size(), std::size_t(1));
+        d.exchange(edit);
+        QCOMPARE(nodePosition(strokeOf(d, 1), 1), (Point{73, 4}));
+        Edit back = replaceStrokes(d, {before});
+        d.exchange(back);
+        QCOMPARE(strokeOf(d, 1), before);
+        QVERIFY(replaceStrokes(d, {before}).isEmpty());
+        select(d, {1}, {{1, 1}, {1, 2}});
+        Edit bridge = bridgeSegments(d, d.selection().segments);
+        d.exchange(bridge);
+        QCOMPARE(strokeOf(d, 1).segments.size(), std::size_t(3));
+        QCOMPARE(d.selection().segments, (std::set<SegmentRef>{{1, 1}}));
+        QCOMPARE(strokeOf(d, 1).segments[2], [&] {
+            Segment next = before.segments[3];
+            next.node = NodeKind::Smooth;
+            return next;
+        }());
+    }
+};
+
+QTEST_APPLESS_MAIN(TestShapeEdits)
+#include "test_shape_edits.moc"

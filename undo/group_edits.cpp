@@ -1,0 +1,267 @@
+#include "undo/group_edits.h"
+
+#include "undo/order_tree.h"
+
+namespace suffuse {
+
+namespace {
+
+bool holdsSelected(const Sibling &sibling)
+{
+    return sibling.selected || std::any_of(sibling.members.begin(), sibling.members.end(), holdsSelected);
+}
+
+/// Moves the selected siblings, wherever they lie, out of the tree; what is left without members goes too.
+void takeSelected(std::vector<Sibling> &siblings, std::vector<Sibling> &taken)
+{
+    std::vector<Sibling> rest;
+    for (Sibling &s : siblings) {
+        if (s.selected) {
+            taken.push_back(std::move(s));
+            continue;
+        }
+        takeSelected(s.members, taken);
+        rest.push_back(std::move(s));
+    }
+    siblings = std::move(rest);
+}
+
+/// Groups what is selected, in the innermost group that holds all of it; returns that group's id, 0 at the top level.
+GroupId groupWithin(std::vector<Sibling> &siblings, GroupId around, Sibling &made)
+{
+    const auto holding = std::count_if(siblings.begin(), siblings.end(), holdsSelected);
+    const auto top = std::find_if(siblings.rbegin(), siblings.rend(), holdsSelected);
+    if (holding == 1 && !top->selected)
+        return groupWithin(top->members, top->group, made);
+    std::vector<Sibling> result;
+    const auto last = std::size_t(siblings.rend() - top) - 1;
+    for (std::size_t i = 0; i < siblings.size(); ++i) {
+        if (siblings[i].selected) {
+            made.members.push_back(std::move(siblings[i]));
+        } else {
+            takeSelected(siblings[i].members, made.members);
+            result.push_back(std::move(siblings[i]));
+        }
+        if (i == last)
+            result.push_back(made);
+    }
+    siblings = std::move(result);
+    return around;
+}
+
+const Group *findGroup(const Painting &painting, GroupId id)
+{
+    const auto it =
+        std::find_if(painting.groups.begin(), painting.groups.end(), [id](const Group &g) { return g.id == id; });
+    return it == painting.groups.end() ? nullptr : &*it;
+}
+
+bool isLocked(const Painting &painting, GroupId group)
+{
+    Stroke member;
+    member.group = group;
+    return painting.isLocked(member);
+}
+
+StrokePtr inGroup(const Stroke &stroke, GroupId group)
+{
+    auto result = std::make_shared<Stroke>(stroke);
+    result->group = group;
+    return result;
+}
+
+Edit dissolve(const Painting &painting, const std::set<GroupId> &gone)
+{
+    Edit edit;
+    if (gone.empty())
+        return edit;
+    const auto staying = [&](GroupId id) {
+        while (gone.contains(id))
+            id = findGroup(painting, id)->parent;
+        return id;
+    };
+    edit.groups.emplace();
+    for (Group g : painting.groups) {
+        if (gone.contains(g.id))
+            continue;
+        g.parent = staying(g.parent);
+        edit.groups->push_back(std::move(g));
+    }
+    for (const StrokePtr &s : painting.strokes)
+        if (gone.contains(s->group))
+            edit.strokes.emplace(s->id, inGroup(*s, staying(s->group)));
+    return edit;
+}
+
+Edit changeGroups(const Painting &painting, const std::function<void(Group &)> &change)
+{
+    std::vector<Group> groups = painting.groups;
+    for (Group &g : groups)
+        change(g);
+    Edit edit;
+    if (groups != painting.groups)
+        edit.groups = std::move(groups);
+    return edit;
+}
+
+Edit changeGroup(const Document &document, GroupId group, const std::function<void(Group &)> &change)
+{
+    return changeGroups(*document.painting(), [&](Group &g) {
+        if (g.id == group)
+            change(g);
+    });
+}
+
+/// All strokes and groups, whatever they are.
+template <typename Strokes, typename Groups>
+Edit changeEverything(const Document &document, Strokes needsChange, const std::function<void(Stroke &)> &change,
+                      Groups changeGroup)
+{
+    std::set<StrokeId> ids;
+    for (const StrokePtr &s : document.painting()->strokes)
+        if (needsChange(*s))
+            ids.insert(s->id);
+    Edit edit = changeStrokes(document, ids, change);
+    edit.groups = changeGroups(*document.painting(), changeGroup).groups;
+    return edit;
+}
+
+std::array<double, 3> meanColour(const Stroke &stroke)
+{
+    std::array<double, 3> sum{};
+    for (const Segment &s : stroke.segments) {
+        sum[0] += s.colour.red;
+        sum[1] += s.colour.yellow;
+        sum[2] += s.colour.blue;
+    }
+    for (double &channel : sum)
+        channel /= double(stroke.segments.size());
+    return sum;
+}
+
+bool isSame(const Stroke &a, const Stroke &b, Same what)
+{
+    switch (what) {
+    case Same::Colour: {
+        const auto x = meanColour(a), y = meanColour(b);
+        return std::equal(x.begin(), x.end(), y.begin(),
+                          [](double u, double v) { return std::abs(u - v) <= 1.0 / 128; });
+    }
+    case Same::Style:
+        return a.style == b.style && a.mix == b.mix;
+    case Same::Brush:
+        return a.brush == b.brush;
+    }
+    return false;
+}
+
+} // namespace
+
+Edit groupSelection(Document &document, const QString &name)
+{
+    const Painting &painting = *document.painting();
+    std::vector<Sibling> tree = orderTree(painting, document.selection().strokes);
+    if (!std::any_of(tree.begin(), tree.end(), holdsSelected))
+        return {};
+    Sibling made;
+    made.group = document.takeGroupId();
+    const GroupId id = made.group;
+    const GroupId around = groupWithin(tree, 0, made);
+    Edit edit;
+    edit.groups = painting.groups;
+    edit.groups->push_back({id, name, around, true, false});
+    for (const Sibling &member : made.members) {
+        if (member.group == 0)
+            edit.strokes.emplace(member.stroke, inGroup(*painting.find(member.stroke), id));
+        for (Group &g : *edit.groups)
+            if (g.id == member.group)
+                g.parent = id;
+    }
+    edit.order = orderOf(tree);
+    return edit;
+}
+
+Edit ungroupSelection(const Document &document)
+{
+    const Painting &painting = *document.painting();
+    const std::vector<Sibling> tree = orderTree(painting, document.selection().strokes);
+    std::set<GroupId> gone;
+    for (const Sibling *unit : selectedUnits(tree)) {
+        const GroupId group = unit->group != 0 ? unit->group : painting.find(unit->stroke)->group;
+        if (group != 0 && !isLocked(painting, group))
+            gone.insert(group);
+    }
+    return dissolve(painting, gone);
+}
+
+Edit ungroup(const Document &document, GroupId group)
+{
+    const Painting &painting = *document.painting();
+    if (!findGroup(painting, group) || isLocked(painting, group))
+        return {};
+    return dissolve(painting, {group});
+}
+
+Edit setLocked(const Document &document, const std::set<StrokeId> &strokes, bool locked)
+{
+    return changeStrokes(document, strokes, [locked](Stroke &s) { s.locked = locked; });
+}
+
+Edit setVisible(const Document &document, const std::set<StrokeId> &strokes, bool visible)
+{
+    return changeStrokes(document, strokes, [visible](Stroke &s) { s.visible = visible; });
+}
+
+Edit setGroupLocked(const Document &document, GroupId group, bool locked)
+{
+    return changeGroup(document, group, [locked](Group &g) { g.locked = locked; });
+}
+
+Edit setGroupVisible(const Document &document, GroupId group, bool visible)
+{
+    return changeGroup(document, group, [visible](Group &g) { g.visible = visible; });
+}
+
+Edit unlockAll(const Document &document)
+{
+    return changeEverything(
+        document, [](const Stroke &s) { return s.locked; }, [](Stroke &s) { s.locked = false; },
+        [](Group &g) { g.locked = false; });
+}
+
+Edit showAll(const Document &document)
+{
+    return changeEverything(
+        document, [](const Stroke &s) { return !s.visible; }, [](Stroke &s) { s.visible = true; },
+        [](Group &g) { g.visible = true; });
+}
+
+Edit renameStroke(const Document &document, StrokeId stroke, const QString &name)
+{
+    return changeStrokes(document, {stroke}, [&name](Stroke &s) { s.name = name; });
+}
+
+Edit renameGroup(const Document &document, GroupId group, const QString &name)
+{
+    return changeGroup(document, group, [&name](Group &g) { g.name = name; });
+}
+
+Selection selectSame(const Document &document, Same what)
+{
+    const Painting &painting = *document.painting();
+    Selection result;
+    result.strokes = document.selection().strokes;
+    std::vector<const Stroke *> examples;
+    for (const StrokePtr &s : painting.strokes) {
+        const auto isKnown = [&](const Stroke *e) { return isSame(*e, *s, what); };
+        if (result.strokes.contains(s->id) && std::none_of(examples.begin(), examples.end(), isKnown))
+            examples.push_back(s.get());
+    }
+    for (const StrokePtr &s : painting.strokes)
+        if (painting.isVisible(*s) && !painting.isLocked(*s) &&
+            std::any_of(examples.begin(), examples.end(), [&](const Stroke *e) { return isSame(*e, *s, what); }))
+            result.strokes.insert(s->id);
+    return result;
+}
+
+} // namespace suffuse

@@ -1,0 +1,309 @@
+#include "undo/node_edits.h"
+
+#include "model/erase.h"
+#include "model/validate.h"
+#include "undo/order_tree.h"
+#include "undo/remap.h"
+
+namespace suffuse {
+
+namespace {
+
+using NodesOfStrokes = std::map<StrokeId, std::vector<int>>;
+
+NodesOfStrokes byStroke(const std::set<NodeRef> &nodes)
+{
+    NodesOfStrokes result;
+    for (const NodeRef &ref : nodes)
+        result[ref.stroke].push_back(ref.node);
+    return result;
+}
+
+/// Calls `change` for the unlocked strokes among the keys of a map; a stroke that comes out otherwise goes into the
+/// edit.
+template <typename Map, typename Change>
+Edit reshape(const Document &document, const Map &targets, Change change)
+{
+    Edit edit;
+    if (targets.empty())
+        return edit;
+    const Painting &painting = *document.painting();
+    for (const StrokePtr &stroke : painting.strokes) {
+        const auto it = targets.find(stroke->id);
+        if (it == targets.end() || painting.isLocked(*stroke))
+            continue;
+        Stroke result = change(*stroke, it->second);
+        if (result != *stroke)
+            edit.strokes.emplace(stroke->id, std::make_shared<const Stroke>(std::move(result)));
+    }
+    return edit;
+}
+
+void setSelection(Edit &edit, const Document &document, Selection selection)
+{
+    if (selection != document.selection())
+        edit.selection = std::move(selection);
+}
+
+/// For each segment of `shaped`, which replaced [sources[k], sources[k + 1]) of a stroke, one of these that is
+/// selected, if there is one. `end` is one behind the last segment that was replaced.
+std::vector<int> selectedSources(const std::vector<int> &sources, int end, StrokeId stroke, const Selection &selection)
+{
+    std::vector<int> result = sources;
+    for (std::size_t k = 0; k < sources.size(); ++k) {
+        const int next = k + 1 < sources.size() ? sources[k + 1] : end;
+        for (int s = sources[k]; s < next; ++s)
+            if (selection.segments.contains({stroke, s})) {
+                result[k] = s;
+                break;
+            }
+    }
+    return result;
+}
+
+/// Puts the parts of strokes in their places: the first keeps the id, the others get one.
+class Parts {
+public:
+    explicit Parts(Document &document) : m_document(document), m_selection(document.selection()) {}
+
+    void keep(const Stroke &stroke) { m_order.push_back(stroke.id); }
+
+    /// `sources`: where the parts' segments came from, one part after the other.
+    void replace(const Stroke &stroke, std::vector<Stroke> parts, const std::vector<int> &sources)
+    {
+        const bool wasSelected = m_selection.strokes.contains(stroke.id);
+        const std::set<SegmentRef> before = takeSegments(m_selection, stroke.id);
+        if (parts.empty())
+            m_edit.strokes.emplace(stroke.id, nullptr);
+        std::size_t k = 0;
+        for (std::size_t i = 0; i < parts.size(); ++i) {
+            Stroke &part = parts[i];
+            if (i > 0)
+                part.id = m_document.takeStrokeId();
+            if (wasSelected)
+                m_selection.strokes.insert(part.id);
+            for (int s = 0; s < int(part.segments.size()) && k < sources.size(); ++s, ++k)
+                if (before.contains({stroke.id, sources[k]}))
+                    m_selection.segments.insert({part.id, s});
+            m_order.push_back(part.id);
+            m_edit.strokes.emplace(part.id, std::make_shared<const Stroke>(std::move(part)));
+        }
+    }
+
+    Edit edit()
+    {
+        if (m_edit.strokes.empty())
+            return {};
+        m_edit.order = std::move(m_order);
+        for (const auto &[id, stroke] : m_edit.strokes)
+            if (!stroke)
+                m_selection.strokes.erase(id);
+        setSelection(m_edit, m_document, std::move(m_selection));
+        return std::move(m_edit);
+    }
+
+private:
+    Document &m_document;
+    Selection m_selection;
+    Edit m_edit;
+    std::vector<StrokeId> m_order;
+};
+
+} // namespace
+
+Edit replaceStrokes(const Document &document, const std::vector<Stroke> &strokes)
+{
+    std::map<StrokeId, const Stroke *> byId;
+    for (const Stroke &s : strokes)
+        if (problemOf(s).isEmpty())
+            byId.emplace(s.id, &s);
+    return reshape(document, byId, [](const Stroke &, const Stroke *wanted) { return *wanted; });
+}
+
+Edit insertNodes(const Document &document, const PlacesOfStrokes &places)
+{
+    Selection selection = document.selection();
+    Edit edit = reshape(document, places, [&](const Stroke &stroke, const std::vector<CurvePlace> &where) {
+        std::vector<int> sources;
+        Stroke result = withNodes(stroke, where, &sources);
+        remap(selection, stroke.id, sources);
+        return result;
+    });
+    if (!edit.isEmpty())
+        setSelection(edit, document, std::move(selection));
+    return edit;
+}
+
+Edit deleteNodes(const Document &document, const std::set<NodeRef> &nodes)
+{
+    Selection selection = document.selection();
+    std::set<StrokeId> emptied;
+    Edit edit = reshape(document, byStroke(nodes), [&](const Stroke &stroke, const std::vector<int> &gone) {
+        int end = int(stroke.segments.size());
+        const auto isGone = [&](int node) { return std::find(gone.begin(), gone.end(), node) != gone.end(); };
+        int left = 0;
+        for (int node = 0; node < nodeCount(stroke); ++node)
+            left += !isGone(node);
+        if (left < 2) {
+            emptied.insert(stroke.id);
+            return stroke;
+        }
+        while (isGone(end))
+            --end;
+        std::vector<int> sources;
+        Stroke result = withoutNodes(stroke, gone, &sources);
+        remap(selection, stroke.id, selectedSources(sources, end, stroke.id, selection));
+        return result;
+    });
+    if (!emptied.empty()) {
+        edit.order.emplace();
+        for (const StrokePtr &s : document.painting()->strokes)
+            if (!emptied.contains(s->id))
+                edit.order->push_back(s->id);
+        for (StrokeId id : emptied) {
+            edit.strokes.emplace(id, nullptr);
+            remap(selection, id, {});
+            selection.strokes.erase(id);
+        }
+    }
+    if (!edit.isEmpty())
+        setSelection(edit, document, std::move(selection));
+    return edit;
+}
+
+Edit bridgeSegments(const Document &document, const std::set<SegmentRef> &segments)
+{
+    NodesOfStrokes wanted;
+    for (const SegmentRef &ref : segments)
+        wanted[ref.stroke].push_back(ref.segment);
+    Selection selection = document.selection();
+    Edit edit = reshape(document, wanted, [&](const Stroke &stroke, const std::vector<int> &chosen) {
+        Stroke result = stroke;
+        const int n = int(stroke.segments.size());
+        std::vector<int> sources;
+        for (int k = 0; k < n; ++k)
+            sources.push_back(k);
+        // From the last run to the first: indices before it stay.
+        for (std::size_t i = chosen.size(); i > 0;) {
+            const int last = chosen[--i];
+            int first = last;
+            while (i > 0 && chosen[i - 1] == first - 1)
+                first = chosen[--i];
+            if (first < 0 || last >= n)
+                continue;
+            const std::size_t before = result.segments.size();
+            result = withBridge(result, first, last);
+            if (result.segments.size() < before)
+                sources.erase(sources.begin() + first + 1, sources.begin() + last + 1);
+        }
+        remap(selection, stroke.id, selectedSources(sources, n, stroke.id, selection));
+        return result;
+    });
+    if (!edit.isEmpty())
+        setSelection(edit, document, std::move(selection));
+    return edit;
+}
+
+Edit moveNodes(const Document &document, const std::set<NodeRef> &nodes, Point by)
+{
+    return reshape(document, byStroke(nodes), [by](const Stroke &stroke, const std::vector<int> &which) {
+        return withNodeMoved(stroke, which, by);
+    });
+}
+
+Edit setNodeKind(const Document &document, const std::set<NodeRef> &nodes, NodeKind kind)
+{
+    return reshape(document, byStroke(nodes), [kind](const Stroke &stroke, const std::vector<int> &which) {
+        return withNodeKind(stroke, which, kind);
+    });
+}
+
+Edit splitAt(Document &document, const PlacesOfStrokes &places)
+{
+    const PaintingPtr painting = document.painting();
+    Parts parts(document);
+    for (const StrokePtr &stroke : painting->strokes) {
+        const auto it = places.find(stroke->id);
+        std::vector<Stroke> cut;
+        if (it != places.end() && !painting->isLocked(*stroke))
+            cut = cutAt(*stroke, it->second);
+        if (cut.size() < 2) {
+            parts.keep(*stroke);
+            continue;
+        }
+        std::vector<int> sources;
+        withNodes(*stroke, it->second, &sources);
+        parts.replace(*stroke, std::move(cut), sources);
+    }
+    return parts.edit();
+}
+
+Edit splitAtNodes(Document &document, const std::set<NodeRef> &nodes)
+{
+    PlacesOfStrokes places;
+    for (const NodeRef &ref : nodes)
+        if (ref.node > 0)
+            places[ref.stroke].push_back({ref.node, 0});
+    return splitAt(document, places);
+}
+
+Edit eraseAlong(Document &document, const std::set<StrokeId> &targets, const std::vector<Point> &path, double radius)
+{
+    const PaintingPtr painting = document.painting();
+    Parts parts(document);
+    for (const StrokePtr &stroke : painting->strokes) {
+        const bool isMeant = (targets.empty() || targets.contains(stroke->id)) && painting->isVisible(*stroke) &&
+                             !painting->isLocked(*stroke);
+        if (!isMeant || !mayErase(*stroke, path, radius)) {
+            parts.keep(*stroke);
+            continue;
+        }
+        std::vector<int> sources;
+        std::vector<Stroke> left = erased(*stroke, path, radius, &sources);
+        if (left.size() == 1 && left.front().segments == stroke->segments)
+            parts.keep(*stroke);
+        else
+            parts.replace(*stroke, std::move(left), sources);
+    }
+    return parts.edit();
+}
+
+Edit reverseSelection(const Document &document)
+{
+    Selection selection = document.selection();
+    std::map<StrokeId, bool> targets;
+    for (StrokeId id : selection.strokes)
+        targets.emplace(id, true);
+    Edit edit = reshape(document, targets, [&](const Stroke &stroke, bool) {
+        std::vector<int> sources;
+        for (int k = int(stroke.segments.size()); k-- > 0;)
+            sources.push_back(k);
+        remap(selection, stroke.id, sources);
+        return reversed(stroke);
+    });
+    if (!edit.isEmpty())
+        setSelection(edit, document, std::move(selection));
+    return edit;
+}
+
+Edit extendStroke(const Document &document, StrokeId stroke, bool atEnd, const Stroke &added)
+{
+    const std::map<StrokeId, bool> target{{stroke, atEnd}};
+    Selection selection = document.selection();
+    Edit edit = reshape(document, target, [&](const Stroke &before, bool) {
+        std::optional<Stroke> longer = joined(before, atEnd, added, false);
+        if (!longer)
+            return before;
+        std::vector<int> sources;
+        const int n = int(before.segments.size()), more = int(longer->segments.size()) - n;
+        for (int k = 0; k < n + more; ++k)
+            sources.push_back(atEnd ? (k < n ? k : -1) : k - more);
+        remap(selection, stroke, sources);
+        return std::move(*longer);
+    });
+    if (!edit.isEmpty())
+        setSelection(edit, document, std::move(selection));
+    return edit;
+}
+
+} // namespace suffuse

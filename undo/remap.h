@@ -1,0 +1,29 @@
+// What becomes of selected segments when strokes are reshaped.
+#pragma once
+
+#include "model/selection.h"
+
+namespace suffuse {
+
+/// Takes a stroke's segments out of the selection.
+inline std::set<SegmentRef> takeSegments(Selection &selection, StrokeId stroke)
+{
+    const auto first = selection.segments.lower_bound({stroke, 0});
+    const auto last = selection.segments.lower_bound({stroke + 1, 0});
+    std::set<SegmentRef> taken(first, last);
+    selection.segments.erase(first, last);
+    return taken;
+}
+
+/// Selects the segments of a stroke that came from selected ones: segment k from sources[k].
+inline void remap(Selection &selection, StrokeId stroke, const std::vector<int> &sources)
+{
+    const std::set<SegmentRef> before = takeSegments(selection, stroke);
+    if (before.empty())
+        return;
+    for (int k = 0; k < int(sources.size()); ++k)
+        if (before.contains({stroke, sources[std::size_t(k)]}))
+            selection.segments.insert({stroke, k});
+}
+
+} // namespace suffuse

@@ -1,0 +1,172 @@
+#include "undo/transform_edits.h"
+
+#include "model/validate.h"
+#include "undo/order_tree.h"
+#include "undo/remap.h"
+
+namespace suffuse {
+
+namespace {
+
+/// What moves as one: a stroke, or a group that is selected as a whole.
+struct Unit {
+    std::vector<StrokePtr> strokes;
+    Rect box;
+};
+
+std::vector<Unit> unitsOf(const Document &document)
+{
+    const Painting &painting = *document.painting();
+    std::unordered_map<StrokeId, StrokePtr> byId;
+    for (const StrokePtr &s : painting.strokes)
+        if (document.selection().strokes.contains(s->id))
+            byId.emplace(s->id, s);
+    const std::vector<Sibling> tree = orderTree(painting, document.selection().strokes);
+    std::vector<Unit> units;
+    for (const Sibling *sibling : selectedUnits(tree)) {
+        Unit unit;
+        forEachStroke(*sibling, [&](StrokeId id) {
+            unit.strokes.push_back(byId.at(id));
+            unit.box = unit.box.united(curveBox(*unit.strokes.back()));
+        });
+        units.push_back(std::move(unit));
+    }
+    return units;
+}
+
+void move(const Unit &unit, Point by, Edit &edit)
+{
+    if (by == Point())
+        return;
+    for (const StrokePtr &stroke : unit.strokes) {
+        auto moved = std::make_shared<Stroke>(*stroke);
+        moved->origin = moved->origin + by;
+        if (moved->origin != stroke->origin && problemOf(*moved).isEmpty())
+            edit.strokes.emplace(stroke->id, std::move(moved));
+    }
+}
+
+/// How far a box must go to be aligned with another.
+Point wayTo(const Rect &target, const Rect &box, Align how)
+{
+    switch (how) {
+    case Align::Left:
+        return {target.left - box.left, 0};
+    case Align::Centre:
+        return {target.centre().x - box.centre().x, 0};
+    case Align::Right:
+        return {target.right - box.right, 0};
+    case Align::Top:
+        return {0, target.top - box.top};
+    case Align::Middle:
+        return {0, target.centre().y - box.centre().y};
+    case Align::Bottom:
+        return {0, target.bottom - box.bottom};
+    }
+    return {};
+}
+
+Rect targetBox(const Document &document, const std::vector<Unit> &units, AlignTo to, StrokeId last)
+{
+    if (to == AlignTo::Canvas)
+        return document.painting()->canvas.area();
+    Rect all;
+    for (const Unit &unit : units) {
+        all = all.united(unit.box);
+        const auto isLast = [last](const StrokePtr &s) { return s->id == last; };
+        if (to == AlignTo::LastSelected && std::any_of(unit.strokes.begin(), unit.strokes.end(), isLast))
+            return unit.box;
+    }
+    return to == AlignTo::LastSelected ? units.back().box : all;
+}
+
+} // namespace
+
+Edit transformSelection(const Document &document, const Affine &map, SpreadRule rule)
+{
+    if (map.isIdentity())
+        return {};
+    return transformSelection(document, *document.painting(), document.selection(), map, rule);
+}
+
+Edit transformSelection(const Document &document, const Painting &before, const Selection &selection, const Affine &map,
+                        SpreadRule rule)
+{
+    Edit edit;
+    Selection after = selection;
+    for (const StrokePtr &stroke : before.strokes) {
+        if (!selection.strokes.contains(stroke->id) || before.isLocked(*stroke))
+            continue;
+        if (map.isIdentity()) {
+            edit.strokes.emplace(stroke->id, stroke);
+            continue;
+        }
+        std::vector<int> sources;
+        std::optional<Stroke> result = tryTransformed(*stroke, map, rule, &sources);
+        if (!result)
+            return {};
+        if (!selection.segments.empty() && sources.size() != stroke->segments.size())
+            remap(after, stroke->id, sources);
+        edit.strokes.emplace(stroke->id, std::make_shared<const Stroke>(std::move(*result)));
+    }
+    if (!edit.strokes.empty() && after != document.selection())
+        edit.selection = std::move(after);
+    return edit;
+}
+
+Rect selectionBox(const Painting &painting, const Selection &selection)
+{
+    Rect box;
+    if (!selection.strokes.empty())
+        for (const StrokePtr &stroke : painting.strokes)
+            if (selection.strokes.contains(stroke->id) && !painting.isLocked(*stroke))
+                box = box.united(curveBox(*stroke));
+    return box;
+}
+
+Edit align(const Document &document, Align how, AlignTo to, StrokeId last)
+{
+    const std::vector<Unit> units = unitsOf(document);
+    Edit edit;
+    if (units.empty())
+        return edit;
+    const Rect target = targetBox(document, units, to, last);
+    for (const Unit &unit : units)
+        move(unit, wayTo(target, unit.box, how), edit);
+    return edit;
+}
+
+Edit distribute(const Document &document, Axis axis, Spacing spacing)
+{
+    struct Span {
+        const Unit *unit;
+        double from, to;
+        double centre() const { return 0.5 * (from + to); }
+    };
+    const std::vector<Unit> units = unitsOf(document);
+    Edit edit;
+    if (units.size() < 3)
+        return edit;
+    std::vector<Span> spans;
+    double covered = 0;
+    for (const Unit &unit : units) {
+        const Rect &b = unit.box;
+        spans.push_back(axis == Axis::Horizontal ? Span{&unit, b.left, b.right} : Span{&unit, b.top, b.bottom});
+        covered += spans.back().to - spans.back().from;
+    }
+    std::stable_sort(spans.begin(), spans.end(), [](const Span &a, const Span &b) { return a.centre() < b.centre(); });
+    const double steps = double(spans.size() - 1);
+    const double gap = (spans.back().to - spans.front().from - covered) / steps;
+    const double pitch = (spans.back().centre() - spans.front().centre()) / steps;
+    double edge = spans.front().to + gap;
+    for (std::size_t i = 1; i + 1 < spans.size(); ++i) {
+        const Span &s = spans[i];
+        const double by =
+            spacing == Spacing::Gaps ? edge - s.from : spans.front().centre() + double(i) * pitch - s.centre();
+        edge += s.to - s.from + gap;
+        move(*s.unit, axis == Axis::Horizontal ? Point{by, 0} : Point{0, by}, edit);
+    }
+    return edit;
+}
+
+} // namespace suffuse

@@ -1,0 +1,31 @@
+// Moving, scaling, turning, aligning. As in edits.h: an empty Edit where there is nothing to do, locked strokes left
+// alone.
+#pragma once
+
+#include "model/transform.h"
+#include "undo/edits.h"
+
+namespace suffuse {
+
+/// The selected strokes mapped; none of them if one cannot be.
+Edit transformSelection(const Document &document, const Affine &map, SpreadRule rule);
+/// The same for a drag: the strokes as they were in `before` with the selection of then, whatever stands in the
+/// document now; the identity brings them back.
+Edit transformSelection(const Document &document, const Painting &before, const Selection &selection, const Affine &map,
+                        SpreadRule rule);
+
+/// Box of the selected, unlocked strokes' curves (`curveBox`), canvas units; empty without any.
+Rect selectionBox(const Painting &painting, const Selection &selection);
+
+enum class Align { Left, Centre, Right, Top, Middle, Bottom };
+enum class AlignTo { Selection, LastSelected, Canvas };
+/// Moves the selected strokes by their curves' boxes; groups that are selected as a whole move as one. `last`: what
+/// `AlignTo::LastSelected` means, which stays; without it the topmost one.
+Edit align(const Document &document, Align how, AlignTo to = AlignTo::Selection, StrokeId last = 0);
+
+enum class Axis { Horizontal, Vertical };
+enum class Spacing { Gaps, Centres };
+/// Three or more selected strokes (or whole groups) with even gaps or centres between the two outermost, which stay.
+Edit distribute(const Document &document, Axis axis, Spacing spacing);
+
+} // namespace suffuse
