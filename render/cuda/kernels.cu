@@ -7,23 +7,38 @@ namespace suffuse::cuda {
 
 namespace {
 
+/// What a kernel of a frame begins with: the next one may be made ready meanwhile, and the one before has to be done.
+/// Older chips run kernels one after another anyway.
+__device__ void takeTurn()
+{
+#if defined(__CUDA_ARCH__) && __CUDA_ARCH__ >= 900
+    cudaTriggerProgrammaticLaunchCompletion();
+    cudaGridDependencySynchronize();
+#endif
+}
+
 // Runs once per list, by one warp.
 __global__ void __launch_bounds__(warpLanes) listsKernel(const __grid_constant__ Frame frame)
 {
+    takeTurn();
     DeviceWarp warp;
     for (std::uint32_t list = blockIdx.x; list < frame.macroCount * listParts; list += gridDim.x)
         makeList(warp, frame, list);
 }
 
+constexpr int cullWarps = 4; ///< a block
+
 // Runs once per entry of the lists and half of the macro-tile, by one warp.
-__global__ void __launch_bounds__(warpLanes) cullKernel(const __grid_constant__ Frame frame)
+__global__ void __launch_bounds__(cullWarps *warpLanes, 8) cullKernel(const __grid_constant__ Frame frame)
 {
-    __shared__ CullScratch scratch;
+    __shared__ CullScratch scratch[cullWarps];
+    takeTurn();
     DeviceWarp warp;
+    const int own = int(threadIdx.x) / warpLanes;
     const std::uint32_t longest = frame.status[longestList], room = longest < frame.listRoom ? longest : frame.listRoom;
     const std::uint32_t lists = frame.macroCount * listParts, jobs = room * lists * 2;
-    for (std::uint32_t job = blockIdx.x; job < jobs; job += gridDim.x)
-        cullEntry(warp, frame, job / 2 % lists, job / 2 / lists, int(job % 2), scratch);
+    for (std::uint32_t job = blockIdx.x * cullWarps + own; job < jobs; job += gridDim.x * cullWarps)
+        cullEntry(warp, frame, job / 2 % lists, job / 2 / lists, int(job % 2), scratch[own]);
 }
 
 constexpr int orderThreads = 1024, weightClasses = 256;
@@ -47,6 +62,7 @@ __device__ std::uint32_t weightOf(const Frame &frame, std::uint32_t job)
 __global__ void __launch_bounds__(orderThreads) orderKernel(const __grid_constant__ Frame frame)
 {
     __shared__ std::uint32_t places[weightClasses];
+    takeTurn();
     for (int i = int(threadIdx.x); i < weightClasses; i += orderThreads)
         places[i] = 0;
     __syncthreads();
@@ -88,6 +104,7 @@ template <bool general>
 __global__ void __launch_bounds__(warpLanes, general ? 5 : 12) tilesKernel(const __grid_constant__ Frame frame)
 {
     __shared__ TileScratch<general> scratch;
+    takeTurn();
     DeviceWarp warp;
     constexpr StatusWord counter = general ? nextGeneralTile : nextPlainTile;
     for (std::uint32_t i = blockIdx.x; i < frame.tileCount; i = nextJob<counter>(frame)) {
@@ -120,13 +137,16 @@ cudaError_t fillingGrid(int device, Grid &grid)
     if (error == cudaSuccess)
         error = cudaOccupancyMaxActiveBlocksPerMultiprocessor(&lists, listsKernel, warpLanes, 0);
     if (error == cudaSuccess)
-        error = cudaOccupancyMaxActiveBlocksPerMultiprocessor(&culls, cullKernel, warpLanes, 0);
+        error = cudaOccupancyMaxActiveBlocksPerMultiprocessor(&culls, cullKernel, cullWarps * warpLanes, 0);
     if (error == cudaSuccess)
         error = cudaOccupancyMaxActiveBlocksPerMultiprocessor(&plain, tilesKernel<false>, warpLanes, 0);
     if (error == cudaSuccess)
         error = cudaOccupancyMaxActiveBlocksPerMultiprocessor(&general, tilesKernel<true>, warpLanes, 0);
+    cudaFuncAttributes compiled = {};
+    if (error == cudaSuccess)
+        error = cudaFuncGetAttributes(&compiled, listsKernel);
     grid = {unsigned(processors * lists), unsigned(processors * culls), unsigned(processors * plain),
-            unsigned(processors * general)};
+            unsigned(processors * general), compiled.ptxVersion >= 90};
     return error;
 }
 
@@ -136,31 +156,47 @@ unsigned blocksOf(const void *kernel, const Frame &frame, const Grid &grid)
     if (kernel == reinterpret_cast<const void *>(listsKernel))
         return least(grid.lists, std::size_t(frame.macroCount) * listParts);
     if (kernel == reinterpret_cast<const void *>(cullKernel))
-        return least(grid.culls, std::size_t(frame.macroCount) * listParts * frame.listRoom * 2);
+        return least(grid.culls,
+                     (std::size_t(frame.macroCount) * listParts * frame.listRoom * 2 + cullWarps - 1) / cullWarps);
     if (kernel == reinterpret_cast<const void *>(orderKernel))
         return 1;
     const bool general = kernel == reinterpret_cast<const void *>(tilesKernel<true>);
     return least(general ? grid.general : grid.plain, frame.tileCount);
 }
 
+namespace {
+
+/// Launches one of the kernels of a frame. `follows`: may be made ready while the one before runs.
+cudaError_t launch(void (*kernel)(Frame), int threads, bool follows, const Frame &frame, const Grid &grid,
+                   cudaStream_t stream)
+{
+    cudaLaunchAttribute early = {};
+    early.id = cudaLaunchAttributeProgrammaticStreamSerialization;
+    early.val.programmaticStreamSerializationAllowed = 1;
+    cudaLaunchConfig_t config = {};
+    config.gridDim = dim3(blocksOf(reinterpret_cast<const void *>(kernel), frame, grid));
+    config.blockDim = dim3(unsigned(threads));
+    config.stream = stream;
+    config.attrs = &early;
+    config.numAttrs = follows && grid.early ? 1 : 0;
+    return cudaLaunchKernelEx(&config, kernel, frame);
+}
+
+} // namespace
+
 cudaError_t launchLists(const Frame &frame, const Grid &grid, cudaStream_t stream)
 {
-    const auto blocks = [&](auto *kernel) { return blocksOf(reinterpret_cast<const void *>(kernel), frame, grid); };
-    listsKernel<<<blocks(listsKernel), warpLanes, 0, stream>>>(frame);
-    cullKernel<<<blocks(cullKernel), warpLanes, 0, stream>>>(frame);
-    if (frame.ordered)
-        orderKernel<<<1, orderThreads, 0, stream>>>(frame);
-    return cudaGetLastError();
+    cudaError_t error = launch(listsKernel, warpLanes, false, frame, grid, stream);
+    if (error == cudaSuccess)
+        error = launch(cullKernel, cullWarps * warpLanes, true, frame, grid, stream);
+    if (error == cudaSuccess && frame.ordered)
+        error = launch(orderKernel, orderThreads, true, frame, grid, stream);
+    return error;
 }
 
 cudaError_t launchTiles(const Frame &frame, bool general, const Grid &grid, cudaStream_t stream)
 {
-    const auto blocks = [&](auto *kernel) { return blocksOf(reinterpret_cast<const void *>(kernel), frame, grid); };
-    if (general)
-        tilesKernel<true><<<blocks(tilesKernel<true>), warpLanes, 0, stream>>>(frame);
-    else
-        tilesKernel<false><<<blocks(tilesKernel<false>), warpLanes, 0, stream>>>(frame);
-    return cudaGetLastError();
+    return launch(general ? tilesKernel<true> : tilesKernel<false>, warpLanes, true, frame, grid, stream);
 }
 
 cudaError_t launchCopy(std::uint32_t *to, const std::uint32_t *from, int rowPixels, const int4 *rects, int count,

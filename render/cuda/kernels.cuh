@@ -7,9 +7,10 @@
 
 namespace suffuse::cuda {
 
-/// Blocks of one warp that fill a device, of each kernel.
+/// Blocks that fill a device, of each kernel, and how they are launched.
 struct Grid {
     unsigned lists = 1, culls = 1, plain = 1, general = 1;
+    bool early = false; ///< whether kernels wait themselves for the ones before them
 };
 cudaError_t fillingGrid(int device, Grid &grid);
 

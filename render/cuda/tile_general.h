@@ -200,7 +200,7 @@ private:
         });
         forEachListing([&](const Listing &listing) {
             addSeparable(listing, block);
-            for (int n = listing.separable; n < listing.count; ++n)
+            for (int n = wholeStrides(listing.separable); n < listing.count; ++n)
                 addOblique(n, block);
         });
         if (m_stroke.deep) {

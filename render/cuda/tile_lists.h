@@ -5,19 +5,26 @@
 
 namespace suffuse::cuda {
 
-/// The first chunk from `at` on that begins a stroke.
+/// Where a part of a macro job's chunks begins and ends: the first chunks from there on that begin a stroke.
+struct ListedPart {
+    std::uint32_t from, to;
+};
 template <class Warp>
-SUFFUSE_PROGRAM std::uint32_t strokeBorder(Warp &warp, const Frame &frame, const MacroJob &macro, std::uint32_t at)
+SUFFUSE_PROGRAM ListedPart wholeStrokes(Warp &warp, const Frame &frame, const MacroJob &macro, ListedPart part)
 {
-    for (; at > macro.from && at < macro.to; at += warpLanes) {
-        const std::uint32_t begins = warp.ballot([&](int lane) {
+    const auto begins = [&](std::uint32_t at) { // bit i: whether chunk at + i does
+        return warp.ballot([&](int lane) {
             const std::uint32_t i = at + std::uint32_t(lane);
-            return i >= macro.to || frame.chunks[i].stroke != frame.chunks[i - 1].stroke;
+            return i <= macro.from || i >= macro.to || frame.chunks[i].stroke != frame.chunks[i - 1].stroke;
         });
-        if (begins)
-            return at + std::uint32_t(Warp::lowest(begins));
+    };
+    for (;;) { // both at once, for their loads' sake
+        const std::uint32_t first = begins(part.from), last = begins(part.to);
+        part.from += first ? std::uint32_t(Warp::lowest(first)) : std::uint32_t(warpLanes);
+        part.to += last ? std::uint32_t(Warp::lowest(last)) : std::uint32_t(warpLanes);
+        if (first && last)
+            return part;
     }
-    return at;
 }
 
 /// Writes one list: of a part of a macro job's chunks, whole strokes, those whose bounds meet it, in order. What does
@@ -28,9 +35,12 @@ SUFFUSE_PROGRAM void makeList(Warp &warp, const Frame &frame, std::uint32_t inde
     constexpr int group = 4; // of 32 chunks, so that several loads are under way
     const MacroJob macro = frame.macros[index / listParts];
     const std::uint32_t part = index % listParts, size = (macro.to - macro.from + listParts - 1) / listParts;
-    const std::uint32_t begin = strokeBorder(warp, frame, macro, macro.from + part * size);
-    const std::uint32_t end = strokeBorder(warp, frame, macro, macro.from + (part + 1) * size);
-    const std::uint32_t to = end < macro.to ? end : macro.to;
+    const auto border = [&](std::uint32_t before) {
+        const std::uint32_t at = macro.from + before * size;
+        return at < macro.to ? at : macro.to;
+    };
+    const ListedPart chunks = wholeStrokes(warp, frame, macro, {border(part), border(part + 1)});
+    const std::uint32_t begin = chunks.from, to = chunks.to;
     const std::int32_t left = macro.column * macroSide, top = macro.row * macroSide;
     std::uint32_t *list = frame.lists + std::size_t(index) * frame.listRoom;
     std::uint32_t length = 0;
@@ -63,11 +73,20 @@ SUFFUSE_PROGRAM void makeList(Warp &warp, const Frame &frame, std::uint32_t inde
     });
 }
 
-/// A node as culling sees it: centre from the macro-tile's corner and reach, px; least eigenvalue of the metric,
-/// weight, and weight times the root of the greatest eigenvalue (as render/cpu/node_boxes.h).
+/// A node as culling sees it: centre from the corner of half a macro-tile and reach, px; least eigenvalue of the metric
+/// times −log₂ e, weight, and weight times the root of the greatest eigenvalue (as render/cpu/node_boxes.h).
 struct CullNode {
     Float4 place; ///< x, y, reachX, reachY
     Float4 decay; ///< slowest, weight, steepest, –
+
+    /// Whether it meets any tile of the half; what meets none adds nothing to them.
+    SUFFUSE_PROGRAM bool meetsHalf() const
+    {
+        constexpr float half = tileSide / 2, width = macroSide, height = macroSide / 2;
+        const auto beyond = [](float d, float side) { return math::max_(half - d, d - (side - half)); };
+        return NodePlace::outside(math::max_(beyond(place.x, width), 0.0f)) <= place.z &&
+               NodePlace::outside(math::max_(beyond(place.y, height), 0.0f)) <= place.w;
+    }
 };
 
 /// Shared memory of a warp that culls.
@@ -82,7 +101,7 @@ SUFFUSE_PROGRAM CullNode cullNodeOf(const NodeRecord &n, std::int32_t cellX, std
     const float spread = n.b == 0 ? math::abs_(half) : math::sqrt_(math::mulAdd_(half, half, n.b * n.b));
     const float slowest = math::max_(0.9999f * (middle - spread), 0.0f), greatest = 1.0001f * (middle + spread);
     const float x = float((n.cellX - cellX) * tileSide) + n.x, y = float((n.cellY - cellY) * tileSide) + n.y;
-    return {{x, y, n.reachX, n.reachY}, {slowest, n.weight, n.weight * math::sqrt_(greatest), 0}};
+    return {{x, y, n.reachX, n.reachY}, {slowest * -float(math::log2e), n.weight, n.weight * math::sqrt_(greatest), 0}};
 }
 
 /// Which tiles of half a macro-tile one stroke may show in, one tile a lane.
@@ -105,16 +124,25 @@ public:
     /// Bit i: whether nodes of the chunk meet tile i.
     SUFFUSE_PROGRAM std::uint32_t add(const ChunkRecord &chunk)
     {
-        const int nodes = int(chunk.nodes);
-        m_warp.each([&](int lane) {
-            if (lane < nodes)
-                m_s.nodes[lane] = cullNodeOf(m_frame.nodes[chunk.firstNode + std::uint32_t(lane)], m_cellX, m_cellY);
+        if (chunk.nodes == 0) // deep nodes lie everywhere
+            return m_warp.ballot([&](int lane) { return meetsTile(chunk, cellX(lane), cellY(lane)); });
+        Var<CullNode> node;
+        const std::uint32_t near = m_warp.ballot([&](int lane) {
+            if (std::uint32_t(lane) >= chunk.nodes)
+                return false;
+            node[lane] = cullNodeOf(m_frame.nodes[chunk.firstNode + std::uint32_t(lane)], m_cellX, m_cellY);
+            return !m_frame.cull || node[lane].meetsHalf();
         });
+        m_warp.each([&](int lane) {
+            if (near >> lane & 1)
+                m_s.nodes[Warp::rank(near, lane)] = node[lane];
+        });
+        const int nodes = Warp::count(near);
         const std::uint32_t hits = m_warp.ballot([&](int lane) {
-            bool hit = nodes == 0 && meetsTile(chunk, cellX(lane), cellY(lane)); // deep nodes lie everywhere
             constexpr float half = tileSide / 2;
             const float centreX = float(lane % macroTiles * tileSide) + half;
             const float centreY = float(lane / macroTiles * tileSide) + half;
+            const std::uint32_t before = m_weight[lane];
             SUFFUSE_UNROLL_BY_4
             for (int n = 0; n < nodes; ++n) {
                 const Float4 place = m_s.nodes[n].place, decay = m_s.nodes[n].decay;
@@ -123,14 +151,14 @@ public:
                 // Distance u in spreads to the nearest point: e^(−u²), and 2u e^(−u²), which is greatest at u² = ½ and
                 // then at most (1 + u²) e^(−u²).
                 const float ox = math::max_(outX, 0.0f), oy = math::max_(outY, 0.0f);
-                const float u2 = math::mulAdd_(ox, ox, oy * oy) * decay.x, e = math::exp2_(-float(math::log2e) * u2);
-                const float rise = u2 < 0.5f ? 0.8578f : math::mulAdd_(u2, e, e);
-                hit |= counts;
+                const float log = math::mulAdd_(ox, ox, oy * oy) * decay.x, e = math::exp2_(log);
+                const float rise =
+                    log > -0.5f * float(math::log2e) ? 0.8578f : math::negMulAdd_(log * float(math::ln2), e, e);
                 m_weight[lane] += counts;
-                m_density[lane] += counts ? decay.y * e : 0.0f;
-                m_slope[lane] += counts ? decay.z * rise : 0.0f;
+                m_density[lane] = math::mulAdd_(decay.y, counts ? e : 0.0f, m_density[lane]);
+                m_slope[lane] = math::mulAdd_(decay.z, counts ? rise : 0.0f, m_slope[lane]);
             }
-            return hit;
+            return m_weight[lane] != before;
         });
         m_warp.meet(); // before the next chunk's nodes
         return hits;
@@ -185,11 +213,13 @@ SUFFUSE_PROGRAM void cullEntry(Warp &warp, const Frame &frame, std::uint32_t ind
     std::uint32_t *masks = frame.masks + std::size_t(index) * frame.listRoom * 2 + half;
     const std::uint32_t job = index / listParts;
     // All loads at once; what lies beyond the list is not used.
-    const std::uint32_t counted = frame.listCounts[index], own = list[entry], before = list[entry > 0 ? entry - 1 : 0];
+    const auto within = [&](std::uint32_t i) { return i < frame.listRoom ? i : frame.listRoom - 1; };
+    const std::uint32_t counted = frame.listCounts[index], own = list[entry], before = list[entry > 0 ? entry - 1 : 0],
+                        after = list[within(entry + 1)];
     const std::uint32_t count = counted < frame.listRoom ? counted : frame.listRoom;
     if (entry >= count)
         return;
-    ChunkRecord chunk = frame.chunks[own];
+    ChunkRecord chunk = frame.chunks[own], next = frame.chunks[entry + 1 < count ? after : own];
     const std::uint32_t stroke = chunk.stroke;
     if (entry > 0 && frame.chunks[before].stroke == stroke)
         return;
@@ -198,16 +228,14 @@ SUFFUSE_PROGRAM void cullEntry(Warp &warp, const Frame &frame, std::uint32_t ind
     for (;;) {
         last = cull.add(chunk);
         all |= last;
-        if (++end == count)
-            break;
-        const ChunkRecord next = frame.chunks[list[end]];
-        if (next.stroke != stroke)
+        if (++end == count || next.stroke != stroke)
             break;
         warp.each([&](int lane) {
             if (lane == 0)
                 masks[std::size_t(end - 1) * 2] = last;
         });
         chunk = next;
+        next = frame.chunks[list[end + 1 < count ? end + 1 : end]];
     }
     const std::uint32_t seen = cull.seen();
     for (std::uint32_t from = entry; from + 1 < end; from += warpLanes)

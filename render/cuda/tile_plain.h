@@ -61,25 +61,27 @@ public:
                 }
             });
         modulate(eta);
-        bool seen = false;
-        withMadeStyle(m_stroke, 0, [&](const auto &style) { seen = meanOfStyle(m_warp, style, m_s.means); });
-        return seen;
+        return meanOfStyle(m_warp, m_stroke, m_s.means);
     }
 
     /// Calls use(lane, sample, w, red, yellow, blue) for a stroke of one colour or of a line of colours.
     template <class Use>
     SUFFUSE_PROGRAM void forEachSample(Use use)
     {
-        const Colour from = m_stroke.shade.colour,
-                     end = m_stroke.shade.lineChannel >= 0 ? m_stroke.shade.colourEnd : from;
-        m_warp.each([&](int lane) {
+        const Colour from = m_stroke.shade.colour, end = m_stroke.shade.colourEnd;
+        const auto forEach = [&](int lane, auto mean) {
             SUFFUSE_UNROLL
             for (int k = 0; k < laneSamples; ++k) {
                 const float t = m_values[lane].v[k];
-                const auto mean = [&](float a, float b) { return math::mulAdd_(t, b - a, a); };
-                use(lane, k, meanAt(lane, k) * mean(from.opacity, end.opacity), mean(from.red, end.red),
-                    mean(from.yellow, end.yellow), mean(from.blue, end.blue));
+                use(lane, k, meanAt(lane, k) * mean(t, from.opacity, end.opacity), mean(t, from.red, end.red),
+                    mean(t, from.yellow, end.yellow), mean(t, from.blue, end.blue));
             }
+        };
+        m_warp.each([&](int lane) {
+            if (m_stroke.shade.lineChannel >= 0)
+                forEach(lane, [](float t, float a, float b) { return math::mulAdd_(t, b - a, a); });
+            else
+                forEach(lane, [](float, float a, float) { return a; });
         });
     }
 
@@ -102,21 +104,23 @@ private:
     /// Hands φ′ = γφ and h² = (½γ|∇φ|)² on to the style.
     SUFFUSE_PROGRAM void modulate(const float *eta)
     {
-        const float grain = m_stroke.shade.grain;
-        m_warp.each([&](int lane) {
+        const auto give = [&](int lane, auto gammaAt) {
             const SampleSums &s = m_sums[lane];
             SUFFUSE_UNROLL
             for (int k = 0; k < laneSamples; ++k) {
-                float phi = math::min_(s.density[k], 1e18f);
-                float h2 = math::mulAdd_(s.slopeX[k], s.slopeX[k], s.slopeY[k] * s.slopeY[k]) * (slopeUnit * slopeUnit);
                 const int at = sampleAt(lane, k);
-                if (eta) {
-                    const float gamma = math::mulAdd_(1 - grain, eta[at], grain);
-                    phi *= gamma, h2 *= gamma * gamma;
-                }
-                m_s.means.density[at] = phi;
+                const float gamma = gammaAt(at), width = gamma * slopeUnit;
+                const float h2 = math::mulAdd_(s.slopeX[k], s.slopeX[k], s.slopeY[k] * s.slopeY[k]) * (width * width);
+                m_s.means.density[at] = math::min_(s.density[k], 1e18f) * gamma;
                 m_s.means.h2[at] = math::min_(h2, 1e36f);
             }
+        };
+        const float grain = m_stroke.shade.grain;
+        m_warp.each([&](int lane) {
+            if (eta)
+                give(lane, [&](int at) { return math::mulAdd_(1 - grain, eta[at], grain); });
+            else
+                give(lane, [](int) { return 1.0f; });
         });
     }
 

@@ -90,9 +90,8 @@ private:
                     m_warp.fetch([](int, auto) {});
                     return {};
                 }
+                m_listCount = m_warp.read(m_counts, m_part);
                 m_list = std::size_t(m_job.macro) * listParts + std::size_t(m_part++);
-                const std::uint32_t counted = m_frame.listCounts[m_list];
-                m_listCount = counted < m_frame.listRoom ? counted : m_frame.listRoom;
                 m_listed = 0;
                 continue;
             }
@@ -102,17 +101,24 @@ private:
                 const std::uint32_t i = m_listed + std::uint32_t(lane);
                 if (i >= m_listCount)
                     return false;
-                m_candidate[lane] = list[i];
-                return (masks[std::size_t(i) * 2] >> tile % warpLanes & 1) != 0 && isWanted(list[i]);
+                const std::uint32_t chunk = list[i];
+                if ((masks[std::size_t(i) * 2] >> tile % warpLanes & 1) == 0 || !isWanted(chunk))
+                    return false;
+                const ChunkRecord &c = m_frame.chunks[chunk];
+                m_chunk[lane] = chunk, m_firstNode[lane] = c.firstNode;
+                m_nodes[lane] = c.nodes, m_strokeOf[lane] = c.stroke;
+                return true;
             });
             m_listed += warpLanes;
         }
-        const std::uint32_t index = m_warp.read(m_candidate, Warp::lowest(m_hits));
+        const int from = Warp::lowest(m_hits);
         m_hits &= m_hits - 1;
-        const ChunkRecord chunk = m_frame.chunks[index];
+        const Found found{m_warp.read(m_chunk, from), m_warp.read(m_strokeOf, from), m_warp.read(m_nodes, from)};
+        ChunkRecord chunk;
+        chunk.firstNode = m_warp.read(m_firstNode, from), chunk.nodes = found.nodes, chunk.stroke = found.stroke;
         m_turn ^= 1;
         fetchChunk(m_warp, m_frame, chunk, m_s.paint.fetched[m_turn]);
-        return {index, chunk.stroke, chunk.nodes};
+        return found;
     }
 
     SUFFUSE_PROGRAM bool isWanted(std::uint32_t chunk) const
@@ -123,6 +129,12 @@ private:
 
     SUFFUSE_PROGRAM void begin()
     {
+        m_warp.each([&](int lane) {
+            if (lane >= listParts)
+                return;
+            const std::uint32_t counted = m_frame.listCounts[std::size_t(m_job.macro) * listParts + std::size_t(lane)];
+            m_counts[lane] = counted < m_frame.listRoom ? counted : m_frame.listRoom;
+        });
         m_warp.each([&](int lane) {
             LaneBackdrop &b = m_backdrop[lane];
             SUFFUSE_UNROLL
@@ -176,6 +188,8 @@ private:
             if (lane < int(sizeof(m_s.paint.stroke) / sizeof(Float4)))
                 m_s.paint.stroke[lane] = fetched.stroke[lane];
         });
+        if (strokeOf(m_s.paint.stroke).granulated && !m_haveEta)
+            findEta(); // while no sums are in registers
     }
     SUFFUSE_PROGRAM void addChunk(const Fetched &fetched, int nodes)
     {
@@ -209,20 +223,17 @@ private:
         } while (part.chunk < end);
     }
 
-    /// The paper where it touches the stroke, else null.
-    SUFFUSE_PROGRAM const float *eta(const StrokeRecord &stroke)
+    /// Paper at the tile's pixels.
+    SUFFUSE_PROGRAM void findEta()
     {
-        if (!stroke.granulated || m_frame.paper.kind == 0)
-            return nullptr;
-        if (!m_haveEta)
-            m_warp.each([&](int lane) {
-                for (int k = 0; k < laneSamples; ++k)
-                    m_s.paint.eta[sampleAt(lane, k)] =
-                        etaAt(m_frame, m_job.column * tileSide + sampleColumn(lane, k) + 0.5,
-                              m_job.row * tileSide + sampleRow(lane, k) + 0.5, 1);
-            });
         m_haveEta = true;
-        return m_s.paint.eta;
+        if (m_frame.paper.kind == 0)
+            return;
+        m_warp.each([&](int lane) {
+            for (int k = 0; k < laneSamples; ++k)
+                m_s.paint.eta[sampleAt(lane, k)] = etaAt(m_frame, m_job.column * tileSide + sampleColumn(lane, k) + 0.5,
+                                                         m_job.row * tileSide + sampleRow(lane, k) + 0.5, 1);
+        });
     }
 
     SUFFUSE_PROGRAM void paintPlain(const StrokeRecord &stroke)
@@ -231,7 +242,7 @@ private:
         const float keep = stroke.keep;
         for (int pass = 0; pass < plain.passes(); ++pass) {
             plain.sum([&](auto use) { forEachListing(stroke, use); }, m_overflown, pass);
-            if (pass == 0 && !plain.style(eta(stroke)))
+            if (pass == 0 && !plain.style(stroke.granulated && m_frame.paper.kind != 0 ? m_s.paint.eta : nullptr))
                 return;
             if (pass == 0 && plain.passes() == 1)
                 plain.forEachSample([&](int lane, int k, float w, float red, float yellow, float blue) {
@@ -309,9 +320,11 @@ private:
                                                    general && m_frame.transparent ? b.coverage[k] : 1.0f};
             }
         });
-        SUFFUSE_ROLLED
-        for (int k = 0; k < laneSamples; ++k)
-            m_warp.each([&](int lane) { store(index, lane, k, finishSample(m_s.finished[sampleAt(lane, k)])); });
+        m_warp.each([&](int lane) {
+            SUFFUSE_ROLLED
+            for (int k = 0; k < laneSamples; ++k)
+                store(index, lane, k, finishSample(m_s.finished[sampleAt(lane, k)]));
+        });
     }
 
     SUFFUSE_PROGRAM void store(std::uint32_t index, int lane, int k, const Float4 &rgba) const
@@ -332,9 +345,10 @@ private:
     const TileJob m_job;
     TileScratch<general> &m_s;
     Var<LaneBackdrop> m_backdrop;
-    Var<std::uint32_t> m_candidate;
-    std::size_t m_list = 0; ///< that candidates come from
-    int m_part = 0;         ///< the next one
+    Var<std::uint32_t> m_counts;                                  ///< of the macro job's lists, one a lane
+    Var<std::uint32_t> m_chunk, m_strokeOf, m_nodes, m_firstNode; ///< of the candidates
+    std::size_t m_list = 0;                                       ///< that candidates come from
+    int m_part = 0;                                               ///< the next one
     std::uint32_t m_listCount = 0, m_listed = 0, m_hits = 0;
     std::uint32_t m_stroke = none;
     Listing m_listing;

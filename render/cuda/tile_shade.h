@@ -27,46 +27,50 @@ SUFFUSE_PROGRAM void withMadeStyle(const StrokeRecord &stroke, int kind, Use use
 }
 
 /// From φ′ and h² to the pixel mean of F, which takes the place of φ′, for a stroke of one style; false: it shows
-/// nothing at any sample. Loops over samples stay loops: unrolled, the styles' code would not fit the instruction
-/// cache.
-template <class Warp, class Style>
-SUFFUSE_PROGRAM bool meanOfStyle(Warp &warp, const Style style, MeanScratch &s)
+/// nothing at any sample. Loops over samples are hardly unrolled: the styles' code would not fit the instruction cache.
+template <class Warp>
+SUFFUSE_PROGRAM bool meanOfStyle(Warp &warp, const StrokeRecord &stroke, MeanScratch &s)
 {
     typename Warp::template Var<std::uint32_t> seen, isLong; // by sample
-    warp.each([&](int lane) {
-        seen[lane] = isLong[lane] = 0;
-        SUFFUSE_ROLLED
-        for (int k = 0; k < laneSamples; ++k) {
-            const int at = sampleAt(lane, k);
-            const float phi = s.density[at], h2 = s.h2[at], f = style.simpleMean(phi, h2);
-            const bool isSeen = style.seen(phi, h2);
-            const bool needsLong = isSeen && !style.simple(phi, h2);
-            s.density[at] = needsLong ? phi : isSeen ? f : 0.0f;
-            seen[lane] |= std::uint32_t(isSeen);
-            isLong[lane] |= std::uint32_t(needsLong) << k;
-        }
+    withMadeStyle(stroke, 0, [&](const auto style) {
+        warp.each([&](int lane) {
+            seen[lane] = isLong[lane] = 0;
+            SUFFUSE_UNROLL_BY_2
+            for (int k = 0; k < laneSamples; ++k) {
+                const int at = sampleAt(lane, k);
+                const float phi = s.density[at], h2 = s.h2[at], f = style.simpleMean(phi, h2);
+                const bool isSeen = style.seen(phi, h2);
+                const bool needsLong = isSeen && !style.simple(phi, h2);
+                s.density[at] = needsLong ? phi : isSeen ? f : 0.0f;
+                seen[lane] |= std::uint32_t(isSeen);
+                isLong[lane] |= std::uint32_t(needsLong) << k;
+            }
+        });
     });
     if (!warp.any([&](int lane) { return seen[lane] != 0; }))
         return false;
+    if (!warp.any([&](int lane) { return isLong[lane] != 0; }))
+        return true;
     int longOnes = 0;
-    if (warp.any([&](int lane) { return isLong[lane] != 0; })) {
-        SUFFUSE_ROLLED
-        for (int k = 0; k < laneSamples; ++k) {
-            const std::uint32_t mask = warp.ballot([&](int lane) { return (isLong[lane] >> k & 1) != 0; });
-            warp.each([&](int lane) {
-                if (mask >> lane & 1)
-                    s.longOnes[longOnes + Warp::rank(mask, lane)] = std::uint8_t(sampleAt(lane, k));
-            });
-            longOnes += Warp::count(mask);
-        }
-    }
-    for (int from = 0; from < longOnes; from += warpLanes)
+    SUFFUSE_ROLLED
+    for (int k = 0; k < laneSamples; ++k) {
+        const std::uint32_t mask = warp.ballot([&](int lane) { return (isLong[lane] >> k & 1) != 0; });
         warp.each([&](int lane) {
-            if (from + lane < longOnes) {
-                const int at = s.longOnes[from + lane];
-                s.density[at] = style.longMean(s.density[at], math::sqrt_(s.h2[at]));
-            }
+            if (mask >> lane & 1)
+                s.longOnes[longOnes + Warp::rank(mask, lane)] = std::uint8_t(sampleAt(lane, k));
         });
+        longOnes += Warp::count(mask);
+    }
+    withMadeStyle(stroke, 0, [&](const auto style) {
+        SUFFUSE_ROLLED
+        for (int from = 0; from < longOnes; from += warpLanes)
+            warp.each([&](int lane) {
+                if (from + lane < longOnes) {
+                    const int at = s.longOnes[from + lane];
+                    s.density[at] = style.longMean(s.density[at], math::sqrt_(s.h2[at]));
+                }
+            });
+    });
     return true;
 }
 

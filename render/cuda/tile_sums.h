@@ -35,16 +35,19 @@ SUFFUSE_PROGRAM int sampleAtPixel(int column, int row)
 }
 
 inline constexpr int nodeRoom = 64; ///< nodes of a stroke that are listed at once
+inline constexpr int stride = 4;    ///< nodes are summed by fours: empty ones fill up the last
 inline constexpr int batch = 16;    ///< of them whose tables are in shared memory at once
 
 /// Tables hold exponents to base 2: slopes come out times −log₂ e, and are put right by this.
 inline constexpr float slopeUnit = -float(math::ln2);
 
-/// A node near the tile. Separable: (dx, −a log₂ e, cut, 1) and (dy, −c log₂ e, cut, weight), d from the tile's centre.
+/// A node near the tile. Separable: (dx, −a log₂ e, cut, 1) and (dy, −c log₂ e, cut·weight, weight), d from the tile's
+/// centre.
 /// Oblique: (dx, dy, a, b) and (c, cut, weight, 0).
 struct ListedNode {
     Float4 first, second;
 };
+static_assert(sizeof(ListedNode) == 2 * sizeof(Float4));
 
 /// Shared memory of one warp while it sums a batch.
 struct BatchScratch {
@@ -62,9 +65,9 @@ struct MeanScratch {
 
 /// Shared memory of one warp.
 struct SumScratch {
-    ListedNode listed[nodeRoom];
-    std::uint32_t rows[nodeRoom]; ///< of channel values, from the stroke's first
-    union {                       // one after the other
+    ListedNode listed[nodeRoom + 2 * stride - 1]; ///< also read ahead
+    std::uint32_t rows[nodeRoom + stride - 1];    ///< of channel values, from the stroke's first
+    union {                                       // one after the other
         BatchScratch sums;
         Fetched chosenAgain;
     };
@@ -84,6 +87,12 @@ struct Listing {
     int separable = 0; ///< of them, the first
 };
 
+/// Places of so many separable nodes and of the empty ones after them.
+SUFFUSE_PROGRAM int wholeStrides(int nodes)
+{
+    return (nodes + stride - 1) / stride * stride;
+}
+
 /// Adds to the list those of a chunk's nodes, which have arrived, that meet the tile. There has to be room for 32.
 template <class Warp>
 SUFFUSE_PROGRAM void listNodes(Warp &warp, bool cull, const Fetched &chunk, int nodes, std::int32_t cellX,
@@ -102,17 +111,25 @@ SUFFUSE_PROGRAM void listNodes(Warp &warp, bool cull, const Fetched &chunk, int 
             return false;
         oblique[lane] = n.b != 0;
         constexpr float base2 = -float(math::log2e);
-        node[lane] = n.b == 0 ? ListedNode{{place.dx, base2 * n.a, n.cut, 1}, {place.dy, base2 * n.c, n.cut, n.weight}}
+        node[lane] = n.b == 0 ? ListedNode{{place.dx, base2 * n.a, n.cut, 1},
+                                           {place.dy, base2 * n.c, n.cut * n.weight, n.weight}}
                               : ListedNode{{place.dx, place.dy, n.a, n.b}, {n.c, n.cut, n.weight, 0}};
         row[lane] = n.row;
         return true;
     });
     const bool askew = warp.any([&](int lane) { return oblique[lane]; });
+    if (askew && listing.count == listing.separable)
+        listing.count = wholeStrides(listing.count); // leaves the empty ones
     warp.each([&](int lane) {
         if (hits >> lane & 1) {
             const int at = listing.count + Warp::rank(hits, lane);
             s.listed[at] = node[lane];
             s.rows[at] = row[lane];
+        }
+        if (lane < stride - 1) {
+            const int at = listing.count + Warp::count(hits) + lane;
+            s.listed[at] = {{0, 0, 2, 1}, {0, 0, 2, 1}}; // e⁰ lies below its cut
+            s.rows[at] = 0;
         }
     });
     listing.count += Warp::count(hits);
@@ -159,15 +176,29 @@ SUFFUSE_PROGRAM void fillTables(Warp &warp, int from, int to, const Block &block
     warp.each([&](int lane) {
         const bool isRow = lane >= tileSide;
         const float offset = math::mulAdd_(float(lane % tileSide) - 7.5f, block.step, isRow ? block.y : block.x);
-        SUFFUSE_UNROLL_BY_4
-        for (int n = from; n < to; ++n) {
-            const ListedNode &node = s.listed[n];
-            const Float4 axis = isRow ? node.second : node.first;
-            const float d = offset - axis.x, rise = axis.y * d;
-            const float e = math::exp2_(rise * d);
-            const bool there = axis.z < e;
-            Float2 entry{there ? (e - axis.z) * axis.w : 0.0f, there ? rise * e * axis.w : 0.0f};
-            reinterpret_cast<Float2 *>(s.sums.tables[n - from])[lane] = entry;
+        const Float4 *axes = &s.listed[from].first + isRow;
+        Float2 *entries = reinterpret_cast<Float2 *>(s.sums.tables[0]) + lane;
+        Float4 axis[stride]; // of the next nodes, on their way meanwhile
+        SUFFUSE_UNROLL
+        for (int k = 0; k < stride; ++k)
+            axis[k] = axes[2 * k];
+        SUFFUSE_ROLLED
+        for (int first = from; first < to; first += stride) {
+            Float2 entry[stride];
+            SUFFUSE_UNROLL
+            for (int k = 0; k < stride; ++k) {
+                const float d = offset - axis[k].x, rise = axis[k].y * d;
+                const float e = math::exp2_(rise * d) * axis[k].w;
+                const bool there = axis[k].z < e;
+                entry[k] = {there ? e - axis[k].z : 0.0f, there ? rise * e : 0.0f};
+            }
+            axes += 2 * stride;
+            SUFFUSE_UNROLL
+            for (int k = 0; k < stride; ++k) {
+                axis[k] = axes[2 * k];
+                entries[k * warpLanes] = entry[k];
+            }
+            entries += stride * warpLanes;
         }
     });
 }
@@ -178,18 +209,21 @@ SUFFUSE_PROGRAM void addBatch(Warp &warp, int nodes, const SumScratch &s, typena
 {
     warp.each([&](int lane) {
         SampleSums &sum = sums[lane];
-        SUFFUSE_UNROLL_BY_4
-        for (int n = 0; n < nodes; ++n) {
-            const Float4 columns = s.sums.tables[n][lane % 8];
-            const Float4 *rows = &s.sums.tables[n][8 + lane / 8 * 2];
-            const Float4 low = rows[0], high = rows[1];
-            const float value[4] = {low.x, low.z, high.x, high.z}, slope[4] = {low.y, low.w, high.y, high.w};
+        SUFFUSE_ROLLED
+        for (int first = 0; first < nodes; first += stride) {
             SUFFUSE_UNROLL
-            for (int k = 0; k < laneSamples; ++k) {
-                const float x = k % 2 ? columns.z : columns.x, xSlope = k % 2 ? columns.w : columns.y;
-                sum.density[k] = math::mulAdd_(x, value[k / 2], sum.density[k]);
-                sum.slopeX[k] = math::mulAdd_(xSlope, value[k / 2], sum.slopeX[k]);
-                sum.slopeY[k] = math::mulAdd_(x, slope[k / 2], sum.slopeY[k]);
+            for (int n = first; n < first + stride; ++n) {
+                const Float4 columns = s.sums.tables[n][lane % 8];
+                const Float4 *rows = &s.sums.tables[n][8 + lane / 8 * 2];
+                const Float4 low = rows[0], high = rows[1];
+                const float value[4] = {low.x, low.z, high.x, high.z}, slope[4] = {low.y, low.w, high.y, high.w};
+                SUFFUSE_UNROLL
+                for (int k = 0; k < laneSamples; ++k) {
+                    const float x = k % 2 ? columns.z : columns.x, xSlope = k % 2 ? columns.w : columns.y;
+                    sum.density[k] = math::mulAdd_(x, value[k / 2], sum.density[k]);
+                    sum.slopeX[k] = math::mulAdd_(xSlope, value[k / 2], sum.slopeX[k]);
+                    sum.slopeY[k] = math::mulAdd_(x, slope[k / 2], sum.slopeY[k]);
+                }
             }
         }
     });
@@ -202,7 +236,7 @@ SUFFUSE_PROGRAM void addChannel(Warp &warp, int from, int nodes, const float *va
 {
     warp.each([&](int lane) { // a lane takes one node's 16 rows by halves
         const int n = lane % batch, part = lane / batch * 2;
-        if (n < nodes) {
+        if (n < wholeStrides(nodes)) {
             const float value = values[std::size_t(s.rows[from + n]) * channels + channel];
             for (int q = part; q < part + 2; ++q) {
                 const Float4 low = s.sums.tables[n][8 + q * 2], high = s.sums.tables[n][9 + q * 2];
@@ -211,13 +245,16 @@ SUFFUSE_PROGRAM void addChannel(Warp &warp, int from, int nodes, const float *va
         }
     });
     warp.each([&](int lane) {
-        SUFFUSE_UNROLL_BY_4
-        for (int n = 0; n < nodes; ++n) {
-            const Float4 columns = s.sums.tables[n][lane % 8], rows = s.sums.channel[n][lane / 8];
-            const float value[4] = {rows.x, rows.y, rows.z, rows.w};
+        SUFFUSE_ROLLED
+        for (int first = 0; first < nodes; first += stride) {
             SUFFUSE_UNROLL
-            for (int k = 0; k < laneSamples; ++k)
-                sums[lane].v[k] = math::mulAdd_(k % 2 ? columns.z : columns.x, value[k / 2], sums[lane].v[k]);
+            for (int n = first; n < first + stride; ++n) {
+                const Float4 columns = s.sums.tables[n][lane % 8], rows = s.sums.channel[n][lane / 8];
+                const float value[4] = {rows.x, rows.y, rows.z, rows.w};
+                SUFFUSE_UNROLL
+                for (int k = 0; k < laneSamples; ++k)
+                    sums[lane].v[k] = math::mulAdd_(k % 2 ? columns.z : columns.x, value[k / 2], sums[lane].v[k]);
+            }
         }
     });
 }

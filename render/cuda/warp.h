@@ -14,6 +14,7 @@
 #define SUFFUSE_PROGRAM __device__ __forceinline__
 #define SUFFUSE_CALL static __device__ __noinline__
 #define SUFFUSE_UNROLL _Pragma("unroll")
+#define SUFFUSE_UNROLL_BY_2 _Pragma("unroll 2")
 #define SUFFUSE_UNROLL_BY_4 _Pragma("unroll 4")
 #define SUFFUSE_ROLLED _Pragma("unroll 1")
 #else
@@ -23,6 +24,7 @@
 #define SUFFUSE_PROGRAM inline
 #define SUFFUSE_CALL static inline
 #define SUFFUSE_UNROLL
+#define SUFFUSE_UNROLL_BY_2
 #define SUFFUSE_UNROLL_BY_4
 #define SUFFUSE_ROLLED
 #endif
