@@ -18,9 +18,19 @@ namespace {
 /// Name in the settings, the same in every language; in the order of Command.
 constexpr const char *commandNames[] = {
     "new",           "open",   "save",      "saveAs",     "export",    "close",      "quit",
-    "undo",          "redo",   "delete",    "duplicate",  "selectAll", "deselect",   "settings",
-    "brush",         "select", "segments",  "pan",        "raise",     "lower",      "top",
-    "bottom",        "zoomIn", "zoomOut",   "zoom100",    "fit",       "rotateLeft", "rotateRight",
+    "undo",          "redo",   "cut", "copy", "paste", "pasteInPlace", "delete",    "duplicate",  "selectAll", "deselect",   "settings",
+    "brush",         "select", "segments",  "knife",      "eraser",    "attributeBrush", "eyedropper",
+    "pan",           "raise",  "lower",     "top",        "bottom",
+    "insertNodes",    "nodeCorner",     "nodeSmooth",     "nodeSymmetric", "breakNodes", "joinNodes",
+    "deleteSegments", "bridgeSegments", "reverseStrokes",
+    "invertSelection", "sameColour", "sameStyle", "sameBrush", "lasso", "touchPath",
+    "group", "ungroup", "lock", "unlockAll", "hide", "showAll", "rename",
+    "flipAcross", "flipDown", "quarterLeft", "quarterRight", "scaleSpread",
+    "alignLeft", "alignCentre", "alignRight", "alignTop", "alignMiddle", "alignBottom",
+    "alignToSelection", "alignToTopmost", "alignToCanvas",
+    "distributeGapsAcross", "distributeGapsDown", "distributeCentresAcross", "distributeCentresDown",
+    "snapToNodes", "snapToGrid", "showGrid", "gridStep",
+    "zoomIn", "zoomOut",   "zoom100",    "fit",       "rotateLeft", "rotateRight",
     "resetRotation", "mirror", "hideDocks", "fullScreen", "shortcuts", "about",
 };
 static_assert(std::size(commandNames) == std::size_t(Command::About) + 1);
@@ -33,6 +43,16 @@ bool isCanvasOnly(Command command)
     case Command::Lower:
     case Command::Top:
     case Command::Bottom:
+    case Command::InsertNodes:
+    case Command::NodeCorner:
+    case Command::NodeSmooth:
+    case Command::NodeSymmetric:
+    case Command::BreakNodes:
+    case Command::JoinNodes:
+    case Command::DeleteSegments:
+    case Command::BridgeSegments:
+    case Command::ReverseStrokes:
+    case Command::RenameStrokes:
     case Command::HideDocks:
         return true;
     default:
@@ -55,6 +75,8 @@ Actions::Actions(QMainWindow &window, QWidget &canvas) : QObject(&window), m_win
 {
     addFileAndEdit();
     addTools();
+    addNodeCommands();
+    addObjects();
     addViewAndHelp();
 }
 
@@ -96,6 +118,12 @@ void Actions::addFileAndEdit()
     m_actions[Command::Quit]->setMenuRole(QAction::QuitRole);
     add(Command::Undo, tr("&Undo"), "undo", keys(QKeySequence::Undo));
     add(Command::Redo, tr("&Redo"), "redo", {QKeySequence(tr("Ctrl+Shift+Z")), QKeySequence(tr("Ctrl+Y"))});
+    add(Command::Cut, tr("Cu&t"), "cut", keys(QKeySequence::Cut));
+    add(Command::Copy, tr("&Copy"), "copy", keys(QKeySequence::Copy));
+    add(Command::Paste, tr("&Paste"), "paste", keys(QKeySequence::Paste),
+        tr("Paste strokes or SVG paths at the pointer; a colour becomes the current one"));
+    add(Command::PasteInPlace, tr("Paste &in Place"), "", {QKeySequence(tr("Ctrl+Alt+V"))},
+        tr("Paste strokes where they were"));
     add(Command::Delete, tr("&Delete"), "delete", {QKeySequence(Qt::Key_Delete)});
     add(Command::Duplicate, tr("D&uplicate"), "duplicate", {QKeySequence(tr("Ctrl+D"))});
     add(Command::SelectAll, tr("Select &All"), "", keys(QKeySequence::SelectAll));
@@ -108,10 +136,17 @@ void Actions::addTools()
 {
     add(Command::Brush, tr("&Brush"), "brush", {QKeySequence(Qt::Key_B)}, tr("Paint strokes"));
     add(Command::Select, tr("&Select"), "select", {QKeySequence(Qt::Key_V)}, tr("Select and move strokes"));
-    add(Command::Segments, tr("Se&gments"), "segments", {QKeySequence(Qt::Key_N)}, tr("Select segments of strokes"));
+    add(Command::Segments, tr("Se&gments"), "segments", {QKeySequence(Qt::Key_N)},
+        tr("Edit segments, nodes and handles of strokes"));
     add(Command::Pan, tr("&Hand"), "pan", {QKeySequence(Qt::Key_H)}, tr("Move the canvas"));
     auto *group = new QActionGroup(this);
-    for (const Command command : {Command::Brush, Command::Select, Command::Segments, Command::Pan}) {
+    add(Command::Knife, tr("&Knife"), "knife", {QKeySequence(Qt::Key_K)}, tr("Cut strokes along a line"));
+    add(Command::Eraser, tr("&Eraser"), "eraser", {QKeySequence(Qt::Key_E)}, tr("Erase parts of strokes"));
+    add(Command::AttributeBrush, tr("&Attribute Brush"), "attribute-brush", {QKeySequence(Qt::Key_A)},
+        tr("Paint values onto segments"));
+    add(Command::Eyedropper, tr("Eye&dropper"), "eyedropper", {QKeySequence(Qt::Key_I)}, tr("Pick a colour"));
+    for (const Command command : {Command::Brush, Command::Select, Command::Segments, Command::Knife, Command::Eraser,
+                                  Command::AttributeBrush, Command::Eyedropper, Command::Pan}) {
         m_actions[command]->setCheckable(true);
         group->addAction(m_actions[command]);
     }
@@ -119,6 +154,28 @@ void Actions::addTools()
     add(Command::Lower, tr("&Lower"), "lower", {QKeySequence(Qt::Key_PageDown)});
     add(Command::Top, tr("Raise to &Top"), "top", {QKeySequence(Qt::Key_Home)});
     add(Command::Bottom, tr("Lower to &Bottom"), "bottom", {QKeySequence(Qt::Key_End)});
+}
+
+void Actions::addNodeCommands()
+{
+    add(Command::InsertNodes, tr("&Insert Nodes"), "node-insert", {QKeySequence(Qt::Key_Insert)},
+        tr("Insert a node into each selected segment"));
+    add(Command::NodeCorner, tr("&Corner"), "node-corner", {QKeySequence(tr("Shift+C"))},
+        tr("Make the selected nodes corners"));
+    add(Command::NodeSmooth, tr("&Smooth"), "node-smooth", {QKeySequence(tr("Shift+S"))},
+        tr("Make the selected nodes smooth"));
+    add(Command::NodeSymmetric, tr("S&ymmetric"), "node-symmetric", {QKeySequence(tr("Shift+Y"))},
+        tr("Make the selected nodes symmetric"));
+    add(Command::BreakNodes, tr("&Break Strokes"), "node-break", {QKeySequence(tr("Shift+B"))},
+        tr("Break strokes at the selected nodes"));
+    add(Command::JoinNodes, tr("&Join Nodes"), "node-join", {QKeySequence(tr("Shift+J"))},
+        tr("Join two selected end nodes"));
+    add(Command::DeleteSegments, tr("&Delete Segments"), "segment-delete", {QKeySequence(tr("Ctrl+Del"))},
+        tr("Delete the selected segments, so that strokes split"));
+    add(Command::BridgeSegments, tr("Bri&dge Segments"), "bridge", {QKeySequence(tr("Alt+Del"))},
+        tr("Replace selected segments by one that goes on smoothly"));
+    add(Command::ReverseStrokes, tr("&Reverse"), "reverse", {QKeySequence(tr("Shift+R"))},
+        tr("Let the selected strokes run from end to start"));
 }
 
 void Actions::addViewAndHelp()
@@ -169,18 +226,24 @@ void Actions::fillMenus()
     file->insertSeparator(m_actions[Save]);
     file->insertSeparator(m_actions[Export]);
     file->insertSeparator(m_actions[Close]);
-    QMenu *edit = addMenu(tr("&Edit"), {Undo, Redo, Delete, Duplicate, SelectAll, Deselect, Settings});
+    QMenu *edit = addMenu(tr("&Edit"), {Undo, Redo, Cut, Copy, Paste, PasteInPlace, Delete, Duplicate, SelectAll,
+                                         Deselect, Settings});
+    edit->insertSeparator(m_actions[Cut]);
     edit->insertSeparator(m_actions[Delete]);
     edit->insertSeparator(m_actions[SelectAll]);
+    addSelecting(*edit);
     edit->insertSeparator(m_actions[Settings]);
     QMenu *view = addMenu(tr("&View"), {ZoomIn, ZoomOut, Zoom100, Fit, RotateLeft, RotateRight, ResetRotation, Mirror});
     view->insertSeparator(m_actions[RotateLeft]);
     view->addSeparator();
+    addAids(*view);
     m_docksMenu = view->addMenu(tr("&Docks"));
     view->addAction(m_actions[HideDocks]);
     view->addAction(m_actions[FullScreen]);
-    addMenu(tr("&Stroke"), {Raise, Lower, Top, Bottom});
-    addMenu(tr("&Tools"), {Brush, Select, Segments, Pan});
+    fillObjectMenu(*addMenu(tr("&Object"), {}));
+    addMenu(tr("&Nodes"), {InsertNodes, NodeCorner, NodeSmooth, NodeSymmetric, BreakNodes, JoinNodes, DeleteSegments,
+                           BridgeSegments, ReverseStrokes});
+    addMenu(tr("&Tools"), {Brush, Select, Segments, Knife, Eraser, AttributeBrush, Eyedropper, Pan});
     addMenu(tr("&Help"), {Shortcuts, About});
 }
 
@@ -191,7 +254,7 @@ QToolBar *Actions::makeToolBar()
     bar->setIconSize(QSize(22, 22));
     bar->setOrientation(Qt::Vertical);
     using enum Command;
-    for (const Command command : {Brush, Select, Segments, Pan})
+    for (const Command command : {Brush, Select, Segments, Knife, Eraser, AttributeBrush, Eyedropper, Pan})
         bar->addAction(m_actions[command]);
     bar->addSeparator();
     for (const Command command : {Undo, Redo})

@@ -14,9 +14,18 @@ namespace suffuse {
 
 enum class Command {
     New, Open, Save, SaveAs, Export, Close, Quit,
-    Undo, Redo, Delete, Duplicate, SelectAll, Deselect, Settings,
-    Brush, Select, Segments, Pan,
+    Undo, Redo, Cut, Copy, Paste, PasteInPlace, Delete, Duplicate, SelectAll, Deselect, Settings,
+    Brush, Select, Segments, Knife, Eraser, AttributeBrush, Eyedropper, Pan,
     Raise, Lower, Top, Bottom,
+    InsertNodes, NodeCorner, NodeSmooth, NodeSymmetric, BreakNodes, JoinNodes, DeleteSegments, BridgeSegments,
+    ReverseStrokes,
+    InvertSelection, SameColour, SameStyle, SameBrush, Lasso, TouchPath,
+    GroupStrokes, UngroupStrokes, LockStrokes, UnlockAll, HideStrokes, ShowAll, RenameStrokes,
+    FlipAcross, FlipDown, QuarterLeft, QuarterRight, ScaleSpread,
+    AlignLeft, AlignCentre, AlignRight, AlignTop, AlignMiddle, AlignBottom,
+    AlignToSelection, AlignToTopmost, AlignToCanvas,
+    DistributeGapsAcross, DistributeGapsDown, DistributeCentresAcross, DistributeCentresDown,
+    SnapToNodes, SnapToGrid, ShowGrid, GridStep,
     ZoomIn, ZoomOut, Zoom100, Fit, RotateLeft, RotateRight, ResetRotation, Mirror, HideDocks, FullScreen,
     Shortcuts, About,
 };
@@ -48,7 +57,14 @@ private:
              const QString &tip = {});
     void addFileAndEdit();
     void addTools();
+    void addNodeCommands();
     void addViewAndHelp();
+    void addObjects();
+    void addAligning();
+    void addAids();
+    void fillObjectMenu(QMenu &menu);
+    void addSelecting(QMenu &edit);
+    void addAids(QMenu &view);
     QMenu *addMenu(const QString &title, const QList<Command> &commands);
 
     QMainWindow &m_window;

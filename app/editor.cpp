@@ -33,6 +33,7 @@ Editor::Editor(QObject *parent) : QObject(parent), m_brush(builtinBrushes().fron
     connect(&m_dragEnd, &QTimer::timeout, this, &Editor::dragEnded);
     connect(&m_undoStack, &QUndoStack::cleanChanged, this, &Editor::fileChanged);
     connect(&m_document, &Document::changed, this, [this](const Change &) {
+        setCompared(nullptr);
         const Microseconds now = time();
         m_end = m_document.painting()->end();
         if (m_end > now)
@@ -62,6 +63,14 @@ void Editor::setColour(const Colour &colour)
     Brush brush = m_brush;
     brush.colour = colour;
     setBrush(brush);
+}
+
+void Editor::setCompared(PaintingPtr painting)
+{
+    if (painting == m_compared)
+        return;
+    m_compared = std::move(painting);
+    emit comparedChanged();
 }
 
 Microseconds Editor::time() const

@@ -47,6 +47,13 @@ public:
     /// A run of edits is coming in (a value is being dragged): frames may be quick ones. Over a moment after the last.
     bool isDragging() const { return m_dragEnd.isActive(); }
 
+    /// Shows another painting instead of the document's until the document changes or null is set: a look back, in no
+    /// undo step.
+    void setCompared(PaintingPtr painting);
+    const PaintingPtr &compared() const { return m_compared; }
+    /// What the canvas shows: the compared painting, else the document's snapshot.
+    PaintingPtr shown() const { return m_compared ? m_compared : m_document.snapshot(); }
+
     const QString &filePath() const { return m_filePath; } ///< empty: untitled
     /// Title without the program's name: file name or "Untitled", translated.
     QString displayName() const;
@@ -63,6 +70,7 @@ signals:
     void brushChanged();
     void timeChanged();
     void dragEnded(); ///< exact frames again
+    void comparedChanged();
     void fileChanged(); ///< path or modified state
 
 protected:
@@ -76,6 +84,7 @@ private:
 
     Document m_document;
     QUndoStack m_undoStack;
+    PaintingPtr m_compared; ///< null: none
     QTimer m_dragEnd;
     Brush m_brush;
     QString m_filePath;

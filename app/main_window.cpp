@@ -12,13 +12,21 @@
 #include "app/panels/colour_panel.h"
 #include "app/panels/history_panel.h"
 #include "app/panels/inspector_panel.h"
+#include "app/panels/probe_panel.h"
 #include "app/panels/strokes_panel.h"
 #include "app/settings.h"
+#include "app/tools/attribute_brush_tool.h"
 #include "app/tools/brush_tool.h"
 #include "app/tools/commands.h"
+#include "app/tools/eraser_tool.h"
+#include "app/tools/eyedropper_tool.h"
+#include "app/tools/knife_tool.h"
+#include "app/tools/node_tool.h"
 #include "app/tools/pan_tool.h"
 #include "app/tools/select_tool.h"
+#include "app/tools/tool_options.h"
 
+#include <QActionGroup>
 #include <QApplication>
 #include <QDockWidget>
 #include <QLineEdit>
@@ -43,13 +51,19 @@ MainWindow::MainWindow(QWidget *parent, MakeRenderer make) : QMainWindow(parent)
     applyStoredShortcuts(m_actions->all());
     QToolBar *tools = m_actions->makeToolBar();
     addToolBar(Qt::LeftToolBarArea, tools);
+    m_toolOptions = new ToolOptionsBar(tr("Tool Options"), this);
+    addToolBar(Qt::TopToolBarArea, m_toolOptions);
+    connect(m_toolOptions, &ToolOptionsBar::returnPressed, m_canvas, [this] { m_canvas->setFocus(); });
     makeDocks();
     m_actions->docksMenu()->addSeparator();
     m_actions->docksMenu()->addAction(tools->toggleViewAction());
+    m_actions->docksMenu()->addAction(m_toolOptions->toggleViewAction());
     makeStatusBar();
     makeTools();
     connectActions();
     connectViewActions();
+    connectClipboard();
+    connectObjectActions();
     connectUpdates();
     updateTitle();
     updateActions();
@@ -95,6 +109,12 @@ void MainWindow::makeDocks()
     QDockWidget *history = addDock("historyDock", tr("History"), new HistoryPanel(m_editor));
     tabifyDockWidget(colour, brushes);
     tabifyDockWidget(strokes, history);
+    auto *probe = new ProbePanel(m_editor);
+    QDockWidget *probeDock = addDock("probeDock", tr("Probe"), probe);
+    tabifyDockWidget(history, probeDock);
+    probeDock->hide();
+    connect(m_canvas, &CanvasWidget::pointerMoved, probe, [probe](double x, double y) { probe->setPoint({x, y}); });
+    connect(m_canvas, &CanvasWidget::pointerLeft, probe, &ProbePanel::leaveCanvas);
     colour->raise();
     strokes->raise();
     setTabPosition(Qt::RightDockWidgetArea, QTabWidget::North);
@@ -131,22 +151,46 @@ void MainWindow::makeStatusBar()
 void MainWindow::makeTools()
 {
     const std::pair<Command, Tool *> tools[] = {{Command::Brush, new BrushTool(*m_canvas, m_canvas)},
-                                                {Command::Select, new SelectTool(*m_canvas, m_canvas)},
-                                                {Command::Segments, new SegmentTool(*m_canvas, m_canvas)},
+                                                {Command::Select, new SelectTool(*m_canvas, *m_actions, m_canvas)},
+                                                {Command::Segments, new NodeTool(*m_canvas, *m_actions, m_canvas)},
+                                                {Command::Knife, new KnifeTool(*m_canvas, m_canvas)},
+                                                {Command::Eraser, new EraserTool(*m_canvas, m_canvas)},
+                                                {Command::AttributeBrush, new AttributeBrushTool(*m_canvas, m_canvas)},
+                                                {Command::Eyedropper, new EyedropperTool(*m_canvas, m_canvas)},
                                                 {Command::Pan, new PanTool(*m_canvas, m_canvas)}};
-    for (const auto &[command, tool] : tools)
+    for (const auto &[command, tool] : tools) {
         connect(&action(command), &QAction::toggled, this, [this, tool = tool](bool on) {
             if (on)
                 useTool(tool);
         });
+        connect(tool, &Tool::hintChanged, this, &MainWindow::showHint);
+    }
+    // The pen's other end erases, whatever its tip does.
+    connect(m_canvas, &CanvasWidget::penTurned, this, [this](bool eraser) {
+        QAction *inUse = action(Command::Brush).actionGroup()->checkedAction();
+        if (eraser && inUse != &action(Command::Eraser)) {
+            m_tipAction = inUse;
+            action(Command::Eraser).setChecked(true);
+        } else if (!eraser && m_tipAction) {
+            if (inUse == &action(Command::Eraser))
+                m_tipAction->setChecked(true);
+            m_tipAction = nullptr;
+        }
+    });
     action(Command::Brush).setChecked(true);
 }
 
 void MainWindow::useTool(Tool *tool)
 {
     m_canvas->setTool(tool);
-    m_hint->setText(tool->hint());
-    m_hint->setToolTip(tool->hint());
+    m_toolOptions->setWidget(tool->options());
+    showHint();
+}
+
+void MainWindow::showHint()
+{
+    m_hint->setText(m_canvas->tool()->hint());
+    m_hint->setToolTip(m_canvas->tool()->hint());
 }
 
 void MainWindow::connectActions()
@@ -177,11 +221,14 @@ void MainWindow::connectActions()
             m_editor.undoStack().redo();
     });
     on(Command::Delete, [this, givesUp] {
-        if (!givesUp())
+        if (!givesUp() && !m_canvas->tool()->deleteSelected())
             commands::deleteSelected(m_editor);
     });
     on(Command::Duplicate, [this] { commands::duplicateSelected(m_editor); });
-    on(Command::SelectAll, [this] { commands::selectAll(m_editor); });
+    on(Command::SelectAll, [this] {
+        if (!m_canvas->tool()->selectAll())
+            commands::selectAll(m_editor);
+    });
     on(Command::Deselect, [this] { m_editor.document().setSelection({}); });
     on(Command::Raise, [this] { commands::arrangeSelected(m_editor, Arrange::Raise); });
     on(Command::Lower, [this] { commands::arrangeSelected(m_editor, Arrange::Lower); });
@@ -220,6 +267,7 @@ void MainWindow::connectUpdates()
     connect(&m_editor.document(), &Document::changed, this, &MainWindow::updateActions);
     connect(&m_editor.undoStack(), &QUndoStack::indexChanged, this, &MainWindow::updateActions);
     connect(m_canvas, &CanvasWidget::viewChanged, this, &MainWindow::updateZoom);
+    connect(m_canvas, &CanvasWidget::modifiersChanged, this, &MainWindow::showHint);
     connect(m_canvas, &CanvasWidget::framePresented, this, &MainWindow::showFrame);
     connect(m_canvas, &CanvasWidget::backendChanged, this, &MainWindow::showBackend);
     connect(m_canvas, &CanvasWidget::pointerLeft, this, [this] { m_position->clear(); });
@@ -235,9 +283,10 @@ void MainWindow::connectUpdates()
 void MainWindow::updateActions()
 {
     const bool any = !m_editor.document().selection().isEmpty();
-    for (const Command command : {Command::Delete, Command::Duplicate, Command::Deselect, Command::Raise,
+    for (const Command command : {Command::Cut, Command::Copy, Command::Delete, Command::Duplicate, Command::Deselect, Command::Raise,
                                   Command::Lower, Command::Top, Command::Bottom})
         action(command).setEnabled(any);
+    updateObjectActions();
     const QUndoStack &stack = m_editor.undoStack();
     const auto name = [&](Command command, const QString &plain, const QString &named, const QString &step, bool can) {
         action(command).setEnabled(can);

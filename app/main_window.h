@@ -12,6 +12,7 @@ namespace suffuse {
 
 class CanvasWidget;
 class Tool;
+class ToolOptionsBar;
 
 class MainWindow : public QMainWindow {
     Q_OBJECT
@@ -45,6 +46,13 @@ private:
     void makeStatusBar();
     void connectActions();
     void connectViewActions();
+    void connectClipboard();
+    /// Empty: where it was.
+    void pasteAt(std::optional<Point> centre);
+    void connectObjectActions();
+    void connectAids();
+    void renameSelected();
+    void updateObjectActions();
     void connectUpdates();
     QDockWidget *addDock(const char *name, const QString &title, QWidget *panel);
 
@@ -54,6 +62,7 @@ private:
     void hideDocks(bool hide);
     void changeShortcuts();
     void useTool(Tool *tool);
+    void showHint();
     void updateActions();
     void updateTitle();
     void updateZoom();
@@ -68,6 +77,8 @@ private:
     Editor m_editor;
     CanvasWidget *m_canvas = nullptr;
     Actions *m_actions = nullptr;
+    ToolOptionsBar *m_toolOptions = nullptr;
+    QAction *m_tipAction = nullptr; ///< of the tool that the pen's tip goes back to
     QList<QDockWidget *> m_docks;
     QList<QDockWidget *> m_hiddenDocks;
     QLabel *m_position = nullptr;

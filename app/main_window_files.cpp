@@ -1,17 +1,23 @@
-// Opening, saving and closing: the part of the window that deals with files.
+// Opening, saving, closing, the clipboard: the part of the window that deals with what comes from outside.
 #include "app/canvas/canvas_widget.h"
+#include "app/clipboard.h"
+#include "app/clipboard_drops.h"
 #include "app/dialogs/new_dialog.h"
 #include "app/main_window.h"
 #include "app/messages.h"
 #include "app/settings.h"
 #include "model/formats/files.h"
 
+#include <QClipboard>
 #include <QCloseEvent>
+#include <QCursor>
 #include <QDragEnterEvent>
 #include <QFileDialog>
 #include <QFileInfo>
+#include <QGuiApplication>
 #include <QMenu>
 #include <QMimeData>
+#include <QStatusBar>
 
 namespace suffuse {
 
@@ -186,6 +192,39 @@ void MainWindow::dropEvent(QDropEvent *event)
     for (const QString &file : localFiles(event->mimeData()))
         if (MainWindow *opened = window->openFile(file))
             window = opened;
+}
+
+void MainWindow::connectClipboard()
+{
+    new CanvasDrops(*m_canvas);
+    connect(&action(Command::Cut), &QAction::triggered, this, [this] { clipboard::cut(m_editor); });
+    connect(&action(Command::Copy), &QAction::triggered, this, [this] { clipboard::copy(m_editor); });
+    connect(&action(Command::Paste), &QAction::triggered, this, [this] {
+        // At the pointer, as in Inkscape; in the middle where it is elsewhere.
+        const QPointF at = m_canvas->mapFromGlobal(QPointF(QCursor::pos()));
+        const View &view = m_canvas->view();
+        const double dpr = m_canvas->devicePixelRatioF();
+        const bool inside = QRectF(m_canvas->rect()).contains(at);
+        pasteAt(view.toCanvas(inside ? Point{at.x() * dpr, at.y() * dpr}
+                                     : Point{0.5 * view.width, 0.5 * view.height}));
+    });
+    connect(&action(Command::PasteInPlace), &QAction::triggered, this, [this] { pasteAt({}); });
+    const auto follow = [this] {
+        const bool can = clipboard::canPaste(QGuiApplication::clipboard()->mimeData());
+        action(Command::Paste).setEnabled(can);
+        action(Command::PasteInPlace).setEnabled(can);
+    };
+    connect(QGuiApplication::clipboard(), &QClipboard::dataChanged, this, follow);
+    follow();
+}
+
+void MainWindow::pasteAt(std::optional<Point> centre)
+{
+    if (m_canvas->tool() && m_canvas->tool()->isBusy())
+        return; // first things first
+    const QMimeData *data = QGuiApplication::clipboard()->mimeData();
+    if (const QString problem = data ? clipboard::paste(m_editor, *data, centre) : QString(); !problem.isEmpty())
+        statusBar()->showMessage(problem, 8'000);
 }
 
 } // namespace suffuse

@@ -147,6 +147,38 @@ void setThreads(int count)
     store().setValue("threads", count);
 }
 
+bool scalesSpread()
+{
+    return store().value("scalesSpread", true).toBool();
+}
+
+void setScalesSpread(bool scales)
+{
+    store().setValue("scalesSpread", scales);
+}
+
+CanvasAids canvasAids()
+{
+    const QSettings &s = store();
+    CanvasAids aids;
+    aids.snapToNodes = s.value("aids/snapToNodes").toBool();
+    aids.snapToGrid = s.value("aids/snapToGrid").toBool();
+    aids.showGrid = s.value("aids/showGrid").toBool();
+    const double step = s.value("aids/gridStep", aids.gridStep).toDouble();
+    if (step >= minGridStep && step <= maxGridStep)
+        aids.gridStep = step;
+    return aids;
+}
+
+void setCanvasAids(const CanvasAids &aids)
+{
+    QSettings &s = store();
+    s.setValue("aids/snapToNodes", aids.snapToNodes);
+    s.setValue("aids/snapToGrid", aids.snapToGrid);
+    s.setValue("aids/showGrid", aids.showGrid);
+    s.setValue("aids/gridStep", aids.gridStep);
+}
+
 QStringList recentFiles()
 {
     QStringList files;

@@ -1,6 +1,7 @@
 // What the program remembers between sessions.
 #pragma once
 
+#include "app/tools/snapping.h"
 #include "render/renderer.h"
 
 #include <QSettings>
@@ -31,6 +32,13 @@ void setBackend(Backend backend);
 /// Threads for rendering, 0: all cores; at most 256.
 int threads();
 void setThreads(int count);
+
+/// Whether spread and density follow the shape when strokes are scaled.
+bool scalesSpread();
+void setScalesSpread(bool scales);
+/// Snapping and grid, of the window that changed them last. A grid step out of range counts as unset.
+CanvasAids canvasAids();
+void setCanvasAids(const CanvasAids &aids);
 
 /// Absolute paths, the newest first, at most 10; files that are gone are left out.
 QStringList recentFiles();

@@ -24,6 +24,10 @@ public:
     int id() const override;
     bool mergeWith(const QUndoCommand *other) override;
 
+    /// The state that the document does not have: the one before while the command is done, the one after while it is
+    /// undone.
+    const Edit &edit() const { return m_edit; }
+
 private:
     Document &m_document;
     Edit m_edit;

@@ -42,6 +42,7 @@ PointerEvent CanvasWidget::pointerEvent(const QSinglePointEvent &event, PointerD
     e.buttons = event.buttons();
     e.modifiers = event.modifiers();
     e.device = device;
+    e.doubleClick = event.type() == QEvent::MouseButtonDblClick;
     e.time = m_editor.time();
     // Reports come in bunches: the device's own stamps keep their pace.
     if (!m_editor.hasManualClock() && m_pressed && event.timestamp() > m_pressStamp && m_pressStamp > 0) {
@@ -142,13 +143,17 @@ void CanvasWidget::mouseReleaseEvent(QMouseEvent *event)
 
 void CanvasWidget::mouseDoubleClickEvent(QMouseEvent *event)
 {
-    mousePressEvent(event); // quick dots are dots
+    mousePressEvent(event); // quick dots are dots; a tool may look at PointerEvent::doubleClick
 }
 
 void CanvasWidget::tabletEvent(QTabletEvent *event)
 {
     event->accept(); // so that no mouse events are made of it
     const bool eraser = event->pointerType() == QPointingDevice::PointerType::Eraser;
+    if (eraser != m_penTurned && !m_pressed) {
+        m_penTurned = eraser;
+        emit penTurned(eraser);
+    }
     PointerEvent e = pointerEvent(*event, eraser ? PointerDevice::Eraser : PointerDevice::Pen);
     e.pressure = std::clamp(event->pressure(), 0.0, 1.0);
     e.tiltX = event->xTilt();
@@ -236,8 +241,27 @@ bool CanvasWidget::gesture(QGestureEvent *event)
     return true;
 }
 
+void CanvasWidget::noteModifiers(const QInputEvent &event)
+{
+    Qt::KeyboardModifiers now = event.modifiers();
+    if (event.type() == QEvent::KeyPress || event.type() == QEvent::KeyRelease) { // these tell of those held before
+        const int key = static_cast<const QKeyEvent &>(event).key();
+        const Qt::KeyboardModifier own = key == Qt::Key_Shift     ? Qt::ShiftModifier
+                                         : key == Qt::Key_Control ? Qt::ControlModifier
+                                         : key == Qt::Key_Alt     ? Qt::AltModifier
+                                                                  : Qt::NoModifier;
+        now.setFlag(own, event.type() == QEvent::KeyPress);
+    }
+    if (now == m_modifiers)
+        return;
+    m_modifiers = now;
+    emit modifiersChanged();
+}
+
 bool CanvasWidget::event(QEvent *event)
 {
+    if (event->isInputEvent())
+        noteModifiers(static_cast<const QInputEvent &>(*event));
     if (event->type() == QEvent::NativeGesture && nativeGesture(static_cast<QNativeGestureEvent *>(event)))
         return true;
     if (event->type() == QEvent::Gesture && gesture(static_cast<QGestureEvent *>(event)))
@@ -245,10 +269,15 @@ bool CanvasWidget::event(QEvent *event)
     if (event->type() == QEvent::ShortcutOverride) {
         const auto *key = static_cast<QKeyEvent *>(event);
         // Escape gives up what is in hand before it means anything else.
-        if (key->key() == Qt::Key_Escape && m_tool && m_tool->isBusy()) {
+        const bool givesUp = key->key() == Qt::Key_Escape && m_tool && m_tool->isBusy();
+        if (givesUp || (m_tool && m_tool->wantsKey(*key))) {
             event->accept();
             return true;
         }
+    }
+    if (event->type() == QEvent::KeyPress && m_tool && m_tool->wantsKey(*static_cast<QKeyEvent *>(event))) {
+        keyPressEvent(static_cast<QKeyEvent *>(event)); // before Tab moves the focus
+        return true;
     }
     return QWidget::event(event);
 }
@@ -304,13 +333,19 @@ void CanvasWidget::leaveEvent(QEvent *)
 void CanvasWidget::focusOutEvent(QFocusEvent *event)
 {
     m_spaceDown = m_rotateKeyDown = false; // their release goes elsewhere
+    if (std::exchange(m_modifiers, Qt::NoModifier) != Qt::NoModifier)
+        emit modifiersChanged();
     refreshCursor();
     QWidget::focusOutEvent(event);
 }
 
 bool CanvasWidget::focusNextPrevChild(bool next)
 {
-    return !next && QWidget::focusNextPrevChild(next); // Tab hides the docks, Shift+Tab leaves the canvas
+    const QKeyEvent key(QEvent::KeyPress, next ? Qt::Key_Tab : Qt::Key_Backtab,
+                        next ? Qt::NoModifier : Qt::ShiftModifier);
+    if (next || (m_tool && m_tool->wantsKey(key)))
+        return false; // Tab hides the docks, or is the tool's
+    return QWidget::focusNextPrevChild(next);
 }
 
 } // namespace suffuse

@@ -45,6 +45,7 @@ CanvasWidget::CanvasWidget(Editor &editor, QWidget *parent, MakeRenderer make)
     connect(&m_worker, &RenderWorker::frameReady, this, &CanvasWidget::frameReady);
     connect(&editor, &Editor::timeChanged, this, &CanvasWidget::scheduleRender);
     connect(&editor, &Editor::dragEnded, this, &CanvasWidget::scheduleRender);
+    connect(&editor, &Editor::comparedChanged, this, &CanvasWidget::scheduleRender);
     connect(&editor.document(), &Document::changed, this, [this](const Change &change) {
         if (change.reset) {
             m_pressed = false;
@@ -179,7 +180,7 @@ void CanvasWidget::requestFrame()
     if (view().width <= 0 || view().height <= 0)
         return;
     RenderRequest request;
-    request.painting = m_editor.document().snapshot();
+    request.painting = m_editor.shown();
     request.time = m_editor.time();
     request.view = view();
     request.interactive = m_editor.isDragging();
@@ -248,12 +249,20 @@ void CanvasWidget::paintOverlay(QPainter &painter)
     paintPasteboard(painter, view(), document.painting()->canvas.area(), m_colours, dpr);
     painter.restore();
     painter.save();
-    paintSelection(painter, view(), *document.painting(), document.selection(), m_colours, dpr);
+    if (m_aids.showGrid)
+        paintGrid(painter, view(), document.painting()->canvas.area(), m_aids.gridStep, dpr);
+    m_outline.paint(painter, view(), *document.painting(), document.selection(), m_colours, dpr);
     painter.restore();
     if (m_tool) {
         painter.setRenderHint(QPainter::Antialiasing);
         m_tool->paint(painter, view(), dpr);
     }
+}
+
+void CanvasWidget::setAids(const CanvasAids &aids)
+{
+    m_aids = aids;
+    updateOverlay();
 }
 
 void CanvasWidget::readPalette()

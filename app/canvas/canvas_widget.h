@@ -4,13 +4,16 @@
 #include "app/canvas/overlay.h"
 #include "app/canvas/presenter.h"
 #include "app/canvas/render_worker.h"
+#include "app/canvas/selection_outline.h"
 #include "app/canvas/view_transform.h"
+#include "app/tools/snapping.h"
 #include "app/tools/tool.h"
 
 #include <QImage>
 #include <QWidget>
 
 class QGestureEvent;
+class QInputEvent;
 class QNativeGestureEvent;
 class QPinchGesture;
 class QSinglePointEvent;
@@ -60,13 +63,21 @@ public:
     /// Theme colours of pasteboard and overlay, from the palette.
     const OverlayColours &overlayColours() const { return m_colours; }
 
+    /// Snapping and the grid, which is drawn over the picture.
+    const CanvasAids &aids() const { return m_aids; }
+    void setAids(const CanvasAids &aids);
+    /// The modifier keys as the last event of the canvas left them.
+    Qt::KeyboardModifiers modifiers() const { return m_modifiers; }
+
 signals:
     void viewChanged();
+    void modifiersChanged();
     void toolChanged();
     void pointerMoved(double x, double y); ///< canvas units
     void pointerLeft();
     void framePresented(const suffuse::FrameInfo &frame);
     void backendChanged(); ///< its text or its notice
+    void penTurned(bool eraser); ///< before the first report of the pen's other end
 
 protected:
     bool event(QEvent *event) override;
@@ -103,6 +114,7 @@ private:
     void moveByHand();
     void readPalette();
     Point zoomCentre() const;
+    void noteModifiers(const QInputEvent &event);
 
     Point toPixels(const QPointF &logical) const;
     PointerEvent pointerEvent(const QSinglePointEvent &event, PointerDevice device) const;
@@ -119,6 +131,9 @@ private:
     Presenter *m_presenter = nullptr;
     ViewTransform m_transform;
     OverlayColours m_colours;
+    CanvasAids m_aids;
+    Qt::KeyboardModifiers m_modifiers;
+    SelectionOutline m_outline;
     QString m_backendText;
     QString m_rendererNotice;
     QString m_presenterNotice;
@@ -134,6 +149,7 @@ private:
     bool m_pressed = false; ///< the tool has seen a press
     Qt::MouseButton m_pressButton = Qt::NoButton;
     bool m_penDown = false;
+    bool m_penTurned = false; ///< its eraser end points down
     bool m_spaceDown = false;
     bool m_rotateKeyDown = false;
     quint64 m_pressStamp = 0;     ///< milliseconds, the device's clock

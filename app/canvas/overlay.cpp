@@ -50,15 +50,6 @@ void flatten(QPainterPath &path, const Cubic &c, const Rect &window, int depth)
     flatten(path, right, window, depth - 1);
 }
 
-void paintNode(QPainter &painter, Point p, const OverlayColours &colours, double dpr)
-{
-    const double r = 3.0 * dpr;
-    painter.setPen(QPen(colours.accent, 1.2 * dpr));
-    painter.setBrush(Qt::white);
-    painter.drawEllipse(QPointF(p.x, p.y), r, r);
-    painter.setBrush(Qt::NoBrush);
-}
-
 } // namespace
 
 void addCurve(QPainterPath &path, const Cubic &cubic, const View &view)
@@ -67,6 +58,15 @@ void addCurve(QPainterPath &path, const Cubic &cubic, const View &view)
     for (int i = 0; i < 4; ++i)
         pixels.p[i] = view.toPixels(cubic.p[i]);
     flatten(path, pixels, windowOf(view), maxDepth);
+}
+
+void paintNode(QPainter &painter, Point p, const OverlayColours &colours, double dpr)
+{
+    const double r = 3.0 * dpr;
+    painter.setPen(QPen(colours.accent, 1.2 * dpr));
+    painter.setBrush(Qt::white);
+    painter.drawEllipse(QPointF(p.x, p.y), r, r);
+    painter.setBrush(Qt::NoBrush);
 }
 
 void strokeTwoTone(QPainter &painter, const QPainterPath &path, const QColor &colour, double width, Qt::PenStyle style)
@@ -113,36 +113,45 @@ void paintPasteboard(QPainter &painter, const View &view, const Rect &canvas, co
     painter.drawPath(sheet);
 }
 
-void paintSelection(QPainter &painter, const View &view, const Painting &painting, const Selection &selection,
-                    const OverlayColours &colours, double dpr)
+void paintGrid(QPainter &painter, const View &view, const Rect &area, double step, double dpr)
 {
-    if (selection.isEmpty())
+    constexpr double leastPixels = 8; // logical, between two lines
+    constexpr double mostLines = 2000;
+    while (step * view.scale < leastPixels * dpr)
+        step *= step * view.scale * 5 < leastPixels * dpr ? 10 : 5; // every fifth line, every tenth …
+    Rect shown;
+    for (const Point corner : {Point{0, 0}, Point{double(view.width), 0}, Point{0, double(view.height)},
+                               Point{double(view.width), double(view.height)}})
+        shown.include(view.toCanvas(corner));
+    const Rect part{std::max(shown.left, area.left), std::max(shown.top, area.top), std::min(shown.right, area.right),
+                    std::min(shown.bottom, area.bottom)};
+    if (part.isEmpty() || part.width() > mostLines * step || part.height() > mostLines * step)
         return;
-    painter.setRenderHint(QPainter::Antialiasing);
-    QPainterPath strokes, segments;
-    std::vector<Point> nodes;
-    for (const StrokePtr &stroke : painting.strokes) {
-        const StrokeId id = stroke->id;
-        if (!selection.strokes.contains(id))
-            continue;
-        for (int k = 0; k < int(stroke->segments.size()); ++k) {
-            const Cubic cubic = stroke->cubicOf(stroke->segments[k]);
-            const bool chosen = selection.segments.contains({id, k});
-            addCurve(chosen ? segments : strokes, cubic, view);
-            if (chosen) {
-                nodes.push_back(view.toPixels(cubic.p[0]));
-                nodes.push_back(view.toPixels(cubic.p[3]));
-            }
-        }
-    }
-    QColor quiet = colours.accent;
-    quiet.setAlpha(selection.segments.empty() ? 255 : 150);
-    strokeTwoTone(painter, strokes, quiet, 1.1 * dpr);
-    strokeTwoTone(painter, segments, colours.accent, 2.2 * dpr);
-    const Rect window = windowOf(view);
-    for (const Point &node : nodes)
-        if (window.contains(node))
-            paintNode(painter, node, colours, dpr);
+    QList<QLineF> fine, strong;
+    const auto add = [&](double line, Point a, Point b) {
+        const Point p = view.toPixels(a), q = view.toPixels(b);
+        (std::fmod(std::abs(line), 5) < 0.5 ? strong : fine) << QLineF(p.x, p.y, q.x, q.y);
+    };
+    for (double i = std::ceil(part.left / step); i * step <= part.right; ++i)
+        add(i, {i * step, part.top}, {i * step, part.bottom});
+    for (double i = std::ceil(part.top / step); i * step <= part.bottom; ++i)
+        add(i, {part.left, i * step}, {part.right, i * step});
+    painter.setPen(QPen(QColor(70, 110, 170, 46), dpr));
+    painter.drawLines(fine);
+    painter.setPen(QPen(QColor(70, 110, 170, 92), dpr));
+    painter.drawLines(strong);
+}
+
+void paintSnapMark(QPainter &painter, Point pixel, const OverlayColours &colours, double dpr)
+{
+    const double r = 5 * dpr;
+    QPainterPath path;
+    path.moveTo(pixel.x - r, pixel.y - r);
+    path.lineTo(pixel.x + r, pixel.y + r);
+    path.moveTo(pixel.x - r, pixel.y + r);
+    path.lineTo(pixel.x + r, pixel.y - r);
+    path.addEllipse(QPointF(pixel.x, pixel.y), 1.6 * r, 1.6 * r);
+    strokeTwoTone(painter, path, colours.accent, 1.3 * dpr);
 }
 
 } // namespace suffuse

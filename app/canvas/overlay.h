@@ -24,9 +24,14 @@ void addCurve(QPainterPath &path, const Cubic &cubic, const View &view);
 /// Tints what lies outside of the canvas, with a soft shadow and a hairline along its border.
 void paintPasteboard(QPainter &painter, const View &view, const Rect &canvas, const OverlayColours &colours, double dpr);
 
-/// Thin two-tone lines through the selected strokes; selected segments stand out, with dots at their nodes.
-void paintSelection(QPainter &painter, const View &view, const Painting &painting, const Selection &selection,
-                    const OverlayColours &colours, double dpr);
+/// Lines through multiples of `step` over the canvas; where they would stand too close, every fifth or tenth of them.
+void paintGrid(QPainter &painter, const View &view, const Rect &area, double step, double dpr);
+
+/// Where a dragged point snaps.
+void paintSnapMark(QPainter &painter, Point pixel, const OverlayColours &colours, double dpr);
+
+/// A dot at a node.
+void paintNode(QPainter &painter, Point pixel, const OverlayColours &colours, double dpr);
 
 /// A two-tone line that shows on any picture.
 void strokeTwoTone(QPainter &painter, const QPainterPath &path, const QColor &colour, double width,

@@ -32,8 +32,8 @@ void ProgressLine::show(qint64 done, qint64 all)
     m_percent = percent;
     QByteArray line = m_text + ' ' + QByteArray::number(percent) + " %";
     if (m_withRest && done > 0) {
-        const double rest = double(m_clock.elapsed()) * 1e-3 * double(all - done) / double(done);
-        line += " · " + QCoreApplication::translate("Cli", "%n s left", nullptr, int(std::ceil(rest))).toLocal8Bit();
+        const int rest = int(std::ceil(double(m_clock.elapsed()) * 1e-3 * double(all - done) / double(done)));
+        line += " · " + QCoreApplication::translate("Cli", "%n s left", nullptr, rest).toLocal8Bit();
     }
     std::fprintf(stderr, "\r%s\033[K", line.constData());
     std::fflush(stderr);

@@ -83,34 +83,84 @@ private:
     qsizetype m_at = 0;
 };
 
-QString normalised(QString text, const QString &unit)
+/// A unit that may be typed in a field of another, and what it is worth there.
+struct Unit {
+    const char *name;
+    const char *field;
+    double factor;
+};
+
+double worthOf(const QString &name, const QString &field)
 {
-    text = text.trimmed();
-    if (!unit.isEmpty() && text.endsWith(unit))
-        text.chop(unit.size());
+    static const Unit units[] = {
+        {"ms", "s", 1e-3},    {"min", "s", 60}, {"px", "u", 1}, {"deg", "°", 1}, {"rad", "°", 57.29577951308232},
+        {"px²/s", "u²/s", 1},
+    };
+    if (name.isEmpty() || name == field)
+        return 1;
+    for (const Unit &unit : units)
+        if (name == QString::fromUtf8(unit.name) && field == QString::fromUtf8(unit.field))
+            return unit.factor;
+    return 0;
+}
+
+/// Where the unit at the end begins: behind the last digit, point or bracket.
+qsizetype unitStart(const QString &text)
+{
+    qsizetype end = text.size();
+    while (end > 0 && !text[end - 1].isDigit() && text[end - 1] != '.' && text[end - 1] != ')')
+        --end;
+    // The "2" of "u²" is no digit, but an "e" may end a broken number.
+    return end;
+}
+
+QString compact(QString text)
+{
     text.replace(QChar(0x2212), '-').replace(QChar(0x00D7), '*').replace(QChar(0x00F7), '/').replace(',', '.');
-    QString compact;
-    for (const QChar c : text)
-        if (!c.isSpace())
-            compact += c;
-    return compact;
+    text.remove(QChar(' ')).remove(QChar(0x00A0)).remove(QChar(0x202F)).remove(QChar('\t'));
+    return text;
+}
+
+bool assigns(const QString &compacted)
+{
+    return compacted.size() > 1 && compacted[1] == '=' && QString("+-*/").contains(compacted[0]);
 }
 
 } // namespace
 
+bool isRelative(const QString &text)
+{
+    const QString t = compact(text);
+    return !t.isEmpty() && (assigns(t) || QString("+*/").contains(t[0]));
+}
+
+QString foreignUnit(const QString &text, const QString &unit)
+{
+    const QString t = compact(text);
+    const QString name = t.mid(unitStart(t));
+    const bool letters = !name.isEmpty() && (name[0].isLetter() || QString("%°\"'").contains(name[0]));
+    return letters && unitStart(t) > 0 && worthOf(name, unit) == 0 ? name : QString();
+}
+
 std::optional<double> evaluateArithmetic(const QString &text, std::optional<double> current, const QString &unit)
 {
-    QString t = normalised(text, unit);
-    if (t.isEmpty())
+    QString t = compact(text);
+    const qsizetype end = unitStart(t);
+    const double worth = worthOf(t.mid(end), unit);
+    t.truncate(end);
+    if (t.isEmpty() || worth == 0)
         return std::nullopt;
-    const bool assigns = t.size() > 1 && t[1] == '=' && QString("+-*/").contains(t[0]);
-    if (assigns)
-        t.remove(1, 1);
-    const bool relative = assigns || t[0] == '+' || t[0] == '*' || t[0] == '/';
-    if (!relative)
-        return Parser(t).whole();
+    if (!isRelative(t)) {
+        const std::optional<double> value = Parser(t).whole();
+        return value ? std::optional(*value * worth) : std::nullopt;
+    }
     if (!current)
         return std::nullopt;
+    if (assigns(t))
+        t.remove(1, 1);
+    const bool sum = t[0] == '+' || t[0] == '-'; // what is added has the unit, a factor has none
+    if (sum && worth != 1)
+        t = t[0] + ("(" + t.mid(1) + ")*" + QString::number(worth, 'g', 17));
     return Parser("(" + QString::number(*current, 'g', 17) + ")" + t).whole();
 }
 

@@ -29,6 +29,8 @@ ColourRows::ColourRows(bool withOpacity, QWidget *parent) : QWidget(parent)
         m_rows[std::size_t(channel)] = row;
         connect(row, &SliderField::edited, this,
                 [this, channel](double value, EditRun run) { emit edited(channel, value, run); });
+        connect(row, &SliderField::editedRelative, this,
+                [this, channel](const ValueMap &map) { emit editedRelative(channel, map); });
         connect(row, &SliderField::refused, this, &ColourRows::refused);
     }
 }

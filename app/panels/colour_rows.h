@@ -27,6 +27,7 @@ public:
 
 signals:
     void edited(int channel, double value, suffuse::EditRun run);
+    void editedRelative(int channel, const suffuse::ValueMap &map);
     void refused(const QString &hint);
 
 private:

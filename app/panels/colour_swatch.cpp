@@ -3,6 +3,10 @@
 #include "app/panels/colour_convert.h"
 #include "app/theme.h"
 
+#include <QApplication>
+#include <QDrag>
+#include <QMimeData>
+#include <QMouseEvent>
 #include <QPainter>
 #include <QPainterPath>
 
@@ -29,6 +33,29 @@ void ColourSwatch::setSide(int pixels)
 QSize ColourSwatch::sizeHint() const
 {
     return {m_side, m_side};
+}
+
+void ColourSwatch::mousePressEvent(QMouseEvent *event)
+{
+    m_pressed = event->pos();
+    QAbstractButton::mousePressEvent(event);
+}
+
+void ColourSwatch::mouseMoveEvent(QMouseEvent *event)
+{
+    const bool far = (event->pos() - m_pressed).manhattanLength() >= QApplication::startDragDistance();
+    if (!(event->buttons() & Qt::LeftButton) || !m_colour || !far) {
+        QAbstractButton::mouseMoveEvent(event);
+        return;
+    }
+    setDown(false); // it is no click any more
+    auto *data = new QMimeData;
+    data->setColorData(toScreen(*m_colour));
+    auto *drag = new QDrag(this);
+    drag->setMimeData(data);
+    drag->setPixmap(grab());
+    drag->setHotSpot(m_pressed);
+    drag->exec(Qt::CopyAction);
 }
 
 void ColourSwatch::paintEvent(QPaintEvent *)

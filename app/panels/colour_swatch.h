@@ -8,7 +8,8 @@
 
 namespace suffuse {
 
-/// A button filled with a colour, over a checked ground where it is not opaque; "—" where colours are mixed.
+/// A button filled with a colour, over a checked ground where it is not opaque; "—" where colours are mixed. It can be
+/// dragged to wherever colours are taken.
 class ColourSwatch : public QAbstractButton {
     Q_OBJECT
 
@@ -23,10 +24,13 @@ public:
 
 protected:
     void paintEvent(QPaintEvent *event) override;
+    void mousePressEvent(QMouseEvent *event) override;
+    void mouseMoveEvent(QMouseEvent *event) override;
 
 private:
     std::optional<Colour> m_colour;
     int m_side = 24;
+    QPoint m_pressed;
 };
 
 } // namespace suffuse

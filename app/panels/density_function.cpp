@@ -7,13 +7,6 @@ namespace suffuse {
 
 namespace {
 
-/// φ_e: where (19) first reaches 1 coming from inside.
-double edgeStart(double xi1, double xi2, double xi3)
-{
-    const double a = std::pow(xi2, 3), b = std::pow(xi1, 6);
-    return std::cbrt(2 * b / (a + std::sqrt(a * a - 4 * b * (1 - 1 / xi3))));
-}
-
 double uniform(double xi1, double xi2, double density)
 {
     const auto logistic = [&](double phi) { return 1 / (1 + std::exp(-(phi - xi1) / xi2)); };
@@ -37,24 +30,11 @@ double densityFunction(const Style &style, double density)
     case StyleKind::Feathering:
         return std::min(1.0, std::pow(density / xi1, xi2));
     case StyleKind::Edge:
-        if (density < edgeStart(xi1, xi2, xi3))
+        if (density < visibleCut(style))
             return 0;
         return std::clamp(xi3 * (std::pow(xi1 / density, 6) - std::pow(xi2 / density, 3) + 1), 0.0, 1.0);
     }
     return 0;
-}
-
-double visibleCut(const Style &style)
-{
-    switch (style.kind) {
-    case StyleKind::Uniform:
-        return style.xi[0];
-    case StyleKind::Feathering:
-        return style.xi[0] * std::pow(2.0, -1 / double(style.xi[1]));
-    case StyleKind::Edge:
-        return edgeStart(style.xi[0], style.xi[1], style.xi[2]);
-    }
-    return style.xi[0];
 }
 
 DerivedFigures derivedFigures(const Segment &segment, const Style &style)
@@ -63,8 +43,8 @@ DerivedFigures derivedFigures(const Segment &segment, const Style &style)
     const double D = segment.diffusion, phi = segment.density, cut = visibleCut(style);
     figures.spread = std::sqrt(4 * D * double(segment.maxAge));
     figures.peak = phi / (std::sqrt(std::numbers::pi) * figures.spread);
-    figures.halfWidth = figures.peak > cut ? figures.spread * std::sqrt(std::log(figures.peak / cut)) : 0;
-    const double t = phi * phi / (4 * std::numbers::pi * D * cut * cut);
+    figures.halfWidth = halfWidth(D, phi, double(segment.maxAge), cut);
+    const double t = fadingAge(D, phi, cut);
     if (t < double(segment.maxAge))
         figures.driesOut = t;
     return figures;

@@ -1,8 +1,7 @@
 // The density modification F (eq 17-19) and figures derived from a segment, for panels.
 #pragma once
 
-#include "model/segment.h"
-#include "model/style.h"
+#include "model/stroke_width.h"
 
 #include <optional>
 
@@ -10,9 +9,6 @@ namespace suffuse {
 
 /// F(φ′) in [0, 1], with the defined edges (0 below φ₀ or φ_e).
 double densityFunction(const Style &style, double density);
-
-/// Density at which the visible stroke ends: where (17) and (18) reach ½, φ_e of (19).
-double visibleCut(const Style &style);
 
 /// Figures of a long straight stroke of constant values, dried out.
 struct DerivedFigures {

@@ -1,14 +1,19 @@
 #include "app/panels/inspector_panel.h"
 
 #include "app/editor.h"
+#include "app/panels/along_dialog.h"
 #include "app/panels/canvas_section.h"
+#include "app/panels/compare_button.h"
+#include "app/panels/figures_section.h"
 #include "app/panels/section.h"
 #include "app/panels/segment_section.h"
 #include "app/panels/stroke_section.h"
 #include "app/panels/style_section.h"
 #include "undo/edits.h"
 
+#include <QHBoxLayout>
 #include <QScrollArea>
+#include <QToolButton>
 #include <QVBoxLayout>
 
 namespace suffuse {
@@ -40,12 +45,12 @@ InspectorPanel::InspectorPanel(Editor &editor, QWidget *parent) : QWidget(parent
     auto *selection = new QVBoxLayout(m_selectionPage);
     selection->setContentsMargins(0, 0, 0, 0);
     selection->setSpacing(12);
-    m_summary = quietLabel(QString(), m_selectionPage);
+    addHead(*selection);
     m_segments = new SegmentSection(editor, m_selectionPage);
     m_style = new StyleSection(editor, m_selectionPage);
+    m_figures = new FiguresSection(editor, m_selectionPage);
     m_strokes = new StrokeSection(editor, m_selectionPage);
-    for (QWidget *widget : {static_cast<QWidget *>(m_summary), static_cast<QWidget *>(m_segments),
-                            static_cast<QWidget *>(m_style), static_cast<QWidget *>(m_strokes)})
+    for (QWidget *widget : std::initializer_list<QWidget *>{m_segments, m_style, m_figures, m_strokes})
         selection->addWidget(widget);
 
     auto *canvas = new QVBoxLayout(m_canvasPage);
@@ -67,6 +72,39 @@ InspectorPanel::InspectorPanel(Editor &editor, QWidget *parent) : QWidget(parent
     });
     connect(&editor.document(), &Document::changed, this, &InspectorPanel::documentChanged);
     refresh();
+}
+
+void InspectorPanel::addHead(QVBoxLayout &column)
+{
+    auto *row = new QHBoxLayout;
+    row->setSpacing(4);
+    m_summary = quietLabel(QString(), m_selectionPage);
+    m_compare = new CompareButton(m_editor, m_selectionPage);
+    m_alongButton = new QToolButton(m_selectionPage);
+    m_alongButton->setText(tr("Along the Stroke…"));
+    m_alongButton->setToolTip(tr("Sets a value along the stroke: constant, as a ramp, or drawn as a curve."));
+    m_alongButton->setFocusPolicy(Qt::TabFocus);
+    connect(m_alongButton, &QToolButton::clicked, this, &InspectorPanel::openAlong);
+    for (QToolButton *button : {static_cast<QToolButton *>(m_compare), m_alongButton}) {
+        button->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Preferred);
+        row->addWidget(button, button == m_alongButton ? 3 : 2);
+    }
+    column.addWidget(m_summary);
+    column.addLayout(row);
+}
+
+void InspectorPanel::openAlong()
+{
+    if (!m_along)
+        m_along = new AlongDialog(m_editor, this);
+    m_along->show();
+    m_along->raise();
+    m_along->activateWindow();
+}
+
+AlongDialog *InspectorPanel::along() const
+{
+    return m_along;
 }
 
 QSize InspectorPanel::sizeHint() const
@@ -109,6 +147,7 @@ void InspectorPanel::refresh()
                                          tr("%n segment(s)", nullptr, int(inspected.segments.size()))));
     m_segments->refresh(inspected);
     m_style->refresh(inspected);
+    m_figures->refresh(inspected);
     m_strokes->refresh(inspected);
 }
 

@@ -2,15 +2,21 @@
 
 #include "model/edit.h"
 
+#include <QPointer>
 #include <QWidget>
 
 class QLabel;
+class QToolButton;
+class QVBoxLayout;
 class QScrollArea;
 
 namespace suffuse {
 
+class AlongDialog;
 class CanvasSection;
+class CompareButton;
 class Editor;
+class FiguresSection;
 class HintLabel;
 class SegmentSection;
 class StrokeSection;
@@ -26,8 +32,12 @@ public:
 
     SegmentSection *segmentSection() const { return m_segments; }
     StyleSection *styleSection() const { return m_style; }
+    FiguresSection *figuresSection() const { return m_figures; }
     StrokeSection *strokeSection() const { return m_strokes; }
     CanvasSection *canvasSection() const { return m_canvas; }
+    CompareButton *compare() const { return m_compare; }
+    QToolButton *alongButton() const { return m_alongButton; }
+    AlongDialog *along() const; ///< null while it is not open
     HintLabel *hint() const { return m_hint; }
 
     QSize sizeHint() const override;
@@ -36,14 +46,20 @@ protected:
     void showEvent(QShowEvent *event) override;
 
 private:
+    void addHead(QVBoxLayout &column);
+    void openAlong();
     void refresh();
     void documentChanged(const Change &change);
 
     Editor &m_editor;
     QScrollArea *m_scroll = nullptr;
     QLabel *m_summary = nullptr;
+    CompareButton *m_compare = nullptr;
+    QToolButton *m_alongButton = nullptr;
+    QPointer<AlongDialog> m_along;
     SegmentSection *m_segments = nullptr;
     StyleSection *m_style = nullptr;
+    FiguresSection *m_figures = nullptr;
     StrokeSection *m_strokes = nullptr;
     QWidget *m_selectionPage = nullptr;
     QWidget *m_canvasPage = nullptr;

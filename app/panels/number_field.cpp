@@ -69,25 +69,49 @@ QString NumberField::format(double shown) const
     return text;
 }
 
+QString NumberField::whyRefused(const QString &text) const
+{
+    const QString unit = m_unit.trimmed(), foreign = foreignUnit(text, unit);
+    if (foreign.isEmpty())
+        return tr("“%1” is not a number. Sums such as 12*1.5 or +2 work too.").arg(text);
+    return unit.isEmpty() ? tr("“%1” is not possible here: this number has no unit.").arg(foreign)
+                          : tr("“%1” is not possible here: the unit is %2.").arg(foreign, unit);
+}
+
+QString NumberField::rangeHint(double shown) const
+{
+    return tr("%1 is out of range: %2 to %3 is possible.")
+        .arg(format(shown), format(m_minimum * m_factor), format(m_maximum * m_factor));
+}
+
 void NumberField::commit()
 {
     if (!isModified() || text() == m_shown) {
         show(m_value);
         return;
     }
-    const std::optional<double> current = m_value ? std::optional(*m_value * m_factor) : std::nullopt;
-    const std::optional<double> typed = evaluateArithmetic(text(), current, m_unit.trimmed());
-    if (!typed) {
-        const QString bad = text();
+    const QString typedText = text(), unit = m_unit.trimmed();
+    if (!m_value && isRelative(typedText) && evaluateArithmetic(typedText, 1.0, unit)) {
         show(m_value);
-        emit refused(tr("“%1” is not a number. Sums such as 12*1.5 or +2 work too.").arg(bad));
+        emit refused({});
+        const auto map = [typedText, unit, factor = m_factor](double value) -> std::optional<double> {
+            const std::optional<double> shown = evaluateArithmetic(typedText, value * factor, unit);
+            return shown ? std::optional(*shown / factor) : std::nullopt;
+        };
+        emit enteredRelative(map);
+        return;
+    }
+    const std::optional<double> current = m_value ? std::optional(*m_value * m_factor) : std::nullopt;
+    const std::optional<double> typed = evaluateArithmetic(typedText, current, unit);
+    if (!typed) {
+        show(m_value);
+        emit refused(whyRefused(typedText));
         return;
     }
     const double value = m_integer ? std::round(*typed / m_factor) : *typed / m_factor;
     if (!(value >= m_minimum && value <= m_maximum)) {
         show(m_value);
-        emit refused(tr("%1 is out of range: %2 to %3 is possible.")
-                         .arg(format(*typed), format(m_minimum * m_factor), format(m_maximum * m_factor)));
+        emit refused(rangeHint(*typed));
         return;
     }
     m_value = value;

@@ -2,12 +2,17 @@
 
 #include <QLineEdit>
 
+#include <functional>
 #include <optional>
 
 namespace suffuse {
 
+/// From a value to the one that takes its place.
+using ValueMap = std::function<std::optional<double>(double)>;
+
 /// A field for one number with a unit: takes arithmetic ("12*1.5", "+2"), steps by arrow keys and the wheel, and shows
-/// "—" where several values are mixed. A number outside the range is refused, never clamped in silence.
+/// "—" where several values are mixed, each of which "*1.2" or "+2" then changes. A number outside the range is
+/// refused, never clamped in silence.
 class NumberField : public QLineEdit {
     Q_OBJECT
 
@@ -33,6 +38,8 @@ public:
 signals:
     /// A valid number was entered (Return, leaving the field).
     void entered(double value);
+    /// Values are mixed and each is to change ("*1.2", "+2"): `map` gives the new one of each, nothing where it cannot.
+    void enteredRelative(const suffuse::ValueMap &map);
     /// The number was stepped by the arrow keys or the wheel.
     void stepped(double value);
     /// What was typed was refused; `hint` says why, empty: all is well again.
@@ -48,6 +55,8 @@ protected:
 
 private:
     void commit();
+    QString whyRefused(const QString &text) const;
+    QString rangeHint(double shown) const;
     void stepBy(double steps);
     void show(std::optional<double> value);
     QString format(double shown) const;

@@ -3,6 +3,7 @@
 #include "app/editor.h"
 #include "app/panels/colour_rows.h"
 #include "app/panels/colour_swatch.h"
+#include "app/panels/quantity.h"
 #include "app/panels/section.h"
 #include "undo/edits.h"
 
@@ -18,56 +19,6 @@ namespace suffuse {
 namespace {
 
 constexpr double smallestPositive = 1e-9;
-
-FieldSpec diffusionSpec()
-{
-    return {.name = SegmentSection::tr("Diffusion D"),
-            .toolTip =
-                SegmentSection::tr("How fast the paint spreads: the spread grows with the root of D times time."),
-            .unit = QStringLiteral(" u²/s"),
-            .minimum = smallestPositive,
-            .maximum = 1e12,
-            .sliderMinimum = 0.1,
-            .sliderMaximum = 10000,
-            .logarithmic = true,
-            .defaultValue = Segment{}.diffusion};
-}
-
-FieldSpec densitySpec()
-{
-    return {.name = SegmentSection::tr("Density φ"),
-            .toolTip = SegmentSection::tr("How much paint the segment gives off along its length."),
-            .unit = QStringLiteral(" u"),
-            .minimum = 0,
-            .maximum = 1e12,
-            .sliderMinimum = 0.1,
-            .sliderMaximum = 1000,
-            .logarithmic = true,
-            .defaultValue = Segment{}.density};
-}
-
-FieldSpec granulationSpec()
-{
-    return {.name = SegmentSection::tr("Granulation ω"),
-            .toolTip = SegmentSection::tr("100 % hides the paper's texture, 0 % shows it fully."),
-            .unit = QStringLiteral(" %"),
-            .factor = 100,
-            .step = 0.01,
-            .defaultValue = Segment{}.granulation};
-}
-
-FieldSpec maxAgeSpec()
-{
-    return {.name = SegmentSection::tr("Drying time"),
-            .toolTip = SegmentSection::tr("t_max: how long the paint spreads after it was laid down."),
-            .unit = QStringLiteral(" s"),
-            .minimum = smallestPositive,
-            .maximum = 1e6,
-            .sliderMinimum = 0.01,
-            .sliderMaximum = 100,
-            .logarithmic = true,
-            .defaultValue = Segment{}.maxAge};
-}
 
 FieldSpec anisotropySpec()
 {
@@ -97,6 +48,11 @@ FieldSpec angleSpec()
             .defaultValue = Segment{}.anisotropyAngle};
 }
 
+QString colourText(int channel)
+{
+    return channel == ColourRows::Opacity ? SegmentSection::tr("Change opacity") : SegmentSection::tr("Change colour");
+}
+
 } // namespace
 
 SegmentSection::SegmentSection(Editor &editor, QWidget *parent) : QWidget(parent), m_editor(editor)
@@ -106,10 +62,10 @@ SegmentSection::SegmentSection(Editor &editor, QWidget *parent) : QWidget(parent
     column->setSpacing(4);
     column->addWidget(sectionTitle(tr("Segments"), this));
     auto *grid = addFieldGrid(*column);
-    m_diffusion = addRow(diffusionSpec(), *grid, &Segment::diffusion, tr("Change diffusion"));
-    m_density = addRow(densitySpec(), *grid, &Segment::density, tr("Change density"));
-    m_granulation = addRow(granulationSpec(), *grid, &Segment::granulation, tr("Change granulation"));
-    m_maxAge = addRow(maxAgeSpec(), *grid, &Segment::maxAge, tr("Change drying time"));
+    m_diffusion = addRow(specOf(Quantity::Diffusion), *grid, &Segment::diffusion, tr("Change diffusion"));
+    m_density = addRow(specOf(Quantity::Density), *grid, &Segment::density, tr("Change density"));
+    m_granulation = addRow(specOf(Quantity::Granulation), *grid, &Segment::granulation, tr("Change granulation"));
+    m_maxAge = addRow(specOf(Quantity::MaxAge), *grid, &Segment::maxAge, tr("Change drying time"));
     m_anisotropy = addRow(anisotropySpec(), *grid, &Segment::anisotropyRatio, tr("Change anisotropy"));
     m_angle = addRow(angleSpec(), *grid, &Segment::anisotropyAngle, tr("Change angle"));
 
@@ -124,6 +80,10 @@ SegmentSection::SegmentSection(Editor &editor, QWidget *parent) : QWidget(parent
     m_colour = new ColourRows(true, this);
     column->addWidget(m_colour);
     connect(m_colour, &ColourRows::edited, this, &SegmentSection::changeColour);
+    connect(m_colour, &ColourRows::editedRelative, this, [this](int channel, const ValueMap &map) {
+        changeEach([channel](Segment &s) -> float & { return ColourRows::channelOf(s.colour, channel); }, map,
+                   colourText(channel));
+    });
     connect(m_colour, &ColourRows::refused, this, &SegmentSection::refused);
     connect(m_swatch, &ColourSwatch::clicked, this, &SegmentSection::takeCurrentColour);
 }
@@ -138,8 +98,28 @@ SliderField *SegmentSection::addRow(const FieldSpec &spec, QGridLayout &grid, fl
                                      [=](Segment &segment) { segment.*member = float(value); }),
                       undoText, run);
     });
+    connect(field, &SliderField::editedRelative, this, [this, member, undoText](const ValueMap &map) {
+        changeEach([member](Segment &s) -> float & { return s.*member; }, map, undoText);
+    });
     connect(field, &SliderField::refused, this, &SegmentSection::refused);
     return field;
+}
+
+void SegmentSection::changeEach(const std::function<float &(Segment &)> &member, const ValueMap &map,
+                                const QString &undoText)
+{
+    Document &document = m_editor.document();
+    bool possible = true;
+    Edit edit = changeSegments(document, targetSegments(document), [&](Segment &segment) {
+        float &value = member(segment);
+        const std::optional<double> mapped = map(double(value));
+        possible = possible && mapped;
+        value = float(mapped.value_or(value));
+    });
+    if (possible)
+        m_editor.push(std::move(edit), undoText);
+    else
+        emit refused(tr("Not possible for all that is selected: a value would be out of range."));
 }
 
 void SegmentSection::changeColour(int channel, double value, EditRun run)
@@ -148,7 +128,7 @@ void SegmentSection::changeColour(int channel, double value, EditRun run)
     m_editor.push(
         changeSegments(document, targetSegments(document),
                        [=](Segment &segment) { ColourRows::channelOf(segment.colour, channel) = float(value); }),
-        channel == ColourRows::Opacity ? tr("Change opacity") : tr("Change colour"), run);
+        colourText(channel), run);
 }
 
 void SegmentSection::takeCurrentColour()

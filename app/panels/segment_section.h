@@ -31,6 +31,8 @@ signals:
 
 private:
     SliderField *addRow(const FieldSpec &spec, QGridLayout &grid, float Segment::*member, const QString &undoText);
+    /// Each of the values by the map, or none of them.
+    void changeEach(const std::function<float &(Segment &)> &member, const ValueMap &map, const QString &undoText);
     void changeColour(int channel, double value, EditRun run);
     void takeCurrentColour();
 

@@ -1,7 +1,6 @@
 #include "app/panels/slider_field.h"
 
 #include "app/panels/bar_slider.h"
-#include "app/panels/number_field.h"
 
 #include <QEvent>
 #include <QGridLayout>
@@ -40,6 +39,12 @@ SliderField::SliderField(const FieldSpec &spec, QGridLayout &grid, int row, QWid
         emit dragEnded();
     });
     connect(m_number, &NumberField::entered, this, [this](double value) { emit edited(value, 0); });
+    connect(m_number, &NumberField::enteredRelative, this, [this](const ValueMap &map) {
+        emit editedRelative([map, low = m_spec.minimum, high = m_spec.maximum](double value) {
+            const std::optional<double> mapped = map(value);
+            return mapped && *mapped >= low && *mapped <= high ? mapped : std::nullopt;
+        });
+    });
     connect(m_number, &NumberField::stepped, this, [this](double value) { emit edited(value, nudgeRun()); });
     connect(m_number, &NumberField::refused, this, &SliderField::refused);
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "app/panels/number_field.h"
 #include "undo/edit_command.h"
 
 #include <QElapsedTimer>
@@ -13,7 +14,6 @@ class QGridLayout;
 namespace suffuse {
 
 class BarSlider;
-class NumberField;
 
 /// What a quantity looks like in a panel.
 struct FieldSpec {
@@ -46,6 +46,8 @@ public:
     /// Another domain (ξ depend on each other); the slider's part of it is cut to fit.
     void setRange(double minimum, double maximum);
     void setSliderRange(double minimum, double maximum);
+    double minimum() const { return m_spec.minimum; }
+    double maximum() const { return m_spec.maximum; }
     void setDefaultValue(double value) { m_spec.defaultValue = value; }
     void rename(const QString &name, const QString &toolTip);
 
@@ -56,6 +58,8 @@ public:
 signals:
     /// run 0: a step of its own.
     void edited(double value, suffuse::EditRun run);
+    /// Each of the mixed values is to change by the map, which keeps to the field's range: nothing beyond it.
+    void editedRelative(const suffuse::ValueMap &map);
     void dragStarted();
     void dragEnded();
     void refused(const QString &hint);

@@ -74,6 +74,21 @@ void StrokeSection::addMixing(QGridLayout &grid)
     spec.defaultValue = double(usualBeta);
     m_beta = new SliderField(spec, grid, 2, this);
     connect(m_beta, &SliderField::refused, this, &StrokeSection::refused);
+    connect(m_beta, &SliderField::editedRelative, this, [this](const ValueMap &map) {
+        Document &document = m_editor.document();
+        bool possible = true;
+        Edit edit = changeStrokes(document, document.selection().strokes, [&](Stroke &s) {
+            if (s.mix.mode != MixMode::Beta)
+                return;
+            const std::optional<double> mapped = map(double(s.mix.beta));
+            possible = possible && mapped;
+            s.mix.beta = float(mapped.value_or(s.mix.beta));
+        });
+        if (possible)
+            m_editor.push(std::move(edit), tr("Change pigment mixing"));
+        else
+            emit refused(tr("Not possible for all that is selected: a value would be out of range."));
+    });
     connect(m_beta, &SliderField::edited, this, [this](double value, EditRun run) {
         Document &document = m_editor.document();
         m_editor.push(changeStrokes(document, document.selection().strokes,

@@ -20,9 +20,30 @@ StrokesModel::StrokesModel(Editor &editor, QObject *parent)
 
 StrokesModel::~StrokesModel() = default;
 
+namespace {
+/// In a row's internal pointer: it stands for a segment of the node's stroke.
+constexpr quintptr segmentTag = 1;
+} // namespace
+
 StrokesModel::Node *StrokesModel::nodeAt(const QModelIndex &index) const
 {
-    return index.isValid() ? static_cast<Node *>(index.internalPointer()) : m_root.get();
+    return index.isValid() ? reinterpret_cast<Node *>(index.internalId() & ~segmentTag) : m_root.get();
+}
+
+int StrokesModel::segmentAt(const QModelIndex &index) const
+{
+    return index.isValid() && index.internalId() & segmentTag ? index.row() : -1;
+}
+
+QModelIndex StrokesModel::indexOf(const SegmentRef &ref) const
+{
+    return index(ref.segment, NameColumn, indexOf(ref.stroke));
+}
+
+StrokePtr StrokesModel::strokeValueAt(const QModelIndex &index) const
+{
+    const auto it = m_values.find(strokeAt(index));
+    return it == m_values.end() ? nullptr : it->second;
 }
 
 QModelIndex StrokesModel::indexOf(const Node *node, int column) const
@@ -59,19 +80,27 @@ std::set<StrokeId> StrokesModel::strokesBelow(const QModelIndex &index) const
 QModelIndex StrokesModel::index(int row, int column, const QModelIndex &parent) const
 {
     const Node *node = nodeAt(parent);
-    if (row < 0 || row >= int(node->children.size()) || column < 0 || column >= ColumnCount)
+    if (row < 0 || row >= rowCount(parent) || column < 0 || column >= ColumnCount)
         return {};
+    if (node->stroke)
+        return createIndex(row, column, reinterpret_cast<quintptr>(node) | segmentTag);
     return createIndex(row, column, node->children[std::size_t(row)].get());
 }
 
 QModelIndex StrokesModel::parent(const QModelIndex &child) const
 {
-    return child.isValid() ? indexOf(nodeAt(child)->parent) : QModelIndex();
+    if (!child.isValid())
+        return {};
+    const Node *node = nodeAt(child);
+    return indexOf(segmentAt(child) < 0 ? node->parent : node);
 }
 
 int StrokesModel::rowCount(const QModelIndex &parent) const
 {
-    return parent.column() > 0 ? 0 : int(nodeAt(parent)->children.size());
+    if (parent.column() > 0 || segmentAt(parent) >= 0)
+        return 0;
+    const Node *node = nodeAt(parent);
+    return node->stroke ? node->segments : int(node->children.size());
 }
 
 int StrokesModel::columnCount(const QModelIndex &) const
@@ -90,6 +119,8 @@ Qt::ItemFlags StrokesModel::flags(const QModelIndex &index) const
 {
     if (!index.isValid())
         return Qt::ItemIsDropEnabled;
+    if (segmentAt(index) >= 0)
+        return Qt::ItemIsEnabled | Qt::ItemIsSelectable | Qt::ItemNeverHasChildren;
     Qt::ItemFlags result = Qt::ItemIsEnabled | Qt::ItemIsSelectable | Qt::ItemIsDragEnabled;
     if (index.column() == NameColumn)
         result |= Qt::ItemIsEditable;
@@ -114,13 +145,36 @@ QVariant StrokesModel::data(const QModelIndex &index, int role) const
         return group ? groupData(*group, index.column(), role) : QVariant();
     }
     const auto it = m_values.find(node->stroke);
-    return it == m_values.end() ? QVariant() : strokeData(*it->second, index.column(), role);
+    if (it == m_values.end())
+        return {};
+    const int segment = segmentAt(index);
+    return segment < 0 ? strokeData(*it->second, index.column(), role)
+                       : segmentData(*it->second, segment, index.column(), role);
+}
+
+QVariant StrokesModel::segmentData(const Stroke &stroke, int segment, int column, int role) const
+{
+    if (role == StrokeIdRole)
+        return QVariant::fromValue<qulonglong>(stroke.id);
+    if (role == GroupIdRole)
+        return QVariant::fromValue<qulonglong>(0);
+    if (role == SegmentRole)
+        return segment;
+    if (column != NameColumn || std::size_t(segment) >= stroke.segments.size())
+        return {};
+    if (role == Qt::DisplayRole)
+        return tr("Segment %1").arg(segment + 1);
+    if (role == ColourRole)
+        return toOpaqueScreen(stroke.segments[std::size_t(segment)].colour);
+    return {};
 }
 
 namespace {
 
 QVariant switchData(bool visible, bool locked, int column, int role)
 {
+    if (role == StrokesModel::SwitchRole)
+        return column == StrokesModel::EyeColumn ? visible : locked;
     if (column == StrokesModel::EyeColumn) {
         if (role == Qt::DecorationRole)
             return icon(visible ? "eye" : "eye-off");
@@ -139,6 +193,8 @@ QVariant switchData(bool visible, bool locked, int column, int role)
 
 QVariant StrokesModel::strokeData(const Stroke &stroke, int column, int role) const
 {
+    if (role == SegmentRole)
+        return -1;
     if (role == StrokeIdRole)
         return QVariant::fromValue<qulonglong>(stroke.id);
     if (role == GroupIdRole)
@@ -171,6 +227,8 @@ QVariant StrokesModel::strokeData(const Stroke &stroke, int column, int role) co
 
 QVariant StrokesModel::groupData(const Group &group, int column, int role) const
 {
+    if (role == SegmentRole)
+        return -1;
     if (role == StrokeIdRole)
         return QVariant::fromValue<qulonglong>(0);
     if (role == GroupIdRole)
@@ -193,7 +251,7 @@ QVariant StrokesModel::groupData(const Group &group, int column, int role) const
 
 bool StrokesModel::setData(const QModelIndex &index, const QVariant &value, int role)
 {
-    if (!index.isValid() || index.column() != NameColumn || role != Qt::EditRole)
+    if (!index.isValid() || segmentAt(index) >= 0 || index.column() != NameColumn || role != Qt::EditRole)
         return false;
     const QString name = value.toString().trimmed();
     const Node *node = nodeAt(index);
@@ -208,7 +266,7 @@ bool StrokesModel::setData(const QModelIndex &index, const QVariant &value, int 
 
 void StrokesModel::toggle(const QModelIndex &index)
 {
-    if (!index.isValid())
+    if (!index.isValid() || segmentAt(index) >= 0)
         return;
     const Node *node = nodeAt(index);
     const bool eye = index.column() == EyeColumn;

@@ -12,9 +12,9 @@ namespace suffuse {
 
 class Editor;
 
-/// Groups and strokes as a tree, the topmost first. Follows the document by difference: a change of values touches the
-/// rows that changed, strokes that come or go are inserted or removed in runs, and only another grouping or painting
-/// resets it. Edits go through the editor, one undo step each.
+/// Groups, strokes and their segments as a tree, the topmost first. Follows the document by difference: a change of
+/// values touches the rows that changed, strokes that come or go are inserted or removed in runs, and only another
+/// grouping or painting resets it. Edits go through the editor, one undo step each.
 class StrokesModel : public QAbstractItemModel {
     Q_OBJECT
 
@@ -24,7 +24,9 @@ public:
         StrokeIdRole = Qt::UserRole, ///< StrokeId, 0 for groups
         GroupIdRole,                 ///< GroupId, 0 for strokes
         ColourRole,                  ///< QColor of a stroke
-        UnnamedRole                  ///< bool
+        UnnamedRole,                 ///< bool
+        SwitchRole,                  ///< bool of an eye (visible) or lock (locked)
+        SegmentRole                  ///< int: index of a segment in its stroke, -1 for other rows
     };
 
     explicit StrokesModel(Editor &editor, QObject *parent = nullptr);
@@ -40,6 +42,7 @@ public:
     Qt::ItemFlags flags(const QModelIndex &index) const override;
 
     Qt::DropActions supportedDropActions() const override { return Qt::MoveAction; }
+    Qt::DropActions supportedDragActions() const override { return Qt::MoveAction | Qt::CopyAction; }
     QStringList mimeTypes() const override;
     QMimeData *mimeData(const QModelIndexList &indexes) const override;
     bool canDropMimeData(const QMimeData *data, Qt::DropAction action, int row, int column,
@@ -47,8 +50,16 @@ public:
     bool dropMimeData(const QMimeData *data, Qt::DropAction action, int row, int column,
                       const QModelIndex &parent) override;
 
+    bool hasChildren(const QModelIndex &parent = {}) const override { return rowCount(parent) > 0; }
+
     /// Invalid where there is no such stroke.
     QModelIndex indexOf(StrokeId id) const;
+    QModelIndex indexOf(const SegmentRef &ref) const;
+    /// Index of a segment in its stroke, -1 for other rows.
+    int segmentAt(const QModelIndex &index) const;
+    /// Of a stroke's row or a segment's in it; null for groups.
+    StrokePtr strokeValueAt(const QModelIndex &index) const;
+    /// Of a segment: its stroke. 0 for groups.
     StrokeId strokeAt(const QModelIndex &index) const;
     /// Strokes of a row: itself, or all in the group.
     std::set<StrokeId> strokesBelow(const QModelIndex &index) const;
@@ -65,6 +76,7 @@ private:
         GroupId group = 0;
         Node *parent = nullptr;
         int row = 0;
+        int segments = 0; ///< rows below a stroke
         std::vector<std::unique_ptr<Node>> children;
     };
     /// What stands under each parent, top to bottom: strokes as themselves, groups marked.
@@ -75,7 +87,11 @@ private:
     };
     using Layout = std::unordered_map<GroupId, std::vector<Entry>>;
 
+    /// Of a segment's row: its stroke's node.
     Node *nodeAt(const QModelIndex &index) const;
+    QVariant segmentData(const Stroke &stroke, int segment, int column, int role) const;
+    void announce(const Node &node, bool segments);
+    void followSegments(Node &node, const Stroke &stroke);
     QModelIndex indexOf(const Node *node, int column = 0) const;
     static Layout layoutOf(const Painting &painting);
     void rebuild();
@@ -93,12 +109,14 @@ private:
     void changeStroke(StrokeId id, const std::function<void(Stroke &)> &change, const QString &text);
     void changeGroup(GroupId id, const std::function<void(Group &)> &change, const QString &text);
     StrokeId lowestStrokeOf(const Node &node) const;
-    void moveInto(const std::set<StrokeId> &strokes, StrokeId before, GroupId group);
+    /// Groups move with what is in them; single strokes join the group.
+    void moveInto(const std::set<StrokeId> &strokes, const std::set<GroupId> &groups, StrokeId before, GroupId group);
+    bool isWithin(GroupId group, const std::set<GroupId> &groups) const;
 
     Editor &m_editor;
     PaintingPtr m_painting; ///< what the rows show
     std::vector<Group> m_groups;
-    std::unordered_map<StrokeId, const Stroke *> m_values; ///< into m_painting
+    std::unordered_map<StrokeId, StrokePtr> m_values;
     std::unordered_map<StrokeId, Node *> m_nodes;
     std::unique_ptr<Node> m_root;
     bool m_following = false;

@@ -1,11 +1,7 @@
-// How the rows follow the document, and how rows are moved.
+// How the rows follow the document.
 #include "app/editor.h"
 #include "app/panels/strokes_model.h"
-#include "undo/edits.h"
 
-#include <QDataStream>
-#include <QIODevice>
-#include <QMimeData>
 #include <QScopedValueRollback>
 
 #include <algorithm>
@@ -14,8 +10,6 @@
 namespace suffuse {
 
 namespace {
-
-const char rowsMime[] = "application/x-suffuse-stroke-rows";
 
 /// Groups alike but for their switches and names: the tree has the same shape.
 bool sameTree(const std::vector<Group> &a, const std::vector<Group> &b)
@@ -67,10 +61,12 @@ void StrokesModel::buildBelow(Node &node, const Layout &layout)
         child->group = entry.group;
         child->parent = &node;
         child->row = int(node.children.size());
-        if (entry.stroke)
+        if (entry.stroke) {
             m_nodes[entry.stroke] = child.get();
-        else
+            child->segments = int(m_values.at(entry.stroke)->segments.size());
+        } else {
             buildBelow(*child, layout);
+        }
         node.children.push_back(std::move(child));
     }
 }
@@ -81,9 +77,11 @@ void StrokesModel::rebuild()
     m_painting = m_editor.document().painting();
     m_groups = m_painting->groups;
     m_values.clear();
+    m_values.reserve(m_painting->strokes.size());
     for (const StrokePtr &stroke : m_painting->strokes)
-        m_values.emplace(stroke->id, stroke.get());
+        m_values.emplace(stroke->id, stroke);
     m_nodes.clear();
+    m_nodes.reserve(m_values.size());
     m_root = std::make_unique<Node>();
     buildBelow(*m_root, layoutOf(*m_painting));
     endResetModel();
@@ -99,35 +97,73 @@ void StrokesModel::documentChanged(const Change &change)
     }
     if (painting == m_painting)
         return;
-    std::unordered_map<StrokeId, const Stroke *> values;
-    for (const StrokePtr &stroke : painting->strokes)
-        values.emplace(stroke->id, stroke.get());
-    const bool regrouped = std::any_of(change.strokes.begin(), change.strokes.end(), [&](StrokeId id) {
-        const auto now = values.find(id), before = m_values.find(id);
-        return now != values.end() && before != m_values.end() && now->second->group != before->second->group;
+    std::unordered_map<StrokeId, StrokePtr> changed;
+    const std::set<StrokeId> ids(change.strokes.begin(), change.strokes.end());
+    if (!ids.empty())
+        for (const StrokePtr &stroke : painting->strokes)
+            if (ids.contains(stroke->id))
+                changed.emplace(stroke->id, stroke);
+    const bool regrouped = std::any_of(changed.begin(), changed.end(), [&](const auto &entry) {
+        const auto before = m_values.find(entry.first);
+        return before != m_values.end() && entry.second->group != before->second->group;
     });
     if (regrouped) {
         rebuild();
         return;
     }
-    const PaintingPtr keptAlive = m_painting; // rows on their way out still show their values
+    for (const auto &[id, stroke] : changed)
+        m_values.emplace(id, stroke); // what is new; rows that stay show their old values until they have followed
     if (change.order)
         follow(*painting);
-    m_values = std::move(values);
     m_painting = painting;
+    for (const auto &[id, stroke] : changed)
+        if (const auto it = m_nodes.find(id); it != m_nodes.end())
+            followSegments(*it->second, *stroke);
+    std::vector<std::pair<const Node *, bool>> news; // and whether its segments changed
+    for (const StrokeId id : ids) {
+        const auto now = changed.find(id);
+        if (now == changed.end()) {
+            m_values.erase(id);
+            continue;
+        }
+        StrokePtr &value = m_values[id];
+        if (const auto it = m_nodes.find(id); it != m_nodes.end())
+            news.emplace_back(it->second, value->segments != now->second->segments);
+        value = now->second;
+    }
     const bool groupsChanged = m_groups != painting->groups;
     m_groups = painting->groups;
-    for (const StrokeId id : change.strokes)
-        if (const auto it = m_nodes.find(id); it != m_nodes.end())
-            emit dataChanged(indexOf(it->second, NameColumn), indexOf(it->second, LockColumn));
+    for (const auto &[node, segments] : news)
+        announce(*node, segments);
     if (groupsChanged && rowCount() > 0)
         emit dataChanged(index(0, 0), index(rowCount() - 1, LockColumn));
 }
 
+void StrokesModel::announce(const Node &node, bool segments)
+{
+    const QModelIndex stroke = indexOf(&node);
+    emit dataChanged(stroke, indexOf(&node, LockColumn));
+    if (segments && node.segments > 0)
+        emit dataChanged(index(0, NameColumn, stroke), index(node.segments - 1, NameColumn, stroke));
+}
+
+void StrokesModel::followSegments(Node &node, const Stroke &stroke)
+{
+    const int wanted = int(stroke.segments.size());
+    const QModelIndex parent = indexOf(&node);
+    if (wanted > node.segments) {
+        beginInsertRows(parent, node.segments, wanted - 1);
+        node.segments = wanted;
+        endInsertRows();
+    } else if (wanted < node.segments) {
+        beginRemoveRows(parent, wanted, node.segments - 1);
+        node.segments = wanted;
+        endRemoveRows();
+    }
+}
+
 void StrokesModel::follow(const Painting &painting)
 {
-    for (const StrokePtr &stroke : painting.strokes)
-        m_values.emplace(stroke->id, stroke.get());
     const Layout layout = layoutOf(painting);
     std::vector<Node *> open{m_root.get()};
     while (!open.empty()) {
@@ -194,6 +230,7 @@ void StrokesModel::insertNew(Node &node, const std::vector<Entry> &wanted)
             auto child = std::make_unique<Node>();
             child->stroke = wanted[i].stroke;
             child->parent = &node;
+            child->segments = int(m_values.at(child->stroke)->segments.size());
             m_nodes[child->stroke] = child.get();
             added.push_back(std::move(child));
         }
@@ -226,119 +263,9 @@ void StrokesModel::sortLike(Node &node, const std::vector<Entry> &wanted)
     renumber(node);
     QModelIndexList after;
     for (const QModelIndex &old : before)
-        after << indexOf(nodeAt(old), old.column());
+        after << (segmentAt(old) < 0 ? indexOf(nodeAt(old), old.column()) : old); // segments stay in their stroke
     changePersistentIndexList(before, after);
     emit layoutChanged({QPersistentModelIndex(indexOf(&node))});
-}
-
-QStringList StrokesModel::mimeTypes() const
-{
-    return {rowsMime};
-}
-
-QMimeData *StrokesModel::mimeData(const QModelIndexList &indexes) const
-{
-    std::set<StrokeId> ids;
-    for (const QModelIndex &index : indexes)
-        if (index.column() == NameColumn)
-            ids.merge(strokesBelow(index));
-    QByteArray bytes;
-    QDataStream out(&bytes, QIODevice::WriteOnly);
-    out << quint64(reinterpret_cast<quintptr>(this));
-    for (const StrokeId id : ids)
-        out << quint64(id);
-    auto *data = new QMimeData;
-    data->setData(rowsMime, bytes);
-    return data;
-}
-
-bool StrokesModel::canDropMimeData(const QMimeData *data, Qt::DropAction action, int, int, const QModelIndex &) const
-{
-    return data && action == Qt::MoveAction && data->hasFormat(rowsMime);
-}
-
-StrokeId StrokesModel::lowestStrokeOf(const Node &node) const
-{
-    if (node.stroke)
-        return node.stroke;
-    for (auto it = node.children.rbegin(); it != node.children.rend(); ++it)
-        if (const StrokeId id = lowestStrokeOf(**it))
-            return id;
-    return 0;
-}
-
-bool StrokesModel::dropMimeData(const QMimeData *data, Qt::DropAction action, int row, int, const QModelIndex &parent)
-{
-    if (!canDropMimeData(data, action, 0, 0, parent))
-        return false;
-    QDataStream in(data->data(rowsMime));
-    quint64 source = 0;
-    in >> source;
-    if (source != quint64(reinterpret_cast<quintptr>(this)))
-        return false; // rows of another window
-    std::set<StrokeId> moved;
-    for (quint64 id = 0; !in.atEnd();) {
-        in >> id;
-        if (m_nodes.contains(id))
-            moved.insert(id);
-    }
-    if (moved.empty())
-        return false;
-
-    const Node *target = nodeAt(parent);
-    if (target->stroke) { // onto a stroke: just above it
-        row = target->row;
-        target = target->parent;
-    }
-    if (row < 0)
-        row = target->group ? 0 : int(target->children.size());
-    // Below the next row above that stays where it is; on top of a group: below what stands above the group.
-    StrokeId before = 0;
-    const Node *at = target;
-    for (int above = row - 1; at && !before;) {
-        for (; above >= 0 && !before; --above) {
-            const StrokeId lowest = lowestStrokeOf(*at->children[std::size_t(above)]);
-            before = lowest && !moved.contains(lowest) ? lowest : 0;
-        }
-        above = at->row - 1;
-        at = at->parent;
-    }
-    moveInto(moved, before, target->group);
-    // The rows have moved already, with the document: the view has nothing to remove.
-    return false;
-}
-
-void StrokesModel::moveInto(const std::set<StrokeId> &strokes, StrokeId before, GroupId group)
-{
-    const Document &document = m_editor.document();
-    const Painting &painting = *document.painting();
-    bool regroups = false;
-    for (const StrokeId id : strokes)
-        regroups = regroups || m_values.at(id)->group != group;
-    if (!regroups) {
-        m_editor.push(reorder(document, strokes, before), tr("Reorder strokes"));
-        return;
-    }
-    Edit edit;
-    edit.order.emplace();
-    std::vector<StrokeId> moved;
-    for (const StrokePtr &stroke : painting.strokes) {
-        if (!strokes.contains(stroke->id))
-            continue;
-        moved.push_back(stroke->id);
-        Stroke copy = *stroke;
-        copy.group = group;
-        edit.strokes.emplace(stroke->id, std::make_shared<const Stroke>(std::move(copy)));
-    }
-    for (const StrokePtr &stroke : painting.strokes) {
-        if (stroke->id == before)
-            edit.order->insert(edit.order->end(), moved.begin(), moved.end());
-        if (!strokes.contains(stroke->id))
-            edit.order->push_back(stroke->id);
-    }
-    if (!before)
-        edit.order->insert(edit.order->end(), moved.begin(), moved.end());
-    m_editor.push(std::move(edit), tr("Reorder strokes"));
 }
 
 } // namespace suffuse

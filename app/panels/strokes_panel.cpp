@@ -2,16 +2,21 @@
 
 #include "app/editor.h"
 #include "app/icons.h"
+#include "app/panels/stroke_thumbnails.h"
+#include "app/panels/strokes_filter.h"
 #include "app/panels/strokes_model.h"
 #include "app/theme.h"
+#include "app/tools/commands.h"
 
 #include <QAction>
 #include <QApplication>
 #include <QHeaderView>
 #include <QLineEdit>
+#include <QMenu>
 #include <QMouseEvent>
 #include <QPainter>
-#include <QSortFilterProxyModel>
+#include <QPainterPath>
+#include <QPixmapCache>
 #include <QStyledItemDelegate>
 #include <QTreeView>
 #include <QVBoxLayout>
@@ -22,17 +27,32 @@ namespace suffuse {
 
 namespace {
 
-/// A chip of the stroke's colour before its name; eyes and locks in the middle of their columns.
+/// A small picture of the stroke before its name, a chip of its colour before a segment's; eyes and locks in the middle
+/// of their columns.
 class RowDelegate : public QStyledItemDelegate {
 public:
-    using QStyledItemDelegate::QStyledItemDelegate;
+    RowDelegate(const StrokesFilter &filter, const StrokesModel &model, StrokeThumbnails &thumbnails, Editor &editor,
+                QObject *parent)
+        : QStyledItemDelegate(parent), m_filter(filter), m_model(model), m_thumbnails(thumbnails), m_editor(editor)
+    {}
 
     void initStyleOption(QStyleOptionViewItem *option, const QModelIndex &index) const override
     {
         QStyledItemDelegate::initStyleOption(option, index);
-        if (index.column() == StrokesModel::NameColumn && index.data(StrokesModel::ColourRole).isValid()) {
-            option->features |= QStyleOptionViewItem::HasDecoration;
-            option->icon = chip(index.data(StrokesModel::ColourRole).value<QColor>(), option->decorationSize);
+        if (index.column() != StrokesModel::NameColumn || !index.data(StrokesModel::ColourRole).isValid())
+            return;
+        option->features |= QStyleOptionViewItem::HasDecoration;
+        const QColor colour = index.data(StrokesModel::ColourRole).value<QColor>();
+        if (index.data(StrokesModel::SegmentRole).toInt() >= 0) {
+            option->decorationSize = QSize(16, 16);
+            option->icon = chip(colour, option->decorationSize);
+        } else {
+            option->decorationSize = StrokeThumbnails::size;
+            const double ratio = option->widget ? option->widget->devicePixelRatioF() : 1;
+            const StrokePtr stroke = m_model.strokeValueAt(m_filter.mapToSource(index));
+            // While a value is dragged, the canvas needs the cores.
+            const QImage image = stroke ? m_thumbnails.of(stroke, ratio, m_editor.isDragging()) : QImage();
+            option->icon = image.isNull() ? chip(colour, QSize(16, 16)) : picture(image, ratio);
         }
     }
 
@@ -48,18 +68,55 @@ public:
         empty.features &= ~QStyleOptionViewItem::HasDecoration;
         const QStyle *style = option.widget ? option.widget->style() : QApplication::style();
         style->drawControl(QStyle::CE_ItemViewItem, &empty, painter, option.widget);
-        icon.paint(painter, QStyle::alignedRect(Qt::LeftToRight, Qt::AlignCenter, empty.decorationSize, option.rect),
-                   Qt::AlignCenter, option.state & QStyle::State_Selected ? QIcon::Selected : QIcon::Normal);
+        const bool selected = option.state & QStyle::State_Selected;
+        const QRect area = QStyle::alignedRect(Qt::LeftToRight, Qt::AlignCenter, QSize(16, 16), option.rect);
+        painter->drawPixmap(area, drawn(icon, index, selected, *painter, option));
     }
 
     QSize sizeHint(const QStyleOptionViewItem &option, const QModelIndex &index) const override
     {
         QSize size = QStyledItemDelegate::sizeHint(option, index);
-        size.setHeight(std::max(size.height(), 24));
+        size.setHeight(std::max(size.height(), StrokeThumbnails::size.height() + 4));
         return size;
     }
 
 private:
+    /// Icons are outlines that would be drawn anew in each of a screenful of rows.
+    static QPixmap drawn(const QIcon &icon, const QModelIndex &index, bool selected, const QPainter &painter,
+                         const QStyleOptionViewItem &option)
+    {
+        const double ratio = painter.device()->devicePixelRatioF();
+        const QString key = QStringLiteral("strokes %1 %2 %3 %4 %5")
+                                .arg(index.column())
+                                .arg(index.data(StrokesModel::SwitchRole).toBool())
+                                .arg(selected)
+                                .arg(option.palette.cacheKey())
+                                .arg(ratio);
+        QPixmap pixmap;
+        if (!icon.isNull() && !QPixmapCache::find(key, &pixmap)) {
+            pixmap = icon.pixmap(QSize(16, 16), ratio, selected ? QIcon::Selected : QIcon::Normal);
+            QPixmapCache::insert(key, pixmap);
+        }
+        return pixmap;
+    }
+
+    static QIcon picture(const QImage &image, double ratio)
+    {
+        QPixmap pixmap(image.size());
+        pixmap.setDevicePixelRatio(ratio);
+        pixmap.fill(Qt::transparent);
+        QPainter painter(&pixmap);
+        painter.setRenderHint(QPainter::Antialiasing);
+        QPainterPath paper;
+        paper.addRoundedRect(QRectF(QPointF(), pixmap.deviceIndependentSize()), 3, 3);
+        painter.fillPath(paper, previewPaper());
+        painter.setClipPath(paper);
+        painter.drawImage(QPointF(), image);
+        QIcon icon(pixmap);
+        icon.addPixmap(pixmap, QIcon::Selected); // selected paint keeps its colours
+        return icon;
+    }
+
     static QIcon chip(const QColor &colour, QSize size)
     {
         const double ratio = 2;
@@ -71,8 +128,15 @@ private:
         painter.setPen(QPen(hairline(), 1));
         painter.setBrush(colour);
         painter.drawRoundedRect(QRectF(2.5, 2.5, size.width() - 5, size.height() - 5), 3, 3);
-        return pixmap;
+        QIcon icon(pixmap);
+        icon.addPixmap(pixmap, QIcon::Selected);
+        return icon;
     }
+
+    const StrokesFilter &m_filter;
+    const StrokesModel &m_model;
+    StrokeThumbnails &m_thumbnails;
+    Editor &m_editor;
 };
 
 } // namespace
@@ -91,23 +155,25 @@ StrokesPanel::StrokesPanel(Editor &editor, QWidget *parent) : QWidget(parent), m
     column->addWidget(m_search);
 
     m_model = new StrokesModel(editor, this);
-    m_filter = new QSortFilterProxyModel(this);
+    m_filter = new StrokesFilter(this);
     m_filter->setSourceModel(m_model);
-    m_filter->setRecursiveFilteringEnabled(true);
-    m_filter->setFilterCaseSensitivity(Qt::CaseInsensitive);
-    m_filter->setFilterKeyColumn(StrokesModel::NameColumn);
+    m_thumbnails = new StrokeThumbnails(this);
+    connect(m_thumbnails, &StrokeThumbnails::ready, this, &StrokesPanel::redrawStroke);
     m_view = new QTreeView(this);
     setUpView();
     column->addWidget(m_view, 1);
 
     connect(m_search, &QLineEdit::textChanged, this, [this](const QString &text) {
         m_syncing = true; // rows that the search hides stay selected in the painting
-        m_filter->setFilterFixedString(text.trimmed());
+        m_filter->setText(text.trimmed());
         m_syncing = false;
         m_view->setDragEnabled(text.trimmed().isEmpty());
         takeSelectionFromDocument();
     });
     m_view->viewport()->installEventFilter(this);
+    m_view->setContextMenuPolicy(Qt::CustomContextMenu);
+    connect(m_view, &QTreeView::customContextMenuRequested, this, &StrokesPanel::showMenu);
+    connect(&editor, &Editor::dragEnded, m_view->viewport(), qOverload<>(&QWidget::update));
     connect(m_view->selectionModel(), &QItemSelectionModel::selectionChanged, this,
             &StrokesPanel::giveSelectionToDocument);
     connect(&editor.document(), &Document::changed, this, &StrokesPanel::documentChanged);
@@ -117,10 +183,10 @@ StrokesPanel::StrokesPanel(Editor &editor, QWidget *parent) : QWidget(parent), m
 void StrokesPanel::setUpView()
 {
     m_view->setModel(m_filter);
-    m_view->setItemDelegate(new RowDelegate(m_view));
+    m_view->setItemDelegate(new RowDelegate(*m_filter, *m_model, *m_thumbnails, m_editor, m_view));
+    m_view->setIconSize(StrokeThumbnails::size);
     m_view->setHeaderHidden(true);
     m_view->setUniformRowHeights(true);
-    m_view->setRootIsDecorated(!m_editor.document().painting()->groups.empty());
     m_view->setIndentation(14);
     m_view->setFrameShape(QFrame::NoFrame);
     m_view->setSelectionMode(QAbstractItemView::ExtendedSelection);
@@ -132,7 +198,8 @@ void StrokesPanel::setUpView()
     m_view->setDefaultDropAction(Qt::MoveAction);
     m_view->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     m_view->setAccessibleName(tr("Strokes"));
-    m_view->setToolTip(tr("The topmost stroke comes first. Drag to reorder, double-click to rename."));
+    m_view->setToolTip(tr("The topmost stroke comes first. Drag to reorder, double-click to rename; a right click "
+                          "offers more."));
     QHeaderView *header = m_view->header();
     header->setStretchLastSection(false);
     header->setSectionResizeMode(StrokesModel::NameColumn, QHeaderView::Stretch);
@@ -177,8 +244,6 @@ bool StrokesPanel::eventFilter(QObject *watched, QEvent *event)
 
 void StrokesPanel::documentChanged(const Change &change)
 {
-    if (change.reset || change.canvas)
-        m_view->setRootIsDecorated(!m_editor.document().painting()->groups.empty());
     if (!change.selection && !change.order && !change.reset)
         return;
     if (isVisible())
@@ -198,6 +263,9 @@ void StrokesPanel::takeSelectionFromDocument()
     for (const StrokeId id : m_editor.document().selection().strokes)
         if (const QModelIndex index = viewIndexOf(id); index.isValid())
             rows[index.parent()].push_back(index.row());
+    for (const SegmentRef &ref : m_editor.document().selection().segments)
+        if (const QModelIndex stroke = viewIndexOf(ref.stroke); stroke.isValid() && m_view->isExpanded(stroke))
+            rows[stroke].push_back(ref.segment);
     QItemSelection selection;
     QModelIndex first;
     for (auto &[parent, list] : rows) {
@@ -227,14 +295,90 @@ void StrokesPanel::giveSelectionToDocument()
     if (m_syncing || m_model->isFollowing())
         return;
     Selection selection;
-    for (const QModelIndex &index : m_view->selectionModel()->selectedRows(StrokesModel::NameColumn))
-        selection.strokes.merge(m_model->strokesBelow(m_filter->mapToSource(index)));
+    for (const QModelIndex &index : m_view->selectionModel()->selectedRows(StrokesModel::NameColumn)) {
+        const QModelIndex source = m_filter->mapToSource(index);
+        if (const int segment = m_model->segmentAt(source); segment >= 0) {
+            selection.strokes.insert(m_model->strokeAt(source));
+            selection.segments.insert({m_model->strokeAt(source), segment});
+        } else {
+            selection.strokes.merge(m_model->strokesBelow(source));
+        }
+    }
     Document &document = m_editor.document();
-    if (selection.strokes == document.selection().strokes)
+    // Of strokes that are not open here, no segment's row could be selected: those of the painting stay.
+    for (const SegmentRef &ref : document.selection().segments)
+        if (selection.strokes.contains(ref.stroke) && !m_view->isExpanded(viewIndexOf(ref.stroke)))
+            selection.segments.insert(ref);
+    if (selection == document.selection())
         return;
     m_syncing = true; // a group's members get selected, the group's row stays
     document.setSelection(std::move(selection));
     m_syncing = false;
+}
+
+void StrokesPanel::redrawStroke(StrokeId id)
+{
+    if (const QModelIndex index = viewIndexOf(id); index.isValid())
+        m_view->update(index);
+}
+
+void StrokesPanel::showMenu(const QPoint &at)
+{
+    const QModelIndex index = m_view->indexAt(at);
+    if (!index.isValid())
+        return;
+    QMenu menu;
+    fillMenu(menu, index);
+    menu.exec(m_view->viewport()->mapToGlobal(at));
+}
+
+void StrokesPanel::fillMenu(QMenu &menu, const QModelIndex &index)
+{
+    const QModelIndex name = index.siblingAtColumn(StrokesModel::NameColumn);
+    if (name.flags() & Qt::ItemIsEditable)
+        menu.addAction(tr("&Rename"), m_view, [this, name] { m_view->edit(name); });
+    addSwitches(menu, m_filter->mapToSource(name));
+    const Document &document = m_editor.document();
+    const std::set<StrokeId> &selected = document.selection().strokes;
+    const bool any = std::any_of(selected.begin(), selected.end(), [&](StrokeId id) {
+        const StrokePtr stroke = document.painting()->find(id);
+        return stroke && !document.painting()->isLocked(*stroke);
+    });
+    menu.addAction(icon("delete"), tr("&Delete"), this, [this] { commands::deleteSelected(m_editor); })
+        ->setEnabled(any);
+    menu.addSeparator();
+    QMenu *same = menu.addMenu(tr("Select &Same"));
+    same->setEnabled(!selected.empty());
+    for (const auto &[text, what] : {std::pair(tr("&Colour"), Same::Colour), std::pair(tr("&Style"), Same::Style),
+                                     std::pair(tr("&Brush"), Same::Brush)})
+        same->addAction(text, this, [this, what = what] { commands::selectSameAs(m_editor, what); });
+}
+
+void StrokesPanel::addSwitches(QMenu &menu, const QModelIndex &index)
+{
+    if (!m_model->strokeAt(index)) { // a group
+        for (const int column : {StrokesModel::EyeColumn, StrokesModel::LockColumn}) {
+            const QModelIndex cell = index.siblingAtColumn(column);
+            const bool on = cell.data(StrokesModel::SwitchRole).toBool();
+            const QString text = column == StrokesModel::EyeColumn ? (on ? tr("&Hide") : tr("Sh&ow"))
+                                                                   : (on ? tr("Un&lock") : tr("&Lock"));
+            menu.addAction(text, this, [this, cell = QPersistentModelIndex(cell)] { m_model->toggle(cell); });
+        }
+        return;
+    }
+    // All that is selected goes the way of the row that was clicked.
+    const StrokePtr stroke = m_model->strokeValueAt(index);
+    std::set<StrokeId> strokes = m_editor.document().selection().strokes;
+    strokes.insert(stroke->id);
+    const bool visible = stroke->visible, locked = stroke->locked;
+    menu.addAction(visible ? tr("&Hide") : tr("Sh&ow"), this, [this, strokes, visible] {
+        m_editor.push(suffuse::setVisible(m_editor.document(), strokes, !visible),
+                      visible ? tr("Hide strokes") : tr("Show strokes"));
+    });
+    menu.addAction(locked ? tr("Un&lock") : tr("&Lock"), this, [this, strokes, locked] {
+        m_editor.push(setLocked(m_editor.document(), strokes, !locked),
+                      locked ? tr("Unlock strokes") : tr("Lock strokes"));
+    });
 }
 
 } // namespace suffuse

@@ -5,16 +5,18 @@
 #include <QWidget>
 
 class QLineEdit;
-class QSortFilterProxyModel;
+class QMenu;
 class QTreeView;
 
 namespace suffuse {
 
 class Editor;
+class StrokeThumbnails;
+class StrokesFilter;
 class StrokesModel;
 
-/// The painting's strokes and groups, topmost first, with names, eyes and locks. Selecting here selects in the painting
-/// and the other way round; dragging reorders.
+/// The painting's strokes and groups, topmost first, with thumbnails, names, eyes and locks, and the strokes' segments.
+/// Selecting here selects in the painting and the other way round; dragging reorders.
 class StrokesPanel : public QWidget {
     Q_OBJECT
 
@@ -26,6 +28,8 @@ public:
     QLineEdit *search() const { return m_search; }
     /// The view's index of a stroke; invalid where the search hides it.
     QModelIndex viewIndexOf(StrokeId id) const;
+    /// What can be done with what is selected; `index`: the row that was clicked.
+    void fillMenu(QMenu &menu, const QModelIndex &index);
 
     QSize sizeHint() const override;
 
@@ -38,10 +42,14 @@ private:
     void documentChanged(const Change &change);
     void takeSelectionFromDocument();
     void giveSelectionToDocument();
+    void showMenu(const QPoint &at);
+    void addSwitches(QMenu &menu, const QModelIndex &index);
+    void redrawStroke(StrokeId id);
 
     Editor &m_editor;
     StrokesModel *m_model = nullptr;
-    QSortFilterProxyModel *m_filter = nullptr;
+    StrokesFilter *m_filter = nullptr;
+    StrokeThumbnails *m_thumbnails = nullptr;
     QTreeView *m_view = nullptr;
     QLineEdit *m_search = nullptr;
     bool m_syncing = false;

@@ -1,15 +1,12 @@
 #include "app/panels/style_section.h"
 
 #include "app/editor.h"
-#include "app/panels/density_function.h"
-#include "app/panels/density_plot.h"
 #include "app/panels/section.h"
 #include "model/validate.h"
 #include "undo/edits.h"
 
 #include <QComboBox>
 #include <QGridLayout>
-#include <QLocale>
 #include <QVBoxLayout>
 
 #include <cmath>
@@ -22,14 +19,6 @@ constexpr double smallestXi = 1e-6;
 constexpr double largestXi = 1e6;
 /// 2^(1/3), a little less: the bound must hold after rounding to float.
 const double edgeFactor = std::cbrt(2.0) * (1 - 1e-7);
-
-/// "3.2 – 5.6" or "3.2"
-QString rangeText(double low, double high, const QString &unit)
-{
-    const QLocale locale;
-    const QString from = locale.toString(low, 'g', 3), to = locale.toString(high, 'g', 3);
-    return (from == to ? from : from + QStringLiteral(" – ") + to) + unit;
-}
 
 /// Indices of the target segments, stroke by stroke.
 std::map<StrokeId, std::vector<int>> targetsByStroke(const Document &document)
@@ -51,12 +40,6 @@ StyleSection::StyleSection(Editor &editor, QWidget *parent) : QWidget(parent), m
     QGridLayout *grid = addFieldGrid(*column);
     addCombos(*grid);
     addXiRows(*grid);
-    m_plot = new DensityPlot(this);
-    m_plot->setAccessibleName(tr("Density function"));
-    m_plot->setToolTip(tr("How density becomes coverage. The mark is the peak density of the selected segments."));
-    column->addSpacing(4);
-    column->addWidget(m_plot);
-    addFigures(*column);
 }
 
 void StyleSection::addCombos(QGridLayout &grid)
@@ -115,29 +98,13 @@ void StyleSection::addXiRows(QGridLayout &grid)
                 },
                 tr("Change style"), run);
         });
-    }
-}
-
-void StyleSection::addFigures(QVBoxLayout &column)
-{
-    QGridLayout *grid = addFieldGrid(column);
-    const std::array<QString, 4> names{tr("Spread s"), tr("Peak density"), tr("Half-width"), tr("Fades away")};
-    const std::array<QString, 4> tips{tr("How far the paint has spread once it is dry: √(4·D·t_max)."),
-                                      tr("Density in the middle of a long straight stroke, dry."),
-                                      tr("From the middle to the visible edge of a long straight stroke, dry."),
-                                      tr("When the paint has spread so thin that nothing of it is visible any more.")};
-    for (int i = 0; i < 4; ++i) {
-        auto *name = quietLabel(names[std::size_t(i)], this);
-        name->setWordWrap(false);
-        auto *figure = new QLabel(this);
-        figure->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
-        figure->setTextInteractionFlags(Qt::TextSelectableByMouse);
-        figure->setAccessibleName(names[std::size_t(i)]);
-        name->setToolTip(tips[std::size_t(i)]);
-        figure->setToolTip(tips[std::size_t(i)]);
-        grid->addWidget(name, i, 0);
-        grid->addWidget(figure, i, 1, 1, 2);
-        m_figures[std::size_t(i)] = figure;
+        connect(row, &SliderField::editedRelative, this, [this, i](const ValueMap &map) {
+            const auto change = [&](Style &s) {
+                // A value beyond the range makes the style invalid, and so the whole change.
+                s.xi[std::size_t(i)] = float(map(double(s.xi[std::size_t(i)])).value_or(-1));
+            };
+            changeStyles(change, tr("Change style"), 0);
+        });
     }
 }
 
@@ -209,7 +176,6 @@ void StyleSection::refresh(const Inspected &inspected)
     m_source->setCurrentIndex(own ? int(*own) : -1);
     m_kind->setCurrentIndex(kind ? int(*kind) : -1);
     refreshXi(inspected, kind);
-    refreshFigures(inspected);
 }
 
 void StyleSection::refreshXi(const Inspected &inspected, std::optional<StyleKind> kind)
@@ -267,40 +233,6 @@ void StyleSection::limitXi(const Inspected &inspected, StyleKind kind)
     else
         m_xi[1]->setSliderRange(kind == StyleKind::Feathering ? 0.5 : std::min(0.02, xi2To / 2), std::min(xi2To, 64.0));
     m_xi[2]->setSliderRange(0.05, 1);
-}
-
-void StyleSection::refreshFigures(const Inspected &inspected)
-{
-    if (inspected.isEmpty())
-        return;
-    DerivedFigures low, high;
-    bool first = true, sameStyle = true, fades = false, stays = false;
-    double fadesFrom = 0, fadesTo = 0;
-    for (const InspectedSegment &s : inspected.segments) {
-        const DerivedFigures f = derivedFigures(*s.segment, s.style());
-        sameStyle = sameStyle && s.style() == inspected.segments.front().style();
-        stays = stays || !f.driesOut;
-        if (f.driesOut) {
-            fadesFrom = fades ? std::min(fadesFrom, *f.driesOut) : *f.driesOut;
-            fadesTo = std::max(fadesTo, *f.driesOut);
-            fades = true;
-        }
-        low = first ? f
-                    : DerivedFigures{std::min(low.spread, f.spread),
-                                     std::min(low.peak, f.peak),
-                                     std::min(low.halfWidth, f.halfWidth),
-                                     {}};
-        high = {
-            std::max(high.spread, f.spread), std::max(high.peak, f.peak), std::max(high.halfWidth, f.halfWidth), {}};
-        first = false;
-    }
-    m_figures[0]->setText(rangeText(low.spread, high.spread, QStringLiteral(" u")));
-    m_figures[1]->setText(rangeText(low.peak, high.peak, QString()));
-    m_figures[2]->setText(rangeText(low.halfWidth, high.halfWidth, QStringLiteral(" u")));
-    m_figures[3]->setText(!fades  ? tr("never")
-                          : stays ? tr("partly, from %1").arg(rangeText(fadesFrom, fadesFrom, QStringLiteral(" s")))
-                                  : tr("after %1").arg(rangeText(fadesFrom, fadesTo, QStringLiteral(" s"))));
-    m_plot->show(inspected.segments.front().style(), low.peak, high.peak, !sameStyle);
 }
 
 } // namespace suffuse

@@ -7,14 +7,12 @@
 #include <functional>
 
 class QComboBox;
-class QVBoxLayout;
 
 namespace suffuse {
 
-class DensityPlot;
 class Editor;
 
-/// Style of the selected segments (the stroke's or their own) with its ξ, the plot of F and the derived figures.
+/// Style of the selected segments (the stroke's or their own) with its ξ.
 /// A change goes to where each segment's style lives: to the segment where it has its own, else to its stroke.
 class StyleSection : public QWidget {
     Q_OBJECT
@@ -37,20 +35,16 @@ signals:
 private:
     void addCombos(QGridLayout &grid);
     void addXiRows(QGridLayout &grid);
-    void addFigures(QVBoxLayout &column);
     void chooseSource(bool own);
     void changeStyles(const std::function<void(Style &)> &change, const QString &text, EditRun run);
     void refreshXi(const Inspected &inspected, std::optional<StyleKind> kind);
     void nameXi(StyleKind kind);
     void limitXi(const Inspected &inspected, StyleKind kind);
-    void refreshFigures(const Inspected &inspected);
 
     Editor &m_editor;
     QComboBox *m_source = nullptr;
     QComboBox *m_kind = nullptr;
     std::array<SliderField *, 3> m_xi{};
-    DensityPlot *m_plot = nullptr;
-    std::array<QLabel *, 4> m_figures{};
 };
 
 } // namespace suffuse

@@ -3,13 +3,32 @@
 #include "app/canvas/canvas_widget.h"
 #include "app/editor.h"
 #include "model/validate.h"
-#include "undo/edits.h"
+#include "undo/node_edits.h"
 
 #include <QPainter>
+
+#include <numbers>
 
 namespace suffuse {
 
 namespace {
+
+constexpr double endReach = 8; ///< logical pixels around an end node
+
+/// What goes on as a stroke is at one of its ends: its look, and the values there.
+Brush brushAtEnd(const Stroke &stroke, int node, Brush brush)
+{
+    const Segment &end = node == 0 ? stroke.segments.front() : stroke.segments.back();
+    brush.name = stroke.brush;
+    brush.style = stroke.styleOf(end);
+    brush.mix = stroke.mix;
+    brush.diffusion = end.diffusion;
+    brush.granulation = end.granulation;
+    brush.maxAge = end.maxAge;
+    brush.colour = end.colour;
+    brush.peak = float(end.density / (std::sqrt(std::numbers::pi) * brush.spread()));
+    return brush;
+}
 
 /// Density φ′ at the visible edge of a style (eq 17-19).
 double edgeDensity(const Style &style)
@@ -36,7 +55,7 @@ double halfWidthOf(const Brush &brush)
     return ratio > 1 ? brush.spread() * std::sqrt(std::log(ratio)) : 0;
 }
 
-BrushTool::BrushTool(CanvasWidget &canvas, QObject *parent) : Tool(canvas, parent)
+BrushTool::BrushTool(CanvasWidget &canvas, QObject *parent) : Tool(canvas, parent), m_picker(canvas)
 {
     connect(&m_editor, &Editor::brushChanged, this, [this] { m_canvas.updateOverlay(); });
 }
@@ -45,16 +64,49 @@ BrushTool::~BrushTool() = default;
 
 QString BrushTool::hint() const
 {
-    return tr("Drag to paint; a tap leaves a dot. Esc gives the stroke up.");
+    if (m_nearEnd)
+        return tr("Shift+drag to go on with the selected stroke from its end.");
+    return tr("Drag to paint; a tap leaves a dot. Ctrl: pick the picture's colour; with Shift, a stroke's own.");
 }
 
 void BrushTool::press(const PointerEvent &event)
 {
-    m_builder = std::make_unique<StrokeBuilder>(m_editor.brush(), m_editor.document().takeStrokeId());
+    if (event.modifiers & (Qt::ControlModifier | Qt::AltModifier)) {
+        m_picker.begin(event);
+        return;
+    }
+    Brush brush = m_editor.brush();
+    m_extended = event.modifiers & Qt::ShiftModifier ? endAt(event.pixel) : std::nullopt;
+    if (m_extended)
+        brush = brushAtEnd(*m_editor.document().painting()->find(m_extended->stroke), m_extended->node, brush);
+    m_builder = std::make_unique<StrokeBuilder>(brush, m_editor.document().takeStrokeId());
     m_lastTime = event.time;
     m_editor.holdClock(true);
-    add(event);
+    PointerEvent first = event;
+    if (m_extended) // it begins right where the stroke ends
+        first.point = nodePosition(*m_editor.document().painting()->find(m_extended->stroke), m_extended->node);
+    add(first);
     showOutlineAt(event.pixel);
+}
+
+std::optional<NodeRef> BrushTool::endAt(Point pixel) const
+{
+    std::optional<NodeRef> found;
+    const Document &document = m_editor.document();
+    const std::set<StrokeId> &selected = document.selection().strokes;
+    if (selected.empty())
+        return found;
+    double nearest = endReach * m_canvas.devicePixelRatioF();
+    for (const StrokePtr &stroke : document.painting()->strokes) {
+        if (!selected.contains(stroke->id) || document.painting()->isLocked(*stroke))
+            continue;
+        for (const int node : {0, nodeCount(*stroke) - 1})
+            if (const double d = length(m_canvas.view().toPixels(nodePosition(*stroke, node)) - pixel); d <= nearest) {
+                nearest = d;
+                found = {stroke->id, node};
+            }
+    }
+    return found;
 }
 
 void BrushTool::add(const PointerEvent &event)
@@ -66,6 +118,7 @@ void BrushTool::add(const PointerEvent &event)
 
 void BrushTool::move(const PointerEvent &event)
 {
+    m_picker.move(event);
     if (m_builder)
         add(event);
     showOutlineAt(event.pixel);
@@ -73,6 +126,7 @@ void BrushTool::move(const PointerEvent &event)
 
 void BrushTool::release(const PointerEvent &event)
 {
+    m_picker.end();
     if (!m_builder)
         return;
     if (event.device == PointerDevice::Mouse || event.pressure > 0) // a pen lifts with pressure 0, which is no paint
@@ -83,13 +137,24 @@ void BrushTool::release(const PointerEvent &event)
     Document &document = m_editor.document();
     document.setDraft(nullptr);
     if (stroke && problemOf(*stroke).isEmpty())
-        m_editor.push(addStrokes(document, {stroke}, false), tr("Brush stroke"));
+        pushStroke(stroke);
     m_editor.holdClock(false);
     showOutlineAt(event.pixel);
 }
 
+void BrushTool::pushStroke(const StrokePtr &stroke)
+{
+    const Document &document = m_editor.document();
+    const std::optional<NodeRef> end = std::exchange(m_extended, std::nullopt);
+    if (end)
+        if (Edit edit = extendStroke(document, end->stroke, end->node != 0, *stroke); !edit.isEmpty())
+            return m_editor.push(std::move(edit), tr("Extend stroke"));
+    m_editor.push(addStrokes(document, {stroke}, false), tr("Brush stroke"));
+}
+
 void BrushTool::cancel()
 {
+    m_picker.giveUp();
     if (!m_builder)
         return;
     m_builder.reset();
@@ -100,6 +165,11 @@ void BrushTool::cancel()
 void BrushTool::hover(const PointerEvent &event)
 {
     showOutlineAt(event.pixel);
+    if (const std::optional<NodeRef> end = endAt(event.pixel); end != m_nearEnd) {
+        m_nearEnd = end;
+        m_canvas.updateOverlay();
+        emit hintChanged();
+    }
 }
 
 void BrushTool::leave()
@@ -126,8 +196,16 @@ void BrushTool::showOutlineAt(Point pixel)
 
 void BrushTool::paint(QPainter &painter, const View &view, double dpr) const
 {
-    if (!m_hovering)
+    m_picker.paint(painter, dpr);
+    if (!m_hovering || m_picker.isActive())
         return;
+    const StrokePtr near = m_nearEnd ? m_editor.document().painting()->find(m_nearEnd->stroke) : nullptr;
+    if (near && m_nearEnd->node < nodeCount(*near)) {
+        const Point at = view.toPixels(nodePosition(*near, m_nearEnd->node));
+        painter.setPen(QPen(Qt::white, 1.2 * dpr));
+        painter.setBrush(m_canvas.overlayColours().accent);
+        painter.drawEllipse(QPointF(at.x, at.y), 4 * dpr, 4 * dpr);
+    }
     const auto ring = [&](double radius, Qt::PenStyle style, int alpha) {
         const double r = radius * view.scale;
         if (r < 3 * dpr || r > 2.0 * (view.width + view.height))

@@ -58,4 +58,94 @@ void moveSelected(Editor &editor, Point by, EditRun run)
                 QCoreApplication::translate("Commands", "Move"), run);
 }
 
+void invertSelection(Editor &editor)
+{
+    Selection selection;
+    for (const StrokeId id : selectableStrokes(*editor.document().painting()))
+        if (!editor.document().selection().strokes.contains(id))
+            selection.strokes.insert(id);
+    editor.document().setSelection(std::move(selection));
+}
+
+void selectSameAs(Editor &editor, Same what)
+{
+    editor.document().setSelection(selectSame(editor.document(), what));
+}
+
+void flipSelected(Editor &editor, Axis axis, SpreadRule rule)
+{
+    const Rect box = selectionBox(*editor.document().painting(), editor.document().selection());
+    if (box.isEmpty())
+        return;
+    const bool across = axis == Axis::Horizontal;
+    const Affine map = Affine::scaling(box.centre(), across ? -1 : 1, across ? 1 : -1);
+    editor.push(transformSelection(editor.document(), map, rule),
+                across ? QCoreApplication::translate("Commands", "Flip horizontally")
+                       : QCoreApplication::translate("Commands", "Flip vertically"));
+}
+
+void quarterTurnSelected(Editor &editor, int quarters, SpreadRule rule)
+{
+    const Rect box = selectionBox(*editor.document().painting(), editor.document().selection());
+    if (box.isEmpty())
+        return;
+    const std::array<double, 4> sines{0, 1, 0, -1}; // exact
+    const double s = sines[std::size_t(quarters & 3)], c = sines[std::size_t((quarters + 1) & 3)];
+    editor.push(transformSelection(editor.document(), Affine::about(box.centre(), c, -s, s, c), rule),
+                QCoreApplication::translate("Commands", "Rotate by 90°"));
+}
+
+void alignSelected(Editor &editor, Align how, AlignTo to)
+{
+    editor.push(align(editor.document(), how, to), QCoreApplication::translate("Commands", "Align"));
+}
+
+void distributeSelected(Editor &editor, Axis axis, Spacing spacing)
+{
+    editor.push(distribute(editor.document(), axis, spacing), QCoreApplication::translate("Commands", "Distribute"));
+}
+
+void groupSelected(Editor &editor)
+{
+    editor.push(groupSelection(editor.document(), {}), QCoreApplication::translate("Commands", "Group"));
+}
+
+void ungroupSelected(Editor &editor)
+{
+    editor.push(ungroupSelection(editor.document()), QCoreApplication::translate("Commands", "Ungroup"));
+}
+
+void lockSelected(Editor &editor)
+{
+    Edit edit = setLocked(editor.document(), editor.document().selection().strokes, true);
+    if (!edit.isEmpty())
+        edit.selection = Selection();
+    editor.push(std::move(edit), QCoreApplication::translate("Commands", "Lock strokes"));
+}
+
+void hideSelected(Editor &editor)
+{
+    Edit edit = setVisible(editor.document(), editor.document().selection().strokes, false);
+    if (!edit.isEmpty())
+        edit.selection = Selection();
+    editor.push(std::move(edit), QCoreApplication::translate("Commands", "Hide strokes"));
+}
+
+void unlockAllStrokes(Editor &editor)
+{
+    editor.push(unlockAll(editor.document()), QCoreApplication::translate("Commands", "Unlock all"));
+}
+
+void showAllStrokes(Editor &editor)
+{
+    editor.push(showAll(editor.document()), QCoreApplication::translate("Commands", "Show all"));
+}
+
+void renameSelected(Editor &editor, const QString &name)
+{
+    const Document &document = editor.document();
+    editor.push(changeStrokes(document, document.selection().strokes, [&name](Stroke &s) { s.name = name; }),
+                QCoreApplication::translate("Commands", "Rename strokes"));
+}
+
 } // namespace suffuse::commands

@@ -2,7 +2,8 @@
 #pragma once
 
 #include "app/editor.h"
-#include "undo/edits.h"
+#include "undo/group_edits.h"
+#include "undo/transform_edits.h"
 
 namespace suffuse::commands {
 
@@ -11,9 +12,27 @@ void deleteSelected(Editor &editor);
 void duplicateSelected(Editor &editor);
 void arrangeSelected(Editor &editor, Arrange how);
 void selectAll(Editor &editor);
+/// All that can be selected and is not.
+void invertSelection(Editor &editor);
+void selectSameAs(Editor &editor, Same what);
 /// First the segments, then the strokes.
 void deselect(Editor &editor);
 /// Moves the selected strokes by canvas units. Moves of one run are one step.
 void moveSelected(Editor &editor, Point by, EditRun run);
+/// About the middle of the selection.
+void flipSelected(Editor &editor, Axis axis, SpreadRule rule);
+/// Quarters of a turn, clockwise, about the middle of the selection.
+void quarterTurnSelected(Editor &editor, int quarters, SpreadRule rule);
+void alignSelected(Editor &editor, Align how, AlignTo to);
+void distributeSelected(Editor &editor, Axis axis, Spacing spacing);
+
+void groupSelected(Editor &editor);
+void ungroupSelected(Editor &editor);
+/// What is locked or hidden is not selected any more.
+void lockSelected(Editor &editor);
+void hideSelected(Editor &editor);
+void unlockAllStrokes(Editor &editor);
+void showAllStrokes(Editor &editor);
+void renameSelected(Editor &editor, const QString &name);
 
 } // namespace suffuse::commands

@@ -1,9 +1,10 @@
 #include "app/tools/pick.h"
 
+#include "app/tools/seen_paint.h"
 #include "model/influence.h"
-#include "render/probe.h"
 
 #include <numbers>
+#include <unordered_map>
 
 namespace suffuse {
 
@@ -15,85 +16,70 @@ bool isSelectable(const Painting &painting, const Stroke &stroke)
 }
 
 /// The segment with the largest share where the stroke is seen at the point.
-std::optional<SegmentRef> hitOf(const Painting &alone, Microseconds T, Point point)
+std::optional<SegmentRef> hitOf(const Stroke &stroke, Microseconds T, Point point)
 {
-    const Result<Probe> found = probe(alone, T, point.x, point.y);
-    if (!found || found->strokes.empty() || found->strokes.front().opacity < visibleOpacity)
+    const SeenPaint seen = seenPaint(stroke, T, point);
+    if (seen.opacity < visibleOpacity)
         return {};
-    const ProbeStroke &stroke = found->strokes.front();
-    const auto most = std::max_element(stroke.shares.begin(), stroke.shares.end(),
-                                       [](const ProbeShare &a, const ProbeShare &b) { return a.share < b.share; });
-    if (most == stroke.shares.end())
-        return {};
-    return SegmentRef{stroke.id, most->segment};
+    return SegmentRef{stroke.id, seen.segment};
 }
 
-/// A painting of one stroke on smooth paper: the gaps between a chalk's grains belong to the stroke, too.
-Painting alone(const Painting &painting, const StrokePtr &stroke)
+std::array<Point, 8> ringAround(Point point, double radius)
 {
-    Painting one;
-    one.canvas = painting.canvas;
-    one.canvas.paper = {};
-    one.groups = painting.groups;
-    one.strokes = {stroke};
-    return one;
-}
-
-std::vector<Point> ringAround(Point point, double radius)
-{
-    std::vector<Point> ring;
+    std::array<Point, 8> ring;
     for (int k = 0; k < 8; ++k) {
         const double angle = k * std::numbers::pi / 4;
-        ring.push_back(point + radius * Point{std::cos(angle), std::sin(angle)});
+        ring[std::size_t(k)] = point + radius * Point{std::cos(angle), std::sin(angle)};
     }
     return ring;
 }
 
-bool isNear(const Painting &painting, const Stroke &stroke, Microseconds T, Point point, double tolerance)
+bool isNear(const Stroke &stroke, Microseconds T, Point point, double tolerance)
 {
-    return isSelectable(painting, stroke) && influenceOf(stroke, T).grown(tolerance).contains(point);
+    const Point at = point - stroke.origin;
+    return std::any_of(stroke.segments.begin(), stroke.segments.end(), [&](const Segment &segment) {
+        // As influenceOf, but most segments are far away: distances first, and no roots.
+        const auto &p = segment.bezier;
+        const auto [left, right] = std::minmax({p[0].x, p[1].x, p[2].x, p[3].x});
+        const auto [top, bottom] = std::minmax({p[0].y, p[1].y, p[2].y, p[3].y});
+        const double away = std::max({left - at.x, at.x - right, top - at.y, at.y - bottom, tolerance}) - tolerance;
+        const double reach = reachInSpreads * reachInSpreads * std::max(1.0f, segment.anisotropyRatio) * 4 *
+                             double(segment.diffusion) * segment.age(T);
+        return reach > 0 && away * away <= reach;
+    });
+}
+
+/// From top to bottom.
+std::vector<StrokePtr> strokesNear(const Painting &painting, Microseconds T, Point point, double tolerance)
+{
+    std::vector<StrokePtr> near;
+    for (auto it = painting.strokes.rbegin(); it != painting.strokes.rend(); ++it)
+        if (isNear(**it, T, point, tolerance) && isSelectable(painting, **it))
+            near.push_back(*it);
+    return near;
 }
 
 /// The first that is seen at the point, else the first that is seen around it.
-std::optional<SegmentRef> pickFrom(const Painting &painting, const std::vector<StrokePtr> &strokes, Microseconds T,
-                                   Point point, double tolerance)
+std::optional<SegmentRef> pickFrom(const std::vector<StrokePtr> &strokes, Microseconds T, Point point, double tolerance)
 {
     for (const StrokePtr &stroke : strokes)
-        if (const auto hit = hitOf(alone(painting, stroke), T, point))
+        if (const auto hit = hitOf(*stroke, T, point))
             return hit;
     for (const StrokePtr &stroke : strokes)
         for (const Point &beside : ringAround(point, tolerance))
-            if (const auto hit = hitOf(alone(painting, stroke), T, beside))
+            if (const auto hit = hitOf(*stroke, T, beside))
                 return hit;
     return {};
 }
 
-} // namespace
-
-std::optional<SegmentRef> pickTopmost(const Painting &painting, Microseconds T, Point point, double tolerance)
-{
-    std::vector<StrokePtr> near; // from top to bottom
-    for (auto it = painting.strokes.rbegin(); it != painting.strokes.rend(); ++it)
-        if (isNear(painting, **it, T, point, tolerance))
-            near.push_back(*it);
-    return pickFrom(painting, near, T, point, tolerance);
-}
-
-std::optional<SegmentRef> pickOn(const Painting &painting, StrokeId id, Microseconds T, Point point, double tolerance)
-{
-    const StrokePtr stroke = painting.find(id);
-    if (!stroke || !isNear(painting, *stroke, T, point, tolerance))
-        return {};
-    return pickFrom(painting, {stroke}, T, point, tolerance);
-}
-
-std::set<StrokeId> strokesWithin(const Painting &painting, const View &view, const Rect &pixels)
+template <typename IsInside>
+std::set<StrokeId> strokesWhollyIn(const Painting &painting, IsInside isInside)
 {
     const auto isWithin = [&](const Stroke &stroke) {
         for (const Segment &segment : stroke.segments) {
             const Cubic cubic = stroke.cubicOf(segment);
             for (int k = 0; k <= 4; ++k)
-                if (!pixels.contains(view.toPixels(cubic.at(k / 4.0))))
+                if (!isInside(cubic.at(k / 4.0)))
                     return false;
         }
         return true;
@@ -102,6 +88,150 @@ std::set<StrokeId> strokesWithin(const Painting &painting, const View &view, con
     for (const StrokePtr &stroke : painting.strokes)
         if (isSelectable(painting, *stroke) && isWithin(*stroke))
             ids.insert(stroke->id);
+    return ids;
+}
+
+bool isInPolygon(const std::vector<Point> &polygon, Point p)
+{
+    bool inside = false;
+    for (std::size_t i = 0, j = polygon.size() - 1; i < polygon.size(); j = i++) {
+        const Point a = polygon[i], b = polygon[j];
+        if ((a.y > p.y) != (b.y > p.y) && p.x < a.x + (p.y - a.y) / (b.y - a.y) * (b.x - a.x))
+            inside = !inside;
+    }
+    return inside;
+}
+
+Rect boxOf(const std::vector<Point> &points)
+{
+    Rect box;
+    for (const Point &p : points)
+        box.include(p);
+    return box;
+}
+
+/// Points along a path, at most `step` apart.
+std::vector<Point> resampled(const std::vector<Point> &path, double step)
+{
+    constexpr double maxPieces = 4096; // of one report
+    std::vector<Point> points;
+    for (std::size_t i = 0; i < path.size(); ++i) {
+        if (i > 0) {
+            const Point d = path[i] - path[i - 1];
+            const int pieces = int(std::min(std::ceil(length(d) / step), maxPieces));
+            for (int k = 1; k < pieces; ++k)
+                points.push_back(path[i - 1] + (double(k) / pieces) * d);
+        }
+        points.push_back(path[i]);
+    }
+    return points;
+}
+
+/// Whether its visible paint may be narrower than the points of a path are apart.
+bool isHairline(const Stroke &stroke, Microseconds T, double step)
+{
+    return std::any_of(stroke.segments.begin(), stroke.segments.end(),
+                       [&](const Segment &segment) { return segment.spread(T) < 2 * step; });
+}
+
+/// The group that holds this one and lies in no other.
+GroupId outermost(const Painting &painting, GroupId id)
+{
+    for (std::size_t steps = 0; steps < painting.groups.size(); ++steps) {
+        const auto it =
+            std::find_if(painting.groups.begin(), painting.groups.end(), [id](const Group &g) { return g.id == id; });
+        if (it == painting.groups.end() || it->parent == 0)
+            return id;
+        id = it->parent;
+    }
+    return id;
+}
+
+} // namespace
+
+std::optional<SegmentRef> pickTopmost(const Painting &painting, Microseconds T, Point point, double tolerance)
+{
+    return pickFrom(strokesNear(painting, T, point, tolerance), T, point, tolerance);
+}
+
+std::optional<SegmentRef> pickOn(const Painting &painting, StrokeId id, Microseconds T, Point point, double tolerance)
+{
+    const StrokePtr stroke = painting.find(id);
+    if (!stroke || !isSelectable(painting, *stroke) || !isNear(*stroke, T, point, tolerance))
+        return {};
+    return pickFrom({stroke}, T, point, tolerance);
+}
+
+std::vector<SegmentRef> pickAll(const Painting &painting, Microseconds T, Point point, double tolerance)
+{
+    const std::vector<StrokePtr> near = strokesNear(painting, T, point, tolerance);
+    std::vector<SegmentRef> hits;
+    for (const StrokePtr &stroke : near)
+        if (const auto hit = hitOf(*stroke, T, point))
+            hits.push_back(*hit);
+    if (!hits.empty())
+        return hits;
+    for (const StrokePtr &stroke : near)
+        if (const auto hit = pickFrom({stroke}, T, point, tolerance))
+            hits.push_back(*hit);
+    return hits;
+}
+
+std::set<StrokeId> withGroup(const Painting &painting, StrokeId id)
+{
+    const StrokePtr stroke = painting.find(id);
+    if (!stroke || stroke->group == 0)
+        return {id};
+    const GroupId group = outermost(painting, stroke->group);
+    std::unordered_map<GroupId, GroupId> outer; // many strokes, few groups
+    std::set<StrokeId> members;
+    for (const StrokePtr &s : painting.strokes) {
+        if (s->group == 0 || !isSelectable(painting, *s))
+            continue;
+        const auto [it, isNew] = outer.try_emplace(s->group, 0);
+        if (isNew)
+            it->second = outermost(painting, s->group);
+        if (it->second == group)
+            members.insert(s->id);
+    }
+    return members;
+}
+
+std::set<StrokeId> strokesWithin(const Painting &painting, const View &view, const Rect &pixels)
+{
+    return strokesWhollyIn(painting, [&](Point p) { return pixels.contains(view.toPixels(p)); });
+}
+
+std::set<StrokeId> strokesWithin(const Painting &painting, const std::vector<Point> &polygon)
+{
+    if (polygon.size() < 3)
+        return {};
+    const Rect box = boxOf(polygon);
+    return strokesWhollyIn(painting, [&](Point p) { return box.contains(p) && isInPolygon(polygon, p); });
+}
+
+std::set<StrokeId> strokesTouched(const Painting &painting, Microseconds T, const std::vector<Point> &path,
+                                  double tolerance)
+{
+    const std::vector<Point> points = resampled(path, tolerance);
+    const Rect box = boxOf(points).grown(tolerance);
+    std::set<StrokeId> ids;
+    for (const StrokePtr &stroke : painting.strokes) {
+        const Rect reach = influenceOf(*stroke, T);
+        if (!reach.intersects(box) || !isSelectable(painting, *stroke))
+            continue;
+        // A hairline may run between the points, but not between their rings.
+        const bool hairline = isHairline(*stroke, T, tolerance);
+        const Rect around = hairline ? reach.grown(tolerance) : reach;
+        const auto touches = [&](Point p) {
+            if (!around.contains(p))
+                return false;
+            return hairline ? isNear(*stroke, T, p, tolerance) && pickFrom({stroke}, T, p, tolerance).has_value()
+                            : hitOf(*stroke, T, p).has_value();
+        };
+        if (std::any_of(points.begin(), points.end(), touches))
+            ids.insert(stroke->id);
+    }
     return ids;
 }
 

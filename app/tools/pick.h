@@ -6,6 +6,7 @@
 #include "render/view.h"
 
 #include <optional>
+#include <vector>
 
 namespace suffuse {
 
@@ -20,8 +21,20 @@ std::optional<SegmentRef> pickTopmost(const Painting &painting, Microseconds T, 
 std::optional<SegmentRef> pickOn(const Painting &painting, StrokeId stroke, Microseconds T, Point point,
                                  double tolerance);
 
+/// All visible, unlocked strokes that paint at the point, from top to bottom; where none does, those within
+/// `tolerance`.
+std::vector<SegmentRef> pickAll(const Painting &painting, Microseconds T, Point point, double tolerance);
+
+/// The strokes that a click on one means: those of its outermost group that can be selected, or itself alone.
+std::set<StrokeId> withGroup(const Painting &painting, StrokeId stroke);
+
 /// The visible, unlocked strokes whose curves lie wholly within a rectangle of the view's pixels.
 std::set<StrokeId> strokesWithin(const Painting &painting, const View &view, const Rect &pixels);
+/// The visible, unlocked strokes whose curves lie wholly within a closed polygon, canvas units; even-odd.
+std::set<StrokeId> strokesWithin(const Painting &painting, const std::vector<Point> &polygon);
+/// The visible, unlocked strokes that paint somewhere on a path (or within `tolerance` of it), canvas units.
+std::set<StrokeId> strokesTouched(const Painting &painting, Microseconds T, const std::vector<Point> &path,
+                                  double tolerance);
 /// The segments of visible, unlocked strokes whose curves' middles lie within a rectangle of the view's pixels.
 std::set<SegmentRef> segmentsWithin(const Painting &painting, const View &view, const Rect &pixels);
 /// All visible, unlocked strokes.

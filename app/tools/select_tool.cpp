@@ -1,137 +1,345 @@
 #include "app/tools/select_tool.h"
 
+#include "app/actions.h"
 #include "app/canvas/canvas_widget.h"
 #include "app/editor.h"
 #include "app/tools/pick.h"
-#include "undo/edits.h"
+#include "undo/transform_edits.h"
+
+#include <QKeyEvent>
+#include <QLocale>
+
+#include <numbers>
 
 namespace suffuse {
 
-QString SelectTool::hint() const
+namespace {
+
+using Kind = TransformHandle::Kind;
+
+/// Nodes of the grabbed stroke that snap, those nearest to the pointer.
+constexpr std::size_t snappingNodes = 16;
+
+bool takesAway(const PointerEvent &event)
 {
-    return tr("Click paint to select its stroke, click again for a segment, Shift+click for more. Drag to move.");
+    return event.modifiers & Qt::ShiftModifier && event.modifiers & Qt::ControlModifier;
+}
+
+std::vector<Point> nodesNear(const Stroke &stroke, Point point)
+{
+    std::vector<Point> nodes;
+    for (const Segment &segment : stroke.segments)
+        nodes.push_back(stroke.origin + segment.bezier[0]);
+    nodes.push_back(stroke.origin + stroke.segments.back().bezier[3]);
+    const auto count = std::min(nodes.size(), snappingNodes);
+    std::partial_sort(nodes.begin(), nodes.begin() + std::ptrdiff_t(count), nodes.end(),
+                      [point](Point a, Point b) { return length(a - point) < length(b - point); });
+    nodes.resize(count);
+    return nodes;
+}
+
+} // namespace
+
+SelectTool::SelectTool(CanvasWidget &canvas, Actions &actions, QObject *parent)
+    : SelectionTool(canvas, parent), m_actions(actions), m_drag(m_editor)
+{
+    connect(&m_editor.document(), &Document::changed, this, &SelectTool::followDocument);
+}
+
+void SelectTool::followDocument(const Change &change)
+{
+    m_stale = true;
+    if (change.reset || selection().strokes != m_handled) {
+        m_handled = selection().strokes;
+        m_handles.setMode(TransformHandles::Mode::Scale);
+        m_handles.resetCentre();
+        m_hovered.reset();
+    }
+}
+
+const TransformHandles &SelectTool::handles() const
+{
+    if (m_stale && !isBusy()) {
+        m_handles.setBox(selectionBox(*m_editor.document().painting(), selection()));
+        m_stale = false;
+    }
+    return m_handles;
 }
 
 void SelectTool::pressed(const PointerEvent &event)
 {
-    m_hit = pick(event);
-    m_selectedByPress = m_hit && !(event.modifiers & Qt::ShiftModifier) && !selection().strokes.contains(m_hit->stroke);
-    if (m_selectedByPress)
-        select(Selection{{m_hit->stroke}, {}});
+    m_handle = event.modifiers & Qt::AltModifier
+                   ? std::nullopt
+                   : handles().at(event.pixel, m_canvas.view(), m_canvas.devicePixelRatioF());
+    m_hit = m_handle ? std::nullopt : pick(event);
+    const bool plain = !(event.modifiers & (Qt::ShiftModifier | Qt::AltModifier));
+    m_selectedByPress = m_hit && plain && !selection().strokes.contains(m_hit->stroke);
+    if (!m_selectedByPress)
+        return;
+    const bool within = event.modifiers & Qt::ControlModifier; // a group
+    select(Selection{
+        within ? std::set<StrokeId>{m_hit->stroke} : withGroup(*m_editor.document().painting(), m_hit->stroke), {}});
 }
 
 void SelectTool::clicked(const PointerEvent &event)
 {
-    const bool add = event.modifiers & Qt::ShiftModifier;
-    if (!m_hit) {
-        if (!add)
-            select({});
-        return;
+    say({});
+    const std::optional<TransformHandle> handle = std::exchange(m_handle, std::nullopt);
+    const bool centre = handle && handle->kind == Kind::Centre;
+    const bool resets = centre && event.modifiers & Qt::ShiftModifier;
+    if (resets)
+        m_handles.resetCentre();
+    else if (centre)
+        m_hit = pick(event); // it only lies over the paint
+    if (resets || (handle && !centre)) {
+        // A handle that is not dragged does nothing.
+    } else if (event.modifiers & Qt::AltModifier) {
+        clickedBelow(event);
+    } else if (m_hit) {
+        clickedStroke(event);
+    } else if (!(event.modifiers & Qt::ShiftModifier)) {
+        select({});
     }
-    if (m_selectedByPress)
-        return;
-    if (add) {
-        if (selectRun(event))
-            return;
+    m_canvas.updateOverlay();
+}
+
+void SelectTool::clickedStroke(const PointerEvent &event)
+{
+    const bool turned = std::exchange(m_turnedByClick, false);
+    if (event.modifiers & Qt::ShiftModifier) {
+        const std::set<StrokeId> meant = event.modifiers & Qt::ControlModifier
+                                             ? std::set<StrokeId>{m_hit->stroke}
+                                             : withGroup(*m_editor.document().painting(), m_hit->stroke);
         Selection chosen = selection();
-        if (!chosen.strokes.erase(m_hit->stroke))
-            chosen.strokes.insert(m_hit->stroke);
-        std::erase_if(chosen.segments, [&](const SegmentRef &s) { return s.stroke == m_hit->stroke; });
+        const bool add = !chosen.strokes.contains(m_hit->stroke);
+        for (const StrokeId id : meant)
+            if (add)
+                chosen.strokes.insert(id);
+            else
+                chosen.strokes.erase(id);
+        std::erase_if(chosen.segments, [&](const SegmentRef &s) { return meant.contains(s.stroke); });
         select(std::move(chosen));
-    } else if (selection().strokes.size() > 1) {
-        select(Selection{{m_hit->stroke}, {}});
-    } else {
+    } else if (start().doubleClick) {
+        if (turned)
+            m_handles.setMode(TransformHandles::Mode::Scale);
         selectSegment(*m_hit);
+    } else if (event.modifiers & Qt::ControlModifier) {
+        select(Selection{{m_hit->stroke}, {}});
+    } else if (!m_selectedByPress) {
+        const bool scales = m_handles.mode() == TransformHandles::Mode::Scale;
+        m_handles.setMode(scales ? TransformHandles::Mode::Turn : TransformHandles::Mode::Scale);
+        m_turnedByClick = scales;
     }
+}
+
+void SelectTool::clickedBelow(const PointerEvent &event)
+{
+    const Painting &painting = *m_editor.document().painting();
+    const std::vector<SegmentRef> hits = pickAll(painting, m_editor.time(), event.point, tolerance());
+    if (hits.empty())
+        return;
+    std::size_t next = 0; // below the lowest that is selected; from the lowest, the topmost
+    for (std::size_t i = 0; i < hits.size(); ++i)
+        if (selection().strokes.contains(hits[i].stroke))
+            next = (i + 1) % hits.size();
+    Selection chosen;
+    if (event.modifiers & Qt::ShiftModifier)
+        chosen = selection();
+    chosen.strokes.merge(withGroup(painting, hits[next].stroke));
+    select(std::move(chosen));
+    say(tr("Stroke %1 of %2 under the pointer, from the top. Alt+click again: the next below.")
+            .arg(next + 1)
+            .arg(hits.size()));
+}
+
+BandShape SelectTool::bandShape(const PointerEvent &event) const
+{
+    if (event.modifiers & Qt::AltModifier || m_actions[Command::TouchPath].isChecked())
+        return BandShape::Touch;
+    return m_actions[Command::Lasso].isChecked() ? BandShape::Lasso : BandShape::Rectangle;
 }
 
 void SelectTool::banded(const Rect &band, const PointerEvent &event)
 {
+    combine(strokesWithin(*m_editor.document().painting(), m_canvas.view(), band), event);
+}
+
+void SelectTool::traced(const std::vector<Point> &path, BandShape shape, const PointerEvent &event)
+{
+    const Painting &painting = *m_editor.document().painting();
+    combine(shape == BandShape::Lasso ? strokesWithin(painting, path)
+                                      : strokesTouched(painting, m_editor.time(), path, tolerance()),
+            event);
+}
+
+void SelectTool::combine(std::set<StrokeId> found, const PointerEvent &event)
+{
     Selection chosen;
-    if (event.modifiers & Qt::ShiftModifier)
+    if (takesAway(event) || takesAway(start())) {
         chosen = selection();
-    chosen.strokes.merge(strokesWithin(*m_editor.document().painting(), m_canvas.view(), band));
+        for (const StrokeId id : found)
+            chosen.strokes.erase(id);
+        std::erase_if(chosen.segments, [&](const SegmentRef &s) { return found.contains(s.stroke); });
+    } else {
+        if ((event.modifiers | start().modifiers) & Qt::ShiftModifier)
+            chosen = selection();
+        chosen.strokes.merge(found);
+    }
     select(std::move(chosen));
 }
 
-bool SelectTool::beginDrag(const PointerEvent &)
+bool SelectTool::beginDrag(const PointerEvent &event)
 {
-    if (!m_hit || !selection().strokes.contains(m_hit->stroke))
+    m_map = {};
+    m_turnedByClick = false;
+    const bool moves = m_hit && !(event.modifiers & (Qt::ShiftModifier | Qt::AltModifier)) &&
+                       selection().strokes.contains(m_hit->stroke);
+    if (!m_handle && !moves)
         return false;
-    m_origins.clear();
+    const QString name = !m_handle                       ? tr("Move")
+                         : m_handle->kind == Kind::Scale ? tr("Scale")
+                         : m_handle->kind == Kind::Skew  ? tr("Skew")
+                                                         : tr("Rotate");
+    m_drag.begin(selection().strokes, name);
+    beginSnapping(moves);
+    return m_drag.isActive();
+}
+
+void SelectTool::beginSnapping(bool moving)
+{
     const Painting &painting = *m_editor.document().painting();
-    for (const StrokePtr &stroke : painting.strokes)
-        if (selection().strokes.contains(stroke->id) && !painting.isLocked(*stroke))
-            m_origins[stroke->id] = stroke->origin;
-    m_run = beginEditRun();
-    return !m_origins.empty();
+    const std::set<StrokeId> &moved = selection().strokes;
+    const bool centre = m_handle && m_handle->kind == Kind::Centre; // it may lie on a node of its own strokes
+    m_snapping = Snapping(painting, m_canvas.aids(),
+                          [&](const Stroke &stroke, int) { return !centre && moved.contains(stroke.id); });
+    m_snap = {};
+    m_snapPoints.clear();
+    if (!moving)
+        return;
+    const Rect box = selectionBox(painting, selection());
+    m_snapPoints = {
+        {box.left, box.top}, {box.right, box.top}, {box.right, box.bottom}, {box.left, box.bottom}, box.centre()};
+    if (const StrokePtr grabbed = painting.find(m_hit->stroke))
+        for (const Point &node : nodesNear(*grabbed, start().point))
+            m_snapPoints.push_back(node);
 }
 
 void SelectTool::drag(const PointerEvent &event)
 {
+    if (m_handle)
+        dragHandle(event);
+    else
+        dragSelection(event);
+}
+
+void SelectTool::dragSelection(const PointerEvent &event)
+{
+    const View &view = m_canvas.view();
     Point by = event.point - start().point;
+    m_snap = {};
     if (event.modifiers & Qt::ControlModifier) { // along one axis of the screen, as in Inkscape
         const Point pixels = event.pixel - start().pixel;
         const Point kept = std::abs(pixels.x) > std::abs(pixels.y) ? Point{pixels.x, 0} : Point{0, pixels.y};
-        by = m_canvas.view().toCanvas(start().pixel + kept) - start().point;
+        by = view.toCanvas(start().pixel + kept) - start().point;
+    } else if (!(event.modifiers & Qt::ShiftModifier)) { // Shift: freely
+        Point at;
+        const Snap snapped = m_snapping.snapMove(m_snapPoints, by, view, m_canvas.devicePixelRatioF(), &at);
+        by = snapped.point;
+        m_snap = {at, snapped.to};
     }
-    moveTo(by);
+    show(Affine::translation(by));
+    const QLocale locale;
+    say(tr("Move by %1, %2").arg(locale.toString(by.x, 'f', 1), locale.toString(by.y, 'f', 1)));
 }
 
-void SelectTool::moveTo(Point by)
+void SelectTool::dragHandle(const PointerEvent &event)
 {
-    const Document &document = m_editor.document();
-    std::set<StrokeId> moved;
-    for (const auto &[id, origin] : m_origins)
-        if (document.painting()->find(id))
-            moved.insert(id);
-    m_editor.push(changeStrokes(document, moved, [&](Stroke &stroke) { stroke.origin = m_origins.at(stroke.id) + by; }),
-                  tr("Move"), m_run);
+    const View &view = m_canvas.view();
+    Point to = event.point;
+    const bool ctrl = event.modifiers & Qt::ControlModifier;
+    const bool snaps = m_handle->kind == Kind::Centre || (m_handle->kind == Kind::Scale && !ctrl);
+    m_snap = {};
+    if (snaps) { // the corner of the box, not the handle beside it
+        const Point beside = m_handle->kind == Kind::Centre ? Point{} : start().point - m_handles.anchor(*m_handle);
+        m_snap = m_snapping.snap(to - beside, view, m_canvas.devicePixelRatioF());
+        to = m_snap.point + beside;
+    }
+    if (m_handle->kind == Kind::Centre) {
+        m_handles.setCentre(to);
+        m_canvas.updateOverlay();
+        return;
+    }
+    const Affine map = m_handles.map(*m_handle, start().point, to, event.modifiers);
+    if (map.inverse())
+        show(map);
+    const QLocale locale;
+    const auto percent = [&](double x, double y) { return locale.toString(100 * std::hypot(x, y), 'f', 1); };
+    if (m_handle->kind == Kind::Scale)
+        say(tr("Scale to %1 % × %2 %").arg(percent(m_map.a, m_map.c), percent(m_map.b, m_map.d)));
+    else if (m_handle->kind == Kind::Rotate)
+        say(tr("Rotate by %1°").arg(locale.toString(std::atan2(m_map.c, m_map.a) * 180 / std::numbers::pi, 'f', 1)));
+    else
+        say(tr("Skew by %1°").arg(locale.toString(std::atan(m_map.b + m_map.c) * 180 / std::numbers::pi, 'f', 1)));
+}
+
+void SelectTool::show(const Affine &map)
+{
+    m_map = map;
+    const SpreadRule rule = m_actions[Command::ScaleSpread].isChecked() ? SpreadRule::Scales : SpreadRule::Stays;
+    m_drag.show([&](const Stroke &stroke) { return transformed(stroke, map, rule); });
+    m_canvas.updateOverlay();
 }
 
 void SelectTool::endDrag(bool cancelled)
 {
+    const bool centre = m_handle && m_handle->kind == Kind::Centre;
+    const Point about = m_map(m_handles.centre());
+    const bool ownCentre = length(m_handles.centre() - m_handles.box().centre()) > 1e-9 * m_handles.box().width();
     if (cancelled)
-        moveTo({0, 0}); // a run that comes back to its start leaves no step
-    m_origins.clear();
+        m_drag.giveUp();
+    else
+        m_drag.end();
+    m_stale = true;
+    handles();
+    if (!cancelled && !centre && ownCentre)
+        m_handles.setCentre(about); // it stays where it was on the strokes
+    m_handle.reset();
+    m_snap = {};
+    say({});
 }
 
-QString SegmentTool::hint() const
+bool SelectTool::wantsKey(const QKeyEvent &event) const
 {
-    return tr("Click a segment to select it, Shift+click for a run, Ctrl+click to add or remove one.");
+    const bool isTab = event.key() == Qt::Key_Tab || event.key() == Qt::Key_Backtab;
+    return isTab && !(event.modifiers() & (Qt::ControlModifier | Qt::AltModifier | Qt::MetaModifier));
 }
 
-void SegmentTool::clicked(const PointerEvent &event)
+bool SelectTool::keyPress(QKeyEvent *event)
 {
-    const std::optional<SegmentRef> hit = pick(event);
-    if (!hit) {
-        if (!(event.modifiers & (Qt::ShiftModifier | Qt::ControlModifier)))
-            select({});
-        return;
-    }
-    if (event.modifiers & Qt::ShiftModifier && selectRun(event))
-        return;
-    if (event.modifiers & Qt::ControlModifier) {
-        Selection chosen = selection();
-        if (!chosen.segments.erase(*hit))
-            chosen.segments.insert(*hit);
-        chosen.strokes.insert(hit->stroke);
-        select(std::move(chosen));
-        return;
-    }
-    selectSegment(*hit);
+    if (!wantsKey(*event))
+        return SelectionTool::keyPress(event);
+    if (!isBusy())
+        selectNext(event->key() == Qt::Key_Tab && !(event->modifiers() & Qt::ShiftModifier) ? 1 : -1);
+    return true;
 }
 
-void SegmentTool::banded(const Rect &band, const PointerEvent &event)
+void SelectTool::selectNext(int step)
 {
-    Selection chosen;
-    if (event.modifiers & Qt::ShiftModifier)
-        chosen = selection();
-    for (const SegmentRef &segment : segmentsWithin(*m_editor.document().painting(), m_canvas.view(), band)) {
-        chosen.segments.insert(segment);
-        chosen.strokes.insert(segment.stroke);
-    }
-    select(std::move(chosen));
+    const Painting &painting = *m_editor.document().painting();
+    const std::set<StrokeId> selectable = selectableStrokes(painting);
+    std::vector<StrokeId> order;
+    for (const StrokePtr &stroke : painting.strokes)
+        if (selectable.contains(stroke->id))
+            order.push_back(stroke->id);
+    if (order.empty())
+        return;
+    const auto isSelected = [&](StrokeId id) { return selection().strokes.contains(id); };
+    const int count = int(order.size());
+    int at = step > 0 ? -1 : count;
+    for (int i = 0; i < count; ++i)
+        if (isSelected(order[std::size_t(i)]) && (step > 0 || at == count))
+            at = i;
+    select(Selection{{order[std::size_t((at + step + count) % count)]}, {}});
 }
 
 } // namespace suffuse

@@ -1,50 +1,81 @@
 #pragma once
 
 #include "app/tools/selection_tool.h"
+#include "app/tools/snapping.h"
+#include "app/tools/stroke_drag.h"
+#include "app/tools/transform_handles.h"
 
-#include <map>
+#include <QPointer>
 
 namespace suffuse {
 
-/// Selects strokes by their visible paint and moves them; a second click selects the segment under the pointer.
+class Actions;
+struct Change;
+
+/// Selects strokes by their visible paint, moves them, and maps them by the handles around them; a second click changes
+/// between the handles that scale and those that turn, as in Inkscape.
 class SelectTool : public SelectionTool {
     Q_OBJECT
 
 public:
-    using SelectionTool::SelectionTool;
+    SelectTool(CanvasWidget &canvas, Actions &actions, QObject *parent = nullptr);
 
     QString hint() const override;
+    QCursor cursor() const override;
+    QWidget *options() override;
+    void hover(const PointerEvent &event) override;
+    void leave() override;
+    /// Tab and Shift+Tab go through the strokes.
+    bool keyPress(QKeyEvent *event) override;
+    bool wantsKey(const QKeyEvent &event) const override;
+    void paint(QPainter &painter, const View &view, double dpr) const override;
+
+    /// Around the selection, as they are shown.
+    const TransformHandles &handles() const;
 
 protected:
     void pressed(const PointerEvent &event) override;
     void clicked(const PointerEvent &event) override;
+    BandShape bandShape(const PointerEvent &event) const override;
     void banded(const Rect &band, const PointerEvent &event) override;
+    void traced(const std::vector<Point> &path, BandShape shape, const PointerEvent &event) override;
     bool beginDrag(const PointerEvent &event) override;
     void drag(const PointerEvent &event) override;
     void endDrag(bool cancelled) override;
 
 private:
-    void moveTo(Point by);
+    void followDocument(const Change &change);
+    void clickedBelow(const PointerEvent &event);
+    void clickedStroke(const PointerEvent &event);
+    /// Adds, takes away or replaces, as the modifiers say.
+    void combine(std::set<StrokeId> found, const PointerEvent &event);
+    void selectNext(int step);
 
-    std::optional<SegmentRef> m_hit;
+    void beginSnapping(bool moving);
+    void dragHandle(const PointerEvent &event);
+    void dragSelection(const PointerEvent &event);
+    void show(const Affine &map);
+    /// The readout of a drag, in the status bar.
+    void say(const QString &text);
+    QString handleHint(const TransformHandle &handle) const;
+
+    Actions &m_actions;
+    QPointer<QWidget> m_options;
+    mutable TransformHandles m_handles;
+    mutable bool m_stale = true;  ///< the handles' box
+    std::set<StrokeId> m_handled; ///< the strokes that they are around
+    std::optional<TransformHandle> m_hovered;
+    QString m_said;
+
+    std::optional<SegmentRef> m_hit; ///< what the press hit
     bool m_selectedByPress = false;
-    std::map<StrokeId, Point> m_origins; ///< of the strokes that are moved, before
-    EditRun m_run = 0;
-};
-
-/// Selects segments at once; Shift extends to a run, Ctrl adds and removes single ones.
-class SegmentTool : public SelectionTool {
-    Q_OBJECT
-
-public:
-    using SelectionTool::SelectionTool;
-
-    QString hint() const override;
-    QCursor cursor() const override { return Qt::PointingHandCursor; }
-
-protected:
-    void clicked(const PointerEvent &event) override;
-    void banded(const Rect &band, const PointerEvent &event) override;
+    bool m_turnedByClick = false;            ///< the last click changed the handles' mode
+    std::optional<TransformHandle> m_handle; ///< that is dragged
+    StrokeDrag m_drag;
+    Affine m_map; ///< of the drag so far
+    Snapping m_snapping;
+    Snap m_snap;
+    std::vector<Point> m_snapPoints; ///< that move along
 };
 
 } // namespace suffuse

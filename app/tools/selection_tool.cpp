@@ -48,21 +48,48 @@ void SelectionTool::move(const PointerEvent &event)
     m_now = event;
     const double slack = QApplication::startDragDistance() * 0.5 * m_canvas.devicePixelRatioF();
     if (m_state == State::Pressed && length(event.pixel - m_start.pixel) > slack)
-        m_state = beginDrag(m_start) ? State::Drag : State::Band;
+        beginMoving();
     if (m_state == State::Drag)
         drag(event);
+    else if (m_state == State::Band && m_shape != BandShape::Rectangle)
+        addToTrace(event);
     updateBand();
+}
+
+void SelectionTool::beginMoving()
+{
+    if (beginDrag(m_start)) {
+        m_state = State::Drag;
+        return;
+    }
+    m_state = State::Band;
+    m_shape = bandShape(m_start);
+    m_trace = {m_start.point};
+}
+
+void SelectionTool::addToTrace(const PointerEvent &event)
+{
+    if (length(event.point - m_trace.back()) * m_canvas.view().scale >= 1)
+        m_trace.push_back(event.point);
+}
+
+void SelectionTool::finishBand(const PointerEvent &event)
+{
+    if (m_shape == BandShape::Rectangle)
+        banded(band(), event);
+    else
+        traced(m_trace, m_shape, event);
+    m_trace.clear();
 }
 
 void SelectionTool::release(const PointerEvent &event)
 {
     const State state = m_state;
-    const Rect area = band();
     m_state = State::Idle;
     if (state == State::Pressed)
         clicked(event);
     else if (state == State::Band)
-        banded(area, event);
+        finishBand(event);
     else if (state == State::Drag)
         endDrag(false);
     m_canvas.updateOverlay();
@@ -109,21 +136,43 @@ Rect SelectionTool::band() const
 
 void SelectionTool::updateBand() const
 {
-    if (m_state == State::Band)
+    if (m_state == State::Band && m_shape != BandShape::Rectangle)
+        m_canvas.updateOverlay();
+    else if (m_state == State::Band)
         m_canvas.updateOverlay(QRectF(band().left - 3, band().top - 3, band().width() + 6, band().height() + 6));
 }
 
-void SelectionTool::paint(QPainter &painter, const View &, double dpr) const
+QPainterPath SelectionTool::bandPath(const View &view) const
+{
+    QPainterPath path;
+    if (m_shape == BandShape::Rectangle) {
+        const Rect r = band();
+        path.addRect(QRectF(r.left, r.top, r.width(), r.height()));
+        return path;
+    }
+    QPolygonF line;
+    for (const Point &point : m_trace) {
+        const Point p = view.toPixels(point);
+        line << QPointF(p.x, p.y);
+    }
+    path.addPolygon(line);
+    if (m_shape == BandShape::Lasso)
+        path.closeSubpath();
+    return path;
+}
+
+void SelectionTool::paint(QPainter &painter, const View &view, double dpr) const
 {
     if (m_state != State::Band)
         return;
-    const Rect r = band();
-    const QRectF rect(r.left, r.top, r.width(), r.height());
+    const QPainterPath path = bandPath(view);
     QColor fill = m_canvas.overlayColours().accent;
+    if (m_shape == BandShape::Touch) {
+        strokeTwoTone(painter, path, fill, 2 * dpr);
+        return;
+    }
     fill.setAlpha(28);
-    painter.fillRect(rect, fill);
-    QPainterPath path;
-    path.addRect(rect);
+    painter.fillPath(path, fill);
     strokeTwoTone(painter, path, m_canvas.overlayColours().accent, dpr, Qt::DashLine);
 }
 

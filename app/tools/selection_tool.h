@@ -5,9 +5,15 @@
 #include "model/selection.h"
 #include "undo/edit_command.h"
 
+#include <QPainterPath>
+
 #include <optional>
+#include <vector>
 
 namespace suffuse {
+
+/// What a drag encloses or touches.
+enum class BandShape { Rectangle, Lasso, Touch };
 
 /// Tells clicks from drags; a drag is a rubber band unless the tool takes it.
 class SelectionTool : public Tool {
@@ -30,12 +36,19 @@ protected:
     virtual void clicked(const PointerEvent &event) = 0;
     /// The band is in device pixels.
     virtual void banded(const Rect &band, const PointerEvent &event) = 0;
+    /// Of the band that a drag begins which is not the tool's own.
+    virtual BandShape bandShape(const PointerEvent &) const { return BandShape::Rectangle; }
+    /// A band of another shape than a rectangle; the path is in canvas units.
+    virtual void traced(const std::vector<Point> &, BandShape, const PointerEvent &) {}
     /// True if the drag that begins is the tool's own.
     virtual bool beginDrag(const PointerEvent &) { return false; }
     virtual void drag(const PointerEvent &) {}
     virtual void endDrag(bool /*cancelled*/) {}
 
     std::optional<SegmentRef> pick(const PointerEvent &event) const;
+    /// Canvas units around the pointer in which hairlines are found.
+    double tolerance() const;
+    bool isBanding() const { return m_state == State::Band; }
     const Selection &selection() const;
     void select(Selection selection);
     /// Selects one segment, from which a run may start.
@@ -48,13 +61,18 @@ protected:
 private:
     enum class State { Idle, Pressed, Band, Drag };
 
-    double tolerance() const;
     Rect band() const;
+    void beginMoving();
+    void addToTrace(const PointerEvent &event);
+    void finishBand(const PointerEvent &event);
+    QPainterPath bandPath(const View &view) const;
     void updateBand() const;
 
     State m_state = State::Idle;
     PointerEvent m_start;
     PointerEvent m_now;
+    BandShape m_shape = BandShape::Rectangle;
+    std::vector<Point> m_trace; ///< canvas units
     SegmentRef m_anchor;
     EditRun m_nudgeRun = 0;
 };

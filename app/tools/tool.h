@@ -10,6 +10,7 @@
 
 class QKeyEvent;
 class QPainter;
+class QWidget;
 
 namespace suffuse {
 
@@ -30,6 +31,7 @@ struct PointerEvent {
     Qt::MouseButtons buttons;   ///< what is down
     Qt::KeyboardModifiers modifiers;
     PointerDevice device = PointerDevice::Mouse;
+    bool doubleClick = false; ///< a press that follows another at the same place
 };
 
 /// A tool of the canvas. It sees press, moves, release of the main button, and hovering in between; it changes the
@@ -43,6 +45,9 @@ public:
     /// One line for the status bar, translated.
     virtual QString hint() const = 0;
     virtual QCursor cursor() const { return Qt::ArrowCursor; }
+    /// What stands in the row over the canvas while the tool is in use, always the same widget; null: nothing. The row
+    /// owns it from then on.
+    virtual QWidget *options() { return nullptr; }
 
     virtual void press(const PointerEvent &event) = 0;
     virtual void move(const PointerEvent &event) = 0;
@@ -55,8 +60,18 @@ public:
     virtual void cancel() = 0;
     /// True if the key was used.
     virtual bool keyPress(QKeyEvent *) { return false; }
+    /// True if the key means the tool, even where it is a command's shortcut.
+    virtual bool wantsKey(const QKeyEvent &) const { return false; }
+    /// The command Delete: true if the tool deleted something of its own (nodes).
+    virtual bool deleteSelected() { return false; }
+    /// The command Select All: true if the tool selected something of its own (nodes).
+    virtual bool selectAll() { return false; }
     /// Draws over the picture, in device pixels.
     virtual void paint(QPainter &, const View &, double /*dpr*/) const {}
+
+signals:
+    /// What hint() says is another line now.
+    void hintChanged();
 
 protected:
     CanvasWidget &m_canvas;

@@ -1,12 +1,17 @@
 // The lists of strokes and history: they follow the document by difference and change it in single steps.
 #include "app/panels/history_panel.h"
+#include "app/panels/stroke_history_list.h"
+#include "app/panels/stroke_thumbnails.h"
 #include "app/panels/strokes_model.h"
 #include "app/panels/strokes_panel.h"
+#include "model/validate.h"
 #include "tests/app/panel_bench.h"
 #include "undo/edits.h"
 
 #include <QAbstractItemModelTester>
+#include <QMenu>
 #include <QMimeData>
+#include <QScrollBar>
 #include <QSignalSpy>
 #include <QTreeView>
 #include <QUndoView>
@@ -134,6 +139,135 @@ private slots:
         QCOMPARE(model.rowCount(), 3);
     }
 
+    void groupsMoveAsGroups()
+    {
+        Bench bench(0);
+        auto painting = std::make_shared<Painting>();
+        painting->groups = {{1, "Trees", 0, true, false}, {2, "Leaves", 1, true, false}, {3, "Sky", 0, true, false}};
+        for (const auto &[id, group] : {std::pair<StrokeId, GroupId>{1, 3}, {2, 2}, {3, 2}, {4, 1}, {5, 0}}) {
+            Stroke stroke = *makeStroke(id, 1, 5);
+            stroke.group = group;
+            painting->strokes.push_back(std::make_shared<const Stroke>(stroke));
+        }
+        bench.editor.document().reset(painting);
+        StrokesModel model(bench.editor);
+        QAbstractItemModelTester tester(&model, QAbstractItemModelTester::FailureReportingMode::QtTest);
+        const auto drop = [&](const QModelIndex &row, int at, const QModelIndex &parent) {
+            const std::unique_ptr<QMimeData> data(model.mimeData({row}));
+            model.dropMimeData(data.get(), Qt::MoveAction, at, 0, parent);
+        };
+        const auto group = [&](GroupId id) {
+            for (const Group &g : bench.editor.document().painting()->groups)
+                if (g.id == id)
+                    return g;
+            return Group();
+        };
+        // Rows: 5, Trees(4, Leaves(3, 2)), Sky(1). Sky goes into Trees, on its top, and stays a group.
+        drop(model.index(2, 0), 0, model.index(1, 0));
+        QCOMPARE(bench.steps(), 1);
+        QCOMPARE(group(3).parent, GroupId(1));
+        QCOMPARE(bench.stroke(1).group, GroupId(3));
+        QCOMPARE(orderOf(bench.editor), (std::vector<StrokeId>{2, 3, 4, 1, 5}));
+        QVERIFY(problemOf(*bench.editor.document().painting()).isEmpty());
+        // A group into itself, or into what is in it: no.
+        drop(model.index(1, 0), 0, model.index(2, 0, model.index(1, 0)));
+        QCOMPARE(bench.steps(), 1);
+        // Leaves come out to the bottom.
+        drop(model.index(2, 0, model.index(1, 0)), 2, {});
+        QCOMPARE(group(2).parent, GroupId(0));
+        QCOMPARE(bench.stroke(2).group, GroupId(2));
+        QVERIFY(problemOf(*bench.editor.document().painting()).isEmpty());
+        QCOMPARE(model.rowCount(), 3);
+        bench.editor.undoStack().setIndex(0);
+        QVERIFY(*bench.editor.document().painting() == *painting);
+        // A locked stroke stays where it is.
+        bench.editor.push(changeStrokes(bench.editor.document(), {5}, [](Stroke &s) { s.locked = true; }), "lock");
+        drop(model.indexOf(5), 3, {});
+        QCOMPARE(bench.steps(), 1);
+    }
+
+    void segmentsAreRows()
+    {
+        Bench bench;
+        StrokesPanel panel(bench.editor);
+        QAbstractItemModelTester tester(panel.model(), QAbstractItemModelTester::FailureReportingMode::QtTest);
+        showAt(panel, {280, 400});
+        const QModelIndex stroke = panel.model()->indexOf(2);
+        QCOMPARE(panel.model()->rowCount(stroke), 4);
+        panel.view()->expand(panel.viewIndexOf(2));
+        const auto rowOf = [&](int segment) {
+            return panel.view()->visualRect(panel.view()->model()->index(segment, 0, panel.viewIndexOf(2))).center();
+        };
+        QTest::mouseClick(panel.view()->viewport(), Qt::LeftButton, {}, rowOf(1));
+        QCOMPARE(bench.editor.document().selection(), (Selection{{2}, {{2, 1}}}));
+        QTest::mouseClick(panel.view()->viewport(), Qt::LeftButton, Qt::ShiftModifier, rowOf(3));
+        QCOMPARE(bench.editor.document().selection(), (Selection{{2}, {{2, 1}, {2, 2}, {2, 3}}}));
+        bench.select({2}, {{2, 0}});
+        QVERIFY(panel.view()->selectionModel()->isSelected(panel.view()->model()->index(0, 0, panel.viewIndexOf(2))));
+        // Segments come and go with their stroke's values; the search finds strokes, not segments.
+        bench.editor.push(changeStrokes(bench.editor.document(), {2}, [](Stroke &s) { s.segments.resize(2); }), "cut");
+        QCOMPARE(panel.model()->rowCount(stroke), 2);
+        bench.editor.undoStack().undo();
+        QCOMPARE(panel.model()->rowCount(stroke), 4);
+        panel.search()->setText("Segment");
+        QCOMPARE(panel.view()->model()->rowCount(), 0);
+        panel.search()->setText("2");
+        QCOMPARE(panel.view()->model()->rowCount(), 1);
+        QCOMPARE(panel.view()->model()->rowCount(panel.viewIndexOf(2)), 4);
+    }
+
+    void contextMenu()
+    {
+        Bench bench;
+        StrokesPanel panel(bench.editor);
+        showAt(panel, {280, 400});
+        bench.select({1, 3});
+        const auto trigger = [&](const char *text) {
+            QMenu menu;
+            panel.fillMenu(menu, panel.viewIndexOf(3));
+            for (QAction *action : menu.actions())
+                if (action->text().remove('&') == text && action->isEnabled())
+                    action->trigger();
+        };
+        trigger("Lock");
+        QVERIFY(bench.stroke(1).locked && bench.stroke(3).locked && !bench.stroke(2).locked);
+        QCOMPARE(bench.steps(), 1);
+        trigger("Delete"); // all that is selected is locked
+        QCOMPARE(bench.steps(), 1);
+        trigger("Unlock");
+        trigger("Hide");
+        QVERIFY(!bench.stroke(1).visible && !bench.stroke(3).visible);
+        trigger("Show");
+        QCOMPARE(bench.steps(), 4);
+        trigger("Delete");
+        QCOMPARE(orderOf(bench.editor), std::vector<StrokeId>{2});
+    }
+
+    void thumbnailsAreTheRenderers()
+    {
+        StrokeThumbnails thumbnails;
+        QSignalSpy ready(&thumbnails, &StrokeThumbnails::ready);
+        Stroke stroke = *makeStroke(1, 4, 20);
+        for (Segment &s : stroke.segments)
+            s.density = 30, s.colour = {1, 0, 0, 1};
+        const auto red = std::make_shared<const Stroke>(stroke);
+        QVERIFY(thumbnails.of(red, 2, true).isNull()); // not asked for
+        QVERIFY(!ready.wait(100));
+        QVERIFY(thumbnails.of(red, 2, false).isNull());
+        QTRY_COMPARE(ready.count(), 1);
+        const QImage image = thumbnails.of(red, 2, false);
+        QCOMPARE(image.size(), StrokeThumbnails::size * 2);
+        QCOMPARE(image.pixelColor(32, 20).name(), QString("#ff0000"));
+        QCOMPARE(image.pixelColor(0, 0).alpha(), 0);
+        // Another state of it: the old picture until the new one is there.
+        for (Segment &s : stroke.segments)
+            s.colour = {0, 0, 1, 1};
+        const auto blue = std::make_shared<const Stroke>(stroke);
+        QCOMPARE(thumbnails.of(blue, 2, false), image);
+        QTRY_COMPARE(ready.count(), 2);
+        QCOMPARE(thumbnails.of(blue, 2, false).pixelColor(32, 20).name(), QString("#0000ff"));
+    }
+
     void manyRowsWithoutResets()
     {
         Bench bench(10000);
@@ -156,6 +290,50 @@ private slots:
         QCOMPARE(resets.count(), 0);
     }
 
+    /// Prints how long a large painting takes; it asserts what is shown.
+    void hundredThousandSegments()
+    {
+        for (const int perStroke : {1, 20}) {
+            Bench bench(0);
+            auto painting = std::make_shared<Painting>();
+            for (int i = 1; i <= 100'000 / perStroke; ++i)
+                painting->strokes.push_back(makeStroke(StrokeId(i), perStroke, 5));
+            bench.editor.document().reset(painting);
+            QElapsedTimer timer;
+            timer.start();
+            StrokesPanel panel(bench.editor);
+            panel.resize(280, 600);
+            panel.show();
+            panel.grab();
+            const double open = double(timer.nsecsElapsed()) / 1e6;
+            timer.restart();
+            constexpr int positions = 100;
+            QScrollBar *bar = panel.view()->verticalScrollBar();
+            for (int i = 0; i < positions; ++i) {
+                bar->setValue(bar->maximum() * i / positions);
+                panel.view()->viewport()->grab();
+            }
+            const double scroll = double(timer.nsecsElapsed()) / 1e6 / positions;
+            timer.restart();
+            bench.select({StrokeId(50'000 / perStroke)});
+            const double select = double(timer.nsecsElapsed()) / 1e6;
+            timer.restart();
+            bench.editor.push(changeSegments(bench.editor.document(), targetSegments(bench.editor.document()),
+                                             [](Segment &s) { s.density = 3; }),
+                              "change");
+            const double change = double(timer.nsecsElapsed()) / 1e6;
+            timer.restart();
+            panel.search()->setText("77");
+            const double search = double(timer.nsecsElapsed()) / 1e6;
+            qInfo("%d segments a stroke: open %.1f ms, scroll %.2f ms, select %.2f ms, change %.2f ms, search %.1f ms",
+                  perStroke, open, scroll, select, change, search);
+            QVERIFY(panel.view()->model()->rowCount() > 0 && panel.view()->model()->rowCount() < 100'000 / perStroke);
+            panel.search()->clear();
+            QCOMPARE(panel.view()->model()->rowCount(), 100'000 / perStroke);
+            QVERIFY(panel.view()->selectionModel()->isSelected(panel.viewIndexOf(StrokeId(50'000 / perStroke))));
+        }
+    }
+
     void historyGoesThere()
     {
         Bench bench;
@@ -166,6 +344,53 @@ private slots:
         QCOMPARE(panel.view()->model()->rowCount(), 3);
         panel.view()->setCurrentIndex(panel.view()->model()->index(1, 0));
         QCOMPARE(bench.stroke(1).name, QString("one"));
+    }
+
+    void oneStrokeGoesBack()
+    {
+        Bench bench;
+        HistoryPanel panel(bench.editor);
+        showAt(panel, {280, 400});
+        QListWidget *list = panel.strokeView();
+        QVERIFY(!list->isVisible()); // no stroke is selected
+        const auto set = [&](StrokeId id, float density, const char *name) {
+            bench.editor.push(
+                changeSegments(bench.editor.document(), {{id, 0}}, [=](Segment &s) { s.density = density; }), name);
+        };
+        set(1, 10, "ten");
+        set(2, 11, "eleven");
+        set(1, 12, "twelve");
+        bench.select({1});
+        QTRY_VERIFY(list->isVisible());
+        QTRY_COMPARE(list->count(), 3);
+        QCOMPARE(list->item(1)->text(), QString("ten"));
+        QCOMPARE(list->currentRow(), 2);
+        QTest::mouseClick(list->viewport(), Qt::LeftButton, {}, list->visualItemRect(list->item(1)).center());
+        QCOMPARE(bench.stroke(1).segments[0].density, 10.0f);
+        QCOMPARE(bench.stroke(2).segments[0].density, 11.0f); // the rest stays
+        QCOMPARE(bench.steps(), 4);
+        QTRY_COMPARE(list->count(), 4);
+        QTest::mouseClick(list->viewport(), Qt::LeftButton, {}, list->visualItemRect(list->item(0)).center());
+        QCOMPARE(bench.stroke(1), *makeStroke(1, 4, 10));
+        bench.editor.undoStack().undo();
+        QCOMPARE(bench.stroke(1).segments[0].density, 10.0f);
+        bench.editor.undoStack().undo();
+        QCOMPARE(bench.stroke(1).segments[0].density, 12.0f);
+        QTRY_COMPARE(list->count(), 3);
+        // The state of now again is no step; a locked stroke stays.
+        QTest::mouseClick(list->viewport(), Qt::LeftButton, {}, list->visualItemRect(list->item(2)).center());
+        QCOMPARE(bench.editor.undoStack().index(), 3);
+        bench.editor.push(changeStrokes(bench.editor.document(), {1}, [](Stroke &s) { s.locked = true; }), "lock");
+        QTRY_COMPARE(list->count(), 4);
+        QTest::mouseClick(list->viewport(), Qt::LeftButton, {}, list->visualItemRect(list->item(0)).center());
+        QCOMPARE(bench.stroke(1).segments[0].density, 12.0f);
+        bench.select({1, 2});
+        QTRY_VERIFY(!list->isVisible());
+        // A stroke that was painted here begins with that.
+        const StrokeId id = bench.editor.document().takeStrokeId();
+        bench.editor.push(addStrokes(bench.editor.document(), {makeStroke(id, 2, 5)}, true), "paint");
+        QTRY_COMPARE(list->count(), 1);
+        QCOMPARE(list->item(0)->text(), QString("paint"));
     }
 };
 

@@ -57,7 +57,7 @@ void TestCli::wrongUsage_data()
         QTest::newRow(name) << arguments << QString(says);
     };
     row("no command", {}, "Usage");
-    row("unknown command", {"timelapse", in}, "no such command");
+    row("unknown command", {"paint", in}, "no such command");
     row("unknown option", {"render", in, "-o", out, "--colour"}, "colour");
     row("no input", {"render", "-o", out}, "too few");
     row("two inputs", {"render", in, in, "-o", out}, "too many");

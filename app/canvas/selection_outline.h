@@ -1,0 +1,46 @@
+#pragma once
+
+#include "app/canvas/overlay.h"
+
+#include <QImage>
+
+#include <unordered_map>
+
+namespace suffuse {
+
+/// Thin two-tone lines through the selected strokes; selected segments stand out, with dots at their nodes. What was
+/// computed for a stroke in a view is kept. Where there is more to draw than lines could show, they are plain, thinned
+/// out and kept as a picture.
+class SelectionOutline {
+public:
+    void paint(QPainter &painter, const View &view, const Painting &painting, const Selection &selection,
+               const OverlayColours &colours, double dpr);
+    /// Whether the last picture was thinned out.
+    bool isThin() const { return m_thin; }
+
+private:
+    struct Line {
+        StrokePtr stroke;
+        std::set<int> chosen;     ///< segments
+        QPainterPath path;        ///< of the others
+        QPainterPath segments;    ///< of the chosen ones
+        std::vector<Point> nodes; ///< of these, device pixels
+    };
+
+    bool isUnchanged(const View &view, const Painting &painting, const Selection &selection) const;
+    void gather(const View &view, const Painting &painting, const Selection &selection);
+    const Line &lineOf(const StrokePtr &stroke, std::set<int> chosen);
+    void paintFine(QPainter &painter, const OverlayColours &colours, double dpr) const;
+    void drawThin(const QColor &colour, double dpr);
+
+    View m_view;
+    StrokeList m_strokes; ///< of the painting that was shown
+    Selection m_selection;
+    std::vector<std::pair<StrokePtr, std::set<int>>> m_shown; ///< selected strokes in the view, with chosen segments
+    std::unordered_map<StrokeId, Line> m_lines;
+    bool m_thin = false;
+    QColor m_thinColour;
+    QImage m_picture; ///< of thin lines, as large as the view; null: not drawn yet
+};
+
+} // namespace suffuse

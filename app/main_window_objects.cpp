@@ -1,0 +1,129 @@
+// What the Object menu, Select Same and the canvas' aids do.
+#include "app/canvas/canvas_widget.h"
+#include "app/main_window.h"
+#include "app/settings.h"
+#include "app/tools/commands.h"
+
+#include <QInputDialog>
+
+namespace suffuse {
+
+namespace {
+
+struct AlignCommand {
+    Command command;
+    Align how;
+};
+constexpr AlignCommand alignCommands[] = {{Command::AlignLeft, Align::Left},     {Command::AlignCentre, Align::Centre},
+                                          {Command::AlignRight, Align::Right},   {Command::AlignTop, Align::Top},
+                                          {Command::AlignMiddle, Align::Middle}, {Command::AlignBottom, Align::Bottom}};
+
+struct DistributeCommand {
+    Command command;
+    Axis axis;
+    Spacing spacing;
+};
+constexpr DistributeCommand distributeCommands[] = {
+    {Command::DistributeGapsAcross, Axis::Horizontal, Spacing::Gaps},
+    {Command::DistributeGapsDown, Axis::Vertical, Spacing::Gaps},
+    {Command::DistributeCentresAcross, Axis::Horizontal, Spacing::Centres},
+    {Command::DistributeCentresDown, Axis::Vertical, Spacing::Centres}};
+
+} // namespace
+
+void MainWindow::connectObjectActions()
+{
+    const auto on = [this](Command command, auto function) {
+        connect(&action(command), &QAction::triggered, this, function);
+    };
+    on(Command::InvertSelection, [this] { commands::invertSelection(m_editor); });
+    on(Command::SameColour, [this] { commands::selectSameAs(m_editor, Same::Colour); });
+    on(Command::SameStyle, [this] { commands::selectSameAs(m_editor, Same::Style); });
+    on(Command::SameBrush, [this] { commands::selectSameAs(m_editor, Same::Brush); });
+    on(Command::GroupStrokes, [this] { commands::groupSelected(m_editor); });
+    on(Command::UngroupStrokes, [this] { commands::ungroupSelected(m_editor); });
+    on(Command::LockStrokes, [this] { commands::lockSelected(m_editor); });
+    on(Command::UnlockAll, [this] { commands::unlockAllStrokes(m_editor); });
+    on(Command::HideStrokes, [this] { commands::hideSelected(m_editor); });
+    on(Command::ShowAll, [this] { commands::showAllStrokes(m_editor); });
+    on(Command::RenameStrokes, [this] { renameSelected(); });
+    for (const AlignCommand &c : alignCommands)
+        on(c.command, [this, how = c.how] {
+            const AlignTo to = action(Command::AlignToCanvas).isChecked()    ? AlignTo::Canvas
+                               : action(Command::AlignToTopmost).isChecked() ? AlignTo::LastSelected
+                                                                             : AlignTo::Selection;
+            commands::alignSelected(m_editor, how, to);
+        });
+    for (const DistributeCommand &c : distributeCommands)
+        on(c.command, [this, c] { commands::distributeSelected(m_editor, c.axis, c.spacing); });
+    for (const Command command : {Command::AlignToSelection, Command::AlignToTopmost, Command::AlignToCanvas})
+        on(command, [this] { updateObjectActions(); });
+    const auto rule = [this] {
+        return action(Command::ScaleSpread).isChecked() ? SpreadRule::Scales : SpreadRule::Stays;
+    };
+    on(Command::FlipAcross, [this, rule] { commands::flipSelected(m_editor, Axis::Horizontal, rule()); });
+    on(Command::FlipDown, [this, rule] { commands::flipSelected(m_editor, Axis::Vertical, rule()); });
+    on(Command::QuarterLeft, [this, rule] { commands::quarterTurnSelected(m_editor, -1, rule()); });
+    on(Command::QuarterRight, [this, rule] { commands::quarterTurnSelected(m_editor, 1, rule()); });
+    connect(&action(Command::ScaleSpread), &QAction::toggled, this, [](bool on) { settings::setScalesSpread(on); });
+    connectAids();
+}
+
+void MainWindow::connectAids()
+{
+    m_canvas->setAids(settings::canvasAids());
+    const auto change = [this](auto set) {
+        return [this, set](auto value) {
+            CanvasAids aids = m_canvas->aids();
+            set(aids, value);
+            m_canvas->setAids(aids);
+            settings::setCanvasAids(aids);
+        };
+    };
+    connect(&action(Command::SnapToNodes), &QAction::toggled, this,
+            change([](CanvasAids &aids, bool on) { aids.snapToNodes = on; }));
+    connect(&action(Command::SnapToGrid), &QAction::toggled, this,
+            change([](CanvasAids &aids, bool on) { aids.snapToGrid = on; }));
+    connect(&action(Command::ShowGrid), &QAction::toggled, this,
+            change([](CanvasAids &aids, bool on) { aids.showGrid = on; }));
+    connect(&action(Command::GridStep), &QAction::triggered, this, [this, change] {
+        bool ok = false;
+        const double step = QInputDialog::getDouble(this, tr("Grid"), tr("Step in canvas units"),
+                                                    m_canvas->aids().gridStep, 0.001, maxGridStep, 3, &ok);
+        if (ok)
+            change([](CanvasAids &aids, double value) { aids.gridStep = value; })(step);
+    });
+}
+
+void MainWindow::renameSelected()
+{
+    const Document &document = m_editor.document();
+    const std::set<StrokeId> &strokes = document.selection().strokes;
+    if (strokes.empty())
+        return;
+    const StrokePtr first = document.painting()->find(*strokes.begin());
+    bool ok = false;
+    const QString name =
+        QInputDialog::getText(this, tr("Rename"), tr("Name of %n stroke(s)", nullptr, int(strokes.size())),
+                              QLineEdit::Normal, first ? first->name : QString(), &ok);
+    if (ok)
+        commands::renameSelected(m_editor, name);
+}
+
+void MainWindow::updateObjectActions()
+{
+    const bool any = !m_editor.document().selection().isEmpty();
+    const std::size_t count = m_editor.document().selection().strokes.size();
+    for (const Command command :
+         {Command::SameColour, Command::SameStyle, Command::SameBrush, Command::GroupStrokes, Command::UngroupStrokes,
+          Command::LockStrokes, Command::HideStrokes, Command::RenameStrokes, Command::FlipAcross, Command::FlipDown,
+          Command::QuarterLeft, Command::QuarterRight})
+        action(command).setEnabled(any);
+    const bool alone = action(Command::AlignToCanvas).isChecked();
+    for (const AlignCommand &c : alignCommands)
+        action(c.command).setEnabled(count > 1 || (any && alone));
+    for (const DistributeCommand &c : distributeCommands)
+        action(c.command).setEnabled(count > 2);
+}
+
+} // namespace suffuse

@@ -1,0 +1,62 @@
+#pragma once
+
+#include <QWidget>
+
+#include <vector>
+
+namespace suffuse {
+
+/// A curve over [0, 1] with values in [0, 1]: one knot is a constant, two are a ramp, more are a drawn curve; evenly
+/// spread and joined by straight lines.
+struct PlaceCurve {
+    std::vector<double> knots{0.5};
+    double at(double place) const;
+};
+
+/// Edits a PlaceCurve: the line of a constant and the ends of a ramp are dragged, a drawn curve is drawn over. Arrow
+/// keys move the knot that was dragged last.
+class CurveEditor : public QWidget {
+    Q_OBJECT
+
+public:
+    static constexpr int drawnKnots = 97;
+
+    explicit CurveEditor(QWidget *parent = nullptr);
+
+    void setCurve(const PlaceCurve &curve);
+    const PlaceCurve &curve() const { return m_curve; }
+    /// What is there now, as dots: place and value, both in [0, 1].
+    void setPresent(std::vector<QPointF> dots);
+    /// Texts at the lower and upper end of the axis.
+    void setAxis(const QString &low, const QString &high);
+
+    /// Where a place and value of the curve are in the widget.
+    QPointF toWidget(QPointF at) const;
+    QSize sizeHint() const override { return {360, 200}; }
+    QSize minimumSizeHint() const override { return {200, 120}; }
+
+signals:
+    void edited(); ///< by hand
+
+protected:
+    void paintEvent(QPaintEvent *event) override;
+    void mousePressEvent(QMouseEvent *event) override;
+    void mouseMoveEvent(QMouseEvent *event) override;
+    void mouseReleaseEvent(QMouseEvent *event) override;
+    void keyPressEvent(QKeyEvent *event) override;
+
+private:
+    QRectF plot() const;
+    QPointF fromWidget(QPointF at) const;
+    void dragTo(QPointF at);
+    void drawTo(QPointF to);
+
+    PlaceCurve m_curve;
+    std::vector<QPointF> m_present;
+    QString m_low, m_high;
+    std::size_t m_knot = 0; ///< dragged last
+    QPointF m_last;
+    bool m_dragging = false;
+};
+
+} // namespace suffuse

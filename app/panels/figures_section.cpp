@@ -1,0 +1,131 @@
+#include "app/panels/figures_section.h"
+
+#include "app/editor.h"
+#include "app/panels/cross_section_plot.h"
+#include "app/panels/density_function.h"
+#include "app/panels/density_plot.h"
+#include "app/panels/figure_warnings.h"
+#include "app/panels/section.h"
+
+#include <QGridLayout>
+#include <QLocale>
+#include <QVBoxLayout>
+
+#include <algorithm>
+
+namespace suffuse {
+
+namespace {
+
+/// "3.2 – 5.6" or "3.2"
+QString rangeText(double low, double high, const QString &unit)
+{
+    const QLocale locale;
+    const QString from = locale.toString(low, 'g', 3), to = locale.toString(high, 'g', 3);
+    return (from == to ? from : from + QStringLiteral(" – ") + to) + unit;
+}
+
+} // namespace
+
+FiguresSection::FiguresSection(Editor &editor, QWidget *parent) : QWidget(parent), m_editor(editor)
+{
+    auto *column = new QVBoxLayout(this);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->setSpacing(4);
+    m_plot = new DensityPlot(this);
+    m_plot->setAccessibleName(tr("Density function"));
+    m_plot->setToolTip(tr("How density becomes coverage. The mark is the peak density of the selected segments."));
+    column->addWidget(m_plot);
+    m_cut = new CrossSectionPlot(this);
+    m_cut->setAccessibleName(tr("Cross-section"));
+    m_cut->setToolTip(tr("The cut through the stroke at the first selected segment, at the moment shown: coverage, on "
+                         "the colour that it has on the background."));
+    column->addWidget(m_cut);
+    addFigures(*column);
+    m_warnings = new HintLabel(this);
+    m_warnings->setMargin(0);
+    m_warnings->setAccessibleName(tr("Warnings"));
+    column->addWidget(m_warnings);
+    // While paint spreads, the cut does.
+    connect(&editor, &Editor::timeChanged, this, [this] {
+        if (isVisible())
+            refreshCut(inspect(m_editor.document()));
+    });
+}
+
+void FiguresSection::addFigures(QVBoxLayout &column)
+{
+    QGridLayout *grid = addFieldGrid(column);
+    const std::array<QString, 4> names{tr("Spread s"), tr("Peak density"), tr("Half-width"), tr("Fades away")};
+    const std::array<QString, 4> tips{tr("How far the paint has spread once it is dry: √(4·D·t_max)."),
+                                      tr("Density in the middle of a long straight stroke, dry."),
+                                      tr("From the middle to the visible edge of a long straight stroke, dry."),
+                                      tr("When the paint has spread so thin that nothing of it is visible any more.")};
+    for (int i = 0; i < 4; ++i) {
+        auto *name = quietLabel(names[std::size_t(i)], this);
+        name->setWordWrap(false);
+        auto *figure = new QLabel(this);
+        figure->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
+        figure->setTextInteractionFlags(Qt::TextSelectableByMouse);
+        figure->setAccessibleName(names[std::size_t(i)]);
+        name->setToolTip(tips[std::size_t(i)]);
+        figure->setToolTip(tips[std::size_t(i)]);
+        grid->addWidget(name, i, 0);
+        grid->addWidget(figure, i, 1, 1, 2);
+        m_figures[std::size_t(i)] = figure;
+    }
+}
+
+void FiguresSection::refresh(const Inspected &inspected)
+{
+    if (inspected.isEmpty())
+        return;
+    refreshFigures(inspected);
+    refreshCut(inspected);
+    m_warnings->showHint(figureWarnings(inspected).join('\n'));
+}
+
+void FiguresSection::refreshCut(const Inspected &inspected)
+{
+    if (inspected.isEmpty())
+        return;
+    // A whole stroke is cut in its middle, a run of segments at its first.
+    const bool whole = m_editor.document().selection().segments.empty();
+    const Stroke &stroke = *inspected.segments.front().stroke;
+    const int segment = whole ? int(stroke.segments.size()) / 2 : inspected.refs.front().segment;
+    m_cut->show(crossSectionOf(*inspected.painting, stroke, segment, m_editor.time(), CrossSectionPlot::samples));
+}
+
+void FiguresSection::refreshFigures(const Inspected &inspected)
+{
+    DerivedFigures low, high;
+    bool first = true, sameStyle = true, fades = false, stays = false;
+    double fadesFrom = 0, fadesTo = 0;
+    for (const InspectedSegment &s : inspected.segments) {
+        const DerivedFigures f = derivedFigures(*s.segment, s.style());
+        sameStyle = sameStyle && s.style() == inspected.segments.front().style();
+        stays = stays || !f.driesOut;
+        if (f.driesOut) {
+            fadesFrom = fades ? std::min(fadesFrom, *f.driesOut) : *f.driesOut;
+            fadesTo = std::max(fadesTo, *f.driesOut);
+            fades = true;
+        }
+        low = first ? f
+                    : DerivedFigures{std::min(low.spread, f.spread),
+                                     std::min(low.peak, f.peak),
+                                     std::min(low.halfWidth, f.halfWidth),
+                                     {}};
+        high = {
+            std::max(high.spread, f.spread), std::max(high.peak, f.peak), std::max(high.halfWidth, f.halfWidth), {}};
+        first = false;
+    }
+    m_figures[0]->setText(rangeText(low.spread, high.spread, QStringLiteral(" u")));
+    m_figures[1]->setText(rangeText(low.peak, high.peak, QString()));
+    m_figures[2]->setText(rangeText(low.halfWidth, high.halfWidth, QStringLiteral(" u")));
+    m_figures[3]->setText(!fades  ? tr("never")
+                          : stays ? tr("partly, from %1").arg(rangeText(fadesFrom, fadesFrom, QStringLiteral(" s")))
+                                  : tr("after %1").arg(rangeText(fadesFrom, fadesTo, QStringLiteral(" s"))));
+    m_plot->show(inspected.segments.front().style(), low.peak, high.peak, !sameStyle);
+}
+
+} // namespace suffuse

@@ -1,0 +1,46 @@
+#pragma once
+
+#include "app/panels/inspected.h"
+
+#include <QWidget>
+
+#include <array>
+
+class QLabel;
+class QVBoxLayout;
+
+namespace suffuse {
+
+class CrossSectionPlot;
+class DensityPlot;
+class Editor;
+class HintLabel;
+
+/// What the selected segments' values come to: the density function, the cut through the stroke, derived figures, and
+/// warnings where values defeat their purpose.
+class FiguresSection : public QWidget {
+    Q_OBJECT
+
+public:
+    explicit FiguresSection(Editor &editor, QWidget *parent = nullptr);
+
+    void refresh(const Inspected &inspected);
+
+    DensityPlot *densityPlot() const { return m_plot; }
+    CrossSectionPlot *crossSection() const { return m_cut; }
+    HintLabel *warnings() const { return m_warnings; }
+    QLabel *figure(int index) const { return m_figures[std::size_t(index)]; } ///< spread, peak, half-width, fades
+
+private:
+    void addFigures(QVBoxLayout &column);
+    void refreshFigures(const Inspected &inspected);
+    void refreshCut(const Inspected &inspected);
+
+    Editor &m_editor;
+    DensityPlot *m_plot = nullptr;
+    CrossSectionPlot *m_cut = nullptr;
+    HintLabel *m_warnings = nullptr;
+    std::array<QLabel *, 4> m_figures{};
+};
+
+} // namespace suffuse

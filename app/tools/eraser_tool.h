@@ -1,0 +1,37 @@
+#pragma once
+
+#include "app/tools/sized_tool.h"
+#include "model/document.h"
+#include "undo/edit_command.h"
+
+namespace suffuse {
+
+/// Takes away what of the strokes' curves lies under the circle: of the selected strokes, or of all without a
+/// selection.
+class EraserTool : public SizedTool {
+    Q_OBJECT
+
+public:
+    explicit EraserTool(CanvasWidget &canvas, QObject *parent = nullptr);
+
+    QString hint() const override;
+    QWidget *options() override;
+    void press(const PointerEvent &event) override;
+    void move(const PointerEvent &event) override;
+    void release(const PointerEvent &event) override;
+    bool isBusy() const override { return m_run != 0; }
+    void cancel() override;
+
+private:
+    void eraseTo(Point point);
+
+    QPointer<QWidget> m_options;
+    EditRun m_run = 0;
+    Point m_last;
+    bool m_fromSelected = false;
+    PaintingPtr m_before;  ///< at the press
+    Selection m_selection; ///< at the press
+    PaintingPtr m_shown;   ///< what the eraser left behind
+};
+
+} // namespace suffuse

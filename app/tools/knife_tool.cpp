@@ -1,0 +1,127 @@
+#include "app/tools/knife_tool.h"
+
+#include "app/canvas/canvas_widget.h"
+#include "app/editor.h"
+#include "model/erase.h"
+
+#include <QPainter>
+
+#include <numbers>
+
+namespace suffuse {
+
+namespace {
+
+constexpr double angleStep = std::numbers::pi / 12; ///< of the line with Ctrl
+
+} // namespace
+
+QString KnifeTool::hint() const
+{
+    return tr(
+        "Drag a line to insert nodes where it crosses strokes. Shift: cut the strokes apart. Ctrl: steps of 15°.");
+}
+
+void KnifeTool::press(const PointerEvent &event)
+{
+    m_busy = true;
+    m_from = m_to = event.point;
+    m_splits = event.modifiers & Qt::ShiftModifier;
+}
+
+void KnifeTool::aim(const PointerEvent &event)
+{
+    m_splits = event.modifiers & Qt::ShiftModifier;
+    m_to = event.point;
+    if (event.modifiers & Qt::ControlModifier) {
+        const View &view = m_canvas.view();
+        const Point from = view.toPixels(m_from), arm = event.pixel - from;
+        const double angle = angleStep * std::round(std::atan2(arm.y, arm.x) / angleStep);
+        m_to = view.toCanvas(from + length(arm) * Point{std::cos(angle), std::sin(angle)});
+    }
+    m_canvas.updateOverlay();
+}
+
+void KnifeTool::move(const PointerEvent &event)
+{
+    if (m_busy)
+        aim(event);
+}
+
+void KnifeTool::release(const PointerEvent &event)
+{
+    if (!m_busy)
+        return;
+    aim(event);
+    const PlacesOfStrokes places = cuts();
+    m_busy = false;
+    Document &document = m_editor.document();
+    if (m_splits)
+        m_editor.push(splitAt(document, places), tr("Cut strokes"));
+    else
+        m_editor.push(insertNodes(document, places), tr("Insert nodes"));
+}
+
+void KnifeTool::cancel()
+{
+    m_busy = false;
+    m_canvas.updateOverlay();
+}
+
+PlacesOfStrokes KnifeTool::cuts() const
+{
+    PlacesOfStrokes places;
+    Rect line;
+    line.include(m_from);
+    line.include(m_to);
+    const Painting &painting = *m_editor.document().painting();
+    const Selection &selection = m_editor.document().selection();
+    for (const StrokePtr &stroke : painting.strokes) {
+        const bool isMeant = selection.isEmpty() || selection.strokes.contains(stroke->id);
+        if (!isMeant || !painting.isVisible(*stroke) || painting.isLocked(*stroke))
+            continue;
+        const auto isNear = [&](const Segment &s) { return stroke->cubicOf(s).controlBox().intersects(line); };
+        if (std::none_of(stroke->segments.begin(), stroke->segments.end(), isNear))
+            continue;
+        if (std::vector<CurvePlace> found = crossings(*stroke, m_from, m_to); !found.empty())
+            places[stroke->id] = std::move(found);
+    }
+    return places;
+}
+
+void KnifeTool::paint(QPainter &painter, const View &view, double dpr) const
+{
+    if (!m_busy || m_from == m_to)
+        return;
+    const Rect window = Rect::of(0, 0, view.width, view.height).grown(8 * dpr);
+    Point a = view.toPixels(m_from), b = view.toPixels(m_to);
+    const Point way = (1 / std::max(length(b - a), 1e-9)) * (b - a);
+    const QColor accent = m_canvas.overlayColours().accent;
+    if (clipLine(a, b, window)) {
+        QPainterPath line(QPointF(a.x, a.y));
+        line.lineTo(b.x, b.y);
+        strokeTwoTone(painter, line, accent, 1.4 * dpr, m_splits ? Qt::SolidLine : Qt::DashLine);
+    }
+    const double r = 4 * dpr;
+    for (const auto &[id, places] : cuts()) {
+        const StrokePtr stroke = m_editor.document().painting()->find(id);
+        for (const CurvePlace &place : places) {
+            const Point at = view.toPixels(stroke->cubicOf(stroke->segments[std::size_t(place.segment)]).at(place.p));
+            if (!window.contains(at))
+                continue;
+            painter.setPen(QPen(m_splits ? QColor(Qt::white) : accent, 1.2 * dpr));
+            painter.setBrush(m_splits ? accent : QColor(Qt::white));
+            if (m_splits) { // two ends with a gap between them
+                for (const double side : {-1.0, 1.0}) {
+                    const Point end = at + (1.2 * side * r) * Point{-way.y, way.x};
+                    painter.drawEllipse(QPointF(end.x, end.y), 0.65 * r, 0.65 * r);
+                }
+            } else {
+                painter.drawRect(QRectF(at.x - 0.75 * r, at.y - 0.75 * r, 1.5 * r, 1.5 * r));
+            }
+        }
+    }
+    painter.setBrush(Qt::NoBrush);
+}
+
+} // namespace suffuse

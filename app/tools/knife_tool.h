@@ -1,0 +1,33 @@
+#pragma once
+
+#include "app/tools/tool.h"
+#include "undo/node_edits.h"
+
+namespace suffuse {
+
+/// Cuts strokes where a line crosses them: the selected ones, or all without a selection.
+class KnifeTool : public Tool {
+    Q_OBJECT
+
+public:
+    using Tool::Tool;
+
+    QString hint() const override;
+    QCursor cursor() const override { return Qt::CrossCursor; }
+    void press(const PointerEvent &event) override;
+    void move(const PointerEvent &event) override;
+    void release(const PointerEvent &event) override;
+    bool isBusy() const override { return m_busy; }
+    void cancel() override;
+    void paint(QPainter &painter, const View &view, double dpr) const override;
+
+private:
+    void aim(const PointerEvent &event);
+    PlacesOfStrokes cuts() const;
+
+    bool m_busy = false;
+    Point m_from, m_to; ///< canvas units
+    bool m_splits = false;
+};
+
+} // namespace suffuse

@@ -1,0 +1,391 @@
+#include "app/tools/node_tool.h"
+
+#include "app/canvas/canvas_widget.h"
+#include "app/editor.h"
+#include "app/tools/pick.h"
+#include "undo/node_edits.h"
+
+#include <numbers>
+
+namespace suffuse {
+
+namespace {
+
+constexpr double angleStep = std::numbers::pi / 12; ///< of handles with Ctrl
+
+/// A move on screen along one of its axes: the longer part of it.
+Point alongAxis(Point pixels)
+{
+    return std::abs(pixels.x) > std::abs(pixels.y) ? Point{pixels.x, 0} : Point{0, pixels.y};
+}
+
+/// The part of a move that goes along one of a node's handles, whichever it follows more; all of it where there is
+/// none.
+Point alongHandles(const Stroke &stroke, int node, Point by)
+{
+    Point best = by;
+    double longest = -1;
+    for (const bool after : {false, true}) {
+        const std::optional<Point> handle = handlePosition(stroke, node, after);
+        const Point way = handle ? *handle - nodePosition(stroke, node) : Point{};
+        const double l = length(way);
+        if (l == 0)
+            continue;
+        const Point part = (dot(by, way) / (l * l)) * way;
+        if (length(part) > longest) {
+            longest = length(part);
+            best = part;
+        }
+    }
+    return best;
+}
+
+} // namespace
+
+NodeTool::NodeTool(CanvasWidget &canvas, Actions &actions, QObject *parent)
+    : SelectionTool(canvas, parent), m_actions(actions), m_drag(m_editor), m_width(canvas)
+{
+    connect(&m_editor.document(), &Document::changed, this, &NodeTool::followDocument);
+    connect(&canvas, &CanvasWidget::toolChanged, this, [this] {
+        if (!isInUse())
+            m_nodes.clear();
+        m_marks.reset();
+        updateCommands();
+    });
+    connectCommands();
+}
+
+bool NodeTool::isInUse() const
+{
+    return m_canvas.tool() == this;
+}
+
+QString NodeTool::hint() const
+{
+    if (m_hovered.mark.handle)
+        return tr("Drag the handle to bend the curve. Shift: make the node a corner. Ctrl: steps of 15°.");
+    if (m_hovered.mark.node)
+        return tr(
+            "Drag to move the selected nodes. Ctrl: along an axis. Alt: along the handle. Shift+click for more nodes.");
+    if (m_hovered.width)
+        return WidthHandle::hint();
+    if (m_hovered.curve)
+        return tr("Drag to bend the curve. Double click to insert a node. Click to select the segment.");
+    return tr(
+        "Click a segment to select it, Shift+click for a run, Ctrl+click to add or remove one. Drag around nodes.");
+}
+
+QCursor NodeTool::cursor() const
+{
+    if (!m_hovered.mark.isEmpty() || m_hovered.width)
+        return Qt::SizeAllCursor;
+    return m_hovered.curve ? Qt::OpenHandCursor : Qt::PointingHandCursor;
+}
+
+void NodeTool::followDocument(const Change &change)
+{
+    m_marks.reset();
+    if (change.reset || !selection().segments.empty())
+        m_nodes.clear();
+    if (!m_nodes.empty()) {
+        std::map<StrokeId, int> counts; // of the selected strokes that have selected nodes
+        const std::set<StrokeId> wanted = strokesOfNodes();
+        for (const StrokePtr &stroke : m_editor.document().painting()->strokes)
+            if (wanted.contains(stroke->id) && selection().strokes.contains(stroke->id))
+                counts[stroke->id] = nodeCount(*stroke);
+        std::erase_if(m_nodes,
+                      [&](const NodeRef &n) { return !counts.contains(n.stroke) || n.node >= counts[n.stroke]; });
+    }
+    updateCommands();
+}
+
+std::set<StrokeId> NodeTool::strokesOfNodes() const
+{
+    std::set<StrokeId> strokes;
+    for (const NodeRef &node : m_nodes)
+        strokes.insert(node.stroke);
+    return strokes;
+}
+
+void NodeTool::selectNodes(std::set<NodeRef> nodes)
+{
+    m_nodes = std::move(nodes);
+    if (!selection().segments.empty()) // no segments beside nodes; without nodes this is what deselecting them means
+        select(Selection{selection().strokes, {}});
+    m_marks.reset();
+    updateCommands();
+    m_canvas.updateOverlay();
+}
+
+const NodeMarks &NodeTool::marks() const
+{
+    if (!m_marks || m_marks->view() != m_canvas.view())
+        m_marks.emplace(*m_editor.document().painting(), selection().strokes, m_nodes, m_canvas.view(),
+                        m_canvas.devicePixelRatioF());
+    return *m_marks;
+}
+
+std::optional<NodeTool::CurveHit> NodeTool::curveAt(const PointerEvent &event) const
+{
+    std::optional<CurveHit> hit;
+    double nearest = NodeMarks::reach * m_canvas.devicePixelRatioF() / m_canvas.view().scale;
+    if (selection().isEmpty())
+        return hit;
+    const Painting &painting = *m_editor.document().painting();
+    for (const StrokePtr &stroke : painting.strokes) {
+        if (!selection().strokes.contains(stroke->id) || painting.isLocked(*stroke) || !painting.isVisible(*stroke))
+            continue;
+        const auto isNear = [&](const Segment &segment) {
+            return stroke->cubicOf(segment).controlBox().grown(nearest).contains(event.point);
+        };
+        if (std::none_of(stroke->segments.begin(), stroke->segments.end(), isNear))
+            continue;
+        double distance = 0;
+        const CurvePlace place = nearestPlace(*stroke, event.point, &distance);
+        if (distance <= nearest) {
+            nearest = distance;
+            hit = {stroke->id, place};
+        }
+    }
+    return hit;
+}
+
+void NodeTool::setHovered(const Hovered &hovered)
+{
+    if (hovered == m_hovered)
+        return;
+    m_hovered = hovered;
+    m_canvas.updateOverlay();
+    m_canvas.refreshCursor();
+    emit hintChanged();
+}
+
+void NodeTool::hover(const PointerEvent &event)
+{
+    Hovered hovered;
+    hovered.mark = marks().hit(event.pixel);
+    hovered.width = hovered.mark.isEmpty() && m_width.isAt(event.pixel);
+    hovered.curve = hovered.mark.isEmpty() && !hovered.width && curveAt(event);
+    setHovered(hovered);
+}
+
+void NodeTool::leave()
+{
+    setHovered({});
+}
+
+void NodeTool::press(const PointerEvent &event)
+{
+    if (!marks().hit(event.pixel).isEmpty() || !m_width.press(event))
+        SelectionTool::press(event);
+}
+
+void NodeTool::move(const PointerEvent &event)
+{
+    if (m_width.isBusy())
+        m_width.move(event);
+    else
+        SelectionTool::move(event);
+}
+
+void NodeTool::release(const PointerEvent &event)
+{
+    if (m_width.isBusy())
+        m_width.release();
+    else
+        SelectionTool::release(event);
+}
+
+void NodeTool::cancel()
+{
+    if (m_width.isBusy())
+        m_width.cancel();
+    SelectionTool::cancel();
+}
+
+void NodeTool::pressed(const PointerEvent &event)
+{
+    m_inserted = false;
+    m_hit = marks().hit(event.pixel);
+    m_onCurve = m_hit.isEmpty() ? curveAt(event) : std::nullopt;
+    if (event.doubleClick && m_onCurve && !(event.modifiers & (Qt::ShiftModifier | Qt::ControlModifier)))
+        insertNode(*m_onCurve);
+}
+
+void NodeTool::insertNode(const CurveHit &at)
+{
+    const StrokePtr before = m_editor.document().painting()->find(at.stroke);
+    m_editor.push(insertNodes(m_editor.document(), {{at.stroke, {at.place}}}), tr("Insert node"));
+    const StrokePtr after = m_editor.document().painting()->find(at.stroke);
+    if (!before || !after || nodeCount(*after) == nodeCount(*before))
+        return;
+    const NodeRef node{at.stroke, at.place.segment + 1};
+    selectNodes({node});
+    m_inserted = true;
+    m_hit = {node, {}};
+    m_onCurve.reset();
+}
+
+void NodeTool::clicked(const PointerEvent &event)
+{
+    if (m_inserted)
+        return;
+    const bool add = event.modifiers & Qt::ShiftModifier;
+    const bool goesOnWithSegments = add && !selection().segments.empty();
+    const bool nodesCount = !goesOnWithSegments && !(event.modifiers & Qt::ControlModifier);
+    if (m_hit.node && nodesCount) {
+        std::set<NodeRef> nodes = add ? m_nodes : std::set<NodeRef>();
+        if (!add || !nodes.erase(*m_hit.node))
+            nodes.insert(*m_hit.node);
+        selectNodes(std::move(nodes));
+    } else if (!(m_hit.handle && nodesCount)) {
+        clickedSegment(event);
+    }
+}
+
+void NodeTool::clickedSegment(const PointerEvent &event)
+{
+    if (event.modifiers & Qt::ShiftModifier && selectRun(event))
+        return;
+    std::optional<SegmentRef> hit = m_onCurve ? m_onCurve->segment() : pick(event);
+    if (!hit) {
+        if (!(event.modifiers & (Qt::ShiftModifier | Qt::ControlModifier))) {
+            if (m_nodes.empty())
+                select({});
+            selectNodes({});
+        }
+        return;
+    }
+    if (event.modifiers & Qt::ControlModifier) {
+        Selection chosen = selection();
+        if (!chosen.segments.erase(*hit))
+            chosen.segments.insert(*hit);
+        chosen.strokes.insert(hit->stroke);
+        select(std::move(chosen));
+    } else {
+        selectSegment(*hit);
+    }
+}
+
+void NodeTool::banded(const Rect &band, const PointerEvent &event)
+{
+    const bool add = event.modifiers & Qt::ShiftModifier;
+    const Painting &painting = *m_editor.document().painting();
+    std::set<NodeRef> nodes;
+    for (const StrokePtr &stroke : painting.strokes)
+        if (selection().strokes.contains(stroke->id) && painting.isVisible(*stroke) && !painting.isLocked(*stroke))
+            for (int k = 0; k < nodeCount(*stroke); ++k)
+                if (band.contains(m_canvas.view().toPixels(nodePosition(*stroke, k))))
+                    nodes.insert({stroke->id, k});
+    if (!nodes.empty()) {
+        if (add)
+            nodes.insert(m_nodes.begin(), m_nodes.end());
+        selectNodes(std::move(nodes));
+        return;
+    }
+    Selection chosen;
+    if (add)
+        chosen = selection();
+    for (const SegmentRef &segment : segmentsWithin(painting, m_canvas.view(), band)) {
+        chosen.segments.insert(segment);
+        chosen.strokes.insert(segment.stroke);
+    }
+    selectNodes({});
+    select(std::move(chosen));
+}
+
+bool NodeTool::beginDrag(const PointerEvent &event)
+{
+    if (m_hit.node) {
+        if (!m_nodes.contains(*m_hit.node)) {
+            std::set<NodeRef> nodes = event.modifiers & Qt::ShiftModifier ? m_nodes : std::set<NodeRef>();
+            nodes.insert(*m_hit.node);
+            selectNodes(std::move(nodes));
+        }
+        m_drag.begin(strokesOfNodes(), m_nodes.size() > 1 ? tr("Move nodes") : tr("Move node"));
+        m_snapping = Snapping(*m_editor.document().painting(), m_canvas.aids(), [this](const Stroke &stroke, int node) {
+            return m_nodes.contains({stroke.id, node});
+        });
+    } else if (m_hit.handle) {
+        m_drag.begin({m_hit.handle->node.stroke}, tr("Move handle"));
+    } else if (m_onCurve) {
+        m_drag.begin({m_onCurve->stroke}, tr("Bend curve"));
+    }
+    return m_drag.isActive();
+}
+
+void NodeTool::drag(const PointerEvent &event)
+{
+    if (m_hit.node)
+        dragNodes(event);
+    else if (m_hit.handle)
+        dragHandle(event);
+    else if (m_onCurve)
+        m_drag.show([&](const Stroke &stroke) {
+            return withCurveDragged(stroke, m_onCurve->place.segment, m_onCurve->place.p, event.point - start().point);
+        });
+}
+
+void NodeTool::dragNodes(const PointerEvent &event)
+{
+    const Stroke *grabbed = m_drag.before(m_hit.node->stroke);
+    if (!grabbed)
+        return;
+    const View &view = m_canvas.view();
+    Point by = event.point - start().point;
+    m_snap = {};
+    if (event.modifiers & Qt::ControlModifier) {
+        by = view.toCanvas(start().pixel + alongAxis(event.pixel - start().pixel)) - start().point;
+    } else if (event.modifiers & Qt::AltModifier) {
+        by = alongHandles(*grabbed, m_hit.node->node, by);
+    } else {
+        const Point node = nodePosition(*grabbed, m_hit.node->node);
+        m_snap = m_snapping.snap(node + by, view, m_canvas.devicePixelRatioF());
+        if (m_snap.to != SnapTo::Nothing)
+            by = m_snap.point - node;
+    }
+    std::map<StrokeId, std::vector<int>> nodes;
+    for (const NodeRef &node : m_nodes)
+        nodes[node.stroke].push_back(node.node);
+    m_drag.show([&](const Stroke &stroke) { return withNodeMoved(stroke, nodes[stroke.id], by); });
+}
+
+void NodeTool::dragHandle(const PointerEvent &event)
+{
+    const auto [node, after] = *m_hit.handle;
+    const Stroke *grabbed = m_drag.before(node.stroke);
+    if (!grabbed)
+        return;
+    const View &view = m_canvas.view();
+    Point to = *handlePosition(*grabbed, node.node, after) + (event.point - start().point);
+    if (event.modifiers & Qt::ControlModifier) {
+        const Point centre = view.toPixels(nodePosition(*grabbed, node.node));
+        const Point arm = view.toPixels(to) - centre;
+        const double angle = angleStep * std::round(std::atan2(arm.y, arm.x) / angleStep);
+        to = view.toCanvas(centre + length(arm) * Point{std::cos(angle), std::sin(angle)});
+    }
+    const bool breaks = event.modifiers & Qt::ShiftModifier;
+    m_drag.show([&](const Stroke &stroke) {
+        return withHandleMoved(breaks ? withNodeKind(stroke, {node.node}, NodeKind::Corner) : stroke, node.node, after,
+                               to);
+    });
+}
+
+void NodeTool::endDrag(bool cancelled)
+{
+    if (cancelled)
+        m_drag.giveUp();
+    m_drag.end();
+    m_snap = {};
+}
+
+void NodeTool::paint(QPainter &painter, const View &view, double dpr) const
+{
+    m_width.paint(painter, view, dpr);
+    marks().paint(painter, m_canvas.overlayColours(), m_hovered.mark);
+    if (m_snap.to != SnapTo::Nothing)
+        paintSnapMark(painter, view.toPixels(m_snap.point), m_canvas.overlayColours(), dpr);
+    SelectionTool::paint(painter, view, dpr);
+}
+
+} // namespace suffuse

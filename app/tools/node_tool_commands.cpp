@@ -1,0 +1,274 @@
+// What keys, menu and the tool's row do to nodes.
+#include "app/actions.h"
+#include "app/canvas/canvas_widget.h"
+#include "app/editor.h"
+#include "app/tools/node_tool.h"
+#include "undo/node_edits.h"
+
+#include <QHBoxLayout>
+#include <QKeyEvent>
+#include <QToolButton>
+
+namespace suffuse {
+
+namespace {
+
+/// In the order of the tool's row; 0 parts groups.
+constexpr std::optional<Command> rowOfCommands[] = {Command::InsertNodes,
+                                                    {},
+                                                    Command::NodeCorner,
+                                                    Command::NodeSmooth,
+                                                    Command::NodeSymmetric,
+                                                    {},
+                                                    Command::BreakNodes,
+                                                    Command::JoinNodes,
+                                                    {},
+                                                    Command::DeleteSegments,
+                                                    Command::BridgeSegments,
+                                                    {},
+                                                    Command::ReverseStrokes};
+
+bool isEnd(const Painting &painting, const NodeRef &node)
+{
+    const StrokePtr stroke = painting.find(node.stroke);
+    return stroke && (node.node == 0 || node.node == nodeCount(*stroke) - 1);
+}
+
+} // namespace
+
+void NodeTool::connectCommands()
+{
+    const auto on = [this](Command command, auto function) {
+        connect(&m_actions[command], &QAction::triggered, this, [this, function] {
+            if (!isBusy())
+                function();
+        });
+    };
+    on(Command::NodeSmooth, [this] { setKind(NodeKind::Smooth); });
+    on(Command::NodeSymmetric, [this] { setKind(NodeKind::Symmetric); });
+    on(Command::NodeCorner, [this] { setKind(NodeKind::Corner); });
+    on(Command::InsertNodes, [this] { insertBetween(); });
+    on(Command::BreakNodes, [this] { breakAtNodes(); });
+    on(Command::JoinNodes, [this] { joinNodes(); });
+    on(Command::DeleteSegments, [this] { deleteSegments(); });
+    on(Command::BridgeSegments, [this] { bridge(); });
+    on(Command::ReverseStrokes, [this] { reverse(); });
+    updateCommands();
+}
+
+void NodeTool::updateCommands()
+{
+    const Painting &painting = *m_editor.document().painting();
+    const bool any = !m_nodes.empty();
+    const bool segments = !chosenSegments().empty();
+    for (const Command command :
+         {Command::NodeSmooth, Command::NodeSymmetric, Command::NodeCorner, Command::BreakNodes})
+        m_actions[command].setEnabled(any);
+    for (const Command command : {Command::InsertNodes, Command::DeleteSegments, Command::BridgeSegments})
+        m_actions[command].setEnabled(segments);
+    m_actions[Command::JoinNodes].setEnabled(m_nodes.size() == 2 && isEnd(painting, *m_nodes.begin()) &&
+                                             isEnd(painting, *m_nodes.rbegin()));
+    m_actions[Command::ReverseStrokes].setEnabled(!selection().isEmpty());
+}
+
+QWidget *NodeTool::options()
+{
+    if (m_options)
+        return m_options;
+    m_options = new QWidget;
+    auto *row = new QHBoxLayout(m_options);
+    row->setContentsMargins(4, 0, 4, 0);
+    row->setSpacing(2);
+    for (const std::optional<Command> &command : rowOfCommands) {
+        if (!command) {
+            row->addSpacing(10);
+            continue;
+        }
+        auto *button = new QToolButton(m_options);
+        button->setDefaultAction(&m_actions[*command]);
+        button->setIconSize(QSize(20, 20));
+        button->setAutoRaise(true);
+        row->addWidget(button);
+    }
+    row->addStretch();
+    return m_options;
+}
+
+std::set<SegmentRef> NodeTool::chosenSegments() const
+{
+    std::set<SegmentRef> chosen = selection().segments;
+    for (const NodeRef &node : m_nodes)
+        if (m_nodes.contains({node.stroke, node.node + 1}))
+            chosen.insert({node.stroke, node.node});
+    return chosen;
+}
+
+void NodeTool::setKind(NodeKind kind)
+{
+    const QString names[] = {tr("Smooth nodes"), tr("Symmetric nodes"), tr("Corner nodes")};
+    m_editor.push(setNodeKind(m_editor.document(), m_nodes, kind), names[int(kind)]);
+}
+
+void NodeTool::insertBetween()
+{
+    PlacesOfStrokes places;
+    for (const SegmentRef &segment : chosenSegments())
+        places[segment.stroke].push_back({segment.segment, 0.5});
+    // The nodes that there were, and the new ones between them.
+    std::set<NodeRef> nodes;
+    for (const auto &[id, inStroke] : places) {
+        const StrokePtr stroke = m_editor.document().painting()->find(id);
+        std::vector<int> sources;
+        if (!stroke)
+            continue;
+        const Stroke split = withNodes(*stroke, inStroke, &sources);
+        for (int k = 0; k < nodeCount(split); ++k) {
+            const bool isNew = k > 0 && k < int(sources.size()) && sources[k] == sources[k - 1];
+            const int old = k < int(sources.size()) ? sources[k] : nodeCount(*stroke) - 1;
+            if (isNew || m_nodes.contains({id, old}))
+                nodes.insert({id, k});
+        }
+    }
+    m_editor.push(insertNodes(m_editor.document(), places), tr("Insert nodes"));
+    selectNodes(std::move(nodes));
+}
+
+void NodeTool::breakAtNodes()
+{
+    const Edit edit = splitAtNodes(m_editor.document(), m_nodes);
+    if (edit.isEmpty())
+        return;
+    selectNodes({});
+    m_editor.push(edit, tr("Break stroke"));
+}
+
+void NodeTool::joinNodes()
+{
+    const NodeRef a = *m_nodes.begin(), b = *m_nodes.rbegin();
+    const Edit edit = suffuse::joinNodes(m_editor.document(), a, b);
+    if (edit.isEmpty())
+        return;
+    selectNodes({});
+    m_editor.push(edit, tr("Join nodes"));
+}
+
+void NodeTool::reverse()
+{
+    std::set<NodeRef> nodes;
+    for (const NodeRef &node : m_nodes)
+        if (const StrokePtr stroke = m_editor.document().painting()->find(node.stroke))
+            nodes.insert({node.stroke, nodeCount(*stroke) - 1 - node.node});
+    m_editor.push(reverseSelection(m_editor.document()), tr("Reverse strokes"));
+    if (!m_nodes.empty())
+        selectNodes(std::move(nodes));
+}
+
+bool NodeTool::deleteSelected()
+{
+    if (m_nodes.empty())
+        return false;
+    const Edit edit = deleteNodes(m_editor.document(), m_nodes);
+    selectNodes({});
+    m_editor.push(edit, tr("Delete nodes"));
+    return true;
+}
+
+void NodeTool::deleteSegments()
+{
+    const std::set<SegmentRef> segments = chosenSegments();
+    std::set<StrokeId> strokes; // others that are selected must stay
+    for (const SegmentRef &segment : segments)
+        strokes.insert(segment.stroke);
+    select(Selection{strokes, segments});
+    m_editor.push(deleteSelection(m_editor.document()), tr("Delete segments"));
+}
+
+void NodeTool::bridge()
+{
+    const Edit edit = bridgeSegments(m_editor.document(), chosenSegments());
+    selectNodes({});
+    m_editor.push(edit, tr("Bridge segments"));
+}
+
+bool NodeTool::selectAll()
+{
+    std::set<NodeRef> nodes;
+    const Painting &painting = *m_editor.document().painting();
+    for (const StrokePtr &stroke : painting.strokes)
+        if (selection().strokes.contains(stroke->id) && painting.isVisible(*stroke) && !painting.isLocked(*stroke))
+            for (int k = 0; k < nodeCount(*stroke); ++k)
+                nodes.insert(nodes.end(), NodeRef{stroke->id, k});
+    if (nodes.empty())
+        return false;
+    selectNodes(std::move(nodes));
+    return true;
+}
+
+bool NodeTool::wantsKey(const QKeyEvent &event) const
+{
+    const bool tab = event.key() == Qt::Key_Tab || event.key() == Qt::Key_Backtab;
+    return tab && !(event.modifiers() & (Qt::ControlModifier | Qt::AltModifier)) && !selection().isEmpty();
+}
+
+bool NodeTool::keyPress(QKeyEvent *event)
+{
+    if (isBusy())
+        return SelectionTool::keyPress(event);
+    if (wantsKey(*event)) {
+        selectNext(event->key() == Qt::Key_Backtab || event->modifiers() & Qt::ShiftModifier ? -1 : 1);
+        return true;
+    }
+    if (!m_nodes.empty() && event->key() == Qt::Key_Escape) {
+        selectNodes({});
+        return true;
+    }
+    return nudge(event) || SelectionTool::keyPress(event);
+}
+
+bool NodeTool::nudge(QKeyEvent *event)
+{
+    const int key = event->key();
+    const Point direction{double((key == Qt::Key_Right) - (key == Qt::Key_Left)),
+                          double((key == Qt::Key_Down) - (key == Qt::Key_Up))};
+    if (m_nodes.empty() || direction == Point{})
+        return false;
+    if (!event->isAutoRepeat() || m_nudgeRun == 0)
+        m_nudgeRun = beginEditRun(); // a key held down is one step
+    const View &view = m_canvas.view();
+    const Point centre{0.5 * view.width, 0.5 * view.height};
+    double step = event->modifiers() & Qt::AltModifier ? 1 : view.scale;
+    if (event->modifiers() & Qt::ShiftModifier)
+        step *= 10;
+    const Point by = step * (view.toCanvas(centre + direction) - view.toCanvas(centre));
+    m_editor.push(moveNodes(m_editor.document(), m_nodes, by), m_nodes.size() > 1 ? tr("Move nodes") : tr("Move node"),
+                  m_nudgeRun);
+    return true;
+}
+
+void NodeTool::selectNext(int step)
+{
+    const Painting &painting = *m_editor.document().painting();
+    std::vector<const Stroke *> strokes;
+    for (const StrokePtr &stroke : painting.strokes)
+        if (selection().strokes.contains(stroke->id) && painting.isVisible(*stroke) && !painting.isLocked(*stroke))
+            strokes.push_back(stroke.get());
+    if (strokes.empty())
+        return;
+    const NodeRef from = m_nodes.empty() ? NodeRef{} : step > 0 ? *m_nodes.rbegin() : *m_nodes.begin();
+    std::size_t at = 0;
+    while (at < strokes.size() && strokes[at]->id != from.stroke)
+        ++at;
+    if (at == strokes.size()) {
+        const Stroke &first = step > 0 ? *strokes.front() : *strokes.back();
+        selectNodes({{first.id, step > 0 ? 0 : nodeCount(first) - 1}});
+        return;
+    }
+    int node = from.node + step;
+    if (node < 0 || node >= nodeCount(*strokes[at])) {
+        at = (at + strokes.size() + std::size_t(step)) % strokes.size();
+        node = step > 0 ? 0 : nodeCount(*strokes[at]) - 1;
+    }
+    selectNodes({{strokes[at]->id, node}});
+}
+
+} // namespace suffuse

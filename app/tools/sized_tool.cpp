@@ -1,0 +1,100 @@
+#include "app/tools/sized_tool.h"
+
+#include "app/canvas/canvas_widget.h"
+#include "app/editor.h"
+#include "app/panels/number_field.h"
+#include "app/settings.h"
+#include "app/tools/tool_fields.h"
+
+#include <QHBoxLayout>
+#include <QKeyEvent>
+#include <QPainter>
+
+namespace suffuse {
+
+namespace {
+
+constexpr double sizeStep = 1.189207115002721; ///< of [ and ]: four double it
+constexpr double edge = 4;                     ///< pixels that the ring's pen takes
+
+} // namespace
+
+SizedTool::SizedTool(const QString &name, double radius, CanvasWidget &canvas, QObject *parent)
+    : Tool(canvas, parent), m_name(QStringLiteral("tools/%1Radius").arg(name)), m_radius(radius)
+{
+    const double stored = settings::store().value(m_name, radius).toDouble();
+    if (stored >= leastRadius && stored <= greatestRadius)
+        m_radius = stored;
+    connect(&m_editor.document(), &Document::changed, this, [this](const Change &change) {
+        if (change.selection) // what such a tool works on
+            emit hintChanged();
+    });
+}
+
+void SizedTool::setRadius(double radius)
+{
+    radius = std::clamp(radius, leastRadius, greatestRadius);
+    if (radius == m_radius)
+        return;
+    repaintCircle();
+    m_radius = radius;
+    repaintCircle();
+    settings::store().setValue(m_name, radius);
+    if (m_field)
+        m_field->setValue(2 * m_radius);
+}
+
+void SizedTool::addSizeField(QHBoxLayout &row)
+{
+    m_field = addNumber(row, tr("Size"), tr("Diameter of the circle in canvas units ([ and ] change it)"),
+                        [this](double size) { setRadius(0.5 * size); });
+    m_field->setRange(2 * leastRadius, 2 * greatestRadius);
+    m_field->setUnit(QStringLiteral(" u"));
+    m_field->setValue(2 * m_radius);
+}
+
+bool SizedTool::keyPress(QKeyEvent *event)
+{
+    if (event->key() != Qt::Key_BracketLeft && event->key() != Qt::Key_BracketRight)
+        return false;
+    if (event->modifiers() & (Qt::ControlModifier | Qt::AltModifier))
+        return false;
+    setRadius(event->key() == Qt::Key_BracketLeft ? m_radius / sizeStep : m_radius * sizeStep);
+    return true;
+}
+
+void SizedTool::hover(const PointerEvent &event)
+{
+    showCircleAt(event.pixel);
+}
+
+void SizedTool::leave()
+{
+    repaintCircle();
+    m_shown = false;
+}
+
+void SizedTool::showCircleAt(Point pixel)
+{
+    repaintCircle();
+    m_pixel = pixel;
+    m_shown = true;
+    repaintCircle();
+}
+
+void SizedTool::repaintCircle()
+{
+    if (!m_shown)
+        return;
+    const double r = m_radius * m_canvas.view().scale + edge * m_canvas.devicePixelRatioF();
+    m_canvas.updateOverlay(QRectF(m_pixel.x - r, m_pixel.y - r, 2 * r, 2 * r));
+}
+
+void SizedTool::paint(QPainter &painter, const View &view, double dpr) const
+{
+    const double r = m_radius * view.scale;
+    if (m_shown && r > 2 * dpr && r < 2.0 * (view.width + view.height)) // else a point, or all around the window
+        paintRing(painter, m_pixel.x, m_pixel.y, r, dpr);
+}
+
+} // namespace suffuse

@@ -1,0 +1,48 @@
+#pragma once
+
+#include "app/tools/tool.h"
+
+#include <QPointer>
+
+class QHBoxLayout;
+
+namespace suffuse {
+
+class NumberField;
+
+/// A tool that works within a circle around the pointer, which is shown; [ and ] change its size.
+class SizedTool : public Tool {
+    Q_OBJECT
+
+public:
+    static constexpr double leastRadius = 1e-7;
+    static constexpr double greatestRadius = 1e5;
+
+    /// The radius is remembered in the settings under `name`.
+    SizedTool(const QString &name, double radius, CanvasWidget &canvas, QObject *parent);
+
+    QCursor cursor() const override { return Qt::CrossCursor; }
+    void hover(const PointerEvent &event) override;
+    void leave() override;
+    bool keyPress(QKeyEvent *event) override;
+    void paint(QPainter &painter, const View &view, double dpr) const override;
+
+    double radius() const { return m_radius; } ///< canvas units
+    void setRadius(double radius);
+
+protected:
+    /// Makes the field of the tool's row that shows the radius as a diameter.
+    void addSizeField(QHBoxLayout &row);
+    void showCircleAt(Point pixel);
+
+private:
+    void repaintCircle();
+
+    QString m_name;
+    double m_radius;
+    QPointer<NumberField> m_field;
+    bool m_shown = false;
+    Point m_pixel; ///< where the circle is
+};
+
+} // namespace suffuse

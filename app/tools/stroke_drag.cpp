@@ -1,0 +1,58 @@
+#include "app/tools/stroke_drag.h"
+
+#include "app/editor.h"
+#include "undo/node_edits.h"
+
+namespace suffuse {
+
+void StrokeDrag::begin(const std::set<StrokeId> &strokes, const QString &name)
+{
+    m_strokes.clear();
+    m_name = name;
+    m_run = beginEditRun();
+    add(strokes);
+}
+
+void StrokeDrag::add(const std::set<StrokeId> &strokes)
+{
+    const Painting &painting = *m_editor.document().painting();
+    for (const StrokePtr &stroke : painting.strokes)
+        if (strokes.contains(stroke->id) && painting.isVisible(*stroke) && !painting.isLocked(*stroke))
+            m_strokes.try_emplace(stroke->id, Dragged{stroke, stroke});
+}
+
+void StrokeDrag::show(const std::function<Stroke(const Stroke &)> &change)
+{
+    Document &document = m_editor.document();
+    std::map<StrokeId, Dragged> kept;
+    std::vector<Stroke> changed;
+    for (const StrokePtr &stroke : document.painting()->strokes)
+        if (const auto it = m_strokes.find(stroke->id); it != m_strokes.end() && it->second.shown == stroke) {
+            kept.insert(*it);
+            changed.push_back(change(*it->second.before));
+        }
+    m_strokes = std::move(kept);
+    m_editor.push(replaceStrokes(document, changed), m_name, m_run);
+    for (const StrokePtr &stroke : document.painting()->strokes)
+        if (const auto it = m_strokes.find(stroke->id); it != m_strokes.end())
+            it->second.shown = stroke;
+}
+
+void StrokeDrag::giveUp()
+{
+    show([](const Stroke &stroke) { return stroke; });
+    end();
+}
+
+void StrokeDrag::end()
+{
+    m_strokes.clear();
+}
+
+const Stroke *StrokeDrag::before(StrokeId stroke) const
+{
+    const auto it = m_strokes.find(stroke);
+    return it == m_strokes.end() ? nullptr : it->second.before.get();
+}
+
+} // namespace suffuse

@@ -1,0 +1,45 @@
+#include "app/tools/tool_fields.h"
+
+#include "app/panels/number_field.h"
+
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QPainter>
+
+namespace suffuse {
+
+QHBoxLayout *toolRow(QWidget *row)
+{
+    auto *layout = new QHBoxLayout(row);
+    layout->setContentsMargins(6, 0, 6, 0);
+    layout->setSpacing(6);
+    return layout;
+}
+
+NumberField *addNumber(QHBoxLayout &row, const QString &name, const QString &toolTip,
+                       const std::function<void(double)> &take)
+{
+    auto *label = new QLabel(name, row.parentWidget());
+    auto *field = new NumberField(row.parentWidget());
+    label->setBuddy(field);
+    label->setToolTip(toolTip);
+    field->setToolTip(toolTip);
+    field->setAccessibleName(name);
+    row.addWidget(label);
+    row.addWidget(field);
+    row.addSpacing(10);
+    QObject::connect(field, &NumberField::entered, field, take);
+    QObject::connect(field, &NumberField::stepped, field, take);
+    return field;
+}
+
+void paintRing(QPainter &painter, double x, double y, double radius, double dpr)
+{
+    painter.setBrush(Qt::NoBrush);
+    painter.setPen(QPen(QColor(255, 255, 255, 200), 2.2 * dpr));
+    painter.drawEllipse(QPointF(x, y), radius, radius);
+    painter.setPen(QPen(QColor(20, 20, 24, 200), dpr));
+    painter.drawEllipse(QPointF(x, y), radius, radius);
+}
+
+} // namespace suffuse

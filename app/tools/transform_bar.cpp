@@ -1,0 +1,176 @@
+#include "app/tools/transform_bar.h"
+
+#include "app/actions.h"
+#include "app/editor.h"
+#include "app/icons.h"
+#include "app/panels/number_field.h"
+#include "undo/transform_edits.h"
+
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QToolButton>
+#include <QToolTip>
+
+#include <numbers>
+
+namespace suffuse {
+
+namespace {
+
+constexpr double farthest = 1e9; ///< canvas units
+constexpr double smallest = 1e-6;
+
+} // namespace
+
+TransformBar::TransformBar(Editor &editor, Actions &actions, QWidget *parent)
+    : QWidget(parent), m_editor(editor), m_actions(actions)
+{
+    auto *row = new QHBoxLayout(this);
+    row->setContentsMargins(4, 2, 4, 2);
+    row->setSpacing(4);
+    addNumbers(*row);
+    row->addSpacing(8);
+    addButtons(*row, actions);
+    row->addStretch(1);
+    connect(&editor.document(), &Document::changed, this, &TransformBar::follow);
+}
+
+void TransformBar::addNumbers(QHBoxLayout &row)
+{
+    //: left edge of the selection
+    addField(row, Number::X, tr("X"), tr("Left edge of the selected strokes' curves, canvas units"));
+    addField(row, Number::Y, tr("Y"), tr("Upper edge of the selected strokes' curves, canvas units"));
+    //: width
+    addField(row, Number::Width, tr("W"), tr("Width of the selected strokes' curves, canvas units"));
+    m_proportions = new QToolButton(this);
+    m_proportions->setIcon(icon("proportions"));
+    m_proportions->setCheckable(true);
+    m_proportions->setAutoRaise(true);
+    m_proportions->setObjectName("proportions");
+    m_proportions->setToolTip(tr("Keep the proportions of width and height"));
+    m_proportions->setAccessibleName(tr("Keep the proportions"));
+    row.addWidget(m_proportions);
+    //: height
+    addField(row, Number::Height, tr("H"), tr("Height of the selected strokes' curves, canvas units"));
+    NumberField *angle = addField(row, Number::Angle, tr("∠"), tr("Rotate the selected strokes by this angle"));
+    angle->setUnit(QStringLiteral("°"));
+    angle->setRange(-3600, 3600);
+}
+
+NumberField *TransformBar::addField(QHBoxLayout &row, Number number, const QString &label, const QString &tip)
+{
+    auto *name = new QLabel(label, this);
+    name->setToolTip(tip);
+    auto *field = new NumberField(this);
+    field->setToolTip(tip);
+    field->setAccessibleName(tip);
+    field->setFixedWidth(fontMetrics().horizontalAdvance(QStringLiteral("00000.000")) + 12);
+    const bool size = number == Number::Width || number == Number::Height;
+    field->setRange(size ? smallest : -farthest, farthest);
+    field->setStep(1);
+    row.addSpacing(4);
+    row.addWidget(name);
+    row.addWidget(field);
+    connect(field, &NumberField::entered, this, [this, number](double value) { enter(number, value, 0); });
+    connect(field, &NumberField::stepped, this,
+            [this, number](double value) { enter(number, value, stepRun(number)); });
+    connect(field, &NumberField::refused, this, [field](const QString &hint) {
+        QToolTip::showText(field->mapToGlobal(QPoint(0, field->height())), hint, field); // empty: away
+    });
+    m_fields[std::size_t(number)] = field;
+    return field;
+}
+
+void TransformBar::addButtons(QHBoxLayout &row, Actions &actions)
+{
+    const auto add = [&](Command command) {
+        auto *button = new QToolButton(this);
+        button->setDefaultAction(&actions[command]);
+        button->setAutoRaise(true);
+        button->setIconSize(QSize(20, 20));
+        row.addWidget(button);
+    };
+    using enum Command;
+    for (const Command command : {QuarterLeft, QuarterRight, FlipAcross, FlipDown, ScaleSpread})
+        add(command);
+    row.addSpacing(12);
+    for (const Command command : {Lasso, TouchPath})
+        add(command);
+}
+
+void TransformBar::showEvent(QShowEvent *event)
+{
+    refresh();
+    QWidget::showEvent(event);
+}
+
+void TransformBar::follow()
+{
+    m_stale = true;
+    if (isVisible()) // once for all that happens before the event loop comes round
+        QMetaObject::invokeMethod(this, &TransformBar::refresh, Qt::QueuedConnection);
+}
+
+void TransformBar::refresh()
+{
+    if (!std::exchange(m_stale, false))
+        return;
+    m_box = selectionBox(*m_editor.document().painting(), m_editor.document().selection());
+    const bool any = !m_box.isEmpty();
+    const double values[] = {m_box.left, m_box.top, m_box.width(), m_box.height(), 0};
+    for (std::size_t i = 0; i < m_fields.size(); ++i) {
+        const bool flat = (i == std::size_t(Number::Width) || i == std::size_t(Number::Height)) && !(values[i] > 0);
+        m_fields[i]->setEnabled(any && !flat);
+        m_fields[i]->setValue(any ? std::optional(values[i]) : std::nullopt);
+    }
+}
+
+EditRun TransformBar::stepRun(Number number)
+{
+    const bool goesOn = m_stepRun != 0 && m_stepped == number && m_stackIndex == m_editor.undoStack().index();
+    if (!goesOn)
+        m_stepRun = beginEditRun();
+    m_stepped = number;
+    return m_stepRun;
+}
+
+Affine TransformBar::mapFor(Number number, double value) const
+{
+    const bool keeps = m_proportions->isChecked();
+    const Point corner{m_box.left, m_box.top};
+    switch (number) {
+    case Number::X:
+        return Affine::translation({value - m_box.left, 0});
+    case Number::Y:
+        return Affine::translation({0, value - m_box.top});
+    case Number::Width: {
+        const double k = value / m_box.width();
+        return Affine::scaling(corner, k, keeps ? k : 1);
+    }
+    case Number::Height: {
+        const double k = value / m_box.height();
+        return Affine::scaling(corner, keeps ? k : 1, k);
+    }
+    case Number::Angle:
+        break;
+    }
+    return Affine::rotation(m_box.centre(), value * std::numbers::pi / 180);
+}
+
+void TransformBar::enter(Number number, double value, EditRun run)
+{
+    m_stale = true;
+    refresh(); // the box of this moment
+    if (m_box.isEmpty())
+        return;
+    const QString name = number == Number::Angle                      ? tr("Rotate")
+                         : number == Number::X || number == Number::Y ? tr("Move")
+                                                                      : tr("Scale");
+    const SpreadRule rule = m_actions[Command::ScaleSpread].isChecked() ? SpreadRule::Scales : SpreadRule::Stays;
+    m_editor.push(transformSelection(m_editor.document(), mapFor(number, value), rule), name, run);
+    m_stackIndex = m_editor.undoStack().index();
+    m_stale = true;
+    refresh();
+}
+
+} // namespace suffuse

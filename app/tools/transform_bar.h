@@ -1,0 +1,52 @@
+#pragma once
+
+#include "model/transform.h"
+#include "undo/edit_command.h"
+
+#include <QWidget>
+
+class QHBoxLayout;
+class QToolButton;
+
+namespace suffuse {
+
+class Actions;
+class Editor;
+class NumberField;
+
+/// The Select tool's row over the canvas: place and size of the selection as numbers, turning, and the commands that go
+/// with it.
+class TransformBar : public QWidget {
+    Q_OBJECT
+
+public:
+    TransformBar(Editor &editor, Actions &actions, QWidget *parent = nullptr);
+
+protected:
+    void showEvent(QShowEvent *event) override;
+
+private:
+    /// What a number means: a side of the box, its size, or an angle to turn by.
+    enum class Number { X, Y, Width, Height, Angle };
+
+    NumberField *addField(QHBoxLayout &row, Number number, const QString &label, const QString &tip);
+    void addNumbers(QHBoxLayout &row);
+    void addButtons(QHBoxLayout &row, Actions &actions);
+    void follow();
+    void refresh();
+    void enter(Number number, double value, EditRun run);
+    EditRun stepRun(Number number);
+    Affine mapFor(Number number, double value) const;
+
+    Editor &m_editor;
+    Actions &m_actions;
+    std::array<NumberField *, 5> m_fields{}; ///< by Number
+    QToolButton *m_proportions = nullptr;
+    Rect m_box;
+    bool m_stale = true;
+    Number m_stepped = Number::X; ///< the field that was stepped last; one field's steps are one undo step
+    EditRun m_stepRun = 0;
+    int m_stackIndex = -1; ///< of the undo stack, after the last step
+};
+
+} // namespace suffuse

@@ -1,0 +1,31 @@
+// Curves from SVG: <path> with its colours, under transforms.
+#pragma once
+
+#include "model/geometry.h"
+#include "model/result.h"
+
+#include <QByteArray>
+
+#include <array>
+#include <optional>
+#include <vector>
+
+namespace suffuse {
+
+/// One subpath of a <path>.
+struct SvgPath {
+    std::vector<Cubic> curves;                   ///< each starts where the one before it ends; at least one
+    std::optional<std::array<double, 4>> stroke; ///< sRGB-encoded colour and opacity
+    std::optional<std::array<double, 4>> fill;
+    double strokeWidth = 1; ///< user units of the drawing
+};
+
+/// The subpaths of path data ("M 0 0 C …"): all commands of SVG, lines and arcs as cubics. What comes after a mistake
+/// is left out, as browsers do; curves that are points or not finite are, too.
+std::vector<std::vector<Cubic>> parsePathData(const QString &data);
+
+/// All paths of a document in their order, in the units of the document after transforms. Elements that are only
+/// defined, not drawn (<defs>, <clipPath>, …), and invisible ones are left out. Errors name the line.
+Result<std::vector<SvgPath>> readSvgPaths(const QByteArray &bytes);
+
+} // namespace suffuse

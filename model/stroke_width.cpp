@@ -1,0 +1,113 @@
+#include "model/stroke_width.h"
+
+#include <cmath>
+#include <numbers>
+
+namespace suffuse {
+
+namespace {
+
+using std::numbers::e;
+using std::numbers::pi;
+
+/// Beyond so many spreads φˢ grows faster than anybody wants.
+constexpr double mostSpreads = 2;
+
+/// φ_e: where (19) first reaches 1 coming from inside.
+double edgeStart(double xi1, double xi2, double xi3)
+{
+    const double a = std::pow(xi2, 3), b = std::pow(xi1, 6);
+    return std::cbrt(2 * b / (a + std::sqrt(a * a - 4 * b * (1 - 1 / xi3))));
+}
+
+} // namespace
+
+double visibleCut(const Style &style)
+{
+    const double xi1 = style.xi[0], xi2 = style.xi[1], xi3 = style.xi[2];
+    switch (style.kind) {
+    case StyleKind::Uniform:
+        return xi1;
+    case StyleKind::Feathering:
+        return xi1 * std::pow(2.0, -1 / xi2);
+    case StyleKind::Edge:
+        return edgeStart(xi1, xi2, xi3);
+    }
+    return xi1;
+}
+
+double diffusionAcross(const Segment &segment, Point tangent)
+{
+    const double D = segment.diffusion;
+    if (segment.isIsotropic())
+        return D;
+    const Point axis{std::cos(double(segment.anisotropyAngle)), std::sin(double(segment.anisotropyAngle))};
+    const double along = dot(axis, tangent), across = cross(axis, tangent);
+    const double square = along * along + across * across;
+    return D * (double(segment.anisotropyRatio) * across * across + along * along) / square;
+}
+
+double halfWidth(double diffusion, double density, double age, double cut)
+{
+    const double s = std::sqrt(4 * diffusion * std::max(age, 0.0));
+    const double excess = density / (cut * std::sqrt(pi) * s);
+    return s > 0 && excess > 1 ? s * std::sqrt(std::log(excess)) : 0;
+}
+
+double greatestHalfWidth(double density, double cut)
+{
+    return density / (cut * std::sqrt(2 * pi * e));
+}
+
+double fadingAge(double diffusion, double density, double cut)
+{
+    return density * density / (4 * pi * diffusion * cut * cut);
+}
+
+WidthValues valuesForHalfWidth(double halfWidth, double diffusion, double age, double cut)
+{
+    double s = std::sqrt(4 * diffusion * age);
+    if (halfWidth > mostSpreads * s) {
+        s = halfWidth / mostSpreads;
+        diffusion = s * s / (4 * age);
+    }
+    const double spreads = halfWidth / s;
+    return {diffusion, cut * std::sqrt(pi) * s * std::exp(spreads * spreads)};
+}
+
+double diffusionForHalfWidth(double halfWidth, double density, double age, double cut)
+{
+    // With s = s₀e^(−u), s₀ = φˢ/(ξ√π): w² = s₀² u e^(−2u), and t < t*/e is u > ½, the lower branch.
+    const double s0 = density / (cut * std::sqrt(pi));
+    const double share = halfWidth / s0;
+    const double w = lowerLambertW(std::max(-2 * share * share, -1 / e));
+    const double s = s0 * std::exp(w / 2);
+    return s * s / (4 * age);
+}
+
+double lowerLambertW(double x)
+{
+    const double fromBranch = 1 + e * x;
+    if (fromBranch <= 0)
+        return -1;
+    double y;
+    if (fromBranch < 0.2) { // the series at the branch point
+        const double p = std::sqrt(2 * fromBranch);
+        y = -1 - p - p * p / 3 - 11 * p * p * p / 72;
+    } else {
+        const double l = std::log(-x);
+        y = l - std::log(-l);
+    }
+    for (int i = 0; i < 40; ++i) { // Halley's steps on y·e^y = x
+        const double ey = std::exp(y), f = y * ey - x;
+        const double step = f / (ey * (y + 1) - (y + 2) * f / (2 * y + 2));
+        if (!std::isfinite(step))
+            break;
+        y -= step;
+        if (std::abs(step) <= 1e-15 * std::abs(y))
+            break;
+    }
+    return std::min(y, -1.0);
+}
+
+} // namespace suffuse

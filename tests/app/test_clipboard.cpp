@@ -1,0 +1,338 @@
+// Cut, copy, paste and drops: between paintings bit for bit, with others as pictures, curves and colours.
+#include "app/clipboard.h"
+#include "app/panels/colour_convert.h"
+#include "app/panels/colour_swatch.h"
+#include "app/panels/density_function.h"
+#include "app/svg_strokes.h"
+#include "model/influence.h"
+#include "model/validate.h"
+#include "tests/app/panel_bench.h"
+#include "tests/app/session.h"
+#include "undo/edits.h"
+
+#include <QClipboard>
+#include <QDropEvent>
+#include <QGuiApplication>
+#include <QImage>
+#include <QStatusBar>
+#include <QTemporaryDir>
+
+using namespace suffuse;
+
+namespace {
+
+bool near(Point a, Point b, double tolerance = 1e-9)
+{
+    return length(a - b) <= tolerance;
+}
+
+/// The curve and values without id and place.
+Stroke bare(Stroke stroke)
+{
+    stroke.id = 0;
+    stroke.origin = {};
+    return stroke;
+}
+
+bool drop(QWidget &widget, QPoint at, QMimeData &data)
+{
+    QDragEnterEvent enter(at, Qt::CopyAction | Qt::MoveAction, &data, Qt::LeftButton, {});
+    QCoreApplication::sendEvent(&widget, &enter);
+    if (!enter.isAccepted())
+        return false;
+    QDragMoveEvent move(at, Qt::CopyAction | Qt::MoveAction, &data, Qt::LeftButton, {});
+    QCoreApplication::sendEvent(&widget, &move);
+    QDropEvent event(at, Qt::CopyAction | Qt::MoveAction, &data, Qt::LeftButton, {});
+    QCoreApplication::sendEvent(&widget, &event);
+    return event.isAccepted();
+}
+
+} // namespace
+
+class TestClipboard : public QObject {
+    Q_OBJECT
+
+private slots:
+    void initTestCase()
+    {
+        QVERIFY(m_folder.isValid());
+        qputenv("SUFFUSE_SETTINGS", m_folder.filePath("settings.ini").toUtf8());
+    }
+
+    void betweenWindows()
+    {
+        Session one, other;
+        auto painting = std::make_shared<Painting>();
+        painting->groups = {{7, "Trees", 0, true, false}, {9, "Leaves", 7, true, false}};
+        for (StrokeId id = 1; id <= 4; ++id) {
+            Stroke stroke = *makeStroke(id, 5, 12.34567f * float(id));
+            stroke.name = QString("S%1").arg(id);
+            stroke.origin = {1e6 / 3 * double(id), -7e5};
+            stroke.group = id == 2 ? 7 : id == 3 ? 9 : 0;
+            stroke.segments[2].rewet = {{1'000'000, 500'000}};
+            painting->strokes.push_back(std::make_shared<const Stroke>(stroke));
+        }
+        one.editor().document().reset(painting);
+        one.editor().document().setSelection({{2, 3, 4}, {}});
+        one.use(Command::Copy);
+        QVERIFY(QGuiApplication::clipboard()->mimeData()->hasFormat(clipboard::strokesMime));
+        QVERIFY(other.window.action(Command::PasteInPlace).isEnabled());
+
+        other.paintLine({200, 200}, {400, 300});
+        const PaintingPtr before = other.editor().document().painting();
+        const int steps = other.editor().undoStack().count();
+        other.use(Command::PasteInPlace);
+        QCOMPARE(other.editor().undoStack().count(), steps + 1);
+        QCOMPARE(other.painting().strokes.size(), std::size_t(4));
+        QCOMPARE(other.selection().strokes.size(), std::size_t(3));
+        QVERIFY(problemOf(other.painting()).isEmpty());
+        QCOMPARE(other.painting().groups.size(), std::size_t(2));
+        for (std::size_t i = 0; i < 3; ++i) {
+            Stroke pasted = *other.painting().strokes[i + 1];
+            const Stroke &original = *painting->strokes[i + 1];
+            QCOMPARE(pasted.group != 0, original.group != 0);
+            pasted.id = original.id;
+            pasted.group = original.group;
+            QCOMPARE(pasted, original); // to the last bit
+        }
+        other.use(Command::PasteInPlace); // groups and strokes of their own again
+        QCOMPARE(other.painting().groups.size(), std::size_t(4));
+        QVERIFY(problemOf(other.painting()).isEmpty());
+        other.editor().undoStack().setIndex(steps);
+        QVERIFY(other.painting() == *before);
+    }
+
+    void cutAndPasteAtAPlace()
+    {
+        Session session;
+        session.editor().document().reset(std::make_shared<Painting>(*Bench(2).editor.document().painting()));
+        const Stroke original = *session.painting().find(2);
+        session.editor().document().setSelection({{2}, {}});
+        session.use(Command::Cut);
+        QVERIFY(!session.painting().find(2));
+        QVERIFY(!session.window.action(Command::Cut).isEnabled());
+        const QMimeData *data = QGuiApplication::clipboard()->mimeData();
+        QCOMPARE(clipboard::paste(session.editor(), *data, Point{500, 400}), QString());
+        QCOMPARE(session.editor().undoStack().count(), 2);
+        const Stroke &pasted = *session.painting().strokes.back();
+        QVERIFY(near(pasted.origin, {460, 400})); // 80 long: its middle is there
+        QCOMPARE(bare(pasted), bare(original));
+        QVERIFY(pasted.id != 2); // undo may bring that one back
+        session.editor().undoStack().setIndex(0);
+        QCOMPARE(*session.painting().find(2), original);
+    }
+
+    void runsOfSegments()
+    {
+        Bench bench;
+        bench.select({1}, {{1, 0}, {1, 2}, {1, 3}});
+        const Painting copied =
+            clipboard::asPainting(*bench.editor.document().painting(), bench.editor.document().selection());
+        QCOMPARE(copied.strokes.size(), std::size_t(2));
+        QCOMPARE(copied.strokes[0]->segments.size(), std::size_t(1));
+        QCOMPARE(copied.strokes[1]->segments.size(), std::size_t(2));
+        QCOMPARE(copied.strokes[1]->segments[0], bench.stroke(1).segments[2]);
+        QVERIFY(problemOf(copied).isEmpty());
+    }
+
+    void picturesForOthers()
+    {
+        Bench bench(1);
+        bench.editor.push(changeSegments(bench.editor.document(), {{1, 0}, {1, 1}, {1, 2}, {1, 3}},
+                                         [](Segment &s) {
+                                             s.density = 20, s.colour = {1, 0, 0, 1};
+                                         }),
+                          "red");
+        bench.select({1});
+        const std::unique_ptr<QMimeData> data(clipboard::mimeOf(
+            clipboard::asPainting(*bench.editor.document().painting(), bench.editor.document().selection()),
+            5'000'000));
+        QVERIFY(data->hasImage());
+        QImage image;
+        QVERIFY(image.loadFromData(data->data("image/png"), "PNG"));
+        const Rect reach = influenceOf(bench.stroke(1), 5'000'000);
+        QVERIFY(std::abs(image.width() - reach.width()) <= 2 && std::abs(image.height() - reach.height()) <= 2);
+        QCOMPARE(qAlpha(image.pixel(0, 0)), 0);
+        const QRgb middle = image.pixel(image.width() / 2, image.height() / 2);
+        QVERIFY(qAlpha(middle) > 250 && qRed(middle) > 250 && qGreen(middle) < 5 && qBlue(middle) < 5);
+    }
+
+    void svgForOthers()
+    {
+        Painting painting;
+        Stroke stroke = *makeStroke(1, 3, 25);
+        stroke.name = "A & B";
+        for (Segment &s : stroke.segments)
+            s.density = 20, s.colour = {1, 0, 0, 0.5f};
+        stroke.segments[2].colour = {0, 0, 1, 1};
+        painting.strokes = {std::make_shared<const Stroke>(stroke)};
+        const QByteArray svg = svgOf(painting);
+        QVERIFY(svg.contains("A &amp; B"));
+        const auto paths = readSvgPaths(svg);
+        QVERIFY2(bool(paths), qPrintable(paths.error()));
+        QCOMPARE(paths->size(), std::size_t(2)); // two looks
+        QCOMPARE((*paths)[0].curves.size(), std::size_t(2));
+        QVERIFY(std::abs((*(*paths)[0].stroke)[3] - 0.5) < 0.01);
+        QVERIFY((*(*paths)[0].stroke)[0] > 0.99 && (*(*paths)[1].stroke)[2] > 0.99);
+        QVERIFY(!(*paths)[0].fill);
+        const double half = derivedFigures(stroke.segments[0], stroke.style).halfWidth;
+        QVERIFY(std::abs((*paths)[0].strokeWidth - 2 * half) < 0.01);
+        for (std::size_t k = 0; k < 2; ++k)
+            for (std::size_t i = 0; i < 4; ++i)
+                QVERIFY(near((*paths)[0].curves[k].p[i], stroke.cubicOf(stroke.segments[k]).p[i], 1e-5));
+
+        // Pasted again it is as wide, in the same colour, along the same curve.
+        Brush brush = builtinBrushes().front();
+        const std::vector<Stroke> back = strokesAlong(*paths, brush, 3'000'000);
+        QCOMPARE(back.size(), std::size_t(2));
+        const double again = derivedFigures(back[0].segments[0], back[0].style).halfWidth;
+        QVERIFY(std::abs(again - half) < 0.01);
+        QVERIFY(near(back[0].cubicOf(back[0].segments[1]).p[3], stroke.cubicOf(stroke.segments[1]).p[3], 1e-4));
+        QVERIFY(std::abs(back[0].segments[0].colour.red - 1) < 0.01 && back[0].segments[0].colour.yellow < 0.01);
+        QVERIFY(std::abs(back[0].segments[0].colour.opacity - 0.5f) < 0.01f);
+        QCOMPARE(back[0].segments[0].born, Microseconds(3'000'000));
+    }
+
+    void pathData()
+    {
+        const auto ends = [](const char *d) {
+            QStringList result;
+            for (const auto &curves : parsePathData(d))
+                for (const Cubic &c : curves)
+                    result << QString("%1,%2").arg(c.p[3].x).arg(c.p[3].y);
+            return result.join(' ');
+        };
+        QCOMPARE(ends("M10 20L30 40h5v-5H0V0z"), QString("30,40 35,40 35,35 0,35 0,0 10,20"));
+        QCOMPARE(ends("m10-20 5 5.5.5-5"), QString("15,-14.5 15.5,-19.5"));
+        QCOMPARE(ends("M0,0 c1 2 3 4 5 6 s 1 1 2 2 q 1 1 2 0 t 2 0"), QString("5,6 7,8 9,8 11,8"));
+        QCOMPARE(ends("M1e1 0L2E+1.5 3"), QString("20,0.5"));
+        QCOMPARE(ends("M0 0L10 0 oops L20 0"), QString("10,0"));
+        QCOMPARE(ends("L10 0"), QString());
+        QCOMPARE(ends("M5 5L5 5"), QString());
+        QCOMPARE(parsePathData("M0 0h1M5 5h1zh2").size(), std::size_t(3));
+        const auto smooth = parsePathData("M0 0C0 0 1 5 2 5S4 0 4 0").front();
+        QVERIFY(near(smooth[1].p[1], {3, 5}));
+        const auto quadratic = parsePathData("M0 0Q3 6 6 0T12 0").front();
+        QVERIFY(near(quadratic[0].p[1], {2, 4}) && near(quadratic[1].p[1], {8, -4}));
+    }
+
+    void arcsAreEllipses()
+    {
+        // Half a circle about (10, 0), radius 10, in flags without spaces; sagitta and radius all along.
+        const auto curves = parsePathData("M0 0A10 10 0 0120 0").front();
+        QCOMPARE(curves.size(), std::size_t(2));
+        for (const Cubic &c : curves)
+            for (double t = 0; t <= 1; t += 0.125)
+                QVERIFY(std::abs(length(c.at(t) - Point{10, 0}) - 10) < 0.01);
+        QVERIFY(near(curves.back().p[3], {20, 0}));
+        QVERIFY(near(curves[0].p[3], {10, -10}, 1e-6)); // sweep: clockwise on screen
+        const auto large = parsePathData("M0 0A5 3 30 1 0 4 1").front();
+        QVERIFY(large.size() >= 3);
+        const auto tooSmall = parsePathData("M0 0A1 1 0 0 1 20 0").front(); // grows to reach
+        QVERIFY(near(tooSmall[0].p[3], {10, -10}, 1e-6));
+        QCOMPARE(parsePathData("M0 0A0 5 0 0 1 9 0").front().size(), std::size_t(1)); // a line
+    }
+
+    void svgStylesAndTransforms()
+    {
+        const QByteArray svg =
+            "<svg xmlns='http://www.w3.org/2000/svg'><defs><path d='M0 0h1' stroke='red'/></defs>"
+            "<g transform='translate(10 20) scale(2)' stroke='#0000ff' stroke-width='3' opacity='.5'>"
+            "<path d='M0 0L10 0' style='fill:none; stroke-opacity: 50%'/>"
+            "<path d='M0 0L10 0' style='stroke:none' fill='rgb(255,0,0)' transform='rotate(90)'/>"
+            "<path d='M0 0L10 0' display='none'/><path d='M0 0L10 0' fill='none' style='stroke:none'/></g></svg>";
+        const auto paths = readSvgPaths(svg);
+        QVERIFY2(bool(paths), qPrintable(paths.error()));
+        QCOMPARE(paths->size(), std::size_t(2));
+        const SvgPath &line = (*paths)[0], &filled = (*paths)[1];
+        QVERIFY(near(line.curves[0].p[0], {10, 20}) && near(line.curves[0].p[3], {30, 20}));
+        QCOMPARE(line.strokeWidth, 6.0);
+        QVERIFY(!line.fill && line.stroke && std::abs((*line.stroke)[3] - 0.25) < 1e-12 && (*line.stroke)[2] == 1);
+        QVERIFY(near(filled.curves[0].p[3], {10, 40}));
+        QVERIFY(!filled.stroke && filled.fill && (*filled.fill)[0] == 1);
+        const auto broken = readSvgPaths("<svg><path d='M0 0h1'>\n</svg>");
+        QVERIFY(!broken && broken.error().contains('2'));
+        QVERIFY(readSvgPaths("<svg/>")->empty());
+    }
+
+    void pastingFromOthers()
+    {
+        Session session;
+        QMimeData svg;
+        svg.setText("  <svg><path d='M0 0L100 0' stroke='#00ff00' stroke-width='30'/></svg>");
+        session.editor().setTime(2'000'000);
+        QCOMPARE(clipboard::paste(session.editor(), svg, Point{300, 200}), QString());
+        QCOMPARE(session.painting().strokes.size(), std::size_t(1));
+        const Stroke &stroke = *session.painting().strokes[0];
+        QVERIFY(near(stroke.cubicOf(stroke.segments[0]).p[0], {250, 200}));
+        QVERIFY(std::abs(derivedFigures(stroke.segments[0], stroke.style).halfWidth - 15) < 1e-3);
+        QCOMPARE(toOpaqueScreen(stroke.segments[0].colour).name(), QString("#00ff00"));
+        QVERIFY(session.editor().isRunning()); // it is wet
+
+        QMimeData colour;
+        colour.setColorData(QColor(255, 0, 0));
+        QCOMPARE(clipboard::paste(session.editor(), colour, {}), QString());
+        QCOMPARE(toScreen(session.editor().brush().colour).name(), QString("#ff0000"));
+        QMimeData hex;
+        hex.setText("#0000FF");
+        QCOMPARE(clipboard::paste(session.editor(), hex, {}), QString());
+        QCOMPARE(toScreen(session.editor().brush().colour).name(), QString("#0000ff"));
+
+        const int steps = session.editor().undoStack().count();
+        for (const char *text : {"hello", "<svg><path", "<svg/>"}) {
+            QMimeData nothing;
+            nothing.setText(text);
+            QVERIFY2(!clipboard::paste(session.editor(), nothing, {}).isEmpty(), text);
+        }
+        QMimeData damaged;
+        damaged.setData(clipboard::strokesMime, "{\"format\": \"suffuse-text\", \"version\": 1, \"strokes\": [{}]}");
+        QVERIFY(!clipboard::paste(session.editor(), damaged, {}).isEmpty());
+        QCOMPARE(session.editor().undoStack().count(), steps);
+        // The window says what was wrong.
+        QGuiApplication::clipboard()->setText("hello");
+        session.use(Command::Paste);
+        QVERIFY(!session.window.statusBar()->currentMessage().isEmpty());
+    }
+
+    void dropsOnTheCanvas()
+    {
+        Session session;
+        auto painting = std::make_shared<Painting>();
+        Stroke stroke = *makeStroke(1, 8, 40);
+        stroke.origin = {300, 300};
+        for (Segment &s : stroke.segments)
+            s.density = 20, s.colour.opacity = 0.7f;
+        painting->strokes = {std::make_shared<const Stroke>(stroke)};
+        session.editor().document().reset(painting);
+        session.editor().setTime(5'000'000);
+
+        QMimeData colour;
+        colour.setColorData(QColor(0, 0, 255));
+        QVERIFY(drop(session.canvas(), session.at({360, 300}), colour));
+        for (const Segment &s : session.painting().find(1)->segments) {
+            QCOMPARE(toOpaqueScreen(s.colour).name(), QString("#0000ff"));
+            QCOMPARE(s.colour.opacity, 0.7f);
+        }
+        QCOMPARE(session.editor().undoStack().count(), 1);
+        drop(session.canvas(), session.at({800, 600}), colour); // nothing lies there
+        QCOMPARE(session.editor().undoStack().count(), 1);
+
+        const std::unique_ptr<QMimeData> copy(clipboard::mimeOf(session.painting(), 5'000'000));
+        QVERIFY(drop(session.canvas(), session.at({600, 500}), *copy));
+        QCOMPARE(session.painting().strokes.size(), std::size_t(2));
+        const Stroke &pasted = *session.painting().strokes[1];
+        QVERIFY(near(pasted.origin + Point{80, 0}, {600, 500}, 2));
+        const int steps = session.editor().undoStack().count();
+        QMimeData link; // what has an address is the window's, not a colour
+        link.setUrls({QUrl("https://example.org/a.suffuse")});
+        link.setColorData(QColor(255, 0, 0));
+        QVERIFY(!drop(session.canvas(), session.at({360, 300}), link));
+        QCOMPARE(session.editor().undoStack().count(), steps);
+    }
+
+private:
+    QTemporaryDir m_folder;
+};
+
+QTEST_MAIN(TestClipboard)
+#include "test_clipboard.moc"

@@ -1,0 +1,530 @@
+// Panels that a refiner works in, by real events: figures and warnings, values along the stroke, before and after,
+// relative entry, the canvas handle for the width.
+#include "app/panels/age_plot.h"
+#include "app/panels/along_dialog.h"
+#include "app/panels/arithmetic.h"
+#include "app/panels/colour_rows.h"
+#include "app/panels/compare_button.h"
+#include "app/panels/cross_section.h"
+#include "app/panels/cross_section_plot.h"
+#include "app/panels/figures_section.h"
+#include "app/panels/inspector_panel.h"
+#include "app/panels/number_field.h"
+#include "app/panels/probe_panel.h"
+#include "app/panels/section.h"
+#include "app/panels/segment_section.h"
+#include "app/panels/style_section.h"
+#include "app/tools/width_handle.h"
+#include "model/stroke_width.h"
+#include "model/validate.h"
+#include "render/probe.h"
+#include "tests/app/panel_bench.h"
+#include "tests/app/session.h"
+#include "undo/edits.h"
+
+#include <QDockWidget>
+#include <QMouseEvent>
+#include <QSignalSpy>
+#include <QTemporaryDir>
+#include <QToolButton>
+#include <QTreeWidget>
+
+using namespace suffuse;
+
+namespace {
+
+/// Drags in the curve editor from one place and value to another, in ten reports.
+void dragCurve(CurveEditor &curve, QPointF from, QPointF to, bool release = true)
+{
+    QTest::mousePress(&curve, Qt::LeftButton, {}, curve.toWidget(from).toPoint());
+    for (int i = 1; i <= 10; ++i)
+        QTest::mouseMove(&curve, curve.toWidget(from + (i / 10.0) * (to - from)).toPoint());
+    if (release)
+        QTest::mouseRelease(&curve, Qt::LeftButton, {}, curve.toWidget(to).toPoint());
+}
+
+/// A report of the pointer with no button down, which QTest::mouseMove leaves to the window system.
+void hover(QWidget &widget, QPoint at)
+{
+    QMouseEvent event(QEvent::MouseMove, QPointF(at), widget.mapToGlobal(QPointF(at)), Qt::NoButton, Qt::NoButton, {});
+    QCoreApplication::sendEvent(&widget, &event);
+}
+
+} // namespace
+
+class TestEditingPanels : public QObject {
+    Q_OBJECT
+
+private slots:
+    void initTestCase()
+    {
+        QVERIFY(m_folder.isValid());
+        qputenv("SUFFUSE_SETTINGS", m_folder.filePath("settings.ini").toUtf8());
+    }
+
+    void unitsConvertOrAreRefused()
+    {
+        QCOMPARE(evaluateArithmetic("500 ms", {}, "s").value(), 0.5);
+        QCOMPARE(evaluateArithmetic("2 min", {}, "s").value(), 120.0);
+        QCOMPARE(evaluateArithmetic("12 px", {}, "u").value(), 12.0);
+        QCOMPARE(evaluateArithmetic("+250ms", 1.0, "s").value(), 1.25);
+        QCOMPARE(evaluateArithmetic("−=250 ms", 1.0, "s").value(), 0.75);
+        QCOMPARE(evaluateArithmetic("90 deg", {}, "°").value(), 90.0);
+        QVERIFY(std::abs(evaluateArithmetic("1 rad", {}, "°").value() - 57.2957795) < 1e-6);
+        for (const char *bad : {"12 mm", "3 px²", "5 %", "1 u²/s s", "ms"})
+            QVERIFY2(!evaluateArithmetic(bad, {}, "s"), bad);
+        QCOMPARE(foreignUnit("12 mm", "u"), QString("mm"));
+        QCOMPARE(foreignUnit("12 s", "s"), QString());
+        QCOMPARE(foreignUnit("12+", "s"), QString());
+
+        Bench bench;
+        InspectorPanel panel(bench.editor);
+        showAt(panel);
+        bench.select({1});
+        NumberField *density = panel.segmentSection()->density()->number();
+        type(*density, "12 mm");
+        QCOMPARE(bench.steps(), 0);
+        QVERIFY2(panel.hint()->text().contains("mm") && panel.hint()->text().contains("u"),
+                 "the hint names both units");
+        QCOMPARE(density->value().value(), 9.0);
+        type(*panel.segmentSection()->maxAge()->number(), "250 ms");
+        QCOMPARE(bench.stroke(1).segments[0].maxAge, 0.25f);
+    }
+
+    void relativeEntryChangesEachOfMixedValues()
+    {
+        Bench bench;
+        InspectorPanel panel(bench.editor);
+        showAt(panel);
+        bench.select({1, 2, 3});
+        SliderField *diffusion = panel.segmentSection()->diffusion();
+        QVERIFY(!diffusion->number()->value());
+        type(*diffusion->number(), "*1.5");
+        QCOMPARE(bench.steps(), 1);
+        QCOMPARE(bench.stroke(1).segments[0].diffusion, 15.0f);
+        QCOMPARE(bench.stroke(3).segments[3].diffusion, 45.0f);
+        QCOMPARE(diffusion->number()->text(), QString("—"));
+        type(*diffusion->number(), "+2");
+        QCOMPARE(bench.stroke(2).segments[1].diffusion, 32.0f);
+        QCOMPARE(bench.steps(), 2);
+        // One value would leave its domain: none is changed.
+        type(*diffusion->number(), "-=20");
+        QCOMPARE(bench.steps(), 2);
+        QVERIFY(!panel.hint()->text().isEmpty());
+        bench.editor.undoStack().setIndex(0);
+        QCOMPARE(bench.stroke(3).segments[3].diffusion, 30.0f);
+
+        // Per cent are added as they are shown; colours too.
+        bench.editor.push(changeSegments(bench.editor.document(), {{1, 0}}, [](Segment &s) { s.colour.red = 0.5f; }),
+                          "red");
+        NumberField *red = panel.segmentSection()->colour()->row(ColourRows::Red)->number();
+        QVERIFY(!red->value());
+        type(*red, "+25");
+        QCOMPARE(bench.stroke(1).segments[0].colour.red, 0.75f);
+        QCOMPARE(bench.stroke(1).segments[1].colour.red, 0.25f);
+    }
+
+    void warningsSayWhatDefeatsTheValues()
+    {
+        Bench bench;
+        InspectorPanel panel(bench.editor);
+        showAt(panel, {300, 1100});
+        const auto set = [&](auto change) {
+            bench.editor.push(changeSegments(bench.editor.document(), targetSegments(bench.editor.document()), change),
+                              "set");
+        };
+        bench.select({1});
+        HintLabel *warnings = panel.figuresSection()->warnings();
+        set([](Segment &s) { s.density = 20; });
+        QVERIFY2(warnings->isHidden(), qPrintable(warnings->text()));
+
+        set([](Segment &s) { s.density = 2, s.maxAge = 4; });
+        const double fades = fadingAge(10, 2, 0.5);
+        QVERIFY(fades < 4);
+        QVERIFY(warnings->isVisible());
+        QVERIFY2(warnings->text().contains(QLocale().toString(fades, 'g', 3)), qPrintable(warnings->text()));
+        set([](Segment &s) { s.density = 20; });
+        QVERIFY(fadingAge(10, 20, 0.5) / 2.7 > 4 && warnings->isHidden());
+        set([](Segment &s) { s.colour.opacity = 0; });
+        QVERIFY(warnings->text().contains('0') && warnings->isVisible());
+        set([](Segment &s) { s.colour.opacity = 1, s.style = Style{StyleKind::Uniform, {0.5f, 0.4f, 0}}; });
+        QVERIFY2(warnings->text().contains("ξ2"), qPrintable(warnings->text()));
+        set([](Segment &s) { s.style = Style{StyleKind::Edge, {0.5f, 0.629f, 0.9f}}; });
+        QVERIFY2(warnings->text().contains("ξ2"), qPrintable(warnings->text()));
+    }
+
+    void crossSectionIsThatOfTheSolver()
+    {
+        Bench bench;
+        auto stroke = std::make_shared<Stroke>(bench.stroke(1));
+        stroke->id = 1;
+        stroke->mix = {MixMode::Beta, 0.5f};
+        for (std::size_t k = 0; k < stroke->segments.size(); ++k) {
+            Segment &s = stroke->segments[k];
+            s.density = 18 + float(k);
+            s.colour = {0.2f * float(k), 0.5f, 0.1f, 0.9f};
+            s.bezier[1].y += 9;
+            s.anisotropyRatio = k % 2 ? 2.5f : 1;
+            s.anisotropyAngle = 0.6f;
+        }
+        Painting painting;
+        painting.canvas.background = {0.1f, 0.2f, 0, 1};
+        painting.strokes = {stroke};
+        const Microseconds time = 600'000;
+        const auto points = crossSectionOf(painting, *stroke, 1, time, 41);
+        QCOMPARE(points.size(), std::size_t(41));
+        const Cubic cubic = stroke->cubicOf(stroke->segments[1]);
+        const Point t = cubic.derivative(0.5), n = (1 / length(t)) * Point{-t.y, t.x};
+        double seen = 0;
+        for (const CrossSectionPoint &p : points) {
+            const Point at = cubic.at(0.5) + p.offset * n;
+            const Result<Probe> truth = probe(painting, time, at.x, at.y);
+            QVERIFY(bool(truth));
+            if (truth->strokes.empty()) {
+                QVERIFY(p.opacity < 1e-6);
+                continue;
+            }
+            const ProbeStroke &here = truth->strokes.front();
+            QVERIFY(std::abs(here.density - p.density) < 1e-3);
+            QVERIFY(std::abs(here.opacity - p.opacity) < 5e-3);
+            for (std::size_t i = 0; i < 3; ++i)
+                QVERIFY(std::abs(here.rgbAfter[i] - p.rgb[i]) < 1e-2);
+            seen = std::max(seen, p.opacity);
+        }
+        QVERIFY(seen > 0.5);
+        QVERIFY(crossSectionOf(painting, *stroke, 1, -1, 41).empty()); // before it was painted
+    }
+
+    void cutFollowsTheValues()
+    {
+        Bench bench;
+        bench.editor.setManualClock(true);
+        bench.editor.setTime(5'000'000);
+        InspectorPanel panel(bench.editor);
+        showAt(panel, {300, 1100});
+        bench.select({1}, {{1, 1}});
+        const auto most = [&] {
+            double opacity = 0;
+            for (const CrossSectionPoint &p : panel.figuresSection()->crossSection()->points())
+                opacity = std::max(opacity, p.opacity);
+            return opacity;
+        };
+        const double before = most();
+        type(*panel.segmentSection()->density()->number(), "0");
+        QVERIFY(most() < before);
+        bench.editor.setTime(-1);
+        QVERIFY(panel.figuresSection()->crossSection()->points().empty());
+    }
+
+    void alongTheStrokeIsOneStep()
+    {
+        Bench bench;
+        InspectorPanel panel(bench.editor);
+        showAt(panel);
+        bench.select({1});
+        QTest::mouseClick(panel.alongButton(), Qt::LeftButton);
+        QPointer<AlongDialog> dialog = panel.along();
+        QVERIFY(dialog && dialog->isVisible());
+        QCOMPARE(bench.steps(), 0); // looking changes nothing
+        dialog->choose(AlongDialog::Ramp);
+        QCOMPARE(bench.steps(), 0);
+        type(*dialog->start(), "4");
+        type(*dialog->end(), "12");
+        QCOMPARE(bench.steps(), 1);
+        // Density runs on a logarithmic axis: evenly by ratio. The curve is split so finely that no step shows.
+        const Stroke ramp = bench.stroke(1);
+        QVERIFY(ramp.segments.size() >= 24); // 80 units, s/2 = 3.2
+        for (const Segment &s : ramp.segments) {
+            const double middle = 0.5 * double(s.bezier[0].x + s.bezier[3].x);
+            QVERIFY(std::abs(s.density - 4 * std::pow(3.0, middle / 80)) < 1e-4);
+        }
+        QVERIFY(problemOf(ramp).isEmpty());
+        QCOMPARE(ramp.segments.back().bezier[3], makeStroke(1, 4, 10)->segments.back().bezier[3]);
+        dialog->choose(Quantity::Opacity);
+        dialog->choose(AlongDialog::Constant);
+        dragCurve(*dialog->curve(), {0.5, 1}, {0.3, 0.25});
+        QCOMPARE(bench.steps(), 1); // still the same step
+        for (const Segment &s : bench.stroke(1).segments)
+            QVERIFY(std::abs(s.colour.opacity - 0.25f) < 0.02f);
+        QVERIFY(bench.stroke(1).segments[0].density < 5); // what was set before stays
+        QCOMPARE(bench.stroke(1).segments.size(), ramp.segments.size());
+        QCOMPARE(bench.stroke(2).segments[0].colour.opacity, 1.0f);
+        dialog->accept();
+        QCOMPARE(bench.steps(), 1);
+        bench.editor.undoStack().undo();
+        QCOMPARE(bench.stroke(1), *makeStroke(1, 4, 10));
+    }
+
+    void drawnAlongASelectedRun()
+    {
+        Bench bench;
+        InspectorPanel panel(bench.editor);
+        showAt(panel);
+        bench.select({2}, {{2, 1}, {2, 2}});
+        QTest::mouseClick(panel.alongButton(), Qt::LeftButton);
+        AlongDialog *dialog = panel.along();
+        dialog->choose(Quantity::Granulation);
+        dialog->choose(AlongDialog::Drawn);
+        dragCurve(*dialog->curve(), {0, 0.1}, {1, 0.9});
+        const Selection selected = bench.editor.document().selection();
+        const Stroke &stroke = bench.stroke(2);
+        for (int k = 0; k < int(stroke.segments.size()); ++k) {
+            const Segment &s = stroke.segments[std::size_t(k)];
+            const float middle = 0.5f * (s.bezier[0].x + s.bezier[3].x);
+            const bool inRun = middle > 20 && middle < 60;
+            QVERIFY(std::abs(s.granulation - (inRun ? 0.1f + 0.8f * (middle - 20) / 40 : 1)) < 0.02f);
+            QCOMPARE(selected.segments.contains({2, k}), inRun); // all pieces of what was selected
+        }
+        dialog->choose(AlongDialog::Constant); // needs no pieces
+        QCOMPARE(bench.stroke(2).segments.size(), std::size_t(4));
+        QCOMPARE(bench.editor.document().selection().segments, (std::set<SegmentRef>{{2, 1}, {2, 2}}));
+        dialog->choose(AlongDialog::Ramp);
+        dragCurve(*dialog->curve(), {1, 0.2}, {1, 0.8});
+        QVERIFY(bench.stroke(2).segments.size() > 4);
+        bench.editor.undoStack().undo();
+        QCOMPARE(bench.stroke(2), *makeStroke(2, 4, 20));
+        QCOMPARE(bench.editor.document().selection().segments, (std::set<SegmentRef>{{2, 1}, {2, 2}}));
+    }
+
+    void cancelTakesAllBack()
+    {
+        Bench bench;
+        InspectorPanel panel(bench.editor);
+        showAt(panel);
+        bench.select({1, 3});
+        const PaintingPtr before = bench.editor.document().painting();
+        QTest::mouseClick(panel.alongButton(), Qt::LeftButton);
+        QPointer<AlongDialog> dialog = panel.along();
+        dialog->choose(AlongDialog::Constant);
+        dragCurve(*dialog->curve(), {0.5, 0.5}, {0.5, 0.9});
+        dialog->choose(Quantity::Red);
+        dragCurve(*dialog->curve(), {0.5, 0}, {0.5, 0.9});
+        QCOMPARE(bench.steps(), 1);
+        QVERIFY(!(*bench.editor.document().painting() == *before));
+        QTest::keyClick(dialog, Qt::Key_Escape);
+        QCOMPARE(bench.steps(), 0);
+        QVERIFY(*bench.editor.document().painting() == *before);
+        QTRY_VERIFY(!dialog);
+    }
+
+    void strokesGoUnderAnOpenCurveEditor()
+    {
+        for (const bool undo : {false, true}) {
+            Bench bench;
+            InspectorPanel panel(bench.editor);
+            showAt(panel);
+            bench.select({1});
+            QTest::mouseClick(panel.alongButton(), Qt::LeftButton);
+            QPointer<AlongDialog> dialog = panel.along();
+            dialog->choose(AlongDialog::Constant);
+            dragCurve(*dialog->curve(), {0.5, 0.5}, {0.5, 0.9}, false);
+            if (undo)
+                bench.editor.undoStack().undo();
+            else
+                bench.editor.push(deleteSelection(bench.editor.document()), "delete");
+            QVERIFY(!dialog || !dialog->isVisible());
+            const PaintingPtr after = bench.editor.document().painting();
+            if (dialog)
+                QTest::mouseMove(dialog->curve(), dialog->curve()->toWidget({0.5, 0.1}).toPoint());
+            QTRY_VERIFY(!dialog);
+            if (undo)
+                QCOMPARE(bench.stroke(1).segments[0].density, 9.0f);
+            else
+                QVERIFY(!bench.editor.document().painting()->find(1));
+        }
+    }
+
+    void beforeAndAfterTouchNoStep()
+    {
+        Bench bench;
+        InspectorPanel panel(bench.editor);
+        showAt(panel);
+        bench.select({1, 2});
+        CompareButton *compare = panel.compare();
+        QVERIFY(!compare->isEnabled());
+        type(*panel.segmentSection()->density()->number(), "30");
+        type(*panel.segmentSection()->maxAge()->number(), "3");
+        QVERIFY(compare->isEnabled());
+        const auto shown = [&](StrokeId id) { return bench.editor.shown()->find(id)->segments[0]; };
+
+        QTest::mousePress(compare, Qt::LeftButton); // held
+        QCOMPARE(shown(1).density, 9.0f);
+        QCOMPARE(shown(2).maxAge, 1.0f);
+        QTest::qWait(350);
+        QTest::mouseRelease(compare, Qt::LeftButton);
+        QCOMPARE(shown(1).density, 30.0f);
+        QVERIFY(!compare->isChecked());
+
+        QTest::mouseClick(compare, Qt::LeftButton); // switched
+        QCOMPARE(shown(1).density, 9.0f);
+        QVERIFY(compare->isChecked());
+        QTest::mouseClick(compare, Qt::LeftButton);
+        QCOMPARE(shown(1).density, 30.0f);
+        QVERIFY(!compare->isChecked());
+        QTest::mouseClick(compare, Qt::LeftButton);
+        type(*panel.segmentSection()->maxAge()->number(), "2"); // a change ends the look back
+        QCOMPARE(shown(1).maxAge, 2.0f);
+        QVERIFY(!compare->isChecked());
+        QCOMPARE(bench.steps(), 3);
+
+        // Only what was done to the selection: the step before it was another stroke's.
+        bench.select({3});
+        QVERIFY(!compare->isEnabled());
+        type(*panel.segmentSection()->density()->number(), "5");
+        QTest::mouseClick(compare, Qt::LeftButton);
+        QCOMPARE(shown(3).density, 9.0f);
+        QCOMPARE(shown(1).density, 30.0f);
+    }
+
+    void widthHandleSolvesForDensity()
+    {
+        Session session;
+        Editor &editor = session.editor();
+        auto painting = std::make_shared<Painting>();
+        Stroke stroke = *makeStroke(1, 8, 25);
+        stroke.origin = {300, 300};
+        stroke.style = {StyleKind::Uniform, {0.5f, 0.02f, 0}};
+        for (std::size_t k = 0; k < stroke.segments.size(); ++k)
+            stroke.segments[k].density = k < 4 ? 20.0f : 15.0f;
+        painting->strokes = {std::make_shared<const Stroke>(stroke)};
+        editor.document().reset(painting);
+        editor.setTime(5'000'000);
+        editor.document().setSelection({{1}, {}});
+        WidthHandle handle(session.canvas());
+        const auto widthOf = [&](std::size_t k) {
+            const Segment &s = session.painting().find(1)->segments[k];
+            return halfWidth(s.diffusion, s.density, s.maxAge, 0.5);
+        };
+        const double before = widthOf(4), other = widthOf(0);
+        const View &view = session.canvas().view();
+        const double dpr = session.canvas().devicePixelRatioF();
+        const Cubic cubic = stroke.cubicOf(stroke.segments[4]);
+        const auto event = [&](double distance, Qt::KeyboardModifiers modifiers = {}) {
+            PointerEvent e;
+            e.point = cubic.at(0.5) + Point{0, distance};
+            e.pixel = view.toPixels(e.point);
+            e.modifiers = modifiers;
+            return e;
+        };
+        const double gap = 9 * dpr / view.scale;
+        QVERIFY(!handle.press(event(0))); // on the curve is not on the handle
+        QVERIFY(handle.press(event(before + gap)));
+        handle.move(event(1.2 * before + gap));
+        QVERIFY(std::abs(widthOf(4) - 1.2 * before) < 1e-4);
+        QVERIFY(std::abs(widthOf(0) - 1.2 * other) < 1e-4); // the proportions stay
+        QCOMPARE(session.painting().find(1)->segments[4].diffusion, 25.0f);
+        handle.move(event(40 + gap)); // beyond twice the spread, which is 10
+        QVERIFY(std::abs(widthOf(4) - 40) < 1e-3);
+        QVERIFY(std::abs(session.painting().find(1)->segments[4].diffusion - 100) < 1e-3);
+        const double most = greatestHalfWidth(15, 0.5);
+        handle.move(event(0.8 * most + gap, Qt::ShiftModifier));
+        QCOMPARE(session.painting().find(1)->segments[4].density, 15.0f);
+        QVERIFY(std::abs(widthOf(4) - 0.8 * most) < 1e-4);
+        handle.release();
+        QCOMPARE(editor.undoStack().count(), 1);
+        editor.undoStack().undo();
+        QCOMPARE(*session.painting().find(1), stroke);
+
+        // Back at the start no step is left; given up, neither.
+        QVERIFY(handle.press(event(before + gap)));
+        handle.move(event(2 * before + gap));
+        handle.move(event(before + gap));
+        handle.release();
+        QCOMPARE(editor.undoStack().index(), 0);
+        QVERIFY(handle.press(event(before + gap)));
+        handle.move(event(2 * before + gap));
+        QVERIFY(handle.isBusy());
+        handle.cancel();
+        QCOMPARE(*session.painting().find(1), stroke);
+        QCOMPARE(editor.undoStack().index(), 0);
+        editor.push(changeStrokes(editor.document(), {1}, [](Stroke &s) { s.locked = true; }), "lock");
+        QVERIFY(!handle.press(event(before + gap)));
+    }
+
+    void probeListsWhatLiesUnderThePointer()
+    {
+        Session session;
+        Editor &editor = session.editor();
+        auto painting = std::make_shared<Painting>();
+        for (StrokeId id = 1; id <= 3; ++id) {
+            Stroke stroke = *makeStroke(id, 8, 40);
+            stroke.origin = {id == 3 ? 700.0 : 300.0, 300};
+            for (Segment &s : stroke.segments)
+                s.density = 20, s.colour.opacity = id == 2 ? 0.5f : 1;
+            painting->strokes.push_back(std::make_shared<const Stroke>(stroke));
+        }
+        editor.document().reset(painting);
+        editor.setTime(5'000'000);
+        QDockWidget *dock = session.window.findChild<QDockWidget *>("probeDock");
+        auto *panel = session.window.findChild<ProbePanel *>();
+        QVERIFY(dock && panel && dock->isHidden());
+        hover(session.canvas(), session.at({360, 300}));
+        QCOMPARE(panel->view()->topLevelItemCount(), 0); // nothing is computed for a dock that is not seen
+        dock->show();
+        dock->raise();
+        QTRY_VERIFY(panel->isVisible());
+        hover(session.canvas(), session.at({362, 301}));
+        QTRY_COMPARE(panel->view()->topLevelItemCount(), 3); // 2, 1, canvas
+        QTRY_VERIFY(panel->isUpToDate());
+        const auto text = [&](int row, int column) { return panel->view()->topLevelItem(row)->text(column); };
+        QVERIFY(text(0, 0).contains('2') && text(1, 0).contains('1'));
+        const auto shareOf = [&](int row) { return text(row, ProbePanel::ShareColumn).split(' ').front().toDouble(); };
+        QVERIFY(std::abs(shareOf(0) - 50) < 2); // half covers, and the one below has the rest
+        QVERIFY(std::abs(shareOf(0) + shareOf(1) + shareOf(2) - 100) < 1.6);
+
+        // Segments by their share of the density; a click selects.
+        QTreeWidgetItem *stroke = panel->view()->topLevelItem(1);
+        QVERIFY(stroke->childCount() >= 3);
+        stroke->setExpanded(true);
+        const QString nearest = stroke->child(0)->text(0);
+        QVERIFY2(nearest.contains('4'), qPrintable(nearest)); // 350 … 370 from the stroke's start at 300: the fourth
+        QTest::mouseClick(panel->view()->viewport(), Qt::LeftButton, {},
+                          panel->view()->visualItemRect(stroke->child(0)).center());
+        QCOMPARE(session.selection().segments, (std::set<SegmentRef>{{1, 3}}));
+        QVERIFY(!panel->plot()->points().empty());
+        QTest::mouseClick(panel->view()->viewport(), Qt::LeftButton, {},
+                          panel->view()->visualItemRect(panel->view()->topLevelItem(0)).center());
+        QCOMPARE(session.selection().strokes, std::set<StrokeId>{2});
+        QVERIFY(session.selection().segments.empty());
+
+        // φ(t): nothing at first, most while the paint is fresh, and at the end what the solver says.
+        const std::vector<QPointF> ages = panel->plot()->points();
+        const Point at = session.canvas().view().toCanvas(
+            session.canvas().devicePixelRatioF() *
+            Point{double(session.at({362, 301}).x()), double(session.at({362, 301}).y())});
+        const Result<Probe> truth = probe(session.painting(), 1'000'000, at.x, at.y);
+        QVERIFY(std::abs(ages.back().y() - truth->strokes[1].density) < 2e-3);
+        QCOMPARE(ages.back().x(), 1.0);
+
+        // A change shows at the same place.
+        editor.push(changeSegments(editor.document(), targetSegments(editor.document()),
+                                   [](Segment &s) { s.colour.opacity = 1; }),
+                    "opacity");
+        QTRY_VERIFY(shareOf(0) > 95);
+        session.advance(1);
+        QTRY_VERIFY(panel->isUpToDate());
+    }
+
+    void probeGoesBackToWhereThePointerRested()
+    {
+        Session session;
+        session.editor().document().reset(std::make_shared<Painting>(*Bench(1).editor.document().painting()));
+        auto *panel = session.window.findChild<ProbePanel *>();
+        session.window.findChild<QDockWidget *>("probeDock")->show();
+        session.window.findChild<QDockWidget *>("probeDock")->raise();
+        QTRY_VERIFY(panel->isVisible());
+        session.editor().setTime(5'000'000);
+        panel->setPoint({80, 100});
+        QTest::qWait(400);
+        panel->setPoint({700, 600}); // on the way to the dock
+        QTRY_COMPARE(panel->view()->topLevelItemCount(), 1);
+        panel->leaveCanvas();
+        QTRY_COMPARE(panel->view()->topLevelItemCount(), 2);
+    }
+
+private:
+    QTemporaryDir m_folder;
+};
+
+QTEST_MAIN(TestEditingPanels)
+#include "test_editing_panels.moc"

@@ -1,0 +1,486 @@
+// Nodes, handles and segments under the hand: what mouse and keys make of a stroke.
+#include "app/tools/node_tool.h"
+#include "tests/app/shapes.h"
+
+#include <QTemporaryDir>
+
+#include <numbers>
+
+using namespace suffuse;
+
+namespace {
+
+constexpr Point nodeAt[] = {{200, 300}, {300, 340}, {400, 300}, {500, 340}, {600, 300}};
+
+struct NodeSession : WaveSession {
+    NodeSession() { use(Command::Segments); }
+    NodeTool &tool() { return *qobject_cast<NodeTool *>(canvas().tool()); }
+    std::set<NodeRef> nodes(std::initializer_list<int> indices)
+    {
+        std::set<NodeRef> refs;
+        for (int k : indices)
+            refs.insert({id, k});
+        return refs;
+    }
+    void key(Qt::Key key, Qt::KeyboardModifiers modifiers = {}) { QTest::keyClick(&canvas(), key, modifiers); }
+};
+
+double angleOf(Point p)
+{
+    return std::atan2(p.y, p.x);
+}
+
+} // namespace
+
+class TestNodeTool : public QObject {
+    Q_OBJECT
+
+private slots:
+    void initTestCase()
+    {
+        QVERIFY(m_folder.isValid());
+        qputenv("SUFFUSE_PRESENTER", "raster");
+        qputenv("SUFFUSE_SETTINGS", m_folder.filePath("settings.ini").toLocal8Bit());
+    }
+
+    void clicksAndBandsSelectNodes()
+    {
+        NodeSession s;
+        s.click(nodeAt[1]);
+        QCOMPARE(s.tool().nodes(), s.nodes({1}));
+        s.click(nodeAt[3], Qt::ShiftModifier);
+        QCOMPARE(s.tool().nodes(), s.nodes({1, 3}));
+        s.click(nodeAt[1], Qt::ShiftModifier);
+        QCOMPARE(s.tool().nodes(), s.nodes({3}));
+        s.drag({350, 270}, {550, 380});
+        QCOMPARE(s.tool().nodes(), s.nodes({2, 3}));
+        s.drag({170, 270}, {230, 330}, Qt::ShiftModifier);
+        QCOMPARE(s.tool().nodes(), s.nodes({0, 2, 3}));
+        s.use(Command::SelectAll);
+        QCOMPARE(s.tool().nodes(), s.nodes({0, 1, 2, 3, 4}));
+        s.key(Qt::Key_Escape);
+        QVERIFY(s.tool().nodes().empty());
+        QCOMPARE(s.selection().strokes, std::set<StrokeId>{s.id});
+        QCOMPARE(s.steps(), 1);
+    }
+
+    void nodesAndSegmentsAreNeverSelectedBoth()
+    {
+        NodeSession s;
+        s.click(nodeAt[1]);
+        s.click({350, 320});
+        QVERIFY(s.tool().nodes().empty());
+        QCOMPARE(s.selection().segments, (std::set<SegmentRef>{{s.id, 1}}));
+        s.click({450, 320}, Qt::ShiftModifier);
+        QCOMPARE(s.selection().segments, (std::set<SegmentRef>{{s.id, 1}, {s.id, 2}}));
+        s.click({250, 320}, Qt::ControlModifier);
+        QCOMPARE(s.selection().segments.size(), std::size_t(3));
+        s.click(nodeAt[1]);
+        QVERIFY(s.selection().segments.empty());
+        QCOMPARE(s.tool().nodes(), s.nodes({1}));
+        s.editor().document().setSelection({{s.id}, {{s.id, 0}}});
+        QVERIFY(s.tool().nodes().empty());
+    }
+
+    void dragMovesTheNode_data()
+    {
+        QTest::addColumn<double>("degrees");
+        QTest::addColumn<bool>("mirrored");
+        QTest::addColumn<double>("scale");
+        QTest::newRow("upright") << 0.0 << false << 1.0;
+        QTest::newRow("turned") << 33.0 << false << 0.8;
+        QTest::newRow("mirrored and turned") << -70.0 << true << 0.7;
+        QTest::newRow("near") << 20.0 << true << 2000.0;
+        QTest::newRow("far") << 0.0 << false << 0.5;
+    }
+
+    void dragMovesTheNode()
+    {
+        QFETCH(double, degrees);
+        QFETCH(bool, mirrored);
+        QFETCH(double, scale);
+        NodeSession s;
+        if (mirrored)
+            s.canvas().mirror();
+        s.canvas().rotateBy(degrees);
+        s.canvas().setZoom(scale);
+        const View &view = s.canvas().view();
+        s.canvas().panBy(Point{0.5 * view.width, 0.5 * view.height} - view.toPixels(nodeAt[2]));
+        const Stroke before = s.stroke();
+        const Point to = nodeAt[2] + (1 / scale) * Point{60, -35};
+        s.drag(nodeAt[2], to);
+        const Point by = s.sent(to) - s.sent(nodeAt[2]);
+        QCOMPARE(s.tool().nodes(), s.nodes({2}));
+        QVERIFY(s.stroke() == withNodeMoved(before, {2}, by));
+        QCOMPARE(s.steps(), 2);
+        s.use(Command::Undo);
+        QVERIFY(s.stroke() == before);
+    }
+
+    void dragsThatComeBackLeaveNoStep()
+    {
+        NodeSession s;
+        const Stroke before = s.stroke();
+        QTest::mousePress(&s.canvas(), Qt::LeftButton, {}, s.at(nodeAt[1]));
+        s.move({330, 390});
+        QVERIFY(!(s.stroke() == before));
+        s.move(nodeAt[1]);
+        QTest::mouseRelease(&s.canvas(), Qt::LeftButton, {}, s.at(nodeAt[1]));
+        QVERIFY(s.stroke() == before);
+        QCOMPARE(s.steps(), 1);
+        s.drag(nodeAt[1], {330, 390}, {}, false);
+        QVERIFY(!(s.stroke() == before));
+        s.key(Qt::Key_Escape);
+        QTest::mouseRelease(&s.canvas(), Qt::LeftButton, {}, s.at({330, 390}));
+        QVERIFY(s.stroke() == before);
+        QCOMPARE(s.steps(), 1);
+        s.drag(nodeAt[1], {330, 390}, {}, false);
+        s.use(Command::Undo); // gives up what is in hand
+        QVERIFY(s.stroke() == before);
+        QTest::mouseRelease(&s.canvas(), Qt::LeftButton, {}, s.at({330, 390}));
+        QCOMPARE(s.steps(), 1);
+    }
+
+    void anotherPaintingEndsTheDrag()
+    {
+        NodeSession s;
+        s.drag(nodeAt[1], {330, 390}, {}, false);
+        auto other = std::make_shared<Painting>();
+        other->strokes = {wave(s.id, 100, 100)};
+        s.editor().document().reset(other);
+        s.move({350, 395});
+        QTest::mouseRelease(&s.canvas(), Qt::LeftButton, {}, s.at({350, 395}));
+        QVERIFY(s.stroke() == *wave(s.id, 100, 100));
+        QVERIFY(s.tool().nodes().empty());
+    }
+
+    void severalNodesMoveTogether()
+    {
+        NodeSession s;
+        const Stroke before = s.stroke();
+        s.drag({350, 270}, {550, 380});
+        s.drag(nodeAt[3], {500, 400});
+        const Point by = s.sent({500, 400}) - s.sent(nodeAt[3]);
+        QVERIFY(s.stroke() == withNodeMoved(before, {2, 3}, by));
+    }
+
+    void nodesSnapToOthersAndToTheGrid()
+    {
+        NodeSession s;
+        s.addWave(230, 450, false);
+        s.canvas().setAids({.snapToNodes = true, .snapToGrid = true, .gridStep = 50});
+        s.drag(nodeAt[2], {427, 453}); // (430, 450) is a node of the other
+        QVERIFY(length(nodePosition(s.stroke(), 2) - Point{430, 450}) < 1e-4);
+        s.drag(nodePosition(s.stroke(), 2), {398, 203});
+        QVERIFY(length(nodePosition(s.stroke(), 2) - Point{400, 200}) < 1e-4);
+    }
+
+    void controlKeepsAnAxisAndAltTheHandle()
+    {
+        NodeSession s;
+        const Stroke before = s.stroke();
+        s.drag(nodeAt[1], {310, 400}, Qt::ControlModifier);
+        QCOMPARE(nodePosition(s.stroke(), 1).x, nodePosition(before, 1).x);
+        QVERIFY(std::abs(nodePosition(s.stroke(), 1).y - 400) < 2);
+        s.use(Command::Undo);
+        s.drag(nodeAt[1], {330, 370}, Qt::AltModifier); // its handles are level
+        QCOMPARE(nodePosition(s.stroke(), 1).y, nodePosition(before, 1).y);
+        QVERIFY(std::abs(nodePosition(s.stroke(), 1).x - 330) < 2);
+    }
+
+    void handlesKeepTheKindOfTheirNode()
+    {
+        NodeSession s;
+        s.click(nodeAt[2]);
+        const Stroke before = s.stroke();
+        const Point handle = *handlePosition(before, 2, true), to = handle + Point{-5, -30};
+        s.drag(handle, to);
+        const Point moved = handle + (s.sent(to) - s.sent(handle));
+        QVERIFY(s.stroke() == withHandleMoved(before, 2, true, moved));
+        const Point node = nodePosition(s.stroke(), 2);
+        const Point after = *handlePosition(s.stroke(), 2, true) - node,
+                    other = *handlePosition(s.stroke(), 2, false) - node;
+        QVERIFY(std::abs(cross(after, other)) < 1e-3 * length(after) * length(other));
+        QVERIFY(dot(after, other) < 0);
+        QCOMPARE(s.steps(), 2);
+        s.use(Command::Undo);
+
+        s.drag(handle, to, Qt::ShiftModifier);
+        QCOMPARE(nodeKind(s.stroke(), 2), NodeKind::Corner);
+        QCOMPARE(*handlePosition(s.stroke(), 2, false), *handlePosition(before, 2, false));
+        s.use(Command::Undo);
+        QVERIFY(s.stroke() == before);
+
+        s.drag(handle, handle + Point{-4, -31}, Qt::ControlModifier);
+        const double steps = angleOf(*handlePosition(s.stroke(), 2, true) - node) / (std::numbers::pi / 12);
+        QVERIFY(std::abs(steps - std::round(steps)) < 1e-4);
+    }
+
+    void handlesOfNeighboursCanBeDragged()
+    {
+        NodeSession s;
+        s.click(nodeAt[2]);
+        const Stroke before = s.stroke();
+        const Point handle = *handlePosition(before, 3, false);
+        s.drag(handle, handle + Point{0, 25});
+        QVERIFY(!(s.stroke() == before));
+        QCOMPARE(nodePosition(s.stroke(), 3), nodePosition(before, 3));
+        QCOMPARE(s.tool().nodes(), s.nodes({2}));
+    }
+
+    void theCurveBends()
+    {
+        NodeSession s;
+        const Stroke before = s.stroke();
+        const Point middle = before.cubicOf(before.segments[1]).at(0.5), to = middle + Point{15, -40};
+        s.drag(middle, to);
+        QCOMPARE(s.steps(), 2);
+        double distance = 0;
+        const CurvePlace place = nearestPlace(s.stroke(), s.sent(to), &distance);
+        QCOMPARE(place.segment, 1);
+        QVERIFY(distance < 2);
+        for (int k = 0; k < 5; ++k)
+            QCOMPARE(nodePosition(s.stroke(), k), nodePosition(before, k));
+        QVERIFY(s.stroke().segments[3] == before.segments[3]);
+    }
+
+    void doubleClickInsertsANodeAndThePictureStays()
+    {
+        NodeSession s;
+        const QImage before = s.pictureNow();
+        const Stroke stroke = s.stroke();
+        const Point place = stroke.cubicOf(stroke.segments[1]).at(0.4);
+        s.click(place);
+        QCOMPARE(s.selection().segments.size(), std::size_t(1));
+        QTest::mouseDClick(&s.canvas(), Qt::LeftButton, {}, s.at(place));
+        QTest::mouseRelease(&s.canvas(), Qt::LeftButton, {}, s.at(place));
+        QCOMPARE(nodeCount(s.stroke()), 6);
+        QCOMPARE(s.tool().nodes(), s.nodes({2}));
+        QCOMPARE(s.steps(), 2);
+        QVERIFY(length(nodePosition(s.stroke(), 2) - place) < 2);
+        QVERIFY(largestDifference(before, s.pictureNow()) <= 1);
+        s.use(Command::Undo);
+        QVERIFY(s.stroke() == stroke);
+    }
+
+    void deletedNodesAreBridged()
+    {
+        NodeSession s;
+        const Stroke before = s.stroke();
+        s.click(nodeAt[2]);
+        s.use(Command::Delete);
+        QCOMPARE(s.painting().strokes.size(), std::size_t(1));
+        QCOMPARE(nodeCount(s.stroke()), 4);
+        QCOMPARE(nodePosition(s.stroke(), 2), nodePosition(before, 3));
+        QVERIFY(s.tool().nodes().empty());
+        s.use(Command::Undo);
+        QVERIFY(s.stroke() == before);
+        s.editor().document().setSelection({{s.id}, {{s.id, 1}}}); // segments: the stroke falls apart
+        s.use(Command::Delete);
+        QCOMPARE(s.painting().strokes.size(), std::size_t(2));
+    }
+
+    void segmentsBetweenNodesAreDeletedOrBridged()
+    {
+        NodeSession s;
+        QVERIFY(!s.window.action(Command::DeleteSegments).isEnabled());
+        s.drag({280, 260}, {420, 380});
+        QCOMPARE(s.tool().nodes(), s.nodes({1, 2}));
+        s.use(Command::DeleteSegments);
+        QCOMPARE(s.painting().strokes.size(), std::size_t(2));
+        QCOMPARE(s.painting().strokes[0]->segments.size(), std::size_t(1));
+        QCOMPARE(s.painting().strokes[1]->segments.size(), std::size_t(2));
+        s.use(Command::Undo);
+        s.editor().document().setSelection({{s.id}, {{s.id, 1}, {s.id, 2}}});
+        s.use(Command::BridgeSegments);
+        QCOMPARE(s.painting().strokes.size(), std::size_t(1));
+        QCOMPARE(s.stroke().segments.size(), std::size_t(3));
+    }
+
+    void commandsSetTheKind()
+    {
+        NodeSession s;
+        QVERIFY(!s.window.action(Command::NodeCorner).isEnabled());
+        s.click(nodeAt[1]);
+        s.use(Command::NodeCorner);
+        QCOMPARE(nodeKind(s.stroke(), 1), NodeKind::Corner);
+        s.use(Command::NodeSymmetric);
+        QCOMPARE(nodeKind(s.stroke(), 1), NodeKind::Symmetric);
+        s.use(Command::NodeSmooth);
+        QCOMPARE(nodeKind(s.stroke(), 1), NodeKind::Smooth);
+        QCOMPARE(s.tool().nodes(), s.nodes({1}));
+        s.use(Command::Brush);
+        QVERIFY(!s.window.action(Command::NodeCorner).isEnabled());
+    }
+
+    void keysOfInkscape()
+    {
+        NodeSession s;
+        s.window.activateWindow();
+        QVERIFY(QTest::qWaitForWindowActive(&s.window));
+        s.canvas().setFocus();
+        const Stroke before = s.stroke();
+        s.click(nodeAt[1]);
+        s.key(Qt::Key_C, Qt::ShiftModifier);
+        QCOMPARE(nodeKind(s.stroke(), 1), NodeKind::Corner);
+        s.key(Qt::Key_Y, Qt::ShiftModifier);
+        QCOMPARE(nodeKind(s.stroke(), 1), NodeKind::Symmetric);
+        s.key(Qt::Key_S, Qt::ShiftModifier);
+        QCOMPARE(nodeKind(s.stroke(), 1), NodeKind::Smooth);
+        s.key(Qt::Key_A, Qt::ControlModifier);
+        QCOMPARE(s.tool().nodes().size(), std::size_t(5));
+        s.click(nodeAt[2]);
+        s.key(Qt::Key_Delete);
+        QCOMPARE(nodeCount(s.stroke()), 4);
+        s.key(Qt::Key_Z, Qt::ControlModifier);
+        QCOMPARE(nodeCount(s.stroke()), 5);
+        s.drag({280, 260}, {420, 380});
+        s.key(Qt::Key_Delete, Qt::ControlModifier);
+        QCOMPARE(s.painting().strokes.size(), std::size_t(2));
+        s.key(Qt::Key_K);
+        QVERIFY(s.window.action(Command::Knife).isChecked());
+        s.editor().undoStack().setIndex(1);
+        QVERIFY(s.stroke() == before);
+    }
+
+    void breakJoinAndReverse()
+    {
+        NodeSession s;
+        const Stroke before = s.stroke();
+        s.click(nodeAt[2]);
+        s.use(Command::BreakNodes);
+        QCOMPARE(s.painting().strokes.size(), std::size_t(2));
+        QCOMPARE(s.selection().strokes.size(), std::size_t(2));
+        QVERIFY(!s.window.action(Command::JoinNodes).isEnabled());
+        s.drag({380, 280}, {420, 320}); // both ends that lie there
+        QCOMPARE(s.tool().nodes().size(), std::size_t(2));
+        s.use(Command::JoinNodes);
+        QCOMPARE(s.painting().strokes.size(), std::size_t(1));
+        QCOMPARE(s.painting().strokes[0]->segments.size(), std::size_t(4));
+        s.use(Command::Undo);
+        s.use(Command::Undo);
+        QVERIFY(s.stroke() == before);
+
+        s.click(nodeAt[1]);
+        s.use(Command::ReverseStrokes);
+        QVERIFY(s.stroke() == reversed(before));
+        QCOMPARE(s.tool().nodes(), s.nodes({3})); // the same node
+    }
+
+    void nodesAreInsertedBetweenSelectedOnes()
+    {
+        NodeSession s;
+        s.drag({280, 260}, {420, 380});
+        s.use(Command::InsertNodes);
+        QCOMPARE(nodeCount(s.stroke()), 6);
+        QCOMPARE(s.tool().nodes(), s.nodes({1, 2, 3}));
+    }
+
+    void tabGoesFromNodeToNode()
+    {
+        NodeSession s;
+        const StrokeId other = s.addWave(200, 450, false);
+        s.editor().document().setSelection({{s.id, other}, {}});
+        s.key(Qt::Key_Tab);
+        QCOMPARE(s.tool().nodes(), s.nodes({0}));
+        s.key(Qt::Key_Tab);
+        QCOMPARE(s.tool().nodes(), s.nodes({1}));
+        s.key(Qt::Key_Backtab, Qt::ShiftModifier);
+        s.key(Qt::Key_Backtab, Qt::ShiftModifier);
+        QCOMPARE(s.tool().nodes(), (std::set<NodeRef>{{other, 4}}));
+        s.key(Qt::Key_Tab);
+        QCOMPARE(s.tool().nodes(), s.nodes({0}));
+        QVERIFY(!s.window.action(Command::HideDocks).isChecked());
+    }
+
+    void arrowsNudgeNodes()
+    {
+        NodeSession s;
+        const Stroke before = s.stroke();
+        s.click(nodeAt[2]);
+        s.key(Qt::Key_Down);
+        QVERIFY(length(nodePosition(s.stroke(), 2) - nodePosition(before, 2) - Point{0, 1}) < 1e-4);
+        QCOMPARE(nodePosition(s.stroke(), 1), nodePosition(before, 1));
+        s.key(Qt::Key_Left, Qt::ShiftModifier);
+        QVERIFY(length(nodePosition(s.stroke(), 2) - nodePosition(before, 2) - Point{-10, 1}) < 1e-4);
+        QCOMPARE(s.steps(), 3);
+        s.use(Command::Undo);
+        s.use(Command::Undo);
+        QVERIFY(s.stroke() == before);
+    }
+
+    void nodesThatUndoTakesAwayAreDropped()
+    {
+        NodeSession s;
+        s.use(Command::SelectAll);
+        s.use(Command::InsertNodes);
+        QCOMPARE(nodeCount(s.stroke()), 9);
+        QCOMPARE(s.tool().nodes().size(), std::size_t(9));
+        s.use(Command::Undo);
+        QCOMPARE(s.tool().nodes(), s.nodes({0, 1, 2, 3, 4}));
+        s.use(Command::Undo);
+        QVERIFY(s.painting().strokes.empty());
+        QVERIFY(s.tool().nodes().empty());
+        s.key(Qt::Key_Tab);
+        QVERIFY(s.tool().nodes().empty());
+    }
+
+    void lockedStrokesAreLeftAlone()
+    {
+        NodeSession s;
+        s.editor().push(changeStrokes(s.editor().document(), {s.id}, [](Stroke &stroke) { stroke.locked = true; }),
+                        "lock");
+        const Stroke before = s.stroke();
+        s.drag(nodeAt[2], {400, 200});
+        s.use(Command::SelectAll);
+        s.use(Command::Delete);
+        QVERIFY(s.stroke() == before);
+        QVERIFY(s.tool().nodes().empty());
+    }
+
+    void hintsSayWhatIsUnderThePointer()
+    {
+        NodeSession s;
+        std::set<QString> hints{s.tool().hint()};
+        s.hover(nodeAt[1]);
+        hints.insert(s.tool().hint());
+        s.hover({350, 320});
+        hints.insert(s.tool().hint());
+        s.click(nodeAt[1]);
+        s.hover(*handlePosition(s.stroke(), 1, true));
+        hints.insert(s.tool().hint());
+        QCOMPARE(hints.size(), std::size_t(4));
+    }
+
+    void brushGoesOnFromAnEnd()
+    {
+        NodeSession s;
+        const Stroke before = s.stroke();
+        s.use(Command::Brush);
+        QTest::mousePress(&s.canvas(), Qt::LeftButton, Qt::ShiftModifier, s.at(nodeAt[4]));
+        for (int i = 1; i <= 10; ++i) {
+            s.advance(interval);
+            s.move(nodeAt[4] + Point{10.0 * i, 8.0 * i}, Qt::ShiftModifier);
+        }
+        QCOMPARE(s.stroke().segments.size(), before.segments.size()); // the draft is not part of it yet
+        QTest::mouseRelease(&s.canvas(), Qt::LeftButton, Qt::ShiftModifier, s.at({700, 380}));
+        QCOMPARE(s.painting().strokes.size(), std::size_t(1));
+        QCOMPARE(s.steps(), 2);
+        QVERIFY(s.stroke().segments.size() > 5);
+        for (std::size_t k = 0; k < 4; ++k)
+            QVERIFY(s.stroke().segments[k] == before.segments[k]);
+        const Segment &added = s.stroke().segments.back();
+        QCOMPARE(added.colour, before.segments.back().colour);
+        QCOMPARE(added.diffusion, before.segments.back().diffusion);
+        QVERIFY(length(nodePosition(s.stroke(), nodeCount(s.stroke()) - 1) - Point{700, 380}) < 3);
+        QVERIFY(added.born > before.segments.back().born);
+        s.use(Command::Undo);
+        QVERIFY(s.stroke() == before);
+    }
+
+private:
+    QTemporaryDir m_folder;
+};
+
+QTEST_MAIN(TestNodeTool)
+#include "test_node_tool.moc"

@@ -1,0 +1,312 @@
+// Selecting strokes on the canvas, by the events that a hand makes.
+#include "app/canvas/selection_outline.h"
+#include "app/settings.h"
+#include "app/tools/pick.h"
+#include "app/tools/seen_paint.h"
+#include "render/bench/generator.h"
+#include "render/probe.h"
+#include "tests/app/selecting.h"
+
+#include <QSettings>
+#include <QTemporaryDir>
+
+#include <random>
+
+using namespace suffuse;
+
+class TestSelecting : public QObject {
+    Q_OBJECT
+
+private slots:
+    void initTestCase()
+    {
+        qputenv("SUFFUSE_PRESENTER", "raster");
+        qputenv("SUFFUSE_SETTINGS", m_folder.filePath("settings.ini").toLocal8Bit());
+        QVERIFY(m_folder.isValid());
+    }
+
+    void init() { settings::store().clear(); }
+
+    void roughPaintIsTheRealPaint()
+    {
+        bench::PaintingOptions options;
+        options.strokes = 30;
+        options.segments = 600;
+        options.width = options.height = 300;
+        const Painting painting = bench::makePainting(options);
+        const Microseconds end = painting.end();
+        std::mt19937 random(5);
+        std::uniform_real_distribution<double> place(-2, 2);
+        int seenPoints = 0, sameSegment = 0;
+        for (int i = 0; i < 300; ++i) {
+            const StrokePtr &stroke = painting.strokes[std::size_t(i % 30)];
+            const Segment &chosen = stroke->segments[std::size_t(i) % stroke->segments.size()];
+            const Point at = stroke->cubicOf(chosen).at(0.5) + chosen.spread(end) * Point{place(random), place(random)};
+            Painting alone;
+            alone.strokes = {stroke};
+            const Result<Probe> exact = probe(alone, end, at.x, at.y);
+            QVERIFY(bool(exact));
+            const SeenPaint seen = seenPaint(*stroke, end, at);
+            const double w = exact->strokes.empty() ? 0 : exact->strokes.front().opacity;
+            QVERIFY2(near(seen.opacity, w, 0.01 + 0.02 * w), qPrintable(QString("%1, %2").arg(seen.opacity).arg(w)));
+            if (w < visibleOpacity)
+                continue;
+            ++seenPoints;
+            const auto &shares = exact->strokes.front().shares;
+            const auto most = std::max_element(shares.begin(), shares.end(),
+                                               [](const auto &a, const auto &b) { return a.share < b.share; });
+            sameSegment += most->segment == seen.segment;
+        }
+        QVERIFY(seenPoints > 20);
+        QVERIFY(sameSegment >= seenPoints - 1);
+    }
+
+    void secondClickTurnsTheHandles()
+    {
+        Selecting s({line(1, {200, 300}, {600, 500})});
+        s.click({400, 400});
+        QCOMPARE(s.selected(), std::set<StrokeId>{1});
+        QCOMPARE(s.tool().handles().mode(), TransformHandles::Mode::Scale);
+        QCOMPARE(s.tool().handles().handles(s.canvas().view(), 1).size(), std::size_t(8));
+        s.click({400, 400});
+        QCOMPARE(s.tool().handles().mode(), TransformHandles::Mode::Turn);
+        QCOMPARE(s.tool().handles().handles(s.canvas().view(), 1).size(), std::size_t(9)); // 4 + 4 and the centre
+        s.click({400, 400});
+        QCOMPARE(s.tool().handles().mode(), TransformHandles::Mode::Scale);
+        s.click({50, 50});
+        QVERIFY(s.selected().empty());
+        QVERIFY(s.tool().handles().handles(s.canvas().view(), 1).empty());
+        QCOMPARE(s.steps(), 0);
+    }
+
+    void doubleClickSelectsTheSegment()
+    {
+        Selecting s({line(1, {200, 300}, {600, 300})});
+        s.click({250, 300});
+        s.send(QEvent::MouseButtonDblClick, s.logical(s.canvas().view().toPixels({250, 300})), none);
+        s.send(QEvent::MouseButtonRelease, s.logical(s.canvas().view().toPixels({250, 300})), none);
+        QCOMPARE(s.selection().segments, (std::set<SegmentRef>{{1, 0}}));
+        QCOMPARE(s.tool().handles().mode(), TransformHandles::Mode::Scale);
+    }
+
+    void altClickGoesBelow()
+    {
+        Selecting s(
+            {line(1, {200, 300}, {600, 300}), line(2, {400, 100}, {400, 500}), line(3, {300, 200}, {500, 400})});
+        s.click({400, 300});
+        QCOMPARE(s.selected(), std::set<StrokeId>{3});
+        s.click({400, 300}, alt);
+        QCOMPARE(s.selected(), std::set<StrokeId>{2});
+        QVERIFY(s.tool().hint().startsWith("Stroke 2 of 3"));
+        s.click({400, 300}, alt);
+        QCOMPARE(s.selected(), std::set<StrokeId>{1});
+        s.click({400, 300}, alt);
+        QCOMPARE(s.selected(), std::set<StrokeId>{3}); // from the lowest back to the topmost
+        s.click({400, 300}, alt | shift);
+        QCOMPARE(s.selected(), (std::set<StrokeId>{2, 3}));
+        s.click({50, 50}, alt);
+        QCOMPARE(s.selected(), (std::set<StrokeId>{2, 3}));
+    }
+
+    void bandsAddAndTakeAway()
+    {
+        Selecting s(
+            {line(1, {200, 200}, {400, 200}), line(2, {200, 300}, {400, 300}), line(3, {200, 400}, {400, 400})});
+        s.drag({{150, 150}, {450, 250}});
+        QCOMPARE(s.selected(), std::set<StrokeId>{1});
+        s.drag({{380, 405}, {150, 260}, {450, 260}}, shift); // from paint; the corner is what counts at the end
+        QCOMPARE(s.selected(), std::set<StrokeId>{1});
+        s.drag({{150, 260}, {450, 450}}, shift);
+        QCOMPARE(s.selected(), (std::set<StrokeId>{1, 2, 3}));
+        s.drag({{150, 350}, {450, 250}}, shift | ctrl);
+        QCOMPARE(s.selected(), (std::set<StrokeId>{1, 3}));
+        QCOMPARE(s.steps(), 0);
+    }
+
+    void shiftDragFromPaintIsABand()
+    {
+        Selecting s({line(1, {200, 200}, {600, 200}), line(2, {300, 300}, {500, 300})});
+        s.select({1});
+        s.drag({{250, 202}, {550, 400}}, shift);
+        QCOMPARE(s.selected(), (std::set<StrokeId>{1, 2}));
+        QCOMPARE(s.box(1).left, 200.0);
+        QCOMPARE(s.steps(), 0);
+    }
+
+    void lassoTakesWhatItGoesAround()
+    {
+        Selecting s(
+            {line(1, {200, 200}, {260, 200}), line(2, {500, 200}, {560, 200}), line(3, {350, 450}, {400, 450})});
+        s.use(Command::Lasso);
+        const std::vector<Point> around{{170, 150}, {290, 150}, {290, 350}, {470, 350}, {470, 150},
+                                        {590, 150}, {590, 380}, {170, 380}, {170, 160}};
+        s.drag(around);
+        QCOMPARE(s.selected(), (std::set<StrokeId>{1, 2}));
+        s.drag({{480, 150}, {580, 150}, {580, 250}, {480, 250}}, shift | ctrl);
+        QCOMPARE(s.selected(), std::set<StrokeId>{1});
+        s.use(Command::Lasso); // off again
+        s.drag({{150, 140}, {610, 400}});
+        QCOMPARE(s.selected(), (std::set<StrokeId>{1, 2}));
+        s.use(Command::TouchPath);
+        QVERIFY(!s.window.action(Command::Lasso).isChecked());
+        s.drag({{375, 400}, {376, 500}});
+        QCOMPARE(s.selected(), std::set<StrokeId>{3});
+    }
+
+    void touchPathSelectsVisiblePaint()
+    {
+        Selecting s(
+            {line(1, {200, 200}, {600, 200}), line(2, {200, 300}, {600, 300}), line(3, {200, 500}, {600, 500})});
+        s.drag({{400, 150}, {420, 350}}, alt);
+        QCOMPARE(s.selected(), (std::set<StrokeId>{1, 2}));
+        s.drag({{300, 508}, {320, 508}}, alt); // beside the curve, on the paint
+        QCOMPARE(s.selected(), std::set<StrokeId>{3});
+        s.drag({{300, 400}, {320, 400}}, alt);
+        QVERIFY(s.selected().empty());
+        s.drag({{400, 150}, {400, 250}}, alt | shift);
+        QCOMPARE(s.selected(), std::set<StrokeId>{1});
+        QCOMPARE(s.steps(), 0);
+    }
+
+    void lockedAndHiddenStrokesAreNotSelected()
+    {
+        auto locked = std::make_shared<Stroke>(*line(2, {200, 200}, {600, 200}));
+        locked->locked = true;
+        auto hidden = std::make_shared<Stroke>(*line(3, {200, 200}, {600, 200}));
+        hidden->visible = false;
+        Selecting s({line(1, {200, 200}, {600, 200}), locked, hidden});
+        s.click({400, 200});
+        QCOMPARE(s.selected(), std::set<StrokeId>{1});
+        s.drag({{400, 100}, {400, 300}}, alt);
+        QCOMPARE(s.selected(), std::set<StrokeId>{1});
+        s.use(Command::InvertSelection);
+        QVERIFY(s.selected().empty());
+        s.use(Command::InvertSelection);
+        QCOMPARE(s.selected(), std::set<StrokeId>{1});
+    }
+
+    void clickTakesTheGroup()
+    {
+        Selecting s(
+            {line(1, {200, 200}, {600, 200}), line(2, {200, 300}, {600, 300}), line(3, {200, 400}, {600, 400})});
+        s.select({1, 2});
+        s.use(Command::GroupStrokes);
+        QCOMPARE(s.painting().groups.size(), std::size_t(1));
+        s.click({50, 50});
+        s.click({400, 200});
+        QCOMPARE(s.selected(), (std::set<StrokeId>{1, 2}));
+        s.click({400, 400}, shift);
+        QCOMPARE(s.selected(), (std::set<StrokeId>{1, 2, 3}));
+        s.click({400, 300}, shift);
+        QCOMPARE(s.selected(), std::set<StrokeId>{3});
+        s.click({400, 300}, ctrl);
+        QCOMPARE(s.selected(), std::set<StrokeId>{2});
+        s.use(Command::UngroupStrokes);
+        s.click({50, 50});
+        s.click({400, 300});
+        QCOMPARE(s.selected(), std::set<StrokeId>{2});
+        s.use(Command::Undo);
+        s.use(Command::Undo);
+        QVERIFY(s.painting().groups.empty());
+    }
+
+    void selectSameFindsItsLike()
+    {
+        auto red = std::make_shared<Stroke>(*line(2, {200, 300}, {600, 300}));
+        for (Segment &segment : red->segments)
+            segment.colour = {1, 0, 0, 1};
+        red->brush = "chalk";
+        auto edge = std::make_shared<Stroke>(*line(3, {200, 400}, {600, 400}));
+        edge->style = {StyleKind::Edge, {0.5f, 0.5f, 0.4f}};
+        edge->brush = "chalk";
+        Selecting s({line(1, {200, 200}, {600, 200}), red, edge});
+        s.select({1});
+        s.use(Command::SameColour);
+        QCOMPARE(s.selected(), (std::set<StrokeId>{1, 3}));
+        s.select({1});
+        s.use(Command::SameStyle);
+        QCOMPARE(s.selected(), (std::set<StrokeId>{1, 2}));
+        s.select({3});
+        s.use(Command::SameBrush);
+        QCOMPARE(s.selected(), (std::set<StrokeId>{2, 3}));
+    }
+
+    void tabGoesThroughTheStrokes()
+    {
+        Selecting s(
+            {line(1, {200, 200}, {600, 200}), line(2, {200, 300}, {600, 300}), line(3, {200, 400}, {600, 400})});
+        QTest::keyClick(&s.canvas(), Qt::Key_Tab);
+        QCOMPARE(s.selected(), std::set<StrokeId>{1});
+        QTest::keyClick(&s.canvas(), Qt::Key_Tab);
+        QCOMPARE(s.selected(), std::set<StrokeId>{2});
+        QTest::keyClick(&s.canvas(), Qt::Key_Backtab, shift);
+        QTest::keyClick(&s.canvas(), Qt::Key_Backtab, shift);
+        QCOMPARE(s.selected(), std::set<StrokeId>{3});
+    }
+
+    void hintFollowsTheModifiers()
+    {
+        Selecting s({line(1, {200, 300}, {600, 300})});
+        QLabel *shown = nullptr;
+        for (QLabel *label : s.window.findChildren<QLabel *>())
+            if (label->text() == s.tool().hint())
+                shown = label;
+        QVERIFY(shown);
+        QTest::keyPress(&s.canvas(), Qt::Key_Alt);
+        QVERIFY(shown->text().startsWith("Alt+click"));
+        QTest::keyPress(&s.canvas(), Qt::Key_Shift, alt);
+        QVERIFY(shown->text().startsWith("Shift+Alt+click"));
+        QTest::keyRelease(&s.canvas(), Qt::Key_Shift, alt | shift);
+        QTest::keyRelease(&s.canvas(), Qt::Key_Alt, alt);
+        QVERIFY(shown->text().startsWith("Click paint"));
+        s.click({400, 300});
+        QVERIFY(shown->text().startsWith("Drag: move"));
+    }
+
+    void theOutlineThinsOutAndLeavesOutWhatIsNotSeen()
+    {
+        Painting painting;
+        for (int i = 0; i < 2000; ++i)
+            painting.strokes.push_back(line(StrokeId(i + 1), {5.0 * (i % 100), 20.0 * (i / 100)},
+                                            {5.0 * (i % 100) + 4, 20.0 * (i / 100) + 15}));
+        Selection all{selectableStrokes(painting), {}};
+        const OverlayColours colours{Qt::gray, Qt::black, QColor(20, 110, 230)};
+        SelectionOutline outline;
+        const auto draw = [&](const View &view, const Selection &selection) {
+            QImage image(view.width, view.height, QImage::Format_ARGB32_Premultiplied);
+            image.fill(Qt::white);
+            QPainter painter(&image);
+            outline.paint(painter, view, painting, selection, colours, 1);
+            painter.end();
+            return image;
+        };
+        const auto marked = [](const QImage &image) {
+            int count = 0;
+            for (int y = 0; y < image.height(); ++y)
+                for (int x = 0; x < image.width(); ++x)
+                    count += image.pixel(x, y) != qRgb(255, 255, 255);
+            return count;
+        };
+        const View whole = View::ofArea(Rect::of(0, 0, 500, 400), 500, 400);
+        const QImage first = draw(whole, all);
+        QVERIFY(outline.isThin());
+        QVERIFY(marked(first) > 10'000);
+        QCOMPARE(draw(whole, all), first); // from the picture that was kept
+        const QImage one = draw(whole, Selection{{1}, {}});
+        QVERIFY(!outline.isThin());
+        QVERIFY(marked(one) > 20 && marked(one) < 400);
+        const View close = View::ofArea(Rect::of(0, 0, 25, 20), 500, 400);
+        QVERIFY(marked(draw(close, all)) > 1000); // a few strokes, drawn finely
+        QVERIFY(!outline.isThin());
+        const View beside = View::ofArea(Rect::of(2000, 0, 500, 400), 500, 400);
+        QCOMPARE(marked(draw(beside, all)), 0);
+        painting.strokes[0] = line(1, {300, 0}, {310, 390});
+        QVERIFY(draw(whole, Selection{{1}, {}}) != one);
+    }
+
+private:
+    QTemporaryDir m_folder;
+};
+
+QTEST_MAIN(TestSelecting)
+#include "test_selecting.moc"
