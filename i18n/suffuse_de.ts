@@ -509,6 +509,84 @@ Rückgabewerte: 0 fertig, 1 fehlgeschlagen, 2 falscher Aufruf.</translation>
         <source>With CUDA: GPUs that share the picture, all or a number (default 1).</source>
         <translation>Mit CUDA: GPUs, die sich das Bild teilen, all oder eine Anzahl (sonst 1).</translation>
     </message>
+    <message>
+        <source>draw a painting while it is painted, as frames</source>
+        <translation>das Entstehen eines Bildes zeichnen, als Einzelbilder</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n s left</source>
+        <translation>
+            <numerusform>noch %n s</numerusform>
+            <numerusform>noch %n s</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>The frames, with their number: film/%05d.png.</source>
+        <translation>Die Einzelbilder, mit ihrer Nummer: film/%05d.png.</translation>
+    </message>
+    <message>
+        <source>Frames a second (default 25).</source>
+        <translation>Einzelbilder je Sekunde (Vorgabe 25).</translation>
+    </message>
+    <message>
+        <source>Length in seconds (default 10).</source>
+        <translation>Länge in Sekunden (Vorgabe 10).</translation>
+    </message>
+    <message>
+        <source>Seconds that are kept of a pause in the painting (default 0.5).</source>
+        <translation>Sekunden, die von einer Malpause bleiben (Vorgabe 0.5).</translation>
+    </message>
+    <message>
+        <source>With CUDA: GPUs that share the frames, all or a number (default 1).</source>
+        <translation>Mit CUDA: GPUs, die sich die Einzelbilder teilen, all oder eine Anzahl (Vorgabe 1).</translation>
+    </message>
+    <message>
+        <source>-o %1: frames are numbered files: give a name such as film/%05d.png</source>
+        <translation>-o %1: Einzelbilder sind nummerierte Dateien: bitte einen Namen wie film/%05d.png angeben</translation>
+    </message>
+    <message>
+        <source>--%1 %2: give a number from %3 to 1000000</source>
+        <translation>--%1 %2: bitte eine Zahl von %3 bis 1000000 angeben</translation>
+    </message>
+    <message>
+        <source>%1 frames are too many: at most %2. Choose a smaller --fps or --duration</source>
+        <translation>%1 Einzelbilder sind zu viele: höchstens %2. Bitte --fps oder --duration kleiner wählen</translation>
+    </message>
+    <message>
+        <source>%1: cannot write into this folder. Choose another one.</source>
+        <translation>%1: In diesen Ordner kann nicht geschrieben werden. Bitte einen anderen wählen.</translation>
+    </message>
+    <message>
+        <source>Draws a painting while it is painted, frame by frame.</source>
+        <translation>Zeichnet das Entstehen eines Bildes, Einzelbild für Einzelbild.</translation>
+    </message>
+    <message>
+        <source>-o OUT is missing: name the frames to write</source>
+        <translation>-o OUT fehlt: bitte die zu schreibenden Einzelbilder nennen</translation>
+    </message>
+</context>
+<context>
+    <name>Clipboard</name>
+    <message>
+        <source>Paste</source>
+        <translation>Einfügen</translation>
+    </message>
+    <message>
+        <source>Cut</source>
+        <translation>Ausschneiden</translation>
+    </message>
+    <message>
+        <source>Clipboard</source>
+        <translation>Zwischenablage</translation>
+    </message>
+    <message>
+        <source>There are no paths in the SVG of the clipboard.</source>
+        <translation>Das SVG der Zwischenablage enthält keine Pfade.</translation>
+    </message>
+    <message>
+        <source>The clipboard holds no strokes, no SVG paths and no colour.</source>
+        <translation>Die Zwischenablage enthält keine Striche, keine SVG-Pfade und keine Farbe.</translation>
+    </message>
 </context>
 <context>
     <name>Commands</name>
@@ -543,6 +621,86 @@ Rückgabewerte: 0 fertig, 1 fehlgeschlagen, 2 falscher Aufruf.</translation>
     <message>
         <source>Move</source>
         <translation>Verschieben</translation>
+    </message>
+    <message>
+        <source>Flip horizontally</source>
+        <translation>Horizontal spiegeln</translation>
+    </message>
+    <message>
+        <source>Flip vertically</source>
+        <translation>Vertikal spiegeln</translation>
+    </message>
+    <message>
+        <source>Rotate by 90°</source>
+        <translation>Um 90° drehen</translation>
+    </message>
+    <message>
+        <source>Align</source>
+        <translation>Ausrichten</translation>
+    </message>
+    <message>
+        <source>Distribute</source>
+        <translation>Verteilen</translation>
+    </message>
+    <message>
+        <source>Group</source>
+        <translation>Gruppieren</translation>
+    </message>
+    <message>
+        <source>Ungroup</source>
+        <translation>Gruppierung aufheben</translation>
+    </message>
+    <message>
+        <source>Lock strokes</source>
+        <translation>Striche sperren</translation>
+    </message>
+    <message>
+        <source>Hide strokes</source>
+        <translation>Striche ausblenden</translation>
+    </message>
+    <message>
+        <source>Unlock all</source>
+        <translation>Alle entsperren</translation>
+    </message>
+    <message>
+        <source>Show all</source>
+        <translation>Alle einblenden</translation>
+    </message>
+    <message>
+        <source>Rename strokes</source>
+        <translation>Striche umbenennen</translation>
+    </message>
+</context>
+<context>
+    <name>FigureWarnings</name>
+    <message>
+        <source>Dries out at %1 s: nothing of it is seen after that. More φ, or less D or drying time, keeps it.</source>
+        <extracomment>%1: seconds after it was painted</extracomment>
+        <translation>Trocknet nach %1 s aus: Danach ist nichts mehr davon zu sehen. Mehr φ oder weniger D oder Trockenzeit verhindert das.</translation>
+    </message>
+    <message>
+        <source>Parts dry out, the first at %1 s. More φ, or less D or drying time, keeps them.</source>
+        <translation>Teile trocknen aus, der erste nach %1 s. Mehr φ oder weniger D oder Trockenzeit verhindert das.</translation>
+    </message>
+    <message>
+        <source>Widest at %1 s; from then on it grows narrower while it spreads.</source>
+        <translation>Am breitesten nach %1 s; von da an wird der Strich schmaler, während er verläuft.</translation>
+    </message>
+    <message>
+        <source>ξ2 too large for ξ1: the stroke has no clear edge and tints as far as its paint reaches. Up to %1 is clear.</source>
+        <translation>ξ2 zu groß für ξ1: Der Strich hat keinen klaren Rand und tönt alles, wohin seine Farbe reicht. Bis %1 ist er klar.</translation>
+    </message>
+    <message>
+        <source>ξ2 too large for ξ1: the paint inside the dark rim vanishes.</source>
+        <translation>ξ2 zu groß für ξ1: Die Farbe innerhalb des dunklen Randes verschwindet.</translation>
+    </message>
+    <message>
+        <source>Density 0: there is no paint.</source>
+        <translation>Dichte 0: Es ist keine Farbe da.</translation>
+    </message>
+    <message>
+        <source>Opacity 0 %: nothing of it is seen.</source>
+        <translation>Deckkraft 0 %: Nichts davon ist zu sehen.</translation>
     </message>
 </context>
 <context>
@@ -710,6 +868,17 @@ Rückgabewerte: 0 fertig, 1 fehlgeschlagen, 2 falscher Aufruf.</translation>
         <source>the NVIDIA driver does not work</source>
         <translation>der NVIDIA-Treiber funktioniert nicht</translation>
     </message>
+    <message>
+        <source>there is not enough memory for %1 × %2 pixels. Choose a smaller size.</source>
+        <translation>der Speicher reicht nicht für %1 × %2 Pixel. Bitte eine kleinere Größe wählen.</translation>
+    </message>
+</context>
+<context>
+    <name>SvgPaths</name>
+    <message>
+        <source>SVG, line %1: %2</source>
+        <translation>SVG, Zeile %1: %2</translation>
+    </message>
 </context>
 <context>
     <name>Validate</name>
@@ -776,6 +945,17 @@ Rückgabewerte: 0 fertig, 1 fehlgeschlagen, 2 falscher Aufruf.</translation>
     <message>
         <source>another stroke has the same id</source>
         <translation>ein anderer Strich hat dieselbe Kennung</translation>
+    </message>
+</context>
+<context>
+    <name>WidthHandle</name>
+    <message>
+        <source>Drag to set the width by the density, Shift: by the diffusion.</source>
+        <translation>Ziehen ändert die Breite über die Dichte, mit Umschalt über die Diffusion.</translation>
+    </message>
+    <message>
+        <source>Change width</source>
+        <translation>Breite ändern</translation>
     </message>
 </context>
 <context>
@@ -919,10 +1099,6 @@ Rückgabewerte: 0 fertig, 1 fehlgeschlagen, 2 falscher Aufruf.</translation>
         <translation>&amp;Segmente</translation>
     </message>
     <message>
-        <source>Select segments of strokes</source>
-        <translation>Segmente von Strichen auswählen</translation>
-    </message>
-    <message>
         <source>&amp;Hand</source>
         <translation>&amp;Hand</translation>
     </message>
@@ -1015,10 +1191,6 @@ Rückgabewerte: 0 fertig, 1 fehlgeschlagen, 2 falscher Aufruf.</translation>
         <translation>An&amp;dockfenster</translation>
     </message>
     <message>
-        <source>&amp;Stroke</source>
-        <translation>&amp;Strich</translation>
-    </message>
-    <message>
         <source>&amp;Tools</source>
         <translation>&amp;Werkzeuge</translation>
     </message>
@@ -1029,6 +1201,591 @@ Rückgabewerte: 0 fertig, 1 fehlgeschlagen, 2 falscher Aufruf.</translation>
     <message>
         <source>Tools</source>
         <translation>Werkzeuge</translation>
+    </message>
+    <message>
+        <source>Cu&amp;t</source>
+        <translation>Aus&amp;schneiden</translation>
+    </message>
+    <message>
+        <source>&amp;Copy</source>
+        <translation>&amp;Kopieren</translation>
+    </message>
+    <message>
+        <source>&amp;Paste</source>
+        <translation>Ein&amp;fügen</translation>
+    </message>
+    <message>
+        <source>Paste strokes or SVG paths at the pointer; a colour becomes the current one</source>
+        <translation>Striche oder SVG-Pfade am Zeiger einfügen; eine Farbe wird zur aktuellen</translation>
+    </message>
+    <message>
+        <source>Paste &amp;in Place</source>
+        <translation>An &amp;Originalposition einfügen</translation>
+    </message>
+    <message>
+        <source>Ctrl+Alt+V</source>
+        <translation>Ctrl+Alt+V</translation>
+    </message>
+    <message>
+        <source>Paste strokes where they were</source>
+        <translation>Striche dort einfügen, wo sie waren</translation>
+    </message>
+    <message>
+        <source>Edit segments, nodes and handles of strokes</source>
+        <translation>Segmente, Knoten und Anfasser von Strichen bearbeiten</translation>
+    </message>
+    <message>
+        <source>&amp;Knife</source>
+        <translation>&amp;Messer</translation>
+    </message>
+    <message>
+        <source>Cut strokes along a line</source>
+        <translation>Striche entlang einer Linie zerschneiden</translation>
+    </message>
+    <message>
+        <source>&amp;Eraser</source>
+        <translation>&amp;Radierer</translation>
+    </message>
+    <message>
+        <source>Erase parts of strokes</source>
+        <translation>Teile von Strichen radieren</translation>
+    </message>
+    <message>
+        <source>&amp;Attribute Brush</source>
+        <translation>A&amp;ttributpinsel</translation>
+    </message>
+    <message>
+        <source>Paint values onto segments</source>
+        <translation>Werte auf Segmente malen</translation>
+    </message>
+    <message>
+        <source>Eye&amp;dropper</source>
+        <translation>&amp;Farbpipette</translation>
+    </message>
+    <message>
+        <source>Pick a colour</source>
+        <translation>Farbe aufnehmen</translation>
+    </message>
+    <message>
+        <source>&amp;Insert Nodes</source>
+        <translation>&amp;Knoten einfügen</translation>
+    </message>
+    <message>
+        <source>Insert a node into each selected segment</source>
+        <translation>In jedes ausgewählte Segment einen Knoten einfügen</translation>
+    </message>
+    <message>
+        <source>&amp;Corner</source>
+        <translation>&amp;Eckig</translation>
+    </message>
+    <message>
+        <source>Shift+C</source>
+        <translation>Shift+C</translation>
+    </message>
+    <message>
+        <source>Make the selected nodes corners</source>
+        <translation>Die ausgewählten Knoten eckig machen</translation>
+    </message>
+    <message>
+        <source>&amp;Smooth</source>
+        <translation>&amp;Glatt</translation>
+    </message>
+    <message>
+        <source>Shift+S</source>
+        <translation>Shift+S</translation>
+    </message>
+    <message>
+        <source>Make the selected nodes smooth</source>
+        <translation>Die ausgewählten Knoten glatt machen</translation>
+    </message>
+    <message>
+        <source>S&amp;ymmetric</source>
+        <translation>&amp;Symmetrisch</translation>
+    </message>
+    <message>
+        <source>Shift+Y</source>
+        <translation>Shift+Y</translation>
+    </message>
+    <message>
+        <source>Make the selected nodes symmetric</source>
+        <translation>Die ausgewählten Knoten symmetrisch machen</translation>
+    </message>
+    <message>
+        <source>&amp;Break Strokes</source>
+        <translation>Striche &amp;auftrennen</translation>
+    </message>
+    <message>
+        <source>Shift+B</source>
+        <translation>Shift+B</translation>
+    </message>
+    <message>
+        <source>Break strokes at the selected nodes</source>
+        <translation>Striche an den ausgewählten Knoten auftrennen</translation>
+    </message>
+    <message>
+        <source>&amp;Join Nodes</source>
+        <translation>Knoten &amp;verbinden</translation>
+    </message>
+    <message>
+        <source>Shift+J</source>
+        <translation>Shift+J</translation>
+    </message>
+    <message>
+        <source>Join two selected end nodes</source>
+        <translation>Zwei ausgewählte Endknoten verbinden</translation>
+    </message>
+    <message>
+        <source>&amp;Delete Segments</source>
+        <translation>Segmente &amp;löschen</translation>
+    </message>
+    <message>
+        <source>Ctrl+Del</source>
+        <translation>Ctrl+Del</translation>
+    </message>
+    <message>
+        <source>Delete the selected segments, so that strokes split</source>
+        <translation>Die ausgewählten Segmente löschen, sodass sich Striche teilen</translation>
+    </message>
+    <message>
+        <source>Bri&amp;dge Segments</source>
+        <translation>Segmente ü&amp;berbrücken</translation>
+    </message>
+    <message>
+        <source>Alt+Del</source>
+        <translation>Alt+Del</translation>
+    </message>
+    <message>
+        <source>Replace selected segments by one that goes on smoothly</source>
+        <translation>Ausgewählte Segmente durch eines ersetzen, das glatt weiterläuft</translation>
+    </message>
+    <message>
+        <source>&amp;Reverse</source>
+        <translation>Richtung &amp;umkehren</translation>
+    </message>
+    <message>
+        <source>Shift+R</source>
+        <translation>Shift+R</translation>
+    </message>
+    <message>
+        <source>Let the selected strokes run from end to start</source>
+        <translation>Die ausgewählten Striche vom Ende zum Anfang laufen lassen</translation>
+    </message>
+    <message>
+        <source>&amp;Object</source>
+        <translation>&amp;Objekt</translation>
+    </message>
+    <message>
+        <source>&amp;Nodes</source>
+        <translation>&amp;Knoten</translation>
+    </message>
+    <message>
+        <source>&amp;Invert Selection</source>
+        <translation>Auswahl &amp;umkehren</translation>
+    </message>
+    <message>
+        <source>Ctrl+Shift+I</source>
+        <translation>Ctrl+Shift+I</translation>
+    </message>
+    <message>
+        <source>!</source>
+        <translation>!</translation>
+    </message>
+    <message>
+        <source>&amp;Colour</source>
+        <translation>&amp;Farbe</translation>
+    </message>
+    <message>
+        <source>Select all strokes of the same colour</source>
+        <translation>Alle Striche derselben Farbe auswählen</translation>
+    </message>
+    <message>
+        <source>&amp;Style</source>
+        <translation>&amp;Stil</translation>
+    </message>
+    <message>
+        <source>Select all strokes of the same style</source>
+        <translation>Alle Striche desselben Stils auswählen</translation>
+    </message>
+    <message>
+        <source>Select all strokes of the same brush</source>
+        <translation>Alle Striche desselben Pinsels auswählen</translation>
+    </message>
+    <message>
+        <source>&amp;Lasso</source>
+        <translation>&amp;Lasso</translation>
+    </message>
+    <message>
+        <source>L</source>
+        <translation>L</translation>
+    </message>
+    <message>
+        <source>Select what is drawn around</source>
+        <translation>Auswählen, was umfahren wird</translation>
+    </message>
+    <message>
+        <source>&amp;Touch</source>
+        <translation>&amp;Berühren</translation>
+    </message>
+    <message>
+        <source>Select what a path touches</source>
+        <translation>Auswählen, was ein Pfad berührt</translation>
+    </message>
+    <message>
+        <source>&amp;Group</source>
+        <translation>&amp;Gruppieren</translation>
+    </message>
+    <message>
+        <source>Ctrl+G</source>
+        <translation>Ctrl+G</translation>
+    </message>
+    <message>
+        <source>&amp;Ungroup</source>
+        <translation>Gruppierung auf&amp;heben</translation>
+    </message>
+    <message>
+        <source>Ctrl+Shift+G</source>
+        <translation>Ctrl+Shift+G</translation>
+    </message>
+    <message>
+        <source>Loc&amp;k</source>
+        <translation>&amp;Sperren</translation>
+    </message>
+    <message>
+        <source>Ctrl+2</source>
+        <translation>Ctrl+2</translation>
+    </message>
+    <message>
+        <source>U&amp;nlock All</source>
+        <translation>Alle &amp;entsperren</translation>
+    </message>
+    <message>
+        <source>Ctrl+Alt+2</source>
+        <translation>Ctrl+Alt+2</translation>
+    </message>
+    <message>
+        <source>&amp;Hide</source>
+        <translation>Ausb&amp;lenden</translation>
+    </message>
+    <message>
+        <source>Ctrl+3</source>
+        <translation>Ctrl+3</translation>
+    </message>
+    <message>
+        <source>Sho&amp;w All</source>
+        <translation>Alle e&amp;inblenden</translation>
+    </message>
+    <message>
+        <source>Ctrl+Alt+3</source>
+        <translation>Ctrl+Alt+3</translation>
+    </message>
+    <message>
+        <source>Rena&amp;me…</source>
+        <translation>U&amp;mbenennen …</translation>
+    </message>
+    <message>
+        <source>F2</source>
+        <translation>F2</translation>
+    </message>
+    <message>
+        <source>Flip Hori&amp;zontally</source>
+        <translation>Hori&amp;zontal spiegeln</translation>
+    </message>
+    <message>
+        <source>Shift+H</source>
+        <translation>Shift+H</translation>
+    </message>
+    <message>
+        <source>Flip &amp;Vertically</source>
+        <translation>&amp;Vertikal spiegeln</translation>
+    </message>
+    <message>
+        <source>Shift+V</source>
+        <translation>Shift+V</translation>
+    </message>
+    <message>
+        <source>Rotate by 90° L&amp;eft</source>
+        <translation>Um 90° nach lin&amp;ks drehen</translation>
+    </message>
+    <message>
+        <source>Ctrl+[</source>
+        <translation>Ctrl+[</translation>
+    </message>
+    <message>
+        <source>Rotate by 90° &amp;Right</source>
+        <translation>Um 90° nach &amp;rechts drehen</translation>
+    </message>
+    <message>
+        <source>Ctrl+]</source>
+        <translation>Ctrl+]</translation>
+    </message>
+    <message>
+        <source>&amp;Scale Spread with the Shape</source>
+        <translation>Ausbreitung mit der &amp;Form skalieren</translation>
+    </message>
+    <message>
+        <source>Spread and density follow the shape when it is scaled</source>
+        <translation>Ausbreitung und Dichte folgen der Form, wenn sie skaliert wird</translation>
+    </message>
+    <message>
+        <source>&amp;Left Edges</source>
+        <translation>&amp;Linke Kanten</translation>
+    </message>
+    <message>
+        <source>&amp;Centres, Horizontally</source>
+        <translation>&amp;Horizontal zentrieren</translation>
+    </message>
+    <message>
+        <source>&amp;Right Edges</source>
+        <translation>&amp;Rechte Kanten</translation>
+    </message>
+    <message>
+        <source>&amp;Top Edges</source>
+        <translation>&amp;Obere Kanten</translation>
+    </message>
+    <message>
+        <source>&amp;Middles, Vertically</source>
+        <translation>&amp;Vertikal zentrieren</translation>
+    </message>
+    <message>
+        <source>&amp;Bottom Edges</source>
+        <translation>&amp;Untere Kanten</translation>
+    </message>
+    <message>
+        <source>Relative to the &amp;Selection</source>
+        <translation>Relativ zur &amp;Auswahl</translation>
+    </message>
+    <message>
+        <source>Relative to the T&amp;opmost</source>
+        <translation>Relativ zum O&amp;bersten</translation>
+    </message>
+    <message>
+        <source>Relative to the C&amp;anvas</source>
+        <translation>Relativ zur Lein&amp;wand</translation>
+    </message>
+    <message>
+        <source>Even Gaps, &amp;Horizontally</source>
+        <translation>Gleiche Abstände, &amp;horizontal</translation>
+    </message>
+    <message>
+        <source>Even Gaps, &amp;Vertically</source>
+        <translation>Gleiche Abstände, &amp;vertikal</translation>
+    </message>
+    <message>
+        <source>Even &amp;Centres, Horizontally</source>
+        <translation>Gleiche &amp;Mittenabstände, horizontal</translation>
+    </message>
+    <message>
+        <source>Even C&amp;entres, Vertically</source>
+        <translation>Gleiche Mittena&amp;bstände, vertikal</translation>
+    </message>
+    <message>
+        <source>Snap to &amp;Nodes</source>
+        <translation>An K&amp;noten einrasten</translation>
+    </message>
+    <message>
+        <source>%</source>
+        <translation>%</translation>
+    </message>
+    <message>
+        <source>Snap to &amp;Grid</source>
+        <translation>Am Gi&amp;tter einrasten</translation>
+    </message>
+    <message>
+        <source>&amp;Show the Grid</source>
+        <translation>Gitter an&amp;zeigen</translation>
+    </message>
+    <message>
+        <source>#</source>
+        <translation>#</translation>
+    </message>
+    <message>
+        <source>Gr&amp;id Step…</source>
+        <translation>Gitter&amp;weite …</translation>
+    </message>
+    <message>
+        <source>&amp;Align</source>
+        <translation>Ausri&amp;chten</translation>
+    </message>
+    <message>
+        <source>&amp;Distribute</source>
+        <translation>Ver&amp;teilen</translation>
+    </message>
+    <message>
+        <source>Select Sa&amp;me</source>
+        <translation>&amp;Gleiche auswählen</translation>
+    </message>
+</context>
+<context>
+    <name>suffuse::AgePlot</name>
+    <message>
+        <source>No paint here</source>
+        <translation>Hier ist keine Farbe</translation>
+    </message>
+    <message>
+        <source>density φ, up to %1</source>
+        <translation>Dichte φ, bis %1</translation>
+    </message>
+    <message>
+        <source>0 s</source>
+        <translation>0 s</translation>
+    </message>
+    <message>
+        <source>age %1 s</source>
+        <translation>Alter %1 s</translation>
+    </message>
+</context>
+<context>
+    <name>suffuse::AlongDialog</name>
+    <message>
+        <source>Along the Stroke</source>
+        <translation>Entlang des Strichs</translation>
+    </message>
+    <message>
+        <source>Curve along the stroke</source>
+        <translation>Kurve entlang des Strichs</translation>
+    </message>
+    <message>
+        <source>Drag the line or its ends; a drawn curve is drawn with the pointer. The dots are the values of the segments.</source>
+        <translation>Die Linie oder ihre Enden ziehen; eine gezeichnete Kurve zeichnet man mit dem Zeiger. Die Punkte sind die Werte der Segmente.</translation>
+    </message>
+    <message>
+        <source>Quantity</source>
+        <translation>Kenngröße</translation>
+    </message>
+    <message>
+        <source>Constant</source>
+        <translation>Konstant</translation>
+    </message>
+    <message>
+        <source>The same value all along</source>
+        <translation>Überall derselbe Wert</translation>
+    </message>
+    <message>
+        <source>Ramp</source>
+        <translation>Rampe</translation>
+    </message>
+    <message>
+        <source>Evenly from one value to another</source>
+        <translation>Gleichmäßig von einem Wert zum anderen</translation>
+    </message>
+    <message>
+        <source>Drawn</source>
+        <translation>Gezeichnet</translation>
+    </message>
+    <message>
+        <source>A curve drawn with the pointer</source>
+        <translation>Eine mit dem Zeiger gezeichnete Kurve</translation>
+    </message>
+    <message>
+        <source>Start</source>
+        <translation>Anfang</translation>
+    </message>
+    <message>
+        <source>End</source>
+        <translation>Ende</translation>
+    </message>
+    <message>
+        <source>Change along the stroke</source>
+        <translation>Entlang des Strichs ändern</translation>
+    </message>
+</context>
+<context>
+    <name>suffuse::AttributeBrushTool</name>
+    <message>
+        <source>Diffusion D</source>
+        <translation>Diffusion D</translation>
+    </message>
+    <message>
+        <source>Density φ</source>
+        <translation>Dichte φ</translation>
+    </message>
+    <message>
+        <source>Granulation ω</source>
+        <translation>Granulation ω</translation>
+    </message>
+    <message>
+        <source>Colour</source>
+        <translation>Farbe</translation>
+    </message>
+    <message>
+        <source>Opacity</source>
+        <translation>Deckkraft</translation>
+    </message>
+    <message>
+        <source>Drying time</source>
+        <translation>Trockenzeit</translation>
+    </message>
+    <message>
+        <source>What is painted onto the segments</source>
+        <translation>Was auf die Segmente gemalt wird</translation>
+    </message>
+    <message>
+        <source>Towards a value, or from the value that each segment has</source>
+        <translation>Auf einen Wert zu, oder ausgehend vom Wert, den jedes Segment hat</translation>
+    </message>
+    <message>
+        <source>Value</source>
+        <translation>Wert</translation>
+    </message>
+    <message>
+        <source>What a segment has when it got all of it</source>
+        <translation>Was ein Segment hat, wenn es alles davon bekommen hat</translation>
+    </message>
+    <message>
+        <source>Flow</source>
+        <translation>Fluss</translation>
+    </message>
+    <message>
+        <source>How fast it is laid down</source>
+        <translation>Wie schnell aufgetragen wird</translation>
+    </message>
+    <message>
+        <source>set to</source>
+        <translation>setzen auf</translation>
+    </message>
+    <message>
+        <source>multiply by</source>
+        <translation>multiplizieren mit</translation>
+    </message>
+    <message>
+        <source>add</source>
+        <translation>addieren</translation>
+    </message>
+    <message>
+        <source>the current colour</source>
+        <translation>die aktuelle Farbe</translation>
+    </message>
+    <message>
+        <source>Drag over strokes to paint the chosen value onto their segments. [ and ] change the size.</source>
+        <translation>Ziehen über Striche malt den gewählten Wert auf ihre Segmente. [ und ] ändern die Größe.</translation>
+    </message>
+    <message>
+        <source>Drag over the selection to paint the chosen value onto its segments. [ and ] change the size.</source>
+        <translation>Ziehen über die Auswahl malt den gewählten Wert auf ihre Segmente. [ und ] ändern die Größe.</translation>
+    </message>
+    <message>
+        <source>Paint diffusion</source>
+        <translation>Diffusion malen</translation>
+    </message>
+    <message>
+        <source>Paint density</source>
+        <translation>Dichte malen</translation>
+    </message>
+    <message>
+        <source>Paint granulation</source>
+        <translation>Granulation malen</translation>
+    </message>
+    <message>
+        <source>Paint colour</source>
+        <translation>Farbe malen</translation>
+    </message>
+    <message>
+        <source>Paint opacity</source>
+        <translation>Deckkraft malen</translation>
+    </message>
+    <message>
+        <source>Paint drying time</source>
+        <translation>Trockenzeit malen</translation>
     </message>
 </context>
 <context>
@@ -1085,12 +1842,27 @@ Rückgabewerte: 0 fertig, 1 fehlgeschlagen, 2 falscher Aufruf.</translation>
 <context>
     <name>suffuse::BrushTool</name>
     <message>
-        <source>Drag to paint; a tap leaves a dot. Esc gives the stroke up.</source>
-        <translation>Ziehen malt, ein Tipp setzt einen Punkt. Esc verwirft den Strich.</translation>
-    </message>
-    <message>
         <source>Brush stroke</source>
         <translation>Pinselstrich</translation>
+    </message>
+    <message>
+        <source>Shift+drag to go on with the selected stroke from its end.</source>
+        <translation>Umschalt+Ziehen setzt den ausgewählten Strich an seinem Ende fort.</translation>
+    </message>
+    <message>
+        <source>Drag to paint; a tap leaves a dot. Ctrl: pick the picture&apos;s colour; with Shift, a stroke&apos;s own.</source>
+        <translation>Ziehen malt; Tippen hinterlässt einen Punkt. Strg: Farbe des Bildes aufnehmen; mit Umschalt die eigene eines Strichs.</translation>
+    </message>
+    <message>
+        <source>Extend stroke</source>
+        <translation>Strich fortsetzen</translation>
+    </message>
+</context>
+<context>
+    <name>suffuse::CanvasDrops</name>
+    <message>
+        <source>Drop colour</source>
+        <translation>Farbe ablegen</translation>
     </message>
 </context>
 <context>
@@ -1323,6 +2095,43 @@ Auch die Pfeiltasten wirken.</translation>
     </message>
 </context>
 <context>
+    <name>suffuse::CompareButton</name>
+    <message>
+        <source>Before</source>
+        <translation>Vorher</translation>
+    </message>
+    <message>
+        <source>Shows the picture as it was before the last changes to the selection: while held, or click to switch back and forth.</source>
+        <translation>Zeigt das Bild, wie es vor den letzten Änderungen an der Auswahl war: solange gedrückt, oder ein Klick wechselt hin und her.</translation>
+    </message>
+</context>
+<context>
+    <name>suffuse::CrossSectionPlot</name>
+    <message>
+        <source>Covers up to %1 %</source>
+        <translation>Deckt bis %1 %</translation>
+    </message>
+    <message>
+        <source>Not painted yet</source>
+        <translation>Noch nicht gemalt</translation>
+    </message>
+    <message>
+        <source>cross-section</source>
+        <translation>Querschnitt</translation>
+    </message>
+    <message>
+        <source>±%1 u</source>
+        <translation>±%1 u</translation>
+    </message>
+</context>
+<context>
+    <name>suffuse::CurveEditor</name>
+    <message>
+        <source>along the stroke →</source>
+        <translation>entlang des Strichs →</translation>
+    </message>
+</context>
+<context>
     <name>suffuse::DensityPlot</name>
     <message>
         <source>Coverage at the peak density %1: %2 %</source>
@@ -1346,6 +2155,21 @@ Auch die Pfeiltasten wirken.</translation>
     <message>
         <source>Untitled</source>
         <translation>Unbenannt</translation>
+    </message>
+</context>
+<context>
+    <name>suffuse::EraserTool</name>
+    <message>
+        <source>Drag over strokes to erase what lies under the circle. [ and ] change its size.</source>
+        <translation>Ziehen über Striche radiert, was unter dem Kreis liegt. [ und ] ändern seine Größe.</translation>
+    </message>
+    <message>
+        <source>Drag over the selected strokes to erase what lies under the circle. [ and ] change its size.</source>
+        <translation>Ziehen über die ausgewählten Striche radiert, was unter dem Kreis liegt. [ und ] ändern seine Größe.</translation>
+    </message>
+    <message>
+        <source>Erase</source>
+        <translation>Radieren</translation>
     </message>
 </context>
 <context>
@@ -1477,6 +2301,80 @@ Auch die Pfeiltasten wirken.</translation>
     <message>
         <source>%1 exists. Replace it?</source>
         <translation>%1 gibt es schon. Ersetzen?</translation>
+    </message>
+</context>
+<context>
+    <name>suffuse::EyedropperTool</name>
+    <message>
+        <source>Click to take the picture&apos;s colour as the current one. Shift: the stroke&apos;s own colour.</source>
+        <translation>Klick übernimmt die Farbe des Bildes als aktuelle. Umschalt: die eigene Farbe des Strichs.</translation>
+    </message>
+</context>
+<context>
+    <name>suffuse::FiguresSection</name>
+    <message>
+        <source>Density function</source>
+        <translation>Dichtefunktion</translation>
+    </message>
+    <message>
+        <source>How density becomes coverage. The mark is the peak density of the selected segments.</source>
+        <translation>Wie aus Dichte Deckung wird. Die Marke ist die Spitzendichte der ausgewählten Segmente.</translation>
+    </message>
+    <message>
+        <source>Cross-section</source>
+        <translation>Querschnitt</translation>
+    </message>
+    <message>
+        <source>The cut through the stroke at the first selected segment, at the moment shown: coverage, on the colour that it has on the background.</source>
+        <translation>Der Schnitt durch den Strich beim ersten ausgewählten Segment, zum gezeigten Zeitpunkt: die Deckung, in der Farbe, die er auf dem Hintergrund hat.</translation>
+    </message>
+    <message>
+        <source>Warnings</source>
+        <translation>Warnungen</translation>
+    </message>
+    <message>
+        <source>Spread s</source>
+        <translation>Ausbreitung s</translation>
+    </message>
+    <message>
+        <source>Peak density</source>
+        <translation>Spitzendichte</translation>
+    </message>
+    <message>
+        <source>Half-width</source>
+        <translation>Halbe Breite</translation>
+    </message>
+    <message>
+        <source>Fades away</source>
+        <translation>Verblasst</translation>
+    </message>
+    <message>
+        <source>How far the paint has spread once it is dry: √(4·D·t_max).</source>
+        <translation>Wie weit die Farbe getrocknet verlaufen ist: √(4·D·t_max).</translation>
+    </message>
+    <message>
+        <source>Density in the middle of a long straight stroke, dry.</source>
+        <translation>Dichte in der Mitte eines langen geraden Strichs, getrocknet.</translation>
+    </message>
+    <message>
+        <source>From the middle to the visible edge of a long straight stroke, dry.</source>
+        <translation>Von der Mitte bis zum sichtbaren Rand eines langen geraden Strichs, getrocknet.</translation>
+    </message>
+    <message>
+        <source>When the paint has spread so thin that nothing of it is visible any more.</source>
+        <translation>Wann die Farbe so dünn verlaufen ist, dass nichts mehr zu sehen ist.</translation>
+    </message>
+    <message>
+        <source>never</source>
+        <translation>nie</translation>
+    </message>
+    <message>
+        <source>partly, from %1</source>
+        <translation>teilweise, ab %1</translation>
+    </message>
+    <message>
+        <source>after %1</source>
+        <translation>nach %1</translation>
     </message>
 </context>
 <context>
@@ -1955,6 +2853,10 @@ Auch die Pfeiltasten wirken.</translation>
         <source>Every change since the painting was opened. Click one to go back or forward to it.</source>
         <translation>Jede Änderung seit dem Öffnen. Ein Klick geht dorthin zurück oder vor.</translation>
     </message>
+    <message>
+        <source>This stroke</source>
+        <translation>Dieser Strich</translation>
+    </message>
 </context>
 <context>
     <name>suffuse::InspectorPanel</name>
@@ -1979,6 +2881,29 @@ Auch die Pfeiltasten wirken.</translation>
             <numerusform>%n Segment</numerusform>
             <numerusform>%n Segmente</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>Along the Stroke…</source>
+        <translation>Entlang des Strichs …</translation>
+    </message>
+    <message>
+        <source>Sets a value along the stroke: constant, as a ramp, or drawn as a curve.</source>
+        <translation>Setzt einen Wert entlang des Strichs: konstant, als Rampe oder als gezeichnete Kurve.</translation>
+    </message>
+</context>
+<context>
+    <name>suffuse::KnifeTool</name>
+    <message>
+        <source>Drag a line to insert nodes where it crosses strokes. Shift: cut the strokes apart. Ctrl: steps of 15°.</source>
+        <translation>Ziehen einer Linie fügt Knoten ein, wo sie Striche kreuzt. Umschalt: Striche zerschneiden. Strg: Schritte von 15°.</translation>
+    </message>
+    <message>
+        <source>Cut strokes</source>
+        <translation>Striche zerschneiden</translation>
+    </message>
+    <message>
+        <source>Insert nodes</source>
+        <translation>Knoten einfügen</translation>
     </message>
 </context>
 <context>
@@ -2084,6 +3009,33 @@ Auch die Pfeiltasten wirken.</translation>
         <extracomment>a position: x, y</extracomment>
         <translation>%1; %2</translation>
     </message>
+    <message>
+        <source>Tool Options</source>
+        <translation>Werkzeugeinstellungen</translation>
+    </message>
+    <message>
+        <source>Probe</source>
+        <translation>Sonde</translation>
+    </message>
+    <message>
+        <source>Grid</source>
+        <translation>Gitter</translation>
+    </message>
+    <message>
+        <source>Step in canvas units</source>
+        <translation>Weite in Leinwandeinheiten</translation>
+    </message>
+    <message>
+        <source>Rename</source>
+        <translation>Umbenennen</translation>
+    </message>
+    <message numerus="yes">
+        <source>Name of %n stroke(s)</source>
+        <translation>
+            <numerusform>Name von %n Strich</numerusform>
+            <numerusform>Name von %n Strichen</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>suffuse::NewDialog</name>
@@ -2141,6 +3093,85 @@ Auch die Pfeiltasten wirken.</translation>
     </message>
 </context>
 <context>
+    <name>suffuse::NodeTool</name>
+    <message>
+        <source>Drag the handle to bend the curve. Shift: make the node a corner. Ctrl: steps of 15°.</source>
+        <translation>Ziehen am Anfasser biegt die Kurve. Umschalt: Knoten eckig machen. Strg: Schritte von 15°.</translation>
+    </message>
+    <message>
+        <source>Drag to move the selected nodes. Ctrl: along an axis. Alt: along the handle. Shift+click for more nodes.</source>
+        <translation>Ziehen verschiebt die ausgewählten Knoten. Strg: entlang einer Achse. Alt: entlang des Anfassers. Umschalt+Klick: weitere Knoten.</translation>
+    </message>
+    <message>
+        <source>Drag to bend the curve. Double click to insert a node. Click to select the segment.</source>
+        <translation>Ziehen biegt die Kurve. Doppelklick fügt einen Knoten ein. Klick wählt das Segment aus.</translation>
+    </message>
+    <message>
+        <source>Click a segment to select it, Shift+click for a run, Ctrl+click to add or remove one. Drag around nodes.</source>
+        <translation>Klick wählt ein Segment aus, Umschalt+Klick eine Folge, Strg+Klick fügt eines hinzu oder entfernt es. Ziehen umrahmt Knoten.</translation>
+    </message>
+    <message>
+        <source>Insert node</source>
+        <translation>Knoten einfügen</translation>
+    </message>
+    <message>
+        <source>Move nodes</source>
+        <translation>Knoten verschieben</translation>
+    </message>
+    <message>
+        <source>Move node</source>
+        <translation>Knoten verschieben</translation>
+    </message>
+    <message>
+        <source>Move handle</source>
+        <translation>Anfasser verschieben</translation>
+    </message>
+    <message>
+        <source>Bend curve</source>
+        <translation>Kurve biegen</translation>
+    </message>
+    <message>
+        <source>Smooth nodes</source>
+        <translation>Knoten glätten</translation>
+    </message>
+    <message>
+        <source>Symmetric nodes</source>
+        <translation>Knoten symmetrisch machen</translation>
+    </message>
+    <message>
+        <source>Corner nodes</source>
+        <translation>Knoten eckig machen</translation>
+    </message>
+    <message>
+        <source>Insert nodes</source>
+        <translation>Knoten einfügen</translation>
+    </message>
+    <message>
+        <source>Break stroke</source>
+        <translation>Strich auftrennen</translation>
+    </message>
+    <message>
+        <source>Join nodes</source>
+        <translation>Knoten verbinden</translation>
+    </message>
+    <message>
+        <source>Reverse strokes</source>
+        <translation>Striche umkehren</translation>
+    </message>
+    <message>
+        <source>Delete nodes</source>
+        <translation>Knoten löschen</translation>
+    </message>
+    <message>
+        <source>Delete segments</source>
+        <translation>Segmente löschen</translation>
+    </message>
+    <message>
+        <source>Bridge segments</source>
+        <translation>Segmente überbrücken</translation>
+    </message>
+</context>
+<context>
     <name>suffuse::NumberField</name>
     <message>
         <source>“%1” is not a number. Sums such as 12*1.5 or +2 work too.</source>
@@ -2150,12 +3181,75 @@ Auch die Pfeiltasten wirken.</translation>
         <source>%1 is out of range: %2 to %3 is possible.</source>
         <translation>%1 liegt außerhalb des Bereichs: Möglich ist %2 bis %3.</translation>
     </message>
+    <message>
+        <source>“%1” is not possible here: this number has no unit.</source>
+        <translation>„%1“ ist hier nicht möglich: Diese Zahl hat keine Einheit.</translation>
+    </message>
+    <message>
+        <source>“%1” is not possible here: the unit is %2.</source>
+        <translation>„%1“ ist hier nicht möglich: Die Einheit ist %2.</translation>
+    </message>
 </context>
 <context>
     <name>suffuse::PanTool</name>
     <message>
         <source>Drag to move the canvas. The wheel zooms; R and drag turns.</source>
         <translation>Ziehen verschiebt die Leinwand. Das Rad zoomt; R und Ziehen dreht.</translation>
+    </message>
+</context>
+<context>
+    <name>suffuse::ProbePanel</name>
+    <message>
+        <source>%1 %</source>
+        <translation>%1 %</translation>
+    </message>
+    <message>
+        <source>Rest the pointer on the painting: what it is made of there is listed here, and stays when you come here to click it.</source>
+        <translation>Den Zeiger auf dem Bild ruhen lassen: Woraus es dort besteht, steht dann hier und bleibt, wenn Sie zum Anklicken herkommen.</translation>
+    </message>
+    <message>
+        <source>Stroke</source>
+        <translation>Strich</translation>
+    </message>
+    <message>
+        <source>Share</source>
+        <translation>Anteil</translation>
+    </message>
+    <message>
+        <source>Density φ</source>
+        <translation>Dichte φ</translation>
+    </message>
+    <message>
+        <source>Of strokes: share of the colour. Of segments: share of the stroke&apos;s density.</source>
+        <translation>Bei Strichen: Anteil an der Farbe. Bei Segmenten: Anteil an der Dichte des Strichs.</translation>
+    </message>
+    <message>
+        <source>Strokes under the pointer</source>
+        <translation>Striche unter dem Zeiger</translation>
+    </message>
+    <message>
+        <source>Density over the age</source>
+        <translation>Dichte über dem Alter</translation>
+    </message>
+    <message>
+        <source>The density of the chosen stroke at this place from when it was painted until it is dry. Dashed: the density from which it is seen.</source>
+        <translation>Die Dichte des gewählten Strichs an dieser Stelle, vom Malen bis zum Trocknen. Gestrichelt: die Dichte, ab der er zu sehen ist.</translation>
+    </message>
+    <message>
+        <source>%1, %2 · paper η %3</source>
+        <translation>%1; %2 · Papier η %3</translation>
+    </message>
+    <message>
+        <source>Canvas</source>
+        <translation>Leinwand</translation>
+    </message>
+    <message>
+        <source>Stroke %1</source>
+        <translation>Strich %1</translation>
+    </message>
+    <message>
+        <source>Segment %1</source>
+        <translation>Segment %1</translation>
     </message>
 </context>
 <context>
@@ -2256,23 +3350,124 @@ Auch die Pfeiltasten wirken.</translation>
         <source>How many times D along the angle is D across it; 1 spreads evenly.</source>
         <translation>Wievielmal so groß D längs des Winkels ist wie quer dazu; bei 1 breitet sich die Farbe gleichmäßig aus.</translation>
     </message>
-</context>
-<context>
-    <name>suffuse::SegmentTool</name>
     <message>
-        <source>Click a segment to select it, Shift+click for a run, Ctrl+click to add or remove one.</source>
-        <translation>Klick wählt ein Segment, Umschalt+Klick eine Folge, Strg+Klick fügt eines hinzu oder nimmt es weg.</translation>
+        <source>Opacity</source>
+        <translation>Deckkraft</translation>
+    </message>
+    <message>
+        <source>How much the paint covers at full density</source>
+        <translation>Wie stark die Farbe bei voller Dichte deckt</translation>
+    </message>
+    <message>
+        <source>Red</source>
+        <translation>Rot</translation>
+    </message>
+    <message>
+        <source>Share of red pigment</source>
+        <translation>Anteil des roten Pigments</translation>
+    </message>
+    <message>
+        <source>Yellow</source>
+        <translation>Gelb</translation>
+    </message>
+    <message>
+        <source>Share of yellow pigment</source>
+        <translation>Anteil des gelben Pigments</translation>
+    </message>
+    <message>
+        <source>Blue</source>
+        <translation>Blau</translation>
+    </message>
+    <message>
+        <source>Share of blue pigment</source>
+        <translation>Anteil des blauen Pigments</translation>
+    </message>
+    <message>
+        <source>Not possible for all that is selected: a value would be out of range.</source>
+        <translation>Nicht für die ganze Auswahl möglich: Ein Wert läge außerhalb des Bereichs.</translation>
     </message>
 </context>
 <context>
     <name>suffuse::SelectTool</name>
     <message>
-        <source>Click paint to select its stroke, click again for a segment, Shift+click for more. Drag to move.</source>
-        <translation>Klick auf Farbe wählt den Strich, ein zweiter das Segment, Umschalt+Klick mehr. Ziehen verschiebt.</translation>
-    </message>
-    <message>
         <source>Move</source>
         <translation>Verschieben</translation>
+    </message>
+    <message>
+        <source>Stroke %1 of %2 under the pointer, from the top. Alt+click again: the next below.</source>
+        <translation>Strich %1 von %2 unter dem Zeiger, von oben gezählt. Nochmals Alt+Klick: der nächste darunter.</translation>
+    </message>
+    <message>
+        <source>Scale</source>
+        <translation>Skalieren</translation>
+    </message>
+    <message>
+        <source>Skew</source>
+        <translation>Scheren</translation>
+    </message>
+    <message>
+        <source>Rotate</source>
+        <translation>Drehen</translation>
+    </message>
+    <message>
+        <source>Move by %1, %2</source>
+        <translation>Verschieben um %1; %2</translation>
+    </message>
+    <message>
+        <source>Scale to %1 % × %2 %</source>
+        <translation>Skalieren auf %1 % × %2 %</translation>
+    </message>
+    <message>
+        <source>Rotate by %1°</source>
+        <translation>Drehen um %1°</translation>
+    </message>
+    <message>
+        <source>Skew by %1°</source>
+        <translation>Scheren um %1°</translation>
+    </message>
+    <message>
+        <source>Drag: scale. Ctrl: keep the proportions. Shift: about the centre.</source>
+        <translation>Ziehen: skalieren. Strg: Seitenverhältnis erhalten. Umschalt: um die Mitte.</translation>
+    </message>
+    <message>
+        <source>Drag: rotate. Ctrl: in steps of 15°. Shift: about the opposite corner.</source>
+        <translation>Ziehen: drehen. Strg: in Schritten von 15°. Umschalt: um die gegenüberliegende Ecke.</translation>
+    </message>
+    <message>
+        <source>Drag: skew. Ctrl: in steps of 15°. Shift: about the opposite side.</source>
+        <translation>Ziehen: scheren. Strg: in Schritten von 15°. Umschalt: um die gegenüberliegende Seite.</translation>
+    </message>
+    <message>
+        <source>Drag: move the centre of rotation. Shift+click: back into the middle.</source>
+        <translation>Ziehen: Drehpunkt verschieben. Umschalt+Klick: zurück in die Mitte.</translation>
+    </message>
+    <message>
+        <source>Shift+Alt+click: add the next stroke below. Shift+Alt+drag: add what the path touches.</source>
+        <translation>Umschalt+Alt+Klick: nächsten Strich darunter hinzufügen. Umschalt+Alt+Ziehen: hinzufügen, was der Pfad berührt.</translation>
+    </message>
+    <message>
+        <source>Alt+click: select the next stroke below. Alt+drag: select what the path touches.</source>
+        <translation>Alt+Klick: nächsten Strich darunter auswählen. Alt+Ziehen: auswählen, was der Pfad berührt.</translation>
+    </message>
+    <message>
+        <source>Ctrl+Shift+click: one stroke of a group, in or out. Ctrl+Shift+drag: take away.</source>
+        <translation>Strg+Umschalt+Klick: einen Strich einer Gruppe dazu oder weg. Strg+Umschalt+Ziehen: wegnehmen.</translation>
+    </message>
+    <message>
+        <source>Ctrl+click: one stroke of a group. Ctrl+drag: move along an axis.</source>
+        <translation>Strg+Klick: ein Strich einer Gruppe. Strg+Ziehen: entlang einer Achse verschieben.</translation>
+    </message>
+    <message>
+        <source>Shift+click: add or take away. Shift+drag: add what the band encloses; while moving: do not snap.</source>
+        <translation>Umschalt+Klick: hinzufügen oder wegnehmen. Umschalt+Ziehen: Umrahmtes hinzufügen; beim Verschieben: nicht einrasten.</translation>
+    </message>
+    <message>
+        <source>Click paint to select its stroke, drag to select several. Shift: add. Alt: below, touch. Ctrl: in groups.</source>
+        <translation>Klick auf Farbe wählt ihren Strich, Ziehen mehrere. Umschalt: hinzufügen. Alt: darunter, berühren. Strg: in Gruppen.</translation>
+    </message>
+    <message>
+        <source>Drag: move. Click again: rotate and skew. Double click: its segment. Shift: add. Alt: below, touch. Ctrl: axis.</source>
+        <translation>Ziehen: verschieben. Noch ein Klick: drehen, scheren. Doppelklick: Segment. Umschalt: hinzufügen. Alt: darunter, berühren. Strg: Achse.</translation>
     </message>
 </context>
 <context>
@@ -2410,6 +3605,17 @@ Auch die Pfeiltasten wirken.</translation>
     </message>
 </context>
 <context>
+    <name>suffuse::SizedTool</name>
+    <message>
+        <source>Size</source>
+        <translation>Größe</translation>
+    </message>
+    <message>
+        <source>Diameter of the circle in canvas units ([ and ] change it)</source>
+        <translation>Durchmesser des Kreises in Leinwandeinheiten ([ und ] ändern ihn)</translation>
+    </message>
+</context>
+<context>
     <name>suffuse::SliderField</name>
     <message>
         <source>Double-click: back to the default.</source>
@@ -2418,6 +3624,25 @@ Auch die Pfeiltasten wirken.</translation>
     <message>
         <source>%1, slider</source>
         <translation>%1, Schieberegler</translation>
+    </message>
+</context>
+<context>
+    <name>suffuse::StrokeHistoryList</name>
+    <message>
+        <source>History of the selected stroke</source>
+        <translation>Verlauf des ausgewählten Strichs</translation>
+    </message>
+    <message>
+        <source>What was done to the selected stroke. Click a state to put this stroke back to it; everything else stays as it is.</source>
+        <translation>Was mit dem ausgewählten Strich geschah. Ein Klick auf einen Zustand setzt diesen Strich dorthin zurück; alles andere bleibt, wie es ist.</translation>
+    </message>
+    <message>
+        <source>As it was at first</source>
+        <translation>Wie er anfangs war</translation>
+    </message>
+    <message>
+        <source>Put stroke back</source>
+        <translation>Strich zurücksetzen</translation>
     </message>
 </context>
 <context>
@@ -2473,6 +3698,10 @@ Auch die Pfeiltasten wirken.</translation>
     <message>
         <source>unnamed</source>
         <translation>unbenannt</translation>
+    </message>
+    <message>
+        <source>Not possible for all that is selected: a value would be out of range.</source>
+        <translation>Nicht für die ganze Auswahl möglich: Ein Wert läge außerhalb des Bereichs.</translation>
     </message>
 </context>
 <context>
@@ -2564,6 +3793,10 @@ Auch die Pfeiltasten wirken.</translation>
         <source>Reorder strokes</source>
         <translation>Striche umordnen</translation>
     </message>
+    <message>
+        <source>Segment %1</source>
+        <translation>Segment %1</translation>
+    </message>
 </context>
 <context>
     <name>suffuse::StrokesPanel</name>
@@ -2584,8 +3817,64 @@ Auch die Pfeiltasten wirken.</translation>
         <translation>Striche</translation>
     </message>
     <message>
-        <source>The topmost stroke comes first. Drag to reorder, double-click to rename.</source>
-        <translation>Der oberste Strich steht zuerst. Ziehen ordnet um, Doppelklick benennt um.</translation>
+        <source>The topmost stroke comes first. Drag to reorder, double-click to rename; a right click offers more.</source>
+        <translation>Der oberste Strich steht zuerst. Ziehen ordnet um, Doppelklick benennt um; ein Rechtsklick bietet mehr.</translation>
+    </message>
+    <message>
+        <source>&amp;Rename</source>
+        <translation>&amp;Umbenennen</translation>
+    </message>
+    <message>
+        <source>&amp;Delete</source>
+        <translation>&amp;Löschen</translation>
+    </message>
+    <message>
+        <source>Select &amp;Same</source>
+        <translation>&amp;Gleiche auswählen</translation>
+    </message>
+    <message>
+        <source>&amp;Colour</source>
+        <translation>&amp;Farbe</translation>
+    </message>
+    <message>
+        <source>&amp;Style</source>
+        <translation>&amp;Stil</translation>
+    </message>
+    <message>
+        <source>&amp;Brush</source>
+        <translation>&amp;Pinsel</translation>
+    </message>
+    <message>
+        <source>&amp;Hide</source>
+        <translation>&amp;Ausblenden</translation>
+    </message>
+    <message>
+        <source>Sh&amp;ow</source>
+        <translation>&amp;Einblenden</translation>
+    </message>
+    <message>
+        <source>Un&amp;lock</source>
+        <translation>E&amp;ntsperren</translation>
+    </message>
+    <message>
+        <source>&amp;Lock</source>
+        <translation>&amp;Sperren</translation>
+    </message>
+    <message>
+        <source>Hide strokes</source>
+        <translation>Striche ausblenden</translation>
+    </message>
+    <message>
+        <source>Show strokes</source>
+        <translation>Striche einblenden</translation>
+    </message>
+    <message>
+        <source>Unlock strokes</source>
+        <translation>Striche entsperren</translation>
+    </message>
+    <message>
+        <source>Lock strokes</source>
+        <translation>Striche sperren</translation>
     </message>
 </context>
 <context>
@@ -2593,14 +3882,6 @@ Auch die Pfeiltasten wirken.</translation>
     <message>
         <source>Style</source>
         <translation>Stil</translation>
-    </message>
-    <message>
-        <source>Density function</source>
-        <translation>Dichtefunktion</translation>
-    </message>
-    <message>
-        <source>How density becomes coverage. The mark is the peak density of the selected segments.</source>
-        <translation>Wie aus Dichte Deckung wird. Die Marke ist die Spitzendichte der ausgewählten Segmente.</translation>
     </message>
     <message>
         <source>Belongs to</source>
@@ -2645,38 +3926,6 @@ Auch die Pfeiltasten wirken.</translation>
     <message>
         <source>Parameter of the style</source>
         <translation>Parameter des Stils</translation>
-    </message>
-    <message>
-        <source>Spread s</source>
-        <translation>Ausbreitung s</translation>
-    </message>
-    <message>
-        <source>Peak density</source>
-        <translation>Spitzendichte</translation>
-    </message>
-    <message>
-        <source>Half-width</source>
-        <translation>Halbe Breite</translation>
-    </message>
-    <message>
-        <source>Fades away</source>
-        <translation>Verblasst</translation>
-    </message>
-    <message>
-        <source>How far the paint has spread once it is dry: √(4·D·t_max).</source>
-        <translation>Wie weit die Farbe getrocknet verlaufen ist: √(4·D·t_max).</translation>
-    </message>
-    <message>
-        <source>Density in the middle of a long straight stroke, dry.</source>
-        <translation>Dichte in der Mitte eines langen geraden Strichs, getrocknet.</translation>
-    </message>
-    <message>
-        <source>From the middle to the visible edge of a long straight stroke, dry.</source>
-        <translation>Von der Mitte bis zum sichtbaren Rand eines langen geraden Strichs, getrocknet.</translation>
-    </message>
-    <message>
-        <source>When the paint has spread so thin that nothing of it is visible any more.</source>
-        <translation>Wann die Farbe so dünn verlaufen ist, dass nichts mehr zu sehen ist.</translation>
     </message>
     <message>
         <source>Give segments their own style</source>
@@ -2746,17 +3995,71 @@ Auch die Pfeiltasten wirken.</translation>
         <source>Coverage far inside the stroke.</source>
         <translation>Deckung tief im Inneren des Strichs.</translation>
     </message>
+</context>
+<context>
+    <name>suffuse::TransformBar</name>
     <message>
-        <source>never</source>
-        <translation>nie</translation>
+        <source>X</source>
+        <extracomment>left edge of the selection</extracomment>
+        <translation>X</translation>
     </message>
     <message>
-        <source>partly, from %1</source>
-        <translation>teilweise, ab %1</translation>
+        <source>Left edge of the selected strokes&apos; curves, canvas units</source>
+        <translation>Linke Kante der Kurven der ausgewählten Striche, Leinwandeinheiten</translation>
     </message>
     <message>
-        <source>after %1</source>
-        <translation>nach %1</translation>
+        <source>Y</source>
+        <translation>Y</translation>
+    </message>
+    <message>
+        <source>Upper edge of the selected strokes&apos; curves, canvas units</source>
+        <translation>Obere Kante der Kurven der ausgewählten Striche, Leinwandeinheiten</translation>
+    </message>
+    <message>
+        <source>W</source>
+        <extracomment>width</extracomment>
+        <translation>B</translation>
+    </message>
+    <message>
+        <source>Width of the selected strokes&apos; curves, canvas units</source>
+        <translation>Breite der Kurven der ausgewählten Striche, Leinwandeinheiten</translation>
+    </message>
+    <message>
+        <source>Keep the proportions of width and height</source>
+        <translation>Das Verhältnis von Breite und Höhe erhalten</translation>
+    </message>
+    <message>
+        <source>Keep the proportions</source>
+        <translation>Seitenverhältnis erhalten</translation>
+    </message>
+    <message>
+        <source>H</source>
+        <extracomment>height</extracomment>
+        <translation>H</translation>
+    </message>
+    <message>
+        <source>Height of the selected strokes&apos; curves, canvas units</source>
+        <translation>Höhe der Kurven der ausgewählten Striche, Leinwandeinheiten</translation>
+    </message>
+    <message>
+        <source>∠</source>
+        <translation>∠</translation>
+    </message>
+    <message>
+        <source>Rotate the selected strokes by this angle</source>
+        <translation>Die ausgewählten Striche um diesen Winkel drehen</translation>
+    </message>
+    <message>
+        <source>Rotate</source>
+        <translation>Drehen</translation>
+    </message>
+    <message>
+        <source>Move</source>
+        <translation>Verschieben</translation>
+    </message>
+    <message>
+        <source>Scale</source>
+        <translation>Skalieren</translation>
     </message>
 </context>
 </TS>

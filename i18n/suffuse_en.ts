@@ -2,6 +2,16 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="en" sourcelanguage="en">
 <context>
+    <name>Cli</name>
+    <message numerus="yes">
+        <source>%n s left</source>
+        <translation>
+            <numerusform>%n s left</numerusform>
+            <numerusform>%n s left</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>Renderer</name>
     <message numerus="yes">
         <source>%n threads</source>
@@ -25,6 +35,16 @@
         <translation>
             <numerusform>%n segment</numerusform>
             <numerusform>%n segments</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>suffuse::MainWindow</name>
+    <message numerus="yes">
+        <source>Name of %n stroke(s)</source>
+        <translation>
+            <numerusform>Name of %n stroke</numerusform>
+            <numerusform>Name of %n strokes</numerusform>
         </translation>
     </message>
 </context>

@@ -509,6 +509,83 @@ Exit codes: 0 done, 1 the work failed, 2 wrong usage.</source>
         <source>With CUDA: GPUs that share the picture, all or a number (default 1).</source>
         <translation>使用 CUDA 时共同绘制图像的 GPU：all 或数量（默认 1）。</translation>
     </message>
+    <message>
+        <source>draw a painting while it is painted, as frames</source>
+        <translation>绘制画作的作画过程，输出为各帧图片</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n s left</source>
+        <translation>
+            <numerusform>剩余 %n 秒</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>The frames, with their number: film/%05d.png.</source>
+        <translation>各帧的文件名，含编号：film/%05d.png。</translation>
+    </message>
+    <message>
+        <source>Frames a second (default 25).</source>
+        <translation>每秒帧数（默认 25）。</translation>
+    </message>
+    <message>
+        <source>Length in seconds (default 10).</source>
+        <translation>时长，以秒计（默认 10）。</translation>
+    </message>
+    <message>
+        <source>Seconds that are kept of a pause in the painting (default 0.5).</source>
+        <translation>作画过程中的停顿所保留的秒数（默认 0.5）。</translation>
+    </message>
+    <message>
+        <source>With CUDA: GPUs that share the frames, all or a number (default 1).</source>
+        <translation>使用 CUDA 时分担各帧的 GPU：all 或数量（默认 1）。</translation>
+    </message>
+    <message>
+        <source>-o %1: frames are numbered files: give a name such as film/%05d.png</source>
+        <translation>-o %1：各帧是带编号的文件：请给出类似 film/%05d.png 的名称</translation>
+    </message>
+    <message>
+        <source>--%1 %2: give a number from %3 to 1000000</source>
+        <translation>--%1 %2：请给出 %3 到 1000000 之间的数</translation>
+    </message>
+    <message>
+        <source>%1 frames are too many: at most %2. Choose a smaller --fps or --duration</source>
+        <translation>%1 帧太多：最多 %2 帧。请选择较小的 --fps 或 --duration</translation>
+    </message>
+    <message>
+        <source>%1: cannot write into this folder. Choose another one.</source>
+        <translation>%1：无法写入此文件夹。请选择其他文件夹。</translation>
+    </message>
+    <message>
+        <source>Draws a painting while it is painted, frame by frame.</source>
+        <translation>逐帧绘制画作的作画过程。</translation>
+    </message>
+    <message>
+        <source>-o OUT is missing: name the frames to write</source>
+        <translation>缺少 -o OUT：请指定要写入的各帧名称</translation>
+    </message>
+</context>
+<context>
+    <name>Clipboard</name>
+    <message>
+        <source>Paste</source>
+        <translation>粘贴</translation>
+    </message>
+    <message>
+        <source>Cut</source>
+        <translation>剪切</translation>
+    </message>
+    <message>
+        <source>Clipboard</source>
+        <translation>剪贴板</translation>
+    </message>
+    <message>
+        <source>There are no paths in the SVG of the clipboard.</source>
+        <translation>剪贴板的 SVG 中没有路径。</translation>
+    </message>
+    <message>
+        <source>The clipboard holds no strokes, no SVG paths and no colour.</source>
+        <translation>剪贴板中没有笔画、SVG 路径或颜色。</translation>
+    </message>
 </context>
 <context>
     <name>Commands</name>
@@ -543,6 +620,86 @@ Exit codes: 0 done, 1 the work failed, 2 wrong usage.</source>
     <message>
         <source>Move</source>
         <translation>移动</translation>
+    </message>
+    <message>
+        <source>Flip horizontally</source>
+        <translation>水平翻转</translation>
+    </message>
+    <message>
+        <source>Flip vertically</source>
+        <translation>垂直翻转</translation>
+    </message>
+    <message>
+        <source>Rotate by 90°</source>
+        <translation>旋转 90°</translation>
+    </message>
+    <message>
+        <source>Align</source>
+        <translation>对齐</translation>
+    </message>
+    <message>
+        <source>Distribute</source>
+        <translation>分布</translation>
+    </message>
+    <message>
+        <source>Group</source>
+        <translation>群组</translation>
+    </message>
+    <message>
+        <source>Ungroup</source>
+        <translation>解除群组</translation>
+    </message>
+    <message>
+        <source>Lock strokes</source>
+        <translation>锁定笔画</translation>
+    </message>
+    <message>
+        <source>Hide strokes</source>
+        <translation>隐藏笔画</translation>
+    </message>
+    <message>
+        <source>Unlock all</source>
+        <translation>全部解锁</translation>
+    </message>
+    <message>
+        <source>Show all</source>
+        <translation>全部显示</translation>
+    </message>
+    <message>
+        <source>Rename strokes</source>
+        <translation>重命名笔画</translation>
+    </message>
+</context>
+<context>
+    <name>FigureWarnings</name>
+    <message>
+        <source>Dries out at %1 s: nothing of it is seen after that. More φ, or less D or drying time, keeps it.</source>
+        <extracomment>%1: seconds after it was painted</extracomment>
+        <translation>绘制 %1 秒后消褪：此后完全看不见。增大 φ，或减小 D 或干燥时间，可使其保留。</translation>
+    </message>
+    <message>
+        <source>Parts dry out, the first at %1 s. More φ, or less D or drying time, keeps them.</source>
+        <translation>部分会消褪，最早在 %1 秒。增大 φ，或减小 D 或干燥时间，可使其保留。</translation>
+    </message>
+    <message>
+        <source>Widest at %1 s; from then on it grows narrower while it spreads.</source>
+        <translation>在 %1 秒时最宽；此后一边扩散一边变窄。</translation>
+    </message>
+    <message>
+        <source>ξ2 too large for ξ1: the stroke has no clear edge and tints as far as its paint reaches. Up to %1 is clear.</source>
+        <translation>ξ2 相对于 ξ1 过大：笔画没有清晰的边缘，颜料所及之处都会染色。不超过 %1 时边缘清晰。</translation>
+    </message>
+    <message>
+        <source>ξ2 too large for ξ1: the paint inside the dark rim vanishes.</source>
+        <translation>ξ2 相对于 ξ1 过大：深色边缘以内的颜料会消失。</translation>
+    </message>
+    <message>
+        <source>Density 0: there is no paint.</source>
+        <translation>密度 0：没有颜料。</translation>
+    </message>
+    <message>
+        <source>Opacity 0 %: nothing of it is seen.</source>
+        <translation>不透明度 0 %：完全看不见。</translation>
     </message>
 </context>
 <context>
@@ -709,6 +866,17 @@ Exit codes: 0 done, 1 the work failed, 2 wrong usage.</source>
         <source>the NVIDIA driver does not work</source>
         <translation>NVIDIA 驱动程序无法工作</translation>
     </message>
+    <message>
+        <source>there is not enough memory for %1 × %2 pixels. Choose a smaller size.</source>
+        <translation>内存不足以容纳 %1 × %2 像素。请选择较小的尺寸。</translation>
+    </message>
+</context>
+<context>
+    <name>SvgPaths</name>
+    <message>
+        <source>SVG, line %1: %2</source>
+        <translation>SVG 第 %1 行：%2</translation>
+    </message>
 </context>
 <context>
     <name>Validate</name>
@@ -775,6 +943,17 @@ Exit codes: 0 done, 1 the work failed, 2 wrong usage.</source>
     <message>
         <source>another stroke has the same id</source>
         <translation>另一条笔画有相同的 id</translation>
+    </message>
+</context>
+<context>
+    <name>WidthHandle</name>
+    <message>
+        <source>Drag to set the width by the density, Shift: by the diffusion.</source>
+        <translation>拖动以通过密度设置宽度，Shift：通过扩散系数设置。</translation>
+    </message>
+    <message>
+        <source>Change width</source>
+        <translation>更改宽度</translation>
     </message>
 </context>
 <context>
@@ -918,10 +1097,6 @@ Exit codes: 0 done, 1 the work failed, 2 wrong usage.</source>
         <translation>线段(&amp;G)</translation>
     </message>
     <message>
-        <source>Select segments of strokes</source>
-        <translation>选择笔画的线段</translation>
-    </message>
-    <message>
         <source>&amp;Hand</source>
         <translation>抓手(&amp;H)</translation>
     </message>
@@ -1014,10 +1189,6 @@ Exit codes: 0 done, 1 the work failed, 2 wrong usage.</source>
         <translation>面板(&amp;D)</translation>
     </message>
     <message>
-        <source>&amp;Stroke</source>
-        <translation>笔画(&amp;S)</translation>
-    </message>
-    <message>
         <source>&amp;Tools</source>
         <translation>工具(&amp;T)</translation>
     </message>
@@ -1028,6 +1199,591 @@ Exit codes: 0 done, 1 the work failed, 2 wrong usage.</source>
     <message>
         <source>Tools</source>
         <translation>工具</translation>
+    </message>
+    <message>
+        <source>Cu&amp;t</source>
+        <translation>剪切(&amp;T)</translation>
+    </message>
+    <message>
+        <source>&amp;Copy</source>
+        <translation>复制(&amp;C)</translation>
+    </message>
+    <message>
+        <source>&amp;Paste</source>
+        <translation>粘贴(&amp;P)</translation>
+    </message>
+    <message>
+        <source>Paste strokes or SVG paths at the pointer; a colour becomes the current one</source>
+        <translation>在指针处粘贴笔画或 SVG 路径；颜色则成为当前颜色</translation>
+    </message>
+    <message>
+        <source>Paste &amp;in Place</source>
+        <translation>原位粘贴(&amp;I)</translation>
+    </message>
+    <message>
+        <source>Ctrl+Alt+V</source>
+        <translation>Ctrl+Alt+V</translation>
+    </message>
+    <message>
+        <source>Paste strokes where they were</source>
+        <translation>将笔画粘贴到原来的位置</translation>
+    </message>
+    <message>
+        <source>Edit segments, nodes and handles of strokes</source>
+        <translation>编辑笔画的线段、节点和控制柄</translation>
+    </message>
+    <message>
+        <source>&amp;Knife</source>
+        <translation>刻刀(&amp;K)</translation>
+    </message>
+    <message>
+        <source>Cut strokes along a line</source>
+        <translation>沿一条线切割笔画</translation>
+    </message>
+    <message>
+        <source>&amp;Eraser</source>
+        <translation>橡皮擦(&amp;E)</translation>
+    </message>
+    <message>
+        <source>Erase parts of strokes</source>
+        <translation>擦除笔画的一部分</translation>
+    </message>
+    <message>
+        <source>&amp;Attribute Brush</source>
+        <translation>属性画笔(&amp;A)</translation>
+    </message>
+    <message>
+        <source>Paint values onto segments</source>
+        <translation>将数值绘制到线段上</translation>
+    </message>
+    <message>
+        <source>Eye&amp;dropper</source>
+        <translation>取色器(&amp;D)</translation>
+    </message>
+    <message>
+        <source>Pick a colour</source>
+        <translation>拾取颜色</translation>
+    </message>
+    <message>
+        <source>&amp;Insert Nodes</source>
+        <translation>插入节点(&amp;I)</translation>
+    </message>
+    <message>
+        <source>Insert a node into each selected segment</source>
+        <translation>在每条所选线段中插入一个节点</translation>
+    </message>
+    <message>
+        <source>&amp;Corner</source>
+        <translation>尖角(&amp;C)</translation>
+    </message>
+    <message>
+        <source>Shift+C</source>
+        <translation>Shift+C</translation>
+    </message>
+    <message>
+        <source>Make the selected nodes corners</source>
+        <translation>使所选节点变为尖角</translation>
+    </message>
+    <message>
+        <source>&amp;Smooth</source>
+        <translation>平滑(&amp;S)</translation>
+    </message>
+    <message>
+        <source>Shift+S</source>
+        <translation>Shift+S</translation>
+    </message>
+    <message>
+        <source>Make the selected nodes smooth</source>
+        <translation>使所选节点变为平滑</translation>
+    </message>
+    <message>
+        <source>S&amp;ymmetric</source>
+        <translation>对称(&amp;Y)</translation>
+    </message>
+    <message>
+        <source>Shift+Y</source>
+        <translation>Shift+Y</translation>
+    </message>
+    <message>
+        <source>Make the selected nodes symmetric</source>
+        <translation>使所选节点变为对称</translation>
+    </message>
+    <message>
+        <source>&amp;Break Strokes</source>
+        <translation>断开笔画(&amp;B)</translation>
+    </message>
+    <message>
+        <source>Shift+B</source>
+        <translation>Shift+B</translation>
+    </message>
+    <message>
+        <source>Break strokes at the selected nodes</source>
+        <translation>在所选节点处断开笔画</translation>
+    </message>
+    <message>
+        <source>&amp;Join Nodes</source>
+        <translation>连接节点(&amp;J)</translation>
+    </message>
+    <message>
+        <source>Shift+J</source>
+        <translation>Shift+J</translation>
+    </message>
+    <message>
+        <source>Join two selected end nodes</source>
+        <translation>连接所选的两个端点</translation>
+    </message>
+    <message>
+        <source>&amp;Delete Segments</source>
+        <translation>删除线段(&amp;D)</translation>
+    </message>
+    <message>
+        <source>Ctrl+Del</source>
+        <translation>Ctrl+Del</translation>
+    </message>
+    <message>
+        <source>Delete the selected segments, so that strokes split</source>
+        <translation>删除所选线段，使笔画分开</translation>
+    </message>
+    <message>
+        <source>Bri&amp;dge Segments</source>
+        <translation>桥接线段(&amp;D)</translation>
+    </message>
+    <message>
+        <source>Alt+Del</source>
+        <translation>Alt+Del</translation>
+    </message>
+    <message>
+        <source>Replace selected segments by one that goes on smoothly</source>
+        <translation>用一条平滑延续的线段替换所选线段</translation>
+    </message>
+    <message>
+        <source>&amp;Reverse</source>
+        <translation>反向(&amp;R)</translation>
+    </message>
+    <message>
+        <source>Shift+R</source>
+        <translation>Shift+R</translation>
+    </message>
+    <message>
+        <source>Let the selected strokes run from end to start</source>
+        <translation>使所选笔画从终点走向起点</translation>
+    </message>
+    <message>
+        <source>&amp;Object</source>
+        <translation>对象(&amp;O)</translation>
+    </message>
+    <message>
+        <source>&amp;Nodes</source>
+        <translation>节点(&amp;N)</translation>
+    </message>
+    <message>
+        <source>&amp;Invert Selection</source>
+        <translation>反选(&amp;I)</translation>
+    </message>
+    <message>
+        <source>Ctrl+Shift+I</source>
+        <translation>Ctrl+Shift+I</translation>
+    </message>
+    <message>
+        <source>!</source>
+        <translation>!</translation>
+    </message>
+    <message>
+        <source>&amp;Colour</source>
+        <translation>颜色(&amp;C)</translation>
+    </message>
+    <message>
+        <source>Select all strokes of the same colour</source>
+        <translation>选择相同颜色的所有笔画</translation>
+    </message>
+    <message>
+        <source>&amp;Style</source>
+        <translation>样式(&amp;S)</translation>
+    </message>
+    <message>
+        <source>Select all strokes of the same style</source>
+        <translation>选择相同样式的所有笔画</translation>
+    </message>
+    <message>
+        <source>Select all strokes of the same brush</source>
+        <translation>选择相同画笔的所有笔画</translation>
+    </message>
+    <message>
+        <source>&amp;Lasso</source>
+        <translation>套索(&amp;L)</translation>
+    </message>
+    <message>
+        <source>L</source>
+        <translation>L</translation>
+    </message>
+    <message>
+        <source>Select what is drawn around</source>
+        <translation>选择圈住的内容</translation>
+    </message>
+    <message>
+        <source>&amp;Touch</source>
+        <translation>触碰(&amp;T)</translation>
+    </message>
+    <message>
+        <source>Select what a path touches</source>
+        <translation>选择路径触碰到的内容</translation>
+    </message>
+    <message>
+        <source>&amp;Group</source>
+        <translation>群组(&amp;G)</translation>
+    </message>
+    <message>
+        <source>Ctrl+G</source>
+        <translation>Ctrl+G</translation>
+    </message>
+    <message>
+        <source>&amp;Ungroup</source>
+        <translation>解除群组(&amp;U)</translation>
+    </message>
+    <message>
+        <source>Ctrl+Shift+G</source>
+        <translation>Ctrl+Shift+G</translation>
+    </message>
+    <message>
+        <source>Loc&amp;k</source>
+        <translation>锁定(&amp;K)</translation>
+    </message>
+    <message>
+        <source>Ctrl+2</source>
+        <translation>Ctrl+2</translation>
+    </message>
+    <message>
+        <source>U&amp;nlock All</source>
+        <translation>全部解锁(&amp;N)</translation>
+    </message>
+    <message>
+        <source>Ctrl+Alt+2</source>
+        <translation>Ctrl+Alt+2</translation>
+    </message>
+    <message>
+        <source>&amp;Hide</source>
+        <translation>隐藏(&amp;H)</translation>
+    </message>
+    <message>
+        <source>Ctrl+3</source>
+        <translation>Ctrl+3</translation>
+    </message>
+    <message>
+        <source>Sho&amp;w All</source>
+        <translation>全部显示(&amp;W)</translation>
+    </message>
+    <message>
+        <source>Ctrl+Alt+3</source>
+        <translation>Ctrl+Alt+3</translation>
+    </message>
+    <message>
+        <source>Rena&amp;me…</source>
+        <translation>重命名(&amp;M)…</translation>
+    </message>
+    <message>
+        <source>F2</source>
+        <translation>F2</translation>
+    </message>
+    <message>
+        <source>Flip Hori&amp;zontally</source>
+        <translation>水平翻转(&amp;Z)</translation>
+    </message>
+    <message>
+        <source>Shift+H</source>
+        <translation>Shift+H</translation>
+    </message>
+    <message>
+        <source>Flip &amp;Vertically</source>
+        <translation>垂直翻转(&amp;V)</translation>
+    </message>
+    <message>
+        <source>Shift+V</source>
+        <translation>Shift+V</translation>
+    </message>
+    <message>
+        <source>Rotate by 90° L&amp;eft</source>
+        <translation>向左旋转 90°(&amp;E)</translation>
+    </message>
+    <message>
+        <source>Ctrl+[</source>
+        <translation>Ctrl+[</translation>
+    </message>
+    <message>
+        <source>Rotate by 90° &amp;Right</source>
+        <translation>向右旋转 90°(&amp;R)</translation>
+    </message>
+    <message>
+        <source>Ctrl+]</source>
+        <translation>Ctrl+]</translation>
+    </message>
+    <message>
+        <source>&amp;Scale Spread with the Shape</source>
+        <translation>扩散随形状缩放(&amp;S)</translation>
+    </message>
+    <message>
+        <source>Spread and density follow the shape when it is scaled</source>
+        <translation>缩放形状时，扩散距离和密度随之变化</translation>
+    </message>
+    <message>
+        <source>&amp;Left Edges</source>
+        <translation>左边缘对齐(&amp;L)</translation>
+    </message>
+    <message>
+        <source>&amp;Centres, Horizontally</source>
+        <translation>水平居中对齐(&amp;C)</translation>
+    </message>
+    <message>
+        <source>&amp;Right Edges</source>
+        <translation>右边缘对齐(&amp;R)</translation>
+    </message>
+    <message>
+        <source>&amp;Top Edges</source>
+        <translation>上边缘对齐(&amp;T)</translation>
+    </message>
+    <message>
+        <source>&amp;Middles, Vertically</source>
+        <translation>垂直居中对齐(&amp;M)</translation>
+    </message>
+    <message>
+        <source>&amp;Bottom Edges</source>
+        <translation>下边缘对齐(&amp;B)</translation>
+    </message>
+    <message>
+        <source>Relative to the &amp;Selection</source>
+        <translation>相对于所选内容(&amp;S)</translation>
+    </message>
+    <message>
+        <source>Relative to the T&amp;opmost</source>
+        <translation>相对于最上层笔画(&amp;O)</translation>
+    </message>
+    <message>
+        <source>Relative to the C&amp;anvas</source>
+        <translation>相对于画布(&amp;A)</translation>
+    </message>
+    <message>
+        <source>Even Gaps, &amp;Horizontally</source>
+        <translation>水平间距均等(&amp;H)</translation>
+    </message>
+    <message>
+        <source>Even Gaps, &amp;Vertically</source>
+        <translation>垂直间距均等(&amp;V)</translation>
+    </message>
+    <message>
+        <source>Even &amp;Centres, Horizontally</source>
+        <translation>中心水平等距(&amp;C)</translation>
+    </message>
+    <message>
+        <source>Even C&amp;entres, Vertically</source>
+        <translation>中心垂直等距(&amp;E)</translation>
+    </message>
+    <message>
+        <source>Snap to &amp;Nodes</source>
+        <translation>吸附到节点(&amp;N)</translation>
+    </message>
+    <message>
+        <source>%</source>
+        <translation>%</translation>
+    </message>
+    <message>
+        <source>Snap to &amp;Grid</source>
+        <translation>吸附到网格(&amp;G)</translation>
+    </message>
+    <message>
+        <source>&amp;Show the Grid</source>
+        <translation>显示网格(&amp;S)</translation>
+    </message>
+    <message>
+        <source>#</source>
+        <translation>#</translation>
+    </message>
+    <message>
+        <source>Gr&amp;id Step…</source>
+        <translation>网格间距(&amp;I)…</translation>
+    </message>
+    <message>
+        <source>&amp;Align</source>
+        <translation>对齐(&amp;A)</translation>
+    </message>
+    <message>
+        <source>&amp;Distribute</source>
+        <translation>分布(&amp;D)</translation>
+    </message>
+    <message>
+        <source>Select Sa&amp;me</source>
+        <translation>选择相同项(&amp;M)</translation>
+    </message>
+</context>
+<context>
+    <name>suffuse::AgePlot</name>
+    <message>
+        <source>No paint here</source>
+        <translation>此处没有颜料</translation>
+    </message>
+    <message>
+        <source>density φ, up to %1</source>
+        <translation>密度 φ，最高 %1</translation>
+    </message>
+    <message>
+        <source>0 s</source>
+        <translation>0 秒</translation>
+    </message>
+    <message>
+        <source>age %1 s</source>
+        <translation>落笔后 %1 秒</translation>
+    </message>
+</context>
+<context>
+    <name>suffuse::AlongDialog</name>
+    <message>
+        <source>Along the Stroke</source>
+        <translation>沿笔画变化</translation>
+    </message>
+    <message>
+        <source>Curve along the stroke</source>
+        <translation>沿笔画的曲线</translation>
+    </message>
+    <message>
+        <source>Drag the line or its ends; a drawn curve is drawn with the pointer. The dots are the values of the segments.</source>
+        <translation>拖动线条或其两端；手绘曲线用指针绘制。圆点为各线段的值。</translation>
+    </message>
+    <message>
+        <source>Quantity</source>
+        <translation>参数</translation>
+    </message>
+    <message>
+        <source>Constant</source>
+        <translation>恒定</translation>
+    </message>
+    <message>
+        <source>The same value all along</source>
+        <translation>全程相同的值</translation>
+    </message>
+    <message>
+        <source>Ramp</source>
+        <translation>渐变</translation>
+    </message>
+    <message>
+        <source>Evenly from one value to another</source>
+        <translation>从一个值均匀变化到另一个值</translation>
+    </message>
+    <message>
+        <source>Drawn</source>
+        <translation>手绘</translation>
+    </message>
+    <message>
+        <source>A curve drawn with the pointer</source>
+        <translation>用指针绘制的曲线</translation>
+    </message>
+    <message>
+        <source>Start</source>
+        <translation>起点</translation>
+    </message>
+    <message>
+        <source>End</source>
+        <translation>终点</translation>
+    </message>
+    <message>
+        <source>Change along the stroke</source>
+        <translation>更改沿笔画的变化</translation>
+    </message>
+</context>
+<context>
+    <name>suffuse::AttributeBrushTool</name>
+    <message>
+        <source>Diffusion D</source>
+        <translation>扩散系数 D</translation>
+    </message>
+    <message>
+        <source>Density φ</source>
+        <translation>密度 φ</translation>
+    </message>
+    <message>
+        <source>Granulation ω</source>
+        <translation>颗粒 ω</translation>
+    </message>
+    <message>
+        <source>Colour</source>
+        <translation>颜色</translation>
+    </message>
+    <message>
+        <source>Opacity</source>
+        <translation>不透明度</translation>
+    </message>
+    <message>
+        <source>Drying time</source>
+        <translation>干燥时间</translation>
+    </message>
+    <message>
+        <source>What is painted onto the segments</source>
+        <translation>绘制到线段上的内容</translation>
+    </message>
+    <message>
+        <source>Towards a value, or from the value that each segment has</source>
+        <translation>趋向某个值，或以各线段现有的值为基础</translation>
+    </message>
+    <message>
+        <source>Value</source>
+        <translation>值</translation>
+    </message>
+    <message>
+        <source>What a segment has when it got all of it</source>
+        <translation>线段被完全涂满后所具有的值</translation>
+    </message>
+    <message>
+        <source>Flow</source>
+        <translation>流量</translation>
+    </message>
+    <message>
+        <source>How fast it is laid down</source>
+        <translation>施加的快慢</translation>
+    </message>
+    <message>
+        <source>set to</source>
+        <translation>设为</translation>
+    </message>
+    <message>
+        <source>multiply by</source>
+        <translation>乘以</translation>
+    </message>
+    <message>
+        <source>add</source>
+        <translation>加上</translation>
+    </message>
+    <message>
+        <source>the current colour</source>
+        <translation>当前颜色</translation>
+    </message>
+    <message>
+        <source>Drag over strokes to paint the chosen value onto their segments. [ and ] change the size.</source>
+        <translation>在笔画上拖动，将选定的值绘制到其线段上。[ 和 ] 更改大小。</translation>
+    </message>
+    <message>
+        <source>Drag over the selection to paint the chosen value onto its segments. [ and ] change the size.</source>
+        <translation>在所选内容上拖动，将选定的值绘制到其线段上。[ 和 ] 更改大小。</translation>
+    </message>
+    <message>
+        <source>Paint diffusion</source>
+        <translation>绘制扩散系数</translation>
+    </message>
+    <message>
+        <source>Paint density</source>
+        <translation>绘制密度</translation>
+    </message>
+    <message>
+        <source>Paint granulation</source>
+        <translation>绘制颗粒</translation>
+    </message>
+    <message>
+        <source>Paint colour</source>
+        <translation>绘制颜色</translation>
+    </message>
+    <message>
+        <source>Paint opacity</source>
+        <translation>绘制不透明度</translation>
+    </message>
+    <message>
+        <source>Paint drying time</source>
+        <translation>绘制干燥时间</translation>
     </message>
 </context>
 <context>
@@ -1084,12 +1840,27 @@ Exit codes: 0 done, 1 the work failed, 2 wrong usage.</source>
 <context>
     <name>suffuse::BrushTool</name>
     <message>
-        <source>Drag to paint; a tap leaves a dot. Esc gives the stroke up.</source>
-        <translation>拖动以绘画，轻点留下一个点。按 Esc 放弃当前笔画。</translation>
-    </message>
-    <message>
         <source>Brush stroke</source>
         <translation>画笔笔画</translation>
+    </message>
+    <message>
+        <source>Shift+drag to go on with the selected stroke from its end.</source>
+        <translation>Shift+拖动：从所选笔画的末端继续绘制。</translation>
+    </message>
+    <message>
+        <source>Drag to paint; a tap leaves a dot. Ctrl: pick the picture&apos;s colour; with Shift, a stroke&apos;s own.</source>
+        <translation>拖动以绘制；轻点留下一个点。Ctrl：拾取画面的颜色；再加 Shift：拾取笔画本身的颜色。</translation>
+    </message>
+    <message>
+        <source>Extend stroke</source>
+        <translation>延长笔画</translation>
+    </message>
+</context>
+<context>
+    <name>suffuse::CanvasDrops</name>
+    <message>
+        <source>Drop colour</source>
+        <translation>拖放颜色</translation>
     </message>
 </context>
 <context>
@@ -1322,6 +2093,43 @@ Arrow keys work too.</source>
     </message>
 </context>
 <context>
+    <name>suffuse::CompareButton</name>
+    <message>
+        <source>Before</source>
+        <translation>更改前</translation>
+    </message>
+    <message>
+        <source>Shows the picture as it was before the last changes to the selection: while held, or click to switch back and forth.</source>
+        <translation>显示上次更改所选内容之前的图像：按住时显示，或点击来回切换。</translation>
+    </message>
+</context>
+<context>
+    <name>suffuse::CrossSectionPlot</name>
+    <message>
+        <source>Covers up to %1 %</source>
+        <translation>最高覆盖 %1 %</translation>
+    </message>
+    <message>
+        <source>Not painted yet</source>
+        <translation>尚未绘制</translation>
+    </message>
+    <message>
+        <source>cross-section</source>
+        <translation>横截面</translation>
+    </message>
+    <message>
+        <source>±%1 u</source>
+        <translation>±%1 单位</translation>
+    </message>
+</context>
+<context>
+    <name>suffuse::CurveEditor</name>
+    <message>
+        <source>along the stroke →</source>
+        <translation>沿笔画 →</translation>
+    </message>
+</context>
+<context>
     <name>suffuse::DensityPlot</name>
     <message>
         <source>Coverage at the peak density %1: %2 %</source>
@@ -1345,6 +2153,21 @@ Arrow keys work too.</source>
     <message>
         <source>Untitled</source>
         <translation>未命名</translation>
+    </message>
+</context>
+<context>
+    <name>suffuse::EraserTool</name>
+    <message>
+        <source>Drag over strokes to erase what lies under the circle. [ and ] change its size.</source>
+        <translation>在笔画上拖动，擦除圆圈下的内容。[ 和 ] 更改其大小。</translation>
+    </message>
+    <message>
+        <source>Drag over the selected strokes to erase what lies under the circle. [ and ] change its size.</source>
+        <translation>在所选笔画上拖动，擦除圆圈下的内容。[ 和 ] 更改其大小。</translation>
+    </message>
+    <message>
+        <source>Erase</source>
+        <translation>擦除</translation>
     </message>
 </context>
 <context>
@@ -1476,6 +2299,80 @@ Arrow keys work too.</source>
     <message>
         <source>%1 exists. Replace it?</source>
         <translation>%1 已存在。要替换吗？</translation>
+    </message>
+</context>
+<context>
+    <name>suffuse::EyedropperTool</name>
+    <message>
+        <source>Click to take the picture&apos;s colour as the current one. Shift: the stroke&apos;s own colour.</source>
+        <translation>点击将画面的颜色取为当前颜色。Shift：取笔画本身的颜色。</translation>
+    </message>
+</context>
+<context>
+    <name>suffuse::FiguresSection</name>
+    <message>
+        <source>Density function</source>
+        <translation>密度函数</translation>
+    </message>
+    <message>
+        <source>How density becomes coverage. The mark is the peak density of the selected segments.</source>
+        <translation>密度如何转化为覆盖率。标记处为所选线段的峰值密度。</translation>
+    </message>
+    <message>
+        <source>Cross-section</source>
+        <translation>横截面</translation>
+    </message>
+    <message>
+        <source>The cut through the stroke at the first selected segment, at the moment shown: coverage, on the colour that it has on the background.</source>
+        <translation>在第一条所选线段处、当前所示时刻横切笔画的截面：显示覆盖率，并以其在背景上呈现的颜色绘制。</translation>
+    </message>
+    <message>
+        <source>Warnings</source>
+        <translation>警告</translation>
+    </message>
+    <message>
+        <source>Spread s</source>
+        <translation>扩散距离 s</translation>
+    </message>
+    <message>
+        <source>Peak density</source>
+        <translation>峰值密度</translation>
+    </message>
+    <message>
+        <source>Half-width</source>
+        <translation>半宽</translation>
+    </message>
+    <message>
+        <source>Fades away</source>
+        <translation>消褪</translation>
+    </message>
+    <message>
+        <source>How far the paint has spread once it is dry: √(4·D·t_max).</source>
+        <translation>颜料干透时扩散的距离：√(4·D·t_max)。</translation>
+    </message>
+    <message>
+        <source>Density in the middle of a long straight stroke, dry.</source>
+        <translation>干透的长直笔画中央的密度。</translation>
+    </message>
+    <message>
+        <source>From the middle to the visible edge of a long straight stroke, dry.</source>
+        <translation>干透的长直笔画从中央到可见边缘的距离。</translation>
+    </message>
+    <message>
+        <source>When the paint has spread so thin that nothing of it is visible any more.</source>
+        <translation>颜料扩散到稀薄得完全看不见的时间。</translation>
+    </message>
+    <message>
+        <source>never</source>
+        <translation>不会</translation>
+    </message>
+    <message>
+        <source>partly, from %1</source>
+        <translation>部分，自 %1 起</translation>
+    </message>
+    <message>
+        <source>after %1</source>
+        <translation>%1 后</translation>
     </message>
 </context>
 <context>
@@ -1954,6 +2851,10 @@ Arrow keys work too.</source>
         <source>Every change since the painting was opened. Click one to go back or forward to it.</source>
         <translation>打开画作以来的每次更改。点击某项即可回到或前进到该处。</translation>
     </message>
+    <message>
+        <source>This stroke</source>
+        <translation>此笔画</translation>
+    </message>
 </context>
 <context>
     <name>suffuse::InspectorPanel</name>
@@ -1976,6 +2877,29 @@ Arrow keys work too.</source>
         <translation>
             <numerusform>%n 条线段</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>Along the Stroke…</source>
+        <translation>沿笔画变化…</translation>
+    </message>
+    <message>
+        <source>Sets a value along the stroke: constant, as a ramp, or drawn as a curve.</source>
+        <translation>设置沿笔画变化的值：恒定、渐变或手绘曲线。</translation>
+    </message>
+</context>
+<context>
+    <name>suffuse::KnifeTool</name>
+    <message>
+        <source>Drag a line to insert nodes where it crosses strokes. Shift: cut the strokes apart. Ctrl: steps of 15°.</source>
+        <translation>拖出一条线，在其与笔画相交处插入节点。Shift：将笔画切开。Ctrl：以 15° 为步长。</translation>
+    </message>
+    <message>
+        <source>Cut strokes</source>
+        <translation>切割笔画</translation>
+    </message>
+    <message>
+        <source>Insert nodes</source>
+        <translation>插入节点</translation>
     </message>
 </context>
 <context>
@@ -2081,6 +3005,32 @@ Arrow keys work too.</source>
         <extracomment>a position: x, y</extracomment>
         <translation>%1, %2</translation>
     </message>
+    <message>
+        <source>Tool Options</source>
+        <translation>工具选项</translation>
+    </message>
+    <message>
+        <source>Probe</source>
+        <translation>探查</translation>
+    </message>
+    <message>
+        <source>Grid</source>
+        <translation>网格</translation>
+    </message>
+    <message>
+        <source>Step in canvas units</source>
+        <translation>间距（画布单位）</translation>
+    </message>
+    <message>
+        <source>Rename</source>
+        <translation>重命名</translation>
+    </message>
+    <message numerus="yes">
+        <source>Name of %n stroke(s)</source>
+        <translation>
+            <numerusform>%n 条笔画的名称</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>suffuse::NewDialog</name>
@@ -2138,6 +3088,85 @@ Arrow keys work too.</source>
     </message>
 </context>
 <context>
+    <name>suffuse::NodeTool</name>
+    <message>
+        <source>Drag the handle to bend the curve. Shift: make the node a corner. Ctrl: steps of 15°.</source>
+        <translation>拖动控制柄以弯曲曲线。Shift：使节点变为尖角。Ctrl：以 15° 为步长。</translation>
+    </message>
+    <message>
+        <source>Drag to move the selected nodes. Ctrl: along an axis. Alt: along the handle. Shift+click for more nodes.</source>
+        <translation>拖动以移动所选节点。Ctrl：沿坐标轴。Alt：沿控制柄。Shift+点击：选择更多节点。</translation>
+    </message>
+    <message>
+        <source>Drag to bend the curve. Double click to insert a node. Click to select the segment.</source>
+        <translation>拖动以弯曲曲线。双击插入节点。点击选择线段。</translation>
+    </message>
+    <message>
+        <source>Click a segment to select it, Shift+click for a run, Ctrl+click to add or remove one. Drag around nodes.</source>
+        <translation>点击线段以选择，Shift+点击选择连续多条，Ctrl+点击添加或移除一条。拖动框选节点。</translation>
+    </message>
+    <message>
+        <source>Insert node</source>
+        <translation>插入节点</translation>
+    </message>
+    <message>
+        <source>Move nodes</source>
+        <translation>移动节点</translation>
+    </message>
+    <message>
+        <source>Move node</source>
+        <translation>移动节点</translation>
+    </message>
+    <message>
+        <source>Move handle</source>
+        <translation>移动控制柄</translation>
+    </message>
+    <message>
+        <source>Bend curve</source>
+        <translation>弯曲曲线</translation>
+    </message>
+    <message>
+        <source>Smooth nodes</source>
+        <translation>平滑节点</translation>
+    </message>
+    <message>
+        <source>Symmetric nodes</source>
+        <translation>对称节点</translation>
+    </message>
+    <message>
+        <source>Corner nodes</source>
+        <translation>尖角节点</translation>
+    </message>
+    <message>
+        <source>Insert nodes</source>
+        <translation>插入节点</translation>
+    </message>
+    <message>
+        <source>Break stroke</source>
+        <translation>断开笔画</translation>
+    </message>
+    <message>
+        <source>Join nodes</source>
+        <translation>连接节点</translation>
+    </message>
+    <message>
+        <source>Reverse strokes</source>
+        <translation>反转笔画方向</translation>
+    </message>
+    <message>
+        <source>Delete nodes</source>
+        <translation>删除节点</translation>
+    </message>
+    <message>
+        <source>Delete segments</source>
+        <translation>删除线段</translation>
+    </message>
+    <message>
+        <source>Bridge segments</source>
+        <translation>桥接线段</translation>
+    </message>
+</context>
+<context>
     <name>suffuse::NumberField</name>
     <message>
         <source>“%1” is not a number. Sums such as 12*1.5 or +2 work too.</source>
@@ -2147,12 +3176,75 @@ Arrow keys work too.</source>
         <source>%1 is out of range: %2 to %3 is possible.</source>
         <translation>%1 超出范围：允许 %2 到 %3。</translation>
     </message>
+    <message>
+        <source>“%1” is not possible here: this number has no unit.</source>
+        <translation>此处不能输入“%1”：这个数没有单位。</translation>
+    </message>
+    <message>
+        <source>“%1” is not possible here: the unit is %2.</source>
+        <translation>此处不能输入“%1”：单位是 %2。</translation>
+    </message>
 </context>
 <context>
     <name>suffuse::PanTool</name>
     <message>
         <source>Drag to move the canvas. The wheel zooms; R and drag turns.</source>
         <translation>拖动以移动画布。滚轮缩放；按住 R 拖动可旋转。</translation>
+    </message>
+</context>
+<context>
+    <name>suffuse::ProbePanel</name>
+    <message>
+        <source>%1 %</source>
+        <translation>%1 %</translation>
+    </message>
+    <message>
+        <source>Rest the pointer on the painting: what it is made of there is listed here, and stays when you come here to click it.</source>
+        <translation>将指针停在画作上：此处会列出该点的构成，指针移到此处点击时列表保持不变。</translation>
+    </message>
+    <message>
+        <source>Stroke</source>
+        <translation>笔画</translation>
+    </message>
+    <message>
+        <source>Share</source>
+        <translation>占比</translation>
+    </message>
+    <message>
+        <source>Density φ</source>
+        <translation>密度 φ</translation>
+    </message>
+    <message>
+        <source>Of strokes: share of the colour. Of segments: share of the stroke&apos;s density.</source>
+        <translation>笔画：在颜色中的占比。线段：在笔画密度中的占比。</translation>
+    </message>
+    <message>
+        <source>Strokes under the pointer</source>
+        <translation>指针下的笔画</translation>
+    </message>
+    <message>
+        <source>Density over the age</source>
+        <translation>密度随时间的变化</translation>
+    </message>
+    <message>
+        <source>The density of the chosen stroke at this place from when it was painted until it is dry. Dashed: the density from which it is seen.</source>
+        <translation>选定笔画在此处的密度，从落笔到干透。虚线：开始可见的密度。</translation>
+    </message>
+    <message>
+        <source>%1, %2 · paper η %3</source>
+        <translation>%1, %2 · 纸张 η %3</translation>
+    </message>
+    <message>
+        <source>Canvas</source>
+        <translation>画布</translation>
+    </message>
+    <message>
+        <source>Stroke %1</source>
+        <translation>笔画 %1</translation>
+    </message>
+    <message>
+        <source>Segment %1</source>
+        <translation>线段 %1</translation>
     </message>
 </context>
 <context>
@@ -2253,23 +3345,124 @@ Arrow keys work too.</source>
         <source>How many times D along the angle is D across it; 1 spreads evenly.</source>
         <translation>沿该角度的 D 是垂直方向 D 的多少倍；1 表示均匀扩散。</translation>
     </message>
-</context>
-<context>
-    <name>suffuse::SegmentTool</name>
     <message>
-        <source>Click a segment to select it, Shift+click for a run, Ctrl+click to add or remove one.</source>
-        <translation>点击选择线段，Shift+点击选择连续多段，Ctrl+点击添加或移除。</translation>
+        <source>Opacity</source>
+        <translation>不透明度</translation>
+    </message>
+    <message>
+        <source>How much the paint covers at full density</source>
+        <translation>密度饱和时颜料的覆盖程度</translation>
+    </message>
+    <message>
+        <source>Red</source>
+        <translation>红</translation>
+    </message>
+    <message>
+        <source>Share of red pigment</source>
+        <translation>红色颜料的比例</translation>
+    </message>
+    <message>
+        <source>Yellow</source>
+        <translation>黄</translation>
+    </message>
+    <message>
+        <source>Share of yellow pigment</source>
+        <translation>黄色颜料的比例</translation>
+    </message>
+    <message>
+        <source>Blue</source>
+        <translation>蓝</translation>
+    </message>
+    <message>
+        <source>Share of blue pigment</source>
+        <translation>蓝色颜料的比例</translation>
+    </message>
+    <message>
+        <source>Not possible for all that is selected: a value would be out of range.</source>
+        <translation>无法应用于全部所选内容：某个值会超出范围。</translation>
     </message>
 </context>
 <context>
     <name>suffuse::SelectTool</name>
     <message>
-        <source>Click paint to select its stroke, click again for a segment, Shift+click for more. Drag to move.</source>
-        <translation>点击颜料选择其笔画，再次点击选择线段，Shift+点击加选。拖动以移动。</translation>
-    </message>
-    <message>
         <source>Move</source>
         <translation>移动</translation>
+    </message>
+    <message>
+        <source>Stroke %1 of %2 under the pointer, from the top. Alt+click again: the next below.</source>
+        <translation>指针下的笔画 %1 / %2（从最上层数起）。再次 Alt+点击：下一条。</translation>
+    </message>
+    <message>
+        <source>Scale</source>
+        <translation>缩放</translation>
+    </message>
+    <message>
+        <source>Skew</source>
+        <translation>倾斜</translation>
+    </message>
+    <message>
+        <source>Rotate</source>
+        <translation>旋转</translation>
+    </message>
+    <message>
+        <source>Move by %1, %2</source>
+        <translation>移动 %1, %2</translation>
+    </message>
+    <message>
+        <source>Scale to %1 % × %2 %</source>
+        <translation>缩放到 %1 % × %2 %</translation>
+    </message>
+    <message>
+        <source>Rotate by %1°</source>
+        <translation>旋转 %1°</translation>
+    </message>
+    <message>
+        <source>Skew by %1°</source>
+        <translation>倾斜 %1°</translation>
+    </message>
+    <message>
+        <source>Drag: scale. Ctrl: keep the proportions. Shift: about the centre.</source>
+        <translation>拖动：缩放。Ctrl：保持比例。Shift：以中心为基准。</translation>
+    </message>
+    <message>
+        <source>Drag: rotate. Ctrl: in steps of 15°. Shift: about the opposite corner.</source>
+        <translation>拖动：旋转。Ctrl：以 15° 为步长。Shift：绕对角旋转。</translation>
+    </message>
+    <message>
+        <source>Drag: skew. Ctrl: in steps of 15°. Shift: about the opposite side.</source>
+        <translation>拖动：倾斜。Ctrl：以 15° 为步长。Shift：以对边为基准。</translation>
+    </message>
+    <message>
+        <source>Drag: move the centre of rotation. Shift+click: back into the middle.</source>
+        <translation>拖动：移动旋转中心。Shift+点击：恢复到正中。</translation>
+    </message>
+    <message>
+        <source>Shift+Alt+click: add the next stroke below. Shift+Alt+drag: add what the path touches.</source>
+        <translation>Shift+Alt+点击：添加下方的下一条笔画。Shift+Alt+拖动：添加路径触碰到的内容。</translation>
+    </message>
+    <message>
+        <source>Alt+click: select the next stroke below. Alt+drag: select what the path touches.</source>
+        <translation>Alt+点击：选择下方的下一条笔画。Alt+拖动：选择路径触碰到的内容。</translation>
+    </message>
+    <message>
+        <source>Ctrl+Shift+click: one stroke of a group, in or out. Ctrl+Shift+drag: take away.</source>
+        <translation>Ctrl+Shift+点击：添加或移除组中的单条笔画。Ctrl+Shift+拖动：移除。</translation>
+    </message>
+    <message>
+        <source>Ctrl+click: one stroke of a group. Ctrl+drag: move along an axis.</source>
+        <translation>Ctrl+点击：选择组中的单条笔画。Ctrl+拖动：沿坐标轴移动。</translation>
+    </message>
+    <message>
+        <source>Shift+click: add or take away. Shift+drag: add what the band encloses; while moving: do not snap.</source>
+        <translation>Shift+点击：添加或移除。Shift+拖动：添加选框圈住的内容；移动时：不吸附。</translation>
+    </message>
+    <message>
+        <source>Click paint to select its stroke, drag to select several. Shift: add. Alt: below, touch. Ctrl: in groups.</source>
+        <translation>点击颜料选择其笔画，拖动选择多条。Shift：添加。Alt：下层、触碰。Ctrl：组内。</translation>
+    </message>
+    <message>
+        <source>Drag: move. Click again: rotate and skew. Double click: its segment. Shift: add. Alt: below, touch. Ctrl: axis.</source>
+        <translation>拖动：移动。再次点击：旋转和倾斜。双击：其线段。Shift：添加。Alt：下层、触碰。Ctrl：坐标轴。</translation>
     </message>
 </context>
 <context>
@@ -2407,6 +3600,17 @@ Arrow keys work too.</source>
     </message>
 </context>
 <context>
+    <name>suffuse::SizedTool</name>
+    <message>
+        <source>Size</source>
+        <translation>大小</translation>
+    </message>
+    <message>
+        <source>Diameter of the circle in canvas units ([ and ] change it)</source>
+        <translation>圆圈的直径，以画布单位计（[ 和 ] 可更改）</translation>
+    </message>
+</context>
+<context>
     <name>suffuse::SliderField</name>
     <message>
         <source>Double-click: back to the default.</source>
@@ -2415,6 +3619,25 @@ Arrow keys work too.</source>
     <message>
         <source>%1, slider</source>
         <translation>%1，滑块</translation>
+    </message>
+</context>
+<context>
+    <name>suffuse::StrokeHistoryList</name>
+    <message>
+        <source>History of the selected stroke</source>
+        <translation>所选笔画的历史记录</translation>
+    </message>
+    <message>
+        <source>What was done to the selected stroke. Click a state to put this stroke back to it; everything else stays as it is.</source>
+        <translation>对所选笔画所做的操作。点击某个状态可使此笔画恢复到该状态；其他内容保持不变。</translation>
+    </message>
+    <message>
+        <source>As it was at first</source>
+        <translation>最初状态</translation>
+    </message>
+    <message>
+        <source>Put stroke back</source>
+        <translation>恢复笔画</translation>
     </message>
 </context>
 <context>
@@ -2470,6 +3693,10 @@ Arrow keys work too.</source>
     <message>
         <source>unnamed</source>
         <translation>未命名</translation>
+    </message>
+    <message>
+        <source>Not possible for all that is selected: a value would be out of range.</source>
+        <translation>无法应用于全部所选内容：某个值会超出范围。</translation>
     </message>
 </context>
 <context>
@@ -2560,6 +3787,10 @@ Arrow keys work too.</source>
         <source>Reorder strokes</source>
         <translation>调整笔画顺序</translation>
     </message>
+    <message>
+        <source>Segment %1</source>
+        <translation>线段 %1</translation>
+    </message>
 </context>
 <context>
     <name>suffuse::StrokesPanel</name>
@@ -2580,8 +3811,64 @@ Arrow keys work too.</source>
         <translation>笔画</translation>
     </message>
     <message>
-        <source>The topmost stroke comes first. Drag to reorder, double-click to rename.</source>
-        <translation>最上层的笔画排在最前。拖动可排序，双击可重命名。</translation>
+        <source>The topmost stroke comes first. Drag to reorder, double-click to rename; a right click offers more.</source>
+        <translation>最上层的笔画排在最前。拖动以调整顺序，双击以重命名；右键点击有更多命令。</translation>
+    </message>
+    <message>
+        <source>&amp;Rename</source>
+        <translation>重命名(&amp;R)</translation>
+    </message>
+    <message>
+        <source>&amp;Delete</source>
+        <translation>删除(&amp;D)</translation>
+    </message>
+    <message>
+        <source>Select &amp;Same</source>
+        <translation>选择相同项(&amp;S)</translation>
+    </message>
+    <message>
+        <source>&amp;Colour</source>
+        <translation>颜色(&amp;C)</translation>
+    </message>
+    <message>
+        <source>&amp;Style</source>
+        <translation>样式(&amp;S)</translation>
+    </message>
+    <message>
+        <source>&amp;Brush</source>
+        <translation>画笔(&amp;B)</translation>
+    </message>
+    <message>
+        <source>&amp;Hide</source>
+        <translation>隐藏(&amp;H)</translation>
+    </message>
+    <message>
+        <source>Sh&amp;ow</source>
+        <translation>显示(&amp;O)</translation>
+    </message>
+    <message>
+        <source>Un&amp;lock</source>
+        <translation>解锁(&amp;L)</translation>
+    </message>
+    <message>
+        <source>&amp;Lock</source>
+        <translation>锁定(&amp;L)</translation>
+    </message>
+    <message>
+        <source>Hide strokes</source>
+        <translation>隐藏笔画</translation>
+    </message>
+    <message>
+        <source>Show strokes</source>
+        <translation>显示笔画</translation>
+    </message>
+    <message>
+        <source>Unlock strokes</source>
+        <translation>解锁笔画</translation>
+    </message>
+    <message>
+        <source>Lock strokes</source>
+        <translation>锁定笔画</translation>
     </message>
 </context>
 <context>
@@ -2589,14 +3876,6 @@ Arrow keys work too.</source>
     <message>
         <source>Style</source>
         <translation>样式</translation>
-    </message>
-    <message>
-        <source>Density function</source>
-        <translation>密度函数</translation>
-    </message>
-    <message>
-        <source>How density becomes coverage. The mark is the peak density of the selected segments.</source>
-        <translation>密度如何转化为覆盖率。标记处为所选线段的峰值密度。</translation>
     </message>
     <message>
         <source>Belongs to</source>
@@ -2641,38 +3920,6 @@ Arrow keys work too.</source>
     <message>
         <source>Parameter of the style</source>
         <translation>样式的参数</translation>
-    </message>
-    <message>
-        <source>Spread s</source>
-        <translation>扩散距离 s</translation>
-    </message>
-    <message>
-        <source>Peak density</source>
-        <translation>峰值密度</translation>
-    </message>
-    <message>
-        <source>Half-width</source>
-        <translation>半宽</translation>
-    </message>
-    <message>
-        <source>Fades away</source>
-        <translation>消褪</translation>
-    </message>
-    <message>
-        <source>How far the paint has spread once it is dry: √(4·D·t_max).</source>
-        <translation>颜料干透时扩散的距离：√(4·D·t_max)。</translation>
-    </message>
-    <message>
-        <source>Density in the middle of a long straight stroke, dry.</source>
-        <translation>干透的长直笔画中央的密度。</translation>
-    </message>
-    <message>
-        <source>From the middle to the visible edge of a long straight stroke, dry.</source>
-        <translation>干透的长直笔画从中央到可见边缘的距离。</translation>
-    </message>
-    <message>
-        <source>When the paint has spread so thin that nothing of it is visible any more.</source>
-        <translation>颜料扩散到稀薄得完全看不见的时间。</translation>
     </message>
     <message>
         <source>Give segments their own style</source>
@@ -2742,17 +3989,71 @@ Arrow keys work too.</source>
         <source>Coverage far inside the stroke.</source>
         <translation>笔画内部深处的覆盖率。</translation>
     </message>
+</context>
+<context>
+    <name>suffuse::TransformBar</name>
     <message>
-        <source>never</source>
-        <translation>不会</translation>
+        <source>X</source>
+        <extracomment>left edge of the selection</extracomment>
+        <translation>X</translation>
     </message>
     <message>
-        <source>partly, from %1</source>
-        <translation>部分，自 %1 起</translation>
+        <source>Left edge of the selected strokes&apos; curves, canvas units</source>
+        <translation>所选笔画曲线的左边缘，画布单位</translation>
     </message>
     <message>
-        <source>after %1</source>
-        <translation>%1 后</translation>
+        <source>Y</source>
+        <translation>Y</translation>
+    </message>
+    <message>
+        <source>Upper edge of the selected strokes&apos; curves, canvas units</source>
+        <translation>所选笔画曲线的上边缘，画布单位</translation>
+    </message>
+    <message>
+        <source>W</source>
+        <extracomment>width</extracomment>
+        <translation>宽</translation>
+    </message>
+    <message>
+        <source>Width of the selected strokes&apos; curves, canvas units</source>
+        <translation>所选笔画曲线的宽度，画布单位</translation>
+    </message>
+    <message>
+        <source>Keep the proportions of width and height</source>
+        <translation>保持宽度与高度的比例</translation>
+    </message>
+    <message>
+        <source>Keep the proportions</source>
+        <translation>保持比例</translation>
+    </message>
+    <message>
+        <source>H</source>
+        <extracomment>height</extracomment>
+        <translation>高</translation>
+    </message>
+    <message>
+        <source>Height of the selected strokes&apos; curves, canvas units</source>
+        <translation>所选笔画曲线的高度，画布单位</translation>
+    </message>
+    <message>
+        <source>∠</source>
+        <translation>∠</translation>
+    </message>
+    <message>
+        <source>Rotate the selected strokes by this angle</source>
+        <translation>将所选笔画旋转此角度</translation>
+    </message>
+    <message>
+        <source>Rotate</source>
+        <translation>旋转</translation>
+    </message>
+    <message>
+        <source>Move</source>
+        <translation>移动</translation>
+    </message>
+    <message>
+        <source>Scale</source>
+        <translation>缩放</translation>
     </message>
 </context>
 </TS>
