@@ -3,6 +3,7 @@
 #include "render/parallel.h"
 
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <unordered_map>
 #include <unordered_set>
@@ -48,26 +49,33 @@ void DirtyRegion::mark(const std::vector<TileRange> &ranges)
             mark(range);
         return;
     }
+    TileRange box{m_columns, m_rows, 0, 0}; // of all of them
+    for (const TileRange &t : ranges)
+        if (!t.isEmpty())
+            box = {std::min(box.left, t.left), std::min(box.top, t.top), std::max(box.right, t.right),
+                   std::max(box.bottom, t.bottom)};
+    if (box.isEmpty())
+        return;
     // Differences along columns and rows of how many ranges cover a tile, summed up at the end.
-    const std::size_t stride = std::size_t(m_columns) + 1;
-    std::vector<std::int32_t> covered(stride * (std::size_t(m_rows) + 1), 0);
+    const std::size_t columns = std::size_t(box.right - box.left), stride = columns + 1;
+    std::vector<std::int32_t> covered(stride * std::size_t(box.bottom - box.top + 1), 0);
     for (const TileRange &t : ranges) {
         if (t.isEmpty())
             continue;
         const auto at = [&](int x, int y) -> std::int32_t & {
-            return covered[std::size_t(y) * stride + std::size_t(x)];
+            return covered[std::size_t(y - box.top) * stride + std::size_t(x - box.left)];
         };
         ++at(t.left, t.top), --at(t.right, t.top), --at(t.left, t.bottom), ++at(t.right, t.bottom);
     }
     std::vector<std::int32_t> column(stride, 0);
-    for (int y = 0; y < m_rows; ++y) {
-        const std::int32_t *row = covered.data() + std::size_t(y) * stride;
+    for (int y = box.top; y < box.bottom; ++y) {
+        const std::int32_t *row = covered.data() + std::size_t(y - box.top) * stride;
         for (std::size_t x = 0; x < stride; ++x)
             column[x] += row[x];
         std::int32_t count = 0;
-        std::uint8_t *dirty = m_dirty.data() + index(0, y);
-        for (int x = 0; x < m_columns; ++x) {
-            count += column[std::size_t(x)];
+        std::uint8_t *dirty = m_dirty.data() + index(box.left, y);
+        for (std::size_t x = 0; x < columns; ++x) {
+            count += column[x];
             dirty[x] |= std::uint8_t(count != 0);
         }
     }
@@ -136,23 +144,30 @@ void markChanged(const SceneStroke &before, const SceneStroke &after, const View
         ++prefix;
     while (!inPlace && suffix < shorter - prefix && same(a.size() - 1 - suffix, b.size() - 1 - suffix))
         ++suffix;
-    constexpr std::size_t share = 256;
     const std::size_t end = std::max(a.size(), b.size()) - suffix, count = end - prefix;
-    std::vector<TileRange> ranges(2 * count); // before and after; empty where nothing differs
+    const auto changedBy = [&](std::size_t i) -> std::array<TileRange, 2> { // before and after
+        if (inPlace && same(i, i))
+            return {};
+        return {i < a.size() - suffix ? tilesOf(before, i) : TileRange{},
+                i < b.size() - suffix ? tilesOf(after, i) : TileRange{}};
+    };
+    std::vector<TileRange> ranges;
+    const auto add = [&](const TileRange &range) { // neighbours along a stroke reach the same tiles
+        if (!range.isEmpty() && (ranges.empty() || !ranges.back().contains(range)))
+            ranges.push_back(range);
+    };
+    constexpr std::size_t share = 256;
     const bool isQuick = !inPlace && !before.groupBounds.empty() && !after.groupBounds.empty();
-    parallelFor((count + share - 1) / share, isQuick || count < 2 * share ? 1 : threads, [&](std::size_t k) {
-        for (std::size_t i = prefix + k * share; i < std::min(prefix + (k + 1) * share, end); ++i) {
-            if (inPlace && same(i, i))
-                continue;
-            TileRange &was = ranges[2 * (i - prefix)], &is = ranges[2 * (i - prefix) + 1];
-            if (i < a.size() - suffix)
-                was = tilesOf(before, i);
-            if (i < b.size() - suffix)
-                is = tilesOf(after, i);
-            if (is.contains(was))
-                was = {};
-        }
+    std::vector<std::array<TileRange, 2>> changed(isQuick ? 0 : count);
+    parallelFor((changed.size() + share - 1) / share, count < 2 * share ? 1 : threads, [&](std::size_t k) {
+        for (std::size_t i = k * share; i < std::min((k + 1) * share, count); ++i)
+            changed[i] = changedBy(prefix + i);
     });
+    for (std::size_t i = 0; i < count; ++i) {
+        const auto [was, is] = isQuick ? changedBy(prefix + i) : changed[i];
+        add(is);
+        add(was);
+    }
     region.mark(ranges);
 }
 

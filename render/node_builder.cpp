@@ -20,7 +20,7 @@ namespace {
 /// Segments of a block that can be seen, in order.
 struct BuiltBlock {
     std::vector<SegmentNodes> segments;
-    std::vector<Node> nodes;
+    UnsetVector<Node> nodes;
     std::vector<SpanNode> fine; ///< scratch of a run to be merged
 };
 

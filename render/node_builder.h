@@ -2,6 +2,7 @@
 #pragma once
 
 #include "model/painting.h"
+#include "render/unset_vector.h"
 
 #include <memory>
 #include <optional>
@@ -52,10 +53,10 @@ struct NodeGroup {
 /// The nodes of a stroke at a time and zoom octave. A pure function of stroke, T, octave (and clip, for segments of
 /// extreme length: outside of it nodes are left out).
 struct StrokeNodes {
-    std::vector<Node> nodes;       ///< by group, in order along the stroke
-    std::vector<NodeGroup> groups; ///< of what is there at T and can be seen at the octave
-    std::vector<NodeValues> rows;
-    std::vector<SegmentReach> reaches;
+    UnsetVector<Node> nodes;       ///< by group, in order along the stroke
+    UnsetVector<NodeGroup> groups; ///< of what is there at T and can be seen at the octave
+    UnsetVector<NodeValues> rows;
+    UnsetVector<SegmentReach> reaches;
     bool clipped = false;  ///< depends on the clip
     std::uint32_t settledRows = 0; ///< rows of leading blocks that have dried: they stay while the stroke grows
 };

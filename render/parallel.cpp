@@ -1,5 +1,7 @@
 #include "render/parallel.h"
 
+#include "render/crew.h"
+
 #include <algorithm>
 #include <thread>
 #include <utility>
@@ -59,6 +61,8 @@ void parallelFor(std::size_t count, int threads, const std::function<void(std::s
             body(i);
         return;
     }
+    if (Crew *crew = CrewOnDuty::crew())
+        return crew->run(count, threads, body);
 #ifdef SUFFUSE_JTHREAD
     std::atomic<std::size_t> next{0};
     const auto work = [&] {

@@ -27,7 +27,7 @@ struct SceneStroke {
     StrokePtr stroke;
     std::shared_ptr<const StrokeNodes> source;
     PixelRect bounds; ///< pixels of the picture that it can touch; empty: none
-    std::vector<cpu::ViewNode> nodes; ///< the separable ones first
+    UnsetVector<cpu::ViewNode> nodes; ///< the separable ones first
     cpu::NodeBoxStore boxes;          ///< of `nodes`
     int separable = 0;
     std::vector<DeepNode> deep;

@@ -68,7 +68,7 @@ double polygonLength(const Cubic &c)
     return norm(c.p[1] - c.p[0]) + norm(c.p[2] - c.p[1]) + norm(c.p[3] - c.p[2]);
 }
 
-void addPanel(const Source &s, const Cubic &curve, int n, std::vector<Node> &out)
+void addPanel(const Source &s, const Cubic &curve, int n, UnsetVector<Node> &out)
 {
     const QuadratureRule &rule = gaussLegendre(n);
     for (int i = 0; i < n; ++i) {
@@ -79,7 +79,7 @@ void addPanel(const Source &s, const Cubic &curve, int n, std::vector<Node> &out
     }
 }
 
-void addPanels(const Source &s, const Cubic &curve, double tolerance, int depth, std::vector<Node> &out)
+void addPanels(const Source &s, const Cubic &curve, double tolerance, int depth, UnsetVector<Node> &out)
 {
     if (!s.clip.isEmpty() && !curve.controlBox().grown(s.reach).intersects(s.clip))
         return;
@@ -183,7 +183,7 @@ bool isSeen(const Segment &segment, Microseconds T, double scale)
 }
 
 bool buildSegment(const Stroke &stroke, const Segment &segment, const NodeContext &context, double scale,
-                  std::vector<Node> &nodes, SegmentNodes &out)
+                  UnsetVector<Node> &nodes, SegmentNodes &out)
 {
     const std::vector<Style> &styles = context.styles;
     const Axes axes(segment, context.T);

@@ -25,6 +25,6 @@ bool isSeen(const Segment &segment, Microseconds T, double scale);
 /// Appends the segment's nodes, whose weights are still to be multiplied by `weightGain`, and tells about them; false:
 /// it is not seen.
 bool buildSegment(const Stroke &stroke, const Segment &segment, const NodeContext &context, double scale,
-                  std::vector<Node> &nodes, SegmentNodes &out);
+                  UnsetVector<Node> &nodes, SegmentNodes &out);
 
 } // namespace suffuse

@@ -83,7 +83,8 @@ std::vector<PixelRect> dirtyRects(const DirtyRegion &region, const std::uint8_t 
 } // namespace
 
 CudaRenderer::CudaRenderer(const std::vector<std::shared_ptr<cuda::Device>> &devices, int threads, bool cull)
-    : m_threads(threads > 0 ? threads : hardwareThreads()), m_history(cuda::tileSide, cull), m_devices(devices)
+    : m_threads(threads > 0 ? threads : hardwareThreads()), m_crew(m_threads), m_history(cuda::tileSide, cull),
+      m_devices(devices)
 {
     m_deviceName = QString::fromStdString(devices.front()->name());
     if (devices.size() > 1)
@@ -131,7 +132,10 @@ void CudaRenderer::planTasks()
             TileTask *&share = next[std::size_t((top + left) / side) % next.size()], *task = share;
             for (int row = top; row < std::min(top + side, region.rows()); ++row) {
                 const std::uint8_t *dirty = region.dirtyRow(row);
-                for (int column = left; column < std::min(left + side, region.columns()); ++column) {
+                const int right = std::min(left + side, region.columns());
+                if (!std::memchr(dirty + left, 1, std::size_t(right - left)))
+                    continue;
+                for (int column = left; column < right; ++column) {
                     *task = {std::uint16_t(column), std::uint16_t(row),
                              std::uint32_t(m_history.tileIndex(column, row))};
                     task += dirty[column]; // without a jump that nobody can foresee
@@ -168,6 +172,7 @@ Error CudaRenderer::lose(const QString &why)
 Result<RenderStats> CudaRenderer::render(const RenderRequest &request, Target &target, const std::atomic<bool> *cancel)
 {
     RenderStats stats;
+    const CrewOnDuty onDuty(&m_crew);
     QElapsedTimer total, stage;
     total.start();
     stage.start();
@@ -210,21 +215,23 @@ void CudaRenderer::finish(RenderStats &stats)
 {
     const DirtyRegion &region = m_history.region();
     std::size_t all = 0, drawn = 0;
-    bool approximate = false;
-    for (const Share &share : m_shares) {
+    for (const Share &share : m_shares)
         all += share.tasks.size();
-        for (const TileTask &task : share.tasks)
-            drawn += task.drawn, approximate |= task.approximate;
-    }
-    if (drawn < all || (all > 0 && stats.dirty.empty()))
-        stats.dirty = dirtyRects(region, drawnTiles().data());
-    if (drawn == all && !approximate)
+    if (all > 0 && stats.dirty.empty()) // the first device had nothing to do
+        stats.dirty = dirtyRects(region, region.dirtyRow(0));
+    if (std::ranges::all_of(m_workers, &cuda::TileWorker::drewAll)) {
+        drawn = all;
         m_history.drawnAll();
-    else
+    } else {
         for (const Share &share : m_shares)
             for (const TileTask &task : share.tasks)
-                if (task.drawn)
+                if (task.drawn) {
+                    ++drawn;
                     m_history.drawn(task.column, task.row, task.approximate);
+                }
+    }
+    if (drawn < all)
+        stats.dirty = dirtyRects(region, drawnTiles().data());
     stats.cancelled = drawn < all;
     stats.tilesEvaluated = int(drawn);
     stats.tiles = region.columns() * region.rows();

@@ -1,6 +1,7 @@
 // Draws on one or several CUDA devices, evaluating only what differs from the last call.
 #pragma once
 
+#include "render/crew.h"
 #include "render/cuda/cuda_frame.h"
 #include "render/cuda/tile_worker.h"
 #include "render/renderer.h"
@@ -41,6 +42,7 @@ private:
     Error lose(const QString &why);
 
     int m_threads;
+    Crew m_crew;
     QString m_deviceName;
     FrameHistory m_history;
     std::vector<std::unique_ptr<cuda::TileWorker>> m_workers;

@@ -17,31 +17,7 @@ __device__ void takeTurn()
 #endif
 }
 
-// Runs once per list, by one warp.
-__global__ void __launch_bounds__(warpLanes) listsKernel(const __grid_constant__ Frame frame)
-{
-    takeTurn();
-    DeviceWarp warp;
-    for (std::uint32_t list = blockIdx.x; list < frame.macroCount * listParts; list += gridDim.x)
-        makeList(warp, frame, list);
-}
-
-constexpr int cullWarps = 4; ///< a block
-
-// Runs once per entry of the lists and half of the macro-tile, by one warp.
-__global__ void __launch_bounds__(cullWarps *warpLanes, 8) cullKernel(const __grid_constant__ Frame frame)
-{
-    __shared__ CullScratch scratch[cullWarps];
-    takeTurn();
-    DeviceWarp warp;
-    const int own = int(threadIdx.x) / warpLanes;
-    const std::uint32_t longest = frame.status[longestList], room = longest < frame.listRoom ? longest : frame.listRoom;
-    const std::uint32_t lists = frame.macroCount * listParts, jobs = room * lists * 2;
-    for (std::uint32_t job = blockIdx.x * cullWarps + own; job < jobs; job += gridDim.x * cullWarps)
-        cullEntry(warp, frame, job / 2 % lists, job / 2 / lists, int(job % 2), scratch[own]);
-}
-
-constexpr int orderThreads = 1024, weightClasses = 256;
+constexpr int weightClasses = 256;
 
 /// Eight classes an octave, heavy ones first.
 __device__ int classOf(std::uint32_t weight)
@@ -54,39 +30,94 @@ __device__ std::uint32_t weightOf(const Frame &frame, std::uint32_t job)
 {
     const TileJob &tile = frame.tiles[job];
     const int at = tile.row % macroTiles * macroTiles + tile.column % macroTiles;
-    return frame.weights[std::size_t(tile.macro) * macroTiles * macroTiles + at];
+    return __ldcg(frame.weights + std::size_t(tile.macro) * macroTiles * macroTiles + at);
 }
 
-// Runs once, by one block: puts heavy tiles first, so that no long one is begun last. Which of two of a class comes
-// first may differ from call to call; pixels do not depend on it.
-__global__ void __launch_bounds__(orderThreads) orderKernel(const __grid_constant__ Frame frame)
+/// By one warp: from how many there are of each class to the place of the first of them.
+__device__ void countsToPlaces(std::uint32_t (&places)[weightClasses])
 {
-    __shared__ std::uint32_t places[weightClasses];
-    takeTurn();
-    for (int i = int(threadIdx.x); i < weightClasses; i += orderThreads)
+    constexpr int classes = weightClasses / warpLanes; // a lane
+    std::uint32_t count[classes], own = 0;
+    SUFFUSE_UNROLL
+    for (int i = 0; i < classes; ++i)
+        own += count[i] = places[threadIdx.x * classes + i];
+    std::uint32_t sum = own;
+    SUFFUSE_UNROLL
+    for (int by = 1; by < warpLanes; by *= 2) {
+        const std::uint32_t lower = __shfl_up_sync(0xffffffffu, sum, by);
+        sum += int(threadIdx.x) >= by ? lower : 0;
+    }
+    std::uint32_t before = sum - own;
+    SUFFUSE_UNROLL
+    for (int i = 0; i < classes; ++i) {
+        places[threadIdx.x * classes + i] = before;
+        before += count[i];
+    }
+}
+
+/// By one block: puts heavy tiles first, so that no long one is begun last. Which of two of a class comes first may
+/// differ from call to call; pixels do not depend on it.
+__device__ void orderTiles(const Frame &frame, std::uint32_t (&places)[weightClasses])
+{
+    constexpr std::uint32_t threads = listWarps * warpLanes, most = 16, page = most * threads;
+    std::uint32_t own[most], rank[most]; // several loads and atomics at a time
+    const auto jobOf = [&](std::uint32_t from, std::uint32_t k) { return from + k * threads + threadIdx.x; };
+    const auto count = [&](std::uint32_t from) {
+        SUFFUSE_UNROLL
+        for (std::uint32_t k = 0; k < most; ++k)
+            own[k] = jobOf(from, k) < frame.tileCount ? weightOf(frame, jobOf(from, k)) : 0;
+        SUFFUSE_UNROLL
+        for (std::uint32_t k = 0; k < most; ++k) {
+            own[k] = classOf(own[k]);
+            rank[k] = jobOf(from, k) < frame.tileCount ? atomicAdd(places + own[k], 1u) : 0;
+        }
+    };
+    for (std::uint32_t i = threadIdx.x; i < weightClasses; i += threads)
         places[i] = 0;
     __syncthreads();
-    SUFFUSE_UNROLL_BY_4
-    for (std::uint32_t job = threadIdx.x; job < frame.tileCount; job += orderThreads)
-        atomicAdd(places + classOf(weightOf(frame, job)), 1u);
+    const std::uint32_t last = (frame.tileCount - 1) / page * page;
+    for (std::uint32_t from = 0; from <= last; from += page) {
+        count(from);
+        __syncthreads();
+    }
+    if (threadIdx.x < warpLanes)
+        countsToPlaces(places);
     __syncthreads();
-    if (threadIdx.x < warpLanes) { // counts to first places
-        std::uint32_t before = 0;
-        for (int from = 0; from < weightClasses; from += warpLanes) {
-            const std::uint32_t own = places[from + threadIdx.x];
-            std::uint32_t sum = own;
-            for (int by = 1; by < warpLanes; by *= 2) {
-                const std::uint32_t lower = __shfl_up_sync(0xffffffffu, sum, by);
-                sum += int(threadIdx.x) >= by ? lower : 0;
-            }
-            places[from + threadIdx.x] = before + sum - own;
-            before += __shfl_sync(0xffffffffu, sum, warpLanes - 1);
-        }
+    SUFFUSE_UNROLL
+    for (std::uint32_t k = 0; k < most; ++k) // what was counted last comes last in its class
+        if (jobOf(last, k) < frame.tileCount)
+            frame.order[places[own[k]] + rank[k]] = jobOf(last, k);
+    __syncthreads();
+    SUFFUSE_ROLLED
+    for (std::uint32_t from = 0; from < last; from += page) {
+        count(from);
+        SUFFUSE_UNROLL
+        for (std::uint32_t k = 0; k < most; ++k)
+            frame.order[rank[k]] = jobOf(from, k);
+    }
+}
+
+// Runs once per list, by one block; the last block that is done puts the tiles in order.
+__global__ void __launch_bounds__(listWarps *warpLanes, 3) listsKernel(const __grid_constant__ Frame frame)
+{
+    __shared__ union {
+        ListScratch lists;
+        std::uint32_t places[weightClasses];
+    } scratch;
+    __shared__ bool last;
+    takeTurn();
+    DeviceBlock block;
+    for (std::uint32_t list = blockIdx.x; list < frame.macroCount * listParts; list += gridDim.x)
+        ListMaker<DeviceBlock>(block, frame, list, scratch.lists).make();
+    if (!frame.ordered)
+        return;
+    if (threadIdx.x == 0) {
+        __threadfence();
+        last = atomicAdd(frame.status + blocksDone, 1u) == gridDim.x - 1;
     }
     __syncthreads();
-    SUFFUSE_UNROLL_BY_4
-    for (std::uint32_t job = threadIdx.x; job < frame.tileCount; job += orderThreads)
-        frame.order[atomicAdd(places + classOf(weightOf(frame, job)), 1u)] = job;
+    if (last)
+        orderTiles(frame, scratch.places);
 }
 
 /// The first job of a block is its own; of the rest each takes the next that nobody has.
@@ -132,12 +163,10 @@ __global__ void __launch_bounds__(copyThreads)
 
 cudaError_t fillingGrid(int device, Grid &grid)
 {
-    int processors = 0, lists = 0, culls = 0, plain = 0, general = 0;
+    int processors = 0, lists = 0, plain = 0, general = 0;
     cudaError_t error = cudaDeviceGetAttribute(&processors, cudaDevAttrMultiProcessorCount, device);
     if (error == cudaSuccess)
-        error = cudaOccupancyMaxActiveBlocksPerMultiprocessor(&lists, listsKernel, warpLanes, 0);
-    if (error == cudaSuccess)
-        error = cudaOccupancyMaxActiveBlocksPerMultiprocessor(&culls, cullKernel, cullWarps * warpLanes, 0);
+        error = cudaOccupancyMaxActiveBlocksPerMultiprocessor(&lists, listsKernel, listWarps * warpLanes, 0);
     if (error == cudaSuccess)
         error = cudaOccupancyMaxActiveBlocksPerMultiprocessor(&plain, tilesKernel<false>, warpLanes, 0);
     if (error == cudaSuccess)
@@ -145,8 +174,8 @@ cudaError_t fillingGrid(int device, Grid &grid)
     cudaFuncAttributes compiled = {};
     if (error == cudaSuccess)
         error = cudaFuncGetAttributes(&compiled, listsKernel);
-    grid = {unsigned(processors * lists), unsigned(processors * culls), unsigned(processors * plain),
-            unsigned(processors * general), compiled.ptxVersion >= 90};
+    grid = {unsigned(processors * lists), unsigned(processors * plain), unsigned(processors * general),
+            compiled.ptxVersion >= 90};
     return error;
 }
 
@@ -155,11 +184,6 @@ unsigned blocksOf(const void *kernel, const Frame &frame, const Grid &grid)
     const auto least = [](unsigned a, std::size_t b) { return unsigned(b < a ? b : a); };
     if (kernel == reinterpret_cast<const void *>(listsKernel))
         return least(grid.lists, std::size_t(frame.macroCount) * listParts);
-    if (kernel == reinterpret_cast<const void *>(cullKernel))
-        return least(grid.culls,
-                     (std::size_t(frame.macroCount) * listParts * frame.listRoom * 2 + cullWarps - 1) / cullWarps);
-    if (kernel == reinterpret_cast<const void *>(orderKernel))
-        return 1;
     const bool general = kernel == reinterpret_cast<const void *>(tilesKernel<true>);
     return least(general ? grid.general : grid.plain, frame.tileCount);
 }
@@ -186,12 +210,7 @@ cudaError_t launch(void (*kernel)(Frame), int threads, bool follows, const Frame
 
 cudaError_t launchLists(const Frame &frame, const Grid &grid, cudaStream_t stream)
 {
-    cudaError_t error = launch(listsKernel, warpLanes, false, frame, grid, stream);
-    if (error == cudaSuccess)
-        error = launch(cullKernel, cullWarps * warpLanes, true, frame, grid, stream);
-    if (error == cudaSuccess && frame.ordered)
-        error = launch(orderKernel, orderThreads, true, frame, grid, stream);
-    return error;
+    return launch(listsKernel, listWarps * warpLanes, false, frame, grid, stream);
 }
 
 cudaError_t launchTiles(const Frame &frame, bool general, const Grid &grid, cudaStream_t stream)

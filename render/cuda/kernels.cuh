@@ -9,7 +9,7 @@ namespace suffuse::cuda {
 
 /// Blocks that fill a device, of each kernel, and how they are launched.
 struct Grid {
-    unsigned lists = 1, culls = 1, plain = 1, general = 1;
+    unsigned lists = 1, plain = 1, general = 1;
     bool early = false; ///< whether kernels wait themselves for the ones before them
 };
 cudaError_t fillingGrid(int device, Grid &grid);
@@ -17,7 +17,7 @@ cudaError_t fillingGrid(int device, Grid &grid);
 /// How many blocks one of the kernels of a frame is launched with.
 unsigned blocksOf(const void *kernel, const Frame &frame, const Grid &grid);
 
-/// Runs once per macro job: its list of chunks; then once per entry of the lists: where it can be seen.
+/// Runs once per list: its chunks and where they can be seen; puts the tile jobs in order, if `ordered`.
 cudaError_t launchLists(const Frame &frame, const Grid &grid, cudaStream_t stream);
 /// Runs once per tile job, of those that are plain or of the others.
 cudaError_t launchTiles(const Frame &frame, bool general, const Grid &grid, cudaStream_t stream);

@@ -14,8 +14,11 @@ inline constexpr int tileSize = tileSide * tileSide;
 /// Lists of chunks are made for macro-tiles of 8 × 8 tiles.
 inline constexpr int macroSide = 128;
 inline constexpr int macroTiles = macroSide / tileSide;
-/// A macro job's chunks are listed in so many parts, side by side: each is a list of its own.
-inline constexpr int listParts = 4;
+/// A list is of half a macro-tile's 32 tiles: its upper four rows or the lower ones.
+inline constexpr int listTiles = macroTiles * macroTiles / 2;
+/// The chunks of half a macro job are listed in so many quarters, side by side: each is a list of its own.
+inline constexpr int listQuarters = 4;
+inline constexpr int listParts = 2 * listQuarters; ///< lists a macro job: those of the upper half, then the lower one's
 /// Nodes of one stroke that are chosen together, one a lane.
 inline constexpr int chunkNodes = 32;
 
@@ -55,6 +58,13 @@ struct alignas(16) ChunkRecord {
     std::uint32_t nodes = 0;
     std::uint32_t stroke = 0; ///< index of the StrokeRecord
     std::uint32_t padding = 0;
+};
+
+/// A chunk in a list.
+struct alignas(16) ListEntry {
+    std::uint32_t chunk, firstNode;
+    std::uint32_t strokeAndNodes; ///< stroke·64 + nodes
+    std::uint32_t mask;           ///< bit 8·row + column: its stroke can be seen in that tile of the half
 };
 
 /// How one stroke shows.
@@ -135,10 +145,9 @@ struct Frame {
     const MacroJob *macros = nullptr;
     const TileJob *tiles = nullptr;
     std::uint32_t macroCount = 0, tileCount = 0;
-    std::uint32_t *lists = nullptr;      ///< `listRoom` chunk indices a list, listParts lists a macro job
-    std::uint32_t *listCounts = nullptr; ///< one a list; may exceed listRoom: then the list is cut off
-    std::uint32_t *masks = nullptr; ///< two an index: bit 8·row + column of both: its stroke can be seen in that tile
-    std::uint32_t listRoom = 0;
+    ListEntry *lists = nullptr;          ///< `listRoom` entries a list, listParts lists a macro job
+    std::uint32_t *listCounts = nullptr; ///< one a list
+    std::uint32_t listRoom = 0;          ///< what does not fit is cut off, and told in the status words
     std::uint32_t editedFrom = 0xffffffff,
                   editedTo = 0xffffffff; ///< chunks of the first edited stroke, where layers are used
 
@@ -165,6 +174,6 @@ struct Frame {
 };
 
 /// Words of Frame::status.
-enum StatusWord { nextPlainTile, nextGeneralTile, longestList, statusWords };
+enum StatusWord { nextPlainTile, nextGeneralTile, longestList, blocksDone, statusWords };
 
 } // namespace suffuse::cuda

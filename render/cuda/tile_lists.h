@@ -1,4 +1,5 @@
-// Which chunks meet a macro-tile, and in which of its tiles their strokes can be seen: programs of one warp.
+// Which chunks meet a macro-tile, and in which of its tiles their strokes can be seen: programs of a warp and
+// of a block of them.
 #pragma once
 
 #include "render/cuda/tile_nodes.h"
@@ -25,52 +26,6 @@ SUFFUSE_PROGRAM ListedPart wholeStrokes(Warp &warp, const Frame &frame, const Ma
         if (first && last)
             return part;
     }
-}
-
-/// Writes one list: of a part of a macro job's chunks, whole strokes, those whose bounds meet it, in order. What does
-/// not fit is left out, and the longest list's length is told in the status words.
-template <class Warp>
-SUFFUSE_PROGRAM void makeList(Warp &warp, const Frame &frame, std::uint32_t index)
-{
-    constexpr int group = 4; // of 32 chunks, so that several loads are under way
-    const MacroJob macro = frame.macros[index / listParts];
-    const std::uint32_t part = index % listParts, size = (macro.to - macro.from + listParts - 1) / listParts;
-    const auto border = [&](std::uint32_t before) {
-        const std::uint32_t at = macro.from + before * size;
-        return at < macro.to ? at : macro.to;
-    };
-    const ListedPart chunks = wholeStrokes(warp, frame, macro, {border(part), border(part + 1)});
-    const std::uint32_t begin = chunks.from, to = chunks.to;
-    const std::int32_t left = macro.column * macroSide, top = macro.row * macroSide;
-    std::uint32_t *list = frame.lists + std::size_t(index) * frame.listRoom;
-    std::uint32_t length = 0;
-    for (std::uint32_t base = begin; base < to; base += group * warpLanes) {
-        std::uint32_t hits[group];
-        SUFFUSE_UNROLL
-        for (int g = 0; g < group; ++g)
-            hits[g] = warp.ballot([&](int lane) {
-                const std::uint32_t i = base + std::uint32_t(g * warpLanes + lane);
-                if (i >= to)
-                    return false;
-                const ChunkRecord &c = frame.chunks[i];
-                return c.left < left + macroSide && left < c.right && c.top < top + macroSide && top < c.bottom;
-            });
-        SUFFUSE_UNROLL
-        for (int g = 0; g < group; ++g) {
-            warp.each([&](int lane) {
-                const std::uint32_t at = length + std::uint32_t(Warp::rank(hits[g], lane));
-                if ((hits[g] >> lane & 1) && at < frame.listRoom)
-                    list[at] = base + std::uint32_t(g * warpLanes + lane);
-            });
-            length += std::uint32_t(Warp::count(hits[g]));
-        }
-    }
-    warp.each([&](int lane) {
-        if (lane == 0) {
-            frame.listCounts[index] = length;
-            Warp::raise(frame.status + longestList, length);
-        }
-    });
 }
 
 /// A node as culling sees it: centre from the corner of half a macro-tile and reach, px; least eigenvalue of the metric
@@ -111,27 +66,30 @@ public:
     template <class T>
     using Var = typename Warp::template Var<T>;
 
-    /// `half`: 0, the upper four rows of tiles; 1, the lower ones.
-    SUFFUSE_PROGRAM StrokeCull(Warp &warp, const Frame &frame, std::uint32_t stroke, const MacroJob &macro, int half,
-                               CullScratch &scratch)
-        : m_warp(warp), m_frame(frame), m_cellX(macro.column * macroTiles),
-          m_cellY(macro.row * macroTiles + half * (macroTiles / 2)), m_s(scratch)
+    /// The half's first tile lies at (cellX, cellY).
+    SUFFUSE_PROGRAM StrokeCull(Warp &warp, const Frame &frame, std::uint32_t stroke, std::int32_t cellX,
+                               std::int32_t cellY, CullScratch &scratch)
+        : m_warp(warp), m_frame(frame), m_cellX(cellX), m_cellY(cellY), m_s(scratch)
     {
         m_warp.fetch([&](int lane, auto start) { fetchStroke(m_frame, stroke, lane, start, m_s.stroke); });
         m_warp.each([&](int lane) { m_density[lane] = m_slope[lane] = 0, m_weight[lane] = strokeWeight; });
     }
 
     /// Bit i: whether nodes of the chunk meet tile i.
-    SUFFUSE_PROGRAM std::uint32_t add(const ChunkRecord &chunk)
+    SUFFUSE_PROGRAM std::uint32_t add(const ListEntry &chunk)
     {
-        if (chunk.nodes == 0) // deep nodes lie everywhere
-            return m_warp.ballot([&](int lane) { return meetsTile(chunk, cellX(lane), cellY(lane)); });
+        const std::uint32_t listed = nodesOf(chunk);
+        if (listed == 0) // deep nodes lie everywhere
+            return m_warp.ballot(
+                [&](int lane) { return meetsTile(m_frame.chunks[chunk.chunk], cellX(lane), cellY(lane)); });
         Var<CullNode> node;
         const std::uint32_t near = m_warp.ballot([&](int lane) {
-            if (std::uint32_t(lane) >= chunk.nodes)
+            if (std::uint32_t(lane) >= listed)
                 return false;
             node[lane] = cullNodeOf(m_frame.nodes[chunk.firstNode + std::uint32_t(lane)], m_cellX, m_cellY);
-            return !m_frame.cull || node[lane].meetsHalf();
+            if (!m_frame.cull)
+                node[lane].place.z = node[lane].place.w = 1e30f;
+            return node[lane].meetsHalf();
         });
         m_warp.each([&](int lane) {
             if (near >> lane & 1)
@@ -147,16 +105,16 @@ public:
             for (int n = 0; n < nodes; ++n) {
                 const Float4 place = m_s.nodes[n].place, decay = m_s.nodes[n].decay;
                 const float outX = NodePlace::outside(place.x - centreX), outY = NodePlace::outside(place.y - centreY);
-                const bool counts = (outX <= place.z && outY <= place.w) || !m_frame.cull;
-                // Distance u in spreads to the nearest point: e^(−u²), and 2u e^(−u²), which is greatest at u² = ½ and
-                // then at most (1 + u²) e^(−u²).
+                const bool counts = outX <= place.z && outY <= place.w;
+                // Distance u in spreads to the nearest point: e^(−u²), and of 2u e^(−u²), which is greatest at u² = ½,
+                // at most (1 + u²) e^(−u²).
                 const float ox = math::max_(outX, 0.0f), oy = math::max_(outY, 0.0f);
-                const float log = math::mulAdd_(ox, ox, oy * oy) * decay.x, e = math::exp2_(log);
-                const float rise =
-                    log > -0.5f * float(math::log2e) ? 0.8578f : math::negMulAdd_(log * float(math::ln2), e, e);
+                const float log = counts ? math::mulAdd_(ox, ox, oy * oy) * decay.x : -1000.0f;
+                const float e = math::exp2_(log);
+                const float rise = math::min_(0.8578f, math::negMulAdd_(log * float(math::ln2), e, e));
                 m_weight[lane] += counts;
-                m_density[lane] = math::mulAdd_(decay.y, counts ? e : 0.0f, m_density[lane]);
-                m_slope[lane] = math::mulAdd_(decay.z, counts ? rise : 0.0f, m_slope[lane]);
+                m_density[lane] = math::mulAdd_(decay.y, e, m_density[lane]);
+                m_slope[lane] = math::mulAdd_(decay.z, rise, m_slope[lane]);
             }
             return m_weight[lane] != before;
         });
@@ -203,51 +161,210 @@ private:
     Var<std::uint32_t> m_weight;
 };
 
-/// Where the stroke of a list's entry can be seen in half a macro-tile: writes the masks of all its entries, which lie
-/// side by side. Entries that are not their stroke's first are left to that one.
-template <class Warp>
-SUFFUSE_PROGRAM void cullEntry(Warp &warp, const Frame &frame, std::uint32_t index, std::uint32_t entry, int half,
-                               CullScratch &scratch)
-{
-    const std::uint32_t *list = frame.lists + std::size_t(index) * frame.listRoom;
-    std::uint32_t *masks = frame.masks + std::size_t(index) * frame.listRoom * 2 + half;
-    const std::uint32_t job = index / listParts;
-    // All loads at once; what lies beyond the list is not used.
-    const auto within = [&](std::uint32_t i) { return i < frame.listRoom ? i : frame.listRoom - 1; };
-    const std::uint32_t counted = frame.listCounts[index], own = list[entry], before = list[entry > 0 ? entry - 1 : 0],
-                        after = list[within(entry + 1)];
-    const std::uint32_t count = counted < frame.listRoom ? counted : frame.listRoom;
-    if (entry >= count)
-        return;
-    ChunkRecord chunk = frame.chunks[own], next = frame.chunks[entry + 1 < count ? after : own];
-    const std::uint32_t stroke = chunk.stroke;
-    if (entry > 0 && frame.chunks[before].stroke == stroke)
-        return;
-    StrokeCull<Warp> cull(warp, frame, stroke, frame.macros[job], half, scratch);
-    std::uint32_t end = entry, all = 0, last = 0;
-    for (;;) {
-        last = cull.add(chunk);
-        all |= last;
-        if (++end == count || next.stroke != stroke)
-            break;
+inline constexpr int listWarps = 8;
+
+/// Shared memory of a block that makes a list.
+struct ListScratch {
+    static constexpr int groups = 2; ///< of 32 chunks, a warp: so that several loads are under way
+    std::uint32_t hits[listWarps * groups];
+    std::uint32_t weights[listTiles];
+    std::uint32_t next; ///< entry to cull
+    union {             // one after the other
+        CullScratch cull[listWarps];
+        ListEntry kept[listWarps * warpLanes];
+    };
+};
+
+/// Makes one list: of a quarter of a macro job's chunks, whole strokes, those that can be seen in half of its
+/// macro-tile, in order.
+template <class Block>
+class ListMaker {
+public:
+    using Warp = typename Block::Warp;
+
+    SUFFUSE_PROGRAM ListMaker(Block &block, const Frame &frame, std::uint32_t index, ListScratch &scratch)
+        : m_block(block), m_frame(frame), m_index(index), m_half(index / listQuarters % 2),
+          m_macro(frame.macros[index / listParts]), m_list(frame.lists + std::size_t(index) * frame.listRoom),
+          m_s(scratch)
+    {}
+
+    SUFFUSE_PROGRAM void make()
+    {
+        gather();
+        m_block.each([&](Warp &warp, int own) { cull(warp, m_s.cull[own]); });
+        compact();
+    }
+
+private:
+    static constexpr int groups = ListScratch::groups;
+
+    SUFFUSE_PROGRAM std::int32_t cellX() const { return m_macro.column * macroTiles; }
+    SUFFUSE_PROGRAM std::int32_t cellY() const
+    {
+        return m_macro.row * macroTiles + std::int32_t(m_half) * (macroTiles / 2);
+    }
+
+    /// Lists the chunks whose bounds meet the half.
+    SUFFUSE_PROGRAM void gather()
+    {
+        const std::uint32_t part = m_index % listQuarters;
+        const std::uint32_t size = (m_macro.to - m_macro.from + listQuarters - 1) / listQuarters;
+        const auto border = [&](std::uint32_t before) {
+            const std::uint32_t at = m_macro.from + before * size;
+            return at < m_macro.to ? at : m_macro.to;
+        };
+        const ListedPart chunks = wholeStrokes(m_block.warp(), m_frame, m_macro, {border(part), border(part + 1)});
+        const std::int32_t left = cellX() * tileSide, top = cellY() * tileSide;
+        for (std::uint32_t base = chunks.from; base < chunks.to; base += listWarps * groups * warpLanes) {
+            const auto chunkOf = [&](int group, int lane) { return base + std::uint32_t(group * warpLanes + lane); };
+            m_block.each([&](Warp &warp, int own) {
+                typename Warp::template Var<ChunkRecord> chunk[groups]; // all loads at once
+                SUFFUSE_UNROLL
+                for (int g = 0; g < groups; ++g)
+                    warp.each([&](int lane) {
+                        const std::uint32_t i = chunkOf(own * groups + g, lane);
+                        chunk[g][lane] = m_frame.chunks[i < chunks.to ? i : chunks.to - 1];
+                    });
+                std::uint32_t hits[groups];
+                SUFFUSE_UNROLL
+                for (int g = 0; g < groups; ++g)
+                    hits[g] = warp.ballot([&](int lane) {
+                        const ChunkRecord &c = chunk[g][lane];
+                        return chunkOf(own * groups + g, lane) < chunks.to && c.left < left + macroSide &&
+                               left < c.right && c.top < top + macroSide / 2 && top < c.bottom;
+                    });
+                tellHits(warp, own, hits);
+            });
+            m_block.each([&](Warp &warp, int own) {
+                forEachHit<groups>(warp, own, m_count, [&](int group, int lane, std::uint32_t at) {
+                    const std::uint32_t i = chunkOf(group, lane);
+                    if (at >= m_frame.listRoom)
+                        return;
+                    const ChunkRecord &c = m_frame.chunks[i];
+                    m_list[at] = {i, c.firstNode, c.stroke * 64 + c.nodes, 0};
+                });
+            });
+            m_count = m_after;
+        }
+        m_block.each([&](Warp &warp, int own) {
+            warp.each([&](int lane) {
+                if (own == 0 && lane == 0)
+                    Warp::raise(m_frame.status + longestList, m_count);
+                if (own == 0)
+                    m_s.weights[lane] = 0, m_s.next = 0;
+            });
+        });
+        m_count = m_count < m_frame.listRoom ? m_count : m_frame.listRoom;
+    }
+
+    /// Tells the other warps what this one found in its groups of 32.
+    template <int count>
+    SUFFUSE_PROGRAM void tellHits(Warp &warp, int own, const std::uint32_t (&hits)[count])
+    {
         warp.each([&](int lane) {
             if (lane == 0)
-                masks[std::size_t(end - 1) * 2] = last;
+                for (int g = 0; g < count; ++g)
+                    m_s.hits[own * count + g] = hits[g];
         });
-        chunk = next;
-        next = frame.chunks[list[end + 1 < count ? end + 1 : end]];
     }
-    const std::uint32_t seen = cull.seen();
-    for (std::uint32_t from = entry; from + 1 < end; from += warpLanes)
+
+    /// Calls use(group, lane, place) for what a warp told: places go on from `before`, in order.
+    template <int count, class Use>
+    SUFFUSE_PROGRAM void forEachHit(Warp &warp, int own, std::uint32_t before, Use use)
+    {
+        std::uint32_t at = before;
+        SUFFUSE_UNROLL
+        for (int g = 0; g < listWarps * count; ++g) {
+            const std::uint32_t mask = m_s.hits[g];
+            if (g / count == own)
+                warp.each([&](int lane) {
+                    if (mask >> lane & 1)
+                        use(g, lane, at + std::uint32_t(Warp::rank(mask, lane)));
+                });
+            at += std::uint32_t(Warp::count(mask));
+        }
+        m_after = at;
+    }
+
+    /// Finds where strokes can be seen, until none is left.
+    SUFFUSE_PROGRAM void cull(Warp &warp, CullScratch &scratch)
+    {
+        for (std::uint32_t entry; (entry = warp.take(&m_s.next)) < m_count;) {
+            const ListEntry chunk = m_list[entry];
+            if (entry == 0 || strokeIndexOf(m_list[entry - 1]) != strokeIndexOf(chunk))
+                cullStroke(warp, entry, chunk, scratch);
+        }
+    }
+
+    SUFFUSE_PROGRAM void cullStroke(Warp &warp, std::uint32_t entry, ListEntry chunk, CullScratch &scratch)
+    {
+        const std::uint32_t stroke = strokeIndexOf(chunk), begin = entry;
+        StrokeCull<Warp> cull(warp, m_frame, stroke, cellX(), cellY(), scratch);
+        std::uint32_t all = 0, last = 0;
+        for (;;) {
+            const std::uint32_t next = entry + 1;
+            const ListEntry after = m_list[next < m_count ? next : entry];
+            last = cull.add(chunk);
+            all |= last;
+            if (next == m_count || strokeIndexOf(after) != stroke)
+                break;
+            warp.each([&](int lane) {
+                if (lane == 0)
+                    m_list[entry].mask = last;
+            });
+            chunk = after, entry = next;
+        }
+        const std::uint32_t seen = cull.seen();
         warp.each([&](int lane) {
-            if (from + std::uint32_t(lane) + 1 < end)
-                masks[std::size_t(from + std::uint32_t(lane)) * 2] &= seen;
+            for (std::uint32_t i = begin + std::uint32_t(lane); i < entry; i += warpLanes)
+                m_list[i].mask &= seen;
+            if (lane == 0)
+                m_list[entry].mask = last & seen;
         });
-    warp.each([&](int lane) {
-        if (lane == 0)
-            masks[std::size_t(end - 1) * 2] = last & seen;
-    });
-    cull.addWeights(all & seen, frame.weights + std::size_t(job) * macroTiles * macroTiles + half * warpLanes);
-}
+        cull.addWeights(all & seen, m_s.weights);
+    }
+
+    /// Leaves out what can be seen nowhere, and tells the list's length and what its tiles cost.
+    SUFFUSE_PROGRAM void compact()
+    {
+        std::uint32_t count = 0;
+        for (std::uint32_t from = 0; from < m_count; from += listWarps * warpLanes) {
+            m_block.each([&](Warp &warp, int own) {
+                const std::uint32_t hits[1] = {warp.ballot([&](int lane) {
+                    const std::uint32_t i = from + std::uint32_t(own * warpLanes + lane);
+                    if (i >= m_count)
+                        return false;
+                    const ListEntry entry = m_list[i];
+                    m_s.kept[own * warpLanes + lane] = entry;
+                    return entry.mask != 0;
+                })};
+                tellHits(warp, own, hits);
+            });
+            m_block.each([&](Warp &warp, int own) {
+                forEachHit<1>(warp, own, count, [&](int group, int lane, std::uint32_t at) {
+                    m_list[at] = m_s.kept[group * warpLanes + lane];
+                });
+            });
+            count = m_after;
+        }
+        m_block.each([&](Warp &warp, int own) {
+            warp.each([&](int lane) {
+                if (own == 0 && lane == 0)
+                    m_frame.listCounts[m_index] = count;
+                if (own == 0 && m_s.weights[lane] > 0)
+                    Warp::add(m_frame.weights + std::size_t(m_index / listQuarters) * listTiles + lane,
+                              m_s.weights[lane]);
+            });
+        });
+    }
+
+    Block &m_block;
+    const Frame &m_frame;
+    const std::uint32_t m_index, m_half;
+    const MacroJob m_macro;
+    ListEntry *m_list;
+    ListScratch &m_s;
+    std::uint32_t m_count = 0, m_after = 0;
+};
 
 } // namespace suffuse::cuda

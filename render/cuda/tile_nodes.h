@@ -17,6 +17,15 @@ struct alignas(8) [[gnu::may_alias]] Float2 {
     float x, y;
 };
 
+SUFFUSE_PROGRAM std::uint32_t strokeIndexOf(const ListEntry &entry)
+{
+    return entry.strokeAndNodes / 64;
+}
+SUFFUSE_PROGRAM std::uint32_t nodesOf(const ListEntry &entry)
+{
+    return entry.strokeAndNodes % 64;
+}
+
 /// A chunk's nodes and its stroke, as they come from memory: the nodes' parts of 16 bytes one after another, so that
 /// lanes meet no bank twice.
 struct Fetched {

@@ -80,42 +80,42 @@ private:
         std::uint32_t chunk = none, stroke = none, nodes = 0;
     };
 
-    /// The next chunk of the macro-tile's list that meets the tile, on its way to shared memory.
+    /// The next chunk of the half macro-tile's lists that meets the tile, on its way to shared memory.
     SUFFUSE_PROGRAM Found findChunk()
     {
-        const int tile = m_job.row % macroTiles * macroTiles + m_job.column % macroTiles;
         while (m_hits == 0) {
-            if (m_listed >= m_listCount) { // the next list of the macro job
-                if (m_part == listParts) {
-                    m_warp.fetch([](int, auto) {});
-                    return {};
-                }
-                m_listCount = m_warp.read(m_counts, m_part);
-                m_list = std::size_t(m_job.macro) * listParts + std::size_t(m_part++);
-                m_listed = 0;
-                continue;
+            if (m_listed >= m_count) {
+                m_warp.fetch([](int, auto) {});
+                return {};
             }
-            const std::uint32_t *list = m_frame.lists + m_list * m_frame.listRoom;
-            const std::uint32_t *masks = m_frame.masks + m_list * m_frame.listRoom * 2 + tile / warpLanes;
+            const int tile = m_job.row % (macroTiles / 2) * macroTiles + m_job.column % macroTiles;
+            std::uint32_t begin[listQuarters] = {};
+            SUFFUSE_UNROLL
+            for (int quarter = 1; quarter < listQuarters; ++quarter)
+                begin[quarter] = m_warp.read(m_ends, quarter - 1);
             m_hits = m_warp.ballot([&](int lane) {
                 const std::uint32_t i = m_listed + std::uint32_t(lane);
-                if (i >= m_listCount)
+                if (i >= m_count)
                     return false;
-                const std::uint32_t chunk = list[i];
-                if ((masks[std::size_t(i) * 2] >> tile % warpLanes & 1) == 0 || !isWanted(chunk))
-                    return false;
-                const ChunkRecord &c = m_frame.chunks[chunk];
-                m_chunk[lane] = chunk, m_firstNode[lane] = c.firstNode;
-                m_nodes[lane] = c.nodes, m_strokeOf[lane] = c.stroke;
-                return true;
+                std::uint32_t at = i;
+                SUFFUSE_UNROLL
+                for (int quarter = 1; quarter < listQuarters; ++quarter)
+                    at = i >= begin[quarter] ? i - begin[quarter] + std::uint32_t(quarter) * m_frame.listRoom : at;
+                const ListEntry entry = m_lists[at];
+                m_chunk[lane] = entry.chunk, m_firstNode[lane] = entry.firstNode;
+                m_strokeAndNodes[lane] = entry.strokeAndNodes;
+                return (entry.mask >> tile & 1) != 0 && isWanted(entry.chunk);
             });
             m_listed += warpLanes;
         }
         const int from = Warp::lowest(m_hits);
         m_hits &= m_hits - 1;
-        const Found found{m_warp.read(m_chunk, from), m_warp.read(m_strokeOf, from), m_warp.read(m_nodes, from)};
+        ListEntry entry;
+        entry.chunk = m_warp.read(m_chunk, from), entry.firstNode = m_warp.read(m_firstNode, from);
+        entry.strokeAndNodes = m_warp.read(m_strokeAndNodes, from);
+        const Found found{entry.chunk, strokeIndexOf(entry), nodesOf(entry)};
         ChunkRecord chunk;
-        chunk.firstNode = m_warp.read(m_firstNode, from), chunk.nodes = found.nodes, chunk.stroke = found.stroke;
+        chunk.firstNode = entry.firstNode, chunk.nodes = found.nodes, chunk.stroke = found.stroke;
         m_turn ^= 1;
         fetchChunk(m_warp, m_frame, chunk, m_s.paint.fetched[m_turn]);
         return found;
@@ -129,12 +129,17 @@ private:
 
     SUFFUSE_PROGRAM void begin()
     {
+        const std::size_t first = std::size_t(m_job.macro) * listParts +
+                                  (m_job.row % macroTiles < macroTiles / 2 ? 0 : std::size_t(listQuarters));
+        m_lists = m_frame.lists + first * m_frame.listRoom;
         m_warp.each([&](int lane) {
-            if (lane >= listParts)
-                return;
-            const std::uint32_t counted = m_frame.listCounts[std::size_t(m_job.macro) * listParts + std::size_t(lane)];
-            m_counts[lane] = counted < m_frame.listRoom ? counted : m_frame.listRoom;
+            std::uint32_t end = 0;
+            SUFFUSE_UNROLL
+            for (int quarter = 0; quarter < listQuarters; ++quarter)
+                end += quarter <= lane ? m_frame.listCounts[first + std::size_t(quarter)] : 0;
+            m_ends[lane] = end;
         });
+        m_count = m_warp.read(m_ends, listQuarters - 1);
         m_warp.each([&](int lane) {
             LaneBackdrop &b = m_backdrop[lane];
             SUFFUSE_UNROLL
@@ -345,11 +350,11 @@ private:
     const TileJob m_job;
     TileScratch<general> &m_s;
     Var<LaneBackdrop> m_backdrop;
-    Var<std::uint32_t> m_counts;                                  ///< of the macro job's lists, one a lane
-    Var<std::uint32_t> m_chunk, m_strokeOf, m_nodes, m_firstNode; ///< of the candidates
-    std::size_t m_list = 0;                                       ///< that candidates come from
-    int m_part = 0;                                               ///< the next one
-    std::uint32_t m_listCount = 0, m_listed = 0, m_hits = 0;
+    Var<std::uint32_t> m_chunk, m_firstNode, m_strokeAndNodes; ///< of the candidates
+    const ListEntry *m_lists = nullptr;                        ///< of the tile's half of the macro job
+    Var<std::uint32_t> m_ends;                                 ///< of its quarters, as if they were one; one a lane
+    std::uint32_t m_count = 0;
+    std::uint32_t m_listed = 0, m_hits = 0;
     std::uint32_t m_stroke = none;
     Listing m_listing;
     int m_turn = 1; ///< of `fetched`, where the last chunk goes

@@ -14,7 +14,7 @@ constexpr std::size_t mostBandTiles = 65536;
 /// Of float pixels: 32 MiB.
 constexpr std::size_t mostFloatTiles = 8192;
 constexpr std::size_t fewestBandTiles = 64;
-/// Chunk indices of all lists of a band; macro-tiles are counted by 16 bits.
+/// Entries of all lists of a band; macro-tiles are counted by 16 bits.
 constexpr std::size_t mostListed = std::size_t(1) << 23, mostMacros = 65535;
 
 ToCanvas toCanvasOf(const View &v)
@@ -32,9 +32,8 @@ ToCanvas toCanvasOf(const View &v)
 TileWorker::TileWorker(std::shared_ptr<Device> device, bool cull, int threads)
     : m_device(std::move(device)), m_threads(threads), m_scene(*m_device), m_layers(*m_device), m_paper(*m_device),
       m_tileJobs(*m_device), m_macroJobs(*m_device), m_hostStatus(*m_device), m_deviceTileJobs(*m_device),
-      m_deviceMacroJobs(*m_device), m_status(*m_device), m_order(*m_device), m_lists(*m_device),
-      m_listCounts(*m_device), m_masks(*m_device), m_buffers{TileBuffer(*m_device), TileBuffer(*m_device)},
-      m_bandTiles(mostBandTiles)
+      m_deviceMacroJobs(*m_device), m_status(*m_device), m_order(*m_device), m_listCounts(*m_device),
+      m_lists(*m_device), m_buffers{TileBuffer(*m_device), TileBuffer(*m_device)}, m_bandTiles(mostBandTiles)
 {
     m_frame.cull = cull;
 }
@@ -42,7 +41,6 @@ TileWorker::TileWorker(std::shared_ptr<Device> device, bool cull, int threads)
 void TileWorker::releaseBuffers()
 {
     m_lists.release();
-    m_masks.release();
     for (TileBuffer &buffer : m_buffers)
         buffer.onDevice.release(), buffer.onHost.release();
 }
@@ -138,6 +136,8 @@ TileWorker::Band TileWorker::plan(const FrameHistory &history, bool interactive,
     const std::size_t macroLimit = std::clamp<std::size_t>(mostListed / (m_listRoom * listParts), 1, mostMacros);
     const bool edits = history.edited() != FrameHistory::noEdit, useOver = interactive && history.oneEdited();
     const bool opaque = !m_frame.transparent;
+    const std::uint32_t editedFrom = m_frame.editedFrom, editedTo = m_frame.editedTo, chunks = m_scene.chunkCount();
+    MacroJob *const macroJobs = m_macroJobs.data();
     std::size_t macros = 0;
     TileJob *job = m_tileJobs.data();
     std::array<std::size_t, 4> lists{}; // of the current macro-tile, by which chunks are left out
@@ -164,9 +164,8 @@ TileWorker::Band TileWorker::plan(const FrameHistory &history, bool interactive,
             if (known == none) {
                 if (macros == macroLimit)
                     break;
-                m_macroJobs.data()[macros] = {column / macroTiles, row / macroTiles,
-                                              flags & haveUnder ? m_frame.editedFrom : 0,
-                                              flags & applyOver ? m_frame.editedTo : m_scene.chunkCount()};
+                macroJobs[macros] = {column / macroTiles, row / macroTiles, flags & haveUnder ? editedFrom : 0,
+                                     flags & applyOver ? editedTo : chunks};
                 known = macros++;
             }
             list = known;
@@ -181,8 +180,8 @@ Fault TileWorker::run(const Band &band)
 {
     const std::size_t lists = band.macros * listParts;
     const std::size_t words = statusWords + band.macros * macroTiles * macroTiles; // with the tiles' weights
-    for (const Fault &fault : {m_lists.reserve(lists * m_listRoom), m_masks.reserve(2 * lists * m_listRoom),
-                               m_listCounts.reserve(lists), m_status.reserve(words)})
+    for (const Fault &fault :
+         {m_lists.reserve(lists * m_listRoom), m_listCounts.reserve(lists), m_status.reserve(words)})
         if (fault)
             return fault;
     m_frame.macros = m_deviceMacroJobs.data();
@@ -191,7 +190,6 @@ Fault TileWorker::run(const Band &band)
     m_frame.tileCount = std::uint32_t(band.tiles);
     m_frame.lists = m_lists.data();
     m_frame.listCounts = m_listCounts.data();
-    m_frame.masks = m_masks.data();
     m_frame.listRoom = m_listRoom;
     m_frame.under = m_layers.under();
     m_frame.over = m_layers.over();
@@ -227,11 +225,8 @@ Fault TileWorker::start(const Band &band, Output output, std::uint32_t *picture,
 void TileWorker::store(const FrameHistory &history, Output output, const TileBuffer &buffer, std::span<TileTask> tasks,
                        Target &target, const std::atomic<bool> *cancel)
 {
-    if (output == Output::Picture) {
-        for (TileTask &task : tasks)
-            task.drawn = true;
+    if (output == Output::Picture)
         return;
-    }
     constexpr std::size_t together = 64;
     const std::uint32_t *argb = buffer.onHost.data();
     const auto *rgba = reinterpret_cast<const float *>(argb);
@@ -287,6 +282,9 @@ Fault TileWorker::paint(const FrameHistory &history, bool interactive, std::span
     const auto storeFinished = [&] {
         store(history, output, m_buffers[1 - current], std::exchange(finished, {}), target, cancel);
     };
+    const std::span<TileTask> all = tasks;
+    bool approximate = false;
+    m_drewAll = false;
     m_deviceMs = 0;
     while (!tasks.empty() && !(cancel && cancel->load(std::memory_order_relaxed))) {
         const std::size_t most = std::min(m_bandTiles, output == Output::Rgba ? mostFloatTiles : mostBandTiles);
@@ -316,10 +314,15 @@ Fault TileWorker::paint(const FrameHistory &history, bool interactive, std::span
         }
         finished = tasks.first(band.tiles);
         keepLayers(band, finished);
+        approximate |= (band.flags & applyOver) != 0;
         current = 1 - current;
         tasks = tasks.subspan(band.tiles);
     }
     storeFinished();
+    m_drewAll = tasks.empty() && !approximate && (picture || std::ranges::all_of(all, &TileTask::drawn));
+    if (picture && !m_drewAll)
+        for (TileTask &task : all.first(all.size() - tasks.size()))
+            task.drawn = true;
     return {};
 }
 

@@ -29,10 +29,13 @@ public:
     /// Brings the device up to date with the step that `history` made.
     Fault prepare(const FrameHistory &history, const FrameHistory::Step &step, const RenderRequest &request,
                   const std::shared_ptr<const PaperTexture> &paper);
-    /// Evaluates tiles into `picture` (device memory), or, where that is null, into `target`; sets what became of each.
+    /// Evaluates tiles into `picture` (device memory), or, where that is null, into `target`; `drewAll` and the tasks
+    /// then tell what became of them.
     /// `meanwhile` is called while the device is at work, where there is any.
     Fault paint(const FrameHistory &history, bool interactive, std::span<TileTask> tasks, std::uint32_t *picture,
                 Target &target, const std::atomic<bool> *cancel, std::function<void()> meanwhile);
+    /// Whether the last `paint` drew all tasks, none of them with an over map; the tasks tell only where it did not.
+    bool drewAll() const { return m_drewAll; }
     /// Milliseconds that the device took for the last `paint`, by its own clock.
     double deviceMs() const { return m_deviceMs; }
 
@@ -81,10 +84,12 @@ private:
     PinnedArray<std::uint32_t> m_hostStatus;
     DeviceArray<TileJob> m_deviceTileJobs;
     DeviceArray<MacroJob> m_deviceMacroJobs;
-    DeviceArray<std::uint32_t> m_status, m_order, m_lists, m_listCounts, m_masks;
+    DeviceArray<std::uint32_t> m_status, m_order, m_listCounts;
+    DeviceArray<ListEntry> m_lists;
     std::array<TileBuffer, 2> m_buffers; ///< one band is computed while the other is stored
     std::uint32_t m_listRoom = 128;
     std::size_t m_bandTiles; ///< at most in one run
+    bool m_drewAll = false;
     double m_deviceMs = 0;
 };
 

@@ -111,11 +111,35 @@ public:
     /// For words that other warps change, too.
     static SUFFUSE_PROGRAM void raise(std::uint32_t *word, std::uint32_t to) { atomicMax(word, to); }
     static SUFFUSE_PROGRAM void add(std::uint32_t *word, std::uint32_t value) { atomicAdd(word, value); }
+    /// Counts a word up: what it was.
+    SUFFUSE_PROGRAM std::uint32_t take(std::uint32_t *word)
+    {
+        return __shfl_sync(everyLane, m_lane == 0 ? atomicAdd(word, 1u) : 0, 0);
+    }
 
 private:
     static constexpr std::uint32_t everyLane = 0xffffffffu;
 
     int m_lane;
+};
+
+/// Warps that work together on one thing, in phases: after each they see what the others wrote. Outside of phases all
+/// do the same.
+class DeviceBlock {
+public:
+    using Warp = DeviceWarp;
+
+    SUFFUSE_PROGRAM Warp &warp() { return m_warp; }
+    /// Calls f(warp, own) once per warp.
+    template <class F>
+    SUFFUSE_PROGRAM void each(F f)
+    {
+        f(m_warp, int(threadIdx.x) / warpLanes);
+        __syncthreads();
+    }
+
+private:
+    DeviceWarp m_warp;
 };
 
 #else
@@ -182,6 +206,24 @@ public:
     static int lowest(std::uint32_t mask) { return std::countr_zero(mask); }
     static void raise(std::uint32_t *word, std::uint32_t to) { *word = *word < to ? to : *word; }
     static void add(std::uint32_t *word, std::uint32_t value) { *word += value; }
+    std::uint32_t take(std::uint32_t *word) { return (*word)++; }
+};
+
+template <int warps>
+class HostBlock {
+public:
+    using Warp = HostWarp;
+
+    Warp &warp() { return m_warp; }
+    template <class F>
+    void each(F f)
+    {
+        for (int own = 0; own < warps; ++own)
+            f(m_warp, own);
+    }
+
+private:
+    HostWarp m_warp;
 };
 
 #endif

@@ -138,13 +138,10 @@ Fault EmulatedDevice::run(const Frame &frame, Work work)
 void EmulatedDevice::paint(const Frame &frame, Work work)
 {
     HostWarp warp;
-    const auto culling = std::make_unique<CullScratch>();
-    for (std::uint32_t i = 0; i < frame.macroCount * listParts; ++i) {
-        makeList(warp, frame, i);
-        for (std::uint32_t entry = 0; entry < std::min(frame.listCounts[i], frame.listRoom); ++entry)
-            for (const int half : {0, 1})
-                cullEntry(warp, frame, i, entry, half, *culling);
-    }
+    HostBlock<listWarps> block;
+    const auto listing = std::make_unique<ListScratch>();
+    for (std::uint32_t i = 0; i < frame.macroCount * listParts; ++i)
+        ListMaker(block, frame, i, *listing).make();
     const auto plain = std::make_unique<TileScratch<false>>();
     const auto general = std::make_unique<TileScratch<true>>();
     for (std::uint32_t i = 0; i < frame.tileCount; ++i) {
