@@ -164,6 +164,7 @@ void MainWindow::makeTools()
                 useTool(tool);
         });
         connect(tool, &Tool::hintChanged, this, &MainWindow::showHint);
+        m_toolOptions->setWidget(tool->options()); // the row is as high as the highest from the start
     }
     // The pen's other end erases, whatever its tip does.
     connect(m_canvas, &CanvasWidget::penTurned, this, [this](bool eraser) {
