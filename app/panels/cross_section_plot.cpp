@@ -1,5 +1,6 @@
 #include "app/panels/cross_section_plot.h"
 
+#include "app/panels/plot_frame.h"
 #include "app/theme.h"
 
 #include <QLocale>
@@ -38,14 +39,7 @@ QSize CrossSectionPlot::minimumSizeHint() const
 void CrossSectionPlot::paintEvent(QPaintEvent *)
 {
     QPainter painter(this);
-    painter.setRenderHint(QPainter::Antialiasing);
-    const QRectF frame = QRectF(rect()).adjusted(0.5, 0.5, -0.5, -0.5);
-    painter.setPen(hairline());
-    painter.setBrush(palette().color(QPalette::Base));
-    painter.drawRoundedRect(frame, 4, 4);
-    QFont small = font();
-    small.setPointSizeF(std::max(7.0, small.pointSizeF() * 0.85));
-    painter.setFont(small);
+    const QRectF frame = paintPlotFrame(painter, *this);
     const int line = painter.fontMetrics().height();
     const QRectF plot = frame.adjusted(24, 10, -12, -line - 8);
     painter.setPen(palette().color(QPalette::PlaceholderText));

@@ -1,6 +1,7 @@
 #include "app/panels/density_plot.h"
 
 #include "app/panels/density_function.h"
+#include "app/panels/plot_frame.h"
 #include "app/theme.h"
 
 #include <QLocale>
@@ -50,18 +51,11 @@ double DensityPlot::horizontalRange() const
 void DensityPlot::paintEvent(QPaintEvent *)
 {
     QPainter painter(this);
-    painter.setRenderHint(QPainter::Antialiasing);
     const QPalette &colours = palette();
-    const QRectF frame = QRectF(rect()).adjusted(0.5, 0.5, -0.5, -0.5);
-    painter.setPen(hairline());
-    painter.setBrush(colours.color(QPalette::Base));
-    painter.drawRoundedRect(frame, 4, 4);
+    const QRectF frame = paintPlotFrame(painter, *this);
     if (!m_style)
         return;
 
-    QFont small = font();
-    small.setPointSizeF(std::max(7.0, small.pointSizeF() * 0.85));
-    painter.setFont(small);
     const int line = painter.fontMetrics().height();
     const QRectF plot = frame.adjusted(24, 10, -12, -line - 8);
     const double range = horizontalRange();

@@ -10,12 +10,6 @@ StrokePrefix &TileLayers::prefixOf(std::uint32_t stroke)
     return known != prefixes.end() ? *known : prefixes.emplace_back(StrokePrefix{stroke, 0, {}, {}});
 }
 
-const TileLayers *LayerCache::find(std::size_t tile) const
-{
-    const auto it = m_tiles.find(tile);
-    return it == m_tiles.end() ? nullptr : &it->second;
-}
-
 void LayerCache::dropOver()
 {
     for (auto &[tile, layers] : m_tiles)

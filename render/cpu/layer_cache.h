@@ -29,8 +29,6 @@ public:
 
     /// The tile's layers, empty if they are new.
     TileLayers &at(std::size_t tile) { return m_tiles[tile]; }
-    /// Null if there are none.
-    const TileLayers *find(std::size_t tile) const;
     void clear() { m_tiles.clear(); }
     void dropOver();
     void dropPrefixes();

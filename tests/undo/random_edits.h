@@ -4,6 +4,9 @@
 #include "model/stroke_builder.h"
 #include "undo/edits.h"
 
+#include <QTest>
+#include <QUndoStack>
+
 #include <random>
 
 namespace suffuse {
@@ -34,6 +37,37 @@ inline PaintingPtr makePainting(int n)
     for (int i = 1; i <= n; ++i)
         p->strokes.push_back(makeStroke(StrokeId(i), 60.0 * i, 0));
     return p;
+}
+
+inline std::vector<StrokeId> orderOf(const Document &d)
+{
+    std::vector<StrokeId> order;
+    for (const StrokePtr &s : d.painting()->strokes)
+        order.push_back(s->id);
+    return order;
+}
+
+inline const Stroke &strokeOf(const Document &d, StrokeId id)
+{
+    return *d.painting()->find(id);
+}
+
+inline void select(Document &d, std::set<StrokeId> strokes, std::set<SegmentRef> segments = {})
+{
+    d.setSelection({std::move(strokes), std::move(segments)});
+}
+
+/// All the way back gives the painting of hash `first`, and forward again the one that is there now.
+inline void checkUndoAllAndRedo(QUndoStack &stack, const Document &d, const QByteArray &first)
+{
+    const QByteArray last = hashOf(*d.painting());
+    const int steps = stack.index();
+    while (stack.canUndo())
+        stack.undo();
+    QCOMPARE(hashOf(*d.painting()), first);
+    while (stack.index() < steps)
+        stack.redo();
+    QCOMPARE(hashOf(*d.painting()), last);
 }
 
 /// One random edit of every kind there is; may be empty.

@@ -11,29 +11,12 @@ using namespace suffuse;
 
 namespace {
 
-std::vector<StrokeId> orderOf(const Document &d)
-{
-    std::vector<StrokeId> order;
-    for (const StrokePtr &s : d.painting()->strokes)
-        order.push_back(s->id);
-    return order;
-}
 using Order = std::vector<StrokeId>;
-
-const Stroke &strokeOf(const Document &d, StrokeId id)
-{
-    return *d.painting()->find(id);
-}
 
 void lock(Document &d, StrokeId id)
 {
     Edit edit = setLocked(d, {id}, true);
     d.exchange(edit);
-}
-
-void select(Document &d, std::set<StrokeId> strokes)
-{
-    d.setSelection({std::move(strokes), {}});
 }
 
 } // namespace

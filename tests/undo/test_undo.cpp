@@ -10,14 +10,6 @@ using namespace suffuse;
 
 namespace {
 
-std::vector<StrokeId> orderOf(const Document &d)
-{
-    std::vector<StrokeId> order;
-    for (const StrokePtr &s : d.painting()->strokes)
-        order.push_back(s->id);
-    return order;
-}
-
 using Order = std::vector<StrokeId>;
 
 } // namespace
@@ -48,15 +40,10 @@ private slots:
                     stack.push(new EditCommand(d, std::move(edit), QStringLiteral("edit"), run));
                 QCOMPARE(problemOf(*d.painting()), QString());
             }
-            const QByteArray last = hashOf(*d.painting());
-            const int steps = stack.index();
-            QVERIFY(steps > 50);
-            while (stack.canUndo())
-                stack.undo();
-            QCOMPARE(hashOf(*d.painting()), first);
-            while (stack.index() < steps)
-                stack.redo();
-            QCOMPARE(hashOf(*d.painting()), last);
+            QVERIFY(stack.index() > 50);
+            checkUndoAllAndRedo(stack, d, first);
+            if (QTest::currentTestFailed())
+                return;
         }
     }
 
