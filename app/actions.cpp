@@ -27,9 +27,14 @@ constexpr const char *commandNames[] = {
     "group", "ungroup", "lock", "unlockAll", "hide", "showAll", "rename",
     "flipAcross", "flipDown", "quarterLeft", "quarterRight", "scaleSpread",
     "alignLeft", "alignCentre", "alignRight", "alignTop", "alignMiddle", "alignBottom",
-    "alignToSelection", "alignToTopmost", "alignToCanvas",
+    "alignToSelection", "alignToLast", "alignToFirst", "alignToBiggest", "alignToCanvas",
     "distributeGapsAcross", "distributeGapsDown", "distributeCentresAcross", "distributeCentresDown",
     "snapToNodes", "snapToGrid", "showGrid", "gridStep",
+    "play", "toStart", "previousStroke", "nextStroke", "toEnd", "loopPlaying", "skipPauses",
+    "letDry", "freezeNow", "rewet", "removeRewetting", "paceEven", "paceEaseIn", "paceEaseOut", "paceEaseInOut",
+    "finalPreview", "exportTimelapse",
+    "favourite1", "favourite2", "favourite3", "favourite4", "favourite5", "favourite6", "favourite7", "favourite8",
+    "favourite9",
     "zoomIn", "zoomOut",   "zoom100",    "fit",       "rotateLeft", "rotateRight",
     "resetRotation", "mirror", "hideDocks", "fullScreen", "shortcuts", "about",
 };
@@ -77,6 +82,8 @@ Actions::Actions(QMainWindow &window, QWidget &canvas) : QObject(&window), m_win
     addTools();
     addNodeCommands();
     addObjects();
+    addTime();
+    addFavourites();
     addViewAndHelp();
 }
 
@@ -185,11 +192,11 @@ void Actions::addViewAndHelp()
         {QKeySequence(Qt::Key_Plus), QKeySequence(Qt::Key_Equal), QKeySequence(QKeySequence::ZoomIn)});
     add(Command::ZoomOut, tr("Zoom &Out"), "zoom-out",
         {QKeySequence(Qt::Key_Minus), QKeySequence(QKeySequence::ZoomOut)});
-    add(Command::Zoom100, tr("&100 %"), "", {QKeySequence(Qt::Key_1)});
+    add(Command::Zoom100, tr("&100 %"), "", {QKeySequence(tr("Ctrl+1"))});
     add(Command::Fit, tr("&Fit the Canvas"), "fit", {QKeySequence(Qt::Key_0)});
-    add(Command::RotateLeft, tr("Turn &Left"), "", {QKeySequence(Qt::Key_4)});
-    add(Command::RotateRight, tr("Turn &Right"), "", {QKeySequence(Qt::Key_6)});
-    add(Command::ResetRotation, tr("&Upright"), "", {QKeySequence(Qt::Key_5)});
+    add(Command::RotateLeft, tr("Turn &Left"), "", {QKeySequence(tr("Ctrl+4"))});
+    add(Command::RotateRight, tr("Turn &Right"), "", {QKeySequence(tr("Ctrl+6"))});
+    add(Command::ResetRotation, tr("&Upright"), "", {QKeySequence(tr("Ctrl+5"))});
     add(Command::Mirror, tr("&Mirror"), "", {QKeySequence(Qt::Key_M)});
     add(Command::HideDocks, tr("&Hide the Docks"), "", {QKeySequence(Qt::Key_Tab)});
     add(Command::FullScreen, tr("F&ull Screen"), "", {QKeySequence(Qt::Key_F11)});
@@ -220,7 +227,7 @@ QMenu *Actions::addMenu(const QString &title, const QList<Command> &commands)
 void Actions::fillMenus()
 {
     using enum Command;
-    QMenu *file = addMenu(tr("&File"), {New, Open, Save, SaveAs, Export, Close, Quit});
+    QMenu *file = addMenu(tr("&File"), {New, Open, Save, SaveAs, Export, ExportTimelapse, Close, Quit});
     m_recentMenu = new QMenu(tr("Open &Recent"), file);
     file->insertMenu(m_actions[Save], m_recentMenu);
     file->insertSeparator(m_actions[Save]);
@@ -241,9 +248,13 @@ void Actions::fillMenus()
     view->addAction(m_actions[HideDocks]);
     view->addAction(m_actions[FullScreen]);
     fillObjectMenu(*addMenu(tr("&Object"), {}));
+    fillTimeMenu(*addMenu(tr("Ti&me"), {}));
     addMenu(tr("&Nodes"), {InsertNodes, NodeCorner, NodeSmooth, NodeSymmetric, BreakNodes, JoinNodes, DeleteSegments,
                            BridgeSegments, ReverseStrokes});
-    addMenu(tr("&Tools"), {Brush, Select, Segments, Knife, Eraser, AttributeBrush, Eyedropper, Pan});
+    QMenu *tools = addMenu(tr("&Tools"), {Brush, Select, Segments, Knife, Eraser, AttributeBrush, Eyedropper, Pan});
+    QMenu *favourites = tools->addMenu(tr("&Favourite Brushes"));
+    for (int i = 0; i < 9; ++i)
+        favourites->addAction(m_actions[Command(int(Favourite1) + i)]);
     addMenu(tr("&Help"), {Shortcuts, About});
 }
 

@@ -23,9 +23,13 @@ enum class Command {
     GroupStrokes, UngroupStrokes, LockStrokes, UnlockAll, HideStrokes, ShowAll, RenameStrokes,
     FlipAcross, FlipDown, QuarterLeft, QuarterRight, ScaleSpread,
     AlignLeft, AlignCentre, AlignRight, AlignTop, AlignMiddle, AlignBottom,
-    AlignToSelection, AlignToTopmost, AlignToCanvas,
+    AlignToSelection, AlignToLast, AlignToFirst, AlignToBiggest, AlignToCanvas,
     DistributeGapsAcross, DistributeGapsDown, DistributeCentresAcross, DistributeCentresDown,
     SnapToNodes, SnapToGrid, ShowGrid, GridStep,
+    Play, ToStart, PreviousStroke, NextStroke, ToEnd, LoopPlaying, SkipPauses,
+    LetDry, FreezeNow, Rewet, RemoveRewetting, PaceEven, PaceEaseIn, PaceEaseOut, PaceEaseInOut, FinalPreview,
+    ExportTimelapse,
+    Favourite1, Favourite2, Favourite3, Favourite4, Favourite5, Favourite6, Favourite7, Favourite8, Favourite9,
     ZoomIn, ZoomOut, Zoom100, Fit, RotateLeft, RotateRight, ResetRotation, Mirror, HideDocks, FullScreen,
     Shortcuts, About,
 };
@@ -62,6 +66,9 @@ private:
     void addObjects();
     void addAligning();
     void addAids();
+    void addTime();
+    void addFavourites();
+    void fillTimeMenu(QMenu &menu);
     void fillObjectMenu(QMenu &menu);
     void addSelecting(QMenu &edit);
     void addAids(QMenu &view);

@@ -53,10 +53,12 @@ void Actions::addAligning()
     add(AlignMiddle, tr("&Middles, Vertically"), "align-middle", {});
     add(AlignBottom, tr("&Bottom Edges"), "align-bottom", {});
     add(AlignToSelection, tr("Relative to the &Selection"), "", {});
-    add(AlignToTopmost, tr("Relative to the T&opmost"), "", {});
+    add(AlignToLast, tr("Relative to the Last Select&ed"), "", {});
+    add(AlignToFirst, tr("Relative to the &First Selected"), "", {});
+    add(AlignToBiggest, tr("Relative to the Bi&ggest"), "", {});
     add(AlignToCanvas, tr("Relative to the C&anvas"), "", {});
     auto *relative = new QActionGroup(this);
-    for (const Command command : {AlignToSelection, AlignToTopmost, AlignToCanvas}) {
+    for (const Command command : {AlignToSelection, AlignToLast, AlignToFirst, AlignToBiggest, AlignToCanvas}) {
         m_actions[command]->setCheckable(true);
         relative->addAction(m_actions[command]);
     }
@@ -101,7 +103,7 @@ void Actions::fillObjectMenu(QMenu &menu)
     align->addSeparator();
     append(*align, {AlignTop, AlignMiddle, AlignBottom});
     align->addSeparator();
-    append(*align, {AlignToSelection, AlignToTopmost, AlignToCanvas});
+    append(*align, {AlignToSelection, AlignToLast, AlignToFirst, AlignToBiggest, AlignToCanvas});
     append(*menu.addMenu(tr("&Distribute")),
            {DistributeGapsAcross, DistributeCentresAcross, DistributeGapsDown, DistributeCentresDown});
 }

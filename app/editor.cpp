@@ -1,6 +1,8 @@
 #include "app/editor.h"
 
 #include "model/formats/files.h"
+#include "model/paper_presets.h"
+#include "undo/time_edits.h"
 
 #include <QFile>
 #include <QFileInfo>
@@ -36,7 +38,9 @@ Editor::Editor(QObject *parent) : QObject(parent), m_brush(builtinBrushes().fron
         setCompared(nullptr);
         const Microseconds now = time();
         m_end = m_document.painting()->end();
-        if (m_end > now)
+        if (m_inPast && !m_drawing && now >= m_end)
+            setInPast(false);
+        if (!m_inPast && m_end > now)
             startClock();
     });
 }
@@ -47,6 +51,10 @@ void Editor::push(Edit edit, const QString &text, EditRun run)
         return;
     if (run != 0)
         m_dragEnd.start();
+    if (m_inPast) {
+        edit = placedInTime(m_document, std::move(edit));
+        noteDrawn(edit);
+    }
     m_undoStack.push(new EditCommand(m_document, std::move(edit), text, run));
 }
 
@@ -79,7 +87,47 @@ Microseconds Editor::time() const
         return m_time;
     const Microseconds now = m_time + m_since.nsecsElapsed() / 1000;
     // The end is where a reopened file stands: stopping right there makes both the same picture.
-    return m_drawing ? now : std::min(now, std::max(m_time, m_end));
+    return m_drawing ? now : std::min(now, std::max(m_time, runsUntil()));
+}
+
+void Editor::setFinalShown(bool shown)
+{
+    if (shown == m_finalShown)
+        return;
+    m_finalShown = shown;
+    emit comparedChanged();
+}
+
+PaintingPtr Editor::shown() const
+{
+    if (m_compared)
+        return m_compared;
+    PaintingPtr painting = snapshotInTime();
+    return m_finalShown ? m_finalPreview.of(painting, time()) : painting;
+}
+
+PaintingPtr Editor::snapshotInTime() const
+{
+    const StrokePtr &draft = m_document.draft();
+    if (!draft || !m_inPast)
+        return m_document.snapshot();
+    auto painting = std::make_shared<Painting>(*m_document.painting());
+    const PlaceInTime place = placeInTime(*painting, draft->born());
+    painting->strokes.insert(std::as_const(painting->strokes).begin() + std::ptrdiff_t(place.index), draft);
+    return painting;
+}
+
+void Editor::noteDrawn(const Edit &edit)
+{
+    if (!m_drawing)
+        return;
+    for (const auto &[id, stroke] : edit.strokes) {
+        if (!stroke)
+            continue;
+        for (const Segment &segment : stroke->segments)
+            if (segment.born >= m_drawnSince)
+                m_dryAt = std::max(m_dryAt, segment.driesAt());
+    }
 }
 
 void Editor::holdClock(bool drawing)
@@ -87,11 +135,33 @@ void Editor::holdClock(bool drawing)
     m_time = time();
     m_since.start();
     m_drawing = drawing;
+    if (drawing)
+        m_drawnSince = m_dryAt = m_time;
     startClock();
+}
+
+void Editor::lookAt(Microseconds time)
+{
+    if (m_drawing)
+        return;
+    stopClock();
+    m_time = m_dryAt = std::min(time, m_end);
+    setInPast(m_time < m_end);
+    emit timeChanged();
+}
+
+void Editor::setInPast(bool past)
+{
+    if (past == m_inPast)
+        return;
+    m_inPast = past;
+    emit pastChanged();
 }
 
 void Editor::setTime(Microseconds time)
 {
+    if (!m_drawing)
+        setInPast(false);
     m_time = time;
     m_since.start();
     startClock();
@@ -113,8 +183,11 @@ void Editor::timerEvent(QTimerEvent *event)
 
 void Editor::tick()
 {
-    if (!m_drawing && time() >= m_end)
+    if (!m_drawing && time() >= runsUntil()) {
         stopClock();
+        if (m_time >= m_end)
+            setInPast(false);
+    }
     emit timeChanged();
 }
 
@@ -142,7 +215,7 @@ QString Editor::displayName() const
 Canvas Editor::usualCanvas()
 {
     Canvas canvas;
-    canvas.paper.kind = PaperKind::Procedural;
+    canvas.paper = paperOf(paperPresets()[1]);
     return canvas;
 }
 
@@ -176,6 +249,7 @@ Result<void> Editor::save(const QString &path)
 void Editor::show(PaintingPtr painting, const QString &path)
 {
     m_drawing = false;
+    setInPast(false);
     m_time = painting->end();
     m_since.start();
     m_undoStack.clear(); // its commands name strokes of the painting that goes

@@ -14,6 +14,8 @@
 #include "app/panels/inspector_panel.h"
 #include "app/panels/probe_panel.h"
 #include "app/panels/strokes_panel.h"
+#include "app/panels/timeline_panel.h"
+#include "app/playback.h"
 #include "app/settings.h"
 #include "app/tools/attribute_brush_tool.h"
 #include "app/tools/brush_tool.h"
@@ -44,6 +46,7 @@ MainWindow::MainWindow(QWidget *parent, MakeRenderer make) : QMainWindow(parent)
     setDockNestingEnabled(true);
     resize(1280, 800);
     m_editor.newPainting(Editor::usualCanvas());
+    m_playback = new Playback(m_editor, this);
     m_canvas = new CanvasWidget(m_editor, this, std::move(make));
     setCentralWidget(m_canvas);
     m_actions = new Actions(*this, *m_canvas);
@@ -64,6 +67,8 @@ MainWindow::MainWindow(QWidget *parent, MakeRenderer make) : QMainWindow(parent)
     connectViewActions();
     connectClipboard();
     connectObjectActions();
+    connectTimeActions();
+    connectBrushes();
     connectUpdates();
     updateTitle();
     updateActions();
@@ -118,6 +123,11 @@ void MainWindow::makeDocks()
     colour->raise();
     strokes->raise();
     setTabPosition(Qt::RightDockWidgetArea, QTabWidget::North);
+    QDockWidget *timeline =
+        addDock("timelineDock", tr("Timeline"), new TimelinePanel(m_editor, *m_playback, *m_actions));
+    addDockWidget(Qt::BottomDockWidgetArea, timeline);
+    setCorner(Qt::BottomRightCorner, Qt::RightDockWidgetArea);
+    resizeDocks({timeline}, {150}, Qt::Vertical);
     resizeDocks({colour, inspector, strokes}, {300, 300, 300}, Qt::Horizontal);
     resizeDocks({colour, inspector, strokes}, {345, 290, 120}, Qt::Vertical);
 }
@@ -190,8 +200,12 @@ void MainWindow::useTool(Tool *tool)
 
 void MainWindow::showHint()
 {
-    m_hint->setText(m_canvas->tool()->hint());
-    m_hint->setToolTip(m_canvas->tool()->hint());
+    //: before what the brush does, while the timeline shows a moment of the past
+    const QString past = m_editor.isInPast() && action(Command::Brush).isChecked()
+                             ? tr("You paint in the past: what came later covers it. ")
+                             : QString();
+    m_hint->setText(past + m_canvas->tool()->hint());
+    m_hint->setToolTip(past + m_canvas->tool()->hint());
 }
 
 void MainWindow::connectActions()
@@ -235,7 +249,11 @@ void MainWindow::connectActions()
     on(Command::Lower, [this] { commands::arrangeSelected(m_editor, Arrange::Lower); });
     on(Command::Top, [this] { commands::arrangeSelected(m_editor, Arrange::Top); });
     on(Command::Bottom, [this] { commands::arrangeSelected(m_editor, Arrange::Bottom); });
-    on(Command::Settings, [this] { SettingsDialog(this).exec(); });
+    m_canvas->setPenSettings(settings::penSettings());
+    on(Command::Settings, [this] {
+        if (SettingsDialog(this, m_editor.brush()).exec() == QDialog::Accepted)
+            m_canvas->setPenSettings(settings::penSettings());
+    });
     on(Command::Shortcuts, [this] { changeShortcuts(); });
     on(Command::About, [this] { AboutDialog(this).exec(); });
     connect(m_actions->recentMenu(), &QMenu::aboutToShow, this, &MainWindow::fillRecentMenu);
@@ -288,6 +306,7 @@ void MainWindow::updateActions()
                                   Command::Lower, Command::Top, Command::Bottom})
         action(command).setEnabled(any);
     updateObjectActions();
+    updateTimeActions();
     const QUndoStack &stack = m_editor.undoStack();
     const auto name = [&](Command command, const QString &plain, const QString &named, const QString &step, bool can) {
         action(command).setEnabled(can);

@@ -11,6 +11,8 @@
 namespace suffuse {
 
 class CanvasWidget;
+class Playback;
+class SelectionOrder;
 class Tool;
 class ToolOptionsBar;
 
@@ -23,6 +25,7 @@ public:
 
     Editor &editor() { return m_editor; }
     CanvasWidget &canvas() { return *m_canvas; }
+    Playback &playback() { return *m_playback; }
     QAction &action(Command command) { return (*m_actions)[command]; }
 
     /// Opens a file here if this window's painting is untouched, else in a window of its own. Errors are shown.
@@ -53,6 +56,11 @@ private:
     void connectAids();
     void renameSelected();
     void updateObjectActions();
+    void connectTimeActions();
+    void connectBrushes();
+    void nameFavourites();
+    void rewetSelected();
+    void updateTimeActions();
     void connectUpdates();
     QDockWidget *addDock(const char *name, const QString &title, QWidget *panel);
 
@@ -75,8 +83,10 @@ private:
     MainWindow *openWindow();
 
     Editor m_editor;
+    Playback *m_playback = nullptr;
     CanvasWidget *m_canvas = nullptr;
     Actions *m_actions = nullptr;
+    SelectionOrder *m_selectionOrder = nullptr;
     ToolOptionsBar *m_toolOptions = nullptr;
     QAction *m_tipAction = nullptr; ///< of the tool that the pen's tip goes back to
     QList<QDockWidget *> m_docks;

@@ -1,6 +1,7 @@
 // What the Object menu, Select Same and the canvas' aids do.
 #include "app/canvas/canvas_widget.h"
 #include "app/main_window.h"
+#include "app/selection_order.h"
 #include "app/settings.h"
 #include "app/tools/commands.h"
 
@@ -49,14 +50,19 @@ void MainWindow::connectObjectActions()
     on(Command::RenameStrokes, [this] { renameSelected(); });
     for (const AlignCommand &c : alignCommands)
         on(c.command, [this, how = c.how] {
-            const AlignTo to = action(Command::AlignToCanvas).isChecked()    ? AlignTo::Canvas
-                               : action(Command::AlignToTopmost).isChecked() ? AlignTo::LastSelected
-                                                                             : AlignTo::Selection;
-            commands::alignSelected(m_editor, how, to);
+            const auto is = [this](Command command) { return action(command).isChecked(); };
+            const AlignTo to = is(Command::AlignToCanvas)                              ? AlignTo::Canvas
+                               : is(Command::AlignToBiggest)                           ? AlignTo::Biggest
+                               : is(Command::AlignToLast) || is(Command::AlignToFirst) ? AlignTo::Anchor
+                                                                                       : AlignTo::Selection;
+            const StrokeId anchor = is(Command::AlignToFirst) ? m_selectionOrder->first() : m_selectionOrder->last();
+            commands::alignSelected(m_editor, how, to, anchor);
         });
     for (const DistributeCommand &c : distributeCommands)
         on(c.command, [this, c] { commands::distributeSelected(m_editor, c.axis, c.spacing); });
-    for (const Command command : {Command::AlignToSelection, Command::AlignToTopmost, Command::AlignToCanvas})
+    m_selectionOrder = new SelectionOrder(m_editor.document(), this);
+    for (const Command command : {Command::AlignToSelection, Command::AlignToLast, Command::AlignToFirst,
+                                  Command::AlignToBiggest, Command::AlignToCanvas})
         on(command, [this] { updateObjectActions(); });
     const auto rule = [this] {
         return action(Command::ScaleSpread).isChecked() ? SpreadRule::Scales : SpreadRule::Stays;

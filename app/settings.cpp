@@ -15,6 +15,7 @@ namespace {
 constexpr int layoutVersion = 1;
 constexpr int maxRecentFiles = 10;
 constexpr int maxThreads = 256;
+constexpr int maxCurvePoints = 64;
 constexpr int maxLayoutBytes = 1 << 20;
 
 /// CRC-32 (IEEE 802.3), bit by bit: layouts are a few kilobytes.
@@ -177,6 +178,30 @@ void setCanvasAids(const CanvasAids &aids)
     s.setValue("aids/snapToGrid", aids.snapToGrid);
     s.setValue("aids/showGrid", aids.showGrid);
     s.setValue("aids/gridStep", aids.gridStep);
+}
+
+PenSettings penSettings()
+{
+    PenSettings pen;
+    pen.fingersMoveView = store().value("pen/fingersMoveView").toBool();
+    ResponseCurve curve;
+    curve.points.clear();
+    for (const QString &point : store().value("pen/pressure").toStringList().mid(0, maxCurvePoints)) {
+        const QStringList xy = point.split(u' ');
+        curve.points.push_back({xy.value(0).toFloat(), xy.value(1).toFloat()});
+    }
+    if (curve.isValid())
+        pen.pressure = curve;
+    return pen;
+}
+
+void setPenSettings(const PenSettings &pen)
+{
+    store().setValue("pen/fingersMoveView", pen.fingersMoveView);
+    QStringList points;
+    for (const Offset &p : pen.pressure.points)
+        points << QStringLiteral("%1 %2").arg(double(p.x), 0, 'g', 9).arg(double(p.y), 0, 'g', 9);
+    store().setValue("pen/pressure", points);
 }
 
 QStringList recentFiles()

@@ -1,6 +1,7 @@
 // What the program remembers between sessions.
 #pragma once
 
+#include "app/canvas/pen_input.h"
 #include "app/tools/snapping.h"
 #include "render/renderer.h"
 
@@ -39,6 +40,10 @@ void setScalesSpread(bool scales);
 /// Snapping and grid, of the window that changed them last. A grid step out of range counts as unset.
 CanvasAids canvasAids();
 void setCanvasAids(const CanvasAids &aids);
+
+/// A curve that cannot be read counts as unset.
+PenSettings penSettings();
+void setPenSettings(const PenSettings &pen);
 
 /// Absolute paths, the newest first, at most 10; files that are gone are left out.
 QStringList recentFiles();

@@ -86,6 +86,82 @@
         <source>Pencil</source>
         <translation>Bleistift</translation>
     </message>
+    <message>
+        <source>Brush pen</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Dry brush</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Ink splash</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Broad nib</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Flat wash</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Granulating wash</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Wet in wet</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Glaze</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Two tones</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Charcoal</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Pastel</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Gouache</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Glow</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Ink</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Watercolour</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Dry</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Flat</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Air</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Others</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>Cli</name>
@@ -94,16 +170,8 @@
         <translation>Wandelt zwischen Dokumenten (.suffuse), der Textform (.json) und Stiftaufzeichnungen um. Was IN ist, zeigt sein Inhalt; was OUT ist, seine Endung.</translation>
     </message>
     <message>
-        <source>The brush that recordings are painted with.</source>
-        <translation>Der Pinsel, mit dem Aufzeichnungen gemalt werden.</translation>
-    </message>
-    <message>
         <source>%1: unknown ending; use .suffuse or .json</source>
         <translation>%1: unbekannte Endung; möglich sind .suffuse und .json</translation>
-    </message>
-    <message>
-        <source>--brush %1: there is no such brush; choose one of %2</source>
-        <translation>--brush %1: diesen Pinsel gibt es nicht; möglich sind %2</translation>
     </message>
     <message>
         <source>%1: cannot be read (%2). Check the name and its permissions.</source>
@@ -521,10 +589,6 @@ Rückgabewerte: 0 fertig, 1 fehlgeschlagen, 2 falscher Aufruf.</translation>
         </translation>
     </message>
     <message>
-        <source>The frames, with their number: film/%05d.png.</source>
-        <translation>Die Einzelbilder, mit ihrer Nummer: film/%05d.png.</translation>
-    </message>
-    <message>
         <source>Frames a second (default 25).</source>
         <translation>Einzelbilder je Sekunde (Vorgabe 25).</translation>
     </message>
@@ -541,10 +605,6 @@ Rückgabewerte: 0 fertig, 1 fehlgeschlagen, 2 falscher Aufruf.</translation>
         <translation>Mit CUDA: GPUs, die sich die Einzelbilder teilen, all oder eine Anzahl (Vorgabe 1).</translation>
     </message>
     <message>
-        <source>-o %1: frames are numbered files: give a name such as film/%05d.png</source>
-        <translation>-o %1: Einzelbilder sind nummerierte Dateien: bitte einen Namen wie film/%05d.png angeben</translation>
-    </message>
-    <message>
         <source>--%1 %2: give a number from %3 to 1000000</source>
         <translation>--%1 %2: bitte eine Zahl von %3 bis 1000000 angeben</translation>
     </message>
@@ -553,16 +613,28 @@ Rückgabewerte: 0 fertig, 1 fehlgeschlagen, 2 falscher Aufruf.</translation>
         <translation>%1 Einzelbilder sind zu viele: höchstens %2. Bitte --fps oder --duration kleiner wählen</translation>
     </message>
     <message>
-        <source>%1: cannot write into this folder. Choose another one.</source>
-        <translation>%1: In diesen Ordner kann nicht geschrieben werden. Bitte einen anderen wählen.</translation>
-    </message>
-    <message>
         <source>Draws a painting while it is painted, frame by frame.</source>
         <translation>Zeichnet das Entstehen eines Bildes, Einzelbild für Einzelbild.</translation>
     </message>
     <message>
-        <source>-o OUT is missing: name the frames to write</source>
-        <translation>-o OUT fehlt: bitte die zu schreibenden Einzelbilder nennen</translation>
+        <source>--brush %1: there is no such brush nor file; choose a file or one of %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The brush that recordings are painted with: a name, or a brush file.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Frames with their number, film/%05d.png; or film.webp, .webm or .mp4.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>WebP: plays once instead of again and again.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>-o OUT is missing: name the frames or the film to write</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -731,6 +803,45 @@ Rückgabewerte: 0 fertig, 1 fehlgeschlagen, 2 falscher Aufruf.</translation>
     </message>
 </context>
 <context>
+    <name>Film</name>
+    <message>
+        <source>a film has %1 to %2 frames a second</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>MP4 cannot hold transparency. Use WebM, WebP or frames.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a video has at most %1 pixels a side</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1: cannot write into this folder. Choose another one.</source>
+        <translation type="unfinished">%1: In diesen Ordner kann nicht geschrieben werden. Bitte einen anderen wählen.</translation>
+    </message>
+    <message>
+        <source>frames are numbered files: give a name such as film/%05d.png, or one that ends in .webp, .webm or .mp4</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1: ffmpeg, which makes videos, is not installed. Install it, or choose WebP or frames.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1: ffmpeg could not make the video (%2). Choose another format or size.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1: the film could not be written (%2).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1: the film is too large for WebP. Choose another format, a smaller size or fewer frames.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>ImageFormat</name>
     <message>
         <source>This is no image format that can be written. Use one of these endings: %1.</source>
@@ -822,6 +933,29 @@ Rückgabewerte: 0 fertig, 1 fehlgeschlagen, 2 falscher Aufruf.</translation>
     <message>
         <source>paper image: there is none. Choose an image, or another kind of paper.</source>
         <translation>Papierbild: Es fehlt. Bitte ein Bild oder eine andere Papierart wählen.</translation>
+    </message>
+</context>
+<context>
+    <name>Papers</name>
+    <message>
+        <source>Smooth</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Cold press</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Rough</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Rice</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Canvas</source>
+        <translation type="unfinished">Leinwand</translation>
     </message>
 </context>
 <context>
@@ -945,6 +1079,26 @@ Rückgabewerte: 0 fertig, 1 fehlgeschlagen, 2 falscher Aufruf.</translation>
     <message>
         <source>another stroke has the same id</source>
         <translation>ein anderer Strich hat dieselbe Kennung</translation>
+    </message>
+    <message>
+        <source>%1: %2 is not in %3</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>there is no such kind</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>another curve is of the same quantity and input</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>it needs 2 to 16 points [x, y] in [0, 1], from left to right</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>there is no such grain of paper</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -1555,10 +1709,6 @@ Rückgabewerte: 0 fertig, 1 fehlgeschlagen, 2 falscher Aufruf.</translation>
         <translation>Relativ zur &amp;Auswahl</translation>
     </message>
     <message>
-        <source>Relative to the T&amp;opmost</source>
-        <translation>Relativ zum O&amp;bersten</translation>
-    </message>
-    <message>
         <source>Relative to the C&amp;anvas</source>
         <translation>Relativ zur Lein&amp;wand</translation>
     </message>
@@ -1613,6 +1763,218 @@ Rückgabewerte: 0 fertig, 1 fehlgeschlagen, 2 falscher Aufruf.</translation>
     <message>
         <source>Select Sa&amp;me</source>
         <translation>&amp;Gleiche auswählen</translation>
+    </message>
+    <message>
+        <source>Ctrl+1</source>
+        <translation type="unfinished">Ctrl+1</translation>
+    </message>
+    <message>
+        <source>Ctrl+4</source>
+        <translation type="unfinished">Ctrl+4</translation>
+    </message>
+    <message>
+        <source>Ctrl+6</source>
+        <translation type="unfinished">Ctrl+6</translation>
+    </message>
+    <message>
+        <source>Ctrl+5</source>
+        <translation type="unfinished">Ctrl+5</translation>
+    </message>
+    <message>
+        <source>Ti&amp;me</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Favourite Brushes</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Favourite Brush %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Relative to the L&amp;ast Selected</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Relative to the &amp;First Selected</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Relative to the Bi&amp;ggest</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Play</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Play the painting being painted, or pause</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>To the &amp;Start</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Shift+,</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Go to where the painting begins</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>P&amp;revious Stroke</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>,</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Go back to where a stroke begins</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Next Stroke</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Go on to where a stroke begins</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>To the &amp;End</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Shift+.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Go to the end, where all has dried: the present</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Loop</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Play again and again</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>S&amp;kip Pauses</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Cut pauses in which nothing is painted or spreads to half a second</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Preview When &amp;Dry</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Shift+D</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Show wet paint as it will look when it has dried, while you paint too</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Let It Dr&amp;y</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Go to the moment at which all has dried</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Freeze Wet Paint</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Ctrl+Alt+F</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>All that is wet stops spreading at this moment</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Re-&amp;wet…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Ctrl+Alt+W</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Let the selected paint spread on for a while from this moment</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Remove Re-we&amp;tting</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The selected paint dries once and for all</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Even</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Selected strokes are drawn at an even pace</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Ease &amp;In</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Selected strokes begin slowly</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Ease &amp;Out</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Selected strokes end slowly</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Ease In and O&amp;ut</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Selected strokes begin and end slowly</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Export Ti&amp;melapse…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Ctrl+Alt+E</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Make a film of the painting being painted</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Drawing Pa&amp;ce</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -1789,6 +2151,440 @@ Rückgabewerte: 0 fertig, 1 fehlgeschlagen, 2 falscher Aufruf.</translation>
     </message>
 </context>
 <context>
+    <name>suffuse::BrushDialog</name>
+    <message>
+        <source>A stroke of the brush</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Paint</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Curves</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Colour</source>
+        <translation type="unfinished">Farbe</translation>
+    </message>
+    <message>
+        <source>Shape and hand</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Settings of the brush</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Save Changes</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Keeps the changes in the brush of this name; built-in brushes stay as they are</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Save as New…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Keeps the brush under another name</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Closes this window; the brush stays in hand as it is</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Brush: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Size</source>
+        <translation type="unfinished">Größe</translation>
+    </message>
+    <message>
+        <source>How far the paint spreads, in units; sets the diffusion.</source>
+        <translation type="unfinished">Wie weit die Farbe verläuft, in Einheiten; bestimmt die Diffusion.</translation>
+    </message>
+    <message>
+        <source>Flow</source>
+        <translation type="unfinished">Fluss</translation>
+    </message>
+    <message>
+        <source>Density in the middle of the stroke where no curve takes away</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Opacity</source>
+        <translation type="unfinished">Deckkraft</translation>
+    </message>
+    <message>
+        <source>How much the paint covers at full density</source>
+        <translation type="unfinished">Wie stark die Farbe bei voller Dichte deckt</translation>
+    </message>
+    <message>
+        <source>Granulation ω</source>
+        <translation type="unfinished">Granulation ω</translation>
+    </message>
+    <message>
+        <source>1 hides the paper&apos;s grain, 0 shows it fully</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Drying time</source>
+        <translation type="unfinished">Trockenzeit</translation>
+    </message>
+    <message>
+        <source>How long the paint spreads; the size stays</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Uniform</source>
+        <translation type="unfinished">Gleichmäßig</translation>
+    </message>
+    <message>
+        <source>Feathering</source>
+        <translation type="unfinished">Weich auslaufend</translation>
+    </message>
+    <message>
+        <source>Edge darkening</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Style</source>
+        <translation type="unfinished">Stil</translation>
+    </message>
+    <message>
+        <source>How density becomes opacity</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Covers (alpha)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Mixes as pigment (beta)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Mixing</source>
+        <translation type="unfinished">Mischung</translation>
+    </message>
+    <message>
+        <source>How the paint mixes with what lies below</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>ξ1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Density at which the paint begins to cover</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>ξ2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Uniform: softness of the edge; feathering: exponent; edge darkening: width of the rim</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>ξ3</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Opacity inside the dark edge</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>β</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>How much of what lies below shows through the pigment</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Granulation</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Second colour</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Pressure</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Tilt</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Speed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Distance</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>By stroke</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Drift</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What changes with what: a tick switches a curve on, a click shows it below</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Curve</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Drag points; click for another one, drag it out to take it away</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Full speed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Speed at the right end of its curves, in sizes a second</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source> sizes/s</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Full distance</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Distance at the right end of its curves, in sizes</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source> sizes</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Way on which what drifts becomes another, in sizes</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Take the current colour</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Makes the current colour the second one</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The row Second colour of the curves says when it comes through.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Strays from the colour by</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Red</source>
+        <translation type="unfinished">Rot</translation>
+    </message>
+    <message>
+        <source>At most so much redder or less red</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Yellow</source>
+        <translation type="unfinished">Gelb</translation>
+    </message>
+    <message>
+        <source>At most so much more or less yellow</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Blue</source>
+        <translation type="unfinished">Blau</translation>
+    </message>
+    <message>
+        <source>At most so much bluer or less blue</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Lightness</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>At most so much lighter or darker</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Drifts along the stroke</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Else each stroke has one colour</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Hand</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No smoothing</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Weighted</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Pulled string</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Smoothing</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Steadies the hand: the stroke follows the pen softly, or is pulled on a string</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Strength</source>
+        <translation type="unfinished">Stärke</translation>
+    </message>
+    <message>
+        <source>How far the stroke lags behind</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>String</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Its length on the screen</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Sampling</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Time between the points that the curve is fitted through</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Tip</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Ratio</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>How much faster the paint spreads along the tip&apos;s angle than across</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Angle</source>
+        <translation type="unfinished">Winkel</translation>
+    </message>
+    <message>
+        <source>Of the tip, against the path or the canvas</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Turns with the path</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Else it keeps its angle on the canvas, as a broad nib does</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Ends</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Taper in</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Length on which the stroke grows from its tip</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Taper out</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Length on which it runs out when the pen lifts</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Tip size</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Size at the very end</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>suffuse::BrushLibrary</name>
+    <message>
+        <source>Brush</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1: the folder could not be made; check its permissions</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 is a built-in brush; save it under a name of its own</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A brush needs a name</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>There is a brush “%1” already</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 is a built-in brush; it stays</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 could not be removed; check its permissions</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>There is no brush “%1”</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>suffuse::BrushPanel</name>
     <message>
         <source>Brushes</source>
@@ -1838,6 +2634,110 @@ Rückgabewerte: 0 fertig, 1 fehlgeschlagen, 2 falscher Aufruf.</translation>
         <source>%1 (changed)</source>
         <translation>%1 (geändert)</translation>
     </message>
+    <message>
+        <source>Search</source>
+        <translation type="unfinished">Suchen</translation>
+    </message>
+    <message>
+        <source>Search brushes</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Shows brushes and groups with this in their name</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Favourites only</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Show favourites only; the first nine have the keys 1 to 9</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Brush menu</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Edit, save, import and export brushes</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Edit Brush…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Favourite</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Save Changes</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Save as &amp;New…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Duplicate</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Rename…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>De&amp;lete…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Import…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>E&amp;xport…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Save brush</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation type="unfinished">Name</translation>
+    </message>
+    <message>
+        <source>Rename brush</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Delete brush</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Delete the brush “%1”? Strokes painted with it stay.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Import brushes</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Brushes (*.suffuse-brush *.myb);;All files (*)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1: these settings have no counterpart here: %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Export brush</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Suffuse brush (*%1)</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>suffuse::BrushTool</name>
@@ -1850,12 +2750,84 @@ Rückgabewerte: 0 fertig, 1 fehlgeschlagen, 2 falscher Aufruf.</translation>
         <translation>Umschalt+Ziehen setzt den ausgewählten Strich an seinem Ende fort.</translation>
     </message>
     <message>
-        <source>Drag to paint; a tap leaves a dot. Ctrl: pick the picture&apos;s colour; with Shift, a stroke&apos;s own.</source>
-        <translation>Ziehen malt; Tippen hinterlässt einen Punkt. Strg: Farbe des Bildes aufnehmen; mit Umschalt die eigene eines Strichs.</translation>
-    </message>
-    <message>
         <source>Extend stroke</source>
         <translation>Strich fortsetzen</translation>
+    </message>
+    <message>
+        <source>Drag to paint; a tap leaves a dot. Shift+drag: size and opacity. Ctrl: pick the picture&apos;s colour; with Shift, a stroke&apos;s own.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What to paint with; the Brushes dock has pictures</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Brush</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Size</source>
+        <translation type="unfinished">Größe</translation>
+    </message>
+    <message>
+        <source>How far the paint spreads, in units ([ and ] change it)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Flow</source>
+        <translation type="unfinished">Fluss</translation>
+    </message>
+    <message>
+        <source>Density in the middle of the stroke at full pressure</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Opacity</source>
+        <translation type="unfinished">Deckkraft</translation>
+    </message>
+    <message>
+        <source>How much the paint covers ({ and } change it)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Smoothing</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Off</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Weighted</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Pulled string</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Steadies the hand: the stroke follows the pen softly, or is pulled on a string</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Amount of smoothing</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>How strongly it lags behind, or how long the string is</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Own brush</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Size %1 u</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Opacity %1 %</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -1916,10 +2888,6 @@ Rückgabewerte: 0 fertig, 1 fehlgeschlagen, 2 falscher Aufruf.</translation>
         <translation>Keine</translation>
     </message>
     <message>
-        <source>Procedural</source>
-        <translation>Prozedural</translation>
-    </message>
-    <message>
         <source>Image…</source>
         <translation>Bild …</translation>
     </message>
@@ -1952,10 +2920,6 @@ Rückgabewerte: 0 fertig, 1 fehlgeschlagen, 2 falscher Aufruf.</translation>
         <translation>Skalierung</translation>
     </message>
     <message>
-        <source>Size of the coarsest grain in units, or units per pixel of the image.</source>
-        <translation>Größe des gröbsten Korns in Einheiten, oder Einheiten je Bildpixel.</translation>
-    </message>
-    <message>
         <source>Strength</source>
         <translation>Stärke</translation>
     </message>
@@ -1982,6 +2946,14 @@ Rückgabewerte: 0 fertig, 1 fehlgeschlagen, 2 falscher Aufruf.</translation>
     <message>
         <source>%1 cannot be used as paper: %2</source>
         <translation>%1 kann nicht als Papier dienen: %2</translation>
+    </message>
+    <message>
+        <source>Custom</source>
+        <translation type="unfinished">Eigene</translation>
+    </message>
+    <message>
+        <source>Size of the coarsest grain or of a thread in units, or units per pixel of the image.</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -2014,14 +2986,6 @@ Rückgabewerte: 0 fertig, 1 fehlgeschlagen, 2 falscher Aufruf.</translation>
         <translation>Die zuletzt gemalte Farbe. Klick: zurück zu ihr.</translation>
     </message>
     <message>
-        <source>Recent colour %1</source>
-        <translation>Letzte Farbe %1</translation>
-    </message>
-    <message>
-        <source>A colour painted with before. Click: take it.</source>
-        <translation>Eine früher gemalte Farbe. Klick: übernehmen.</translation>
-    </message>
-    <message>
         <source>Hex</source>
         <translation>Hex</translation>
     </message>
@@ -2044,6 +3008,18 @@ Rückgabewerte: 0 fertig, 1 fehlgeschlagen, 2 falscher Aufruf.</translation>
     <message>
         <source>Apply colour</source>
         <translation>Farbe anwenden</translation>
+    </message>
+    <message>
+        <source>Recent colours</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Colours painted with before. Click: take it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Colours painted with come here.</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -2349,10 +3325,6 @@ Auch die Pfeiltasten wirken.</translation>
         <translation>Verblasst</translation>
     </message>
     <message>
-        <source>How far the paint has spread once it is dry: √(4·D·t_max).</source>
-        <translation>Wie weit die Farbe getrocknet verlaufen ist: √(4·D·t_max).</translation>
-    </message>
-    <message>
         <source>Density in the middle of a long straight stroke, dry.</source>
         <translation>Dichte in der Mitte eines langen geraden Strichs, getrocknet.</translation>
     </message>
@@ -2375,6 +3347,22 @@ Auch die Pfeiltasten wirken.</translation>
     <message>
         <source>after %1</source>
         <translation>nach %1</translation>
+    </message>
+    <message>
+        <source>Spread along</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>How far the paint has spread across the curve once it is dry: √(4·D·t_max).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>How far it has spread along the curve.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Spread across</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -2831,6 +3819,54 @@ Auch die Pfeiltasten wirken.</translation>
         <source>%1 is newer than this program, which reads version 1; update Suffuse</source>
         <translation>%1 ist neuer als dieses Programm, das Version 1 liest; bitte Suffuse aktualisieren</translation>
     </message>
+    <message>
+        <source>%1 is not a version that this program reads; it reads 1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>another curve is of the same quantity and input; keep one of them</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>needs 2 to 16 points [x, y] in [0, 1], from left to right</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>could not be opened: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>has more than 1 MB; it is not a brush</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a colour has three numbers: red, green, blue</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>“%1” is not a number from 0 to 255</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>is larger than 1 MiB; a palette is not</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>line %1: %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>“GIMP Palette” is missing: this is no GIMP palette</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>there are more than %1 colours</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>has no settings; it is not a brush</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>suffuse::HintLabel</name>
@@ -3036,6 +4072,94 @@ Auch die Pfeiltasten wirken.</translation>
             <numerusform>Name von %n Strichen</numerusform>
         </translation>
     </message>
+    <message>
+        <source>Timeline</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>You paint in the past: what came later covers it. </source>
+        <extracomment>before what the brush does, while the timeline shows a moment of the past</extracomment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Nothing is wet at this moment.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Freeze wet paint</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Remove re-wetting</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Drawing pace</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Re-wet</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Seconds that the paint spreads on</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Nothing that is selected is painted yet at this moment.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Pause</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Play</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>suffuse::MixingSection</name>
+    <message>
+        <source>Mixing</source>
+        <translation type="unfinished">Mischung</translation>
+    </message>
+    <message>
+        <source>Paint colours over each other here. Shift+drag rubs, Ctrl+click picks.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Paint</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Paints with the current colour.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Rub</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Carries the paint under the pointer along.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Pick</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Makes the colour under the pointer the current one.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Clear</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Takes a clean sheet.</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>suffuse::NewDialog</name>
@@ -3195,6 +4319,76 @@ Auch die Pfeiltasten wirken.</translation>
     <message>
         <source>Drag to move the canvas. The wheel zooms; R and drag turns.</source>
         <translation>Ziehen verschiebt die Leinwand. Das Rad zoomt; R und Ziehen dreht.</translation>
+    </message>
+</context>
+<context>
+    <name>suffuse::PenPad</name>
+    <message>
+        <source>Try your pen here.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>suffuse::PenPage</name>
+    <message>
+        <source>Pressure</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Soft</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Even</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Firm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Custom</source>
+        <translation type="unfinished">Eigene</translation>
+    </message>
+    <message>
+        <source>How hard the pen must be pressed, for all brushes.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Clear</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Takes a clean sheet.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>pressure of the pen →</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>↑ paints with</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Pressure curve</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Drag the points; click for another; drag one out to take it away.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Paint here with the brush in use; the dot on the curve is the pen&apos;s pressure.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Only the pen and the mouse paint; fingers move the view</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>One finger moves the canvas, two zoom and turn it. Otherwise one finger paints.</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -3543,6 +4737,14 @@ Auch die Pfeiltasten wirken.</translation>
     <message>
         <source>What computes the picture. Changes when the program starts again.</source>
         <translation>Was das Bild berechnet. Gilt ab dem nächsten Start.</translation>
+    </message>
+    <message>
+        <source>General</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Pen</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -3994,6 +5196,335 @@ Auch die Pfeiltasten wirken.</translation>
     <message>
         <source>Coverage far inside the stroke.</source>
         <translation>Deckung tief im Inneren des Strichs.</translation>
+    </message>
+</context>
+<context>
+    <name>suffuse::SwatchGrid</name>
+    <message>
+        <source>Add swatch</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Move swatch</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Rename swatch</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Remove swatch</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Rename…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation type="unfinished">Name</translation>
+    </message>
+</context>
+<context>
+    <name>suffuse::SwatchesSection</name>
+    <message>
+        <source>Swatches</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Add swatch</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Keeps the current colour with the painting.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Palettes</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>GIMP palettes in and out</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Colours kept with the painting. Click: take it. Drag to move; Delete removes.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>None yet: + keeps the current colour.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>GIMP palettes</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Import palette…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Import palette</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Export palette…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Export palette</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Remove all</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Remove all swatches</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 cannot be read: %2.</source>
+        <translation type="unfinished">%1 kann nicht gelesen werden: %2.</translation>
+    </message>
+</context>
+<context>
+    <name>suffuse::TimelapseDialog</name>
+    <message>
+        <source>Export timelapse</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Progress</source>
+        <translation type="unfinished">Fortschritt</translation>
+    </message>
+    <message>
+        <source>Export</source>
+        <translation type="unfinished">Exportieren</translation>
+    </message>
+    <message>
+        <source>painting</source>
+        <translation type="unfinished">Gemälde</translation>
+    </message>
+    <message>
+        <source>File</source>
+        <translation type="unfinished">Datei</translation>
+    </message>
+    <message>
+        <source>The ending chooses the format: webm or mp4 is a video, webp an animation, and png, tiff, exr, jpg or pfm numbered pictures, such as frame%04d.png.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Browse…</source>
+        <translation type="unfinished">Durchsuchen …</translation>
+    </message>
+    <message>
+        <source>Choose a folder and a name</source>
+        <translation type="unfinished">Ordner und Namen wählen</translation>
+    </message>
+    <message>
+        <source>Area</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Whole canvas</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What the window shows</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Selected strokes</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Which part of the canvas is filmed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Frame rate</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source> frames/s</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>How many pictures a second the film has</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Length</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source> s</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>How long the film is; the painting&apos;s time is stretched over it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Keep of pauses</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>How much is kept of a pause in which nothing is painted or spreads, in the painting&apos;s time</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Quality</source>
+        <translation type="unfinished">Qualität</translation>
+    </message>
+    <message>
+        <source>Of JPEG and WebP; 100 is the best. WebP loses nothing then.</source>
+        <translation type="unfinished">Für JPEG und WebP; 100 ist am besten. WebP verliert dann nichts.</translation>
+    </message>
+    <message>
+        <source>Transparent background</source>
+        <translation type="unfinished">Transparenter Hintergrund</translation>
+    </message>
+    <message>
+        <source>Leaves the background out and stores how much the paint covers.</source>
+        <translation type="unfinished">Lässt den Hintergrund weg und speichert, wie stark die Farbe deckt.</translation>
+    </message>
+    <message>
+        <source>Play again and again</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Animated WebP: begins anew at its end. Players decide it for videos.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Size</source>
+        <translation type="unfinished">Größe</translation>
+    </message>
+    <message>
+        <source> px</source>
+        <translation type="unfinished"> px</translation>
+    </message>
+    <message>
+        <source>Width in pixels</source>
+        <translation type="unfinished">Breite in Pixeln</translation>
+    </message>
+    <message>
+        <source>Width in pixels; the height follows.</source>
+        <translation type="unfinished">Breite in Pixeln; die Höhe folgt.</translation>
+    </message>
+    <message>
+        <source>Height in pixels</source>
+        <translation type="unfinished">Höhe in Pixeln</translation>
+    </message>
+    <message>
+        <source>Height in pixels; the width follows.</source>
+        <translation type="unfinished">Höhe in Pixeln; die Breite folgt.</translation>
+    </message>
+    <message>
+        <source>Films</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Numbered pictures</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 frames</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation type="unfinished">%1; %2 {1:?}</translation>
+    </message>
+    <message>
+        <source>A film of %1 frames is too long. Choose a lower rate or a shorter length.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 exists. Replace it?</source>
+        <translation type="unfinished">%1 gibt es schon. Ersetzen?</translation>
+    </message>
+    <message>
+        <source>Frame %1 of %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Writing the film…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>%1; %n second(s) left</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+            <numerusform></numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%1; %n minute(s) left</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+            <numerusform></numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>suffuse::TimelinePanel</name>
+    <message>
+        <source>The moment that is shown, and the end, when all has dried</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Speed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>How fast the painting is played: 0.1 to 1000 times as fast as it was painted</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Show all of the time (0). Ctrl+wheel zooms.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Show all of the time</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>suffuse::TimelineView</name>
+    <message>
+        <source>Timeline</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Later by %1 s</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Drawn in %1 s</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Move in time</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Stretch in time</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 s</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Each stroke is a bar here: from when it is painted until it is dry.</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>

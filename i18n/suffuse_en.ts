@@ -58,4 +58,21 @@
         </translation>
     </message>
 </context>
+<context>
+    <name>suffuse::TimelapseDialog</name>
+    <message numerus="yes">
+        <source>%1; %n second(s) left</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+            <numerusform></numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%1; %n minute(s) left</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+            <numerusform></numerusform>
+        </translation>
+    </message>
+</context>
 </TS>

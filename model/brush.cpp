@@ -1,107 +1,107 @@
 #include "model/brush.h"
 
+#include "model/validate.h"
+
+#include <QCoreApplication>
+
 #include <algorithm>
 
 namespace suffuse {
 
 namespace {
 
-Style style(StyleKind kind, float xi1, float xi2, float xi3 = 0)
+struct Domain {
+    const char *path;
+    double value, least, greatest;
+};
+
+/// Lower ends of domains that are open at 0 are small numbers, as the brush's values are float32.
+QString problemOfNumbers(const Brush &b)
 {
-    return {kind, {xi1, xi2, xi3}};
+    constexpr double open = 1e-30;
+    const Domain domains[] = {
+        {"diffusion", b.diffusion, open, 1e12},
+        {"peak", b.peak, 0, 1e12},
+        {"granulation", b.granulation, 0, 1},
+        {"maxAge", b.maxAge, open, 1e6},
+        {"jitter.red", b.jitter.red, 0, 1},
+        {"jitter.yellow", b.jitter.yellow, 0, 1},
+        {"jitter.blue", b.jitter.blue, 0, 1},
+        {"jitter.lightness", b.jitter.lightness, 0, 1},
+        {"tip.ratio", b.tip.ratio, 1e-2, 1e2},
+        {"tip.angle", b.tip.angle, -1e3, 1e3},
+        {"taper.in", b.taper.in, 0, 1e3},
+        {"taper.out", b.taper.out, 0, 1e3},
+        {"taper.tip", b.taper.tip, 0, 1},
+        {"stabiliser.strength", b.stabiliser.strength, 0, 1},
+        {"stabiliser.length", b.stabiliser.length, 0, 1e3},
+        {"fullSpeed", b.fullSpeed, 1e-3, 1e6},
+        {"fullDistance", b.fullDistance, 1e-3, 1e6},
+        {"driftLength", b.driftLength, 1e-2, 1e6},
+        {"interval", toSeconds(b.interval), 0.002, 0.2},
+    };
+    for (const Domain &d : domains)
+        if (!(d.value >= d.least && d.value <= d.greatest))
+            return QCoreApplication::translate("Validate", "%1: %2 is not in %3")
+                .arg(QLatin1String(d.path), QString::number(d.value, 'g', 9),
+                     QStringLiteral("[%1, %2]").arg(d.least).arg(d.greatest));
+    return {};
 }
 
-/// Wet ink: s = 10, edge (10 % to 90 %) 5.6 units wide; light strokes stay thin and grey.
-Brush inkWash()
+auto orderOf(const BrushDynamic &d)
 {
-    Brush b;
-    b.name = QStringLiteral("ink-wash");
-    b.style = style(StyleKind::Uniform, 0.4f, 0.1f);
-    b.diffusion = 12.5f, b.maxAge = 2;
-    b.peak = 1.2f, b.pressureFloor = 0.35f;
-    b.granulation = 0.85f;
-    b.colour = {0.86f, 0.8f, 0.94f, 0.92f};
-    return b;
-}
-
-/// s = 20: a pale wash, F ≈ 0.3 inside, within a dark rim of 2.5 units.
-Brush watercolourEdge()
-{
-    Brush b;
-    b.name = QStringLiteral("watercolour-edge");
-    b.style = style(StyleKind::Edge, 0.5f, 0.5f, 0.4f);
-    b.mix = {MixMode::Beta, 0.7f};
-    b.diffusion = 50, b.maxAge = 2;
-    b.peak = 0.85f, b.pressureFloor = 0.7f;
-    b.granulation = 0.6f;
-    b.colour = {0.2f, 0.3f, 0.9f, 0.9f};
-    return b;
-}
-
-/// s = 40, nearly Gaussian across; pressure is opacity.
-Brush softAirbrush()
-{
-    Brush b;
-    b.name = QStringLiteral("soft-airbrush");
-    b.style = style(StyleKind::Feathering, 1, 1.2f);
-    b.diffusion = 800, b.maxAge = 0.5f;
-    b.peak = 1, b.pressureFloor = 0.05f;
-    b.colour = {0.8f, 0.35f, 0.25f, 0.35f};
-    return b;
-}
-
-/// s = 14 in a quarter of a second, edge 0.7 units wide, half-width 14.7 whatever the pressure.
-Brush flatMarker()
-{
-    Brush b;
-    b.name = QStringLiteral("flat-marker");
-    b.style = style(StyleKind::Uniform, 0.5f, 0.012f);
-    b.diffusion = 196, b.maxAge = 0.25f;
-    b.peak = 1.5f, b.pressureFloor = 1;
-    b.colour = {0.95f, 0.6f, 0.05f, 0.9f};
-    return b;
-}
-
-/// s = 12; in the paper's hollows (γ ≈ 0.55) a light touch falls below ξ1, so that only its hills take chalk.
-Brush dryChalk()
-{
-    Brush b;
-    b.name = QStringLiteral("dry-chalk");
-    b.style = style(StyleKind::Uniform, 0.7f, 0.04f);
-    b.diffusion = 144, b.maxAge = 0.25f;
-    b.peak = 1.3f, b.pressureFloor = 0.7f;
-    b.granulation = 0.1f;
-    b.colour = {0.75f, 0.55f, 0.4f, 0.9f};
-    return b;
-}
-
-/// s = 2, half-width 1.4 at full pressure, 0.9 at a third.
-Brush pencil()
-{
-    Brush b;
-    b.name = QStringLiteral("pencil");
-    b.style = style(StyleKind::Uniform, 0.6f, 0.1f);
-    b.diffusion = 5, b.maxAge = 0.2f;
-    b.peak = 1, b.pressureFloor = 0.6f;
-    b.granulation = 0.3f;
-    b.colour = {0.78f, 0.76f, 0.78f, 0.85f};
-    return b;
+    return std::pair(d.quantity, d.input);
 }
 
 } // namespace
 
-const std::vector<Brush> &builtinBrushes()
+const ResponseCurve *Brush::curve(BrushQuantity quantity, BrushInput input) const
 {
-    static const std::vector<Brush> brushes{inkWash(),    watercolourEdge(), softAirbrush(),
-                                            flatMarker(), dryChalk(),        pencil()};
-    return brushes;
+    for (const BrushDynamic &d : dynamics)
+        if (d.quantity == quantity && d.input == input)
+            return &d.curve;
+    return nullptr;
 }
 
-const Brush *findBrush(const QString &name)
+void Brush::setCurve(BrushQuantity quantity, BrushInput input, const ResponseCurve &curve)
 {
-    const auto &all = builtinBrushes();
-    const auto it = std::find_if(all.begin(), all.end(), [&name](const Brush &b) { return b.name == name; });
-    return it == all.end() ? nullptr : &*it;
+    removeCurve(quantity, input);
+    const BrushDynamic added{quantity, input, curve};
+    const auto at = std::upper_bound(dynamics.begin(), dynamics.end(), added,
+                                     [](const auto &a, const auto &b) { return orderOf(a) < orderOf(b); });
+    dynamics.insert(at, added);
+}
+
+void Brush::removeCurve(BrushQuantity quantity, BrushInput input)
+{
+    std::erase_if(dynamics, [=](const BrushDynamic &d) { return d.quantity == quantity && d.input == input; });
+}
+
+QString problemOf(const Brush &brush)
+{
+    for (const QString &problem : {problemOf(brush.style), problemOf(brush.mix), problemOf(brush.colour)})
+        if (!problem.isEmpty())
+            return problem;
+    if (const QString problem = problemOf(brush.secondColour); !problem.isEmpty())
+        return QStringLiteral("second") + problem.mid(QStringLiteral("colour").size());
+    if (const QString problem = problemOfNumbers(brush); !problem.isEmpty())
+        return problem;
+    if (brush.stabiliser.kind > Stabiliser::Kind::String)
+        return QStringLiteral("stabiliser.kind: ") + QCoreApplication::translate("Validate", "there is no such kind");
+    for (std::size_t i = 0; i < brush.dynamics.size(); ++i) {
+        const BrushDynamic &d = brush.dynamics[i];
+        const QString path = QStringLiteral("dynamics[%1]").arg(i);
+        if (int(d.quantity) >= brushQuantities || int(d.input) >= brushInputs)
+            return path + QStringLiteral(": ") + QCoreApplication::translate("Validate", "there is no such kind");
+        if (i > 0 && orderOf(brush.dynamics[i - 1]) >= orderOf(d))
+            return path + QStringLiteral(": ") +
+                   QCoreApplication::translate("Validate", "another curve is of the same quantity and input");
+        if (!d.curve.isValid())
+            return path + QStringLiteral(".curve: ") +
+                   QCoreApplication::translate("Validate",
+                                               "it needs 2 to 16 points [x, y] in [0, 1], from left to right");
+    }
+    return {};
 }
 
 } // namespace suffuse

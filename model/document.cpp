@@ -131,15 +131,22 @@ void Document::exchange(Edit &edit)
         m_painting = std::move(painting);
     }
 
-    const Selection before = m_selection;
-    if (edit.selection)
-        m_selection = *edit.selection;
-    dropStaleSelection();
-    change.selection = m_selection != before;
+    exchangeSelection(edit, change);
+    emit changed(change);
+}
+
+void Document::exchangeSelection(Edit &edit, Change &change)
+{
+    const bool same = !edit.selection || *edit.selection == m_selection;
+    // What stays and keeps its segments needs no look at all the strokes.
+    if (same && !edit.order && (edit.strokes.empty() || m_selection.segments.empty()))
+        return;
+    Selection after = existing(edit.selection ? *edit.selection : m_selection, *m_painting);
+    change.selection = after != m_selection;
     // What leaves the selection because it no longer exists must come back with it.
     if (edit.selection || change.selection)
-        edit.selection = before;
-    emit changed(change);
+        edit.selection = m_selection;
+    m_selection = std::move(after);
 }
 
 void Document::setDraft(StrokePtr draft)
@@ -174,11 +181,6 @@ StrokeId Document::takeStrokeId()
 GroupId Document::takeGroupId()
 {
     return m_nextGroup++;
-}
-
-void Document::dropStaleSelection()
-{
-    m_selection = existing(m_selection, *m_painting);
 }
 
 } // namespace suffuse

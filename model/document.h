@@ -42,7 +42,8 @@ signals:
     void changed(const suffuse::Change &change);
 
 private:
-    void dropStaleSelection();
+    /// Once all else is exchanged. Segments that no longer exist leave the selection.
+    void exchangeSelection(Edit &edit, Change &change);
 
     PaintingPtr m_painting;
     StrokePtr m_draft;

@@ -118,7 +118,7 @@ void putCanvas(Serialiser &out, const Canvas &c)
 {
     out.put(c.width), out.put(c.height), out.put(c.background);
     out.put(c.paper.kind), out.put(c.paper.seed), out.put(c.paper.scale), out.put(c.paper.strength);
-    out.put(c.paper.image);
+    out.put(c.paper.image), out.put(c.paper.grain);
 }
 
 } // namespace
@@ -126,7 +126,7 @@ void putCanvas(Serialiser &out, const Canvas &c)
 bool operator==(const Paper &a, const Paper &b)
 {
     return a.kind == b.kind && a.seed == b.seed && a.scale == b.scale && a.strength == b.strength &&
-           equalImages(a.image, b.image);
+           a.grain == b.grain && equalImages(a.image, b.image);
 }
 
 bool operator==(const Underlay &a, const Underlay &b)

@@ -10,6 +10,8 @@
 namespace suffuse {
 
 enum class PaperKind : std::uint8_t { None, Procedural, Image };
+/// What the procedural paper is made of.
+enum class PaperGrain : std::uint8_t { Tooth, Fibres, Weave };
 
 /// An image as its encoded file bytes (PNG, JPEG, TIFF, WebP or EXR); decoding is the renderer's.
 using EncodedImage = std::shared_ptr<const QByteArray>;
@@ -18,9 +20,10 @@ using EncodedImage = std::shared_ptr<const QByteArray>;
 struct Paper {
     PaperKind kind = PaperKind::None;
     std::uint32_t seed = 1;
-    float scale = 24;       ///< procedural: wavelength of the coarsest octave, units; image: units per image pixel; (0, 1e6]
+    float scale = 24;       ///< procedural: wavelength of the coarsest octave, a thread's width, units; image: units per image pixel; (0, 1e6]
     float strength = 0.5f;  ///< [0, 1]
     EncodedImage image;     ///< for PaperKind::Image
+    PaperGrain grain = PaperGrain::Tooth; ///< for PaperKind::Procedural
 };
 bool operator==(const Paper &a, const Paper &b);
 

@@ -13,19 +13,17 @@ struct PenSample {
     Point position;
     Microseconds time = 0; ///< document time
     float pressure = 1;    ///< [0, 1]
+    float tilt = 0;        ///< [0, 1] from upright to 60° or more
 };
-
-/// Interval at which the spline's knots are taken along the stroke's time.
-inline constexpr Microseconds samplingInterval = 1'000'000 / 60;
 
 /// Builds a stroke while it is drawn: a frozen prefix of segments that no longer change and a live tail.
 ///
-/// Samples come at the device's pace; knots are taken every `samplingInterval` (linearly between samples; where samples
+/// Samples come at the device's pace; knots are taken at the brush's interval (linearly between samples; where samples
 /// are sparser, at the samples), duplicates and zero-pressure blips are dropped, and a C² cubic spline is fitted
-/// through position, colour and density in time (natural ends, Eigen). Where attributes vary along a segment it is
-/// split until its length is at most s/2. A stroke shorter than 0.1 s is a tap: one segment 0.1 s long whose φˢ makes
-/// its peak pk; one shorter than 2 s is raised likewise, while it is drawn too, so that nothing jumps when the pen
-/// lifts (docs/strokes.md). The stroke depends on the samples only.
+/// through position and what the brush lays down, in time (natural ends, Eigen). Where that varies along a segment it
+/// is split until its length is at most s/2. A stroke shorter than 0.1 s is a tap: one segment 0.1 s long whose φˢ
+/// makes its peak pk; one shorter than 2 s is raised likewise, while it is drawn too, so that nothing jumps when the
+/// pen lifts (docs/strokes.md). The stroke depends on brush, id and samples only; what is random in it, on the id.
 class StrokeBuilder {
 public:
     /// The brush's values must be in their domains (model/validate.h).
@@ -48,10 +46,14 @@ private:
 
     void start(const PenSample &sample);
     void take(const PenSample &sample, double pressure);
+    void addSample(Knot &next);
     double parameterStep(const Knot &next) const;
     void addKnot(const Knot &knot);
+    double speedAt(Microseconds elapsed, double way);
+    void fix();
     void settle();
     double appendTail(std::vector<Segment> &segments) const;
+    bool mayBeRaised() const;
     bool isStep(Point from, Point to) const;
     Segment dot() const;
 
@@ -60,9 +62,12 @@ private:
     std::vector<Knot> m_knots;
     Knot m_last;           ///< the newest sample that moved; at or after the last knot
     double m_nextKnot = 0; ///< parameter
-    double m_greatestDensity = 0;
+    Knot m_strongest;      ///< sample with the greatest φˢ: a tap's
+    double m_interval;     ///< µs
+    double m_speed = 0;    ///< smoothed, spreads a second
     Pressure m_pressure = Pressure::Unknown;
     int m_zeroSamples = 0;
+    std::size_t m_fixedKnot = 0;   ///< derivatives before this knot do not change
     std::size_t m_settledKnot = 0; ///< segments up to this knot do not change
     double m_settledLength = 0;    ///< their arc length, units
     bool m_finished = false;

@@ -14,6 +14,8 @@ using namespace knot_column;
 constexpr Microseconds longestBirthGap = 1'000'000 / 6;
 constexpr int mostPieces = 1024;
 constexpr double constantBelow = 1e-3;
+/// A tip that is not round counts as constant while the path turns by less, radians.
+constexpr double largestTurn = 0.01;
 /// Control points stay this close to the origin, so that origin plus offset stays in its domain.
 constexpr double largestOffset = 6.7e11;
 
@@ -59,19 +61,20 @@ Offset offsetOf(Point p)
 /// Emits the pieces of one interval.
 class Splitter {
 public:
-    Splitter(const Brush &brush, const Knot &a, const Knot &b, std::vector<Segment> &segments)
-        : m_brush(brush), m_a(a), m_b(b), m_segments(segments), m_spread(brush.spread()),
-          m_fullDensity(densityFor(brush, 1)), m_born(std::max(a.time, b.time - longestBirthGap))
+    Splitter(const Brush &brush, const Knot &a, const Knot &b, const TaperedPath &path, std::vector<Segment> &segments)
+        : m_brush(brush), m_a(a), m_b(b), m_path(path), m_segments(segments),
+          m_born(std::max(a.time, b.time - longestBirthGap))
     {}
 
     /// Emits the smallest number of pieces, equal in time, that are short enough. Returns their arc length.
     double append(const Cubic &whole)
     {
+        m_whole = whole;
         const double arc = arcLength(whole);
-        const double wanted = std::min(std::ceil(arc / (0.5 * m_spread)), std::ceil(variation(0, 1)));
+        const double wanted = std::min(std::ceil(arc / (0.5 * spreadAt(0.5))), std::ceil(variation(0, 1)));
         int pieces = int(std::clamp(wanted, 1.0, double(mostPieces)));
-        while (pieces < mostPieces && !isFineEnough(whole, pieces))
-            ++pieces;
+        while (pieces < mostPieces && !isFineEnough(pieces))
+            pieces += 1 + pieces / 16;
         Cubic rest = whole;
         for (int i = 0; i < pieces; ++i) {
             const auto parts = rest.split(1.0 / (pieces - i));
@@ -87,13 +90,30 @@ private:
         return length(c.p[1] - c.p[0]) + length(c.p[2] - c.p[1]) + length(c.p[3] - c.p[2]);
     }
 
-    /// Every piece is at most s/2 long, or its attributes are constant.
-    bool isFineEnough(const Cubic &whole, int pieces) const
+    Paint paintAt(double u) const
     {
-        Cubic rest = whole;
+        Knot at;
+        at.value = valuesAt(m_a, m_b, u);
+        Paint paint = at.paint();
+        const double distance = m_a.distance + u * (m_b.distance - m_a.distance);
+        paint.size = std::max(leastSize, paint.size * taperAt(m_path.taper, distance, m_path.length - distance));
+        return paint;
+    }
+
+    double spreadAt(double u) const
+    {
+        const Paint paint = paintAt(u);
+        return spreadOf(m_brush, paint.size, paint.maxAge);
+    }
+
+    /// Every piece is at most s/2 long, or its attributes are constant.
+    bool isFineEnough(int pieces) const
+    {
+        Cubic rest = m_whole;
         for (int i = 0; i < pieces; ++i) {
             const auto parts = rest.split(1.0 / (pieces - i));
-            if (polygonLength(parts[0]) > 0.5 * m_spread && variation(double(i) / pieces, double(i + 1) / pieces) > 1)
+            const double from = double(i) / pieces, to = double(i + 1) / pieces;
+            if (polygonLength(parts[0]) > 0.5 * spreadAt(0.5 * (from + to)) && variation(from, to) > 1)
                 return false;
             rest = parts[1];
         }
@@ -103,14 +123,31 @@ private:
     /// The greatest variation of an attribute, in multiples of what counts as constant.
     double variation(double from, double to) const
     {
-        const KnotValues v[] = {valuesAt(m_a, m_b, from), valuesAt(m_a, m_b, 0.5 * (from + to)),
-                                valuesAt(m_a, m_b, to)};
+        const double middle = 0.5 * (from + to);
+        const Paint p[] = {paintAt(from), paintAt(middle), paintAt(to)};
         double greatest = 0;
-        for (std::size_t c = Density; c <= Opacity; ++c) {
-            const auto [low, high] = std::minmax({v[0][c], v[1][c], v[2][c]});
-            greatest = std::max(greatest, (high - low) / (constantBelow * (c == Density ? m_fullDensity : 1)));
-        }
+        const auto compare = [&](double a, double b, double c, double full) {
+            const auto [low, high] = std::minmax({a, b, c});
+            greatest = std::max(greatest, (high - low) / (constantBelow * full));
+        };
+        compare(p[0].size, p[1].size, p[2].size, 1);
+        compare(p[0].peak, p[1].peak, p[2].peak, std::max(double(m_brush.peak), 1e-30));
+        compare(p[0].granulation, p[1].granulation, p[2].granulation, 1);
+        compare(p[0].maxAge, p[1].maxAge, p[2].maxAge, m_brush.maxAge);
+        compare(p[0].colour.red, p[1].colour.red, p[2].colour.red, 1);
+        compare(p[0].colour.yellow, p[1].colour.yellow, p[2].colour.yellow, 1);
+        compare(p[0].colour.blue, p[1].colour.blue, p[2].colour.blue, 1);
+        compare(p[0].colour.opacity, p[1].colour.opacity, p[2].colour.opacity, 1);
+        if (m_brush.tip.ratio != 1)
+            greatest = std::max(greatest, turn(from, to) / largestTurn);
         return greatest;
+    }
+
+    /// Angle between the directions at two places, radians.
+    double turn(double from, double to) const
+    {
+        const Point a = m_whole.derivative(from), b = m_whole.derivative(to);
+        return std::abs(std::atan2(cross(a, b), dot(a, b)));
     }
 
     void emitSegment(const Cubic &cubic, double middle, double from)
@@ -123,38 +160,67 @@ private:
         const bool isPoint = s.bezier[0] == s.bezier[1] && s.bezier[0] == s.bezier[2] && s.bezier[0] == s.bezier[3];
         if (isPoint)
             return;
-        const KnotValues v = valuesAt(m_a, m_b, middle);
-        const auto unit = [&v](std::size_t column) { return float(std::clamp(v[column], 0.0, 1.0)); };
-        s.diffusion = m_brush.diffusion;
-        s.density = float(std::clamp(v[Density], 0.0, 1e12));
-        s.granulation = m_brush.granulation;
-        s.maxAge = m_brush.maxAge;
+        setPaint(s, m_brush, paintAt(middle), cubic.derivative(0.5));
         s.born = m_born + Microseconds(std::llround(from * double(m_b.time - m_born)));
-        s.colour = {unit(Red), unit(Yellow), unit(Blue), unit(Opacity)};
         m_segments.push_back(std::move(s));
     }
 
     const Brush &m_brush;
     const Knot &m_a;
     const Knot &m_b;
+    const TaperedPath &m_path;
     std::vector<Segment> &m_segments;
-    double m_spread;
-    double m_fullDensity;
     Microseconds m_born;
+    Cubic m_whole;
 };
 
 } // namespace
 
-double densityFor(const Brush &brush, double pressure)
+void Knot::setPaint(const Paint &paint)
 {
-    const double share = brush.pressureFloor + (1 - double(brush.pressureFloor)) * pressure;
-    return brush.peak * std::sqrt(std::numbers::pi) * brush.spread() * share;
+    value[Size] = paint.size;
+    value[Peak] = paint.peak;
+    value[Granulation] = paint.granulation;
+    value[MaxAge] = paint.maxAge;
+    value[Red] = paint.colour.red;
+    value[Yellow] = paint.colour.yellow;
+    value[Blue] = paint.colour.blue;
+    value[Opacity] = paint.colour.opacity;
+}
+
+Paint Knot::paint() const
+{
+    const auto unit = [this](std::size_t column) { return float(std::clamp(value[column], 0.0, 1.0)); };
+    Paint paint;
+    paint.size = std::clamp(value[Size], leastSize, 1.0);
+    paint.peak = std::max(0.0, value[Peak]);
+    paint.granulation = std::clamp(value[Granulation], 0.0, 1.0);
+    paint.maxAge = value[MaxAge];
+    paint.colour = {unit(Red), unit(Yellow), unit(Blue), unit(Opacity)};
+    return paint;
+}
+
+void setPaint(Segment &segment, const Brush &brush, const Paint &paint, Point direction)
+{
+    constexpr double least = std::numeric_limits<float>::min();
+    const double age = std::clamp(paint.maxAge, leastAge * double(brush.maxAge), double(brush.maxAge));
+    const double spread = spreadAcross(brush.tip, spreadOf(brush, paint.size, age), direction);
+    segment.diffusion = float(std::max(least, double(brush.diffusion) * paint.size * paint.size));
+    segment.density = float(std::clamp(paint.peak * std::sqrt(std::numbers::pi) * spread, 0.0, 1e12));
+    segment.granulation = float(paint.granulation);
+    segment.maxAge = float(std::max(least, age));
+    segment.colour = paint.colour;
+    if (brush.tip.ratio != 1) {
+        segment.anisotropyRatio = brush.tip.ratio;
+        segment.anisotropyAngle = float(tipAngle(brush.tip, direction));
+    }
 }
 
 Knot interpolated(const Knot &a, const Knot &b, double u)
 {
     Knot k;
     k.parameter = a.parameter + u * (b.parameter - a.parameter);
+    k.distance = a.distance + u * (b.distance - a.distance);
     k.time = a.time + Microseconds(std::llround(u * double(b.time - a.time)));
     for (std::size_t c = 0; c < k.value.size(); ++c)
         k.value[c] = (1 - u) * a.value[c] + u * b.value[c];
@@ -177,13 +243,14 @@ void fitSpline(std::span<Knot> knots, bool startIsFixed)
         Eigen::Map<Eigen::RowVectorXd>(knots[std::size_t(i)].derivative.data(), columns) = d.row(i);
 }
 
-double appendInterval(const Brush &brush, std::span<const Knot> knots, std::size_t i, std::vector<Segment> &segments)
+double appendInterval(const Brush &brush, std::span<const Knot> knots, std::size_t i, const TaperedPath &path,
+                      std::vector<Segment> &segments)
 {
     const Knot &a = knots[i], &b = knots[i + 1];
     const double third = (b.parameter - a.parameter) / 3, limit = handleLimit(knots, i);
     const Cubic cubic{
         {a.position(), a.position() + handle(a, third, limit), b.position() - handle(b, third, limit), b.position()}};
-    return Splitter(brush, a, b, segments).append(cubic);
+    return Splitter(brush, a, b, path, segments).append(cubic);
 }
 
 double arcLength(const Cubic &cubic)

@@ -4,18 +4,9 @@
 
 namespace suffuse {
 
-namespace {
-
-/// When something is drawn or spreads.
-struct Span {
-    Microseconds begin = 0;
-    Microseconds end = 0;
-};
-
-/// Of all visible segments, ascending and apart.
-std::vector<Span> activeSpans(const Painting &painting)
+std::vector<TimeSpan> activeSpans(const Painting &painting)
 {
-    std::vector<Span> spans;
+    std::vector<TimeSpan> spans;
     for (const StrokePtr &stroke : painting.strokes) {
         if (!painting.isVisible(*stroke))
             continue;
@@ -25,9 +16,9 @@ std::vector<Span> activeSpans(const Painting &painting)
                 spans.push_back({r.time, r.time + r.extra});
         }
     }
-    std::ranges::sort(spans, {}, &Span::begin);
-    std::vector<Span> apart;
-    for (const Span &s : spans)
+    std::ranges::sort(spans, {}, &TimeSpan::begin);
+    std::vector<TimeSpan> apart;
+    for (const TimeSpan &s : spans)
         if (apart.empty() || s.begin > apart.back().end)
             apart.push_back(s);
         else
@@ -35,33 +26,46 @@ std::vector<Span> activeSpans(const Painting &painting)
     return apart;
 }
 
-} // namespace
+FilmClock::FilmClock(const Painting &painting, Microseconds idle)
+{
+    const std::vector<TimeSpan> active = activeSpans(painting);
+    m_shown = active; // each but the last with what is kept of the pause behind it
+    for (std::size_t k = 0; k < m_shown.size(); ++k) {
+        if (k + 1 < m_shown.size())
+            m_shown[k].end = std::min(active[k].end + idle, active[k + 1].begin);
+        m_before.push_back(m_length);
+        m_length += m_shown[k].end - m_shown[k].begin;
+    }
+}
+
+Microseconds FilmClock::documentTime(Microseconds film) const
+{
+    if (m_shown.empty())
+        return 0;
+    // The last span that begins before: where two meet, the moment is the first one's end.
+    const auto after = std::lower_bound(m_before.begin() + 1, m_before.end(), film);
+    const auto k = std::size_t(after - m_before.begin()) - 1;
+    return m_shown[k].begin + film - m_before[k];
+}
+
+Microseconds FilmClock::filmTime(Microseconds document) const
+{
+    const auto after = std::ranges::upper_bound(m_shown, document, {}, &TimeSpan::begin);
+    if (after == m_shown.begin())
+        return 0;
+    const auto k = std::size_t(after - m_shown.begin()) - 1;
+    return m_before[k] + std::min(document, m_shown[k].end) - m_shown[k].begin;
+}
 
 std::vector<Microseconds> timelapseMoments(const Painting &painting, const TimelapseOptions &options)
 {
     const auto count = std::size_t(std::max(options.frames, 1));
-    const std::vector<Span> active = activeSpans(painting);
-    if (active.empty())
+    const FilmClock clock(painting, toMicroseconds(options.idle));
+    if (clock.length() == 0)
         return std::vector<Microseconds>(count, painting.end());
-    // What is shown: the active spans, each but the last with what is kept of the pause behind it.
-    std::vector<Span> shown = active;
-    Microseconds length = 0;
-    for (std::size_t k = 0; k < shown.size(); ++k) {
-        if (k + 1 < shown.size())
-            shown[k].end = std::min(active[k].end + toMicroseconds(options.idle), active[k + 1].begin);
-        length += shown[k].end - shown[k].begin;
-    }
     std::vector<Microseconds> moments;
-    std::size_t k = 0;
-    Microseconds before = 0; // film time at which span k begins
-    for (std::size_t i = 1; i < count; ++i) {
-        const auto film = Microseconds(double(length) * double(i) / double(count));
-        while (k + 1 < shown.size() && film > before + shown[k].end - shown[k].begin) {
-            before += shown[k].end - shown[k].begin;
-            ++k;
-        }
-        moments.push_back(shown[k].begin + film - before);
-    }
+    for (std::size_t i = 1; i < count; ++i)
+        moments.push_back(clock.documentTime(Microseconds(double(clock.length()) * double(i) / double(count))));
     moments.push_back(painting.end());
     return moments;
 }

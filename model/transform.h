@@ -45,9 +45,10 @@ enum class SpreadRule {
 };
 
 /// The mapped stroke. Translations move the origin alone. Under uneven maps that scale the spread, φ′ = φ·|det A|·l/l′
-/// by lengths, and segments are split (exactly) until |dl|/|dl′| varies by at most 1 % within each that is longer than
-/// 1/256 of its spread. `sources`: for each segment of the result, the index of that it came from. None if the map is
-/// not invertible or a value leaves its domain.
+/// by lengths, and segments are split (exactly) into as few as keep the dry density within half a per cent: |dl|/|dl′|
+/// varies by at most 1 % in a part that is longer than the spread s, by 0.07·s/l in a shorter one of length l.
+/// `sources`: for each segment of the result, the index of that it came from. None if the map is not invertible or a
+/// value leaves its domain.
 std::optional<Stroke> tryTransformed(const Stroke &stroke, const Affine &map, SpreadRule rule,
                                      std::vector<int> *sources = nullptr);
 /// The same; the stroke itself where it cannot be.

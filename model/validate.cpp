@@ -269,6 +269,9 @@ QString problemOf(const Canvas &canvas)
     if (paper.kind > PaperKind::Image)
         return says(QStringLiteral("canvas.paper.kind"),
                     QT_TRANSLATE_NOOP("Validate", "there is no such kind of paper"));
+    if (paper.grain > PaperGrain::Weave)
+        return says(QStringLiteral("canvas.paper.grain"),
+                    QT_TRANSLATE_NOOP("Validate", "there is no such grain of paper"));
     if (!(paper.scale > 0 && paper.scale <= 1e6))
         return outside("canvas.paper.scale", paper.scale, "(0, 1e6]");
     if (!inUnit(paper.strength))

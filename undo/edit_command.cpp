@@ -1,6 +1,6 @@
 #include "undo/edit_command.h"
 
-#include <unordered_map>
+#include <algorithm>
 
 namespace suffuse {
 
@@ -35,14 +35,24 @@ bool changesNothing(const Edit &edit, const Painting &painting)
     }
     if (edit.strokes.empty())
         return true;
-    std::unordered_map<StrokeId, const StrokePtr *> there;
-    for (const StrokePtr &stroke : painting.strokes)
-        if (edit.strokes.contains(stroke->id))
-            there.emplace(stroke->id, &stroke);
-    return std::all_of(edit.strokes.begin(), edit.strokes.end(), [&there](const auto &entry) {
-        const auto it = there.find(entry.first);
-        return it == there.end() ? !entry.second : sameStroke(entry.second, *it->second);
-    });
+    std::size_t found = 0;
+    for (const StrokePtr &stroke : painting.strokes) {
+        const auto it = edit.strokes.find(stroke->id);
+        if (it == edit.strokes.end())
+            continue;
+        if (!sameStroke(it->second, stroke))
+            return false; // soon, of many that are dragged
+        ++found;
+    }
+    const auto comes = [](const auto &entry) { return bool(entry.second); };
+    return std::size_t(std::count_if(edit.strokes.begin(), edit.strokes.end(), comes)) == found;
+}
+
+/// Both in order, so that the usual case, a drag of the same strokes, costs one pass.
+bool holdsAllOf(const std::map<StrokeId, StrokePtr> &older, const std::map<StrokeId, StrokePtr> &newer)
+{
+    return std::includes(older.begin(), older.end(), newer.begin(), newer.end(),
+                         [](const auto &a, const auto &b) { return a.first < b.first; });
 }
 
 /// Keeps the older state of each part.
@@ -92,7 +102,8 @@ bool EditCommand::mergeWith(const QUndoCommand *other)
     const auto *newer = dynamic_cast<const EditCommand *>(other);
     if (!newer || m_run == 0 || newer->m_run != m_run || &newer->m_document != &m_document)
         return false;
-    m_edit.strokes.insert(newer->m_edit.strokes.begin(), newer->m_edit.strokes.end());
+    if (!holdsAllOf(m_edit.strokes, newer->m_edit.strokes))
+        m_edit.strokes.insert(newer->m_edit.strokes.begin(), newer->m_edit.strokes.end());
     keepOldest(m_edit.order, newer->m_edit.order);
     keepOldest(m_edit.canvas, newer->m_edit.canvas);
     keepOldest(m_edit.groups, newer->m_edit.groups);

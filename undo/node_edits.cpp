@@ -111,13 +111,13 @@ private:
 
 } // namespace
 
-Edit replaceStrokes(const Document &document, const std::vector<Stroke> &strokes)
+Edit replaceStrokes(const Document &document, std::vector<Stroke> strokes)
 {
-    std::map<StrokeId, const Stroke *> byId;
-    for (const Stroke &s : strokes)
+    std::map<StrokeId, Stroke *> byId;
+    for (Stroke &s : strokes)
         if (problemOf(s).isEmpty())
             byId.emplace(s.id, &s);
-    return reshape(document, byId, [](const Stroke &, const Stroke *wanted) { return *wanted; });
+    return reshape(document, byId, [](const Stroke &, Stroke *wanted) { return std::move(*wanted); });
 }
 
 Edit insertNodes(const Document &document, const PlacesOfStrokes &places)

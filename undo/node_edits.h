@@ -13,7 +13,7 @@ using PlacesOfStrokes = std::map<StrokeId, std::vector<CurvePlace>>;
 
 /// Puts in strokes that take the place of those with the same ids. What drags push: the state made from the one at the
 /// press, whatever stands in the document now. Strokes that are there already, to the bit, are left out.
-Edit replaceStrokes(const Document &document, const std::vector<Stroke> &strokes);
+Edit replaceStrokes(const Document &document, std::vector<Stroke> strokes);
 
 Edit insertNodes(const Document &document, const PlacesOfStrokes &places);
 /// Inner nodes: their two segments become one. End nodes go with their segment; strokes of which less than a segment

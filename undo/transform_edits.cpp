@@ -66,18 +66,30 @@ Point wayTo(const Rect &target, const Rect &box, Align how)
     return {};
 }
 
-Rect targetBox(const Document &document, const std::vector<Unit> &units, AlignTo to, StrokeId last)
+Rect targetBox(const Document &document, const std::vector<Unit> &units, AlignTo to, StrokeId anchor)
 {
-    if (to == AlignTo::Canvas)
+    const auto size = [](const Unit &unit) { return std::hypot(unit.box.width(), unit.box.height()); };
+    const auto smaller = [&](const Unit &a, const Unit &b) { return size(a) < size(b); };
+    const auto hasAnchor = [anchor](const Unit &unit) {
+        return std::any_of(unit.strokes.begin(), unit.strokes.end(),
+                           [anchor](const StrokePtr &s) { return s->id == anchor; });
+    };
+    switch (to) {
+    case AlignTo::Canvas:
         return document.painting()->canvas.area();
-    Rect all;
-    for (const Unit &unit : units) {
-        all = all.united(unit.box);
-        const auto isLast = [last](const StrokePtr &s) { return s->id == last; };
-        if (to == AlignTo::LastSelected && std::any_of(unit.strokes.begin(), unit.strokes.end(), isLast))
-            return unit.box;
+    case AlignTo::Anchor: {
+        const auto found = std::find_if(units.begin(), units.end(), hasAnchor);
+        return (found == units.end() ? units.back() : *found).box;
     }
-    return to == AlignTo::LastSelected ? units.back().box : all;
+    case AlignTo::Biggest: // by its diagonal: a level line has no area
+        return std::max_element(units.begin(), units.end(), smaller)->box;
+    case AlignTo::Selection:
+        break;
+    }
+    Rect all;
+    for (const Unit &unit : units)
+        all = all.united(unit.box);
+    return all;
 }
 
 } // namespace
@@ -117,20 +129,35 @@ Edit transformSelection(const Document &document, const Painting &before, const 
 Rect selectionBox(const Painting &painting, const Selection &selection)
 {
     Rect box;
-    if (!selection.strokes.empty())
-        for (const StrokePtr &stroke : painting.strokes)
-            if (selection.strokes.contains(stroke->id) && !painting.isLocked(*stroke))
-                box = box.united(curveBox(*stroke));
+    if (selection.strokes.empty())
+        return box;
+    std::vector<const Stroke *> strokes;
+    for (const StrokePtr &stroke : painting.strokes)
+        if (selection.strokes.contains(stroke->id) && !painting.isLocked(*stroke))
+            strokes.push_back(stroke.get());
+    // Their ends first: only curves that may reach beyond those of the others are worth solving for.
+    for (const Stroke *stroke : strokes)
+        for (const Segment &segment : stroke->segments) {
+            box.include(stroke->origin + segment.bezier[0]);
+            box.include(stroke->origin + segment.bezier[3]);
+        }
+    for (const Stroke *stroke : strokes)
+        for (const Segment &segment : stroke->segments) {
+            const Cubic cubic = stroke->cubicOf(segment);
+            const Rect control = cubic.controlBox();
+            if (!(box.contains({control.left, control.top}) && box.contains({control.right, control.bottom})))
+                box = box.united(curveBox(cubic));
+        }
     return box;
 }
 
-Edit align(const Document &document, Align how, AlignTo to, StrokeId last)
+Edit align(const Document &document, Align how, AlignTo to, StrokeId anchor)
 {
     const std::vector<Unit> units = unitsOf(document);
     Edit edit;
     if (units.empty())
         return edit;
-    const Rect target = targetBox(document, units, to, last);
+    const Rect target = targetBox(document, units, to, anchor);
     for (const Unit &unit : units)
         move(unit, wayTo(target, unit.box, how), edit);
     return edit;

@@ -18,10 +18,10 @@ Edit transformSelection(const Document &document, const Painting &before, const 
 Rect selectionBox(const Painting &painting, const Selection &selection);
 
 enum class Align { Left, Centre, Right, Top, Middle, Bottom };
-enum class AlignTo { Selection, LastSelected, Canvas };
-/// Moves the selected strokes by their curves' boxes; groups that are selected as a whole move as one. `last`: what
-/// `AlignTo::LastSelected` means, which stays; without it the topmost one.
-Edit align(const Document &document, Align how, AlignTo to = AlignTo::Selection, StrokeId last = 0);
+enum class AlignTo { Selection, Anchor, Biggest, Canvas };
+/// Moves the selected strokes by their curves' boxes; groups that are selected as a whole move as one. `anchor`: the
+/// stroke that, with its group, stays under `AlignTo::Anchor`; without it the topmost one does.
+Edit align(const Document &document, Align how, AlignTo to = AlignTo::Selection, StrokeId anchor = 0);
 
 enum class Axis { Horizontal, Vertical };
 enum class Spacing { Gaps, Centres };

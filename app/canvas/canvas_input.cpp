@@ -4,13 +4,12 @@
 
 #include <QAbstractSpinBox>
 #include <QApplication>
-#include <QGestureEvent>
 #include <QKeyEvent>
 #include <QLineEdit>
 #include <QMouseEvent>
 #include <QNativeGestureEvent>
-#include <QPinchGesture>
 #include <QTabletEvent>
+#include <QTouchEvent>
 #include <QWheelEvent>
 
 #include <numbers>
@@ -149,19 +148,21 @@ void CanvasWidget::mouseDoubleClickEvent(QMouseEvent *event)
 void CanvasWidget::tabletEvent(QTabletEvent *event)
 {
     event->accept(); // so that no mouse events are made of it
+    const bool atWork = m_pressed || m_navigation != Navigation::None;
+    if (atWork && !m_penDown)
+        return; // the mouse or a finger is
     const bool eraser = event->pointerType() == QPointingDevice::PointerType::Eraser;
-    if (eraser != m_penTurned && !m_pressed) {
-        m_penTurned = eraser;
-        emit penTurned(eraser);
-    }
+    turnPen(eraser);
     PointerEvent e = pointerEvent(*event, eraser ? PointerDevice::Eraser : PointerDevice::Pen);
-    e.pressure = std::clamp(event->pressure(), 0.0, 1.0);
+    const bool press = event->type() == QEvent::TabletPress && !m_penDown;
+    const bool sensitive = event->device()->hasCapability(QInputDevice::Capability::Pressure);
+    e.pressure = m_penPressure.take(event->pressure(), press, sensitive);
     e.tiltX = event->xTilt();
     e.tiltY = event->yTilt();
     switch (event->type()) {
     case QEvent::TabletPress:
-        if (m_penDown)
-            return; // some drivers repeat it
+        if (m_penDown && atWork)
+            return pointerMove(e); // some drivers repeat it
         m_penDown = true;
         setFocus(Qt::MouseFocusReason);
         m_pressStamp = event->timestamp();
@@ -169,10 +170,12 @@ void CanvasWidget::tabletEvent(QTabletEvent *event)
         pointerPress(e, navigationFor(*event));
         break;
     case QEvent::TabletMove:
+        if (m_penDown && event->buttons() == Qt::NoButton && event->pressure() == 0)
+            lostPen(); // it was lifted where nobody heard of it
         pointerMove(e);
         break;
     case QEvent::TabletRelease:
-        m_penDown = false;
+        m_penDown = event->buttons() != Qt::NoButton;
         pointerRelease(e);
         break;
     default:
@@ -223,24 +226,6 @@ bool CanvasWidget::nativeGesture(QNativeGestureEvent *event)
     return true;
 }
 
-bool CanvasWidget::gesture(QGestureEvent *event)
-{
-    const auto *pinch = static_cast<QPinchGesture *>(event->gesture(Qt::PinchGesture));
-    if (!pinch)
-        return false;
-    const QPointF centre = mapFromGlobal(pinch->centerPoint());
-    const QPointF last = mapFromGlobal(pinch->lastCenterPoint());
-    const Point at = toPixels(centre);
-    if (pinch->changeFlags() & QPinchGesture::CenterPointChanged)
-        m_transform.panBy(at - toPixels(last));
-    if (pinch->changeFlags() & QPinchGesture::ScaleFactorChanged)
-        m_transform.zoomAt(at, pinch->scaleFactor());
-    if (pinch->changeFlags() & QPinchGesture::RotationAngleChanged)
-        m_transform.rotateAt(at, (pinch->rotationAngle() - pinch->lastRotationAngle()) * std::numbers::pi / 180);
-    moveByHand();
-    return true;
-}
-
 void CanvasWidget::noteModifiers(const QInputEvent &event)
 {
     Qt::KeyboardModifiers now = event.modifiers();
@@ -264,8 +249,19 @@ bool CanvasWidget::event(QEvent *event)
         noteModifiers(static_cast<const QInputEvent &>(*event));
     if (event->type() == QEvent::NativeGesture && nativeGesture(static_cast<QNativeGestureEvent *>(event)))
         return true;
-    if (event->type() == QEvent::Gesture && gesture(static_cast<QGestureEvent *>(event)))
-        return true;
+    switch (event->type()) {
+    case QEvent::TouchBegin:
+    case QEvent::TouchUpdate:
+    case QEvent::TouchEnd:
+    case QEvent::TouchCancel:
+        if (touch(static_cast<QTouchEvent &>(*event))) {
+            event->accept();
+            return true;
+        }
+        break;
+    default:
+        break;
+    }
     if (event->type() == QEvent::ShortcutOverride) {
         const auto *key = static_cast<QKeyEvent *>(event);
         // Escape gives up what is in hand before it means anything else.

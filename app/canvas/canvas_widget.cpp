@@ -4,6 +4,7 @@
 #include "app/panels/colour_convert.h"
 #include "app/settings.h"
 
+#include <QApplication>
 #include <QEvent>
 #include <QPainter>
 
@@ -14,6 +15,8 @@ namespace suffuse {
 namespace {
 
 constexpr double fitMargin = 24; ///< logical pixels around the canvas
+constexpr int frameMs = 16;
+constexpr std::size_t manyRects = 200; ///< of a frame, to be painted together
 
 /// The environment variable SUFFUSE_BACKEND=auto|cpu|cuda goes before the setting.
 RendererOptions rendererOptions()
@@ -39,29 +42,88 @@ CanvasWidget::CanvasWidget(Editor &editor, QWidget *parent, MakeRenderer make)
     setMouseTracking(true);
     setTabletTracking(true);
     setMinimumSize(160, 120);
-    grabGesture(Qt::PinchGesture);
+    setAttribute(Qt::WA_AcceptTouchEvents);
+    qApp->installEventFilter(this); // it hears of the pen coming near
     readPalette();
     m_presenter = makePresenter(*this, this);
     connect(&m_worker, &RenderWorker::frameReady, this, &CanvasWidget::frameReady);
     connect(&editor, &Editor::timeChanged, this, &CanvasWidget::scheduleRender);
     connect(&editor, &Editor::dragEnded, this, &CanvasWidget::scheduleRender);
     connect(&editor, &Editor::comparedChanged, this, &CanvasWidget::scheduleRender);
-    connect(&editor.document(), &Document::changed, this, [this](const Change &change) {
-        if (change.reset) {
-            m_pressed = false;
-            if (m_tool)
-                m_tool->cancel();
-            fit();
-        }
-        if (change.selection || change.canvas || change.reset || !m_editor.document().selection().isEmpty())
-            updateOverlay();
-        scheduleRender();
-    });
+    connect(&editor.document(), &Document::changed, this, &CanvasWidget::follow);
+    m_selectionWaits.setSingleShot(true);
+    m_selectionWaits.setInterval(frameMs);
+    connect(&m_selectionWaits, &QTimer::timeout, this, &CanvasWidget::flushSelection);
 }
 
 CanvasWidget::~CanvasWidget()
 {
     delete m_presenter->widget(); // it draws what this object holds
+}
+
+void CanvasWidget::follow(const Change &change)
+{
+    if (change.reset) {
+        m_pressed = false;
+        if (m_tool)
+            m_tool->cancel();
+        fit();
+    }
+    if (change.selection || change.canvas || change.reset)
+        updateOverlay();
+    else if (!m_editor.document().selection().isEmpty())
+        updateSelection();
+    if (!change.strokes.empty() || change.order || change.canvas || change.draft || change.reset)
+        scheduleRender(); // a selection is in no picture
+}
+
+std::optional<QRectF> CanvasWidget::selectionArea() const
+{
+    constexpr std::size_t fewSegments = 2000;
+    constexpr double lines = 12; // logical pixels: of the outline
+    const std::optional<double> margin = m_tool ? m_tool->paintMargin() : 0.0;
+    if (!margin)
+        return {};
+    const Selection &selection = m_editor.document().selection();
+    Rect box;
+    std::size_t segments = 0;
+    for (const StrokePtr &stroke : m_editor.document().painting()->strokes) {
+        if (!selection.strokes.contains(stroke->id))
+            continue;
+        segments += stroke->segments.size();
+        if (segments > fewSegments)
+            return {};
+        for (const Segment &segment : stroke->segments)
+            for (const Offset &offset : segment.bezier)
+                box.include(view().toPixels(stroke->origin + offset));
+    }
+    if (box.isEmpty())
+        return QRectF();
+    box = box.grown(std::max(*margin, lines * devicePixelRatioF()));
+    return QRectF(QPointF(box.left, box.top), QPointF(box.right, box.bottom)) & QRectF(0, 0, view().width, view().height);
+}
+
+void CanvasWidget::updateSelection()
+{
+    const std::optional<QRectF> now = selectionArea();
+    if (now && m_selectionArea)
+        m_selectionArea = m_selectionArea->united(*now);
+    else
+        m_selectionArea.reset();
+    if (!m_editor.isDragging())
+        flushSelection();
+    else if (!m_selectionWaits.isActive())
+        m_selectionWaits.start();
+}
+
+void CanvasWidget::flushSelection()
+{
+    m_selectionWaits.stop();
+    if (!m_selectionArea)
+        updateOverlay();
+    else if (!m_selectionArea->isEmpty())
+        updateOverlay(*m_selectionArea);
+    m_selectionArea = selectionArea();
 }
 
 void CanvasWidget::setTool(Tool *tool)
@@ -142,6 +204,7 @@ void CanvasWidget::viewMoved()
 
 void CanvasWidget::updateOverlay()
 {
+    m_selectionArea.reset();
     m_presenter->updateArea(m_presenter->widget()->rect());
 }
 
@@ -215,7 +278,9 @@ void CanvasWidget::frameReady(const FrameInfo &frame)
         emit backendChanged();
     }
     if (frame.error.isEmpty()) {
-        if (frame.view == view())
+        if (m_selectionWaits.isActive())
+            flushSelection();
+        if (frame.view == view() && frame.stats.dirty.size() < manyRects)
             for (const PixelRect &r : frame.stats.dirty)
                 updateOverlay(QRectF(r.x, r.y, r.width, r.height));
         else

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "app/canvas/overlay.h"
+#include "app/canvas/pen_input.h"
 #include "app/canvas/presenter.h"
 #include "app/canvas/render_worker.h"
 #include "app/canvas/selection_outline.h"
@@ -10,17 +11,20 @@
 #include "app/tools/tool.h"
 
 #include <QImage>
+#include <QTimer>
 #include <QWidget>
 
-class QGestureEvent;
+#include <map>
+
 class QInputEvent;
 class QNativeGestureEvent;
-class QPinchGesture;
 class QSinglePointEvent;
+class QTouchEvent;
 
 namespace suffuse {
 
 class Editor;
+struct Change;
 
 /// Shows the last finished frame at once wherever the view is, and swaps in the sharp one when it is ready.
 /// All pixels of its interface are device pixels.
@@ -54,10 +58,14 @@ public:
     /// Repaints the overlay, or the part of it in `pixels`.
     void updateOverlay();
     void updateOverlay(const QRectF &pixels);
+    /// Repaints what stands at the selected strokes, then and now; while they are dragged together with the next frame.
+    void updateSelection();
     void refreshCursor();
 
     /// True when the picture on the screen is that of the document as it is now, at this moment, in this view.
     bool isUpToDate() const;
+    /// Serial (FrameInfo) of the first frame that shows the document as it is now.
+    quint64 neededFrame() const { return m_lastSerial + (m_renderScheduled ? 1 : 0); }
     /// A copy of the last finished frame, without overlay; null while frames stay on the device.
     QImage picture();
     /// Theme colours of pasteboard and overlay, from the palette.
@@ -66,6 +74,8 @@ public:
     /// Snapping and the grid, which is drawn over the picture.
     const CanvasAids &aids() const { return m_aids; }
     void setAids(const CanvasAids &aids);
+    const PenSettings &penSettings() const { return m_penSettings; }
+    void setPenSettings(const PenSettings &settings);
     /// The modifier keys as the last event of the canvas left them.
     Qt::KeyboardModifiers modifiers() const { return m_modifiers; }
 
@@ -81,6 +91,7 @@ signals:
 
 protected:
     bool event(QEvent *event) override;
+    bool eventFilter(QObject *watched, QEvent *event) override;
     void resizeEvent(QResizeEvent *event) override;
     void changeEvent(QEvent *event) override;
     void mousePressEvent(QMouseEvent *event) override;
@@ -106,7 +117,11 @@ private:
     void setDeviceFramesWanted(bool wanted, const QString &why) override;
     QColor backgroundColour() const override;
     void paintOverlay(QPainter &painter) override;
+    /// Where selection and tool paint; none: anywhere.
+    std::optional<QRectF> selectionArea() const;
+    void flushSelection();
 
+    void follow(const Change &change);
     void scheduleRender();
     void requestFrame();
     void frameReady(const FrameInfo &frame);
@@ -124,7 +139,12 @@ private:
     void pointerRelease(const PointerEvent &event);
     void navigate(Point pixel);
     bool nativeGesture(QNativeGestureEvent *event);
-    bool gesture(QGestureEvent *event);
+    void turnPen(bool eraser);
+    void lostPen();
+    bool touch(const QTouchEvent &event);
+    PointerEvent fingerEvent(const QTouchEvent &event, Point pixel) const;
+    void giveUpFinger();
+    void moveByFingers(const std::map<int, Point> &now);
 
     Editor &m_editor;
     RenderWorker m_worker;
@@ -150,10 +170,18 @@ private:
     Qt::MouseButton m_pressButton = Qt::NoButton;
     bool m_penDown = false;
     bool m_penTurned = false; ///< its eraser end points down
+    bool m_penNear = false;   ///< fingers are the hand that holds it
+    PenSettings m_penSettings;
+    PenPressure m_penPressure;
+    std::map<int, Point> m_fingers; ///< that are down, by the device's numbers, and where they were last
+    bool m_fingerPaints = false;
     bool m_spaceDown = false;
     bool m_rotateKeyDown = false;
     quint64 m_pressStamp = 0;     ///< milliseconds, the device's clock
     Microseconds m_pressTime = 0; ///< document time of the press
+
+    std::optional<QRectF> m_selectionArea; ///< where it stands on the screen or is to be painted; none: anywhere
+    QTimer m_selectionWaits;               ///< for a frame, with which it is painted
 };
 
 } // namespace suffuse

@@ -85,8 +85,16 @@ void strokeTwoTone(QPainter &painter, const QPainterPath &path, const QColor &co
 
 void paintPasteboard(QPainter &painter, const View &view, const Rect &canvas, const OverlayColours &colours, double dpr)
 {
+    constexpr double fade = 12; // logical pixels, border and shadow
     const Rect window = windowOf(view);
     const QPolygonF inside = clippedCorners(view, canvas, window);
+    const double f = fade * dpr;
+    if (painter.hasClipping() && inside.size() > 2) {
+        QPainterPath deep; // nothing of it shows there
+        deep.addPolygon(inside);
+        if (deep.contains(painter.clipBoundingRect().adjusted(-f, -f, f, f)))
+            return;
+    }
     QPainterPath outside;
     outside.setFillRule(Qt::OddEvenFill);
     outside.addRect(QRectF(QPointF(window.left, window.top), QPointF(window.right, window.bottom)));

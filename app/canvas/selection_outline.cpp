@@ -110,8 +110,9 @@ void SelectionOutline::gather(const View &view, const Painting &painting, const 
         m_lines.clear();
     m_view = view;
     m_strokes = painting.strokes;
-    m_selection = selection;
-    m_picture = {};
+    if (selection != m_selection)
+        m_selection = selection;
+    m_drawn = false;
     m_shown.clear();
     const Rect window = shownBox(view, 8);
     std::size_t segments = 0;
@@ -126,10 +127,12 @@ void SelectionOutline::gather(const View &view, const Painting &painting, const 
         m_shown.emplace_back(stroke, std::move(chosen));
     }
     m_thin = segments > fineSegments;
-    if (m_thin)
+    if (m_thin) {
         m_lines.clear();
-    else
+    } else {
+        m_picture = {};
         std::erase_if(m_lines, [&](const auto &line) { return !selection.strokes.contains(line.first); });
+    }
 }
 
 const SelectionOutline::Line &SelectionOutline::lineOf(const StrokePtr &stroke, std::set<int> chosen)
@@ -170,7 +173,9 @@ void SelectionOutline::paintFine(QPainter &painter, const OverlayColours &colour
 void SelectionOutline::drawThin(const QColor &colour, double dpr)
 {
     m_thinColour = colour;
-    m_picture = QImage(m_view.width, m_view.height, QImage::Format_ARGB32_Premultiplied);
+    m_drawn = true;
+    if (m_picture.size() != QSize(m_view.width, m_view.height))
+        m_picture = QImage(m_view.width, m_view.height, QImage::Format_ARGB32_Premultiplied);
     m_picture.fill(Qt::transparent);
     double total = 0; // pixels
     for (const auto &[stroke, chosen] : m_shown)
@@ -195,7 +200,7 @@ void SelectionOutline::paint(QPainter &painter, const View &view, const Painting
     if (!isUnchanged(view, painting, selection))
         gather(view, painting, selection);
     if (m_thin) {
-        if (m_picture.isNull() || m_thinColour != colours.accent)
+        if (!m_drawn || m_thinColour != colours.accent)
             drawThin(colours.accent, dpr);
         painter.setOpacity(thinOpacity); // the paint below is still to be seen
         painter.drawImage(QPointF(0, 0), m_picture);

@@ -40,7 +40,8 @@ private:
     std::unordered_map<StrokeId, Line> m_lines;
     bool m_thin = false;
     QColor m_thinColour;
-    QImage m_picture; ///< of thin lines, as large as the view; null: not drawn yet
+    QImage m_picture; ///< of thin lines, as large as the view
+    bool m_drawn = false;
 };
 
 } // namespace suffuse

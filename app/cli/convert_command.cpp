@@ -1,10 +1,32 @@
 #include "app/cli/options.h"
-#include "model/brush.h"
+#include "model/formats/brush_file.h"
 #include "model/formats/files.h"
 
 #include <QCoreApplication>
+#include <QFileInfo>
 
 namespace suffuse::cli {
+
+namespace {
+
+/// A built-in brush by its name, or the brush of a file.
+Result<Brush> brushOf(const QString &value)
+{
+    if (const Brush *builtin = findBrush(value))
+        return *builtin;
+    if (QFileInfo(value).isFile()) {
+        Result<LoadedBrush> loaded = loadBrush(value);
+        return loaded ? Result<Brush>(loaded->brush) : Result<Brush>(Error{loaded.error()});
+    }
+    QStringList names;
+    for (const Brush &b : builtinBrushes())
+        names.append(b.name);
+    return Error{
+        QCoreApplication::translate("Cli", "--brush %1: there is no such brush nor file; choose a file or one of %2")
+            .arg(value, names.join(QStringLiteral(", ")))};
+}
+
+} // namespace
 
 int convertCommand(const QStringList &arguments)
 {
@@ -14,26 +36,21 @@ int convertCommand(const QStringList &arguments)
                                                  "recordings. What IN is, is found from its content; what OUT is, from "
                                                  "its ending."),
                      {"IN", "OUT"});
-    line.add({"brush"}, QCoreApplication::translate("Cli", "The brush that recordings are painted with."), "PRESET");
+    line.add({"brush"}, QCoreApplication::translate("Cli", "The brush that recordings are painted with: a name, or a brush file."), "PRESET");
     if (const std::optional<int> code = line.parse(arguments))
         return *code;
     const QString out = line.argument(1);
     if (formatForSaving(out) == FileFormat::Unknown)
         return failUsage("convert",
                          QCoreApplication::translate("Cli", "%1: unknown ending; use .suffuse or .json").arg(out));
-    const Brush *brush = nullptr;
+    std::optional<Brush> brush;
     if (line.isSet("brush")) {
-        brush = findBrush(line.value("brush"));
-        if (!brush) {
-            QStringList names;
-            for (const Brush &b : builtinBrushes())
-                names.append(b.name);
-            return failUsage("convert",
-                             QCoreApplication::translate("Cli", "--brush %1: there is no such brush; choose one of %2")
-                                 .arg(line.value("brush"), names.join(QStringLiteral(", "))));
-        }
+        const Result<Brush> found = brushOf(line.value("brush"));
+        if (!found)
+            return failUsage("convert", found.error());
+        brush = *found;
     }
-    const Result<Painting> painting = loadPainting(line.argument(0), brush);
+    const Result<Painting> painting = loadPainting(line.argument(0), brush ? &*brush : nullptr);
     if (!painting)
         return fail(painting.error());
     const Result<void> saved = savePainting(*painting, out);

@@ -2,17 +2,11 @@
 #include "app/cli/progress.h"
 #include "model/formats/files.h"
 #include "model/timelapse.h"
-#include "render/image_io/image_io.h"
+#include "render/film/film_writer.h"
 #include "render/sequence.h"
 
 #include <QCoreApplication>
-#include <QDir>
 #include <QElapsedTimer>
-#include <QFileInfo>
-#include <QRegularExpression>
-#include <QTemporaryDir>
-
-#include <filesystem>
 
 namespace suffuse::cli {
 
@@ -22,8 +16,10 @@ constexpr int mostFrames = 1'000'000;
 
 void addOptions(CommandLine &line)
 {
-    line.add({"o", "output"}, QCoreApplication::translate("Cli", "The frames, with their number: film/%05d.png."),
-             "OUT");
+    line.add(
+        {"o", "output"},
+        QCoreApplication::translate("Cli", "Frames with their number, film/%05d.png; or film.webp, .webm or .mp4."),
+        "OUT");
     line.add({"fps"}, QCoreApplication::translate("Cli", "Frames a second (default 25)."), "F");
     line.add({"duration"}, QCoreApplication::translate("Cli", "Length in seconds (default 10)."), "S");
     line.add({"idle"},
@@ -34,38 +30,13 @@ void addOptions(CommandLine &line)
     line.add({"area"}, QCoreApplication::translate("Cli", "Part of the canvas, in canvas units (default: all of it)."),
              "X,Y,W,H");
     line.add({"transparent"}, QCoreApplication::translate("Cli", "No background: alpha holds the coverage."));
+    line.add({"once"}, QCoreApplication::translate("Cli", "WebP: plays once instead of again and again."));
     line.add({"backend"}, QCoreApplication::translate("Cli", "auto, cpu, cuda or reference."), "BACKEND");
     line.add({"devices"},
              QCoreApplication::translate("Cli", "With CUDA: GPUs that share the frames, all or a number (default 1)."),
              "N");
     line.add({"threads"}, QCoreApplication::translate("Cli", "Number of threads (default: one a core)."), "N");
     line.add({"stats"}, QCoreApplication::translate("Cli", "Prints times and counts as JSON."));
-}
-
-/// Names of numbered files: "film/%05d.png".
-struct FrameNames {
-    QString folder, before, after;
-    int digits = 1;
-
-    QString nameOf(std::size_t frame) const
-    {
-        return before + QStringLiteral("%1").arg(qulonglong(frame), digits, 10, QLatin1Char('0')) + after;
-    }
-};
-
-Result<FrameNames> frameNames(const QString &pattern)
-{
-    static const QRegularExpression number(QStringLiteral("%(?:0?(\\d))?d"));
-    const QFileInfo file(pattern);
-    const QString name = file.fileName();
-    const QRegularExpressionMatch found = number.match(name);
-    FrameNames out{file.path(), name.left(found.capturedStart()), name.mid(found.capturedEnd()),
-                   std::max(1, found.captured(1).toInt())};
-    if (!found.hasMatch() || out.before.contains(QLatin1Char('%')) || out.after.contains(QLatin1Char('%')))
-        return Error{QCoreApplication::translate("Cli", "-o %1: frames are numbered files: give a name such as "
-                                                        "film/%05d.png")
-                         .arg(pattern)};
-    return out;
 }
 
 /// How many seconds `option` asks for.
@@ -81,7 +52,12 @@ Result<double> seconds(const CommandLine &line, const QString &option, double us
     return *value;
 }
 
-Result<TimelapseOptions> filmOptions(const CommandLine &line)
+struct Film {
+    FilmOptions file;
+    TimelapseOptions options;
+};
+
+Result<Film> filmOf(const CommandLine &line)
 {
     const Result<double> fps = seconds(line, "fps", 25, 0.001), duration = seconds(line, "duration", 10, 0.001),
                          idle = seconds(line, "idle", 0.5, 0);
@@ -94,60 +70,18 @@ Result<TimelapseOptions> filmOptions(const CommandLine &line)
                                                         "--duration")
                          .arg(frames, 0, 'f', 0)
                          .arg(mostFrames)};
-    return TimelapseOptions{int(frames), *idle};
+    Film film;
+    film.options = {int(frames), *idle};
+    film.file.path = line.value("output");
+    film.file.frames = std::size_t(frames);
+    film.file.fps = *fps;
+    film.file.image.alpha = line.isSet("transparent");
+    film.file.image.cancel = &interrupted();
+    film.file.loops = !line.isSet("once");
+    if (const QString problem = problemOf(film.file); !problem.isEmpty())
+        return Error{QStringLiteral("-o %1: %2").arg(film.file.path, problem)};
+    return film;
 }
-
-/// Frames on their way to their folder: they lie in one beside their places until all are whole.
-class FrameFolder {
-public:
-    explicit FrameFolder(const FrameNames &names)
-        : m_names(names), m_existed(QDir(names.folder).exists()), m_made(QDir().mkpath(names.folder)),
-          m_hidden(QDir(names.folder).filePath(QStringLiteral(".suffuse-frames-XXXXXX")))
-    {}
-    ~FrameFolder()
-    {
-        m_hidden.remove();
-        if (!m_existed && !m_kept)
-            QDir().rmdir(m_names.folder);
-    }
-    FrameFolder(const FrameFolder &) = delete;
-    FrameFolder &operator=(const FrameFolder &) = delete;
-
-    Result<void> check() const
-    {
-        if (m_made && m_hidden.isValid())
-            return {};
-        return Error{QCoreApplication::translate("Cli", "%1: cannot write into this folder. Choose another one.")
-                         .arg(m_names.folder)};
-    }
-    QString pathOf(std::size_t frame) const { return m_hidden.filePath(m_names.nameOf(frame)); }
-
-    /// Puts all frames into their places.
-    Result<void> keep(std::size_t frames)
-    {
-        for (std::size_t i = 1; i <= frames; ++i) {
-            const QString path = QDir(m_names.folder).filePath(m_names.nameOf(i));
-            std::error_code error;
-            std::filesystem::rename(pathOf(i).toStdString(), path.toStdString(), error); // over an older film
-            if (error)
-                return Error{QStringLiteral("%1: %2").arg(path, QString::fromLocal8Bit(error.message().c_str()))};
-            m_kept = true;
-        }
-        return {};
-    }
-
-private:
-    FrameNames m_names;
-    bool m_existed, m_made;
-    QTemporaryDir m_hidden;
-    bool m_kept = false;
-};
-
-struct Film {
-    FrameNames names;
-    TimelapseOptions options;
-    ImageOptions image;
-};
 
 QJsonObject statsJson(const Renderer &renderer, std::size_t renderers, const SequenceStats &stats, int frames,
                       double milliseconds)
@@ -161,7 +95,7 @@ QJsonObject statsJson(const Renderer &renderer, std::size_t renderers, const Seq
             {"tilesEvaluated", qint64(stats.tilesEvaluated)}};
 }
 
-int timelapse(const CommandLine &line, const Film &film, const RendererOptions &options)
+int timelapse(const CommandLine &line, Film film, RendererOptions options)
 {
     QElapsedTimer clock;
     clock.start();
@@ -171,22 +105,24 @@ int timelapse(const CommandLine &line, const Film &film, const RendererOptions &
     const Result<PictureOptions> picture = pictureOptions(line, *painting);
     if (!picture)
         return failUsage("timelapse", picture.error());
-    const QString out = line.value("output");
-    if (const QString problem = problemOf(imageFormatForPath(out), film.image, picture->width, picture->height);
-        !problem.isEmpty())
-        return failUsage("timelapse", QStringLiteral("%1: %2").arg(out, problem));
+    film.file.width = picture->width;
+    film.file.height = picture->height;
+    if (const QString problem = problemOf(film.file); !problem.isEmpty())
+        return failUsage("timelapse", QStringLiteral("%1: %2").arg(film.file.path, problem));
+    if (filmKindOf(film.file.path) != FilmKind::Frames)
+        options.devices = 1; // its frames are wanted in order
     const auto renderers = makeRenderers(options);
     if (!renderers)
         return fail(renderers.error());
-    FrameFolder folder(film.names);
-    if (const Result<void> checked = folder.check(); !checked)
-        return fail(checked.error());
+    const auto file = openFilm(film.file);
+    if (!file)
+        return fail(file.error());
 
     const std::vector<Microseconds> moments = timelapseMoments(*painting, film.options);
     RenderRequest request;
     request.painting = std::make_shared<const Painting>(std::move(*painting));
     request.view = View::ofArea(picture->area, picture->width, picture->height);
-    request.transparent = film.image.alpha;
+    request.transparent = film.file.image.alpha;
     Result<SequenceStats> stats = Error{};
     {
         ProgressLine progress(QCoreApplication::translate("Cli", "drawing"), true);
@@ -194,7 +130,7 @@ int timelapse(const CommandLine &line, const Film &film, const RendererOptions &
         stats = renderSequence(
             *renderers, request, moments, options.threads,
             [&](std::size_t i, const FloatPicture &frame) {
-                const Result<void> written = writeImage(folder.pathOf(i + 1), frame, film.image);
+                const Result<void> written = (*file)->write(i, frame);
                 progress.show(++done, qint64(moments.size()));
                 return written;
             },
@@ -204,7 +140,7 @@ int timelapse(const CommandLine &line, const Film &film, const RendererOptions &
         return fail(interrupted() ? QCoreApplication::translate("Cli", "stopped; nothing was written") : stats.error());
     if (!stats->notice.isEmpty())
         warn(stats->notice);
-    if (const Result<void> kept = folder.keep(moments.size()); !kept)
+    if (const Result<void> kept = (*file)->commit(); !kept)
         return fail(kept.error());
     return line.isSet("stats") ? printJson(statsJson(*renderers->front(), renderers->size(), *stats,
                                                      int(moments.size()), double(clock.nsecsElapsed()) * 1e-6))
@@ -223,22 +159,14 @@ int timelapseCommand(const QStringList &arguments)
         return *code;
     if (line.value("output").isEmpty())
         return failUsage("timelapse",
-                         QCoreApplication::translate("Cli", "-o OUT is missing: name the frames to write"));
-    const Result<FrameNames> names = frameNames(line.value("output"));
-    if (!names)
-        return failUsage("timelapse", names.error());
-    const Result<TimelapseOptions> options = filmOptions(line);
-    if (!options)
-        return failUsage("timelapse", options.error());
+                         QCoreApplication::translate("Cli", "-o OUT is missing: name the frames or the film to write"));
+    const Result<Film> film = filmOf(line);
+    if (!film)
+        return failUsage("timelapse", film.error());
     const Result<RendererOptions> renderer = rendererOptions(line);
     if (!renderer)
         return failUsage("timelapse", renderer.error());
-    ImageOptions image;
-    image.alpha = line.isSet("transparent");
-    image.cancel = &interrupted();
-    if (const QString problem = problemOf(imageFormatForPath(line.value("output")), image, 1, 1); !problem.isEmpty())
-        return failUsage("timelapse", QStringLiteral("%1: %2").arg(line.value("output"), problem));
-    return timelapse(line, {*names, *options, image}, *renderer);
+    return timelapse(line, *film, *renderer);
 }
 
 } // namespace suffuse::cli

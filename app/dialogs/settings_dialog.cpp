@@ -1,5 +1,6 @@
 #include "app/dialogs/settings_dialog.h"
 
+#include "app/dialogs/pen_page.h"
 #include "app/panels/section.h"
 #include "app/settings.h"
 #include "app/theme.h"
@@ -8,20 +9,28 @@
 #include <QDialogButtonBox>
 #include <QFormLayout>
 #include <QSpinBox>
+#include <QTabWidget>
 #include <QVBoxLayout>
 
 namespace suffuse {
 
-SettingsDialog::SettingsDialog(QWidget *parent) : QDialog(parent), m_themeBefore(int(settings::theme()))
+SettingsDialog::SettingsDialog(QWidget *parent, const Brush &brush)
+    : QDialog(parent), m_themeBefore(int(settings::theme()))
 {
     setWindowTitle(tr("Settings"));
     auto *column = new QVBoxLayout(this);
     column->setContentsMargins(16, 16, 16, 16);
     column->setSpacing(16);
+    auto *pages = new QTabWidget(this);
+    column->addWidget(pages);
+    auto *general = new QWidget(this);
+    auto *page = new QVBoxLayout(general);
+    page->setContentsMargins(12, 12, 12, 12);
+    page->setSpacing(16);
     auto *form = new QFormLayout;
     form->setHorizontalSpacing(16);
     form->setVerticalSpacing(8);
-    column->addLayout(form);
+    page->addLayout(form);
 
     m_language = addCombo(*form, tr("Language"), tr("Language of the program. Changes when it starts again."));
     m_language->addItem(tr("System"), QString());
@@ -39,7 +48,11 @@ SettingsDialog::SettingsDialog(QWidget *parent) : QDialog(parent), m_themeBefore
     });
 
     addDrawing(*form);
-    column->addWidget(quietLabel(tr("Language, canvas, renderer and threads change when Suffuse starts again."), this));
+    page->addWidget(quietLabel(tr("Language, canvas, renderer and threads change when Suffuse starts again."), this));
+    page->addStretch(1);
+    pages->addTab(general, tr("General"));
+    m_pen = new PenPage(settings::penSettings(), brush, this);
+    pages->addTab(m_pen, tr("Pen"));
     auto *buttons = new QDialogButtonBox(QDialogButtonBox::Ok | QDialogButtonBox::Cancel, this);
     connect(buttons, &QDialogButtonBox::accepted, this, &SettingsDialog::accept);
     connect(buttons, &QDialogButtonBox::rejected, this, &SettingsDialog::reject);
@@ -85,6 +98,7 @@ void SettingsDialog::accept()
     settings::setPresenter(settings::Presenter(m_presenter->currentIndex()));
     settings::setBackend(Backend(m_backend->currentData().toInt()));
     settings::setThreads(m_threads->value());
+    settings::setPenSettings(m_pen->settings());
     settings::store().sync();
     QDialog::accept();
 }

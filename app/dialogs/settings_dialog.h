@@ -1,5 +1,7 @@
 #pragma once
 
+#include "model/brush.h"
+
 #include <QDialog>
 
 class QComboBox;
@@ -8,19 +10,23 @@ class QSpinBox;
 
 namespace suffuse {
 
-/// Language, theme, and how pictures are made and come to the screen. The theme changes at once; the rest is said to
-/// need a restart.
+class PenPage;
+
+/// Language, theme, how pictures are made and come to the screen, and the pen. Theme and pen change at once; the rest
+/// is said to need a restart.
 class SettingsDialog : public QDialog {
     Q_OBJECT
 
 public:
-    explicit SettingsDialog(QWidget *parent = nullptr);
+    /// `brush`: what the pen is tried with.
+    explicit SettingsDialog(QWidget *parent = nullptr, const Brush &brush = builtinBrushes().front());
 
     QComboBox *language() const { return m_language; }
     QComboBox *theme() const { return m_theme; }
     QComboBox *presenter() const { return m_presenter; }
     QComboBox *backend() const { return m_backend; }
     QSpinBox *threads() const { return m_threads; }
+    PenPage *pen() const { return m_pen; }
 
     void accept() override;
     void reject() override;
@@ -34,6 +40,7 @@ private:
     QComboBox *m_presenter = nullptr;
     QComboBox *m_backend = nullptr;
     QSpinBox *m_threads = nullptr;
+    PenPage *m_pen = nullptr;
     int m_themeBefore = 0;
 };
 

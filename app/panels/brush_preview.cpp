@@ -2,8 +2,6 @@
 
 #include "model/stroke_builder.h"
 
-#include <QCoreApplication>
-
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -63,22 +61,6 @@ QImage BrushPreview::render(const Brush &brush, QSize size)
     const QImage shared(reinterpret_cast<const uchar *>(picture.argb.data()), picture.width, picture.height,
                         picture.width * 4, QImage::Format_ARGB32);
     return shared.copy();
-}
-
-QString brushTitle(const QString &id)
-{
-    static const std::vector<std::pair<const char *, const char *>> titles{
-        {"ink-wash", QT_TRANSLATE_NOOP("Brushes", "Ink wash")},
-        {"watercolour-edge", QT_TRANSLATE_NOOP("Brushes", "Watercolour edge")},
-        {"soft-airbrush", QT_TRANSLATE_NOOP("Brushes", "Soft airbrush")},
-        {"flat-marker", QT_TRANSLATE_NOOP("Brushes", "Flat marker")},
-        {"dry-chalk", QT_TRANSLATE_NOOP("Brushes", "Dry chalk")},
-        {"pencil", QT_TRANSLATE_NOOP("Brushes", "Pencil")},
-    };
-    for (const auto &[name, title] : titles)
-        if (id == QLatin1String(name))
-            return QCoreApplication::translate("Brushes", title);
-    return id;
 }
 
 } // namespace suffuse

@@ -20,7 +20,4 @@ private:
     std::unique_ptr<Renderer> m_renderer;
 };
 
-/// Translated name of a built-in brush's id; other names as they are.
-QString brushTitle(const QString &id);
-
 } // namespace suffuse

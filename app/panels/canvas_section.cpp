@@ -3,7 +3,9 @@
 #include "app/panels/colour_rows.h"
 #include "app/panels/colour_swatch.h"
 #include "app/panels/number_field.h"
+#include "app/panels/paper_preview.h"
 #include "app/panels/section.h"
+#include "model/paper_presets.h"
 #include "model/validate.h"
 #include "render/paper.h"
 
@@ -18,7 +20,29 @@ namespace suffuse {
 
 namespace {
 constexpr qint64 maxImageBytes = 64 * 1024 * 1024;
+constexpr QSize thumbnailSize{60, 24};
+constexpr double thumbnailScale = 0.75; ///< logical pixels a unit
+
+/// Of the entry that asks for an image, after none and the presets.
+int imageIndex()
+{
+    return int(paperPresets().size()) + 1;
 }
+
+int indexOf(const Paper &paper)
+{
+    switch (paper.kind) {
+    case PaperKind::None:
+        return 0;
+    case PaperKind::Image:
+        return imageIndex();
+    case PaperKind::Procedural:
+        break;
+    }
+    const int preset = presetOf(paper);
+    return preset < 0 ? -1 : preset + 1;
+}
+} // namespace
 
 CanvasSection::CanvasSection(QWidget *parent) : QWidget(parent)
 {
@@ -77,21 +101,26 @@ void CanvasSection::addSize(QGridLayout &grid)
 
 void CanvasSection::addPaper(QGridLayout &grid)
 {
-    auto *kindLabel = new QLabel(tr("Texture"), this);
-    m_kind = new QComboBox(this);
-    m_kind->addItems({tr("None"), tr("Procedural"), tr("Image…")});
-    m_kind->setAccessibleName(tr("Texture"));
-    m_kind->setToolTip(tr("The paper's grain, which granulating strokes show."));
-    m_kind->setFocusPolicy(Qt::StrongFocus);
-    kindLabel->setBuddy(m_kind);
-    grid.addWidget(kindLabel, 0, 0);
-    grid.addWidget(m_kind, 0, 1, 1, 2);
-    connect(m_kind, &QComboBox::activated, this, [this](int index) { choosePaper(PaperKind(index)); });
+    auto *paperLabel = new QLabel(tr("Texture"), this);
+    m_paper = new QComboBox(this);
+    m_paper->addItem(tr("None"));
+    for (const PaperPreset &preset : paperPresets())
+        m_paper->addItem(titleOf(preset));
+    m_paper->addItem(tr("Image…"));
+    m_paper->setPlaceholderText(tr("Custom"));
+    m_paper->setIconSize(thumbnailSize);
+    m_paper->setAccessibleName(tr("Texture"));
+    m_paper->setToolTip(tr("The paper's grain, which granulating strokes show."));
+    m_paper->setFocusPolicy(Qt::StrongFocus);
+    paperLabel->setBuddy(m_paper);
+    grid.addWidget(paperLabel, 0, 0);
+    grid.addWidget(m_paper, 0, 1, 1, 2);
+    connect(m_paper, &QComboBox::activated, this, &CanvasSection::choosePaper);
 
     m_image = new QPushButton(tr("Choose image…"), this);
     m_image->setToolTip(tr("Take the grain from another picture file."));
     grid.addWidget(m_image, 1, 1, 1, 2);
-    connect(m_image, &QPushButton::clicked, this, [this] { choosePaper(PaperKind::Image); });
+    connect(m_image, &QPushButton::clicked, this, &CanvasSection::chooseImagePaper);
 
     m_seedLabel = new QLabel(tr("Seed"), this);
     m_seed = new NumberField(this);
@@ -109,16 +138,17 @@ void CanvasSection::addPaper(QGridLayout &grid)
             change([=](Canvas &c) { c.paper.seed = std::uint32_t(value); }, tr("Change paper"));
         });
 
-    m_scale = new SliderField({.name = tr("Scale"),
-                               .toolTip = tr("Size of the coarsest grain in units, or units per pixel of the image."),
-                               .unit = QStringLiteral(" u"),
-                               .minimum = 1e-6,
-                               .maximum = 1e6,
-                               .sliderMinimum = 0.1,
-                               .sliderMaximum = 400,
-                               .logarithmic = true,
-                               .defaultValue = Paper{}.scale},
-                              grid, 3, this);
+    m_scale = new SliderField(
+        {.name = tr("Scale"),
+         .toolTip = tr("Size of the coarsest grain or of a thread in units, or units per pixel of the image."),
+         .unit = QStringLiteral(" u"),
+         .minimum = 1e-6,
+         .maximum = 1e6,
+         .sliderMinimum = 0.1,
+         .sliderMaximum = 400,
+         .logarithmic = true,
+         .defaultValue = Paper{}.scale},
+        grid, 3, this);
     m_strength = new SliderField({.name = tr("Strength"),
                                   .toolTip = tr("How deep the grain goes."),
                                   .unit = QStringLiteral(" %"),
@@ -136,21 +166,47 @@ void CanvasSection::addPaper(QGridLayout &grid)
     connectField(m_strength, &Paper::strength);
 }
 
-void CanvasSection::choosePaper(PaperKind kind)
+void CanvasSection::choosePaper(int index)
+{
+    if (index == imageIndex())
+        return chooseImagePaper();
+    Paper paper = m_canvas.paper;
+    if (index > 0)
+        paper = paperOf(paperPresets()[std::size_t(index - 1)], paper.seed);
+    else
+        paper.kind = PaperKind::None, paper.image.reset();
+    change([&](Canvas &c) { c.paper = paper; }, tr("Change paper"));
+}
+
+void CanvasSection::chooseImagePaper()
 {
     Paper paper = m_canvas.paper;
-    if (kind == PaperKind::Image && !chooseImage(paper)) {
+    if (!chooseImage(paper)) {
         refresh();
         return;
     }
-    paper.kind = kind;
-    if (kind != PaperKind::Image)
-        paper.image.reset();
-    if (kind == PaperKind::Image && m_canvas.paper.kind != kind)
+    if (m_canvas.paper.kind != PaperKind::Image)
         paper.scale = 1;
-    else if (kind == PaperKind::Procedural && m_canvas.paper.kind != kind)
-        paper.scale = Paper{}.scale;
     change([&](Canvas &c) { c.paper = paper; }, tr("Change paper"));
+}
+
+void CanvasSection::showThumbnails()
+{
+    const double ratio = devicePixelRatioF();
+    const auto presets = paperPresets();
+    for (int i = 0; i < int(presets.size()); ++i) {
+        const QSize size = thumbnailSize * ratio;
+        QImage image = paperPreview(paperOf(presets[std::size_t(i)]), size, thumbnailScale * ratio);
+        image.setDevicePixelRatio(ratio);
+        m_paper->setItemIcon(i + 1, QPixmap::fromImage(image));
+    }
+}
+
+void CanvasSection::showEvent(QShowEvent *event)
+{
+    if (m_paper->itemIcon(1).isNull())
+        showThumbnails();
+    QWidget::showEvent(event);
 }
 
 bool CanvasSection::chooseImage(Paper &paper)
@@ -202,7 +258,7 @@ void CanvasSection::refresh()
     m_height->setValue(m_canvas.height);
     m_swatch->setColour(m_canvas.background);
     m_background->setColour(m_canvas.background);
-    m_kind->setCurrentIndex(int(paper.kind));
+    m_paper->setCurrentIndex(indexOf(paper));
     m_image->setVisible(paper.kind == PaperKind::Image);
     m_seedLabel->setVisible(paper.kind == PaperKind::Procedural);
     m_seed->setVisible(paper.kind == PaperKind::Procedural);

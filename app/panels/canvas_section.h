@@ -27,7 +27,9 @@ public:
 
     NumberField *widthField() const { return m_width; }
     NumberField *heightField() const { return m_height; }
-    QComboBox *paperKind() const { return m_kind; }
+    /// None, the presets, an image.
+    QComboBox *paperChoice() const { return m_paper; }
+    SliderField *paperScale() const { return m_scale; }
     SliderField *paperStrength() const { return m_strength; }
     ColourRows *background() const { return m_background; }
 
@@ -36,11 +38,16 @@ signals:
     void edited(const suffuse::Canvas &canvas, const QString &undoText, suffuse::EditRun run);
     void refused(const QString &hint);
 
+protected:
+    void showEvent(QShowEvent *event) override;
+
 private:
     void addSize(QGridLayout &grid);
     void addPaper(QGridLayout &grid);
     void change(const std::function<void(Canvas &)> &change, const QString &undoText, EditRun run = 0);
-    void choosePaper(PaperKind kind);
+    void choosePaper(int index);
+    void chooseImagePaper();
+    void showThumbnails();
     bool chooseImage(Paper &paper);
     void refresh();
 
@@ -49,7 +56,7 @@ private:
     NumberField *m_height = nullptr;
     ColourSwatch *m_swatch = nullptr;
     ColourRows *m_background = nullptr;
-    QComboBox *m_kind = nullptr;
+    QComboBox *m_paper = nullptr;
     QPushButton *m_image = nullptr;
     QLabel *m_seedLabel = nullptr;
     NumberField *m_seed = nullptr;

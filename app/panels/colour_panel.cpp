@@ -5,7 +5,10 @@
 #include "app/panels/colour_rows.h"
 #include "app/panels/colour_swatch.h"
 #include "app/panels/colour_wheel.h"
+#include "app/panels/mixing_pad.h"
 #include "app/panels/section.h"
+#include "app/panels/swatch_grid.h"
+#include "app/panels/swatches_section.h"
 #include "app/settings.h"
 #include "undo/edits.h"
 
@@ -27,10 +30,10 @@ QString hexOf(const Colour &colour)
     return toOpaqueScreen(colour).name();
 }
 
-std::vector<Colour> storedColours()
+std::vector<Colour> storedColours(std::size_t most)
 {
     std::vector<Colour> colours;
-    for (const QString &name : settings::store().value("recentColours").toStringList())
+    for (const QString &name : settings::store().value("recentColours").toStringList().mid(0, qsizetype(most)))
         if (const QColor colour(name); colour.isValid())
             colours.push_back(fromScreen(colour));
     return colours;
@@ -39,7 +42,7 @@ std::vector<Colour> storedColours()
 } // namespace
 
 ColourPanel::ColourPanel(Editor &editor, QWidget *parent)
-    : QWidget(parent), m_editor(editor), m_recent(storedColours()), m_used(editor.brush().colour)
+    : QWidget(parent), m_editor(editor), m_recent(storedColours(recentCount)), m_used(editor.brush().colour)
 {
     auto *outer = new QVBoxLayout(this);
     outer->setContentsMargins(0, 0, 0, 0);
@@ -63,6 +66,10 @@ ColourPanel::ColourPanel(Editor &editor, QWidget *parent)
     column->addWidget(m_hint);
     addRecent(*column);
     addApply(*column);
+    m_swatches = new SwatchesSection(editor, content);
+    column->addWidget(m_swatches);
+    m_mixing = new MixingSection(editor, content);
+    column->addWidget(m_mixing);
     column->addStretch(1);
     scroll->setWidget(content);
 
@@ -123,22 +130,12 @@ void ColourPanel::addCurrent(QVBoxLayout &column)
 
 void ColourPanel::addRecent(QVBoxLayout &column)
 {
-    auto *row = new QHBoxLayout;
-    row->setSpacing(4);
-    for (std::size_t i = 0; i < recentCount; ++i) {
-        auto *swatch = new ColourSwatch(this);
-        swatch->setSide(20);
-        swatch->setAccessibleName(tr("Recent colour %1").arg(i + 1));
-        swatch->setToolTip(tr("A colour painted with before. Click: take it."));
-        connect(swatch, &ColourSwatch::clicked, this, [this, swatch] {
-            if (swatch->colour())
-                m_editor.setColour(*swatch->colour());
-        });
-        m_swatches[i] = swatch;
-        row->addWidget(swatch);
-    }
-    row->addStretch(1);
-    column.addLayout(row);
+    m_history = new SwatchGrid(false, this);
+    m_history->setAccessibleName(tr("Recent colours"));
+    m_history->setToolTip(tr("Colours painted with before. Click: take it."));
+    m_history->setEmptyText(tr("Colours painted with come here."));
+    column.addWidget(m_history);
+    connect(m_history, &SwatchGrid::picked, &m_editor, &Editor::setColour);
 }
 
 void ColourPanel::addApply(QVBoxLayout &column)
@@ -205,12 +202,10 @@ void ColourPanel::rememberUsed()
 
 void ColourPanel::showRecent()
 {
-    for (std::size_t i = 0; i < recentCount; ++i) {
-        const bool there = i < m_recent.size();
-        m_swatches[i]->setVisible(there);
-        if (there)
-            m_swatches[i]->setColour(m_recent[i]);
-    }
+    std::vector<Swatch> recent;
+    for (const Colour &colour : m_recent)
+        recent.push_back({{}, colour});
+    m_history->setSwatches(std::move(recent));
 }
 
 } // namespace suffuse

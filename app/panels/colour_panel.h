@@ -4,7 +4,6 @@
 
 #include <QWidget>
 
-#include <array>
 #include <vector>
 
 class QLineEdit;
@@ -18,8 +17,12 @@ class ColourSwatch;
 class ColourWheel;
 class Editor;
 class HintLabel;
+class MixingSection;
+class SwatchGrid;
+class SwatchesSection;
 
-/// The colour that is painted with: wheel, RYB and opacity sliders, hex, the colours used last.
+/// The colour that is painted with: wheel, RYB and opacity sliders, hex, the colours used last, the painting's swatches
+/// and a sheet to mix on.
 class ColourPanel : public QWidget {
     Q_OBJECT
 
@@ -30,11 +33,14 @@ public:
     ColourRows *rows() const { return m_rows; }
     QLineEdit *hex() const { return m_hex; }
     QPushButton *applyButton() const { return m_apply; }
+    SwatchGrid *history() const { return m_history; }
+    SwatchesSection *swatches() const { return m_swatches; }
+    MixingSection *mixing() const { return m_mixing; }
 
     QSize sizeHint() const override;
 
 private:
-    static constexpr std::size_t recentCount = 10;
+    static constexpr std::size_t recentCount = 16;
 
     void addCurrent(QVBoxLayout &column);
     void addRecent(QVBoxLayout &column);
@@ -53,7 +59,9 @@ private:
     ColourSwatch *m_previous = nullptr;
     QPushButton *m_apply = nullptr;
     HintLabel *m_hint = nullptr;
-    std::array<ColourSwatch *, recentCount> m_swatches{};
+    SwatchGrid *m_history = nullptr;
+    SwatchesSection *m_swatches = nullptr;
+    MixingSection *m_mixing = nullptr;
     std::vector<Colour> m_recent;
     Colour m_used; ///< painted with last
 };

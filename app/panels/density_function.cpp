@@ -37,11 +37,28 @@ double densityFunction(const Style &style, double density)
     return 0;
 }
 
+CurveDiffusion curveDiffusion(const Segment &segment)
+{
+    const double D = segment.diffusion;
+    if (segment.isIsotropic())
+        return {D, D};
+    const Cubic curve{{Point() + segment.bezier[0], Point() + segment.bezier[1], Point() + segment.bezier[2],
+                       Point() + segment.bezier[3]}};
+    Point tangent = curve.derivative(0.5);
+    if (tangent == Point())
+        tangent = curve.p[3] - curve.p[0];
+    if (tangent == Point())
+        tangent = {1, 0};
+    return {diffusionAcross(segment, {-tangent.y, tangent.x}), diffusionAcross(segment, tangent)};
+}
+
 DerivedFigures derivedFigures(const Segment &segment, const Style &style)
 {
     DerivedFigures figures;
-    const double D = segment.diffusion, phi = segment.density, cut = visibleCut(style);
+    const auto [along, D] = curveDiffusion(segment);
+    const double phi = segment.density, cut = visibleCut(style);
     figures.spread = std::sqrt(4 * D * double(segment.maxAge));
+    figures.along = std::sqrt(4 * along * double(segment.maxAge));
     figures.peak = phi / (std::sqrt(std::numbers::pi) * figures.spread);
     figures.halfWidth = halfWidth(D, phi, double(segment.maxAge), cut);
     const double t = fadingAge(D, phi, cut);

@@ -76,7 +76,7 @@ QStringList figureWarnings(const Inspected &inspected)
         const Segment &segment = *s.segment;
         transparent += segment.colour.opacity == 0;
         withoutPaint += segment.density == 0;
-        const double fades = fadingAge(double(segment.diffusion), double(segment.density), visibleCut(s.style()));
+        const double fades = fadingAge(curveDiffusion(segment).across, double(segment.density), visibleCut(s.style()));
         if (fades < double(segment.maxAge) && segment.density > 0)
             fading.add(fades);
         else if (fades / std::numbers::e < double(segment.maxAge) && segment.density > 0)

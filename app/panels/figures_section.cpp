@@ -56,12 +56,14 @@ FiguresSection::FiguresSection(Editor &editor, QWidget *parent) : QWidget(parent
 void FiguresSection::addFigures(QVBoxLayout &column)
 {
     QGridLayout *grid = addFieldGrid(column);
-    const std::array<QString, 4> names{tr("Spread s"), tr("Peak density"), tr("Half-width"), tr("Fades away")};
-    const std::array<QString, 4> tips{tr("How far the paint has spread once it is dry: √(4·D·t_max)."),
+    const std::array<QString, 5> names{tr("Spread s"), tr("Spread along"), tr("Peak density"), tr("Half-width"),
+                                       tr("Fades away")};
+    const std::array<QString, 5> tips{tr("How far the paint has spread across the curve once it is dry: √(4·D·t_max)."),
+                                      tr("How far it has spread along the curve."),
                                       tr("Density in the middle of a long straight stroke, dry."),
                                       tr("From the middle to the visible edge of a long straight stroke, dry."),
                                       tr("When the paint has spread so thin that nothing of it is visible any more.")};
-    for (int i = 0; i < 4; ++i) {
+    for (int i = 0; i < 5; ++i) {
         auto *name = quietLabel(names[std::size_t(i)], this);
         name->setWordWrap(false);
         auto *figure = new QLabel(this);
@@ -72,6 +74,7 @@ void FiguresSection::addFigures(QVBoxLayout &column)
         figure->setToolTip(tips[std::size_t(i)]);
         grid->addWidget(name, i, 0);
         grid->addWidget(figure, i, 1, 1, 2);
+        m_names[std::size_t(i)] = name;
         m_figures[std::size_t(i)] = figure;
     }
 }
@@ -99,7 +102,7 @@ void FiguresSection::refreshCut(const Inspected &inspected)
 void FiguresSection::refreshFigures(const Inspected &inspected)
 {
     DerivedFigures low, high;
-    bool first = true, sameStyle = true, fades = false, stays = false;
+    bool first = true, sameStyle = true, uneven = false, fades = false, stays = false;
     double fadesFrom = 0, fadesTo = 0;
     for (const InspectedSegment &s : inspected.segments) {
         const DerivedFigures f = derivedFigures(*s.segment, s.style());
@@ -110,19 +113,28 @@ void FiguresSection::refreshFigures(const Inspected &inspected)
             fadesTo = std::max(fadesTo, *f.driesOut);
             fades = true;
         }
+        uneven = uneven || !s.segment->isIsotropic();
         low = first ? f
                     : DerivedFigures{std::min(low.spread, f.spread),
+                                     std::min(low.along, f.along),
                                      std::min(low.peak, f.peak),
                                      std::min(low.halfWidth, f.halfWidth),
                                      {}};
-        high = {
-            std::max(high.spread, f.spread), std::max(high.peak, f.peak), std::max(high.halfWidth, f.halfWidth), {}};
+        high = {std::max(high.spread, f.spread),
+                std::max(high.along, f.along),
+                std::max(high.peak, f.peak),
+                std::max(high.halfWidth, f.halfWidth),
+                {}};
         first = false;
     }
+    m_names[0]->setText(uneven ? tr("Spread across") : tr("Spread s"));
+    m_names[1]->setVisible(uneven);
+    m_figures[1]->setVisible(uneven);
     m_figures[0]->setText(rangeText(low.spread, high.spread, QStringLiteral(" u")));
-    m_figures[1]->setText(rangeText(low.peak, high.peak, QString()));
-    m_figures[2]->setText(rangeText(low.halfWidth, high.halfWidth, QStringLiteral(" u")));
-    m_figures[3]->setText(!fades  ? tr("never")
+    m_figures[1]->setText(rangeText(low.along, high.along, QStringLiteral(" u")));
+    m_figures[2]->setText(rangeText(low.peak, high.peak, QString()));
+    m_figures[3]->setText(rangeText(low.halfWidth, high.halfWidth, QStringLiteral(" u")));
+    m_figures[4]->setText(!fades  ? tr("never")
                           : stays ? tr("partly, from %1").arg(rangeText(fadesFrom, fadesFrom, QStringLiteral(" s")))
                                   : tr("after %1").arg(rangeText(fadesFrom, fadesTo, QStringLiteral(" s"))));
     m_plot->show(inspected.segments.front().style(), low.peak, high.peak, !sameStyle);

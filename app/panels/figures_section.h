@@ -29,7 +29,8 @@ public:
     DensityPlot *densityPlot() const { return m_plot; }
     CrossSectionPlot *crossSection() const { return m_cut; }
     HintLabel *warnings() const { return m_warnings; }
-    QLabel *figure(int index) const { return m_figures[std::size_t(index)]; } ///< spread, peak, half-width, fades
+    /// Spread, spread along, peak, half-width, fades. The second is there where spread is uneven.
+    QLabel *figure(int index) const { return m_figures[std::size_t(index)]; }
 
 private:
     void addFigures(QVBoxLayout &column);
@@ -40,7 +41,8 @@ private:
     DensityPlot *m_plot = nullptr;
     CrossSectionPlot *m_cut = nullptr;
     HintLabel *m_warnings = nullptr;
-    std::array<QLabel *, 4> m_figures{};
+    std::array<QLabel *, 5> m_figures{};
+    std::array<QLabel *, 5> m_names{};
 };
 
 } // namespace suffuse

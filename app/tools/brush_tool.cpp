@@ -1,7 +1,9 @@
 #include "app/tools/brush_tool.h"
 
+#include "app/brush_library.h"
 #include "app/canvas/canvas_widget.h"
 #include "app/editor.h"
+#include "model/brush_dynamics.h"
 #include "model/validate.h"
 #include "undo/node_edits.h"
 
@@ -26,7 +28,11 @@ Brush brushAtEnd(const Stroke &stroke, int node, Brush brush)
     brush.granulation = end.granulation;
     brush.maxAge = end.maxAge;
     brush.colour = end.colour;
-    brush.peak = float(end.density / (std::sqrt(std::numbers::pi) * brush.spread()));
+    const Point direction = node == 0 ? stroke.cubicOf(end).derivative(0) : stroke.cubicOf(end).derivative(1);
+    brush.tip = {end.anisotropyRatio, end.anisotropyAngle, false};
+    brush.peak =
+        float(end.density / (std::sqrt(std::numbers::pi) * spreadAcross(brush.tip, brush.spread(), direction)));
+    brush.taper = {};
     return brush;
 }
 
@@ -57,7 +63,11 @@ double halfWidthOf(const Brush &brush)
 
 BrushTool::BrushTool(CanvasWidget &canvas, QObject *parent) : Tool(canvas, parent), m_picker(canvas)
 {
-    connect(&m_editor, &Editor::brushChanged, this, [this] { m_canvas.updateOverlay(); });
+    connect(&m_editor, &Editor::brushChanged, this, [this] {
+        refreshOptions();
+        m_canvas.updateOverlay();
+    });
+    connect(&BrushLibrary::instance(), &BrushLibrary::changed, this, &BrushTool::refreshOptions);
 }
 
 BrushTool::~BrushTool() = default;
@@ -66,7 +76,8 @@ QString BrushTool::hint() const
 {
     if (m_nearEnd)
         return tr("Shift+drag to go on with the selected stroke from its end.");
-    return tr("Drag to paint; a tap leaves a dot. Ctrl: pick the picture's colour; with Shift, a stroke's own.");
+    return tr("Drag to paint; a tap leaves a dot. Shift+drag: size and opacity. Ctrl: pick the picture's colour; with "
+              "Shift, a stroke's own.");
 }
 
 void BrushTool::press(const PointerEvent &event)
@@ -77,6 +88,11 @@ void BrushTool::press(const PointerEvent &event)
     }
     Brush brush = m_editor.brush();
     m_extended = event.modifiers & Qt::ShiftModifier ? endAt(event.pixel) : std::nullopt;
+    if ((event.modifiers & Qt::ShiftModifier) && !m_extended) {
+        m_resizing = Resizing{brush, event.pixel};
+        showOutlineAt(event.pixel);
+        return;
+    }
     if (m_extended)
         brush = brushAtEnd(*m_editor.document().painting()->find(m_extended->stroke), m_extended->node, brush);
     m_builder = std::make_unique<StrokeBuilder>(brush, m_editor.document().takeStrokeId());
@@ -85,7 +101,10 @@ void BrushTool::press(const PointerEvent &event)
     PointerEvent first = event;
     if (m_extended) // it begins right where the stroke ends
         first.point = nodePosition(*m_editor.document().painting()->find(m_extended->stroke), m_extended->node);
-    add(first);
+    const double stringLength = double(brush.stabiliser.length) * m_canvas.devicePixelRatioF() / m_canvas.view().scale;
+    m_stabiliser.begin(brush.stabiliser, sampleOf(first), stringLength);
+    m_builder->add(sampleOf(first));
+    m_editor.document().setDraft(m_builder->stroke());
     showOutlineAt(event.pixel);
 }
 
@@ -109,16 +128,30 @@ std::optional<NodeRef> BrushTool::endAt(Point pixel) const
     return found;
 }
 
+PenSample BrushTool::sampleOf(const PointerEvent &event) const
+{
+    constexpr double flat = 60; // degrees from upright
+    constexpr double degree = std::numbers::pi / 180;
+    const double tilt = std::atan(std::hypot(std::tan(std::clamp(event.tiltX, -89.0, 89.0) * degree),
+                                             std::tan(std::clamp(event.tiltY, -89.0, 89.0) * degree)));
+    return {event.point, std::max(m_lastTime, event.time), float(event.pressure),
+            float(std::min(1.0, tilt / (flat * degree)))};
+}
+
 void BrushTool::add(const PointerEvent &event)
 {
     m_lastTime = std::max(m_lastTime, event.time);
-    m_builder->add(PenSample{event.point, m_lastTime, float(event.pressure)});
-    m_editor.document().setDraft(m_builder->stroke());
+    if (const auto sample = m_stabiliser.take(sampleOf(event))) {
+        m_builder->add(*sample);
+        m_editor.document().setDraft(m_builder->stroke());
+    }
 }
 
 void BrushTool::move(const PointerEvent &event)
 {
     m_picker.move(event);
+    if (m_resizing)
+        return resizeTo(event.pixel);
     if (m_builder)
         add(event);
     showOutlineAt(event.pixel);
@@ -127,10 +160,16 @@ void BrushTool::move(const PointerEvent &event)
 void BrushTool::release(const PointerEvent &event)
 {
     m_picker.end();
+    if (m_resizing) {
+        resizeTo(event.pixel);
+        m_resizing.reset();
+        showNote(m_note, false);
+    }
     if (!m_builder)
         return;
     if (event.device == PointerDevice::Mouse || event.pressure > 0) // a pen lifts with pressure 0, which is no paint
-        m_builder->add(PenSample{event.point, std::max(m_lastTime, event.time), float(event.pressure)});
+        if (const auto last = m_stabiliser.finish(sampleOf(event)))
+            m_builder->add(*last);
     m_builder->finish();
     const StrokePtr stroke = m_builder->stroke();
     m_builder.reset();
@@ -155,6 +194,10 @@ void BrushTool::pushStroke(const StrokePtr &stroke)
 void BrushTool::cancel()
 {
     m_picker.giveUp();
+    if (m_resizing) {
+        m_editor.setBrush(std::exchange(m_resizing, std::nullopt)->brush);
+        showNote({}, false);
+    }
     if (!m_builder)
         return;
     m_builder.reset();
@@ -197,8 +240,10 @@ void BrushTool::showOutlineAt(Point pixel)
 void BrushTool::paint(QPainter &painter, const View &view, double dpr) const
 {
     m_picker.paint(painter, dpr);
+    paintNote(painter, dpr);
     if (!m_hovering || m_picker.isActive())
         return;
+    paintString(painter, view, dpr);
     const StrokePtr near = m_nearEnd ? m_editor.document().painting()->find(m_nearEnd->stroke) : nullptr;
     if (near && m_nearEnd->node < nodeCount(*near)) {
         const Point at = view.toPixels(nodePosition(*near, m_nearEnd->node));

@@ -1,18 +1,26 @@
 #pragma once
 
 #include "app/tools/eyedropper_tool.h"
+#include "app/tools/stabiliser.h"
 #include "app/tools/tool.h"
 #include "model/brush.h"
 #include "model/reshape.h"
 #include "model/stroke_builder.h"
 
+#include <QBasicTimer>
+#include <QPointer>
+
 #include <memory>
+
+class QComboBox;
 
 namespace suffuse {
 
+class NumberField;
+
 /// Paints: the stroke in hand is the document's draft, and becomes one undo step when the pen lifts. With Shift from an
-/// end of a selected stroke it goes on with that stroke, with the values at that end; with Ctrl or Alt it picks
-/// colours.
+/// end of a selected stroke it goes on with that stroke, with the values at that end; from elsewhere Shift changes the
+/// brush's size across and its opacity upwards; with Ctrl or Alt it picks colours.
 class BrushTool : public Tool {
     Q_OBJECT
 
@@ -22,17 +30,40 @@ public:
 
     QString hint() const override;
     QCursor cursor() const override { return Qt::CrossCursor; }
+    QWidget *options() override;
     void press(const PointerEvent &event) override;
     void move(const PointerEvent &event) override;
     void release(const PointerEvent &event) override;
     void hover(const PointerEvent &event) override;
     void leave() override;
-    bool isBusy() const override { return m_builder || m_picker.isActive(); }
+    bool isBusy() const override { return m_builder || m_resizing || m_picker.isActive(); }
     void cancel() override;
+    bool keyPress(QKeyEvent *event) override;
     void paint(QPainter &painter, const View &view, double dpr) const override;
 
+    /// What the canvas says about the brush at the moment; empty: nothing.
+    const QString &note() const { return m_note; }
+
+protected:
+    void timerEvent(QTimerEvent *event) override;
+
 private:
+    /// A drag that changes the brush, from where it was.
+    struct Resizing {
+        Brush brush;
+        Point pixel;
+        enum { Undecided, Size, Opacity } what = Undecided;
+    };
+
     void add(const PointerEvent &event);
+    PenSample sampleOf(const PointerEvent &event) const;
+    void resizeTo(Point pixel);
+    void scaleSize(double factor);
+    void addOpacity(double difference);
+    void showNote(const QString &note, bool stays);
+    void paintString(QPainter &painter, const View &view, double dpr) const;
+    void paintNote(QPainter &painter, double dpr) const;
+    void refreshOptions();
     void pushStroke(const StrokePtr &stroke);
     /// The end node of a selected stroke that is near enough to go on from.
     std::optional<NodeRef> endAt(Point pixel) const;
@@ -40,12 +71,24 @@ private:
     QRectF outlineBox() const;
 
     std::unique_ptr<StrokeBuilder> m_builder;
+    PenStabiliser m_stabiliser;
+    std::optional<Resizing> m_resizing;
     Microseconds m_lastTime = 0;
     std::optional<NodeRef> m_extended; ///< the end that the stroke in hand goes on from
     std::optional<NodeRef> m_nearEnd;  ///< under the pointer
     ColourPicker m_picker;
     bool m_hovering = false;
     Point m_pixel; ///< where the outline is
+    QString m_note;
+    QBasicTimer m_noteTimer;
+
+    QPointer<QWidget> m_options;
+    QComboBox *m_presets = nullptr;
+    NumberField *m_size = nullptr;
+    NumberField *m_flow = nullptr;
+    NumberField *m_opacity = nullptr;
+    QComboBox *m_smoothing = nullptr;
+    NumberField *m_amount = nullptr;
 };
 
 /// Half-width of the visible paint of a long straight line at full pressure and age: where its profile

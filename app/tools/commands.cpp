@@ -95,9 +95,9 @@ void quarterTurnSelected(Editor &editor, int quarters, SpreadRule rule)
                 QCoreApplication::translate("Commands", "Rotate by 90°"));
 }
 
-void alignSelected(Editor &editor, Align how, AlignTo to)
+void alignSelected(Editor &editor, Align how, AlignTo to, StrokeId anchor)
 {
-    editor.push(align(editor.document(), how, to), QCoreApplication::translate("Commands", "Align"));
+    editor.push(align(editor.document(), how, to, anchor), QCoreApplication::translate("Commands", "Align"));
 }
 
 void distributeSelected(Editor &editor, Axis axis, Spacing spacing)

@@ -23,7 +23,7 @@ void moveSelected(Editor &editor, Point by, EditRun run);
 void flipSelected(Editor &editor, Axis axis, SpreadRule rule);
 /// Quarters of a turn, clockwise, about the middle of the selection.
 void quarterTurnSelected(Editor &editor, int quarters, SpreadRule rule);
-void alignSelected(Editor &editor, Align how, AlignTo to);
+void alignSelected(Editor &editor, Align how, AlignTo to, StrokeId anchor);
 void distributeSelected(Editor &editor, Axis axis, Spacing spacing);
 
 void groupSelected(Editor &editor);

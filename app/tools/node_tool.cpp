@@ -379,6 +379,14 @@ void NodeTool::endDrag(bool cancelled)
     m_snap = {};
 }
 
+std::optional<double> NodeTool::paintMargin() const
+{
+    constexpr double marks = 20; // logical pixels: of nodes, handles and where they snap
+    if (isBanding())
+        return {};
+    return std::max(marks * m_canvas.devicePixelRatioF(), m_width.reach());
+}
+
 void NodeTool::paint(QPainter &painter, const View &view, double dpr) const
 {
     m_width.paint(painter, view, dpr);

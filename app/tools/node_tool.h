@@ -38,6 +38,7 @@ public:
     /// All nodes of the selected strokes.
     bool selectAll() override;
     void paint(QPainter &painter, const View &view, double dpr) const override;
+    std::optional<double> paintMargin() const override;
 
     const std::set<NodeRef> &nodes() const { return m_nodes; }
     /// Selects nodes of selected strokes; no segments are selected then.

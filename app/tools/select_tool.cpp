@@ -17,20 +17,24 @@ namespace {
 
 using Kind = TransformHandle::Kind;
 
-/// Nodes of the grabbed stroke that snap, those nearest to the pointer.
-constexpr std::size_t snappingNodes = 16;
+/// Nodes that snap, those nearest to the pointer: of few strokes all.
+constexpr std::size_t snappingNodes = 64;
 
 bool takesAway(const PointerEvent &event)
 {
     return event.modifiers & Qt::ShiftModifier && event.modifiers & Qt::ControlModifier;
 }
 
-std::vector<Point> nodesNear(const Stroke &stroke, Point point)
+std::vector<Point> nodesNear(const Painting &painting, const std::set<StrokeId> &moved, Point point)
 {
     std::vector<Point> nodes;
-    for (const Segment &segment : stroke.segments)
-        nodes.push_back(stroke.origin + segment.bezier[0]);
-    nodes.push_back(stroke.origin + stroke.segments.back().bezier[3]);
+    for (const StrokePtr &stroke : painting.strokes) {
+        if (!moved.contains(stroke->id) || !painting.isVisible(*stroke) || painting.isLocked(*stroke))
+            continue;
+        for (const Segment &segment : stroke->segments)
+            nodes.push_back(stroke->origin + segment.bezier[0]);
+        nodes.push_back(stroke->origin + stroke->segments.back().bezier[3]);
+    }
     const auto count = std::min(nodes.size(), snappingNodes);
     std::partial_sort(nodes.begin(), nodes.begin() + std::ptrdiff_t(count), nodes.end(),
                       [point](Point a, Point b) { return length(a - point) < length(b - point); });
@@ -219,9 +223,8 @@ void SelectTool::beginSnapping(bool moving)
     const Rect box = selectionBox(painting, selection());
     m_snapPoints = {
         {box.left, box.top}, {box.right, box.top}, {box.right, box.bottom}, {box.left, box.bottom}, box.centre()};
-    if (const StrokePtr grabbed = painting.find(m_hit->stroke))
-        for (const Point &node : nodesNear(*grabbed, start().point))
-            m_snapPoints.push_back(node);
+    for (const Point &node : nodesNear(painting, moved, start().point))
+        m_snapPoints.push_back(node);
 }
 
 void SelectTool::drag(const PointerEvent &event)
@@ -287,7 +290,7 @@ void SelectTool::show(const Affine &map)
     m_map = map;
     const SpreadRule rule = m_actions[Command::ScaleSpread].isChecked() ? SpreadRule::Scales : SpreadRule::Stays;
     m_drag.show([&](const Stroke &stroke) { return transformed(stroke, map, rule); });
-    m_canvas.updateOverlay();
+    m_canvas.updateSelection();
 }
 
 void SelectTool::endDrag(bool cancelled)

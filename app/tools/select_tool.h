@@ -29,6 +29,7 @@ public:
     bool keyPress(QKeyEvent *event) override;
     bool wantsKey(const QKeyEvent &event) const override;
     void paint(QPainter &painter, const View &view, double dpr) const override;
+    std::optional<double> paintMargin() const override;
 
     /// Around the selection, as they are shown.
     const TransformHandles &handles() const;

@@ -24,18 +24,20 @@ void StrokeDrag::add(const std::set<StrokeId> &strokes)
 void StrokeDrag::show(const std::function<Stroke(const Stroke &)> &change)
 {
     Document &document = m_editor.document();
-    std::map<StrokeId, Dragged> kept;
     std::vector<Stroke> changed;
+    changed.reserve(m_strokes.size());
     for (const StrokePtr &stroke : document.painting()->strokes)
         if (const auto it = m_strokes.find(stroke->id); it != m_strokes.end() && it->second.shown == stroke) {
-            kept.insert(*it);
+            it->second.kept = true;
             changed.push_back(change(*it->second.before));
         }
-    m_strokes = std::move(kept);
-    m_editor.push(replaceStrokes(document, changed), m_name, m_run);
+    std::erase_if(m_strokes, [](const auto &entry) { return !entry.second.kept; });
+    m_editor.push(replaceStrokes(document, std::move(changed)), m_name, m_run);
     for (const StrokePtr &stroke : document.painting()->strokes)
-        if (const auto it = m_strokes.find(stroke->id); it != m_strokes.end())
+        if (const auto it = m_strokes.find(stroke->id); it != m_strokes.end()) {
             it->second.shown = stroke;
+            it->second.kept = false;
+        }
 }
 
 void StrokeDrag::giveUp()

@@ -34,6 +34,7 @@ private:
     struct Dragged {
         StrokePtr before;
         StrokePtr shown;
+        bool kept = false; ///< it is in the document as it was shown
     };
 
     Editor &m_editor;

@@ -8,6 +8,8 @@
 #include <QCursor>
 #include <QObject>
 
+#include <optional>
+
 class QKeyEvent;
 class QPainter;
 class QWidget;
@@ -68,6 +70,9 @@ public:
     virtual bool selectAll() { return false; }
     /// Draws over the picture, in device pixels.
     virtual void paint(QPainter &, const View &, double /*dpr*/) const {}
+    /// Device pixels around the control points of the selected strokes that `paint` keeps to now; none: it may paint
+    /// anywhere.
+    virtual std::optional<double> paintMargin() const { return {}; }
 
 signals:
     /// What hint() says is another line now.

@@ -163,6 +163,13 @@ void WidthHandle::cancel()
     release();
 }
 
+double WidthHandle::reach() const
+{
+    const std::optional<Place> at = place();
+    const double dpr = m_canvas.devicePixelRatioF();
+    return at ? at->width * m_canvas.view().scale + (gap + 2 * hitRadius) * dpr : 0;
+}
+
 void WidthHandle::paint(QPainter &painter, const View &view, double dpr) const
 {
     const std::optional<Place> at = place();

@@ -27,6 +27,8 @@ public:
     void cancel();
     bool isBusy() const { return m_run != 0; }
     void paint(QPainter &painter, const View &view, double dpr) const;
+    /// Device pixels from the curve to the far side of the handle; 0: there is none.
+    double reach() const;
     /// What dragging it does, for the status bar.
     static QString hint();
 

@@ -92,6 +92,8 @@ QCborMap toCbor(const Canvas &canvas, std::vector<EncodedImage> &images)
                    {QLatin1String("seed"), qint64(p.seed)},
                    {QLatin1String("scale"), double(p.scale)},
                    {QLatin1String("strength"), double(p.strength)}};
+    if (p.grain != PaperGrain::Tooth)
+        paper.insert(QLatin1String("grain"), int(p.grain));
     if (p.image)
         paper.insert(QLatin1String("image"), placeOfImage(p.image, images));
     return {{QLatin1String("width"), canvas.width},
@@ -107,14 +109,17 @@ void readCanvas(const QCborValue &value, const std::vector<EncodedImage> &images
     in.read("height", canvas.height);
     in.read("background", canvas.background);
     MapReader paper(in.take("paper"), ok);
-    std::uint64_t kind = 0, seed = canvas.paper.seed;
+    std::uint64_t kind = 0, grain = 0, seed = canvas.paper.seed;
     paper.read("kind", kind);
+    paper.read("grain", grain);
     paper.read("seed", seed);
     paper.read("scale", canvas.paper.scale);
     paper.read("strength", canvas.paper.strength);
     paper.read("image", canvas.paper.image, images);
-    ok = ok && kind <= std::uint64_t(PaperKind::Image) && seed <= 0xffffffffu;
+    ok = ok && kind <= std::uint64_t(PaperKind::Image) && grain <= std::uint64_t(PaperGrain::Weave) &&
+         seed <= 0xffffffffu;
     canvas.paper.kind = PaperKind(kind);
+    canvas.paper.grain = PaperGrain(grain);
     canvas.paper.seed = std::uint32_t(seed);
 }
 

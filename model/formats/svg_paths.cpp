@@ -1,12 +1,15 @@
 #include "model/formats/svg_paths.h"
 
 #include "model/formats/css_colours.h"
+#include "model/formats/svg_shapes.h"
 
 #include <QCoreApplication>
 #include <QRegularExpression>
 #include <QXmlStreamReader>
 
 #include <cmath>
+#include <map>
+#include <memory>
 #include <numbers>
 #include <set>
 
@@ -15,6 +18,8 @@ namespace suffuse {
 namespace {
 
 constexpr int deepestNesting = 256;
+constexpr int mostDrawn = 200'000; ///< elements, those of every <use> counted
+constexpr std::size_t mostCurves = 2'000'000;
 
 /// x′ = a x + c y + e, y′ = b x + d y + f, as SVG writes it.
 struct Matrix {
@@ -84,14 +89,6 @@ double shareOf(const QString &text, double otherwise)
     return ok && std::isfinite(value) ? std::clamp(value, 0.0, 1.0) : otherwise;
 }
 
-double lengthOf(const QString &text, double otherwise)
-{
-    static const QRegularExpression form("^\\s*([-+0-9.eE]+)\\s*(px)?\\s*$");
-    bool ok = false;
-    const double value = form.match(text).captured(1).toDouble(&ok);
-    return ok && std::isfinite(value) && value >= 0 ? value : otherwise;
-}
-
 void setProperty(State &state, const QString &name, const QString &value)
 {
     if (value.isEmpty() || value == "inherit")
@@ -107,7 +104,7 @@ void setProperty(State &state, const QString &name, const QString &value)
     else if (name == "opacity")
         state.opacity *= shareOf(value, 1);
     else if (name == "stroke-width")
-        state.strokeWidth = lengthOf(value, state.strokeWidth);
+        state.strokeWidth = std::max(0.0, svgLength(value).value_or(state.strokeWidth));
     else if (name == "visibility")
         state.visible = value == "visible";
     else if (name == "display" && value == "none")
@@ -162,37 +159,114 @@ void addPaths(const State &state, const QString &data, std::vector<SvgPath> &pat
     }
 }
 
-bool isOnlyDefined(QStringView element)
+bool isOnlyDefined(const QString &element)
 {
     static const std::set<QString> names{"defs", "clipPath", "mask", "pattern", "marker", "symbol", "metadata"};
-    return names.contains(element.toString());
+    return names.contains(element);
 }
+
+struct Element {
+    QString name;
+    QXmlStreamAttributes attributes;
+    std::vector<std::unique_ptr<Element>> children;
+};
+
+/// A document's elements, and what they draw.
+class Drawing {
+public:
+    /// What lies deeper than the deepest nesting is left out. Empty, or what is wrong with the document.
+    QString read(QXmlStreamReader &xml)
+    {
+        std::vector<Element *> open{&m_root};
+        while (!xml.atEnd()) {
+            const auto token = xml.readNext();
+            if (token == QXmlStreamReader::EndElement)
+                open.pop_back();
+            if (token != QXmlStreamReader::StartElement)
+                continue;
+            if (int(open.size()) > deepestNesting) {
+                xml.skipCurrentElement();
+                continue;
+            }
+            auto element = std::make_unique<Element>();
+            element->name = xml.name().toString();
+            element->attributes = xml.attributes();
+            if (const QString id = element->attributes.value("id").toString(); !id.isEmpty())
+                m_named.emplace(id, element.get());
+            open.back()->children.push_back(std::move(element));
+            open.push_back(open.back()->children.back().get());
+        }
+        return xml.hasError() ? xml.errorString() : QString();
+    }
+
+    std::vector<SvgPath> paths()
+    {
+        drawChildren(m_root, State(), 0);
+        return std::move(m_paths);
+    }
+
+private:
+    void drawChildren(const Element &element, const State &state, int depth)
+    {
+        for (const std::unique_ptr<Element> &child : element.children)
+            if (!isOnlyDefined(child->name))
+                draw(*child, state, depth + 1);
+    }
+
+    void draw(const Element &element, const State &parent, int depth)
+    {
+        if (depth > deepestNesting || ++m_drawn > mostDrawn || m_curves > mostCurves) // a <use> may be about itself
+            return;
+        const State state = inherited(parent, element.attributes);
+        if (element.name == QLatin1String("use"))
+            use(element, state, depth);
+        else if (const QString data = svgPathData(element.name, element.attributes); !data.isEmpty())
+            addPaths(state, data);
+        else
+            drawChildren(element, state, depth);
+    }
+
+    void use(const Element &element, State state, int depth)
+    {
+        const QXmlStreamAttributes &a = element.attributes;
+        QString target = a.value("href").toString();
+        if (target.isEmpty())
+            target = a.value(QLatin1String("http://www.w3.org/1999/xlink"), QLatin1String("href")).toString();
+        const auto it = target.startsWith('#') ? m_named.find(target.mid(1)) : m_named.end();
+        if (it == m_named.end())
+            return;
+        const auto place = [&a](const char *name) { return svgLength(a.value(QLatin1String(name)).toString()); };
+        state.matrix = state.matrix * Matrix{1, 0, 0, 1, place("x").value_or(0), place("y").value_or(0)};
+        if (it->second->name == QLatin1String("symbol"))
+            drawChildren(*it->second, inherited(state, it->second->attributes), depth + 1);
+        else
+            draw(*it->second, state, depth + 1);
+    }
+
+    void addPaths(const State &state, const QString &data)
+    {
+        const std::size_t before = m_paths.size();
+        suffuse::addPaths(state, data, m_paths);
+        for (std::size_t i = before; i < m_paths.size(); ++i)
+            m_curves += m_paths[i].curves.size();
+    }
+
+    Element m_root;
+    std::map<QString, const Element *> m_named; ///< by id, the first of each
+    std::vector<SvgPath> m_paths;
+    int m_drawn = 0;
+    std::size_t m_curves = 0;
+};
 
 } // namespace
 
 Result<std::vector<SvgPath>> readSvgPaths(const QByteArray &bytes)
 {
     QXmlStreamReader xml(bytes);
-    std::vector<SvgPath> paths;
-    std::vector<State> open{State()};
-    while (!xml.atEnd()) {
-        const auto token = xml.readNext();
-        if (token == QXmlStreamReader::StartElement) {
-            if (isOnlyDefined(xml.name()) || int(open.size()) > deepestNesting) {
-                xml.skipCurrentElement();
-                continue;
-            }
-            open.push_back(inherited(open.back(), xml.attributes()));
-            if (xml.name() == QLatin1String("path"))
-                addPaths(open.back(), xml.attributes().value("d").toString(), paths);
-        } else if (token == QXmlStreamReader::EndElement && open.size() > 1) {
-            open.pop_back();
-        }
-    }
-    if (xml.hasError())
-        return Error{
-            QCoreApplication::translate("SvgPaths", "SVG, line %1: %2").arg(xml.lineNumber()).arg(xml.errorString())};
-    return paths;
+    Drawing drawing;
+    if (const QString problem = drawing.read(xml); !problem.isEmpty())
+        return Error{QCoreApplication::translate("SvgPaths", "SVG, line %1: %2").arg(xml.lineNumber()).arg(problem)};
+    return drawing.paths();
 }
 
 } // namespace suffuse

@@ -1,4 +1,4 @@
-// Curves from SVG: <path> with its colours, under transforms.
+// Curves from SVG: paths and basic shapes with their colours, under transforms.
 #pragma once
 
 #include "model/geometry.h"
@@ -12,7 +12,7 @@
 
 namespace suffuse {
 
-/// One subpath of a <path>.
+/// One subpath of a <path>, or a shape.
 struct SvgPath {
     std::vector<Cubic> curves;                   ///< each starts where the one before it ends; at least one
     std::optional<std::array<double, 4>> stroke; ///< sRGB-encoded colour and opacity
@@ -24,8 +24,9 @@ struct SvgPath {
 /// is left out, as browsers do; curves that are points or not finite are, too.
 std::vector<std::vector<Cubic>> parsePathData(const QString &data);
 
-/// All paths of a document in their order, in the units of the document after transforms. Elements that are only
-/// defined, not drawn (<defs>, <clipPath>, …), and invisible ones are left out. Errors name the line.
+/// All paths and basic shapes of a document in their order, in the units of the document after transforms; what <use>
+/// refers to counts where it is used. Elements that are only defined, not drawn (<defs>, <clipPath>, …), and invisible
+/// ones are left out. Errors name the line.
 Result<std::vector<SvgPath>> readSvgPaths(const QByteArray &bytes);
 
 } // namespace suffuse

@@ -1,8 +1,8 @@
 // docs/text-form.md, reading.
 #include "model/formats/embedded_image.h"
 #include "model/formats/files.h"
-#include "model/formats/json_reader.h"
 #include "model/formats/messages.h"
+#include "model/formats/value_json.h"
 #include "model/validate.h"
 
 namespace suffuse {
@@ -12,10 +12,7 @@ namespace {
 using Names = std::string_view;
 
 /// Members that must be there, as bits of the name tables below.
-constexpr std::uint32_t bit(int k)
-{
-    return 1u << k;
-}
+constexpr auto bit = memberBit;
 
 class TextFormReader {
 public:
@@ -36,76 +33,10 @@ public:
 private:
     void require(std::uint32_t found, std::span<const Names> names, std::uint32_t wanted)
     {
-        for (std::size_t k = 0; m_json.ok() && k < names.size(); ++k) {
-            if ((wanted & bit(int(k))) && !(found & bit(int(k))))
-                m_json.failMember(names[k], FileMessages::tr("is missing"));
-        }
+        requireMembers(m_json, found, names, wanted);
     }
 
-    /// One of a few words; its position in `words`.
-    int choice(std::span<const Names> words)
-    {
-        QString text;
-        m_json.read(text);
-        if (!m_json.ok())
-            return 0;
-        QString list;
-        for (std::size_t k = 0; k < words.size(); ++k) {
-            const auto word = QLatin1String(words[k].data(), qsizetype(words[k].size()));
-            if (text == word)
-                return int(k);
-            list += (k ? QStringLiteral(", ") : QString()) + word;
-        }
-        m_json.fail(FileMessages::tr("“%1” is none of: %2").arg(excerpt(text.toStdString()), list));
-        return 0;
-    }
-
-    void colour(Colour &c)
-    {
-        std::array<float, 4> values{};
-        m_json.readAll(values);
-        c = {values[0], values[1], values[2], values[3]};
-    }
-
-    void style(Style &s)
-    {
-        static constexpr Names names[] = {"kind", "xi"};
-        static constexpr Names kinds[] = {"uniform", "feathering", "edge"};
-        std::size_t given = 0;
-        s.xi = {0, 0, 0};
-        const auto found = m_json.object(names, [&](int k) {
-            if (k == 0) {
-                s.kind = StyleKind(choice(kinds));
-            } else {
-                given = m_json.array([&](std::size_t i) {
-                    float ignored = 0;
-                    m_json.read(i < 3 ? s.xi[i] : ignored);
-                });
-            }
-        });
-        require(found, names, bit(0) | bit(1));
-        const std::size_t wanted = s.kind == StyleKind::Edge ? 3 : 2;
-        if (m_json.ok() && given != wanted)
-            m_json.failMember("xi", FileMessages::tr("has %1 numbers; the kind %2 has %3")
-                                        .arg(given)
-                                        .arg(QLatin1String(kinds[int(s.kind)].data()))
-                                        .arg(wanted));
-    }
-
-    void mix(Mix &m)
-    {
-        static constexpr Names names[] = {"mode", "beta"};
-        static constexpr Names modes[] = {"alpha", "beta"};
-        const auto found = m_json.object(names, [&](int k) {
-            if (k == 0)
-                m.mode = MixMode(choice(modes));
-            else
-                m_json.read(m.beta);
-        });
-        require(found, names, m.mode == MixMode::Beta ? bit(0) | bit(1) : bit(0));
-        if (m_json.ok() && m.mode == MixMode::Alpha && (found & bit(1)))
-            m_json.failMember("beta", FileMessages::tr("belongs to the mode beta; remove it or change the mode"));
-    }
+    int choice(std::span<const Names> words) { return readChoice(m_json, words); }
 
     void bezier(std::array<Offset, 4> &points)
     {
@@ -159,9 +90,9 @@ private:
             case 5:
                 return m_json.readSeconds(s.born);
             case 6:
-                return colour(s.colour);
+                return readJson(m_json, s.colour);
             case 7:
-                return style(s.style.emplace());
+                return readJson(m_json, s.style.emplace());
             case 8:
                 s.node = NodeKind(choice(nodes));
                 return;
@@ -197,9 +128,9 @@ private:
             case 4:
                 return m_json.read(s.locked);
             case 5:
-                return style(s.style);
+                return readJson(m_json, s.style);
             case 6:
-                return mix(s.mix);
+                return readJson(m_json, s.mix);
             case 7: {
                 std::array<double, 2> xy{};
                 m_json.readAll(xy);
@@ -233,8 +164,9 @@ private:
 
     void paper(Paper &p)
     {
-        static constexpr Names names[] = {"kind", "seed", "scale", "strength", "image"};
+        static constexpr Names names[] = {"kind", "seed", "scale", "strength", "image", "grain"};
         static constexpr Names kinds[] = {"none", "procedural", "image"};
+        static constexpr Names grains[] = {"tooth", "fibres", "weave"};
         const auto found = m_json.object(names, [&](int k) {
             switch (k) {
             case 0:
@@ -252,8 +184,10 @@ private:
                 return m_json.read(p.scale);
             case 3:
                 return m_json.read(p.strength);
-            default:
+            case 4:
                 return image(p.image);
+            default:
+                p.grain = PaperGrain(choice(grains));
             }
         });
         require(found, names, p.kind == PaperKind::Image ? bit(0) | bit(4) : bit(0));
@@ -269,7 +203,7 @@ private:
             case 1:
                 return m_json.read(c.height);
             case 2:
-                return colour(c.background);
+                return readJson(m_json, c.background);
             default:
                 return paper(c.paper);
             }
@@ -299,7 +233,7 @@ private:
     void swatch(Swatch &s)
     {
         static constexpr Names names[] = {"name", "colour"};
-        const auto found = m_json.object(names, [&](int k) { k == 0 ? m_json.read(s.name) : colour(s.colour); });
+        const auto found = m_json.object(names, [&](int k) { k == 0 ? m_json.read(s.name) : readJson(m_json, s.colour); });
         require(found, names, bit(1));
     }
 

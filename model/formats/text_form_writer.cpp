@@ -2,6 +2,7 @@
 #include "model/formats/embedded_image.h"
 #include "model/formats/files.h"
 #include "model/formats/text_numbers.h"
+#include "model/formats/value_json.h"
 
 namespace suffuse {
 
@@ -14,45 +15,15 @@ void append(QByteArray &out, Offset p)
     out.append(']');
 }
 
-void append(QByteArray &out, const Colour &c)
-{
-    appendNumber(out.append('['), c.red);
-    appendNumber(out.append(','), c.yellow);
-    appendNumber(out.append(','), c.blue);
-    appendNumber(out.append(','), c.opacity);
-    out.append(']');
-}
-
 void append(QByteArray &out, bool value)
 {
     out.append(value ? "true" : "false");
 }
 
-void append(QByteArray &out, const Style &style)
-{
-    static constexpr const char *names[] = {"uniform", "feathering", "edge"};
-    out.append("{\"kind\": \"").append(names[int(style.kind)]).append("\", \"xi\": [");
-    appendNumber(out, style.xi[0]);
-    appendNumber(out.append(", "), style.xi[1]);
-    if (style.kind == StyleKind::Edge)
-        appendNumber(out.append(", "), style.xi[2]);
-    out.append("]}");
-}
-
-void append(QByteArray &out, const Mix &mix)
-{
-    if (mix.mode == MixMode::Alpha) {
-        out.append("{\"mode\": \"alpha\"}");
-        return;
-    }
-    appendNumber(out.append("{\"mode\": \"beta\", \"beta\": "), mix.beta);
-    out.append('}');
-}
-
 void appendOptional(QByteArray &out, const Segment &s)
 {
     if (s.style)
-        append(out.append(", \"style\": "), *s.style);
+        appendJson(out.append(", \"style\": "), *s.style);
     if (s.anisotropyRatio != 1 || s.anisotropyAngle != 0) {
         appendNumber(out.append(", \"anisotropy\": {\"ratio\": "), s.anisotropyRatio);
         appendNumber(out.append(", \"angle\": "), s.anisotropyAngle);
@@ -84,7 +55,7 @@ void append(QByteArray &out, const Segment &s)
     appendNumber(out.append(", \"granulation\": "), s.granulation);
     appendNumber(out.append(", \"maxAge\": "), s.maxAge);
     appendSeconds(out.append(", \"born\": "), s.born);
-    append(out.append(", \"colour\": "), s.colour);
+    appendJson(out.append(", \"colour\": "), s.colour);
     appendOptional(out, s);
     out.append('}');
 }
@@ -100,8 +71,8 @@ void append(QByteArray &out, const Stroke &stroke)
         out.append("null");
     append(out.append(", \"visible\": "), stroke.visible);
     append(out.append(", \"locked\": "), stroke.locked);
-    append(out.append(",\n   \"style\": "), stroke.style);
-    append(out.append(", \"mix\": "), stroke.mix);
+    appendJson(out.append(",\n   \"style\": "), stroke.style);
+    appendJson(out.append(", \"mix\": "), stroke.mix);
     if (stroke.origin != Point{}) {
         appendNumber(out.append(", \"origin\": ["), stroke.origin.x);
         appendNumber(out.append(','), stroke.origin.y);
@@ -118,9 +89,12 @@ void append(QByteArray &out, const Stroke &stroke)
 void append(QByteArray &out, const Paper &paper)
 {
     static constexpr const char *names[] = {"none", "procedural", "image"};
+    static constexpr const char *grains[] = {"tooth", "fibres", "weave"};
     static const Paper usual;
     const bool all = paper.kind != PaperKind::None;
     out.append("{\"kind\": \"").append(names[int(paper.kind)]).append('"');
+    if (paper.grain != usual.grain)
+        out.append(", \"grain\": \"").append(grains[int(paper.grain)]).append('"');
     if (all || paper.seed != usual.seed)
         appendNumber(out.append(", \"seed\": "), std::uint64_t(paper.seed));
     if (all || paper.scale != usual.scale)
@@ -136,7 +110,7 @@ void append(QByteArray &out, const Canvas &canvas)
 {
     appendNumber(out.append("{\"width\": "), canvas.width);
     appendNumber(out.append(", \"height\": "), canvas.height);
-    append(out.append(", \"background\": "), canvas.background);
+    appendJson(out.append(", \"background\": "), canvas.background);
     append(out.append(", \"paper\": "), canvas.paper);
     out.append('}');
 }
@@ -158,7 +132,7 @@ void append(QByteArray &out, const Group &group)
 void append(QByteArray &out, const Swatch &swatch)
 {
     appendString(out.append("{\"name\": "), swatch.name);
-    append(out.append(", \"colour\": "), swatch.colour);
+    appendJson(out.append(", \"colour\": "), swatch.colour);
     out.append('}');
 }
 

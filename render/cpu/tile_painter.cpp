@@ -119,8 +119,8 @@ private:
                 const Point at = view.toCanvas({block.x + (i + 0.5) * block.step, block.y + (j + 0.5) * block.step});
                 double eta = 1;
                 if (paper.kind == PaperKind::Procedural)
-                    eta = math::proceduralPaper(at.x, at.y, block.step * view.px(), paper.seed, paper.scale,
-                                                paper.strength);
+                    eta = math::proceduralPaper(at.x, at.y, block.step * view.px(), std::int32_t(paper.grain),
+                                                paper.seed, paper.scale, paper.strength);
                 else if (m_frame.paperImage)
                     eta = math::imagePaper(at.x, at.y, m_frame.paperImage->grey.data(), m_frame.paperImage->width,
                                            m_frame.paperImage->height, paper.scale, paper.strength);

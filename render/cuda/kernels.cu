@@ -17,129 +17,57 @@ __device__ void takeTurn()
 #endif
 }
 
-constexpr int weightClasses = 256;
-
-/// Eight classes an octave, heavy ones first.
-__device__ int classOf(std::uint32_t weight)
-{
-    const int log8 = int(__log2f(float(weight + 1)) * 8);
-    return weightClasses - 1 - (log8 < weightClasses ? log8 : weightClasses - 1);
-}
-
-__device__ std::uint32_t weightOf(const Frame &frame, std::uint32_t job)
-{
-    const TileJob &tile = frame.tiles[job];
-    const int at = tile.row % macroTiles * macroTiles + tile.column % macroTiles;
-    return __ldcg(frame.weights + std::size_t(tile.macro) * macroTiles * macroTiles + at);
-}
-
-/// By one warp: from how many there are of each class to the place of the first of them.
-__device__ void countsToPlaces(std::uint32_t (&places)[weightClasses])
-{
-    constexpr int classes = weightClasses / warpLanes; // a lane
-    std::uint32_t count[classes], own = 0;
-    SUFFUSE_UNROLL
-    for (int i = 0; i < classes; ++i)
-        own += count[i] = places[threadIdx.x * classes + i];
-    std::uint32_t sum = own;
-    SUFFUSE_UNROLL
-    for (int by = 1; by < warpLanes; by *= 2) {
-        const std::uint32_t lower = __shfl_up_sync(0xffffffffu, sum, by);
-        sum += int(threadIdx.x) >= by ? lower : 0;
-    }
-    std::uint32_t before = sum - own;
-    SUFFUSE_UNROLL
-    for (int i = 0; i < classes; ++i) {
-        places[threadIdx.x * classes + i] = before;
-        before += count[i];
-    }
-}
-
-/// By one block: puts heavy tiles first, so that no long one is begun last. Which of two of a class comes first may
-/// differ from call to call; pixels do not depend on it.
-__device__ void orderTiles(const Frame &frame, std::uint32_t (&places)[weightClasses])
-{
-    constexpr std::uint32_t threads = listWarps * warpLanes, most = 16, page = most * threads;
-    std::uint32_t own[most], rank[most]; // several loads and atomics at a time
-    const auto jobOf = [&](std::uint32_t from, std::uint32_t k) { return from + k * threads + threadIdx.x; };
-    const auto count = [&](std::uint32_t from) {
-        SUFFUSE_UNROLL
-        for (std::uint32_t k = 0; k < most; ++k)
-            own[k] = jobOf(from, k) < frame.tileCount ? weightOf(frame, jobOf(from, k)) : 0;
-        SUFFUSE_UNROLL
-        for (std::uint32_t k = 0; k < most; ++k) {
-            own[k] = classOf(own[k]);
-            rank[k] = jobOf(from, k) < frame.tileCount ? atomicAdd(places + own[k], 1u) : 0;
-        }
-    };
-    for (std::uint32_t i = threadIdx.x; i < weightClasses; i += threads)
-        places[i] = 0;
-    __syncthreads();
-    const std::uint32_t last = (frame.tileCount - 1) / page * page;
-    for (std::uint32_t from = 0; from <= last; from += page) {
-        count(from);
-        __syncthreads();
-    }
-    if (threadIdx.x < warpLanes)
-        countsToPlaces(places);
-    __syncthreads();
-    SUFFUSE_UNROLL
-    for (std::uint32_t k = 0; k < most; ++k) // what was counted last comes last in its class
-        if (jobOf(last, k) < frame.tileCount)
-            frame.order[places[own[k]] + rank[k]] = jobOf(last, k);
-    __syncthreads();
-    SUFFUSE_ROLLED
-    for (std::uint32_t from = 0; from < last; from += page) {
-        count(from);
-        SUFFUSE_UNROLL
-        for (std::uint32_t k = 0; k < most; ++k)
-            frame.order[rank[k]] = jobOf(from, k);
-    }
-}
-
-// Runs once per list, by one block; the last block that is done puts the tiles in order.
+// Runs once per list, by one block.
 __global__ void __launch_bounds__(listWarps *warpLanes, 3) listsKernel(const __grid_constant__ Frame frame)
 {
-    __shared__ union {
-        ListScratch lists;
-        std::uint32_t places[weightClasses];
-    } scratch;
-    __shared__ bool last;
+    __shared__ ListScratch scratch;
     takeTurn();
     DeviceBlock block;
     for (std::uint32_t list = blockIdx.x; list < frame.macroCount * listParts; list += gridDim.x)
-        ListMaker<DeviceBlock>(block, frame, list, scratch.lists).make();
-    if (!frame.ordered)
-        return;
-    if (threadIdx.x == 0) {
-        __threadfence();
-        last = atomicAdd(frame.status + blocksDone, 1u) == gridDim.x - 1;
-    }
-    __syncthreads();
-    if (last)
-        orderTiles(frame, scratch.places);
+        ListMaker<DeviceBlock>(block, frame, list, scratch).make();
 }
 
-/// The first job of a block is its own; of the rest each takes the next that nobody has.
-template <StatusWord counter>
-__device__ std::uint32_t nextJob(const Frame &frame)
+/// Warps a multiprocessor.
+constexpr int plainWarps = 12, generalWarps = 5;
+
+/// Where a block begins in the order. Blocks of one multiprocessor follow one another where they are made ready while
+/// lists are made, and tiles of like weights go well together there; but the heaviest would make one multiprocessor
+/// late, so the first quarter of them is dealt out, there and back.
+template <int together>
+__device__ std::uint32_t firstPlace()
 {
-    std::uint32_t job = 0;
+#if defined(__CUDA_ARCH__) && __CUDA_ARCH__ >= 900
+    const std::uint32_t dealt = gridDim.x / (together * 4), to = blockIdx.x / together, round = blockIdx.x % together;
+    if (to < dealt)
+        return round * dealt + (round % 2 ? dealt - 1 - to : to);
+#endif
+    return blockIdx.x;
+}
+
+/// The first places are those of `firstPlace`; of the rest each block takes the next that nobody has.
+template <StatusWord counter>
+__device__ std::uint32_t nextPlace(const Frame &frame)
+{
+    std::uint32_t place = 0;
     if (threadIdx.x == 0)
-        job = gridDim.x + atomicAdd(frame.status + counter, 1u);
-    return __shfl_sync(0xffffffffu, job, 0);
+        place = gridDim.x + atomicAdd(frame.status + counter, 1u);
+    return __shfl_sync(0xffffffffu, place, 0);
 }
 
 // Runs once per tile job, by one warp.
 template <bool general>
-__global__ void __launch_bounds__(warpLanes, general ? 5 : 12) tilesKernel(const __grid_constant__ Frame frame)
+__global__ void __launch_bounds__(warpLanes, general ? generalWarps : plainWarps)
+    tilesKernel(const __grid_constant__ Frame frame)
 {
     __shared__ TileScratch<general> scratch;
+    __shared__ OrderScratch orderScratch;
     takeTurn();
     DeviceWarp warp;
+    TileOrder order(warp, frame, orderScratch);
     constexpr StatusWord counter = general ? nextGeneralTile : nextPlainTile;
-    for (std::uint32_t i = blockIdx.x; i < frame.tileCount; i = nextJob<counter>(frame)) {
-        const std::uint32_t job = frame.ordered ? frame.order[i] : i;
+    constexpr int together = general ? generalWarps : plainWarps;
+    for (std::uint32_t i = firstPlace<together>(); i < frame.tileCount; i = nextPlace<counter>(frame)) {
+        const std::uint32_t job = order.job(i);
         if (((frame.tiles[job].flags & plainTile) == 0) == general)
             paintTile<general>(warp, frame, job, scratch);
     }

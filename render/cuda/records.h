@@ -19,6 +19,8 @@ inline constexpr int listTiles = macroTiles * macroTiles / 2;
 /// The chunks of half a macro job are listed in so many quarters, side by side: each is a list of its own.
 inline constexpr int listQuarters = 4;
 inline constexpr int listParts = 2 * listQuarters; ///< lists a macro job: those of the upper half, then the lower one's
+/// Tiles are painted in the order of so many classes of weights.
+inline constexpr int weightClasses = 128;
 /// Nodes of one stroke that are chosen together, one a lane.
 inline constexpr int chunkNodes = 32;
 
@@ -107,6 +109,7 @@ enum TileFlag : std::uint16_t {
 struct MacroJob {
     std::int32_t column = 0, row = 0; ///< in macro-tiles
     std::uint32_t from = 0, to = 0;   ///< chunks looked at: [from, to)
+    std::uint32_t firstTile = 0;      ///< its tile jobs are among the macroTiles² from there on
 };
 
 /// RYB and coverage of one pixel while strokes are mixed into it.
@@ -119,6 +122,7 @@ inline constexpr int overPlanes = 9; ///< keep, add 3, limit 3, hold, gain
 
 struct PaperParams {
     std::int32_t kind = 0; ///< PaperKind
+    std::int32_t grain = 0; ///< PaperGrain
     std::uint32_t seed = 0;
     double scale = 1;
     float strength = 0;
@@ -167,13 +171,16 @@ struct Frame {
     float *tilesRgba = nullptr;         ///< straight RGBA, 4·tileSize a tile job
 
     // Cleared by the host before each call.
-    std::uint32_t *status = nullptr;  ///< status words
-    std::uint32_t *weights = nullptr; ///< macroTiles² a macro job: what its tiles cost, roughly
-    std::uint32_t *order = nullptr;   ///< of the tile jobs, heavy ones first, where `ordered`
-    std::uint32_t ordered = 0;
+    std::uint32_t *status = nullptr;      ///< status words
+    std::uint32_t *classCounts = nullptr; ///< weightClasses: how many tile jobs `order` has of each
+    std::uint32_t *weights =
+        nullptr; ///< macroTiles² a macro job: what its tiles cost, roughly, and how many lists told
+
+    std::uint16_t *order = nullptr; ///< tile jobs, tileCount a class of weights, heavy ones first (tile_order.h)
+    std::uint32_t ordered = 0;      ///< whether they are painted so
 };
 
 /// Words of Frame::status.
-enum StatusWord { nextPlainTile, nextGeneralTile, longestList, blocksDone, statusWords };
+enum StatusWord { nextPlainTile, nextGeneralTile, longestList, statusWords };
 
 } // namespace suffuse::cuda

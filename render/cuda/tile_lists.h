@@ -2,7 +2,7 @@
 // of a block of them.
 #pragma once
 
-#include "render/cuda/tile_nodes.h"
+#include "render/cuda/tile_order.h"
 
 namespace suffuse::cuda {
 
@@ -72,7 +72,7 @@ public:
         : m_warp(warp), m_frame(frame), m_cellX(cellX), m_cellY(cellY), m_s(scratch)
     {
         m_warp.fetch([&](int lane, auto start) { fetchStroke(m_frame, stroke, lane, start, m_s.stroke); });
-        m_warp.each([&](int lane) { m_density[lane] = m_slope[lane] = 0, m_weight[lane] = strokeWeight; });
+        m_warp.each([&](int lane) { m_density[lane] = m_slope[lane] = 0, m_met[lane] = 0; });
     }
 
     /// Bit i: whether nodes of the chunk meet tile i.
@@ -100,7 +100,7 @@ public:
             constexpr float half = tileSide / 2;
             const float centreX = float(lane % macroTiles * tileSide) + half;
             const float centreY = float(lane / macroTiles * tileSide) + half;
-            const std::uint32_t before = m_weight[lane];
+            const std::uint32_t before = m_met[lane];
             SUFFUSE_UNROLL_BY_4
             for (int n = 0; n < nodes; ++n) {
                 const Float4 place = m_s.nodes[n].place, decay = m_s.nodes[n].decay;
@@ -112,11 +112,11 @@ public:
                 const float log = counts ? math::mulAdd_(ox, ox, oy * oy) * decay.x : -1000.0f;
                 const float e = math::exp2_(log);
                 const float rise = math::min_(0.8578f, math::negMulAdd_(log * float(math::ln2), e, e));
-                m_weight[lane] += counts;
+                m_met[lane] += counts;
                 m_density[lane] = math::mulAdd_(decay.y, e, m_density[lane]);
                 m_slope[lane] = math::mulAdd_(decay.z, rise, m_slope[lane]);
             }
-            return m_weight[lane] != before;
+            return m_met[lane] != before;
         });
         m_warp.meet(); // before the next chunk's nodes
         return hits;
@@ -141,14 +141,16 @@ public:
     /// Tells what the stroke costs in the tiles of the mask.
     SUFFUSE_PROGRAM void addWeights(std::uint32_t mask, std::uint32_t *weights)
     {
+        const ShadeParams &shade = strokeOf(m_s.stroke).shade; // how often its nodes are summed, as measured
+        const std::uint32_t nodeWeight = shade.colourChannel >= 0 ? 17 : shade.lineChannel >= 0 ? 7 : 4;
         m_warp.each([&](int lane) {
             if (mask >> lane & 1)
-                Warp::add(weights + lane, m_weight[lane]);
+                Warp::add(weights + lane, strokeWeight + nodeWeight * m_met[lane]);
         });
     }
 
 private:
-    static constexpr std::uint32_t strokeWeight = 24; ///< of shading and mixing a tile, in nodes
+    static constexpr std::uint32_t strokeWeight = 96; ///< of shading and mixing a tile
 
     SUFFUSE_PROGRAM std::int32_t cellX(int lane) const { return m_cellX + lane % macroTiles; }
     SUFFUSE_PROGRAM std::int32_t cellY(int lane) const { return m_cellY + lane / macroTiles; }
@@ -158,7 +160,7 @@ private:
     std::int32_t m_cellX, m_cellY;
     CullScratch &m_s;
     Var<float> m_density, m_slope; ///< bounds of φ and |∇φ| (per pixel) in the lane's tile
-    Var<std::uint32_t> m_weight;
+    Var<std::uint32_t> m_met;      ///< nodes that meet the tile
 };
 
 inline constexpr int listWarps = 8;
@@ -192,6 +194,8 @@ public:
     {
         gather();
         m_block.each([&](Warp &warp, int own) { cull(warp, m_s.cull[own]); });
+        if (m_frame.ordered)
+            m_block.one([&](Warp &warp) { tellWeights(warp); });
         compact();
     }
 
@@ -324,7 +328,7 @@ private:
         cull.addWeights(all & seen, m_s.weights);
     }
 
-    /// Leaves out what can be seen nowhere, and tells the list's length and what its tiles cost.
+    /// Leaves out what can be seen nowhere, and tells the list's length.
     SUFFUSE_PROGRAM void compact()
     {
         std::uint32_t count = 0;
@@ -351,11 +355,41 @@ private:
             warp.each([&](int lane) {
                 if (own == 0 && lane == 0)
                     m_frame.listCounts[m_index] = count;
-                if (own == 0 && m_s.weights[lane] > 0)
-                    Warp::add(m_frame.weights + std::size_t(m_index / listQuarters) * listTiles + lane,
-                              m_s.weights[lane]);
             });
         });
+    }
+
+    /// Adds up what the half's tiles cost; what the last of its lists completes takes its place in the order.
+    SUFFUSE_PROGRAM void tellWeights(Warp &warp)
+    {
+        constexpr std::uint32_t told = 1u << 28; // how many lists did, beside the weight
+        constexpr int groups = macroTiles * macroTiles / warpLanes;
+        typename Warp::template Var<TileJob> tile[groups];
+        warp.each([&](int lane) {
+            SUFFUSE_UNROLL
+            for (int g = 0; g < groups; ++g) {
+                const std::uint32_t job = jobOf(g, lane), last = m_frame.tileCount - 1;
+                tile[g][lane] = m_frame.tiles[job < last ? job : last];
+            }
+            std::uint32_t *weight = m_frame.weights + std::size_t(m_index / listQuarters) * listTiles + lane;
+            const std::uint32_t own = m_s.weights[lane] + told;
+            m_s.weights[lane] = Warp::add(weight, own) + own;
+        });
+        warp.each([&](int lane) {
+            SUFFUSE_UNROLL
+            for (int g = 0; g < groups; ++g) {
+                const TileJob &job = tile[g][lane];
+                const std::uint32_t row = job.row % macroTiles, half = row / (macroTiles / 2);
+                const std::uint32_t weight = m_s.weights[row % (macroTiles / 2) * macroTiles + job.column % macroTiles];
+                if (jobOf(g, lane) < m_frame.tileCount && job.macro == m_index / listParts && half == m_half &&
+                    weight / told == listQuarters)
+                    putInOrder<Warp>(m_frame, jobOf(g, lane), weight % told);
+            }
+        });
+    }
+    SUFFUSE_PROGRAM std::uint32_t jobOf(int group, int lane) const
+    {
+        return m_macro.firstTile + std::uint32_t(group * warpLanes + lane);
     }
 
     Block &m_block;

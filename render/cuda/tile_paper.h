@@ -23,7 +23,7 @@ SUFFUSE_CALL float etaAt(const Frame &frame, double X, double Y, float step)
     toCanvas(frame, X, Y, x, y);
     const double strength = double(p.strength);
     if (p.kind == 1)
-        return float(math::proceduralPaper(x, y, double(step) * frame.toCanvas.px, p.seed, p.scale, strength));
+        return float(math::proceduralPaper(x, y, double(step) * frame.toCanvas.px, p.grain, p.seed, p.scale, strength));
     return p.grey ? float(math::imagePaper(x, y, p.grey, p.width, p.height, p.scale, strength)) : 1.0f;
 }
 

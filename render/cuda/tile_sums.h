@@ -34,7 +34,7 @@ SUFFUSE_PROGRAM int sampleAtPixel(int column, int row)
     return sampleAt(row / 4 * 8 + column / 2, row % 4 * 2 + column % 2);
 }
 
-inline constexpr int nodeRoom = 64; ///< nodes of a stroke that are listed at once
+inline constexpr int nodeRoom = 96; ///< nodes of a stroke that are listed at once
 inline constexpr int stride = 4;    ///< nodes are summed by fours: empty ones fill up the last
 inline constexpr int batch = 16;    ///< of them whose tables are in shared memory at once
 

@@ -10,7 +10,7 @@ namespace suffuse::cuda {
 
 namespace {
 
-constexpr std::size_t mostBandTiles = 65536;
+constexpr std::size_t mostBandTiles = 65535; // counted by 16 bits
 /// Of float pixels: 32 MiB.
 constexpr std::size_t mostFloatTiles = 8192;
 constexpr std::size_t fewestBandTiles = 64;
@@ -32,7 +32,7 @@ ToCanvas toCanvasOf(const View &v)
 TileWorker::TileWorker(std::shared_ptr<Device> device, bool cull, int threads)
     : m_device(std::move(device)), m_threads(threads), m_scene(*m_device), m_layers(*m_device), m_paper(*m_device),
       m_tileJobs(*m_device), m_macroJobs(*m_device), m_hostStatus(*m_device), m_deviceTileJobs(*m_device),
-      m_deviceMacroJobs(*m_device), m_status(*m_device), m_order(*m_device), m_listCounts(*m_device),
+      m_deviceMacroJobs(*m_device), m_status(*m_device), m_listCounts(*m_device), m_order(*m_device),
       m_lists(*m_device), m_buffers{TileBuffer(*m_device), TileBuffer(*m_device)}, m_bandTiles(mostBandTiles)
 {
     m_frame.cull = cull;
@@ -59,6 +59,7 @@ Fault TileWorker::updatePaper(const Paper &paper, const std::shared_ptr<const Pa
     if (paper.strength <= 0 || (paper.kind == PaperKind::Image && !texture))
         return {};
     m_frame.paper.kind = std::int32_t(paper.kind);
+    m_frame.paper.grain = std::int32_t(paper.grain);
     m_frame.paper.seed = paper.seed;
     m_frame.paper.scale = paper.scale;
     m_frame.paper.strength = paper.strength;
@@ -122,9 +123,8 @@ Fault TileWorker::prepare(const FrameHistory &history, const FrameHistory::Step 
 
 Fault TileWorker::reserveJobs(std::size_t tiles)
 {
-    for (const Fault &fault :
-         {m_tileJobs.reserve(tiles), m_macroJobs.reserve(tiles), m_hostStatus.reserve(statusWords),
-          m_deviceTileJobs.reserve(tiles), m_deviceMacroJobs.reserve(tiles), m_order.reserve(tiles)})
+    for (const Fault &fault : {m_tileJobs.reserve(tiles), m_macroJobs.reserve(tiles), m_hostStatus.reserve(statusWords),
+                               m_deviceTileJobs.reserve(tiles), m_deviceMacroJobs.reserve(tiles)})
         if (fault)
             return fault;
     return {};
@@ -165,7 +165,7 @@ TileWorker::Band TileWorker::plan(const FrameHistory &history, bool interactive,
                 if (macros == macroLimit)
                     break;
                 macroJobs[macros] = {column / macroTiles, row / macroTiles, flags & haveUnder ? editedFrom : 0,
-                                     flags & applyOver ? editedTo : chunks};
+                                     flags & applyOver ? editedTo : chunks, std::uint32_t(job - m_tileJobs.data())};
                 known = macros++;
             }
             list = known;
@@ -179,9 +179,9 @@ TileWorker::Band TileWorker::plan(const FrameHistory &history, bool interactive,
 Fault TileWorker::run(const Band &band)
 {
     const std::size_t lists = band.macros * listParts;
-    const std::size_t words = statusWords + band.macros * macroTiles * macroTiles; // with the tiles' weights
-    for (const Fault &fault :
-         {m_lists.reserve(lists * m_listRoom), m_listCounts.reserve(lists), m_status.reserve(words)})
+    const std::size_t words = statusWords + weightClasses + band.macros * macroTiles * macroTiles;
+    for (const Fault &fault : {m_lists.reserve(lists * m_listRoom), m_listCounts.reserve(lists),
+                               m_status.reserve(words), m_order.reserve(band.tiles * weightClasses)})
         if (fault)
             return fault;
     m_frame.macros = m_deviceMacroJobs.data();
@@ -194,7 +194,8 @@ Fault TileWorker::run(const Band &band)
     m_frame.under = m_layers.under();
     m_frame.over = m_layers.over();
     m_frame.status = m_status.data();
-    m_frame.weights = m_status.data() + statusWords;
+    m_frame.classCounts = m_status.data() + statusWords;
+    m_frame.weights = m_frame.classCounts + weightClasses;
     m_frame.order = m_order.data();
     if (Fault fault = m_device->clear(m_status.data(), words * sizeof(std::uint32_t)))
         return fault;

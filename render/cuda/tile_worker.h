@@ -84,7 +84,8 @@ private:
     PinnedArray<std::uint32_t> m_hostStatus;
     DeviceArray<TileJob> m_deviceTileJobs;
     DeviceArray<MacroJob> m_deviceMacroJobs;
-    DeviceArray<std::uint32_t> m_status, m_order, m_listCounts;
+    DeviceArray<std::uint32_t> m_status, m_listCounts;
+    DeviceArray<std::uint16_t> m_order;
     DeviceArray<ListEntry> m_lists;
     std::array<TileBuffer, 2> m_buffers; ///< one band is computed while the other is stored
     std::uint32_t m_listRoom = 128;

@@ -21,6 +21,7 @@
 #include <array>
 #include <bit>
 #include <cstring>
+#include <utility>
 #define SUFFUSE_PROGRAM inline
 #define SUFFUSE_CALL static inline
 #define SUFFUSE_UNROLL
@@ -81,6 +82,15 @@ public:
             s += __shfl_xor_sync(everyLane, s, by);
         return s;
     }
+    /// Adds to each lane's value those of the lanes before it.
+    SUFFUSE_PROGRAM void sumUp(Var<std::uint32_t> &v)
+    {
+        SUFFUSE_UNROLL
+        for (int by = 1; by < warpLanes; by *= 2) {
+            const std::uint32_t before = __shfl_up_sync(everyLane, v.value, by);
+            v.value += m_lane >= by ? before : 0;
+        }
+    }
     SUFFUSE_PROGRAM float least(const Var<float> &v)
     {
         float s = v.value;
@@ -110,7 +120,11 @@ public:
     static SUFFUSE_PROGRAM int lowest(std::uint32_t mask) { return __ffs(int(mask)) - 1; }
     /// For words that other warps change, too.
     static SUFFUSE_PROGRAM void raise(std::uint32_t *word, std::uint32_t to) { atomicMax(word, to); }
-    static SUFFUSE_PROGRAM void add(std::uint32_t *word, std::uint32_t value) { atomicAdd(word, value); }
+    /// Returns what it was.
+    static SUFFUSE_PROGRAM std::uint32_t add(std::uint32_t *word, std::uint32_t value)
+    {
+        return atomicAdd(word, value);
+    }
     /// Counts a word up: what it was.
     SUFFUSE_PROGRAM std::uint32_t take(std::uint32_t *word)
     {
@@ -136,6 +150,13 @@ public:
     {
         f(m_warp, int(threadIdx.x) / warpLanes);
         __syncthreads();
+    }
+    /// Calls f(warp) of one of the warps; the others go on to the next phase meanwhile.
+    template <class F>
+    SUFFUSE_PROGRAM void one(F f)
+    {
+        if (threadIdx.x >= blockDim.x - warpLanes)
+            f(m_warp);
     }
 
 private:
@@ -187,6 +208,11 @@ public:
                 s[lane] += s[lane + by];
         return s[0];
     }
+    void sumUp(Var<std::uint32_t> &v)
+    {
+        for (int lane = 1; lane < warpLanes; ++lane)
+            v[lane] += v[lane - 1];
+    }
     float least(const Var<float> &v)
     {
         float s = v[0];
@@ -205,7 +231,7 @@ public:
     static int count(std::uint32_t mask) { return std::popcount(mask); }
     static int lowest(std::uint32_t mask) { return std::countr_zero(mask); }
     static void raise(std::uint32_t *word, std::uint32_t to) { *word = *word < to ? to : *word; }
-    static void add(std::uint32_t *word, std::uint32_t value) { *word += value; }
+    static std::uint32_t add(std::uint32_t *word, std::uint32_t value) { return std::exchange(*word, *word + value); }
     std::uint32_t take(std::uint32_t *word) { return (*word)++; }
 };
 
@@ -220,6 +246,11 @@ public:
     {
         for (int own = 0; own < warps; ++own)
             f(m_warp, own);
+    }
+    template <class F>
+    void one(F f)
+    {
+        f(m_warp);
     }
 
 private:

@@ -17,37 +17,117 @@ SUFFUSE_INLINE std::uint32_t paperMix(std::uint32_t z)
     return z ^ (z >> 16);
 }
 
-/// Lattice value in [−1, 1).
-SUFFUSE_INLINE double paperCorner(std::uint32_t base, std::int64_t x, std::int64_t y)
+/// Without the library's calls, which cost as much as the noise.
+SUFFUSE_INLINE std::int64_t paperFloor(double u)
 {
-    std::uint32_t h = paperMix(base ^ std::uint32_t(x) * 0xC2B2AE35u);
-    h = paperMix(h ^ std::uint32_t(y) * 0x27D4EB2Fu);
-    return h / 2147483648.0 - 1.0;
+    const auto whole = std::int64_t(u);
+    return whole - (u < double(whole));
 }
 
-/// η of the procedural paper at canvas point (x, y) for samples of size px (canvas units).
-SUFFUSE_INLINE double proceduralPaper(double x, double y, double px, std::uint32_t seed, double scale, double strength)
+SUFFUSE_INLINE double paperClamp(double t, double low, double high)
 {
-    const auto fade = [](double f) { return f * f * f * (f * (f * 6 - 15) + 10); };
-    double sum = 0, amplitude = 1, wavelength = scale;
-    for (std::uint32_t i = 0; i < 48; ++i, amplitude *= 0.70710678118654752, wavelength *= 0.5) {
-        const double band = std::fmin(1.0, (wavelength / px - 2) / 2);
+    return t < low ? low : t > high ? high : t;
+}
+
+SUFFUSE_INLINE double paperFade(double f)
+{
+    return f * f * f * (f * (f * 6 - 15) + 10);
+}
+
+/// What the lattice point (X + i, Y + j) adds at its offset (f − i, g − j).
+SUFFUSE_INLINE double paperCorner(std::uint32_t base, std::uint32_t x, std::uint32_t y, double f, double g)
+{
+    const std::uint32_t h = paperMix(paperMix(base ^ x * 0xC2B2AE35u) ^ y * 0x27D4EB2Fu);
+    return ((h & 0xFFFFu) / 32768.0 - 1) * f + ((h >> 16) / 32768.0 - 1) * g;
+}
+
+/// Gradient noise of a layer.
+SUFFUSE_INLINE double paperNoise(double u, double v, std::uint32_t layer, std::uint32_t seed)
+{
+    const std::int64_t left = paperFloor(u), above = paperFloor(v);
+    const double f = u - double(left), g = v - double(above), a = paperFade(f), b = paperFade(g);
+    const auto x = std::uint32_t(left), y = std::uint32_t(above);
+    const std::uint32_t base = seed * 0x9E3779B9u + layer * 0x85EBCA6Bu;
+    const double top = paperCorner(base, x, y, f, g) * (1 - a) + paperCorner(base, x + 1, y, f - 1, g) * a;
+    const double bottom =
+        paperCorner(base, x, y + 1, f, g - 1) * (1 - a) + paperCorner(base, x + 1, y + 1, f - 1, g - 1) * a;
+    return top * (1 - b) + bottom * b;
+}
+
+/// Share of a layer that has so many samples a wavelength.
+SUFFUSE_INLINE double paperBand(double samples)
+{
+    const double t = paperClamp((samples - 2) / 3, 0, 1);
+    return t * t * (3 - 2 * t);
+}
+
+/// A turn by atan(4/3) and an enlargement.
+SUFFUSE_INLINE void paperTurn(double &u, double &v, double times)
+{
+    const double turned = times * (0.6 * u - 0.8 * v);
+    v = times * (0.8 * u + 0.6 * v);
+    u = turned;
+}
+
+/// The octaves that all grains have, at cell coordinates of octave 0.
+SUFFUSE_INLINE double paperOctaves(double u, double v, double samples, std::uint32_t seed)
+{
+    paperTurn(u, v, 1);
+    double sum = 0, amplitude = 1;
+    for (std::uint32_t i = 0; i < 48; ++i) {
+        const double band = paperBand(samples);
         if (band <= 0)
             break;
-        const double u = x / wavelength, v = y / wavelength, fu = std::floor(u), fv = std::floor(v);
-        const auto X = std::int64_t(fu), Y = std::int64_t(fv);
-        const double a = fade(u - fu), b = fade(v - fv);
-        const std::uint32_t base = seed * 0x9E3779B9u + i * 0x85EBCA6Bu;
-        const double top = paperCorner(base, X, Y) * (1 - a) + paperCorner(base, X + 1, Y) * a;
-        const double bottom = paperCorner(base, X, Y + 1) * (1 - a) + paperCorner(base, X + 1, Y + 1) * a;
-        sum += band * amplitude * (top * (1 - b) + bottom * b);
+        sum += band * amplitude * paperNoise(u + 0.5, v + 0.5, i, seed);
+        paperTurn(u, v, 2);
+        amplitude *= 0.70710678118654752;
+        samples *= 0.5;
     }
-    const double n = std::fmin(1.0, std::fmax(0.0, 0.5 + 0.75 * sum));
-    return 1 - strength * n;
+    return sum;
+}
+
+/// Threads over and under each other: 1 on a thread's back, 0 in the holes; less its mean.
+SUFFUSE_INLINE double paperWeave(double u, double v, std::uint32_t seed)
+{
+    const double s = u + 0.35 * paperNoise(u * 0.25, v * 0.25, 48, seed);
+    const double t = v + 0.35 * paperNoise(u * 0.25, v * 0.25, 49, seed);
+    const std::int64_t column = paperFloor(s), row = paperFloor(t);
+    const double p = 2 * (s - double(column)) - 1, q = 2 * (t - double(row)) - 1;
+    const double over = (column + row) & 1 ? 1.0 : -1.0;
+    const double a = 1 - p * p, b = 1 - q * q;
+    const double warp = a * (1 + over * b), weft = b * (1 - over * a);
+    return (warp > weft ? warp : weft) / 2 - 0.58;
+}
+
+/// Long hairs in five directions; less their mean.
+SUFFUSE_INLINE double paperFibres(double u, double v, std::uint32_t seed)
+{
+    double sum = 0;
+    for (std::uint32_t j = 0; j < 5; ++j) {
+        paperTurn(u, v, 1);
+        sum += paperClamp(1 - 12 * std::fabs(paperNoise(u * 0.125, v, 50 + j, seed)), 0, 1) - 0.19;
+    }
+    return sum;
+}
+
+/// η of the procedural paper at canvas point (x, y) for samples of size px (canvas units). `grain`: PaperGrain.
+SUFFUSE_INLINE double proceduralPaper(double x, double y, double px, std::int32_t grain, std::uint32_t seed,
+                                      double scale, double strength)
+{
+    const double u = x / scale, v = y / scale, samples = scale / px;
+    const double octaves = paperOctaves(u, v, samples, seed);
+    double n = 2.5 * octaves;
+    if (grain == 1)
+        n = octaves - (samples > 5 ? paperBand(0.4 * samples) * paperFibres(u, v, seed) : 0.0);
+    else if (grain == 2)
+        n = 0.75 * octaves - (samples > 2 ? 2.2 * paperBand(samples) * paperWeave(u, v, seed) : 0.0);
+    const double t = paperClamp(n / 1.5, -1, 1);
+    return 1 - strength * (0.5 + 0.25 * t * (3 - t * t));
 }
 
 /// η of an image paper: bilinear between texel centres, repeated.
-SUFFUSE_INLINE double imagePaper(double x, double y, const float *grey, int width, int height, double scale, double strength)
+SUFFUSE_INLINE double imagePaper(double x, double y, const float *grey, int width, int height, double scale,
+                                 double strength)
 {
     const double u = x / scale - 0.5, v = y / scale - 0.5, fu = std::floor(u), fv = std::floor(v);
     const auto wrap = [](double i, int n) { return int(i - std::floor(i / n) * n); };

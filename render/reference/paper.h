@@ -15,13 +15,16 @@ public:
 
 private:
     double procedural(Point canvas, double px) const;
+    double octaves(Point cell, double samples) const;
+    double fibres(Point cell) const;
+    double weave(Point cell) const;
     double image(Point canvas) const;
 
     Paper m_paper;
     std::shared_ptr<const PaperTexture> m_texture;
 };
 
-/// Corner value a ∈ [−1, 1] of octave i at the lattice point whose coordinates are X, Y modulo 2³².
-double paperCorner(std::uint32_t x, std::uint32_t y, std::uint32_t octave, std::uint32_t seed);
+/// Gradient c of noise n_k at the lattice point whose coordinates are X, Y modulo 2³².
+Point paperGradient(std::uint32_t x, std::uint32_t y, std::uint32_t layer, std::uint32_t seed);
 
 } // namespace suffuse::reference

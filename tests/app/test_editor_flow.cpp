@@ -313,12 +313,12 @@ private slots:
     {
         Session s;
         const QList<QDockWidget *> docks = s.window.findChildren<QDockWidget *>();
-        QCOMPARE(docks.size(), 6);
+        QCOMPARE(docks.size(), 7);
         std::set<QDockWidget *> shown;
         for (QDockWidget *dock : docks)
             if (dock->toggleViewAction()->isChecked())
                 shown.insert(dock);
-        QCOMPARE(shown.size(), std::size_t(5)); // the probe is not in the way until it is asked for
+        QCOMPARE(shown.size(), std::size_t(6)); // the probe is not in the way until it is asked for
         s.use(Command::HideDocks);
         for (QDockWidget *dock : docks)
             QVERIFY(dock->isHidden());

@@ -270,7 +270,7 @@ private slots:
         QVERIFY(panel.canvasSection()->isVisible());
         type(*panel.canvasSection()->widthField(), "*2");
         QCOMPARE(bench.editor.document().painting()->canvas.width, 2048.0);
-        emit panel.canvasSection()->paperKind()->activated(int(PaperKind::Procedural));
+        emit panel.canvasSection()->paperChoice()->activated(1);
         QCOMPARE(bench.editor.document().painting()->canvas.paper.kind, PaperKind::Procedural);
         QCOMPARE(bench.steps(), 2);
         BarSlider *strength = panel.canvasSection()->paperStrength()->slider();
@@ -326,37 +326,6 @@ private slots:
         QCOMPARE(bench.steps(), 1);
         QCOMPARE(bench.stroke(3).segments[3].colour, before);
         QCOMPARE(bench.stroke(2).segments[0].colour, Colour{});
-    }
-
-    void brushesKeepTheColour()
-    {
-        Bench bench;
-        bench.editor.setColour({0.1f, 0.2f, 0.3f, 1});
-        BrushPanel panel(bench.editor);
-        showAt(panel, {280, 500});
-        QCOMPARE(panel.list()->count(), int(builtinBrushes().size()));
-        panel.list()->setCurrentRow(3);
-        const Brush &preset = builtinBrushes()[3];
-        QCOMPARE(bench.editor.brush().name, preset.name);
-        QCOMPARE(bench.editor.brush().colour.blue, 0.3f);
-        QVERIFY(!panel.resetButton()->isEnabled());
-        type(*panel.size()->number(), "40");
-        QVERIFY(std::abs(bench.editor.brush().spread() - 40) < 1e-3);
-        QCOMPARE(bench.editor.brush().peak, preset.peak);
-        QVERIFY(panel.resetButton()->isEnabled());
-        QTest::mouseClick(panel.resetButton(), Qt::LeftButton);
-        QCOMPARE(bench.editor.brush().diffusion, preset.diffusion);
-        QVERIFY(!panel.resetButton()->isEnabled());
-        QTRY_COMPARE(panel.pendingPreviews(), 0);
-        // The preview is paint, not an empty sheet.
-        BrushPreview preview;
-        const QImage picture = preview.render(preset, {112, 44});
-        QCOMPARE(picture.size(), QSize(112, 44));
-        int painted = 0;
-        for (int y = 0; y < picture.height(); ++y)
-            for (int x = 0; x < picture.width(); ++x)
-                painted += qAlpha(picture.pixel(x, y)) > 64;
-        QVERIFY(painted > 200 && painted < 112 * 44 * 3 / 4);
     }
 
     void densityFunctionEdges()

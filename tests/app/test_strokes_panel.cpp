@@ -6,7 +6,7 @@
 #include "app/panels/strokes_panel.h"
 #include "model/validate.h"
 #include "tests/app/panel_bench.h"
-#include "undo/edits.h"
+#include "undo/group_edits.h"
 
 #include <QAbstractItemModelTester>
 #include <QMenu>
@@ -137,6 +137,28 @@ private slots:
         bench.editor.undoStack().setIndex(0);
         QCOMPARE(bench.stroke(1).group, GroupId(0));
         QCOMPARE(model.rowCount(), 3);
+    }
+
+    void groupsAreRenamedInPlace()
+    {
+        Bench bench;
+        bench.select({2, 3});
+        bench.editor.push(groupSelection(bench.editor.document(), {}), "group");
+        StrokesPanel panel(bench.editor);
+        showAt(panel, {280, 300});
+        const QModelIndex row = panel.view()->model()->index(0, 0);
+        QCOMPARE(row.data().toString(), QString("Group 1"));
+        QTest::mouseClick(panel.view()->viewport(), Qt::LeftButton, {}, panel.view()->visualRect(row).center());
+        QTest::mouseDClick(panel.view()->viewport(), Qt::LeftButton, {}, panel.view()->visualRect(row).center());
+        QLineEdit *editor = nullptr;
+        QTRY_VERIFY((editor = panel.view()->viewport()->findChild<QLineEdit *>()));
+        editor->setText("Trees");
+        QTest::keyClick(editor, Qt::Key_Return);
+        QTRY_COMPARE(bench.editor.document().painting()->groups[0].name, QString("Trees"));
+        QCOMPARE(row.data().toString(), QString("Trees"));
+        QCOMPARE(bench.editor.undoStack().undoText(), QString("Rename group"));
+        bench.editor.undoStack().undo();
+        QCOMPARE(bench.editor.document().painting()->groups[0].name, QString());
     }
 
     void groupsMoveAsGroups()

@@ -220,6 +220,38 @@ private slots:
         QCOMPARE(s.box(2), Rect::of(150, 200, 200, 0));
     }
 
+    void alignsToTheFirstTheLastAndTheBiggest()
+    {
+        Selecting s(
+            {line(1, {100, 100}, {200, 100}), line(2, {150, 200}, {350, 200}), line(3, {600, 300}, {650, 300})});
+        const auto leftsBy = [&](Command relative) {
+            s.use(relative);
+            s.use(Command::AlignLeft);
+            const std::array<double, 3> lefts{s.box(1).left, s.box(2).left, s.box(3).left};
+            s.use(Command::Undo);
+            return lefts;
+        };
+        const auto all = [](double left) { return std::array<double, 3>{left, left, left}; };
+        s.click({625, 300}, none);
+        s.click({150, 100}, shift);
+        s.click({250, 200}, shift);
+        QCOMPARE(s.selected(), (std::set<StrokeId>{1, 2, 3}));
+        QCOMPARE(leftsBy(Command::AlignToFirst), all(600));
+        QCOMPARE(leftsBy(Command::AlignToLast), all(150));
+        QCOMPARE(leftsBy(Command::AlignToBiggest), all(150));
+        s.click({250, 200}, shift); // takes it away
+        s.select({1, 2, 3});
+        QCOMPARE(leftsBy(Command::AlignToLast), all(150));
+        s.select({1, 3});
+        s.select({1, 2, 3});
+        s.select({1, 2});
+        QCOMPARE(leftsBy(Command::AlignToFirst)[1], 100.0);
+        s.select({});
+        s.select({1, 2, 3}); // at once: the topmost of them
+        QCOMPARE(leftsBy(Command::AlignToFirst), all(600));
+        QCOMPARE(leftsBy(Command::AlignToLast), all(600));
+    }
+
     void lockHideAndShowAgain()
     {
         Selecting s({line(1, {100, 100}, {200, 100}), line(2, {150, 200}, {350, 200})});
@@ -268,6 +300,21 @@ private slots:
         s.dragHandle({Kind::Scale, 1, 1}, {148, 0});
         QVERIFY(near(s.box(1).right, 550, 1e-3));
         QVERIFY(settings::canvasAids().snapToGrid);
+    }
+
+    /// Nodes of all that is moved snap, not only those of the stroke under the pointer.
+    void everyMovedNodeSnaps()
+    {
+        Selecting s(
+            {line(1, {300, 300}, {400, 300}), line(2, {300, 400}, {400, 460}, 3), line(3, {700, 200}, {750, 210})});
+        const double pixel = 1 / s.canvas().view().scale;
+        s.select({1, 2});
+        s.use(Command::SnapToNodes);
+        const Point node{300 + 100 / 3.0, 420}, onto{700, 200}; // within the box, on the stroke that is not grabbed
+        s.drag({{350, 300}, Point{350, 300} + (onto - node) + Point{3 * pixel, -2 * pixel}});
+        const Stroke &moved = s.stroke(2);
+        QVERIFY(length(moved.origin + moved.segments[1].bezier[0] - onto) < 1e-4);
+        s.use(Command::SnapToNodes);
     }
 
     void snappingIsPure()

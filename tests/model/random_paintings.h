@@ -60,6 +60,7 @@ private:
         c.paper.seed = m_random.generate();
         c.paper.scale = float(1e-3 + unit() * 100);
         c.paper.strength = float(unit());
+        c.paper.grain = PaperGrain(below(3));
         if (c.paper.kind == PaperKind::Image || chance(5))
             c.paper.image = image();
         return c;

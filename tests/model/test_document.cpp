@@ -198,6 +198,7 @@ private slots:
         vary([](Painting &p, Stroke &, Segment &) { p.canvas.background.red = 1; });
         vary([](Painting &p, Stroke &, Segment &) { p.canvas.paper.kind = PaperKind::Procedural; });
         vary([](Painting &p, Stroke &, Segment &) { p.canvas.paper.seed = 2; });
+        vary([](Painting &p, Stroke &, Segment &) { p.canvas.paper.grain = PaperGrain::Weave; });
         vary([](Painting &p, Stroke &, Segment &) { p.canvas.paper.image = std::make_shared<QByteArray>("x"); });
         vary([](Painting &p, Stroke &, Segment &) { p.groups.push_back({1, {}, 0, true, false}); });
         vary([](Painting &p, Stroke &, Segment &) { p.swatches.push_back({}); });

@@ -31,6 +31,22 @@ std::vector<PenSample> line(double length, int samples, double interval = 0.008,
     return result;
 }
 
+/// φˢ of a long line of the brush at this pressure.
+double densityFor(const Brush &brush, double pressure)
+{
+    Segment segment;
+    setPaint(segment, brush, paintAt(brush, {pressure}, 1), {1, 0});
+    return segment.density;
+}
+
+/// A brush whose density at no pressure is this share of the full one.
+Brush brushWithFloor(float floor)
+{
+    Brush brush;
+    brush.setCurve(BrushQuantity::Density, BrushInput::Pressure, {{{0, floor}, {1, 1}}});
+    return brush;
+}
+
 double lengthOf(const Stroke &stroke)
 {
     double sum = 0;
@@ -147,19 +163,20 @@ private slots:
     void aTapIsADotWithThePeakOfALine()
     {
         for (const Brush &brush : builtinBrushes()) {
-            const double s = brush.spread();
+            const Paint paint = paintAt(brush, {1}, 3);
+            const double s = spreadOf(brush, paint.size, paint.maxAge);
             const StrokePtr dot = buildStroke(brush, 3, {{{464.91, 286.51}, 5000, 1}});
             QCOMPARE(problemOf(*dot), QString());
             QCOMPARE(dot->segments.size(), std::size_t(1));
             const Cubic c = dot->cubicOf(dot->segments[0]);
             QVERIFY(std::abs(c.p[3].x - c.p[0].x - 0.1 * s) < 1e-5 * s);
             QVERIFY(length(c.at(0.5) - Point{464.91, 286.51}) < 1e-5 * s);
-            QVERIFY(std::abs(middleDensity(dot->segments[0].density, 0.1 * s, s) - brush.peak) < 1e-5);
+            const double across = spreadAcross(brush.tip, s, {1, 0});
+            QVERIFY(std::abs(middleDensity(dot->segments[0].density * s / across, 0.1 * s, s) - paint.peak) < 1e-5);
             QCOMPARE(dot->segments[0].born, Microseconds(5000));
         }
         // A tap that trembles, and light pressure.
-        Brush brush;
-        brush.pressureFloor = 0.5f;
+        const Brush brush = brushWithFloor(0.5f);
         const StrokePtr light =
             buildStroke(brush, 1, {{{0, 0}, 0, 0.2f}, {{0.1, 0.1}, 9000, 0.4f}, {{0, 0.1}, 20000, 0.1f}});
         QCOMPARE(light->segments.size(), std::size_t(1));
@@ -200,8 +217,7 @@ private slots:
 
     void varyingPressureIsSplitFinely()
     {
-        Brush brush;
-        brush.pressureFloor = 0;
+        const Brush brush = brushWithFloor(0);
         auto samples = line(600, 61);
         for (std::size_t i = 0; i < samples.size(); ++i)
             samples[i].pressure = 0.2f + 0.8f * float(i) / 60;
@@ -272,8 +288,7 @@ private slots:
         QCOMPARE(*buildStroke(brush, 1, dirty), *clean);
 
         for (double size : {1e-9, 1e-3, 1e6, 3e11}) {
-            Brush b = brush;
-            b.pressureFloor = 0;
+            const Brush b = brushWithFloor(0);
             std::vector<PenSample> wild;
             for (int i = 0; i < 60; ++i)
                 wild.push_back({{size * std::sin(i * 1.7), size * std::cos(i * 2.9)},

@@ -194,6 +194,8 @@ private slots:
         row("version", "{\"format\": \"suffuse-text\", \"version\": 2, \"strokes\": []}",
             "version: 2 is newer than this program");
         row("canvas", documentOf({}, ", \"canvas\": {\"width\": 0}"), "canvas.width: 0 is not in (0, 1e6]");
+        row("paper grain", documentOf({}, ", \"canvas\": {\"paper\": {\"kind\": \"procedural\", \"grain\": \"wool\"}}"),
+            "canvas.paper.grain: “wool” is none of: tooth, fibres, weave");
         row("paper image", documentOf({}, ", \"canvas\": {\"paper\": {\"kind\": \"image\"}}"),
             "canvas.paper.image: is missing");
         row("paper file", documentOf({}, ", \"canvas\": {\"paper\": {\"kind\": \"image\", \"image\": \"gone.png\"}}"),

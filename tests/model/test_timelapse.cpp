@@ -49,6 +49,26 @@ private slots:
         QCOMPARE(none, (std::vector<Microseconds>{500'000, 1'000'000, 61'500'000, 62'000'000}));
     }
 
+    void theFilmClockGoesBothWays()
+    {
+        const Painting painting = drawnAt({2, 2.5, 10, 20});
+        QCOMPARE(activeSpans(painting), (std::vector<TimeSpan>{
+                                            {2'000'000, 3'500'000}, {10'000'000, 11'000'000}, {20'000'000, 21'000'000}}));
+        const FilmClock clock(painting, 250'000);
+        QCOMPARE(clock.length(), Microseconds(4'000'000));
+        for (Microseconds film = 0; film <= clock.length(); film += 12'500) {
+            const Microseconds document = clock.documentTime(film);
+            QCOMPARE(clock.filmTime(document), film);
+        }
+        QCOMPARE(clock.documentTime(0), Microseconds(2'000'000));
+        QCOMPARE(clock.documentTime(clock.length()), Microseconds(21'000'000));
+        QCOMPARE(clock.filmTime(0), Microseconds(0));
+        QCOMPARE(clock.filmTime(5'000'000), Microseconds(1'750'000)); // within what is cut
+        QCOMPARE(clock.filmTime(99'000'000), clock.length());
+        QCOMPARE(FilmClock({}, 0).documentTime(5), Microseconds(0));
+        QCOMPARE(FilmClock({}, 0).filmTime(5), Microseconds(0));
+    }
+
     void ofOneFrameAndOfNothing()
     {
         const Painting painting = drawnAt({2});

@@ -143,6 +143,10 @@ private slots:
         c.background.yellow = 2;
         QVERIFY(problemOf(c).startsWith(QLatin1String("canvas.background[1]:")));
         c = {};
+        c.paper.grain = PaperGrain(3);
+        QVERIFY(problemOf(c).startsWith(QLatin1String("canvas.paper.grain:")));
+        c.paper.grain = PaperGrain::Weave;
+        QVERIFY(problemOf(c).isEmpty());
         c.paper.scale = 0;
         QVERIFY(problemOf(c).startsWith(QLatin1String("canvas.paper.scale:")));
         c = {};

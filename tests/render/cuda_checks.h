@@ -49,8 +49,8 @@ inline void checkPictures(const OpenDevice &open)
 {
     CudaRenderer cuda({open()}, 0);
     std::mt19937_64 random(7);
-    for (int i = 0; i < 4; ++i) {
-        const Paper paper = i % 2 ? Paper{PaperKind::Procedural, 5, 20, 0.8f, {}} : Paper{};
+    for (int i = 0; i < 6; ++i) {
+        const Paper paper = i % 2 ? Paper{PaperKind::Procedural, 5, 20, 0.8f, {}, PaperGrain(i / 2)} : Paper{};
         const auto p = painting(randomStrokes(random, 10, 72, 54), 72, 54, paper);
         const View view = View::ofArea(p->canvas.area(), 72, 54);
         compareWithOthers(cuda, p, view, "random painting", -1, i == 2);

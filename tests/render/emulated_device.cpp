@@ -135,8 +135,9 @@ Fault EmulatedDevice::run(const Frame &frame, Work work)
     return {};
 }
 
-void EmulatedDevice::paint(const Frame &frame, Work work)
+void EmulatedDevice::paint(Frame frame, Work work)
 {
+    frame.ordered = true; // as a device does for pictures of many tiles
     HostWarp warp;
     HostBlock<listWarps> block;
     const auto listing = std::make_unique<ListScratch>();
@@ -144,15 +145,18 @@ void EmulatedDevice::paint(const Frame &frame, Work work)
         ListMaker(block, frame, i, *listing).make();
     const auto plain = std::make_unique<TileScratch<false>>();
     const auto general = std::make_unique<TileScratch<true>>();
+    OrderScratch ordering;
+    TileOrder order(warp, frame, ordering);
     for (std::uint32_t i = 0; i < frame.tileCount; ++i) {
-        const int flags = frame.tiles[i].flags;
+        const std::uint32_t job = order.job(i);
+        const int flags = frame.tiles[job].flags;
         counts.haveUnder += (flags & haveUnder) != 0;
         counts.applyOver += (flags & applyOver) != 0;
         counts.plainTiles += (flags & plainTile) != 0;
         if ((flags & plainTile) && work.plain)
-            paintTile<false>(warp, frame, i, *plain);
+            paintTile<false>(warp, frame, job, *plain);
         else if (!(flags & plainTile) && work.general)
-            paintTile<true>(warp, frame, i, *general);
+            paintTile<true>(warp, frame, job, *general);
     }
     ++counts.runs;
     counts.tiles += frame.tileCount;

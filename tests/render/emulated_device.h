@@ -50,7 +50,7 @@ private:
     static bool holds(const Blocks &blocks, const void *memory, std::size_t bytes);
     void perform(std::function<void()> work);
     void performLate();
-    void paint(const cuda::Frame &frame, cuda::Work work);
+    void paint(cuda::Frame frame, cuda::Work work);
 
     std::size_t m_memory, m_used = 0;
     Timing m_timing;

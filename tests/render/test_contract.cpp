@@ -61,10 +61,11 @@ private slots:
     void randomPaintings()
     {
         std::mt19937_64 random(7);
-        Paper papers[3];
-        papers[1] = {PaperKind::Procedural, 5, 20, 0.8f, {}};
+        Paper papers[4];
+        for (int i = 1; i < 4; ++i)
+            papers[i] = {PaperKind::Procedural, 5, i == 3 ? 8.0f : 20.0f, 0.8f, {}, PaperGrain(i - 1)};
         for (int i = 0; i < 12; ++i) {
-            const auto p = painting(randomStrokes(random, 12, 96, 72), 96, 72, papers[i % 2]);
+            const auto p = painting(randomStrokes(random, 12, 96, 72), 96, 72, papers[i % 4]);
             compare(p, View::ofArea(p->canvas.area(), 96, 72), -1, i % 3 == 2);
             compare(p, View::ofArea(p->canvas.area(), 96, 72), 600000); // still spreading
         }
@@ -129,10 +130,13 @@ private slots:
     void zoomedTurnedAndMirrored()
     {
         std::mt19937_64 random(11);
-        const auto p = painting(randomStrokes(random, 10, 96, 72), 96, 72, {PaperKind::Procedural, 3, 12, 1, {}});
+        const auto tooth = painting(randomStrokes(random, 10, 96, 72), 96, 72, {PaperKind::Procedural, 3, 12, 1, {}});
         for (double scale : {0.02, 0.1, 0.4, 3.0, 40.0, 900.0, 20000.0})
             for (double rotation : {0.0, 0.7}) {
                 View v{{40.2, 33.1}, scale, rotation, rotation > 0, 48, 40};
+                auto p = std::make_shared<Painting>(*tooth);
+                if (rotation > 0)
+                    p->canvas.paper.grain = scale > 1 ? PaperGrain::Fibres : PaperGrain::Weave;
                 compare(p, v);
                 if (QTest::currentTestFailed())
                     QFAIL(qPrintable(QStringLiteral("scale %1 rotation %2").arg(scale).arg(rotation)));

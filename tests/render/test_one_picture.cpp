@@ -34,9 +34,12 @@ private slots:
     void tilingAndThreads()
     {
         std::mt19937_64 random(3);
-        const auto p = painting(randomStrokes(random, 25, 130, 101), 130, 101, {PaperKind::Procedural, 1, 16, 0.7f, {}});
+        auto p = painting(randomStrokes(random, 25, 130, 101), 130, 101, {PaperKind::Procedural, 1, 16, 0.7f, {}});
         for (const View &v : {View::ofArea(p->canvas.area(), 130, 101), View{{60, 50}, 0.11, 0.5, true, 70, 61},
                               View{{60, 50}, 900, 0, false, 70, 61}}) {
+            auto next = std::make_shared<Painting>(*p);
+            next->canvas.paper.grain = PaperGrain((int(next->canvas.paper.grain) + 1) % 3);
+            p = next;
             const FloatPicture first = test::render(*make(Backend::Cpu, 1, 16), p, v);
             for (int tile : {8, 16, 24, 32, 64})
                 for (int threads : {1, 2, 5, 16})

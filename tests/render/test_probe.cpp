@@ -1,4 +1,5 @@
 // The probe's numbers by hand, and the reference's paper.
+#include "render/math/paper.h"
 #include "render/probe.h"
 #include "render/reference/density.h"
 #include "render/reference/paper.h"
@@ -154,29 +155,45 @@ private slots:
         QVERIFY(std::abs(here.modulated - (0.75 * eta + 0.25) * here.density) < 1e-14);
     }
 
+    void paperIsBoundedAndSharp_data()
+    {
+        QTest::addColumn<int>("grain");
+        QTest::addRow("tooth") << int(PaperGrain::Tooth);
+        QTest::addRow("fibres") << int(PaperGrain::Fibres);
+        QTest::addRow("weave") << int(PaperGrain::Weave);
+    }
+
     void paperIsBoundedAndSharp()
     {
-        const Paper paper = proceduralPaper();
+        QFETCH(int, grain);
+        Paper paper = proceduralPaper();
+        paper.grain = PaperGrain(grain);
         const PaperField field(paper, nullptr);
         std::mt19937_64 engine(3);
         std::uniform_real_distribution<double> any(-1e4, 1e4);
-        double least = 1, greatest = 0, sum = 0;
+        double least = 1, greatest = 0, sum = 0, differences = 0;
         for (int i = 0; i < 20000; ++i) {
-            const double eta = field.at({any(engine), any(engine)}, i % 2 ? 0.5 : 0);
+            const Point at{any(engine), any(engine)};
+            const double eta = field.at(at, 0.5);
             least = std::min(least, eta);
             greatest = std::max(greatest, eta);
             sum += eta / 20000;
+            differences += std::abs(field.at(at + Point{0.01, 0}, 0) - field.at(at, 0)) / 20000;
+            // The program's is the same.
+            QVERIFY(std::abs(math::proceduralPaper(at.x, at.y, 0.5, grain, paper.seed, double(paper.scale),
+                                                   double(paper.strength)) - eta) < 1e-9);
         }
         const double floor = 1 - double(paper.strength);
         QVERIFY(least >= floor - 1e-15 && greatest <= 1);
         QVERIFY(least < floor + 0.05 && greatest > 0.95);
-        QVERIFY(std::abs(sum - (1 - 0.5 * paper.strength)) < 0.05);
+        QVERIFY(std::abs(sum - (1 - 0.5 * double(paper.strength))) < 0.04);
+        QVERIFY(differences > 1e-3); // a hundredth of a unit shows detail of its own
     }
 
-    void paperCornersFollowTheHash()
+    void paperGradientsFollowTheHash()
     {
-        // By hand: (0, 0) of octave 0 with seed 0 hashes to 0.
-        QCOMPARE(reference::paperCorner(0, 0, 0, 0), -1.0);
+        // By hand: (0, 0) of layer 0 with seed 0 hashes to 0.
+        QCOMPARE(reference::paperGradient(0, 0, 0, 0), (Point{-1, -1}));
         const auto mix = [](std::uint64_t z) {
             z = (z ^ (z >> 16)) * 0x7FEB352Dull % 0x100000000ull;
             z = (z ^ (z >> 15)) * 0x846CA68Bull % 0x100000000ull;
@@ -186,34 +203,65 @@ private slots:
         for (std::uint64_t x : {1ull, 77ull, 0xFFFFFFFFull}) {
             const std::uint64_t seeded = (9 * 0x9E3779B9ull + 3 * 0x85EBCA6Bull) % m;
             const std::uint64_t h = mix(mix(seeded ^ (x * 0xC2B2AE35ull % m)) ^ (5 * 0x27D4EB2Full % m));
-            QCOMPARE(reference::paperCorner(std::uint32_t(x), 5, 3, 9), double(h) / 2147483648.0 - 1);
+            const Point expected{double(h % 65536) / 32768 - 1, double(h / 65536) / 32768 - 1};
+            QCOMPARE(reference::paperGradient(std::uint32_t(x), 5, 3, 9), expected);
         }
-        // At a lattice point of the coarsest octave, seen from so far that it alone fades in.
-        Paper paper = proceduralPaper();
-        const double a = reference::paperCorner(0xFFFFFFFEu, 3, 0, paper.seed); // X = −2
-        const double share = 0.5 * (24.0 / 8 - 2);
-        const double expected = 1 - double(paper.strength) * std::clamp(0.5 + 0.5 * 1.5 * share * a, 0.0, 1.0);
-        QVERIFY(std::abs(PaperField(paper, nullptr).at({-48, 72}, 8) - expected) < 1e-14);
+        // Next to a lattice point of the coarsest octave, seen from so far that it alone fades in: R(u, v) + ½ = (−2, 3)
+        // has (u, v) = (0.5, 3.5).
+        const Paper paper = proceduralPaper();
+        const double step = 1e-3;
+        const Point gradient = reference::paperGradient(0xFFFFFFFEu, 3, 0, paper.seed);
+        const Point moved{0.6 * step, 0.8 * step}; // R of a step to the right
+        const double t = (24.0 / 8 - 2) / 3, share = t * t * (3 - 2 * t);
+        const double n = 2.5 * share * dot(gradient, moved);
+        const double eta = PaperField(paper, nullptr).at(24.0 * Point{0.5 + step, 3.5}, 8);
+        QVERIFY(std::abs(eta - (1 - double(paper.strength) * (0.5 + 0.5 * n))) < 1e-8);
     }
+
+    void paperIsContinuousInPlaceAndZoom_data() { paperIsBoundedAndSharp_data(); }
 
     void paperIsContinuousInPlaceAndZoom()
     {
-        const PaperField field(proceduralPaper(), nullptr);
-        // Across cell borders.
-        for (double x : {-24.0, 0.0, 24.0, 48.0, 12.0, 6.0})
-            QVERIFY(std::abs(field.at({x - 1e-9, 7}, 1) - field.at({x + 1e-9, 7}, 1)) < 1e-7);
-        // Octaves fade in: no jump while zooming.
+        QFETCH(int, grain);
+        Paper paper = proceduralPaper();
+        paper.grain = PaperGrain(grain);
+        const PaperField field(paper, nullptr);
+        // Along lines over many cells of all layers.
+        for (double x = -30; x < 30; x += 0.01) {
+            QVERIFY(std::abs(field.at({x, 7}, 1) - field.at({x + 1e-7, 7}, 1)) < 1e-6);
+            QVERIFY(std::abs(field.at({7, x}, 1) - field.at({7, x + 1e-7}, 1)) < 1e-6);
+        }
+        // Layers fade in: no jump while zooming.
         double previous = field.at({100.3, 55.1}, 40);
         for (double px = 40; px > 0.01; px *= 0.9995) {
             const double eta = field.at({100.3, 55.1}, px);
             QVERIFY(std::abs(eta - previous) < 3e-3);
             previous = eta;
         }
-        QCOMPARE(field.at({100.3, 55.1}, 100), 1 - double(0.8f) * 0.5); // too far for any octave
-        QVERIFY(field.at({100.3, 55.1}, 1) == PaperField(proceduralPaper(), nullptr).at({100.3, 55.1}, 1));
-        Paper other = proceduralPaper();
+        QCOMPARE(field.at({100.3, 55.1}, 100), 1 - double(0.8f) * 0.5); // too far for any layer
+        Paper other = paper;
         other.seed = 43;
         QVERIFY(field.at({100.3, 55.1}, 1) != PaperField(other, nullptr).at({100.3, 55.1}, 1));
+        other = paper;
+        other.grain = PaperGrain((grain + 1) % 3);
+        QVERIFY(field.at({100.3, 55.1}, 1) != PaperField(other, nullptr).at({100.3, 55.1}, 1));
+    }
+
+    void paperHasNoDirectionOfThePixels()
+    {
+        // A pixel and its neighbour right differ no more nor less than it and its neighbour across a corner.
+        const PaperField field(proceduralPaper(), nullptr);
+        const auto difference = [&](Point step) {
+            double sum = 0;
+            for (int i = 0; i < 20000; ++i) {
+                const Point at{(i % 141) * 37.7, (i / 141) * 41.3};
+                sum += std::abs(field.at(at + step, 5) - field.at(at, 5));
+            }
+            return sum;
+        };
+        const double along = difference({6, 0}), down = difference({0, 6}), across = difference({4.2426, 4.2426});
+        QVERIFY2(std::abs(along / across - 1) < 0.05 && std::abs(down / across - 1) < 0.05,
+                 qPrintable(QString("%1 %2 %3").arg(along).arg(down).arg(across)));
     }
 
     void farAndFinePaperIsFinite()

@@ -47,8 +47,9 @@ private slots:
         QCOMPARE(after(align(d, Align::Left)), (X{60, 60, 60}));
         QCOMPARE(after(align(d, Align::Right)), (X{180, 180, 180}));
         QCOMPARE(after(align(d, Align::Centre)), (X{120, 120, 120}));
-        QCOMPARE(after(align(d, Align::Left, AlignTo::LastSelected, 2)), (X{120, 120, 120}));
-        QCOMPARE(after(align(d, Align::Left, AlignTo::LastSelected)), (X{180, 180, 180})); // the topmost
+        QCOMPARE(after(align(d, Align::Left, AlignTo::Anchor, 2)), (X{120, 120, 120}));
+        QCOMPARE(after(align(d, Align::Left, AlignTo::Anchor)), (X{180, 180, 180})); // the topmost
+        QCOMPARE(after(align(d, Align::Left, AlignTo::Biggest)), (X{60, 60, 60}));   // all the same: the lowest
         QCOMPARE(after(align(d, Align::Right, AlignTo::Canvas)), (X{984, 984, 984}));
         QVERIFY(align(d, Align::Top).isEmpty());
         Edit middle = align(d, Align::Middle, AlignTo::Canvas);

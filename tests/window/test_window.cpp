@@ -105,7 +105,7 @@ void TestWindow::docksFloatAndComeBack()
     s.paintLine({150, 200}, {850, 500});
     s.dry();
     const QList<QDockWidget *> docks = s.window.findChildren<QDockWidget *>();
-    QCOMPARE(docks.size(), 6);
+    QCOMPARE(docks.size(), 7);
     for (QDockWidget *dock : docks) {
         dock->setFloating(true);
         QTest::qWait(30);

@@ -1,0 +1,352 @@
+#include "app/dialogs/timelapse_dialog.h"
+
+#include "app/editor.h"
+#include "app/panels/section.h"
+#include "app/settings.h"
+#include "model/influence.h"
+
+#include <QCheckBox>
+#include <QComboBox>
+#include <QDialogButtonBox>
+#include <QDir>
+#include <QDoubleSpinBox>
+#include <QFileDialog>
+#include <QFileInfo>
+#include <QGridLayout>
+#include <QLineEdit>
+#include <QMessageBox>
+#include <QProgressBar>
+#include <QPushButton>
+#include <QSpinBox>
+#include <QStandardPaths>
+
+namespace suffuse {
+
+namespace {
+
+constexpr int largestSide = 8192;
+constexpr int mostFrames = 1'000'000;
+constexpr int numberWidth = 140;
+
+/// All that the selected strokes ever reach.
+Rect reachOf(const Document &document)
+{
+    Rect reach;
+    for (const StrokePtr &stroke : document.painting()->strokes)
+        if (document.selection().strokes.contains(stroke->id))
+            reach = reach.united(influenceOf(*stroke, stroke->driesAt()));
+    return reach;
+}
+
+} // namespace
+
+TimelapseDialog::TimelapseDialog(Editor &editor, const Rect &shown, QWidget *parent) : QDialog(parent), m_editor(editor)
+{
+    setWindowTitle(tr("Export timelapse"));
+    auto *column = new QVBoxLayout(this);
+    column->setContentsMargins(16, 16, 16, 16);
+    column->setSpacing(12);
+    m_form = new QWidget(this);
+    auto *grid = new QGridLayout(m_form);
+    grid->setContentsMargins(0, 0, 0, 0);
+    grid->setHorizontalSpacing(16);
+    grid->setVerticalSpacing(8);
+    grid->setColumnStretch(1, 1);
+    m_areas = {editor.document().painting()->canvas.area(), shown};
+    addFields(*grid);
+    column->addWidget(m_form);
+    m_progress = new QProgressBar(this);
+    m_progress->setTextVisible(false);
+    m_progress->setAccessibleName(tr("Progress"));
+    m_left = quietLabel({}, this);
+    column->addWidget(m_progress);
+    column->addWidget(m_left);
+    m_hint = new HintLabel(this);
+    column->addWidget(m_hint);
+    column->addStretch(1);
+    auto *buttons = new QDialogButtonBox(QDialogButtonBox::Cancel, this);
+    m_export = buttons->addButton(tr("Export"), QDialogButtonBox::AcceptRole);
+    m_export->setDefault(true);
+    m_cancel = buttons->button(QDialogButtonBox::Cancel);
+    column->addWidget(buttons);
+
+    connect(m_export, &QPushButton::clicked, this, &TimelapseDialog::startExport);
+    connect(buttons, &QDialogButtonBox::rejected, this, &TimelapseDialog::reject);
+    connect(m_path, &QLineEdit::textChanged, this, &TimelapseDialog::changed);
+    for (QDoubleSpinBox *box : {m_fps, m_length})
+        connect(box, &QDoubleSpinBox::valueChanged, this, &TimelapseDialog::changed);
+    connect(&m_job, &TimelapseJob::progressed, this, &TimelapseDialog::showProgress);
+    connect(&m_job, &TimelapseJob::finished, this, &TimelapseDialog::exportFinished);
+    const QString folder = settings::store().value("exportFolder").toString();
+    const QFileInfo document(m_editor.filePath());
+    const QString home = m_editor.filePath().isEmpty()
+                             ? QStandardPaths::writableLocation(QStandardPaths::MoviesLocation)
+                             : document.absolutePath();
+    const QString place = !folder.isEmpty() && QDir(folder).exists() ? folder
+                          : QDir(home).exists()                      ? home
+                                                                     : QDir::homePath();
+    m_path->setText(
+        QDir(place).filePath((m_editor.filePath().isEmpty() ? tr("painting") : document.completeBaseName()) + ".webm"));
+    setBusy(false);
+    setMinimumWidth(480);
+}
+
+QDoubleSpinBox *TimelapseDialog::addNumber(QGridLayout &grid, int row, const QString &name, const QString &suffix,
+                                           const QString &tip)
+{
+    auto *label = new QLabel(name, m_form);
+    auto *box = new QDoubleSpinBox(m_form);
+    label->setBuddy(box);
+    box->setAccessibleName(name);
+    box->setToolTip(tip);
+    box->setSuffix(suffix);
+    grid.addWidget(label, row, 0);
+    grid.addWidget(box, row, 1, 1, 2, Qt::AlignLeft);
+    box->setFixedWidth(numberWidth);
+    return box;
+}
+
+void TimelapseDialog::addFields(QGridLayout &grid)
+{
+    auto *fileLabel = new QLabel(tr("File"), m_form);
+    m_path = new QLineEdit(m_form);
+    fileLabel->setBuddy(m_path);
+    m_path->setAccessibleName(tr("File"));
+    m_path->setToolTip(tr("The ending chooses the format: webm or mp4 is a video, webp an animation, and png, tiff, "
+                          "exr, jpg or pfm numbered pictures, such as frame%04d.png."));
+    auto *browseButton = new QPushButton(tr("Browse…"), m_form);
+    browseButton->setToolTip(tr("Choose a folder and a name"));
+    browseButton->setAutoDefault(false);
+    connect(browseButton, &QPushButton::clicked, this, &TimelapseDialog::browse);
+    grid.addWidget(fileLabel, 0, 0);
+    grid.addWidget(m_path, 0, 1);
+    grid.addWidget(browseButton, 0, 2);
+
+    auto *areaLabel = new QLabel(tr("Area"), m_form);
+    m_area = new QComboBox(m_form);
+    m_area->addItems({tr("Whole canvas"), tr("What the window shows")});
+    if (const Rect reach = reachOf(m_editor.document()); !reach.isEmpty()) {
+        m_area->addItem(tr("Selected strokes"));
+        m_areas.push_back(reach);
+    }
+    m_area->setAccessibleName(tr("Area"));
+    m_area->setToolTip(tr("Which part of the canvas is filmed"));
+    areaLabel->setBuddy(m_area);
+    grid.addWidget(areaLabel, 1, 0);
+    grid.addWidget(m_area, 1, 1, 1, 2);
+    connect(m_area, &QComboBox::currentIndexChanged, this, &TimelapseDialog::areaChanged);
+    addSize(grid, 2);
+
+    m_fps = addNumber(grid, 3, tr("Frame rate"), tr(" frames/s"), tr("How many pictures a second the film has"));
+    m_fps->setRange(0.1, 240);
+    m_fps->setValue(30);
+    m_length = addNumber(grid, 4, tr("Length"), tr(" s"),
+                         tr("How long the film is; the painting's time is stretched over it."));
+    m_length->setRange(0.1, 36'000);
+    m_length->setValue(10);
+    m_idle =
+        addNumber(grid, 5, tr("Keep of pauses"), tr(" s"),
+                  tr("How much is kept of a pause in which nothing is painted or spreads, in the painting's time"));
+    m_idle->setRange(0, 1e6);
+    m_idle->setValue(TimelapseOptions{}.idle);
+    auto *qualityLabel = new QLabel(tr("Quality"), m_form);
+    m_quality = new QSpinBox(m_form);
+    m_quality->setRange(1, 100);
+    m_quality->setValue(ImageOptions{}.quality);
+    m_quality->setFixedWidth(numberWidth);
+    m_quality->setAccessibleName(tr("Quality"));
+    m_quality->setToolTip(tr("Of JPEG and WebP; 100 is the best. WebP loses nothing then."));
+    qualityLabel->setBuddy(m_quality);
+    grid.addWidget(qualityLabel, 6, 0);
+    grid.addWidget(m_quality, 6, 1, 1, 2, Qt::AlignLeft);
+    m_transparent = new QCheckBox(tr("Transparent background"), m_form);
+    m_transparent->setToolTip(tr("Leaves the background out and stores how much the paint covers."));
+    m_loops = new QCheckBox(tr("Play again and again"), m_form);
+    m_loops->setToolTip(tr("Animated WebP: begins anew at its end. Players decide it for videos."));
+    m_loops->setChecked(true);
+    grid.addWidget(m_transparent, 7, 1, 1, 2);
+    grid.addWidget(m_loops, 8, 1, 1, 2);
+}
+
+void TimelapseDialog::addSize(QGridLayout &grid, int row)
+{
+    auto *label = new QLabel(tr("Size"), m_form);
+    auto *line = new QHBoxLayout;
+    line->setSpacing(8);
+    m_width = new QSpinBox(m_form);
+    m_height = new QSpinBox(m_form);
+    for (QSpinBox *box : {m_width, m_height}) {
+        box->setRange(1, largestSide);
+        box->setSuffix(tr(" px"));
+        line->addWidget(box);
+        if (box == m_width)
+            line->addWidget(new QLabel(QStringLiteral("×"), m_form));
+    }
+    line->addStretch(1);
+    m_width->setAccessibleName(tr("Width in pixels"));
+    m_width->setToolTip(tr("Width in pixels; the height follows."));
+    m_height->setAccessibleName(tr("Height in pixels"));
+    m_height->setToolTip(tr("Height in pixels; the width follows."));
+    label->setBuddy(m_width);
+    grid.addWidget(label, row, 0);
+    grid.addLayout(line, row, 1, 1, 2);
+    connect(m_width, &QSpinBox::valueChanged, this, &TimelapseDialog::sizeChanged);
+    connect(m_height, &QSpinBox::editingFinished, this, [this] { // only widths set the scale
+        const Rect area = m_areas[std::size_t(m_area->currentIndex())];
+        if (m_height->value() != suffuse::heightForWidth(area, m_width->value()))
+            m_width->setValue(int(std::lround(m_height->value() * area.width() / area.height())));
+        sizeChanged(m_width->value());
+    });
+    areaChanged();
+}
+
+void TimelapseDialog::areaChanged()
+{
+    // As many pixels as the canvas has units, or as the window shows, within what videos hold.
+    const Rect area = m_areas[std::size_t(std::max(0, m_area->currentIndex()))];
+    double width = m_area->currentIndex() == 0 ? area.width() : 1280;
+    if (const double height = width * area.height() / area.width(); height > largestSide / 4)
+        width *= largestSide / 4 / height;
+    m_width->setValue(int(std::clamp(std::round(width), 1.0, double(largestSide / 4))));
+    sizeChanged(m_width->value());
+}
+
+void TimelapseDialog::sizeChanged(int width)
+{
+    const QSignalBlocker blocker(m_height);
+    m_height->setValue(suffuse::heightForWidth(m_areas[std::size_t(m_area->currentIndex())], width));
+}
+
+void TimelapseDialog::browse()
+{
+    QStringList films, pictures;
+    for (const QString &ending : filmEndings())
+        films << "*." + ending;
+    for (const QString &ending : imageEndings())
+        pictures << "*." + ending;
+    const QString path = QFileDialog::getSaveFileName(this, windowTitle(), m_path->text(),
+                                                      tr("Films") + " (" + films.join(' ') + ");;" +
+                                                          tr("Numbered pictures") + " (" + pictures.join(' ') + ")",
+                                                      nullptr, QFileDialog::DontConfirmOverwrite);
+    if (!path.isEmpty())
+        m_path->setText(path);
+}
+
+QString TimelapseDialog::target() const
+{
+    const QFileInfo file(m_path->text());
+    QString name = file.fileName();
+    if (filmKindOf(m_path->text()) == FilmKind::Frames && !name.contains(QLatin1Char('%')) &&
+        imageFormatForPath(name) != ImageFormat::Unknown)
+        name.insert(name.lastIndexOf(QLatin1Char('.')), QStringLiteral("%04d"));
+    return file.dir().filePath(name);
+}
+
+FilmOptions TimelapseDialog::film() const
+{
+    FilmOptions film;
+    film.path = QFileInfo(target()).absoluteFilePath();
+    film.fps = m_fps->value();
+    film.frames = std::size_t(std::max(1.0, std::round(m_fps->value() * m_length->value())));
+    film.width = m_width->value();
+    film.height = m_height->value();
+    film.image.alpha = m_transparent->isChecked();
+    film.image.quality = m_quality->value();
+    film.loops = m_loops->isChecked();
+    return film;
+}
+
+void TimelapseDialog::changed()
+{
+    m_hint->showHint({});
+    const FilmKind kind = filmKindOf(target());
+    const ImageFormat format = imageFormatForPath(target());
+    m_quality->setEnabled(kind != FilmKind::Video && (format == ImageFormat::Jpeg || format == ImageFormat::WebP));
+    m_loops->setEnabled(kind == FilmKind::WebP);
+    if (isExporting())
+        return;
+    const QLocale locale;
+    const QString frames = tr("%1 frames").arg(locale.toString(qulonglong(film().frames)));
+    m_left->setText(kind == FilmKind::Frames ? tr("%1: %2").arg(frames, QFileInfo(target()).fileName()) : frames);
+}
+
+void TimelapseDialog::startExport()
+{
+    TimelapseOrder order;
+    order.film = film();
+    order.idle = m_idle->value();
+    order.painting = m_editor.document().painting();
+    order.area = m_areas[std::size_t(m_area->currentIndex())];
+    order.threads = settings::threads();
+    QString problem = problemOf(order.film);
+    if (problem.isEmpty() && order.film.frames > mostFrames)
+        problem =
+            tr("A film of %1 frames is too long. Choose a lower rate or a shorter length.").arg(order.film.frames);
+    if (!problem.isEmpty()) {
+        m_hint->showHint(problem);
+        return;
+    }
+    const QFileInfo file(order.film.path);
+    if (file.exists() && QMessageBox::question(this, windowTitle(),
+                                               tr("%1 exists. Replace it?").arg(file.fileName())) != QMessageBox::Yes)
+        return;
+    m_progress->setRange(0, int(order.film.frames));
+    setBusy(true);
+    m_clock.start();
+    m_job.start(order);
+}
+
+void TimelapseDialog::showProgress(int frames)
+{
+    if (!isExporting())
+        return;
+    m_progress->setValue(frames);
+    const int all = m_progress->maximum();
+    const double left = double(m_clock.elapsed()) / 1000 / frames * (all - frames);
+    const QString drawn = tr("Frame %1 of %2").arg(frames).arg(all);
+    if (frames == all)
+        m_left->setText(tr("Writing the film…"));
+    else if (m_clock.elapsed() < 1000) // too early to tell
+        m_left->setText(drawn);
+    else if (left < 90)
+        m_left->setText(tr("%1; %n second(s) left", nullptr, int(std::ceil(left))).arg(drawn));
+    else
+        m_left->setText(tr("%1; %n minute(s) left", nullptr, int(std::ceil(left / 60))).arg(drawn));
+}
+
+void TimelapseDialog::setBusy(bool busy)
+{
+    m_form->setEnabled(!busy);
+    m_export->setEnabled(!busy);
+    m_cancel->setEnabled(true);
+    m_progress->setValue(0);
+    m_progress->setVisible(busy);
+    if (busy)
+        m_hint->showHint({});
+    else
+        changed();
+}
+
+void TimelapseDialog::exportFinished(bool written, const QString &error)
+{
+    setBusy(false);
+    if (written) {
+        settings::store().setValue("exportFolder", QFileInfo(m_path->text()).absolutePath());
+        accept();
+    } else if (!error.isEmpty()) {
+        m_hint->showHint(error);
+    }
+}
+
+void TimelapseDialog::reject()
+{
+    // First stops the work; the dialog stays so that it can be tried again.
+    if (m_job.isRunning()) {
+        m_job.cancel();
+        m_cancel->setEnabled(false);
+        return;
+    }
+    QDialog::reject();
+}
+
+} // namespace suffuse

@@ -1,0 +1,42 @@
+#pragma once
+
+#include <QWidget>
+
+class QComboBox;
+class QLabel;
+
+namespace suffuse {
+
+class Actions;
+class Editor;
+class Playback;
+class TimelineView;
+
+/// The timeline with a row to play it.
+class TimelinePanel : public QWidget {
+    Q_OBJECT
+
+public:
+    /// Buttons trigger the window's actions.
+    TimelinePanel(Editor &editor, Playback &playback, const Actions &actions, QWidget *parent = nullptr);
+
+    TimelineView *view() const { return m_view; }
+    QComboBox *speed() const { return m_speed; }
+
+protected:
+    void showEvent(QShowEvent *event) override;
+
+private:
+    void showTime();
+    void showState();
+    void takeSpeed(const QString &text);
+
+    Editor &m_editor;
+    Playback &m_playback;
+    TimelineView *m_view = nullptr;
+    QComboBox *m_speed = nullptr;
+    QLabel *m_time = nullptr;
+    QLabel *m_what = nullptr;
+};
+
+} // namespace suffuse

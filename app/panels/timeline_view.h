@@ -1,0 +1,108 @@
+#pragma once
+
+#include "app/panels/timeline_bars.h"
+#include "model/selection.h"
+#include "undo/edit_command.h"
+
+#include <QAbstractScrollArea>
+
+#include <optional>
+
+class QGestureEvent;
+
+namespace suffuse {
+
+class Editor;
+class Playback;
+
+/// The painting in time: a ruler with the playhead, and a bar per stroke that can be selected, moved and stretched.
+class TimelineView : public QAbstractScrollArea {
+    Q_OBJECT
+
+public:
+    TimelineView(Editor &editor, Playback &playback, QWidget *parent = nullptr);
+
+    /// Shows all of the time; stays so when the painting grows.
+    void fit();
+    void zoomBy(double factor);
+    /// Pixels of the viewport, and back.
+    double xOf(Microseconds time) const { return double(time - m_from) / m_scale; }
+    Microseconds timeAt(double x) const { return m_from + Microseconds(std::llround(x * m_scale)); }
+    /// Where a stroke's bar is in the viewport; its drawn part alone.
+    QRectF drawnRect(StrokeId stroke) const;
+    int rulerHeight() const;
+
+    QSize sizeHint() const override { return {640, 150}; }
+
+signals:
+    /// What is being dragged, in words; empty: nothing.
+    void dragged(const QString &what);
+
+protected:
+    bool viewportEvent(QEvent *event) override;
+    bool event(QEvent *event) override;
+    void paintEvent(QPaintEvent *event) override;
+    void resizeEvent(QResizeEvent *event) override;
+    void showEvent(QShowEvent *event) override;
+    void scrollContentsBy(int dx, int dy) override;
+    void mousePressEvent(QMouseEvent *event) override;
+    void mouseMoveEvent(QMouseEvent *event) override;
+    void mouseReleaseEvent(QMouseEvent *event) override;
+    void mouseDoubleClickEvent(QMouseEvent *event) override;
+    void wheelEvent(QWheelEvent *event) override;
+    void keyPressEvent(QKeyEvent *event) override;
+
+private:
+    enum class Part { None, Ruler, Body, Begin, End };
+    enum class Drag { None, Scrub, Press, Band, Shift, StretchBegin, StretchEnd, Pan };
+    /// What is under the pointer.
+    struct Hit {
+        Part part = Part::None;
+        std::size_t bar = 0;
+    };
+
+    void refresh();
+    void documentChanged(bool painting, bool selection, bool reset);
+    void timeChanged();
+    void updateScrollBars();
+    void zoomAt(double x, double factor);
+    void pinch(QGestureEvent &event);
+    TimeSpan shownSpan() const;
+    double laneTop(int lane) const;
+    Hit hitAt(QPointF at) const;
+    bool isRetimable(std::size_t bar) const;
+    void updateCursor(QPointF at);
+
+    void selectPressed(const Hit &hit, Qt::KeyboardModifiers modifiers);
+    void beginRetiming();
+    void retimeTo(QPointF at);
+    void endRetiming();
+    void giveUp();
+    void selectBand();
+
+    void paintRuler(QPainter &painter) const;
+    void paintLanes(QPainter &painter) const;
+    void paintBar(QPainter &painter, const TimelineBar &bar, const Stroke &stroke) const;
+    void paintSelectedRuns(QPainter &painter, const Stroke &stroke, const QRectF &rect) const;
+    void paintPlayhead(QPainter &painter) const;
+
+    Editor &m_editor;
+    Playback &m_playback;
+    TimelineBars m_bars;
+    bool m_stale = true;
+    bool m_fitted = true;
+    bool m_scrolling = false; ///< the scroll bars are being set
+    Microseconds m_from = 0;  ///< at the left edge
+    double m_scale = 10'000;  ///< microseconds a pixel
+    Microseconds m_head = 0;  ///< where the playhead is painted
+
+    Drag m_drag = Drag::None;
+    QPointF m_pressed, m_pointer;
+    Hit m_hit;
+    Selection m_selectionBefore; ///< at the press
+    PaintingPtr m_before;        ///< at the press of a drag that retimes
+    TimeSpan m_drawnBefore;
+    EditRun m_run = 0;
+};
+
+} // namespace suffuse

@@ -1,0 +1,103 @@
+// The brush's row over the canvas.
+#include "app/brush_library.h"
+#include "app/editor.h"
+#include "app/panels/number_field.h"
+#include "app/tools/brush_tool.h"
+#include "app/tools/tool_fields.h"
+
+#include <QComboBox>
+#include <QHBoxLayout>
+#include <QLabel>
+
+namespace suffuse {
+
+QWidget *BrushTool::options()
+{
+    if (m_options)
+        return m_options;
+    m_options = new QWidget;
+    QHBoxLayout *row = toolRow(m_options);
+    const auto change = [this](auto &&apply) {
+        Brush brush = m_editor.brush();
+        apply(brush);
+        m_editor.setBrush(brush);
+    };
+    m_presets = new QComboBox(m_options);
+    m_presets->setToolTip(tr("What to paint with; the Brushes dock has pictures"));
+    m_presets->setAccessibleName(tr("Brush"));
+    m_presets->setSizeAdjustPolicy(QComboBox::AdjustToContents);
+    m_presets->setMaxVisibleItems(32);
+    row->addWidget(m_presets);
+    row->addSpacing(10);
+    connect(m_presets, &QComboBox::activated, this,
+            [this](int i) { BrushLibrary::instance().use(m_editor, m_presets->itemData(i).toString()); });
+    m_size = addNumber(*row, tr("Size"), tr("How far the paint spreads, in units ([ and ] change it)"),
+                       [=](double size) { change([=](Brush &b) { b.setSpread(size); }); });
+    m_size->setRange(1e-7, 1e5);
+    m_size->setUnit(QStringLiteral(" u"));
+    m_flow = addNumber(*row, tr("Flow"), tr("Density in the middle of the stroke at full pressure"),
+                       [=](double peak) { change([=](Brush &b) { b.peak = float(peak); }); });
+    m_flow->setRange(0.001, 1e6);
+    m_opacity = addNumber(*row, tr("Opacity"), tr("How much the paint covers ({ and } change it)"),
+                          [=](double opacity) { change([=](Brush &b) { b.colour.opacity = float(opacity); }); });
+    m_opacity->setRange(0, 1);
+    m_opacity->setDisplayFactor(100);
+    m_opacity->setUnit(QStringLiteral(" %"));
+    m_opacity->setStep(0.05);
+    auto *label = new QLabel(tr("Smoothing"), m_options);
+    m_smoothing = new QComboBox(m_options);
+    m_smoothing->addItems({tr("Off"), tr("Weighted"), tr("Pulled string")});
+    m_smoothing->setToolTip(tr("Steadies the hand: the stroke follows the pen softly, or is pulled on a string"));
+    m_smoothing->setAccessibleName(tr("Smoothing"));
+    label->setBuddy(m_smoothing);
+    row->addWidget(label);
+    row->addWidget(m_smoothing);
+    connect(m_smoothing, &QComboBox::activated, this,
+            [=](int i) { change([=](Brush &b) { b.stabiliser.kind = Stabiliser::Kind(i); }); });
+    m_amount = new NumberField(m_options);
+    m_amount->setAccessibleName(tr("Amount of smoothing"));
+    m_amount->setToolTip(tr("How strongly it lags behind, or how long the string is"));
+    row->addWidget(m_amount);
+    const auto takeAmount = [=, this](double value) {
+        const bool string = m_editor.brush().stabiliser.kind == Stabiliser::Kind::String;
+        change([=](Brush &b) { (string ? b.stabiliser.length : b.stabiliser.strength) = float(value); });
+    };
+    connect(m_amount, &NumberField::entered, this, takeAmount);
+    connect(m_amount, &NumberField::stepped, this, takeAmount);
+    row->addStretch();
+    refreshOptions();
+    return m_options;
+}
+
+void BrushTool::refreshOptions()
+{
+    if (!m_options)
+        return;
+    const Brush &brush = m_editor.brush();
+    const BrushLibrary &library = BrushLibrary::instance();
+    if (sender() == &library || m_presets->count() == 0) {
+        m_presets->clear();
+        QString group;
+        for (const Brush &b : library.brushes()) {
+            if (m_presets->count() > 0 && b.group != group)
+                m_presets->insertSeparator(m_presets->count());
+            group = b.group;
+            m_presets->addItem(brushTitle(b.name), b.name);
+        }
+        m_presets->setPlaceholderText(tr("Own brush"));
+    }
+    m_presets->setCurrentIndex(m_presets->findData(brush.name));
+    m_size->setValue(brush.spread());
+    m_flow->setValue(double(brush.peak));
+    m_opacity->setValue(double(brush.colour.opacity));
+    m_smoothing->setCurrentIndex(int(brush.stabiliser.kind));
+    const bool string = brush.stabiliser.kind == Stabiliser::Kind::String;
+    m_amount->setVisible(brush.stabiliser.kind != Stabiliser::Kind::Off);
+    m_amount->setRange(0, string ? 1000 : 1);
+    m_amount->setDisplayFactor(string ? 1 : 100);
+    m_amount->setUnit(string ? QStringLiteral(" px") : QStringLiteral(" %"));
+    m_amount->setStep(string ? 5 : 0.05);
+    m_amount->setValue(double(string ? brush.stabiliser.length : brush.stabiliser.strength));
+}
+
+} // namespace suffuse

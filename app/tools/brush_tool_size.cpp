@@ -1,0 +1,136 @@
+// The brush's size and opacity, changed on the canvas and shown there.
+#include "app/canvas/canvas_widget.h"
+#include "app/editor.h"
+#include "app/tools/brush_tool.h"
+
+#include <QKeyEvent>
+#include <QLocale>
+#include <QPainter>
+#include <QPainterPath>
+
+namespace suffuse {
+
+namespace {
+
+constexpr double sizeStep = 1.189207115002721; ///< of [ and ]: four double it
+constexpr double opacityStep = 0.1;            ///< of { and }
+constexpr double leastSpread = 1e-7;
+constexpr double greatestSpread = 1e5;
+constexpr double undecided = 4;      ///< logical pixels before a drag is one of size or of opacity
+constexpr double doubling = 80;      ///< logical pixels across that double the size
+constexpr double wholeOpacity = 200; ///< logical pixels upwards from none to all
+constexpr int noteMs = 900;
+
+} // namespace
+
+bool BrushTool::keyPress(QKeyEvent *event)
+{
+    if (event->modifiers() & (Qt::ControlModifier | Qt::AltModifier))
+        return false;
+    switch (event->key()) {
+    case Qt::Key_BracketLeft:
+        scaleSize(1 / sizeStep);
+        return true;
+    case Qt::Key_BracketRight:
+        scaleSize(sizeStep);
+        return true;
+    case Qt::Key_BraceLeft:
+        addOpacity(-opacityStep);
+        return true;
+    case Qt::Key_BraceRight:
+        addOpacity(opacityStep);
+        return true;
+    default:
+        return false;
+    }
+}
+
+void BrushTool::scaleSize(double factor)
+{
+    Brush brush = m_editor.brush();
+    brush.setSpread(std::clamp(brush.spread() * factor, leastSpread, greatestSpread));
+    m_editor.setBrush(brush);
+    showNote(tr("Size %1 u").arg(QLocale().toString(brush.spread(), 'g', 3)), m_resizing.has_value());
+}
+
+void BrushTool::addOpacity(double difference)
+{
+    Brush brush = m_editor.brush();
+    brush.colour.opacity = float(std::clamp(double(brush.colour.opacity) + difference, 0.0, 1.0));
+    m_editor.setBrush(brush);
+    showNote(tr("Opacity %1 %").arg(qRound(100 * double(brush.colour.opacity))), m_resizing.has_value());
+}
+
+void BrushTool::resizeTo(Point pixel)
+{
+    const double dpr = m_canvas.devicePixelRatioF();
+    const Point way = (1 / dpr) * (pixel - m_resizing->pixel);
+    if (m_resizing->what == Resizing::Undecided && length(way) >= undecided)
+        m_resizing->what = std::abs(way.x) >= std::abs(way.y) ? Resizing::Size : Resizing::Opacity;
+    if (m_resizing->what == Resizing::Undecided)
+        return;
+    // From the brush as it was, so that the way back leads to it.
+    Brush brush = m_editor.brush();
+    brush.diffusion = m_resizing->brush.diffusion;
+    brush.colour.opacity = m_resizing->brush.colour.opacity;
+    m_editor.setBrush(brush);
+    if (m_resizing->what == Resizing::Size)
+        scaleSize(std::exp2(way.x / doubling));
+    else
+        addOpacity(-way.y / wholeOpacity);
+}
+
+void BrushTool::showNote(const QString &note, bool stays)
+{
+    m_note = note;
+    if (stays || note.isEmpty())
+        m_noteTimer.stop();
+    else
+        m_noteTimer.start(noteMs, this);
+    m_canvas.updateOverlay();
+}
+
+void BrushTool::timerEvent(QTimerEvent *event)
+{
+    if (event->timerId() == m_noteTimer.timerId())
+        showNote({}, false);
+}
+
+void BrushTool::paintNote(QPainter &painter, double dpr) const
+{
+    if (m_note.isEmpty() || !m_hovering)
+        return;
+    painter.save();
+    QFont font = m_canvas.font();
+    font.setPixelSize(qRound(13 * dpr));
+    painter.setFont(font);
+    const QFontMetricsF metrics(font);
+    const double pad = 6 * dpr;
+    const QSizeF size(metrics.horizontalAdvance(m_note) + 2 * pad, metrics.height() + pad);
+    // Beside the pointer, and within the canvas.
+    const View &view = m_canvas.view();
+    QPointF at(m_pixel.x + 18 * dpr, m_pixel.y + 18 * dpr);
+    at.setX(std::clamp(at.x(), 0.0, std::max(0.0, view.width - size.width())));
+    at.setY(std::clamp(at.y(), 0.0, std::max(0.0, view.height - size.height())));
+    const QRectF box(at, size);
+    painter.setPen(Qt::NoPen);
+    painter.setBrush(QColor(20, 20, 24, 215));
+    painter.drawRoundedRect(box, 4 * dpr, 4 * dpr);
+    painter.setPen(Qt::white);
+    painter.drawText(box, Qt::AlignCenter, m_note);
+    painter.restore();
+}
+
+void BrushTool::paintString(QPainter &painter, const View &view, double dpr) const
+{
+    const std::optional<Point> anchor = m_builder ? m_stabiliser.anchor() : std::nullopt;
+    if (!anchor)
+        return;
+    const Point at = view.toPixels(*anchor);
+    QPainterPath string(QPointF(at.x, at.y));
+    string.lineTo(m_pixel.x, m_pixel.y);
+    strokeTwoTone(painter, string, QColor(20, 20, 24), dpr);
+    paintNode(painter, at, m_canvas.overlayColours(), dpr);
+}
+
+} // namespace suffuse

@@ -1,0 +1,256 @@
+// Values along the stroke, and the probe, by real events.
+#include "app/panels/age_plot.h"
+#include "app/panels/along_dialog.h"
+#include "app/panels/inspector_panel.h"
+#include "app/panels/number_field.h"
+#include "app/panels/probe_panel.h"
+#include "model/validate.h"
+#include "render/probe.h"
+#include "tests/app/panel_bench.h"
+#include "tests/app/session.h"
+#include "undo/edits.h"
+
+#include <QDockWidget>
+#include <QMouseEvent>
+#include <QTemporaryDir>
+#include <QToolButton>
+#include <QTreeWidget>
+
+using namespace suffuse;
+
+namespace {
+
+/// Drags in the curve editor from one place and value to another, in ten reports.
+void dragCurve(CurveEditor &curve, QPointF from, QPointF to, bool release = true)
+{
+    QTest::mousePress(&curve, Qt::LeftButton, {}, curve.toWidget(from).toPoint());
+    for (int i = 1; i <= 10; ++i)
+        QTest::mouseMove(&curve, curve.toWidget(from + (i / 10.0) * (to - from)).toPoint());
+    if (release)
+        QTest::mouseRelease(&curve, Qt::LeftButton, {}, curve.toWidget(to).toPoint());
+}
+
+/// A report of the pointer with no button down, which QTest::mouseMove leaves to the window system.
+void hover(QWidget &widget, QPoint at)
+{
+    QMouseEvent event(QEvent::MouseMove, QPointF(at), widget.mapToGlobal(QPointF(at)), Qt::NoButton, Qt::NoButton, {});
+    QCoreApplication::sendEvent(&widget, &event);
+}
+
+} // namespace
+
+class TestAlongAndProbe : public QObject {
+    Q_OBJECT
+
+private slots:
+    void initTestCase()
+    {
+        QVERIFY(m_folder.isValid());
+        qputenv("SUFFUSE_SETTINGS", m_folder.filePath("settings.ini").toUtf8());
+    }
+
+    void alongTheStrokeIsOneStep()
+    {
+        Bench bench;
+        InspectorPanel panel(bench.editor);
+        showAt(panel);
+        bench.select({1});
+        QTest::mouseClick(panel.alongButton(), Qt::LeftButton);
+        QPointer<AlongDialog> dialog = panel.along();
+        QVERIFY(dialog && dialog->isVisible());
+        QCOMPARE(bench.steps(), 0); // looking changes nothing
+        dialog->choose(AlongDialog::Ramp);
+        QCOMPARE(bench.steps(), 0);
+        type(*dialog->start(), "4");
+        type(*dialog->end(), "12");
+        QCOMPARE(bench.steps(), 1);
+        // Density runs on a logarithmic axis: evenly by ratio. The curve is split so finely that no step shows.
+        const Stroke ramp = bench.stroke(1);
+        QVERIFY(ramp.segments.size() >= 24); // 80 units, s/2 = 3.2
+        for (const Segment &s : ramp.segments) {
+            const double middle = 0.5 * double(s.bezier[0].x + s.bezier[3].x);
+            QVERIFY(std::abs(s.density - 4 * std::pow(3.0, middle / 80)) < 1e-4);
+        }
+        QVERIFY(problemOf(ramp).isEmpty());
+        QCOMPARE(ramp.segments.back().bezier[3], makeStroke(1, 4, 10)->segments.back().bezier[3]);
+        dialog->choose(Quantity::Opacity);
+        dialog->choose(AlongDialog::Constant);
+        dragCurve(*dialog->curve(), {0.5, 1}, {0.3, 0.25});
+        QCOMPARE(bench.steps(), 1); // still the same step
+        for (const Segment &s : bench.stroke(1).segments)
+            QVERIFY(std::abs(s.colour.opacity - 0.25f) < 0.02f);
+        QVERIFY(bench.stroke(1).segments[0].density < 5); // what was set before stays
+        QCOMPARE(bench.stroke(1).segments.size(), ramp.segments.size());
+        QCOMPARE(bench.stroke(2).segments[0].colour.opacity, 1.0f);
+        dialog->accept();
+        QCOMPARE(bench.steps(), 1);
+        bench.editor.undoStack().undo();
+        QCOMPARE(bench.stroke(1), *makeStroke(1, 4, 10));
+    }
+
+    void drawnAlongASelectedRun()
+    {
+        Bench bench;
+        InspectorPanel panel(bench.editor);
+        showAt(panel);
+        bench.select({2}, {{2, 1}, {2, 2}});
+        QTest::mouseClick(panel.alongButton(), Qt::LeftButton);
+        AlongDialog *dialog = panel.along();
+        dialog->choose(Quantity::Granulation);
+        dialog->choose(AlongDialog::Drawn);
+        dragCurve(*dialog->curve(), {0, 0.1}, {1, 0.9});
+        const Selection selected = bench.editor.document().selection();
+        const Stroke &stroke = bench.stroke(2);
+        for (int k = 0; k < int(stroke.segments.size()); ++k) {
+            const Segment &s = stroke.segments[std::size_t(k)];
+            const float middle = 0.5f * (s.bezier[0].x + s.bezier[3].x);
+            const bool inRun = middle > 20 && middle < 60;
+            QVERIFY(std::abs(s.granulation - (inRun ? 0.1f + 0.8f * (middle - 20) / 40 : 1)) < 0.02f);
+            QCOMPARE(selected.segments.contains({2, k}), inRun); // all pieces of what was selected
+        }
+        dialog->choose(AlongDialog::Constant); // needs no pieces
+        QCOMPARE(bench.stroke(2).segments.size(), std::size_t(4));
+        QCOMPARE(bench.editor.document().selection().segments, (std::set<SegmentRef>{{2, 1}, {2, 2}}));
+        dialog->choose(AlongDialog::Ramp);
+        dragCurve(*dialog->curve(), {1, 0.2}, {1, 0.8});
+        QVERIFY(bench.stroke(2).segments.size() > 4);
+        bench.editor.undoStack().undo();
+        QCOMPARE(bench.stroke(2), *makeStroke(2, 4, 20));
+        QCOMPARE(bench.editor.document().selection().segments, (std::set<SegmentRef>{{2, 1}, {2, 2}}));
+    }
+
+    void cancelTakesAllBack()
+    {
+        Bench bench;
+        InspectorPanel panel(bench.editor);
+        showAt(panel);
+        bench.select({1, 3});
+        const PaintingPtr before = bench.editor.document().painting();
+        QTest::mouseClick(panel.alongButton(), Qt::LeftButton);
+        QPointer<AlongDialog> dialog = panel.along();
+        dialog->choose(AlongDialog::Constant);
+        dragCurve(*dialog->curve(), {0.5, 0.5}, {0.5, 0.9});
+        dialog->choose(Quantity::Red);
+        dragCurve(*dialog->curve(), {0.5, 0}, {0.5, 0.9});
+        QCOMPARE(bench.steps(), 1);
+        QVERIFY(!(*bench.editor.document().painting() == *before));
+        QTest::keyClick(dialog, Qt::Key_Escape);
+        QCOMPARE(bench.steps(), 0);
+        QVERIFY(*bench.editor.document().painting() == *before);
+        QTRY_VERIFY(!dialog);
+    }
+
+    void strokesGoUnderAnOpenCurveEditor()
+    {
+        for (const bool undo : {false, true}) {
+            Bench bench;
+            InspectorPanel panel(bench.editor);
+            showAt(panel);
+            bench.select({1});
+            QTest::mouseClick(panel.alongButton(), Qt::LeftButton);
+            QPointer<AlongDialog> dialog = panel.along();
+            dialog->choose(AlongDialog::Constant);
+            dragCurve(*dialog->curve(), {0.5, 0.5}, {0.5, 0.9}, false);
+            if (undo)
+                bench.editor.undoStack().undo();
+            else
+                bench.editor.push(deleteSelection(bench.editor.document()), "delete");
+            QVERIFY(!dialog || !dialog->isVisible());
+            const PaintingPtr after = bench.editor.document().painting();
+            if (dialog)
+                QTest::mouseMove(dialog->curve(), dialog->curve()->toWidget({0.5, 0.1}).toPoint());
+            QTRY_VERIFY(!dialog);
+            if (undo)
+                QCOMPARE(bench.stroke(1).segments[0].density, 9.0f);
+            else
+                QVERIFY(!bench.editor.document().painting()->find(1));
+        }
+    }
+
+    void probeListsWhatLiesUnderThePointer()
+    {
+        Session session;
+        Editor &editor = session.editor();
+        auto painting = std::make_shared<Painting>();
+        for (StrokeId id = 1; id <= 3; ++id) {
+            Stroke stroke = *makeStroke(id, 8, 40);
+            stroke.origin = {id == 3 ? 700.0 : 300.0, 300};
+            for (Segment &s : stroke.segments)
+                s.density = 20, s.colour.opacity = id == 2 ? 0.5f : 1;
+            painting->strokes.push_back(std::make_shared<const Stroke>(stroke));
+        }
+        editor.document().reset(painting);
+        editor.setTime(5'000'000);
+        QDockWidget *dock = session.window.findChild<QDockWidget *>("probeDock");
+        auto *panel = session.window.findChild<ProbePanel *>();
+        QVERIFY(dock && panel && dock->isHidden());
+        hover(session.canvas(), session.at({360, 300}));
+        QCOMPARE(panel->view()->topLevelItemCount(), 0); // nothing is computed for a dock that is not seen
+        dock->show();
+        dock->raise();
+        QTRY_VERIFY(panel->isVisible());
+        hover(session.canvas(), session.at({362, 301}));
+        QTRY_COMPARE(panel->view()->topLevelItemCount(), 3); // 2, 1, canvas
+        QTRY_VERIFY(panel->isUpToDate());
+        const auto text = [&](int row, int column) { return panel->view()->topLevelItem(row)->text(column); };
+        QVERIFY(text(0, 0).contains('2') && text(1, 0).contains('1'));
+        const auto shareOf = [&](int row) { return text(row, ProbePanel::ShareColumn).split(' ').front().toDouble(); };
+        QVERIFY(std::abs(shareOf(0) - 50) < 2); // half covers, and the one below has the rest
+        QVERIFY(std::abs(shareOf(0) + shareOf(1) + shareOf(2) - 100) < 1.6);
+
+        // Segments by their share of the density; a click selects.
+        QTreeWidgetItem *stroke = panel->view()->topLevelItem(1);
+        QVERIFY(stroke->childCount() >= 3);
+        stroke->setExpanded(true);
+        const QString nearest = stroke->child(0)->text(0);
+        QVERIFY2(nearest.contains('4'), qPrintable(nearest)); // 350 … 370 from the stroke's start at 300: the fourth
+        QTest::mouseClick(panel->view()->viewport(), Qt::LeftButton, {},
+                          panel->view()->visualItemRect(stroke->child(0)).center());
+        QCOMPARE(session.selection().segments, (std::set<SegmentRef>{{1, 3}}));
+        QVERIFY(!panel->plot()->points().empty());
+        QTest::mouseClick(panel->view()->viewport(), Qt::LeftButton, {},
+                          panel->view()->visualItemRect(panel->view()->topLevelItem(0)).center());
+        QCOMPARE(session.selection().strokes, std::set<StrokeId>{2});
+        QVERIFY(session.selection().segments.empty());
+
+        // φ(t): nothing at first, most while the paint is fresh, and at the end what the solver says.
+        const std::vector<QPointF> ages = panel->plot()->points();
+        const Point at = session.canvas().view().toCanvas(
+            session.canvas().devicePixelRatioF() *
+            Point{double(session.at({362, 301}).x()), double(session.at({362, 301}).y())});
+        const Result<Probe> truth = probe(session.painting(), 1'000'000, at.x, at.y);
+        QVERIFY(std::abs(ages.back().y() - truth->strokes[1].density) < 2e-3);
+        QCOMPARE(ages.back().x(), 1.0);
+
+        // A change shows at the same place.
+        editor.push(changeSegments(editor.document(), targetSegments(editor.document()),
+                                   [](Segment &s) { s.colour.opacity = 1; }),
+                    "opacity");
+        QTRY_VERIFY(shareOf(0) > 95);
+        session.advance(1);
+        QTRY_VERIFY(panel->isUpToDate());
+    }
+
+    void probeGoesBackToWhereThePointerRested()
+    {
+        Session session;
+        session.editor().document().reset(std::make_shared<Painting>(*Bench(1).editor.document().painting()));
+        auto *panel = session.window.findChild<ProbePanel *>();
+        session.window.findChild<QDockWidget *>("probeDock")->show();
+        session.window.findChild<QDockWidget *>("probeDock")->raise();
+        QTRY_VERIFY(panel->isVisible());
+        session.editor().setTime(5'000'000);
+        panel->setPoint({80, 100});
+        QTest::qWait(400);
+        panel->setPoint({700, 600}); // on the way to the dock
+        QTRY_COMPARE(panel->view()->topLevelItemCount(), 1);
+        panel->leaveCanvas();
+        QTRY_COMPARE(panel->view()->topLevelItemCount(), 2);
+    }
+
+private:
+    QTemporaryDir m_folder;
+};
+
+QTEST_MAIN(TestAlongAndProbe)
+#include "test_along_and_probe.moc"

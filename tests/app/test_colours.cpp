@@ -1,0 +1,286 @@
+// History, swatches, palettes, the sheet to mix on, and the choice of papers.
+#include "app/messages.h"
+#include "app/panels/canvas_section.h"
+#include "app/panels/colour_convert.h"
+#include "app/panels/colour_panel.h"
+#include "app/panels/inspector_panel.h"
+#include "app/panels/mixing_pad.h"
+#include "app/panels/swatch_grid.h"
+#include "app/panels/swatches_section.h"
+#include "app/settings.h"
+#include "model/formats/gimp_palette.h"
+#include "model/paper_presets.h"
+#include "panel_bench.h"
+
+#include <QComboBox>
+#include <QMenu>
+#include <QMimeData>
+#include <QTemporaryDir>
+#include <QToolButton>
+#include <QtTest>
+
+using namespace suffuse;
+
+namespace {
+
+constexpr Colour yellow{0, 1, 0, 1}, blue{0, 0, 1, 1}, red{1, 0, 0, 1};
+
+QPoint middleOf(const SwatchGrid &grid, int index)
+{
+    return grid.cell(index).center();
+}
+
+void drag(QWidget &widget, QPoint from, QPoint to, Qt::KeyboardModifiers modifiers = {})
+{
+    QTest::mousePress(&widget, Qt::LeftButton, modifiers, from);
+    for (int i = 1; i <= 12; ++i)
+        QTest::mouseMove(&widget, from + (to - from) * i / 12);
+    QTest::mouseRelease(&widget, Qt::LeftButton, modifiers, to);
+}
+
+/// A drop of a colour from elsewhere.
+void drop(SwatchGrid &grid, QPoint at, const QColor &colour)
+{
+    QMimeData data;
+    data.setColorData(colour);
+    QDragEnterEvent enter(at, Qt::CopyAction, &data, Qt::LeftButton, {});
+    QCoreApplication::sendEvent(&grid, &enter);
+    QVERIFY(enter.isAccepted());
+    QDropEvent dropped(at, Qt::CopyAction, &data, Qt::LeftButton, {});
+    QCoreApplication::sendEvent(&grid, &dropped);
+}
+
+double distance(const Colour &a, const Colour &b)
+{
+    return std::max({std::abs(a.red - b.red), std::abs(a.yellow - b.yellow), std::abs(a.blue - b.blue)});
+}
+
+} // namespace
+
+class TestColours : public QObject {
+    Q_OBJECT
+
+private slots:
+    void initTestCase()
+    {
+        QVERIFY(m_folder.isValid());
+        qputenv("SUFFUSE_SETTINGS", m_folder.filePath("settings.ini").toUtf8());
+        setMessageHooks({.error = [this](const QString &message) { m_error = message; }, .unsaved = {}});
+    }
+    void cleanupTestCase() { setMessageHooks({}); }
+
+    void historyKeepsTheLastSixteen()
+    {
+        {
+            Bench bench;
+            ColourPanel panel(bench.editor);
+            showAt(panel);
+            for (int i = 0; i < 20; ++i) {
+                bench.editor.setColour(fromScreen(QColor(10 * i, 40, 90)));
+                bench.editor.document().setDraft(makeStroke(99, 1, 10));
+                bench.editor.document().setDraft(nullptr);
+            }
+            const auto &history = panel.history()->swatches();
+            QCOMPARE(history.size(), std::size_t(16));
+            QCOMPARE(toOpaqueScreen(history[0].colour), QColor(190, 40, 90));
+            QCOMPARE(toOpaqueScreen(history[15].colour), QColor(40, 40, 90));
+            QTest::mouseClick(panel.history(), Qt::LeftButton, {}, middleOf(*panel.history(), 12));
+            QCOMPARE(bench.editor.brush().colour, history[12].colour);
+            // One that is used again comes to the front and stands there once.
+            bench.editor.document().setDraft(makeStroke(99, 1, 10));
+            QCOMPARE(panel.history()->swatches().size(), std::size_t(16));
+            QCOMPARE(toOpaqueScreen(panel.history()->swatches()[0].colour), QColor(70, 40, 90));
+        }
+        Bench next; // another session
+        ColourPanel panel(next.editor);
+        QCOMPARE(panel.history()->swatches().size(), std::size_t(16));
+        QCOMPARE(toOpaqueScreen(panel.history()->swatches()[0].colour), QColor(70, 40, 90));
+        QCOMPARE(next.steps(), 0);
+    }
+
+    void swatchesAreUndoable()
+    {
+        Bench bench;
+        ColourPanel panel(bench.editor);
+        showAt(panel, {280, 1000});
+        SwatchGrid &grid = *panel.swatches()->grid();
+        const auto &swatches = [&]() -> const std::vector<Swatch> & {
+            return bench.editor.document().painting()->swatches;
+        };
+        for (const Colour &colour : {yellow, blue, red}) {
+            bench.editor.setColour(colour);
+            QTest::mouseClick(panel.swatches()->addButton(), Qt::LeftButton);
+        }
+        QCOMPARE(bench.steps(), 3);
+        QCOMPARE(swatches().size(), std::size_t(3));
+        QCOMPARE(grid.swatches(), swatches());
+        QTest::mouseClick(&grid, Qt::LeftButton, {}, middleOf(grid, 1));
+        QCOMPARE(bench.editor.brush().colour, blue);
+        QCOMPARE(bench.steps(), 3); // taking one is no edit
+
+        grid.move(0, 3);
+        QCOMPARE(swatches()[2].colour, yellow);
+        grid.move(2, 0);
+        QCOMPARE(swatches()[0].colour, yellow);
+        grid.move(1, 2); // where it is
+        QCOMPARE(bench.steps(), 5);
+        grid.rename(2, "vermilion");
+        QCOMPARE(swatches()[2], (Swatch{"vermilion", red}));
+        drop(grid, grid.cell(1).topLeft(), QColor("#336699"));
+        QCOMPARE(swatches().size(), std::size_t(4));
+        QCOMPARE(toOpaqueScreen(swatches()[1].colour).name(), QString("#336699"));
+        QTest::mouseClick(&grid, Qt::LeftButton, {}, middleOf(grid, 1));
+        QTest::keyClick(&grid, Qt::Key_Right);
+        QTest::keyClick(&grid, Qt::Key_Delete);
+        QCOMPARE(swatches().size(), std::size_t(3));
+        QCOMPARE(swatches()[1].colour.yellow, fromScreen(QColor("#336699")).yellow);
+        QCOMPARE(bench.steps(), 8);
+        QTest::keyClick(&grid, Qt::Key_Left);
+        QTest::keyClick(&grid, Qt::Key_Return);
+        QCOMPARE(bench.editor.brush().colour, fromScreen(QColor("#336699")));
+
+        const auto after = swatches();
+        bench.editor.undoStack().setIndex(0);
+        QVERIFY(swatches().empty() && grid.swatches().empty());
+        bench.editor.undoStack().setIndex(8);
+        QCOMPARE(swatches(), after);
+        QCOMPARE(grid.swatches(), after);
+    }
+
+    void palettesInAndOut()
+    {
+        Bench bench;
+        SwatchesSection section(bench.editor);
+        const QList<QAction *> menu = section.menuButton()->menu()->actions();
+        QVERIFY(!menu[1]->isEnabled()); // nothing to export
+        const QString path = m_folder.filePath("three.gpl");
+        QVERIFY(writeBytes(path, "GIMP Palette\nName: three\n#\n255 0 0 red\n0 128 0\n0 0 255 blue\n"));
+        section.importPalette(path);
+        QCOMPARE(bench.steps(), 1);
+        QCOMPARE(section.grid()->swatches().size(), std::size_t(3));
+        QCOMPARE(section.grid()->swatches()[2].name, QString("blue"));
+        section.importPalette(path);
+        QCOMPARE(section.grid()->swatches().size(), std::size_t(6));
+        QVERIFY(menu[1]->isEnabled());
+        const QString out = m_folder.filePath("out.gpl");
+        section.exportPalette(out);
+        const auto again = readGimpPalette(readBytes(out), out);
+        QVERIFY(again);
+        QCOMPARE(again->name, QString("out"));
+        QCOMPARE(again->swatches, section.grid()->swatches());
+
+        menu.last()->trigger(); // remove all
+        QVERIFY(section.grid()->swatches().empty());
+        bench.editor.undoStack().undo();
+        QCOMPARE(section.grid()->swatches().size(), std::size_t(6));
+
+        QVERIFY(writeBytes(path, "GIMP Palette\n1 2 x\n"));
+        const int steps = bench.steps();
+        section.importPalette(path);
+        QVERIFY2(m_error.contains("three.gpl: line 2"), qPrintable(m_error));
+        section.importPalette(m_folder.filePath("gone.gpl"));
+        QVERIFY(m_error.contains("gone.gpl"));
+        section.exportPalette(m_folder.filePath("no/such/folder.gpl"));
+        QVERIFY(m_error.contains("folder.gpl"));
+        QCOMPARE(bench.steps(), steps);
+    }
+
+    void padMixesAsPigmentsDo()
+    {
+        Bench bench;
+        MixingSection section(bench.editor);
+        showAt(section, {264, 150});
+        MixingPad &pad = *section.pad();
+        const QPointF left(60, 55), right(200, 55), middle(130, 55);
+        QVERIFY(distance(pad.colourAt(middle), {0, 0, 0, 1}) < 0.01); // a clean sheet
+        QVERIFY(!section.clearButton()->isEnabled());
+        bench.editor.setColour(yellow);
+        drag(pad, {40, 55}, {150, 55});
+        QVERIFY(section.clearButton()->isEnabled());
+        bench.editor.setColour(blue);
+        drag(pad, {220, 55}, {110, 55});
+        const Colour mixture = pad.colourAt(middle), pureYellow = pad.colourAt(left), pureBlue = pad.colourAt(right);
+        QVERIFY(pureYellow.yellow > 0.7f && pureYellow.blue < 0.1f);
+        QVERIFY(pureBlue.blue > 0.7f && pureBlue.yellow < 0.1f);
+        QVERIFY(mixture.blue > 0.5f && mixture.yellow > 0.4f && mixture.red < 0.1f); // green
+        QTest::mouseClick(&pad, Qt::RightButton, {}, middle.toPoint());
+        QCOMPARE(bench.editor.brush().colour, mixture);
+        QTest::mouseClick(&pad, Qt::LeftButton, Qt::ControlModifier, left.toPoint());
+        QCOMPARE(bench.editor.brush().colour, pureYellow);
+        QCOMPARE(bench.steps(), 0); // no part of the document
+        QTest::mouseClick(section.clearButton(), Qt::LeftButton);
+        QVERIFY(distance(pad.colourAt(middle), {0, 0, 0, 1}) < 0.01);
+        QVERIFY(!section.clearButton()->isEnabled());
+    }
+
+    void padRubs()
+    {
+        Bench bench;
+        MixingSection section(bench.editor);
+        showAt(section, {264, 150});
+        MixingPad &pad = *section.pad();
+        bench.editor.setColour(red);
+        QTest::mouseClick(&pad, Qt::LeftButton, {}, {60, 55});
+        const Colour bare = pad.colourAt({100, 55});
+        QVERIFY(distance(bare, {0, 0, 0, 1}) < 0.02);
+        drag(pad, {60, 55}, {120, 55}, Qt::ShiftModifier);
+        const Colour near = pad.colourAt({85, 55}), far = pad.colourAt({118, 55});
+        QVERIFY(near.red > 0.3f);    // red was carried over
+        QVERIFY(far.red < near.red); // and got less on the way
+        QVERIFY(near.yellow < 0.15f && near.blue < 0.15f);
+        QCOMPARE(bench.editor.brush().colour, red);
+        pad.resize(200, 110); // what is painted stays
+        QVERIFY(distance(pad.colourAt({85, 55}), near) < 0.02);
+    }
+
+    void papersAreChosen()
+    {
+        Bench bench;
+        InspectorPanel panel(bench.editor);
+        showAt(panel);
+        CanvasSection &section = *panel.canvasSection();
+        QComboBox &choice = *section.paperChoice();
+        const auto paper = [&] { return bench.editor.document().painting()->canvas.paper; };
+        const int presets = int(paperPresets().size());
+        QCOMPARE(choice.count(), presets + 2); // none, an image
+        QCOMPARE(choice.currentIndex(), 0);
+        std::vector<QImage> thumbnails;
+        for (int i = 1; i <= presets; ++i) {
+            emit choice.activated(i);
+            QCOMPARE(presetOf(paper()), i - 1);
+            QCOMPARE(choice.currentIndex(), i);
+            QCOMPARE(bench.steps(), i);
+            thumbnails.push_back(choice.itemIcon(i).pixmap(choice.iconSize()).toImage());
+            QVERIFY(!thumbnails.back().isNull());
+            for (int k = 0; k + 1 < i; ++k)
+                QVERIFY(thumbnails[std::size_t(k)] != thumbnails.back());
+        }
+        emit section.paperScale()->edited(9.5, 0); // the grain stays
+        QCOMPARE(paper().grain, PaperGrain::Weave);
+        QCOMPARE(paper().scale, 9.5f);
+        QCOMPARE(choice.currentIndex(), -1); // custom
+        emit choice.activated(0);
+        QCOMPARE(paper().kind, PaperKind::None);
+        bench.editor.undoStack().undo();
+        bench.editor.undoStack().undo();
+        QCOMPARE(choice.currentIndex(), presets);
+    }
+
+private:
+    static bool writeBytes(const QString &path, const QByteArray &bytes)
+    {
+        QFile file(path);
+        return file.open(QIODevice::WriteOnly) && file.write(bytes) == bytes.size();
+    }
+    static QByteArray readBytes(const QString &path)
+    {
+        QFile file(path);
+        return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
+    }
+
+    QTemporaryDir m_folder;
+    QString m_error;
+};
+
+QTEST_MAIN(TestColours)
+#include "test_colours.moc"

@@ -1,0 +1,212 @@
+// Commands and keys of the Segments tool, and the brush that goes on with a stroke.
+#include "tests/app/nodes.h"
+
+#include <QTemporaryDir>
+
+using namespace suffuse;
+
+class TestNodeCommands : public QObject {
+    Q_OBJECT
+
+private slots:
+    void initTestCase()
+    {
+        QVERIFY(m_folder.isValid());
+        qputenv("SUFFUSE_PRESENTER", "raster");
+        qputenv("SUFFUSE_SETTINGS", m_folder.filePath("settings.ini").toLocal8Bit());
+    }
+
+    void deletedNodesAreBridged()
+    {
+        NodeSession s;
+        const Stroke before = s.stroke();
+        s.click(nodeAt[2]);
+        s.use(Command::Delete);
+        QCOMPARE(s.painting().strokes.size(), std::size_t(1));
+        QCOMPARE(nodeCount(s.stroke()), 4);
+        QCOMPARE(nodePosition(s.stroke(), 2), nodePosition(before, 3));
+        QVERIFY(s.tool().nodes().empty());
+        s.use(Command::Undo);
+        QVERIFY(s.stroke() == before);
+        s.editor().document().setSelection({{s.id}, {{s.id, 1}}}); // segments: the stroke falls apart
+        s.use(Command::Delete);
+        QCOMPARE(s.painting().strokes.size(), std::size_t(2));
+    }
+
+    void segmentsBetweenNodesAreDeletedOrBridged()
+    {
+        NodeSession s;
+        QVERIFY(!s.window.action(Command::DeleteSegments).isEnabled());
+        s.drag({280, 260}, {420, 380});
+        QCOMPARE(s.tool().nodes(), s.nodes({1, 2}));
+        s.use(Command::DeleteSegments);
+        QCOMPARE(s.painting().strokes.size(), std::size_t(2));
+        QCOMPARE(s.painting().strokes[0]->segments.size(), std::size_t(1));
+        QCOMPARE(s.painting().strokes[1]->segments.size(), std::size_t(2));
+        s.use(Command::Undo);
+        s.editor().document().setSelection({{s.id}, {{s.id, 1}, {s.id, 2}}});
+        s.use(Command::BridgeSegments);
+        QCOMPARE(s.painting().strokes.size(), std::size_t(1));
+        QCOMPARE(s.stroke().segments.size(), std::size_t(3));
+    }
+
+    void commandsSetTheKind()
+    {
+        NodeSession s;
+        QVERIFY(!s.window.action(Command::NodeCorner).isEnabled());
+        s.click(nodeAt[1]);
+        s.use(Command::NodeCorner);
+        QCOMPARE(nodeKind(s.stroke(), 1), NodeKind::Corner);
+        s.use(Command::NodeSymmetric);
+        QCOMPARE(nodeKind(s.stroke(), 1), NodeKind::Symmetric);
+        s.use(Command::NodeSmooth);
+        QCOMPARE(nodeKind(s.stroke(), 1), NodeKind::Smooth);
+        QCOMPARE(s.tool().nodes(), s.nodes({1}));
+        s.use(Command::Brush);
+        QVERIFY(!s.window.action(Command::NodeCorner).isEnabled());
+    }
+
+    void keysOfInkscape()
+    {
+        NodeSession s;
+        s.window.activateWindow();
+        QVERIFY(QTest::qWaitForWindowActive(&s.window));
+        s.canvas().setFocus();
+        const Stroke before = s.stroke();
+        s.click(nodeAt[1]);
+        s.key(Qt::Key_C, Qt::ShiftModifier);
+        QCOMPARE(nodeKind(s.stroke(), 1), NodeKind::Corner);
+        s.key(Qt::Key_Y, Qt::ShiftModifier);
+        QCOMPARE(nodeKind(s.stroke(), 1), NodeKind::Symmetric);
+        s.key(Qt::Key_S, Qt::ShiftModifier);
+        QCOMPARE(nodeKind(s.stroke(), 1), NodeKind::Smooth);
+        s.key(Qt::Key_A, Qt::ControlModifier);
+        QCOMPARE(s.tool().nodes().size(), std::size_t(5));
+        s.click(nodeAt[2]);
+        s.key(Qt::Key_Delete);
+        QCOMPARE(nodeCount(s.stroke()), 4);
+        s.key(Qt::Key_Z, Qt::ControlModifier);
+        QCOMPARE(nodeCount(s.stroke()), 5);
+        s.drag({280, 260}, {420, 380});
+        s.key(Qt::Key_Delete, Qt::ControlModifier);
+        QCOMPARE(s.painting().strokes.size(), std::size_t(2));
+        s.key(Qt::Key_K);
+        QVERIFY(s.window.action(Command::Knife).isChecked());
+        s.editor().undoStack().setIndex(1);
+        QVERIFY(s.stroke() == before);
+    }
+
+    void breakJoinAndReverse()
+    {
+        NodeSession s;
+        const Stroke before = s.stroke();
+        s.click(nodeAt[2]);
+        s.use(Command::BreakNodes);
+        QCOMPARE(s.painting().strokes.size(), std::size_t(2));
+        QCOMPARE(s.selection().strokes.size(), std::size_t(2));
+        QVERIFY(!s.window.action(Command::JoinNodes).isEnabled());
+        s.drag({380, 280}, {420, 320}); // both ends that lie there
+        QCOMPARE(s.tool().nodes().size(), std::size_t(2));
+        s.use(Command::JoinNodes);
+        QCOMPARE(s.painting().strokes.size(), std::size_t(1));
+        QCOMPARE(s.painting().strokes[0]->segments.size(), std::size_t(4));
+        s.use(Command::Undo);
+        s.use(Command::Undo);
+        QVERIFY(s.stroke() == before);
+
+        s.click(nodeAt[1]);
+        s.use(Command::ReverseStrokes);
+        QVERIFY(s.stroke() == reversed(before));
+        QCOMPARE(s.tool().nodes(), s.nodes({3})); // the same node
+    }
+
+    void nodesAreInsertedBetweenSelectedOnes()
+    {
+        NodeSession s;
+        s.drag({280, 260}, {420, 380});
+        s.use(Command::InsertNodes);
+        QCOMPARE(nodeCount(s.stroke()), 6);
+        QCOMPARE(s.tool().nodes(), s.nodes({1, 2, 3}));
+    }
+
+    void tabGoesFromNodeToNode()
+    {
+        NodeSession s;
+        const StrokeId other = s.addWave(200, 450, false);
+        s.editor().document().setSelection({{s.id, other}, {}});
+        s.key(Qt::Key_Tab);
+        QCOMPARE(s.tool().nodes(), s.nodes({0}));
+        s.key(Qt::Key_Tab);
+        QCOMPARE(s.tool().nodes(), s.nodes({1}));
+        s.key(Qt::Key_Backtab, Qt::ShiftModifier);
+        s.key(Qt::Key_Backtab, Qt::ShiftModifier);
+        QCOMPARE(s.tool().nodes(), (std::set<NodeRef>{{other, 4}}));
+        s.key(Qt::Key_Tab);
+        QCOMPARE(s.tool().nodes(), s.nodes({0}));
+        QVERIFY(!s.window.action(Command::HideDocks).isChecked());
+    }
+
+    void arrowsNudgeNodes()
+    {
+        NodeSession s;
+        const Stroke before = s.stroke();
+        s.click(nodeAt[2]);
+        s.key(Qt::Key_Down);
+        QVERIFY(length(nodePosition(s.stroke(), 2) - nodePosition(before, 2) - Point{0, 1}) < 1e-4);
+        QCOMPARE(nodePosition(s.stroke(), 1), nodePosition(before, 1));
+        s.key(Qt::Key_Left, Qt::ShiftModifier);
+        QVERIFY(length(nodePosition(s.stroke(), 2) - nodePosition(before, 2) - Point{-10, 1}) < 1e-4);
+        QCOMPARE(s.steps(), 3);
+        s.use(Command::Undo);
+        s.use(Command::Undo);
+        QVERIFY(s.stroke() == before);
+    }
+
+    void nodesThatUndoTakesAwayAreDropped()
+    {
+        NodeSession s;
+        s.use(Command::SelectAll);
+        s.use(Command::InsertNodes);
+        QCOMPARE(nodeCount(s.stroke()), 9);
+        QCOMPARE(s.tool().nodes().size(), std::size_t(9));
+        s.use(Command::Undo);
+        QCOMPARE(s.tool().nodes(), s.nodes({0, 1, 2, 3, 4}));
+        s.use(Command::Undo);
+        QVERIFY(s.painting().strokes.empty());
+        QVERIFY(s.tool().nodes().empty());
+        s.key(Qt::Key_Tab);
+        QVERIFY(s.tool().nodes().empty());
+    }
+
+    void brushGoesOnFromAnEnd()
+    {
+        NodeSession s;
+        const Stroke before = s.stroke();
+        s.use(Command::Brush);
+        QTest::mousePress(&s.canvas(), Qt::LeftButton, Qt::ShiftModifier, s.at(nodeAt[4]));
+        for (int i = 1; i <= 10; ++i) {
+            s.advance(interval);
+            s.move(nodeAt[4] + Point{10.0 * i, 8.0 * i}, Qt::ShiftModifier);
+        }
+        QCOMPARE(s.stroke().segments.size(), before.segments.size()); // the draft is not part of it yet
+        QTest::mouseRelease(&s.canvas(), Qt::LeftButton, Qt::ShiftModifier, s.at({700, 380}));
+        QCOMPARE(s.painting().strokes.size(), std::size_t(1));
+        QCOMPARE(s.steps(), 2);
+        QVERIFY(s.stroke().segments.size() > 5);
+        for (std::size_t k = 0; k < 4; ++k)
+            QVERIFY(s.stroke().segments[k] == before.segments[k]);
+        const Segment &added = s.stroke().segments.back();
+        QCOMPARE(added.colour, before.segments.back().colour);
+        QCOMPARE(added.diffusion, before.segments.back().diffusion);
+        QVERIFY(length(nodePosition(s.stroke(), nodeCount(s.stroke()) - 1) - Point{700, 380}) < 3);
+        QVERIFY(added.born > before.segments.back().born);
+        s.use(Command::Undo);
+        QVERIFY(s.stroke() == before);
+    }
+
+private:
+    QTemporaryDir m_folder;
+};
+
+QTEST_MAIN(TestNodeCommands)
+#include "test_node_commands.moc"

@@ -1,0 +1,146 @@
+// File ▸ Export Timelapse…: films of every kind, mistakes, and a film that is stopped.
+#include "app/dialogs/timelapse_dialog.h"
+#include "app/panels/section.h"
+#include "tests/app/selecting.h"
+
+#include <QCheckBox>
+#include <QComboBox>
+#include <QDir>
+#include <QDoubleSpinBox>
+#include <QLineEdit>
+#include <QPushButton>
+#include <QSpinBox>
+#include <QTemporaryDir>
+
+using namespace suffuse;
+
+class TestTimelapseDialog : public QObject {
+    Q_OBJECT
+
+    static void fill(Editor &editor)
+    {
+        auto painting = std::make_shared<Painting>();
+        painting->canvas.width = 80;
+        painting->canvas.height = 60;
+        for (const int i : {1, 2}) {
+            auto stroke = std::make_shared<Stroke>(*line(StrokeId(i), {10, 20.0 * i}, {70, 20.0 * i}));
+            for (Segment &segment : stroke->segments)
+                segment.colour = {1, 0, 0, 1};
+            painting->strokes.push_back(std::move(stroke));
+        }
+        editor.document().reset(painting);
+    }
+    QStringList files() const
+    {
+        return QDir(m_folder.path()).entryList(QDir::AllEntries | QDir::Hidden | QDir::NoDotAndDotDot);
+    }
+    void clear()
+    {
+        for (const QString &name : files())
+            QDir(m_folder.path()).remove(name);
+    }
+
+private slots:
+    void initTestCase() { qputenv("SUFFUSE_SETTINGS", QDir(m_settings.path()).filePath("settings.ini").toLocal8Bit()); }
+
+    void makesFilms_data()
+    {
+        QTest::addColumn<QString>("name");
+        QTest::addColumn<QStringList>("expected");
+        QTest::newRow("WebP") << "film.webp" << QStringList{"film.webp"};
+        QTest::newRow("frames") << "f.png" << QStringList{"f0001.png", "f0002.png", "f0003.png", "f0004.png"};
+        QTest::newRow("numbered") << "%d.pfm" << QStringList{"1.pfm", "2.pfm", "3.pfm", "4.pfm"};
+    }
+
+    void makesFilms()
+    {
+        QFETCH(QString, name);
+        QFETCH(QStringList, expected);
+        Editor editor;
+        fill(editor);
+        TimelapseDialog dialog(editor, Rect::of(0, 0, 40, 30));
+        dialog.show();
+        QCOMPARE(dialog.widthBox()->value(), 80);
+        QCOMPARE(dialog.heightBox()->value(), 60);
+        dialog.path()->setText(m_folder.filePath(name));
+        dialog.fps()->setValue(4);
+        dialog.length()->setValue(1);
+        QVERIFY2(dialog.progressText()->text().startsWith("4 frames"), qPrintable(dialog.progressText()->text()));
+        QCOMPARE(dialog.loops()->isEnabled(), name.endsWith("webp"));
+        dialog.exportButton()->click();
+        QVERIFY(dialog.isExporting());
+        QTRY_VERIFY_WITH_TIMEOUT(!dialog.isExporting(), waitMs);
+        QCOMPARE(dialog.result(), int(QDialog::Accepted));
+        QCOMPARE(files(), expected);
+        if (name.endsWith("png")) {
+            const QImage last(m_folder.filePath("f0004.png"));
+            QCOMPARE(last.size(), QSize(80, 60));
+            QVERIFY(last.pixel(40, 20) != last.pixel(0, 59));
+        }
+        clear();
+    }
+
+    void areasSetTheSize()
+    {
+        Editor editor;
+        fill(editor);
+        editor.document().setSelection({{1}, {}});
+        TimelapseDialog dialog(editor, Rect::of(0, 0, 40, 10));
+        QCOMPARE(dialog.areaBox()->count(), 3);
+        dialog.areaBox()->setCurrentIndex(1);
+        QCOMPARE(dialog.heightBox()->value(), dialog.widthBox()->value() / 4);
+        dialog.widthBox()->setValue(400);
+        QCOMPARE(dialog.heightBox()->value(), 100);
+        dialog.areaBox()->setCurrentIndex(2);
+        QVERIFY(dialog.widthBox()->value() > dialog.heightBox()->value());
+    }
+
+    void mistakesAreShown()
+    {
+        Editor editor;
+        fill(editor);
+        TimelapseDialog dialog(editor, Rect::of(0, 0, 40, 30));
+        dialog.show();
+        for (const auto &[name, transparent, says] :
+             {std::tuple{"film.txt", false, "%05d"}, std::tuple{"film.mp4", true, "WebM"},
+              std::tuple{"f.jpg", true, "JPEG"}}) {
+            dialog.path()->setText(m_folder.filePath(name));
+            dialog.transparent()->setChecked(transparent);
+            dialog.exportButton()->click();
+            QVERIFY(!dialog.isExporting());
+            QVERIFY2(dialog.hint()->text().contains(says), qPrintable(dialog.hint()->text()));
+        }
+        dialog.transparent()->setChecked(false);
+        dialog.path()->setText(m_folder.filePath("nowhere/film.webp"));
+        QCOMPARE(dialog.hint()->text(), QString());
+        dialog.exportButton()->click();
+        QTRY_VERIFY_WITH_TIMEOUT(!dialog.isExporting(), waitMs);
+        QVERIFY2(dialog.hint()->text().contains("nowhere"), qPrintable(dialog.hint()->text()));
+        QCOMPARE(files(), QStringList());
+    }
+
+    void cancelLeavesNothing()
+    {
+        Editor editor;
+        fill(editor);
+        TimelapseDialog dialog(editor, Rect::of(0, 0, 40, 30));
+        dialog.show();
+        dialog.path()->setText(m_folder.filePath("film.webp"));
+        dialog.length()->setValue(3600);
+        dialog.exportButton()->click();
+        QTRY_VERIFY_WITH_TIMEOUT(dialog.progressText()->text().contains("Frame "), waitMs);
+        dialog.reject(); // stops the work, the dialog stays
+        QVERIFY(dialog.isVisible());
+        QTRY_VERIFY_WITH_TIMEOUT(!dialog.isExporting(), waitMs);
+        QCOMPARE(files(), QStringList());
+        QVERIFY(dialog.exportButton()->isEnabled());
+        dialog.reject();
+        QVERIFY(!dialog.isVisible());
+    }
+
+private:
+    QTemporaryDir m_folder, m_settings;
+};
+
+QTEST_MAIN(TestTimelapseDialog)
+#include "test_timelapse_dialog.moc"

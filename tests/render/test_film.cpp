@@ -1,0 +1,325 @@
+// Films: what is written is what was drawn, and nothing is left of one that is not finished.
+#include "render/film/film_writer.h"
+#include "render/parallel.h"
+
+#include <QDir>
+#include <QFile>
+#include <QProcess>
+#include <QStandardPaths>
+#include <QTemporaryDir>
+#include <QTest>
+#include <QtEndian>
+
+using namespace suffuse;
+
+namespace {
+
+constexpr int width = 41, height = 26; // odd and even
+
+/// A square that wanders over a ground; frames 4 to 6 are the same.
+FloatPicture frameOf(std::size_t i, bool alpha)
+{
+    FloatPicture picture;
+    picture.resize(width, height);
+    const int at = int(i >= 4 && i <= 6 ? 4 : i) * 3;
+    for (int y = 0; y < height; ++y)
+        for (int x = 0; x < width; ++x) {
+            const bool inside = x >= at && x < at + 7 && y >= 5 && y < 14;
+            float *p = picture.rgba.data() + (std::size_t(y) * width + std::size_t(x)) * 4;
+            p[0] = inside ? 1 : float(x) / 64;
+            p[1] = inside ? 0.25f : float(y) / 64;
+            p[2] = 0.5f;
+            p[3] = alpha && !inside ? 0.0f : 1.0f;
+        }
+    return picture;
+}
+
+unsigned number(const QByteArray &bytes, qsizetype at, int count)
+{
+    unsigned value = 0;
+    for (int k = count; k-- > 0;)
+        value = value << 8 | (unsigned char)(bytes[at + k]);
+    return value;
+}
+
+struct ShownFrame {
+    FloatPicture picture;
+    unsigned milliseconds = 0;
+};
+
+/// An animated WebP as a viewer shows it: written from the container's specification.
+struct Animation {
+    unsigned flags = 0, loops = 99;
+    int width = 0, height = 0;
+    std::vector<ShownFrame> frames;
+    QString problem;
+
+    explicit Animation(const QByteArray &file)
+    {
+        if (file.mid(0, 4) != "RIFF" || file.mid(8, 8) != "WEBPVP8X" ||
+            number(file, 4, 4) + 8 != unsigned(file.size())) {
+            problem = "head";
+            return;
+        }
+        for (qsizetype at = 12; at + 8 <= file.size() && problem.isEmpty();) {
+            const QByteArray name = file.mid(at, 4), data = file.mid(at + 8, number(file, at + 4, 4));
+            if (name == "VP8X") {
+                flags = number(data, 0, 1);
+                width = int(number(data, 4, 3)) + 1;
+                height = int(number(data, 7, 3)) + 1;
+            } else if (name == "ANIM") {
+                loops = number(data, 4, 2);
+            } else if (name == "ANMF") {
+                add(data);
+            } else {
+                problem = name;
+            }
+            at += 8 + (data.size() + 1) / 2 * 2;
+        }
+    }
+
+    void add(const QByteArray &data)
+    {
+        ShownFrame shown;
+        if (frames.empty())
+            shown.picture.resize(width, height);
+        else
+            shown.picture.rgba = frames.back().picture.rgba, shown.picture.width = width, shown.picture.height = height;
+        shown.milliseconds = number(data, 12, 3);
+        const int left = int(number(data, 0, 3)) * 2, top = int(number(data, 3, 3)) * 2;
+        const int w = int(number(data, 6, 3)) + 1, h = int(number(data, 9, 3)) + 1;
+        if ((number(data, 15, 1) & 3) != 2) // laid over what is there, not blended
+            problem = "flags";
+        // Its pixels as a still picture.
+        QByteArray still = data.mid(16);
+        if (still.startsWith("ALPH")) {
+            QByteArray extended("VP8X\x0a\0\0\0\x10\0\0\0", 12);
+            for (const int side : {w - 1, h - 1})
+                extended.append(char(side)).append(char(side >> 8)).append('\0');
+            still = extended + still;
+        }
+        QByteArray head("RIFF\0\0\0\0WEBP", 12);
+        qToLittleEndian(quint32(still.size() + 4), head.data() + 4);
+        const Result<FloatPicture> part = readImage(head + still, "frame");
+        if (!part || part->width != w || part->height != h || left + w > width || top + h > height) {
+            problem = "frame: " + part.error();
+            return;
+        }
+        for (int y = 0; y < h; ++y)
+            std::copy_n(part->at(0, y), std::size_t(w) * 4,
+                        shown.picture.rgba.data() +
+                            (std::size_t(top + y) * std::size_t(width) + std::size_t(left)) * 4);
+        frames.push_back(std::move(shown));
+    }
+};
+
+/// Colours count as far as they are seen.
+float farthest(const FloatPicture &a, const FloatPicture &b)
+{
+    if (a.rgba.size() != b.rgba.size())
+        return 99;
+    float most = 0;
+    for (std::size_t k = 0; k < a.rgba.size(); k += 4) {
+        most = std::max(most, std::abs(a.rgba[k + 3] - b.rgba[k + 3]));
+        for (std::size_t c = k; c < k + 3; ++c)
+            most = std::max(most, std::abs(a.rgba[c] * a.rgba[k + 3] - b.rgba[c] * b.rgba[k + 3]));
+    }
+    return most;
+}
+
+QByteArray contentOf(const QString &path)
+{
+    QFile file(path);
+    return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
+}
+
+} // namespace
+
+class TestFilm : public QObject {
+    Q_OBJECT
+
+private slots:
+    void kindsByTheName()
+    {
+        QCOMPARE(filmKindOf("a/%05d.png"), FilmKind::Frames);
+        QCOMPARE(filmKindOf("a/%d.webp"), FilmKind::Frames);
+        QCOMPARE(filmKindOf("a/film.WEBP"), FilmKind::WebP);
+        QCOMPARE(filmKindOf("a/film.webm"), FilmKind::Video);
+        QCOMPARE(filmKindOf("a/film.mp4"), FilmKind::Video);
+        QCOMPARE(filmKindOf("a%b/film.mp4"), FilmKind::Video);
+        const auto problem = [](const QString &path, bool alpha = false, int side = 10, double fps = 25) {
+            FilmOptions options{path, 1, fps, side, side, {}};
+            options.image.alpha = alpha;
+            return problemOf(options);
+        };
+        QVERIFY(problem("a/frame.png").contains("%05d"));
+        QVERIFY(problem("a/%d-%d.png").contains("%05d"));
+        QVERIFY(problem("a/%d.gif").contains("gif") || !problem("a/%d.gif").isEmpty());
+        QVERIFY(problem("a/film.mp4", true).contains("WebM"));
+        QVERIFY(problem("a/film.webm", true).isEmpty());
+        QVERIFY(!problem("a/film.webp", false, 20'000).isEmpty());
+        QVERIFY(!problem("a/film.webm", false, 20'000).isEmpty());
+        QVERIFY(!problem("a/film.webm", false, 10, 0).isEmpty());
+    }
+
+    void webpHoldsEveryFrame_data()
+    {
+        QTest::addColumn<bool>("alpha");
+        QTest::addColumn<int>("quality");
+        QTest::addColumn<double>("tolerance");
+        QTest::newRow("lossless") << false << 100 << 1.01 / 510;
+        QTest::newRow("lossless, transparent") << true << 100 << 1.01 / 510;
+        QTest::newRow("lossy") << false << 95 << 0.6; // colours are shared by four pixels
+        QTest::newRow("lossy, transparent") << true << 95 << 0.6;
+    }
+
+    void webpHoldsEveryFrame()
+    {
+        QFETCH(bool, alpha);
+        QFETCH(int, quality);
+        QFETCH(double, tolerance);
+        const QString path = m_folder.filePath("film.webp");
+        FilmOptions options{path, 10, 30, width, height, {}};
+        options.image.alpha = alpha;
+        options.image.quality = quality;
+        options.loops = !alpha;
+        {
+            const auto film = openFilm(options);
+            QVERIFY2(film, qPrintable(film.error()));
+            // In disorder, as from several threads.
+            for (const std::size_t i : {1u, 0u, 3u, 2u, 4u, 7u, 6u, 5u, 9u, 8u})
+                QVERIFY((*film)->write(i, frameOf(i, alpha)));
+            QVERIFY(!QFile::exists(path) || !m_kept.isEmpty());
+            QVERIFY((*film)->commit());
+        }
+        m_kept = contentOf(path);
+        const Animation animation(m_kept);
+        QCOMPARE(animation.problem, QString());
+        QCOMPARE(animation.width, width);
+        QCOMPARE(animation.height, height);
+        QCOMPARE(animation.flags, alpha ? 0x12u : 0x02u);
+        QCOMPARE(animation.loops, alpha ? 1u : 0u);
+        QCOMPARE(animation.frames.size(), std::size_t(8)); // the three that are the same are one
+        unsigned all = 0;
+        for (std::size_t k = 0; k < 8; ++k) {
+            const std::size_t i = k <= 4 ? k : k + 2;
+            QVERIFY2(farthest(animation.frames[k].picture, frameOf(i, alpha)) <= float(tolerance),
+                     qPrintable(QString::number(k)));
+            all += animation.frames[k].milliseconds;
+        }
+        QCOMPARE(animation.frames[0].milliseconds, 33u);
+        QCOMPARE(animation.frames[4].milliseconds, 100u);
+        QCOMPARE(all, 333u);
+    }
+
+    void unfinishedFilmsLeaveNothing()
+    {
+        for (const QString name : {"left.webp", "left.webm", "left.mp4", "left/%03d.png"}) {
+            if (filmKindOf(name) == FilmKind::Video && QStandardPaths::findExecutable("ffmpeg").isEmpty())
+                continue;
+            const QStringList before =
+                QDir(m_folder.path()).entryList(QDir::AllEntries | QDir::Hidden | QDir::NoDotAndDotDot);
+            {
+                const auto film = openFilm({m_folder.filePath(name), 10, 25, width, height, {}});
+                QVERIFY2(film, qPrintable(film.error()));
+                for (std::size_t i = 0; i < 3; ++i)
+                    QVERIFY((*film)->write(i, frameOf(i, false)));
+            }
+            QCOMPARE(QDir(m_folder.path()).entryList(QDir::AllEntries | QDir::Hidden | QDir::NoDotAndDotDot), before);
+            QVERIFY(!openFilm({m_folder.filePath("nowhere/" + name.section('/', -1)), 1, 25, 0, 0, {}}) ||
+                    filmKindOf(name) == FilmKind::Frames);
+        }
+    }
+
+    void videosByFfmpeg_data()
+    {
+        QTest::addColumn<QString>("name");
+        QTest::addColumn<bool>("alpha");
+        QTest::newRow("WebM") << "film.webm" << false;
+        QTest::newRow("WebM, transparent") << "clear.webm" << true;
+        QTest::newRow("MP4") << "film.mp4" << false;
+    }
+
+    void videosByFfmpeg()
+    {
+        QFETCH(QString, name);
+        QFETCH(bool, alpha);
+        if (QStandardPaths::findExecutable("ffmpeg").isEmpty() || QStandardPaths::findExecutable("ffprobe").isEmpty())
+            QSKIP("ffmpeg is not installed");
+        const QString path = m_folder.filePath(name);
+        FilmOptions options{path, 10, 12.5, width, height, {}};
+        options.image.alpha = alpha;
+        {
+            const auto film = openFilm(options);
+            QVERIFY2(film, qPrintable(film.error()));
+            std::atomic<int> failed = 0;
+            parallelFor(10, 2, [&](std::size_t i) { failed += (*film)->write(i, frameOf(i, alpha)) ? 0 : 1; });
+            QCOMPARE(failed.load(), 0);
+            QVERIFY(!QFile::exists(path));
+            const Result<void> kept = (*film)->commit();
+            QVERIFY2(kept, qPrintable(kept.error()));
+        }
+        QProcess probe;
+        probe.start("ffprobe",
+                    {"-v", "error", "-count_frames", "-show_entries",
+                     "stream=width,height,nb_read_frames,avg_frame_rate,color_space", "-of", "csv=p=0", path});
+        QVERIFY(probe.waitForFinished());
+        const bool mp4 = name.endsWith("mp4");
+        QCOMPARE(QString::fromLatin1(probe.readAllStandardOutput().trimmed()),
+                 QString("%1,%2,bt709,25/2,10").arg(mp4 ? width + 1 : width).arg(height));
+        // The last frame, decoded.
+        QProcess decode;
+        decode.start("ffmpeg",
+                     QStringList{"-v", "error"} +
+                         (name.endsWith("webm") ? QStringList{"-c:v", "libvpx-vp9"} : QStringList()) +
+                         QStringList{"-i", path, "-vf", "select=eq(n\\,9)", "-f", "rawvideo", "-pix_fmt", "rgba", "-"});
+        QVERIFY(decode.waitForFinished());
+        const QByteArray pixels = decode.readAllStandardOutput();
+        const int stride = mp4 ? width + 1 : width;
+        QCOMPARE(pixels.size(), qsizetype(stride) * height * 4);
+        const auto at = [&](int x, int y, int c) {
+            return int((unsigned char)(pixels[(qsizetype(y) * stride + x) * 4 + c]));
+        };
+        QVERIFY(std::abs(at(30, 9, 0) - 255) < 24 && std::abs(at(30, 9, 1) - 64) < 24 &&
+                std::abs(at(30, 9, 2) - 128) < 24);
+        QVERIFY(std::abs(at(10, 9, 3) - (alpha ? 0 : 255)) < 4);
+        QVERIFY(std::abs(at(30, 9, 3) - 255) < 4);
+    }
+
+    void whatFfmpegSaysIsPassedOn()
+    {
+        if (QStandardPaths::findExecutable("ffmpeg").isEmpty())
+            QSKIP("ffmpeg is not installed");
+        const QByteArray path = qgetenv("PATH");
+        QFile fake(m_folder.filePath("ffmpeg"));
+        QVERIFY(fake.open(QIODevice::WriteOnly));
+        fake.write("#!/bin/sh\necho 'no encoder today' >&2\nexit 3\n");
+        fake.close();
+        fake.setPermissions(QFile::ReadOwner | QFile::WriteOwner | QFile::ExeOwner);
+        qputenv("PATH", m_folder.path().toLocal8Bit() + ':' + path);
+        {
+            const auto film = openFilm({m_folder.filePath("bad.webm"), 10, 25, width, height, {}});
+            QVERIFY(film);
+            Result<void> outcome;
+            for (std::size_t i = 0; i < 10 && outcome; ++i)
+                outcome = (*film)->write(i, frameOf(i, false));
+            if (outcome)
+                outcome = (*film)->commit();
+            QVERIFY(!outcome);
+            QVERIFY2(outcome.error().contains("no encoder today"), qPrintable(outcome.error()));
+        }
+        QVERIFY(!QFile::exists(m_folder.filePath("bad.webm")));
+        qputenv("PATH", "/nowhere");
+        const auto none = openFilm({m_folder.filePath("bad.webm"), 10, 25, width, height, {}});
+        QVERIFY(!none && none.error().contains("not installed"));
+        qputenv("PATH", path);
+        QFile::remove(fake.fileName());
+    }
+
+private:
+    QTemporaryDir m_folder;
+    QByteArray m_kept;
+};
+
+QTEST_GUILESS_MAIN(TestFilm)
+#include "test_film.moc"

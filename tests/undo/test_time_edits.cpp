@@ -1,0 +1,327 @@
+// Retiming, freezing, re-wetting, and strokes that are painted in the past.
+#include "model/validate.h"
+#include "tests/undo/random_edits.h"
+#include "undo/edit_command.h"
+#include "undo/time_edits.h"
+
+#include <QTest>
+#include <QUndoStack>
+
+using namespace suffuse;
+
+namespace {
+
+constexpr Microseconds second = 1'000'000;
+
+/// Stroke i of n (from 1) begins at second i; its four segments are a tenth of a second apart.
+PaintingPtr timedPainting(int n)
+{
+    auto painting = std::make_shared<Painting>(*makePainting(n));
+    for (int i = 0; i < n; ++i) {
+        auto stroke = std::make_shared<Stroke>(*painting->strokes[std::size_t(i)]);
+        for (int k = 0; k < 4; ++k)
+            stroke->segments[std::size_t(k)].born = (i + 1) * second + k * second / 10;
+        painting->strokes[std::size_t(i)] = std::move(stroke);
+    }
+    return painting;
+}
+
+std::vector<Microseconds> births(const Stroke &stroke)
+{
+    std::vector<Microseconds> times;
+    for (const Segment &s : stroke.segments)
+        times.push_back(s.born);
+    return times;
+}
+
+using Times = std::vector<Microseconds>;
+
+/// A document with a stack.
+struct Desk {
+    Document document;
+    QUndoStack stack;
+
+    explicit Desk(PaintingPtr painting) { document.reset(std::move(painting)); }
+    const Stroke &stroke(StrokeId id) { return strokeOf(document, id); }
+    void push(Edit edit, EditRun run = 0)
+    {
+        if (!edit.isEmpty())
+            stack.push(new EditCommand(document, std::move(edit), QStringLiteral("edit"), run));
+        QCOMPARE(problemOf(*document.painting()), QString());
+    }
+};
+
+} // namespace
+
+class TestTimeEdits : public QObject {
+    Q_OBJECT
+
+private slots:
+    void shiftsStrokesAndRuns()
+    {
+        Desk d(timedPainting(3));
+        const QByteArray first = hashOf(*d.document.painting());
+        const PaintingPtr before = d.document.painting();
+        select(d.document, {1, 2}, {{2, 1}, {2, 2}});
+        d.push(retime(*before, d.document.selection(), {.by = second / 2}));
+        QCOMPARE(births(d.stroke(1)), (Times{1'500'000, 1'600'000, 1'700'000, 1'800'000}));
+        QCOMPARE(births(d.stroke(2)), (Times{2'000'000, 2'600'000, 2'700'000, 2'300'000}));
+        QCOMPARE(d.document.painting()->find(3), before->find(3));
+        Segment same = d.stroke(1).segments[2];
+        same.born = before->find(1)->segments[2].born;
+        QCOMPARE(same, before->find(1)->segments[2]); // nothing but its time
+        checkUndoAllAndRedo(d.stack, d.document, first);
+    }
+
+    void nothingBeginsBeforeZero()
+    {
+        Desk d(timedPainting(2));
+        select(d.document, {1, 2});
+        d.push(retime(*d.document.painting(), d.document.selection(), {.by = -10 * second}));
+        QCOMPARE(births(d.stroke(1)).front(), Microseconds(0));
+        QCOMPARE(births(d.stroke(2)).front(), second); // both by the same
+        // What began before zero may stay there, but goes no further.
+        Desk early(std::make_shared<const Painting>([] {
+            Painting painting = *timedPainting(1);
+            auto stroke = std::make_shared<Stroke>(*painting.strokes[0]);
+            for (Segment &s : stroke->segments)
+                s.born -= 2 * second;
+            painting.strokes[0] = stroke;
+            return painting;
+        }()));
+        select(early.document, {1});
+        d.push(retime(*early.document.painting(), early.document.selection(), {.by = -second}));
+        QCOMPARE(births(early.stroke(1)).front(), -second);
+    }
+
+    void stretchesAndCarriesRewetting()
+    {
+        auto painting = std::make_shared<Painting>(*timedPainting(1));
+        auto stroke = std::make_shared<Stroke>(*painting->strokes[0]);
+        stroke->segments[1].rewet = {{5 * second, second}, {7 * second, second / 2}};
+        painting->strokes[0] = stroke;
+        Desk d(painting);
+        select(d.document, {1});
+        const TimeSpan drawn = drawnSpan(*painting, d.document.selection());
+        QCOMPARE(drawn, (TimeSpan{second, 1'300'000}));
+        d.push(stretch(*painting, d.document.selection(), {second, 1'900'000}));
+        QCOMPARE(births(d.stroke(1)), (Times{1'000'000, 1'300'000, 1'600'000, 1'900'000}));
+        QCOMPARE(d.stroke(1).segments[1].rewet, (std::vector<Rewet>{{13 * second, second}, {19 * second, second / 2}}));
+        d.push(stretch(*painting, d.document.selection(), {1'150'000, 1'300'000}));
+        QCOMPARE(births(d.stroke(1)), (Times{1'150'000, 1'200'000, 1'250'000, 1'300'000}));
+    }
+
+    void whatWasThereAtOnceIsDrawn()
+    {
+        Desk d(makePainting(1)); // all born at 0
+        select(d.document, {1});
+        d.push(stretch(*d.document.painting(), d.document.selection(), {0, 3 * second}));
+        QCOMPARE(births(d.stroke(1)), (Times{0, second, 2 * second, 3 * second}));
+    }
+
+    void aDragIsOneStepAndNoneIfItComesBack()
+    {
+        Desk d(timedPainting(3));
+        const PaintingPtr before = d.document.painting();
+        select(d.document, {2});
+        const Selection selection = d.document.selection();
+        EditRun run = beginEditRun();
+        for (const Microseconds by : {100'000, 500'000, -300'000, 250'000})
+            d.push(retime(*before, selection, {.by = by}), run);
+        QCOMPARE(d.stack.count(), 1);
+        QCOMPARE(d.stroke(2).born(), 2'250'000);
+        d.stack.undo();
+        QVERIFY(*d.document.painting() == *before);
+        d.stack.redo();
+        run = beginEditRun();
+        const PaintingPtr now = d.document.painting();
+        for (const Microseconds by : {100'000, -100'000, 0})
+            d.push(retime(*now, selection, {.by = by}), run);
+        QCOMPARE(d.stack.count(), 1);
+        QVERIFY(*d.document.painting() == *now);
+    }
+
+    void lockedStrokesKeepTheirTime()
+    {
+        auto painting = std::make_shared<Painting>(*timedPainting(2));
+        auto locked = std::make_shared<Stroke>(*painting->strokes[0]);
+        locked->locked = true;
+        painting->strokes[0] = locked;
+        Desk d(painting);
+        select(d.document, {1, 2});
+        QCOMPARE(drawnSpan(*painting, d.document.selection()).begin, 2 * second);
+        d.push(retime(*painting, d.document.selection(), {.by = second}));
+        d.push(setPace(d.document, Pace::EaseIn));
+        d.push(freeze(d.document, 1'200'000));
+        d.push(rewet(d.document, 9 * second, second));
+        QCOMPARE(d.document.painting()->find(1), StrokePtr(locked));
+        QCOMPARE(d.stroke(2).born(), 3 * second);
+        select(d.document, {1});
+        QVERIFY(drawnSpan(*painting, d.document.selection()).end < drawnSpan(*painting, d.document.selection()).begin);
+        QVERIFY(retime(*painting, d.document.selection(), {.by = second}).isEmpty());
+    }
+
+    void pacesFollowTheCurve()
+    {
+        Desk d(timedPainting(1));
+        select(d.document, {1});
+        const auto paced = [&](Pace pace) {
+            d.push(setPace(d.document, pace));
+            Times times = births(d.stroke(1));
+            for (Microseconds &t : times)
+                t -= second;
+            return times;
+        };
+        QCOMPARE(paced(Pace::EaseIn), (Times{0, 173'205, 244'949, 300'000}));
+        QCOMPARE(paced(Pace::EaseOut), (Times{0, 55'051, 126'795, 300'000}));
+        const Times both = paced(Pace::EaseInOut);
+        QCOMPARE(both[1] + both[2], Microseconds(300'000)); // the same from both ends
+        QVERIFY(both[1] > 100'000);
+        QCOMPARE(paced(Pace::Even), (Times{0, 100'000, 200'000, 300'000}));
+        QVERIFY(setPace(d.document, Pace::Even).isEmpty());
+        select(d.document, {1}, {{1, 1}, {1, 2}, {1, 3}});
+        d.push(setPace(d.document, Pace::EaseIn));
+        QCOMPARE(births(d.stroke(1)), (Times{1'000'000, 1'100'000, 1'241'421, 1'300'000}));
+    }
+
+    void freezingKeepsTheAges()
+    {
+        Desk d(timedPainting(3));
+        const Microseconds now = 2'150'000;
+        const PaintingPtr before = d.document.painting();
+        d.push(freeze(d.document, now));
+        for (StrokeId id = 1; id <= 3; ++id)
+            for (std::size_t k = 0; k < 4; ++k) {
+                const Segment &was = before->find(id)->segments[k], &is = d.stroke(id).segments[k];
+                const bool wet = was.born <= now && was.driesAt() > now;
+                if (!wet) {
+                    QCOMPARE(is, was); // dry, or not painted yet
+                    continue;
+                }
+                QVERIFY(std::abs(is.age(now) - was.age(now)) < 1e-6);
+                QCOMPARE(is.age(now + 10 * second), double(is.maxAge));
+                QVERIFY(is.driesAt() <= now + 1);
+            }
+        QCOMPARE(d.stack.count(), 1);
+        QVERIFY(freeze(d.document, now + 1).isEmpty() || d.document.painting()->find(2)->driesAt() > now + 1);
+        d.stack.undo();
+        QVERIFY(*d.document.painting() == *before);
+    }
+
+    void rewettingIsAddedCutAndRemoved()
+    {
+        Desk d(timedPainting(1));
+        select(d.document, {1});
+        d.push(rewet(d.document, 5 * second, 2 * second));
+        d.push(rewet(d.document, 3 * second, second));
+        d.push(rewet(d.document, 1'100'000, second)); // the last two are not there yet
+        const std::vector<Rewet> later{{3 * second, second}, {5 * second, 2 * second}};
+        QCOMPARE(d.stroke(1).segments[3].rewet, later);
+        QCOMPARE(d.stroke(1).segments[0].rewet.size(), std::size_t(3));
+        QCOMPARE(d.stroke(1).segments[3].age(4 * second), 2.0);
+        QCOMPARE(d.stroke(1).driesAt(), 7 * second);
+        const double before = d.stroke(1).segments[3].age(5'500'000);
+        d.push(freeze(d.document, 5'500'000));
+        QCOMPARE(d.stroke(1).segments[3].rewet, (std::vector<Rewet>{{3 * second, second}, {5 * second, second / 2}}));
+        QCOMPARE(d.stroke(1).segments[3].age(9 * second), before);
+        select(d.document, {1}, {{1, 3}});
+        d.push(removeRewetting(d.document));
+        QVERIFY(d.stroke(1).segments[3].rewet.empty());
+        QVERIFY(!d.stroke(1).segments[2].rewet.empty());
+        QVERIFY(removeRewetting(d.document).isEmpty());
+        QVERIFY(rewet(d.document, 5 * second, 0).isEmpty());
+    }
+
+    void aStrokeOfThePastTakesItsPlace()
+    {
+        Desk d(timedPainting(4));
+        auto painted = std::make_shared<Stroke>(*makeStroke(d.document.takeStrokeId(), 0, 0));
+        for (Segment &s : painted->segments)
+            s.born = 2'500'000;
+        d.push(placedInTime(d.document, addStrokes(d.document, {painted}, false)));
+        QCOMPARE(orderOf(d.document), (std::vector<StrokeId>{1, 2, painted->id, 3, 4}));
+        d.stack.undo();
+        QCOMPARE(orderOf(d.document), (std::vector<StrokeId>{1, 2, 3, 4}));
+        QCOMPARE(placeInTime(*d.document.painting(), 0).index, std::size_t(0));
+        QCOMPARE(placeInTime(*d.document.painting(), 9 * second).index, std::size_t(4));
+        // An old stroke that was raised does not lift it over those that come later.
+        select(d.document, {1});
+        d.push(arrangeSelection(d.document, Arrange::Top));
+        d.push(placedInTime(d.document, addStrokes(d.document, {painted}, false)));
+        QCOMPARE(orderOf(d.document), (std::vector<StrokeId>{2, painted->id, 3, 4, 1}));
+        // An edit that adds nothing stays what it is.
+        select(d.document, {2});
+        const Edit raise = arrangeSelection(d.document, Arrange::Raise);
+        QCOMPARE(placedInTime(d.document, raise).order, raise.order);
+    }
+
+    void groupsStayTogether()
+    {
+        for (const bool locked : {false, true}) {
+            auto painting = std::make_shared<Painting>(*timedPainting(4));
+            painting->groups = {{1, {}, 0, true, false}, {2, {}, 1, true, locked}};
+            for (const std::size_t i : {1u, 2u}) {
+                auto member = std::make_shared<Stroke>(*painting->strokes[i]);
+                member->group = 2;
+                painting->strokes[i] = member;
+            }
+            Desk d(painting);
+            auto painted = std::make_shared<Stroke>(*makeStroke(d.document.takeStrokeId(), 0, 0));
+            for (Segment &s : painted->segments)
+                s.born = 2'500'000;
+            d.push(placedInTime(d.document, addStrokes(d.document, {painted}, false)));
+            const std::vector<StrokeId> within{1, 2, painted->id, 3, 4}, below{1, painted->id, 2, 3, 4};
+            QCOMPARE(orderOf(d.document), locked ? below : within);
+            QCOMPARE(d.stroke(painted->id).group, GroupId(locked ? 1 : 2));
+        }
+    }
+
+    void randomRetimingComesBack()
+    {
+        std::mt19937 random(7);
+        const auto below = [&random](int n) { return int(random() % unsigned(n)); };
+        Desk d(timedPainting(5));
+        const QByteArray first = hashOf(*d.document.painting());
+        for (int i = 0; i < 400; ++i) {
+            std::set<StrokeId> strokes;
+            std::set<SegmentRef> segments;
+            for (int k = below(3); k >= 0; --k) {
+                const auto id = StrokeId(1 + below(5));
+                strokes.insert(id);
+                if (below(2))
+                    segments.insert({id, below(4)});
+            }
+            select(d.document, strokes, segments);
+            const Selection selection = d.document.selection();
+            const PaintingPtr now = d.document.painting();
+            const Microseconds T = below(8'000'000);
+            switch (below(6)) {
+            case 0:
+                d.push(retime(*now, selection, {.by = below(4'000'000) - 2'000'000}));
+                break;
+            case 1:
+                d.push(stretch(*now, selection, {T, T + below(3'000'000)}));
+                break;
+            case 2:
+                d.push(setPace(d.document, Pace(below(4))));
+                break;
+            case 3:
+                d.push(rewet(d.document, T, below(2'000'000)));
+                break;
+            case 4:
+                d.push(removeRewetting(d.document));
+                break;
+            default:
+                d.push(freeze(d.document, T));
+            }
+            QVERIFY(d.document.painting()->strokes.front()->born() >= 0);
+            if (below(6) == 0)
+                d.stack.undo();
+        }
+        QVERIFY(d.stack.index() > 100);
+        checkUndoAllAndRedo(d.stack, d.document, first);
+    }
+};
+
+QTEST_GUILESS_MAIN(TestTimeEdits)
+#include "test_time_edits.moc"

@@ -1,0 +1,10 @@
+#pragma once
+
+#include "model/document.h"
+
+namespace suffuse {
+
+/// Replaces the painting's swatches; an empty Edit where they are these.
+Edit setSwatches(const Document &document, const std::vector<Swatch> &swatches);
+
+} // namespace suffuse
