@@ -88,79 +88,79 @@
     </message>
     <message>
         <source>Brush pen</source>
-        <translation type="unfinished"></translation>
+        <translation>Pinselstift</translation>
     </message>
     <message>
         <source>Dry brush</source>
-        <translation type="unfinished"></translation>
+        <translation>Trockenpinsel</translation>
     </message>
     <message>
         <source>Ink splash</source>
-        <translation type="unfinished"></translation>
+        <translation>Tuschekleckse</translation>
     </message>
     <message>
         <source>Broad nib</source>
-        <translation type="unfinished"></translation>
+        <translation>Breitfeder</translation>
     </message>
     <message>
         <source>Flat wash</source>
-        <translation type="unfinished"></translation>
+        <translation>Flache Lavierung</translation>
     </message>
     <message>
         <source>Granulating wash</source>
-        <translation type="unfinished"></translation>
+        <translation>Granulierend</translation>
     </message>
     <message>
         <source>Wet in wet</source>
-        <translation type="unfinished"></translation>
+        <translation>Nass in Nass</translation>
     </message>
     <message>
         <source>Glaze</source>
-        <translation type="unfinished"></translation>
+        <translation>Lasur</translation>
     </message>
     <message>
         <source>Two tones</source>
-        <translation type="unfinished"></translation>
+        <translation>Zweifarbig</translation>
     </message>
     <message>
         <source>Charcoal</source>
-        <translation type="unfinished"></translation>
+        <translation>Zeichenkohle</translation>
     </message>
     <message>
         <source>Pastel</source>
-        <translation type="unfinished"></translation>
+        <translation>Pastell</translation>
     </message>
     <message>
         <source>Gouache</source>
-        <translation type="unfinished"></translation>
+        <translation>Gouache</translation>
     </message>
     <message>
         <source>Glow</source>
-        <translation type="unfinished"></translation>
+        <translation>Leuchten</translation>
     </message>
     <message>
         <source>Ink</source>
-        <translation type="unfinished"></translation>
+        <translation>Tusche</translation>
     </message>
     <message>
         <source>Watercolour</source>
-        <translation type="unfinished"></translation>
+        <translation>Aquarell</translation>
     </message>
     <message>
         <source>Dry</source>
-        <translation type="unfinished"></translation>
+        <translation>Trocken</translation>
     </message>
     <message>
         <source>Flat</source>
-        <translation type="unfinished"></translation>
+        <translation>Flächig</translation>
     </message>
     <message>
         <source>Air</source>
-        <translation type="unfinished"></translation>
+        <translation>Airbrush</translation>
     </message>
     <message>
         <source>Others</source>
-        <translation type="unfinished"></translation>
+        <translation>Andere</translation>
     </message>
 </context>
 <context>
@@ -618,23 +618,23 @@ Rückgabewerte: 0 fertig, 1 fehlgeschlagen, 2 falscher Aufruf.</translation>
     </message>
     <message>
         <source>--brush %1: there is no such brush nor file; choose a file or one of %2</source>
-        <translation type="unfinished"></translation>
+        <translation>--brush %1: diesen Pinsel oder diese Datei gibt es nicht; möglich sind eine Datei oder %2</translation>
     </message>
     <message>
         <source>The brush that recordings are painted with: a name, or a brush file.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Pinsel, mit dem Aufzeichnungen gemalt werden: ein Name oder eine Pinseldatei.</translation>
     </message>
     <message>
         <source>Frames with their number, film/%05d.png; or film.webp, .webm or .mp4.</source>
-        <translation type="unfinished"></translation>
+        <translation>Einzelbilder mit ihrer Nummer, film/%05d.png; oder film.webp, .webm oder .mp4.</translation>
     </message>
     <message>
         <source>WebP: plays once instead of again and again.</source>
-        <translation type="unfinished"></translation>
+        <translation>WebP: spielt einmal statt immer wieder.</translation>
     </message>
     <message>
         <source>-o OUT is missing: name the frames or the film to write</source>
-        <translation type="unfinished"></translation>
+        <translation>-o OUT fehlt: bitte die zu schreibenden Einzelbilder oder den Film nennen</translation>
     </message>
 </context>
 <context>
@@ -806,39 +806,39 @@ Rückgabewerte: 0 fertig, 1 fehlgeschlagen, 2 falscher Aufruf.</translation>
     <name>Film</name>
     <message>
         <source>a film has %1 to %2 frames a second</source>
-        <translation type="unfinished"></translation>
+        <translation>ein Film hat %1 bis %2 Bilder je Sekunde</translation>
     </message>
     <message>
         <source>MP4 cannot hold transparency. Use WebM, WebP or frames.</source>
-        <translation type="unfinished"></translation>
+        <translation>MP4 kennt keine Transparenz. Bitte WebM, WebP oder Einzelbilder verwenden.</translation>
     </message>
     <message>
         <source>a video has at most %1 pixels a side</source>
-        <translation type="unfinished"></translation>
+        <translation>ein Video hat höchstens %1 Pixel je Seite</translation>
     </message>
     <message>
         <source>%1: cannot write into this folder. Choose another one.</source>
-        <translation type="unfinished">%1: In diesen Ordner kann nicht geschrieben werden. Bitte einen anderen wählen.</translation>
+        <translation>%1: In diesen Ordner kann nicht geschrieben werden. Bitte einen anderen wählen.</translation>
     </message>
     <message>
         <source>frames are numbered files: give a name such as film/%05d.png, or one that ends in .webp, .webm or .mp4</source>
-        <translation type="unfinished"></translation>
+        <translation>Einzelbilder sind nummerierte Dateien: bitte einen Namen wie film/%05d.png angeben oder einen mit der Endung .webp, .webm oder .mp4</translation>
     </message>
     <message>
         <source>%1: ffmpeg, which makes videos, is not installed. Install it, or choose WebP or frames.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1: ffmpeg, das Videos erzeugt, ist nicht installiert. Bitte installieren oder WebP oder Einzelbilder wählen.</translation>
     </message>
     <message>
         <source>%1: ffmpeg could not make the video (%2). Choose another format or size.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1: ffmpeg konnte das Video nicht erzeugen (%2). Bitte ein anderes Format oder eine andere Größe wählen.</translation>
     </message>
     <message>
         <source>%1: the film could not be written (%2).</source>
-        <translation type="unfinished"></translation>
+        <translation>%1: Der Film konnte nicht geschrieben werden (%2).</translation>
     </message>
     <message>
         <source>%1: the film is too large for WebP. Choose another format, a smaller size or fewer frames.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1: Der Film ist für WebP zu groß. Bitte ein anderes Format, eine kleinere Größe oder weniger Bilder wählen.</translation>
     </message>
 </context>
 <context>
@@ -939,23 +939,23 @@ Rückgabewerte: 0 fertig, 1 fehlgeschlagen, 2 falscher Aufruf.</translation>
     <name>Papers</name>
     <message>
         <source>Smooth</source>
-        <translation type="unfinished"></translation>
+        <translation>Glatt</translation>
     </message>
     <message>
         <source>Cold press</source>
-        <translation type="unfinished"></translation>
+        <translation>Kaltgepresst</translation>
     </message>
     <message>
         <source>Rough</source>
-        <translation type="unfinished"></translation>
+        <translation>Rau</translation>
     </message>
     <message>
         <source>Rice</source>
-        <translation type="unfinished"></translation>
+        <translation>Reispapier</translation>
     </message>
     <message>
         <source>Canvas</source>
-        <translation type="unfinished">Leinwand</translation>
+        <translation>Leinwand</translation>
     </message>
 </context>
 <context>
@@ -1082,23 +1082,23 @@ Rückgabewerte: 0 fertig, 1 fehlgeschlagen, 2 falscher Aufruf.</translation>
     </message>
     <message>
         <source>%1: %2 is not in %3</source>
-        <translation type="unfinished"></translation>
+        <translation>%1: %2 liegt nicht in %3</translation>
     </message>
     <message>
         <source>there is no such kind</source>
-        <translation type="unfinished"></translation>
+        <translation>diese Art gibt es nicht</translation>
     </message>
     <message>
         <source>another curve is of the same quantity and input</source>
-        <translation type="unfinished"></translation>
+        <translation>eine andere Kurve hat dieselbe Kenngröße und Eingabe</translation>
     </message>
     <message>
         <source>it needs 2 to 16 points [x, y] in [0, 1], from left to right</source>
-        <translation type="unfinished"></translation>
+        <translation>braucht 2 bis 16 Punkte [x, y] in [0, 1], von links nach rechts</translation>
     </message>
     <message>
         <source>there is no such grain of paper</source>
-        <translation type="unfinished"></translation>
+        <translation>diese Papierkörnung gibt es nicht</translation>
     </message>
 </context>
 <context>
@@ -1310,7 +1310,7 @@ Rückgabewerte: 0 fertig, 1 fehlgeschlagen, 2 falscher Aufruf.</translation>
     </message>
     <message>
         <source>&amp;Hide the Docks</source>
-        <translation>&amp;Andockfenster ausblenden</translation>
+        <translation>Andockfenster aus&amp;blenden</translation>
     </message>
     <message>
         <source>F&amp;ull Screen</source>
@@ -1766,215 +1766,215 @@ Rückgabewerte: 0 fertig, 1 fehlgeschlagen, 2 falscher Aufruf.</translation>
     </message>
     <message>
         <source>Ctrl+1</source>
-        <translation type="unfinished">Ctrl+1</translation>
+        <translation>Ctrl+1</translation>
     </message>
     <message>
         <source>Ctrl+4</source>
-        <translation type="unfinished">Ctrl+4</translation>
+        <translation>Ctrl+4</translation>
     </message>
     <message>
         <source>Ctrl+6</source>
-        <translation type="unfinished">Ctrl+6</translation>
+        <translation>Ctrl+6</translation>
     </message>
     <message>
         <source>Ctrl+5</source>
-        <translation type="unfinished">Ctrl+5</translation>
+        <translation>Ctrl+5</translation>
     </message>
     <message>
         <source>Ti&amp;me</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Zeit</translation>
     </message>
     <message>
         <source>&amp;Favourite Brushes</source>
-        <translation type="unfinished"></translation>
+        <translation>Pinselfa&amp;voriten</translation>
     </message>
     <message>
         <source>Favourite Brush %1</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Relative to the L&amp;ast Selected</source>
-        <translation type="unfinished"></translation>
+        <translation>Pinselfavorit %1</translation>
     </message>
     <message>
         <source>Relative to the &amp;First Selected</source>
-        <translation type="unfinished"></translation>
+        <translation>Relativ zum zu&amp;erst Ausgewählten</translation>
     </message>
     <message>
         <source>Relative to the Bi&amp;ggest</source>
-        <translation type="unfinished"></translation>
+        <translation>Relativ zum &amp;Größten</translation>
     </message>
     <message>
         <source>&amp;Play</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Abspielen</translation>
     </message>
     <message>
         <source>Play the painting being painted, or pause</source>
-        <translation type="unfinished"></translation>
+        <translation>Das Entstehen des Bildes abspielen oder anhalten</translation>
     </message>
     <message>
         <source>To the &amp;Start</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Zum Anfang</translation>
     </message>
     <message>
         <source>Shift+,</source>
-        <translation type="unfinished"></translation>
+        <translation>Shift+,</translation>
     </message>
     <message>
         <source>Go to where the painting begins</source>
-        <translation type="unfinished"></translation>
+        <translation>Dorthin gehen, wo das Bild beginnt</translation>
     </message>
     <message>
         <source>P&amp;revious Stroke</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Voriger Strich</translation>
     </message>
     <message>
         <source>,</source>
-        <translation type="unfinished"></translation>
+        <translation>,</translation>
     </message>
     <message>
         <source>Go back to where a stroke begins</source>
-        <translation type="unfinished"></translation>
+        <translation>Zurück zum Beginn eines Strichs</translation>
     </message>
     <message>
         <source>&amp;Next Stroke</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Nächster Strich</translation>
     </message>
     <message>
         <source>.</source>
-        <translation type="unfinished"></translation>
+        <translation>.</translation>
     </message>
     <message>
         <source>Go on to where a stroke begins</source>
-        <translation type="unfinished"></translation>
+        <translation>Weiter zum Beginn eines Strichs</translation>
     </message>
     <message>
         <source>To the &amp;End</source>
-        <translation type="unfinished"></translation>
+        <translation>Zum &amp;Ende</translation>
     </message>
     <message>
         <source>Shift+.</source>
-        <translation type="unfinished"></translation>
+        <translation>Shift+.</translation>
     </message>
     <message>
         <source>Go to the end, where all has dried: the present</source>
-        <translation type="unfinished"></translation>
+        <translation>Zum Ende gehen, wo alles getrocknet ist: in die Gegenwart</translation>
     </message>
     <message>
         <source>&amp;Loop</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Schleife</translation>
     </message>
     <message>
         <source>Play again and again</source>
-        <translation type="unfinished"></translation>
+        <translation>Immer wieder abspielen</translation>
     </message>
     <message>
         <source>S&amp;kip Pauses</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Pausen überspringen</translation>
     </message>
     <message>
         <source>Cut pauses in which nothing is painted or spreads to half a second</source>
-        <translation type="unfinished"></translation>
+        <translation>Pausen, in denen nichts gemalt wird oder verläuft, auf eine halbe Sekunde kürzen</translation>
     </message>
     <message>
         <source>Preview When &amp;Dry</source>
-        <translation type="unfinished"></translation>
+        <translation>Vorschau ge&amp;trocknet</translation>
     </message>
     <message>
         <source>Shift+D</source>
-        <translation type="unfinished"></translation>
+        <translation>Shift+D</translation>
     </message>
     <message>
         <source>Show wet paint as it will look when it has dried, while you paint too</source>
-        <translation type="unfinished"></translation>
+        <translation>Nasse Farbe so zeigen, wie sie getrocknet aussehen wird, auch während Sie malen</translation>
     </message>
     <message>
         <source>Let It Dr&amp;y</source>
-        <translation type="unfinished"></translation>
+        <translation>T&amp;rocknen lassen</translation>
     </message>
     <message>
         <source>Go to the moment at which all has dried</source>
-        <translation type="unfinished"></translation>
+        <translation>Zu dem Zeitpunkt gehen, an dem alles getrocknet ist</translation>
     </message>
     <message>
         <source>&amp;Freeze Wet Paint</source>
-        <translation type="unfinished"></translation>
+        <translation>Nasse Farbe ein&amp;frieren</translation>
     </message>
     <message>
         <source>Ctrl+Alt+F</source>
-        <translation type="unfinished"></translation>
+        <translation>Ctrl+Alt+F</translation>
     </message>
     <message>
         <source>All that is wet stops spreading at this moment</source>
-        <translation type="unfinished"></translation>
+        <translation>Alles Nasse verläuft ab diesem Zeitpunkt nicht weiter</translation>
     </message>
     <message>
         <source>Re-&amp;wet…</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Wieder anfeuchten …</translation>
     </message>
     <message>
         <source>Ctrl+Alt+W</source>
-        <translation type="unfinished"></translation>
+        <translation>Ctrl+Alt+W</translation>
     </message>
     <message>
         <source>Let the selected paint spread on for a while from this moment</source>
-        <translation type="unfinished"></translation>
+        <translation>Die ausgewählte Farbe ab diesem Zeitpunkt eine Weile weiter verlaufen lassen</translation>
     </message>
     <message>
         <source>Remove Re-we&amp;tting</source>
-        <translation type="unfinished"></translation>
+        <translation>Wiederanfeuchten auf&amp;heben</translation>
     </message>
     <message>
         <source>The selected paint dries once and for all</source>
-        <translation type="unfinished"></translation>
+        <translation>Die ausgewählte Farbe trocknet ein für alle Mal</translation>
     </message>
     <message>
         <source>&amp;Even</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Gleichmäßig</translation>
     </message>
     <message>
         <source>Selected strokes are drawn at an even pace</source>
-        <translation type="unfinished"></translation>
+        <translation>Ausgewählte Striche werden gleichmäßig schnell gezeichnet</translation>
     </message>
     <message>
         <source>Ease &amp;In</source>
-        <translation type="unfinished"></translation>
+        <translation>Sanfter &amp;Anfang</translation>
     </message>
     <message>
         <source>Selected strokes begin slowly</source>
-        <translation type="unfinished"></translation>
+        <translation>Ausgewählte Striche beginnen langsam</translation>
     </message>
     <message>
         <source>Ease &amp;Out</source>
-        <translation type="unfinished"></translation>
+        <translation>Sanftes &amp;Ende</translation>
     </message>
     <message>
         <source>Selected strokes end slowly</source>
-        <translation type="unfinished"></translation>
+        <translation>Ausgewählte Striche enden langsam</translation>
     </message>
     <message>
         <source>Ease In and O&amp;ut</source>
-        <translation type="unfinished"></translation>
+        <translation>Anfang und Ende &amp;sanft</translation>
     </message>
     <message>
         <source>Selected strokes begin and end slowly</source>
-        <translation type="unfinished"></translation>
+        <translation>Ausgewählte Striche beginnen und enden langsam</translation>
     </message>
     <message>
         <source>Export Ti&amp;melapse…</source>
-        <translation type="unfinished"></translation>
+        <translation>Zeit&amp;raffer exportieren …</translation>
     </message>
     <message>
         <source>Ctrl+Alt+E</source>
-        <translation type="unfinished"></translation>
+        <translation>Ctrl+Alt+E</translation>
     </message>
     <message>
         <source>Make a film of the painting being painted</source>
-        <translation type="unfinished"></translation>
+        <translation>Das Entstehen des Bildes als Film ausgeben</translation>
     </message>
     <message>
         <source>Drawing Pa&amp;ce</source>
-        <translation type="unfinished"></translation>
+        <translation>Zei&amp;chentempo</translation>
+    </message>
+    <message>
+        <source>Relative to the Last Select&amp;ed</source>
+        <translation>Relativ zum &amp;zuletzt Ausgewählten</translation>
     </message>
 </context>
 <context>
@@ -2154,434 +2154,434 @@ Rückgabewerte: 0 fertig, 1 fehlgeschlagen, 2 falscher Aufruf.</translation>
     <name>suffuse::BrushDialog</name>
     <message>
         <source>A stroke of the brush</source>
-        <translation type="unfinished"></translation>
+        <translation>Ein Strich des Pinsels</translation>
     </message>
     <message>
         <source>Paint</source>
-        <translation type="unfinished"></translation>
+        <translation>Farbauftrag</translation>
     </message>
     <message>
         <source>Curves</source>
-        <translation type="unfinished"></translation>
+        <translation>Kurven</translation>
     </message>
     <message>
         <source>Colour</source>
-        <translation type="unfinished">Farbe</translation>
+        <translation>Farbe</translation>
     </message>
     <message>
         <source>Shape and hand</source>
-        <translation type="unfinished"></translation>
+        <translation>Form und Hand</translation>
     </message>
     <message>
         <source>Settings of the brush</source>
-        <translation type="unfinished"></translation>
+        <translation>Einstellungen des Pinsels</translation>
     </message>
     <message>
         <source>Save Changes</source>
-        <translation type="unfinished"></translation>
+        <translation>Änderungen speichern</translation>
     </message>
     <message>
         <source>Keeps the changes in the brush of this name; built-in brushes stay as they are</source>
-        <translation type="unfinished"></translation>
+        <translation>Behält die Änderungen im Pinsel dieses Namens; mitgelieferte Pinsel bleiben, wie sie sind</translation>
     </message>
     <message>
         <source>Save as New…</source>
-        <translation type="unfinished"></translation>
+        <translation>Als neuen speichern …</translation>
     </message>
     <message>
         <source>Keeps the brush under another name</source>
-        <translation type="unfinished"></translation>
+        <translation>Behält den Pinsel unter einem anderen Namen</translation>
     </message>
     <message>
         <source>Close</source>
-        <translation type="unfinished"></translation>
+        <translation>Schließen</translation>
     </message>
     <message>
         <source>Closes this window; the brush stays in hand as it is</source>
-        <translation type="unfinished"></translation>
+        <translation>Schließt dieses Fenster; der Pinsel bleibt in der Hand, wie er ist</translation>
     </message>
     <message>
         <source>Brush: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Pinsel: %1</translation>
     </message>
     <message>
         <source>Size</source>
-        <translation type="unfinished">Größe</translation>
+        <translation>Größe</translation>
     </message>
     <message>
         <source>How far the paint spreads, in units; sets the diffusion.</source>
-        <translation type="unfinished">Wie weit die Farbe verläuft, in Einheiten; bestimmt die Diffusion.</translation>
+        <translation>Wie weit die Farbe verläuft, in Einheiten; bestimmt die Diffusion.</translation>
     </message>
     <message>
         <source>Flow</source>
-        <translation type="unfinished">Fluss</translation>
+        <translation>Fluss</translation>
     </message>
     <message>
         <source>Density in the middle of the stroke where no curve takes away</source>
-        <translation type="unfinished"></translation>
+        <translation>Dichte in der Mitte des Strichs, wo keine Kurve etwas wegnimmt</translation>
     </message>
     <message>
         <source>Opacity</source>
-        <translation type="unfinished">Deckkraft</translation>
+        <translation>Deckkraft</translation>
     </message>
     <message>
         <source>How much the paint covers at full density</source>
-        <translation type="unfinished">Wie stark die Farbe bei voller Dichte deckt</translation>
+        <translation>Wie stark die Farbe bei voller Dichte deckt</translation>
     </message>
     <message>
         <source>Granulation ω</source>
-        <translation type="unfinished">Granulation ω</translation>
+        <translation>Granulation ω</translation>
     </message>
     <message>
         <source>1 hides the paper&apos;s grain, 0 shows it fully</source>
-        <translation type="unfinished"></translation>
+        <translation>1 verbirgt die Körnung des Papiers, 0 zeigt sie ganz</translation>
     </message>
     <message>
         <source>Drying time</source>
-        <translation type="unfinished">Trockenzeit</translation>
+        <translation>Trockenzeit</translation>
     </message>
     <message>
         <source>How long the paint spreads; the size stays</source>
-        <translation type="unfinished"></translation>
+        <translation>Wie lange die Farbe verläuft; die Größe bleibt</translation>
     </message>
     <message>
         <source>Uniform</source>
-        <translation type="unfinished">Gleichmäßig</translation>
+        <translation>Gleichmäßig</translation>
     </message>
     <message>
         <source>Feathering</source>
-        <translation type="unfinished">Weich auslaufend</translation>
+        <translation>Weich auslaufend</translation>
     </message>
     <message>
         <source>Edge darkening</source>
-        <translation type="unfinished"></translation>
+        <translation>Dunkle Ränder</translation>
     </message>
     <message>
         <source>Style</source>
-        <translation type="unfinished">Stil</translation>
+        <translation>Stil</translation>
     </message>
     <message>
         <source>How density becomes opacity</source>
-        <translation type="unfinished"></translation>
+        <translation>Wie aus Dichte Deckkraft wird</translation>
     </message>
     <message>
         <source>Covers (alpha)</source>
-        <translation type="unfinished"></translation>
+        <translation>Deckend (Alpha)</translation>
     </message>
     <message>
         <source>Mixes as pigment (beta)</source>
-        <translation type="unfinished"></translation>
+        <translation>Mischt als Pigment (Beta)</translation>
     </message>
     <message>
         <source>Mixing</source>
-        <translation type="unfinished">Mischung</translation>
+        <translation>Mischung</translation>
     </message>
     <message>
         <source>How the paint mixes with what lies below</source>
-        <translation type="unfinished"></translation>
+        <translation>Wie sich die Farbe mit dem Darunterliegenden mischt</translation>
     </message>
     <message>
         <source>ξ1</source>
-        <translation type="unfinished"></translation>
+        <translation>ξ1</translation>
     </message>
     <message>
         <source>Density at which the paint begins to cover</source>
-        <translation type="unfinished"></translation>
+        <translation>Dichte, bei der die Farbe zu decken beginnt</translation>
     </message>
     <message>
         <source>ξ2</source>
-        <translation type="unfinished"></translation>
+        <translation>ξ2</translation>
     </message>
     <message>
         <source>Uniform: softness of the edge; feathering: exponent; edge darkening: width of the rim</source>
-        <translation type="unfinished"></translation>
+        <translation>Gleichmäßig: Weichheit des Randes; weich auslaufend: Exponent; dunkle Ränder: Breite des Randes</translation>
     </message>
     <message>
         <source>ξ3</source>
-        <translation type="unfinished"></translation>
+        <translation>ξ3</translation>
     </message>
     <message>
         <source>Opacity inside the dark edge</source>
-        <translation type="unfinished"></translation>
+        <translation>Deckkraft innerhalb des dunklen Randes</translation>
     </message>
     <message>
         <source>β</source>
-        <translation type="unfinished"></translation>
+        <translation>β</translation>
     </message>
     <message>
         <source>How much of what lies below shows through the pigment</source>
-        <translation type="unfinished"></translation>
+        <translation>Wie viel vom Darunterliegenden durch das Pigment scheint</translation>
     </message>
     <message>
         <source>Granulation</source>
-        <translation type="unfinished"></translation>
+        <translation>Granulation</translation>
     </message>
     <message>
         <source>Second colour</source>
-        <translation type="unfinished"></translation>
+        <translation>Zweite Farbe</translation>
     </message>
     <message>
         <source>Pressure</source>
-        <translation type="unfinished"></translation>
+        <translation>Druck</translation>
     </message>
     <message>
         <source>Tilt</source>
-        <translation type="unfinished"></translation>
+        <translation>Neigung</translation>
     </message>
     <message>
         <source>Speed</source>
-        <translation type="unfinished"></translation>
+        <translation>Tempo</translation>
     </message>
     <message>
         <source>Distance</source>
-        <translation type="unfinished"></translation>
+        <translation>Strecke</translation>
     </message>
     <message>
         <source>By stroke</source>
-        <translation type="unfinished"></translation>
+        <translation>Je Strich</translation>
     </message>
     <message>
         <source>Drift</source>
-        <translation type="unfinished"></translation>
+        <translation>Drift</translation>
     </message>
     <message>
         <source>What changes with what: a tick switches a curve on, a click shows it below</source>
-        <translation type="unfinished"></translation>
+        <translation>Was sich womit ändert: Ein Häkchen schaltet eine Kurve ein, ein Klick zeigt sie unten</translation>
     </message>
     <message>
         <source>Curve</source>
-        <translation type="unfinished"></translation>
+        <translation>Kurve</translation>
     </message>
     <message>
         <source>Drag points; click for another one, drag it out to take it away</source>
-        <translation type="unfinished"></translation>
+        <translation>Punkte ziehen; ein Klick fügt einen hinzu, Hinausziehen entfernt ihn</translation>
     </message>
     <message>
         <source>Full speed</source>
-        <translation type="unfinished"></translation>
+        <translation>Volles Tempo</translation>
     </message>
     <message>
         <source>Speed at the right end of its curves, in sizes a second</source>
-        <translation type="unfinished"></translation>
+        <translation>Tempo am rechten Ende seiner Kurven, in Größen je Sekunde</translation>
     </message>
     <message>
         <source> sizes/s</source>
-        <translation type="unfinished"></translation>
+        <translation> Gr./s</translation>
     </message>
     <message>
         <source>Full distance</source>
-        <translation type="unfinished"></translation>
+        <translation>Volle Strecke</translation>
     </message>
     <message>
         <source>Distance at the right end of its curves, in sizes</source>
-        <translation type="unfinished"></translation>
+        <translation>Strecke am rechten Ende ihrer Kurven, in Größen</translation>
     </message>
     <message>
         <source> sizes</source>
-        <translation type="unfinished"></translation>
+        <translation> Gr.</translation>
     </message>
     <message>
         <source>Way on which what drifts becomes another, in sizes</source>
-        <translation type="unfinished"></translation>
+        <translation>Weg, auf dem ein driftender Wert zu einem anderen wird, in Größen</translation>
     </message>
     <message>
         <source>Take the current colour</source>
-        <translation type="unfinished"></translation>
+        <translation>Aktuelle Farbe übernehmen</translation>
     </message>
     <message>
         <source>Makes the current colour the second one</source>
-        <translation type="unfinished"></translation>
+        <translation>Macht die aktuelle Farbe zur zweiten</translation>
     </message>
     <message>
         <source>The row Second colour of the curves says when it comes through.</source>
-        <translation type="unfinished"></translation>
+        <translation>Wann sie durchkommt, bestimmt die Zeile „Zweite Farbe“ der Kurven.</translation>
     </message>
     <message>
         <source>Strays from the colour by</source>
-        <translation type="unfinished"></translation>
+        <translation>Weicht von der Farbe ab um</translation>
     </message>
     <message>
         <source>Red</source>
-        <translation type="unfinished">Rot</translation>
+        <translation>Rot</translation>
     </message>
     <message>
         <source>At most so much redder or less red</source>
-        <translation type="unfinished"></translation>
+        <translation>Höchstens so viel mehr oder weniger rot</translation>
     </message>
     <message>
         <source>Yellow</source>
-        <translation type="unfinished">Gelb</translation>
+        <translation>Gelb</translation>
     </message>
     <message>
         <source>At most so much more or less yellow</source>
-        <translation type="unfinished"></translation>
+        <translation>Höchstens so viel mehr oder weniger gelb</translation>
     </message>
     <message>
         <source>Blue</source>
-        <translation type="unfinished">Blau</translation>
+        <translation>Blau</translation>
     </message>
     <message>
         <source>At most so much bluer or less blue</source>
-        <translation type="unfinished"></translation>
+        <translation>Höchstens so viel mehr oder weniger blau</translation>
     </message>
     <message>
         <source>Lightness</source>
-        <translation type="unfinished"></translation>
+        <translation>Helligkeit</translation>
     </message>
     <message>
         <source>At most so much lighter or darker</source>
-        <translation type="unfinished"></translation>
+        <translation>Höchstens so viel heller oder dunkler</translation>
     </message>
     <message>
         <source>Drifts along the stroke</source>
-        <translation type="unfinished"></translation>
+        <translation>Driftet entlang des Strichs</translation>
     </message>
     <message>
         <source>Else each stroke has one colour</source>
-        <translation type="unfinished"></translation>
+        <translation>Sonst hat jeder Strich eine Farbe</translation>
     </message>
     <message>
         <source>Hand</source>
-        <translation type="unfinished"></translation>
+        <translation>Hand</translation>
     </message>
     <message>
         <source>No smoothing</source>
-        <translation type="unfinished"></translation>
+        <translation>Keine Glättung</translation>
     </message>
     <message>
         <source>Weighted</source>
-        <translation type="unfinished"></translation>
+        <translation>Gewichtet</translation>
     </message>
     <message>
         <source>Pulled string</source>
-        <translation type="unfinished"></translation>
+        <translation>Gezogene Schnur</translation>
     </message>
     <message>
         <source>Smoothing</source>
-        <translation type="unfinished"></translation>
+        <translation>Glättung</translation>
     </message>
     <message>
         <source>Steadies the hand: the stroke follows the pen softly, or is pulled on a string</source>
-        <translation type="unfinished"></translation>
+        <translation>Beruhigt die Hand: Der Strich folgt dem Stift sanft oder wird an einer Schnur gezogen</translation>
     </message>
     <message>
         <source>Strength</source>
-        <translation type="unfinished">Stärke</translation>
+        <translation>Stärke</translation>
     </message>
     <message>
         <source>How far the stroke lags behind</source>
-        <translation type="unfinished"></translation>
+        <translation>Wie weit der Strich zurückbleibt</translation>
     </message>
     <message>
         <source>String</source>
-        <translation type="unfinished"></translation>
+        <translation>Schnur</translation>
     </message>
     <message>
         <source>Its length on the screen</source>
-        <translation type="unfinished"></translation>
+        <translation>Ihre Länge auf dem Bildschirm</translation>
     </message>
     <message>
         <source>Sampling</source>
-        <translation type="unfinished"></translation>
+        <translation>Abtastung</translation>
     </message>
     <message>
         <source>Time between the points that the curve is fitted through</source>
-        <translation type="unfinished"></translation>
+        <translation>Zeit zwischen den Punkten, durch die die Kurve gelegt wird</translation>
     </message>
     <message>
         <source>Tip</source>
-        <translation type="unfinished"></translation>
+        <translation>Spitze</translation>
     </message>
     <message>
         <source>Ratio</source>
-        <translation type="unfinished"></translation>
+        <translation>Verhältnis</translation>
     </message>
     <message>
         <source>How much faster the paint spreads along the tip&apos;s angle than across</source>
-        <translation type="unfinished"></translation>
+        <translation>Wie viel schneller die Farbe längs des Winkels der Spitze verläuft als quer dazu</translation>
     </message>
     <message>
         <source>Angle</source>
-        <translation type="unfinished">Winkel</translation>
+        <translation>Winkel</translation>
     </message>
     <message>
         <source>Of the tip, against the path or the canvas</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Spitze, gegen den Weg oder die Leinwand</translation>
     </message>
     <message>
         <source>Turns with the path</source>
-        <translation type="unfinished"></translation>
+        <translation>Dreht sich mit dem Weg</translation>
     </message>
     <message>
         <source>Else it keeps its angle on the canvas, as a broad nib does</source>
-        <translation type="unfinished"></translation>
+        <translation>Sonst behält sie ihren Winkel auf der Leinwand, wie eine Breitfeder</translation>
     </message>
     <message>
         <source>Ends</source>
-        <translation type="unfinished"></translation>
+        <translation>Enden</translation>
     </message>
     <message>
         <source>Taper in</source>
-        <translation type="unfinished"></translation>
+        <translation>Anlauf</translation>
     </message>
     <message>
         <source>Length on which the stroke grows from its tip</source>
-        <translation type="unfinished"></translation>
+        <translation>Länge, auf der der Strich aus seiner Spitze wächst</translation>
     </message>
     <message>
         <source>Taper out</source>
-        <translation type="unfinished"></translation>
+        <translation>Auslauf</translation>
     </message>
     <message>
         <source>Length on which it runs out when the pen lifts</source>
-        <translation type="unfinished"></translation>
+        <translation>Länge, auf der er ausläuft, wenn der Stift abhebt</translation>
     </message>
     <message>
         <source>Tip size</source>
-        <translation type="unfinished"></translation>
+        <translation>Größe der Spitze</translation>
     </message>
     <message>
         <source>Size at the very end</source>
-        <translation type="unfinished"></translation>
+        <translation>Größe ganz am Ende</translation>
     </message>
 </context>
 <context>
     <name>suffuse::BrushLibrary</name>
     <message>
         <source>Brush</source>
-        <translation type="unfinished"></translation>
+        <translation>Pinsel</translation>
     </message>
     <message>
         <source>%1 %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 %2</translation>
     </message>
     <message>
         <source>%1: the folder could not be made; check its permissions</source>
-        <translation type="unfinished"></translation>
+        <translation>%1: Der Ordner konnte nicht angelegt werden; bitte die Rechte prüfen</translation>
     </message>
     <message>
         <source>%1 is a built-in brush; save it under a name of its own</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 ist ein mitgelieferter Pinsel; bitte unter eigenem Namen speichern</translation>
     </message>
     <message>
         <source>A brush needs a name</source>
-        <translation type="unfinished"></translation>
+        <translation>Ein Pinsel braucht einen Namen</translation>
     </message>
     <message>
         <source>There is a brush “%1” already</source>
-        <translation type="unfinished"></translation>
+        <translation>Einen Pinsel „%1“ gibt es schon</translation>
     </message>
     <message>
         <source>%1 is a built-in brush; it stays</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 ist ein mitgelieferter Pinsel; er bleibt</translation>
     </message>
     <message>
         <source>%1 could not be removed; check its permissions</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 konnte nicht entfernt werden; bitte die Rechte prüfen</translation>
     </message>
     <message>
         <source>There is no brush “%1”</source>
-        <translation type="unfinished"></translation>
+        <translation>Einen Pinsel „%1“ gibt es nicht</translation>
     </message>
 </context>
 <context>
@@ -2636,107 +2636,107 @@ Rückgabewerte: 0 fertig, 1 fehlgeschlagen, 2 falscher Aufruf.</translation>
     </message>
     <message>
         <source>Search</source>
-        <translation type="unfinished">Suchen</translation>
+        <translation>Suchen</translation>
     </message>
     <message>
         <source>Search brushes</source>
-        <translation type="unfinished"></translation>
+        <translation>Pinsel suchen</translation>
     </message>
     <message>
         <source>Shows brushes and groups with this in their name</source>
-        <translation type="unfinished"></translation>
+        <translation>Zeigt Pinsel und Gruppen, deren Name dies enthält</translation>
     </message>
     <message>
         <source>Favourites only</source>
-        <translation type="unfinished"></translation>
+        <translation>Nur Favoriten</translation>
     </message>
     <message>
         <source>Show favourites only; the first nine have the keys 1 to 9</source>
-        <translation type="unfinished"></translation>
+        <translation>Nur Favoriten zeigen; die ersten neun haben die Tasten 1 bis 9</translation>
     </message>
     <message>
         <source>Brush menu</source>
-        <translation type="unfinished"></translation>
+        <translation>Pinselmenü</translation>
     </message>
     <message>
         <source>Edit, save, import and export brushes</source>
-        <translation type="unfinished"></translation>
+        <translation>Pinsel bearbeiten, speichern, importieren und exportieren</translation>
     </message>
     <message>
         <source>&amp;Edit Brush…</source>
-        <translation type="unfinished"></translation>
+        <translation>Pinsel &amp;bearbeiten …</translation>
     </message>
     <message>
         <source>&amp;Favourite</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Favorit</translation>
     </message>
     <message>
         <source>&amp;Save Changes</source>
-        <translation type="unfinished"></translation>
+        <translation>Änderungen &amp;speichern</translation>
     </message>
     <message>
         <source>Save as &amp;New…</source>
-        <translation type="unfinished"></translation>
+        <translation>Als &amp;neuen speichern …</translation>
     </message>
     <message>
         <source>&amp;Duplicate</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Duplizieren</translation>
     </message>
     <message>
         <source>&amp;Rename…</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Umbenennen …</translation>
     </message>
     <message>
         <source>De&amp;lete…</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Löschen …</translation>
     </message>
     <message>
         <source>&amp;Import…</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Importieren …</translation>
     </message>
     <message>
         <source>E&amp;xport…</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Exportieren …</translation>
     </message>
     <message>
         <source>Save brush</source>
-        <translation type="unfinished"></translation>
+        <translation>Pinsel speichern</translation>
     </message>
     <message>
         <source>Name</source>
-        <translation type="unfinished">Name</translation>
+        <translation>Name</translation>
     </message>
     <message>
         <source>Rename brush</source>
-        <translation type="unfinished"></translation>
+        <translation>Pinsel umbenennen</translation>
     </message>
     <message>
         <source>Delete brush</source>
-        <translation type="unfinished"></translation>
+        <translation>Pinsel löschen</translation>
     </message>
     <message>
         <source>Delete the brush “%1”? Strokes painted with it stay.</source>
-        <translation type="unfinished"></translation>
+        <translation>Pinsel „%1“ löschen? Die mit ihm gemalten Striche bleiben.</translation>
     </message>
     <message>
         <source>Import brushes</source>
-        <translation type="unfinished"></translation>
+        <translation>Pinsel importieren</translation>
     </message>
     <message>
         <source>Brushes (*.suffuse-brush *.myb);;All files (*)</source>
-        <translation type="unfinished"></translation>
+        <translation>Pinsel (*.suffuse-brush *.myb);;Alle Dateien (*)</translation>
     </message>
     <message>
         <source>%1: these settings have no counterpart here: %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1: Für diese Einstellungen gibt es hier keine Entsprechung: %2</translation>
     </message>
     <message>
         <source>Export brush</source>
-        <translation type="unfinished"></translation>
+        <translation>Pinsel exportieren</translation>
     </message>
     <message>
         <source>Suffuse brush (*%1)</source>
-        <translation type="unfinished"></translation>
+        <translation>Suffuse-Pinsel (*%1)</translation>
     </message>
 </context>
 <context>
@@ -2755,79 +2755,79 @@ Rückgabewerte: 0 fertig, 1 fehlgeschlagen, 2 falscher Aufruf.</translation>
     </message>
     <message>
         <source>Drag to paint; a tap leaves a dot. Shift+drag: size and opacity. Ctrl: pick the picture&apos;s colour; with Shift, a stroke&apos;s own.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ziehen malt, Tippen setzt einen Punkt. Umschalt+Ziehen: Größe, Deckkraft. Strg: Farbe des Bildes aufnehmen; mit Umschalt die des Strichs.</translation>
     </message>
     <message>
         <source>What to paint with; the Brushes dock has pictures</source>
-        <translation type="unfinished"></translation>
+        <translation>Womit gemalt wird; das Andockfenster „Pinsel“ zeigt Bilder</translation>
     </message>
     <message>
         <source>Brush</source>
-        <translation type="unfinished"></translation>
+        <translation>Pinsel</translation>
     </message>
     <message>
         <source>Size</source>
-        <translation type="unfinished">Größe</translation>
+        <translation>Größe</translation>
     </message>
     <message>
         <source>How far the paint spreads, in units ([ and ] change it)</source>
-        <translation type="unfinished"></translation>
+        <translation>Wie weit die Farbe verläuft, in Einheiten ([ und ] ändern es)</translation>
     </message>
     <message>
         <source>Flow</source>
-        <translation type="unfinished">Fluss</translation>
+        <translation>Fluss</translation>
     </message>
     <message>
         <source>Density in the middle of the stroke at full pressure</source>
-        <translation type="unfinished"></translation>
+        <translation>Dichte in der Mitte des Strichs bei vollem Druck</translation>
     </message>
     <message>
         <source>Opacity</source>
-        <translation type="unfinished">Deckkraft</translation>
+        <translation>Deckkraft</translation>
     </message>
     <message>
         <source>How much the paint covers ({ and } change it)</source>
-        <translation type="unfinished"></translation>
+        <translation>Wie stark die Farbe deckt ({ und } ändern es)</translation>
     </message>
     <message>
         <source>Smoothing</source>
-        <translation type="unfinished"></translation>
+        <translation>Glättung</translation>
     </message>
     <message>
         <source>Off</source>
-        <translation type="unfinished"></translation>
+        <translation>Aus</translation>
     </message>
     <message>
         <source>Weighted</source>
-        <translation type="unfinished"></translation>
+        <translation>Gewichtet</translation>
     </message>
     <message>
         <source>Pulled string</source>
-        <translation type="unfinished"></translation>
+        <translation>Gezogene Schnur</translation>
     </message>
     <message>
         <source>Steadies the hand: the stroke follows the pen softly, or is pulled on a string</source>
-        <translation type="unfinished"></translation>
+        <translation>Beruhigt die Hand: Der Strich folgt dem Stift sanft oder wird an einer Schnur gezogen</translation>
     </message>
     <message>
         <source>Amount of smoothing</source>
-        <translation type="unfinished"></translation>
+        <translation>Maß der Glättung</translation>
     </message>
     <message>
         <source>How strongly it lags behind, or how long the string is</source>
-        <translation type="unfinished"></translation>
+        <translation>Wie stark der Strich zurückbleibt oder wie lang die Schnur ist</translation>
     </message>
     <message>
         <source>Own brush</source>
-        <translation type="unfinished"></translation>
+        <translation>Eigener Pinsel</translation>
     </message>
     <message>
         <source>Size %1 u</source>
-        <translation type="unfinished"></translation>
+        <translation>Größe %1 u</translation>
     </message>
     <message>
         <source>Opacity %1 %</source>
-        <translation type="unfinished"></translation>
+        <translation>Deckkraft %1 %</translation>
     </message>
 </context>
 <context>
@@ -2949,11 +2949,11 @@ Rückgabewerte: 0 fertig, 1 fehlgeschlagen, 2 falscher Aufruf.</translation>
     </message>
     <message>
         <source>Custom</source>
-        <translation type="unfinished">Eigene</translation>
+        <translation>Eigene</translation>
     </message>
     <message>
         <source>Size of the coarsest grain or of a thread in units, or units per pixel of the image.</source>
-        <translation type="unfinished"></translation>
+        <translation>Größe des gröbsten Korns oder eines Fadens in Einheiten, oder Einheiten je Bildpixel.</translation>
     </message>
 </context>
 <context>
@@ -3011,15 +3011,15 @@ Rückgabewerte: 0 fertig, 1 fehlgeschlagen, 2 falscher Aufruf.</translation>
     </message>
     <message>
         <source>Recent colours</source>
-        <translation type="unfinished"></translation>
+        <translation>Letzte Farben</translation>
     </message>
     <message>
         <source>Colours painted with before. Click: take it.</source>
-        <translation type="unfinished"></translation>
+        <translation>Früher gemalte Farben. Klick: übernehmen.</translation>
     </message>
     <message>
         <source>Colours painted with come here.</source>
-        <translation type="unfinished"></translation>
+        <translation>Hierher kommen die gemalten Farben.</translation>
     </message>
 </context>
 <context>
@@ -3350,19 +3350,19 @@ Auch die Pfeiltasten wirken.</translation>
     </message>
     <message>
         <source>Spread along</source>
-        <translation type="unfinished"></translation>
+        <translation>Ausbreitung längs</translation>
     </message>
     <message>
         <source>How far the paint has spread across the curve once it is dry: √(4·D·t_max).</source>
-        <translation type="unfinished"></translation>
+        <translation>Wie weit die Farbe getrocknet quer zur Kurve verlaufen ist: √(4·D·t_max).</translation>
     </message>
     <message>
         <source>How far it has spread along the curve.</source>
-        <translation type="unfinished"></translation>
+        <translation>Wie weit sie entlang der Kurve verlaufen ist.</translation>
     </message>
     <message>
         <source>Spread across</source>
-        <translation type="unfinished"></translation>
+        <translation>Ausbreitung quer</translation>
     </message>
 </context>
 <context>
@@ -3821,51 +3821,51 @@ Auch die Pfeiltasten wirken.</translation>
     </message>
     <message>
         <source>%1 is not a version that this program reads; it reads 1</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 ist keine Version, die dieses Programm liest; es liest 1</translation>
     </message>
     <message>
         <source>another curve is of the same quantity and input; keep one of them</source>
-        <translation type="unfinished"></translation>
+        <translation>eine andere Kurve hat dieselbe Kenngröße und Eingabe; bitte nur eine behalten</translation>
     </message>
     <message>
         <source>needs 2 to 16 points [x, y] in [0, 1], from left to right</source>
-        <translation type="unfinished"></translation>
+        <translation>braucht 2 bis 16 Punkte [x, y] in [0, 1], von links nach rechts</translation>
     </message>
     <message>
         <source>could not be opened: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>konnte nicht geöffnet werden: %1</translation>
     </message>
     <message>
         <source>has more than 1 MB; it is not a brush</source>
-        <translation type="unfinished"></translation>
+        <translation>hat mehr als 1 MB; das ist kein Pinsel</translation>
     </message>
     <message>
         <source>a colour has three numbers: red, green, blue</source>
-        <translation type="unfinished"></translation>
+        <translation>eine Farbe hat drei Zahlen: Rot, Grün, Blau</translation>
     </message>
     <message>
         <source>“%1” is not a number from 0 to 255</source>
-        <translation type="unfinished"></translation>
+        <translation>„%1“ ist keine Zahl von 0 bis 255</translation>
     </message>
     <message>
         <source>is larger than 1 MiB; a palette is not</source>
-        <translation type="unfinished"></translation>
+        <translation>ist größer als 1 MiB; das ist eine Palette nie</translation>
     </message>
     <message>
         <source>line %1: %2</source>
-        <translation type="unfinished"></translation>
+        <translation>Zeile %1: %2</translation>
     </message>
     <message>
         <source>“GIMP Palette” is missing: this is no GIMP palette</source>
-        <translation type="unfinished"></translation>
+        <translation>„GIMP Palette“ fehlt: Dies ist keine GIMP-Palette</translation>
     </message>
     <message>
         <source>there are more than %1 colours</source>
-        <translation type="unfinished"></translation>
+        <translation>es sind mehr als %1 Farben</translation>
     </message>
     <message>
         <source>has no settings; it is not a brush</source>
-        <translation type="unfinished"></translation>
+        <translation>hat keine Einstellungen; das ist kein Pinsel</translation>
     </message>
 </context>
 <context>
@@ -4074,91 +4074,91 @@ Auch die Pfeiltasten wirken.</translation>
     </message>
     <message>
         <source>Timeline</source>
-        <translation type="unfinished"></translation>
+        <translation>Zeitleiste</translation>
     </message>
     <message>
         <source>You paint in the past: what came later covers it. </source>
         <extracomment>before what the brush does, while the timeline shows a moment of the past</extracomment>
-        <translation type="unfinished"></translation>
+        <translation>Sie malen in der Vergangenheit: Späteres verdeckt es. </translation>
     </message>
     <message>
         <source>Nothing is wet at this moment.</source>
-        <translation type="unfinished"></translation>
+        <translation>Zu diesem Zeitpunkt ist nichts nass.</translation>
     </message>
     <message>
         <source>Freeze wet paint</source>
-        <translation type="unfinished"></translation>
+        <translation>Nasse Farbe einfrieren</translation>
     </message>
     <message>
         <source>Remove re-wetting</source>
-        <translation type="unfinished"></translation>
+        <translation>Wiederanfeuchten aufheben</translation>
     </message>
     <message>
         <source>Drawing pace</source>
-        <translation type="unfinished"></translation>
+        <translation>Zeichentempo</translation>
     </message>
     <message>
         <source>Re-wet</source>
-        <translation type="unfinished"></translation>
+        <translation>Wieder anfeuchten</translation>
     </message>
     <message>
         <source>Seconds that the paint spreads on</source>
-        <translation type="unfinished"></translation>
+        <translation>Sekunden, die die Farbe weiter verläuft</translation>
     </message>
     <message>
         <source>Nothing that is selected is painted yet at this moment.</source>
-        <translation type="unfinished"></translation>
+        <translation>Zu diesem Zeitpunkt ist noch nichts vom Ausgewählten gemalt.</translation>
     </message>
     <message>
         <source>&amp;Pause</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Anhalten</translation>
     </message>
     <message>
         <source>&amp;Play</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Abspielen</translation>
     </message>
 </context>
 <context>
     <name>suffuse::MixingSection</name>
     <message>
         <source>Mixing</source>
-        <translation type="unfinished">Mischung</translation>
+        <translation>Mischen</translation>
     </message>
     <message>
         <source>Paint colours over each other here. Shift+drag rubs, Ctrl+click picks.</source>
-        <translation type="unfinished"></translation>
+        <translation>Hier Farben übereinandermalen. Umschalt+Ziehen verreibt, Strg+Klick nimmt auf.</translation>
     </message>
     <message>
         <source>Paint</source>
-        <translation type="unfinished"></translation>
+        <translation>Malen</translation>
     </message>
     <message>
         <source>Paints with the current colour.</source>
-        <translation type="unfinished"></translation>
+        <translation>Malt mit der aktuellen Farbe.</translation>
     </message>
     <message>
         <source>Rub</source>
-        <translation type="unfinished"></translation>
+        <translation>Verreiben</translation>
     </message>
     <message>
         <source>Carries the paint under the pointer along.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nimmt die Farbe unter dem Zeiger mit.</translation>
     </message>
     <message>
         <source>Pick</source>
-        <translation type="unfinished"></translation>
+        <translation>Aufnehmen</translation>
     </message>
     <message>
         <source>Makes the colour under the pointer the current one.</source>
-        <translation type="unfinished"></translation>
+        <translation>Macht die Farbe unter dem Zeiger zur aktuellen.</translation>
     </message>
     <message>
         <source>Clear</source>
-        <translation type="unfinished"></translation>
+        <translation>Leeren</translation>
     </message>
     <message>
         <source>Takes a clean sheet.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nimmt ein leeres Blatt.</translation>
     </message>
 </context>
 <context>
@@ -4325,70 +4325,70 @@ Auch die Pfeiltasten wirken.</translation>
     <name>suffuse::PenPad</name>
     <message>
         <source>Try your pen here.</source>
-        <translation type="unfinished"></translation>
+        <translation>Hier den Stift ausprobieren.</translation>
     </message>
 </context>
 <context>
     <name>suffuse::PenPage</name>
     <message>
         <source>Pressure</source>
-        <translation type="unfinished"></translation>
+        <translation>Druck</translation>
     </message>
     <message>
         <source>Soft</source>
-        <translation type="unfinished"></translation>
+        <translation>Weich</translation>
     </message>
     <message>
         <source>Even</source>
-        <translation type="unfinished"></translation>
+        <translation>Gleichmäßig</translation>
     </message>
     <message>
         <source>Firm</source>
-        <translation type="unfinished"></translation>
+        <translation>Hart</translation>
     </message>
     <message>
         <source>Custom</source>
-        <translation type="unfinished">Eigene</translation>
+        <translation>Eigene</translation>
     </message>
     <message>
         <source>How hard the pen must be pressed, for all brushes.</source>
-        <translation type="unfinished"></translation>
+        <translation>Wie fest der Stift gedrückt werden muss, für alle Pinsel.</translation>
     </message>
     <message>
         <source>Clear</source>
-        <translation type="unfinished"></translation>
+        <translation>Leeren</translation>
     </message>
     <message>
         <source>Takes a clean sheet.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nimmt ein leeres Blatt.</translation>
     </message>
     <message>
         <source>pressure of the pen →</source>
-        <translation type="unfinished"></translation>
+        <translation>Druck des Stifts →</translation>
     </message>
     <message>
         <source>↑ paints with</source>
-        <translation type="unfinished"></translation>
+        <translation>↑ malt mit</translation>
     </message>
     <message>
         <source>Pressure curve</source>
-        <translation type="unfinished"></translation>
+        <translation>Druckkurve</translation>
     </message>
     <message>
         <source>Drag the points; click for another; drag one out to take it away.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Punkte ziehen; ein Klick fügt einen hinzu; Hinausziehen entfernt ihn.</translation>
     </message>
     <message>
         <source>Paint here with the brush in use; the dot on the curve is the pen&apos;s pressure.</source>
-        <translation type="unfinished"></translation>
+        <translation>Hier mit dem benutzten Pinsel malen; der Punkt auf der Kurve ist der Druck des Stifts.</translation>
     </message>
     <message>
         <source>Only the pen and the mouse paint; fingers move the view</source>
-        <translation type="unfinished"></translation>
+        <translation>Nur Stift und Maus malen; Finger bewegen die Ansicht</translation>
     </message>
     <message>
         <source>One finger moves the canvas, two zoom and turn it. Otherwise one finger paints.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ein Finger verschiebt die Leinwand, zwei zoomen und drehen sie. Sonst malt ein Finger.</translation>
     </message>
 </context>
 <context>
@@ -4740,11 +4740,11 @@ Auch die Pfeiltasten wirken.</translation>
     </message>
     <message>
         <source>General</source>
-        <translation type="unfinished"></translation>
+        <translation>Allgemein</translation>
     </message>
     <message>
         <source>Pen</source>
-        <translation type="unfinished"></translation>
+        <translation>Stift</translation>
     </message>
 </context>
 <context>
@@ -5202,274 +5202,274 @@ Auch die Pfeiltasten wirken.</translation>
     <name>suffuse::SwatchGrid</name>
     <message>
         <source>Add swatch</source>
-        <translation type="unfinished"></translation>
+        <translation>Farbfeld hinzufügen</translation>
     </message>
     <message>
         <source>Move swatch</source>
-        <translation type="unfinished"></translation>
+        <translation>Farbfeld verschieben</translation>
     </message>
     <message>
         <source>Rename swatch</source>
-        <translation type="unfinished"></translation>
+        <translation>Farbfeld umbenennen</translation>
     </message>
     <message>
         <source>Remove swatch</source>
-        <translation type="unfinished"></translation>
+        <translation>Farbfeld entfernen</translation>
     </message>
     <message>
         <source>Rename…</source>
-        <translation type="unfinished"></translation>
+        <translation>Umbenennen …</translation>
     </message>
     <message>
         <source>Remove</source>
-        <translation type="unfinished"></translation>
+        <translation>Entfernen</translation>
     </message>
     <message>
         <source>Name</source>
-        <translation type="unfinished">Name</translation>
+        <translation>Name</translation>
     </message>
 </context>
 <context>
     <name>suffuse::SwatchesSection</name>
     <message>
         <source>Swatches</source>
-        <translation type="unfinished"></translation>
+        <translation>Farbfelder</translation>
     </message>
     <message>
         <source>Add swatch</source>
-        <translation type="unfinished"></translation>
+        <translation>Farbfeld hinzufügen</translation>
     </message>
     <message>
         <source>Keeps the current colour with the painting.</source>
-        <translation type="unfinished"></translation>
+        <translation>Behält die aktuelle Farbe beim Bild.</translation>
     </message>
     <message>
         <source>Palettes</source>
-        <translation type="unfinished"></translation>
+        <translation>Paletten</translation>
     </message>
     <message>
         <source>GIMP palettes in and out</source>
-        <translation type="unfinished"></translation>
+        <translation>GIMP-Paletten importieren und exportieren</translation>
     </message>
     <message>
         <source>Colours kept with the painting. Click: take it. Drag to move; Delete removes.</source>
-        <translation type="unfinished"></translation>
+        <translation>Farben, die beim Bild bleiben. Klick: übernehmen. Ziehen verschiebt; Entf entfernt.</translation>
     </message>
     <message>
         <source>None yet: + keeps the current colour.</source>
-        <translation type="unfinished"></translation>
+        <translation>Noch keine: + behält die aktuelle Farbe.</translation>
     </message>
     <message>
         <source>GIMP palettes</source>
-        <translation type="unfinished"></translation>
+        <translation>GIMP-Paletten</translation>
     </message>
     <message>
         <source>Import palette…</source>
-        <translation type="unfinished"></translation>
+        <translation>Palette importieren …</translation>
     </message>
     <message>
         <source>Import palette</source>
-        <translation type="unfinished"></translation>
+        <translation>Palette importieren</translation>
     </message>
     <message>
         <source>Export palette…</source>
-        <translation type="unfinished"></translation>
+        <translation>Palette exportieren …</translation>
     </message>
     <message>
         <source>Export palette</source>
-        <translation type="unfinished"></translation>
+        <translation>Palette exportieren</translation>
     </message>
     <message>
         <source>Remove all</source>
-        <translation type="unfinished"></translation>
+        <translation>Alle entfernen</translation>
     </message>
     <message>
         <source>Remove all swatches</source>
-        <translation type="unfinished"></translation>
+        <translation>Alle Farbfelder entfernen</translation>
     </message>
     <message>
         <source>%1 cannot be read: %2.</source>
-        <translation type="unfinished">%1 kann nicht gelesen werden: %2.</translation>
+        <translation>%1 kann nicht gelesen werden: %2.</translation>
     </message>
 </context>
 <context>
     <name>suffuse::TimelapseDialog</name>
     <message>
         <source>Export timelapse</source>
-        <translation type="unfinished"></translation>
+        <translation>Zeitraffer exportieren</translation>
     </message>
     <message>
         <source>Progress</source>
-        <translation type="unfinished">Fortschritt</translation>
+        <translation>Fortschritt</translation>
     </message>
     <message>
         <source>Export</source>
-        <translation type="unfinished">Exportieren</translation>
+        <translation>Exportieren</translation>
     </message>
     <message>
         <source>painting</source>
-        <translation type="unfinished">Gemälde</translation>
+        <translation>Gemälde</translation>
     </message>
     <message>
         <source>File</source>
-        <translation type="unfinished">Datei</translation>
+        <translation>Datei</translation>
     </message>
     <message>
         <source>The ending chooses the format: webm or mp4 is a video, webp an animation, and png, tiff, exr, jpg or pfm numbered pictures, such as frame%04d.png.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Endung bestimmt das Format: webm oder mp4 ist ein Video, webp eine Animation, und png, tiff, exr, jpg oder pfm sind nummerierte Bilder, etwa frame%04d.png.</translation>
     </message>
     <message>
         <source>Browse…</source>
-        <translation type="unfinished">Durchsuchen …</translation>
+        <translation>Durchsuchen …</translation>
     </message>
     <message>
         <source>Choose a folder and a name</source>
-        <translation type="unfinished">Ordner und Namen wählen</translation>
+        <translation>Ordner und Namen wählen</translation>
     </message>
     <message>
         <source>Area</source>
-        <translation type="unfinished"></translation>
+        <translation>Bereich</translation>
     </message>
     <message>
         <source>Whole canvas</source>
-        <translation type="unfinished"></translation>
+        <translation>Ganze Leinwand</translation>
     </message>
     <message>
         <source>What the window shows</source>
-        <translation type="unfinished"></translation>
+        <translation>Was das Fenster zeigt</translation>
     </message>
     <message>
         <source>Selected strokes</source>
-        <translation type="unfinished"></translation>
+        <translation>Ausgewählte Striche</translation>
     </message>
     <message>
         <source>Which part of the canvas is filmed</source>
-        <translation type="unfinished"></translation>
+        <translation>Welcher Teil der Leinwand gefilmt wird</translation>
     </message>
     <message>
         <source>Frame rate</source>
-        <translation type="unfinished"></translation>
+        <translation>Bildrate</translation>
     </message>
     <message>
         <source> frames/s</source>
-        <translation type="unfinished"></translation>
+        <translation> Bilder/s</translation>
     </message>
     <message>
         <source>How many pictures a second the film has</source>
-        <translation type="unfinished"></translation>
+        <translation>Wie viele Bilder je Sekunde der Film hat</translation>
     </message>
     <message>
         <source>Length</source>
-        <translation type="unfinished"></translation>
+        <translation>Länge</translation>
     </message>
     <message>
         <source> s</source>
-        <translation type="unfinished"></translation>
+        <translation> s</translation>
     </message>
     <message>
         <source>How long the film is; the painting&apos;s time is stretched over it.</source>
-        <translation type="unfinished"></translation>
+        <translation>Wie lang der Film ist; die Zeit des Bildes wird darauf gestreckt.</translation>
     </message>
     <message>
         <source>Keep of pauses</source>
-        <translation type="unfinished"></translation>
+        <translation>Von Pausen bleibt</translation>
     </message>
     <message>
         <source>How much is kept of a pause in which nothing is painted or spreads, in the painting&apos;s time</source>
-        <translation type="unfinished"></translation>
+        <translation>Wie viel von einer Pause bleibt, in der nichts gemalt wird oder verläuft, in der Zeit des Bildes</translation>
     </message>
     <message>
         <source>Quality</source>
-        <translation type="unfinished">Qualität</translation>
+        <translation>Qualität</translation>
     </message>
     <message>
         <source>Of JPEG and WebP; 100 is the best. WebP loses nothing then.</source>
-        <translation type="unfinished">Für JPEG und WebP; 100 ist am besten. WebP verliert dann nichts.</translation>
+        <translation>Für JPEG und WebP; 100 ist am besten. WebP verliert dann nichts.</translation>
     </message>
     <message>
         <source>Transparent background</source>
-        <translation type="unfinished">Transparenter Hintergrund</translation>
+        <translation>Transparenter Hintergrund</translation>
     </message>
     <message>
         <source>Leaves the background out and stores how much the paint covers.</source>
-        <translation type="unfinished">Lässt den Hintergrund weg und speichert, wie stark die Farbe deckt.</translation>
+        <translation>Lässt den Hintergrund weg und speichert, wie stark die Farbe deckt.</translation>
     </message>
     <message>
         <source>Play again and again</source>
-        <translation type="unfinished"></translation>
+        <translation>Immer wieder abspielen</translation>
     </message>
     <message>
         <source>Animated WebP: begins anew at its end. Players decide it for videos.</source>
-        <translation type="unfinished"></translation>
+        <translation>WebP-Animation: beginnt am Ende von vorn. Bei Videos entscheidet das Abspielprogramm.</translation>
     </message>
     <message>
         <source>Size</source>
-        <translation type="unfinished">Größe</translation>
+        <translation>Größe</translation>
     </message>
     <message>
         <source> px</source>
-        <translation type="unfinished"> px</translation>
+        <translation> px</translation>
     </message>
     <message>
         <source>Width in pixels</source>
-        <translation type="unfinished">Breite in Pixeln</translation>
+        <translation>Breite in Pixeln</translation>
     </message>
     <message>
         <source>Width in pixels; the height follows.</source>
-        <translation type="unfinished">Breite in Pixeln; die Höhe folgt.</translation>
+        <translation>Breite in Pixeln; die Höhe folgt.</translation>
     </message>
     <message>
         <source>Height in pixels</source>
-        <translation type="unfinished">Höhe in Pixeln</translation>
+        <translation>Höhe in Pixeln</translation>
     </message>
     <message>
         <source>Height in pixels; the width follows.</source>
-        <translation type="unfinished">Höhe in Pixeln; die Breite folgt.</translation>
+        <translation>Höhe in Pixeln; die Breite folgt.</translation>
     </message>
     <message>
         <source>Films</source>
-        <translation type="unfinished"></translation>
+        <translation>Filme</translation>
     </message>
     <message>
         <source>Numbered pictures</source>
-        <translation type="unfinished"></translation>
+        <translation>Nummerierte Bilder</translation>
     </message>
     <message>
         <source>%1 frames</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 Einzelbilder</translation>
     </message>
     <message>
         <source>%1: %2</source>
-        <translation type="unfinished">%1; %2 {1:?}</translation>
+        <translation>%1: %2</translation>
     </message>
     <message>
         <source>A film of %1 frames is too long. Choose a lower rate or a shorter length.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ein Film von %1 Bildern ist zu lang. Bitte eine niedrigere Bildrate oder eine kürzere Länge wählen.</translation>
     </message>
     <message>
         <source>%1 exists. Replace it?</source>
-        <translation type="unfinished">%1 gibt es schon. Ersetzen?</translation>
+        <translation>%1 gibt es schon. Ersetzen?</translation>
     </message>
     <message>
         <source>Frame %1 of %2</source>
-        <translation type="unfinished"></translation>
+        <translation>Bild %1 von %2</translation>
     </message>
     <message>
         <source>Writing the film…</source>
-        <translation type="unfinished"></translation>
+        <translation>Film wird geschrieben …</translation>
     </message>
     <message numerus="yes">
         <source>%1; %n second(s) left</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>%1; noch %n Sekunde</numerusform>
+            <numerusform>%1; noch %n Sekunden</numerusform>
         </translation>
     </message>
     <message numerus="yes">
         <source>%1; %n minute(s) left</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>%1; noch %n Minute</numerusform>
+            <numerusform>%1; noch %n Minuten</numerusform>
         </translation>
     </message>
 </context>
@@ -5477,54 +5477,54 @@ Auch die Pfeiltasten wirken.</translation>
     <name>suffuse::TimelinePanel</name>
     <message>
         <source>The moment that is shown, and the end, when all has dried</source>
-        <translation type="unfinished"></translation>
+        <translation>Der gezeigte Zeitpunkt und das Ende, wenn alles getrocknet ist</translation>
     </message>
     <message>
         <source>Speed</source>
-        <translation type="unfinished"></translation>
+        <translation>Geschwindigkeit</translation>
     </message>
     <message>
         <source>How fast the painting is played: 0.1 to 1000 times as fast as it was painted</source>
-        <translation type="unfinished"></translation>
+        <translation>Wie schnell das Bild abgespielt wird: 0,1- bis 1000-mal so schnell, wie es gemalt wurde</translation>
     </message>
     <message>
         <source>Show all of the time (0). Ctrl+wheel zooms.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die ganze Zeit zeigen (0). Strg+Rad zoomt.</translation>
     </message>
     <message>
         <source>Show all of the time</source>
-        <translation type="unfinished"></translation>
+        <translation>Die ganze Zeit zeigen</translation>
     </message>
 </context>
 <context>
     <name>suffuse::TimelineView</name>
     <message>
         <source>Timeline</source>
-        <translation type="unfinished"></translation>
+        <translation>Zeitleiste</translation>
     </message>
     <message>
         <source>Later by %1 s</source>
-        <translation type="unfinished"></translation>
+        <translation>Verschoben um %1 s</translation>
     </message>
     <message>
         <source>Drawn in %1 s</source>
-        <translation type="unfinished"></translation>
+        <translation>Gezeichnet in %1 s</translation>
     </message>
     <message>
         <source>Move in time</source>
-        <translation type="unfinished"></translation>
+        <translation>Zeitlich verschieben</translation>
     </message>
     <message>
         <source>Stretch in time</source>
-        <translation type="unfinished"></translation>
+        <translation>Zeitlich strecken</translation>
     </message>
     <message>
         <source>%1 s</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 s</translation>
     </message>
     <message>
         <source>Each stroke is a bar here: from when it is painted until it is dry.</source>
-        <translation type="unfinished"></translation>
+        <translation>Jeder Strich ist hier ein Balken: vom Malen, bis er trocken ist.</translation>
     </message>
 </context>
 <context>

@@ -62,16 +62,16 @@
     <name>suffuse::TimelapseDialog</name>
     <message numerus="yes">
         <source>%1; %n second(s) left</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>%1; %n second left</numerusform>
+            <numerusform>%1; %n seconds left</numerusform>
         </translation>
     </message>
     <message numerus="yes">
         <source>%1; %n minute(s) left</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>%1; %n minute left</numerusform>
+            <numerusform>%1; %n minutes left</numerusform>
         </translation>
     </message>
 </context>

@@ -88,79 +88,79 @@
     </message>
     <message>
         <source>Brush pen</source>
-        <translation type="unfinished"></translation>
+        <translation>毛笔</translation>
     </message>
     <message>
         <source>Dry brush</source>
-        <translation type="unfinished"></translation>
+        <translation>干笔</translation>
     </message>
     <message>
         <source>Ink splash</source>
-        <translation type="unfinished"></translation>
+        <translation>泼墨</translation>
     </message>
     <message>
         <source>Broad nib</source>
-        <translation type="unfinished"></translation>
+        <translation>宽头笔尖</translation>
     </message>
     <message>
         <source>Flat wash</source>
-        <translation type="unfinished"></translation>
+        <translation>平涂淡彩</translation>
     </message>
     <message>
         <source>Granulating wash</source>
-        <translation type="unfinished"></translation>
+        <translation>颗粒淡彩</translation>
     </message>
     <message>
         <source>Wet in wet</source>
-        <translation type="unfinished"></translation>
+        <translation>湿画法</translation>
     </message>
     <message>
         <source>Glaze</source>
-        <translation type="unfinished"></translation>
+        <translation>罩染</translation>
     </message>
     <message>
         <source>Two tones</source>
-        <translation type="unfinished"></translation>
+        <translation>双色</translation>
     </message>
     <message>
         <source>Charcoal</source>
-        <translation type="unfinished"></translation>
+        <translation>炭笔</translation>
     </message>
     <message>
         <source>Pastel</source>
-        <translation type="unfinished"></translation>
+        <translation>粉彩</translation>
     </message>
     <message>
         <source>Gouache</source>
-        <translation type="unfinished"></translation>
+        <translation>水粉</translation>
     </message>
     <message>
         <source>Glow</source>
-        <translation type="unfinished"></translation>
+        <translation>辉光</translation>
     </message>
     <message>
         <source>Ink</source>
-        <translation type="unfinished"></translation>
+        <translation>墨水</translation>
     </message>
     <message>
         <source>Watercolour</source>
-        <translation type="unfinished"></translation>
+        <translation>水彩</translation>
     </message>
     <message>
         <source>Dry</source>
-        <translation type="unfinished"></translation>
+        <translation>干性画材</translation>
     </message>
     <message>
         <source>Flat</source>
-        <translation type="unfinished"></translation>
+        <translation>平涂</translation>
     </message>
     <message>
         <source>Air</source>
-        <translation type="unfinished"></translation>
+        <translation>喷枪</translation>
     </message>
     <message>
         <source>Others</source>
-        <translation type="unfinished"></translation>
+        <translation>其他</translation>
     </message>
 </context>
 <context>
@@ -617,23 +617,23 @@ Exit codes: 0 done, 1 the work failed, 2 wrong usage.</source>
     </message>
     <message>
         <source>--brush %1: there is no such brush nor file; choose a file or one of %2</source>
-        <translation type="unfinished"></translation>
+        <translation>--brush %1：没有此画笔或文件；请选择文件或 %2 之一</translation>
     </message>
     <message>
         <source>The brush that recordings are painted with: a name, or a brush file.</source>
-        <translation type="unfinished"></translation>
+        <translation>绘制笔迹记录所用的画笔：名称或画笔文件。</translation>
     </message>
     <message>
         <source>Frames with their number, film/%05d.png; or film.webp, .webm or .mp4.</source>
-        <translation type="unfinished"></translation>
+        <translation>带编号的各帧 film/%05d.png；或 film.webp、.webm、.mp4。</translation>
     </message>
     <message>
         <source>WebP: plays once instead of again and again.</source>
-        <translation type="unfinished"></translation>
+        <translation>WebP：只播放一次，不循环。</translation>
     </message>
     <message>
         <source>-o OUT is missing: name the frames or the film to write</source>
-        <translation type="unfinished"></translation>
+        <translation>缺少 -o OUT：请指定要写入的各帧或影片的名称</translation>
     </message>
 </context>
 <context>
@@ -805,39 +805,39 @@ Exit codes: 0 done, 1 the work failed, 2 wrong usage.</source>
     <name>Film</name>
     <message>
         <source>a film has %1 to %2 frames a second</source>
-        <translation type="unfinished"></translation>
+        <translation>影片的帧率为每秒 %1 到 %2 帧</translation>
     </message>
     <message>
         <source>MP4 cannot hold transparency. Use WebM, WebP or frames.</source>
-        <translation type="unfinished"></translation>
+        <translation>MP4 不支持透明度。请使用 WebM、WebP 或逐帧图片。</translation>
     </message>
     <message>
         <source>a video has at most %1 pixels a side</source>
-        <translation type="unfinished"></translation>
+        <translation>视频每边最多 %1 像素</translation>
     </message>
     <message>
         <source>%1: cannot write into this folder. Choose another one.</source>
-        <translation type="unfinished">%1：无法写入此文件夹。请选择其他文件夹。</translation>
+        <translation>%1：无法写入此文件夹。请选择其他文件夹。</translation>
     </message>
     <message>
         <source>frames are numbered files: give a name such as film/%05d.png, or one that ends in .webp, .webm or .mp4</source>
-        <translation type="unfinished"></translation>
+        <translation>各帧是带编号的文件：请给出类似 film/%05d.png 的名称，或以 .webp、.webm、.mp4 结尾的名称</translation>
     </message>
     <message>
         <source>%1: ffmpeg, which makes videos, is not installed. Install it, or choose WebP or frames.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1：未安装生成视频所需的 ffmpeg。请安装它，或选择 WebP 或逐帧图片。</translation>
     </message>
     <message>
         <source>%1: ffmpeg could not make the video (%2). Choose another format or size.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1：ffmpeg 未能生成视频（%2）。请选择其他格式或尺寸。</translation>
     </message>
     <message>
         <source>%1: the film could not be written (%2).</source>
-        <translation type="unfinished"></translation>
+        <translation>%1：未能写入影片（%2）。</translation>
     </message>
     <message>
         <source>%1: the film is too large for WebP. Choose another format, a smaller size or fewer frames.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1：影片对 WebP 而言太大。请选择其他格式、较小的尺寸或较少的帧数。</translation>
     </message>
 </context>
 <context>
@@ -938,23 +938,23 @@ Exit codes: 0 done, 1 the work failed, 2 wrong usage.</source>
     <name>Papers</name>
     <message>
         <source>Smooth</source>
-        <translation type="unfinished"></translation>
+        <translation>光滑</translation>
     </message>
     <message>
         <source>Cold press</source>
-        <translation type="unfinished"></translation>
+        <translation>冷压</translation>
     </message>
     <message>
         <source>Rough</source>
-        <translation type="unfinished"></translation>
+        <translation>粗纹</translation>
     </message>
     <message>
         <source>Rice</source>
-        <translation type="unfinished"></translation>
+        <translation>宣纸</translation>
     </message>
     <message>
         <source>Canvas</source>
-        <translation type="unfinished">画布</translation>
+        <translation>油画布</translation>
     </message>
 </context>
 <context>
@@ -1080,23 +1080,23 @@ Exit codes: 0 done, 1 the work failed, 2 wrong usage.</source>
     </message>
     <message>
         <source>%1: %2 is not in %3</source>
-        <translation type="unfinished"></translation>
+        <translation>%1：%2 不在 %3 内</translation>
     </message>
     <message>
         <source>there is no such kind</source>
-        <translation type="unfinished"></translation>
+        <translation>没有此类型</translation>
     </message>
     <message>
         <source>another curve is of the same quantity and input</source>
-        <translation type="unfinished"></translation>
+        <translation>另一条曲线有相同的参数和输入</translation>
     </message>
     <message>
         <source>it needs 2 to 16 points [x, y] in [0, 1], from left to right</source>
-        <translation type="unfinished"></translation>
+        <translation>需要 2 到 16 个位于 [0, 1] 内的点 [x, y]，从左到右</translation>
     </message>
     <message>
         <source>there is no such grain of paper</source>
-        <translation type="unfinished"></translation>
+        <translation>没有此纸张颗粒</translation>
     </message>
 </context>
 <context>
@@ -1204,7 +1204,7 @@ Exit codes: 0 done, 1 the work failed, 2 wrong usage.</source>
     </message>
     <message>
         <source>D&amp;uplicate</source>
-        <translation>再制(&amp;U)</translation>
+        <translation>再制(&amp;L)</translation>
     </message>
     <message>
         <source>Ctrl+D</source>
@@ -1224,7 +1224,7 @@ Exit codes: 0 done, 1 the work failed, 2 wrong usage.</source>
     </message>
     <message>
         <source>Se&amp;ttings…</source>
-        <translation>设置(&amp;T)…</translation>
+        <translation>设置(&amp;S)…</translation>
     </message>
     <message>
         <source>Ctrl+,</source>
@@ -1312,7 +1312,7 @@ Exit codes: 0 done, 1 the work failed, 2 wrong usage.</source>
     </message>
     <message>
         <source>F&amp;ull Screen</source>
-        <translation>全屏(&amp;U)</translation>
+        <translation>全屏(&amp;W)</translation>
     </message>
     <message>
         <source>&amp;Keyboard Shortcuts…</source>
@@ -1532,7 +1532,7 @@ Exit codes: 0 done, 1 the work failed, 2 wrong usage.</source>
     </message>
     <message>
         <source>&amp;Invert Selection</source>
-        <translation>反选(&amp;I)</translation>
+        <translation>反选(&amp;V)</translation>
     </message>
     <message>
         <source>Ctrl+Shift+I</source>
@@ -1748,7 +1748,7 @@ Exit codes: 0 done, 1 the work failed, 2 wrong usage.</source>
     </message>
     <message>
         <source>Gr&amp;id Step…</source>
-        <translation>网格间距(&amp;I)…</translation>
+        <translation>网格间距(&amp;P)…</translation>
     </message>
     <message>
         <source>&amp;Align</source>
@@ -1764,215 +1764,215 @@ Exit codes: 0 done, 1 the work failed, 2 wrong usage.</source>
     </message>
     <message>
         <source>Ctrl+1</source>
-        <translation type="unfinished">Ctrl+1</translation>
+        <translation>Ctrl+1</translation>
     </message>
     <message>
         <source>Ctrl+4</source>
-        <translation type="unfinished">Ctrl+4</translation>
+        <translation>Ctrl+4</translation>
     </message>
     <message>
         <source>Ctrl+6</source>
-        <translation type="unfinished">Ctrl+6</translation>
+        <translation>Ctrl+6</translation>
     </message>
     <message>
         <source>Ctrl+5</source>
-        <translation type="unfinished">Ctrl+5</translation>
+        <translation>Ctrl+5</translation>
     </message>
     <message>
         <source>Ti&amp;me</source>
-        <translation type="unfinished"></translation>
+        <translation>时间(&amp;M)</translation>
     </message>
     <message>
         <source>&amp;Favourite Brushes</source>
-        <translation type="unfinished"></translation>
+        <translation>收藏的画笔(&amp;F)</translation>
     </message>
     <message>
         <source>Favourite Brush %1</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Relative to the L&amp;ast Selected</source>
-        <translation type="unfinished"></translation>
+        <translation>收藏的画笔 %1</translation>
     </message>
     <message>
         <source>Relative to the &amp;First Selected</source>
-        <translation type="unfinished"></translation>
+        <translation>相对于最先选择的笔画(&amp;F)</translation>
     </message>
     <message>
         <source>Relative to the Bi&amp;ggest</source>
-        <translation type="unfinished"></translation>
+        <translation>相对于最大的笔画(&amp;G)</translation>
     </message>
     <message>
         <source>&amp;Play</source>
-        <translation type="unfinished"></translation>
+        <translation>播放(&amp;P)</translation>
     </message>
     <message>
         <source>Play the painting being painted, or pause</source>
-        <translation type="unfinished"></translation>
+        <translation>播放作画过程，或暂停</translation>
     </message>
     <message>
         <source>To the &amp;Start</source>
-        <translation type="unfinished"></translation>
+        <translation>转到开头(&amp;S)</translation>
     </message>
     <message>
         <source>Shift+,</source>
-        <translation type="unfinished"></translation>
+        <translation>Shift+,</translation>
     </message>
     <message>
         <source>Go to where the painting begins</source>
-        <translation type="unfinished"></translation>
+        <translation>转到画作开始之处</translation>
     </message>
     <message>
         <source>P&amp;revious Stroke</source>
-        <translation type="unfinished"></translation>
+        <translation>上一笔(&amp;R)</translation>
     </message>
     <message>
         <source>,</source>
-        <translation type="unfinished"></translation>
+        <translation>,</translation>
     </message>
     <message>
         <source>Go back to where a stroke begins</source>
-        <translation type="unfinished"></translation>
+        <translation>退回到某一笔画开始之处</translation>
     </message>
     <message>
         <source>&amp;Next Stroke</source>
-        <translation type="unfinished"></translation>
+        <translation>下一笔(&amp;N)</translation>
     </message>
     <message>
         <source>.</source>
-        <translation type="unfinished"></translation>
+        <translation>.</translation>
     </message>
     <message>
         <source>Go on to where a stroke begins</source>
-        <translation type="unfinished"></translation>
+        <translation>前进到某一笔画开始之处</translation>
     </message>
     <message>
         <source>To the &amp;End</source>
-        <translation type="unfinished"></translation>
+        <translation>转到结尾(&amp;E)</translation>
     </message>
     <message>
         <source>Shift+.</source>
-        <translation type="unfinished"></translation>
+        <translation>Shift+.</translation>
     </message>
     <message>
         <source>Go to the end, where all has dried: the present</source>
-        <translation type="unfinished"></translation>
+        <translation>转到全部干透的结尾：即现在</translation>
     </message>
     <message>
         <source>&amp;Loop</source>
-        <translation type="unfinished"></translation>
+        <translation>循环(&amp;L)</translation>
     </message>
     <message>
         <source>Play again and again</source>
-        <translation type="unfinished"></translation>
+        <translation>循环播放</translation>
     </message>
     <message>
         <source>S&amp;kip Pauses</source>
-        <translation type="unfinished"></translation>
+        <translation>跳过停顿(&amp;K)</translation>
     </message>
     <message>
         <source>Cut pauses in which nothing is painted or spreads to half a second</source>
-        <translation type="unfinished"></translation>
+        <translation>将没有绘制也没有扩散的停顿缩短为半秒</translation>
     </message>
     <message>
         <source>Preview When &amp;Dry</source>
-        <translation type="unfinished"></translation>
+        <translation>干透预览(&amp;D)</translation>
     </message>
     <message>
         <source>Shift+D</source>
-        <translation type="unfinished"></translation>
+        <translation>Shift+D</translation>
     </message>
     <message>
         <source>Show wet paint as it will look when it has dried, while you paint too</source>
-        <translation type="unfinished"></translation>
+        <translation>将未干的颜料显示为干透后的样子，作画时也是如此</translation>
     </message>
     <message>
         <source>Let It Dr&amp;y</source>
-        <translation type="unfinished"></translation>
+        <translation>等待干透(&amp;Y)</translation>
     </message>
     <message>
         <source>Go to the moment at which all has dried</source>
-        <translation type="unfinished"></translation>
+        <translation>转到全部干透的时刻</translation>
     </message>
     <message>
         <source>&amp;Freeze Wet Paint</source>
-        <translation type="unfinished"></translation>
+        <translation>冻结未干颜料(&amp;F)</translation>
     </message>
     <message>
         <source>Ctrl+Alt+F</source>
-        <translation type="unfinished"></translation>
+        <translation>Ctrl+Alt+F</translation>
     </message>
     <message>
         <source>All that is wet stops spreading at this moment</source>
-        <translation type="unfinished"></translation>
+        <translation>所有未干的颜料在此刻停止扩散</translation>
     </message>
     <message>
         <source>Re-&amp;wet…</source>
-        <translation type="unfinished"></translation>
+        <translation>再次润湿(&amp;W)…</translation>
     </message>
     <message>
         <source>Ctrl+Alt+W</source>
-        <translation type="unfinished"></translation>
+        <translation>Ctrl+Alt+W</translation>
     </message>
     <message>
         <source>Let the selected paint spread on for a while from this moment</source>
-        <translation type="unfinished"></translation>
+        <translation>使所选颜料从此刻起继续扩散一段时间</translation>
     </message>
     <message>
         <source>Remove Re-we&amp;tting</source>
-        <translation type="unfinished"></translation>
+        <translation>移除再次润湿(&amp;T)</translation>
     </message>
     <message>
         <source>The selected paint dries once and for all</source>
-        <translation type="unfinished"></translation>
+        <translation>所选颜料一次干透，不再润湿</translation>
     </message>
     <message>
         <source>&amp;Even</source>
-        <translation type="unfinished"></translation>
+        <translation>匀速(&amp;E)</translation>
     </message>
     <message>
         <source>Selected strokes are drawn at an even pace</source>
-        <translation type="unfinished"></translation>
+        <translation>所选笔画以均匀的速度绘制</translation>
     </message>
     <message>
         <source>Ease &amp;In</source>
-        <translation type="unfinished"></translation>
+        <translation>缓入(&amp;I)</translation>
     </message>
     <message>
         <source>Selected strokes begin slowly</source>
-        <translation type="unfinished"></translation>
+        <translation>所选笔画开始时较慢</translation>
     </message>
     <message>
         <source>Ease &amp;Out</source>
-        <translation type="unfinished"></translation>
+        <translation>缓出(&amp;O)</translation>
     </message>
     <message>
         <source>Selected strokes end slowly</source>
-        <translation type="unfinished"></translation>
+        <translation>所选笔画结束时较慢</translation>
     </message>
     <message>
         <source>Ease In and O&amp;ut</source>
-        <translation type="unfinished"></translation>
+        <translation>缓入缓出(&amp;U)</translation>
     </message>
     <message>
         <source>Selected strokes begin and end slowly</source>
-        <translation type="unfinished"></translation>
+        <translation>所选笔画开始和结束时较慢</translation>
     </message>
     <message>
         <source>Export Ti&amp;melapse…</source>
-        <translation type="unfinished"></translation>
+        <translation>导出缩时视频(&amp;M)…</translation>
     </message>
     <message>
         <source>Ctrl+Alt+E</source>
-        <translation type="unfinished"></translation>
+        <translation>Ctrl+Alt+E</translation>
     </message>
     <message>
         <source>Make a film of the painting being painted</source>
-        <translation type="unfinished"></translation>
+        <translation>将作画过程制成影片</translation>
     </message>
     <message>
         <source>Drawing Pa&amp;ce</source>
-        <translation type="unfinished"></translation>
+        <translation>绘制节奏(&amp;C)</translation>
+    </message>
+    <message>
+        <source>Relative to the Last Select&amp;ed</source>
+        <translation>相对于最后选择的笔画(&amp;E)</translation>
     </message>
 </context>
 <context>
@@ -2152,434 +2152,434 @@ Exit codes: 0 done, 1 the work failed, 2 wrong usage.</source>
     <name>suffuse::BrushDialog</name>
     <message>
         <source>A stroke of the brush</source>
-        <translation type="unfinished"></translation>
+        <translation>画笔的示例笔画</translation>
     </message>
     <message>
         <source>Paint</source>
-        <translation type="unfinished"></translation>
+        <translation>颜料</translation>
     </message>
     <message>
         <source>Curves</source>
-        <translation type="unfinished"></translation>
+        <translation>曲线</translation>
     </message>
     <message>
         <source>Colour</source>
-        <translation type="unfinished">颜色</translation>
+        <translation>颜色</translation>
     </message>
     <message>
         <source>Shape and hand</source>
-        <translation type="unfinished"></translation>
+        <translation>形状与手感</translation>
     </message>
     <message>
         <source>Settings of the brush</source>
-        <translation type="unfinished"></translation>
+        <translation>画笔设置</translation>
     </message>
     <message>
         <source>Save Changes</source>
-        <translation type="unfinished"></translation>
+        <translation>保存更改</translation>
     </message>
     <message>
         <source>Keeps the changes in the brush of this name; built-in brushes stay as they are</source>
-        <translation type="unfinished"></translation>
+        <translation>将更改保存到此名称的画笔；内置画笔保持不变</translation>
     </message>
     <message>
         <source>Save as New…</source>
-        <translation type="unfinished"></translation>
+        <translation>另存为新画笔…</translation>
     </message>
     <message>
         <source>Keeps the brush under another name</source>
-        <translation type="unfinished"></translation>
+        <translation>以其他名称保存画笔</translation>
     </message>
     <message>
         <source>Close</source>
-        <translation type="unfinished"></translation>
+        <translation>关闭</translation>
     </message>
     <message>
         <source>Closes this window; the brush stays in hand as it is</source>
-        <translation type="unfinished"></translation>
+        <translation>关闭此窗口；当前画笔保持现状</translation>
     </message>
     <message>
         <source>Brush: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>画笔：%1</translation>
     </message>
     <message>
         <source>Size</source>
-        <translation type="unfinished">大小</translation>
+        <translation>大小</translation>
     </message>
     <message>
         <source>How far the paint spreads, in units; sets the diffusion.</source>
-        <translation type="unfinished">颜料扩散的距离（单位）；由此决定扩散系数。</translation>
+        <translation>颜料扩散的距离（单位）；由此决定扩散系数。</translation>
     </message>
     <message>
         <source>Flow</source>
-        <translation type="unfinished">流量</translation>
+        <translation>流量</translation>
     </message>
     <message>
         <source>Density in the middle of the stroke where no curve takes away</source>
-        <translation type="unfinished"></translation>
+        <translation>没有曲线削减时笔画中央的密度</translation>
     </message>
     <message>
         <source>Opacity</source>
-        <translation type="unfinished">不透明度</translation>
+        <translation>不透明度</translation>
     </message>
     <message>
         <source>How much the paint covers at full density</source>
-        <translation type="unfinished">密度饱和时颜料的覆盖程度</translation>
+        <translation>密度饱和时颜料的覆盖程度</translation>
     </message>
     <message>
         <source>Granulation ω</source>
-        <translation type="unfinished">颗粒 ω</translation>
+        <translation>颗粒 ω</translation>
     </message>
     <message>
         <source>1 hides the paper&apos;s grain, 0 shows it fully</source>
-        <translation type="unfinished"></translation>
+        <translation>1 隐藏纸张的颗粒，0 完全显示</translation>
     </message>
     <message>
         <source>Drying time</source>
-        <translation type="unfinished">干燥时间</translation>
+        <translation>干燥时间</translation>
     </message>
     <message>
         <source>How long the paint spreads; the size stays</source>
-        <translation type="unfinished"></translation>
+        <translation>颜料扩散多久；大小不变</translation>
     </message>
     <message>
         <source>Uniform</source>
-        <translation type="unfinished">均匀</translation>
+        <translation>均匀</translation>
     </message>
     <message>
         <source>Feathering</source>
-        <translation type="unfinished">羽化</translation>
+        <translation>羽化</translation>
     </message>
     <message>
         <source>Edge darkening</source>
-        <translation type="unfinished"></translation>
+        <translation>深色边缘</translation>
     </message>
     <message>
         <source>Style</source>
-        <translation type="unfinished">样式</translation>
+        <translation>样式</translation>
     </message>
     <message>
         <source>How density becomes opacity</source>
-        <translation type="unfinished"></translation>
+        <translation>密度如何转化为不透明度</translation>
     </message>
     <message>
         <source>Covers (alpha)</source>
-        <translation type="unfinished"></translation>
+        <translation>覆盖（alpha）</translation>
     </message>
     <message>
         <source>Mixes as pigment (beta)</source>
-        <translation type="unfinished"></translation>
+        <translation>颜料混合（beta）</translation>
     </message>
     <message>
         <source>Mixing</source>
-        <translation type="unfinished">混合</translation>
+        <translation>混合</translation>
     </message>
     <message>
         <source>How the paint mixes with what lies below</source>
-        <translation type="unfinished"></translation>
+        <translation>颜料与下层的混合方式</translation>
     </message>
     <message>
         <source>ξ1</source>
-        <translation type="unfinished"></translation>
+        <translation>ξ1</translation>
     </message>
     <message>
         <source>Density at which the paint begins to cover</source>
-        <translation type="unfinished"></translation>
+        <translation>颜料开始覆盖时的密度</translation>
     </message>
     <message>
         <source>ξ2</source>
-        <translation type="unfinished"></translation>
+        <translation>ξ2</translation>
     </message>
     <message>
         <source>Uniform: softness of the edge; feathering: exponent; edge darkening: width of the rim</source>
-        <translation type="unfinished"></translation>
+        <translation>均匀：边缘的柔和度；羽化：指数；深色边缘：边缘的宽度</translation>
     </message>
     <message>
         <source>ξ3</source>
-        <translation type="unfinished"></translation>
+        <translation>ξ3</translation>
     </message>
     <message>
         <source>Opacity inside the dark edge</source>
-        <translation type="unfinished"></translation>
+        <translation>深色边缘以内的不透明度</translation>
     </message>
     <message>
         <source>β</source>
-        <translation type="unfinished"></translation>
+        <translation>β</translation>
     </message>
     <message>
         <source>How much of what lies below shows through the pigment</source>
-        <translation type="unfinished"></translation>
+        <translation>下层透过颜料显现的程度</translation>
     </message>
     <message>
         <source>Granulation</source>
-        <translation type="unfinished"></translation>
+        <translation>颗粒</translation>
     </message>
     <message>
         <source>Second colour</source>
-        <translation type="unfinished"></translation>
+        <translation>第二颜色</translation>
     </message>
     <message>
         <source>Pressure</source>
-        <translation type="unfinished"></translation>
+        <translation>压感</translation>
     </message>
     <message>
         <source>Tilt</source>
-        <translation type="unfinished"></translation>
+        <translation>倾斜</translation>
     </message>
     <message>
         <source>Speed</source>
-        <translation type="unfinished"></translation>
+        <translation>速度</translation>
     </message>
     <message>
         <source>Distance</source>
-        <translation type="unfinished"></translation>
+        <translation>距离</translation>
     </message>
     <message>
         <source>By stroke</source>
-        <translation type="unfinished"></translation>
+        <translation>逐笔随机</translation>
     </message>
     <message>
         <source>Drift</source>
-        <translation type="unfinished"></translation>
+        <translation>漂移</translation>
     </message>
     <message>
         <source>What changes with what: a tick switches a curve on, a click shows it below</source>
-        <translation type="unfinished"></translation>
+        <translation>哪项参数随哪项输入变化：勾选以启用曲线，点击可在下方显示</translation>
     </message>
     <message>
         <source>Curve</source>
-        <translation type="unfinished"></translation>
+        <translation>曲线</translation>
     </message>
     <message>
         <source>Drag points; click for another one, drag it out to take it away</source>
-        <translation type="unfinished"></translation>
+        <translation>拖动控制点；点击添加，拖出则移除</translation>
     </message>
     <message>
         <source>Full speed</source>
-        <translation type="unfinished"></translation>
+        <translation>最高速度</translation>
     </message>
     <message>
         <source>Speed at the right end of its curves, in sizes a second</source>
-        <translation type="unfinished"></translation>
+        <translation>其曲线右端对应的速度，以每秒画笔大小的倍数计</translation>
     </message>
     <message>
         <source> sizes/s</source>
-        <translation type="unfinished"></translation>
+        <translation> 倍/秒</translation>
     </message>
     <message>
         <source>Full distance</source>
-        <translation type="unfinished"></translation>
+        <translation>最大距离</translation>
     </message>
     <message>
         <source>Distance at the right end of its curves, in sizes</source>
-        <translation type="unfinished"></translation>
+        <translation>其曲线右端对应的距离，以画笔大小的倍数计</translation>
     </message>
     <message>
         <source> sizes</source>
-        <translation type="unfinished"></translation>
+        <translation> 倍</translation>
     </message>
     <message>
         <source>Way on which what drifts becomes another, in sizes</source>
-        <translation type="unfinished"></translation>
+        <translation>漂移的值变为另一个值所经过的路程，以画笔大小的倍数计</translation>
     </message>
     <message>
         <source>Take the current colour</source>
-        <translation type="unfinished"></translation>
+        <translation>取当前颜色</translation>
     </message>
     <message>
         <source>Makes the current colour the second one</source>
-        <translation type="unfinished"></translation>
+        <translation>将当前颜色设为第二颜色</translation>
     </message>
     <message>
         <source>The row Second colour of the curves says when it comes through.</source>
-        <translation type="unfinished"></translation>
+        <translation>何时显现由曲线中的“第二颜色”一行决定。</translation>
     </message>
     <message>
         <source>Strays from the colour by</source>
-        <translation type="unfinished"></translation>
+        <translation>颜色随机偏移量</translation>
     </message>
     <message>
         <source>Red</source>
-        <translation type="unfinished">红</translation>
+        <translation>红</translation>
     </message>
     <message>
         <source>At most so much redder or less red</source>
-        <translation type="unfinished"></translation>
+        <translation>红色最多增减此量</translation>
     </message>
     <message>
         <source>Yellow</source>
-        <translation type="unfinished">黄</translation>
+        <translation>黄</translation>
     </message>
     <message>
         <source>At most so much more or less yellow</source>
-        <translation type="unfinished"></translation>
+        <translation>黄色最多增减此量</translation>
     </message>
     <message>
         <source>Blue</source>
-        <translation type="unfinished">蓝</translation>
+        <translation>蓝</translation>
     </message>
     <message>
         <source>At most so much bluer or less blue</source>
-        <translation type="unfinished"></translation>
+        <translation>蓝色最多增减此量</translation>
     </message>
     <message>
         <source>Lightness</source>
-        <translation type="unfinished"></translation>
+        <translation>明度</translation>
     </message>
     <message>
         <source>At most so much lighter or darker</source>
-        <translation type="unfinished"></translation>
+        <translation>明度最多增减此量</translation>
     </message>
     <message>
         <source>Drifts along the stroke</source>
-        <translation type="unfinished"></translation>
+        <translation>沿笔画漂移</translation>
     </message>
     <message>
         <source>Else each stroke has one colour</source>
-        <translation type="unfinished"></translation>
+        <translation>否则每条笔画只有一种颜色</translation>
     </message>
     <message>
         <source>Hand</source>
-        <translation type="unfinished"></translation>
+        <translation>手感</translation>
     </message>
     <message>
         <source>No smoothing</source>
-        <translation type="unfinished"></translation>
+        <translation>不平滑</translation>
     </message>
     <message>
         <source>Weighted</source>
-        <translation type="unfinished"></translation>
+        <translation>加权</translation>
     </message>
     <message>
         <source>Pulled string</source>
-        <translation type="unfinished"></translation>
+        <translation>拉绳</translation>
     </message>
     <message>
         <source>Smoothing</source>
-        <translation type="unfinished"></translation>
+        <translation>平滑</translation>
     </message>
     <message>
         <source>Steadies the hand: the stroke follows the pen softly, or is pulled on a string</source>
-        <translation type="unfinished"></translation>
+        <translation>稳定手部抖动：笔画柔和地跟随笔，或像被绳子牵引</translation>
     </message>
     <message>
         <source>Strength</source>
-        <translation type="unfinished">强度</translation>
+        <translation>强度</translation>
     </message>
     <message>
         <source>How far the stroke lags behind</source>
-        <translation type="unfinished"></translation>
+        <translation>笔画滞后的程度</translation>
     </message>
     <message>
         <source>String</source>
-        <translation type="unfinished"></translation>
+        <translation>绳长</translation>
     </message>
     <message>
         <source>Its length on the screen</source>
-        <translation type="unfinished"></translation>
+        <translation>绳子在屏幕上的长度</translation>
     </message>
     <message>
         <source>Sampling</source>
-        <translation type="unfinished"></translation>
+        <translation>采样间隔</translation>
     </message>
     <message>
         <source>Time between the points that the curve is fitted through</source>
-        <translation type="unfinished"></translation>
+        <translation>拟合曲线所经各点之间的时间</translation>
     </message>
     <message>
         <source>Tip</source>
-        <translation type="unfinished"></translation>
+        <translation>笔尖</translation>
     </message>
     <message>
         <source>Ratio</source>
-        <translation type="unfinished"></translation>
+        <translation>比率</translation>
     </message>
     <message>
         <source>How much faster the paint spreads along the tip&apos;s angle than across</source>
-        <translation type="unfinished"></translation>
+        <translation>颜料沿笔尖角度的扩散比垂直方向快多少倍</translation>
     </message>
     <message>
         <source>Angle</source>
-        <translation type="unfinished">角度</translation>
+        <translation>角度</translation>
     </message>
     <message>
         <source>Of the tip, against the path or the canvas</source>
-        <translation type="unfinished"></translation>
+        <translation>笔尖相对于路径或画布的角度</translation>
     </message>
     <message>
         <source>Turns with the path</source>
-        <translation type="unfinished"></translation>
+        <translation>随路径转动</translation>
     </message>
     <message>
         <source>Else it keeps its angle on the canvas, as a broad nib does</source>
-        <translation type="unfinished"></translation>
+        <translation>否则在画布上保持固定角度，如同宽头笔尖</translation>
     </message>
     <message>
         <source>Ends</source>
-        <translation type="unfinished"></translation>
+        <translation>两端</translation>
     </message>
     <message>
         <source>Taper in</source>
-        <translation type="unfinished"></translation>
+        <translation>起笔渐粗</translation>
     </message>
     <message>
         <source>Length on which the stroke grows from its tip</source>
-        <translation type="unfinished"></translation>
+        <translation>笔画从笔锋逐渐变粗的长度</translation>
     </message>
     <message>
         <source>Taper out</source>
-        <translation type="unfinished"></translation>
+        <translation>收笔渐细</translation>
     </message>
     <message>
         <source>Length on which it runs out when the pen lifts</source>
-        <translation type="unfinished"></translation>
+        <translation>抬笔时笔画逐渐变细的长度</translation>
     </message>
     <message>
         <source>Tip size</source>
-        <translation type="unfinished"></translation>
+        <translation>末端大小</translation>
     </message>
     <message>
         <source>Size at the very end</source>
-        <translation type="unfinished"></translation>
+        <translation>最末端的大小</translation>
     </message>
 </context>
 <context>
     <name>suffuse::BrushLibrary</name>
     <message>
         <source>Brush</source>
-        <translation type="unfinished"></translation>
+        <translation>画笔</translation>
     </message>
     <message>
         <source>%1 %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 %2</translation>
     </message>
     <message>
         <source>%1: the folder could not be made; check its permissions</source>
-        <translation type="unfinished"></translation>
+        <translation>%1：未能创建文件夹；请检查其权限</translation>
     </message>
     <message>
         <source>%1 is a built-in brush; save it under a name of its own</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 是内置画笔；请以其他名称保存</translation>
     </message>
     <message>
         <source>A brush needs a name</source>
-        <translation type="unfinished"></translation>
+        <translation>画笔需要名称</translation>
     </message>
     <message>
         <source>There is a brush “%1” already</source>
-        <translation type="unfinished"></translation>
+        <translation>已有名为“%1”的画笔</translation>
     </message>
     <message>
         <source>%1 is a built-in brush; it stays</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 是内置画笔，不能删除</translation>
     </message>
     <message>
         <source>%1 could not be removed; check its permissions</source>
-        <translation type="unfinished"></translation>
+        <translation>未能删除 %1；请检查其权限</translation>
     </message>
     <message>
         <source>There is no brush “%1”</source>
-        <translation type="unfinished"></translation>
+        <translation>没有名为“%1”的画笔</translation>
     </message>
 </context>
 <context>
@@ -2634,107 +2634,107 @@ Exit codes: 0 done, 1 the work failed, 2 wrong usage.</source>
     </message>
     <message>
         <source>Search</source>
-        <translation type="unfinished">搜索</translation>
+        <translation>搜索</translation>
     </message>
     <message>
         <source>Search brushes</source>
-        <translation type="unfinished"></translation>
+        <translation>搜索画笔</translation>
     </message>
     <message>
         <source>Shows brushes and groups with this in their name</source>
-        <translation type="unfinished"></translation>
+        <translation>显示名称包含此文本的画笔和组</translation>
     </message>
     <message>
         <source>Favourites only</source>
-        <translation type="unfinished"></translation>
+        <translation>仅收藏</translation>
     </message>
     <message>
         <source>Show favourites only; the first nine have the keys 1 to 9</source>
-        <translation type="unfinished"></translation>
+        <translation>仅显示收藏的画笔；前九个对应按键 1 到 9</translation>
     </message>
     <message>
         <source>Brush menu</source>
-        <translation type="unfinished"></translation>
+        <translation>画笔菜单</translation>
     </message>
     <message>
         <source>Edit, save, import and export brushes</source>
-        <translation type="unfinished"></translation>
+        <translation>编辑、保存、导入和导出画笔</translation>
     </message>
     <message>
         <source>&amp;Edit Brush…</source>
-        <translation type="unfinished"></translation>
+        <translation>编辑画笔(&amp;E)…</translation>
     </message>
     <message>
         <source>&amp;Favourite</source>
-        <translation type="unfinished"></translation>
+        <translation>收藏(&amp;F)</translation>
     </message>
     <message>
         <source>&amp;Save Changes</source>
-        <translation type="unfinished"></translation>
+        <translation>保存更改(&amp;S)</translation>
     </message>
     <message>
         <source>Save as &amp;New…</source>
-        <translation type="unfinished"></translation>
+        <translation>另存为新画笔(&amp;N)…</translation>
     </message>
     <message>
         <source>&amp;Duplicate</source>
-        <translation type="unfinished"></translation>
+        <translation>再制(&amp;D)</translation>
     </message>
     <message>
         <source>&amp;Rename…</source>
-        <translation type="unfinished"></translation>
+        <translation>重命名(&amp;R)…</translation>
     </message>
     <message>
         <source>De&amp;lete…</source>
-        <translation type="unfinished"></translation>
+        <translation>删除(&amp;L)…</translation>
     </message>
     <message>
         <source>&amp;Import…</source>
-        <translation type="unfinished"></translation>
+        <translation>导入(&amp;I)…</translation>
     </message>
     <message>
         <source>E&amp;xport…</source>
-        <translation type="unfinished"></translation>
+        <translation>导出(&amp;X)…</translation>
     </message>
     <message>
         <source>Save brush</source>
-        <translation type="unfinished"></translation>
+        <translation>保存画笔</translation>
     </message>
     <message>
         <source>Name</source>
-        <translation type="unfinished">名称</translation>
+        <translation>名称</translation>
     </message>
     <message>
         <source>Rename brush</source>
-        <translation type="unfinished"></translation>
+        <translation>重命名画笔</translation>
     </message>
     <message>
         <source>Delete brush</source>
-        <translation type="unfinished"></translation>
+        <translation>删除画笔</translation>
     </message>
     <message>
         <source>Delete the brush “%1”? Strokes painted with it stay.</source>
-        <translation type="unfinished"></translation>
+        <translation>要删除画笔“%1”吗？用它绘制的笔画会保留。</translation>
     </message>
     <message>
         <source>Import brushes</source>
-        <translation type="unfinished"></translation>
+        <translation>导入画笔</translation>
     </message>
     <message>
         <source>Brushes (*.suffuse-brush *.myb);;All files (*)</source>
-        <translation type="unfinished"></translation>
+        <translation>画笔 (*.suffuse-brush *.myb);;所有文件 (*)</translation>
     </message>
     <message>
         <source>%1: these settings have no counterpart here: %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1：以下设置在此没有对应项：%2</translation>
     </message>
     <message>
         <source>Export brush</source>
-        <translation type="unfinished"></translation>
+        <translation>导出画笔</translation>
     </message>
     <message>
         <source>Suffuse brush (*%1)</source>
-        <translation type="unfinished"></translation>
+        <translation>Suffuse 画笔 (*%1)</translation>
     </message>
 </context>
 <context>
@@ -2753,79 +2753,79 @@ Exit codes: 0 done, 1 the work failed, 2 wrong usage.</source>
     </message>
     <message>
         <source>Drag to paint; a tap leaves a dot. Shift+drag: size and opacity. Ctrl: pick the picture&apos;s colour; with Shift, a stroke&apos;s own.</source>
-        <translation type="unfinished"></translation>
+        <translation>拖动以绘制；轻点留下一个点。Shift+拖动：大小和不透明度。Ctrl：拾取画面的颜色；再加 Shift：拾取笔画本身的颜色。</translation>
     </message>
     <message>
         <source>What to paint with; the Brushes dock has pictures</source>
-        <translation type="unfinished"></translation>
+        <translation>作画所用的画笔；“画笔”面板中有示例图</translation>
     </message>
     <message>
         <source>Brush</source>
-        <translation type="unfinished"></translation>
+        <translation>画笔</translation>
     </message>
     <message>
         <source>Size</source>
-        <translation type="unfinished">大小</translation>
+        <translation>大小</translation>
     </message>
     <message>
         <source>How far the paint spreads, in units ([ and ] change it)</source>
-        <translation type="unfinished"></translation>
+        <translation>颜料扩散的距离（单位）（[ 和 ] 可更改）</translation>
     </message>
     <message>
         <source>Flow</source>
-        <translation type="unfinished">流量</translation>
+        <translation>流量</translation>
     </message>
     <message>
         <source>Density in the middle of the stroke at full pressure</source>
-        <translation type="unfinished"></translation>
+        <translation>全压感时笔画中央的密度</translation>
     </message>
     <message>
         <source>Opacity</source>
-        <translation type="unfinished">不透明度</translation>
+        <translation>不透明度</translation>
     </message>
     <message>
         <source>How much the paint covers ({ and } change it)</source>
-        <translation type="unfinished"></translation>
+        <translation>颜料的覆盖程度（{ 和 } 可更改）</translation>
     </message>
     <message>
         <source>Smoothing</source>
-        <translation type="unfinished"></translation>
+        <translation>平滑</translation>
     </message>
     <message>
         <source>Off</source>
-        <translation type="unfinished"></translation>
+        <translation>关</translation>
     </message>
     <message>
         <source>Weighted</source>
-        <translation type="unfinished"></translation>
+        <translation>加权</translation>
     </message>
     <message>
         <source>Pulled string</source>
-        <translation type="unfinished"></translation>
+        <translation>拉绳</translation>
     </message>
     <message>
         <source>Steadies the hand: the stroke follows the pen softly, or is pulled on a string</source>
-        <translation type="unfinished"></translation>
+        <translation>稳定手部抖动：笔画柔和地跟随笔，或像被绳子牵引</translation>
     </message>
     <message>
         <source>Amount of smoothing</source>
-        <translation type="unfinished"></translation>
+        <translation>平滑程度</translation>
     </message>
     <message>
         <source>How strongly it lags behind, or how long the string is</source>
-        <translation type="unfinished"></translation>
+        <translation>滞后的强度，或绳子的长度</translation>
     </message>
     <message>
         <source>Own brush</source>
-        <translation type="unfinished"></translation>
+        <translation>自定义画笔</translation>
     </message>
     <message>
         <source>Size %1 u</source>
-        <translation type="unfinished"></translation>
+        <translation>大小 %1 单位</translation>
     </message>
     <message>
         <source>Opacity %1 %</source>
-        <translation type="unfinished"></translation>
+        <translation>不透明度 %1 %</translation>
     </message>
 </context>
 <context>
@@ -2947,11 +2947,11 @@ Exit codes: 0 done, 1 the work failed, 2 wrong usage.</source>
     </message>
     <message>
         <source>Custom</source>
-        <translation type="unfinished">自定义</translation>
+        <translation>自定义</translation>
     </message>
     <message>
         <source>Size of the coarsest grain or of a thread in units, or units per pixel of the image.</source>
-        <translation type="unfinished"></translation>
+        <translation>最粗颗粒或织线的大小（单位），或图像每像素对应的单位数。</translation>
     </message>
 </context>
 <context>
@@ -3009,15 +3009,15 @@ Exit codes: 0 done, 1 the work failed, 2 wrong usage.</source>
     </message>
     <message>
         <source>Recent colours</source>
-        <translation type="unfinished"></translation>
+        <translation>最近颜色</translation>
     </message>
     <message>
         <source>Colours painted with before. Click: take it.</source>
-        <translation type="unfinished"></translation>
+        <translation>先前用过的颜色。点击选用。</translation>
     </message>
     <message>
         <source>Colours painted with come here.</source>
-        <translation type="unfinished"></translation>
+        <translation>用过的颜色会显示在此处。</translation>
     </message>
 </context>
 <context>
@@ -3348,19 +3348,19 @@ Arrow keys work too.</source>
     </message>
     <message>
         <source>Spread along</source>
-        <translation type="unfinished"></translation>
+        <translation>纵向扩散</translation>
     </message>
     <message>
         <source>How far the paint has spread across the curve once it is dry: √(4·D·t_max).</source>
-        <translation type="unfinished"></translation>
+        <translation>颜料干透时垂直于曲线扩散的距离：√(4·D·t_max)。</translation>
     </message>
     <message>
         <source>How far it has spread along the curve.</source>
-        <translation type="unfinished"></translation>
+        <translation>沿曲线扩散的距离。</translation>
     </message>
     <message>
         <source>Spread across</source>
-        <translation type="unfinished"></translation>
+        <translation>横向扩散</translation>
     </message>
 </context>
 <context>
@@ -3819,51 +3819,51 @@ Arrow keys work too.</source>
     </message>
     <message>
         <source>%1 is not a version that this program reads; it reads 1</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 不是此程序可读取的版本；可读取的是 1</translation>
     </message>
     <message>
         <source>another curve is of the same quantity and input; keep one of them</source>
-        <translation type="unfinished"></translation>
+        <translation>另一条曲线有相同的参数和输入；请只保留一条</translation>
     </message>
     <message>
         <source>needs 2 to 16 points [x, y] in [0, 1], from left to right</source>
-        <translation type="unfinished"></translation>
+        <translation>需要 2 到 16 个位于 [0, 1] 内的点 [x, y]，从左到右</translation>
     </message>
     <message>
         <source>could not be opened: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>无法打开：%1</translation>
     </message>
     <message>
         <source>has more than 1 MB; it is not a brush</source>
-        <translation type="unfinished"></translation>
+        <translation>超过 1 MB，不是画笔</translation>
     </message>
     <message>
         <source>a colour has three numbers: red, green, blue</source>
-        <translation type="unfinished"></translation>
+        <translation>一种颜色有三个数字：红、绿、蓝</translation>
     </message>
     <message>
         <source>“%1” is not a number from 0 to 255</source>
-        <translation type="unfinished"></translation>
+        <translation>“%1”不是 0 到 255 的数字</translation>
     </message>
     <message>
         <source>is larger than 1 MiB; a palette is not</source>
-        <translation type="unfinished"></translation>
+        <translation>大于 1 MiB，不会是调色板</translation>
     </message>
     <message>
         <source>line %1: %2</source>
-        <translation type="unfinished"></translation>
+        <translation>第 %1 行：%2</translation>
     </message>
     <message>
         <source>“GIMP Palette” is missing: this is no GIMP palette</source>
-        <translation type="unfinished"></translation>
+        <translation>缺少“GIMP Palette”：这不是 GIMP 调色板</translation>
     </message>
     <message>
         <source>there are more than %1 colours</source>
-        <translation type="unfinished"></translation>
+        <translation>颜色超过 %1 种</translation>
     </message>
     <message>
         <source>has no settings; it is not a brush</source>
-        <translation type="unfinished"></translation>
+        <translation>没有设置，不是画笔</translation>
     </message>
 </context>
 <context>
@@ -4069,91 +4069,91 @@ Arrow keys work too.</source>
     </message>
     <message>
         <source>Timeline</source>
-        <translation type="unfinished"></translation>
+        <translation>时间轴</translation>
     </message>
     <message>
         <source>You paint in the past: what came later covers it. </source>
         <extracomment>before what the brush does, while the timeline shows a moment of the past</extracomment>
-        <translation type="unfinished"></translation>
+        <translation>您正在过去的时刻作画：之后的内容会将其覆盖。 </translation>
     </message>
     <message>
         <source>Nothing is wet at this moment.</source>
-        <translation type="unfinished"></translation>
+        <translation>此刻没有未干的颜料。</translation>
     </message>
     <message>
         <source>Freeze wet paint</source>
-        <translation type="unfinished"></translation>
+        <translation>冻结未干颜料</translation>
     </message>
     <message>
         <source>Remove re-wetting</source>
-        <translation type="unfinished"></translation>
+        <translation>移除再次润湿</translation>
     </message>
     <message>
         <source>Drawing pace</source>
-        <translation type="unfinished"></translation>
+        <translation>绘制节奏</translation>
     </message>
     <message>
         <source>Re-wet</source>
-        <translation type="unfinished"></translation>
+        <translation>再次润湿</translation>
     </message>
     <message>
         <source>Seconds that the paint spreads on</source>
-        <translation type="unfinished"></translation>
+        <translation>颜料继续扩散的秒数</translation>
     </message>
     <message>
         <source>Nothing that is selected is painted yet at this moment.</source>
-        <translation type="unfinished"></translation>
+        <translation>此刻所选内容尚未绘制。</translation>
     </message>
     <message>
         <source>&amp;Pause</source>
-        <translation type="unfinished"></translation>
+        <translation>暂停(&amp;P)</translation>
     </message>
     <message>
         <source>&amp;Play</source>
-        <translation type="unfinished"></translation>
+        <translation>播放(&amp;P)</translation>
     </message>
 </context>
 <context>
     <name>suffuse::MixingSection</name>
     <message>
         <source>Mixing</source>
-        <translation type="unfinished">混合</translation>
+        <translation>混色</translation>
     </message>
     <message>
         <source>Paint colours over each other here. Shift+drag rubs, Ctrl+click picks.</source>
-        <translation type="unfinished"></translation>
+        <translation>在此叠涂颜色。Shift+拖动：涂抹；Ctrl+点击：取色。</translation>
     </message>
     <message>
         <source>Paint</source>
-        <translation type="unfinished"></translation>
+        <translation>绘制</translation>
     </message>
     <message>
         <source>Paints with the current colour.</source>
-        <translation type="unfinished"></translation>
+        <translation>用当前颜色绘制。</translation>
     </message>
     <message>
         <source>Rub</source>
-        <translation type="unfinished"></translation>
+        <translation>涂抹</translation>
     </message>
     <message>
         <source>Carries the paint under the pointer along.</source>
-        <translation type="unfinished"></translation>
+        <translation>带动指针下的颜料。</translation>
     </message>
     <message>
         <source>Pick</source>
-        <translation type="unfinished"></translation>
+        <translation>取色</translation>
     </message>
     <message>
         <source>Makes the colour under the pointer the current one.</source>
-        <translation type="unfinished"></translation>
+        <translation>将指针下的颜色设为当前颜色。</translation>
     </message>
     <message>
         <source>Clear</source>
-        <translation type="unfinished"></translation>
+        <translation>清空</translation>
     </message>
     <message>
         <source>Takes a clean sheet.</source>
-        <translation type="unfinished"></translation>
+        <translation>换一张空白纸。</translation>
     </message>
 </context>
 <context>
@@ -4320,70 +4320,70 @@ Arrow keys work too.</source>
     <name>suffuse::PenPad</name>
     <message>
         <source>Try your pen here.</source>
-        <translation type="unfinished"></translation>
+        <translation>在此试笔。</translation>
     </message>
 </context>
 <context>
     <name>suffuse::PenPage</name>
     <message>
         <source>Pressure</source>
-        <translation type="unfinished"></translation>
+        <translation>压感</translation>
     </message>
     <message>
         <source>Soft</source>
-        <translation type="unfinished"></translation>
+        <translation>偏软</translation>
     </message>
     <message>
         <source>Even</source>
-        <translation type="unfinished"></translation>
+        <translation>均衡</translation>
     </message>
     <message>
         <source>Firm</source>
-        <translation type="unfinished"></translation>
+        <translation>偏硬</translation>
     </message>
     <message>
         <source>Custom</source>
-        <translation type="unfinished">自定义</translation>
+        <translation>自定义</translation>
     </message>
     <message>
         <source>How hard the pen must be pressed, for all brushes.</source>
-        <translation type="unfinished"></translation>
+        <translation>下笔所需的力度，适用于所有画笔。</translation>
     </message>
     <message>
         <source>Clear</source>
-        <translation type="unfinished"></translation>
+        <translation>清空</translation>
     </message>
     <message>
         <source>Takes a clean sheet.</source>
-        <translation type="unfinished"></translation>
+        <translation>换一张空白纸。</translation>
     </message>
     <message>
         <source>pressure of the pen →</source>
-        <translation type="unfinished"></translation>
+        <translation>笔的压力 →</translation>
     </message>
     <message>
         <source>↑ paints with</source>
-        <translation type="unfinished"></translation>
+        <translation>↑ 作画压感</translation>
     </message>
     <message>
         <source>Pressure curve</source>
-        <translation type="unfinished"></translation>
+        <translation>压感曲线</translation>
     </message>
     <message>
         <source>Drag the points; click for another; drag one out to take it away.</source>
-        <translation type="unfinished"></translation>
+        <translation>拖动控制点；点击添加；拖出则移除。</translation>
     </message>
     <message>
         <source>Paint here with the brush in use; the dot on the curve is the pen&apos;s pressure.</source>
-        <translation type="unfinished"></translation>
+        <translation>用当前画笔在此作画；曲线上的圆点为笔的压力。</translation>
     </message>
     <message>
         <source>Only the pen and the mouse paint; fingers move the view</source>
-        <translation type="unfinished"></translation>
+        <translation>仅用笔和鼠标作画；手指移动视图</translation>
     </message>
     <message>
         <source>One finger moves the canvas, two zoom and turn it. Otherwise one finger paints.</source>
-        <translation type="unfinished"></translation>
+        <translation>单指移动画布，双指缩放和旋转。否则单指用于作画。</translation>
     </message>
 </context>
 <context>
@@ -4735,11 +4735,11 @@ Arrow keys work too.</source>
     </message>
     <message>
         <source>General</source>
-        <translation type="unfinished"></translation>
+        <translation>常规</translation>
     </message>
     <message>
         <source>Pen</source>
-        <translation type="unfinished"></translation>
+        <translation>压感笔</translation>
     </message>
 </context>
 <context>
@@ -5196,272 +5196,272 @@ Arrow keys work too.</source>
     <name>suffuse::SwatchGrid</name>
     <message>
         <source>Add swatch</source>
-        <translation type="unfinished"></translation>
+        <translation>添加色板</translation>
     </message>
     <message>
         <source>Move swatch</source>
-        <translation type="unfinished"></translation>
+        <translation>移动色板</translation>
     </message>
     <message>
         <source>Rename swatch</source>
-        <translation type="unfinished"></translation>
+        <translation>重命名色板</translation>
     </message>
     <message>
         <source>Remove swatch</source>
-        <translation type="unfinished"></translation>
+        <translation>移除色板</translation>
     </message>
     <message>
         <source>Rename…</source>
-        <translation type="unfinished"></translation>
+        <translation>重命名…</translation>
     </message>
     <message>
         <source>Remove</source>
-        <translation type="unfinished"></translation>
+        <translation>移除</translation>
     </message>
     <message>
         <source>Name</source>
-        <translation type="unfinished">名称</translation>
+        <translation>名称</translation>
     </message>
 </context>
 <context>
     <name>suffuse::SwatchesSection</name>
     <message>
         <source>Swatches</source>
-        <translation type="unfinished"></translation>
+        <translation>色板</translation>
     </message>
     <message>
         <source>Add swatch</source>
-        <translation type="unfinished"></translation>
+        <translation>添加色板</translation>
     </message>
     <message>
         <source>Keeps the current colour with the painting.</source>
-        <translation type="unfinished"></translation>
+        <translation>将当前颜色随画作保存。</translation>
     </message>
     <message>
         <source>Palettes</source>
-        <translation type="unfinished"></translation>
+        <translation>调色板</translation>
     </message>
     <message>
         <source>GIMP palettes in and out</source>
-        <translation type="unfinished"></translation>
+        <translation>导入和导出 GIMP 调色板</translation>
     </message>
     <message>
         <source>Colours kept with the painting. Click: take it. Drag to move; Delete removes.</source>
-        <translation type="unfinished"></translation>
+        <translation>随画作保存的颜色。点击选用。拖动以移动；Delete 键移除。</translation>
     </message>
     <message>
         <source>None yet: + keeps the current colour.</source>
-        <translation type="unfinished"></translation>
+        <translation>尚无色板：+ 保存当前颜色。</translation>
     </message>
     <message>
         <source>GIMP palettes</source>
-        <translation type="unfinished"></translation>
+        <translation>GIMP 调色板</translation>
     </message>
     <message>
         <source>Import palette…</source>
-        <translation type="unfinished"></translation>
+        <translation>导入调色板…</translation>
     </message>
     <message>
         <source>Import palette</source>
-        <translation type="unfinished"></translation>
+        <translation>导入调色板</translation>
     </message>
     <message>
         <source>Export palette…</source>
-        <translation type="unfinished"></translation>
+        <translation>导出调色板…</translation>
     </message>
     <message>
         <source>Export palette</source>
-        <translation type="unfinished"></translation>
+        <translation>导出调色板</translation>
     </message>
     <message>
         <source>Remove all</source>
-        <translation type="unfinished"></translation>
+        <translation>全部移除</translation>
     </message>
     <message>
         <source>Remove all swatches</source>
-        <translation type="unfinished"></translation>
+        <translation>移除所有色板</translation>
     </message>
     <message>
         <source>%1 cannot be read: %2.</source>
-        <translation type="unfinished">无法读取 %1：%2。</translation>
+        <translation>无法读取 %1：%2。</translation>
     </message>
 </context>
 <context>
     <name>suffuse::TimelapseDialog</name>
     <message>
         <source>Export timelapse</source>
-        <translation type="unfinished"></translation>
+        <translation>导出缩时视频</translation>
     </message>
     <message>
         <source>Progress</source>
-        <translation type="unfinished">进度</translation>
+        <translation>进度</translation>
     </message>
     <message>
         <source>Export</source>
-        <translation type="unfinished">导出</translation>
+        <translation>导出</translation>
     </message>
     <message>
         <source>painting</source>
-        <translation type="unfinished">画作</translation>
+        <translation>画作</translation>
     </message>
     <message>
         <source>File</source>
-        <translation type="unfinished">文件</translation>
+        <translation>文件</translation>
     </message>
     <message>
         <source>The ending chooses the format: webm or mp4 is a video, webp an animation, and png, tiff, exr, jpg or pfm numbered pictures, such as frame%04d.png.</source>
-        <translation type="unfinished"></translation>
+        <translation>扩展名决定格式：webm 或 mp4 为视频，webp 为动画，png、tiff、exr、jpg 或 pfm 为带编号的图片，例如 frame%04d.png。</translation>
     </message>
     <message>
         <source>Browse…</source>
-        <translation type="unfinished">浏览…</translation>
+        <translation>浏览…</translation>
     </message>
     <message>
         <source>Choose a folder and a name</source>
-        <translation type="unfinished">选择文件夹和文件名</translation>
+        <translation>选择文件夹和文件名</translation>
     </message>
     <message>
         <source>Area</source>
-        <translation type="unfinished"></translation>
+        <translation>区域</translation>
     </message>
     <message>
         <source>Whole canvas</source>
-        <translation type="unfinished"></translation>
+        <translation>整个画布</translation>
     </message>
     <message>
         <source>What the window shows</source>
-        <translation type="unfinished"></translation>
+        <translation>窗口所示部分</translation>
     </message>
     <message>
         <source>Selected strokes</source>
-        <translation type="unfinished"></translation>
+        <translation>所选笔画</translation>
     </message>
     <message>
         <source>Which part of the canvas is filmed</source>
-        <translation type="unfinished"></translation>
+        <translation>录制画布的哪一部分</translation>
     </message>
     <message>
         <source>Frame rate</source>
-        <translation type="unfinished"></translation>
+        <translation>帧率</translation>
     </message>
     <message>
         <source> frames/s</source>
-        <translation type="unfinished"></translation>
+        <translation> 帧/秒</translation>
     </message>
     <message>
         <source>How many pictures a second the film has</source>
-        <translation type="unfinished"></translation>
+        <translation>影片每秒的图片数</translation>
     </message>
     <message>
         <source>Length</source>
-        <translation type="unfinished"></translation>
+        <translation>时长</translation>
     </message>
     <message>
         <source> s</source>
-        <translation type="unfinished"></translation>
+        <translation> 秒</translation>
     </message>
     <message>
         <source>How long the film is; the painting&apos;s time is stretched over it.</source>
-        <translation type="unfinished"></translation>
+        <translation>影片的时长；画作的时间会伸缩到此长度。</translation>
     </message>
     <message>
         <source>Keep of pauses</source>
-        <translation type="unfinished"></translation>
+        <translation>停顿保留</translation>
     </message>
     <message>
         <source>How much is kept of a pause in which nothing is painted or spreads, in the painting&apos;s time</source>
-        <translation type="unfinished"></translation>
+        <translation>没有绘制也没有扩散的停顿保留多少，以画作的时间计</translation>
     </message>
     <message>
         <source>Quality</source>
-        <translation type="unfinished">质量</translation>
+        <translation>质量</translation>
     </message>
     <message>
         <source>Of JPEG and WebP; 100 is the best. WebP loses nothing then.</source>
-        <translation type="unfinished">用于 JPEG 和 WebP；100 为最佳，此时 WebP 无损。</translation>
+        <translation>用于 JPEG 和 WebP；100 为最佳，此时 WebP 无损。</translation>
     </message>
     <message>
         <source>Transparent background</source>
-        <translation type="unfinished">透明背景</translation>
+        <translation>透明背景</translation>
     </message>
     <message>
         <source>Leaves the background out and stores how much the paint covers.</source>
-        <translation type="unfinished">去掉背景，并保存颜料的覆盖程度。</translation>
+        <translation>去掉背景，并保存颜料的覆盖程度。</translation>
     </message>
     <message>
         <source>Play again and again</source>
-        <translation type="unfinished"></translation>
+        <translation>循环播放</translation>
     </message>
     <message>
         <source>Animated WebP: begins anew at its end. Players decide it for videos.</source>
-        <translation type="unfinished"></translation>
+        <translation>WebP 动画：播放到结尾后重新开始。视频是否循环由播放器决定。</translation>
     </message>
     <message>
         <source>Size</source>
-        <translation type="unfinished">大小</translation>
+        <translation>大小</translation>
     </message>
     <message>
         <source> px</source>
-        <translation type="unfinished"> 像素</translation>
+        <translation> 像素</translation>
     </message>
     <message>
         <source>Width in pixels</source>
-        <translation type="unfinished">宽度（像素）</translation>
+        <translation>宽度（像素）</translation>
     </message>
     <message>
         <source>Width in pixels; the height follows.</source>
-        <translation type="unfinished">宽度（像素）；高度随之变化。</translation>
+        <translation>宽度（像素）；高度随之变化。</translation>
     </message>
     <message>
         <source>Height in pixels</source>
-        <translation type="unfinished">高度（像素）</translation>
+        <translation>高度（像素）</translation>
     </message>
     <message>
         <source>Height in pixels; the width follows.</source>
-        <translation type="unfinished">高度（像素）；宽度随之变化。</translation>
+        <translation>高度（像素）；宽度随之变化。</translation>
     </message>
     <message>
         <source>Films</source>
-        <translation type="unfinished"></translation>
+        <translation>影片</translation>
     </message>
     <message>
         <source>Numbered pictures</source>
-        <translation type="unfinished"></translation>
+        <translation>带编号的图片</translation>
     </message>
     <message>
         <source>%1 frames</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 帧</translation>
     </message>
     <message>
         <source>%1: %2</source>
-        <translation type="unfinished">%1, %2 {1:?}</translation>
+        <translation>%1：%2</translation>
     </message>
     <message>
         <source>A film of %1 frames is too long. Choose a lower rate or a shorter length.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 帧的影片太长。请选择较低的帧率或较短的时长。</translation>
     </message>
     <message>
         <source>%1 exists. Replace it?</source>
-        <translation type="unfinished">%1 已存在。要替换吗？</translation>
+        <translation>%1 已存在。要替换吗？</translation>
     </message>
     <message>
         <source>Frame %1 of %2</source>
-        <translation type="unfinished"></translation>
+        <translation>第 %1 帧，共 %2 帧</translation>
     </message>
     <message>
         <source>Writing the film…</source>
-        <translation type="unfinished"></translation>
+        <translation>正在写入影片…</translation>
     </message>
     <message numerus="yes">
         <source>%1; %n second(s) left</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>%1；剩余 %n 秒</numerusform>
         </translation>
     </message>
     <message numerus="yes">
         <source>%1; %n minute(s) left</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>%1；剩余 %n 分钟</numerusform>
         </translation>
     </message>
 </context>
@@ -5469,54 +5469,54 @@ Arrow keys work too.</source>
     <name>suffuse::TimelinePanel</name>
     <message>
         <source>The moment that is shown, and the end, when all has dried</source>
-        <translation type="unfinished"></translation>
+        <translation>当前所示的时刻，以及全部干透的结尾</translation>
     </message>
     <message>
         <source>Speed</source>
-        <translation type="unfinished"></translation>
+        <translation>速度</translation>
     </message>
     <message>
         <source>How fast the painting is played: 0.1 to 1000 times as fast as it was painted</source>
-        <translation type="unfinished"></translation>
+        <translation>播放作画过程的速度：实际作画速度的 0.1 到 1000 倍</translation>
     </message>
     <message>
         <source>Show all of the time (0). Ctrl+wheel zooms.</source>
-        <translation type="unfinished"></translation>
+        <translation>显示全部时间 (0)。Ctrl+滚轮缩放。</translation>
     </message>
     <message>
         <source>Show all of the time</source>
-        <translation type="unfinished"></translation>
+        <translation>显示全部时间</translation>
     </message>
 </context>
 <context>
     <name>suffuse::TimelineView</name>
     <message>
         <source>Timeline</source>
-        <translation type="unfinished"></translation>
+        <translation>时间轴</translation>
     </message>
     <message>
         <source>Later by %1 s</source>
-        <translation type="unfinished"></translation>
+        <translation>移动 %1 秒</translation>
     </message>
     <message>
         <source>Drawn in %1 s</source>
-        <translation type="unfinished"></translation>
+        <translation>绘制用时 %1 秒</translation>
     </message>
     <message>
         <source>Move in time</source>
-        <translation type="unfinished"></translation>
+        <translation>在时间上移动</translation>
     </message>
     <message>
         <source>Stretch in time</source>
-        <translation type="unfinished"></translation>
+        <translation>在时间上伸缩</translation>
     </message>
     <message>
         <source>%1 s</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 秒</translation>
     </message>
     <message>
         <source>Each stroke is a bar here: from when it is painted until it is dry.</source>
-        <translation type="unfinished"></translation>
+        <translation>此处每条笔画为一个横条：从绘制开始到干透为止。</translation>
     </message>
 </context>
 <context>

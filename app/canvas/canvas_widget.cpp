@@ -69,9 +69,9 @@ void CanvasWidget::follow(const Change &change)
             m_tool->cancel();
         fit();
     }
-    if (change.selection || change.canvas || change.reset)
+    if (change.canvas || change.reset)
         updateOverlay();
-    else if (!m_editor.document().selection().isEmpty())
+    else if (change.selection || !m_editor.document().selection().isEmpty())
         updateSelection();
     if (!change.strokes.empty() || change.order || change.canvas || change.draft || change.reset)
         scheduleRender(); // a selection is in no picture

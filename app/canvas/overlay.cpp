@@ -83,6 +83,42 @@ void strokeTwoTone(QPainter &painter, const QPainterPath &path, const QColor &co
     painter.drawPath(path);
 }
 
+namespace {
+
+constexpr int shadowRings = 5;
+const QColor shadow(0, 0, 0, 11); // of a ring; the narrower ones lie over the wider
+
+/// Around an upright sheet there are rectangles only, which cost a tenth of paths.
+void paintUprightPasteboard(QPainter &painter, const QRect &window, const QRectF &sheet, const OverlayColours &colours,
+                            double dpr)
+{
+    const auto fill = [&](const QRegion &region, const QColor &colour) {
+        for (const QRect &rect : region)
+            painter.fillRect(rect, colour);
+    };
+    const QRect inside(QPoint(int(std::lround(sheet.left())), int(std::lround(sheet.top()))),
+                       QPoint(int(std::lround(sheet.right())) - 1, int(std::lround(sheet.bottom())) - 1));
+    const QRegion outside = QRegion(window) - inside;
+    fill(outside, colours.pasteboard);
+    for (int ring = shadowRings; ring >= 1; --ring) {
+        const int r = int(std::lround(ring * dpr));
+        const QRect wide = inside.translated(0, int(std::lround(dpr))).adjusted(-r, -r, r, r);
+        fill(outside & wide, shadow);
+    }
+}
+
+bool isUpright(const QPolygonF &polygon)
+{
+    bool upright = polygon.size() == 4;
+    for (int i = 0; upright && i < 4; ++i) {
+        const QPointF side = polygon[(i + 1) % 4] - polygon[i];
+        upright = std::min(std::abs(side.x()), std::abs(side.y())) < 1e-6;
+    }
+    return upright;
+}
+
+} // namespace
+
 void paintPasteboard(QPainter &painter, const View &view, const Rect &canvas, const OverlayColours &colours, double dpr)
 {
     constexpr double fade = 12; // logical pixels, border and shadow
@@ -95,9 +131,17 @@ void paintPasteboard(QPainter &painter, const View &view, const Rect &canvas, co
         if (deep.contains(painter.clipBoundingRect().adjusted(-f, -f, f, f)))
             return;
     }
+    const QRectF windowRect(QPointF(window.left, window.top), QPointF(window.right, window.bottom));
+    if (isUpright(inside)) {
+        paintUprightPasteboard(painter, windowRect.toAlignedRect(), inside.boundingRect(), colours, dpr);
+        painter.setBrush(Qt::NoBrush);
+        painter.setPen(QPen(colours.border, dpr));
+        painter.drawRect(inside.boundingRect());
+        return;
+    }
     QPainterPath outside;
     outside.setFillRule(Qt::OddEvenFill);
-    outside.addRect(QRectF(QPointF(window.left, window.top), QPointF(window.right, window.bottom)));
+    outside.addRect(windowRect);
     QPainterPath sheet;
     if (inside.size() > 2) {
         sheet.addPolygon(inside);
@@ -111,8 +155,8 @@ void paintPasteboard(QPainter &painter, const View &view, const Rect &canvas, co
     painter.save();
     painter.setClipPath(outside, Qt::IntersectClip);
     painter.setBrush(Qt::NoBrush);
-    for (int ring = 5; ring >= 1; --ring) { // a shadow that fades within a few pixels
-        painter.setPen(QPen(QColor(0, 0, 0, 11), 2 * ring * dpr));
+    for (int ring = shadowRings; ring >= 1; --ring) { // it fades within a few pixels
+        painter.setPen(QPen(shadow, 2 * ring * dpr));
         painter.drawPath(sheet.translated(0, dpr));
     }
     painter.restore();

@@ -11,7 +11,9 @@ using namespace std::chrono_literals;
 
 /// A picture of the same view that takes longer than this gives way to a newer one, but never twice in a row.
 constexpr auto longRender = 500ms;
-/// While the view moves, an older picture may finish if none came for this long…
+/// While the view moves, an older picture may finish if it is this quick…
+constexpr auto quickRender = 100ms;
+/// …or if none came for this long…
 constexpr auto starving = 250ms;
 /// …and it has not been running for this long.
 constexpr auto patience = 400ms;
@@ -73,7 +75,7 @@ void RenderWorker::cancelIfUseless(const View &wanted)
     const auto now = Clock::now();
     const auto running = now - m_started;
     const bool moved = *m_runningView != wanted;
-    if (moved ? now - m_lastShown < starving || running > patience : running > longRender && !m_cancelledLast)
+    if (moved ? running > quickRender && (now - m_lastShown < starving || running > patience) : running > longRender && !m_cancelledLast)
         m_cancel = true;
 }
 

@@ -12,7 +12,7 @@ namespace suffuse {
 
 namespace {
 
-constexpr int mostPieces = 4096;
+constexpr int deepestHalving = 12;
 
 /// M of e^(−dᵀMd), the inverse of 4t times the diffusion tensor, and √det M.
 struct Kernel {
@@ -45,6 +45,26 @@ double integral(const Cubic &cubic, const Kernel &kernel, Point point, double fr
         }
     return sum * half;
 }
+
+/// One segment's integral at one point: halves the curve down to pieces of a spread, and leaves out those out of reach.
+struct CurveIntegral {
+    const Cubic &cubic;
+    const Kernel &kernel;
+    Point point;
+    double speed; ///< |c′| is nowhere more
+    double piece; ///< length
+    double reach;
+
+    double over(double from, double to, int halvings = 0) const
+    {
+        const double longest = speed * (to - from), middle = 0.5 * (from + to);
+        if (length(cubic.at(middle) - point) > reach + 0.5 * longest)
+            return 0;
+        if (longest <= piece || halvings == deepestHalving)
+            return integral(cubic, kernel, point, from, to);
+        return over(from, middle, halvings + 1) + over(middle, to, halvings + 1);
+    }
+};
 
 /// Means over the segments at a point, as the solver takes them.
 class Means {
@@ -107,12 +127,9 @@ double segmentDensityAt(const Stroke &stroke, const Segment &segment, Microsecon
     const double reach = reachInSpreads * kernel.largerSpread;
     if (!cubic.controlBox().grown(reach).contains(at))
         return 0;
-    const double polygon =
-        length(cubic.p[1] - cubic.p[0]) + length(cubic.p[2] - cubic.p[1]) + length(cubic.p[3] - cubic.p[2]);
-    const int pieces = int(std::clamp(std::ceil(polygon / std::min(s, kernel.largerSpread)), 1.0, double(mostPieces)));
-    double sum = 0;
-    for (int i = 0; i < pieces; ++i)
-        sum += integral(cubic, kernel, at, double(i) / pieces, double(i + 1) / pieces);
+    const double speed = 3 * std::max({length(cubic.p[1] - cubic.p[0]), length(cubic.p[2] - cubic.p[1]),
+                                       length(cubic.p[3] - cubic.p[2])});
+    const double sum = CurveIntegral{cubic, kernel, at, speed, s, reach}.over(0, 1);
     return double(segment.density) * kernel.rootOfDet / std::numbers::pi * sum;
 }
 

@@ -17,6 +17,8 @@ namespace suffuse {
 
 namespace {
 
+constexpr int laterMs = 40;
+
 /// "3.2 – 5.6" or "3.2"
 QString rangeText(double low, double high, const QString &unit)
 {
@@ -46,11 +48,14 @@ FiguresSection::FiguresSection(Editor &editor, QWidget *parent) : QWidget(parent
     m_warnings->setMargin(0);
     m_warnings->setAccessibleName(tr("Warnings"));
     column->addWidget(m_warnings);
-    // While paint spreads, the cut does.
-    connect(&editor, &Editor::timeChanged, this, [this] {
+    m_later.setSingleShot(true);
+    m_later.setInterval(laterMs);
+    connect(&m_later, &QTimer::timeout, this, [this] {
         if (isVisible())
             refreshCut(inspect(m_editor.document()));
     });
+    // While paint spreads, the cut does.
+    connect(&editor, &Editor::timeChanged, this, &FiguresSection::refreshCutSoon);
 }
 
 void FiguresSection::addFigures(QVBoxLayout &column)
@@ -84,8 +89,20 @@ void FiguresSection::refresh(const Inspected &inspected)
     if (inspected.isEmpty())
         return;
     refreshFigures(inspected);
-    refreshCut(inspected);
+    refreshCutSoon();
     m_warnings->showHint(figureWarnings(inspected).join('\n'));
+}
+
+void FiguresSection::showEvent(QShowEvent *event)
+{
+    QWidget::showEvent(event);
+    refreshCutSoon();
+}
+
+void FiguresSection::refreshCutSoon()
+{
+    if (!m_later.isActive())
+        m_later.start();
 }
 
 void FiguresSection::refreshCut(const Inspected &inspected)

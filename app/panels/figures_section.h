@@ -2,6 +2,7 @@
 
 #include "app/panels/inspected.h"
 
+#include <QTimer>
 #include <QWidget>
 
 #include <array>
@@ -32,12 +33,17 @@ public:
     /// Spread, spread along, peak, half-width, fades. The second is there where spread is uneven.
     QLabel *figure(int index) const { return m_figures[std::size_t(index)]; }
 
+protected:
+    void showEvent(QShowEvent *event) override;
+
 private:
     void addFigures(QVBoxLayout &column);
     void refreshFigures(const Inspected &inspected);
+    void refreshCutSoon();
     void refreshCut(const Inspected &inspected);
 
     Editor &m_editor;
+    QTimer m_later; ///< the cut costs more than the rest: the picture goes first
     DensityPlot *m_plot = nullptr;
     CrossSectionPlot *m_cut = nullptr;
     HintLabel *m_warnings = nullptr;

@@ -22,11 +22,21 @@ TimelineBar barOf(const Stroke &stroke)
     return bar;
 }
 
-void TimelineBars::setPainting(const PaintingPtr &painting)
+namespace {
+
+bool sameBirths(const Stroke &a, const Stroke &b)
+{
+    return std::ranges::equal(a.segments, b.segments, {}, &Segment::born, &Segment::born);
+}
+
+} // namespace
+
+bool TimelineBars::setPainting(const PaintingPtr &painting)
 {
     if (painting == m_painting)
-        return;
-    if (!update(*painting)) {
+        return false;
+    const std::optional<bool> updated = update(*painting);
+    if (!updated) {
         m_bars.clear();
         m_bars.reserve(painting->strokes.size());
         for (const StrokePtr &stroke : painting->strokes)
@@ -34,24 +44,30 @@ void TimelineBars::setPainting(const PaintingPtr &painting)
         layOut();
     }
     m_painting = painting;
+    return updated.value_or(true);
 }
 
-/// True if the bars could be brought up to date without another pass over all.
-bool TimelineBars::update(const Painting &painting)
+/// Whether anything looks different; nothing if that takes another pass over all.
+std::optional<bool> TimelineBars::update(const Painting &painting)
 {
     if (painting.strokes.size() != m_painting->strokes.size())
-        return false;
-    bool same = true, moved = false;
+        return {};
+    bool same = true, moved = false, differs = painting.groups != m_painting->groups;
     m_painting->strokes.forEachDifference(painting.strokes, [&](std::size_t i) {
         TimelineBar bar = barOf(*painting.strokes[i]);
         same = same && bar.stroke == m_bars[i].stroke;
         bar.lane = m_bars[i].lane;
         moved = moved || bar.begin != m_bars[i].begin || bar.end != m_bars[i].end;
+        const Stroke &before = *m_painting->strokes[i], &now = *painting.strokes[i];
+        differs = differs || bar != m_bars[i] || before.visible != now.visible || before.group != now.group ||
+                  !sameBirths(before, now);
         m_bars[i] = bar;
     });
-    if (moved && same)
+    if (!same)
+        return {};
+    if (moved)
         layOut();
-    return same;
+    return differs;
 }
 
 void TimelineBars::layOut()

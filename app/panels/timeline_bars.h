@@ -2,6 +2,7 @@
 
 #include "model/timelapse.h"
 
+#include <optional>
 #include <vector>
 
 namespace suffuse {
@@ -23,8 +24,8 @@ TimelineBar barOf(const Stroke &stroke);
 /// All strokes of a painting in time: bars in lanes, of which none overlaps another of its lane.
 class TimelineBars {
 public:
-    /// Costs little where few strokes changed, and none came or went.
-    void setPainting(const PaintingPtr &painting);
+    /// Costs little where few strokes changed, and none came or went. True if anything looks different now.
+    bool setPainting(const PaintingPtr &painting);
     const Painting &painting() const { return *m_painting; }
 
     int laneCount() const { return int(m_lanes.size()); }
@@ -52,7 +53,7 @@ public:
     }
 
 private:
-    bool update(const Painting &painting);
+    std::optional<bool> update(const Painting &painting);
     void layOut();
 
     PaintingPtr m_painting = std::make_shared<const Painting>();

@@ -20,6 +20,7 @@ namespace suffuse {
 
 namespace {
 
+constexpr int laterMs = 100; ///< the end is looked for now and then while edits follow each other fast
 constexpr std::array<double, 11> speeds{0.1, 0.25, 0.5, 1, 2, 4, 10, 25, 100, 250, 1000};
 
 QString speedText(double speed)
@@ -111,9 +112,12 @@ TimelinePanel::TimelinePanel(Editor &editor, Playback &playback, const Actions &
     connect(&editor, &Editor::timeChanged, this, &TimelinePanel::showTime);
     connect(&editor, &Editor::pastChanged, this, &TimelinePanel::showTime);
     connect(&editor.document(), &Document::changed, this, [this](const Change &change) {
-        if (!change.draft)
-            showTime();
+        if (!change.draft && !m_later.isActive())
+            m_later.start();
     });
+    m_later.setSingleShot(true);
+    m_later.setInterval(laterMs);
+    connect(&m_later, &QTimer::timeout, this, &TimelinePanel::showTime);
     showState();
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <QTimer>
 #include <QWidget>
 
 class QComboBox;
@@ -37,6 +38,7 @@ private:
     QComboBox *m_speed = nullptr;
     QLabel *m_time = nullptr;
     QLabel *m_what = nullptr;
+    QTimer m_later;
 };
 
 } // namespace suffuse

@@ -11,6 +11,7 @@
 #include <QWheelEvent>
 
 #include <cmath>
+#include <tuple>
 #include <utility>
 
 namespace suffuse {
@@ -21,6 +22,7 @@ constexpr double margin = 12;                ///< pixels at both ends when all i
 constexpr double finest = 20;                ///< microseconds a pixel
 constexpr double mostPixels = 1e9;           ///< of the whole length, so that scroll bars can count them
 constexpr Microseconds shortest = 1'000'000; ///< of what is shown of an empty painting
+constexpr int laterMs = 60;
 
 } // namespace
 
@@ -35,6 +37,9 @@ TimelineView::TimelineView(Editor &editor, Playback &playback, QWidget *parent)
     viewport()->setMouseTracking(true);
     viewport()->grabGesture(Qt::PinchGesture);
     setMinimumHeight(rulerHeight() + 40);
+    m_later.setSingleShot(true);
+    m_later.setInterval(laterMs);
+    connect(&m_later, &QTimer::timeout, this, &TimelineView::refresh);
     connect(&editor.document(), &Document::changed, this, [this](const Change &change) {
         documentChanged(!change.strokes.empty() || change.order || change.canvas, change.selection, change.reset);
     });
@@ -55,24 +60,40 @@ void TimelineView::documentChanged(bool painting, bool selection, bool reset)
         m_fitted = true;
     }
     m_stale = m_stale || painting || reset;
-    if (isVisible() && (painting || selection || reset))
+    m_looksStale = m_looksStale || selection || reset || m_before;
+    if (!isVisible() || !(painting || selection || reset))
+        return;
+    if (m_drag != Drag::None || reset)
+        refresh();
+    else if (!m_later.isActive())
+        m_later.start();
+}
+
+void TimelineView::catchUp()
+{
+    if (m_stale)
         refresh();
 }
 
 void TimelineView::refresh()
 {
+    const auto seen = [this] { return std::tuple(m_from, m_scale, verticalScrollBar()->value()); };
+    const auto before = seen();
+    bool differs = std::exchange(m_looksStale, false);
     // While bars are dragged the lanes stay: what is dragged is painted over them.
     if (m_stale && !m_before) {
-        m_bars.setPainting(m_editor.document().painting());
+        differs = m_bars.setPainting(m_editor.document().painting()) || differs;
         m_stale = false;
     }
     updateScrollBars();
-    viewport()->update();
+    if (differs || seen() != before)
+        viewport()->update();
 }
 
 void TimelineView::showEvent(QShowEvent *event)
 {
     QAbstractScrollArea::showEvent(event);
+    m_looksStale = true;
     refresh();
 }
 
@@ -128,6 +149,7 @@ void TimelineView::scrollContentsBy(int dx, int)
 void TimelineView::fit()
 {
     m_fitted = true;
+    m_looksStale = true;
     refresh();
 }
 
@@ -149,6 +171,7 @@ void TimelineView::zoomAt(double x, double factor)
     const Microseconds edge = Microseconds(margin * scale);
     const Microseconds last = span.end + edge - Microseconds(viewport()->width() * scale);
     m_from = std::max(span.begin - edge, std::min(fixed - Microseconds(std::llround(x * scale)), last));
+    m_looksStale = true;
     refresh();
 }
 

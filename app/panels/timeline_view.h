@@ -5,6 +5,7 @@
 #include "undo/edit_command.h"
 
 #include <QAbstractScrollArea>
+#include <QTimer>
 
 #include <optional>
 
@@ -29,7 +30,7 @@ public:
     double xOf(Microseconds time) const { return double(time - m_from) / m_scale; }
     Microseconds timeAt(double x) const { return m_from + Microseconds(std::llround(x * m_scale)); }
     /// Where a stroke's bar is in the viewport; its drawn part alone.
-    QRectF drawnRect(StrokeId stroke) const;
+    QRectF drawnRect(StrokeId stroke);
     int rulerHeight() const;
 
     QSize sizeHint() const override { return {640, 150}; }
@@ -62,6 +63,8 @@ private:
     };
 
     void refresh();
+    /// Brings the bars up to date now, where they wait for a pause.
+    void catchUp();
     void documentChanged(bool painting, bool selection, bool reset);
     void timeChanged();
     void updateScrollBars();
@@ -81,7 +84,7 @@ private:
     void selectBand();
 
     void paintRuler(QPainter &painter) const;
-    void paintLanes(QPainter &painter) const;
+    void paintLanes(QPainter &painter, const QRect &area) const;
     void paintBar(QPainter &painter, const TimelineBar &bar, const Stroke &stroke) const;
     void paintSelectedRuns(QPainter &painter, const Stroke &stroke, const QRectF &rect) const;
     void paintPlayhead(QPainter &painter) const;
@@ -90,6 +93,8 @@ private:
     Playback &m_playback;
     TimelineBars m_bars;
     bool m_stale = true;
+    bool m_looksStale = true; ///< the selection is another one, or what is dragged
+    QTimer m_later;           ///< edits that follow each other fast are followed now and then: frames go first
     bool m_fitted = true;
     bool m_scrolling = false; ///< the scroll bars are being set
     Microseconds m_from = 0;  ///< at the left edge

@@ -75,6 +75,7 @@ void TimelineView::mousePressEvent(QMouseEvent *event)
     }
     if (event->button() != Qt::LeftButton)
         return;
+    catchUp();
     m_hit = hitAt(m_pressed);
     m_selectionBefore = m_editor.document().selection();
     if (m_hit.part == Part::Ruler) {
@@ -237,6 +238,7 @@ void TimelineView::mouseReleaseEvent(QMouseEvent *event)
 
 void TimelineView::mouseDoubleClickEvent(QMouseEvent *event)
 {
+    catchUp();
     const Hit hit = hitAt(event->position());
     if (event->button() != Qt::LeftButton || hit.part == Part::None || hit.part == Part::Ruler)
         return mousePressEvent(event);

@@ -5,6 +5,7 @@
 #include "app/theme.h"
 
 #include <QLocale>
+#include <QPaintEvent>
 #include <QPainter>
 #include <QPainterPath>
 #include <QScrollBar>
@@ -57,8 +58,9 @@ double TimelineView::laneTop(int lane) const
     return rulerHeight() + 4 + lane * (laneHeight + laneGap) - verticalScrollBar()->value();
 }
 
-QRectF TimelineView::drawnRect(StrokeId id) const
+QRectF TimelineView::drawnRect(StrokeId id)
 {
+    catchUp();
     for (std::size_t i = 0; i < m_bars.size(); ++i)
         if (const TimelineBar &bar = m_bars[i]; bar.stroke == id)
             return {QPointF(xOf(bar.begin), laneTop(bar.lane)),
@@ -66,15 +68,15 @@ QRectF TimelineView::drawnRect(StrokeId id) const
     return {};
 }
 
-void TimelineView::paintEvent(QPaintEvent *)
+void TimelineView::paintEvent(QPaintEvent *event)
 {
     QPainter painter(viewport());
-    painter.fillRect(viewport()->rect(), palette().color(QPalette::Base));
+    painter.fillRect(event->rect(), palette().color(QPalette::Base));
     painter.setRenderHint(QPainter::Antialiasing);
     painter.save();
     painter.setClipRect(QRectF(0, rulerHeight(), viewport()->width(), viewport()->height() - rulerHeight()),
                         Qt::IntersectClip);
-    paintLanes(painter);
+    paintLanes(painter, event->rect());
     if (m_drag == Drag::Band && m_pressed != m_pointer) {
         QColor fill = palette().color(QPalette::Highlight);
         painter.setPen(fill);
@@ -110,13 +112,13 @@ void TimelineView::paintRuler(QPainter &painter) const
     }
 }
 
-void TimelineView::paintLanes(QPainter &painter) const
+void TimelineView::paintLanes(QPainter &painter, const QRect &area) const
 {
-    const TimeSpan span{timeAt(-2), timeAt(viewport()->width() + 2)};
+    const TimeSpan span{timeAt(area.left() - 4), timeAt(area.right() + 4)};
     const auto grain = Microseconds(m_scale);
     const std::set<StrokeId> *dragged = m_before ? &m_selectionBefore.strokes : nullptr;
-    const auto isShown = [this](int lane) {
-        return laneTop(lane + 1) >= rulerHeight() && laneTop(lane) <= viewport()->height();
+    const auto isShown = [&](int lane) {
+        return laneTop(lane + 1) >= std::max(rulerHeight(), area.top()) && laneTop(lane) <= area.bottom() + 1;
     };
     for (int lane = 0; lane < m_bars.laneCount(); ++lane) {
         if (isShown(lane))
@@ -163,7 +165,7 @@ void TimelineView::paintBar(QPainter &painter, const TimelineBar &bar, const Str
     painter.fillRect(QRectF(drawn, top, dry - drawn, laneHeight), wet);
     painter.fillRect(QRectF(begin, top, drawn - begin, laneHeight), colour);
     if ((drawn - begin) / double(stroke.segments.size()) >= leastForSegments) {
-        painter.setPen(QPen(colour.lightnessF() > 0.5f ? QColor(0, 0, 0, 90) : QColor(255, 255, 255, 110), 1));
+        painter.setPen(QPen(qGray(colour.rgb()) > 127 ? QColor(0, 0, 0, 90) : QColor(255, 255, 255, 110), 1));
         for (const Segment &s : stroke.segments)
             if (const double x = xOf(s.born); x > begin + 1)
                 painter.drawLine(QPointF(x, top + 3), QPointF(x, top + laneHeight - 3));

@@ -220,11 +220,12 @@ private slots:
                 opacity = std::max(opacity, p.opacity);
             return opacity;
         };
+        QTRY_VERIFY(most() > 0);
         const double before = most();
         type(*panel.segmentSection()->density()->number(), "0");
-        QVERIFY(most() < before);
+        QTRY_VERIFY(most() < before);
         bench.editor.setTime(-1);
-        QVERIFY(panel.figuresSection()->crossSection()->points().empty());
+        QTRY_VERIFY(panel.figuresSection()->crossSection()->points().empty());
     }
 
     void beforeAndAfterTouchNoStep()
