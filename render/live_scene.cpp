@@ -19,10 +19,18 @@ void reachEverywhere(SceneStroke &stroke, const View &view)
     }
 }
 
+/// Nodes are offsets from the origin: a stroke that only moved keeps them, unless they depend on what the view shows.
+bool keepsNodes(const SceneStroke &known, const Stroke &now)
+{
+    return known.stroke.get() == &now || (!known.source->clipped && known.stroke->style == now.style &&
+                                          known.stroke->segments == now.segments);
+}
+
 } // namespace
 
-bool LiveScene::replace(const Painting &painting, std::vector<Stale> &stale)
+bool LiveScene::replace(const RenderRequest &request, std::vector<Stale> &stale)
 {
+    const Painting &painting = *request.painting;
     if (painting.strokes.size() != m_seen.size() || painting.groups != m_groups)
         return false;
     std::vector<std::size_t> differing;
@@ -40,7 +48,8 @@ bool LiveScene::replace(const Painting &painting, std::vector<Stale> &stale)
             const auto place = std::size_t(m_place[i]);
             m_sources[place] = painting.strokes[i];
             m_driesAt[place] = painting.strokes[i]->driesAt();
-            stale.push_back({place, false});
+            const SceneStroke *known = m_strokes[place].get();
+            stale.push_back({place, known && sameAge(place, request.time) && keepsNodes(*known, *m_sources[place])});
         }
     return true;
 }
@@ -86,9 +95,9 @@ std::vector<LiveScene::Stale> LiveScene::staleAfterAlign(const RenderRequest &re
     std::vector<Stale> stale;
     for (std::size_t i = 0; i < m_strokes.size(); ++i) {
         const SceneStroke *known = m_strokes[i].get();
-        const bool nodesHold = known && known->stroke == m_sources[i] && sameAge(i, request.time) && sameOctave &&
-                               (sameView || !known->source->clipped);
-        if (!nodesHold || !sameView)
+        const bool nodesHold = known && sameAge(i, request.time) && sameOctave &&
+                               (sameView || !known->source->clipped) && keepsNodes(*known, *m_sources[i]);
+        if (!nodesHold || !sameView || known->stroke != m_sources[i])
             stale.push_back({i, nodesHold});
     }
     return stale;
@@ -149,7 +158,7 @@ SceneChange LiveScene::update(const RenderRequest &request, int threads)
     std::vector<Stale> stale;
     const Painting &painting = *request.painting;
     const bool sameView = m_view == request.view;
-    if (sameView && replace(painting, stale)) {
+    if (sameView && replace(request, stale)) {
         addWet(request.time, stale);
         for (const Stale &s : stale)
             change.replaced.push_back({s.index, m_strokes[s.index]});

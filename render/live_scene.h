@@ -50,7 +50,7 @@ private:
     };
     /// Takes the painting's strokes over in place and returns where they differ; false where strokes came, went or
     /// moved.
-    bool replace(const Painting &painting, std::vector<Stale> &stale);
+    bool replace(const RenderRequest &request, std::vector<Stale> &stale);
     /// Brings the strokes into the painting's order, keeping what is known of each.
     void align(const Painting &painting);
     std::vector<Stale> staleAfterAlign(const RenderRequest &request) const;
