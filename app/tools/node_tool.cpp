@@ -286,7 +286,7 @@ void NodeTool::banded(const Rect &band, const PointerEvent &event)
     Selection chosen;
     if (add)
         chosen = selection();
-    for (const SegmentRef &segment : segmentsWithin(painting, m_canvas.view(), band)) {
+    for (const SegmentRef &segment : segmentsWithin(painting, m_editor.time(), m_canvas.view(), band)) {
         chosen.segments.insert(segment);
         chosen.strokes.insert(segment.stroke);
     }

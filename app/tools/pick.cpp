@@ -10,9 +10,10 @@ namespace suffuse {
 
 namespace {
 
-bool isSelectable(const Painting &painting, const Stroke &stroke)
+/// Not what is painted only after the moment that is shown.
+bool isSelectable(const Painting &painting, Microseconds T, const Stroke &stroke)
 {
-    return painting.isVisible(stroke) && !painting.isLocked(stroke);
+    return stroke.born() <= T && painting.isVisible(stroke) && !painting.isLocked(stroke);
 }
 
 /// The segment with the largest share where the stroke is seen at the point.
@@ -54,7 +55,7 @@ std::vector<StrokePtr> strokesNear(const Painting &painting, Microseconds T, Poi
 {
     std::vector<StrokePtr> near;
     for (auto it = painting.strokes.rbegin(); it != painting.strokes.rend(); ++it)
-        if (isNear(**it, T, point, tolerance) && isSelectable(painting, **it))
+        if (isNear(**it, T, point, tolerance) && isSelectable(painting, T, **it))
             near.push_back(*it);
     return near;
 }
@@ -73,7 +74,7 @@ std::optional<SegmentRef> pickFrom(const std::vector<StrokePtr> &strokes, Micros
 }
 
 template <typename IsInside>
-std::set<StrokeId> strokesWhollyIn(const Painting &painting, IsInside isInside)
+std::set<StrokeId> strokesWhollyIn(const Painting &painting, Microseconds T, IsInside isInside)
 {
     const auto isWithin = [&](const Stroke &stroke) {
         for (const Segment &segment : stroke.segments) {
@@ -86,7 +87,7 @@ std::set<StrokeId> strokesWhollyIn(const Painting &painting, IsInside isInside)
     };
     std::set<StrokeId> ids;
     for (const StrokePtr &stroke : painting.strokes)
-        if (isSelectable(painting, *stroke) && isWithin(*stroke))
+        if (isSelectable(painting, T, *stroke) && isWithin(*stroke))
             ids.insert(stroke->id);
     return ids;
 }
@@ -157,7 +158,7 @@ std::optional<SegmentRef> pickTopmost(const Painting &painting, Microseconds T, 
 std::optional<SegmentRef> pickOn(const Painting &painting, StrokeId id, Microseconds T, Point point, double tolerance)
 {
     const StrokePtr stroke = painting.find(id);
-    if (!stroke || !isSelectable(painting, *stroke) || !isNear(*stroke, T, point, tolerance))
+    if (!stroke || !isSelectable(painting, T, *stroke) || !isNear(*stroke, T, point, tolerance))
         return {};
     return pickFrom({stroke}, T, point, tolerance);
 }
@@ -186,7 +187,7 @@ std::set<StrokeId> withGroup(const Painting &painting, StrokeId id)
     std::unordered_map<GroupId, GroupId> outer; // many strokes, few groups
     std::set<StrokeId> members;
     for (const StrokePtr &s : painting.strokes) {
-        if (s->group == 0 || !isSelectable(painting, *s))
+        if (s->group == 0 || !painting.isVisible(*s) || painting.isLocked(*s)) // a group stays whole in the past, too
             continue;
         const auto [it, isNew] = outer.try_emplace(s->group, 0);
         if (isNew)
@@ -197,17 +198,17 @@ std::set<StrokeId> withGroup(const Painting &painting, StrokeId id)
     return members;
 }
 
-std::set<StrokeId> strokesWithin(const Painting &painting, const View &view, const Rect &pixels)
+std::set<StrokeId> strokesWithin(const Painting &painting, Microseconds T, const View &view, const Rect &pixels)
 {
-    return strokesWhollyIn(painting, [&](Point p) { return pixels.contains(view.toPixels(p)); });
+    return strokesWhollyIn(painting, T, [&](Point p) { return pixels.contains(view.toPixels(p)); });
 }
 
-std::set<StrokeId> strokesWithin(const Painting &painting, const std::vector<Point> &polygon)
+std::set<StrokeId> strokesWithin(const Painting &painting, Microseconds T, const std::vector<Point> &polygon)
 {
     if (polygon.size() < 3)
         return {};
     const Rect box = boxOf(polygon);
-    return strokesWhollyIn(painting, [&](Point p) { return box.contains(p) && isInPolygon(polygon, p); });
+    return strokesWhollyIn(painting, T, [&](Point p) { return box.contains(p) && isInPolygon(polygon, p); });
 }
 
 std::set<StrokeId> strokesTouched(const Painting &painting, Microseconds T, const std::vector<Point> &path,
@@ -218,7 +219,7 @@ std::set<StrokeId> strokesTouched(const Painting &painting, Microseconds T, cons
     std::set<StrokeId> ids;
     for (const StrokePtr &stroke : painting.strokes) {
         const Rect reach = influenceOf(*stroke, T);
-        if (!reach.intersects(box) || !isSelectable(painting, *stroke))
+        if (!reach.intersects(box) || !isSelectable(painting, T, *stroke))
             continue;
         // A hairline may run between the points, but not between their rings.
         const bool hairline = isHairline(*stroke, T, tolerance);
@@ -235,11 +236,11 @@ std::set<StrokeId> strokesTouched(const Painting &painting, Microseconds T, cons
     return ids;
 }
 
-std::set<SegmentRef> segmentsWithin(const Painting &painting, const View &view, const Rect &pixels)
+std::set<SegmentRef> segmentsWithin(const Painting &painting, Microseconds T, const View &view, const Rect &pixels)
 {
     std::set<SegmentRef> found;
     for (const StrokePtr &stroke : painting.strokes) {
-        if (!isSelectable(painting, *stroke))
+        if (!isSelectable(painting, T, *stroke))
             continue;
         for (int k = 0; k < int(stroke->segments.size()); ++k)
             if (pixels.contains(view.toPixels(stroke->cubicOf(stroke->segments[k]).at(0.5))))
@@ -248,11 +249,11 @@ std::set<SegmentRef> segmentsWithin(const Painting &painting, const View &view, 
     return found;
 }
 
-std::set<StrokeId> selectableStrokes(const Painting &painting)
+std::set<StrokeId> selectableStrokes(const Painting &painting, Microseconds T)
 {
     std::set<StrokeId> ids;
     for (const StrokePtr &stroke : painting.strokes)
-        if (isSelectable(painting, *stroke))
+        if (isSelectable(painting, T, *stroke))
             ids.insert(stroke->id);
     return ids;
 }

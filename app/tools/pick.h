@@ -28,16 +28,16 @@ std::vector<SegmentRef> pickAll(const Painting &painting, Microseconds T, Point 
 /// The strokes that a click on one means: those of its outermost group that can be selected, or itself alone.
 std::set<StrokeId> withGroup(const Painting &painting, StrokeId stroke);
 
-/// The visible, unlocked strokes whose curves lie wholly within a rectangle of the view's pixels.
-std::set<StrokeId> strokesWithin(const Painting &painting, const View &view, const Rect &pixels);
-/// The visible, unlocked strokes whose curves lie wholly within a closed polygon, canvas units; even-odd.
-std::set<StrokeId> strokesWithin(const Painting &painting, const std::vector<Point> &polygon);
+/// The visible, unlocked strokes, begun by T, whose curves lie wholly within a rectangle of the view's pixels.
+std::set<StrokeId> strokesWithin(const Painting &painting, Microseconds T, const View &view, const Rect &pixels);
+/// The same within a closed polygon, canvas units; even-odd.
+std::set<StrokeId> strokesWithin(const Painting &painting, Microseconds T, const std::vector<Point> &polygon);
 /// The visible, unlocked strokes that paint somewhere on a path (or within `tolerance` of it), canvas units.
 std::set<StrokeId> strokesTouched(const Painting &painting, Microseconds T, const std::vector<Point> &path,
                                   double tolerance);
-/// The segments of visible, unlocked strokes whose curves' middles lie within a rectangle of the view's pixels.
-std::set<SegmentRef> segmentsWithin(const Painting &painting, const View &view, const Rect &pixels);
-/// All visible, unlocked strokes.
-std::set<StrokeId> selectableStrokes(const Painting &painting);
+/// The segments of visible, unlocked strokes, begun by T, whose curves' middles lie within a rectangle of the view's pixels.
+std::set<SegmentRef> segmentsWithin(const Painting &painting, Microseconds T, const View &view, const Rect &pixels);
+/// All visible, unlocked strokes that are begun by T.
+std::set<StrokeId> selectableStrokes(const Painting &painting, Microseconds T);
 
 } // namespace suffuse

@@ -165,13 +165,13 @@ BandShape SelectTool::bandShape(const PointerEvent &event) const
 
 void SelectTool::banded(const Rect &band, const PointerEvent &event)
 {
-    combine(strokesWithin(*m_editor.document().painting(), m_canvas.view(), band), event);
+    combine(strokesWithin(*m_editor.document().painting(), m_editor.time(), m_canvas.view(), band), event);
 }
 
 void SelectTool::traced(const std::vector<Point> &path, BandShape shape, const PointerEvent &event)
 {
     const Painting &painting = *m_editor.document().painting();
-    combine(shape == BandShape::Lasso ? strokesWithin(painting, path)
+    combine(shape == BandShape::Lasso ? strokesWithin(painting, m_editor.time(), path)
                                       : strokesTouched(painting, m_editor.time(), path, tolerance()),
             event);
 }
@@ -329,7 +329,7 @@ bool SelectTool::keyPress(QKeyEvent *event)
 void SelectTool::selectNext(int step)
 {
     const Painting &painting = *m_editor.document().painting();
-    const std::set<StrokeId> selectable = selectableStrokes(painting);
+    const std::set<StrokeId> selectable = selectableStrokes(painting, m_editor.time());
     std::vector<StrokeId> order;
     for (const StrokePtr &stroke : painting.strokes)
         if (selectable.contains(stroke->id))

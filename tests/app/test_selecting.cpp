@@ -263,13 +263,31 @@ private slots:
         QVERIFY(shown->text().startsWith("Drag: move"));
     }
 
+    void whatIsPaintedLaterIsNotSelected()
+    {
+        Stroke later = *line(2, {300, 500}, {700, 480});
+        for (Segment &segment : later.segments)
+            segment.born += 60'000'000;
+        Selecting s({line(1, {200, 200}, {400, 260}), std::make_shared<const Stroke>(later)});
+        s.editor().setManualClock(true);
+        s.editor().lookAt(30'000'000);
+        s.use(Command::SelectAll);
+        QCOMPARE(s.selected(), std::set<StrokeId>{1});
+        const View view = s.canvas().view();
+        QCOMPARE(strokesWithin(s.painting(), s.editor().time(), view, Rect::of(0, 0, view.width, view.height)),
+                 std::set<StrokeId>{1});
+        s.editor().lookAt(s.painting().end());
+        s.use(Command::SelectAll);
+        QCOMPARE(s.selected(), (std::set<StrokeId>{1, 2}));
+    }
+
     void theOutlineThinsOutAndLeavesOutWhatIsNotSeen()
     {
         Painting painting;
         for (int i = 0; i < 2000; ++i)
             painting.strokes.push_back(line(StrokeId(i + 1), {5.0 * (i % 100), 20.0 * (i / 100)},
                                             {5.0 * (i % 100) + 4, 20.0 * (i / 100) + 15}));
-        Selection all{selectableStrokes(painting), {}};
+        Selection all{selectableStrokes(painting, painting.end()), {}};
         const OverlayColours colours{Qt::gray, Qt::black, QColor(20, 110, 230)};
         SelectionOutline outline;
         const auto draw = [&](const View &view, const Selection &selection) {

@@ -78,7 +78,7 @@ void measurePicking(const Painting &painting)
         (void)pickTopmost(painting, end, randomPoint() - Point{width + 100.0, 0}, 3);
     });
     measure("rubber band over all", 20, [&](int) {
-        (void)strokesWithin(painting, View::ofArea(Rect::of(0, 0, width, height), width, height),
+        (void)strokesWithin(painting, painting.end(), View::ofArea(Rect::of(0, 0, width, height), width, height),
                             Rect::of(0, 0, width, height));
     });
     measure("touch path across the canvas", 20, [&](int) {
@@ -88,7 +88,7 @@ void measurePicking(const Painting &painting)
 
 void measureOutline(const Painting &painting)
 {
-    const Selection all{selectableStrokes(painting), {}};
+    const Selection all{selectableStrokes(painting, painting.end()), {}};
     const OverlayColours colours{Qt::gray, Qt::black, QColor(20, 110, 230)};
     SelectionOutline outline;
     QImage image(width, height, QImage::Format_ARGB32_Premultiplied);
