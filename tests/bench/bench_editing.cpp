@@ -428,8 +428,10 @@ int main(int argc, char *argv[])
 {
     QTemporaryDir folder; // settings of its own: two threads, no window that was left anywhere
     qputenv("SUFFUSE_SETTINGS", folder.filePath("settings.ini").toLocal8Bit());
-    qputenv("SUFFUSE_BACKEND", "cpu");
-    qputenv("SUFFUSE_PRESENTER", "raster");
+    if (qEnvironmentVariableIsEmpty("SUFFUSE_BACKEND"))
+        qputenv("SUFFUSE_BACKEND", "cpu");
+    if (qEnvironmentVariableIsEmpty("SUFFUSE_PRESENTER"))
+        qputenv("SUFFUSE_PRESENTER", "raster");
     Application application(argc, argv);
     QCommandLineParser parser;
     parser.addHelpOption();
