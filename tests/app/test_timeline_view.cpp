@@ -1,0 +1,283 @@
+// The timeline's ruler and bars.
+#include "tests/app/timed.h"
+
+using namespace suffuse;
+
+class TestTimelineView : public QObject {
+    Q_OBJECT
+
+private slots:
+    void initTestCase()
+    {
+        qputenv("SUFFUSE_SETTINGS", m_folder.filePath("settings.ini").toLocal8Bit());
+        qputenv("SUFFUSE_BACKEND", "cpu");
+    }
+
+    void theRulerScrubs()
+    {
+        Timed s;
+        s.press(s.onRuler(3 * second));
+        QVERIFY(std::abs(s.editor().time() - 3 * second) < 100'000);
+        s.moveTo(s.onRuler(1'500'000));
+        QVERIFY(std::abs(s.editor().time() - 1'500'000) < 100'000);
+        s.moveTo(s.onRuler(-5 * second));
+        QCOMPARE(s.editor().time(), second); // not before there is anything
+        s.moveTo(s.onRuler(40 * second));
+        QCOMPARE(s.editor().time(), s.painting().end());
+        s.release(s.onRuler(40 * second));
+        QCOMPARE(s.steps(), 0);
+    }
+
+    void thePlayheadLeavesNoTrace()
+    {
+        Timed s;
+        const auto shown = [&] {
+            QTest::qWait(20); // what is to be painted, is
+            const QPixmap screen = s.window.screen()->grabWindow(s.window.winId());
+            const QPoint corner = s.view().viewport()->mapTo(&s.window, QPoint());
+            return screen.copy(QRect(corner, s.view().viewport()->size())).toImage();
+        };
+        s.playback().seek(5 * second);
+        const QImage first = shown();
+        s.playback().seek(8 * second);
+        QVERIFY(shown() != first);
+        s.playback().seek(5 * second);
+        QCOMPARE(shown(), first);
+    }
+
+    void keysOfTheTimeline()
+    {
+        Timed s;
+        s.view().setFocus();
+        QTest::keyClick(&s.view(), Qt::Key_Home);
+        QCOMPARE(s.editor().time(), second);
+        QTest::keyClick(&s.view(), Qt::Key_Right);
+        QCOMPARE(s.editor().time(), 1'040'000);
+        QTest::keyClick(&s.view(), Qt::Key_Right, shift);
+        QTest::keyClick(&s.view(), Qt::Key_Left);
+        QCOMPARE(s.editor().time(), 2 * second);
+        QTest::keyClick(&s.view(), Qt::Key_Space);
+        QVERIFY(s.playback().isPlaying());
+        QTest::keyClick(&s.view(), Qt::Key_Space);
+        QVERIFY(!s.playback().isPlaying());
+        QTest::keyClick(&s.view(), Qt::Key_End);
+        QCOMPARE(s.editor().time(), s.painting().end());
+        QCOMPARE(s.order(), (std::vector<StrokeId>{1, 2, 3, 4})); // nothing was lowered to the bottom
+    }
+
+    void barsSelect()
+    {
+        Timed s;
+        s.dragBar(s.middleOf(2), s.middleOf(2));
+        QCOMPARE(s.selected(), std::set<StrokeId>{2});
+        s.press(s.middleOf(3), shift);
+        s.release(s.middleOf(3));
+        QCOMPARE(s.selected(), (std::set<StrokeId>{2, 3}));
+        s.press(s.middleOf(2), shift);
+        s.release(s.middleOf(2));
+        QCOMPARE(s.selected(), std::set<StrokeId>{3});
+        const QPoint empty(int(s.view().xOf(7 * second)), s.middleOf(1).y());
+        s.press(empty);
+        s.moveTo({int(s.view().xOf(2'500'000)), s.view().viewport()->height() - 2});
+        QCOMPARE(s.selected(), (std::set<StrokeId>{2, 3}));
+        s.release({int(s.view().xOf(2'500'000)), s.view().viewport()->height() - 2});
+        s.press(empty);
+        s.release(empty);
+        QVERIFY(s.selected().empty());
+        s.view().zoomBy(8);
+        QTest::mouseDClick(s.view().viewport(), Qt::LeftButton, {},
+                           QPoint(int(s.view().xOf(s.stroke(4).segments[2].born)) + 3, s.middleOf(4).y()));
+        QCOMPARE(s.selection().segments, (std::set<SegmentRef>{{4, 2}}));
+        QCOMPARE(s.steps(), 0);
+    }
+
+    void draggedBarsMoveInTime()
+    {
+        Timed s;
+        const QByteArray first = hashOf(s.painting());
+        const auto across = [&](Microseconds by) {
+            return QPoint(int(std::lround(s.view().xOf(by) - s.view().xOf(0))), 0);
+        };
+        s.select({1, 2});
+        s.dragBar(s.middleOf(2), s.middleOf(2) + across(second));
+        QCOMPARE(s.steps(), 1);
+        QCOMPARE(s.editor().undoStack().text(0), QString("Move in time"));
+        const Microseconds by = s.stroke(2).born() - 2 * second;
+        QVERIFY(std::abs(by - second) < 50'000);
+        QCOMPARE(s.stroke(1).born(), second + by);
+        QCOMPARE(s.stroke(1).segments[3].born - s.stroke(1).segments[0].born, 300'000);
+        s.use(Command::Undo);
+        QCOMPARE(hashOf(s.painting()), first);
+        QCOMPARE(s.selected(), (std::set<StrokeId>{1, 2}));
+        // Back to where it was, Escape, undo during the drag: no step.
+        s.press(s.middleOf(2));
+        for (const Microseconds to : {200'000, 900'000, -500'000})
+            s.moveTo(s.middleOf(2) + across(to));
+        s.moveTo(s.middleOf(2));
+        s.release(s.middleOf(2));
+        QCOMPARE(hashOf(s.painting()), first);
+        QVERIFY(!s.editor().undoStack().canUndo());
+        const QPoint held = s.middleOf(2);
+        for (const bool undo : {false, true}) {
+            s.press(held);
+            s.moveTo(held + across(second));
+            QVERIFY(hashOf(s.painting()) != first);
+            if (undo)
+                QTest::keyClick(&s.view(), Qt::Key_Z, ctrl);
+            else
+                QTest::keyClick(&s.view(), Qt::Key_Escape);
+            QCOMPARE(hashOf(s.painting()), first);
+            s.moveTo(held + across(2 * second));
+            s.release(held);
+            QCOMPARE(hashOf(s.painting()), first);
+            QVERIFY(!s.editor().undoStack().canUndo());
+        }
+    }
+
+    void draggedEndsStretch()
+    {
+        Timed s;
+        s.view().zoomBy(4);
+        s.select({4});
+        const QPoint end = s.endOf(4);
+        const QPoint to(int(s.view().xOf(10'600'000)), end.y());
+        s.dragBar(end, to);
+        QCOMPARE(s.steps(), 1);
+        const Microseconds drawn = s.stroke(4).segments[3].born - 10 * second;
+        QVERIFY(std::abs(drawn - 600'000) < 40'000);
+        QCOMPARE(s.stroke(4).born(), 10 * second);
+        QVERIFY(std::abs(s.stroke(4).segments[1].born - 10 * second - drawn / 3) <= 1);
+        const Microseconds last = s.stroke(4).segments[3].born;
+        s.dragBar(s.beginOf(4), QPoint(int(s.view().xOf(10'300'000)), end.y()));
+        QCOMPARE(s.stroke(4).segments[3].born, last);
+        QVERIFY(std::abs(s.stroke(4).born() - 10'300'000) < 40'000);
+        s.use(Command::PaceEaseIn);
+        QCOMPARE(s.stroke(4).segments[3].born, last);
+        QVERIFY(s.stroke(4).segments[1].born - s.stroke(4).born() > last - s.stroke(4).segments[2].born);
+        for (int i = 0; i < 3; ++i)
+            s.use(Command::Undo);
+        QCOMPARE(s.stroke(4).segments[3].born, 10'300'000);
+    }
+
+    void lockedBarsStay()
+    {
+        StrokeList strokes = fourStrokes();
+        auto locked = std::make_shared<Stroke>(*strokes[1]);
+        locked->locked = true;
+        strokes[1] = locked;
+        Timed s(strokes);
+        s.dragBar(s.middleOf(2), s.middleOf(2) + QPoint(80, 0));
+        QCOMPARE(s.steps(), 0);
+        QCOMPARE(s.stroke(2).born(), 2 * second);
+    }
+
+    void zoomsAtThePointerAndScrolls()
+    {
+        Timed s;
+        const double x = s.view().xOf(3 * second);
+        const QPointF at(x, 60);
+        const Microseconds held = s.view().timeAt(x);
+        for (int i = 0; i < 12; ++i) {
+            QWheelEvent wheel(at, s.view().viewport()->mapToGlobal(at), {}, {0, 120}, Qt::NoButton, ctrl,
+                              Qt::NoScrollPhase, false);
+            QCoreApplication::sendEvent(s.view().viewport(), &wheel);
+        }
+        QVERIFY(std::abs(s.view().xOf(held) - x) < 2);
+        QVERIFY(s.view().xOf(4 * second) - s.view().xOf(3 * second) > 800);
+        QVERIFY(s.view().horizontalScrollBar()->maximum() > 5000);
+        s.view().horizontalScrollBar()->setValue(0);
+        QVERIFY(s.view().xOf(0) >= 0);
+        s.view().fit();
+        QCOMPARE(s.view().horizontalScrollBar()->maximum(), 0);
+        QVERIFY(s.view().xOf(s.painting().end()) < s.view().viewport()->width());
+    }
+
+    void speedIsTyped()
+    {
+        Timed s;
+        QLineEdit *field = s.panel->speed()->lineEdit();
+        const auto enter = [&](const QString &text) {
+            field->setFocus();
+            field->selectAll();
+            QTest::keyClicks(field, text);
+            QTest::keyClick(field, Qt::Key_Return);
+        };
+        enter("12.5x");
+        QCOMPARE(s.playback().speed(), 12.5);
+        enter("nonsense");
+        QCOMPARE(s.playback().speed(), 12.5);
+        enter("0.001");
+        QCOMPARE(s.playback().speed(), Playback::slowest);
+    }
+
+    void barsShareLanes()
+    {
+        TimelineBars bars;
+        auto painting = std::make_shared<Painting>();
+        painting->strokes = fourStrokes(); // each of the first three begins while the one before is wet
+        bars.setPainting(painting);
+        QCOMPARE(bars.laneCount(), 2);
+        QCOMPARE(bars[2].lane, 0);
+        QCOMPARE(bars[3].lane, 0);
+        QCOMPARE(bars.span(), (TimeSpan{second, 11'300'000}));
+        const auto moved = std::make_shared<Painting>(*painting);
+        moved->strokes[3] = drawnAt(4, 1'100'000, {0, 0}, {10, 0});
+        bars.setPainting(moved);
+        QCOMPARE(bars.span().end, 4'300'000);
+        for (std::size_t i = 0; i < bars.size(); ++i)
+            for (std::size_t j = 0; j < i; ++j)
+                QVERIFY(bars[i].lane != bars[j].lane || bars[i].begin > bars[j].end || bars[j].begin > bars[i].end);
+        std::vector<std::size_t> seen;
+        bars.forEachIn(0, {0, 20 * second}, 0, [&](std::size_t i) { seen.push_back(i); });
+        QCOMPARE(seen, (std::vector<std::size_t>{0, 2}));
+        seen.clear();
+        bars.forEachIn(0, {0, 20 * second}, 5 * second, [&](std::size_t i) { seen.push_back(i); });
+        QCOMPARE(seen, (std::vector<std::size_t>{0}));
+    }
+
+    void tenThousandStrokes()
+    {
+        Painting painting;
+        for (int i = 0; i < 10'000; ++i)
+            painting.strokes.push_back(drawnAt(StrokeId(i + 1), Microseconds(i) * 300'000,
+                                               {5.0 * (i % 100), 5.0 * (i / 100)},
+                                               {5.0 * (i % 100) + 4, 5.0 * (i / 100)}));
+        const auto shared = std::make_shared<const Painting>(painting);
+        Editor editor;
+        Playback playback(editor);
+        editor.document().reset(shared);
+        TimelineView view(editor, playback);
+        view.resize(1200, 200);
+        view.show();
+        QVERIFY(QTest::qWaitForWindowExposed(&view));
+        const auto best = [](auto work) {
+            qint64 least = std::numeric_limits<qint64>::max();
+            for (int k = 0; k < 5; ++k) {
+                QElapsedTimer clock;
+                clock.start();
+                work();
+                least = std::min(least, clock.nsecsElapsed());
+            }
+            return double(least) * 1e-6;
+        };
+        TimelineBars bars;
+        int turn = 0;
+        qInfo("10,000 strokes: all shown %.2f ms, zoomed in %.2f ms, bars anew %.2f ms, one changed %.2f ms",
+              best([&] { view.viewport()->grab(); }), (view.zoomBy(300), best([&] { view.viewport()->grab(); })),
+              best([&] { TimelineBars().setPainting(shared); }),
+              (bars.setPainting(shared), best([&] {
+                   auto next = std::make_shared<Painting>(bars.painting());
+                   next->strokes[5000] = drawnAt(5001, 1'500'000'000 + ++turn, {0, 0}, {4, 0});
+                   bars.setPainting(next);
+               })));
+        QCOMPARE(bars.size(), std::size_t(10'000));
+        QCOMPARE(bars[5000].begin, 1'500'000'000 + turn);
+        QVERIFY(bars.laneCount() < 8);
+    }
+
+private:
+    QTemporaryDir m_folder;
+};
+
+QTEST_MAIN(TestTimelineView)
+#include "test_timeline_view.moc"
