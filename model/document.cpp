@@ -49,22 +49,27 @@ void swapStrokes(StrokeList &strokes, std::map<StrokeId, StrokePtr> &states)
     Q_ASSERT_X(found == states.size(), "Document::exchange", "a stroke comes, but the edit gives no order");
 }
 
-/// Swaps strokes and the order of all.
-void swapStrokes(StrokeList &strokes, std::map<StrokeId, StrokePtr> &states, std::vector<StrokeId> &order)
+/// Swaps strokes and their order. What lies below the first that differs goes on sharing its blocks.
+void swapStrokesAndOrder(Painting &painting, Edit &edit)
 {
+    StrokeList &strokes = painting.strokes;
+    const std::vector<StrokeId> before = orderOf(painting);
+    const std::vector<StrokeId> after = orderWanted(edit, before);
+    const auto first = std::size_t(
+        std::mismatch(before.begin(), before.end(), after.begin(), after.end(),
+                      [&](StrokeId a, StrokeId b) { return a == b && !edit.strokes.contains(a); })
+            .first -
+        before.begin());
+
     std::unordered_map<StrokeId, StrokePtr> there;
-    there.reserve(strokes.size() + states.size());
-    std::vector<StrokeId> oldOrder;
-    oldOrder.reserve(strokes.size());
-    for (StrokePtr &stroke : strokes) {
-        oldOrder.push_back(stroke->id);
-        there.emplace(oldOrder.back(), std::move(stroke));
-    }
-    for (auto &[id, state] : states)
+    there.reserve(before.size() - first + edit.strokes.size());
+    for (std::size_t i = first; i < before.size(); ++i)
+        there.emplace(before[i], std::as_const(strokes)[i]);
+    for (auto &[id, state] : edit.strokes)
         std::swap(there[id], state);
-    strokes.clear();
-    for (StrokeId id : order) {
-        const auto it = there.find(id);
+    strokes.resize(first);
+    for (std::size_t i = first; i < after.size(); ++i) {
+        const auto it = there.find(after[i]);
         const bool known = it != there.end() && it->second;
         Q_ASSERT_X(known, "Document::exchange", "the order names a stroke that is not there, or names it twice");
         if (known)
@@ -72,7 +77,8 @@ void swapStrokes(StrokeList &strokes, std::map<StrokeId, StrokePtr> &states, std
     }
     Q_ASSERT_X(std::none_of(there.begin(), there.end(), [](const auto &entry) { return bool(entry.second); }),
                "Document::exchange", "the order leaves out a stroke");
-    order = std::move(oldOrder);
+    edit.order.reset();
+    edit.places = orderDifference(after, before);
 }
 
 } // namespace
@@ -108,13 +114,13 @@ void Document::exchange(Edit &edit)
         change.strokes.push_back(id);
         m_nextStroke = std::max(m_nextStroke, id + 1);
     }
-    change.order = edit.order.has_value();
-    change.canvas = edit.canvas || edit.groups || edit.swatches || edit.underlay;
+    change.order = edit.reorders();
+    change.canvas = edit.touchesTheRest();
 
     if (change.canvas || change.order || !edit.strokes.empty()) {
         auto painting = std::make_shared<Painting>(*m_painting);
-        if (edit.order)
-            swapStrokes(painting->strokes, edit.strokes, *edit.order);
+        if (edit.reorders())
+            swapStrokesAndOrder(*painting, edit);
         else if (!edit.strokes.empty())
             swapStrokes(painting->strokes, edit.strokes);
         if (edit.canvas)
@@ -139,7 +145,7 @@ void Document::exchangeSelection(Edit &edit, Change &change)
 {
     const bool same = !edit.selection || *edit.selection == m_selection;
     // What stays and keeps its segments needs no look at all the strokes.
-    if (same && !edit.order && (edit.strokes.empty() || m_selection.segments.empty()))
+    if (same && !edit.reorders() && (edit.strokes.empty() || m_selection.segments.empty()))
         return;
     Selection after = existing(edit.selection ? *edit.selection : m_selection, *m_painting);
     change.selection = after != m_selection;

@@ -23,8 +23,9 @@ public:
     void setSelection(Selection selection);
 
     /// Swaps the edit's state with the document's and emits `changed` once. The edit must name existing strokes or ones
-    /// that it adds, and its order must be a permutation of what is then there (asserted). Segments that no longer
-    /// exist leave the selection.
+    /// that it adds, and its order must be a permutation of what is then there (asserted). A whole order is replaced by
+    /// the places that differ: what an undo step holds is in proportion to what it changes. Segments that no longer exist
+    /// leave the selection.
     void exchange(Edit &edit);
 
     /// The stroke in hand, drawn on top, in no undo step; null removes it.

@@ -182,6 +182,15 @@ StrokeId Painting::nextStrokeId() const
     return id + 1;
 }
 
+std::vector<StrokeId> orderOf(const Painting &painting)
+{
+    std::vector<StrokeId> order;
+    order.reserve(painting.strokes.size() + 1);
+    for (const StrokePtr &s : painting.strokes)
+        order.push_back(s->id);
+    return order;
+}
+
 bool operator==(const Painting &a, const Painting &b)
 {
     const auto equalStrokes = [](const StrokePtr &x, const StrokePtr &y) { return x == y || (x && y && *x == *y); };

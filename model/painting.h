@@ -81,6 +81,8 @@ struct Painting {
     Microseconds end() const;
     StrokeId nextStrokeId() const; ///< greatest id + 1
 };
+/// The ids of the strokes, bottom to top.
+std::vector<StrokeId> orderOf(const Painting &painting);
 /// Deep equality: values, not pointers.
 bool operator==(const Painting &a, const Painting &b);
 

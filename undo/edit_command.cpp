@@ -11,16 +11,10 @@ bool sameStroke(const StrokePtr &a, const StrokePtr &b)
     return a == b || (a && b && *a == *b);
 }
 
-bool sameOrder(const std::vector<StrokeId> &order, const StrokeList &strokes)
-{
-    return std::equal(order.begin(), order.end(), strokes.begin(), strokes.end(),
-                      [](StrokeId id, const StrokePtr &s) { return s->id == id; });
-}
-
-/// True if the state that the edit would put in is the one that is there, the selection aside. Compares values.
+/// True if the state that an exchanged edit would put in is the one that is there, the selection aside. Compares values.
 bool changesNothing(const Edit &edit, const Painting &painting)
 {
-    if (edit.order && !sameOrder(*edit.order, painting.strokes))
+    if (edit.places && !edit.places->empty())
         return false;
     if (edit.canvas && *edit.canvas != painting.canvas)
         return false;
@@ -102,9 +96,12 @@ bool EditCommand::mergeWith(const QUndoCommand *other)
     const auto *newer = dynamic_cast<const EditCommand *>(other);
     if (!newer || m_run == 0 || newer->m_run != m_run || &newer->m_document != &m_document)
         return false;
+    if (newer->m_edit.places) {
+        const std::vector<StrokeId> now = orderOf(*m_document.painting());
+        m_edit.places = orderDifference(now, orderWanted(m_edit, orderWanted(newer->m_edit, now)));
+    }
     if (!holdsAllOf(m_edit.strokes, newer->m_edit.strokes))
         m_edit.strokes.insert(newer->m_edit.strokes.begin(), newer->m_edit.strokes.end());
-    keepOldest(m_edit.order, newer->m_edit.order);
     keepOldest(m_edit.canvas, newer->m_edit.canvas);
     keepOldest(m_edit.groups, newer->m_edit.groups);
     keepOldest(m_edit.swatches, newer->m_edit.swatches);

@@ -81,13 +81,4 @@ std::vector<StrokeId> orderOf(const std::vector<Sibling> &siblings)
     return order;
 }
 
-std::vector<StrokeId> orderOf(const Painting &painting)
-{
-    std::vector<StrokeId> order;
-    order.reserve(painting.strokes.size() + 1);
-    for (const StrokePtr &s : painting.strokes)
-        order.push_back(s->id);
-    return order;
-}
-
 } // namespace suffuse

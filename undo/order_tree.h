@@ -26,6 +26,5 @@ std::vector<const Sibling *> selectedUnits(const std::vector<Sibling> &siblings)
 void forEachStroke(const Sibling &sibling, const std::function<void(StrokeId)> &visit);
 
 std::vector<StrokeId> orderOf(const std::vector<Sibling> &siblings);
-std::vector<StrokeId> orderOf(const Painting &painting);
 
 } // namespace suffuse

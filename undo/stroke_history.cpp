@@ -19,7 +19,7 @@ const EditCommand *commandAt(const QUndoStack &stack, int index)
 /// Whether the step altered strokes of the set and nothing else.
 bool onlyAlters(const Edit &edit, const std::set<StrokeId> &strokes)
 {
-    if (edit.strokes.empty() || edit.order || edit.canvas || edit.groups || edit.swatches || edit.underlay)
+    if (edit.strokes.empty() || edit.reorders() || edit.touchesTheRest())
         return false;
     return std::all_of(edit.strokes.begin(), edit.strokes.end(),
                        [&](const auto &entry) { return entry.second && strokes.contains(entry.first); });

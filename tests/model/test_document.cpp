@@ -34,14 +34,6 @@ PaintingPtr makePainting(int strokes)
     return p;
 }
 
-std::vector<StrokeId> orderOf(const Painting &p)
-{
-    std::vector<StrokeId> order;
-    for (const StrokePtr &s : p.strokes)
-        order.push_back(s->id);
-    return order;
-}
-
 } // namespace
 
 class TestDocument : public QObject {
