@@ -20,15 +20,17 @@ double distance(const SpanNode &a, const SpanNode &b)
     return std::sqrt(dx * dx + dy * dy);
 }
 
-/// How long, and how long and winding, the span is up to each of its nodes.
+/// How long, and how long and winding, a run of nodes is up to each of them.
 struct Course {
     std::vector<double> arc;
     std::vector<double> size;
 
-    explicit Course(const std::vector<SpanNode> &nodes) : arc(nodes.size()), size(nodes.size())
+    void follow(const SpanNode *nodes, std::size_t count)
     {
+        arc.assign(count, 0);
+        size.assign(count, 0);
         double beforeX = 0, beforeY = 0; // last direction
-        for (std::size_t i = 1; i < nodes.size(); ++i) {
+        for (std::size_t i = 1; i < count; ++i) {
             const double step = distance(nodes[i - 1], nodes[i]);
             arc[i] = arc[i - 1] + step;
             size[i] = size[i - 1] + step;
@@ -45,11 +47,32 @@ struct Course {
 
 class Merger {
 public:
-    Merger(const std::vector<SpanNode> &fine, const Course &course, MergedSpan &out)
-        : m_fine(fine), m_course(course), m_out(out)
+    /// `segments`: where each begins in `fine`.
+    Merger(const std::vector<SpanNode> &fine, std::span<const std::size_t> segments, MergedSpan &out)
+        : m_fine(fine), m_segments(segments), m_out(out)
     {}
 
-    /// Fine nodes [begin, end).
+    /// Segments [from, to). What becomes of a window depends on no others, to the bit; and a segment that becomes
+    /// longer moves no cut, since they halve the number of segments, not the length.
+    void cut(std::size_t from, std::size_t to)
+    {
+        const std::size_t begin = m_segments[from], end = to < m_segments.size() ? m_segments[to] : m_fine.size();
+        if (begin == end)
+            return;
+        m_course.follow(&m_fine[begin], end - begin);
+        if (m_course.size.back() > windowSize && to - from > 1) {
+            const std::size_t middle = from + (to - from) / 2;
+            cut(from, middle);
+            cut(middle, to);
+            return;
+        }
+        m_first = begin;
+        m_excess = 0;
+        merge(begin, end);
+    }
+
+private:
+    /// Fine nodes [begin, end) of the window.
     void merge(std::size_t begin, std::size_t end)
     {
         const int count = int(end - begin);
@@ -65,7 +88,6 @@ public:
         merge(middle, end);
     }
 
-private:
     void keep(const SpanNode *nodes, int count, std::size_t begin, std::size_t end)
     {
         const std::size_t first = m_out.nodes.size();
@@ -76,8 +98,8 @@ private:
     /// Nodes that a window usually takes.
     double usual(std::size_t begin, int count, double mass, double tolerance) const
     {
-        const std::size_t last = begin + std::size_t(count) - 1;
-        const double size = m_course.size[last] - m_course.size[begin], arc = m_course.arc[last] - m_course.arc[begin];
+        const std::size_t first = begin - m_first, last = first + std::size_t(count) - 1;
+        const double size = m_course.size[last] - m_course.size[first], arc = m_course.arc[last] - m_course.arc[first];
         return 1.1 * size + 0.5 * std::log(mass / (tolerance * (arc + 1))) - 1.5;
     }
 
@@ -94,7 +116,7 @@ private:
         }
         const double expected = usual(begin, count, mass, tolerance);
         const int most = std::min(SpanRule::maxNodes, count - 1);
-        m_rule.start(fine, &m_course.arc[begin], count, vary);
+        m_rule.start(fine, &m_course.arc[begin - m_first], count, vary);
         m_field.start(fine, count, vary);
         int n = std::clamp(int(std::lround(expected + m_excess)), 1, most), best = 0, failed = 0;
         for (;;) {
@@ -123,32 +145,22 @@ private:
     }
 
     const std::vector<SpanNode> &m_fine;
-    const Course &m_course;
+    const std::span<const std::size_t> m_segments;
     MergedSpan &m_out;
+    Course m_course;         // of the window
+    std::size_t m_first = 0; // where it begins
     SpanRule m_rule;
     SpanField m_field;
     SpanNode m_best[SpanRule::maxNodes];
-    double m_excess = 0; // nodes that the last window makes this one expect beyond the usual
+    double m_excess = 0; // nodes that the last part of the window makes this one expect beyond the usual
 };
 
 } // namespace
 
-MergedSpan mergeSpan(const std::vector<SpanNode> &fine)
+MergedSpan mergeSpan(const std::vector<SpanNode> &fine, std::span<const std::size_t> segments)
 {
-    const Course course(fine);
     MergedSpan out;
-    const auto merger = std::make_unique<Merger>(fine, course, out); // large
-    const double size = course.size.back();
-    const int windows = std::max(1, int(std::ceil(size / windowSize)));
-    std::size_t begin = 0;
-    for (int w = 0; w < windows && begin < fine.size(); ++w) {
-        std::size_t end = begin;
-        while (end < fine.size() && (w + 1 == windows || course.size[end] <= size * (w + 1) / windows))
-            ++end;
-        if (end > begin)
-            merger->merge(begin, end);
-        begin = end;
-    }
+    std::make_unique<Merger>(fine, segments, out)->cut(0, segments.size()); // large
     return out;
 }
 

@@ -3,6 +3,7 @@
 
 #include "render/span_rule.h"
 
+#include <span>
 #include <vector>
 
 namespace suffuse {
@@ -22,7 +23,8 @@ struct MergedSpan {
 
 /// Replaces `fine`, a run along a stroke in order, by fewer nodes: windows of it get the Gauss rule with the fewest
 /// nodes whose density, on a grid over all that they reach, differs by at most half the tolerance; a window that finds
-/// none is halved. A pure function of `fine`.
-MergedSpan mergeSpan(const std::vector<SpanNode> &fine);
+/// none is halved. `segments`: where each segment begins in `fine`. A pure function of both; a window's nodes depend on
+/// its own fine nodes only, and its place in the run hardly on others.
+MergedSpan mergeSpan(const std::vector<SpanNode> &fine, std::span<const std::size_t> segments);
 
 } // namespace suffuse

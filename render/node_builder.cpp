@@ -21,7 +21,8 @@ namespace {
 struct BuiltBlock {
     std::vector<SegmentNodes> segments;
     UnsetVector<Node> nodes;
-    std::vector<SpanNode> fine; ///< scratch of a run to be merged
+    std::vector<SpanNode> fine;      ///< scratch of a run to be merged
+    std::vector<std::size_t> begins; ///< of its segments in `fine`
 };
 
 /// Makes one segment a group of its own; its nodes are the last ones of `out`, from `begin` on.
@@ -50,11 +51,14 @@ void append(const BuiltBlock &block, const SegmentNodes &b, StrokeNodes &out)
 }
 
 /// Nodes of a run of segments in units of its spread.
-void toSpan(const BuiltBlock &block, std::span<const SegmentNodes> run, std::vector<SpanNode> &fine)
+void toSpan(const BuiltBlock &block, std::span<const SegmentNodes> run, std::vector<SpanNode> &fine,
+            std::vector<std::size_t> &begins)
 {
     const double inverse = 1 / run[0].reach.spread;
     fine.clear();
+    begins.clear();
     for (const SegmentNodes &b : run) {
+        begins.push_back(fine.size());
         const Colour &c = b.values.colour;
         for (std::size_t i = b.begin; i < b.end; ++i) {
             const Node &n = block.nodes[i];
@@ -70,9 +74,9 @@ void toSpan(const BuiltBlock &block, std::span<const SegmentNodes> run, std::vec
 /// Appends a run of segments of one spread and style with fewer nodes, a group for each window.
 void appendMerged(BuiltBlock &block, std::span<const SegmentNodes> run, StrokeNodes &out)
 {
-    toSpan(block, run, block.fine);
+    toSpan(block, run, block.fine, block.begins);
     const double s = run[0].reach.spread, metric = 1 / (s * s);
-    const MergedSpan merged = mergeSpan(block.fine);
+    const MergedSpan merged = mergeSpan(block.fine, block.begins);
     const std::size_t origin = run[0].begin;
     std::size_t first = 0, next = 0; // segments of the window, and of the next one
     for (const SpanWindow &window : merged.windows) {

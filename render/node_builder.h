@@ -40,7 +40,7 @@ struct SegmentReach {
     friend bool operator==(const SegmentReach &, const SegmentReach &) = default;
 };
 
-/// The nodes of one segment, or of a block of segments that were merged: the unit of what is redrawn.
+/// The nodes of one segment, or of a window of segments that were merged: the unit of what is redrawn.
 struct NodeGroup {
     std::uint32_t begin = 0; ///< range in StrokeNodes::nodes
     std::uint32_t end = 0;

@@ -12,6 +12,7 @@ struct SpanNode {
     double weight = 0;    ///< density at its centre
     double tolerance = 0; ///< density error that its segment lets pass
     std::array<double, 5> values{};
+    friend bool operator==(const SpanNode &, const SpanNode &) = default;
 };
 
 /// The n-point Gauss rule of a run of nodes, for growing n at little cost (Stieltjes, Golub-Welsch).
