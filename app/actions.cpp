@@ -17,26 +17,121 @@ namespace {
 
 /// Name in the settings, the same in every language; in the order of Command.
 constexpr const char *commandNames[] = {
-    "new",           "open",   "save",      "saveAs",     "export",    "close",      "quit",
-    "undo",          "redo",   "cut", "copy", "paste", "pasteInPlace", "delete",    "duplicate",  "selectAll", "deselect",   "settings",
-    "brush",         "select", "segments",  "knife",      "eraser",    "attributeBrush", "eyedropper",
-    "pan",           "raise",  "lower",     "top",        "bottom",
-    "insertNodes",    "nodeCorner",     "nodeSmooth",     "nodeSymmetric", "breakNodes", "joinNodes",
-    "deleteSegments", "bridgeSegments", "reverseStrokes",
-    "invertSelection", "sameColour", "sameStyle", "sameBrush", "lasso", "touchPath",
-    "group", "ungroup", "lock", "unlockAll", "hide", "showAll", "rename",
-    "flipAcross", "flipDown", "quarterLeft", "quarterRight", "scaleSpread",
-    "alignLeft", "alignCentre", "alignRight", "alignTop", "alignMiddle", "alignBottom",
-    "alignToSelection", "alignToLast", "alignToFirst", "alignToBiggest", "alignToCanvas",
-    "distributeGapsAcross", "distributeGapsDown", "distributeCentresAcross", "distributeCentresDown",
-    "snapToNodes", "snapToGrid", "showGrid", "gridStep",
-    "play", "toStart", "previousStroke", "nextStroke", "toEnd", "loopPlaying", "skipPauses",
-    "letDry", "freezeNow", "rewet", "removeRewetting", "paceEven", "paceEaseIn", "paceEaseOut", "paceEaseInOut",
-    "finalPreview", "exportTimelapse",
-    "favourite1", "favourite2", "favourite3", "favourite4", "favourite5", "favourite6", "favourite7", "favourite8",
+    "new",
+    "open",
+    "save",
+    "saveAs",
+    "keepHistory",
+    "export",
+    "close",
+    "quit",
+    "undo",
+    "redo",
+    "cut",
+    "copy",
+    "paste",
+    "pasteInPlace",
+    "delete",
+    "duplicate",
+    "selectAll",
+    "deselect",
+    "settings",
+    "brush",
+    "select",
+    "segments",
+    "knife",
+    "eraser",
+    "attributeBrush",
+    "eyedropper",
+    "pan",
+    "raise",
+    "lower",
+    "top",
+    "bottom",
+    "insertNodes",
+    "nodeCorner",
+    "nodeSmooth",
+    "nodeSymmetric",
+    "breakNodes",
+    "joinNodes",
+    "deleteSegments",
+    "bridgeSegments",
+    "reverseStrokes",
+    "invertSelection",
+    "sameColour",
+    "sameStyle",
+    "sameBrush",
+    "lasso",
+    "touchPath",
+    "group",
+    "ungroup",
+    "lock",
+    "unlockAll",
+    "hide",
+    "showAll",
+    "rename",
+    "flipAcross",
+    "flipDown",
+    "quarterLeft",
+    "quarterRight",
+    "scaleSpread",
+    "alignLeft",
+    "alignCentre",
+    "alignRight",
+    "alignTop",
+    "alignMiddle",
+    "alignBottom",
+    "alignToSelection",
+    "alignToLast",
+    "alignToFirst",
+    "alignToBiggest",
+    "alignToCanvas",
+    "distributeGapsAcross",
+    "distributeGapsDown",
+    "distributeCentresAcross",
+    "distributeCentresDown",
+    "snapToNodes",
+    "snapToGrid",
+    "showGrid",
+    "gridStep",
+    "play",
+    "toStart",
+    "previousStroke",
+    "nextStroke",
+    "toEnd",
+    "loopPlaying",
+    "skipPauses",
+    "letDry",
+    "freezeNow",
+    "rewet",
+    "removeRewetting",
+    "paceEven",
+    "paceEaseIn",
+    "paceEaseOut",
+    "paceEaseInOut",
+    "finalPreview",
+    "exportTimelapse",
+    "favourite1",
+    "favourite2",
+    "favourite3",
+    "favourite4",
+    "favourite5",
+    "favourite6",
+    "favourite7",
+    "favourite8",
     "favourite9",
-    "zoomIn", "zoomOut",   "zoom100",    "fit",       "rotateLeft", "rotateRight",
-    "resetRotation", "mirror", "hideDocks", "fullScreen", "shortcuts", "about",
+    "zoomIn",
+    "zoomOut",
+    "zoom100",
+    "fit",
+    "rotateLeft",
+    "rotateRight",
+    "resetRotation",
+    "mirror",
+    "hideDocks",
+    "fullScreen",
+    "shortcuts",
+    "about",
 };
 static_assert(std::size(commandNames) == std::size_t(Command::About) + 1);
 
@@ -119,6 +214,9 @@ void Actions::addFileAndEdit()
     add(Command::Open, tr("&Open…"), "open", keys(QKeySequence::Open));
     add(Command::Save, tr("&Save"), "save", keys(QKeySequence::Save));
     add(Command::SaveAs, tr("Save &As…"), "", {QKeySequence(tr("Ctrl+Shift+S"))});
+    add(Command::KeepHistory, tr("Keep Undo &History in the File"), "", {},
+        tr("Whoever opens the file can go on undoing. Take it out before you give a file away"));
+    m_actions[Command::KeepHistory]->setCheckable(true);
     add(Command::Export, tr("&Export…"), "export", {QKeySequence(tr("Ctrl+Shift+E"))});
     add(Command::Close, tr("&Close Window"), "", keys(QKeySequence::Close));
     add(Command::Quit, tr("&Quit"), "", {QKeySequence(tr("Ctrl+Q"))});
@@ -132,10 +230,10 @@ void Actions::addFileAndEdit()
     add(Command::PasteInPlace, tr("Paste &in Place"), "", {QKeySequence(tr("Ctrl+Alt+V"))},
         tr("Paste strokes where they were"));
     add(Command::Delete, tr("&Delete"), "delete", {QKeySequence(Qt::Key_Delete)});
-    add(Command::Duplicate, tr("D&uplicate"), "duplicate", {QKeySequence(tr("Ctrl+D"))});
+    add(Command::Duplicate, tr("Dup&licate"), "duplicate", {QKeySequence(tr("Ctrl+D"))});
     add(Command::SelectAll, tr("Select &All"), "", keys(QKeySequence::SelectAll));
     add(Command::Deselect, tr("D&eselect"), "", {QKeySequence(tr("Ctrl+Shift+A"))});
-    add(Command::Settings, tr("Se&ttings…"), "", {QKeySequence(tr("Ctrl+,"))});
+    add(Command::Settings, tr("Settin&gs…"), "", {QKeySequence(tr("Ctrl+,"))});
     m_actions[Command::Settings]->setMenuRole(QAction::PreferencesRole);
 }
 
@@ -179,7 +277,7 @@ void Actions::addNodeCommands()
         tr("Join two selected end nodes"));
     add(Command::DeleteSegments, tr("&Delete Segments"), "segment-delete", {QKeySequence(tr("Ctrl+Del"))},
         tr("Delete the selected segments, so that strokes split"));
-    add(Command::BridgeSegments, tr("Bri&dge Segments"), "bridge", {QKeySequence(tr("Alt+Del"))},
+    add(Command::BridgeSegments, tr("Brid&ge Segments"), "bridge", {QKeySequence(tr("Alt+Del"))},
         tr("Replace selected segments by one that goes on smoothly"));
     add(Command::ReverseStrokes, tr("&Reverse"), "reverse", {QKeySequence(tr("Shift+R"))},
         tr("Let the selected strokes run from end to start"));
@@ -199,7 +297,7 @@ void Actions::addViewAndHelp()
     add(Command::ResetRotation, tr("&Upright"), "", {QKeySequence(tr("Ctrl+5"))});
     add(Command::Mirror, tr("&Mirror"), "", {QKeySequence(Qt::Key_M)});
     add(Command::HideDocks, tr("&Hide the Docks"), "", {QKeySequence(Qt::Key_Tab)});
-    add(Command::FullScreen, tr("F&ull Screen"), "", {QKeySequence(Qt::Key_F11)});
+    add(Command::FullScreen, tr("Full S&creen"), "", {QKeySequence(Qt::Key_F11)});
     m_actions[Command::Mirror]->setCheckable(true);
     m_actions[Command::HideDocks]->setCheckable(true);
     m_actions[Command::FullScreen]->setCheckable(true);
@@ -227,14 +325,14 @@ QMenu *Actions::addMenu(const QString &title, const QList<Command> &commands)
 void Actions::fillMenus()
 {
     using enum Command;
-    QMenu *file = addMenu(tr("&File"), {New, Open, Save, SaveAs, Export, ExportTimelapse, Close, Quit});
+    QMenu *file = addMenu(tr("&File"), {New, Open, Save, SaveAs, KeepHistory, Export, ExportTimelapse, Close, Quit});
     m_recentMenu = new QMenu(tr("Open &Recent"), file);
     file->insertMenu(m_actions[Save], m_recentMenu);
     file->insertSeparator(m_actions[Save]);
     file->insertSeparator(m_actions[Export]);
     file->insertSeparator(m_actions[Close]);
-    QMenu *edit = addMenu(tr("&Edit"), {Undo, Redo, Cut, Copy, Paste, PasteInPlace, Delete, Duplicate, SelectAll,
-                                         Deselect, Settings});
+    QMenu *edit = addMenu(
+        tr("&Edit"), {Undo, Redo, Cut, Copy, Paste, PasteInPlace, Delete, Duplicate, SelectAll, Deselect, Settings});
     edit->insertSeparator(m_actions[Cut]);
     edit->insertSeparator(m_actions[Delete]);
     edit->insertSeparator(m_actions[SelectAll]);

@@ -13,7 +13,7 @@ using enum Command;
 void Actions::addObjects()
 {
     const auto key = [](const QString &keys) { return QList<QKeySequence>{QKeySequence(keys)}; };
-    add(InvertSelection, tr("&Invert Selection"), "", {QKeySequence(tr("Ctrl+Shift+I")), QKeySequence(tr("!"))});
+    add(InvertSelection, tr("In&vert Selection"), "", {QKeySequence(tr("Ctrl+Shift+I")), QKeySequence(tr("!"))});
     add(SameColour, tr("&Colour"), "", {}, tr("Select all strokes of the same colour"));
     add(SameStyle, tr("&Style"), "", {}, tr("Select all strokes of the same style"));
     add(SameBrush, tr("&Brush"), "", {}, tr("Select all strokes of the same brush"));
@@ -29,7 +29,7 @@ void Actions::addObjects()
     add(FlipAcross, tr("Flip Hori&zontally"), "flip-across", key(tr("Shift+H")));
     add(FlipDown, tr("Flip &Vertically"), "flip-down", key(tr("Shift+V")));
     add(QuarterLeft, tr("Rotate by 90° L&eft"), "quarter-left", key(tr("Ctrl+[")));
-    add(QuarterRight, tr("Rotate by 90° &Right"), "quarter-right", key(tr("Ctrl+]")));
+    add(QuarterRight, tr("Rotate by 90° R&ight"), "quarter-right", key(tr("Ctrl+]")));
     add(ScaleSpread, tr("&Scale Spread with the Shape"), "scale-spread", {},
         tr("Spread and density follow the shape when it is scaled"));
     m_actions[ScaleSpread]->setCheckable(true);
@@ -75,7 +75,7 @@ void Actions::addAids()
     add(SnapToNodes, tr("Snap to &Nodes"), "", {QKeySequence(tr("%"))});
     add(SnapToGrid, tr("Snap to &Grid"), "", {});
     add(ShowGrid, tr("&Show the Grid"), "", {QKeySequence(tr("#"))});
-    add(GridStep, tr("Gr&id Step…"), "", {});
+    add(GridStep, tr("Grid St&ep…"), "", {});
     const std::pair<Command, bool> states[] = {
         {SnapToNodes, aids.snapToNodes}, {SnapToGrid, aids.snapToGrid}, {ShowGrid, aids.showGrid}};
     for (const auto &[command, on] : states) {

@@ -1,9 +1,12 @@
 #include "app/editor.h"
 
-#include "model/formats/files.h"
+#include "app/settings.h"
+#include "model/formats/messages.h"
 #include "model/paper_presets.h"
+#include "undo/kept_history.h"
 #include "undo/time_edits.h"
 
+#include <QCryptographicHash>
 #include <QFile>
 #include <QFileInfo>
 #include <QTimerEvent>
@@ -14,16 +17,36 @@ namespace {
 
 constexpr int tickMs = 16;
 constexpr int dragPauseMs = 120; // without an edit of the run
-/// Enough of a file to tell its format.
-constexpr qint64 headBytes = 64 * 1024;
 
-bool canBeSavedAs(const QString &path)
+bool canBeSavedAs(FileFormat format)
+{
+    return format == FileFormat::Suffuse || format == FileFormat::Text;
+}
+
+struct OpenedFile {
+    LoadedDocument document;
+    QByteArray hash;
+};
+
+QString recoveredName(const QString &name)
+{
+    //: name of a document that was brought back after a crash
+    const QString pattern = Editor::tr("%1 (recovered)");
+    return name.endsWith(pattern.section(QStringLiteral("%1"), 1)) ? name : pattern.arg(name);
+}
+
+/// The hash is of the very bytes that were read.
+Result<OpenedFile> readFile(const QString &path)
 {
     QFile file(path);
-    if (!file.open(QIODevice::ReadOnly))
-        return false;
-    const FileFormat format = detectFormat(file.read(headBytes));
-    return format == FileFormat::Suffuse || format == FileFormat::Text;
+    QByteArray bytes;
+    if (QFileInfo(path).isFile() && file.size() <= largestFile && file.open(QIODevice::ReadOnly))
+        bytes = file.readAll();
+    // Where there is nothing to be read, this says why.
+    Result<LoadedDocument> document = bytes.isEmpty() ? loadDocument(path) : readDocument(bytes, path);
+    if (!document)
+        return Error{document.error()};
+    return OpenedFile{std::move(*document), QCryptographicHash::hash(bytes, QCryptographicHash::Sha256)};
 }
 
 } // namespace
@@ -32,8 +55,14 @@ Editor::Editor(QObject *parent) : QObject(parent), m_brush(builtinBrushes().fron
 {
     m_dragEnd.setSingleShot(true);
     m_dragEnd.setInterval(dragPauseMs);
-    connect(&m_dragEnd, &QTimer::timeout, this, &Editor::dragEnded);
+    connect(&m_dragEnd, &QTimer::timeout, this, [this] {
+        emit dragEnded();
+        if (std::exchange(m_unfinished, false))
+            emit edited();
+    });
     connect(&m_undoStack, &QUndoStack::cleanChanged, this, &Editor::fileChanged);
+    connect(&m_saver, &Saver::finished, this, &Editor::noteSaved);
+    connect(&m_document, &Document::changed, this, &Editor::noteChange);
     connect(&m_document, &Document::changed, this, [this](const Change &) {
         setCompared(nullptr);
         const Microseconds now = time();
@@ -55,7 +84,18 @@ void Editor::push(Edit edit, const QString &text, EditRun run)
         edit = placedInTime(m_document, std::move(edit));
         noteDrawn(edit);
     }
+    m_pushingRun = run != 0;
     m_undoStack.push(new EditCommand(m_document, std::move(edit), text, run));
+    m_pushingRun = false;
+}
+
+void Editor::noteChange(const Change &change)
+{
+    if (change.reset || !(change.order || change.canvas || !change.strokes.empty()))
+        return;
+    m_unfinished = m_pushingRun;
+    if (!m_unfinished)
+        emit edited();
 }
 
 void Editor::setBrush(const Brush &brush)
@@ -209,7 +249,9 @@ void Editor::stopClock()
 
 QString Editor::displayName() const
 {
-    return m_filePath.isEmpty() ? tr("Untitled") : QFileInfo(m_filePath).fileName();
+    if (!m_filePath.isEmpty())
+        return QFileInfo(m_filePath).fileName();
+    return m_untitledName.isEmpty() ? tr("Untitled") : m_untitledName;
 }
 
 Canvas Editor::usualCanvas()
@@ -223,39 +265,117 @@ void Editor::newPainting(const Canvas &canvas)
 {
     auto painting = std::make_shared<Painting>();
     painting->canvas = canvas;
+    m_extras = {};
     show(std::move(painting), {});
 }
 
-Result<void> Editor::open(const QString &path)
+Result<std::vector<QString>> Editor::open(const QString &path)
 {
-    Result<Painting> painting = loadPainting(path);
-    if (!painting)
-        return Error{painting.error()};
-    show(std::make_shared<const Painting>(std::move(*painting)),
-         canBeSavedAs(path) ? QFileInfo(path).absoluteFilePath() : QString());
-    return {};
+    Result<OpenedFile> file = readFile(path);
+    if (!file)
+        return Error{file.error()};
+    LoadedDocument &document = file->document;
+    const QString absolute = QFileInfo(path).absoluteFilePath();
+    m_extras = std::move(document.extras);
+    const QByteArray history = std::exchange(m_extras.history, {});
+    auto painting = std::make_shared<const Painting>(std::move(document.painting));
+    if (!document.losses.empty())
+        show(std::move(painting), {{}, recoveredName(QFileInfo(path).fileName()), absolute, {}, true});
+    else if (canBeSavedAs(document.format))
+        show(std::move(painting), {absolute, {}, absolute, file->hash, false});
+    else
+        show(std::move(painting), {});
+    takeUpHistory(history, !document.losses.empty());
+    return std::move(document.losses);
 }
 
-Result<void> Editor::save(const QString &path)
+void Editor::takeUpHistory(const QByteArray &bytes, bool modified)
 {
-    if (Result<void> saved = savePainting(*m_document.painting(), path); !saved)
-        return saved;
-    m_filePath = QFileInfo(path).absoluteFilePath();
+    if (bytes.isEmpty())
+        return;
+    const Result<UndoHistory> history = readHistory(bytes, *m_document.painting());
+    if (!history) {
+        m_historyProblem = history.error();
+        return;
+    }
+    restoreHistory(m_undoStack, m_document, *history);
+    if (modified)
+        m_undoStack.resetClean();
+    m_keepsHistory = true;
+    m_historyBytes = bytes.size();
+    emit fileChanged();
+}
+
+void Editor::setKeepsHistory(bool keeps)
+{
+    if (keeps == m_keepsHistory)
+        return;
+    m_keepsHistory = keeps;
+    if (m_undoStack.count() > 0)
+        m_undoStack.resetClean(); // the file is not like that yet
+    emit fileChanged();
+}
+
+void Editor::openRecovered(Painting painting, const QString &name, const QString &suggestedPath)
+{
+    m_extras = {};
+    show(std::make_shared<const Painting>(std::move(painting)), {{}, recoveredName(name), suggestedPath, {}, true});
+}
+
+void Editor::startSaving(const QString &path, bool whatever)
+{
+    const QString absolute = QFileInfo(path).absoluteFilePath();
+    SaveOrder order{m_document.painting(), m_extras, path, {}, settings::backups()};
+    if (!whatever && absolute == m_filePath)
+        order.expected = m_fileHash;
+    if (m_keepsHistory)
+        order.history = historyOf(m_undoStack);
+    // From here on steps do not merge with the one that is saved. Until it is on disk, `isModified` remembers.
+    m_saver.save(std::move(order));
     m_undoStack.setClean();
     emit fileChanged();
-    return {};
 }
 
-void Editor::show(PaintingPtr painting, const QString &path)
+void Editor::noteSaved(const SaveOutcome &outcome)
+{
+    if (outcome.isSaved()) {
+        m_filePath = m_suggestedPath = outcome.path;
+        m_fileHash = outcome.hash;
+        m_historyBytes = outcome.historyBytes;
+    } else if (!isSaving()) { // else the mark is that of the next one
+        m_undoStack.resetClean();
+    }
+    emit fileChanged();
+    emit saved(outcome);
+}
+
+void Editor::keepMine(const QByteArray &hashOnDisk)
+{
+    m_fileHash = hashOnDisk;
+    m_undoStack.resetClean();
+    emit fileChanged();
+}
+
+void Editor::show(PaintingPtr painting, const Origin &origin)
 {
     m_drawing = false;
     setInPast(false);
     m_time = painting->end();
     m_since.start();
     m_undoStack.clear(); // its commands name strokes of the painting that goes
+    if (origin.modified)
+        m_undoStack.resetClean();
+    m_unfinished = false;
     m_document.reset(std::move(painting));
-    m_filePath = path;
+    m_filePath = origin.path;
+    m_untitledName = origin.name;
+    m_suggestedPath = origin.suggestedPath;
+    m_fileHash = origin.hash;
+    m_keepsHistory = false;
+    m_historyBytes = 0;
+    m_historyProblem.clear();
     stopClock();
+    emit opened();
     emit timeChanged();
     emit fileChanged();
 }

@@ -2,6 +2,8 @@
 #pragma once
 
 #include "app/final_preview.h"
+#include "app/later_changes.h"
+#include "app/saving.h"
 #include "model/brush.h"
 #include "model/document.h"
 #include "model/result.h"
@@ -24,6 +26,8 @@ public:
 
     Document &document() { return m_document; }
     QUndoStack &undoStack() { return m_undoStack; }
+    /// The document's changes for whoever only shows them, panels above all.
+    LaterChanges &laterChanges() { return m_laterChanges; }
 
     /// Pushes an edit under a translated name; an empty edit is ignored. Edits of one run (a drag) become one step.
     void push(Edit edit, const QString &text, EditRun run = 0);
@@ -67,22 +71,48 @@ public:
     const QString &filePath() const { return m_filePath; } ///< empty: untitled
     /// Title without the program's name: file name or "Untitled", translated.
     QString displayName() const;
-    bool isModified() const { return !m_undoStack.isClean(); }
+    /// Also while it is being saved.
+    bool isModified() const { return !m_undoStack.isClean() || m_saver.isBusy(); }
+    /// Where a painting that has no file of its own came from: a name to begin with when it is saved. May be empty.
+    const QString &suggestedPath() const { return m_suggestedPath; }
+    /// SHA-256 of the file as it was last read or written; empty: untitled.
+    const QByteArray &fileHash() const { return m_fileHash; }
 
     /// What a new painting has where nothing else is asked for: a sheet of grainy paper.
     static Canvas usualCanvas();
     void newPainting(const Canvas &canvas);
-    /// Formats that cannot be saved (recordings) open untitled.
-    Result<void> open(const QString &path);
-    Result<void> save(const QString &path);
+    /// Formats that cannot be saved (recordings) open untitled. So does a damaged file, modified, with what is whole of
+    /// it; returns what is lost.
+    Result<std::vector<QString>> open(const QString &path);
+    /// A painting that is in no file: untitled but for its name, modified.
+    void openRecovered(Painting painting, const QString &name, const QString &suggestedPath);
+
+    /// Writes the painting as it is now, on a thread of its own; it can be painted on. `saved` tells how it went.
+    /// Unless `whatever` is there may be replaced, the document's own file must be as it was last read or written.
+    void startSaving(const QString &path, bool whatever = false);
+    bool isSaving() const { return m_saver.isBusy(); }
+    /// What is beside the picture in the file.
+    DocumentExtras &extras() { return m_extras; }
+    /// Undo steps go into the file, so that whoever opens it goes on undoing.
+    bool keepsHistory() const { return m_keepsHistory; }
+    void setKeepsHistory(bool keeps);
+    /// What they take in the file as it was last read or written, bytes.
+    qint64 historyBytes() const { return m_historyBytes; }
+    /// Empty, or why those in the file that was opened last were left out.
+    const QString &historyProblem() const { return m_historyProblem; }
+    /// The file on disk is another one now, and what is here is to stay: modified, and the next save replaces that one.
+    void keepMine(const QByteArray &hashOnDisk);
 
 signals:
     void brushChanged();
     void timeChanged();
-    void pastChanged(); ///< from present to past, or back
-    void dragEnded(); ///< exact frames again
+    void pastChanged();     ///< from present to past, or back
+    void dragEnded();       ///< exact frames again
     void comparedChanged(); ///< something else is shown: the compared painting, or what is wet as it will look
-    void fileChanged(); ///< path or modified state
+    void fileChanged();     ///< path or modified state
+    void opened();          ///< another painting is there, with its path and modified state
+    void edited();          ///< an edit was finished, undone or redone: not while a value is being dragged
+    void saved(const suffuse::SaveOutcome &outcome);
 
 protected:
     void timerEvent(QTimerEvent *event) override;
@@ -96,17 +126,37 @@ private:
     Microseconds runsUntil() const { return m_inPast ? m_dryAt : m_end; }
     void noteDrawn(const Edit &edit);
     PaintingPtr snapshotInTime() const;
-    void show(PaintingPtr painting, const QString &path);
+    /// `name`: of an untitled one. Modified: it is in no file.
+    struct Origin {
+        QString path, name, suggestedPath;
+        QByteArray hash;
+        bool modified = false;
+    };
+    void show(PaintingPtr painting, const Origin &origin);
+    void noteChange(const Change &change);
+    void noteSaved(const SaveOutcome &outcome);
+    void takeUpHistory(const QByteArray &bytes, bool modified);
 
     Document m_document;
+    LaterChanges m_laterChanges{m_document};
     QUndoStack m_undoStack;
     PaintingPtr m_compared; ///< null: none
     QTimer m_dragEnd;
     Brush m_brush;
     QString m_filePath;
-    Microseconds m_time = 0;        ///< when the clock last stood
-    Microseconds m_end = 0;         ///< when all has dried
-    QElapsedTimer m_since;          ///< real time since then, while it runs
+    QString m_untitledName; ///< empty: "Untitled"
+    QString m_suggestedPath;
+    QByteArray m_fileHash;
+    DocumentExtras m_extras; ///< but for the history, which is on the undo stack
+    bool m_keepsHistory = false;
+    qint64 m_historyBytes = 0;
+    QString m_historyProblem;
+    Saver m_saver;
+    bool m_pushingRun = false;
+    bool m_unfinished = false; ///< edits of a run that `edited` has not told of
+    Microseconds m_time = 0;   ///< when the clock last stood
+    Microseconds m_end = 0;    ///< when all has dried
+    QElapsedTimer m_since;     ///< real time since then, while it runs
     bool m_running = false;
     bool m_drawing = false;
     bool m_manual = false;

@@ -1,12 +1,16 @@
 // The editor.
 #include "app/canvas/presenter.h"
 #include "app/icons.h"
+#include "app/journal.h"
 #include "app/main_window.h"
+#include "app/messages.h"
+#include "app/recovery.h"
 #include "app/settings.h"
 #include "app/theme.h"
 #include "app/translation.h"
 
 #include <QApplication>
+#include <QTimer>
 
 #include <cstdio>
 #include <string_view>
@@ -21,6 +25,7 @@ constexpr const char *usage = "Usage: suffuse [OPTIONS] [FILE...]\n"
                               "\n"
                               "  --backend=NAME  draw with auto, cpu or cuda, whatever the settings say\n"
                               "  --reset-layout  forget where windows and docks were\n"
+                              "  --safe-mode     start with the usual settings, drawing on the CPU; nothing is kept\n"
                               "  --version       print the version\n"
                               "  --help          print this\n"
                               "\n"
@@ -28,6 +33,7 @@ constexpr const char *usage = "Usage: suffuse [OPTIONS] [FILE...]\n"
 
 struct Options {
     bool resetLayout = false;
+    bool safeMode = false;
     int exitCode = -1; ///< 0 or more: nothing is left to do
 };
 
@@ -47,6 +53,8 @@ Options readOptions(int argc, char **argv)
             options.exitCode = 0;
         } else if (arg == "--reset-layout") {
             options.resetLayout = true;
+        } else if (arg == "--safe-mode") {
+            options.safeMode = true;
         } else if (arg == "--backend=auto" || arg == "--backend=cpu" || arg == "--backend=cuda") {
             qputenv("SUFFUSE_BACKEND", argv[i] + arg.find('=') + 1);
         } else if (arg.starts_with("--") && arg != "--platform" && arg != "--style") {
@@ -87,6 +95,17 @@ QStringList filesOf(const QStringList &arguments)
     return files;
 }
 
+/// Before anything is drawn or read. Returns where settings are that were put aside, or nothing.
+QString takeSettings(const Options &options)
+{
+    if (options.safeMode) {
+        suffuse::settings::forgetEverything();
+        qputenv("SUFFUSE_BACKEND", "cpu");
+        qputenv("SUFFUSE_PRESENTER", "raster");
+    }
+    return suffuse::settings::beginStart();
+}
+
 } // namespace
 
 int main(int argc, char **argv)
@@ -105,6 +124,7 @@ int main(int argc, char **argv)
                    stderr);
         return 1;
     }
+    const QString putAside = takeSettings(options);
     QCoreApplication::setAttribute(Qt::AA_ShareOpenGLContexts);
     suffuse::prepareOpenGl();
     QApplication app(argc, argv);
@@ -118,6 +138,7 @@ int main(int argc, char **argv)
     if (options.resetLayout)
         suffuse::settings::resetLayout();
 
+    suffuse::Journal::setFolder(suffuse::journalFolder());
     auto *first = new suffuse::MainWindow;
     first->setAttribute(Qt::WA_DeleteOnClose);
     first->show();
@@ -125,5 +146,17 @@ int main(int argc, char **argv)
     for (const QString &file : filesOf(app.arguments().mid(1)))
         if (suffuse::MainWindow *opened = window->openFile(file))
             window = opened;
+    constexpr int upMs = 500; // shown, and drawn
+    QTimer::singleShot(upMs, first, [] { suffuse::settings::startSucceeded(); });
+    // Whoever waits for the window must not wait for this.
+    QTimer::singleShot(0, first, [first, putAside] {
+        if (!putAside.isEmpty())
+            suffuse::showNotice(first, QCoreApplication::translate("Messages",
+                                                                   "Suffuse did not come up the last times, so "
+                                                                   "it has started with the usual settings. Yours are "
+                                                                   "kept in %1.")
+                                           .arg(putAside));
+        suffuse::offerRecovery(*first, suffuse::journalFolder());
+    });
     return QApplication::exec();
 }

@@ -7,6 +7,7 @@
 #include "app/dialogs/settings_dialog.h"
 #include "app/dialogs/shortcuts_dialog.h"
 #include "app/icons.h"
+#include "app/journal.h"
 #include "app/messages.h"
 #include "app/panels/brush_panel.h"
 #include "app/panels/colour_panel.h"
@@ -69,6 +70,7 @@ MainWindow::MainWindow(QWidget *parent, MakeRenderer make) : QMainWindow(parent)
     connectObjectActions();
     connectTimeActions();
     connectBrushes();
+    connectSaving();
     connectUpdates();
     updateTitle();
     updateActions();
@@ -78,12 +80,20 @@ MainWindow::MainWindow(QWidget *parent, MakeRenderer make) : QMainWindow(parent)
     m_canvas->setFocus();
 }
 
+QAction &MainWindow::action(Command command)
+{
+    m_editor.laterChanges().flush(); // it may be asked whether it is enabled
+    return (*m_actions)[command];
+}
+
 MainWindow::~MainWindow()
 {
     // A stack that goes reports that it is empty; there is no canvas to tell any more.
     disconnect(&m_editor, nullptr, this, nullptr);
     disconnect(&m_editor.document(), nullptr, this, nullptr);
+    disconnect(&m_editor.laterChanges(), nullptr, this, nullptr);
     disconnect(&m_editor.undoStack(), nullptr, this, nullptr);
+    delete m_journal; // what it follows goes as a member does, before the children
     // The canvas draws the document, which as a member goes before the child widgets do.
     delete m_canvas;
     for (QDockWidget *dock : std::as_const(m_docks))
@@ -201,7 +211,7 @@ void MainWindow::useTool(Tool *tool)
 void MainWindow::showHint()
 {
     //: before what the brush does, while the timeline shows a moment of the past
-    const QString past = m_editor.isInPast() && action(Command::Brush).isChecked()
+    const QString past = m_editor.isInPast() && (*m_actions)[Command::Brush].isChecked()
                              ? tr("You paint in the past: what came later covers it. ")
                              : QString();
     m_hint->setText(past + m_canvas->tool()->hint());
@@ -216,14 +226,16 @@ void MainWindow::connectActions()
     // A stroke in hand belongs to no step yet: undo gives it up instead, as in Krita.
     const auto givesUp = [this] {
         const bool busy = m_canvas->tool() && m_canvas->tool()->isBusy();
-        if (busy)
+        if (busy) {
             m_canvas->tool()->cancel();
+            updateActions();
+        }
         return busy;
     };
     on(Command::New, [this] { newWindow(); });
     on(Command::Open, [this] { chooseFileToOpen(); });
-    on(Command::Save, [this] { save(); });
-    on(Command::SaveAs, [this] { saveAs(); });
+    on(Command::Save, [this] { startSaving(); });
+    on(Command::SaveAs, [this] { startSavingAs(); });
     on(Command::Export, [this] { ExportDialog(m_editor, this).exec(); });
     on(Command::Close, [this] { close(); });
     on(Command::Quit, [] { QApplication::closeAllWindows(); });
@@ -283,8 +295,13 @@ void MainWindow::connectViewActions()
 void MainWindow::connectUpdates()
 {
     connect(&m_editor, &Editor::fileChanged, this, &MainWindow::updateTitle);
-    connect(&m_editor.document(), &Document::changed, this, &MainWindow::updateActions);
-    connect(&m_editor.undoStack(), &QUndoStack::indexChanged, this, &MainWindow::updateActions);
+    connect(&m_editor.laterChanges(), &LaterChanges::changed, this, &MainWindow::updateActions);
+    const auto update = [this] {
+        if (!m_editor.laterChanges().isWaiting()) // else it comes with what waits
+            updateActions();
+    };
+    connect(&m_editor.undoStack(), &QUndoStack::indexChanged, this, update);
+    connect(m_canvas, &CanvasWidget::busyChanged, this, update);
     connect(m_canvas, &CanvasWidget::viewChanged, this, &MainWindow::updateZoom);
     connect(m_canvas, &CanvasWidget::modifiersChanged, this, &MainWindow::showHint);
     connect(m_canvas, &CanvasWidget::framePresented, this, &MainWindow::showFrame);
@@ -302,8 +319,8 @@ void MainWindow::connectUpdates()
 void MainWindow::updateActions()
 {
     const bool any = !m_editor.document().selection().isEmpty();
-    for (const Command command : {Command::Cut, Command::Copy, Command::Delete, Command::Duplicate, Command::Deselect, Command::Raise,
-                                  Command::Lower, Command::Top, Command::Bottom})
+    for (const Command command : {Command::Cut, Command::Copy, Command::Delete, Command::Duplicate, Command::Deselect,
+                                  Command::Raise, Command::Lower, Command::Top, Command::Bottom})
         action(command).setEnabled(any);
     updateObjectActions();
     updateTimeActions();
@@ -313,8 +330,9 @@ void MainWindow::updateActions()
         action(command).setText(can && !step.isEmpty() ? named.arg(step) : plain);
     };
     const bool strokeInHand = m_editor.document().draft() != nullptr; // undo gives it up
+    const bool busy = m_canvas->tool() && m_canvas->tool()->isBusy(); // and any other drag
     name(Command::Undo, tr("&Undo"), tr("&Undo: %1"), strokeInHand ? QString() : stack.undoText(),
-         strokeInHand || stack.canUndo());
+         strokeInHand || busy || stack.canUndo());
     name(Command::Redo, tr("&Redo"), tr("&Redo: %1"), stack.redoText(), stack.canRedo());
 }
 
@@ -338,7 +356,8 @@ void MainWindow::updateZoom()
 void MainWindow::showFrame(const FrameInfo &frame)
 {
     if (frame.error.isEmpty())
-        m_frameTime->setText(tr("%1 ms").arg(locale().toString(frame.stats.totalMs, 'f', 1)));
+        m_frameTime->setText((frame.coarseness > 1 ? tr("%1 ms, coarse") : tr("%1 ms"))
+                                 .arg(locale().toString(frame.stats.totalMs, 'f', 1)));
     if (frame.error != m_renderError) { // once, not sixty times a second
         m_renderError = frame.error;
         if (!m_renderError.isEmpty())

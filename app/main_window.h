@@ -11,10 +11,14 @@
 namespace suffuse {
 
 class CanvasWidget;
+class FileWatch;
+class Journal;
 class Playback;
 class SelectionOrder;
 class Tool;
 class ToolOptionsBar;
+enum class ConflictAnswer;
+struct LostDocument;
 
 class MainWindow : public QMainWindow {
     Q_OBJECT
@@ -26,16 +30,18 @@ public:
     Editor &editor() { return m_editor; }
     CanvasWidget &canvas() { return *m_canvas; }
     Playback &playback() { return *m_playback; }
-    QAction &action(Command command) { return (*m_actions)[command]; }
+    QAction &action(Command command); ///< as it is for what is selected now
 
     /// Opens a file here if this window's painting is untouched, else in a window of its own. Errors are shown.
     /// Returns the window that shows the file, or null.
     MainWindow *openFile(const QString &path);
-    /// False if it failed or was given up.
+    Journal &journal() { return *m_journal; }
+    /// Saves and waits until it is on disk. False if it failed or was given up.
     bool save();
-    bool saveAs();
-    /// Writes to the path and shows what went wrong.
+    /// Writes to the path, shows what went wrong, and waits until it is on disk.
     bool saveTo(const QString &path);
+    /// Shows a document of an earlier run in a window as openFile does. Its journal goes when this one's is on disk.
+    MainWindow *openRecovered(LostDocument document);
 
 protected:
     void changeEvent(QEvent *event) override;
@@ -64,6 +70,16 @@ private:
     void connectUpdates();
     QDockWidget *addDock(const char *name, const QString &title, QWidget *panel);
 
+    void connectSaving();
+    /// Starts to save, where it is to go; the user goes on painting. False if that was given up.
+    bool startSaving();
+    bool startSavingAs();
+    void startSavingTo(const QString &path, bool whatever = false);
+    /// False if the last attempt failed.
+    bool waitForSaving();
+    void showOutcome(const SaveOutcome &outcome);
+    void fileChangedOutside(const QByteArray &hash);
+    void answerConflict(ConflictAnswer answer, const QByteArray &hash);
     void newWindow();
     void chooseFileToOpen();
     void fillRecentMenu();
@@ -97,6 +113,10 @@ private:
     QLabel *m_frameTime = nullptr;
     QLabel *m_hint = nullptr;
     QString m_renderError;
+    Journal *m_journal = nullptr;
+    FileWatch *m_watch = nullptr;
+    bool m_savingWorked = true; ///< the last attempt
+    bool m_asking = false;      ///< about a file that another program changed
 };
 
 } // namespace suffuse

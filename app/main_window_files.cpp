@@ -3,10 +3,13 @@
 #include "app/clipboard.h"
 #include "app/clipboard_drops.h"
 #include "app/dialogs/new_dialog.h"
+#include "app/journal.h"
 #include "app/main_window.h"
 #include "app/messages.h"
 #include "app/settings.h"
+#include "app/workspace_view.h"
 #include "model/formats/files.h"
+#include "model/journal/recovery.h"
 
 #include <QClipboard>
 #include <QCloseEvent>
@@ -23,14 +26,6 @@ namespace suffuse {
 
 namespace {
 
-QString startFolder(const QString &path)
-{
-    if (!path.isEmpty())
-        return QFileInfo(path).absolutePath();
-    const QStringList recent = settings::recentFiles();
-    return recent.isEmpty() ? QString() : QFileInfo(recent.front()).absolutePath();
-}
-
 QStringList localFiles(const QMimeData *data)
 {
     QStringList files;
@@ -44,7 +39,7 @@ QStringList localFiles(const QMimeData *data)
 
 bool MainWindow::isUntouched()
 {
-    return m_editor.filePath().isEmpty() && m_editor.undoStack().count() == 0 &&
+    return m_editor.filePath().isEmpty() && m_editor.undoStack().count() == 0 && !m_editor.isModified() &&
            m_editor.document().painting()->strokes.empty();
 }
 
@@ -68,11 +63,13 @@ void MainWindow::newWindow()
 
 void MainWindow::chooseFileToOpen()
 {
-    const QString filter = tr("All that can be opened (*.suffuse *.json *.csv *.excalidraw *.dat)") + ";;" +
+    const QString filter = tr("All that can be opened (*.suffuse *.json *.csv *.excalidraw *.dat *.xml)") + ";;" +
                            tr("Suffuse paintings (*.suffuse *.json)") + ";;" +
-                           tr("Pen recordings (*.csv *.json *.excalidraw *.dat)") + ";;" + tr("All files (*)");
-    const QStringList files =
-        QFileDialog::getOpenFileNames(this, tr("Open"), startFolder(m_editor.filePath()), filter);
+                           tr("Pen recordings (*.csv *.json *.excalidraw *.dat)") + ";;" +
+                           tr("Diffusion curves (*.xml)") + ";;" + tr("All files (*)");
+    const QString near = m_editor.filePath().isEmpty() ? settings::recentFiles().value(0) : m_editor.filePath();
+    const QString folder = near.isEmpty() ? QString() : QFileInfo(near).absolutePath();
+    const QStringList files = QFileDialog::getOpenFileNames(this, tr("Open"), folder, filter);
     MainWindow *window = this;
     for (const QString &file : files)
         if (MainWindow *opened = window->openFile(file))
@@ -88,8 +85,9 @@ MainWindow *MainWindow::openFile(const QString &path)
         made = std::make_unique<MainWindow>();
         window = made.get();
     }
-    if (const Result<void> opened = window->m_editor.open(path); !opened) {
-        showError(this, opened.error());
+    const Result<std::vector<QString>> losses = window->m_editor.open(path);
+    if (!losses) {
+        showError(this, losses.error());
         return nullptr;
     }
     settings::addRecentFile(QFileInfo(path).absoluteFilePath());
@@ -98,42 +96,31 @@ MainWindow *MainWindow::openFile(const QString &path)
         made->setGeometry(geometry().translated(28, 28));
         made.release()->show();
     }
+    if (const auto &view = window->m_editor.extras().view)
+        showWorkspace(*view, *window->m_canvas, window->m_editor);
+    if (const QString &problem = window->m_editor.historyProblem(); !problem.isEmpty() && losses->empty())
+        window->statusBar()->showMessage(problem, 15'000);
+    if (!losses->empty())
+        showNotice(window,
+                   tr("“%1” is damaged. What is whole of it was opened; the file itself is left as it is.")
+                       .arg(QFileInfo(path).fileName()),
+                   QStringList(losses->begin(), losses->end()).join('\n'));
     return window;
 }
 
-bool MainWindow::save()
+MainWindow *MainWindow::openRecovered(LostDocument document)
 {
-    return m_editor.filePath().isEmpty() ? saveAs() : saveTo(m_editor.filePath());
-}
-
-bool MainWindow::saveAs()
-{
-    QFileDialog dialog(this, tr("Save As"), startFolder(m_editor.filePath()));
-    dialog.setAcceptMode(QFileDialog::AcceptSave);
-    dialog.setNameFilters({tr("Suffuse painting (*.suffuse)"), tr("Text form (*.json)")});
-    dialog.setDefaultSuffix("suffuse");
-    connect(&dialog, &QFileDialog::filterSelected, &dialog, [&dialog](const QString &filter) {
-        dialog.setDefaultSuffix(filter.contains("*.json") ? "json" : "suffuse");
-    });
-    const QString name = m_editor.filePath().isEmpty() ? m_editor.displayName() + ".suffuse" : m_editor.displayName();
-    if (name.endsWith(".json", Qt::CaseInsensitive))
-        dialog.selectNameFilter(dialog.nameFilters().last());
-    dialog.selectFile(name);
-    return dialog.exec() == QDialog::Accepted && saveTo(dialog.selectedFiles().value(0));
-}
-
-bool MainWindow::saveTo(const QString &path)
-{
-    if (const Result<void> saved = m_editor.save(path); !saved) {
-        showError(this, saved.error());
-        return false;
-    }
-    settings::addRecentFile(m_editor.filePath());
-    return true;
+    MainWindow *window = isUntouched() ? this : openWindow();
+    window->m_journal->replaceNext(std::move(document.file));
+    window->m_editor.openRecovered(std::move(document.content.painting), document.content.head.name,
+                                   document.content.head.path);
+    return window;
 }
 
 bool MainWindow::maySwitch()
 {
+    if (m_editor.isSaving())
+        waitForSaving();
     if (!m_editor.isModified())
         return true;
     switch (askToSave(this, m_editor.displayName())) {
@@ -176,6 +163,7 @@ void MainWindow::closeEvent(QCloseEvent *event)
     if (action(Command::HideDocks).isChecked()) // they are to come back next time
         action(Command::HideDocks).trigger();
     settings::saveLayout(*this);
+    m_journal->remove();
     event->accept();
 }
 
@@ -205,8 +193,7 @@ void MainWindow::connectClipboard()
         const View &view = m_canvas->view();
         const double dpr = m_canvas->devicePixelRatioF();
         const bool inside = QRectF(m_canvas->rect()).contains(at);
-        pasteAt(view.toCanvas(inside ? Point{at.x() * dpr, at.y() * dpr}
-                                     : Point{0.5 * view.width, 0.5 * view.height}));
+        pasteAt(view.toCanvas(inside ? Point{at.x() * dpr, at.y() * dpr} : Point{0.5 * view.width, 0.5 * view.height}));
     });
     connect(&action(Command::PasteInPlace), &QAction::triggered, this, [this] { pasteAt({}); });
     const auto follow = [this] {

@@ -2,6 +2,7 @@
 
 #include <QCoreApplication>
 #include <QMessageBox>
+#include <QPushButton>
 
 namespace suffuse {
 
@@ -50,6 +51,85 @@ SaveAnswer askToSave(QWidget *parent, const QString &name)
     default:
         return SaveAnswer::Cancel;
     }
+}
+
+void showNotice(QWidget *parent, const QString &message, const QString &details)
+{
+    if (hooks().error) {
+        hooks().error(message);
+        return;
+    }
+    auto *box = new QMessageBox(QMessageBox::Warning, QStringLiteral("Suffuse"), message, QMessageBox::Ok, parent);
+    box->setTextFormat(Qt::PlainText);
+    box->setDetailedText(details);
+    box->setAttribute(Qt::WA_DeleteOnClose);
+    box->setModal(false);
+    box->show();
+}
+
+bool askAfterFailedSave(QWidget *parent, const QString &message)
+{
+    if (hooks().saveFailed)
+        return hooks().saveFailed(message);
+    if (hooks().error) {
+        hooks().error(message);
+        return false;
+    }
+    QMessageBox box(QMessageBox::Warning, QStringLiteral("Suffuse"), message, QMessageBox::Cancel, parent);
+    box.setTextFormat(Qt::PlainText);
+    box.setInformativeText(
+        QCoreApplication::translate("Messages", "Nothing is lost: the painting is open and counts as not saved."));
+    QPushButton *elsewhere =
+        box.addButton(QCoreApplication::translate("Messages", "Save &As…"), QMessageBox::AcceptRole);
+    box.setDefaultButton(elsewhere);
+    box.exec();
+    return box.clickedButton() == elsewhere;
+}
+
+ConflictAnswer askAboutConflict(QWidget *parent, const QString &name, bool modified, bool saving)
+{
+    if (hooks().conflict)
+        return hooks().conflict(name, saving);
+    QMessageBox box(QMessageBox::Question, QStringLiteral("Suffuse"),
+                    QCoreApplication::translate("Messages", "Another program has changed “%1”.").arg(name),
+                    QMessageBox::NoButton, parent);
+    box.setTextFormat(Qt::PlainText);
+    const QString lost =
+        QCoreApplication::translate("Messages", "Reloading gives up what was painted since the last save.");
+    const QString kept = QCoreApplication::translate("Messages", "The file stays as it is until you save.");
+    const QString replaced =
+        QCoreApplication::translate("Messages", "Overwriting gives up what the other program wrote.");
+    box.setInformativeText((modified ? lost + ' ' : QString()) + (saving ? replaced : kept));
+    const auto add = [&](const char *text, QMessageBox::ButtonRole role) {
+        return box.addButton(QCoreApplication::translate("Messages", text), role);
+    };
+    QPushButton *mine = saving ? add(QT_TRANSLATE_NOOP("Messages", "&Overwrite"), QMessageBox::DestructiveRole)
+                               : add(QT_TRANSLATE_NOOP("Messages", "&Keep Mine"), QMessageBox::RejectRole);
+    QPushButton *reload = add(QT_TRANSLATE_NOOP("Messages", "&Reload"), QMessageBox::DestructiveRole);
+    QPushButton *elsewhere = add(QT_TRANSLATE_NOOP("Messages", "Save &As…"), QMessageBox::AcceptRole);
+    if (saving)
+        box.setEscapeButton(box.addButton(QMessageBox::Cancel));
+    else
+        box.setEscapeButton(mine);
+    box.setDefaultButton(modified ? elsewhere : reload);
+    box.exec();
+    return box.clickedButton() == mine        ? ConflictAnswer::KeepMine
+           : box.clickedButton() == reload    ? ConflictAnswer::Reload
+           : box.clickedButton() == elsewhere ? ConflictAnswer::SaveAs
+                                              : ConflictAnswer::Cancel;
+}
+
+bool confirm(QWidget *parent, const QString &question, const QString &information, const QString &button)
+{
+    if (hooks().confirm)
+        return hooks().confirm(question);
+    QMessageBox box(QMessageBox::Question, QStringLiteral("Suffuse"), question, QMessageBox::Cancel, parent);
+    box.setTextFormat(Qt::PlainText);
+    box.setInformativeText(information);
+    QPushButton *yes = box.addButton(button, QMessageBox::DestructiveRole);
+    box.setDefaultButton(QMessageBox::Cancel);
+    box.exec();
+    return box.clickedButton() == yes;
 }
 
 } // namespace suffuse

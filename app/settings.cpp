@@ -1,12 +1,14 @@
 #include "app/settings.h"
 
+#include "model/formats/atomic_save.h"
+
 #include <QDataStream>
 #include <QDir>
 #include <QFileInfo>
 #include <QMainWindow>
 #include <QTimer>
 
-#include <memory>
+#include <algorithm>
 
 namespace suffuse::settings {
 
@@ -75,21 +77,6 @@ void watchStart(QMainWindow &window)
 }
 
 } // namespace
-
-QSettings &store()
-{
-    static std::unique_ptr<QSettings> settings;
-    static QString openedPath;
-    const QString path = qEnvironmentVariable("SUFFUSE_SETTINGS");
-    if (settings && path == openedPath)
-        return *settings;
-    openedPath = path;
-    if (path.isEmpty())
-        settings = std::make_unique<QSettings>(QSettings::IniFormat, QSettings::UserScope, "suffuse", "suffuse");
-    else
-        settings = std::make_unique<QSettings>(path, QSettings::IniFormat);
-    return *settings;
-}
 
 QString language()
 {
@@ -202,6 +189,16 @@ void setPenSettings(const PenSettings &pen)
     for (const Offset &p : pen.pressure.points)
         points << QStringLiteral("%1 %2").arg(double(p.x), 0, 'g', 9).arg(double(p.y), 0, 'g', 9);
     store().setValue("pen/pressure", points);
+}
+
+int backups()
+{
+    return std::clamp(store().value("backups").toInt(), 0, mostBackups);
+}
+
+void setBackups(int count)
+{
+    store().setValue("backups", count);
 }
 
 QStringList recentFiles()

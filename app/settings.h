@@ -13,8 +13,16 @@ class QMainWindow;
 namespace suffuse::settings {
 
 /// The one store: the user's settings file, or the INI file that the environment variable SUFFUSE_SETTINGS names (for
-/// tests). A file that cannot be read counts as empty.
+/// tests). A file that cannot be read counts as empty; one that no Suffuse can have written is put aside as
+/// "….damaged".
 QSettings &store();
+/// From now on the store is empty at first and forgotten at the end (`--safe-mode`).
+void forgetEverything();
+/// Call it before anything is read. After two starts in a row that never showed a window, the settings are put aside.
+/// Returns where they are then, else an empty string.
+QString beginStart();
+/// The window is there: the next start need not fear the settings.
+void startSucceeded();
 
 enum class Theme { System, Dark, Light };
 enum class Presenter { Auto, Raster, OpenGL };
@@ -44,6 +52,10 @@ void setCanvasAids(const CanvasAids &aids);
 /// A curve that cannot be read counts as unset.
 PenSettings penSettings();
 void setPenSettings(const PenSettings &pen);
+
+/// Earlier versions that are kept beside a file that is saved, 0 to mostBackups (model/formats/atomic_save.h).
+int backups();
+void setBackups(int count);
 
 /// Absolute paths, the newest first, at most 10; files that are gone are left out.
 QStringList recentFiles();

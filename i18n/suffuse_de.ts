@@ -636,6 +636,126 @@ Rückgabewerte: 0 fertig, 1 fehlgeschlagen, 2 falscher Aufruf.</translation>
         <source>-o OUT is missing: name the frames or the film to write</source>
         <translation>-o OUT fehlt: bitte die zu schreibenden Einzelbilder oder den Film nennen</translation>
     </message>
+    <message>
+        <source>Leaves out what lies beside the picture: preview, view, undo history.</source>
+        <translation>Lässt weg, was neben dem Bild liegt: Vorschau, Ansicht, Verlauf.</translation>
+    </message>
+    <message>
+        <source>Of a damaged document takes what is whole, and says what is missing.</source>
+        <translation>Nimmt von einem beschädigten Dokument, was heil ist, und sagt, was fehlt.</translation>
+    </message>
+    <message>
+        <source>%1: is damaged; --salvage writes what is whole of it</source>
+        <translation>%1: ist beschädigt; --salvage schreibt, was davon heil ist</translation>
+    </message>
+    <message>
+        <source>segments added: %1</source>
+        <translation>Segmente hinzugefügt: %1</translation>
+    </message>
+    <message>
+        <source>segments removed: %1</source>
+        <translation>Segmente entfernt: %1</translation>
+    </message>
+    <message>
+        <source>%1 and %2 hold the same painting</source>
+        <translation>%1 und %2 enthalten dasselbe Bild</translation>
+    </message>
+    <message>
+        <source>%1 → %2: %3 strokes added, %4 removed, %5 changed, %6 moved</source>
+        <translation>%1 → %2: %3 Striche hinzugefügt, %4 entfernt, %5 geändert, %6 verschoben</translation>
+    </message>
+    <message>
+        <source>%1, segments: %2</source>
+        <translation>%1, Segmente: %2</translation>
+    </message>
+    <message>
+        <source>%1: from place %2 to %3</source>
+        <translation>%1: von Platz %2 nach %3</translation>
+    </message>
+    <message>
+        <source>Compares two paintings and tells what was added, removed and changed from A to B.</source>
+        <translation>Vergleicht zwei Bilder und sagt, was von A nach B hinzukam, entfiel und sich änderte.</translation>
+    </message>
+    <message>
+        <source>only one of the two can be standard input</source>
+        <translation>nur eines von beiden kann die Standardeingabe sein</translation>
+    </message>
+    <message>
+        <source>A picture that shows where: B pale, added strokes green, removed ones orange, changed and moved ones blue.</source>
+        <translation>Ein Bild, das zeigt, wo: B blass, neue Striche grün, entfernte orange, geänderte und verschobene blau.</translation>
+    </message>
+    <message>
+        <source>--%1 is for the picture; give -o OUT too</source>
+        <translation>--%1 gilt für das Bild; bitte auch -o OUT angeben</translation>
+    </message>
+    <message>
+        <source>preview</source>
+        <translation>Vorschau</translation>
+    </message>
+    <message>
+        <source>how it was last looked at</source>
+        <translation>die letzte Ansicht</translation>
+    </message>
+    <message>
+        <source>undo history</source>
+        <translation>Verlauf</translation>
+    </message>
+    <message>
+        <source>unknown to this version, kept</source>
+        <translation>dieser Version unbekannt, bleibt erhalten</translation>
+    </message>
+    <message>
+        <source>  chunk     %1 at byte %2 is damaged: %3</source>
+        <translation>  Block     %1 bei Byte %2 ist beschädigt: %3</translation>
+    </message>
+    <message>
+        <source>  paper     %1</source>
+        <translation>  Papier    %1</translation>
+    </message>
+    <message>
+        <source>what differs between two paintings, and where</source>
+        <translation>was sich zwischen zwei Bildern unterscheidet, und wo</translation>
+    </message>
+    <message>
+        <source>what was not saved when the editor ended</source>
+        <translation>was beim Ende des Programms nicht gespeichert war</translation>
+    </message>
+    <message>
+        <source>%1  %2  %3, %4 strokes
+</source>
+        <translation>%1  %2  %3, %4 Striche
+</translation>
+    </message>
+    <message>
+        <source>in use by a running Suffuse</source>
+        <translation>von einem laufenden Suffuse benutzt</translation>
+    </message>
+    <message>
+        <source>There is nothing to recover.
+</source>
+        <translation>Es gibt nichts wiederherzustellen.
+</translation>
+    </message>
+    <message>
+        <source>Lists what was painted and not saved when Suffuse ended unexpectedly, or writes one of it to a file.</source>
+        <translation>Listet auf, was gemalt und nicht gespeichert war, als Suffuse unerwartet endete, oder schreibt eines davon in eine Datei.</translation>
+    </message>
+    <message>
+        <source>Lists what there is; the same as no ID.</source>
+        <translation>Listet auf, was es gibt; dasselbe wie ohne ID.</translation>
+    </message>
+    <message>
+        <source>The file to write: .suffuse or .json.</source>
+        <translation>Die zu schreibende Datei: .suffuse oder .json.</translation>
+    </message>
+    <message>
+        <source>give an ID and -o OUT, or neither</source>
+        <translation>bitte eine ID und -o OUT angeben oder keins von beiden</translation>
+    </message>
+    <message>
+        <source>%1: there is no such journal to recover. See suffuse-cli recover --list.</source>
+        <translation>%1: ein solches Journal gibt es nicht. Siehe suffuse-cli recover --list.</translation>
+    </message>
 </context>
 <context>
     <name>Clipboard</name>
@@ -923,6 +1043,46 @@ Rückgabewerte: 0 fertig, 1 fehlgeschlagen, 2 falscher Aufruf.</translation>
         <source>Without saving, what was painted since the last save is lost.</source>
         <translation>Ohne Speichern geht verloren, was seit dem letzten Speichern gemalt wurde.</translation>
     </message>
+    <message>
+        <source>Suffuse did not come up the last times, so it has started with the usual settings. Yours are kept in %1.</source>
+        <translation>Suffuse ist die letzten Male nicht hochgekommen und hat deshalb mit den üblichen Einstellungen begonnen. Ihre sind in %1 aufgehoben.</translation>
+    </message>
+    <message>
+        <source>Nothing is lost: the painting is open and counts as not saved.</source>
+        <translation>Nichts ist verloren: Das Bild ist geöffnet und gilt als nicht gespeichert.</translation>
+    </message>
+    <message>
+        <source>Save &amp;As…</source>
+        <translation>Speichern &amp;unter …</translation>
+    </message>
+    <message>
+        <source>Another program has changed “%1”.</source>
+        <translation>Ein anderes Programm hat „%1“ geändert.</translation>
+    </message>
+    <message>
+        <source>Reloading gives up what was painted since the last save.</source>
+        <translation>Beim Neuladen geht verloren, was seit dem letzten Speichern gemalt wurde.</translation>
+    </message>
+    <message>
+        <source>The file stays as it is until you save.</source>
+        <translation>Die Datei bleibt, wie sie ist, bis Sie speichern.</translation>
+    </message>
+    <message>
+        <source>Overwriting gives up what the other program wrote.</source>
+        <translation>Beim Überschreiben geht verloren, was das andere Programm geschrieben hat.</translation>
+    </message>
+    <message>
+        <source>&amp;Overwrite</source>
+        <translation>Ü&amp;berschreiben</translation>
+    </message>
+    <message>
+        <source>&amp;Keep Mine</source>
+        <translation>&amp;Meine behalten</translation>
+    </message>
+    <message>
+        <source>&amp;Reload</source>
+        <translation>&amp;Neu laden</translation>
+    </message>
 </context>
 <context>
     <name>Paper</name>
@@ -1205,7 +1365,7 @@ Rückgabewerte: 0 fertig, 1 fehlgeschlagen, 2 falscher Aufruf.</translation>
         <translation>&amp;Löschen</translation>
     </message>
     <message>
-        <source>D&amp;uplicate</source>
+        <source>Dup&amp;licate</source>
         <translation>&amp;Duplizieren</translation>
     </message>
     <message>
@@ -1225,7 +1385,7 @@ Rückgabewerte: 0 fertig, 1 fehlgeschlagen, 2 falscher Aufruf.</translation>
         <translation>Ctrl+Shift+A</translation>
     </message>
     <message>
-        <source>Se&amp;ttings…</source>
+        <source>Settin&amp;gs…</source>
         <translation>&amp;Einstellungen …</translation>
     </message>
     <message>
@@ -1313,7 +1473,7 @@ Rückgabewerte: 0 fertig, 1 fehlgeschlagen, 2 falscher Aufruf.</translation>
         <translation>Andockfenster aus&amp;blenden</translation>
     </message>
     <message>
-        <source>F&amp;ull Screen</source>
+        <source>Full S&amp;creen</source>
         <translation>&amp;Vollbild</translation>
     </message>
     <message>
@@ -1501,7 +1661,7 @@ Rückgabewerte: 0 fertig, 1 fehlgeschlagen, 2 falscher Aufruf.</translation>
         <translation>Die ausgewählten Segmente löschen, sodass sich Striche teilen</translation>
     </message>
     <message>
-        <source>Bri&amp;dge Segments</source>
+        <source>Brid&amp;ge Segments</source>
         <translation>Segmente ü&amp;berbrücken</translation>
     </message>
     <message>
@@ -1533,7 +1693,7 @@ Rückgabewerte: 0 fertig, 1 fehlgeschlagen, 2 falscher Aufruf.</translation>
         <translation>&amp;Knoten</translation>
     </message>
     <message>
-        <source>&amp;Invert Selection</source>
+        <source>In&amp;vert Selection</source>
         <translation>Auswahl &amp;umkehren</translation>
     </message>
     <message>
@@ -1665,7 +1825,7 @@ Rückgabewerte: 0 fertig, 1 fehlgeschlagen, 2 falscher Aufruf.</translation>
         <translation>Ctrl+[</translation>
     </message>
     <message>
-        <source>Rotate by 90° &amp;Right</source>
+        <source>Rotate by 90° R&amp;ight</source>
         <translation>Um 90° nach &amp;rechts drehen</translation>
     </message>
     <message>
@@ -1749,7 +1909,7 @@ Rückgabewerte: 0 fertig, 1 fehlgeschlagen, 2 falscher Aufruf.</translation>
         <translation>#</translation>
     </message>
     <message>
-        <source>Gr&amp;id Step…</source>
+        <source>Grid St&amp;ep…</source>
         <translation>Gitter&amp;weite …</translation>
     </message>
     <message>
@@ -1975,6 +2135,14 @@ Rückgabewerte: 0 fertig, 1 fehlgeschlagen, 2 falscher Aufruf.</translation>
     <message>
         <source>Relative to the Last Select&amp;ed</source>
         <translation>Relativ zum &amp;zuletzt Ausgewählten</translation>
+    </message>
+    <message>
+        <source>Keep Undo &amp;History in the File</source>
+        <translation>&amp;Verlauf in der Datei behalten</translation>
+    </message>
+    <message>
+        <source>Whoever opens the file can go on undoing. Take it out before you give a file away</source>
+        <translation>Wer die Datei öffnet, kann weiter rückgängig machen. Bitte ausschalten, bevor Sie die Datei weitergeben</translation>
     </message>
 </context>
 <context>
@@ -3132,6 +3300,11 @@ Auch die Pfeiltasten wirken.</translation>
         <source>Untitled</source>
         <translation>Unbenannt</translation>
     </message>
+    <message>
+        <source>%1 (recovered)</source>
+        <extracomment>name of a document that was brought back after a crash</extracomment>
+        <translation>%1 (wiederhergestellt)</translation>
+    </message>
 </context>
 <context>
     <name>suffuse::EraserTool</name>
@@ -3456,10 +3629,6 @@ Auch die Pfeiltasten wirken.</translation>
         <translation>die base64-Daten des Bildes sind beschädigt</translation>
     </message>
     <message>
-        <source>Suffuse reads .suffuse, its text form (.json), ink as CSV, Universal Ink JSON, Excalidraw and MyPaint events</source>
-        <translation>Suffuse liest .suffuse, die Textform (.json), Tinte als CSV, Universal-Ink-JSON, Excalidraw und MyPaint-Ereignisse</translation>
-    </message>
-    <message>
         <source>is UTF-16 text; save it as UTF-8</source>
         <translation>ist UTF-16-Text; bitte als UTF-8 speichern</translation>
     </message>
@@ -3720,10 +3889,6 @@ Auch die Pfeiltasten wirken.</translation>
         <translation>die Datei ist beschädigt, bitte eine Sicherung nehmen</translation>
     </message>
     <message>
-        <source>chunk %1 at byte %2: %3; %4</source>
-        <translation>Block %1 bei Byte %2: %3; %4</translation>
-    </message>
-    <message>
         <source>is not a .suffuse file</source>
         <translation>ist keine .suffuse-Datei</translation>
     </message>
@@ -3742,10 +3907,6 @@ Auch die Pfeiltasten wirken.</translation>
     <message>
         <source>%1 bytes follow after the end</source>
         <translation>%1 Bytes folgen nach dem Ende</translation>
-    </message>
-    <message>
-        <source>is cut off after %1 bytes; %2</source>
-        <translation>ist nach %1 Bytes abgeschnitten; %2</translation>
     </message>
     <message>
         <source>has %1 bytes, but the file only %2 more</source>
@@ -3866,6 +4027,142 @@ Auch die Pfeiltasten wirken.</translation>
     <message>
         <source>has no settings; it is not a brush</source>
         <translation>hat keine Einstellungen; das ist kein Pinsel</translation>
+    </message>
+    <message>
+        <source>is write-protected; save under another name or change its permissions</source>
+        <translation>ist schreibgeschützt; bitte unter anderem Namen speichern oder die Rechte ändern</translation>
+    </message>
+    <message>
+        <source>belongs to %1, and would not any more; save under another name</source>
+        <translation>gehört %1 und würde es dann nicht mehr; bitte unter anderem Namen speichern</translation>
+    </message>
+    <message>
+        <source>could not be brought to the disk</source>
+        <translation>konnte nicht auf den Datenträger gebracht werden</translation>
+    </message>
+    <message>
+        <source>the backup could not be made; check the folder</source>
+        <translation>die Sicherungskopie konnte nicht angelegt werden; bitte den Ordner prüfen</translation>
+    </message>
+    <message>
+        <source>the first element is not curve_set</source>
+        <translation>das erste Element ist nicht curve_set</translation>
+    </message>
+    <message>
+        <source>%1 of %2 is &quot;%3&quot;, not a number up to 1e6</source>
+        <translation>%1 von %2 ist „%3“, keine Zahl bis 1e6</translation>
+    </message>
+    <message>
+        <source>a curve has %1 control points; 3n + 1 make cubics</source>
+        <translation>eine Kurve hat %1 Kontrollpunkte; kubische brauchen 3n + 1</translation>
+    </message>
+    <message>
+        <source>a curve has no colours on one of its sides</source>
+        <translation>eine Kurve hat auf einer Seite keine Farben</translation>
+    </message>
+    <message>
+        <source>has more than 64 MB of XML; that is more than is read</source>
+        <translation>hat mehr als 64 MB XML; so viel wird nicht gelesen</translation>
+    </message>
+    <message>
+        <source>holds no curves; there is nothing to paint</source>
+        <translation>enthält keine Kurven; es gibt nichts zu malen</translation>
+    </message>
+    <message>
+        <source>Suffuse reads .suffuse, its text form (.json), ink as CSV, Universal Ink JSON, Excalidraw, MyPaint events and diffusion curves (XML)</source>
+        <translation>Suffuse liest .suffuse, seine Textform (.json), Tinte als CSV, Universal Ink JSON, Excalidraw, MyPaint-Ereignisse und Diffusionskurven (XML)</translation>
+    </message>
+    <message>
+        <source>Diffusion curves (XML)</source>
+        <translation>Diffusionskurven (XML)</translation>
+    </message>
+    <message>
+        <source>it is damaged</source>
+        <translation>er ist beschädigt</translation>
+    </message>
+    <message>
+        <source>it belongs to another painting</source>
+        <translation>er gehört zu einem anderen Bild</translation>
+    </message>
+    <message>
+        <source>it has too many steps</source>
+        <translation>er hat zu viele Schritte</translation>
+    </message>
+    <message>
+        <source>step %1 is damaged</source>
+        <translation>Schritt %1 ist beschädigt</translation>
+    </message>
+    <message>
+        <source>step %1 does not fit the painting</source>
+        <translation>Schritt %1 passt nicht zum Bild</translation>
+    </message>
+    <message>
+        <source>the undo history was left out: %1</source>
+        <translation>der Verlauf wurde weggelassen: %1</translation>
+    </message>
+    <message>
+        <source>chunk %1 at byte %2: %3</source>
+        <translation>Block %1 bei Byte %2: %3</translation>
+    </message>
+    <message>
+        <source>is cut off after %1 bytes</source>
+        <translation>ist nach %1 Byte abgeschnitten</translation>
+    </message>
+    <message>
+        <source>byte %1: %2</source>
+        <translation>Byte %1: %2</translation>
+    </message>
+    <message>
+        <source>is damaged, and nothing in it is whole (%1); take a backup copy</source>
+        <translation>ist beschädigt, und nichts darin ist heil (%1); bitte eine Sicherungskopie nehmen</translation>
+    </message>
+    <message>
+        <source>the canvas, paper, groups, swatches and underlay are missing; the canvas is a usual one</source>
+        <translation>Leinwand, Papier, Gruppen, Farbfelder und Unterlage fehlen; die Leinwand ist eine übliche</translation>
+    </message>
+    <message>
+        <source>the image of the paper is missing; there is no paper now</source>
+        <translation>das Bild des Papiers fehlt; es gibt jetzt kein Papier</translation>
+    </message>
+    <message>
+        <source>the underlay is missing</source>
+        <translation>die Unterlage fehlt</translation>
+    </message>
+    <message>
+        <source>%1 strokes with %2 segments are here; how many there were is not known</source>
+        <translation>%1 Striche mit %2 Segmenten sind da; wie viele es waren, ist nicht bekannt</translation>
+    </message>
+    <message>
+        <source>%1 of %2 strokes are missing, with %3 of %4 segments</source>
+        <translation>%1 von %2 Strichen fehlen, mit %3 von %4 Segmenten</translation>
+    </message>
+    <message>
+        <source>all %1 strokes are here</source>
+        <translation>alle %1 Striche sind da</translation>
+    </message>
+    <message>
+        <source>%1 strokes are in no group any more</source>
+        <translation>%1 Striche gehören zu keiner Gruppe mehr</translation>
+    </message>
+    <message>
+        <source>the end of the file is missing</source>
+        <translation>das Ende der Datei fehlt</translation>
+    </message>
+    <message>
+        <source>the journal cannot be written (%1)</source>
+        <translation>das Journal kann nicht geschrieben werden (%1)</translation>
+    </message>
+    <message>
+        <source>is not a journal of Suffuse</source>
+        <translation>ist kein Journal von Suffuse</translation>
+    </message>
+    <message>
+        <source>ends before its first painting was written</source>
+        <translation>endet, bevor das erste Bild geschrieben war</translation>
+    </message>
+    <message>
+        <source>was written by a newer program (%1); update Suffuse</source>
+        <translation>wurde von einem neueren Programm (%1) geschrieben; bitte Suffuse aktualisieren</translation>
     </message>
 </context>
 <context>
@@ -4005,10 +4302,6 @@ Auch die Pfeiltasten wirken.</translation>
         <translation>%1 ms</translation>
     </message>
     <message>
-        <source>All that can be opened (*.suffuse *.json *.csv *.excalidraw *.dat)</source>
-        <translation>Alles, was sich öffnen lässt (*.suffuse *.json *.csv *.excalidraw *.dat)</translation>
-    </message>
-    <message>
         <source>Suffuse paintings (*.suffuse *.json)</source>
         <translation>Suffuse-Bilder (*.suffuse *.json)</translation>
     </message>
@@ -4116,6 +4409,54 @@ Auch die Pfeiltasten wirken.</translation>
     <message>
         <source>&amp;Play</source>
         <translation>&amp;Abspielen</translation>
+    </message>
+    <message>
+        <source>%1 ms, coarse</source>
+        <translation>%1 ms, grob</translation>
+    </message>
+    <message>
+        <source>All that can be opened (*.suffuse *.json *.csv *.excalidraw *.dat *.xml)</source>
+        <translation>Alles, was geöffnet werden kann (*.suffuse *.json *.csv *.excalidraw *.dat *.xml)</translation>
+    </message>
+    <message>
+        <source>Diffusion curves (*.xml)</source>
+        <translation>Diffusionskurven (*.xml)</translation>
+    </message>
+    <message>
+        <source>“%1” is damaged. What is whole of it was opened; the file itself is left as it is.</source>
+        <translation>„%1“ ist beschädigt. Was davon heil ist, wurde geöffnet; die Datei selbst bleibt, wie sie ist.</translation>
+    </message>
+    <message>
+        <source>What you paint now would not survive a crash: %1. Painting goes on; save from time to time.</source>
+        <translation>Was Sie jetzt malen, würde einen Absturz nicht überstehen: %1. Sie können weitermalen; bitte ab und zu speichern.</translation>
+    </message>
+    <message>
+        <source>Keep Undo &amp;History in the File (%1)</source>
+        <translation>&amp;Verlauf in der Datei behalten (%1)</translation>
+    </message>
+    <message>
+        <source>Keep Undo &amp;History in the File</source>
+        <translation>&amp;Verlauf in der Datei behalten</translation>
+    </message>
+    <message>
+        <source>“%1” is gone from its folder. Save to put it back.</source>
+        <translation>„%1“ ist aus dem Ordner verschwunden. Speichern legt es wieder dorthin.</translation>
+    </message>
+    <message>
+        <source>Saving “%1”…</source>
+        <translation>„%1“ wird gespeichert …</translation>
+    </message>
+    <message>
+        <source>Saved “%1”, %2</source>
+        <translation>„%1“ gespeichert, %2</translation>
+    </message>
+    <message>
+        <source>Saved “%1”, but %2</source>
+        <translation>„%1“ gespeichert, aber %2</translation>
+    </message>
+    <message>
+        <source>“%1” is not saved.</source>
+        <translation>„%1“ ist nicht gespeichert.</translation>
     </message>
 </context>
 <context>
@@ -4313,6 +4654,10 @@ Auch die Pfeiltasten wirken.</translation>
         <source>“%1” is not possible here: the unit is %2.</source>
         <translation>„%1“ ist hier nicht möglich: Die Einheit ist %2.</translation>
     </message>
+    <message>
+        <source> u</source>
+        <translation> E</translation>
+    </message>
 </context>
 <context>
     <name>suffuse::PanTool</name>
@@ -4444,6 +4789,111 @@ Auch die Pfeiltasten wirken.</translation>
     <message>
         <source>Segment %1</source>
         <translation>Segment %1</translation>
+    </message>
+</context>
+<context>
+    <name>suffuse::RecoveryDialog</name>
+    <message>
+        <source>Recover Paintings</source>
+        <translation>Bilder wiederherstellen</translation>
+    </message>
+    <message>
+        <source>Suffuse ended before these paintings were saved. They open as they were at the last stroke; files on the disk are left as they are.</source>
+        <translation>Suffuse endete, bevor diese Bilder gespeichert waren. Sie öffnen sich, wie sie beim letzten Strich waren; Dateien auf dem Datenträger bleiben, wie sie sind.</translation>
+    </message>
+    <message>
+        <source>Paintings that can be recovered</source>
+        <translation>Bilder, die wiederhergestellt werden können</translation>
+    </message>
+    <message>
+        <source>Painting</source>
+        <translation>Bild</translation>
+    </message>
+    <message>
+        <source>Last Change</source>
+        <translation>Letzte Änderung</translation>
+    </message>
+    <message>
+        <source>Strokes</source>
+        <translation>Striche</translation>
+    </message>
+    <message>
+        <source>Folder</source>
+        <translation>Ordner</translation>
+    </message>
+    <message>
+        <source>&amp;Recover</source>
+        <translation>&amp;Wiederherstellen</translation>
+    </message>
+    <message>
+        <source>&amp;Later</source>
+        <translation>&amp;Später</translation>
+    </message>
+    <message>
+        <source>&amp;Discard…</source>
+        <translation>&amp;Verwerfen …</translation>
+    </message>
+    <message>
+        <source>Opens the selected paintings, without a file of their own</source>
+        <translation>Öffnet die ausgewählten Bilder, ohne eigene Datei</translation>
+    </message>
+    <message>
+        <source>Asks again when Suffuse starts the next time</source>
+        <translation>Fragt beim nächsten Start von Suffuse wieder</translation>
+    </message>
+    <message>
+        <source>Removes the selected paintings for good</source>
+        <translation>Entfernt die ausgewählten Bilder endgültig</translation>
+    </message>
+    <message>
+        <source>not saved yet</source>
+        <translation>noch nicht gespeichert</translation>
+    </message>
+    <message>
+        <source>Discard “%1”?</source>
+        <translation>„%1“ verwerfen?</translation>
+    </message>
+    <message numerus="yes">
+        <source>Discard %n paintings?</source>
+        <translation>
+            <numerusform>%n Bild verwerfen?</numerusform>
+            <numerusform>%n Bilder verwerfen?</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>What was painted since the last save is then lost for good.</source>
+        <translation>Was seit dem letzten Speichern gemalt wurde, ist dann endgültig verloren.</translation>
+    </message>
+    <message>
+        <source>&amp;Discard</source>
+        <translation>&amp;Verwerfen</translation>
+    </message>
+</context>
+<context>
+    <name>suffuse::RewetRows</name>
+    <message>
+        <source>Wetted again</source>
+        <translation>Wieder angefeuchtet</translation>
+    </message>
+    <message>
+        <source>… and more</source>
+        <translation>… und mehr</translation>
+    </message>
+    <message>
+        <source>at %1 for %2 s</source>
+        <translation>bei %1 für %2 s</translation>
+    </message>
+    <message>
+        <source>at %1 for %2 s, some segments</source>
+        <translation>bei %1 für %2 s, einige Segmente</translation>
+    </message>
+    <message>
+        <source>The selected paint is not wetted then</source>
+        <translation>Die ausgewählte Farbe wird dann nicht angefeuchtet</translation>
+    </message>
+    <message>
+        <source>Remove re-wetting</source>
+        <translation>Wiederanfeuchten aufheben</translation>
     </message>
 </context>
 <context>
@@ -4745,6 +5195,18 @@ Auch die Pfeiltasten wirken.</translation>
     <message>
         <source>Pen</source>
         <translation>Stift</translation>
+    </message>
+    <message>
+        <source>None</source>
+        <translation>Keine</translation>
+    </message>
+    <message>
+        <source>Backups</source>
+        <translation>Sicherungskopien</translation>
+    </message>
+    <message>
+        <source>How many earlier versions are kept when a painting is saved: “name.suffuse~” beside it is the last one, “~2” the one before.</source>
+        <translation>Wie viele frühere Fassungen beim Speichern bleiben: „name.suffuse~“ daneben ist die letzte, „~2“ die davor.</translation>
     </message>
 </context>
 <context>
@@ -5495,6 +5957,18 @@ Auch die Pfeiltasten wirken.</translation>
         <source>Show all of the time</source>
         <translation>Die ganze Zeit zeigen</translation>
     </message>
+    <message>
+        <source>Go to Its &amp;Start</source>
+        <translation>Zu seinem &amp;Anfang</translation>
+    </message>
+    <message>
+        <source>Go to When It Is Dr&amp;y</source>
+        <translation>Dorthin, wo er &amp;trocken ist</translation>
+    </message>
+    <message>
+        <source>Drawing Pa&amp;ce</source>
+        <translation>&amp;Zeichentempo</translation>
+    </message>
 </context>
 <context>
     <name>suffuse::TimelineView</name>
@@ -5525,6 +5999,38 @@ Auch die Pfeiltasten wirken.</translation>
     <message>
         <source>Each stroke is a bar here: from when it is painted until it is dry.</source>
         <translation>Jeder Strich ist hier ein Balken: vom Malen, bis er trocken ist.</translation>
+    </message>
+    <message>
+        <source>Stroke %1</source>
+        <translation>Strich %1</translation>
+    </message>
+    <message>
+        <source>Drawn from %1 to %2</source>
+        <translation>Gezeichnet von %1 bis %2</translation>
+    </message>
+    <message>
+        <source>Dry at %1</source>
+        <translation>Trocken bei %1</translation>
+    </message>
+    <message>
+        <source>Wetted again, dry at %1</source>
+        <translation>Wieder angefeuchtet, trocken bei %1</translation>
+    </message>
+    <message>
+        <source>Locked</source>
+        <translation>Gesperrt</translation>
+    </message>
+    <message>
+        <source>Ease in time</source>
+        <translation>Zeit sanft verteilen</translation>
+    </message>
+    <message>
+        <source>Begins at %1 % of its pace</source>
+        <translation>Beginnt mit %1 % seines Tempos</translation>
+    </message>
+    <message>
+        <source>Ends at %1 % of its pace</source>
+        <translation>Endet mit %1 % seines Tempos</translation>
     </message>
 </context>
 <context>

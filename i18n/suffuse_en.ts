@@ -49,6 +49,16 @@
     </message>
 </context>
 <context>
+    <name>suffuse::RecoveryDialog</name>
+    <message numerus="yes">
+        <source>Discard %n paintings?</source>
+        <translation>
+            <numerusform>Discard %n painting?</numerusform>
+            <numerusform>Discard %n paintings?</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>suffuse::StrokesModel</name>
     <message numerus="yes">
         <source>%n segment(s)</source>

@@ -635,6 +635,126 @@ Exit codes: 0 done, 1 the work failed, 2 wrong usage.</source>
         <source>-o OUT is missing: name the frames or the film to write</source>
         <translation>缺少 -o OUT：请指定要写入的各帧或影片的名称</translation>
     </message>
+    <message>
+        <source>Leaves out what lies beside the picture: preview, view, undo history.</source>
+        <translation>不写入图像以外的内容：预览、视图、撤销历史。</translation>
+    </message>
+    <message>
+        <source>Of a damaged document takes what is whole, and says what is missing.</source>
+        <translation>对损坏的文档取其完好的部分，并说明缺少什么。</translation>
+    </message>
+    <message>
+        <source>%1: is damaged; --salvage writes what is whole of it</source>
+        <translation>%1：已损坏；--salvage 可写出其完好的部分</translation>
+    </message>
+    <message>
+        <source>segments added: %1</source>
+        <translation>新增线段：%1</translation>
+    </message>
+    <message>
+        <source>segments removed: %1</source>
+        <translation>删除线段：%1</translation>
+    </message>
+    <message>
+        <source>%1 and %2 hold the same painting</source>
+        <translation>%1 与 %2 是同一幅画作</translation>
+    </message>
+    <message>
+        <source>%1 → %2: %3 strokes added, %4 removed, %5 changed, %6 moved</source>
+        <translation>%1 → %2：新增 %3 笔，删除 %4 笔，更改 %5 笔，移动 %6 笔</translation>
+    </message>
+    <message>
+        <source>%1, segments: %2</source>
+        <translation>%1，线段：%2</translation>
+    </message>
+    <message>
+        <source>%1: from place %2 to %3</source>
+        <translation>%1：从位置 %2 到 %3</translation>
+    </message>
+    <message>
+        <source>Compares two paintings and tells what was added, removed and changed from A to B.</source>
+        <translation>比较两幅画作，说明从 A 到 B 新增、删除和更改了什么。</translation>
+    </message>
+    <message>
+        <source>only one of the two can be standard input</source>
+        <translation>两者中只能有一个是标准输入</translation>
+    </message>
+    <message>
+        <source>A picture that shows where: B pale, added strokes green, removed ones orange, changed and moved ones blue.</source>
+        <translation>显示差异所在的图片：B 变淡，新增的笔画为绿色，删除的为橙色，更改和移动的为蓝色。</translation>
+    </message>
+    <message>
+        <source>--%1 is for the picture; give -o OUT too</source>
+        <translation>--%1 用于图片；请同时给出 -o OUT</translation>
+    </message>
+    <message>
+        <source>preview</source>
+        <translation>预览</translation>
+    </message>
+    <message>
+        <source>how it was last looked at</source>
+        <translation>上次的视图</translation>
+    </message>
+    <message>
+        <source>undo history</source>
+        <translation>撤销历史</translation>
+    </message>
+    <message>
+        <source>unknown to this version, kept</source>
+        <translation>此版本不认识，予以保留</translation>
+    </message>
+    <message>
+        <source>  chunk     %1 at byte %2 is damaged: %3</source>
+        <translation>  数据块    %1（位于字节 %2）已损坏：%3</translation>
+    </message>
+    <message>
+        <source>  paper     %1</source>
+        <translation>  纸张      %1</translation>
+    </message>
+    <message>
+        <source>what differs between two paintings, and where</source>
+        <translation>两幅画作有何不同，在哪里</translation>
+    </message>
+    <message>
+        <source>what was not saved when the editor ended</source>
+        <translation>编辑器结束时未保存的内容</translation>
+    </message>
+    <message>
+        <source>%1  %2  %3, %4 strokes
+</source>
+        <translation>%1  %2  %3，%4 笔
+</translation>
+    </message>
+    <message>
+        <source>in use by a running Suffuse</source>
+        <translation>正被运行中的 Suffuse 使用</translation>
+    </message>
+    <message>
+        <source>There is nothing to recover.
+</source>
+        <translation>没有可恢复的内容。
+</translation>
+    </message>
+    <message>
+        <source>Lists what was painted and not saved when Suffuse ended unexpectedly, or writes one of it to a file.</source>
+        <translation>列出 Suffuse 意外结束时已绘制而未保存的内容，或将其中之一写入文件。</translation>
+    </message>
+    <message>
+        <source>Lists what there is; the same as no ID.</source>
+        <translation>列出现有内容；与不给 ID 相同。</translation>
+    </message>
+    <message>
+        <source>The file to write: .suffuse or .json.</source>
+        <translation>要写入的文件：.suffuse 或 .json。</translation>
+    </message>
+    <message>
+        <source>give an ID and -o OUT, or neither</source>
+        <translation>请同时给出 ID 和 -o OUT，或都不给</translation>
+    </message>
+    <message>
+        <source>%1: there is no such journal to recover. See suffuse-cli recover --list.</source>
+        <translation>%1：没有可恢复的此日志。请见 suffuse-cli recover --list。</translation>
+    </message>
 </context>
 <context>
     <name>Clipboard</name>
@@ -922,6 +1042,46 @@ Exit codes: 0 done, 1 the work failed, 2 wrong usage.</source>
         <source>Without saving, what was painted since the last save is lost.</source>
         <translation>若不保存，上次保存后所画的内容将丢失。</translation>
     </message>
+    <message>
+        <source>Suffuse did not come up the last times, so it has started with the usual settings. Yours are kept in %1.</source>
+        <translation>前几次 Suffuse 未能启动，因此本次使用默认设置启动。您的设置保存在 %1。</translation>
+    </message>
+    <message>
+        <source>Nothing is lost: the painting is open and counts as not saved.</source>
+        <translation>没有丢失任何内容：画作仍然打开，并标为未保存。</translation>
+    </message>
+    <message>
+        <source>Save &amp;As…</source>
+        <translation>另存为(&amp;A)…</translation>
+    </message>
+    <message>
+        <source>Another program has changed “%1”.</source>
+        <translation>另一个程序更改了“%1”。</translation>
+    </message>
+    <message>
+        <source>Reloading gives up what was painted since the last save.</source>
+        <translation>重新载入会放弃上次保存以来绘制的内容。</translation>
+    </message>
+    <message>
+        <source>The file stays as it is until you save.</source>
+        <translation>在您保存之前，文件保持原样。</translation>
+    </message>
+    <message>
+        <source>Overwriting gives up what the other program wrote.</source>
+        <translation>覆盖会放弃另一个程序写入的内容。</translation>
+    </message>
+    <message>
+        <source>&amp;Overwrite</source>
+        <translation>覆盖(&amp;O)</translation>
+    </message>
+    <message>
+        <source>&amp;Keep Mine</source>
+        <translation>保留我的(&amp;K)</translation>
+    </message>
+    <message>
+        <source>&amp;Reload</source>
+        <translation>重新载入(&amp;R)</translation>
+    </message>
 </context>
 <context>
     <name>Paper</name>
@@ -1203,7 +1363,7 @@ Exit codes: 0 done, 1 the work failed, 2 wrong usage.</source>
         <translation>删除(&amp;D)</translation>
     </message>
     <message>
-        <source>D&amp;uplicate</source>
+        <source>Dup&amp;licate</source>
         <translation>再制(&amp;L)</translation>
     </message>
     <message>
@@ -1223,7 +1383,7 @@ Exit codes: 0 done, 1 the work failed, 2 wrong usage.</source>
         <translation>Ctrl+Shift+A</translation>
     </message>
     <message>
-        <source>Se&amp;ttings…</source>
+        <source>Settin&amp;gs…</source>
         <translation>设置(&amp;S)…</translation>
     </message>
     <message>
@@ -1311,7 +1471,7 @@ Exit codes: 0 done, 1 the work failed, 2 wrong usage.</source>
         <translation>隐藏面板(&amp;H)</translation>
     </message>
     <message>
-        <source>F&amp;ull Screen</source>
+        <source>Full S&amp;creen</source>
         <translation>全屏(&amp;W)</translation>
     </message>
     <message>
@@ -1499,7 +1659,7 @@ Exit codes: 0 done, 1 the work failed, 2 wrong usage.</source>
         <translation>删除所选线段，使笔画分开</translation>
     </message>
     <message>
-        <source>Bri&amp;dge Segments</source>
+        <source>Brid&amp;ge Segments</source>
         <translation>桥接线段(&amp;D)</translation>
     </message>
     <message>
@@ -1531,7 +1691,7 @@ Exit codes: 0 done, 1 the work failed, 2 wrong usage.</source>
         <translation>节点(&amp;N)</translation>
     </message>
     <message>
-        <source>&amp;Invert Selection</source>
+        <source>In&amp;vert Selection</source>
         <translation>反选(&amp;V)</translation>
     </message>
     <message>
@@ -1663,7 +1823,7 @@ Exit codes: 0 done, 1 the work failed, 2 wrong usage.</source>
         <translation>Ctrl+[</translation>
     </message>
     <message>
-        <source>Rotate by 90° &amp;Right</source>
+        <source>Rotate by 90° R&amp;ight</source>
         <translation>向右旋转 90°(&amp;R)</translation>
     </message>
     <message>
@@ -1747,7 +1907,7 @@ Exit codes: 0 done, 1 the work failed, 2 wrong usage.</source>
         <translation>#</translation>
     </message>
     <message>
-        <source>Gr&amp;id Step…</source>
+        <source>Grid St&amp;ep…</source>
         <translation>网格间距(&amp;P)…</translation>
     </message>
     <message>
@@ -1973,6 +2133,14 @@ Exit codes: 0 done, 1 the work failed, 2 wrong usage.</source>
     <message>
         <source>Relative to the Last Select&amp;ed</source>
         <translation>相对于最后选择的笔画(&amp;E)</translation>
+    </message>
+    <message>
+        <source>Keep Undo &amp;History in the File</source>
+        <translation>在文件中保留撤销历史(&amp;H)</translation>
+    </message>
+    <message>
+        <source>Whoever opens the file can go on undoing. Take it out before you give a file away</source>
+        <translation>打开此文件的人可以继续撤销。将文件交给他人之前请取消此项</translation>
     </message>
 </context>
 <context>
@@ -3130,6 +3298,11 @@ Arrow keys work too.</source>
         <source>Untitled</source>
         <translation>未命名</translation>
     </message>
+    <message>
+        <source>%1 (recovered)</source>
+        <extracomment>name of a document that was brought back after a crash</extracomment>
+        <translation>%1（已恢复）</translation>
+    </message>
 </context>
 <context>
     <name>suffuse::EraserTool</name>
@@ -3454,10 +3627,6 @@ Arrow keys work too.</source>
         <translation>图像的 base64 数据已损坏</translation>
     </message>
     <message>
-        <source>Suffuse reads .suffuse, its text form (.json), ink as CSV, Universal Ink JSON, Excalidraw and MyPaint events</source>
-        <translation>Suffuse 可读取 .suffuse、其文本形式 (.json)、CSV 笔迹、Universal Ink JSON、Excalidraw 和 MyPaint 事件</translation>
-    </message>
-    <message>
         <source>is UTF-16 text; save it as UTF-8</source>
         <translation>是 UTF-16 文本；请保存为 UTF-8</translation>
     </message>
@@ -3718,10 +3887,6 @@ Arrow keys work too.</source>
         <translation>文件已损坏，请使用备份</translation>
     </message>
     <message>
-        <source>chunk %1 at byte %2: %3; %4</source>
-        <translation>字节 %2 处的数据块 %1：%3；%4</translation>
-    </message>
-    <message>
         <source>is not a .suffuse file</source>
         <translation>不是 .suffuse 文件</translation>
     </message>
@@ -3740,10 +3905,6 @@ Arrow keys work too.</source>
     <message>
         <source>%1 bytes follow after the end</source>
         <translation>结束后还有 %1 字节</translation>
-    </message>
-    <message>
-        <source>is cut off after %1 bytes; %2</source>
-        <translation>在 %1 字节后被截断；%2</translation>
     </message>
     <message>
         <source>has %1 bytes, but the file only %2 more</source>
@@ -3864,6 +4025,142 @@ Arrow keys work too.</source>
     <message>
         <source>has no settings; it is not a brush</source>
         <translation>没有设置，不是画笔</translation>
+    </message>
+    <message>
+        <source>is write-protected; save under another name or change its permissions</source>
+        <translation>受写保护；请以其他名称保存或更改其权限</translation>
+    </message>
+    <message>
+        <source>belongs to %1, and would not any more; save under another name</source>
+        <translation>属于 %1，保存后将不再属于该用户；请以其他名称保存</translation>
+    </message>
+    <message>
+        <source>could not be brought to the disk</source>
+        <translation>无法写到磁盘</translation>
+    </message>
+    <message>
+        <source>the backup could not be made; check the folder</source>
+        <translation>无法创建备份；请检查文件夹</translation>
+    </message>
+    <message>
+        <source>the first element is not curve_set</source>
+        <translation>第一个元素不是 curve_set</translation>
+    </message>
+    <message>
+        <source>%1 of %2 is &quot;%3&quot;, not a number up to 1e6</source>
+        <translation>%2 的 %1 为“%3”，不是不超过 1e6 的数</translation>
+    </message>
+    <message>
+        <source>a curve has %1 control points; 3n + 1 make cubics</source>
+        <translation>一条曲线有 %1 个控制点；三次曲线需要 3n + 1 个</translation>
+    </message>
+    <message>
+        <source>a curve has no colours on one of its sides</source>
+        <translation>一条曲线有一侧没有颜色</translation>
+    </message>
+    <message>
+        <source>has more than 64 MB of XML; that is more than is read</source>
+        <translation>含有超过 64 MB 的 XML；超出可读取的大小</translation>
+    </message>
+    <message>
+        <source>holds no curves; there is nothing to paint</source>
+        <translation>不含曲线；没有可绘制的内容</translation>
+    </message>
+    <message>
+        <source>Suffuse reads .suffuse, its text form (.json), ink as CSV, Universal Ink JSON, Excalidraw, MyPaint events and diffusion curves (XML)</source>
+        <translation>Suffuse 可读取 .suffuse、其文本形式（.json）、CSV 笔迹、Universal Ink JSON、Excalidraw、MyPaint 事件和扩散曲线（XML）</translation>
+    </message>
+    <message>
+        <source>Diffusion curves (XML)</source>
+        <translation>扩散曲线（XML）</translation>
+    </message>
+    <message>
+        <source>it is damaged</source>
+        <translation>它已损坏</translation>
+    </message>
+    <message>
+        <source>it belongs to another painting</source>
+        <translation>它属于另一幅画作</translation>
+    </message>
+    <message>
+        <source>it has too many steps</source>
+        <translation>它的步骤太多</translation>
+    </message>
+    <message>
+        <source>step %1 is damaged</source>
+        <translation>第 %1 步已损坏</translation>
+    </message>
+    <message>
+        <source>step %1 does not fit the painting</source>
+        <translation>第 %1 步与画作不符</translation>
+    </message>
+    <message>
+        <source>the undo history was left out: %1</source>
+        <translation>未载入撤销历史：%1</translation>
+    </message>
+    <message>
+        <source>chunk %1 at byte %2: %3</source>
+        <translation>数据块 %1（位于字节 %2）：%3</translation>
+    </message>
+    <message>
+        <source>is cut off after %1 bytes</source>
+        <translation>在 %1 字节后被截断</translation>
+    </message>
+    <message>
+        <source>byte %1: %2</source>
+        <translation>字节 %1：%2</translation>
+    </message>
+    <message>
+        <source>is damaged, and nothing in it is whole (%1); take a backup copy</source>
+        <translation>已损坏，其中没有完好的内容（%1）；请使用备份</translation>
+    </message>
+    <message>
+        <source>the canvas, paper, groups, swatches and underlay are missing; the canvas is a usual one</source>
+        <translation>缺少画布、纸张、组、色板和底图；现使用默认画布</translation>
+    </message>
+    <message>
+        <source>the image of the paper is missing; there is no paper now</source>
+        <translation>缺少纸张图像；现在没有纸张</translation>
+    </message>
+    <message>
+        <source>the underlay is missing</source>
+        <translation>缺少底图</translation>
+    </message>
+    <message>
+        <source>%1 strokes with %2 segments are here; how many there were is not known</source>
+        <translation>现有 %1 笔、%2 段；原来有多少不得而知</translation>
+    </message>
+    <message>
+        <source>%1 of %2 strokes are missing, with %3 of %4 segments</source>
+        <translation>缺少 %2 笔中的 %1 笔，%4 段中的 %3 段</translation>
+    </message>
+    <message>
+        <source>all %1 strokes are here</source>
+        <translation>%1 笔全部完好</translation>
+    </message>
+    <message>
+        <source>%1 strokes are in no group any more</source>
+        <translation>%1 笔不再属于任何组</translation>
+    </message>
+    <message>
+        <source>the end of the file is missing</source>
+        <translation>缺少文件的结尾</translation>
+    </message>
+    <message>
+        <source>the journal cannot be written (%1)</source>
+        <translation>无法写入日志（%1）</translation>
+    </message>
+    <message>
+        <source>is not a journal of Suffuse</source>
+        <translation>不是 Suffuse 的日志</translation>
+    </message>
+    <message>
+        <source>ends before its first painting was written</source>
+        <translation>在写完首个画作之前结束</translation>
+    </message>
+    <message>
+        <source>was written by a newer program (%1); update Suffuse</source>
+        <translation>由更新的程序（%1）写成；请更新 Suffuse</translation>
     </message>
 </context>
 <context>
@@ -4001,10 +4298,6 @@ Arrow keys work too.</source>
         <translation>%1 毫秒</translation>
     </message>
     <message>
-        <source>All that can be opened (*.suffuse *.json *.csv *.excalidraw *.dat)</source>
-        <translation>所有可打开的文件 (*.suffuse *.json *.csv *.excalidraw *.dat)</translation>
-    </message>
-    <message>
         <source>Suffuse paintings (*.suffuse *.json)</source>
         <translation>Suffuse 画作 (*.suffuse *.json)</translation>
     </message>
@@ -4111,6 +4404,54 @@ Arrow keys work too.</source>
     <message>
         <source>&amp;Play</source>
         <translation>播放(&amp;P)</translation>
+    </message>
+    <message>
+        <source>%1 ms, coarse</source>
+        <translation>%1 毫秒，粗略</translation>
+    </message>
+    <message>
+        <source>All that can be opened (*.suffuse *.json *.csv *.excalidraw *.dat *.xml)</source>
+        <translation>所有可打开的文件 (*.suffuse *.json *.csv *.excalidraw *.dat *.xml)</translation>
+    </message>
+    <message>
+        <source>Diffusion curves (*.xml)</source>
+        <translation>扩散曲线 (*.xml)</translation>
+    </message>
+    <message>
+        <source>“%1” is damaged. What is whole of it was opened; the file itself is left as it is.</source>
+        <translation>“%1”已损坏。已打开其完好的部分；文件本身保持原样。</translation>
+    </message>
+    <message>
+        <source>What you paint now would not survive a crash: %1. Painting goes on; save from time to time.</source>
+        <translation>现在绘制的内容在崩溃后将无法恢复：%1。可以继续绘画；请不时保存。</translation>
+    </message>
+    <message>
+        <source>Keep Undo &amp;History in the File (%1)</source>
+        <translation>在文件中保留撤销历史(&amp;H)（%1）</translation>
+    </message>
+    <message>
+        <source>Keep Undo &amp;History in the File</source>
+        <translation>在文件中保留撤销历史(&amp;H)</translation>
+    </message>
+    <message>
+        <source>“%1” is gone from its folder. Save to put it back.</source>
+        <translation>“%1”已不在其文件夹中。保存即可放回。</translation>
+    </message>
+    <message>
+        <source>Saving “%1”…</source>
+        <translation>正在保存“%1”…</translation>
+    </message>
+    <message>
+        <source>Saved “%1”, %2</source>
+        <translation>已保存“%1”，%2</translation>
+    </message>
+    <message>
+        <source>Saved “%1”, but %2</source>
+        <translation>已保存“%1”，但 %2</translation>
+    </message>
+    <message>
+        <source>“%1” is not saved.</source>
+        <translation>“%1”未保存。</translation>
     </message>
 </context>
 <context>
@@ -4308,6 +4649,10 @@ Arrow keys work too.</source>
         <source>“%1” is not possible here: the unit is %2.</source>
         <translation>此处不能输入“%1”：单位是 %2。</translation>
     </message>
+    <message>
+        <source> u</source>
+        <translation> u</translation>
+    </message>
 </context>
 <context>
     <name>suffuse::PanTool</name>
@@ -4439,6 +4784,110 @@ Arrow keys work too.</source>
     <message>
         <source>Segment %1</source>
         <translation>线段 %1</translation>
+    </message>
+</context>
+<context>
+    <name>suffuse::RecoveryDialog</name>
+    <message>
+        <source>Recover Paintings</source>
+        <translation>恢复画作</translation>
+    </message>
+    <message>
+        <source>Suffuse ended before these paintings were saved. They open as they were at the last stroke; files on the disk are left as they are.</source>
+        <translation>Suffuse 在保存这些画作之前结束了。它们将以最后一笔时的样子打开；磁盘上的文件保持原样。</translation>
+    </message>
+    <message>
+        <source>Paintings that can be recovered</source>
+        <translation>可以恢复的画作</translation>
+    </message>
+    <message>
+        <source>Painting</source>
+        <translation>画作</translation>
+    </message>
+    <message>
+        <source>Last Change</source>
+        <translation>最后更改</translation>
+    </message>
+    <message>
+        <source>Strokes</source>
+        <translation>笔画</translation>
+    </message>
+    <message>
+        <source>Folder</source>
+        <translation>文件夹</translation>
+    </message>
+    <message>
+        <source>&amp;Recover</source>
+        <translation>恢复(&amp;R)</translation>
+    </message>
+    <message>
+        <source>&amp;Later</source>
+        <translation>以后再说(&amp;L)</translation>
+    </message>
+    <message>
+        <source>&amp;Discard…</source>
+        <translation>丢弃(&amp;D)…</translation>
+    </message>
+    <message>
+        <source>Opens the selected paintings, without a file of their own</source>
+        <translation>打开所选画作，不带各自的文件</translation>
+    </message>
+    <message>
+        <source>Asks again when Suffuse starts the next time</source>
+        <translation>下次启动 Suffuse 时再询问</translation>
+    </message>
+    <message>
+        <source>Removes the selected paintings for good</source>
+        <translation>永久移除所选画作</translation>
+    </message>
+    <message>
+        <source>not saved yet</source>
+        <translation>尚未保存</translation>
+    </message>
+    <message>
+        <source>Discard “%1”?</source>
+        <translation>丢弃“%1”？</translation>
+    </message>
+    <message numerus="yes">
+        <source>Discard %n paintings?</source>
+        <translation>
+            <numerusform>丢弃 %n 幅画作？</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>What was painted since the last save is then lost for good.</source>
+        <translation>上次保存以来绘制的内容将永久丢失。</translation>
+    </message>
+    <message>
+        <source>&amp;Discard</source>
+        <translation>丢弃(&amp;D)</translation>
+    </message>
+</context>
+<context>
+    <name>suffuse::RewetRows</name>
+    <message>
+        <source>Wetted again</source>
+        <translation>再次润湿</translation>
+    </message>
+    <message>
+        <source>… and more</source>
+        <translation>…以及更多</translation>
+    </message>
+    <message>
+        <source>at %1 for %2 s</source>
+        <translation>于 %1，持续 %2 秒</translation>
+    </message>
+    <message>
+        <source>at %1 for %2 s, some segments</source>
+        <translation>于 %1，持续 %2 秒，部分线段</translation>
+    </message>
+    <message>
+        <source>The selected paint is not wetted then</source>
+        <translation>所选颜料届时不再润湿</translation>
+    </message>
+    <message>
+        <source>Remove re-wetting</source>
+        <translation>移除再次润湿</translation>
     </message>
 </context>
 <context>
@@ -4740,6 +5189,18 @@ Arrow keys work too.</source>
     <message>
         <source>Pen</source>
         <translation>压感笔</translation>
+    </message>
+    <message>
+        <source>None</source>
+        <translation>无</translation>
+    </message>
+    <message>
+        <source>Backups</source>
+        <translation>备份</translation>
+    </message>
+    <message>
+        <source>How many earlier versions are kept when a painting is saved: “name.suffuse~” beside it is the last one, “~2” the one before.</source>
+        <translation>保存画作时保留多少个早先版本：旁边的“name.suffuse~”是上一个，“~2”是再前一个。</translation>
     </message>
 </context>
 <context>
@@ -5487,6 +5948,18 @@ Arrow keys work too.</source>
         <source>Show all of the time</source>
         <translation>显示全部时间</translation>
     </message>
+    <message>
+        <source>Go to Its &amp;Start</source>
+        <translation>转到其开头(&amp;S)</translation>
+    </message>
+    <message>
+        <source>Go to When It Is Dr&amp;y</source>
+        <translation>转到其干透时(&amp;Y)</translation>
+    </message>
+    <message>
+        <source>Drawing Pa&amp;ce</source>
+        <translation>绘制速度(&amp;C)</translation>
+    </message>
 </context>
 <context>
     <name>suffuse::TimelineView</name>
@@ -5517,6 +5990,38 @@ Arrow keys work too.</source>
     <message>
         <source>Each stroke is a bar here: from when it is painted until it is dry.</source>
         <translation>此处每条笔画为一个横条：从绘制开始到干透为止。</translation>
+    </message>
+    <message>
+        <source>Stroke %1</source>
+        <translation>笔画 %1</translation>
+    </message>
+    <message>
+        <source>Drawn from %1 to %2</source>
+        <translation>绘制于 %1 至 %2</translation>
+    </message>
+    <message>
+        <source>Dry at %1</source>
+        <translation>干透于 %1</translation>
+    </message>
+    <message>
+        <source>Wetted again, dry at %1</source>
+        <translation>再次润湿，干透于 %1</translation>
+    </message>
+    <message>
+        <source>Locked</source>
+        <translation>已锁定</translation>
+    </message>
+    <message>
+        <source>Ease in time</source>
+        <translation>时间缓动</translation>
+    </message>
+    <message>
+        <source>Begins at %1 % of its pace</source>
+        <translation>以其速度的 %1 % 开始</translation>
+    </message>
+    <message>
+        <source>Ends at %1 % of its pace</source>
+        <translation>以其速度的 %1 % 结束</translation>
     </message>
 </context>
 <context>

@@ -55,11 +55,11 @@ void swapStrokesAndOrder(Painting &painting, Edit &edit)
     StrokeList &strokes = painting.strokes;
     const std::vector<StrokeId> before = orderOf(painting);
     const std::vector<StrokeId> after = orderWanted(edit, before);
-    const auto first = std::size_t(
-        std::mismatch(before.begin(), before.end(), after.begin(), after.end(),
-                      [&](StrokeId a, StrokeId b) { return a == b && !edit.strokes.contains(a); })
-            .first -
-        before.begin());
+    const auto first =
+        std::size_t(std::mismatch(before.begin(), before.end(), after.begin(), after.end(),
+                                  [&](StrokeId a, StrokeId b) { return a == b && !edit.strokes.contains(a); })
+                        .first -
+                    before.begin());
 
     std::unordered_map<StrokeId, StrokePtr> there;
     there.reserve(before.size() - first + edit.strokes.size());
@@ -187,6 +187,15 @@ StrokeId Document::takeStrokeId()
 GroupId Document::takeGroupId()
 {
     return m_nextGroup++;
+}
+
+void Document::reserve(const Edit &edit)
+{
+    for (const auto &[id, state] : edit.strokes)
+        m_nextStroke = std::max(m_nextStroke, id + 1);
+    if (edit.groups)
+        for (const Group &group : *edit.groups)
+            m_nextGroup = std::max(m_nextGroup, group.id + 1);
 }
 
 } // namespace suffuse

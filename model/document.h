@@ -24,8 +24,8 @@ public:
 
     /// Swaps the edit's state with the document's and emits `changed` once. The edit must name existing strokes or ones
     /// that it adds, and its order must be a permutation of what is then there (asserted). A whole order is replaced by
-    /// the places that differ: what an undo step holds is in proportion to what it changes. Segments that no longer exist
-    /// leave the selection.
+    /// the places that differ: what an undo step holds is in proportion to what it changes. Segments that no longer
+    /// exist leave the selection.
     void exchange(Edit &edit);
 
     /// The stroke in hand, drawn on top, in no undo step; null removes it.
@@ -38,6 +38,8 @@ public:
     /// An id that no stroke has, nor had in this document's life (undo may bring strokes back).
     StrokeId takeStrokeId();
     GroupId takeGroupId();
+    /// Never gives away the ids that an edit names: a later undo may bring them back.
+    void reserve(const Edit &edit);
 
 signals:
     void changed(const suffuse::Change &change);

@@ -124,7 +124,7 @@ std::vector<Stroke> runsOf(const Stroke &stroke, std::vector<Piece> &pieces, Sta
 } // namespace
 
 std::vector<Stroke> erased(const Stroke &stroke, const std::vector<Point> &path, double radius,
-                           std::vector<int> *sources)
+                           std::vector<int> *sources, Microseconds T)
 {
     if (sources) {
         sources->resize(stroke.segments.size());
@@ -137,6 +137,8 @@ std::vector<Stroke> erased(const Stroke &stroke, const std::vector<Point> &path,
     std::vector<bool> startsInside(stroke.segments.size());
     bool touched = false;
     for (std::size_t k = 0; k < stroke.segments.size(); ++k) {
+        if (stroke.segments[k].born > T)
+            continue;
         const Cubic curve = offsetsOf(stroke.segments[k]);
         const Eraser eraser(capsules, radius, curve);
         cuts[k] = eraser.cuts();

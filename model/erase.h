@@ -3,14 +3,18 @@
 
 #include "model/reshape.h"
 
+#include <limits>
+
 namespace suffuse {
 
 /// What is left of a stroke where the curve comes nearer than `radius` to a path (one point: a disc): runs of segments,
 /// cut by exact splits where the distance is the radius. All have the stroke's id, which the caller gives to one of
 /// them. {stroke} where nothing is touched; empty where nothing is left. Segments that are not cut keep their bits.
-/// `sources`: for the segments of all runs, one after the other, the index of that each came from.
+/// `sources`: for the segments of all runs, one after the other, the index of that each came from. Segments that are
+/// painted after document time T stay.
 std::vector<Stroke> erased(const Stroke &stroke, const std::vector<Point> &path, double radius,
-                           std::vector<int> *sources = nullptr);
+                           std::vector<int> *sources = nullptr,
+                           Microseconds T = std::numeric_limits<Microseconds>::max());
 
 /// False where the eraser surely leaves a stroke as it is, by boxes alone.
 bool mayErase(const Stroke &stroke, const std::vector<Point> &path, double radius);

@@ -119,34 +119,6 @@ QString problemOfGroups(const std::vector<Group> &groups)
     return {};
 }
 
-/// Members of a group, those of its subgroups among them, must stand together in the order.
-QString problemOfMembership(const Painting &painting)
-{
-    std::unordered_map<GroupId, GroupId> parents;
-    for (const Group &g : painting.groups)
-        parents.emplace(g.id, g.parent);
-    std::unordered_set<GroupId> closed;
-    std::vector<GroupId> open; // chain of the stroke before, innermost first
-    for (std::size_t j = 0; j < painting.strokes.size(); ++j) {
-        const QString path = QStringLiteral("strokes[%1].group").arg(j);
-        std::vector<GroupId> chain;
-        for (GroupId id = painting.strokes[j]->group; id != 0; id = parents[id]) {
-            if (!parents.contains(id))
-                return says(path, QT_TRANSLATE_NOOP("Validate", "there is no group with this id"));
-            chain.push_back(id);
-        }
-        for (GroupId id : open)
-            if (std::find(chain.begin(), chain.end(), id) == chain.end())
-                closed.insert(id);
-        for (GroupId id : chain)
-            if (closed.contains(id))
-                return says(path,
-                            QT_TRANSLATE_NOOP("Validate", "the group's members do not stand together in the order"));
-        open = std::move(chain);
-    }
-    return {};
-}
-
 QString problemOfUnderlay(const Underlay &underlay)
 {
     const Rect &a = underlay.area;
@@ -216,8 +188,8 @@ QString problemOf(const Segment &s)
     if (s.style)
         if (const QString problem = problemOf(*s.style); !problem.isEmpty())
             return problem;
-    if (!(s.anisotropyRatio > 0 && s.anisotropyRatio <= 1e6))
-        return outside("anisotropy.ratio", s.anisotropyRatio, "(0, 1e6]");
+    if (!(s.anisotropyRatio >= 1e-6f && s.anisotropyRatio <= 1e6f))
+        return outside("anisotropy.ratio", s.anisotropyRatio, "[1e-6, 1e6]");
     if (!std::isfinite(s.anisotropyAngle))
         return outside("anisotropy.angle", s.anisotropyAngle, "[-3.4e38, 3.4e38]");
     if (s.node > NodeKind::Corner)
@@ -279,6 +251,34 @@ QString problemOf(const Canvas &canvas)
     if (paper.kind == PaperKind::Image && !paper.image)
         return says(QStringLiteral("canvas.paper.image"),
                     QT_TRANSLATE_NOOP("Validate", "the paper's image is missing"));
+    return {};
+}
+
+/// Members of a group, those of its subgroups among them, must stand together in the order.
+QString problemOfMembership(const Painting &painting)
+{
+    std::unordered_map<GroupId, GroupId> parents;
+    for (const Group &g : painting.groups)
+        parents.emplace(g.id, g.parent);
+    std::unordered_set<GroupId> closed;
+    std::vector<GroupId> open; // chain of the stroke before, innermost first
+    for (std::size_t j = 0; j < painting.strokes.size(); ++j) {
+        const auto path = [j] { return QStringLiteral("strokes[%1].group").arg(j); };
+        std::vector<GroupId> chain;
+        for (GroupId id = painting.strokes[j]->group; id != 0; id = parents[id]) {
+            if (!parents.contains(id))
+                return says(path(), QT_TRANSLATE_NOOP("Validate", "there is no group with this id"));
+            chain.push_back(id);
+        }
+        for (GroupId id : open)
+            if (std::find(chain.begin(), chain.end(), id) == chain.end())
+                closed.insert(id);
+        for (GroupId id : chain)
+            if (closed.contains(id))
+                return says(path(),
+                            QT_TRANSLATE_NOOP("Validate", "the group's members do not stand together in the order"));
+        open = std::move(chain);
+    }
     return {};
 }
 

@@ -14,7 +14,12 @@ QString problemOf(const Colour &colour);
 /// Also: at least one segment, and each starts where the one before it ends. Paths start with "segments[k].".
 QString problemOf(const Stroke &stroke);
 QString problemOf(const Canvas &canvas);
-/// Also: ids unique and not 0, groups exist, no group cycle, members of a group together. Paths start with "strokes[j].".
+/// Also: ids unique and not 0, groups exist, no group cycle, members of a group together. Paths start with
+/// "strokes[j].".
 QString problemOf(const Painting &painting);
+
+/// The part of it about the order: groups of strokes exist and their members stand together. Groups must be in no
+/// cycle.
+QString problemOfMembership(const Painting &painting);
 
 } // namespace suffuse

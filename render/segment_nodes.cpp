@@ -24,7 +24,8 @@ constexpr double cutShare = 0.35;    // of the tolerance, for cutting nodes off 
 constexpr double cutGain = 3.5;
 constexpr double lossSeparable = 2.5, lossOblique = 3.3, lossUnraised = 5;
 constexpr int maxDepth = 40;
-constexpr double longSegment = 512; // spreads: longer ones are built per view
+constexpr std::size_t mostNodes = std::size_t(1) << 18; // of a segment; a hair 200,000 times as long as wide has more
+constexpr double longSegment = 512;                     // spreads: longer ones are built per view
 
 /// A segment ready to be cut into panels.
 struct Source {
@@ -79,20 +80,23 @@ void addPanel(const Source &s, const Cubic &curve, int n, UnsetVector<Node> &out
     }
 }
 
-void addPanels(const Source &s, const Cubic &curve, double tolerance, int depth, UnsetVector<Node> &out)
+/// Once `out` holds `most` nodes, what is left takes few: no painting, however extreme, takes memory without end.
+void addPanels(const Source &s, const Cubic &curve, double tolerance, int depth, std::size_t most,
+               UnsetVector<Node> &out)
 {
     if (!s.clip.isEmpty() && !curve.controlBox().grown(s.reach).intersects(s.clip))
         return;
     const Cubic metric = scaled(s, curve);
     int n = panelNodes(s.isotropic ? metric : whitened(s, curve), metric, tolerance);
     // A piece (of a cusp) so short that all its mass counts for less than the tolerance takes any rule.
-    if (n == 0 && (depth == maxDepth || 2 * polygonLength(metric) < tolerance * std::sqrt(std::numbers::pi)))
+    if (n == 0 && (depth == maxDepth || out.size() >= most ||
+                   2 * polygonLength(metric) < tolerance * std::sqrt(std::numbers::pi)))
         n = 4;
     if (n > 0)
         return addPanel(s, curve, n, out);
     const auto halves = curve.split(0.5);
-    addPanels(s, halves[0], tolerance / 2, depth + 1, out);
-    addPanels(s, halves[1], tolerance / 2, depth + 1, out);
+    addPanels(s, halves[0], tolerance / 2, depth + 1, most, out);
+    addPanels(s, halves[1], tolerance / 2, depth + 1, most, out);
 }
 
 /// Metric M = D⁻¹/4t of an age and its square root.
@@ -221,7 +225,7 @@ bool buildSegment(const Stroke &stroke, const Segment &segment, const NodeContex
                   context.clip.right - stroke.origin.x, context.clip.bottom - stroke.origin.y};
     const double chord = norm(s.curve.p[3] - s.curve.p[0]);
     out.begin = nodes.size();
-    addPanels(s, s.curve, out.epsilon * std::min(1.0, chord / (4 * spread) + 0.1), 0, nodes);
+    addPanels(s, s.curve, out.epsilon * std::min(1.0, chord / (4 * spread) + 0.1), 0, out.begin + mostNodes, nodes);
     out.end = nodes.size();
     out.values = {segment.colour, segment.granulation, stroke.styleOf(segment)};
     out.reach = {spread, box.grown(reachInSpreads * larger)};

@@ -247,7 +247,8 @@ Edit splitAtNodes(Document &document, const std::set<NodeRef> &nodes)
     return splitAt(document, places);
 }
 
-Edit eraseAlong(Document &document, const std::set<StrokeId> &targets, const std::vector<Point> &path, double radius)
+Edit eraseAlong(Document &document, const std::set<StrokeId> &targets, const std::vector<Point> &path, double radius,
+                Microseconds T)
 {
     const PaintingPtr painting = document.painting();
     Parts parts(document);
@@ -259,7 +260,7 @@ Edit eraseAlong(Document &document, const std::set<StrokeId> &targets, const std
             continue;
         }
         std::vector<int> sources;
-        std::vector<Stroke> left = erased(*stroke, path, radius, &sources);
+        std::vector<Stroke> left = erased(*stroke, path, radius, &sources, T);
         if (left.size() == 1 && left.front().segments == stroke->segments)
             parts.keep(*stroke);
         else

@@ -5,6 +5,7 @@
 #include "model/reshape.h"
 #include "undo/edits.h"
 
+#include <limits>
 #include <map>
 
 namespace suffuse {
@@ -28,8 +29,10 @@ Edit setNodeKind(const Document &document, const std::set<NodeRef> &nodes, NodeK
 /// stroke was. Parts stand together in the order.
 Edit splitAt(Document &document, const PlacesOfStrokes &places);
 Edit splitAtNodes(Document &document, const std::set<NodeRef> &nodes);
-/// Takes away what lies nearer than `radius` to the path; of all visible strokes if `targets` is empty.
-Edit eraseAlong(Document &document, const std::set<StrokeId> &targets, const std::vector<Point> &path, double radius);
+/// Takes away what lies nearer than `radius` to the path and is painted by T; of all visible strokes if `targets` is
+/// empty.
+Edit eraseAlong(Document &document, const std::set<StrokeId> &targets, const std::vector<Point> &path, double radius,
+                Microseconds T = std::numeric_limits<Microseconds>::max());
 
 /// Joins two end nodes, of two strokes or of one. The upper stroke's place, name and style stay.
 Edit joinNodes(const Document &document, NodeRef a, NodeRef b);

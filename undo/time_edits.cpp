@@ -6,6 +6,7 @@
 
 #include <limits>
 #include <numbers>
+#include <span>
 
 namespace suffuse {
 
@@ -88,6 +89,27 @@ void paceRun(Stroke &stroke, std::size_t from, std::size_t to, Pace pace)
     }
 }
 
+/// Share of the time that has gone after easing, over that before: a cubic with the ease's slopes at its ends.
+double eased(const Ease &ease, double share)
+{
+    const double left = 1 - share;
+    return share * (ease.atBegin * left * left + share * (3 - 2 * share) - ease.atEnd * share * left);
+}
+
+void easeRun(Stroke &stroke, std::size_t from, std::size_t to, const Ease &ease)
+{
+    const std::span<Segment> run(stroke.segments.begin() + std::ptrdiff_t(from), to - from + 1);
+    const auto [first, last] = std::ranges::minmax(run, {}, &Segment::born);
+    const Microseconds begin = first.born, length = last.born - begin;
+    for (Segment &segment : run) {
+        const Microseconds since = segment.born - begin;
+        if (since > 0 && since < length)
+            shift(segment,
+                  {.by = Microseconds(std::llround(double(length) * eased(ease, double(since) / double(length)))) -
+                         since});
+    }
+}
+
 /// Calls visit(first, last) for each run of selected segments.
 template <typename Visit>
 void forEachRun(const Stroke &stroke, const Selected &selected, Visit visit)
@@ -153,10 +175,12 @@ bool takesPaint(const Painting &painting, GroupId group)
     return painting.isVisible(member) && !painting.isLocked(member);
 }
 
-/// The edit's order has the painting's as its beginning: then the strokes behind it, else none.
+/// The edit does nothing but add strokes, and its order has the painting's as its beginning: then the strokes behind
+/// it, else none. Parts of strokes that are cut stay where these are.
 std::vector<StrokeId> addedOnTop(const Painting &painting, const Edit &edit)
 {
-    if (!edit.order || edit.order->size() <= painting.strokes.size())
+    if (!edit.order || edit.order->size() <= painting.strokes.size() ||
+        edit.order->size() - painting.strokes.size() != edit.strokes.size())
         return {};
     for (std::size_t i = 0; i < painting.strokes.size(); ++i)
         if ((*edit.order)[i] != painting.strokes[i]->id)
@@ -219,6 +243,16 @@ Edit setPace(const Document &document, Pace pace)
     });
 }
 
+Edit ease(const Painting &before, const Selection &selection, const Ease &ease)
+{
+    const auto allowed = [](double slower) { return std::clamp(slower, 1 / Ease::most, Ease::most); };
+    const Ease kept{allowed(ease.atBegin), allowed(ease.atEnd)};
+    return changedSince(before, selection, [&kept](Stroke &stroke, const Selected &selected) {
+        if (kept.atBegin != 1 || kept.atEnd != 1)
+            forEachRun(stroke, selected, [&](std::size_t from, std::size_t to) { easeRun(stroke, from, to, kept); });
+    });
+}
+
 Edit freeze(const Document &document, Microseconds T)
 {
     std::set<StrokeId> wet;
@@ -241,6 +275,12 @@ Edit rewet(const Document &document, Microseconds T, Microseconds extra)
         const auto later = std::ranges::upper_bound(segment.rewet, T, {}, &Rewet::time);
         segment.rewet.insert(later, {T, extra});
     });
+}
+
+Edit removeRewetting(const Document &document, const Rewet &one)
+{
+    return changeSegments(document, targetSegments(document),
+                          [&one](Segment &segment) { std::erase(segment.rewet, one); });
 }
 
 Edit removeRewetting(const Document &document)

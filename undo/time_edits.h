@@ -35,6 +35,15 @@ enum class Pace { Even, EaseIn, EaseOut, EaseInOut };
 /// Births after the way along the curve, for each selected stroke, or run of its segments, between its first and last.
 Edit setPace(const Document &document, Pace pace);
 
+/// How much slower the pen is at the ends of what it draws than it was: 1 leaves it as it is, 2 is half as fast there.
+struct Ease {
+    static constexpr double most = 2.8; ///< times slower or faster; beyond it the pen would go back
+    double atBegin = 1;
+    double atEnd = 1;
+};
+/// Births of each selected stroke, or run of its segments, between its first and its last. For a drag, as `retime`.
+Edit ease(const Painting &before, const Selection &selection, const Ease &ease);
+
 /// All that is wet at T stops spreading then, selected or not: t_max becomes the age. What is painted or wetted later
 /// is left alone.
 Edit freeze(const Document &document, Microseconds T);
@@ -43,6 +52,8 @@ Edit freeze(const Document &document, Microseconds T);
 Edit rewet(const Document &document, Microseconds T, Microseconds extra);
 /// What is selected is never wetted again.
 Edit removeRewetting(const Document &document);
+/// What is selected is not wetted then.
+Edit removeRewetting(const Document &document, const Rewet &one);
 
 /// Where a stroke stands that is painted at a moment of the past.
 struct PlaceInTime {

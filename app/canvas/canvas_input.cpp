@@ -8,6 +8,7 @@
 #include <QLineEdit>
 #include <QMouseEvent>
 #include <QNativeGestureEvent>
+#include <QScopeGuard>
 #include <QTabletEvent>
 #include <QTouchEvent>
 #include <QWheelEvent>
@@ -19,8 +20,8 @@ namespace suffuse {
 namespace {
 
 constexpr double zoomPerNotch = 1.25;
-constexpr double notch = 120;           ///< eighths of a degree, as QWheelEvent counts
-constexpr double pixelsPerNotch = 60;   ///< logical pixels that a notch pans
+constexpr double notch = 120;         ///< eighths of a degree, as QWheelEvent counts
+constexpr double pixelsPerNotch = 60; ///< logical pixels that a notch pans
 /// Device time stamps further than this from the document's clock are not believed.
 constexpr Microseconds maxStampLag = 250'000;
 
@@ -44,7 +45,7 @@ PointerEvent CanvasWidget::pointerEvent(const QSinglePointEvent &event, PointerD
     e.doubleClick = event.type() == QEvent::MouseButtonDblClick;
     e.time = m_editor.time();
     // Reports come in bunches: the device's own stamps keep their pace.
-    if (!m_editor.hasManualClock() && m_pressed && event.timestamp() > m_pressStamp && m_pressStamp > 0) {
+    if (!m_editor.hasManualClock() && m_pressed && event.timestamp() >= m_pressStamp && m_pressStamp > 0) {
         const Microseconds stamped = m_pressTime + Microseconds(event.timestamp() - m_pressStamp) * 1000;
         if (std::abs(stamped - e.time) < maxStampLag)
             e.time = stamped;
@@ -243,8 +244,16 @@ void CanvasWidget::noteModifiers(const QInputEvent &event)
     emit modifiersChanged();
 }
 
+void CanvasWidget::noteBusy()
+{
+    const bool busy = m_tool && m_tool->isBusy();
+    if (std::exchange(m_busy, busy) != busy)
+        emit busyChanged();
+}
+
 bool CanvasWidget::event(QEvent *event)
 {
+    const auto after = qScopeGuard([this] { noteBusy(); });
     if (event->isInputEvent())
         noteModifiers(static_cast<const QInputEvent &>(*event));
     if (event->type() == QEvent::NativeGesture && nativeGesture(static_cast<QNativeGestureEvent *>(event)))

@@ -49,8 +49,10 @@ CanvasWidget::CanvasWidget(Editor &editor, QWidget *parent, MakeRenderer make)
     connect(&m_worker, &RenderWorker::frameReady, this, &CanvasWidget::frameReady);
     connect(&editor, &Editor::timeChanged, this, &CanvasWidget::scheduleRender);
     connect(&editor, &Editor::dragEnded, this, &CanvasWidget::scheduleRender);
+    connect(&editor, &Editor::dragEnded, this, &CanvasWidget::updateSelection); // smooth lines again
     connect(&editor, &Editor::comparedChanged, this, &CanvasWidget::scheduleRender);
     connect(&editor.document(), &Document::changed, this, &CanvasWidget::follow);
+    editor.laterChanges().setGate([this](const Change &change) { return paintsFirst(change); });
     m_selectionWaits.setSingleShot(true);
     m_selectionWaits.setInterval(frameMs);
     connect(&m_selectionWaits, &QTimer::timeout, this, &CanvasWidget::flushSelection);
@@ -58,6 +60,7 @@ CanvasWidget::CanvasWidget(Editor &editor, QWidget *parent, MakeRenderer make)
 
 CanvasWidget::~CanvasWidget()
 {
+    m_editor.laterChanges().setGate({});
     delete m_presenter->widget(); // it draws what this object holds
 }
 
@@ -73,11 +76,22 @@ void CanvasWidget::follow(const Change &change)
         updateOverlay();
     else if (change.selection || !m_editor.document().selection().isEmpty())
         updateSelection();
+    if (change.selection)
+        m_worker.setCoarseWanted(!m_editor.document().selection().isEmpty());
+    if (change.selection && change.strokes.empty()) // no frame comes for it
+        flushSelection();
     if (!change.strokes.empty() || change.order || change.canvas || change.draft || change.reset)
         scheduleRender(); // a selection is in no picture
 }
 
-std::optional<QRectF> CanvasWidget::selectionArea() const
+bool CanvasWidget::paintsFirst(const Change &change) const
+{
+    if (!isVisible() || change.order || change.canvas || change.draft || change.reset)
+        return false;
+    return change.selection || m_editor.isDragging();
+}
+
+std::optional<QRegion> CanvasWidget::selectionArea() const
 {
     constexpr std::size_t fewSegments = 2000;
     constexpr double lines = 12; // logical pixels: of the outline
@@ -93,19 +107,23 @@ std::optional<QRectF> CanvasWidget::selectionArea() const
         segments += stroke->segments.size();
         if (segments > fewSegments)
             return {};
+        const PixelMap pixelOf(view(), stroke->origin);
         for (const Segment &segment : stroke->segments)
             for (const Offset &offset : segment.bezier)
-                box.include(view().toPixels(stroke->origin + offset));
+                box.include(pixelOf(Point{} + offset));
     }
     if (box.isEmpty())
-        return QRectF();
+        return QRegion();
     box = box.grown(std::max(*margin, lines * devicePixelRatioF()));
-    return QRectF(QPointF(box.left, box.top), QPointF(box.right, box.bottom)) & QRectF(0, 0, view().width, view().height);
+    const QRectF pixels(QPointF(box.left, box.top), QPointF(box.right, box.bottom));
+    return QRegion((pixels & QRectF(0, 0, view().width, view().height)).toAlignedRect());
 }
 
 void CanvasWidget::updateSelection()
 {
-    const std::optional<QRectF> now = selectionArea();
+    if (m_allRepaints)
+        return;
+    const std::optional<QRegion> now = selectionArea();
     if (now && m_selectionArea)
         m_selectionArea = m_selectionArea->united(*now);
     else
@@ -119,10 +137,14 @@ void CanvasWidget::updateSelection()
 void CanvasWidget::flushSelection()
 {
     m_selectionWaits.stop();
-    if (!m_selectionArea)
+    if (m_allRepaints)
+        return;
+    if (!m_selectionArea) {
         updateOverlay();
-    else if (!m_selectionArea->isEmpty())
-        updateOverlay(*m_selectionArea);
+        return;
+    }
+    for (const QRect &pixels : *m_selectionArea) // two strokes that lie far apart are not one large box
+        updateOverlay(pixels);
     m_selectionArea = selectionArea();
 }
 
@@ -139,6 +161,7 @@ void CanvasWidget::setTool(Tool *tool)
     refreshCursor();
     updateOverlay();
     emit toolChanged();
+    noteBusy();
 }
 
 Point CanvasWidget::zoomCentre() const
@@ -163,6 +186,12 @@ void CanvasWidget::fit()
     m_transform.fit(m_editor.document().painting()->canvas.area(), fitMargin * devicePixelRatioF());
     m_fitted = true;
     viewMoved();
+}
+
+void CanvasWidget::lookThrough(const View &view)
+{
+    m_transform.show(view);
+    moveByHand();
 }
 
 void CanvasWidget::panBy(Point pixels)
@@ -204,7 +233,7 @@ void CanvasWidget::viewMoved()
 
 void CanvasWidget::updateOverlay()
 {
-    m_selectionArea.reset();
+    m_allRepaints = true;
     m_presenter->updateArea(m_presenter->widget()->rect());
 }
 
@@ -316,12 +345,15 @@ void CanvasWidget::paintOverlay(QPainter &painter)
     painter.save();
     if (m_aids.showGrid)
         paintGrid(painter, view(), document.painting()->canvas.area(), m_aids.gridStep, dpr);
-    m_outline.paint(painter, view(), *document.painting(), document.selection(), m_colours, dpr);
+    m_outline.paint(painter, view(), *document.painting(), document.selection(), m_colours, dpr, m_editor.isDragging());
     painter.restore();
     if (m_tool) {
         painter.setRenderHint(QPainter::Antialiasing);
         m_tool->paint(painter, view(), dpr);
     }
+    if (std::exchange(m_allRepaints, false))
+        m_selectionArea = selectionArea();
+    m_editor.laterChanges().painted();
 }
 
 void CanvasWidget::setAids(const CanvasAids &aids)

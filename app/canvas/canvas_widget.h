@@ -11,6 +11,7 @@
 #include "app/tools/tool.h"
 
 #include <QImage>
+#include <QRegion>
 #include <QTimer>
 #include <QWidget>
 
@@ -50,6 +51,8 @@ public:
     void zoomBy(double factor); ///< at the pointer if it is over the canvas, else at the centre
     void setZoom(double scale); ///< pixels per unit
     void fit();                 ///< the whole canvas; stays so when the window changes size
+    bool isFitted() const { return m_fitted; }
+    void lookThrough(const View &view); ///< in a window of any size, its centre in the middle
     void panBy(Point pixels);
     void rotateBy(double degrees);
     void resetRotation();
@@ -83,10 +86,11 @@ signals:
     void viewChanged();
     void modifiersChanged();
     void toolChanged();
+    void busyChanged();                    ///< something is in the tool's hand, or no more
     void pointerMoved(double x, double y); ///< canvas units
     void pointerLeft();
     void framePresented(const suffuse::FrameInfo &frame);
-    void backendChanged(); ///< its text or its notice
+    void backendChanged();       ///< its text or its notice
     void penTurned(bool eraser); ///< before the first report of the pen's other end
 
 protected:
@@ -118,8 +122,10 @@ private:
     QColor backgroundColour() const override;
     void paintOverlay(QPainter &painter) override;
     /// Where selection and tool paint; none: anywhere.
-    std::optional<QRectF> selectionArea() const;
+    std::optional<QRegion> selectionArea() const;
     void flushSelection();
+    /// Whether others hear of a change only when its overlay or its frame is on the screen.
+    bool paintsFirst(const Change &change) const;
 
     void follow(const Change &change);
     void scheduleRender();
@@ -130,6 +136,7 @@ private:
     void readPalette();
     Point zoomCentre() const;
     void noteModifiers(const QInputEvent &event);
+    void noteBusy();
 
     Point toPixels(const QPointF &logical) const;
     PointerEvent pointerEvent(const QSinglePointEvent &event, PointerDevice device) const;
@@ -167,6 +174,7 @@ private:
     Point m_lastPixel;
     bool m_pointerInside = false;
     bool m_pressed = false; ///< the tool has seen a press
+    bool m_busy = false;    ///< as `busyChanged` told last
     Qt::MouseButton m_pressButton = Qt::NoButton;
     bool m_penDown = false;
     bool m_penTurned = false; ///< its eraser end points down
@@ -180,8 +188,9 @@ private:
     quint64 m_pressStamp = 0;     ///< milliseconds, the device's clock
     Microseconds m_pressTime = 0; ///< document time of the press
 
-    std::optional<QRectF> m_selectionArea; ///< where it stands on the screen or is to be painted; none: anywhere
-    QTimer m_selectionWaits;               ///< for a frame, with which it is painted
+    std::optional<QRegion> m_selectionArea; ///< where it stands on the screen or is to be painted; none: anywhere
+    bool m_allRepaints = false;             ///< the whole widget is about to be painted
+    QTimer m_selectionWaits;                ///< for a frame, with which it is painted
 };
 
 } // namespace suffuse

@@ -18,6 +18,11 @@ constexpr auto starving = 250ms;
 /// …and it has not been running for this long.
 constexpr auto patience = 400ms;
 constexpr std::size_t maxDirtyRects = 4096;
+/// A gesture that pauses for this long gets its exact frame.
+constexpr auto pause = 30ms;
+/// Coarse frames are made ready when nothing has been asked for so long, and forgotten when unwanted for so long.
+constexpr auto rest = 100ms;
+constexpr auto forgetting = 5s;
 
 /// Empty where CUDA can run.
 QString whyNoCuda()
@@ -61,7 +66,10 @@ quint64 RenderWorker::request(RenderRequest request)
     {
         const std::lock_guard lock(m_jobMutex);
         serial = ++m_serial;
-        cancelIfUseless(request.view);
+        if (m_yields)
+            m_cancel = true;
+        else
+            cancelIfUseless(request.view);
         m_pending = Job{std::move(request), serial};
     }
     m_wake.notify_all();
@@ -75,7 +83,8 @@ void RenderWorker::cancelIfUseless(const View &wanted)
     const auto now = Clock::now();
     const auto running = now - m_started;
     const bool moved = *m_runningView != wanted;
-    if (moved ? running > quickRender && (now - m_lastShown < starving || running > patience) : running > longRender && !m_cancelledLast)
+    if (moved ? running > quickRender && (now - m_lastShown < starving || running > patience)
+              : running > longRender && !m_cancelledLast)
         m_cancel = true;
 }
 
@@ -85,20 +94,40 @@ void RenderWorker::withFrame(const std::function<void(ShownFrame &)> &use)
     use(m_shown);
 }
 
+void RenderWorker::setCoarseWanted(bool wanted)
+{
+    {
+        const std::lock_guard lock(m_jobMutex);
+        if (std::exchange(m_coarseWanted, wanted) == wanted)
+            return;
+    }
+    m_wake.notify_all();
+}
+
 void RenderWorker::run()
 {
     openRenderer();
-    Job job;
-    while (next(job)) {
-        if (m_renderer)
-            finish(job, render(job));
+    for (Task task = next(); task != Task::Stop; task = next()) {
+        if (task == Task::Prepare)
+            prepareCoarse();
+        else if (task == Task::Forget)
+            m_coarse.reset();
         else
-            finish(job, Error{m_rendererError});
-        job = {}; // the snapshot must not live on in a thread that sleeps
+            draw();
+        m_job = {}; // the snapshot must not live on in a thread that sleeps
     }
     // A device is used by one thread, to the end.
     withFrame([](ShownFrame &frame) { frame.device.reset(); });
+    m_coarse.reset();
     m_renderer.reset();
+}
+
+void RenderWorker::draw()
+{
+    if (!m_renderer)
+        finish(m_job, Error{m_rendererError});
+    else if (!isCoarse(m_job) || !drawCoarse(m_job))
+        finish(m_job, render(m_job));
 }
 
 void RenderWorker::openRenderer()
@@ -128,8 +157,11 @@ Result<RenderStats> RenderWorker::render(const Job &job)
     if (!stats)
         return stats;
     m_backDirty.insert(m_backDirty.end(), stats->dirty.begin(), stats->dirty.end());
+    noteTime(job, *stats);
     if (stats->cancelled)
         return stats;
+    m_backDirty.insert(m_backDirty.end(), m_enlarged.begin(), m_enlarged.end());
+    m_enlarged.clear();
     stats->dirty = m_backDirty;
     // The device belongs to this thread: nobody else may hold its last picture.
     const Result<void> published = publish(job.request.view, std::exchange(stats->frame, nullptr));
@@ -142,22 +174,53 @@ Result<RenderStats> RenderWorker::render(const Job &job)
     return render(job);
 }
 
-bool RenderWorker::next(Job &job)
+RenderWorker::Task RenderWorker::next()
 {
     std::unique_lock lock(m_jobMutex);
     m_runningView.reset();
-    m_wake.wait(lock, [this] { return m_stop || m_pending; });
-    if (m_stop)
-        return false;
-    job = std::move(*m_pending);
-    m_pending.reset();
-    m_runningView = job.request.view;
-    m_cancel = false;
-    m_started = Clock::now();
-    return true;
+    m_refining = m_yields = false;
+    while (true) {
+        const bool wanted = m_coarseWanted;
+        const auto asked = [&] { return m_stop || m_pending || m_coarseWanted != wanted; };
+        if (m_unrefined) {
+            if (!m_wake.wait_for(lock, pause, asked)) {
+                m_job = *std::exchange(m_unrefined, std::nullopt);
+                m_job.request.interactive = false;
+                m_refining = m_yields = true;
+                begin(m_job.request.view);
+                return Task::Refine;
+            }
+        } else if (wanted && m_exact && (!m_coarse || !m_coarse->isAt(*m_exact)) && canBeCoarse(m_exact->view) &&
+                   isSlow(m_msPerPixel * m_exact->view.width * m_exact->view.height)) {
+            if (!m_wake.wait_for(lock, rest, asked)) {
+                m_yields = true;
+                begin(m_exact->view);
+                return Task::Prepare;
+            }
+        } else if (!wanted && m_coarse) {
+            if (!m_wake.wait_for(lock, forgetting, asked))
+                return Task::Forget;
+        } else {
+            m_wake.wait(lock, asked);
+        }
+        if (m_stop)
+            return Task::Stop;
+        if (!m_pending)
+            continue;
+        m_job = *std::exchange(m_pending, std::nullopt);
+        begin(m_job.request.view);
+        return Task::Frame;
+    }
 }
 
-void RenderWorker::finish(const Job &job, const Result<RenderStats> &result)
+void RenderWorker::begin(const View &view)
+{
+    m_runningView = view;
+    m_cancel = false;
+    m_started = Clock::now();
+}
+
+FrameInfo RenderWorker::infoOf(const Job &job) const
 {
     FrameInfo frame;
     frame.view = job.request.view;
@@ -167,14 +230,27 @@ void RenderWorker::finish(const Job &job, const Result<RenderStats> &result)
         frame.backendText = QStringLiteral("%1 · %2").arg(m_renderer->backendName(), m_renderer->deviceName());
         frame.notice = m_renderer->notice().isEmpty() ? m_notice : m_renderer->notice();
     }
+    return frame;
+}
+
+void RenderWorker::finish(const Job &job, const Result<RenderStats> &result)
+{
+    FrameInfo frame = infoOf(job);
     if (result) {
         m_cancelledLast = result->cancelled;
-        if (result->cancelled)
+        if (result->cancelled) {
+            if (m_refining)
+                m_unrefined = job;
             return; // a newer request waits; what is not drawn stays dirty in the renderer
+        }
         frame.stats = *result;
+        frame.evaluated = std::exchange(m_evaluated, 0);
+        m_exact = job.request;
     } else {
         frame.error = result.error();
+        m_exact.reset();
     }
+    m_unrefined.reset();
     {
         const std::lock_guard lock(m_jobMutex);
         m_lastShown = Clock::now();

@@ -1,6 +1,7 @@
 // Renders on a thread of its own; the newest request wins.
 #pragma once
 
+#include "app/canvas/coarse_frames.h"
 #include "render/renderer.h"
 
 #include <QObject>
@@ -22,10 +23,12 @@ struct FrameInfo {
     RenderStats stats;
     View view;
     Microseconds time = 0;
-    quint64 serial = 0;  ///< of the request, from 1
-    QString error;       ///< empty, or why there is no new picture
-    QString backendText; ///< what drew it: "CPU · 2 threads · AVX2"
-    QString notice;      ///< empty, or why the CPU drew it, or why it did not stay on the device
+    quint64 serial = 0;   ///< of the request, from 1
+    QString error;        ///< empty, or why there is no new picture
+    QString backendText;  ///< what drew it: "CPU · 2 threads · AVX2"
+    QString notice;       ///< empty, or why the CPU drew it, or why it did not stay on the device
+    int coarseness = 1;   ///< pixels of the view to a side of one that was drawn; 1: exact
+    double evaluated = 0; ///< pixels that were drawn
 };
 
 /// The last whole picture, on the device or in memory. `dirty` lists what changed since a presenter last cleared it.
@@ -56,10 +59,14 @@ public:
     /// next request, which then draws everything.
     void setDeviceFramesWanted(bool wanted) { m_deviceFramesWanted = wanted; }
 
+    /// True: where exact frames of gestures (RenderRequest::interactive) would take too long, coarse ones stand in for
+    /// them until the gesture pauses. In memory alone, by the CPU.
+    void setCoarseWanted(bool wanted);
+
     /// Asks for a picture; a request that has not begun is forgotten, one that runs is cancelled where the view has
     /// changed or it takes long. Returns the request's serial.
     quint64 request(RenderRequest request);
-    /// Serial of the last finished request.
+    /// Serial of the last request that an exact frame has answered.
     quint64 shownSerial() const { return m_shownSerial.load(); }
 
     /// Calls `use` with the shown frame locked: keep it short.
@@ -83,10 +90,22 @@ private:
         bool takesDeviceFrames() const override { return onDevice; }
     };
 
+    enum class Task { Stop, Frame, Refine, Prepare, Forget };
+
     void run();
     void openRenderer();
-    bool next(Job &job);
+    Task next();
+    void begin(const View &view);
+    void draw();
     Result<RenderStats> render(const Job &job);
+    void noteTime(const Job &job, const RenderStats &stats);
+    bool isCoarse(const Job &job);
+    bool canBeCoarse(const View &view) const;
+    static bool isSlow(double ms);
+    bool openCoarse();
+    bool drawCoarse(const Job &job);
+    void prepareCoarse();
+    FrameInfo infoOf(const Job &job) const;
     void finish(const Job &job, const Result<RenderStats> &result);
     Result<void> publish(const View &view, const std::shared_ptr<DeviceFrame> &device);
     void publishFromMemory(bool whole);
@@ -97,7 +116,17 @@ private:
     MakeRenderer m_make;
     std::unique_ptr<Renderer> m_renderer;
     QString m_rendererError;
-    QString m_notice; ///< where the renderer itself has none
+    QString m_notice;                       ///< where the renderer itself has none
+    Job m_job;                              ///< in hand
+    std::optional<Job> m_unrefined;         ///< that a coarse frame has answered, and no exact one yet
+    std::optional<RenderRequest> m_exact;   ///< of the last exact frame that was shown
+    std::unique_ptr<CoarseFrames> m_coarse; ///< null until it is needed
+    std::vector<PixelRect> m_enlarged;      ///< where the shown picture is coarse
+    bool m_coarseGesture = false;           ///< coarse frames from here to its end
+    int m_slowFrames = 0;                   ///< of the gesture, exact ones in a row
+    bool m_coarseFailed = false;
+    double m_msPerPixel = 0; ///< of exact frames
+    double m_evaluated = 0;  ///< pixels since one was shown
 
     std::mutex m_jobMutex;
     std::condition_variable m_wake;
@@ -106,6 +135,9 @@ private:
     Clock::time_point m_started;
     Clock::time_point m_lastShown;
     bool m_cancelledLast = false;
+    bool m_refining = false; ///< what a coarse frame has answered
+    bool m_yields = false;   ///< what is being done gives way to every request
+    bool m_coarseWanted = false;
     bool m_stop = false;
     quint64 m_serial = 0;
     std::atomic<bool> m_cancel = false;

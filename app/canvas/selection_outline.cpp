@@ -1,6 +1,6 @@
 #include "app/canvas/selection_outline.h"
 
-#include <QLineF>
+#include "app/canvas/view_transform.h"
 
 namespace suffuse {
 
@@ -8,10 +8,14 @@ namespace {
 
 /// Segments in the view from which on lines are thin.
 constexpr std::size_t fineSegments = 600;
+/// In the view from which on lines are quick ones while they move.
+constexpr std::size_t smoothSegments = 120;
 /// About so many lines are what a thin picture has at most, and one for each stroke.
-constexpr double thinLines = 20'000;
+constexpr double thinLines = 20'000, movingLines = 7'000;
 constexpr double thinOpacity = 0.6;
 constexpr double leastSpacing = 5; ///< logical pixels between the points of a thin line
+/// Pixels of thin lines around the view, so that it can be moved without drawing them anew.
+constexpr int thinMargin = 160;
 
 Rect controlBox(const Stroke &stroke)
 {
@@ -33,26 +37,6 @@ Rect shownBox(const View &view, double beyond)
     return box;
 }
 
-/// Offsets from a point of the canvas to pixels, without the sines of View::toPixels each time.
-struct OffsetMap {
-    Point base, right, down;
-
-    OffsetMap(const View &view, Point origin)
-        : base(view.toPixels(origin)), right(unitOf(view, {1, 0})), down(unitOf(view, {0, 1}))
-    {}
-    QPointF operator()(Point offset) const
-    {
-        return {base.x + offset.x * right.x + offset.y * down.x, base.y + offset.x * right.y + offset.y * down.y};
-    }
-
-private:
-    static Point unitOf(View view, Point vector)
-    {
-        view.centre = {};
-        return view.toPixels(vector) - view.toPixels({});
-    }
-};
-
 /// Of the control polygon, canvas units.
 double polygonLength(const Segment &segment)
 {
@@ -65,16 +49,50 @@ double polygonLength(const Segment &segment)
     return sum;
 }
 
+/// Lines of one pixel, not smoothed, that replace what lies below: many times faster than a painter's.
+class ThinPen {
+public:
+    ThinPen(QImage &image, const QColor &colour)
+        : m_bits(reinterpret_cast<QRgb *>(image.bits())), m_stride(int(image.bytesPerLine() / 4)),
+          m_inside(Rect::of(0, 0, image.width() - 1.0, image.height() - 1.0)), m_colour(qPremultiply(colour.rgba()))
+    {}
+
+    void line(Point a, Point b)
+    {
+        if (!clipLine(a, b, m_inside))
+            return;
+        constexpr double one = 65536;
+        const Point way = b - a;
+        const int steps = int(std::max(std::abs(way.x), std::abs(way.y))) + 1;
+        int x = int((a.x + 0.5) * one), y = int((a.y + 0.5) * one);
+        const int stepX = int(way.x / steps * one), stepY = int(way.y / steps * one);
+        for (int i = 0; i <= steps; ++i, x += stepX, y += stepY)
+            m_bits[(y >> 16) * m_stride + (x >> 16)] = m_colour;
+    }
+
+private:
+    QRgb *m_bits;
+    int m_stride;
+    Rect m_inside;
+    QRgb m_colour;
+};
+
+/// Lists lines for a painter.
+struct ListPen {
+    QList<QLineF> lines;
+    void line(Point a, Point b) { lines << QLineF(a.x, a.y, b.x, b.y); }
+};
+
 /// A polyline through the stroke with points about `spacing` pixels apart.
-void addThin(QList<QLineF> &lines, const Stroke &stroke, const View &view, double spacing)
+template <typename Pen>
+void drawStroke(Pen &pen, const Stroke &stroke, const PixelMap &pixelOf, double scale, double spacing)
 {
     constexpr double mostPieces = 16; // of a segment
-    const OffsetMap pixelOf(view, stroke.origin);
-    QPointF last = pixelOf(Point{} + stroke.segments.front().bezier[0]);
+    Point last = pixelOf(Point{} + stroke.segments.front().bezier[0]);
     double since = 0; // pixels along the curve
     for (std::size_t k = 0; k < stroke.segments.size(); ++k) {
         const Segment &segment = stroke.segments[k];
-        const double size = polygonLength(segment) * view.scale;
+        const double size = polygonLength(segment) * scale;
         const int pieces = int(std::clamp(size / spacing, 1.0, mostPieces));
         Cubic cubic;
         if (pieces > 1)
@@ -86,18 +104,31 @@ void addThin(QList<QLineF> &lines, const Stroke &stroke, const View &view, doubl
             if (!isEnd && since < spacing)
                 continue;
             since = 0;
-            const QPointF p = pixelOf(i == pieces ? Point{} + segment.bezier[3] : cubic.at(double(i) / pieces));
-            lines << QLineF(last, p);
+            const Point p = pixelOf(i == pieces ? Point{} + segment.bezier[3] : cubic.at(double(i) / pieces));
+            pen.line(last, p);
             last = p;
         }
     }
+}
+
+/// By how many pixels a picture of one view lies off in another that differs from it in its centre alone, if it does.
+std::optional<Point> shiftBetween(const View &from, const View &to)
+{
+    View alike = from;
+    alike.centre = to.centre;
+    if (!(alike == to))
+        return {};
+    return to.toPixels(from.centre) - Point{0.5 * to.width, 0.5 * to.height};
 }
 
 } // namespace
 
 bool SelectionOutline::isUnchanged(const View &view, const Painting &painting, const Selection &selection) const
 {
-    if (!(view == m_view) || painting.strokes.size() != m_strokes.size() || selection != m_selection)
+    const std::optional<Point> shift = shiftBetween(m_view, view);
+    const double most = m_thin ? thinMargin : 0;
+    if (!shift || std::abs(shift->x) > most || std::abs(shift->y) > most ||
+        painting.strokes.size() != m_strokes.size() || selection != m_selection)
         return false;
     bool same = true;
     painting.strokes.forEachDifference(m_strokes, [&same](std::size_t) { same = false; });
@@ -114,7 +145,7 @@ void SelectionOutline::gather(const View &view, const Painting &painting, const 
         m_selection = selection;
     m_drawn = false;
     m_shown.clear();
-    const Rect window = shownBox(view, 8);
+    const Rect window = shownBox(view, thinMargin);
     std::size_t segments = 0;
     for (const StrokePtr &stroke : m_strokes) {
         if (!selection.strokes.contains(stroke->id) || !controlBox(*stroke).intersects(window))
@@ -126,6 +157,7 @@ void SelectionOutline::gather(const View &view, const Painting &painting, const 
         segments += stroke->segments.size();
         m_shown.emplace_back(stroke, std::move(chosen));
     }
+    m_segments = segments;
     m_thin = segments > fineSegments;
     if (m_thin) {
         m_lines.clear();
@@ -170,28 +202,49 @@ void SelectionOutline::paintFine(QPainter &painter, const OverlayColours &colour
             paintNode(painter, node, colours, dpr);
 }
 
-void SelectionOutline::drawThin(const QColor &colour, double dpr)
+void SelectionOutline::drawThin(const QColor &colour, double dpr, bool moving)
 {
     m_thinColour = colour;
     m_drawn = true;
-    if (m_picture.size() != QSize(m_view.width, m_view.height))
-        m_picture = QImage(m_view.width, m_view.height, QImage::Format_ARGB32_Premultiplied);
+    m_rough = moving;
+    const QSize size(m_view.width + 2 * thinMargin, m_view.height + 2 * thinMargin);
+    if (m_picture.size() != size)
+        m_picture = QImage(size, QImage::Format_ARGB32_Premultiplied);
     m_picture.fill(Qt::transparent);
     double total = 0; // pixels
     for (const auto &[stroke, chosen] : m_shown)
         for (const Segment &segment : stroke->segments)
             total += polygonLength(segment) * m_view.scale;
-    const double spacing = std::max(leastSpacing * dpr, total / thinLines);
-    QList<QLineF> lines;
+    const double spacing = std::max(leastSpacing * dpr, total / (moving ? movingLines : thinLines));
+    QColor veiled = colour; // the paint below is still to be seen
+    veiled.setAlphaF(thinOpacity);
+    ThinPen pen(m_picture, veiled);
+    View around = m_view; // the same middle
+    around.width = size.width();
+    around.height = size.height();
     for (const auto &[stroke, chosen] : m_shown)
-        addThin(lines, *stroke, m_view, spacing);
-    QPainter painter(&m_picture);
-    painter.setPen(QPen(colour, 0)); // one device pixel, not smoothed: many times faster
-    painter.drawLines(lines);
+        drawStroke(pen, *stroke, PixelMap(around, stroke->origin), m_view.scale, spacing);
+}
+
+void SelectionOutline::paintThin(QPainter &painter, const View &view, double dpr, const QColor &colour, bool moving)
+{
+    if (!m_drawn || m_thinColour != colour || (m_rough && !moving))
+        drawThin(colour, dpr, moving);
+    const Point shift = *shiftBetween(m_view, view);
+    painter.drawImage(QPointF(std::round(shift.x) - thinMargin, std::round(shift.y) - thinMargin), m_picture);
+}
+
+void SelectionOutline::paintQuick(QPainter &painter, const QColor &colour, double dpr) const
+{
+    ListPen pen;
+    for (const auto &[stroke, chosen] : m_shown)
+        drawStroke(pen, *stroke, PixelMap(m_view, stroke->origin), m_view.scale, leastSpacing * dpr);
+    painter.setPen(QPen(colour, 0)); // one device pixel, not smoothed
+    painter.drawLines(pen.lines);
 }
 
 void SelectionOutline::paint(QPainter &painter, const View &view, const Painting &painting, const Selection &selection,
-                             const OverlayColours &colours, double dpr)
+                             const OverlayColours &colours, double dpr, bool moving)
 {
     if (selection.isEmpty()) {
         *this = {};
@@ -200,11 +253,11 @@ void SelectionOutline::paint(QPainter &painter, const View &view, const Painting
     if (!isUnchanged(view, painting, selection))
         gather(view, painting, selection);
     if (m_thin) {
-        if (!m_drawn || m_thinColour != colours.accent)
-            drawThin(colours.accent, dpr);
-        painter.setOpacity(thinOpacity); // the paint below is still to be seen
-        painter.drawImage(QPointF(0, 0), m_picture);
-        painter.setOpacity(1);
+        paintThin(painter, view, dpr, colours.accent, moving);
+        return;
+    }
+    if (moving && m_segments > smoothSegments) {
+        paintQuick(painter, colours.accent, dpr);
         return;
     }
     for (const auto &[stroke, chosen] : m_shown)

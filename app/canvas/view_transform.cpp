@@ -57,6 +57,15 @@ void ViewTransform::fit(const Rect &area, double margin)
     m_view.centre = area.centre();
 }
 
+void ViewTransform::show(const View &view)
+{
+    const int width = m_view.width, height = m_view.height;
+    m_view = view;
+    m_view.scale = std::clamp(view.scale, minScale, maxScale);
+    m_view.rotation = std::remainder(view.rotation, 2 * std::numbers::pi);
+    resize(width, height);
+}
+
 QTransform mapBetween(const View &from, const View &to)
 {
     const double k = to.scale / from.scale;

@@ -36,7 +36,13 @@ int convertCommand(const QStringList &arguments)
                                                  "recordings. What IN is, is found from its content; what OUT is, from "
                                                  "its ending."),
                      {"IN", "OUT"});
-    line.add({"brush"}, QCoreApplication::translate("Cli", "The brush that recordings are painted with: a name, or a brush file."), "PRESET");
+    line.add({"brush"},
+             QCoreApplication::translate("Cli", "The brush that recordings are painted with: a name, or a brush file."),
+             "PRESET");
+    line.add({"plain"}, QCoreApplication::translate(
+                            "Cli", "Leaves out what lies beside the picture: preview, view, undo history."));
+    line.add({"salvage"}, QCoreApplication::translate(
+                              "Cli", "Of a damaged document takes what is whole, and says what is missing."));
     if (const std::optional<int> code = line.parse(arguments))
         return *code;
     const QString out = line.argument(1);
@@ -50,10 +56,16 @@ int convertCommand(const QStringList &arguments)
             return failUsage("convert", found.error());
         brush = *found;
     }
-    const Result<Painting> painting = loadPainting(line.argument(0), brush ? &*brush : nullptr);
-    if (!painting)
-        return fail(painting.error());
-    const Result<void> saved = savePainting(*painting, out);
+    const Result<LoadedDocument> document = loadDocument(line.argument(0), brush ? &*brush : nullptr);
+    if (!document)
+        return fail(document.error());
+    for (const QString &loss : document->losses)
+        warn(QStringLiteral("%1: %2").arg(line.argument(0), loss));
+    if (!document->losses.empty() && !line.isSet("salvage"))
+        return fail(QCoreApplication::translate("Cli", "%1: is damaged; --salvage writes what is whole of it")
+                        .arg(line.argument(0)));
+    const DocumentExtras extras = line.isSet("plain") ? DocumentExtras() : document->extras;
+    const Result<void> saved = saveDocument(document->painting, extras, out);
     return saved ? Done : fail(saved.error());
 }
 

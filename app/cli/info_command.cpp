@@ -1,6 +1,7 @@
 #include "app/cli/options.h"
 #include "model/formats/files.h"
 #include "model/influence.h"
+#include "model/paper_presets.h"
 
 #include <QCoreApplication>
 #include <QFile>
@@ -19,6 +20,7 @@ struct Facts {
     FileFormat format = FileFormat::Unknown;
     qint64 bytes = 0;
     Painting painting;
+    std::vector<QString> losses; ///< of a damaged file
     Rect bounds;
     Microseconds begin = 0;
     Microseconds end = 0;
@@ -40,6 +42,8 @@ const char *idOf(FileFormat format)
         return "excalidraw";
     case FileFormat::MyPaintEvents:
         return "mypaint-events";
+    case FileFormat::DiffusionCurves:
+        return "diffusion-curves";
     case FileFormat::Unknown:
         break;
     }
@@ -49,6 +53,23 @@ const char *idOf(FileFormat format)
 const char *idOf(PaperKind kind)
 {
     return kind == PaperKind::None ? "none" : kind == PaperKind::Procedural ? "procedural" : "image";
+}
+
+const char *idOf(PaperGrain grain)
+{
+    return grain == PaperGrain::Tooth ? "tooth" : grain == PaperGrain::Fibres ? "fibres" : "weave";
+}
+
+/// The paper, and which grain it has where it has one.
+QString paperText(const Paper &paper)
+{
+    const int preset = presetOf(paper);
+    const QString kind = QLatin1String(idOf(paper.kind));
+    if (paper.kind != PaperKind::Procedural)
+        return kind;
+    const QString grain = QLatin1String(idOf(paper.grain));
+    return preset < 0 ? QStringLiteral("%1, %2").arg(kind, grain)
+                      : QStringLiteral("%1, %2 (%3)").arg(kind, grain, titleOf(paperPresets()[std::size_t(preset)]));
 }
 
 Result<QByteArray> readInput(const QString &path)
@@ -83,10 +104,11 @@ Result<Facts> factsOf(const QString &path)
             return Error{input.error()};
         bytes = *input;
     }
-    Result<Painting> painting = bytes.isEmpty() && path != "-" ? loadPainting(path) : readPainting(bytes, path);
-    if (!painting)
-        return Error{painting.error()};
-    facts.painting = std::move(*painting);
+    Result<LoadedDocument> document = bytes.isEmpty() && path != "-" ? loadDocument(path) : readDocument(bytes, path);
+    if (!document)
+        return Error{document.error()};
+    facts.painting = std::move(document->painting);
+    facts.losses = std::move(document->losses);
     facts.format = detectFormat(bytes);
     facts.bytes = bytes.size();
     facts.end = facts.painting.end();
@@ -107,28 +129,58 @@ QJsonObject jsonOf(const Facts &f)
 {
     const Canvas &canvas = f.painting.canvas;
     const Colour &b = canvas.background;
-    QJsonObject object{{"file", f.file},
-                       {"format", idOf(f.format)},
-                       {"bytes", f.bytes},
-                       {"canvas", QJsonObject{{"width", canvas.width},
-                                              {"height", canvas.height},
-                                              {"background", QJsonArray{double(b.red), double(b.yellow), double(b.blue),
-                                                                        double(b.opacity)}},
-                                              {"paper", idOf(canvas.paper.kind)}}},
-                       {"strokes", qint64(f.painting.strokes.size())},
-                       {"segments", qint64(f.painting.segmentCount())},
-                       {"groups", qint64(f.painting.groups.size())},
-                       {"begin", toSeconds(f.begin)},
-                       {"end", toSeconds(f.end)},
-                       {"duration", toSeconds(f.end - f.begin)},
-                       {"bounds", QJsonValue()}};
+    QJsonObject object{
+        {"file", f.file},
+        {"format", idOf(f.format)},
+        {"bytes", f.bytes},
+        {"canvas",
+         QJsonObject{{"width", canvas.width},
+                     {"height", canvas.height},
+                     {"background", QJsonArray{double(b.red), double(b.yellow), double(b.blue), double(b.opacity)}},
+                     {"paper", idOf(canvas.paper.kind)},
+                     {"grain", canvas.paper.kind == PaperKind::Procedural ? QJsonValue(idOf(canvas.paper.grain))
+                                                                          : QJsonValue()}}},
+        {"strokes", qint64(f.painting.strokes.size())},
+        {"segments", qint64(f.painting.segmentCount())},
+        {"groups", qint64(f.painting.groups.size())},
+        {"begin", toSeconds(f.begin)},
+        {"end", toSeconds(f.end)},
+        {"duration", toSeconds(f.end - f.begin)},
+        {"bounds", QJsonValue()}};
     if (!f.bounds.isEmpty())
         object["bounds"] = QJsonArray{f.bounds.left, f.bounds.top, f.bounds.width(), f.bounds.height()};
     QJsonArray chunks;
     for (const ChunkInfo &c : f.chunks)
-        chunks.append(QJsonObject{{"name", c.name}, {"bytes", c.bytes}});
+        chunks.append(QJsonObject{{"name", c.name}, {"start", c.start}, {"bytes", c.bytes}, {"damage", c.damage}});
     object["chunks"] = chunks;
+    object["losses"] = QJsonArray::fromStringList(QStringList(f.losses.begin(), f.losses.end()));
     return object;
+}
+
+/// What a chunk beside the picture is for; empty for those of the picture.
+QString meaningOf(const QString &name)
+{
+    if (name == QLatin1String("prev"))
+        return QCoreApplication::translate("Cli", "preview");
+    if (name == QLatin1String("view"))
+        return QCoreApplication::translate("Cli", "how it was last looked at");
+    if (name == QLatin1String("hist"))
+        return QCoreApplication::translate("Cli", "undo history");
+    return name.isEmpty() || name.front().isUpper()
+               ? QString()
+               : QCoreApplication::translate("Cli", "unknown to this version, kept");
+}
+
+QString lineOf(const ChunkInfo &c)
+{
+    if (!c.damage.isEmpty())
+        return QCoreApplication::translate("Cli", "  chunk     %1 at byte %2 is damaged: %3")
+            .arg(c.name.isEmpty() ? QStringLiteral("?") : c.name)
+            .arg(c.start)
+            .arg(c.damage);
+    const QString line = QCoreApplication::translate("Cli", "  chunk     %1, %2 bytes").arg(c.name).arg(c.bytes);
+    const QString meaning = meaningOf(c.name);
+    return meaning.isEmpty() ? line : QStringLiteral("%1 (%2)").arg(line, meaning);
 }
 
 QString textOf(const Facts &f)
@@ -138,6 +190,7 @@ QString textOf(const Facts &f)
         QStringLiteral("%1: %2").arg(f.file, nameOf(f.format)),
         QCoreApplication::translate("Cli", "  bytes     %1").arg(f.bytes),
         QCoreApplication::translate("Cli", "  canvas    %1 × %2").arg(canvas.width).arg(canvas.height),
+        QCoreApplication::translate("Cli", "  paper     %1").arg(paperText(canvas.paper)),
         QCoreApplication::translate("Cli", "  strokes   %1").arg(f.painting.strokes.size()),
         QCoreApplication::translate("Cli", "  segments  %1").arg(f.painting.segmentCount()),
         f.bounds.isEmpty() ? QCoreApplication::translate("Cli", "  bounds    none: nothing is painted")
@@ -148,7 +201,7 @@ QString textOf(const Facts &f)
                                  .arg(f.bounds.height(), 0, 'f', 1),
         QCoreApplication::translate("Cli", "  duration  %1 s").arg(toSeconds(f.end - f.begin), 0, 'f', 3)};
     for (const ChunkInfo &c : f.chunks)
-        lines.append(QCoreApplication::translate("Cli", "  chunk     %1, %2 bytes").arg(c.name).arg(c.bytes));
+        lines.append(lineOf(c));
     return lines.join('\n') + '\n';
 }
 
@@ -184,7 +237,10 @@ int infoCommand(const QStringList &arguments)
     const Result<Facts> facts = factsOf(line.argument(0));
     if (!facts)
         return fail(facts.error());
-    return line.isSet("json") ? printJson(jsonOf(*facts)) : print(textOf(*facts));
+    const int printed = line.isSet("json") ? printJson(jsonOf(*facts)) : print(textOf(*facts));
+    for (const QString &loss : facts->losses)
+        warn(QStringLiteral("%1: %2").arg(line.argument(0), loss));
+    return facts->losses.empty() ? printed : Failed;
 }
 
 } // namespace suffuse::cli

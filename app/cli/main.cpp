@@ -22,9 +22,11 @@ constexpr std::array commands = {
     Command{"render", renderCommand, QT_TRANSLATE_NOOP("Cli", "draw a painting into an image file")},
     Command{"info", infoCommand, QT_TRANSLATE_NOOP("Cli", "what a file holds; the backends there are")},
     Command{"convert", convertCommand, QT_TRANSLATE_NOOP("Cli", "between documents, the text form and recordings")},
+    Command{"diff", diffCommand, QT_TRANSLATE_NOOP("Cli", "what differs between two paintings, and where")},
     Command{"probe", probeCommand, QT_TRANSLATE_NOOP("Cli", "what lies at a point of the canvas")},
     Command{"verify", verifyCommand, QT_TRANSLATE_NOOP("Cli", "compare the backends with the reference")},
     Command{"timelapse", timelapseCommand, QT_TRANSLATE_NOOP("Cli", "draw a painting while it is painted, as frames")},
+    Command{"recover", recoverCommand, QT_TRANSLATE_NOOP("Cli", "what was not saved when the editor ended")},
     Command{"bench", benchCommand, QT_TRANSLATE_NOOP("Cli", "measure how fast this machine draws")},
 };
 

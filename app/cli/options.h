@@ -23,7 +23,9 @@ int infoCommand(const QStringList &arguments);
 int convertCommand(const QStringList &arguments);
 int probeCommand(const QStringList &arguments);
 int verifyCommand(const QStringList &arguments);
+int diffCommand(const QStringList &arguments);
 int timelapseCommand(const QStringList &arguments);
+int recoverCommand(const QStringList &arguments);
 
 /// The parser of one command.
 class CommandLine {

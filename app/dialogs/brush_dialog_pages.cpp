@@ -30,7 +30,7 @@ void BrushDialog::addValues(QGridLayout &grid)
         grid,
         {.name = tr("Size"),
          .toolTip = tr("How far the paint spreads, in units; sets the diffusion."),
-         .unit = QStringLiteral(" u"),
+         .unit = NumberField::canvasUnit(),
          .minimum = 1e-7,
          .maximum = 1e5,
          .sliderMinimum = 0.5,

@@ -4,6 +4,7 @@
 #include "app/panels/section.h"
 #include "app/settings.h"
 #include "app/theme.h"
+#include "model/formats/atomic_save.h"
 
 #include <QComboBox>
 #include <QDialogButtonBox>
@@ -48,6 +49,7 @@ SettingsDialog::SettingsDialog(QWidget *parent, const Brush &brush)
     });
 
     addDrawing(*form);
+    addSaving(*form);
     page->addWidget(quietLabel(tr("Language, canvas, renderer and threads change when Suffuse starts again."), this));
     page->addStretch(1);
     pages->addTab(general, tr("General"));
@@ -83,6 +85,19 @@ void SettingsDialog::addDrawing(QFormLayout &form)
     form.addRow(tr("Threads"), m_threads);
 }
 
+void SettingsDialog::addSaving(QFormLayout &form)
+{
+    m_backups = new QSpinBox(this);
+    m_backups->setRange(0, mostBackups);
+    m_backups->setSpecialValueText(tr("None"));
+    m_backups->setValue(settings::backups());
+    m_backups->setAccessibleName(tr("Backups"));
+    m_backups->setToolTip(
+        tr("How many earlier versions are kept when a painting is saved: “name.suffuse~” beside it is the "
+           "last one, “~2” the one before."));
+    form.addRow(tr("Backups"), m_backups);
+}
+
 QComboBox *SettingsDialog::addCombo(QFormLayout &form, const QString &name, const QString &tip)
 {
     auto *combo = new QComboBox(this);
@@ -98,6 +113,7 @@ void SettingsDialog::accept()
     settings::setPresenter(settings::Presenter(m_presenter->currentIndex()));
     settings::setBackend(Backend(m_backend->currentData().toInt()));
     settings::setThreads(m_threads->value());
+    settings::setBackups(m_backups->value());
     settings::setPenSettings(m_pen->settings());
     settings::store().sync();
     QDialog::accept();

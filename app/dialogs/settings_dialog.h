@@ -12,8 +12,8 @@ namespace suffuse {
 
 class PenPage;
 
-/// Language, theme, how pictures are made and come to the screen, and the pen. Theme and pen change at once; the rest
-/// is said to need a restart.
+/// Language, theme, how pictures are made and come to the screen, backups, and the pen. Theme, backups and pen change
+/// at once; the rest is said to need a restart.
 class SettingsDialog : public QDialog {
     Q_OBJECT
 
@@ -26,6 +26,7 @@ public:
     QComboBox *presenter() const { return m_presenter; }
     QComboBox *backend() const { return m_backend; }
     QSpinBox *threads() const { return m_threads; }
+    QSpinBox *backups() const { return m_backups; }
     PenPage *pen() const { return m_pen; }
 
     void accept() override;
@@ -33,6 +34,7 @@ public:
 
 private:
     void addDrawing(QFormLayout &form);
+    void addSaving(QFormLayout &form);
     QComboBox *addCombo(QFormLayout &form, const QString &name, const QString &tip);
 
     QComboBox *m_language = nullptr;
@@ -40,6 +42,7 @@ private:
     QComboBox *m_presenter = nullptr;
     QComboBox *m_backend = nullptr;
     QSpinBox *m_threads = nullptr;
+    QSpinBox *m_backups = nullptr;
     PenPage *m_pen = nullptr;
     int m_themeBefore = 0;
 };

@@ -254,7 +254,7 @@ void BrushPanel::addFields(QVBoxLayout &column)
     QGridLayout *grid = addFieldGrid(column);
     m_size = new SliderField({.name = tr("Size"),
                               .toolTip = tr("How far the paint spreads, in units; sets the diffusion."),
-                              .unit = QStringLiteral(" u"),
+                              .unit = NumberField::canvasUnit(),
                               .minimum = 0.01,
                               .maximum = 1e5,
                               .sliderMinimum = 0.5,

@@ -29,6 +29,12 @@ int imageIndex()
     return int(paperPresets().size()) + 1;
 }
 
+/// Of the entry that is there while the paper is none of the others; choosing it changes nothing.
+int customIndex()
+{
+    return imageIndex() + 1;
+}
+
 int indexOf(const Paper &paper)
 {
     switch (paper.kind) {
@@ -40,7 +46,7 @@ int indexOf(const Paper &paper)
         break;
     }
     const int preset = presetOf(paper);
-    return preset < 0 ? -1 : preset + 1;
+    return preset < 0 ? customIndex() : preset + 1;
 }
 } // namespace
 
@@ -83,7 +89,7 @@ void CanvasSection::addSize(QGridLayout &grid)
         auto *field = new NumberField(this);
         field->setRange(0.001, 1e6);
         field->setStep(1);
-        field->setUnit(QStringLiteral(" u"));
+        field->setUnit(NumberField::canvasUnit());
         field->setAccessibleName(name);
         field->setToolTip(tip);
         label->setBuddy(field);
@@ -107,7 +113,6 @@ void CanvasSection::addPaper(QGridLayout &grid)
     for (const PaperPreset &preset : paperPresets())
         m_paper->addItem(titleOf(preset));
     m_paper->addItem(tr("Image…"));
-    m_paper->setPlaceholderText(tr("Custom"));
     m_paper->setIconSize(thumbnailSize);
     m_paper->setAccessibleName(tr("Texture"));
     m_paper->setToolTip(tr("The paper's grain, which granulating strokes show."));
@@ -141,7 +146,7 @@ void CanvasSection::addPaper(QGridLayout &grid)
     m_scale = new SliderField(
         {.name = tr("Scale"),
          .toolTip = tr("Size of the coarsest grain or of a thread in units, or units per pixel of the image."),
-         .unit = QStringLiteral(" u"),
+         .unit = NumberField::canvasUnit(),
          .minimum = 1e-6,
          .maximum = 1e6,
          .sliderMinimum = 0.1,
@@ -170,6 +175,8 @@ void CanvasSection::choosePaper(int index)
 {
     if (index == imageIndex())
         return chooseImagePaper();
+    if (index == customIndex())
+        return;
     Paper paper = m_canvas.paper;
     if (index > 0)
         paper = paperOf(paperPresets()[std::size_t(index - 1)], paper.seed);
@@ -258,6 +265,10 @@ void CanvasSection::refresh()
     m_height->setValue(m_canvas.height);
     m_swatch->setColour(m_canvas.background);
     m_background->setColour(m_canvas.background);
+    if (indexOf(paper) != customIndex())
+        m_paper->removeItem(customIndex());
+    else if (m_paper->count() == customIndex())
+        m_paper->addItem(tr("Custom"));
     m_paper->setCurrentIndex(indexOf(paper));
     m_image->setVisible(paper.kind == PaperKind::Image);
     m_seedLabel->setVisible(paper.kind == PaperKind::Procedural);

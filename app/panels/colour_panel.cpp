@@ -81,7 +81,7 @@ ColourPanel::ColourPanel(Editor &editor, QWidget *parent)
     });
     connect(m_rows, &ColourRows::refused, m_hint, &HintLabel::showHint);
     connect(&editor, &Editor::brushChanged, this, &ColourPanel::refresh);
-    connect(&editor.document(), &Document::changed, this, [this](const Change &change) {
+    connect(&editor.laterChanges(), &LaterChanges::changed, this, [this](const Change &change) {
         if (change.selection || change.reset)
             m_apply->setEnabled(!m_editor.document().selection().isEmpty());
         if (change.draft && m_editor.document().draft())

@@ -30,7 +30,7 @@ CompareButton::CompareButton(Editor &editor, QWidget *parent) : QToolButton(pare
     connect(this, &QToolButton::clicked, this, &CompareButton::refresh); // the check mark follows what is shown
     connect(&editor, &Editor::comparedChanged, this, &CompareButton::refresh);
     connect(&editor.undoStack(), &QUndoStack::indexChanged, this, &CompareButton::refresh);
-    connect(&editor.document(), &Document::changed, this, &CompareButton::refresh);
+    connect(&editor.laterChanges(), &LaterChanges::changed, this, &CompareButton::refresh);
     refresh();
 }
 

@@ -5,6 +5,7 @@
 #include "app/panels/density_function.h"
 #include "app/panels/density_plot.h"
 #include "app/panels/figure_warnings.h"
+#include "app/panels/number_field.h"
 #include "app/panels/section.h"
 
 #include <QGridLayout>
@@ -147,10 +148,10 @@ void FiguresSection::refreshFigures(const Inspected &inspected)
     m_names[0]->setText(uneven ? tr("Spread across") : tr("Spread s"));
     m_names[1]->setVisible(uneven);
     m_figures[1]->setVisible(uneven);
-    m_figures[0]->setText(rangeText(low.spread, high.spread, QStringLiteral(" u")));
-    m_figures[1]->setText(rangeText(low.along, high.along, QStringLiteral(" u")));
+    m_figures[0]->setText(rangeText(low.spread, high.spread, NumberField::canvasUnit()));
+    m_figures[1]->setText(rangeText(low.along, high.along, NumberField::canvasUnit()));
     m_figures[2]->setText(rangeText(low.peak, high.peak, QString()));
-    m_figures[3]->setText(rangeText(low.halfWidth, high.halfWidth, QStringLiteral(" u")));
+    m_figures[3]->setText(rangeText(low.halfWidth, high.halfWidth, NumberField::canvasUnit()));
     m_figures[4]->setText(!fades  ? tr("never")
                           : stays ? tr("partly, from %1").arg(rangeText(fadesFrom, fadesFrom, QStringLiteral(" s")))
                                   : tr("after %1").arg(rangeText(fadesFrom, fadesTo, QStringLiteral(" s"))));

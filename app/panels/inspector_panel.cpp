@@ -70,7 +70,7 @@ InspectorPanel::InspectorPanel(Editor &editor, QWidget *parent) : QWidget(parent
     connect(m_canvas, &CanvasSection::edited, this, [this](const Canvas &value, const QString &text, EditRun run) {
         m_editor.push(setCanvas(m_editor.document(), value), text, run);
     });
-    connect(&editor.document(), &Document::changed, this, &InspectorPanel::documentChanged);
+    connect(&editor.laterChanges(), &LaterChanges::changed, this, &InspectorPanel::documentChanged);
     refresh();
 }
 

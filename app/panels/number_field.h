@@ -25,6 +25,8 @@ public:
     double maximum() const { return m_maximum; }
     /// Shown behind the number, " s" or " %"; taken off again where typed.
     void setUnit(const QString &unit);
+    /// The canvas' unit of length, as setUnit wants it.
+    static QString canvasUnit() { return tr(" u"); }
     /// Shown and typed number = value · factor (100 for per cent).
     void setDisplayFactor(double factor) { m_factor = factor; }
     /// A step of the arrow keys: so much, or where 0 a tenth of the value.

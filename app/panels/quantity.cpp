@@ -30,7 +30,7 @@ FieldSpec densitySpec()
 {
     return {.name = Text::tr("Density φ"),
             .toolTip = Text::tr("How much paint the segment gives off along its length."),
-            .unit = QStringLiteral(" u"),
+            .unit = NumberField::canvasUnit(),
             .minimum = 0,
             .maximum = 1e12,
             .sliderMinimum = 0.1,

@@ -4,6 +4,7 @@
 #include "app/panels/colour_rows.h"
 #include "app/panels/colour_swatch.h"
 #include "app/panels/quantity.h"
+#include "app/panels/rewet_rows.h"
 #include "app/panels/section.h"
 #include "undo/edits.h"
 
@@ -24,7 +25,7 @@ FieldSpec anisotropySpec()
 {
     return {.name = SegmentSection::tr("Anisotropy"),
             .toolTip = SegmentSection::tr("How many times D along the angle is D across it; 1 spreads evenly."),
-            .minimum = smallestPositive,
+            .minimum = 1e-6,
             .maximum = 1e6,
             .sliderMinimum = 0.01,
             .sliderMaximum = 100,
@@ -68,6 +69,9 @@ SegmentSection::SegmentSection(Editor &editor, QWidget *parent) : QWidget(parent
     m_maxAge = addRow(specOf(Quantity::MaxAge), *grid, &Segment::maxAge, tr("Change drying time"));
     m_anisotropy = addRow(anisotropySpec(), *grid, &Segment::anisotropyRatio, tr("Change anisotropy"));
     m_angle = addRow(angleSpec(), *grid, &Segment::anisotropyAngle, tr("Change angle"));
+
+    m_rewet = new RewetRows(editor, this);
+    column->addWidget(m_rewet);
 
     auto *head = new QHBoxLayout;
     head->addWidget(sectionTitle(tr("Colour"), this), 1);
@@ -151,6 +155,8 @@ void SegmentSection::refresh(const Inspected &inspected)
     m_angle->setValue(common(&Segment::anisotropyAngle));
     m_angle->setEnabled(std::any_of(segments.begin(), segments.end(),
                                     [](const InspectedSegment &s) { return !s.segment->isIsotropic(); }));
+
+    m_rewet->refresh(inspected);
 
     std::array<std::optional<double>, 4> channels;
     for (int channel = 0; channel < 4; ++channel)

@@ -8,6 +8,7 @@ namespace suffuse {
 class ColourRows;
 class ColourSwatch;
 class Editor;
+class RewetRows;
 
 /// D, φ, ω, t_max, anisotropy and colour of the selected segments.
 class SegmentSection : public QWidget {
@@ -25,6 +26,7 @@ public:
     SliderField *anisotropy() const { return m_anisotropy; } ///< ratio
     SliderField *angle() const { return m_angle; }           ///< radians
     ColourRows *colour() const { return m_colour; }
+    RewetRows *rewet() const { return m_rewet; }
 
 signals:
     void refused(const QString &hint);
@@ -43,6 +45,7 @@ private:
     SliderField *m_maxAge = nullptr;
     SliderField *m_anisotropy = nullptr;
     SliderField *m_angle = nullptr;
+    RewetRows *m_rewet = nullptr;
     ColourSwatch *m_swatch = nullptr;
     ColourRows *m_colour = nullptr;
 };

@@ -18,7 +18,7 @@ StrokeHistoryList::StrokeHistoryList(Editor &editor, QWidget *parent) : QListWid
     connect(this, &QListWidget::itemClicked, this, [this](QListWidgetItem *item) { goTo(row(item)); });
     connect(this, &QListWidget::itemActivated, this, [this](QListWidgetItem *item) { goTo(row(item)); });
     connect(&editor.undoStack(), &QUndoStack::indexChanged, this, &StrokeHistoryList::followLater);
-    connect(&editor.document(), &Document::changed, this, [this](const Change &change) {
+    connect(&editor.laterChanges(), &LaterChanges::changed, this, [this](const Change &change) {
         if (change.selection || change.reset)
             followLater();
     });

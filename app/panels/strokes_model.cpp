@@ -15,7 +15,7 @@ StrokesModel::StrokesModel(Editor &editor, QObject *parent)
     : QAbstractItemModel(parent), m_editor(editor), m_root(std::make_unique<Node>())
 {
     rebuild();
-    connect(&editor.document(), &Document::changed, this, &StrokesModel::documentChanged);
+    connect(&editor.laterChanges(), &LaterChanges::changed, this, &StrokesModel::documentChanged);
 }
 
 StrokesModel::~StrokesModel() = default;

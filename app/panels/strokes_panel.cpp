@@ -176,7 +176,7 @@ StrokesPanel::StrokesPanel(Editor &editor, QWidget *parent) : QWidget(parent), m
     connect(&editor, &Editor::dragEnded, m_view->viewport(), qOverload<>(&QWidget::update));
     connect(m_view->selectionModel(), &QItemSelectionModel::selectionChanged, this,
             &StrokesPanel::giveSelectionToDocument);
-    connect(&editor.document(), &Document::changed, this, &StrokesPanel::documentChanged);
+    connect(&editor.laterChanges(), &LaterChanges::changed, this, &StrokesPanel::documentChanged);
     takeSelectionFromDocument();
 }
 

@@ -70,6 +70,12 @@ std::optional<bool> TimelineBars::update(const Painting &painting)
     return differs;
 }
 
+int TimelineBars::laneFrom(Microseconds begin) const
+{
+    const auto isFree = [&](const std::vector<std::size_t> &row) { return m_bars[row.back()].end < begin; };
+    return int(std::ranges::find_if(m_lanes, isFree) - m_lanes.begin());
+}
+
 void TimelineBars::layOut()
 {
     std::vector<std::size_t> order(m_bars.size());

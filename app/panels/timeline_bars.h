@@ -32,6 +32,8 @@ public:
     /// Bar i belongs to stroke i of the painting.
     const TimelineBar &operator[](std::size_t i) const { return m_bars[i]; }
     std::size_t size() const { return m_bars.size(); }
+    /// The uppermost lane in which there is nothing from a moment on.
+    int laneFrom(Microseconds begin) const;
     /// From the first birth to when all has dried; empty at 0 without strokes.
     TimeSpan span() const { return m_span; }
 

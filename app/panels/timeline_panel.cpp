@@ -4,6 +4,7 @@
 #include "app/editor.h"
 #include "app/icons.h"
 #include "app/panels/section.h"
+#include "app/panels/time_text.h"
 #include "app/panels/timeline_view.h"
 #include "app/playback.h"
 
@@ -11,6 +12,7 @@
 #include <QHBoxLayout>
 #include <QLineEdit>
 #include <QLocale>
+#include <QMenu>
 #include <QToolButton>
 #include <QVBoxLayout>
 
@@ -28,19 +30,6 @@ QString speedText(double speed)
     return QStringLiteral("%1×").arg(QLocale().toString(speed, 'g', 4));
 }
 
-/// 1:02.345
-QString clockText(Microseconds time)
-{
-    const QLocale locale;
-    const auto milliseconds = (time < 0 ? -time : time) / 1000;
-    return QStringLiteral("%1%2:%3%4%5")
-        .arg(time < 0 ? QStringLiteral("−") : QString())
-        .arg(milliseconds / 60'000)
-        .arg(milliseconds / 1000 % 60, 2, 10, QLatin1Char('0'))
-        .arg(locale.decimalPoint())
-        .arg(milliseconds % 1000, 3, 10, QLatin1Char('0'));
-}
-
 QToolButton *buttonOf(QAction &action, QWidget *parent)
 {
     auto *button = new QToolButton(parent);
@@ -54,7 +43,7 @@ QToolButton *buttonOf(QAction &action, QWidget *parent)
 } // namespace
 
 TimelinePanel::TimelinePanel(Editor &editor, Playback &playback, const Actions &actions, QWidget *parent)
-    : QWidget(parent), m_editor(editor), m_playback(playback)
+    : QWidget(parent), m_editor(editor), m_playback(playback), m_actions(actions)
 {
     auto *column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, 0);
@@ -106,6 +95,7 @@ TimelinePanel::TimelinePanel(Editor &editor, Playback &playback, const Actions &
         m_what->setText(what);
         showTime();
     });
+    connect(m_view, &TimelineView::menuWanted, this, &TimelinePanel::showMenu);
     connect(m_speed, &QComboBox::textActivated, this, &TimelinePanel::takeSpeed);
     connect(m_speed->lineEdit(), &QLineEdit::editingFinished, this, [this] { takeSpeed(m_speed->currentText()); });
     connect(&playback, &Playback::stateChanged, this, &TimelinePanel::showState);
@@ -132,6 +122,39 @@ void TimelinePanel::showTime()
     if (!isVisible())
         return;
     m_time->setText(QStringLiteral("%1 / %2").arg(clockText(m_editor.time()), clockText(m_playback.end())));
+}
+
+void TimelinePanel::showMenu(QPoint globalPosition, bool onBar)
+{
+    auto *menu = new QMenu(this);
+    menu->setAttribute(Qt::WA_DeleteOnClose);
+    const auto append = [this](QMenu &to, std::initializer_list<Command> commands) {
+        for (const Command command : commands)
+            to.addAction(&m_actions[command]);
+    };
+    if (onBar) {
+        const std::set<StrokeId> selected = m_editor.document().selection().strokes;
+        TimelineBar all;
+        bool any = false;
+        for (const StrokePtr &stroke : m_editor.document().painting()->strokes)
+            if (selected.contains(stroke->id)) {
+                const TimelineBar bar = barOf(*stroke);
+                all.begin = any ? std::min(all.begin, bar.begin) : bar.begin;
+                all.end = any ? std::max(all.end, bar.end) : bar.end;
+                any = true;
+            }
+        menu->addAction(tr("Go to Its &Start"), this, [this, all] { m_playback.seek(all.begin); });
+        menu->addAction(tr("Go to When It Is Dr&y"), this, [this, all] { m_playback.seek(all.end); });
+        menu->addSeparator();
+        append(*menu->addMenu(tr("Drawing Pa&ce")),
+               {Command::PaceEven, Command::PaceEaseIn, Command::PaceEaseOut, Command::PaceEaseInOut});
+        append(*menu, {Command::Rewet, Command::RemoveRewetting});
+    } else {
+        append(*menu, {Command::Play, Command::ToStart, Command::ToEnd});
+        menu->addSeparator();
+        append(*menu, {Command::LoopPlaying, Command::SkipPauses});
+    }
+    menu->popup(globalPosition);
 }
 
 void TimelinePanel::showState()

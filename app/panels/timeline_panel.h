@@ -30,10 +30,12 @@ protected:
 private:
     void showTime();
     void showState();
+    void showMenu(QPoint globalPosition, bool onBar);
     void takeSpeed(const QString &text);
 
     Editor &m_editor;
     Playback &m_playback;
+    const Actions &m_actions;
     TimelineView *m_view = nullptr;
     QComboBox *m_speed = nullptr;
     QLabel *m_time = nullptr;

@@ -4,10 +4,12 @@
 #include "app/playback.h"
 
 #include <QGestureEvent>
+#include <QHelpEvent>
 #include <QKeyEvent>
 #include <QNativeGestureEvent>
 #include <QPinchGesture>
 #include <QScrollBar>
+#include <QToolTip>
 #include <QWheelEvent>
 
 #include <cmath>
@@ -42,6 +44,8 @@ TimelineView::TimelineView(Editor &editor, Playback &playback, QWidget *parent)
     connect(&m_later, &QTimer::timeout, this, &TimelineView::refresh);
     connect(&editor.document(), &Document::changed, this, [this](const Change &change) {
         documentChanged(!change.strokes.empty() || change.order || change.canvas, change.selection, change.reset);
+        if (change.draft)
+            draftChanged();
     });
     connect(&editor, &Editor::timeChanged, this, &TimelineView::timeChanged);
     connect(&editor, &Editor::pastChanged, viewport(), qOverload<>(&QWidget::update));
@@ -66,6 +70,13 @@ void TimelineView::documentChanged(bool painting, bool selection, bool reset)
     if (m_drag != Drag::None || reset)
         refresh();
     else if (!m_later.isActive())
+        m_later.start();
+}
+
+void TimelineView::draftChanged()
+{
+    m_looksStale = true;
+    if (isVisible() && !m_later.isActive())
         m_later.start();
 }
 
@@ -209,6 +220,11 @@ bool TimelineView::viewportEvent(QEvent *event)
             zoomAt(gesture.position().x(), 1 + gesture.value());
     } else if (event->type() == QEvent::Leave) {
         unsetCursor();
+    } else if (event->type() == QEvent::ToolTip) {
+        const auto &help = static_cast<QHelpEvent &>(*event);
+        catchUp();
+        QToolTip::showText(help.globalPos(), m_drag == Drag::None ? toolTipAt(help.pos()) : QString(), viewport());
+        return true;
     }
     return QAbstractScrollArea::viewportEvent(event);
 }

@@ -38,6 +38,8 @@ public:
 signals:
     /// What is being dragged, in words; empty: nothing.
     void dragged(const QString &what);
+    /// The menu of what is selected; of the timeline itself where `onBar` is false.
+    void menuWanted(QPoint globalPosition, bool onBar);
 
 protected:
     bool viewportEvent(QEvent *event) override;
@@ -52,10 +54,11 @@ protected:
     void mouseDoubleClickEvent(QMouseEvent *event) override;
     void wheelEvent(QWheelEvent *event) override;
     void keyPressEvent(QKeyEvent *event) override;
+    void contextMenuEvent(QContextMenuEvent *event) override;
 
 private:
     enum class Part { None, Ruler, Body, Begin, End };
-    enum class Drag { None, Scrub, Press, Band, Shift, StretchBegin, StretchEnd, Pan };
+    enum class Drag { None, Scrub, Press, Band, Shift, StretchBegin, StretchEnd, EaseBegin, EaseEnd, Pan };
     /// What is under the pointer.
     struct Hit {
         Part part = Part::None;
@@ -66,6 +69,7 @@ private:
     /// Brings the bars up to date now, where they wait for a pause.
     void catchUp();
     void documentChanged(bool painting, bool selection, bool reset);
+    void draftChanged();
     void timeChanged();
     void updateScrollBars();
     void zoomAt(double x, double factor);
@@ -75,10 +79,15 @@ private:
     Hit hitAt(QPointF at) const;
     bool isRetimable(std::size_t bar) const;
     void updateCursor(QPointF at);
+    QString toolTipAt(QPointF at) const;
 
     void selectPressed(const Hit &hit, Qt::KeyboardModifiers modifiers);
     void beginRetiming();
     void retimeTo(QPointF at);
+    /// What the drag makes of the painting before, and what it is called.
+    std::pair<Edit, QString> stretched(Microseconds by) const;
+    std::pair<Edit, QString> easedBy(Microseconds by) const;
+    QString retimingText() const;
     void endRetiming();
     void giveUp();
     void selectBand();
@@ -86,6 +95,8 @@ private:
     void paintRuler(QPainter &painter) const;
     void paintLanes(QPainter &painter, const QRect &area) const;
     void paintBar(QPainter &painter, const TimelineBar &bar, const Stroke &stroke) const;
+    /// The bar of the stroke in hand; none: nothing is painted at the moment.
+    std::optional<TimelineBar> draftBar() const;
     void paintSelectedRuns(QPainter &painter, const Stroke &stroke, const QRectF &rect) const;
     void paintPlayhead(QPainter &painter) const;
 
@@ -103,6 +114,7 @@ private:
 
     Drag m_drag = Drag::None;
     QPointF m_pressed, m_pointer;
+    Qt::KeyboardModifiers m_pressedWith;
     Hit m_hit;
     Selection m_selectionBefore; ///< at the press
     PaintingPtr m_before;        ///< at the press of a drag that retimes

@@ -1,10 +1,12 @@
 // The mouse on the timeline: the playhead, selecting, retiming.
 #include "app/editor.h"
+#include "app/panels/time_text.h"
 #include "app/panels/timeline_view.h"
 #include "app/playback.h"
 #include "undo/time_edits.h"
 
 #include <QApplication>
+#include <QContextMenuEvent>
 #include <QLocale>
 #include <QMouseEvent>
 #include <QScrollBar>
@@ -69,6 +71,7 @@ void TimelineView::mousePressEvent(QMouseEvent *event)
     if (m_drag != Drag::None)
         return;
     m_pressed = m_pointer = event->position();
+    m_pressedWith = event->modifiers();
     if (event->button() == Qt::MiddleButton) {
         m_drag = Drag::Pan;
         return;
@@ -89,6 +92,37 @@ void TimelineView::mousePressEvent(QMouseEvent *event)
         m_drag = Drag::Press;
         selectPressed(m_hit, event->modifiers());
     }
+}
+
+void TimelineView::contextMenuEvent(QContextMenuEvent *event)
+{
+    if (m_drag != Drag::None)
+        return;
+    catchUp();
+    const Hit hit = hitAt(event->pos());
+    const bool byKey = event->reason() == QContextMenuEvent::Keyboard;
+    const bool onBar =
+        byKey ? !m_editor.document().selection().isEmpty() : hit.part != Part::None && hit.part != Part::Ruler;
+    if (onBar && !byKey)
+        selectPressed(hit, {});
+    emit menuWanted(event->globalPos(), onBar);
+}
+
+QString TimelineView::toolTipAt(QPointF at) const
+{
+    const Hit hit = hitAt(at);
+    if (hit.part == Part::None || hit.part == Part::Ruler)
+        return {};
+    const TimelineBar &bar = m_bars[hit.bar];
+    const Stroke &stroke = *m_bars.painting().strokes[hit.bar];
+    QStringList lines{stroke.name.isEmpty() ? tr("Stroke %1").arg(stroke.id) : stroke.name,
+                      tr("Drawn from %1 to %2").arg(clockText(bar.begin), clockText(bar.drawn)),
+                      tr("Dry at %1").arg(clockText(bar.dry))};
+    if (bar.end > bar.dry)
+        lines << tr("Wetted again, dry at %1").arg(clockText(bar.end));
+    if (m_bars.painting().isLocked(stroke))
+        lines << tr("Locked");
+    return lines.join('\n');
 }
 
 void TimelineView::selectPressed(const Hit &hit, Qt::KeyboardModifiers modifiers)
@@ -134,6 +168,8 @@ void TimelineView::mouseMoveEvent(QMouseEvent *event)
     case Drag::Shift:
     case Drag::StretchBegin:
     case Drag::StretchEnd:
+    case Drag::EaseBegin:
+    case Drag::EaseEnd:
         retimeTo(at);
     }
 }
@@ -167,39 +203,61 @@ void TimelineView::beginRetiming()
     m_before = document.painting();
     m_selectionBefore = document.selection();
     m_run = beginEditRun();
-    m_drag = m_hit.part == Part::Begin ? Drag::StretchBegin : m_hit.part == Part::End ? Drag::StretchEnd : Drag::Shift;
+    const bool eases = m_pressedWith & Qt::AltModifier;
+    m_drag = m_hit.part == Part::Begin ? (eases ? Drag::EaseBegin : Drag::StretchBegin)
+             : m_hit.part == Part::End ? (eases ? Drag::EaseEnd : Drag::StretchEnd)
+                                       : Drag::Shift;
     retimeTo(m_pointer);
+}
+
+QString TimelineView::retimingText() const
+{
+    if (m_drag == Drag::EaseBegin || m_drag == Drag::EaseEnd)
+        return tr("Ease in time");
+    return m_drag == Drag::Shift ? tr("Move in time") : tr("Stretch in time");
 }
 
 void TimelineView::retimeTo(QPointF at)
 {
     const auto by = Microseconds(std::llround((at.x() - m_pressed.x()) * m_scale));
-    // The end that is held follows the pointer, whichever stroke's it is.
-    const Microseconds end = m_drag == Drag::StretchEnd ? m_bars[m_hit.bar].drawn : m_drawnBefore.end;
-    TimeSpan span = m_drawnBefore;
-    Edit edit;
-    QString what;
-    if (m_drag == Drag::Shift) {
-        edit = retime(*m_before, m_selectionBefore, {.by = by});
-        what = tr("Later by %1 s").arg(signedSeconds(by));
-    } else {
-        const bool begin = m_drag == Drag::StretchBegin;
-        const Microseconds held = begin ? m_bars[m_hit.bar].begin : end;
-        const Microseconds fixed = begin ? span.end : span.begin;
-        const double share = held == fixed ? 1 : double(held - fixed) / double((begin ? span.begin : span.end) - fixed);
-        (begin ? span.begin : span.end) += Microseconds(std::llround(double(by) / share));
-        if (begin)
-            span.begin = std::min(span.begin, span.end);
-        if (by != 0)
-            edit = stretch(*m_before, m_selectionBefore, span);
-        else
-            edit = retime(*m_before, m_selectionBefore, {});
-        what = tr("Drawn in %1 s")
-                   .arg(QLocale().toString(toSeconds(std::max<Microseconds>(span.end - span.begin, 0)), 'f', 3));
-    }
-    m_editor.push(std::move(edit), m_drag == Drag::Shift ? tr("Move in time") : tr("Stretch in time"), m_run);
-    emit dragged(what);
+    std::pair<Edit, QString> result;
+    if (m_drag == Drag::Shift)
+        result = {retime(*m_before, m_selectionBefore, {.by = by}), tr("Later by %1 s").arg(signedSeconds(by))};
+    else if (m_drag == Drag::EaseBegin || m_drag == Drag::EaseEnd)
+        result = easedBy(by);
+    else
+        result = stretched(by);
+    m_editor.push(std::move(result.first), retimingText(), m_run);
+    emit dragged(result.second);
     viewport()->update();
+}
+
+std::pair<Edit, QString> TimelineView::stretched(Microseconds by) const
+{
+    // The end that is held follows the pointer, whichever stroke's it is.
+    const bool begin = m_drag == Drag::StretchBegin;
+    TimeSpan span = m_drawnBefore;
+    const Microseconds held = begin ? m_bars[m_hit.bar].begin : m_bars[m_hit.bar].drawn;
+    const Microseconds fixed = begin ? span.end : span.begin;
+    const double share = held == fixed ? 1 : double(held - fixed) / double((begin ? span.begin : span.end) - fixed);
+    (begin ? span.begin : span.end) += Microseconds(std::llround(double(by) / share));
+    if (begin)
+        span.begin = std::min(span.begin, span.end);
+    const double seconds = toSeconds(std::max<Microseconds>(span.end - span.begin, 0));
+    return {by != 0 ? stretch(*m_before, m_selectionBefore, span) : retime(*m_before, m_selectionBefore, {}),
+            tr("Drawn in %1 s").arg(QLocale().toString(seconds, 'f', 3))};
+}
+
+std::pair<Edit, QString> TimelineView::easedBy(Microseconds by) const
+{
+    // Half of the bar inwards, and the pen is as slow there as it can be.
+    const bool begin = m_drag == Drag::EaseBegin;
+    const TimelineBar &bar = m_bars[m_hit.bar];
+    const double half = 0.5 * double(std::max<Microseconds>(bar.drawn - bar.begin, 1));
+    const double slower = std::pow(Ease::most, std::clamp(double(begin ? by : -by) / half, -1.0, 1.0));
+    const QString pace = QLocale().toString(100 / slower, 'f', 0);
+    return {ease(*m_before, m_selectionBefore, begin ? Ease{slower, 1} : Ease{1, slower}),
+            begin ? tr("Begins at %1 % of its pace").arg(pace) : tr("Ends at %1 % of its pace").arg(pace)};
 }
 
 void TimelineView::endRetiming()
@@ -214,9 +272,7 @@ void TimelineView::endRetiming()
 void TimelineView::giveUp()
 {
     if (m_before) {
-        const bool shift = m_drag == Drag::Shift;
-        m_editor.push(retime(*m_before, m_selectionBefore, {}), shift ? tr("Move in time") : tr("Stretch in time"),
-                      m_run);
+        m_editor.push(retime(*m_before, m_selectionBefore, {}), retimingText(), m_run);
         endRetiming();
     } else if (m_drag == Drag::Band) {
         m_editor.document().setSelection(m_selectionBefore);

@@ -137,11 +137,23 @@ void TimelineView::paintLanes(QPainter &painter, const QRect &area) const
         if (bar.begin <= span.end && bar.end >= span.begin)
             paintBar(painter, bar, *now.strokes[i]);
     }
-    if (m_bars.size() == 0) {
+    if (const std::optional<TimelineBar> draft = draftBar())
+        paintBar(painter, *draft, *m_editor.document().draft());
+    else if (m_bars.size() == 0) {
         painter.setPen(palette().color(QPalette::PlaceholderText));
         painter.drawText(QRectF(0, rulerHeight(), viewport()->width(), viewport()->height() - rulerHeight()),
                          Qt::AlignCenter, tr("Each stroke is a bar here: from when it is painted until it is dry."));
     }
+}
+
+std::optional<TimelineBar> TimelineView::draftBar() const
+{
+    const StrokePtr &draft = m_editor.document().draft();
+    if (!draft)
+        return {};
+    TimelineBar bar = barOf(*draft);
+    bar.lane = m_bars.laneFrom(bar.begin); // where it will be when the pen has lifted
+    return bar;
 }
 
 void TimelineView::paintBar(QPainter &painter, const TimelineBar &bar, const Stroke &stroke) const

@@ -29,7 +29,7 @@ ValueSpec specOf(const AttributeWish &wish)
     case Attribute::Diffusion:
         return {1e-9, 1e12, Segment{}.diffusion, 1, QStringLiteral(" u²/s")};
     case Attribute::Density:
-        return {0, 1e12, Segment{}.density, 1, QStringLiteral(" u")};
+        return {0, 1e12, Segment{}.density, 1, NumberField::canvasUnit()};
     case Attribute::MaxAge:
         return {1e-9, 1e6, Segment{}.maxAge, 1, QStringLiteral(" s")};
     default:

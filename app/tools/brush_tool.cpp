@@ -17,10 +17,44 @@ namespace {
 
 constexpr double endReach = 8; ///< logical pixels around an end node
 
-/// What goes on as a stroke is at one of its ends: its look, and the values there.
+double spreadOf(const Segment &segment)
+{
+    return std::sqrt(4.0 * segment.diffusion * segment.maxAge);
+}
+
+/// How far a brush's tapers reach, in spreads.
+double taperOf(const QString &name, bool atStart)
+{
+    const Brush *brush = BrushLibrary::instance().find(name);
+    return brush ? double(atStart ? brush->taper.in : brush->taper.out) : 0;
+}
+
+/// The segment where the taper at one of a stroke's ends begins, and how far it is from that end; the end's own
+/// segment where there is no taper.
+std::pair<const Segment *, double> bodyAtEnd(const Stroke &stroke, int node)
+{
+    const std::size_t count = stroke.segments.size();
+    const auto fromEnd = [&](std::size_t k) { return &stroke.segments[node == 0 ? k : count - 1 - k]; };
+    const double taper = taperOf(stroke.brush, node == 0);
+    const Segment *widest = fromEnd(0);
+    double way = 0, wayToWidest = 0;
+    for (std::size_t k = 0; k < count && way < taper * spreadOf(*widest); ++k) {
+        way += arcLength(stroke.cubicOf(*fromEnd(k)));
+        if (spreadOf(*fromEnd(k)) > spreadOf(*widest)) {
+            widest = fromEnd(k);
+            wayToWidest = way;
+        }
+    }
+    return {widest, wayToWidest};
+}
+
+/// What goes on as a stroke is at one of its ends: its look, and the values there. From a tapered end it grows to the
+/// stroke's size before the taper, over as long a way.
 Brush brushAtEnd(const Stroke &stroke, int node, Brush brush)
 {
-    const Segment &end = node == 0 ? stroke.segments.front() : stroke.segments.back();
+    const Segment &tip = node == 0 ? stroke.segments.front() : stroke.segments.back();
+    const auto [body, way] = bodyAtEnd(stroke, node);
+    const Segment &end = *body;
     brush.name = stroke.brush;
     brush.style = stroke.styleOf(end);
     brush.mix = stroke.mix;
@@ -33,6 +67,10 @@ Brush brushAtEnd(const Stroke &stroke, int node, Brush brush)
     brush.peak =
         float(end.density / (std::sqrt(std::numbers::pi) * spreadAcross(brush.tip, brush.spread(), direction)));
     brush.taper = {};
+    if (way > 0) {
+        brush.taper.in = float(way / brush.spread());
+        brush.taper.tip = float(std::clamp(spreadOf(tip) / brush.spread(), 0.0, 1.0));
+    }
     return brush;
 }
 

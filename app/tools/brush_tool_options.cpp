@@ -34,7 +34,7 @@ QWidget *BrushTool::options()
     m_size = addNumber(*row, tr("Size"), tr("How far the paint spreads, in units ([ and ] change it)"),
                        [=](double size) { change([=](Brush &b) { b.setSpread(size); }); });
     m_size->setRange(1e-7, 1e5);
-    m_size->setUnit(QStringLiteral(" u"));
+    m_size->setUnit(NumberField::canvasUnit());
     m_flow = addNumber(*row, tr("Flow"), tr("Density in the middle of the stroke at full pressure"),
                        [=](double peak) { change([=](Brush &b) { b.peak = float(peak); }); });
     m_flow->setRange(0.001, 1e6);

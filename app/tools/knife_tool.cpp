@@ -83,7 +83,11 @@ PlacesOfStrokes KnifeTool::cuts() const
         const auto isNear = [&](const Segment &s) { return stroke->cubicOf(s).controlBox().intersects(line); };
         if (std::none_of(stroke->segments.begin(), stroke->segments.end(), isNear))
             continue;
-        if (std::vector<CurvePlace> found = crossings(*stroke, m_from, m_to); !found.empty())
+        std::vector<CurvePlace> found = crossings(*stroke, m_from, m_to);
+        std::erase_if(found, [&](const CurvePlace &p) { // not painted yet
+            return stroke->segments[std::size_t(p.segment)].born > m_editor.time();
+        });
+        if (!found.empty())
             places[stroke->id] = std::move(found);
     }
     return places;

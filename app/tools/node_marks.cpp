@@ -79,11 +79,12 @@ void NodeMarks::addNodes(const Stroke &stroke, const std::set<NodeRef> &selected
     const int last = nodeCount(stroke) - 1;
     auto next = selected.lower_bound({stroke.id, 0});
     std::optional<Point> shown;
+    const PixelMap pixelOf(m_view, stroke.origin);
     for (int k = 0; k <= last; ++k) {
         const bool isSelected = next != selected.end() && *next == NodeRef{stroke.id, k};
         if (isSelected)
             ++next;
-        const Point pixel = m_view.toPixels(nodePosition(stroke, k));
+        const Point pixel = pixelOf(nodePosition(stroke, k) - stroke.origin);
         if (!visible.contains(pixel))
             continue;
         if (!isSelected && k > 0 && k < last && shown && length(pixel - *shown) < leastGap * m_dpr)

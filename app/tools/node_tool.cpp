@@ -114,7 +114,7 @@ void NodeTool::selectNodes(std::set<NodeRef> nodes)
         select(Selection{selection().strokes, {}});
     m_marks.reset();
     updateCommands();
-    m_canvas.updateOverlay();
+    m_canvas.updateSelection();
 }
 
 const NodeMarks &NodeTool::marks() const
@@ -155,7 +155,7 @@ void NodeTool::setHovered(const Hovered &hovered)
     if (hovered == m_hovered)
         return;
     m_hovered = hovered;
-    m_canvas.updateOverlay();
+    m_canvas.updateSelection();
     m_canvas.refreshCursor();
     emit hintChanged();
 }

@@ -1,5 +1,6 @@
 #include "app/tools/pick.h"
 
+#include "app/canvas/view_transform.h"
 #include "app/tools/seen_paint.h"
 #include "model/influence.h"
 
@@ -200,7 +201,8 @@ std::set<StrokeId> withGroup(const Painting &painting, StrokeId id)
 
 std::set<StrokeId> strokesWithin(const Painting &painting, Microseconds T, const View &view, const Rect &pixels)
 {
-    return strokesWhollyIn(painting, T, [&](Point p) { return pixels.contains(view.toPixels(p)); });
+    const PixelMap pixelOf(view, view.centre);
+    return strokesWhollyIn(painting, T, [&](Point p) { return pixels.contains(pixelOf(p - view.centre)); });
 }
 
 std::set<StrokeId> strokesWithin(const Painting &painting, Microseconds T, const std::vector<Point> &polygon)
@@ -211,29 +213,50 @@ std::set<StrokeId> strokesWithin(const Painting &painting, Microseconds T, const
     return strokesWhollyIn(painting, T, [&](Point p) { return box.contains(p) && isInPolygon(polygon, p); });
 }
 
-std::set<StrokeId> strokesTouched(const Painting &painting, Microseconds T, const std::vector<Point> &path,
-                                  double tolerance)
+PathTouch::PathTouch(PaintingPtr painting, Microseconds T, double tolerance, Point start)
+    : m_painting(std::move(painting)), m_time(T), m_tolerance(tolerance), m_last(start)
 {
-    const std::vector<Point> points = resampled(path, tolerance);
-    const Rect box = boxOf(points).grown(tolerance);
-    std::set<StrokeId> ids;
-    for (const StrokePtr &stroke : painting.strokes) {
-        const Rect reach = influenceOf(*stroke, T);
-        if (!reach.intersects(box) || !isSelectable(painting, T, *stroke))
+    for (const StrokePtr &stroke : m_painting->strokes) {
+        if (!isSelectable(*m_painting, T, *stroke))
             continue;
         // A hairline may run between the points, but not between their rings.
         const bool hairline = isHairline(*stroke, T, tolerance);
-        const Rect around = hairline ? reach.grown(tolerance) : reach;
-        const auto touches = [&](Point p) {
-            if (!around.contains(p))
-                return false;
-            return hairline ? isNear(*stroke, T, p, tolerance) && pickFrom({stroke}, T, p, tolerance).has_value()
-                            : hitOf(*stroke, T, p).has_value();
-        };
-        if (std::any_of(points.begin(), points.end(), touches))
-            ids.insert(stroke->id);
+        const Rect reach = influenceOf(*stroke, T);
+        m_left.push_back({stroke, hairline ? reach.grown(tolerance) : reach, hairline});
     }
-    return ids;
+    touchAt({start});
+}
+
+void PathTouch::goOn(Point to)
+{
+    std::vector<Point> points = resampled({m_last, to}, m_tolerance);
+    points.erase(points.begin());
+    m_last = to;
+    touchAt(points);
+}
+
+void PathTouch::touchAt(const std::vector<Point> &points)
+{
+    const Rect box = boxOf(points).grown(m_tolerance);
+    std::erase_if(m_left, [&](const Candidate &candidate) {
+        if (!candidate.around.intersects(box))
+            return false;
+        const bool touched = std::any_of(points.begin(), points.end(), [&](Point p) { return touches(candidate, p); });
+        if (touched)
+            m_touched.insert(candidate.stroke->id);
+        return touched;
+    });
+}
+
+bool PathTouch::touches(const Candidate &candidate, Point p) const
+{
+    const Stroke &stroke = *candidate.stroke;
+    if (!candidate.around.contains(p))
+        return false;
+    if (candidate.hairline)
+        return isNear(stroke, m_time, p, m_tolerance) &&
+               pickFrom({candidate.stroke}, m_time, p, m_tolerance).has_value();
+    return hitOf(stroke, m_time, p).has_value();
 }
 
 std::set<SegmentRef> segmentsWithin(const Painting &painting, Microseconds T, const View &view, const Rect &pixels)

@@ -32,10 +32,32 @@ std::set<StrokeId> withGroup(const Painting &painting, StrokeId stroke);
 std::set<StrokeId> strokesWithin(const Painting &painting, Microseconds T, const View &view, const Rect &pixels);
 /// The same within a closed polygon, canvas units; even-odd.
 std::set<StrokeId> strokesWithin(const Painting &painting, Microseconds T, const std::vector<Point> &polygon);
-/// The visible, unlocked strokes that paint somewhere on a path (or within `tolerance` of it), canvas units.
-std::set<StrokeId> strokesTouched(const Painting &painting, Microseconds T, const std::vector<Point> &path,
-                                  double tolerance);
-/// The segments of visible, unlocked strokes, begun by T, whose curves' middles lie within a rectangle of the view's pixels.
+/// Goes along a path and collects the visible, unlocked strokes, begun by T, that paint somewhere on it (or within
+/// `tolerance` of it); canvas units. Each step looks only at strokes that are not touched yet.
+class PathTouch {
+public:
+    PathTouch(PaintingPtr painting, Microseconds T, double tolerance, Point start);
+    void goOn(Point to);
+    const std::set<StrokeId> &touched() const { return m_touched; }
+
+private:
+    struct Candidate {
+        StrokePtr stroke;
+        Rect around; ///< nothing of it is found outside
+        bool hairline = false;
+    };
+    void touchAt(const std::vector<Point> &points);
+    bool touches(const Candidate &candidate, Point p) const;
+
+    PaintingPtr m_painting;
+    Microseconds m_time;
+    double m_tolerance;
+    Point m_last;
+    std::vector<Candidate> m_left;
+    std::set<StrokeId> m_touched;
+};
+/// The segments of visible, unlocked strokes, begun by T, whose curves' middles lie within a rectangle of the view's
+/// pixels.
 std::set<SegmentRef> segmentsWithin(const Painting &painting, Microseconds T, const View &view, const Rect &pixels);
 /// All visible, unlocked strokes that are begun by T.
 std::set<StrokeId> selectableStrokes(const Painting &painting, Microseconds T);

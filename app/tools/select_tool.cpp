@@ -3,7 +3,6 @@
 #include "app/actions.h"
 #include "app/canvas/canvas_widget.h"
 #include "app/editor.h"
-#include "app/tools/pick.h"
 #include "undo/transform_edits.h"
 
 #include <QKeyEvent>
@@ -72,6 +71,7 @@ const TransformHandles &SelectTool::handles() const
 
 void SelectTool::pressed(const PointerEvent &event)
 {
+    m_touch.reset();
     m_handle = event.modifiers & Qt::AltModifier
                    ? std::nullopt
                    : handles().at(event.pixel, m_canvas.view(), m_canvas.devicePixelRatioF());
@@ -104,7 +104,6 @@ void SelectTool::clicked(const PointerEvent &event)
     } else if (!(event.modifiers & Qt::ShiftModifier)) {
         select({});
     }
-    m_canvas.updateOverlay();
 }
 
 void SelectTool::clickedStroke(const PointerEvent &event)
@@ -168,12 +167,23 @@ void SelectTool::banded(const Rect &band, const PointerEvent &event)
     combine(strokesWithin(*m_editor.document().painting(), m_editor.time(), m_canvas.view(), band), event);
 }
 
+void SelectTool::tracing(Point point, BandShape shape)
+{
+    if (shape != BandShape::Touch)
+        return;
+    if (m_touch)
+        m_touch->goOn(point);
+    else
+        m_touch.emplace(m_editor.document().painting(), m_editor.time(), tolerance(), point);
+}
+
 void SelectTool::traced(const std::vector<Point> &path, BandShape shape, const PointerEvent &event)
 {
-    const Painting &painting = *m_editor.document().painting();
-    combine(shape == BandShape::Lasso ? strokesWithin(painting, m_editor.time(), path)
-                                      : strokesTouched(painting, m_editor.time(), path, tolerance()),
-            event);
+    const std::optional<PathTouch> touch = std::exchange(m_touch, std::nullopt);
+    if (shape == BandShape::Touch && touch)
+        combine(touch->touched(), event);
+    else
+        combine(strokesWithin(*m_editor.document().painting(), m_editor.time(), path), event);
 }
 
 void SelectTool::combine(std::set<StrokeId> found, const PointerEvent &event)

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "app/tools/pick.h"
 #include "app/tools/selection_tool.h"
 #include "app/tools/snapping.h"
 #include "app/tools/stroke_drag.h"
@@ -39,6 +40,7 @@ protected:
     void clicked(const PointerEvent &event) override;
     BandShape bandShape(const PointerEvent &event) const override;
     void banded(const Rect &band, const PointerEvent &event) override;
+    void tracing(Point point, BandShape shape) override;
     void traced(const std::vector<Point> &path, BandShape shape, const PointerEvent &event) override;
     bool beginDrag(const PointerEvent &event) override;
     void drag(const PointerEvent &event) override;
@@ -68,7 +70,8 @@ private:
     std::optional<TransformHandle> m_hovered;
     QString m_said;
 
-    std::optional<SegmentRef> m_hit; ///< what the press hit
+    std::optional<SegmentRef> m_hit;  ///< what the press hit
+    std::optional<PathTouch> m_touch; ///< of the path that is being drawn
     bool m_selectedByPress = false;
     bool m_turnedByClick = false;            ///< the last click changed the handles' mode
     std::optional<TransformHandle> m_handle; ///< that is dragged

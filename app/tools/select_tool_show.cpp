@@ -26,7 +26,7 @@ void SelectTool::hover(const PointerEvent &event)
     m_hovered = handle;
     m_said.clear();
     m_canvas.refreshCursor();
-    m_canvas.updateOverlay();
+    m_canvas.updateSelection();
     emit hintChanged();
 }
 
@@ -35,7 +35,7 @@ void SelectTool::leave()
     if (!m_hovered)
         return;
     m_hovered.reset();
-    m_canvas.updateOverlay();
+    m_canvas.updateSelection();
     emit hintChanged();
 }
 

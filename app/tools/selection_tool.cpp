@@ -65,12 +65,16 @@ void SelectionTool::beginMoving()
     m_state = State::Band;
     m_shape = bandShape(m_start);
     m_trace = {m_start.point};
+    if (m_shape != BandShape::Rectangle)
+        tracing(m_start.point, m_shape);
 }
 
 void SelectionTool::addToTrace(const PointerEvent &event)
 {
-    if (length(event.point - m_trace.back()) * m_canvas.view().scale >= 1)
-        m_trace.push_back(event.point);
+    if (length(event.point - m_trace.back()) * m_canvas.view().scale < 1)
+        return;
+    m_trace.push_back(event.point);
+    tracing(event.point, m_shape);
 }
 
 void SelectionTool::finishBand(const PointerEvent &event)
@@ -85,6 +89,7 @@ void SelectionTool::finishBand(const PointerEvent &event)
 void SelectionTool::release(const PointerEvent &event)
 {
     const State state = m_state;
+    updateBand();
     m_state = State::Idle;
     if (state == State::Pressed)
         clicked(event);
@@ -92,17 +97,18 @@ void SelectionTool::release(const PointerEvent &event)
         finishBand(event);
     else if (state == State::Drag)
         endDrag(false);
-    m_canvas.updateOverlay();
+    m_canvas.updateSelection();
 }
 
 void SelectionTool::cancel()
 {
     const State state = m_state;
+    updateBand();
     m_state = State::Idle;
     if (state == State::Drag)
         endDrag(true);
     if (state != State::Idle)
-        m_canvas.updateOverlay();
+        m_canvas.updateSelection();
 }
 
 bool SelectionTool::keyPress(QKeyEvent *event)
@@ -136,10 +142,10 @@ Rect SelectionTool::band() const
 
 void SelectionTool::updateBand() const
 {
-    if (m_state == State::Band && m_shape != BandShape::Rectangle)
-        m_canvas.updateOverlay();
-    else if (m_state == State::Band)
-        m_canvas.updateOverlay(QRectF(band().left - 3, band().top - 3, band().width() + 6, band().height() + 6));
+    constexpr double line = 4; // logical pixels that it takes beside the path
+    const double r = line * m_canvas.devicePixelRatioF();
+    if (m_state == State::Band)
+        m_canvas.updateOverlay(bandPath(m_canvas.view()).boundingRect().adjusted(-r, -r, r, r));
 }
 
 QPainterPath SelectionTool::bandPath(const View &view) const

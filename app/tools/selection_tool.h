@@ -38,6 +38,8 @@ protected:
     virtual void banded(const Rect &band, const PointerEvent &event) = 0;
     /// Of the band that a drag begins which is not the tool's own.
     virtual BandShape bandShape(const PointerEvent &) const { return BandShape::Rectangle; }
+    /// A band of another shape than a rectangle has begun, or goes on, at the point.
+    virtual void tracing(Point, BandShape) {}
     /// A band of another shape than a rectangle; the path is in canvas units.
     virtual void traced(const std::vector<Point> &, BandShape, const PointerEvent &) {}
     /// True if the drag that begins is the tool's own.

@@ -32,7 +32,7 @@ TransformBar::TransformBar(Editor &editor, Actions &actions, QWidget *parent)
     row->addSpacing(8);
     addButtons(*row, actions);
     row->addStretch(1);
-    connect(&editor.document(), &Document::changed, this, &TransformBar::follow);
+    connect(&editor.laterChanges(), &LaterChanges::changed, this, &TransformBar::follow);
 }
 
 void TransformBar::addNumbers(QHBoxLayout &row)

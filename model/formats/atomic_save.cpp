@@ -1,3 +1,4 @@
+#include "model/formats/atomic_save.h"
 #include "model/formats/files.h"
 #include "model/formats/messages.h"
 
@@ -9,6 +10,7 @@
 #include <cerrno>
 #include <cstring>
 #include <fcntl.h>
+#include <sys/stat.h>
 #include <unistd.h>
 #endif
 
@@ -35,6 +37,35 @@ QString syncFolder(const QString &folder)
     return {};
 }
 
+/// Brings what was written to the disk; QSaveFile tries, but does not tell.
+bool syncFile(QSaveFile &file)
+{
+#ifdef Q_OS_UNIX
+    return ::fsync(file.handle()) == 0 || errno == EINVAL || errno == ENOTSUP;
+#else
+    Q_UNUSED(file)
+    return true;
+#endif
+}
+
+/// The new file is to belong to whom the old one does. False where that cannot be: saving would take it away from them.
+bool keepOwner(QSaveFile &file, const QString &path)
+{
+#ifdef Q_OS_UNIX
+    struct stat old {
+    }, made{};
+    if (::stat(QFile::encodeName(path).constData(), &old) != 0 || ::fstat(file.handle(), &made) != 0)
+        return true;
+    if (old.st_gid != made.st_gid && ::fchown(file.handle(), uid_t(-1), old.st_gid) != 0)
+        old.st_gid = made.st_gid; // a group that this user is not in: the owner matters more
+    return old.st_uid == made.st_uid || ::fchown(file.handle(), old.st_uid, old.st_gid) == 0;
+#else
+    Q_UNUSED(file)
+    Q_UNUSED(path)
+    return true;
+#endif
+}
+
 /// Why `path` cannot be replaced, with the remedy; empty if it may be tried.
 QString obstacle(const QString &path)
 {
@@ -44,6 +75,8 @@ QString obstacle(const QString &path)
     if (info.exists() && !info.isFile())
         return FileMessages::tr("is a device or a pipe, not a file; save to a file");
     const QFileInfo folder(info.absolutePath());
+    if (info.exists() && !info.isWritable())
+        return FileMessages::tr("is write-protected; save under another name or change its permissions");
     if (info.isSymLink())
         return {};
     if (!folder.exists())
@@ -70,7 +103,7 @@ Result<void> writeFileAtomically(const QString &path, const QByteArray &bytes)
         return fileError(path, problem);
     QSaveFile file(path);
     const auto failed = [&](const QString &what) {
-        const QString why = file.errorString();
+        const QString why = file.error() == QFileDevice::NoError ? qt_error_string() : file.errorString();
         file.cancelWriting();
         return fileError(path,
                          FileMessages::tr("%1 (%2); the old file, if there was one, is as before. Free some space or "
@@ -79,6 +112,11 @@ Result<void> writeFileAtomically(const QString &path, const QByteArray &bytes)
     };
     if (!file.open(QIODevice::WriteOnly))
         return failed(FileMessages::tr("cannot be written"));
+    if (!keepOwner(file, path)) {
+        file.cancelWriting();
+        return fileError(path, FileMessages::tr("belongs to %1, and would not any more; save under another name")
+                                   .arg(QFileInfo(path).owner()));
+    }
     // QSaveFile forgets a short write when it commits, so every step is asked for its outcome.
     qint64 written = 0;
     while (written < bytes.size()) {
@@ -89,6 +127,8 @@ Result<void> writeFileAtomically(const QString &path, const QByteArray &bytes)
     }
     if (!file.flush() || file.error() != QFileDevice::NoError || file.size() != bytes.size())
         return failed(FileMessages::tr("could not be written in full"));
+    if (!syncFile(file))
+        return failed(FileMessages::tr("could not be brought to the disk"));
     if (!file.commit())
         return failed(FileMessages::tr("could not be put in place"));
     const QFileInfo target(path);

@@ -1,5 +1,6 @@
 #include "model/formats/files.h"
 
+#include "model/formats/diffusion_curves.h"
 #include "model/formats/messages.h"
 #include "model/formats/recording.h"
 #include "model/formats/suffuse_layout.h"
@@ -121,7 +122,7 @@ QString unknownFormat(const QByteArray &bytes)
 {
     const QString known =
         FileMessages::tr("Suffuse reads .suffuse, its text form (.json), ink as CSV, Universal Ink JSON, "
-                         "Excalidraw and MyPaint events");
+                         "Excalidraw, MyPaint events and diffusion curves (XML)");
     if (bytes.startsWith("\xff\xfe") || bytes.startsWith("\xfe\xff"))
         return FileMessages::tr("is UTF-16 text; save it as UTF-8");
     if (bytes.startsWith("\x89PNG") || bytes.startsWith("\xff\xd8\xff"))
@@ -163,7 +164,11 @@ FileFormat detectFormat(const QByteArray &bytes)
     const std::size_t first = text.find_first_not_of(" \t\r\n");
     if (first == text.npos)
         return FileFormat::Unknown;
-    return text[first] == '{' ? JsonGlance(text).format() : formatOfLines(text);
+    if (text[first] == '{')
+        return JsonGlance(text).format();
+    if (text[first] == '<' && text.substr(first, 4096).find("<curve_set") != text.npos)
+        return FileFormat::DiffusionCurves;
+    return formatOfLines(text);
 }
 
 FileFormat formatForSaving(const QString &path)
@@ -189,24 +194,25 @@ QString nameOf(FileFormat format)
         return FileMessages::tr("Excalidraw drawing");
     case FileFormat::MyPaintEvents:
         return FileMessages::tr("MyPaint events");
+    case FileFormat::DiffusionCurves:
+        return FileMessages::tr("Diffusion curves (XML)");
     case FileFormat::Unknown:
         break;
     }
     return FileMessages::tr("Unknown format");
 }
 
-Result<Painting> readPainting(const QByteArray &bytes, const QString &fileName, const Brush *brush)
+namespace {
+
+/// How a .suffuse file is read is the caller's; all else is read here.
+Result<Painting> readOther(const QByteArray &bytes, const QString &fileName, FileFormat format, const Brush *brush)
 {
-    if (bytes.isEmpty())
-        return fileError(fileName, FileMessages::tr("is empty; nothing was saved in it"));
     const auto painted = [&](const Result<Recording> &recording) -> Result<Painting> {
         if (!recording)
             return Error{recording.error()};
         return paintRecording(*recording, brush ? *brush : builtinBrushes().front(), fileName);
     };
-    switch (detectFormat(bytes)) {
-    case FileFormat::Suffuse:
-        return readSuffuseFile(bytes, fileName);
+    switch (format) {
     case FileFormat::Text:
         return readTextForm(bytes, fileName);
     case FileFormat::InkCsv:
@@ -217,48 +223,92 @@ Result<Painting> readPainting(const QByteArray &bytes, const QString &fileName, 
         return painted(readExcalidraw(bytes, fileName));
     case FileFormat::MyPaintEvents:
         return painted(readMyPaintEvents(bytes, fileName));
+    case FileFormat::DiffusionCurves:
+        return readDiffusionCurves(bytes, fileName);
+    case FileFormat::Suffuse:
     case FileFormat::Unknown:
         break;
     }
-    return fileError(fileName, unknownFormat(bytes));
+    return fileError(fileName,
+                     bytes.isEmpty() ? FileMessages::tr("is empty; nothing was saved in it") : unknownFormat(bytes));
 }
 
-Result<Painting> loadPainting(const QString &path, const Brush *brush)
+Result<QByteArray> loadBytes(const QString &path)
 {
     QFile file;
     if (path == QLatin1String("-")) {
         if (!file.open(stdin, QIODevice::ReadOnly))
             return fileError(path, FileMessages::tr("could not be read: %1").arg(file.errorString()));
-    } else {
-        const QFileInfo info(path);
-        if (!info.exists())
-            return fileError(
-                path,
-                FileMessages::tr("there is no such file: %1").arg(QDir::toNativeSeparators(info.absoluteFilePath())));
-        if (info.isDir())
-            return fileError(path, FileMessages::tr("is a folder; give a file inside it"));
-        file.setFileName(path);
-        if (!file.open(QIODevice::ReadOnly))
-            return fileError(
-                path, FileMessages::tr("could not be opened: %1; check its permissions").arg(file.errorString()));
+        return readAll(file, path);
     }
-    const auto bytes = readAll(file, path);
-    if (!bytes)
-        return Error{bytes.error()};
-    return readPainting(*bytes, path, brush);
+    const QFileInfo info(path);
+    if (!info.exists())
+        return fileError(
+            path, FileMessages::tr("there is no such file: %1").arg(QDir::toNativeSeparators(info.absoluteFilePath())));
+    if (info.isDir())
+        return fileError(path, FileMessages::tr("is a folder; give a file inside it"));
+    file.setFileName(path);
+    if (!file.open(QIODevice::ReadOnly))
+        return fileError(path,
+                         FileMessages::tr("could not be opened: %1; check its permissions").arg(file.errorString()));
+    return readAll(file, path);
+}
+
+} // namespace
+
+Result<Painting> readPainting(const QByteArray &bytes, const QString &fileName, const Brush *brush)
+{
+    const FileFormat format = detectFormat(bytes);
+    return format == FileFormat::Suffuse ? readSuffuseFile(bytes, fileName) : readOther(bytes, fileName, format, brush);
+}
+
+Result<LoadedDocument> readDocument(const QByteArray &bytes, const QString &fileName, const Brush *brush)
+{
+    const FileFormat format = detectFormat(bytes);
+    if (format == FileFormat::Suffuse)
+        return readSuffuseDocument(bytes, fileName);
+    Result<Painting> painting = readOther(bytes, fileName, format, brush);
+    if (!painting)
+        return Error{painting.error()};
+    LoadedDocument document;
+    document.painting = std::move(*painting);
+    document.format = format;
+    return document;
+}
+
+Result<Painting> loadPainting(const QString &path, const Brush *brush)
+{
+    const auto bytes = loadBytes(path);
+    return bytes ? readPainting(*bytes, path, brush) : Error{bytes.error()};
+}
+
+Result<LoadedDocument> loadDocument(const QString &path, const Brush *brush)
+{
+    const auto bytes = loadBytes(path);
+    return bytes ? readDocument(*bytes, path, brush) : Error{bytes.error()};
 }
 
 QByteArray writePainting(const Painting &painting, FileFormat format)
 {
-    return format == FileFormat::Text ? writeTextForm(painting) : writeSuffuseFile(painting);
+    return writeDocument(painting, {}, format);
+}
+
+QByteArray writeDocument(const Painting &painting, const DocumentExtras &extras, FileFormat format)
+{
+    return format == FileFormat::Text ? writeTextForm(painting) : writeSuffuseFile(painting, extras);
 }
 
 Result<void> savePainting(const Painting &painting, const QString &path)
 {
+    return saveDocument(painting, {}, path);
+}
+
+Result<void> saveDocument(const Painting &painting, const DocumentExtras &extras, const QString &path)
+{
     const FileFormat format = formatForSaving(path);
     if (format == FileFormat::Unknown)
         return fileError(path, FileMessages::tr("the ending is neither .suffuse nor .json; choose one of them"));
-    return writeFileAtomically(path, writePainting(painting, format));
+    return writeFileAtomically(path, writeDocument(painting, extras, format));
 }
 
 } // namespace suffuse

@@ -9,9 +9,12 @@
 #include <QString>
 #include <QStringList>
 
+#include <optional>
+#include <vector>
+
 namespace suffuse {
 
-enum class FileFormat { Unknown, Suffuse, Text, InkCsv, UniversalInk, Excalidraw, MyPaintEvents };
+enum class FileFormat { Unknown, Suffuse, Text, InkCsv, UniversalInk, Excalidraw, MyPaintEvents, DiffusionCurves };
 
 /// From the first bytes; never from the name.
 FileFormat detectFormat(const QByteArray &bytes);
@@ -30,6 +33,49 @@ QByteArray writePainting(const Painting &painting, FileFormat format);
 /// Atomic: the old file stays until the new one is whole and on disk. Errors name the file and the remedy.
 Result<void> savePainting(const Painting &painting, const QString &path);
 
+/// How a painting was last looked at; no part of the picture.
+struct WorkspaceState {
+    Point centre;        ///< canvas units, in the middle of the view
+    double scale = 1;    ///< pixels of a screen of usual density a canvas unit
+    double rotation = 0; ///< radians
+    bool mirrored = false;
+    std::optional<Microseconds> time; ///< the moment looked at; none: the end
+    friend bool operator==(const WorkspaceState &, const WorkspaceState &) = default;
+};
+
+/// A part of a file that this program does not know and carries along: type of four letters, a small one first.
+struct AncillaryChunk {
+    QByteArray type;
+    QByteArray payload;
+    friend bool operator==(const AncillaryChunk &, const AncillaryChunk &) = default;
+};
+
+/// What a .suffuse file holds beside the picture. The text form holds none of it.
+struct DocumentExtras {
+    QByteArray preview; ///< PNG, at most 256 pixels a side; empty: none
+    std::optional<WorkspaceState> view;
+    QByteArray history;                  ///< undo steps as bytes (model/formats/suffuse_history.h); empty: none
+    std::vector<AncillaryChunk> unknown; ///< in the file's order
+    friend bool operator==(const DocumentExtras &, const DocumentExtras &) = default;
+};
+
+/// A document as it was opened. Where `losses` is not empty the file is damaged, and these are the parts that are
+/// missing, as sentences for people; the painting holds what is whole and must not replace the file unasked.
+struct LoadedDocument {
+    Painting painting;
+    DocumentExtras extras;
+    FileFormat format = FileFormat::Unknown;
+    std::vector<QString> losses;
+};
+
+/// As readPainting and loadPainting, which refuse a damaged file: these give what is whole of it.
+Result<LoadedDocument> readDocument(const QByteArray &bytes, const QString &fileName, const Brush *brush = nullptr);
+Result<LoadedDocument> loadDocument(const QString &path, const Brush *brush = nullptr);
+
+/// As writePainting and savePainting, with what belongs beside the picture. Any thread.
+QByteArray writeDocument(const Painting &painting, const DocumentExtras &extras, FileFormat format);
+Result<void> saveDocument(const Painting &painting, const DocumentExtras &extras, const QString &path);
+
 /// Replaces a file's content or leaves it as it was: every write, the flush, the size and the rename are checked, and
 /// the folder is synced (QSaveFile alone reports success over a truncated file on a full disk).
 Result<void> writeFileAtomically(const QString &path, const QByteArray &bytes);
@@ -38,11 +84,14 @@ Result<void> writeFileAtomically(const QString &path, const QByteArray &bytes);
 Result<Painting> readTextForm(const QByteArray &bytes, const QString &fileName);
 QByteArray writeTextForm(const Painting &painting);
 Result<Painting> readSuffuseFile(const QByteArray &bytes, const QString &fileName);
-QByteArray writeSuffuseFile(const Painting &painting);
-/// Chunks of a .suffuse file for `info`: name and size in bytes.
+Result<LoadedDocument> readSuffuseDocument(const QByteArray &bytes, const QString &fileName);
+QByteArray writeSuffuseFile(const Painting &painting, const DocumentExtras &extras = {});
+/// Chunks of a .suffuse file for `info`, damaged ones too.
 struct ChunkInfo {
-    QString name;
-    qint64 bytes = 0;
+    QString name; ///< four letters; empty where they cannot be told
+    qint64 start = 0;
+    qint64 bytes = 0; ///< 0 where it cannot be told
+    QString damage;   ///< empty: it is whole
 };
 Result<std::vector<ChunkInfo>> suffuseChunks(const QByteArray &bytes, const QString &fileName);
 

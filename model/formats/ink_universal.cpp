@@ -4,21 +4,22 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 namespace suffuse {
 
 namespace {
 
-enum class Channel { Other, Time, Pressure };
+enum class Channel { Other, Time, Pressure, Altitude };
 
 struct ChannelType {
     Channel kind = Channel::Other;
-    double scale = 1; ///< value = sum of the deltas · scale; time in seconds
+    double scale = 1; ///< value = sum of the deltas · scale; time in seconds, altitude in radians
 };
 
 struct Sensor {
     double start = 0; ///< s
-    std::vector<double> times, pressures;
+    std::vector<double> times, pressures, altitudes;
 };
 
 QHash<QString, ChannelType> channelTypes(const QJsonObject &input)
@@ -38,6 +39,9 @@ QHash<QString, ChannelType> channelTypes(const QJsonObject &input)
                     t = {Channel::Time, t.scale / (perSecond > 0 ? perSecond : 1000)};
                 } else if (type.endsWith(QLatin1String("/Pressure"))) {
                     t.kind = Channel::Pressure;
+                } else if (type.endsWith(QLatin1String("/Altitude"))) {
+                    const double perRadian = channel.value(QLatin1String("resolution")).toDouble(1);
+                    t = {Channel::Altitude, t.scale / (perRadian > 0 ? perRadian : 1)};
                 }
                 types.insert(channel.value(QLatin1String("id")).toString(), t);
             }
@@ -78,8 +82,12 @@ Result<QHash<QString, Sensor>> sensorsOf(const QJsonObject &input, const QString
                           QStringLiteral("inputData.sensorData[%1].dataChannels[%2].values").arg(j).arg(k));
             if (!values)
                 return Error{values.error()};
-            (type.kind == Channel::Time ? sensor.times : sensor.pressures) = summed(*values, type.scale);
+            (type.kind == Channel::Time       ? sensor.times
+             : type.kind == Channel::Pressure ? sensor.pressures
+                                              : sensor.altitudes) = summed(*values, type.scale);
         }
+        if (std::ranges::all_of(sensor.altitudes, [](double a) { return a == 0; }))
+            sensor.altitudes.clear(); // pens that do not measure it write 0
         sensors.insert(data.value(QLatin1String("id")).toString(), sensor);
     }
     return sensors;
@@ -92,6 +100,15 @@ double sampled(const std::vector<double> &values, double at)
     const std::size_t k = std::min(std::size_t(place), values.size() - 1);
     const double f = place - double(k);
     return k + 1 < values.size() ? values[k] + f * (values[k + 1] - values[k]) : values[k];
+}
+
+/// In [0, 1] as PenSample has it, of altitudes over the tablet; upright without any.
+float tiltAt(const std::vector<double> &altitudes, double at)
+{
+    constexpr double upright = std::numbers::pi / 2, flat = std::numbers::pi / 3;
+    if (altitudes.empty())
+        return 0;
+    return float(std::clamp((upright - sampled(altitudes, at)) / flat, 0.0, 1.0));
 }
 
 std::optional<Colour> colourOf(const QJsonObject &stroke)
@@ -137,7 +154,10 @@ Result<Recording::Path> pathOf(const QJsonObject &stroke, const Sensor *sensor, 
         double seconds = double(k) * toSeconds(assumedStep);
         if (sensor && !sensor->times.empty())
             seconds = std::clamp(sampled(sensor->times, at), 0.0, 1e9);
-        result.samples.push_back({{(*xs)[k], (*ys)[k]}, toMicroseconds(seconds), float(pressure)});
+        result.samples.push_back({{(*xs)[k], (*ys)[k]},
+                                  toMicroseconds(seconds),
+                                  float(pressure),
+                                  sensor ? tiltAt(sensor->altitudes, at) : 0});
     }
     result.colour = colourOf(stroke);
     return result;

@@ -44,6 +44,20 @@ constexpr const char *withoutMeaning[] = {
     "restore_color",
     "pressure_gain_log",
     "custom_input_slowness",
+    "custom_input", // what uses it is named itself, as "radius_logarithmic × custom"
+    "direction_filter",
+    "snap_to_pixel",
+};
+
+/// Settings that say how another one works, and that one; without it nothing is lost either.
+constexpr std::pair<const char *, const char *> helpers[] = {
+    {"offset_by_speed_slowness", "offset_by_speed"},
+    {"smudge_length", "smudge"},
+    {"smudge_length_log", "smudge"},
+    {"smudge_radius_log", "smudge"},
+    {"smudge_bucket", "smudge"},
+    {"smudge_transparency", "smudge"},
+    {"posterize_num", "posterize"},
 };
 
 struct Setting {
@@ -195,13 +209,21 @@ private:
         for (auto it = m_settings.begin(); it != m_settings.end(); ++it) {
             if (m_used.contains(it.key()))
                 continue;
-            const QJsonObject o = it.value().toObject();
-            const QJsonObject inputs = o.value(QLatin1String("inputs")).toObject();
-            const bool curved = std::any_of(inputs.begin(), inputs.end(),
-                                            [](const QJsonValue &points) { return !points.toArray().isEmpty(); });
-            if (o.value(QLatin1String("base_value")).toDouble() != 0 || curved)
+            const auto helper =
+                std::ranges::find_if(helpers, [&it](const auto &h) { return it.key() == QLatin1String(h.first); });
+            if (does(it.key()) && (helper == std::end(helpers) || does(QLatin1String(helper->second))))
                 m_loaded.left.append(it.key());
         }
+    }
+
+    /// Whether a setting is there and not 0.
+    bool does(const QString &name) const
+    {
+        const QJsonObject o = m_settings.value(name).toObject();
+        const QJsonObject inputs = o.value(QLatin1String("inputs")).toObject();
+        const bool curved = std::any_of(inputs.begin(), inputs.end(),
+                                        [](const QJsonValue &points) { return !points.toArray().isEmpty(); });
+        return o.value(QLatin1String("base_value")).toDouble() != 0 || curved;
     }
 
     QJsonObject m_settings;

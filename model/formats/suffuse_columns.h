@@ -3,7 +3,7 @@
 
 #include "model/formats/suffuse_layout.h"
 
-#include <span>
+#include <functional>
 
 namespace suffuse {
 
@@ -55,8 +55,8 @@ public:
         }
         return ok() ? values : std::vector<Number>();
     }
-    /// A compressed block must fit in `budget`, which shrinks.
-    QByteArray getBlock(std::uint64_t &budget);
+    /// Of a compressed block `mayUnpack(size)` is asked first.
+    QByteArray getBlock(const std::function<bool(std::uint64_t)> &mayUnpack);
     std::uint32_t getU32() { return m_cursor.u32(); }
     bool atEnd() const { return ok() && m_cursor.left() == 0; }
 

@@ -1,10 +1,9 @@
 #include "model/formats/embedded_image.h"
 #include "model/formats/messages.h"
+#include "model/formats/suffuse_cbor.h"
 #include "model/formats/suffuse_strokes.h"
 
-#include <QCborArray>
-#include <QCborMap>
-#include <QCborValue>
+#include <algorithm>
 
 namespace suffuse {
 
@@ -23,67 +22,12 @@ qint64 toCbor(std::uint64_t id)
 
 int placeOfImage(const EncodedImage &image, std::vector<EncodedImage> &images)
 {
-    images.push_back(image);
-    return int(images.size()) - 1;
+    const auto same = [&](const EncodedImage &other) { return other == image || *other == *image; };
+    const auto place = std::find_if(images.begin(), images.end(), same) - images.begin();
+    if (std::size_t(place) == images.size())
+        images.push_back(image);
+    return int(place);
 }
-
-/// Takes values out of a map and remembers whether all had the right type; absent ones leave the default.
-class MapReader {
-public:
-    MapReader(const QCborValue &map, bool &ok) : m_map(map.toMap()), m_ok(ok) { m_ok = m_ok && map.isMap(); }
-
-    void read(const char *name, double &value)
-    {
-        if (const QCborValue v = take(name); good(v, v.isDouble() || v.isInteger()))
-            value = v.toDouble();
-    }
-    void read(const char *name, float &value)
-    {
-        double wide = double(value);
-        read(name, wide);
-        value = float(wide);
-    }
-    void read(const char *name, std::uint64_t &value)
-    {
-        if (const QCborValue v = take(name); good(v, v.isInteger()))
-            value = std::uint64_t(v.toInteger());
-    }
-    void read(const char *name, bool &value)
-    {
-        if (const QCborValue v = take(name); good(v, v.isBool()))
-            value = v.toBool();
-    }
-    void read(const char *name, QString &value)
-    {
-        if (const QCborValue v = take(name); good(v, v.isString()))
-            value = v.toString();
-    }
-    void read(const char *name, Colour &value)
-    {
-        const QCborValue v = take(name);
-        const QCborArray list = v.toArray();
-        if (good(v, list.size() == 4))
-            value = {float(list.at(0).toDouble()), float(list.at(1).toDouble()), float(list.at(2).toDouble()),
-                     float(list.at(3).toDouble())};
-    }
-    void read(const char *name, EncodedImage &value, const std::vector<EncodedImage> &images)
-    {
-        const QCborValue v = take(name);
-        if (good(v, v.isInteger() && v.toInteger() >= 0 && std::uint64_t(v.toInteger()) < images.size()))
-            value = images[std::size_t(v.toInteger())];
-    }
-    QCborValue take(const char *name) const { return m_map.value(QLatin1String(name)); }
-
-private:
-    bool good(const QCborValue &value, bool rightType)
-    {
-        m_ok = m_ok && (value.isUndefined() || rightType);
-        return !value.isUndefined() && rightType;
-    }
-
-    QCborMap m_map;
-    bool &m_ok;
-};
 
 QCborMap toCbor(const Canvas &canvas, std::vector<EncodedImage> &images)
 {
@@ -138,7 +82,7 @@ void readUnderlay(const QCborValue &value, const std::vector<EncodedImage> &imag
 
 } // namespace
 
-QByteArray writeDocument(const Painting &painting, std::vector<EncodedImage> &images)
+QByteArray writeProperties(const Painting &painting, std::vector<EncodedImage> &images)
 {
     QCborMap map{{QLatin1String("canvas"), toCbor(painting.canvas, images)}};
     QCborArray groups, swatches;
@@ -166,7 +110,7 @@ QByteArray writeDocument(const Painting &painting, std::vector<EncodedImage> &im
     return QCborValue(map).toCbor();
 }
 
-QString readDocument(QByteArrayView payload, const std::vector<EncodedImage> &images, Painting &painting)
+QString readProperties(QByteArrayView payload, const std::vector<EncodedImage> &images, Painting &painting)
 {
     QCborParserError problem;
     const QCborValue value = QCborValue::fromCbor(payload.data(), payload.size(), &problem);

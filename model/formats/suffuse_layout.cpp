@@ -65,15 +65,18 @@ void appendChunk(QByteArray &out, const char *type, const QByteArray &payload)
     appendU32(out, crc32c(out.constData() + start, std::size_t(out.size() - start)));
 }
 
-Error chunkError(const QString &fileName, const Chunk &chunk, const QString &what)
+QString chunkText(const Chunk &chunk, const QString &what)
 {
-    return fileError(fileName, FileMessages::tr("chunk %1 at byte %2: %3; %4")
-                                   .arg(excerpt({chunk.type.constData(), std::size_t(chunk.type.size())}))
-                                   .arg(chunk.start)
-                                   .arg(what, damaged()));
+    return FileMessages::tr("chunk %1 at byte %2: %3")
+        .arg(excerpt({chunk.type.constData(), std::size_t(chunk.type.size())}))
+        .arg(chunk.start)
+        .arg(what);
 }
 
-namespace {
+Error chunkError(const QString &fileName, const Chunk &chunk, const QString &what)
+{
+    return fileError(fileName, chunkText(chunk, what) + QStringLiteral("; ") + damaged());
+}
 
 Result<void> checkSignature(const QByteArray &bytes, const QString &fileName)
 {
@@ -87,19 +90,35 @@ Result<void> checkSignature(const QByteArray &bytes, const QString &fileName)
     return {};
 }
 
-Result<void> checkEnd(const QByteArray &bytes, const QString &fileName, const Chunk &end)
+ChunkAttempt chunkAt(const QByteArray &bytes, qsizetype at)
+{
+    const qsizetype left = bytes.size() - at;
+    ChunkAttempt out{{bytes.mid(at, 4), at, {}}, {}};
+    if (left < 12) {
+        out.problem = FileMessages::tr("is cut off after %1 bytes").arg(bytes.size());
+        return out;
+    }
+    const qsizetype length = qsizetype(readU32(bytes.constData() + at + 4));
+    if (length > left - 12) {
+        out.problem = FileMessages::tr("has %1 bytes, but the file only %2 more").arg(length).arg(left - 12);
+        return out;
+    }
+    out.chunk.payload = QByteArrayView(bytes).sliced(at + 8, length);
+    if (readU32(bytes.constData() + at + 8 + length) != crc32c(bytes.constData() + at, std::size_t(length + 8)))
+        out.problem = FileMessages::tr("checksum differs");
+    return out;
+}
+
+QString problemOfEnd(const QByteArray &bytes, const Chunk &end)
 {
     const QByteArray hash =
         QCryptographicHash::hash(QByteArrayView(bytes).first(end.start), QCryptographicHash::Sha256);
     if (end.payload != hash)
-        return chunkError(fileName, end, FileMessages::tr("the hash of the whole differs"));
+        return FileMessages::tr("the hash of the whole differs");
     if (end.start + end.size() != bytes.size())
-        return chunkError(fileName, end,
-                          FileMessages::tr("%1 bytes follow after the end").arg(bytes.size() - end.start - end.size()));
+        return FileMessages::tr("%1 bytes follow after the end").arg(bytes.size() - end.start - end.size());
     return {};
 }
-
-} // namespace
 
 Result<std::vector<Chunk>> splitChunks(const QByteArray &bytes, const QString &fileName)
 {
@@ -107,36 +126,17 @@ Result<std::vector<Chunk>> splitChunks(const QByteArray &bytes, const QString &f
         return Error{good.error()};
     std::vector<Chunk> chunks;
     for (qsizetype at = suffuseSignatureSize; chunks.empty() || chunks.back().type != "ENDS";) {
-        Chunk chunk{bytes.mid(at, 4), at, {}};
-        const qsizetype left = bytes.size() - at;
-        if (left < 12)
-            return fileError(fileName,
-                             FileMessages::tr("is cut off after %1 bytes; %2").arg(bytes.size()).arg(damaged()));
-        const qsizetype length = qsizetype(readU32(bytes.constData() + at + 4));
-        if (length > left - 12)
-            return chunkError(fileName, chunk,
-                              FileMessages::tr("has %1 bytes, but the file only %2 more").arg(length).arg(left - 12));
-        const std::uint32_t crc = readU32(bytes.constData() + at + 8 + length);
-        if (crc != crc32c(bytes.constData() + at, std::size_t(length + 8)))
-            return chunkError(fileName, chunk, FileMessages::tr("checksum differs"));
-        chunk.payload = QByteArrayView(bytes).sliced(at + 8, length);
-        at += chunk.size();
-        chunks.push_back(chunk);
+        const ChunkAttempt attempt = chunkAt(bytes, at);
+        if (bytes.size() - at < 12)
+            return fileError(fileName, attempt.problem + QStringLiteral("; ") + damaged());
+        if (!attempt.problem.isEmpty())
+            return chunkError(fileName, attempt.chunk, attempt.problem);
+        at += attempt.chunk.size();
+        chunks.push_back(attempt.chunk);
     }
-    if (const auto good = checkEnd(bytes, fileName, chunks.back()); !good)
-        return Error{good.error()};
+    if (const QString problem = problemOfEnd(bytes, chunks.back()); !problem.isEmpty())
+        return chunkError(fileName, chunks.back(), problem);
     return chunks;
-}
-
-Result<std::vector<ChunkInfo>> suffuseChunks(const QByteArray &bytes, const QString &fileName)
-{
-    const auto chunks = splitChunks(bytes, fileName);
-    if (!chunks)
-        return Error{chunks.error()};
-    std::vector<ChunkInfo> list;
-    for (const Chunk &chunk : *chunks)
-        list.push_back({QString::fromLatin1(chunk.type), chunk.size()});
-    return list;
 }
 
 std::uint8_t ByteCursor::u8()

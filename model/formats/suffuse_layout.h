@@ -23,7 +23,7 @@ inline constexpr int suffuseLeastReader = 1;
 /// Segments (and rewettings) that a small file may declare; beyond it has at least one byte for each.
 inline constexpr std::uint64_t freeElements = 500'000;
 /// A stroke chunk is closed when it holds this many segments.
-inline constexpr std::size_t segmentsPerChunk = 65'536;
+inline constexpr std::size_t segmentsPerChunk = 4'096;
 /// Names and palettes that are stored compressed, bytes before compression in the whole file; more is stored raw.
 inline constexpr std::uint64_t blockBudget = std::uint64_t(64) << 20;
 
@@ -44,11 +44,33 @@ struct Chunk {
     qsizetype size() const { return payload.size() + 12; }
 };
 
+/// "chunk STRK at byte 1234: WHAT"
+QString chunkText(const Chunk &chunk, const QString &what);
 /// "a.suffuse: chunk STRK at byte 1234: WHAT; REMEDY"
 Error chunkError(const QString &fileName, const Chunk &chunk, const QString &what);
 
+Result<void> checkSignature(const QByteArray &bytes, const QString &fileName);
+/// The chunk that starts at a byte, with `problem` empty; else what is wrong, and as much of the chunk as can be told.
+struct ChunkAttempt {
+    Chunk chunk;
+    QString problem;
+};
+ChunkAttempt chunkAt(const QByteArray &bytes, qsizetype at);
+/// Empty, or why the end chunk does not fit what is before and behind it.
+QString problemOfEnd(const QByteArray &bytes, const Chunk &end);
+
 /// Checks signature, chunk lengths, checksums and the hash at the end. The views look into `bytes`.
 Result<std::vector<Chunk>> splitChunks(const QByteArray &bytes, const QString &fileName);
+
+/// A chunk of a damaged file, or a stretch that is none: then `damage` says why, and of `chunk` only the start counts,
+/// and the type where it is one.
+struct Piece {
+    Chunk chunk;
+    QString damage;
+};
+/// All that is whole of a file with a good signature, in order, and the stretches between. Never fails; the end chunk
+/// is among the pieces only if it is whole and fits.
+std::vector<Piece> salvageChunks(const QByteArray &bytes);
 
 /// Reads little-endian numbers from memory that may be too short; after the first failure everything fails.
 class ByteCursor {

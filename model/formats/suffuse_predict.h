@@ -44,7 +44,11 @@ inline std::int32_t quantised(double value, int digits)
     if (digits < 0)
         return orderedBits(float(value));
     const double scaled = value * powersOfTen[std::size_t(digits)];
-    return std::abs(scaled) < 2e9 ? std::int32_t(std::floor(scaled + 0.5)) : 0;
+    if (!(std::abs(scaled) < 2e9))
+        return 0;
+    const double up = scaled + 0.5;
+    const auto whole = std::int32_t(up); // towards 0; std::floor is a call where there is no SSE 4.1
+    return whole - (double(whole) > up);
 }
 
 inline float dequantised(std::int32_t step, int digits)

@@ -13,15 +13,16 @@ class StrokesReader {
 public:
     explicit StrokesReader(QByteArrayView payload) : m_in(payload) {}
 
-    QString read(Allowance &allowance, StrokeList &strokes)
+    QString read(Allowance &allowance, std::vector<StrokePtr> &strokes)
     {
         const std::size_t n = m_in.getU32(), m = m_in.getU32();
-        if (!m_in.ok() || n > m || m > allowance.segments)
+        if (!m_in.ok() || n > m || !allowance.takeSegments(m))
             return FileMessages::tr("%1 strokes and %2 segments are more than the file can hold").arg(n).arg(m);
-        allowance.segments -= m;
-        if (!readPalettes(m_in.getBlock(allowance.blocks), n, m) || !readStrokeColumns(n, m) ||
+        const auto mayUnpack = [&](std::uint64_t bytes) { return allowance.takeBlock(bytes); };
+        if (!readPalettes(m_in.getBlock(mayUnpack), n, m) || !readStrokeColumns(n, m) ||
             !readSegmentColumns(n, m, allowance))
             return FileMessages::tr("its columns are not what the format allows");
+        strokes.reserve(strokes.size() + n);
         for (std::size_t j = 0; j < n; ++j) {
             auto stroke = std::make_shared<Stroke>();
             if (!decode(j, *stroke))
@@ -96,9 +97,8 @@ private:
             quantity = m_in.get<std::uint32_t>(m);
         m_rewetCount = m_in.get<std::uint32_t>(m);
         const std::uint64_t rewets = std::accumulate(m_rewetCount.begin(), m_rewetCount.end(), std::uint64_t(0));
-        if (!m_in.ok() || rewets > allowance.rewets)
+        if (!m_in.ok() || !allowance.takeRewets(rewets))
             return false;
-        allowance.rewets -= rewets;
         m_rewetTime = m_in.get<std::uint64_t>(rewets);
         m_rewetExtra = m_in.get<std::uint64_t>(rewets);
         return m_in.atEnd();
@@ -216,7 +216,7 @@ private:
 
 } // namespace
 
-QString readStrokes(QByteArrayView payload, Allowance &allowance, StrokeList &strokes)
+QString readStrokes(QByteArrayView payload, Allowance &allowance, std::vector<StrokePtr> &strokes)
 {
     return StrokesReader(payload).read(allowance, strokes);
 }

@@ -119,7 +119,7 @@ ColumnMode bestMode(int decimals, int predictors, Walk walk)
 }
 
 /// Enough of a stroke to choose its modes by.
-constexpr std::size_t sampleSize = 64;
+constexpr std::size_t sampleSize = 16;
 
 class StrokesWriter {
 public:

@@ -62,7 +62,9 @@ public:
 
     Result<void> write(std::size_t i, const FloatPicture &picture) override
     {
-        return writeImage(pathOf(i), picture, m_options.image);
+        ImageOptions options = m_options.image;
+        options.quick = true; // as many frames as an hour of painting has; programs that cut films read any PNG
+        return writeImage(pathOf(i), picture, options);
     }
 
     Result<void> commit() override

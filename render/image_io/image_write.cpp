@@ -98,6 +98,7 @@ QString writeThroughModule(const ImageModule &module, FileReplacement &file, Row
     job.linear = format == ImageFormat::Exr;
     job.associated = format == ImageFormat::Exr;
     job.quality = std::clamp(options.quality, 1, 100);
+    job.quick = options.quick;
     job.context = &source;
     job.row = [](void *c, int y) { return static_cast<RowSource *>(c)->row(y); };
     std::array<char, 512> error{};

@@ -7,7 +7,7 @@
 namespace suffuse {
 
 /// Both sides must have the same number; raise it with every change below.
-inline constexpr int imageModuleVersion = 1;
+inline constexpr int imageModuleVersion = 2;
 
 /// Codes of `ImageDepth` and `ImageFormat` on the border.
 enum ImageModuleDepth { ModuleBits8, ModuleBits16, ModuleHalf, ModuleFloat };
@@ -30,6 +30,7 @@ struct ImageModuleWrite {
     bool linear;  ///< linear light instead of sRGB
     bool associated;
     int quality; ///< 1 … 100
+    bool quick;  ///< PNG: less compression
     void *context;
     const float *(*row)(void *context, int y); ///< width·channels floats, valid until the next call; null: stop
 };

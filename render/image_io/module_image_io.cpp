@@ -43,6 +43,8 @@ ImageSpec specOf(const ImageModuleWrite &job)
         spec.attribute("CompressionQuality", job.quality);
     if (format == "jpeg" && job.quality >= 90)
         spec.attribute("jpeg:subsampling", "4:4:4");
+    if (format == "png" && job.quick)
+        spec.attribute("png:compressionLevel", 1);
     if (format == "tiff") {
         spec.attribute("compression", "zip");
         if (job.depth == ModuleHalf)

@@ -43,7 +43,8 @@ SUFFUSE_INLINE V mixedStyles(const ShadeParams &params, Channel channel, V inver
         const V share = only ? V(1) : channel(kind.shareChannel) * inversePhi;
         const V weight = only ? inversePhi : V(1) / max_(channel(kind.shareChannel), V(1e-36));
         const auto xi = [&](int i) {
-            return kind.xiChannel < 0 ? V(kind.xi[i]) : max_(channel(kind.xiChannel + i) * weight, V(1e-30));
+            return kind.xiChannel < 0 ? V(kind.xi[i])
+                                      : min_(max_(channel(kind.xiChannel + i) * weight, V(1e-30)), V(1e18));
         };
         const V f = withStyle<V>(kind.kind, xi, [&](const auto &style) { return meanOf(style, phi, h2); });
         total = total + select_(less_(V(0), share), share * f, V(0));

@@ -31,10 +31,11 @@ SUFFUSE_INLINE V meanOf(const Style &style, V phi, V h2)
     return select_(seen, all_(simple) ? f : select_(simple, f, style.longMean(phi, sqrt_(h2))), V(0));
 }
 
+/// 1 for NaN, which is ∞·0 where a range lies so far above ξ1 that its square overflows.
 template <class V>
 SUFFUSE_INLINE V clamp01(V x)
 {
-    return min_(V(1), max_(V(0), x));
+    return max_(min_(x, V(1)), V(0));
 }
 
 /// h < a, from h².
@@ -52,8 +53,8 @@ struct Uniform {
 
     SUFFUSE_INLINE Uniform(V x1, V x2)
         : xi1(x1), xi2(x2), inverseXi2(V(1) / x2), phi0(max_(V(0), x1 - V(8) * x2)),
-          loss(exp2_(V(-log2e) * (x1 - phi0) * inverseXi2)), gain(V(1) + loss),
-          slope(V(-log2e) * inverseXi2), offset(V(log2e) * xi1 * inverseXi2), shortLimit(V(0.64) * x2 * x2),
+          loss(exp2_(V(-log2e) * (x1 - phi0) * inverseXi2)), gain(V(1) + loss), slope(V(-log2e) * inverseXi2),
+          offset(V(log2e) * xi1 * inverseXi2), shortLimit(V(0.64) * x2 * x2),
           reachesZero(select_(less_(V(0), phi0), V(1e36), V(0))), fullFrom(x1 + V(10) * x2)
     {}
     SUFFUSE_INLINE V level() const { return phi0; }
@@ -134,7 +135,8 @@ struct Feathering {
         const V a1 = clamp01(a), b1 = clamp01(x + reach), middle = V(0.5) * (a1 + b1), half = V(0.5) * (b1 - a1);
         const V p1 = xi2 + V(1), low = select_(less_(V(0), a1), power(a1, p1), V(0));
         const V quotient = (power(b1, p1) - low) / (p1 * max_(b1 - a1, V(1e-30)));
-        const V mean = select_(less_(half, narrow * middle), shortMean(logarithm(middle), middle, half * half), quotient);
+        const V mean =
+            select_(less_(half, narrow * middle), shortMean(logarithm(middle), middle, half * half), quotient);
         return clamp01((toOne - toZero) * mean + (V(1) - toOne));
     }
 

@@ -121,7 +121,10 @@ private slots:
         dialog.presenter()->setCurrentIndex(int(settings::Presenter::Raster));
         dialog.backend()->setCurrentText("CUDA");
         dialog.threads()->setValue(2);
+        QCOMPARE(dialog.backups()->text(), QString("None"));
+        dialog.backups()->setValue(3);
         dialog.accept();
+        QCOMPARE(settings::backups(), 3);
         QCOMPARE(settings::language(), QString("de"));
         QCOMPARE(settings::presenter(), settings::Presenter::Raster);
         QCOMPARE(settings::backend(), Backend::Cuda);

@@ -2,6 +2,7 @@
 #include "app/settings.h"
 #include "app/theme.h"
 #include "app/translation.h"
+#include "model/formats/atomic_save.h"
 
 #include <QApplication>
 #include <QDockWidget>
@@ -150,7 +151,8 @@ private slots:
 
         QRandomGenerator random(7);
         int restored = 0;
-        for (int i = 0; i < 500; ++i) {
+        const int trials = qEnvironmentVariableIsSet("SUFFUSE_LONG") ? 10'000 : 500;
+        for (int i = 0; i < trials; ++i) {
             QByteArray damaged = whole;
             const int flips = 1 + i % 4;
             for (int k = 0; k < flips; ++k) {
@@ -165,6 +167,7 @@ private slots:
             out.write(damaged);
             out.close();
             useFile(name);
+            settings::beginStart();
             QVERIFY(QStringList({"", "en", "zh_CN", "de"}).contains(settings::language()));
             QVERIFY(settings::threads() >= 0 && settings::threads() <= 256);
             QVERIFY(settings::recentFiles().size() <= 10);
@@ -174,10 +177,43 @@ private slots:
             addDocks(started);
             if (settings::restoreLayout(started))
                 ++restored;
+            settings::startSucceeded();
+            QFile::remove(out.fileName());
         }
         // Where the damage lay elsewhere the layout is kept; where it lay in the layout it is not.
         QVERIFY(restored > 0);
-        QVERIFY(restored < 500);
+        QVERIFY(restored < trials);
+    }
+
+    /// One failed start may be an accident; after two the settings are kept aside.
+    void settingsThatNeverStartArePutAside()
+    {
+        settings::setTheme(settings::Theme::Dark);
+        settings::store().sync();
+        QVERIFY(settings::beginStart().isEmpty());
+        settings::startSucceeded();
+        QVERIFY(settings::beginStart().isEmpty()); // these two never came up
+        QVERIFY(settings::beginStart().isEmpty());
+        const QString aside = settings::beginStart();
+        QVERIFY(QFile::exists(aside));
+        useFile("other.ini"); // so that the store is opened anew, as by a new start
+        settings::store();
+        useFile("settings.ini");
+        QCOMPARE(settings::theme(), settings::Theme::System);
+        settings::startSucceeded();
+        QVERIFY(settings::beginStart().isEmpty());
+        settings::startSucceeded();
+    }
+
+    void backupsAreBounded()
+    {
+        QCOMPARE(settings::backups(), 0);
+        settings::setBackups(3);
+        QCOMPARE(settings::backups(), 3);
+        settings::store().setValue("backups", 1'000'000);
+        QCOMPARE(settings::backups(), mostBackups);
+        settings::store().setValue("backups", "many");
+        QCOMPARE(settings::backups(), 0);
     }
 
     void palettesHaveContrast()
@@ -197,6 +233,23 @@ private slots:
             QCOMPARE(isDarkTheme(), theme == settings::Theme::Dark);
             QVERIFY(contrast(warningText(), QApplication::palette().color(QPalette::Window)) >= 4.5);
         }
+    }
+
+    /// The last one: what is forgotten stays forgotten.
+    void safeModeNeitherReadsNorWrites()
+    {
+        settings::setTheme(settings::Theme::Dark);
+        settings::store().sync();
+        QFile file(m_folder->filePath("settings.ini"));
+        QVERIFY(file.open(QIODevice::ReadOnly));
+        const QByteArray before = file.readAll();
+        settings::forgetEverything();
+        QCOMPARE(settings::theme(), settings::Theme::System);
+        settings::setTheme(settings::Theme::Light);
+        QCOMPARE(settings::theme(), settings::Theme::Light);
+        settings::store().sync();
+        file.seek(0);
+        QCOMPARE(file.readAll(), before);
     }
 
 private:

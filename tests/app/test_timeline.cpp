@@ -1,5 +1,9 @@
 // Time in the window: playing, painting in the past, drying.
+#include "app/panels/rewet_rows.h"
 #include "tests/app/timed.h"
+#include "undo/time_edits.h"
+
+#include <QToolButton>
 
 using namespace suffuse;
 
@@ -278,6 +282,36 @@ private slots:
         s.use(Command::Undo);
         s.use(Command::Undo);
         QCOMPARE(s.stroke(1).driesAt(), 2'300'000);
+    }
+
+    void theInspectorTakesRewettingsAway()
+    {
+        Timed s;
+        s.select({1, 2});
+        s.editor().push(rewet(s.editor().document(), 5 * second, second / 2), "wet");
+        s.select({1});
+        s.editor().push(rewet(s.editor().document(), 7 * second, 2 * second), "wet");
+        const QByteArray wetted = hashOf(s.painting());
+        RewetRows &rows = *s.window.findChild<RewetRows *>();
+        const auto texts = [&rows] {
+            QStringList texts;
+            for (const QLabel *label : rows.findChildren<QLabel *>())
+                if (label->text().startsWith("at "))
+                    texts << label->text();
+            return texts;
+        };
+        QTRY_COMPARE_WITH_TIMEOUT(texts(), (QStringList{"at 0:05.000 for 0.5 s", "at 0:07.000 for 2 s"}), waitMs);
+        s.select({1, 2});
+        QTRY_COMPARE_WITH_TIMEOUT(texts(), (QStringList{"at 0:05.000 for 0.5 s", "at 0:07.000 for 2 s, some segments"}),
+                                  waitMs);
+        rows.findChildren<QToolButton *>().first()->click();
+        QVERIFY(s.stroke(2).segments[0].rewet.empty());
+        QCOMPARE(s.stroke(1).segments[0].rewet, (std::vector<Rewet>{{7 * second, 2 * second}}));
+        QTRY_COMPARE_WITH_TIMEOUT(texts().size(), 1, waitMs);
+        s.use(Command::Undo);
+        QCOMPARE(hashOf(s.painting()), wetted);
+        s.select({4});
+        QTRY_VERIFY_WITH_TIMEOUT(!rows.isVisibleTo(rows.parentWidget()), waitMs);
     }
 
 private:

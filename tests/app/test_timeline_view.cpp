@@ -1,5 +1,11 @@
 // The timeline's ruler and bars.
 #include "tests/app/timed.h"
+#include "undo/time_edits.h"
+
+#include <QContextMenuEvent>
+#include <QHelpEvent>
+#include <QMenu>
+#include <QToolTip>
 
 using namespace suffuse;
 
@@ -157,6 +163,117 @@ private slots:
         for (int i = 0; i < 3; ++i)
             s.use(Command::Undo);
         QCOMPARE(s.stroke(4).segments[3].born, 10'300'000);
+    }
+
+    void endsThatAreDraggedWithAltEase()
+    {
+        Timed s;
+        s.view().zoomBy(6);
+        s.select({4});
+        const QByteArray first = hashOf(s.painting());
+        const QPoint begin = s.beginOf(4), end = s.endOf(4);
+        const auto drag = [&](QPoint from, QPoint to, bool lets = true) {
+            s.press(from, alt);
+            s.moveTo(from + (to - from) / 2);
+            s.moveTo(to);
+            if (lets)
+                s.release(to);
+        };
+        drag(begin, begin + QPoint((end.x() - begin.x()) / 2, 0));
+        QCOMPARE(s.steps(), 1);
+        QCOMPARE(s.editor().undoStack().text(0), QString("Ease in time"));
+        const auto since = [&](std::size_t k) { return s.stroke(4).segments[k].born - 10 * second; };
+        QCOMPARE(since(0), 0);
+        QCOMPARE(since(3), 300'000);
+        QVERIFY(since(1) > 130'000 && since(1) < since(2)); // it begins slowly
+        s.use(Command::Undo);
+        QCOMPARE(hashOf(s.painting()), first);
+        drag(end, end - QPoint((end.x() - begin.x()) / 2, 0));
+        QVERIFY(since(2) < 170'000 && since(3) == 300'000); // it ends slowly
+        s.use(Command::Undo);
+        drag(begin, begin + QPoint(60, 0), false); // Escape, and back to where it was: no step
+        QVERIFY(hashOf(s.painting()) != first);
+        QTest::keyClick(&s.view(), Qt::Key_Escape);
+        s.release(begin);
+        QCOMPARE(hashOf(s.painting()), first);
+        drag(begin, begin + QPoint(60, 0), false);
+        s.moveTo(begin);
+        s.release(begin);
+        QCOMPARE(hashOf(s.painting()), first);
+        QVERIFY(!s.editor().undoStack().canUndo());
+    }
+
+    void barsHaveAMenu()
+    {
+        Timed s;
+        const auto menuAt = [&](QPoint at) {
+            QContextMenuEvent event(QContextMenuEvent::Mouse, at, s.view().viewport()->mapToGlobal(at));
+            QCoreApplication::sendEvent(s.view().viewport(), &event);
+            return qobject_cast<QMenu *>(QApplication::activePopupWidget());
+        };
+        const auto entry = [](QMenu *menu, const QString &text) {
+            for (QAction *action : menu->actions())
+                if (action->text().remove('&') == text)
+                    return action;
+            return static_cast<QAction *>(nullptr);
+        };
+        QMenu *menu = menuAt(s.middleOf(3));
+        QVERIFY(menu);
+        QCOMPARE(s.selected(), std::set<StrokeId>{3});
+        QVERIFY(entry(menu, "Drawing Pace"));
+        QTRY_VERIFY_WITH_TIMEOUT(entry(menu, "Re-wet…")->isEnabled(), waitMs);
+        entry(menu, "Go to Its Start")->trigger();
+        QCOMPARE(s.editor().time(), 3 * second);
+        entry(menu, "Go to When It Is Dry")->trigger();
+        QCOMPARE(s.editor().time(), s.stroke(3).driesAt());
+        menu->close();
+        menu = menuAt({int(s.view().xOf(8 * second)), s.view().viewport()->height() - 3}); // beside all bars
+        QVERIFY(menu);
+        QVERIFY(entry(menu, "Loop") && !entry(menu, "Re-wet…"));
+        QCOMPARE(s.selected(), std::set<StrokeId>{3});
+        menu->close();
+    }
+
+    void barsSayWhatTheyAre()
+    {
+        Timed s;
+        const auto tipAt = [&](QPoint at) {
+            QHelpEvent event(QEvent::ToolTip, at, s.view().viewport()->mapToGlobal(at));
+            QCoreApplication::sendEvent(s.view().viewport(), &event);
+            return QToolTip::text();
+        };
+        QString tip = tipAt(s.middleOf(4));
+        QCOMPARE(tip, QString("Stroke 4\nDrawn from 0:10.000 to 0:10.300\nDry at 0:11.300"));
+        s.select({4});
+        s.editor().push(rewet(s.editor().document(), 11 * second, second), "wet");
+        tip = tipAt(s.middleOf(4));
+        QVERIFY2(tip.endsWith("Wetted again, dry at 0:12.000"), qPrintable(tip));
+    }
+
+    void theStrokeInHandHasABar()
+    {
+        Timed s;
+        const auto shown = [&] {
+            QTest::qWait(120); // bars follow edits now and then
+            return s.view().viewport()->grab().toImage();
+        };
+        s.editor().setTime(14 * second);
+        s.view().fit();
+        const QImage before = shown();
+        QTest::mousePress(&s.canvas(), Qt::LeftButton, {}, s.at({250, 300}));
+        for (int i = 1; i <= 20; ++i) {
+            s.advance(100'000);
+            QTest::mouseMove(&s.canvas(), s.at({250 + 15.0 * i, 300}));
+        }
+        const StrokeId drawn = s.editor().document().draft()->id;
+        const QImage during = shown();
+        const int x = int(s.view().xOf(15 * second)); // with the pen up, the time until it is dry is shown, too
+        QTest::mouseRelease(&s.canvas(), Qt::LeftButton, {}, s.at({550, 300}));
+        const QRectF bar = s.view().drawnRect(drawn);
+        QVERIFY(bar.width() > 20);
+        const int y = int(bar.center().y()); // in the lane in which it stays
+        QVERIFY(during.pixelColor(x, y) != before.pixelColor(x, y));
+        QCOMPARE(during.pixelColor(x, y), shown().pixelColor(bar.center().toPoint()));
     }
 
     void lockedBarsStay()

@@ -1,7 +1,7 @@
 // How long selecting, the overlay and dragging take on the GUI thread, with a painting of many strokes.
 //   bench_selecting [strokes]     10000 unless told; ten segments a stroke
-// Prints a line a case: median and 99th percentile in milliseconds, by the clock on the wall and of the thread's own time
-// (which a busy machine does not spoil).
+// Prints a line a case: median and 99th percentile in milliseconds, by the clock on the wall and of the thread's own
+// time (which a busy machine does not spoil).
 #include "app/canvas/canvas_widget.h"
 #include "app/canvas/selection_outline.h"
 #include "app/main_window.h"
@@ -81,9 +81,10 @@ void measurePicking(const Painting &painting)
         (void)strokesWithin(painting, painting.end(), View::ofArea(Rect::of(0, 0, width, height), width, height),
                             Rect::of(0, 0, width, height));
     });
-    measure("touch path across the canvas", 20, [&](int) {
-        (void)strokesTouched(painting, end, {{0, 100}, {width / 2.0, height}, {width, 100}}, 3);
-    });
+    const auto shared = std::make_shared<const Painting>(painting);
+    measure("touch path: its start", 20, [&](int) { PathTouch(shared, end, 3, {0, 100}); });
+    PathTouch path(shared, end, 3, {0, 100});
+    measure("touch path: 20 pixels on", 100, [&](int i) { path.goOn({20.0 * i, 100 + 9.0 * i}); });
 }
 
 void measureOutline(const Painting &painting)
@@ -177,7 +178,8 @@ int main(int argc, char *argv[])
     QApplication application(argc, argv);
     const int strokes = argc > 1 ? std::max(std::atoi(argv[1]), 10) : 10'000;
     const Painting painting = paintingOf(strokes);
-    std::printf("%d strokes, %zu segments; ms: median, 99th percentile; own median, 99th\n", strokes, painting.segmentCount());
+    std::printf("%d strokes, %zu segments; ms: median, 99th percentile; own median, 99th\n", strokes,
+                painting.segmentCount());
     measurePicking(painting);
     measureOutline(painting);
     measureEvents(painting);

@@ -17,6 +17,7 @@ namespace {
 constexpr int width = 1920, height = 1080;
 constexpr auto interval = std::chrono::microseconds(16'667);
 constexpr auto patience = std::chrono::seconds(60);
+constexpr auto handRests = std::chrono::milliseconds(200); ///< between choosing what to drag and dragging it
 
 double computedMs(clockid_t clock)
 {
@@ -57,8 +58,9 @@ EditingSession::EditingSession(Application &application, PaintingPtr painting) :
     m_window.show();
     QObject::connect(&canvas(), &CanvasWidget::framePresented, &m_window, [this](const FrameInfo &frame) {
         m_presented = frame.serial;
-        for (const PixelRect &r : frame.stats.dirty)
-            m_evaluated += double(r.width) * r.height;
+        m_evaluated += frame.evaluated;
+        m_coarseFrames += frame.coarseness > 1;
+        m_frameTimes.ms.push_back(frame.stats.totalMs);
         if (frame.stats.dirty.empty())
             painted(); // the picture stays
     });
@@ -78,6 +80,8 @@ EditingSession::~EditingSession()
 void EditingSession::painted()
 {
     const Clock::time_point now = Clock::now();
+    m_paintedAt = now;
+    m_paintedComputed = computedMs(CLOCK_THREAD_CPUTIME_ID);
     ++m_paints;
     if (m_presented != std::exchange(m_lastPainted, m_presented))
         ++m_frames;
@@ -101,7 +105,8 @@ DragTimes EditingSession::paced(int events, const std::function<void(int)> &act)
 {
     DragTimes result;
     m_shown.clear();
-    m_frames = 0;
+    m_frames = m_coarseFrames = 0;
+    m_frameTimes.ms.clear();
     std::atomic<bool> waits = false, over = false;
     int taken = 0;
     const double gui = computedMs(CLOCK_THREAD_CPUTIME_ID), all = computedMs(CLOCK_PROCESS_CPUTIME_ID);
@@ -131,19 +136,24 @@ DragTimes EditingSession::paced(int events, const std::function<void(int)> &act)
     const double seconds = 1e-3 * toMs(Clock::now() - start);
     result.toFrame.ms = m_shown;
     result.framesASecond = m_frames / seconds;
+    result.frameMs = m_frameTimes.at(0.5);
+    result.coarse = 100.0 * m_coarseFrames / std::max(m_frames, 1);
     result.guiMs = (computedMs(CLOCK_THREAD_CPUTIME_ID) - gui) / taken;
     result.allMs = (computedMs(CLOCK_PROCESS_CPUTIME_ID) - all) / taken;
     return result;
 }
 
-double EditingSession::untilPainted(const std::function<void()> &act)
+double EditingSession::untilPainted(const std::function<void()> &act, double *computed)
 {
     const int before = m_paints;
     const Clock::time_point start = Clock::now();
+    const double own = computedMs(CLOCK_THREAD_CPUTIME_ID);
     act();
     while (m_paints == before && Clock::now() - start < patience)
         QCoreApplication::processEvents(QEventLoop::WaitForMoreEvents);
-    return toMs(Clock::now() - start);
+    if (computed)
+        *computed = m_paintedComputed - own;
+    return toMs(m_paintedAt - start);
 }
 
 double EditingSession::untilShown(const std::function<void()> &act)
@@ -158,8 +168,16 @@ double EditingSession::untilShown(const std::function<void()> &act)
 
 void EditingSession::settle()
 {
-    runUntil([this] { return canvas().isUpToDate() && m_presented == canvas().neededFrame() && !editor().isDragging(); });
+    runUntil(
+        [this] { return canvas().isUpToDate() && m_presented == canvas().neededFrame() && !editor().isDragging(); });
     QCoreApplication::processEvents();
+}
+
+void EditingSession::rest()
+{
+    settle();
+    const Clock::time_point start = Clock::now();
+    runUntil([start] { return Clock::now() - start > handRests; });
 }
 
 double EditingSession::takeEvaluatedPixels()

@@ -20,11 +20,13 @@ struct Times {
 
 /// What a drag at the pace of a hand did.
 struct DragTimes {
-    Times toFrame;           ///< from an event to the frame on the screen that shows what it did
-    int skipped = 0;         ///< events that came while the one before still waited
+    Times toFrame;   ///< from an event to the frame on the screen that shows what it did
+    int skipped = 0; ///< events that came while the one before still waited
     double framesASecond = 0;
-    double guiMs = 0;        ///< computed on the GUI thread, an event
-    double allMs = 0;        ///< on all threads, an event
+    double coarse = 0;  ///< per cent of the frames
+    double frameMs = 0; ///< of the renderer, by its own clock, the median
+    double guiMs = 0;   ///< computed on the GUI thread, an event
+    double allMs = 0;   ///< on all threads, an event
 };
 
 /// Knows when a window has been painted.
@@ -49,14 +51,18 @@ public:
     CanvasWidget &canvas() { return m_window.canvas(); }
     const Painting &painting() { return *document().painting(); }
 
-    /// Calls `act(0)` … from the event loop, 60 times a second, as reports of a mouse come: while one waits, none follow.
+    /// Calls `act(0)` … from the event loop, 60 times a second, as reports of a mouse come: while one waits, none
+    /// follow.
     DragTimes paced(int events, const std::function<void(int)> &act);
-    /// Milliseconds until the window has been painted after `act`, whatever picture it shows.
-    double untilPainted(const std::function<void()> &act);
+    /// Milliseconds until the window has been painted after `act`, whatever picture it shows; `computed`: those that
+    /// the GUI thread has computed for.
+    double untilPainted(const std::function<void()> &act, double *computed = nullptr);
     /// Milliseconds until the picture on the screen shows what `act` did.
     double untilShown(const std::function<void()> &act);
     /// Until the exact picture stands.
     void settle();
+    /// The same, and for as long as a hand does, which panels have to come to rest, too.
+    void rest();
     /// Pixels evaluated since the last call, by the frames shown since then.
     double takeEvaluatedPixels();
 
@@ -77,6 +83,10 @@ private:
     quint64 m_presented = 0;
     quint64 m_lastPainted = 0;
     int m_frames = 0;
+    int m_coarseFrames = 0;
+    Times m_frameTimes;
+    Clock::time_point m_paintedAt;
+    double m_paintedComputed = 0;
     int m_paints = 0;
     double m_evaluated = 0;
 };

@@ -5,6 +5,7 @@
 
 #include <QRandomGenerator>
 
+#include <algorithm>
 #include <limits>
 
 namespace suffuse::test {
@@ -121,7 +122,7 @@ private:
         if (chance(3))
             s.style = style();
         if (chance(4)) {
-            s.anisotropyRatio = quantity(1e6f);
+            s.anisotropyRatio = std::max(1e-6f, quantity(1e6f));
             s.anisotropyAngle = float(coordinate(7));
         }
         s.node = NodeKind(below(3));

@@ -5,9 +5,11 @@
 #include "model/stroke_builder.h"
 #include "model/validate.h"
 
+#include <QDirIterator>
 #include <QTemporaryDir>
 #include <QTest>
 
+#include <map>
 #include <numbers>
 #include <set>
 
@@ -331,6 +333,41 @@ private slots:
         QCOMPARE(loaded->left, (QStringList{"offset_by_random", "smudge"}));
         QVERIFY(!readMyPaintBrush("{\"settings\": {}, \"base_value\": 1}", "a.myb"));
         QVERIFY(!readMyPaintBrush("{\"settings\": {\"base_value\":", "a.myb"));
+    }
+
+    /// SUFFUSE_MYPAINT_BRUSHES names a folder of them, as MyPaint's own (/usr/share/mypaint-data).
+    void brushesOfMyPaint()
+    {
+        const QString folder = qEnvironmentVariable("SUFFUSE_MYPAINT_BRUSHES");
+        if (folder.isEmpty())
+            QSKIP("SUFFUSE_MYPAINT_BRUSHES is not set");
+        int read = 0, whole = 0, invisible = 0;
+        std::map<QString, int> left;
+        QStringList unread;
+        for (QDirIterator it(folder, {"*.myb"}, QDir::Files, QDirIterator::Subdirectories); it.hasNext();) {
+            const QString path = it.next();
+            const Result<LoadedBrush> loaded = loadBrush(path);
+            if (!loaded) {
+                unread << loaded.error();
+                continue;
+            }
+            ++read;
+            const StrokePtr stroke = buildStroke(loaded->brush, 1, wave());
+            QVERIFY2(stroke && problemOf(*stroke).isEmpty(), qPrintable(path));
+            const bool seen =
+                std::ranges::any_of(stroke->segments, [](const Segment &s) { return s.colour.opacity > 0.01f; });
+            if (!seen)
+                qInfo("nothing is seen of %s, left: %s", qPrintable(path), qPrintable(loaded->left.join(", ")));
+            invisible += !seen;
+            whole += loaded->left.isEmpty();
+            for (const QString &name : loaded->left)
+                ++left[name];
+        }
+        qInfo("%d read, %d of them whole; nothing is seen of %d", read, whole, invisible);
+        for (const auto &[name, count] : left)
+            qInfo("%4d  %s", count, qUtf8Printable(name));
+        QVERIFY2(unread.isEmpty(), qPrintable(unread.join('\n')));
+        QVERIFY(read > 0);
     }
 
     void fileOfAnotherKind()

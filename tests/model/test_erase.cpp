@@ -107,6 +107,22 @@ private slots:
         QCOMPARE(long1[0].segments.size() + long1[1].segments.size(), std::size_t(2));
     }
 
+    void whatIsPaintedLaterStays()
+    {
+        Stroke s = line({{0, 0}, {100, 0}, {200, 0}});
+        s.segments[0].born = 1'000'000;
+        s.segments[1].born = 2'000'000;
+        QCOMPARE(erased(s, {{150, 0}}, 10, nullptr, 1'500'000), std::vector<Stroke>{s});
+        QCOMPARE(erased(s, {{150, 0}}, 10, nullptr, 2'000'000).size(), std::size_t(2));
+        const std::vector<Stroke> left = erased(s, {{0, 0}, {200, 0}}, 10, nullptr, 1'500'000);
+        QCOMPARE(left.size(), std::size_t(1));
+        QCOMPARE(left[0].segments, std::vector<Segment>{s.segments[1]});
+        const std::vector<Stroke> cut = erased(s, {{100, 0}}, 10, nullptr, 1'500'000); // up to the node between them
+        QCOMPARE(cut.size(), std::size_t(2));
+        QCOMPARE(nodePosition(cut[0], 1), (Point{90, 0}));
+        QCOMPARE(cut[1].segments, std::vector<Segment>{s.segments[1]});
+    }
+
     void theKnifeFindsEveryCrossing()
     {
         const Stroke s = line({{0, 0}, {12, 0}, {12, 12}, {0, 12}});

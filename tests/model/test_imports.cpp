@@ -1,6 +1,7 @@
 // Recordings become paintings: what is found in them, their timing, and what is said of damaged ones.
 #include "model/formats/css_colours.h"
 #include "model/formats/files.h"
+#include "model/formats/recording.h"
 #include "model/ryb.h"
 #include "model/validate.h"
 
@@ -212,6 +213,33 @@ private slots:
         QVERIFY(errorOf("name,value\na,1\n").contains(QLatin1String("not a painting")));
         QCOMPARE(detectFormat("{\"canvas\": {}, \"format\": \"suffuse-text\"}"), FileFormat::Text);
         QCOMPARE(detectFormat("{\"strokes\": [{\"format\": \"}\\\"\"}]}"), FileFormat::Text);
+    }
+
+    void universalInkTilts()
+    {
+        const auto tiltsOf = [](const QByteArray &altitudes) {
+            const QByteArray bytes =
+                R"({"inputData": {"inputContextData": {"sensorContexts": [{"sensorChannelsContext": [{"channels": [
+                    {"id": "t", "type": "ink/Timestamp", "resolution": 1000},
+                    {"id": "a", "type": "ink/Altitude", "resolution": 1, "precision": 2}]}]}]},
+                   "sensorData": [{"id": "s", "timestamp": 5, "dataChannels": [
+                    {"sensorChannelID": "t", "values": [0, 10, 10]}, {"sensorChannelID": "a", "values": )" +
+                altitudes + R"(}]}]}, "inkData": {"strokes": [{"sensorDataID": "s", "splineX": [0, 20, 40],
+                   "splineY": [0, 0, 0]}]}})";
+            const auto recording = readUniversalInk(bytes, "a.json");
+            std::vector<double> tilts;
+            if (recording)
+                for (const PenSample &sample : recording->paths.at(0).samples)
+                    tilts.push_back(double(sample.tilt));
+            return tilts;
+        };
+        // Radians over the tablet in hundredths, as differences: upright, 60° from upright, flat.
+        const std::vector<double> tilts = tiltsOf("[157, -105, -52]");
+        QCOMPARE(tilts.size(), std::size_t(3));
+        QVERIFY(tilts[0] < 0.001 && std::abs(tilts[1] - 1) < 0.01);
+        QCOMPARE(tilts[2], 1.0);
+        QVERIFY(std::abs(tiltsOf("[105, 0, 0]")[1] - 0.5) < 0.005);
+        QCOMPARE(tiltsOf("[0, 0, 0]"), (std::vector<double>{0, 0, 0})); // not measured
     }
 
     void excalidrawColoursAndTurns()

@@ -2,6 +2,7 @@
 #include "model/validate.h"
 #include "tests/undo/random_edits.h"
 #include "undo/edit_command.h"
+#include "undo/node_edits.h"
 #include "undo/time_edits.h"
 
 #include <QTest>
@@ -184,6 +185,38 @@ private slots:
         QCOMPARE(births(d.stroke(1)), (Times{1'000'000, 1'100'000, 1'241'421, 1'300'000}));
     }
 
+    void easingKeepsTheEndsAndTheOrder()
+    {
+        auto painting = std::make_shared<Painting>(*timedPainting(2));
+        auto wetted = std::make_shared<Stroke>(*painting->strokes[0]);
+        wetted->segments[2].rewet = {{5 * second, second}};
+        painting->strokes[0] = wetted;
+        const PaintingPtr before = painting;
+        Desk d(before);
+        const QByteArray first = hashOf(*before);
+        select(d.document, {1});
+        d.push(ease(*before, d.document.selection(), {2, 1}));
+        // Slope 2 at the start: u(2(1 − u)² + u(3 − 2u) − u(1 − u)) at u = 1/3 and 2/3.
+        const Times slow = births(d.stroke(1));
+        QCOMPARE(slow, (Times{second, 1'144'444, 1'222'222, 1'300'000}));
+        QCOMPARE(d.stroke(1).segments[2].rewet[0].time - 5 * second, slow[2] - 1'200'000); // it goes along
+        QCOMPARE(d.document.painting()->find(2), before->find(2));
+        checkUndoAllAndRedo(d.stack, d.document, first);
+        while (d.stack.canUndo())
+            d.stack.undo();
+        // The other end, mirrored; farther than the pen can be slowed, it never goes back.
+        d.push(ease(*before, d.document.selection(), {1, 2}));
+        const Times late = births(d.stroke(1));
+        QVERIFY(std::abs((late[3] - late[2]) - (slow[1] - slow[0])) <= 1);
+        d.push(ease(*before, d.document.selection(), {100, 100}));
+        QVERIFY(std::ranges::is_sorted(births(d.stroke(1))));
+        d.push(ease(*before, d.document.selection(), {0, -3}));
+        QVERIFY(std::ranges::is_sorted(births(d.stroke(1))));
+        d.push(ease(*before, d.document.selection(), {})); // as it was, pointers too
+        QCOMPARE(hashOf(*d.document.painting()), first);
+        QVERIFY(d.document.painting()->find(1) == wetted);
+    }
+
     void freezingKeepsTheAges()
     {
         Desk d(timedPainting(3));
@@ -230,6 +263,39 @@ private slots:
         QVERIFY(!d.stroke(1).segments[2].rewet.empty());
         QVERIFY(removeRewetting(d.document).isEmpty());
         QVERIFY(rewet(d.document, 5 * second, 0).isEmpty());
+    }
+
+    void oneRewettingOfManyIsRemoved()
+    {
+        Desk d(timedPainting(2));
+        const QByteArray first = hashOf(*d.document.painting());
+        select(d.document, {1, 2});
+        d.push(rewet(d.document, 4 * second, second));
+        d.push(rewet(d.document, 6 * second, second / 2));
+        d.push(rewet(d.document, 6 * second, second));
+        select(d.document, {1}, {{1, 2}});
+        d.push(removeRewetting(d.document, {6 * second, second / 2}));
+        QCOMPARE(d.stroke(1).segments[1].rewet.size(), std::size_t(3));
+        QCOMPARE(d.stroke(1).segments[2].rewet, (std::vector<Rewet>{{4 * second, second}, {6 * second, second}}));
+        QVERIFY(removeRewetting(d.document, {5 * second, second}).isEmpty());
+        checkUndoAllAndRedo(d.stack, d.document, first);
+    }
+
+    /// Parts of a stroke that is cut stay beside each other, also where the stroke was raised over later ones.
+    void whatIsCutInThePastKeepsItsPlace()
+    {
+        Desk d(timedPainting(3));
+        select(d.document, {1});
+        d.push(arrangeSelection(d.document, Arrange::Top));
+        Edit cut = splitAt(d.document, {{1, {{2, 0}}}});
+        QCOMPARE(cut.strokes.size(), std::size_t(2));
+        d.push(placedInTime(d.document, std::move(cut)));
+        const StrokeList &strokes = d.document.painting()->strokes;
+        QCOMPARE(strokes.size(), std::size_t(4));
+        QCOMPARE(strokes[0]->id, StrokeId(2));
+        QCOMPARE(strokes[1]->id, StrokeId(3));
+        QCOMPARE(strokes[2]->id, StrokeId(1));
+        QCOMPARE(strokes[3]->born(), strokes[2]->segments.back().born + second / 10);
     }
 
     void aStrokeOfThePastTakesItsPlace()

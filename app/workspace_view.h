@@ -1,0 +1,16 @@
+// How a painting is looked at, in its file.
+#pragma once
+
+#include "model/formats/files.h"
+
+namespace suffuse {
+
+class CanvasWidget;
+class Editor;
+
+/// None where it is as usual: all of the canvas, at the end.
+std::optional<WorkspaceState> workspaceOf(const CanvasWidget &canvas, const Editor &editor);
+/// What lies outside the canvas's limits is brought within them.
+void showWorkspace(const WorkspaceState &state, CanvasWidget &canvas, Editor &editor);
+
+} // namespace suffuse

@@ -1,0 +1,65 @@
+#include "model/formats/atomic_save.h"
+#include "model/formats/messages.h"
+
+#include <QCryptographicHash>
+#include <QFile>
+#include <QFileInfo>
+
+#include <algorithm>
+
+#ifdef Q_OS_UNIX
+#include <unistd.h>
+#endif
+
+namespace suffuse {
+
+namespace {
+
+/// A second name costs nothing where the file system has them; the file that is replaced keeps living under it.
+bool linkOrCopy(const QString &from, const QString &to)
+{
+#ifdef Q_OS_UNIX
+    if (::link(QFile::encodeName(from).constData(), QFile::encodeName(to).constData()) == 0)
+        return true;
+#endif
+    return QFile::copy(from, to);
+}
+
+} // namespace
+
+std::optional<QByteArray> hashOfFile(const QString &path)
+{
+    QFile file(path);
+    // A pipe would be waited for.
+    if (!QFileInfo(path).isFile() || !file.open(QIODevice::ReadOnly))
+        return std::nullopt;
+    QCryptographicHash hash(QCryptographicHash::Sha256);
+    if (!hash.addData(&file))
+        return std::nullopt;
+    return hash.result();
+}
+
+QString backupName(const QString &path, int i)
+{
+    return path + QLatin1Char('~') + (i > 1 ? QString::number(i) : QString());
+}
+
+Result<void> keepBackups(const QString &path, int count)
+{
+    const QFileInfo info(path);
+    const QString target = info.canonicalFilePath();
+    if (count <= 0 || target.isEmpty() || !info.isFile())
+        return {};
+    count = std::min(count, mostBackups);
+    const auto failed = [&](const QString &name) {
+        return fileError(name, FileMessages::tr("the backup could not be made; check the folder"));
+    };
+    QFile::remove(backupName(target, count));
+    for (int i = count; i > 1; --i)
+        if (QFileInfo::exists(backupName(target, i - 1)) &&
+            !QFile::rename(backupName(target, i - 1), backupName(target, i)))
+            return failed(backupName(target, i - 1));
+    return linkOrCopy(target, backupName(target, 1)) ? Result<void>() : failed(backupName(target, 1));
+}
+
+} // namespace suffuse

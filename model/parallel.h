@@ -1,0 +1,29 @@
+// Work on several cores for what needs no task library.
+#pragma once
+
+#include <algorithm>
+#include <atomic>
+#include <cstddef>
+#include <thread>
+#include <vector>
+
+namespace suffuse {
+
+/// Calls body(0) … body(count − 1), each once, on as many threads as there are cores; returns when all are done.
+/// Threads are made for the call: for work of milliseconds and more.
+template <typename Body>
+void forEachInParallel(std::size_t count, const Body &body)
+{
+    std::atomic<std::size_t> next = 0;
+    const auto work = [&] {
+        for (std::size_t k = next++; k < count; k = next++)
+            body(k);
+    };
+    const std::size_t cores = std::max(1u, std::thread::hardware_concurrency());
+    std::vector<std::jthread> others; // joined when it goes
+    for (std::size_t k = 1; k < std::min(cores, count); ++k)
+        others.emplace_back(work);
+    work();
+}
+
+} // namespace suffuse

@@ -1,0 +1,207 @@
+// What goes into a document's file beside the picture: undo history, and how it was looked at.
+#include "app/actions.h"
+#include "model/formats/files.h"
+#include "tests/app/session.h"
+#include "undo/edits.h"
+
+#include <QFile>
+#include <QSignalSpy>
+#include <QTemporaryDir>
+#include <QTest>
+
+using namespace suffuse;
+
+namespace {
+
+StrokePtr someStroke(StrokeId id)
+{
+    auto s = std::make_shared<Stroke>();
+    s->id = id;
+    s->segments.resize(3);
+    for (std::size_t k = 0; k < 3; ++k) {
+        const float x = float(10 * k);
+        s->segments[k].bezier = {Offset{x, 0}, Offset{x + 3, 0}, Offset{x + 6, 0}, Offset{x + 10, 0}};
+    }
+    return s;
+}
+
+/// Waits until it is on disk.
+bool save(Editor &editor, const QString &path)
+{
+    QSignalSpy saved(&editor, &Editor::saved);
+    editor.startSaving(path, true);
+    return saved.wait(60'000) && saved.at(0).at(0).value<SaveOutcome>().isSaved();
+}
+
+void paint(Editor &editor, int strokes)
+{
+    for (int k = 0; k < strokes; ++k)
+        editor.push(addStrokes(editor.document(), {someStroke(editor.document().takeStrokeId())}, false),
+                    QStringLiteral("stroke %1").arg(k));
+}
+
+QByteArray historyIn(const QString &path)
+{
+    const auto document = loadDocument(path);
+    return document ? document->extras.history : QByteArray("?");
+}
+
+} // namespace
+
+class TestDocumentExtras : public QObject {
+    Q_OBJECT
+
+private:
+    QTemporaryDir m_folder;
+    QString path(const char *name) const { return m_folder.filePath(QString::fromLatin1(name)); }
+
+private slots:
+    void historyIsOffAtFirst()
+    {
+        Editor editor;
+        paint(editor, 3);
+        QVERIFY(!editor.keepsHistory());
+        QVERIFY(save(editor, path("off.suffuse")));
+        QVERIFY(historyIn(path("off.suffuse")).isEmpty());
+        QCOMPARE(editor.historyBytes(), 0);
+    }
+
+    void undoingGoesOn()
+    {
+        Editor a;
+        paint(a, 3);
+        a.undoStack().undo();
+        a.setKeepsHistory(true);
+        QVERIFY(a.isModified());
+        QVERIFY(save(a, path("kept.suffuse")));
+        QVERIFY(!a.isModified());
+        QCOMPARE(a.historyBytes(), historyIn(path("kept.suffuse")).size());
+        QVERIFY(a.historyBytes() > 0);
+        Editor b;
+        QVERIFY(b.open(path("kept.suffuse")));
+        QVERIFY(b.keepsHistory() && !b.isModified());
+        QCOMPARE(b.historyBytes(), a.historyBytes());
+        QCOMPARE(b.undoStack().count(), 3);
+        QCOMPARE(b.undoStack().index(), 2);
+        QCOMPARE(b.undoStack().undoText(), QStringLiteral("stroke 1"));
+        b.undoStack().redo();
+        QCOMPARE(b.document().painting()->strokes.size(), std::size_t(3));
+        QVERIFY(b.isModified());
+        b.undoStack().undo();
+        QVERIFY(!b.isModified());
+        b.undoStack().setIndex(0);
+        QVERIFY(b.document().painting()->strokes.empty());
+        b.undoStack().setIndex(2);
+        paint(b, 1);
+        QVERIFY(save(b, path("kept.suffuse")));
+        QVERIFY(b.open(path("kept.suffuse")));
+        QCOMPARE(b.undoStack().count(), 3);
+    }
+
+    void itCanBeTakenOut()
+    {
+        Editor editor;
+        paint(editor, 2);
+        editor.setKeepsHistory(true);
+        QVERIFY(save(editor, path("out.suffuse")));
+        QVERIFY(!historyIn(path("out.suffuse")).isEmpty());
+        editor.setKeepsHistory(false);
+        QVERIFY(editor.isModified());
+        QVERIFY(save(editor, path("out.suffuse")));
+        QVERIFY(historyIn(path("out.suffuse")).isEmpty());
+        QCOMPARE(editor.historyBytes(), 0);
+        QCOMPARE(editor.undoStack().count(), 2); // here it stays
+    }
+
+    void oneThatDoesNotFitIsLeftOut()
+    {
+        Editor editor;
+        paint(editor, 2);
+        editor.setKeepsHistory(true);
+        QVERIFY(save(editor, path("fit.suffuse")));
+        auto document = loadDocument(path("fit.suffuse"));
+        QVERIFY(document);
+        document->painting.canvas.width = 77; // by a program that carries the history along
+        QVERIFY(saveDocument(document->painting, document->extras, path("fit.suffuse")));
+        const auto losses = editor.open(path("fit.suffuse"));
+        QVERIFY(losses && losses->empty());
+        QVERIFY(editor.historyProblem().contains(QLatin1String("another painting")));
+        QCOMPARE(editor.document().painting()->canvas.width, 77.0);
+        QCOMPARE(editor.undoStack().count(), 0);
+        QVERIFY(!editor.isModified() && !editor.keepsHistory());
+        QVERIFY(editor.open(path("off.suffuse")));
+        QVERIFY(editor.historyProblem().isEmpty());
+    }
+
+    void newPaintingsKeepNone()
+    {
+        Editor editor;
+        editor.setKeepsHistory(true);
+        editor.newPainting(Editor::usualCanvas());
+        QVERIFY(!editor.keepsHistory());
+    }
+
+    void theViewComesBack()
+    {
+        Session a;
+        paint(a.editor(), 2);
+        QVERIFY(a.window.saveTo(path("view.suffuse")));
+        QVERIFY(!loadDocument(path("view.suffuse"))->extras.view); // all of it, at the end: as it opens anyway
+        a.canvas().setZoom(3.5);
+        a.canvas().rotateBy(20);
+        a.canvas().mirror();
+        a.canvas().panBy({40, -25});
+        a.editor().lookAt(500'000);
+        QVERIFY(a.window.saveTo(path("view.suffuse")));
+        Session b;
+        b.window.resize(900, 700);
+        QVERIFY(b.window.openFile(path("view.suffuse")));
+        const View &was = a.canvas().view(), &is = b.canvas().view();
+        QVERIFY(std::hypot(was.centre.x - is.centre.x, was.centre.y - is.centre.y) < 1e-9);
+        QCOMPARE(is.scale, was.scale);
+        QCOMPARE(is.rotation, was.rotation);
+        QCOMPARE(is.mirrored, was.mirrored);
+        QVERIFY(is.width != was.width);
+        QVERIFY(b.editor().isInPast());
+        QCOMPARE(b.editor().time(), Microseconds(500'000));
+        QVERIFY(!b.editor().isModified());
+    }
+
+    void theMenuSaysWhatHistoryTakes()
+    {
+        Session s;
+        QAction &keep = s.window.action(Command::KeepHistory);
+        QVERIFY(keep.isCheckable() && !keep.isChecked());
+        const QString title = keep.text();
+        paint(s.editor(), 2);
+        keep.trigger();
+        QVERIFY(s.editor().keepsHistory());
+        QVERIFY(s.window.saveTo(path("menu.suffuse")));
+        QVERIFY2(keep.text().startsWith(title + " (") && keep.text().endsWith("bytes)"), qPrintable(keep.text()));
+        Session t;
+        QVERIFY(t.window.openFile(path("menu.suffuse")));
+        QVERIFY(t.window.action(Command::KeepHistory).isChecked());
+        QVERIFY(t.window.action(Command::Undo).isEnabled());
+        t.window.action(Command::KeepHistory).trigger();
+        QVERIFY(!t.editor().keepsHistory() && t.editor().isModified());
+        QVERIFY(t.window.saveTo(path("menu.suffuse")));
+        QCOMPARE(t.window.action(Command::KeepHistory).text(), title);
+        QVERIFY(historyIn(path("menu.suffuse")).isEmpty());
+    }
+
+    /// Parts that nobody knows, and a preview.
+    void theRestIsCarriedAlong()
+    {
+        Editor editor;
+        QVERIFY(editor.open(QStringLiteral(SUFFUSE_SOURCE_DIR "/tests/fixtures/v1/extras.suffuse")));
+        paint(editor, 1);
+        QVERIFY(save(editor, path("carried.suffuse")));
+        const auto document = loadDocument(path("carried.suffuse"));
+        QVERIFY(document && document->losses.empty());
+        QCOMPARE(document->extras.unknown, (std::vector<AncillaryChunk>{{"zzzz", ""}, {"licn", "CC BY 4.0"}}));
+        QVERIFY(document->extras.preview.startsWith("\x89PNG"));
+    }
+};
+
+QTEST_MAIN(TestDocumentExtras)
+#include "test_document_extras.moc"

@@ -1,0 +1,69 @@
+// The menus as a whole: what can be typed is typed once.
+#include "tests/app/session.h"
+
+#include <QMenu>
+#include <QMenuBar>
+#include <QTemporaryDir>
+#include <QtTest>
+
+using namespace suffuse;
+
+namespace {
+
+/// The letter after the ampersand; none: 0.
+QChar mnemonicOf(const QString &text)
+{
+    for (qsizetype i = 0; i + 1 < text.size(); ++i)
+        if (text[i] == '&') {
+            if (text[i + 1] != '&')
+                return text[i + 1].toLower();
+            ++i;
+        }
+    return {};
+}
+
+/// What shares a letter in a menu and in those below it: "Edit: Cu&t, Se&ttings…".
+QStringList repeatedIn(const QList<QAction *> &actions, const QString &where)
+{
+    QStringList found;
+    QHash<QChar, QString> taken;
+    for (const QAction *action : actions) {
+        const QChar letter = mnemonicOf(action->text());
+        if (action->isVisible() && !letter.isNull()) {
+            if (taken.contains(letter))
+                found << QStringLiteral("%1: %2, %3").arg(where, taken[letter], action->text());
+            taken.insert(letter, action->text());
+        }
+        if (action->menu())
+            found << repeatedIn(action->menu()->actions(), action->text());
+    }
+    return found;
+}
+
+} // namespace
+
+class TestMenus : public QObject {
+    Q_OBJECT
+
+private slots:
+    void initTestCase()
+    {
+        QVERIFY(m_folder.isValid());
+        qputenv("SUFFUSE_PRESENTER", "raster");
+        qputenv("SUFFUSE_SETTINGS", m_folder.filePath("settings.ini").toLocal8Bit());
+    }
+
+    void noMnemonicTwice()
+    {
+        Session s;
+        QVERIFY(s.window.menuBar()->actions().size() > 5);
+        const QStringList repeated = repeatedIn(s.window.menuBar()->actions(), "menu bar");
+        QVERIFY2(repeated.isEmpty(), qPrintable(repeated.join("\n")));
+    }
+
+private:
+    QTemporaryDir m_folder;
+};
+
+QTEST_MAIN(TestMenus)
+#include "test_menus.moc"

@@ -1,0 +1,110 @@
+// Eraser and knife at a moment of the past: what is not painted yet is left alone.
+#include "app/tools/eraser_tool.h"
+#include "tests/app/timed.h"
+
+using namespace suffuse;
+
+namespace {
+
+/// Two strokes from left to right, the upper one painted first; the lower one begins at 3 seconds.
+StrokeList twoRows()
+{
+    return {drawnAt(1, second, {200, 200}, {600, 200}), drawnAt(2, 3 * second, {200, 300}, {600, 300}, {0, 0, 1, 1})};
+}
+
+struct Past : Timed {
+    explicit Past(Microseconds time, StrokeList strokes = twoRows()) : Timed(std::move(strokes))
+    {
+        playback().seek(time);
+        Q_ASSERT(editor().isInPast());
+    }
+};
+
+} // namespace
+
+class TestPastTools : public QObject {
+    Q_OBJECT
+
+private slots:
+    void initTestCase()
+    {
+        QVERIFY(m_folder.isValid());
+        qputenv("SUFFUSE_PRESENTER", "raster");
+        qputenv("SUFFUSE_BACKEND", "cpu");
+        qputenv("SUFFUSE_SETTINGS", m_folder.filePath("settings.ini").toLocal8Bit());
+    }
+
+    void theEraserTakesWhatIsThere()
+    {
+        Past s(2 * second);
+        s.use(Command::Eraser);
+        static_cast<EraserTool *>(s.canvas().tool())->setRadius(12);
+        const Stroke later = s.stroke(2);
+        s.drag({{400, 150}, {400, 350}});
+        QCOMPARE(s.painting().strokes.size(), std::size_t(3)); // the first one in two
+        QVERIFY(s.stroke(2) == later);
+        QCOMPARE(s.order().back(), StrokeId(2)); // both parts where the first one was
+        s.use(Command::ToEnd);
+        s.drag({{450, 150}, {450, 350}});
+        QVERIFY(!(s.stroke(2) == later));
+        s.use(Command::Undo);
+        s.use(Command::Undo);
+        QCOMPARE(s.order(), (std::vector<StrokeId>{1, 2}));
+    }
+
+    void theKnifeCutsWhatIsThere()
+    {
+        Past s(2 * second);
+        s.use(Command::Knife);
+        const std::size_t segments = s.stroke(2).segments.size();
+        s.drag({{430, 150}, {430, 350}});
+        QCOMPARE(s.stroke(1).segments.size(), segments + 1);
+        QCOMPARE(s.stroke(2).segments.size(), segments);
+        s.drag({{470, 150}, {470, 350}}, shift);
+        QCOMPARE(s.painting().strokes.size(), std::size_t(3));
+        QCOMPARE(s.order().back(), StrokeId(2));
+        s.use(Command::ToEnd);
+        s.drag({{430, 250}, {430, 350}});
+        QCOMPARE(s.stroke(2).segments.size(), segments + 1);
+    }
+
+    /// In the middle of a stroke that is being painted then: only its first part is there.
+    void halfAStroke()
+    {
+        Past s(1'150'000); // two of four segments: 200 to 400
+        s.use(Command::Eraser);
+        static_cast<EraserTool *>(s.canvas().tool())->setRadius(12);
+        const Stroke whole = s.stroke(1);
+        s.drag({{500, 150}, {500, 250}});
+        QVERIFY(s.stroke(1) == whole);
+        QCOMPARE(s.steps(), 0);
+        s.drag({{300, 150}, {300, 250}});
+        QCOMPARE(s.painting().strokes.size(), std::size_t(3));
+        std::vector<Segment> left;
+        for (const StrokePtr &stroke : s.painting().strokes)
+            if (stroke->id != 2)
+                left.insert(left.end(), stroke->segments.begin(), stroke->segments.end());
+        QVERIFY(std::ranges::find(left, whole.segments[2].born, &Segment::born) != left.end());
+        QVERIFY(std::ranges::find(left, whole.segments[3].born, &Segment::born) != left.end());
+    }
+
+    /// A stroke that was raised over a later one stays there when it is cut in the past.
+    void partsStayAboveWhatTheyWereAbove()
+    {
+        StrokeList strokes = twoRows();
+        std::swap(strokes[0], strokes[1]);
+        Past s(4'500'000, strokes);
+        s.playback().seek(3'500'000);
+        s.use(Command::Eraser);
+        static_cast<EraserTool *>(s.canvas().tool())->setRadius(12);
+        s.drag({{400, 150}, {400, 250}});
+        QCOMPARE(s.painting().strokes.size(), std::size_t(3));
+        QCOMPARE(s.order().front(), StrokeId(2));
+    }
+
+private:
+    QTemporaryDir m_folder;
+};
+
+QTEST_MAIN(TestPastTools)
+#include "test_past_tools.moc"

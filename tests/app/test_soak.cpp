@@ -1,0 +1,115 @@
+// Hours of painting, the same round again and again: paint, edit, undo, zoom, let it dry, start anew. Memory in use
+// after a round stays what it was. SUFFUSE_SOAK_SECONDS says for how long (30; hours by hand, see docs/reliability.md).
+#include "tests/app/session.h"
+
+#include <QElapsedTimer>
+#include <QTemporaryDir>
+#include <QWheelEvent>
+
+#include <algorithm>
+#include <malloc.h>
+
+using namespace suffuse;
+
+namespace {
+
+constexpr double mib = 1 << 20;
+
+/// Bytes that were asked for and not given back: what a leak makes grow, whatever the allocator keeps.
+double bytesInUse()
+{
+    malloc_trim(0);
+    const struct mallinfo2 info = mallinfo2();
+    return double(info.uordblks) + double(info.hblkhd);
+}
+
+void wheel(QWidget &widget, QPointF at, int delta)
+{
+    QWheelEvent event(at, widget.mapToGlobal(at), {}, {0, delta}, Qt::NoButton, Qt::NoModifier, Qt::NoScrollPhase,
+                      false);
+    QApplication::sendEvent(&widget, &event);
+}
+
+/// One round of work; ends with the document that it began with and an empty history.
+void workARound(Session &s)
+{
+    Editor &editor = s.editor();
+    editor.document().reset(std::make_shared<const Painting>());
+    editor.undoStack().clear();
+    editor.setTime(0);
+    s.use(Command::Brush);
+    for (int i = 0; i < 12; ++i)
+        s.paintLine({60.0 + 40 * i, 80}, {300.0 + 20 * i, 600.0 - 30 * i});
+    s.dry();
+    s.use(Command::SelectAll);
+    s.use(Command::Duplicate);
+    s.use(Command::Undo);
+    s.use(Command::Select);
+    s.click({180, 340});
+    s.use(Command::Raise);
+    s.use(Command::Delete);
+    s.use(Command::Segments);
+    s.click({300, 300});
+    for (int delta : {120, 120, -120, -120, -120, 120})
+        wheel(s.canvas(), QPointF(400, 300), delta);
+    editor.setTime(500'000);
+    s.dry();
+    while (editor.undoStack().canUndo())
+        s.use(Command::Undo);
+    QTRY_VERIFY_WITH_TIMEOUT(s.canvas().isUpToDate(), waitMs);
+}
+
+} // namespace
+
+class TestSoak : public QObject {
+    Q_OBJECT
+
+private slots:
+    void initTestCase()
+    {
+        QVERIFY(m_folder.isValid());
+        qputenv("SUFFUSE_PRESENTER", "raster");
+        qputenv("SUFFUSE_SETTINGS", m_folder.filePath("settings.ini").toLocal8Bit());
+    }
+
+    void memoryStaysWhatItWas()
+    {
+        const int asked = qEnvironmentVariableIntValue("SUFFUSE_SOAK_SECONDS");
+        const qint64 wanted = (asked > 0 ? asked : 30) * qint64(1000);
+        Session s;
+        for (int i = 0; i < 4; ++i)
+            workARound(s); // caches fill
+        QElapsedTimer clock;
+        clock.start();
+        std::vector<double> inUse;
+        do {
+            workARound(s);
+            if (QTest::currentTestFailed())
+                return;
+            inUse.push_back(bytesInUse());
+        } while (clock.elapsed() < wanted || inUse.size() < 6);
+        // The least of each half: what caches hold in passing does not count.
+        const auto middle = inUse.begin() + std::ptrdiff_t(inUse.size() / 2);
+        const double before = *std::min_element(inUse.begin(), middle);
+        const double after = *std::min_element(middle, inUse.end());
+        const double hours = double(clock.elapsed()) / 3.6e6;
+        qInfo("%zu rounds in %.1f s, %.2f MiB in use, later %.3f MiB more (%.2f KiB a round, %.2f MiB an hour)",
+              inUse.size(), hours * 3600, before / mib, (after - before) / mib,
+              (after - before) / 1024 / (double(inUse.size()) / 2), (after - before) / mib / (hours / 2));
+        QVERIFY(after - before < std::max(mib * hours / 2, 0.25 * mib));
+    }
+
+private:
+    QTemporaryDir m_folder;
+};
+
+int main(int argc, char **argv)
+{
+    if (qEnvironmentVariableIsEmpty("QTEST_FUNCTION_TIMEOUT"))
+        qputenv("QTEST_FUNCTION_TIMEOUT", "36000000");
+    QApplication app(argc, argv);
+    TestSoak test;
+    return QTest::qExec(&test, argc, argv);
+}
+
+#include "test_soak.moc"

@@ -1,0 +1,67 @@
+// Selecting, and moving the view.
+#include "tests/bench/editing_benches.h"
+
+#include <cmath>
+
+namespace suffuse {
+
+Report measureViews(EditingSession &s, int events)
+{
+    Report report{"Moving the view at 60 events a second: event to frame on the screen, ms", {}};
+    const auto pan = [&](const QString &name) {
+        int moves = 0;
+        const DragTimes times = s.paced(events, [&](int) { s.canvas().panBy({moves++ % 40 < 20 ? 2.0 : -2.0, 1.0}); });
+        report.rows.push_back(rowOf(name, times));
+        s.canvas().fit();
+        s.settle();
+    };
+    s.document().setSelection({});
+    pan("pan, nothing selected");
+    s.window().action(Command::SelectAll).trigger();
+    pan("pan, all selected");
+    s.document().setSelection({});
+    return report;
+}
+
+Report measureSelecting(EditingSession &s, int events)
+{
+    Report report{"Selecting: event to selection and overlay on the screen, ms", {}};
+    s.window().action(Command::Select).trigger();
+    const auto measure = [&](const QString &name, int times, const std::function<void(int)> &act) {
+        Times result, computed;
+        for (int i = 0; i < times; ++i) {
+            s.rest();
+            result.ms.push_back(s.untilPainted([&] { act(i); }, &computed.ms.emplace_back()));
+        }
+        report.rows.push_back(rowOf(name, result));
+        report.rows.back().values.push_back({"GUI ms", computed.at(0.5)});
+    };
+    const View view = s.canvas().view();
+    const auto place = [&](int i) {
+        const Rect area = s.painting().canvas.area();
+        return view.toPixels({area.width() * (0.1 + 0.8 * std::fmod(0.618 * i, 1)),
+                              area.height() * (0.1 + 0.8 * std::fmod(0.414 * i, 1))});
+    };
+    measure("click", events, [&](int i) {
+        s.mouse(QEvent::MouseButtonPress, place(i));
+        s.mouse(QEvent::MouseButtonRelease, place(i));
+    });
+    measure("Tab", events, [&](int) { s.key(Qt::Key_Tab); });
+    Times bands, bandsComputed;
+    for (int i = 0; i < events / 3; ++i) { // the release selects
+        const Point from{4, 4}, to{view.width * 0.5 + i, view.height * 0.5 + i};
+        s.mouse(QEvent::MouseButtonPress, from);
+        s.mouse(QEvent::MouseMove, to);
+        s.rest();
+        bands.ms.push_back(
+            s.untilPainted([&] { s.mouse(QEvent::MouseButtonRelease, to); }, &bandsComputed.ms.emplace_back()));
+    }
+    report.rows.push_back(rowOf("band over a quarter", bands));
+    report.rows.back().values.push_back({"GUI ms", bandsComputed.at(0.5)});
+    measure("select all, select none", events / 3,
+            [&](int i) { s.window().action(i % 2 == 0 ? Command::SelectAll : Command::Deselect).trigger(); });
+    s.document().setSelection({});
+    return report;
+}
+
+} // namespace suffuse

@@ -1,0 +1,70 @@
+// Tools that look at every stroke.
+#include "app/tools/node_tool.h"
+#include "tests/bench/editing_benches.h"
+#include "undo/node_edits.h"
+
+#include <cmath>
+
+namespace suffuse {
+
+namespace {
+
+/// A drag of the left button with the tool in use, along a wave from left to right.
+DragTimes wave(EditingSession &s, int events)
+{
+    const View view = s.canvas().view();
+    const auto at = [&](int i) {
+        const double x = double(i + 1) / (events + 2);
+        return Point{view.width * (0.2 + 0.6 * x), view.height * (0.5 + 0.3 * std::sin(9 * x))};
+    };
+    s.mouse(QEvent::MouseButtonPress, at(-1));
+    s.rest();
+    const DragTimes times = s.paced(events, [&](int i) { s.mouse(QEvent::MouseMove, at(i)); });
+    return times;
+}
+
+} // namespace
+
+Report measureTools(EditingSession &s, int events)
+{
+    Report report{"Tools among all strokes, at 60 events a second: event to the screen, ms", {}};
+    const Point corner{s.canvas().view().width * 0.8, s.canvas().view().height * 0.5};
+    const auto undoAll = [&s] {
+        while (s.editor().undoStack().canUndo())
+            s.editor().undoStack().undo();
+        s.document().setSelection({});
+        s.settle();
+    };
+    s.document().setSelection({});
+    s.window().action(Command::Select).trigger();
+    s.window().action(Command::TouchPath).setChecked(true);
+    report.rows.push_back(rowOf("touch path: the path", wave(s, events)));
+    Times release;
+    release.ms = {s.untilPainted([&] { s.mouse(QEvent::MouseButtonRelease, corner); })};
+    report.rows.push_back(rowOf("touch path: what it touches", release));
+    report.rows.back().values.resize(report.rows.front().values.size(), {"", 0});
+    s.window().action(Command::TouchPath).setChecked(false);
+    undoAll();
+    for (const auto &[name, command] : {std::pair("knife", Command::Knife), std::pair("eraser", Command::Eraser)}) {
+        s.window().action(command).trigger();
+        report.rows.push_back(rowOf(name, wave(s, events)));
+        s.mouse(QEvent::MouseButtonRelease, corner);
+        undoAll();
+    }
+    const SegmentRef middle = middleSegment(s.painting());
+    s.window().action(Command::SelectAll).trigger();
+    s.window().action(Command::Segments).trigger();
+    static_cast<NodeTool *>(s.canvas().tool())->selectNodes({{middle.stroke, middle.segment}});
+    const StrokePtr stroke = s.painting().find(middle.stroke);
+    const Point start = s.canvas().view().toPixels(nodePosition(*stroke, middle.segment));
+    s.mouse(QEvent::MouseButtonPress, start);
+    s.rest();
+    const auto at = [&](int i) { return start + Point{14 * std::sin(0.21 * i), 14 * std::cos(0.21 * i)}; };
+    report.rows.push_back(
+        rowOf("a node, all strokes selected", s.paced(events, [&](int i) { s.mouse(QEvent::MouseMove, at(i)); })));
+    s.mouse(QEvent::MouseButtonRelease, at(events));
+    undoAll();
+    return report;
+}
+
+} // namespace suffuse

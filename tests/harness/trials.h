@@ -1,0 +1,50 @@
+// How often the harness tries, and the programs that it tries.
+#pragma once
+
+#include <QByteArray>
+#include <QString>
+
+namespace suffuse {
+
+/// SUFFUSE_TRIALS, else `usual`, or `release` where SUFFUSE_LONG is set.
+inline int trials(int usual, int release)
+{
+    if (const int given = qEnvironmentVariableIntValue("SUFFUSE_TRIALS"); given > 0)
+        return given;
+    return qEnvironmentVariableIsSet("SUFFUSE_LONG") ? release : usual;
+}
+
+/// SUFFUSE_SEED: several runs beside each other try different things.
+inline int firstSeed()
+{
+    return qEnvironmentVariableIntValue("SUFFUSE_SEED");
+}
+
+/// Where the victim and the library of faults are: where they were built, or what SUFFUSE_HARNESS names.
+inline QString harnessFile(const char *name)
+{
+    return qEnvironmentVariable("SUFFUSE_HARNESS", QStringLiteral(SUFFUSE_HARNESS_DIR)) + QLatin1Char('/') +
+           QLatin1String(name);
+}
+inline QString victim()
+{
+    return harnessFile("suffuse_victim");
+}
+
+/// Number and rest of the last line that starts with a word; 0 where there is none.
+struct Said {
+    int number = 0;
+    QByteArray rest;
+};
+inline Said lastSaid(const QByteArray &lines, const QByteArray &word)
+{
+    Said said;
+    for (const QByteArray &line : lines.split('\n')) {
+        const QList<QByteArray> words = line.split(' ');
+        if (words.size() >= 2 && words[0] == word)
+            said = {words[1].toInt(), words.mid(2).join(' ')};
+    }
+    return said;
+}
+
+} // namespace suffuse

@@ -1,0 +1,123 @@
+// Small files that were made to harm: each reader says what is wrong, or reads what there is, in bounded memory. The
+// files lie in tests/hostile; larger ones are made here.
+#include "model/formats/brush_file.h"
+#include "model/formats/files.h"
+#include "model/formats/gimp_palette.h"
+#include "model/formats/mypaint_brush.h"
+#include "model/formats/svg_paths.h"
+#include "model/validate.h"
+
+#include <QDir>
+#include <QFile>
+#include <QTest>
+
+#include <sys/resource.h>
+
+using namespace suffuse;
+
+namespace {
+
+/// Reads with whatever a window would read such a file with; an error is not empty, a painting is valid.
+void readAsAnything(const QByteArray &bytes, const QString &name)
+{
+    if (const Result<LoadedDocument> document = readDocument(bytes, name))
+        QCOMPARE(problemOf(document->painting), QString());
+    else
+        QVERIFY(document.error().startsWith(name + QLatin1Char(':')));
+    if (const Result<std::vector<SvgPath>> paths = readSvgPaths(bytes); !paths)
+        QVERIFY(!paths.error().isEmpty());
+    if (const Result<Brush> brush = readBrush(bytes, name); !brush)
+        QVERIFY(brush.error().contains(name));
+    if (const Result<LoadedBrush> brush = readMyPaintBrush(bytes, name); !brush)
+        QVERIFY(brush.error().contains(name));
+    if (const Result<GimpPalette> palette = readGimpPalette(bytes, name); !palette)
+        QVERIFY(palette.error().contains(name));
+}
+
+/// Greatest memory of this process so far, bytes.
+qint64 peakMemory()
+{
+    rusage usage{};
+    getrusage(RUSAGE_SELF, &usage);
+    return qint64(usage.ru_maxrss) * 1024;
+}
+
+QByteArray repeated(const QByteArray &part, int times)
+{
+    QByteArray all;
+    all.reserve(part.size() * times);
+    for (int i = 0; i < times; ++i)
+        all += part;
+    return all;
+}
+
+} // namespace
+
+class TestHostileFiles : public QObject {
+    Q_OBJECT
+
+private slots:
+    void files_data()
+    {
+        QTest::addColumn<QString>("path");
+        const QDir folder(QStringLiteral(SUFFUSE_SOURCE_DIR "/tests/hostile"));
+        const QStringList names = folder.entryList(QDir::Files, QDir::Name);
+        QVERIFY(names.size() >= 20);
+        for (const QString &name : names)
+            QTest::newRow(qPrintable(name)) << folder.filePath(name);
+    }
+    void files()
+    {
+        QFETCH(const QString, path);
+        QFile file(path);
+        QVERIFY(file.open(QIODevice::ReadOnly));
+        readAsAnything(file.readAll(), QStringLiteral("a.file"));
+    }
+
+    /// What is too large to keep: depth, width, and long tokens. None may cost more than a small multiple of its size.
+    void made_data()
+    {
+        QTest::addColumn<QByteArray>("bytes");
+        const int many = 1'000'000;
+        QTest::newRow("deep JSON lists") << repeated("[", many);
+        QTest::newRow("deep JSON objects") << repeated("{\"a\":", many);
+        QTest::newRow("deep inside a painting")
+            << QByteArray("{\"format\": \"suffuse-text\", \"version\": 1, \"canvas\": ") + repeated("[", many);
+        QTest::newRow("deep groups of an Excalidraw drawing")
+            << QByteArray("{\"type\": \"excalidraw\", \"elements\": ") + repeated("[[", many / 2);
+        QTest::newRow("deep SVG") << QByteArray("<svg xmlns=\"http://www.w3.org/2000/svg\">") + repeated("<g>", many);
+        QTest::newRow("deep XML") << QByteArray("<curve_set image_width=\"9\" image_height=\"9\">") +
+                                         repeated("<curve>", many);
+        QTest::newRow("SVG that uses itself doubling") << [] {
+            QByteArray text("<svg xmlns=\"http://www.w3.org/2000/svg\"><defs><path id=\"a0\" d=\"M0 0h1\"/>");
+            for (int i = 1; i <= 60; ++i)
+                text += "<g id=\"a" + QByteArray::number(i) + "\"><use href=\"#a" + QByteArray::number(i - 1) +
+                        "\"/><use href=\"#a" + QByteArray::number(i - 1) + "\"/></g>";
+            return text + "</defs><use href=\"#a60\"/></svg>";
+        }();
+        QTest::newRow("a billion laughs") << [] {
+            QByteArray text("<?xml version=\"1.0\"?><!DOCTYPE svg [<!ENTITY a0 \"ha\">");
+            for (int i = 1; i <= 40; ++i)
+                text += "<!ENTITY a" + QByteArray::number(i) + " \"" +
+                        repeated("&a" + QByteArray::number(i - 1) + ";", 10) + "\">";
+            return text + "]><svg xmlns=\"http://www.w3.org/2000/svg\"><title>&a40;</title></svg>";
+        }();
+        QTest::newRow("one long line of ink") << QByteArray("x,y\n") + repeated("1,", many);
+        QTest::newRow("one long number") << QByteArray("x,y\n1,") + repeated("9", many);
+        QTest::newRow("path data without end")
+            << QByteArray("<svg xmlns=\"http://www.w3.org/2000/svg\"><path d=\"M0 0") + repeated("l1 1", many) +
+                   "\"/></svg>";
+        QTest::newRow("a palette of one line") << QByteArray("GIMP Palette\n") + repeated("1 2 3 ", many);
+        QTest::newRow("only the signature") << QByteArray("\x89SUFFUSE\r\n\x1a\n", 12);
+        QTest::newRow("zeros") << QByteArray(4 * many, '\0');
+    }
+    void made()
+    {
+        QFETCH(const QByteArray, bytes);
+        readAsAnything(bytes, QStringLiteral("a.file"));
+        QVERIFY2(peakMemory() < (qint64(512) << 20), qPrintable(QString::number(peakMemory() >> 20) + " MiB"));
+    }
+};
+
+QTEST_GUILESS_MAIN(TestHostileFiles)
+#include "test_hostile_files.moc"

@@ -1,0 +1,18 @@
+// The undo stack as it goes into a file, and out of it again.
+#pragma once
+
+#include "model/document.h"
+#include "model/formats/suffuse_history.h"
+
+class QUndoStack;
+
+namespace suffuse {
+
+/// The steps of a stack around its place, as far as they are edits of a document.
+UndoHistory historyOf(const QUndoStack &stack);
+
+/// Fills an empty stack with the steps of the painting that the document holds (`readHistory` has tried them). The
+/// document stays as it is; the stack is clean.
+void restoreHistory(QUndoStack &stack, Document &document, const UndoHistory &history);
+
+} // namespace suffuse
