@@ -3,6 +3,7 @@
 #include "tests/app/session.h"
 
 #include <QElapsedTimer>
+#include <QPixmapCache>
 #include <QTemporaryDir>
 #include <QWheelEvent>
 
@@ -18,6 +19,7 @@ constexpr double mib = 1 << 20;
 /// Bytes that were asked for and not given back: what a leak makes grow, whatever the allocator keeps.
 double bytesInUse()
 {
+    QPixmapCache::clear(); // of Qt, up to 10 MiB
     malloc_trim(0);
     const struct mallinfo2 info = mallinfo2();
     return double(info.uordblks) + double(info.hblkhd);
@@ -87,6 +89,8 @@ private slots:
             if (QTest::currentTestFailed())
                 return;
             inUse.push_back(bytesInUse());
+            if (qEnvironmentVariableIsSet("SUFFUSE_SOAK_TRACE") && inUse.size() % 50 == 0)
+                qInfo("%zu rounds: %.3f MiB", inUse.size(), inUse.back() / mib);
         } while (clock.elapsed() < wanted || inUse.size() < 6);
         // The least of each half: what caches hold in passing does not count.
         const auto middle = inUse.begin() + std::ptrdiff_t(inUse.size() / 2);

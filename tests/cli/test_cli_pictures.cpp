@@ -189,8 +189,8 @@ void TestCliPictures::cuda()
     for (const QJsonValue &b : runCli({"info", "--backends", "--json"}).json()["backends"].toArray())
         if (b["name"].toString() == "CUDA")
             reason = b["reason"].toString();
-    const QStringList arguments{"render",    path("a.json"), "-o",        path("cuda.tif"), "--depth", "float",
-                                "--backend", "cuda",         "--devices", "all"};
+    const QStringList arguments{"render", path("a.json"), "-o",   path("cuda.tif"), "--depth",
+                                "float",  "--backend",    "cuda", "--devices",      "all"};
     const CliOutcome outcome = runCli(arguments);
     if (!reason.isEmpty()) {
         QCOMPARE(outcome.code, 1);
@@ -262,10 +262,11 @@ void TestCliPictures::hostileInputs()
                                          {"info", in, "--json"}}) {
         const CliOutcome outcome = runCli(arguments);
         QVERIFY2(outcome.code == 1, qPrintable(arguments.join(' ') + '\n' + outcome.text()));
-        QVERIFY2(outcome.out.isEmpty(), qPrintable(outcome.text()));
+        const bool tells = arguments.front() == "info"; // what is whole of a damaged document, and what is missing
+        QVERIFY2(tells || outcome.out.isEmpty(), qPrintable(outcome.text()));
         QVERIFY2(outcome.err.startsWith("suffuse-cli: in: ") || outcome.err.startsWith("suffuse-cli: " + in.toUtf8()),
                  qPrintable(outcome.text()));
-        QVERIFY2(outcome.err.size() < 1000 && outcome.err.count('\n') == 1, qPrintable(outcome.text()));
+        QVERIFY2(outcome.err.size() < 1000 && outcome.err.count('\n') <= 10, qPrintable(outcome.text()));
     }
     QCOMPARE(filesIn(folder.path()), QStringList("in"));
 }
