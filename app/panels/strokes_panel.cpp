@@ -10,6 +10,7 @@
 
 #include <QAction>
 #include <QApplication>
+#include <QCache>
 #include <QHeaderView>
 #include <QLineEdit>
 #include <QMenu>
@@ -45,14 +46,16 @@ public:
         const QColor colour = index.data(StrokesModel::ColourRole).value<QColor>();
         if (index.data(StrokesModel::SegmentRole).toInt() >= 0) {
             option->decorationSize = QSize(16, 16);
-            option->icon = chip(colour, option->decorationSize);
+            option->icon = chipOf(colour, *option);
         } else {
             option->decorationSize = StrokeThumbnails::size;
             const double ratio = option->widget ? option->widget->devicePixelRatioF() : 1;
             const StrokePtr stroke = m_model.strokeValueAt(m_filter.mapToSource(index));
             // While a value is dragged, the canvas needs the cores.
             const QImage image = stroke ? m_thumbnails.of(stroke, ratio, m_editor.isDragging()) : QImage();
-            option->icon = image.isNull() ? chip(colour, QSize(16, 16)) : picture(image, ratio);
+            option->icon = image.isNull() ? chipOf(colour, *option)
+                                          : remembered({option->palette.cacheKey(), image.cacheKey()},
+                                                       [&] { return picture(image, ratio); });
         }
     }
 
@@ -100,6 +103,24 @@ private:
         return pixmap;
     }
 
+    /// A new icon for each painting would fill Qt's cache of pixmaps with the same ones.
+    template <typename Make>
+    QIcon remembered(std::pair<qint64, qint64> key, Make make) const
+    {
+        if (const QIcon *icon = m_icons.object(key))
+            return *icon;
+        auto *icon = new QIcon(make());
+        const QIcon result = *icon;
+        m_icons.insert(key, icon);
+        return result;
+    }
+
+    QIcon chipOf(const QColor &colour, const QStyleOptionViewItem &option) const
+    {
+        return remembered({~option.palette.cacheKey(), qint64(colour.rgba())},
+                          [&] { return chip(colour, QSize(16, 16)); });
+    }
+
     static QIcon picture(const QImage &image, double ratio)
     {
         QPixmap pixmap(image.size());
@@ -137,6 +158,7 @@ private:
     const StrokesModel &m_model;
     StrokeThumbnails &m_thumbnails;
     Editor &m_editor;
+    mutable QCache<std::pair<qint64, qint64>, QIcon> m_icons{256};
 };
 
 } // namespace
