@@ -9,6 +9,13 @@
 
 namespace suffuse {
 
+/// The integer, or `otherwise` for any other type: Qt's own converts a double of any size, whose result C++ leaves
+/// open.
+inline qint64 integerIn(const QCborValue &value, qint64 otherwise = 0)
+{
+    return value.isInteger() ? value.toInteger() : otherwise;
+}
+
 /// Takes values out of a map and remembers whether all had the right type; absent ones leave the default.
 class MapReader {
 public:

@@ -37,7 +37,7 @@ std::optional<WorkspaceState> readView(QByteArrayView payload)
     in.read("rotation", view.rotation);
     in.read("mirrored", view.mirrored);
     if (const QCborValue time = in.take("time"); time.isInteger())
-        view.time = std::clamp<Microseconds>(time.toInteger(), -largestTime, largestTime);
+        view.time = std::clamp<Microseconds>(integerIn(time), -largestTime, largestTime);
     ok = ok && centre.size() == 2 && std::abs(view.centre.x) <= largestCoordinate &&
          std::abs(view.centre.y) <= largestCoordinate && view.scale > 0 && view.scale <= largestCoordinate &&
          std::abs(view.rotation) <= largestCoordinate;

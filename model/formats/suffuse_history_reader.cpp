@@ -45,7 +45,7 @@ public:
             m_images.push_back(*image);
         }
         const QCborArray steps = map.take("steps").toArray();
-        history.done = std::size_t(std::max<qint64>(0, map.take("done").toInteger()));
+        history.done = std::size_t(std::max<qint64>(0, integerIn(map.take("done"))));
         if (steps.size() > qsizetype(mostHistorySteps) || history.done > std::size_t(steps.size()))
             return FileMessages::tr("it has too many steps");
         for (const QCborValue &item : steps)
@@ -74,8 +74,8 @@ private:
     bool readStrokeStates(const QCborArray &list, Edit &edit)
     {
         for (qsizetype k = 0; k + 1 < list.size(); k += 2) {
-            const auto id = StrokeId(list.at(k).toInteger());
-            const qint64 reference = list.at(k + 1).toInteger(-1);
+            const auto id = StrokeId(integerIn(list.at(k)));
+            const qint64 reference = integerIn(list.at(k + 1), -1);
             StrokePtr stroke;
             if (reference == OwnStroke) {
                 const auto own = m_own.find(id);
@@ -94,10 +94,10 @@ private:
     {
         edit.places.emplace();
         for (qsizetype k = 0; k + 1 < list.size(); k += 2) {
-            const qint64 index = list.at(k).toInteger(-1);
+            const qint64 index = integerIn(list.at(k), -1);
             if (index < 0 || index > 0xffffffffLL)
                 return false;
-            edit.places->push_back({std::uint32_t(index), StrokeId(list.at(k + 1).toInteger())});
+            edit.places->push_back({std::uint32_t(index), StrokeId(integerIn(list.at(k + 1)))});
         }
         return list.size() % 2 == 0;
     }
@@ -110,16 +110,16 @@ private:
         m_selection = {};
         StrokeId id = 0;
         for (const QCborValue &step : selected.toArray())
-            m_selection.strokes.insert(id += StrokeId(step.toInteger()));
+            m_selection.strokes.insert(id += StrokeId(integerIn(step)));
         for (qsizetype k = 0; k + 1 < segments.size(); k += 2)
-            m_selection.segments.insert({StrokeId(segments.at(k).toInteger()),
-                                         int(std::clamp<qint64>(segments.at(k + 1).toInteger(), -1, 1 << 30))});
+            m_selection.segments.insert({StrokeId(integerIn(segments.at(k))),
+                                         int(std::clamp<qint64>(integerIn(segments.at(k + 1)), -1, 1 << 30))});
         return true;
     }
 
     QString readRest(const MapReader &map, Edit &edit) const
     {
-        const qint64 parts = map.take("parts").toInteger();
+        const qint64 parts = integerIn(map.take("parts"));
         if (parts == 0)
             return {};
         Painting rest;

@@ -1,6 +1,7 @@
 // docs/file-format.md: what a reader does with each chunk, and with a file that is not whole.
 #include "model/formats/embedded_image.h"
 #include "model/formats/messages.h"
+#include "model/formats/suffuse_cbor.h"
 #include "model/formats/suffuse_extras.h"
 #include "model/formats/suffuse_strokes.h"
 #include "model/parallel.h"
@@ -85,9 +86,9 @@ private:
         if (problem.error != QCborError::NoError || !value.isMap())
             return FileMessages::tr("is not a CBOR map");
         const QCborMap map = value.toMap();
-        const qint64 reader = map.value(QLatin1String("reader")).toInteger(-1);
-        const qint64 strokes = map.value(QLatin1String("strokes")).toInteger(-1);
-        const qint64 segments = map.value(QLatin1String("segments")).toInteger(-1);
+        const qint64 reader = integerIn(map.value(QLatin1String("reader")), -1);
+        const qint64 strokes = integerIn(map.value(QLatin1String("strokes")), -1);
+        const qint64 segments = integerIn(map.value(QLatin1String("segments")), -1);
         if (reader < 1 || strokes < 0 || segments < 0)
             return FileMessages::tr("lacks the version or the counts");
         if (reader > suffuseVersion)

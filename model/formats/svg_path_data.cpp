@@ -177,6 +177,8 @@ private:
             const double x = rx * (std::cos(t) - along * std::sin(t)), y = ry * (std::sin(t) + along * std::cos(t));
             return centre + Point{c * x - s * y, s * x + c * y};
         };
+        if (!std::isfinite(sweepAngle)) // radii or ends whose squares overflow
+            return line(to);
         const int parts = std::max(1, int(std::ceil(std::abs(sweepAngle) / (std::numbers::pi / 2) - 1e-9)));
         const double step = sweepAngle / parts, handle = 4.0 / 3 * std::tan(step / 4);
         for (int i = 0; i < parts; ++i) {

@@ -1,6 +1,7 @@
 #include "model/formats/embedded_image.h"
 #include "model/formats/files.h"
 #include "model/formats/messages.h"
+#include "model/formats/suffuse_cbor.h"
 #include "model/formats/suffuse_strokes.h"
 #include "model/journal/journal_format.h"
 #include "model/journal/journal_layout.h"
@@ -70,7 +71,7 @@ private:
         const auto map = head && head->type == "HEAD" ? mapIn(head->payload) : std::nullopt;
         if (!map)
             return fileError(m_fileName, FileMessages::tr("ends before its first painting was written"));
-        if (map->value(QLatin1String("reader")).toInteger(0) > journalVersion)
+        if (integerIn(map->value(QLatin1String("reader")), 0) > journalVersion)
             return fileError(m_fileName, FileMessages::tr("was written by a newer program (%1); update Suffuse")
                                              .arg(map->value(QLatin1String("program")).toString()));
         m_content.wholeBytes += head->size();
@@ -99,7 +100,7 @@ private:
     void readMoment(const QCborMap &map)
     {
         m_content.modified = map.value(QLatin1String("modified")).toBool(true);
-        m_content.lastChange = map.value(QLatin1String("time")).toInteger();
+        m_content.lastChange = integerIn(map.value(QLatin1String("time")));
     }
 
     /// False where the record means nothing.
@@ -135,7 +136,7 @@ private:
             return false;
         Ids removed;
         for (const QCborValue &id : map.value(QLatin1String("removed")).toArray())
-            removed.insert(StrokeId(id.toInteger()));
+            removed.insert(StrokeId(integerIn(id)));
         if (!fits(strokes, places, removed) || !readRest(map))
             return false;
         if (onlyOnTop(places, !removed.empty(), m_order.size())) {
@@ -184,7 +185,7 @@ private:
             return true;
         std::vector<EncodedImage> images;
         for (const QCborValue &number : map.value(QLatin1String("images")).toArray()) {
-            const qint64 k = number.toInteger(-1);
+            const qint64 k = integerIn(number, -1);
             if (k < 0 || k >= qint64(m_images.size()))
                 return false;
             images.push_back(m_images[std::size_t(k)]);
@@ -199,10 +200,10 @@ private:
     static bool readPlaces(const QCborArray &list, OrderDifference &places)
     {
         for (qsizetype i = 0; i + 1 < list.size(); i += 2) {
-            const qint64 index = list.at(i).toInteger(-1);
+            const qint64 index = integerIn(list.at(i), -1);
             if (index < 0 || index > 0xffffffffll || (!places.empty() && index <= places.back().index))
                 return false;
-            places.push_back({std::uint32_t(index), StrokeId(list.at(i + 1).toInteger())});
+            places.push_back({std::uint32_t(index), StrokeId(integerIn(list.at(i + 1)))});
         }
         return list.size() % 2 == 0;
     }
