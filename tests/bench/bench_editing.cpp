@@ -1,42 +1,18 @@
 // How fluid editing is: the real window, events as a hand sends them, and the time until the screen shows what they
 // did.
-#include "app/settings.h"
-#include "model/formats/files.h"
-#include "render/bench/generator.h"
+#include "tests/bench/bench_start.h"
 #include "tests/bench/editing_benches.h"
 
-#include <QCommandLineParser>
 #include <QJsonArray>
 #include <QJsonDocument>
-#include <QTemporaryDir>
 #include <QTextStream>
 
 using namespace suffuse;
 
-namespace {
-
-Result<Painting> paintingFrom(const QCommandLineParser &parser)
-{
-    if (parser.isSet("painting"))
-        return loadPainting(parser.value("painting"));
-    bench::PaintingOptions options;
-    if (parser.isSet("strokes")) {
-        options.strokes = std::max(parser.value("strokes").toInt(), 1);
-        options.segments = 10 * options.strokes;
-    }
-    return bench::makePainting(options);
-}
-
-} // namespace
-
 int main(int argc, char *argv[])
 {
-    QTemporaryDir folder; // settings of its own: two threads, no window that was left anywhere
-    qputenv("SUFFUSE_SETTINGS", folder.filePath("settings.ini").toLocal8Bit());
-    if (qEnvironmentVariableIsEmpty("SUFFUSE_BACKEND"))
-        qputenv("SUFFUSE_BACKEND", "cpu");
-    if (qEnvironmentVariableIsEmpty("SUFFUSE_PRESENTER"))
-        qputenv("SUFFUSE_PRESENTER", "raster");
+    const QTemporaryDir folder;
+    useOwnSettings(folder);
     Application application(argc, argv);
     QCommandLineParser parser;
     parser.addHelpOption();

@@ -3,21 +3,17 @@
 // Prints a line a figure.
 #include "app/panels/timeline_panel.h"
 #include "app/panels/timeline_view.h"
-#include "app/settings.h"
 #include "model/brush.h"
-#include "model/formats/files.h"
 #include "model/timelapse.h"
-#include "render/bench/generator.h"
 #include "render/film/film_writer.h"
 #include "render/sequence.h"
 #include "tests/app/pen_hand.h"
+#include "tests/bench/bench_start.h"
 #include "tests/bench/editing_session.h"
 #include "undo/edits.h"
 
-#include <QCommandLineParser>
 #include <QDockWidget>
 #include <QElapsedTimer>
-#include <QTemporaryDir>
 #include <QTextStream>
 #include <QTimer>
 
@@ -344,12 +340,8 @@ void measureFilm(const Painting &painting)
 
 int main(int argc, char *argv[])
 {
-    QTemporaryDir folder; // settings of its own: two threads, no window that was left anywhere
-    qputenv("SUFFUSE_SETTINGS", folder.filePath("settings.ini").toLocal8Bit());
-    if (qEnvironmentVariableIsEmpty("SUFFUSE_BACKEND"))
-        qputenv("SUFFUSE_BACKEND", "cpu");
-    if (qEnvironmentVariableIsEmpty("SUFFUSE_PRESENTER"))
-        qputenv("SUFFUSE_PRESENTER", "raster");
+    const QTemporaryDir folder;
+    useOwnSettings(folder);
     Application application(argc, argv);
     QCommandLineParser parser;
     parser.addHelpOption();
@@ -359,13 +351,7 @@ int main(int argc, char *argv[])
                        {"only", "Parts, separated by commas: pen, spreading, scrubbing, film.", "parts"}});
     parser.process(application);
     const int events = std::max(parser.value("events").toInt(), 10);
-    bench::PaintingOptions generated;
-    if (parser.isSet("strokes")) {
-        generated.strokes = std::max(parser.value("strokes").toInt(), 1);
-        generated.segments = 10 * generated.strokes;
-    }
-    const Result<Painting> painting =
-        parser.isSet("painting") ? loadPainting(parser.value("painting")) : bench::makePainting(generated);
+    const Result<Painting> painting = paintingFrom(parser);
     if (!painting) {
         QTextStream(stderr) << painting.error() << '\n';
         return 1;

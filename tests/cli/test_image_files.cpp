@@ -1,6 +1,7 @@
 // Image files in and out of the program, good and hostile.
 #include "render/image_io/image_io.h"
 #include "render/paper.h"
+#include "tests/files.h"
 
 #include <QFile>
 #include <QTemporaryDir>
@@ -28,12 +29,6 @@ FloatPicture ramp(int width, int height)
             v[3] = float(x + y) / float(width + height - 2);
         }
     return p;
-}
-
-QByteArray bytesOf(const QString &path)
-{
-    QFile file(path);
-    return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
 }
 
 double distance(const FloatPicture &a, const FloatPicture &b, float leastAlpha)

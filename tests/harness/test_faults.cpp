@@ -2,6 +2,7 @@
 // saving elsewhere works. SUFFUSE_LONG=1, or SUFFUSE_TRIALS=n, tries longer.
 #include "model/formats/atomic_save.h"
 #include "model/formats/files.h"
+#include "tests/files.h"
 #include "tests/harness/trials.h"
 
 #include <QDir>
@@ -18,18 +19,6 @@
 using namespace suffuse;
 
 namespace {
-
-QByteArray bytesOf(const QString &path)
-{
-    QFile file(path);
-    return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
-}
-
-bool put(const QString &path, const QByteArray &bytes)
-{
-    QFile file(path);
-    return file.open(QIODevice::WriteOnly) && file.write(bytes) == bytes.size();
-}
 
 struct Attempt {
     bool ran = false;

@@ -1,6 +1,7 @@
 // A journal leads to the painting as it was, whatever was done, wherever it is cut off, and whatever a file says.
 #include "model/journal/journal_writer.h"
 #include "model/journal/recovery.h"
+#include "tests/files.h"
 #include "tests/model/random_paintings.h"
 #include "tests/undo/random_edits.h"
 #include "undo/edit_command.h"
@@ -17,18 +18,6 @@
 using namespace suffuse;
 
 namespace {
-
-QByteArray bytesOf(const QString &path)
-{
-    QFile file(path);
-    return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
-}
-
-bool put(const QString &path, const QByteArray &bytes)
-{
-    QFile file(path);
-    return file.open(QIODevice::WriteOnly) && file.write(bytes) == bytes.size();
-}
 
 /// A document that is edited at random, undo and redo among it.
 struct Painter {
