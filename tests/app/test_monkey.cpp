@@ -4,6 +4,7 @@
 #include "model/validate.h"
 #include "tests/app/monkey.h"
 #include "tests/app/shapes.h"
+#include "tests/trials.h"
 
 #include <QTemporaryDir>
 
@@ -60,7 +61,7 @@ private:
 int wantedEvents()
 {
     const int asked = qEnvironmentVariableIntValue("SUFFUSE_MONKEY_EVENTS");
-    return asked > 0 ? asked : qEnvironmentVariableIsSet("SUFFUSE_LONG") ? 50'000 : 1'500;
+    return asked > 0 ? asked : isLongRun() ? 50'000 : 1'500;
 }
 
 } // namespace

@@ -3,6 +3,7 @@
 #include "app/theme.h"
 #include "app/translation.h"
 #include "model/formats/atomic_save.h"
+#include "tests/trials.h"
 
 #include <QApplication>
 #include <QDockWidget>
@@ -151,7 +152,7 @@ private slots:
 
         QRandomGenerator random(7);
         int restored = 0;
-        const int trials = qEnvironmentVariableIsSet("SUFFUSE_LONG") ? 10'000 : 500;
+        const int trials = isLongRun() ? 10'000 : 500;
         for (int i = 0; i < trials; ++i) {
             QByteArray damaged = whole;
             const int flips = 1 + i % 4;

@@ -1,6 +1,8 @@
-// kill -9 while saving and while painting. SUFFUSE_LONG=1, or SUFFUSE_TRIALS=n, tries longer.
+// kill -9 while saving and while painting, and power cuts: what no fsync brought to the disk is gone, too, names as
+// well as bytes. SUFFUSE_LONG=1, or SUFFUSE_TRIALS=n, tries longer.
 #include "model/formats/files.h"
 #include "model/journal/recovery.h"
+#include "tests/files.h"
 #include "tests/harness/trials.h"
 
 #include <QDir>
@@ -15,10 +17,44 @@ using namespace suffuse;
 
 namespace {
 
+/// The folder that a victim works in.
+class Disk {
+public:
+    Disk() { QDir(m_root.path()).mkpath("disk"), QDir(m_root.path()).mkpath("durable"); }
+
+    QString folder() const { return m_root.filePath("disk"); }
+    QProcessEnvironment environment() const
+    {
+        QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
+        environment.insert("LD_PRELOAD", harnessFile("libsuffuse_faults.so"));
+        environment.insert("SUFFUSE_DISK", folder());
+        environment.insert("SUFFUSE_DURABLE", m_root.filePath("durable"));
+        return environment;
+    }
+    /// What is there when the power is back: what tests/harness/fault_shim.cpp kept.
+    QString folderAfterPowerCut() const
+    {
+        const QString after = m_root.filePath("after");
+        QDir().mkpath(after);
+        for (const QByteArray &line : bytesOf(m_root.filePath("durable/names")).split('\n')) {
+            const qsizetype space = line.indexOf(' ');
+            if (space > 0) // a file that was never synced has a name and no bytes
+                put(after + '/' + QFile::decodeName(line.mid(space + 1)),
+                    bytesOf(m_root.filePath("durable/" + QString::fromLatin1(line.left(space)))));
+        }
+        return after;
+    }
+
+private:
+    QTemporaryDir m_root;
+};
+
 /// Starts it and kills it at some moment after its first line; what it said.
-QByteArray runAndKill(const QStringList &arguments, QRandomGenerator &random)
+QByteArray runAndKill(const Disk &disk, bool powerCut, const QStringList &arguments, QRandomGenerator &random)
 {
     QProcess process;
+    if (powerCut)
+        process.setProcessEnvironment(disk.environment());
     process.start(victim(), arguments);
     QByteArray said;
     while (!said.contains('\n') && process.waitForReadyRead(60'000))
@@ -41,16 +77,33 @@ class TestKill : public QObject {
     Q_OBJECT
 
 private slots:
+    void initTestCase_data()
+    {
+        QTest::addColumn<bool>("powerCut");
+        QTest::newRow("kill") << false;
+        QTest::newRow("power cut") << true;
+    }
+    void init()
+    {
+#ifdef SUFFUSE_SANITIZED
+        QFETCH_GLOBAL(bool, powerCut);
+        if (powerCut)
+            QSKIP("the sanitizer's runtime library and the one of faults cannot both come first");
+#endif
+    }
+
     /// The file is the old one or the new one, whole.
     void whileSaving()
     {
+        QFETCH_GLOBAL(bool, powerCut);
         const int n = trials(30, 10'000);
-        QRandomGenerator random(quint32(1 + firstSeed()));
+        QRandomGenerator random(1 + firstSeed());
         int later = 0;
         for (int i = 0; i < n; ++i) {
-            QTemporaryDir folder;
-            const QString path = folder.filePath("a.suffuse");
-            const QByteArray said = wholeLines(runAndKill({"save", path, QString::number(firstSeed() + i)}, random));
+            const Disk disk;
+            const QStringList what{"save", disk.folder() + "/a.suffuse", QString::number(firstSeed() + quint32(i))};
+            const QByteArray said = wholeLines(runAndKill(disk, powerCut, what, random));
+            const QString path = (powerCut ? disk.folderAfterPowerCut() : disk.folder()) + "/a.suffuse";
             const int saved = lastSaid(said, "saved").number, begun = lastSaid(said, "saving").number;
             if (saved == 0 && !QFile::exists(path))
                 continue;
@@ -61,21 +114,22 @@ private slots:
                      qPrintable(QString("trial %1: %2, said %3 and %4").arg(i).arg(k).arg(saved).arg(begun)));
             later += k > saved;
         }
-        qInfo("killed %d times while saving: every file whole; %d times the new one before it was said", n, later);
+        qInfo("%d times while saving: every file whole; %d times the new one before it was said", n, later);
     }
 
     /// At most the stroke in hand is lost: everything that was finished before the last one is there.
     void whilePainting()
     {
+        QFETCH_GLOBAL(bool, powerCut);
         const int n = trials(30, 10'000);
-        QRandomGenerator random(quint32(2 + firstSeed()));
+        QRandomGenerator random(2 + firstSeed());
         int lost = 0, strokes = 0;
         for (int i = 0; i < n; ++i) {
-            QTemporaryDir folder;
-            const QByteArray said =
-                wholeLines(runAndKill({"paint", folder.path(), QString::number(firstSeed() + i)}, random));
+            const Disk disk;
+            const QStringList what{"paint", disk.folder(), QString::number(firstSeed() + quint32(i))};
+            const QByteArray said = wholeLines(runAndKill(disk, powerCut, what, random));
             const int written = lastSaid(said, "written").number;
-            const Journals found = findJournals(folder.path());
+            const Journals found = findJournals(powerCut ? disk.folderAfterPowerCut() : disk.folder());
             QVERIFY2(found.unreadable.empty() && found.inUse.empty(), qPrintable(QString("trial %1").arg(i)));
             QCOMPARE(found.lost.size() + found.saved.size(), std::size_t(written > 0 || !found.lost.empty()));
             if (found.lost.empty())
@@ -105,10 +159,9 @@ private slots:
             lost += there < records;
             strokes += finished;
         }
-        qInfo(
-            "killed %d times while painting, %d edits finished: all that was acknowledged was there; %d times the last "
-            "finished one was not on disk yet",
-            n, strokes, lost);
+        qInfo("%d times while painting, %d edits finished: all that was acknowledged was there; %d times the last "
+              "finished one was not on disk yet",
+              n, strokes, lost);
     }
 };
 

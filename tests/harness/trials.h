@@ -1,24 +1,12 @@
-// How often the harness tries, and the programs that it tries.
+// The programs that the harness tries, and what they say.
 #pragma once
+
+#include "tests/trials.h"
 
 #include <QByteArray>
 #include <QString>
 
 namespace suffuse {
-
-/// SUFFUSE_TRIALS, else `usual`, or `release` where SUFFUSE_LONG is set.
-inline int trials(int usual, int release)
-{
-    if (const int given = qEnvironmentVariableIntValue("SUFFUSE_TRIALS"); given > 0)
-        return given;
-    return qEnvironmentVariableIsSet("SUFFUSE_LONG") ? release : usual;
-}
-
-/// SUFFUSE_SEED: several runs beside each other try different things.
-inline int firstSeed()
-{
-    return qEnvironmentVariableIntValue("SUFFUSE_SEED");
-}
 
 /// Where the victim and the library of faults are: where they were built, or what SUFFUSE_HARNESS names.
 inline QString harnessFile(const char *name)

@@ -2,6 +2,7 @@
 #include "model/formats/files.h"
 #include "random_paintings.h"
 #include "suffuse_chunks.h"
+#include "tests/trials.h"
 
 #include <QTest>
 
@@ -258,7 +259,7 @@ private slots:
     void randomDamage_data()
     {
         QTest::addColumn<quint32>("seed");
-        const quint32 rows = qEnvironmentVariableIsSet("SUFFUSE_LONG") ? 67 : 1;
+        const quint32 rows = isLongRun() ? 67 : 1;
         for (quint32 seed = 77; seed < 77 + rows; ++seed)
             QTest::newRow(qPrintable(QString::number(seed))) << seed;
     }

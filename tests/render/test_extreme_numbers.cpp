@@ -1,8 +1,9 @@
 // Numbers that are not numbers, have no end or are extreme, in any member of a painting: refused at the border with the
-// member's path, or drawn without a NaN. 10,000 paintings; SUFFUSE_LONG=1: a million.
+// member's path, or drawn without a NaN. 10,000 paintings; SUFFUSE_LONG=1: a million (tests/trials.h).
 #include "model/formats/files.h"
 #include "model/validate.h"
 #include "tests/render/paintings.h"
+#include "tests/trials.h"
 
 #include <QRandomGenerator>
 
@@ -140,9 +141,9 @@ private slots:
 
     void refusedOrDrawn()
     {
-        const int count = qEnvironmentVariableIsSet("SUFFUSE_LONG") ? 1'000'000 : 10'000;
+        const int count = trials(10'000, 1'000'000);
         const auto renderer = make(Backend::Cpu);
-        QRandomGenerator random(11);
+        QRandomGenerator random(11 + firstSeed());
         const std::vector<Number> numbers = numbersOf(base);
         int refused = 0, drawn = 0;
         for (int i = 0; i < count; ++i) {

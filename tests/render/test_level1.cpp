@@ -2,6 +2,7 @@
 #include "render/level0.h"
 #include "render/level1.h"
 #include "tests/render/paintings.h"
+#include "tests/trials.h"
 
 using namespace suffuse;
 using namespace suffuse::test;
@@ -103,7 +104,7 @@ private slots:
         QFETCH(double, curvature);
         QFETCH(double, tolerance);
         QFETCH(bool, valuesVary);
-        const int strokes = qEnvironmentVariableIsSet("SUFFUSE_LONG") ? 300 : 15;
+        const int strokes = isLongRun() ? 300 : 15;
         std::mt19937_64 random(5);
         std::size_t before = 0, after = 0;
         double worst = 0, worstValue = 0;

@@ -2,6 +2,7 @@
 #include "render/level0.h"
 #include "render/node_builder.h"
 #include "tests/render/paintings.h"
+#include "tests/trials.h"
 
 using namespace suffuse;
 using namespace suffuse::test;
@@ -61,7 +62,7 @@ private slots:
     void boundHolds()
     {
         // Long: SUFFUSE_LONG=1 runs 100,000 cubics.
-        const int count = qEnvironmentVariableIsSet("SUFFUSE_LONG") ? 100000 : 3000;
+        const int count = isLongRun() ? 100000 : 3000;
         std::mt19937_64 random(11);
         std::normal_distribution<double> normal;
         std::uniform_real_distribution<double> u(0, 1);

@@ -1,6 +1,7 @@
 // Undo steps that go through a file.
 #include "model/formats/files.h"
 #include "model/validate.h"
+#include "tests/trials.h"
 #include "tests/undo/random_edits.h"
 #include "undo/edit_command.h"
 #include "undo/kept_history.h"
@@ -240,7 +241,7 @@ private slots:
     void hostileBytesDoNoHarm_data()
     {
         QTest::addColumn<quint32>("seed");
-        const quint32 rows = qEnvironmentVariableIsSet("SUFFUSE_LONG") ? 67 : 1;
+        const quint32 rows = isLongRun() ? 67 : 1;
         for (quint32 seed = 11; seed < 11 + rows; ++seed)
             QTest::newRow(qPrintable(QString::number(seed))) << seed;
     }

@@ -1,0 +1,27 @@
+// How often a test tries: often enough for every push, or as often as before a release.
+#pragma once
+
+#include <QtGlobal>
+
+namespace suffuse {
+
+inline bool isLongRun()
+{
+    return qEnvironmentVariableIsSet("SUFFUSE_LONG");
+}
+
+/// SUFFUSE_TRIALS, else `usual`, or `release` where SUFFUSE_LONG is set.
+inline int trials(int usual, int release)
+{
+    if (const int given = qEnvironmentVariableIntValue("SUFFUSE_TRIALS"); given > 0)
+        return given;
+    return isLongRun() ? release : usual;
+}
+
+/// SUFFUSE_SEED: several runs beside each other try different things.
+inline quint32 firstSeed()
+{
+    return quint32(qEnvironmentVariableIntValue("SUFFUSE_SEED"));
+}
+
+} // namespace suffuse
