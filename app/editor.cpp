@@ -6,9 +6,11 @@
 #include "undo/kept_history.h"
 #include "undo/time_edits.h"
 
+#include <QCoreApplication>
 #include <QCryptographicHash>
 #include <QFile>
 #include <QFileInfo>
+#include <QKeyEvent>
 #include <QTimerEvent>
 
 namespace suffuse {
@@ -21,6 +23,12 @@ constexpr int dragPauseMs = 120; // without an edit of the run
 bool canBeSavedAs(FileFormat format)
 {
     return format == FileFormat::Suffuse || format == FileFormat::Text;
+}
+
+/// More than what is selected, and than the stroke in hand.
+bool altersPainting(const Change &change)
+{
+    return change.order || change.canvas || change.reset || !change.strokes.empty();
 }
 
 struct OpenedFile {
@@ -55,16 +63,14 @@ Editor::Editor(QObject *parent) : QObject(parent), m_brush(builtinBrushes().fron
 {
     m_dragEnd.setSingleShot(true);
     m_dragEnd.setInterval(dragPauseMs);
-    connect(&m_dragEnd, &QTimer::timeout, this, [this] {
-        emit dragEnded();
-        if (std::exchange(m_unfinished, false))
-            emit edited();
-    });
+    connect(&m_dragEnd, &QTimer::timeout, this, &Editor::endDrag);
     connect(&m_undoStack, &QUndoStack::cleanChanged, this, &Editor::fileChanged);
     connect(&m_saver, &Saver::finished, this, &Editor::noteSaved);
     connect(&m_document, &Document::changed, this, &Editor::noteChange);
-    connect(&m_document, &Document::changed, this, [this](const Change &) {
+    connect(&m_document, &Document::changed, this, [this](const Change &change) {
         setCompared(nullptr);
+        if (!altersPainting(change))
+            return;
         const Microseconds now = time();
         m_end = m_document.painting()->end();
         if (m_inPast && !m_drawing && now >= m_end)
@@ -74,12 +80,41 @@ Editor::Editor(QObject *parent) : QObject(parent), m_brush(builtinBrushes().fron
     });
 }
 
+void Editor::keepDragging()
+{
+    if (!m_dragEnd.isActive() && qApp)
+        qApp->installEventFilter(this);
+    m_dragEnd.start();
+}
+
+void Editor::endDrag()
+{
+    if (qApp)
+        qApp->removeEventFilter(this);
+    m_dragEnd.stop();
+    emit dragEnded();
+    if (std::exchange(m_unfinished, false))
+        emit edited();
+}
+
+bool Editor::eventFilter(QObject *watched, QEvent *event)
+{
+    const QEvent::Type type = event->type();
+    if (type == QEvent::MouseButtonRelease || type == QEvent::TabletRelease || type == QEvent::TouchEnd ||
+        (type == QEvent::KeyRelease && !static_cast<QKeyEvent *>(event)->isAutoRepeat()))
+        QTimer::singleShot(0, this, [this] { // whoever gets the event may push a last edit
+            if (m_dragEnd.isActive())
+                endDrag();
+        });
+    return QObject::eventFilter(watched, event);
+}
+
 void Editor::push(Edit edit, const QString &text, EditRun run)
 {
     if (edit.isEmpty())
         return;
     if (run != 0)
-        m_dragEnd.start();
+        keepDragging();
     if (m_inPast) {
         edit = placedInTime(m_document, std::move(edit));
         noteDrawn(edit);
@@ -91,7 +126,7 @@ void Editor::push(Edit edit, const QString &text, EditRun run)
 
 void Editor::noteChange(const Change &change)
 {
-    if (change.reset || !(change.order || change.canvas || !change.strokes.empty()))
+    if (change.reset || !altersPainting(change))
         return;
     m_unfinished = m_pushingRun;
     if (!m_unfinished)

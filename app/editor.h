@@ -55,8 +55,11 @@ public:
     void setManualClock(bool manual);
     bool hasManualClock() const { return m_manual; }
 
-    /// A run of edits is coming in (a value is being dragged): frames may be quick ones. Over a moment after the last.
+    /// A run of edits is coming in (a value is being dragged): frames may be quick ones. Over when button, pen or key is
+    /// let go, and a moment after the last edit.
     bool isDragging() const { return m_dragEnd.isActive(); }
+    /// It goes on, though its edit is not pushed yet.
+    void keepDragging();
 
     /// Shows another painting instead of the document's until the document changes or null is set: a look back, in no
     /// undo step.
@@ -116,8 +119,11 @@ signals:
 
 protected:
     void timerEvent(QTimerEvent *event) override;
+    /// While a value is dragged: of the whole program.
+    bool eventFilter(QObject *watched, QEvent *event) override;
 
 private:
+    void endDrag();
     void tick();
     void startClock();
     void stopClock();

@@ -8,6 +8,8 @@ namespace suffuse {
 
 namespace {
 
+constexpr qsizetype shownDetails = 5; // lines; the rest on request
+
 MessageHooks &hooks()
 {
     static MessageHooks value;
@@ -61,7 +63,10 @@ void showNotice(QWidget *parent, const QString &message, const QString &details)
     }
     auto *box = new QMessageBox(QMessageBox::Warning, QStringLiteral("Suffuse"), message, QMessageBox::Ok, parent);
     box->setTextFormat(Qt::PlainText);
-    box->setDetailedText(details);
+    const QStringList lines = details.split('\n');
+    box->setInformativeText(lines.mid(0, shownDetails).join('\n'));
+    if (lines.size() > shownDetails)
+        box->setDetailedText(details);
     box->setAttribute(Qt::WA_DeleteOnClose);
     box->setModal(false);
     box->show();

@@ -10,9 +10,12 @@ inline bool isLongRun()
     return qEnvironmentVariableIsSet("SUFFUSE_LONG");
 }
 
-/// SUFFUSE_TRIALS, else `usual`, or `release` where SUFFUSE_LONG is set.
+/// SUFFUSE_TRIALS, else `usual`, or `release` where SUFFUSE_LONG is set. Sanitizers take ten times as long.
 inline int trials(int usual, int release)
 {
+#ifdef SUFFUSE_SANITIZED
+    usual = (usual + 9) / 10;
+#endif
     if (const int given = qEnvironmentVariableIntValue("SUFFUSE_TRIALS"); given > 0)
         return given;
     return isLongRun() ? release : usual;

@@ -3,7 +3,11 @@
 #define HWY_TARGET_INCLUDE "render/cpu/kernels.cpp"
 #define SUFFUSE_HIGHWAY
 // Sets that differ too little from their neighbours to be worth the compile time and size.
+#ifdef SUFFUSE_ONE_SIMD
+#define HWY_DISABLED_TARGETS ~(HWY_AVX2 | HWY_SCALAR)
+#else
 #define HWY_DISABLED_TARGETS (HWY_SSSE3 | HWY_AVX3_DL)
+#endif
 #include "hwy/foreach_target.h" // first: it includes this file again for each target
 
 #include "hwy/highway.h"

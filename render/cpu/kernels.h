@@ -5,6 +5,8 @@
 #include "render/math/shade_params.h"
 
 #include <cstdint>
+#include <cstring>
+#include <span>
 
 namespace suffuse::cpu {
 
@@ -61,6 +63,10 @@ struct Block {
 /// Sums at the samples of a block (render/math/shade_params.h).
 struct Sums {
     alignas(64) float v[fixedSums + maxChannels][blockSize];
+
+    /// The first rows, one after the other.
+    void take(std::span<const float> rows) { std::memcpy(v, rows.data(), rows.size_bytes()); }
+    void give(std::span<float> rows) const { std::memcpy(rows.data(), v, rows.size_bytes()); }
 };
 
 /// Opacity w = F·C̄_opacity and colour C̄ at the samples of a block.

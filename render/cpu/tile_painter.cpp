@@ -90,7 +90,7 @@ public:
 private:
     void sum(const SceneStroke &scene, NodeList listed, const Block &block, std::span<const float> prefix)
     {
-        std::ranges::copy(prefix, m_s.sums.v[0]);
+        m_s.sums.take(prefix);
         const auto oblique = std::lower_bound(listed.begin(), listed.end(), std::uint32_t(scene.separable));
         m_frame.kernels->accumulate(block, scene.nodes.data(), listed.data(), int(listed.size()),
                                     int(oblique - listed.begin()), scene.values.data(), scene.channels, !prefix.empty(),

@@ -106,12 +106,13 @@ void TileStrokes::settle(const SceneStroke &stroke, std::size_t steady, StrokePr
         if (count == 0)
             continue;
         block.meeting += cells[i];
-        std::ranges::copy(block.sums, sums.v[0]);
+        sums.take(block.sums);
         const Block place{m_grid.x + int(i) % m_grid.columns * blockSide,
                           m_grid.y + int(i) / m_grid.columns * blockSide};
         m_kernels->accumulate(place, stroke.nodes.data(), m_nodes.data() + m_used + i * room, count, count,
                               stroke.values.data(), stroke.channels, !block.sums.empty(), sums);
-        block.sums.assign(sums.v[0], sums.v[0] + floats);
+        block.sums.resize(floats);
+        sums.give(block.sums);
     }
 }
 

@@ -2,12 +2,13 @@
 #include "app/journal.h"
 #include "app/messages.h"
 #include "app/recovery.h"
-#include "tests/app/session.h"
+#include "tests/app/selecting.h"
 
 #include <QApplication>
 #include <QDir>
 #include <QFile>
 #include <QPushButton>
+#include <QSignalSpy>
 #include <QTemporaryDir>
 #include <QTimer>
 #include <QTreeWidget>
@@ -70,6 +71,25 @@ private slots:
         QCOMPARE(again.lost.size(), std::size_t(2));
         for (const LostDocument &document : again.lost)
             QCOMPARE(hashOf(document.content.painting), hashOf(lost.painting()));
+    }
+
+    /// Not only when it has rested for a while.
+    void aDragIsFinishedWhenTheButtonIsLetGo()
+    {
+        Selecting s({line(1, {300, 300}, {500, 400}), line(2, {300, 600}, {500, 700})});
+        s.select({1});
+        QSignalSpy edited(&s.editor(), &Editor::edited);
+        s.pressAndMove({{400, 350}, {450, 380}}, none);
+        QCOMPARE(edited.count(), 0);
+        s.send(QEvent::MouseButtonRelease, s.logical(s.canvas().view().toPixels({450, 380})), none);
+        QCoreApplication::processEvents();
+        QVERIFY(!s.editor().isDragging());
+        QCOMPARE(edited.count(), 1);
+        QVERIFY(near(s.box(1).left, 350));
+        crash(s);
+        const Journals found = findJournals(crashed());
+        QCOMPARE(found.lost.size(), std::size_t(1));
+        QCOMPARE(hashOf(found.lost[0].content.painting), hashOf(s.painting()));
     }
 
     void eachPaintingGetsAWindow()
