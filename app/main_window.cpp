@@ -8,7 +8,6 @@
 #include "app/dialogs/shortcuts_dialog.h"
 #include "app/icons.h"
 #include "app/journal.h"
-#include "app/messages.h"
 #include "app/panels/brush_panel.h"
 #include "app/panels/colour_panel.h"
 #include "app/panels/history_panel.h"
@@ -33,9 +32,7 @@
 #include <QApplication>
 #include <QDockWidget>
 #include <QLineEdit>
-#include <QLocale>
 #include <QMenu>
-#include <QStatusBar>
 #include <QToolBar>
 
 namespace suffuse {
@@ -142,32 +139,6 @@ void MainWindow::makeDocks()
     resizeDocks({colour, inspector, strokes}, {345, 290, 120}, Qt::Vertical);
 }
 
-void MainWindow::makeStatusBar()
-{
-    const auto label = [this](const QString &tip, int width) {
-        auto *l = new QLabel(this);
-        l->setToolTip(tip);
-        l->setMinimumWidth(width);
-        l->setContentsMargins(8, 0, 8, 0);
-        return l;
-    };
-    m_hint = new QLabel(this);
-    m_hint->setContentsMargins(6, 0, 0, 0);
-    m_hint->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
-    m_position =
-        label(tr("Position of the pointer in canvas units"), fontMetrics().horizontalAdvance("00000.0, 00000.0"));
-    m_zoom = label(tr("Zoom"), fontMetrics().horizontalAdvance("00000 %"));
-    m_backend = label(tr("What renders the picture"), 0);
-    m_frameTime = label(tr("Time that the last frame took"), fontMetrics().horizontalAdvance("0000.0 ms"));
-    for (QLabel *number : {m_position, m_zoom, m_frameTime})
-        number->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
-    m_backend->setObjectName("backend");
-    showBackend();
-    statusBar()->addWidget(m_hint, 1);
-    for (QLabel *l : {m_position, m_zoom, m_backend, m_frameTime})
-        statusBar()->addPermanentWidget(l);
-}
-
 void MainWindow::makeTools()
 {
     const std::pair<Command, Tool *> tools[] = {{Command::Brush, new BrushTool(*m_canvas, m_canvas)},
@@ -206,16 +177,6 @@ void MainWindow::useTool(Tool *tool)
     m_canvas->setTool(tool);
     m_toolOptions->setWidget(tool->options());
     showHint();
-}
-
-void MainWindow::showHint()
-{
-    //: before what the brush does, while the timeline shows a moment of the past
-    const QString past = m_editor.isInPast() && (*m_actions)[Command::Brush].isChecked()
-                             ? tr("You paint in the past: what came later covers it. ")
-                             : QString();
-    m_hint->setText(past + m_canvas->tool()->hint());
-    m_hint->setToolTip(past + m_canvas->tool()->hint());
 }
 
 void MainWindow::connectActions()
@@ -307,13 +268,7 @@ void MainWindow::connectUpdates()
     connect(m_canvas, &CanvasWidget::framePresented, this, &MainWindow::showFrame);
     connect(m_canvas, &CanvasWidget::backendChanged, this, &MainWindow::showBackend);
     connect(m_canvas, &CanvasWidget::pointerLeft, this, [this] { m_position->clear(); });
-    connect(m_canvas, &CanvasWidget::pointerMoved, this, [this](double x, double y) {
-        // As many decimals as a pixel shows.
-        const int decimals = std::clamp(int(std::ceil(std::log10(m_canvas->view().scale))) + 1, 0, 10);
-        const QLocale l = locale();
-        //: a position: x, y
-        m_position->setText(tr("%1, %2").arg(l.toString(x, 'f', decimals), l.toString(y, 'f', decimals)));
-    });
+    connect(m_canvas, &CanvasWidget::pointerMoved, this, &MainWindow::showPosition);
 }
 
 void MainWindow::updateActions()
@@ -341,38 +296,6 @@ void MainWindow::updateTitle()
     setWindowTitle(QStringLiteral("%1[*] — Suffuse").arg(m_editor.displayName()));
     setWindowFilePath(m_editor.filePath());
     setWindowModified(m_editor.isModified());
-}
-
-void MainWindow::updateZoom()
-{
-    const double percent = m_canvas->view().scale * 100;
-    const bool plain = percent >= 0.1 && percent < 1e6;
-    m_zoom->setText(tr("%1 %").arg(plain ? locale().toString(percent, 'f', percent < 10 ? 1 : 0)
-                                         : locale().toString(percent, 'g', 3)));
-    QSignalBlocker blocked(action(Command::Mirror));
-    action(Command::Mirror).setChecked(m_canvas->view().mirrored);
-}
-
-void MainWindow::showFrame(const FrameInfo &frame)
-{
-    if (frame.error.isEmpty())
-        m_frameTime->setText((frame.coarseness > 1 ? tr("%1 ms, coarse") : tr("%1 ms"))
-                                 .arg(locale().toString(frame.stats.totalMs, 'f', 1)));
-    if (frame.error != m_renderError) { // once, not sixty times a second
-        m_renderError = frame.error;
-        if (!m_renderError.isEmpty())
-            showError(this, m_renderError);
-    }
-}
-
-void MainWindow::showBackend()
-{
-    const QString before = m_backend->text(), text = m_canvas->backendText(), notice = m_canvas->backendNotice();
-    const QString tip = tr("What renders the picture");
-    m_backend->setText(text);
-    m_backend->setToolTip(notice.isEmpty() ? tip : tip + '\n' + notice);
-    if (!before.isEmpty() && before != text) // it went over while at work
-        statusBar()->showMessage(notice.section('\n', 0, 0), 15'000);
 }
 
 void MainWindow::changeShortcuts()

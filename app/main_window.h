@@ -89,6 +89,7 @@ private:
     void showHint();
     void updateActions();
     void updateTitle();
+    void showPosition(double x, double y);
     void updateZoom();
     void showFrame(const FrameInfo &frame);
     void showBackend();

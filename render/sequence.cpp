@@ -3,10 +3,14 @@
 #include "render/parallel.h"
 
 #include <QCoreApplication>
+#include <QScopeGuard>
 
 #include <algorithm>
+#include <deque>
 #include <mutex>
 #include <new>
+#include <optional>
+#include <semaphore>
 #include <thread>
 
 namespace suffuse {
@@ -23,17 +27,13 @@ public:
         : m_request(request), m_moments(moments), m_use(use), m_cancel(cancel)
     {}
 
-    /// Moments [from, to), in groups of pictures that are used side by side.
+    /// Moments [from, to): pictures are used while the next ones are drawn.
     void run(Renderer &renderer, std::size_t from, std::size_t to, int threads)
     {
-        try {
-            drawAll(renderer, from, to, threads);
-        } catch (const std::bad_alloc &) { // it may be a thread of its own
-            fail(QCoreApplication::translate("Renderer",
-                                             "there is not enough memory for %1 × %2 pixels. Choose a smaller size.")
-                     .arg(m_request.view.width)
-                     .arg(m_request.view.height));
-        }
+        if (threads == 1)
+            guarded([&] { drawAll(renderer, from, to, [this](std::size_t i, const FloatPicture &p) { use(i, p); }); });
+        else
+            drawBesideUse(renderer, from, to, threads);
         const std::lock_guard lock(m_mutex);
         if (m_stats.notice.isEmpty())
             m_stats.notice = renderer.notice();
@@ -51,23 +51,73 @@ public:
 private:
     bool isOver() const { return m_failed || (m_cancel && m_cancel->load(std::memory_order_relaxed)); }
 
-    void drawAll(Renderer &renderer, std::size_t from, std::size_t to, int threads)
+    /// It may be a thread of its own.
+    template <typename Function>
+    void guarded(Function work)
+    {
+        try {
+            work();
+        } catch (const std::bad_alloc &) {
+            fail(QCoreApplication::translate("Renderer",
+                                             "there is not enough memory for %1 × %2 pixels. Choose a smaller size.")
+                     .arg(m_request.view.width)
+                     .arg(m_request.view.height));
+        }
+    }
+
+    template <typename Take>
+    void drawAll(Renderer &renderer, std::size_t from, std::size_t to, Take take)
     {
         FloatPicture canvas; // drawn again and again
-        std::vector<FloatPicture> pictures(std::min(std::size_t(threads), to - from));
-        for (std::size_t first = from; first < to && !isOver(); first += pictures.size()) {
-            const std::size_t count = std::min(pictures.size(), to - first);
-            for (std::size_t i = 0; i < count && !isOver(); ++i) {
-                draw(renderer, m_moments[first + i], canvas);
-                pictures[i] = canvas;
-            }
-            if (isOver())
-                break;
-            parallelFor(count, threads, [&](std::size_t i) {
-                if (const Result<void> used = isOver() ? Result<void>() : m_use(first + i, pictures[i]); !used)
-                    fail(used.error());
-            });
+        for (std::size_t i = from; i < to && !isOver(); ++i) {
+            draw(renderer, m_moments[i], canvas);
+            if (!isOver())
+                take(i, canvas);
         }
+    }
+
+    /// A picture that waits for its thread, or is used by it.
+    struct Place {
+        FloatPicture picture;
+        std::optional<std::size_t> moment; ///< none: there are no more
+        std::binary_semaphore isFree{1}, isFilled{0};
+    };
+
+    void drawBesideUse(Renderer &renderer, std::size_t from, std::size_t to, int threads)
+    {
+        std::deque<Place> places(std::min(std::size_t(threads), to - from));
+        std::vector<std::jthread> users;
+        for (Place &place : places)
+            users.emplace_back([this, &place] {
+                for (place.isFilled.acquire(); place.moment; place.isFilled.acquire()) {
+                    guarded([&] { use(*place.moment, place.picture); });
+                    place.isFree.release();
+                }
+            });
+        guarded([&] {
+            drawAll(renderer, from, to, [&](std::size_t i, const FloatPicture &canvas) {
+                Place &place = places[(i - from) % places.size()];
+                place.isFree.acquire();
+                auto giveBack = qScopeGuard([&] { place.isFree.release(); }); // where the copy fails
+                place.picture = canvas;
+                giveBack.dismiss();
+                place.moment = i;
+                place.isFilled.release();
+            });
+        });
+        for (Place &place : places) {
+            place.isFree.acquire();
+            place.moment.reset();
+            place.isFilled.release();
+        }
+    }
+
+    void use(std::size_t i, const FloatPicture &picture)
+    {
+        if (isOver())
+            return;
+        if (const Result<void> used = m_use(i, picture); !used)
+            fail(used.error());
     }
 
     void draw(Renderer &renderer, Microseconds time, FloatPicture &canvas)

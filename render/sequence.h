@@ -17,8 +17,8 @@ struct SequenceStats {
 };
 
 /// Draws `request` (its time is not used) at each of the moments. Each renderer takes a run of them, so that it
-/// evaluates only what changed. `use(i, picture)` gets the pictures, of one renderer in groups of up to `threads`, at
-/// once from several threads; its first error ends the work, as `cancel` does (an empty error).
+/// evaluates only what changed. `use(i, picture)` gets the pictures, up to `threads` at once from threads of their own,
+/// while the next ones are drawn; its first error ends the work, as `cancel` does (an empty error).
 Result<SequenceStats> renderSequence(const std::vector<std::unique_ptr<Renderer>> &renderers,
                                      const RenderRequest &request, const std::vector<Microseconds> &moments,
                                      int threads,

@@ -7,7 +7,6 @@
 #include <QCheckBox>
 #include <QComboBox>
 #include <QDialogButtonBox>
-#include <QDir>
 #include <QFileDialog>
 #include <QFileInfo>
 #include <QGridLayout>
@@ -16,7 +15,6 @@
 #include <QProgressBar>
 #include <QPushButton>
 #include <QSpinBox>
-#include <QStandardPaths>
 
 namespace suffuse {
 
@@ -76,7 +74,7 @@ ExportDialog::ExportDialog(Editor &editor, QWidget *parent) : QDialog(parent), m
     connect(m_path, &QLineEdit::textChanged, this, &ExportDialog::formatChanged);
     connect(&m_job, &ExportJob::progressed, m_progress, &QProgressBar::setValue);
     connect(&m_job, &ExportJob::finished, this, &ExportDialog::exportFinished);
-    m_path->setText(suggestedPath());
+    m_path->setText(suggestedExportPath(editor, QStandardPaths::PicturesLocation, QStringLiteral("png")));
     setMinimumWidth(480);
 }
 
@@ -97,7 +95,9 @@ void ExportDialog::addFields(QGridLayout &grid)
     browseButton->setAutoDefault(false);
     grid.addWidget(browseButton, 0, 2);
     connect(browseButton, &QPushButton::clicked, this, &ExportDialog::browse);
-    addSizeFields(grid, 1);
+    m_size = new SizeRow(grid, 1, largestSide, m_form);
+    const Canvas &canvas = m_editor.document().painting()->canvas;
+    m_size->setArea(canvas.area(), canvas.width);
 
     m_moment = new QComboBox(m_form);
     m_moment->addItems({tr("All dried"), tr("As it looks now")});
@@ -114,56 +114,6 @@ void ExportDialog::addFields(QGridLayout &grid)
     m_transparent->setToolTip(tr("Leaves the background out and stores how much the paint covers."));
     m_transparent->setAccessibleName(m_transparent->text());
     grid.addWidget(m_transparent, 5, 1, 1, 2);
-}
-
-void ExportDialog::addSizeFields(QGridLayout &grid, int row)
-{
-    auto *label = new QLabel(tr("Size"), m_form);
-    auto *line = new QHBoxLayout;
-    line->setSpacing(8);
-    m_width = new QSpinBox(m_form);
-    m_height = new QSpinBox(m_form);
-    for (QSpinBox *box : {m_width, m_height}) {
-        box->setRange(1, largestSide);
-        box->setSuffix(tr(" px"));
-        line->addWidget(box);
-        if (box == m_width)
-            line->addWidget(new QLabel(QStringLiteral("×"), m_form));
-    }
-    line->addStretch(1);
-    m_width->setAccessibleName(tr("Width in pixels"));
-    m_width->setToolTip(tr("Width in pixels; the height follows."));
-    m_height->setAccessibleName(tr("Height in pixels"));
-    m_height->setToolTip(tr("Height in pixels; the width follows."));
-    label->setBuddy(m_width);
-    grid.addWidget(label, row, 0);
-    grid.addLayout(line, row, 1, 1, 2);
-
-    const Canvas &canvas = m_editor.document().painting()->canvas;
-    m_width->setValue(int(std::clamp(std::round(canvas.width), 1.0, double(largestSide))));
-    sizeChanged(m_width->value());
-    connect(m_width, &QSpinBox::valueChanged, this, &ExportDialog::sizeChanged);
-    // Only widths set the scale; a height picks the width that comes nearest.
-    connect(m_height, &QSpinBox::editingFinished, this, [this] {
-        const Rect area = m_editor.document().painting()->canvas.area();
-        const int width = m_width->value();
-        if (m_height->value() != suffuse::heightForWidth(area, width))
-            m_width->setValue(int(std::lround(m_height->value() * area.width() / area.height())));
-        sizeChanged(m_width->value());
-    });
-}
-
-QString ExportDialog::suggestedPath() const
-{
-    QString folder = settings::store().value("exportFolder").toString();
-    const QFileInfo document(m_editor.filePath());
-    if (folder.isEmpty() || !QDir(folder).exists())
-        folder = m_editor.filePath().isEmpty() ? QStandardPaths::writableLocation(QStandardPaths::PicturesLocation)
-                                               : document.absolutePath();
-    if (!QDir(folder).exists())
-        folder = QDir::homePath();
-    const QString name = m_editor.filePath().isEmpty() ? tr("painting") : document.completeBaseName();
-    return QDir(folder).filePath(name + ".png");
 }
 
 void ExportDialog::browse()
@@ -193,12 +143,6 @@ void ExportDialog::formatChanged()
     m_transparent->setEnabled(format != ImageFormat::Jpeg);
 }
 
-void ExportDialog::sizeChanged(int width)
-{
-    const QSignalBlocker blocker(m_height);
-    m_height->setValue(suffuse::heightForWidth(m_editor.document().painting()->canvas.area(), width));
-}
-
 ImageOptions ExportDialog::imageOptions() const
 {
     ImageOptions options;
@@ -212,7 +156,7 @@ void ExportDialog::startExport()
 {
     const QFileInfo target(m_path->text());
     const ImageFormat format = imageFormatForPath(m_path->text());
-    const int width = m_width->value(), height = m_height->value();
+    const int width = widthBox()->value(), height = heightBox()->value();
     if (format == ImageFormat::Unknown) {
         m_hint->showHint(tr("“%1” has no ending of a picture format. Choose one of: %2.")
                              .arg(target.fileName(), imageEndings().join(QStringLiteral(", "))));

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "app/dialogs/export_job.h"
+#include "app/dialogs/export_rows.h"
 
 #include <QDialog>
 
@@ -27,8 +28,8 @@ public:
     explicit ExportDialog(Editor &editor, QWidget *parent = nullptr);
 
     QLineEdit *path() const { return m_path; }
-    QSpinBox *widthBox() const { return m_width; }
-    QSpinBox *heightBox() const { return m_height; }
+    QSpinBox *widthBox() const { return m_size->widthBox(); }
+    QSpinBox *heightBox() const { return m_size->heightBox(); }
     QCheckBox *transparent() const { return m_transparent; }
     QComboBox *depth() const { return m_depth; }
     QPushButton *exportButton() const { return m_export; }
@@ -39,22 +40,18 @@ public:
 
 private:
     void addFields(QGridLayout &grid);
-    void addSizeFields(QGridLayout &grid, int row);
     void browse();
     void formatChanged();
-    void sizeChanged(int width);
     void startExport();
     void exportFinished(bool written, const QString &error);
     void setBusy(bool busy);
     ImageOptions imageOptions() const;
-    QString suggestedPath() const;
 
     Editor &m_editor;
     ExportJob m_job;
     QWidget *m_form = nullptr;
     QLineEdit *m_path = nullptr;
-    QSpinBox *m_width = nullptr;
-    QSpinBox *m_height = nullptr;
+    SizeRow *m_size = nullptr;
     QComboBox *m_moment = nullptr;
     QCheckBox *m_transparent = nullptr;
     QComboBox *m_depth = nullptr;

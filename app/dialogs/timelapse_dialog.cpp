@@ -18,7 +18,6 @@
 #include <QProgressBar>
 #include <QPushButton>
 #include <QSpinBox>
-#include <QStandardPaths>
 
 namespace suffuse {
 
@@ -77,16 +76,7 @@ TimelapseDialog::TimelapseDialog(Editor &editor, const Rect &shown, QWidget *par
         connect(box, &QDoubleSpinBox::valueChanged, this, &TimelapseDialog::changed);
     connect(&m_job, &TimelapseJob::progressed, this, &TimelapseDialog::showProgress);
     connect(&m_job, &TimelapseJob::finished, this, &TimelapseDialog::exportFinished);
-    const QString folder = settings::store().value("exportFolder").toString();
-    const QFileInfo document(m_editor.filePath());
-    const QString home = m_editor.filePath().isEmpty()
-                             ? QStandardPaths::writableLocation(QStandardPaths::MoviesLocation)
-                             : document.absolutePath();
-    const QString place = !folder.isEmpty() && QDir(folder).exists() ? folder
-                          : QDir(home).exists()                      ? home
-                                                                     : QDir::homePath();
-    m_path->setText(
-        QDir(place).filePath((m_editor.filePath().isEmpty() ? tr("painting") : document.completeBaseName()) + ".webm"));
+    m_path->setText(suggestedExportPath(editor, QStandardPaths::MoviesLocation, QStringLiteral("webm")));
     setBusy(false);
     setMinimumWidth(480);
 }
@@ -135,7 +125,8 @@ void TimelapseDialog::addFields(QGridLayout &grid)
     grid.addWidget(areaLabel, 1, 0);
     grid.addWidget(m_area, 1, 1, 1, 2);
     connect(m_area, &QComboBox::currentIndexChanged, this, &TimelapseDialog::areaChanged);
-    addSize(grid, 2);
+    m_size = new SizeRow(grid, 2, largestSide, m_form);
+    areaChanged();
 
     m_fps = addNumber(grid, 3, tr("Frame rate"), tr(" frames/s"), tr("How many pictures a second the film has"));
     m_fps->setRange(0.1, 240);
@@ -168,38 +159,6 @@ void TimelapseDialog::addFields(QGridLayout &grid)
     grid.addWidget(m_loops, 8, 1, 1, 2);
 }
 
-void TimelapseDialog::addSize(QGridLayout &grid, int row)
-{
-    auto *label = new QLabel(tr("Size"), m_form);
-    auto *line = new QHBoxLayout;
-    line->setSpacing(8);
-    m_width = new QSpinBox(m_form);
-    m_height = new QSpinBox(m_form);
-    for (QSpinBox *box : {m_width, m_height}) {
-        box->setRange(1, largestSide);
-        box->setSuffix(tr(" px"));
-        line->addWidget(box);
-        if (box == m_width)
-            line->addWidget(new QLabel(QStringLiteral("×"), m_form));
-    }
-    line->addStretch(1);
-    m_width->setAccessibleName(tr("Width in pixels"));
-    m_width->setToolTip(tr("Width in pixels; the height follows."));
-    m_height->setAccessibleName(tr("Height in pixels"));
-    m_height->setToolTip(tr("Height in pixels; the width follows."));
-    label->setBuddy(m_width);
-    grid.addWidget(label, row, 0);
-    grid.addLayout(line, row, 1, 1, 2);
-    connect(m_width, &QSpinBox::valueChanged, this, &TimelapseDialog::sizeChanged);
-    connect(m_height, &QSpinBox::editingFinished, this, [this] { // only widths set the scale
-        const Rect area = m_areas[std::size_t(m_area->currentIndex())];
-        if (m_height->value() != suffuse::heightForWidth(area, m_width->value()))
-            m_width->setValue(int(std::lround(m_height->value() * area.width() / area.height())));
-        sizeChanged(m_width->value());
-    });
-    areaChanged();
-}
-
 void TimelapseDialog::areaChanged()
 {
     // As many pixels as the canvas has units, or as the window shows, within what videos hold.
@@ -207,14 +166,7 @@ void TimelapseDialog::areaChanged()
     double width = m_area->currentIndex() == 0 ? area.width() : 1280;
     if (const double height = width * area.height() / area.width(); height > largestSide / 4)
         width *= largestSide / 4 / height;
-    m_width->setValue(int(std::clamp(std::round(width), 1.0, double(largestSide / 4))));
-    sizeChanged(m_width->value());
-}
-
-void TimelapseDialog::sizeChanged(int width)
-{
-    const QSignalBlocker blocker(m_height);
-    m_height->setValue(suffuse::heightForWidth(m_areas[std::size_t(m_area->currentIndex())], width));
+    m_size->setArea(area, std::min(width, double(largestSide / 4)));
 }
 
 void TimelapseDialog::browse()
@@ -248,8 +200,8 @@ FilmOptions TimelapseDialog::film() const
     film.path = QFileInfo(target()).absoluteFilePath();
     film.fps = m_fps->value();
     film.frames = std::size_t(std::max(1.0, std::round(m_fps->value() * m_length->value())));
-    film.width = m_width->value();
-    film.height = m_height->value();
+    film.width = widthBox()->value();
+    film.height = heightBox()->value();
     film.image.alpha = m_transparent->isChecked();
     film.image.quality = m_quality->value();
     film.loops = m_loops->isChecked();

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "app/dialogs/export_rows.h"
 #include "app/dialogs/timelapse_job.h"
 
 #include <QDialog>
@@ -31,8 +32,8 @@ public:
 
     QLineEdit *path() const { return m_path; }
     QComboBox *areaBox() const { return m_area; }
-    QSpinBox *widthBox() const { return m_width; }
-    QSpinBox *heightBox() const { return m_height; }
+    QSpinBox *widthBox() const { return m_size->widthBox(); }
+    QSpinBox *heightBox() const { return m_size->heightBox(); }
     QDoubleSpinBox *fps() const { return m_fps; }
     QDoubleSpinBox *length() const { return m_length; }
     QDoubleSpinBox *idle() const { return m_idle; }
@@ -47,13 +48,11 @@ public:
 
 private:
     void addFields(QGridLayout &grid);
-    void addSize(QGridLayout &grid, int row);
     QDoubleSpinBox *addNumber(QGridLayout &grid, int row, const QString &name, const QString &suffix,
                               const QString &tip);
     void browse();
     void changed();
     void areaChanged();
-    void sizeChanged(int width);
     void startExport();
     void showProgress(int frames);
     void exportFinished(bool written, const QString &error);
@@ -69,8 +68,7 @@ private:
     QWidget *m_form = nullptr;
     QLineEdit *m_path = nullptr;
     QComboBox *m_area = nullptr;
-    QSpinBox *m_width = nullptr;
-    QSpinBox *m_height = nullptr;
+    SizeRow *m_size = nullptr;
     QDoubleSpinBox *m_fps = nullptr;
     QDoubleSpinBox *m_length = nullptr;
     QDoubleSpinBox *m_idle = nullptr;

@@ -57,8 +57,13 @@ ColourPanel::ColourPanel(Editor &editor, QWidget *parent)
     column->setContentsMargins(8, 8, 8, 8);
     column->setSpacing(8);
 
+    auto *top = new QHBoxLayout; // what is taken most often, in low windows too
+    top->setSpacing(8);
     m_wheel = new ColourWheel(content);
-    column->addWidget(m_wheel);
+    m_swatches = new SwatchesSection(editor, content);
+    top->addWidget(m_wheel, 3);
+    top->addWidget(m_swatches, 2);
+    column->addLayout(top);
     addCurrent(*column);
     m_rows = new ColourRows(true, content);
     column->addWidget(m_rows);
@@ -66,8 +71,6 @@ ColourPanel::ColourPanel(Editor &editor, QWidget *parent)
     column->addWidget(m_hint);
     addRecent(*column);
     addApply(*column);
-    m_swatches = new SwatchesSection(editor, content);
-    column->addWidget(m_swatches);
     m_mixing = new MixingSection(editor, content);
     column->addWidget(m_mixing);
     column->addStretch(1);

@@ -33,6 +33,7 @@ ColourWheel::ColourWheel(QWidget *parent) : QWidget(parent)
 {
     setFocusPolicy(Qt::StrongFocus);
     QSizePolicy policy(QSizePolicy::Expanding, QSizePolicy::Preferred);
+    policy.setHeightForWidth(true);
     setSizePolicy(policy);
     setAccessibleName(tr("Colour wheel"));
     setToolTip(tr("Ring: hue in the order of pigments. Triangle: pure, white and black.\nArrow keys work too."));
@@ -40,7 +41,12 @@ ColourWheel::ColourWheel(QWidget *parent) : QWidget(parent)
 
 QSize ColourWheel::sizeHint() const
 {
-    return {200, 184};
+    return {184, heightForWidth(184)};
+}
+
+int ColourWheel::heightForWidth(int width) const
+{
+    return std::clamp(width, 120, 200);
 }
 
 QSize ColourWheel::minimumSizeHint() const

@@ -24,6 +24,7 @@ public:
     QPointF trianglePoint(double chroma, double black) const;
 
     QSize sizeHint() const override;
+    int heightForWidth(int width) const override;
     QSize minimumSizeHint() const override;
 
 signals:

@@ -36,6 +36,12 @@ QLabel *quietLabel(const QString &text, QWidget *parent)
     return label;
 }
 
+void showInPlace(QLabel &label, const QString &text)
+{
+    label.setText(text);
+    label.setFixedSize(label.sizeHint().expandedTo(label.minimumSize()));
+}
+
 HintLabel::HintLabel(QWidget *parent) : QLabel(parent)
 {
     setWordWrap(true);

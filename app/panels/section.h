@@ -16,6 +16,8 @@ QGridLayout *addFieldGrid(QVBoxLayout &column);
 
 /// A line of text that wraps, in the palette's quieter colour.
 QLabel *quietLabel(const QString &text, QWidget *parent);
+/// For what changes with every frame: the label grows where it has to, and otherwise nothing is laid out anew.
+void showInPlace(QLabel &label, const QString &text);
 
 /// A line that appears while something typed was refused, in the warning colour.
 class HintLabel : public QLabel {

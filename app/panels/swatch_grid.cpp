@@ -161,8 +161,11 @@ void SwatchGrid::paintEvent(QPaintEvent *)
     painter.setRenderHint(QPainter::Antialiasing);
     if (m_swatches.empty()) {
         painter.setPen(palette().color(QPalette::PlaceholderText));
-        painter.drawText(rect(), Qt::AlignLeft | Qt::AlignVCenter,
-                         fontMetrics().elidedText(m_emptyText, Qt::ElideRight, width()));
+        if (height() > 2 * side)
+            painter.drawText(rect(), Qt::AlignLeft | Qt::AlignTop | Qt::TextWordWrap, m_emptyText);
+        else
+            painter.drawText(rect(), Qt::AlignLeft | Qt::AlignVCenter,
+                             fontMetrics().elidedText(m_emptyText, Qt::ElideRight, width()));
     }
     for (int i = 0; i < size(); ++i) {
         QPainterPath shape;

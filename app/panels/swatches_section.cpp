@@ -14,6 +14,7 @@
 #include <QFileInfo>
 #include <QHBoxLayout>
 #include <QMenu>
+#include <QScrollArea>
 #include <QToolButton>
 
 namespace suffuse {
@@ -49,7 +50,15 @@ SwatchesSection::SwatchesSection(Editor &editor, QWidget *parent) : QWidget(pare
     m_grid->setAccessibleName(tr("Swatches"));
     m_grid->setToolTip(tr("Colours kept with the painting. Click: take it. Drag to move; Delete removes."));
     m_grid->setEmptyText(tr("None yet: + keeps the current colour."));
-    column->addWidget(m_grid);
+    auto *scroll = new QScrollArea(this); // beside the wheel, however many there are
+    scroll->setWidgetResizable(true);
+    scroll->setFrameShape(QFrame::NoFrame);
+    scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    scroll->setFocusPolicy(Qt::NoFocus);
+    scroll->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Ignored);
+    scroll->setMinimumSize(m_grid->minimumSizeHint());
+    scroll->setWidget(m_grid);
+    column->addWidget(scroll, 1);
     addMenu();
 
     connect(m_add, &QToolButton::clicked, this,

@@ -121,7 +121,7 @@ void TimelinePanel::showTime()
 {
     if (!isVisible())
         return;
-    m_time->setText(QStringLiteral("%1 / %2").arg(clockText(m_editor.time()), clockText(m_playback.end())));
+    showInPlace(*m_time, QStringLiteral("%1 / %2").arg(clockText(m_editor.time()), clockText(m_playback.end())));
 }
 
 void TimelinePanel::showMenu(QPoint globalPosition, bool onBar)

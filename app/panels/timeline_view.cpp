@@ -26,6 +26,12 @@ constexpr double mostPixels = 1e9;           ///< of the whole length, so that s
 constexpr Microseconds shortest = 1'000'000; ///< of what is shown of an empty painting
 constexpr int laterMs = 60;
 
+/// Time ahead of what is painted.
+Microseconds roomFor(const TimeSpan &span)
+{
+    return (span.end - span.begin) / 16;
+}
+
 } // namespace
 
 TimelineView::TimelineView(Editor &editor, Playback &playback, QWidget *parent)
@@ -62,6 +68,7 @@ void TimelineView::documentChanged(bool painting, bool selection, bool reset)
         m_drag = Drag::None;
         m_before.reset();
         m_fitted = true;
+        m_room = 0;
     }
     m_stale = m_stale || painting || reset;
     m_looksStale = m_looksStale || selection || reset || m_before;
@@ -75,7 +82,7 @@ void TimelineView::documentChanged(bool painting, bool selection, bool reset)
 
 void TimelineView::draftChanged()
 {
-    m_looksStale = true;
+    m_draftStale = true;
     if (isVisible() && !m_later.isActive())
         m_later.start();
 }
@@ -97,8 +104,21 @@ void TimelineView::refresh()
         m_stale = false;
     }
     updateScrollBars();
+    if (std::exchange(m_draftStale, false))
+        updateDraft();
     if (differs || seen() != before)
         viewport()->update();
+}
+
+void TimelineView::updateDraft()
+{
+    QRect now;
+    if (const std::optional<TimelineBar> draft = draftBar())
+        now =
+            QRectF(QPointF(xOf(draft->begin), laneTop(draft->lane)), QPointF(xOf(draft->end), laneTop(draft->lane + 1)))
+                .toAlignedRect()
+                .adjusted(-4, -1, 4, 1);
+    viewport()->update(std::exchange(m_draftRect, now).united(now));
 }
 
 void TimelineView::showEvent(QShowEvent *event)
@@ -119,6 +139,8 @@ TimeSpan TimelineView::shownSpan() const
     TimeSpan span = m_bars.span();
     span.begin = std::min<Microseconds>(span.begin, 0);
     span.end = std::max({span.end, m_editor.time(), span.begin + shortest});
+    if (m_room < span.end + 2 * roomFor(span)) // else undone since
+        span.end = std::max(span.end, m_room);
     return span;
 }
 
@@ -160,6 +182,7 @@ void TimelineView::scrollContentsBy(int dx, int)
 void TimelineView::fit()
 {
     m_fitted = true;
+    m_room = 0;
     m_looksStale = true;
     refresh();
 }
@@ -234,8 +257,13 @@ void TimelineView::timeChanged()
     if (!isVisible())
         return;
     const Microseconds time = m_editor.time();
-    if (shownSpan().end == time || m_fitted)
+    if (const TimeSpan span = shownSpan(); span.end == time) {
+        if (m_fitted && time > m_bars.span().end) {
+            m_room = time + roomFor(span);
+            viewport()->update();
+        }
         updateScrollBars();
+    }
     // A page on, where it is played out of the view.
     const double x = xOf(time);
     if (m_playback.isPlaying() && !m_fitted && (x < 0 || x > viewport()->width())) {
@@ -247,8 +275,6 @@ void TimelineView::timeChanged()
         const double at = std::clamp(xOf(t), -100.0, viewport()->width() + 100.0);
         return QRect(int(at) - 8, 0, 17, viewport()->height());
     };
-    if (m_fitted && time > m_bars.span().end)
-        viewport()->update(); // the ruler moves
     viewport()->update(strip(std::exchange(m_head, time)));
     viewport()->update(strip(time));
 }

@@ -72,6 +72,7 @@ private:
     void draftChanged();
     void timeChanged();
     void updateScrollBars();
+    void updateDraft();
     void zoomAt(double x, double factor);
     void pinch(QGestureEvent &event);
     TimeSpan shownSpan() const;
@@ -92,7 +93,7 @@ private:
     void giveUp();
     void selectBand();
 
-    void paintRuler(QPainter &painter) const;
+    void paintRuler(QPainter &painter, const QRect &area) const;
     void paintLanes(QPainter &painter, const QRect &area) const;
     void paintBar(QPainter &painter, const TimelineBar &bar, const Stroke &stroke) const;
     /// The bar of the stroke in hand; none: nothing is painted at the moment.
@@ -111,6 +112,9 @@ private:
     Microseconds m_from = 0;  ///< at the left edge
     double m_scale = 10'000;  ///< microseconds a pixel
     Microseconds m_head = 0;  ///< where the playhead is painted
+    Microseconds m_room = 0;  ///< shown up to here, so that not every moment moves all bars
+    bool m_draftStale = false;
+    QRect m_draftRect; ///< where the stroke in hand is painted
 
     Drag m_drag = Drag::None;
     QPointF m_pressed, m_pointer;

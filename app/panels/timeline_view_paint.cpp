@@ -85,11 +85,11 @@ void TimelineView::paintEvent(QPaintEvent *event)
         painter.drawRect(QRectF(m_pressed, m_pointer).normalized());
     }
     painter.restore();
-    paintRuler(painter);
+    paintRuler(painter, event->rect());
     paintPlayhead(painter);
 }
 
-void TimelineView::paintRuler(QPainter &painter) const
+void TimelineView::paintRuler(QPainter &painter, const QRect &area) const
 {
     const double height = rulerHeight(), width = viewport()->width();
     painter.fillRect(QRectF(0, 0, width, height), palette().color(QPalette::AlternateBase));
@@ -97,7 +97,8 @@ void TimelineView::paintRuler(QPainter &painter) const
     painter.drawLine(QPointF(0, height - 0.5), QPointF(width, height - 0.5));
     const double pixelsPerSecond = 1e6 / m_scale;
     const double step = tickStep(tickDistance / pixelsPerSecond);
-    const double first = std::floor(toSeconds(timeAt(0)) / step), last = toSeconds(timeAt(width)) / step;
+    const double first = std::floor(toSeconds(timeAt(std::max(area.left() - 2 * tickDistance, 0.0))) / step);
+    const double last = toSeconds(timeAt(area.right() + 1)) / step;
     for (double k = first; k <= last; ++k) {
         const double x = std::floor((k * step * 1e6 - double(m_from)) / m_scale) + 0.5;
         painter.setPen(palette().color(QPalette::PlaceholderText));

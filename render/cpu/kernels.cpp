@@ -3,8 +3,8 @@
 #define HWY_TARGET_INCLUDE "render/cpu/kernels.cpp"
 #define SUFFUSE_HIGHWAY
 // Sets that differ too little from their neighbours to be worth the compile time and size.
-#ifdef SUFFUSE_ONE_SIMD
-#define HWY_DISABLED_TARGETS ~(HWY_AVX2 | HWY_SCALAR)
+#ifdef SUFFUSE_FEW_SIMD
+#define HWY_DISABLED_TARGETS (HWY_SSSE3 | HWY_SSE4 | HWY_AVX3 | HWY_AVX3_DL)
 #else
 #define HWY_DISABLED_TARGETS (HWY_SSSE3 | HWY_AVX3_DL)
 #endif

@@ -30,7 +30,7 @@ struct ImageModuleWrite {
     bool linear;  ///< linear light instead of sRGB
     bool associated;
     int quality; ///< 1 … 100
-    bool quick;  ///< PNG: less compression
+    bool quick;  ///< PNG of 8 bits: less compression
     void *context;
     const float *(*row)(void *context, int y); ///< width·channels floats, valid until the next call; null: stop
 };

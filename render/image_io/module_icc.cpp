@@ -11,12 +11,6 @@ namespace {
 
 using Bytes = std::string; // gcc 12 warns of overflows in inlined vector inserts
 
-void put32(Bytes &out, std::uint32_t v)
-{
-    for (int shift = 24; shift >= 0; shift -= 8)
-        out.push_back(char(v >> shift));
-}
-
 /// s15Fixed16Number
 void putFixed(Bytes &out, double v)
 {

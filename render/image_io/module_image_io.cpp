@@ -43,8 +43,6 @@ ImageSpec specOf(const ImageModuleWrite &job)
         spec.attribute("CompressionQuality", job.quality);
     if (format == "jpeg" && job.quality >= 90)
         spec.attribute("jpeg:subsampling", "4:4:4");
-    if (format == "png" && job.quick)
-        spec.attribute("png:compressionLevel", 1);
     if (format == "tiff") {
         spec.attribute("compression", "zip");
         if (job.depth == ModuleHalf)
@@ -64,6 +62,8 @@ bool writeRows(const ImageModuleWrite &job, char *error, std::size_t size)
 {
     if (std::string(job.format) == "webp")
         return writeWebP(job, error, size);
+    if (fitsWritePng(job))
+        return writePng(job, error, size);
     ModuleProxy proxy(job.file); // outlives `out`, whose destructor may flush
     auto out = ImageOutput::create(job.format);
     if (!out)

@@ -3,6 +3,7 @@
 #include "app/panels/canvas_section.h"
 #include "app/panels/colour_convert.h"
 #include "app/panels/colour_panel.h"
+#include "app/panels/colour_rows.h"
 #include "app/panels/inspector_panel.h"
 #include "app/panels/mixing_pad.h"
 #include "app/panels/swatch_grid.h"
@@ -11,6 +12,7 @@
 #include "model/formats/gimp_palette.h"
 #include "model/paper_presets.h"
 #include "panel_bench.h"
+#include "undo/swatch_edits.h"
 
 #include <QComboBox>
 #include <QMenu>
@@ -96,6 +98,22 @@ private slots:
         QCOMPARE(panel.history()->swatches().size(), std::size_t(16));
         QCOMPARE(toOpaqueScreen(panel.history()->swatches()[0].colour), QColor(70, 40, 90));
         QCOMPARE(next.steps(), 0);
+    }
+
+    void swatchesAreSeenInLowWindows()
+    {
+        Bench bench;
+        ColourPanel panel(bench.editor);
+        showAt(panel, {296, 258}); // what a window of 1280 x 800 leaves
+        std::vector<Swatch> many(200, Swatch{{}, red});
+        bench.editor.push(setSwatches(bench.editor.document(), many), "swatches");
+        QCoreApplication::processEvents();
+        const SwatchGrid &grid = *panel.swatches()->grid();
+        const QRegion seen = grid.visibleRegion();
+        for (int i = 0; i < 16; ++i)
+            QVERIFY2(seen.contains(grid.cell(i).center()), qPrintable(QString::number(i)));
+        QVERIFY(!seen.contains(grid.cell(199).center())); // the rest is scrolled to
+        QVERIFY(!panel.rows()->visibleRegion().isEmpty());
     }
 
     void swatchesAreUndoable()

@@ -276,6 +276,28 @@ private slots:
         QCOMPARE(during.pixelColor(x, y), shown().pixelColor(bar.center().toPoint()));
     }
 
+    void thereIsRoomForTheNextMoments()
+    {
+        Timed s;
+        s.editor().setTime(s.painting().end());
+        s.view().fit();
+        QTest::mousePress(&s.canvas(), Qt::LeftButton, {}, s.at({250, 300}));
+        int moves = 0;
+        for (int i = 1; i <= 20; ++i) {
+            const double before = s.view().xOf(second);
+            s.advance(20'000);
+            QTest::mouseMove(&s.canvas(), s.at({250 + 15.0 * i, 300}));
+            moves += s.view().xOf(second) != before;
+            QVERIFY(s.view().xOf(s.editor().time()) < s.view().viewport()->width());
+        }
+        QCOMPARE(moves, 1); // not every moment moves what stands
+        QTest::mouseRelease(&s.canvas(), Qt::LeftButton, {}, s.at({550, 300}));
+        s.editor().setTime(s.painting().end());
+        s.view().fit();
+        const double right = s.view().viewport()->width() - s.view().xOf(s.painting().end());
+        QVERIFY(right > 0 && right < 20); // and none is left when all is to be shown
+    }
+
     void lockedBarsStay()
     {
         StrokeList strokes = fourStrokes();

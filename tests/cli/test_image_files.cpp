@@ -4,6 +4,8 @@
 #include "tests/files.h"
 
 #include <QFile>
+#include <QRandomGenerator>
+#include <QSize>
 #include <QTemporaryDir>
 #include <QTest>
 
@@ -58,6 +60,8 @@ class TestImageFiles : public QObject {
 private slots:
     void alphaRoundTrip_data();
     void alphaRoundTrip();
+    void eightBitPng_data();
+    void eightBitPng();
     void endingsAndMagic();
     void cancelledWritingLeavesNothing();
     void declaredSizes_data();
@@ -107,6 +111,47 @@ void TestImageFiles::alphaRoundTrip()
     QVERIFY2(read, qPrintable(read.error()));
     const double d = distance(p, *read, leastAlpha);
     QVERIFY2(d <= tolerance, qPrintable(QString::number(d)));
+}
+
+void TestImageFiles::eightBitPng_data()
+{
+    QTest::addColumn<int>("width");
+    QTest::addColumn<int>("height");
+    for (const QSize size : {QSize(1, 1), QSize(1, 5), QSize(7, 1), QSize(61, 37), QSize(700, 300)})
+        QTest::addRow("%d x %d", size.width(), size.height()) << size.width() << size.height();
+}
+
+/// Every value comes back rounded to nearest, what is no colour as the nearest one; the picture says that it is sRGB.
+void TestImageFiles::eightBitPng()
+{
+    QFETCH(int, width);
+    QFETCH(int, height);
+    FloatPicture p;
+    p.resize(width, height);
+    QRandomGenerator random(5);
+    const auto isFlat = [&](std::size_t i) { return i / (4 * std::size_t(width)) % 5 < 2; };
+    for (std::size_t i = 0; i < p.rgba.size(); ++i)
+        p.rgba[i] = isFlat(i)     ? 0.25f
+                    : i % 11 == 0 ? float(random.bounded(256)) / 255
+                                  : float(random.bounded(1.2) - 0.1);
+    p.rgba[0] = std::numeric_limits<float>::quiet_NaN();
+    for (const bool alpha : {false, true})
+        for (const bool quick : {false, true}) {
+            ImageOptions options;
+            options.alpha = alpha;
+            options.quick = quick;
+            QVERIFY(writeImage(path("eight.png"), p, options));
+            const QByteArray bytes = bytesOf(path("eight.png"));
+            QVERIFY(bytes.contains(QByteArray("sRGB\3", 5)) && bytes.contains("Suffuse"));
+            const Result<FloatPicture> read = readImage(bytes, "eight.png");
+            QVERIFY2(read, qPrintable(read.error()));
+            QCOMPARE(QSize(read->width, read->height), QSize(width, height));
+            for (std::size_t i = 0; i < p.rgba.size(); ++i) {
+                const float v = std::isnan(p.rgba[i]) ? 0 : std::clamp(p.rgba[i], 0.0f, 1.0f);
+                const long expected = alpha || i % 4 != 3 ? std::lround(255 * v) : 255;
+                QCOMPARE(std::lround(255 * read->rgba[i]), expected);
+            }
+        }
 }
 
 void TestImageFiles::endingsAndMagic()

@@ -28,7 +28,7 @@ const QList<Rule> &rules()
         // OpenGL by its types only: no library of it is linked.
         {"render/cuda/gl_interop", {"render/"}, {}, {"cuda_runtime.h", "cuda_gl_interop.h"}},
         // Where OpenImageIO is known, the program is not.
-        {"render/image_io/module_", {"render/image_io/module_"}, {}, {"OpenImageIO"}},
+        {"render/image_io/module_", {"render/image_io/module_"}, {}, {"OpenImageIO", "libdeflate.h"}},
         {"app/",
          {"model/", "undo/", "render/", "app/"},
          {"QtCore", "QtGui", "QtWidgets", "QtOpenGL", "QtOpenGLWidgets", "QtSvg"},
