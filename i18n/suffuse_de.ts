@@ -5769,10 +5769,6 @@ Auch die Pfeiltasten wirken.</translation>
         <translation>Exportieren</translation>
     </message>
     <message>
-        <source>painting</source>
-        <translation>Gemälde</translation>
-    </message>
-    <message>
         <source>File</source>
         <translation>Datei</translation>
     </message>
@@ -5863,30 +5859,6 @@ Auch die Pfeiltasten wirken.</translation>
     <message>
         <source>Animated WebP: begins anew at its end. Players decide it for videos.</source>
         <translation>WebP-Animation: beginnt am Ende von vorn. Bei Videos entscheidet das Abspielprogramm.</translation>
-    </message>
-    <message>
-        <source>Size</source>
-        <translation>Größe</translation>
-    </message>
-    <message>
-        <source> px</source>
-        <translation> px</translation>
-    </message>
-    <message>
-        <source>Width in pixels</source>
-        <translation>Breite in Pixeln</translation>
-    </message>
-    <message>
-        <source>Width in pixels; the height follows.</source>
-        <translation>Breite in Pixeln; die Höhe folgt.</translation>
-    </message>
-    <message>
-        <source>Height in pixels</source>
-        <translation>Höhe in Pixeln</translation>
-    </message>
-    <message>
-        <source>Height in pixels; the width follows.</source>
-        <translation>Höhe in Pixeln; die Breite folgt.</translation>
     </message>
     <message>
         <source>Films</source>

@@ -5762,10 +5762,6 @@ Arrow keys work too.</source>
         <translation>导出</translation>
     </message>
     <message>
-        <source>painting</source>
-        <translation>画作</translation>
-    </message>
-    <message>
         <source>File</source>
         <translation>文件</translation>
     </message>
@@ -5856,30 +5852,6 @@ Arrow keys work too.</source>
     <message>
         <source>Animated WebP: begins anew at its end. Players decide it for videos.</source>
         <translation>WebP 动画：播放到结尾后重新开始。视频是否循环由播放器决定。</translation>
-    </message>
-    <message>
-        <source>Size</source>
-        <translation>大小</translation>
-    </message>
-    <message>
-        <source> px</source>
-        <translation> 像素</translation>
-    </message>
-    <message>
-        <source>Width in pixels</source>
-        <translation>宽度（像素）</translation>
-    </message>
-    <message>
-        <source>Width in pixels; the height follows.</source>
-        <translation>宽度（像素）；高度随之变化。</translation>
-    </message>
-    <message>
-        <source>Height in pixels</source>
-        <translation>高度（像素）</translation>
-    </message>
-    <message>
-        <source>Height in pixels; the width follows.</source>
-        <translation>高度（像素）；宽度随之变化。</translation>
     </message>
     <message>
         <source>Films</source>

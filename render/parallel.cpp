@@ -50,7 +50,8 @@ tbb::task_arena &arenaOf(int threads)
 
 int hardwareThreads()
 {
-    return std::max(1, int(std::thread::hardware_concurrency()));
+    static const int threads = std::max(1, int(std::thread::hardware_concurrency())); // each asking reads a file
+    return threads;
 }
 
 void parallelFor(std::size_t count, int threads, const std::function<void(std::size_t)> &body)

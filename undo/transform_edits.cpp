@@ -131,23 +131,23 @@ Rect selectionBox(const Painting &painting, const Selection &selection)
     Rect box;
     if (selection.strokes.empty())
         return box;
-    std::vector<const Stroke *> strokes;
-    for (const StrokePtr &stroke : painting.strokes)
-        if (selection.strokes.contains(stroke->id) && !painting.isLocked(*stroke))
-            strokes.push_back(stroke.get());
-    // Their ends first: only curves that may reach beyond those of the others are worth solving for.
-    for (const Stroke *stroke : strokes)
-        for (const Segment &segment : stroke->segments) {
-            box.include(stroke->origin + segment.bezier[0]);
-            box.include(stroke->origin + segment.bezier[3]);
-        }
-    for (const Stroke *stroke : strokes)
+    for (const StrokePtr &stroke : painting.strokes) {
+        if (!selection.strokes.contains(stroke->id) || painting.isLocked(*stroke))
+            continue;
         for (const Segment &segment : stroke->segments) {
             const Cubic cubic = stroke->cubicOf(segment);
-            const Rect control = cubic.controlBox();
-            if (!(box.contains({control.left, control.top}) && box.contains({control.right, control.bottom})))
+            const auto isWithin = [&box, control = cubic.controlBox()] {
+                return box.contains({control.left, control.top}) && box.contains({control.right, control.bottom});
+            };
+            if (isWithin())
+                continue;
+            // Its ends first: only a curve that may reach beyond what there is already is worth solving for.
+            box.include(cubic.p[0]);
+            box.include(cubic.p[3]);
+            if (!isWithin())
                 box = box.united(curveBox(cubic));
         }
+    }
     return box;
 }
 

@@ -77,43 +77,38 @@ void CanvasWidget::follow(const Change &change)
     else if (change.selection || !m_editor.document().selection().isEmpty())
         updateSelection();
     if (change.selection)
-        m_worker.setCoarseWanted(!m_editor.document().selection().isEmpty());
+        m_worker.setCoarseWanted(wantsCoarse());
     if (change.selection && change.strokes.empty()) // no frame comes for it
         flushSelection();
     if (!change.strokes.empty() || change.order || change.canvas || change.draft || change.reset)
         scheduleRender(); // a selection is in no picture
 }
 
+bool CanvasWidget::wantsCoarse() const
+{
+    return !m_editor.document().selection().isEmpty() || (m_tool && m_tool->changesAnything());
+}
+
 bool CanvasWidget::paintsFirst(const Change &change) const
 {
     if (!isVisible() || change.order || change.canvas || change.draft || change.reset)
         return false;
-    return change.selection || m_editor.isDragging();
+    return change.selection || !change.strokes.empty();
 }
 
 std::optional<QRegion> CanvasWidget::selectionArea() const
 {
-    constexpr std::size_t fewSegments = 2000;
     constexpr double lines = 12; // logical pixels: of the outline
     const std::optional<double> margin = m_tool ? m_tool->paintMargin() : 0.0;
     if (!margin)
         return {};
-    const Selection &selection = m_editor.document().selection();
-    Rect box;
-    std::size_t segments = 0;
-    for (const StrokePtr &stroke : m_editor.document().painting()->strokes) {
-        if (!selection.strokes.contains(stroke->id))
-            continue;
-        segments += stroke->segments.size();
-        if (segments > fewSegments)
-            return {};
-        const PixelMap pixelOf(view(), stroke->origin);
-        for (const Segment &segment : stroke->segments)
-            for (const Offset &offset : segment.bezier)
-                box.include(pixelOf(Point{} + offset));
-    }
-    if (box.isEmpty())
+    const Rect units = m_outline.boxOf(*m_editor.document().painting(), m_editor.document().selection());
+    if (units.isEmpty())
         return QRegion();
+    Rect box;
+    for (const Point corner : {Point{units.left, units.top}, Point{units.right, units.top},
+                               Point{units.right, units.bottom}, Point{units.left, units.bottom}})
+        box.include(view().toPixels(corner));
     box = box.grown(std::max(*margin, lines * devicePixelRatioF()));
     const QRectF pixels(QPointF(box.left, box.top), QPointF(box.right, box.bottom));
     return QRegion((pixels & QRectF(0, 0, view().width, view().height)).toAlignedRect());
@@ -158,6 +153,7 @@ void CanvasWidget::setTool(Tool *tool)
     }
     m_tool = tool;
     m_pressed = false;
+    m_worker.setCoarseWanted(wantsCoarse());
     refreshCursor();
     updateOverlay();
     emit toolChanged();
@@ -276,7 +272,9 @@ void CanvasWidget::requestFrame()
     request.time = m_editor.time();
     request.view = view();
     request.interactive = m_editor.isDragging();
-    m_lastSerial = m_worker.request(std::move(request));
+    if (m_floating && !holds(*m_floating->lift))
+        m_floating.reset();
+    m_lastSerial = m_worker.request(std::move(request), m_floating);
 }
 
 bool CanvasWidget::isUpToDate() const
@@ -309,7 +307,9 @@ void CanvasWidget::frameReady(const FrameInfo &frame)
     if (frame.error.isEmpty()) {
         if (m_selectionWaits.isActive())
             flushSelection();
-        if (frame.view == view() && frame.stats.dirty.size() < manyRects)
+        if (frame.isExact() && m_floating && m_floating->settled)
+            m_floating.reset();
+        if (frame.view == view() && frame.stats.dirty.size() < manyRects && !frame.floats)
             for (const PixelRect &r : frame.stats.dirty)
                 updateOverlay(QRectF(r.x, r.y, r.width, r.height));
         else
@@ -345,14 +345,14 @@ void CanvasWidget::paintOverlay(QPainter &painter)
     painter.save();
     if (m_aids.showGrid)
         paintGrid(painter, view(), document.painting()->canvas.area(), m_aids.gridStep, dpr);
-    m_outline.paint(painter, view(), *document.painting(), document.selection(), m_colours, dpr, m_editor.isDragging());
+    paintSelection(painter, dpr);
     painter.restore();
     if (m_tool) {
         painter.setRenderHint(QPainter::Antialiasing);
         m_tool->paint(painter, view(), dpr);
     }
     if (std::exchange(m_allRepaints, false))
-        m_selectionArea = selectionArea();
+        m_selectionArea = m_floating ? std::nullopt : selectionArea();
     m_editor.laterChanges().painted();
 }
 

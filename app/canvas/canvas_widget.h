@@ -65,6 +65,18 @@ public:
     void updateSelection();
     void refreshCursor();
 
+    /// Strokes that a drag is about to map as a whole: where its frames would be slow, pictures of them and of the rest
+    /// are made ready, and the drag may float. Another change, view or moment, and the lift is over.
+    void lift(const std::set<StrokeId> &strokes);
+    void endLift();
+    bool isLifted() const { return m_lift && holds(*m_lift); }
+    /// Shows what is lifted as it lies under a map, which the document has not heard of.
+    void showFloating(const Affine &map);
+    /// The document has now what floats: the exact picture follows. Call it where `isLifted` was true before the edit.
+    void settleFloating();
+    /// Whether under the map all shows that could: what lay far outside of the view is in no picture.
+    bool coversFloating(const Affine &map) const;
+
     /// True when the picture on the screen is that of the document as it is now, at this moment, in this view.
     bool isUpToDate() const;
     /// Serial (FrameInfo) of the first frame that shows the document as it is now.
@@ -126,10 +138,14 @@ private:
     void flushSelection();
     /// Whether others hear of a change only when its overlay or its frame is on the screen.
     bool paintsFirst(const Change &change) const;
+    /// A drag may follow that is too much for exact frames.
+    bool wantsCoarse() const;
 
     void follow(const Change &change);
     void scheduleRender();
     void requestFrame();
+    bool holds(const Lift &lift) const;
+    void paintSelection(QPainter &painter, double dpr);
     void frameReady(const FrameInfo &frame);
     void viewMoved();
     void moveByHand();
@@ -160,13 +176,16 @@ private:
     OverlayColours m_colours;
     CanvasAids m_aids;
     Qt::KeyboardModifiers m_modifiers;
-    SelectionOutline m_outline;
+    mutable SelectionOutline m_outline; ///< it keeps what it has computed
     QString m_backendText;
     QString m_rendererNotice;
     QString m_presenterNotice;
     Tool *m_tool = nullptr;
 
     bool m_fitted = true; ///< the view has not been moved by hand since it was fitted
+    LiftPtr m_lift;                     ///< null: none
+    std::optional<Floating> m_floating; ///< that is shown, until the exact picture is
+    PaintingPtr m_liftedFrom;           ///< the document's painting, for which both hold
     bool m_renderScheduled = false;
     quint64 m_lastSerial = 0;
 

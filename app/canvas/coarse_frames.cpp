@@ -162,6 +162,15 @@ void CoarseFrames::enlargeInto(Picture8 &picture, const std::vector<PixelRect> &
                 [&](std::size_t i) { enlargeRect(m_picture, picture, rects[i], columns, rows); });
 }
 
+double reachedPixels(const Painting &painting, const View &view, Microseconds time)
+{
+    Squares squares(view);
+    for (const StrokePtr &stroke : painting.strokes)
+        for (const Segment &segment : stroke->segments)
+            squares.touch(influenceOf(*stroke, segment, time));
+    return squares.pixels();
+}
+
 Difference differenceOf(const Painting &before, const Painting &after, const View &view, Microseconds time)
 {
     Difference difference;

@@ -40,4 +40,7 @@ struct Difference {
 };
 Difference differenceOf(const Painting &before, const Painting &after, const View &view, Microseconds time);
 
+/// Pixels of the view that the influence of a painting's strokes covers, roughly.
+double reachedPixels(const Painting &painting, const View &view, Microseconds time);
+
 } // namespace suffuse

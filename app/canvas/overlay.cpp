@@ -98,7 +98,9 @@ void paintUprightPasteboard(QPainter &painter, const QRect &window, const QRectF
     };
     const QRect inside(QPoint(int(std::lround(sheet.left())), int(std::lround(sheet.top()))),
                        QPoint(int(std::lround(sheet.right())) - 1, int(std::lround(sheet.bottom())) - 1));
-    const QRegion outside = QRegion(window) - inside;
+    // Large fills are costly even where they are clipped.
+    const QRect seen = painter.hasClipping() ? window & painter.clipBoundingRect().toAlignedRect() : window;
+    const QRegion outside = QRegion(seen) - inside;
     fill(outside, colours.pasteboard);
     for (int ring = shadowRings; ring >= 1; --ring) {
         const int r = int(std::lround(ring * dpr));

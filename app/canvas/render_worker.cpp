@@ -60,7 +60,7 @@ RenderWorker::~RenderWorker()
     m_thread.join();
 }
 
-quint64 RenderWorker::request(RenderRequest request)
+quint64 RenderWorker::request(RenderRequest request, std::optional<Floating> floating)
 {
     quint64 serial = 0;
     {
@@ -70,7 +70,7 @@ quint64 RenderWorker::request(RenderRequest request)
             m_cancel = true;
         else
             cancelIfUseless(request.view);
-        m_pending = Job{std::move(request), serial};
+        m_pending = Job{std::move(request), serial, std::move(floating)};
     }
     m_wake.notify_all();
     return serial;
@@ -108,17 +108,22 @@ void RenderWorker::run()
 {
     openRenderer();
     for (Task task = next(); task != Task::Stop; task = next()) {
-        if (task == Task::Prepare)
+        if (task == Task::Prepare) {
             prepareCoarse();
-        else if (task == Task::Forget)
+        } else if (task == Task::Lift) {
+            prepareLift();
+        } else if (task == Task::Forget) {
             m_coarse.reset();
-        else
+            m_layers.reset();
+        } else {
             draw();
+        }
         m_job = {}; // the snapshot must not live on in a thread that sleeps
     }
     // A device is used by one thread, to the end.
     withFrame([](ShownFrame &frame) { frame.device.reset(); });
     m_coarse.reset();
+    m_layers.reset();
     m_renderer.reset();
 }
 
@@ -126,7 +131,7 @@ void RenderWorker::draw()
 {
     if (!m_renderer)
         finish(m_job, Error{m_rendererError});
-    else if (!isCoarse(m_job) || !drawCoarse(m_job))
+    else if (!drawFloating(m_job) && (!isCoarse(m_job) || !drawCoarse(m_job)))
         finish(m_job, render(m_job));
 }
 
@@ -162,6 +167,8 @@ Result<RenderStats> RenderWorker::render(const Job &job)
         return stats;
     m_backDirty.insert(m_backDirty.end(), m_enlarged.begin(), m_enlarged.end());
     m_enlarged.clear();
+    m_floats = false;
+    m_canFloat = !m_layersFailed && drawsInMemory();
     stats->dirty = m_backDirty;
     // The device belongs to this thread: nobody else may hold its last picture.
     const Result<void> published = publish(job.request.view, std::exchange(stats->frame, nullptr));
@@ -181,7 +188,8 @@ RenderWorker::Task RenderWorker::next()
     m_refining = m_yields = false;
     while (true) {
         const bool wanted = m_coarseWanted;
-        const auto asked = [&] { return m_stop || m_pending || m_coarseWanted != wanted; };
+        m_lift = m_wantedLift;
+        const auto asked = [&] { return m_stop || m_pending || m_coarseWanted != wanted || m_wantedLift != m_lift; };
         if (m_unrefined) {
             if (!m_wake.wait_for(lock, pause, asked)) {
                 m_job = *std::exchange(m_unrefined, std::nullopt);
@@ -190,14 +198,20 @@ RenderWorker::Task RenderWorker::next()
                 begin(m_job.request.view);
                 return Task::Refine;
             }
-        } else if (wanted && m_exact && (!m_coarse || !m_coarse->isAt(*m_exact)) && canBeCoarse(m_exact->view) &&
+        } else if (lifts()) {
+            if (!m_wake.wait_for(lock, m_layers && m_layers->isOf(m_lift) ? rest : 0ms, asked)) {
+                m_yields = true;
+                begin(m_lift->view);
+                return Task::Lift;
+            }
+        } else if (wanted && !m_lift && m_exact && (!m_coarse || !m_coarse->isAt(*m_exact)) && canBeCoarse(m_exact->view) &&
                    isSlow(m_msPerPixel * m_exact->view.width * m_exact->view.height)) {
             if (!m_wake.wait_for(lock, rest, asked)) {
                 m_yields = true;
                 begin(m_exact->view);
                 return Task::Prepare;
             }
-        } else if (!wanted && m_coarse) {
+        } else if (!wanted && (m_coarse || m_layers)) {
             if (!m_wake.wait_for(lock, forgetting, asked))
                 return Task::Forget;
         } else {
@@ -251,12 +265,15 @@ void RenderWorker::finish(const Job &job, const Result<RenderStats> &result)
         m_exact.reset();
     }
     m_unrefined.reset();
-    {
-        const std::lock_guard lock(m_jobMutex);
-        m_lastShown = Clock::now();
-    }
+    noteShown();
     m_shownSerial = job.serial;
     emit frameReady(frame);
+}
+
+void RenderWorker::noteShown()
+{
+    const std::lock_guard lock(m_jobMutex);
+    m_lastShown = Clock::now();
 }
 
 Result<void> RenderWorker::publish(const View &view, const std::shared_ptr<DeviceFrame> &device)

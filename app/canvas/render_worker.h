@@ -2,6 +2,7 @@
 #pragma once
 
 #include "app/canvas/coarse_frames.h"
+#include "app/canvas/floating_layers.h"
 #include "render/renderer.h"
 
 #include <QObject>
@@ -27,8 +28,11 @@ struct FrameInfo {
     QString error;        ///< empty, or why there is no new picture
     QString backendText;  ///< what drew it: "CPU · 2 threads · AVX2"
     QString notice;       ///< empty, or why the CPU drew it, or why it did not stay on the device
-    int coarseness = 1;   ///< pixels of the view to a side of one that was drawn; 1: exact
+    int coarseness = 1;   ///< pixels of the view to a side of one that was drawn
+    bool floats = false;  ///< it was composed of two pictures (Floating)
     double evaluated = 0; ///< pixels that were drawn
+
+    bool isExact() const { return coarseness == 1 && !floats; }
 };
 
 /// The last whole picture, on the device or in memory. `dirty` lists what changed since a presenter last cleared it.
@@ -63,9 +67,16 @@ public:
     /// them until the gesture pauses. In memory alone, by the CPU.
     void setCoarseWanted(bool wanted);
 
+    /// Strokes that a drag is about to map as a whole: their pictures are made ready. Null: no more.
+    void lift(LiftPtr lift);
+    /// Whether frames can be composed of such pictures: in memory, of the CPU. From the first frame on.
+    bool canFloat() const { return m_canFloat.load(); }
+    /// Whether drawing so many pixels takes too long for a frame of a gesture, by the last exact frames.
+    bool isSlowFor(double pixels) const { return isSlow(pixels * m_msPerPixel); }
+
     /// Asks for a picture; a request that has not begun is forgotten, one that runs is cancelled where the view has
     /// changed or it takes long. Returns the request's serial.
-    quint64 request(RenderRequest request);
+    quint64 request(RenderRequest request, std::optional<Floating> floating = {});
     /// Serial of the last request that an exact frame has answered.
     quint64 shownSerial() const { return m_shownSerial.load(); }
 
@@ -82,6 +93,7 @@ private:
     struct Job {
         RenderRequest request;
         quint64 serial = 0;
+        std::optional<Floating> floating;
     };
 
     /// Where the renderer draws.
@@ -90,14 +102,16 @@ private:
         bool takesDeviceFrames() const override { return onDevice; }
     };
 
-    enum class Task { Stop, Frame, Refine, Prepare, Forget };
+    enum class Task { Stop, Frame, Refine, Lift, Prepare, Forget };
 
     void run();
     void openRenderer();
     Task next();
+    bool lifts() const;
     void begin(const View &view);
     void draw();
     Result<RenderStats> render(const Job &job);
+    bool drawsInMemory() const;
     void noteTime(const Job &job, const RenderStats &stats);
     bool isCoarse(const Job &job);
     bool canBeCoarse(const View &view) const;
@@ -105,6 +119,14 @@ private:
     bool openCoarse();
     bool drawCoarse(const Job &job);
     void prepareCoarse();
+    bool openFloating();
+    bool drawRest(const LiftPtr &lift, const std::atomic<bool> *cancel);
+    bool drawCoarseRest(const LiftPtr &lift);
+    bool drawLifted(const LiftPtr &lift, int factor, const std::atomic<bool> *cancel);
+    void prepareLift();
+    bool hurryLift(const LiftPtr &lift);
+    bool drawFloating(const Job &job);
+    void noteShown();
     FrameInfo infoOf(const Job &job) const;
     void finish(const Job &job, const Result<RenderStats> &result);
     Result<void> publish(const View &view, const std::shared_ptr<DeviceFrame> &device);
@@ -125,8 +147,11 @@ private:
     bool m_coarseGesture = false;           ///< coarse frames from here to its end
     int m_slowFrames = 0;                   ///< of the gesture, exact ones in a row
     bool m_coarseFailed = false;
-    double m_msPerPixel = 0; ///< of exact frames
-    double m_evaluated = 0;  ///< pixels since one was shown
+    double m_evaluated = 0;  ///< pixels since an exact frame was shown
+    std::unique_ptr<FloatingLayers> m_layers; ///< null until they are needed
+    LiftPtr m_lift;                           ///< to be made ready
+    bool m_floats = false;                    ///< the shown picture is composed of them
+    bool m_layersFailed = false;
 
     std::mutex m_jobMutex;
     std::condition_variable m_wake;
@@ -138,11 +163,14 @@ private:
     bool m_refining = false; ///< what a coarse frame has answered
     bool m_yields = false;   ///< what is being done gives way to every request
     bool m_coarseWanted = false;
+    LiftPtr m_wantedLift;
     bool m_stop = false;
     quint64 m_serial = 0;
     std::atomic<bool> m_cancel = false;
     std::atomic<quint64> m_shownSerial = 0;
     std::atomic<bool> m_deviceFramesWanted = false;
+    std::atomic<bool> m_canFloat = false;
+    std::atomic<double> m_msPerPixel = 0; ///< of exact frames
 
     CanvasTarget m_back;                ///< worker thread only, as the next three
     bool m_deviceFramesFailed = false;  ///< a finished one could not be shown

@@ -30,8 +30,13 @@ bool RenderWorker::isSlow(double ms)
 
 bool RenderWorker::canBeCoarse(const View &view) const
 {
-    return !m_coarseFailed && !m_back.onDevice && m_renderer && m_renderer->backendName() == "CPU" &&
-           m_publishedView == view;
+    return !m_coarseFailed && drawsInMemory() && m_publishedView == view;
+}
+
+/// The CPU does, whatever the presenter would take.
+bool RenderWorker::drawsInMemory() const
+{
+    return m_renderer && m_renderer->backendName() == "CPU";
 }
 
 void RenderWorker::noteTime(const Job &job, const RenderStats &stats)
@@ -52,7 +57,7 @@ bool RenderWorker::isCoarse(const Job &job)
     if (m_refining)
         return false;
     const RenderRequest &request = job.request;
-    if (!request.interactive || !m_exact || !canBeCoarse(request.view)) {
+    if (!request.interactive || !m_exact || m_floats || !canBeCoarse(request.view)) {
         m_coarseGesture = false;
         m_slowFrames = 0;
         return false;
@@ -119,10 +124,7 @@ bool RenderWorker::drawCoarse(const Job &job)
     frame.coarseness = m_coarse->factor();
     frame.evaluated = areaOf(stats->dirty) / (m_coarse->factor() * m_coarse->factor());
     m_unrefined = job;
-    {
-        const std::lock_guard lock(m_jobMutex);
-        m_lastShown = Clock::now();
-    }
+    noteShown();
     emit frameReady(frame);
     return true;
 }

@@ -16,15 +16,8 @@ constexpr double thinOpacity = 0.6;
 constexpr double leastSpacing = 5; ///< logical pixels between the points of a thin line
 /// Pixels of thin lines around the view, so that it can be moved without drawing them anew.
 constexpr int thinMargin = 160;
-
-Rect controlBox(const Stroke &stroke)
-{
-    Rect box;
-    for (const Segment &segment : stroke.segments)
-        for (const Offset &offset : segment.bezier)
-            box.include(stroke.origin + offset);
-    return box;
-}
+/// So many strokes that change are drawn apart.
+constexpr std::size_t fewStrokes = 64;
 
 /// What of the canvas the view shows, as a box.
 Rect shownBox(const View &view, double beyond)
@@ -35,6 +28,16 @@ Rect shownBox(const View &view, double beyond)
                                Point{-beyond, h + beyond}})
         box.include(view.toCanvas(corner));
     return box;
+}
+
+/// Where a box of the canvas lies in the view.
+Rect pixelBox(const View &view, const Rect &box)
+{
+    Rect pixels;
+    for (const Point corner : {Point{box.left, box.top}, Point{box.right, box.top}, Point{box.right, box.bottom},
+                               Point{box.left, box.bottom}})
+        pixels.include(view.toPixels(corner));
+    return pixels;
 }
 
 /// Of the control polygon, canvas units.
@@ -49,11 +52,15 @@ double polygonLength(const Segment &segment)
     return sum;
 }
 
-/// Lines of one pixel, not smoothed, that replace what lies below: many times faster than a painter's.
+/// Of a picture's pixels so many are listed, to be wiped one by one.
+constexpr std::size_t mostInk = 1 << 19;
+
+/// Lines of one pixel, not smoothed, that replace what lies below: many times faster than a painter's. Lists the
+/// pixels.
 class ThinPen {
 public:
-    ThinPen(QImage &image, const QColor &colour)
-        : m_bits(reinterpret_cast<QRgb *>(image.bits())), m_stride(int(image.bytesPerLine() / 4)),
+    ThinPen(QImage &image, std::vector<int> &ink, const QColor &colour)
+        : m_bits(reinterpret_cast<QRgb *>(image.bits())), m_stride(int(image.bytesPerLine() / 4)), m_ink(ink),
           m_inside(Rect::of(0, 0, image.width() - 1.0, image.height() - 1.0)), m_colour(qPremultiply(colour.rgba()))
     {}
 
@@ -66,13 +73,18 @@ public:
         const int steps = int(std::max(std::abs(way.x), std::abs(way.y))) + 1;
         int x = int((a.x + 0.5) * one), y = int((a.y + 0.5) * one);
         const int stepX = int(way.x / steps * one), stepY = int(way.y / steps * one);
-        for (int i = 0; i <= steps; ++i, x += stepX, y += stepY)
-            m_bits[(y >> 16) * m_stride + (x >> 16)] = m_colour;
+        for (int i = 0; i <= steps; ++i, x += stepX, y += stepY) {
+            const int pixel = (y >> 16) * m_stride + (x >> 16);
+            m_bits[pixel] = m_colour;
+            if (m_ink.size() < mostInk)
+                m_ink.push_back(pixel);
+        }
     }
 
 private:
     QRgb *m_bits;
     int m_stride;
+    std::vector<int> &m_ink;
     Rect m_inside;
     QRgb m_colour;
 };
@@ -123,56 +135,117 @@ std::optional<Point> shiftBetween(const View &from, const View &to)
 
 } // namespace
 
-bool SelectionOutline::isUnchanged(const View &view, const Painting &painting, const Selection &selection) const
+/// Finds the selected strokes, unless the same are selected in the same order.
+void SelectionOutline::locate(const Painting &painting, const Selection &selection)
+{
+    if (m_boxes.follow(painting.strokes) && selection == m_selection)
+        return;
+    m_selection = selection;
+    m_stale = true;
+    m_places.clear();
+    const std::set<StrokeId> &wanted = m_selection.strokes;
+    auto next = wanted.begin(); // most often the order is that of the ids
+    for (std::size_t i = 0; i < painting.strokes.size() && m_places.size() < wanted.size(); ++i) {
+        const StrokeId id = painting.strokes[i]->id;
+        if (next == wanted.end() || *next != id)
+            next = wanted.find(id);
+        if (next == wanted.end())
+            continue;
+        m_places.push_back(i);
+        ++next;
+    }
+}
+
+Rect SelectionOutline::boxOf(const Painting &painting, const Selection &selection)
+{
+    locate(painting, selection);
+    Rect box;
+    for (const std::size_t place : m_places)
+        box = box.united(m_boxes[place]);
+    return box;
+}
+
+/// True where what was gathered holds, strokes apart that are shown as they are now.
+bool SelectionOutline::follow(const View &view, const Painting &painting, bool moving)
 {
     const std::optional<Point> shift = shiftBetween(m_view, view);
     const double most = m_thin ? thinMargin : 0;
-    if (!shift || std::abs(shift->x) > most || std::abs(shift->y) > most ||
-        painting.strokes.size() != m_strokes.size() || selection != m_selection)
+    if (m_stale || !shift || std::abs(shift->x) > most || std::abs(shift->y) > most ||
+        painting.strokes.size() != m_strokes.size())
         return false;
-    bool same = true;
-    painting.strokes.forEachDifference(m_strokes, [&same](std::size_t) { same = false; });
-    return same;
+    std::vector<std::size_t> changed;
+    painting.strokes.forEachDifference(m_strokes, [&](std::size_t place) {
+        if (changed.size() <= fewStrokes)
+            changed.push_back(place);
+    });
+    if (changed.empty())
+        return moving || std::none_of(m_shown.begin(), m_shown.end(), [](const Shown &shown) { return shown.apart; });
+    return moving && m_thin && changed.size() <= fewStrokes && followApart(painting.strokes, changed);
 }
 
-void SelectionOutline::gather(const View &view, const Painting &painting, const Selection &selection)
+bool SelectionOutline::followApart(const StrokeList &strokes, const std::vector<std::size_t> &changed)
+{
+    for (const std::size_t place : changed) {
+        const StrokePtr &stroke = strokes[place];
+        if (std::as_const(m_strokes)[place]->id != stroke->id)
+            return false;
+        if (!m_selection.strokes.contains(stroke->id))
+            continue;
+        const auto it = std::lower_bound(m_shown.begin(), m_shown.end(), place,
+                                         [](const Shown &shown, std::size_t p) { return shown.place < p; });
+        if (it == m_shown.end() || it->place != place)
+            return false; // it comes into the view
+        it->stroke = stroke;
+        if (!std::exchange(it->apart, true))
+            m_drawn = false;
+    }
+    m_strokes = strokes;
+    return true;
+}
+
+std::set<int> SelectionOutline::chosenOf(StrokeId id) const
+{
+    std::set<int> chosen;
+    const auto from = m_selection.segments.lower_bound({id, 0});
+    for (auto it = from; it != m_selection.segments.end() && it->stroke == id; ++it)
+        chosen.insert(it->segment);
+    return chosen;
+}
+
+void SelectionOutline::gather(const View &view, const Painting &painting)
 {
     if (!(view == m_view))
         m_lines.clear();
     m_view = view;
     m_strokes = painting.strokes;
-    if (selection != m_selection)
-        m_selection = selection;
-    m_drawn = false;
+    m_stale = m_drawn = false;
     m_shown.clear();
+    m_shownBox = {};
     const Rect window = shownBox(view, thinMargin);
     std::size_t segments = 0;
-    for (const StrokePtr &stroke : m_strokes) {
-        if (!selection.strokes.contains(stroke->id) || !controlBox(*stroke).intersects(window))
+    for (const std::size_t place : m_places) {
+        if (!m_boxes[place].intersects(window))
             continue;
-        std::set<int> chosen;
-        const auto from = selection.segments.lower_bound({stroke->id, 0});
-        for (auto it = from; it != selection.segments.end() && it->stroke == stroke->id; ++it)
-            chosen.insert(it->segment);
+        const StrokePtr &stroke = painting.strokes[place];
         segments += stroke->segments.size();
-        m_shown.emplace_back(stroke, std::move(chosen));
+        m_shown.push_back({place, stroke, chosenOf(stroke->id)});
+        m_shownBox = m_shownBox.united(m_boxes[place]);
     }
     m_segments = segments;
     m_thin = segments > fineSegments;
-    if (m_thin) {
+    if (m_thin)
         m_lines.clear();
-    } else {
-        m_picture = {};
-        std::erase_if(m_lines, [&](const auto &line) { return !selection.strokes.contains(line.first); });
-    }
+    else
+        std::erase_if(m_lines, [&](const auto &line) { return !m_selection.strokes.contains(line.first); });
 }
 
-const SelectionOutline::Line &SelectionOutline::lineOf(const StrokePtr &stroke, std::set<int> chosen)
+const SelectionOutline::Line &SelectionOutline::lineOf(const Shown &shown)
 {
+    const StrokePtr &stroke = shown.stroke;
     Line &line = m_lines[stroke->id];
-    if (line.stroke == stroke && line.chosen == chosen)
+    if (line.stroke == stroke && line.chosen == shown.chosen)
         return line;
-    line = {stroke, std::move(chosen), {}, {}, {}};
+    line = {stroke, shown.chosen, {}, {}, {}};
     const Rect window = Rect::of(0, 0, m_view.width, m_view.height).grown(8);
     for (int k = 0; k < int(stroke->segments.size()); ++k) {
         const Cubic cubic = stroke->cubicOf(stroke->segments[std::size_t(k)]);
@@ -192,14 +265,43 @@ void SelectionOutline::paintFine(QPainter &painter, const OverlayColours &colour
     QColor quiet = colours.accent;
     quiet.setAlpha(m_selection.segments.empty() ? 255 : 150);
     // Stroke by stroke: one path of all would be searched for crossings.
-    for (const auto &[stroke, chosen] : m_shown)
-        strokeTwoTone(painter, m_lines.at(stroke->id).path, quiet, 1.1 * dpr);
-    for (const auto &[stroke, chosen] : m_shown)
-        if (!chosen.empty())
-            strokeTwoTone(painter, m_lines.at(stroke->id).segments, colours.accent, 2.2 * dpr);
-    for (const auto &[stroke, chosen] : m_shown)
-        for (const Point &node : m_lines.at(stroke->id).nodes)
+    for (const Shown &shown : m_shown)
+        strokeTwoTone(painter, m_lines.at(shown.stroke->id).path, quiet, 1.1 * dpr);
+    for (const Shown &shown : m_shown)
+        if (!shown.chosen.empty())
+            strokeTwoTone(painter, m_lines.at(shown.stroke->id).segments, colours.accent, 2.2 * dpr);
+    for (const Shown &shown : m_shown)
+        for (const Point &node : m_lines.at(shown.stroke->id).nodes)
             paintNode(painter, node, colours, dpr);
+}
+
+/// About how many pixels all lines are long.
+double SelectionOutline::lengthOfLines() const
+{
+    constexpr std::size_t most = 64; // strokes that are measured
+    const std::size_t step = m_shown.size() / most + 1;
+    double sum = 0;
+    for (std::size_t i = 0; i < m_shown.size(); i += step)
+        for (const Segment &segment : m_shown[i].stroke->segments)
+            sum += polygonLength(segment);
+    return sum * double(step) * m_view.scale;
+}
+
+/// Makes room for the next lines.
+void SelectionOutline::clearPicture()
+{
+    const QSize size(m_view.width + 2 * thinMargin, m_view.height + 2 * thinMargin);
+    if (m_picture.size() != size) {
+        m_picture = QImage(size, QImage::Format_ARGB32_Premultiplied);
+        m_picture.fill(Qt::transparent);
+    } else if (m_ink.size() == mostInk) {
+        m_picture.fill(Qt::transparent);
+    } else {
+        auto *bits = reinterpret_cast<QRgb *>(m_picture.bits());
+        for (const int pixel : m_ink)
+            bits[pixel] = 0;
+    }
+    m_ink.clear();
 }
 
 void SelectionOutline::drawThin(const QColor &colour, double dpr, bool moving)
@@ -207,23 +309,20 @@ void SelectionOutline::drawThin(const QColor &colour, double dpr, bool moving)
     m_thinColour = colour;
     m_drawn = true;
     m_rough = moving;
-    const QSize size(m_view.width + 2 * thinMargin, m_view.height + 2 * thinMargin);
-    if (m_picture.size() != size)
-        m_picture = QImage(size, QImage::Format_ARGB32_Premultiplied);
-    m_picture.fill(Qt::transparent);
-    double total = 0; // pixels
-    for (const auto &[stroke, chosen] : m_shown)
-        for (const Segment &segment : stroke->segments)
-            total += polygonLength(segment) * m_view.scale;
-    const double spacing = std::max(leastSpacing * dpr, total / (moving ? movingLines : thinLines));
+    View around = m_view; // the same middle
+    around.width += 2 * thinMargin;
+    around.height += 2 * thinMargin;
+    const Rect box = pixelBox(around, m_shownBox).grown(2);
+    const QRectF inView = QRectF(0, 0, around.width, around.height); // the box may be as large as a deep zoom makes it
+    m_inked = (inView & QRectF(QPointF(box.left, box.top), QPointF(box.right, box.bottom))).toAlignedRect();
+    clearPicture();
+    const double spacing = std::max(leastSpacing * dpr, lengthOfLines() / (moving ? movingLines : thinLines));
     QColor veiled = colour; // the paint below is still to be seen
     veiled.setAlphaF(thinOpacity);
-    ThinPen pen(m_picture, veiled);
-    View around = m_view; // the same middle
-    around.width = size.width();
-    around.height = size.height();
-    for (const auto &[stroke, chosen] : m_shown)
-        drawStroke(pen, *stroke, PixelMap(around, stroke->origin), m_view.scale, spacing);
+    ThinPen pen(m_picture, m_ink, veiled);
+    for (const Shown &shown : m_shown)
+        if (!shown.apart)
+            drawStroke(pen, *shown.stroke, PixelMap(around, shown.stroke->origin), m_view.scale, spacing);
 }
 
 void SelectionOutline::paintThin(QPainter &painter, const View &view, double dpr, const QColor &colour, bool moving)
@@ -231,14 +330,18 @@ void SelectionOutline::paintThin(QPainter &painter, const View &view, double dpr
     if (!m_drawn || m_thinColour != colour || (m_rough && !moving))
         drawThin(colour, dpr, moving);
     const Point shift = *shiftBetween(m_view, view);
-    painter.drawImage(QPointF(std::round(shift.x) - thinMargin, std::round(shift.y) - thinMargin), m_picture);
+    const QPoint corner(int(std::round(shift.x)) - thinMargin, int(std::round(shift.y)) - thinMargin);
+    painter.drawImage(corner + m_inked.topLeft(), m_picture, m_inked);
+    paintQuick(painter, view, colour, dpr, true);
 }
 
-void SelectionOutline::paintQuick(QPainter &painter, const QColor &colour, double dpr) const
+void SelectionOutline::paintQuick(QPainter &painter, const View &view, const QColor &colour, double dpr,
+                                  bool apart) const
 {
     ListPen pen;
-    for (const auto &[stroke, chosen] : m_shown)
-        drawStroke(pen, *stroke, PixelMap(m_view, stroke->origin), m_view.scale, leastSpacing * dpr);
+    for (const Shown &shown : m_shown)
+        if (shown.apart == apart)
+            drawStroke(pen, *shown.stroke, PixelMap(view, shown.stroke->origin), view.scale, leastSpacing * dpr);
     painter.setPen(QPen(colour, 0)); // one device pixel, not smoothed
     painter.drawLines(pen.lines);
 }
@@ -246,22 +349,21 @@ void SelectionOutline::paintQuick(QPainter &painter, const QColor &colour, doubl
 void SelectionOutline::paint(QPainter &painter, const View &view, const Painting &painting, const Selection &selection,
                              const OverlayColours &colours, double dpr, bool moving)
 {
-    if (selection.isEmpty()) {
-        *this = {};
+    locate(painting, selection);
+    if (!follow(view, painting, moving))
+        gather(view, painting);
+    if (m_shown.empty())
         return;
-    }
-    if (!isUnchanged(view, painting, selection))
-        gather(view, painting, selection);
     if (m_thin) {
         paintThin(painter, view, dpr, colours.accent, moving);
         return;
     }
     if (moving && m_segments > smoothSegments) {
-        paintQuick(painter, colours.accent, dpr);
+        paintQuick(painter, view, colours.accent, dpr, false);
         return;
     }
-    for (const auto &[stroke, chosen] : m_shown)
-        lineOf(stroke, chosen);
+    for (const Shown &shown : m_shown)
+        lineOf(shown);
     painter.setRenderHint(QPainter::Antialiasing);
     paintFine(painter, colours, dpr);
 }

@@ -90,7 +90,8 @@ private:
     /// Of a segment's row: its stroke's node.
     Node *nodeAt(const QModelIndex &index) const;
     QVariant segmentData(const Stroke &stroke, int segment, int column, int role) const;
-    void announce(const Node &node, bool segments);
+    /// Rows whose values changed, and those of whose segments that did.
+    void announce(const std::vector<const Node *> &strokes, const std::vector<const Node *> &withSegments);
     void followSegments(Node &node, const Stroke &stroke);
     QModelIndex indexOf(const Node *node, int column = 0) const;
     static Layout layoutOf(const Painting &painting);

@@ -119,7 +119,7 @@ void StrokesModel::documentChanged(const Change &change)
     for (const auto &[id, stroke] : changed)
         if (const auto it = m_nodes.find(id); it != m_nodes.end())
             followSegments(*it->second, *stroke);
-    std::vector<std::pair<const Node *, bool>> news; // and whether its segments changed
+    std::vector<const Node *> news, withSegments;
     for (const StrokeId id : ids) {
         const auto now = changed.find(id);
         if (now == changed.end()) {
@@ -127,24 +127,36 @@ void StrokesModel::documentChanged(const Change &change)
             continue;
         }
         StrokePtr &value = m_values[id];
-        if (const auto it = m_nodes.find(id); it != m_nodes.end())
-            news.emplace_back(it->second, value->segments != now->second->segments);
+        if (const auto it = m_nodes.find(id); it != m_nodes.end()) {
+            news.push_back(it->second);
+            if (value->segments != now->second->segments)
+                withSegments.push_back(it->second);
+        }
         value = now->second;
     }
     const bool groupsChanged = m_groups != painting->groups;
     m_groups = painting->groups;
-    for (const auto &[node, segments] : news)
-        announce(*node, segments);
+    announce(news, withSegments);
     if (groupsChanged && rowCount() > 0)
         emit dataChanged(index(0, 0), index(rowCount() - 1, LockColumn));
 }
 
-void StrokesModel::announce(const Node &node, bool segments)
+void StrokesModel::announce(const std::vector<const Node *> &strokes, const std::vector<const Node *> &withSegments)
 {
-    const QModelIndex stroke = indexOf(&node);
-    emit dataChanged(stroke, indexOf(&node, LockColumn));
-    if (segments && node.segments > 0)
-        emit dataChanged(index(0, NameColumn, stroke), index(node.segments - 1, NameColumn, stroke));
+    // From the first to the last below a parent: views look for each row, and a row that did not change costs less.
+    std::unordered_map<const Node *, std::pair<const Node *, const Node *>> ends;
+    for (const Node *node : strokes) {
+        auto &[first, last] = ends.try_emplace(node->parent, node, node).first->second;
+        first = node->row < first->row ? node : first;
+        last = node->row > last->row ? node : last;
+    }
+    for (const auto &[parent, rows] : ends)
+        emit dataChanged(indexOf(rows.first), indexOf(rows.second, LockColumn));
+    for (const Node *node : withSegments) {
+        const QModelIndex stroke = indexOf(node);
+        if (node->segments > 0)
+            emit dataChanged(index(0, NameColumn, stroke), index(node->segments - 1, NameColumn, stroke));
+    }
 }
 
 void StrokesModel::followSegments(Node &node, const Stroke &stroke)

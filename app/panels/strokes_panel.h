@@ -11,7 +11,6 @@ class QTreeView;
 namespace suffuse {
 
 class Editor;
-class StrokeThumbnails;
 class StrokesFilter;
 class StrokesModel;
 
@@ -38,18 +37,15 @@ protected:
     bool eventFilter(QObject *watched, QEvent *event) override;
 
 private:
-    void setUpView();
     void documentChanged(const Change &change);
     void takeSelectionFromDocument();
     void giveSelectionToDocument();
     void showMenu(const QPoint &at);
     void addSwitches(QMenu &menu, const QModelIndex &index);
-    void redrawStroke(StrokeId id);
 
     Editor &m_editor;
     StrokesModel *m_model = nullptr;
     StrokesFilter *m_filter = nullptr;
-    StrokeThumbnails *m_thumbnails = nullptr;
     QTreeView *m_view = nullptr;
     QLineEdit *m_search = nullptr;
     bool m_syncing = false;

@@ -19,6 +19,7 @@ public:
     void press(const PointerEvent &event) override;
     void move(const PointerEvent &event) override;
     void release(const PointerEvent &event) override;
+    bool changesAnything() const override { return true; }
     bool isBusy() const override { return m_run != 0; }
     void cancel() override;
 

@@ -382,8 +382,6 @@ void NodeTool::endDrag(bool cancelled)
 std::optional<double> NodeTool::paintMargin() const
 {
     constexpr double marks = 20; // logical pixels: of nodes, handles and where they snap
-    if (isBanding())
-        return {};
     return std::max(marks * m_canvas.devicePixelRatioF(), m_width.reach());
 }
 

@@ -14,7 +14,7 @@ namespace {
 /// Not what is painted only after the moment that is shown.
 bool isSelectable(const Painting &painting, Microseconds T, const Stroke &stroke)
 {
-    return stroke.born() <= T && painting.isVisible(stroke) && !painting.isLocked(stroke);
+    return painting.isVisible(stroke) && !painting.isLocked(stroke) && stroke.born() <= T;
 }
 
 /// The segment with the largest share where the stroke is seen at the point.
@@ -89,7 +89,7 @@ std::set<StrokeId> strokesWhollyIn(const Painting &painting, Microseconds T, IsI
     std::set<StrokeId> ids;
     for (const StrokePtr &stroke : painting.strokes)
         if (isSelectable(painting, T, *stroke) && isWithin(*stroke))
-            ids.insert(stroke->id);
+            ids.insert(ids.end(), stroke->id);
     return ids;
 }
 
@@ -277,7 +277,7 @@ std::set<StrokeId> selectableStrokes(const Painting &painting, Microseconds T)
     std::set<StrokeId> ids;
     for (const StrokePtr &stroke : painting.strokes)
         if (isSelectable(painting, T, *stroke))
-            ids.insert(stroke->id);
+            ids.insert(ids.end(), stroke->id); // most often the order is that of the ids
     return ids;
 }
 

@@ -44,7 +44,7 @@ std::vector<Point> nodesNear(const Painting &painting, const std::set<StrokeId> 
 } // namespace
 
 SelectTool::SelectTool(CanvasWidget &canvas, Actions &actions, QObject *parent)
-    : SelectionTool(canvas, parent), m_actions(actions), m_drag(m_editor)
+    : SelectionTool(canvas, parent), m_actions(actions), m_drag(canvas)
 {
     connect(&m_editor.document(), &Document::changed, this, &SelectTool::followDocument);
 }
@@ -78,11 +78,32 @@ void SelectTool::pressed(const PointerEvent &event)
     m_hit = m_handle ? std::nullopt : pick(event);
     const bool plain = !(event.modifiers & (Qt::ShiftModifier | Qt::AltModifier));
     m_selectedByPress = m_hit && plain && !selection().strokes.contains(m_hit->stroke);
-    if (!m_selectedByPress)
-        return;
-    const bool within = event.modifiers & Qt::ControlModifier; // a group
-    select(Selection{
-        within ? std::set<StrokeId>{m_hit->stroke} : withGroup(*m_editor.document().painting(), m_hit->stroke), {}});
+    if (m_selectedByPress) {
+        const bool within = event.modifiers & Qt::ControlModifier; // a group
+        select(Selection{within ? std::set<StrokeId>{m_hit->stroke}
+                                : withGroup(*m_editor.document().painting(), m_hit->stroke),
+                         {}});
+    }
+    if (isMoving(event) || (m_handle && m_handle->kind != Kind::Centre))
+        m_drag.prepare(selection().strokes);
+}
+
+bool SelectTool::isMoving(const PointerEvent &event) const
+{
+    return m_hit && !(event.modifiers & (Qt::ShiftModifier | Qt::AltModifier)) &&
+           selection().strokes.contains(m_hit->stroke);
+}
+
+void SelectTool::release(const PointerEvent &event)
+{
+    SelectionTool::release(event);
+    m_drag.end();
+}
+
+void SelectTool::cancel()
+{
+    SelectionTool::cancel();
+    m_drag.end();
 }
 
 void SelectTool::clicked(const PointerEvent &event)
@@ -206,8 +227,7 @@ bool SelectTool::beginDrag(const PointerEvent &event)
 {
     m_map = {};
     m_turnedByClick = false;
-    const bool moves = m_hit && !(event.modifiers & (Qt::ShiftModifier | Qt::AltModifier)) &&
-                       selection().strokes.contains(m_hit->stroke);
+    const bool moves = isMoving(event);
     if (!m_handle && !moves)
         return false;
     const QString name = !m_handle                       ? tr("Move")
@@ -299,8 +319,7 @@ void SelectTool::show(const Affine &map)
 {
     m_map = map;
     const SpreadRule rule = m_actions[Command::ScaleSpread].isChecked() ? SpreadRule::Scales : SpreadRule::Stays;
-    m_drag.show([&](const Stroke &stroke) { return transformed(stroke, map, rule); });
-    m_canvas.updateSelection();
+    m_drag.show(map, rule);
 }
 
 void SelectTool::endDrag(bool cancelled)

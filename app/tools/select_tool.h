@@ -1,9 +1,9 @@
 #pragma once
 
+#include "app/tools/floating_drag.h"
 #include "app/tools/pick.h"
 #include "app/tools/selection_tool.h"
 #include "app/tools/snapping.h"
-#include "app/tools/stroke_drag.h"
 #include "app/tools/transform_handles.h"
 
 #include <QPointer>
@@ -24,6 +24,8 @@ public:
     QString hint() const override;
     QCursor cursor() const override;
     QWidget *options() override;
+    void release(const PointerEvent &event) override;
+    void cancel() override;
     void hover(const PointerEvent &event) override;
     void leave() override;
     /// Tab and Shift+Tab go through the strokes.
@@ -54,6 +56,8 @@ private:
     void combine(std::set<StrokeId> found, const PointerEvent &event);
     void selectNext(int step);
 
+    /// Whether a drag from there moves the selection.
+    bool isMoving(const PointerEvent &event) const;
     void beginSnapping(bool moving);
     void dragHandle(const PointerEvent &event);
     void dragSelection(const PointerEvent &event);
@@ -75,7 +79,7 @@ private:
     bool m_selectedByPress = false;
     bool m_turnedByClick = false;            ///< the last click changed the handles' mode
     std::optional<TransformHandle> m_handle; ///< that is dragged
-    StrokeDrag m_drag;
+    FloatingDrag m_drag;
     Affine m_map; ///< of the drag so far
     Snapping m_snapping;
     Snap m_snap;

@@ -94,7 +94,7 @@ std::optional<double> SelectTool::paintMargin() const
 {
     constexpr double marks = 40; // logical pixels: of the handles around the box, and of where it snaps
     const bool centre = m_handle ? m_handle->kind == Kind::Centre : m_handles.mode() == TransformHandles::Mode::Turn;
-    if (isBanding() || (centre && !selection().isEmpty()))
+    if (centre && !selection().isEmpty())
         return {}; // the centre may lie anywhere
     return marks * m_canvas.devicePixelRatioF();
 }

@@ -62,6 +62,7 @@ void SelectionTool::beginMoving()
         m_state = State::Drag;
         return;
     }
+    m_canvas.updateSelection(); // handles give way to the band
     m_state = State::Band;
     m_shape = bandShape(m_start);
     m_trace = {m_start.point};

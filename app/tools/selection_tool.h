@@ -50,7 +50,6 @@ protected:
     std::optional<SegmentRef> pick(const PointerEvent &event) const;
     /// Canvas units around the pointer in which hairlines are found.
     double tolerance() const;
-    bool isBanding() const { return m_state == State::Band; }
     const Selection &selection() const;
     void select(Selection selection);
     /// Selects one segment, from which a run may start.

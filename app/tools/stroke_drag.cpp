@@ -51,6 +51,14 @@ void StrokeDrag::end()
     m_strokes.clear();
 }
 
+std::set<StrokeId> StrokeDrag::strokes() const
+{
+    std::set<StrokeId> ids;
+    for (const auto &[id, dragged] : m_strokes)
+        ids.insert(ids.end(), id);
+    return ids;
+}
+
 const Stroke *StrokeDrag::before(StrokeId stroke) const
 {
     const auto it = m_strokes.find(stroke);

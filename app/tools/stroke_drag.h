@@ -5,6 +5,7 @@
 
 #include <functional>
 #include <map>
+#include <set>
 
 namespace suffuse {
 
@@ -27,6 +28,7 @@ public:
     void end();
 
     bool isActive() const { return !m_strokes.empty(); }
+    std::set<StrokeId> strokes() const;
     /// A stroke as it was at the press, or null.
     const Stroke *before(StrokeId stroke) const;
 

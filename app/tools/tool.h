@@ -56,6 +56,8 @@ public:
     virtual void release(const PointerEvent &event) = 0;
     virtual void hover(const PointerEvent &) {}
     virtual void leave() {}
+    /// A drag may change strokes that are not selected.
+    virtual bool changesAnything() const { return false; }
     /// True between press and release.
     virtual bool isBusy() const = 0;
     /// Gives up what is in hand, as if it had not begun.

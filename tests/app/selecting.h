@@ -28,7 +28,7 @@ inline StrokePtr line(StrokeId id, Point from, Point to, int segments = 4)
 
 /// A window with strokes in it and the Select tool in hand.
 struct Selecting : Session {
-    explicit Selecting(StrokeList strokes)
+    explicit Selecting(StrokeList strokes, MakeRenderer make = makeRenderer) : Session(std::move(make))
     {
         auto painting = std::make_shared<Painting>();
         painting->strokes = std::move(strokes);

@@ -1,5 +1,4 @@
 // Selecting strokes on the canvas, by the events that a hand makes.
-#include "app/canvas/selection_outline.h"
 #include "app/settings.h"
 #include "app/tools/pick.h"
 #include "app/tools/seen_paint.h"
@@ -279,47 +278,6 @@ private slots:
         s.editor().lookAt(s.painting().end());
         s.use(Command::SelectAll);
         QCOMPARE(s.selected(), (std::set<StrokeId>{1, 2}));
-    }
-
-    void theOutlineThinsOutAndLeavesOutWhatIsNotSeen()
-    {
-        Painting painting;
-        for (int i = 0; i < 2000; ++i)
-            painting.strokes.push_back(line(StrokeId(i + 1), {5.0 * (i % 100), 20.0 * (i / 100)},
-                                            {5.0 * (i % 100) + 4, 20.0 * (i / 100) + 15}));
-        Selection all{selectableStrokes(painting, painting.end()), {}};
-        const OverlayColours colours{Qt::gray, Qt::black, QColor(20, 110, 230)};
-        SelectionOutline outline;
-        const auto draw = [&](const View &view, const Selection &selection) {
-            QImage image(view.width, view.height, QImage::Format_ARGB32_Premultiplied);
-            image.fill(Qt::white);
-            QPainter painter(&image);
-            outline.paint(painter, view, painting, selection, colours, 1);
-            painter.end();
-            return image;
-        };
-        const auto marked = [](const QImage &image) {
-            int count = 0;
-            for (int y = 0; y < image.height(); ++y)
-                for (int x = 0; x < image.width(); ++x)
-                    count += image.pixel(x, y) != qRgb(255, 255, 255);
-            return count;
-        };
-        const View whole = View::ofArea(Rect::of(0, 0, 500, 400), 500, 400);
-        const QImage first = draw(whole, all);
-        QVERIFY(outline.isThin());
-        QVERIFY(marked(first) > 10'000);
-        QCOMPARE(draw(whole, all), first); // from the picture that was kept
-        const QImage one = draw(whole, Selection{{1}, {}});
-        QVERIFY(!outline.isThin());
-        QVERIFY(marked(one) > 20 && marked(one) < 400);
-        const View close = View::ofArea(Rect::of(0, 0, 25, 20), 500, 400);
-        QVERIFY(marked(draw(close, all)) > 1000); // a few strokes, drawn finely
-        QVERIFY(!outline.isThin());
-        const View beside = View::ofArea(Rect::of(2000, 0, 500, 400), 500, 400);
-        QCOMPARE(marked(draw(beside, all)), 0);
-        painting.strokes[0] = line(1, {300, 0}, {310, 390});
-        QVERIFY(draw(whole, Selection{{1}, {}}) != one);
     }
 
 private:

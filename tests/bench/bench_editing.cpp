@@ -16,12 +16,13 @@ int main(int argc, char *argv[])
     Application application(argc, argv);
     QCommandLineParser parser;
     parser.addHelpOption();
-    parser.addOptions({{"painting", "A document; without it one of the size of the paper's figure 11f.", "file"},
-                       {"strokes", "A generated painting of so many strokes of ten segments.", "count"},
-                       {"events", "Events of a drag (300).", "count", "300"},
-                       {"only", "Parts, separated by commas: drags, views, selecting, tools, undo, memory.", "parts"},
-                       {"drag", "Only drags that have this in their names.", "text"},
-                       {"json", "For programs."}});
+    parser.addOptions(
+        {{"painting", "A document; without it one of the size of the paper's figure 11f.", "file"},
+         {"strokes", "A generated painting of so many strokes of ten segments.", "count"},
+         {"events", "Events of a drag (300).", "count", "300"},
+         {"only", "Parts, separated by commas: drags, views, selecting, tools, undo, memory.", "parts"},
+         {{"rows", "drag"}, "Only drags, selections, tools and undo steps that have this in their names.", "text"},
+         {"json", "For programs."}});
     parser.process(application);
     const int events = std::max(parser.value("events").toInt(), 3);
     const Result<Painting> painting = paintingFrom(parser);
@@ -30,14 +31,15 @@ int main(int argc, char *argv[])
         return 1;
     }
     const QStringList only = parser.value("only").split(',', Qt::SkipEmptyParts);
+    const QString rows = parser.value("rows");
     settings::setThreads(2);
     EditingSession session(application, std::make_shared<const Painting>(*painting));
     const std::pair<const char *, std::function<Report()>> parts[] = {
-        {"drags", [&] { return measureDrags(session, events, parser.value("drag")); }},
+        {"drags", [&] { return measureDrags(session, events, rows); }},
         {"views", [&] { return measureViews(session, events); }},
-        {"selecting", [&] { return measureSelecting(session, events); }},
-        {"tools", [&] { return measureTools(session, events); }},
-        {"undo", [&] { return measureUndo(session, std::max(events / 6, 3)); }},
+        {"selecting", [&] { return measureSelecting(session, events, rows); }},
+        {"tools", [&] { return measureTools(session, events, rows); }},
+        {"undo", [&] { return measureUndo(session, std::max(events / 6, 3), rows); }},
         {"memory", [&] { return measureMemory(*painting, 3 * events); }}};
     QJsonArray json;
     for (const auto &[name, measure] : parts) {

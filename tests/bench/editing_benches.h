@@ -31,13 +31,14 @@ QJsonObject jsonOf(const Report &report);
 SegmentRef middleSegment(const Painting &painting);
 std::set<StrokeId> firstStrokes(const Painting &painting, std::size_t count);
 
-/// Drags whose name has `wanted` in it.
+// Of the rows that may be many, only those whose names have `wanted` in them.
 Report measureDrags(EditingSession &session, int events, const QString &wanted);
 Report measureViews(EditingSession &session, int events);
-Report measureSelecting(EditingSession &session, int events);
+Report measureSelecting(EditingSession &session, int events, const QString &wanted);
 /// Touch path, knife and eraser, and a node of one of all strokes, which are selected.
-Report measureTools(EditingSession &session, int events);
-Report measureUndo(EditingSession &session, int times);
+Report measureTools(EditingSession &session, int events, const QString &wanted);
+/// By kind of edit: in the call of the undo stack, and until the frame is on the screen.
+Report measureUndo(EditingSession &session, int times, const QString &wanted);
 /// Bytes that a step of the undo stack keeps; the window's own caches left out.
 Report measureMemory(const Painting &painting, int steps);
 

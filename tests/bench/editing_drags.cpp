@@ -4,6 +4,7 @@
 #include "app/panels/segment_section.h"
 #include "app/tools/node_tool.h"
 #include "app/tools/pick.h"
+#include "app/tools/select_tool.h"
 #include "model/influence.h"
 #include "tests/bench/editing_benches.h"
 #include "undo/node_edits.h"
@@ -70,6 +71,8 @@ Row measureDrag(EditingSession &s, const Drag &drag, int events)
         const PaintingPtr before = s.document().painting();
         s.takeEvaluatedPixels();
         (void)s.untilShown([&] { drag.move(i); });
+        if (s.document().painting() == before)
+            s.settle(); // it floats
         evaluated += s.takeEvaluatedPixels();
         influenced += influencedPixels(*before, s.painting(), s.canvas().view(), s.editor().time());
     }
@@ -141,6 +144,21 @@ Drag dragOfSelection(EditingSession &s, const QString &name, std::size_t count, 
             [&s, start] { s.mouse(QEvent::MouseButtonRelease, around(*start, 3, 30)); }};
 }
 
+Drag dragOfHandle(EditingSession &s, const QString &name)
+{
+    const auto start = std::make_shared<Point>();
+    return {name,
+            [&s, start] {
+                s.window().action(Command::Select).trigger();
+                s.window().action(Command::SelectAll).trigger();
+                const auto *tool = static_cast<SelectTool *>(s.canvas().tool());
+                *start = tool->handles().place({TransformHandle::Kind::Scale, 1, 1}, s.canvas().view(), 1);
+                s.mouse(QEvent::MouseButtonPress, *start);
+            },
+            [&s, start](int i) { s.mouse(QEvent::MouseMove, around(*start, i + 4, 30)); },
+            [&s, start] { s.mouse(QEvent::MouseButtonRelease, around(*start, 3, 30)); }};
+}
+
 } // namespace
 
 Report measureDrags(EditingSession &s, int events, const QString &wanted)
@@ -151,7 +169,8 @@ Report measureDrags(EditingSession &s, int events, const QString &wanted)
     for (const Drag &drag :
          {dragOfNode(s, middle), dragOfSlider(s, middle), dragOfSelection(s, "drag one stroke", 1, middle),
           dragOfSelection(s, "drag 20 strokes", 20, middle),
-          dragOfSelection(s, QStringLiteral("drag all %1 strokes").arg(count), count, middle)})
+          dragOfSelection(s, QStringLiteral("drag all %1 strokes").arg(count), count, middle),
+          dragOfHandle(s, QStringLiteral("scale all %1 strokes").arg(count))})
         if (drag.name.contains(wanted))
             report.rows.push_back(measureDrag(s, drag, events));
     return report;

@@ -34,6 +34,11 @@ double toMs(Duration d)
 
 } // namespace
 
+double computedMs()
+{
+    return computedMs(CLOCK_THREAD_CPUTIME_ID);
+}
+
 double Times::at(double share) const
 {
     if (ms.empty())
@@ -59,7 +64,7 @@ EditingSession::EditingSession(Application &application, PaintingPtr painting) :
     QObject::connect(&canvas(), &CanvasWidget::framePresented, &m_window, [this](const FrameInfo &frame) {
         m_presented = frame.serial;
         m_evaluated += frame.evaluated;
-        m_coarseFrames += frame.coarseness > 1;
+        m_coarseFrames += !frame.isExact();
         m_frameTimes.ms.push_back(frame.stats.totalMs);
         if (frame.stats.dirty.empty())
             painted(); // the picture stays
@@ -81,7 +86,7 @@ void EditingSession::painted()
 {
     const Clock::time_point now = Clock::now();
     m_paintedAt = now;
-    m_paintedComputed = computedMs(CLOCK_THREAD_CPUTIME_ID);
+    m_paintedComputed = computedMs();
     ++m_paints;
     if (m_presented != std::exchange(m_lastPainted, m_presented))
         ++m_frames;
@@ -109,7 +114,7 @@ DragTimes EditingSession::paced(int events, const std::function<void(int)> &act)
     m_frameTimes.ms.clear();
     std::atomic<bool> waits = false, over = false;
     int taken = 0;
-    const double gui = computedMs(CLOCK_THREAD_CPUTIME_ID), all = computedMs(CLOCK_PROCESS_CPUTIME_ID);
+    const double gui = computedMs(), all = computedMs(CLOCK_PROCESS_CPUTIME_ID);
     const Clock::time_point start = Clock::now();
     std::thread hand([&] {
         for (int i = 0; i < events; ++i) {
@@ -138,7 +143,7 @@ DragTimes EditingSession::paced(int events, const std::function<void(int)> &act)
     result.framesASecond = m_frames / seconds;
     result.frameMs = m_frameTimes.at(0.5);
     result.coarse = 100.0 * m_coarseFrames / std::max(m_frames, 1);
-    result.guiMs = (computedMs(CLOCK_THREAD_CPUTIME_ID) - gui) / taken;
+    result.guiMs = (computedMs() - gui) / taken;
     result.allMs = (computedMs(CLOCK_PROCESS_CPUTIME_ID) - all) / taken;
     return result;
 }
@@ -147,7 +152,7 @@ double EditingSession::untilPainted(const std::function<void()> &act, double *co
 {
     const int before = m_paints;
     const Clock::time_point start = Clock::now();
-    const double own = computedMs(CLOCK_THREAD_CPUTIME_ID);
+    const double own = computedMs();
     act();
     while (m_paints == before && Clock::now() - start < patience)
         QCoreApplication::processEvents(QEventLoop::WaitForMoreEvents);

@@ -29,6 +29,9 @@ struct DragTimes {
     double allMs = 0;   ///< on all threads, an event
 };
 
+/// Milliseconds that this thread has computed for.
+double computedMs();
+
 /// Knows when a window has been painted.
 class Application : public QApplication {
 public:

@@ -34,19 +34,25 @@ double bytesOf(const Stroke &stroke)
 
 } // namespace
 
-Report measureUndo(EditingSession &s, int times)
+Report measureUndo(EditingSession &s, int times, const QString &wanted)
 {
     Report report{"Undo and redo: in the call, and to the frame on the screen, ms", {}};
     QUndoStack &stack = s.editor().undoStack();
-    const auto measure = [&](const QString &name) {
+    const auto measure = [&](const QString &name, const Selection &selected, const std::function<Edit()> &edit) {
+        if (!name.contains(wanted))
+            return;
+        s.document().setSelection(selected);
+        s.editor().push(edit(), name);
         for (const bool undoes : {true, false}) {
-            Times call, frame;
+            Times call, computed, frame;
             for (int i = 0; i < times; ++i) {
-                s.settle();
+                s.rest();
                 frame.ms.push_back(s.untilShown([&] {
                     QElapsedTimer timer;
                     timer.start();
+                    const double before = computedMs();
                     undoes ? stack.undo() : stack.redo();
+                    computed.ms.push_back(computedMs() - before);
                     call.ms.push_back(double(timer.nsecsElapsed()) * 1e-6);
                 }));
                 s.settle();
@@ -54,21 +60,39 @@ Report measureUndo(EditingSession &s, int times)
             }
             if (undoes)
                 stack.undo();
-            Row row{(undoes ? "undo " : "redo ") + name, {}};
-            for (const auto &[what, t] : {std::pair("call ", &call), std::pair("frame ", &frame)})
-                for (const auto &[column, value] : rowOf({}, *t).values)
-                    row.values.push_back({what + column, value});
-            report.rows.push_back(row);
+            report.rows.push_back({(undoes ? "undo: " : "redo: ") + name,
+                                   {{"call", call.at(0.5)},
+                                    {"call p99", call.at(0.99)},
+                                    {"call, computed", computed.at(0.5)},
+                                    {"frame", frame.at(0.5)},
+                                    {"frame p99", frame.at(0.99)}}});
         }
         s.settle();
     };
     const SegmentRef middle = middleSegment(s.painting());
-    s.document().setSelection({{middle.stroke}, {}});
-    s.editor().push(moveNodes(s.document(), {{middle.stroke, middle.segment}}, {7, 5}), "move");
-    measure("of a moved node");
-    s.document().setSelection({firstStrokes(s.painting(), 100), {}});
-    s.editor().push(restyle(s.document(), 0.3f), "restyle");
-    measure("of 100 strokes restyled");
+    const std::size_t all = s.painting().strokes.size();
+    const Selection one{{middle.stroke}, {}};
+    const auto first = [&s](std::size_t count) { return Selection{firstStrokes(s.painting(), count), {}}; };
+    const auto move = [&] { return transformSelection(s.document(), Affine::translation({7, 5}), SpreadRule::Stays); };
+    measure("a node moved", one, [&] { return moveNodes(s.document(), {{middle.stroke, middle.segment}}, {7, 5}); });
+    measure("D of a segment", {{middle.stroke}, {middle}}, [&] {
+        return changeSegments(s.document(), {middle}, [](Segment &segment) { segment.diffusion *= 1.3f; });
+    });
+    measure("one stroke moved", one, move);
+    measure("20 strokes moved", first(20), move);
+    measure(QStringLiteral("all %1 strokes moved").arg(all), first(all), move);
+    measure("one stroke painted", {}, [&] {
+        Stroke stroke = *s.painting().find(middle.stroke);
+        stroke.id = s.document().takeStrokeId();
+        return addStrokes(s.document(), {std::make_shared<const Stroke>(std::move(stroke))}, false);
+    });
+    measure("20 strokes deleted", first(20), [&] { return deleteSelection(s.document()); });
+    measure("100 strokes restyled", first(100), [&] { return restyle(s.document(), 0.3f); });
+    measure("colour of all strokes", first(all), [&] {
+        return changeSegments(s.document(), targetSegments(s.document()), [](Segment &segment) {
+            segment.colour = {0.2f, 0.7f, 0.4f, segment.colour.opacity};
+        });
+    });
     s.document().setSelection({});
     return report;
 }

@@ -3,7 +3,9 @@
 
 #include "tests/app/session.h"
 
+#include <QFile>
 #include <QOpenGLWidget>
+#include <QTemporaryDir>
 
 #include <algorithm>
 
@@ -17,6 +19,23 @@ inline QString noScreen()
                ? QString()
                : QStringLiteral("needs an X server, the platform is %1: run it under xvfb-run").arg(platform);
 }
+
+/// Settings of a program that tests windows, which has never run before.
+class OwnSettings {
+public:
+    /// From the next window on; one way to present pictures. False where there is no room for them.
+    bool begin(const char *presenter) const
+    {
+        const QString path = m_folder.filePath("settings.ini");
+        QFile::remove(path);
+        qputenv("SUFFUSE_SETTINGS", path.toLocal8Bit());
+        qputenv("SUFFUSE_PRESENTER", presenter);
+        return m_folder.isValid();
+    }
+
+private:
+    QTemporaryDir m_folder;
+};
 
 /// The canvas as it stands on the screen, in device pixels, the overlay with it.
 inline QImage shown(CanvasWidget &canvas)
@@ -94,6 +113,14 @@ inline int paintedPixels(const QImage &picture)
 }
 
 } // namespace suffuse
+
+/// What each test of windows begins with.
+#define BEGIN_ON_SCREEN(settings, presenter)                                                                           \
+    do {                                                                                                               \
+        if (const QString why = noScreen(); !why.isEmpty())                                                            \
+            QSKIP(qPrintable(why));                                                                                    \
+        QVERIFY((settings).begin(presenter));                                                                          \
+    } while (false)
 
 /// The canvas shows what one call of the renderer draws.
 #define COMPARE_SCREEN(s)                                                                                              \

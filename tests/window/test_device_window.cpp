@@ -7,7 +7,6 @@
 #include <QLabel>
 #include <QMainWindow>
 #include <QProcess>
-#include <QTemporaryDir>
 
 using namespace suffuse;
 
@@ -39,16 +38,12 @@ private slots:
     void aDeviceThatIsLost();
 
 private:
-    QTemporaryDir m_folder;
+    OwnSettings m_settings;
 };
 
 void TestDeviceWindow::initTestCase()
 {
-    if (const QString why = noScreen(); !why.isEmpty())
-        QSKIP(qPrintable(why));
-    QVERIFY(m_folder.isValid());
-    qputenv("SUFFUSE_SETTINGS", m_folder.filePath("settings.ini").toLocal8Bit());
-    qputenv("SUFFUSE_PRESENTER", "opengl");
+    BEGIN_ON_SCREEN(m_settings, "opengl");
     qInfo("contexts %s", qEnvironmentVariableIsSet(contextsApart) ? "apart" : "shared");
 }
 

@@ -4,7 +4,6 @@
 #include "tests/window/screen.h"
 
 #include <QScreen>
-#include <QTemporaryDir>
 
 using namespace suffuse;
 
@@ -16,21 +15,22 @@ private slots:
     void draggedStroke();
     void draggedNode();
     void nudgedAndUndone();
+    void selectedByBands_data();
+    void selectedByBands();
+    void oneNodeAmongMany();
 
 private:
     /// Pixels in which the screen differs from the canvas painted anew.
     static int stalePixels(Selecting &s);
+    /// So many that their outlines are thinned out, and one that lies apart.
+    static StrokeList manyStrokes();
 
-    QTemporaryDir m_folder;
+    OwnSettings m_settings;
 };
 
 void TestOverlay::initTestCase()
 {
-    if (const QString why = noScreen(); !why.isEmpty())
-        QSKIP(qPrintable(why));
-    QVERIFY(m_folder.isValid());
-    qputenv("SUFFUSE_SETTINGS", m_folder.filePath("settings.ini").toLocal8Bit());
-    qputenv("SUFFUSE_PRESENTER", "raster");
+    BEGIN_ON_SCREEN(m_settings, "raster");
 }
 
 int TestOverlay::stalePixels(Selecting &s)
@@ -111,6 +111,85 @@ void TestOverlay::nudgedAndUndone()
     QCOMPARE(stalePixels(s), 0);
     s.canvas().panBy({40, 25});
     QTest::keyClick(&s.canvas(), Qt::Key_Down, Qt::ShiftModifier);
+    QCOMPARE(stalePixels(s), 0);
+}
+
+StrokeList TestOverlay::manyStrokes()
+{
+    StrokeList strokes;
+    for (int i = 0; i < 60; ++i)
+        strokes.push_back(line(StrokeId(i + 1), {120, 120.0 + 8 * i}, {420, 100.0 + 9 * i}, 12));
+    strokes.push_back(line(61, {700, 200}, {820, 600}));
+    return strokes;
+}
+
+void TestOverlay::selectedByBands_data()
+{
+    QTest::addColumn<double>("turned");
+    QTest::newRow("upright") << 0.0;
+    QTest::newRow("turned") << 30.0;
+}
+
+void TestOverlay::selectedByBands()
+{
+    QFETCH(double, turned);
+    const int few = turned == 0 ? 0 : 10; // a smooth border of the sheet that is cut
+    Selecting s(manyStrokes());
+    QVERIFY(QTest::qWaitForWindowExposed(&s.window));
+    s.canvas().setZoom(0.5); // all in the window
+    s.canvas().rotateBy(turned);
+    s.dry();
+    s.use(Command::SelectAll);
+    QVERIFY(stalePixels(s) <= few);
+    s.use(Command::Deselect);
+    QVERIFY(stalePixels(s) <= few);
+    s.select({61});
+    QVERIFY(stalePixels(s) <= few);
+    const View view = s.canvas().view();
+    Rect pixels; // of all but the last
+    for (const Point corner : {Point{100, 80}, Point{440, 80}, Point{440, 660}, Point{100, 660}})
+        pixels.include(view.toPixels(corner));
+    const Point from = view.toCanvas({pixels.left, pixels.top}), to = view.toCanvas({pixels.right, pixels.bottom});
+    s.pressAndMove({from, {300, 300}, to}, none); // the handles of what was selected give way
+    QVERIFY(stalePixels(s) <= few);
+    s.send(QEvent::MouseButtonRelease, s.logical(view.toPixels(to)), none);
+    QVERIFY(s.selected().contains(30) && !s.selected().contains(61));
+    QVERIFY(stalePixels(s) <= few);
+    s.pressAndMove({from, to}, none);
+    QTest::keyClick(&s.canvas(), Qt::Key_Escape);
+    s.send(QEvent::MouseButtonRelease, s.logical(view.toPixels(to)), none);
+    QVERIFY(s.selected().contains(30));
+    QVERIFY(stalePixels(s) <= few);
+    s.use(Command::Lasso);
+    s.drag({{650, 150}, {900, 150}, {900, 650}, {650, 650}}, shift);
+    QVERIFY(s.selected().contains(30) && s.selected().contains(61));
+    QVERIFY(stalePixels(s) <= few);
+    s.use(Command::Lasso);
+    s.use(Command::Segments);
+    s.drag({{650, 150}, {900, 650}});
+    QVERIFY(stalePixels(s) <= few);
+}
+
+void TestOverlay::oneNodeAmongMany()
+{
+    Selecting s(manyStrokes());
+    QVERIFY(QTest::qWaitForWindowExposed(&s.window));
+    s.dry();
+    s.use(Command::SelectAll);
+    s.use(Command::Segments);
+    static_cast<NodeTool *>(s.canvas().tool())->selectNodes({{61, 2}});
+    const View view = s.canvas().view();
+    const Point node = nodePosition(s.stroke(61), 2);
+    s.send(QEvent::MouseButtonPress, s.logical(view.toPixels(node)), none);
+    for (int i = 1; i <= 20; ++i) {
+        s.send(QEvent::MouseMove, s.logical(view.toPixels(node + Point{-6.0 * i, 4.0 * i})), none);
+        QTest::qWait(i % 4 == 0 ? 20 : 3);
+    }
+    QCOMPARE(s.steps(), 1);
+    QCOMPARE(stalePixels(s), 0);
+    s.send(QEvent::MouseButtonRelease, s.logical(view.toPixels(node + Point{-120, 80})), none);
+    QCOMPARE(stalePixels(s), 0);
+    s.use(Command::Undo);
     QCOMPARE(stalePixels(s), 0);
 }
 

@@ -7,7 +7,6 @@
 #include <QLineEdit>
 #include <QProcess>
 #include <QSignalSpy>
-#include <QTemporaryDir>
 
 #include <algorithm>
 
@@ -35,22 +34,18 @@ private slots:
 private:
     static void presenters();
 
-    QTemporaryDir m_folder;
+    OwnSettings m_settings;
 };
 
 void TestWindow::initTestCase()
 {
-    if (const QString why = noScreen(); !why.isEmpty())
-        QSKIP(qPrintable(why));
+    BEGIN_ON_SCREEN(m_settings, "raster");
     qInfo("scale %g", qApp->devicePixelRatio());
-    QVERIFY(m_folder.isValid());
-    qputenv("SUFFUSE_SETTINGS", m_folder.filePath("settings.ini").toLocal8Bit());
 }
 
 void TestWindow::init()
 {
-    qputenv("SUFFUSE_PRESENTER", "raster");
-    QFile::remove(m_folder.filePath("settings.ini"));
+    QVERIFY(m_settings.begin("raster"));
 }
 
 void TestWindow::presenters()

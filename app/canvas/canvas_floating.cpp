@@ -1,0 +1,123 @@
+// The canvas during a drag that floats.
+#include "app/canvas/canvas_widget.h"
+#include "app/editor.h"
+
+#include <QPainter>
+
+namespace suffuse {
+
+namespace {
+
+/// Beyond so many segments the edit of a drag alone is slow, whatever it draws.
+constexpr std::size_t manySegments = 2000;
+
+/// The view in which strokes look as they do under the map in `view`; none where the map is no similarity.
+std::optional<View> viewUnder(View view, const Affine &map)
+{
+    const std::optional<Affine> back = map.inverse();
+    if (!back || !map.isSimilarity())
+        return {};
+    const Point centre = (*back)(view.centre);
+    view.centre = {};
+    const Point half{0.5 * view.width, 0.5 * view.height};
+    const Point down = view.toPixels(map.turned({0, 1})) - half; // mirroring leaves it alone
+    view.mirrored = view.mirrored != (map.determinant() < 0);
+    view.scale = length(down);
+    view.rotation = std::atan2(-down.x, down.y);
+    view.centre = centre;
+    return view;
+}
+
+/// The map in pixels of the view.
+QTransform inPixels(const View &view, const Affine &map)
+{
+    const auto at = [&](double x, double y) { return view.toPixels(map(view.toCanvas({x, y}))); };
+    const double w = view.width, h = view.height;
+    const Point base = at(0, 0), right = (1 / w) * (at(w, 0) - base), down = (1 / h) * (at(0, h) - base);
+    return QTransform(right.x, right.y, down.x, down.y, base.x, base.y);
+}
+
+} // namespace
+
+void CanvasWidget::lift(const std::set<StrokeId> &strokes)
+{
+    endLift();
+    const PaintingPtr &painting = m_editor.document().painting();
+    if (strokes.size() < 2 || m_editor.isRunning() || m_editor.shown() != painting || !m_worker.canFloat())
+        return;
+    Painting rest = *painting, lifted = *painting;
+    rest.strokes.clear();
+    lifted.strokes.clear();
+    for (const StrokePtr &stroke : painting->strokes) {
+        const bool moves = strokes.contains(stroke->id) && painting->isVisible(*stroke) && !painting->isLocked(*stroke);
+        (moves ? lifted : rest).strokes.push_back(stroke);
+    }
+    if (lifted.segmentCount() < manySegments && !m_worker.isSlowFor(reachedPixels(lifted, view(), m_editor.time())))
+        return;
+    m_liftedFrom = painting;
+    m_lift = std::make_shared<const Lift>(painting, std::make_shared<const Painting>(std::move(rest)),
+                                          std::make_shared<const Painting>(std::move(lifted)), m_editor.time(), view());
+    m_worker.lift(m_lift);
+}
+
+void CanvasWidget::endLift()
+{
+    if (!m_lift)
+        return;
+    m_lift.reset();
+    m_worker.lift(nullptr);
+    if (m_floating && m_floating->settled)
+        return;
+    m_floating.reset();
+    scheduleRender(); // the renderer has drawn the rest last
+}
+
+bool CanvasWidget::holds(const Lift &lift) const
+{
+    return m_liftedFrom == m_editor.shown() && lift.view == view() && lift.time == m_editor.time() &&
+           m_worker.canFloat();
+}
+
+void CanvasWidget::showFloating(const Affine &map)
+{
+    m_floating = {m_lift, map, false};
+    m_editor.keepDragging();
+    scheduleRender();
+}
+
+void CanvasWidget::settleFloating()
+{
+    if (!m_floating)
+        return;
+    m_floating->settled = true;
+    m_liftedFrom = m_editor.document().painting();
+    scheduleRender();
+}
+
+bool CanvasWidget::coversFloating(const Affine &map) const
+{
+    constexpr double beyond = FloatingLayers::margin;
+    const std::optional<Affine> back = map.inverse();
+    const double w = view().width, h = view().height;
+    for (const Point corner : {Point{0, 0}, Point{w, 0}, Point{w, h}, Point{0, h}})
+        if (!back || !Rect::of(0, 0, w, h).grown(beyond).contains(view().toPixels((*back)(view().toCanvas(corner)))))
+            return false;
+    return true;
+}
+
+void CanvasWidget::paintSelection(QPainter &painter, double dpr)
+{
+    const Document &document = m_editor.document();
+    if (!m_floating || !holds(*m_floating->lift)) {
+        m_outline.paint(painter, view(), *document.painting(), document.selection(), m_colours, dpr,
+                        m_editor.isDragging());
+        return;
+    }
+    const std::optional<View> under = viewUnder(view(), m_floating->map);
+    if (!under)
+        painter.setTransform(inPixels(view(), m_floating->map), true);
+    m_outline.paint(painter, under.value_or(view()), *m_floating->lift->lifted, document.selection(), m_colours, dpr,
+                    true);
+}
+
+} // namespace suffuse

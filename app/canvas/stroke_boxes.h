@@ -1,0 +1,23 @@
+#pragma once
+
+#include "model/painting.h"
+
+#include <vector>
+
+namespace suffuse {
+
+/// The boxes of the strokes' control points, by their places in the order. Those of strokes that stay are kept.
+class StrokeBoxes {
+public:
+    /// True where the same strokes stand in the same order as before, whatever their values are.
+    bool follow(const StrokeList &strokes);
+    const Rect &operator[](std::size_t place) const { return m_boxes[place]; }
+
+private:
+    void replace(const StrokeList &strokes);
+
+    StrokeList m_strokes;
+    std::vector<Rect> m_boxes;
+};
+
+} // namespace suffuse

@@ -1,0 +1,23 @@
+#pragma once
+
+#include <QTreeView>
+
+namespace suffuse {
+
+class Editor;
+class StrokesFilter;
+class StrokesModel;
+
+/// How the rows of the Strokes dock look, and how they are dragged. Many rows that change at once cost no more than
+/// what is to be seen of them.
+class StrokesView : public QTreeView {
+    Q_OBJECT
+
+public:
+    StrokesView(Editor &editor, const StrokesModel &model, StrokesFilter &filter, QWidget *parent = nullptr);
+
+    void dataChanged(const QModelIndex &topLeft, const QModelIndex &bottomRight,
+                     const QList<int> &roles = QList<int>()) override;
+};
+
+} // namespace suffuse

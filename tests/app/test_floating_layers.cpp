@@ -1,0 +1,91 @@
+// Frames that are composed of two pictures, without a window.
+#include "app/canvas/floating_layers.h"
+#include "tests/app/selecting.h"
+#include "tests/app/worker_frames.h"
+
+using namespace suffuse;
+
+namespace {
+
+int greatestDifference(const std::vector<std::uint32_t> &a, const std::vector<std::uint32_t> &b)
+{
+    int greatest = a.size() == b.size() ? 0 : 256;
+    for (std::size_t i = 0; i < a.size() && greatest < 256; ++i)
+        for (int shift = 0; shift < 32; shift += 8)
+            greatest = std::max(greatest, std::abs(int(a[i] >> shift & 255) - int(b[i] >> shift & 255)));
+    return greatest;
+}
+
+double meanDifference(const QImage &shown, const std::vector<std::uint32_t> &wanted)
+{
+    const auto *argb = reinterpret_cast<const std::uint32_t *>(shown.constBits());
+    double sum = 0;
+    for (std::size_t i = 0; i < wanted.size(); ++i)
+        for (int shift = 0; shift < 24; shift += 8)
+            sum += std::abs(int(argb[i] >> shift & 255) - int(wanted[i] >> shift & 255));
+    return sum / (3.0 * double(wanted.size()));
+}
+
+} // namespace
+
+class TestFloatingLayers : public QObject {
+    Q_OBJECT
+
+private slots:
+    void framesAreComposed_data()
+    {
+        QTest::addColumn<Affine>("map");
+        QTest::newRow("moved") << Affine::translation({24, -13});
+        QTest::newRow("turned") << Affine::rotation({150, 100}, 0.4);
+        QTest::newRow("scaled") << Affine::scaling({150, 100}, 1.3, 0.8);
+        QTest::newRow("mirrored") << Affine::scaling({150, 100}, -1, 1);
+        QTest::newRow("out of the view") << Affine::translation({900, 0});
+    }
+
+    /// A frame is the same whatever was shown before it, and looks like the exact one.
+    void framesAreComposed()
+    {
+        QFETCH(Affine, map);
+        for (const int factor : {1, 4})
+            for (const double rotation : {0.0, 0.7}) {
+                RenderRequest r = request(20);
+                r.view.rotation = rotation;
+                r.view.mirrored = rotation > 0;
+                auto rest = std::make_shared<Painting>(*r.painting), all = std::make_shared<Painting>(*r.painting);
+                auto lifted = std::make_shared<Painting>(*r.painting);
+                const StrokePtr moves = line(2, {60, 40}, {220, 150});
+                lifted->strokes = {moves};
+                all->strokes.push_back(std::make_shared<const Stroke>(transformed(*moves, map, SpreadRule::Scales)));
+                const auto lift = std::make_shared<const Lift>(r.painting, rest, lifted, r.time, r.view);
+                FloatingLayers layers(std::move(*makeRenderer({.backend = Backend::Cpu})));
+                Picture8 picture;
+                QVERIFY(bool((*makeRenderer({.backend = Backend::Cpu}))->render(r, picture)));
+                layers.setRest(lift, picture, true);
+                QVERIFY(!layers.isOf(lift));
+                QVERIFY(*layers.draw(lift, factor));
+                QVERIFY(layers.isOf(lift));
+                Picture8 fresh = picture;
+                (void)layers.compose(map, true, fresh, 2);
+                (void)layers.compose(Affine::rotation({100, 30}, 1), true, picture, 2);
+                const std::vector<PixelRect> written = layers.compose(map, false, picture, 2);
+                // Qt weighs neighbours in sixteenths, and parts begin elsewhere.
+                const int greatest = greatestDifference(picture.argb, fresh.argb);
+                QVERIFY2(greatest <= (map.isTranslation() && factor == 1 ? 0 : 16),
+                         qPrintable(QString::number(greatest)));
+                double area = 0;
+                for (const PixelRect &rect : written)
+                    area += double(rect.width) * rect.height;
+                QVERIFY(area <= double(width) * height);
+
+                r.painting = all;
+                const std::vector<std::uint32_t> wanted = pixelsOf(r);
+                const QImage shown(reinterpret_cast<const uchar *>(fresh.argb.data()), width, height, 4 * width,
+                                   QImage::Format_RGB32);
+                const double mean = meanDifference(shown, wanted);
+                QVERIFY2(mean < 1.5, qPrintable(QString::number(mean)));
+            }
+    }
+};
+
+QTEST_MAIN(TestFloatingLayers)
+#include "test_floating_layers.moc"

@@ -1,0 +1,136 @@
+// The outlines of the selected strokes: thinned out where they are many, apart where they move.
+#include "app/canvas/selection_outline.h"
+#include "app/tools/pick.h"
+#include "tests/app/selecting.h"
+
+#include <QTest>
+
+#include <random>
+
+using namespace suffuse;
+
+class TestSelectionOutline : public QObject {
+    Q_OBJECT
+
+private slots:
+    void theOutlineThinsOutAndLeavesOutWhatIsNotSeen()
+    {
+        Painting painting;
+        for (int i = 0; i < 2000; ++i)
+            painting.strokes.push_back(line(StrokeId(i + 1), {5.0 * (i % 100), 20.0 * (i / 100)},
+                                            {5.0 * (i % 100) + 4, 20.0 * (i / 100) + 15}));
+        Selection all{selectableStrokes(painting, painting.end()), {}};
+        const OverlayColours colours{Qt::gray, Qt::black, QColor(20, 110, 230)};
+        SelectionOutline outline;
+        const auto draw = [&](const View &view, const Selection &selection) {
+            QImage image(view.width, view.height, QImage::Format_ARGB32_Premultiplied);
+            image.fill(Qt::white);
+            QPainter painter(&image);
+            outline.paint(painter, view, painting, selection, colours, 1);
+            painter.end();
+            return image;
+        };
+        const auto marked = [](const QImage &image) {
+            int count = 0;
+            for (int y = 0; y < image.height(); ++y)
+                for (int x = 0; x < image.width(); ++x)
+                    count += image.pixel(x, y) != qRgb(255, 255, 255);
+            return count;
+        };
+        const View whole = View::ofArea(Rect::of(0, 0, 500, 400), 500, 400);
+        const QImage first = draw(whole, all);
+        QVERIFY(outline.isThin());
+        QVERIFY(marked(first) > 10'000);
+        QCOMPARE(draw(whole, all), first); // from the picture that was kept
+        const QImage one = draw(whole, Selection{{1}, {}});
+        QVERIFY(!outline.isThin());
+        QVERIFY(marked(one) > 20 && marked(one) < 400);
+        const View close = View::ofArea(Rect::of(0, 0, 25, 20), 500, 400);
+        QVERIFY(marked(draw(close, all)) > 1000); // a few strokes, drawn finely
+        QVERIFY(!outline.isThin());
+        const View beside = View::ofArea(Rect::of(2000, 0, 500, 400), 500, 400);
+        QCOMPARE(marked(draw(beside, all)), 0);
+        painting.strokes[0] = line(1, {300, 0}, {310, 390});
+        QVERIFY(draw(whole, Selection{{1}, {}}) != one);
+    }
+
+    void whatMovesAmongManyIsOutlinedApart()
+    {
+        Painting painting;
+        for (int i = 0; i < 800; ++i)
+            painting.strokes.push_back(
+                line(StrokeId(i + 1), {10.0 * (i % 40), 20.0 * (i / 40)}, {10.0 * (i % 40) + 8, 20.0 * (i / 40) + 15}));
+        const Selection all{selectableStrokes(painting, painting.end()), {}};
+        const OverlayColours colours{Qt::gray, Qt::black, QColor(20, 110, 230)};
+        const View view = View::ofArea(Rect::of(0, 0, 500, 400), 500, 400);
+        const auto draw = [&](SelectionOutline &outline, bool moving) {
+            QImage image(view.width, view.height, QImage::Format_ARGB32_Premultiplied);
+            image.fill(Qt::white);
+            QPainter painter(&image);
+            outline.paint(painter, view, painting, all, colours, 1, moving);
+            return image;
+        };
+        const auto inks = [](const QImage &image, QRect where) {
+            int count = 0;
+            for (int y = where.top(); y <= where.bottom(); ++y)
+                for (int x = where.left(); x <= where.right(); ++x)
+                    count += image.pixel(x, y) != qRgb(255, 255, 255);
+            return count;
+        };
+        SelectionOutline outline;
+        const QImage first = draw(outline, false);
+        QVERIFY(outline.isThin());
+        const QRect home(0, 0, 9, 16), away(420, 100, 60, 200); // right of the others
+        QVERIFY(inks(first, home) > 10);
+        QCOMPARE(inks(first, away), 0);
+        for (int step = 0; step < 3; ++step) {
+            painting.strokes[0] = line(1, {430, 110.0 + 60 * step}, {470, 130.0 + 60 * step});
+            const QImage moving = draw(outline, true);
+            QCOMPARE(inks(moving, home), 0);
+            QVERIFY(inks(moving, away) > 20 && inks(moving, away) < 90); // where it is, not where it was
+            QVERIFY(inks(moving, QRect(0, 0, 420, 400)) > inks(first, QRect(0, 0, 420, 400)) / 2);
+        }
+        SelectionOutline fresh;
+        QCOMPARE(draw(outline, false), draw(fresh, false)); // once it rests
+    }
+
+    void boxesFollowTheStrokes()
+    {
+        std::mt19937 random(5);
+        Painting painting;
+        for (int i = 0; i < 200; ++i)
+            painting.strokes.push_back(line(StrokeId(i + 1), {10.0 * i, 3.0 * i}, {10.0 * i + 8, 20}));
+        SelectionOutline outline;
+        for (int step = 0; step < 200; ++step) {
+            const std::size_t n = painting.strokes.size(), place = random() % n, other = random() % n;
+            const Point at{double(random() % 1000), double(random() % 1000)};
+            const auto where = std::as_const(painting.strokes).begin() + std::ptrdiff_t(place);
+            switch (step % 4) {
+            case 0:
+                painting.strokes.erase(where);
+                break;
+            case 1:
+                painting.strokes.insert(where, line(StrokeId(1000 + step), at, at + Point{5, 7}));
+                break;
+            case 2:
+                painting.strokes[place] = line(std::as_const(painting.strokes)[place]->id, at, at + Point{-9, 3});
+                break;
+            default:
+                std::swap(painting.strokes[place], painting.strokes[other]);
+                break;
+            }
+            Selection some;
+            Rect box;
+            for (const StrokePtr &stroke : std::as_const(painting.strokes))
+                if (stroke->id % 5 == StrokeId(step / 20) % 5) {
+                    some.strokes.insert(stroke->id);
+                    for (const Segment &segment : stroke->segments)
+                        box = box.united(stroke->cubicOf(segment).controlBox());
+                }
+            QCOMPARE(outline.boxOf(painting, some), box);
+        }
+    }
+};
+
+QTEST_MAIN(TestSelectionOutline)
+#include "test_selection_outline.moc"

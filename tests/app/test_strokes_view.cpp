@@ -1,0 +1,52 @@
+// The rows of the Strokes dock as they are seen.
+#include "app/panels/strokes_model.h"
+#include "app/panels/strokes_panel.h"
+#include "tests/app/panel_bench.h"
+#include "undo/edits.h"
+
+#include <QSignalSpy>
+#include <QTreeView>
+
+using namespace suffuse;
+
+class TestStrokesView : public QObject {
+    Q_OBJECT
+
+private slots:
+    void manyRowsThatChangeAreToldTogether()
+    {
+        Bench bench(300);
+        StrokesPanel panel(bench.editor);
+        showAt(panel, {280, 300});
+        bench.editor.document().setSelection({});
+        panel.view()->expand(panel.viewIndexOf(299));
+        QApplication::processEvents();
+        QSignalSpy changes(panel.model(), &QAbstractItemModel::dataChanged);
+        const auto seen = [&] { return panel.view()->viewport()->grab().toImage(); };
+        const QImage before = seen();
+        std::set<StrokeId> odd;
+        for (StrokeId id = 1; id <= 300; id += 2)
+            odd.insert(id);
+        bench.editor.push(changeStrokes(bench.editor.document(), odd, [](Stroke &stroke) { stroke.visible = false; }),
+                          "hide");
+        QCOMPARE(changes.count(), 1); // of 150 rows, none of their segments
+        QApplication::processEvents();
+        const QImage hidden = seen();
+        QVERIFY(hidden != before);
+        bench.editor.undoStack().undo();
+        QCOMPARE(seen(), before);
+        const auto recolour = [&](std::set<StrokeId> strokes) {
+            return changeStrokes(bench.editor.document(), strokes, [](Stroke &stroke) {
+                for (Segment &segment : stroke.segments)
+                    segment.colour = {1, 0, 0, 1};
+            });
+        };
+        bench.editor.push(recolour({299}), "colour of the segments that are open");
+        QVERIFY(seen() != before);
+        bench.editor.undoStack().undo();
+        QTRY_COMPARE(seen(), before); // thumbnails too
+    }
+};
+
+QTEST_MAIN(TestStrokesView)
+#include "test_strokes_view.moc"
