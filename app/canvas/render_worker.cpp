@@ -204,8 +204,8 @@ RenderWorker::Task RenderWorker::next()
                 begin(m_lift->view);
                 return Task::Lift;
             }
-        } else if (wanted && !m_lift && m_exact && (!m_coarse || !m_coarse->isAt(*m_exact)) && canBeCoarse(m_exact->view) &&
-                   isSlow(m_msPerPixel * m_exact->view.width * m_exact->view.height)) {
+        } else if (wanted && !m_lift && m_exact && (!m_coarse || !m_coarse->isAt(*m_exact)) &&
+                   canBeCoarse(m_exact->view) && isSlow(m_msPerPixel * m_exact->view.width * m_exact->view.height)) {
             if (!m_wake.wait_for(lock, rest, asked)) {
                 m_yields = true;
                 begin(m_exact->view);
