@@ -64,8 +64,12 @@ struct Block {
 struct Sums {
     alignas(64) float v[fixedSums + maxChannels][blockSize];
 
-    /// The first rows, one after the other.
-    void take(std::span<const float> rows) { std::memcpy(v, rows.data(), rows.size_bytes()); }
+    /// The first rows, one after the other; there may be none.
+    void take(std::span<const float> rows)
+    {
+        if (!rows.empty())
+            std::memcpy(v, rows.data(), rows.size_bytes());
+    }
     void give(std::span<float> rows) const { std::memcpy(rows.data(), v, rows.size_bytes()); }
 };
 

@@ -1,10 +1,10 @@
+#include "render/image_io/declared_size.h"
 #include "render/image_io/image_io.h"
 #include "render/image_io/image_module.h"
 #include "render/image_io/srgb.h"
 #include "render/image_io/strip_metadata.h"
 
 #include <QCoreApplication>
-#include <QtEndian>
 
 #include <algorithm>
 #include <array>
@@ -12,46 +12,6 @@
 namespace suffuse {
 
 namespace {
-
-struct Size {
-    qint64 width = 0;
-    qint64 height = 0;
-};
-
-std::uint32_t littleEndian(const QByteArray &bytes, int at, int count)
-{
-    std::uint32_t v = 0;
-    for (int i = 0; i < count && at + i < bytes.size(); ++i)
-        v |= std::uint32_t(static_cast<unsigned char>(bytes[at + i])) << (8 * i);
-    return v;
-}
-
-/// What a WebP file declares. Its decoder takes memory for the whole picture when it opens the file, so this comes
-/// first.
-Size webpSize(const QByteArray &bytes)
-{
-    const QByteArray chunk = bytes.mid(12, 4);
-    if (chunk == "VP8X")
-        return {qint64(littleEndian(bytes, 24, 3)) + 1, qint64(littleEndian(bytes, 27, 3)) + 1};
-    if (chunk == "VP8L") {
-        const std::uint32_t v = littleEndian(bytes, 21, 4);
-        return {(v & 0x3FFF) + 1, (v >> 14 & 0x3FFF) + 1};
-    }
-    if (chunk == "VP8 ")
-        return {littleEndian(bytes, 26, 2) & 0x3FFF, littleEndian(bytes, 28, 2) & 0x3FFF};
-    return {};
-}
-
-Size pngSize(const QByteArray &bytes)
-{
-    const auto bigEndian = [&bytes](int at) { return qint64(qbswap(littleEndian(bytes, at, 4))); };
-    return {bigEndian(16), bigEndian(20)};
-}
-
-bool isTooLarge(Size s)
-{
-    return s.width > maxImageSide || s.height > maxImageSide || s.width * s.height > maxImagePixels;
-}
 
 /// Turns the module's rows into straight sRGB-encoded RGBA.
 struct RowConverter {
@@ -110,8 +70,7 @@ Result<void> readImageRows(const QByteArray &bytes, const QString &name, const I
         return Error{QCoreApplication::translate(
                          "ImageReader", "%1: is not a PNG, JPEG, TIFF, EXR or WebP image. Convert it to one of them.")
                          .arg(name)};
-    if ((format == ImageFormat::WebP && isTooLarge(webpSize(bytes))) ||
-        (format == ImageFormat::Png && isTooLarge(pngSize(bytes))))
+    if (declaresTooMuch(bytes, format))
         return tooLarge(name);
     if (!imageModule())
         return Error{QCoreApplication::translate("ImageReader", "%1: cannot read %2: %3.")

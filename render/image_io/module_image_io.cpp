@@ -130,7 +130,13 @@ bool readRows(const ImageModuleRead &job, char *error, std::size_t size)
     std::vector<float> values(std::size_t(spec.width) * channels * std::min(strip, spec.height));
     for (int y = 0; y < spec.height; y += strip) {
         const int end = std::min(y + strip, spec.height);
-        if (!in->read_scanlines(0, 0, spec.y + y, spec.y + end, 0, 0, channels, TypeDesc::FLOAT, values.data()))
+        // Scanlines of tiles: some readers divide by a strip's height, which is 0 then.
+        const bool isRead =
+            spec.tile_width > 0
+                ? in->read_tiles(0, 0, spec.x, spec.x + spec.width, spec.y + y, spec.y + end, spec.z, spec.z + 1, 0,
+                                 channels, TypeDesc::FLOAT, values.data())
+                : in->read_scanlines(0, 0, spec.y + y, spec.y + end, 0, 0, channels, TypeDesc::FLOAT, values.data());
+        if (!isRead)
             return fail(error, size, in->geterror());
         for (int row = y; row < end; ++row)
             job.row(job.context, row, values.data() + std::size_t(row - y) * spec.width * channels);

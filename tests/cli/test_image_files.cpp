@@ -66,6 +66,7 @@ private slots:
     void cancelledWritingLeavesNothing();
     void declaredSizes_data();
     void declaredSizes();
+    void tiles();
     void truncated_data();
     void truncated();
     void notANumber();
@@ -91,6 +92,12 @@ void TestImageFiles::alphaRoundTrip_data()
     QTest::newRow("TIFF float") << "a.tif" << 3 << 0.0 << 0.0f;
     QTest::newRow("EXR half") << "a.exr" << 2 << 1.0 / 1024 << 0.01f;
     QTest::newRow("EXR float") << "a.exr" << 3 << 1e-6 << 0.01f;
+    const QString seeds = QStringLiteral(SUFFUSE_SOURCE_DIR "/tests/fuzz/seeds/image/");
+    QTest::newRow("EXR, text of 2 GB") << bytesOf(seeds + "string-of-2-gb.exr");
+    QByteArray exr = bytesOf(seeds + "half.exr");
+    const qsizetype window =
+        exr.indexOf("dataWindow") + 11 + 6 + 4; // name, "box2i", size; then left, top, right, bottom
+    QTest::newRow("EXR of 2 billion lines") << exr.replace(window + 12, 4, QByteArray("\xff\xff\xff\x7f", 4));
     QTest::newRow("WebP, lossless") << "a.webp" << 0 << 0.5 / 255 + 1e-6 << 0.01f;
 }
 
@@ -204,6 +211,18 @@ void TestImageFiles::declaredSizes()
     const Result<FloatPicture> read = readImage(bytes, "huge");
     QVERIFY(!read);
     QVERIFY2(read.error().startsWith("huge: ") && read.error().contains("declares"), qPrintable(read.error()));
+}
+
+/// 16 × 16 pixels in one tile, squares of two pixels, black first.
+void TestImageFiles::tiles()
+{
+    const QByteArray bytes = bytesOf(QStringLiteral(SUFFUSE_SOURCE_DIR "/tests/fuzz/seeds/image/tiled.tif"));
+    const Result<FloatPicture> picture = readImage(bytes, QStringLiteral("tiled.tif"));
+    QVERIFY2(picture, picture ? "" : qPrintable(picture.error()));
+    QCOMPARE(QSize(picture->width, picture->height), QSize(16, 16));
+    for (int y = 0; y < 16; ++y)
+        for (int x = 0; x < 16; ++x)
+            QCOMPARE(picture->rgba[std::size_t(4 * (16 * y + x))], (x / 2 + y / 2) % 2 ? 1.0f : 0.0f);
 }
 
 void TestImageFiles::truncated_data()

@@ -1,0 +1,115 @@
+#include "render/image_io/declared_size.h"
+
+#include <QtEndian>
+
+#include <algorithm>
+#include <optional>
+
+namespace suffuse {
+
+namespace {
+
+struct Size {
+    qint64 width = 0;
+    qint64 height = 0;
+};
+
+bool isTooLarge(Size s)
+{
+    return s.width > maxImageSide || s.height > maxImageSide || s.width * s.height > maxImagePixels;
+}
+
+std::uint32_t littleEndian(const QByteArray &bytes, qsizetype at, int count)
+{
+    std::uint32_t v = 0;
+    for (int i = 0; i < count && at + i < bytes.size(); ++i)
+        v |= std::uint32_t(static_cast<unsigned char>(bytes[at + i])) << (8 * i);
+    return v;
+}
+
+Size webpSize(const QByteArray &bytes)
+{
+    const QByteArray chunk = bytes.mid(12, 4);
+    if (chunk == "VP8X")
+        return {qint64(littleEndian(bytes, 24, 3)) + 1, qint64(littleEndian(bytes, 27, 3)) + 1};
+    if (chunk == "VP8L") {
+        const std::uint32_t v = littleEndian(bytes, 21, 4);
+        return {(v & 0x3FFF) + 1, (v >> 14 & 0x3FFF) + 1};
+    }
+    if (chunk == "VP8 ")
+        return {littleEndian(bytes, 26, 2) & 0x3FFF, littleEndian(bytes, 28, 2) & 0x3FFF};
+    return {};
+}
+
+Size pngSize(const QByteArray &bytes)
+{
+    const auto bigEndian = [&bytes](qsizetype at) { return qint64(qbswap(littleEndian(bytes, at, 4))); };
+    return {bigEndian(16), bigEndian(20)};
+}
+
+/// An attribute of an EXR header: name, type, size, value.
+struct Attribute {
+    QByteArray name;
+    qsizetype at = 0, size = 0; ///< of the value
+};
+
+/// Goes on behind the attribute; none at a header's end. A size that the file has not is left as it is.
+std::optional<Attribute> nextAttribute(const QByteArray &bytes, qsizetype &at)
+{
+    const auto text = [&] {
+        const qsizetype end = bytes.indexOf('\0', at);
+        const QByteArray found = end < 0 ? QByteArray() : bytes.mid(at, end - at);
+        at = end < 0 ? bytes.size() : end + 1;
+        return found;
+    };
+    Attribute attribute{text()};
+    if (attribute.name.isEmpty())
+        return {};
+    text();
+    attribute.size = qint32(littleEndian(bytes, at, 4));
+    attribute.at = at + 4;
+    at = attribute.at + std::clamp<qsizetype>(attribute.size, 0, bytes.size());
+    return attribute;
+}
+
+bool asksTooMuch(const QByteArray &bytes, const Attribute &a)
+{
+    const auto number = [&](int i) { return qint64(qint32(littleEndian(bytes, a.at + 4 * i, 4))); };
+    if (a.size < 0 || a.at + a.size > bytes.size())
+        return true;
+    if (a.name == "dataWindow" && a.size == 16)
+        return isTooLarge({number(2) - number(0) + 1, number(3) - number(1) + 1});
+    if (a.name == "chunkCount" && a.size == 4) // eight bytes each follow in a table
+        return number(0) > bytes.size() / 8;
+    if (a.name == "preview" && a.size >= 8)
+        return isTooLarge({number(0), number(1)}) || number(0) < 0 || 4 * number(0) * number(1) > a.size;
+    return false;
+}
+
+/// One header, or one for each part until an empty one.
+bool exrAsksTooMuch(const QByteArray &bytes)
+{
+    constexpr std::uint32_t hasParts = 1 << 12;
+    qsizetype at = 8;
+    for (bool isFirst = true;; isFirst = false) {
+        bool isEmpty = true;
+        while (const std::optional<Attribute> attribute = nextAttribute(bytes, at)) {
+            isEmpty = false;
+            if (asksTooMuch(bytes, *attribute))
+                return true;
+        }
+        if (isEmpty || (isFirst && !(littleEndian(bytes, 4, 4) & hasParts)))
+            return false;
+    }
+}
+
+} // namespace
+
+bool declaresTooMuch(const QByteArray &bytes, ImageFormat format)
+{
+    return (format == ImageFormat::WebP && isTooLarge(webpSize(bytes))) ||
+           (format == ImageFormat::Png && isTooLarge(pngSize(bytes))) ||
+           (format == ImageFormat::Exr && exrAsksTooMuch(bytes));
+}
+
+} // namespace suffuse
