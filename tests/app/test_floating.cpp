@@ -1,6 +1,7 @@
 // Drags that float: pictures in place of edits while the hand moves, and what the document has when it rests.
 #include "app/settings.h"
 #include "tests/app/selecting.h"
+#include "tests/app/slow_renderer.h"
 #include "tests/app/worker_frames.h"
 #include "undo/edits.h"
 
@@ -14,30 +15,9 @@ using namespace suffuse;
 namespace {
 
 /// Says that it was slow, so that nothing that is dragged is believed to be quick.
-class SlowRenderer : public Renderer {
-public:
-    explicit SlowRenderer(std::unique_ptr<Renderer> renderer) : m_renderer(std::move(renderer)) {}
-    QString backendName() const override { return m_renderer->backendName(); }
-    QString deviceName() const override { return m_renderer->deviceName(); }
-    Result<RenderStats> render(const RenderRequest &request, Target &target, const std::atomic<bool> *cancel) override
-    {
-        Result<RenderStats> stats = m_renderer->render(request, target, cancel);
-        if (stats)
-            stats->totalMs += 2000;
-        return stats;
-    }
-    void invalidate() override { m_renderer->invalidate(); }
-
-private:
-    std::unique_ptr<Renderer> m_renderer;
-};
-
 Result<std::unique_ptr<Renderer>> makeSlowRenderer(const RendererOptions &options)
 {
-    Result<std::unique_ptr<Renderer>> renderer = makeRenderer(options);
-    if (!renderer)
-        return renderer;
-    return std::unique_ptr<Renderer>(std::make_unique<SlowRenderer>(std::move(*renderer)));
+    return makeSlow(options, [](const RenderRequest &, RenderStats &stats) { stats.totalMs += 2000; });
 }
 
 StrokeList threeLines()
@@ -85,16 +65,6 @@ struct Floats : Selecting {
 
     static constexpr Point grip{390, 290};
 };
-
-double meanDifference(const QImage &shown, const std::vector<std::uint32_t> &wanted)
-{
-    const auto *argb = reinterpret_cast<const std::uint32_t *>(shown.constBits());
-    double sum = 0;
-    for (std::size_t i = 0; i < wanted.size(); ++i)
-        for (int shift = 0; shift < 24; shift += 8)
-            sum += std::abs(int(argb[i] >> shift & 255) - int(wanted[i] >> shift & 255));
-    return sum / (3.0 * double(wanted.size()));
-}
 
 } // namespace
 
@@ -180,7 +150,7 @@ private slots:
         const QImage shown = s.canvas().picture();
         QCOMPARE(hashOf(s.painting()), before);
         s.release(Floats::grip + Point{40, 24});
-        const double mean = meanDifference(shown, pixelsOf(s.shownRequest()));
+        const double mean = meanDifference(argbOf(shown), pixelsOf(s.shownRequest()));
         QVERIFY2(mean < 0.2, qPrintable(QString::number(mean)));
     }
 
@@ -356,7 +326,7 @@ private slots:
         QCOMPARE(s.stroke(1).origin.x, x);
         s.release(from + Point{90, 0});
         QVERIFY(s.stroke(1).origin.x > x);
-        const double mean = meanDifference(shown, pixelsOf(s.shownRequest()));
+        const double mean = meanDifference(argbOf(shown), pixelsOf(s.shownRequest()));
         QVERIFY2(mean < 0.5, qPrintable(QString::number(mean)));
     }
 

@@ -5,29 +5,6 @@
 
 using namespace suffuse;
 
-namespace {
-
-int greatestDifference(const std::vector<std::uint32_t> &a, const std::vector<std::uint32_t> &b)
-{
-    int greatest = a.size() == b.size() ? 0 : 256;
-    for (std::size_t i = 0; i < a.size() && greatest < 256; ++i)
-        for (int shift = 0; shift < 32; shift += 8)
-            greatest = std::max(greatest, std::abs(int(a[i] >> shift & 255) - int(b[i] >> shift & 255)));
-    return greatest;
-}
-
-double meanDifference(const QImage &shown, const std::vector<std::uint32_t> &wanted)
-{
-    const auto *argb = reinterpret_cast<const std::uint32_t *>(shown.constBits());
-    double sum = 0;
-    for (std::size_t i = 0; i < wanted.size(); ++i)
-        for (int shift = 0; shift < 24; shift += 8)
-            sum += std::abs(int(argb[i] >> shift & 255) - int(wanted[i] >> shift & 255));
-    return sum / (3.0 * double(wanted.size()));
-}
-
-} // namespace
-
 class TestFloatingLayers : public QObject {
     Q_OBJECT
 
@@ -81,7 +58,7 @@ private slots:
                 const std::vector<std::uint32_t> wanted = pixelsOf(r);
                 const QImage shown(reinterpret_cast<const uchar *>(fresh.argb.data()), width, height, 4 * width,
                                    QImage::Format_RGB32);
-                const double mean = meanDifference(shown, wanted);
+                const double mean = meanDifference(argbOf(shown), wanted);
                 QVERIFY2(mean < 1.5, qPrintable(QString::number(mean)));
             }
     }

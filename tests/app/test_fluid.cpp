@@ -6,6 +6,7 @@
 #include "app/settings.h"
 #include "render/bench/generator.h"
 #include "tests/app/selecting.h"
+#include "tests/app/slow_renderer.h"
 #include "tests/app/worker_frames.h"
 
 #include <QLabel>
@@ -18,32 +19,14 @@ using namespace suffuse;
 namespace {
 
 /// As slow as a large painting, where it has something to draw.
-class SlowRenderer : public Renderer {
-public:
-    explicit SlowRenderer(std::unique_ptr<Renderer> renderer) : m_renderer(std::move(renderer)) {}
-    QString backendName() const override { return m_renderer->backendName(); }
-    QString deviceName() const override { return m_renderer->deviceName(); }
-    Result<RenderStats> render(const RenderRequest &request, Target &target, const std::atomic<bool> *cancel) override
-    {
-        Result<RenderStats> stats = m_renderer->render(request, target, cancel);
-        if (stats && request.view.width > width / 2 && !stats->dirty.empty()) { // not the coarse one
-            QThread::msleep(40);
-            stats->totalMs += 40;
-        }
-        return stats;
-    }
-    void invalidate() override { m_renderer->invalidate(); }
-
-private:
-    std::unique_ptr<Renderer> m_renderer;
-};
-
 Result<std::unique_ptr<Renderer>> makeSlowRenderer(const RendererOptions &options)
 {
-    Result<std::unique_ptr<Renderer>> renderer = makeRenderer(options);
-    if (!renderer)
-        return renderer;
-    return std::unique_ptr<Renderer>(std::make_unique<SlowRenderer>(std::move(*renderer)));
+    return makeSlow(options, [](const RenderRequest &request, RenderStats &stats) {
+        if (request.view.width > width / 2 && !stats.dirty.empty()) { // not the coarse one
+            QThread::msleep(40);
+            stats.totalMs += 40;
+        }
+    });
 }
 
 /// Three strokes, the first two moved by so many units.
@@ -67,24 +50,6 @@ std::vector<std::uint32_t> shownBy(RenderWorker &worker)
     std::vector<std::uint32_t> argb;
     worker.withFrame([&](ShownFrame &frame) { argb = frame.picture.argb; });
     return argb;
-}
-
-int greatestDifference(const std::vector<std::uint32_t> &a, const std::vector<std::uint32_t> &b)
-{
-    int greatest = 0;
-    for (std::size_t i = 0; i < a.size(); ++i)
-        for (int shift = 0; shift < 32; shift += 8)
-            greatest = std::max(greatest, std::abs(int(a[i] >> shift & 255) - int(b[i] >> shift & 255)));
-    return greatest;
-}
-
-double meanDifference(const std::vector<std::uint32_t> &a, const std::vector<std::uint32_t> &b)
-{
-    double sum = 0;
-    for (std::size_t i = 0; i < a.size(); ++i)
-        for (int shift = 0; shift < 24; shift += 8)
-            sum += std::abs(int(a[i] >> shift & 255) - int(b[i] >> shift & 255));
-    return sum / (3.0 * double(a.size()));
 }
 
 /// Notes when the canvas is painted.

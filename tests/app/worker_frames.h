@@ -56,4 +56,33 @@ inline FrameInfo draw(RenderWorker &worker, const RenderRequest &r)
     return QTest::qWaitFor(arrived, waitMs) ? last : FrameInfo{};
 }
 
+/// Of a picture without padding.
+inline std::vector<std::uint32_t> argbOf(const QImage &image)
+{
+    const auto *argb = reinterpret_cast<const std::uint32_t *>(image.constBits());
+    return {argb, argb + std::size_t(image.width()) * std::size_t(image.height())};
+}
+
+/// Of all channels, in levels of 8 bits; 256 where the sizes differ.
+inline int greatestDifference(const std::vector<std::uint32_t> &a, const std::vector<std::uint32_t> &b)
+{
+    int greatest = a.size() == b.size() ? 0 : 256;
+    for (std::size_t i = 0; i < a.size() && greatest < 256; ++i)
+        for (int shift = 0; shift < 32; shift += 8)
+            greatest = std::max(greatest, std::abs(int(a[i] >> shift & 255) - int(b[i] >> shift & 255)));
+    return greatest;
+}
+
+/// Of red, green and blue, in levels of 8 bits.
+inline double meanDifference(const std::vector<std::uint32_t> &a, const std::vector<std::uint32_t> &b)
+{
+    if (a.size() != b.size())
+        return 256;
+    double sum = 0;
+    for (std::size_t i = 0; i < a.size(); ++i)
+        for (int shift = 0; shift < 24; shift += 8)
+            sum += std::abs(int(a[i] >> shift & 255) - int(b[i] >> shift & 255));
+    return sum / (3.0 * double(a.size()));
+}
+
 } // namespace suffuse
