@@ -5,8 +5,6 @@
 #include <algorithm>
 #include <array>
 #include <bit>
-#include <unordered_map>
-#include <unordered_set>
 
 namespace suffuse {
 
@@ -169,40 +167,6 @@ void markChanged(const SceneStroke &before, const SceneStroke &after, const View
         add(was);
     }
     region.mark(ranges);
-}
-
-std::vector<StrokeId> movedInOrder(const std::vector<StrokeId> &before, const std::vector<StrokeId> &after)
-{
-    std::unordered_map<StrokeId, std::size_t> position;
-    for (std::size_t i = 0; i < before.size(); ++i)
-        position[before[i]] = i;
-    // Longest increasing subsequence of the old positions, by patience sorting: O(n log n).
-    std::vector<StrokeId> common;
-    std::vector<std::size_t> old;
-    for (StrokeId id : after)
-        if (const auto it = position.find(id); it != position.end())
-            common.push_back(id), old.push_back(it->second);
-    if (std::is_sorted(old.begin(), old.end()))
-        return {};
-    std::vector<std::size_t> tails, previous(old.size(), SIZE_MAX);
-    for (std::size_t i = 0; i < old.size(); ++i) {
-        const auto at = std::lower_bound(tails.begin(), tails.end(), i,
-                                         [&](std::size_t tail, std::size_t k) { return old[tail] < old[k]; });
-        if (at != tails.begin())
-            previous[i] = *(at - 1);
-        if (at == tails.end())
-            tails.push_back(i);
-        else
-            *at = i;
-    }
-    std::unordered_set<StrokeId> kept;
-    for (std::size_t i = tails.back(); i != SIZE_MAX; i = previous[i])
-        kept.insert(common[i]);
-    std::vector<StrokeId> moved;
-    for (StrokeId id : common)
-        if (!kept.contains(id))
-            moved.push_back(id);
-    return moved;
 }
 
 } // namespace suffuse

@@ -52,8 +52,4 @@ private:
 void markChanged(const SceneStroke &before, const SceneStroke &after, const View &view, int threads,
                  DirtyRegion &region);
 
-/// Ids that must be marked whole because they moved against the others: those outside a longest common subsequence of
-/// the two orders (ids in only one of them are not reported).
-std::vector<StrokeId> movedInOrder(const std::vector<StrokeId> &before, const std::vector<StrokeId> &after);
-
 } // namespace suffuse

@@ -4,6 +4,41 @@
 
 namespace suffuse {
 
+namespace {
+
+/// Strokes that must be marked whole because they moved against the others: those outside a longest sequence that rises
+/// in the places before.
+std::vector<std::size_t> movedInOrder(const std::vector<std::size_t> &places)
+{
+    std::vector<std::size_t> common, old; // strokes of both orders
+    for (std::size_t i = 0; i < places.size(); ++i)
+        if (places[i] != SceneChange::nowhere)
+            common.push_back(i), old.push_back(places[i]);
+    if (std::is_sorted(old.begin(), old.end()))
+        return {};
+    std::vector<std::size_t> tails, previous(old.size(), SIZE_MAX); // by patience sorting: O(n log n)
+    for (std::size_t i = 0; i < old.size(); ++i) {
+        const auto at = std::lower_bound(tails.begin(), tails.end(), i,
+                                         [&](std::size_t tail, std::size_t k) { return old[tail] < old[k]; });
+        if (at != tails.begin())
+            previous[i] = *(at - 1);
+        if (at == tails.end())
+            tails.push_back(i);
+        else
+            *at = i;
+    }
+    std::vector<char> kept(old.size(), 0);
+    for (std::size_t i = tails.back(); i != SIZE_MAX; i = previous[i])
+        kept[i] = 1;
+    std::vector<std::size_t> moved;
+    for (std::size_t i = 0; i < common.size(); ++i)
+        if (!kept[i])
+            moved.push_back(common[i]);
+    return moved;
+}
+
+} // namespace
+
 bool FrameHistory::sameFrame(const RenderRequest &request, const Target &target) const
 {
     return m_target == target.serial() && m_view == request.view && m_transparent == request.transparent &&
@@ -19,23 +54,22 @@ void FrameHistory::markDifferences(const SceneChange &change, int threads)
             markChanged(*r.before, *scene[r.index], m_view, threads, m_region);
         return;
     }
-    std::unordered_map<StrokeId, const SceneStroke *> old, now;
-    std::vector<StrokeId> orderBefore, orderAfter;
-    for (const auto &s : change.before)
-        old[s->stroke->id] = s.get(), orderBefore.push_back(s->stroke->id);
-    for (const auto &s : scene) {
-        now[s->stroke->id] = s.get(), orderAfter.push_back(s->stroke->id);
-        const auto it = old.find(s->stroke->id);
-        if (it == old.end())
-            m_region.mark(s->bounds);
-        else if (it->second != s.get())
-            markChanged(*it->second, *s, m_view, threads, m_region);
-        old.erase(s->stroke->id);
+    std::vector<char> stays(change.before.size(), 0);
+    for (std::size_t i = 0; i < scene.size(); ++i) {
+        const std::size_t place = change.places[i];
+        if (place == SceneChange::nowhere) {
+            m_region.mark(scene[i]->bounds);
+            continue;
+        }
+        stays[place] = 1;
+        if (change.before[place] != scene[i])
+            markChanged(*change.before[place], *scene[i], m_view, threads, m_region);
     }
-    for (const auto &[id, stroke] : old)
-        m_region.mark(stroke->bounds);
-    for (StrokeId id : movedInOrder(orderBefore, orderAfter))
-        m_region.mark(now[id]->bounds);
+    for (std::size_t i = 0; i < stays.size(); ++i)
+        if (!stays[i])
+            m_region.mark(change.before[i]->bounds);
+    for (const std::size_t i : movedInOrder(change.places))
+        m_region.mark(scene[i]->bounds);
 }
 
 std::size_t FrameHistory::firstDifference(const SceneChange &change) const
@@ -55,12 +89,12 @@ void FrameHistory::followEdits(Step &step, bool interactive)
     if (const std::size_t first = firstDifference(step.scene); first != noEdit) {
         // Kept a little lower than needed while several strokes change by turns (they dry one after another).
         const std::size_t slack = interactive ? 0 : 4;
-        if (m_edited == noEdit || first < m_edited || first > m_edited + slack) {
-            step.keepsUnder = false;
+        step.keepsUnder = m_edited != noEdit && first >= m_edited;
+        step.raisesUnder = step.keepsUnder && first > m_edited + slack;
+        if (!step.keepsUnder || step.raisesUnder)
             m_edited = first;
-        }
         m_oneEdited = first == m_edited && step.scene.replaced.size() == 1;
-        step.keepsOver = step.keepsUnder && m_oneEdited;
+        step.keepsOver = step.keepsUnder && !step.raisesUnder && m_oneEdited;
     }
     if (interactive || !m_anyApproximate)
         return;

@@ -17,9 +17,10 @@ public:
     /// What one frame changes.
     struct Step {
         SceneChange scene;
-        bool whole = false;      ///< another target, view or paper: everything is dirty
-        bool keepsUnder = false; ///< layers below the first edited stroke still hold (docs/solver.md, "Layers"),
-        bool keepsOver = false;  ///< and those above it
+        bool whole = false;       ///< another target, view or paper: everything is dirty
+        bool keepsUnder = false;  ///< layers below the first edited stroke still hold (docs/solver.md, "Layers"),
+        bool raisesUnder = false; ///< though they end lower than it now: what lies between rests again;
+        bool keepsOver = false;   ///< and those above it
     };
     /// Brings scene and region up to date with the request; resizes the target where its size changes.
     Step advance(const RenderRequest &request, Target &target, int threads);

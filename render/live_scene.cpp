@@ -54,7 +54,37 @@ bool LiveScene::replace(const RenderRequest &request, std::vector<Stale> &stale)
     return true;
 }
 
-void LiveScene::align(const Painting &painting)
+/// Where these strokes stand now. Most stand in the same order: the next place is looked at first.
+std::vector<std::size_t> LiveScene::placesOf(const std::vector<StrokePtr> &strokes) const
+{
+    constexpr std::size_t near = 8; // places that are looked at
+    std::vector<std::size_t> places(strokes.size(), SceneChange::nowhere);
+    std::unordered_map<StrokeId, std::size_t> all; // where that is not enough
+    StrokeId greatest = 0;
+    for (const StrokePtr &stroke : m_sources)
+        greatest = std::max(greatest, stroke->id);
+    std::size_t next = 0;
+    for (std::size_t i = 0; i < strokes.size(); ++i) {
+        const StrokeId id = strokes[i]->id;
+        if (id > greatest)
+            continue; // it is new
+        const auto from = m_sources.begin() + std::ptrdiff_t(next);
+        const auto to = from + std::ptrdiff_t(std::min(near, m_sources.size() - next));
+        if (const auto it = std::find_if(from, to, [id](const StrokePtr &s) { return s->id == id; }); it != to) {
+            places[i] = std::size_t(it - m_sources.begin());
+        } else {
+            for (std::size_t k = 0; all.empty() && k < m_sources.size(); ++k)
+                all.emplace(m_sources[k]->id, k);
+            if (const auto known = all.find(id); known != all.end())
+                places[i] = known->second;
+        }
+        if (places[i] != SceneChange::nowhere)
+            next = places[i] + 1;
+    }
+    return places;
+}
+
+std::vector<std::size_t> LiveScene::align(const Painting &painting)
 {
     std::vector<StrokePtr> sources;
     m_place.clear();
@@ -64,28 +94,27 @@ void LiveScene::align(const Painting &painting)
         if (visible)
             sources.push_back(stroke);
     }
-    std::size_t same = 0; // strokes come and go at the top most of the time
-    while (same < sources.size() && same < m_sources.size() && m_sources[same]->id == sources[same]->id)
-        ++same;
-    std::unordered_map<StrokeId, std::size_t> old;
-    for (std::size_t i = same; i < m_sources.size(); ++i)
-        old[m_sources[i]->id] = i;
-    std::vector<SceneStrokePtr> strokes(m_strokes.begin(), m_strokes.begin() + std::ptrdiff_t(same));
-    strokes.resize(sources.size());
-    for (std::size_t i = same; i < sources.size(); ++i)
-        if (const auto it = old.find(sources[i]->id); it != old.end())
-            strokes[i] = m_strokes[it->second];
+    std::vector<std::size_t> places = placesOf(sources);
+    std::vector<SceneStrokePtr> strokes(sources.size());
+    std::vector<Microseconds> driesAt(sources.size());
+    std::vector<PixelRect> bounds(sources.size());
+    m_nodeCount = 0;
+    for (std::size_t i = 0; i < sources.size(); ++i) {
+        const std::size_t place = places[i];
+        const bool known = place != SceneChange::nowhere;
+        driesAt[i] = known && m_sources[place] == sources[i] ? m_driesAt[place] : sources[i]->driesAt();
+        if (!known || !m_strokes[place])
+            continue;
+        strokes[i] = m_strokes[place];
+        bounds[i] = m_bounds[place];
+        m_nodeCount += strokes[i]->source->nodes.size();
+    }
     m_sources = std::move(sources);
     m_strokes = std::move(strokes);
-    m_driesAt.resize(m_sources.size());
-    m_bounds.resize(m_sources.size());
-    m_nodeCount = 0;
-    for (std::size_t i = 0; i < m_sources.size(); ++i) {
-        m_driesAt[i] = m_sources[i]->driesAt();
-        m_bounds[i] = m_strokes[i] ? m_strokes[i]->bounds : PixelRect{};
-        m_nodeCount += m_strokes[i] ? m_strokes[i]->source->nodes.size() : 0;
-    }
+    m_driesAt = std::move(driesAt);
+    m_bounds = std::move(bounds);
     m_groups = painting.groups;
+    return places;
 }
 
 std::vector<LiveScene::Stale> LiveScene::staleAfterAlign(const RenderRequest &request) const
@@ -116,6 +145,14 @@ void LiveScene::addWet(Microseconds time, std::vector<Stale> &stale) const
     stale.erase(std::unique(stale.begin(), stale.end(), same), stale.end());
 }
 
+SceneStrokePtr LiveScene::dryOf(std::size_t i, const View &view) const
+{
+    const SceneStrokePtr &known = m_strokes[i];
+    if (!known || known->stroke != m_sources[i] || m_view != view)
+        return nullptr;
+    return m_driesAt[i] <= m_time ? known : known->dry;
+}
+
 void LiveScene::prepare(const std::vector<Stale> &stale, const RenderRequest &request, int threads)
 {
     const int octave = zoomOctave(request.view.scale);
@@ -137,6 +174,13 @@ void LiveScene::prepare(const std::vector<Stale> &stale, const RenderRequest &re
     const int threadsEach = std::max(1, threads / std::max(1, int(stale.size())));
     parallelFor(stale.size(), threads, [&](std::size_t k) {
         const std::size_t i = stale[k].index;
+        const bool dries = m_driesAt[i] <= request.time;
+        SceneStrokePtr dry = dryOf(i, request.view);
+        if (dry && dries && !frozen[k]) {
+            m_bounds[i] = dry->bounds;
+            m_strokes[i] = std::move(dry);
+            return;
+        }
         auto nodes = stale[k].nodesHold ? m_strokes[i]->source
                      : frozen[k] ? buildNodes(m_sources[i], request.time, octave, visible, *frozen[k], threadsEach)
                                  : buildNodes(*m_sources[i], request.time, octave, visible, threadsEach);
@@ -144,6 +188,8 @@ void LiveScene::prepare(const std::vector<Stale> &stale, const RenderRequest &re
             makeSceneStroke(m_sources[i], std::move(nodes), request.view, threadsEach, frozen[k] != nullptr));
         if (!m_cull)
             reachEverywhere(*stroke, request.view);
+        if (!dries)
+            stroke->dry = std::move(dry);
         m_bounds[i] = stroke->bounds;
         m_strokes[i] = std::move(stroke);
     });
@@ -166,7 +212,7 @@ SceneChange LiveScene::update(const RenderRequest &request, int threads)
         change.reordered = true;
         if (sameView)
             change.before = m_strokes;
-        align(painting);
+        change.places = align(painting);
         stale = staleAfterAlign(request);
     }
     prepare(stale, request, threads);

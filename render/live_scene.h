@@ -21,9 +21,11 @@ struct SceneChange {
     };
     /// Strokes that were prepared anew, by ascending index, where all else stayed.
     std::vector<Replaced> replaced;
-    /// Strokes came, went or moved: `before` are all that were there.
+    /// Strokes came, went or moved: `before` are all that were there, `places` says where among them each one stood.
     bool reordered = false;
     std::vector<SceneStrokePtr> before;
+    std::vector<std::size_t> places;
+    static constexpr std::size_t nowhere = std::size_t(-1);
 };
 
 /// Strokes of equal id, time, view and values keep what was prepared for them, and so do their nodes over changes of
@@ -51,10 +53,13 @@ private:
     /// Takes the painting's strokes over in place and returns where they differ; false where strokes came, went or
     /// moved.
     bool replace(const RenderRequest &request, std::vector<Stale> &stale);
-    /// Brings the strokes into the painting's order, keeping what is known of each.
-    void align(const Painting &painting);
+    /// Brings the strokes into the painting's order, keeping what is known of each; returns SceneChange::places.
+    std::vector<std::size_t> align(const Painting &painting);
+    std::vector<std::size_t> placesOf(const std::vector<StrokePtr> &strokes) const;
     std::vector<Stale> staleAfterAlign(const RenderRequest &request) const;
     void addWet(Microseconds time, std::vector<Stale> &stale) const;
+    /// A stroke as it is once it has dried, where that is known: scrubbing comes back to it.
+    SceneStrokePtr dryOf(std::size_t i, const View &view) const;
     void prepare(const std::vector<Stale> &stale, const RenderRequest &request, int threads);
     bool sameAge(std::size_t i, Microseconds time) const
     {

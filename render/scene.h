@@ -41,6 +41,7 @@ struct SceneStroke {
     float keep = 1;            ///< eq 23: 1 − β
     bool granulated = false;
     std::vector<PixelRect> groupBounds; ///< as pixelBounds, of each group of `source`; only where that was asked for
+    std::shared_ptr<const SceneStroke> dry; ///< the same once it has dried, where LiveScene has seen it so in this view
 };
 
 /// True only where opacity is exactly zero for every density and slope (per pixel) up to these.

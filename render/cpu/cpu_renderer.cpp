@@ -45,6 +45,8 @@ void CpuRenderer::followEdits(const FrameHistory::Step &step)
         m_layers.clear();
     else if (!step.keepsOver)
         m_layers.dropOver();
+    if (step.raisesUnder)
+        m_layers.dropPrefixes(m_history.edited());
     m_changed.clear();
     for (const SceneChange::Replaced &r : step.scene.replaced)
         m_changed.push_back(
@@ -72,8 +74,11 @@ std::vector<CpuRenderer::Job> CpuRenderer::planJobs(bool interactive)
                 const auto across = [](int pixels) { return std::size_t((pixels + cpu::blockSide - 1) / cpu::blockSide); };
                 const std::size_t blocks = across(tile.width) * across(tile.height);
                 job.plan.layers = &layers;
-                job.plan.storeUnder = layers.under.empty();
+                job.plan.haveUnder = !layers.under.empty();
+                job.from = job.plan.haveUnder ? layers.below : 0;
+                job.plan.storeUnder = !job.plan.haveUnder || layers.below < m_history.edited();
                 layers.under.resize(blocks);
+                layers.below = m_history.edited();
                 if (interactive && m_history.oneEdited()) {
                     job.plan.applyOver = !layers.over.empty();
                     job.plan.storeOver = layers.over.empty();
@@ -98,8 +103,6 @@ void CpuRenderer::binStrokes(std::vector<Job> &jobs) const
     std::size_t from = scene.strokes().size(), to = 0;
     for (Job &job : jobs) {
         rows[std::size_t(job.row)].jobs.push_back(&job);
-        const bool haveUnder = job.plan.layers && !job.plan.storeUnder;
-        job.from = haveUnder ? edited : 0;
         job.to = job.plan.applyOver ? std::min(edited + 1, scene.strokes().size()) : scene.strokes().size();
         from = std::min(from, job.from);
         to = std::max(to, job.to);

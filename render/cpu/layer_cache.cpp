@@ -22,6 +22,12 @@ void LayerCache::dropPrefixes()
         layers.prefixes.clear();
 }
 
+void LayerCache::dropPrefixes(std::size_t below)
+{
+    for (auto &[tile, layers] : m_tiles)
+        std::erase_if(layers.prefixes, [below](const StrokePrefix &prefix) { return prefix.stroke < below; });
+}
+
 void LayerCache::dropPrefixes(const std::vector<SteadyStroke> &changed)
 {
     for (auto &[tile, layers] : m_tiles)

@@ -13,6 +13,7 @@ namespace suffuse::cpu {
 /// Layers of one tile, by block.
 struct TileLayers {
     std::vector<Backdrop> under; ///< the picture before the first edited stroke: a prefix of the order, exact
+    std::size_t below = 0;       ///< so many of the scene's strokes are in it
     std::vector<OverMap> over;   ///< all strokes above it as one affine map: exact in arithmetic, not in its last bits
     std::list<StrokePrefix> prefixes; ///< of strokes that grow: what of them has dried, exact
     std::uint64_t used = 0;
@@ -32,6 +33,8 @@ public:
     void clear() { m_tiles.clear(); }
     void dropOver();
     void dropPrefixes();
+    /// Drops sums of the scene's first `below` strokes.
+    void dropPrefixes(std::size_t below);
     /// Drops sums over more nodes than stay. `changed`: the strokes that differ from the frame before, ascending.
     void dropPrefixes(const std::vector<SteadyStroke> &changed);
     /// Marks tiles as used now and drops the rest, oldest first, down to the capacity.

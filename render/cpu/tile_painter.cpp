@@ -254,17 +254,15 @@ void paintTile(const Frame &frame, const PixelRect &tile, const TileStrokes &str
                const SceneStroke *edited, float *rgba)
 {
     thread_local const auto scratch = std::make_unique<Scratch>();
-    const bool haveUnder = plan.layers && !plan.storeUnder;
     // The edited stroke may miss this tile; then all the rest lies above it.
     const bool meetsEdited = plan.below < strokes.size() && &strokes[plan.below] == edited;
     const std::size_t above = plan.below + (meetsEdited ? 1 : 0);
     std::size_t index = 0;
     for (int y = 0; y < tile.height; y += blockSide)
         for (int x = 0; x < tile.width; x += blockSide, ++index) {
-            BlockPainter painter(frame, tile.x + x, tile.y + y, haveUnder ? &plan.layers->under[index] : nullptr,
+            BlockPainter painter(frame, tile.x + x, tile.y + y, plan.haveUnder ? &plan.layers->under[index] : nullptr,
                                  *scratch);
-            if (!haveUnder)
-                addStrokes(painter, strokes, index, 0, plan.below);
+            addStrokes(painter, strokes, index, 0, plan.below);
             if (plan.storeUnder)
                 plan.layers->under[index] = painter.backdrop();
             addStrokes(painter, strokes, index, plan.below, above);

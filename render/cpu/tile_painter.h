@@ -18,8 +18,9 @@ struct Frame {
 
 /// How a tile is painted with layers (render/cpu/layer_cache.h).
 struct TilePlan {
-    std::size_t below = 0;    ///< so many of its strokes lie below the first edited one; 0 where `under` holds them
+    std::size_t below = 0;    ///< so many of its strokes lie below the first edited one and are not in `under`
     TileLayers *layers = nullptr;
+    bool haveUnder = false;   ///< in the layers: it is what to start from
     bool storeUnder = false;  ///< into the layers, before the first edited stroke
     bool storeOver = false;   ///< strokes after the first edited one, as a map
     bool applyOver = false;   ///< instead of those strokes

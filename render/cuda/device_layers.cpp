@@ -44,14 +44,14 @@ Fault DeviceLayers::beginFrame(std::size_t tiles)
     m_over.release();
     m_room = 0;
     m_wanted = tiles;
-    const std::size_t slots = std::min(tiles, std::min(mostBytes, m_device.freeMemory() / 4) / slotBytes);
-    Fault fault = m_under.reserve(slots * tileSize);
+    const std::size_t places = std::min(tiles, std::min(mostBytes, m_device.freeMemory() / 4) / slotBytes);
+    Fault fault = m_under.reserve(places * tileSize);
     if (!fault)
-        fault = m_over.reserve(slots * overFloats);
+        fault = m_over.reserve(places * overFloats);
     if (fault)
         refuse();
     else
-        m_room = slots;
+        m_room = places;
     return fault.kind == Fault::Lost ? fault : Fault{};
 }
 

@@ -85,7 +85,7 @@ Fault TileWorker::prepare(const FrameHistory &history, const FrameHistory::Step 
         m_layers.allow();
         m_bandTiles = mostBandTiles;
     }
-    if (!step.keepsUnder)
+    if (!step.keepsUnder || step.raisesUnder)
         m_layers.clear();
     else if (!step.keepsOver)
         m_layers.dropOver();

@@ -57,6 +57,11 @@ Result<std::unique_ptr<FilmWriter>> openFilm(const FilmOptions &options)
 {
     if (const QString problem = problemOf(options); !problem.isEmpty())
         return Error{QStringLiteral("%1: %2").arg(options.path, problem)};
+    const QString folder = QFileInfo(options.path).absolutePath();
+    if (!QFileInfo(folder).isDir())
+        return Error{QCoreApplication::translate("FileReplacement", "%1: the folder %2 does not exist. Create it, or "
+                                                                    "choose another.")
+                         .arg(options.path, folder)};
     switch (filmKindOf(options.path)) {
     case FilmKind::WebP:
         return openWebP(options);

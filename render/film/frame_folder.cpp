@@ -41,20 +41,13 @@ std::optional<FrameNames> frameNames(const QString &pattern)
 class FrameFolder : public FilmWriter {
 public:
     FrameFolder(const FilmOptions &options, const FrameNames &names)
-        : m_options(options), m_names(names), m_existed(QDir(names.folder).exists()),
-          m_made(QDir().mkpath(names.folder)),
+        : m_options(options), m_names(names),
           m_hidden(QDir(names.folder).filePath(QStringLiteral(".suffuse-frames-XXXXXX")))
     {}
-    ~FrameFolder() override
-    {
-        m_hidden.remove();
-        if (!m_existed && !m_kept)
-            QDir().rmdir(m_names.folder);
-    }
 
     Result<void> check() const
     {
-        if (m_made && m_hidden.isValid())
+        if (m_hidden.isValid())
             return {};
         return Error{QCoreApplication::translate("Film", "%1: cannot write into this folder. Choose another one.")
                          .arg(m_names.folder)};
@@ -75,7 +68,6 @@ public:
             std::filesystem::rename(pathOf(i).toStdString(), path.toStdString(), error); // over an older film
             if (error)
                 return Error{QStringLiteral("%1: %2").arg(path, QString::fromLocal8Bit(error.message().c_str()))};
-            m_kept = true;
         }
         return {};
     }
@@ -85,9 +77,7 @@ private:
 
     const FilmOptions m_options;
     const FrameNames m_names;
-    const bool m_existed, m_made;
     QTemporaryDir m_hidden;
-    bool m_kept = false;
 };
 
 } // namespace

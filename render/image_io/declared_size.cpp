@@ -3,6 +3,7 @@
 #include <QtEndian>
 
 #include <algorithm>
+#include <map>
 #include <optional>
 
 namespace suffuse {
@@ -49,7 +50,7 @@ Size pngSize(const QByteArray &bytes)
 
 /// An attribute of an EXR header: name, type, size, value.
 struct Attribute {
-    QByteArray name;
+    QByteArray name, type;
     qsizetype at = 0, size = 0; ///< of the value
 };
 
@@ -62,27 +63,48 @@ std::optional<Attribute> nextAttribute(const QByteArray &bytes, qsizetype &at)
         at = end < 0 ? bytes.size() : end + 1;
         return found;
     };
-    Attribute attribute{text()};
+    Attribute attribute;
+    attribute.name = text();
     if (attribute.name.isEmpty())
         return {};
-    text();
+    attribute.type = text();
     attribute.size = qint32(littleEndian(bytes, at, 4));
     attribute.at = at + 4;
     at = attribute.at + std::clamp<qsizetype>(attribute.size, 0, bytes.size());
     return attribute;
 }
 
+/// OpenEXR reads some types by their own end, whatever size is written: then the next attribute is elsewhere for it.
+bool endsElsewhere(const QByteArray &bytes, const Attribute &a)
+{
+    static const std::map<QByteArray, qsizetype> sizes = {
+        {"box2i", 16}, {"box2f", 16}, {"chromaticities", 32}, {"compression", 1}, {"deepImageState", 1}, {"double", 8},
+        {"envmap", 1}, {"float", 4},  {"int", 4},             {"keycode", 28},    {"lineOrder", 1},      {"m33d", 72},
+        {"m33f", 36},  {"m44d", 128}, {"m44f", 64},           {"rational", 8},    {"tiledesc", 9},       {"timecode", 8},
+        {"v2d", 16},   {"v2f", 8},    {"v2i", 8},             {"v3d", 24},        {"v3f", 12},           {"v3i", 12}};
+    if (const auto known = sizes.find(a.type); known != sizes.end())
+        return a.size != known->second;
+    if (a.type != "chlist")
+        return false;
+    qsizetype at = a.at; // a name and 16 bytes for each channel, until an empty name
+    while (at < bytes.size() && bytes[at] != '\0') {
+        const qsizetype end = bytes.indexOf('\0', at);
+        at = end < 0 ? bytes.size() : end + 1 + 16;
+    }
+    return at + 1 != a.at + a.size;
+}
+
 bool asksTooMuch(const QByteArray &bytes, const Attribute &a)
 {
     const auto number = [&](int i) { return qint64(qint32(littleEndian(bytes, a.at + 4 * i, 4))); };
-    if (a.size < 0 || a.at + a.size > bytes.size())
+    if (a.size < 0 || a.at + a.size > bytes.size() || endsElsewhere(bytes, a))
         return true;
     if (a.name == "dataWindow" && a.size == 16)
         return isTooLarge({number(2) - number(0) + 1, number(3) - number(1) + 1});
     if (a.name == "chunkCount" && a.size == 4) // eight bytes each follow in a table
         return number(0) > bytes.size() / 8;
     if (a.name == "preview" && a.size >= 8)
-        return isTooLarge({number(0), number(1)}) || number(0) < 0 || 4 * number(0) * number(1) > a.size;
+        return isTooLarge({number(0), number(1)}) || number(0) < 0 || 4 * number(0) * number(1) + 8 != a.size;
     return false;
 }
 

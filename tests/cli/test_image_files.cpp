@@ -198,6 +198,7 @@ void TestImageFiles::declaredSizes_data()
                                                   30);
     const QString seeds = QStringLiteral(SUFFUSE_SOURCE_DIR "/tests/fuzz/seeds/image/");
     QTest::newRow("EXR, text of 2 GB") << bytesOf(seeds + "string-of-2-gb.exr");
+    QTest::newRow("EXR, channels that end before their size") << bytesOf(seeds + "channels-end-early.exr");
     QByteArray exr = bytesOf(seeds + "half.exr");
     const qsizetype window =
         exr.indexOf("dataWindow") + 11 + 6 + 4; // name, "box2i", size; then left, top, right, bottom

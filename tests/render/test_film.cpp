@@ -214,6 +214,7 @@ private slots:
 
     void unfinishedFilmsLeaveNothing()
     {
+        QVERIFY(QDir(m_folder.path()).mkdir("left"));
         for (const QString name : {"left.webp", "left.webm", "left.mp4", "left/%03d.png"}) {
             if (filmKindOf(name) == FilmKind::Video && QStandardPaths::findExecutable("ffmpeg").isEmpty())
                 continue;
@@ -226,8 +227,12 @@ private slots:
                     QVERIFY((*film)->write(i, frameOf(i, false)));
             }
             QCOMPARE(QDir(m_folder.path()).entryList(QDir::AllEntries | QDir::Hidden | QDir::NoDotAndDotDot), before);
-            QVERIFY(!openFilm({m_folder.filePath("nowhere/" + name.section('/', -1)), 1, 25, 0, 0, {}}) ||
-                    filmKindOf(name) == FilmKind::Frames);
+            QCOMPARE(QDir(m_folder.filePath("left")).entryList(QDir::AllEntries | QDir::Hidden | QDir::NoDotAndDotDot),
+                     QStringList());
+            const auto nowhere = openFilm({m_folder.filePath("nowhere/" + name.section('/', -1)), 1, 25, 0, 0, {}});
+            QVERIFY(!nowhere);
+            QVERIFY2(nowhere.error().contains("nowhere does not exist"), qPrintable(nowhere.error()));
+            QVERIFY(!QFileInfo::exists(m_folder.filePath("nowhere")));
         }
     }
 

@@ -84,6 +84,35 @@ private slots:
         }
     }
 
+    /// What is painted dries from the bottom up: the layer below rises, a few strokes at a time, tile by tile.
+    void strokesThatDryOneAfterAnother()
+    {
+        std::mt19937_64 random(37);
+        const auto below = painting(randomStrokes(random, 20, 200, 150), 200, 150);
+        std::vector<StrokePtr> drawn;
+        for (int k = 0; k < 40; ++k) {
+            Stroke s = stroke(StrokeId(900 + k), Shape::Curved, {20.0 + random() % 160, 20.0 + random() % 110},
+                              20 + double(random() % 40), 4, styleOf(k % 2 ? StyleKind::Edge : StyleKind::Uniform));
+            for (Segment &segment : s.segments)
+                segment.born = below->end() + k * 100'000, segment.maxAge = 0.9f;
+            drawn.push_back(std::make_shared<const Stroke>(s));
+        }
+        const auto live = make(Backend::Cpu);
+        FloatPicture picture;
+        for (int frame = 0; frame <= 110; ++frame) {
+            auto p = std::make_shared<Painting>(*below);
+            for (int k = 0; k < int(drawn.size()) && k <= frame / 2; ++k)
+                if (frame < 100 || k != 12) // at last one of those that had dried goes
+                    p->strokes.push_back(drawn[std::size_t(k)]);
+            const Microseconds time = below->end() + frame * 50'000;
+            const bool interactive = frame % 30 > 24;
+            QVERIFY(live->render({p, time, m_view, false, interactive}, picture));
+            if (!interactive)
+                QVERIFY2(picture.rgba == test::render(*make(Backend::Cpu), p, m_view, time).rgba,
+                         qPrintable(QStringLiteral("frame %1").arg(frame)));
+        }
+    }
+
     void aLongLiveStroke_data()
     {
         QTest::addColumn<bool>("varied");

@@ -106,6 +106,40 @@ private slots:
         QVERIFY(live.update({q, q->end() + 1000, m_view}, 1).replaced.empty());
     }
 
+    /// Scrubbing to and fro prepares what has dried once.
+    void comesBackToWhatHasDried()
+    {
+        std::mt19937_64 random(47);
+        const auto p = painting(randomStrokes(random, 60, 200, 150), 200, 150);
+        LiveScene live;
+        live.update({p, p->end(), m_view}, 2);
+        const auto dry = live.strokes();
+        for (int round = 1; round < 6; ++round) {
+            live.update({p, p->end() * round / 7, m_view}, 2);
+            live.update({p, p->end() * round / 9, m_view}, 2);
+            QVERIFY(!std::ranges::equal(live.strokes(), dry));
+            live.update({p, p->end(), m_view}, 2);
+            QVERIFY(std::ranges::equal(live.strokes(), dry));
+        }
+        // Another stroke in its place, another view: what was kept no longer holds.
+        live.update({p, p->end() / 9, m_view}, 2);
+        auto q = std::make_shared<Painting>(*p);
+        Stroke edited = *std::as_const(*q).strokes[5];
+        edited.segments.front().density *= 2;
+        q->strokes[5] = std::make_shared<const Stroke>(edited);
+        View other = m_view;
+        for (const double turn : {0.0, 0.3}) {
+            other.rotation = turn;
+            live.update({q, q->end() / 9, other}, 2);
+            live.update({q, q->end(), other}, 2);
+            LiveScene fresh;
+            fresh.update({q, q->end(), other}, 2);
+            QVERIFY(sameScene(live, fresh));
+            for (std::size_t i = 0; i < dry.size(); ++i)
+                QVERIFY(live.strokes()[i]->nodes == fresh.strokes()[i]->nodes);
+        }
+    }
+
     void threadsChangeNoBit()
     {
         auto stroke = std::make_shared<Stroke>(longStroke(1500));
