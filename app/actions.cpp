@@ -22,6 +22,7 @@ constexpr const char *commandNames[] = {
     "save",
     "saveAs",
     "keepHistory",
+    "importUnderlay",
     "export",
     "close",
     "quit",
@@ -94,6 +95,7 @@ constexpr const char *commandNames[] = {
     "snapToGrid",
     "showGrid",
     "gridStep",
+    "showUnderlay",
     "play",
     "toStart",
     "previousStroke",
@@ -217,6 +219,8 @@ void Actions::addFileAndEdit()
     add(Command::KeepHistory, tr("Keep Undo &History in the File"), "", {},
         tr("Whoever opens the file can go on undoing. Take it out before you give a file away"));
     m_actions[Command::KeepHistory]->setCheckable(true);
+    add(Command::ImportUnderlay, tr("Import &Underlay…"), "", {},
+        tr("A picture to paint over, which shows on the canvas only"));
     add(Command::Export, tr("&Export…"), "export", {QKeySequence(tr("Ctrl+Shift+E"))});
     add(Command::Close, tr("&Close Window"), "", keys(QKeySequence::Close));
     add(Command::Quit, tr("&Quit"), "", {QKeySequence(tr("Ctrl+Q"))});
@@ -325,11 +329,12 @@ QMenu *Actions::addMenu(const QString &title, const QList<Command> &commands)
 void Actions::fillMenus()
 {
     using enum Command;
-    QMenu *file = addMenu(tr("&File"), {New, Open, Save, SaveAs, KeepHistory, Export, ExportTimelapse, Close, Quit});
+    QMenu *file = addMenu(tr("&File"),
+                          {New, Open, Save, SaveAs, KeepHistory, ImportUnderlay, Export, ExportTimelapse, Close, Quit});
     m_recentMenu = new QMenu(tr("Open &Recent"), file);
     file->insertMenu(m_actions[Save], m_recentMenu);
     file->insertSeparator(m_actions[Save]);
-    file->insertSeparator(m_actions[Export]);
+    file->insertSeparator(m_actions[ImportUnderlay]);
     file->insertSeparator(m_actions[Close]);
     QMenu *edit = addMenu(
         tr("&Edit"), {Undo, Redo, Cut, Copy, Paste, PasteInPlace, Delete, Duplicate, SelectAll, Deselect, Settings});

@@ -76,6 +76,8 @@ void Actions::addAids()
     add(SnapToGrid, tr("Snap to &Grid"), "", {});
     add(ShowGrid, tr("&Show the Grid"), "", {QKeySequence(tr("#"))});
     add(GridStep, tr("Grid St&ep…"), "", {});
+    add(ShowUnderlay, tr("Show the Underl&ay"), "", {QKeySequence(tr("Shift+U"))});
+    m_actions[ShowUnderlay]->setCheckable(true);
     const std::pair<Command, bool> states[] = {
         {SnapToNodes, aids.snapToNodes}, {SnapToGrid, aids.snapToGrid}, {ShowGrid, aids.showGrid}};
     for (const auto &[command, on] : states) {
@@ -120,7 +122,7 @@ void Actions::addSelecting(QMenu &edit)
 
 void Actions::addAids(QMenu &view)
 {
-    for (const Command command : {SnapToNodes, SnapToGrid, ShowGrid, GridStep})
+    for (const Command command : {SnapToNodes, SnapToGrid, ShowGrid, GridStep, ShowUnderlay})
         view.addAction(m_actions[command]);
     view.addSeparator();
 }

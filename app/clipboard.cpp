@@ -118,10 +118,28 @@ Rect controlBoxOf(const std::vector<Stroke> &strokes)
     return box;
 }
 
-/// On top of all, in groups of their own; one step.
-void addPasted(Editor &editor, std::vector<Stroke> strokes, const std::vector<Group> &groups,
-               std::optional<Point> centre)
+/// The strokes as old at `now` as they can be without any of them being yet to come: paint that is pasted is seen.
+void bringBefore(std::vector<Stroke> &strokes, Microseconds now)
 {
+    Microseconds latest = now;
+    for (const Stroke &stroke : strokes)
+        for (const Segment &segment : stroke.segments)
+            latest = std::max(latest, segment.born);
+    const Microseconds by = latest - now;
+    for (Stroke &stroke : strokes)
+        for (Segment &segment : stroke.segments) {
+            const Microseconds shift = std::min(by, segment.born);
+            segment.born -= shift;
+            for (Rewet &rewet : segment.rewet)
+                rewet.time -= shift;
+        }
+}
+
+/// On top of all, in groups of their own; one step. What went wrong, else empty.
+QString addPasted(Editor &editor, std::vector<Stroke> strokes, const std::vector<Group> &groups,
+                  std::optional<Point> centre)
+{
+    bringBefore(strokes, editor.time());
     Document &document = editor.document();
     Edit edit;
     std::map<GroupId, GroupId> fresh;
@@ -140,18 +158,25 @@ void addPasted(Editor &editor, std::vector<Stroke> strokes, const std::vector<Gr
     for (const StrokePtr &stroke : document.painting()->strokes)
         edit.order->push_back(stroke->id);
     edit.selection.emplace();
+    int refused = 0;
     for (Stroke &stroke : strokes) {
         stroke.id = document.takeStrokeId();
         stroke.group = fresh.contains(stroke.group) ? fresh[stroke.group] : 0;
         stroke.origin = stroke.origin + by;
-        if (!problemOf(stroke).isEmpty())
+        if (!problemOf(stroke).isEmpty()) {
+            ++refused;
             continue;
+        }
         edit.order->push_back(stroke.id);
         edit.selection->strokes.insert(stroke.id);
         edit.strokes.emplace(stroke.id, std::make_shared<const Stroke>(std::move(stroke)));
     }
     if (!edit.strokes.empty())
         editor.push(std::move(edit), QCoreApplication::translate("Clipboard", "Paste"));
+    if (refused == 0)
+        return {};
+    return QCoreApplication::translate("Clipboard", "%n stroke(s) cannot lie there, too far out, and were left out.",
+                                       nullptr, refused);
 }
 
 QByteArray svgFrom(const QMimeData &data)
@@ -243,9 +268,7 @@ QString paste(Editor &editor, const QMimeData &data, std::optional<Point> centre
         std::vector<Group> groups = read->groups;
         for (Group &group : groups)
             group.visible = true, group.locked = false;
-        if (!strokes.empty())
-            addPasted(editor, std::move(strokes), groups, centre);
-        return {};
+        return strokes.empty() ? QString() : addPasted(editor, std::move(strokes), groups, centre);
     }
     if (const QByteArray svg = svgFrom(data); !svg.isEmpty()) {
         const Result<std::vector<SvgPath>> paths = readSvgPaths(svg);
@@ -254,8 +277,7 @@ QString paste(Editor &editor, const QMimeData &data, std::optional<Point> centre
         std::vector<Stroke> strokes = strokesAlong(*paths, editor.brush(), editor.time());
         if (strokes.empty())
             return QCoreApplication::translate("Clipboard", "There are no paths in the SVG of the clipboard.");
-        addPasted(editor, std::move(strokes), {}, centre);
-        return {};
+        return addPasted(editor, std::move(strokes), {}, centre);
     }
     if (const auto colour = colourFrom(data)) {
         editor.setColour(fromScreen(*colour));

@@ -31,6 +31,17 @@ bool altersPainting(const Change &change)
     return change.order || change.canvas || change.reset || !change.strokes.empty();
 }
 
+/// The moment by which all segments of these strokes are born.
+Microseconds latestBirth(const Painting &painting, const std::vector<StrokeId> &strokes)
+{
+    Microseconds latest = 0;
+    for (const StrokeId id : strokes)
+        if (const StrokePtr stroke = painting.find(id))
+            for (const Segment &segment : stroke->segments)
+                latest = std::max(latest, segment.born);
+    return latest;
+}
+
 struct OpenedFile {
     LoadedDocument document;
     QByteArray hash;
@@ -75,8 +86,11 @@ Editor::Editor(QObject *parent) : QObject(parent), m_brush(builtinBrushes().fron
         m_end = m_document.painting()->end();
         if (m_inPast && !m_drawing && now >= m_end)
             setInPast(false);
-        if (!m_inPast && m_end > now)
-            startClock();
+        if (m_inPast || m_end <= now)
+            return;
+        if (!m_drawing) // who looks at all goes on seeing all, also what was moved to later
+            m_time = std::max(now, latestBirth(*m_document.painting(), change.strokes)), m_since.start();
+        startClock();
     });
 }
 
@@ -205,13 +219,14 @@ void Editor::noteDrawn(const Edit &edit)
     }
 }
 
-void Editor::holdClock(bool drawing)
+void Editor::holdClock(bool drawing, Microseconds late)
 {
-    m_time = time();
+    const Microseconds began = momentBefore(late);
+    m_time = began + late;
     m_since.start();
     m_drawing = drawing;
     if (drawing)
-        m_drawnSince = m_dryAt = m_time;
+        m_drawnSince = m_dryAt = began;
     startClock();
 }
 
@@ -320,6 +335,7 @@ Result<std::vector<QString>> Editor::open(const QString &path)
         show(std::move(painting), {absolute, {}, absolute, file->hash, false});
     else
         show(std::move(painting), {});
+    m_leftOut = document.leftOut;
     takeUpHistory(history, !document.losses.empty());
     return std::move(document.losses);
 }
@@ -330,7 +346,7 @@ void Editor::takeUpHistory(const QByteArray &bytes, bool modified)
         return;
     const Result<UndoHistory> history = readHistory(bytes, *m_document.painting());
     if (!history) {
-        m_historyProblem = history.error();
+        m_leftOut = history.error();
         return;
     }
     restoreHistory(m_undoStack, m_document, *history);
@@ -408,7 +424,7 @@ void Editor::show(PaintingPtr painting, const Origin &origin)
     m_fileHash = origin.hash;
     m_keepsHistory = false;
     m_historyBytes = 0;
-    m_historyProblem.clear();
+    m_leftOut.clear();
     stopClock();
     emit opened();
     emit timeChanged();

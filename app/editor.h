@@ -15,6 +15,8 @@
 #include <QTimer>
 #include <QUndoStack>
 
+#include <algorithm>
+
 namespace suffuse {
 
 /// Holds document, undo stack, file, brush and painting clock; panels and tools talk to it, never to each other.
@@ -41,8 +43,11 @@ public:
     /// otherwise; opening sets it to the end; undo never turns it back. In the past it stands, but for a stroke.
     Microseconds time() const;
     bool isRunning() const { return m_running; }
-    /// Starts the clock (a stroke begins); it stops by itself when `holdClock` is over and all has dried.
-    void holdClock(bool drawing);
+    /// The moment that was `late` ago; while the clock stands it is this one.
+    Microseconds momentBefore(Microseconds late) const { return std::max(m_time, time() - late); }
+    /// Starts the clock (a stroke began, `late` ago, at `momentBefore`); it stops by itself when `holdClock` is over
+    /// and all has dried.
+    void holdClock(bool drawing, Microseconds late = 0);
     /// Looks at another moment; the clock goes on from there while something still spreads at it.
     void setTime(Microseconds time);
     /// Looks at another moment and stays there: the past. What is painted there takes its place in time and order, and
@@ -101,8 +106,8 @@ public:
     void setKeepsHistory(bool keeps);
     /// What they take in the file as it was last read or written, bytes.
     qint64 historyBytes() const { return m_historyBytes; }
-    /// Empty, or why those in the file that was opened last were left out.
-    const QString &historyProblem() const { return m_historyProblem; }
+    /// Empty, or what of the file that was opened last was left out: its steps, or what a painting cannot hold.
+    const QString &leftOut() const { return m_leftOut; }
     /// The file on disk is another one now, and what is here is to stay: modified, and the next save replaces that one.
     void keepMine(const QByteArray &hashOnDisk);
 
@@ -156,7 +161,7 @@ private:
     DocumentExtras m_extras; ///< but for the history, which is on the undo stack
     bool m_keepsHistory = false;
     qint64 m_historyBytes = 0;
-    QString m_historyProblem;
+    QString m_leftOut;
     Saver m_saver;
     bool m_pushingRun = false;
     bool m_unfinished = false; ///< edits of a run that `edited` has not told of

@@ -10,6 +10,7 @@
 #include "app/translation.h"
 
 #include <QApplication>
+#include <QScreen>
 #include <QTimer>
 
 #include <cstdio>
@@ -21,7 +22,8 @@ namespace {
 constexpr const char *usage = "Usage: suffuse [OPTIONS] [FILE...]\n"
                               "\n"
                               "Opens the editor, each FILE in a window of its own: paintings (.suffuse, or their text\n"
-                              "form .json) and pen recordings (.csv, .json, .excalidraw, .dat).\n"
+                              "form .json), pen recordings (.csv, .json, .excalidraw, .dat)\n"
+                              "and SVG drawings.\n"
                               "\n"
                               "  --backend=NAME  draw with auto, cpu or cuda, whatever the settings say\n"
                               "  --reset-layout  forget where windows and docks were\n"
@@ -141,6 +143,7 @@ int main(int argc, char **argv)
     suffuse::Journal::setFolder(suffuse::journalFolder());
     auto *first = new suffuse::MainWindow;
     first->setAttribute(Qt::WA_DeleteOnClose);
+    first->resize(first->size().boundedTo(first->screen()->availableSize()));
     first->show();
     suffuse::MainWindow *window = first;
     for (const QString &file : filesOf(app.arguments().mid(1)))

@@ -104,6 +104,10 @@ QDockWidget *MainWindow::addDock(const char *name, const QString &title, QWidget
     dock->setWidget(panel);
     addDockWidget(Qt::RightDockWidgetArea, dock);
     m_actions->docksMenu()->addAction(dock->toggleViewAction());
+    connect(dock->toggleViewAction(), &QAction::triggered, dock, [dock](bool shown) {
+        if (shown) // and not as a tab behind another
+            dock->raise();
+    });
     m_docks << dock;
     // What was entered is done: keys mean the canvas again, Ctrl+Z among them.
     for (QLineEdit *field : panel->findChildren<QLineEdit *>())
@@ -174,6 +178,9 @@ void MainWindow::makeTools()
 
 void MainWindow::useTool(Tool *tool)
 {
+    m_nextTool = m_canvas->isPressed() && m_canvas->tool()->isBusy() ? tool : nullptr;
+    if (m_nextTool) // when the stroke in hand is finished
+        return;
     m_canvas->setTool(tool);
     m_toolOptions->setWidget(tool->options());
     showHint();
@@ -197,7 +204,7 @@ void MainWindow::connectActions()
     on(Command::Open, [this] { chooseFileToOpen(); });
     on(Command::Save, [this] { startSaving(); });
     on(Command::SaveAs, [this] { startSavingAs(); });
-    on(Command::Export, [this] { ExportDialog(m_editor, this).exec(); });
+    on(Command::Export, [this] { ExportDialog(m_editor, shownArea(m_canvas->view()), this).exec(); });
     on(Command::Close, [this] { close(); });
     on(Command::Quit, [] { QApplication::closeAllWindows(); });
     on(Command::Undo, [this, givesUp] {
@@ -263,6 +270,10 @@ void MainWindow::connectUpdates()
     };
     connect(&m_editor.undoStack(), &QUndoStack::indexChanged, this, update);
     connect(m_canvas, &CanvasWidget::busyChanged, this, update);
+    connect(m_canvas, &CanvasWidget::busyChanged, this, [this] {
+        if (m_nextTool)
+            useTool(m_nextTool);
+    });
     connect(m_canvas, &CanvasWidget::viewChanged, this, &MainWindow::updateZoom);
     connect(m_canvas, &CanvasWidget::modifiersChanged, this, &MainWindow::showHint);
     connect(m_canvas, &CanvasWidget::framePresented, this, &MainWindow::showFrame);

@@ -60,6 +60,8 @@ private:
     void pasteAt(std::optional<Point> centre);
     void connectObjectActions();
     void connectAids();
+    void connectUnderlay();
+    void importUnderlay(const QString &path);
     void renameSelected();
     void updateObjectActions();
     void connectTimeActions();
@@ -105,6 +107,7 @@ private:
     Actions *m_actions = nullptr;
     SelectionOrder *m_selectionOrder = nullptr;
     ToolOptionsBar *m_toolOptions = nullptr;
+    Tool *m_nextTool = nullptr; ///< chosen while a stroke was in hand
     QAction *m_tipAction = nullptr; ///< of the tool that the pen's tip goes back to
     QList<QDockWidget *> m_docks;
     QList<QDockWidget *> m_hiddenDocks;

@@ -7,6 +7,7 @@
 #include "app/main_window.h"
 #include "app/messages.h"
 #include "app/settings.h"
+#include "app/underlay_commands.h"
 #include "app/workspace_view.h"
 #include "model/formats/files.h"
 #include "model/journal/recovery.h"
@@ -63,10 +64,10 @@ void MainWindow::newWindow()
 
 void MainWindow::chooseFileToOpen()
 {
-    const QString filter = tr("All that can be opened (*.suffuse *.json *.csv *.excalidraw *.dat *.xml)") + ";;" +
+    const QString filter = tr("All that can be opened (*.suffuse *.json *.csv *.excalidraw *.dat *.svg *.xml)") + ";;" +
                            tr("Suffuse paintings (*.suffuse *.json)") + ";;" +
-                           tr("Pen recordings (*.csv *.json *.excalidraw *.dat)") + ";;" +
-                           tr("Diffusion curves (*.xml)") + ";;" + tr("All files (*)");
+                           tr("Pen recordings (*.csv *.json *.excalidraw *.dat)") + ";;" + tr("SVG drawings (*.svg)") +
+                           ";;" + tr("Diffusion curves (*.xml)") + ";;" + tr("All files (*)");
     const QString near = m_editor.filePath().isEmpty() ? settings::recentFiles().value(0) : m_editor.filePath();
     const QString folder = near.isEmpty() ? QString() : QFileInfo(near).absolutePath();
     const QStringList files = QFileDialog::getOpenFileNames(this, tr("Open"), folder, filter);
@@ -98,8 +99,8 @@ MainWindow *MainWindow::openFile(const QString &path)
     }
     if (const auto &view = window->m_editor.extras().view)
         showWorkspace(*view, *window->m_canvas, window->m_editor);
-    if (const QString &problem = window->m_editor.historyProblem(); !problem.isEmpty() && losses->empty())
-        window->statusBar()->showMessage(problem, 15'000);
+    if (const QString &leftOut = window->m_editor.leftOut(); !leftOut.isEmpty() && losses->empty())
+        window->statusBar()->showMessage(leftOut, 15'000);
     if (!losses->empty())
         showNotice(window,
                    tr("“%1” is damaged. What is whole of it was opened; the file itself is left as it is.")
@@ -177,9 +178,12 @@ void MainWindow::dropEvent(QDropEvent *event)
 {
     event->acceptProposedAction();
     MainWindow *window = this;
-    for (const QString &file : localFiles(event->mimeData()))
-        if (MainWindow *opened = window->openFile(file))
+    for (const QString &file : localFiles(event->mimeData())) {
+        if (underlay::isPicture(file))
+            window->importUnderlay(file);
+        else if (MainWindow *opened = window->openFile(file))
             window = opened;
+    }
 }
 
 void MainWindow::connectClipboard()

@@ -1,11 +1,14 @@
-// What the Object menu, Select Same and the canvas' aids do.
+// What the Object menu, Select Same, the canvas' aids and the underlay's commands do.
 #include "app/canvas/canvas_widget.h"
 #include "app/main_window.h"
+#include "app/messages.h"
 #include "app/selection_order.h"
 #include "app/settings.h"
 #include "app/tools/commands.h"
+#include "app/underlay_commands.h"
 
 #include <QInputDialog>
+#include <QStatusBar>
 
 namespace suffuse {
 
@@ -73,6 +76,7 @@ void MainWindow::connectObjectActions()
     on(Command::QuarterRight, [this, rule] { commands::quarterTurnSelected(m_editor, 1, rule()); });
     connect(&action(Command::ScaleSpread), &QAction::toggled, this, [](bool on) { settings::setScalesSpread(on); });
     connectAids();
+    connectUnderlay();
 }
 
 void MainWindow::connectAids()
@@ -101,6 +105,24 @@ void MainWindow::connectAids()
     });
 }
 
+void MainWindow::importUnderlay(const QString &path)
+{
+    if (const QString problem = underlay::importFile(m_editor, path); !problem.isEmpty())
+        showError(this, problem);
+}
+
+void MainWindow::connectUnderlay()
+{
+    connect(&action(Command::ImportUnderlay), &QAction::triggered, this, [this] {
+        if (const QString path = underlay::choose(this); !path.isEmpty())
+            importUnderlay(path);
+    });
+    connect(&action(Command::ShowUnderlay), &QAction::triggered, this,
+            [this](bool on) { underlay::show(m_editor, on); });
+    connect(m_canvas, &CanvasWidget::underlayFailed, this,
+            [this](const QString &problem) { statusBar()->showMessage(problem, 15'000); });
+}
+
 void MainWindow::renameSelected()
 {
     const Document &document = m_editor.document();
@@ -118,6 +140,9 @@ void MainWindow::renameSelected()
 
 void MainWindow::updateObjectActions()
 {
+    const auto &underlay = m_editor.document().painting()->underlay;
+    action(Command::ShowUnderlay).setEnabled(bool(underlay));
+    action(Command::ShowUnderlay).setChecked(underlay && underlay->visible);
     const bool any = !m_editor.document().selection().isEmpty();
     const std::size_t count = m_editor.document().selection().strokes.size();
     for (const Command command :

@@ -9,6 +9,18 @@
 
 namespace suffuse {
 
+namespace {
+
+/// A line that takes the room there is, so that another text need not be measured.
+class HintLine : public QLabel {
+public:
+    using QLabel::QLabel;
+    QSize sizeHint() const override { return {0, fontMetrics().height()}; }
+    QSize minimumSizeHint() const override { return sizeHint(); }
+};
+
+} // namespace
+
 void MainWindow::makeStatusBar()
 {
     const auto label = [this](const QString &tip, int width) {
@@ -18,7 +30,7 @@ void MainWindow::makeStatusBar()
         l->setContentsMargins(8, 0, 8, 0);
         return l;
     };
-    m_hint = new QLabel(this);
+    m_hint = new HintLine(this);
     m_hint->setContentsMargins(6, 0, 0, 0);
     m_hint->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
     m_position =

@@ -15,16 +15,6 @@ namespace {
 
 constexpr int messageMs = 5000;
 
-/// The part of the canvas plane that the view shows, where it is turned a little more.
-Rect shownArea(const View &view)
-{
-    Rect area;
-    for (const double x : {0.0, double(view.width)})
-        for (const double y : {0.0, double(view.height)})
-            area.include(view.toCanvas({x, y}));
-    return area;
-}
-
 } // namespace
 
 void MainWindow::connectTimeActions()

@@ -3,8 +3,6 @@
 #include "app/panels/colour_convert.h"
 #include "app/panels/density_function.h"
 #include "model/influence.h"
-#include "model/ryb.h"
-#include "model/validate.h"
 
 #include <QXmlStreamWriter>
 
@@ -76,23 +74,6 @@ void writeStroke(QXmlStreamWriter &xml, const Stroke &stroke)
     xml.writeEndElement();
 }
 
-/// The values of a segment painted with the brush, so that the dry stroke is `width` wide (0: as the brush is).
-Segment valuesOf(const Brush &brush, double width)
-{
-    Segment segment;
-    segment.diffusion = brush.diffusion;
-    segment.density = float(densityForPeak(double(brush.peak), double(brush.diffusion), double(brush.maxAge)));
-    segment.granulation = brush.granulation;
-    segment.maxAge = brush.maxAge;
-    if (!(width > 0))
-        return segment;
-    const double half = derivedFigures(segment, brush.style).halfWidth;
-    const double scale = half > 0 ? 0.5 * width / half : width / (2 * brush.spread());
-    segment.diffusion = float(double(segment.diffusion) * scale * scale);
-    segment.density = float(double(segment.density) * scale);
-    return segment;
-}
-
 } // namespace
 
 QByteArray svgOf(const Painting &painting)
@@ -118,39 +99,6 @@ QByteArray svgOf(const Painting &painting)
             writeStroke(xml, *stroke);
     xml.writeEndDocument();
     return bytes;
-}
-
-std::vector<Stroke> strokesAlong(const std::vector<SvgPath> &paths, const Brush &brush, Microseconds born)
-{
-    std::vector<Stroke> strokes;
-    for (const SvgPath &path : paths) {
-        Segment values = valuesOf(brush, path.stroke ? path.strokeWidth : 0);
-        const auto &rgba = path.stroke ? path.stroke : path.fill;
-        values.colour = rgba ? rybFromSrgb((*rgba)[0], (*rgba)[1], (*rgba)[2], (*rgba)[3]) : brush.colour;
-        values.born = born;
-        Stroke stroke;
-        stroke.style = brush.style;
-        stroke.mix = brush.mix;
-        stroke.brush = brush.name;
-        stroke.origin = path.curves.front().p[0];
-        for (const Cubic &cubic : path.curves) {
-            Segment segment = values;
-            for (std::size_t i = 0; i < 4; ++i)
-                segment.bezier[i] = toOffset(cubic.p[i], stroke.origin);
-            if (!stroke.segments.empty())
-                segment.bezier[0] = stroke.segments.back().bezier[3];
-            const bool isPoint = segment.bezier[0] == segment.bezier[1] && segment.bezier[1] == segment.bezier[2] &&
-                                 segment.bezier[2] == segment.bezier[3];
-            if (!isPoint)
-                stroke.segments.push_back(std::move(segment));
-        }
-        stroke.id = 1; // to be checked with
-        if (stroke.segments.empty() || !problemOf(stroke).isEmpty())
-            continue;
-        stroke.id = 0;
-        strokes.push_back(std::move(stroke));
-    }
-    return strokes;
 }
 
 } // namespace suffuse

@@ -166,10 +166,6 @@
 <context>
     <name>Cli</name>
     <message>
-        <source>Converts between documents (.suffuse), the text form (.json) and pen recordings. What IN is, is found from its content; what OUT is, from its ending.</source>
-        <translation>Wandelt zwischen Dokumenten (.suffuse), der Textform (.json) und Stiftaufzeichnungen um. Was IN ist, zeigt sein Inhalt; was OUT ist, seine Endung.</translation>
-    </message>
-    <message>
         <source>%1: unknown ending; use .suffuse or .json</source>
         <translation>%1: unbekannte Endung; möglich sind .suffuse und .json</translation>
     </message>
@@ -621,10 +617,6 @@ Rückgabewerte: 0 fertig, 1 fehlgeschlagen, 2 falscher Aufruf.</translation>
         <translation>--brush %1: diesen Pinsel oder diese Datei gibt es nicht; möglich sind eine Datei oder %2</translation>
     </message>
     <message>
-        <source>The brush that recordings are painted with: a name, or a brush file.</source>
-        <translation>Der Pinsel, mit dem Aufzeichnungen gemalt werden: ein Name oder eine Pinseldatei.</translation>
-    </message>
-    <message>
         <source>Frames with their number, film/%05d.png; or film.webp, .webm or .mp4.</source>
         <translation>Einzelbilder mit ihrer Nummer, film/%05d.png; oder film.webp, .webm oder .mp4.</translation>
     </message>
@@ -756,6 +748,14 @@ Rückgabewerte: 0 fertig, 1 fehlgeschlagen, 2 falscher Aufruf.</translation>
         <source>%1: there is no such journal to recover. See suffuse-cli recover --list.</source>
         <translation>%1: ein solches Journal gibt es nicht. Siehe suffuse-cli recover --list.</translation>
     </message>
+    <message>
+        <source>Converts between documents (.suffuse) and the text form (.json), and from pen recordings and SVG drawings. What IN is, is found from its content; what OUT is, from its ending.</source>
+        <translation>Wandelt zwischen Dokumenten (.suffuse) und der Textform (.json) um, und von Stiftaufnahmen und SVG-Zeichnungen. Was IN ist, zeigt sein Inhalt; was OUT ist, seine Endung.</translation>
+    </message>
+    <message>
+        <source>The brush that recordings and drawings are painted with: a name, or a brush file.</source>
+        <translation>Der Pinsel, mit dem Aufnahmen und Zeichnungen gemalt werden: ein Name oder eine Pinseldatei.</translation>
+    </message>
 </context>
 <context>
     <name>Clipboard</name>
@@ -778,6 +778,13 @@ Rückgabewerte: 0 fertig, 1 fehlgeschlagen, 2 falscher Aufruf.</translation>
     <message>
         <source>The clipboard holds no strokes, no SVG paths and no colour.</source>
         <translation>Die Zwischenablage enthält keine Striche, keine SVG-Pfade und keine Farbe.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n stroke(s) cannot lie there, too far out, and were left out.</source>
+        <translation>
+            <numerusform>%n Strich kann dort, so weit außen, nicht liegen und wurde weggelassen.</numerusform>
+            <numerusform>%n Striche können dort, so weit außen, nicht liegen und wurden weggelassen.</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -1119,6 +1126,21 @@ Rückgabewerte: 0 fertig, 1 fehlgeschlagen, 2 falscher Aufruf.</translation>
     </message>
 </context>
 <context>
+    <name>PictureFile</name>
+    <message>
+        <source>Pictures</source>
+        <translation>Bilder</translation>
+    </message>
+    <message>
+        <source>%1 cannot be read: %2.</source>
+        <translation>%1 kann nicht gelesen werden: %2.</translation>
+    </message>
+    <message>
+        <source>%1 is larger than 64 MB: choose a smaller picture.</source>
+        <translation>%1 ist größer als 64 MB: Wählen Sie ein kleineres Bild.</translation>
+    </message>
+</context>
+<context>
     <name>ReferenceRenderer</name>
     <message>
         <source>%1 threads · double</source>
@@ -1172,6 +1194,56 @@ Rückgabewerte: 0 fertig, 1 fehlgeschlagen, 2 falscher Aufruf.</translation>
     <message>
         <source>SVG, line %1: %2</source>
         <translation>SVG, Zeile %1: %2</translation>
+    </message>
+</context>
+<context>
+    <name>Underlay</name>
+    <message>
+        <source>%1: there is not enough memory for it.</source>
+        <translation>%1: Dafür reicht der Speicher nicht.</translation>
+    </message>
+</context>
+<context>
+    <name>UnderlayCommands</name>
+    <message>
+        <source>Import underlay</source>
+        <translation>Vorlage importieren</translation>
+    </message>
+    <message>
+        <source>Replace underlay</source>
+        <translation>Vorlage ersetzen</translation>
+    </message>
+    <message>
+        <source>Show underlay</source>
+        <translation>Vorlage zeigen</translation>
+    </message>
+    <message>
+        <source>Hide underlay</source>
+        <translation>Vorlage verbergen</translation>
+    </message>
+    <message>
+        <source>Change underlay opacity</source>
+        <translation>Deckkraft der Vorlage ändern</translation>
+    </message>
+    <message>
+        <source>Move underlay</source>
+        <translation>Vorlage verschieben</translation>
+    </message>
+    <message>
+        <source>Resize underlay</source>
+        <translation>Größe der Vorlage ändern</translation>
+    </message>
+    <message>
+        <source>Underlay</source>
+        <translation>Vorlage</translation>
+    </message>
+    <message>
+        <source>Fit underlay to the canvas</source>
+        <translation>Vorlage an die Leinwand anpassen</translation>
+    </message>
+    <message>
+        <source>Remove underlay</source>
+        <translation>Vorlage entfernen</translation>
     </message>
 </context>
 <context>
@@ -2144,6 +2216,22 @@ Rückgabewerte: 0 fertig, 1 fehlgeschlagen, 2 falscher Aufruf.</translation>
         <source>Whoever opens the file can go on undoing. Take it out before you give a file away</source>
         <translation>Wer die Datei öffnet, kann weiter rückgängig machen. Bitte ausschalten, bevor Sie die Datei weitergeben</translation>
     </message>
+    <message>
+        <source>Import &amp;Underlay…</source>
+        <translation>Vorlage &amp;importieren …</translation>
+    </message>
+    <message>
+        <source>A picture to paint over, which shows on the canvas only</source>
+        <translation>Ein Bild zum Übermalen, das sich nur auf der Leinwand zeigt</translation>
+    </message>
+    <message>
+        <source>Show the Underl&amp;ay</source>
+        <translation>Vorl&amp;age zeigen</translation>
+    </message>
+    <message>
+        <source>Shift+U</source>
+        <translation>Shift+U</translation>
+    </message>
 </context>
 <context>
     <name>suffuse::AgePlot</name>
@@ -2217,6 +2305,69 @@ Rückgabewerte: 0 fertig, 1 fehlgeschlagen, 2 falscher Aufruf.</translation>
     <message>
         <source>Change along the stroke</source>
         <translation>Entlang des Strichs ändern</translation>
+    </message>
+</context>
+<context>
+    <name>suffuse::AreaRow</name>
+    <message>
+        <source>Area</source>
+        <translation>Bereich</translation>
+    </message>
+    <message>
+        <source>Which part of the canvas is drawn</source>
+        <translation>Welcher Teil der Leinwand gezeichnet wird</translation>
+    </message>
+    <message>
+        <source>Whole canvas</source>
+        <translation>Ganze Leinwand</translation>
+    </message>
+    <message>
+        <source>What is painted</source>
+        <translation>Was gemalt ist</translation>
+    </message>
+    <message>
+        <source>Selected strokes</source>
+        <translation>Ausgewählte Striche</translation>
+    </message>
+    <message>
+        <source>What the window shows</source>
+        <translation>Was das Fenster zeigt</translation>
+    </message>
+    <message>
+        <source>By numbers</source>
+        <translation>Nach Zahlen</translation>
+    </message>
+    <message>
+        <source>X</source>
+        <translation>X</translation>
+    </message>
+    <message>
+        <source>Left edge, canvas units</source>
+        <translation>Linker Rand, Leinwandeinheiten</translation>
+    </message>
+    <message>
+        <source>Y</source>
+        <translation>Y</translation>
+    </message>
+    <message>
+        <source>Upper edge, canvas units</source>
+        <translation>Oberer Rand, Leinwandeinheiten</translation>
+    </message>
+    <message>
+        <source>W</source>
+        <translation>B</translation>
+    </message>
+    <message>
+        <source>Width, canvas units</source>
+        <translation>Breite, Leinwandeinheiten</translation>
+    </message>
+    <message>
+        <source>H</source>
+        <translation>H</translation>
+    </message>
+    <message>
+        <source>Height, canvas units</source>
+        <translation>Höhe, Leinwandeinheiten</translation>
     </message>
 </context>
 <context>
@@ -3100,18 +3251,6 @@ Rückgabewerte: 0 fertig, 1 fehlgeschlagen, 2 falscher Aufruf.</translation>
         <translation>Papierbild</translation>
     </message>
     <message>
-        <source>Pictures</source>
-        <translation>Bilder</translation>
-    </message>
-    <message>
-        <source>%1 is larger than 64 MB: choose a smaller picture.</source>
-        <translation>%1 ist größer als 64 MB: Bitte ein kleineres Bild wählen.</translation>
-    </message>
-    <message>
-        <source>%1 cannot be read: %2.</source>
-        <translation>%1 kann nicht gelesen werden: %2.</translation>
-    </message>
-    <message>
         <source>%1 cannot be used as paper: %2</source>
         <translation>%1 kann nicht als Papier dienen: %2</translation>
     </message>
@@ -3366,22 +3505,6 @@ Auch die Pfeiltasten wirken.</translation>
     <message>
         <source>Choose a folder and a name</source>
         <translation>Ordner und Namen wählen</translation>
-    </message>
-    <message>
-        <source>All dried</source>
-        <translation>Alles getrocknet</translation>
-    </message>
-    <message>
-        <source>As it looks now</source>
-        <translation>Wie es jetzt aussieht</translation>
-    </message>
-    <message>
-        <source>Moment</source>
-        <translation>Zeitpunkt</translation>
-    </message>
-    <message>
-        <source>The finished painting, or the moment that the canvas shows.</source>
-        <translation>Das fertige Bild oder der Augenblick, den die Leinwand zeigt.</translation>
     </message>
     <message>
         <source>Depth</source>
@@ -4069,10 +4192,6 @@ Auch die Pfeiltasten wirken.</translation>
         <translation>enthält keine Kurven; es gibt nichts zu malen</translation>
     </message>
     <message>
-        <source>Suffuse reads .suffuse, its text form (.json), ink as CSV, Universal Ink JSON, Excalidraw, MyPaint events and diffusion curves (XML)</source>
-        <translation>Suffuse liest .suffuse, seine Textform (.json), Tinte als CSV, Universal Ink JSON, Excalidraw, MyPaint-Ereignisse und Diffusionskurven (XML)</translation>
-    </message>
-    <message>
         <source>Diffusion curves (XML)</source>
         <translation>Diffusionskurven (XML)</translation>
     </message>
@@ -4163,6 +4282,30 @@ Auch die Pfeiltasten wirken.</translation>
     <message>
         <source>was written by a newer program (%1); update Suffuse</source>
         <translation>wurde von einem neueren Programm (%1) geschrieben; bitte Suffuse aktualisieren</translation>
+    </message>
+    <message>
+        <source>Suffuse reads .suffuse, its text form (.json), ink as CSV, Universal Ink JSON, Excalidraw, MyPaint events, SVG and diffusion curves (XML)</source>
+        <translation>Suffuse liest .suffuse, seine Textform (.json), Stiftdaten als CSV, Universal Ink JSON, Excalidraw, MyPaint-Ereignisse, SVG und Diffusionskurven (XML)</translation>
+    </message>
+    <message>
+        <source>is compressed with gzip; unpack it first</source>
+        <translation>ist mit gzip gepackt; entpacken Sie es zuerst</translation>
+    </message>
+    <message>
+        <source>SVG drawing</source>
+        <translation>SVG-Zeichnung</translation>
+    </message>
+    <message>
+        <source>the drawing is %1 × %2 units large; at most 1e6 are possible, scale it down</source>
+        <translation>die Zeichnung ist %1 × %2 Einheiten groß; höchstens 1e6 sind möglich, verkleinern Sie sie</translation>
+    </message>
+    <message>
+        <source>holds no paths that can be painted; in the program that drew it, turn text and images into paths first</source>
+        <translation>enthält keine Pfade, die gemalt werden können; wandeln Sie Text und Bilder im Zeichenprogramm zuerst in Pfade um</translation>
+    </message>
+    <message>
+        <source>Text and images of the drawing were left out: only paths and shapes are strokes.</source>
+        <translation>Text und Bilder der Zeichnung wurden weggelassen: Nur Pfade und Formen werden Striche.</translation>
     </message>
 </context>
 <context>
@@ -4415,10 +4558,6 @@ Auch die Pfeiltasten wirken.</translation>
         <translation>%1 ms, grob</translation>
     </message>
     <message>
-        <source>All that can be opened (*.suffuse *.json *.csv *.excalidraw *.dat *.xml)</source>
-        <translation>Alles, was geöffnet werden kann (*.suffuse *.json *.csv *.excalidraw *.dat *.xml)</translation>
-    </message>
-    <message>
         <source>Diffusion curves (*.xml)</source>
         <translation>Diffusionskurven (*.xml)</translation>
     </message>
@@ -4457,6 +4596,14 @@ Auch die Pfeiltasten wirken.</translation>
     <message>
         <source>“%1” is not saved.</source>
         <translation>„%1“ ist nicht gespeichert.</translation>
+    </message>
+    <message>
+        <source>All that can be opened (*.suffuse *.json *.csv *.excalidraw *.dat *.svg *.xml)</source>
+        <translation>Alles, was sich öffnen lässt (*.suffuse *.json *.csv *.excalidraw *.dat *.svg *.xml)</translation>
+    </message>
+    <message>
+        <source>SVG drawings (*.svg)</source>
+        <translation>SVG-Zeichnungen (*.svg)</translation>
     </message>
 </context>
 <context>
@@ -4500,6 +4647,37 @@ Auch die Pfeiltasten wirken.</translation>
     <message>
         <source>Takes a clean sheet.</source>
         <translation>Nimmt ein leeres Blatt.</translation>
+    </message>
+</context>
+<context>
+    <name>suffuse::MomentRow</name>
+    <message>
+        <source>Moment</source>
+        <translation>Zeitpunkt</translation>
+    </message>
+    <message>
+        <source>All dried</source>
+        <translation>Alles getrocknet</translation>
+    </message>
+    <message>
+        <source>As it looks now</source>
+        <translation>Wie es jetzt aussieht</translation>
+    </message>
+    <message>
+        <source>At the time</source>
+        <translation>Zum Zeitpunkt</translation>
+    </message>
+    <message>
+        <source>The finished painting, the moment that the canvas shows, or any other.</source>
+        <translation>Das fertige Gemälde, der Augenblick, den die Leinwand zeigt, oder jeder andere.</translation>
+    </message>
+    <message>
+        <source>Time</source>
+        <translation>Zeit</translation>
+    </message>
+    <message>
+        <source>Minutes and seconds, as the timeline shows them: 1:02.345</source>
+        <translation>Minuten und Sekunden, wie die Zeitleiste sie zeigt: 1:02.345</translation>
     </message>
 </context>
 <context>
@@ -5086,12 +5264,12 @@ Auch die Pfeiltasten wirken.</translation>
         <translation>Ziehen: Drehpunkt verschieben. Umschalt+Klick: zurück in die Mitte.</translation>
     </message>
     <message>
-        <source>Shift+Alt+click: add the next stroke below. Shift+Alt+drag: add what the path touches.</source>
-        <translation>Umschalt+Alt+Klick: nächsten Strich darunter hinzufügen. Umschalt+Alt+Ziehen: hinzufügen, was der Pfad berührt.</translation>
+        <source>Shift+Alt+click: add the next stroke below, with Ctrl within its group. Shift+Alt+drag: add what the path touches.</source>
+        <translation>Umschalt+Alt+Klick: nächsten Strich darunter hinzufügen, mit Strg den in seiner Gruppe. Umschalt+Alt+Ziehen: hinzufügen, was der Pfad berührt.</translation>
     </message>
     <message>
-        <source>Alt+click: select the next stroke below. Alt+drag: select what the path touches.</source>
-        <translation>Alt+Klick: nächsten Strich darunter auswählen. Alt+Ziehen: auswählen, was der Pfad berührt.</translation>
+        <source>Alt+click: select the next stroke below, with Ctrl within its group. Alt+drag: select what the path touches.</source>
+        <translation>Alt+Klick: nächsten Strich darunter auswählen, mit Strg den in seiner Gruppe. Alt+Ziehen: auswählen, was der Pfad berührt.</translation>
     </message>
     <message>
         <source>Ctrl+Shift+click: one stroke of a group, in or out. Ctrl+Shift+drag: take away.</source>
@@ -5266,6 +5444,14 @@ Auch die Pfeiltasten wirken.</translation>
     <message>
         <source>%1 belongs to “%2” and “%3”. Give one of them another shortcut.</source>
         <translation>%1 gehört zu „%2“ und „%3“. Bitte einem von beiden ein anderes Kürzel geben.</translation>
+    </message>
+    <message>
+        <source>Take over</source>
+        <translation>Übernehmen</translation>
+    </message>
+    <message>
+        <source>Takes the shortcut away from the other command</source>
+        <translation>Nimmt dem anderen Befehl das Tastenkürzel weg</translation>
     </message>
 </context>
 <context>
@@ -5785,26 +5971,6 @@ Auch die Pfeiltasten wirken.</translation>
         <translation>Ordner und Namen wählen</translation>
     </message>
     <message>
-        <source>Area</source>
-        <translation>Bereich</translation>
-    </message>
-    <message>
-        <source>Whole canvas</source>
-        <translation>Ganze Leinwand</translation>
-    </message>
-    <message>
-        <source>What the window shows</source>
-        <translation>Was das Fenster zeigt</translation>
-    </message>
-    <message>
-        <source>Selected strokes</source>
-        <translation>Ausgewählte Striche</translation>
-    </message>
-    <message>
-        <source>Which part of the canvas is filmed</source>
-        <translation>Welcher Teil der Leinwand gefilmt wird</translation>
-    </message>
-    <message>
         <source>Frame rate</source>
         <translation>Bildrate</translation>
     </message>
@@ -6069,6 +6235,108 @@ Auch die Pfeiltasten wirken.</translation>
     <message>
         <source>Scale</source>
         <translation>Skalieren</translation>
+    </message>
+    <message>
+        <source>Some of these strokes would become too small, too large or too far away to be painted.</source>
+        <translation>Einige dieser Striche würden zu klein, zu groß oder zu weit entfernt, um gemalt zu werden.</translation>
+    </message>
+</context>
+<context>
+    <name>suffuse::UnderlayLoader</name>
+    <message>
+        <source>Underlay</source>
+        <translation>Vorlage</translation>
+    </message>
+</context>
+<context>
+    <name>suffuse::UnderlaySection</name>
+    <message>
+        <source>Add…</source>
+        <translation>Hinzufügen …</translation>
+    </message>
+    <message>
+        <source>A picture to paint over. It shows on the canvas only, never in what is exported.</source>
+        <translation>Ein Bild zum Übermalen. Es zeigt sich nur auf der Leinwand, nie im Export.</translation>
+    </message>
+    <message>
+        <source>Underlay</source>
+        <translation>Vorlage</translation>
+    </message>
+    <message>
+        <source>Show the underlay</source>
+        <translation>Vorlage zeigen</translation>
+    </message>
+    <message>
+        <source>Take the underlay out of the painting</source>
+        <translation>Die Vorlage aus dem Gemälde nehmen</translation>
+    </message>
+    <message>
+        <source>Opacity</source>
+        <translation>Deckkraft</translation>
+    </message>
+    <message>
+        <source>How strongly the underlay shows.</source>
+        <translation>Wie stark sich die Vorlage zeigt.</translation>
+    </message>
+    <message>
+        <source>X</source>
+        <translation>X</translation>
+    </message>
+    <message>
+        <source>Left edge of the underlay, canvas units</source>
+        <translation>Linker Rand der Vorlage, Leinwandeinheiten</translation>
+    </message>
+    <message>
+        <source>Y</source>
+        <translation>Y</translation>
+    </message>
+    <message>
+        <source>Upper edge of the underlay, canvas units</source>
+        <translation>Oberer Rand der Vorlage, Leinwandeinheiten</translation>
+    </message>
+    <message>
+        <source>Position</source>
+        <translation>Position</translation>
+    </message>
+    <message>
+        <source>Width</source>
+        <translation>Breite</translation>
+    </message>
+    <message>
+        <source>Width of the underlay, canvas units</source>
+        <translation>Breite der Vorlage, Leinwandeinheiten</translation>
+    </message>
+    <message>
+        <source>Height</source>
+        <translation>Höhe</translation>
+    </message>
+    <message>
+        <source>Height of the underlay, canvas units</source>
+        <translation>Höhe der Vorlage, Leinwandeinheiten</translation>
+    </message>
+    <message>
+        <source>Size</source>
+        <translation>Größe</translation>
+    </message>
+    <message>
+        <source>Keep the proportions of width and height</source>
+        <translation>Das Verhältnis von Breite und Höhe beibehalten</translation>
+    </message>
+    <message>
+        <source>Fit to Canvas</source>
+        <translation>An Leinwand anpassen</translation>
+    </message>
+    <message>
+        <source>In the middle of the canvas, as large as it goes</source>
+        <translation>Mitten auf der Leinwand, so groß wie möglich</translation>
+    </message>
+    <message>
+        <source>Replace…</source>
+        <translation>Ersetzen …</translation>
+    </message>
+    <message>
+        <source>Another picture in its place</source>
+        <translation>Ein anderes Bild an seiner Stelle</translation>
     </message>
 </context>
 </TS>

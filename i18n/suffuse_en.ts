@@ -12,6 +12,16 @@
     </message>
 </context>
 <context>
+    <name>Clipboard</name>
+    <message numerus="yes">
+        <source>%n stroke(s) cannot lie there, too far out, and were left out.</source>
+        <translation>
+            <numerusform>%n stroke cannot lie there, too far out, and was left out.</numerusform>
+            <numerusform>%n strokes cannot lie there, too far out, and were left out.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>Renderer</name>
     <message numerus="yes">
         <source>%n threads</source>

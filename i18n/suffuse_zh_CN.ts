@@ -166,10 +166,6 @@
 <context>
     <name>Cli</name>
     <message>
-        <source>Converts between documents (.suffuse), the text form (.json) and pen recordings. What IN is, is found from its content; what OUT is, from its ending.</source>
-        <translation>在文档 (.suffuse)、文本形式 (.json) 和笔迹记录之间转换。IN 的格式由其内容判断，OUT 的格式由其扩展名判断。</translation>
-    </message>
-    <message>
         <source>%1: unknown ending; use .suffuse or .json</source>
         <translation>%1：未知的扩展名；请使用 .suffuse 或 .json</translation>
     </message>
@@ -620,10 +616,6 @@ Exit codes: 0 done, 1 the work failed, 2 wrong usage.</source>
         <translation>--brush %1：没有此画笔或文件；请选择文件或 %2 之一</translation>
     </message>
     <message>
-        <source>The brush that recordings are painted with: a name, or a brush file.</source>
-        <translation>绘制笔迹记录所用的画笔：名称或画笔文件。</translation>
-    </message>
-    <message>
         <source>Frames with their number, film/%05d.png; or film.webp, .webm or .mp4.</source>
         <translation>带编号的各帧 film/%05d.png；或 film.webp、.webm、.mp4。</translation>
     </message>
@@ -755,6 +747,14 @@ Exit codes: 0 done, 1 the work failed, 2 wrong usage.</source>
         <source>%1: there is no such journal to recover. See suffuse-cli recover --list.</source>
         <translation>%1：没有可恢复的此日志。请见 suffuse-cli recover --list。</translation>
     </message>
+    <message>
+        <source>Converts between documents (.suffuse) and the text form (.json), and from pen recordings and SVG drawings. What IN is, is found from its content; what OUT is, from its ending.</source>
+        <translation>在文档（.suffuse）和文本形式（.json）之间转换，也可从笔迹记录和 SVG 图形转换。IN 的类型由内容判断，OUT 的类型由扩展名判断。</translation>
+    </message>
+    <message>
+        <source>The brush that recordings and drawings are painted with: a name, or a brush file.</source>
+        <translation>绘制记录和图形所用的画笔：名称或画笔文件。</translation>
+    </message>
 </context>
 <context>
     <name>Clipboard</name>
@@ -777,6 +777,12 @@ Exit codes: 0 done, 1 the work failed, 2 wrong usage.</source>
     <message>
         <source>The clipboard holds no strokes, no SVG paths and no colour.</source>
         <translation>剪贴板中没有笔画、SVG 路径或颜色。</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n stroke(s) cannot lie there, too far out, and were left out.</source>
+        <translation>
+            <numerusform>有 %n 个笔画离得太远，无法放在那里，已略去。</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -1118,6 +1124,21 @@ Exit codes: 0 done, 1 the work failed, 2 wrong usage.</source>
     </message>
 </context>
 <context>
+    <name>PictureFile</name>
+    <message>
+        <source>Pictures</source>
+        <translation>图片</translation>
+    </message>
+    <message>
+        <source>%1 cannot be read: %2.</source>
+        <translation>无法读取 %1：%2。</translation>
+    </message>
+    <message>
+        <source>%1 is larger than 64 MB: choose a smaller picture.</source>
+        <translation>%1 大于 64 MB：请选择较小的图片。</translation>
+    </message>
+</context>
+<context>
     <name>ReferenceRenderer</name>
     <message>
         <source>%1 threads · double</source>
@@ -1170,6 +1191,56 @@ Exit codes: 0 done, 1 the work failed, 2 wrong usage.</source>
     <message>
         <source>SVG, line %1: %2</source>
         <translation>SVG 第 %1 行：%2</translation>
+    </message>
+</context>
+<context>
+    <name>Underlay</name>
+    <message>
+        <source>%1: there is not enough memory for it.</source>
+        <translation>%1：内存不足。</translation>
+    </message>
+</context>
+<context>
+    <name>UnderlayCommands</name>
+    <message>
+        <source>Import underlay</source>
+        <translation>导入底图</translation>
+    </message>
+    <message>
+        <source>Replace underlay</source>
+        <translation>替换底图</translation>
+    </message>
+    <message>
+        <source>Show underlay</source>
+        <translation>显示底图</translation>
+    </message>
+    <message>
+        <source>Hide underlay</source>
+        <translation>隐藏底图</translation>
+    </message>
+    <message>
+        <source>Change underlay opacity</source>
+        <translation>更改底图不透明度</translation>
+    </message>
+    <message>
+        <source>Move underlay</source>
+        <translation>移动底图</translation>
+    </message>
+    <message>
+        <source>Resize underlay</source>
+        <translation>调整底图大小</translation>
+    </message>
+    <message>
+        <source>Underlay</source>
+        <translation>底图</translation>
+    </message>
+    <message>
+        <source>Fit underlay to the canvas</source>
+        <translation>底图适合画布</translation>
+    </message>
+    <message>
+        <source>Remove underlay</source>
+        <translation>移除底图</translation>
     </message>
 </context>
 <context>
@@ -2142,6 +2213,22 @@ Exit codes: 0 done, 1 the work failed, 2 wrong usage.</source>
         <source>Whoever opens the file can go on undoing. Take it out before you give a file away</source>
         <translation>打开此文件的人可以继续撤销。将文件交给他人之前请取消此项</translation>
     </message>
+    <message>
+        <source>Import &amp;Underlay…</source>
+        <translation>导入底图(&amp;U)…</translation>
+    </message>
+    <message>
+        <source>A picture to paint over, which shows on the canvas only</source>
+        <translation>供描绘参考的图片，只在画布上显示</translation>
+    </message>
+    <message>
+        <source>Show the Underl&amp;ay</source>
+        <translation>显示底图(&amp;A)</translation>
+    </message>
+    <message>
+        <source>Shift+U</source>
+        <translation>Shift+U</translation>
+    </message>
 </context>
 <context>
     <name>suffuse::AgePlot</name>
@@ -2215,6 +2302,69 @@ Exit codes: 0 done, 1 the work failed, 2 wrong usage.</source>
     <message>
         <source>Change along the stroke</source>
         <translation>更改沿笔画的变化</translation>
+    </message>
+</context>
+<context>
+    <name>suffuse::AreaRow</name>
+    <message>
+        <source>Area</source>
+        <translation>区域</translation>
+    </message>
+    <message>
+        <source>Which part of the canvas is drawn</source>
+        <translation>绘制画布的哪一部分</translation>
+    </message>
+    <message>
+        <source>Whole canvas</source>
+        <translation>整个画布</translation>
+    </message>
+    <message>
+        <source>What is painted</source>
+        <translation>已绘制的内容</translation>
+    </message>
+    <message>
+        <source>Selected strokes</source>
+        <translation>所选笔画</translation>
+    </message>
+    <message>
+        <source>What the window shows</source>
+        <translation>窗口所示部分</translation>
+    </message>
+    <message>
+        <source>By numbers</source>
+        <translation>按数值</translation>
+    </message>
+    <message>
+        <source>X</source>
+        <translation>X</translation>
+    </message>
+    <message>
+        <source>Left edge, canvas units</source>
+        <translation>左边缘，画布单位</translation>
+    </message>
+    <message>
+        <source>Y</source>
+        <translation>Y</translation>
+    </message>
+    <message>
+        <source>Upper edge, canvas units</source>
+        <translation>上边缘，画布单位</translation>
+    </message>
+    <message>
+        <source>W</source>
+        <translation>宽</translation>
+    </message>
+    <message>
+        <source>Width, canvas units</source>
+        <translation>宽度，画布单位</translation>
+    </message>
+    <message>
+        <source>H</source>
+        <translation>高</translation>
+    </message>
+    <message>
+        <source>Height, canvas units</source>
+        <translation>高度，画布单位</translation>
     </message>
 </context>
 <context>
@@ -3098,18 +3248,6 @@ Exit codes: 0 done, 1 the work failed, 2 wrong usage.</source>
         <translation>纸张图像</translation>
     </message>
     <message>
-        <source>Pictures</source>
-        <translation>图片</translation>
-    </message>
-    <message>
-        <source>%1 is larger than 64 MB: choose a smaller picture.</source>
-        <translation>%1 大于 64 MB：请选择较小的图片。</translation>
-    </message>
-    <message>
-        <source>%1 cannot be read: %2.</source>
-        <translation>无法读取 %1：%2。</translation>
-    </message>
-    <message>
         <source>%1 cannot be used as paper: %2</source>
         <translation>%1 不能用作纸张：%2</translation>
     </message>
@@ -3364,22 +3502,6 @@ Arrow keys work too.</source>
     <message>
         <source>Choose a folder and a name</source>
         <translation>选择文件夹和文件名</translation>
-    </message>
-    <message>
-        <source>All dried</source>
-        <translation>全部干透</translation>
-    </message>
-    <message>
-        <source>As it looks now</source>
-        <translation>当前所见</translation>
-    </message>
-    <message>
-        <source>Moment</source>
-        <translation>时刻</translation>
-    </message>
-    <message>
-        <source>The finished painting, or the moment that the canvas shows.</source>
-        <translation>完成的画作，或画布当前显示的时刻。</translation>
     </message>
     <message>
         <source>Depth</source>
@@ -4067,10 +4189,6 @@ Arrow keys work too.</source>
         <translation>不含曲线；没有可绘制的内容</translation>
     </message>
     <message>
-        <source>Suffuse reads .suffuse, its text form (.json), ink as CSV, Universal Ink JSON, Excalidraw, MyPaint events and diffusion curves (XML)</source>
-        <translation>Suffuse 可读取 .suffuse、其文本形式（.json）、CSV 笔迹、Universal Ink JSON、Excalidraw、MyPaint 事件和扩散曲线（XML）</translation>
-    </message>
-    <message>
         <source>Diffusion curves (XML)</source>
         <translation>扩散曲线（XML）</translation>
     </message>
@@ -4161,6 +4279,30 @@ Arrow keys work too.</source>
     <message>
         <source>was written by a newer program (%1); update Suffuse</source>
         <translation>由更新的程序（%1）写成；请更新 Suffuse</translation>
+    </message>
+    <message>
+        <source>Suffuse reads .suffuse, its text form (.json), ink as CSV, Universal Ink JSON, Excalidraw, MyPaint events, SVG and diffusion curves (XML)</source>
+        <translation>Suffuse 可读取 .suffuse 及其文本形式（.json）、CSV 笔迹、Universal Ink JSON、Excalidraw、MyPaint 事件、SVG 和扩散曲线（XML）</translation>
+    </message>
+    <message>
+        <source>is compressed with gzip; unpack it first</source>
+        <translation>是 gzip 压缩文件；请先解压</translation>
+    </message>
+    <message>
+        <source>SVG drawing</source>
+        <translation>SVG 图形</translation>
+    </message>
+    <message>
+        <source>the drawing is %1 × %2 units large; at most 1e6 are possible, scale it down</source>
+        <translation>图形大小为 %1 × %2 单位；最多 1e6，请缩小</translation>
+    </message>
+    <message>
+        <source>holds no paths that can be painted; in the program that drew it, turn text and images into paths first</source>
+        <translation>没有可绘制的路径；请先在原程序中将文字和图像转换为路径</translation>
+    </message>
+    <message>
+        <source>Text and images of the drawing were left out: only paths and shapes are strokes.</source>
+        <translation>图形中的文字和图像已略去：只有路径和形状会成为笔画。</translation>
     </message>
 </context>
 <context>
@@ -4410,10 +4552,6 @@ Arrow keys work too.</source>
         <translation>%1 毫秒，粗略</translation>
     </message>
     <message>
-        <source>All that can be opened (*.suffuse *.json *.csv *.excalidraw *.dat *.xml)</source>
-        <translation>所有可打开的文件 (*.suffuse *.json *.csv *.excalidraw *.dat *.xml)</translation>
-    </message>
-    <message>
         <source>Diffusion curves (*.xml)</source>
         <translation>扩散曲线 (*.xml)</translation>
     </message>
@@ -4452,6 +4590,14 @@ Arrow keys work too.</source>
     <message>
         <source>“%1” is not saved.</source>
         <translation>“%1”未保存。</translation>
+    </message>
+    <message>
+        <source>All that can be opened (*.suffuse *.json *.csv *.excalidraw *.dat *.svg *.xml)</source>
+        <translation>所有可打开的文件 (*.suffuse *.json *.csv *.excalidraw *.dat *.svg *.xml)</translation>
+    </message>
+    <message>
+        <source>SVG drawings (*.svg)</source>
+        <translation>SVG 图形 (*.svg)</translation>
     </message>
 </context>
 <context>
@@ -4495,6 +4641,37 @@ Arrow keys work too.</source>
     <message>
         <source>Takes a clean sheet.</source>
         <translation>换一张空白纸。</translation>
+    </message>
+</context>
+<context>
+    <name>suffuse::MomentRow</name>
+    <message>
+        <source>Moment</source>
+        <translation>时刻</translation>
+    </message>
+    <message>
+        <source>All dried</source>
+        <translation>全部干透</translation>
+    </message>
+    <message>
+        <source>As it looks now</source>
+        <translation>当前所见</translation>
+    </message>
+    <message>
+        <source>At the time</source>
+        <translation>指定时刻</translation>
+    </message>
+    <message>
+        <source>The finished painting, the moment that the canvas shows, or any other.</source>
+        <translation>完成的画作、画布显示的时刻，或任意其他时刻。</translation>
+    </message>
+    <message>
+        <source>Time</source>
+        <translation>时间</translation>
+    </message>
+    <message>
+        <source>Minutes and seconds, as the timeline shows them: 1:02.345</source>
+        <translation>分和秒，与时间轴的写法相同：1:02.345</translation>
     </message>
 </context>
 <context>
@@ -5080,12 +5257,12 @@ Arrow keys work too.</source>
         <translation>拖动：移动旋转中心。Shift+点击：恢复到正中。</translation>
     </message>
     <message>
-        <source>Shift+Alt+click: add the next stroke below. Shift+Alt+drag: add what the path touches.</source>
-        <translation>Shift+Alt+点击：添加下方的下一条笔画。Shift+Alt+拖动：添加路径触碰到的内容。</translation>
+        <source>Shift+Alt+click: add the next stroke below, with Ctrl within its group. Shift+Alt+drag: add what the path touches.</source>
+        <translation>Shift+Alt+点击：添加下方的下一条笔画，按住 Ctrl 时为组内的笔画。Shift+Alt+拖动：添加路径触碰到的内容。</translation>
     </message>
     <message>
-        <source>Alt+click: select the next stroke below. Alt+drag: select what the path touches.</source>
-        <translation>Alt+点击：选择下方的下一条笔画。Alt+拖动：选择路径触碰到的内容。</translation>
+        <source>Alt+click: select the next stroke below, with Ctrl within its group. Alt+drag: select what the path touches.</source>
+        <translation>Alt+点击：选择下方的下一条笔画，按住 Ctrl 时为组内的笔画。Alt+拖动：选择路径触碰到的内容。</translation>
     </message>
     <message>
         <source>Ctrl+Shift+click: one stroke of a group, in or out. Ctrl+Shift+drag: take away.</source>
@@ -5260,6 +5437,14 @@ Arrow keys work too.</source>
     <message>
         <source>%1 belongs to “%2” and “%3”. Give one of them another shortcut.</source>
         <translation>%1 同时属于“%2”和“%3”。请为其中之一设置其他快捷键。</translation>
+    </message>
+    <message>
+        <source>Take over</source>
+        <translation>接管</translation>
+    </message>
+    <message>
+        <source>Takes the shortcut away from the other command</source>
+        <translation>从另一个命令取走该快捷键</translation>
     </message>
 </context>
 <context>
@@ -5778,26 +5963,6 @@ Arrow keys work too.</source>
         <translation>选择文件夹和文件名</translation>
     </message>
     <message>
-        <source>Area</source>
-        <translation>区域</translation>
-    </message>
-    <message>
-        <source>Whole canvas</source>
-        <translation>整个画布</translation>
-    </message>
-    <message>
-        <source>What the window shows</source>
-        <translation>窗口所示部分</translation>
-    </message>
-    <message>
-        <source>Selected strokes</source>
-        <translation>所选笔画</translation>
-    </message>
-    <message>
-        <source>Which part of the canvas is filmed</source>
-        <translation>录制画布的哪一部分</translation>
-    </message>
-    <message>
         <source>Frame rate</source>
         <translation>帧率</translation>
     </message>
@@ -6060,6 +6225,108 @@ Arrow keys work too.</source>
     <message>
         <source>Scale</source>
         <translation>缩放</translation>
+    </message>
+    <message>
+        <source>Some of these strokes would become too small, too large or too far away to be painted.</source>
+        <translation>其中一些笔画会变得太小、太大或太远，无法绘制。</translation>
+    </message>
+</context>
+<context>
+    <name>suffuse::UnderlayLoader</name>
+    <message>
+        <source>Underlay</source>
+        <translation>底图</translation>
+    </message>
+</context>
+<context>
+    <name>suffuse::UnderlaySection</name>
+    <message>
+        <source>Add…</source>
+        <translation>添加…</translation>
+    </message>
+    <message>
+        <source>A picture to paint over. It shows on the canvas only, never in what is exported.</source>
+        <translation>供描绘参考的图片。只在画布上显示，绝不会出现在导出的结果中。</translation>
+    </message>
+    <message>
+        <source>Underlay</source>
+        <translation>底图</translation>
+    </message>
+    <message>
+        <source>Show the underlay</source>
+        <translation>显示底图</translation>
+    </message>
+    <message>
+        <source>Take the underlay out of the painting</source>
+        <translation>从画作中移除底图</translation>
+    </message>
+    <message>
+        <source>Opacity</source>
+        <translation>不透明度</translation>
+    </message>
+    <message>
+        <source>How strongly the underlay shows.</source>
+        <translation>底图显示的强弱。</translation>
+    </message>
+    <message>
+        <source>X</source>
+        <translation>X</translation>
+    </message>
+    <message>
+        <source>Left edge of the underlay, canvas units</source>
+        <translation>底图的左边缘，画布单位</translation>
+    </message>
+    <message>
+        <source>Y</source>
+        <translation>Y</translation>
+    </message>
+    <message>
+        <source>Upper edge of the underlay, canvas units</source>
+        <translation>底图的上边缘，画布单位</translation>
+    </message>
+    <message>
+        <source>Position</source>
+        <translation>位置</translation>
+    </message>
+    <message>
+        <source>Width</source>
+        <translation>宽度</translation>
+    </message>
+    <message>
+        <source>Width of the underlay, canvas units</source>
+        <translation>底图的宽度，画布单位</translation>
+    </message>
+    <message>
+        <source>Height</source>
+        <translation>高度</translation>
+    </message>
+    <message>
+        <source>Height of the underlay, canvas units</source>
+        <translation>底图的高度，画布单位</translation>
+    </message>
+    <message>
+        <source>Size</source>
+        <translation>大小</translation>
+    </message>
+    <message>
+        <source>Keep the proportions of width and height</source>
+        <translation>保持宽高比例</translation>
+    </message>
+    <message>
+        <source>Fit to Canvas</source>
+        <translation>适合画布</translation>
+    </message>
+    <message>
+        <source>In the middle of the canvas, as large as it goes</source>
+        <translation>在画布正中，尽可能大</translation>
+    </message>
+    <message>
+        <source>Replace…</source>
+        <translation>替换…</translation>
+    </message>
+    <message>
+        <source>Another picture in its place</source>
+        <translation>用另一张图片替换</translation>
     </message>
 </context>
 </TS>

@@ -119,17 +119,6 @@ QString problemOfGroups(const std::vector<Group> &groups)
     return {};
 }
 
-QString problemOfUnderlay(const Underlay &underlay)
-{
-    const Rect &a = underlay.area;
-    for (double v : {a.left, a.top, a.right, a.bottom})
-        if (!isCoordinate(v))
-            return outside("underlay.area", v, "[-1e12, 1e12]");
-    if (!inUnit(underlay.opacity))
-        return outside("underlay.opacity", underlay.opacity, "[0, 1]");
-    return {};
-}
-
 } // namespace
 
 QString problemOf(const Style &style)
@@ -282,6 +271,17 @@ QString problemOfMembership(const Painting &painting)
     return {};
 }
 
+QString problemOf(const Underlay &underlay)
+{
+    const Rect &a = underlay.area;
+    for (double v : {a.left, a.top, a.right, a.bottom})
+        if (!isCoordinate(v))
+            return outside("underlay.area", v, "[-1e12, 1e12]");
+    if (!inUnit(underlay.opacity))
+        return outside("underlay.opacity", underlay.opacity, "[0, 1]");
+    return {};
+}
+
 QString problemOf(const Painting &painting)
 {
     if (const QString problem = problemOf(painting.canvas); !problem.isEmpty())
@@ -305,7 +305,7 @@ QString problemOf(const Painting &painting)
     for (std::size_t i = 0; i < painting.swatches.size(); ++i)
         if (const QString problem = problemOf(painting.swatches[i].colour); !problem.isEmpty())
             return QStringLiteral("swatches[%1].").arg(i) + problem;
-    return painting.underlay ? problemOfUnderlay(*painting.underlay) : QString();
+    return painting.underlay ? problemOf(*painting.underlay) : QString();
 }
 
 } // namespace suffuse

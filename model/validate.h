@@ -14,6 +14,7 @@ QString problemOf(const Colour &colour);
 /// Also: at least one segment, and each starts where the one before it ends. Paths start with "segments[k].".
 QString problemOf(const Stroke &stroke);
 QString problemOf(const Canvas &canvas);
+QString problemOf(const Underlay &underlay);
 /// Also: ids unique and not 0, groups exist, no group cycle, members of a group together. Paths start with
 /// "strokes[j].".
 QString problemOf(const Painting &painting);

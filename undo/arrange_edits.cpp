@@ -65,26 +65,13 @@ bool isOrderOf(const std::vector<StrokeId> &order, const Painting &painting)
                       [](StrokeId id, const StrokePtr &s) { return s->id == id; });
 }
 
-/// The group that holds this one and lies in no other.
-GroupId rootOf(const Painting &painting, GroupId id)
-{
-    for (std::size_t steps = 0; steps < painting.groups.size(); ++steps) {
-        const auto it =
-            std::find_if(painting.groups.begin(), painting.groups.end(), [id](const Group &g) { return g.id == id; });
-        if (it == painting.groups.end() || it->parent == 0)
-            return id;
-        id = it->parent;
-    }
-    return id;
-}
-
 /// Root groups of which every member is among the moved.
 std::set<GroupId> wholeGroups(const Painting &painting, const std::set<StrokeId> &moved)
 {
     std::set<GroupId> whole, broken;
     for (const StrokePtr &s : painting.strokes)
         if (s->group != 0)
-            (moved.contains(s->id) ? whole : broken).insert(rootOf(painting, s->group));
+            (moved.contains(s->id) ? whole : broken).insert(outermostGroup(painting, s->group));
     for (GroupId id : broken)
         whole.erase(id);
     return whole;
@@ -144,7 +131,7 @@ Edit reorder(const Document &document, const std::set<StrokeId> &strokes, Stroke
             continue;
         }
         among.push_back(s.id);
-        if (s.group == group || whole.contains(rootOf(painting, s.group)))
+        if (s.group == group || whole.contains(outermostGroup(painting, s.group)))
             continue;
         auto regrouped = std::make_shared<Stroke>(s);
         regrouped->group = group;

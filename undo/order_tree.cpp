@@ -1,5 +1,7 @@
 #include "undo/order_tree.h"
 
+#include <algorithm>
+
 namespace suffuse {
 
 namespace {
@@ -79,6 +81,18 @@ std::vector<StrokeId> orderOf(const std::vector<Sibling> &siblings)
     for (const Sibling &s : siblings)
         forEachStroke(s, [&order](StrokeId id) { order.push_back(id); });
     return order;
+}
+
+GroupId outermostGroup(const Painting &painting, GroupId id)
+{
+    for (std::size_t steps = 0; steps < painting.groups.size(); ++steps) {
+        const auto it =
+            std::find_if(painting.groups.begin(), painting.groups.end(), [id](const Group &g) { return g.id == id; });
+        if (it == painting.groups.end() || it->parent == 0)
+            return id;
+        id = it->parent;
+    }
+    return id;
 }
 
 } // namespace suffuse

@@ -27,4 +27,7 @@ void forEachStroke(const Sibling &sibling, const std::function<void(StrokeId)> &
 
 std::vector<StrokeId> orderOf(const std::vector<Sibling> &siblings);
 
+/// The group that holds this one and lies in no other.
+GroupId outermostGroup(const Painting &painting, GroupId id);
+
 } // namespace suffuse

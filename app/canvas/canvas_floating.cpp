@@ -108,6 +108,8 @@ bool CanvasWidget::coversFloating(const Affine &map) const
 void CanvasWidget::paintSelection(QPainter &painter, double dpr)
 {
     const Document &document = m_editor.document();
+    if (document.selection().isEmpty())
+        return;
     if (!m_floating || !holds(*m_floating->lift)) {
         m_outline.paint(painter, view(), *document.painting(), document.selection(), m_colours, dpr,
                         m_editor.isDragging());

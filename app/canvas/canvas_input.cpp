@@ -13,6 +13,7 @@
 #include <QTouchEvent>
 #include <QWheelEvent>
 
+#include <chrono>
 #include <numbers>
 
 namespace suffuse {
@@ -22,8 +23,12 @@ namespace {
 constexpr double zoomPerNotch = 1.25;
 constexpr double notch = 120;         ///< eighths of a degree, as QWheelEvent counts
 constexpr double pixelsPerNotch = 60; ///< logical pixels that a notch pans
-/// Device time stamps further than this from the document's clock are not believed.
-constexpr Microseconds maxStampLag = 250'000;
+
+Microseconds wallClock()
+{
+    using namespace std::chrono;
+    return duration_cast<microseconds>(steady_clock::now().time_since_epoch()).count();
+}
 
 } // namespace
 
@@ -47,7 +52,7 @@ PointerEvent CanvasWidget::pointerEvent(const QSinglePointEvent &event, PointerD
     // Reports come in bunches: the device's own stamps keep their pace.
     if (!m_editor.hasManualClock() && m_pressed && event.timestamp() >= m_pressStamp && m_pressStamp > 0) {
         const Microseconds stamped = m_pressTime + Microseconds(event.timestamp() - m_pressStamp) * 1000;
-        if (std::abs(stamped - e.time) < maxStampLag)
+        if (std::abs(stamped - e.time) < mostLag)
             e.time = stamped;
     }
     return e;
@@ -149,6 +154,7 @@ void CanvasWidget::mouseDoubleClickEvent(QMouseEvent *event)
 void CanvasWidget::tabletEvent(QTabletEvent *event)
 {
     event->accept(); // so that no mouse events are made of it
+    const Microseconds late = m_penLag.take(event->timestamp(), wallClock());
     const bool atWork = m_pressed || m_navigation != Navigation::None;
     if (atWork && !m_penDown)
         return; // the mouse or a finger is
@@ -167,7 +173,8 @@ void CanvasWidget::tabletEvent(QTabletEvent *event)
         m_penDown = true;
         setFocus(Qt::MouseFocusReason);
         m_pressStamp = event->timestamp();
-        m_pressTime = e.time;
+        e.late = m_editor.hasManualClock() ? 0 : late;
+        m_pressTime = e.time = m_editor.momentBefore(e.late);
         pointerPress(e, navigationFor(*event));
         break;
     case QEvent::TabletMove:
@@ -196,9 +203,10 @@ void CanvasWidget::wheelEvent(QWheelEvent *event)
         return;
     }
     const QPoint angle = event->angleDelta();
-    const double notches = (angle.y() != 0 ? angle.y() : angle.x()) / notch;
+    const bool sideways = angle.y() == 0; // a wheel that tilts
+    const double notches = (sideways ? angle.x() : angle.y()) / notch;
     const double pan = notches * pixelsPerNotch * dpr;
-    if (modifiers & Qt::ShiftModifier)
+    if (sideways || modifiers & Qt::ShiftModifier)
         m_transform.panBy({pan, 0});
     else if (modifiers & Qt::ControlModifier && !touchpad)
         m_transform.panBy({0, pan});

@@ -16,7 +16,6 @@ namespace {
 
 constexpr double fitMargin = 24; ///< logical pixels around the canvas
 constexpr int frameMs = 16;
-constexpr std::size_t manyRects = 200; ///< of a frame, to be painted together
 
 /// The environment variable SUFFUSE_BACKEND=auto|cpu|cuda goes before the setting.
 RendererOptions rendererOptions()
@@ -48,10 +47,12 @@ CanvasWidget::CanvasWidget(Editor &editor, QWidget *parent, MakeRenderer make)
     m_presenter = makePresenter(*this, this);
     connect(&m_worker, &RenderWorker::frameReady, this, &CanvasWidget::frameReady);
     connect(&editor, &Editor::timeChanged, this, &CanvasWidget::scheduleRender);
-    connect(&editor, &Editor::dragEnded, this, &CanvasWidget::scheduleRender);
-    connect(&editor, &Editor::dragEnded, this, &CanvasWidget::updateSelection); // smooth lines again
+    connect(&editor, &Editor::dragEnded, this, &CanvasWidget::endDrag);
     connect(&editor, &Editor::comparedChanged, this, &CanvasWidget::scheduleRender);
     connect(&editor.document(), &Document::changed, this, &CanvasWidget::follow);
+    connect(&m_underlay, &UnderlayLoader::loaded, this, [this] { updateOverlay(); });
+    connect(&m_underlay, &UnderlayLoader::failed, this, &CanvasWidget::underlayFailed);
+    wantUnderlay();
     editor.laterChanges().setGate([this](const Change &change) { return paintsFirst(change); });
     m_selectionWaits.setSingleShot(true);
     m_selectionWaits.setInterval(frameMs);
@@ -72,10 +73,11 @@ void CanvasWidget::follow(const Change &change)
             m_tool->cancel();
         fit();
     }
-    if (change.canvas || change.reset)
+    if (change.canvas || change.reset) {
+        wantUnderlay();
         updateOverlay();
-    else if (change.selection || !m_editor.document().selection().isEmpty())
-        updateSelection();
+    } else if (change.selection || !m_editor.document().selection().isEmpty())
+        followSelection(change);
     if (change.selection)
         m_worker.setCoarseWanted(wantsCoarse());
     if (change.selection && change.strokes.empty()) // no frame comes for it
@@ -91,56 +93,9 @@ bool CanvasWidget::wantsCoarse() const
 
 bool CanvasWidget::paintsFirst(const Change &change) const
 {
-    if (!isVisible() || change.order || change.canvas || change.draft || change.reset)
+    if (!isVisible() || change.canvas || change.draft || change.reset || (change.order && !m_editor.isDragging()))
         return false;
     return change.selection || !change.strokes.empty();
-}
-
-std::optional<QRegion> CanvasWidget::selectionArea() const
-{
-    constexpr double lines = 12; // logical pixels: of the outline
-    const std::optional<double> margin = m_tool ? m_tool->paintMargin() : 0.0;
-    if (!margin)
-        return {};
-    const Rect units = m_outline.boxOf(*m_editor.document().painting(), m_editor.document().selection());
-    if (units.isEmpty())
-        return QRegion();
-    Rect box;
-    for (const Point corner : {Point{units.left, units.top}, Point{units.right, units.top},
-                               Point{units.right, units.bottom}, Point{units.left, units.bottom}})
-        box.include(view().toPixels(corner));
-    box = box.grown(std::max(*margin, lines * devicePixelRatioF()));
-    const QRectF pixels(QPointF(box.left, box.top), QPointF(box.right, box.bottom));
-    return QRegion((pixels & QRectF(0, 0, view().width, view().height)).toAlignedRect());
-}
-
-void CanvasWidget::updateSelection()
-{
-    if (m_allRepaints)
-        return;
-    const std::optional<QRegion> now = selectionArea();
-    if (now && m_selectionArea)
-        m_selectionArea = m_selectionArea->united(*now);
-    else
-        m_selectionArea.reset();
-    if (!m_editor.isDragging())
-        flushSelection();
-    else if (!m_selectionWaits.isActive())
-        m_selectionWaits.start();
-}
-
-void CanvasWidget::flushSelection()
-{
-    m_selectionWaits.stop();
-    if (m_allRepaints)
-        return;
-    if (!m_selectionArea) {
-        updateOverlay();
-        return;
-    }
-    for (const QRect &pixels : *m_selectionArea) // two strokes that lie far apart are not one large box
-        updateOverlay(pixels);
-    m_selectionArea = selectionArea();
 }
 
 void CanvasWidget::setTool(Tool *tool)
@@ -227,19 +182,6 @@ void CanvasWidget::viewMoved()
     emit viewChanged();
 }
 
-void CanvasWidget::updateOverlay()
-{
-    m_allRepaints = true;
-    m_presenter->updateArea(m_presenter->widget()->rect());
-}
-
-void CanvasWidget::updateOverlay(const QRectF &pixels)
-{
-    const double dpr = devicePixelRatioF();
-    const QRectF logical(pixels.topLeft() / dpr, pixels.size() / dpr);
-    m_presenter->updateArea(logical.toAlignedRect().adjusted(-1, -1, 1, 1) & m_presenter->widget()->rect());
-}
-
 void CanvasWidget::refreshCursor()
 {
     if (m_navigation == Navigation::Pan)
@@ -297,27 +239,6 @@ QString CanvasWidget::backendNotice() const
     return lines.join('\n');
 }
 
-void CanvasWidget::frameReady(const FrameInfo &frame)
-{
-    if (frame.backendText != m_backendText || frame.notice != m_rendererNotice) {
-        m_backendText = frame.backendText;
-        m_rendererNotice = frame.notice;
-        emit backendChanged();
-    }
-    if (frame.error.isEmpty()) {
-        if (m_selectionWaits.isActive())
-            flushSelection();
-        if (frame.isExact() && m_floating && m_floating->settled)
-            m_floating.reset();
-        if (frame.view == view() && frame.stats.dirty.size() < manyRects && !frame.floats)
-            for (const PixelRect &r : frame.stats.dirty)
-                updateOverlay(QRectF(r.x, r.y, r.width, r.height));
-        else
-            updateOverlay();
-    }
-    emit framePresented(frame);
-}
-
 QImage CanvasWidget::picture()
 {
     QImage copy;
@@ -335,24 +256,46 @@ QColor CanvasWidget::backgroundColour() const
     return toOpaqueScreen(m_editor.document().painting()->canvas.background);
 }
 
+void CanvasWidget::wantUnderlay()
+{
+    const auto &underlay = m_editor.document().painting()->underlay;
+    m_underlay.want(underlay ? underlay->image : nullptr);
+}
+
+std::optional<ShownUnderlay> CanvasWidget::underlay() const
+{
+    const auto &underlay = m_editor.document().painting()->underlay;
+    if (!underlay || !underlay->visible || !m_underlay.image() || underlay->area.width() == 0 ||
+        underlay->area.height() == 0)
+        return {};
+    const bool dark = qGray(backgroundColour().rgb()) < 128;
+    return ShownUnderlay{m_underlay.image(), underlay->area, double(underlay->opacity), dark};
+}
+
+void CanvasWidget::paintAround(QPainter &painter)
+{
+    painter.save();
+    paintPasteboard(painter, view(), m_editor.document().painting()->canvas.area(), m_colours, devicePixelRatioF());
+    painter.restore();
+}
+
 void CanvasWidget::paintOverlay(QPainter &painter)
 {
     const double dpr = devicePixelRatioF();
-    const Document &document = m_editor.document();
-    painter.save();
-    paintPasteboard(painter, view(), document.painting()->canvas.area(), m_colours, dpr);
-    painter.restore();
     painter.save();
     if (m_aids.showGrid)
-        paintGrid(painter, view(), document.painting()->canvas.area(), m_aids.gridStep, dpr);
+        paintGrid(painter, view(), m_editor.document().painting()->canvas.area(), m_aids.gridStep, dpr);
     paintSelection(painter, dpr);
     painter.restore();
     if (m_tool) {
         painter.setRenderHint(QPainter::Antialiasing);
         m_tool->paint(painter, view(), dpr);
     }
-    if (std::exchange(m_allRepaints, false))
+    if (std::exchange(m_allRepaints, false)) {
         m_selectionArea = m_floating ? std::nullopt : selectionArea();
+        m_selectionChanged = false;
+        m_altered.area = {};
+    }
     m_editor.laterChanges().painted();
 }
 

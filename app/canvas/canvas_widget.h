@@ -47,6 +47,8 @@ public:
     /// The tool in use; tools belong to whoever makes them. The old one is cancelled.
     void setTool(Tool *tool);
     Tool *tool() const { return m_tool; }
+    /// The tool has seen a press and no release yet.
+    bool isPressed() const { return m_pressed; }
 
     void zoomBy(double factor); ///< at the pointer if it is over the canvas, else at the centre
     void setZoom(double scale); ///< pixels per unit
@@ -61,6 +63,9 @@ public:
     /// Repaints the overlay, or the part of it in `pixels`.
     void updateOverlay();
     void updateOverlay(const QRectF &pixels);
+    void updateOverlay(const QRegion &pixels);
+    /// `selectionBox` of what is selected, from boxes of strokes that are kept.
+    Rect selectedCurves() const;
     /// Repaints what stands at the selected strokes, then and now; while they are dragged together with the next frame.
     void updateSelection();
     void refreshCursor();
@@ -103,6 +108,7 @@ signals:
     void pointerLeft();
     void framePresented(const suffuse::FrameInfo &frame);
     void backendChanged();       ///< its text or its notice
+    void underlayFailed(const QString &problem); ///< it cannot be shown
     void penTurned(bool eraser); ///< before the first report of the pen's other end
 
 protected:
@@ -132,10 +138,19 @@ private:
     void withFrame(const std::function<void(ShownFrame &)> &use) override { m_worker.withFrame(use); }
     void setDeviceFramesWanted(bool wanted, const QString &why) override;
     QColor backgroundColour() const override;
+    std::optional<ShownUnderlay> underlay() const override;
+    void paintAround(QPainter &painter) override;
     void paintOverlay(QPainter &painter) override;
+    void wantUnderlay();
     /// Where selection and tool paint; none: anywhere.
     std::optional<QRegion> selectionArea() const;
+    std::optional<double> selectionMargin() const;
+    QRect markedArea(const Rect &units, double margin) const;
+    bool altersFew(const Change &change);
+    void followSelection(const Change &change);
+    void flushSelectionLater();
     void flushSelection();
+    void endDrag();
     /// Whether others hear of a change only when its overlay or its frame is on the screen.
     bool paintsFirst(const Change &change) const;
     /// A drag may follow that is too much for exact frames.
@@ -171,6 +186,7 @@ private:
 
     Editor &m_editor;
     RenderWorker m_worker;
+    UnderlayLoader m_underlay;
     Presenter *m_presenter = nullptr;
     ViewTransform m_transform;
     OverlayColours m_colours;
@@ -200,6 +216,7 @@ private:
     bool m_penNear = false;   ///< fingers are the hand that holds it
     PenSettings m_penSettings;
     PenPressure m_penPressure;
+    ReportLag m_penLag;
     std::map<int, Point> m_fingers; ///< that are down, by the device's numbers, and where they were last
     bool m_fingerPaints = false;
     bool m_spaceDown = false;
@@ -208,7 +225,15 @@ private:
     Microseconds m_pressTime = 0; ///< document time of the press
 
     std::optional<QRegion> m_selectionArea; ///< where it stands on the screen or is to be painted; none: anywhere
+    bool m_selectionChanged = false;        ///< more of it than what was altered is to be painted
     bool m_allRepaints = false;             ///< the whole widget is about to be painted
+    /// Few strokes that a drag alters.
+    struct Altered {
+        std::map<StrokeId, Rect> boxes; ///< as they were last, canvas units
+        double margin = 0;              ///< pixels around them
+        QRegion area;                   ///< to be painted
+    };
+    Altered m_altered;
     QTimer m_selectionWaits;                ///< for a frame, with which it is painted
 };
 

@@ -121,6 +121,34 @@ private:
     std::vector<char> m_touched;
 };
 
+/// Calls visit(stroke) for those of either list that the other lacks, roughly: most stand in the same order.
+template <typename Visit>
+void forEachThatDiffers(const StrokeList &before, const StrokeList &after, Visit visit)
+{
+    constexpr std::size_t near = 8; // places that are looked at
+    const auto isNear = [&](StrokeId id, std::size_t from) {
+        for (std::size_t i = from; i < std::min(from + near, before.size()); ++i)
+            if (before[i]->id == id)
+                return true;
+        return false;
+    };
+    std::size_t i = 0, j = 0;
+    while (i < before.size() || j < after.size()) {
+        const Stroke *was = i < before.size() ? before[i].get() : nullptr;
+        const Stroke *is = j < after.size() ? after[j].get() : nullptr;
+        const bool same = was && is && (was == is || was->id == is->id);
+        const bool came = is && (!was || (!same && !isNear(is->id, i)));
+        if (same && was == is) {
+            ++i, ++j;
+            continue;
+        }
+        if (!came)
+            visit(*was), ++i;
+        if (came || same)
+            visit(*is), ++j;
+    }
+}
+
 } // namespace
 
 View CoarseFrames::coarseView(const View &view) const
@@ -174,15 +202,19 @@ double reachedPixels(const Painting &painting, const View &view, Microseconds ti
 Difference differenceOf(const Painting &before, const Painting &after, const View &view, Microseconds time)
 {
     Difference difference;
-    if (before.strokes.size() != after.strokes.size())
-        return difference;
     Squares squares(view);
-    before.strokes.forEachDifference(after.strokes, [&](std::size_t i) {
+    const auto touch = [&](const Stroke &stroke) {
         ++difference.strokes;
-        for (const Stroke *stroke : {before.strokes[i].get(), after.strokes[i].get()})
-            for (const Segment &segment : stroke->segments)
-                squares.touch(influenceOf(*stroke, segment, time));
-    });
+        for (const Segment &segment : stroke.segments)
+            squares.touch(influenceOf(stroke, segment, time));
+    };
+    if (before.strokes.size() == after.strokes.size())
+        before.strokes.forEachDifference(after.strokes, [&](std::size_t i) {
+            touch(*before.strokes[i]);
+            touch(*after.strokes[i]);
+        });
+    else
+        forEachThatDiffers(before.strokes, after.strokes, touch);
     difference.pixels = squares.pixels();
     return difference;
 }

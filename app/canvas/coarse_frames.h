@@ -33,7 +33,8 @@ private:
     std::optional<RenderRequest> m_at;
 };
 
-/// Pixels of the view that the influence of what differs covers, before and after, roughly; and of how many strokes.
+/// Pixels of the view that the influence of what differs covers, before and after, roughly; and how many strokes that
+/// are, counted before and after.
 struct Difference {
     double pixels = 0;
     std::size_t strokes = 0;

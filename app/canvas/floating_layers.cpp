@@ -63,8 +63,26 @@ Result<bool> FloatingLayers::draw(const LiftPtr &lift, int factor, const std::at
         return false;
     m_of = lift;
     m_factor = factor;
+    m_layerIsFine = factor == 1;
     takeOver(m_drawn);
     return true;
+}
+
+void FloatingLayers::take(const LiftPtr &lift, const Picture8 &picture, std::uint32_t paper, bool fine)
+{
+    const View around = viewOfLayer(lift->view, 1);
+    Picture8 layer;
+    layer.resize(around.width, around.height);
+    std::fill(layer.argb.begin(), layer.argb.end(), 0);
+    for (int y = 0; y < picture.height; ++y) {
+        const auto row = picture.argb.begin() + std::ptrdiff_t(y) * picture.width;
+        std::replace_copy(row, row + picture.width,
+                          layer.argb.begin() + std::ptrdiff_t(y + margin) * around.width + margin, paper, 0u);
+    }
+    m_of = lift;
+    m_factor = 1;
+    m_layerIsFine = fine;
+    takeOver(layer);
 }
 
 void FloatingLayers::takeOver(const Picture8 &drawn)

@@ -41,8 +41,11 @@ public:
     /// Draws the lifted strokes, those beside the view, too, as far as `margin` goes; `factor` pixels of the view to a
     /// side of one that is drawn. False where it was cancelled: then what was drawn before holds.
     Result<bool> draw(const LiftPtr &lift, int factor, const std::atomic<bool> *cancel = nullptr);
+    /// Takes the lifted strokes from a picture of them over nothing but `paper`, of the lift's view; not `fine`: there is
+    /// more beside the view.
+    void take(const LiftPtr &lift, const Picture8 &picture, std::uint32_t paper, bool fine);
     bool isOf(const LiftPtr &lift) const { return m_of == lift && hasRest(lift); }
-    bool areFine() const { return m_factor == 1 && m_restIsFine; }
+    bool areFine() const { return m_layerIsFine && m_restIsFine; }
     int factor() const { return m_factor; }
 
     /// Pixels around the view.
@@ -72,7 +75,7 @@ private:
     Picture8 m_drawn; ///< the renderer's
     LiftPtr m_restOf, m_of;
     Picture8 m_rest;
-    bool m_restIsFine = false;
+    bool m_restIsFine = false, m_layerIsFine = false;
     int m_factor = 1;
     int m_width = 0, m_height = 0;      ///< of the layer
     std::vector<std::uint32_t> m_layer; ///< premultiplied

@@ -1,4 +1,6 @@
 #include "app/canvas/presenter.h"
+#include "app/canvas/textured_quad.h"
+#include "app/canvas/underlay_texture.h"
 #include "app/canvas/view_transform.h"
 
 #include <QOpenGLBuffer>
@@ -17,18 +19,7 @@ namespace suffuse {
 namespace {
 
 // Not in the header of OpenGL ES, which Qt may have been built for.
-constexpr GLenum rgba8 = 0x8058;
 constexpr GLenum unpackRowLength = 0x0CF2;
-
-constexpr const char *vertexShader = R"(
-attribute highp vec4 corner; // x, y in clip space; u, v in the texture
-varying highp vec2 texel;
-void main()
-{
-    texel = corner.zw;
-    gl_Position = vec4(corner.xy, 0.0, 1.0);
-}
-)";
 
 // A pixel's bytes are blue, green, red, alpha. The texture takes them as they are, from memory as from a device.
 constexpr const char *fragmentShader = R"(
@@ -62,7 +53,7 @@ public:
 
     QWidget *widget() override { return this; }
     QString name() const override { return QStringLiteral("OpenGL"); }
-    void updateArea(const QRect &) override { update(); }
+    void updateArea(const QRegion &) override { update(); }
 
 protected:
     void initializeGL() override
@@ -100,9 +91,14 @@ protected:
             if (uploaded && isFrameUseful(frame, m_content.shownView()))
                 drawQuad(frame);
         });
+        if (const std::optional<ShownUnderlay> underlay = m_content.underlay())
+            m_underlay.draw(*underlay, m_content.shownView());
+        else
+            m_underlay.release();
         QPainter painter(this);
         const double toDevice = 1 / devicePixelRatioF();
         painter.scale(toDevice, toDevice);
+        m_content.paintAround(painter);
         m_content.paintOverlay(painter);
     }
 
@@ -208,6 +204,7 @@ private:
         glDeleteTextures(1, &m_texture);
         m_texture = 0;
         m_corners.destroy();
+        m_underlay.release();
         m_program.reset();
         doneCurrent();
         m_textureWidth = m_textureHeight = 0;
@@ -216,6 +213,7 @@ private:
     CanvasContent &m_content;
     std::unique_ptr<QOpenGLShaderProgram> m_program;
     QOpenGLBuffer m_corners;
+    UnderlayTexture m_underlay;
     GLuint m_texture = 0;
     std::unique_ptr<TextureLink> m_link; ///< of m_texture with the device of m_linked; ends before the texture does
     std::weak_ptr<DeviceFrame> m_linked;

@@ -92,9 +92,12 @@ const QColor shadow(0, 0, 0, 11); // of a ring; the narrower ones lie over the w
 void paintUprightPasteboard(QPainter &painter, const QRect &window, const QRectF &sheet, const OverlayColours &colours,
                             double dpr)
 {
+    // A painter hands more rows than these at a time to other threads, and waking them takes longer than filling.
+    constexpr int rows = 64;
     const auto fill = [&](const QRegion &region, const QColor &colour) {
         for (const QRect &rect : region)
-            painter.fillRect(rect, colour);
+            for (int y = rect.top(); y <= rect.bottom(); y += rows)
+                painter.fillRect(rect & QRect(rect.left(), y, rect.width(), rows), colour);
     };
     const QRect inside(QPoint(int(std::lround(sheet.left())), int(std::lround(sheet.top()))),
                        QPoint(int(std::lround(sheet.right())) - 1, int(std::lround(sheet.bottom())) - 1));
@@ -107,6 +110,9 @@ void paintUprightPasteboard(QPainter &painter, const QRect &window, const QRectF
         const QRect wide = inside.translated(0, int(std::lround(dpr))).adjusted(-r, -r, r, r);
         fill(outside & wide, shadow);
     }
+    const int d = std::max(1, int(std::lround(dpr)));
+    const QRect border = inside.adjusted(-(d / 2), -(d / 2), d - d / 2, d - d / 2);
+    fill(QRegion(border & seen) - border.adjusted(d, d, -d, -d), colours.border);
 }
 
 bool isUpright(const QPolygonF &polygon)
@@ -136,9 +142,6 @@ void paintPasteboard(QPainter &painter, const View &view, const Rect &canvas, co
     const QRectF windowRect(QPointF(window.left, window.top), QPointF(window.right, window.bottom));
     if (isUpright(inside)) {
         paintUprightPasteboard(painter, windowRect.toAlignedRect(), inside.boundingRect(), colours, dpr);
-        painter.setBrush(Qt::NoBrush);
-        painter.setPen(QPen(colours.border, dpr));
-        painter.drawRect(inside.boundingRect());
         return;
     }
     QPainterPath outside;

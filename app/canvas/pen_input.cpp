@@ -10,7 +10,19 @@ constexpr double fullPressure = 0.999;
 constexpr double jump = 0.4;     ///< no hand adds as much from one report to the next
 constexpr double touching = 0.5; ///< in place of full pressure in the first report
 constexpr double least = 0.001;
+constexpr Microseconds drift = 10'000; ///< clocks part by no more than one in so many
 } // namespace
+
+Microseconds ReportLag::take(std::uint64_t stamp, Microseconds now)
+{
+    if (stamp == 0)
+        return 0;
+    const Microseconds offset = now - Microseconds(stamp) * 1000;
+    const Microseconds known = m_least.value_or(offset) + (now - m_last) / drift;
+    m_last = now;
+    m_least = offset - known > mostLag ? offset : std::min(offset, known); // another clock, or the same
+    return offset - *m_least;
+}
 
 double PenPressure::take(double reported, bool press, bool sensitive)
 {

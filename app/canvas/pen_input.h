@@ -2,6 +2,10 @@
 #pragma once
 
 #include "model/response_curve.h"
+#include "model/segment.h"
+
+#include <cstdint>
+#include <optional>
 
 namespace suffuse {
 
@@ -10,6 +14,20 @@ struct PenSettings {
     ResponseCurve pressure;       ///< pressure that is painted with, over the pressure that the pen reports
     bool fingersMoveView = false; ///< fingers never paint
     friend bool operator==(const PenSettings &, const PenSettings &) = default;
+};
+
+/// Device time stamps further than this from our clock are not believed.
+inline constexpr Microseconds mostLag = 250'000;
+
+/// How late a device's reports come, by its own stamps: waiting only ever adds, so the least that was seen is none.
+class ReportLag {
+public:
+    /// Of a report with the stamp (milliseconds of the device's clock; 0: it has none) that is heard of at `now`.
+    Microseconds take(std::uint64_t stamp, Microseconds now);
+
+private:
+    std::optional<Microseconds> m_least; ///< from the device's clock to ours
+    Microseconds m_last = 0;             ///< when a report was heard of
 };
 
 /// Pressures of one pen, one after the other: blips are held back and the user's curve is laid on (docs/pen.md).

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "app/canvas/render_worker.h"
+#include "app/canvas/underlay.h"
 
 #include <QColor>
 #include <QWidget>
@@ -21,7 +22,11 @@ public:
     virtual void setDeviceFramesWanted(bool wanted, const QString &why) = 0;
     /// Fills what no frame covers yet.
     virtual QColor backgroundColour() const = 0;
-    /// Everything that lies over the picture; the painter's units are device pixels.
+    /// What lies over the picture and below the pasteboard; none, or none that is ready.
+    virtual std::optional<ShownUnderlay> underlay() const = 0;
+    /// The pasteboard, over what the picture shows beside the canvas; the painter's units are device pixels.
+    virtual void paintAround(QPainter &painter) = 0;
+    /// Everything else that lies over the picture, in the same units.
     virtual void paintOverlay(QPainter &painter) = 0;
 };
 
@@ -32,7 +37,7 @@ public:
     virtual QWidget *widget() = 0;
     virtual QString name() const = 0; ///< "raster" or "OpenGL"
     /// A part of the content has changed, in logical pixels of the widget.
-    virtual void updateArea(const QRect &area) = 0;
+    virtual void updateArea(const QRegion &area) = 0;
 };
 
 /// OpenGL where it is hardware, raster where OpenGL is software, absent or the platform is offscreen. The setting and,

@@ -21,20 +21,45 @@ public:
 
     QWidget *widget() override { return this; }
     QString name() const override { return QStringLiteral("raster"); }
-    void updateArea(const QRect &area) override { update(area); }
+    void updateArea(const QRegion &area) override { update(area); }
 
 protected:
     void paintEvent(QPaintEvent *event) override
     {
         QPainter painter(this);
-        painter.setClipRegion(event->region());
-        const double toDevice = 1 / devicePixelRatioF();
-        painter.scale(toDevice, toDevice);
-        m_content.withFrame([&](ShownFrame &frame) { paintFrame(painter, frame); });
+        m_content.withFrame([&](ShownFrame &frame) { paintPicture(painter, frame, event->region()); });
+        begin(painter, event->region());
         m_content.paintOverlay(painter);
     }
 
 private:
+    /// In device pixels, within a region that is in logical ones.
+    void begin(QPainter &painter, const QRegion &within)
+    {
+        const double toDevice = 1 / devicePixelRatioF();
+        painter.resetTransform();
+        painter.setClipRegion(within);
+        painter.scale(toDevice, toDevice);
+    }
+
+    /// A few rows after the other, so that the pasteboard finds the frame in the cache. (Around a sheet that is turned
+    /// it is a path, which takes longer to make than to fill.)
+    void paintPicture(QPainter &painter, ShownFrame &frame, const QRegion &region)
+    {
+        const std::optional<ShownUnderlay> underlay = m_content.underlay();
+        if (!underlay)
+            m_underlay.forget();
+        const QRect all = region.boundingRect();
+        const int rows = m_content.shownView().rotation == 0 ? 64 : all.height();
+        for (int y = all.top(); y <= all.bottom(); y += rows) {
+            begin(painter, region & QRect(all.left(), y, all.width(), rows));
+            paintFrame(painter, frame);
+            if (underlay)
+                m_underlay.paint(painter, *underlay, m_content.shownView(), painter.clipBoundingRect().toAlignedRect());
+            m_content.paintAround(painter);
+        }
+    }
+
     void paintFrame(QPainter &painter, ShownFrame &frame)
     {
         frame.dirty.clear();
@@ -56,6 +81,7 @@ private:
     }
 
     CanvasContent &m_content;
+    UnderlaySheet m_underlay;
 };
 
 } // namespace

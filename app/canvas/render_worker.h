@@ -121,6 +121,10 @@ private:
     void prepareCoarse();
     bool openFloating();
     bool drawRest(const LiftPtr &lift, const std::atomic<bool> *cancel);
+    bool shows(const LiftPtr &lift) const;
+    std::optional<std::uint32_t> paperPixel(const Painting &painting) const;
+    bool layPaper(const LiftPtr &lift);
+    void takeShown(const LiftPtr &lift, std::uint32_t paper);
     bool drawCoarseRest(const LiftPtr &lift);
     bool drawLifted(const LiftPtr &lift, int factor, const std::atomic<bool> *cancel);
     void prepareLift();

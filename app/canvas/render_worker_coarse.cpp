@@ -10,8 +10,8 @@ namespace {
 
 /// An exact frame of a gesture that takes longer than this is too slow.
 constexpr double slowMs = 12;
-/// Pixels of the view to a side of one that is drawn.
-constexpr int coarseFactor = 4;
+/// Pixels of the view to a side of one that is drawn, and of these to a side of a tile: of the view it is a large one.
+constexpr int coarseFactor = 4, coarseTile = 16;
 
 double areaOf(const std::vector<PixelRect> &rects)
 {
@@ -70,7 +70,7 @@ bool RenderWorker::isCoarse(const Job &job)
     // Of a single stroke that changes, the renderer keeps what lies below and above: it is quicker than its pixels say.
     if (!m_coarseGesture) {
         const Difference difference = differenceOf(*m_exact->painting, *request.painting, request.view, request.time);
-        m_coarseGesture = difference.strokes > 1 && isSlow(difference.pixels * m_msPerPixel);
+        m_coarseGesture = difference.strokes > 2 && isSlow(difference.pixels * m_msPerPixel);
     }
     return m_coarseGesture;
 }
@@ -81,6 +81,7 @@ bool RenderWorker::openCoarse()
         return true;
     RendererOptions options = m_options;
     options.backend = Backend::Cpu;
+    options.tileSize = coarseTile;
     Result<std::unique_ptr<Renderer>> renderer = m_make(options);
     m_coarseFailed = !renderer;
     if (renderer)

@@ -1,5 +1,8 @@
 // Frames of a drag that floats.
 #include "app/canvas/render_worker.h"
+#include "model/influence.h"
+
+#include <algorithm>
 
 namespace suffuse {
 
@@ -7,6 +10,23 @@ namespace {
 
 /// Pixels of the view to a side of one that is drawn where the hand does not wait for more.
 constexpr int hastyFactor = 4;
+
+/// Nothing of it is to be seen.
+bool isBlank(const Painting &painting)
+{
+    return std::none_of(painting.strokes.begin(), painting.strokes.end(),
+                        [&](const StrokePtr &stroke) { return painting.isVisible(*stroke); });
+}
+
+bool isWithin(const Rect &units, const View &view)
+{
+    const Rect window = Rect::of(0, 0, view.width, view.height);
+    for (const Point corner : {Point{units.left, units.top}, Point{units.right, units.top},
+                               Point{units.right, units.bottom}, Point{units.left, units.bottom}})
+        if (!window.contains(view.toPixels(corner)))
+            return false;
+    return true;
+}
 
 } // namespace
 
@@ -55,13 +75,60 @@ bool RenderWorker::drawRest(const LiftPtr &lift, const std::atomic<bool> *cancel
     return !stats->cancelled;
 }
 
+/// Whether the exact picture of what it was lifted off is shown.
+bool RenderWorker::shows(const LiftPtr &lift) const
+{
+    return drawsInMemory() && m_exact && !m_floats && m_enlarged.empty() && m_exact->painting == lift->from &&
+           m_exact->time == lift->time && m_publishedView == lift->view;
+}
+
+/// One without paint.
+std::optional<std::uint32_t> RenderWorker::paperPixel(const Painting &painting) const
+{
+    RendererOptions options = m_options;
+    options.backend = Backend::Cpu;
+    const Result<std::unique_ptr<Renderer>> renderer = m_make(options);
+    auto blank = std::make_shared<Painting>();
+    blank->canvas = painting.canvas;
+    View view;
+    view.width = view.height = 1;
+    Picture8 pixel;
+    if (!renderer || !(*renderer)->render({blank, 0, view}, pixel))
+        return {};
+    return pixel.argb.front();
+}
+
+/// Where nothing is left the rest is paper: the renderer need not forget the strokes.
+bool RenderWorker::layPaper(const LiftPtr &lift)
+{
+    if (!isBlank(*lift->rest))
+        return false;
+    const std::optional<std::uint32_t> paper = paperPixel(*lift->rest);
+    if (!paper)
+        return false;
+    Picture8 rest;
+    rest.resize(lift->view.width, lift->view.height);
+    std::fill(rest.argb.begin(), rest.argb.end(), *paper);
+    m_layers->setRest(lift, std::move(rest), true);
+    takeShown(lift, *paper);
+    return true;
+}
+
+/// Where all is lifted what is shown is its picture, as far as the view goes.
+void RenderWorker::takeShown(const LiftPtr &lift, std::uint32_t paper)
+{
+    if (!shows(lift))
+        return;
+    Picture8 shown;
+    withFrame([&](ShownFrame &frame) { shown = frame.picture; });
+    m_layers->take(lift, shown, paper, isWithin(influenceOf(*lift->lifted, lift->time), lift->view));
+}
+
 /// What is shown, coarse where lifted strokes are missing.
 bool RenderWorker::drawCoarseRest(const LiftPtr &lift)
 {
     const RenderRequest shown{lift->from, lift->time, lift->view};
-    const bool isShown = m_exact && !m_floats && m_enlarged.empty() && m_exact->painting == shown.painting &&
-                         m_exact->time == shown.time && m_publishedView == shown.view;
-    if (!isShown || !openCoarse() || !m_coarse->isAt(shown))
+    if (!shows(lift) || !openCoarse() || !m_coarse->isAt(shown))
         return false;
     const Result<RenderStats> stats = m_coarse->draw({lift->rest, lift->time, lift->view});
     m_coarseFailed = !stats;
@@ -84,7 +151,9 @@ bool RenderWorker::drawLifted(const LiftPtr &lift, int factor, const std::atomic
 /// While the hand rests.
 void RenderWorker::prepareLift()
 {
-    const bool drawn = openFloating() && (m_layers->hasFineRest(m_lift) || drawRest(m_lift, &m_cancel)) &&
+    if (openFloating() && !m_layers->hasRest(m_lift) && layPaper(m_lift) && m_layers->isOf(m_lift))
+        return; // more is made ready when the hand goes on resting
+    const bool drawn = !m_layersFailed && (m_layers->hasFineRest(m_lift) || drawRest(m_lift, &m_cancel)) &&
                        drawLifted(m_lift, 1, &m_cancel);
     if (!drawn && !m_cancel)
         m_canFloat = false;
@@ -93,9 +162,11 @@ void RenderWorker::prepareLift()
 /// While the hand moves: a frame waits for it.
 bool RenderWorker::hurryLift(const LiftPtr &lift)
 {
-    return openFloating() &&
-           (m_layers->isOf(lift) || ((m_layers->hasRest(lift) || drawCoarseRest(lift) || drawRest(lift, nullptr)) &&
-                                     drawLifted(lift, hastyFactor, nullptr)));
+    if (!openFloating())
+        return false;
+    if (!m_layers->hasRest(lift) && !layPaper(lift) && !drawCoarseRest(lift) && !drawRest(lift, nullptr))
+        return false;
+    return m_layers->isOf(lift) || drawLifted(lift, hastyFactor, nullptr);
 }
 
 bool RenderWorker::drawFloating(const Job &job)

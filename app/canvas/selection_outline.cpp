@@ -1,6 +1,7 @@
 #include "app/canvas/selection_outline.h"
 
 #include "app/canvas/view_transform.h"
+#include "model/transform.h"
 
 namespace suffuse {
 
@@ -52,16 +53,10 @@ double polygonLength(const Segment &segment)
     return sum;
 }
 
-/// Of a picture's pixels so many are listed, to be wiped one by one.
-constexpr std::size_t mostInk = 1 << 19;
-
-/// Lines of one pixel, not smoothed, that replace what lies below: many times faster than a painter's. Lists the
-/// pixels.
+/// Lines of one pixel, not smoothed: many times faster than a painter's.
 class ThinPen {
 public:
-    ThinPen(QImage &image, std::vector<int> &ink, const QColor &colour)
-        : m_bits(reinterpret_cast<QRgb *>(image.bits())), m_stride(int(image.bytesPerLine() / 4)), m_ink(ink),
-          m_inside(Rect::of(0, 0, image.width() - 1.0, image.height() - 1.0)), m_colour(qPremultiply(colour.rgba()))
+    explicit ThinPen(PixelMask &mask) : m_mask(mask), m_inside(Rect::of(0, 0, mask.width() - 1.0, mask.height() - 1.0))
     {}
 
     void line(Point a, Point b)
@@ -73,20 +68,13 @@ public:
         const int steps = int(std::max(std::abs(way.x), std::abs(way.y))) + 1;
         int x = int((a.x + 0.5) * one), y = int((a.y + 0.5) * one);
         const int stepX = int(way.x / steps * one), stepY = int(way.y / steps * one);
-        for (int i = 0; i <= steps; ++i, x += stepX, y += stepY) {
-            const int pixel = (y >> 16) * m_stride + (x >> 16);
-            m_bits[pixel] = m_colour;
-            if (m_ink.size() < mostInk)
-                m_ink.push_back(pixel);
-        }
+        for (int i = 0; i <= steps; ++i, x += stepX, y += stepY)
+            m_mask.set(x >> 16, y >> 16);
     }
 
 private:
-    QRgb *m_bits;
-    int m_stride;
-    std::vector<int> &m_ink;
+    PixelMask &m_mask;
     Rect m_inside;
-    QRgb m_colour;
 };
 
 /// Lists lines for a painter.
@@ -162,6 +150,19 @@ Rect SelectionOutline::boxOf(const Painting &painting, const Selection &selectio
     Rect box;
     for (const std::size_t place : m_places)
         box = box.united(m_boxes[place]);
+    return box;
+}
+
+Rect SelectionOutline::curveBoxOf(const Painting &painting, const Selection &selection)
+{
+    locate(painting, selection);
+    Rect box;
+    for (const std::size_t place : m_places) {
+        const Rect &around = m_boxes[place];
+        const bool isWithin = box.contains({around.left, around.top}) && box.contains({around.right, around.bottom});
+        if (!isWithin && !painting.isLocked(*painting.strokes[place])) // most curves add nothing
+            box = box.united(curveBox(*painting.strokes[place]));
+    }
     return box;
 }
 
@@ -287,26 +288,8 @@ double SelectionOutline::lengthOfLines() const
     return sum * double(step) * m_view.scale;
 }
 
-/// Makes room for the next lines.
-void SelectionOutline::clearPicture()
+void SelectionOutline::drawThin(double dpr, bool moving)
 {
-    const QSize size(m_view.width + 2 * thinMargin, m_view.height + 2 * thinMargin);
-    if (m_picture.size() != size) {
-        m_picture = QImage(size, QImage::Format_ARGB32_Premultiplied);
-        m_picture.fill(Qt::transparent);
-    } else if (m_ink.size() == mostInk) {
-        m_picture.fill(Qt::transparent);
-    } else {
-        auto *bits = reinterpret_cast<QRgb *>(m_picture.bits());
-        for (const int pixel : m_ink)
-            bits[pixel] = 0;
-    }
-    m_ink.clear();
-}
-
-void SelectionOutline::drawThin(const QColor &colour, double dpr, bool moving)
-{
-    m_thinColour = colour;
     m_drawn = true;
     m_rough = moving;
     View around = m_view; // the same middle
@@ -315,11 +298,9 @@ void SelectionOutline::drawThin(const QColor &colour, double dpr, bool moving)
     const Rect box = pixelBox(around, m_shownBox).grown(2);
     const QRectF inView = QRectF(0, 0, around.width, around.height); // the box may be as large as a deep zoom makes it
     m_inked = (inView & QRectF(QPointF(box.left, box.top), QPointF(box.right, box.bottom))).toAlignedRect();
-    clearPicture();
+    m_mask.clear(around.width, around.height);
     const double spacing = std::max(leastSpacing * dpr, lengthOfLines() / (moving ? movingLines : thinLines));
-    QColor veiled = colour; // the paint below is still to be seen
-    veiled.setAlphaF(thinOpacity);
-    ThinPen pen(m_picture, m_ink, veiled);
+    ThinPen pen(m_mask);
     for (const Shown &shown : m_shown)
         if (!shown.apart)
             drawStroke(pen, *shown.stroke, PixelMap(around, shown.stroke->origin), m_view.scale, spacing);
@@ -327,11 +308,13 @@ void SelectionOutline::drawThin(const QColor &colour, double dpr, bool moving)
 
 void SelectionOutline::paintThin(QPainter &painter, const View &view, double dpr, const QColor &colour, bool moving)
 {
-    if (!m_drawn || m_thinColour != colour || (m_rough && !moving))
-        drawThin(colour, dpr, moving);
+    if (!m_drawn || (m_rough && !moving))
+        drawThin(dpr, moving);
     const Point shift = *shiftBetween(m_view, view);
     const QPoint corner(int(std::round(shift.x)) - thinMargin, int(std::round(shift.y)) - thinMargin);
-    painter.drawImage(corner + m_inked.topLeft(), m_picture, m_inked);
+    QColor veiled = colour; // the paint below is still to be seen
+    veiled.setAlphaF(thinOpacity);
+    m_mask.paint(painter, corner, m_inked, veiled);
     paintQuick(painter, view, colour, dpr, true);
 }
 

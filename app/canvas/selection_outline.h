@@ -1,9 +1,8 @@
 #pragma once
 
 #include "app/canvas/overlay.h"
+#include "app/canvas/pixel_mask.h"
 #include "app/canvas/stroke_boxes.h"
-
-#include <QImage>
 
 #include <unordered_map>
 
@@ -21,6 +20,8 @@ public:
     bool isThin() const { return m_thin; }
     /// The box of the selected strokes' control points, canvas units.
     Rect boxOf(const Painting &painting, const Selection &selection);
+    /// The same as `selectionBox`.
+    Rect curveBoxOf(const Painting &painting, const Selection &selection);
 
 private:
     struct Line {
@@ -48,8 +49,7 @@ private:
     void paintFine(QPainter &painter, const OverlayColours &colours, double dpr) const;
     void paintQuick(QPainter &painter, const View &view, const QColor &colour, double dpr, bool apart) const;
     double lengthOfLines() const;
-    void clearPicture();
-    void drawThin(const QColor &colour, double dpr, bool moving);
+    void drawThin(double dpr, bool moving);
     void paintThin(QPainter &painter, const View &view, double dpr, const QColor &colour, bool moving);
 
     StrokeBoxes m_boxes;
@@ -64,10 +64,8 @@ private:
     std::unordered_map<StrokeId, Line> m_lines;
     std::size_t m_segments = 0; ///< of these
     bool m_thin = false;
-    QColor m_thinColour;
-    QImage m_picture; ///< of thin lines, larger than the view, with the same middle; kept, since a new one is slow
-    QRect m_inked;    ///< around what of it is not transparent
-    std::vector<int> m_ink; ///< the pixels themselves, as far as they are listed
+    PixelMask m_mask; ///< of thin lines, larger than the view, with the same middle; kept, since a new one is slow
+    QRect m_inked;    ///< where lines may be
     bool m_drawn = false;
     bool m_rough = false; ///< drawn with fewer lines, since they moved
 };

@@ -32,12 +32,13 @@ int convertCommand(const QStringList &arguments)
 {
     CommandLine line("convert",
                      QCoreApplication::translate("Cli",
-                                                 "Converts between documents (.suffuse), the text form (.json) and pen "
-                                                 "recordings. What IN is, is found from its content; what OUT is, from "
-                                                 "its ending."),
+                                                 "Converts between documents (.suffuse) and the text form (.json), and "
+                                                 "from pen recordings and SVG drawings. What IN is, is found from its "
+                                                 "content; what OUT is, from its ending."),
                      {"IN", "OUT"});
     line.add({"brush"},
-             QCoreApplication::translate("Cli", "The brush that recordings are painted with: a name, or a brush file."),
+             QCoreApplication::translate("Cli", "The brush that recordings and drawings are painted with: a name, or a "
+                                                "brush file."),
              "PRESET");
     line.add({"plain"}, QCoreApplication::translate(
                             "Cli", "Leaves out what lies beside the picture: preview, view, undo history."));
@@ -59,6 +60,8 @@ int convertCommand(const QStringList &arguments)
     const Result<LoadedDocument> document = loadDocument(line.argument(0), brush ? &*brush : nullptr);
     if (!document)
         return fail(document.error());
+    if (!document->leftOut.isEmpty())
+        warn(QStringLiteral("%1: %2").arg(line.argument(0), document->leftOut));
     for (const QString &loss : document->losses)
         warn(QStringLiteral("%1: %2").arg(line.argument(0), loss));
     if (!document->losses.empty() && !line.isSet("salvage"))

@@ -44,6 +44,8 @@ const char *idOf(FileFormat format)
         return "mypaint-events";
     case FileFormat::DiffusionCurves:
         return "diffusion-curves";
+    case FileFormat::Svg:
+        return "svg";
     case FileFormat::Unknown:
         break;
     }

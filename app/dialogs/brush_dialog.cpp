@@ -158,7 +158,7 @@ void BrushDialog::showCell()
     const int q = m_curves->currentRow(), i = m_curves->currentColumn();
     const ResponseCurve *curve = m_editor.brush().curve(BrushQuantity(q), BrushInput(i));
     m_curve->setEnabled(curve != nullptr);
-    m_curve->setAxes(m_curves->horizontalHeaderItem(i)->text(), m_curves->verticalHeaderItem(q)->text());
+    m_curve->setTexts(m_curves->verticalHeaderItem(q)->text(), {}, m_curves->horizontalHeaderItem(i)->text());
     m_curve->setCurve(curve ? *curve : ResponseCurve{{{0, 1}, {1, 1}}});
 }
 

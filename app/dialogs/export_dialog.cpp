@@ -40,7 +40,7 @@ QString depthTitle(ImageDepth depth)
 
 } // namespace
 
-ExportDialog::ExportDialog(Editor &editor, QWidget *parent) : QDialog(parent), m_editor(editor)
+ExportDialog::ExportDialog(Editor &editor, const Rect &shown, QWidget *parent) : QDialog(parent), m_editor(editor)
 {
     setWindowTitle(tr("Export picture"));
     auto *column = new QVBoxLayout(this);
@@ -52,7 +52,7 @@ ExportDialog::ExportDialog(Editor &editor, QWidget *parent) : QDialog(parent), m
     grid->setHorizontalSpacing(16);
     grid->setVerticalSpacing(8);
     grid->setColumnStretch(1, 1);
-    addFields(*grid);
+    addFields(*grid, shown);
     column->addWidget(m_form);
     m_progress = new QProgressBar(this);
     m_progress->setRange(0, 1000);
@@ -78,7 +78,7 @@ ExportDialog::ExportDialog(Editor &editor, QWidget *parent) : QDialog(parent), m
     setMinimumWidth(480);
 }
 
-void ExportDialog::addFields(QGridLayout &grid)
+void ExportDialog::addFields(QGridLayout &grid, const Rect &shown)
 {
     const auto add = [&](int row, const QString &name, QWidget *field, const QString &tip) {
         auto *label = new QLabel(name, m_form);
@@ -95,25 +95,23 @@ void ExportDialog::addFields(QGridLayout &grid)
     browseButton->setAutoDefault(false);
     grid.addWidget(browseButton, 0, 2);
     connect(browseButton, &QPushButton::clicked, this, &ExportDialog::browse);
-    m_size = new SizeRow(grid, 1, largestSide, m_form);
-    const Canvas &canvas = m_editor.document().painting()->canvas;
-    m_size->setArea(canvas.area(), canvas.width);
-
-    m_moment = new QComboBox(m_form);
-    m_moment->addItems({tr("All dried"), tr("As it looks now")});
-    add(2, tr("Moment"), m_moment, tr("The finished painting, or the moment that the canvas shows."));
+    m_area = new AreaRow(grid, 1, m_editor, shown, m_form);
+    m_size = new SizeRow(grid, 3, largestSide, m_form);
+    m_size->setArea(m_area->area());
+    connect(m_area, &AreaRow::areaChanged, this, [this] { m_size->setArea(m_area->area()); });
+    m_moment = new MomentRow(grid, 4, m_editor, m_form);
     m_depth = new QComboBox(m_form);
     for (const ImageDepth depth : {ImageDepth::Bits8, ImageDepth::Bits16, ImageDepth::Half, ImageDepth::Float})
         m_depth->addItem(depthTitle(depth), int(depth));
-    add(3, tr("Depth"), m_depth, tr("Precision of each colour channel"));
+    add(5, tr("Depth"), m_depth, tr("Precision of each colour channel"));
     m_quality = new QSpinBox(m_form);
     m_quality->setRange(1, 100);
     m_quality->setValue(ImageOptions{}.quality);
-    add(4, tr("Quality"), m_quality, tr("Of JPEG and WebP; 100 is the best. WebP loses nothing then."));
+    add(6, tr("Quality"), m_quality, tr("Of JPEG and WebP; 100 is the best. WebP loses nothing then."));
     m_transparent = new QCheckBox(tr("Transparent background"), m_form);
     m_transparent->setToolTip(tr("Leaves the background out and stores how much the paint covers."));
     m_transparent->setAccessibleName(m_transparent->text());
-    grid.addWidget(m_transparent, 5, 1, 1, 2);
+    grid.addWidget(m_transparent, 7, 1, 1, 2);
 }
 
 void ExportDialog::browse()
@@ -163,8 +161,8 @@ void ExportDialog::startExport()
         return;
     }
     QString problem = problemOf(format, imageOptions(), width, height);
-    const int whole = suffuse::heightForWidth(m_editor.document().painting()->canvas.area(), width);
-    if (problem.isEmpty() && (whole < 1 || whole > largestSide || qint64(width) * whole > mostPixels))
+    const int whole = std::max(suffuse::heightForWidth(m_area->area(), width), 1);
+    if (problem.isEmpty() && (whole > largestSide || qint64(width) * whole > mostPixels))
         problem = tr("A picture of %1 × %2 pixels is too large. Choose a smaller size.").arg(width).arg(whole);
     if (!problem.isEmpty()) {
         m_hint->showHint(problem);
@@ -178,8 +176,8 @@ void ExportDialog::startExport()
     ExportOrder order;
     order.path = target.absoluteFilePath();
     order.painting = m_editor.document().painting();
-    order.time = m_moment->currentIndex() == 0 ? order.painting->end() : m_editor.time();
-    order.area = order.painting->canvas.area();
+    order.time = m_moment->moment();
+    order.area = m_area->area();
     order.width = width;
     order.height = whole;
     order.image = imageOptions();

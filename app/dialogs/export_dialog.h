@@ -19,15 +19,18 @@ namespace suffuse {
 class Editor;
 class HintLabel;
 
-/// Exports the painting as a picture: file, size, moment, alpha, depth. Does the work itself, with a bar and a way to
-/// stop it; what stood at the target stays until the new picture is whole.
+/// Exports the painting as a picture: file, area, size, moment, alpha, depth. Does the work itself, with a bar and a
+/// way to stop it; what stood at the target stays until the new picture is whole.
 class ExportDialog : public QDialog {
     Q_OBJECT
 
 public:
-    explicit ExportDialog(Editor &editor, QWidget *parent = nullptr);
+    /// `shown`: the part of the canvas that the window shows.
+    ExportDialog(Editor &editor, const Rect &shown, QWidget *parent = nullptr);
 
     QLineEdit *path() const { return m_path; }
+    AreaRow *area() const { return m_area; }
+    MomentRow *moment() const { return m_moment; }
     QSpinBox *widthBox() const { return m_size->widthBox(); }
     QSpinBox *heightBox() const { return m_size->heightBox(); }
     QCheckBox *transparent() const { return m_transparent; }
@@ -39,7 +42,7 @@ public:
     void reject() override;
 
 private:
-    void addFields(QGridLayout &grid);
+    void addFields(QGridLayout &grid, const Rect &shown);
     void browse();
     void formatChanged();
     void startExport();
@@ -51,8 +54,9 @@ private:
     ExportJob m_job;
     QWidget *m_form = nullptr;
     QLineEdit *m_path = nullptr;
+    AreaRow *m_area = nullptr;
     SizeRow *m_size = nullptr;
-    QComboBox *m_moment = nullptr;
+    MomentRow *m_moment = nullptr;
     QCheckBox *m_transparent = nullptr;
     QComboBox *m_depth = nullptr;
     QSpinBox *m_quality = nullptr;

@@ -48,7 +48,7 @@ PenPage::PenPage(const PenSettings &settings, const Brush &brush, QWidget *paren
     auto *row = new QHBoxLayout;
     row->setSpacing(12);
     m_curve = new ResponseEditor(this);
-    m_curve->setAxes(tr("pressure of the pen →"), tr("↑ paints with"));
+    m_curve->setTexts(tr("↑ paints with"), {}, tr("pressure of the pen →"));
     m_curve->setAccessibleName(tr("Pressure curve"));
     m_curve->setToolTip(tr("Drag the points; click for another; drag one out to take it away."));
     m_curve->setMinimumSize(220, 220);

@@ -61,7 +61,7 @@ ShortcutsDialog::ShortcutsDialog(const QList<QAction *> &actions, QWidget *paren
     column->setContentsMargins(16, 16, 16, 16);
     column->setSpacing(8);
     addList(*column);
-    QPushButton *clear = addEditor(*column);
+    addEditor(*column);
     auto *buttons =
         new QDialogButtonBox(QDialogButtonBox::Ok | QDialogButtonBox::Cancel | QDialogButtonBox::RestoreDefaults, this);
     m_ok = buttons->button(QDialogButtonBox::Ok);
@@ -69,21 +69,20 @@ ShortcutsDialog::ShortcutsDialog(const QList<QAction *> &actions, QWidget *paren
     column->addWidget(buttons);
     fill(actions);
 
-    connect(m_search, &QLineEdit::textChanged, this, &ShortcutsDialog::refresh);
+    connect(m_search, &QLineEdit::textChanged, this, &ShortcutsDialog::filter);
     connect(m_list, &QTreeWidget::currentItemChanged, this, &ShortcutsDialog::showCurrent);
     connect(m_edit, &QKeySequenceEdit::keySequenceChanged, this, &ShortcutsDialog::takeSequence);
-    connect(clear, &QPushButton::clicked, m_edit, &QKeySequenceEdit::clear);
+    connect(m_clear, &QPushButton::clicked, m_edit, &QKeySequenceEdit::clear);
+    connect(m_takeOver, &QPushButton::clicked, this, &ShortcutsDialog::takeOver);
     connect(m_resetOne, &QPushButton::clicked, this, [this] { reset(currentAction()); });
     connect(buttons->button(QDialogButtonBox::RestoreDefaults), &QPushButton::clicked, this, [this] {
         for (QAction *action : m_actions)
             m_chosen[action] = ownShortcutsOf(action);
         showCurrent();
-        refresh();
     });
     connect(buttons, &QDialogButtonBox::accepted, this, &ShortcutsDialog::accept);
     connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
     m_list->setCurrentItem(m_list->topLevelItem(0));
-    refresh();
     resize(520, 560);
 }
 
@@ -108,7 +107,7 @@ void ShortcutsDialog::addList(QVBoxLayout &column)
     column.addWidget(m_list, 1);
 }
 
-QPushButton *ShortcutsDialog::addEditor(QVBoxLayout &column)
+void ShortcutsDialog::addEditor(QVBoxLayout &column)
 {
     auto *row = new QHBoxLayout;
     auto *label = new QLabel(tr("Shortcut"), this);
@@ -116,22 +115,24 @@ QPushButton *ShortcutsDialog::addEditor(QVBoxLayout &column)
     m_edit->setAccessibleName(tr("Shortcut"));
     m_edit->setToolTip(tr("Press the keys"));
     label->setBuddy(m_edit);
-    auto *clear = new QPushButton(tr("None"), this);
-    clear->setToolTip(tr("No shortcut for this command"));
-    clear->setAutoDefault(false);
-    m_resetOne = new QPushButton(tr("Reset"), this);
-    m_resetOne->setToolTip(tr("This command's own shortcut"));
-    m_resetOne->setAutoDefault(false);
+    const auto button = [this](const QString &text, const QString &tip) {
+        auto *made = new QPushButton(text, this);
+        made->setToolTip(tip);
+        made->setAutoDefault(false);
+        return made;
+    };
+    m_clear = button(tr("None"), tr("No shortcut for this command"));
+    m_resetOne = button(tr("Reset"), tr("This command's own shortcut"));
+    m_takeOver = button(tr("Take over"), tr("Takes the shortcut away from the other command"));
     row->addWidget(label);
     row->addWidget(m_edit, 1);
-    row->addWidget(clear);
+    row->addWidget(m_takeOver);
+    row->addWidget(m_clear);
     row->addWidget(m_resetOne);
     column.addLayout(row);
     auto *hint = new HintLabel(this);
     m_conflict = hint;
     column.addWidget(hint);
-
-    return clear;
 }
 
 void ShortcutsDialog::fill(const QList<QAction *> &actions)
@@ -166,8 +167,13 @@ void ShortcutsDialog::showCurrent()
 {
     QAction *action = currentAction();
     m_edit->setEnabled(action);
-    const QSignalBlocker blocker(m_edit);
-    m_edit->setKeySequence(action ? m_chosen[action].value(0) : QKeySequence());
+    m_clear->setEnabled(action);
+    m_resetOne->setEnabled(action);
+    {
+        const QSignalBlocker blocker(m_edit);
+        m_edit->setKeySequence(action ? m_chosen[action].value(0) : QKeySequence());
+    }
+    refresh();
 }
 
 void ShortcutsDialog::takeSequence(const QKeySequence &sequence)
@@ -181,7 +187,13 @@ void ShortcutsDialog::takeSequence(const QKeySequence &sequence)
         const QSignalBlocker blocker(m_edit);
         m_edit->setKeySequence(first);
     }
-    m_chosen[action] = first.isEmpty() ? QList<QKeySequence>() : QList<QKeySequence>{first};
+    QList<QKeySequence> &chosen = m_chosen[action];
+    if (first.isEmpty()) {
+        chosen.clear();
+    } else { // further ones, as Shift+Del for Cut, stay
+        chosen.removeAll(first);
+        chosen.isEmpty() ? chosen.append(first) : void(chosen[0] = first);
+    }
     refresh();
 }
 
@@ -191,7 +203,6 @@ void ShortcutsDialog::reset(QAction *action)
         return;
     m_chosen[action] = ownShortcutsOf(action);
     showCurrent();
-    refresh();
 }
 
 void ShortcutsDialog::refresh()
@@ -200,21 +211,19 @@ void ShortcutsDialog::refresh()
     for (QAction *action : m_actions)
         for (const QKeySequence &sequence : m_chosen[action])
             users[sequence.toString()] << action;
-    QString warning;
+    QStringList warnings;
     std::map<QAction *, bool> clashes;
     for (const auto &[sequence, actions] : users) {
         if (actions.size() < 2)
             continue;
         for (QAction *action : actions)
             clashes[action] = true;
-        warning = tr("%1 belongs to “%2” and “%3”. Give one of them another shortcut.")
+        warnings << tr("%1 belongs to “%2” and “%3”. Give one of them another shortcut.")
                       .arg(QKeySequence(sequence).toString(QKeySequence::NativeText), titleOf(actions[0]),
                            titleOf(actions[1]));
     }
-    static_cast<HintLabel *>(m_conflict)->showHint(warning);
-    m_ok->setEnabled(warning.isEmpty());
-
-    const QString wanted = m_search->text().trimmed();
+    static_cast<HintLabel *>(m_conflict)->showHint(warnings.join('\n'));
+    m_ok->setEnabled(warnings.isEmpty());
     for (QAction *action : m_actions) {
         QTreeWidgetItem *item = itemOf(action);
         item->setText(1, QKeySequence::listToString(m_chosen[action], QKeySequence::NativeText));
@@ -222,9 +231,33 @@ void ShortcutsDialog::refresh()
         font.setBold(m_chosen[action] != ownShortcutsOf(action));
         item->setFont(1, font);
         item->setForeground(1, clashes[action] ? QBrush(m_conflict->palette().color(QPalette::WindowText)) : QBrush());
-        item->setHidden(!wanted.isEmpty() && !item->text(0).contains(wanted, Qt::CaseInsensitive) &&
-                        !item->text(1).contains(wanted, Qt::CaseInsensitive));
     }
+    m_takeOver->setVisible(clashes[currentAction()]);
+}
+
+void ShortcutsDialog::filter()
+{
+    const QString wanted = m_search->text().trimmed();
+    QTreeWidgetItem *first = nullptr;
+    for (int row = m_list->topLevelItemCount(); row-- > 0;) {
+        QTreeWidgetItem *item = m_list->topLevelItem(row);
+        const bool found = item->text(0).contains(wanted, Qt::CaseInsensitive) ||
+                           item->text(1).contains(wanted, Qt::CaseInsensitive);
+        item->setHidden(!found);
+        first = found ? item : first;
+    }
+    if (QTreeWidgetItem *current = m_list->currentItem(); !current || current->isHidden())
+        m_list->setCurrentItem(first); // nobody edits what they do not see
+}
+
+void ShortcutsDialog::takeOver()
+{
+    QAction *taker = currentAction();
+    for (QAction *action : m_actions)
+        if (action != taker)
+            for (const QKeySequence &sequence : m_chosen[taker])
+                m_chosen[action].removeAll(sequence);
+    refresh();
 }
 
 void ShortcutsDialog::accept()

@@ -36,20 +36,26 @@ public:
 
 private:
     void addList(QVBoxLayout &column);
-    /// The row below the list; returns its button that takes a shortcut away.
-    QPushButton *addEditor(QVBoxLayout &column);
+    void addEditor(QVBoxLayout &column);
     QTreeWidgetItem *itemOf(QAction *action) const;
     QAction *currentAction() const;
     void fill(const QList<QAction *> &actions);
     void showCurrent();
     void takeSequence(const QKeySequence &sequence);
     void reset(QAction *action);
+    /// Takes the current command's shortcuts from all others.
+    void takeOver();
+    /// Texts and clashes.
     void refresh();
+    /// Shows the rows that the search finds.
+    void filter();
 
     QTreeWidget *m_list = nullptr;
     QLineEdit *m_search = nullptr;
     QKeySequenceEdit *m_edit = nullptr;
+    QPushButton *m_clear = nullptr;
     QPushButton *m_resetOne = nullptr;
+    QPushButton *m_takeOver = nullptr;
     QPushButton *m_ok = nullptr;
     QLabel *m_conflict = nullptr;
     QList<QAction *> m_actions;

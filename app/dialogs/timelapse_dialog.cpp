@@ -3,10 +3,8 @@
 #include "app/editor.h"
 #include "app/panels/section.h"
 #include "app/settings.h"
-#include "model/influence.h"
 
 #include <QCheckBox>
-#include <QComboBox>
 #include <QDialogButtonBox>
 #include <QDir>
 #include <QDoubleSpinBox>
@@ -27,16 +25,6 @@ constexpr int largestSide = 8192;
 constexpr int mostFrames = 1'000'000;
 constexpr int numberWidth = 140;
 
-/// All that the selected strokes ever reach.
-Rect reachOf(const Document &document)
-{
-    Rect reach;
-    for (const StrokePtr &stroke : document.painting()->strokes)
-        if (document.selection().strokes.contains(stroke->id))
-            reach = reach.united(influenceOf(*stroke, stroke->driesAt()));
-    return reach;
-}
-
 } // namespace
 
 TimelapseDialog::TimelapseDialog(Editor &editor, const Rect &shown, QWidget *parent) : QDialog(parent), m_editor(editor)
@@ -51,8 +39,7 @@ TimelapseDialog::TimelapseDialog(Editor &editor, const Rect &shown, QWidget *par
     grid->setHorizontalSpacing(16);
     grid->setVerticalSpacing(8);
     grid->setColumnStretch(1, 1);
-    m_areas = {editor.document().painting()->canvas.area(), shown};
-    addFields(*grid);
+    addFields(*grid, shown);
     column->addWidget(m_form);
     m_progress = new QProgressBar(this);
     m_progress->setTextVisible(false);
@@ -96,7 +83,7 @@ QDoubleSpinBox *TimelapseDialog::addNumber(QGridLayout &grid, int row, const QSt
     return box;
 }
 
-void TimelapseDialog::addFields(QGridLayout &grid)
+void TimelapseDialog::addFields(QGridLayout &grid, const Rect &shown)
 {
     auto *fileLabel = new QLabel(tr("File"), m_form);
     m_path = new QLineEdit(m_form);
@@ -112,31 +99,20 @@ void TimelapseDialog::addFields(QGridLayout &grid)
     grid.addWidget(m_path, 0, 1);
     grid.addWidget(browseButton, 0, 2);
 
-    auto *areaLabel = new QLabel(tr("Area"), m_form);
-    m_area = new QComboBox(m_form);
-    m_area->addItems({tr("Whole canvas"), tr("What the window shows")});
-    if (const Rect reach = reachOf(m_editor.document()); !reach.isEmpty()) {
-        m_area->addItem(tr("Selected strokes"));
-        m_areas.push_back(reach);
-    }
-    m_area->setAccessibleName(tr("Area"));
-    m_area->setToolTip(tr("Which part of the canvas is filmed"));
-    areaLabel->setBuddy(m_area);
-    grid.addWidget(areaLabel, 1, 0);
-    grid.addWidget(m_area, 1, 1, 1, 2);
-    connect(m_area, &QComboBox::currentIndexChanged, this, &TimelapseDialog::areaChanged);
-    m_size = new SizeRow(grid, 2, largestSide, m_form);
+    m_area = new AreaRow(grid, 1, m_editor, shown, m_form);
+    connect(m_area, &AreaRow::areaChanged, this, &TimelapseDialog::areaChanged);
+    m_size = new SizeRow(grid, 3, largestSide, m_form);
     areaChanged();
 
-    m_fps = addNumber(grid, 3, tr("Frame rate"), tr(" frames/s"), tr("How many pictures a second the film has"));
+    m_fps = addNumber(grid, 4, tr("Frame rate"), tr(" frames/s"), tr("How many pictures a second the film has"));
     m_fps->setRange(0.1, 240);
     m_fps->setValue(30);
-    m_length = addNumber(grid, 4, tr("Length"), tr(" s"),
+    m_length = addNumber(grid, 5, tr("Length"), tr(" s"),
                          tr("How long the film is; the painting's time is stretched over it."));
     m_length->setRange(0.1, 36'000);
     m_length->setValue(10);
     m_idle =
-        addNumber(grid, 5, tr("Keep of pauses"), tr(" s"),
+        addNumber(grid, 6, tr("Keep of pauses"), tr(" s"),
                   tr("How much is kept of a pause in which nothing is painted or spreads, in the painting's time"));
     m_idle->setRange(0, 1e6);
     m_idle->setValue(TimelapseOptions{}.idle);
@@ -148,22 +124,22 @@ void TimelapseDialog::addFields(QGridLayout &grid)
     m_quality->setAccessibleName(tr("Quality"));
     m_quality->setToolTip(tr("Of JPEG and WebP; 100 is the best. WebP loses nothing then."));
     qualityLabel->setBuddy(m_quality);
-    grid.addWidget(qualityLabel, 6, 0);
-    grid.addWidget(m_quality, 6, 1, 1, 2, Qt::AlignLeft);
+    grid.addWidget(qualityLabel, 7, 0);
+    grid.addWidget(m_quality, 7, 1, 1, 2, Qt::AlignLeft);
     m_transparent = new QCheckBox(tr("Transparent background"), m_form);
     m_transparent->setToolTip(tr("Leaves the background out and stores how much the paint covers."));
     m_loops = new QCheckBox(tr("Play again and again"), m_form);
     m_loops->setToolTip(tr("Animated WebP: begins anew at its end. Players decide it for videos."));
     m_loops->setChecked(true);
-    grid.addWidget(m_transparent, 7, 1, 1, 2);
-    grid.addWidget(m_loops, 8, 1, 1, 2);
+    grid.addWidget(m_transparent, 8, 1, 1, 2);
+    grid.addWidget(m_loops, 9, 1, 1, 2);
 }
 
 void TimelapseDialog::areaChanged()
 {
     // As many pixels as the canvas has units, or as the window shows, within what videos hold.
-    const Rect area = m_areas[std::size_t(std::max(0, m_area->currentIndex()))];
-    double width = m_area->currentIndex() == 0 ? area.width() : 1280;
+    const Rect area = m_area->area();
+    double width = m_area->choice() == AreaRow::Choice::Canvas ? area.width() : 1280;
     if (const double height = width * area.height() / area.width(); height > largestSide / 4)
         width *= largestSide / 4 / height;
     m_size->setArea(area, std::min(width, double(largestSide / 4)));
@@ -228,7 +204,7 @@ void TimelapseDialog::startExport()
     order.film = film();
     order.idle = m_idle->value();
     order.painting = m_editor.document().painting();
-    order.area = m_areas[std::size_t(m_area->currentIndex())];
+    order.area = m_area->area();
     order.threads = settings::threads();
     QString problem = problemOf(order.film);
     if (problem.isEmpty() && order.film.frames > mostFrames)

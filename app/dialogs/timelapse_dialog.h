@@ -7,7 +7,6 @@
 #include <QElapsedTimer>
 
 class QCheckBox;
-class QComboBox;
 class QDoubleSpinBox;
 class QGridLayout;
 class QLabel;
@@ -31,7 +30,7 @@ public:
     TimelapseDialog(Editor &editor, const Rect &shown, QWidget *parent = nullptr);
 
     QLineEdit *path() const { return m_path; }
-    QComboBox *areaBox() const { return m_area; }
+    AreaRow *area() const { return m_area; }
     QSpinBox *widthBox() const { return m_size->widthBox(); }
     QSpinBox *heightBox() const { return m_size->heightBox(); }
     QDoubleSpinBox *fps() const { return m_fps; }
@@ -47,7 +46,7 @@ public:
     void reject() override;
 
 private:
-    void addFields(QGridLayout &grid);
+    void addFields(QGridLayout &grid, const Rect &shown);
     QDoubleSpinBox *addNumber(QGridLayout &grid, int row, const QString &name, const QString &suffix,
                               const QString &tip);
     void browse();
@@ -63,11 +62,10 @@ private:
 
     Editor &m_editor;
     TimelapseJob m_job;
-    std::vector<Rect> m_areas; ///< in step with the box
     QElapsedTimer m_clock;
     QWidget *m_form = nullptr;
     QLineEdit *m_path = nullptr;
-    QComboBox *m_area = nullptr;
+    AreaRow *m_area = nullptr;
     SizeRow *m_size = nullptr;
     QDoubleSpinBox *m_fps = nullptr;
     QDoubleSpinBox *m_length = nullptr;

@@ -66,6 +66,7 @@ void AlongDialog::addChoice()
         button->setText(name);
         button->setToolTip(tip);
         button->setCheckable(true);
+        button->setAutoRaise(true); // the chosen one shows in a dark palette, too
         button->setSizePolicy(QSizePolicy::Minimum, QSizePolicy::Preferred);
         m_shapes->addButton(button, int(m_shapes->buttons().size()));
         row->addWidget(button);

@@ -4,14 +4,13 @@
 #include "app/panels/colour_swatch.h"
 #include "app/panels/number_field.h"
 #include "app/panels/paper_preview.h"
+#include "app/panels/picture_file.h"
 #include "app/panels/section.h"
 #include "model/paper_presets.h"
 #include "model/validate.h"
 #include "render/paper.h"
 
 #include <QComboBox>
-#include <QFile>
-#include <QFileDialog>
 #include <QGridLayout>
 #include <QPushButton>
 #include <QVBoxLayout>
@@ -19,7 +18,6 @@
 namespace suffuse {
 
 namespace {
-constexpr qint64 maxImageBytes = 64 * 1024 * 1024;
 constexpr QSize thumbnailSize{60, 24};
 constexpr double thumbnailScale = 0.75; ///< logical pixels a unit
 
@@ -218,18 +216,15 @@ void CanvasSection::showEvent(QShowEvent *event)
 
 bool CanvasSection::chooseImage(Paper &paper)
 {
-    const QString path = QFileDialog::getOpenFileName(
-        this, tr("Paper image"), QString(),
-        tr("Pictures") + QStringLiteral(" (*.png *.jpg *.jpeg *.tif *.tiff *.webp *.exr)"));
+    const QString path = choosePictureFile(this, tr("Paper image"));
     if (path.isEmpty())
         return false;
-    QFile file(path);
-    if (!file.open(QIODevice::ReadOnly) || file.size() > maxImageBytes) {
-        emit refused(file.isOpen() ? tr("%1 is larger than 64 MB: choose a smaller picture.").arg(path)
-                                   : tr("%1 cannot be read: %2.").arg(path, file.errorString()));
+    const Result<EncodedImage> image = readPictureFile(path);
+    if (!image) {
+        emit refused(image.error());
         return false;
     }
-    paper.image = std::make_shared<const QByteArray>(file.readAll());
+    paper.image = *image;
     paper.kind = PaperKind::Image;
     if (const auto texture = paperTexture(paper); !texture) {
         emit refused(tr("%1 cannot be used as paper: %2").arg(path, texture.error()));

@@ -1,7 +1,5 @@
 #include "app/panels/curve_editor.h"
 
-#include "app/theme.h"
-
 #include <QKeyEvent>
 #include <QMouseEvent>
 #include <QPainter>
@@ -13,8 +11,6 @@
 namespace suffuse {
 
 namespace {
-constexpr double margin = 10;
-constexpr double knotRadius = 4.5;
 constexpr double keyStep = 0.01;
 } // namespace
 
@@ -25,13 +21,6 @@ double PlaceCurve::at(double place) const
     const double x = std::clamp(place, 0.0, 1.0) * double(knots.size() - 1);
     const std::size_t i = std::min(std::size_t(x), knots.size() - 2);
     return std::lerp(knots[i], knots[i + 1], x - double(i));
-}
-
-CurveEditor::CurveEditor(QWidget *parent) : QWidget(parent)
-{
-    setFocusPolicy(Qt::StrongFocus);
-    setCursor(Qt::CrossCursor);
-    setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Expanding);
 }
 
 void CurveEditor::setCurve(const PlaceCurve &curve)
@@ -49,27 +38,7 @@ void CurveEditor::setPresent(std::vector<QPointF> dots)
 
 void CurveEditor::setAxis(const QString &low, const QString &high)
 {
-    m_low = low;
-    m_high = high;
-    update();
-}
-
-QRectF CurveEditor::plot() const
-{
-    return QRectF(rect()).adjusted(margin, margin + fontMetrics().height(), -margin, -margin - fontMetrics().height());
-}
-
-QPointF CurveEditor::toWidget(QPointF at) const
-{
-    const QRectF r = plot();
-    return {r.left() + r.width() * at.x(), r.bottom() - r.height() * at.y()};
-}
-
-QPointF CurveEditor::fromWidget(QPointF at) const
-{
-    const QRectF r = plot();
-    return {std::clamp((at.x() - r.left()) / r.width(), 0.0, 1.0),
-            std::clamp((r.bottom() - at.y()) / r.height(), 0.0, 1.0)};
+    setTexts(high, low, tr("along the stroke →"));
 }
 
 void CurveEditor::mousePressEvent(QMouseEvent *event)
@@ -86,12 +55,6 @@ void CurveEditor::mouseMoveEvent(QMouseEvent *event)
 {
     if (m_dragging)
         dragTo(fromWidget(event->position()));
-}
-
-void CurveEditor::mouseReleaseEvent(QMouseEvent *event)
-{
-    if (event->button() == Qt::LeftButton)
-        m_dragging = false;
 }
 
 void CurveEditor::dragTo(QPointF at)
@@ -137,46 +100,23 @@ void CurveEditor::keyPressEvent(QKeyEvent *event)
 void CurveEditor::paintEvent(QPaintEvent *)
 {
     QPainter painter(this);
-    painter.setRenderHint(QPainter::Antialiasing);
-    const QPalette &colours = palette();
-    painter.setPen(hasFocus() ? colours.color(QPalette::Highlight) : hairline());
-    painter.setBrush(colours.color(QPalette::Base));
-    painter.drawRoundedRect(QRectF(rect()).adjusted(0.5, 0.5, -0.5, -0.5), 4, 4);
-    const QRectF area = plot();
-    painter.setPen(QPen(hairline(), 1, Qt::DotLine));
-    for (int i = 0; i <= 4; ++i) {
-        painter.drawLine(toWidget({0, i / 4.0}), toWidget({1, i / 4.0}));
-        painter.drawLine(toWidget({i / 4.0, 0}), toWidget({i / 4.0, 1}));
-    }
-    painter.setPen(colours.color(QPalette::PlaceholderText));
-    const int line = fontMetrics().height();
-    painter.drawText(QRectF(area.left(), area.top() - line - 2, area.width(), line), Qt::AlignLeft, m_high);
-    const QRectF below(area.left(), area.bottom() + 3, area.width(), line);
-    painter.drawText(below, Qt::AlignLeft, m_low);
-    painter.drawText(below, Qt::AlignRight, tr("along the stroke →"));
-
-    QColor dot = colours.color(QPalette::PlaceholderText);
+    paintField(painter);
+    QColor dot = palette().color(QPalette::PlaceholderText);
     dot.setAlpha(150);
     painter.setPen(Qt::NoPen);
     painter.setBrush(dot);
     for (const QPointF &p : m_present)
         painter.drawEllipse(toWidget(p), 1.8, 1.8);
 
-    const QColor accent = colours.color(isDarkTheme() ? QPalette::Link : QPalette::Highlight);
     const std::size_t n = m_curve.knots.size();
     QPainterPath path(toWidget({0, m_curve.at(0)}));
     for (std::size_t i = 1; i < std::max<std::size_t>(n, 2); ++i) {
         const double x = double(i) / double(std::max<std::size_t>(n, 2) - 1);
         path.lineTo(toWidget({x, m_curve.at(x)}));
     }
-    painter.strokePath(path, QPen(accent, 2, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
-    if (n > 2)
-        return;
-    painter.setPen(QPen(accent, 2));
-    for (std::size_t i = 0; i < n; ++i) {
-        painter.setBrush(i == m_knot ? accent : colours.color(QPalette::Base));
-        painter.drawEllipse(toWidget({n == 1 ? 0.5 : double(i), m_curve.knots[i]}), knotRadius, knotRadius);
-    }
+    paintCurve(painter, path);
+    for (std::size_t i = 0; i < n && n <= 2; ++i)
+        paintKnot(painter, {n == 1 ? 0.5 : double(i), m_curve.knots[i]}, i == m_knot);
 }
 
 } // namespace suffuse

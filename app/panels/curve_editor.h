@@ -1,6 +1,6 @@
 #pragma once
 
-#include <QWidget>
+#include "app/panels/curve_field.h"
 
 #include <vector>
 
@@ -15,13 +15,13 @@ struct PlaceCurve {
 
 /// Edits a PlaceCurve: the line of a constant and the ends of a ramp are dragged, a drawn curve is drawn over. Arrow
 /// keys move the knot that was dragged last.
-class CurveEditor : public QWidget {
+class CurveEditor : public CurveField {
     Q_OBJECT
 
 public:
     static constexpr int drawnKnots = 97;
 
-    explicit CurveEditor(QWidget *parent = nullptr);
+    using CurveField::CurveField;
 
     void setCurve(const PlaceCurve &curve);
     const PlaceCurve &curve() const { return m_curve; }
@@ -30,33 +30,23 @@ public:
     /// Texts at the lower and upper end of the axis.
     void setAxis(const QString &low, const QString &high);
 
-    /// Where a place and value of the curve are in the widget.
-    QPointF toWidget(QPointF at) const;
     QSize sizeHint() const override { return {360, 200}; }
     QSize minimumSizeHint() const override { return {200, 120}; }
-
-signals:
-    void edited(); ///< by hand
 
 protected:
     void paintEvent(QPaintEvent *event) override;
     void mousePressEvent(QMouseEvent *event) override;
     void mouseMoveEvent(QMouseEvent *event) override;
-    void mouseReleaseEvent(QMouseEvent *event) override;
     void keyPressEvent(QKeyEvent *event) override;
 
 private:
-    QRectF plot() const;
-    QPointF fromWidget(QPointF at) const;
     void dragTo(QPointF at);
     void drawTo(QPointF to);
 
     PlaceCurve m_curve;
     std::vector<QPointF> m_present;
-    QString m_low, m_high;
     std::size_t m_knot = 0; ///< dragged last
     QPointF m_last;
-    bool m_dragging = false;
 };
 
 } // namespace suffuse

@@ -1,12 +1,9 @@
 #include "app/panels/figure_warnings.h"
 
-#include "app/panels/density_function.h"
-
 #include <QCoreApplication>
 #include <QLocale>
 
-#include <algorithm>
-#include <numbers>
+#include <cmath>
 
 namespace suffuse {
 
@@ -26,19 +23,7 @@ QString seconds(double value)
     return QLocale().toString(value, 'g', 3);
 }
 
-/// An age and how many segments it is that of.
-struct Ages {
-    double least = 0, most = 0;
-    std::size_t count = 0;
-    void add(double age)
-    {
-        least = count ? std::min(least, age) : age;
-        most = std::max(most, age);
-        ++count;
-    }
-};
-
-void addFading(QStringList &warnings, const Ages &fading, const Ages &shrinking, std::size_t all)
+void addFading(QStringList &warnings, const Extent &fading, const Extent &shrinking, std::size_t all)
 {
     if (fading.count == all)
         //: %1: seconds after it was painted
@@ -67,33 +52,19 @@ void addStyle(QStringList &warnings, const Style &style)
 
 } // namespace
 
-QStringList figureWarnings(const Inspected &inspected)
+QStringList figureWarnings(const FiguresSummary &figures)
 {
     QStringList warnings;
-    Ages fading, shrinking;
-    std::size_t transparent = 0, withoutPaint = 0;
-    for (const InspectedSegment &s : inspected.segments) {
-        const Segment &segment = *s.segment;
-        transparent += segment.colour.opacity == 0;
-        withoutPaint += segment.density == 0;
-        const double fades = fadingAge(curveDiffusion(segment).across, double(segment.density), visibleCut(s.style()));
-        if (fades < double(segment.maxAge) && segment.density > 0)
-            fading.add(fades);
-        else if (fades / std::numbers::e < double(segment.maxAge) && segment.density > 0)
-            shrinking.add(fades / std::numbers::e);
-    }
-    const std::size_t all = inspected.segments.size();
-    if (withoutPaint == all)
+    if (figures.withoutPaint == figures.segments)
         warnings << Text::tr("Density 0: there is no paint.");
-    else if (transparent == all)
+    else if (figures.transparent == figures.segments)
         warnings << Text::tr("Opacity 0 %: nothing of it is seen.");
     else
-        addFading(warnings, fading, shrinking, all);
-    for (const InspectedSegment &s : inspected.segments) {
+        addFading(warnings, figures.fading, figures.shrinking, figures.segments);
+    for (const Style &style : figures.styles) {
         if (warnings.size() > 3)
             break;
-        if (&s == &inspected.segments.front() || !(s.style() == (&s - 1)->style()))
-            addStyle(warnings, s.style());
+        addStyle(warnings, style);
     }
     warnings.removeDuplicates();
     return warnings;

@@ -2,7 +2,6 @@
 
 #include "app/editor.h"
 #include "app/panels/cross_section_plot.h"
-#include "app/panels/density_function.h"
 #include "app/panels/density_plot.h"
 #include "app/panels/figure_warnings.h"
 #include "app/panels/number_field.h"
@@ -11,8 +10,6 @@
 #include <QGridLayout>
 #include <QLocale>
 #include <QVBoxLayout>
-
-#include <algorithm>
 
 namespace suffuse {
 
@@ -53,7 +50,7 @@ FiguresSection::FiguresSection(Editor &editor, QWidget *parent) : QWidget(parent
     m_later.setInterval(laterMs);
     connect(&m_later, &QTimer::timeout, this, [this] {
         if (isVisible())
-            refreshCut(inspect(m_editor.document()));
+            refreshCut();
     });
     // While paint spreads, the cut does.
     connect(&editor, &Editor::timeChanged, this, &FiguresSection::refreshCutSoon);
@@ -89,9 +86,15 @@ void FiguresSection::refresh(const Inspected &inspected)
 {
     if (inspected.isEmpty())
         return;
-    refreshFigures(inspected);
+    // A whole stroke is cut in its middle, a run of segments at its first.
+    const bool whole = m_editor.document().selection().segments.empty();
+    m_cutAt = inspected.refs.front();
+    if (whole)
+        m_cutAt.segment = int(inspected.segments.front().stroke->segments.size()) / 2;
     refreshCutSoon();
-    m_warnings->showHint(figureWarnings(inspected).join('\n'));
+    const FiguresSummary figures = m_keeper.summaryOf(inspected);
+    showFigures(figures);
+    m_warnings->showHint(figureWarnings(figures).join('\n'));
 }
 
 void FiguresSection::showEvent(QShowEvent *event)
@@ -106,56 +109,33 @@ void FiguresSection::refreshCutSoon()
         m_later.start();
 }
 
-void FiguresSection::refreshCut(const Inspected &inspected)
+void FiguresSection::refreshCut()
 {
-    if (inspected.isEmpty())
-        return;
-    // A whole stroke is cut in its middle, a run of segments at its first.
-    const bool whole = m_editor.document().selection().segments.empty();
-    const Stroke &stroke = *inspected.segments.front().stroke;
-    const int segment = whole ? int(stroke.segments.size()) / 2 : inspected.refs.front().segment;
-    m_cut->show(crossSectionOf(*inspected.painting, stroke, segment, m_editor.time(), CrossSectionPlot::samples));
+    const PaintingPtr &painting = m_editor.document().painting();
+    const StrokePtr stroke = painting->find(m_cutAt.stroke);
+    if (stroke && m_cutAt.segment < int(stroke->segments.size()))
+        m_cut->show(crossSectionOf(*painting, *stroke, m_cutAt.segment, m_editor.time(), CrossSectionPlot::samples));
 }
 
-void FiguresSection::refreshFigures(const Inspected &inspected)
+void FiguresSection::showFigures(const FiguresSummary &figures)
 {
-    DerivedFigures low, high;
-    bool first = true, sameStyle = true, uneven = false, fades = false, stays = false;
-    double fadesFrom = 0, fadesTo = 0;
-    for (const InspectedSegment &s : inspected.segments) {
-        const DerivedFigures f = derivedFigures(*s.segment, s.style());
-        sameStyle = sameStyle && s.style() == inspected.segments.front().style();
-        stays = stays || !f.driesOut;
-        if (f.driesOut) {
-            fadesFrom = fades ? std::min(fadesFrom, *f.driesOut) : *f.driesOut;
-            fadesTo = std::max(fadesTo, *f.driesOut);
-            fades = true;
-        }
-        uneven = uneven || !s.segment->isIsotropic();
-        low = first ? f
-                    : DerivedFigures{std::min(low.spread, f.spread),
-                                     std::min(low.along, f.along),
-                                     std::min(low.peak, f.peak),
-                                     std::min(low.halfWidth, f.halfWidth),
-                                     {}};
-        high = {std::max(high.spread, f.spread),
-                std::max(high.along, f.along),
-                std::max(high.peak, f.peak),
-                std::max(high.halfWidth, f.halfWidth),
-                {}};
-        first = false;
-    }
-    m_names[0]->setText(uneven ? tr("Spread across") : tr("Spread s"));
-    m_names[1]->setVisible(uneven);
-    m_figures[1]->setVisible(uneven);
-    m_figures[0]->setText(rangeText(low.spread, high.spread, NumberField::canvasUnit()));
-    m_figures[1]->setText(rangeText(low.along, high.along, NumberField::canvasUnit()));
-    m_figures[2]->setText(rangeText(low.peak, high.peak, QString()));
-    m_figures[3]->setText(rangeText(low.halfWidth, high.halfWidth, NumberField::canvasUnit()));
-    m_figures[4]->setText(!fades  ? tr("never")
-                          : stays ? tr("partly, from %1").arg(rangeText(fadesFrom, fadesFrom, QStringLiteral(" s")))
-                                  : tr("after %1").arg(rangeText(fadesFrom, fadesTo, QStringLiteral(" s"))));
-    m_plot->show(inspected.segments.front().style(), low.peak, high.peak, !sameStyle);
+    const auto range = [](const Extent &extent, const QString &unit) {
+        return rangeText(extent.least, extent.most, unit);
+    };
+    const Extent &dries = figures.driesOut;
+    const bool stays = dries.count < figures.segments;
+    const QString seconds = QStringLiteral(" s");
+    m_names[0]->setText(figures.uneven ? tr("Spread across") : tr("Spread s"));
+    m_names[1]->setVisible(figures.uneven);
+    m_figures[1]->setVisible(figures.uneven);
+    m_figures[0]->setText(range(figures.spread, NumberField::canvasUnit()));
+    m_figures[1]->setText(range(figures.along, NumberField::canvasUnit()));
+    m_figures[2]->setText(range(figures.peak, QString()));
+    m_figures[3]->setText(range(figures.halfWidth, NumberField::canvasUnit()));
+    m_figures[4]->setText(dries.count == 0 ? tr("never")
+                          : stays          ? tr("partly, from %1").arg(rangeText(dries.least, dries.least, seconds))
+                                           : tr("after %1").arg(range(dries, seconds)));
+    m_plot->show(figures.styles.front(), figures.peak.least, figures.peak.most, figures.styles.size() > 1);
 }
 
 } // namespace suffuse

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "app/panels/inspected.h"
+#include "app/panels/figures_summary.h"
 
 #include <QTimer>
 #include <QWidget>
@@ -38,12 +38,14 @@ protected:
 
 private:
     void addFigures(QVBoxLayout &column);
-    void refreshFigures(const Inspected &inspected);
+    void showFigures(const FiguresSummary &figures);
     void refreshCutSoon();
-    void refreshCut(const Inspected &inspected);
+    void refreshCut();
 
     Editor &m_editor;
-    QTimer m_later; ///< the cut costs more than the rest: the picture goes first
+    FiguresKeeper m_keeper;
+    SegmentRef m_cutAt; ///< where the stroke is cut
+    QTimer m_later;     ///< the cut costs more than the rest: the picture goes first
     DensityPlot *m_plot = nullptr;
     CrossSectionPlot *m_cut = nullptr;
     HintLabel *m_warnings = nullptr;

@@ -9,6 +9,7 @@
 #include "app/panels/segment_section.h"
 #include "app/panels/stroke_section.h"
 #include "app/panels/style_section.h"
+#include "app/panels/underlay_section.h"
 #include "undo/edits.h"
 
 #include <QHBoxLayout>
@@ -60,6 +61,8 @@ InspectorPanel::InspectorPanel(Editor &editor, QWidget *parent) : QWidget(parent
         quietLabel(tr("Nothing is selected. Click a stroke to see and change its values."), m_canvasPage));
     m_canvas = new CanvasSection(m_canvasPage);
     canvas->addWidget(m_canvas);
+    m_underlay = new UnderlaySection(editor, m_canvasPage);
+    canvas->addWidget(m_underlay);
     m_scroll->setWidget(content);
     alignFieldLabels(*content);
 
@@ -67,6 +70,7 @@ InspectorPanel::InspectorPanel(Editor &editor, QWidget *parent) : QWidget(parent
     connect(m_style, &StyleSection::refused, m_hint, &HintLabel::showHint);
     connect(m_strokes, &StrokeSection::refused, m_hint, &HintLabel::showHint);
     connect(m_canvas, &CanvasSection::refused, m_hint, &HintLabel::showHint);
+    connect(m_underlay, &UnderlaySection::refused, m_hint, &HintLabel::showHint);
     connect(m_canvas, &CanvasSection::edited, this, [this](const Canvas &value, const QString &text, EditRun run) {
         m_editor.push(setCanvas(m_editor.document(), value), text, run);
     });
@@ -141,6 +145,7 @@ void InspectorPanel::refresh()
     m_canvasPage->setVisible(inspected.isEmpty());
     if (inspected.isEmpty()) {
         m_canvas->setCanvas(document.painting()->canvas);
+        m_underlay->refresh();
         return;
     }
     m_summary->setText(tr("%1 · %2").arg(tr("%n stroke(s)", nullptr, int(inspected.strokes.size())),

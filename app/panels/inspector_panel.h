@@ -21,6 +21,7 @@ class HintLabel;
 class SegmentSection;
 class StrokeSection;
 class StyleSection;
+class UnderlaySection;
 
 /// Values of the selected segments and strokes; with nothing selected, those of the canvas. Each change is one undo
 /// step, a slider drag too.
@@ -35,6 +36,7 @@ public:
     FiguresSection *figuresSection() const { return m_figures; }
     StrokeSection *strokeSection() const { return m_strokes; }
     CanvasSection *canvasSection() const { return m_canvas; }
+    UnderlaySection *underlaySection() const { return m_underlay; }
     CompareButton *compare() const { return m_compare; }
     QToolButton *alongButton() const { return m_alongButton; }
     AlongDialog *along() const; ///< null while it is not open
@@ -64,6 +66,7 @@ private:
     QWidget *m_selectionPage = nullptr;
     QWidget *m_canvasPage = nullptr;
     CanvasSection *m_canvas = nullptr;
+    UnderlaySection *m_underlay = nullptr;
     HintLabel *m_hint = nullptr;
     bool m_stale = true;
 };

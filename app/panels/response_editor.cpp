@@ -13,18 +13,10 @@
 namespace suffuse {
 
 namespace {
-constexpr double margin = 10;
 constexpr double reach = 10;     ///< of the pointer around a point
 constexpr double outside = 30;   ///< beyond the field: the point is taken away
 constexpr float between = 0.01f; ///< least distance of points
 } // namespace
-
-ResponseEditor::ResponseEditor(QWidget *parent) : QWidget(parent)
-{
-    setFocusPolicy(Qt::StrongFocus);
-    setCursor(Qt::CrossCursor);
-    setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Expanding);
-}
 
 void ResponseEditor::setCurve(const ResponseCurve &curve)
 {
@@ -33,37 +25,10 @@ void ResponseEditor::setCurve(const ResponseCurve &curve)
     update();
 }
 
-void ResponseEditor::setAxes(const QString &across, const QString &up)
-{
-    m_across = across;
-    m_up = up;
-    update();
-}
-
 void ResponseEditor::setMark(std::optional<double> input)
 {
     m_mark = input;
     update();
-}
-
-QRectF ResponseEditor::field() const
-{
-    const double line = fontMetrics().height() + 4;
-    return QRectF(rect()).adjusted(margin, margin + (m_up.isEmpty() ? 0 : line), -margin,
-                                   -margin - (m_across.isEmpty() ? 0 : line));
-}
-
-QPointF ResponseEditor::toWidget(QPointF at) const
-{
-    const QRectF f = field();
-    return {f.left() + f.width() * at.x(), f.bottom() - f.height() * at.y()};
-}
-
-QPointF ResponseEditor::fromWidget(QPointF at) const
-{
-    const QRectF f = field();
-    return {std::clamp((at.x() - f.left()) / f.width(), 0.0, 1.0),
-            std::clamp((f.bottom() - at.y()) / f.height(), 0.0, 1.0)};
 }
 
 int ResponseEditor::pointAt(QPointF at) const
@@ -111,12 +76,6 @@ void ResponseEditor::mouseMoveEvent(QMouseEvent *event)
     else
         movePoint(fromWidget(event->position()));
     emit edited();
-}
-
-void ResponseEditor::mouseReleaseEvent(QMouseEvent *event)
-{
-    if (event->button() == Qt::LeftButton)
-        m_dragging = false;
 }
 
 void ResponseEditor::movePoint(QPointF to)
@@ -175,32 +134,14 @@ void ResponseEditor::keyPressEvent(QKeyEvent *event)
 void ResponseEditor::paintEvent(QPaintEvent *)
 {
     QPainter painter(this);
-    painter.setRenderHint(QPainter::Antialiasing);
-    const QPalette &colours = palette();
-    painter.setPen(hasFocus() ? colours.color(QPalette::Highlight) : hairline());
-    painter.setBrush(colours.color(QPalette::Base));
-    painter.drawRoundedRect(QRectF(rect()).adjusted(0.5, 0.5, -0.5, -0.5), 4, 4);
+    paintField(painter);
     const QRectF f = field();
-    painter.setPen(QPen(hairline(), 1, Qt::DotLine));
-    for (int i = 0; i <= 4; ++i) {
-        painter.drawLine(toWidget({0, i / 4.0}), toWidget({1, i / 4.0}));
-        painter.drawLine(toWidget({i / 4.0, 0}), toWidget({i / 4.0, 1}));
-    }
-    painter.setPen(colours.color(QPalette::PlaceholderText));
-    const double line = fontMetrics().height();
-    painter.drawText(QRectF(f.left(), f.top() - line - 4, f.width(), line), Qt::AlignLeft, m_up);
-    painter.drawText(QRectF(f.left(), f.bottom() + 4, f.width(), line), Qt::AlignRight, m_across);
-
-    const QColor accent = colours.color(isDarkTheme() ? QPalette::Link : QPalette::Highlight);
     QPainterPath path(toWidget({0, m_curve.at(0)}));
     for (int x = 1; x <= int(f.width()); ++x)
         path.lineTo(toWidget({x / f.width(), m_curve.at(x / f.width())}));
-    painter.strokePath(path, QPen(accent, 2, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
-    painter.setPen(QPen(accent, 2));
-    for (std::size_t i = 0; i < m_curve.points.size(); ++i) {
-        painter.setBrush(i == m_point ? accent : colours.color(QPalette::Base));
-        painter.drawEllipse(toWidget({m_curve.points[i].x, m_curve.points[i].y}), 4.5, 4.5);
-    }
+    paintCurve(painter, path);
+    for (std::size_t i = 0; i < m_curve.points.size(); ++i)
+        paintKnot(painter, {m_curve.points[i].x, m_curve.points[i].y}, i == m_point);
     if (m_mark) {
         const QPointF at = toWidget({*m_mark, m_curve.at(*m_mark)});
         painter.setPen(QPen(warningText(), 1.5));

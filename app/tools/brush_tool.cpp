@@ -135,7 +135,7 @@ void BrushTool::press(const PointerEvent &event)
         brush = brushAtEnd(*m_editor.document().painting()->find(m_extended->stroke), m_extended->node, brush);
     m_builder = std::make_unique<StrokeBuilder>(brush, m_editor.document().takeStrokeId());
     m_lastTime = event.time;
-    m_editor.holdClock(true);
+    m_editor.holdClock(true, event.late);
     PointerEvent first = event;
     if (m_extended) // it begins right where the stroke ends
         first.point = nodePosition(*m_editor.document().painting()->find(m_extended->stroke), m_extended->node);

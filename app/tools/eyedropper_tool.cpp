@@ -9,6 +9,8 @@
 
 #include <QPainter>
 
+#include <utility>
+
 namespace suffuse {
 
 namespace {
@@ -71,8 +73,8 @@ void ColourPicker::move(const PointerEvent &event)
 
 void ColourPicker::end()
 {
-    m_active = false;
-    m_canvas.updateOverlay();
+    if (std::exchange(m_active, false))
+        m_canvas.updateOverlay();
 }
 
 void ColourPicker::giveUp()

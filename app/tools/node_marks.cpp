@@ -57,15 +57,29 @@ NodeMarks::NodeMarks(const Painting &painting, const std::set<StrokeId> &strokes
 {
     if (strokes.empty())
         return;
-    const bool handles = selected.size() <= manySelected;
     for (const StrokePtr &stroke : painting.strokes)
-        if (strokes.contains(stroke->id) && painting.isVisible(*stroke) && !painting.isLocked(*stroke)) {
-            addNodes(*stroke, selected);
-            if (handles)
-                addHandles(*stroke, selected);
-        }
+        if (strokes.contains(stroke->id) && painting.isVisible(*stroke) && !painting.isLocked(*stroke))
+            add(*stroke, selected);
     if (m_nodes.size() > manyMarks)
         thinOut();
+}
+
+void NodeMarks::follow(const Painting &painting, const std::vector<StrokeId> &strokes,
+                       const std::set<NodeRef> &selected)
+{
+    const std::set<StrokeId> dragged(strokes.begin(), strokes.end());
+    std::erase_if(m_nodes, [&](const NodeMark &mark) { return dragged.contains(mark.node.stroke); });
+    std::erase_if(m_handles, [&](const HandleMark &mark) { return dragged.contains(mark.handle.node.stroke); });
+    for (const StrokePtr &stroke : painting.strokes)
+        if (dragged.contains(stroke->id))
+            add(*stroke, selected);
+}
+
+void NodeMarks::add(const Stroke &stroke, const std::set<NodeRef> &selected)
+{
+    addNodes(stroke, selected);
+    if (selected.size() <= manySelected)
+        addHandles(stroke, selected);
 }
 
 Rect NodeMarks::window() const
@@ -148,6 +162,9 @@ NodeMarks::Hit NodeMarks::hit(Point pixel) const
 void NodeMarks::paint(QPainter &painter, const OverlayColours &colours, const Hit &hovered) const
 {
     painter.setRenderHint(QPainter::Antialiasing);
+    const double size = (nodeRadius + reach) * m_dpr;
+    const QRectF clip = painter.hasClipping() ? painter.clipBoundingRect() : QRectF(0, 0, m_view.width, m_view.height);
+    const QRectF painted = clip.adjusted(-size, -size, size, size);
     QPainterPath lines;
     for (const HandleMark &mark : m_handles) {
         Point a = mark.nodePixel, b = mark.pixel;
@@ -169,7 +186,7 @@ void NodeMarks::paint(QPainter &painter, const OverlayColours &colours, const Hi
         for (const NodeKind kind : kinds)
             stamps[std::size_t(kind)] = stampOf(kind, selected, nodeRadius, colours.accent, m_dpr);
         for (const NodeMark &mark : m_nodes) {
-            if (mark.selected != selected)
+            if (mark.selected != selected || !painted.contains(mark.pixel.x, mark.pixel.y))
                 continue;
             const bool large = hovered.node == mark.node;
             const QPixmap stamp = large ? stampOf(mark.kind, selected, nodeRadius + 1.5, colours.accent, m_dpr)

@@ -41,6 +41,8 @@ public:
               const View &view, double dpr);
 
     const View &view() const { return m_view; }
+    /// Takes strokes over as they are now while they are dragged: what crowds on screen is told from their own marks alone.
+    void follow(const Painting &painting, const std::vector<StrokeId> &strokes, const std::set<NodeRef> &selected);
     /// The nearest node or handle that is hit, if any.
     struct Hit {
         std::optional<NodeRef> node;
@@ -53,6 +55,7 @@ public:
     void paint(QPainter &painter, const OverlayColours &colours, const Hit &hovered) const;
 
 private:
+    void add(const Stroke &stroke, const std::set<NodeRef> &selected);
     void addNodes(const Stroke &stroke, const std::set<NodeRef> &selected);
     void addHandles(const Stroke &stroke, const std::set<NodeRef> &selected);
     void thinOut();

@@ -84,7 +84,7 @@ QCursor NodeTool::cursor() const
 
 void NodeTool::followDocument(const Change &change)
 {
-    m_marks.reset();
+    const std::size_t nodes = m_nodes.size();
     if (change.reset || !selection().segments.empty())
         m_nodes.clear();
     if (!m_nodes.empty()) {
@@ -96,7 +96,19 @@ void NodeTool::followDocument(const Change &change)
         std::erase_if(m_nodes,
                       [&](const NodeRef &n) { return !counts.contains(n.stroke) || n.node >= counts[n.stroke]; });
     }
+    if (m_marks && m_nodes.size() == nodes && isOfDrag(change))
+        m_marks->follow(*m_editor.document().painting(), change.strokes, m_nodes);
+    else
+        m_marks.reset();
     updateCommands();
+}
+
+/// Whether it is one of few strokes in the hand and nothing else.
+bool NodeTool::isOfDrag(const Change &change) const
+{
+    constexpr std::size_t few = 32;
+    return !change.selection && !change.order && !change.canvas && !change.reset && change.strokes.size() <= few &&
+           std::all_of(change.strokes.begin(), change.strokes.end(), [this](StrokeId id) { return m_drag.before(id); });
 }
 
 std::set<StrokeId> NodeTool::strokesOfNodes() const
@@ -376,6 +388,7 @@ void NodeTool::endDrag(bool cancelled)
     if (cancelled)
         m_drag.giveUp();
     m_drag.end();
+    m_marks.reset();
     m_snap = {};
 }
 

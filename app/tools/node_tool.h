@@ -61,6 +61,7 @@ private:
     };
 
     void followDocument(const Change &change);
+    bool isOfDrag(const Change &change) const;
     const NodeMarks &marks() const;
     bool isInUse() const;
     /// What the pointer is over, besides paint.

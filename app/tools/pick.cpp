@@ -3,6 +3,7 @@
 #include "app/canvas/view_transform.h"
 #include "app/tools/seen_paint.h"
 #include "model/influence.h"
+#include "undo/order_tree.h"
 
 #include <numbers>
 #include <unordered_map>
@@ -136,19 +137,6 @@ bool isHairline(const Stroke &stroke, Microseconds T, double step)
                        [&](const Segment &segment) { return segment.spread(T) < 2 * step; });
 }
 
-/// The group that holds this one and lies in no other.
-GroupId outermost(const Painting &painting, GroupId id)
-{
-    for (std::size_t steps = 0; steps < painting.groups.size(); ++steps) {
-        const auto it =
-            std::find_if(painting.groups.begin(), painting.groups.end(), [id](const Group &g) { return g.id == id; });
-        if (it == painting.groups.end() || it->parent == 0)
-            return id;
-        id = it->parent;
-    }
-    return id;
-}
-
 } // namespace
 
 std::optional<SegmentRef> pickTopmost(const Painting &painting, Microseconds T, Point point, double tolerance)
@@ -184,7 +172,7 @@ std::set<StrokeId> withGroup(const Painting &painting, StrokeId id)
     const StrokePtr stroke = painting.find(id);
     if (!stroke || stroke->group == 0)
         return {id};
-    const GroupId group = outermost(painting, stroke->group);
+    const GroupId group = outermostGroup(painting, stroke->group);
     std::unordered_map<GroupId, GroupId> outer; // many strokes, few groups
     std::set<StrokeId> members;
     for (const StrokePtr &s : painting.strokes) {
@@ -192,7 +180,7 @@ std::set<StrokeId> withGroup(const Painting &painting, StrokeId id)
             continue;
         const auto [it, isNew] = outer.try_emplace(s->group, 0);
         if (isNew)
-            it->second = outermost(painting, s->group);
+            it->second = outermostGroup(painting, s->group);
         if (it->second == group)
             members.insert(s->id);
     }

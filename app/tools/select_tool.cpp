@@ -63,7 +63,7 @@ void SelectTool::followDocument(const Change &change)
 const TransformHandles &SelectTool::handles() const
 {
     if (m_stale && !isBusy()) {
-        m_handles.setBox(selectionBox(*m_editor.document().painting(), selection()));
+        m_handles.setBox(m_canvas.selectedCurves());
         m_stale = false;
     }
     return m_handles;
@@ -169,7 +169,10 @@ void SelectTool::clickedBelow(const PointerEvent &event)
     Selection chosen;
     if (event.modifiers & Qt::ShiftModifier)
         chosen = selection();
-    chosen.strokes.merge(withGroup(painting, hits[next].stroke));
+    if (event.modifiers & Qt::ControlModifier)
+        chosen.strokes.insert(hits[next].stroke);
+    else
+        chosen.strokes.merge(withGroup(painting, hits[next].stroke));
     select(std::move(chosen));
     say(tr("Stroke %1 of %2 under the pointer, from the top. Alt+click again: the next below.")
             .arg(next + 1)

@@ -76,8 +76,10 @@ QString SelectTool::hint() const
     const Qt::KeyboardModifiers held = m_canvas.modifiers();
     const bool shift = held & Qt::ShiftModifier;
     if (held & Qt::AltModifier)
-        return shift ? tr("Shift+Alt+click: add the next stroke below. Shift+Alt+drag: add what the path touches.")
-                     : tr("Alt+click: select the next stroke below. Alt+drag: select what the path touches.");
+        return shift ? tr("Shift+Alt+click: add the next stroke below, with Ctrl within its group. "
+                            "Shift+Alt+drag: add what the path touches.")
+                     : tr("Alt+click: select the next stroke below, with Ctrl within its group. "
+                          "Alt+drag: select what the path touches.");
     if (held & Qt::ControlModifier)
         return shift ? tr("Ctrl+Shift+click: one stroke of a group, in or out. Ctrl+Shift+drag: take away.")
                      : tr("Ctrl+click: one stroke of a group. Ctrl+drag: move along an axis.");

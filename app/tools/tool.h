@@ -29,6 +29,7 @@ struct PointerEvent {
     double tiltX = 0;           ///< degrees
     double tiltY = 0;           ///< degrees
     Microseconds time = 0;      ///< document time
+    Microseconds late = 0;      ///< of a press: how long it has waited to be heard of
     Qt::MouseButton button = Qt::NoButton; ///< what caused it
     Qt::MouseButtons buttons;   ///< what is down
     Qt::KeyboardModifiers modifiers;

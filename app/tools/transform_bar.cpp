@@ -74,11 +74,18 @@ NumberField *TransformBar::addField(QHBoxLayout &row, Number number, const QStri
     connect(field, &NumberField::entered, this, [this, number](double value) { enter(number, value, 0); });
     connect(field, &NumberField::stepped, this,
             [this, number](double value) { enter(number, value, stepRun(number)); });
-    connect(field, &NumberField::refused, this, [field](const QString &hint) {
-        QToolTip::showText(field->mapToGlobal(QPoint(0, field->height())), hint, field); // empty: away
-    });
+    connect(field, &NumberField::refused, this, [this, number](const QString &hint) { showHint(number, hint); });
     m_fields[std::size_t(number)] = field;
     return field;
+}
+
+void TransformBar::showHint(Number number, const QString &hint)
+{
+    NumberField *field = m_fields[std::size_t(number)];
+    const auto show = [field, hint] {
+        QToolTip::showText(field->mapToGlobal(QPoint(0, field->height())), hint, field); // empty: away
+    };
+    QMetaObject::invokeMethod(field, show, Qt::QueuedConnection); // Return moves the focus, which hides tool tips
 }
 
 void TransformBar::addButtons(QHBoxLayout &row, Actions &actions)
@@ -167,7 +174,11 @@ void TransformBar::enter(Number number, double value, EditRun run)
                          : number == Number::X || number == Number::Y ? tr("Move")
                                                                       : tr("Scale");
     const SpreadRule rule = m_actions[Command::ScaleSpread].isChecked() ? SpreadRule::Scales : SpreadRule::Stays;
-    m_editor.push(transformSelection(m_editor.document(), mapFor(number, value), rule), name, run);
+    const Affine map = mapFor(number, value);
+    Edit edit = transformSelection(m_editor.document(), map, rule);
+    if (edit.isEmpty() && !map.isIdentity())
+        showHint(number, tr("Some of these strokes would become too small, too large or too far away to be painted."));
+    m_editor.push(std::move(edit), name, run);
     m_stackIndex = m_editor.undoStack().index();
     m_stale = true;
     refresh();

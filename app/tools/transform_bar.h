@@ -30,6 +30,7 @@ private:
     enum class Number { X, Y, Width, Height, Angle };
 
     NumberField *addField(QHBoxLayout &row, Number number, const QString &label, const QString &tip);
+    void showHint(Number number, const QString &hint);
     void addNumbers(QHBoxLayout &row);
     void addButtons(QHBoxLayout &row, Actions &actions);
     void follow();

@@ -4,6 +4,7 @@
 #include "model/formats/messages.h"
 #include "model/formats/recording.h"
 #include "model/formats/suffuse_layout.h"
+#include "model/formats/svg_painting.h"
 
 #include <QDir>
 #include <QFile>
@@ -122,9 +123,11 @@ QString unknownFormat(const QByteArray &bytes)
 {
     const QString known =
         FileMessages::tr("Suffuse reads .suffuse, its text form (.json), ink as CSV, Universal Ink JSON, "
-                         "Excalidraw, MyPaint events and diffusion curves (XML)");
+                         "Excalidraw, MyPaint events, SVG and diffusion curves (XML)");
     if (bytes.startsWith("\xff\xfe") || bytes.startsWith("\xfe\xff"))
         return FileMessages::tr("is UTF-16 text; save it as UTF-8");
+    if (bytes.startsWith("\x1f\x8b"))
+        return FileMessages::tr("is compressed with gzip; unpack it first");
     if (bytes.startsWith("\x89PNG") || bytes.startsWith("\xff\xd8\xff"))
         return FileMessages::tr("is a picture, not a painting; %1").arg(known);
     return FileMessages::tr("is not a painting nor a recording; %1").arg(known);
@@ -168,6 +171,9 @@ FileFormat detectFormat(const QByteArray &bytes)
         return JsonGlance(text).format();
     if (text[first] == '<' && text.substr(first, 4096).find("<curve_set") != text.npos)
         return FileFormat::DiffusionCurves;
+    // Some programs put pages of comments and entities before it.
+    if (text[first] == '<' && text.substr(first, 65536).find("<svg") != text.npos)
+        return FileFormat::Svg;
     return formatOfLines(text);
 }
 
@@ -196,6 +202,8 @@ QString nameOf(FileFormat format)
         return FileMessages::tr("MyPaint events");
     case FileFormat::DiffusionCurves:
         return FileMessages::tr("Diffusion curves (XML)");
+    case FileFormat::Svg:
+        return FileMessages::tr("SVG drawing");
     case FileFormat::Unknown:
         break;
     }
@@ -204,8 +212,9 @@ QString nameOf(FileFormat format)
 
 namespace {
 
-/// How a .suffuse file is read is the caller's; all else is read here.
-Result<Painting> readOther(const QByteArray &bytes, const QString &fileName, FileFormat format, const Brush *brush)
+/// How a .suffuse file is read is the caller's; all else is read here. `leftOut`: as in LoadedDocument.
+Result<Painting> readOther(const QByteArray &bytes, const QString &fileName, FileFormat format, const Brush *brush,
+                           QString &leftOut)
 {
     const auto painted = [&](const Result<Recording> &recording) -> Result<Painting> {
         if (!recording)
@@ -225,6 +234,8 @@ Result<Painting> readOther(const QByteArray &bytes, const QString &fileName, Fil
         return painted(readMyPaintEvents(bytes, fileName));
     case FileFormat::DiffusionCurves:
         return readDiffusionCurves(bytes, fileName);
+    case FileFormat::Svg:
+        return readSvg(bytes, fileName, brush ? *brush : builtinBrushes().front(), &leftOut);
     case FileFormat::Suffuse:
     case FileFormat::Unknown:
         break;
@@ -259,7 +270,9 @@ Result<QByteArray> loadBytes(const QString &path)
 Result<Painting> readPainting(const QByteArray &bytes, const QString &fileName, const Brush *brush)
 {
     const FileFormat format = detectFormat(bytes);
-    return format == FileFormat::Suffuse ? readSuffuseFile(bytes, fileName) : readOther(bytes, fileName, format, brush);
+    QString leftOut;
+    return format == FileFormat::Suffuse ? readSuffuseFile(bytes, fileName)
+                                         : readOther(bytes, fileName, format, brush, leftOut);
 }
 
 Result<LoadedDocument> readDocument(const QByteArray &bytes, const QString &fileName, const Brush *brush)
@@ -267,10 +280,10 @@ Result<LoadedDocument> readDocument(const QByteArray &bytes, const QString &file
     const FileFormat format = detectFormat(bytes);
     if (format == FileFormat::Suffuse)
         return readSuffuseDocument(bytes, fileName);
-    Result<Painting> painting = readOther(bytes, fileName, format, brush);
+    LoadedDocument document;
+    Result<Painting> painting = readOther(bytes, fileName, format, brush, document.leftOut);
     if (!painting)
         return Error{painting.error()};
-    LoadedDocument document;
     document.painting = std::move(*painting);
     document.format = format;
     return document;

@@ -14,7 +14,7 @@
 
 namespace suffuse {
 
-enum class FileFormat { Unknown, Suffuse, Text, InkCsv, UniversalInk, Excalidraw, MyPaintEvents, DiffusionCurves };
+enum class FileFormat { Unknown, Suffuse, Text, InkCsv, UniversalInk, Excalidraw, MyPaintEvents, DiffusionCurves, Svg };
 
 /// From the first bytes; never from the name.
 FileFormat detectFormat(const QByteArray &bytes);
@@ -23,7 +23,7 @@ FileFormat formatForSaving(const QString &path);
 QString nameOf(FileFormat format); ///< for people, translated
 
 /// A painting from a file's bytes, whatever its format. `fileName` is used in messages ("a.json: strokes[3]…") and to
-/// find images beside it. Recordings are painted with `brush` (default: the first built-in one).
+/// find images beside it. Recordings and drawings are painted with `brush` (default: the first built-in one).
 Result<Painting> readPainting(const QByteArray &bytes, const QString &fileName, const Brush *brush = nullptr);
 /// Reads a file ("-": standard input). Errors name the file, the place and the remedy.
 Result<Painting> loadPainting(const QString &path, const Brush *brush = nullptr);
@@ -66,6 +66,7 @@ struct LoadedDocument {
     DocumentExtras extras;
     FileFormat format = FileFormat::Unknown;
     std::vector<QString> losses;
+    QString leftOut; ///< what a foreign file holds that a painting cannot, as a sentence; empty: nothing
 };
 
 /// As readPainting and loadPainting, which refuse a damaged file: these give what is whole of it.

@@ -199,6 +199,15 @@ public:
         return xml.hasError() ? xml.errorString() : QString();
     }
 
+    /// The outermost element's attributes.
+    QXmlStreamAttributes root() const
+    {
+        return m_root.children.empty() ? QXmlStreamAttributes() : m_root.children.front()->attributes;
+    }
+
+    /// Of what was drawn.
+    int leftOut() const { return m_leftOut; }
+
     std::vector<SvgPath> paths()
     {
         drawChildren(m_root, State(), 0);
@@ -220,6 +229,8 @@ private:
         const State state = inherited(parent, element.attributes);
         if (element.name == QLatin1String("use"))
             use(element, state, depth);
+        else if (element.name == QLatin1String("text") || element.name == QLatin1String("image"))
+            m_leftOut += state.visible ? 1 : 0;
         else if (const QString data = svgPathData(element.name, element.attributes); !data.isEmpty())
             addPaths(state, data);
         else
@@ -249,24 +260,75 @@ private:
         suffuse::addPaths(state, data, m_paths);
         for (std::size_t i = before; i < m_paths.size(); ++i)
             m_curves += m_paths[i].curves.size();
+        if (m_curves > mostCurves)
+            m_paths.erase(m_paths.begin() + std::ptrdiff_t(before), m_paths.end());
     }
 
     Element m_root;
     std::map<QString, const Element *> m_named; ///< by id, the first of each
     std::vector<SvgPath> m_paths;
-    int m_drawn = 0;
+    int m_drawn = 0, m_leftOut = 0;
     std::size_t m_curves = 0;
 };
 
+/// A size of the document; nothing for per cents and what is no size.
+std::optional<double> sizeOf(const QXmlStreamAttributes &root, const char *name)
+{
+    const std::optional<double> size = svgLength(root.value(QLatin1String(name)).toString());
+    return size && *size > 0 ? size : std::nullopt;
+}
+
+/// Empty where there is none.
+Rect viewBoxOf(const QXmlStreamAttributes &root)
+{
+    static const QRegularExpression separator("[\\s,]+");
+    std::vector<double> v;
+    for (const QString &number : root.value(QLatin1String("viewBox")).toString().split(separator, Qt::SkipEmptyParts)) {
+        bool ok = false;
+        v.push_back(number.toDouble(&ok));
+        if (!ok || !std::isfinite(v.back()))
+            return {};
+    }
+    return v.size() == 4 && v[2] > 0 && v[3] > 0 ? Rect::of(v[0], v[1], v[2], v[3]) : Rect();
+}
+
+/// Area and scale; the sides' ratio is the view box's, however it is to be placed in width × height.
+void takeSize(SvgDrawing &drawing, const QXmlStreamAttributes &root)
+{
+    const std::optional<double> width = sizeOf(root, "width"), height = sizeOf(root, "height");
+    drawing.area = viewBoxOf(root);
+    if (drawing.area.isEmpty()) {
+        if (width && height)
+            drawing.area = Rect::of(0, 0, *width, *height);
+        return;
+    }
+    const double byWidth = width.value_or(HUGE_VAL) / drawing.area.width();
+    const double byHeight = height.value_or(HUGE_VAL) / drawing.area.height();
+    const double scale = std::min(byWidth, byHeight);
+    drawing.scale = std::isfinite(scale) ? scale : 1;
+}
+
 } // namespace
+
+Result<SvgDrawing> readSvgDrawing(const QByteArray &bytes)
+{
+    QXmlStreamReader xml(bytes);
+    Drawing drawn;
+    if (const QString problem = drawn.read(xml); !problem.isEmpty())
+        return Error{QCoreApplication::translate("SvgPaths", "SVG, line %1: %2").arg(xml.lineNumber()).arg(problem)};
+    SvgDrawing drawing;
+    takeSize(drawing, drawn.root());
+    drawing.paths = drawn.paths();
+    drawing.leftOut = drawn.leftOut();
+    return drawing;
+}
 
 Result<std::vector<SvgPath>> readSvgPaths(const QByteArray &bytes)
 {
-    QXmlStreamReader xml(bytes);
-    Drawing drawing;
-    if (const QString problem = drawing.read(xml); !problem.isEmpty())
-        return Error{QCoreApplication::translate("SvgPaths", "SVG, line %1: %2").arg(xml.lineNumber()).arg(problem)};
-    return drawing.paths();
+    Result<SvgDrawing> drawing = readSvgDrawing(bytes);
+    if (!drawing)
+        return Error{drawing.error()};
+    return std::move(drawing->paths);
 }
 
 } // namespace suffuse

@@ -86,6 +86,10 @@ bool hasNewPoints(const Stroke &stroke)
 
 } // namespace
 
+/// What `grabOf` knows.
+constexpr const char *gestures[] = {"brush", "extend", "move",  "band",   "scale",      "turn",       "node",
+                                    "handle", "curve", "knife", "eraser", "attributes", "eyedropper", "hand"};
+
 class TestBadUse : public QObject {
     Q_OBJECT
 
@@ -101,12 +105,18 @@ private slots:
     {
         QTest::addColumn<QString>("what");
         QTest::addColumn<QString>("how");
-        for (const char *what : {"brush", "extend", "move", "band", "scale", "turn", "node", "handle", "curve", "knife",
-                                 "eraser", "attributes", "eyedropper", "hand"})
-            for (const char *how : {"undo", "redo", "escape", "delete", "tool", "new", "open"})
+        for (const char *what : gestures)
+            for (const char *how : {"undo", "redo", "escape", "delete", "new", "open"})
                 QTest::addRow("%s, %s", what, how) << what << how;
     }
     void aDragThatIsBroken();
+    void aToolChosenDuringADragWaits_data()
+    {
+        QTest::addColumn<QString>("what");
+        for (const char *what : gestures)
+            QTest::newRow(what) << what;
+    }
+    void aToolChosenDuringADragWaits();
     void editsWhileAPictureIsRendered();
     void nodesDroppedOntoEachOther_data();
     void nodesDroppedOntoEachOther();
@@ -150,8 +160,6 @@ void TestBadUse::aDragThatIsBroken()
         QTest::keyClick(&s.canvas(), Qt::Key_Escape);
     else if (how == "delete")
         s.use(Command::Delete);
-    else if (how == "tool")
-        s.use(grab.tool == Command::Pan ? Command::Brush : Command::Pan);
     else if (how == "new")
         s.editor().newPainting(Canvas{});
     else if (const QString path = saved(); !path.isEmpty())
@@ -172,6 +180,27 @@ void TestBadUse::aDragThatIsBroken()
     s.use(Command::Brush);
     s.drag({100, 100}, {200, 120});
     QCOMPARE(s.painting().strokes.size(), expected.strokes.size() + 1);
+}
+
+/// The drag goes on to its end, one step at most; then the other tool is there.
+void TestBadUse::aToolChosenDuringADragWaits()
+{
+    QFETCH(QString, what);
+    WaveSession s;
+    const Grab grab = grabOf(s, what);
+    const Painting before = s.painting();
+    const int steps = s.steps();
+    s.drag(grab.from, grab.to, {what == "extend" ? Qt::ShiftModifier : Qt::NoModifier}, false);
+    const Tool *tool = s.canvas().tool();
+    s.use(grab.tool == Command::Pan ? Command::Brush : Command::Pan);
+    QCOMPARE(s.canvas().tool(), tool);
+    s.move(grab.to + Point{10, 10});
+    QTest::mouseRelease(&s.canvas(), Qt::LeftButton, {}, s.at(grab.to + Point{10, 10}));
+    QVERIFY(s.canvas().tool() != tool);
+    QVERIFY(!s.canvas().tool()->isBusy());
+    QVERIFY(s.steps() <= steps + 1);
+    s.editor().undoStack().setIndex(steps);
+    QVERIFY(s.painting() == before);
 }
 
 void TestBadUse::editsWhileAPictureIsRendered()

@@ -218,6 +218,12 @@ private slots:
         QCOMPARE(canvas.view().scale, zoomed.scale);
         QVERIFY(canvas.view().centre.x > zoomed.centre.x);
         QCOMPARE(canvas.view().centre.y, zoomed.centre.y);
+        const View moved = canvas.view();
+        QWheelEvent tilted(at, canvas.mapToGlobal(at), {}, {120, 0}, Qt::NoButton, {}, Qt::NoScrollPhase, false);
+        QCoreApplication::sendEvent(&canvas, &tilted);
+        QCOMPARE(canvas.view().scale, moved.scale);
+        QVERIFY(canvas.view().centre.x < moved.centre.x);
+        QCOMPARE(canvas.view().centre.y, moved.centre.y);
     }
 
     void dragsPanAndRotate()

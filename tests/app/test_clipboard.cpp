@@ -102,6 +102,33 @@ private slots:
         QVERIFY(other.painting() == *before);
     }
 
+    void whatIsPastedIsSeen()
+    {
+        Session session;
+        session.editor().setTime(1'000'000);
+        Painting from;
+        Stroke early = *makeStroke(1, 3, 10), late = *makeStroke(2, 3, 20);
+        for (std::size_t i = 0; i < 3; ++i) {
+            early.segments[i].born = Microseconds(100'000 * i);
+            late.segments[i].born = Microseconds(200'000'000 + 100'000 * i);
+            late.segments[i].rewet = {{late.segments[i].born + 50'000, 20'000}};
+        }
+        for (const Stroke &stroke : {early, late})
+            from.strokes.push_back(std::make_shared<const Stroke>(stroke));
+        const std::unique_ptr<QMimeData> data(clipboard::mimeOf(from, 200'200'000));
+        QCOMPARE(clipboard::paste(session.editor(), *data, {}), QString());
+        const Painting &painting = session.painting();
+        QCOMPARE(painting.strokes.size(), std::size_t(2));
+        QVERIFY(problemOf(painting).isEmpty());
+        for (std::size_t i = 0; i < 3; ++i) { // the youngest is born now, the rest as long before it as it was, if it can be
+            QCOMPARE(painting.strokes[0]->segments[i].born, Microseconds(0));
+            const Segment &segment = painting.strokes[1]->segments[i];
+            QCOMPARE(segment.born, Microseconds(800'000 + 100'000 * i));
+            QCOMPARE(segment.rewet[0].time, segment.born + 50'000);
+        }
+        QCOMPARE(session.editor().time(), Microseconds(1'000'000));
+    }
+
     void cutAndPasteAtAPlace()
     {
         Session session;

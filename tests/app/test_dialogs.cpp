@@ -1,6 +1,5 @@
-// Dialogs: export writes whole pictures or nothing, shortcuts never clash, settings are kept or put back.
+// Dialogs: shortcuts never clash, settings are kept or put back.
 #include "app/dialogs/about_dialog.h"
-#include "app/dialogs/export_dialog.h"
 #include "app/dialogs/new_dialog.h"
 #include "app/dialogs/settings_dialog.h"
 #include "app/dialogs/shortcuts_dialog.h"
@@ -33,62 +32,6 @@ private slots:
         m_folder = std::make_unique<QTemporaryDir>();
         QVERIFY(m_folder->isValid());
         qputenv("SUFFUSE_SETTINGS", m_folder->filePath("settings.ini").toUtf8());
-    }
-
-    void exportWritesThePicture()
-    {
-        Bench bench;
-        ExportDialog dialog(bench.editor);
-        dialog.show();
-        QCOMPARE(dialog.widthBox()->value(), 1024);
-        dialog.widthBox()->setValue(64);
-        QCOMPARE(dialog.heightBox()->value(), 48);
-        const QString path = m_folder->filePath("picture.pfm"); // needs no image module
-        dialog.path()->setText(path);
-        dialog.depth()->setCurrentIndex(dialog.depth()->findData(int(ImageDepth::Float)));
-        QTest::mouseClick(dialog.exportButton(), Qt::LeftButton);
-        QTRY_COMPARE_WITH_TIMEOUT(dialog.result(), int(QDialog::Accepted), 20000);
-        QFile file(path);
-        QVERIFY(file.open(QIODevice::ReadOnly));
-        const QByteArray bytes = file.readAll();
-        QVERIFY(bytes.startsWith("PF\n64 48\n"));
-        QVERIFY(bytes.size() >= 64 * 48 * 12);
-    }
-
-    void exportRefusesWithAReason()
-    {
-        Bench bench;
-        ExportDialog dialog(bench.editor);
-        dialog.show();
-        dialog.widthBox()->setValue(32);
-        const auto refused = [&](const QString &name) {
-            dialog.path()->setText(m_folder->filePath(name));
-            QTest::mouseClick(dialog.exportButton(), Qt::LeftButton);
-            return QTest::qWaitFor([&] { return dialog.hint()->isVisible() && !dialog.isExporting(); }, 20000);
-        };
-        QVERIFY(refused("picture.doc"));
-        QVERIFY(dialog.hint()->text().contains("png"));
-        QVERIFY(refused("no/such/folder/picture.pfm"));
-        QVERIFY(dialog.hint()->text().contains("folder"));
-        QVERIFY(dialog.isVisible());
-        QCOMPARE(QDir(m_folder->path()).entryList(QDir::Files).filter("picture").size(), 0);
-    }
-
-    void cancelledExportLeavesNothing()
-    {
-        Bench bench(200);
-        ExportDialog dialog(bench.editor);
-        dialog.show();
-        dialog.widthBox()->setValue(4000);
-        dialog.path()->setText(m_folder->filePath("large.pfm"));
-        dialog.depth()->setCurrentIndex(dialog.depth()->findData(int(ImageDepth::Float)));
-        QTest::mouseClick(dialog.exportButton(), Qt::LeftButton);
-        QVERIFY(dialog.isExporting());
-        dialog.reject();
-        QTRY_VERIFY_WITH_TIMEOUT(!dialog.isExporting(), 60000);
-        QVERIFY(dialog.isVisible()); // it can be tried again
-        QVERIFY(dialog.exportButton()->isEnabled());
-        QCOMPARE(QDir(m_folder->path()).entryList(QDir::Files).filter("large").size(), 0);
     }
 
     void newCanvas()
@@ -170,6 +113,44 @@ private slots:
         again.accept();
         QCOMPARE(next[2]->shortcut(), QKeySequence("Ctrl+U"));
         QVERIFY(settings::store().allKeys().filter("shortcuts/").isEmpty());
+    }
+
+    void onlyShortcutsThatAreSeenChange()
+    {
+        QObject owner;
+        QList<QAction *> actions;
+        for (const auto &[name, keys] : {std::pair{"Open", "Ctrl+O"}, {"Cut", "Ctrl+X; Shift+Del"}, {"Knife", "K"}}) {
+            auto *action = new QAction(QString::fromLatin1(name), &owner);
+            action->setObjectName(QString("seen") + name);
+            action->setShortcuts(QKeySequence::listFromString(keys));
+            actions << action;
+        }
+        applyStoredShortcuts(actions);
+        ShortcutsDialog dialog(actions);
+        dialog.show();
+        auto *search = dialog.findChild<QLineEdit *>();
+        search->setText("knife");
+        QCOMPARE(dialog.list()->currentItem()->text(0), QString("Knife"));
+        QCOMPARE(dialog.editor()->keySequence(), QKeySequence("K"));
+        search->setText("nothing of the kind");
+        QVERIFY(!dialog.list()->currentItem());
+        QVERIFY(!dialog.editor()->isEnabled());
+        search->clear();
+        dialog.list()->setCurrentItem(dialog.list()->topLevelItem(1));
+        dialog.editor()->setKeySequence(QKeySequence("Ctrl+O")); // a clash, resolved by taking it over
+        auto *takeOver = [&] {
+            for (QPushButton *button : dialog.findChildren<QPushButton *>())
+                if (button->text() == "Take over")
+                    return button;
+            return static_cast<QPushButton *>(nullptr);
+        }();
+        QVERIFY(takeOver && takeOver->isVisible());
+        takeOver->click();
+        QVERIFY(!takeOver->isVisible());
+        dialog.accept();
+        QCOMPARE(actions[0]->shortcuts(), QList<QKeySequence>());
+        QCOMPARE(actions[1]->shortcuts(), QList<QKeySequence>({QKeySequence("Ctrl+O"), QKeySequence("Shift+Del")}));
+        settings::store().clear();
     }
 
     void iconsAreDrawnInThePalettesColour()

@@ -125,12 +125,12 @@ private slots:
         QVERIFY(saveDocument(document->painting, document->extras, path("fit.suffuse")));
         const auto losses = editor.open(path("fit.suffuse"));
         QVERIFY(losses && losses->empty());
-        QVERIFY(editor.historyProblem().contains(QLatin1String("another painting")));
+        QVERIFY(editor.leftOut().contains(QLatin1String("another painting")));
         QCOMPARE(editor.document().painting()->canvas.width, 77.0);
         QCOMPARE(editor.undoStack().count(), 0);
         QVERIFY(!editor.isModified() && !editor.keepsHistory());
         QVERIFY(editor.open(path("off.suffuse")));
-        QVERIFY(editor.historyProblem().isEmpty());
+        QVERIFY(editor.leftOut().isEmpty());
     }
 
     void newPaintingsKeepNone()

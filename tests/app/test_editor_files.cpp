@@ -6,6 +6,7 @@
 
 #include <QDropEvent>
 #include <QMimeData>
+#include <QStatusBar>
 #include <QTemporaryDir>
 
 using namespace suffuse;
@@ -136,6 +137,32 @@ private slots:
         QVERIFY2(m_errors.isEmpty(), qPrintable(m_errors.join('\n')));
         QCOMPARE(s.painting().strokes.size(), std::size_t(1));
         QVERIFY(s.editor().filePath().isEmpty());
+    }
+
+    void drawingsOpenUntitled()
+    {
+        QFile svg(path("drawing.svg"));
+        QVERIFY(svg.open(QIODevice::WriteOnly));
+        svg.write("<svg viewBox='0 0 300 200'><path d='M50 100h200' stroke='red' stroke-width='40'/><text/></svg>");
+        svg.close();
+        Session s;
+        QCOMPARE(s.window.openFile(svg.fileName()), &s.window);
+        QVERIFY2(m_errors.isEmpty(), qPrintable(m_errors.join('\n')));
+        QCOMPARE(s.painting().canvas.width, 300.0);
+        QCOMPARE(s.painting().strokes.size(), std::size_t(1));
+        QVERIFY(s.editor().filePath().isEmpty());
+        QVERIFY(s.window.statusBar()->currentMessage().contains("left out"));
+        s.dry();
+        const Point middle = s.canvas().view().toPixels({150, 100});
+        const QColor paint = s.canvas().picture().pixelColor(int(middle.x), int(middle.y));
+        QVERIFY2(paint.red() > 200 && paint.green() < 90, qPrintable(paint.name()));
+
+        QVERIFY(svg.open(QIODevice::WriteOnly) && svg.write("<svg>\n<path</svg>") > 0);
+        svg.close();
+        QVERIFY(!s.window.openFile(svg.fileName()));
+        QCOMPARE(m_errors.size(), 1);
+        QVERIFY2(m_errors[0].contains("drawing.svg: SVG, line 2"), qPrintable(m_errors[0]));
+        QCOMPARE(s.painting().strokes.size(), std::size_t(1));
     }
 
 private:

@@ -195,6 +195,37 @@ private slots:
         QVERIFY(s.window.action(Command::Redo).isEnabled());
     }
 
+    void aToolChosenDuringAStrokeComesAfterIt()
+    {
+        Session s;
+        const Tool *brush = s.canvas().tool();
+        QTest::mousePress(&s.canvas(), Qt::LeftButton, {}, s.at({100, 100}));
+        s.advance(interval);
+        QTest::mouseMove(&s.canvas(), s.at({200, 100}));
+        s.use(Command::Select);
+        QCOMPARE(s.canvas().tool(), brush);
+        QTest::mouseRelease(&s.canvas(), Qt::LeftButton, {}, s.at({300, 100}));
+        QCOMPARE(s.painting().strokes.size(), std::size_t(1));
+        QVERIFY(s.canvas().tool() != brush);
+        QVERIFY(s.window.action(Command::Select).isChecked());
+    }
+
+    void whoSeesAllGoesOnSeeingAll()
+    {
+        Session s;
+        s.paintLine({200, 300}, {700, 300});
+        s.dry();
+        Stroke later = *s.painting().strokes[0];
+        for (Segment &segment : later.segments)
+            segment.born += 60'000'000;
+        const Microseconds born = later.segments.back().born;
+        Edit edit;
+        edit.strokes.emplace(later.id, std::make_shared<const Stroke>(later));
+        s.editor().push(std::move(edit), "Later");
+        QCOMPARE(s.editor().time(), born);
+        QVERIFY(!s.editor().isInPast());
+    }
+
     void undoGivesUpEvenTheFirstStroke()
     {
         Session s;

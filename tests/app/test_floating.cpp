@@ -27,13 +27,16 @@ StrokeList threeLines()
 
 /// Three lines, the first two selected; its drags float.
 struct Floats : Selecting {
-    int composed = 0, exact = 0;
+    int composed = 0, exact = 0, coarse = 0;
+    int rested = 0; ///< the hand, for long enough: then the document has what floated
 
     explicit Floats(MakeRenderer make = makeSlowRenderer) : Selecting(threeLines(), std::move(make))
     {
         QObject::connect(&canvas(), &CanvasWidget::framePresented, &window, [this](const FrameInfo &frame) {
             (frame.floats ? composed : exact) += frame.error.isEmpty() && (frame.floats || frame.isExact());
+            coarse += frame.coarseness > 1;
         });
+        QObject::connect(&editor(), &Editor::dragEnded, &window, [this] { ++rested; });
         select({1, 2});
         dry();
     }
@@ -119,12 +122,12 @@ private slots:
             QCOMPARE(s.canvas().isLifted(), floats);
             for (int i = 1; i <= 6; ++i)
                 s.report(from, i * Point{11, 7});
-            QCOMPARE(hashOf(s.painting()) == before, floats);
+            QVERIFY((hashOf(s.painting()) == before) == floats || s.rested > 0);
             if (floats) {
                 const int composed = s.composed;
                 s.report(from, {60, 40});
                 QTRY_VERIFY_WITH_TIMEOUT(s.composed > composed, waitMs);
-                QCOMPARE(s.steps(), 0);
+                QVERIFY(s.steps() == 0 || s.rested > 0);
             }
             s.report(from, {60, 40});
             s.release(from + Point{60, 40});
@@ -148,10 +151,47 @@ private slots:
         const QByteArray before = hashOf(s.painting());
         QVERIFY(s.floatBy({40, 24}));
         const QImage shown = s.canvas().picture();
-        QCOMPARE(hashOf(s.painting()), before);
+        QVERIFY(hashOf(s.painting()) == before || s.rested > 0);
         s.release(Floats::grip + Point{40, 24});
         const double mean = meanDifference(argbOf(shown), pixelsOf(s.shownRequest()));
         QVERIFY2(mean < 0.2, qPrintable(QString::number(mean)));
+    }
+
+    /// Where all is lifted, what is shown moves: nothing has to be drawn, and nothing is coarse.
+    void allFloatsAtOnce_data()
+    {
+        QTest::addColumn<double>("zoom");
+        QTest::newRow("within the view") << 1.0;
+        QTest::newRow("beyond the view") << 4.0;
+    }
+
+    void allFloatsAtOnce()
+    {
+        QFETCH(double, zoom);
+        Floats s;
+        s.select({1, 2, 3});
+        s.canvas().setZoom(zoom);
+        s.canvas().lookThrough([&] {
+            View view = s.canvas().view();
+            view.centre = {430, 330};
+            return view;
+        }());
+        s.dry();
+        const QByteArray before = hashOf(s.painting());
+        QVERIFY(s.floatBy({20, 12}));
+        QCOMPARE(s.coarse, 0);
+        const QImage shown = s.canvas().picture();
+        QVERIFY(hashOf(s.painting()) == before || s.rested > 0);
+        s.release(Floats::grip + Point{20, 12});
+        QVERIFY(hashOf(s.painting()) != before);
+        if (zoom == 1) { // else what comes in from beside the view is missing at first
+            const double mean = meanDifference(argbOf(shown), pixelsOf(s.shownRequest()));
+            QVERIFY2(mean < 0.2, qPrintable(QString::number(mean)));
+        }
+        QVERIFY(s.restsExactly());
+        s.use(Command::Undo);
+        QCOMPARE(hashOf(s.painting()), before);
+        QVERIFY(s.restsExactly());
     }
 
     void aHandThatRestsGetsTheExactPicture()
@@ -163,10 +203,10 @@ private slots:
         QVERIFY(s.exact > exact);
         QVERIFY(near(s.stroke(1).origin.x, 340, 2));
         QVERIFY(s.canvas().isLifted());
-        const int composed = s.composed;
+        const int composed = s.composed, rested = s.rested;
         s.report(Floats::grip, {80, 24}); // and on
         QTRY_VERIFY_WITH_TIMEOUT(s.composed > composed, waitMs);
-        QVERIFY(near(s.stroke(1).origin.x, 340, 2));
+        QVERIFY(near(s.stroke(1).origin.x, 340, 2) || s.rested > rested);
         s.report(Floats::grip, {0, 0}); // and back
         s.release(Floats::grip);
         QCOMPARE(s.stroke(1).origin, (Point{300, 250}));
@@ -210,7 +250,7 @@ private slots:
         const auto floats = [](auto act) {
             Floats s;
             QVERIFY(s.floatBy({40, 24}));
-            QCOMPARE(s.stroke(1).origin, (Point{300, 250}));
+            QVERIFY(s.stroke(1).origin == (Point{300, 250}) || s.rested > 0);
             act(s);
             QVERIFY(near(s.stroke(1).origin.x, 340, 2));
             QVERIFY(s.restsExactly());
@@ -319,11 +359,11 @@ private slots:
         QVERIFY(s.canvas().isLifted()); // anew
         const double x = s.stroke(1).origin.x;
         QVERIFY(x > 360);
-        const int composed = s.composed;
+        const int composed = s.composed, rested = s.rested;
         s.report(from, {90, 0});
         QTRY_VERIFY_WITH_TIMEOUT(s.composed > composed, waitMs);
         const QImage shown = s.canvas().picture();
-        QCOMPARE(s.stroke(1).origin.x, x);
+        QVERIFY(s.stroke(1).origin.x == x || s.rested > rested);
         s.release(from + Point{90, 0});
         QVERIFY(s.stroke(1).origin.x > x);
         const double mean = meanDifference(argbOf(shown), pixelsOf(s.shownRequest()));

@@ -62,6 +62,37 @@ private slots:
                 QVERIFY2(mean < 1.5, qPrintable(QString::number(mean)));
             }
     }
+
+    /// A picture of strokes over paper is taken apart and comes together again, wherever it is put.
+    void aPictureIsTaken()
+    {
+        const RenderRequest r = request(20);
+        const auto lift = std::make_shared<const Lift>(r.painting, r.painting, r.painting, r.time, r.view);
+        FloatingLayers layers(std::move(*makeRenderer({.backend = Backend::Cpu})));
+        Picture8 picture, paper;
+        QVERIFY(bool((*makeRenderer({.backend = Backend::Cpu}))->render(r, picture)));
+        paper.resize(width, height);
+        const std::uint32_t blank = picture.argb.front();
+        std::fill(paper.argb.begin(), paper.argb.end(), blank);
+        layers.setRest(lift, paper, true);
+        for (const bool fine : {false, true}) {
+            layers.take(lift, picture, blank, fine);
+            QVERIFY(layers.isOf(lift));
+            QCOMPARE(layers.areFine(), fine);
+        }
+        Picture8 shown = paper;
+        (void)layers.compose({}, true, shown, 2);
+        QVERIFY(shown.argb == picture.argb);
+        (void)layers.compose(Affine::translation({17, -9}), false, shown, 2);
+        const auto at = [&](const Picture8 &p, int x, int y) { return p.argb[std::size_t(y) * width + std::size_t(x)]; };
+        const int dx = int(std::lround(17 * r.view.scale)), dy = int(std::lround(-9 * r.view.scale));
+        QVERIFY(dx != 0 && dy != 0);
+        for (int y = 0; y < height; ++y)
+            for (int x = 0; x < width; ++x) {
+                const bool inside = x >= dx && y - dy < height;
+                QCOMPARE(at(shown, x, y), inside ? at(picture, x - dx, y - dy) : blank);
+            }
+    }
 };
 
 QTEST_MAIN(TestFloatingLayers)

@@ -296,6 +296,41 @@ private slots:
         QCOMPARE(shownBy(worker), pixelsOf(r));
     }
 
+    /// Strokes that a gesture cuts or takes away are predicted as those that it moves.
+    void aSlowGestureIsCoarseWhereStrokesComeAndGo()
+    {
+        RenderWorker worker({.backend = Backend::Cpu, .threads = 2}, makeSlowRenderer);
+        worker.setCoarseWanted(true);
+        const RenderRequest whole = movedBy(0, false);
+        (void)draw(worker, whole);
+        RenderRequest cut = whole;
+        auto painting = std::make_shared<Painting>(*whole.painting);
+        for (const std::size_t i : {std::size_t(2), std::size_t(1)}) { // in two, the second with an id of its own
+            Stroke first = *std::as_const(painting->strokes)[i], second = first;
+            first.origin = first.origin + Offset{-9, 0};
+            second.origin = second.origin + Offset{9, 0};
+            second.id = painting->nextStrokeId();
+            painting->strokes[i] = std::make_shared<const Stroke>(first);
+            painting->strokes.insert(painting->strokes.cbegin() + std::ptrdiff_t(i) + 1,
+                                     std::make_shared<const Stroke>(second));
+        }
+        cut.painting = painting;
+        cut.interactive = true;
+        FrameInfo frame = draw(worker, cut);
+        QVERIFY(frame.coarseness > 1); // from the first one on
+        QTRY_COMPARE(worker.shownSerial(), frame.serial);
+        QCOMPARE(shownBy(worker), pixelsOf(cut));
+
+        RenderRequest gone = cut;
+        auto less = std::make_shared<Painting>(*painting);
+        less->strokes.resize(1);
+        gone.painting = less;
+        frame = draw(worker, gone);
+        QVERIFY(frame.coarseness > 1);
+        QTRY_COMPARE(worker.shownSerial(), frame.serial);
+        QCOMPARE(shownBy(worker), pixelsOf(gone));
+    }
+
     void aGestureThatComesBackLeavesNoCoarsePixel()
     {
         RenderWorker worker({.backend = Backend::Cpu, .threads = 2}, makeSlowRenderer);

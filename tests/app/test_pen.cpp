@@ -4,6 +4,7 @@
 #include "app/panels/pen_pad.h"
 #include "app/panels/response_editor.h"
 #include "app/settings.h"
+#include "pen_hand.h"
 #include "session.h"
 
 #include <QCheckBox>
@@ -121,6 +122,65 @@ private slots:
         QCOMPARE(pen.take(0, false, true), 0.0);
         pen.setCurve({{{0.5f, 0}, {1, 1}}});
         QVERIFY(pen.take(0.3, false, true) > 0); // pressed is never lifted
+    }
+
+    void stampsTellHowLateAReportIs()
+    {
+        ReportLag lag;
+        QCOMPARE(lag.take(0, 5'000'000), 0); // it has no stamp
+        QCOMPARE(lag.take(100, 5'007'000), 0);
+        QCOMPARE(lag.take(108, 5'012'000), 0);      // this one waited for less
+        QCOMPARE(lag.take(116, 5'031'000), 10'999); // and this one for more, but for what clocks drift
+        QCOMPARE(lag.take(0, 5'031'000), 0);
+        QCOMPARE(lag.take(20, 5'400'000), 0); // the device has begun anew
+        QCOMPARE(lag.take(28, 5'410'000), 1'999);
+        QCOMPARE(lag.take(9'000, 5'418'000), 0); // and once more
+        const Microseconds hours = 18'000'000'000;
+        QCOMPARE(lag.take(9'000 + hours / 1000, 5'518'000 + hours), 0); // its clock is the slower one
+    }
+
+    /// The window was busy when the pen came down: the stroke is as old as it is, nothing of it is yet to come, and
+    /// its reports keep their pace.
+    void aLatePressIsNotPutOff_data()
+    {
+        QTest::addColumn<bool>("running");
+        QTest::newRow("while the clock stands") << false;
+        QTest::newRow("while it runs") << true;
+    }
+    void aLatePressIsNotPutOff()
+    {
+        QFETCH(bool, running);
+        Session s;
+        s.editor().setManualClock(false);
+        s.use(Command::Brush);
+        if (running) {
+            s.paintLine({200, 200}, {500, 200});
+            QTest::qWait(250);
+            QVERIFY(s.editor().isRunning());
+        }
+        PenHand pen;
+        const auto report = [&](QEvent::Type type, double x, int late, double pressure) {
+            using namespace std::chrono;
+            const auto now = duration_cast<milliseconds>(steady_clock::now().time_since_epoch()).count();
+            const QPoint at = s.at({x, 300});
+            pen.send(s.canvas(), {type, {double(at.x()), double(at.y())}, pressure, 0, 0, quint64(now - late)});
+        };
+        for (int i = 0; i < 5; ++i) // near by, not pressed: nothing waits
+            report(QEvent::TabletMove, 200, 0, 0);
+        const Microseconds before = s.editor().time();
+        report(QEvent::TabletPress, 200, 100, 0.5);
+        for (int i = 0; i < 6; ++i) {
+            report(QEvent::TabletMove, 260 + 40 * i, 90 - 14 * i, 0.5);
+            QVERIFY(s.editor().document().draft());
+            QVERIFY(s.editor().document().draft()->segments.back().born <= s.editor().time());
+        }
+        const StrokePtr draft = s.editor().document().draft();
+        if (!running)
+            QCOMPARE(draft->born(), before);
+        else
+            QVERIFY(draft->born() < before && draft->born() > before - 150'000);
+        QVERIFY(draft->segments.back().born - draft->born() >= 50'000);
+        s.canvas().tool()->cancel();
     }
 
     void theCurveIsPaintedWith()

@@ -105,6 +105,13 @@ private slots:
         QCOMPARE(s.selected(), (std::set<StrokeId>{2, 3}));
         s.click({50, 50}, alt);
         QCOMPARE(s.selected(), (std::set<StrokeId>{2, 3}));
+        s.select({1, 2, 3});
+        s.use(Command::GroupStrokes);
+        s.select({3});
+        s.click({400, 300}, alt | ctrl); // within the group
+        QCOMPARE(s.selected(), std::set<StrokeId>{2});
+        s.click({400, 300}, alt);
+        QCOMPARE(s.selected(), (std::set<StrokeId>{1, 2, 3}));
     }
 
     void bandsAddAndTakeAway()

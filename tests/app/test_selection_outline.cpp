@@ -2,6 +2,7 @@
 #include "app/canvas/selection_outline.h"
 #include "app/tools/pick.h"
 #include "tests/app/selecting.h"
+#include "undo/transform_edits.h"
 
 #include <QTest>
 
@@ -128,7 +129,114 @@ private slots:
                         box = box.united(stroke->cubicOf(segment).controlBox());
                 }
             QCOMPARE(outline.boxOf(painting, some), box);
+            QCOMPARE(outline.curveBoxOf(painting, some), selectionBox(painting, some));
         }
+    }
+
+    void lockedStrokesAreNotTransformed()
+    {
+        Painting painting;
+        painting.strokes.push_back(line(1, {10, 10}, {50, 60}));
+        Stroke locked = *line(2, {100, 10}, {150, 90});
+        locked.locked = true;
+        painting.strokes.push_back(std::make_shared<const Stroke>(locked));
+        SelectionOutline outline;
+        QCOMPARE(outline.curveBoxOf(painting, {{1, 2}, {}}), Rect::of(10, 10, 40, 50));
+        QVERIFY(outline.curveBoxOf(painting, {{2}, {}}).isEmpty());
+    }
+
+    void whatIsKeptLooksLikeWhatIsNew_data()
+    {
+        QTest::addColumn<double>("dpr");
+        QTest::newRow("scale 1") << 1.0;
+        QTest::newRow("scale 2") << 2.0;
+    }
+
+    void whatIsKeptLooksLikeWhatIsNew()
+    {
+        QFETCH(double, dpr);
+        Painting painting;
+        for (int i = 0; i < 800; ++i)
+            painting.strokes.push_back(line(StrokeId(i + 1), {100 + 8.0 * (i % 40), 100 + 12.0 * (i / 40)},
+                                            {100 + 8.0 * (i % 40) + 7, 100 + 12.0 * (i / 40) + 9}));
+        SelectionOutline kept;
+        View view = View::ofArea(Rect::of(0, 0, 512, 448), int(512 * dpr), int(448 * dpr));
+        const auto draw = [&](SelectionOutline &outline, const Selection &selection, const QColor &accent,
+                              const QRegion &clip) {
+            QImage image(view.width, view.height, QImage::Format_RGB32);
+            image.fill(Qt::white);
+            QPainter painter(&image);
+            if (!clip.isEmpty())
+                painter.setClipRegion(clip);
+            outline.paint(painter, view, painting, selection, {Qt::gray, Qt::black, accent}, dpr);
+            return image;
+        };
+        const auto isSame = [&](const Selection &selection, const QColor &accent = QColor(20, 110, 230),
+                                const QRegion &clip = {}) {
+            SelectionOutline fresh;
+            const QImage expected = draw(fresh, selection, accent, clip);
+            return draw(kept, selection, accent, clip) == expected && (selection.isEmpty() || fresh.isThin());
+        };
+        const Selection all{selectableStrokes(painting, painting.end()), {}};
+        QVERIFY(isSame(all));
+        QVERIFY(isSame({}));
+        QVERIFY(isSame(all));
+        QVERIFY(isSame(all, Qt::red));
+        QVERIFY(isSame(all, Qt::red, QRegion(33, 41, 200, 100) + QRegion(70, 120, 301, 77)));
+        const Point home = view.centre;
+        for (const Point by : {Point{30, 17}, Point{-90, 5}, Point{0, -120}, Point{400, 0}}) {
+            view.centre = home + by;
+            QVERIFY(isSame(all));
+        }
+        view.centre = home;
+        view.scale *= 1.25;
+        QVERIFY(isSame(all));
+        view.rotation = 0.4;
+        view.mirrored = true;
+        QVERIFY(isSame(all));
+        QVERIFY(isSame({}));
+        const StrokeList before = painting.strokes;
+        painting.strokes[7] = line(8, {300, 300}, {340, 180});
+        QVERIFY(isSame(all));
+        QVERIFY(isSame({}));
+        painting.strokes = before; // undone while nothing was selected
+        QVERIFY(isSame(all));
+        Selection some = all;
+        for (StrokeId id = 1; id <= 50; ++id)
+            some.strokes.erase(id);
+        QVERIFY(isSame(some));
+        painting.strokes.erase(std::as_const(painting.strokes).begin());
+        QVERIFY(isSame(some));
+        QVERIFY(isSame(all)); // the first is not there any more
+        painting.strokes = before;
+        QVERIFY(isSame(all));
+    }
+
+    void aMaskIsPaintedTurned()
+    {
+        PixelMask mask;
+        mask.clear(200, 150);
+        std::mt19937 random(2);
+        for (int i = 0; i < 5000; ++i)
+            mask.set(int(random() % 200), int(random() % 150));
+        const QRect part(3, 5, 190, 140);
+        const auto draw = [&](const QTransform &way) {
+            QImage image(200, 200, QImage::Format_RGB32);
+            image.fill(Qt::white);
+            QPainter painter(&image);
+            painter.setTransform(way);
+            mask.paint(painter, {0, 0}, part, QColor(10, 20, 30, 100));
+            return image;
+        };
+        const QImage upright = draw({});
+        QVERIFY(upright.pixel(0, 0) == qRgb(255, 255, 255));
+        const QImage turned = draw(QTransform(0, 1, -1, 0, 200, 0)); // by a quarter
+        QCOMPARE(turned, upright.transformed(QTransform(0, 1, -1, 0, 0, 0)));
+        mask.clear(200, 150);
+        QImage white(200, 200, QImage::Format_RGB32);
+        white.fill(Qt::white);
+        QCOMPARE(draw({}), white);
+        QCOMPARE(draw(QTransform(0, 1, -1, 0, 200, 0)), white);
     }
 };
 

@@ -86,13 +86,40 @@ private slots:
         fill(editor);
         editor.document().setSelection({{1}, {}});
         TimelapseDialog dialog(editor, Rect::of(0, 0, 40, 10));
-        QCOMPARE(dialog.areaBox()->count(), 3);
-        dialog.areaBox()->setCurrentIndex(1);
+        using enum AreaRow::Choice;
+        QCOMPARE(dialog.area()->box()->count(), 5);
+        dialog.area()->choose(Shown);
         QCOMPARE(dialog.heightBox()->value(), dialog.widthBox()->value() / 4);
         dialog.widthBox()->setValue(400);
         QCOMPARE(dialog.heightBox()->value(), 100);
-        dialog.areaBox()->setCurrentIndex(2);
+        dialog.area()->choose(Selected);
         QVERIFY(dialog.widthBox()->value() > dialog.heightBox()->value());
+        dialog.area()->numbers()[3]->setValue(1000);
+        QCOMPARE(dialog.area()->choice(), Numbers);
+        QVERIFY(dialog.widthBox()->value() < dialog.heightBox()->value());
+    }
+
+    void filmsTheArea()
+    {
+        Editor editor;
+        fill(editor);
+        TimelapseDialog dialog(editor, Rect::of(0, 0, 40, 30));
+        dialog.show();
+        const double numbers[] = {20, 10, 40, 20};
+        for (std::size_t i = 0; i < 4; ++i)
+            dialog.area()->numbers()[i]->setValue(numbers[i]);
+        dialog.widthBox()->setValue(40);
+        QCOMPARE(dialog.heightBox()->value(), 20);
+        dialog.path()->setText(m_folder.filePath("f.png"));
+        dialog.fps()->setValue(2);
+        dialog.length()->setValue(1);
+        dialog.exportButton()->click();
+        QTRY_VERIFY_WITH_TIMEOUT(!dialog.isExporting(), waitMs);
+        QCOMPARE(dialog.result(), int(QDialog::Accepted));
+        const QImage last(m_folder.filePath("f0002.png"));
+        QCOMPARE(last.size(), QSize(40, 20));
+        QVERIFY(last.pixel(20, 10) != last.pixel(20, 19)); // a stroke lies across its middle
+        clear();
     }
 
     void mistakesAreShown()

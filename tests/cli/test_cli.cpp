@@ -18,6 +18,7 @@ private slots:
     void backends();
     void convertIsExact();
     void convertWithBrush();
+    void convertDrawing();
     void probe();
     void probeTakesNegativeNumbers();
     void verify();
@@ -164,6 +165,31 @@ void TestCli::convertWithBrush()
     };
     QCOMPARE(styleKind(readFile(path("edge.json"))), QString("edge"));
     QVERIFY(readFile(path("default.json")) != readFile(path("edge.json")));
+}
+
+void TestCli::convertDrawing()
+{
+    QVERIFY(writeFile(
+        path("drawing.txt"),
+        "<svg viewBox='0 0 60 40' width='120'><path d='M10 20h40' stroke='#f00' stroke-width='6'/><text/></svg>"));
+    const CliOutcome made = runCli({"convert", path("drawing.txt"), path("drawing.suffuse")});
+    QVERIFY2(made.code == 0 && made.err.contains("drawing.txt: Text and images"), qPrintable(made.text()));
+    QCOMPARE(runCli({"info", path("drawing.txt"), "--json"}).json()["format"].toString(), QString("svg"));
+    const QJsonObject canvas = runCli({"info", path("drawing.suffuse"), "--json"}).json()["canvas"].toObject();
+    QCOMPARE(canvas["width"].toDouble(), 120.0);
+    QCOMPARE(canvas["height"].toDouble(), 80.0);
+    // Paint on the line, none beside it.
+    const auto opacityAt = [&](const QString &y) {
+        const QJsonArray strokes =
+            runCli({"probe", path("drawing.suffuse"), "60", y, "--json"}).json()["strokes"].toArray();
+        return strokes.isEmpty() ? 0 : strokes.at(0)["opacity"].toDouble();
+    };
+    QVERIFY(opacityAt("40") > 0.9);
+    QVERIFY(opacityAt("60") < 0.01);
+    QVERIFY(writeFile(path("words.svg"), "<svg>\n<text>words</text></svg>"));
+    const CliOutcome refused = runCli({"convert", path("words.svg"), path("words.suffuse")});
+    QVERIFY2(refused.code == 1 && refused.err.contains("words.svg: holds no paths"), qPrintable(refused.text()));
+    QVERIFY(!QFileInfo::exists(path("words.suffuse")));
 }
 
 void TestCli::probe()

@@ -13,11 +13,13 @@ private slots:
     void framesAreThoseOfTheirMoments();
     void mistakes_data();
     void mistakes();
+    void missingFolder();
     void stopped();
 };
 
 void TestCliTimelapse::framesAreThoseOfTheirMoments()
 {
+    QVERIFY(QDir().mkdir(path("film")));
     const CliOutcome made = runCli({"timelapse", path("a.json"), "-o", path("film/f%03d.png"), "--duration", "2",
                                     "--fps", "6", "--size", "80x60", "--stats"});
     QVERIFY2(made.code == 0, qPrintable(made.text()));
@@ -66,9 +68,22 @@ void TestCliTimelapse::mistakes()
     QVERIFY(!QFileInfo::exists(path("x")));
 }
 
+/// As `render` has it: nobody's typing mistake becomes a folder.
+void TestCliTimelapse::missingFolder()
+{
+    for (const QString name : {"nodir/f%03d.png", "nodir/film.webp"}) {
+        const CliOutcome film = runCli({"timelapse", path("a.json"), "-o", path(name), "--duration", "1"});
+        QVERIFY2(film.code == 1 && film.err.contains("nodir does not exist"), qPrintable(film.text()));
+    }
+    const CliOutcome picture = runCli({"render", path("a.json"), "-o", path("nodir/o.png")});
+    QVERIFY2(picture.code == 1 && picture.err.contains("nodir does not exist"), qPrintable(picture.text()));
+    QVERIFY(!QFileInfo::exists(path("nodir")));
+}
+
 void TestCliTimelapse::stopped()
 {
     QProcess process;
+    QVERIFY(QDir().mkdir(path("stopped")));
     process.start(
         QStringLiteral(SUFFUSE_BIN_DIR "/suffuse-cli"),
         {"timelapse", path("a.json"), "-o", path("stopped/%d.png"), "--duration", "1000", "--size", "400x300"});
@@ -78,7 +93,7 @@ void TestCliTimelapse::stopped()
     QVERIFY(process.waitForFinished());
     QCOMPARE(process.exitCode(), 1);
     QVERIFY(process.readAllStandardError().contains("nothing was written"));
-    QVERIFY(!QFileInfo::exists(path("stopped")));
+    QCOMPARE(filesIn(path("stopped")), QStringList());
     if (::geteuid() == 0)
         return; // may write anywhere
     QVERIFY(QDir().mkdir(path("closed")));

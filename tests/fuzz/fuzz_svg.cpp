@@ -1,7 +1,8 @@
-// SVG: whole drawings, and path data alone.
+// SVG: whole drawings, as paths and as paintings, and path data alone.
 #include "fuzzing.h"
 
-#include "model/formats/svg_paths.h"
+#include "model/formats/svg_painting.h"
+#include "model/validate.h"
 
 #include <cmath>
 
@@ -25,6 +26,8 @@ int LLVMFuzzerTestOneInput(const std::uint8_t *data, std::size_t size)
         if (const Result<std::vector<SvgPath>> paths = readSvgPaths(bytes))
             for (const SvgPath &path : *paths)
                 requireFinite(path.curves);
+        if (const Result<Painting> painting = readSvg(bytes, QStringLiteral("a.svg"), builtinBrushes().front()))
+            require(problemOf(*painting).isEmpty(), "a drawing becomes a valid painting");
         return 0;
     }
     for (const std::vector<Cubic> &curves : parsePathData(QString::fromLatin1(bytes)))

@@ -114,6 +114,9 @@ private slots:
         QTest::newRow("path data without end")
             << QByteArray("<svg xmlns=\"http://www.w3.org/2000/svg\"><path d=\"M0 0") + repeated("l1 1", many) +
                    "\"/></svg>";
+        QTest::newRow("many long paths") << QByteArray("<svg xmlns=\"http://www.w3.org/2000/svg\">") +
+                                                repeated("<path d=\"M0 0" + repeated("h1", 2 * many) + "\"/>", 4) +
+                                                "</svg>";
         QTest::newRow("a palette of one line") << QByteArray("GIMP Palette\n") + repeated("1 2 3 ", many);
         QTest::newRow("only the signature") << QByteArray("\x89SUFFUSE\r\n\x1a\n", 12);
         QTest::newRow("zeros") << QByteArray(4 * many, '\0');

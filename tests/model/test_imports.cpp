@@ -206,7 +206,7 @@ private slots:
     {
         QVERIFY(errorOf({}).contains(QLatin1String("is empty")));
         QVERIFY(errorOf("\x89PNG\r\n\x1a\n").contains(QLatin1String("is a picture")));
-        QVERIFY(errorOf("<?xml version=\"1.0\"?><svg/>").contains(QLatin1String("not a painting")));
+        QVERIFY(errorOf("<?xml version=\"1.0\"?><kml/>").contains(QLatin1String("not a painting")));
         QVERIFY(errorOf("{\"a\": [1,2]}").contains(QLatin1String("not a painting")));
         QVERIFY(errorOf(QByteArray("\xff\xfe{\0", 4)).contains(QLatin1String("UTF-16")));
         QVERIFY(errorOf(QByteArray(100, '\0')).contains(QLatin1String("not a painting")));

@@ -18,10 +18,11 @@ private slots:
     void selectedByBands_data();
     void selectedByBands();
     void oneNodeAmongMany();
+    void allAndNone();
 
 private:
     /// Pixels in which the screen differs from the canvas painted anew.
-    static int stalePixels(Selecting &s);
+    static int stalePixels(Selecting &s, int wait = 300); // until the frames after the drag have come
     /// So many that their outlines are thinned out, and one that lies apart.
     static StrokeList manyStrokes();
 
@@ -33,9 +34,9 @@ void TestOverlay::initTestCase()
     BEGIN_ON_SCREEN(m_settings, "raster");
 }
 
-int TestOverlay::stalePixels(Selecting &s)
+int TestOverlay::stalePixels(Selecting &s, int wait)
 {
-    QTest::qWait(300); // until the frames after the drag have come
+    QTest::qWait(wait);
     CanvasWidget &canvas = s.canvas();
     const QPoint at = canvas.mapTo(&s.window, QPoint());
     const QImage seen = s.window.screen()
@@ -185,12 +186,37 @@ void TestOverlay::oneNodeAmongMany()
         s.send(QEvent::MouseMove, s.logical(view.toPixels(node + Point{-6.0 * i, 4.0 * i})), none);
         QTest::qWait(i % 4 == 0 ? 20 : 3);
     }
+    QTRY_VERIFY(s.canvas().isUpToDate());
+    QCOMPARE(stalePixels(s, 30), 0); // before the hand rests, of the one stroke alone
     QCOMPARE(s.steps(), 1);
     QCOMPARE(stalePixels(s), 0);
     s.send(QEvent::MouseButtonRelease, s.logical(view.toPixels(node + Point{-120, 80})), none);
     QCOMPARE(stalePixels(s), 0);
     s.use(Command::Undo);
     QCOMPARE(stalePixels(s), 0);
+}
+
+void TestOverlay::allAndNone()
+{
+    Selecting s(manyStrokes());
+    QVERIFY(QTest::qWaitForWindowExposed(&s.window));
+    s.canvas().setZoom(0.5); // all in the window
+    s.dry();
+    const auto all = [&] { s.use(Command::SelectAll); };
+    const auto none = [&] { s.use(Command::Deselect); };
+    const auto some = [&] { s.select({3, 4, 5}); };
+    const auto undo = [&] { s.use(Command::Undo); };
+    const auto erase = [&] { s.use(Command::Delete); };
+    const auto pan = [&] { s.canvas().panBy({40, 25}); };
+    const auto zoom = [&] { s.canvas().zoomBy(1.1); };
+    const auto nudge = [&] { QTest::keyClick(&s.canvas(), Qt::Key_Right, Qt::ShiftModifier); };
+    const std::vector<std::function<void()>> acts{all,  none, all, pan,  none, all,   zoom, none, all, nudge,
+                                                  none, undo, all, none, some, erase, all,  undo, all, none};
+    for (std::size_t i = 0; i < acts.size(); ++i) {
+        acts[i]();
+        const int stale = stalePixels(s);
+        QVERIFY2(stale == 0, qPrintable(QString("step %1: %2 pixels").arg(i).arg(stale)));
+    }
 }
 
 int main(int argc, char **argv)

@@ -1,0 +1,292 @@
+// File ▸ Export…: any area, moment and size, as the renderer draws them; whole pictures or nothing.
+#include "app/dialogs/clock_box.h"
+#include "app/dialogs/export_dialog.h"
+#include "app/panels/section.h"
+#include "app/panels/time_text.h"
+#include "model/influence.h"
+#include "tests/app/panel_bench.h"
+
+#include <QCheckBox>
+#include <QComboBox>
+#include <QDir>
+#include <QPushButton>
+#include <QSpinBox>
+#include <QTemporaryDir>
+
+#include <cmath>
+#include <cstring>
+#include <set>
+
+using namespace suffuse;
+
+namespace {
+
+const Rect shown = Rect::of(40, 80, 100, 50);
+
+/// What a PFM holds: red, green and blue of each pixel, from the top.
+struct Pfm {
+    int width = 0, height = 0;
+    std::vector<float> rgb;
+};
+
+Pfm pfmIn(const QString &path)
+{
+    QFile file(path);
+    Pfm pfm;
+    if (!file.open(QIODevice::ReadOnly) || file.readLine() != "PF\n")
+        return pfm;
+    const QList<QByteArray> size = file.readLine().trimmed().split(' ');
+    pfm.width = size.value(0).toInt();
+    pfm.height = size.value(1).toInt();
+    file.readLine(); // the order of bytes
+    const QByteArray bytes = file.readAll();
+    const qsizetype row = qsizetype(sizeof(float)) * 3 * pfm.width;
+    pfm.rgb.resize(std::size_t(3 * pfm.width) * std::size_t(pfm.height));
+    for (int y = 0; y < pfm.height && bytes.size() == row * pfm.height; ++y) // rows go upwards
+        std::memcpy(pfm.rgb.data() + 3 * pfm.width * y, bytes.constData() + row * (pfm.height - 1 - y),
+                    std::size_t(row));
+    return pfm;
+}
+
+/// The same from the renderer.
+Pfm rendered(Editor &editor, const Rect &area, Microseconds time, int width)
+{
+    Pfm pfm{width, heightForWidth(area, width), {}};
+    const auto renderer = makeRenderer({.backend = Backend::Auto});
+    RenderRequest request;
+    request.painting = editor.document().painting();
+    request.time = time;
+    request.view = View::ofArea(area, pfm.width, pfm.height);
+    FloatPicture picture;
+    if (!renderer || !(*renderer)->render(request, picture))
+        return {};
+    for (std::size_t i = 0; i < picture.rgba.size(); ++i)
+        if (i % 4 < 3)
+            pfm.rgb.push_back(picture.rgba[i]);
+    return pfm;
+}
+
+} // namespace
+
+class TestExportDialog : public QObject {
+    Q_OBJECT
+
+    static void enter(QDoubleSpinBox &box, const QString &text)
+    {
+        box.setFocus();
+        box.selectAll();
+        QTest::keyClicks(&box, text);
+        QTest::keyClick(&box, Qt::Key_Tab);
+    }
+
+private slots:
+    void init()
+    {
+        m_folder = std::make_unique<QTemporaryDir>();
+        QVERIFY(m_folder->isValid());
+        qputenv("SUFFUSE_SETTINGS", m_folder->filePath("settings.ini").toUtf8());
+    }
+
+    void exportWritesThePicture()
+    {
+        Bench bench;
+        ExportDialog dialog(bench.editor, shown);
+        dialog.show();
+        QCOMPARE(dialog.widthBox()->value(), 1024);
+        dialog.widthBox()->setValue(64);
+        QCOMPARE(dialog.heightBox()->value(), 48);
+        const QString path = m_folder->filePath("picture.pfm"); // needs no image module
+        dialog.path()->setText(path);
+        dialog.depth()->setCurrentIndex(dialog.depth()->findData(int(ImageDepth::Float)));
+        QTest::mouseClick(dialog.exportButton(), Qt::LeftButton);
+        QTRY_COMPARE_WITH_TIMEOUT(dialog.result(), int(QDialog::Accepted), 20000);
+        QFile file(path);
+        QVERIFY(file.open(QIODevice::ReadOnly));
+        const QByteArray bytes = file.readAll();
+        QVERIFY(bytes.startsWith("PF\n64 48\n"));
+        QVERIFY(bytes.size() >= 64 * 48 * 12);
+    }
+
+    void exportOfAnyAreaAndMoment_data()
+    {
+        using Area = AreaRow::Choice;
+        using Moment = MomentRow::Choice;
+        QTest::addColumn<int>("choice");
+        QTest::addColumn<int>("moment");
+        QTest::newRow("all") << int(Area::Canvas) << int(Moment::Dried);
+        QTest::newRow("painted, now") << int(Area::Painted) << int(Moment::Now);
+        QTest::newRow("selected, at a time") << int(Area::Selected) << int(Moment::Time);
+        QTest::newRow("shown, at a time") << int(Area::Shown) << int(Moment::Time);
+        QTest::newRow("numbers, now") << int(Area::Numbers) << int(Moment::Now);
+    }
+    void exportOfAnyAreaAndMoment()
+    {
+        QFETCH(const int, choice);
+        QFETCH(const int, moment);
+        Bench bench;
+        auto red = std::make_shared<Painting>(*bench.editor.document().painting());
+        red->strokes = {};
+        for (const StrokePtr &stroke : bench.editor.document().painting()->strokes) {
+            Stroke copy = *stroke;
+            for (Segment &segment : copy.segments)
+                segment.colour = {1, 0, 0, 1};
+            red->strokes.push_back(std::make_shared<const Stroke>(std::move(copy)));
+        }
+        bench.editor.document().reset(red);
+        bench.editor.setManualClock(true);
+        bench.editor.setTime(300'000);
+        bench.select({2});
+        const Painting &painting = *bench.editor.document().painting();
+        const Rect painted = influenceOf(painting, painting.end()), byNumbers = Rect::of(45.5, 90.25, 60, 20);
+        const Rect selected = influenceOf(bench.stroke(2), painting.end());
+        const Rect areas[] = {
+            painting.canvas.area(),
+            {std::floor(painted.left), std::floor(painted.top), std::ceil(painted.right), std::ceil(painted.bottom)},
+            {std::floor(selected.left), std::floor(selected.top), std::ceil(selected.right),
+             std::ceil(selected.bottom)},
+            shown,
+            byNumbers};
+        const Rect &area = areas[choice];
+        const Microseconds times[] = {painting.end(), 300'000, 125'000};
+
+        ExportDialog dialog(bench.editor, shown);
+        dialog.show();
+        QVERIFY(QTest::qWaitForWindowActive(&dialog));
+        if (AreaRow::Choice(choice) == AreaRow::Choice::Numbers) {
+            const char *typed[] = {"45.5", "90.25", "60", "20"};
+            for (std::size_t i = 0; i < 4; ++i)
+                enter(*dialog.area()->numbers()[i], typed[i]);
+        } else {
+            dialog.area()->choose(AreaRow::Choice(choice));
+        }
+        QCOMPARE(dialog.area()->choice(), AreaRow::Choice(choice));
+        QCOMPARE(dialog.area()->area(), area);
+        QCOMPARE(dialog.area()->numbers()[0]->value(), area.left);
+        QCOMPARE(dialog.area()->numbers()[3]->value(), area.height());
+        QCOMPARE(dialog.widthBox()->value(), int(std::round(area.width()))); // a pixel a unit
+        dialog.widthBox()->setValue(64);
+        QCOMPARE(dialog.heightBox()->value(), std::max(heightForWidth(area, 64), 1));
+        if (MomentRow::Choice(moment) == MomentRow::Choice::Time)
+            enter(*dialog.moment()->clock(), "0:00.125");
+        else
+            dialog.moment()->box()->setCurrentIndex(moment);
+        QCOMPARE(int(dialog.moment()->choice()), moment);
+        QCOMPARE(dialog.moment()->clock()->time(), times[moment]);
+
+        const QString path = m_folder->filePath("area.pfm");
+        dialog.path()->setText(path);
+        dialog.depth()->setCurrentIndex(dialog.depth()->findData(int(ImageDepth::Float)));
+        QTest::mouseClick(dialog.exportButton(), Qt::LeftButton);
+        QTRY_COMPARE_WITH_TIMEOUT(dialog.result(), int(QDialog::Accepted), 20000);
+        const Pfm written = pfmIn(path), expected = rendered(bench.editor, area, times[moment], 64);
+        QCOMPARE(QSize(written.width, written.height), QSize(expected.width, expected.height));
+        QVERIFY(!expected.rgb.empty());
+        QVERIFY(written.rgb == expected.rgb);
+        QVERIFY(std::set<float>(written.rgb.begin(), written.rgb.end()).size() > 10); // there is paint in it
+    }
+
+    void exportKeepsTheScaleForAnotherArea()
+    {
+        Bench bench(0);
+        ExportDialog dialog(bench.editor, shown);
+        using enum AreaRow::Choice;
+        for (const AreaRow::Choice missing : {Painted, Selected}) {
+            dialog.area()->choose(missing);
+            QCOMPARE(dialog.area()->choice(), Canvas);
+        }
+        dialog.widthBox()->setValue(2048);
+        dialog.area()->choose(Shown);
+        QCOMPARE(dialog.widthBox()->value(), 200);
+        dialog.area()->numbers()[2]->setValue(0.01);
+        QCOMPARE(dialog.area()->choice(), Numbers);
+        QCOMPARE(dialog.widthBox()->value(), 1);
+        dialog.area()->choose(Canvas);
+        QCOMPARE(dialog.widthBox()->value(), 2048);
+    }
+
+    void momentsFollowTheCanvas()
+    {
+        Bench bench;
+        bench.editor.setManualClock(true);
+        ExportDialog dialog(bench.editor, shown);
+        const ClockBox &clock = *dialog.moment()->clock();
+        QCOMPARE(clock.text(), clockText(bench.editor.document().painting()->end()));
+        dialog.moment()->box()->setCurrentIndex(int(MomentRow::Choice::Now));
+        bench.editor.setTime(250'000);
+        QCOMPARE(clock.text(), clockText(250'000));
+        QCOMPARE(dialog.moment()->moment(), Microseconds(250'000));
+        dialog.moment()->clock()->stepUp();
+        QCOMPARE(dialog.moment()->choice(), MomentRow::Choice::Time);
+        bench.editor.setTime(500'000);
+        QCOMPARE(dialog.moment()->moment(), Microseconds(350'000));
+    }
+
+    void timesAreTypedAsClocksShowThem_data()
+    {
+        QTest::addColumn<QString>("text");
+        QTest::addColumn<double>("seconds"); ///< NaN: refused
+        QTest::newRow("as shown") << clockText(62'345'000) << 62.345;
+        QTest::newRow("before the beginning") << clockText(-2'500'000) << -2.5;
+        QTest::newRow("seconds") << "62.345" << 62.345;
+        QTest::newRow("decimal comma") << "1:02,5" << 62.5;
+        QTest::newRow("unit") << " 3 s" << 3.0;
+        QTest::newRow("hours") << "1:00:01" << 3601.0;
+        QTest::newRow("many seconds") << "1:90" << 150.0;
+        QTest::newRow("nothing") << "" << qQNaN();
+        QTest::newRow("no number") << "soon" << qQNaN();
+        QTest::newRow("too many colons") << "1:2:3:4" << qQNaN();
+        QTest::newRow("half a minute") << "1.5:00" << qQNaN();
+        QTest::newRow("hex") << "0x10" << qQNaN();
+    }
+    void timesAreTypedAsClocksShowThem()
+    {
+        QFETCH(const QString, text);
+        QFETCH(const double, seconds);
+        const std::optional<Microseconds> time = timeOfClock(text);
+        QCOMPARE(time.has_value(), !std::isnan(seconds));
+        if (time)
+            QCOMPARE(*time, toMicroseconds(seconds));
+    }
+
+    void exportRefusesWithAReason()
+    {
+        Bench bench;
+        ExportDialog dialog(bench.editor, shown);
+        dialog.show();
+        dialog.widthBox()->setValue(32);
+        const auto refused = [&](const QString &name) {
+            dialog.path()->setText(m_folder->filePath(name));
+            QTest::mouseClick(dialog.exportButton(), Qt::LeftButton);
+            return QTest::qWaitFor([&] { return dialog.hint()->isVisible() && !dialog.isExporting(); }, 20000);
+        };
+        QVERIFY(refused("picture.doc"));
+        QVERIFY(dialog.hint()->text().contains("png"));
+        QVERIFY(refused("no/such/folder/picture.pfm"));
+        QVERIFY(dialog.hint()->text().contains("folder"));
+        QVERIFY(dialog.isVisible());
+        QCOMPARE(QDir(m_folder->path()).entryList(QDir::Files).filter("picture").size(), 0);
+    }
+
+    void cancelledExportLeavesNothing()
+    {
+        Bench bench(200);
+        ExportDialog dialog(bench.editor, shown);
+        dialog.show();
+        dialog.widthBox()->setValue(4000);
+        dialog.path()->setText(m_folder->filePath("large.pfm"));
+        dialog.depth()->setCurrentIndex(dialog.depth()->findData(int(ImageDepth::Float)));
+        QTest::mouseClick(dialog.exportButton(), Qt::LeftButton);
+        QVERIFY(dialog.isExporting());
+        dialog.reject();
+        QTRY_VERIFY_WITH_TIMEOUT(!dialog.isExporting(), 60000);
+        QVERIFY(dialog.isVisible()); // it can be tried again
+        QVERIFY(dialog.exportButton()->isEnabled());
+        QCOMPARE(QDir(m_folder->path()).entryList(QDir::Files).filter("large").size(), 0);
+    }
+
+private:
+    std::unique_ptr<QTemporaryDir> m_folder;
+};
+
+QTEST_MAIN(TestExportDialog)
+#include "test_export_dialog.moc"

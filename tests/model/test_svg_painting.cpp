@@ -1,0 +1,154 @@
+// SVG drawings come in as strokes: where they lie, how large, how wide, in which colour.
+#include "model/formats/files.h"
+#include "model/formats/svg_painting.h"
+#include "model/ryb.h"
+#include "model/stroke_width.h"
+#include "model/validate.h"
+
+#include <QTest>
+
+using namespace suffuse;
+
+namespace {
+
+QByteArray svg(const QByteArray &root, const QByteArray &content)
+{
+    return "<?xml version=\"1.0\"?>\n<svg xmlns=\"http://www.w3.org/2000/svg\" " + root + ">" + content + "</svg>";
+}
+
+QString errorOf(const QByteArray &bytes)
+{
+    const Result<Painting> painting = readPainting(bytes, QStringLiteral("folder/a.svg"));
+    return painting ? QString() : painting.error();
+}
+
+Point startOf(const Stroke &stroke)
+{
+    return stroke.origin + stroke.segments.front().bezier[0];
+}
+
+double widthOf(const Stroke &stroke)
+{
+    const Segment &s = stroke.segments.front();
+    return 2 * halfWidth(double(s.diffusion), double(s.density), double(s.maxAge), visibleCut(stroke.style));
+}
+
+const QByteArray line = "<path d=\"M20 30h40\" fill=\"none\" stroke=\"#ff0000\" stroke-width=\"8\"/>";
+
+} // namespace
+
+class TestSvgPainting : public QObject {
+    Q_OBJECT
+
+private slots:
+    void isFoundFromItsContent()
+    {
+        QCOMPARE(detectFormat(svg("", line)), FileFormat::Svg);
+        QCOMPARE(detectFormat("<svg/>"), FileFormat::Svg);
+        QCOMPARE(detectFormat("\xef\xbb\xbf\n<!-- " + QByteArray(20'000, '-') + " --><svg/>"), FileFormat::Svg);
+        QCOMPARE(detectFormat("<curve_set/><!-- <svg/> -->"), FileFormat::DiffusionCurves);
+        QCOMPARE(detectFormat("<html/>"), FileFormat::Unknown);
+        QCOMPARE(formatForSaving("a.svg"), FileFormat::Unknown);
+        QVERIFY(errorOf("<html/>").contains("SVG"));
+        QVERIFY(errorOf("\x1f\x8b\x08").contains("unpack"));
+    }
+
+    void sizes_data()
+    {
+        QTest::addColumn<QByteArray>("root");
+        QTest::addColumn<QSizeF>("canvas");
+        QTest::addColumn<QPointF>("start"); ///< of the line at (20, 30)
+        QTest::addColumn<double>("width");
+        QTest::newRow("width and height")
+            << QByteArray("width=\"100\" height=\"80px\"") << QSizeF(100, 80) << QPointF(20, 30) << 8.0;
+        QTest::newRow("view box") << QByteArray("viewBox=\"10 20 100 80\"") << QSizeF(100, 80) << QPointF(10, 10)
+                                  << 8.0;
+        QTest::newRow("scaled") << QByteArray("viewBox=\"10,20,100,80\" width=\"200\" height=\"160\"")
+                                << QSizeF(200, 160) << QPointF(20, 20) << 16.0;
+        QTest::newRow("by its width") << QByteArray("viewBox=\"0 0 100 80\" width=\"50\"") << QSizeF(50, 40)
+                                      << QPointF(10, 15) << 4.0;
+        QTest::newRow("by the smaller") << QByteArray("viewBox=\"0 0 100 80\" width=\"900\" height=\"160\"")
+                                        << QSizeF(200, 160) << QPointF(40, 60) << 16.0;
+        QTest::newRow("per cents") << QByteArray("viewBox=\"0 0 100 80\" width=\"100%\" height=\"100%\"")
+                                   << QSizeF(100, 80) << QPointF(20, 30) << 8.0;
+        QTest::newRow("millimetres") << QByteArray("viewBox=\"0 0 96 96\" width=\"25.4mm\" height=\"25.4mm\"")
+                                     << QSizeF(96, 96) << QPointF(20, 30) << 8.0;
+        QTest::newRow("between units") << QByteArray("width=\"99.5\" height=\"0.25\"") << QSizeF(100, 1)
+                                       << QPointF(20, 30) << 8.0;
+    }
+    void sizes()
+    {
+        QFETCH(const QByteArray, root);
+        QFETCH(const QSizeF, canvas);
+        QFETCH(const QPointF, start);
+        QFETCH(const double, width);
+        const Result<Painting> painting = readPainting(svg(root, line), "a.svg");
+        QVERIFY2(painting, qPrintable(painting.error()));
+        QCOMPARE(problemOf(*painting), QString());
+        QCOMPARE(QSizeF(painting->canvas.width, painting->canvas.height), canvas);
+        QCOMPARE(painting->strokes.size(), std::size_t(1));
+        const Stroke &stroke = *painting->strokes[0];
+        QVERIFY(std::abs(startOf(stroke).x - start.x()) < 1e-4 && std::abs(startOf(stroke).y - start.y()) < 1e-4);
+        QVERIFY2(std::abs(widthOf(stroke) - width) < 1e-3, qPrintable(QString::number(widthOf(stroke))));
+    }
+
+    void withoutASizeTheCanvasIsAroundWhatIsDrawn()
+    {
+        const Brush &brush = builtinBrushes().front();
+        for (const QByteArray root :
+             {"", "width=\"100\"", "viewBox=\"0 0 0 0\"", "viewBox=\"0 0 1\"", "width=\"-3\""}) {
+            const Result<Painting> painting = readPainting(svg(root, line), "a.svg");
+            QVERIFY2(painting, qPrintable(painting.error()));
+            const double margin = 2 * brush.spread();
+            QCOMPARE(painting->canvas.width, std::ceil(40 + 2 * margin));
+            QCOMPARE(painting->canvas.height, std::ceil(2 * margin));
+            QVERIFY(std::abs(startOf(*painting->strokes[0]).x - margin) < 1e-3);
+        }
+    }
+
+    void strokesStandInTheirOrderAndColours()
+    {
+        const Brush &brush = builtinBrushes().back();
+        const Result<Painting> painting = readPainting(
+            svg("viewBox=\"0 0 100 100\"", line + "<rect x=\"10\" y=\"10\" width=\"20\" height=\"20\" fill=\"#00f\"/>" +
+                                               "<text x=\"1\" y=\"9\">words</text><path d=\"M1 1h0\"/>"),
+            "a.svg", &brush);
+        QVERIFY2(painting, qPrintable(painting.error()));
+        QCOMPARE(painting->strokes.size(), std::size_t(2));
+        QCOMPARE(painting->strokes[0]->segments.size(), std::size_t(1));
+        QCOMPARE(painting->strokes[1]->segments.size(), std::size_t(4));
+        QCOMPARE(painting->strokes[0]->segments[0].colour, rybFromSrgb(1, 0, 0));
+        QCOMPARE(painting->strokes[1]->segments[0].colour, rybFromSrgb(0, 0, 1));
+        for (std::size_t i = 0; i < 2; ++i) {
+            QCOMPARE(painting->strokes[i]->id, StrokeId(i + 1));
+            QCOMPARE(painting->strokes[i]->brush, brush.name);
+            QCOMPARE(painting->strokes[i]->segments[0].born, Microseconds(0));
+        }
+    }
+
+    void textIsLeftOutWithAMessage()
+    {
+        const auto leftOut = [](const QByteArray &content) {
+            const Result<LoadedDocument> document = readDocument(svg("", line + content), "a.svg");
+            return document ? document->leftOut : document.error();
+        };
+        QCOMPARE(leftOut(""), QString());
+        QVERIFY(leftOut("<text>words</text>").contains("left out"));
+        QVERIFY(leftOut("<g><image width=\"9\" height=\"9\"/></g>").contains("left out"));
+        QCOMPARE(leftOut("<text display=\"none\">words</text><defs><text>words</text></defs>"), QString());
+    }
+
+    void mistakesAreNamed()
+    {
+        QCOMPARE(errorOf("<svg>\n<path").left(19), QString("a.svg: SVG, line 2:"));
+        QVERIFY(errorOf(svg("", "<text>words</text>")).startsWith("a.svg: holds no paths"));
+        QVERIFY(errorOf(svg("width=\"2000000\" height=\"9\"", line)).contains("at most 1e6"));
+        QVERIFY(errorOf(svg("viewBox=\"0 0 1e308 1e308\" width=\"1\"", line))
+                    .startsWith("a.svg: holds no paths")); // a point
+        QVERIFY(errorOf(svg("viewBox=\"-1e308 0 1e308 1\"", line)).startsWith("a.svg: "));
+        QVERIFY(errorOf("<svg>" + QByteArray(65 << 20, ' ') + "</svg>").contains("64 MB"));
+    }
+};
+
+QTEST_GUILESS_MAIN(TestSvgPainting)
+#include "test_svg_painting.moc"
