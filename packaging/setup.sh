@@ -38,6 +38,15 @@ install_missing() {
     "${as_root[@]}" env DEBIAN_FRONTEND=noninteractive apt-get install --no-install-recommends -y -q $missing >&2
 }
 
+# configure_preset PRESET [OPTION…]: with ccache where it is there; it cannot keep what precompiled headers went into.
+configure_preset() {
+    local options=("${@:2}")
+    if command -v ccache >/dev/null; then
+        options+=(-DCMAKE_CXX_COMPILER_LAUNCHER=ccache -DCMAKE_DISABLE_PRECOMPILE_HEADERS=ON)
+    fi
+    cmake --preset "$1" "${options[@]}" >&2
+}
+
 # Ninja runs CMake again by itself when a CMake file changes; this is for the first time and for another setting.
 configure() {
     local werror=OFF
@@ -46,11 +55,7 @@ configure() {
         && grep -q "^SUFFUSE_WERROR:BOOL=$werror\$" $build/CMakeCache.txt; then
         return
     fi
-    local options=("-DSUFFUSE_WERROR=$werror")
-    if command -v ccache >/dev/null; then
-        options+=(-DCMAKE_CXX_COMPILER_LAUNCHER=ccache)
-    fi
-    cmake --preset default "${options[@]}" >&2
+    configure_preset default "-DSUFFUSE_WERROR=$werror"
 }
 
 build_targets() {
