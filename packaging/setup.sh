@@ -38,11 +38,12 @@ install_missing() {
     "${as_root[@]}" env DEBIAN_FRONTEND=noninteractive apt-get install --no-install-recommends -y -q $missing >&2
 }
 
-# configure_preset PRESET [OPTION…]: with ccache where it is there; it cannot keep what precompiled headers went into.
+# configure_preset PRESET [OPTION…]: with ccache where it is there, told to keep what precompiled headers went into.
 configure_preset() {
     local options=("${@:2}")
     if command -v ccache >/dev/null; then
-        options+=(-DCMAKE_CXX_COMPILER_LAUNCHER=ccache -DCMAKE_DISABLE_PRECOMPILE_HEADERS=ON)
+        local sloppiness=pch_defines,time_macros,include_file_mtime,include_file_ctime
+        options+=("-DCMAKE_CXX_COMPILER_LAUNCHER=env;CCACHE_SLOPPINESS=$sloppiness;ccache")
     fi
     cmake --preset "$1" "${options[@]}" >&2
 }
