@@ -139,7 +139,7 @@ void bringBefore(std::vector<Stroke> &strokes, Microseconds now)
 QString addPasted(Editor &editor, std::vector<Stroke> strokes, const std::vector<Group> &groups,
                   std::optional<Point> centre)
 {
-    bringBefore(strokes, editor.time());
+    bringBefore(strokes, editor.clock().time());
     Document &document = editor.document();
     Edit edit;
     std::map<GroupId, GroupId> fresh;
@@ -244,7 +244,7 @@ void copy(Editor &editor)
 {
     Painting painting = asPainting(*editor.document().painting(), editor.document().selection());
     if (!painting.strokes.empty())
-        QGuiApplication::clipboard()->setMimeData(mimeOf(std::move(painting), editor.time()));
+        QGuiApplication::clipboard()->setMimeData(mimeOf(std::move(painting), editor.clock().time()));
 }
 
 void cut(Editor &editor)
@@ -274,7 +274,7 @@ QString paste(Editor &editor, const QMimeData &data, std::optional<Point> centre
         const Result<std::vector<SvgPath>> paths = readSvgPaths(svg);
         if (!paths)
             return paths.error();
-        std::vector<Stroke> strokes = strokesAlong(*paths, editor.brush(), editor.time());
+        std::vector<Stroke> strokes = strokesAlong(*paths, editor.brush(), editor.clock().time());
         if (strokes.empty())
             return QCoreApplication::translate("Clipboard", "There are no paths in the SVG of the clipboard.");
         return addPasted(editor, std::move(strokes), {}, centre);

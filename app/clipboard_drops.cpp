@@ -18,7 +18,7 @@ constexpr double slack = 3; ///< logical pixels around the pointer in which hair
 std::optional<SegmentRef> strokeAt(CanvasWidget &canvas, Point point)
 {
     const double tolerance = slack * canvas.devicePixelRatioF() / canvas.view().scale;
-    return pickTopmost(*canvas.editor().document().painting(), canvas.editor().time(), point, tolerance);
+    return pickTopmost(*canvas.editor().document().painting(), canvas.editor().clock().time(), point, tolerance);
 }
 
 /// Each segment keeps its opacity.

@@ -11,13 +11,11 @@
 #include <QFile>
 #include <QFileInfo>
 #include <QKeyEvent>
-#include <QTimerEvent>
 
 namespace suffuse {
 
 namespace {
 
-constexpr int tickMs = 16;
 constexpr int dragPauseMs = 120; // without an edit of the run
 
 bool canBeSavedAs(FileFormat format)
@@ -82,15 +80,12 @@ Editor::Editor(QObject *parent) : QObject(parent), m_brush(builtinBrushes().fron
         setCompared(nullptr);
         if (!altersPainting(change))
             return;
-        const Microseconds now = time();
-        m_end = m_document.painting()->end();
-        if (m_inPast && !m_drawing && now >= m_end)
-            setInPast(false);
-        if (m_inPast || m_end <= now)
-            return;
-        if (!m_drawing) // who looks at all goes on seeing all, also what was moved to later
-            m_time = std::max(now, latestBirth(*m_document.painting(), change.strokes)), m_since.start();
-        startClock();
+        const Painting &painting = *m_document.painting();
+        const Microseconds end = painting.end();
+        m_clock.setEnd(end);
+        // Who looks at all goes on seeing all, also what was moved to later.
+        if (!m_clock.isInPast() && !m_clock.isDrawing() && m_clock.time() < end)
+            m_clock.runFrom(latestBirth(painting, change.strokes));
     });
 }
 
@@ -129,7 +124,7 @@ void Editor::push(Edit edit, const QString &text, EditRun run)
         return;
     if (run != 0)
         keepDragging();
-    if (m_inPast) {
+    if (m_clock.isInPast()) {
         edit = placedInTime(m_document, std::move(edit));
         noteDrawn(edit);
     }
@@ -170,15 +165,6 @@ void Editor::setCompared(PaintingPtr painting)
     emit comparedChanged();
 }
 
-Microseconds Editor::time() const
-{
-    if (!m_running || m_manual)
-        return m_time;
-    const Microseconds now = m_time + m_since.nsecsElapsed() / 1000;
-    // The end is where a reopened file stands: stopping right there makes both the same picture.
-    return m_drawing ? now : std::min(now, std::max(m_time, runsUntil()));
-}
-
 void Editor::setFinalShown(bool shown)
 {
     if (shown == m_finalShown)
@@ -192,13 +178,13 @@ PaintingPtr Editor::shown() const
     if (m_compared)
         return m_compared;
     PaintingPtr painting = snapshotInTime();
-    return m_finalShown ? m_finalPreview.of(painting, time()) : painting;
+    return m_finalShown ? m_finalPreview.of(painting, m_clock.time()) : painting;
 }
 
 PaintingPtr Editor::snapshotInTime() const
 {
     const StrokePtr &draft = m_document.draft();
-    if (!draft || !m_inPast)
+    if (!draft || !m_clock.isInPast())
         return m_document.snapshot();
     auto painting = std::make_shared<Painting>(*m_document.painting());
     const PlaceInTime place = placeInTime(*painting, draft->born());
@@ -208,93 +194,12 @@ PaintingPtr Editor::snapshotInTime() const
 
 void Editor::noteDrawn(const Edit &edit)
 {
-    if (!m_drawing)
+    if (!m_clock.isDrawing())
         return;
-    for (const auto &[id, stroke] : edit.strokes) {
-        if (!stroke)
-            continue;
-        for (const Segment &segment : stroke->segments)
-            if (segment.born >= m_drawnSince)
-                m_dryAt = std::max(m_dryAt, segment.driesAt());
-    }
-}
-
-void Editor::holdClock(bool drawing, Microseconds late)
-{
-    const Microseconds began = momentBefore(late);
-    m_time = began + late;
-    m_since.start();
-    m_drawing = drawing;
-    if (drawing)
-        m_drawnSince = m_dryAt = began;
-    startClock();
-}
-
-void Editor::lookAt(Microseconds time)
-{
-    if (m_drawing)
-        return;
-    stopClock();
-    m_time = m_dryAt = std::min(time, m_end);
-    setInPast(m_time < m_end);
-    emit timeChanged();
-}
-
-void Editor::setInPast(bool past)
-{
-    if (past == m_inPast)
-        return;
-    m_inPast = past;
-    emit pastChanged();
-}
-
-void Editor::setTime(Microseconds time)
-{
-    if (!m_drawing)
-        setInPast(false);
-    m_time = time;
-    m_since.start();
-    startClock();
-    tick();
-}
-
-void Editor::setManualClock(bool manual)
-{
-    m_time = time();
-    m_since.start();
-    m_manual = manual;
-}
-
-void Editor::timerEvent(QTimerEvent *event)
-{
-    if (event->timerId() == m_timer.timerId())
-        tick();
-}
-
-void Editor::tick()
-{
-    if (!m_drawing && time() >= runsUntil()) {
-        stopClock();
-        if (m_time >= m_end)
-            setInPast(false);
-    }
-    emit timeChanged();
-}
-
-void Editor::startClock()
-{
-    if (m_running)
-        return;
-    m_running = true;
-    m_since.start();
-    m_timer.start(tickMs, Qt::PreciseTimer, this);
-}
-
-void Editor::stopClock()
-{
-    m_time = time();
-    m_running = false;
-    m_timer.stop();
+    for (const auto &[id, stroke] : edit.strokes)
+        if (stroke)
+            for (const Segment &segment : stroke->segments)
+                m_clock.noteDrawn(segment);
 }
 
 QString Editor::displayName() const
@@ -409,10 +314,7 @@ void Editor::keepMine(const QByteArray &hashOnDisk)
 
 void Editor::show(PaintingPtr painting, const Origin &origin)
 {
-    m_drawing = false;
-    setInPast(false);
-    m_time = painting->end();
-    m_since.start();
+    m_clock.reset(painting->end());
     m_undoStack.clear(); // its commands name strokes of the painting that goes
     if (origin.modified)
         m_undoStack.resetClean();
@@ -425,9 +327,8 @@ void Editor::show(PaintingPtr painting, const Origin &origin)
     m_keepsHistory = false;
     m_historyBytes = 0;
     m_leftOut.clear();
-    stopClock();
     emit opened();
-    emit timeChanged();
+    emit m_clock.timeChanged();
     emit fileChanged();
 }
 

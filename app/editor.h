@@ -3,23 +3,20 @@
 
 #include "app/final_preview.h"
 #include "app/later_changes.h"
+#include "app/painting_clock.h"
 #include "app/saving.h"
 #include "model/brush.h"
 #include "model/document.h"
 #include "model/result.h"
 #include "undo/edit_command.h"
 
-#include <QBasicTimer>
-#include <QElapsedTimer>
 #include <QObject>
 #include <QTimer>
 #include <QUndoStack>
 
-#include <algorithm>
-
 namespace suffuse {
 
-/// Holds document, undo stack, file, brush and painting clock; panels and tools talk to it, never to each other.
+/// Holds document, undo stack, clock, file and brush; panels and tools talk to it, never to each other.
 class Editor : public QObject {
     Q_OBJECT
 
@@ -39,26 +36,9 @@ public:
     void setBrush(const Brush &brush);
     void setColour(const Colour &colour);
 
-    /// Document time T that is looked at. It runs while a stroke is drawn or something still spreads, and stands still
-    /// otherwise; opening sets it to the end; undo never turns it back. In the past it stands, but for a stroke.
-    Microseconds time() const;
-    bool isRunning() const { return m_running; }
-    /// The moment that was `late` ago; while the clock stands it is this one.
-    Microseconds momentBefore(Microseconds late) const { return std::max(m_time, time() - late); }
-    /// Starts the clock (a stroke began, `late` ago, at `momentBefore`); it stops by itself when `holdClock` is over
-    /// and all has dried.
-    void holdClock(bool drawing, Microseconds late = 0);
-    /// Looks at another moment; the clock goes on from there while something still spreads at it.
-    void setTime(Microseconds time);
-    /// Looks at another moment and stays there: the past. What is painted there takes its place in time and order, and
-    /// the clock runs until that is dry. From the end on it is free again: the present. Does nothing while a stroke is
-    /// drawn.
-    void lookAt(Microseconds time);
-    bool isInPast() const { return m_inPast; }
-    bool isDrawing() const { return m_drawing; }
-    /// With it the clock moves by `setTime` only, never by itself: for scripts and tests.
-    void setManualClock(bool manual);
-    bool hasManualClock() const { return m_manual; }
+    /// The moment that is looked at.
+    PaintingClock &clock() { return m_clock; }
+    const PaintingClock &clock() const { return m_clock; }
 
     /// A run of edits is coming in (a value is being dragged): frames may be quick ones. Over when button, pen or key is
     /// let go, and a moment after the last edit.
@@ -113,8 +93,6 @@ public:
 
 signals:
     void brushChanged();
-    void timeChanged();
-    void pastChanged();     ///< from present to past, or back
     void dragEnded();       ///< exact frames again
     void comparedChanged(); ///< something else is shown: the compared painting, or what is wet as it will look
     void fileChanged();     ///< path or modified state
@@ -123,18 +101,11 @@ signals:
     void saved(const suffuse::SaveOutcome &outcome);
 
 protected:
-    void timerEvent(QTimerEvent *event) override;
     /// While a value is dragged: of the whole program.
     bool eventFilter(QObject *watched, QEvent *event) override;
 
 private:
     void endDrag();
-    void tick();
-    void startClock();
-    void stopClock();
-    void setInPast(bool past);
-    /// When the clock stops.
-    Microseconds runsUntil() const { return m_inPast ? m_dryAt : m_end; }
     void noteDrawn(const Edit &edit);
     PaintingPtr snapshotInTime() const;
     /// `name`: of an untitled one. Modified: it is in no file.
@@ -151,6 +122,7 @@ private:
     Document m_document;
     LaterChanges m_laterChanges{m_document};
     QUndoStack m_undoStack;
+    PaintingClock m_clock;
     PaintingPtr m_compared; ///< null: none
     QTimer m_dragEnd;
     Brush m_brush;
@@ -165,18 +137,8 @@ private:
     Saver m_saver;
     bool m_pushingRun = false;
     bool m_unfinished = false; ///< edits of a run that `edited` has not told of
-    Microseconds m_time = 0;   ///< when the clock last stood
-    Microseconds m_end = 0;    ///< when all has dried
-    QElapsedTimer m_since;     ///< real time since then, while it runs
-    bool m_running = false;
-    bool m_drawing = false;
-    bool m_manual = false;
-    bool m_inPast = false;
-    Microseconds m_drawnSince = 0; ///< when the last stroke was begun
-    Microseconds m_dryAt = 0;      ///< when what was painted in the past has dried
     bool m_finalShown = false;
     mutable FinalPreview m_finalPreview;
-    QBasicTimer m_timer;
 };
 
 } // namespace suffuse

@@ -50,7 +50,7 @@ void MainWindow::makeStatusBar()
 void MainWindow::showHint()
 {
     //: before what the brush does, while the timeline shows a moment of the past
-    const QString past = m_editor.isInPast() && (*m_actions)[Command::Brush].isChecked()
+    const QString past = m_editor.clock().isInPast() && (*m_actions)[Command::Brush].isChecked()
                              ? tr("You paint in the past: what came later covers it. ")
                              : QString();
     m_hint->setText(past + m_canvas->tool()->hint());

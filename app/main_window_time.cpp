@@ -30,7 +30,7 @@ void MainWindow::connectTimeActions()
     on(Command::LetDry, [this] { m_playback->seek(m_playback->end()); });
     on(Command::FreezeNow, [this] {
         m_playback->pause();
-        Edit edit = freeze(m_editor.document(), m_editor.time());
+        Edit edit = freeze(m_editor.document(), m_editor.clock().time());
         if (edit.isEmpty())
             statusBar()->showMessage(tr("Nothing is wet at this moment."), messageMs);
         m_editor.push(std::move(edit), tr("Freeze wet paint"));
@@ -52,14 +52,14 @@ void MainWindow::connectTimeActions()
     connect(&action(Command::SkipPauses), &QAction::toggled, m_playback, &Playback::setSkipsPauses);
     connect(&action(Command::FinalPreview), &QAction::toggled, &m_editor, &Editor::setFinalShown);
     connect(m_playback, &Playback::stateChanged, this, &MainWindow::updateTimeActions);
-    connect(&m_editor, &Editor::pastChanged, this, &MainWindow::showHint);
+    connect(&m_editor.clock(), &PaintingClock::pastChanged, this, &MainWindow::showHint);
     updateTimeActions();
 }
 
 void MainWindow::rewetSelected()
 {
     constexpr double usualSeconds = 1, mostSeconds = 1e6;
-    const Microseconds now = m_editor.time(); // the dialog takes its time
+    const Microseconds now = m_editor.clock().time(); // the dialog takes its time
     bool ok = false;
     const double seconds = QInputDialog::getDouble(this, tr("Re-wet"), tr("Seconds that the paint spreads on"),
                                                    usualSeconds, 0.001, mostSeconds, 3, &ok);

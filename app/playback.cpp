@@ -26,12 +26,12 @@ Playback::Playback(Editor &editor, QObject *parent) : QObject(parent), m_editor(
 void Playback::play()
 {
     const PaintingPtr &painting = m_editor.document().painting();
-    if (isPlaying() || painting->strokes.empty() || m_editor.isDrawing())
+    if (isPlaying() || painting->strokes.empty() || m_editor.clock().isDrawing())
         return;
-    if (m_editor.time() >= end())
-        m_editor.lookAt(begin());
+    if (m_editor.clock().time() >= end())
+        m_editor.clock().lookAt(begin());
     else
-        m_editor.lookAt(m_editor.time());
+        m_editor.clock().lookAt(m_editor.clock().time());
     m_rest = 0;
     m_since.start();
     m_timer.start(tickMs, Qt::PreciseTimer, this);
@@ -63,15 +63,15 @@ void Playback::timerEvent(QTimerEvent *event)
 void Playback::advance(Microseconds real)
 {
     m_since.start();
-    if (m_editor.isDrawing()) // the pen has the clock
+    if (m_editor.clock().isDrawing()) // the pen has the clock
         return pause();
     m_rest += double(real) * m_speed;
     const auto played = Microseconds(m_rest);
     m_rest -= double(played);
-    const Microseconds time = after(m_editor.time(), played);
+    const Microseconds time = after(m_editor.clock().time(), played);
     if (time < end())
-        return m_editor.lookAt(time);
-    m_editor.lookAt(m_loops ? begin() : end());
+        return m_editor.clock().lookAt(time);
+    m_editor.clock().lookAt(m_loops ? begin() : end());
     if (!m_loops)
         pause();
 }
@@ -133,14 +133,14 @@ const FilmClock &Playback::film() const
 void Playback::seek(Microseconds time)
 {
     pause();
-    m_editor.lookAt(time);
+    m_editor.clock().lookAt(time);
 }
 
 void Playback::toNextStroke()
 {
     Microseconds next = end();
     for (const StrokePtr &stroke : m_editor.document().painting()->strokes)
-        if (const Microseconds born = stroke->born(); born > m_editor.time())
+        if (const Microseconds born = stroke->born(); born > m_editor.clock().time())
             next = std::min(next, born);
     seek(next);
 }
@@ -149,7 +149,7 @@ void Playback::toPreviousStroke()
 {
     Microseconds previous = begin();
     for (const StrokePtr &stroke : m_editor.document().painting()->strokes)
-        if (const Microseconds born = stroke->born(); born < m_editor.time())
+        if (const Microseconds born = stroke->born(); born < m_editor.clock().time())
             previous = std::max(previous, born);
     seek(previous);
 }

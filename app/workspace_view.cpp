@@ -7,12 +7,12 @@ namespace suffuse {
 
 std::optional<WorkspaceState> workspaceOf(const CanvasWidget &canvas, const Editor &editor)
 {
-    if (canvas.isFitted() && !editor.isInPast())
+    if (canvas.isFitted() && !editor.clock().isInPast())
         return {};
     const View &view = canvas.view();
     WorkspaceState state{view.centre, view.scale / canvas.devicePixelRatioF(), view.rotation, view.mirrored, {}};
-    if (editor.isInPast())
-        state.time = editor.time();
+    if (editor.clock().isInPast())
+        state.time = editor.clock().time();
     return state;
 }
 
@@ -25,7 +25,7 @@ void showWorkspace(const WorkspaceState &state, CanvasWidget &canvas, Editor &ed
     view.mirrored = state.mirrored;
     canvas.lookThrough(view);
     if (state.time)
-        editor.lookAt(*state.time);
+        editor.clock().lookAt(*state.time);
 }
 
 } // namespace suffuse

@@ -43,7 +43,7 @@ void CanvasWidget::lift(const std::set<StrokeId> &strokes)
 {
     endLift();
     const PaintingPtr &painting = m_editor.document().painting();
-    if (strokes.size() < 2 || m_editor.isRunning() || m_editor.shown() != painting || !m_worker.canFloat())
+    if (strokes.size() < 2 || m_editor.clock().isRunning() || m_editor.shown() != painting || !m_worker.canFloat())
         return;
     Painting rest = *painting, lifted = *painting;
     rest.strokes.clear();
@@ -52,11 +52,11 @@ void CanvasWidget::lift(const std::set<StrokeId> &strokes)
         const bool moves = strokes.contains(stroke->id) && painting->isVisible(*stroke) && !painting->isLocked(*stroke);
         (moves ? lifted : rest).strokes.push_back(stroke);
     }
-    if (lifted.segmentCount() < manySegments && !m_worker.isSlowFor(reachedPixels(lifted, view(), m_editor.time())))
+    if (lifted.segmentCount() < manySegments && !m_worker.isSlowFor(reachedPixels(lifted, view(), m_editor.clock().time())))
         return;
     m_liftedFrom = painting;
     m_lift = std::make_shared<const Lift>(painting, std::make_shared<const Painting>(std::move(rest)),
-                                          std::make_shared<const Painting>(std::move(lifted)), m_editor.time(), view());
+                                          std::make_shared<const Painting>(std::move(lifted)), m_editor.clock().time(), view());
     m_worker.lift(m_lift);
 }
 
@@ -74,7 +74,7 @@ void CanvasWidget::endLift()
 
 bool CanvasWidget::holds(const Lift &lift) const
 {
-    return m_liftedFrom == m_editor.shown() && lift.view == view() && lift.time == m_editor.time() &&
+    return m_liftedFrom == m_editor.shown() && lift.view == view() && lift.time == m_editor.clock().time() &&
            m_worker.canFloat();
 }
 

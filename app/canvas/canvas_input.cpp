@@ -48,9 +48,9 @@ PointerEvent CanvasWidget::pointerEvent(const QSinglePointEvent &event, PointerD
     e.modifiers = event.modifiers();
     e.device = device;
     e.doubleClick = event.type() == QEvent::MouseButtonDblClick;
-    e.time = m_editor.time();
+    e.time = m_editor.clock().time();
     // Reports come in bunches: the device's own stamps keep their pace.
-    if (!m_editor.hasManualClock() && m_pressed && event.timestamp() >= m_pressStamp && m_pressStamp > 0) {
+    if (!m_editor.clock().isManual() && m_pressed && event.timestamp() >= m_pressStamp && m_pressStamp > 0) {
         const Microseconds stamped = m_pressTime + Microseconds(event.timestamp() - m_pressStamp) * 1000;
         if (std::abs(stamped - e.time) < mostLag)
             e.time = stamped;
@@ -173,8 +173,8 @@ void CanvasWidget::tabletEvent(QTabletEvent *event)
         m_penDown = true;
         setFocus(Qt::MouseFocusReason);
         m_pressStamp = event->timestamp();
-        e.late = m_editor.hasManualClock() ? 0 : late;
-        m_pressTime = e.time = m_editor.momentBefore(e.late);
+        e.late = m_editor.clock().isManual() ? 0 : late;
+        m_pressTime = e.time = m_editor.clock().momentBefore(e.late);
         pointerPress(e, navigationFor(*event));
         break;
     case QEvent::TabletMove:

@@ -31,7 +31,7 @@ void CanvasWidget::lostPen()
     event.pixel = m_lastPixel;
     event.point = view().toCanvas(m_lastPixel);
     event.pressure = 0;
-    event.time = m_editor.time();
+    event.time = m_editor.clock().time();
     event.button = m_pressButton;
     event.device = m_penTurned ? PointerDevice::Eraser : PointerDevice::Pen;
     pointerRelease(event);
@@ -59,7 +59,7 @@ PointerEvent CanvasWidget::fingerEvent(const QTouchEvent &event, Point pixel) co
     PointerEvent e;
     e.pixel = pixel;
     e.point = view().toCanvas(pixel);
-    e.time = m_editor.time();
+    e.time = m_editor.clock().time();
     e.button = event.type() == QEvent::TouchUpdate ? Qt::NoButton : Qt::LeftButton;
     e.buttons = event.type() == QEvent::TouchEnd ? Qt::NoButton : Qt::LeftButton;
     e.modifiers = event.modifiers();

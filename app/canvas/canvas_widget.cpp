@@ -46,7 +46,7 @@ CanvasWidget::CanvasWidget(Editor &editor, QWidget *parent, MakeRenderer make)
     readPalette();
     m_presenter = makePresenter(*this, this);
     connect(&m_worker, &RenderWorker::frameReady, this, &CanvasWidget::frameReady);
-    connect(&editor, &Editor::timeChanged, this, &CanvasWidget::scheduleRender);
+    connect(&editor.clock(), &PaintingClock::timeChanged, this, &CanvasWidget::scheduleRender);
     connect(&editor, &Editor::dragEnded, this, &CanvasWidget::endDrag);
     connect(&editor, &Editor::comparedChanged, this, &CanvasWidget::scheduleRender);
     connect(&editor.document(), &Document::changed, this, &CanvasWidget::follow);
@@ -211,7 +211,7 @@ void CanvasWidget::requestFrame()
         return;
     RenderRequest request;
     request.painting = m_editor.shown();
-    request.time = m_editor.time();
+    request.time = m_editor.clock().time();
     request.view = view();
     request.interactive = m_editor.isDragging();
     if (m_floating && !holds(*m_floating->lift))

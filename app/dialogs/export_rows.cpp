@@ -173,7 +173,7 @@ MomentRow::MomentRow(QGridLayout &grid, int row, Editor &editor, QWidget *parent
     connect(m_box, &QComboBox::currentIndexChanged, this, &MomentRow::follow);
     connect(m_clock, &ClockBox::valueChanged, this,
             [this] { m_box->setCurrentIndex(m_box->findData(int(Choice::Time))); });
-    connect(&editor, &Editor::timeChanged, this, &MomentRow::follow); // what is wet goes on drying
+    connect(&editor.clock(), &PaintingClock::timeChanged, this, &MomentRow::follow); // what is wet goes on drying
     follow();
 }
 
@@ -188,7 +188,7 @@ Microseconds MomentRow::moment() const
     case Choice::Dried:
         break;
     case Choice::Now:
-        return m_editor.time();
+        return m_editor.clock().time();
     case Choice::Time:
         return m_clock->time();
     }

@@ -53,7 +53,7 @@ FiguresSection::FiguresSection(Editor &editor, QWidget *parent) : QWidget(parent
             refreshCut();
     });
     // While paint spreads, the cut does.
-    connect(&editor, &Editor::timeChanged, this, &FiguresSection::refreshCutSoon);
+    connect(&editor.clock(), &PaintingClock::timeChanged, this, &FiguresSection::refreshCutSoon);
 }
 
 void FiguresSection::addFigures(QVBoxLayout &column)
@@ -114,7 +114,7 @@ void FiguresSection::refreshCut()
     const PaintingPtr &painting = m_editor.document().painting();
     const StrokePtr stroke = painting->find(m_cutAt.stroke);
     if (stroke && m_cutAt.segment < int(stroke->segments.size()))
-        m_cut->show(crossSectionOf(*painting, *stroke, m_cutAt.segment, m_editor.time(), CrossSectionPlot::samples));
+        m_cut->show(crossSectionOf(*painting, *stroke, m_cutAt.segment, m_editor.clock().time(), CrossSectionPlot::samples));
 }
 
 void FiguresSection::showFigures(const FiguresSummary &figures)

@@ -108,7 +108,7 @@ ProbePanel::ProbePanel(Editor &editor, QWidget *parent) : QWidget(parent), m_edi
         else if (!change.strokes.empty() || change.order || change.canvas)
             want();
     });
-    connect(&editor, &Editor::timeChanged, this, &ProbePanel::want);
+    connect(&editor.clock(), &PaintingClock::timeChanged, this, &ProbePanel::want);
 }
 
 ProbePanel::~ProbePanel()
@@ -168,7 +168,7 @@ void ProbePanel::start()
         return;
     m_wanted = false;
     m_running = true;
-    const Job job{m_editor.document().painting(), m_editor.time(), *m_point};
+    const Job job{m_editor.document().painting(), m_editor.clock().time(), *m_point};
     m_thread.start([job, panel = this] {
         // The panel waits for this in its destructor; the answer then finds nobody and is dropped.
         const Painting near = strokesInReach(job);

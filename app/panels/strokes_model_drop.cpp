@@ -38,7 +38,7 @@ QMimeData *StrokesModel::mimeData(const QModelIndexList &indexes) const
     for (const StrokeId id : strokes)
         out << quint64(id);
     // Other windows take the strokes themselves.
-    QMimeData *data = clipboard::mimeOf(clipboard::asPainting(*m_painting, {strokes, {}}), m_editor.time());
+    QMimeData *data = clipboard::mimeOf(clipboard::asPainting(*m_painting, {strokes, {}}), m_editor.clock().time());
     data->setData(rowsMime, bytes);
     return data;
 }

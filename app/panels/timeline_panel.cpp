@@ -99,8 +99,8 @@ TimelinePanel::TimelinePanel(Editor &editor, Playback &playback, const Actions &
     connect(m_speed, &QComboBox::textActivated, this, &TimelinePanel::takeSpeed);
     connect(m_speed->lineEdit(), &QLineEdit::editingFinished, this, [this] { takeSpeed(m_speed->currentText()); });
     connect(&playback, &Playback::stateChanged, this, &TimelinePanel::showState);
-    connect(&editor, &Editor::timeChanged, this, &TimelinePanel::showTime);
-    connect(&editor, &Editor::pastChanged, this, &TimelinePanel::showTime);
+    connect(&editor.clock(), &PaintingClock::timeChanged, this, &TimelinePanel::showTime);
+    connect(&editor.clock(), &PaintingClock::pastChanged, this, &TimelinePanel::showTime);
     connect(&editor.document(), &Document::changed, this, [this](const Change &change) {
         if (!change.draft && !m_later.isActive())
             m_later.start();
@@ -121,7 +121,7 @@ void TimelinePanel::showTime()
 {
     if (!isVisible())
         return;
-    showInPlace(*m_time, QStringLiteral("%1 / %2").arg(clockText(m_editor.time()), clockText(m_playback.end())));
+    showInPlace(*m_time, QStringLiteral("%1 / %2").arg(clockText(m_editor.clock().time()), clockText(m_playback.end())));
 }
 
 void TimelinePanel::showMenu(QPoint globalPosition, bool onBar)

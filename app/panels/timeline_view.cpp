@@ -53,8 +53,8 @@ TimelineView::TimelineView(Editor &editor, Playback &playback, QWidget *parent)
         if (change.draft)
             draftChanged();
     });
-    connect(&editor, &Editor::timeChanged, this, &TimelineView::timeChanged);
-    connect(&editor, &Editor::pastChanged, viewport(), qOverload<>(&QWidget::update));
+    connect(&editor.clock(), &PaintingClock::timeChanged, this, &TimelineView::timeChanged);
+    connect(&editor.clock(), &PaintingClock::pastChanged, viewport(), qOverload<>(&QWidget::update));
 }
 
 int TimelineView::rulerHeight() const
@@ -138,7 +138,7 @@ TimeSpan TimelineView::shownSpan() const
 {
     TimeSpan span = m_bars.span();
     span.begin = std::min<Microseconds>(span.begin, 0);
-    span.end = std::max({span.end, m_editor.time(), span.begin + shortest});
+    span.end = std::max({span.end, m_editor.clock().time(), span.begin + shortest});
     if (m_room < span.end + 2 * roomFor(span)) // else undone since
         span.end = std::max(span.end, m_room);
     return span;
@@ -189,7 +189,7 @@ void TimelineView::fit()
 
 void TimelineView::zoomBy(double factor)
 {
-    const double head = xOf(m_editor.time());
+    const double head = xOf(m_editor.clock().time());
     zoomAt(head >= 0 && head < viewport()->width() ? head : viewport()->width() / 2.0, factor);
 }
 
@@ -256,7 +256,7 @@ void TimelineView::timeChanged()
 {
     if (!isVisible())
         return;
-    const Microseconds time = m_editor.time();
+    const Microseconds time = m_editor.clock().time();
     if (const TimeSpan span = shownSpan(); span.end == time) {
         if (m_fitted && time > m_bars.span().end) {
             m_room = time + roomFor(span);
@@ -285,10 +285,10 @@ void TimelineView::keyPressEvent(QKeyEvent *event)
     const Microseconds step = event->modifiers() & Qt::ShiftModifier ? second : frame;
     switch (event->key()) {
     case Qt::Key_Left:
-        m_playback.seek(std::max(m_editor.time() - step, m_playback.begin()));
+        m_playback.seek(std::max(m_editor.clock().time() - step, m_playback.begin()));
         break;
     case Qt::Key_Right:
-        m_playback.seek(m_editor.time() + step);
+        m_playback.seek(m_editor.clock().time() + step);
         break;
     case Qt::Key_Home:
         m_playback.seek(m_playback.begin());

@@ -206,9 +206,9 @@ void TimelineView::paintSelectedRuns(QPainter &painter, const Stroke &stroke, co
 
 void TimelineView::paintPlayhead(QPainter &painter) const
 {
-    const double x = std::floor(xOf(m_editor.time())) + 0.5;
+    const double x = std::floor(xOf(m_editor.clock().time())) + 0.5;
     // In the past it warns: what is painted now lies below what came later.
-    const QColor colour = m_editor.isInPast() ? warningText() : palette().color(QPalette::Text);
+    const QColor colour = m_editor.clock().isInPast() ? warningText() : palette().color(QPalette::Text);
     painter.setPen(QPen(colour, 1.4));
     painter.drawLine(QPointF(x, rulerHeight() - 6), QPointF(x, viewport()->height()));
     QPainterPath head(QPointF(x, rulerHeight() - 1));

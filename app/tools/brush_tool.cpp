@@ -135,7 +135,7 @@ void BrushTool::press(const PointerEvent &event)
         brush = brushAtEnd(*m_editor.document().painting()->find(m_extended->stroke), m_extended->node, brush);
     m_builder = std::make_unique<StrokeBuilder>(brush, m_editor.document().takeStrokeId());
     m_lastTime = event.time;
-    m_editor.holdClock(true, event.late);
+    m_editor.clock().hold(true, event.late);
     PointerEvent first = event;
     if (m_extended) // it begins right where the stroke ends
         first.point = nodePosition(*m_editor.document().painting()->find(m_extended->stroke), m_extended->node);
@@ -215,7 +215,7 @@ void BrushTool::release(const PointerEvent &event)
     document.setDraft(nullptr);
     if (stroke && problemOf(*stroke).isEmpty())
         pushStroke(stroke);
-    m_editor.holdClock(false);
+    m_editor.clock().hold(false);
     showOutlineAt(event.pixel);
 }
 
@@ -240,7 +240,7 @@ void BrushTool::cancel()
         return;
     m_builder.reset();
     m_editor.document().setDraft(nullptr);
-    m_editor.holdClock(false);
+    m_editor.clock().hold(false);
 }
 
 void BrushTool::hover(const PointerEvent &event)

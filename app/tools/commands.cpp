@@ -37,7 +37,7 @@ void arrangeSelected(Editor &editor, Arrange how)
 void selectAll(Editor &editor)
 {
     Selection selection;
-    selection.strokes = selectableStrokes(*editor.document().painting(), editor.time());
+    selection.strokes = selectableStrokes(*editor.document().painting(), editor.clock().time());
     editor.document().setSelection(std::move(selection));
 }
 
@@ -61,7 +61,7 @@ void moveSelected(Editor &editor, Point by, EditRun run)
 void invertSelection(Editor &editor)
 {
     Selection selection;
-    for (const StrokeId id : selectableStrokes(*editor.document().painting(), editor.time()))
+    for (const StrokeId id : selectableStrokes(*editor.document().painting(), editor.clock().time()))
         if (!editor.document().selection().strokes.contains(id))
             selection.strokes.insert(id);
     editor.document().setSelection(std::move(selection));

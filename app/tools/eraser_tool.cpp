@@ -76,7 +76,7 @@ void EraserTool::eraseTo(Point point)
     Document &document = m_editor.document();
     const std::set<StrokeId> targets = m_fromSelected ? document.selection().strokes : std::set<StrokeId>();
     if (!m_fromSelected || !targets.empty())
-        m_editor.push(eraseAlong(document, targets, {m_last, point}, radius(), m_editor.time()), tr("Erase"), m_run);
+        m_editor.push(eraseAlong(document, targets, {m_last, point}, radius(), m_editor.clock().time()), tr("Erase"), m_run);
     m_last = point;
     m_shown = document.painting();
 }

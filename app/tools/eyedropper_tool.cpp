@@ -26,10 +26,10 @@ std::optional<Colour> pictureColourAt(Editor &editor, Point point)
     Painting near = *editor.document().snapshot(); // the probe looks closely at all it gets
     StrokeList strokes;
     for (const StrokePtr &stroke : std::as_const(near.strokes))
-        if (influenceOf(*stroke, editor.time()).contains(point))
+        if (influenceOf(*stroke, editor.clock().time()).contains(point))
             strokes.push_back(stroke);
     near.strokes = std::move(strokes);
-    const Result<Probe> found = probe(near, editor.time(), point.x, point.y);
+    const Result<Probe> found = probe(near, editor.clock().time(), point.x, point.y);
     if (!found)
         return {};
     const std::array<double, 3> &ryb = found->strokes.empty() ? found->rybBefore : found->strokes.back().rybAfter;
@@ -40,7 +40,7 @@ std::optional<Colour> pictureColourAt(Editor &editor, Point point)
 std::optional<Colour> strokeColourAt(Editor &editor, Point point, double tolerance)
 {
     const Painting &painting = *editor.document().painting();
-    const std::optional<SegmentRef> hit = pickTopmost(painting, editor.time(), point, tolerance);
+    const std::optional<SegmentRef> hit = pickTopmost(painting, editor.clock().time(), point, tolerance);
     if (!hit)
         return {};
     return painting.find(hit->stroke)->segments[std::size_t(hit->segment)].colour;

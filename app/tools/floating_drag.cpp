@@ -26,7 +26,7 @@ FloatingDrag::FloatingDrag(CanvasWidget &canvas, QObject *parent)
     Editor &editor = canvas.editor();
     connect(&editor.document(), &Document::changed, this, &FloatingDrag::follow);
     connect(&editor, &Editor::dragEnded, this, &FloatingDrag::rest);
-    connect(&editor, &Editor::timeChanged, this, &FloatingDrag::settle);
+    connect(&editor.clock(), &PaintingClock::timeChanged, this, &FloatingDrag::settle);
     connect(&canvas, &CanvasWidget::viewChanged, this, &FloatingDrag::settle);
 }
 

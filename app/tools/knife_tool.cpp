@@ -85,7 +85,7 @@ PlacesOfStrokes KnifeTool::cuts() const
             continue;
         std::vector<CurvePlace> found = crossings(*stroke, m_from, m_to);
         std::erase_if(found, [&](const CurvePlace &p) { // not painted yet
-            return stroke->segments[std::size_t(p.segment)].born > m_editor.time();
+            return stroke->segments[std::size_t(p.segment)].born > m_editor.clock().time();
         });
         if (!found.empty())
             places[stroke->id] = std::move(found);

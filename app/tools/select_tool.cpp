@@ -159,7 +159,7 @@ void SelectTool::clickedStroke(const PointerEvent &event)
 void SelectTool::clickedBelow(const PointerEvent &event)
 {
     const Painting &painting = *m_editor.document().painting();
-    const std::vector<SegmentRef> hits = pickAll(painting, m_editor.time(), event.point, tolerance());
+    const std::vector<SegmentRef> hits = pickAll(painting, m_editor.clock().time(), event.point, tolerance());
     if (hits.empty())
         return;
     std::size_t next = 0; // below the lowest that is selected; from the lowest, the topmost
@@ -188,7 +188,7 @@ BandShape SelectTool::bandShape(const PointerEvent &event) const
 
 void SelectTool::banded(const Rect &band, const PointerEvent &event)
 {
-    combine(strokesWithin(*m_editor.document().painting(), m_editor.time(), m_canvas.view(), band), event);
+    combine(strokesWithin(*m_editor.document().painting(), m_editor.clock().time(), m_canvas.view(), band), event);
 }
 
 void SelectTool::tracing(Point point, BandShape shape)
@@ -198,7 +198,7 @@ void SelectTool::tracing(Point point, BandShape shape)
     if (m_touch)
         m_touch->goOn(point);
     else
-        m_touch.emplace(m_editor.document().painting(), m_editor.time(), tolerance(), point);
+        m_touch.emplace(m_editor.document().painting(), m_editor.clock().time(), tolerance(), point);
 }
 
 void SelectTool::traced(const std::vector<Point> &path, BandShape shape, const PointerEvent &event)
@@ -207,7 +207,7 @@ void SelectTool::traced(const std::vector<Point> &path, BandShape shape, const P
     if (shape == BandShape::Touch && touch)
         combine(touch->touched(), event);
     else
-        combine(strokesWithin(*m_editor.document().painting(), m_editor.time(), path), event);
+        combine(strokesWithin(*m_editor.document().painting(), m_editor.clock().time(), path), event);
 }
 
 void SelectTool::combine(std::set<StrokeId> found, const PointerEvent &event)
@@ -361,7 +361,7 @@ bool SelectTool::keyPress(QKeyEvent *event)
 void SelectTool::selectNext(int step)
 {
     const Painting &painting = *m_editor.document().painting();
-    const std::set<StrokeId> selectable = selectableStrokes(painting, m_editor.time());
+    const std::set<StrokeId> selectable = selectableStrokes(painting, m_editor.clock().time());
     std::vector<StrokeId> order;
     for (const StrokePtr &stroke : painting.strokes)
         if (selectable.contains(stroke->id))

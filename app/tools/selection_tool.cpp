@@ -190,7 +190,7 @@ double SelectionTool::tolerance() const
 
 std::optional<SegmentRef> SelectionTool::pick(const PointerEvent &event) const
 {
-    return pickTopmost(*m_editor.document().painting(), m_editor.time(), event.point, tolerance());
+    return pickTopmost(*m_editor.document().painting(), m_editor.clock().time(), event.point, tolerance());
 }
 
 const Selection &SelectionTool::selection() const
@@ -214,7 +214,7 @@ bool SelectionTool::selectRun(const PointerEvent &event)
     if (!selection().segments.contains(m_anchor))
         return false;
     const std::optional<SegmentRef> to =
-        pickOn(*m_editor.document().painting(), m_anchor.stroke, m_editor.time(), event.point, tolerance());
+        pickOn(*m_editor.document().painting(), m_anchor.stroke, m_editor.clock().time(), event.point, tolerance());
     if (!to)
         return false;
     Selection chosen = selection();

@@ -38,7 +38,7 @@ std::optional<WidthHandle::Target> WidthHandle::targetOf(const Stroke &stroke, c
     const Segment &segment = stroke.segments[std::size_t(ref.segment)];
     Target target{ref, segment};
     // Paint that is not there yet is set for when it is dry.
-    const double age = segment.age(m_canvas.editor().time());
+    const double age = segment.age(m_canvas.editor().clock().time());
     target.age = age > 0 ? age : double(segment.maxAge);
     target.across = diffusionAcross(segment, tangentOf(stroke.cubicOf(segment))) / double(segment.diffusion);
     target.cut = visibleCut(stroke.styleOf(segment));

@@ -66,7 +66,7 @@ public:
         m_session.canvas().tool()->cancel();
         for (AlongDialog *dialog : m_session.window.findChildren<AlongDialog *>())
             dialog->close();
-        m_session.editor().setManualClock(true);
+        m_session.editor().clock().setManual(true);
         QCoreApplication::processEvents();
     }
 
@@ -402,11 +402,11 @@ private:
         case 0:
             return m_session.advance(Microseconds(real(0, 2e6)));
         case 1:
-            return editor.setTime(painting().end());
+            return editor.clock().setTime(painting().end());
         case 2:
-            return editor.setTime(Microseconds(real(-1e5, 1.2) * double(painting().end())));
+            return editor.clock().setTime(Microseconds(real(-1e5, 1.2) * double(painting().end())));
         default:
-            return editor.setManualClock(!editor.hasManualClock());
+            return editor.clock().setManual(!editor.clock().isManual());
         }
     }
     /// The dialog "Along the Stroke", which is open while other things go on.

@@ -33,7 +33,7 @@ struct Selecting : Session {
         auto painting = std::make_shared<Painting>();
         painting->strokes = std::move(strokes);
         editor().document().reset(painting);
-        editor().setTime(this->painting().end());
+        editor().clock().setTime(this->painting().end());
         use(Command::Select);
     }
     SelectTool &tool() { return *static_cast<SelectTool *>(canvas().tool()); }

@@ -21,7 +21,7 @@ struct Session {
     {
         window.resize(1100, 760);
         window.show();
-        window.editor().setManualClock(true);
+        window.editor().clock().setManual(true);
     }
     Editor &editor() { return window.editor(); }
     CanvasWidget &canvas() { return window.canvas(); }
@@ -34,7 +34,7 @@ struct Session {
         const double dpr = canvas().devicePixelRatioF();
         return QPoint(qRound(p.x / dpr), qRound(p.y / dpr));
     }
-    void advance(Microseconds by) { editor().setTime(editor().time() + by); }
+    void advance(Microseconds by) { editor().clock().setTime(editor().clock().time() + by); }
 
     /// Drags the mouse along a straight line in twenty reports.
     void paintLine(Point from, Point to)
@@ -52,7 +52,7 @@ struct Session {
     }
     void dry()
     {
-        editor().setTime(painting().end());
+        editor().clock().setTime(painting().end());
         QTRY_VERIFY_WITH_TIMEOUT(canvas().isUpToDate(), waitMs);
     }
     void use(Command command) { window.action(command).trigger(); }

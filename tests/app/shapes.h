@@ -39,7 +39,7 @@ struct WaveSession : Session {
     {
         const StrokeId added = editor().document().takeStrokeId();
         editor().push(addStrokes(editor().document(), {wave(added, x, y)}, select), "wave");
-        editor().setTime(painting().end());
+        editor().clock().setTime(painting().end());
         return added;
     }
     const Stroke &stroke() { return *painting().find(id); }

@@ -180,7 +180,7 @@ private slots:
             painting->strokes.push_back(std::make_shared<const Stroke>(stroke));
         }
         editor.document().reset(painting);
-        editor.setTime(5'000'000);
+        editor.clock().setTime(5'000'000);
         QDockWidget *dock = session.window.findChild<QDockWidget *>("probeDock");
         auto *panel = session.window.findChild<ProbePanel *>();
         QVERIFY(dock && panel && dock->isHidden());
@@ -239,7 +239,7 @@ private slots:
         session.window.findChild<QDockWidget *>("probeDock")->show();
         session.window.findChild<QDockWidget *>("probeDock")->raise();
         QTRY_VERIFY(panel->isVisible());
-        session.editor().setTime(5'000'000);
+        session.editor().clock().setTime(5'000'000);
         panel->setPoint({80, 100});
         QTest::qWait(400);
         panel->setPoint({700, 600}); // on the way to the dock

@@ -229,7 +229,7 @@ void TestBadUse::editsWhileAPictureIsRendered()
     s.dry();
     QCOMPARE(s.painting().strokes.size(), std::size_t(1));
     Picture8 picture;
-    const RenderRequest request{s.editor().document().snapshot(), s.editor().time(), s.canvas().view()};
+    const RenderRequest request{s.editor().document().snapshot(), s.editor().clock().time(), s.canvas().view()};
     QVERIFY((*makeRenderer({.backend = Backend::Cpu}))->render(request, picture));
     const QImage shown = s.canvas().picture();
     QCOMPARE(shown.sizeInBytes(), qsizetype(picture.argb.size() * 4));

@@ -167,7 +167,7 @@ private slots:
         canvas.resize(500, 400);
         canvas.show();
         editor.document().reset(paintingWithLine());
-        editor.setTime(editor.document().painting()->end());
+        editor.clock().setTime(editor.document().painting()->end());
         QTRY_VERIFY_WITH_TIMEOUT(canvas.isUpToDate(), waitMs);
         const QImage picture = canvas.picture();
         QCOMPARE(picture.size(), QSize(500, 400));
@@ -282,13 +282,13 @@ private slots:
     {
         // What was cancelled, superseded or copied in parts must leave no trace in the picture.
         Editor editor;
-        editor.setManualClock(true);
+        editor.clock().setManual(true);
         CanvasWidget canvas(editor);
         canvas.resize(420, 320);
         canvas.show();
         editor.document().reset(paintingWithLine());
         for (int step = 0; step <= 10; ++step) {
-            editor.setTime(step * 100'000);
+            editor.clock().setTime(step * 100'000);
             QTest::qWait(3);
         }
         QTRY_VERIFY_WITH_TIMEOUT(canvas.isUpToDate(), waitMs);
@@ -296,7 +296,7 @@ private slots:
         Result<std::unique_ptr<Renderer>> renderer = makeRenderer({}); // as the canvas chooses
         QVERIFY2(bool(renderer), qPrintable(renderer.error()));
         Picture8 picture;
-        RenderRequest request{editor.document().snapshot(), editor.time(), canvas.view()};
+        RenderRequest request{editor.document().snapshot(), editor.clock().time(), canvas.view()};
         QVERIFY(bool((*renderer)->render(request, picture)));
         const QImage shown = canvas.picture();
         QCOMPARE(shown.size(), QSize(picture.width, picture.height));

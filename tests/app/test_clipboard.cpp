@@ -105,7 +105,7 @@ private slots:
     void whatIsPastedIsSeen()
     {
         Session session;
-        session.editor().setTime(1'000'000);
+        session.editor().clock().setTime(1'000'000);
         Painting from;
         Stroke early = *makeStroke(1, 3, 10), late = *makeStroke(2, 3, 20);
         for (std::size_t i = 0; i < 3; ++i) {
@@ -126,7 +126,7 @@ private slots:
             QCOMPARE(segment.born, Microseconds(800'000 + 100'000 * i));
             QCOMPARE(segment.rewet[0].time, segment.born + 50'000);
         }
-        QCOMPARE(session.editor().time(), Microseconds(1'000'000));
+        QCOMPARE(session.editor().clock().time(), Microseconds(1'000'000));
     }
 
     void cutAndPasteAtAPlace()
@@ -287,14 +287,14 @@ private slots:
         Session session;
         QMimeData svg;
         svg.setText("  <svg><path d='M0 0L100 0' stroke='#00ff00' stroke-width='30'/></svg>");
-        session.editor().setTime(2'000'000);
+        session.editor().clock().setTime(2'000'000);
         QCOMPARE(clipboard::paste(session.editor(), svg, Point{300, 200}), QString());
         QCOMPARE(session.painting().strokes.size(), std::size_t(1));
         const Stroke &stroke = *session.painting().strokes[0];
         QVERIFY(near(stroke.cubicOf(stroke.segments[0]).p[0], {250, 200}));
         QVERIFY(std::abs(derivedFigures(stroke.segments[0], stroke.style).halfWidth - 15) < 1e-3);
         QCOMPARE(toOpaqueScreen(stroke.segments[0].colour).name(), QString("#00ff00"));
-        QVERIFY(session.editor().isRunning()); // it is wet
+        QVERIFY(session.editor().clock().isRunning()); // it is wet
 
         QMimeData colour;
         colour.setColorData(QColor(255, 0, 0));
@@ -331,7 +331,7 @@ private slots:
             s.density = 20, s.colour.opacity = 0.7f;
         painting->strokes = {std::make_shared<const Stroke>(stroke)};
         session.editor().document().reset(painting);
-        session.editor().setTime(5'000'000);
+        session.editor().clock().setTime(5'000'000);
 
         QMimeData colour;
         colour.setColorData(QColor(0, 0, 255));

@@ -151,7 +151,7 @@ private slots:
         a.canvas().rotateBy(20);
         a.canvas().mirror();
         a.canvas().panBy({40, -25});
-        a.editor().lookAt(500'000);
+        a.editor().clock().lookAt(500'000);
         QVERIFY(a.window.saveTo(path("view.suffuse")));
         Session b;
         b.window.resize(900, 700);
@@ -162,8 +162,8 @@ private slots:
         QCOMPARE(is.rotation, was.rotation);
         QCOMPARE(is.mirrored, was.mirrored);
         QVERIFY(is.width != was.width);
-        QVERIFY(b.editor().isInPast());
-        QCOMPARE(b.editor().time(), Microseconds(500'000));
+        QVERIFY(b.editor().clock().isInPast());
+        QCOMPARE(b.editor().clock().time(), Microseconds(500'000));
         QVERIFY(!b.editor().isModified());
     }
 

@@ -209,8 +209,8 @@ private slots:
     void cutFollowsTheValues()
     {
         Bench bench;
-        bench.editor.setManualClock(true);
-        bench.editor.setTime(5'000'000);
+        bench.editor.clock().setManual(true);
+        bench.editor.clock().setTime(5'000'000);
         InspectorPanel panel(bench.editor);
         showAt(panel, {300, 1100});
         bench.select({1}, {{1, 1}});
@@ -224,7 +224,7 @@ private slots:
         const double before = most();
         type(*panel.segmentSection()->density()->number(), "0");
         QTRY_VERIFY(most() < before);
-        bench.editor.setTime(-1);
+        bench.editor.clock().setTime(-1);
         QTRY_VERIFY(panel.figuresSection()->crossSection()->points().empty());
     }
 
@@ -282,7 +282,7 @@ private slots:
             stroke.segments[k].density = k < 4 ? 20.0f : 15.0f;
         painting->strokes = {std::make_shared<const Stroke>(stroke)};
         editor.document().reset(painting);
-        editor.setTime(5'000'000);
+        editor.clock().setTime(5'000'000);
         editor.document().setSelection({{1}, {}});
         WidthHandle handle(session.canvas());
         const auto widthOf = [&](std::size_t k) {

@@ -66,7 +66,7 @@ private slots:
             Session other;
             QCOMPARE(other.window.openFile(path(name)), &other.window);
             QCOMPARE(hashOf(other.painting()), hashOf(s.painting()));
-            QCOMPARE(other.editor().time(), other.painting().end());
+            QCOMPARE(other.editor().clock().time(), other.painting().end());
             other.dry();
             QCOMPARE(other.canvas().view(), s.canvas().view());
             QCOMPARE(other.canvas().picture(), changed);

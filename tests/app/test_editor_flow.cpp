@@ -55,12 +55,12 @@ private slots:
             return count;
         };
         QTRY_VERIFY_WITH_TIMEOUT(s.canvas().isUpToDate(), waitMs);
-        QVERIFY(s.editor().isRunning());
+        QVERIFY(s.editor().clock().isRunning());
         const int early = painted();
         s.dry();
         QVERIFY(painted() > early);
-        QVERIFY(!s.editor().isRunning());
-        QCOMPARE(s.editor().time(), s.painting().end());
+        QVERIFY(!s.editor().clock().isRunning());
+        QCOMPARE(s.editor().clock().time(), s.painting().end());
     }
 
     void draftIsTheStrokeThatStays()
@@ -222,8 +222,8 @@ private slots:
         Edit edit;
         edit.strokes.emplace(later.id, std::make_shared<const Stroke>(later));
         s.editor().push(std::move(edit), "Later");
-        QCOMPARE(s.editor().time(), born);
-        QVERIFY(!s.editor().isInPast());
+        QCOMPARE(s.editor().clock().time(), born);
+        QVERIFY(!s.editor().clock().isInPast());
     }
 
     void undoGivesUpEvenTheFirstStroke()

@@ -133,8 +133,8 @@ private slots:
             red->strokes.push_back(std::make_shared<const Stroke>(std::move(copy)));
         }
         bench.editor.document().reset(red);
-        bench.editor.setManualClock(true);
-        bench.editor.setTime(300'000);
+        bench.editor.clock().setManual(true);
+        bench.editor.clock().setTime(300'000);
         bench.select({2});
         const Painting &painting = *bench.editor.document().painting();
         const Rect painted = influenceOf(painting, painting.end()), byNumbers = Rect::of(45.5, 90.25, 60, 20);
@@ -207,17 +207,17 @@ private slots:
     void momentsFollowTheCanvas()
     {
         Bench bench;
-        bench.editor.setManualClock(true);
+        bench.editor.clock().setManual(true);
         ExportDialog dialog(bench.editor, shown);
         const ClockBox &clock = *dialog.moment()->clock();
         QCOMPARE(clock.text(), clockText(bench.editor.document().painting()->end()));
         dialog.moment()->box()->setCurrentIndex(int(MomentRow::Choice::Now));
-        bench.editor.setTime(250'000);
+        bench.editor.clock().setTime(250'000);
         QCOMPARE(clock.text(), clockText(250'000));
         QCOMPARE(dialog.moment()->moment(), Microseconds(250'000));
         dialog.moment()->clock()->stepUp();
         QCOMPARE(dialog.moment()->choice(), MomentRow::Choice::Time);
-        bench.editor.setTime(500'000);
+        bench.editor.clock().setTime(500'000);
         QCOMPARE(dialog.moment()->moment(), Microseconds(350'000));
     }
 

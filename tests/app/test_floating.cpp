@@ -54,7 +54,7 @@ struct Floats : Selecting {
     }
     RenderRequest shownRequest()
     {
-        return {editor().document().painting(), editor().time(), canvas().view(), false, false};
+        return {editor().document().painting(), editor().clock().time(), canvas().view(), false, false};
     }
     /// The exact picture of what the document has is on the screen.
     bool restsExactly()
@@ -267,7 +267,7 @@ private slots:
         floats([](Floats &s) { QTest::keyClick(&s.canvas(), Qt::Key_F9); });
         floats([](Floats &s) { s.canvas().zoomBy(1.25); });
         floats([](Floats &s) { s.canvas().panBy({-31, 12}); });
-        floats([](Floats &s) { s.editor().setTime(s.editor().time() + 1'000'000); });
+        floats([](Floats &s) { s.editor().clock().setTime(s.editor().clock().time() + 1'000'000); });
     }
 
     void whatElseIsDoneIsLeftAlone()
@@ -297,7 +297,7 @@ private slots:
         s.editor().document().reset(other);
         s.report(Floats::grip, {60, 24});
         s.release(Floats::grip);
-        s.editor().setTime(s.painting().end());
+        s.editor().clock().setTime(s.painting().end());
         QCOMPARE(hashOf(s.painting()), others);
         QCOMPARE(s.steps(), 0);
         QVERIFY(s.restsExactly());

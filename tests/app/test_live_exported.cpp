@@ -26,7 +26,7 @@ struct Sheet : Session {
         use(Command::Brush);
         canvas().setZoom(1);
         canvas().panBy(-1.0 * canvas().view().toPixels({0, 0}));
-        editor().setTime(0);
+        editor().clock().setTime(0);
     }
 
     /// A wave with all that a pen can report, two seconds after the stroke before.
@@ -86,9 +86,9 @@ private slots:
                 ++compared;
             }
         }
-        sheet.editor().setTime(sheet.painting().end());
+        sheet.editor().clock().setTime(sheet.painting().end());
         compare(sheet, "dry");
-        sheet.editor().lookAt(sheet.painting().end() / 2); // the past, by way of the present
+        sheet.editor().clock().lookAt(sheet.painting().end() / 2); // the past, by way of the present
         compare(sheet, "the past");
         QCOMPARE(compared, 4);
     }
@@ -102,7 +102,7 @@ private:
         QProcess cli;
         cli.start(QStringLiteral(SUFFUSE_BIN_DIR "/suffuse-cli"),
                   {"render", file, "-o", out, "--size", QStringLiteral("%1x%2").arg(live.width()).arg(live.height()),
-                   "--time", QString::number(double(sheet.editor().time()) * 1e-6, 'f', 6), "--backend", "cpu"});
+                   "--time", QString::number(double(sheet.editor().clock().time()) * 1e-6, 'f', 6), "--backend", "cpu"});
         QVERIFY(cli.waitForFinished(waitMs));
         QVERIFY2(cli.exitCode() == 0, cli.readAllStandardError().constData());
         const QImage exported = QImage(out).convertToFormat(QImage::Format_RGB32);

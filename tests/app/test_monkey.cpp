@@ -99,7 +99,7 @@ void TestMonkey::undoAllGivesTheFirstPaintingBack()
     for (int done = 0; done < events;) {
         stack.clear(); // the document is replaced under whatever is in hand
         s.editor().document().reset(startingPainting(monkey));
-        s.editor().setTime(s.painting().end());
+        s.editor().clock().setTime(s.painting().end());
         const QByteArray first = hashOf(s.painting());
         for (int i = 0; i < roundEvents && done < events && s.painting().segmentCount() < mostSegments; ++i, ++done) {
             monkey.act();
@@ -107,7 +107,7 @@ void TestMonkey::undoAllGivesTheFirstPaintingBack()
                 continue;
             const QString problem = problemOf(s.painting());
             QVERIFY2(problem.isEmpty(), qPrintable(problem + '\n' + monkey.trail()));
-            QVERIFY2(picture.isSame(s.editor().document().snapshot(), s.editor().time()), qPrintable(monkey.trail()));
+            QVERIFY2(picture.isSame(s.editor().document().snapshot(), s.editor().clock().time()), qPrintable(monkey.trail()));
         }
         const bool inHand = s.canvas().tool()->isBusy(); // sometimes it goes on into the next round
         if (!inHand || monkey.below(2) == 0)

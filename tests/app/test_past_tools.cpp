@@ -16,7 +16,7 @@ struct Past : Timed {
     explicit Past(Microseconds time, StrokeList strokes = twoRows()) : Timed(std::move(strokes))
     {
         playback().seek(time);
-        Q_ASSERT(editor().isInPast());
+        Q_ASSERT(editor().clock().isInPast());
     }
 };
 

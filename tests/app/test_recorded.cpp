@@ -110,7 +110,7 @@ struct Replay : Session {
         use(Command::Brush);
         canvas().setZoom(1);
         canvas().panBy(-1.0 * canvas().view().toPixels({0, 0}));
-        editor().setTime(0);
+        editor().clock().setTime(0);
     }
     void send(const Row &row, quint64 stamp = 0)
     {
@@ -195,7 +195,7 @@ private slots:
         Replay replay(m_imported.canvas);
         for (const Row &row : m_rows) {
             QCOMPARE(replay.canvas().view().toCanvas(row.at), row.at);
-            replay.editor().setTime(std::max<Microseconds>(row.time, 0));
+            replay.editor().clock().setTime(std::max<Microseconds>(row.time, 0));
             replay.send(row);
         }
         replay.lift(m_rows.back().at);
@@ -218,7 +218,7 @@ private slots:
     void stampsKeepThePace()
     {
         Replay replay(m_imported.canvas);
-        replay.editor().setManualClock(false);
+        replay.editor().clock().setManual(false);
         int compared = 0;
         for (std::size_t from = 0, stroke = 0; from < m_rows.size() && compared < 3;) {
             const auto touches = [](const Row &r) { return r.pressure > 0; };

@@ -275,14 +275,14 @@ private slots:
         for (Segment &segment : later.segments)
             segment.born += 60'000'000;
         Selecting s({line(1, {200, 200}, {400, 260}), std::make_shared<const Stroke>(later)});
-        s.editor().setManualClock(true);
-        s.editor().lookAt(30'000'000);
+        s.editor().clock().setManual(true);
+        s.editor().clock().lookAt(30'000'000);
         s.use(Command::SelectAll);
         QCOMPARE(s.selected(), std::set<StrokeId>{1});
         const View view = s.canvas().view();
-        QCOMPARE(strokesWithin(s.painting(), s.editor().time(), view, Rect::of(0, 0, view.width, view.height)),
+        QCOMPARE(strokesWithin(s.painting(), s.editor().clock().time(), view, Rect::of(0, 0, view.width, view.height)),
                  std::set<StrokeId>{1});
-        s.editor().lookAt(s.painting().end());
+        s.editor().clock().lookAt(s.painting().end());
         s.use(Command::SelectAll);
         QCOMPARE(s.selected(), (std::set<StrokeId>{1, 2}));
     }

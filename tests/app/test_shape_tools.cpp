@@ -297,7 +297,7 @@ private slots:
         s.use(Command::Eyedropper);
         s.editor().setColour({0.1f, 0.2f, 0.3f, 0.4f});
         s.click(place);
-        const Result<Probe> found = probe(s.painting(), s.editor().time(), s.sent(place).x, s.sent(place).y);
+        const Result<Probe> found = probe(s.painting(), s.editor().clock().time(), s.sent(place).x, s.sent(place).y);
         const Colour picked = s.editor().brush().colour;
         QCOMPARE(picked.red, float(found->strokes.back().rybAfter[0]));
         QCOMPARE(picked.yellow, float(found->strokes.back().rybAfter[1]));

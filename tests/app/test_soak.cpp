@@ -40,7 +40,7 @@ void workARound(Session &s)
     Editor &editor = s.editor();
     editor.document().reset(std::make_shared<const Painting>());
     editor.undoStack().clear();
-    editor.setTime(0);
+    editor.clock().setTime(0);
     s.use(Command::Brush);
     for (int i = 0; i < 12; ++i)
         s.paintLine({60.0 + 40 * i, 80}, {300.0 + 20 * i, 600.0 - 30 * i});
@@ -56,7 +56,7 @@ void workARound(Session &s)
     s.click({300, 300});
     for (int delta : {120, 120, -120, -120, -120, 120})
         wheel(s.canvas(), QPointF(400, 300), delta);
-    editor.setTime(500'000);
+    editor.clock().setTime(500'000);
     s.dry();
     while (editor.undoStack().canUndo())
         s.use(Command::Undo);

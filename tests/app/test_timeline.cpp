@@ -27,21 +27,21 @@ private slots:
         playback.setSpeed(2);
         playback.play(); // from the end: from the beginning
         QVERIFY(playback.isPlaying());
-        QCOMPARE(s.editor().time(), second);
-        QVERIFY(s.editor().isInPast());
+        QCOMPARE(s.editor().clock().time(), second);
+        QVERIFY(s.editor().clock().isInPast());
         playback.advance(400'000);
-        QCOMPARE(s.editor().time(), 1'800'000);
+        QCOMPARE(s.editor().clock().time(), 1'800'000);
         playback.setSpeed(0.1);
         playback.advance(15);
         playback.advance(15); // three microseconds in all
-        QCOMPARE(s.editor().time(), 1'800'003);
+        QCOMPARE(s.editor().clock().time(), 1'800'003);
         playback.setSpeed(5000);
         QCOMPARE(playback.speed(), Playback::fastest);
         playback.advance(60'000);
-        QCOMPARE(s.editor().time(), playback.end());
+        QCOMPARE(s.editor().clock().time(), playback.end());
         QVERIFY(!playback.isPlaying());
-        QVERIFY(!s.editor().isInPast());
-        QVERIFY(!s.editor().isRunning());
+        QVERIFY(!s.editor().clock().isInPast());
+        QVERIFY(!s.editor().clock().isRunning());
     }
 
     void loopsAndSkipsPauses()
@@ -54,37 +54,37 @@ private slots:
         playback.seek(4 * second);
         playback.play();
         playback.advance(300'000 + 500'000 + 200'000); // the last stroke dries at 4.3, half a second is kept
-        QCOMPARE(s.editor().time(), 10'200'000);
+        QCOMPARE(s.editor().clock().time(), 10'200'000);
         playback.advance(2 * second);
-        QCOMPARE(s.editor().time(), second);
+        QCOMPARE(s.editor().clock().time(), second);
         QVERIFY(playback.isPlaying());
         s.use(Command::Play);
         QVERIFY(!playback.isPlaying());
         s.use(Command::NextStroke);
-        QCOMPARE(s.editor().time(), 2 * second);
+        QCOMPARE(s.editor().clock().time(), 2 * second);
         s.use(Command::NextStroke);
         s.use(Command::NextStroke);
-        QCOMPARE(s.editor().time(), 10 * second);
+        QCOMPARE(s.editor().clock().time(), 10 * second);
         s.use(Command::NextStroke);
-        QCOMPARE(s.editor().time(), playback.end());
+        QCOMPARE(s.editor().clock().time(), playback.end());
         s.use(Command::PreviousStroke);
-        QCOMPARE(s.editor().time(), 10 * second);
+        QCOMPARE(s.editor().clock().time(), 10 * second);
         s.use(Command::ToStart);
-        QCOMPARE(s.editor().time(), second);
+        QCOMPARE(s.editor().clock().time(), second);
         s.use(Command::LetDry);
-        QCOMPARE(s.editor().time(), playback.end());
+        QCOMPARE(s.editor().clock().time(), playback.end());
         QCOMPARE(s.steps(), 0);
     }
 
     void itPlaysByTheClock()
     {
         Timed s;
-        s.editor().setManualClock(false);
+        s.editor().clock().setManual(false);
         s.playback().setSpeed(10);
         s.use(Command::Play);
-        QTRY_VERIFY_WITH_TIMEOUT(s.editor().time() > 2 * second, waitMs);
+        QTRY_VERIFY_WITH_TIMEOUT(s.editor().clock().time() > 2 * second, waitMs);
         QTRY_VERIFY_WITH_TIMEOUT(!s.playback().isPlaying(), waitMs);
-        QCOMPARE(s.editor().time(), s.playback().end());
+        QCOMPARE(s.editor().clock().time(), s.playback().end());
     }
 
     /// The picture at a moment is the same bits however it was reached.
@@ -95,11 +95,11 @@ private slots:
         std::vector<QImage> played;
         s.playback().setSkipsPauses(false);
         for (const Microseconds T : moments) {
-            while (s.editor().time() < T || s.editor().time() == s.playback().end()) {
+            while (s.editor().clock().time() < T || s.editor().clock().time() == s.playback().end()) {
                 s.playback().play();
-                s.playback().advance(std::min<Microseconds>(170'000, T - s.editor().time()));
+                s.playback().advance(std::min<Microseconds>(170'000, T - s.editor().clock().time()));
                 s.playback().pause();
-                if (s.editor().time() == T)
+                if (s.editor().clock().time() == T)
                     break;
                 QTest::qWait(1); // frames between come and go
             }
@@ -119,15 +119,15 @@ private slots:
     void thePastStandsStill()
     {
         Timed s;
-        s.editor().setManualClock(false);
+        s.editor().clock().setManual(false);
         s.playback().seek(2'200'000); // strokes 1 and 2 are wet
-        QVERIFY(s.editor().isInPast());
+        QVERIFY(s.editor().clock().isInPast());
         QTest::qWait(60);
-        QCOMPARE(s.editor().time(), 2'200'000);
-        QVERIFY(!s.editor().isRunning());
+        QCOMPARE(s.editor().clock().time(), 2'200'000);
+        QVERIFY(!s.editor().clock().isRunning());
         s.playback().seek(99 * second);
-        QVERIFY(!s.editor().isInPast());
-        QCOMPARE(s.editor().time(), 11'300'000);
+        QVERIFY(!s.editor().clock().isInPast());
+        QCOMPARE(s.editor().clock().time(), 11'300'000);
     }
 
     void paintsInThePast()
@@ -142,12 +142,12 @@ private slots:
         QCOMPARE(s.order(), (std::vector<StrokeId>{1, 2, painted, 3, 4}));
         const Stroke &stroke = s.stroke(painted);
         QCOMPARE(stroke.born(), 2'500'000);
-        QVERIFY(s.editor().isInPast());
-        QVERIFY(s.editor().isRunning()); // it still spreads
-        s.editor().setManualClock(false);
-        QTRY_VERIFY_WITH_TIMEOUT(!s.editor().isRunning(), waitMs);
-        QCOMPARE(s.editor().time(), stroke.driesAt()); // and no further
-        QVERIFY(s.editor().isInPast());
+        QVERIFY(s.editor().clock().isInPast());
+        QVERIFY(s.editor().clock().isRunning()); // it still spreads
+        s.editor().clock().setManual(false);
+        QTRY_VERIFY_WITH_TIMEOUT(!s.editor().clock().isRunning(), waitMs);
+        QCOMPARE(s.editor().clock().time(), stroke.driesAt()); // and no further
+        QVERIFY(s.editor().clock().isInPast());
         s.use(Command::ToEnd);
         QVERIFY(!s.hint().startsWith("You paint in the past"));
         const QImage with = s.pictureNow();
@@ -180,15 +180,15 @@ private slots:
         QCOMPARE(s.editor().shown()->strokes.size(), std::size_t(5));
         QTest::mouseRelease(&s.canvas(), Qt::LeftButton, {}, s.at({550, 300}));
         QCOMPARE(s.painting().strokes[2]->id, id);
-        QVERIFY(s.editor().isInPast());
+        QVERIFY(s.editor().clock().isInPast());
         // One that is given up leaves the clock where the pen left it.
         s.playback().seek(2 * second);
         QTest::mousePress(&s.canvas(), Qt::LeftButton, {}, s.at({250, 300}));
         s.advance(interval);
         QTest::mouseMove(&s.canvas(), s.at({300, 300}));
         QTest::keyClick(&s.canvas(), Qt::Key_Escape);
-        QCOMPARE(s.editor().time(), 2 * second + interval);
-        QTRY_VERIFY_WITH_TIMEOUT(!s.editor().isRunning(), waitMs);
+        QCOMPARE(s.editor().clock().time(), 2 * second + interval);
+        QTRY_VERIFY_WITH_TIMEOUT(!s.editor().clock().isRunning(), waitMs);
         QCOMPARE(s.steps(), 1);
     }
 
@@ -198,10 +198,10 @@ private slots:
         s.playback().setSpeed(0.1);
         s.use(Command::Play);
         QTest::mousePress(&s.canvas(), Qt::LeftButton, {}, s.at({250, 300}));
-        const Microseconds T = s.editor().time();
+        const Microseconds T = s.editor().clock().time();
         s.playback().advance(second);
         QVERIFY(!s.playback().isPlaying());
-        QCOMPARE(s.editor().time(), T);
+        QCOMPARE(s.editor().clock().time(), T);
         s.advance(interval);
         QTest::mouseRelease(&s.canvas(), Qt::LeftButton, {}, s.at({300, 300}));
         QCOMPARE(s.steps(), 1);

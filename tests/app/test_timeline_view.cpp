@@ -23,13 +23,13 @@ private slots:
     {
         Timed s;
         s.press(s.onRuler(3 * second));
-        QVERIFY(std::abs(s.editor().time() - 3 * second) < 100'000);
+        QVERIFY(std::abs(s.editor().clock().time() - 3 * second) < 100'000);
         s.moveTo(s.onRuler(1'500'000));
-        QVERIFY(std::abs(s.editor().time() - 1'500'000) < 100'000);
+        QVERIFY(std::abs(s.editor().clock().time() - 1'500'000) < 100'000);
         s.moveTo(s.onRuler(-5 * second));
-        QCOMPARE(s.editor().time(), second); // not before there is anything
+        QCOMPARE(s.editor().clock().time(), second); // not before there is anything
         s.moveTo(s.onRuler(40 * second));
-        QCOMPARE(s.editor().time(), s.painting().end());
+        QCOMPARE(s.editor().clock().time(), s.painting().end());
         s.release(s.onRuler(40 * second));
         QCOMPARE(s.steps(), 0);
     }
@@ -56,18 +56,18 @@ private slots:
         Timed s;
         s.view().setFocus();
         QTest::keyClick(&s.view(), Qt::Key_Home);
-        QCOMPARE(s.editor().time(), second);
+        QCOMPARE(s.editor().clock().time(), second);
         QTest::keyClick(&s.view(), Qt::Key_Right);
-        QCOMPARE(s.editor().time(), 1'040'000);
+        QCOMPARE(s.editor().clock().time(), 1'040'000);
         QTest::keyClick(&s.view(), Qt::Key_Right, shift);
         QTest::keyClick(&s.view(), Qt::Key_Left);
-        QCOMPARE(s.editor().time(), 2 * second);
+        QCOMPARE(s.editor().clock().time(), 2 * second);
         QTest::keyClick(&s.view(), Qt::Key_Space);
         QVERIFY(s.playback().isPlaying());
         QTest::keyClick(&s.view(), Qt::Key_Space);
         QVERIFY(!s.playback().isPlaying());
         QTest::keyClick(&s.view(), Qt::Key_End);
-        QCOMPARE(s.editor().time(), s.painting().end());
+        QCOMPARE(s.editor().clock().time(), s.painting().end());
         QCOMPARE(s.order(), (std::vector<StrokeId>{1, 2, 3, 4})); // nothing was lowered to the bottom
     }
 
@@ -223,9 +223,9 @@ private slots:
         QVERIFY(entry(menu, "Drawing Pace"));
         QTRY_VERIFY_WITH_TIMEOUT(entry(menu, "Re-wet…")->isEnabled(), waitMs);
         entry(menu, "Go to Its Start")->trigger();
-        QCOMPARE(s.editor().time(), 3 * second);
+        QCOMPARE(s.editor().clock().time(), 3 * second);
         entry(menu, "Go to When It Is Dry")->trigger();
-        QCOMPARE(s.editor().time(), s.stroke(3).driesAt());
+        QCOMPARE(s.editor().clock().time(), s.stroke(3).driesAt());
         menu->close();
         menu = menuAt({int(s.view().xOf(8 * second)), s.view().viewport()->height() - 3}); // beside all bars
         QVERIFY(menu);
@@ -257,7 +257,7 @@ private slots:
             QTest::qWait(120); // bars follow edits now and then
             return s.view().viewport()->grab().toImage();
         };
-        s.editor().setTime(14 * second);
+        s.editor().clock().setTime(14 * second);
         s.view().fit();
         const QImage before = shown();
         QTest::mousePress(&s.canvas(), Qt::LeftButton, {}, s.at({250, 300}));
@@ -279,7 +279,7 @@ private slots:
     void thereIsRoomForTheNextMoments()
     {
         Timed s;
-        s.editor().setTime(s.painting().end());
+        s.editor().clock().setTime(s.painting().end());
         s.view().fit();
         QTest::mousePress(&s.canvas(), Qt::LeftButton, {}, s.at({250, 300}));
         int moves = 0;
@@ -288,11 +288,11 @@ private slots:
             s.advance(20'000);
             QTest::mouseMove(&s.canvas(), s.at({250 + 15.0 * i, 300}));
             moves += s.view().xOf(second) != before;
-            QVERIFY(s.view().xOf(s.editor().time()) < s.view().viewport()->width());
+            QVERIFY(s.view().xOf(s.editor().clock().time()) < s.view().viewport()->width());
         }
         QCOMPARE(moves, 1); // not every moment moves what stands
         QTest::mouseRelease(&s.canvas(), Qt::LeftButton, {}, s.at({550, 300}));
-        s.editor().setTime(s.painting().end());
+        s.editor().clock().setTime(s.painting().end());
         s.view().fit();
         const double right = s.view().viewport()->width() - s.view().xOf(s.painting().end());
         QVERIFY(right > 0 && right < 20); // and none is left when all is to be shown

@@ -39,7 +39,7 @@ void measure(const QString &name, PaintingPtr painting, int strokes)
 {
     QTemporaryDir folder;
     Editor editor;
-    editor.setManualClock(true);
+    editor.clock().setManual(true);
     editor.openRecovered(*painting, name, {});
     JournalWriter writer(folder.path(), {});
     writer.begin({name, {}, {}}, editor.document().painting(), true);

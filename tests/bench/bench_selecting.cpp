@@ -135,7 +135,7 @@ void measureEvents(const Painting &painting)
     window.resize(width, height);
     window.show();
     window.editor().document().reset(std::make_shared<const Painting>(painting));
-    window.editor().setTime(painting.end());
+    window.editor().clock().setTime(painting.end());
     window.action(Command::Select).trigger();
     CanvasWidget &canvas = window.canvas();
     measure("mouse click on the canvas, all panels open", 50, [&](int) {

@@ -171,7 +171,7 @@ void measurePen(Application &application, EditingSession &s, int strokes)
               QStringLiteral("ms, %1 reports").arg(times.ms.size()));
         while (s.editor().undoStack().canUndo())
             s.editor().undoStack().undo();
-        s.editor().setTime(s.painting().end());
+        s.editor().clock().setTime(s.painting().end());
         s.settle();
     }
 }
@@ -208,7 +208,7 @@ StrokeList spreadingStrokes(Document &document, Microseconds now)
 void measureSpreading(Application &application, EditingSession &s)
 {
     std::size_t segments = 0;
-    const StrokeList strokes = spreadingStrokes(s.document(), s.editor().time());
+    const StrokeList strokes = spreadingStrokes(s.document(), s.editor().clock().time());
     for (const StrokePtr &stroke : strokes)
         segments += stroke->segments.size();
     const Edit edit = addStrokes(s.document(), {strokes.begin(), strokes.end()}, false);
@@ -229,7 +229,7 @@ void measureSpreading(Application &application, EditingSession &s)
     print(QStringLiteral("%1 strokes of %2 segments spread").arg(strokes.size()).arg(segments / strokes.size()), apart,
           QStringLiteral("ms from frame to frame, %1 frames/s").arg(1e3 * double(apart.ms.size()) / sum, 0, 'f', 1));
     s.editor().undoStack().undo();
-    s.editor().setTime(s.painting().end());
+    s.editor().clock().setTime(s.painting().end());
     s.settle();
 }
 
@@ -266,7 +266,7 @@ void measureScrubbing(EditingSession &s, int events)
     measure("scrubbing, jumps anywhere", [=](int i) { return std::fmod(0.618034 * (i + 1), 1.0); });
     measure("scrubbing, jumps in the last fifth",
             [=](int i) { return 0.8 + 0.2 * std::fmod(0.618034 * (i + 1), 1.0); });
-    s.editor().setTime(s.painting().end());
+    s.editor().clock().setTime(s.painting().end());
     s.settle();
 }
 

@@ -74,7 +74,7 @@ Row measureDrag(EditingSession &s, const Drag &drag, int events)
         if (s.document().painting() == before)
             s.settle(); // it floats
         evaluated += s.takeEvaluatedPixels();
-        influenced += influencedPixels(*before, s.painting(), s.canvas().view(), s.editor().time());
+        influenced += influencedPixels(*before, s.painting(), s.canvas().view(), s.editor().clock().time());
     }
     row.values.push_back({"evaluated/influence", evaluated / std::max(influenced, 1.0)});
     drag.release();
@@ -131,7 +131,7 @@ Drag dragOfSelection(EditingSession &s, const QString &name, std::size_t count, 
                 const StrokePtr grabbed = s.painting().find(middle.stroke);
                 const Point point = grabbed->cubicOf(grabbed->segments[std::size_t(middle.segment)]).at(0.5);
                 Selection selection;
-                if (const auto hit = pickTopmost(s.painting(), s.editor().time(), point, 3))
+                if (const auto hit = pickTopmost(s.painting(), s.editor().clock().time(), point, 3))
                     selection.strokes.insert(hit->stroke);
                 for (const StrokePtr &stroke : s.painting().strokes)
                     if (selection.strokes.size() < count)

@@ -72,7 +72,7 @@ EditingSession::EditingSession(Application &application, PaintingPtr painting) :
     m_application.watched = &m_window;
     m_application.painted = [this] { this->painted(); };
     document().reset(std::move(painting));
-    editor().setTime(this->painting().end());
+    editor().clock().setTime(this->painting().end());
     settle();
 }
 

@@ -82,7 +82,7 @@ int paint(const QString &folder, unsigned seed)
     Journal::setFolder(folder);
     Random random(seed);
     Editor editor;
-    editor.setManualClock(true);
+    editor.clock().setManual(true);
     Journal journal(editor);
     for (int k = 1;; ++k) {
         Document &document = editor.document();

@@ -52,7 +52,7 @@ inline QImage rendered(Session &s)
     if (!renderer)
         return {};
     Picture8 picture;
-    const RenderRequest request{s.editor().document().snapshot(), s.editor().time(), s.canvas().view()};
+    const RenderRequest request{s.editor().document().snapshot(), s.editor().clock().time(), s.canvas().view()};
     if (!(*renderer)->render(request, picture))
         return {};
     return QImage(reinterpret_cast<const uchar *>(picture.argb.data()), picture.width, picture.height,

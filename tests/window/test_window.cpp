@@ -224,7 +224,7 @@ void TestWindow::paintingKeepsUpWithTheHand()
     QVERIFY(QTest::qWaitForWindowExposed(&s.window));
     s.canvas().setZoom(1);
     s.dry();
-    s.editor().setManualClock(false);
+    s.editor().clock().setManual(false);
     const std::size_t before = s.painting().strokes.size();
 
     struct Frame {
@@ -238,7 +238,7 @@ void TestWindow::paintingKeepsUpWithTheHand()
     connect(&s.canvas(), &CanvasWidget::framePresented, &s.window, [&](const FrameInfo &frame) {
         if (!frame.stats.dirty.empty())
             frames.push_back(
-                {clock.nsecsElapsed() / 1000, frame.stats.totalMs, 1e3 * toSeconds(s.editor().time() - frame.time)});
+                {clock.nsecsElapsed() / 1000, frame.stats.totalMs, 1e3 * toSeconds(s.editor().clock().time() - frame.time)});
     });
     const auto point = [&](int i) {
         return QPoint(int(s.canvas().width() * (0.1 + 0.0025 * i)),
@@ -253,7 +253,7 @@ void TestWindow::paintingKeepsUpWithTheHand()
     }
     QTest::mouseRelease(&s.canvas(), Qt::LeftButton, {}, point(reports));
     QCOMPARE(s.painting().strokes.size(), before + 1);
-    QTRY_VERIFY_WITH_TIMEOUT(!s.editor().isRunning() && s.canvas().isUpToDate(), waitMs);
+    QTRY_VERIFY_WITH_TIMEOUT(!s.editor().clock().isRunning() && s.canvas().isUpToDate(), waitMs);
 
     QVERIFY(frames.size() > 2);
     std::vector<double> gaps, renders, lags;
