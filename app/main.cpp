@@ -144,7 +144,10 @@ int main(int argc, char **argv)
     auto *first = new suffuse::MainWindow;
     first->setAttribute(Qt::WA_DeleteOnClose);
     first->resize(first->size().boundedTo(first->screen()->availableSize()));
-    first->show();
+    if (suffuse::settings::hasLayout())
+        first->show();
+    else // the first start: as much of the picture as there can be, as other painting programs do
+        first->showMaximized();
     suffuse::MainWindow *window = first;
     for (const QString &file : filesOf(app.arguments().mid(1)))
         if (suffuse::MainWindow *opened = window->openFile(file))

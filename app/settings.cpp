@@ -259,4 +259,9 @@ void resetLayout()
     store().sync();
 }
 
+bool hasLayout()
+{
+    return !readLayout().state.isEmpty();
+}
+
 } // namespace suffuse::settings

@@ -70,5 +70,7 @@ void saveLayout(const QMainWindow &window);
 bool restoreLayout(QMainWindow &window);
 /// Forgets the stored layout (`--reset-layout`).
 void resetLayout();
+/// Whether there is one to restore.
+bool hasLayout();
 
 } // namespace suffuse::settings

@@ -111,7 +111,9 @@ private slots:
         window.findChild<QDockWidget *>("two")->hide();
         window.addDockWidget(Qt::LeftDockWidgetArea, window.findChild<QDockWidget *>("three"));
         window.resize(700, 500);
+        QVERIFY(!settings::hasLayout());
         settings::saveLayout(window);
+        QVERIFY(settings::hasLayout());
 
         QMainWindow other;
         addDocks(other);
@@ -135,6 +137,7 @@ private slots:
         QMainWindow next;
         addDocks(next);
         QVERIFY(!settings::restoreLayout(next));
+        QVERIFY(!settings::hasLayout());
     }
 
     void damagedFilesStillStart()
