@@ -22,6 +22,7 @@ constexpr const char *commandNames[] = {
     "save",
     "saveAs",
     "keepHistory",
+    "importStrokes",
     "importUnderlay",
     "export",
     "close",
@@ -122,6 +123,12 @@ constexpr const char *commandNames[] = {
     "favourite7",
     "favourite8",
     "favourite9",
+    "smallerSize",
+    "largerSize",
+    "lessOpacity",
+    "moreOpacity",
+    "holdToPan",
+    "holdToTurn",
     "zoomIn",
     "zoomOut",
     "zoom100",
@@ -156,6 +163,8 @@ bool isCanvasOnly(Command command)
     case Command::ReverseStrokes:
     case Command::RenameStrokes:
     case Command::HideDocks:
+    case Command::HoldToPan:
+    case Command::HoldToTurn:
         return true;
     default:
         return false;
@@ -181,6 +190,7 @@ Actions::Actions(QMainWindow &window, QWidget &canvas) : QObject(&window), m_win
     addObjects();
     addTime();
     addFavourites();
+    addToolKeys();
     addViewAndHelp();
 }
 
@@ -219,6 +229,8 @@ void Actions::addFileAndEdit()
     add(Command::KeepHistory, tr("Keep Undo &History in the File"), "", {},
         tr("Whoever opens the file can go on undoing. Take it out before you give a file away"));
     m_actions[Command::KeepHistory]->setCheckable(true);
+    add(Command::ImportStrokes, tr("&Import Strokes…"), "", {},
+        tr("Drawings, recordings and the strokes of other paintings, into this one"));
     add(Command::ImportUnderlay, tr("Import &Underlay…"), "", {},
         tr("A picture to paint over, which shows on the canvas only"));
     add(Command::Export, tr("&Export…"), "export", {QKeySequence(tr("Ctrl+Shift+E"))});
@@ -329,12 +341,12 @@ QMenu *Actions::addMenu(const QString &title, const QList<Command> &commands)
 void Actions::fillMenus()
 {
     using enum Command;
-    QMenu *file = addMenu(tr("&File"),
-                          {New, Open, Save, SaveAs, KeepHistory, ImportUnderlay, Export, ExportTimelapse, Close, Quit});
+    QMenu *file = addMenu(tr("&File"), {New, Open, Save, SaveAs, KeepHistory, ImportStrokes, ImportUnderlay, Export,
+                                        ExportTimelapse, Close, Quit});
     m_recentMenu = new QMenu(tr("Open &Recent"), file);
     file->insertMenu(m_actions[Save], m_recentMenu);
     file->insertSeparator(m_actions[Save]);
-    file->insertSeparator(m_actions[ImportUnderlay]);
+    file->insertSeparator(m_actions[ImportStrokes]);
     file->insertSeparator(m_actions[Close]);
     QMenu *edit = addMenu(
         tr("&Edit"), {Undo, Redo, Cut, Copy, Paste, PasteInPlace, Delete, Duplicate, SelectAll, Deselect, Settings});
@@ -358,6 +370,9 @@ void Actions::fillMenus()
     QMenu *favourites = tools->addMenu(tr("&Favourite Brushes"));
     for (int i = 0; i < 9; ++i)
         favourites->addAction(m_actions[Command(int(Favourite1) + i)]);
+    for (const Command command : {SmallerSize, LargerSize, LessOpacity, MoreOpacity})
+        tools->addAction(m_actions[command]);
+    tools->insertSeparator(m_actions[SmallerSize]);
     addMenu(tr("&Help"), {Shortcuts, About});
 }
 

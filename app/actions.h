@@ -2,6 +2,7 @@
 #pragma once
 
 #include <QAction>
+#include <QKeySequence>
 #include <QList>
 
 #include <map>
@@ -18,6 +19,7 @@ enum class Command {
     Save,
     SaveAs,
     KeepHistory,
+    ImportStrokes,
     ImportUnderlay,
     Export,
     Close,
@@ -118,6 +120,12 @@ enum class Command {
     Favourite7,
     Favourite8,
     Favourite9,
+    SmallerSize,
+    LargerSize,
+    LessOpacity,
+    MoreOpacity,
+    HoldToPan,
+    HoldToTurn,
     ZoomIn,
     ZoomOut,
     Zoom100,
@@ -134,6 +142,14 @@ enum class Command {
 
 /// A menu entry's text without mnemonic ("&Open", "打开(&O)") and dots.
 QString plainTitle(QString title);
+
+/// Keys that tools, not commands, answer to, and that stay as they are.
+struct FixedKeys {
+    QString title; ///< what they do, translated
+    QList<QKeySequence> keys;
+};
+/// All of them: no command may have one, or it would not be heard of.
+QList<FixedKeys> fixedKeys();
 
 /// Makes all actions of a window and puts them into its menus and tool bar.
 class Actions : public QObject {
@@ -166,6 +182,7 @@ private:
     void addAids();
     void addTime();
     void addFavourites();
+    void addToolKeys();
     void fillTimeMenu(QMenu &menu);
     void fillObjectMenu(QMenu &menu);
     void addSelecting(QMenu &edit);

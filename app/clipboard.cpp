@@ -1,11 +1,11 @@
 #include "app/clipboard.h"
 
 #include "app/editor.h"
+#include "app/import_strokes.h"
 #include "app/panels/colour_convert.h"
 #include "app/svg_strokes.h"
 #include "model/formats/files.h"
 #include "model/influence.h"
-#include "model/validate.h"
 #include "render/renderer.h"
 #include "undo/edits.h"
 
@@ -17,7 +17,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 
 namespace suffuse::clipboard {
 
@@ -109,76 +108,6 @@ std::vector<Stroke> selectedRuns(const Stroke &stroke, const Selection &selectio
     return runs;
 }
 
-Rect controlBoxOf(const std::vector<Stroke> &strokes)
-{
-    Rect box;
-    for (const Stroke &stroke : strokes)
-        for (const Segment &segment : stroke.segments)
-            box = box.united(stroke.cubicOf(segment).controlBox());
-    return box;
-}
-
-/// The strokes as old at `now` as they can be without any of them being yet to come: paint that is pasted is seen.
-void bringBefore(std::vector<Stroke> &strokes, Microseconds now)
-{
-    Microseconds latest = now;
-    for (const Stroke &stroke : strokes)
-        for (const Segment &segment : stroke.segments)
-            latest = std::max(latest, segment.born);
-    const Microseconds by = latest - now;
-    for (Stroke &stroke : strokes)
-        for (Segment &segment : stroke.segments) {
-            const Microseconds shift = std::min(by, segment.born);
-            segment.born -= shift;
-            for (Rewet &rewet : segment.rewet)
-                rewet.time -= shift;
-        }
-}
-
-/// On top of all, in groups of their own; one step. What went wrong, else empty.
-QString addPasted(Editor &editor, std::vector<Stroke> strokes, const std::vector<Group> &groups,
-                  std::optional<Point> centre)
-{
-    bringBefore(strokes, editor.clock().time());
-    Document &document = editor.document();
-    Edit edit;
-    std::map<GroupId, GroupId> fresh;
-    for (const Group &group : groups)
-        fresh[group.id] = document.takeGroupId();
-    if (!groups.empty()) {
-        edit.groups = document.painting()->groups;
-        for (Group group : groups) {
-            group.id = fresh[group.id];
-            group.parent = fresh.contains(group.parent) ? fresh[group.parent] : 0;
-            edit.groups->push_back(std::move(group));
-        }
-    }
-    const Point by = centre ? *centre - controlBoxOf(strokes).centre() : Point{};
-    edit.order.emplace();
-    for (const StrokePtr &stroke : document.painting()->strokes)
-        edit.order->push_back(stroke->id);
-    edit.selection.emplace();
-    int refused = 0;
-    for (Stroke &stroke : strokes) {
-        stroke.id = document.takeStrokeId();
-        stroke.group = fresh.contains(stroke.group) ? fresh[stroke.group] : 0;
-        stroke.origin = stroke.origin + by;
-        if (!problemOf(stroke).isEmpty()) {
-            ++refused;
-            continue;
-        }
-        edit.order->push_back(stroke.id);
-        edit.selection->strokes.insert(stroke.id);
-        edit.strokes.emplace(stroke.id, std::make_shared<const Stroke>(std::move(stroke)));
-    }
-    if (!edit.strokes.empty())
-        editor.push(std::move(edit), QCoreApplication::translate("Clipboard", "Paste"));
-    if (refused == 0)
-        return {};
-    return QCoreApplication::translate("Clipboard", "%n stroke(s) cannot lie there, too far out, and were left out.",
-                                       nullptr, refused);
-}
-
 QByteArray svgFrom(const QMimeData &data)
 {
     if (data.hasFormat(svgMime))
@@ -255,29 +184,26 @@ void cut(Editor &editor)
 
 QString paste(Editor &editor, const QMimeData &data, std::optional<Point> centre)
 {
+    const QString pasting = QCoreApplication::translate("Clipboard", "Paste");
     if (data.hasFormat(strokesMime)) {
         const Result<Painting> read =
             readTextForm(data.data(strokesMime), QCoreApplication::translate("Clipboard", "Clipboard"));
         if (!read)
             return read.error();
-        std::vector<Stroke> strokes;
-        for (const StrokePtr &stroke : read->strokes)
-            strokes.push_back(*stroke);
-        for (Stroke &stroke : strokes)
-            stroke.visible = true, stroke.locked = false;
-        std::vector<Group> groups = read->groups;
-        for (Group &group : groups)
-            group.visible = true, group.locked = false;
-        return strokes.empty() ? QString() : addPasted(editor, std::move(strokes), groups, centre);
+        return addStrokes(editor, *read, centre, pasting);
     }
     if (const QByteArray svg = svgFrom(data); !svg.isEmpty()) {
-        const Result<std::vector<SvgPath>> paths = readSvgPaths(svg);
-        if (!paths)
-            return paths.error();
-        std::vector<Stroke> strokes = strokesAlong(*paths, editor.brush(), editor.clock().time());
-        if (strokes.empty())
-            return QCoreApplication::translate("Clipboard", "There are no paths in the SVG of the clipboard.");
-        return addPasted(editor, std::move(strokes), {}, centre);
+        const Result<SvgDrawing> drawing = readSvgDrawing(svg);
+        if (!drawing)
+            return drawing.error();
+        Painting painting;
+        for (Stroke &stroke : strokesAlong(drawing->paths, editor.brush(), editor.clock().time()))
+            painting.strokes.push_back(std::make_shared<const Stroke>(std::move(stroke)));
+        const QString problem =
+            painting.strokes.empty()
+                ? QCoreApplication::translate("Clipboard", "There are no paths in the SVG of the clipboard.")
+                : addStrokes(editor, painting, centre, pasting);
+        return joinedSentences({problem, leftOutOf(*drawing)});
     }
     if (const auto colour = colourFrom(data)) {
         editor.setColour(fromScreen(*colour));

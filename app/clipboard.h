@@ -30,8 +30,8 @@ bool canPaste(const QMimeData *data);
 
 void copy(Editor &editor);
 void cut(Editor &editor);
-/// Strokes and SVG paths become new strokes on top, selected: with their middle at `centre`, or where they were, and none
-/// born after the moment that is shown. A colour becomes the current colour. Empty, or what could not be pasted and why.
+/// Strokes and SVG paths become new strokes on top, selected (`addStrokes`). A colour becomes the current colour. Empty,
+/// or what could not be pasted and why: of SVG also what strokes cannot show.
 QString paste(Editor &editor, const QMimeData &data, std::optional<Point> centre);
 
 } // namespace clipboard

@@ -71,8 +71,8 @@ bool CanvasDrops::eventFilter(QObject *watched, QEvent *event)
         return true;
     if (hit)
         colourStroke(m_canvas.editor(), hit->stroke, qvariant_cast<QColor>(data.colorData()));
-    else
-        clipboard::paste(m_canvas.editor(), data, point);
+    else if (const QString problem = clipboard::paste(m_canvas.editor(), data, point); !problem.isEmpty())
+        emit leftOut(problem);
     return true;
 }
 

@@ -15,6 +15,10 @@ public:
     /// Belongs to the canvas.
     explicit CanvasDrops(CanvasWidget &canvas);
 
+signals:
+    /// Of what was dropped, as `clipboard::paste` says it.
+    void leftOut(const QString &problem);
+
 protected:
     bool eventFilter(QObject *watched, QEvent *event) override;
 

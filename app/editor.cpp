@@ -12,6 +12,8 @@
 #include <QFileInfo>
 #include <QKeyEvent>
 
+#include <algorithm>
+
 namespace suffuse {
 
 namespace {
@@ -81,7 +83,8 @@ Editor::Editor(QObject *parent) : QObject(parent), m_brush(builtinBrushes().fron
         if (!altersPainting(change))
             return;
         const Painting &painting = *m_document.painting();
-        const Microseconds end = painting.end();
+        m_driesAt.follow(painting.strokes, [](const Stroke &stroke) { return stroke.driesAt(); });
+        const Microseconds end = painting.strokes.empty() ? 0 : *std::ranges::max_element(m_driesAt);
         m_clock.setEnd(end);
         // Who looks at all goes on seeing all, also what was moved to later.
         if (!m_clock.isInPast() && !m_clock.isDrawing() && m_clock.time() < end)
@@ -257,9 +260,15 @@ void Editor::takeUpHistory(const QByteArray &bytes, bool modified)
     restoreHistory(m_undoStack, m_document, *history);
     if (modified)
         m_undoStack.resetClean();
-    m_keepsHistory = true;
+    m_keepsHistory = m_historyIsSaved = true;
     m_historyBytes = bytes.size();
     emit fileChanged();
+}
+
+bool Editor::isModified() const
+{
+    const bool historyDiffers = m_keepsHistory != m_historyIsSaved && m_undoStack.count() > 0;
+    return !m_undoStack.isClean() || historyDiffers || m_saver.isBusy();
 }
 
 void Editor::setKeepsHistory(bool keeps)
@@ -267,8 +276,6 @@ void Editor::setKeepsHistory(bool keeps)
     if (keeps == m_keepsHistory)
         return;
     m_keepsHistory = keeps;
-    if (m_undoStack.count() > 0)
-        m_undoStack.resetClean(); // the file is not like that yet
     emit fileChanged();
 }
 
@@ -298,6 +305,7 @@ void Editor::noteSaved(const SaveOutcome &outcome)
         m_filePath = m_suggestedPath = outcome.path;
         m_fileHash = outcome.hash;
         m_historyBytes = outcome.historyBytes;
+        m_historyIsSaved = outcome.withHistory;
     } else if (!isSaving()) { // else the mark is that of the next one
         m_undoStack.resetClean();
     }
@@ -324,7 +332,7 @@ void Editor::show(PaintingPtr painting, const Origin &origin)
     m_untitledName = origin.name;
     m_suggestedPath = origin.suggestedPath;
     m_fileHash = origin.hash;
-    m_keepsHistory = false;
+    m_keepsHistory = m_historyIsSaved = false;
     m_historyBytes = 0;
     m_leftOut.clear();
     emit opened();

@@ -8,6 +8,7 @@
 #include "model/brush.h"
 #include "model/document.h"
 #include "model/result.h"
+#include "model/stroke_values.h"
 #include "undo/edit_command.h"
 
 #include <QObject>
@@ -59,8 +60,9 @@ public:
     const QString &filePath() const { return m_filePath; } ///< empty: untitled
     /// Title without the program's name: file name or "Untitled", translated.
     QString displayName() const;
-    /// Also while it is being saved.
-    bool isModified() const { return !m_undoStack.isClean() || m_saver.isBusy(); }
+    /// What is here differs from what is on disk, undo steps that are to be kept or left out included. Also while it is
+    /// being saved.
+    bool isModified() const;
     /// Where a painting that has no file of its own came from: a name to begin with when it is saved. May be empty.
     const QString &suggestedPath() const { return m_suggestedPath; }
     /// SHA-256 of the file as it was last read or written; empty: untitled.
@@ -123,6 +125,7 @@ private:
     LaterChanges m_laterChanges{m_document};
     QUndoStack m_undoStack;
     PaintingClock m_clock;
+    StrokeValues<Microseconds> m_driesAt;
     PaintingPtr m_compared; ///< null: none
     QTimer m_dragEnd;
     Brush m_brush;
@@ -132,6 +135,7 @@ private:
     QByteArray m_fileHash;
     DocumentExtras m_extras; ///< but for the history, which is on the undo stack
     bool m_keepsHistory = false;
+    bool m_historyIsSaved = false; ///< the file was last read or written with it
     qint64 m_historyBytes = 0;
     QString m_leftOut;
     Saver m_saver;

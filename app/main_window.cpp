@@ -15,6 +15,7 @@
 #include "app/panels/probe_panel.h"
 #include "app/panels/strokes_panel.h"
 #include "app/panels/timeline_panel.h"
+#include "app/place_beside.h"
 #include "app/playback.h"
 #include "app/settings.h"
 #include "app/tools/attribute_brush_tool.h"
@@ -33,9 +34,35 @@
 #include <QDockWidget>
 #include <QLineEdit>
 #include <QMenu>
+#include <QScreen>
+#include <QScrollArea>
 #include <QToolBar>
 
 namespace suffuse {
+
+namespace {
+
+/// Logical pixels that every screen has for a panel.
+constexpr int lowPanel = 110;
+/// Of a screen, from which on the inspector and the strokes have room below each other.
+constexpr int highScreen = 950;
+
+/// Gives a panel as much room as it wants, and lets it scroll where the window is low.
+class LowScroll : public QScrollArea {
+public:
+    explicit LowScroll(QWidget *panel)
+    {
+        setWidget(panel);
+        setWidgetResizable(true);
+        setFrameShape(QFrame::NoFrame);
+        setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+        setFocusPolicy(Qt::NoFocus);
+    }
+    QSize sizeHint() const override { return widget()->sizeHint(); }
+    QSize minimumSizeHint() const override { return {widget()->minimumSizeHint().width(), lowPanel}; }
+};
+
+} // namespace
 
 MainWindow::MainWindow(QWidget *parent, MakeRenderer make) : QMainWindow(parent)
 {
@@ -44,6 +71,7 @@ MainWindow::MainWindow(QWidget *parent, MakeRenderer make) : QMainWindow(parent)
     setDockNestingEnabled(true);
     resize(1280, 800);
     m_editor.newPainting(Editor::usualCanvas());
+    m_editor.setBrush(settings::brush());
     m_playback = new Playback(m_editor, this);
     m_canvas = new CanvasWidget(m_editor, this, std::move(make));
     setCentralWidget(m_canvas);
@@ -101,7 +129,7 @@ QDockWidget *MainWindow::addDock(const char *name, const QString &title, QWidget
 {
     auto *dock = new QDockWidget(title, this);
     dock->setObjectName(QString::fromLatin1(name));
-    dock->setWidget(panel);
+    dock->setWidget(panel->minimumSizeHint().height() > lowPanel ? new LowScroll(panel) : panel);
     addDockWidget(Qt::RightDockWidgetArea, dock);
     m_actions->docksMenu()->addAction(dock->toggleViewAction());
     connect(dock->toggleViewAction(), &QAction::triggered, dock, [dock](bool shown) {
@@ -120,10 +148,16 @@ void MainWindow::makeDocks()
 {
     QDockWidget *colour = addDock("colourDock", tr("Colour"), new ColourPanel(m_editor));
     QDockWidget *brushes = addDock("brushesDock", tr("Brushes"), new BrushPanel(m_editor));
-    QDockWidget *inspector = addDock("inspectorDock", tr("Inspector"), new InspectorPanel(m_editor));
+    auto *inspectorPanel = new InspectorPanel(m_editor);
+    QDockWidget *inspector = addDock("inspectorDock", tr("Inspector"), inspectorPanel);
+    connect(inspectorPanel, &InspectorPanel::alongOpening, m_canvas,
+            [this](QWidget *dialog) { moveBeside(*dialog, m_canvas->selectionOnScreen()); });
     QDockWidget *strokes = addDock("strokesDock", tr("Strokes"), new StrokesPanel(m_editor));
     QDockWidget *history = addDock("historyDock", tr("History"), new HistoryPanel(m_editor));
     tabifyDockWidget(colour, brushes);
+    const bool isHigh = screen()->availableSize().height() >= highScreen;
+    if (!isHigh)
+        tabifyDockWidget(inspector, strokes);
     tabifyDockWidget(strokes, history);
     auto *probe = new ProbePanel(m_editor);
     QDockWidget *probeDock = addDock("probeDock", tr("Probe"), probe);
@@ -132,7 +166,7 @@ void MainWindow::makeDocks()
     connect(m_canvas, &CanvasWidget::pointerMoved, probe, [probe](double x, double y) { probe->setPoint({x, y}); });
     connect(m_canvas, &CanvasWidget::pointerLeft, probe, &ProbePanel::leaveCanvas);
     colour->raise();
-    strokes->raise();
+    (isHigh ? strokes : inspector)->raise();
     setTabPosition(Qt::RightDockWidgetArea, QTabWidget::North);
     QDockWidget *timeline =
         addDock("timelineDock", tr("Timeline"), new TimelinePanel(m_editor, *m_playback, *m_actions));
@@ -140,7 +174,10 @@ void MainWindow::makeDocks()
     setCorner(Qt::BottomRightCorner, Qt::RightDockWidgetArea);
     resizeDocks({timeline}, {150}, Qt::Vertical);
     resizeDocks({colour, inspector, strokes}, {300, 300, 300}, Qt::Horizontal);
-    resizeDocks({colour, inspector, strokes}, {345, 290, 120}, Qt::Vertical);
+    if (isHigh)
+        resizeDocks({colour, inspector, strokes}, {330, 300, 270}, Qt::Vertical);
+    else
+        resizeDocks({colour, inspector}, {300, 360}, Qt::Vertical);
 }
 
 void MainWindow::makeTools()
@@ -202,6 +239,7 @@ void MainWindow::connectActions()
     };
     on(Command::New, [this] { newWindow(); });
     on(Command::Open, [this] { chooseFileToOpen(); });
+    on(Command::ImportStrokes, [this] { chooseStrokesToImport(); });
     on(Command::Save, [this] { startSaving(); });
     on(Command::SaveAs, [this] { startSavingAs(); });
     on(Command::Export, [this] { ExportDialog(m_editor, shownArea(m_canvas->view()), this).exec(); });
@@ -254,6 +292,17 @@ void MainWindow::connectViewActions()
     on(Command::RotateRight, [this] { m_canvas->rotateBy(turn); });
     on(Command::ResetRotation, [this] { m_canvas->resetRotation(); });
     on(Command::Mirror, [this] { m_canvas->mirror(); });
+    on(Command::SmallerSize, [this] { m_canvas->tool()->stepSize(-1); });
+    on(Command::LargerSize, [this] { m_canvas->tool()->stepSize(1); });
+    on(Command::LessOpacity, [this] { m_canvas->tool()->stepOpacity(-1); });
+    on(Command::MoreOpacity, [this] { m_canvas->tool()->stepOpacity(1); });
+    const auto hold = [this] {
+        m_canvas->setHeldKeys(
+            {(*m_actions)[Command::HoldToPan].shortcuts(), (*m_actions)[Command::HoldToTurn].shortcuts()});
+    };
+    hold();
+    for (const Command command : {Command::HoldToPan, Command::HoldToTurn})
+        connect(&action(command), &QAction::changed, this, hold);
     on(Command::HideDocks, [this](bool hide) { hideDocks(hide); });
     on(Command::FullScreen, [this](bool full) {
         setWindowState(full ? windowState() | Qt::WindowFullScreen : windowState() & ~Qt::WindowFullScreen);
@@ -311,7 +360,7 @@ void MainWindow::updateTitle()
 
 void MainWindow::changeShortcuts()
 {
-    if (ShortcutsDialog(m_actions->all(), this).exec() != QDialog::Accepted)
+    if (ShortcutsDialog(m_actions->all(), fixedKeys(), this).exec() != QDialog::Accepted)
         return;
     for (QWidget *widget : QApplication::topLevelWidgets())
         if (auto *window = qobject_cast<MainWindow *>(widget))
@@ -327,6 +376,8 @@ void MainWindow::changeEvent(QEvent *event)
 
 void MainWindow::hideDocks(bool hide)
 {
+    // The way back is the same in every tool.
+    m_canvas->setWindowKeys(hide ? action(Command::HideDocks).shortcuts() : QList<QKeySequence>());
     if (hide) {
         m_hiddenDocks.clear();
         for (QDockWidget *dock : std::as_const(m_docks)) {

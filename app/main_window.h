@@ -7,6 +7,7 @@
 
 #include <QLabel>
 #include <QMainWindow>
+#include <QTimer>
 
 namespace suffuse {
 
@@ -35,6 +36,8 @@ public:
     /// Opens a file here if this window's painting is untouched, else in a window of its own. Errors are shown.
     /// Returns the window that shows the file, or null.
     MainWindow *openFile(const QString &path);
+    /// Adds a file's strokes to this window's painting and selects them. Errors are shown, and so is what was left out.
+    void importStrokes(const QString &path);
     Journal &journal() { return *m_journal; }
     /// Saves and waits until it is on disk. False if it failed or was given up.
     bool save();
@@ -67,6 +70,8 @@ private:
     void connectTimeActions();
     void connectBrushes();
     void nameFavourites();
+    /// For the next window and the next start.
+    void keepBrush();
     void rewetSelected();
     void updateTimeActions();
     void connectUpdates();
@@ -84,6 +89,7 @@ private:
     void answerConflict(ConflictAnswer answer, const QByteArray &hash);
     void newWindow();
     void chooseFileToOpen();
+    void chooseStrokesToImport();
     void fillRecentMenu();
     void hideDocks(bool hide);
     void changeShortcuts();
@@ -116,6 +122,7 @@ private:
     QLabel *m_backend = nullptr;
     QLabel *m_frameTime = nullptr;
     QLabel *m_hint = nullptr;
+    QTimer m_brushChanged; ///< a moment ago, and is not kept yet
     QString m_renderError;
     Journal *m_journal = nullptr;
     FileWatch *m_watch = nullptr;

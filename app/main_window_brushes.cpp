@@ -1,8 +1,15 @@
-// The favourite brushes: a key each.
+// The favourite brushes: a key each; and the brush in hand, which is kept.
 #include "app/brush_library.h"
 #include "app/main_window.h"
+#include "app/settings.h"
 
 namespace suffuse {
+
+namespace {
+
+constexpr int brushKeptMs = 500; ///< after its last change: a slider changes it many times a second
+
+} // namespace
 
 void MainWindow::connectBrushes()
 {
@@ -16,6 +23,16 @@ void MainWindow::connectBrushes()
         });
     connect(&BrushLibrary::instance(), &BrushLibrary::changed, this, &MainWindow::nameFavourites);
     nameFavourites();
+    m_brushChanged.setSingleShot(true);
+    m_brushChanged.setInterval(brushKeptMs);
+    connect(&m_editor, &Editor::brushChanged, &m_brushChanged, qOverload<>(&QTimer::start));
+    connect(&m_brushChanged, &QTimer::timeout, this, &MainWindow::keepBrush);
+}
+
+void MainWindow::keepBrush()
+{
+    m_brushChanged.stop();
+    settings::setBrush(m_editor.brush());
 }
 
 void MainWindow::nameFavourites()

@@ -3,9 +3,11 @@
 #include "app/clipboard.h"
 #include "app/clipboard_drops.h"
 #include "app/dialogs/new_dialog.h"
+#include "app/import_strokes.h"
 #include "app/journal.h"
 #include "app/main_window.h"
 #include "app/messages.h"
+#include "app/place_beside.h"
 #include "app/settings.h"
 #include "app/underlay_commands.h"
 #include "app/workspace_view.h"
@@ -36,6 +38,22 @@ QStringList localFiles(const QMimeData *data)
     return files;
 }
 
+QString openFilter()
+{
+    return MainWindow::tr("All that can be opened (*.suffuse *.json *.csv *.excalidraw *.dat *.svg *.xml)") + ";;" +
+           MainWindow::tr("Suffuse paintings (*.suffuse *.json)") + ";;" +
+           MainWindow::tr("Pen recordings (*.csv *.json *.excalidraw *.dat)") + ";;" +
+           MainWindow::tr("SVG drawings (*.svg)") + ";;" + MainWindow::tr("Diffusion curves (*.xml)") + ";;" +
+           MainWindow::tr("All files (*)");
+}
+
+/// Where the painting lies, or the one that was opened last.
+QString folderNear(const Editor &editor)
+{
+    const QString near = editor.filePath().isEmpty() ? settings::recentFiles().value(0) : editor.filePath();
+    return near.isEmpty() ? QString() : QFileInfo(near).absolutePath();
+}
+
 } // namespace
 
 bool MainWindow::isUntouched()
@@ -46,10 +64,10 @@ bool MainWindow::isUntouched()
 
 MainWindow *MainWindow::openWindow()
 {
+    keepBrush();
     auto *window = new MainWindow;
     window->setAttribute(Qt::WA_DeleteOnClose);
-    window->setGeometry(geometry().translated(28, 28));
-    window->show();
+    showLike(*window, *this);
     return window;
 }
 
@@ -64,13 +82,7 @@ void MainWindow::newWindow()
 
 void MainWindow::chooseFileToOpen()
 {
-    const QString filter = tr("All that can be opened (*.suffuse *.json *.csv *.excalidraw *.dat *.svg *.xml)") + ";;" +
-                           tr("Suffuse paintings (*.suffuse *.json)") + ";;" +
-                           tr("Pen recordings (*.csv *.json *.excalidraw *.dat)") + ";;" + tr("SVG drawings (*.svg)") +
-                           ";;" + tr("Diffusion curves (*.xml)") + ";;" + tr("All files (*)");
-    const QString near = m_editor.filePath().isEmpty() ? settings::recentFiles().value(0) : m_editor.filePath();
-    const QString folder = near.isEmpty() ? QString() : QFileInfo(near).absolutePath();
-    const QStringList files = QFileDialog::getOpenFileNames(this, tr("Open"), folder, filter);
+    const QStringList files = QFileDialog::getOpenFileNames(this, tr("Open"), folderNear(m_editor), openFilter());
     MainWindow *window = this;
     for (const QString &file : files)
         if (MainWindow *opened = window->openFile(file))
@@ -83,6 +95,7 @@ MainWindow *MainWindow::openFile(const QString &path)
     MainWindow *window = this;
     std::unique_ptr<MainWindow> made;
     if (!isUntouched()) {
+        keepBrush();
         made = std::make_unique<MainWindow>();
         window = made.get();
     }
@@ -94,8 +107,7 @@ MainWindow *MainWindow::openFile(const QString &path)
     settings::addRecentFile(QFileInfo(path).absoluteFilePath());
     if (made) {
         made->setAttribute(Qt::WA_DeleteOnClose);
-        made->setGeometry(geometry().translated(28, 28));
-        made.release()->show();
+        showLike(*made.release(), *this);
     }
     if (const auto &view = window->m_editor.extras().view)
         showWorkspace(*view, *window->m_canvas, window->m_editor);
@@ -107,6 +119,29 @@ MainWindow *MainWindow::openFile(const QString &path)
                        .arg(QFileInfo(path).fileName()),
                    QStringList(losses->begin(), losses->end()).join('\n'));
     return window;
+}
+
+void MainWindow::chooseStrokesToImport()
+{
+    if (m_canvas->tool() && m_canvas->tool()->isBusy())
+        return;
+    const QString path = QFileDialog::getOpenFileName(this, tr("Import Strokes"), folderNear(m_editor), openFilter());
+    if (!path.isEmpty())
+        importStrokes(path);
+}
+
+void MainWindow::importStrokes(const QString &path)
+{
+    const Result<ImportReport> report = suffuse::importStrokes(m_editor, path);
+    if (!report) {
+        showError(this, report.error());
+        return;
+    }
+    if (!report->leftOut.isEmpty())
+        statusBar()->showMessage(report->leftOut, 15'000);
+    if (!report->losses.empty())
+        showNotice(this, tr("“%1” is damaged. What is whole of it was imported.").arg(QFileInfo(path).fileName()),
+                   QStringList(report->losses.begin(), report->losses.end()).join('\n'));
 }
 
 MainWindow *MainWindow::openRecovered(LostDocument document)
@@ -164,6 +199,8 @@ void MainWindow::closeEvent(QCloseEvent *event)
     if (action(Command::HideDocks).isChecked()) // they are to come back next time
         action(Command::HideDocks).trigger();
     settings::saveLayout(*this);
+    if (m_brushChanged.isActive())
+        keepBrush();
     m_journal->remove();
     event->accept();
 }
@@ -188,7 +225,8 @@ void MainWindow::dropEvent(QDropEvent *event)
 
 void MainWindow::connectClipboard()
 {
-    new CanvasDrops(*m_canvas);
+    const auto tell = [this](const QString &problem) { statusBar()->showMessage(problem, 8'000); };
+    connect(new CanvasDrops(*m_canvas), &CanvasDrops::leftOut, this, tell);
     connect(&action(Command::Cut), &QAction::triggered, this, [this] { clipboard::cut(m_editor); });
     connect(&action(Command::Copy), &QAction::triggered, this, [this] { clipboard::copy(m_editor); });
     connect(&action(Command::Paste), &QAction::triggered, this, [this] {

@@ -2,13 +2,17 @@
 #include "app/canvas/canvas_widget.h"
 #include "app/main_window.h"
 #include "app/messages.h"
+#include "app/panels/strokes_model.h"
 #include "app/selection_order.h"
 #include "app/settings.h"
 #include "app/tools/commands.h"
 #include "app/underlay_commands.h"
 
 #include <QInputDialog>
+#include <QLineEdit>
 #include <QStatusBar>
+
+#include <algorithm>
 
 namespace suffuse {
 
@@ -32,6 +36,32 @@ constexpr DistributeCommand distributeCommands[] = {
     {Command::DistributeGapsDown, Axis::Vertical, Spacing::Gaps},
     {Command::DistributeCentresAcross, Axis::Horizontal, Spacing::Centres},
     {Command::DistributeCentresDown, Axis::Vertical, Spacing::Centres}};
+
+/// What is to be renamed and how it is called.
+struct PresentName {
+    QString label;
+    QString name;  ///< as it was typed; empty: none, or several
+    QString title; ///< what people see where it has no name
+};
+
+/// Of the group that is selected as a whole, or else of the selected strokes; nothing where none are.
+std::optional<PresentName> presentNameOf(const Document &document)
+{
+    const Painting &painting = *document.painting();
+    const std::set<StrokeId> &selected = document.selection().strokes;
+    if (const GroupId group = selectedGroup(document))
+        for (const Group &g : painting.groups)
+            if (g.id == group)
+                return PresentName{MainWindow::tr("Name of the group"), g.name, titleOf(g)};
+    if (selected.empty())
+        return {};
+    const StrokePtr first = painting.find(*selected.begin());
+    const bool alike = std::all_of(selected.begin(), selected.end(),
+                                   [&](StrokeId id) { return painting.find(id)->name == first->name; });
+    return PresentName{MainWindow::tr("Name of %n stroke(s)", nullptr, int(selected.size())),
+                       alike ? first->name : QString(),
+                       selected.size() == 1 ? titleOf(*first) : QStringLiteral("—")};
+}
 
 } // namespace
 
@@ -125,17 +155,17 @@ void MainWindow::connectUnderlay()
 
 void MainWindow::renameSelected()
 {
-    const Document &document = m_editor.document();
-    const std::set<StrokeId> &strokes = document.selection().strokes;
-    if (strokes.empty())
+    const std::optional<PresentName> present = presentNameOf(m_editor.document());
+    if (!present)
         return;
-    const StrokePtr first = document.painting()->find(*strokes.begin());
-    bool ok = false;
-    const QString name =
-        QInputDialog::getText(this, tr("Rename"), tr("Name of %n stroke(s)", nullptr, int(strokes.size())),
-                              QLineEdit::Normal, first ? first->name : QString(), &ok);
-    if (ok)
-        commands::renameSelected(m_editor, name);
+    QInputDialog dialog(this);
+    dialog.setWindowTitle(tr("Rename"));
+    dialog.setLabelText(present->label);
+    dialog.setTextValue(present->name);
+    if (auto *field = dialog.findChild<QLineEdit *>())
+        field->setPlaceholderText(present->title);
+    if (dialog.exec() == QDialog::Accepted)
+        commands::renameSelected(m_editor, dialog.textValue());
 }
 
 void MainWindow::updateObjectActions()

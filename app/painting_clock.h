@@ -20,6 +20,9 @@ public:
     using QObject::QObject;
 
     Microseconds time() const;
+    /// The moment as it is shown: never after the end, from which on the picture stays the same, but for a stroke in
+    /// hand. The clock itself stays where it is when the newest strokes go, so that they come back as dry as they were.
+    Microseconds shown() const { return m_drawing ? time() : std::min(time(), m_end); }
     bool isRunning() const { return m_running; }
     /// The moment that was `late` ago; while the clock stands it is this one.
     Microseconds momentBefore(Microseconds late) const { return std::max(m_time, time() - late); }

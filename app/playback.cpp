@@ -31,7 +31,7 @@ void Playback::play()
     if (m_editor.clock().time() >= end())
         m_editor.clock().lookAt(begin());
     else
-        m_editor.clock().lookAt(m_editor.clock().time());
+        m_editor.clock().lookAt(m_editor.clock().shown());
     m_rest = 0;
     m_since.start();
     m_timer.start(tickMs, Qt::PreciseTimer, this);
@@ -68,7 +68,7 @@ void Playback::advance(Microseconds real)
     m_rest += double(real) * m_speed;
     const auto played = Microseconds(m_rest);
     m_rest -= double(played);
-    const Microseconds time = after(m_editor.clock().time(), played);
+    const Microseconds time = after(m_editor.clock().shown(), played);
     if (time < end())
         return m_editor.clock().lookAt(time);
     m_editor.clock().lookAt(m_loops ? begin() : end());
@@ -149,7 +149,7 @@ void Playback::toPreviousStroke()
 {
     Microseconds previous = begin();
     for (const StrokePtr &stroke : m_editor.document().painting()->strokes)
-        if (const Microseconds born = stroke->born(); born < m_editor.clock().time())
+        if (const Microseconds born = stroke->born(); born < m_editor.clock().shown())
             previous = std::max(previous, born);
     seek(previous);
 }

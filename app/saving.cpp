@@ -62,6 +62,7 @@ SaveOutcome carryOut(const SaveOrder &order)
     outcome.hash = QCryptographicHash::hash(bytes, QCryptographicHash::Sha256);
     outcome.bytes = bytes.size();
     outcome.historyBytes = format == FileFormat::Suffuse ? extras.history.size() : 0;
+    outcome.withHistory = order.history.has_value();
     return outcome;
 }
 

@@ -30,7 +30,8 @@ struct SaveOutcome {
     QString message; ///< what went wrong; with Saved, what went wrong beside it
     QByteArray hash; ///< SHA-256 of the file as it is now, Saved and ChangedOutside
     qint64 bytes = 0;
-    qint64 historyBytes = 0; ///< of them
+    qint64 historyBytes = 0;  ///< of them
+    bool withHistory = false; ///< as it was ordered
 
     bool isSaved() const { return kind == Kind::Saved; }
 };

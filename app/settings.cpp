@@ -1,6 +1,7 @@
 #include "app/settings.h"
 
 #include "model/formats/atomic_save.h"
+#include "model/formats/brush_file.h"
 
 #include <QDataStream>
 #include <QDir>
@@ -189,6 +190,18 @@ void setPenSettings(const PenSettings &pen)
     for (const Offset &p : pen.pressure.points)
         points << QStringLiteral("%1 %2").arg(double(p.x), 0, 'g', 9).arg(double(p.y), 0, 'g', 9);
     store().setValue("pen/pressure", points);
+}
+
+Brush brush()
+{
+    const QByteArray bytes = QByteArray::fromBase64(store().value("brush").toString().toLatin1());
+    Result<Brush> kept = readBrush(bytes, QStringLiteral("brush"));
+    return kept ? std::move(*kept) : builtinBrushes().front();
+}
+
+void setBrush(const Brush &brush)
+{
+    store().setValue("brush", QString::fromLatin1(writeBrush(brush).toBase64()));
 }
 
 int backups()

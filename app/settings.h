@@ -3,6 +3,7 @@
 
 #include "app/canvas/pen_input.h"
 #include "app/tools/snapping.h"
+#include "model/brush.h"
 #include "render/renderer.h"
 
 #include <QSettings>
@@ -52,6 +53,10 @@ void setCanvasAids(const CanvasAids &aids);
 /// A curve that cannot be read counts as unset.
 PenSettings penSettings();
 void setPenSettings(const PenSettings &pen);
+
+/// The brush that was in hand last; the first built-in one where none that can be read is stored.
+Brush brush();
+void setBrush(const Brush &brush);
 
 /// Earlier versions that are kept beside a file that is saved, 0 to mostBackups (model/formats/atomic_save.h).
 int backups();

@@ -264,10 +264,6 @@ Rückgabewerte: 0 fertig, 1 fehlgeschlagen, 2 falscher Aufruf.</translation>
         <translation>%1: Diesen Befehl gibt es nicht. Siehe suffuse-cli --help.</translation>
     </message>
     <message>
-        <source>The command.</source>
-        <translation>Der Befehl.</translation>
-    </message>
-    <message>
         <source>Shows this help.</source>
         <translation>Zeigt diese Hilfe.</translation>
     </message>
@@ -756,6 +752,60 @@ Rückgabewerte: 0 fertig, 1 fehlgeschlagen, 2 falscher Aufruf.</translation>
         <source>The brush that recordings and drawings are painted with: a name, or a brush file.</source>
         <translation>Der Pinsel, mit dem Aufnahmen und Zeichnungen gemalt werden: ein Name oder eine Pinseldatei.</translation>
     </message>
+    <message>
+        <source>%1: is IN itself, which would be lost; give OUT another name</source>
+        <translation>%1: ist IN selbst, das verloren ginge; geben Sie OUT einen anderen Namen</translation>
+    </message>
+    <message>
+        <source>%1: not one of its %2 strokes is whole; open a backup of it</source>
+        <translation>%1: Keiner der %2 Striche ist heil; öffnen Sie eine Sicherungskopie davon</translation>
+    </message>
+    <message>
+        <source>The painting, recording or drawing to read; -: standard input.</source>
+        <translation>Das Bild, die Aufzeichnung oder Zeichnung, die gelesen wird; -: Standardeingabe.</translation>
+    </message>
+    <message>
+        <source>The painting before; -: standard input.</source>
+        <translation>Das Bild vorher; -: Standardeingabe.</translation>
+    </message>
+    <message>
+        <source>The painting after; -: standard input.</source>
+        <translation>Das Bild nachher; -: Standardeingabe.</translation>
+    </message>
+    <message>
+        <source>How far right of the canvas&apos; left edge, in canvas units.</source>
+        <translation>Wie weit rechts vom linken Rand der Leinwand, in Leinwandeinheiten.</translation>
+    </message>
+    <message>
+        <source>How far below the canvas&apos; upper edge, in canvas units.</source>
+        <translation>Wie weit unter dem oberen Rand der Leinwand, in Leinwandeinheiten.</translation>
+    </message>
+    <message>
+        <source>Which one, as the list names it.</source>
+        <translation>Welches, wie die Liste es nennt.</translation>
+    </message>
+    <message>
+        <source>Usage: suffuse-cli %1 [options]</source>
+        <translation>Aufruf: suffuse-cli %1 [Optionen]</translation>
+    </message>
+    <message>
+        <source>%1 is given twice; give it once</source>
+        <translation>%1 ist zweimal angegeben; geben Sie es einmal an</translation>
+    </message>
+    <message>
+        <source>--time %1: nothing is painted before %2 s</source>
+        <translation>--time %1: Vor %2 s ist nichts gemalt</translation>
+    </message>
+    <message>
+        <source>  %1 segments with a share below %2 are left out (--all)
+</source>
+        <translation>  %1 Segmente mit einem Anteil unter %2 sind weggelassen (--all)
+</translation>
+    </message>
+    <message>
+        <source>Lists segments with shares below a thousandth, too; --json always does.</source>
+        <translation>Nennt auch Segmente mit Anteilen unter einem Tausendstel; --json immer.</translation>
+    </message>
 </context>
 <context>
     <name>Clipboard</name>
@@ -868,6 +918,10 @@ Rückgabewerte: 0 fertig, 1 fehlgeschlagen, 2 falscher Aufruf.</translation>
     <message>
         <source>Rename strokes</source>
         <translation>Striche umbenennen</translation>
+    </message>
+    <message>
+        <source>Rename group</source>
+        <translation>Gruppe umbenennen</translation>
     </message>
 </context>
 <context>
@@ -1038,6 +1092,17 @@ Rückgabewerte: 0 fertig, 1 fehlgeschlagen, 2 falscher Aufruf.</translation>
     <message>
         <source>%1: %2 could not be written (%3). Choose another format or depth.</source>
         <translation>%1: %2 konnte nicht geschrieben werden (%3). Bitte ein anderes Format oder eine andere Farbtiefe wählen.</translation>
+    </message>
+</context>
+<context>
+    <name>Import</name>
+    <message>
+        <source>there are no strokes in it</source>
+        <translation>enthält keine Striche</translation>
+    </message>
+    <message>
+        <source>Import strokes</source>
+        <translation>Striche importieren</translation>
     </message>
 </context>
 <context>
@@ -2232,6 +2297,62 @@ Rückgabewerte: 0 fertig, 1 fehlgeschlagen, 2 falscher Aufruf.</translation>
         <source>Shift+U</source>
         <translation>Shift+U</translation>
     </message>
+    <message>
+        <source>&amp;Import Strokes…</source>
+        <translation>Striche &amp;importieren…</translation>
+    </message>
+    <message>
+        <source>Drawings, recordings and the strokes of other paintings, into this one</source>
+        <translation>Zeichnungen, Aufnahmen und Striche anderer Bilder, in dieses Bild</translation>
+    </message>
+    <message>
+        <source>S&amp;maller Tool Size</source>
+        <translation>Werkzeug &amp;verkleinern</translation>
+    </message>
+    <message>
+        <source>La&amp;rger Tool Size</source>
+        <translation>Werkzeug ver&amp;größern</translation>
+    </message>
+    <message>
+        <source>&amp;Less Opacity</source>
+        <translation>&amp;Weniger Deckkraft</translation>
+    </message>
+    <message>
+        <source>More &amp;Opacity</source>
+        <translation>&amp;Mehr Deckkraft</translation>
+    </message>
+    <message>
+        <source>Move the Canvas While Held</source>
+        <translation>Leinwand verschieben, solange gehalten</translation>
+    </message>
+    <message>
+        <source>Turn the Canvas While Held</source>
+        <translation>Leinwand drehen, solange gehalten</translation>
+    </message>
+    <message>
+        <source>Move the Selection</source>
+        <translation>Auswahl verschieben</translation>
+    </message>
+    <message>
+        <source>Move the Selection Ten Times as Far</source>
+        <translation>Auswahl zehnmal so weit verschieben</translation>
+    </message>
+    <message>
+        <source>Move the Selection by One Unit</source>
+        <translation>Auswahl um eine Einheit verschieben</translation>
+    </message>
+    <message>
+        <source>Move the Selection by Ten Units</source>
+        <translation>Auswahl um zehn Einheiten verschieben</translation>
+    </message>
+    <message>
+        <source>Previous Stroke or Node</source>
+        <translation>Voriger Strich oder Knoten</translation>
+    </message>
+    <message>
+        <source>Give Up, or Deselect</source>
+        <translation>Abbrechen oder Auswahl aufheben</translation>
+    </message>
 </context>
 <context>
     <name>suffuse::AgePlot</name>
@@ -3073,10 +3194,6 @@ Rückgabewerte: 0 fertig, 1 fehlgeschlagen, 2 falscher Aufruf.</translation>
         <translation>Strich fortsetzen</translation>
     </message>
     <message>
-        <source>Drag to paint; a tap leaves a dot. Shift+drag: size and opacity. Ctrl: pick the picture&apos;s colour; with Shift, a stroke&apos;s own.</source>
-        <translation>Ziehen malt, Tippen setzt einen Punkt. Umschalt+Ziehen: Größe, Deckkraft. Strg: Farbe des Bildes aufnehmen; mit Umschalt die des Strichs.</translation>
-    </message>
-    <message>
         <source>What to paint with; the Brushes dock has pictures</source>
         <translation>Womit gemalt wird; das Andockfenster „Pinsel“ zeigt Bilder</translation>
     </message>
@@ -3147,6 +3264,10 @@ Rückgabewerte: 0 fertig, 1 fehlgeschlagen, 2 falscher Aufruf.</translation>
     <message>
         <source>Opacity %1 %</source>
         <translation>Deckkraft %1 %</translation>
+    </message>
+    <message>
+        <source>Drag to paint, tap for a dot. Shift+drag: size and opacity. Ctrl+click: take the picture&apos;s colour, with Shift the stroke&apos;s own.</source>
+        <translation>Ziehen malt, Tippen: Punkt. Umschalt+Ziehen: Größe, Deckkraft. Strg+Klick: Farbe des Bildes, mit Umschalt die des Strichs.</translation>
     </message>
 </context>
 <context>
@@ -4307,6 +4428,38 @@ Auch die Pfeiltasten wirken.</translation>
         <source>Text and images of the drawing were left out: only paths and shapes are strokes.</source>
         <translation>Text und Bilder der Zeichnung wurden weggelassen: Nur Pfade und Formen werden Striche.</translation>
     </message>
+    <message>
+        <source>the preview</source>
+        <translation>die Vorschau</translation>
+    </message>
+    <message>
+        <source>how it was last looked at</source>
+        <translation>wie es zuletzt betrachtet wurde</translation>
+    </message>
+    <message>
+        <source>the undo history</source>
+        <translation>der Verlauf</translation>
+    </message>
+    <message>
+        <source>the end of the file is damaged</source>
+        <translation>das Ende der Datei ist beschädigt</translation>
+    </message>
+    <message>
+        <source>the file is damaged or cut off at byte %1</source>
+        <translation>die Datei ist bei Byte %1 beschädigt oder abgeschnitten</translation>
+    </message>
+    <message>
+        <source>Damaged and left out: %1. All %2 strokes are here.</source>
+        <translation>Beschädigt und weggelassen: %1. Alle %2 Striche sind da.</translation>
+    </message>
+    <message>
+        <source>damaged and left out: %1</source>
+        <translation>beschädigt und weggelassen: %1</translation>
+    </message>
+    <message>
+        <source>Fills were left out: filled shapes are painted along their outlines.</source>
+        <translation>Füllungen fehlen: Gefüllte Formen sind entlang ihrer Umrisse gemalt.</translation>
+    </message>
 </context>
 <context>
     <name>suffuse::HintLabel</name>
@@ -4365,6 +4518,13 @@ Auch die Pfeiltasten wirken.</translation>
     <message>
         <source>Sets a value along the stroke: constant, as a ramp, or drawn as a curve.</source>
         <translation>Setzt einen Wert entlang des Strichs: konstant, als Rampe oder als gezeichnete Kurve.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 of %n segment(s)</source>
+        <translation>
+            <numerusform>%1 von %n Segment</numerusform>
+            <numerusform>%1 von %n Segmenten</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -4605,6 +4765,18 @@ Auch die Pfeiltasten wirken.</translation>
         <source>SVG drawings (*.svg)</source>
         <translation>SVG-Zeichnungen (*.svg)</translation>
     </message>
+    <message>
+        <source>Import Strokes</source>
+        <translation>Striche importieren</translation>
+    </message>
+    <message>
+        <source>“%1” is damaged. What is whole of it was imported.</source>
+        <translation>„%1“ ist beschädigt. Was davon heil ist, wurde importiert.</translation>
+    </message>
+    <message>
+        <source>Name of the group</source>
+        <translation>Name der Gruppe</translation>
+    </message>
 </context>
 <context>
     <name>suffuse::MixingSection</name>
@@ -4835,6 +5007,14 @@ Auch die Pfeiltasten wirken.</translation>
     <message>
         <source> u</source>
         <translation> E</translation>
+    </message>
+    <message>
+        <source> s</source>
+        <translation> s</translation>
+    </message>
+    <message>
+        <source> u²/s</source>
+        <translation> E²/s</translation>
     </message>
 </context>
 <context>
@@ -5208,6 +5388,18 @@ Auch die Pfeiltasten wirken.</translation>
         <source>Not possible for all that is selected: a value would be out of range.</source>
         <translation>Nicht für die ganze Auswahl möglich: Ein Wert läge außerhalb des Bereichs.</translation>
     </message>
+    <message>
+        <source>Born</source>
+        <translation>Entsteht</translation>
+    </message>
+    <message>
+        <source>When the stroke, or what is selected of it, begins. All of that moves in time as one.</source>
+        <translation>Wann der Strich, oder was von ihm ausgewählt ist, beginnt. All das verschiebt sich gemeinsam in der Zeit.</translation>
+    </message>
+    <message>
+        <source>Change birth</source>
+        <translation>Entstehung ändern</translation>
+    </message>
 </context>
 <context>
     <name>suffuse::SelectTool</name>
@@ -5284,12 +5476,12 @@ Auch die Pfeiltasten wirken.</translation>
         <translation>Umschalt+Klick: hinzufügen oder wegnehmen. Umschalt+Ziehen: Umrahmtes hinzufügen; beim Verschieben: nicht einrasten.</translation>
     </message>
     <message>
-        <source>Click paint to select its stroke, drag to select several. Shift: add. Alt: below, touch. Ctrl: in groups.</source>
-        <translation>Klick auf Farbe wählt ihren Strich, Ziehen mehrere. Umschalt: hinzufügen. Alt: darunter, berühren. Strg: in Gruppen.</translation>
+        <source>Click paint to select its stroke. Drag for a band, over paint with Shift. Alt+click: the stroke below.</source>
+        <translation>Klick auf Farbe wählt ihren Strich. Ziehen: Rahmen, über Farbe mit Umschalt. Alt+Klick: der Strich darunter.</translation>
     </message>
     <message>
-        <source>Drag: move. Click again: rotate and skew. Double click: its segment. Shift: add. Alt: below, touch. Ctrl: axis.</source>
-        <translation>Ziehen: verschieben. Noch ein Klick: drehen, scheren. Doppelklick: Segment. Umschalt: hinzufügen. Alt: darunter, berühren. Strg: Achse.</translation>
+        <source>Drag: move. Click again: rotate and skew. Double click: its segment. Shift+click: add. Shift+drag: a band. Alt+click: the stroke below.</source>
+        <translation>Ziehen: verschieben. Noch ein Klick: drehen. Doppelklick: Segment. Umschalt+Klick: dazu. Umschalt+Ziehen: Rahmen. Alt+Klick: darunter.</translation>
     </message>
 </context>
 <context>
@@ -5452,6 +5644,14 @@ Auch die Pfeiltasten wirken.</translation>
     <message>
         <source>Takes the shortcut away from the other command</source>
         <translation>Nimmt dem anderen Befehl das Tastenkürzel weg</translation>
+    </message>
+    <message>
+        <source>Fixed: no command can have these keys.</source>
+        <translation>Fest: Kein Befehl kann diese Tasten haben.</translation>
+    </message>
+    <message>
+        <source>%1 is fixed: “%2”. Give “%3” another shortcut.</source>
+        <translation>%1 ist fest: „%2“. Geben Sie „%3“ ein anderes Kürzel.</translation>
     </message>
 </context>
 <context>
@@ -5995,14 +6195,6 @@ Auch die Pfeiltasten wirken.</translation>
         <translation>Wie lang der Film ist; die Zeit des Bildes wird darauf gestreckt.</translation>
     </message>
     <message>
-        <source>Keep of pauses</source>
-        <translation>Von Pausen bleibt</translation>
-    </message>
-    <message>
-        <source>How much is kept of a pause in which nothing is painted or spreads, in the painting&apos;s time</source>
-        <translation>Wie viel von einer Pause bleibt, in der nichts gemalt wird oder verläuft, in der Zeit des Bildes</translation>
-    </message>
-    <message>
         <source>Quality</source>
         <translation>Qualität</translation>
     </message>
@@ -6017,10 +6209,6 @@ Auch die Pfeiltasten wirken.</translation>
     <message>
         <source>Leaves the background out and stores how much the paint covers.</source>
         <translation>Lässt den Hintergrund weg und speichert, wie stark die Farbe deckt.</translation>
-    </message>
-    <message>
-        <source>Play again and again</source>
-        <translation>Immer wieder abspielen</translation>
     </message>
     <message>
         <source>Animated WebP: begins anew at its end. Players decide it for videos.</source>
@@ -6071,6 +6259,18 @@ Auch die Pfeiltasten wirken.</translation>
             <numerusform>%1; noch %n Minute</numerusform>
             <numerusform>%1; noch %n Minuten</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>Longest pause</source>
+        <translation>Längste Pause</translation>
+    </message>
+    <message>
+        <source>Pauses in which nothing is painted or spreads are cut to this, in the painting&apos;s time.</source>
+        <translation>Pausen, in denen nichts gemalt wird oder verläuft, werden darauf gekürzt, in der Zeit des Bildes.</translation>
+    </message>
+    <message>
+        <source>Loop</source>
+        <translation>Endlos wiederholen</translation>
     </message>
 </context>
 <context>

@@ -264,10 +264,6 @@ Exit codes: 0 done, 1 the work failed, 2 wrong usage.</source>
         <translation>%1：没有此命令。参见 suffuse-cli --help。</translation>
     </message>
     <message>
-        <source>The command.</source>
-        <translation>命令。</translation>
-    </message>
-    <message>
         <source>Shows this help.</source>
         <translation>显示此帮助。</translation>
     </message>
@@ -755,6 +751,60 @@ Exit codes: 0 done, 1 the work failed, 2 wrong usage.</source>
         <source>The brush that recordings and drawings are painted with: a name, or a brush file.</source>
         <translation>绘制记录和图形所用的画笔：名称或画笔文件。</translation>
     </message>
+    <message>
+        <source>%1: is IN itself, which would be lost; give OUT another name</source>
+        <translation>%1：就是 IN 本身，会丢失；请为 OUT 另取名称</translation>
+    </message>
+    <message>
+        <source>%1: not one of its %2 strokes is whole; open a backup of it</source>
+        <translation>%1：%2 条笔画无一完整；请打开其备份</translation>
+    </message>
+    <message>
+        <source>The painting, recording or drawing to read; -: standard input.</source>
+        <translation>要读取的画作、记录或图形；-：标准输入。</translation>
+    </message>
+    <message>
+        <source>The painting before; -: standard input.</source>
+        <translation>之前的画作；-：标准输入。</translation>
+    </message>
+    <message>
+        <source>The painting after; -: standard input.</source>
+        <translation>之后的画作；-：标准输入。</translation>
+    </message>
+    <message>
+        <source>How far right of the canvas&apos; left edge, in canvas units.</source>
+        <translation>距画布左边缘的距离，以画布单位计。</translation>
+    </message>
+    <message>
+        <source>How far below the canvas&apos; upper edge, in canvas units.</source>
+        <translation>距画布上边缘的距离，以画布单位计。</translation>
+    </message>
+    <message>
+        <source>Which one, as the list names it.</source>
+        <translation>列表中的编号。</translation>
+    </message>
+    <message>
+        <source>Usage: suffuse-cli %1 [options]</source>
+        <translation>用法：suffuse-cli %1 [选项]</translation>
+    </message>
+    <message>
+        <source>%1 is given twice; give it once</source>
+        <translation>%1 给出了两次；请只给一次</translation>
+    </message>
+    <message>
+        <source>--time %1: nothing is painted before %2 s</source>
+        <translation>--time %1：%2 秒之前没有任何绘画</translation>
+    </message>
+    <message>
+        <source>  %1 segments with a share below %2 are left out (--all)
+</source>
+        <translation>  略去了 %1 个份额低于 %2 的线段（--all）
+</translation>
+    </message>
+    <message>
+        <source>Lists segments with shares below a thousandth, too; --json always does.</source>
+        <translation>也列出份额低于千分之一的线段；--json 总是列出。</translation>
+    </message>
 </context>
 <context>
     <name>Clipboard</name>
@@ -866,6 +916,10 @@ Exit codes: 0 done, 1 the work failed, 2 wrong usage.</source>
     <message>
         <source>Rename strokes</source>
         <translation>重命名笔画</translation>
+    </message>
+    <message>
+        <source>Rename group</source>
+        <translation>重命名组</translation>
     </message>
 </context>
 <context>
@@ -1036,6 +1090,17 @@ Exit codes: 0 done, 1 the work failed, 2 wrong usage.</source>
     <message>
         <source>%1: %2 could not be written (%3). Choose another format or depth.</source>
         <translation>%1：未能写入 %2（%3）。请选择其他格式或位深。</translation>
+    </message>
+</context>
+<context>
+    <name>Import</name>
+    <message>
+        <source>there are no strokes in it</source>
+        <translation>其中没有笔画</translation>
+    </message>
+    <message>
+        <source>Import strokes</source>
+        <translation>导入笔画</translation>
     </message>
 </context>
 <context>
@@ -2229,6 +2294,62 @@ Exit codes: 0 done, 1 the work failed, 2 wrong usage.</source>
         <source>Shift+U</source>
         <translation>Shift+U</translation>
     </message>
+    <message>
+        <source>&amp;Import Strokes…</source>
+        <translation>导入笔画(&amp;I)…</translation>
+    </message>
+    <message>
+        <source>Drawings, recordings and the strokes of other paintings, into this one</source>
+        <translation>将图形、笔迹记录和其他画作的笔画导入本画作</translation>
+    </message>
+    <message>
+        <source>S&amp;maller Tool Size</source>
+        <translation>缩小工具(&amp;M)</translation>
+    </message>
+    <message>
+        <source>La&amp;rger Tool Size</source>
+        <translation>放大工具(&amp;R)</translation>
+    </message>
+    <message>
+        <source>&amp;Less Opacity</source>
+        <translation>降低不透明度(&amp;L)</translation>
+    </message>
+    <message>
+        <source>More &amp;Opacity</source>
+        <translation>提高不透明度(&amp;O)</translation>
+    </message>
+    <message>
+        <source>Move the Canvas While Held</source>
+        <translation>按住时移动画布</translation>
+    </message>
+    <message>
+        <source>Turn the Canvas While Held</source>
+        <translation>按住时旋转画布</translation>
+    </message>
+    <message>
+        <source>Move the Selection</source>
+        <translation>移动所选</translation>
+    </message>
+    <message>
+        <source>Move the Selection Ten Times as Far</source>
+        <translation>以十倍距离移动所选</translation>
+    </message>
+    <message>
+        <source>Move the Selection by One Unit</source>
+        <translation>将所选移动一个单位</translation>
+    </message>
+    <message>
+        <source>Move the Selection by Ten Units</source>
+        <translation>将所选移动十个单位</translation>
+    </message>
+    <message>
+        <source>Previous Stroke or Node</source>
+        <translation>上一笔画或节点</translation>
+    </message>
+    <message>
+        <source>Give Up, or Deselect</source>
+        <translation>放弃或取消选择</translation>
+    </message>
 </context>
 <context>
     <name>suffuse::AgePlot</name>
@@ -3070,10 +3191,6 @@ Exit codes: 0 done, 1 the work failed, 2 wrong usage.</source>
         <translation>延长笔画</translation>
     </message>
     <message>
-        <source>Drag to paint; a tap leaves a dot. Shift+drag: size and opacity. Ctrl: pick the picture&apos;s colour; with Shift, a stroke&apos;s own.</source>
-        <translation>拖动以绘制；轻点留下一个点。Shift+拖动：大小和不透明度。Ctrl：拾取画面的颜色；再加 Shift：拾取笔画本身的颜色。</translation>
-    </message>
-    <message>
         <source>What to paint with; the Brushes dock has pictures</source>
         <translation>作画所用的画笔；“画笔”面板中有示例图</translation>
     </message>
@@ -3144,6 +3261,10 @@ Exit codes: 0 done, 1 the work failed, 2 wrong usage.</source>
     <message>
         <source>Opacity %1 %</source>
         <translation>不透明度 %1 %</translation>
+    </message>
+    <message>
+        <source>Drag to paint, tap for a dot. Shift+drag: size and opacity. Ctrl+click: take the picture&apos;s colour, with Shift the stroke&apos;s own.</source>
+        <translation>拖动绘制，轻点成点。Shift+拖动：大小和不透明度。Ctrl+点击：拾取画面颜色，再加 Shift：笔画本身的颜色。</translation>
     </message>
 </context>
 <context>
@@ -4304,6 +4425,38 @@ Arrow keys work too.</source>
         <source>Text and images of the drawing were left out: only paths and shapes are strokes.</source>
         <translation>图形中的文字和图像已略去：只有路径和形状会成为笔画。</translation>
     </message>
+    <message>
+        <source>the preview</source>
+        <translation>预览图</translation>
+    </message>
+    <message>
+        <source>how it was last looked at</source>
+        <translation>上次查看的视图</translation>
+    </message>
+    <message>
+        <source>the undo history</source>
+        <translation>撤销历史</translation>
+    </message>
+    <message>
+        <source>the end of the file is damaged</source>
+        <translation>文件末尾已损坏</translation>
+    </message>
+    <message>
+        <source>the file is damaged or cut off at byte %1</source>
+        <translation>文件在第 %1 字节处损坏或被截断</translation>
+    </message>
+    <message>
+        <source>Damaged and left out: %1. All %2 strokes are here.</source>
+        <translation>已损坏并略去：%1。全部 %2 条笔画都在。</translation>
+    </message>
+    <message>
+        <source>damaged and left out: %1</source>
+        <translation>已损坏并略去：%1</translation>
+    </message>
+    <message>
+        <source>Fills were left out: filled shapes are painted along their outlines.</source>
+        <translation>填充已略去：填充的形状沿其轮廓绘制。</translation>
+    </message>
 </context>
 <context>
     <name>suffuse::HintLabel</name>
@@ -4360,6 +4513,12 @@ Arrow keys work too.</source>
     <message>
         <source>Sets a value along the stroke: constant, as a ramp, or drawn as a curve.</source>
         <translation>设置沿笔画变化的值：恒定、渐变或手绘曲线。</translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 of %n segment(s)</source>
+        <translation>
+            <numerusform>%n 条线段中的 %1 条</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -4599,6 +4758,18 @@ Arrow keys work too.</source>
         <source>SVG drawings (*.svg)</source>
         <translation>SVG 图形 (*.svg)</translation>
     </message>
+    <message>
+        <source>Import Strokes</source>
+        <translation>导入笔画</translation>
+    </message>
+    <message>
+        <source>“%1” is damaged. What is whole of it was imported.</source>
+        <translation>“%1”已损坏。其中完好的部分已导入。</translation>
+    </message>
+    <message>
+        <source>Name of the group</source>
+        <translation>组的名称</translation>
+    </message>
 </context>
 <context>
     <name>suffuse::MixingSection</name>
@@ -4829,6 +5000,14 @@ Arrow keys work too.</source>
     <message>
         <source> u</source>
         <translation> u</translation>
+    </message>
+    <message>
+        <source> s</source>
+        <translation> 秒</translation>
+    </message>
+    <message>
+        <source> u²/s</source>
+        <translation> u²/秒</translation>
     </message>
 </context>
 <context>
@@ -5201,6 +5380,18 @@ Arrow keys work too.</source>
         <source>Not possible for all that is selected: a value would be out of range.</source>
         <translation>无法应用于全部所选内容：某个值会超出范围。</translation>
     </message>
+    <message>
+        <source>Born</source>
+        <translation>诞生时间</translation>
+    </message>
+    <message>
+        <source>When the stroke, or what is selected of it, begins. All of that moves in time as one.</source>
+        <translation>笔画或其选中部分何时开始；这些内容会作为整体在时间上移动。</translation>
+    </message>
+    <message>
+        <source>Change birth</source>
+        <translation>更改诞生时间</translation>
+    </message>
 </context>
 <context>
     <name>suffuse::SelectTool</name>
@@ -5277,12 +5468,12 @@ Arrow keys work too.</source>
         <translation>Shift+点击：添加或移除。Shift+拖动：添加选框圈住的内容；移动时：不吸附。</translation>
     </message>
     <message>
-        <source>Click paint to select its stroke, drag to select several. Shift: add. Alt: below, touch. Ctrl: in groups.</source>
-        <translation>点击颜料选择其笔画，拖动选择多条。Shift：添加。Alt：下层、触碰。Ctrl：组内。</translation>
+        <source>Click paint to select its stroke. Drag for a band, over paint with Shift. Alt+click: the stroke below.</source>
+        <translation>点击颜料选择其笔画。拖动：框选，在颜料上按住 Shift。Alt+点击：下层笔画。</translation>
     </message>
     <message>
-        <source>Drag: move. Click again: rotate and skew. Double click: its segment. Shift: add. Alt: below, touch. Ctrl: axis.</source>
-        <translation>拖动：移动。再次点击：旋转和倾斜。双击：其线段。Shift：添加。Alt：下层、触碰。Ctrl：坐标轴。</translation>
+        <source>Drag: move. Click again: rotate and skew. Double click: its segment. Shift+click: add. Shift+drag: a band. Alt+click: the stroke below.</source>
+        <translation>拖动：移动。再次点击：旋转和倾斜。双击：其线段。Shift+点击：添加。Shift+拖动：框选。Alt+点击：下层笔画。</translation>
     </message>
 </context>
 <context>
@@ -5445,6 +5636,14 @@ Arrow keys work too.</source>
     <message>
         <source>Takes the shortcut away from the other command</source>
         <translation>从另一个命令取走该快捷键</translation>
+    </message>
+    <message>
+        <source>Fixed: no command can have these keys.</source>
+        <translation>固定：任何命令都不能使用这些键。</translation>
+    </message>
+    <message>
+        <source>%1 is fixed: “%2”. Give “%3” another shortcut.</source>
+        <translation>%1 是固定的：“%2”。请为“%3”另选快捷键。</translation>
     </message>
 </context>
 <context>
@@ -5987,14 +6186,6 @@ Arrow keys work too.</source>
         <translation>影片的时长；画作的时间会伸缩到此长度。</translation>
     </message>
     <message>
-        <source>Keep of pauses</source>
-        <translation>停顿保留</translation>
-    </message>
-    <message>
-        <source>How much is kept of a pause in which nothing is painted or spreads, in the painting&apos;s time</source>
-        <translation>没有绘制也没有扩散的停顿保留多少，以画作的时间计</translation>
-    </message>
-    <message>
         <source>Quality</source>
         <translation>质量</translation>
     </message>
@@ -6009,10 +6200,6 @@ Arrow keys work too.</source>
     <message>
         <source>Leaves the background out and stores how much the paint covers.</source>
         <translation>去掉背景，并保存颜料的覆盖程度。</translation>
-    </message>
-    <message>
-        <source>Play again and again</source>
-        <translation>循环播放</translation>
     </message>
     <message>
         <source>Animated WebP: begins anew at its end. Players decide it for videos.</source>
@@ -6061,6 +6248,18 @@ Arrow keys work too.</source>
         <translation>
             <numerusform>%1；剩余 %n 分钟</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>Longest pause</source>
+        <translation>最长停顿</translation>
+    </message>
+    <message>
+        <source>Pauses in which nothing is painted or spreads are cut to this, in the painting&apos;s time.</source>
+        <translation>没有绘制也没有扩散的停顿会缩短到此长度，以画作的时间计。</translation>
+    </message>
+    <message>
+        <source>Loop</source>
+        <translation>循环播放</translation>
     </message>
 </context>
 <context>

@@ -1,35 +1,37 @@
 #include "model/document.h"
 
+#include <algorithm>
 #include <unordered_map>
 
 namespace suffuse {
 
 namespace {
 
-/// Without ids and segments that the painting lacks, and with the strokes of selected segments. One pass.
-Selection existing(const Selection &selection, const Painting &painting)
+/// Without ids and segments that the painting lacks, and with the strokes of selected segments.
+Selection existing(Selection selection, const Painting &painting)
 {
     if (selection.strokes.empty() && selection.segments.empty())
         return {};
-    std::unordered_map<StrokeId, int> wanted; // id → number of segments
-    for (StrokeId id : selection.strokes)
-        wanted[id] = -1;
-    for (const SegmentRef &ref : selection.segments)
-        wanted[ref.stroke] = -1;
+    std::vector<std::pair<StrokeId, int>> there; // ids and numbers of segments
+    there.reserve(painting.strokes.size());
     for (const StrokePtr &stroke : painting.strokes)
-        if (const auto it = wanted.find(stroke->id); it != wanted.end())
-            it->second = int(stroke->segments.size());
-    Selection result;
-    for (StrokeId id : selection.strokes)
-        if (wanted[id] >= 0)
-            result.strokes.insert(id);
-    for (const SegmentRef &ref : selection.segments) {
-        if (ref.segment < 0 || ref.segment >= wanted[ref.stroke])
-            continue;
-        result.segments.insert(ref);
-        result.strokes.insert(ref.stroke);
-    }
-    return result;
+        there.emplace_back(stroke->id, int(stroke->segments.size()));
+    if (!std::ranges::is_sorted(there)) // most often the order is nearly that of the ids
+        std::ranges::sort(there);
+    auto next = there.begin(); // what is selected rises, too
+    const auto segmentsOf = [&](StrokeId id) {
+        while (next != there.end() && next->first < id)
+            ++next;
+        return next != there.end() && next->first == id ? next->second : -1;
+    };
+    std::erase_if(selection.strokes, [&](StrokeId id) { return segmentsOf(id) < 0; });
+    next = there.begin();
+    std::erase_if(selection.segments, [&](const SegmentRef &ref) {
+        return ref.segment < 0 || ref.segment >= segmentsOf(ref.stroke);
+    });
+    for (const SegmentRef &ref : selection.segments)
+        selection.strokes.insert(ref.stroke);
+    return selection;
 }
 
 /// Swaps strokes in place; none comes or goes.
@@ -96,7 +98,7 @@ PaintingPtr Document::snapshot() const
 
 void Document::setSelection(Selection selection)
 {
-    selection = existing(selection, *m_painting);
+    selection = existing(std::move(selection), *m_painting);
     if (selection == m_selection)
         return;
     m_selection = std::move(selection);
@@ -147,12 +149,13 @@ void Document::exchangeSelection(Edit &edit, Change &change)
     // What stays and keeps its segments needs no look at all the strokes.
     if (same && !edit.reorders() && (edit.strokes.empty() || m_selection.segments.empty()))
         return;
-    Selection after = existing(edit.selection ? *edit.selection : m_selection, *m_painting);
+    const bool given = edit.selection.has_value();
+    Selection after = existing(given ? std::move(*edit.selection) : m_selection, *m_painting);
     change.selection = after != m_selection;
+    std::swap(m_selection, after);
     // What leaves the selection because it no longer exists must come back with it.
-    if (edit.selection || change.selection)
-        edit.selection = m_selection;
-    m_selection = std::move(after);
+    if (given || change.selection)
+        edit.selection = std::move(after);
 }
 
 void Document::setDraft(StrokePtr draft)

@@ -27,36 +27,39 @@ struct Paper {
 };
 bool operator==(const Paper &a, const Paper &b);
 
+/// The sheet: from (0, 0) at its top left corner, y down. What is painted beyond it is kept.
 struct Canvas {
-    double width = 1024;  ///< units, (0, 1e6]
-    double height = 768;
-    Colour background{0, 0, 0, 1};
+    double width = 1024;           ///< units, (0, 1e6]
+    double height = 768;           ///< units, (0, 1e6]
+    Colour background{0, 0, 0, 1}; ///< under all strokes; red, yellow, blue and opacity, each in [0, 1]: opaque white
     Paper paper;
     friend bool operator==(const Canvas &, const Canvas &) = default;
+    /// All of it, units.
     Rect area() const { return Rect::of(0, 0, width, height); }
 };
 
 /// Strokes of a group stand together in the order.
 struct Group {
-    GroupId id = 0;
-    QString name;
-    GroupId parent = 0;
-    bool visible = true;
-    bool locked = false;
+    GroupId id = 0;      ///< 1 and above; of no other group
+    QString name;        ///< as it was typed; may be empty, or another group's too
+    GroupId parent = 0;  ///< the group that it lies in; 0: none
+    bool visible = true; ///< and with it what lies in it
+    bool locked = false; ///< and with it what lies in it: seen, and not changed by tools
     friend bool operator==(const Group &, const Group &) = default;
 };
 
+/// A colour of the painting's palette; their order is the palette's.
 struct Swatch {
-    QString name;
-    Colour colour;
+    QString name;  ///< may be empty, or another's too
+    Colour colour; ///< red, yellow, blue and opacity, each in [0, 1]
     friend bool operator==(const Swatch &, const Swatch &) = default;
 };
 
 /// A picture to paint over; never part of the rendered picture.
 struct Underlay {
     EncodedImage image;
-    Rect area;          ///< canvas units
-    float opacity = 0.5f;
+    Rect area;            ///< where it lies, canvas units
+    float opacity = 0.5f; ///< [0, 1]
     bool visible = true;
 };
 bool operator==(const Underlay &a, const Underlay &b);
@@ -64,10 +67,10 @@ bool operator==(const Underlay &a, const Underlay &b);
 /// The painting: an immutable value once it is shared. Strokes stand from bottom to top.
 struct Painting {
     Canvas canvas;
-    StrokeList strokes;
-    std::vector<Group> groups;
-    std::vector<Swatch> swatches;
-    std::shared_ptr<const Underlay> underlay;
+    StrokeList strokes;                       ///< ids 1 and above, each once
+    std::vector<Group> groups;                ///< in any order; parents make no circles
+    std::vector<Swatch> swatches;             ///< the palette, in its order
+    std::shared_ptr<const Underlay> underlay; ///< null: none
 
     /// Null where there is none.
     StrokePtr find(StrokeId id) const;
@@ -75,9 +78,11 @@ struct Painting {
     int indexOf(StrokeId id) const;
     /// Visible itself and in visible groups only.
     bool isVisible(const Stroke &stroke) const;
+    /// Locked itself or in a locked group.
     bool isLocked(const Stroke &stroke) const;
+    /// Of all strokes, hidden ones too.
     std::size_t segmentCount() const;
-    /// The moment when all has dried: the default document time.
+    /// The moment when all has dried, µs: the default document time. 0 without strokes.
     Microseconds end() const;
     StrokeId nextStrokeId() const; ///< greatest id + 1
 };

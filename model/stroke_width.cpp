@@ -1,5 +1,7 @@
 #include "model/stroke_width.h"
 
+#include "model/stroke_fit.h"
+
 #include <cmath>
 #include <numbers>
 
@@ -12,12 +14,69 @@ using std::numbers::pi;
 
 /// Beyond so many spreads φˢ grows faster than anybody wants.
 constexpr double mostSpreads = 2;
+/// Nothing is seen further from a curve: e^(−36) of any density.
+constexpr double farthestSpreads = 6;
+/// Places of a curve, apart from its start, where its width is looked at.
+constexpr int widthPlaces = 8;
 
 /// φ_e: where (19) first reaches 1 coming from inside.
 double edgeStart(double xi1, double xi2, double xi3)
 {
     const double a = std::pow(xi2, 3), b = std::pow(xi1, 6);
     return std::cbrt(2 * b / (a + std::sqrt(a * a - 4 * b * (1 - 1 / xi3))));
+}
+
+/// Where the dry paint of a segment is seen, in a stroke of a given length.
+class SeenPaintOf {
+public:
+    SeenPaintOf(const Segment &segment, const Style &style, double strokeLength)
+        : m_segment(segment), m_age(segment.age(segment.driesAt())), m_cut(visibleCut(style)), m_length(strokeLength)
+    {}
+
+    /// How far beside a curve along `tangent`.
+    double beside(Point tangent) const
+    {
+        const double density = double(m_segment.density) * share(-m_length / 2, spreadAlong(tangent));
+        return m_cut > 0 ? halfWidth(diffusionAcross(m_segment, tangent), density, m_age, m_cut) : 0;
+    }
+
+    /// How far beyond the end of a curve along `tangent`.
+    double beyond(Point tangent) const
+    {
+        const double s = spreadAlong(tangent);
+        const double needed =
+            m_cut * std::sqrt(4 * pi * diffusionAcross(m_segment, tangent) * m_age) / double(m_segment.density);
+        if (!(m_cut > 0 && share(0, s) > needed))
+            return 0;
+        double low = 0, high = farthestSpreads * s;
+        for (int k = 0; k < 50; ++k) {
+            const double middle = 0.5 * (low + high);
+            (share(middle, s) > needed ? low : high) = middle;
+        }
+        return low;
+    }
+
+private:
+    double spreadAlong(Point tangent) const
+    {
+        return std::sqrt(4 * diffusionAcross(m_segment, {-tangent.y, tangent.x}) * m_age);
+    }
+    /// Of an endless line's density, so far beyond the end; in the middle where that is −length / 2.
+    double share(double beyond, double s) const
+    {
+        return 0.5 * (std::erf((beyond + m_length) / s) - std::erf(beyond / s));
+    }
+
+    const Segment &m_segment;
+    double m_age, m_cut, m_length;
+};
+
+Point tangentAt(const Cubic &cubic, double t)
+{
+    for (const Point d : {cubic.derivative(t), cubic.derivative(0.5), cubic.p[3] - cubic.p[0]})
+        if (const double l = length(d); l > 0)
+            return (1 / l) * d;
+    return {1, 0};
 }
 
 } // namespace
@@ -52,6 +111,30 @@ double halfWidth(double diffusion, double density, double age, double cut)
     const double s = std::sqrt(4 * diffusion * std::max(age, 0.0));
     const double excess = density / (cut * std::sqrt(pi) * s);
     return s > 0 && excess > 1 ? s * std::sqrt(std::log(excess)) : 0;
+}
+
+Rect seenBox(const Stroke &stroke)
+{
+    double total = 0;
+    for (const Segment &segment : stroke.segments)
+        total += arcLength(stroke.cubicOf(segment));
+    Rect box;
+    for (const Segment &segment : stroke.segments) {
+        const Cubic cubic = stroke.cubicOf(segment);
+        const SeenPaintOf seen(segment, stroke.styleOf(segment), total);
+        for (int place = 0; place <= widthPlaces; ++place) {
+            const double t = double(place) / widthPlaces;
+            const Point at = cubic.at(t), tangent = tangentAt(cubic, t);
+            const Point aside = seen.beside(tangent) * Point{-tangent.y, tangent.x};
+            box.include(at + aside);
+            box.include(at - aside);
+        }
+        if (&segment == &stroke.segments.front())
+            box.include(cubic.p[0] - seen.beyond(tangentAt(cubic, 0)) * tangentAt(cubic, 0));
+        if (&segment == &stroke.segments.back())
+            box.include(cubic.p[3] + seen.beyond(tangentAt(cubic, 1)) * tangentAt(cubic, 1));
+    }
+    return box;
 }
 
 double greatestHalfWidth(double density, double cut)

@@ -3,6 +3,7 @@
 
 #include "model/geometry.h"
 #include "model/segment.h"
+#include "model/stroke.h"
 #include "model/style.h"
 
 #include <optional>
@@ -35,6 +36,11 @@ WidthValues valuesForHalfWidth(double halfWidth, double diffusion, double age, d
 /// The D that alone gives the half-width w > 0 at age t > 0: the smaller of the two, at which more D is wider still.
 /// w is clamped to `greatestHalfWidth`.
 double diffusionForHalfWidth(double halfWidth, double density, double age, double cut);
+
+/// Box of what is seen of the dry stroke, canvas units: its curves, the half-widths beside them, and as far beyond the
+/// two ends as paint is seen there. Exact for a straight stroke of one width; of a short one all is narrower, by the
+/// density that its length lacks.
+Rect seenBox(const Stroke &stroke);
 
 /// Lambert's W on its lower branch: the y ≤ −1 with y·e^y = x, for x in [−1/e, 0).
 double lowerLambertW(double x);

@@ -325,4 +325,13 @@ Rect curveBox(const Stroke &stroke)
     return box;
 }
 
+Rect controlBox(const Stroke &stroke)
+{
+    Rect box;
+    for (const Segment &segment : stroke.segments)
+        for (const Offset &offset : segment.bezier)
+            box.include(stroke.origin + offset);
+    return box;
+}
+
 } // namespace suffuse

@@ -57,5 +57,7 @@ Stroke transformed(const Stroke &stroke, const Affine &map, SpreadRule rule);
 /// The curves' own box, exact; without their spread. Canvas units.
 Rect curveBox(const Cubic &cubic);
 Rect curveBox(const Stroke &stroke);
+/// Around all control points, which is quicker; canvas units.
+Rect controlBox(const Stroke &stroke);
 
 } // namespace suffuse

@@ -62,10 +62,11 @@ Result<std::shared_ptr<const PaperTexture>> paperTexture(const Paper &paper)
         texture->height = height;
         texture->grey.resize(std::size_t(width) * height);
     };
-    rows.row = [&](int y, const float *rgba) {
-        float *grey = texture->grey.data() + std::size_t(y) * texture->width;
-        for (int x = 0; x < texture->width; ++x, rgba += 4)
-            grey[x] = float(0.2126 * rgba[0] + 0.7152 * rgba[1] + 0.0722 * rgba[2]);
+    rows.row = [&](const ImageRun &run) {
+        run.forEach([&](int x, int y, const float *rgba) {
+            texture->grey[std::size_t(y) * texture->width + x] =
+                float(0.2126 * rgba[0] + 0.7152 * rgba[1] + 0.0722 * rgba[2]);
+        });
     };
     if (Result<void> read = readImageRows(*paper.image, name, rows); !read)
         return Error{read.error()};

@@ -194,6 +194,16 @@ Edit ungroupSelection(const Document &document)
     return dissolve(painting, gone);
 }
 
+GroupId selectedGroup(const Document &document)
+{
+    const Selection &selection = document.selection();
+    if (!selection.segments.empty())
+        return 0;
+    const std::vector<Sibling> tree = orderTree(*document.painting(), selection.strokes);
+    const std::vector<const Sibling *> units = selectedUnits(tree);
+    return units.size() == 1 ? units.front()->group : 0;
+}
+
 Edit ungroup(const Document &document, GroupId group)
 {
     const Painting &painting = *document.painting();

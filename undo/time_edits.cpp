@@ -214,6 +214,23 @@ Edit retime(const Painting &before, const Selection &selection, const TimeMap &m
     });
 }
 
+Edit beginAt(const Painting &before, const Selection &selection, const BeginMap &map)
+{
+    bool possible = true;
+    Edit edit = changedSince(before, selection, [&](Stroke &stroke, const Selected &selected) {
+        Microseconds first = latest;
+        for (std::size_t k = 0; k < stroke.segments.size(); ++k)
+            if (selected.contains(k))
+                first = std::min(first, stroke.segments[k].born);
+        const std::optional<Microseconds> begin = map(first);
+        possible = possible && begin;
+        for (std::size_t k = 0; k < stroke.segments.size() && begin; ++k)
+            if (selected.contains(k))
+                shift(stroke.segments[k], {.by = *begin - first});
+    });
+    return possible ? edit : Edit();
+}
+
 Edit stretch(const Painting &before, const Selection &selection, TimeSpan span)
 {
     const TimeSpan drawn = drawnSpan(before, selection);

@@ -5,6 +5,9 @@
 #include "model/timelapse.h"
 #include "undo/edits.h"
 
+#include <functional>
+#include <optional>
+
 namespace suffuse {
 
 /// Document time T to from + (T − from)·factor + by. The factor is not negative.
@@ -26,6 +29,10 @@ Edit retime(const Painting &before, const Selection &selection, const TimeMap &m
 
 /// When the first and the last selected segment are born; empty (end before begin) where nothing can be retimed.
 TimeSpan drawnSpan(const Painting &painting, const Selection &selection);
+/// Births of each selected stroke, or of its segments that are selected, shifted as one so that the first of them comes
+/// when `map` says of its time; so is when it is wetted again. Nothing where `map` gives none for one of them.
+using BeginMap = std::function<std::optional<Microseconds>(Microseconds)>;
+Edit beginAt(const Painting &before, const Selection &selection, const BeginMap &map);
 /// As `retime`, so that what is selected is drawn from `begin` to `end`. What was there all at once is drawn at an even
 /// pace then, each stroke over the whole time.
 Edit stretch(const Painting &before, const Selection &selection, TimeSpan span);

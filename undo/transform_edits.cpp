@@ -1,5 +1,6 @@
 #include "undo/transform_edits.h"
 
+#include "model/stroke_width.h"
 #include "model/validate.h"
 #include "undo/order_tree.h"
 #include "undo/remap.h"
@@ -27,7 +28,7 @@ std::vector<Unit> unitsOf(const Document &document)
         Unit unit;
         forEachStroke(*sibling, [&](StrokeId id) {
             unit.strokes.push_back(byId.at(id));
-            unit.box = unit.box.united(curveBox(*unit.strokes.back()));
+            unit.box = unit.box.united(seenBox(*unit.strokes.back()));
         });
         units.push_back(std::move(unit));
     }

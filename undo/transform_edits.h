@@ -19,13 +19,13 @@ Rect selectionBox(const Painting &painting, const Selection &selection);
 
 enum class Align { Left, Centre, Right, Top, Middle, Bottom };
 enum class AlignTo { Selection, Anchor, Biggest, Canvas };
-/// Moves the selected strokes by their curves' boxes; groups that are selected as a whole move as one. `anchor`: the
+/// Moves the selected strokes by the boxes of what is seen of them when dry (`seenBox`); groups that are selected as a whole move as one. `anchor`: the
 /// stroke that, with its group, stays under `AlignTo::Anchor`; without it the topmost one does.
 Edit align(const Document &document, Align how, AlignTo to = AlignTo::Selection, StrokeId anchor = 0);
 
 enum class Axis { Horizontal, Vertical };
 enum class Spacing { Gaps, Centres };
-/// Three or more selected strokes (or whole groups) with even gaps or centres between the two outermost, which stay.
+/// Three or more selected strokes (or whole groups), by the same boxes, with even gaps or centres between the two outermost, which stay.
 Edit distribute(const Document &document, Axis axis, Spacing spacing);
 
 } // namespace suffuse

@@ -60,9 +60,9 @@ PointerEvent CanvasWidget::pointerEvent(const QSinglePointEvent &event, PointerD
 
 CanvasWidget::Navigation CanvasWidget::navigationFor(const QSinglePointEvent &event) const
 {
-    if (m_spaceDown && event.button() == Qt::LeftButton)
+    if (m_panKey && event.button() == Qt::LeftButton)
         return event.modifiers() & Qt::ShiftModifier ? Navigation::Rotate : Navigation::Pan;
-    if (m_rotateKeyDown && event.button() == Qt::LeftButton)
+    if (m_turnKey && event.button() == Qt::LeftButton)
         return Navigation::Rotate;
     if (event.button() == Qt::MiddleButton)
         return Navigation::Pan;
@@ -283,25 +283,38 @@ bool CanvasWidget::event(QEvent *event)
         const auto *key = static_cast<QKeyEvent *>(event);
         // Escape gives up what is in hand before it means anything else.
         const bool givesUp = key->key() == Qt::Key_Escape && m_tool && m_tool->isBusy();
-        if (givesUp || (m_tool && m_tool->wantsKey(*key))) {
+        if (givesUp || heldFor(*key) != Navigation::None || isToolKey(*key)) {
             event->accept();
             return true;
         }
     }
-    if (event->type() == QEvent::KeyPress && m_tool && m_tool->wantsKey(*static_cast<QKeyEvent *>(event))) {
+    if (event->type() == QEvent::KeyPress && isToolKey(*static_cast<QKeyEvent *>(event))) {
         keyPressEvent(static_cast<QKeyEvent *>(event)); // before Tab moves the focus
         return true;
     }
     return QWidget::event(event);
 }
 
+bool CanvasWidget::isToolKey(const QKeyEvent &event) const
+{
+    return m_tool && m_tool->wantsKey(event) && !m_windowKeys.contains(QKeySequence(event.keyCombination()));
+}
+
+CanvasWidget::Navigation CanvasWidget::heldFor(const QKeyEvent &event) const
+{
+    const Qt::KeyboardModifiers modifiers = event.modifiers() & ~Qt::KeypadModifier;
+    const auto with = [&](Qt::KeyboardModifiers m) { return QKeySequence(QKeyCombination(m, Qt::Key(event.key()))); };
+    if (m_heldKeys.turn.contains(with(modifiers)))
+        return Navigation::Rotate;
+    return m_heldKeys.pan.contains(with(modifiers)) || m_heldKeys.pan.contains(with(modifiers & ~Qt::ShiftModifier))
+               ? Navigation::Pan
+               : Navigation::None;
+}
+
 void CanvasWidget::keyPressEvent(QKeyEvent *event)
 {
-    if (event->key() == Qt::Key_Space && !m_pressed) {
-        m_spaceDown = true;
-        refreshCursor();
-    } else if (event->key() == Qt::Key_R && event->modifiers() == Qt::NoModifier && !m_pressed) {
-        m_rotateKeyDown = true;
+    if (const Navigation held = heldFor(*event); held != Navigation::None && !m_pressed) {
+        (held == Navigation::Pan ? m_panKey : m_turnKey) = event->key();
         refreshCursor();
     } else if (event->key() == Qt::Key_Escape && m_tool && m_tool->isBusy()) {
         m_pressed = false;
@@ -315,10 +328,10 @@ void CanvasWidget::keyReleaseEvent(QKeyEvent *event)
 {
     if (event->isAutoRepeat())
         return;
-    if (event->key() == Qt::Key_Space)
-        m_spaceDown = false;
-    else if (event->key() == Qt::Key_R)
-        m_rotateKeyDown = false;
+    if (event->key() == m_panKey)
+        m_panKey = 0;
+    else if (event->key() == m_turnKey)
+        m_turnKey = 0;
     else
         QWidget::keyReleaseEvent(event);
     refreshCursor();
@@ -345,7 +358,7 @@ void CanvasWidget::leaveEvent(QEvent *)
 
 void CanvasWidget::focusOutEvent(QFocusEvent *event)
 {
-    m_spaceDown = m_rotateKeyDown = false; // their release goes elsewhere
+    m_panKey = m_turnKey = 0; // their release goes elsewhere
     if (std::exchange(m_modifiers, Qt::NoModifier) != Qt::NoModifier)
         emit modifiersChanged();
     refreshCursor();
@@ -356,7 +369,7 @@ bool CanvasWidget::focusNextPrevChild(bool next)
 {
     const QKeyEvent key(QEvent::KeyPress, next ? Qt::Key_Tab : Qt::Key_Backtab,
                         next ? Qt::NoModifier : Qt::ShiftModifier);
-    if (next || (m_tool && m_tool->wantsKey(key)))
+    if (next || isToolKey(key))
         return false; // Tab hides the docks, or is the tool's
     return QWidget::focusNextPrevChild(next);
 }

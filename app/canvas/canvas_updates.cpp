@@ -1,6 +1,7 @@
 // What of the canvas is painted again, and when.
 #include "app/canvas/canvas_widget.h"
 #include "app/editor.h"
+#include "model/transform.h"
 
 #include <algorithm>
 #include <tuple>
@@ -12,14 +13,6 @@ namespace {
 constexpr int manyRects = 200; ///< of a frame, to be painted together
 /// So many strokes that a drag alters are painted without the others that are selected.
 constexpr std::size_t fewStrokes = 32;
-
-Rect controlBox(const Stroke &stroke)
-{
-    Rect box;
-    for (const Segment &segment : stroke.segments)
-        box = box.united(stroke.cubicOf(segment).controlBox());
-    return box;
-}
 
 /// Tiles together, neighbours as one.
 QRegion regionOf(std::vector<PixelRect> tiles)
@@ -93,15 +86,49 @@ std::optional<QRegion> CanvasWidget::selectionArea() const
     const std::optional<double> margin = selectionMargin();
     if (!margin)
         return {};
-    const Selection &selection = m_editor.document().selection();
-    if (selection.isEmpty())
+    if (selection().isEmpty())
         return QRegion();
-    return QRegion(markedArea(m_outline.boxOf(*m_editor.document().painting(), selection), *margin));
+    return QRegion(markedArea(m_outline.boxOf(*m_editor.document().painting(), selection()), *margin));
+}
+
+const Selection &CanvasWidget::selection() const
+{
+    const Document &document = m_editor.document();
+    return m_begun.at(m_editor.clock().time(), document.painting()->strokes, document.selection());
+}
+
+/// Where time goes on or back, selected strokes may begin, or not be begun any more.
+void CanvasWidget::followMoment()
+{
+    if (m_editor.document().selection().isEmpty() || m_begun.holds(m_editor.clock().time()))
+        return;
+    const std::set<StrokeId> before = m_begun.leftOut();
+    selection();
+    if (m_begun.leftOut() == before)
+        return;
+    emit begunChanged();
+    updateSelection();
 }
 
 Rect CanvasWidget::selectedCurves() const
 {
-    return m_outline.curveBoxOf(*m_editor.document().painting(), m_editor.document().selection());
+    return m_outline.curveBoxOf(*m_editor.document().painting(), selection());
+}
+
+QRect CanvasWidget::selectionOnScreen() const
+{
+    const Rect curves = selectedCurves();
+    if (curves.isEmpty())
+        return {};
+    Rect pixels;
+    for (const Point &corner : {Point{curves.left, curves.top}, Point{curves.right, curves.top},
+                                Point{curves.right, curves.bottom}, Point{curves.left, curves.bottom}})
+        pixels.include(view().toPixels(corner));
+    const double dpr = devicePixelRatioF();
+    const QRectF logical(pixels.left / dpr, pixels.top / dpr, pixels.width() / dpr, pixels.height() / dpr);
+    // Straight strokes have boxes without width or height.
+    const QRect visible = (logical.adjusted(-1, -1, 1, 1) & QRectF(rect())).toAlignedRect();
+    return visible.isEmpty() ? QRect() : visible.translated(mapToGlobal(QPoint()));
 }
 
 /// Notes what a drag alters. True where only that is to be painted: the rest of the selection stays as it is.

@@ -47,6 +47,7 @@ CanvasWidget::CanvasWidget(Editor &editor, QWidget *parent, MakeRenderer make)
     m_presenter = makePresenter(*this, this);
     connect(&m_worker, &RenderWorker::frameReady, this, &CanvasWidget::frameReady);
     connect(&editor.clock(), &PaintingClock::timeChanged, this, &CanvasWidget::scheduleRender);
+    connect(&editor.clock(), &PaintingClock::timeChanged, this, &CanvasWidget::followMoment);
     connect(&editor, &Editor::dragEnded, this, &CanvasWidget::endDrag);
     connect(&editor, &Editor::comparedChanged, this, &CanvasWidget::scheduleRender);
     connect(&editor.document(), &Document::changed, this, &CanvasWidget::follow);
@@ -67,6 +68,7 @@ CanvasWidget::~CanvasWidget()
 
 void CanvasWidget::follow(const Change &change)
 {
+    m_begun.noteChange();
     if (change.reset) {
         m_pressed = false;
         if (m_tool)
@@ -186,9 +188,9 @@ void CanvasWidget::refreshCursor()
 {
     if (m_navigation == Navigation::Pan)
         setCursor(Qt::ClosedHandCursor);
-    else if (m_spaceDown)
+    else if (m_panKey)
         setCursor(Qt::OpenHandCursor);
-    else if (m_navigation == Navigation::Rotate || m_rotateKeyDown)
+    else if (m_navigation == Navigation::Rotate || m_turnKey)
         setCursor(Qt::SizeAllCursor);
     else
         setCursor(m_tool ? m_tool->cursor() : QCursor(Qt::ArrowCursor));

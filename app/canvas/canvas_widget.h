@@ -1,6 +1,7 @@
 // The canvas: shows the painting, moves the view, and hands the pointer to the tool in use.
 #pragma once
 
+#include "app/canvas/begun_selection.h"
 #include "app/canvas/overlay.h"
 #include "app/canvas/pen_input.h"
 #include "app/canvas/presenter.h"
@@ -11,6 +12,7 @@
 #include "app/tools/tool.h"
 
 #include <QImage>
+#include <QKeySequence>
 #include <QRegion>
 #include <QTimer>
 #include <QWidget>
@@ -26,6 +28,12 @@ namespace suffuse {
 
 class Editor;
 struct Change;
+
+/// Keys that turn drags into moves of the view while they are held. With Shift those that pan turn.
+struct HeldKeys {
+    QList<QKeySequence> pan{QKeySequence(Qt::Key_Space)};
+    QList<QKeySequence> turn{QKeySequence(Qt::Key_R)};
+};
 
 /// Shows the last finished frame at once wherever the view is, and swaps in the sharp one when it is ready.
 /// All pixels of its interface are device pixels.
@@ -64,11 +72,20 @@ public:
     void updateOverlay();
     void updateOverlay(const QRectF &pixels);
     void updateOverlay(const QRegion &pixels);
-    /// `selectionBox` of what is selected, from boxes of strokes that are kept.
+    /// What is selected, less the strokes that are not begun at the moment that is looked at: they have neither outline
+    /// nor handles.
+    const Selection &selection() const;
+    /// `selectionBox` of that, from boxes of strokes that are kept.
     Rect selectedCurves() const;
+    /// Where that is on the screen, as far as the view shows it: global logical pixels; empty: nowhere.
+    QRect selectionOnScreen() const;
     /// Repaints what stands at the selected strokes, then and now; while they are dragged together with the next frame.
     void updateSelection();
     void refreshCursor();
+    /// They mean the canvas, even where they are commands' shortcuts.
+    void setHeldKeys(const HeldKeys &keys) { m_heldKeys = keys; }
+    /// Keys that stay the window's even where the tool wants them.
+    void setWindowKeys(const QList<QKeySequence> &keys) { m_windowKeys = keys; }
 
     /// Strokes that a drag is about to map as a whole: where its frames would be slow, pictures of them and of the rest
     /// are made ready, and the drag may float. Another change, view or moment, and the lift is over.
@@ -103,6 +120,7 @@ signals:
     void viewChanged();
     void modifiersChanged();
     void toolChanged();
+    void begunChanged();                   ///< `selection`, though nothing else was selected
     void busyChanged();                    ///< something is in the tool's hand, or no more
     void pointerMoved(double x, double y); ///< canvas units
     void pointerLeft();
@@ -132,6 +150,9 @@ protected:
 private:
     /// What a drag does to the view.
     enum class Navigation { None, Pan, Rotate };
+    /// What holding the key makes of drags.
+    Navigation heldFor(const QKeyEvent &event) const;
+    bool isToolKey(const QKeyEvent &event) const;
 
     // CanvasContent
     const View &shownView() const override { return view(); }
@@ -157,6 +178,7 @@ private:
     bool wantsCoarse() const;
 
     void follow(const Change &change);
+    void followMoment();
     void scheduleRender();
     void requestFrame();
     bool holds(const Lift &lift) const;
@@ -193,6 +215,7 @@ private:
     CanvasAids m_aids;
     Qt::KeyboardModifiers m_modifiers;
     mutable SelectionOutline m_outline; ///< it keeps what it has computed
+    mutable BegunSelection m_begun;
     QString m_backendText;
     QString m_rendererNotice;
     QString m_presenterNotice;
@@ -219,8 +242,10 @@ private:
     ReportLag m_penLag;
     std::map<int, Point> m_fingers; ///< that are down, by the device's numbers, and where they were last
     bool m_fingerPaints = false;
-    bool m_spaceDown = false;
-    bool m_rotateKeyDown = false;
+    HeldKeys m_heldKeys;
+    QList<QKeySequence> m_windowKeys;
+    int m_panKey = 0;  ///< that is held; 0: none
+    int m_turnKey = 0;
     quint64 m_pressStamp = 0;     ///< milliseconds, the device's clock
     Microseconds m_pressTime = 0; ///< document time of the press
 

@@ -163,7 +163,6 @@ private:
     std::optional<View> m_runningView;
     Clock::time_point m_started;
     Clock::time_point m_lastShown;
-    bool m_cancelledLast = false;
     bool m_refining = false; ///< what a coarse frame has answered
     bool m_yields = false;   ///< what is being done gives way to every request
     bool m_coarseWanted = false;
@@ -171,6 +170,7 @@ private:
     bool m_stop = false;
     quint64 m_serial = 0;
     std::atomic<bool> m_cancel = false;
+    std::atomic<bool> m_cancelledLast = false;
     std::atomic<quint64> m_shownSerial = 0;
     std::atomic<bool> m_deviceFramesWanted = false;
     std::atomic<bool> m_canFloat = false;

@@ -1,8 +1,7 @@
 #pragma once
 
 #include "model/painting.h"
-
-#include <vector>
+#include "model/stroke_values.h"
 
 namespace suffuse {
 
@@ -14,10 +13,7 @@ public:
     const Rect &operator[](std::size_t place) const { return m_boxes[place]; }
 
 private:
-    void replace(const StrokeList &strokes);
-
-    StrokeList m_strokes;
-    std::vector<Rect> m_boxes;
+    StrokeValues<Rect> m_boxes;
 };
 
 } // namespace suffuse

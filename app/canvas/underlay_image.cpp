@@ -28,11 +28,14 @@ void remember(const EncodedImage &encoded, const UnderlayImagePtr &image)
 }
 
 /// Straight RGBA in [0, 1] to premultiplied bytes.
-void convertRow(const float *from, QRgb *to, int width)
+void convertRow(const ImageRun &run, QImage &to)
 {
     const auto byte = [](float v) { return int(v * 255 + 0.5f); };
-    for (int x = 0; x < width; ++x, from += 4)
-        to[x] = qRgba(byte(from[0] * from[3]), byte(from[1] * from[3]), byte(from[2] * from[3]), byte(from[3]));
+    auto *pixels = reinterpret_cast<QRgb *>(to.bits());
+    run.forEach([&, width = to.width()](int x, int y, const float *v) { // 4 bytes a pixel: no padding
+        pixels[std::size_t(y) * std::size_t(width) + std::size_t(x)] =
+            qRgba(byte(v[0] * v[3]), byte(v[1] * v[3]), byte(v[2] * v[3]), byte(v[3]));
+    });
 }
 
 void addLevels(std::vector<QImage> &levels)
@@ -62,9 +65,9 @@ Result<UnderlayImagePtr> decodeUnderlay(const EncodedImage &encoded, const QStri
     QImage picture;
     ImageRows rows;
     rows.begin = [&](int width, int height) { picture = QImage(width, height, QImage::Format_ARGB32_Premultiplied); };
-    rows.row = [&](int y, const float *rgba) {
+    rows.row = [&](const ImageRun &run) {
         if (!picture.isNull())
-            convertRow(rgba, reinterpret_cast<QRgb *>(picture.scanLine(y)), picture.width());
+            convertRow(run, picture);
     };
     if (const Result<void> read = readImageRows(encoded ? *encoded : QByteArray(), name, rows); !read)
         return Error{read.error()};

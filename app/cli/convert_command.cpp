@@ -26,6 +26,13 @@ Result<Brush> brushOf(const QString &value)
             .arg(value, names.join(QStringLiteral(", ")))};
 }
 
+/// Whether what is written to `out` takes the place of `in`, by whatever names and links.
+bool isSameFile(const QString &in, const QString &out)
+{
+    const QString file = in == QLatin1String("-") ? QString() : QFileInfo(in).canonicalFilePath();
+    return !file.isEmpty() && file == QFileInfo(out).canonicalFilePath();
+}
+
 } // namespace
 
 int convertCommand(const QStringList &arguments)
@@ -50,6 +57,10 @@ int convertCommand(const QStringList &arguments)
     if (formatForSaving(out) == FileFormat::Unknown)
         return failUsage("convert",
                          QCoreApplication::translate("Cli", "%1: unknown ending; use .suffuse or .json").arg(out));
+    if (isSameFile(line.argument(0), out))
+        return failUsage("convert",
+                         QCoreApplication::translate("Cli", "%1: is IN itself, which would be lost; give OUT another name")
+                             .arg(out));
     std::optional<Brush> brush;
     if (line.isSet("brush")) {
         const Result<Brush> found = brushOf(line.value("brush"));
@@ -67,6 +78,10 @@ int convertCommand(const QStringList &arguments)
     if (!document->losses.empty() && !line.isSet("salvage"))
         return fail(QCoreApplication::translate("Cli", "%1: is damaged; --salvage writes what is whole of it")
                         .arg(line.argument(0)));
+    if (document->lostStrokes > 0 && document->painting.strokes.empty())
+        return fail(QCoreApplication::translate("Cli", "%1: not one of its %2 strokes is whole; open a backup of it")
+                        .arg(line.argument(0))
+                        .arg(document->lostStrokes));
     const DocumentExtras extras = line.isSet("plain") ? DocumentExtras() : document->extras;
     const Result<void> saved = saveDocument(document->painting, extras, out);
     return saved ? Done : fail(saved.error());

@@ -111,6 +111,8 @@ Result<Facts> factsOf(const QString &path)
         return Error{document.error()};
     facts.painting = std::move(document->painting);
     facts.losses = std::move(document->losses);
+    if (document->format == FileFormat::Suffuse && !document->leftOut.isEmpty())
+        facts.losses.push_back(document->leftOut);
     facts.format = detectFormat(bytes);
     facts.bytes = bytes.size();
     facts.end = facts.painting.end();

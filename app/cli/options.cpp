@@ -4,6 +4,7 @@
 #include <QFile>
 #include <QJsonDocument>
 #include <QLocale>
+#include <QSet>
 #include <QTextStream>
 
 #include <cmath>
@@ -16,15 +17,39 @@ namespace {
 /// Stands before a negative number while QCommandLineParser looks at it.
 const QChar guard(0x200B);
 
+QString withDashes(const QString &name)
+{
+    return (name.size() == 1 ? QStringLiteral("-") : QStringLiteral("--")) + name;
+}
+
+/// What an argument is, by its name in the syntax.
+QString meaningOf(const QString &argument)
+{
+    if (argument == QLatin1String("IN"))
+        return QCoreApplication::translate("Cli", "The painting, recording or drawing to read; -: standard input.");
+    if (argument == QLatin1String("OUT"))
+        return QCoreApplication::translate("Cli", "The file to write: .suffuse or .json.");
+    if (argument == QLatin1String("A"))
+        return QCoreApplication::translate("Cli", "The painting before; -: standard input.");
+    if (argument == QLatin1String("B"))
+        return QCoreApplication::translate("Cli", "The painting after; -: standard input.");
+    if (argument == QLatin1String("X"))
+        return QCoreApplication::translate("Cli", "How far right of the canvas' left edge, in canvas units.");
+    if (argument == QLatin1String("Y"))
+        return QCoreApplication::translate("Cli", "How far below the canvas' upper edge, in canvas units.");
+    if (argument == QLatin1String("ID"))
+        return QCoreApplication::translate("Cli", "Which one, as the list names it.");
+    return {};
+}
+
 } // namespace
 
 CommandLine::CommandLine(const QString &command, const QString &description, const QStringList &positional)
-    : m_command(command), m_most(int(positional.size()))
+    : m_command(command), m_syntax(positional)
 {
     m_parser.setApplicationDescription(description);
-    m_parser.addPositionalArgument(command, QCoreApplication::translate("Cli", "The command."), command);
     for (const QString &name : positional)
-        m_parser.addPositionalArgument(name, {}, name);
+        m_parser.addPositionalArgument(name, meaningOf(name));
     m_parser.addOption(
         {{QStringLiteral("h"), QStringLiteral("help")}, QCoreApplication::translate("Cli", "Shows this help.")});
 }
@@ -32,10 +57,11 @@ CommandLine::CommandLine(const QString &command, const QString &description, con
 void CommandLine::add(const QStringList &names, const QString &description, const QString &value)
 {
     m_parser.addOption(QCommandLineOption(names, description, value));
-    m_options += names;
-    if (!value.isEmpty())
-        for (const QString &name : names)
-            m_valueOptions.append((name.size() == 1 ? QStringLiteral("-") : QStringLiteral("--")) + name);
+    for (const QString &name : names) {
+        m_options.insert(name, names.front());
+        if (!value.isEmpty())
+            m_valueOptions.append(withDashes(name));
+    }
 }
 
 QStringList CommandLine::withProtectedNumbers(const QStringList &arguments) const
@@ -50,23 +76,46 @@ QStringList CommandLine::withProtectedNumbers(const QStringList &arguments) cons
     return out;
 }
 
+QString CommandLine::repeatedOption() const
+{
+    QSet<QString> given;
+    for (const QString &name : m_parser.optionNames()) {
+        const QString option = m_options.value(name);
+        if (given.contains(option))
+            return withDashes(name);
+        given.insert(option);
+    }
+    return {};
+}
+
+QString CommandLine::help(int required) const
+{
+    QString usage = QCoreApplication::translate("Cli", "Usage: suffuse-cli %1 [options]").arg(m_command);
+    for (int k = 0; k < int(m_syntax.size()); ++k)
+        usage += (k < required ? QStringLiteral(" %1") : QStringLiteral(" [%1]")).arg(m_syntax.at(k));
+    const QString text = m_parser.helpText(); // its first line puts the options before the command
+    return usage + text.mid(text.indexOf('\n'));
+}
+
 std::optional<int> CommandLine::parse(const QStringList &arguments, int required)
 {
     const bool understood = m_parser.parse(withProtectedNumbers(arguments));
     if (m_parser.isSet(QStringLiteral("help")))
-        return print(m_parser.helpText());
+        return print(help(required < 0 ? int(m_syntax.size()) : required));
     if (!understood)
         return failUsage(m_command, m_parser.errorText());
+    if (const QString option = repeatedOption(); !option.isEmpty())
+        return failUsage(m_command, QCoreApplication::translate("Cli", "%1 is given twice; give it once").arg(option));
     m_positional = m_parser.positionalArguments().mid(1);
     for (QString &a : m_positional)
         if (a.startsWith(guard))
             a.remove(0, 1);
-    const int least = required < 0 ? m_most : required;
-    if (m_positional.size() < least)
+    if (m_positional.size() < (required < 0 ? m_syntax.size() : required))
         return failUsage(m_command, QCoreApplication::translate("Cli", "too few arguments"));
-    if (m_positional.size() > m_most)
-        return failUsage(m_command,
-                         QCoreApplication::translate("Cli", "one argument too many: %1").arg(m_positional.at(m_most)));
+    if (m_positional.size() > m_syntax.size())
+        return failUsage(
+            m_command,
+            QCoreApplication::translate("Cli", "one argument too many: %1").arg(m_positional.at(m_syntax.size())));
     return {};
 }
 

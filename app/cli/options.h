@@ -6,6 +6,7 @@
 #include "render/renderer.h"
 
 #include <QCommandLineParser>
+#include <QHash>
 #include <QJsonObject>
 #include <QString>
 #include <QStringList>
@@ -30,13 +31,13 @@ int recoverCommand(const QStringList &arguments);
 /// The parser of one command.
 class CommandLine {
 public:
-    /// `positional`: the syntax of its arguments, one by one, e.g. {"IN", "OUT"}.
+    /// `positional`: the names of its arguments, one by one, e.g. {"IN", "OUT"}; --help says what each is.
     CommandLine(const QString &command, const QString &description, const QStringList &positional);
 
     /// Adds an option; without `value` (its name in the help) it is a switch.
     void add(const QStringList &names, const QString &description, const QString &value = {});
-    /// Parses. An exit code where the command ends here: help, unknown options, a wrong number of arguments. Negative
-    /// numbers are arguments, not options. `required` = -1: all of the positional ones.
+    /// Parses. An exit code where the command ends here: help, unknown options, one given twice, a wrong number of
+    /// arguments. Negative numbers are arguments, not options. `required` = -1: all of the positional ones.
     std::optional<int> parse(const QStringList &arguments, int required = -1);
 
     /// False too for an option that the command does not have.
@@ -47,11 +48,14 @@ public:
 
 private:
     QStringList withProtectedNumbers(const QStringList &arguments) const;
+    QString help(int required) const;
+    /// An option that is given more than once, with dashes; or empty.
+    QString repeatedOption() const;
 
     QString m_command;
-    int m_most;
+    QStringList m_syntax; ///< the names of the positional arguments
     QCommandLineParser m_parser;
-    QStringList m_options;
+    QHash<QString, QString> m_options; ///< each name, and the first one of its option
     QStringList m_valueOptions; ///< with dashes
     QStringList m_positional;
 };
@@ -79,7 +83,7 @@ struct PictureOptions {
 };
 /// --size, --scale, --area and --time of the command line, as far as the command has them. Errors are usage errors.
 Result<PictureOptions> pictureOptions(const CommandLine &line, const Painting &painting);
-/// --time alone; default the end.
+/// --time alone; default the end. Not before time 0, nor before the first stroke where that is earlier.
 Result<Microseconds> timeOption(const CommandLine &line, const Painting &painting);
 /// --backend, --threads and --devices, as far as the command has them. Errors are usage errors.
 Result<RendererOptions> rendererOptions(const CommandLine &line);

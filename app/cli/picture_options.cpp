@@ -129,6 +129,13 @@ Result<Microseconds> timeOption(const CommandLine &line, const Painting &paintin
     if (!seconds || std::abs(*seconds) > 1e12)
         return Error{QCoreApplication::translate("Cli", "--time %1: give a moment in seconds, e.g. 1.5")
                          .arg(line.value(option))};
+    Microseconds begin = 0;
+    for (const StrokePtr &s : painting.strokes)
+        begin = std::min(begin, s->born());
+    if (toMicroseconds(*seconds) < begin)
+        return Error{QCoreApplication::translate("Cli", "--time %1: nothing is painted before %2 s")
+                         .arg(line.value(option))
+                         .arg(toSeconds(begin))};
     return toMicroseconds(*seconds);
 }
 

@@ -65,7 +65,10 @@ QJsonObject jsonOf(const Probe &probe, const Place &place)
             {"strokes", strokes}};
 }
 
-QString textOf(const ProbeStroke &s)
+/// Shares below it change nothing that is seen.
+constexpr double leastShare = 1e-3;
+
+QString textOf(const ProbeStroke &s, bool all)
 {
     QString text = s.name.isEmpty() ? QCoreApplication::translate("Cli", "stroke %1").arg(s.id)
                                     : QCoreApplication::translate("Cli", "stroke %1, %2").arg(s.id).arg(s.name);
@@ -78,15 +81,25 @@ QString textOf(const ProbeStroke &s)
                 .arg(s.densityFunction, 0, 'g', 8)
                 .arg(s.opacity, 0, 'g', 8)
                 .arg(textOf(s.colour), textOf(s.rybAfter), textOf(s.rgbAfter));
-    for (const ProbeShare &k : s.shares)
+    int left = 0;
+    for (const ProbeShare &k : s.shares) {
+        if (!all && k.share < leastShare) {
+            ++left;
+            continue;
+        }
         text += QCoreApplication::translate("Cli", "  segment %1: φ %2, share %3\n")
                     .arg(k.segment)
                     .arg(k.density, 0, 'g', 8)
                     .arg(k.share, 0, 'g', 8);
+    }
+    if (left > 0)
+        text += QCoreApplication::translate("Cli", "  %1 segments with a share below %2 are left out (--all)\n")
+                    .arg(left)
+                    .arg(leastShare);
     return text;
 }
 
-QString textOf(const Probe &probe, const Place &place)
+QString textOf(const Probe &probe, const Place &place, bool all)
 {
     QString text = QCoreApplication::translate("Cli", "at %1, %2, %3 s: paper η %4, background RYB %5, RGB %6\n")
                        .arg(place.x)
@@ -95,7 +108,7 @@ QString textOf(const Probe &probe, const Place &place)
                        .arg(probe.paper, 0, 'g', 8)
                        .arg(textOf(probe.rybBefore), textOf(probe.rgbBefore));
     for (const ProbeStroke &s : probe.strokes)
-        text += textOf(s);
+        text += textOf(s, all);
     if (probe.strokes.empty())
         text += QCoreApplication::translate("Cli", "no stroke reaches this point\n");
     return text;
@@ -111,6 +124,8 @@ int probeCommand(const QStringList &arguments)
                                                  "bottom to top. X and Y are in canvas units."),
                      {"IN", "X", "Y"});
     line.add({"time"}, QCoreApplication::translate("Cli", "The moment, in seconds (default: the end)."), "T");
+    line.add({"all"}, QCoreApplication::translate(
+                          "Cli", "Lists segments with shares below a thousandth, too; --json always does."));
     line.add({"json"}, QCoreApplication::translate("Cli", "Prints JSON (docs/cli.md)."));
     if (const std::optional<int> code = line.parse(arguments))
         return *code;
@@ -128,7 +143,7 @@ int probeCommand(const QStringList &arguments)
     const Result<Probe> found = probe(*painting, place.time, place.x, place.y);
     if (!found)
         return fail(QStringLiteral("%1: %2").arg(line.argument(0), found.error()));
-    return line.isSet("json") ? printJson(jsonOf(*found, place)) : print(textOf(*found, place));
+    return line.isSet("json") ? printJson(jsonOf(*found, place)) : print(textOf(*found, place, line.isSet("all")));
 }
 
 } // namespace suffuse::cli

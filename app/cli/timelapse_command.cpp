@@ -59,8 +59,8 @@ struct Film {
 
 Result<Film> filmOf(const CommandLine &line)
 {
-    const Result<double> fps = seconds(line, "fps", 25, 0.001), duration = seconds(line, "duration", 10, 0.001),
-                         idle = seconds(line, "idle", 0.5, 0);
+    const Result<double> fps = seconds(line, "fps", FilmOptions{}.fps, 0.001),
+                         duration = seconds(line, "duration", 10, 0.001), idle = seconds(line, "idle", 0.5, 0);
     for (const Result<double> *value : {&fps, &duration, &idle})
         if (!*value)
             return Error{value->error()};

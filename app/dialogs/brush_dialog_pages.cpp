@@ -63,7 +63,7 @@ void BrushDialog::addValues(QGridLayout &grid)
         grid,
         {.name = tr("Drying time"),
          .toolTip = tr("How long the paint spreads; the size stays"),
-         .unit = QStringLiteral(" s"),
+         .unit = NumberField::secondsUnit(),
          .minimum = 0.001,
          .maximum = 1e6,
          .sliderMinimum = 0.05,

@@ -1,6 +1,5 @@
 #include "app/dialogs/shortcuts_dialog.h"
 
-#include "app/actions.h"
 #include "app/panels/section.h"
 #include "app/settings.h"
 
@@ -54,7 +53,8 @@ void applyStoredShortcuts(const QList<QAction *> &actions)
     }
 }
 
-ShortcutsDialog::ShortcutsDialog(const QList<QAction *> &actions, QWidget *parent) : QDialog(parent)
+ShortcutsDialog::ShortcutsDialog(const QList<QAction *> &actions, const QList<FixedKeys> &fixed, QWidget *parent)
+    : QDialog(parent), m_fixed(fixed)
 {
     setWindowTitle(tr("Keyboard shortcuts"));
     auto *column = new QVBoxLayout(this);
@@ -149,6 +149,20 @@ void ShortcutsDialog::fill(const QList<QAction *> &actions)
         item->setIcon(0, action->icon().isNull() ? blank : action->icon());
         item->setData(0, Qt::UserRole, QVariant::fromValue<quintptr>(reinterpret_cast<quintptr>(action)));
     }
+    fillFixed(blank);
+}
+
+void ShortcutsDialog::fillFixed(const QIcon &blank)
+{
+    for (const FixedKeys &fixed : m_fixed) {
+        auto *item = new QTreeWidgetItem(
+            m_list, {fixed.title, QKeySequence::listToString(fixed.keys, QKeySequence::NativeText)});
+        item->setIcon(0, blank);
+        for (int column = 0; column < 2; ++column) {
+            item->setForeground(column, palette().brush(QPalette::Disabled, QPalette::Text));
+            item->setToolTip(column, tr("Fixed: no command can have these keys."));
+        }
+    }
 }
 
 QTreeWidgetItem *ShortcutsDialog::itemOf(QAction *action) const
@@ -160,7 +174,7 @@ QTreeWidgetItem *ShortcutsDialog::itemOf(QAction *action) const
 QAction *ShortcutsDialog::currentAction() const
 {
     const int row = m_list->indexOfTopLevelItem(m_list->currentItem());
-    return row < 0 ? nullptr : m_actions[row];
+    return row < 0 || row >= m_actions.size() ? nullptr : m_actions[row];
 }
 
 void ShortcutsDialog::showCurrent()
@@ -212,7 +226,7 @@ void ShortcutsDialog::refresh()
         for (const QKeySequence &sequence : m_chosen[action])
             users[sequence.toString()] << action;
     QStringList warnings;
-    std::map<QAction *, bool> clashes;
+    std::map<QAction *, bool> clashes, clashesWithFixed;
     for (const auto &[sequence, actions] : users) {
         if (actions.size() < 2)
             continue;
@@ -222,6 +236,13 @@ void ShortcutsDialog::refresh()
                       .arg(QKeySequence(sequence).toString(QKeySequence::NativeText), titleOf(actions[0]),
                            titleOf(actions[1]));
     }
+    for (const FixedKeys &fixed : m_fixed)
+        for (const QKeySequence &sequence : fixed.keys)
+            if (const auto it = users.find(sequence.toString()); it != users.end()) {
+                clashesWithFixed[it->second[0]] = true;
+                warnings << tr("%1 is fixed: “%2”. Give “%3” another shortcut.")
+                                .arg(sequence.toString(QKeySequence::NativeText), fixed.title, titleOf(it->second[0]));
+            }
     static_cast<HintLabel *>(m_conflict)->showHint(warnings.join('\n'));
     m_ok->setEnabled(warnings.isEmpty());
     for (QAction *action : m_actions) {
@@ -230,7 +251,8 @@ void ShortcutsDialog::refresh()
         QFont font = m_list->font();
         font.setBold(m_chosen[action] != ownShortcutsOf(action));
         item->setFont(1, font);
-        item->setForeground(1, clashes[action] ? QBrush(m_conflict->palette().color(QPalette::WindowText)) : QBrush());
+        const bool warned = clashes[action] || clashesWithFixed[action];
+        item->setForeground(1, warned ? QBrush(m_conflict->palette().color(QPalette::WindowText)) : QBrush());
     }
     m_takeOver->setVisible(clashes[currentAction()]);
 }

@@ -1,12 +1,12 @@
 #pragma once
 
+#include "app/actions.h"
+
 #include <QDialog>
-#include <QKeySequence>
 #include <QList>
 
 #include <map>
 
-class QAction;
 class QKeySequenceEdit;
 class QLabel;
 class QLineEdit;
@@ -26,7 +26,9 @@ class ShortcutsDialog : public QDialog {
     Q_OBJECT
 
 public:
-    explicit ShortcutsDialog(const QList<QAction *> &actions, QWidget *parent = nullptr);
+    /// `fixed` keys are shown below the actions, take part in clashes, and stay as they are.
+    explicit ShortcutsDialog(const QList<QAction *> &actions, const QList<FixedKeys> &fixed = {},
+                             QWidget *parent = nullptr);
 
     QTreeWidget *list() const { return m_list; }
     QKeySequenceEdit *editor() const { return m_edit; }
@@ -40,6 +42,7 @@ private:
     QTreeWidgetItem *itemOf(QAction *action) const;
     QAction *currentAction() const;
     void fill(const QList<QAction *> &actions);
+    void fillFixed(const QIcon &blank);
     void showCurrent();
     void takeSequence(const QKeySequence &sequence);
     void reset(QAction *action);
@@ -58,7 +61,8 @@ private:
     QPushButton *m_takeOver = nullptr;
     QPushButton *m_ok = nullptr;
     QLabel *m_conflict = nullptr;
-    QList<QAction *> m_actions;
+    QList<QAction *> m_actions; ///< of the rows; those below are fixed
+    QList<FixedKeys> m_fixed;
     std::map<QAction *, QList<QKeySequence>> m_chosen;
 };
 

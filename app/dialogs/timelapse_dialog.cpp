@@ -106,14 +106,14 @@ void TimelapseDialog::addFields(QGridLayout &grid, const Rect &shown)
 
     m_fps = addNumber(grid, 4, tr("Frame rate"), tr(" frames/s"), tr("How many pictures a second the film has"));
     m_fps->setRange(0.1, 240);
-    m_fps->setValue(30);
+    m_fps->setValue(FilmOptions{}.fps);
     m_length = addNumber(grid, 5, tr("Length"), tr(" s"),
                          tr("How long the film is; the painting's time is stretched over it."));
     m_length->setRange(0.1, 36'000);
     m_length->setValue(10);
     m_idle =
-        addNumber(grid, 6, tr("Keep of pauses"), tr(" s"),
-                  tr("How much is kept of a pause in which nothing is painted or spreads, in the painting's time"));
+        addNumber(grid, 6, tr("Longest pause"), tr(" s"),
+                  tr("Pauses in which nothing is painted or spreads are cut to this, in the painting's time."));
     m_idle->setRange(0, 1e6);
     m_idle->setValue(TimelapseOptions{}.idle);
     auto *qualityLabel = new QLabel(tr("Quality"), m_form);
@@ -128,7 +128,7 @@ void TimelapseDialog::addFields(QGridLayout &grid, const Rect &shown)
     grid.addWidget(m_quality, 7, 1, 1, 2, Qt::AlignLeft);
     m_transparent = new QCheckBox(tr("Transparent background"), m_form);
     m_transparent->setToolTip(tr("Leaves the background out and stores how much the paint covers."));
-    m_loops = new QCheckBox(tr("Play again and again"), m_form);
+    m_loops = new QCheckBox(tr("Loop"), m_form);
     m_loops->setToolTip(tr("Animated WebP: begins anew at its end. Players decide it for videos."));
     m_loops->setChecked(true);
     grid.addWidget(m_transparent, 8, 1, 1, 2);

@@ -1,5 +1,7 @@
 #include "app/panels/arithmetic.h"
 
+#include "app/panels/number_field.h"
+
 #include <cmath>
 
 namespace suffuse {
@@ -90,8 +92,21 @@ struct Unit {
     double factor;
 };
 
-double worthOf(const QString &name, const QString &field)
+/// A unit as fields show it, by the name that the table has.
+QString plainUnit(const QString &shown)
 {
+    const std::pair<QString, const char *> names[] = {{NumberField::canvasUnit(), "u"},
+                                                      {NumberField::secondsUnit(), "s"},
+                                                      {NumberField::diffusionUnit(), "u²/s"}};
+    for (const auto &[unit, name] : names)
+        if (shown == unit.trimmed())
+            return QString::fromUtf8(name);
+    return shown;
+}
+
+double worthOf(const QString &shownName, const QString &shownField)
+{
+    const QString name = plainUnit(shownName), field = plainUnit(shownField);
     static const Unit units[] = {
         {"ms", "s", 1e-3},    {"min", "s", 60}, {"px", "u", 1}, {"deg", "°", 1}, {"rad", "°", 57.29577951308232},
         {"px²/s", "u²/s", 1},

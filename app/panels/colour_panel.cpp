@@ -72,8 +72,7 @@ ColourPanel::ColourPanel(Editor &editor, QWidget *parent)
     addRecent(*column);
     addApply(*column);
     m_mixing = new MixingSection(editor, content);
-    column->addWidget(m_mixing);
-    column->addStretch(1);
+    column->addWidget(m_mixing, 1);
     scroll->setWidget(content);
 
     connect(m_wheel, &ColourWheel::picked, &editor, &Editor::setColour);

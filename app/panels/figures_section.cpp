@@ -124,7 +124,7 @@ void FiguresSection::showFigures(const FiguresSummary &figures)
     };
     const Extent &dries = figures.driesOut;
     const bool stays = dries.count < figures.segments;
-    const QString seconds = QStringLiteral(" s");
+    const QString seconds = NumberField::secondsUnit();
     m_names[0]->setText(figures.uneven ? tr("Spread across") : tr("Spread s"));
     m_names[1]->setVisible(figures.uneven);
     m_figures[1]->setVisible(figures.uneven);

@@ -99,8 +99,10 @@ void InspectorPanel::addHead(QVBoxLayout &column)
 
 void InspectorPanel::openAlong()
 {
-    if (!m_along)
+    if (!m_along) {
         m_along = new AlongDialog(m_editor, this);
+        emit alongOpening(m_along);
+    }
     m_along->show();
     m_along->raise();
     m_along->activateWindow();
@@ -148,8 +150,13 @@ void InspectorPanel::refresh()
         m_underlay->refresh();
         return;
     }
-    m_summary->setText(tr("%1 · %2").arg(tr("%n stroke(s)", nullptr, int(inspected.strokes.size())),
-                                         tr("%n segment(s)", nullptr, int(inspected.segments.size()))));
+    std::size_t all = 0;
+    for (const Stroke *stroke : inspected.strokes)
+        all += stroke->segments.size();
+    const std::size_t count = inspected.segments.size();
+    const QString segments =
+        count == all ? tr("%n segment(s)", nullptr, int(all)) : tr("%1 of %n segment(s)", nullptr, int(all)).arg(count);
+    m_summary->setText(tr("%1 · %2").arg(tr("%n stroke(s)", nullptr, int(inspected.strokes.size())), segments));
     m_segments->refresh(inspected);
     m_style->refresh(inspected);
     m_figures->refresh(inspected);

@@ -44,6 +44,10 @@ public:
 
     QSize sizeHint() const override;
 
+signals:
+    /// Before it is shown: where it goes is for the window to say.
+    void alongOpening(QWidget *dialog);
+
 protected:
     void showEvent(QShowEvent *event) override;
 

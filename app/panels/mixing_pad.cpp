@@ -21,6 +21,7 @@ namespace suffuse {
 
 namespace {
 
+constexpr int tallest = 360; ///< logical pixels: about square in a wide dock
 constexpr std::size_t mostStrokes = 200; ///< what is older lies below them
 constexpr Microseconds sampleTime = 16'000;
 constexpr float pigment = 0.7f; ///< β of what is painted
@@ -54,7 +55,8 @@ Colour between(const Colour &a, const Colour &b, float share)
 MixingPad::MixingPad(Editor &editor, QWidget *parent) : QWidget(parent), m_editor(editor)
 {
     setCursor(Qt::CrossCursor);
-    setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
+    setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Expanding);
+    setMaximumHeight(tallest);
 }
 
 void MixingPad::setMode(Mode mode)
@@ -242,7 +244,8 @@ MixingSection::MixingSection(Editor &editor, QWidget *parent) : QWidget(parent)
     m_clear = addButton("delete", tr("Clear"), tr("Takes a clean sheet."));
     m_clear->setEnabled(false);
     column->addLayout(head);
-    column->addWidget(m_pad);
+    column->addWidget(m_pad, 1);
+    column->addStretch();
     connect(modes, &QButtonGroup::idClicked, this, [this](int mode) { m_pad->setMode(MixingPad::Mode(mode)); });
     connect(m_clear, &QToolButton::clicked, m_pad, &MixingPad::clear);
     connect(m_pad, &MixingPad::clearChanged, this, [this] { m_clear->setEnabled(!m_pad->isClear()); });

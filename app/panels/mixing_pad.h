@@ -31,7 +31,7 @@ public:
     Colour colourAt(QPointF at) const;
 
     QSize sizeHint() const override { return {240, 110}; }
-    QSize minimumSizeHint() const override { return {120, 90}; }
+    QSize minimumSizeHint() const override { return {120, 110}; }
 
 signals:
     void clearChanged();

@@ -27,6 +27,9 @@ public:
     void setUnit(const QString &unit);
     /// The canvas' unit of length, as setUnit wants it.
     static QString canvasUnit() { return tr(" u"); }
+    /// Those of time and of diffusion.
+    static QString secondsUnit() { return tr(" s"); }
+    static QString diffusionUnit() { return tr(" u²/s"); }
     /// Shown and typed number = value · factor (100 for per cent).
     void setDisplayFactor(double factor) { m_factor = factor; }
     /// A step of the arrow keys: so much, or where 0 a tenth of the value.

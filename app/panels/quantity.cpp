@@ -17,7 +17,7 @@ FieldSpec diffusionSpec()
 {
     return {.name = Text::tr("Diffusion D"),
             .toolTip = Text::tr("How fast the paint spreads: the spread grows with the root of D times time."),
-            .unit = QStringLiteral(" u²/s"),
+            .unit = NumberField::diffusionUnit(),
             .minimum = smallestPositive,
             .maximum = 1e12,
             .sliderMinimum = 0.1,
@@ -53,7 +53,7 @@ FieldSpec maxAgeSpec()
 {
     return {.name = Text::tr("Drying time"),
             .toolTip = Text::tr("t_max: how long the paint spreads after it was laid down."),
-            .unit = QStringLiteral(" s"),
+            .unit = NumberField::secondsUnit(),
             .minimum = smallestPositive,
             .maximum = 1e6,
             .sliderMinimum = 0.01,

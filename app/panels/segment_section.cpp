@@ -1,18 +1,21 @@
 #include "app/panels/segment_section.h"
 
 #include "app/editor.h"
+#include "app/panels/bar_slider.h"
 #include "app/panels/colour_rows.h"
 #include "app/panels/colour_swatch.h"
 #include "app/panels/quantity.h"
 #include "app/panels/rewet_rows.h"
 #include "app/panels/section.h"
 #include "undo/edits.h"
+#include "undo/time_edits.h"
 
 #include <QGridLayout>
 #include <QHBoxLayout>
 #include <QVBoxLayout>
 
 #include <algorithm>
+#include <cmath>
 #include <numbers>
 
 namespace suffuse {
@@ -20,6 +23,33 @@ namespace suffuse {
 namespace {
 
 constexpr double smallestPositive = 1e-9;
+
+FieldSpec bornSpec()
+{
+    return {.name = SegmentSection::tr("Born"),
+            .toolTip =
+                SegmentSection::tr("When the stroke, or what is selected of it, begins. All of that moves in time "
+                                   "as one."),
+            .unit = NumberField::secondsUnit(),
+            .minimum = 0,
+            .maximum = 1e9,
+            .sliderMaximum = 10,
+            .step = 0.1};
+}
+
+/// When the selected segments of each stroke begin.
+std::vector<Microseconds> beginsOf(const std::vector<InspectedSegment> &segments)
+{
+    std::vector<Microseconds> begins;
+    const Stroke *stroke = nullptr;
+    for (const InspectedSegment &s : segments) {
+        if (s.stroke != stroke)
+            begins.push_back(s.segment->born);
+        stroke = s.stroke;
+        begins.back() = std::min(begins.back(), s.segment->born);
+    }
+    return begins;
+}
 
 FieldSpec anisotropySpec()
 {
@@ -67,6 +97,7 @@ SegmentSection::SegmentSection(Editor &editor, QWidget *parent) : QWidget(parent
     m_density = addRow(specOf(Quantity::Density), *grid, &Segment::density, tr("Change density"));
     m_granulation = addRow(specOf(Quantity::Granulation), *grid, &Segment::granulation, tr("Change granulation"));
     m_maxAge = addRow(specOf(Quantity::MaxAge), *grid, &Segment::maxAge, tr("Change drying time"));
+    addBorn(*grid);
     m_anisotropy = addRow(anisotropySpec(), *grid, &Segment::anisotropyRatio, tr("Change anisotropy"));
     m_angle = addRow(angleSpec(), *grid, &Segment::anisotropyAngle, tr("Change angle"));
 
@@ -90,6 +121,36 @@ SegmentSection::SegmentSection(Editor &editor, QWidget *parent) : QWidget(parent
     });
     connect(m_colour, &ColourRows::refused, this, &SegmentSection::refused);
     connect(m_swatch, &ColourSwatch::clicked, this, &SegmentSection::takeCurrentColour);
+}
+
+void SegmentSection::addBorn(QGridLayout &grid)
+{
+    m_born = new SliderField(bornSpec(), grid, grid.rowCount(), this);
+    connect(m_born, &SliderField::edited, this,
+            [this](double value, EditRun run) { changeBorn([value](double) { return value; }, run); });
+    connect(m_born, &SliderField::editedRelative, this, [this](const ValueMap &map) { changeBorn(map, 0); });
+    connect(m_born, &SliderField::refused, this, &SegmentSection::refused);
+}
+
+void SegmentSection::changeBorn(const ValueMap &map, EditRun run)
+{
+    const Document &document = m_editor.document();
+    bool possible = true;
+    const auto mapped = [&](Microseconds begin) -> std::optional<Microseconds> {
+        const std::optional<double> value = map(toSeconds(begin));
+        possible = possible && value;
+        return value ? std::optional(toMicroseconds(*value)) : std::nullopt;
+    };
+    Edit edit = beginAt(*document.painting(), document.selection(), mapped);
+    if (possible)
+        m_editor.push(std::move(edit), tr("Change birth"), run);
+    else
+        refuse();
+}
+
+void SegmentSection::refuse()
+{
+    emit refused(tr("Not possible for all that is selected: a value would be out of range."));
 }
 
 SliderField *SegmentSection::addRow(const FieldSpec &spec, QGridLayout &grid, float Segment::*member,
@@ -123,7 +184,7 @@ void SegmentSection::changeEach(const std::function<float &(Segment &)> &member,
     if (possible)
         m_editor.push(std::move(edit), undoText);
     else
-        emit refused(tr("Not possible for all that is selected: a value would be out of range."));
+        refuse();
 }
 
 void SegmentSection::changeColour(int channel, double value, EditRun run)
@@ -141,6 +202,14 @@ void SegmentSection::takeCurrentColour()
         m_editor.setColour(*m_swatch->colour());
 }
 
+void SegmentSection::showBorn(const Inspected &inspected)
+{
+    const std::vector<Microseconds> begins = beginsOf(inspected.segments);
+    if (!begins.empty() && !m_born->slider()->isSliderDown()) // a drag keeps its scale
+        m_born->setSliderRange(0, 10 * (1 + std::floor(toSeconds(std::ranges::max(begins)) / 10)));
+    m_born->setValue(commonNumber(begins, [](Microseconds begin) { return toSeconds(begin); }));
+}
+
 void SegmentSection::refresh(const Inspected &inspected)
 {
     const auto &segments = inspected.segments;
@@ -151,6 +220,7 @@ void SegmentSection::refresh(const Inspected &inspected)
     m_density->setValue(common(&Segment::density));
     m_granulation->setValue(common(&Segment::granulation));
     m_maxAge->setValue(common(&Segment::maxAge));
+    showBorn(inspected);
     m_anisotropy->setValue(common(&Segment::anisotropyRatio));
     m_angle->setValue(common(&Segment::anisotropyAngle));
     m_angle->setEnabled(std::any_of(segments.begin(), segments.end(),

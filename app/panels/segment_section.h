@@ -10,7 +10,7 @@ class ColourSwatch;
 class Editor;
 class RewetRows;
 
-/// D, φ, ω, t_max, anisotropy and colour of the selected segments.
+/// D, φ, ω, t_max, birth, anisotropy and colour of the selected segments.
 class SegmentSection : public QWidget {
     Q_OBJECT
 
@@ -23,6 +23,7 @@ public:
     SliderField *density() const { return m_density; }
     SliderField *granulation() const { return m_granulation; }
     SliderField *maxAge() const { return m_maxAge; }
+    SliderField *born() const { return m_born; }             ///< of each stroke's first selected segment, seconds
     SliderField *anisotropy() const { return m_anisotropy; } ///< ratio
     SliderField *angle() const { return m_angle; }           ///< radians
     ColourRows *colour() const { return m_colour; }
@@ -32,6 +33,10 @@ signals:
     void refused(const QString &hint);
 
 private:
+    void addBorn(QGridLayout &grid);
+    void changeBorn(const ValueMap &map, EditRun run);
+    void showBorn(const Inspected &inspected);
+    void refuse();
     SliderField *addRow(const FieldSpec &spec, QGridLayout &grid, float Segment::*member, const QString &undoText);
     /// Each of the values by the map, or none of them.
     void changeEach(const std::function<float &(Segment &)> &member, const ValueMap &map, const QString &undoText);
@@ -43,6 +48,7 @@ private:
     SliderField *m_density = nullptr;
     SliderField *m_granulation = nullptr;
     SliderField *m_maxAge = nullptr;
+    SliderField *m_born = nullptr;
     SliderField *m_anisotropy = nullptr;
     SliderField *m_angle = nullptr;
     RewetRows *m_rewet = nullptr;

@@ -77,6 +77,14 @@ std::set<StrokeId> StrokesModel::strokesBelow(const QModelIndex &index) const
     return result;
 }
 
+bool StrokesModel::isWhollySelected(const Node &node) const
+{
+    if (node.stroke)
+        return m_editor.document().selection().strokes.contains(node.stroke);
+    return !node.children.empty() && std::all_of(node.children.begin(), node.children.end(),
+                                                 [this](const auto &child) { return isWhollySelected(*child); });
+}
+
 QModelIndex StrokesModel::index(int row, int column, const QModelIndex &parent) const
 {
     const Node *node = nodeAt(parent);
@@ -142,6 +150,8 @@ QVariant StrokesModel::data(const QModelIndex &index, int role) const
     const Node *node = nodeAt(index);
     if (node->group) {
         const Group *group = groupOf(node->group);
+        if (role == WhollySelectedRole)
+            return isWhollySelected(*node);
         return group ? groupData(*group, index.column(), role) : QVariant();
     }
     const auto it = m_values.find(node->stroke);
@@ -191,6 +201,16 @@ QVariant switchData(bool visible, bool locked, int column, int role)
 
 } // namespace
 
+QString titleOf(const Stroke &stroke)
+{
+    return stroke.name.isEmpty() ? StrokesModel::tr("Stroke %1").arg(stroke.id) : stroke.name;
+}
+
+QString titleOf(const Group &group)
+{
+    return group.name.isEmpty() ? StrokesModel::tr("Group %1").arg(group.id) : group.name;
+}
+
 QVariant StrokesModel::strokeData(const Stroke &stroke, int column, int role) const
 {
     if (role == SegmentRole)
@@ -203,7 +223,7 @@ QVariant StrokesModel::strokeData(const Stroke &stroke, int column, int role) co
         return switchData(stroke.visible, stroke.locked, column, role);
     switch (role) {
     case Qt::DisplayRole:
-        return stroke.name.isEmpty() ? tr("Stroke %1").arg(stroke.id) : stroke.name;
+        return titleOf(stroke);
     case Qt::EditRole:
         return stroke.name;
     case Qt::FontRole:
@@ -237,7 +257,7 @@ QVariant StrokesModel::groupData(const Group &group, int column, int role) const
         return switchData(group.visible, group.locked, column, role);
     switch (role) {
     case Qt::DisplayRole:
-        return group.name.isEmpty() ? tr("Group %1").arg(group.id) : group.name;
+        return titleOf(group);
     case Qt::EditRole:
         return group.name;
     case Qt::DecorationRole:

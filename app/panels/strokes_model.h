@@ -12,6 +12,10 @@ namespace suffuse {
 
 class Editor;
 
+/// The name that people see: of a stroke or group without one, what it is and its number.
+QString titleOf(const Stroke &stroke);
+QString titleOf(const Group &group);
+
 /// Groups, strokes and their segments as a tree, the topmost first. Follows the document by difference: a change of
 /// values touches the rows that changed, strokes that come or go are inserted or removed in runs, and only another
 /// grouping or painting resets it. Edits go through the editor, one undo step each.
@@ -26,7 +30,8 @@ public:
         ColourRole,                  ///< QColor of a stroke
         UnnamedRole,                 ///< bool
         SwitchRole,                  ///< bool of an eye (visible) or lock (locked)
-        SegmentRole                  ///< int: index of a segment in its stroke, -1 for other rows
+        SegmentRole,                 ///< int: index of a segment in its stroke, -1 for other rows
+        WhollySelectedRole           ///< bool of a group: all strokes in it are selected
     };
 
     explicit StrokesModel(Editor &editor, QObject *parent = nullptr);
@@ -105,6 +110,7 @@ private:
     void sortLike(Node &node, const std::vector<Entry> &wanted);
     static void renumber(Node &node);
     const Group *groupOf(GroupId id) const;
+    bool isWhollySelected(const Node &node) const;
     QVariant strokeData(const Stroke &stroke, int column, int role) const;
     QVariant groupData(const Group &group, int column, int role) const;
     void changeStroke(StrokeId id, const std::function<void(Stroke &)> &change, const QString &text);

@@ -97,6 +97,7 @@ void StrokesPanel::documentChanged(const Change &change)
 
 void StrokesPanel::takeSelectionFromDocument()
 {
+    m_view->viewport()->update(); // rows of groups, too
     if (m_syncing)
         return;
     m_stale = false;

@@ -9,6 +9,7 @@
 #include <QApplication>
 #include <QCache>
 #include <QHeaderView>
+#include <QLineEdit>
 #include <QPainter>
 #include <QPainterPath>
 #include <QPixmapCache>
@@ -67,6 +68,14 @@ public:
         const bool selected = option.state & QStyle::State_Selected;
         const QRect area = QStyle::alignedRect(Qt::LeftToRight, Qt::AlignCenter, QSize(16, 16), option.rect);
         painter->drawPixmap(area, drawn(icon, index, selected, *painter, option));
+    }
+
+    QWidget *createEditor(QWidget *parent, const QStyleOptionViewItem &option, const QModelIndex &index) const override
+    {
+        QWidget *editor = QStyledItemDelegate::createEditor(parent, option, index);
+        if (auto *field = qobject_cast<QLineEdit *>(editor))
+            field->setPlaceholderText(index.data().toString());
+        return editor;
     }
 
     QSize sizeHint(const QStyleOptionViewItem &option, const QModelIndex &index) const override
@@ -188,6 +197,15 @@ StrokesView::StrokesView(Editor &editor, const StrokesModel &model, StrokesFilte
         columns->setSectionResizeMode(column, QHeaderView::Fixed);
         columns->resizeSection(column, 28);
     }
+}
+
+/// A group all of whose strokes are selected looks selected, too.
+void StrokesView::drawRow(QPainter *painter, const QStyleOptionViewItem &option, const QModelIndex &index) const
+{
+    QStyleOptionViewItem row = option;
+    if (index.data(StrokesModel::WhollySelectedRole).toBool())
+        row.state |= QStyle::State_Selected;
+    QTreeView::drawRow(painter, row, index);
 }
 
 void StrokesView::dataChanged(const QModelIndex &topLeft, const QModelIndex &bottomRight, const QList<int> &roles)

@@ -63,7 +63,11 @@ SwatchesSection::SwatchesSection(Editor &editor, QWidget *parent) : QWidget(pare
 
     connect(m_add, &QToolButton::clicked, this,
             [this] { m_grid->insert(int(m_grid->swatches().size()), m_editor.brush().colour); });
-    connect(m_grid, &SwatchGrid::picked, &editor, &Editor::setColour);
+    connect(m_grid, &SwatchGrid::picked, this, [this](Colour colour) {
+        if (colour.opacity == 1) // as palettes have them: it says nothing of how thin the brush paints
+            colour.opacity = m_editor.brush().colour.opacity;
+        m_editor.setColour(colour);
+    });
     connect(m_grid, &SwatchGrid::edited, this, &SwatchesSection::push);
     connect(&editor.document(), &Document::changed, this, [this](const Change &change) {
         if (change.canvas || change.reset)

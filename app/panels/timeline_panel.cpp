@@ -121,7 +121,8 @@ void TimelinePanel::showTime()
 {
     if (!isVisible())
         return;
-    showInPlace(*m_time, QStringLiteral("%1 / %2").arg(clockText(m_editor.clock().time()), clockText(m_playback.end())));
+    const Microseconds shown = m_editor.clock().shown();
+    showInPlace(*m_time, QStringLiteral("%1 / %2").arg(clockText(shown), clockText(m_playback.end())));
 }
 
 void TimelinePanel::showMenu(QPoint globalPosition, bool onBar)

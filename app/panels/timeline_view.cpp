@@ -138,7 +138,7 @@ TimeSpan TimelineView::shownSpan() const
 {
     TimeSpan span = m_bars.span();
     span.begin = std::min<Microseconds>(span.begin, 0);
-    span.end = std::max({span.end, m_editor.clock().time(), span.begin + shortest});
+    span.end = std::max({span.end, m_editor.clock().shown(), span.begin + shortest});
     if (m_room < span.end + 2 * roomFor(span)) // else undone since
         span.end = std::max(span.end, m_room);
     return span;
@@ -189,7 +189,7 @@ void TimelineView::fit()
 
 void TimelineView::zoomBy(double factor)
 {
-    const double head = xOf(m_editor.clock().time());
+    const double head = xOf(m_editor.clock().shown());
     zoomAt(head >= 0 && head < viewport()->width() ? head : viewport()->width() / 2.0, factor);
 }
 
@@ -256,7 +256,7 @@ void TimelineView::timeChanged()
 {
     if (!isVisible())
         return;
-    const Microseconds time = m_editor.clock().time();
+    const Microseconds time = m_editor.clock().shown();
     if (const TimeSpan span = shownSpan(); span.end == time) {
         if (m_fitted && time > m_bars.span().end) {
             m_room = time + roomFor(span);
@@ -275,8 +275,10 @@ void TimelineView::timeChanged()
         const double at = std::clamp(xOf(t), -100.0, viewport()->width() + 100.0);
         return QRect(int(at) - 8, 0, 17, viewport()->height());
     };
-    viewport()->update(strip(std::exchange(m_head, time)));
-    viewport()->update(strip(time));
+    for (const Microseconds head : {std::exchange(m_head, time), time}) {
+        viewport()->update(strip(head));
+        viewport()->update(headArea(head));
+    }
 }
 
 void TimelineView::keyPressEvent(QKeyEvent *event)
@@ -285,10 +287,10 @@ void TimelineView::keyPressEvent(QKeyEvent *event)
     const Microseconds step = event->modifiers() & Qt::ShiftModifier ? second : frame;
     switch (event->key()) {
     case Qt::Key_Left:
-        m_playback.seek(std::max(m_editor.clock().time() - step, m_playback.begin()));
+        m_playback.seek(std::max(m_editor.clock().shown() - step, m_playback.begin()));
         break;
     case Qt::Key_Right:
-        m_playback.seek(m_editor.clock().time() + step);
+        m_playback.seek(m_editor.clock().shown() + step);
         break;
     case Qt::Key_Home:
         m_playback.seek(m_playback.begin());

@@ -32,6 +32,9 @@ public:
     /// Where a stroke's bar is in the viewport; its drawn part alone.
     QRectF drawnRect(StrokeId stroke);
     int rulerHeight() const;
+    /// Where a label of this width begins: right of its tick, or where it leaves the view or the playhead's head would
+    /// cover it, left of it, or beside the playhead. Logical pixels.
+    static double labelLeft(double tick, double width, double head, double view);
 
     QSize sizeHint() const override { return {640, 150}; }
 
@@ -94,6 +97,8 @@ private:
     void selectBand();
 
     void paintRuler(QPainter &painter, const QRect &area) const;
+    /// Where labels of the ruler make way for a playhead.
+    QRect headArea(Microseconds time) const;
     void paintLanes(QPainter &painter, const QRect &area) const;
     void paintBar(QPainter &painter, const TimelineBar &bar, const Stroke &stroke) const;
     /// The bar of the stroke in hand; none: nothing is painted at the moment.

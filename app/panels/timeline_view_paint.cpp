@@ -89,6 +89,23 @@ void TimelineView::paintEvent(QPaintEvent *event)
     paintPlayhead(painter);
 }
 
+double TimelineView::labelLeft(double tick, double width, double head, double view)
+{
+    constexpr double beside = 4, clear = 8; // of a tick's line, of the playhead's middle
+    for (const double left : {tick + beside, tick - beside - width, head + clear, head - clear - width}) {
+        const bool isClear = left >= head + clear - 1 || left + width <= head - clear + 1;
+        if (tick >= 0 && tick <= view && left >= 0 && left + width <= view && isClear)
+            return left;
+    }
+    return tick + beside;
+}
+
+QRect TimelineView::headArea(Microseconds time) const
+{
+    const int at = int(std::clamp(xOf(time), -100.0, viewport()->width() + 100.0));
+    return {at - int(2 * tickDistance), 0, int(4 * tickDistance), rulerHeight()};
+}
+
 void TimelineView::paintRuler(QPainter &painter, const QRect &area) const
 {
     const double height = rulerHeight(), width = viewport()->width();
@@ -98,13 +115,15 @@ void TimelineView::paintRuler(QPainter &painter, const QRect &area) const
     const double pixelsPerSecond = 1e6 / m_scale;
     const double step = tickStep(tickDistance / pixelsPerSecond);
     const double first = std::floor(toSeconds(timeAt(std::max(area.left() - 2 * tickDistance, 0.0))) / step);
-    const double last = toSeconds(timeAt(area.right() + 1)) / step;
+    const double last = toSeconds(timeAt(area.right() + 1 + tickDistance)) / step;
+    const double head = xOf(m_editor.clock().shown());
     for (double k = first; k <= last; ++k) {
         const double x = std::floor((k * step * 1e6 - double(m_from)) / m_scale) + 0.5;
         painter.setPen(palette().color(QPalette::PlaceholderText));
         painter.drawLine(QPointF(x, height - 7), QPointF(x, height - 1));
-        painter.drawText(QRectF(x + 4, 0, 2 * tickDistance, height - 2), Qt::AlignLeft | Qt::AlignVCenter,
-                         tickLabel(k * step, step));
+        const QString label = tickLabel(k * step, step);
+        const double left = labelLeft(x, fontMetrics().horizontalAdvance(label), head, width);
+        painter.drawText(QRectF(left, 0, 2 * tickDistance, height - 2), Qt::AlignLeft | Qt::AlignVCenter, label);
         painter.setPen(hairline());
         for (int part = 1; part < 5; ++part) {
             const double at = std::floor(x + part * step * pixelsPerSecond / 5) + 0.5;
@@ -196,7 +215,9 @@ void TimelineView::paintSelectedRuns(QPainter &painter, const Stroke &stroke, co
 {
     const std::set<SegmentRef> &segments = m_editor.document().selection().segments;
     const QColor accent = painter.pen().color();
-    for (auto it = segments.lower_bound({stroke.id, 0}); it != segments.end() && it->stroke == stroke.id; ++it) {
+    // Bars wait for a pause: the stroke that is selected may have more segments by now.
+    const auto end = segments.lower_bound({stroke.id, int(stroke.segments.size())});
+    for (auto it = segments.lower_bound({stroke.id, 0}); it != end; ++it) {
         const std::size_t k = std::size_t(it->segment), next = k + 1;
         const double from = xOf(stroke.segments[k].born);
         const double to = next < stroke.segments.size() ? xOf(stroke.segments[next].born) : from + 6;
@@ -206,7 +227,7 @@ void TimelineView::paintSelectedRuns(QPainter &painter, const Stroke &stroke, co
 
 void TimelineView::paintPlayhead(QPainter &painter) const
 {
-    const double x = std::floor(xOf(m_editor.clock().time())) + 0.5;
+    const double x = std::floor(xOf(m_editor.clock().shown())) + 0.5;
     // In the past it warns: what is painted now lies below what came later.
     const QColor colour = m_editor.clock().isInPast() ? warningText() : palette().color(QPalette::Text);
     painter.setPen(QPen(colour, 1.4));

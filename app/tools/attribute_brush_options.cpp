@@ -27,11 +27,11 @@ ValueSpec specOf(const AttributeWish &wish)
                                        : ValueSpec{-1, 1, 0.25, 100, QStringLiteral(" %")};
     switch (wish.attribute) {
     case Attribute::Diffusion:
-        return {1e-9, 1e12, Segment{}.diffusion, 1, QStringLiteral(" u²/s")};
+        return {1e-9, 1e12, Segment{}.diffusion, 1, NumberField::diffusionUnit()};
     case Attribute::Density:
         return {0, 1e12, Segment{}.density, 1, NumberField::canvasUnit()};
     case Attribute::MaxAge:
-        return {1e-9, 1e6, Segment{}.maxAge, 1, QStringLiteral(" s")};
+        return {1e-9, 1e6, Segment{}.maxAge, 1, NumberField::secondsUnit()};
     default:
         return {0, 1, 1, 100, QStringLiteral(" %")};
     }

@@ -114,8 +114,8 @@ QString BrushTool::hint() const
 {
     if (m_nearEnd)
         return tr("Shift+drag to go on with the selected stroke from its end.");
-    return tr("Drag to paint; a tap leaves a dot. Shift+drag: size and opacity. Ctrl: pick the picture's colour; with "
-              "Shift, a stroke's own.");
+    return tr("Drag to paint, tap for a dot. Shift+drag: size and opacity. Ctrl+click: take the picture's colour, with "
+              "Shift the stroke's own.");
 }
 
 void BrushTool::press(const PointerEvent &event)
@@ -150,7 +150,7 @@ std::optional<NodeRef> BrushTool::endAt(Point pixel) const
 {
     std::optional<NodeRef> found;
     const Document &document = m_editor.document();
-    const std::set<StrokeId> &selected = document.selection().strokes;
+    const std::set<StrokeId> &selected = m_canvas.selection().strokes;
     if (selected.empty())
         return found;
     double nearest = endReach * m_canvas.devicePixelRatioF();

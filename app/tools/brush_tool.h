@@ -38,7 +38,8 @@ public:
     void leave() override;
     bool isBusy() const override { return m_builder || m_resizing || m_picker.isActive(); }
     void cancel() override;
-    bool keyPress(QKeyEvent *event) override;
+    void stepSize(int steps) override;
+    void stepOpacity(int steps) override;
     void paint(QPainter &painter, const View &view, double dpr) const override;
 
     /// What the canvas says about the brush at the moment; empty: nothing.

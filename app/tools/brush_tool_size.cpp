@@ -3,7 +3,6 @@
 #include "app/editor.h"
 #include "app/tools/brush_tool.h"
 
-#include <QKeyEvent>
 #include <QLocale>
 #include <QPainter>
 #include <QPainterPath>
@@ -12,8 +11,8 @@ namespace suffuse {
 
 namespace {
 
-constexpr double sizeStep = 1.189207115002721; ///< of [ and ]: four double it
-constexpr double opacityStep = 0.1;            ///< of { and }
+constexpr double sizeStep = 1.189207115002721; ///< four double it
+constexpr double opacityStep = 0.1;
 constexpr double leastSpread = 1e-7;
 constexpr double greatestSpread = 1e5;
 constexpr double undecided = 4;      ///< logical pixels before a drag is one of size or of opacity
@@ -23,26 +22,14 @@ constexpr int noteMs = 900;
 
 } // namespace
 
-bool BrushTool::keyPress(QKeyEvent *event)
+void BrushTool::stepSize(int steps)
 {
-    if (event->modifiers() & (Qt::ControlModifier | Qt::AltModifier))
-        return false;
-    switch (event->key()) {
-    case Qt::Key_BracketLeft:
-        scaleSize(1 / sizeStep);
-        return true;
-    case Qt::Key_BracketRight:
-        scaleSize(sizeStep);
-        return true;
-    case Qt::Key_BraceLeft:
-        addOpacity(-opacityStep);
-        return true;
-    case Qt::Key_BraceRight:
-        addOpacity(opacityStep);
-        return true;
-    default:
-        return false;
-    }
+    scaleSize(std::pow(sizeStep, steps));
+}
+
+void BrushTool::stepOpacity(int steps)
+{
+    addOpacity(opacityStep * steps);
 }
 
 void BrushTool::scaleSize(double factor)

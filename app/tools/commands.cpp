@@ -50,10 +50,10 @@ void deselect(Editor &editor)
     editor.document().setSelection(std::move(selection));
 }
 
-void moveSelected(Editor &editor, Point by, EditRun run)
+void moveStrokes(Editor &editor, const std::set<StrokeId> &strokes, Point by, EditRun run)
 {
     const Document &document = editor.document();
-    editor.push(changeStrokes(document, document.selection().strokes,
+    editor.push(changeStrokes(document, strokes,
                               [by](Stroke &stroke) { stroke.origin = stroke.origin + by; }),
                 QCoreApplication::translate("Commands", "Move"), run);
 }
@@ -144,6 +144,10 @@ void showAllStrokes(Editor &editor)
 void renameSelected(Editor &editor, const QString &name)
 {
     const Document &document = editor.document();
+    if (const GroupId group = selectedGroup(document)) {
+        editor.push(renameGroup(document, group, name), QCoreApplication::translate("Commands", "Rename group"));
+        return;
+    }
     editor.push(changeStrokes(document, document.selection().strokes, [&name](Stroke &s) { s.name = name; }),
                 QCoreApplication::translate("Commands", "Rename strokes"));
 }

@@ -17,8 +17,8 @@ void invertSelection(Editor &editor);
 void selectSameAs(Editor &editor, Same what);
 /// First the segments, then the strokes.
 void deselect(Editor &editor);
-/// Moves the selected strokes by canvas units. Moves of one run are one step.
-void moveSelected(Editor &editor, Point by, EditRun run);
+/// Moves the strokes by canvas units. Moves of one run are one step.
+void moveStrokes(Editor &editor, const std::set<StrokeId> &strokes, Point by, EditRun run);
 /// About the middle of the selection.
 void flipSelected(Editor &editor, Axis axis, SpreadRule rule);
 /// Quarters of a turn, clockwise, about the middle of the selection.
@@ -33,6 +33,7 @@ void lockSelected(Editor &editor);
 void hideSelected(Editor &editor);
 void unlockAllStrokes(Editor &editor);
 void showAllStrokes(Editor &editor);
+/// The group that is selected as a whole, or else each selected stroke.
 void renameSelected(Editor &editor, const QString &name);
 
 } // namespace suffuse::commands

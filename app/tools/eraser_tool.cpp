@@ -74,11 +74,27 @@ void EraserTool::press(const PointerEvent &event)
 void EraserTool::eraseTo(Point point)
 {
     Document &document = m_editor.document();
-    const std::set<StrokeId> targets = m_fromSelected ? document.selection().strokes : std::set<StrokeId>();
-    if (!m_fromSelected || !targets.empty())
-        m_editor.push(eraseAlong(document, targets, {m_last, point}, radius(), m_editor.clock().time()), tr("Erase"), m_run);
+    if (const std::set<StrokeId> strokes = targets(m_last, point); !strokes.empty())
+        m_editor.push(eraseAlong(document, strokes, {m_last, point}, radius(), m_editor.clock().time()), tr("Erase"),
+                      m_run);
     m_last = point;
     m_shown = document.painting();
+}
+
+std::set<StrokeId> EraserTool::targets(Point from, Point to)
+{
+    const StrokeList &strokes = m_editor.document().painting()->strokes;
+    const std::set<StrokeId> &selected = m_editor.document().selection().strokes;
+    m_boxes.follow(strokes);
+    Rect path;
+    path.include(from);
+    path.include(to);
+    path = path.grown(radius());
+    std::set<StrokeId> result;
+    for (std::size_t i = 0; i < strokes.size(); ++i)
+        if (m_boxes[i].intersects(path) && (!m_fromSelected || selected.contains(strokes[i]->id)))
+            result.insert(strokes[i]->id);
+    return result;
 }
 
 void EraserTool::move(const PointerEvent &event)

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "app/canvas/stroke_boxes.h"
 #include "app/tools/sized_tool.h"
 #include "model/document.h"
 #include "undo/edit_command.h"
@@ -25,11 +26,14 @@ public:
 
 private:
     void eraseTo(Point point);
+    /// The strokes that the circle may touch on its way.
+    std::set<StrokeId> targets(Point from, Point to);
 
     QPointer<QWidget> m_options;
     EditRun m_run = 0;
     Point m_last;
     bool m_fromSelected = false;
+    StrokeBoxes m_boxes;
     PaintingPtr m_before;  ///< at the press
     Selection m_selection; ///< at the press
     PaintingPtr m_shown;   ///< what the eraser left behind

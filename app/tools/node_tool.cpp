@@ -13,6 +13,11 @@ NodeTool::NodeTool(CanvasWidget &canvas, Actions &actions, QObject *parent)
     : SelectionTool(canvas, parent), m_actions(actions), m_drag(m_editor), m_width(canvas)
 {
     connect(&m_editor.document(), &Document::changed, this, &NodeTool::followDocument);
+    connect(&canvas, &CanvasWidget::begunChanged, this, [this] {
+        Change change;
+        change.selection = true;
+        followDocument(change);
+    });
     connect(&canvas, &CanvasWidget::toolChanged, this, [this] {
         if (!isInUse())
             m_nodes.clear();
@@ -55,10 +60,11 @@ void NodeTool::followDocument(const Change &change)
     if (change.reset || !selection().segments.empty())
         m_nodes.clear();
     if (!m_nodes.empty()) {
+        const std::set<StrokeId> &shown = m_canvas.selection().strokes;
         std::map<StrokeId, int> counts; // of the selected strokes that have selected nodes
         const std::set<StrokeId> wanted = strokesOfNodes();
         for (const StrokePtr &stroke : m_editor.document().painting()->strokes)
-            if (wanted.contains(stroke->id) && selection().strokes.contains(stroke->id))
+            if (wanted.contains(stroke->id) && shown.contains(stroke->id))
                 counts[stroke->id] = nodeCount(*stroke);
         std::erase_if(m_nodes,
                       [&](const NodeRef &n) { return !counts.contains(n.stroke) || n.node >= counts[n.stroke]; });
@@ -99,7 +105,7 @@ void NodeTool::selectNodes(std::set<NodeRef> nodes)
 const NodeMarks &NodeTool::marks() const
 {
     if (!m_marks || m_marks->view() != m_canvas.view())
-        m_marks.emplace(*m_editor.document().painting(), selection().strokes, m_nodes, m_canvas.view(),
+        m_marks.emplace(*m_editor.document().painting(), m_canvas.selection().strokes, m_nodes, m_canvas.view(),
                         m_canvas.devicePixelRatioF());
     return *m_marks;
 }
@@ -108,11 +114,12 @@ std::optional<NodeTool::CurveHit> NodeTool::curveAt(const PointerEvent &event) c
 {
     std::optional<CurveHit> hit;
     double nearest = NodeMarks::reach * m_canvas.devicePixelRatioF() / m_canvas.view().scale;
-    if (selection().isEmpty())
+    const std::set<StrokeId> &shown = m_canvas.selection().strokes;
+    if (shown.empty())
         return hit;
     const Painting &painting = *m_editor.document().painting();
     for (const StrokePtr &stroke : painting.strokes) {
-        if (!selection().strokes.contains(stroke->id) || painting.isLocked(*stroke) || !painting.isVisible(*stroke))
+        if (!shown.contains(stroke->id) || painting.isLocked(*stroke) || !painting.isVisible(*stroke))
             continue;
         const auto isNear = [&](const Segment &segment) {
             return stroke->cubicOf(segment).controlBox().grown(nearest).contains(event.point);
@@ -252,7 +259,8 @@ void NodeTool::banded(const Rect &band, const PointerEvent &event)
     const Painting &painting = *m_editor.document().painting();
     std::set<NodeRef> nodes;
     for (const StrokePtr &stroke : painting.strokes)
-        if (selection().strokes.contains(stroke->id) && painting.isVisible(*stroke) && !painting.isLocked(*stroke))
+        if (m_canvas.selection().strokes.contains(stroke->id) && painting.isVisible(*stroke) &&
+            !painting.isLocked(*stroke))
             for (int k = 0; k < nodeCount(*stroke); ++k)
                 if (band.contains(m_canvas.view().toPixels(nodePosition(*stroke, k))))
                     nodes.insert({stroke->id, k});

@@ -195,7 +195,8 @@ bool NodeTool::selectAll()
     std::set<NodeRef> nodes;
     const Painting &painting = *m_editor.document().painting();
     for (const StrokePtr &stroke : painting.strokes)
-        if (selection().strokes.contains(stroke->id) && painting.isVisible(*stroke) && !painting.isLocked(*stroke))
+        if (m_canvas.selection().strokes.contains(stroke->id) && painting.isVisible(*stroke) &&
+            !painting.isLocked(*stroke))
             for (int k = 0; k < nodeCount(*stroke); ++k)
                 nodes.insert(nodes.end(), NodeRef{stroke->id, k});
     if (nodes.empty())
@@ -250,7 +251,8 @@ void NodeTool::selectNext(int step)
     const Painting &painting = *m_editor.document().painting();
     std::vector<const Stroke *> strokes;
     for (const StrokePtr &stroke : painting.strokes)
-        if (selection().strokes.contains(stroke->id) && painting.isVisible(*stroke) && !painting.isLocked(*stroke))
+        if (m_canvas.selection().strokes.contains(stroke->id) && painting.isVisible(*stroke) &&
+            !painting.isLocked(*stroke))
             strokes.push_back(stroke.get());
     if (strokes.empty())
         return;

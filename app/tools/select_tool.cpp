@@ -47,6 +47,10 @@ SelectTool::SelectTool(CanvasWidget &canvas, Actions &actions, QObject *parent)
     : SelectionTool(canvas, parent), m_actions(actions), m_drag(canvas)
 {
     connect(&m_editor.document(), &Document::changed, this, &SelectTool::followDocument);
+    connect(&canvas, &CanvasWidget::begunChanged, this, [this] {
+        m_stale = true;
+        m_hovered.reset();
+    });
 }
 
 void SelectTool::followDocument(const Change &change)
@@ -85,7 +89,7 @@ void SelectTool::pressed(const PointerEvent &event)
                          {}});
     }
     if (isMoving(event) || (m_handle && m_handle->kind != Kind::Centre))
-        m_drag.prepare(selection().strokes);
+        m_drag.prepare(m_canvas.selection().strokes);
 }
 
 bool SelectTool::isMoving(const PointerEvent &event) const
@@ -237,7 +241,7 @@ bool SelectTool::beginDrag(const PointerEvent &event)
                          : m_handle->kind == Kind::Scale ? tr("Scale")
                          : m_handle->kind == Kind::Skew  ? tr("Skew")
                                                          : tr("Rotate");
-    m_drag.begin(selection().strokes, name);
+    m_drag.begin(m_canvas.selection().strokes, name);
     beginSnapping(moves);
     return m_drag.isActive();
 }
@@ -245,7 +249,7 @@ bool SelectTool::beginDrag(const PointerEvent &event)
 void SelectTool::beginSnapping(bool moving)
 {
     const Painting &painting = *m_editor.document().painting();
-    const std::set<StrokeId> &moved = selection().strokes;
+    const std::set<StrokeId> &moved = m_canvas.selection().strokes;
     const bool centre = m_handle && m_handle->kind == Kind::Centre; // it may lie on a node of its own strokes
     m_snapping = Snapping(painting, m_canvas.aids(),
                           [&](const Stroke &stroke, int) { return !centre && moved.contains(stroke.id); });
@@ -253,7 +257,7 @@ void SelectTool::beginSnapping(bool moving)
     m_snapPoints.clear();
     if (!moving)
         return;
-    const Rect box = selectionBox(painting, selection());
+    const Rect box = selectionBox(painting, m_canvas.selection());
     m_snapPoints = {
         {box.left, box.top}, {box.right, box.top}, {box.right, box.bottom}, {box.left, box.bottom}, box.centre()};
     for (const Point &node : nodesNear(painting, moved, start().point))
@@ -309,9 +313,9 @@ void SelectTool::dragHandle(const PointerEvent &event)
     if (map.inverse())
         show(map);
     const QLocale locale;
-    const auto percent = [&](double x, double y) { return locale.toString(100 * std::hypot(x, y), 'f', 1); };
-    if (m_handle->kind == Kind::Scale)
-        say(tr("Scale to %1 % × %2 %").arg(percent(m_map.a, m_map.c), percent(m_map.b, m_map.d)));
+    const auto percent = [&](double scale) { return locale.toString(100 * scale, 'f', 1); };
+    if (m_handle->kind == Kind::Scale) // below 0: mirrored
+        say(tr("Scale to %1 % × %2 %").arg(percent(m_map.a), percent(m_map.d)));
     else if (m_handle->kind == Kind::Rotate)
         say(tr("Rotate by %1°").arg(locale.toString(std::atan2(m_map.c, m_map.a) * 180 / std::numbers::pi, 'f', 1)));
     else

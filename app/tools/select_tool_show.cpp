@@ -86,10 +86,10 @@ QString SelectTool::hint() const
     if (shift)
         return tr("Shift+click: add or take away. Shift+drag: add what the band encloses; while moving: do not snap.");
     if (selection().isEmpty())
-        return tr("Click paint to select its stroke, drag to select several. Shift: add. Alt: below, touch. Ctrl: in "
-                  "groups.");
-    return tr("Drag: move. Click again: rotate and skew. Double click: its segment. Shift: add. Alt: below, touch. "
-              "Ctrl: axis.");
+        return tr("Click paint to select its stroke. Drag for a band, over paint with Shift. Alt+click: the stroke "
+                  "below.");
+    return tr("Drag: move. Click again: rotate and skew. Double click: its segment. Shift+click: add. Shift+drag: a "
+              "band. Alt+click: the stroke below.");
 }
 
 std::optional<double> SelectTool::paintMargin() const

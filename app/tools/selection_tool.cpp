@@ -119,7 +119,8 @@ bool SelectionTool::keyPress(QKeyEvent *event)
         return true;
     }
     const std::optional<Point> direction = directionOf(event->key());
-    if (!direction || isBusy() || selection().isEmpty())
+    const std::set<StrokeId> &moved = m_canvas.selection().strokes;
+    if (!direction || isBusy() || moved.empty())
         return false;
     if (!event->isAutoRepeat() || m_nudgeRun == 0)
         m_nudgeRun = beginEditRun(); // a key held down is one step
@@ -129,7 +130,7 @@ bool SelectionTool::keyPress(QKeyEvent *event)
     double step = event->modifiers() & Qt::AltModifier ? 1 : view.scale;
     if (event->modifiers() & Qt::ShiftModifier)
         step *= 10;
-    commands::moveSelected(m_editor, step * pixel, m_nudgeRun);
+    commands::moveStrokes(m_editor, moved, step * pixel, m_nudgeRun);
     return true;
 }
 

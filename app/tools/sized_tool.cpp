@@ -7,14 +7,13 @@
 #include "app/tools/tool_fields.h"
 
 #include <QHBoxLayout>
-#include <QKeyEvent>
 #include <QPainter>
 
 namespace suffuse {
 
 namespace {
 
-constexpr double sizeStep = 1.189207115002721; ///< of [ and ]: four double it
+constexpr double sizeStep = 1.189207115002721; ///< four double it
 constexpr double edge = 4;                     ///< pixels that the ring's pen takes
 
 } // namespace
@@ -53,14 +52,9 @@ void SizedTool::addSizeField(QHBoxLayout &row)
     m_field->setValue(2 * m_radius);
 }
 
-bool SizedTool::keyPress(QKeyEvent *event)
+void SizedTool::stepSize(int steps)
 {
-    if (event->key() != Qt::Key_BracketLeft && event->key() != Qt::Key_BracketRight)
-        return false;
-    if (event->modifiers() & (Qt::ControlModifier | Qt::AltModifier))
-        return false;
-    setRadius(event->key() == Qt::Key_BracketLeft ? m_radius / sizeStep : m_radius * sizeStep);
-    return true;
+    setRadius(m_radius * std::pow(sizeStep, steps));
 }
 
 void SizedTool::hover(const PointerEvent &event)

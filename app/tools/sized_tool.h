@@ -10,7 +10,7 @@ namespace suffuse {
 
 class NumberField;
 
-/// A tool that works within a circle around the pointer, which is shown; [ and ] change its size.
+/// A tool that works within a circle around the pointer, which is shown; commands change its size.
 class SizedTool : public Tool {
     Q_OBJECT
 
@@ -24,7 +24,7 @@ public:
     QCursor cursor() const override { return Qt::CrossCursor; }
     void hover(const PointerEvent &event) override;
     void leave() override;
-    bool keyPress(QKeyEvent *event) override;
+    void stepSize(int steps) override;
     void paint(QPainter &painter, const View &view, double dpr) const override;
 
     double radius() const { return m_radius; } ///< canvas units

@@ -63,6 +63,9 @@ public:
     virtual bool isBusy() const = 0;
     /// Gives up what is in hand, as if it had not begun.
     virtual void cancel() = 0;
+    /// The commands for size and opacity, by so many steps; nothing for a tool that has none.
+    virtual void stepSize(int /*steps*/) {}
+    virtual void stepOpacity(int /*steps*/) {}
     /// True if the key was used.
     virtual bool keyPress(QKeyEvent *) { return false; }
     /// True if the key means the tool, even where it is a command's shortcut.

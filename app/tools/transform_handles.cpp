@@ -170,11 +170,13 @@ Affine TransformHandles::scaling(const TransformHandle &handle, Point by, Qt::Ke
     const Point before = anchor(handle) - fixed, after = before + by;
     const auto ratio = [](int side, double b, double a) { return side != 0 && b != 0 ? a / b : 1; };
     double kx = ratio(handle.x, before.x, after.x), ky = ratio(handle.y, before.y, after.y);
-    if (modifiers & Qt::ControlModifier) {
-        if (handle.x != 0 && handle.y != 0 && dot(before, before) > 0)
-            kx = ky = dot(after, before) / dot(before, before);
-        else
-            kx = ky = handle.x != 0 ? kx : ky;
+    if (modifiers & Qt::ControlModifier) { // one size for both, and mirrored only across the sides that were passed
+        const Point size{std::abs(before.x), std::abs(before.y)};
+        const double k = handle.x != 0 && handle.y != 0 && dot(before, before) > 0
+                             ? (std::abs(after.x) * size.x + std::abs(after.y) * size.y) / dot(before, before)
+                             : std::abs(handle.x != 0 ? kx : ky);
+        kx = std::copysign(k, kx);
+        ky = std::copysign(k, ky);
     }
     return Affine::scaling(fixed, kx, ky);
 }

@@ -43,7 +43,8 @@ public:
     Point anchor(const TransformHandle &handle) const;
 
     /// What moving the pointer means: Shift scales about the centre and turns about the opposite corner, Ctrl keeps
-    /// proportions or goes in steps of 15°. The identity where that cannot be told.
+    /// proportions or goes in steps of 15°. Past the fixed point scaling mirrors, each axis by itself, as in Inkscape.
+    /// The identity where that cannot be told.
     Affine map(const TransformHandle &handle, Point from, Point to, Qt::KeyboardModifiers modifiers) const;
 
     void paint(QPainter &painter, const View &view, double dpr, const QColor &accent,

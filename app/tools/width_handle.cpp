@@ -51,7 +51,7 @@ std::optional<WidthHandle::Place> WidthHandle::place() const
 {
     const Document &document = m_canvas.editor().document();
     const Selection &selection = document.selection();
-    if (selection.strokes.size() != 1)
+    if (selection.strokes.size() != 1 || m_canvas.selection().isEmpty())
         return {};
     const StrokePtr stroke = document.painting()->find(*selection.strokes.begin());
     if (!stroke || !document.painting()->isVisible(*stroke) || document.painting()->isLocked(*stroke))

@@ -66,7 +66,10 @@ struct LoadedDocument {
     DocumentExtras extras;
     FileFormat format = FileFormat::Unknown;
     std::vector<QString> losses;
-    QString leftOut; ///< what a foreign file holds that a painting cannot, as a sentence; empty: nothing
+    qint64 lostStrokes = 0; ///< as far as the file tells
+    /// What is not here though the picture is whole, as a sentence: what a foreign file holds and a painting cannot, or
+    /// damaged parts beside the picture. Empty: nothing.
+    QString leftOut;
 };
 
 /// As readPainting and loadPainting, which refuse a damaged file: these give what is whole of it.

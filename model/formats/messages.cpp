@@ -1,15 +1,10 @@
 #include "model/formats/messages.h"
 
-#include <QFileInfo>
-
 namespace suffuse {
 
 QString shownName(const QString &path)
 {
-    if (path == QLatin1String("-"))
-        return FileMessages::tr("standard input");
-    const QString name = QFileInfo(path).fileName();
-    return name.isEmpty() ? path : name;
+    return path == QLatin1String("-") ? FileMessages::tr("standard input") : path;
 }
 
 QString excerpt(std::string_view text)

@@ -15,7 +15,7 @@ struct FileMessages {
     Q_DECLARE_TR_FUNCTIONS(suffuse::Files)
 };
 
-/// "a.json" of "/home/me/a.json"; "standard input" for "-".
+/// A path as the user gave it; "standard input" for "-".
 QString shownName(const QString &path);
 /// A piece of a file for a message: at most 40 characters, control characters replaced.
 QString excerpt(std::string_view text);

@@ -1,5 +1,6 @@
 #include "model/formats/suffuse_extras.h"
 
+#include "model/formats/messages.h"
 #include "model/formats/suffuse_cbor.h"
 
 #include <cmath>
@@ -49,6 +50,15 @@ std::optional<WorkspaceState> readView(QByteArrayView payload)
 bool isAncillary(const Chunk &chunk)
 {
     return !chunk.type.isEmpty() && chunk.type.front() >= 'a' && chunk.type.front() <= 'z';
+}
+
+QString partBeside(const QByteArray &type)
+{
+    if (type == previewType)
+        return FileMessages::tr("the preview");
+    if (type == viewType)
+        return FileMessages::tr("how it was last looked at");
+    return type == historyType ? FileMessages::tr("the undo history") : QString();
 }
 
 void readExtra(const Chunk &chunk, DocumentExtras &extras)

@@ -14,6 +14,8 @@ inline constexpr qsizetype largestPreview = 1 << 20;
 
 /// A type whose first letter is small.
 bool isAncillary(const Chunk &chunk);
+/// What a known one is, for people; empty for other types.
+QString partBeside(const QByteArray &type);
 /// Keeps an ancillary chunk in `extras`; what is known but makes no sense is left out. The first of a kind counts.
 void readExtra(const Chunk &chunk, DocumentExtras &extras);
 

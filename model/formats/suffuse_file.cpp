@@ -63,11 +63,15 @@ std::vector<QByteArray> strokeChunks(const std::vector<Strokes> &parts, const To
 
 std::vector<Strokes> inChunks(Strokes strokes)
 {
+    std::size_t total = 0;
+    for (const StrokePtr &s : strokes)
+        total += s->segments.size();
+    const std::size_t most = segmentsPerChunk(total);
     std::vector<Strokes> parts;
     for (std::size_t from = 0; from < strokes.size();) {
-        std::size_t to = from;
-        for (std::size_t segments = 0; to < strokes.size() && segments < segmentsPerChunk; ++to)
-            segments += strokes[to]->segments.size();
+        std::size_t to = from + 1, segments = strokes[from]->segments.size();
+        for (; to < strokes.size() && (segments += strokes[to]->segments.size()) <= most; ++to)
+            ;
         parts.push_back(strokes.subspan(from, to - from));
         from = to;
     }

@@ -5,6 +5,7 @@
 
 #include <QByteArray>
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <vector>
@@ -22,8 +23,13 @@ inline constexpr int suffuseLeastReader = 1;
 
 /// Segments (and rewettings) that a small file may declare; beyond it has at least one byte for each.
 inline constexpr std::uint64_t freeElements = 500'000;
-/// A stroke chunk is closed when it holds this many segments.
-inline constexpr std::size_t segmentsPerChunk = 4'096;
+/// Most segments of a stroke chunk, but for one stroke that has more: a sixteenth of the painting's, so that damage at
+/// one place loses little of a small painting too, within bounds that keep chunks worth packing and small beside a large
+/// one.
+constexpr std::size_t segmentsPerChunk(std::size_t total)
+{
+    return std::clamp<std::size_t>(total / 16, 64, 4'096);
+}
 /// Names and palettes that are stored compressed, bytes before compression in the whole file; more is stored raw.
 inline constexpr std::uint64_t blockBudget = std::uint64_t(64) << 20;
 
@@ -64,13 +70,13 @@ Result<std::vector<Chunk>> splitChunks(const QByteArray &bytes, const QString &f
 
 /// A chunk of a damaged file, or a stretch that is none: then `damage` says why, and of `chunk` only the start counts,
 /// and the type where it is one.
-struct Piece {
+struct FilePiece {
     Chunk chunk;
     QString damage;
 };
 /// All that is whole of a file with a good signature, in order, and the stretches between. Never fails; the end chunk
 /// is among the pieces only if it is whole and fits.
-std::vector<Piece> salvageChunks(const QByteArray &bytes);
+std::vector<FilePiece> salvageChunks(const QByteArray &bytes);
 
 /// Reads little-endian numbers from memory that may be too short; after the first failure everything fails.
 class ByteCursor {

@@ -25,19 +25,18 @@ public:
           m_allowance(freeElements + std::uint64_t(bytes.size()), blockBudget)
     {}
 
-    Result<LoadedDocument> read(const std::vector<Piece> &pieces)
+    Result<LoadedDocument> read(const std::vector<FilePiece> &pieces)
     {
         for (std::size_t k = 0; k < pieces.size(); ++k) {
             const Chunk &chunk = pieces[k].chunk;
-            const QString problem = pieces[k].damage.isEmpty() ? readChunk(chunk, k == 0) : noteDamage(pieces[k]);
+            const QString problem = pieces[k].damage.isEmpty() ? readChunk(chunk, k == 0) : pieces[k].damage;
             if (!m_refusal.isEmpty())
                 return fileError(m_fileName, m_refusal);
             if (problem.isEmpty())
                 continue;
             if (!m_salvages)
                 return chunkError(m_fileName, chunk, problem);
-            lose(chunk.type.isEmpty() ? FileMessages::tr("byte %1: %2").arg(chunk.start).arg(problem)
-                                      : chunkText(chunk, problem));
+            noteDamage(chunk, problem);
         }
         if (const Result<void> decoded = readStrokeChunks(); !decoded)
             return Error{decoded.error()};
@@ -51,6 +50,28 @@ public:
 
 private:
     void lose(const QString &what) { m_out.losses.push_back(what); }
+
+    /// What it costs is said once all is read (`mend`); here, what cannot be told then.
+    void noteDamage(const Chunk &chunk, const QString &problem)
+    {
+        if (m_firstDamage.isEmpty())
+            m_firstDamage = chunk.type.isEmpty() ? FileMessages::tr("byte %1: %2").arg(chunk.start).arg(problem)
+                                                 : chunkText(chunk, problem);
+        if (const QString part = partBeside(chunk.type); !part.isEmpty()) {
+            if (!m_leftOut.contains(part))
+                m_leftOut.append(part);
+            return;
+        }
+        m_pictureIsHurt = true;
+        if (chunk.type == "IMAG")
+            m_images.push_back(nullptr);
+        if (chunk.type == "ENDS")
+            lose(FileMessages::tr("the end of the file is damaged"));
+        if (chunk.type.isEmpty()) {
+            m_missedUnknown = true;
+            lose(FileMessages::tr("the file is damaged or cut off at byte %1").arg(chunk.start));
+        }
+    }
 
     /// Empty, or what is wrong with the chunk.
     QString readChunk(const Chunk &chunk, bool isFirst)
@@ -105,8 +126,10 @@ private:
     QString readImage(const Chunk &chunk)
     {
         const auto image = checkedImage(chunk.payload.toByteArray());
-        m_images.push_back(image ? *image : nullptr);
-        return image ? QString() : image.error();
+        if (!image)
+            return image.error();
+        m_images.push_back(*image);
+        return {};
     }
 
     QString readDocumentChunk(const Chunk &chunk)
@@ -128,14 +151,6 @@ private:
         return {};
     }
 
-    QString noteDamage(const Piece &piece)
-    {
-        if (piece.chunk.type == "IMAG")
-            m_images.push_back(nullptr);
-        m_missedUnknown = m_missedUnknown || piece.chunk.type.isEmpty();
-        return piece.damage;
-    }
-
     /// Each chunk stands alone, so that they are read at the same time.
     Result<void> readStrokeChunks()
     {
@@ -149,7 +164,7 @@ private:
                 for (StrokePtr &stroke : strokes[k])
                     m_out.painting.strokes.push_back(std::move(stroke));
             } else if (m_salvages) {
-                lose(chunkText(m_strokeChunks[k], problems[k]));
+                noteDamage(m_strokeChunks[k], problems[k]);
             } else {
                 return chunkError(m_fileName, m_strokeChunks[k], problems[k]);
             }
@@ -179,9 +194,9 @@ private:
     {
         Painting &painting = m_out.painting;
         if (!m_hasDocument && painting.strokes.empty())
-            return fileError(m_fileName,
-                             FileMessages::tr("is damaged, and nothing in it is whole (%1); take a backup copy")
-                                 .arg(m_out.losses.empty() ? QString() : m_out.losses.front()));
+            return fileError(
+                m_fileName,
+                FileMessages::tr("is damaged, and nothing in it is whole (%1); take a backup copy").arg(m_firstDamage));
         if (!m_hasDocument) {
             lose(FileMessages::tr(
                 "the canvas, paper, groups, swatches and underlay are missing; the canvas is a usual one"));
@@ -196,11 +211,21 @@ private:
             lose(FileMessages::tr("the underlay is missing"));
         }
         const qint64 strokes = qint64(painting.strokes.size()), segments = qint64(painting.segmentCount());
+        const bool allStrokes = m_strokes == strokes && m_segments == segments;
+        m_out.lostStrokes = std::max<qint64>(0, m_strokes - strokes);
+        const QString beside = m_leftOut.join(QStringLiteral(", "));
+        if (allStrokes && !m_pictureIsHurt && m_out.losses.empty()) {
+            m_out.leftOut =
+                FileMessages::tr("Damaged and left out: %1. All %2 strokes are here.").arg(beside).arg(strokes);
+            return {};
+        }
+        if (!beside.isEmpty())
+            lose(FileMessages::tr("damaged and left out: %1").arg(beside));
         if (m_strokes < 0)
             lose(FileMessages::tr("%1 strokes with %2 segments are here; how many there were is not known")
                      .arg(strokes)
                      .arg(segments));
-        else if (m_strokes != strokes || m_segments != segments)
+        else if (!allStrokes)
             lose(FileMessages::tr("%1 of %2 strokes are missing, with %3 of %4 segments")
                      .arg(m_strokes - strokes)
                      .arg(m_strokes)
@@ -232,7 +257,10 @@ private:
     LoadedDocument m_out;
     std::vector<EncodedImage> m_images; ///< null: it is missing
     std::vector<Chunk> m_strokeChunks;
+    QStringList m_leftOut; ///< damaged parts beside the picture
+    QString m_firstDamage;
     QString m_refusal; ///< a newer file, not a damaged one
+    bool m_pictureIsHurt = false;
     bool m_hasDocument = false;
     bool m_missedUnknown = false; ///< a stretch was lost that may have been anything
     qint64 m_strokes = -1, m_segments = -1;
@@ -244,8 +272,9 @@ Result<LoadedDocument> readSuffuseDocument(const QByteArray &bytes, const QStrin
 {
     if (const auto good = checkSignature(bytes, fileName); !good)
         return Error{good.error()};
-    const std::vector<Piece> pieces = salvageChunks(bytes);
-    const bool damaged = std::any_of(pieces.begin(), pieces.end(), [](const Piece &p) { return !p.damage.isEmpty(); });
+    const std::vector<FilePiece> pieces = salvageChunks(bytes);
+    const bool damaged =
+        std::any_of(pieces.begin(), pieces.end(), [](const FilePiece &p) { return !p.damage.isEmpty(); });
     return FileReader(bytes, fileName, damaged).read(pieces);
 }
 
@@ -254,7 +283,7 @@ Result<Painting> readSuffuseFile(const QByteArray &bytes, const QString &fileNam
     const auto chunks = splitChunks(bytes, fileName);
     if (!chunks)
         return Error{chunks.error()};
-    std::vector<Piece> pieces;
+    std::vector<FilePiece> pieces;
     for (const Chunk &chunk : *chunks)
         pieces.push_back({chunk, {}});
     Result<LoadedDocument> document = FileReader(bytes, fileName, false).read(pieces);

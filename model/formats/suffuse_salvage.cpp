@@ -21,7 +21,7 @@ class Salvage {
 public:
     explicit Salvage(const QByteArray &bytes) : m_bytes(bytes), m_budget(8 * bytes.size()) {}
 
-    std::vector<Piece> run()
+    std::vector<FilePiece> run()
     {
         for (qsizetype at = suffuseSignatureSize; !m_ended;) {
             if (at == m_bytes.size()) {
@@ -56,7 +56,7 @@ private:
             return;
         }
         const bool before =
-            std::any_of(m_pieces.begin(), m_pieces.end(), [](const Piece &p) { return !p.damage.isEmpty(); });
+            std::any_of(m_pieces.begin(), m_pieces.end(), [](const FilePiece &p) { return !p.damage.isEmpty(); });
         const QString problem = problemOfEnd(m_bytes, chunk);
         // Where something is damaged the hash differs anyway.
         if (problem.isEmpty() || (before && chunk.start + chunk.size() == m_bytes.size()))
@@ -94,14 +94,14 @@ private:
     }
 
     const QByteArray &m_bytes;
-    std::vector<Piece> m_pieces;
+    std::vector<FilePiece> m_pieces;
     qint64 m_budget;
     bool m_ended = false;
 };
 
 } // namespace
 
-std::vector<Piece> salvageChunks(const QByteArray &bytes)
+std::vector<FilePiece> salvageChunks(const QByteArray &bytes)
 {
     return Salvage(bytes).run();
 }
@@ -111,7 +111,7 @@ Result<std::vector<ChunkInfo>> suffuseChunks(const QByteArray &bytes, const QStr
     if (const auto good = checkSignature(bytes, fileName); !good)
         return Error{good.error()};
     std::vector<ChunkInfo> list;
-    for (const Piece &piece : salvageChunks(bytes))
+    for (const FilePiece &piece : salvageChunks(bytes))
         list.push_back({QString::fromLatin1(piece.chunk.type), piece.chunk.start,
                         piece.chunk.payload.isNull() ? 0 : piece.chunk.size(), piece.damage});
     return list;

@@ -95,6 +95,17 @@ std::vector<Stroke> strokesAlong(const std::vector<SvgPath> &paths, const Brush 
     return strokes;
 }
 
+QString leftOutOf(const SvgDrawing &drawing)
+{
+    QStringList sentences;
+    if (drawing.fills > 0)
+        sentences << FileMessages::tr("Fills were left out: filled shapes are painted along their outlines.");
+    if (drawing.leftOut > 0)
+        sentences << FileMessages::tr(
+            "Text and images of the drawing were left out: only paths and shapes are strokes.");
+    return sentences.join(' ');
+}
+
 Result<Painting> readSvg(const QByteArray &bytes, const QString &fileName, const Brush &brush, QString *leftOut)
 {
     if (bytes.size() > largestSvg)
@@ -123,8 +134,8 @@ Result<Painting> readSvg(const QByteArray &bytes, const QString &fileName, const
                                                     "turn text and images into paths first"));
     if (const QString problem = problemOf(painting); !problem.isEmpty())
         return fileError(fileName, problem);
-    if (leftOut && drawing->leftOut > 0)
-        *leftOut = FileMessages::tr("Text and images of the drawing were left out: only paths and shapes are strokes.");
+    if (leftOut)
+        *leftOut = leftOutOf(*drawing);
     return painting;
 }
 

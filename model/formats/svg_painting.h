@@ -12,9 +12,11 @@ namespace suffuse {
 /// out.
 std::vector<Stroke> strokesAlong(const std::vector<SvgPath> &paths, const Brush &brush, Microseconds born);
 
+/// Sentences for people on what of a drawing strokes cannot show; empty: nothing.
+QString leftOutOf(const SvgDrawing &drawing);
+
 /// All paths and shapes of a drawing, painted at time 0 on a canvas of the drawing's size (where it says none: around
-/// what it draws). 1 CSS pixel is 1 canvas unit. `leftOut` receives a sentence where it has text or images too. Errors
-/// name the file and the line.
+/// what it draws). 1 CSS pixel is 1 canvas unit. `leftOut` receives leftOutOf. Errors name the file and the line.
 Result<Painting> readSvg(const QByteArray &bytes, const QString &fileName, const Brush &brush,
                          QString *leftOut = nullptr);
 

@@ -7,6 +7,7 @@
 #include <QRegularExpression>
 #include <QXmlStreamReader>
 
+#include <algorithm>
 #include <cmath>
 #include <map>
 #include <memory>
@@ -159,6 +160,22 @@ void addPaths(const State &state, const QString &data, std::vector<SvgPath> &pat
     }
 }
 
+/// Not all on one straight line.
+bool enclosesArea(const std::vector<Cubic> &curves)
+{
+    const Point from = curves.front().p[0];
+    Point farthest;
+    const auto visit = [&](auto see) {
+        for (const Cubic &cubic : curves)
+            for (const Point &p : cubic.p)
+                see(p - from);
+    };
+    visit([&](Point arm) { farthest = length(arm) > length(farthest) ? arm : farthest; });
+    double widest = 0;
+    visit([&](Point arm) { widest = std::max(widest, std::abs(farthest.x * arm.y - farthest.y * arm.x)); });
+    return widest > 1e-9 * (farthest.x * farthest.x + farthest.y * farthest.y);
+}
+
 bool isOnlyDefined(const QString &element)
 {
     static const std::set<QString> names{"defs", "clipPath", "mask", "pattern", "marker", "symbol", "metadata"};
@@ -207,6 +224,7 @@ public:
 
     /// Of what was drawn.
     int leftOut() const { return m_leftOut; }
+    int fills() const { return m_fills; }
 
     std::vector<SvgPath> paths()
     {
@@ -258,6 +276,9 @@ private:
     {
         const std::size_t before = m_paths.size();
         suffuse::addPaths(state, data, m_paths);
+        m_fills += int(std::count_if(m_paths.begin() + std::ptrdiff_t(before), m_paths.end(), [](const SvgPath &path) {
+            return path.fill && enclosesArea(path.curves);
+        }));
         for (std::size_t i = before; i < m_paths.size(); ++i)
             m_curves += m_paths[i].curves.size();
         if (m_curves > mostCurves)
@@ -267,7 +288,7 @@ private:
     Element m_root;
     std::map<QString, const Element *> m_named; ///< by id, the first of each
     std::vector<SvgPath> m_paths;
-    int m_drawn = 0, m_leftOut = 0;
+    int m_drawn = 0, m_leftOut = 0, m_fills = 0;
     std::size_t m_curves = 0;
 };
 
@@ -320,6 +341,7 @@ Result<SvgDrawing> readSvgDrawing(const QByteArray &bytes)
     takeSize(drawing, drawn.root());
     drawing.paths = drawn.paths();
     drawing.leftOut = drawn.leftOut();
+    drawing.fills = drawn.fills();
     return drawing;
 }
 

@@ -24,6 +24,7 @@ struct SvgPath {
 struct SvgDrawing {
     std::vector<SvgPath> paths;
     int leftOut = 0; ///< texts and images that it shows
+    int fills = 0;   ///< paths of which it paints the inside
     Rect area;       ///< what is to be seen, in the units of the document (viewBox, or width and height); empty: unsaid
     double scale = 1; ///< CSS pixels a unit, as width and height want it
 };

@@ -51,14 +51,30 @@ Result<void> writeImage(const QString &path, const FloatPicture &picture, const 
 inline constexpr int maxImageSide = 16384;
 inline constexpr qint64 maxImagePixels = qint64(1) << 26;
 
-/// Decodes PNG, JPEG, TIFF, EXR or WebP: sRGB-encoded, straight alpha, values in [0, 1] (NaN becomes 0). `name` stands
-/// in messages. Any thread.
+/// Decodes PNG, JPEG, TIFF, EXR or WebP: sRGB-encoded, straight alpha, values in [0, 1] (NaN becomes 0), upright as the
+/// file's Exif data say. `name` stands in messages. Any thread.
 Result<FloatPicture> readImage(const QByteArray &bytes, const QString &name);
 
-/// Receives an image while it is decoded, a row of `width` straight RGBA pixels at a time, top to bottom.
+/// Pixels of an image that follow each other: pixel i lies at (x + i·dx, y + i·dy). (dx, dy) is a step along a row or a
+/// column of the upright image, in either direction.
+struct ImageRun {
+    int x = 0, y = 0;
+    int dx = 1, dy = 0;
+    const float *rgba = nullptr; ///< count straight RGBA pixels
+    int count = 0;
+
+    /// Calls put(x, y, rgba) for each.
+    template <typename Put> void forEach(const Put &put) const
+    {
+        for (int i = 0; i < count; ++i)
+            put(x + i * dx, y + i * dy, rgba + std::size_t(i) * 4);
+    }
+};
+
+/// Receives an image while it is decoded: its size, upright, then a row of the file at a time, where that lies.
 struct ImageRows {
     std::function<void(int width, int height)> begin;
-    std::function<void(int y, const float *rgba)> row;
+    std::function<void(const ImageRun &run)> row;
 };
 /// As `readImage`, without holding the picture.
 Result<void> readImageRows(const QByteArray &bytes, const QString &name, const ImageRows &rows);

@@ -1,6 +1,7 @@
 #include "render/image_io/declared_size.h"
 #include "render/image_io/image_io.h"
 #include "render/image_io/image_module.h"
+#include "render/image_io/orientation.h"
 #include "render/image_io/srgb.h"
 #include "render/image_io/strip_metadata.h"
 
@@ -16,7 +17,9 @@ namespace {
 /// Turns the module's rows into straight sRGB-encoded RGBA.
 struct RowConverter {
     const ImageRows &rows;
+    Orientation orientation;
     int width = 0;
+    int height = 0;
     int channels = 0;
     bool linear = false;
     bool associated = false;
@@ -24,15 +27,17 @@ struct RowConverter {
 
     void begin(int w, int h, int c, bool isLinear, bool isAssociated)
     {
-        width = w, channels = c, linear = isLinear, associated = isAssociated;
+        width = w, height = h, channels = c, linear = isLinear, associated = isAssociated;
         rgba.resize(std::size_t(w) * 4);
-        rows.begin(w, h);
+        orientation.swapsSides() ? rows.begin(h, w) : rows.begin(w, h);
     }
     void row(int y, const float *values)
     {
         for (int x = 0; x < width; ++x)
             pixel(values + std::size_t(x) * channels, rgba.data() + std::size_t(x) * 4);
-        rows.row(y, rgba.data());
+        ImageRun run = orientation.run(y, width, height);
+        run.rgba = rgba.data();
+        rows.row(run);
     }
     void pixel(const float *v, float *out) const
     {
@@ -75,7 +80,7 @@ Result<void> readImageRows(const QByteArray &bytes, const QString &name, const I
     if (!imageModule())
         return Error{QCoreApplication::translate("ImageReader", "%1: cannot read %2: %3.")
                          .arg(name, nameOf(format), imageModule().error())};
-    RowConverter converter{rows, 0, 0, false, false, {}};
+    RowConverter converter{rows, orientationOf(bytes, format), 0, 0, 0, false, false, {}};
     ImageModuleRead job{};
     job.format = imageModuleName(format);
     const QByteArray pixels = withoutMetadata(bytes, format);
@@ -104,8 +109,10 @@ Result<FloatPicture> readImage(const QByteArray &bytes, const QString &name)
     FloatPicture picture;
     ImageRows rows;
     rows.begin = [&picture](int width, int height) { picture.resize(width, height); };
-    rows.row = [&picture](int y, const float *rgba) {
-        std::copy_n(rgba, std::size_t(picture.width) * 4, picture.rgba.data() + std::size_t(y) * picture.width * 4);
+    rows.row = [&picture](const ImageRun &run) {
+        run.forEach([&picture](int x, int y, const float *rgba) {
+            std::copy_n(rgba, 4, picture.rgba.data() + (std::size_t(y) * picture.width + x) * 4);
+        });
     };
     if (Result<void> read = readImageRows(bytes, name, rows); !read)
         return Error{read.error()};

@@ -1,5 +1,7 @@
 #include "render/image_io/strip_metadata.h"
 
+#include "render/image_io/file_numbers.h"
+
 #include <QSet>
 
 #include <algorithm>
@@ -8,28 +10,10 @@ namespace suffuse {
 
 namespace {
 
-/// Whole numbers of a file, most or least significant byte first; 0 beyond the end.
-struct Numbers {
-    const QByteArray &bytes;
-    bool littleEndian = false;
-
-    quint64 at(quint64 offset, int count) const
-    {
-        if (offset > quint64(bytes.size()) || quint64(bytes.size()) - offset < quint64(count))
-            return 0;
-        quint64 v = 0;
-        for (int i = 0; i < count; ++i) {
-            const quint64 place = offset + quint64(littleEndian ? count - 1 - i : i);
-            v = v << 8 | static_cast<unsigned char>(bytes[qsizetype(place)]);
-        }
-        return v;
-    }
-};
-
 /// The chunks that make the picture; a broken chunk ends it.
 QByteArray strippedPng(const QByteArray &bytes)
 {
-    const Numbers numbers{bytes};
+    const FileNumbers numbers{bytes};
     QByteArray out = bytes.left(8);
     for (qsizetype at = 8; at + 12 <= bytes.size();) {
         const qsizetype length = qsizetype(numbers.at(quint64(at), 4)) + 12;
@@ -45,7 +29,7 @@ QByteArray strippedPng(const QByteArray &bytes)
 /// between markers are left out, as the decoder does.
 QByteArray strippedJpeg(const QByteArray &bytes)
 {
-    const Numbers numbers{bytes};
+    const FileNumbers numbers{bytes};
     QByteArray out = bytes.left(2);
     for (qsizetype at = 2; at + 4 <= bytes.size();) {
         const int marker = static_cast<unsigned char>(bytes[at + 1]);
@@ -73,9 +57,10 @@ QByteArray strippedJpeg(const QByteArray &bytes)
 /// Entries of the first directory that are not about pixels get a tag that nothing reads. Offsets stay.
 QByteArray strippedTiff(const QByteArray &bytes)
 {
-    // XMP, IPTC, Photoshop, ICC profile, Exif, GPS, Interoperability.
-    static const QSet<quint64> metadata = {700, 33723, 34377, 34675, 34665, 34853, 40965};
-    const Numbers numbers{bytes, bytes.startsWith('I')};
+    // XMP, IPTC, Photoshop, ICC profile, Exif, GPS, Interoperability; and the orientation, which libtiff heeds for some
+    // pictures only.
+    static const QSet<quint64> metadata = {700, 33723, 34377, 34675, 34665, 34853, 40965, 274};
+    const FileNumbers numbers{bytes, bytes.startsWith('I')};
     const bool big = numbers.at(2, 2) == 43;
     const quint64 directory = big ? numbers.at(8, 8) : numbers.at(4, 4);
     const quint64 size = quint64(bytes.size());

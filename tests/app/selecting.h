@@ -2,6 +2,7 @@
 #pragma once
 
 #include "app/tools/select_tool.h"
+#include "model/stroke_width.h"
 #include "tests/app/session.h"
 
 namespace suffuse {
@@ -77,6 +78,8 @@ struct Selecting : Session {
         drag({from, from + by}, modifiers);
     }
     Rect box(StrokeId id) { return curveBox(stroke(id)); }
+    /// Of the paint that is seen.
+    Rect seen(StrokeId id) { return seenBox(stroke(id)); }
 };
 
 inline bool near(double a, double b, double tolerance = 1e-3)

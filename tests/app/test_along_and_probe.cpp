@@ -4,6 +4,7 @@
 #include "app/panels/inspector_panel.h"
 #include "app/panels/number_field.h"
 #include "app/panels/probe_panel.h"
+#include "app/place_beside.h"
 #include "model/validate.h"
 #include "render/probe.h"
 #include "tests/app/panel_bench.h"
@@ -12,6 +13,7 @@
 
 #include <QDockWidget>
 #include <QMouseEvent>
+#include <QScreen>
 #include <QTemporaryDir>
 #include <QToolButton>
 #include <QTreeWidget>
@@ -86,6 +88,52 @@ private slots:
         QCOMPARE(bench.steps(), 1);
         bench.editor.undoStack().undo();
         QCOMPARE(bench.stroke(1), *makeStroke(1, 4, 10));
+    }
+
+    /// It does not cover the strokes that it is about.
+    void itOpensBesideTheStrokes()
+    {
+        Session s;
+        s.use(Command::Zoom100);
+        s.window.move(0, 0);
+        const StrokeId id = s.editor().document().takeStrokeId();
+        auto stroke = std::make_shared<Stroke>(*makeStroke(id, 4, 10));
+        stroke->origin = s.canvas().view().centre - Point{40, 0}; // in the middle, where dialogs open
+        s.editor().push(addStrokes(s.editor().document(), {stroke}, true), "stroke");
+        const QRect there = s.canvas().selectionOnScreen();
+        QVERIFY(there.width() >= 80 && there.width() < 90);
+        const QPoint centre = s.canvas().mapToGlobal(s.at(s.canvas().view().centre));
+        QVERIFY((there.center() - centre).manhattanLength() <= 2); // whole pixels
+        auto *panel = s.window.findChild<InspectorPanel *>();
+        panel->alongButton()->click();
+        const QRect dialog = panel->along()->frameGeometry();
+        const QRect screen = panel->along()->screen()->availableGeometry();
+        QVERIFY(screen.contains(dialog));
+        QVERIFY(!dialog.intersects(there));
+        s.canvas().panBy({-10'000, 0});
+        QVERIFY(s.canvas().selectionOnScreen().isEmpty()); // out of sight
+    }
+
+    void windowsGoWhereThereIsRoom()
+    {
+        const QRect screen(100, 50, 1000, 800);
+        const QSize size(300, 200);
+        const auto placed = [&](const QRect &what) { return QRect(placeBeside(size, what, screen), size); };
+        const auto check = [&](const QRect &what, auto isBeside) {
+            const QRect at = placed(what);
+            return screen.contains(at) && !at.intersects(what) && isBeside(at, what);
+        };
+        const auto right = [](const QRect &at, const QRect &what) { return at.left() > what.right(); };
+        const auto left = [](const QRect &at, const QRect &what) { return at.right() < what.left(); };
+        const auto below = [](const QRect &at, const QRect &what) { return at.top() > what.bottom(); };
+        const auto above = [](const QRect &at, const QRect &what) { return at.bottom() < what.top(); };
+        QVERIFY(check({400, 300, 100, 100}, right));
+        QVERIFY(check({400, 60, 100, 5}, right)); // at the edge of the screen
+        QVERIFY(check({700, 300, 350, 100}, left));
+        QVERIFY(check({120, 100, 960, 300}, below));
+        QVERIFY(check({120, 500, 960, 300}, above));
+        QVERIFY(screen.contains(placed(screen))); // all is covered whatever is done
+        QCOMPARE(placeBeside({2000, 2000}, {400, 300, 100, 100}, screen), screen.topLeft());
     }
 
     void drawnAlongASelectedRun()

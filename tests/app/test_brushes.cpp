@@ -4,6 +4,7 @@
 #include "app/panels/brush_panel.h"
 #include "app/panels/response_editor.h"
 #include "app/panels/slider_field.h"
+#include "app/settings.h"
 #include "app/tools/brush_tool.h"
 #include "app/tools/stabiliser.h"
 #include "model/formats/files.h"
@@ -14,6 +15,7 @@
 #include <QComboBox>
 #include <QListWidget>
 #include <QMenu>
+#include <QScopeGuard>
 #include <QStandardPaths>
 #include <QTableWidget>
 #include <QTemporaryDir>
@@ -126,6 +128,49 @@ private slots:
         QVERIFY(!s.window.action(Command::Favourite9).isVisible());
         BrushLibrary::instance().setFavourite(names[0], true);
         QCOMPARE(BrushLibrary::instance().favourites().last(), names[0]);
+    }
+
+    void brushInHandIsKept()
+    {
+        const QString store = m_folder.filePath("kept.ini");
+        qputenv("SUFFUSE_SETTINGS", store.toLocal8Bit());
+        const auto back = qScopeGuard(
+            [this] { qputenv("SUFFUSE_SETTINGS", m_folder.filePath("settings.ini").toLocal8Bit()); });
+        Brush hand = *findBrush("soft-airbrush");
+        hand.setSpread(33);
+        hand.colour = {0.25f, 0.5f, 0.75f, 0.5f};
+        {
+            Session s;
+            QCOMPARE(s.editor().brush(), builtinBrushes().front());
+            s.editor().setBrush(hand);
+            QTRY_COMPARE_WITH_TIMEOUT(settings::brush(), hand, waitMs); // without closing
+            hand.peak *= 2;
+            s.editor().setBrush(hand);
+            s.editor().undoStack().clear();
+            QVERIFY(s.window.close()); // at once
+        }
+        QCOMPARE(Session().editor().brush(), hand);
+        const QByteArray whole = writeBrush(hand);
+        for (const QByteArray &damaged : {QByteArray(), QByteArray("nonsense"), QByteArray("{}"), QByteArray(9000, '{'),
+                                          whole.chopped(9), QByteArray(whole).replace("\"peak\":", "\"peak\":-")}) {
+            settings::store().setValue("brush", QString::fromLatin1(damaged.toBase64()));
+            QCOMPARE(Session().editor().brush(), builtinBrushes().front());
+        }
+    }
+
+    void newWindowsTakeTheBrushInHand()
+    {
+        const QString path = m_folder.filePath("other.json");
+        QVERIFY(writeFileAtomically(path, writePainting(Painting(), FileFormat::Text)));
+        Session s;
+        s.paintLine({200, 300}, {700, 300}); // else the file opens here
+        Brush hand = *findBrush("glow");
+        hand.setSpread(21);
+        s.editor().setBrush(hand);
+        const std::unique_ptr<MainWindow> other(s.window.openFile(path));
+        QVERIFY(other && other.get() != &s.window);
+        QCOMPARE(other->editor().brush(), hand);
+        settings::store().remove("brush");
     }
 
     void choosingKeepsTheColour()
@@ -288,6 +333,8 @@ private slots:
     void keysAndShiftDragChangeSizeAndOpacity()
     {
         Session s;
+        s.window.activateWindow(); // shortcuts are its
+        QVERIFY(QTest::qWaitForWindowActive(&s.window));
         auto &tool = *static_cast<BrushTool *>(s.canvas().tool());
         s.canvas().setFocus();
         const double before = s.editor().brush().spread();
@@ -295,7 +342,7 @@ private slots:
             QTest::keyClick(&s.canvas(), Qt::Key_BracketRight);
         QVERIFY(std::abs(s.editor().brush().spread() / before - 2) < 1e-5);
         QVERIFY(tool.note().contains("Size"));
-        QTest::keyClick(&s.canvas(), Qt::Key_BraceLeft, Qt::ShiftModifier);
+        QTest::keyClick(&s.canvas(), Qt::Key_BraceLeft); // typing it, Shift is a part of the key
         QVERIFY(tool.note().contains("Opacity"));
         QTRY_VERIFY_WITH_TIMEOUT(tool.note().isEmpty(), waitMs);
         const Brush brush = s.editor().brush();

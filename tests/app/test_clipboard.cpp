@@ -321,6 +321,30 @@ private slots:
         QVERIFY(!session.window.statusBar()->currentMessage().isEmpty());
     }
 
+    void pastedDrawingsSayWhatIsMissing()
+    {
+        Session session;
+        const auto drawing = [](const char *content) {
+            auto *data = new QMimeData;
+            data->setData("image/svg+xml", QByteArray("<svg>") + content + "</svg>");
+            return data;
+        };
+        const auto said = [&] { return session.window.statusBar()->currentMessage(); };
+        QGuiApplication::clipboard()->setMimeData(drawing("<path d='M0 0h90' fill='none' stroke='red'/>"));
+        session.use(Command::Paste);
+        QCOMPARE(said(), QString());
+        QGuiApplication::clipboard()->setMimeData(drawing("<circle r='50' fill='green'/><text>words</text>"));
+        session.use(Command::PasteInPlace);
+        QCOMPARE(session.painting().strokes.size(), std::size_t(2));
+        QVERIFY2(said().contains("Fills") && said().contains("Text"), qPrintable(said()));
+
+        session.window.statusBar()->clearMessage();
+        const std::unique_ptr<QMimeData> dropped(drawing("<circle r='50' fill='green'/>"));
+        QVERIFY(drop(session.canvas(), session.at({300, 300}), *dropped));
+        QCOMPARE(session.painting().strokes.size(), std::size_t(3));
+        QVERIFY2(said().contains("Fills"), qPrintable(said()));
+    }
+
     void dropsOnTheCanvas()
     {
         Session session;

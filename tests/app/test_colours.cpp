@@ -203,6 +203,41 @@ private slots:
         QCOMPARE(bench.steps(), steps);
     }
 
+    void opaqueSwatchesLeaveTheBrushItsOpacity()
+    {
+        Bench bench;
+        SwatchesSection section(bench.editor);
+        showAt(section, {280, 200});
+        const QString path = m_folder.filePath("one.gpl");
+        QVERIFY(writeBytes(path, "GIMP Palette\n255 0 0 red\n"));
+        section.importPalette(path);
+        bench.editor.setColour({0, 1, 0, 0.35f});
+        QTest::mouseClick(section.grid(), Qt::LeftButton, {}, middleOf(*section.grid(), 0));
+        QCOMPARE(bench.editor.brush().colour.red, section.grid()->swatches()[0].colour.red);
+        QCOMPARE(bench.editor.brush().colour.opacity, 0.35f);
+        QTest::mouseClick(section.addButton(), Qt::LeftButton); // this one has its own
+        bench.editor.setColour(blue);
+        QTest::mouseClick(section.grid(), Qt::LeftButton, {}, middleOf(*section.grid(), 1));
+        QCOMPARE(bench.editor.brush().colour.opacity, 0.35f);
+    }
+
+    void padGrowsWithTheDock()
+    {
+        Bench bench;
+        ColourPanel panel(bench.editor);
+        showAt(panel, {296, 600});
+        const auto heightIn = [&](int height) {
+            panel.resize(296, height);
+            QTest::qWait(1);
+            return panel.mixing()->pad()->height();
+        };
+        const int low = heightIn(600), high = heightIn(900), highest = heightIn(2000);
+        QVERIFY2(high > low + 100, qPrintable(QString("%1 %2").arg(low).arg(high)));
+        QVERIFY2(highest >= high && highest <= 400, qPrintable(QString::number(highest)));
+        const MixingSection &section = *panel.mixing();
+        QVERIFY(section.pad()->y() < 60); // under its buttons
+    }
+
     void padMixesAsPigmentsDo()
     {
         Bench bench;

@@ -115,6 +115,38 @@ private slots:
         QVERIFY(settings::store().allKeys().filter("shortcuts/").isEmpty());
     }
 
+    /// Keys that no command can have are shown, and a clash with one cannot be kept.
+    void fixedKeysClash()
+    {
+        QObject owner;
+        QList<QAction *> actions;
+        for (const auto &[name, keys] : {std::pair{"Open", "Ctrl+O"}, {"Knife", "K"}}) {
+            auto *action = new QAction(QString::fromLatin1(name), &owner);
+            action->setObjectName(QString("fixed") + name);
+            action->setShortcuts(QKeySequence::listFromString(keys));
+            actions << action;
+        }
+        applyStoredShortcuts(actions);
+        ShortcutsDialog dialog(actions, fixedKeys());
+        dialog.show();
+        QCOMPARE(dialog.list()->topLevelItemCount(), 2 + int(fixedKeys().size()));
+        auto *ok = dialog.findChild<QDialogButtonBox *>()->button(QDialogButtonBox::Ok);
+        dialog.list()->setCurrentItem(dialog.list()->topLevelItem(2)); // the first fixed one
+        QCOMPARE(dialog.list()->currentItem()->text(1), QString("Left, Right, Up, Down").replace(", ", "; "));
+        QVERIFY(!dialog.editor()->isEnabled());
+        for (const FixedKeys &fixed : fixedKeys())
+            for (const QKeySequence &key : fixed.keys) {
+                dialog.list()->setCurrentItem(dialog.list()->topLevelItem(1));
+                dialog.editor()->setKeySequence(key);
+                QVERIFY2(dialog.conflict()->isVisible() && !ok->isEnabled(), qPrintable(key.toString()));
+                QVERIFY(dialog.conflict()->text().contains(fixed.title));
+                for (QPushButton *button : dialog.findChildren<QPushButton *>())
+                    QVERIFY(button->text() != "Take over" || !button->isVisible()); // there is nothing to take
+            }
+        dialog.editor()->setKeySequence(QKeySequence("X"));
+        QVERIFY(!dialog.conflict()->isVisible() && ok->isEnabled());
+    }
+
     void onlyShortcutsThatAreSeenChange()
     {
         QObject owner;

@@ -113,6 +113,40 @@ private slots:
         QCOMPARE(editor.undoStack().count(), 2); // here it stays
     }
 
+    /// Modified means: not as it is on disk.
+    void turnedOnAndOffAgainIsNoChange()
+    {
+        Editor editor;
+        paint(editor, 2);
+        QVERIFY(save(editor, path("switch.suffuse")));
+        QSignalSpy told(&editor, &Editor::fileChanged);
+        editor.setKeepsHistory(true);
+        QVERIFY(editor.isModified());
+        editor.setKeepsHistory(false);
+        QVERIFY(!editor.isModified());
+        QCOMPARE(told.size(), 2);
+        editor.setKeepsHistory(true);
+        QVERIFY(save(editor, path("switch.suffuse")));
+        QVERIFY(!editor.isModified());
+        editor.setKeepsHistory(false);
+        QVERIFY(editor.isModified());
+        editor.undoStack().undo();
+        editor.setKeepsHistory(true);
+        QVERIFY(editor.isModified()); // for what was undone
+        editor.undoStack().redo();
+        QVERIFY(!editor.isModified());
+
+        Editor opened;
+        QVERIFY(opened.open(path("switch.suffuse")));
+        opened.setKeepsHistory(false);
+        QVERIFY(opened.isModified());
+        opened.setKeepsHistory(true);
+        QVERIFY(!opened.isModified());
+        // The text form has no place for steps; saved in it they are as saved as they can be.
+        QVERIFY(save(opened, path("switch.json")));
+        QVERIFY(!opened.isModified());
+    }
+
     void oneThatDoesNotFitIsLeftOut()
     {
         Editor editor;
@@ -131,6 +165,28 @@ private slots:
         QVERIFY(!editor.isModified() && !editor.keepsHistory());
         QVERIFY(editor.open(path("off.suffuse")));
         QVERIFY(editor.leftOut().isEmpty());
+    }
+
+    /// Nothing of the painting is lost: it opens as itself.
+    void damageBesideThePicture()
+    {
+        Editor editor;
+        paint(editor, 2);
+        editor.setKeepsHistory(true);
+        QVERIFY(save(editor, path("beside.suffuse")));
+        QFile file(path("beside.suffuse"));
+        QVERIFY(file.open(QIODevice::ReadWrite));
+        const qint64 at = file.readAll().indexOf("hist") + 20;
+        QVERIFY(file.seek(at) && file.write("\xff\x00\xff", 3) == 3);
+        file.close();
+        Editor opened;
+        const auto losses = opened.open(path("beside.suffuse"));
+        QVERIFY(losses && losses->empty());
+        QCOMPARE(opened.leftOut(), QStringLiteral("Damaged and left out: the undo history. All 2 strokes are here."));
+        QCOMPARE(opened.displayName(), QStringLiteral("beside.suffuse"));
+        QVERIFY(!opened.isModified() && *opened.document().painting() == *editor.document().painting());
+        QVERIFY(save(opened, opened.filePath()));
+        QVERIFY(loadPainting(path("beside.suffuse")));
     }
 
     void newPaintingsKeepNone()

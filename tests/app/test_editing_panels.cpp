@@ -8,6 +8,7 @@
 #include "app/panels/figures_section.h"
 #include "app/panels/inspector_panel.h"
 #include "app/panels/number_field.h"
+#include "app/panels/quantity.h"
 #include "app/panels/section.h"
 #include "app/panels/segment_section.h"
 #include "app/panels/style_section.h"
@@ -24,6 +25,7 @@
 #include <QSignalSpy>
 #include <QTemporaryDir>
 #include <QToolButton>
+#include <QTranslator>
 
 #include <numbers>
 
@@ -54,6 +56,26 @@ private slots:
         QCOMPARE(foreignUnit("12 s", "s"), QString());
         QCOMPARE(foreignUnit("12+", "s"), QString());
 
+        // Units are shown in the language's words, and understood in both.
+        struct Words : QTranslator {
+            bool isEmpty() const override { return false; }
+            QString translate(const char *, const char *text, const char *, int) const override
+            {
+                const QString unit = QString::fromUtf8(text);
+                return unit == " s" ? QString(" 秒") : unit == " u²/s" ? QString(" u²/秒") : QString();
+            }
+        } words;
+        QCoreApplication::installTranslator(&words);
+        QCOMPARE(specOf(Quantity::MaxAge).unit, QString(" 秒"));
+        QCOMPARE(specOf(Quantity::Diffusion).unit, QString(" u²/秒"));
+        QCOMPARE(evaluateArithmetic("500 ms", {}, "秒").value(), 0.5);
+        for (const char *two : {"2 s", "2 秒", "2"})
+            QCOMPARE(evaluateArithmetic(two, {}, "秒").value(), 2.0);
+        QCOMPARE(foreignUnit("12 s", "秒"), QString());
+        QCOMPARE(foreignUnit("12 mm", "秒"), QString("mm"));
+        QCOMPARE(evaluateArithmetic("3 px²/s", {}, "u²/秒").value(), 3.0);
+        QCoreApplication::removeTranslator(&words);
+
         Bench bench;
         InspectorPanel panel(bench.editor);
         showAt(panel);
@@ -66,6 +88,59 @@ private slots:
         QCOMPARE(density->value().value(), 9.0);
         type(*panel.segmentSection()->maxAge()->number(), "250 ms");
         QCOMPARE(bench.stroke(1).segments[0].maxAge, 0.25f);
+    }
+
+    /// A stroke, or what is selected of it, moves in time as one.
+    void birthIsAValueToo()
+    {
+        constexpr Microseconds tenth = 100'000;
+        Bench bench;
+        bench.editor.push(changeStrokes(bench.editor.document(), {1, 2},
+                                        [](Stroke &stroke) {
+                                            for (int k = 0; k < 4; ++k)
+                                                stroke.segments[std::size_t(k)].born =
+                                                    Microseconds(stroke.id) * 10 * tenth + k * tenth;
+                                        }),
+                          "times");
+        const auto births = [&bench](StrokeId id) {
+            std::vector<Microseconds> tenths;
+            for (const Segment &segment : bench.stroke(id).segments)
+                tenths.push_back(segment.born / tenth);
+            return tenths;
+        };
+        using Tenths = std::vector<Microseconds>;
+        InspectorPanel panel(bench.editor);
+        showAt(panel);
+        bench.select({1});
+        SliderField *born = panel.segmentSection()->born();
+        QCOMPARE(born->number()->value().value(), 1.0);
+        type(*born->number(), "12.5");
+        QCOMPARE(births(1), (Tenths{125, 126, 127, 128}));
+        QCOMPARE(births(2), (Tenths{20, 21, 22, 23}));
+        QCOMPARE(bench.steps(), 2);
+
+        bench.select({1, 2});
+        QVERIFY(!born->number()->value());
+        type(*born->number(), "+500 ms");
+        QCOMPARE(births(1), (Tenths{130, 131, 132, 133}));
+        QCOMPARE(births(2), (Tenths{25, 26, 27, 28}));
+        type(*born->number(), "-=5"); // then stroke 2 would begin before time 0
+        QCOMPARE(bench.steps(), 3);
+        QVERIFY(panel.hint()->isVisible());
+
+        bench.select({2}, {{2, 1}, {2, 2}});
+        QCOMPARE(born->number()->value().value(), 2.6);
+        QTest::mousePress(born->slider(), Qt::LeftButton, {}, sliderPoint(*born->slider(), 0.26));
+        for (const double share : {0.4, 0.6, 0.8})
+            QTest::mouseMove(born->slider(), sliderPoint(*born->slider(), share));
+        QVERIFY(births(2)[1] > 70 && births(2)[1] < 90); // while it is dragged
+        QTest::mouseRelease(born->slider(), Qt::LeftButton, {}, sliderPoint(*born->slider(), 0.8));
+        QCOMPARE(bench.stroke(2).segments[2].born - bench.stroke(2).segments[1].born, tenth);
+        QCOMPARE(births(2)[0], 25);
+        QCOMPARE(births(2)[3], 28);
+        QCOMPARE(bench.steps(), 4);
+        bench.editor.undoStack().undo();
+        QCOMPARE(births(2), (Tenths{25, 26, 27, 28}));
     }
 
     void relativeEntryChangesEachOfMixedValues()

@@ -1,10 +1,12 @@
 // A session as a painter has it: paint, select, change, undo.
+#include "app/actions.h"
 #include "app/tools/brush_tool.h"
 #include "tests/app/session.h"
 
 #include <QDockWidget>
 #include <QTemporaryDir>
 
+#include <map>
 #include <set>
 
 using namespace suffuse;
@@ -332,6 +334,54 @@ private slots:
         QCOMPARE(plainTitle("Save &As…"), QString("Save As"));
     }
 
+    /// Keys that once were the tools' own are commands' shortcuts: no two have the same, and others can be given.
+    void toolKeysCanBeChanged()
+    {
+        Session s;
+        s.window.activateWindow(); // shortcuts are its
+        QVERIFY(QTest::qWaitForWindowActive(&s.window));
+        s.canvas().setFocus();
+        std::map<QString, QString> users;
+        for (int command = 0; command <= int(Command::About); ++command)
+            for (const QKeySequence &key : s.window.action(Command(command)).shortcuts()) {
+                const QString name = s.window.action(Command(command)).objectName();
+                QVERIFY2(users.emplace(key.toString(), name).second, qPrintable(key.toString()));
+            }
+        for (const FixedKeys &fixed : fixedKeys())
+            for (const QKeySequence &key : fixed.keys)
+                QVERIFY2(!users.contains(key.toString()), qPrintable(key.toString()));
+        for (const char *key : {"[", "]", "{", "}", "R", "Space"})
+            QVERIFY2(users.contains(key), key);
+
+        const auto spread = [&] { return s.editor().brush().spread(); };
+        const double before = spread();
+        s.window.action(Command::LargerSize).setShortcut(QKeySequence("W"));
+        QTest::keyClick(&s.canvas(), Qt::Key_BracketRight);
+        QCOMPARE(spread(), before);
+        QTest::keyClick(&s.canvas(), Qt::Key_W);
+        QVERIFY(spread() > 1.1 * before);
+
+        // Held keys: the new one turns, even where a command has the old one.
+        s.window.action(Command::HoldToTurn).setShortcut(QKeySequence("T"));
+        const auto dragHolding = [&](Qt::Key key) {
+            QTest::keyPress(&s.canvas(), key);
+            QTest::mousePress(&s.canvas(), Qt::LeftButton, {}, {350, 200});
+            QTest::mouseMove(&s.canvas(), {250, 300});
+            QTest::mouseRelease(&s.canvas(), Qt::LeftButton, {}, {250, 300});
+            QTest::keyRelease(&s.canvas(), key);
+        };
+        dragHolding(Qt::Key_T);
+        QVERIFY(s.canvas().view().rotation != 0);
+        QVERIFY(s.painting().strokes.empty());
+        s.canvas().resetRotation();
+        s.window.action(Command::Mirror).setShortcut(QKeySequence("R"));
+        QTest::keyClick(&s.canvas(), Qt::Key_R);
+        QVERIFY(s.canvas().view().mirrored);
+        dragHolding(Qt::Key_X); // of no meaning: paints
+        QCOMPARE(s.canvas().view().rotation, 0.0);
+        QCOMPARE(s.painting().strokes.size(), std::size_t(1));
+    }
+
     void newPaintingsLieOnPaper()
     {
         Session s;
@@ -356,6 +406,28 @@ private slots:
         s.use(Command::HideDocks);
         for (QDockWidget *dock : docks)
             QCOMPARE(dock->toggleViewAction()->isChecked(), shown.contains(dock));
+    }
+
+    void tabBringsTheDocksBackInEveryTool()
+    {
+        Session s;
+        s.paintLine({200, 300}, {700, 300});
+        s.window.activateWindow();
+        QVERIFY(QTest::qWaitForWindowActive(&s.window));
+        for (const Command tool : {Command::Select, Command::Segments}) {
+            s.use(Command::Brush);
+            s.canvas().setFocus();
+            QTest::keyClick(&s.canvas(), Qt::Key_Tab);
+            QVERIFY(s.window.action(Command::HideDocks).isChecked());
+            s.use(tool);
+            s.editor().document().setSelection({{s.painting().strokes[0]->id}, {}});
+            const Selection before = s.selection();
+            QTest::keyClick(&s.canvas(), Qt::Key_Tab);
+            QVERIFY(!s.window.action(Command::HideDocks).isChecked());
+            QCOMPARE(s.selection(), before);
+            QTest::keyClick(&s.canvas(), Qt::Key_Tab); // and is the tool's again
+            QVERIFY(!s.window.action(Command::HideDocks).isChecked());
+        }
     }
 
 private:

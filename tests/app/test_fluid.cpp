@@ -29,6 +29,33 @@ Result<std::unique_ptr<Renderer>> makeSlowRenderer(const RendererOptions &option
     });
 }
 
+/// Its pictures take until they are cancelled or all are let go.
+class HeldRenderer : public SlowRenderer {
+public:
+    /// Relaxed: ThreadSanitizer must not take them for an order that the worker itself puts between its threads.
+    struct Hold {
+        std::atomic<int> begun = 0;
+        std::atomic<bool> free = false;
+    };
+
+    HeldRenderer(std::unique_ptr<Renderer> renderer, Hold &hold)
+        : SlowRenderer(std::move(renderer), [](const RenderRequest &, RenderStats &) {}), m_hold(hold)
+    {}
+    Result<RenderStats> render(const RenderRequest &request, Target &target, const std::atomic<bool> *cancel) override
+    {
+        Result<RenderStats> stats = SlowRenderer::render(request, target, nullptr);
+        m_hold.begun.fetch_add(1, std::memory_order_relaxed);
+        while (!*cancel && !m_hold.free.load(std::memory_order_relaxed))
+            QThread::msleep(1);
+        if (stats)
+            stats->cancelled = *cancel;
+        return stats;
+    }
+
+private:
+    Hold &m_hold;
+};
+
 /// Three strokes, the first two moved by so many units.
 RenderRequest movedBy(double units, bool interactive)
 {
@@ -267,6 +294,31 @@ private slots:
                 const double mean = meanDifference(picture.argb, pixelsOf(r));
                 QVERIFY2(mean < 2.5 * factor, qPrintable(QString::number(mean)));
             }
+    }
+
+    void aLongPictureGivesWayButNeverTwiceInARow()
+    {
+        HeldRenderer::Hold hold;
+        RenderWorker worker({.backend = Backend::Cpu, .threads = 1},
+                            [&hold](const RendererOptions &options) -> Result<std::unique_ptr<Renderer>> {
+                                auto renderer = makeRenderer(options);
+                                if (!renderer)
+                                    return renderer;
+                                return std::unique_ptr<Renderer>(
+                                    std::make_unique<HeldRenderer>(std::move(*renderer), hold));
+                            });
+        QVector<quint64> shown;
+        QObject here;
+        connect(&worker, &RenderWorker::frameReady, &here, [&](const FrameInfo &frame) { shown << frame.serial; });
+        QVector<quint64> asked{worker.request(request(1))};
+        for (int i = 2; i <= 3; ++i) { // each while the one before takes long
+            QTRY_COMPARE_WITH_TIMEOUT(hold.begun.load(std::memory_order_relaxed), i - 1, waitMs);
+            QTest::qWait(600);
+            asked << worker.request(request(float(i)));
+        }
+        hold.free.store(true, std::memory_order_relaxed);
+        QTRY_COMPARE_WITH_TIMEOUT(shown, asked.mid(1), waitMs);
+        QCOMPARE(shownBy(worker), pixelsOf(request(3)));
     }
 
     void aSlowGestureIsCoarseAndItsRestExact()

@@ -55,6 +55,22 @@ private slots:
         QVERIFY(!evaluateArithmetic(QString(10000, '('), {}));
     }
 
+    void headingSaysHowManySegmentsOfAll()
+    {
+        Bench bench;
+        InspectorPanel panel(bench.editor);
+        showAt(panel);
+        const auto says = [&](const QString &text) {
+            const auto labels = panel.findChildren<QLabel *>();
+            return std::any_of(labels.begin(), labels.end(),
+                               [&](const QLabel *label) { return label->isVisible() && label->text() == text; });
+        };
+        bench.select({1});
+        QVERIFY(says("1 stroke(s) · 4 segment(s)"));
+        bench.select({1, 2}, {{1, 0}, {1, 1}, {2, 3}});
+        QVERIFY(says("2 stroke(s) · 3 of 8 segment(s)"));
+    }
+
     void sliderDragIsOneStep()
     {
         Bench bench;

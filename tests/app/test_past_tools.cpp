@@ -102,6 +102,76 @@ private slots:
         QCOMPARE(s.order().front(), StrokeId(2));
     }
 
+    /// What is selected and not painted yet has neither outline nor handles, and cannot be dragged on the canvas.
+    void whatIsNotBegunHasNoOutline()
+    {
+        Past s(2 * second);
+        const auto shown = [&] {
+            while (!s.canvas().isUpToDate())
+                QTest::qWait(5);
+            return s.canvas().grab().toImage();
+        };
+        s.use(Command::Select);
+        s.select({});
+        const QImage bare = shown();
+        s.select({2});
+        QCOMPARE(shown(), bare);
+        QCOMPARE(s.selected(), std::set<StrokeId>{2});
+        QVERIFY(s.canvas().selection().isEmpty());
+        const Stroke later = s.stroke(2);
+        QTest::keyClick(&s.canvas(), Qt::Key_Right);
+        s.drag({{200, 300}, {260, 340}}); // at its end, where a handle would be
+        QVERIFY(s.stroke(2) == later);
+        s.select({1, 2});
+        QCOMPARE(s.canvas().selection().strokes, std::set<StrokeId>{1});
+        const QImage both = shown();
+        s.select({1});
+        QCOMPARE(shown(), both);
+        s.select({1, 2});
+        const Stroke first = s.stroke(1);
+        s.drag({{400, 200}, {430, 230}});
+        QVERIFY(!(s.stroke(1) == first));
+        QVERIFY(s.stroke(2) == later);
+        QCOMPARE(s.selected(), (std::set<StrokeId>{1, 2})); // still selected
+        s.use(Command::Segments);
+        s.select({2});
+        const QImage nodes = shown();
+        s.select({});
+        QCOMPARE(shown(), nodes);
+        s.select({2});
+        s.use(Command::ToEnd);
+        QCOMPARE(s.canvas().selection().strokes, std::set<StrokeId>{2});
+        QVERIFY(shown() != nodes);
+    }
+
+    /// Handles and outline come and go while time is scrubbed.
+    void outlinesComeAndGoWithTime()
+    {
+        for (const Command tool : {Command::Select, Command::Segments}) {
+            Past s(2 * second);
+            s.use(tool);
+            s.select({1, 2});
+            const auto seen = [&] {
+                QTest::qWait(30);
+                const QPixmap screen = s.window.screen()->grabWindow(s.window.winId());
+                return screen.copy(QRect(s.canvas().mapTo(&s.window, QPoint()), s.canvas().size())).toImage();
+            };
+            const auto settle = [&] { QTRY_VERIFY_WITH_TIMEOUT(s.canvas().isUpToDate(), waitMs); };
+            settle();
+            const QImage early = seen();
+            s.playback().seek(3 * second + second / 2);
+            settle();
+            QCOMPARE(s.canvas().selection().strokes, (std::set<StrokeId>{1, 2}));
+            QVERIFY(seen() != early);
+            s.playback().seek(2 * second);
+            settle();
+            QCOMPARE(s.canvas().selection().strokes, std::set<StrokeId>{1});
+            QCOMPARE(seen(), early);
+            s.canvas().update();
+            QCOMPARE(seen(), early); // all painted anew
+        }
+    }
+
 private:
     QTemporaryDir m_folder;
 };

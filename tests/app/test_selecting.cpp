@@ -6,8 +6,12 @@
 #include "render/probe.h"
 #include "tests/app/selecting.h"
 
+#include <QInputDialog>
+#include <QLabel>
+#include <QLineEdit>
 #include <QSettings>
 #include <QTemporaryDir>
+#include <QTimer>
 
 #include <random>
 
@@ -267,6 +271,83 @@ private slots:
         QVERIFY(shown->text().startsWith("Click paint"));
         s.click({400, 300});
         QVERIFY(shown->text().startsWith("Drag: move"));
+    }
+
+    void hintsFitTheStatusBar()
+    {
+        Selecting s({line(1, {200, 300}, {600, 300})});
+        s.window.resize(1280, 800);
+        s.dry();
+        QCoreApplication::processEvents();
+        const auto check = [&] {
+            const QString hint = s.canvas().tool()->hint();
+            const QLabel *shown = nullptr;
+            for (const QLabel *label : s.window.findChildren<QLabel *>())
+                if (label->text() == hint)
+                    shown = label;
+            QVERIFY2(shown, qPrintable(hint));
+            const int needed = shown->fontMetrics().horizontalAdvance(hint), room = shown->contentsRect().width();
+            QVERIFY2(needed <= room, qPrintable(QString("%1 of %2: %3").arg(needed).arg(room).arg(hint)));
+        };
+        for (const bool selected : {false, true})
+            for (const Command tool : {Command::Brush, Command::Select, Command::Segments, Command::Knife,
+                                       Command::Eraser, Command::AttributeBrush, Command::Eyedropper, Command::Pan}) {
+                s.use(tool);
+                s.select(selected ? std::set<StrokeId>{1} : std::set<StrokeId>{});
+                check();
+            }
+        s.use(Command::Select);
+        for (const bool selected : {false, true}) {
+            s.select(selected ? std::set<StrokeId>{1} : std::set<StrokeId>{});
+            QVERIFY(s.tool().hint().contains("Shift"));
+            QVERIFY(s.tool().hint().contains("band"));
+        }
+    }
+
+    void renamingNamesTheGroup()
+    {
+        Selecting s(
+            {line(1, {200, 200}, {400, 200}), line(2, {200, 300}, {400, 300}), line(3, {200, 400}, {400, 400})});
+        QString label, name, placeholder;
+        const auto rename = [&](const QString &to) {
+            QTimer::singleShot(0, this, [&, to] {
+                auto *dialog = qobject_cast<QInputDialog *>(QApplication::activeModalWidget());
+                QVERIFY(dialog);
+                auto *field = dialog->findChild<QLineEdit *>();
+                label = dialog->labelText(), name = field->text(), placeholder = field->placeholderText();
+                field->selectAll();
+                QTest::keyClicks(field, to);
+                QTest::keyClick(field, Qt::Key_Return);
+            });
+            s.use(Command::RenameStrokes);
+        };
+        s.select({1});
+        rename("petal");
+        QCOMPARE(name, QString());
+        QCOMPARE(placeholder, QString("Stroke 1"));
+        QCOMPARE(s.stroke(1).name, QString("petal"));
+        s.select({1, 2});
+        rename("leaf"); // different names
+        QCOMPARE(name, QString());
+        QCOMPARE(s.stroke(2).name, QString("leaf"));
+        s.use(Command::GroupStrokes);
+        rename("blossom");
+        QVERIFY2(label.contains("group"), qPrintable(label));
+        QCOMPARE(placeholder, QString("Group %1").arg(s.painting().groups[0].id));
+        QCOMPARE(s.painting().groups[0].name, QString("blossom"));
+        QCOMPARE(s.stroke(1).name, QString("leaf"));
+        rename("bloom");
+        QCOMPARE(name, QString("blossom"));
+        s.use(Command::Undo);
+        QCOMPARE(s.painting().groups[0].name, QString("blossom"));
+        s.select({1}); // a part of it
+        rename("stem");
+        QCOMPARE(name, QString("leaf"));
+        QCOMPARE(s.stroke(1).name, QString("stem"));
+        s.select({1, 2, 3}); // and more than it
+        rename("all");
+        QCOMPARE(s.stroke(3).name, QString("all"));
+        QCOMPARE(s.painting().groups[0].name, QString("blossom"));
     }
 
     void whatIsPaintedLaterIsNotSelected()

@@ -95,6 +95,44 @@ private slots:
         QCOMPARE(draw(outline, false), draw(fresh, false)); // once it rests
     }
 
+    /// Where strokes come, go and change while all are moving, the outline is that of those that are there.
+    void whatComesAndGoesAmongManyIsOutlined()
+    {
+        Painting painting;
+        for (int i = 0; i < 800; ++i)
+            painting.strokes.push_back(line(StrokeId(i + 1), {10.0 * (i % 40), 20.0 * (i / 40)},
+                                            {10.0 * (i % 40) + 18, 20.0 * (i / 40) + 35}));
+        const View view = View::ofArea(Rect::of(0, 0, 500, 460), 500, 460);
+        const auto draw = [&](SelectionOutline &outline, bool moving) {
+            QImage image(view.width, view.height, QImage::Format_RGB32);
+            image.fill(Qt::white);
+            QPainter painter(&image);
+            const Selection all{selectableStrokes(painting, painting.end()), {}};
+            outline.paint(painter, view, painting, all, {Qt::gray, Qt::black, QColor(20, 110, 230)}, 1, moving);
+            return image;
+        };
+        SelectionOutline kept;
+        draw(kept, false);
+        QVERIFY(kept.isThin());
+        std::mt19937 random(3);
+        StrokeId next = 2000;
+        for (int step = 0; step < 40; ++step) {
+            for (int i = 0; i < 4; ++i) {
+                const auto at = painting.strokes.begin() + std::ptrdiff_t(random() % painting.strokes.size());
+                const Stroke whole = **at;
+                const Point start = Point{} + whole.segments.front().bezier[0], by{6.0 + i, 11};
+                *at = line(whole.id, start, start + by);
+                if (i % 2 == 0)
+                    painting.strokes.insert(at + 1, line(next++, start + 2 * by, start + 3 * by));
+                painting.strokes.erase(painting.strokes.begin() + std::ptrdiff_t(random() % painting.strokes.size()));
+            }
+            SelectionOutline fresh;
+            QCOMPARE(draw(kept, true), draw(fresh, true));
+        }
+        SelectionOutline fresh;
+        QCOMPARE(draw(kept, false), draw(fresh, false)); // once it rests
+    }
+
     void boxesFollowTheStrokes()
     {
         std::mt19937 random(5);
@@ -212,6 +250,109 @@ private slots:
         QVERIFY(isSame(all));
     }
 
+    /// Also where a stroke has more segments than are drawn finely, at rest and while it is dragged.
+    void chosenSegmentsStandOut_data()
+    {
+        QTest::addColumn<int>("segments");
+        QTest::addColumn<bool>("moving");
+        QTest::addColumn<double>("dpr");
+        for (const int segments : {100, 400, 900, 4000})
+            for (const bool moving : {false, true})
+                for (const double dpr : {1.0, 2.0})
+                    QTest::addRow("%d%s, scale %g", segments, moving ? " moving" : "", dpr)
+                        << segments << moving << dpr;
+    }
+
+    void chosenSegmentsStandOut()
+    {
+        QFETCH(int, segments);
+        QFETCH(bool, moving);
+        QFETCH(double, dpr);
+        Painting painting;
+        painting.strokes.push_back(line(1, {0, 50}, {400, 50}, segments));
+        const View view = View::ofArea(Rect::of(0, 0, 400, 100), int(400 * dpr), int(100 * dpr));
+        const auto draw = [&](SelectionOutline &outline, const Selection &selection, const QColor &paper) {
+            QImage image(view.width, view.height, QImage::Format_RGB32);
+            image.fill(paper);
+            QPainter painter(&image);
+            outline.paint(painter, view, painting, selection, {Qt::gray, Qt::black, QColor(20, 110, 230)}, dpr, moving);
+            return image;
+        };
+        // How thick the line is on average, in colours that differ from the paper by a fifth of all there is.
+        const auto thickness = [&](const QImage &image, double from, const QColor &paper) {
+            constexpr int columns = 40;
+            int sum = 0;
+            for (int x = int(from * dpr); x < int(from * dpr) + columns; ++x) {
+                int first = 0, last = -1;
+                for (int y = 0; y < image.height(); ++y) {
+                    const QRgb p = image.pixel(x, y);
+                    if (std::abs(qRed(p) - paper.red()) + std::abs(qGreen(p) - paper.green()) +
+                            std::abs(qBlue(p) - paper.blue()) >
+                        153)
+                        first = last < 0 ? y : first, last = y;
+                }
+                sum += last < 0 ? 0 : last - first + 1;
+            }
+            return sum / (columns * dpr);
+        };
+        Selection some{{1}, {}};
+        for (int k = segments / 4; k < segments / 2; ++k)
+            some.segments.insert({1, k});
+        SelectionOutline outline;
+        for (const QColor &paper : {QColor(Qt::white), QColor(Qt::black), QColor(20, 110, 230), QColor(59, 36, 25)}) {
+            const QImage image = draw(outline, some, paper);
+            const double chosen = thickness(image, 130, paper), other = thickness(image, 280, paper);
+            QVERIFY2(chosen >= 1.5 && chosen >= other + 1, qPrintable(QString("%1 %2").arg(chosen).arg(other)));
+        }
+        const QImage first = draw(outline, some, Qt::white);
+        Selection others{{1}, {}};
+        for (int k = 3 * segments / 4; k < segments; ++k)
+            others.segments.insert({1, k});
+        SelectionOutline fresh, again;
+        QCOMPARE(draw(outline, others, Qt::white), draw(fresh, others, Qt::white));
+        QCOMPARE(draw(outline, some, Qt::white), first);
+        painting.strokes[0] = line(1, {0, 20}, {400, 80}, segments);
+        const QImage moved = draw(outline, some, Qt::white);
+        QVERIFY(moved != first);
+        if (!moving)
+            QCOMPARE(moved, draw(again, some, Qt::white));
+    }
+
+    /// Where lines lie close together they are faint, so that the paint can be judged; they are seen on any.
+    void linesThatLieCloseTogetherAreFainter()
+    {
+        const View view = View::ofArea(Rect::of(0, 0, 400, 400), 400, 400);
+        const auto meanChange = [&](int strokes, const QColor &paper) {
+            Painting painting;
+            for (int i = 0; i < strokes; ++i)
+                painting.strokes.push_back(line(StrokeId(i + 1), {10, 10 + 380.0 * i / strokes},
+                                                {390, 10 + 380.0 * i / strokes}, 1200 / strokes));
+            SelectionOutline outline;
+            QImage image(400, 400, QImage::Format_RGB32);
+            image.fill(paper);
+            QPainter painter(&image);
+            const Selection all{selectableStrokes(painting, painting.end()), {}};
+            outline.paint(painter, view, painting, all, {Qt::gray, Qt::black, QColor(20, 110, 230)}, 1);
+            double sum = 0, most = 0;
+            for (int y = 0; y < 400; ++y)
+                for (int x = 0; x < 400; ++x) {
+                    const QRgb p = image.pixel(x, y);
+                    const double by = std::abs(qRed(p) - paper.red()) + std::abs(qGreen(p) - paper.green()) +
+                                      std::abs(qBlue(p) - paper.blue());
+                    sum += by;
+                    most = std::max(most, by);
+                }
+            return std::pair(sum / (400.0 * 400 * 765), most / 765);
+        };
+        for (const QColor &paper : {QColor(Qt::white), QColor(Qt::black), QColor(20, 110, 230), QColor(Qt::gray)}) {
+            const auto [few, fewMost] = meanChange(6, paper);
+            const auto [many, manyMost] = meanChange(100, paper);
+            QVERIFY2(many < 0.1, qPrintable(QString::number(many)));
+            QVERIFY(manyMost < fewMost);
+            QVERIFY2(manyMost > 0.05, qPrintable(QString::number(manyMost)));
+        }
+    }
+
     void aMaskIsPaintedTurned()
     {
         PixelMask mask;
@@ -225,7 +366,7 @@ private slots:
             image.fill(Qt::white);
             QPainter painter(&image);
             painter.setTransform(way);
-            mask.paint(painter, {0, 0}, part, QColor(10, 20, 30, 100));
+            mask.paint(painter, {0, 0}, part, {{QColor(10, 20, 30, 100), 0}});
             return image;
         };
         const QImage upright = draw({});

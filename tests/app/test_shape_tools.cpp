@@ -154,6 +154,8 @@ private slots:
     void bracketsChangeTheSize()
     {
         WaveSession s;
+        s.window.activateWindow(); // shortcuts are its
+        QVERIFY(QTest::qWaitForWindowActive(&s.window));
         s.use(Command::Eraser);
         auto &eraser = *qobject_cast<EraserTool *>(s.canvas().tool());
         const double radius = eraser.radius();

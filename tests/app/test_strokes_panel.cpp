@@ -152,6 +152,7 @@ private slots:
         QTest::mouseDClick(panel.view()->viewport(), Qt::LeftButton, {}, panel.view()->visualRect(row).center());
         QLineEdit *editor = nullptr;
         QTRY_VERIFY((editor = panel.view()->viewport()->findChild<QLineEdit *>()));
+        QCOMPARE(editor->placeholderText(), QString("Group 1")); // it has no name of its own yet
         editor->setText("Trees");
         QTest::keyClick(editor, Qt::Key_Return);
         QTRY_COMPARE(bench.editor.document().painting()->groups[0].name, QString("Trees"));

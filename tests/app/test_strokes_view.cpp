@@ -3,6 +3,7 @@
 #include "app/panels/strokes_panel.h"
 #include "tests/app/panel_bench.h"
 #include "undo/edits.h"
+#include "undo/group_edits.h"
 
 #include <QSignalSpy>
 #include <QTreeView>
@@ -45,6 +46,41 @@ private slots:
         QVERIFY(seen() != before);
         bench.editor.undoStack().undo();
         QTRY_COMPARE(seen(), before); // thumbnails too
+    }
+
+    /// However its strokes came to be selected, and whether it is open or not; groups within it, too.
+    void aWhollySelectedGroupIsMarked()
+    {
+        Bench bench(6);
+        bench.select({1, 2});
+        bench.editor.push(groupSelection(bench.editor.document(), "inner"), "inner group");
+        bench.select({1, 2, 3});
+        bench.editor.push(groupSelection(bench.editor.document(), "outer"), "outer group");
+        StrokesPanel panel(bench.editor);
+        showAt(panel, {280, 400});
+        const auto looksSelected = [&](const QModelIndex &index) {
+            QApplication::processEvents();
+            const QImage view = panel.view()->viewport()->grab().toImage();
+            const QRect row = panel.view()->visualRect(index);
+            return view.pixelColor(row.right() - 2, row.top() + 2) == panel.palette().color(QPalette::Highlight);
+        };
+        QModelIndex outermost = panel.viewIndexOf(1).parent();
+        QVERIFY(outermost.isValid());
+        while (outermost.parent().isValid())
+            outermost = outermost.parent();
+        for (const bool open : {true, false}) {
+            const auto selected = [&](std::set<StrokeId> strokes) {
+                bench.select(std::move(strokes));
+                panel.view()->setExpanded(outermost, open); // it opens for what is selected
+                return looksSelected(outermost);
+            };
+            QVERIFY(selected({1, 2, 3}));
+            QVERIFY(!selected({1, 2}));
+            QVERIFY(selected({1, 2, 3, 5}));
+            QVERIFY(!selected({5}));
+        }
+        bench.select({1, 2, 3}); // the row is marked, not selected: its strokes can be taken out one by one
+        QVERIFY(!panel.view()->selectionModel()->isSelected(outermost));
     }
 };
 

@@ -80,6 +80,14 @@ private slots:
         clear();
     }
 
+    void rateIsThatOfTheCommandLine()
+    {
+        Editor editor;
+        fill(editor);
+        TimelapseDialog dialog(editor, Rect::of(0, 0, 80, 60));
+        QCOMPARE(dialog.fps()->value(), FilmOptions{}.fps);
+    }
+
     void areasSetTheSize()
     {
         Editor editor;

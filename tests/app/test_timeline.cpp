@@ -130,6 +130,36 @@ private slots:
         QCOMPARE(s.editor().clock().time(), 11'300'000);
     }
 
+    /// What is shown lies between 0 and the end, also when the end comes earlier; what comes back is as dry as it was.
+    void theMomentShownFollowsTheEnd()
+    {
+        Timed s;
+        s.playback().seek(s.playback().end());
+        const QImage before = s.pictureNow();
+        const Microseconds clock = s.editor().clock().time();
+        s.select({4});
+        s.use(Command::Delete);
+        QCOMPARE(s.playback().end(), 4'300'000);
+        QCOMPARE(s.editor().clock().shown(), 4'300'000);
+        QVERIFY(!s.editor().clock().isInPast());
+        const auto says = [&](const QString &text) {
+            const auto labels = s.panel->findChildren<QLabel *>();
+            return std::any_of(labels.begin(), labels.end(), [&](const QLabel *l) { return l->text() == text; });
+        };
+        QTRY_VERIFY_WITH_TIMEOUT(says("0:04.300 / 0:04.300"), waitMs);
+        s.use(Command::Undo);
+        QCOMPARE(s.editor().clock().shown(), clock);
+        QCOMPARE(s.pictureNow(), before);
+        s.use(Command::Redo);
+        s.view().setFocus();
+        QTest::keyClick(&s.view(), Qt::Key_Left); // a step from what is shown
+        QVERIFY(s.editor().clock().time() < 4'300'000);
+        s.use(Command::SelectAll);
+        s.use(Command::Delete);
+        QCOMPARE(s.editor().clock().shown(), 0);
+        QTRY_VERIFY_WITH_TIMEOUT(says("0:00.000 / 0:00.000"), waitMs);
+    }
+
     void paintsInThePast()
     {
         Timed s;

@@ -34,6 +34,21 @@ private slots:
         QCOMPARE(s.steps(), 0);
     }
 
+    void labelsMakeWayForThePlayhead()
+    {
+        QCOMPARE(TimelineView::labelLeft(100, 30, 500, 1000), 104.0);
+        for (const double tick : {-200.0, -20.0, 1003.0, 1200.0}) // what is out of the view stays there
+            QCOMPARE(TimelineView::labelLeft(tick, 30, 500, 1000), tick + 4);
+        for (const double width : {20.0, 34.0})
+            for (double tick = 0; tick <= 1000; tick += 4)
+                for (double head = 0; head <= 1000; head += 3) {
+                    const double left = TimelineView::labelLeft(tick, width, head, 1000);
+                    QVERIFY(left >= 0 && left + width <= 1000);
+                    QVERIFY(left >= head + 5 || left + width <= head - 5);
+                    QVERIFY(std::abs(left - tick) <= 2 * width + 16);
+                }
+    }
+
     void thePlayheadLeavesNoTrace()
     {
         Timed s;
@@ -296,6 +311,28 @@ private slots:
         s.view().fit();
         const double right = s.view().viewport()->width() - s.view().xOf(s.painting().end());
         QVERIFY(right > 0 && right < 20); // and none is left when all is to be shown
+    }
+
+    /// Its bar waits for a pause; what is selected does not.
+    void aSelectedStrokeMayHaveOutgrownItsBar()
+    {
+        Timed s;
+        const auto shown = [&] { return s.view().viewport()->grab().toImage(); };
+        s.select({4});
+        auto grown = std::make_shared<Stroke>(s.stroke(4));
+        std::set<SegmentRef> added;
+        for (int k = 0; k < 8; ++k) {
+            added.insert({4, int(grown->segments.size())});
+            grown->segments.push_back(grown->segments.back());
+            grown->segments.back().born += second / 10;
+        }
+        Edit edit;
+        edit.strokes = {{4, grown}};
+        s.editor().push(std::move(edit), "Grow");
+        const QImage before = shown();
+        s.editor().document().setSelection({{4}, added});
+        QCOMPARE(shown(), before);
+        QTRY_VERIFY(shown() != before);
     }
 
     void lockedBarsStay()

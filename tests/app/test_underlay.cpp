@@ -1,4 +1,5 @@
 // The underlay: it comes from a file, is edited, undone and saved like all else, and is in no picture that is exported.
+#include "app/canvas/underlay_image.h"
 #include "app/dialogs/export_dialog.h"
 #include "app/messages.h"
 #include "app/panels/inspector_panel.h"
@@ -11,6 +12,7 @@
 #include <QComboBox>
 #include <QDropEvent>
 #include <QFileDialog>
+#include <QImageWriter>
 #include <QMimeData>
 #include <QPushButton>
 #include <QSignalSpy>
@@ -52,6 +54,7 @@ private slots:
     void init();
     void cleanup() { setMessageHooks({}); }
     void importedUndoneRedone();
+    void photographsStandUpright();
     void replacedWhereItLies();
     void savedAndReopened();
     void opacityDragIsOneStep();
@@ -121,6 +124,30 @@ void TestUnderlay::importedUndoneRedone()
     s.use(Command::Redo);
     QVERIFY(s.painting().underlay);
     QCOMPARE(*s.painting().underlay, *underlay);
+}
+
+/// A picture of a camera that was held sideways.
+void TestUnderlay::photographsStandUpright()
+{
+    QImage image(200, 100, QImage::Format_RGB32);
+    image.fill(Qt::red);
+    for (int y = 0; y < 100; ++y)
+        for (int x = 0; x < 100; ++x)
+            image.setPixelColor(x, y, Qt::blue); // the left half
+    QImageWriter writer(pathOf("phone.jpg"), "jpg");
+    writer.setTransformation(QImageIOHandler::TransformationRotate90); // Exif's 6: the left is the top
+    QVERIFY(writer.write(image));
+    Session s;
+    s.editor().newPainting(Canvas{});
+    import(s, pathOf("phone.jpg"));
+    const auto underlay = s.painting().underlay;
+    QVERIFY(underlay);
+    QCOMPARE(underlay->area, Rect::of(320, 0, 384, 768));
+    const auto decoded = decodeUnderlay(underlay->image, "phone");
+    QVERIFY(decoded);
+    const QImage &shown = (*decoded)->levels.front();
+    QCOMPARE(shown.size(), QSize(100, 200));
+    QVERIFY(shown.pixelColor(50, 40).blue() > 200 && shown.pixelColor(50, 160).red() > 200);
 }
 
 void TestUnderlay::replacedWhereItLies()

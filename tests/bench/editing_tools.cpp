@@ -63,11 +63,18 @@ Report measureTools(EditingSession &s, int events, const QString &wanted)
         s.window().action(Command::TouchPath).setChecked(false);
         undoAll();
     }
-    for (const auto &[name, command] :
-         {std::pair(QString("knife"), Command::Knife), std::pair(QString("eraser"), Command::Eraser)}) {
+    struct Sweep {
+        QString name;
+        Command tool;
+        Command before; ///< what is selected
+    };
+    for (const auto &[name, tool, before] :
+         {Sweep{"knife", Command::Knife, Command::Deselect}, Sweep{"eraser", Command::Eraser, Command::Deselect},
+          Sweep{"eraser, all strokes selected", Command::Eraser, Command::SelectAll}}) {
         if (!name.contains(wanted))
             continue;
-        s.window().action(command).trigger();
+        s.window().action(before).trigger();
+        s.window().action(tool).trigger();
         report.rows.push_back(rowOf(name, wave(s, events)));
         s.mouse(QEvent::MouseButtonRelease, corner);
         undoAll();

@@ -17,6 +17,7 @@ private slots:
     void info();
     void backends();
     void convertIsExact();
+    void convertLeavesItsInput();
     void convertWithBrush();
     void convertDrawing();
     void probe();
@@ -44,7 +45,9 @@ void TestCli::helpAndVersion()
         QVERIFY2(help.out.contains(command), command);
         const CliOutcome own = runCli({command, "--help"});
         QCOMPARE(own.code, 0);
-        QVERIFY2(own.out.contains("Usage: ") && own.out.contains(command), qPrintable(own.text()));
+        QVERIFY2(own.out.startsWith("Usage: suffuse-cli " + QByteArray(command) + " [options] "),
+                 qPrintable(own.text()));
+        QVERIFY2(own.out.simplified().contains("to read; -: standard input"), qPrintable(own.text()));
     }
     QCOMPARE(runCli({"--version"}).out, QByteArray("suffuse-cli " SUFFUSE_VERSION "\n"));
 }
@@ -90,8 +93,14 @@ void TestCli::wrongUsage_data()
     row("info of two things", {"info", in, "--backends"}, "--backends");
     row("convert without a target", {"convert", in}, "too few");
     row("convert to an unknown ending", {"convert", in, path("a.txt")}, ".suffuse or .json");
+    row("a size given twice", {"render", in, "-o", out, "--size", "40", "--size", "80"}, "--size is given twice");
+    row("an output given twice", {"render", in, "-o", out, "--output", path("b.png")}, "--output is given twice");
+    row("a switch given twice", {"info", in, "--json", "--json"}, "--json is given twice");
+    row("convert onto itself", {"convert", in, in}, "another name");
+    row("convert onto itself, --plain", {"convert", in, path("./a.json"), "--plain"}, "another name");
     row("no brush", {"convert", in, path("b.json"), "--brush", "spade"}, "ink-wash");
     row("probe without a place", {"probe", in, "3"}, "too few");
+    row("render before the beginning", {"render", in, "-o", out, "--time", "-1"}, "nothing is painted before 0 s");
     row("probe at no number", {"probe", in, "a", "b"}, "X and Y");
     row("verify with a wrong height", {"verify", in, "--size", "80x50"}, "80x60");
 }
@@ -154,6 +163,28 @@ void TestCli::convertIsExact()
     QCOMPARE(o["segments"].toInt(), 3);
 }
 
+void TestCli::convertLeavesItsInput()
+{
+    QVERIFY(runCli({"convert", path("a.json"), path("own.suffuse")}).code == 0);
+    const QByteArray before = readFile(path("own.suffuse"));
+    QVERIFY(QFile::link("own.suffuse", path("link.suffuse")));
+    QVERIFY(QDir(m_folder.path()).mkdir("folder"));
+    QVERIFY(QFile::link(m_folder.path(), path("folder/back")));
+    const QString names[] = {path("own.suffuse"), path("./own.suffuse"), path("link.suffuse"),
+                             path("folder/back/own.suffuse")};
+    for (const QString &in : names)
+        for (const QString &out : names) {
+            const CliOutcome outcome = runCli({"convert", in, out, "--plain"});
+            QVERIFY2(outcome.code == 2 && outcome.err.contains("give OUT another name"), qPrintable(outcome.text()));
+        }
+    QCOMPARE(readFile(path("own.suffuse")), before);
+    QVERIFY(QFileInfo(path("link.suffuse")).isSymLink());
+    QVERIFY(runCli({"convert", path("link.suffuse"), path("other.suffuse")}).code == 0);
+    QVERIFY(runCli({"convert", path("link.suffuse"), path("other.suffuse")}).code == 0); // what is there is replaced
+    // Standard input is no file of that name.
+    QVERIFY(runCli({"convert", "-", path("other.suffuse")}, smallPainting()).code == 0);
+}
+
 void TestCli::convertWithBrush()
 {
     QVERIFY(writeFile(path("pen.csv"), "x,y,time,pressure\n0,0,0,0.5\n10,0,0.02,0.6\n20,5,0.04,0.7\n30,5,0.06,0.7\n"));
@@ -188,7 +219,8 @@ void TestCli::convertDrawing()
     QVERIFY(opacityAt("60") < 0.01);
     QVERIFY(writeFile(path("words.svg"), "<svg>\n<text>words</text></svg>"));
     const CliOutcome refused = runCli({"convert", path("words.svg"), path("words.suffuse")});
-    QVERIFY2(refused.code == 1 && refused.err.contains("words.svg: holds no paths"), qPrintable(refused.text()));
+    QVERIFY2(refused.code == 1 && refused.err.contains(path("words.svg").toUtf8() + ": holds no paths"),
+             qPrintable(refused.text()));
     QVERIFY(!QFileInfo::exists(path("words.suffuse")));
 }
 
@@ -214,7 +246,11 @@ void TestCli::probe()
     const QJsonObject early = runCli({"probe", path("a.json"), "12", "15", "--time", "0.25", "--json"}).json();
     QCOMPARE(early["time"].toDouble(), 0.25);
     QCOMPARE(early["strokes"][0]["segments"].toArray().size(), 1);
-    QVERIFY(runCli({"probe", path("a.json"), "20", "15"}).out.contains("bar"));
+    // At the left end the right half counts for nothing.
+    const QByteArray shown = runCli({"probe", path("a.json"), "5", "15"}).out;
+    QVERIFY2(shown.contains("bar") && shown.contains("segment 0") && !shown.contains("segment 1"), shown.constData());
+    QVERIFY2(shown.contains("1 segments with a share below 0.001"), shown.constData());
+    QVERIFY(runCli({"probe", path("a.json"), "5", "15", "--all"}).out.contains("segment 1"));
 }
 
 void TestCli::probeTakesNegativeNumbers()
@@ -224,7 +260,8 @@ void TestCli::probeTakesNegativeNumbers()
     QCOMPARE(outcome.json()["x"].toDouble(), -500.5);
     QCOMPARE(outcome.json()["y"].toDouble(), -200.0);
     QVERIFY(outcome.json()["strokes"].toArray().isEmpty());
-    QCOMPARE(runCli({"probe", path("a.json"), "1", "1", "--time", "-1"}).code, 0);
+    const CliOutcome early = runCli({"probe", path("a.json"), "1", "1", "--time", "-1"});
+    QVERIFY2(early.code == 2 && early.err.contains("--time -1: nothing is painted"), qPrintable(early.text()));
 }
 
 void TestCli::verify()

@@ -159,9 +159,39 @@ private slots:
         QVERIFY(!QFile::exists(path("c.suffuse")));
         const CliOutcome salvaged = runCli({"convert", path("damaged.suffuse"), path("c.suffuse"), "--salvage"});
         QVERIFY2(salvaged.code == 0, qPrintable(salvaged.text()));
-        QVERIFY(salvaged.err.contains("is cut off") || salvaged.err.contains("but the file only"));
+        QVERIFY(salvaged.err.contains("the end of the file is damaged"));
         QCOMPARE(runCli({"diff", path("a.suffuse"), path("c.suffuse")}).code, 0);
         QCOMPARE(runCli({"render", path("damaged.suffuse"), "-o", path("x.pfm")}).code, 1);
+    }
+
+    /// Its strokes are one chunk: nothing of them is left, and that is no success.
+    void nothingToSalvage()
+    {
+        QByteArray bytes = readFile(path("a.suffuse"));
+        const qsizetype at = bytes.indexOf("STRK") + 30;
+        bytes[at] = char(bytes[at] ^ 4);
+        QVERIFY(writeFile(path("empty.suffuse"), bytes));
+        const CliOutcome salvaged = runCli({"convert", path("empty.suffuse"), path("none.suffuse"), "--salvage"});
+        QCOMPARE(salvaged.code, 1);
+        QVERIFY2(salvaged.err.contains("not one of its 4 strokes is whole"), qPrintable(salvaged.text()));
+        QVERIFY(!QFile::exists(path("none.suffuse")));
+    }
+
+    /// The picture is whole: convert needs no --salvage and says what it left out, info calls the file damaged.
+    void damageBesideThePicture()
+    {
+        QByteArray bytes = readFile(QStringLiteral(SUFFUSE_SOURCE_DIR "/tests/fixtures/v1/extras.suffuse"));
+        const qsizetype at = bytes.indexOf("prev") + 20;
+        bytes[at] = char(bytes[at] ^ 4);
+        QVERIFY(writeFile(path("prev.suffuse"), bytes));
+        const CliOutcome converted = runCli({"convert", path("prev.suffuse"), path("whole.suffuse")});
+        QCOMPARE(converted.code, 0);
+        QVERIFY2(converted.err.contains("Damaged and left out: the preview. All"), qPrintable(converted.text()));
+        QCOMPARE(runCli({"info", path("whole.suffuse")}).code, 0);
+        const CliOutcome info = runCli({"info", path("prev.suffuse"), "--json"});
+        QCOMPARE(info.code, 1);
+        QCOMPARE(info.json()["losses"].toArray().size(), 1);
+        QVERIFY(info.err.contains("the preview"));
     }
 
     void infoKnowsWhatLiesBeside()

@@ -147,7 +147,7 @@ void TestCliPictures::moments()
     QVERIFY(blue(late, 12) && blue(late, 28));
     QCOMPARE(late.at(30, 8)[1], 1.0f); // the dot is not there yet
     QVERIFY(rendered({}, "m.png").at(30, 8)[1] < 0.5f);
-    QCOMPARE(rendered({"--time", "-1"}, "m.png").at(12, 15)[0], 1.0f);
+    QCOMPARE(rendered({"--time", "0"}, "m.png").at(12, 15)[0], 1.0f);
 }
 
 void TestCliPictures::transparent()

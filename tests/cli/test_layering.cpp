@@ -1,10 +1,13 @@
-// Who may know whom: ARCHITECTURE.md's table, checked against every #include.
+// Who may know whom: ARCHITECTURE.md's table, checked against every #include. And that no two types share a name.
 #include <QDirIterator>
 #include <QFile>
 #include <QFileInfo>
 #include <QLibraryInfo>
+#include <QMultiMap>
 #include <QRegularExpression>
 #include <QTest>
+
+#include <functional>
 
 namespace {
 
@@ -145,6 +148,43 @@ QStringList breachesIn(const QString &file, const QString &text)
     return out;
 }
 
+/// The types that a file defines for all to link with: with their namespaces, but none that is without a name.
+QStringList typesIn(const QString &text)
+{
+    static const QRegularExpression space("^(?:inline )?namespace ?([\\w:]*) ?\\{$");
+    static const QRegularExpression type(
+        "^(?:struct|class|union|enum|enum class) (\\w+)(?: final)?(?: :[^:].*)?(?: \\{.*)?$");
+    QStringList out, spaces;
+    for (const QString &l : text.split('\n')) {
+        if (const auto opened = space.match(l); opened.hasMatch())
+            spaces.append(opened.captured(1));
+        else if (l.startsWith("} // namespace") && !spaces.isEmpty())
+            spaces.removeLast();
+        else if (const auto match = type.match(l); match.hasMatch() && !spaces.contains(QString()))
+            out.append((spaces + QStringList(match.captured(1))).join("::"));
+    }
+    return out;
+}
+
+/// Calls `use` with the path below the root, and the text, of every source; returns how many there are.
+int forEachSource(const std::function<void(const QString &path, const QString &text)> &use)
+{
+    const QDir root(SUFFUSE_SOURCE_DIR);
+    int files = 0;
+    for (const char *folder : {"model", "undo", "render", "app"}) {
+        QDirIterator it(root.filePath(folder), {"*.h", "*.cpp", "*.cu", "*.cuh"}, QDir::Files,
+                        QDirIterator::Subdirectories);
+        while (it.hasNext()) {
+            QFile file(it.next());
+            if (!file.open(QIODevice::ReadOnly))
+                qFatal("%s cannot be read", qPrintable(file.fileName()));
+            use(root.relativeFilePath(file.fileName()), QString::fromUtf8(file.readAll()));
+            ++files;
+        }
+    }
+    return files;
+}
+
 } // namespace
 
 class TestLayering : public QObject {
@@ -154,23 +194,15 @@ private slots:
     void everyFileKeepsToItsLevel();
     void breachesAreFound_data();
     void breachesAreFound();
+    void noTwoTypesShareAName();
+    void typesAreFound();
 };
 
 void TestLayering::everyFileKeepsToItsLevel()
 {
-    const QDir root(SUFFUSE_SOURCE_DIR);
     QStringList problems;
-    int files = 0;
-    for (const char *folder : {"model", "undo", "render", "app"}) {
-        QDirIterator it(root.filePath(folder), {"*.h", "*.cpp", "*.cu", "*.cuh"}, QDir::Files,
-                        QDirIterator::Subdirectories);
-        while (it.hasNext()) {
-            QFile file(it.next());
-            QVERIFY2(file.open(QIODevice::ReadOnly), qPrintable(file.fileName()));
-            problems += breachesIn(root.relativeFilePath(file.fileName()), QString::fromUtf8(file.readAll()));
-            ++files;
-        }
-    }
+    const int files =
+        forEachSource([&](const QString &path, const QString &text) { problems += breachesIn(path, text); });
     QVERIFY2(files > 40, "the sources were not found");
     QVERIFY2(problems.isEmpty(), qPrintable('\n' + problems.join('\n')));
 }
@@ -214,6 +246,27 @@ void TestLayering::breachesAreFound()
     QFETCH(int, breaches);
     const QStringList found = breachesIn(file, text);
     QVERIFY2(found.size() == breaches, qPrintable(found.join('\n')));
+}
+
+/// The linker keeps one of two vectors of types of one name, and no compiler sees both.
+void TestLayering::noTwoTypesShareAName()
+{
+    QMultiMap<QString, QString> places;
+    forEachSource([&](const QString &path, const QString &text) {
+        for (const QString &type : typesIn(text))
+            places.insert(type, path);
+    });
+    QVERIFY2(places.size() > 100, "the types were not found");
+    for (const QString &type : places.uniqueKeys())
+        QVERIFY2(places.count(type) == 1, qPrintable(type + ": " + places.values(type).join(", ")));
+}
+
+void TestLayering::typesAreFound()
+{
+    const QString text("namespace a::b {\nclass C;\nstruct D {\nenum class E : int { One };\n"
+                       "namespace {\nstruct F {\n};\n} // namespace\n"
+                       "class G final : public H\n{\nclass G::I : public H {\n} // namespace a::b\nunion J {");
+    QCOMPARE(typesIn(text), QStringList({"a::b::D", "a::b::E", "a::b::G", "J"}));
 }
 
 QTEST_GUILESS_MAIN(TestLayering)

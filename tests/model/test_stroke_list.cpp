@@ -1,5 +1,5 @@
 // The list of strokes: a vector whose copies share.
-#include "model/stroke_list.h"
+#include "model/stroke_values.h"
 
 #include <QtTest>
 
@@ -94,6 +94,62 @@ private slots:
         const StrokeList other(list.begin(), list.end()); // equal strokes, nothing shared
         copy = other;
         QVERIFY(differences().empty());
+    }
+
+    /// What is found out of each stroke is found out again of those that changed alone, wherever others come and go.
+    void valuesAreKeptOfWhatStays()
+    {
+        std::mt19937_64 random(11);
+        StrokeList list;
+        StrokeId next = 1;
+        while (next <= 2000)
+            list.push_back(strokeWithId(next++));
+        StrokeValues<StrokeId> values;
+        int asked = 0;
+        const auto idOf = [&asked](const Stroke &stroke) {
+            ++asked;
+            return stroke.id;
+        };
+        const auto areThoseOf = [&](const StrokeList &strokes) {
+            return std::equal(values.begin(), values.end(), strokes.begin(), strokes.end(),
+                              [](StrokeId id, const StrokePtr &stroke) { return id == stroke->id; });
+        };
+        QVERIFY(!values.follow(list, idOf));
+        QCOMPARE(asked, 2000);
+        for (int step = 0; step < 500; ++step) {
+            const auto place = [&] { return list.begin() + std::ptrdiff_t(random() % list.size()); };
+            const StrokeList before = list;
+            const std::size_t kind = random() % 4;
+            asked = 0;
+            int changed = 2;
+            if (kind == 0) { // one falls into three, another goes
+                const auto at = place();
+                *at = strokeWithId((*at)->id);
+                list.insert(at + 1, strokeWithId(next++));
+                list.insert(at + 2, strokeWithId(next++));
+                list.erase(place());
+                changed = 3;
+            } else if (kind == 1) { // a run goes
+                const std::size_t from = random() % (list.size() - 40);
+                for (std::size_t i = from; i < from + 40; ++i)
+                    list.erase(list.begin() + std::ptrdiff_t(from));
+                changed = 0;
+            } else if (kind == 2) { // a run comes
+                for (int i = 0; i < 40; ++i)
+                    list.insert(list.begin() + 700, strokeWithId(next++));
+                changed = 40;
+            } else {
+                std::iter_swap(place(), place());
+            }
+            const bool same = std::equal(list.begin(), list.end(), before.begin(), before.end(),
+                                         [](const StrokePtr &a, const StrokePtr &b) { return a->id == b->id; });
+            QCOMPARE(values.follow(list, idOf), same);
+            QVERIFY(areThoseOf(list));
+            QVERIFY2(asked <= changed, qPrintable(QString::number(asked)));
+        }
+        list.clear();
+        QVERIFY(!values.follow(list, idOf));
+        QVERIFY(values.begin() == values.end());
     }
 };
 

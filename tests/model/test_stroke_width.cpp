@@ -163,6 +163,40 @@ private slots:
         QVERIFY(close(diffusionAcross(segment, {1, 0}), 25, 1e-6));
     }
 
+    /// Short and long lines, across their middle and beyond their ends, against the density summed over the line.
+    void boxOfWhatIsSeen()
+    {
+        for (const double length : {4.0, 20.0, 60.0, 400.0}) {
+            Stroke stroke;
+            stroke.origin = {1000, 500};
+            stroke.style = {StyleKind::Uniform, {0.2f, 0.1f, 0}};
+            Segment segment;
+            const auto x = float(length / 3);
+            segment.bezier = {Offset{0, 0}, Offset{x, 0}, Offset{2 * x, 0}, Offset{float(length), 0}};
+            segment.diffusion = 100; // s = 20
+            segment.density = 80;
+            stroke.segments = {segment};
+            const auto densityAt = [&](double beyond, double beside) {
+                constexpr int steps = 4000;
+                double sum = 0;
+                for (int k = 0; k < steps; ++k) {
+                    const double along = beyond + (k + 0.5) / steps * length;
+                    sum += std::exp(-(along * along + beside * beside) / 400);
+                }
+                return 80 / (std::numbers::pi * 400) * sum * length / steps;
+            };
+            const auto edge = [&](auto density) {
+                return bisect(1e-6, 200, [&](double d) { return density(d) > double(0.2f); });
+            };
+            const double beside = edge([&](double d) { return densityAt(-length / 2, d); });
+            const double beyond = edge([&](double d) { return densityAt(d, 0); });
+            const Rect box = seenBox(stroke);
+            QVERIFY(close(box.bottom - 500, beside, 1e-3) && close(500 - box.top, beside, 1e-3));
+            QVERIFY(close(1000 - box.left, beyond, 1e-3));
+            QVERIFY(close(box.right - 1000 - length, beyond, 1e-3));
+        }
+    }
+
     void cutsOfTheStyles()
     {
         QCOMPARE(visibleCut({StyleKind::Uniform, {0.5f, 0.1f, 0}}), 0.5);

@@ -138,14 +138,32 @@ private slots:
         QCOMPARE(leftOut("<text display=\"none\">words</text><defs><text>words</text></defs>"), QString());
     }
 
+    void fillsAreLeftOutWithAMessage()
+    {
+        const auto leftOut = [](const QByteArray &content) {
+            const Result<LoadedDocument> document = readDocument(svg("", content), "a.svg");
+            return document ? document->leftOut : document.error();
+        };
+        QVERIFY(leftOut("<circle r=\"9\" fill=\"green\"/>").contains("Fills were left out"));
+        QVERIFY(leftOut("<path d=\"M0 0h9v9z\" stroke=\"red\"/>").contains("Fills")); // black, unless it says none
+        QVERIFY(leftOut("<path d=\"M0 0q9 9 18 0\" stroke=\"red\"/>").contains("Fills"));
+        for (const char *unfilled :
+             {"<circle r=\"9\" fill=\"none\" stroke=\"red\"/>",
+              "<rect width=\"9\" height=\"9\" fill-opacity=\"0\" stroke=\"red\"/>",
+              "<line x2=\"9\" y2=\"4\" stroke=\"red\"/>", "<path d=\"M3 3l0.1 0.3l0.2 0.6\" stroke=\"red\"/>"})
+            QCOMPARE(leftOut(unfilled), QString());
+        const QString both = leftOut(line + "<rect width=\"9\" height=\"9\"/><text>words</text>");
+        QVERIFY(both.contains("Fills") && both.contains("Text"));
+    }
+
     void mistakesAreNamed()
     {
-        QCOMPARE(errorOf("<svg>\n<path").left(19), QString("a.svg: SVG, line 2:"));
-        QVERIFY(errorOf(svg("", "<text>words</text>")).startsWith("a.svg: holds no paths"));
+        QCOMPARE(errorOf("<svg>\n<path").left(26), QString("folder/a.svg: SVG, line 2:"));
+        QVERIFY(errorOf(svg("", "<text>words</text>")).startsWith("folder/a.svg: holds no paths"));
         QVERIFY(errorOf(svg("width=\"2000000\" height=\"9\"", line)).contains("at most 1e6"));
         QVERIFY(errorOf(svg("viewBox=\"0 0 1e308 1e308\" width=\"1\"", line))
-                    .startsWith("a.svg: holds no paths")); // a point
-        QVERIFY(errorOf(svg("viewBox=\"-1e308 0 1e308 1\"", line)).startsWith("a.svg: "));
+                    .startsWith("folder/a.svg: holds no paths")); // a point
+        QVERIFY(errorOf(svg("viewBox=\"-1e308 0 1e308 1\"", line)).startsWith("folder/a.svg: "));
         QVERIFY(errorOf("<svg>" + QByteArray(65 << 20, ' ') + "</svg>").contains("64 MB"));
     }
 };

@@ -74,6 +74,24 @@ private slots:
         checkUndoAllAndRedo(d.stack, d.document, first);
     }
 
+    void eachBeginsWhereTheMapSays()
+    {
+        Desk d(timedPainting(3));
+        const QByteArray first = hashOf(*d.document.painting());
+        select(d.document, {2});
+        d.push(rewet(d.document, 5 * second, second));
+        select(d.document, {1, 2, 3}, {{3, 2}, {3, 3}});
+        const auto doubled = [](Microseconds begin) { return std::optional(2 * begin); };
+        d.push(beginAt(*d.document.painting(), d.document.selection(), doubled));
+        QCOMPARE(births(d.stroke(1)), (Times{2'000'000, 2'100'000, 2'200'000, 2'300'000}));
+        QCOMPARE(births(d.stroke(2)), (Times{4'000'000, 4'100'000, 4'200'000, 4'300'000}));
+        QCOMPARE(births(d.stroke(3)), (Times{3'000'000, 3'100'000, 6'400'000, 6'500'000}));
+        QCOMPARE(d.stroke(2).segments[0].rewet.front().time, 7 * second);
+        const auto some = [](Microseconds begin) { return begin > 3 * second ? std::optional(begin) : std::nullopt; };
+        QVERIFY(beginAt(*d.document.painting(), d.document.selection(), some).isEmpty());
+        checkUndoAllAndRedo(d.stack, d.document, first);
+    }
+
     void nothingBeginsBeforeZero()
     {
         Desk d(timedPainting(2));

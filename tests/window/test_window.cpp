@@ -1,4 +1,6 @@
 // The window on a real screen: both presenters show exactly the picture, docks float and come back, whatever the scale.
+#include "app/panels/inspector_panel.h"
+#include "app/panels/strokes_panel.h"
 #include "model/formats/files.h"
 #include "tests/window/screen.h"
 
@@ -6,7 +8,9 @@
 #include <QElapsedTimer>
 #include <QLineEdit>
 #include <QProcess>
+#include <QScreen>
 #include <QSignalSpy>
+#include <QTreeView>
 
 #include <algorithm>
 
@@ -27,6 +31,7 @@ private slots:
     void docksFloatAndComeBack();
     void scaleOfTwo();
     void keysWorkAfterAField();
+    void docksShareTheRoom();
     void fullScreenAndBack();
     void paintingKeepsUpWithTheHand_data() { presenters(); }
     void paintingKeepsUpWithTheHand();
@@ -136,6 +141,25 @@ void TestWindow::scaleOfTwo()
     const QByteArray output = program.readAll();
     QVERIFY2(program.exitStatus() == QProcess::NormalExit && program.exitCode() == 0, output.constData());
     QVERIFY2(output.contains("scale 2"), output.constData());
+}
+
+/// As a full HD screen has it: six rows of strokes at least, below fields of the inspector.
+void TestWindow::docksShareTheRoom()
+{
+    Session s;
+    QVERIFY(QTest::qWaitForWindowExposed(&s.window));
+    if (s.window.screen()->availableSize().height() < 1080)
+        QSKIP("the screen is too low");
+    s.window.resize(1900, 1050);
+    auto *strokes = s.window.findChild<StrokesPanel *>();
+    QTRY_VERIFY(s.window.height() == 1050 && strokes->view()->isVisible());
+    s.paintLine({150, 200}, {850, 500});
+    s.dry();
+    const int row = strokes->view()->visualRect(strokes->view()->model()->index(0, 0)).height();
+    QVERIFY(row > 0);
+    QTRY_VERIFY2(strokes->view()->viewport()->height() >= 6 * row,
+                 qPrintable(QString("%1 / %2").arg(strokes->view()->viewport()->height()).arg(row)));
+    QVERIFY(s.window.findChild<InspectorPanel *>()->isVisible());
 }
 
 void TestWindow::keysWorkAfterAField()

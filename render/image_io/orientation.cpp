@@ -1,0 +1,117 @@
+#include "render/image_io/orientation.h"
+
+#include "render/image_io/file_numbers.h"
+
+#include <algorithm>
+
+namespace suffuse {
+
+namespace {
+
+/// The tag of the first directory of a TIFF file, which Exif data are, too.
+Orientation orientationOfTiff(const QByteArray &tiff)
+{
+    constexpr quint64 orientationTag = 274, shortType = 3;
+    const FileNumbers numbers{tiff, tiff.startsWith("II")};
+    const quint64 version = numbers.at(2, 2);
+    const bool big = version == 43;
+    if (!(tiff.startsWith("II") || tiff.startsWith("MM")) || !(version == 42 || big))
+        return {};
+    const quint64 directory = big ? numbers.at(8, 8) : numbers.at(4, 4);
+    const quint64 size = quint64(tiff.size()), head = big ? 8 : 2, entry = big ? 20 : 12;
+    if (directory > size || size - directory < head)
+        return {};
+    const quint64 count = std::min(numbers.at(directory, int(head)), (size - directory - head) / entry);
+    for (quint64 i = 0; i < count; ++i) {
+        const quint64 at = directory + head + i * entry;
+        if (numbers.at(at, 2) == orientationTag)
+            return numbers.at(at + 2, 2) == shortType ? Orientation(int(numbers.at(at + (big ? 12 : 8), 2)))
+                                                      : Orientation();
+    }
+    return {};
+}
+
+/// Of the first APP1 segment that holds Exif; segments after the first scan do not count.
+QByteArray exifOfJpeg(const QByteArray &bytes)
+{
+    const FileNumbers numbers{bytes};
+    const QByteArray mark("Exif\0\0", 6);
+    for (qsizetype at = 2; at + 4 <= bytes.size();) {
+        const int marker = static_cast<unsigned char>(bytes[at + 1]);
+        if (bytes[at] != '\xFF' || marker == 0xFF) {
+            ++at;
+            continue;
+        }
+        if (marker <= 0x01 || (marker >= 0xD0 && marker <= 0xD7)) { // no marker, or one without a length
+            at += 2;
+            continue;
+        }
+        const qsizetype length = qsizetype(numbers.at(quint64(at) + 2, 2)) + 2;
+        if ((marker >= 0xD8 && marker <= 0xDA) || length < 4)
+            return {};
+        if (marker == 0xE1 && bytes.mid(at + 4, mark.size()) == mark)
+            return bytes.mid(at + 4 + mark.size(), length - 4 - mark.size());
+        at += length;
+    }
+    return {};
+}
+
+/// A chunk of this type in a file of chunks from `at` on: a length of four bytes and a type, in either order.
+QByteArray chunkOf(const QByteArray &bytes, qsizetype at, const QByteArray &type)
+{
+    const bool riff = bytes.startsWith("RIFF");
+    const FileNumbers numbers{bytes, riff};
+    while (at + 8 <= bytes.size()) {
+        const qsizetype length = qsizetype(numbers.at(quint64(at) + (riff ? 4 : 0), 4));
+        if (bytes.mid(at + (riff ? 0 : 4), 4) == type)
+            return bytes.mid(at + 8, length);
+        at += riff ? 8 + length + length % 2 : 12 + length; // PNG has a checksum behind
+    }
+    return {};
+}
+
+} // namespace
+
+ImageRun Orientation::run(int y, int width, int height) const
+{
+    const int right = width - 1, bottom = height - 1;
+    switch (m_exif) {
+    case 2:
+        return {right, y, -1, 0, {}, width};
+    case 3:
+        return {right, bottom - y, -1, 0, {}, width};
+    case 4:
+        return {0, bottom - y, 1, 0, {}, width};
+    case 5:
+        return {y, 0, 0, 1, {}, width};
+    case 6:
+        return {bottom - y, 0, 0, 1, {}, width};
+    case 7:
+        return {bottom - y, right, 0, -1, {}, width};
+    case 8:
+        return {y, right, 0, -1, {}, width};
+    default:
+        return {0, y, 1, 0, {}, width};
+    }
+}
+
+Orientation orientationOf(const QByteArray &bytes, ImageFormat format)
+{
+    switch (format) {
+    case ImageFormat::Jpeg:
+        return orientationOfTiff(exifOfJpeg(bytes));
+    case ImageFormat::Tiff:
+        return orientationOfTiff(bytes);
+    case ImageFormat::Png:
+        return orientationOfTiff(chunkOf(bytes, 8, "eXIf"));
+    case ImageFormat::WebP: {
+        // Some writers put JPEG's mark before it.
+        const QByteArray exif = chunkOf(bytes, 12, "EXIF");
+        return orientationOfTiff(exif.startsWith("Exif") ? exif.mid(6) : exif);
+    }
+    default:
+        return {};
+    }
+}
+
+} // namespace suffuse

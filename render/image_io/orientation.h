@@ -1,0 +1,28 @@
+#pragma once
+
+#include "render/image_io/image_io.h"
+
+namespace suffuse {
+
+/// How a picture lies in its file, as Exif counts it: 1 upright; 2 to 4 mirrored or turned by 180°; 5 to 8 with rows as
+/// columns.
+class Orientation {
+public:
+    Orientation() = default;
+    explicit Orientation(int exif) : m_exif(exif >= 1 && exif <= 8 ? exif : 1) {}
+
+    int exif() const { return m_exif; }
+    /// The picture's rows are the file's columns: width and height change places.
+    bool swapsSides() const { return m_exif >= 5; }
+    /// Where row y of a file of width × height pixels lies in the upright picture.
+    ImageRun run(int y, int width, int height) const;
+
+private:
+    int m_exif = 1;
+};
+
+/// What a JPEG, TIFF, PNG or WebP file says, wherever it has its Exif data; upright where it says nothing that can be
+/// understood. Reads nothing beyond the bytes, whatever they hold.
+Orientation orientationOf(const QByteArray &bytes, ImageFormat format);
+
+} // namespace suffuse

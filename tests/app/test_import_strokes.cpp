@@ -1,0 +1,140 @@
+// File ▸ Import Strokes…: what other files hold comes into the open painting.
+#include "app/import_strokes.h"
+#include "app/messages.h"
+#include "tests/app/selecting.h"
+
+#include <QMenu>
+#include <QStatusBar>
+#include <QTemporaryDir>
+
+using namespace suffuse;
+
+namespace {
+
+const char drawing[] = "<svg xmlns='http://www.w3.org/2000/svg' viewBox='0 0 300 200'>"
+                       "<path d='M50 100h200' fill='none' stroke='red' stroke-width='20'/>"
+                       "<circle cx='150' cy='60' r='30' fill='blue'/><text>words</text></svg>";
+
+QByteArray recording()
+{
+    QByteArray csv = "x,y,time,pressure\n";
+    for (int i = 0; i < 40; ++i)
+        csv += QByteArray::number(10 + 5 * i) + ",40," + QByteArray::number(0.016 * i) + ",0.7\n";
+    return csv;
+}
+
+/// Two strokes, one hidden, one in a locked group.
+Painting another()
+{
+    Painting painting;
+    auto hidden = std::make_shared<Stroke>(*line(1, {20, 20}, {220, 20}));
+    hidden->visible = false;
+    hidden->name = "sky";
+    auto grouped = std::make_shared<Stroke>(*line(2, {20, 60}, {220, 60}));
+    grouped->group = 5;
+    painting.groups = {{5, "Trees", 0, true, true}};
+    painting.strokes = {hidden, grouped};
+    painting.canvas.width = 3000;
+    return painting;
+}
+
+} // namespace
+
+class TestImportStrokes : public QObject {
+    Q_OBJECT
+
+    QString write(const QString &name, const QByteArray &bytes)
+    {
+        const QString path = m_folder.filePath(name);
+        return writeFileAtomically(path, bytes) ? path : QString();
+    }
+
+private slots:
+    void initTestCase()
+    {
+        QVERIFY(m_folder.isValid());
+        qputenv("SUFFUSE_PRESENTER", "raster");
+        qputenv("SUFFUSE_SETTINGS", m_folder.filePath("settings.ini").toLocal8Bit());
+        setMessageHooks({[this](const QString &message) { m_errors << message; }});
+    }
+    void cleanupTestCase() { setMessageHooks({}); }
+    void init() { m_errors.clear(); }
+
+    void everyKindIsOneStepAndSelected_data()
+    {
+        QTest::addColumn<QString>("name");
+        QTest::addColumn<QByteArray>("bytes");
+        QTest::addColumn<int>("strokes");
+        QTest::newRow("SVG") << "a.svg" << QByteArray(drawing) << 2;
+        QTest::newRow("recording") << "a.csv" << recording() << 1;
+        QTest::newRow("text form") << "a.json" << writePainting(another(), FileFormat::Text) << 2;
+        QTest::newRow("painting") << "a.suffuse" << writePainting(another(), FileFormat::Suffuse) << 2;
+    }
+
+    void everyKindIsOneStepAndSelected()
+    {
+        QFETCH(QString, name);
+        QFETCH(QByteArray, bytes);
+        QFETCH(int, strokes);
+        Selecting s({line(1, {200, 200}, {600, 200}), line(2, {200, 300}, {600, 300})});
+        const PaintingPtr before = s.editor().document().painting();
+        s.window.importStrokes(write(name, bytes));
+        QVERIFY2(m_errors.isEmpty(), qPrintable(m_errors.join('\n')));
+        QCOMPARE(int(s.painting().strokes.size()), 2 + strokes);
+        QCOMPARE(s.steps(), 1);
+        QCOMPARE(s.painting().strokes[0], before->strokes[0]); // on top of what was there
+        QCOMPARE(s.painting().canvas, before->canvas);
+        QCOMPARE(int(s.selected().size()), strokes);
+        const Microseconds now = s.editor().clock().time();
+        for (int i = 0; i < strokes; ++i) {
+            const Stroke &stroke = *s.painting().strokes[std::size_t(2 + i)];
+            QVERIFY(s.selected().contains(stroke.id));
+            QVERIFY(s.painting().isVisible(stroke) && !s.painting().isLocked(stroke));
+            for (const Segment &segment : stroke.segments)
+                QVERIFY(segment.born <= now);
+        }
+        s.use(Command::Undo);
+        QCOMPARE(s.painting().strokes.size(), std::size_t(2));
+        QVERIFY(s.painting().groups.empty());
+    }
+
+    void drawingsGetTheBrushInHandAndSayWhatIsMissing()
+    {
+        Selecting s({});
+        Brush brush = *findBrush("soft-airbrush");
+        s.editor().setBrush(brush);
+        s.window.importStrokes(write("b.svg", drawing));
+        QCOMPARE(s.painting().strokes[0]->brush, brush.name);
+        const QString said = s.window.statusBar()->currentMessage();
+        QVERIFY2(said.contains("Fills") && said.contains("Text"), qPrintable(said));
+    }
+
+    void groupsKeepTheirNames()
+    {
+        Selecting s({});
+        s.window.importStrokes(write("c.suffuse", writePainting(another(), FileFormat::Suffuse)));
+        QCOMPARE(s.painting().groups.size(), std::size_t(1));
+        QCOMPARE(s.painting().groups[0].name, QString("Trees"));
+        QCOMPARE(s.painting().strokes[1]->group, s.painting().groups[0].id);
+        QCOMPARE(s.painting().strokes[0]->name, QString("sky"));
+    }
+
+    void mistakesAreShownAndChangeNothing()
+    {
+        Selecting s({line(1, {200, 200}, {600, 200})});
+        s.window.importStrokes(m_folder.filePath("gone.svg"));
+        QVERIFY(m_errors.size() == 1 && m_errors[0].contains("gone.svg"));
+        s.window.importStrokes(write("empty.json", writePainting(Painting(), FileFormat::Text)));
+        QVERIFY(m_errors.size() == 2 && m_errors[1].contains("empty.json"));
+        s.window.importStrokes(write("words.txt", "hello"));
+        QCOMPARE(m_errors.size(), 3);
+        QCOMPARE(s.steps(), 0);
+    }
+
+private:
+    QTemporaryDir m_folder;
+    QStringList m_errors;
+};
+
+QTEST_MAIN(TestImportStrokes)
+#include "test_import_strokes.moc"

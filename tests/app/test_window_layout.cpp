@@ -1,0 +1,78 @@
+// Where windows go, and how their docks share the room.
+#include "app/panels/strokes_panel.h"
+#include "app/place_beside.h"
+#include "app/settings.h"
+#include "model/formats/files.h"
+#include "tests/app/session.h"
+
+#include <QDockWidget>
+#include <QTemporaryDir>
+#include <QTreeView>
+
+using namespace suffuse;
+
+class TestWindowLayout : public QObject {
+    Q_OBJECT
+
+private slots:
+    void initTestCase()
+    {
+        QVERIFY(m_folder.isValid());
+        qputenv("SUFFUSE_PRESENTER", "raster");
+        qputenv("SUFFUSE_BACKEND", "cpu");
+        qputenv("SUFFUSE_SETTINGS", m_folder.filePath("settings.ini").toLocal8Bit());
+    }
+
+    void init() { settings::resetLayout(); }
+
+    void rectanglesKeepToTheScreen()
+    {
+        const QRect screen(0, 20, 1000, 700);
+        QCOMPARE(placeWithin({100, 100, 300, 200}, screen), QRect(100, 100, 300, 200));
+        QCOMPARE(placeWithin({900, 600, 300, 200}, screen), QRect(700, 520, 300, 200));
+        QCOMPARE(placeWithin({-50, 0, 300, 200}, screen), QRect(0, 20, 300, 200));
+        QCOMPARE(placeWithin({28, 48, 1000, 900}, screen), screen);
+    }
+
+    /// A window that is opened from a maximised one is maximised, too, and has somewhere to go back to.
+    void windowsOpenAsTheFirstOneStands()
+    {
+        const QString path = m_folder.filePath("one.suffuse");
+        QVERIFY(savePainting(Painting(), path));
+        for (const bool maximised : {false, true}) {
+            MainWindow first;
+            first.setGeometry(100, 90, 640, 520);
+            maximised ? first.showMaximized() : first.show();
+            const QRect screen = first.screen()->availableGeometry();
+            MainWindow *own = first.openFile(path); // in it, since it is untouched
+            QCOMPARE(own, &first);
+            for (int k = 0; k < 3; ++k) {
+                MainWindow *next = first.openFile(path);
+                QVERIFY(next && next != &first);
+                QVERIFY(next->isVisible());
+                QCOMPARE(next->isMaximized(), maximised);
+                const QRect normal = maximised ? next->normalGeometry() : next->geometry();
+                QVERIFY(screen.contains(normal.topLeft()) && normal.bottom() <= screen.bottom());
+                QVERIFY(normal.right() <= screen.right() || normal.width() <= next->minimumSizeHint().width());
+                next->close();
+            }
+        }
+    }
+
+    /// Half of a screen of 1920 × 1080 in each direction, less a title bar: what is left at a scale of 2.
+    void allDocksFitOnALowScreen()
+    {
+        Session s;
+        for (QDockWidget *dock : s.window.findChildren<QDockWidget *>())
+            dock->show();
+        s.window.resize(900, 505);
+        QTest::qWait(50);
+        QCOMPARE(s.window.height(), 505);
+    }
+
+private:
+    QTemporaryDir m_folder;
+};
+
+QTEST_MAIN(TestWindowLayout)
+#include "test_window_layout.moc"
