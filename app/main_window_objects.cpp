@@ -59,8 +59,7 @@ std::optional<PresentName> presentNameOf(const Document &document)
     const bool alike = std::all_of(selected.begin(), selected.end(),
                                    [&](StrokeId id) { return painting.find(id)->name == first->name; });
     return PresentName{MainWindow::tr("Name of %n stroke(s)", nullptr, int(selected.size())),
-                       alike ? first->name : QString(),
-                       selected.size() == 1 ? titleOf(*first) : QStringLiteral("—")};
+                       alike ? first->name : QString(), selected.size() == 1 ? titleOf(*first) : QStringLiteral("—")};
 }
 
 } // namespace

@@ -26,9 +26,8 @@ Selection existing(Selection selection, const Painting &painting)
     };
     std::erase_if(selection.strokes, [&](StrokeId id) { return segmentsOf(id) < 0; });
     next = there.begin();
-    std::erase_if(selection.segments, [&](const SegmentRef &ref) {
-        return ref.segment < 0 || ref.segment >= segmentsOf(ref.stroke);
-    });
+    std::erase_if(selection.segments,
+                  [&](const SegmentRef &ref) { return ref.segment < 0 || ref.segment >= segmentsOf(ref.stroke); });
     for (const SegmentRef &ref : selection.segments)
         selection.strokes.insert(ref.stroke);
     return selection;

@@ -52,11 +52,13 @@ void CanvasWidget::lift(const std::set<StrokeId> &strokes)
         const bool moves = strokes.contains(stroke->id) && painting->isVisible(*stroke) && !painting->isLocked(*stroke);
         (moves ? lifted : rest).strokes.push_back(stroke);
     }
-    if (lifted.segmentCount() < manySegments && !m_worker.isSlowFor(reachedPixels(lifted, view(), m_editor.clock().time())))
+    const Microseconds time = m_editor.clock().time();
+    // An edit draws where they were and where they are.
+    if (lifted.segmentCount() < manySegments && !m_worker.isSlowFor(2 * reachedPixels(lifted, view(), time)))
         return;
     m_liftedFrom = painting;
     m_lift = std::make_shared<const Lift>(painting, std::make_shared<const Painting>(std::move(rest)),
-                                          std::make_shared<const Painting>(std::move(lifted)), m_editor.clock().time(), view());
+                                          std::make_shared<const Painting>(std::move(lifted)), time, view());
     m_worker.lift(m_lift);
 }
 
@@ -111,15 +113,13 @@ void CanvasWidget::paintSelection(QPainter &painter, double dpr)
     if (selection().isEmpty())
         return;
     if (!m_floating || !holds(*m_floating->lift)) {
-        m_outline.paint(painter, view(), *document.painting(), selection(), m_colours, dpr,
-                        m_editor.isDragging());
+        m_outline.paint(painter, view(), *document.painting(), selection(), m_colours, dpr, m_editor.isDragging());
         return;
     }
     const std::optional<View> under = viewUnder(view(), m_floating->map);
     if (!under)
         painter.setTransform(inPixels(view(), m_floating->map), true);
-    m_outline.paint(painter, under.value_or(view()), *m_floating->lift->lifted, selection(), m_colours, dpr,
-                    true);
+    m_outline.paint(painter, under.value_or(view()), *m_floating->lift->lifted, selection(), m_colours, dpr, true);
 }
 
 } // namespace suffuse

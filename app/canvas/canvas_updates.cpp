@@ -135,14 +135,14 @@ QRect CanvasWidget::selectionOnScreen() const
 bool CanvasWidget::altersFew(const Change &change)
 {
     const std::optional<double> margin = selectionMargin();
-    const bool mayBe = margin && m_editor.isDragging() && !change.selection && !change.order &&
-                       change.strokes.size() <= fewStrokes;
+    const bool mayBe =
+        margin && m_editor.isDragging() && !change.selection && !change.order && change.strokes.size() <= fewStrokes;
     if (!mayBe) {
         m_altered = {};
         return false;
     }
-    bool known = m_altered.margin == *margin && m_selectionArea && !m_selectionChanged &&
-                 m_selectionArea == selectionArea();
+    bool known =
+        m_altered.margin == *margin && m_selectionArea && !m_selectionChanged && m_selectionArea == selectionArea();
     m_altered.margin = *margin;
     for (const StrokePtr &stroke : m_editor.document().painting()->strokes) {
         if (!std::binary_search(change.strokes.begin(), change.strokes.end(), stroke->id))

@@ -58,9 +58,9 @@ int convertCommand(const QStringList &arguments)
         return failUsage("convert",
                          QCoreApplication::translate("Cli", "%1: unknown ending; use .suffuse or .json").arg(out));
     if (isSameFile(line.argument(0), out))
-        return failUsage("convert",
-                         QCoreApplication::translate("Cli", "%1: is IN itself, which would be lost; give OUT another name")
-                             .arg(out));
+        return failUsage("convert", QCoreApplication::translate(
+                                        "Cli", "%1: is IN itself, which would be lost; give OUT another name")
+                                        .arg(out));
     std::optional<Brush> brush;
     if (line.isSet("brush")) {
         const Result<Brush> found = brushOf(line.value("brush"));

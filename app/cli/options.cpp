@@ -133,7 +133,8 @@ int fail(const QString &message, ExitCode code)
 int failUsage(const QString &command, const QString &message)
 {
     const QString said = message.endsWith(QLatin1Char('.')) ? message.chopped(1) : message;
-    return fail(QCoreApplication::translate("Cli", "%1: %2. See suffuse-cli %1 --help.").arg(command, said), WrongUsage);
+    return fail(QCoreApplication::translate("Cli", "%1: %2. See suffuse-cli %1 --help.").arg(command, said),
+                WrongUsage);
 }
 
 int print(const QString &text)

@@ -233,8 +233,8 @@ void ShortcutsDialog::refresh()
         for (QAction *action : actions)
             clashes[action] = true;
         warnings << tr("%1 belongs to “%2” and “%3”. Give one of them another shortcut.")
-                      .arg(QKeySequence(sequence).toString(QKeySequence::NativeText), titleOf(actions[0]),
-                           titleOf(actions[1]));
+                        .arg(QKeySequence(sequence).toString(QKeySequence::NativeText), titleOf(actions[0]),
+                             titleOf(actions[1]));
     }
     for (const FixedKeys &fixed : m_fixed)
         for (const QKeySequence &sequence : fixed.keys)
@@ -263,8 +263,8 @@ void ShortcutsDialog::filter()
     QTreeWidgetItem *first = nullptr;
     for (int row = m_list->topLevelItemCount(); row-- > 0;) {
         QTreeWidgetItem *item = m_list->topLevelItem(row);
-        const bool found = item->text(0).contains(wanted, Qt::CaseInsensitive) ||
-                           item->text(1).contains(wanted, Qt::CaseInsensitive);
+        const bool found =
+            item->text(0).contains(wanted, Qt::CaseInsensitive) || item->text(1).contains(wanted, Qt::CaseInsensitive);
         item->setHidden(!found);
         first = found ? item : first;
     }

@@ -111,9 +111,8 @@ void TimelapseDialog::addFields(QGridLayout &grid, const Rect &shown)
                          tr("How long the film is; the painting's time is stretched over it."));
     m_length->setRange(0.1, 36'000);
     m_length->setValue(10);
-    m_idle =
-        addNumber(grid, 6, tr("Longest pause"), tr(" s"),
-                  tr("Pauses in which nothing is painted or spreads are cut to this, in the painting's time."));
+    m_idle = addNumber(grid, 6, tr("Longest pause"), tr(" s"),
+                       tr("Pauses in which nothing is painted or spreads are cut to this, in the painting's time."));
     m_idle->setRange(0, 1e6);
     m_idle->setValue(TimelapseOptions{}.idle);
     auto *qualityLabel = new QLabel(tr("Quality"), m_form);

@@ -95,9 +95,8 @@ struct Unit {
 /// A unit as fields show it, by the name that the table has.
 QString plainUnit(const QString &shown)
 {
-    const std::pair<QString, const char *> names[] = {{NumberField::canvasUnit(), "u"},
-                                                      {NumberField::secondsUnit(), "s"},
-                                                      {NumberField::diffusionUnit(), "u²/s"}};
+    const std::pair<QString, const char *> names[] = {
+        {NumberField::canvasUnit(), "u"}, {NumberField::secondsUnit(), "s"}, {NumberField::diffusionUnit(), "u²/s"}};
     for (const auto &[unit, name] : names)
         if (shown == unit.trimmed())
             return QString::fromUtf8(name);

@@ -114,7 +114,8 @@ void FiguresSection::refreshCut()
     const PaintingPtr &painting = m_editor.document().painting();
     const StrokePtr stroke = painting->find(m_cutAt.stroke);
     if (stroke && m_cutAt.segment < int(stroke->segments.size()))
-        m_cut->show(crossSectionOf(*painting, *stroke, m_cutAt.segment, m_editor.clock().time(), CrossSectionPlot::samples));
+        m_cut->show(
+            crossSectionOf(*painting, *stroke, m_cutAt.segment, m_editor.clock().time(), CrossSectionPlot::samples));
 }
 
 void FiguresSection::showFigures(const FiguresSummary &figures)

@@ -21,7 +21,7 @@ namespace suffuse {
 
 namespace {
 
-constexpr int tallest = 360; ///< logical pixels: about square in a wide dock
+constexpr int tallest = 360;             ///< logical pixels: about square in a wide dock
 constexpr std::size_t mostStrokes = 200; ///< what is older lies below them
 constexpr Microseconds sampleTime = 16'000;
 constexpr float pigment = 0.7f; ///< β of what is painted

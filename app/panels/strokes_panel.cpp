@@ -139,15 +139,18 @@ void StrokesPanel::giveSelectionToDocument()
     if (m_syncing || m_model->isFollowing())
         return;
     Selection selection;
-    for (const QModelIndex &index : m_view->selectionModel()->selectedRows(StrokesModel::NameColumn)) {
-        const QModelIndex source = m_filter->mapToSource(index);
+    const auto take = [&](const QModelIndex &source) {
         if (const int segment = m_model->segmentAt(source); segment >= 0) {
             selection.strokes.insert(m_model->strokeAt(source));
             selection.segments.insert({m_model->strokeAt(source), segment});
         } else {
             selection.strokes.merge(m_model->strokesBelow(source));
         }
-    }
+    };
+    // Not selectedRows: Qt 6.4 leaves out rows that have the number of one just toggled under another parent.
+    for (const QItemSelectionRange &range : m_view->selectionModel()->selection())
+        for (int row = range.top(); row <= range.bottom() && range.left() == StrokesModel::NameColumn; ++row)
+            take(m_filter->mapToSource(m_filter->index(row, StrokesModel::NameColumn, range.parent())));
     Document &document = m_editor.document();
     // Of strokes that are not open here, no segment's row could be selected: those of the painting stay.
     for (const SegmentRef &ref : document.selection().segments)

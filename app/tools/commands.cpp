@@ -18,8 +18,9 @@ QString tr(const char *text)
 void deleteSelected(Editor &editor)
 {
     const bool segments = !editor.document().selection().segments.empty();
-    editor.push(deleteSelection(editor.document()), segments ? QCoreApplication::translate("Commands", "Delete segments")
-                                                             : QCoreApplication::translate("Commands", "Delete strokes"));
+    editor.push(deleteSelection(editor.document()), segments
+                                                        ? QCoreApplication::translate("Commands", "Delete segments")
+                                                        : QCoreApplication::translate("Commands", "Delete strokes"));
 }
 
 void duplicateSelected(Editor &editor)
@@ -30,7 +31,8 @@ void duplicateSelected(Editor &editor)
 void arrangeSelected(Editor &editor, Arrange how)
 {
     const char *names[] = {QT_TRANSLATE_NOOP("Commands", "Raise"), QT_TRANSLATE_NOOP("Commands", "Lower"),
-                           QT_TRANSLATE_NOOP("Commands", "Raise to top"), QT_TRANSLATE_NOOP("Commands", "Lower to bottom")};
+                           QT_TRANSLATE_NOOP("Commands", "Raise to top"),
+                           QT_TRANSLATE_NOOP("Commands", "Lower to bottom")};
     editor.push(arrangeSelection(editor.document(), how), tr(names[int(how)]));
 }
 
@@ -53,8 +55,7 @@ void deselect(Editor &editor)
 void moveStrokes(Editor &editor, const std::set<StrokeId> &strokes, Point by, EditRun run)
 {
     const Document &document = editor.document();
-    editor.push(changeStrokes(document, strokes,
-                              [by](Stroke &stroke) { stroke.origin = stroke.origin + by; }),
+    editor.push(changeStrokes(document, strokes, [by](Stroke &stroke) { stroke.origin = stroke.origin + by; }),
                 QCoreApplication::translate("Commands", "Move"), run);
 }
 

@@ -77,7 +77,7 @@ QString SelectTool::hint() const
     const bool shift = held & Qt::ShiftModifier;
     if (held & Qt::AltModifier)
         return shift ? tr("Shift+Alt+click: add the next stroke below, with Ctrl within its group. "
-                            "Shift+Alt+drag: add what the path touches.")
+                          "Shift+Alt+drag: add what the path touches.")
                      : tr("Alt+click: select the next stroke below, with Ctrl within its group. "
                           "Alt+drag: select what the path touches.");
     if (held & Qt::ControlModifier)

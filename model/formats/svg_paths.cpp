@@ -276,9 +276,8 @@ private:
     {
         const std::size_t before = m_paths.size();
         suffuse::addPaths(state, data, m_paths);
-        m_fills += int(std::count_if(m_paths.begin() + std::ptrdiff_t(before), m_paths.end(), [](const SvgPath &path) {
-            return path.fill && enclosesArea(path.curves);
-        }));
+        m_fills += int(std::count_if(m_paths.begin() + std::ptrdiff_t(before), m_paths.end(),
+                                     [](const SvgPath &path) { return path.fill && enclosesArea(path.curves); }));
         for (std::size_t i = before; i < m_paths.size(); ++i)
             m_curves += m_paths[i].curves.size();
         if (m_curves > mostCurves)

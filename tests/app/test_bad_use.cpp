@@ -87,8 +87,8 @@ bool hasNewPoints(const Stroke &stroke)
 } // namespace
 
 /// What `grabOf` knows.
-constexpr const char *gestures[] = {"brush", "extend", "move",  "band",   "scale",      "turn",       "node",
-                                    "handle", "curve", "knife", "eraser", "attributes", "eyedropper", "hand"};
+constexpr const char *gestures[] = {"brush",  "extend", "move",  "band",   "scale",      "turn",       "node",
+                                    "handle", "curve",  "knife", "eraser", "attributes", "eyedropper", "hand"};
 
 class TestBadUse : public QObject {
     Q_OBJECT

@@ -134,8 +134,8 @@ private slots:
     {
         const QString store = m_folder.filePath("kept.ini");
         qputenv("SUFFUSE_SETTINGS", store.toLocal8Bit());
-        const auto back = qScopeGuard(
-            [this] { qputenv("SUFFUSE_SETTINGS", m_folder.filePath("settings.ini").toLocal8Bit()); });
+        const auto back =
+            qScopeGuard([this] { qputenv("SUFFUSE_SETTINGS", m_folder.filePath("settings.ini").toLocal8Bit()); });
         Brush hand = *findBrush("soft-airbrush");
         hand.setSpread(33);
         hand.colour = {0.25f, 0.5f, 0.75f, 0.5f};

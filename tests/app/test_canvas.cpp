@@ -194,10 +194,10 @@ private slots:
         editor.document().reset(paintingWithLine());
         QTRY_VERIFY_WITH_TIMEOUT(canvas.isUpToDate(), waitMs);
         const QImage shot = canvas.grab().toImage();
-        QVERIFY(qGray(shot.pixel(3, 150)) < 250);                                 // tinted
-        QCOMPARE(canvas.picture().pixel(3, 150), qRgb(255, 255, 255));            // not the picture
+        QVERIFY(qGray(shot.pixel(3, 150)) < 250);                      // tinted
+        QCOMPARE(canvas.picture().pixel(3, 150), qRgb(255, 255, 255)); // not the picture
         const Point paper = canvas.view().toPixels({20, 20});
-        QCOMPARE(shot.pixel(int(paper.x), int(paper.y)), qRgb(255, 255, 255));    // the canvas is clear
+        QCOMPARE(shot.pixel(int(paper.x), int(paper.y)), qRgb(255, 255, 255)); // the canvas is clear
     }
 
     void wheelZoomsAtThePointerAndPans()

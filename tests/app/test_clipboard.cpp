@@ -120,7 +120,8 @@ private slots:
         const Painting &painting = session.painting();
         QCOMPARE(painting.strokes.size(), std::size_t(2));
         QVERIFY(problemOf(painting).isEmpty());
-        for (std::size_t i = 0; i < 3; ++i) { // the youngest is born now, the rest as long before it as it was, if it can be
+        for (std::size_t i = 0; i < 3;
+             ++i) { // the youngest is born now, the rest as long before it as it was, if it can be
             QCOMPARE(painting.strokes[0]->segments[i].born, Microseconds(0));
             const Segment &segment = painting.strokes[1]->segments[i];
             QCOMPARE(segment.born, Microseconds(800'000 + 100'000 * i));

@@ -102,7 +102,8 @@ private:
         QProcess cli;
         cli.start(QStringLiteral(SUFFUSE_BIN_DIR "/suffuse-cli"),
                   {"render", file, "-o", out, "--size", QStringLiteral("%1x%2").arg(live.width()).arg(live.height()),
-                   "--time", QString::number(double(sheet.editor().clock().time()) * 1e-6, 'f', 6), "--backend", "cpu"});
+                   "--time", QString::number(double(sheet.editor().clock().time()) * 1e-6, 'f', 6), "--backend",
+                   "cpu"});
         QVERIFY(cli.waitForFinished(waitMs));
         QVERIFY2(cli.exitCode() == 0, cli.readAllStandardError().constData());
         const QImage exported = QImage(out).convertToFormat(QImage::Format_RGB32);

@@ -107,7 +107,8 @@ void TestMonkey::undoAllGivesTheFirstPaintingBack()
                 continue;
             const QString problem = problemOf(s.painting());
             QVERIFY2(problem.isEmpty(), qPrintable(problem + '\n' + monkey.trail()));
-            QVERIFY2(picture.isSame(s.editor().document().snapshot(), s.editor().clock().time()), qPrintable(monkey.trail()));
+            QVERIFY2(picture.isSame(s.editor().document().snapshot(), s.editor().clock().time()),
+                     qPrintable(monkey.trail()));
         }
         const bool inHand = s.canvas().tool()->isBusy(); // sometimes it goes on into the next round
         if (!inHand || monkey.below(2) == 0)

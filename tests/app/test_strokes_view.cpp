@@ -81,6 +81,12 @@ private slots:
         }
         bench.select({1, 2, 3}); // the row is marked, not selected: its strokes can be taken out one by one
         QVERIFY(!panel.view()->selectionModel()->isSelected(outermost));
+        panel.view()->expandToDepth(1);
+        panel.view()->collapse(panel.viewIndexOf(3));
+        panel.view()->scrollTo(panel.viewIndexOf(3));
+        const QRect row = panel.view()->visualRect(panel.viewIndexOf(3));
+        QTest::mouseClick(panel.view()->viewport(), Qt::LeftButton, Qt::ControlModifier, row.center());
+        QCOMPARE(bench.editor.document().selection().strokes, (std::set<StrokeId>{1, 2}));
     }
 };
 

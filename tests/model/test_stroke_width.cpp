@@ -118,9 +118,8 @@ private slots:
             // On the branch where more D is wider still: t < t*/e.
             const double top = fadingAge(1, c.density, c.cut) / (std::numbers::e * c.age);
             QVERIFY(D < top);
-            const double searched = bisect(top * 1e-12, top, [&](double trial) {
-                return halfWidth(trial, c.density, c.age, c.cut) < w;
-            });
+            const double searched =
+                bisect(top * 1e-12, top, [&](double trial) { return halfWidth(trial, c.density, c.age, c.cut) < w; });
             if (w < 0.9 * most)
                 QVERIFY(close(D, searched, 1e-12));
         }
@@ -203,9 +202,7 @@ private slots:
         QVERIFY(close(visibleCut({StyleKind::Feathering, {2, 2, 0}}), std::sqrt(2.0), 1e-12));
         const Style edge{StyleKind::Edge, {0.5f, 0.5f, 0.4f}};
         const double start = visibleCut(edge);
-        const auto f = [](double phi) {
-            return double(0.4f) * (std::pow(0.5 / phi, 6) - std::pow(0.5 / phi, 3) + 1);
-        };
+        const auto f = [](double phi) { return double(0.4f) * (std::pow(0.5 / phi, 6) - std::pow(0.5 / phi, 3) + 1); };
         QVERIFY(close(f(start), 1, 1e-12));
         QVERIFY(f(start * 1.001) < 1);
     }

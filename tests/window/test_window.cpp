@@ -261,8 +261,8 @@ void TestWindow::paintingKeepsUpWithTheHand()
     clock.start();
     connect(&s.canvas(), &CanvasWidget::framePresented, &s.window, [&](const FrameInfo &frame) {
         if (!frame.stats.dirty.empty())
-            frames.push_back(
-                {clock.nsecsElapsed() / 1000, frame.stats.totalMs, 1e3 * toSeconds(s.editor().clock().time() - frame.time)});
+            frames.push_back({clock.nsecsElapsed() / 1000, frame.stats.totalMs,
+                              1e3 * toSeconds(s.editor().clock().time() - frame.time)});
     });
     const auto point = [&](int i) {
         return QPoint(int(s.canvas().width() * (0.1 + 0.0025 * i)),
