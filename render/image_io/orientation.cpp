@@ -1,6 +1,6 @@
 #include "render/image_io/orientation.h"
 
-#include "render/image_io/file_numbers.h"
+#include "render/image_io/file_parts.h"
 
 #include <algorithm>
 
@@ -14,18 +14,13 @@ Orientation orientationOfTiff(const QByteArray &tiff)
     constexpr quint64 orientationTag = 274, shortType = 3;
     const FileNumbers numbers{tiff, tiff.startsWith("II")};
     const quint64 version = numbers.at(2, 2);
-    const bool big = version == 43;
-    if (!(tiff.startsWith("II") || tiff.startsWith("MM")) || !(version == 42 || big))
+    if (!(tiff.startsWith("II") || tiff.startsWith("MM")) || !(version == 42 || version == 43))
         return {};
-    const quint64 directory = big ? numbers.at(8, 8) : numbers.at(4, 4);
-    const quint64 size = quint64(tiff.size()), head = big ? 8 : 2, entry = big ? 20 : 12;
-    if (directory > size || size - directory < head)
-        return {};
-    const quint64 count = std::min(numbers.at(directory, int(head)), (size - directory - head) / entry);
-    for (quint64 i = 0; i < count; ++i) {
-        const quint64 at = directory + head + i * entry;
+    const std::optional<TiffDirectory> directory = tiffDirectory(numbers);
+    for (quint64 i = 0; directory && i < directory->count; ++i) {
+        const quint64 at = directory->at(i);
         if (numbers.at(at, 2) == orientationTag)
-            return numbers.at(at + 2, 2) == shortType ? Orientation(int(numbers.at(at + (big ? 12 : 8), 2)))
+            return numbers.at(at + 2, 2) == shortType ? Orientation(int(numbers.at(directory->valueAt(i), 2)))
                                                       : Orientation();
     }
     return {};
@@ -34,24 +29,14 @@ Orientation orientationOfTiff(const QByteArray &tiff)
 /// Of the first APP1 segment that holds Exif; segments after the first scan do not count.
 QByteArray exifOfJpeg(const QByteArray &bytes)
 {
-    const FileNumbers numbers{bytes};
     const QByteArray mark("Exif\0\0", 6);
-    for (qsizetype at = 2; at + 4 <= bytes.size();) {
-        const int marker = static_cast<unsigned char>(bytes[at + 1]);
-        if (bytes[at] != '\xFF' || marker == 0xFF) {
-            ++at;
-            continue;
-        }
-        if (marker <= 0x01 || (marker >= 0xD0 && marker <= 0xD7)) { // no marker, or one without a length
-            at += 2;
-            continue;
-        }
-        const qsizetype length = qsizetype(numbers.at(quint64(at) + 2, 2)) + 2;
-        if ((marker >= 0xD8 && marker <= 0xDA) || length < 4)
+    qsizetype at = 2;
+    while (const std::optional<JpegSegment> segment = nextJpegSegment(bytes, at)) {
+        if ((segment->marker >= 0xD8 && segment->marker <= 0xDA) || segment->length < 4)
             return {};
-        if (marker == 0xE1 && bytes.mid(at + 4, mark.size()) == mark)
-            return bytes.mid(at + 4 + mark.size(), length - 4 - mark.size());
-        at += length;
+        const QByteArray content = bytes.mid(segment->at + 4, segment->length - 4);
+        if (segment->marker == 0xE1 && content.startsWith(mark))
+            return content.mid(mark.size());
     }
     return {};
 }

@@ -1,10 +1,8 @@
 #include "render/image_io/strip_metadata.h"
 
-#include "render/image_io/file_numbers.h"
+#include "render/image_io/file_parts.h"
 
 #include <QSet>
-
-#include <algorithm>
 
 namespace suffuse {
 
@@ -29,27 +27,17 @@ QByteArray strippedPng(const QByteArray &bytes)
 /// between markers are left out, as the decoder does.
 QByteArray strippedJpeg(const QByteArray &bytes)
 {
-    const FileNumbers numbers{bytes};
     QByteArray out = bytes.left(2);
-    for (qsizetype at = 2; at + 4 <= bytes.size();) {
-        const int marker = static_cast<unsigned char>(bytes[at + 1]);
-        if (bytes[at] != '\xFF' || marker == 0xFF) {
-            ++at;
-            continue;
-        }
-        if (marker <= 0x01 || (marker >= 0xD0 && marker <= 0xD7)) { // no marker, or one without a length
-            at += 2;
-            continue;
-        }
-        const qsizetype length = qsizetype(numbers.at(quint64(at) + 2, 2)) + 2;
+    qsizetype at = 2;
+    while (const std::optional<JpegSegment> segment = nextJpegSegment(bytes, at)) {
+        const int marker = segment->marker;
         if (marker == 0xDA)
-            return out + bytes.mid(at);
-        if (marker == 0xD8 || marker == 0xD9 || length < 4) // begins again, ends, or is broken
+            return out + bytes.mid(segment->at);
+        if (marker == 0xD8 || marker == 0xD9 || segment->length < 4) // begins again, ends, or is broken
             return out;
         const bool isMetadata = marker == 0xFE || (marker >= 0xE1 && marker <= 0xEF && marker != 0xEE);
         if (!isMetadata)
-            out += bytes.mid(at, length);
-        at += length;
+            out += bytes.mid(segment->at, segment->length);
     }
     return out;
 }
@@ -61,16 +49,12 @@ QByteArray strippedTiff(const QByteArray &bytes)
     // pictures only.
     static const QSet<quint64> metadata = {700, 33723, 34377, 34675, 34665, 34853, 40965, 274};
     const FileNumbers numbers{bytes, bytes.startsWith('I')};
-    const bool big = numbers.at(2, 2) == 43;
-    const quint64 directory = big ? numbers.at(8, 8) : numbers.at(4, 4);
-    const quint64 size = quint64(bytes.size());
-    const quint64 head = big ? 8 : 2, entry = big ? 20 : 12;
-    if (directory > size || size - directory < head)
+    const std::optional<TiffDirectory> directory = tiffDirectory(numbers);
+    if (!directory)
         return bytes;
-    const quint64 count = std::min(numbers.at(directory, int(head)), (size - directory - head) / entry);
     QByteArray out = bytes;
-    for (quint64 i = 0; i < count; ++i) {
-        const quint64 at = directory + head + i * entry;
+    for (quint64 i = 0; i < directory->count; ++i) {
+        const quint64 at = directory->at(i);
         if (metadata.contains(numbers.at(at, 2)))
             out[qsizetype(at)] = out[qsizetype(at) + 1] = '\xFE';
     }

@@ -66,4 +66,13 @@ private:
     QPointingDevice m_device;
 };
 
+/// The greatest density of its segments.
+inline float strongest(const Stroke &stroke)
+{
+    float most = 0;
+    for (const Segment &s : stroke.segments)
+        most = std::max(most, s.density);
+    return most;
+}
+
 } // namespace suffuse

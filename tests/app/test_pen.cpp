@@ -11,14 +11,6 @@ using namespace suffuse;
 
 namespace {
 
-float strongest(const Stroke &stroke)
-{
-    float most = 0;
-    for (const Segment &s : stroke.segments)
-        most = std::max(most, s.density);
-    return most;
-}
-
 ResponseCurve half()
 {
     return {{{0, 0}, {1, 0.5f}}};

@@ -14,18 +14,6 @@
 
 using namespace suffuse;
 
-namespace {
-
-float strongest(const Stroke &stroke)
-{
-    float most = 0;
-    for (const Segment &s : stroke.segments)
-        most = std::max(most, s.density);
-    return most;
-}
-
-} // namespace
-
 class TestPenSettings : public QObject {
     Q_OBJECT
 

@@ -1,0 +1,76 @@
+// Parts of image files that are found without decoding them.
+#pragma once
+
+#include <QByteArray>
+
+#include <algorithm>
+#include <optional>
+
+namespace suffuse {
+
+/// Whole numbers of a file, most or least significant byte first; 0 beyond the end.
+struct FileNumbers {
+    const QByteArray &bytes;
+    bool littleEndian = false;
+
+    quint64 at(quint64 offset, int count) const
+    {
+        if (offset > quint64(bytes.size()) || quint64(bytes.size()) - offset < quint64(count))
+            return 0;
+        quint64 v = 0;
+        for (int i = 0; i < count; ++i) {
+            const quint64 place = offset + quint64(littleEndian ? count - 1 - i : i);
+            v = v << 8 | static_cast<unsigned char>(bytes[qsizetype(place)]);
+        }
+        return v;
+    }
+};
+
+/// A marker of a JPEG file with what belongs to it.
+struct JpegSegment {
+    int marker = 0;
+    qsizetype at = 0, length = 0; ///< from the marker's first byte on; less than 4 where it is broken
+};
+
+/// The next one from `at` on, which goes behind it; none at the file's end. Stray bytes and markers without a length
+/// are passed over, as decoders do.
+inline std::optional<JpegSegment> nextJpegSegment(const QByteArray &bytes, qsizetype &at)
+{
+    const FileNumbers numbers{bytes};
+    while (at + 4 <= bytes.size()) {
+        const int marker = static_cast<unsigned char>(bytes[at + 1]);
+        if (bytes[at] != '\xFF' || marker == 0xFF) {
+            ++at;
+        } else if (marker <= 0x01 || (marker >= 0xD0 && marker <= 0xD7)) {
+            at += 2;
+        } else {
+            const JpegSegment segment{marker, at, qsizetype(numbers.at(quint64(at) + 2, 2)) + 2};
+            at += segment.length;
+            return segment;
+        }
+    }
+    return {};
+}
+
+/// Entries of the first directory of a TIFF file, BigTIFF or Exif data.
+struct TiffDirectory {
+    bool big = false;
+    quint64 first = 0, count = 0; ///< where the first entry stands; how many the file has room for
+
+    quint64 at(quint64 i) const { return first + i * (big ? 20 : 12); }
+    quint64 valueAt(quint64 i) const { return at(i) + (big ? 12 : 8); }
+};
+
+/// None where there is no directory in the file.
+inline std::optional<TiffDirectory> tiffDirectory(const FileNumbers &numbers)
+{
+    const bool big = numbers.at(2, 2) == 43;
+    const quint64 directory = big ? numbers.at(8, 8) : numbers.at(4, 4);
+    const quint64 size = quint64(numbers.bytes.size()), head = big ? 8 : 2, entry = big ? 20 : 12;
+    if (directory > size || size - directory < head)
+        return {};
+    return TiffDirectory{big, directory + head,
+                         std::min(numbers.at(directory, int(head)), (size - directory - head) / entry)};
+}
+
+} // namespace suffuse
