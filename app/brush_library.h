@@ -1,6 +1,6 @@
 #pragma once
 
-#include "model/formats/brush_file.h"
+#include "model/formats/brushes/brush_file.h"
 
 #include <QHash>
 #include <QObject>

@@ -2,10 +2,10 @@
 
 #include "app/editor.h"
 #include "app/import_strokes.h"
-#include "app/panels/colour_convert.h"
+#include "app/panels/colour/colour_convert.h"
 #include "app/svg_strokes.h"
 #include "model/formats/files.h"
-#include "model/influence.h"
+#include "model/painting/influence.h"
 #include "render/renderer.h"
 #include "undo/edits.h"
 

@@ -1,8 +1,8 @@
 // Cut, copy and paste: between paintings exactly, to and from others as pictures, curves and colours.
 #pragma once
 
-#include "model/painting.h"
-#include "model/selection.h"
+#include "model/painting/painting.h"
+#include "model/painting/selection.h"
 
 #include <QMimeData>
 

@@ -3,7 +3,7 @@
 #include "app/canvas/canvas_widget.h"
 #include "app/clipboard.h"
 #include "app/editor.h"
-#include "app/panels/colour_convert.h"
+#include "app/panels/colour/colour_convert.h"
 #include "app/tools/pick.h"
 #include "undo/edits.h"
 

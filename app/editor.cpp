@@ -2,7 +2,7 @@
 
 #include "app/settings.h"
 #include "model/formats/messages.h"
-#include "model/paper_presets.h"
+#include "model/painting/paper_presets.h"
 #include "undo/kept_history.h"
 #include "undo/time_edits.h"
 

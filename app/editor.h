@@ -5,10 +5,10 @@
 #include "app/later_changes.h"
 #include "app/painting_clock.h"
 #include "app/saving.h"
-#include "model/brush.h"
-#include "model/document.h"
+#include "model/brush/brush.h"
+#include "model/document/document.h"
 #include "model/result.h"
-#include "model/stroke_values.h"
+#include "model/painting/stroke_values.h"
 #include "undo/edit_command.h"
 
 #include <QObject>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "model/painting.h"
+#include "model/painting/painting.h"
 
 #include <unordered_map>
 

@@ -2,8 +2,8 @@
 
 #include "app/editor.h"
 #include "model/formats/messages.h"
-#include "model/transform.h"
-#include "model/validate.h"
+#include "model/shaping/transform.h"
+#include "model/painting/validate.h"
 #include "undo/edits.h"
 
 #include <algorithm>

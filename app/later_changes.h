@@ -1,7 +1,7 @@
 // The document's changes as those hear of them who only show them: after the canvas has shown what was done.
 #pragma once
 
-#include "model/document.h"
+#include "model/document/document.h"
 
 #include <QElapsedTimer>
 #include <QObject>

@@ -2,7 +2,7 @@
 #include "app/canvas/canvas_widget.h"
 #include "app/main_window.h"
 #include "app/messages.h"
-#include "app/panels/strokes_model.h"
+#include "app/panels/strokes/strokes_model.h"
 #include "app/selection_order.h"
 #include "app/settings.h"
 #include "app/tools/commands.h"

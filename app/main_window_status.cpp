@@ -2,7 +2,7 @@
 #include "app/canvas/canvas_widget.h"
 #include "app/main_window.h"
 #include "app/messages.h"
-#include "app/panels/section.h"
+#include "app/widgets/section.h"
 
 #include <QLocale>
 #include <QStatusBar>

@@ -1,7 +1,7 @@
 // Which moment of the painting is looked at, and when it goes on by itself.
 #pragma once
 
-#include "model/segment.h"
+#include "model/painting/segment.h"
 
 #include <QBasicTimer>
 #include <QElapsedTimer>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "model/timelapse.h"
+#include "model/document/timelapse.h"
 
 #include <QBasicTimer>
 #include <QElapsedTimer>

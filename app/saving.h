@@ -1,7 +1,7 @@
 #pragma once
 
 #include "model/formats/files.h"
-#include "model/formats/suffuse_history.h"
+#include "model/formats/suffuse/suffuse_history.h"
 
 #include <QObject>
 

@@ -1,7 +1,7 @@
 // Which strokes were selected first and last.
 #pragma once
 
-#include "model/document.h"
+#include "model/document/document.h"
 
 #include <vector>
 

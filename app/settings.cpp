@@ -1,7 +1,7 @@
 #include "app/settings.h"
 
 #include "model/formats/atomic_save.h"
-#include "model/formats/brush_file.h"
+#include "model/formats/brushes/brush_file.h"
 
 #include <QDataStream>
 #include <QDir>

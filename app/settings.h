@@ -3,7 +3,7 @@
 
 #include "app/canvas/pen_input.h"
 #include "app/tools/snapping.h"
-#include "model/brush.h"
+#include "model/brush/brush.h"
 #include "render/renderer.h"
 
 #include <QSettings>

@@ -1,8 +1,8 @@
 #include "app/svg_strokes.h"
 
-#include "app/panels/colour_convert.h"
+#include "app/panels/colour/colour_convert.h"
 #include "app/panels/density_function.h"
-#include "model/influence.h"
+#include "model/painting/influence.h"
 
 #include <QXmlStreamWriter>
 

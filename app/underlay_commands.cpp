@@ -2,7 +2,7 @@
 
 #include "app/canvas/underlay_image.h"
 #include "app/editor.h"
-#include "app/panels/picture_file.h"
+#include "app/panels/inspector/picture_file.h"
 #include "render/image_io/image_io.h"
 #include "undo/underlay_edits.h"
 

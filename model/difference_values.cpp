@@ -1,7 +1,7 @@
 // Single values that differ, written as the text form writes them.
-#include "model/difference.h"
-#include "model/formats/text_numbers.h"
-#include "model/formats/value_json.h"
+#include "model/document/difference.h"
+#include "model/formats/text/text_numbers.h"
+#include "model/formats/text/value_json.h"
 
 #include <QCryptographicHash>
 

@@ -1,6 +1,6 @@
 #include "model/stroke_width.h"
 
-#include "model/stroke_fit.h"
+#include "model/brush/stroke_fit.h"
 
 #include <cmath>
 #include <numbers>

@@ -1,10 +1,10 @@
 // How wide a long straight stroke is to the eye, and the values that make it so wide (closed forms).
 #pragma once
 
-#include "model/geometry.h"
-#include "model/segment.h"
-#include "model/stroke.h"
-#include "model/style.h"
+#include "model/painting/geometry.h"
+#include "model/painting/segment.h"
+#include "model/painting/stroke.h"
+#include "model/painting/style.h"
 
 #include <optional>
 

@@ -1,6 +1,6 @@
 #include "render/probe.h"
 
-#include "model/influence.h"
+#include "model/painting/influence.h"
 #include "render/reference/density.h"
 #include "render/reference/local_paint.h"
 #include "render/reference/paper.h"

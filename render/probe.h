@@ -1,7 +1,7 @@
 // What lies at a point of a painting, number by number.
 #pragma once
 
-#include "model/painting.h"
+#include "model/painting/painting.h"
 #include "model/result.h"
 
 #include <array>

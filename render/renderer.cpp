@@ -3,7 +3,7 @@
 #include "render/cpu/cpu_renderer.h"
 #include "render/cuda/cuda_renderer.h"
 #include "render/fallback_renderer.h"
-#include "render/parallel.h"
+#include "render/threads/parallel.h"
 #include "render/reference/reference.h"
 
 #include <QCoreApplication>

@@ -1,7 +1,7 @@
 // A picture from a painting, by any backend.
 #pragma once
 
-#include "model/painting.h"
+#include "model/painting/painting.h"
 #include "model/result.h"
 #include "render/device_frame.h"
 #include "render/target.h"

@@ -1,6 +1,6 @@
 #include "render/sequence.h"
 
-#include "render/parallel.h"
+#include "render/threads/parallel.h"
 
 #include <QCoreApplication>
 #include <QScopeGuard>

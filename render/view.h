@@ -1,7 +1,7 @@
 // Which part of the canvas a picture shows.
 #pragma once
 
-#include "model/geometry.h"
+#include "model/painting/geometry.h"
 
 namespace suffuse {
 

@@ -1,4 +1,4 @@
-#include "model/influence.h"
+#include "model/painting/influence.h"
 #include "undo/edits.h"
 #include "undo/order_tree.h"
 

@@ -1,7 +1,7 @@
 // The one undo command: an Edit and its name.
 #pragma once
 
-#include "model/document.h"
+#include "model/document/document.h"
 
 #include <QUndoCommand>
 

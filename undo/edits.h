@@ -2,7 +2,7 @@
 // left alone. Push them as `new EditCommand(document, edit, tr("…"), run)`.
 #pragma once
 
-#include "model/document.h"
+#include "model/document/document.h"
 
 #include <functional>
 

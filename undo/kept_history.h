@@ -1,8 +1,8 @@
 // The undo stack as it goes into a file, and out of it again.
 #pragma once
 
-#include "model/document.h"
-#include "model/formats/suffuse_history.h"
+#include "model/document/document.h"
+#include "model/formats/suffuse/suffuse_history.h"
 
 class QUndoStack;
 

@@ -1,7 +1,7 @@
 #include "undo/node_edits.h"
 
-#include "model/erase.h"
-#include "model/validate.h"
+#include "model/shaping/erase.h"
+#include "model/painting/validate.h"
 #include "undo/order_tree.h"
 #include "undo/remap.h"
 

@@ -2,7 +2,7 @@
 // Selected segments stay selected: both parts of one that is split, and what one becomes part of.
 #pragma once
 
-#include "model/reshape.h"
+#include "model/shaping/reshape.h"
 #include "undo/edits.h"
 
 #include <limits>

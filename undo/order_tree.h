@@ -1,7 +1,7 @@
 // The order of strokes as a tree of groups.
 #pragma once
 
-#include "model/painting.h"
+#include "model/painting/painting.h"
 
 #include <functional>
 #include <set>

@@ -1,7 +1,7 @@
 // What becomes of selected segments when strokes are reshaped.
 #pragma once
 
-#include "model/selection.h"
+#include "model/painting/selection.h"
 
 namespace suffuse {
 

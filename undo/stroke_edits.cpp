@@ -1,4 +1,4 @@
-#include "model/validate.h"
+#include "model/painting/validate.h"
 #include "undo/edits.h"
 #include "undo/order_tree.h"
 

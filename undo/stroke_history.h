@@ -1,7 +1,7 @@
 // What the undo stack knows about single strokes.
 #pragma once
 
-#include "model/document.h"
+#include "model/document/document.h"
 
 #include <QString>
 

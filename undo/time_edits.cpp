@@ -1,7 +1,7 @@
 #include "undo/time_edits.h"
 
-#include "model/stroke_fit.h"
-#include "model/validate.h"
+#include "model/brush/stroke_fit.h"
+#include "model/painting/validate.h"
 #include "undo/order_tree.h"
 
 #include <limits>

@@ -2,7 +2,7 @@
 // there is nothing to do, locked strokes left alone. What is selected are segments, or whole strokes without any.
 #pragma once
 
-#include "model/timelapse.h"
+#include "model/document/timelapse.h"
 #include "undo/edits.h"
 
 #include <functional>

@@ -1,7 +1,7 @@
 #include "undo/transform_edits.h"
 
 #include "model/stroke_width.h"
-#include "model/validate.h"
+#include "model/painting/validate.h"
 #include "undo/order_tree.h"
 #include "undo/remap.h"
 

@@ -2,7 +2,7 @@
 // alone.
 #pragma once
 
-#include "model/transform.h"
+#include "model/shaping/transform.h"
 #include "undo/edits.h"
 
 namespace suffuse {

@@ -1,6 +1,6 @@
 #include "undo/underlay_edits.h"
 
-#include "model/validate.h"
+#include "model/painting/validate.h"
 
 namespace suffuse {
 

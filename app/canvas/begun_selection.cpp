@@ -1,6 +1,6 @@
 #include "app/canvas/begun_selection.h"
 
-#include "model/stroke.h"
+#include "model/painting/stroke.h"
 
 #include <algorithm>
 #include <limits>

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "model/selection.h"
-#include "model/stroke_values.h"
+#include "model/painting/selection.h"
+#include "model/painting/stroke_values.h"
 
 #include <optional>
 

@@ -1,7 +1,7 @@
 // What of the canvas is painted again, and when.
 #include "app/canvas/canvas_widget.h"
 #include "app/editor.h"
-#include "model/transform.h"
+#include "model/shaping/transform.h"
 
 #include <algorithm>
 #include <tuple>

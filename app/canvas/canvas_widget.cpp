@@ -1,7 +1,7 @@
 #include "app/canvas/canvas_widget.h"
 
 #include "app/editor.h"
-#include "app/panels/colour_convert.h"
+#include "app/panels/colour/colour_convert.h"
 #include "app/settings.h"
 
 #include <QApplication>

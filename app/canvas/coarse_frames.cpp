@@ -1,8 +1,8 @@
 #include "app/canvas/coarse_frames.h"
 
 #include "app/canvas/view_transform.h"
-#include "model/influence.h"
-#include "render/parallel.h"
+#include "model/painting/influence.h"
+#include "render/threads/parallel.h"
 
 #include <algorithm>
 #include <cmath>

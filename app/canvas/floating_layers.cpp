@@ -1,6 +1,6 @@
 #include "app/canvas/floating_layers.h"
 
-#include "render/parallel.h"
+#include "render/threads/parallel.h"
 
 #include <QImage>
 #include <QPainter>

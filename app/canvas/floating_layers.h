@@ -1,7 +1,7 @@
 // Strokes in a drag that floats: a picture of them over a picture of the rest.
 #pragma once
 
-#include "model/transform.h"
+#include "model/shaping/transform.h"
 #include "render/renderer.h"
 
 #include <memory>

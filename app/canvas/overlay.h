@@ -1,8 +1,8 @@
 // Crisp lines over the picture. Painters here work in device pixels; `dpr` is the device pixel ratio.
 #pragma once
 
-#include "model/painting.h"
-#include "model/selection.h"
+#include "model/painting/painting.h"
+#include "model/painting/selection.h"
 #include "render/view.h"
 
 #include <QColor>

@@ -1,8 +1,8 @@
 // What is done to a pen's reports before they are painted with.
 #pragma once
 
-#include "model/response_curve.h"
-#include "model/segment.h"
+#include "model/brush/response_curve.h"
+#include "model/painting/segment.h"
 
 #include <cstdint>
 #include <optional>

@@ -1,6 +1,6 @@
 // Frames of a drag that floats.
 #include "app/canvas/render_worker.h"
-#include "model/influence.h"
+#include "model/painting/influence.h"
 
 #include <algorithm>
 

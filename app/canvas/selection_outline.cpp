@@ -1,7 +1,7 @@
 #include "app/canvas/selection_outline.h"
 
 #include "app/canvas/view_transform.h"
-#include "model/transform.h"
+#include "model/shaping/transform.h"
 
 namespace suffuse {
 

@@ -1,7 +1,7 @@
 // The picture of thin lines: many strokes, and selected segments among them.
 #include "app/canvas/selection_outline.h"
 #include "app/canvas/thin_lines.h"
-#include "model/transform.h"
+#include "model/shaping/transform.h"
 
 #include <algorithm>
 #include <cmath>

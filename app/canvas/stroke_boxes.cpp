@@ -1,6 +1,6 @@
 #include "app/canvas/stroke_boxes.h"
 
-#include "model/transform.h"
+#include "model/shaping/transform.h"
 
 namespace suffuse {
 

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "model/painting.h"
-#include "model/stroke_values.h"
+#include "model/painting/painting.h"
+#include "model/painting/stroke_values.h"
 
 namespace suffuse {
 

@@ -3,7 +3,7 @@
 
 #include "app/canvas/pixel_mask.h"
 #include "app/canvas/view_transform.h"
-#include "model/stroke.h"
+#include "model/painting/stroke.h"
 
 #include <QLineF>
 #include <QList>

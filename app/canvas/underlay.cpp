@@ -1,7 +1,7 @@
 #include "app/canvas/underlay.h"
 
 #include "app/canvas/view_transform.h"
-#include "render/parallel.h"
+#include "render/threads/parallel.h"
 
 #include <QPainter>
 

@@ -1,7 +1,7 @@
 // The picture of an underlay, decoded for the screen.
 #pragma once
 
-#include "model/painting.h"
+#include "model/painting/painting.h"
 #include "model/result.h"
 
 #include <QImage>

@@ -1,5 +1,5 @@
 #include "app/cli/options.h"
-#include "model/formats/brush_file.h"
+#include "model/formats/brushes/brush_file.h"
 #include "model/formats/files.h"
 
 #include <QCoreApplication>

@@ -1,6 +1,6 @@
 #include "app/cli/diff_picture.h"
 #include "app/cli/options.h"
-#include "model/difference.h"
+#include "model/document/difference.h"
 #include "model/formats/files.h"
 
 #include <QCoreApplication>

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "app/cli/options.h"
-#include "model/difference.h"
+#include "model/document/difference.h"
 
 namespace suffuse::cli {
 

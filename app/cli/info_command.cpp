@@ -1,7 +1,7 @@
 #include "app/cli/options.h"
 #include "model/formats/files.h"
-#include "model/influence.h"
-#include "model/paper_presets.h"
+#include "model/painting/influence.h"
+#include "model/painting/paper_presets.h"
 
 #include <QCoreApplication>
 #include <QFile>

@@ -1,7 +1,7 @@
 // What the commands of suffuse-cli share: exit codes, parsing, the picture's size, output.
 #pragma once
 
-#include "model/painting.h"
+#include "model/painting/painting.h"
 #include "model/result.h"
 #include "render/renderer.h"
 

@@ -1,7 +1,7 @@
 #include "app/cli/options.h"
 #include "app/cli/progress.h"
 #include "model/formats/files.h"
-#include "model/timelapse.h"
+#include "model/document/timelapse.h"
 #include "render/film/film_writer.h"
 #include "render/sequence.h"
 

@@ -1,7 +1,7 @@
 #include "app/dialogs/about_dialog.h"
 
 #include "app/icons.h"
-#include "app/panels/section.h"
+#include "app/widgets/section.h"
 #include "render/renderer.h"
 
 #include <QDialogButtonBox>

@@ -2,12 +2,12 @@
 
 #include "app/brush_library.h"
 #include "app/editor.h"
-#include "app/panels/colour_swatch.h"
-#include "app/panels/response_editor.h"
-#include "app/panels/section.h"
-#include "app/panels/slider_field.h"
+#include "app/widgets/colour_swatch.h"
+#include "app/widgets/response_editor.h"
+#include "app/widgets/section.h"
+#include "app/widgets/slider_field.h"
 #include "app/theme.h"
-#include "model/validate.h"
+#include "model/painting/validate.h"
 
 #include <QCheckBox>
 #include <QComboBox>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "app/panels/brush_preview.h"
+#include "app/panels/brushes/brush_preview.h"
 
 #include <QDialog>
 #include <QTimer>

@@ -1,10 +1,10 @@
 // The pages of the brush's settings.
 #include "app/dialogs/brush_dialog.h"
 #include "app/editor.h"
-#include "app/panels/colour_swatch.h"
-#include "app/panels/response_editor.h"
-#include "app/panels/section.h"
-#include "app/panels/slider_field.h"
+#include "app/widgets/colour_swatch.h"
+#include "app/widgets/response_editor.h"
+#include "app/widgets/section.h"
+#include "app/widgets/slider_field.h"
 
 #include <QCheckBox>
 #include <QComboBox>

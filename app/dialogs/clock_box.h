@@ -1,6 +1,6 @@
 #pragma once
 
-#include "model/segment.h"
+#include "model/painting/segment.h"
 
 #include <QDoubleSpinBox>
 

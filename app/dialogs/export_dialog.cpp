@@ -1,7 +1,7 @@
 #include "app/dialogs/export_dialog.h"
 
 #include "app/editor.h"
-#include "app/panels/section.h"
+#include "app/widgets/section.h"
 #include "app/settings.h"
 
 #include <QCheckBox>

@@ -4,7 +4,7 @@
 #include "app/dialogs/export_dialog.h"
 #include "app/editor.h"
 #include "app/settings.h"
-#include "model/influence.h"
+#include "model/painting/influence.h"
 #include "render/renderer.h"
 
 #include <QComboBox>

@@ -1,8 +1,8 @@
 // What the dialogs that export have in common.
 #pragma once
 
-#include "model/geometry.h"
-#include "model/segment.h"
+#include "model/painting/geometry.h"
+#include "model/painting/segment.h"
 
 #include <QCoreApplication>
 #include <QStandardPaths>

@@ -2,10 +2,10 @@
 
 #include "app/editor.h"
 #include "app/icons.h"
-#include "app/panels/canvas_section.h"
-#include "app/panels/section.h"
+#include "app/panels/inspector/canvas_section.h"
+#include "app/widgets/section.h"
 #include "app/settings.h"
-#include "model/validate.h"
+#include "model/painting/validate.h"
 
 #include <QComboBox>
 #include <QDialogButtonBox>

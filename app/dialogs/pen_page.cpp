@@ -1,7 +1,7 @@
 #include "app/dialogs/pen_page.h"
 
-#include "app/panels/pen_pad.h"
-#include "app/panels/response_editor.h"
+#include "app/panels/brushes/pen_pad.h"
+#include "app/widgets/response_editor.h"
 
 #include <QCheckBox>
 #include <QComboBox>

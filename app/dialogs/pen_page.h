@@ -1,7 +1,7 @@
 #pragma once
 
 #include "app/canvas/pen_input.h"
-#include "model/brush.h"
+#include "model/brush/brush.h"
 
 #include <QWidget>
 

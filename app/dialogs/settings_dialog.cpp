@@ -1,7 +1,7 @@
 #include "app/dialogs/settings_dialog.h"
 
 #include "app/dialogs/pen_page.h"
-#include "app/panels/section.h"
+#include "app/widgets/section.h"
 #include "app/settings.h"
 #include "app/theme.h"
 #include "model/formats/atomic_save.h"

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "model/brush.h"
+#include "model/brush/brush.h"
 
 #include <QDialog>
 

@@ -1,6 +1,6 @@
 #include "app/dialogs/shortcuts_dialog.h"
 
-#include "app/panels/section.h"
+#include "app/widgets/section.h"
 #include "app/settings.h"
 
 #include <QAction>

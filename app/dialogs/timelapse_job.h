@@ -1,6 +1,6 @@
 #pragma once
 
-#include "model/timelapse.h"
+#include "model/document/timelapse.h"
 #include "render/film/film_writer.h"
 
 #include <QObject>

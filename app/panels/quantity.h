@@ -1,8 +1,8 @@
 // The quantities of a segment that people change, by name.
 #pragma once
 
-#include "app/panels/slider_field.h"
-#include "model/segment.h"
+#include "app/widgets/slider_field.h"
+#include "model/painting/segment.h"
 
 #include <array>
 

@@ -1,6 +1,6 @@
 #include "app/tools/attribute_brush.h"
 
-#include "model/validate.h"
+#include "model/painting/validate.h"
 
 #include <numbers>
 

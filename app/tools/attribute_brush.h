@@ -1,7 +1,7 @@
 // What the attribute brush does to a segment's values; nothing here knows about a window.
 #pragma once
 
-#include "model/segment.h"
+#include "model/painting/segment.h"
 
 #include <array>
 

@@ -1,5 +1,5 @@
 // The attribute brush's row over the canvas.
-#include "app/panels/number_field.h"
+#include "app/widgets/number_field.h"
 #include "app/tools/attribute_brush_tool.h"
 #include "app/tools/tool_fields.h"
 

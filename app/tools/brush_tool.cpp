@@ -3,8 +3,8 @@
 #include "app/brush_library.h"
 #include "app/canvas/canvas_widget.h"
 #include "app/editor.h"
-#include "model/brush_dynamics.h"
-#include "model/validate.h"
+#include "model/brush/brush_dynamics.h"
+#include "model/painting/validate.h"
 #include "undo/node_edits.h"
 
 #include <QPainter>

@@ -3,9 +3,9 @@
 #include "app/tools/eyedropper_tool.h"
 #include "app/tools/stabiliser.h"
 #include "app/tools/tool.h"
-#include "model/brush.h"
-#include "model/reshape.h"
-#include "model/stroke_builder.h"
+#include "model/brush/brush.h"
+#include "model/shaping/reshape.h"
+#include "model/brush/stroke_builder.h"
 
 #include <QBasicTimer>
 #include <QPointer>

@@ -1,7 +1,7 @@
 // The brush's row over the canvas.
 #include "app/brush_library.h"
 #include "app/editor.h"
-#include "app/panels/number_field.h"
+#include "app/widgets/number_field.h"
 #include "app/tools/brush_tool.h"
 #include "app/tools/tool_fields.h"
 

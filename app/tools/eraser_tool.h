@@ -2,7 +2,7 @@
 
 #include "app/canvas/stroke_boxes.h"
 #include "app/tools/sized_tool.h"
-#include "model/document.h"
+#include "model/document/document.h"
 #include "undo/edit_command.h"
 
 namespace suffuse {

@@ -2,9 +2,9 @@
 
 #include "app/canvas/canvas_widget.h"
 #include "app/editor.h"
-#include "app/panels/colour_convert.h"
+#include "app/panels/colour/colour_convert.h"
 #include "app/tools/pick.h"
-#include "model/influence.h"
+#include "model/painting/influence.h"
 #include "render/probe.h"
 
 #include <QPainter>

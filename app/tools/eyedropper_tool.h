@@ -1,7 +1,7 @@
 #pragma once
 
 #include "app/tools/tool.h"
-#include "model/style.h"
+#include "model/painting/style.h"
 
 #include <optional>
 

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "app/tools/stroke_drag.h"
-#include "model/transform.h"
+#include "model/shaping/transform.h"
 
 #include <QObject>
 

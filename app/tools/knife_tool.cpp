@@ -2,7 +2,7 @@
 
 #include "app/canvas/canvas_widget.h"
 #include "app/editor.h"
-#include "model/erase.h"
+#include "model/shaping/erase.h"
 
 #include <QPainter>
 

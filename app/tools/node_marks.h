@@ -2,7 +2,7 @@
 #pragma once
 
 #include "app/canvas/overlay.h"
-#include "model/reshape.h"
+#include "model/shaping/reshape.h"
 
 #include <optional>
 #include <set>

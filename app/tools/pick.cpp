@@ -2,7 +2,7 @@
 
 #include "app/canvas/view_transform.h"
 #include "app/tools/seen_paint.h"
-#include "model/influence.h"
+#include "model/painting/influence.h"
 #include "undo/order_tree.h"
 
 #include <numbers>

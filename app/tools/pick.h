@@ -1,8 +1,8 @@
 // What lies under the pointer: by visible paint, not by a thin curve.
 #pragma once
 
-#include "model/painting.h"
-#include "model/selection.h"
+#include "model/painting/painting.h"
+#include "model/painting/selection.h"
 #include "render/view.h"
 
 #include <optional>

@@ -1,7 +1,7 @@
 #include "app/tools/seen_paint.h"
 
 #include "app/panels/density_function.h"
-#include "model/influence.h"
+#include "model/painting/influence.h"
 
 #include <numbers>
 

@@ -1,7 +1,7 @@
 // How much of a stroke is seen at a point, quickly: what hit tests ask thousands of times.
 #pragma once
 
-#include "model/stroke.h"
+#include "model/painting/stroke.h"
 
 namespace suffuse {
 

@@ -2,7 +2,7 @@
 
 #include "app/canvas/canvas_widget.h"
 #include "app/editor.h"
-#include "app/panels/number_field.h"
+#include "app/widgets/number_field.h"
 #include "app/settings.h"
 #include "app/tools/tool_fields.h"
 

@@ -1,7 +1,7 @@
 // Where a point that is being dragged is drawn to: nodes of strokes and the grid.
 #pragma once
 
-#include "model/painting.h"
+#include "model/painting/painting.h"
 #include "render/view.h"
 
 #include <functional>

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "model/brush.h"
-#include "model/stroke_builder.h"
+#include "model/brush/brush.h"
+#include "model/brush/stroke_builder.h"
 
 #include <optional>
 

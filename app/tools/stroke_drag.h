@@ -1,6 +1,6 @@
 #pragma once
 
-#include "model/reshape.h"
+#include "model/shaping/reshape.h"
 #include "undo/edit_command.h"
 
 #include <functional>

@@ -1,8 +1,8 @@
 // What happens between pointer and document.
 #pragma once
 
-#include "model/geometry.h"
-#include "model/segment.h"
+#include "model/painting/geometry.h"
+#include "model/painting/segment.h"
 #include "render/view.h"
 
 #include <QCursor>

@@ -1,6 +1,6 @@
 #include "app/tools/tool_fields.h"
 
-#include "app/panels/number_field.h"
+#include "app/widgets/number_field.h"
 
 #include <QHBoxLayout>
 #include <QLabel>

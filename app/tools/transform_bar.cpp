@@ -3,7 +3,7 @@
 #include "app/actions.h"
 #include "app/editor.h"
 #include "app/icons.h"
-#include "app/panels/number_field.h"
+#include "app/widgets/number_field.h"
 #include "undo/transform_edits.h"
 
 #include <QHBoxLayout>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "model/transform.h"
+#include "model/shaping/transform.h"
 #include "undo/edit_command.h"
 
 #include <QWidget>

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "app/canvas/overlay.h"
-#include "model/transform.h"
+#include "model/shaping/transform.h"
 
 #include <optional>
 #include <vector>

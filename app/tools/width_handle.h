@@ -2,7 +2,7 @@
 #pragma once
 
 #include "app/tools/tool.h"
-#include "model/selection.h"
+#include "model/painting/selection.h"
 #include "undo/edit_command.h"
 
 #include <optional>

@@ -1,7 +1,7 @@
 // Images inside a painting: encoded file bytes, in the text form as data: URLs.
 #pragma once
 
-#include "model/painting.h"
+#include "model/painting/painting.h"
 #include "model/result.h"
 
 namespace suffuse {

@@ -1,9 +1,9 @@
 #include "model/formats/files.h"
 
-#include "model/formats/diffusion_curves.h"
+#include "model/formats/ink/diffusion_curves.h"
 #include "model/formats/messages.h"
-#include "model/formats/recording.h"
-#include "model/formats/suffuse_layout.h"
+#include "model/formats/ink/recording.h"
+#include "model/formats/suffuse/suffuse_layout.h"
 #include "model/formats/svg_painting.h"
 
 #include <QDir>

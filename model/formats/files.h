@@ -1,8 +1,8 @@
 // Reading and writing paintings. The input's format is found from its content, the output's from its ending.
 #pragma once
 
-#include "model/brush.h"
-#include "model/painting.h"
+#include "model/brush/brush.h"
+#include "model/painting/painting.h"
 #include "model/result.h"
 
 #include <QByteArray>
@@ -54,7 +54,7 @@ struct AncillaryChunk {
 struct DocumentExtras {
     QByteArray preview; ///< PNG, at most 256 pixels a side; empty: none
     std::optional<WorkspaceState> view;
-    QByteArray history;                  ///< undo steps as bytes (model/formats/suffuse_history.h); empty: none
+    QByteArray history;                  ///< undo steps as bytes (model/formats/suffuse/suffuse_history.h); empty: none
     std::vector<AncillaryChunk> unknown; ///< in the file's order
     friend bool operator==(const DocumentExtras &, const DocumentExtras &) = default;
 };

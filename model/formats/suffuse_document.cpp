@@ -1,7 +1,7 @@
 #include "model/formats/embedded_image.h"
 #include "model/formats/messages.h"
-#include "model/formats/suffuse_cbor.h"
-#include "model/formats/suffuse_strokes.h"
+#include "model/formats/suffuse/suffuse_cbor.h"
+#include "model/formats/suffuse/suffuse_strokes.h"
 
 #include <algorithm>
 

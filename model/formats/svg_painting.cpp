@@ -1,9 +1,9 @@
 #include "model/formats/svg_painting.h"
 
 #include "model/formats/messages.h"
-#include "model/ryb.h"
+#include "model/painting/ryb.h"
 #include "model/stroke_width.h"
-#include "model/validate.h"
+#include "model/painting/validate.h"
 
 #include <cmath>
 #include <numbers>

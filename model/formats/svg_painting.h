@@ -1,9 +1,9 @@
 // SVG drawings as strokes: their curves, painted with a brush.
 #pragma once
 
-#include "model/brush.h"
+#include "model/brush/brush.h"
 #include "model/formats/svg_paths.h"
-#include "model/painting.h"
+#include "model/painting/painting.h"
 
 namespace suffuse {
 

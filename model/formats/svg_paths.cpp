@@ -1,7 +1,7 @@
 #include "model/formats/svg_paths.h"
 
-#include "model/formats/css_colours.h"
-#include "model/formats/svg_shapes.h"
+#include "model/formats/svg/css_colours.h"
+#include "model/formats/svg/svg_shapes.h"
 
 #include <QCoreApplication>
 #include <QRegularExpression>

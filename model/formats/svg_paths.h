@@ -1,7 +1,7 @@
 // Curves from SVG: paths and basic shapes with their colours, under transforms.
 #pragma once
 
-#include "model/geometry.h"
+#include "model/painting/geometry.h"
 #include "model/result.h"
 
 #include <QByteArray>

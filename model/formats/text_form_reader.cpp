@@ -2,8 +2,8 @@
 #include "model/formats/embedded_image.h"
 #include "model/formats/files.h"
 #include "model/formats/messages.h"
-#include "model/formats/value_json.h"
-#include "model/validate.h"
+#include "model/formats/text/value_json.h"
+#include "model/painting/validate.h"
 
 namespace suffuse {
 

@@ -1,8 +1,8 @@
 // docs/text-form.md, writing. One segment a line, so that a version control system shows what changed.
 #include "model/formats/embedded_image.h"
 #include "model/formats/files.h"
-#include "model/formats/text_numbers.h"
-#include "model/formats/value_json.h"
+#include "model/formats/text/text_numbers.h"
+#include "model/formats/text/value_json.h"
 
 namespace suffuse {
 

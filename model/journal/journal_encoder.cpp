@@ -1,5 +1,5 @@
 #include "model/formats/files.h"
-#include "model/formats/suffuse_strokes.h"
+#include "model/formats/suffuse/suffuse_strokes.h"
 #include "model/journal/journal_format.h"
 #include "model/journal/journal_layout.h"
 

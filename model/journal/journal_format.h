@@ -1,8 +1,8 @@
 // What a journal holds (docs/recovery.md): how a painting came to be what it is since it was opened, record by record.
 #pragma once
 
-#include "model/order_difference.h"
-#include "model/painting.h"
+#include "model/document/order_difference.h"
+#include "model/painting/painting.h"
 #include "model/result.h"
 
 #include <vector>

@@ -1,8 +1,8 @@
 // What writing and reading a journal share.
 #pragma once
 
-#include "model/formats/suffuse_layout.h"
-#include "model/order_difference.h"
+#include "model/formats/suffuse/suffuse_layout.h"
+#include "model/document/order_difference.h"
 
 namespace suffuse {
 

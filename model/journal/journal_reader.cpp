@@ -1,11 +1,11 @@
 #include "model/formats/embedded_image.h"
 #include "model/formats/files.h"
 #include "model/formats/messages.h"
-#include "model/formats/suffuse_cbor.h"
-#include "model/formats/suffuse_strokes.h"
+#include "model/formats/suffuse/suffuse_cbor.h"
+#include "model/formats/suffuse/suffuse_strokes.h"
 #include "model/journal/journal_format.h"
 #include "model/journal/journal_layout.h"
-#include "model/validate.h"
+#include "model/painting/validate.h"
 
 #include <QCborArray>
 #include <QCborMap>

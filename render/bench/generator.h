@@ -1,7 +1,7 @@
 // Paintings to measure on: smooth pen-like strokes of the sizes of the paper's Table 2, the same on every machine.
 #pragma once
 
-#include "model/painting.h"
+#include "model/painting/painting.h"
 
 #include <span>
 

@@ -1,6 +1,6 @@
 #include "render/cpu/cpu_renderer.h"
 
-#include "render/parallel.h"
+#include "render/threads/parallel.h"
 
 #include <QCoreApplication>
 #include <QElapsedTimer>

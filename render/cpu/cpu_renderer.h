@@ -1,7 +1,7 @@
 #pragma once
 
 #include "render/cpu/tile_painter.h"
-#include "render/frame_history.h"
+#include "render/scene/frame_history.h"
 
 namespace suffuse {
 

@@ -1,7 +1,7 @@
 // Strokes so wide on screen that a float sum would lose their edge: a cubic Taylor polynomial per cell, in double.
 #pragma once
 
-#include "render/scene.h"
+#include "render/scene/scene.h"
 
 namespace suffuse::cpu {
 

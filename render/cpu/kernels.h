@@ -1,7 +1,7 @@
 // The inner loops, compiled for several SIMD instruction sets; the best one for this machine is chosen at run time.
 #pragma once
 
-#include "render/cpu/node_boxes.h"
+#include "render/scene/node_boxes.h"
 #include "render/math/shade_params.h"
 
 #include <cstdint>

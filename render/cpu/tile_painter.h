@@ -3,7 +3,7 @@
 
 #include "render/cpu/layer_cache.h"
 #include "render/cpu/tile_strokes.h"
-#include "render/paper.h"
+#include "render/scene/paper.h"
 
 namespace suffuse::cpu {
 

@@ -1,7 +1,7 @@
 #include "render/cuda/cuda_renderer.h"
 
 #include "render/cuda/failing_device.h"
-#include "render/parallel.h"
+#include "render/threads/parallel.h"
 
 #include <QCoreApplication>
 #include <QElapsedTimer>

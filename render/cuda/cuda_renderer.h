@@ -1,7 +1,7 @@
 // Draws on one or several CUDA devices, evaluating only what differs from the last call.
 #pragma once
 
-#include "render/crew.h"
+#include "render/threads/crew.h"
 #include "render/cuda/cuda_frame.h"
 #include "render/cuda/tile_worker.h"
 #include "render/renderer.h"

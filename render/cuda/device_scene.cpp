@@ -1,7 +1,7 @@
 #include "render/cuda/device_scene.h"
 
 #include "render/cuda/stroke_records.h"
-#include "render/parallel.h"
+#include "render/threads/parallel.h"
 
 #include <unordered_map>
 

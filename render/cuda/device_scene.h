@@ -3,7 +3,7 @@
 
 #include "render/cuda/device_memory.h"
 #include "render/cuda/run_pool.h"
-#include "render/live_scene.h"
+#include "render/scene/live_scene.h"
 
 namespace suffuse::cuda {
 

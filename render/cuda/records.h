@@ -36,7 +36,7 @@ struct alignas(16) NodeRecord {
     std::uint32_t row = 0;        ///< of the stroke's channel values
 };
 
-/// As DeepNode (render/scene.h): s > 4096 px.
+/// As DeepNode (render/scene/scene.h): s > 4096 px.
 struct DeepRecord {
     double x = 0, y = 0;
     double a = 0, b = 0, c = 0;
@@ -45,7 +45,7 @@ struct DeepRecord {
     std::uint32_t padding = 0;
 };
 
-/// As SmallSegment (render/scene.h): where pixels are supersampled 2^level × 2^level. Canvas units.
+/// As SmallSegment (render/scene/scene.h): where pixels are supersampled 2^level × 2^level. Canvas units.
 struct SmallRecord {
     double left = 0, top = 0, right = 0, bottom = 0;
     std::int32_t level = 0;

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "render/cuda/records.h"
-#include "render/scene.h"
+#include "render/scene/scene.h"
 
 namespace suffuse::cuda {
 

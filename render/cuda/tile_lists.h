@@ -29,7 +29,7 @@ SUFFUSE_PROGRAM ListedPart wholeStrokes(Warp &warp, const Frame &frame, const Ma
 }
 
 /// A node as culling sees it: centre from the corner of half a macro-tile and reach, px; least eigenvalue of the metric
-/// times −log₂ e, weight, and weight times the root of the greatest eigenvalue (as render/cpu/node_boxes.h).
+/// times −log₂ e, weight, and weight times the root of the greatest eigenvalue (as render/scene/node_boxes.h).
 struct CullNode {
     Float4 place; ///< x, y, reachX, reachY
     Float4 decay; ///< slowest, weight, steepest, –

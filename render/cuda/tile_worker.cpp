@@ -1,6 +1,6 @@
 #include "render/cuda/tile_worker.h"
 
-#include "render/parallel.h"
+#include "render/threads/parallel.h"
 
 #include <bit>
 #include <numbers>

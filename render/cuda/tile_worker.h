@@ -3,8 +3,8 @@
 
 #include "render/cuda/device_layers.h"
 #include "render/cuda/device_scene.h"
-#include "render/frame_history.h"
-#include "render/paper.h"
+#include "render/scene/frame_history.h"
+#include "render/scene/paper.h"
 
 #include <array>
 #include <atomic>

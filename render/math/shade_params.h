@@ -1,7 +1,7 @@
 // How one stroke turns density sums into opacity and colour: plain data, shared by all backends.
 #pragma once
 
-#include "model/style.h"
+#include "model/painting/style.h"
 #include "render/math/compat.h"
 
 namespace suffuse {

@@ -1,7 +1,7 @@
 // RYB and RGB (Sugita & Takahashi), mixing (eq 22, 23) and straight alpha, in double precision.
 #pragma once
 
-#include "model/style.h"
+#include "model/painting/style.h"
 
 #include <array>
 

@@ -1,7 +1,7 @@
 // Density of one segment (eq 13) to 1e-12 of the peak, its gradient, and the closed forms that tests compare it with.
 #pragma once
 
-#include "model/geometry.h"
+#include "model/painting/geometry.h"
 
 #include <vector>
 

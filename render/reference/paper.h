@@ -1,7 +1,7 @@
 // The paper's texture η (docs/paper.md), written from its definition.
 #pragma once
 
-#include "render/paper.h"
+#include "render/scene/paper.h"
 
 namespace suffuse::reference {
 

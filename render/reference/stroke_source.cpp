@@ -1,6 +1,6 @@
 #include "render/reference/stroke_source.h"
 
-#include "model/influence.h"
+#include "model/painting/influence.h"
 
 #include <cmath>
 #include <limits>

@@ -1,7 +1,7 @@
 // Density functions F (eq 17-19) as docs and contract define their edges, and their means over a pixel.
 #pragma once
 
-#include "model/style.h"
+#include "model/painting/style.h"
 
 #include <array>
 

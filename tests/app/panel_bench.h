@@ -2,7 +2,7 @@
 #pragma once
 
 #include "app/editor.h"
-#include "app/panels/bar_slider.h"
+#include "app/widgets/bar_slider.h"
 
 #include <QLineEdit>
 #include <QTest>

@@ -1,7 +1,7 @@
 // A pen that draws by itself, at the pace of a device.
 #pragma once
 
-#include "model/geometry.h"
+#include "model/painting/geometry.h"
 
 #include <QCoreApplication>
 #include <QPointingDevice>

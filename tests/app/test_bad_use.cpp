@@ -1,12 +1,12 @@
 // What nobody means to do: undo, Esc or another painting in the middle of a drag, edits while a picture is being
 // rendered, nodes dropped onto each other, dialogs about strokes that go.
-#include "app/panels/along_dialog.h"
-#include "app/panels/inspector_panel.h"
+#include "app/panels/inspector/along_dialog.h"
+#include "app/panels/inspector/inspector_panel.h"
 #include "app/tools/node_tool.h"
 #include "app/tools/select_tool.h"
 #include "model/formats/files.h"
-#include "model/split.h"
-#include "model/validate.h"
+#include "model/shaping/split.h"
+#include "model/painting/validate.h"
 #include "tests/app/shapes.h"
 
 #include <QTemporaryDir>

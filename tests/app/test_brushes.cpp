@@ -1,14 +1,14 @@
 // Brushes under the hand: library, dock, settings, tool, stabiliser and the pen's dynamics.
 #include "app/brush_library.h"
 #include "app/dialogs/brush_dialog.h"
-#include "app/panels/brush_panel.h"
-#include "app/panels/response_editor.h"
-#include "app/panels/slider_field.h"
+#include "app/panels/brushes/brush_panel.h"
+#include "app/widgets/response_editor.h"
+#include "app/widgets/slider_field.h"
 #include "app/settings.h"
 #include "app/tools/brush_tool.h"
 #include "app/tools/stabiliser.h"
 #include "model/formats/files.h"
-#include "model/validate.h"
+#include "model/painting/validate.h"
 #include "tests/app/panel_bench.h"
 #include "tests/app/session.h"
 

@@ -1,9 +1,9 @@
 // File ▸ Export…: any area, moment and size, as the renderer draws them; whole pictures or nothing.
 #include "app/dialogs/clock_box.h"
 #include "app/dialogs/export_dialog.h"
-#include "app/panels/section.h"
-#include "app/panels/time_text.h"
-#include "model/influence.h"
+#include "app/widgets/section.h"
+#include "app/widgets/time_text.h"
+#include "model/painting/influence.h"
 #include "tests/app/panel_bench.h"
 
 #include <QCheckBox>

@@ -1,6 +1,6 @@
 // Going on with a stroke from its end: as wide as it is before its taper.
 #include "app/brush_library.h"
-#include "model/stroke_fit.h"
+#include "model/brush/stroke_fit.h"
 #include "tests/app/session.h"
 
 #include <QStandardPaths>

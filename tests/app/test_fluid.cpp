@@ -1,8 +1,8 @@
 // What comes first on the screen, and what stands in for a picture that takes too long.
 #include "app/canvas/coarse_frames.h"
 #include "app/canvas/selection_outline.h"
-#include "app/panels/inspector_panel.h"
-#include "app/panels/segment_section.h"
+#include "app/panels/inspector/inspector_panel.h"
+#include "app/panels/inspector/segment_section.h"
 #include "app/settings.h"
 #include "render/bench/generator.h"
 #include "tests/app/selecting.h"

@@ -1,5 +1,5 @@
 // What the inspector looks at, and what it keeps of it.
-#include "app/panels/figure_warnings.h"
+#include "app/panels/inspector/figure_warnings.h"
 #include "tests/app/selecting.h"
 #include "undo/edits.h"
 

@@ -1,7 +1,7 @@
 // Random tool events and actions on the real window: after each round, undoing all gives the first painting back and
 // redoing all the last one, every stroke is valid, and what was redrawn in parts is what is drawn as a whole.
 // SUFFUSE_MONKEY_EVENTS and SUFFUSE_MONKEY_SEED ask for more or other events; SUFFUSE_LONG for 50,000.
-#include "model/validate.h"
+#include "model/painting/validate.h"
 #include "tests/app/monkey.h"
 #include "tests/app/shapes.h"
 #include "tests/trials.h"

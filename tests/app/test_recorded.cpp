@@ -2,7 +2,7 @@
 // SUFFUSE_RECORDING names a file of MyPaint events (time, x, y, pressure); without it one is made up.
 #include "app/editor.h"
 #include "model/formats/files.h"
-#include "model/transform.h"
+#include "model/shaping/transform.h"
 #include "tests/app/pen_hand.h"
 #include "tests/app/session.h"
 

@@ -3,7 +3,7 @@
 #include "app/tools/eraser_tool.h"
 #include "app/tools/knife_tool.h"
 #include "app/tools/tool_options.h"
-#include "model/validate.h"
+#include "model/painting/validate.h"
 #include "render/probe.h"
 #include "tests/app/shapes.h"
 

@@ -1,10 +1,10 @@
 // The lists of strokes and history: they follow the document by difference and change it in single steps.
-#include "app/panels/history_panel.h"
-#include "app/panels/stroke_history_list.h"
-#include "app/panels/stroke_thumbnails.h"
-#include "app/panels/strokes_model.h"
-#include "app/panels/strokes_panel.h"
-#include "model/validate.h"
+#include "app/panels/history/history_panel.h"
+#include "app/panels/history/stroke_history_list.h"
+#include "app/panels/strokes/stroke_thumbnails.h"
+#include "app/panels/strokes/strokes_model.h"
+#include "app/panels/strokes/strokes_panel.h"
+#include "model/painting/validate.h"
 #include "tests/app/panel_bench.h"
 #include "undo/group_edits.h"
 

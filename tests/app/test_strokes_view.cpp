@@ -1,6 +1,6 @@
 // The rows of the Strokes dock as they are seen.
-#include "app/panels/strokes_model.h"
-#include "app/panels/strokes_panel.h"
+#include "app/panels/strokes/strokes_model.h"
+#include "app/panels/strokes/strokes_panel.h"
 #include "tests/app/panel_bench.h"
 #include "undo/edits.h"
 #include "undo/group_edits.h"

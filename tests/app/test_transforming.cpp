@@ -1,5 +1,5 @@
 // Moving, scaling, turning, aligning and snapping: handles, numbers and commands.
-#include "app/panels/number_field.h"
+#include "app/widgets/number_field.h"
 #include "app/settings.h"
 #include "tests/app/selecting.h"
 

@@ -1,5 +1,5 @@
 // Where windows go, and how their docks share the room.
-#include "app/panels/strokes_panel.h"
+#include "app/panels/strokes/strokes_panel.h"
 #include "app/place_beside.h"
 #include "app/settings.h"
 #include "model/formats/files.h"

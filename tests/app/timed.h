@@ -1,8 +1,8 @@
 // A window with its timeline shown, and strokes whose times are known.
 #pragma once
 
-#include "app/panels/timeline_panel.h"
-#include "app/panels/timeline_view.h"
+#include "app/panels/timeline/timeline_panel.h"
+#include "app/panels/timeline/timeline_view.h"
 #include "app/playback.h"
 #include "model/formats/files.h"
 #include "tests/app/selecting.h"

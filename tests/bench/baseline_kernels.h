@@ -1,7 +1,7 @@
 // Inner loops of the baselines, compiled for several SIMD instruction sets as the renderer's own are.
 #pragma once
 
-#include "model/style.h"
+#include "model/painting/style.h"
 
 namespace suffuse::baseline {
 

@@ -2,7 +2,7 @@
 #include "model/formats/files.h"
 #include "render/bench/generator.h"
 #include "render/bench/measure.h"
-#include "render/parallel.h"
+#include "render/threads/parallel.h"
 #include "tests/bench/baselines.h"
 
 #include <QCommandLineParser>

@@ -1,7 +1,7 @@
 // Sizes and times of .suffuse files. bench_files [--segments N] [--repeat N] [FILE…]: each file as it is, and a
 // painting made of N segments by a synthetic pen.
 #include "model/formats/files.h"
-#include "model/formats/recording.h"
+#include "model/formats/ink/recording.h"
 
 #include <QCommandLineParser>
 #include <QCoreApplication>

@@ -2,7 +2,7 @@
 #include "model/formats/files.h"
 #include "render/bench/generator.h"
 #include "render/bench/measure.h"
-#include "render/node_builder.h"
+#include "render/nodes/node_builder.h"
 #include "tests/bench/baseline_kernels.h"
 
 #include <QCommandLineParser>

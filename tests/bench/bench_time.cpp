@@ -1,10 +1,10 @@
 // How painting and time feel: the real window with a painting in it, a pen at its own pace, and the screen.
 //   bench_time [--painting FILE] [--only pen,spreading,scrubbing,film]
 // Prints a line a figure.
-#include "app/panels/timeline_panel.h"
-#include "app/panels/timeline_view.h"
-#include "model/brush.h"
-#include "model/timelapse.h"
+#include "app/panels/timeline/timeline_panel.h"
+#include "app/panels/timeline/timeline_view.h"
+#include "model/brush/brush.h"
+#include "model/document/timelapse.h"
 #include "render/film/film_writer.h"
 #include "render/sequence.h"
 #include "tests/app/pen_hand.h"

@@ -1,4 +1,4 @@
-#include "render/parallel.h"
+#include "render/threads/parallel.h"
 #include "tests/bench/baselines.h"
 
 #include <algorithm>

@@ -1,6 +1,6 @@
 #include "tests/bench/paper_sources.h"
 
-#include "render/parallel.h"
+#include "render/threads/parallel.h"
 #include "tests/bench/baselines.h"
 
 #include <algorithm>

@@ -1,6 +1,6 @@
 // The measuring code measures what it says: paintings and rows.
 #include "model/formats/files.h"
-#include "model/validate.h"
+#include "model/painting/validate.h"
 #include "render/bench/measure.h"
 #include "render/bench/plan.h"
 #include "tests/bench/small_painting.h"

@@ -1,7 +1,7 @@
 // Image files in and out of the program, good and hostile.
 #include "render/image_io/image_io.h"
 #include "render/image_io/orientation.h"
-#include "render/paper.h"
+#include "render/scene/paper.h"
 #include "tests/files.h"
 
 #include <QFile>

@@ -2,7 +2,7 @@
 #include "cli_process.h"
 #include "model/formats/files.h"
 #include "model/journal/journal_writer.h"
-#include "model/stroke_builder.h"
+#include "model/brush/stroke_builder.h"
 
 #include <QJsonArray>
 #include <QTest>

@@ -1,9 +1,9 @@
 // Brushes, MyPaint's brushes and GIMP's palettes.
 #include "fuzzing.h"
 
-#include "model/formats/brush_file.h"
-#include "model/formats/gimp_palette.h"
-#include "model/formats/mypaint_brush.h"
+#include "model/formats/brushes/brush_file.h"
+#include "model/formats/brushes/gimp_palette.h"
+#include "model/formats/brushes/mypaint_brush.h"
 
 using namespace suffuse;
 

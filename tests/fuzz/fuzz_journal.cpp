@@ -2,7 +2,7 @@
 #include "fuzzing.h"
 
 #include "model/journal/journal_format.h"
-#include "model/validate.h"
+#include "model/painting/validate.h"
 
 using namespace suffuse;
 

@@ -2,7 +2,7 @@
 #include "fuzzing.h"
 
 #include "model/formats/svg_painting.h"
-#include "model/validate.h"
+#include "model/painting/validate.h"
 
 #include <cmath>
 

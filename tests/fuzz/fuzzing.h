@@ -1,7 +1,7 @@
 // What the fuzzers share.
 #pragma once
 
-#include "model/formats/suffuse_layout.h"
+#include "model/formats/suffuse/suffuse_layout.h"
 
 #include <QByteArray>
 #include <QCryptographicHash>

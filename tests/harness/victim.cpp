@@ -6,7 +6,7 @@
 #include "app/editor.h"
 #include "app/journal.h"
 #include "app/settings.h"
-#include "model/stroke_builder.h"
+#include "model/brush/stroke_builder.h"
 #include "undo/edits.h"
 
 #include <QCoreApplication>

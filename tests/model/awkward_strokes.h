@@ -2,7 +2,7 @@
 // compares them.
 #pragma once
 
-#include "model/reshape.h"
+#include "model/shaping/reshape.h"
 
 #include <random>
 

@@ -1,7 +1,7 @@
 // Valid paintings with every optional member and extreme values, the same for the same seed.
 #pragma once
 
-#include "model/painting.h"
+#include "model/painting/painting.h"
 
 #include <QRandomGenerator>
 

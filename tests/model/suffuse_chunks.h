@@ -2,7 +2,7 @@
 #pragma once
 
 #include "model/formats/files.h"
-#include "model/formats/suffuse_layout.h"
+#include "model/formats/suffuse/suffuse_layout.h"
 
 #include <QCryptographicHash>
 

@@ -1,9 +1,9 @@
 // Brushes: curves, what they do to a stroke, and their files.
-#include "model/formats/brush_file.h"
+#include "model/formats/brushes/brush_file.h"
 #include "model/formats/files.h"
-#include "model/formats/mypaint_brush.h"
-#include "model/stroke_builder.h"
-#include "model/validate.h"
+#include "model/formats/brushes/mypaint_brush.h"
+#include "model/brush/stroke_builder.h"
+#include "model/painting/validate.h"
 
 #include <QDirIterator>
 #include <QTemporaryDir>

@@ -1,5 +1,5 @@
 // What differs between two paintings.
-#include "model/difference.h"
+#include "model/document/difference.h"
 
 #include <QTest>
 

@@ -1,8 +1,8 @@
 // Diffusion curves come in as strokes along both sides.
 #include "model/formats/files.h"
-#include "model/ryb.h"
+#include "model/painting/ryb.h"
 #include "model/stroke_width.h"
-#include "model/validate.h"
+#include "model/painting/validate.h"
 
 #include <QFile>
 #include <QTest>

@@ -1,6 +1,6 @@
 // Document, painting and influence.
-#include "model/document.h"
-#include "model/influence.h"
+#include "model/document/document.h"
+#include "model/painting/influence.h"
 
 #include <QSignalSpy>
 #include <QTest>

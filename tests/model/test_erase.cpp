@@ -1,7 +1,7 @@
 // The eraser and the knife.
-#include "model/erase.h"
-#include "model/split.h"
-#include "model/validate.h"
+#include "model/shaping/erase.h"
+#include "model/shaping/split.h"
+#include "model/painting/validate.h"
 #include "tests/model/awkward_strokes.h"
 
 #include <QTest>

@@ -1,6 +1,6 @@
 // GIMP palettes in and out.
-#include "model/formats/gimp_palette.h"
-#include "model/ryb.h"
+#include "model/formats/brushes/gimp_palette.h"
+#include "model/painting/ryb.h"
 
 #include <QtTest>
 

@@ -1,11 +1,11 @@
 // Small files that were made to harm: each reader says what is wrong, or reads what there is, in bounded memory. The
 // files lie in tests/hostile; larger ones are made here.
-#include "model/formats/brush_file.h"
+#include "model/formats/brushes/brush_file.h"
 #include "model/formats/files.h"
-#include "model/formats/gimp_palette.h"
-#include "model/formats/mypaint_brush.h"
+#include "model/formats/brushes/gimp_palette.h"
+#include "model/formats/brushes/mypaint_brush.h"
 #include "model/formats/svg_paths.h"
-#include "model/validate.h"
+#include "model/painting/validate.h"
 
 #include <QDir>
 #include <QFile>

@@ -1,9 +1,9 @@
 // Recordings become paintings: what is found in them, their timing, and what is said of damaged ones.
-#include "model/formats/css_colours.h"
+#include "model/formats/svg/css_colours.h"
 #include "model/formats/files.h"
-#include "model/formats/recording.h"
-#include "model/ryb.h"
-#include "model/validate.h"
+#include "model/formats/ink/recording.h"
+#include "model/painting/ryb.h"
+#include "model/painting/validate.h"
 
 #include <QFile>
 #include <QRandomGenerator>

@@ -1,5 +1,5 @@
 // Orders as differences: exact both ways, and no larger than what moved.
-#include "model/document.h"
+#include "model/document/document.h"
 
 #include <QRandomGenerator>
 #include <QTest>

@@ -1,7 +1,7 @@
 // The papers that the program offers, and what files keep of them.
 #include "model/formats/files.h"
-#include "model/paper_presets.h"
-#include "model/validate.h"
+#include "model/painting/paper_presets.h"
+#include "model/painting/validate.h"
 
 #include <QtTest>
 

@@ -1,8 +1,8 @@
 // Splitting, joining and bending strokes.
-#include "model/bernstein.h"
-#include "model/erase.h"
-#include "model/split.h"
-#include "model/validate.h"
+#include "model/painting/bernstein.h"
+#include "model/shaping/erase.h"
+#include "model/shaping/split.h"
+#include "model/painting/validate.h"
 #include "tests/model/awkward_strokes.h"
 
 #include <QTest>

@@ -1,7 +1,7 @@
 // Pen samples to strokes.
-#include "model/spline_fit.h"
-#include "model/stroke_builder.h"
-#include "model/validate.h"
+#include "model/brush/spline_fit.h"
+#include "model/brush/stroke_builder.h"
+#include "model/painting/validate.h"
 
 #include <QFile>
 #include <QJsonArray>

@@ -1,5 +1,5 @@
 // The list of strokes: a vector whose copies share.
-#include "model/stroke_values.h"
+#include "model/painting/stroke_values.h"
 
 #include <QtTest>
 

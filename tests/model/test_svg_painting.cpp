@@ -1,9 +1,9 @@
 // SVG drawings come in as strokes: where they lie, how large, how wide, in which colour.
 #include "model/formats/files.h"
 #include "model/formats/svg_painting.h"
-#include "model/ryb.h"
+#include "model/painting/ryb.h"
 #include "model/stroke_width.h"
-#include "model/validate.h"
+#include "model/painting/validate.h"
 
 #include <QTest>
 

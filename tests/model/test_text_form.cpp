@@ -1,7 +1,7 @@
 // docs/text-form.md: exact both ways; what is wrong is named with its place.
 #include "model/formats/files.h"
-#include "model/ryb.h"
-#include "model/validate.h"
+#include "model/painting/ryb.h"
+#include "model/painting/validate.h"
 #include "random_paintings.h"
 
 #include <QFile>

@@ -1,5 +1,5 @@
 // When the frames of a film are: in order, evenly, without the pauses, and the last one is the finished picture.
-#include "model/timelapse.h"
+#include "model/document/timelapse.h"
 
 #include <QTest>
 

@@ -1,8 +1,8 @@
 // Affine maps of strokes: curves, spread and density.
-#include "model/split.h"
-#include "model/tensor.h"
-#include "model/transform.h"
-#include "model/validate.h"
+#include "model/shaping/split.h"
+#include "model/painting/tensor.h"
+#include "model/shaping/transform.h"
+#include "model/painting/validate.h"
 #include "tests/model/awkward_strokes.h"
 
 #include <QTest>

@@ -1,5 +1,5 @@
 // The border of domains.
-#include "model/validate.h"
+#include "model/painting/validate.h"
 
 #include <QTest>
 

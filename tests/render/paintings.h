@@ -1,7 +1,7 @@
 // Paintings for the render tests: small, but of every kind.
 #pragma once
 
-#include "model/painting.h"
+#include "model/painting/painting.h"
 #include "render/renderer.h"
 
 #include <QtTest>

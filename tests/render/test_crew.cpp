@@ -1,6 +1,6 @@
 // Loops on a crew: every index once, for whichever thread asks, whatever a body does.
-#include "render/crew.h"
-#include "render/parallel.h"
+#include "render/threads/crew.h"
+#include "render/threads/parallel.h"
 
 #include <QtTest>
 

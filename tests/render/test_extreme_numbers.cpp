@@ -1,7 +1,7 @@
 // Numbers that are not numbers, have no end or are extreme, in any member of a painting: refused at the border with the
 // member's path, or drawn without a NaN. 10,000 paintings; SUFFUSE_LONG=1: a million (tests/trials.h).
 #include "model/formats/files.h"
-#include "model/validate.h"
+#include "model/painting/validate.h"
 #include "tests/render/paintings.h"
 #include "tests/trials.h"
 

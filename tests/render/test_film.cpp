@@ -1,6 +1,6 @@
 // Films: what is written is what was drawn, and nothing is left of one that is not finished.
 #include "render/film/film_writer.h"
-#include "render/parallel.h"
+#include "render/threads/parallel.h"
 
 #include <QDir>
 #include <QFile>

@@ -1,6 +1,6 @@
 // Merged nodes: runs of random strokes keep their density, colour and granulation within the tolerance, everywhere.
-#include "render/level0.h"
-#include "render/level1.h"
+#include "render/nodes/level0.h"
+#include "render/nodes/level1.h"
 #include "tests/render/paintings.h"
 #include "tests/trials.h"
 

@@ -1,7 +1,7 @@
 // A scene that follows a painting: it holds what a fresh one would, and prepares anew only what differs.
 #include "tests/render/paintings.h"
 
-#include "render/live_scene.h"
+#include "render/scene/live_scene.h"
 
 using namespace suffuse;
 using namespace suffuse::test;

@@ -1,6 +1,6 @@
 // Gaussian nodes: the rigorous bound holds on random cubics, and node counts are as small as documented.
-#include "render/level0.h"
-#include "render/node_builder.h"
+#include "render/nodes/level0.h"
+#include "render/nodes/node_builder.h"
 #include "tests/render/paintings.h"
 #include "tests/trials.h"
 

@@ -1,7 +1,7 @@
 // One picture: the same bits for any tiling, thread count, instruction order, dirty region and history.
 #include "tests/render/paintings.h"
 
-#include "model/influence.h"
+#include "model/painting/influence.h"
 #include "render/cpu/kernels.h"
 
 using namespace suffuse;

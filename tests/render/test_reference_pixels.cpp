@@ -1,6 +1,6 @@
 // Whole pictures of the reference against one pixel at a time: every sample by the adaptive integral, in canvas units.
-#include "model/influence.h"
-#include "model/validate.h"
+#include "model/painting/influence.h"
+#include "model/painting/validate.h"
 #include "render/reference/density.h"
 #include "render/reference/local_paint.h"
 #include "render/reference/paper.h"

@@ -1,7 +1,7 @@
 // Splits, cuts and maps against the reference's density, and on screen.
-#include "model/erase.h"
-#include "model/split.h"
-#include "model/transform.h"
+#include "model/shaping/erase.h"
+#include "model/shaping/split.h"
+#include "model/shaping/transform.h"
 #include "render/reference/density.h"
 #include "tests/model/awkward_strokes.h"
 #include "tests/render/paintings.h"

@@ -1,7 +1,7 @@
 // Paintings and random edits for the tests of undo.
 #pragma once
 
-#include "model/stroke_builder.h"
+#include "model/brush/stroke_builder.h"
 #include "undo/edits.h"
 
 #include <QTest>

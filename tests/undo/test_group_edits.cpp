@@ -1,6 +1,6 @@
 // Aligning, distributing, grouping, locking, and selecting by likeness.
 #include "model/stroke_width.h"
-#include "model/validate.h"
+#include "model/painting/validate.h"
 #include "tests/undo/random_edits.h"
 #include "undo/edit_command.h"
 #include "undo/group_edits.h"

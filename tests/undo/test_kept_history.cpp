@@ -1,6 +1,6 @@
 // Undo steps that go through a file.
 #include "model/formats/files.h"
-#include "model/validate.h"
+#include "model/painting/validate.h"
 #include "tests/trials.h"
 #include "tests/undo/random_edits.h"
 #include "undo/edit_command.h"

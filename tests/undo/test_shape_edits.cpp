@@ -1,6 +1,6 @@
 // Edits of nodes, shapes and groups: what they do, and that undo takes it back.
-#include "model/erase.h"
-#include "model/validate.h"
+#include "model/shaping/erase.h"
+#include "model/painting/validate.h"
 #include "tests/undo/random_shape_edits.h"
 #include "undo/edit_command.h"
 

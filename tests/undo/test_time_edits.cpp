@@ -1,5 +1,5 @@
 // Retiming, freezing, re-wetting, and strokes that are painted in the past.
-#include "model/validate.h"
+#include "model/painting/validate.h"
 #include "tests/undo/random_edits.h"
 #include "undo/edit_command.h"
 #include "undo/node_edits.h"

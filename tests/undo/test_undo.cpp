@@ -1,5 +1,5 @@
 // Edits and their undoing.
-#include "model/validate.h"
+#include "model/painting/validate.h"
 #include "tests/trials.h"
 #include "tests/undo/random_edits.h"
 #include "undo/edit_command.h"

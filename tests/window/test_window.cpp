@@ -1,6 +1,6 @@
 // The window on a real screen: both presenters show exactly the picture, docks float and come back, whatever the scale.
-#include "app/panels/inspector_panel.h"
-#include "app/panels/strokes_panel.h"
+#include "app/panels/inspector/inspector_panel.h"
+#include "app/panels/strokes/strokes_panel.h"
 #include "model/formats/files.h"
 #include "tests/window/screen.h"
 

@@ -1,6 +1,6 @@
 #include "tests/bench/cuda/paper_scene.h"
 
-#include "render/parallel.h"
+#include "render/threads/parallel.h"
 #include "tests/bench/baselines.h"
 #include "tests/bench/paper_sources.h"
 

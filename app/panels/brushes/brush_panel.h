@@ -1,0 +1,103 @@
+#pragma once
+
+#include "app/panels/brushes/brush_preview.h"
+
+#include <QHash>
+#include <QPointer>
+#include <QWidget>
+
+#include <functional>
+
+class QLabel;
+class QLineEdit;
+class QListWidget;
+class QListWidgetItem;
+class QMenu;
+class QToolButton;
+class QVBoxLayout;
+
+namespace suffuse {
+
+class BrushDialog;
+class Editor;
+class HintLabel;
+class SliderField;
+
+/// The brushes in their groups with pictures of their strokes; search, favourites and what can be done with a brush;
+/// and size, flow and opacity of the one in hand.
+class BrushPanel : public QWidget {
+    Q_OBJECT
+
+public:
+    explicit BrushPanel(Editor &editor, QWidget *parent = nullptr);
+
+    QListWidget *list() const { return m_list; }
+    QLineEdit *search() const { return m_search; }
+    QToolButton *favouritesButton() const { return m_favourites; }
+    QMenu *menu() const { return m_menu; }
+    SliderField *size() const { return m_size; }
+    SliderField *flow() const { return m_flow; }
+    SliderField *opacity() const { return m_opacity; }
+    QToolButton *resetButton() const { return m_reset; }
+    /// The item of a brush that is shown; null if there is none.
+    QListWidgetItem *itemOf(const QString &name) const;
+    /// Pictures still to be drawn.
+    int pendingPreviews() const { return int(m_pending.size()); }
+
+    QSize sizeHint() const override;
+
+protected:
+    void paintEvent(QPaintEvent *event) override;
+    void resizeEvent(QResizeEvent *event) override;
+    void changeEvent(QEvent *event) override;
+
+private:
+    void addHead(QVBoxLayout &column);
+    void addList(QVBoxLayout &column);
+    void addFields(QVBoxLayout &column);
+    void addMenu();
+    void fillMenu();
+    void fillList();
+    void addHeading(const QString &group);
+    void fitHeadings();
+    bool isShown(const Brush &brush) const;
+    void edit(const std::function<void(Brush &)> &change);
+    bool isModified() const;
+    void refresh();
+    void setPicture(QListWidgetItem *item);
+    void schedulePreviews();
+    void renderNext();
+    QString inHand() const;
+    void showDialog();
+    void saveChanges();
+    void saveAsNew();
+    void rename();
+    void remove();
+    void import();
+    void exportBrush();
+    void note(const QString &text);
+
+    Editor &m_editor;
+    QLineEdit *m_search = nullptr;
+    QToolButton *m_favourites = nullptr;
+    QMenu *m_menu = nullptr;
+    QListWidget *m_list = nullptr;
+    QLabel *m_title = nullptr;
+    QToolButton *m_reset = nullptr;
+    SliderField *m_size = nullptr;
+    SliderField *m_flow = nullptr;
+    SliderField *m_opacity = nullptr;
+    HintLabel *m_hint = nullptr;
+    QPointer<BrushDialog> m_dialog;
+    BrushPreview m_preview;
+    /// Pictures that are drawn, and of what.
+    struct Drawn {
+        Brush brush;
+        QImage image;
+    };
+    QHash<QString, Drawn> m_drawn;
+    std::vector<QString> m_pending; ///< brushes whose picture is missing, last first
+    bool m_started = false;
+};
+
+} // namespace suffuse

@@ -1,0 +1,213 @@
+#include "app/panels/colour/colour_panel.h"
+
+#include "app/editor.h"
+#include "app/panels/colour/colour_convert.h"
+#include "app/panels/colour/colour_rows.h"
+#include "app/widgets/colour_swatch.h"
+#include "app/panels/colour/colour_wheel.h"
+#include "app/panels/brushes/mixing_pad.h"
+#include "app/widgets/section.h"
+#include "app/panels/colour/swatch_grid.h"
+#include "app/panels/colour/swatches_section.h"
+#include "app/settings.h"
+#include "undo/edits.h"
+
+#include <QHBoxLayout>
+#include <QLineEdit>
+#include <QPushButton>
+#include <QRegularExpression>
+#include <QScrollArea>
+
+#include <algorithm>
+
+namespace suffuse {
+
+namespace {
+
+/// "#rrggbb" without the opacity.
+QString hexOf(const Colour &colour)
+{
+    return toOpaqueScreen(colour).name();
+}
+
+std::vector<Colour> storedColours(std::size_t most)
+{
+    std::vector<Colour> colours;
+    for (const QString &name : settings::store().value("recentColours").toStringList().mid(0, qsizetype(most)))
+        if (const QColor colour(name); colour.isValid())
+            colours.push_back(fromScreen(colour));
+    return colours;
+}
+
+} // namespace
+
+ColourPanel::ColourPanel(Editor &editor, QWidget *parent)
+    : QWidget(parent), m_editor(editor), m_recent(storedColours(recentCount)), m_used(editor.brush().colour)
+{
+    auto *outer = new QVBoxLayout(this);
+    outer->setContentsMargins(0, 0, 0, 0);
+    auto *scroll = new QScrollArea(this);
+    scroll->setWidgetResizable(true);
+    scroll->setFrameShape(QFrame::NoFrame);
+    scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    scroll->setFocusPolicy(Qt::NoFocus);
+    outer->addWidget(scroll);
+    auto *content = new QWidget;
+    auto *column = new QVBoxLayout(content);
+    column->setContentsMargins(8, 8, 8, 8);
+    column->setSpacing(8);
+
+    auto *top = new QHBoxLayout; // what is taken most often, in low windows too
+    top->setSpacing(8);
+    m_wheel = new ColourWheel(content);
+    m_swatches = new SwatchesSection(editor, content);
+    top->addWidget(m_wheel, 3);
+    top->addWidget(m_swatches, 2);
+    column->addLayout(top);
+    addCurrent(*column);
+    m_rows = new ColourRows(true, content);
+    column->addWidget(m_rows);
+    m_hint = new HintLabel(content);
+    column->addWidget(m_hint);
+    addRecent(*column);
+    addApply(*column);
+    m_mixing = new MixingSection(editor, content);
+    column->addWidget(m_mixing, 1);
+    scroll->setWidget(content);
+
+    connect(m_wheel, &ColourWheel::picked, &editor, &Editor::setColour);
+    connect(m_rows, &ColourRows::edited, this, [this](int channel, double value) {
+        Colour colour = m_editor.brush().colour;
+        ColourRows::channelOf(colour, channel) = float(value);
+        m_editor.setColour(colour);
+    });
+    connect(m_rows, &ColourRows::refused, m_hint, &HintLabel::showHint);
+    connect(&editor, &Editor::brushChanged, this, &ColourPanel::refresh);
+    connect(&editor.laterChanges(), &LaterChanges::changed, this, [this](const Change &change) {
+        if (change.selection || change.reset)
+            m_apply->setEnabled(!m_editor.document().selection().isEmpty());
+        if (change.draft && m_editor.document().draft())
+            rememberUsed();
+    });
+    m_apply->setEnabled(!editor.document().selection().isEmpty());
+    showRecent();
+    refresh();
+}
+
+QSize ColourPanel::sizeHint() const
+{
+    return {280, 420};
+}
+
+void ColourPanel::addCurrent(QVBoxLayout &column)
+{
+    auto *row = new QHBoxLayout;
+    row->setSpacing(4);
+    m_current = new ColourSwatch(this);
+    m_current->setSide(28);
+    m_current->setAccessibleName(tr("Current colour"));
+    m_current->setToolTip(tr("The colour that is painted with"));
+    m_current->setFocusPolicy(Qt::NoFocus);
+    m_previous = new ColourSwatch(this);
+    m_previous->setSide(28);
+    m_previous->setAccessibleName(tr("Previous colour"));
+    m_previous->setToolTip(tr("The colour painted with last. Click: back to it."));
+    auto *label = new QLabel(tr("Hex"), this);
+    m_hex = new QLineEdit(this);
+    m_hex->setMaxLength(9);
+    m_hex->setAccessibleName(tr("Hex"));
+    m_hex->setToolTip(tr("sRGB colour as #rrggbb, or #rgb"));
+    m_hex->setFixedWidth(m_hex->fontMetrics().horizontalAdvance("#ddddddd") + 18);
+    label->setBuddy(m_hex);
+    row->addWidget(m_current);
+    row->addWidget(m_previous);
+    row->addStretch(1);
+    row->addWidget(label);
+    row->addSpacing(4);
+    row->addWidget(m_hex);
+    column.addLayout(row);
+    connect(m_previous, &ColourSwatch::clicked, this, [this] { m_editor.setColour(m_used); });
+    connect(m_hex, &QLineEdit::editingFinished, this, &ColourPanel::takeHex);
+}
+
+void ColourPanel::addRecent(QVBoxLayout &column)
+{
+    m_history = new SwatchGrid(false, this);
+    m_history->setAccessibleName(tr("Recent colours"));
+    m_history->setToolTip(tr("Colours painted with before. Click: take it."));
+    m_history->setEmptyText(tr("Colours painted with come here."));
+    column.addWidget(m_history);
+    connect(m_history, &SwatchGrid::picked, &m_editor, &Editor::setColour);
+}
+
+void ColourPanel::addApply(QVBoxLayout &column)
+{
+    m_apply = new QPushButton(tr("Apply to selection"), this);
+    m_apply->setToolTip(tr("Gives the selected segments this colour."));
+    column.addWidget(m_apply);
+    connect(m_apply, &QPushButton::clicked, this, &ColourPanel::applyToSelection);
+}
+
+void ColourPanel::refresh()
+{
+    const Colour &colour = m_editor.brush().colour;
+    m_wheel->setColour(colour);
+    m_rows->setColour(colour);
+    m_current->setColour(colour);
+    m_previous->setColour(m_used);
+    if (!m_hex->hasFocus() || !m_hex->isModified())
+        m_hex->setText(hexOf(colour));
+}
+
+void ColourPanel::takeHex()
+{
+    if (!m_hex->isModified())
+        return;
+    static const QRegularExpression form("^#?([0-9A-Fa-f]{3}|[0-9A-Fa-f]{6})$");
+    const QRegularExpressionMatch match = form.match(m_hex->text().trimmed());
+    m_hex->setModified(false);
+    if (match.hasMatch()) {
+        m_hint->showHint({});
+        Colour colour = fromScreen(QColor("#" + match.captured(1)));
+        colour.opacity = m_editor.brush().colour.opacity;
+        m_editor.setColour(colour);
+    } else {
+        m_hint->showHint(tr("“%1” is not a colour. Write it as #rrggbb, for example #2f6690.").arg(m_hex->text()));
+    }
+    m_hex->setText(hexOf(m_editor.brush().colour));
+}
+
+void ColourPanel::applyToSelection()
+{
+    Document &document = m_editor.document();
+    const Colour colour = m_editor.brush().colour;
+    m_editor.push(changeSegments(document, targetSegments(document), [&](Segment &s) { s.colour = colour; }),
+                  tr("Apply colour"));
+}
+
+void ColourPanel::rememberUsed()
+{
+    const Colour colour = m_editor.brush().colour;
+    if (colour == m_used && !m_recent.empty())
+        return;
+    m_used = colour;
+    m_previous->setColour(m_used);
+    std::erase_if(m_recent, [&](const Colour &c) { return hexOf(c) == hexOf(colour); });
+    m_recent.insert(m_recent.begin(), colour);
+    m_recent.resize(std::min(m_recent.size(), recentCount));
+    QStringList names;
+    for (const Colour &c : m_recent)
+        names << toScreen(c).name(QColor::HexArgb);
+    settings::store().setValue("recentColours", names);
+    showRecent();
+}
+
+void ColourPanel::showRecent()
+{
+    std::vector<Swatch> recent;
+    for (const Colour &colour : m_recent)
+        recent.push_back({{}, colour});
+    m_history->setSwatches(std::move(recent));
+}
+
+} // namespace suffuse

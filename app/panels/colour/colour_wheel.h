@@ -1,0 +1,59 @@
+#pragma once
+
+#include "app/panels/colour/colour_convert.h"
+
+#include <QImage>
+#include <QWidget>
+
+namespace suffuse {
+
+/// A ring of the RYB hues around a triangle from the pure hue to white and black.
+/// Keys: left and right turn the hue, up and down lighten and darken.
+class ColourWheel : public QWidget {
+    Q_OBJECT
+
+public:
+    explicit ColourWheel(QWidget *parent = nullptr);
+
+    /// Emits nothing. Greys keep the hue that the ring shows; opacity is kept.
+    void setColour(const Colour &colour);
+    Colour colour() const { return fromShares(m_shares, m_opacity); }
+
+    /// Where a hue lies on the ring and a mixture in the triangle, widget coordinates.
+    QPointF ringPoint(double hue) const;
+    QPointF trianglePoint(double chroma, double black) const;
+
+    QSize sizeHint() const override;
+    int heightForWidth(int width) const override;
+    QSize minimumSizeHint() const override;
+
+signals:
+    void picked(const suffuse::Colour &colour);
+    /// The mouse was let go after picking.
+    void finished();
+
+protected:
+    void paintEvent(QPaintEvent *event) override;
+    void mousePressEvent(QMouseEvent *event) override;
+    void mouseMoveEvent(QMouseEvent *event) override;
+    void mouseReleaseEvent(QMouseEvent *event) override;
+    void keyPressEvent(QKeyEvent *event) override;
+
+private:
+    enum class Part { None, Ring, Triangle };
+    QPointF centre() const;
+    double outerRadius() const;
+    double innerRadius() const;
+    void pick(QPointF at);
+    void pickInTriangle(QPointF at);
+    void paintRing(QPainter &painter);
+    void paintTriangle(QPainter &painter);
+
+    HueShares m_shares{0, 1, 0};
+    float m_opacity = 1;
+    Part m_part = Part::None;
+    QImage m_triangle;
+    double m_triangleHue = -1;
+};
+
+} // namespace suffuse

@@ -1,0 +1,297 @@
+#include "app/panels/colour/swatch_grid.h"
+
+#include "app/panels/colour/colour_convert.h"
+#include "app/theme.h"
+
+#include <QApplication>
+#include <QContextMenuEvent>
+#include <QDrag>
+#include <QHelpEvent>
+#include <QInputDialog>
+#include <QMenu>
+#include <QMimeData>
+#include <QPainter>
+#include <QPainterPath>
+#include <QToolTip>
+
+#include <algorithm>
+
+namespace suffuse {
+
+namespace {
+constexpr int side = 20;
+constexpr int gap = 3;
+constexpr int step = side + gap;
+} // namespace
+
+SwatchGrid::SwatchGrid(bool editable, QWidget *parent) : QWidget(parent), m_editable(editable)
+{
+    setFocusPolicy(Qt::StrongFocus);
+    setAcceptDrops(editable);
+    QSizePolicy policy(QSizePolicy::Expanding, QSizePolicy::Preferred);
+    policy.setHeightForWidth(true);
+    setSizePolicy(policy);
+}
+
+void SwatchGrid::setSwatches(std::vector<Swatch> swatches)
+{
+    if (swatches == m_swatches)
+        return;
+    m_swatches = std::move(swatches);
+    m_current = std::clamp(m_current, 0, std::max(0, size() - 1));
+    updateGeometry();
+    update();
+}
+
+void SwatchGrid::setEmptyText(const QString &text)
+{
+    m_emptyText = text;
+    update();
+}
+
+void SwatchGrid::insert(int index, const Colour &colour)
+{
+    std::vector<Swatch> swatches = m_swatches;
+    swatches.insert(swatches.begin() + std::clamp(index, 0, size()), Swatch{{}, colour});
+    emit edited(swatches, tr("Add swatch"));
+}
+
+void SwatchGrid::move(int from, int to)
+{
+    if (to == from || to == from + 1)
+        return;
+    std::vector<Swatch> swatches = m_swatches;
+    const auto at = swatches.begin();
+    if (to > from)
+        std::rotate(at + from, at + from + 1, at + to);
+    else
+        std::rotate(at + to, at + from, at + from + 1);
+    emit edited(swatches, tr("Move swatch"));
+}
+
+void SwatchGrid::rename(int index, const QString &name)
+{
+    std::vector<Swatch> swatches = m_swatches;
+    swatches[std::size_t(index)].name = name;
+    emit edited(swatches, tr("Rename swatch"));
+}
+
+void SwatchGrid::remove(int index)
+{
+    std::vector<Swatch> swatches = m_swatches;
+    swatches.erase(swatches.begin() + index);
+    emit edited(swatches, tr("Remove swatch"));
+}
+
+int SwatchGrid::columns(int width) const
+{
+    return std::max(1, (width + gap) / step);
+}
+
+int SwatchGrid::heightForWidth(int width) const
+{
+    const int across = columns(width);
+    return std::max(1, (size() + across - 1) / across) * step - gap;
+}
+
+QSize SwatchGrid::sizeHint() const
+{
+    return {8 * step - gap, heightForWidth(8 * step - gap)};
+}
+
+QSize SwatchGrid::minimumSizeHint() const
+{
+    return {4 * step - gap, side};
+}
+
+QRect SwatchGrid::cell(int index) const
+{
+    const int across = columns(width());
+    return {index % across * step, index / across * step, side, side};
+}
+
+int SwatchGrid::indexAt(QPoint at) const
+{
+    const int across = columns(width());
+    const int column = at.x() / step, row = at.y() / step, index = row * across + column;
+    const bool inside = at.x() >= 0 && at.y() >= 0 && column < across && index < size();
+    return inside && cell(index).contains(at) ? index : -1;
+}
+
+int SwatchGrid::gapAt(QPoint at) const
+{
+    const int across = columns(width());
+    const int column = std::clamp((at.x() + step / 2) / step, 0, across);
+    return std::clamp(std::max(0, at.y() / step) * across + column, 0, size());
+}
+
+void SwatchGrid::setCurrent(int index)
+{
+    m_current = std::clamp(index, 0, std::max(0, size() - 1));
+    update();
+}
+
+void SwatchGrid::setGap(int at)
+{
+    if (at == m_gap)
+        return;
+    m_gap = at;
+    update();
+}
+
+bool SwatchGrid::event(QEvent *event)
+{
+    if (event->type() == QEvent::ToolTip) {
+        const auto *help = static_cast<QHelpEvent *>(event);
+        if (const int index = indexAt(help->pos()); index >= 0) {
+            const Swatch &swatch = m_swatches[std::size_t(index)];
+            const QString hex = toOpaqueScreen(swatch.colour).name();
+            QToolTip::showText(help->globalPos(),
+                               swatch.name.isEmpty() ? hex : swatch.name + QStringLiteral(" · ") + hex, this,
+                               cell(index));
+            return true;
+        }
+    }
+    return QWidget::event(event);
+}
+
+void SwatchGrid::paintEvent(QPaintEvent *)
+{
+    QPainter painter(this);
+    painter.setRenderHint(QPainter::Antialiasing);
+    if (m_swatches.empty()) {
+        painter.setPen(palette().color(QPalette::PlaceholderText));
+        if (height() > 2 * side)
+            painter.drawText(rect(), Qt::AlignLeft | Qt::AlignTop | Qt::TextWordWrap, m_emptyText);
+        else
+            painter.drawText(rect(), Qt::AlignLeft | Qt::AlignVCenter,
+                             fontMetrics().elidedText(m_emptyText, Qt::ElideRight, width()));
+    }
+    for (int i = 0; i < size(); ++i) {
+        QPainterPath shape;
+        shape.addRoundedRect(QRectF(cell(i)).adjusted(0.5, 0.5, -0.5, -0.5), 3, 3);
+        painter.fillPath(shape, toOpaqueScreen(m_swatches[std::size_t(i)].colour));
+        const bool marked = hasFocus() && i == m_current;
+        painter.strokePath(shape, QPen(marked ? palette().color(QPalette::Highlight) : hairline(), marked ? 2 : 1));
+    }
+    if (m_gap >= 0) {
+        const QRect at = cell(m_gap);
+        const bool atEnd = m_gap > 0 && m_gap == size() && at.x() == 0;
+        const double x = atEnd ? cell(m_gap - 1).right() + 2.5 : at.x() - 1;
+        const double y = atEnd ? cell(m_gap - 1).y() : at.y();
+        painter.fillRect(QRectF(std::max(0.0, x - 1), y, 2, side), palette().color(QPalette::Highlight));
+    }
+}
+
+void SwatchGrid::mousePressEvent(QMouseEvent *event)
+{
+    m_pressed = event->button() == Qt::LeftButton ? indexAt(event->pos()) : -1;
+    m_pressedAt = event->pos();
+    if (m_pressed >= 0)
+        setCurrent(m_pressed);
+}
+
+void SwatchGrid::mouseMoveEvent(QMouseEvent *event)
+{
+    const bool far = (event->pos() - m_pressedAt).manhattanLength() >= QApplication::startDragDistance();
+    if (m_pressed >= 0 && far)
+        startDrag(std::exchange(m_pressed, -1));
+}
+
+void SwatchGrid::mouseReleaseEvent(QMouseEvent *event)
+{
+    const int index = std::exchange(m_pressed, -1);
+    if (event->button() == Qt::LeftButton && index >= 0 && index == indexAt(event->pos()))
+        emit picked(m_swatches[std::size_t(index)].colour);
+}
+
+void SwatchGrid::startDrag(int index)
+{
+    auto *data = new QMimeData;
+    data->setColorData(toScreen(m_swatches[std::size_t(index)].colour));
+    auto *drag = new QDrag(this);
+    drag->setMimeData(data);
+    drag->setPixmap(grab(cell(index)));
+    drag->setHotSpot({side / 2, side / 2});
+    drag->exec(Qt::CopyAction);
+}
+
+void SwatchGrid::contextMenuEvent(QContextMenuEvent *event)
+{
+    const int index = event->reason() == QContextMenuEvent::Keyboard ? m_current : indexAt(event->pos());
+    if (!m_editable || index < 0 || index >= size())
+        return;
+    setCurrent(index);
+    QMenu menu(this);
+    menu.addAction(tr("Rename…"), this, [this, index] { askName(index); });
+    menu.addAction(tr("Remove"), this, [this, index] { remove(index); });
+    menu.exec(event->reason() == QContextMenuEvent::Keyboard ? mapToGlobal(cell(index).bottomLeft())
+                                                             : event->globalPos());
+}
+
+void SwatchGrid::askName(int index)
+{
+    bool ok = false;
+    const QString name = QInputDialog::getText(this, tr("Rename swatch"), tr("Name"), QLineEdit::Normal,
+                                               m_swatches[std::size_t(index)].name, &ok);
+    if (ok && index < size())
+        rename(index, name.trimmed());
+}
+
+void SwatchGrid::keyPressEvent(QKeyEvent *event)
+{
+    const int across = columns(width());
+    if (m_swatches.empty())
+        return QWidget::keyPressEvent(event);
+    switch (event->key()) {
+    case Qt::Key_Left:
+        return setCurrent(m_current - 1);
+    case Qt::Key_Right:
+        return setCurrent(m_current + 1);
+    case Qt::Key_Up:
+        return setCurrent(m_current >= across ? m_current - across : m_current);
+    case Qt::Key_Down:
+        return setCurrent(m_current + across < size() ? m_current + across : m_current);
+    case Qt::Key_Return:
+    case Qt::Key_Enter:
+    case Qt::Key_Space:
+        emit picked(m_swatches[std::size_t(m_current)].colour);
+        return;
+    case Qt::Key_Delete:
+        return m_editable ? remove(m_current) : QWidget::keyPressEvent(event);
+    case Qt::Key_F2:
+        return m_editable ? askName(m_current) : QWidget::keyPressEvent(event);
+    default:
+        QWidget::keyPressEvent(event);
+    }
+}
+
+void SwatchGrid::dragEnterEvent(QDragEnterEvent *event)
+{
+    if (event->mimeData()->hasColor())
+        event->acceptProposedAction();
+}
+
+void SwatchGrid::dragMoveEvent(QDragMoveEvent *event)
+{
+    setGap(gapAt(event->position().toPoint()));
+    event->acceptProposedAction();
+}
+
+void SwatchGrid::dragLeaveEvent(QDragLeaveEvent *)
+{
+    setGap(-1);
+}
+
+void SwatchGrid::dropEvent(QDropEvent *event)
+{
+    setGap(-1);
+    const int to = gapAt(event->position().toPoint());
+    if (event->source() == this)
+        move(m_current, to); // the one that the drag began with
+    else
+        insert(to, fromScreen(event->mimeData()->colorData().value<QColor>()));
+    event->acceptProposedAction();
+}
+
+} // namespace suffuse

@@ -1,0 +1,42 @@
+#pragma once
+
+#include "model/painting/painting.h"
+
+#include <QWidget>
+
+class QToolButton;
+
+namespace suffuse {
+
+class Editor;
+class SwatchGrid;
+
+/// The painting's swatches, and GIMP palettes in and out. They are part of the document: each change is an undo step.
+class SwatchesSection : public QWidget {
+    Q_OBJECT
+
+public:
+    explicit SwatchesSection(Editor &editor, QWidget *parent = nullptr);
+
+    SwatchGrid *grid() const { return m_grid; }
+    QToolButton *addButton() const { return m_add; }
+    QToolButton *menuButton() const { return m_menu; }
+
+    /// Appends the palette's colours; says what is wrong with the file.
+    void importPalette(const QString &path);
+    void exportPalette(const QString &path);
+
+private:
+    void addMenu();
+    void refresh();
+    void push(const std::vector<Swatch> &swatches, const QString &undoText);
+
+    Editor &m_editor;
+    SwatchGrid *m_grid = nullptr;
+    QToolButton *m_add = nullptr;
+    QToolButton *m_menu = nullptr;
+    QAction *m_export = nullptr;
+    QAction *m_clear = nullptr;
+};
+
+} // namespace suffuse

@@ -1,0 +1,42 @@
+#pragma once
+
+#include "model/painting/ids.h"
+#include "undo/stroke_history.h"
+
+#include <QBasicTimer>
+#include <QListWidget>
+
+namespace suffuse {
+
+class Editor;
+
+/// The states that the one selected stroke has had. A click puts it back to one, as a step of its own: what was done to
+/// the rest of the painting since then stays.
+class StrokeHistoryList : public QListWidget {
+    Q_OBJECT
+
+public:
+    explicit StrokeHistoryList(Editor &editor, QWidget *parent = nullptr);
+
+    /// Whether exactly one stroke is selected.
+    bool hasStroke() const { return m_stroke != 0; }
+
+signals:
+    void strokeChanged();
+
+protected:
+    void showEvent(QShowEvent *event) override;
+    void timerEvent(QTimerEvent *event) override;
+
+private:
+    void followLater();
+    void follow();
+    void goTo(int row);
+
+    Editor &m_editor;
+    StrokeId m_stroke = 0;
+    std::vector<StrokeState> m_states;
+    QBasicTimer m_later;
+};
+
+} // namespace suffuse

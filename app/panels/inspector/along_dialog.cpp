@@ -1,0 +1,277 @@
+#include "app/panels/inspector/along_dialog.h"
+
+#include "app/editor.h"
+#include "app/widgets/section.h"
+
+#include <QButtonGroup>
+#include <QComboBox>
+#include <QDialogButtonBox>
+#include <QHBoxLayout>
+#include <QKeyEvent>
+#include <QLocale>
+#include <QScopedValueRollback>
+#include <QToolButton>
+#include <QVBoxLayout>
+
+#include <algorithm>
+#include <cmath>
+
+namespace suffuse {
+
+AlongDialog::AlongDialog(Editor &editor, QWidget *parent)
+    : QDialog(parent), m_editor(editor), m_runs(runsOf(editor.document())), m_run(beginEditRun())
+{
+    setWindowTitle(tr("Along the Stroke"));
+    setAttribute(Qt::WA_DeleteOnClose);
+    auto *column = new QVBoxLayout(this);
+    addChoice();
+    m_curve = new CurveEditor(this);
+    m_curve->setAccessibleName(tr("Curve along the stroke"));
+    m_curve->setToolTip(
+        tr("Drag the line or its ends; a drawn curve is drawn with the pointer. The dots are the values "
+           "of the segments."));
+    column->addWidget(m_curve, 1);
+    addFields();
+    m_hint = new HintLabel(this);
+    m_hint->setMargin(0);
+    column->addWidget(m_hint);
+    auto *buttons = new QDialogButtonBox(QDialogButtonBox::Ok | QDialogButtonBox::Cancel, this);
+    column->addWidget(buttons);
+    connect(buttons, &QDialogButtonBox::accepted, this, &QDialog::accept);
+    connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
+    connect(m_curve, &CurveEditor::edited, this, [this] {
+        showFields();
+        apply();
+    });
+    connect(&editor.document(), &Document::changed, this, &AlongDialog::documentChanged);
+    choose(Quantity::Density);
+}
+
+void AlongDialog::addChoice()
+{
+    auto *row = new QHBoxLayout;
+    m_choice = new QComboBox(this);
+    m_choice->setAccessibleName(tr("Quantity"));
+    for (const Quantity quantity : allQuantities)
+        m_choice->addItem(specOf(quantity).name);
+    row->addWidget(m_choice, 1);
+    m_shapes = new QButtonGroup(this);
+    const std::pair<QString, QString> shapes[] = {
+        {tr("Constant"), tr("The same value all along")},
+        {tr("Ramp"), tr("Evenly from one value to another")},
+        {tr("Drawn"), tr("A curve drawn with the pointer")},
+    };
+    for (const auto &[name, tip] : shapes) {
+        auto *button = new QToolButton(this);
+        button->setText(name);
+        button->setToolTip(tip);
+        button->setCheckable(true);
+        button->setAutoRaise(true); // the chosen one shows in a dark palette, too
+        button->setSizePolicy(QSizePolicy::Minimum, QSizePolicy::Preferred);
+        m_shapes->addButton(button, int(m_shapes->buttons().size()));
+        row->addWidget(button);
+    }
+    static_cast<QVBoxLayout *>(layout())->addLayout(row);
+    connect(m_choice, &QComboBox::activated, this, [this](int index) { choose(allQuantities[std::size_t(index)]); });
+    connect(m_shapes, &QButtonGroup::idClicked, this, [this](int shape) { choose(Shape(shape)); });
+}
+
+void AlongDialog::addFields()
+{
+    auto *row = new QHBoxLayout;
+    const auto add = [&](const QString &name, std::size_t knot) {
+        auto *label = new QLabel(name, this);
+        auto *field = new NumberField(this);
+        label->setBuddy(field);
+        field->setAccessibleName(name);
+        row->addWidget(label);
+        row->addWidget(field);
+        connect(field, &NumberField::entered, this, [this, knot](double value) { setEnd(knot, value); });
+        connect(field, &NumberField::stepped, this, [this, knot](double value) { setEnd(knot, value); });
+        connect(field, &NumberField::refused, this, [this](const QString &hint) { m_hint->showHint(hint); });
+        return std::pair(label, field);
+    };
+    m_start = add(tr("Start"), 0).second;
+    row->addStretch(1);
+    std::tie(m_endLabel, m_end) = add(tr("End"), 1);
+    static_cast<QVBoxLayout *>(layout())->addLayout(row);
+}
+
+double AlongDialog::Axis::toShare(double value) const
+{
+    const double v = std::clamp(value, low, high);
+    return logarithmic ? std::log(v / low) / std::log(high / low) : (v - low) / (high - low);
+}
+
+double AlongDialog::Axis::toValue(double share) const
+{
+    return std::clamp(logarithmic ? low * std::pow(high / low, share) : std::lerp(low, high, share), low, high);
+}
+
+/// The slider's range, widened to what is there.
+AlongDialog::Axis AlongDialog::axisOf(Quantity quantity) const
+{
+    const FieldSpec spec = specOf(quantity);
+    Axis axis{spec.sliderMinimum, spec.sliderMaximum, spec.logarithmic};
+    for (const auto &[id, run] : m_runs)
+        for (const RunPlace &p : run.places) {
+            const double value = valueOf(run.stroke->segments[std::size_t(p.segment)], quantity);
+            if (value > 0 || !axis.logarithmic)
+                axis.low = std::min(axis.low, value);
+            axis.high = std::max(axis.high, value);
+        }
+    return axis;
+}
+
+std::vector<QPointF> AlongDialog::presentOf(Quantity quantity) const
+{
+    constexpr std::size_t mostDots = 4000;
+    std::vector<QPointF> dots;
+    for (const auto &[id, run] : m_runs)
+        for (const RunPlace &p : run.places)
+            if (dots.size() < mostDots)
+                dots.emplace_back(p.place,
+                                  m_axis.toShare(valueOf(run.stroke->segments[std::size_t(p.segment)], quantity)));
+    std::stable_sort(dots.begin(), dots.end(), [](QPointF a, QPointF b) { return a.x() < b.x(); });
+    return dots;
+}
+
+void AlongDialog::choose(Quantity quantity)
+{
+    m_quantity = quantity;
+    m_choice->setCurrentIndex(
+        int(std::find(allQuantities.begin(), allQuantities.end(), quantity) - allQuantities.begin()));
+    const auto it = m_set.find(quantity);
+    m_axis = it == m_set.end() ? axisOf(quantity) : it->second.axis;
+    showQuantity();
+}
+
+void AlongDialog::showQuantity()
+{
+    const FieldSpec spec = specOf(m_quantity);
+    const auto text = [&](double value) { return QLocale().toString(value * spec.factor, 'g', 4) + spec.unit; };
+    m_curve->setAxis(text(m_axis.low), text(m_axis.high));
+    const std::vector<QPointF> present = presentOf(m_quantity);
+    m_curve->setPresent(present);
+    for (NumberField *field : {m_start, m_end}) {
+        field->setRange(spec.minimum, spec.maximum);
+        field->setUnit(spec.unit);
+        field->setDisplayFactor(spec.factor);
+        field->setStep(spec.step);
+    }
+    PlaceCurve curve;
+    if (const auto it = m_set.find(m_quantity); it != m_set.end()) {
+        curve = it->second.curve;
+    } else if (!present.empty()) { // as it is, from end to end
+        curve.knots = {present.front().y(), present.back().y()};
+        const bool same =
+            std::all_of(present.begin(), present.end(), [&](QPointF p) { return p.y() == present.front().y(); });
+        if (same)
+            curve.knots.pop_back();
+    }
+    m_curve->setCurve(curve);
+    showFields();
+}
+
+void AlongDialog::choose(Shape shape)
+{
+    const PlaceCurve &now = m_curve->curve();
+    PlaceCurve next;
+    if (shape == Constant)
+        next.knots = {now.at(0)};
+    else if (shape == Ramp)
+        next.knots = {now.at(0), now.at(1)};
+    else
+        for (int i = 0; i < CurveEditor::drawnKnots; ++i) {
+            next.knots.resize(CurveEditor::drawnKnots);
+            next.knots[std::size_t(i)] = now.at(double(i) / (CurveEditor::drawnKnots - 1));
+        }
+    m_curve->setCurve(next);
+    showFields();
+    if (m_set.contains(m_quantity))
+        apply(); // a curve set here goes on in its new shape; one that was only looked at changes nothing
+}
+
+void AlongDialog::showFields()
+{
+    const PlaceCurve &curve = m_curve->curve();
+    const std::size_t knots = curve.knots.size();
+    m_shapes->button(knots == 1 ? Constant : knots == 2 ? Ramp : Drawn)->setChecked(true);
+    m_start->setValue(m_axis.toValue(curve.at(0)));
+    m_end->setValue(m_axis.toValue(curve.at(1)));
+    m_start->setEnabled(knots <= 2);
+    m_end->setEnabled(knots == 2);
+    m_endLabel->setEnabled(knots == 2);
+}
+
+void AlongDialog::setEnd(std::size_t knot, double value)
+{
+    // The axis grows where more is asked for; what else is set keeps its values.
+    PlaceCurve curve = m_curve->curve();
+    Axis grown = m_axis;
+    if (value > 0 || !grown.logarithmic)
+        grown.low = std::min(grown.low, value);
+    grown.high = std::max(grown.high, value);
+    for (double &k : curve.knots)
+        k = grown.toShare(m_axis.toValue(k));
+    m_axis = grown;
+    curve.knots[std::min(knot, curve.knots.size() - 1)] = m_axis.toShare(value);
+    m_set[m_quantity] = {curve, m_axis};
+    showQuantity();
+    apply();
+}
+
+void AlongDialog::apply()
+{
+    if (m_finished)
+        return; // a drag that went on while the strokes went
+    m_set[m_quantity] = {m_curve->curve(), m_axis};
+    m_changed = true;
+    std::map<Quantity, std::function<double(double)>> values;
+    for (const auto &[quantity, set] : m_set)
+        values[quantity] = [&set = set](double place) { return set.axis.toValue(set.curve.at(place)); };
+    const QScopedValueRollback applying(m_applying, true);
+    m_editor.push(setAlong(m_editor.document(), runsToSet(), values), tr("Change along the stroke"), m_run);
+}
+
+const StrokeRuns &AlongDialog::runsToSet()
+{
+    const bool varies = std::any_of(m_set.begin(), m_set.end(), [](const auto &entry) {
+        const std::vector<double> &knots = entry.second.curve.knots;
+        return std::any_of(knots.begin(), knots.end(), [&](double k) { return k != knots.front(); });
+    });
+    if (!varies)
+        return m_runs;
+    if (!m_refined)
+        m_refined = refined(m_runs);
+    return *m_refined;
+}
+
+void AlongDialog::reject()
+{
+    if (m_changed) {
+        const QScopedValueRollback applying(m_applying, true);
+        m_editor.push(setAlong(m_editor.document(), m_runs, {}), tr("Change along the stroke"), m_run);
+    }
+    QDialog::reject();
+}
+
+void AlongDialog::keyPressEvent(QKeyEvent *event)
+{
+    // Return enters a number; it does not close the dialog.
+    const bool enters = event->key() == Qt::Key_Return || event->key() == Qt::Key_Enter;
+    if (!enters || !qobject_cast<NumberField *>(focusWidget()))
+        QDialog::keyPressEvent(event);
+}
+
+void AlongDialog::documentChanged(const Change &change)
+{
+    const bool ours =
+        std::any_of(change.strokes.begin(), change.strokes.end(), [this](StrokeId id) { return m_runs.contains(id); });
+    if (m_applying || m_finished || !(change.reset || ours))
+        return;
+    m_finished = true;
+    accept();
+}
+
+} // namespace suffuse

@@ -1,0 +1,87 @@
+#pragma once
+
+#include "app/widgets/curve_editor.h"
+#include "app/panels/inspector/stroke_run.h"
+
+#include <QDialog>
+
+#include <map>
+
+class QButtonGroup;
+class QComboBox;
+class QLabel;
+
+namespace suffuse {
+
+class Editor;
+class HintLabel;
+class NumberField;
+
+/// "Along the stroke": sets quantities of the segments that are selected when it opens over the arc length of their
+/// runs. All that is done in it shows at once and is one undo step; Cancel takes it back. It closes by itself, keeping
+/// what was done, when something else changes the strokes that it is about.
+class AlongDialog : public QDialog {
+    Q_OBJECT
+
+public:
+    enum Shape { Constant, Ramp, Drawn };
+
+    AlongDialog(Editor &editor, QWidget *parent);
+
+    void choose(Quantity quantity);
+    void choose(Shape shape);
+    CurveEditor *curve() const { return m_curve; }
+    NumberField *start() const { return m_start; }
+    NumberField *end() const { return m_end; }
+
+    void reject() override;
+
+protected:
+    void keyPressEvent(QKeyEvent *event) override;
+
+private:
+    /// The axis of a quantity: values ↔ [0, 1].
+    struct Axis {
+        double low = 0, high = 1;
+        bool logarithmic = false;
+        double toShare(double value) const;
+        double toValue(double share) const;
+    };
+
+    void addChoice();
+    void addFields();
+    void showQuantity();
+    void showFields();
+    Axis axisOf(Quantity quantity) const;
+    std::vector<QPointF> presentOf(Quantity quantity) const;
+    void setEnd(std::size_t knot, double value);
+    void apply();
+    const StrokeRuns &runsToSet();
+    void documentChanged(const Change &change);
+
+    Editor &m_editor;
+    StrokeRuns m_runs;
+    std::optional<StrokeRuns> m_refined; ///< once something varies
+    EditRun m_run;
+    Quantity m_quantity = Quantity::Density;
+    Axis m_axis;
+    /// A curve that was set here, and the axis that it belongs to.
+    struct Set {
+        PlaceCurve curve;
+        Axis axis;
+    };
+    std::map<Quantity, Set> m_set;
+    bool m_applying = false;
+    bool m_changed = false;
+    bool m_finished = false; ///< by a change from elsewhere
+
+    QComboBox *m_choice = nullptr;
+    QButtonGroup *m_shapes = nullptr;
+    CurveEditor *m_curve = nullptr;
+    QLabel *m_endLabel = nullptr;
+    NumberField *m_start = nullptr;
+    NumberField *m_end = nullptr;
+    HintLabel *m_hint = nullptr;
+};
+
+} // namespace suffuse

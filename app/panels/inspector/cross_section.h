@@ -1,0 +1,29 @@
+// Densities for panels: quick, to a thousandth of the peak. Pictures never come from here.
+#pragma once
+
+#include "model/painting/painting.h"
+
+#include <array>
+#include <vector>
+
+namespace suffuse {
+
+/// φ_k of one segment at a canvas point (eq 13); 0 at age ≤ 0.
+double segmentDensityAt(const Stroke &stroke, const Segment &segment, Microseconds time, Point point);
+/// φ of the stroke (eq 14).
+double strokeDensityAt(const Stroke &stroke, Microseconds time, Point point);
+
+/// A stroke at one distance from its curve.
+struct CrossSectionPoint {
+    double offset = 0;           ///< across the curve, units
+    double density = 0;          ///< φ
+    double opacity = 0;          ///< w (21), without the paper's texture
+    std::array<double, 3> rgb{}; ///< of the stroke mixed onto the background, sRGB-encoded
+};
+
+/// Across the middle of a segment, all segments of its stroke counted, from one side to the other; empty where the
+/// segment is not there yet.
+std::vector<CrossSectionPoint> crossSectionOf(const Painting &painting, const Stroke &stroke, int segment,
+                                              Microseconds time, int samples);
+
+} // namespace suffuse

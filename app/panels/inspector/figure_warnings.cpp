@@ -1,0 +1,73 @@
+#include "app/panels/inspector/figure_warnings.h"
+
+#include <QCoreApplication>
+#include <QLocale>
+
+#include <cmath>
+
+namespace suffuse {
+
+namespace {
+
+/// Below this ratio ξ1/ξ2 the uniform style covers noticeably (5 %) where there is hardly any paint.
+constexpr double clearestEdge = 3;
+/// Coverage inside a dark rim that nobody sees.
+constexpr double bareInside = 0.02;
+
+struct Text {
+    Q_DECLARE_TR_FUNCTIONS(FigureWarnings)
+};
+
+QString seconds(double value)
+{
+    return QLocale().toString(value, 'g', 3);
+}
+
+void addFading(QStringList &warnings, const Extent &fading, const Extent &shrinking, std::size_t all)
+{
+    if (fading.count == all)
+        //: %1: seconds after it was painted
+        warnings
+            << Text::tr(
+                   "Dries out at %1 s: nothing of it is seen after that. More φ, or less D or drying time, keeps it.")
+                   .arg(seconds(fading.most));
+    else if (fading.count > 0)
+        warnings << Text::tr("Parts dry out, the first at %1 s. More φ, or less D or drying time, keeps them.")
+                        .arg(seconds(fading.least));
+    else if (shrinking.count > 0)
+        warnings << Text::tr("Widest at %1 s; from then on it grows narrower while it spreads.")
+                        .arg(seconds(shrinking.least));
+}
+
+void addStyle(QStringList &warnings, const Style &style)
+{
+    const double xi1 = style.xi[0], xi2 = style.xi[1], xi3 = style.xi[2];
+    if (style.kind == StyleKind::Uniform && xi1 < clearestEdge * xi2)
+        warnings << Text::tr("ξ2 too large for ξ1: the stroke has no clear edge and tints as far as its paint reaches. "
+                             "Up to %1 is clear.")
+                        .arg(QLocale().toString(xi1 / clearestEdge, 'g', 2));
+    if (style.kind == StyleKind::Edge && xi3 * (1 - std::pow(xi2 / xi1, 6) / 4) < bareInside)
+        warnings << Text::tr("ξ2 too large for ξ1: the paint inside the dark rim vanishes.");
+}
+
+} // namespace
+
+QStringList figureWarnings(const FiguresSummary &figures)
+{
+    QStringList warnings;
+    if (figures.withoutPaint == figures.segments)
+        warnings << Text::tr("Density 0: there is no paint.");
+    else if (figures.transparent == figures.segments)
+        warnings << Text::tr("Opacity 0 %: nothing of it is seen.");
+    else
+        addFading(warnings, figures.fading, figures.shrinking, figures.segments);
+    for (const Style &style : figures.styles) {
+        if (warnings.size() > 3)
+            break;
+        addStyle(warnings, style);
+    }
+    warnings.removeDuplicates();
+    return warnings;
+}
+
+} // namespace suffuse

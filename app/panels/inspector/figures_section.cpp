@@ -1,0 +1,142 @@
+#include "app/panels/inspector/figures_section.h"
+
+#include "app/editor.h"
+#include "app/panels/inspector/cross_section_plot.h"
+#include "app/panels/inspector/density_plot.h"
+#include "app/panels/inspector/figure_warnings.h"
+#include "app/widgets/number_field.h"
+#include "app/widgets/section.h"
+
+#include <QGridLayout>
+#include <QLocale>
+#include <QVBoxLayout>
+
+namespace suffuse {
+
+namespace {
+
+constexpr int laterMs = 40;
+
+/// "3.2 – 5.6" or "3.2"
+QString rangeText(double low, double high, const QString &unit)
+{
+    const QLocale locale;
+    const QString from = locale.toString(low, 'g', 3), to = locale.toString(high, 'g', 3);
+    return (from == to ? from : from + QStringLiteral(" – ") + to) + unit;
+}
+
+} // namespace
+
+FiguresSection::FiguresSection(Editor &editor, QWidget *parent) : QWidget(parent), m_editor(editor)
+{
+    auto *column = new QVBoxLayout(this);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->setSpacing(4);
+    m_plot = new DensityPlot(this);
+    m_plot->setAccessibleName(tr("Density function"));
+    m_plot->setToolTip(tr("How density becomes coverage. The mark is the peak density of the selected segments."));
+    column->addWidget(m_plot);
+    m_cut = new CrossSectionPlot(this);
+    m_cut->setAccessibleName(tr("Cross-section"));
+    m_cut->setToolTip(tr("The cut through the stroke at the first selected segment, at the moment shown: coverage, on "
+                         "the colour that it has on the background."));
+    column->addWidget(m_cut);
+    addFigures(*column);
+    m_warnings = new HintLabel(this);
+    m_warnings->setMargin(0);
+    m_warnings->setAccessibleName(tr("Warnings"));
+    column->addWidget(m_warnings);
+    m_later.setSingleShot(true);
+    m_later.setInterval(laterMs);
+    connect(&m_later, &QTimer::timeout, this, [this] {
+        if (isVisible())
+            refreshCut();
+    });
+    // While paint spreads, the cut does.
+    connect(&editor.clock(), &PaintingClock::timeChanged, this, &FiguresSection::refreshCutSoon);
+}
+
+void FiguresSection::addFigures(QVBoxLayout &column)
+{
+    QGridLayout *grid = addFieldGrid(column);
+    const std::array<QString, 5> names{tr("Spread s"), tr("Spread along"), tr("Peak density"), tr("Half-width"),
+                                       tr("Fades away")};
+    const std::array<QString, 5> tips{tr("How far the paint has spread across the curve once it is dry: √(4·D·t_max)."),
+                                      tr("How far it has spread along the curve."),
+                                      tr("Density in the middle of a long straight stroke, dry."),
+                                      tr("From the middle to the visible edge of a long straight stroke, dry."),
+                                      tr("When the paint has spread so thin that nothing of it is visible any more.")};
+    for (int i = 0; i < 5; ++i) {
+        auto *name = quietLabel(names[std::size_t(i)], this);
+        name->setWordWrap(false);
+        auto *figure = new QLabel(this);
+        figure->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
+        figure->setTextInteractionFlags(Qt::TextSelectableByMouse);
+        figure->setAccessibleName(names[std::size_t(i)]);
+        name->setToolTip(tips[std::size_t(i)]);
+        figure->setToolTip(tips[std::size_t(i)]);
+        grid->addWidget(name, i, 0);
+        grid->addWidget(figure, i, 1, 1, 2);
+        m_names[std::size_t(i)] = name;
+        m_figures[std::size_t(i)] = figure;
+    }
+}
+
+void FiguresSection::refresh(const Inspected &inspected)
+{
+    if (inspected.isEmpty())
+        return;
+    // A whole stroke is cut in its middle, a run of segments at its first.
+    const bool whole = m_editor.document().selection().segments.empty();
+    m_cutAt = inspected.refs.front();
+    if (whole)
+        m_cutAt.segment = int(inspected.segments.front().stroke->segments.size()) / 2;
+    refreshCutSoon();
+    const FiguresSummary figures = m_keeper.summaryOf(inspected);
+    showFigures(figures);
+    m_warnings->showHint(figureWarnings(figures).join('\n'));
+}
+
+void FiguresSection::showEvent(QShowEvent *event)
+{
+    QWidget::showEvent(event);
+    refreshCutSoon();
+}
+
+void FiguresSection::refreshCutSoon()
+{
+    if (!m_later.isActive())
+        m_later.start();
+}
+
+void FiguresSection::refreshCut()
+{
+    const PaintingPtr &painting = m_editor.document().painting();
+    const StrokePtr stroke = painting->find(m_cutAt.stroke);
+    if (stroke && m_cutAt.segment < int(stroke->segments.size()))
+        m_cut->show(
+            crossSectionOf(*painting, *stroke, m_cutAt.segment, m_editor.clock().time(), CrossSectionPlot::samples));
+}
+
+void FiguresSection::showFigures(const FiguresSummary &figures)
+{
+    const auto range = [](const Extent &extent, const QString &unit) {
+        return rangeText(extent.least, extent.most, unit);
+    };
+    const Extent &dries = figures.driesOut;
+    const bool stays = dries.count < figures.segments;
+    const QString seconds = NumberField::secondsUnit();
+    m_names[0]->setText(figures.uneven ? tr("Spread across") : tr("Spread s"));
+    m_names[1]->setVisible(figures.uneven);
+    m_figures[1]->setVisible(figures.uneven);
+    m_figures[0]->setText(range(figures.spread, NumberField::canvasUnit()));
+    m_figures[1]->setText(range(figures.along, NumberField::canvasUnit()));
+    m_figures[2]->setText(range(figures.peak, QString()));
+    m_figures[3]->setText(range(figures.halfWidth, NumberField::canvasUnit()));
+    m_figures[4]->setText(dries.count == 0 ? tr("never")
+                          : stays          ? tr("partly, from %1").arg(rangeText(dries.least, dries.least, seconds))
+                                           : tr("after %1").arg(range(dries, seconds)));
+    m_plot->show(figures.styles.front(), figures.peak.least, figures.peak.most, figures.styles.size() > 1);
+}
+
+} // namespace suffuse

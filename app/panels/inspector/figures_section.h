@@ -1,0 +1,56 @@
+#pragma once
+
+#include "app/panels/inspector/figures_summary.h"
+
+#include <QTimer>
+#include <QWidget>
+
+#include <array>
+
+class QLabel;
+class QVBoxLayout;
+
+namespace suffuse {
+
+class CrossSectionPlot;
+class DensityPlot;
+class Editor;
+class HintLabel;
+
+/// What the selected segments' values come to: the density function, the cut through the stroke, derived figures, and
+/// warnings where values defeat their purpose.
+class FiguresSection : public QWidget {
+    Q_OBJECT
+
+public:
+    explicit FiguresSection(Editor &editor, QWidget *parent = nullptr);
+
+    void refresh(const Inspected &inspected);
+
+    DensityPlot *densityPlot() const { return m_plot; }
+    CrossSectionPlot *crossSection() const { return m_cut; }
+    HintLabel *warnings() const { return m_warnings; }
+    /// Spread, spread along, peak, half-width, fades. The second is there where spread is uneven.
+    QLabel *figure(int index) const { return m_figures[std::size_t(index)]; }
+
+protected:
+    void showEvent(QShowEvent *event) override;
+
+private:
+    void addFigures(QVBoxLayout &column);
+    void showFigures(const FiguresSummary &figures);
+    void refreshCutSoon();
+    void refreshCut();
+
+    Editor &m_editor;
+    FiguresKeeper m_keeper;
+    SegmentRef m_cutAt; ///< where the stroke is cut
+    QTimer m_later;     ///< the cut costs more than the rest: the picture goes first
+    DensityPlot *m_plot = nullptr;
+    CrossSectionPlot *m_cut = nullptr;
+    HintLabel *m_warnings = nullptr;
+    std::array<QLabel *, 5> m_figures{};
+    std::array<QLabel *, 5> m_names{};
+};
+
+} // namespace suffuse

@@ -1,0 +1,166 @@
+#include "app/panels/inspector/inspector_panel.h"
+
+#include "app/editor.h"
+#include "app/panels/inspector/along_dialog.h"
+#include "app/panels/inspector/canvas_section.h"
+#include "app/widgets/compare_button.h"
+#include "app/panels/inspector/figures_section.h"
+#include "app/widgets/section.h"
+#include "app/panels/inspector/segment_section.h"
+#include "app/panels/inspector/stroke_section.h"
+#include "app/panels/inspector/style_section.h"
+#include "app/panels/inspector/underlay_section.h"
+#include "undo/edits.h"
+
+#include <QHBoxLayout>
+#include <QScrollArea>
+#include <QToolButton>
+#include <QVBoxLayout>
+
+namespace suffuse {
+
+InspectorPanel::InspectorPanel(Editor &editor, QWidget *parent) : QWidget(parent), m_editor(editor)
+{
+    auto *outer = new QVBoxLayout(this);
+    outer->setContentsMargins(0, 0, 0, 0);
+    outer->setSpacing(0);
+    m_scroll = new QScrollArea(this);
+    m_scroll->setWidgetResizable(true);
+    m_scroll->setFrameShape(QFrame::NoFrame);
+    m_scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    m_scroll->setFocusPolicy(Qt::NoFocus);
+    m_hint = new HintLabel(this);
+    outer->addWidget(m_scroll, 1);
+    outer->addWidget(m_hint);
+
+    auto *content = new QWidget;
+    auto *pages = new QVBoxLayout(content);
+    pages->setContentsMargins(8, 8, 8, 8);
+    pages->setSpacing(0);
+    m_selectionPage = new QWidget(content);
+    m_canvasPage = new QWidget(content);
+    pages->addWidget(m_selectionPage);
+    pages->addWidget(m_canvasPage);
+    pages->addStretch(1);
+
+    auto *selection = new QVBoxLayout(m_selectionPage);
+    selection->setContentsMargins(0, 0, 0, 0);
+    selection->setSpacing(12);
+    addHead(*selection);
+    m_segments = new SegmentSection(editor, m_selectionPage);
+    m_style = new StyleSection(editor, m_selectionPage);
+    m_figures = new FiguresSection(editor, m_selectionPage);
+    m_strokes = new StrokeSection(editor, m_selectionPage);
+    for (QWidget *widget : std::initializer_list<QWidget *>{m_segments, m_style, m_figures, m_strokes})
+        selection->addWidget(widget);
+
+    auto *canvas = new QVBoxLayout(m_canvasPage);
+    canvas->setContentsMargins(0, 0, 0, 0);
+    canvas->setSpacing(12);
+    canvas->addWidget(
+        quietLabel(tr("Nothing is selected. Click a stroke to see and change its values."), m_canvasPage));
+    m_canvas = new CanvasSection(m_canvasPage);
+    canvas->addWidget(m_canvas);
+    m_underlay = new UnderlaySection(editor, m_canvasPage);
+    canvas->addWidget(m_underlay);
+    m_scroll->setWidget(content);
+    alignFieldLabels(*content);
+
+    connect(m_segments, &SegmentSection::refused, m_hint, &HintLabel::showHint);
+    connect(m_style, &StyleSection::refused, m_hint, &HintLabel::showHint);
+    connect(m_strokes, &StrokeSection::refused, m_hint, &HintLabel::showHint);
+    connect(m_canvas, &CanvasSection::refused, m_hint, &HintLabel::showHint);
+    connect(m_underlay, &UnderlaySection::refused, m_hint, &HintLabel::showHint);
+    connect(m_canvas, &CanvasSection::edited, this, [this](const Canvas &value, const QString &text, EditRun run) {
+        m_editor.push(setCanvas(m_editor.document(), value), text, run);
+    });
+    connect(&editor.laterChanges(), &LaterChanges::changed, this, &InspectorPanel::documentChanged);
+    refresh();
+}
+
+void InspectorPanel::addHead(QVBoxLayout &column)
+{
+    auto *row = new QHBoxLayout;
+    row->setSpacing(4);
+    m_summary = quietLabel(QString(), m_selectionPage);
+    m_compare = new CompareButton(m_editor, m_selectionPage);
+    m_alongButton = new QToolButton(m_selectionPage);
+    m_alongButton->setText(tr("Along the Stroke…"));
+    m_alongButton->setToolTip(tr("Sets a value along the stroke: constant, as a ramp, or drawn as a curve."));
+    m_alongButton->setFocusPolicy(Qt::TabFocus);
+    connect(m_alongButton, &QToolButton::clicked, this, &InspectorPanel::openAlong);
+    for (QToolButton *button : {static_cast<QToolButton *>(m_compare), m_alongButton}) {
+        button->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Preferred);
+        row->addWidget(button, button == m_alongButton ? 3 : 2);
+    }
+    column.addWidget(m_summary);
+    column.addLayout(row);
+}
+
+void InspectorPanel::openAlong()
+{
+    if (!m_along) {
+        m_along = new AlongDialog(m_editor, this);
+        emit alongOpening(m_along);
+    }
+    m_along->show();
+    m_along->raise();
+    m_along->activateWindow();
+}
+
+AlongDialog *InspectorPanel::along() const
+{
+    return m_along;
+}
+
+QSize InspectorPanel::sizeHint() const
+{
+    return {280, 480};
+}
+
+void InspectorPanel::documentChanged(const Change &change)
+{
+    // The stroke in hand is not inspected, and comes many times a second.
+    if (change.strokes.empty() && !change.selection && !change.canvas && !change.reset)
+        return;
+    if (change.selection || change.reset)
+        m_hint->showHint({});
+    if (isVisible())
+        refresh();
+    else
+        m_stale = true;
+}
+
+void InspectorPanel::showEvent(QShowEvent *event)
+{
+    QWidget::showEvent(event);
+    if (m_stale)
+        refresh();
+}
+
+void InspectorPanel::refresh()
+{
+    m_stale = false;
+    const Document &document = m_editor.document();
+    const Inspected inspected = inspect(document);
+    m_selectionPage->setVisible(!inspected.isEmpty());
+    m_canvasPage->setVisible(inspected.isEmpty());
+    if (inspected.isEmpty()) {
+        m_canvas->setCanvas(document.painting()->canvas);
+        m_underlay->refresh();
+        return;
+    }
+    std::size_t all = 0;
+    for (const Stroke *stroke : inspected.strokes)
+        all += stroke->segments.size();
+    const std::size_t count = inspected.segments.size();
+    const QString segments =
+        count == all ? tr("%n segment(s)", nullptr, int(all)) : tr("%1 of %n segment(s)", nullptr, int(all)).arg(count);
+    m_summary->setText(tr("%1 · %2").arg(tr("%n stroke(s)", nullptr, int(inspected.strokes.size())), segments));
+    m_segments->refresh(inspected);
+    m_style->refresh(inspected);
+    m_figures->refresh(inspected);
+    m_strokes->refresh(inspected);
+}
+
+} // namespace suffuse

@@ -1,0 +1,78 @@
+#pragma once
+
+#include "model/document/edit.h"
+
+#include <QPointer>
+#include <QWidget>
+
+class QLabel;
+class QToolButton;
+class QVBoxLayout;
+class QScrollArea;
+
+namespace suffuse {
+
+class AlongDialog;
+class CanvasSection;
+class CompareButton;
+class Editor;
+class FiguresSection;
+class HintLabel;
+class SegmentSection;
+class StrokeSection;
+class StyleSection;
+class UnderlaySection;
+
+/// Values of the selected segments and strokes; with nothing selected, those of the canvas. Each change is one undo
+/// step, a slider drag too.
+class InspectorPanel : public QWidget {
+    Q_OBJECT
+
+public:
+    explicit InspectorPanel(Editor &editor, QWidget *parent = nullptr);
+
+    SegmentSection *segmentSection() const { return m_segments; }
+    StyleSection *styleSection() const { return m_style; }
+    FiguresSection *figuresSection() const { return m_figures; }
+    StrokeSection *strokeSection() const { return m_strokes; }
+    CanvasSection *canvasSection() const { return m_canvas; }
+    UnderlaySection *underlaySection() const { return m_underlay; }
+    CompareButton *compare() const { return m_compare; }
+    QToolButton *alongButton() const { return m_alongButton; }
+    AlongDialog *along() const; ///< null while it is not open
+    HintLabel *hint() const { return m_hint; }
+
+    QSize sizeHint() const override;
+
+signals:
+    /// Before it is shown: where it goes is for the window to say.
+    void alongOpening(QWidget *dialog);
+
+protected:
+    void showEvent(QShowEvent *event) override;
+
+private:
+    void addHead(QVBoxLayout &column);
+    void openAlong();
+    void refresh();
+    void documentChanged(const Change &change);
+
+    Editor &m_editor;
+    QScrollArea *m_scroll = nullptr;
+    QLabel *m_summary = nullptr;
+    CompareButton *m_compare = nullptr;
+    QToolButton *m_alongButton = nullptr;
+    QPointer<AlongDialog> m_along;
+    SegmentSection *m_segments = nullptr;
+    StyleSection *m_style = nullptr;
+    FiguresSection *m_figures = nullptr;
+    StrokeSection *m_strokes = nullptr;
+    QWidget *m_selectionPage = nullptr;
+    QWidget *m_canvasPage = nullptr;
+    CanvasSection *m_canvas = nullptr;
+    UnderlaySection *m_underlay = nullptr;
+    HintLabel *m_hint = nullptr;
+    bool m_stale = true;
+};
+
+} // namespace suffuse

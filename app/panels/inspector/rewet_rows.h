@@ -1,0 +1,40 @@
+#pragma once
+
+#include "app/panels/inspector/inspected.h"
+
+#include <QWidget>
+
+class QVBoxLayout;
+
+namespace suffuse {
+
+class Editor;
+
+/// When the inspected segments are wetted again, a row for each time, with a button that takes it away. Hidden where
+/// none are.
+class RewetRows : public QWidget {
+    Q_OBJECT
+
+public:
+    explicit RewetRows(Editor &editor, QWidget *parent = nullptr);
+
+    void refresh(const Inspected &inspected);
+
+private:
+    /// A time at which some or all of the segments are wetted.
+    struct Row {
+        Rewet rewet;
+        bool ofAll = false;
+        friend bool operator==(const Row &, const Row &) = default;
+    };
+    void show(const std::vector<Row> &rows, bool more);
+    void addRow(const Row &row);
+
+    Editor &m_editor;
+    std::vector<Row> m_rows;
+    bool m_more = false;
+    QWidget *m_list = nullptr;
+    QVBoxLayout *m_column = nullptr;
+};
+
+} // namespace suffuse

@@ -1,0 +1,240 @@
+#include "app/panels/inspector/segment_section.h"
+
+#include "app/editor.h"
+#include "app/widgets/bar_slider.h"
+#include "app/panels/colour/colour_rows.h"
+#include "app/widgets/colour_swatch.h"
+#include "app/panels/quantity.h"
+#include "app/panels/inspector/rewet_rows.h"
+#include "app/widgets/section.h"
+#include "undo/edits.h"
+#include "undo/time_edits.h"
+
+#include <QGridLayout>
+#include <QHBoxLayout>
+#include <QVBoxLayout>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace suffuse {
+
+namespace {
+
+constexpr double smallestPositive = 1e-9;
+
+FieldSpec bornSpec()
+{
+    return {.name = SegmentSection::tr("Born"),
+            .toolTip =
+                SegmentSection::tr("When the stroke, or what is selected of it, begins. All of that moves in time "
+                                   "as one."),
+            .unit = NumberField::secondsUnit(),
+            .minimum = 0,
+            .maximum = 1e9,
+            .sliderMaximum = 10,
+            .step = 0.1};
+}
+
+/// When the selected segments of each stroke begin.
+std::vector<Microseconds> beginsOf(const std::vector<InspectedSegment> &segments)
+{
+    std::vector<Microseconds> begins;
+    const Stroke *stroke = nullptr;
+    for (const InspectedSegment &s : segments) {
+        if (s.stroke != stroke)
+            begins.push_back(s.segment->born);
+        stroke = s.stroke;
+        begins.back() = std::min(begins.back(), s.segment->born);
+    }
+    return begins;
+}
+
+FieldSpec anisotropySpec()
+{
+    return {.name = SegmentSection::tr("Anisotropy"),
+            .toolTip = SegmentSection::tr("How many times D along the angle is D across it; 1 spreads evenly."),
+            .minimum = 1e-6,
+            .maximum = 1e6,
+            .sliderMinimum = 0.01,
+            .sliderMaximum = 100,
+            .logarithmic = true,
+            .defaultValue = Segment{}.anisotropyRatio};
+}
+
+FieldSpec angleSpec()
+{
+    constexpr double degree = std::numbers::pi / 180;
+    return {.name = SegmentSection::tr("Angle"),
+            .toolTip = SegmentSection::tr("Direction of the anisotropy, clockwise from the horizontal."),
+            .unit = QStringLiteral("°"),
+            .minimum = -360 * degree,
+            .maximum = 360 * degree,
+            .sliderMinimum = -90 * degree, // a half turn is the same again
+            .sliderMaximum = 90 * degree,
+            .factor = 1 / degree,
+            .step = degree,
+            .sliderStep = degree,
+            .defaultValue = Segment{}.anisotropyAngle};
+}
+
+QString colourText(int channel)
+{
+    return channel == ColourRows::Opacity ? SegmentSection::tr("Change opacity") : SegmentSection::tr("Change colour");
+}
+
+} // namespace
+
+SegmentSection::SegmentSection(Editor &editor, QWidget *parent) : QWidget(parent), m_editor(editor)
+{
+    auto *column = new QVBoxLayout(this);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->setSpacing(4);
+    column->addWidget(sectionTitle(tr("Segments"), this));
+    auto *grid = addFieldGrid(*column);
+    m_diffusion = addRow(specOf(Quantity::Diffusion), *grid, &Segment::diffusion, tr("Change diffusion"));
+    m_density = addRow(specOf(Quantity::Density), *grid, &Segment::density, tr("Change density"));
+    m_granulation = addRow(specOf(Quantity::Granulation), *grid, &Segment::granulation, tr("Change granulation"));
+    m_maxAge = addRow(specOf(Quantity::MaxAge), *grid, &Segment::maxAge, tr("Change drying time"));
+    addBorn(*grid);
+    m_anisotropy = addRow(anisotropySpec(), *grid, &Segment::anisotropyRatio, tr("Change anisotropy"));
+    m_angle = addRow(angleSpec(), *grid, &Segment::anisotropyAngle, tr("Change angle"));
+
+    m_rewet = new RewetRows(editor, this);
+    column->addWidget(m_rewet);
+
+    auto *head = new QHBoxLayout;
+    head->addWidget(sectionTitle(tr("Colour"), this), 1);
+    m_swatch = new ColourSwatch(this);
+    m_swatch->setAccessibleName(tr("Colour of the selection"));
+    m_swatch->setToolTip(tr("Colour of the selection. Click: paint with it."));
+    head->addWidget(m_swatch);
+    column->addSpacing(8);
+    column->addLayout(head);
+    m_colour = new ColourRows(true, this);
+    column->addWidget(m_colour);
+    connect(m_colour, &ColourRows::edited, this, &SegmentSection::changeColour);
+    connect(m_colour, &ColourRows::editedRelative, this, [this](int channel, const ValueMap &map) {
+        changeEach([channel](Segment &s) -> float & { return ColourRows::channelOf(s.colour, channel); }, map,
+                   colourText(channel));
+    });
+    connect(m_colour, &ColourRows::refused, this, &SegmentSection::refused);
+    connect(m_swatch, &ColourSwatch::clicked, this, &SegmentSection::takeCurrentColour);
+}
+
+void SegmentSection::addBorn(QGridLayout &grid)
+{
+    m_born = new SliderField(bornSpec(), grid, grid.rowCount(), this);
+    connect(m_born, &SliderField::edited, this,
+            [this](double value, EditRun run) { changeBorn([value](double) { return value; }, run); });
+    connect(m_born, &SliderField::editedRelative, this, [this](const ValueMap &map) { changeBorn(map, 0); });
+    connect(m_born, &SliderField::refused, this, &SegmentSection::refused);
+}
+
+void SegmentSection::changeBorn(const ValueMap &map, EditRun run)
+{
+    const Document &document = m_editor.document();
+    bool possible = true;
+    const auto mapped = [&](Microseconds begin) -> std::optional<Microseconds> {
+        const std::optional<double> value = map(toSeconds(begin));
+        possible = possible && value;
+        return value ? std::optional(toMicroseconds(*value)) : std::nullopt;
+    };
+    Edit edit = beginAt(*document.painting(), document.selection(), mapped);
+    if (possible)
+        m_editor.push(std::move(edit), tr("Change birth"), run);
+    else
+        refuse();
+}
+
+void SegmentSection::refuse()
+{
+    emit refused(tr("Not possible for all that is selected: a value would be out of range."));
+}
+
+SliderField *SegmentSection::addRow(const FieldSpec &spec, QGridLayout &grid, float Segment::*member,
+                                    const QString &undoText)
+{
+    auto *field = new SliderField(spec, grid, grid.rowCount(), this);
+    connect(field, &SliderField::edited, this, [this, member, undoText](double value, EditRun run) {
+        Document &document = m_editor.document();
+        m_editor.push(changeSegments(document, targetSegments(document),
+                                     [=](Segment &segment) { segment.*member = float(value); }),
+                      undoText, run);
+    });
+    connect(field, &SliderField::editedRelative, this, [this, member, undoText](const ValueMap &map) {
+        changeEach([member](Segment &s) -> float & { return s.*member; }, map, undoText);
+    });
+    connect(field, &SliderField::refused, this, &SegmentSection::refused);
+    return field;
+}
+
+void SegmentSection::changeEach(const std::function<float &(Segment &)> &member, const ValueMap &map,
+                                const QString &undoText)
+{
+    Document &document = m_editor.document();
+    bool possible = true;
+    Edit edit = changeSegments(document, targetSegments(document), [&](Segment &segment) {
+        float &value = member(segment);
+        const std::optional<double> mapped = map(double(value));
+        possible = possible && mapped;
+        value = float(mapped.value_or(value));
+    });
+    if (possible)
+        m_editor.push(std::move(edit), undoText);
+    else
+        refuse();
+}
+
+void SegmentSection::changeColour(int channel, double value, EditRun run)
+{
+    Document &document = m_editor.document();
+    m_editor.push(
+        changeSegments(document, targetSegments(document),
+                       [=](Segment &segment) { ColourRows::channelOf(segment.colour, channel) = float(value); }),
+        colourText(channel), run);
+}
+
+void SegmentSection::takeCurrentColour()
+{
+    if (m_swatch->colour())
+        m_editor.setColour(*m_swatch->colour());
+}
+
+void SegmentSection::showBorn(const Inspected &inspected)
+{
+    const std::vector<Microseconds> begins = beginsOf(inspected.segments);
+    if (!begins.empty() && !m_born->slider()->isSliderDown()) // a drag keeps its scale
+        m_born->setSliderRange(0, 10 * (1 + std::floor(toSeconds(std::ranges::max(begins)) / 10)));
+    m_born->setValue(commonNumber(begins, [](Microseconds begin) { return toSeconds(begin); }));
+}
+
+void SegmentSection::refresh(const Inspected &inspected)
+{
+    const auto &segments = inspected.segments;
+    const auto common = [&segments](float Segment::*member) {
+        return commonNumber(segments, [member](const InspectedSegment &s) { return s.segment->*member; });
+    };
+    m_diffusion->setValue(common(&Segment::diffusion));
+    m_density->setValue(common(&Segment::density));
+    m_granulation->setValue(common(&Segment::granulation));
+    m_maxAge->setValue(common(&Segment::maxAge));
+    showBorn(inspected);
+    m_anisotropy->setValue(common(&Segment::anisotropyRatio));
+    m_angle->setValue(common(&Segment::anisotropyAngle));
+    m_angle->setEnabled(std::any_of(segments.begin(), segments.end(),
+                                    [](const InspectedSegment &s) { return !s.segment->isIsotropic(); }));
+
+    m_rewet->refresh(inspected);
+
+    std::array<std::optional<double>, 4> channels;
+    for (int channel = 0; channel < 4; ++channel)
+        channels[std::size_t(channel)] = commonNumber(segments, [channel](const InspectedSegment &s) {
+            return ColourRows::channelOf(s.segment->colour, channel);
+        });
+    m_colour->setColour(channels, segments.empty() ? Colour{} : segments.front().segment->colour);
+    m_swatch->setColour(commonValue(segments, [](const InspectedSegment &s) { return s.segment->colour; }));
+}
+
+} // namespace suffuse

@@ -1,0 +1,59 @@
+#pragma once
+
+#include "app/panels/inspector/inspected.h"
+#include "app/widgets/slider_field.h"
+
+namespace suffuse {
+
+class ColourRows;
+class ColourSwatch;
+class Editor;
+class RewetRows;
+
+/// D, φ, ω, t_max, birth, anisotropy and colour of the selected segments.
+class SegmentSection : public QWidget {
+    Q_OBJECT
+
+public:
+    explicit SegmentSection(Editor &editor, QWidget *parent = nullptr);
+
+    void refresh(const Inspected &inspected);
+
+    SliderField *diffusion() const { return m_diffusion; }
+    SliderField *density() const { return m_density; }
+    SliderField *granulation() const { return m_granulation; }
+    SliderField *maxAge() const { return m_maxAge; }
+    SliderField *born() const { return m_born; }             ///< of each stroke's first selected segment, seconds
+    SliderField *anisotropy() const { return m_anisotropy; } ///< ratio
+    SliderField *angle() const { return m_angle; }           ///< radians
+    ColourRows *colour() const { return m_colour; }
+    RewetRows *rewet() const { return m_rewet; }
+
+signals:
+    void refused(const QString &hint);
+
+private:
+    void addBorn(QGridLayout &grid);
+    void changeBorn(const ValueMap &map, EditRun run);
+    void showBorn(const Inspected &inspected);
+    void refuse();
+    SliderField *addRow(const FieldSpec &spec, QGridLayout &grid, float Segment::*member, const QString &undoText);
+    /// Each of the values by the map, or none of them.
+    void changeEach(const std::function<float &(Segment &)> &member, const ValueMap &map, const QString &undoText);
+    void changeColour(int channel, double value, EditRun run);
+    void takeCurrentColour();
+
+    Editor &m_editor;
+    SliderField *m_diffusion = nullptr;
+    SliderField *m_density = nullptr;
+    SliderField *m_granulation = nullptr;
+    SliderField *m_maxAge = nullptr;
+    SliderField *m_born = nullptr;
+    SliderField *m_anisotropy = nullptr;
+    SliderField *m_angle = nullptr;
+    RewetRows *m_rewet = nullptr;
+    ColourSwatch *m_swatch = nullptr;
+    ColourRows *m_colour = nullptr;
+};
+
+} // namespace suffuse

@@ -1,0 +1,133 @@
+#include "app/panels/inspector/stroke_section.h"
+
+#include "app/editor.h"
+#include "app/widgets/section.h"
+#include "undo/edits.h"
+
+#include <QComboBox>
+#include <QGridLayout>
+#include <QLineEdit>
+#include <QVBoxLayout>
+
+#include <algorithm>
+
+namespace suffuse {
+
+namespace {
+constexpr float usualBeta = 0.5f;
+}
+
+StrokeSection::StrokeSection(Editor &editor, QWidget *parent) : QWidget(parent), m_editor(editor)
+{
+    auto *column = new QVBoxLayout(this);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->setSpacing(4);
+    column->addWidget(sectionTitle(tr("Strokes"), this));
+    QGridLayout *grid = addFieldGrid(*column);
+
+    addName(*grid);
+    addMixing(*grid);
+}
+
+void StrokeSection::addName(QGridLayout &grid)
+{
+    auto *nameLabel = new QLabel(tr("Name"), this);
+    m_name = new QLineEdit(this);
+    m_name->setAccessibleName(tr("Name"));
+    m_name->setToolTip(tr("Name of the selected strokes, as the list of strokes shows it."));
+    nameLabel->setBuddy(m_name);
+    grid.addWidget(nameLabel, 0, 0);
+    grid.addWidget(m_name, 0, 1, 1, 2);
+    connect(m_name, &QLineEdit::editingFinished, this, [this] {
+        if (!m_name->isModified())
+            return;
+        m_name->setModified(false);
+        Document &document = m_editor.document();
+        const QString text = m_name->text();
+        m_editor.push(changeStrokes(document, document.selection().strokes, [&](Stroke &s) { s.name = text; }),
+                      tr("Rename stroke"));
+    });
+}
+
+void StrokeSection::addMixing(QGridLayout &grid)
+{
+    auto *modeLabel = new QLabel(tr("Mixing"), this);
+    m_mode = new QComboBox(this);
+    m_mode->addItems({tr("Covering (alpha)"), tr("Pigment (β)")});
+    m_mode->setPlaceholderText(QStringLiteral("—"));
+    m_mode->setAccessibleName(tr("Mixing"));
+    m_mode->setToolTip(tr("How the paint mixes with what lies below it: it covers, or pigments add up."));
+    m_mode->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+    m_mode->setMinimumContentsLength(8);
+    m_mode->setFocusPolicy(Qt::StrongFocus);
+    modeLabel->setBuddy(m_mode);
+    grid.addWidget(modeLabel, 1, 0);
+    grid.addWidget(m_mode, 1, 1, 1, 2);
+    connect(m_mode, &QComboBox::activated, this, [this](int index) { chooseMode(MixMode(index)); });
+
+    FieldSpec spec;
+    spec.name = tr("Pigment β");
+    spec.toolTip = tr("Share of the colour below that stays: 0 % covers, 100 % adds.");
+    spec.unit = QStringLiteral(" %");
+    spec.factor = 100;
+    spec.step = 0.01;
+    spec.defaultValue = double(usualBeta);
+    m_beta = new SliderField(spec, grid, 2, this);
+    connect(m_beta, &SliderField::refused, this, &StrokeSection::refused);
+    connect(m_beta, &SliderField::editedRelative, this, [this](const ValueMap &map) {
+        Document &document = m_editor.document();
+        bool possible = true;
+        Edit edit = changeStrokes(document, document.selection().strokes, [&](Stroke &s) {
+            if (s.mix.mode != MixMode::Beta)
+                return;
+            const std::optional<double> mapped = map(double(s.mix.beta));
+            possible = possible && mapped;
+            s.mix.beta = float(mapped.value_or(s.mix.beta));
+        });
+        if (possible)
+            m_editor.push(std::move(edit), tr("Change pigment mixing"));
+        else
+            emit refused(tr("Not possible for all that is selected: a value would be out of range."));
+    });
+    connect(m_beta, &SliderField::edited, this, [this](double value, EditRun run) {
+        Document &document = m_editor.document();
+        m_editor.push(changeStrokes(document, document.selection().strokes,
+                                    [=](Stroke &s) {
+                                        if (s.mix.mode == MixMode::Beta)
+                                            s.mix.beta = float(value);
+                                    }),
+                      tr("Change pigment mixing"), run);
+    });
+}
+
+void StrokeSection::chooseMode(MixMode mode)
+{
+    Document &document = m_editor.document();
+    m_editor.push(changeStrokes(document, document.selection().strokes,
+                                [=](Stroke &s) {
+                                    if (s.mix.mode != mode)
+                                        s.mix = {mode, mode == MixMode::Beta ? usualBeta : 0};
+                                }),
+                  tr("Change mixing"));
+    refresh(inspect(document));
+}
+
+void StrokeSection::refresh(const Inspected &inspected)
+{
+    const auto &strokes = inspected.strokes;
+    const auto name = commonValue(strokes, [](const Stroke *s) { return s->name; });
+    if (!m_name->hasFocus() || !m_name->isModified()) {
+        m_name->setText(name.value_or(QString()));
+        m_name->setPlaceholderText(name ? tr("unnamed") : QStringLiteral("—"));
+        m_name->setModified(false);
+    }
+    const auto mode = commonValue(strokes, [](const Stroke *s) { return s->mix.mode; });
+    m_mode->setCurrentIndex(mode ? int(*mode) : -1);
+    std::vector<const Stroke *> pigments;
+    std::copy_if(strokes.begin(), strokes.end(), std::back_inserter(pigments),
+                 [](const Stroke *s) { return s->mix.mode == MixMode::Beta; });
+    m_beta->setEnabled(!pigments.empty());
+    m_beta->setValue(commonNumber(pigments, [](const Stroke *s) { return s->mix.beta; }));
+}
+
+} // namespace suffuse

@@ -1,0 +1,40 @@
+#pragma once
+
+#include "app/panels/inspector/inspected.h"
+#include "app/widgets/slider_field.h"
+
+class QComboBox;
+class QLineEdit;
+
+namespace suffuse {
+
+class Editor;
+
+/// Name, mixing and β of the selected strokes.
+class StrokeSection : public QWidget {
+    Q_OBJECT
+
+public:
+    explicit StrokeSection(Editor &editor, QWidget *parent = nullptr);
+
+    void refresh(const Inspected &inspected);
+
+    QLineEdit *name() const { return m_name; }
+    QComboBox *mode() const { return m_mode; }
+    SliderField *beta() const { return m_beta; }
+
+signals:
+    void refused(const QString &hint);
+
+private:
+    void addName(QGridLayout &grid);
+    void addMixing(QGridLayout &grid);
+    void chooseMode(MixMode mode);
+
+    Editor &m_editor;
+    QLineEdit *m_name = nullptr;
+    QComboBox *m_mode = nullptr;
+    SliderField *m_beta = nullptr;
+};
+
+} // namespace suffuse

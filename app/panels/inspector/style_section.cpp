@@ -1,0 +1,238 @@
+#include "app/panels/inspector/style_section.h"
+
+#include "app/editor.h"
+#include "app/widgets/section.h"
+#include "model/painting/validate.h"
+#include "undo/edits.h"
+
+#include <QComboBox>
+#include <QGridLayout>
+#include <QVBoxLayout>
+
+#include <cmath>
+
+namespace suffuse {
+
+namespace {
+
+constexpr double smallestXi = 1e-6;
+constexpr double largestXi = 1e6;
+/// 2^(1/3), a little less: the bound must hold after rounding to float.
+const double edgeFactor = std::cbrt(2.0) * (1 - 1e-7);
+
+/// Indices of the target segments, stroke by stroke.
+std::map<StrokeId, std::vector<int>> targetsByStroke(const Document &document)
+{
+    std::map<StrokeId, std::vector<int>> targets;
+    for (const SegmentRef &ref : targetSegments(document))
+        targets[ref.stroke].push_back(ref.segment);
+    return targets;
+}
+
+} // namespace
+
+StyleSection::StyleSection(Editor &editor, QWidget *parent) : QWidget(parent), m_editor(editor)
+{
+    auto *column = new QVBoxLayout(this);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->setSpacing(4);
+    column->addWidget(sectionTitle(tr("Style"), this));
+    QGridLayout *grid = addFieldGrid(*column);
+    addCombos(*grid);
+    addXiRows(*grid);
+}
+
+void StyleSection::addCombos(QGridLayout &grid)
+{
+    const auto add = [&](int row, const QString &name, const QString &tip, const QStringList &items) {
+        auto *label = new QLabel(name, this);
+        auto *combo = new QComboBox(this);
+        combo->addItems(items);
+        combo->setPlaceholderText(QStringLiteral("—"));
+        combo->setAccessibleName(name);
+        combo->setToolTip(tip);
+        combo->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+        combo->setMinimumContentsLength(8);
+        combo->setFocusPolicy(Qt::StrongFocus);
+        label->setBuddy(combo);
+        grid.addWidget(label, row, 0);
+        grid.addWidget(combo, row, 1, 1, 2);
+        return combo;
+    };
+    m_source = add(0, tr("Belongs to"), tr("Whether the segments follow their stroke's style or have their own."),
+                   {tr("The stroke"), tr("These segments")});
+    m_kind =
+        add(1, tr("Kind"), tr("How density becomes coverage."), {tr("Uniform"), tr("Feathering"), tr("Dark edges")});
+    connect(m_source, &QComboBox::activated, this, [this](int index) { chooseSource(index == 1); });
+    connect(m_kind, &QComboBox::activated, this, [this](int index) {
+        const Style style = defaultStyle(StyleKind(index));
+        changeStyles(
+            [style](Style &s) {
+                if (s.kind != style.kind)
+                    s = style;
+            },
+            tr("Change style"), 0);
+    });
+}
+
+void StyleSection::addXiRows(QGridLayout &grid)
+{
+    for (int i = 0; i < 3; ++i) {
+        FieldSpec spec;
+        spec.name = QStringLiteral("ξ%1").arg(i + 1);
+        spec.toolTip = tr("Parameter of the style");
+        spec.minimum = smallestXi;
+        spec.maximum = largestXi;
+        spec.sliderMinimum = 0.01;
+        spec.sliderMaximum = 4;
+        spec.logarithmic = true;
+        spec.defaultValue = double(Style{}.xi[std::size_t(i)]);
+        auto *row = new SliderField(spec, grid, 2 + i, this);
+        m_xi[std::size_t(i)] = row;
+        connect(row, &SliderField::refused, this, &StyleSection::refused);
+        connect(row, &SliderField::edited, this, [this, i](double value, EditRun run) {
+            changeStyles(
+                [=](Style &s) {
+                    if (i < 2 || s.kind == StyleKind::Edge)
+                        s.xi[std::size_t(i)] = float(value);
+                },
+                tr("Change style"), run);
+        });
+        connect(row, &SliderField::editedRelative, this, [this, i](const ValueMap &map) {
+            const auto change = [&](Style &s) {
+                // A value beyond the range makes the style invalid, and so the whole change.
+                s.xi[std::size_t(i)] = float(map(double(s.xi[std::size_t(i)])).value_or(-1));
+            };
+            changeStyles(change, tr("Change style"), 0);
+        });
+    }
+}
+
+Style StyleSection::defaultStyle(StyleKind kind)
+{
+    switch (kind) {
+    case StyleKind::Uniform:
+        return {kind, {0.5f, 0.05f, 0}};
+    case StyleKind::Feathering:
+        return {kind, {1, 1.5f, 0}};
+    case StyleKind::Edge:
+        return {kind, {0.6f, 0.65f, 0.9f}};
+    }
+    return {};
+}
+
+void StyleSection::chooseSource(bool own)
+{
+    Document &document = m_editor.document();
+    std::map<StrokeId, std::vector<int>> targets = targetsByStroke(document);
+    Edit edit = changeStrokes(document, document.selection().strokes, [&](Stroke &stroke) {
+        for (const int index : targets[stroke.id]) {
+            Segment &segment = stroke.segments[std::size_t(index)];
+            if (!own)
+                segment.style.reset();
+            else if (!segment.style)
+                segment.style = stroke.style;
+        }
+    });
+    m_editor.push(std::move(edit), own ? tr("Give segments their own style") : tr("Follow the stroke's style"));
+    refresh(inspect(document));
+}
+
+void StyleSection::changeStyles(const std::function<void(Style &)> &change, const QString &text, EditRun run)
+{
+    Document &document = m_editor.document();
+    std::map<StrokeId, std::vector<int>> targets = targetsByStroke(document);
+    QString problem;
+    const auto changeChecked = [&](Style &style) {
+        change(style);
+        if (problem.isEmpty())
+            problem = problemOf(style);
+    };
+    Edit edit = changeStrokes(document, document.selection().strokes, [&](Stroke &stroke) {
+        bool strokeStyle = false;
+        for (const int index : targets[stroke.id]) {
+            Segment &segment = stroke.segments[std::size_t(index)];
+            if (segment.style)
+                changeChecked(*segment.style);
+            else
+                strokeStyle = true;
+        }
+        if (strokeStyle)
+            changeChecked(stroke.style);
+    });
+    if (problem.isEmpty()) {
+        m_editor.push(std::move(edit), text, run);
+    } else {
+        emit refused(tr("Not possible for all that is selected: %1").arg(problem));
+        refresh(inspect(document));
+    }
+}
+
+void StyleSection::refresh(const Inspected &inspected)
+{
+    const auto &segments = inspected.segments;
+    const auto own = commonValue(segments, [](const InspectedSegment &s) { return s.segment->style.has_value(); });
+    const auto kind = commonValue(segments, [](const InspectedSegment &s) { return s.style().kind; });
+    m_source->setCurrentIndex(own ? int(*own) : -1);
+    m_kind->setCurrentIndex(kind ? int(*kind) : -1);
+    refreshXi(inspected, kind);
+}
+
+void StyleSection::refreshXi(const Inspected &inspected, std::optional<StyleKind> kind)
+{
+    for (int i = 0; i < 3; ++i)
+        m_xi[std::size_t(i)]->setVisible(kind && (i < 2 || kind == StyleKind::Edge));
+    if (!kind)
+        return;
+    nameXi(*kind);
+    limitXi(inspected, *kind);
+    for (std::size_t i = 0; i < 3; ++i)
+        m_xi[i]->setValue(commonNumber(inspected.segments, [i](const InspectedSegment &s) { return s.style().xi[i]; }));
+}
+
+void StyleSection::nameXi(StyleKind kind)
+{
+    const std::array<std::array<QString, 3>, 3> names{{{tr("Threshold ξ1"), tr("Softness ξ2"), QString()},
+                                                       {tr("Full at ξ1"), tr("Steepness ξ2"), QString()},
+                                                       {tr("Edge ξ1"), tr("Lightening ξ2"), tr("Strength ξ3")}}};
+    const std::array<std::array<QString, 3>, 3> tips{
+        {{tr("Density at which the stroke covers by half."), tr("How gently the edge fades."), QString()},
+         {tr("Density from which the stroke covers fully."), tr("How steeply coverage grows with density."), QString()},
+         {tr("Density at which the dark rim stands."),
+          tr("How much the inside is lighter than the rim; at most 1.26·ξ1."), tr("Coverage far inside the stroke.")}}};
+    const Style fallback = defaultStyle(kind);
+    for (std::size_t i = 0; i < 3; ++i) {
+        if (names[std::size_t(kind)][i].isEmpty())
+            continue;
+        m_xi[i]->rename(names[std::size_t(kind)][i], tips[std::size_t(kind)][i]);
+        m_xi[i]->setDefaultValue(double(fallback.xi[i]));
+    }
+}
+
+void StyleSection::limitXi(const Inspected &inspected, StyleKind kind)
+{
+    double lowestXi1 = largestXi, highestXi2 = smallestXi;
+    for (const InspectedSegment &s : inspected.segments) {
+        lowestXi1 = std::min(lowestXi1, double(s.style().xi[0]));
+        highestXi2 = std::max(highestXi2, double(s.style().xi[1]));
+    }
+    double xi1From = smallestXi, xi2From = smallestXi, xi2To = largestXi;
+    if (kind == StyleKind::Feathering) {
+        xi2From = 0.5;
+        xi2To = 64;
+    } else if (kind == StyleKind::Edge) {
+        xi1From = highestXi2 / edgeFactor;
+        xi2To = lowestXi1 * edgeFactor;
+    }
+    m_xi[0]->setRange(xi1From, largestXi);
+    m_xi[1]->setRange(xi2From, xi2To);
+    m_xi[2]->setRange(smallestXi, 1);
+    m_xi[0]->setSliderRange(std::max(0.02, xi1From), std::max(kind == StyleKind::Edge ? 2.0 : 4.0, 2 * xi1From));
+    if (kind == StyleKind::Uniform)
+        m_xi[1]->setSliderRange(0.002, 1);
+    else
+        m_xi[1]->setSliderRange(kind == StyleKind::Feathering ? 0.5 : std::min(0.02, xi2To / 2), std::min(xi2To, 64.0));
+    m_xi[2]->setSliderRange(0.05, 1);
+}
+
+} // namespace suffuse

@@ -1,0 +1,206 @@
+#include "app/panels/inspector/underlay_section.h"
+
+#include "app/editor.h"
+#include "app/icons.h"
+#include "app/widgets/section.h"
+#include "app/underlay_commands.h"
+
+#include <QGridLayout>
+#include <QHBoxLayout>
+#include <QPushButton>
+#include <QToolButton>
+
+namespace suffuse {
+
+namespace {
+constexpr double farthest = 1e9; ///< canvas units
+constexpr double smallest = 1e-3;
+} // namespace
+
+UnderlaySection::UnderlaySection(Editor &editor, QWidget *parent) : QWidget(parent), m_editor(editor)
+{
+    auto *column = new QVBoxLayout(this);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->setSpacing(4);
+    addHead(*column);
+    m_values = new QWidget(this);
+    auto *values = new QVBoxLayout(m_values);
+    values->setContentsMargins(0, 0, 0, 0);
+    values->setSpacing(4);
+    addFields(*values);
+    addButtons(*values);
+    column->addWidget(m_values);
+    auto *row = new QHBoxLayout;
+    m_add = addButton(*row, tr("Add…"),
+                      tr("A picture to paint over. It shows on the canvas only, never in what is exported."));
+    column->addLayout(row);
+    connect(m_add, &QPushButton::clicked, this, &UnderlaySection::choose);
+    refresh();
+}
+
+void UnderlaySection::addHead(QVBoxLayout &column)
+{
+    auto *head = new QHBoxLayout;
+    head->addWidget(sectionTitle(tr("Underlay"), this), 1);
+    m_visible = makeTool(tr("Show the underlay"));
+    m_visible->setCheckable(true);
+    m_remove = makeTool(tr("Take the underlay out of the painting"));
+    m_remove->setIcon(icon("delete"));
+    head->addWidget(m_visible);
+    head->addWidget(m_remove);
+    column.addLayout(head);
+    connect(m_visible, &QToolButton::clicked, this, [this](bool on) { underlay::show(m_editor, on); });
+    connect(m_remove, &QToolButton::clicked, this, [this] { underlay::remove(m_editor); });
+}
+
+QToolButton *UnderlaySection::makeTool(const QString &text)
+{
+    auto *button = new QToolButton(this);
+    button->setAutoRaise(true);
+    button->setFocusPolicy(Qt::TabFocus);
+    button->setAccessibleName(text);
+    button->setToolTip(text);
+    return button;
+}
+
+NumberField *UnderlaySection::addNumber(Number number, const QString &name, const QString &toolTip)
+{
+    const bool isSize = number == Number::Width || number == Number::Height;
+    auto *field = new NumberField(m_values);
+    field->setRange(isSize ? smallest : -farthest, farthest);
+    field->setStep(1);
+    field->setUnit(NumberField::canvasUnit());
+    field->setAccessibleName(name);
+    field->setToolTip(toolTip);
+    field->setMinimumWidth(fontMetrics().horizontalAdvance(QStringLiteral("00000 u"))); // two stand in a row
+    field->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
+    connect(field, &NumberField::refused, this, &UnderlaySection::refused);
+    connect(field, &NumberField::entered, this, [this, number](double value) { enter(number, value); });
+    connect(field, &NumberField::stepped, this, [this, number](double value) {
+        enter(number, value, stepRun(number));
+        m_stackIndex = m_editor.undoStack().index();
+    });
+    m_fields[std::size_t(number)] = field;
+    return field;
+}
+
+void UnderlaySection::addFields(QVBoxLayout &column)
+{
+    QGridLayout *grid = addFieldGrid(column);
+    m_opacity = new SliderField({.name = tr("Opacity"),
+                                 .toolTip = tr("How strongly the underlay shows."),
+                                 .unit = QStringLiteral(" %"),
+                                 .factor = 100,
+                                 .step = 0.01,
+                                 .defaultValue = Underlay{}.opacity},
+                                *grid, 0, m_values);
+    connect(m_opacity, &SliderField::refused, this, &UnderlaySection::refused);
+    connect(m_opacity, &SliderField::edited, this,
+            [this](double value, EditRun run) { underlay::setOpacity(m_editor, value, run); });
+
+    const auto addPair = [&](int row, const QString &name, NumberField *first, NumberField *second) {
+        auto *label = new QLabel(name, m_values);
+        label->setBuddy(first);
+        auto *pair = new QHBoxLayout;
+        pair->setSpacing(4);
+        pair->addWidget(first, 1);
+        pair->addWidget(second, 1);
+        grid->addWidget(label, row, 0);
+        grid->addLayout(pair, row, 1, 1, 2);
+        return pair;
+    };
+    NumberField *x = addNumber(Number::X, tr("X"), tr("Left edge of the underlay, canvas units"));
+    NumberField *y = addNumber(Number::Y, tr("Y"), tr("Upper edge of the underlay, canvas units"));
+    QHBoxLayout *position = addPair(1, tr("Position"), x, y);
+    NumberField *width = addNumber(Number::Width, tr("Width"), tr("Width of the underlay, canvas units"));
+    NumberField *height = addNumber(Number::Height, tr("Height"), tr("Height of the underlay, canvas units"));
+    QHBoxLayout *size = addPair(2, tr("Size"), width, height);
+
+    m_proportions = makeTool(tr("Keep the proportions of width and height"));
+    m_proportions->setIcon(icon("proportions"));
+    m_proportions->setCheckable(true);
+    m_proportions->setChecked(true);
+    size->insertWidget(1, m_proportions);
+    position->insertSpacing(1, m_proportions->sizeHint().width() + position->spacing());
+}
+
+QPushButton *UnderlaySection::addButton(QHBoxLayout &row, const QString &text, const QString &toolTip)
+{
+    auto *button = new QPushButton(text, this);
+    button->setToolTip(toolTip);
+    row.addWidget(button);
+    return button;
+}
+
+void UnderlaySection::addButtons(QVBoxLayout &column)
+{
+    auto *row = new QHBoxLayout;
+    row->setSpacing(4);
+    m_fit = addButton(*row, tr("Fit to Canvas"), tr("In the middle of the canvas, as large as it goes"));
+    m_replace = addButton(*row, tr("Replace…"), tr("Another picture in its place"));
+    column.addLayout(row);
+    connect(m_fit, &QPushButton::clicked, this, [this] { underlay::fitToCanvas(m_editor); });
+    connect(m_replace, &QPushButton::clicked, this, &UnderlaySection::choose);
+}
+
+void UnderlaySection::choose()
+{
+    if (const QString path = underlay::choose(this); !path.isEmpty())
+        emit refused(underlay::importFile(m_editor, path));
+}
+
+EditRun UnderlaySection::stepRun(Number number)
+{
+    if (m_stepRun == 0 || m_stepped != number || m_stackIndex != m_editor.undoStack().index())
+        m_stepRun = beginEditRun();
+    m_stepped = number;
+    return m_stepRun;
+}
+
+void UnderlaySection::enter(Number number, double value, EditRun run)
+{
+    const auto &underlay = m_editor.document().painting()->underlay;
+    if (!underlay)
+        return;
+    const Rect &area = underlay->area;
+    double x = area.left, y = area.top, width = area.width(), height = area.height();
+    const bool together = m_proportions->isChecked() && width > 0 && height > 0;
+    switch (number) {
+    case Number::X:
+        x = value;
+        break;
+    case Number::Y:
+        y = value;
+        break;
+    case Number::Width:
+        height = together ? height * value / width : height;
+        width = value;
+        break;
+    case Number::Height:
+        width = together ? width * value / height : width;
+        height = value;
+        break;
+    }
+    underlay::setArea(m_editor, Rect::of(x, y, width, height), run);
+    refresh(); // of what was too far the old number
+}
+
+void UnderlaySection::refresh()
+{
+    const auto &underlay = m_editor.document().painting()->underlay;
+    m_values->setVisible(bool(underlay));
+    m_visible->setVisible(bool(underlay));
+    m_remove->setVisible(bool(underlay));
+    m_add->setVisible(!underlay);
+    if (!underlay)
+        return;
+    m_visible->setChecked(underlay->visible);
+    m_visible->setIcon(icon(underlay->visible ? "eye" : "eye-off"));
+    m_opacity->setValue(double(underlay->opacity));
+    field(Number::X)->setValue(underlay->area.left);
+    field(Number::Y)->setValue(underlay->area.top);
+    field(Number::Width)->setValue(underlay->area.width());
+    field(Number::Height)->setValue(underlay->area.height());
+}
+
+} // namespace suffuse

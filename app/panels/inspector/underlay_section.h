@@ -1,0 +1,65 @@
+#pragma once
+
+#include "app/widgets/slider_field.h"
+#include "model/painting/painting.h"
+
+#include <array>
+
+class QHBoxLayout;
+class QPushButton;
+class QToolButton;
+class QVBoxLayout;
+
+namespace suffuse {
+
+class Editor;
+
+/// The picture to paint over: whether and how strongly it shows, and where it lies. Without one, the way to it.
+class UnderlaySection : public QWidget {
+    Q_OBJECT
+
+public:
+    explicit UnderlaySection(Editor &editor, QWidget *parent = nullptr);
+
+    void refresh();
+
+    enum class Number { X, Y, Width, Height };
+    NumberField *field(Number number) const { return m_fields[std::size_t(number)]; }
+    SliderField *opacity() const { return m_opacity; }
+    QToolButton *visibility() const { return m_visible; }
+    QToolButton *proportions() const { return m_proportions; }
+    QPushButton *addButton() const { return m_add; }
+    QPushButton *fitButton() const { return m_fit; }
+    QPushButton *replaceButton() const { return m_replace; }
+    QToolButton *removeButton() const { return m_remove; }
+
+signals:
+    void refused(const QString &hint);
+
+private:
+    void addHead(QVBoxLayout &column);
+    QToolButton *makeTool(const QString &text);
+    void addFields(QVBoxLayout &column);
+    void addButtons(QVBoxLayout &column);
+    NumberField *addNumber(Number number, const QString &name, const QString &toolTip);
+    QPushButton *addButton(QHBoxLayout &row, const QString &text, const QString &toolTip);
+    void enter(Number number, double value, EditRun run = 0);
+    EditRun stepRun(Number number);
+    void choose();
+
+    Editor &m_editor;
+    QWidget *m_values = nullptr; ///< all that is there only with an underlay
+    QToolButton *m_visible = nullptr;
+    SliderField *m_opacity = nullptr;
+    std::array<NumberField *, 4> m_fields = {};
+    QToolButton *m_proportions = nullptr;
+    QPushButton *m_add = nullptr;
+    QPushButton *m_fit = nullptr;
+    QPushButton *m_replace = nullptr;
+    QToolButton *m_remove = nullptr;
+    EditRun m_stepRun = 0; ///< of steps that follow on each other in one field
+    Number m_stepped = Number::X;
+    int m_stackIndex = -1; ///< after the last of them
+};
+
+} // namespace suffuse

@@ -1,0 +1,79 @@
+#pragma once
+
+#include "model/painting/painting.h"
+#include "render/probe.h"
+
+#include <QBasicTimer>
+#include <QElapsedTimer>
+#include <QThreadPool>
+#include <QWidget>
+
+#include <optional>
+
+class QLabel;
+class QTreeWidget;
+class QTreeWidgetItem;
+
+namespace suffuse {
+
+class AgePlot;
+class Editor;
+
+/// What lies under the pointer: the strokes from top to bottom with their share of the colour, their segments with
+/// their share of the density, and the density over the stroke's age. A click on a row selects it. When the pointer
+/// leaves the canvas, the place where it last rested is shown. Computed on a thread of its own, the newest place only.
+class ProbePanel : public QWidget {
+    Q_OBJECT
+
+public:
+    enum Column { NameColumn, ShareColumn, DensityColumn };
+
+    explicit ProbePanel(Editor &editor, QWidget *parent = nullptr);
+    ~ProbePanel() override;
+
+    /// The pointer is over a canvas point.
+    void setPoint(Point point);
+    void leaveCanvas();
+
+    QTreeWidget *view() const { return m_view; }
+    AgePlot *plot() const { return m_plot; }
+    /// The numbers that are shown belong to the place and the painting of now.
+    bool isUpToDate() const { return !m_running && !m_wanted; }
+
+    QSize sizeHint() const override { return {280, 320}; }
+
+protected:
+    void showEvent(QShowEvent *event) override;
+    void timerEvent(QTimerEvent *event) override;
+
+private:
+    struct Job {
+        PaintingPtr painting;
+        Microseconds time = 0;
+        Point point;
+    };
+
+    static Painting strokesInReach(const Job &job);
+    void want();
+    void start();
+    void take(const Job &job, const Result<Probe> &result);
+    void showProbe(const Probe &probe);
+    QTreeWidgetItem *addStroke(const ProbeStroke &stroke, double share);
+    void showAges();
+    void selectRow(QTreeWidgetItem *item);
+
+    Editor &m_editor;
+    QLabel *m_place = nullptr;
+    QTreeWidget *m_view = nullptr;
+    AgePlot *m_plot = nullptr;
+    QThreadPool m_thread;
+    std::optional<Point> m_point;
+    std::optional<Point> m_rested;
+    QBasicTimer m_restTimer;
+    QBasicTimer m_pause;
+    bool m_running = false;
+    bool m_wanted = false;
+    Job m_shown; ///< what the rows are about
+};
+
+} // namespace suffuse

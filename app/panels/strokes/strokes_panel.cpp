@@ -1,0 +1,225 @@
+#include "app/panels/strokes/strokes_panel.h"
+
+#include "app/editor.h"
+#include "app/icons.h"
+#include "app/panels/strokes/strokes_filter.h"
+#include "app/panels/strokes/strokes_model.h"
+#include "app/panels/strokes/strokes_view.h"
+#include "app/tools/commands.h"
+
+#include <QAction>
+#include <QLineEdit>
+#include <QMenu>
+#include <QMouseEvent>
+#include <QVBoxLayout>
+
+namespace suffuse {
+
+StrokesPanel::StrokesPanel(Editor &editor, QWidget *parent) : QWidget(parent), m_editor(editor)
+{
+    auto *column = new QVBoxLayout(this);
+    column->setContentsMargins(8, 8, 8, 0);
+    column->setSpacing(8);
+    m_search = new QLineEdit(this);
+    m_search->setPlaceholderText(tr("Search"));
+    m_search->setClearButtonEnabled(true);
+    m_search->addAction(icon("search"), QLineEdit::LeadingPosition);
+    m_search->setAccessibleName(tr("Search strokes"));
+    m_search->setToolTip(tr("Shows only strokes and groups whose name holds this text."));
+    column->addWidget(m_search);
+
+    m_model = new StrokesModel(editor, this);
+    m_filter = new StrokesFilter(this);
+    m_filter->setSourceModel(m_model);
+    m_view = new StrokesView(editor, *m_model, *m_filter, this);
+    m_view->setAccessibleName(tr("Strokes"));
+    m_view->setToolTip(tr("The topmost stroke comes first. Drag to reorder, double-click to rename; a right click "
+                          "offers more."));
+    column->addWidget(m_view, 1);
+
+    connect(m_search, &QLineEdit::textChanged, this, [this](const QString &text) {
+        m_syncing = true; // rows that the search hides stay selected in the painting
+        m_filter->setText(text.trimmed());
+        m_syncing = false;
+        m_view->setDragEnabled(text.trimmed().isEmpty());
+        takeSelectionFromDocument();
+    });
+    m_view->viewport()->installEventFilter(this);
+    m_view->setContextMenuPolicy(Qt::CustomContextMenu);
+    connect(m_view, &QTreeView::customContextMenuRequested, this, &StrokesPanel::showMenu);
+    connect(m_view->selectionModel(), &QItemSelectionModel::selectionChanged, this,
+            &StrokesPanel::giveSelectionToDocument);
+    connect(&editor.laterChanges(), &LaterChanges::changed, this, &StrokesPanel::documentChanged);
+    takeSelectionFromDocument();
+}
+
+QSize StrokesPanel::sizeHint() const
+{
+    return {280, 240};
+}
+
+QModelIndex StrokesPanel::viewIndexOf(StrokeId id) const
+{
+    return m_filter->mapFromSource(m_model->indexOf(id));
+}
+
+void StrokesPanel::showEvent(QShowEvent *event)
+{
+    QWidget::showEvent(event);
+    if (m_stale)
+        takeSelectionFromDocument();
+}
+
+bool StrokesPanel::eventFilter(QObject *watched, QEvent *event)
+{
+    // Eyes and locks switch without a change of the selection.
+    const bool press = event->type() == QEvent::MouseButtonPress || event->type() == QEvent::MouseButtonDblClick;
+    if (watched != m_view->viewport() || (!press && event->type() != QEvent::MouseButtonRelease))
+        return QWidget::eventFilter(watched, event);
+    const auto *mouse = static_cast<QMouseEvent *>(event);
+    const QModelIndex index = m_view->indexAt(mouse->position().toPoint());
+    if (mouse->button() != Qt::LeftButton || !index.isValid() || index.column() == StrokesModel::NameColumn)
+        return QWidget::eventFilter(watched, event);
+    if (press)
+        m_model->toggle(m_filter->mapToSource(index));
+    return true;
+}
+
+void StrokesPanel::documentChanged(const Change &change)
+{
+    if (!change.selection && !change.order && !change.reset)
+        return;
+    if (isVisible())
+        takeSelectionFromDocument();
+    else
+        m_stale = true;
+}
+
+void StrokesPanel::takeSelectionFromDocument()
+{
+    m_view->viewport()->update(); // rows of groups, too
+    if (m_syncing)
+        return;
+    m_stale = false;
+    m_syncing = true;
+    // Runs of neighbouring rows: ten thousand single ranges would be slow.
+    std::map<QModelIndex, std::vector<int>> rows;
+    for (const StrokeId id : m_editor.document().selection().strokes)
+        if (const QModelIndex index = viewIndexOf(id); index.isValid())
+            rows[index.parent()].push_back(index.row());
+    for (const SegmentRef &ref : m_editor.document().selection().segments)
+        if (const QModelIndex stroke = viewIndexOf(ref.stroke); stroke.isValid() && m_view->isExpanded(stroke))
+            rows[stroke].push_back(ref.segment);
+    QItemSelection selection;
+    QModelIndex first;
+    for (auto &[parent, list] : rows) {
+        std::sort(list.begin(), list.end());
+        for (std::size_t i = 0; i < list.size();) {
+            std::size_t end = i + 1;
+            while (end < list.size() && list[end] == list[end - 1] + 1)
+                ++end;
+            const QModelIndex top = m_filter->index(list[i], 0, parent);
+            selection.select(top, m_filter->index(list[end - 1], StrokesModel::LockColumn, parent));
+            first = first.isValid() ? first : top;
+            i = end;
+        }
+    }
+    QItemSelectionModel *model = m_view->selectionModel();
+    if (model->selection() != selection)
+        model->select(selection, QItemSelectionModel::ClearAndSelect);
+    if (first.isValid() && !m_view->hasFocus()) {
+        model->setCurrentIndex(first, QItemSelectionModel::NoUpdate);
+        m_view->scrollTo(first);
+    }
+    m_syncing = false;
+}
+
+void StrokesPanel::giveSelectionToDocument()
+{
+    if (m_syncing || m_model->isFollowing())
+        return;
+    Selection selection;
+    const auto take = [&](const QModelIndex &source) {
+        if (const int segment = m_model->segmentAt(source); segment >= 0) {
+            selection.strokes.insert(m_model->strokeAt(source));
+            selection.segments.insert({m_model->strokeAt(source), segment});
+        } else {
+            selection.strokes.merge(m_model->strokesBelow(source));
+        }
+    };
+    // Not selectedRows: Qt 6.4 leaves out rows that have the number of one just toggled under another parent.
+    for (const QItemSelectionRange &range : m_view->selectionModel()->selection())
+        for (int row = range.top(); row <= range.bottom() && range.left() == StrokesModel::NameColumn; ++row)
+            take(m_filter->mapToSource(m_filter->index(row, StrokesModel::NameColumn, range.parent())));
+    Document &document = m_editor.document();
+    // Of strokes that are not open here, no segment's row could be selected: those of the painting stay.
+    for (const SegmentRef &ref : document.selection().segments)
+        if (selection.strokes.contains(ref.stroke) && !m_view->isExpanded(viewIndexOf(ref.stroke)))
+            selection.segments.insert(ref);
+    if (selection == document.selection())
+        return;
+    m_syncing = true; // a group's members get selected, the group's row stays
+    document.setSelection(std::move(selection));
+    m_syncing = false;
+}
+
+void StrokesPanel::showMenu(const QPoint &at)
+{
+    const QModelIndex index = m_view->indexAt(at);
+    if (!index.isValid())
+        return;
+    QMenu menu;
+    fillMenu(menu, index);
+    menu.exec(m_view->viewport()->mapToGlobal(at));
+}
+
+void StrokesPanel::fillMenu(QMenu &menu, const QModelIndex &index)
+{
+    const QModelIndex name = index.siblingAtColumn(StrokesModel::NameColumn);
+    if (name.flags() & Qt::ItemIsEditable)
+        menu.addAction(tr("&Rename"), m_view, [this, name] { m_view->edit(name); });
+    addSwitches(menu, m_filter->mapToSource(name));
+    const Document &document = m_editor.document();
+    const std::set<StrokeId> &selected = document.selection().strokes;
+    const bool any = std::any_of(selected.begin(), selected.end(), [&](StrokeId id) {
+        const StrokePtr stroke = document.painting()->find(id);
+        return stroke && !document.painting()->isLocked(*stroke);
+    });
+    menu.addAction(icon("delete"), tr("&Delete"), this, [this] { commands::deleteSelected(m_editor); })
+        ->setEnabled(any);
+    menu.addSeparator();
+    QMenu *same = menu.addMenu(tr("Select &Same"));
+    same->setEnabled(!selected.empty());
+    for (const auto &[text, what] : {std::pair(tr("&Colour"), Same::Colour), std::pair(tr("&Style"), Same::Style),
+                                     std::pair(tr("&Brush"), Same::Brush)})
+        same->addAction(text, this, [this, what = what] { commands::selectSameAs(m_editor, what); });
+}
+
+void StrokesPanel::addSwitches(QMenu &menu, const QModelIndex &index)
+{
+    if (!m_model->strokeAt(index)) { // a group
+        for (const int column : {StrokesModel::EyeColumn, StrokesModel::LockColumn}) {
+            const QModelIndex cell = index.siblingAtColumn(column);
+            const bool on = cell.data(StrokesModel::SwitchRole).toBool();
+            const QString text = column == StrokesModel::EyeColumn ? (on ? tr("&Hide") : tr("Sh&ow"))
+                                                                   : (on ? tr("Un&lock") : tr("&Lock"));
+            menu.addAction(text, this, [this, cell = QPersistentModelIndex(cell)] { m_model->toggle(cell); });
+        }
+        return;
+    }
+    // All that is selected goes the way of the row that was clicked.
+    const StrokePtr stroke = m_model->strokeValueAt(index);
+    std::set<StrokeId> strokes = m_editor.document().selection().strokes;
+    strokes.insert(stroke->id);
+    const bool visible = stroke->visible, locked = stroke->locked;
+    menu.addAction(visible ? tr("&Hide") : tr("Sh&ow"), this, [this, strokes, visible] {
+        m_editor.push(suffuse::setVisible(m_editor.document(), strokes, !visible),
+                      visible ? tr("Hide strokes") : tr("Show strokes"));
+    });
+    menu.addAction(locked ? tr("Un&lock") : tr("&Lock"), this, [this, strokes, locked] {
+        m_editor.push(setLocked(m_editor.document(), strokes, !locked),
+                      locked ? tr("Unlock strokes") : tr("Lock strokes"));
+    });
+}
+
+} // namespace suffuse

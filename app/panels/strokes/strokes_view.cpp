@@ -1,0 +1,226 @@
+#include "app/panels/strokes/strokes_view.h"
+
+#include "app/editor.h"
+#include "app/panels/strokes/stroke_thumbnails.h"
+#include "app/panels/strokes/strokes_filter.h"
+#include "app/panels/strokes/strokes_model.h"
+#include "app/theme.h"
+
+#include <QApplication>
+#include <QCache>
+#include <QHeaderView>
+#include <QLineEdit>
+#include <QPainter>
+#include <QPainterPath>
+#include <QPixmapCache>
+#include <QStyledItemDelegate>
+
+#include <algorithm>
+#include <utility>
+
+namespace suffuse {
+
+namespace {
+
+/// A small picture of the stroke before its name, a chip of its colour before a segment's; eyes and locks in the middle
+/// of their columns.
+class RowDelegate : public QStyledItemDelegate {
+public:
+    RowDelegate(const StrokesFilter &filter, const StrokesModel &model, StrokeThumbnails &thumbnails, Editor &editor,
+                QObject *parent)
+        : QStyledItemDelegate(parent), m_filter(filter), m_model(model), m_thumbnails(thumbnails), m_editor(editor)
+    {}
+
+    void initStyleOption(QStyleOptionViewItem *option, const QModelIndex &index) const override
+    {
+        QStyledItemDelegate::initStyleOption(option, index);
+        if (index.column() != StrokesModel::NameColumn || !index.data(StrokesModel::ColourRole).isValid())
+            return;
+        option->features |= QStyleOptionViewItem::HasDecoration;
+        const QColor colour = index.data(StrokesModel::ColourRole).value<QColor>();
+        if (index.data(StrokesModel::SegmentRole).toInt() >= 0) {
+            option->decorationSize = QSize(16, 16);
+            option->icon = chipOf(colour, *option);
+        } else {
+            option->decorationSize = StrokeThumbnails::size;
+            const double ratio = option->widget ? option->widget->devicePixelRatioF() : 1;
+            const StrokePtr stroke = m_model.strokeValueAt(m_filter.mapToSource(index));
+            // While a value is dragged, the canvas needs the cores.
+            const QImage image = stroke ? m_thumbnails.of(stroke, ratio, m_editor.isDragging()) : QImage();
+            option->icon = image.isNull() ? chipOf(colour, *option)
+                                          : remembered({option->palette.cacheKey(), image.cacheKey()},
+                                                       [&] { return picture(image, ratio); });
+        }
+    }
+
+    void paint(QPainter *painter, const QStyleOptionViewItem &option, const QModelIndex &index) const override
+    {
+        if (index.column() == StrokesModel::NameColumn) {
+            QStyledItemDelegate::paint(painter, option, index);
+            return;
+        }
+        QStyleOptionViewItem empty = option;
+        initStyleOption(&empty, index);
+        const QIcon icon = std::exchange(empty.icon, QIcon());
+        empty.features &= ~QStyleOptionViewItem::HasDecoration;
+        const QStyle *style = option.widget ? option.widget->style() : QApplication::style();
+        style->drawControl(QStyle::CE_ItemViewItem, &empty, painter, option.widget);
+        const bool selected = option.state & QStyle::State_Selected;
+        const QRect area = QStyle::alignedRect(Qt::LeftToRight, Qt::AlignCenter, QSize(16, 16), option.rect);
+        painter->drawPixmap(area, drawn(icon, index, selected, *painter, option));
+    }
+
+    QWidget *createEditor(QWidget *parent, const QStyleOptionViewItem &option, const QModelIndex &index) const override
+    {
+        QWidget *editor = QStyledItemDelegate::createEditor(parent, option, index);
+        if (auto *field = qobject_cast<QLineEdit *>(editor))
+            field->setPlaceholderText(index.data().toString());
+        return editor;
+    }
+
+    QSize sizeHint(const QStyleOptionViewItem &option, const QModelIndex &index) const override
+    {
+        QSize size = QStyledItemDelegate::sizeHint(option, index);
+        size.setHeight(std::max(size.height(), StrokeThumbnails::size.height() + 4));
+        return size;
+    }
+
+private:
+    /// Icons are outlines that would be drawn anew in each of a screenful of rows.
+    static QPixmap drawn(const QIcon &icon, const QModelIndex &index, bool selected, const QPainter &painter,
+                         const QStyleOptionViewItem &option)
+    {
+        const double ratio = painter.device()->devicePixelRatioF();
+        const QString key = QStringLiteral("strokes %1 %2 %3 %4 %5")
+                                .arg(index.column())
+                                .arg(index.data(StrokesModel::SwitchRole).toBool())
+                                .arg(selected)
+                                .arg(option.palette.cacheKey())
+                                .arg(ratio);
+        QPixmap pixmap;
+        if (!icon.isNull() && !QPixmapCache::find(key, &pixmap)) {
+            pixmap = icon.pixmap(QSize(16, 16), ratio, selected ? QIcon::Selected : QIcon::Normal);
+            QPixmapCache::insert(key, pixmap);
+        }
+        return pixmap;
+    }
+
+    /// A new icon for each painting would fill Qt's cache of pixmaps with the same ones.
+    template <typename Make>
+    QIcon remembered(std::pair<qint64, qint64> key, Make make) const
+    {
+        if (const QIcon *icon = m_icons.object(key))
+            return *icon;
+        auto *icon = new QIcon(make());
+        const QIcon result = *icon;
+        m_icons.insert(key, icon);
+        return result;
+    }
+
+    QIcon chipOf(const QColor &colour, const QStyleOptionViewItem &option) const
+    {
+        return remembered({~option.palette.cacheKey(), qint64(colour.rgba())},
+                          [&] { return chip(colour, QSize(16, 16)); });
+    }
+
+    static QIcon picture(const QImage &image, double ratio)
+    {
+        QPixmap pixmap(image.size());
+        pixmap.setDevicePixelRatio(ratio);
+        pixmap.fill(Qt::transparent);
+        QPainter painter(&pixmap);
+        painter.setRenderHint(QPainter::Antialiasing);
+        QPainterPath paper;
+        paper.addRoundedRect(QRectF(QPointF(), pixmap.deviceIndependentSize()), 3, 3);
+        painter.fillPath(paper, previewPaper());
+        painter.setClipPath(paper);
+        painter.drawImage(QPointF(), image);
+        QIcon icon(pixmap);
+        icon.addPixmap(pixmap, QIcon::Selected); // selected paint keeps its colours
+        return icon;
+    }
+
+    static QIcon chip(const QColor &colour, QSize size)
+    {
+        const double ratio = 2;
+        QPixmap pixmap(size * ratio);
+        pixmap.setDevicePixelRatio(ratio);
+        pixmap.fill(Qt::transparent);
+        QPainter painter(&pixmap);
+        painter.setRenderHint(QPainter::Antialiasing);
+        painter.setPen(QPen(hairline(), 1));
+        painter.setBrush(colour);
+        painter.drawRoundedRect(QRectF(2.5, 2.5, size.width() - 5, size.height() - 5), 3, 3);
+        QIcon icon(pixmap);
+        icon.addPixmap(pixmap, QIcon::Selected);
+        return icon;
+    }
+
+    const StrokesFilter &m_filter;
+    const StrokesModel &m_model;
+    StrokeThumbnails &m_thumbnails;
+    Editor &m_editor;
+    mutable QCache<std::pair<qint64, qint64>, QIcon> m_icons{256};
+};
+
+} // namespace
+
+StrokesView::StrokesView(Editor &editor, const StrokesModel &model, StrokesFilter &filter, QWidget *parent)
+    : QTreeView(parent)
+{
+    auto *thumbnails = new StrokeThumbnails(this);
+    connect(thumbnails, &StrokeThumbnails::ready, this, [this, &model, &filter](StrokeId id) {
+        if (const QModelIndex index = filter.mapFromSource(model.indexOf(id)); index.isValid())
+            update(index);
+    });
+    connect(&editor, &Editor::dragEnded, viewport(), qOverload<>(&QWidget::update));
+    setModel(&filter);
+    setItemDelegate(new RowDelegate(filter, model, *thumbnails, editor, this));
+    setIconSize(StrokeThumbnails::size);
+    setHeaderHidden(true);
+    setUniformRowHeights(true);
+    setIndentation(14);
+    setFrameShape(QFrame::NoFrame);
+    setSelectionMode(QAbstractItemView::ExtendedSelection);
+    setEditTriggers(QAbstractItemView::DoubleClicked | QAbstractItemView::EditKeyPressed);
+    setDragEnabled(true);
+    setAcceptDrops(true);
+    setDropIndicatorShown(true);
+    setDragDropMode(QAbstractItemView::InternalMove);
+    setDefaultDropAction(Qt::MoveAction);
+    setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    QHeaderView *columns = header();
+    columns->setStretchLastSection(false);
+    columns->setSectionResizeMode(StrokesModel::NameColumn, QHeaderView::Stretch);
+    columns->setMinimumSectionSize(26);
+    for (const int column : {StrokesModel::EyeColumn, StrokesModel::LockColumn}) {
+        columns->setSectionResizeMode(column, QHeaderView::Fixed);
+        columns->resizeSection(column, 28);
+    }
+}
+
+/// A group all of whose strokes are selected looks selected, too.
+void StrokesView::drawRow(QPainter *painter, const QStyleOptionViewItem &option, const QModelIndex &index) const
+{
+    QStyleOptionViewItem row = option;
+    if (index.data(StrokesModel::WhollySelectedRole).toBool())
+        row.state |= QStyle::State_Selected;
+    QTreeView::drawRow(painter, row, index);
+}
+
+void StrokesView::dataChanged(const QModelIndex &topLeft, const QModelIndex &bottomRight, const QList<int> &roles)
+{
+    const QModelIndex parent = topLeft.parent();
+    if (parent.isValid() && !isExpanded(parent))
+        return;
+    const QModelIndex first = indexAt(viewport()->rect().topLeft()), last = indexAt(viewport()->rect().bottomLeft());
+    const bool together = first.isValid() && last.isValid() && first.parent() == parent && last.parent() == parent;
+    if (!together)
+        viewport()->update();
+    else if (topLeft.row() <= last.row() &&
+             bottomRight.row() >= first.row()) // others would be looked for among all rows
+        QTreeView::dataChanged(topLeft.siblingAtRow(std::max(topLeft.row(), first.row())),
+                               bottomRight.siblingAtRow(std::min(bottomRight.row(), last.row())), roles);
+}
+
+} // namespace suffuse

@@ -1,0 +1,107 @@
+#include "app/panels/timeline/timeline_bars.h"
+
+#include <algorithm>
+#include <numeric>
+#include <queue>
+
+namespace suffuse {
+
+TimelineBar barOf(const Stroke &stroke)
+{
+    TimelineBar bar;
+    bar.stroke = stroke.id;
+    bar.begin = bar.drawn = stroke.born();
+    bar.end = stroke.driesAt();
+    bar.dry = bar.begin;
+    for (const Segment &s : stroke.segments) {
+        bar.drawn = std::max(bar.drawn, s.born);
+        bar.dry = std::max(bar.dry, s.born + toMicroseconds(double(s.maxAge)));
+    }
+    bar.end = std::max(bar.end, bar.dry);
+    bar.colour = stroke.segments[stroke.segments.size() / 2].colour;
+    return bar;
+}
+
+namespace {
+
+bool sameBirths(const Stroke &a, const Stroke &b)
+{
+    return std::ranges::equal(a.segments, b.segments, {}, &Segment::born, &Segment::born);
+}
+
+} // namespace
+
+bool TimelineBars::setPainting(const PaintingPtr &painting)
+{
+    if (painting == m_painting)
+        return false;
+    const std::optional<bool> updated = update(*painting);
+    if (!updated) {
+        m_bars.clear();
+        m_bars.reserve(painting->strokes.size());
+        for (const StrokePtr &stroke : painting->strokes)
+            m_bars.push_back(barOf(*stroke));
+        layOut();
+    }
+    m_painting = painting;
+    return updated.value_or(true);
+}
+
+/// Whether anything looks different; nothing if that takes another pass over all.
+std::optional<bool> TimelineBars::update(const Painting &painting)
+{
+    if (painting.strokes.size() != m_painting->strokes.size())
+        return {};
+    bool same = true, moved = false, differs = painting.groups != m_painting->groups;
+    m_painting->strokes.forEachDifference(painting.strokes, [&](std::size_t i) {
+        TimelineBar bar = barOf(*painting.strokes[i]);
+        same = same && bar.stroke == m_bars[i].stroke;
+        bar.lane = m_bars[i].lane;
+        moved = moved || bar.begin != m_bars[i].begin || bar.end != m_bars[i].end;
+        const Stroke &before = *m_painting->strokes[i], &now = *painting.strokes[i];
+        differs = differs || bar != m_bars[i] || before.visible != now.visible || before.group != now.group ||
+                  !sameBirths(before, now);
+        m_bars[i] = bar;
+    });
+    if (!same)
+        return {};
+    if (moved)
+        layOut();
+    return differs;
+}
+
+int TimelineBars::laneFrom(Microseconds begin) const
+{
+    const auto isFree = [&](const std::vector<std::size_t> &row) { return m_bars[row.back()].end < begin; };
+    return int(std::ranges::find_if(m_lanes, isFree) - m_lanes.begin());
+}
+
+void TimelineBars::layOut()
+{
+    std::vector<std::size_t> order(m_bars.size());
+    std::iota(order.begin(), order.end(), std::size_t(0));
+    std::ranges::stable_sort(order, {}, [this](std::size_t i) { return m_bars[i].begin; });
+    m_lanes.clear();
+    m_span = {};
+    if (!order.empty())
+        m_span = {m_bars[order.front()].begin, m_bars[order.front()].end};
+    using Ending = std::pair<Microseconds, int>;
+    std::priority_queue<Ending, std::vector<Ending>, std::greater<>> busy; // lanes by the end of their last bar
+    std::priority_queue<int, std::vector<int>, std::greater<>> idle;
+    for (const std::size_t i : order) {
+        TimelineBar &bar = m_bars[i];
+        m_span.end = std::max(m_span.end, bar.end);
+        for (; !busy.empty() && busy.top().first < bar.begin; busy.pop())
+            idle.push(busy.top().second);
+        if (idle.empty()) {
+            idle.push(laneCount());
+            m_lanes.emplace_back();
+        }
+        bar.lane = idle.top(); // the uppermost that is free
+        idle.pop();
+        m_lanes[std::size_t(bar.lane)].push_back(i);
+        busy.emplace(bar.end, bar.lane);
+    }
+}
+
+} // namespace suffuse

@@ -1,0 +1,67 @@
+#pragma once
+
+#include "model/document/timelapse.h"
+
+#include <optional>
+#include <vector>
+
+namespace suffuse {
+
+/// A stroke in time.
+struct TimelineBar {
+    StrokeId stroke = 0;
+    int lane = 0;
+    Microseconds begin = 0; ///< its first segment is born
+    Microseconds drawn = 0; ///< its last segment is born
+    Microseconds dry = 0;   ///< it stops spreading for the first time
+    Microseconds end = 0;   ///< for the last time, where it is wetted again
+    Colour colour;          ///< of its middle segment
+    friend bool operator==(const TimelineBar &, const TimelineBar &) = default;
+};
+
+TimelineBar barOf(const Stroke &stroke);
+
+/// All strokes of a painting in time: bars in lanes, of which none overlaps another of its lane.
+class TimelineBars {
+public:
+    /// Costs little where few strokes changed, and none came or went. True if anything looks different now.
+    bool setPainting(const PaintingPtr &painting);
+    const Painting &painting() const { return *m_painting; }
+
+    int laneCount() const { return int(m_lanes.size()); }
+    /// Bar i belongs to stroke i of the painting.
+    const TimelineBar &operator[](std::size_t i) const { return m_bars[i]; }
+    std::size_t size() const { return m_bars.size(); }
+    /// The uppermost lane in which there is nothing from a moment on.
+    int laneFrom(Microseconds begin) const;
+    /// From the first birth to when all has dried; empty at 0 without strokes.
+    TimeSpan span() const { return m_span; }
+
+    /// Calls visit(i) for the bars of a lane that meet the span, ascending; of those that begin within `grain` after
+    /// the end of the last visited one none: they would not be seen beside it.
+    template <typename Visit>
+    void forEachIn(int lane, TimeSpan span, Microseconds grain, Visit visit) const
+    {
+        const std::vector<std::size_t> &row = m_lanes[std::size_t(lane)];
+        auto it = row.begin();
+        for (Microseconds from = span.begin;;) {
+            it = std::partition_point(it, row.end(), [&](std::size_t i) { return m_bars[i].end < from; });
+            if (it == row.end() || m_bars[*it].begin > span.end)
+                return;
+            visit(*it);
+            from = std::max(from, m_bars[*it].end) + grain;
+            ++it;
+        }
+    }
+
+private:
+    std::optional<bool> update(const Painting &painting);
+    void layOut();
+
+    PaintingPtr m_painting = std::make_shared<const Painting>();
+    std::vector<TimelineBar> m_bars;
+    std::vector<std::vector<std::size_t>> m_lanes; ///< ascending
+    TimeSpan m_span;
+};
+
+} // namespace suffuse

@@ -1,0 +1,91 @@
+#include "app/widgets/colour_swatch.h"
+
+#include "app/panels/colour/colour_convert.h"
+#include "app/theme.h"
+
+#include <QApplication>
+#include <QDrag>
+#include <QMimeData>
+#include <QMouseEvent>
+#include <QPainter>
+#include <QPainterPath>
+
+namespace suffuse {
+
+ColourSwatch::ColourSwatch(QWidget *parent) : QAbstractButton(parent)
+{
+    setFocusPolicy(Qt::TabFocus);
+    setSizePolicy(QSizePolicy::Fixed, QSizePolicy::Fixed);
+}
+
+void ColourSwatch::setColour(std::optional<Colour> colour)
+{
+    m_colour = colour;
+    update();
+}
+
+void ColourSwatch::setSide(int pixels)
+{
+    m_side = pixels;
+    updateGeometry();
+}
+
+QSize ColourSwatch::sizeHint() const
+{
+    return {m_side, m_side};
+}
+
+void ColourSwatch::mousePressEvent(QMouseEvent *event)
+{
+    m_pressed = event->pos();
+    QAbstractButton::mousePressEvent(event);
+}
+
+void ColourSwatch::mouseMoveEvent(QMouseEvent *event)
+{
+    const bool far = (event->pos() - m_pressed).manhattanLength() >= QApplication::startDragDistance();
+    if (!(event->buttons() & Qt::LeftButton) || !m_colour || !far) {
+        QAbstractButton::mouseMoveEvent(event);
+        return;
+    }
+    setDown(false); // it is no click any more
+    auto *data = new QMimeData;
+    data->setColorData(toScreen(*m_colour));
+    auto *drag = new QDrag(this);
+    drag->setMimeData(data);
+    drag->setPixmap(grab());
+    drag->setHotSpot(m_pressed);
+    drag->exec(Qt::CopyAction);
+}
+
+void ColourSwatch::paintEvent(QPaintEvent *)
+{
+    QPainter painter(this);
+    painter.setRenderHint(QPainter::Antialiasing);
+    const QRectF area = QRectF(rect()).adjusted(1.5, 1.5, -1.5, -1.5);
+    QPainterPath shape;
+    shape.addRoundedRect(area, 3, 3);
+    if (m_colour) {
+        painter.fillPath(shape, Qt::white);
+        if (m_colour->opacity < 1) {
+            // Left half as it is, right half over checks.
+            painter.fillPath(shape, toOpaqueScreen(*m_colour));
+            painter.setClipPath(shape);
+            const QRectF half(area.center().x(), area.top(), area.width() / 2, area.height());
+            painter.fillRect(half, Qt::white);
+            painter.fillRect(QRectF(half.topLeft(), half.center()), QColor(0xBB, 0xBB, 0xBB));
+            painter.fillRect(QRectF(half.center(), half.bottomRight()), QColor(0xBB, 0xBB, 0xBB));
+            painter.fillRect(half, toScreen(*m_colour));
+            painter.setClipping(false);
+        } else {
+            painter.fillPath(shape, toScreen(*m_colour));
+        }
+    } else {
+        painter.setPen(palette().color(QPalette::Text));
+        painter.drawText(rect(), Qt::AlignCenter, QStringLiteral("—"));
+    }
+    const bool marked = hasFocus() || isDown();
+    painter.strokePath(shape, QPen(marked ? palette().color(QPalette::Highlight) : hairline(), marked ? 2 : 1));
+}
+
+} // namespace suffuse

@@ -1,0 +1,36 @@
+#pragma once
+
+#include "model/painting/style.h"
+
+#include <QAbstractButton>
+
+#include <optional>
+
+namespace suffuse {
+
+/// A button filled with a colour, over a checked ground where it is not opaque; "—" where colours are mixed. It can be
+/// dragged to wherever colours are taken.
+class ColourSwatch : public QAbstractButton {
+    Q_OBJECT
+
+public:
+    explicit ColourSwatch(QWidget *parent = nullptr);
+
+    void setColour(std::optional<Colour> colour);
+    const std::optional<Colour> &colour() const { return m_colour; }
+    void setSide(int pixels);
+
+    QSize sizeHint() const override;
+
+protected:
+    void paintEvent(QPaintEvent *event) override;
+    void mousePressEvent(QMouseEvent *event) override;
+    void mouseMoveEvent(QMouseEvent *event) override;
+
+private:
+    std::optional<Colour> m_colour;
+    int m_side = 24;
+    QPoint m_pressed;
+};
+
+} // namespace suffuse

@@ -1,0 +1,89 @@
+#pragma once
+
+#include "app/widgets/number_field.h"
+#include "undo/edit_command.h"
+
+#include <QElapsedTimer>
+#include <QLabel>
+#include <QWidget>
+
+#include <optional>
+
+class QGridLayout;
+
+namespace suffuse {
+
+class BarSlider;
+
+/// What a quantity looks like in a panel.
+struct FieldSpec {
+    QString name;    ///< label, translated
+    QString toolTip; ///< translated
+    QString unit = {};
+    double minimum = 0; ///< of the domain
+    double maximum = 1;
+    double sliderMinimum = 0; ///< of the slider, within the domain
+    double sliderMaximum = 1;
+    bool logarithmic = false;
+    double factor = 1;       ///< shown = value · factor
+    double step = 0;         ///< of arrow keys, 0: a tenth of the value
+    double sliderStep = 0;   ///< the slider's values are whole multiples of it, 0: any
+    double defaultValue = 0; ///< double click resets to it
+};
+
+/// A label, a slider and a number field for one quantity, laid out in three columns of a grid that the panel owns.
+/// Emits changes with the run that they belong to: a whole drag is one run, quick repeated key or wheel steps too.
+class SliderField : public QObject {
+    Q_OBJECT
+
+public:
+    /// Adds itself as a row of the grid.
+    SliderField(const FieldSpec &spec, QGridLayout &grid, int row, QWidget *parent);
+
+    void setValue(std::optional<double> value); ///< nullopt: mixed; emits nothing
+    void setEnabled(bool enabled);
+    void setVisible(bool visible);
+    /// Another domain (ξ depend on each other); the slider's part of it is cut to fit.
+    void setRange(double minimum, double maximum);
+    void setSliderRange(double minimum, double maximum);
+    double minimum() const { return m_spec.minimum; }
+    double maximum() const { return m_spec.maximum; }
+    void setDefaultValue(double value) { m_spec.defaultValue = value; }
+    void rename(const QString &name, const QString &toolTip);
+
+    QLabel *label() const { return m_label; }
+    BarSlider *slider() const { return m_slider; }
+    NumberField *number() const { return m_number; }
+
+signals:
+    /// run 0: a step of its own.
+    void edited(double value, suffuse::EditRun run);
+    /// Each of the mixed values is to change by the map, which keeps to the field's range: nothing beyond it.
+    void editedRelative(const suffuse::ValueMap &map);
+    void dragStarted();
+    void dragEnded();
+    void refused(const QString &hint);
+
+protected:
+    bool eventFilter(QObject *watched, QEvent *event) override;
+
+private:
+    void sliderPressed();
+    void sliderChanged(int position);
+    EditRun nudgeRun();
+    int toPosition(double value) const;
+    double toValue(int position) const;
+
+    FieldSpec m_spec;
+    QLabel *m_label;
+    BarSlider *m_slider;
+    NumberField *m_number;
+    std::optional<double> m_value;
+    std::optional<double> m_pressedValue; ///< returned to exactly where the handle returns to m_pressedPosition
+    int m_pressedPosition = 0;
+    EditRun m_run = 0;
+    EditRun m_nudgeRun = 0;
+    QElapsedTimer m_sinceNudge;
+};
+
+} // namespace suffuse

@@ -1,0 +1,203 @@
+#include "model/document/document.h"
+
+#include <algorithm>
+#include <unordered_map>
+
+namespace suffuse {
+
+namespace {
+
+/// Without ids and segments that the painting lacks, and with the strokes of selected segments.
+Selection existing(Selection selection, const Painting &painting)
+{
+    if (selection.strokes.empty() && selection.segments.empty())
+        return {};
+    std::vector<std::pair<StrokeId, int>> there; // ids and numbers of segments
+    there.reserve(painting.strokes.size());
+    for (const StrokePtr &stroke : painting.strokes)
+        there.emplace_back(stroke->id, int(stroke->segments.size()));
+    if (!std::ranges::is_sorted(there)) // most often the order is nearly that of the ids
+        std::ranges::sort(there);
+    auto next = there.begin(); // what is selected rises, too
+    const auto segmentsOf = [&](StrokeId id) {
+        while (next != there.end() && next->first < id)
+            ++next;
+        return next != there.end() && next->first == id ? next->second : -1;
+    };
+    std::erase_if(selection.strokes, [&](StrokeId id) { return segmentsOf(id) < 0; });
+    next = there.begin();
+    std::erase_if(selection.segments,
+                  [&](const SegmentRef &ref) { return ref.segment < 0 || ref.segment >= segmentsOf(ref.stroke); });
+    for (const SegmentRef &ref : selection.segments)
+        selection.strokes.insert(ref.stroke);
+    return selection;
+}
+
+/// Swaps strokes in place; none comes or goes.
+void swapStrokes(StrokeList &strokes, std::map<StrokeId, StrokePtr> &states)
+{
+    std::size_t found = 0;
+    for (std::size_t i = 0; i < strokes.size(); ++i) {
+        const auto it = states.find(std::as_const(strokes)[i]->id); // writing would end the sharing
+        if (it == states.end())
+            continue;
+        Q_ASSERT_X(it->second, "Document::exchange", "a stroke goes, but the edit gives no order");
+        if (it->second)
+            std::swap(strokes[i], it->second);
+        if (++found == states.size())
+            break;
+    }
+    Q_ASSERT_X(found == states.size(), "Document::exchange", "a stroke comes, but the edit gives no order");
+}
+
+/// Swaps strokes and their order. What lies below the first that differs goes on sharing its blocks.
+void swapStrokesAndOrder(Painting &painting, Edit &edit)
+{
+    StrokeList &strokes = painting.strokes;
+    const std::vector<StrokeId> before = orderOf(painting);
+    const std::vector<StrokeId> after = orderWanted(edit, before);
+    const auto first =
+        std::size_t(std::mismatch(before.begin(), before.end(), after.begin(), after.end(),
+                                  [&](StrokeId a, StrokeId b) { return a == b && !edit.strokes.contains(a); })
+                        .first -
+                    before.begin());
+
+    std::unordered_map<StrokeId, StrokePtr> there;
+    there.reserve(before.size() - first + edit.strokes.size());
+    for (std::size_t i = first; i < before.size(); ++i)
+        there.emplace(before[i], std::as_const(strokes)[i]);
+    for (auto &[id, state] : edit.strokes)
+        std::swap(there[id], state);
+    strokes.resize(first);
+    for (std::size_t i = first; i < after.size(); ++i) {
+        const auto it = there.find(after[i]);
+        const bool known = it != there.end() && it->second;
+        Q_ASSERT_X(known, "Document::exchange", "the order names a stroke that is not there, or names it twice");
+        if (known)
+            strokes.push_back(std::move(it->second));
+    }
+    Q_ASSERT_X(std::none_of(there.begin(), there.end(), [](const auto &entry) { return bool(entry.second); }),
+               "Document::exchange", "the order leaves out a stroke");
+    edit.order.reset();
+    edit.places = orderDifference(after, before);
+}
+
+} // namespace
+
+Document::Document(QObject *parent) : QObject(parent), m_painting(std::make_shared<const Painting>()) {}
+
+PaintingPtr Document::snapshot() const
+{
+    if (!m_draft)
+        return m_painting;
+    auto painting = std::make_shared<Painting>(*m_painting);
+    painting->strokes.push_back(m_draft);
+    return painting;
+}
+
+void Document::setSelection(Selection selection)
+{
+    selection = existing(std::move(selection), *m_painting);
+    if (selection == m_selection)
+        return;
+    m_selection = std::move(selection);
+    Change change;
+    change.selection = true;
+    emit changed(change);
+}
+
+void Document::exchange(Edit &edit)
+{
+    if (edit.isEmpty())
+        return;
+    Change change;
+    for (const auto &[id, state] : edit.strokes) {
+        change.strokes.push_back(id);
+        m_nextStroke = std::max(m_nextStroke, id + 1);
+    }
+    change.order = edit.reorders();
+    change.canvas = edit.touchesTheRest();
+
+    if (change.canvas || change.order || !edit.strokes.empty()) {
+        auto painting = std::make_shared<Painting>(*m_painting);
+        if (edit.reorders())
+            swapStrokesAndOrder(*painting, edit);
+        else if (!edit.strokes.empty())
+            swapStrokes(painting->strokes, edit.strokes);
+        if (edit.canvas)
+            std::swap(painting->canvas, *edit.canvas);
+        if (edit.groups) {
+            std::swap(painting->groups, *edit.groups);
+            for (const Group &group : painting->groups)
+                m_nextGroup = std::max(m_nextGroup, group.id + 1);
+        }
+        if (edit.swatches)
+            std::swap(painting->swatches, *edit.swatches);
+        if (edit.underlay)
+            std::swap(painting->underlay, *edit.underlay);
+        m_painting = std::move(painting);
+    }
+
+    exchangeSelection(edit, change);
+    emit changed(change);
+}
+
+void Document::exchangeSelection(Edit &edit, Change &change)
+{
+    const bool same = !edit.selection || *edit.selection == m_selection;
+    // What stays and keeps its segments needs no look at all the strokes.
+    if (same && !edit.reorders() && (edit.strokes.empty() || m_selection.segments.empty()))
+        return;
+    const bool given = edit.selection.has_value();
+    Selection after = existing(given ? std::move(*edit.selection) : m_selection, *m_painting);
+    change.selection = after != m_selection;
+    std::swap(m_selection, after);
+    // What leaves the selection because it no longer exists must come back with it.
+    if (given || change.selection)
+        edit.selection = std::move(after);
+}
+
+void Document::setDraft(StrokePtr draft)
+{
+    if (draft == m_draft)
+        return;
+    m_draft = std::move(draft);
+    Change change;
+    change.draft = true;
+    emit changed(change);
+}
+
+void Document::reset(PaintingPtr painting)
+{
+    m_painting = painting ? std::move(painting) : std::make_shared<const Painting>();
+    m_draft.reset();
+    m_selection.clear();
+    m_nextStroke = m_painting->nextStrokeId();
+    m_nextGroup = 1;
+    for (const Group &group : m_painting->groups)
+        m_nextGroup = std::max(m_nextGroup, group.id + 1);
+    Change change;
+    change.order = change.canvas = change.selection = change.draft = change.reset = true;
+    emit changed(change);
+}
+
+StrokeId Document::takeStrokeId()
+{
+    return m_nextStroke++;
+}
+
+GroupId Document::takeGroupId()
+{
+    return m_nextGroup++;
+}
+
+void Document::reserve(const Edit &edit)
+{
+    for (const auto &[id, state] : edit.strokes)
+        m_nextStroke = std::max(m_nextStroke, id + 1);
+    if (edit.groups)
+        for (const Group &group : *edit.groups)
+            m_nextGroup = std::max(m_nextGroup, group.id + 1);
+}
+
+} // namespace suffuse

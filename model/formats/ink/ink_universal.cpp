@@ -1,0 +1,197 @@
+// Universal Ink Model 3 as JSON: paths are splines, times and pressures stand apart as sensor data.
+#include "model/formats/ink/ink_json.h"
+#include "model/painting/ryb.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace suffuse {
+
+namespace {
+
+enum class Channel { Other, Time, Pressure, Altitude };
+
+struct ChannelType {
+    Channel kind = Channel::Other;
+    double scale = 1; ///< value = sum of the deltas · scale; time in seconds, altitude in radians
+};
+
+struct Sensor {
+    double start = 0; ///< s
+    std::vector<double> times, pressures, altitudes;
+};
+
+QHash<QString, ChannelType> channelTypes(const QJsonObject &input)
+{
+    QHash<QString, ChannelType> types;
+    const QJsonArray contexts =
+        input.value(QLatin1String("inputContextData")).toObject().value(QLatin1String("sensorContexts")).toArray();
+    for (const QJsonValue &context : contexts) {
+        for (const QJsonValue &group : context.toObject().value(QLatin1String("sensorChannelsContext")).toArray()) {
+            for (const QJsonValue &value : group.toObject().value(QLatin1String("channels")).toArray()) {
+                const QJsonObject channel = value.toObject();
+                const QString type = channel.value(QLatin1String("type")).toString();
+                ChannelType t;
+                t.scale = std::pow(10.0, -std::clamp(channel.value(QLatin1String("precision")).toInt(), 0, 15));
+                if (type.endsWith(QLatin1String("/Timestamp"))) {
+                    const double perSecond = channel.value(QLatin1String("resolution")).toDouble(1000);
+                    t = {Channel::Time, t.scale / (perSecond > 0 ? perSecond : 1000)};
+                } else if (type.endsWith(QLatin1String("/Pressure"))) {
+                    t.kind = Channel::Pressure;
+                } else if (type.endsWith(QLatin1String("/Altitude"))) {
+                    const double perRadian = channel.value(QLatin1String("resolution")).toDouble(1);
+                    t = {Channel::Altitude, t.scale / (perRadian > 0 ? perRadian : 1)};
+                }
+                types.insert(channel.value(QLatin1String("id")).toString(), t);
+            }
+        }
+    }
+    return types;
+}
+
+/// Sensor values come as differences of whole numbers.
+std::vector<double> summed(const std::vector<double> &deltas, double scale)
+{
+    std::vector<double> values;
+    double sum = 0;
+    for (const double d : deltas)
+        values.push_back((sum += d) * scale);
+    return values;
+}
+
+Result<QHash<QString, Sensor>> sensorsOf(const QJsonObject &input, const QString &fileName)
+{
+    const auto types = channelTypes(input);
+    QHash<QString, Sensor> sensors;
+    const QJsonArray list = input.value(QLatin1String("sensorData")).toArray();
+    for (qsizetype j = 0; j < list.size(); ++j) {
+        const QJsonObject data = list.at(j).toObject();
+        Sensor sensor;
+        const QJsonValue stamp = data.value(QLatin1String("timestamp"));
+        const double start = stamp.isString() ? numberIn(stamp.toString().toStdString()).value_or(0) : stamp.toDouble();
+        sensor.start = std::clamp(start, -1e15, 1e15) * 1e-3;
+        const QJsonArray channels = data.value(QLatin1String("dataChannels")).toArray();
+        for (qsizetype k = 0; k < channels.size(); ++k) {
+            const QJsonObject channel = channels.at(k).toObject();
+            const ChannelType type = types.value(channel.value(QLatin1String("sensorChannelID")).toString());
+            if (type.kind == Channel::Other)
+                continue;
+            const auto values =
+                numbersOf(channel.value(QLatin1String("values")), fileName,
+                          QStringLiteral("inputData.sensorData[%1].dataChannels[%2].values").arg(j).arg(k));
+            if (!values)
+                return Error{values.error()};
+            (type.kind == Channel::Time       ? sensor.times
+             : type.kind == Channel::Pressure ? sensor.pressures
+                                              : sensor.altitudes) = summed(*values, type.scale);
+        }
+        if (std::ranges::all_of(sensor.altitudes, [](double a) { return a == 0; }))
+            sensor.altitudes.clear(); // pens that do not measure it write 0
+        sensors.insert(data.value(QLatin1String("id")).toString(), sensor);
+    }
+    return sensors;
+}
+
+/// Linear between values, `at` in [0, 1] over the whole list.
+double sampled(const std::vector<double> &values, double at)
+{
+    const double place = at * double(values.size() - 1);
+    const std::size_t k = std::min(std::size_t(place), values.size() - 1);
+    const double f = place - double(k);
+    return k + 1 < values.size() ? values[k] + f * (values[k + 1] - values[k]) : values[k];
+}
+
+/// In [0, 1] as PenSample has it, of altitudes over the tablet; upright without any.
+float tiltAt(const std::vector<double> &altitudes, double at)
+{
+    constexpr double upright = std::numbers::pi / 2, flat = std::numbers::pi / 3;
+    if (altitudes.empty())
+        return 0;
+    return float(std::clamp((upright - sampled(altitudes, at)) / flat, 0.0, 1.0));
+}
+
+std::optional<Colour> colourOf(const QJsonObject &stroke)
+{
+    const QJsonObject properties =
+        stroke.value(QLatin1String("style")).toObject().value(QLatin1String("properties")).toObject();
+    if (!properties.contains(QLatin1String("red")))
+        return {};
+    // A channel of 0 is written as an empty object; alpha then is left to the brush, which means opaque.
+    const auto channel = [&](const char *name, double usual) {
+        return properties.value(QLatin1String(name)).toObject().value(QLatin1String("value")).toDouble(usual);
+    };
+    return rybFromSrgb(channel("red", 0), channel("green", 0), channel("blue", 0), channel("alpha", 1));
+}
+
+Result<Recording::Path> pathOf(const QJsonObject &stroke, const Sensor *sensor, const QString &fileName,
+                               const QString &path)
+{
+    const auto xs = numbersOf(stroke.value(QLatin1String("splineX")), fileName, path + QStringLiteral(".splineX"));
+    if (!xs)
+        return Error{xs.error()};
+    const auto ys = numbersOf(stroke.value(QLatin1String("splineY")), fileName, path + QStringLiteral(".splineY"));
+    if (!ys)
+        return Error{ys.error()};
+    if (xs->size() != ys->size())
+        return fileError(
+            fileName,
+            FileMessages::tr("%1: splineX has %2 numbers, splineY %3").arg(path).arg(xs->size()).arg(ys->size()));
+    std::vector<double> pressures = sensor ? sensor->pressures : std::vector<double>();
+    if (pressures.empty() && stroke.contains(QLatin1String("size"))) {
+        const auto sizes = numbersOf(stroke.value(QLatin1String("size")), fileName, path + QStringLiteral(".size"));
+        if (!sizes)
+            return Error{sizes.error()};
+        pressures = *sizes;
+    }
+    const double most = pressures.empty() ? 0 : *std::max_element(pressures.begin(), pressures.end());
+    const double scale = most > 1 || (sensor && sensor->pressures.empty() && most > 0) ? 1 / most : 1;
+    Recording::Path result;
+    const std::size_t count = xs->size();
+    for (std::size_t k = 0; k < count; ++k) {
+        const double at = count > 1 ? double(k) / double(count - 1) : 0;
+        const double pressure = most > 0 ? std::clamp(sampled(pressures, at) * scale, 0.0, 1.0) : 1;
+        double seconds = double(k) * toSeconds(assumedStep);
+        if (sensor && !sensor->times.empty())
+            seconds = std::clamp(sampled(sensor->times, at), 0.0, 1e9);
+        result.samples.push_back({{(*xs)[k], (*ys)[k]},
+                                  toMicroseconds(seconds),
+                                  float(pressure),
+                                  sensor ? tiltAt(sensor->altitudes, at) : 0});
+    }
+    result.colour = colourOf(stroke);
+    return result;
+}
+
+} // namespace
+
+Result<Recording> readUniversalInk(const QByteArray &bytes, const QString &fileName)
+{
+    const auto top = parseJsonObject(bytes, fileName);
+    if (!top)
+        return Error{top.error()};
+    const auto sensors = sensorsOf(top->value(QLatin1String("inputData")).toObject(), fileName);
+    if (!sensors)
+        return Error{sensors.error()};
+    const QJsonArray strokes =
+        top->value(QLatin1String("inkData")).toObject().value(QLatin1String("strokes")).toArray();
+    Recording recording;
+    Microseconds clock = 0;
+    for (qsizetype k = 0; k < strokes.size(); ++k) {
+        const QJsonObject stroke = strokes.at(k).toObject();
+        const auto found = sensors->constFind(stroke.value(QLatin1String("sensorDataID")).toString());
+        const Sensor *sensor = found == sensors->cend() ? nullptr : &*found;
+        auto path = pathOf(stroke, sensor, fileName, QStringLiteral("inkData.strokes[%1]").arg(k));
+        if (!path)
+            return Error{path.error()};
+        const bool timed = sensor && !sensor->times.empty();
+        const Microseconds start = timed ? toMicroseconds(sensor->start) : clock;
+        for (PenSample &s : path->samples)
+            s.time += start;
+        clock = (path->samples.empty() ? start : path->samples.back().time) + assumedPause;
+        recording.paths.push_back(std::move(*path));
+    }
+    return recording;
+}
+
+} // namespace suffuse

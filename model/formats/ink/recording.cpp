@@ -1,0 +1,98 @@
+#include "model/formats/ink/recording.h"
+
+#include "model/painting/validate.h"
+
+#include <charconv>
+#include <cmath>
+
+namespace suffuse {
+
+namespace {
+
+struct Extent {
+    Rect box;
+    Microseconds start = std::numeric_limits<Microseconds>::max();
+    Microseconds end = std::numeric_limits<Microseconds>::min();
+};
+
+Extent extentOf(const Recording &recording)
+{
+    Extent e;
+    for (const auto &path : recording.paths) {
+        for (const PenSample &s : path.samples) {
+            e.box.include(s.position);
+            e.start = std::min(e.start, s.time);
+            e.end = std::max(e.end, s.time);
+        }
+    }
+    return e;
+}
+
+} // namespace
+
+Result<Painting> paintRecording(const Recording &recording, const Brush &brush, const QString &fileName)
+{
+    const Extent extent = extentOf(recording);
+    if (extent.box.isEmpty())
+        return fileError(fileName, FileMessages::tr("holds no pen strokes; there is nothing to paint"));
+    constexpr double largestCanvas = 1e6;
+    const double margin = 2 * brush.spread();
+    Painting painting;
+    painting.canvas.width = std::max(1.0, std::ceil(extent.box.width() + 2 * margin));
+    painting.canvas.height = std::max(1.0, std::ceil(extent.box.height() + 2 * margin));
+    if (!(painting.canvas.width <= largestCanvas && painting.canvas.height <= largestCanvas))
+        return fileError(fileName,
+                         FileMessages::tr("the strokes span %1 × %2 units; at most 1e6 are possible, scale them down")
+                             .arg(extent.box.width())
+                             .arg(extent.box.height()));
+    const Point shift{margin - extent.box.left, margin - extent.box.top};
+    StrokeId id = 0;
+    for (const auto &path : recording.paths) {
+        Brush own = brush;
+        if (path.colour)
+            own.colour = *path.colour;
+        std::vector<PenSample> samples = path.samples;
+        for (PenSample &s : samples) {
+            s.position = s.position + shift;
+            s.time -= extent.start;
+        }
+        if (StrokePtr stroke = buildStroke(own, id + 1, samples)) {
+            painting.strokes.push_back(std::move(stroke));
+            ++id;
+        }
+    }
+    if (painting.strokes.empty())
+        return fileError(fileName, FileMessages::tr("holds no pen strokes; there is nothing to paint"));
+    if (const QString problem = problemOf(painting); !problem.isEmpty())
+        return fileError(fileName, problem);
+    return painting;
+}
+
+std::string_view trimmed(std::string_view text)
+{
+    constexpr std::string_view space = " \t\r\n\f\v";
+    const std::size_t from = text.find_first_not_of(space);
+    return from == text.npos ? std::string_view() : text.substr(from, text.find_last_not_of(space) - from + 1);
+}
+
+std::optional<double> numberIn(std::string_view text)
+{
+    text = trimmed(text);
+    if (text.starts_with('+'))
+        text.remove_prefix(1);
+    double value = 0;
+    const auto [end, code] = std::from_chars(text.data(), text.data() + text.size(), value);
+    if (code != std::errc() || end != text.data() + text.size() || !std::isfinite(value))
+        return {};
+    return value;
+}
+
+QString placeOf(const QByteArray &bytes, qsizetype position)
+{
+    const QByteArrayView before = QByteArrayView(bytes).first(std::clamp<qsizetype>(position, 0, bytes.size()));
+    const qsizetype line = std::count(before.begin(), before.end(), '\n') + 1;
+    const qsizetype column = QString::fromUtf8(before.sliced(before.lastIndexOf('\n') + 1)).size() + 1;
+    return FileMessages::tr("line %1, column %2").arg(line).arg(column);
+}
+
+} // namespace suffuse

@@ -1,0 +1,97 @@
+#include "model/formats/suffuse/suffuse_extras.h"
+
+#include "model/formats/messages.h"
+#include "model/formats/suffuse/suffuse_cbor.h"
+
+#include <cmath>
+
+namespace suffuse {
+
+namespace {
+
+constexpr double largestCoordinate = 1e12;
+constexpr Microseconds largestTime = 1'000'000'000'000'000;
+
+QByteArray writeView(const WorkspaceState &view)
+{
+    QCborMap map{{QLatin1String("centre"), QCborArray{view.centre.x, view.centre.y}},
+                 {QLatin1String("scale"), view.scale},
+                 {QLatin1String("rotation"), view.rotation},
+                 {QLatin1String("mirrored"), view.mirrored}};
+    if (view.time)
+        map.insert(QLatin1String("time"), qint64(*view.time));
+    return QCborValue(map).toCbor();
+}
+
+std::optional<WorkspaceState> readView(QByteArrayView payload)
+{
+    QCborParserError problem;
+    const QCborValue value = QCborValue::fromCbor(payload.data(), payload.size(), &problem);
+    if (problem.error != QCborError::NoError) // then nothing of it may be looked into
+        return std::nullopt;
+    WorkspaceState view;
+    bool ok = true;
+    MapReader in(value, ok);
+    const QCborArray centre = in.take("centre").toArray();
+    view.centre = {centre.at(0).toDouble(), centre.at(1).toDouble()};
+    in.read("scale", view.scale);
+    in.read("rotation", view.rotation);
+    in.read("mirrored", view.mirrored);
+    if (const QCborValue time = in.take("time"); time.isInteger())
+        view.time = std::clamp<Microseconds>(integerIn(time), -largestTime, largestTime);
+    ok = ok && centre.size() == 2 && std::abs(view.centre.x) <= largestCoordinate &&
+         std::abs(view.centre.y) <= largestCoordinate && view.scale > 0 && view.scale <= largestCoordinate &&
+         std::abs(view.rotation) <= largestCoordinate;
+    return ok ? std::optional(view) : std::nullopt;
+}
+
+} // namespace
+
+bool isAncillary(const Chunk &chunk)
+{
+    return !chunk.type.isEmpty() && chunk.type.front() >= 'a' && chunk.type.front() <= 'z';
+}
+
+QString partBeside(const QByteArray &type)
+{
+    if (type == previewType)
+        return FileMessages::tr("the preview");
+    if (type == viewType)
+        return FileMessages::tr("how it was last looked at");
+    return type == historyType ? FileMessages::tr("the undo history") : QString();
+}
+
+void readExtra(const Chunk &chunk, DocumentExtras &extras)
+{
+    if (chunk.type == previewType) {
+        if (extras.preview.isEmpty() && chunk.payload.startsWith("\x89PNG\r\n\x1a\n") &&
+            chunk.payload.size() <= largestPreview)
+            extras.preview = chunk.payload.toByteArray();
+    } else if (chunk.type == viewType) {
+        if (!extras.view)
+            extras.view = readView(chunk.payload);
+    } else if (chunk.type == historyType) {
+        if (extras.history.isEmpty())
+            extras.history = chunk.payload.toByteArray();
+    } else {
+        extras.unknown.push_back({chunk.type, chunk.payload.toByteArray()});
+    }
+}
+
+void appendFirstExtras(QByteArray &out, const DocumentExtras &extras)
+{
+    if (!extras.preview.isEmpty() && extras.preview.size() <= largestPreview)
+        appendChunk(out, previewType, extras.preview);
+    if (extras.view)
+        appendChunk(out, viewType, writeView(*extras.view));
+}
+
+void appendLastExtras(QByteArray &out, const DocumentExtras &extras)
+{
+    if (!extras.history.isEmpty())
+        appendChunk(out, historyType, extras.history);
+    for (const AncillaryChunk &chunk : extras.unknown)
+        appendChunk(out, chunk.type.constData(), chunk.payload);
+}
+
+} // namespace suffuse

@@ -1,0 +1,102 @@
+// docs/file-format.md: a painting and what belongs beside it as the bytes of a file.
+#include "model/formats/suffuse/suffuse_extras.h"
+#include "model/formats/suffuse/suffuse_strokes.h"
+#include "model/parallel.h"
+
+#include <QCborMap>
+#include <QCryptographicHash>
+
+namespace suffuse {
+
+namespace {
+
+struct Totals {
+    std::uint64_t segments = 0;
+    std::uint64_t rewets = 0;
+    std::uint64_t blocks = 0; ///< bytes that all palettes can have at most
+};
+
+Totals totalsOf(const Painting &painting)
+{
+    constexpr std::uint64_t style = 16, stroke = style + 8 + 4 * 10; // varints have up to 10 bytes
+    Totals t;
+    for (const StrokePtr &s : painting.strokes) {
+        t.segments += s->segments.size();
+        t.blocks += stroke + 3 * std::uint64_t(s->name.size() + s->brush.size()); // UTF-8 of UTF-16
+        for (const Segment &segment : s->segments) {
+            t.rewets += segment.rewet.size();
+            t.blocks += segment.style ? style : 0;
+        }
+    }
+    return t;
+}
+
+QByteArray header(const Painting &painting, const Totals &totals)
+{
+    const QCborMap map{{QLatin1String("version"), suffuseVersion},
+                       {QLatin1String("reader"), suffuseLeastReader},
+                       {QLatin1String("program"), QStringLiteral("Suffuse " SUFFUSE_VERSION)},
+                       {QLatin1String("strokes"), qint64(painting.strokes.size())},
+                       {QLatin1String("segments"), qint64(totals.segments)}};
+    return QCborValue(map).toCbor();
+}
+
+using Strokes = std::span<const StrokePtr>;
+
+std::vector<QByteArray> strokeChunks(const std::vector<Strokes> &parts, const Totals &totals)
+{
+    std::vector<QByteArray> chunks(parts.size());
+    Density density{totals.segments > freeElements, totals.rewets > freeElements, blockBudget};
+    if (totals.blocks <= blockBudget) { // then none needs to know what the others took
+        forEachInParallel(parts.size(), [&](std::size_t k) {
+            Density own = density;
+            chunks[k] = writeStrokes(parts[k], own);
+        });
+        return chunks;
+    }
+    for (std::size_t k = 0; k < parts.size(); ++k)
+        chunks[k] = writeStrokes(parts[k], density);
+    return chunks;
+}
+
+} // namespace
+
+std::vector<Strokes> inChunks(Strokes strokes)
+{
+    std::size_t total = 0;
+    for (const StrokePtr &s : strokes)
+        total += s->segments.size();
+    const std::size_t most = segmentsPerChunk(total);
+    std::vector<Strokes> parts;
+    for (std::size_t from = 0; from < strokes.size();) {
+        std::size_t to = from + 1, segments = strokes[from]->segments.size();
+        for (; to < strokes.size() && (segments += strokes[to]->segments.size()) <= most; ++to)
+            ;
+        parts.push_back(strokes.subspan(from, to - from));
+        from = to;
+    }
+    return parts;
+}
+
+QByteArray writeSuffuseFile(const Painting &painting, const DocumentExtras &extras)
+{
+    const Totals totals = totalsOf(painting);
+    std::vector<EncodedImage> images;
+    const QByteArray document = writeProperties(painting, images);
+    const std::vector<StrokePtr> all(painting.strokes.begin(), painting.strokes.end());
+    const std::vector<QByteArray> strokes = strokeChunks(inChunks(all), totals);
+
+    QByteArray out = QByteArray(suffuseName) + suffuseLineEnds;
+    appendChunk(out, "HEAD", header(painting, totals));
+    appendFirstExtras(out, extras);
+    for (const EncodedImage &image : images)
+        appendChunk(out, "IMAG", *image);
+    appendChunk(out, "DOCU", document);
+    for (const QByteArray &chunk : strokes)
+        appendChunk(out, "STRK", chunk);
+    appendLastExtras(out, extras);
+    appendChunk(out, "ENDS", QCryptographicHash::hash(out, QCryptographicHash::Sha256));
+    return out;
+}
+
+} // namespace suffuse

@@ -1,0 +1,99 @@
+#include "model/formats/svg/svg_shapes.h"
+
+#include <QRegularExpression>
+
+#include <algorithm>
+#include <cmath>
+#include <initializer_list>
+#include <map>
+
+namespace suffuse {
+
+namespace {
+
+/// Attributes as numbers.
+class Numbers {
+public:
+    explicit Numbers(const QXmlStreamAttributes &attributes) : m_attributes(attributes) {}
+
+    std::optional<double> find(const char *name) const
+    {
+        return svgLength(m_attributes.value(QLatin1String(name)).toString());
+    }
+    double operator[](const char *name) const { return find(name).value_or(0); }
+
+private:
+    const QXmlStreamAttributes &m_attributes;
+};
+
+/// "M" with two numbers, and the like.
+QString command(const char *letter, std::initializer_list<double> numbers)
+{
+    QString text = QString::fromLatin1(letter);
+    for (const double number : numbers)
+        text += ' ' + QString::number(number, 'g', 17);
+    return text + ' ';
+}
+
+QString rectangle(const Numbers &n)
+{
+    const double x = n["x"], y = n["y"], width = n["width"], height = n["height"];
+    if (!(width > 0 && height > 0))
+        return {};
+    // One radius alone is both.
+    const std::optional<double> givenX = n.find("rx"), givenY = n.find("ry");
+    const double rx = std::clamp(givenX.value_or(givenY.value_or(0)), 0.0, 0.5 * width);
+    const double ry = std::clamp(givenY.value_or(givenX.value_or(0)), 0.0, 0.5 * height);
+    if (rx == 0 || ry == 0)
+        return command("M", {x, y}) + command("H", {x + width}) + command("V", {y + height}) + command("H", {x}) + 'Z';
+    const auto arc = [&](double toX, double toY) { return command("A", {rx, ry, 0, 0, 1, toX, toY}); };
+    const double right = x + width, bottom = y + height;
+    return command("M", {x + rx, y}) + command("H", {right - rx}) + arc(right, y + ry) + command("V", {bottom - ry}) +
+           arc(right - rx, bottom) + command("H", {x + rx}) + arc(x, bottom - ry) + command("V", {y + ry}) +
+           arc(x + rx, y) + 'Z';
+}
+
+/// From its right end clockwise, as SVG says.
+QString ellipse(double x, double y, double rx, double ry)
+{
+    if (!(rx > 0 && ry > 0))
+        return {};
+    QString text = command("M", {x + rx, y});
+    for (const auto &[toX, toY] : {std::pair{x, y + ry}, {x - rx, y}, {x, y - ry}, {x + rx, y}})
+        text += command("A", {rx, ry, 0, 0, 1, toX, toY});
+    return text + 'Z';
+}
+
+} // namespace
+
+std::optional<double> svgLength(const QString &text)
+{
+    static const QRegularExpression form(QStringLiteral("^\\s*([-+0-9.eE]+?)\\s*(px|pt|pc|mm|cm|in)?\\s*$"));
+    static const std::map<QString, double> units{{"", 1},           {"px", 1},         {"pt", 96.0 / 72}, {"pc", 16},
+                                                 {"mm", 96 / 25.4}, {"cm", 96 / 2.54}, {"in", 96}};
+    const QRegularExpressionMatch match = form.match(text);
+    bool ok = false;
+    const double value = match.captured(1).toDouble(&ok) * units.at(match.captured(2));
+    return ok && std::isfinite(value) ? std::optional(value) : std::nullopt;
+}
+
+QString svgPathData(QStringView element, const QXmlStreamAttributes &attributes)
+{
+    const Numbers n(attributes);
+    const auto is = [element](const char *name) { return element == QLatin1String(name); };
+    if (is("path"))
+        return attributes.value(QLatin1String("d")).toString();
+    if (is("rect"))
+        return rectangle(n);
+    if (is("circle"))
+        return ellipse(n["cx"], n["cy"], n["r"], n["r"]);
+    if (is("ellipse"))
+        return ellipse(n["cx"], n["cy"], n.find("rx").value_or(n["ry"]), n.find("ry").value_or(n["rx"]));
+    if (is("line"))
+        return command("M", {n["x1"], n["y1"]}) + command("L", {n["x2"], n["y2"]});
+    if (is("polyline") || is("polygon"))
+        return "M " + attributes.value(QLatin1String("points")).toString() + (is("polygon") ? " Z" : "");
+    return {};
+}
+
+} // namespace suffuse

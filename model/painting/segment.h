@@ -1,0 +1,71 @@
+// One segment of a stroke: a cubic that is a source of the heat equation.
+#pragma once
+
+#include "model/painting/geometry.h"
+#include "model/painting/style.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+namespace suffuse {
+
+using Microseconds = std::int64_t; ///< document time in whole microseconds
+
+inline double toSeconds(Microseconds t) { return double(t) * 1e-6; }
+inline Microseconds toMicroseconds(double seconds) { return Microseconds(std::llround(seconds * 1e6)); }
+
+/// Kind of the node at a segment's start.
+enum class NodeKind : std::uint8_t { Smooth, Symmetric, Corner };
+
+/// From `time` (T_r) on, the segment spreads for another `extra` seconds.
+struct Rewet {
+    Microseconds time = 0;
+    Microseconds extra = 0;
+    friend bool operator==(const Rewet &, const Rewet &) = default;
+};
+
+/// Values of one segment (eq 13). Domains are checked by `problemOf` (model/painting/validate.h), not here.
+struct Segment {
+    std::array<Offset, 4> bezier;      ///< control points, offsets from the stroke's origin, canvas units
+    float diffusion = 12.5f;           ///< D, unit²/s, (0, 1e12]
+    float density = 9;                 ///< φˢ, unit, [0, 1e12]
+    float granulation = 1;             ///< ω, [0, 1]; 1 hides the paper, 0 shows it fully
+    float maxAge = 1;                  ///< t_max, s, (0, 1e6]
+    Microseconds born = 0;             ///< time of the segment's first sample
+    Colour colour;                     ///< C, RYB and opacity
+    std::optional<Style> style;        ///< overrides the stroke's
+    float anisotropyRatio = 1;         ///< D·ratio along the angle, D across it
+    float anisotropyAngle = 0;         ///< radians, from the x axis towards the y axis
+    NodeKind node = NodeKind::Smooth;  ///< kind of the node at its start
+    std::vector<Rewet> rewet;          ///< in order of time
+
+    friend bool operator==(const Segment &, const Segment &) = default;
+
+    bool isIsotropic() const { return anisotropyRatio == 1; }
+
+    /// Age t in seconds at document time T; 0 or less: it is not there yet.
+    double age(Microseconds T) const
+    {
+        double t = std::min(toSeconds(T - born), double(maxAge));
+        if (T >= born)
+            for (const Rewet &r : rewet)
+                t += toSeconds(std::min(std::max<Microseconds>(T - r.time, 0), r.extra));
+        return t;
+    }
+    /// When it stops spreading; rounded up, so that from then on its age is t_max to the last bit.
+    Microseconds driesAt() const
+    {
+        Microseconds end = born + Microseconds(std::ceil(double(maxAge) * 1e6));
+        for (const Rewet &r : rewet)
+            end = std::max(end, r.time + r.extra);
+        return end;
+    }
+    /// Spread s = √(4Dt), canvas units (across the tensor's angle where anisotropic); 0 at age 0.
+    double spread(Microseconds T) const { return std::sqrt(4 * double(diffusion) * std::max(age(T), 0.0)); }
+};
+
+} // namespace suffuse

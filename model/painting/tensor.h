@@ -1,0 +1,22 @@
+// A segment's diffusion tensor: D·ratio along its angle, D across.
+#pragma once
+
+#include "model/painting/segment.h"
+#include "model/shaping/transform.h"
+
+namespace suffuse {
+
+/// Symmetric: (xx xy; xy yy), unit²/s.
+struct Tensor {
+    double xx = 0, xy = 0, yy = 0;
+    friend Tensor operator+(const Tensor &a, const Tensor &b) { return {a.xx + b.xx, a.xy + b.xy, a.yy + b.yy}; }
+    friend Tensor operator*(double k, const Tensor &t) { return {k * t.xx, k * t.xy, k * t.yy}; }
+};
+
+Tensor tensorOf(const Segment &segment);
+/// Sets diffusion, ratio (≥ 1) and angle (of the longer axis) by the tensor's eigenvalues.
+void setTensor(Segment &segment, const Tensor &tensor);
+/// M·T·Mᵀ.
+Tensor mapped(const Tensor &tensor, const Affine &map);
+
+} // namespace suffuse

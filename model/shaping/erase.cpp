@@ -1,0 +1,216 @@
+#include "model/shaping/erase.h"
+
+#include "model/painting/bernstein.h"
+#include "model/shaping/split.h"
+
+#include <numeric>
+#include <set>
+
+namespace suffuse {
+
+namespace {
+
+/// The points nearer than a radius to a line from a to b: a disc where they are one.
+struct Capsule {
+    Point a, b;
+    Rect box;
+};
+
+double squaredDistance(const Capsule &capsule, Point p)
+{
+    const Point along = capsule.b - capsule.a, d = p - capsule.a;
+    const double l2 = dot(along, along);
+    const double t = l2 > 0 ? std::clamp(dot(d, along) / l2, 0.0, 1.0) : 0;
+    const Point off = d - t * along;
+    return dot(off, off);
+}
+
+/// The path, seen from a stroke's origin.
+std::vector<Capsule> capsulesOf(const std::vector<Point> &path, double radius, Point origin)
+{
+    std::vector<Capsule> capsules;
+    const auto add = [&](Point a, Point b) {
+        Rect box;
+        box.include(a);
+        box.include(b);
+        capsules.push_back({a, b, box.grown(radius)});
+    };
+    for (std::size_t i = 1; i < path.size(); ++i)
+        if (path[i] != path[i - 1])
+            add(path[i - 1] - origin, path[i] - origin);
+    if (capsules.empty() && !path.empty())
+        add(path[0] - origin, path[0] - origin);
+    return capsules;
+}
+
+/// One segment against the part of the path that comes near it.
+class Eraser {
+public:
+    Eraser(const std::vector<Capsule> &path, double radius, const Cubic &curve) : m_radius(radius), m_curve(curve)
+    {
+        const Rect box = curve.controlBox();
+        for (const Capsule &capsule : path)
+            if (capsule.box.intersects(box))
+                m_near.push_back(&capsule);
+    }
+
+    bool isInside(double p) const
+    {
+        const Point at = m_curve.at(p);
+        return std::any_of(m_near.begin(), m_near.end(),
+                           [&](const Capsule *c) { return squaredDistance(*c, at) < m_radius * m_radius; });
+    }
+
+    /// Where the curve goes in or out. Where it only touches, it does neither.
+    std::vector<double> cuts() const
+    {
+        if (m_near.empty())
+            return {};
+        std::vector<double> candidates;
+        const auto add = [&candidates](std::span<const double> f) {
+            const std::vector<double> roots = bernsteinRoots(f);
+            candidates.insert(candidates.end(), roots.begin(), roots.end());
+        };
+        for (const Capsule *c : m_near) {
+            add(powerOfCircle(m_curve, c->a, m_radius));
+            add(powerOfCircle(m_curve, c->b, m_radius));
+            const Point along = unit(c->b - c->a), normal{-along.y, along.x};
+            add(distanceFromLine(m_curve, c->a + m_radius * normal, normal));
+            add(distanceFromLine(m_curve, c->a - m_radius * normal, normal));
+        }
+        candidates = distinct(std::move(candidates), m_curve);
+        std::vector<double> result;
+        double from = 0;
+        std::optional<bool> before;
+        for (std::size_t i = 0; i <= candidates.size(); ++i) {
+            const double to = i < candidates.size() ? candidates[i] : 1;
+            const bool inside = isInside(0.5 * (from + to));
+            if (before && *before != inside)
+                result.push_back(from);
+            before = inside;
+            from = to;
+        }
+        return result;
+    }
+
+private:
+    double m_radius;
+    const Cubic &m_curve;
+    std::vector<const Capsule *> m_near;
+};
+
+/// Appends runs of pieces as strokes of their own; `starts` says before which piece a run begins, `keeps` which pieces
+/// stay.
+template <typename Starts, typename Keeps>
+std::vector<Stroke> runsOf(const Stroke &stroke, std::vector<Piece> &pieces, Starts starts, Keeps keeps)
+{
+    Stroke empty = stroke;
+    empty.segments.clear();
+    std::vector<Stroke> runs;
+    bool open = false;
+    for (std::size_t i = 0; i < pieces.size(); ++i) {
+        if (!keeps(i)) {
+            open = false;
+            continue;
+        }
+        if (!open || starts(i))
+            runs.push_back(empty);
+        open = true;
+        runs.back().segments.push_back(std::move(pieces[i].segment));
+    }
+    return runs;
+}
+
+} // namespace
+
+std::vector<Stroke> erased(const Stroke &stroke, const std::vector<Point> &path, double radius,
+                           std::vector<int> *sources, Microseconds T)
+{
+    if (sources) {
+        sources->resize(stroke.segments.size());
+        std::iota(sources->begin(), sources->end(), 0);
+    }
+    if (!(radius > 0))
+        return {stroke};
+    const std::vector<Capsule> capsules = capsulesOf(path, radius, stroke.origin);
+    std::vector<std::vector<double>> cuts(stroke.segments.size());
+    std::vector<bool> startsInside(stroke.segments.size());
+    bool touched = false;
+    for (std::size_t k = 0; k < stroke.segments.size(); ++k) {
+        if (stroke.segments[k].born > T)
+            continue;
+        const Cubic curve = offsetsOf(stroke.segments[k]);
+        const Eraser eraser(capsules, radius, curve);
+        cuts[k] = eraser.cuts();
+        startsInside[k] = eraser.isInside(0.5 * (cuts[k].empty() ? 1 : cuts[k].front()));
+        touched = touched || startsInside[k] || !cuts[k].empty();
+    }
+    if (!touched)
+        return {stroke};
+    std::vector<Piece> pieces = piecesOf(stroke, cuts);
+    std::vector<bool> inside(pieces.size());
+    for (std::size_t i = 0; i < pieces.size(); ++i) // each cut goes in or out
+        inside[i] = pieces[i].from == 0 ? startsInside[std::size_t(pieces[i].source)] : !inside[i - 1];
+    if (sources) {
+        sources->clear();
+        for (std::size_t i = 0; i < pieces.size(); ++i)
+            if (!inside[i])
+                sources->push_back(pieces[i].source);
+    }
+    return runsOf(
+        stroke, pieces, [](std::size_t) { return false; }, [&](std::size_t i) { return !inside[i]; });
+}
+
+bool mayErase(const Stroke &stroke, const std::vector<Point> &path, double radius)
+{
+    Rect box;
+    for (Point p : path)
+        box.include(p - stroke.origin);
+    box = box.grown(radius);
+    return radius > 0 && std::any_of(stroke.segments.begin(), stroke.segments.end(),
+                                     [&box](const Segment &s) { return offsetsOf(s).controlBox().intersects(box); });
+}
+
+std::vector<CurvePlace> crossings(const Stroke &stroke, Point a, Point b)
+{
+    const Point along = b - a;
+    const double l2 = dot(along, along);
+    if (!(l2 > 0))
+        return {};
+    std::set<CurvePlace> places;
+    const Point start = a - stroke.origin, direction = unit(along);
+    for (int k = 0; k < int(stroke.segments.size()); ++k) {
+        const Cubic curve = offsetsOf(stroke.segments[std::size_t(k)]);
+        for (double p : bernsteinRoots(distanceFromLine(curve, start, {-direction.y, direction.x}))) {
+            const double t = dot(curve.at(p) - start, along) / l2;
+            if (t < 0 || t > 1)
+                continue;
+            const int node = nodeAt(stroke, {k, p});
+            if (node < 0)
+                places.insert({k, p});
+            else if (node > 0 && node < int(stroke.segments.size()))
+                places.insert({node, 0});
+        }
+    }
+    return {places.begin(), places.end()};
+}
+
+std::vector<Stroke> cutAt(const Stroke &stroke, const std::vector<CurvePlace> &places)
+{
+    std::vector<CurvePlace> splits;
+    std::set<int> nodes;
+    for (const CurvePlace &place : places) {
+        if (place.segment < 0 || place.segment >= int(stroke.segments.size()))
+            continue;
+        if (const int node = nodeAt(stroke, place); node >= 0)
+            nodes.insert(node);
+        else
+            splits.push_back(place);
+    }
+    std::vector<Piece> pieces = piecesOf(stroke, splits);
+    return runsOf(
+        stroke, pieces, [&](std::size_t i) { return pieces[i].from > 0 || nodes.contains(pieces[i].source); },
+        [](std::size_t) { return true; });
+}
+
+} // namespace suffuse

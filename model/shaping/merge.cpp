@@ -1,0 +1,183 @@
+#include "model/shaping/merge.h"
+
+#include "model/shaping/split.h"
+#include "model/brush/stroke_fit.h"
+
+namespace suffuse {
+
+namespace {
+
+/// The cubic of which `a` and `b` are the parts below and above p, if they are.
+Cubic unsplit(const Cubic &a, const Cubic &b, double p)
+{
+    const Point start = (1 / p) * (a.p[1] - a.p[0]), end = (1 / (1 - p)) * (b.p[2] - b.p[3]);
+    return {{a.p[0], a.p[0] + start, b.p[3] + end, b.p[3]}};
+}
+
+/// How far the parts of that cubic are from `a` and `b` in the middle, squared.
+double mismatch(const Cubic &a, const Cubic &b, double p)
+{
+    const auto parts = unsplit(a, b, p).split(p);
+    const Point before = parts[0].p[2] - a.p[2], at = parts[0].p[3] - a.p[3], after = parts[1].p[1] - b.p[1];
+    return dot(before, before) + dot(at, at) + dot(after, after);
+}
+
+/// The parameter at which one cubic would have been split into `a` and `b`.
+double splitBetween(const Cubic &a, const Cubic &b)
+{
+    constexpr int steps = 64;
+    double best = 0.5;
+    for (int i = 1; i < steps; ++i)
+        if (mismatch(a, b, double(i) / steps) < mismatch(a, b, best))
+            best = double(i) / steps;
+    // At the node between parts of one cubic the handles are as long as the shares of the parameter.
+    const double before = length(a.p[3] - a.p[2]), after = length(b.p[1] - b.p[0]);
+    if (const double share = before / (before + after); share > 0 && share < 1)
+        if (mismatch(a, b, share) < mismatch(a, b, best))
+            best = share;
+    // Halving the distance to neighbours that are better or not.
+    for (double step = 0.5 / steps; step > 1e-9; step *= 0.5)
+        for (double other : {best - step, best + step})
+            if (other > 0 && other < 1 && mismatch(a, b, other) < mismatch(a, b, best)) {
+                best = other;
+                break;
+            }
+    return best;
+}
+
+/// Points on the curves, with their arc length from the start as a share of the whole: for a fit.
+class Samples {
+public:
+    explicit Samples(const std::vector<Cubic> &curves)
+    {
+        constexpr int each = 16;
+        for (const Cubic &curve : curves)
+            for (int i = 0; i < each; ++i)
+                append(curve.at((i + 0.5) / each));
+        m_total = m_lengths.back() + length(curves.back().p[3] - m_points.back());
+        const double start = length(m_points.front() - curves.front().p[0]);
+        m_total += start;
+        for (double &l : m_lengths)
+            l = (l + start) / m_total;
+    }
+
+    double total() const { return m_total; }
+
+    /// Handles along the directions that come nearest to the points in the sense of least squares (Schneider's way).
+    Cubic fitted(Point from, Point direction, Point to, Point arrival) const
+    {
+        double aa = 0, ab = 0, bb = 0, ax = 0, bx = 0;
+        for (std::size_t i = 0; i < m_points.size(); ++i) {
+            const double t = m_lengths[i], u = 1 - t;
+            const Point a = (3 * u * u * t) * direction, b = (-3 * u * t * t) * arrival;
+            const Point rest = m_points[i] - (u * u * (1 + 2 * t)) * from - (t * t * (1 + 2 * u)) * to;
+            aa += dot(a, a), ab += dot(a, b), bb += dot(b, b), ax += dot(a, rest), bx += dot(b, rest);
+        }
+        const double determinant = aa * bb - ab * ab;
+        double start = (ax * bb - bx * ab) / determinant, end = (aa * bx - ab * ax) / determinant;
+        const auto isSound = [this](double l) { return l > 1e-3 * m_total && l < 3 * m_total; };
+        if (!isSound(start) || !isSound(end))
+            start = end = m_total / 3;
+        return {{from, from + start * direction, to - end * arrival, to}};
+    }
+
+    /// Puts the points' parameters where the curve is nearest (one step of Newton's).
+    void reparametrise(const Cubic &curve)
+    {
+        for (std::size_t i = 0; i < m_points.size(); ++i) {
+            const double t = m_lengths[i];
+            const Point d = curve.at(t) - m_points[i], first = curve.derivative(t);
+            const Point second = (6 * (1 - t)) * (curve.p[2] - 2.0 * curve.p[1] + curve.p[0]) +
+                                 (6 * t) * (curve.p[3] - 2.0 * curve.p[2] + curve.p[1]);
+            const double slope = dot(first, first) + dot(d, second);
+            if (slope > 0)
+                m_lengths[i] = std::clamp(t - dot(d, first) / slope, 0.0, 1.0);
+        }
+    }
+
+private:
+    void append(Point p)
+    {
+        m_lengths.push_back(m_points.empty() ? 0 : m_lengths.back() + length(p - m_points.back()));
+        m_points.push_back(p);
+    }
+
+    std::vector<Point> m_points;
+    std::vector<double> m_lengths;
+    double m_total = 0;
+};
+
+Cubic fitted(const std::vector<Cubic> &curves)
+{
+    const Point from = curves.front().p[0], to = curves.back().p[3];
+    const Point direction = startDirection(curves.front()), arrival = endDirection(curves.back());
+    Samples samples(curves);
+    Cubic result = samples.fitted(from, direction, to, arrival);
+    for (int round = 0; round < 8; ++round) {
+        samples.reparametrise(result);
+        result = samples.fitted(from, direction, to, arrival);
+    }
+    return result;
+}
+
+/// The cubic of which the curves are parts, one after the other; none if they are not, as far as float32 can tell.
+std::optional<Cubic> wholeOf(const std::vector<Cubic> &curves)
+{
+    Cubic whole = curves.front();
+    std::vector<double> ends{1}; // of the parts, in the whole's parameter
+    double polygon = polygonLength(whole);
+    for (std::size_t i = 1; i < curves.size(); ++i) {
+        const double p = splitBetween(whole, curves[i]);
+        whole = unsplit(whole, curves[i], p);
+        for (double &end : ends)
+            end *= p;
+        ends.push_back(1);
+        polygon = std::max(polygon, polygonLength(curves[i]));
+    }
+    const double near = std::max(4 * resolutionAt(whole), 1e-5 * polygon);
+    double from = 0;
+    for (std::size_t i = 0; i < curves.size(); ++i) {
+        for (double p : {0.25, 0.5, 0.75, 1.0})
+            if (!(length(whole.at(from + p * (ends[i] - from)) - curves[i].at(p)) <= near))
+                return std::nullopt;
+        from = ends[i];
+    }
+    return whole;
+}
+
+} // namespace
+
+Segment withValuesOf(const std::vector<Segment> &run)
+{
+    std::vector<const Segment *> all;
+    const Segment *longest = nullptr;
+    double most = -1;
+    for (const Segment &s : run) {
+        all.push_back(&s);
+        if (const double l = arcLength(offsetsOf(s)); l > most) {
+            most = l;
+            longest = &s;
+        }
+    }
+    Segment result = *longest;
+    result.node = run.front().node;
+    setMeanValues(result, all);
+    return result;
+}
+
+Segment merged(const std::vector<Segment> &run)
+{
+    if (run.size() == 1)
+        return run.front();
+    std::vector<Cubic> curves;
+    for (const Segment &s : run)
+        curves.push_back(offsetsOf(s));
+    const std::optional<Cubic> whole = wholeOf(curves);
+    Segment result = withValuesOf(run);
+    result.bezier = toOffsets(whole ? *whole : fitted(curves));
+    result.bezier[0] = run.front().bezier[0];
+    result.bezier[3] = run.back().bezier[3];
+    return result;
+}
+
+} // namespace suffuse

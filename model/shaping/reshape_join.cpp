@@ -1,0 +1,139 @@
+#include "model/shaping/reshape.h"
+#include "model/shaping/split.h"
+#include "model/painting/validate.h"
+
+namespace suffuse {
+
+namespace {
+
+/// Offsets that are as near as this to each other are one place.
+double weldingDistance(Offset a, Offset b)
+{
+    return resolutionAt(Cubic{{Point() + a, Point() + b, {}, {}}});
+}
+
+double distance(Offset a, Offset b)
+{
+    return length((Point() + a) - (Point() + b));
+}
+
+NodeKind kindBetween(const Segment &before, const Segment &after)
+{
+    return dot(endDirection(offsetsOf(before)), startDirection(offsetsOf(after))) > 0.9998 ? NodeKind::Smooth
+                                                                                           : NodeKind::Corner;
+}
+
+/// From the end of one segment to the start of another, with the values of `values`.
+Segment bridgeBetween(const Segment &before, const Segment &after, const Segment &values)
+{
+    Segment bridge = values;
+    const Cubic in = offsetsOf(before), out = offsetsOf(after);
+    bridge.bezier = toOffsets(arcBetween(in.p[3], endDirection(in), out.p[0], startDirection(out)));
+    bridge.bezier[0] = before.bezier[3];
+    bridge.bezier[3] = after.bezier[0];
+    return bridge;
+}
+
+/// The segments as offsets from another origin, and with the style that they had.
+std::vector<Segment> movedOver(const Stroke &stroke, const Stroke &to)
+{
+    std::vector<Segment> segments = stroke.segments;
+    const Point shift = stroke.origin - to.origin;
+    for (Segment &s : segments) {
+        for (Offset &o : s.bezier)
+            o = toOffset(shift + o, {});
+        if (!s.style && stroke.style != to.style)
+            s.style = stroke.style;
+    }
+    return segments;
+}
+
+/// Appends `tail` to `segments`; a bridge has the values of the side that says so.
+void append(std::vector<Segment> &segments, std::vector<Segment> tail, bool valuesOfTail)
+{
+    Segment &last = segments.back(), &first = tail.front();
+    if (distance(last.bezier[3], first.bezier[0]) <= weldingDistance(last.bezier[3], first.bezier[0])) {
+        // The side that gives the values keeps its place, to the bit.
+        if (valuesOfTail)
+            last.bezier[3] = first.bezier[0];
+        else
+            first.bezier[0] = last.bezier[3];
+    } else {
+        Segment bridge = bridgeBetween(last, first, valuesOfTail ? first : last);
+        bridge.node = kindBetween(last, bridge);
+        segments.push_back(std::move(bridge));
+    }
+    first.node = kindBetween(segments.back(), first);
+    segments.insert(segments.end(), std::make_move_iterator(tail.begin()), std::make_move_iterator(tail.end()));
+}
+
+bool hasPoints(const std::vector<Segment> &segments)
+{
+    return std::any_of(segments.begin(), segments.end(), isPoint);
+}
+
+} // namespace
+
+Stroke reversed(const Stroke &stroke)
+{
+    Stroke result = stroke;
+    std::reverse(result.segments.begin(), result.segments.end());
+    const std::size_t n = stroke.segments.size();
+    for (std::size_t k = 0; k < n; ++k) {
+        Segment &s = result.segments[k];
+        std::reverse(s.bezier.begin(), s.bezier.end());
+        // The kind belongs to the node at the start; the two ends, which have none, share what is written there.
+        s.node = stroke.segments[k == 0 ? 0 : n - k].node;
+    }
+    return result;
+}
+
+bool join(Stroke &a, bool aAtEnd, const Stroke &b, bool bAtEnd)
+{
+    // What comes new, and a's segment beside it.
+    const Segment &end = aAtEnd ? a.segments.back() : a.segments.front();
+    Stroke added;
+    added.id = a.id;
+    added.style = a.style;
+    added.origin = a.origin;
+    if (aAtEnd) {
+        added.segments = {end};
+        append(added.segments, movedOver(bAtEnd ? reversed(b) : b, a), false);
+    } else {
+        added.segments = movedOver(bAtEnd ? b : reversed(b), a);
+        append(added.segments, {end}, true);
+    }
+    if ((hasPoints(added.segments) && !isPoint(end) && !hasPoints(b.segments)) || !problemOf(added).isEmpty())
+        return false;
+    auto from = std::make_move_iterator(added.segments.begin()), to = std::make_move_iterator(added.segments.end());
+    if (aAtEnd) {
+        a.segments.back() = *from;
+        a.segments.insert(a.segments.end(), from + 1, to);
+    } else {
+        a.segments.front() = *(to - 1);
+        a.segments.insert(a.segments.begin(), from, to - 1);
+    }
+    return true;
+}
+
+std::optional<Stroke> joined(const Stroke &a, bool aAtEnd, const Stroke &b, bool bAtEnd)
+{
+    Stroke result = a;
+    if (!join(result, aAtEnd, b, bAtEnd))
+        return std::nullopt;
+    return result;
+}
+
+std::optional<Stroke> closed(const Stroke &stroke)
+{
+    const Segment &first = stroke.segments.front(), &last = stroke.segments.back();
+    if (distance(last.bezier[3], first.bezier[0]) <= weldingDistance(last.bezier[3], first.bezier[0]))
+        return std::nullopt;
+    Stroke result = stroke;
+    Segment bridge = bridgeBetween(last, first, last);
+    bridge.node = kindBetween(last, bridge);
+    result.segments.push_back(std::move(bridge));
+    return result;
+}
+
+} // namespace suffuse

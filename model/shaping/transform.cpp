@@ -1,0 +1,337 @@
+#include "model/shaping/transform.h"
+
+#include "model/painting/bernstein.h"
+#include "model/shaping/split.h"
+#include "model/painting/tensor.h"
+#include "model/painting/validate.h"
+
+#include <utility>
+
+namespace suffuse {
+
+namespace {
+
+constexpr double evenness = 1e-12;      // what rounding may take from a similarity
+constexpr double largestStretch = 1.01; ///< greatest ratio of |dl′|/|dl| within a part longer than the spread
+/// In shorter parts the spread evens out what one density for all of a part gets wrong. A part of length l in which the
+/// ratio is 1 + δ has a first moment of error of at most δφl²/12; a row of such parts, each in proportion right, sums
+/// to δφl/12 times the kernel at its ends, 0.047·δ·l/s of what is there, half as much again where the curve bends. Half
+/// a per cent, as in the longer parts, is δ = 0.07·s/l.
+constexpr double evenedStretch = 0.07;
+
+/// Of the spread: within so short a part only the amount of paint matters, not where in it it lies.
+constexpr double shortestEvenPart = 1.0 / 256;
+
+/// Of a dry segment, along the tensor's shorter axis.
+double fullSpread(const Segment &segment)
+{
+    return segment.spread(segment.driesAt()) * std::sqrt(std::min(1.0, double(segment.anisotropyRatio)));
+}
+
+/// (|dl′|/|dl|)² in a direction of length 1.
+double squaredStretch(const Affine &map, Point direction)
+{
+    const Point turned = map.turned(direction);
+    return dot(turned, turned);
+}
+
+/// How uneven a part of a length may be.
+double largestRatio(double length, double spread)
+{
+    return length < spread ? 1 + evenedStretch * spread / length : largestStretch;
+}
+
+/// |d ln stretch/dθ| is nowhere more: (σ₁/σ₂ − σ₂/σ₁)/2 for the map's singular values.
+double steepestOf(const Affine &map)
+{
+    const double squares = map.a * map.a + map.b * map.b + map.c * map.c + map.d * map.d; // σ₁² + σ₂²
+    const double product = std::abs(map.determinant());                                   // σ₁σ₂
+    return 0.5 * std::sqrt(std::max(0.0, squares * squares - 4 * product * product)) / product;
+}
+
+/// Whether the stretch is even along a curve, by the angle between its control polygon's sides, which holds all its
+/// directions.
+bool isSurelyEven(const Cubic &curve, double steepest, double spread)
+{
+    double angle = 0;
+    const Point start = startDirection(curve);
+    for (std::size_t i = 1; i < 4; ++i) {
+        const Point side = curve.p[i] - curve.p[i - 1];
+        if (side != Point())
+            angle = std::max(angle, std::abs(std::atan2(cross(start, side), dot(start, side))));
+    }
+    return angle < 1 && 2 * angle * steepest < std::log(largestRatio(polygonLength(curve), spread));
+}
+
+/// Walks along a curve and marks where its stretch has changed too much since the last mark.
+class EvenParts {
+public:
+    EvenParts(const Cubic &curve, const Affine &map, double steepest, double spread)
+        : m_curve(curve), m_map(map), m_spread(spread), m_close(std::cos(std::min(0.1, 0.01 / steepest)))
+    {
+        restart(startDirection(curve));
+    }
+
+    std::vector<double> find()
+    {
+        constexpr double largestStep = 1.0 / 16, smallestStep = 1.0 / 16384;
+        double step = largestStep;
+        while (m_at < 1) {
+            const double to = std::min(1.0, m_at + step);
+            const Point direction = directionAt(to);
+            // A sharp turn may come back to the stretch that it had: look closer.
+            const bool isClose = dot(direction, m_direction) > m_close || step <= smallestStep;
+            const double length = m_length + suffuse::length(m_curve.at(to) - m_curve.at(m_at));
+            const double most = largestRatio(length, m_spread);
+            if (isClose && take(directionAt(0.5 * (m_at + to)), most) && take(direction, most)) {
+                go(to, direction, length);
+                step = std::min(2 * step, largestStep);
+            } else if (step > smallestStep) {
+                step = 0.5 * step;
+            } else {
+                // Around a cusp there would be no end.
+                if (polygonLength(partOf(m_curve, m_mark, m_at)) >= shortestEvenPart * m_spread) {
+                    m_mark = m_at;
+                    m_marks.push_back(m_mark);
+                    restart(m_direction);
+                }
+                include(squaredStretch(m_map, direction));
+                go(to, direction, m_length + suffuse::length(m_curve.at(to) - m_curve.at(m_at)));
+            }
+        }
+        return distinct(std::move(m_marks), m_curve);
+    }
+
+private:
+    /// The last one at a cusp, or where handles are drawn in.
+    Point directionAt(double p) const
+    {
+        const Point direction = unit(m_curve.derivative(p));
+        return direction == Point() ? m_direction : direction;
+    }
+
+    /// False, and nothing done, if the part would become too uneven.
+    bool take(Point direction, double most)
+    {
+        const double g = squaredStretch(m_map, direction);
+        if (std::max(m_most, g) > most * most * std::min(m_least, g))
+            return false;
+        include(g);
+        return true;
+    }
+
+    void include(double g)
+    {
+        m_least = std::min(m_least, g);
+        m_most = std::max(m_most, g);
+    }
+
+    void go(double to, Point direction, double length)
+    {
+        m_at = to;
+        m_direction = direction;
+        m_length = length;
+    }
+
+    void restart(Point direction)
+    {
+        m_direction = direction;
+        m_least = m_most = squaredStretch(m_map, direction);
+        m_length = 0;
+    }
+
+    const Cubic &m_curve;
+    const Affine &m_map;
+    double m_spread;
+    double m_close; ///< cosine of the angle within which the stretch changes by at most a hundredth
+    double m_at = 0, m_mark = 0;
+    double m_length = 0; ///< from the mark
+    Point m_direction;
+    double m_least = 1, m_most = 1; ///< squared
+    std::vector<double> m_marks;
+};
+
+/// Arc lengths before and after, by one rule, so that their quotient lies between the extremes of the stretch.
+double meanStretch(const Cubic &curve, const Affine &map)
+{
+    constexpr std::array<double, 3> nodes{0, 0.5384693101056831, 0.9061798459386640};
+    constexpr std::array<double, 3> weights{0.5688888888888889, 0.4786286704993665, 0.2369268850561891};
+    double before = 0, after = 0;
+    for (std::size_t i = 0; i < nodes.size(); ++i) {
+        for (int side = i == 0 ? 1 : -1; side <= 1; side += 2) {
+            const Point d = curve.derivative(0.5 * (1 + side * nodes[i]));
+            before += weights[i] * length(d);
+            after += weights[i] * length(map.turned(d));
+        }
+    }
+    return before > 0 ? after / before : 1;
+}
+
+void scaleEvenly(Segment &segment, const Affine &map)
+{
+    const double determinant = map.determinant();
+    const double squared = std::abs(determinant);
+    segment.diffusion = float(segment.diffusion * squared);
+    segment.density = float(segment.density * std::sqrt(squared));
+    if (segment.isIsotropic())
+        return;
+    const double turn = std::atan2(map.c, map.a);
+    segment.anisotropyAngle = float(determinant > 0 ? segment.anisotropyAngle + turn : turn - segment.anisotropyAngle);
+}
+
+void scaleUnevenly(Segment &segment, const Affine &map)
+{
+    setTensor(segment, mapped(tensorOf(segment), map));
+    const double factor = std::abs(map.determinant()) / meanStretch(offsetsOf(segment), map);
+    segment.density = float(segment.density * factor);
+}
+
+std::vector<Piece> mappedPieces(const Stroke &stroke, const Affine &map, SpreadRule rule)
+{
+    const bool isEven = map.isSimilarity();
+    const double steepest = steepestOf(map);
+    std::vector<std::vector<double>> places(stroke.segments.size());
+    if (rule == SpreadRule::Scales && !isEven)
+        for (std::size_t k = 0; k < places.size(); ++k) {
+            const Segment &segment = stroke.segments[k];
+            const Cubic curve = offsetsOf(segment);
+            const double spread = fullSpread(segment);
+            if (!isPoint(segment) && !isSurelyEven(curve, steepest, spread))
+                places[k] = EvenParts(curve, map, steepest, spread).find();
+        }
+    std::vector<Piece> pieces = piecesOf(stroke, places);
+    for (Piece &piece : pieces) {
+        Segment &segment = piece.segment;
+        if (rule == SpreadRule::Scales)
+            (isEven ? scaleEvenly : scaleUnevenly)(segment, map);
+        for (Offset &o : segment.bezier)
+            o = toOffset(map.turned(Point() + o), {});
+    }
+    return pieces;
+}
+
+} // namespace
+
+Affine Affine::about(Point fixed, double a, double b, double c, double d)
+{
+    Affine map{a, b, c, d, {}};
+    map.offset = fixed - map.turned(fixed);
+    return map;
+}
+
+Affine Affine::rotation(Point fixed, double angle)
+{
+    // Quarter turns are exact.
+    const double quarters = angle / (0.5 * 3.14159265358979323846);
+    double c = std::cos(angle), s = std::sin(angle);
+    if (std::abs(quarters - std::round(quarters)) < 1e-15 * std::max(1.0, std::abs(quarters))) {
+        c = std::round(c);
+        s = std::round(s);
+    }
+    return about(fixed, c, -s, s, c);
+}
+
+Affine Affine::between(const Rect &from, const Rect &to)
+{
+    Affine map;
+    map.a = from.width() > 0 ? to.width() / from.width() : 1;
+    map.d = from.height() > 0 ? to.height() / from.height() : 1;
+    map.offset = {to.left - map.a * from.left, to.top - map.d * from.top};
+    return map;
+}
+
+bool Affine::isSimilarity() const
+{
+    const double size = std::max({std::abs(a), std::abs(b), std::abs(c), std::abs(d)});
+    const auto none = [size](double x, double y) { return std::abs(x) + std::abs(y) <= evenness * size; };
+    return none(a - d, b + c) || none(a + d, b - c);
+}
+
+std::optional<Affine> Affine::inverse() const
+{
+    const double det = determinant();
+    if (det == 0 || !std::isfinite(1 / det))
+        return std::nullopt;
+    Affine map{d / det, -b / det, -c / det, a / det, {}};
+    map.offset = -1.0 * map.turned(offset);
+    return map;
+}
+
+Affine operator*(const Affine &after, const Affine &before)
+{
+    const Point x = after.turned({before.a, before.c}), y = after.turned({before.b, before.d});
+    return {x.x, y.x, x.y, y.y, after(before.offset)};
+}
+
+std::optional<Stroke> tryTransformed(const Stroke &stroke, const Affine &map, SpreadRule rule,
+                                     std::vector<int> *sources)
+{
+    if (!map.inverse())
+        return std::nullopt;
+    Stroke result = stroke;
+    result.origin = map(stroke.origin);
+    if (sources)
+        sources->clear();
+    if (map.isTranslation()) {
+        for (int k = 0; sources && k < int(stroke.segments.size()); ++k)
+            sources->push_back(k);
+    } else {
+        result.segments.clear();
+        for (Piece &piece : mappedPieces(stroke, map, rule)) {
+            const bool isNewPoint = isPoint(piece.segment) && !isPoint(stroke.segments[std::size_t(piece.source)]);
+            if (isNewPoint)
+                return std::nullopt;
+            result.segments.push_back(std::move(piece.segment));
+            if (sources)
+                sources->push_back(piece.source);
+        }
+    }
+    if (!problemOf(result).isEmpty())
+        return std::nullopt;
+    return result;
+}
+
+Stroke transformed(const Stroke &stroke, const Affine &map, SpreadRule rule)
+{
+    return tryTransformed(stroke, map, rule).value_or(stroke);
+}
+
+Rect curveBox(const Cubic &cubic)
+{
+    Rect box;
+    box.include(cubic.p[0]);
+    box.include(cubic.p[3]);
+    for (Point axis : {Point{1, 0}, Point{0, 1}}) {
+        std::array<double, 3> slope;
+        for (std::size_t i = 0; i < 3; ++i)
+            slope[i] = dot(axis, cubic.p[i + 1] - cubic.p[i]);
+        for (double p : bernsteinRoots(slope))
+            box.include(cubic.at(p));
+    }
+    return box;
+}
+
+Rect curveBox(const Stroke &stroke)
+{
+    Rect box;
+    for (const Segment &segment : stroke.segments) {
+        const Cubic curve = stroke.cubicOf(segment);
+        // Most segments lie within what is covered already.
+        const Rect control = curve.controlBox();
+        if (control.left < box.left || control.right > box.right || control.top < box.top ||
+            control.bottom > box.bottom)
+            box = box.united(curveBox(curve));
+    }
+    return box;
+}
+
+Rect controlBox(const Stroke &stroke)
+{
+    Rect box;
+    for (const Segment &segment : stroke.segments)
+        for (const Offset &offset : segment.bezier)
+            box.include(stroke.origin + offset);
+    return box;
+}
+
+} // namespace suffuse

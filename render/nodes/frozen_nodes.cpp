@@ -1,0 +1,63 @@
+#include "render/nodes/frozen_nodes.h"
+
+#include <algorithm>
+
+namespace suffuse {
+
+namespace {
+
+/// Of several styles each segment's nodes would depend on all segments.
+bool hasOneStyle(const Stroke &stroke)
+{
+    return std::ranges::all_of(stroke.segments, [&](const Segment &s) { return stroke.styleOf(s) == stroke.style; });
+}
+
+/// Whole blocks at the stroke's begin, after `known` segments, that are dry.
+std::size_t drySegments(const Stroke &stroke, Microseconds T, std::size_t known)
+{
+    const auto &segments = stroke.segments;
+    const auto firstWet = std::find_if(segments.begin() + std::ptrdiff_t(known), segments.end(),
+                                       [T](const Segment &s) { return s.driesAt() > T; });
+    return std::size_t(firstWet - segments.begin()) / mergeBlock * mergeBlock;
+}
+
+/// The stroke still begins with what is frozen, and looks the same.
+bool holds(const FrozenNodes &frozen, const Stroke &stroke, Microseconds T, int octave)
+{
+    if (!frozen.stroke || frozen.octave != octave || frozen.segments > stroke.segments.size() ||
+        frozen.stroke->origin != stroke.origin || frozen.stroke->style != stroke.style)
+        return false;
+    const auto end = stroke.segments.begin() + std::ptrdiff_t(frozen.segments);
+    return std::equal(stroke.segments.begin(), end, frozen.stroke->segments.begin()) &&
+           std::all_of(stroke.segments.begin(), end, [T](const Segment &s) { return s.driesAt() <= T; });
+}
+
+} // namespace
+
+std::shared_ptr<const StrokeNodes> buildNodes(const StrokePtr &stroke, Microseconds T, int octave, const Rect &clip,
+                                              FrozenNodes &frozen, int threads)
+{
+    if (!hasOneStyle(*stroke)) {
+        frozen = {};
+        return buildNodes(*stroke, T, octave, clip, threads);
+    }
+    if (!holds(frozen, *stroke, T, octave))
+        frozen = {nullptr, octave, 0, {}};
+    const NodeContext context{T, octave, clip, {stroke->style}};
+    const std::size_t known = frozen.segments, dry = drySegments(*stroke, T, known);
+    if (dry > known) {
+        StrokeNodes more;
+        appendNodes(*stroke, known, dry, context, threads, more);
+        if (!more.clipped) { // or they would depend on the view
+            appendNodes(more, frozen.nodes);
+            frozen.segments = dry;
+        }
+    }
+    frozen.stroke = stroke;
+    auto nodes = std::make_shared<StrokeNodes>(frozen.nodes);
+    nodes->settledRows = std::uint32_t(nodes->rows.size());
+    appendNodes(*stroke, frozen.segments, stroke->segments.size(), context, threads, *nodes);
+    return nodes;
+}
+
+} // namespace suffuse

@@ -1,0 +1,149 @@
+#include "render/nodes/level0.h"
+
+#include "render/nodes/ellipse_bounds.h"
+
+#include <algorithm>
+#include <complex>
+#include <numbers>
+
+namespace suffuse {
+
+namespace {
+
+using Complex = std::complex<double>;
+
+QuadratureRule makeRule(int n)
+{
+    QuadratureRule rule;
+    for (int i = 0; i < n; ++i) {
+        long double z = std::cos(std::numbers::pi_v<long double> * (i + 0.75L) / (n + 0.5L)), slope = 1;
+        for (int step = 0; step < 60; ++step) {
+            long double before = 1, p = z;
+            for (int k = 2; k <= n; ++k) {
+                const long double next = ((2 * k - 1) * z * p - (k - 1) * before) / k;
+                before = p;
+                p = next;
+            }
+            slope = n * (z * p - before) / (z * z - 1);
+            const long double dz = p / slope;
+            z -= dz;
+            if (std::fabs(dz) < 1e-19L)
+                break;
+        }
+        // Ascending in x.
+        rule.x[n - 1 - i] = double(0.5L * (1 + z));
+        rule.weight[n - 1 - i] = double(1 / ((1 - z * z) * slope * slope));
+    }
+    return rule;
+}
+
+// The bound is sampled at 16 points of the (symmetric) half ellipse; this covers what lies between them.
+constexpr double samplingSlack = 1.1;
+
+double bernsteinRadius(Complex z)
+{
+    const Complex w = 2.0 * z - 1.0, q = std::sqrt(w * w - 1.0);
+    return std::max(std::abs(w + q), std::abs(w - q));
+}
+
+// |g′| is analytic inside the ellipse that passes through the nearest root of g′·g′ = (x′ + iy′)(x′ − iy′).
+double analyticRadius(const Cubic &g)
+{
+    const auto asComplex = [](Point p) { return Complex(p.x, p.y); };
+    const Complex d0 = asComplex(g.p[1] - g.p[0]), d1 = asComplex(g.p[2] - g.p[1]), d2 = asComplex(g.p[3] - g.p[2]);
+    const Complex a = d0, b = 2.0 * (d1 - d0), c = d0 - 2.0 * d1 + d2; // g′/3 = a + bz + cz²
+    const double size = std::abs(d0) + std::abs(d1) + std::abs(d2);
+    if (std::abs(c) > 1e-12 * size) {
+        const Complex root = std::sqrt(b * b - 4.0 * a * c);
+        return std::min(bernsteinRadius((-b + root) / (2.0 * c)), bernsteinRadius((-b - root) / (2.0 * c)));
+    }
+    return std::abs(b) > 1e-12 * size ? bernsteinRadius(-a / b) : 1e9;
+}
+
+/// A cubic about its middle: m1 u + m2 u² + m3 u³, u = 2z − 1.
+struct Centred {
+    Point m1, m2, m3;
+
+    explicit Centred(const Cubic &c)
+    {
+        const Point a1 = 3 * (c.p[1] - c.p[0]), a2 = 3 * ((c.p[2] - c.p[1]) - (c.p[1] - c.p[0]));
+        const Point a3 = (c.p[3] - c.p[0]) - 3 * (c.p[2] - c.p[1]);
+        m1 = 0.5 * a1 + 0.5 * a2 + 0.375 * a3;
+        m2 = 0.25 * a2 + 0.375 * a3;
+        m3 = 0.125 * a3;
+    }
+};
+
+float norm(Point p)
+{
+    return float(std::sqrt(dot(p, p)));
+}
+
+/// Nodes that the bound asks for (not rounded) with its maxima bounded by Chebyshev coefficients: close where the curve
+/// is nearly straight and even, and an order of magnitude faster than sampling. 1e30: nothing can be said.
+float nodesIfNearlyStraight(const Cubic &whitened, const Cubic &metric, float target)
+{
+    const Centred c(whitened), g(metric);
+    const Point first = c.m1 + 0.75 * c.m3, second = 0.5 * c.m2; // Chebyshev coefficients
+    const float speed = 2 * norm(g.m1 + 1.5 * g.m3);
+    if (!(speed > 1e-20f && speed < 1e20f))
+        return 1e30f;
+    EvenCurve curve;
+    curve.first = norm(first), curve.second = norm(second), curve.third = 0.25f * norm(c.m3);
+    curve.crossed = float(std::abs(dot(first, second)));
+    curve.rest1 = 4 * norm(g.m2), curve.rest2 = 3 * norm(g.m3);
+    curve.perSpeed = 1 / speed;
+    return nodesOfEvenCurve(curve, std::log(speed) - target);
+}
+
+/// Nodes by sampling the bound's maxima; 0: more than maxPanelNodes.
+int sampledNodes(const Cubic &whitened, const Cubic &metric, double target)
+{
+    CurveDifferences curve;
+    for (int i = 0; i < 4; ++i) {
+        // From the first point: float differences keep their digits.
+        curve.x[i] = float(whitened.p[i].x - whitened.p[0].x);
+        curve.y[i] = float(whitened.p[i].y - whitened.p[0].y);
+    }
+    for (int i = 0; i < 3; ++i) {
+        curve.dx[i] = float(metric.p[i + 1].x - metric.p[i].x);
+        curve.dy[i] = float(metric.p[i + 1].y - metric.p[i].y);
+    }
+    const double radius = 0.97 * analyticRadius(metric);
+    const auto within = std::ranges::find_if(ellipseRadii, [&](double rho) { return !(rho < radius); });
+    float growth[ellipseCount], speed[ellipseCount]; // max |Im c|², max |g′·g′|²: their product bounds the maximum
+    const int count = sampleEllipses(curve, int(within - ellipseRadii.begin()), growth, speed);
+    double best = 1e300;
+    for (int e = 0; e < count; ++e) {
+        const double rho = ellipseRadii[std::size_t(e)];
+        const double bound = growth[e] + 0.25 * std::log(double(speed[e]) + 1e-300) - std::log(1 - 1 / (rho * rho));
+        // n nodes suffice when bound − 2n ln ρ ≤ target.
+        best = std::min(best, (bound - target) / (2 * std::log(rho)));
+    }
+    if (best > maxPanelNodes)
+        return 0;
+    return std::max(1, int(std::ceil(best)));
+}
+
+} // namespace
+
+const QuadratureRule &gaussLegendre(int n)
+{
+    static const auto rules = [] {
+        std::array<QuadratureRule, maxPanelNodes + 1> all;
+        for (int i = 1; i <= maxPanelNodes; ++i)
+            all[i] = makeRule(i);
+        return all;
+    }();
+    return rules[n];
+}
+
+int panelNodes(const Cubic &whitened, const Cubic &metric, double tolerance)
+{
+    const double allowed = std::log(tolerance * std::sqrt(std::numbers::pi) * 15 / 32);
+    constexpr float few = 8, rounding = 1e-3f;
+    if (const float n = nodesIfNearlyStraight(whitened, metric, float(allowed)) + rounding; n <= few)
+        return std::max(1, int(std::ceil(n)));
+    return sampledNodes(whitened, metric, allowed - std::log(samplingSlack));
+}
+} // namespace suffuse

@@ -1,0 +1,30 @@
+// Fewer nodes for spans of dry segments: Gauss rules of the measures that their Level 0 nodes already are.
+#pragma once
+
+#include "render/nodes/span_rule.h"
+
+#include <span>
+#include <vector>
+
+namespace suffuse {
+
+/// Nodes [nodes, nodesEnd) of a merged span stand for fine nodes [begin, end).
+struct SpanWindow {
+    std::size_t begin = 0;
+    std::size_t end = 0;
+    std::size_t nodes = 0;
+    std::size_t nodesEnd = 0;
+};
+
+struct MergedSpan {
+    std::vector<SpanNode> nodes;
+    std::vector<SpanWindow> windows; ///< in order along the span
+};
+
+/// Replaces `fine`, a run along a stroke in order, by fewer nodes: windows of it get the Gauss rule with the fewest
+/// nodes whose density, on a grid over all that they reach, differs by at most half the tolerance; a window that finds
+/// none is halved. `segments`: where each segment begins in `fine`. A pure function of both; a window's nodes depend on
+/// its own fine nodes only, and its place in the run hardly on others.
+MergedSpan mergeSpan(const std::vector<SpanNode> &fine, std::span<const std::size_t> segments);
+
+} // namespace suffuse

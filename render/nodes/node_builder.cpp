@@ -1,0 +1,273 @@
+#include "render/nodes/node_builder.h"
+
+#include "render/nodes/level1.h"
+#include "render/threads/parallel.h"
+#include "render/nodes/segment_nodes.h"
+
+#include <span>
+
+namespace suffuse {
+
+int zoomOctave(double scale)
+{
+    int exponent = 0;
+    const double mantissa = std::frexp(scale, &exponent); // scale = mantissa · 2^exponent, mantissa in [½, 1)
+    return mantissa == 0.5 ? exponent - 1 : exponent;
+}
+
+namespace {
+
+/// Segments of a block that can be seen, in order.
+struct BuiltBlock {
+    std::vector<SegmentNodes> segments;
+    UnsetVector<Node> nodes;
+    std::vector<SpanNode> fine;      ///< scratch of a run to be merged
+    std::vector<std::size_t> begins; ///< of its segments in `fine`
+};
+
+/// Makes one segment a group of its own; its nodes are the last ones of `out`, from `begin` on.
+void appendGroup(const SegmentNodes &b, std::size_t begin, StrokeNodes &out)
+{
+    NodeGroup g;
+    g.begin = std::uint32_t(begin);
+    g.end = std::uint32_t(out.nodes.size());
+    for (std::size_t i = begin; i < out.nodes.size(); ++i)
+        out.nodes[i].weight *= b.weightGain;
+    g.row = std::uint32_t(out.rows.size());
+    out.rows.push_back(b.values);
+    g.reachBegin = std::uint32_t(out.reaches.size());
+    out.reaches.push_back(b.reach);
+    g.reachEnd = std::uint32_t(out.reaches.size());
+    out.groups.push_back(g);
+}
+
+/// Appends one segment of a block as a group of its own.
+void append(const BuiltBlock &block, const SegmentNodes &b, StrokeNodes &out)
+{
+    const std::size_t begin = out.nodes.size();
+    out.nodes.insert(out.nodes.end(), block.nodes.begin() + std::ptrdiff_t(b.begin),
+                     block.nodes.begin() + std::ptrdiff_t(b.end));
+    appendGroup(b, begin, out);
+}
+
+/// Nodes of a run of segments in units of its spread.
+void toSpan(const BuiltBlock &block, std::span<const SegmentNodes> run, std::vector<SpanNode> &fine,
+            std::vector<std::size_t> &begins)
+{
+    const double inverse = 1 / run[0].reach.spread;
+    fine.clear();
+    begins.clear();
+    for (const SegmentNodes &b : run) {
+        begins.push_back(fine.size());
+        const Colour &c = b.values.colour;
+        for (std::size_t i = b.begin; i < b.end; ++i) {
+            const Node &n = block.nodes[i];
+            fine.push_back({n.x * inverse,
+                            n.y * inverse,
+                            n.weight,
+                            b.epsilon * b.peak,
+                            {c.red, c.yellow, c.blue, c.opacity, b.values.granulation}});
+        }
+    }
+}
+
+/// Appends a run of segments of one spread and style with fewer nodes, a group for each window.
+void appendMerged(BuiltBlock &block, std::span<const SegmentNodes> run, StrokeNodes &out)
+{
+    toSpan(block, run, block.fine, block.begins);
+    const double s = run[0].reach.spread, metric = 1 / (s * s);
+    const MergedSpan merged = mergeSpan(block.fine, block.begins);
+    const std::size_t origin = run[0].begin;
+    std::size_t first = 0, next = 0; // segments of the window, and of the next one
+    for (const SpanWindow &window : merged.windows) {
+        float radius = 0;
+        double gain = 1;
+        while (run[first].end - origin <= window.begin)
+            ++first;
+        for (std::size_t k = first; k < run.size() && run[k].begin - origin < window.end; ++k)
+            if (run[k].radius > radius)
+                radius = run[k].radius, gain = run[k].weightGain;
+        const std::span nodes(&merged.nodes[window.nodes], window.nodesEnd - window.nodes);
+        NodeGroup g;
+        g.begin = std::uint32_t(out.nodes.size());
+        g.row = std::uint32_t(out.rows.size());
+        g.rowPerNode = std::ranges::any_of(nodes, [&](const SpanNode &n) { return n.values != nodes[0].values; });
+        for (const SpanNode &n : nodes) {
+            out.nodes.push_back({n.x * s, n.y * s, metric, 0, metric, n.weight * gain, radius});
+            if (g.rowPerNode || out.rows.size() == g.row) {
+                const auto &v = n.values;
+                out.rows.push_back(
+                    {{float(v[0]), float(v[1]), float(v[2]), float(v[3])}, float(v[4]), run[0].values.style});
+            }
+        }
+        g.end = std::uint32_t(out.nodes.size());
+        g.reachBegin = std::uint32_t(out.reaches.size());
+        for (; next < run.size() && run[next].begin - origin < window.end; ++next)
+            out.reaches.push_back(run[next].reach);
+        g.reachEnd = std::uint32_t(out.reaches.size());
+        out.groups.push_back(g);
+    }
+}
+
+/// Appends a block's segments, merging runs of them if all are dry.
+void appendBlock(BuiltBlock &block, StrokeNodes &out)
+{
+    const auto &segments = block.segments;
+    const bool merge = std::ranges::all_of(segments, &SegmentNodes::mergeable);
+    const auto together = [](const SegmentNodes &a, const SegmentNodes &b) {
+        return a.reach.spread == b.reach.spread && a.values.style == b.values.style;
+    };
+    for (std::size_t i = 0; i < segments.size();) {
+        std::size_t end = i + 1;
+        while (merge && end < segments.size() && together(segments[i], segments[end]))
+            ++end;
+        if (end - i > 1 && segments[end - 1].end > segments[i].begin)
+            appendMerged(block, std::span(&segments[i], end - i), out);
+        else
+            append(block, segments[i], out);
+        i = end;
+    }
+}
+
+/// Room for so many more.
+void reserve(std::size_t segments, std::size_t nodes, StrokeNodes &out)
+{
+    out.nodes.reserve(out.nodes.size() + nodes);
+    out.groups.reserve(out.groups.size() + segments);
+    out.rows.reserve(out.rows.size() + segments);
+    out.reaches.reserve(out.reaches.size() + segments);
+}
+
+/// Whether a segment keeps its block from being merged: as SegmentNodes::mergeable, as far as that does not take
+/// building it.
+bool standsAlone(const Segment &segment, const NodeContext &context, double scale)
+{
+    return (!segment.isIsotropic() || segment.driesAt() > context.T) && isSeen(segment, context.T, scale);
+}
+
+/// Appends segments [from, to) one by one.
+void appendApart(const Stroke &stroke, std::size_t from, std::size_t to, const NodeContext &context, double scale,
+                 StrokeNodes &out)
+{
+    for (std::size_t k = from; k < to; ++k) {
+        SegmentNodes built;
+        const std::size_t begin = out.nodes.size();
+        if (!buildSegment(stroke, stroke.segments[k], context, scale, out.nodes, built))
+            continue;
+        appendGroup(built, begin, out);
+        out.clipped |= built.clipped;
+    }
+}
+
+/// Appends segments [from, to), block by block.
+void appendBlocks(const Stroke &stroke, std::size_t from, std::size_t to, const NodeContext &context, StrokeNodes &out)
+{
+    const double scale = std::ldexp(1.0, context.octave);
+    reserve(to - from, 5 * (to - from), out);
+    BuiltBlock block;
+    for (std::size_t first = from; first < to; first += mergeBlock) {
+        const std::size_t end = std::min(first + mergeBlock, to);
+        const auto alone = [&](const Segment &s) { return standsAlone(s, context, scale); };
+        if (std::any_of(&stroke.segments[first], stroke.segments.data() + end, alone)) {
+            appendApart(stroke, first, end, context, scale, out);
+            continue;
+        }
+        block.segments.clear();
+        block.nodes.clear();
+        for (std::size_t k = first; k < end; ++k) {
+            SegmentNodes &built = block.segments.emplace_back();
+            if (buildSegment(stroke, stroke.segments[k], context, scale, block.nodes, built))
+                out.clipped |= built.clipped;
+            else
+                block.segments.pop_back();
+        }
+        appendBlock(block, out);
+    }
+}
+
+/// How many of each kind there are.
+struct Extent {
+    std::size_t nodes, groups, rows, reaches;
+
+    explicit Extent(const StrokeNodes &s)
+        : nodes(s.nodes.size()), groups(s.groups.size()), rows(s.rows.size()), reaches(s.reaches.size())
+    {}
+    void operator+=(const Extent &e) { nodes += e.nodes, groups += e.groups, rows += e.rows, reaches += e.reaches; }
+    void resize(StrokeNodes &s) const
+    {
+        s.nodes.resize(nodes);
+        s.groups.resize(groups);
+        s.rows.resize(rows);
+        s.reaches.resize(reaches);
+    }
+};
+
+/// Puts all of `part` into `out` from `at` on, where there is room.
+void copyNodes(const StrokeNodes &part, const Extent &at, StrokeNodes &out)
+{
+    const auto nodes = std::uint32_t(at.nodes), reaches = std::uint32_t(at.reaches);
+    std::ranges::transform(part.groups, out.groups.begin() + std::ptrdiff_t(at.groups), [&](NodeGroup group) {
+        group.begin += nodes, group.end += nodes;
+        group.row += std::uint32_t(at.rows);
+        group.reachBegin += reaches, group.reachEnd += reaches;
+        return group;
+    });
+    std::ranges::copy(part.nodes, out.nodes.begin() + std::ptrdiff_t(at.nodes));
+    std::ranges::copy(part.rows, out.rows.begin() + std::ptrdiff_t(at.rows));
+    std::ranges::copy(part.reaches, out.reaches.begin() + std::ptrdiff_t(at.reaches));
+}
+
+} // namespace
+
+void appendNodes(const StrokeNodes &part, StrokeNodes &out)
+{
+    const Extent at(out);
+    Extent end = at;
+    end += Extent(part);
+    end.resize(out);
+    copyNodes(part, at, out);
+    out.clipped |= part.clipped;
+}
+
+void appendNodes(const Stroke &stroke, std::size_t from, std::size_t to, const NodeContext &context, int threads,
+                 StrokeNodes &out)
+{
+    constexpr std::size_t share = 2 * mergeBlock; // segments: tens of microseconds
+    const std::size_t shares = (to - from + share - 1) / share;
+    if (threads == 1 || shares < 4)
+        return appendBlocks(stroke, from, to, context, out);
+    std::vector<StrokeNodes> parts(shares);
+    parallelFor(shares, threads, [&](std::size_t i) {
+        const std::size_t first = from + i * share;
+        appendBlocks(stroke, first, std::min(first + share, to), context, parts[i]);
+    });
+    std::vector<Extent> places; // where each part begins
+    Extent end(out);
+    for (const StrokeNodes &part : parts) {
+        places.push_back(end);
+        end += Extent(part);
+        out.clipped |= part.clipped;
+    }
+    end.resize(out);
+    parallelFor(shares, threads, [&](std::size_t i) { copyNodes(parts[i], places[i], out); });
+}
+
+std::shared_ptr<const StrokeNodes> buildNodes(const Stroke &stroke, Microseconds T, int octave, const Rect &clip,
+                                              int threads)
+{
+    NodeContext context{T, octave, clip, {}};
+    auto &styles = context.styles; // every segment's density passes through all of the stroke's styles
+    for (const Segment &segment : stroke.segments)
+        if (std::find(styles.begin(), styles.end(), stroke.styleOf(segment)) == styles.end())
+            styles.push_back(stroke.styleOf(segment));
+    auto result = std::make_shared<StrokeNodes>();
+    appendNodes(stroke, 0, stroke.segments.size(), context, threads, *result);
+    // Kept for as long as the stroke stays as it is.
+    result->nodes.shrink_to_fit();
+    result->groups.shrink_to_fit();
+    result->rows.shrink_to_fit();
+    result->reaches.shrink_to_fit();
+    return result;
+}
+
+} // namespace suffuse

@@ -1,0 +1,93 @@
+// Segments to Gaussian nodes: a few positive-weighted Gaussians whose sum is the segment's density (docs/solver.md).
+#pragma once
+
+#include "model/painting/painting.h"
+#include "render/threads/unset_vector.h"
+
+#include <memory>
+#include <optional>
+#include <vector>
+
+namespace suffuse {
+
+/// weight · e^(−q(d)), q = a·dx² + 2b·dx·dy + c·dy², d = x − position; taken as zero where q > cutRadius² per axis.
+struct Node {
+    double x = 0; ///< offset from the stroke's origin, canvas units
+    double y = 0;
+    double a = 0; ///< 1/s² where isotropic (then b = 0, c = a), unit⁻²
+    double b = 0;
+    double c = 0;
+    double weight = 0;   ///< density at the node's centre
+    float cutRadius = 0; ///< R, in spreads
+    friend bool operator==(const Node &, const Node &) = default;
+};
+
+/// Nodes with s > deepSpread px are evaluated in double (render/cpu/deep.h).
+inline constexpr double deepSpread = 4096;
+
+/// What a node carries beside its density.
+struct NodeValues {
+    Colour colour;
+    float granulation = 1;
+    Style style; ///< the segment's own or the stroke's
+    friend bool operator==(const NodeValues &, const NodeValues &) = default;
+};
+
+/// Where a segment makes pixels supersampled (docs/reference.md): offsets from the stroke's origin.
+struct SegmentReach {
+    double spread = 0; ///< s, the smaller axis where anisotropic
+    Rect box;          ///< influenceOf
+    friend bool operator==(const SegmentReach &, const SegmentReach &) = default;
+};
+
+/// The nodes of one segment, or of a window of segments that were merged: the unit of what is redrawn.
+struct NodeGroup {
+    std::uint32_t begin = 0; ///< range in StrokeNodes::nodes
+    std::uint32_t end = 0;
+    std::uint32_t row = 0; ///< in StrokeNodes::rows: of all its nodes, or of the first one
+    bool rowPerNode = false;
+    std::uint32_t reachBegin = 0; ///< range in StrokeNodes::reaches
+    std::uint32_t reachEnd = 0;
+};
+
+/// The nodes of a stroke at a time and zoom octave. A pure function of stroke, T, octave (and clip, for segments of
+/// extreme length: outside of it nodes are left out).
+struct StrokeNodes {
+    UnsetVector<Node> nodes;       ///< by group, in order along the stroke
+    UnsetVector<NodeGroup> groups; ///< of what is there at T and can be seen at the octave
+    UnsetVector<NodeValues> rows;
+    UnsetVector<SegmentReach> reaches;
+    bool clipped = false;  ///< depends on the clip
+    std::uint32_t settledRows = 0; ///< rows of leading blocks that have dried: they stay while the stroke grows
+};
+
+/// Segments are merged within blocks of so many, all of them dry: so an edit changes nodes of its block only.
+inline constexpr int mergeBlock = 32;
+
+/// Zoom octave of a scale in pixels per unit: the smallest o with 2^o ≥ scale.
+int zoomOctave(double scale);
+
+/// `clip`: what the view shows, canvas units. The same bits for any number of threads.
+std::shared_ptr<const StrokeNodes> buildNodes(const Stroke &stroke, Microseconds T, int octave, const Rect &clip,
+                                              int threads = 1);
+
+/// What nodes depend on beside their block of segments.
+struct NodeContext {
+    Microseconds T = 0;
+    int octave = 0;
+    Rect clip;                 ///< what the view shows, canvas units
+    std::vector<Style> styles; ///< of all segments of the stroke, each once
+};
+
+/// Appends the nodes of the stroke's segments [from, to), `from` a multiple of mergeBlock; `to` another one or the end.
+void appendNodes(const Stroke &stroke, std::size_t from, std::size_t to, const NodeContext &context, int threads,
+                 StrokeNodes &out);
+
+/// Appends all of `part`.
+void appendNodes(const StrokeNodes &part, StrokeNodes &out);
+
+/// Absolute density error that a style lets pass unseen: 5e-4 of opacity at its steepest; (19) jumps, but no pixel sees
+/// it sharper than its own width. `peak`: the segment's pk; `spreadPixels`: s in pixels at the octave.
+double densityTolerance(const Style &style, double peak, double spreadPixels);
+
+} // namespace suffuse

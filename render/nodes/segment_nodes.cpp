@@ -1,0 +1,236 @@
+#include "render/nodes/segment_nodes.h"
+
+#include "model/painting/influence.h"
+#include "render/nodes/level0.h"
+#include "render/math/scalar.h"
+// After the numbers: templates over them.
+#include "render/math/style.h"
+
+#include <numbers>
+
+namespace suffuse {
+
+namespace {
+
+constexpr double unseen = 5e-4;        // opacity
+constexpr double finest = 0x1p-22;     // float sums carry no more
+constexpr double finestDeep = 0x1p-44; // double ones, for segments that a deep zoom shows the edge of
+constexpr double mergeable = 0x1p-20;  // the check of merged nodes is in float
+constexpr double coarsest = 0x1p-12;
+constexpr double thinnest = 0x1p-13; // px: a line of this spread covers less than 1/512 of a pixel
+constexpr double cutShare = 0.35;    // of the tolerance, for cutting nodes off at R
+// What the kernel b(u)b(v), b(u) = e^(−u²) − e^(−R²), takes from a long line is between 1 and 5 e^(−R²) of its peak, as
+// the line lies. Raising the weights by 3.5 e^(−R²) leaves −2.5 to 0.7, and for oblique nodes −3.3 to −0.4.
+constexpr double cutGain = 3.5;
+constexpr double lossSeparable = 2.5, lossOblique = 3.3, lossUnraised = 5;
+constexpr int maxDepth = 40;
+constexpr std::size_t mostNodes = std::size_t(1) << 18; // of a segment; a hair 200,000 times as long as wide has more
+constexpr double longSegment = 512;                     // spreads: longer ones are built per view
+
+/// A segment ready to be cut into panels.
+struct Source {
+    Cubic curve;          // offsets from the stroke's origin
+    double a, b, c;       // metric, unit⁻²
+    double wxx, wxy, wyy; // its square root: whitening
+    double speedScale;    // makes |g′| comparable: 1/s of the smaller axis
+    double gain;          // φˢ √det M / π
+    double radius;        // R
+    Rect clip;            // empty: none
+    double reach;         // R · larger axis
+    bool isotropic;
+};
+
+Cubic whitened(const Source &s, const Cubic &curve)
+{
+    Cubic w;
+    for (int i = 0; i < 4; ++i) {
+        const Point d = curve.p[i] - s.curve.p[0];
+        w.p[i] = {s.wxx * d.x + s.wxy * d.y, s.wxy * d.x + s.wyy * d.y};
+    }
+    return w;
+}
+
+Cubic scaled(const Source &s, const Cubic &curve)
+{
+    Cubic w;
+    for (int i = 0; i < 4; ++i)
+        w.p[i] = s.speedScale * (curve.p[i] - s.curve.p[0]);
+    return w;
+}
+
+/// Without hypot's care for overflow, which canvas coordinates do not need.
+double norm(Point p)
+{
+    return std::sqrt(dot(p, p));
+}
+
+double polygonLength(const Cubic &c)
+{
+    return norm(c.p[1] - c.p[0]) + norm(c.p[2] - c.p[1]) + norm(c.p[3] - c.p[2]);
+}
+
+void addPanel(const Source &s, const Cubic &curve, int n, UnsetVector<Node> &out)
+{
+    const QuadratureRule &rule = gaussLegendre(n);
+    for (int i = 0; i < n; ++i) {
+        const Point at = curve.at(rule.x[i]);
+        const double weight = s.gain * rule.weight[i] * norm(curve.derivative(rule.x[i]));
+        if (weight > 0)
+            out.push_back({at.x, at.y, s.a, s.b, s.c, weight, float(s.radius)});
+    }
+}
+
+/// Once `out` holds `most` nodes, what is left takes few: no painting, however extreme, takes memory without end.
+void addPanels(const Source &s, const Cubic &curve, double tolerance, int depth, std::size_t most,
+               UnsetVector<Node> &out)
+{
+    if (!s.clip.isEmpty() && !curve.controlBox().grown(s.reach).intersects(s.clip))
+        return;
+    const Cubic metric = scaled(s, curve);
+    int n = panelNodes(s.isotropic ? metric : whitened(s, curve), metric, tolerance);
+    // A piece (of a cusp) so short that all its mass counts for less than the tolerance takes any rule.
+    if (n == 0 && (depth == maxDepth || out.size() >= most ||
+                   2 * polygonLength(metric) < tolerance * std::sqrt(std::numbers::pi)))
+        n = 4;
+    if (n > 0)
+        return addPanel(s, curve, n, out);
+    const auto halves = curve.split(0.5);
+    addPanels(s, halves[0], tolerance / 2, depth + 1, most, out);
+    addPanels(s, halves[1], tolerance / 2, depth + 1, most, out);
+}
+
+/// Metric M = D⁻¹/4t of an age and its square root.
+void setMetric(Source &s, const Segment &segment, double spread)
+{
+    const double across = 1 / (spread * spread), along = across / segment.anisotropyRatio;
+    s.isotropic = segment.isIsotropic();
+    if (s.isotropic) {
+        s.a = s.c = across;
+        s.b = 0;
+        s.wxx = s.wyy = 1 / spread;
+        s.wxy = 0;
+        return;
+    }
+    const double cs = std::cos(double(segment.anisotropyAngle)), sn = std::sin(double(segment.anisotropyAngle));
+    const auto compose = [&](double l, double n, double &xx, double &xy, double &yy) {
+        xx = l * cs * cs + n * sn * sn;
+        xy = (l - n) * cs * sn;
+        yy = l * sn * sn + n * cs * cs;
+    };
+    compose(along, across, s.a, s.b, s.c);
+    compose(std::sqrt(along), std::sqrt(across), s.wxx, s.wxy, s.wyy);
+    // Axis-aligned tensors are separable: keep that exact.
+    if (std::abs(s.b) < 1e-9 * std::min(s.a, s.c))
+        s.b = s.wxy = 0;
+}
+
+/// R: beyond it neither the density itself nor its slope over a sample can be seen. `lineLoss`: what cutting takes from
+/// a line at most, in units of e^(−R²) of its peak.
+double cutRadius(double tolerance, const std::vector<Style> &styles, double peak, double spreadPixels, double lineLoss)
+{
+    // A sample is at most one spread wide, but where even 64 × 64 of them a pixel do not suffice.
+    const double sample = spreadPixels < 1 ? std::max(1.0, 1 / (64 * spreadPixels)) : 1 / spreadPixels;
+    // At the edge of its box a node's slope jumps by 2R e^(−R²), half of which counts.
+    double r2 = std::log((lineLoss + 3.5 * sample) / cutShare * std::max(peak / tolerance, 1.0));
+    for (const Style &style : styles)
+        if (style.kind == StyleKind::Feathering) // its tail reaches far where ξ2 is small
+            r2 = std::max(r2, std::log(std::max(peak / style.xi[0], 1e-6)) + std::log(1 / unseen) / style.xi[1]);
+    return std::sqrt(std::clamp(r2, 6.0, 80.0));
+}
+
+/// Density from which on a style shows plainly.
+double shownFrom(const Style &style)
+{
+    const double xi1 = style.xi[0];
+    return style.kind == StyleKind::Edge ? math::Edge<double>(xi1, style.xi[1], style.xi[2]).phiE : xi1;
+}
+
+/// A segment's spreads at a time, canvas units.
+struct Axes {
+    double across, smaller, larger;
+
+    Axes(const Segment &segment, Microseconds T) : across(segment.spread(T))
+    {
+        const double along = across * std::sqrt(double(segment.anisotropyRatio));
+        smaller = std::min(across, along), larger = std::max(across, along);
+    }
+};
+
+bool isSeen(const Segment &segment, const Axes &axes, double scale)
+{
+    return axes.across > 0 && segment.density > 0 && !(axes.larger * scale < thinnest);
+}
+
+} // namespace
+
+double densityTolerance(const Style &style, double peak, double spreadPixels)
+{
+    const double xi1 = style.xi[0], xi2 = style.xi[1];
+    switch (style.kind) {
+    case StyleKind::Uniform:
+        return unseen * 4 * xi2;
+    case StyleKind::Feathering:
+        return unseen * xi1 / std::max(xi2, 1.0);
+    case StyleKind::Edge:
+        break;
+    }
+    // A jump: the pixel's width alone softens it. It spans 2h = |∇φ| px of density, |∇φ| = 2uφ/s at u spreads from a
+    // line.
+    const double edge = math::Edge<double>(xi1, xi2, style.xi[2]).phiE;
+    const double u = std::sqrt(std::max(std::log(peak / edge), 0.25));
+    return unseen * 2 * u * edge / std::max(spreadPixels, 1.0);
+}
+
+bool isSeen(const Segment &segment, Microseconds T, double scale)
+{
+    return isSeen(segment, Axes(segment, T), scale);
+}
+
+bool buildSegment(const Stroke &stroke, const Segment &segment, const NodeContext &context, double scale,
+                  UnsetVector<Node> &nodes, SegmentNodes &out)
+{
+    const std::vector<Style> &styles = context.styles;
+    const Axes axes(segment, context.T);
+    if (!isSeen(segment, axes, scale))
+        return false;
+    const double spread = axes.smaller, larger = axes.larger;
+    out.peak = segment.density / (std::sqrt(std::numbers::pi) * spread);
+    double tolerance = 1e300;
+    // Where a segment alone does not reach what the style shows, several lie on top of each other and their errors add.
+    for (const Style &style : styles)
+        tolerance = std::min(tolerance, densityTolerance(style, out.peak, spread * scale) *
+                                            std::min(1.0, out.peak / shownFrom(style)));
+    out.epsilon = std::clamp(tolerance / out.peak, spread * scale > deepSpread ? finestDeep : finest, coarsest);
+
+    Source s{};
+    for (int i = 0; i < 4; ++i)
+        s.curve.p[i] = Point{} + segment.bezier[i];
+    setMetric(s, segment, axes.across);
+    s.speedScale = 1 / spread;
+    s.gain = segment.density * std::sqrt(s.a * s.c - s.b * s.b) / std::numbers::pi;
+    // Nodes evaluated in double are not cut.
+    const bool raised = larger * scale <= deepSpread;
+    const double lineLoss = !raised ? lossUnraised : s.isotropic ? lossSeparable : lossOblique;
+    const Rect box = s.curve.controlBox();
+    const double polygon = polygonLength(s.curve);
+    // How often the segment may lie on top of itself.
+    const double folds = std::max(1.0, polygon / (norm({box.width(), box.height()}) + 0.5 * spread));
+    s.radius = cutRadius(out.epsilon * out.peak, styles, out.peak, spread * scale, folds * lineLoss);
+    out.radius = float(s.radius);
+    out.weightGain = raised ? 1 + cutGain * std::exp(-s.radius * s.radius) : 1;
+    s.reach = s.radius * larger;
+    out.clipped = polygon > longSegment * spread;
+    if (out.clipped)
+        s.clip = {context.clip.left - stroke.origin.x, context.clip.top - stroke.origin.y,
+                  context.clip.right - stroke.origin.x, context.clip.bottom - stroke.origin.y};
+    const double chord = norm(s.curve.p[3] - s.curve.p[0]);
+    out.begin = nodes.size();
+    addPanels(s, s.curve, out.epsilon * std::min(1.0, chord / (4 * spread) + 0.1), 0, out.begin + mostNodes, nodes);
+    out.end = nodes.size();
+    out.values = {segment.colour, segment.granulation, stroke.styleOf(segment)};
+    out.reach = {spread, box.grown(reachInSpreads * larger)};
+    out.mergeable = segment.isIsotropic() && !out.clipped && segment.driesAt() <= context.T && out.epsilon >= mergeable;
+    return true;
+}
+
+} // namespace suffuse

@@ -1,0 +1,174 @@
+// Compiled once per SIMD target by Highway's foreach_target.
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "render/nodes/span_field.cpp"
+// Vectors of eight are all that pays here.
+#define HWY_DISABLED_TARGETS (HWY_SSSE3 | HWY_AVX3 | HWY_AVX3_DL)
+#include "hwy/foreach_target.h" // first: it includes this file again for each target
+
+#include "hwy/highway.h"
+#include "render/nodes/span_field.h"
+
+#include <algorithm>
+#include <cmath>
+
+HWY_BEFORE_NAMESPACE();
+namespace suffuse::HWY_NAMESPACE {
+
+namespace hn = hwy::HWY_NAMESPACE;
+using Tag = hn::CappedTag<float, 8>;
+using Vec = hn::Vec<Tag>;
+constexpr Tag tag;
+// Products and sums are rounded one by one: with fused ones, nodes would differ between machines.
+
+/// out[i] = e^(−(i·step − at)²) to 2e-7, i < count, a multiple of 4; up to 8 are written.
+void gaussians(float at, float step, int count, float *out)
+{
+    const hn::RebindToSigned<Tag> ints;
+    const Vec half = hn::Set(tag, -0.5f);
+    for (int i = 0; i < count; i += int(hn::Lanes(tag))) {
+        const Vec d = hn::Sub(hn::Mul(hn::Iota(tag, float(i)), hn::Set(tag, step)), hn::Set(tag, at));
+        const Vec x = hn::Max(hn::Mul(hn::Mul(hn::Set(tag, -1.44269504f), d), d), hn::Set(tag, -60.0f));
+        const auto whole = hn::ConvertTo(ints, hn::Add(x, half)); // 2^x = 2^whole 2^f, |f| ≤ ½
+        const Vec f = hn::Sub(x, hn::ConvertTo(tag, whole));
+        Vec p = hn::Set(tag, 1.32647425e-3f);
+        for (const float c : {9.671518e-3f, 5.55073376e-2f, 2.4022242e-1f, 6.93146978e-1f, 1.0f})
+            p = hn::Add(hn::Mul(p, f), hn::Set(tag, c));
+        const auto power = hn::ShiftLeft<23>(hn::Add(whole, hn::Set(ints, 127)));
+        hn::Store(hn::Mul(p, hn::BitCast(tag, power)), tag, out + i);
+    }
+}
+
+/// Calls use(row, column, sum) with start(row, column) and Σ_n row[n]·column[n] added, four rows at a time.
+template <class Start, class Use>
+HWY_INLINE void forEachVector(const SpanField::Table &column, const SpanField::Table &row, int nodes, int columns,
+                              int rows, Start start, Use use)
+{
+    for (int y = 0; y < rows; y += 4)
+        for (int x = 0; x < columns; x += int(hn::Lanes(tag))) {
+            Vec s0 = start(y, x), s1 = start(y + 1, x), s2 = start(y + 2, x), s3 = start(y + 3, x);
+            for (int n = 0; n < nodes; ++n) {
+                const Vec c = hn::Load(tag, column[n] + x);
+                const float *r = row[n] + y;
+                s0 = hn::Add(s0, hn::Mul(c, hn::Set(tag, r[0])));
+                s1 = hn::Add(s1, hn::Mul(c, hn::Set(tag, r[1])));
+                s2 = hn::Add(s2, hn::Mul(c, hn::Set(tag, r[2])));
+                s3 = hn::Add(s3, hn::Mul(c, hn::Set(tag, r[3])));
+            }
+            use(y, x, s0), use(y + 1, x, s1), use(y + 2, x, s2), use(y + 3, x, s3);
+        }
+}
+
+/// plane += Σ_n row[n]·column[n], or = where `first`.
+void addProducts(const SpanField::Table &column, const SpanField::Table &row, int nodes, int columns, int rows,
+                 bool first, SpanField::Plane &plane)
+{
+    forEachVector(
+        column, row, nodes, columns, rows,
+        [&](int y, int x) { return first ? hn::Zero(tag) : hn::Load(tag, plane[y] + x); },
+        [&](int y, int x, Vec sum) { hn::Store(sum, tag, plane[y] + x); });
+}
+
+/// Greatest |plane + Σ_n row[n]·column[n]|.
+float greatestRest(const SpanField::Table &column, const SpanField::Table &row, int nodes, int columns, int rows,
+                   const SpanField::Plane &plane)
+{
+    Vec worst = hn::Zero(tag);
+    forEachVector(
+        column, row, nodes, columns, rows, [&](int y, int x) { return hn::Load(tag, plane[y] + x); },
+        [&](int, int, Vec sum) { worst = hn::Max(worst, hn::Abs(sum)); });
+    return hn::GetLane(hn::MaxOfLanes(tag, worst));
+}
+
+} // namespace suffuse::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace suffuse {
+
+HWY_EXPORT(gaussians);
+HWY_EXPORT(addProducts);
+HWY_EXPORT(greatestRest);
+
+namespace {
+
+// In spreads. What merging adds has no waves shorter than 0.9, and falls off as fast as the density.
+constexpr double finestStep = 0.55;
+constexpr double margin = 1.3;
+
+int roundedUp(int n, int to)
+{
+    return (n + to - 1) / to * to;
+}
+
+} // namespace
+
+void SpanField::fillTables(const SpanNode *nodes, int count)
+{
+    const auto axis = HWY_DYNAMIC_DISPATCH(gaussians);
+    for (int n = 0; n < count; ++n) {
+        const double dx = nodes[n].x - m_x, dy = nodes[n].y - m_y;
+        axis(float(dx * m_cos + dy * m_sin - m_left), m_step, m_columns, m_column[n]);
+        axis(float(dy * m_cos - dx * m_sin - m_top), m_step, m_rows, m_row[n]);
+    }
+}
+
+void SpanField::scaleRows(const SpanNode *nodes, int count, int sum)
+{
+    for (int n = 0; n < count; ++n) {
+        const double value = sum == 0 ? 1 : 0.5 * nodes[n].values[std::size_t(sum - 1)];
+        const float factor = float(nodes[n].weight * value);
+        for (int i = 0; i < m_rows; ++i)
+            m_scaled[n][i] = factor * m_row[n][i];
+    }
+}
+
+void SpanField::start(const SpanNode *nodes, int count, bool valuesVary)
+{
+    // Along the chord: the grid is smaller then.
+    m_x = nodes[0].x, m_y = nodes[0].y;
+    const double chordX = nodes[count - 1].x - m_x, chordY = nodes[count - 1].y - m_y;
+    const double chord = std::sqrt(chordX * chordX + chordY * chordY);
+    m_cos = chord > 0 ? chordX / chord : 1;
+    m_sin = chord > 0 ? chordY / chord : 0;
+    double left = 0, right = 0, top = 0, bottom = 0;
+    for (int i = 1; i < count; ++i) {
+        const double dx = nodes[i].x - m_x, dy = nodes[i].y - m_y;
+        const double x = dx * m_cos + dy * m_sin, y = dy * m_cos - dx * m_sin;
+        left = std::min(left, x), right = std::max(right, x);
+        top = std::min(top, y), bottom = std::max(bottom, y);
+    }
+    const double width = right - left + 2 * margin, height = bottom - top + 2 * margin;
+    const double step = std::max(finestStep, std::max(width, height) / (side - 2));
+    m_left = left - margin;
+    m_top = top - margin;
+    m_step = float(step);
+    m_columns = roundedUp(int(width / step) + 2, 8);
+    m_rows = roundedUp(int(height / step) + 2, 4);
+    m_sums = valuesVary ? sums : 1;
+    for (int first = 0; first < count; first += batch) {
+        const int n = std::min(batch, count - first);
+        fillTables(nodes + first, n);
+        for (int s = 0; s < m_sums; ++s) {
+            scaleRows(nodes + first, n, s);
+            HWY_DYNAMIC_DISPATCH(addProducts)(m_column, m_scaled, n, m_columns, m_rows, first == 0, m_field[s]);
+        }
+    }
+}
+
+float SpanField::difference(const SpanNode *nodes, int count)
+{
+    fillTables(nodes, count);
+    float worst = 0;
+    for (int s = 0; s < m_sums; ++s) {
+        scaleRows(nodes, count, s);
+        for (int n = 0; n < count; ++n)
+            for (int i = 0; i < m_rows; ++i)
+                m_scaled[n][i] = -m_scaled[n][i];
+        worst = std::max(worst,
+                         HWY_DYNAMIC_DISPATCH(greatestRest)(m_column, m_scaled, count, m_columns, m_rows, m_field[s]));
+    }
+    return worst;
+}
+
+} // namespace suffuse
+#endif

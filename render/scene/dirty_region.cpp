@@ -1,0 +1,172 @@
+#include "render/scene/dirty_region.h"
+
+#include "render/threads/parallel.h"
+
+#include <algorithm>
+#include <array>
+#include <bit>
+
+namespace suffuse {
+
+void DirtyRegion::reset(int width, int height, int tileSize)
+{
+    m_width = width, m_height = height, m_tileSize = tileSize;
+    m_shift = std::has_single_bit(unsigned(tileSize)) ? std::countr_zero(unsigned(tileSize)) : -1;
+    m_columns = (width + tileSize - 1) / tileSize;
+    m_rows = (height + tileSize - 1) / tileSize;
+    m_dirty.assign(std::size_t(m_columns) * m_rows, 1);
+}
+
+PixelRect DirtyRegion::tile(int column, int row) const
+{
+    const int x = column * m_tileSize, y = row * m_tileSize;
+    return {x, y, std::min(m_tileSize, m_width - x), std::min(m_tileSize, m_height - y)};
+}
+
+TileRange DirtyRegion::tilesOf(const PixelRect &r) const
+{
+    if (r.isEmpty())
+        return {};
+    const auto tile = [this](int pixel) { return m_shift >= 0 ? pixel >> m_shift : pixel / m_tileSize; };
+    return {std::max(0, tile(r.x)), std::max(0, tile(r.y)), std::min(tile(r.x + r.width - 1) + 1, m_columns),
+            std::min(tile(r.y + r.height - 1) + 1, m_rows)};
+}
+
+void DirtyRegion::mark(const TileRange &tiles)
+{
+    for (int y = tiles.top; y < tiles.bottom; ++y)
+        std::fill_n(m_dirty.begin() + std::ptrdiff_t(index(tiles.left, y)), std::max(0, tiles.right - tiles.left),
+                    std::uint8_t(1));
+}
+
+void DirtyRegion::mark(const std::vector<TileRange> &ranges)
+{
+    constexpr std::size_t many = 256;
+    if (ranges.size() < many) {
+        for (const TileRange &range : ranges)
+            mark(range);
+        return;
+    }
+    TileRange box{m_columns, m_rows, 0, 0}; // of all of them
+    for (const TileRange &t : ranges)
+        if (!t.isEmpty())
+            box = {std::min(box.left, t.left), std::min(box.top, t.top), std::max(box.right, t.right),
+                   std::max(box.bottom, t.bottom)};
+    if (box.isEmpty())
+        return;
+    // Differences along columns and rows of how many ranges cover a tile, summed up at the end.
+    const std::size_t columns = std::size_t(box.right - box.left), stride = columns + 1;
+    std::vector<std::int32_t> covered(stride * std::size_t(box.bottom - box.top + 1), 0);
+    for (const TileRange &t : ranges) {
+        if (t.isEmpty())
+            continue;
+        const auto at = [&](int x, int y) -> std::int32_t & {
+            return covered[std::size_t(y - box.top) * stride + std::size_t(x - box.left)];
+        };
+        ++at(t.left, t.top), --at(t.right, t.top), --at(t.left, t.bottom), ++at(t.right, t.bottom);
+    }
+    std::vector<std::int32_t> column(stride, 0);
+    for (int y = box.top; y < box.bottom; ++y) {
+        const std::int32_t *row = covered.data() + std::size_t(y - box.top) * stride;
+        for (std::size_t x = 0; x < stride; ++x)
+            column[x] += row[x];
+        std::int32_t count = 0;
+        std::uint8_t *dirty = m_dirty.data() + index(box.left, y);
+        for (std::size_t x = 0; x < columns; ++x) {
+            count += column[x];
+            dirty[x] |= std::uint8_t(count != 0);
+        }
+    }
+}
+
+namespace {
+
+bool sameGroup(const StrokeNodes &a, const NodeGroup &g, const StrokeNodes &b, const NodeGroup &h)
+{
+    const std::uint32_t count = g.end - g.begin, rows = g.rowPerNode ? count : 1;
+    return count == h.end - h.begin && g.rowPerNode == h.rowPerNode &&
+           std::equal(a.nodes.begin() + g.begin, a.nodes.begin() + g.end, b.nodes.begin() + h.begin) &&
+           std::equal(a.rows.begin() + g.row, a.rows.begin() + g.row + rows, b.rows.begin() + h.row) &&
+           std::equal(a.reaches.begin() + g.reachBegin, a.reaches.begin() + g.reachEnd,
+                      b.reaches.begin() + h.reachBegin, b.reaches.begin() + h.reachEnd);
+}
+
+/// Everything about a stroke that is not a segment's own.
+bool samePlan(const SceneStroke &a, const SceneStroke &b)
+{
+    const auto sameKinds = [&] {
+        if (a.shade.kinds != b.shade.kinds)
+            return false;
+        for (int i = 0; i < a.shade.kinds; ++i) {
+            const KindParams &p = a.shade.kind[i], &q = b.shade.kind[i];
+            if (p.kind != q.kind || p.xiChannel != q.xiChannel || p.shareChannel != q.shareChannel ||
+                (p.xiChannel < 0 && !std::equal(p.xi, p.xi + 3, q.xi)))
+                return false;
+        }
+        return true;
+    };
+    return a.keep == b.keep && a.granulated == b.granulated && a.channels == b.channels &&
+           a.shade.colourChannel == b.shade.colourChannel && a.shade.lineChannel == b.shade.lineChannel &&
+           a.shade.grainChannel == b.shade.grainChannel &&
+           (a.shade.colourChannel >= 0 || a.shade.colour == b.shade.colour) &&
+           (a.shade.lineChannel < 0 || a.shade.colourEnd == b.shade.colourEnd) &&
+           (a.shade.grainChannel >= 0 || a.shade.grain == b.shade.grain) && a.deep.empty() == b.deep.empty() &&
+           a.stroke->origin == b.stroke->origin && sameKinds();
+}
+
+} // namespace
+
+void markChanged(const SceneStroke &before, const SceneStroke &after, const View &view, int threads,
+                 DirtyRegion &region)
+{
+    const auto &a = before.source->groups, &b = after.source->groups;
+    if (before.source == after.source && samePlan(before, after))
+        return;
+    if (a.empty() || b.empty() || !samePlan(before, after)) {
+        region.mark(before.bounds);
+        region.mark(after.bounds);
+        return;
+    }
+    const auto tilesOf = [&](const SceneStroke &s, std::size_t i) {
+        return region.tilesOf(s.groupBounds.empty()
+                                  ? pixelBounds(*s.source, s.source->groups[i], s.stroke->origin, view)
+                                  : s.groupBounds[i]);
+    };
+    const auto same = [&](std::size_t i, std::size_t j) {
+        return sameGroup(*before.source, a[i], *after.source, b[j]);
+    };
+    std::size_t prefix = 0, suffix = 0;        // what stays the same at the ends
+    const bool inPlace = a.size() == b.size(); // the same groups, some with other values
+    const std::size_t shorter = std::min(a.size(), b.size());
+    while (!inPlace && prefix < shorter && same(prefix, prefix)) // groups came or went in the middle
+        ++prefix;
+    while (!inPlace && suffix < shorter - prefix && same(a.size() - 1 - suffix, b.size() - 1 - suffix))
+        ++suffix;
+    const std::size_t end = std::max(a.size(), b.size()) - suffix, count = end - prefix;
+    const auto changedBy = [&](std::size_t i) -> std::array<TileRange, 2> { // before and after
+        if (inPlace && same(i, i))
+            return {};
+        return {i < a.size() - suffix ? tilesOf(before, i) : TileRange{},
+                i < b.size() - suffix ? tilesOf(after, i) : TileRange{}};
+    };
+    std::vector<TileRange> ranges;
+    const auto add = [&](const TileRange &range) { // neighbours along a stroke reach the same tiles
+        if (!range.isEmpty() && (ranges.empty() || !ranges.back().contains(range)))
+            ranges.push_back(range);
+    };
+    constexpr std::size_t share = 256;
+    const bool isQuick = !inPlace && !before.groupBounds.empty() && !after.groupBounds.empty();
+    std::vector<std::array<TileRange, 2>> changed(isQuick ? 0 : count);
+    parallelFor((changed.size() + share - 1) / share, count < 2 * share ? 1 : threads, [&](std::size_t k) {
+        for (std::size_t i = k * share; i < std::min((k + 1) * share, count); ++i)
+            changed[i] = changedBy(prefix + i);
+    });
+    for (std::size_t i = 0; i < count; ++i) {
+        const auto [was, is] = isQuick ? changedBy(prefix + i) : changed[i];
+        add(is);
+        add(was);
+    }
+    region.mark(ranges);
+}
+
+} // namespace suffuse

@@ -1,0 +1,144 @@
+#include "render/scene/frame_history.h"
+
+#include <algorithm>
+
+namespace suffuse {
+
+namespace {
+
+/// Strokes that must be marked whole because they moved against the others: those outside a longest sequence that rises
+/// in the places before.
+std::vector<std::size_t> movedInOrder(const std::vector<std::size_t> &places)
+{
+    std::vector<std::size_t> common, old; // strokes of both orders
+    for (std::size_t i = 0; i < places.size(); ++i)
+        if (places[i] != SceneChange::nowhere)
+            common.push_back(i), old.push_back(places[i]);
+    if (std::is_sorted(old.begin(), old.end()))
+        return {};
+    std::vector<std::size_t> tails, previous(old.size(), SIZE_MAX); // by patience sorting: O(n log n)
+    for (std::size_t i = 0; i < old.size(); ++i) {
+        const auto at = std::lower_bound(tails.begin(), tails.end(), i,
+                                         [&](std::size_t tail, std::size_t k) { return old[tail] < old[k]; });
+        if (at != tails.begin())
+            previous[i] = *(at - 1);
+        if (at == tails.end())
+            tails.push_back(i);
+        else
+            *at = i;
+    }
+    std::vector<char> kept(old.size(), 0);
+    for (std::size_t i = tails.back(); i != SIZE_MAX; i = previous[i])
+        kept[i] = 1;
+    std::vector<std::size_t> moved;
+    for (std::size_t i = 0; i < common.size(); ++i)
+        if (!kept[i])
+            moved.push_back(common[i]);
+    return moved;
+}
+
+} // namespace
+
+bool FrameHistory::sameFrame(const RenderRequest &request, const Target &target) const
+{
+    return m_target == target.serial() && m_view == request.view && m_transparent == request.transparent &&
+           m_canvas.background == request.painting->canvas.background &&
+           m_canvas.paper == request.painting->canvas.paper;
+}
+
+void FrameHistory::markDifferences(const SceneChange &change, int threads)
+{
+    const auto &scene = m_scene.strokes();
+    if (!change.reordered) {
+        for (const SceneChange::Replaced &r : change.replaced)
+            markChanged(*r.before, *scene[r.index], m_view, threads, m_region);
+        return;
+    }
+    std::vector<char> stays(change.before.size(), 0);
+    for (std::size_t i = 0; i < scene.size(); ++i) {
+        const std::size_t place = change.places[i];
+        if (place == SceneChange::nowhere) {
+            m_region.mark(scene[i]->bounds);
+            continue;
+        }
+        stays[place] = 1;
+        if (change.before[place] != scene[i])
+            markChanged(*change.before[place], *scene[i], m_view, threads, m_region);
+    }
+    for (std::size_t i = 0; i < stays.size(); ++i)
+        if (!stays[i])
+            m_region.mark(change.before[i]->bounds);
+    for (const std::size_t i : movedInOrder(change.places))
+        m_region.mark(scene[i]->bounds);
+}
+
+std::size_t FrameHistory::firstDifference(const SceneChange &change) const
+{
+    if (!change.reordered)
+        return change.replaced.empty() ? noEdit : change.replaced.front().index;
+    // Scene strokes are shared while they stay the same: what both scenes begin with did not change.
+    const auto &scene = m_scene.strokes();
+    const auto [before, now] = std::mismatch(change.before.begin(), change.before.end(), scene.begin(), scene.end());
+    return before == change.before.end() && now == scene.end() ? noEdit : std::size_t(now - scene.begin());
+}
+
+void FrameHistory::followEdits(Step &step, bool interactive)
+{
+    step.keepsUnder = step.keepsOver = true;
+    m_oneEdited = false;
+    if (const std::size_t first = firstDifference(step.scene); first != noEdit) {
+        // Kept a little lower than needed while several strokes change by turns (they dry one after another).
+        const std::size_t slack = interactive ? 0 : 4;
+        step.keepsUnder = m_edited != noEdit && first >= m_edited;
+        step.raisesUnder = step.keepsUnder && first > m_edited + slack;
+        if (!step.keepsUnder || step.raisesUnder)
+            m_edited = first;
+        m_oneEdited = first == m_edited && step.scene.replaced.size() == 1;
+        step.keepsOver = step.keepsUnder && !step.raisesUnder && m_oneEdited;
+    }
+    if (interactive || !m_anyApproximate)
+        return;
+    m_anyApproximate = false;
+    for (int row = 0; row < m_region.rows(); ++row)
+        for (int column = 0; column < m_region.columns(); ++column)
+            if (std::uint8_t &approximate = m_approximate[tileIndex(column, row)]; approximate) {
+                m_region.mark(m_region.tile(column, row));
+                approximate = 0;
+            }
+}
+
+FrameHistory::Step FrameHistory::advance(const RenderRequest &request, Target &target, int threads)
+{
+    Step step;
+    step.whole = !sameFrame(request, target);
+    const bool resized =
+        m_target != target.serial() || m_view.width != request.view.width || m_view.height != request.view.height;
+    step.scene = m_scene.update(request, threads);
+    m_view = request.view;
+    m_transparent = request.transparent;
+    m_canvas = request.painting->canvas;
+    if (resized)
+        target.resize(m_view.width, m_view.height);
+    if (step.whole) {
+        m_region.reset(m_view.width, m_view.height, m_tileSize);
+        m_edited = noEdit;
+        m_oneEdited = false;
+        m_approximate.assign(std::size_t(m_region.columns()) * std::size_t(m_region.rows()), 0);
+        m_anyApproximate = false;
+        m_target = target.serial();
+    } else {
+        markDifferences(step.scene, threads);
+        followEdits(step, request.interactive);
+    }
+    return step;
+}
+
+void FrameHistory::drawnAll()
+{
+    if (m_anyApproximate)
+        std::transform(m_approximate.begin(), m_approximate.end(), m_region.dirtyRow(0), m_approximate.begin(),
+                       [](std::uint8_t approximate, std::uint8_t dirty) { return approximate & (1 - dirty); });
+    m_region.cleanAll();
+}
+
+} // namespace suffuse

@@ -1,0 +1,225 @@
+#include "render/scene/live_scene.h"
+
+#include "render/threads/parallel.h"
+
+#include <algorithm>
+
+namespace suffuse {
+
+namespace {
+
+/// What culling looks at says that nothing can be left out; what is evaluated stays as it is.
+void reachEverywhere(SceneStroke &stroke, const View &view)
+{
+    stroke.bounds = {0, 0, view.width, view.height};
+    const cpu::NodeBoxSink boxes = stroke.boxes.sink();
+    for (std::size_t i = 0; i < stroke.nodes.size(); ++i) {
+        boxes.reachX[i] = boxes.reachY[i] = boxes.weight[i] = 1e30f;
+        boxes.slowest[i] = 0;
+    }
+}
+
+/// Nodes are offsets from the origin: a stroke that only moved keeps them, unless they depend on what the view shows.
+bool keepsNodes(const SceneStroke &known, const Stroke &now)
+{
+    return known.stroke.get() == &now || (!known.source->clipped && known.stroke->style == now.style &&
+                                          known.stroke->segments == now.segments);
+}
+
+} // namespace
+
+bool LiveScene::replace(const RenderRequest &request, std::vector<Stale> &stale)
+{
+    const Painting &painting = *request.painting;
+    if (painting.strokes.size() != m_seen.size() || painting.groups != m_groups)
+        return false;
+    std::vector<std::size_t> differing;
+    bool inPlace = true;
+    painting.strokes.forEachDifference(m_seen, [&](std::size_t i) {
+        const Stroke &stroke = *painting.strokes[i];
+        inPlace =
+            inPlace && stroke.id == std::as_const(m_seen)[i]->id && painting.isVisible(stroke) == (m_place[i] >= 0);
+        differing.push_back(i);
+    });
+    if (!inPlace)
+        return false;
+    for (const std::size_t i : differing)
+        if (m_place[i] >= 0) {
+            const auto place = std::size_t(m_place[i]);
+            m_sources[place] = painting.strokes[i];
+            m_driesAt[place] = painting.strokes[i]->driesAt();
+            const SceneStroke *known = m_strokes[place].get();
+            stale.push_back({place, known && sameAge(place, request.time) && keepsNodes(*known, *m_sources[place])});
+        }
+    return true;
+}
+
+/// Where these strokes stand now. Most stand in the same order: the next place is looked at first.
+std::vector<std::size_t> LiveScene::placesOf(const std::vector<StrokePtr> &strokes) const
+{
+    constexpr std::size_t near = 8; // places that are looked at
+    std::vector<std::size_t> places(strokes.size(), SceneChange::nowhere);
+    std::unordered_map<StrokeId, std::size_t> all; // where that is not enough
+    StrokeId greatest = 0;
+    for (const StrokePtr &stroke : m_sources)
+        greatest = std::max(greatest, stroke->id);
+    std::size_t next = 0;
+    for (std::size_t i = 0; i < strokes.size(); ++i) {
+        const StrokeId id = strokes[i]->id;
+        if (id > greatest)
+            continue; // it is new
+        const auto from = m_sources.begin() + std::ptrdiff_t(next);
+        const auto to = from + std::ptrdiff_t(std::min(near, m_sources.size() - next));
+        if (const auto it = std::find_if(from, to, [id](const StrokePtr &s) { return s->id == id; }); it != to) {
+            places[i] = std::size_t(it - m_sources.begin());
+        } else {
+            for (std::size_t k = 0; all.empty() && k < m_sources.size(); ++k)
+                all.emplace(m_sources[k]->id, k);
+            if (const auto known = all.find(id); known != all.end())
+                places[i] = known->second;
+        }
+        if (places[i] != SceneChange::nowhere)
+            next = places[i] + 1;
+    }
+    return places;
+}
+
+std::vector<std::size_t> LiveScene::align(const Painting &painting)
+{
+    std::vector<StrokePtr> sources;
+    m_place.clear();
+    for (const StrokePtr &stroke : painting.strokes) {
+        const bool visible = painting.isVisible(*stroke);
+        m_place.push_back(visible ? std::int64_t(sources.size()) : -1);
+        if (visible)
+            sources.push_back(stroke);
+    }
+    std::vector<std::size_t> places = placesOf(sources);
+    std::vector<SceneStrokePtr> strokes(sources.size());
+    std::vector<Microseconds> driesAt(sources.size());
+    std::vector<PixelRect> bounds(sources.size());
+    m_nodeCount = 0;
+    for (std::size_t i = 0; i < sources.size(); ++i) {
+        const std::size_t place = places[i];
+        const bool known = place != SceneChange::nowhere;
+        driesAt[i] = known && m_sources[place] == sources[i] ? m_driesAt[place] : sources[i]->driesAt();
+        if (!known || !m_strokes[place])
+            continue;
+        strokes[i] = m_strokes[place];
+        bounds[i] = m_bounds[place];
+        m_nodeCount += strokes[i]->source->nodes.size();
+    }
+    m_sources = std::move(sources);
+    m_strokes = std::move(strokes);
+    m_driesAt = std::move(driesAt);
+    m_bounds = std::move(bounds);
+    m_groups = painting.groups;
+    return places;
+}
+
+std::vector<LiveScene::Stale> LiveScene::staleAfterAlign(const RenderRequest &request) const
+{
+    const bool sameView = m_view == request.view;
+    const bool sameOctave = zoomOctave(m_view.scale) == zoomOctave(request.view.scale);
+    std::vector<Stale> stale;
+    for (std::size_t i = 0; i < m_strokes.size(); ++i) {
+        const SceneStroke *known = m_strokes[i].get();
+        const bool nodesHold = known && sameAge(i, request.time) && sameOctave &&
+                               (sameView || !known->source->clipped) && keepsNodes(*known, *m_sources[i]);
+        if (!nodesHold || !sameView || known->stroke != m_sources[i])
+            stale.push_back({i, nodesHold});
+    }
+    return stale;
+}
+
+void LiveScene::addWet(Microseconds time, std::vector<Stale> &stale) const
+{
+    if (time == m_time)
+        return;
+    for (std::size_t i = 0; i < m_driesAt.size(); ++i)
+        if (!sameAge(i, time))
+            stale.push_back({i, false});
+    const auto before = [](const Stale &a, const Stale &b) { return a.index < b.index; };
+    const auto same = [](const Stale &a, const Stale &b) { return a.index == b.index; };
+    std::sort(stale.begin(), stale.end(), before);
+    stale.erase(std::unique(stale.begin(), stale.end(), same), stale.end());
+}
+
+SceneStrokePtr LiveScene::dryOf(std::size_t i, const View &view) const
+{
+    const SceneStrokePtr &known = m_strokes[i];
+    if (!known || known->stroke != m_sources[i] || m_view != view)
+        return nullptr;
+    return m_driesAt[i] <= m_time ? known : known->dry;
+}
+
+void LiveScene::prepare(const std::vector<Stale> &stale, const RenderRequest &request, int threads)
+{
+    const int octave = zoomOctave(request.view.scale);
+    const Rect visible = visibleBox(request.view);
+    const auto nodesOf = [this](std::size_t i) { return m_strokes[i] ? m_strokes[i]->source->nodes.size() : 0; };
+    std::vector<FrozenNodes *> frozen; // null where a stroke will not be built often
+    std::unordered_map<StrokeId, FrozenNodes> wet;
+    for (const Stale &s : stale) {
+        m_nodeCount -= nodesOf(s.index);
+        const Stroke &stroke = *m_sources[s.index];
+        const auto known = m_frozen.find(stroke.id);
+        const bool isWet = m_driesAt[s.index] > request.time && stroke.segments.size() > mergeBlock;
+        const bool keeps = !s.nodesHold && (isWet || known != m_frozen.end());
+        frozen.push_back(keeps ? &wet[stroke.id] : nullptr);
+        if (keeps && known != m_frozen.end())
+            *frozen.back() = std::move(known->second);
+    }
+    threads = threads > 0 ? threads : hardwareThreads();
+    const int threadsEach = std::max(1, threads / std::max(1, int(stale.size())));
+    parallelFor(stale.size(), threads, [&](std::size_t k) {
+        const std::size_t i = stale[k].index;
+        const bool dries = m_driesAt[i] <= request.time;
+        SceneStrokePtr dry = dryOf(i, request.view);
+        if (dry && dries && !frozen[k]) {
+            m_bounds[i] = dry->bounds;
+            m_strokes[i] = std::move(dry);
+            return;
+        }
+        auto nodes = stale[k].nodesHold ? m_strokes[i]->source
+                     : frozen[k] ? buildNodes(m_sources[i], request.time, octave, visible, *frozen[k], threadsEach)
+                                 : buildNodes(*m_sources[i], request.time, octave, visible, threadsEach);
+        auto stroke = std::make_shared<SceneStroke>(
+            makeSceneStroke(m_sources[i], std::move(nodes), request.view, threadsEach, frozen[k] != nullptr));
+        if (!m_cull)
+            reachEverywhere(*stroke, request.view);
+        if (!dries)
+            stroke->dry = std::move(dry);
+        m_bounds[i] = stroke->bounds;
+        m_strokes[i] = std::move(stroke);
+    });
+    for (const Stale &s : stale)
+        m_nodeCount += nodesOf(s.index);
+    m_frozen = std::move(wet);
+}
+
+SceneChange LiveScene::update(const RenderRequest &request, int threads)
+{
+    SceneChange change;
+    std::vector<Stale> stale;
+    const Painting &painting = *request.painting;
+    const bool sameView = m_view == request.view;
+    if (sameView && replace(request, stale)) {
+        addWet(request.time, stale);
+        for (const Stale &s : stale)
+            change.replaced.push_back({s.index, m_strokes[s.index]});
+    } else {
+        change.reordered = true;
+        if (sameView)
+            change.before = m_strokes;
+        change.places = align(painting);
+        stale = staleAfterAlign(request);
+    }
+    prepare(stale, request, threads);
+    m_seen = painting.strokes;
+    m_view = request.view;
+    m_time = request.time;
+    return change;
+}
+
+} // namespace suffuse

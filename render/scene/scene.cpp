@@ -1,0 +1,395 @@
+#include "render/scene/scene.h"
+
+#include "render/nodes/colour_line.h"
+#include "render/math/scalar.h"
+#include "render/threads/parallel.h"
+// After the numbers: templates over them.
+#include "render/math/shade.h"
+
+#include <algorithm>
+#include <cstring>
+
+namespace suffuse {
+
+namespace {
+
+/// The view's linear part, canvas to pixels: (dx, dy) → (m00 dx + m01 dy, m10 dx + m11 dy).
+struct Linear {
+    double m00, m01, m10, m11;
+
+    explicit Linear(const View &v)
+    {
+        const double c = std::cos(v.rotation) * v.scale, s = std::sin(v.rotation) * v.scale, flip = v.mirrored ? -1 : 1;
+        m00 = c * flip;
+        m01 = -s;
+        m10 = s * flip;
+        m11 = c;
+    }
+    Point operator()(Point d) const { return {m00 * d.x + m01 * d.y, m10 * d.x + m11 * d.y}; }
+};
+
+/// A node's metric in pixels: J^−T M J^−1 with J a similarity.
+struct Metric {
+    double a, b, c;
+
+    Metric(const Node &n, const Linear &j, double scale)
+    {
+        const double k = 1 / (scale * scale * scale * scale);
+        if (n.b == 0 && n.a == n.c) {
+            a = c = n.a / (scale * scale);
+            b = 0;
+            return;
+        }
+        // J^−1 = Jᵀ/scale² for a similarity: M′ = J M Jᵀ / scale⁴.
+        const double ax = j.m00 * n.a + j.m01 * n.b, ay = j.m00 * n.b + j.m01 * n.c;
+        const double bx = j.m10 * n.a + j.m11 * n.b, by = j.m10 * n.b + j.m11 * n.c;
+        a = k * (ax * j.m00 + ay * j.m01);
+        b = k * (ax * j.m10 + ay * j.m11);
+        c = k * (bx * j.m10 + by * j.m11);
+        if (std::abs(b) < 1e-9 * std::min(a, c))
+            b = 0;
+    }
+    /// Half-sizes of the box of q ≤ r².
+    Point reach(double r) const
+    {
+        const double det = a * c - b * b;
+        return {r * std::sqrt(c / det), r * std::sqrt(a / det)};
+    }
+    /// Eigenvalues.
+    double greatest() const { return 0.5 * (a + c) + radius(); }
+    double least() const { return 0.5 * (a + c) - radius(); }
+    /// Spread along the narrowest axis.
+    double narrowest() const { return 1 / std::sqrt(greatest()); }
+
+private:
+    double radius() const { return a == c && b == 0 ? 0 : std::hypot(0.5 * (a - c), b); }
+};
+
+PixelRect toPixelRect(const Rect &r, const View &view)
+{
+    if (r.isEmpty() || r.right < 0 || r.bottom < 0 || r.left > view.width || r.top > view.height)
+        return {};
+    const int x0 = int(std::max(0.0, std::floor(r.left))), y0 = int(std::max(0.0, std::floor(r.top)));
+    const int x1 = int(std::min<double>(view.width, std::ceil(r.right)));
+    const int y1 = int(std::min<double>(view.height, std::ceil(r.bottom)));
+    return {x0, y0, x1 - x0, y1 - y0};
+}
+
+/// What neighbours along a stroke have in common: most segments have nodes of one metric.
+struct Footprint {
+    double a, b, c, cutRadius; ///< of the node that it was made for
+    Metric metric;
+    Point reach;
+    double narrowest;
+
+    Footprint(const Node &n, const Linear &j, double scale)
+        : a(n.a), b(n.b), c(n.c), cutRadius(n.cutRadius), metric(n, j, scale), reach(metric.reach(n.cutRadius)),
+          narrowest(metric.narrowest())
+    {}
+    bool fits(const Node &n) const { return n.a == a && n.b == b && n.c == c && n.cutRadius == cutRadius; }
+};
+
+/// A node in pixels.
+struct Placed {
+    Point at;
+    float weight;
+    std::uint32_t row;
+    std::uint32_t footprint;
+};
+
+/// What segments of a stroke differ in, from its first one.
+struct Differences {
+    bool colour = false, granulation = false, style = false, kind = false;
+
+    void look(const NodeValues &first, const NodeValues &v)
+    {
+        colour |= v.colour != first.colour;
+        granulation |= v.granulation != first.granulation;
+        style |= v.style != first.style;
+        kind |= v.style.kind != first.style.kind;
+    }
+    void operator|=(const Differences &d)
+    {
+        colour |= d.colour, granulation |= d.granulation, style |= d.style, kind |= d.kind;
+    }
+};
+
+/// What shows of some of a stroke's groups.
+struct PlacedNodes {
+    Differences differences;
+    std::vector<SmallSegment> small;
+    std::vector<Footprint> footprints;
+    std::vector<Placed> separable, oblique;
+    std::vector<DeepNode> deep;
+    Rect box;
+};
+
+/// Writes nodes of a stroke from the `at`-th on.
+void writeNodes(const std::vector<Placed> &placed, const std::vector<Footprint> &footprints, SceneStroke &s,
+                std::size_t at)
+{
+    const cpu::NodeBoxSink boxes = s.boxes.sink();
+    std::uint32_t last = ~0u;
+    float radius = -1, cut = 0, slowest = 0, steepest = 0;
+    for (const Placed &p : placed) {
+        const Footprint &f = footprints[p.footprint];
+        const Metric &m = f.metric;
+        if (p.footprint != last) {
+            last = p.footprint;
+            if (float(f.cutRadius) != radius) // most nodes of a stroke share it
+                radius = float(f.cutRadius), cut = std::exp(-radius * radius);
+            slowest = float(m.least() * 0.9999);
+            steepest = float(std::sqrt(m.greatest()));
+        }
+        s.nodes[at] = {p.at.x, p.at.y, float(m.a), float(m.b), float(m.c), p.weight, cut, p.row};
+        boxes.x[at] = float(p.at.x);
+        boxes.y[at] = float(p.at.y);
+        // 1.0001: rounded to float.
+        boxes.reachX[at] = float(f.reach.x * 1.0001);
+        boxes.reachY[at] = float(f.reach.y * 1.0001);
+        boxes.weight[at] = p.weight;
+        boxes.slowest[at] = slowest;
+        boxes.steepest[at] = p.weight * steepest;
+        boxes.node[at] = std::uint32_t(at);
+        ++at;
+    }
+}
+
+/// Where the node may show: its box, and a pixel around it for the coverage of the pixel that it ends in.
+void includeNode(Rect &box, Point at, Point reach)
+{
+    box.include({at.x - reach.x - 1, at.y - reach.y - 1});
+    box.include({at.x + reach.x + 1, at.y + reach.y + 1});
+}
+
+/// A small segment sets how pixels of its neighbours are sampled.
+void includeSmall(Rect &box, const StrokeNodes &nodes, const NodeGroup &group, Point base, const Linear &j,
+                  const View &view)
+{
+    for (std::uint32_t i = group.reachBegin; i < group.reachEnd; ++i)
+        if (const SegmentReach &r = nodes.reaches[i]; r.spread * view.scale < 1)
+            for (const double x : {r.box.left, r.box.right})
+                for (const double y : {r.box.top, r.box.bottom})
+                    includeNode(box, base + j({x, y}), {1, 1});
+}
+
+SmallSegment smallSegment(const SegmentReach &r, Point origin, const View &view)
+{
+    const int level = std::min(6, int(std::ceil(-std::log2(r.spread * view.scale))));
+    return {level, {origin.x + r.box.left, origin.y + r.box.top, origin.x + r.box.right, origin.y + r.box.bottom}};
+}
+
+/// Puts groups [from, to) into the picture. `bounds`, where not null: the pixels that each group can change.
+PlacedNodes placeGroups(const StrokeNodes &source, std::size_t from, std::size_t to, Point origin, const View &view,
+                        PixelRect *bounds)
+{
+    PlacedNodes out;
+    out.footprints.reserve(to - from);
+    out.separable.reserve(source.groups[to - 1].end - source.groups[from].begin);
+    const Linear j(view);
+    // Subtract in double before scaling: a document far from 0 loses nothing at deep zoom.
+    const Point fromCentre = origin - view.centre, base = view.toPixels(origin);
+    Rect box; // of a group
+    const auto add = [&](const Node &n, std::uint32_t row) {
+        if (out.footprints.empty() || !out.footprints.back().fits(n))
+            out.footprints.emplace_back(n, j, view.scale);
+        const Footprint &f = out.footprints.back();
+        const Point d = j(fromCentre + Point{n.x, n.y});
+        const Point at{d.x + 0.5 * view.width, d.y + 0.5 * view.height};
+        if (at.x + f.reach.x < -1 || at.y + f.reach.y < -1 || at.x - f.reach.x > view.width + 1 ||
+            at.y - f.reach.y > view.height + 1)
+            return;
+        includeNode(box, at, f.reach);
+        if (f.narrowest > deepSpread)
+            out.deep.push_back({at.x, at.y, f.metric.a, f.metric.b, f.metric.c, n.weight, row});
+        else
+            (f.metric.b == 0 ? out.separable : out.oblique)
+                .push_back({at, float(n.weight), row, std::uint32_t(out.footprints.size() - 1)});
+    };
+    for (std::size_t g = from; g < to; ++g) {
+        const NodeGroup &group = source.groups[g];
+        box = {};
+        for (std::uint32_t i = group.begin; i < group.end; ++i)
+            add(source.nodes[i], group.row + (group.rowPerNode ? i - group.begin : 0));
+        out.box = out.box.united(box);
+        if (!bounds)
+            continue;
+        includeSmall(box, source, group, base, j, view);
+        bounds[g] = toPixelRect(box, view);
+    }
+    const std::size_t rowsEnd = to < source.groups.size() ? source.groups[to].row : source.rows.size();
+    for (std::size_t k = source.groups[from].row; k < rowsEnd; ++k)
+        out.differences.look(source.rows.front(), source.rows[k]);
+    for (std::uint32_t k = source.groups[from].reachBegin; k < source.groups[to - 1].reachEnd; ++k)
+        if (const SegmentReach &r = source.reaches[k]; r.spread * view.scale < 1)
+            out.small.push_back(smallSegment(r, origin, view));
+    return out;
+}
+
+/// Puts the stroke's nodes into the picture, the separable ones first, and finds its bounds and what its segments
+/// differ in.
+Differences placeNodes(SceneStroke &s, const View &view, int threads, bool changes)
+{
+    const StrokeNodes &source = *s.source;
+    constexpr std::size_t share = 64, worthSharing = 8 * share; // groups
+    const std::size_t count = source.groups.size();
+    if (changes)
+        s.groupBounds.resize(count);
+    std::vector<PlacedNodes> parts(threads == 1 || count < worthSharing ? 1 : (count + share - 1) / share);
+    parallelFor(parts.size(), threads, [&](std::size_t k) {
+        const std::size_t from = k * share, to = k + 1 == parts.size() ? count : from + share;
+        parts[k] = placeGroups(source, from, to, s.stroke->origin, view, changes ? s.groupBounds.data() : nullptr);
+    });
+    std::size_t separable = 0, nodes = 0;
+    Differences differences;
+    Rect box;
+    for (const PlacedNodes &part : parts) {
+        separable += part.separable.size();
+        nodes += part.separable.size() + part.oblique.size();
+        box = box.united(part.box);
+        differences |= part.differences;
+        s.small.insert(s.small.end(), part.small.begin(), part.small.end());
+        s.deep.insert(s.deep.end(), part.deep.begin(), part.deep.end());
+    }
+    s.separable = int(separable);
+    s.bounds = toPixelRect(box, view);
+    s.nodes.resize(nodes);
+    s.boxes.reserve(nodes);
+    std::vector<std::array<std::size_t, 2>> places; // where each part's separable and oblique ones begin
+    for (std::size_t first = 0, second = separable; const PlacedNodes &part : parts) {
+        places.push_back({first, second});
+        first += part.separable.size(), second += part.oblique.size();
+    }
+    parallelFor(parts.size(), threads, [&](std::size_t k) {
+        writeNodes(parts[k].separable, parts[k].footprints, s, places[k][0]);
+        writeNodes(parts[k].oblique, parts[k].footprints, s, places[k][1]);
+    });
+    return differences;
+}
+
+int xiCount(StyleKind kind)
+{
+    return kind == StyleKind::Edge ? 3 : 2;
+}
+
+/// Chooses constants where all segments agree, channels where they differ.
+void planChannels(SceneStroke &s, const Differences &differ)
+{
+    const auto &rows = s.source->rows;
+    const NodeValues &first = rows.front();
+    s.shade.colour = first.colour;
+    s.shade.grain = first.granulation;
+    if (const auto line = differ.colour ? lineThrough(rows) : std::nullopt) {
+        s.shade.lineChannel = s.channels++;
+        s.shade.colour = line->from;
+        s.shade.colourEnd = line->to;
+    } else if (differ.colour) {
+        s.shade.colourChannel = s.channels, s.channels += 4;
+    }
+    if (differ.granulation)
+        s.shade.grainChannel = s.channels++;
+    s.granulated = s.shade.grainChannel >= 0 || s.shade.grain != 1;
+    s.shade.kinds = 0;
+    for (StyleKind kind : {StyleKind::Uniform, StyleKind::Feathering, StyleKind::Edge}) {
+        const auto member =
+            std::find_if(rows.begin(), rows.end(), [&](const NodeValues &v) { return v.style.kind == kind; });
+        if (member == rows.end())
+            continue;
+        KindParams &p = s.shade.kind[s.shade.kinds++];
+        p.kind = kind;
+        std::copy_n(member->style.xi.begin(), 3, p.xi);
+        if (differ.kind)
+            p.shareChannel = s.channels++;
+        if (differ.style)
+            p.xiChannel = s.channels, s.channels += xiCount(kind);
+    }
+}
+
+/// Where ξ varies the levels do too: not worth a bound.
+void findLevels(SceneStroke &s)
+{
+    s.hasLevels = s.deep.empty();
+    for (int k = 0; k < s.shade.kinds; ++k) {
+        const KindParams &kind = s.shade.kind[k];
+        s.hasLevels &= kind.xiChannel < 0;
+        s.level[k] = math::withStyle<float>(
+            kind.kind, [&](int i) { return kind.xi[i]; }, [](const auto &style) { return style.level(); });
+        s.lowest = k == 0 ? s.level[k] : std::min(s.lowest, s.level[k]);
+    }
+}
+
+void fillValues(SceneStroke &s)
+{
+    if (s.channels == 0)
+        return;
+    const auto &rows = s.source->rows;
+    s.values.assign(std::size_t(s.channels) * rows.size(), 0.0f);
+    for (std::size_t k = 0; k < rows.size(); ++k) {
+        float *row = s.values.data() + k * s.channels;
+        const NodeValues &v = rows[k];
+        if (const int c = s.shade.colourChannel; c >= 0) {
+            const float colour[4] = {v.colour.red, v.colour.yellow, v.colour.blue, v.colour.opacity};
+            std::copy_n(colour, 4, row + c);
+        }
+        if (s.shade.lineChannel >= 0)
+            row[s.shade.lineChannel] = ColourLine{s.shade.colour, s.shade.colourEnd}.placeOf(v.colour);
+        if (s.shade.grainChannel >= 0)
+            row[s.shade.grainChannel] = v.granulation;
+        for (int i = 0; i < s.shade.kinds; ++i) {
+            const KindParams &p = s.shade.kind[i];
+            if (p.kind != v.style.kind)
+                continue;
+            if (p.shareChannel >= 0)
+                row[p.shareChannel] = 1;
+            if (p.xiChannel >= 0)
+                std::copy_n(v.style.xi.begin(), xiCount(p.kind), row + p.xiChannel);
+        }
+    }
+}
+
+} // namespace
+
+Rect visibleBox(const View &view)
+{
+    Rect box;
+    for (double x : {0.0, double(view.width)})
+        for (double y : {0.0, double(view.height)})
+            box.include(view.toCanvas({x, y}));
+    return box;
+}
+
+PixelRect pixelBounds(const StrokeNodes &nodes, const NodeGroup &group, Point origin, const View &view)
+{
+    const Linear j(view);
+    const Point base = view.toPixels(origin);
+    Rect box;
+    for (std::uint32_t i = group.begin; i < group.end;) {
+        const Footprint f(nodes.nodes[i], j, view.scale);
+        Rect centres;
+        do
+            centres.include(base + j({nodes.nodes[i].x, nodes.nodes[i].y}));
+        while (++i < group.end && f.fits(nodes.nodes[i]));
+        includeNode(box, {centres.left, centres.top}, f.reach);
+        includeNode(box, {centres.right, centres.bottom}, f.reach);
+    }
+    includeSmall(box, nodes, group, base, j, view);
+    return toPixelRect(box, view);
+}
+
+SceneStroke makeSceneStroke(StrokePtr stroke, std::shared_ptr<const StrokeNodes> nodes, const View &view, int threads,
+                            bool changes)
+{
+    SceneStroke s;
+    s.stroke = std::move(stroke);
+    s.source = std::move(nodes);
+    if (s.source->groups.empty())
+        return s;
+    s.keep = s.stroke->mix.mode == MixMode::Beta ? 1 - s.stroke->mix.beta : 1;
+    const Differences differences = placeNodes(s, view, threads, changes);
+    planChannels(s, differences);
+    findLevels(s);
+    fillValues(s);
+    return s;
+}
+
+} // namespace suffuse

@@ -1,0 +1,93 @@
+#include "render/threads/parallel.h"
+
+#include "render/threads/crew.h"
+
+#include <algorithm>
+#include <thread>
+#include <utility>
+
+#ifdef SUFFUSE_JTHREAD
+#include <atomic>
+#include <vector>
+#else
+#include <optional>
+#include <tbb/global_control.h>
+#include <tbb/parallel_for.h>
+#include <tbb/task_arena.h>
+#endif
+
+namespace suffuse {
+
+#ifndef SUFFUSE_JTHREAD
+namespace {
+
+/// While a thread is in a loop's body; loops in there share the outer one's threads.
+class InLoop {
+public:
+    InLoop() : m_before(std::exchange(s_now, true)) {}
+    ~InLoop() { s_now = m_before; }
+    InLoop(const InLoop &) = delete;
+    InLoop &operator=(const InLoop &) = delete;
+    static bool now() { return s_now; }
+
+private:
+    static inline thread_local bool s_now = false;
+    const bool m_before; // a thread that waits for an inner loop may run more of the outer one's bodies
+};
+
+/// A calling thread's own: after a loop oneTBB's threads wait in its arena for the next one for a while, whereas into a
+/// new one they must be woken, which takes as long as a small loop.
+tbb::task_arena &arenaOf(int threads)
+{
+    thread_local std::optional<tbb::task_arena> arena;
+    if (!arena || arena->max_concurrency() != threads)
+        arena.emplace(threads);
+    return *arena;
+}
+
+} // namespace
+#endif
+
+int hardwareThreads()
+{
+    static const int threads = std::max(1, int(std::thread::hardware_concurrency())); // each asking reads a file
+    return threads;
+}
+
+void parallelFor(std::size_t count, int threads, const std::function<void(std::size_t)> &body)
+{
+    threads = threads > 0 ? threads : hardwareThreads();
+    if (threads == 1 || count < 2) {
+        for (std::size_t i = 0; i < count; ++i)
+            body(i);
+        return;
+    }
+    if (Crew *crew = CrewOnDuty::crew())
+        return crew->run(count, threads, body);
+#ifdef SUFFUSE_JTHREAD
+    std::atomic<std::size_t> next{0};
+    const auto work = [&] {
+        for (std::size_t i = next++; i < count; i = next++)
+            body(i);
+    };
+    std::vector<std::jthread> pool;
+    for (int i = 1; i < threads; ++i)
+        pool.emplace_back(work);
+    work();
+#else
+    const auto loop = [&] {
+        tbb::parallel_for(std::size_t(0), count, [&](std::size_t i) {
+            const InLoop inLoop;
+            body(i);
+        });
+    };
+    if (InLoop::now())
+        return loop();
+    std::optional<tbb::global_control> more; // by itself oneTBB starts a thread a core
+    if (threads > hardwareThreads())
+        more.emplace(tbb::global_control::max_allowed_parallelism, std::size_t(threads));
+    arenaOf(threads).execute(loop);
+#endif
+}
+
+} // namespace suffuse
