@@ -1,177 +1,19 @@
 #include "app/actions.h"
 
+#include "app/canvas/canvas_widget.h"
+#include "app/clipboard.h"
+#include "app/editor.h"
 #include "app/icons.h"
+#include "app/tools/commands.h"
 
-#include <QActionGroup>
 #include <QMainWindow>
 #include <QMenu>
 #include <QMenuBar>
 #include <QRegularExpression>
 #include <QToolBar>
-
-#include <iterator>
+#include <QToolButton>
 
 namespace suffuse {
-
-namespace {
-
-/// Name in the settings, the same in every language; in the order of Command.
-constexpr const char *commandNames[] = {
-    "new",
-    "open",
-    "save",
-    "saveAs",
-    "keepHistory",
-    "importStrokes",
-    "importUnderlay",
-    "export",
-    "close",
-    "quit",
-    "undo",
-    "redo",
-    "cut",
-    "copy",
-    "paste",
-    "pasteInPlace",
-    "delete",
-    "duplicate",
-    "selectAll",
-    "deselect",
-    "settings",
-    "brush",
-    "select",
-    "segments",
-    "knife",
-    "eraser",
-    "attributeBrush",
-    "eyedropper",
-    "pan",
-    "raise",
-    "lower",
-    "top",
-    "bottom",
-    "insertNodes",
-    "nodeCorner",
-    "nodeSmooth",
-    "nodeSymmetric",
-    "breakNodes",
-    "joinNodes",
-    "deleteSegments",
-    "bridgeSegments",
-    "reverseStrokes",
-    "invertSelection",
-    "sameColour",
-    "sameStyle",
-    "sameBrush",
-    "lasso",
-    "touchPath",
-    "group",
-    "ungroup",
-    "lock",
-    "unlockAll",
-    "hide",
-    "showAll",
-    "rename",
-    "flipAcross",
-    "flipDown",
-    "quarterLeft",
-    "quarterRight",
-    "scaleSpread",
-    "alignLeft",
-    "alignCentre",
-    "alignRight",
-    "alignTop",
-    "alignMiddle",
-    "alignBottom",
-    "alignToSelection",
-    "alignToLast",
-    "alignToFirst",
-    "alignToBiggest",
-    "alignToCanvas",
-    "distributeGapsAcross",
-    "distributeGapsDown",
-    "distributeCentresAcross",
-    "distributeCentresDown",
-    "snapToNodes",
-    "snapToGrid",
-    "showGrid",
-    "gridStep",
-    "showUnderlay",
-    "play",
-    "toStart",
-    "previousStroke",
-    "nextStroke",
-    "toEnd",
-    "loopPlaying",
-    "skipPauses",
-    "letDry",
-    "freezeNow",
-    "rewet",
-    "removeRewetting",
-    "paceEven",
-    "paceEaseIn",
-    "paceEaseOut",
-    "paceEaseInOut",
-    "finalPreview",
-    "exportTimelapse",
-    "favourite1",
-    "favourite2",
-    "favourite3",
-    "favourite4",
-    "favourite5",
-    "favourite6",
-    "favourite7",
-    "favourite8",
-    "favourite9",
-    "smallerSize",
-    "largerSize",
-    "lessOpacity",
-    "moreOpacity",
-    "holdToPan",
-    "holdToTurn",
-    "zoomIn",
-    "zoomOut",
-    "zoom100",
-    "fit",
-    "rotateLeft",
-    "rotateRight",
-    "resetRotation",
-    "mirror",
-    "hideDocks",
-    "fullScreen",
-    "shortcuts",
-    "about",
-};
-static_assert(std::size(commandNames) == std::size_t(Command::About) + 1);
-
-/// Commands whose keys lists and fields need for themselves.
-bool isCanvasOnly(Command command)
-{
-    switch (command) {
-    case Command::Raise:
-    case Command::Lower:
-    case Command::Top:
-    case Command::Bottom:
-    case Command::InsertNodes:
-    case Command::NodeCorner:
-    case Command::NodeSmooth:
-    case Command::NodeSymmetric:
-    case Command::BreakNodes:
-    case Command::JoinNodes:
-    case Command::DeleteSegments:
-    case Command::BridgeSegments:
-    case Command::ReverseStrokes:
-    case Command::RenameStrokes:
-    case Command::HideDocks:
-    case Command::HoldToPan:
-    case Command::HoldToTurn:
-        return true;
-    default:
-        return false;
-    }
-}
-
-} // namespace
 
 QString plainTitle(QString title)
 {
@@ -182,7 +24,57 @@ QString plainTitle(QString title)
     return title;
 }
 
-Actions::Actions(QMainWindow &window, QWidget &canvas) : QObject(&window), m_window(window), m_canvas(canvas)
+namespace {
+
+/// The menu that an action is in; none: null. An action may be in tool bars, too, and in the nameless menu that a menu
+/// bar without room has at its end.
+const QMenu *menuOf(const QAction &action)
+{
+    for (const QObject *place : action.associatedObjects())
+        if (const auto *menu = qobject_cast<const QMenu *>(place); menu && !menu->title().isEmpty())
+            return menu;
+    return nullptr;
+}
+
+constexpr double zoomStep = 1.4142135623730951;
+constexpr double turnStep = 15; ///< degrees
+
+/// A drag belongs to no step yet.
+bool isBusy(const CommandTarget &target)
+{
+    return target.canvas.tool() && target.canvas.tool()->isBusy();
+}
+
+/// Undo gives up what is in hand instead, as in Krita. False: nothing was.
+bool givesUp(const CommandTarget &target)
+{
+    if (!isBusy(target))
+        return false;
+    target.canvas.tool()->cancel();
+    return true;
+}
+
+} // namespace
+
+QString titleWithMenus(const QAction &action)
+{
+    QString title = plainTitle(action.iconText());
+    for (const QMenu *menu = menuOf(action); menu; menu = menuOf(*menu->menuAction()))
+        title.prepend(plainTitle(menu->title()) + QStringLiteral(" ▸ "));
+    return title;
+}
+
+bool anySelected(const CommandTarget &target)
+{
+    return !target.editor.document().selection().isEmpty();
+}
+
+bool anyStrokes(const CommandTarget &target)
+{
+    return !target.editor.document().painting()->strokes.empty();
+}
+
+Actions::Actions(QMainWindow &window) : QObject(&window), m_window(window)
 {
     addFileAndEdit();
     addTools();
@@ -194,13 +86,13 @@ Actions::Actions(QMainWindow &window, QWidget &canvas) : QObject(&window), m_win
     addViewAndHelp();
 }
 
-void Actions::add(Command command, const QString &text, const char *iconName, const QList<QKeySequence> &keys,
-                  const QString &tip)
+CommandRow &Actions::add(Command command, const QString &id, const QString &text, const char *iconName,
+                         const QList<QKeySequence> &keys, const QString &tip)
 {
     auto *action = new QAction(text, this);
     if (*iconName)
         action->setIcon(icon(QString::fromLatin1(iconName)));
-    action->setObjectName(commandNames[std::size_t(command)]);
+    action->setObjectName(id);
     action->setIconText(plainTitle(text)); // stays when the text names the step that is undone
     action->setShortcuts(keys);
     const auto showKey = [action, tip] {
@@ -211,114 +103,156 @@ void Actions::add(Command command, const QString &text, const char *iconName, co
     showKey();
     connect(action, &QAction::changed, this, showKey);
     m_actions[command] = action;
-    if (isCanvasOnly(command)) {
-        action->setShortcutContext(Qt::WidgetWithChildrenShortcut);
-        m_canvas.addAction(action);
-    } else {
-        m_window.addAction(action); // keys work with the menu bar hidden, too
+    m_window.addAction(action); // keys work with the menu bar hidden, too
+    return m_rows[command];
+}
+
+void Actions::serve(const CommandTarget &target)
+{
+    m_target.emplace(target);
+    for (const auto &[command, row] : m_rows) {
+        QAction *action = m_actions.at(command);
+        if (row.run)
+            connect(action, &QAction::triggered, this, [this, run = row.run] {
+                run(*m_target);
+                update();
+            });
+        if (row.toggled)
+            connect(action, &QAction::toggled, this,
+                    [this, toggled = row.toggled](bool on) { toggled(*m_target, on); });
+    }
+    update();
+}
+
+void Actions::update()
+{
+    if (!m_target)
+        return;
+    for (const auto &[command, row] : m_rows) {
+        QAction *action = m_actions.at(command);
+        if (row.enabled)
+            action->setEnabled(row.enabled(*m_target));
+        if (row.checked)
+            action->setChecked(row.checked(*m_target));
+        if (row.text)
+            action->setText(row.text(*m_target));
+        if (row.icon)
+            action->setIcon(icon(row.icon(*m_target)));
     }
 }
 
 void Actions::addFileAndEdit()
 {
     const auto keys = [](QKeySequence::StandardKey key) { return QKeySequence::keyBindings(key); };
-    add(Command::New, tr("&New…"), "new", keys(QKeySequence::New));
-    add(Command::Open, tr("&Open…"), "open", keys(QKeySequence::Open));
-    add(Command::Save, tr("&Save"), "save", keys(QKeySequence::Save));
-    add(Command::SaveAs, tr("Save &As…"), "", {QKeySequence(tr("Ctrl+Shift+S"))});
-    add(Command::KeepHistory, tr("Keep Undo &History in the File"), "", {},
+    add(Command::New, "new", tr("&New…"), "new", keys(QKeySequence::New));
+    add(Command::Open, "open", tr("&Open…"), "open", keys(QKeySequence::Open));
+    add(Command::Save, "save", tr("&Save"), "save", keys(QKeySequence::Save));
+    add(Command::SaveAs, "saveAs", tr("Save &As…"), "", {QKeySequence(tr("Ctrl+Shift+S"))});
+    add(Command::SaveCopy, "saveCopy", tr("Save a Cop&y…"), "", {QKeySequence(tr("Ctrl+Alt+Shift+S"))},
+        tr("Into another file; you go on painting in this one"));
+    add(Command::Revert, "revert", tr("Re&vert…"), "", {}, tr("Back to what the file holds; Undo takes it back"));
+    add(Command::RestoreBackup, "restoreBackup", tr("Restore &Backup…"), "", {},
+        tr("Back to an earlier version of the file"));
+    add(Command::KeepHistory, "keepHistory", tr("Keep Undo &History in the File"), "", {},
         tr("Whoever opens the file can go on undoing. Take it out before you give a file away"));
     m_actions[Command::KeepHistory]->setCheckable(true);
-    add(Command::ImportStrokes, tr("&Import Strokes…"), "", {},
+    add(Command::ImportStrokes, "importStrokes", tr("&Import Strokes…"), "", {},
         tr("Drawings, recordings and the strokes of other paintings, into this one"));
-    add(Command::ImportUnderlay, tr("Import &Underlay…"), "", {},
+    add(Command::ImportUnderlay, "importUnderlay", tr("Import &Underlay…"), "", {},
         tr("A picture to paint over, which shows on the canvas only"));
-    add(Command::Export, tr("&Export…"), "export", {QKeySequence(tr("Ctrl+Shift+E"))});
-    add(Command::Close, tr("&Close Window"), "", keys(QKeySequence::Close));
-    add(Command::Quit, tr("&Quit"), "", {QKeySequence(tr("Ctrl+Q"))});
+    add(Command::Export, "export", tr("&Export…"), "export", {QKeySequence(tr("Ctrl+Shift+E"))});
+    add(Command::ExportAgain, "exportAgain", tr("Export A&gain"), "", {QKeySequence(tr("Ctrl+E"))},
+        tr("To the same file, with the same settings"));
+    add(Command::Close, "close", tr("&Close Window"), "", keys(QKeySequence::Close));
+    add(Command::Quit, "quit", tr("&Quit"), "", {QKeySequence(tr("Ctrl+Q"))});
     m_actions[Command::Quit]->setMenuRole(QAction::QuitRole);
-    add(Command::Undo, tr("&Undo"), "undo", keys(QKeySequence::Undo));
-    add(Command::Redo, tr("&Redo"), "redo", {QKeySequence(tr("Ctrl+Shift+Z")), QKeySequence(tr("Ctrl+Y"))});
-    add(Command::Cut, tr("Cu&t"), "cut", keys(QKeySequence::Cut));
-    add(Command::Copy, tr("&Copy"), "copy", keys(QKeySequence::Copy));
-    add(Command::Paste, tr("&Paste"), "paste", keys(QKeySequence::Paste),
+    add(Command::Undo, "undo", tr("&Undo"), "undo", keys(QKeySequence::Undo))
+        .when([](const CommandTarget &t) {
+            return t.editor.document().draft() || isBusy(t) || t.editor.undoStack().canUndo();
+        })
+        .named([](const CommandTarget &t) {
+            const bool strokeInHand = t.editor.document().draft() != nullptr;
+            const QString step = strokeInHand ? QString() : t.editor.undoStack().undoText();
+            return step.isEmpty() ? tr("&Undo") : tr("&Undo: %1").arg(step);
+        })
+        .runs([](const CommandTarget &t) {
+            if (!givesUp(t))
+                t.editor.undoStack().undo();
+        });
+    add(Command::Redo, "redo", tr("&Redo"), "redo", {QKeySequence(tr("Ctrl+Shift+Z")), QKeySequence(tr("Ctrl+Y"))})
+        .when([](const CommandTarget &t) { return t.editor.undoStack().canRedo(); })
+        .named([](const CommandTarget &t) {
+            const QString step = t.editor.undoStack().redoText();
+            return step.isEmpty() ? tr("&Redo") : tr("&Redo: %1").arg(step);
+        })
+        .runs([](const CommandTarget &t) {
+            if (!givesUp(t))
+                t.editor.undoStack().redo();
+        });
+    add(Command::Cut, "cut", tr("Cu&t"), "cut", keys(QKeySequence::Cut))
+        .when(anySelected)
+        .runs([](const CommandTarget &t) { clipboard::cut(t.editor); });
+    add(Command::Copy, "copy", tr("&Copy"), "copy", keys(QKeySequence::Copy))
+        .when(anySelected)
+        .runs([](const CommandTarget &t) { clipboard::copy(t.editor); });
+    add(Command::Paste, "paste", tr("&Paste"), "paste", keys(QKeySequence::Paste),
         tr("Paste strokes or SVG paths at the pointer; a colour becomes the current one"));
-    add(Command::PasteInPlace, tr("Paste &in Place"), "", {QKeySequence(tr("Ctrl+Alt+V"))},
+    add(Command::PasteInPlace, "pasteInPlace", tr("Paste &in Place"), "", {QKeySequence(tr("Ctrl+Alt+V"))},
         tr("Paste strokes where they were"));
-    add(Command::Delete, tr("&Delete"), "delete", {QKeySequence(Qt::Key_Delete)});
-    add(Command::Duplicate, tr("Dup&licate"), "duplicate", {QKeySequence(tr("Ctrl+D"))});
-    add(Command::SelectAll, tr("Select &All"), "", keys(QKeySequence::SelectAll));
-    add(Command::Deselect, tr("D&eselect"), "", {QKeySequence(tr("Ctrl+Shift+A"))});
-    add(Command::Settings, tr("Settin&gs…"), "", {QKeySequence(tr("Ctrl+,"))});
+    add(Command::Delete, "delete", tr("&Delete"), "delete", {QKeySequence(Qt::Key_Delete)})
+        .when(anySelected)
+        .runs([](const CommandTarget &t) {
+            if (!givesUp(t) && !t.canvas.tool()->deleteSelected())
+                commands::deleteSelected(t.editor);
+        });
+    add(Command::Duplicate, "duplicate", tr("Dup&licate"), "duplicate", {QKeySequence(tr("Ctrl+D"))})
+        .when(anySelected)
+        .runs([](const CommandTarget &t) { commands::duplicateSelected(t.editor); });
+    add(Command::SelectAll, "selectAll", tr("Select &All"), "", keys(QKeySequence::SelectAll));
+    add(Command::Deselect, "deselect", tr("D&eselect"), "", {QKeySequence(tr("Ctrl+Shift+A"))})
+        .when(anySelected)
+        .runs([](const CommandTarget &t) { t.editor.document().setSelection({}); });
+    add(Command::Settings, "settings", tr("Settin&gs…"), "", {QKeySequence(tr("Ctrl+,"))});
     m_actions[Command::Settings]->setMenuRole(QAction::PreferencesRole);
-}
-
-void Actions::addTools()
-{
-    add(Command::Brush, tr("&Brush"), "brush", {QKeySequence(Qt::Key_B)}, tr("Paint strokes"));
-    add(Command::Select, tr("&Select"), "select", {QKeySequence(Qt::Key_V)}, tr("Select and move strokes"));
-    add(Command::Segments, tr("Se&gments"), "segments", {QKeySequence(Qt::Key_N)},
-        tr("Edit segments, nodes and handles of strokes"));
-    add(Command::Pan, tr("&Hand"), "pan", {QKeySequence(Qt::Key_H)}, tr("Move the canvas"));
-    auto *group = new QActionGroup(this);
-    add(Command::Knife, tr("&Knife"), "knife", {QKeySequence(Qt::Key_K)}, tr("Cut strokes along a line"));
-    add(Command::Eraser, tr("&Eraser"), "eraser", {QKeySequence(Qt::Key_E)}, tr("Erase parts of strokes"));
-    add(Command::AttributeBrush, tr("&Attribute Brush"), "attribute-brush", {QKeySequence(Qt::Key_A)},
-        tr("Paint values onto segments"));
-    add(Command::Eyedropper, tr("Eye&dropper"), "eyedropper", {QKeySequence(Qt::Key_I)}, tr("Pick a colour"));
-    for (const Command command : {Command::Brush, Command::Select, Command::Segments, Command::Knife, Command::Eraser,
-                                  Command::AttributeBrush, Command::Eyedropper, Command::Pan}) {
-        m_actions[command]->setCheckable(true);
-        group->addAction(m_actions[command]);
-    }
-    add(Command::Raise, tr("&Raise"), "raise", {QKeySequence(Qt::Key_PageUp)});
-    add(Command::Lower, tr("&Lower"), "lower", {QKeySequence(Qt::Key_PageDown)});
-    add(Command::Top, tr("Raise to &Top"), "top", {QKeySequence(Qt::Key_Home)});
-    add(Command::Bottom, tr("Lower to &Bottom"), "bottom", {QKeySequence(Qt::Key_End)});
-}
-
-void Actions::addNodeCommands()
-{
-    add(Command::InsertNodes, tr("&Insert Nodes"), "node-insert", {QKeySequence(Qt::Key_Insert)},
-        tr("Insert a node into each selected segment"));
-    add(Command::NodeCorner, tr("&Corner"), "node-corner", {QKeySequence(tr("Shift+C"))},
-        tr("Make the selected nodes corners"));
-    add(Command::NodeSmooth, tr("&Smooth"), "node-smooth", {QKeySequence(tr("Shift+S"))},
-        tr("Make the selected nodes smooth"));
-    add(Command::NodeSymmetric, tr("S&ymmetric"), "node-symmetric", {QKeySequence(tr("Shift+Y"))},
-        tr("Make the selected nodes symmetric"));
-    add(Command::BreakNodes, tr("&Break Strokes"), "node-break", {QKeySequence(tr("Shift+B"))},
-        tr("Break strokes at the selected nodes"));
-    add(Command::JoinNodes, tr("&Join Nodes"), "node-join", {QKeySequence(tr("Shift+J"))},
-        tr("Join two selected end nodes"));
-    add(Command::DeleteSegments, tr("&Delete Segments"), "segment-delete", {QKeySequence(tr("Ctrl+Del"))},
-        tr("Delete the selected segments, so that strokes split"));
-    add(Command::BridgeSegments, tr("Brid&ge Segments"), "bridge", {QKeySequence(tr("Alt+Del"))},
-        tr("Replace selected segments by one that goes on smoothly"));
-    add(Command::ReverseStrokes, tr("&Reverse"), "reverse", {QKeySequence(tr("Shift+R"))},
-        tr("Let the selected strokes run from end to start"));
 }
 
 void Actions::addViewAndHelp()
 {
     // "=" is the unshifted "+" on many keyboards.
-    add(Command::ZoomIn, tr("Zoom &In"), "zoom-in",
-        {QKeySequence(Qt::Key_Plus), QKeySequence(Qt::Key_Equal), QKeySequence(QKeySequence::ZoomIn)});
-    add(Command::ZoomOut, tr("Zoom &Out"), "zoom-out",
-        {QKeySequence(Qt::Key_Minus), QKeySequence(QKeySequence::ZoomOut)});
-    add(Command::Zoom100, tr("&100 %"), "", {QKeySequence(tr("Ctrl+1"))});
-    add(Command::Fit, tr("&Fit the Canvas"), "fit", {QKeySequence(Qt::Key_0)});
-    add(Command::RotateLeft, tr("Turn &Left"), "", {QKeySequence(tr("Ctrl+4"))});
-    add(Command::RotateRight, tr("Turn &Right"), "", {QKeySequence(tr("Ctrl+6"))});
-    add(Command::ResetRotation, tr("&Upright"), "", {QKeySequence(tr("Ctrl+5"))});
-    add(Command::Mirror, tr("&Mirror"), "", {QKeySequence(Qt::Key_M)});
-    add(Command::HideDocks, tr("&Hide the Docks"), "", {QKeySequence(Qt::Key_Tab)});
-    add(Command::FullScreen, tr("Full S&creen"), "", {QKeySequence(Qt::Key_F11)});
+    add(Command::ZoomIn, "zoomIn", tr("Zoom &In"), "zoom-in",
+        {QKeySequence(Qt::Key_Plus), QKeySequence(Qt::Key_Equal), QKeySequence(QKeySequence::ZoomIn)})
+        .runs([](const CommandTarget &t) { t.canvas.zoomBy(zoomStep); });
+    add(Command::ZoomOut, "zoomOut", tr("Zoom &Out"), "zoom-out",
+        {QKeySequence(Qt::Key_Minus), QKeySequence(QKeySequence::ZoomOut)})
+        .runs([](const CommandTarget &t) { t.canvas.zoomBy(1 / zoomStep); });
+    add(Command::Zoom100, "zoom100", tr("&100 %"), "", {QKeySequence(tr("Ctrl+1"))}).runs([](const CommandTarget &t) {
+        t.canvas.setZoom(1);
+    });
+    add(Command::Fit, "fit", tr("&Fit the Canvas"), "fit", {QKeySequence(Qt::Key_0)}).runs([](const CommandTarget &t) {
+        t.canvas.fit();
+    });
+    add(Command::RotateLeft, "rotateLeft", tr("Turn &Left"), "", {QKeySequence(tr("Ctrl+4"))})
+        .runs([](const CommandTarget &t) { t.canvas.rotateBy(-turnStep); });
+    add(Command::RotateRight, "rotateRight", tr("Turn &Right"), "", {QKeySequence(tr("Ctrl+6"))})
+        .runs([](const CommandTarget &t) { t.canvas.rotateBy(turnStep); });
+    add(Command::ResetRotation, "resetRotation", tr("&Upright"), "", {QKeySequence(tr("Ctrl+5"))})
+        .runs([](const CommandTarget &t) { t.canvas.resetRotation(); });
+    add(Command::Mirror, "mirror", tr("&Mirror"), "", {QKeySequence(Qt::Key_M)}).runs([](const CommandTarget &t) {
+        t.canvas.mirror();
+    });
+    add(Command::HideDocks, "hideDocks", tr("&Hide the Docks"), "", {QKeySequence(Qt::Key_Tab)});
+    add(Command::NextPanel, "nextPanel", tr("Ne&xt Panel"), "", {QKeySequence(Qt::Key_F6)},
+        tr("The keyboard goes from the canvas to the docks and tool bars in turn"));
+    add(Command::PreviousPanel, "previousPanel", tr("&Previous Panel"), "", {QKeySequence(Qt::SHIFT | Qt::Key_F6)},
+        tr("The keyboard goes back from panel to panel"));
+    add(Command::FullScreen, "fullScreen", tr("Full S&creen"), "", {QKeySequence(Qt::Key_F11)});
     m_actions[Command::Mirror]->setCheckable(true);
     m_actions[Command::HideDocks]->setCheckable(true);
     m_actions[Command::FullScreen]->setCheckable(true);
-    add(Command::Shortcuts, tr("&Keyboard Shortcuts…"), "", {QKeySequence(Qt::Key_F1)});
-    add(Command::About, tr("&About Suffuse…"), "", {});
+    add(Command::FindCommand, "findCommand", tr("&Find a Command…"), "", {QKeySequence(tr("Ctrl+K"))},
+        tr("Commands, brushes, docks and recent files by their names"));
+    add(Command::Shortcuts, "shortcuts", tr("&Keyboard Shortcuts…"), "", {QKeySequence(Qt::Key_F1)});
+    add(Command::About, "about", tr("&About Suffuse…"), "", {});
     m_actions[Command::About]->setMenuRole(QAction::AboutRole);
 }
 
@@ -327,6 +261,15 @@ QList<QAction *> Actions::all() const
     QList<QAction *> list;
     for (const auto &[command, action] : m_actions)
         list << action;
+    return list;
+}
+
+QList<QAction *> Actions::runnable() const
+{
+    QList<QAction *> list;
+    for (const auto &[command, action] : m_actions)
+        if (!m_rows.at(command).isHeld)
+            list << action;
     return list;
 }
 
@@ -341,15 +284,17 @@ QMenu *Actions::addMenu(const QString &title, const QList<Command> &commands)
 void Actions::fillMenus()
 {
     using enum Command;
-    QMenu *file = addMenu(tr("&File"), {New, Open, Save, SaveAs, KeepHistory, ImportStrokes, ImportUnderlay, Export,
-                                        ExportTimelapse, Close, Quit});
+    QMenu *file =
+        addMenu(tr("&File"), {New, Open, Save, SaveAs, SaveCopy, KeepHistory, Revert, RestoreBackup, ImportStrokes,
+                              ImportUnderlay, Export, ExportAgain, ExportTimelapse, Close, Quit});
     m_recentMenu = new QMenu(tr("Open &Recent"), file);
     file->insertMenu(m_actions[Save], m_recentMenu);
     file->insertSeparator(m_actions[Save]);
+    file->insertSeparator(m_actions[Revert]);
     file->insertSeparator(m_actions[ImportStrokes]);
     file->insertSeparator(m_actions[Close]);
-    QMenu *edit = addMenu(
-        tr("&Edit"), {Undo, Redo, Cut, Copy, Paste, PasteInPlace, Delete, Duplicate, SelectAll, Deselect, Settings});
+    QMenu *edit = addMenu(tr("&Edit"), {Undo, Redo, Cut, Copy, Paste, PasteInPlace, Delete, Duplicate, SelectAll,
+                                        SelectFound, Deselect, Settings});
     edit->insertSeparator(m_actions[Cut]);
     edit->insertSeparator(m_actions[Delete]);
     edit->insertSeparator(m_actions[SelectAll]);
@@ -360,8 +305,8 @@ void Actions::fillMenus()
     view->addSeparator();
     addAids(*view);
     m_docksMenu = view->addMenu(tr("&Docks"));
-    view->addAction(m_actions[HideDocks]);
-    view->addAction(m_actions[FullScreen]);
+    for (const Command command : {HideDocks, NextPanel, PreviousPanel, FullScreen})
+        view->addAction(m_actions[command]);
     fillObjectMenu(*addMenu(tr("&Object"), {}));
     fillTimeMenu(*addMenu(tr("Ti&me"), {}));
     addMenu(tr("&Nodes"), {InsertNodes, NodeCorner, NodeSmooth, NodeSymmetric, BreakNodes, JoinNodes, DeleteSegments,
@@ -373,7 +318,7 @@ void Actions::fillMenus()
     for (const Command command : {SmallerSize, LargerSize, LessOpacity, MoreOpacity})
         tools->addAction(m_actions[command]);
     tools->insertSeparator(m_actions[SmallerSize]);
-    addMenu(tr("&Help"), {Shortcuts, About});
+    addMenu(tr("&Help"), {FindCommand, Shortcuts, About});
 }
 
 QToolBar *Actions::makeToolBar()
@@ -391,6 +336,8 @@ QToolBar *Actions::makeToolBar()
     bar->addSeparator();
     for (const Command command : {ZoomIn, ZoomOut, Fit})
         bar->addAction(m_actions[command]);
+    for (auto *button : bar->findChildren<QToolButton *>())
+        button->setFocusPolicy(Qt::TabFocus); // the keyboard comes here, too; a click leaves it where it is
     return bar;
 }
 

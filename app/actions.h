@@ -1,11 +1,14 @@
-// The window's actions: names, icons, shortcuts, menus. What they do is connected by the window.
+// The table of commands: a row each with its name, icon, keys, when it can be used and what it does; and the menus.
 #pragma once
+
+#include "app/command_row.h"
 
 #include <QAction>
 #include <QKeySequence>
 #include <QList>
 
 #include <map>
+#include <optional>
 
 class QMainWindow;
 class QMenu;
@@ -18,10 +21,14 @@ enum class Command {
     Open,
     Save,
     SaveAs,
+    SaveCopy,
+    Revert,
+    RestoreBackup,
     KeepHistory,
     ImportStrokes,
     ImportUnderlay,
     Export,
+    ExportAgain,
     Close,
     Quit,
     Undo,
@@ -33,6 +40,7 @@ enum class Command {
     Delete,
     Duplicate,
     SelectAll,
+    SelectFound,
     Deselect,
     Settings,
     Brush,
@@ -60,6 +68,7 @@ enum class Command {
     SameColour,
     SameStyle,
     SameBrush,
+    SameName,
     Lasso,
     TouchPath,
     GroupStrokes,
@@ -94,6 +103,8 @@ enum class Command {
     ShowGrid,
     GridStep,
     ShowUnderlay,
+    ShowOutlines,
+    ShowBeyond,
     Play,
     ToStart,
     PreviousStroke,
@@ -126,6 +137,7 @@ enum class Command {
     MoreOpacity,
     HoldToPan,
     HoldToTurn,
+    HoldToHideOutlines,
     ZoomIn,
     ZoomOut,
     Zoom100,
@@ -135,13 +147,19 @@ enum class Command {
     ResetRotation,
     Mirror,
     HideDocks,
+    NextPanel,
+    PreviousPanel,
     FullScreen,
+    FindCommand,
     Shortcuts,
     About,
 };
 
 /// A menu entry's text without mnemonic ("&Open", "打开(&O)") and dots.
 QString plainTitle(QString title);
+/// With the menus that lead to it, as the name alone may stand in several: "Object ▸ Align ▸ Left Edges". For undo
+/// without the step's name.
+QString titleWithMenus(const QAction &action);
 
 /// Keys that tools, not commands, answer to, and that stay as they are.
 struct FixedKeys {
@@ -156,12 +174,18 @@ class Actions : public QObject {
     Q_OBJECT
 
 public:
-    /// Actions whose keys mean something else in lists and fields (arrange, Tab) belong to `canvas`.
-    Actions(QMainWindow &window, QWidget &canvas);
+    explicit Actions(QMainWindow &window);
 
     QAction &operator[](Command command) const { return *m_actions.at(command); }
     /// All, in the order of the menus.
     QList<QAction *> all() const;
+    /// Those that do something when they are triggered.
+    QList<QAction *> runnable() const;
+
+    /// From now on the rows run, and are enabled, by this. Call it once.
+    void serve(const CommandTarget &target);
+    /// Enables, checks and names all commands by their rows. To be called when something that they look at has changed.
+    void update();
 
     /// Fills the menu bar; the docks' toggles go into `docksMenu()` afterwards.
     void fillMenus();
@@ -171,8 +195,9 @@ public:
     QToolBar *makeToolBar();
 
 private:
-    void add(Command command, const QString &text, const char *icon, const QList<QKeySequence> &keys,
-             const QString &tip = {});
+    /// `id` is its name in the settings: the same in every language, and for ever. The row returned is to be completed.
+    CommandRow &add(Command command, const QString &id, const QString &text, const char *icon,
+                    const QList<QKeySequence> &keys, const QString &tip = {});
     void addFileAndEdit();
     void addTools();
     void addNodeCommands();
@@ -190,8 +215,9 @@ private:
     QMenu *addMenu(const QString &title, const QList<Command> &commands);
 
     QMainWindow &m_window;
-    QWidget &m_canvas;
     std::map<Command, QAction *> m_actions;
+    std::map<Command, CommandRow> m_rows;
+    std::optional<CommandTarget> m_target; ///< none: there is no painting yet
     QMenu *m_recentMenu = nullptr;
     QMenu *m_docksMenu = nullptr;
 };

@@ -24,6 +24,18 @@ QStringList usualFavourites()
             "pencil",   "dry-chalk", "flat-marker", "soft-airbrush"};
 }
 
+/// Of all running instances; some may have brushes that this one does not know yet.
+void updateFavourites(const std::function<void(QStringList &names)> &change)
+{
+    settings::updateList(
+        favouritesKey,
+        [&](QStringList names) {
+            change(names);
+            return names;
+        },
+        usualFavourites());
+}
+
 QString cleaned(const QString &name)
 {
     return name.simplified().left(longestName);
@@ -137,13 +149,11 @@ Result<void> BrushLibrary::rename(const QString &name, const QString &to)
     const QString path = m_files.value(name);
     if (Result<void> written = writeFileAtomically(path, writeBrush(brush)); !written)
         return written;
-    QStringList names = favourites();
     erase(name);
     m_files.insert(wanted, path);
     m_brushes.push_back(std::move(brush));
     sort();
-    std::replace(names.begin(), names.end(), name, wanted);
-    settings::store().setValue(favouritesKey, names);
+    updateFavourites([&](QStringList &names) { std::replace(names.begin(), names.end(), name, wanted); });
     emit changed();
     return {};
 }
@@ -197,11 +207,11 @@ QStringList BrushLibrary::favourites() const
 
 void BrushLibrary::setFavourite(const QString &name, bool favourite)
 {
-    QStringList names = favourites();
-    names.removeAll(name);
-    if (favourite)
-        names << name;
-    settings::store().setValue(favouritesKey, names);
+    updateFavourites([&](QStringList &names) {
+        names.removeAll(name);
+        if (favourite)
+            names << name;
+    });
     emit changed();
 }
 

@@ -6,7 +6,7 @@
 #include "app/svg_strokes.h"
 #include "model/formats/files.h"
 #include "model/painting/influence.h"
-#include "render/renderer.h"
+#include "render/backends.h"
 #include "undo/edits.h"
 
 #include <QBuffer>
@@ -14,6 +14,7 @@
 #include <QCoreApplication>
 #include <QGuiApplication>
 #include <QImage>
+#include <QRegularExpression>
 
 #include <algorithm>
 #include <cmath>
@@ -113,16 +114,28 @@ QByteArray svgFrom(const QMimeData &data)
     if (data.hasFormat(svgMime))
         return data.data(svgMime);
     const QString text = data.hasText() ? data.text().trimmed() : QString();
-    return text.startsWith('<') && text.contains("<path") ? text.toUtf8() : QByteArray();
+    static const QRegularExpression root("<([a-z]+:)?svg\\b"),
+        shape("<(path|rect|circle|ellipse|line|polyline|polygon|g)\\b[^<]*>");
+    if (!text.startsWith('<'))
+        return {};
+    if (text.contains(root))
+        return text.toUtf8();
+    // Single elements, as they are copied out of a document.
+    return text.contains(shape) ? "<svg xmlns=\"http://www.w3.org/2000/svg\" "
+                                  "xmlns:xlink=\"http://www.w3.org/1999/xlink\" "
+                                  "xmlns:inkscape=\"http://www.inkscape.org/namespaces/inkscape\" "
+                                  "xmlns:sodipodi=\"http://sodipodi.sourceforge.net/DTD/sodipodi-0.dtd\">" +
+                                      text.toUtf8() + "</svg>"
+                                : QByteArray();
 }
 
-std::optional<QColor> colourFrom(const QMimeData &data)
+std::optional<Colour> colourFrom(const QMimeData &data)
 {
-    if (data.hasColor())
-        return qvariant_cast<QColor>(data.colorData());
+    if (const auto colour = colourOf(data))
+        return colour;
     const QString text = data.hasText() ? data.text().trimmed() : QString();
     if (text.startsWith('#') && QColor::isValidColor(text))
-        return QColor(text);
+        return fromScreen(QColor(text));
     return {};
 }
 
@@ -193,12 +206,11 @@ QString paste(Editor &editor, const QMimeData &data, std::optional<Point> centre
         return addStrokes(editor, *read, centre, pasting);
     }
     if (const QByteArray svg = svgFrom(data); !svg.isEmpty()) {
-        const Result<SvgDrawing> drawing = readSvgDrawing(svg);
+        Result<SvgDrawing> drawing = readSvgDrawing(svg);
         if (!drawing)
             return drawing.error();
-        Painting painting;
-        for (Stroke &stroke : strokesAlong(drawing->paths, editor.brush(), editor.clock().time()))
-            painting.strokes.push_back(std::make_shared<const Stroke>(std::move(stroke)));
+        drawing->area = Rect::of(0, 0, 1, 1); // in place is where the drawing's own coordinates say
+        const Painting painting = paintingAlong(*drawing, editor.brush(), editor.clock().time());
         const QString problem =
             painting.strokes.empty()
                 ? QCoreApplication::translate("Clipboard", "There are no paths in the SVG of the clipboard.")
@@ -206,7 +218,7 @@ QString paste(Editor &editor, const QMimeData &data, std::optional<Point> centre
         return joinedSentences({problem, leftOutOf(*drawing)});
     }
     if (const auto colour = colourFrom(data)) {
-        editor.setColour(fromScreen(*colour));
+        editor.setColour(*colour);
         return {};
     }
     return QCoreApplication::translate("Clipboard", "The clipboard holds no strokes, no SVG paths and no colour.");

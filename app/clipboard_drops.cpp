@@ -22,9 +22,8 @@ std::optional<SegmentRef> strokeAt(CanvasWidget &canvas, Point point)
 }
 
 /// Each segment keeps its opacity.
-void colourStroke(Editor &editor, StrokeId id, const QColor &screen)
+void colourStroke(Editor &editor, StrokeId id, const Colour &colour)
 {
-    const Colour colour = fromScreen(screen);
     const Document &document = editor.document();
     editor.push(changeStrokes(document, {id},
                               [&](Stroke &stroke) {
@@ -70,7 +69,7 @@ bool CanvasDrops::eventFilter(QObject *watched, QEvent *event)
     if (event->type() != QEvent::Drop)
         return true;
     if (hit)
-        colourStroke(m_canvas.editor(), hit->stroke, qvariant_cast<QColor>(data.colorData()));
+        colourStroke(m_canvas.editor(), hit->stroke, colourOf(data).value_or(Colour{}));
     else if (const QString problem = clipboard::paste(m_canvas.editor(), data, point); !problem.isEmpty())
         emit leftOut(problem);
     return true;

@@ -1,14 +1,14 @@
 #include "app/editor.h"
 
+#include "app/opened_file.h"
 #include "app/settings.h"
 #include "model/formats/messages.h"
 #include "model/painting/paper_presets.h"
 #include "undo/kept_history.h"
+#include "undo/restore_edit.h"
 #include "undo/time_edits.h"
 
 #include <QCoreApplication>
-#include <QCryptographicHash>
-#include <QFile>
 #include <QFileInfo>
 #include <QKeyEvent>
 
@@ -42,30 +42,11 @@ Microseconds latestBirth(const Painting &painting, const std::vector<StrokeId> &
     return latest;
 }
 
-struct OpenedFile {
-    LoadedDocument document;
-    QByteArray hash;
-};
-
 QString recoveredName(const QString &name)
 {
     //: name of a document that was brought back after a crash
     const QString pattern = Editor::tr("%1 (recovered)");
     return name.endsWith(pattern.section(QStringLiteral("%1"), 1)) ? name : pattern.arg(name);
-}
-
-/// The hash is of the very bytes that were read.
-Result<OpenedFile> readFile(const QString &path)
-{
-    QFile file(path);
-    QByteArray bytes;
-    if (QFileInfo(path).isFile() && file.size() <= largestFile && file.open(QIODevice::ReadOnly))
-        bytes = file.readAll();
-    // Where there is nothing to be read, this says why.
-    Result<LoadedDocument> document = bytes.isEmpty() ? loadDocument(path) : readDocument(bytes, path);
-    if (!document)
-        return Error{document.error()};
-    return OpenedFile{std::move(*document), QCryptographicHash::hash(bytes, QCryptographicHash::Sha256)};
 }
 
 } // namespace
@@ -75,7 +56,11 @@ Editor::Editor(QObject *parent) : QObject(parent), m_brush(builtinBrushes().fron
     m_dragEnd.setSingleShot(true);
     m_dragEnd.setInterval(dragPauseMs);
     connect(&m_dragEnd, &QTimer::timeout, this, &Editor::endDrag);
-    connect(&m_undoStack, &QUndoStack::cleanChanged, this, &Editor::fileChanged);
+    connect(&m_undoStack, &QUndoStack::indexChanged, this, [this] {
+        m_savedStep.follow();
+        if (isModified() != m_wasModified)
+            tellFileChanged();
+    });
     connect(&m_saver, &Saver::finished, this, &Editor::noteSaved);
     connect(&m_document, &Document::changed, this, &Editor::noteChange);
     connect(&m_document, &Document::changed, this, [this](const Change &change) {
@@ -90,6 +75,11 @@ Editor::Editor(QObject *parent) : QObject(parent), m_brush(builtinBrushes().fron
         if (!m_clock.isInPast() && !m_clock.isDrawing() && m_clock.time() < end)
             m_clock.runFrom(latestBirth(painting, change.strokes));
     });
+}
+
+Editor::~Editor()
+{
+    m_undoStack.disconnect(this); // one that goes tells of it
 }
 
 void Editor::keepDragging()
@@ -132,8 +122,31 @@ void Editor::push(Edit edit, const QString &text, EditRun run)
         noteDrawn(edit);
     }
     m_pushingRun = run != 0;
+    m_savedStep.willPush();
+    m_undone.keep(m_undoStack);
     m_undoStack.push(new EditCommand(m_document, std::move(edit), text, run));
+    putBackUndone();
     m_pushingRun = false;
+}
+
+void Editor::giveUp(EditRun run)
+{
+    const auto last = [this] {
+        return m_undoStack.canRedo() ? nullptr
+                                     : dynamic_cast<const EditCommand *>(m_undoStack.command(m_undoStack.index() - 1));
+    };
+    const EditCommand *command = last();
+    for (; run != 0 && command && command->id() == run; command = last()) { // several where it was saved in between
+        command->giveUp();
+        m_undoStack.undo();
+    }
+    putBackUndone();
+}
+
+void Editor::putBackUndone()
+{
+    if (m_undone.putBack(m_undoStack, m_document))
+        m_savedStep.putBack();
 }
 
 void Editor::noteChange(const Change &change)
@@ -229,7 +242,7 @@ void Editor::newPainting(const Canvas &canvas)
 
 Result<std::vector<QString>> Editor::open(const QString &path)
 {
-    Result<OpenedFile> file = readFile(path);
+    Result<OpenedFile> file = readOpenedFile(path);
     if (!file)
         return Error{file.error()};
     LoadedDocument &document = file->document;
@@ -258,17 +271,16 @@ void Editor::takeUpHistory(const QByteArray &bytes, bool modified)
         return;
     }
     restoreHistory(m_undoStack, m_document, *history);
-    if (modified)
-        m_undoStack.resetClean();
+    m_savedStep.set(!modified);
     m_keepsHistory = m_historyIsSaved = true;
     m_historyBytes = bytes.size();
-    emit fileChanged();
+    tellFileChanged();
 }
 
 bool Editor::isModified() const
 {
     const bool historyDiffers = m_keepsHistory != m_historyIsSaved && m_undoStack.count() > 0;
-    return !m_undoStack.isClean() || historyDiffers || m_saver.isBusy();
+    return !m_savedStep.isNow() || historyDiffers || m_savedStep.isSaving();
 }
 
 void Editor::setKeepsHistory(bool keeps)
@@ -276,7 +288,7 @@ void Editor::setKeepsHistory(bool keeps)
     if (keeps == m_keepsHistory)
         return;
     m_keepsHistory = keeps;
-    emit fileChanged();
+    tellFileChanged();
 }
 
 void Editor::openRecovered(Painting painting, const QString &name, const QString &suggestedPath)
@@ -285,47 +297,101 @@ void Editor::openRecovered(Painting painting, const QString &name, const QString
     show(std::make_shared<const Painting>(std::move(painting)), {{}, recoveredName(name), suggestedPath, {}, true});
 }
 
-void Editor::startSaving(const QString &path, bool whatever)
+SaveOrder Editor::orderFor(const QString &path)
 {
-    const QString absolute = QFileInfo(path).absoluteFilePath();
     SaveOrder order{m_document.painting(), m_extras, path, {}, settings::backups()};
-    if (!whatever && absolute == m_filePath)
-        order.expected = m_fileHash;
+    order.serial = ++m_lastSave;
     if (m_keepsHistory)
         order.history = historyOf(m_undoStack);
-    // From here on steps do not merge with the one that is saved. Until it is on disk, `isModified` remembers.
+    return order;
+}
+
+void Editor::startSaving(const QString &path, bool whatever)
+{
+    SaveOrder order = orderFor(path);
+    if (!whatever && QFileInfo(path).absoluteFilePath() == m_filePath) {
+        order.expected = m_fileHash;
+        order.isThere = !isModified() && m_leftOut.isEmpty(); // a file with damage is mended
+    }
+    m_savedStep.savingBegins(order.serial);
     m_saver.save(std::move(order));
-    m_undoStack.setClean();
-    emit fileChanged();
+    tellFileChanged();
+}
+
+void Editor::startSavingCopy(const QString &path)
+{
+    SaveOrder order = orderFor(path);
+    order.isCopy = true;
+    m_saver.save(std::move(order));
 }
 
 void Editor::noteSaved(const SaveOutcome &outcome)
 {
-    if (outcome.isSaved()) {
-        m_filePath = m_suggestedPath = outcome.path;
-        m_fileHash = outcome.hash;
-        m_historyBytes = outcome.historyBytes;
-        m_historyIsSaved = outcome.withHistory;
-    } else if (!isSaving()) { // else the mark is that of the next one
-        m_undoStack.resetClean();
+    // Without a step it is a copy, or of a painting that is not here any more.
+    if (m_savedStep.savingEnds(outcome.serial, outcome.isSaved())) {
+        if (outcome.isSaved()) {
+            m_filePath = m_suggestedPath = outcome.path;
+            m_fileHash = outcome.hash;
+        }
+        if (outcome.isSaved() && !outcome.wasThere) {
+            m_historyBytes = outcome.historyBytes;
+            m_historyIsSaved = outcome.withHistory;
+            m_leftOut.clear();
+        }
+        if (outcome.kind == SaveOutcome::Kind::ChangedOutside && !m_savedStep.isSaving())
+            m_savedStep.set(false); // the file that had it is another one now
+        tellFileChanged();
     }
-    emit fileChanged();
     emit saved(outcome);
+}
+
+void Editor::tellFileChanged()
+{
+    m_wasModified = isModified();
+    emit fileChanged();
+}
+
+void Editor::restore(const Painting &state, const QString &text)
+{
+    m_clock.lookAt(m_document.painting()->end()); // in the past an edit would be put to its place in time
+    push(restorePainting(m_document, state), text);
+    m_clock.reset(m_document.painting()->end());
+    emit m_clock.timeChanged();
+}
+
+Result<void> Editor::revert()
+{
+    Result<OpenedFile> file = readOpenedFile(m_filePath);
+    if (!file)
+        return Error{file.error()};
+    LoadedDocument &document = file->document;
+    if (!document.losses.empty())
+        return fileError(m_filePath, tr("is damaged, so the painting stays as it is; save it, or open the file to see "
+                                        "what is whole of it"));
+    restore(document.painting, tr("Revert"));
+    m_extras = std::move(document.extras);
+    m_historyBytes = std::exchange(m_extras.history, {}).size();
+    m_keepsHistory = m_historyIsSaved = m_historyBytes > 0;
+    m_leftOut = document.leftOut;
+    m_fileHash = file->hash;
+    m_savedStep.set(true);
+    tellFileChanged();
+    return {};
 }
 
 void Editor::keepMine(const QByteArray &hashOnDisk)
 {
     m_fileHash = hashOnDisk;
-    m_undoStack.resetClean();
-    emit fileChanged();
+    m_savedStep.set(false);
+    tellFileChanged();
 }
 
 void Editor::show(PaintingPtr painting, const Origin &origin)
 {
     m_clock.reset(painting->end());
     m_undoStack.clear(); // its commands name strokes of the painting that goes
-    if (origin.modified)
-        m_undoStack.resetClean();
+    m_savedStep.set(!origin.modified);
+    m_undone.clear();
     m_unfinished = false;
     m_document.reset(std::move(painting));
     m_filePath = origin.path;
@@ -337,7 +403,7 @@ void Editor::show(PaintingPtr painting, const Origin &origin)
     m_leftOut.clear();
     emit opened();
     emit m_clock.timeChanged();
-    emit fileChanged();
+    tellFileChanged();
 }
 
 } // namespace suffuse

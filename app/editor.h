@@ -4,12 +4,14 @@
 #include "app/final_preview.h"
 #include "app/later_changes.h"
 #include "app/painting_clock.h"
+#include "app/saved_step.h"
 #include "app/saving.h"
 #include "model/brush/brush.h"
 #include "model/document/document.h"
 #include "model/result.h"
 #include "model/painting/stroke_values.h"
 #include "undo/edit_command.h"
+#include "undo/kept_history.h"
 
 #include <QObject>
 #include <QTimer>
@@ -23,6 +25,7 @@ class Editor : public QObject {
 
 public:
     explicit Editor(QObject *parent = nullptr);
+    ~Editor() override;
 
     Document &document() { return m_document; }
     QUndoStack &undoStack() { return m_undoStack; }
@@ -30,7 +33,11 @@ public:
     LaterChanges &laterChanges() { return m_laterChanges; }
 
     /// Pushes an edit under a translated name; an empty edit is ignored. Edits of one run (a drag) become one step.
+    /// What comes to nothing, at once or when a run is back at its start, leaves the steps to be redone as they were.
     void push(Edit edit, const QString &text, EditRun run = 0);
+    /// Takes a run back, if it is the last that was done: the painting and the steps, those to be redone too, are as
+    /// they were before it.
+    void giveUp(EditRun run);
 
     /// What the next stroke is painted with; its colour is the current colour.
     const Brush &brush() const { return m_brush; }
@@ -80,7 +87,13 @@ public:
     /// Writes the painting as it is now, on a thread of its own; it can be painted on. `saved` tells how it went.
     /// Unless `whatever` is there may be replaced, the document's own file must be as it was last read or written.
     void startSaving(const QString &path, bool whatever = false);
+    /// Writes a copy of it elsewhere: the painting keeps its file, and what is to be saved to it.
+    void startSavingCopy(const QString &path);
     bool isSaving() const { return m_saver.isBusy(); }
+    /// Puts another state of the painting in place of this one: a step, which Undo takes back. Its end is looked at.
+    void restore(const Painting &state, const QString &text);
+    /// Restores what the file holds. Fails, and changes nothing, where it cannot be read or is damaged.
+    Result<void> revert();
     /// What is beside the picture in the file.
     DocumentExtras &extras() { return m_extras; }
     /// Undo steps go into the file, so that whoever opens it goes on undoing.
@@ -108,6 +121,8 @@ protected:
 
 private:
     void endDrag();
+    /// The steps that a run has dropped, if it has come to nothing.
+    void putBackUndone();
     void noteDrawn(const Edit &edit);
     PaintingPtr snapshotInTime() const;
     /// `name`: of an untitled one. Modified: it is in no file.
@@ -119,11 +134,17 @@ private:
     void show(PaintingPtr painting, const Origin &origin);
     void noteChange(const Change &change);
     void noteSaved(const SaveOutcome &outcome);
+    SaveOrder orderFor(const QString &path);
+    void tellFileChanged();
     void takeUpHistory(const QByteArray &bytes, bool modified);
 
     Document m_document;
     LaterChanges m_laterChanges{m_document};
     QUndoStack m_undoStack;
+    SavedStep m_savedStep{m_undoStack};
+    bool m_wasModified = false; ///< when it was told last
+    quint64 m_lastSave = 0;     ///< number of the last save
+    UndoneSteps m_undone; ///< while a run may come to nothing
     PaintingClock m_clock;
     StrokeValues<Microseconds> m_driesAt;
     PaintingPtr m_compared; ///< null: none

@@ -1,4 +1,4 @@
-// Icons drawn from outlines of our own, in the palette's text colour, sharp at every scale.
+// Icons drawn from outlines of our own (app/icons/outlines), in the palette's text colour, sharp at every scale.
 #pragma once
 
 #include <QIcon>

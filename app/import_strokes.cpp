@@ -6,6 +6,8 @@
 #include "model/painting/validate.h"
 #include "undo/edits.h"
 
+#include <QFileInfo>
+
 #include <algorithm>
 #include <map>
 
@@ -36,6 +38,27 @@ void bringBefore(std::vector<Stroke> &strokes, Microseconds now)
             for (Rewet &rewet : segment.rewet)
                 rewet.time -= shift;
         }
+}
+
+/// All of it in one group of that name.
+Painting inOneGroup(Painting painting, const QString &name)
+{
+    Group around;
+    for (const Group &group : painting.groups)
+        around.id = std::max(around.id, group.id);
+    ++around.id;
+    around.name = name;
+    for (Group &group : painting.groups)
+        group.parent = group.parent ? group.parent : around.id;
+    painting.groups.push_back(around);
+    StrokeList members;
+    for (const StrokePtr &stroke : painting.strokes) {
+        Stroke member = *stroke;
+        member.group = member.group ? member.group : around.id;
+        members.push_back(std::make_shared<const Stroke>(std::move(member)));
+    }
+    painting.strokes = std::move(members);
+    return painting;
 }
 
 } // namespace
@@ -95,15 +118,15 @@ QString joinedSentences(const QStringList &sentences)
     return said.join(' ');
 }
 
-Result<ImportReport> importStrokes(Editor &editor, const QString &path)
+Result<ImportReport> importStrokes(Editor &editor, const QString &path, Point centre)
 {
     const Result<LoadedDocument> file = loadDocument(path, &editor.brush());
     if (!file)
         return Error{file.error()};
     if (file->painting.strokes.empty() && file->losses.empty())
         return fileError(path, QCoreApplication::translate("Import", "there are no strokes in it"));
-    const QString refused =
-        addStrokes(editor, file->painting, {}, QCoreApplication::translate("Import", "Import strokes"));
+    const QString refused = addStrokes(editor, inOneGroup(file->painting, QFileInfo(path).completeBaseName()), centre,
+                                       QCoreApplication::translate("Import", "Import strokes"));
     return ImportReport{file->losses, joinedSentences({refused, file->leftOut})};
 }
 

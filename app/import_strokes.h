@@ -25,8 +25,9 @@ struct ImportReport {
     QString leftOut;             ///< what cannot be strokes; empty: nothing
 };
 
-/// The strokes of a file of any kind that can be opened, as `addStrokes` adds them; drawings and recordings are painted
-/// with the brush in hand. Errors name the file, and nothing is added.
-Result<ImportReport> importStrokes(Editor &editor, const QString &path);
+/// The strokes of a file of any kind that can be opened, as `addStrokes` adds them, with their middle at `centre` and
+/// in one group that has the file's name; drawings and recordings are painted with the brush in hand. Errors name the
+/// file, and nothing is added.
+Result<ImportReport> importStrokes(Editor &editor, const QString &path, Point centre);
 
 } // namespace suffuse

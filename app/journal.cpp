@@ -49,7 +49,7 @@ Journal::Journal(Editor &editor, QObject *parent) : QObject(parent), m_editor(ed
             record(m_editor.isModified());
     });
     connect(&editor, &Editor::saved, this, [this](const SaveOutcome &outcome) {
-        if (!outcome.isSaved())
+        if (!outcome.isSaved() || outcome.isCopy)
             return;
         m_modified = m_editor.isModified();
         m_writer->saved(headOf(m_editor), m_modified);

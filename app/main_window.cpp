@@ -2,12 +2,14 @@
 
 #include "app/canvas/canvas_widget.h"
 #include "app/dialogs/about_dialog.h"
-#include "app/dialogs/export_dialog.h"
+#include "app/dialogs/command_palette.h"
+#include "app/dialogs/export_settings.h"
 #include "app/dialogs/new_dialog.h"
-#include "app/dialogs/settings_dialog.h"
 #include "app/dialogs/shortcuts_dialog.h"
+#include "app/house_rules.h"
 #include "app/icons.h"
-#include "app/journal.h"
+#include "app/keyboard_focus.h"
+#include "app/palette_entries.h"
 #include "app/panels/brushes/brush_panel.h"
 #include "app/panels/colour/colour_panel.h"
 #include "app/panels/history/history_panel.h"
@@ -16,7 +18,6 @@
 #include "app/panels/strokes/strokes_panel.h"
 #include "app/panels/timeline/timeline_panel.h"
 #include "app/place_beside.h"
-#include "app/playback.h"
 #include "app/settings.h"
 #include "app/tools/attribute_brush_tool.h"
 #include "app/tools/brush_tool.h"
@@ -28,14 +29,13 @@
 #include "app/tools/pan_tool.h"
 #include "app/tools/select_tool.h"
 #include "app/tools/tool_options.h"
+#include "app/widgets/section.h"
 
 #include <QActionGroup>
 #include <QApplication>
 #include <QDockWidget>
-#include <QLineEdit>
 #include <QMenu>
 #include <QScreen>
-#include <QScrollArea>
 #include <QToolBar>
 
 namespace suffuse {
@@ -48,47 +48,51 @@ constexpr int lowPanel = 110;
 constexpr int highScreen = 950;
 
 /// Gives a panel as much room as it wants, and lets it scroll where the window is low.
-class LowScroll : public QScrollArea {
+class LowScroll : public PanelScroll {
 public:
-    explicit LowScroll(QWidget *panel)
-    {
-        setWidget(panel);
-        setWidgetResizable(true);
-        setFrameShape(QFrame::NoFrame);
-        setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-        setFocusPolicy(Qt::NoFocus);
-    }
+    explicit LowScroll(QWidget *panel) { setWidget(panel); }
     QSize sizeHint() const override { return widget()->sizeHint(); }
-    QSize minimumSizeHint() const override { return {widget()->minimumSizeHint().width(), lowPanel}; }
+    QSize minimumSizeHint() const override { return {PanelScroll::minimumSizeHint().width(), lowPanel}; }
 };
+
+std::unique_ptr<OpenPainting> newPainting()
+{
+    auto open = std::make_unique<OpenPainting>();
+    open->editor.newPainting(Editor::usualCanvas());
+    open->editor.setBrush(settings::brush());
+    return open;
+}
 
 } // namespace
 
-MainWindow::MainWindow(QWidget *parent, MakeRenderer make) : QMainWindow(parent)
+MainWindow::MainWindow(QWidget *parent, MakeRenderer make) : MainWindow(newPainting(), std::move(make), parent) {}
+
+MainWindow::MainWindow(std::unique_ptr<OpenPainting> open, MakeRenderer make, QWidget *parent)
+    : QMainWindow(parent), m_open(std::move(open)), m_editor(m_open->editor), m_playback(&m_open->playback),
+      m_selectionOrder(&m_open->selectionOrder), m_journal(&m_open->journal), m_makeRenderer(std::move(make))
 {
+    installHouseRules();
     setWindowIcon(applicationIcon());
     setAcceptDrops(true);
     setDockNestingEnabled(true);
     resize(1280, 800);
-    m_editor.newPainting(Editor::usualCanvas());
-    m_editor.setBrush(settings::brush());
-    m_playback = new Playback(m_editor, this);
-    m_canvas = new CanvasWidget(m_editor, this, std::move(make));
+    m_canvas = new CanvasWidget(m_editor, this, m_makeRenderer);
     setCentralWidget(m_canvas);
-    m_actions = new Actions(*this, *m_canvas);
+    m_keyboard = new KeyboardFocus(*this, *m_canvas);
+    m_actions = new Actions(*this);
     m_actions->fillMenus();
     applyStoredShortcuts(m_actions->all());
     QToolBar *tools = m_actions->makeToolBar();
     addToolBar(Qt::LeftToolBarArea, tools);
     m_toolOptions = new ToolOptionsBar(tr("Tool Options"), this);
     addToolBar(Qt::TopToolBarArea, m_toolOptions);
-    connect(m_toolOptions, &ToolOptionsBar::returnPressed, m_canvas, [this] { m_canvas->setFocus(); });
     makeDocks();
     m_actions->docksMenu()->addSeparator();
     m_actions->docksMenu()->addAction(tools->toggleViewAction());
     m_actions->docksMenu()->addAction(m_toolOptions->toggleViewAction());
     makeStatusBar();
     makeTools();
+    m_actions->serve({m_editor, *m_playback, *m_selectionOrder, *m_canvas, *m_actions});
     connectActions();
     connectViewActions();
     connectClipboard();
@@ -113,16 +117,8 @@ QAction &MainWindow::action(Command command)
 
 MainWindow::~MainWindow()
 {
-    // A stack that goes reports that it is empty; there is no canvas to tell any more.
-    disconnect(&m_editor, nullptr, this, nullptr);
-    disconnect(&m_editor.document(), nullptr, this, nullptr);
-    disconnect(&m_editor.laterChanges(), nullptr, this, nullptr);
-    disconnect(&m_editor.undoStack(), nullptr, this, nullptr);
-    delete m_journal; // what it follows goes as a member does, before the children
-    // The canvas draws the document, which as a member goes before the child widgets do.
-    delete m_canvas;
-    for (QDockWidget *dock : std::as_const(m_docks))
-        delete dock;
+    if (m_open)
+        release();
 }
 
 QDockWidget *MainWindow::addDock(const char *name, const QString &title, QWidget *panel)
@@ -137,10 +133,6 @@ QDockWidget *MainWindow::addDock(const char *name, const QString &title, QWidget
             dock->raise();
     });
     m_docks << dock;
-    // What was entered is done: keys mean the canvas again, Ctrl+Z among them.
-    for (QLineEdit *field : panel->findChildren<QLineEdit *>())
-        connect(
-            field, &QLineEdit::returnPressed, m_canvas, [this] { m_canvas->setFocus(); }, Qt::QueuedConnection);
     return dock;
 }
 
@@ -152,7 +144,9 @@ void MainWindow::makeDocks()
     QDockWidget *inspector = addDock("inspectorDock", tr("Inspector"), inspectorPanel);
     connect(inspectorPanel, &InspectorPanel::alongOpening, m_canvas,
             [this](QWidget *dialog) { moveBeside(*dialog, m_canvas->selectionOnScreen()); });
-    QDockWidget *strokes = addDock("strokesDock", tr("Strokes"), new StrokesPanel(m_editor));
+    m_strokes = new StrokesPanel(m_editor);
+    m_strokes->addAction(&action(Command::Delete));
+    QDockWidget *strokes = addDock("strokesDock", tr("Strokes"), m_strokes);
     QDockWidget *history = addDock("historyDock", tr("History"), new HistoryPanel(m_editor));
     tabifyDockWidget(colour, brushes);
     const bool isHigh = screen()->availableSize().height() >= highScreen;
@@ -175,7 +169,7 @@ void MainWindow::makeDocks()
     resizeDocks({timeline}, {150}, Qt::Vertical);
     resizeDocks({colour, inspector, strokes}, {300, 300, 300}, Qt::Horizontal);
     if (isHigh)
-        resizeDocks({colour, inspector, strokes}, {330, 300, 270}, Qt::Vertical);
+        resizeDocks({colour, inspector, strokes}, {360, 285, 255}, Qt::Vertical);
     else
         resizeDocks({colour, inspector}, {300, 360}, Qt::Vertical);
 }
@@ -228,50 +222,23 @@ void MainWindow::connectActions()
     const auto on = [this](Command command, auto function) {
         connect(&action(command), &QAction::triggered, this, function);
     };
-    // A stroke in hand belongs to no step yet: undo gives it up instead, as in Krita.
-    const auto givesUp = [this] {
-        const bool busy = m_canvas->tool() && m_canvas->tool()->isBusy();
-        if (busy) {
-            m_canvas->tool()->cancel();
-            updateActions();
-        }
-        return busy;
-    };
     on(Command::New, [this] { newWindow(); });
     on(Command::Open, [this] { chooseFileToOpen(); });
     on(Command::ImportStrokes, [this] { chooseStrokesToImport(); });
     on(Command::Save, [this] { startSaving(); });
     on(Command::SaveAs, [this] { startSavingAs(); });
-    on(Command::Export, [this] { ExportDialog(m_editor, shownArea(m_canvas->view()), this).exec(); });
+    connectExport();
     on(Command::Close, [this] { close(); });
     on(Command::Quit, [] { QApplication::closeAllWindows(); });
-    on(Command::Undo, [this, givesUp] {
-        if (!givesUp())
-            m_editor.undoStack().undo();
-    });
-    on(Command::Redo, [this, givesUp] {
-        if (!givesUp())
-            m_editor.undoStack().redo();
-    });
-    on(Command::Delete, [this, givesUp] {
-        if (!givesUp() && !m_canvas->tool()->deleteSelected())
-            commands::deleteSelected(m_editor);
-    });
-    on(Command::Duplicate, [this] { commands::duplicateSelected(m_editor); });
     on(Command::SelectAll, [this] {
-        if (!m_canvas->tool()->selectAll())
+        if (m_strokes->isSearching() && m_strokes->isAncestorOf(QApplication::focusWidget()))
+            m_strokes->selectFound(); // all of what is to be seen there
+        else if (!m_canvas->tool()->selectAll())
             commands::selectAll(m_editor);
     });
-    on(Command::Deselect, [this] { m_editor.document().setSelection({}); });
-    on(Command::Raise, [this] { commands::arrangeSelected(m_editor, Arrange::Raise); });
-    on(Command::Lower, [this] { commands::arrangeSelected(m_editor, Arrange::Lower); });
-    on(Command::Top, [this] { commands::arrangeSelected(m_editor, Arrange::Top); });
-    on(Command::Bottom, [this] { commands::arrangeSelected(m_editor, Arrange::Bottom); });
     m_canvas->setPenSettings(settings::penSettings());
-    on(Command::Settings, [this] {
-        if (SettingsDialog(this, m_editor.brush()).exec() == QDialog::Accepted)
-            m_canvas->setPenSettings(settings::penSettings());
-    });
+    on(Command::Settings, [this] { changeSettings(); });
+    on(Command::FindCommand, [this] { CommandPalette::ask(paletteEntries(*this, *m_actions), *m_canvas); });
     on(Command::Shortcuts, [this] { changeShortcuts(); });
     on(Command::About, [this] { AboutDialog(this).exec(); });
     connect(m_actions->recentMenu(), &QMenu::aboutToShow, this, &MainWindow::fillRecentMenu);
@@ -282,28 +249,16 @@ void MainWindow::connectViewActions()
     const auto on = [this](Command command, auto function) {
         connect(&action(command), &QAction::triggered, this, function);
     };
-    constexpr double step = 1.4142135623730951;
-    constexpr double turn = 15; // degrees
-    on(Command::ZoomIn, [this] { m_canvas->zoomBy(step); });
-    on(Command::ZoomOut, [this] { m_canvas->zoomBy(1 / step); });
-    on(Command::Zoom100, [this] { m_canvas->setZoom(1); });
-    on(Command::Fit, [this] { m_canvas->fit(); });
-    on(Command::RotateLeft, [this] { m_canvas->rotateBy(-turn); });
-    on(Command::RotateRight, [this] { m_canvas->rotateBy(turn); });
-    on(Command::ResetRotation, [this] { m_canvas->resetRotation(); });
-    on(Command::Mirror, [this] { m_canvas->mirror(); });
-    on(Command::SmallerSize, [this] { m_canvas->tool()->stepSize(-1); });
-    on(Command::LargerSize, [this] { m_canvas->tool()->stepSize(1); });
-    on(Command::LessOpacity, [this] { m_canvas->tool()->stepOpacity(-1); });
-    on(Command::MoreOpacity, [this] { m_canvas->tool()->stepOpacity(1); });
     const auto hold = [this] {
-        m_canvas->setHeldKeys(
-            {(*m_actions)[Command::HoldToPan].shortcuts(), (*m_actions)[Command::HoldToTurn].shortcuts()});
+        const auto keys = [this](Command command) { return (*m_actions)[command].shortcuts(); };
+        m_canvas->setHeldKeys({keys(Command::HoldToPan), keys(Command::HoldToTurn), keys(Command::HoldToHideOutlines)});
     };
     hold();
-    for (const Command command : {Command::HoldToPan, Command::HoldToTurn})
+    for (const Command command : {Command::HoldToPan, Command::HoldToTurn, Command::HoldToHideOutlines})
         connect(&action(command), &QAction::changed, this, hold);
     on(Command::HideDocks, [this](bool hide) { hideDocks(hide); });
+    on(Command::NextPanel, [this] { m_keyboard->walk(true); });
+    on(Command::PreviousPanel, [this] { m_keyboard->walk(false); });
     on(Command::FullScreen, [this](bool full) {
         setWindowState(full ? windowState() | Qt::WindowFullScreen : windowState() & ~Qt::WindowFullScreen);
     });
@@ -319,6 +274,7 @@ void MainWindow::connectUpdates()
     };
     connect(&m_editor.undoStack(), &QUndoStack::indexChanged, this, update);
     connect(m_canvas, &CanvasWidget::busyChanged, this, update);
+    connect(m_strokes, &StrokesPanel::searchingChanged, this, update);
     connect(m_canvas, &CanvasWidget::busyChanged, this, [this] {
         if (m_nextTool)
             useTool(m_nextTool);
@@ -333,22 +289,8 @@ void MainWindow::connectUpdates()
 
 void MainWindow::updateActions()
 {
-    const bool any = !m_editor.document().selection().isEmpty();
-    for (const Command command : {Command::Cut, Command::Copy, Command::Delete, Command::Duplicate, Command::Deselect,
-                                  Command::Raise, Command::Lower, Command::Top, Command::Bottom})
-        action(command).setEnabled(any);
-    updateObjectActions();
-    updateTimeActions();
-    const QUndoStack &stack = m_editor.undoStack();
-    const auto name = [&](Command command, const QString &plain, const QString &named, const QString &step, bool can) {
-        action(command).setEnabled(can);
-        action(command).setText(can && !step.isEmpty() ? named.arg(step) : plain);
-    };
-    const bool strokeInHand = m_editor.document().draft() != nullptr; // undo gives it up
-    const bool busy = m_canvas->tool() && m_canvas->tool()->isBusy(); // and any other drag
-    name(Command::Undo, tr("&Undo"), tr("&Undo: %1"), strokeInHand ? QString() : stack.undoText(),
-         strokeInHand || busy || stack.canUndo());
-    name(Command::Redo, tr("&Redo"), tr("&Redo: %1"), stack.redoText(), stack.canRedo());
+    action(Command::SelectFound).setEnabled(m_strokes->isSearching());
+    m_actions->update();
 }
 
 void MainWindow::updateTitle()
@@ -356,15 +298,6 @@ void MainWindow::updateTitle()
     setWindowTitle(QStringLiteral("%1[*] — Suffuse").arg(m_editor.displayName()));
     setWindowFilePath(m_editor.filePath());
     setWindowModified(m_editor.isModified());
-}
-
-void MainWindow::changeShortcuts()
-{
-    if (ShortcutsDialog(m_actions->all(), fixedKeys(), this).exec() != QDialog::Accepted)
-        return;
-    for (QWidget *widget : QApplication::topLevelWidgets())
-        if (auto *window = qobject_cast<MainWindow *>(widget))
-            applyStoredShortcuts(window->m_actions->all());
 }
 
 void MainWindow::changeEvent(QEvent *event)
@@ -379,17 +312,19 @@ void MainWindow::hideDocks(bool hide)
     // The way back is the same in every tool.
     m_canvas->setWindowKeys(hide ? action(Command::HideDocks).shortcuts() : QList<QKeySequence>());
     if (hide) {
-        m_hiddenDocks.clear();
-        for (QDockWidget *dock : std::as_const(m_docks)) {
-            if (dock->toggleViewAction()->isChecked())
-                m_hiddenDocks << dock;
+        m_layout = saveState();
+        for (QDockWidget *dock : std::as_const(m_docks))
             dock->hide();
-        }
-    } else {
-        for (QDockWidget *dock : std::as_const(m_hiddenDocks))
-            dock->show();
-        m_hiddenDocks.clear();
+        return;
     }
+    const QList<QDockWidget *> opened = [this] { // meanwhile, by their own entries in the menu
+        QList<QDockWidget *> shown = m_docks;
+        shown.removeIf([](const QDockWidget *dock) { return dock->isHidden(); });
+        return shown;
+    }();
+    restoreState(m_layout); // with the very sizes that they had
+    for (QDockWidget *dock : opened)
+        dock->show();
 }
 
 } // namespace suffuse

@@ -2,8 +2,10 @@
 #pragma once
 
 #include "app/actions.h"
-#include "app/canvas/render_worker.h"
-#include "app/editor.h"
+#include "app/open_painting.h"
+#include "app/session/frames/make_renderer.h"
+#include "app/session/frames/shown_frame.h"
+#include "render/backends.h"
 
 #include <QLabel>
 #include <QMainWindow>
@@ -12,13 +14,14 @@
 namespace suffuse {
 
 class CanvasWidget;
+class ExportJob;
 class FileWatch;
-class Journal;
-class Playback;
-class SelectionOrder;
+class KeyboardFocus;
+class StrokesPanel;
 class Tool;
 class ToolOptionsBar;
 enum class ConflictAnswer;
+struct ExportSettings;
 struct LostDocument;
 
 class MainWindow : public QMainWindow {
@@ -27,6 +30,10 @@ class MainWindow : public QMainWindow {
 public:
     explicit MainWindow(QWidget *parent = nullptr, MakeRenderer make = makeRenderer);
     ~MainWindow() override;
+
+    /// Shows what this window shows in a new one, in its place and as the settings are now. Nothing can be done with
+    /// this one from then on but to delete it, so none of its own actions and dialogs may be at work.
+    MainWindow *replace();
 
     Editor &editor() { return m_editor; }
     CanvasWidget &canvas() { return *m_canvas; }
@@ -53,12 +60,18 @@ protected:
     void dropEvent(QDropEvent *event) override;
 
 private:
+    MainWindow(std::unique_ptr<OpenPainting> open, MakeRenderer make, QWidget *parent = nullptr);
+    /// Takes everything away that shows the painting.
+    std::unique_ptr<OpenPainting> release();
     void makeTools();
     void makeDocks();
     void makeStatusBar();
     void connectActions();
     void connectViewActions();
     void connectClipboard();
+    void connectExport();
+    void exportPicture();
+    void exportAgain();
     /// Empty: where it was.
     void pasteAt(std::optional<Point> centre);
     void connectObjectActions();
@@ -66,14 +79,12 @@ private:
     void connectUnderlay();
     void importUnderlay(const QString &path);
     void renameSelected();
-    void updateObjectActions();
     void connectTimeActions();
     void connectBrushes();
     void nameFavourites();
     /// For the next window and the next start.
     void keepBrush();
     void rewetSelected();
-    void updateTimeActions();
     void connectUpdates();
     QDockWidget *addDock(const char *name, const QString &title, QWidget *panel);
 
@@ -81,6 +92,14 @@ private:
     /// Starts to save, where it is to go; the user goes on painting. False if that was given up.
     bool startSaving();
     bool startSavingAs();
+    void startSavingCopy();
+    /// A file to save to that is open in no other window; empty: given up.
+    QString askForFile(const QString &title, const QString &proposal);
+    void watchFile();
+    void revert();
+    void restoreBackup();
+    void restoreFrom(const QString &backup);
+    MainWindow *openBackup(const QString &backup);
     void startSavingTo(const QString &path, bool whatever = false);
     /// False if the last attempt failed.
     bool waitForSaving();
@@ -93,6 +112,7 @@ private:
     void fillRecentMenu();
     void hideDocks(bool hide);
     void changeShortcuts();
+    void changeSettings();
     void useTool(Tool *tool);
     void showHint();
     void updateActions();
@@ -107,16 +127,23 @@ private:
     /// Another window, a little beside this one.
     MainWindow *openWindow();
 
-    Editor m_editor;
-    Playback *m_playback = nullptr;
+    std::unique_ptr<OpenPainting> m_open; ///< null: another window shows it
+    Editor &m_editor;
+    Playback *m_playback;
+    SelectionOrder *m_selectionOrder;
+    Journal *m_journal;
+    MakeRenderer m_makeRenderer;
+    KeyboardFocus *m_keyboard = nullptr;
     CanvasWidget *m_canvas = nullptr;
     Actions *m_actions = nullptr;
-    SelectionOrder *m_selectionOrder = nullptr;
+    ExportJob *m_exportJob = nullptr;
+    std::unique_ptr<ExportSettings> m_lastExport; ///< of this painting; null: none
+    StrokesPanel *m_strokes = nullptr;
     ToolOptionsBar *m_toolOptions = nullptr;
-    Tool *m_nextTool = nullptr; ///< chosen while a stroke was in hand
+    Tool *m_nextTool = nullptr;     ///< chosen while a stroke was in hand
     QAction *m_tipAction = nullptr; ///< of the tool that the pen's tip goes back to
     QList<QDockWidget *> m_docks;
-    QList<QDockWidget *> m_hiddenDocks;
+    QByteArray m_layout; ///< while the docks are hidden
     QLabel *m_position = nullptr;
     QLabel *m_zoom = nullptr;
     QLabel *m_backend = nullptr;
@@ -124,7 +151,6 @@ private:
     QLabel *m_hint = nullptr;
     QTimer m_brushChanged; ///< a moment ago, and is not kept yet
     QString m_renderError;
-    Journal *m_journal = nullptr;
     FileWatch *m_watch = nullptr;
     bool m_savingWorked = true; ///< the last attempt
     bool m_asking = false;      ///< about a file that another program changed

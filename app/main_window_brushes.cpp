@@ -1,6 +1,7 @@
 // The favourite brushes: a key each; and the brush in hand, which is kept.
 #include "app/brush_library.h"
 #include "app/main_window.h"
+#include "app/panels/brushes/brush_panel.h"
 #include "app/settings.h"
 
 namespace suffuse {
@@ -21,6 +22,7 @@ void MainWindow::connectBrushes()
             BrushLibrary::instance().use(m_editor, names[i]);
             action(Command::Brush).setChecked(true);
         });
+    connect(findChild<BrushPanel *>(), &BrushPanel::chosen, this, [this] { action(Command::Brush).setChecked(true); });
     connect(&BrushLibrary::instance(), &BrushLibrary::changed, this, &MainWindow::nameFavourites);
     nameFavourites();
     m_brushChanged.setSingleShot(true);

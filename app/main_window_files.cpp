@@ -1,4 +1,5 @@
 // Opening, saving, closing, the clipboard: the part of the window that deals with what comes from outside.
+#include "app/at_next_change.h"
 #include "app/canvas/canvas_widget.h"
 #include "app/clipboard.h"
 #include "app/clipboard_drops.h"
@@ -8,12 +9,15 @@
 #include "app/main_window.h"
 #include "app/messages.h"
 #include "app/place_beside.h"
+#include "app/save_name.h"
 #include "app/settings.h"
 #include "app/underlay_commands.h"
 #include "app/workspace_view.h"
+#include "model/formats/atomic_save.h"
 #include "model/formats/files.h"
 #include "model/journal/recovery.h"
 
+#include <QApplication>
 #include <QClipboard>
 #include <QCloseEvent>
 #include <QCursor>
@@ -42,6 +46,7 @@ QString openFilter()
 {
     return MainWindow::tr("All that can be opened (*.suffuse *.json *.csv *.excalidraw *.dat *.svg *.xml)") + ";;" +
            MainWindow::tr("Suffuse paintings (*.suffuse *.json)") + ";;" +
+           MainWindow::tr("Backups of paintings (*.suffuse~* *.json~*)") + ";;" +
            MainWindow::tr("Pen recordings (*.csv *.json *.excalidraw *.dat)") + ";;" +
            MainWindow::tr("SVG drawings (*.svg)") + ";;" + MainWindow::tr("Diffusion curves (*.xml)") + ";;" +
            MainWindow::tr("All files (*)");
@@ -52,6 +57,19 @@ QString folderNear(const Editor &editor)
 {
     const QString near = editor.filePath().isEmpty() ? settings::recentFiles().value(0) : editor.filePath();
     return near.isEmpty() ? QString() : QFileInfo(near).absolutePath();
+}
+
+/// That shows this file, by whatever name and links it was opened.
+MainWindow *windowOf(const QString &path)
+{
+    const QString file = QFileInfo(path).canonicalFilePath();
+    if (file.isEmpty())
+        return nullptr;
+    for (QWidget *widget : QApplication::topLevelWidgets())
+        if (auto *window = qobject_cast<MainWindow *>(widget);
+            window && window->isVisible() && QFileInfo(window->editor().filePath()).canonicalFilePath() == file)
+            return window;
+    return nullptr;
 }
 
 } // namespace
@@ -91,6 +109,15 @@ void MainWindow::chooseFileToOpen()
 
 MainWindow *MainWindow::openFile(const QString &path)
 {
+    if (MainWindow *window = windowOf(path)) { // twice would be as if another program changed it
+        window->setWindowState(window->windowState() & ~Qt::WindowMinimized);
+        window->raise();
+        window->activateWindow();
+        window->statusBar()->showMessage(tr("“%1” is open already.").arg(QFileInfo(path).fileName()), 8'000);
+        return window;
+    }
+    if (formatForSaving(backedUpFile(path)) != FileFormat::Unknown)
+        return openBackup(path);
     // Into an editor of its own first, so that a file that cannot be read opens no window.
     MainWindow *window = this;
     std::unique_ptr<MainWindow> made;
@@ -112,13 +139,44 @@ MainWindow *MainWindow::openFile(const QString &path)
     if (const auto &view = window->m_editor.extras().view)
         showWorkspace(*view, *window->m_canvas, window->m_editor);
     if (const QString &leftOut = window->m_editor.leftOut(); !leftOut.isEmpty() && losses->empty())
-        window->statusBar()->showMessage(leftOut, 15'000);
+        sayUntilChange(*window->statusBar(), window->m_editor.document(), leftOut);
     if (!losses->empty())
         showNotice(window,
                    tr("“%1” is damaged. What is whole of it was opened; the file itself is left as it is.")
                        .arg(QFileInfo(path).fileName()),
                    QStringList(losses->begin(), losses->end()).join('\n'));
     return window;
+}
+
+/// Opens its painting, and puts the backup in place of what is there: saving saves the painting.
+MainWindow *MainWindow::openBackup(const QString &backup)
+{
+    Result<LoadedDocument> state = loadDocument(backup);
+    if (!state) {
+        showError(this, state.error());
+        return nullptr;
+    }
+    const QFileInfo painting(backedUpFile(backup));
+    if (MainWindow *window = painting.isFile() ? openFile(painting.filePath()) : nullptr) {
+        window->restoreFrom(backup);
+        return window;
+    }
+    MainWindow *window = isUntouched() ? this : openWindow();
+    window->m_editor.openRecovered(std::move(state->painting), painting.fileName(), painting.absoluteFilePath());
+    return window;
+}
+
+QString MainWindow::askForFile(const QString &title, const QString &proposal)
+{
+    const QList<FileKind> kinds{{tr("Suffuse painting"), {"suffuse"}}, {tr("Text form"), {"json"}}};
+    for (QString path = proposal;;) {
+        path = chooseFileToSave(this, title, path, kinds);
+        const MainWindow *other = path.isEmpty() ? nullptr : windowOf(path);
+        if (!other || other == this)
+            return path;
+        showError(this, tr("“%1” is open in another window. Choose another name, or close that window first.")
+                            .arg(QFileInfo(path).fileName()));
+    }
 }
 
 void MainWindow::chooseStrokesToImport()
@@ -132,13 +190,16 @@ void MainWindow::chooseStrokesToImport()
 
 void MainWindow::importStrokes(const QString &path)
 {
-    const Result<ImportReport> report = suffuse::importStrokes(m_editor, path);
+    const View &view = m_canvas->view();
+    const Point middle = view.toCanvas({0.5 * view.width, 0.5 * view.height});
+    const Result<ImportReport> report = suffuse::importStrokes(m_editor, path, middle);
     if (!report) {
         showError(this, report.error());
         return;
     }
+    action(Command::Select).setChecked(true); // it is to be put where it belongs
     if (!report->leftOut.isEmpty())
-        statusBar()->showMessage(report->leftOut, 15'000);
+        sayUntilChange(*statusBar(), m_editor.document(), report->leftOut);
     if (!report->losses.empty())
         showNotice(this, tr("“%1” is damaged. What is whole of it was imported.").arg(QFileInfo(path).fileName()),
                    QStringList(report->losses.begin(), report->losses.end()).join('\n'));
@@ -225,10 +286,10 @@ void MainWindow::dropEvent(QDropEvent *event)
 
 void MainWindow::connectClipboard()
 {
-    const auto tell = [this](const QString &problem) { statusBar()->showMessage(problem, 8'000); };
+    const auto tell = [this](const QString &problem) {
+        sayUntilChange(*statusBar(), m_editor.document(), problem, 8'000);
+    };
     connect(new CanvasDrops(*m_canvas), &CanvasDrops::leftOut, this, tell);
-    connect(&action(Command::Cut), &QAction::triggered, this, [this] { clipboard::cut(m_editor); });
-    connect(&action(Command::Copy), &QAction::triggered, this, [this] { clipboard::copy(m_editor); });
     connect(&action(Command::Paste), &QAction::triggered, this, [this] {
         // At the pointer, as in Inkscape; in the middle where it is elsewhere.
         const QPointF at = m_canvas->mapFromGlobal(QPointF(QCursor::pos()));
@@ -253,7 +314,7 @@ void MainWindow::pasteAt(std::optional<Point> centre)
         return; // first things first
     const QMimeData *data = QGuiApplication::clipboard()->mimeData();
     if (const QString problem = data ? clipboard::paste(m_editor, *data, centre) : QString(); !problem.isEmpty())
-        statusBar()->showMessage(problem, 8'000);
+        sayUntilChange(*statusBar(), m_editor.document(), problem, 8'000);
 }
 
 } // namespace suffuse

@@ -1,5 +1,7 @@
 // Saving while the painting goes on, and other programs that write to the same file.
+#include "app/at_next_change.h"
 #include "app/canvas/canvas_widget.h"
+#include "app/dialogs/backups_dialog.h"
 #include "app/journal.h"
 #include "app/main_window.h"
 #include "app/messages.h"
@@ -7,8 +9,9 @@
 #include "app/settings.h"
 #include "app/workspace_view.h"
 
+#include <QDateTime>
+#include <QDir>
 #include <QEventLoop>
-#include <QFileDialog>
 #include <QFileInfo>
 #include <QProgressDialog>
 #include <QStatusBar>
@@ -26,28 +29,39 @@ constexpr int laterMs = 500;
 
 void MainWindow::connectSaving()
 {
-    m_journal = new Journal(m_editor, this);
     connect(m_journal, &Journal::failed, this, [this](const QString &message) {
         showNotice(this,
                    tr("What you paint now would not survive a crash: %1. Painting goes on; save from time to time.")
                        .arg(message));
     });
     m_watch = new FileWatch(this);
-    const auto follow = [this] { m_watch->watch(m_editor.filePath(), m_editor.fileHash()); };
-    connect(&m_editor, &Editor::opened, m_watch, follow);
-    connect(&m_editor, &Editor::saved, m_watch, [follow](const SaveOutcome &outcome) {
+    watchFile();
+    connect(&m_editor, &Editor::opened, this, &MainWindow::watchFile);
+    connect(&m_editor, &Editor::saved, this, [this](const SaveOutcome &outcome) {
         if (outcome.isSaved())
-            follow();
+            watchFile();
     });
+    connect(&action(Command::SaveCopy), &QAction::triggered, this, &MainWindow::startSavingCopy);
+    QAction &revert = action(Command::Revert), &restore = action(Command::RestoreBackup);
+    connect(&revert, &QAction::triggered, this, &MainWindow::revert);
+    connect(&restore, &QAction::triggered, this, &MainWindow::restoreBackup);
+    const auto needFile = [this, &revert, &restore] {
+        revert.setEnabled(!m_editor.filePath().isEmpty());
+        restore.setEnabled(!m_editor.filePath().isEmpty());
+    };
+    connect(&m_editor, &Editor::fileChanged, this, needFile);
+    needFile();
     connect(&m_editor, &Editor::saved, this, &MainWindow::showOutcome);
     QAction &keepHistory = action(Command::KeepHistory);
     connect(&keepHistory, &QAction::triggered, &m_editor, &Editor::setKeepsHistory);
-    connect(&m_editor, &Editor::fileChanged, this, [this, &keepHistory] {
+    const auto showKept = [this, &keepHistory] {
         const qint64 bytes = m_editor.historyBytes();
         keepHistory.setChecked(m_editor.keepsHistory());
         keepHistory.setText(bytes > 0 ? tr("Keep Undo &History in the File (%1)").arg(locale().formattedDataSize(bytes))
                                       : tr("Keep Undo &History in the File"));
-    });
+    };
+    connect(&m_editor, &Editor::fileChanged, this, showKept);
+    showKept();
     connect(m_watch, &FileWatch::changed, this, &MainWindow::fileChangedOutside);
     connect(m_watch, &FileWatch::removed, this, [this] {
         if (m_editor.isSaving())
@@ -67,24 +81,38 @@ bool MainWindow::startSaving()
 
 bool MainWindow::startSavingAs()
 {
-    const QString origin =
-        m_editor.suggestedPath().isEmpty() ? settings::recentFiles().value(0) : m_editor.suggestedPath();
-    QFileDialog dialog(this, tr("Save As"), origin.isEmpty() ? QString() : QFileInfo(origin).absolutePath());
-    dialog.setAcceptMode(QFileDialog::AcceptSave);
-    dialog.setNameFilters({tr("Suffuse painting (*.suffuse)"), tr("Text form (*.json)")});
-    dialog.setDefaultSuffix("suffuse");
-    connect(&dialog, &QFileDialog::filterSelected, &dialog, [&dialog](const QString &filter) {
-        dialog.setDefaultSuffix(filter.contains("*.json") ? "json" : "suffuse");
-    });
-    const QString name = m_editor.suggestedPath().isEmpty() ? m_editor.displayName() + ".suffuse"
-                                                            : QFileInfo(m_editor.suggestedPath()).fileName();
-    if (name.endsWith(".json", Qt::CaseInsensitive))
-        dialog.selectNameFilter(dialog.nameFilters().last());
-    dialog.selectFile(name);
-    if (dialog.exec() != QDialog::Accepted)
+    QString proposal = m_editor.suggestedPath();
+    if (proposal.isEmpty()) {
+        const QString recent = settings::recentFiles().value(0);
+        proposal = m_editor.displayName() + ".suffuse";
+        if (!recent.isEmpty())
+            proposal = QFileInfo(recent).dir().filePath(proposal);
+    }
+    const QString path = askForFile(tr("Save As"), proposal);
+    if (path.isEmpty())
         return false;
-    startSavingTo(dialog.selectedFiles().value(0), true); // the dialog has asked whether it may be replaced
+    startSavingTo(path, true); // it was asked whether it may be replaced
     return true;
+}
+
+void MainWindow::startSavingCopy()
+{
+    const QFileInfo origin(m_editor.suggestedPath().isEmpty() ? m_editor.displayName() + ".suffuse"
+                                                              : m_editor.suggestedPath());
+    //: name of the file that a copy is saved to, beside that of the painting
+    QString proposal = tr("%1 copy").arg(origin.completeBaseName()) + '.' + origin.suffix();
+    if (!m_editor.suggestedPath().isEmpty())
+        proposal = origin.dir().filePath(proposal);
+    const QString path = askForFile(tr("Save a Copy"), proposal);
+    if (path.isEmpty())
+        return;
+    const QString own = QFileInfo(m_editor.filePath()).canonicalFilePath();
+    if (!own.isEmpty() && QFileInfo(path).canonicalFilePath() == own) {
+        startSavingTo(path, true); // then it is no copy
+        return;
+    }
+    m_editor.extras().view = workspaceOf(*m_canvas, m_editor);
+    m_editor.startSavingCopy(path);
 }
 
 void MainWindow::startSavingTo(const QString &path, bool whatever)
@@ -133,7 +161,18 @@ bool MainWindow::saveTo(const QString &path)
 void MainWindow::showOutcome(const SaveOutcome &outcome)
 {
     const QString name = QFileInfo(outcome.path).fileName();
+    if (outcome.isCopy) {
+        if (outcome.isSaved())
+            statusBar()->showMessage(tr("A copy is saved as “%1”.").arg(name), shownMs);
+        else if (askAfterFailedSave(this, outcome.message))
+            startSavingCopy();
+        return;
+    }
     m_savingWorked = outcome.isSaved();
+    if (outcome.wasThere) {
+        sayUntilChange(*statusBar(), m_editor.document(), tr("“%1” is saved already.").arg(name), shownMs);
+        return;
+    }
     if (outcome.isSaved()) {
         settings::addRecentFile(outcome.path);
         statusBar()->showMessage(outcome.message.isEmpty()
@@ -173,14 +212,16 @@ void MainWindow::fileChangedOutside(const QByteArray &hash)
 
 void MainWindow::answerConflict(ConflictAnswer answer, const QByteArray &hash)
 {
-    const QString path = m_editor.filePath();
     switch (answer) {
     case ConflictAnswer::KeepMine:
         m_editor.keepMine(hash);
         break;
     case ConflictAnswer::Reload:
-        if (const auto losses = m_editor.open(path); !losses)
-            showError(this, losses.error());
+        if (const Result<void> reverted = m_editor.revert(); !reverted) {
+            m_editor.keepMine(hash);
+            showError(this, reverted.error());
+        }
+        watchFile();
         break;
     case ConflictAnswer::SaveAs:
         m_editor.keepMine(hash);
@@ -189,6 +230,51 @@ void MainWindow::answerConflict(ConflictAnswer answer, const QByteArray &hash)
     case ConflictAnswer::Cancel:
         break;
     }
+}
+
+void MainWindow::watchFile()
+{
+    m_watch->watch(m_editor.filePath(), m_editor.fileHash());
+}
+
+void MainWindow::revert()
+{
+    if (m_canvas->tool()->isBusy())
+        m_canvas->tool()->cancel();
+    if (m_editor.isSaving())
+        waitForSaving();
+    if (m_editor.isModified() &&
+        !confirm(this, tr("Revert “%1” to what the file holds?").arg(m_editor.displayName()),
+                 tr("What was painted since the last save goes; Undo brings it back."), tr("&Revert")))
+        return;
+    if (const Result<void> reverted = m_editor.revert(); !reverted)
+        showError(this, reverted.error());
+    watchFile();
+}
+
+void MainWindow::restoreBackup()
+{
+    BackupsDialog dialog(m_editor.filePath(), this);
+    if (dialog.exec() == QDialog::Accepted && !dialog.chosen().isEmpty())
+        restoreFrom(dialog.chosen());
+}
+
+void MainWindow::restoreFrom(const QString &backup)
+{
+    if (m_canvas->tool()->isBusy())
+        m_canvas->tool()->cancel();
+    const Result<LoadedDocument> document = loadDocument(backup);
+    if (!document) {
+        showError(this, document.error());
+        return;
+    }
+    const QString when = locale().toString(QFileInfo(backup).lastModified(), QLocale::ShortFormat);
+    m_editor.restore(document->painting, tr("Restore backup of %1").arg(when));
+    sayUntilChange(*statusBar(), m_editor.document(),
+                   tr("The backup of %1 is back. Undo takes it away again; no file changes until you save.").arg(when));
+    if (!document->losses.empty())
+        showNotice(this, tr("The backup is damaged. What is whole of it was restored."),
+                   QStringList(document->losses.begin(), document->losses.end()).join('\n'));
 }
 
 } // namespace suffuse

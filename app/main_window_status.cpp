@@ -35,7 +35,7 @@ void MainWindow::makeStatusBar()
     m_hint->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
     m_position =
         label(tr("Position of the pointer in canvas units"), fontMetrics().horizontalAdvance("00000.0, 00000.0"));
-    m_zoom = label(tr("Zoom"), fontMetrics().horizontalAdvance("00000 %"));
+    m_zoom = label(tr("Zoom, and the angle by which the canvas is turned"), fontMetrics().horizontalAdvance("00000 %"));
     m_backend = label(tr("What renders the picture"), 0);
     m_frameTime = label(tr("Time that the last frame took"), fontMetrics().horizontalAdvance("0000.0 ms"));
     for (QLabel *number : {m_position, m_zoom, m_frameTime})
@@ -70,8 +70,10 @@ void MainWindow::updateZoom()
 {
     const double percent = m_canvas->view().scale * 100;
     const bool plain = percent >= 0.1 && percent < 1e6;
-    showInPlace(*m_zoom, tr("%1 %").arg(plain ? locale().toString(percent, 'f', percent < 10 ? 1 : 0)
-                                              : locale().toString(percent, 'g', 3)));
+    const QString zoom = tr("%1 %").arg(plain ? locale().toString(percent, 'f', percent < 10 ? 1 : 0)
+                                              : locale().toString(percent, 'g', 3));
+    const double rotation = m_canvas->view().rotation;
+    showInPlace(*m_zoom, std::abs(rotation) < 1e-6 ? zoom : zoom + QStringLiteral(" · ") + angleText(rotation));
     QSignalBlocker blocked(action(Command::Mirror));
     action(Command::Mirror).setChecked(m_canvas->view().mirrored);
 }

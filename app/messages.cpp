@@ -1,5 +1,7 @@
 #include "app/messages.h"
 
+#include "app/icons.h"
+
 #include <QCoreApplication>
 #include <QMessageBox>
 #include <QPushButton>
@@ -86,6 +88,7 @@ bool askAfterFailedSave(QWidget *parent, const QString &message)
         QCoreApplication::translate("Messages", "Nothing is lost: the painting is open and counts as not saved."));
     QPushButton *elsewhere =
         box.addButton(QCoreApplication::translate("Messages", "Save &As…"), QMessageBox::AcceptRole);
+    elsewhere->setIcon(icon("save"));
     box.setDefaultButton(elsewhere);
     box.exec();
     return box.clickedButton() == elsewhere;
@@ -100,18 +103,21 @@ ConflictAnswer askAboutConflict(QWidget *parent, const QString &name, bool modif
                     QMessageBox::NoButton, parent);
     box.setTextFormat(Qt::PlainText);
     const QString lost =
-        QCoreApplication::translate("Messages", "Reloading gives up what was painted since the last save.");
+        QCoreApplication::translate("Messages",
+                                    "Reloading takes away what was painted since the last save; Undo brings it back.");
     const QString kept = QCoreApplication::translate("Messages", "The file stays as it is until you save.");
     const QString replaced =
         QCoreApplication::translate("Messages", "Overwriting gives up what the other program wrote.");
     box.setInformativeText((modified ? lost + ' ' : QString()) + (saving ? replaced : kept));
-    const auto add = [&](const char *text, QMessageBox::ButtonRole role) {
-        return box.addButton(QCoreApplication::translate("Messages", text), role);
+    const auto add = [&](const char *text, const char *picture, QMessageBox::ButtonRole role) {
+        QPushButton *button = box.addButton(QCoreApplication::translate("Messages", text), role);
+        button->setIcon(icon(picture));
+        return button;
     };
-    QPushButton *mine = saving ? add(QT_TRANSLATE_NOOP("Messages", "&Overwrite"), QMessageBox::DestructiveRole)
-                               : add(QT_TRANSLATE_NOOP("Messages", "&Keep Mine"), QMessageBox::RejectRole);
-    QPushButton *reload = add(QT_TRANSLATE_NOOP("Messages", "&Reload"), QMessageBox::DestructiveRole);
-    QPushButton *elsewhere = add(QT_TRANSLATE_NOOP("Messages", "Save &As…"), QMessageBox::AcceptRole);
+    QPushButton *mine = saving ? add(QT_TRANSLATE_NOOP("Messages", "&Overwrite"), "ok", QMessageBox::DestructiveRole)
+                               : add(QT_TRANSLATE_NOOP("Messages", "&Keep Mine"), "ok", QMessageBox::RejectRole);
+    QPushButton *reload = add(QT_TRANSLATE_NOOP("Messages", "&Reload"), "reset", QMessageBox::DestructiveRole);
+    QPushButton *elsewhere = add(QT_TRANSLATE_NOOP("Messages", "Save &As…"), "save", QMessageBox::AcceptRole);
     if (saving)
         box.setEscapeButton(box.addButton(QMessageBox::Cancel));
     else
@@ -132,6 +138,7 @@ bool confirm(QWidget *parent, const QString &question, const QString &informatio
     box.setTextFormat(Qt::PlainText);
     box.setInformativeText(information);
     QPushButton *yes = box.addButton(button, QMessageBox::DestructiveRole);
+    yes->setIcon(icon("ok"));
     box.setDefaultButton(QMessageBox::Cancel);
     box.exec();
     return box.clickedButton() == yes;

@@ -1,5 +1,6 @@
 #include "app/place_beside.h"
 
+#include <QDialog>
 #include <QGuiApplication>
 #include <QScreen>
 #include <QStyle>
@@ -12,6 +13,15 @@ namespace suffuse {
 namespace {
 
 constexpr int gap = 16;
+
+/// What a window manager puts around a window's contents; where that is not known, at least a title.
+QMargins frameOf(const QWidget &window)
+{
+    const QRect framed = window.frameGeometry(), inner = window.geometry();
+    const int title = window.style()->pixelMetric(QStyle::PM_TitleBarHeight);
+    return QMargins(inner.left() - framed.left(), std::max(inner.top() - framed.top(), title),
+                    framed.right() - inner.right(), framed.bottom() - inner.bottom());
+}
 
 } // namespace
 
@@ -53,16 +63,38 @@ void moveBeside(QWidget &window, const QRect &what)
     window.move(placeBeside(window.size() + frame, what, screen->availableGeometry()));
 }
 
+QRect placeOver(QSize size, const QRect &owner, const QRect &screen)
+{
+    QRect wish(QPoint(), size.boundedTo(screen.size()));
+    wish.moveCenter(owner.center());
+    return placeWithin(wish, screen);
+}
+
+void placeDialog(QDialog &dialog)
+{
+    const QWidget *parent = dialog.parentWidget() ? dialog.parentWidget()->window() : nullptr;
+    const QScreen *screen = parent ? parent->screen() : dialog.screen();
+    if (!screen)
+        return;
+    const QRect room = screen->availableGeometry();
+    const QMargins frame = frameOf(parent && !parent->isFullScreen() ? *parent : dialog);
+    // Its children have been polished just now. A dialog that grew after it is shown would be sent to where Qt believes
+    // it is, which is wrong while a window manager puts its frame around it: in the corner of the screen, at times.
+    QCoreApplication::sendPostedEvents(nullptr, QEvent::LayoutRequest);
+    const QSize size = dialog.size().expandedTo(dialog.minimumSizeHint()).boundedTo(dialog.maximumSize());
+    const QRect framed = QRect(dialog.geometry().topLeft(), size).marginsAdded(frame);
+    const QRect place = dialog.testAttribute(Qt::WA_Moved)
+                            ? placeWithin(framed, room)
+                            : placeOver(framed.size(), parent ? parent->frameGeometry() : room, room);
+    dialog.setGeometry(place.marginsRemoved(frame)); // and now the window manager is told so
+}
+
 void showLike(QWidget &window, const QWidget &other)
 {
     constexpr int step = 28;
     const QRect normal = other.isMaximized() || other.isFullScreen() ? other.normalGeometry() : other.geometry();
-    // What is around the contents; where that is not known, at least a title.
-    const QRect framed = other.frameGeometry(), inner = other.geometry();
-    const int title = window.style()->pixelMetric(QStyle::PM_TitleBarHeight);
-    const QMargins frame(inner.left() - framed.left(), std::max(inner.top() - framed.top(), title),
-                         framed.right() - inner.right(), framed.bottom() - inner.bottom());
-    const QRect wish = (normal.isEmpty() ? inner : normal).translated(step, step).marginsAdded(frame);
+    const QMargins frame = frameOf(other);
+    const QRect wish = (normal.isEmpty() ? other.geometry() : normal).translated(step, step).marginsAdded(frame);
     window.setGeometry(placeWithin(wish, other.screen()->availableGeometry()).marginsRemoved(frame));
     if (other.isMaximized())
         window.showMaximized();

@@ -4,6 +4,7 @@
 #include <QPoint>
 #include <QRect>
 
+class QDialog;
 class QWidget;
 
 namespace suffuse {
@@ -17,6 +18,14 @@ QRect placeWithin(const QRect &wish, const QRect &screen);
 
 /// Moves a window that has not been shown, on the screen on which `what` is. Does nothing for an empty rectangle.
 void moveBeside(QWidget &window, const QRect &what);
+
+/// The place of a dialog of this size, frame included: in the middle of `owner`, within `screen`, and no larger than
+/// it.
+QRect placeOver(QSize size, const QRect &owner, const QRect &screen);
+
+/// Puts a dialog that is about to be shown over its parent's window (without one, in the middle of the screen). One
+/// that has a place already keeps it as far as it lies on the screen.
+void placeDialog(QDialog &dialog);
 
 /// Shows a window for the first time: as large as another one and a little off it, on the same screen; maximised where
 /// that one is.

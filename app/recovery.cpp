@@ -2,6 +2,7 @@
 
 #include "app/main_window.h"
 #include "app/messages.h"
+#include "app/picture_icon.h"
 #include "app/saving_preview.h"
 
 #include <QDialogButtonBox>
@@ -9,7 +10,6 @@
 #include <QHeaderView>
 #include <QLabel>
 #include <QLocale>
-#include <QPainter>
 #include <QPushButton>
 #include <QTreeWidget>
 #include <QVBoxLayout>
@@ -18,30 +18,9 @@ namespace suffuse {
 
 namespace {
 
-constexpr QSize pictureSize(128, 96);
 constexpr int columnGap = 20;
 /// Larger ones are listed without a picture: it would take too long.
 constexpr std::size_t mostPictured = 200'000;
-
-/// All of one size, so that names stand below each other.
-QIcon pictureIcon(const QImage &image, const QPalette &palette, qreal ratio)
-{
-    QPixmap pixmap(pictureSize * ratio);
-    pixmap.setDevicePixelRatio(ratio);
-    pixmap.fill(Qt::transparent);
-    QPainter painter(&pixmap);
-    const QSize size = image.isNull() ? pictureSize : image.size().scaled(pictureSize, Qt::KeepAspectRatio);
-    const QRect place(QPoint((pictureSize.width() - size.width()) / 2, (pictureSize.height() - size.height()) / 2),
-                      size);
-    painter.setRenderHint(QPainter::SmoothPixmapTransform);
-    if (!image.isNull())
-        painter.drawImage(place, image);
-    painter.setPen(palette.color(QPalette::Mid));
-    painter.drawRect(QRectF(place).adjusted(0.5, 0.5, -0.5, -0.5));
-    QIcon icon(pixmap);
-    icon.addPixmap(pixmap, QIcon::Selected); // as it is, not tinted
-    return icon;
-}
 
 } // namespace
 

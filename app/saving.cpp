@@ -30,13 +30,16 @@ SaveOutcome carryOut(const SaveOrder &order)
 {
     SaveOutcome outcome;
     outcome.path = QFileInfo(order.path).absoluteFilePath();
+    outcome.isCopy = order.isCopy;
+    outcome.serial = order.serial;
     const auto failed = [&](const QString &message) {
         outcome.kind = SaveOutcome::Kind::Failed;
         outcome.message = message;
         return outcome;
     };
+    std::optional<QByteArray> there;
     const auto isOther = [&] {
-        const std::optional<QByteArray> there = hashOfFile(order.path);
+        there = hashOfFile(order.path);
         if (order.expected.isEmpty() || !there || *there == order.expected)
             return false;
         outcome.kind = SaveOutcome::Kind::ChangedOutside;
@@ -45,6 +48,12 @@ SaveOutcome carryOut(const SaveOrder &order)
     };
     if (isOther())
         return outcome;
+    if (order.isThere && there && *there == order.expected) {
+        outcome.wasThere = true;
+        outcome.hash = *there;
+        outcome.bytes = QFileInfo(order.path).size();
+        return outcome;
+    }
     const FileFormat format = formatForSaving(order.path);
     if (format == FileFormat::Unknown) // says which endings there are
         return failed(saveDocument(*order.painting, order.extras, order.path).error());
@@ -55,11 +64,13 @@ SaveOutcome carryOut(const SaveOrder &order)
     const QByteArray bytes = writeDocument(*order.painting, extras, format);
     if (isOther()) // drawing and packing took their time
         return outcome;
-    const Result<void> kept = keepBackups(order.path, order.backups);
+    outcome.hash = QCryptographicHash::hash(bytes, QCryptographicHash::Sha256);
+    // A version is kept when another one takes its place. The same bytes are written all the same: whoever saves once
+    // more may have been told that the folder could not be synced.
+    const Result<void> kept = there == outcome.hash ? Result<void>() : keepBackups(order.path, order.backups);
     if (const Result<void> written = writeFileAtomically(order.path, bytes); !written)
         return failed(written.error());
     outcome.message = kept.error();
-    outcome.hash = QCryptographicHash::hash(bytes, QCryptographicHash::Sha256);
     outcome.bytes = bytes.size();
     outcome.historyBytes = format == FileFormat::Suffuse ? extras.history.size() : 0;
     outcome.withHistory = order.history.has_value();
@@ -82,8 +93,13 @@ void Saver::save(SaveOrder order)
 {
     {
         const std::lock_guard lock(m_mutex);
-        m_open += m_order ? 0 : 1;
-        m_order = std::move(order);
+        const bool replaces =
+            !m_orders.empty() && m_orders.back().path == order.path && m_orders.back().isCopy == order.isCopy;
+        if (replaces)
+            m_orders.pop_back();
+        else
+            ++m_open;
+        m_orders.push_back(std::move(order));
     }
     m_wake.notify_one();
 }
@@ -92,11 +108,11 @@ void Saver::run()
 {
     std::unique_lock lock(m_mutex);
     for (;;) {
-        m_wake.wait(lock, [this] { return m_stop || m_order; });
-        if (!m_order)
+        m_wake.wait(lock, [this] { return m_stop || !m_orders.empty(); });
+        if (m_orders.empty())
             return;
-        const SaveOrder order = std::move(*m_order);
-        m_order.reset();
+        const SaveOrder order = std::move(m_orders.front());
+        m_orders.pop_front();
         lock.unlock();
         const SaveOutcome outcome = carryOut(order);
         QMetaObject::invokeMethod(

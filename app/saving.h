@@ -6,6 +6,7 @@
 #include <QObject>
 
 #include <condition_variable>
+#include <deque>
 #include <mutex>
 #include <optional>
 #include <thread>
@@ -20,6 +21,9 @@ struct SaveOrder {
     QByteArray expected;                     ///< SHA-256 of the file that may be replaced; empty: any
     int backups = 0;                         ///< earlier versions that are kept
     std::optional<UndoHistory> history = {}; ///< goes into the file, too
+    bool isThere = false;                    ///< a file as `expected` holds all of this: nothing is written then
+    bool isCopy = false;                     ///< the document goes on living in its own file
+    quint64 serial = 0;                      ///< comes back with the outcome
 };
 
 /// How it went.
@@ -32,12 +36,15 @@ struct SaveOutcome {
     qint64 bytes = 0;
     qint64 historyBytes = 0;  ///< of them
     bool withHistory = false; ///< as it was ordered
+    bool wasThere = false;    ///< nothing was written: the file holds all of it already
+    bool isCopy = false;      ///< as it was ordered
+    quint64 serial = 0;       ///< of the order
 
     bool isSaved() const { return kind == Kind::Saved; }
 };
 
-/// Writes snapshots on a thread of its own. One that has not begun gives way to a newer one. When it is destroyed, what
-/// was ordered is written first.
+/// Writes snapshots on a thread of its own, in turn. One that has not begun gives way to a newer one for the same file.
+/// When it is destroyed, what was ordered is written first.
 class Saver : public QObject {
     Q_OBJECT
 
@@ -59,7 +66,7 @@ private:
     int m_open = 0; ///< the owner's thread only: orders without an outcome
     std::mutex m_mutex;
     std::condition_variable m_wake;
-    std::optional<SaveOrder> m_order;
+    std::deque<SaveOrder> m_orders;
     bool m_stop = false;
     std::thread m_thread;
 };

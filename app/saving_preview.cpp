@@ -1,6 +1,6 @@
 #include "app/saving_preview.h"
 
-#include "render/renderer.h"
+#include "render/backends.h"
 
 #include <algorithm>
 #include <cmath>

@@ -9,6 +9,8 @@
 #include <QMainWindow>
 #include <QTimer>
 
+#include <zlib.h>
+
 #include <algorithm>
 
 namespace suffuse::settings {
@@ -18,19 +20,14 @@ namespace {
 constexpr int layoutVersion = 1;
 constexpr int maxRecentFiles = 10;
 constexpr int maxThreads = 256;
+constexpr int usualBackups = 2;
 constexpr int maxCurvePoints = 64;
 constexpr int maxLayoutBytes = 1 << 20;
 
-/// CRC-32 (IEEE 802.3), bit by bit: layouts are a few kilobytes.
-quint32 crc32(const QByteArray &bytes)
+/// CRC-32 (IEEE 802.3) in hexadecimal digits.
+QString checksum(const QByteArray &bytes)
 {
-    quint32 crc = 0xFFFFFFFFu;
-    for (const char c : bytes) {
-        crc ^= quint8(c);
-        for (int bit = 0; bit < 8; ++bit)
-            crc = (crc >> 1) ^ (0xEDB88320u & (0u - (crc & 1u)));
-    }
-    return ~crc;
+    return QString::number(crc32(0, reinterpret_cast<const Bytef *>(bytes.constData()), uInt(bytes.size())), 16);
 }
 
 struct Layout {
@@ -54,7 +51,7 @@ Layout readLayout()
     const QByteArray body = QByteArray::fromBase64(s.value("layout/bytes").toString().toLatin1());
     Layout layout;
     if (s.value("layout/version").toInt() != layoutVersion || body.isEmpty() || body.size() > maxLayoutBytes ||
-        s.value("layout/crc").toString() != QString::number(crc32(body), 16))
+        s.value("layout/crc").toString() != checksum(body))
         return layout;
     QDataStream in(body);
     in.setVersion(QDataStream::Qt_6_4);
@@ -153,6 +150,8 @@ CanvasAids canvasAids()
     aids.snapToNodes = s.value("aids/snapToNodes").toBool();
     aids.snapToGrid = s.value("aids/snapToGrid").toBool();
     aids.showGrid = s.value("aids/showGrid").toBool();
+    aids.showOutlines = s.value("aids/showOutlines", aids.showOutlines).toBool();
+    aids.showBeyond = s.value("aids/showBeyond").toBool();
     const double step = s.value("aids/gridStep", aids.gridStep).toDouble();
     if (step >= minGridStep && step <= maxGridStep)
         aids.gridStep = step;
@@ -166,6 +165,8 @@ void setCanvasAids(const CanvasAids &aids)
     s.setValue("aids/snapToGrid", aids.snapToGrid);
     s.setValue("aids/showGrid", aids.showGrid);
     s.setValue("aids/gridStep", aids.gridStep);
+    s.setValue("aids/showOutlines", aids.showOutlines);
+    s.setValue("aids/showBeyond", aids.showBeyond);
 }
 
 PenSettings penSettings()
@@ -206,7 +207,9 @@ void setBrush(const Brush &brush)
 
 int backups()
 {
-    return std::clamp(store().value("backups").toInt(), 0, mostBackups);
+    bool isNumber = false;
+    const int stored = store().value("backups").toInt(&isNumber);
+    return isNumber ? std::clamp(stored, 0, mostBackups) : usualBackups;
 }
 
 void setBackups(int count)
@@ -214,28 +217,41 @@ void setBackups(int count)
     store().setValue("backups", count);
 }
 
+namespace {
+
+/// Those that are there, each once.
+QStringList presentFiles(const QStringList &paths)
+{
+    QStringList files, places;
+    for (const QString &path : paths) {
+        const QFileInfo info(path);
+        if (files.size() == maxRecentFiles || !QDir::isAbsolutePath(path) || !info.isFile() ||
+            places.contains(info.canonicalFilePath()))
+            continue;
+        files << path;
+        places << info.canonicalFilePath();
+    }
+    return files;
+}
+
+} // namespace
+
 QStringList recentFiles()
 {
-    QStringList files;
-    for (const QString &path : store().value("recentFiles").toStringList())
-        if (files.size() < maxRecentFiles && QDir::isAbsolutePath(path) && QFileInfo(path).isFile() &&
-            !files.contains(path))
-            files << path;
-    return files;
+    store().sync(); // another instance may have added some
+    return presentFiles(store().value("recentFiles").toStringList());
 }
 
 void addRecentFile(const QString &path)
 {
-    const QString absolute = QFileInfo(path).absoluteFilePath();
-    QStringList files = recentFiles();
-    files.removeAll(absolute);
-    files.prepend(absolute);
-    store().setValue("recentFiles", files.mid(0, maxRecentFiles));
+    updateList("recentFiles", [absolute = QFileInfo(path).absoluteFilePath()](const QStringList &stored) {
+        return presentFiles(QStringList(absolute) + stored);
+    });
 }
 
 void clearRecentFiles()
 {
-    store().remove("recentFiles");
+    updateList("recentFiles", [](const QStringList &) { return QStringList(); });
 }
 
 void saveLayout(const QMainWindow &window)
@@ -243,7 +259,7 @@ void saveLayout(const QMainWindow &window)
     const QByteArray body = pack({window.saveGeometry(), window.saveState(layoutVersion)});
     QSettings &s = store();
     s.setValue("layout/version", layoutVersion);
-    s.setValue("layout/crc", QString::number(crc32(body), 16));
+    s.setValue("layout/crc", checksum(body));
     s.setValue("layout/bytes", QString::fromLatin1(body.toBase64()));
     s.remove("layout/starting");
     s.sync();

@@ -9,6 +9,8 @@
 #include <QSettings>
 #include <QStringList>
 
+#include <functional>
+
 class QMainWindow;
 
 namespace suffuse::settings {
@@ -17,6 +19,10 @@ namespace suffuse::settings {
 /// tests). A file that cannot be read counts as empty; one that no Suffuse can have written is put aside as
 /// "….damaged".
 QSettings &store();
+/// Alters a list that other running instances alter, too: `change` gets what is stored now, or `usual` where nothing is,
+/// and what it returns is stored before any of them can alter it.
+void updateList(const QString &key, const std::function<QStringList(const QStringList &stored)> &change,
+                const QStringList &usual = {});
 /// From now on the store is empty at first and forgotten at the end (`--safe-mode`).
 void forgetEverything();
 /// Call it before anything is read. After two starts in a row that never showed a window, the settings are put aside.
@@ -58,11 +64,13 @@ void setPenSettings(const PenSettings &pen);
 Brush brush();
 void setBrush(const Brush &brush);
 
-/// Earlier versions that are kept beside a file that is saved, 0 to mostBackups (model/formats/atomic_save.h).
+/// Earlier versions that are kept beside a file that is saved, 0 to mostBackups (model/formats/atomic_save.h); 2 unless
+/// something else was chosen.
 int backups();
 void setBackups(int count);
 
-/// Absolute paths, the newest first, at most 10; files that are gone are left out.
+/// Absolute paths, the newest first, at most 10; files that are gone are left out, and so are other names of one file.
+/// All running instances have the same list.
 QStringList recentFiles();
 void addRecentFile(const QString &path);
 void clearRecentFiles();

@@ -4,6 +4,7 @@
 #include <QDir>
 #include <QFile>
 #include <QFileInfo>
+#include <QLockFile>
 #include <QTemporaryDir>
 
 #include <memory>
@@ -17,6 +18,8 @@ constexpr int startsForgiven = 2;
 /// How many starts in a row have failed is kept beside the settings, not in them.
 constexpr char startsEnding[] = ".starts";
 constexpr char damagedEnding[] = ".damaged";
+constexpr char listsEnding[] = ".lists";
+constexpr int lockMs = 1'000;
 
 std::unique_ptr<QTemporaryDir> &forgotten()
 {
@@ -81,6 +84,18 @@ QSettings &store()
     opened = given();
     settings = std::make_unique<QSettings>(storePath(), QSettings::IniFormat);
     return *settings;
+}
+
+void updateList(const QString &key, const std::function<QStringList(const QStringList &stored)> &change,
+                const QStringList &usual)
+{
+    QSettings &s = store();
+    // Qt's own lock covers reading and writing, not what is between them.
+    QLockFile lock(storePath() + QLatin1String(listsEnding));
+    lock.tryLock(lockMs); // where it cannot be had, an entry may be lost, but the program does not wait
+    s.sync();
+    s.setValue(key, change(s.value(key, usual).toStringList()));
+    s.sync();
 }
 
 void forgetEverything()

@@ -1,10 +1,13 @@
 #include "app/svg_strokes.h"
 
 #include "app/panels/colour/colour_convert.h"
-#include "app/panels/density_function.h"
+#include "app/svg_widths.h"
+#include "model/paint/derived_figures.h"
 #include "model/painting/influence.h"
 
 #include <QXmlStreamWriter>
+
+#include <cmath>
 
 namespace suffuse {
 
@@ -24,18 +27,36 @@ struct Look {
     friend bool operator==(const Look &, const Look &) = default;
 };
 
-Look lookOf(const Stroke &stroke, const Segment &segment)
+/// Half of the width of what is seen of a segment; where it has no edge to be as wide as, half of its spread.
+double halfWidthOf(const DerivedFigures &figures)
+{
+    return figures.halfWidth > 0 ? figures.halfWidth : 0.5 * figures.spread;
+}
+
+SvgLine lineOf(const Stroke &stroke, const Segment &segment)
+{
+    const DerivedFigures figures = derivedFigures(segment, stroke.styleOf(segment));
+    const Cubic c = stroke.cubicOf(segment);
+    SvgLine line{c.p[0], c.p[3], halfWidthOf(figures), 0};
+    // Twice the density is there where two rows meet: s √ln(2 pk/cut).
+    line.reach = figures.halfWidth > 0
+                     ? std::sqrt(line.half * line.half + figures.spread * figures.spread * std::log(2.0))
+                     : line.half;
+    return line;
+}
+
+/// `half`: of the width.
+Look lookOf(const Stroke &stroke, const Segment &segment, double half)
 {
     const Style &style = stroke.styleOf(segment);
     const DerivedFigures figures = derivedFigures(segment, style);
     Look look;
     QColor colour = toOpaqueScreen(segment.colour);
     // What has no edge to be as wide as is shown as wide as it has spread, and as faint as it is.
-    const double width = figures.halfWidth > 0 ? figures.halfWidth : 0.5 * figures.spread;
     const double coverage = figures.halfWidth > 0 ? 1 : densityFunction(style, figures.peak);
     colour.setAlphaF(float(std::clamp(double(segment.colour.opacity) * coverage, 0.0, 1.0)));
     look.colour = colour;
-    look.width = std::max(std::round(2 * width / widthStep) * widthStep, widthStep);
+    look.width = std::max(std::round(2 * half / widthStep) * widthStep, widthStep);
     return look;
 }
 
@@ -50,7 +71,8 @@ void writePath(QXmlStreamWriter &xml, const Look &look, const QString &data)
     xml.writeEndElement();
 }
 
-void writeStroke(QXmlStreamWriter &xml, const Stroke &stroke)
+/// `half`: of the width of its first segment; goes behind the last.
+void writeStroke(QXmlStreamWriter &xml, const Stroke &stroke, std::vector<double>::const_iterator &half)
 {
     const auto text = [](Point p) { return number(p.x) + ',' + number(p.y); };
     xml.writeStartElement("g");
@@ -59,7 +81,7 @@ void writeStroke(QXmlStreamWriter &xml, const Stroke &stroke)
     QString data;
     Look look;
     for (const Segment &segment : stroke.segments) {
-        const Look here = lookOf(stroke, segment);
+        const Look here = lookOf(stroke, segment, *half++);
         const Cubic c = stroke.cubicOf(segment);
         if (data.isEmpty() || !(here == look)) {
             if (!data.isEmpty())
@@ -94,9 +116,16 @@ QByteArray svgOf(const Painting &painting)
     xml.writeAttribute("fill", "none");
     xml.writeAttribute("stroke-linecap", "round");
     xml.writeAttribute("stroke-linejoin", "round");
+    std::vector<SvgLine> lines;
+    for (const StrokePtr &stroke : painting.strokes)
+        for (const Segment &segment : stroke->segments)
+            if (painting.isVisible(*stroke))
+                lines.push_back(lineOf(*stroke, segment));
+    const std::vector<double> halves = joinedHalfWidths(lines);
+    auto half = halves.begin();
     for (const StrokePtr &stroke : painting.strokes)
         if (painting.isVisible(*stroke))
-            writeStroke(xml, *stroke);
+            writeStroke(xml, *stroke, half);
     xml.writeEndDocument();
     return bytes;
 }

@@ -1,7 +1,7 @@
 // Strokes as SVG: the curves, not the paint. svg_painting.h is the way back.
 #pragma once
 
-#include "model/formats/svg_painting.h"
+#include "model/formats/svg/svg_painting.h"
 
 #include <QByteArray>
 

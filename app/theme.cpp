@@ -1,11 +1,13 @@
 #include "app/theme.h"
 
+#include "app/outline_style.h"
 #include "app/settings.h"
 
 #include <QApplication>
+#include <QImage>
+#include <QMessageBox>
 #include <QPalette>
-#include <QStyle>
-#include <QStyleFactory>
+#include <QToolTip>
 
 namespace suffuse {
 
@@ -78,9 +80,14 @@ void applyTheme()
     const bool platformDark = systemIsDark();
     const settings::Theme theme = settings::theme();
     const bool dark = theme == settings::Theme::Dark || (theme == settings::Theme::System && platformDark);
-    if (QApplication::style()->name().compare("fusion", Qt::CaseInsensitive) != 0)
-        QApplication::setStyle(QStyleFactory::create("Fusion"));
-    QApplication::setPalette(dark ? darkPalette() : lightPalette());
+    if (!qobject_cast<OutlineStyle *>(QApplication::style()))
+        QApplication::setStyle(new OutlineStyle);
+    const QPalette palette = dark ? darkPalette() : lightPalette();
+    QApplication::setPalette(palette);
+    QToolTip::setPalette(palette); // has one of its own
+    for (QWidget *window : QApplication::topLevelWidgets())
+        if (auto *box = qobject_cast<QMessageBox *>(window))
+            box->setIcon(box->icon()); // which it keeps as a picture
 }
 
 bool isDarkTheme()
@@ -91,6 +98,25 @@ bool isDarkTheme()
 QColor previewPaper()
 {
     return QColor::fromRgb(isDarkTheme() ? 0xFFECEAE5 : 0xFFFFFEFB);
+}
+
+QColor paperFor(const QImage &picture)
+{
+    // By the lightest half of what covers: a dark outline around white paint would be seen anyway.
+    constexpr int light = 215, covers = 24;
+    qint64 covered = 0, pale = 0;
+    for (int y = 0; y < picture.height(); ++y)
+        for (int x = 0; x < picture.width(); ++x) {
+            const QRgb pixel = picture.pixel(x, y);
+            covered += qAlpha(pixel) >= covers;
+            pale += qAlpha(pixel) >= covers && qGray(pixel) >= light;
+        }
+    return covered > 0 && pale > covered / 2 ? QColor::fromRgb(0xFF8E8F92) : previewPaper();
+}
+
+QColor edgeOfColours()
+{
+    return QColor::fromRgb(isDarkTheme() ? 0xFF85888E : 0xFF7E8187);
 }
 
 QColor warningText()

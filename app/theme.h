@@ -3,6 +3,7 @@
 
 #include <QColor>
 
+class QImage;
 class QPalette;
 
 namespace suffuse {
@@ -18,6 +19,10 @@ bool isDarkTheme();
 QColor previewPaper();
 /// Text of warnings and refused input; at least 4.5 : 1 against the window.
 QColor warningText();
+/// The paper, or a grey where what is painted (premultiplied, over nothing) would not be seen on the paper.
+QColor paperFor(const QImage &picture);
+/// Line around colours that the user chose, which may be those of the window: at least 3 : 1 against all grounds.
+QColor edgeOfColours();
 /// Hairlines between areas.
 QColor hairline();
 

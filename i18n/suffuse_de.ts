@@ -164,6 +164,69 @@
     </message>
 </context>
 <context>
+    <name>Buttons</name>
+    <message>
+        <source>&amp;OK</source>
+        <translation>&amp;OK</translation>
+    </message>
+    <message>
+        <source>&amp;Cancel</source>
+        <translation>&amp;Abbrechen</translation>
+    </message>
+    <message>
+        <source>&amp;Save</source>
+        <translation>&amp;Speichern</translation>
+    </message>
+    <message>
+        <source>&amp;Discard</source>
+        <translation>&amp;Verwerfen</translation>
+    </message>
+    <message>
+        <source>&amp;Close</source>
+        <translation>S&amp;chließen</translation>
+    </message>
+    <message>
+        <source>&amp;Open</source>
+        <translation>Ö&amp;ffnen</translation>
+    </message>
+    <message>
+        <source>&amp;Yes</source>
+        <translation>&amp;Ja</translation>
+    </message>
+    <message>
+        <source>&amp;No</source>
+        <translation>&amp;Nein</translation>
+    </message>
+    <message>
+        <source>&amp;Apply</source>
+        <translation>A&amp;nwenden</translation>
+    </message>
+    <message>
+        <source>&amp;Reset</source>
+        <translation>&amp;Zurücksetzen</translation>
+    </message>
+    <message>
+        <source>&amp;Help</source>
+        <translation>&amp;Hilfe</translation>
+    </message>
+    <message>
+        <source>&amp;Retry</source>
+        <translation>&amp;Wiederholen</translation>
+    </message>
+    <message>
+        <source>Restore &amp;Defaults</source>
+        <translation>&amp;Vorgaben wiederherstellen</translation>
+    </message>
+    <message>
+        <source>&amp;Show Details...</source>
+        <translation>&amp;Details zeigen …</translation>
+    </message>
+    <message>
+        <source>&amp;Hide Details...</source>
+        <translation>&amp;Details verbergen …</translation>
+    </message>
+</context>
+<context>
     <name>Cli</name>
     <message>
         <source>%1: unknown ending; use .suffuse or .json</source>
@@ -252,12 +315,6 @@
     <message>
         <source>Usage: suffuse-cli COMMAND [options] …</source>
         <translation>Aufruf: suffuse-cli BEFEHL [Optionen] …</translation>
-    </message>
-    <message>
-        <source>suffuse-cli COMMAND --help lists the options of a command. An input of - is standard input.
-Exit codes: 0 done, 1 the work failed, 2 wrong usage.</source>
-        <translation>suffuse-cli BEFEHL --help zeigt die Optionen eines Befehls. Die Eingabe - ist die Standardeingabe.
-Rückgabewerte: 0 fertig, 1 fehlgeschlagen, 2 falscher Aufruf.</translation>
     </message>
     <message>
         <source>%1: there is no such command. See suffuse-cli --help.</source>
@@ -384,10 +441,6 @@ Rückgabewerte: 0 fertig, 1 fehlgeschlagen, 2 falscher Aufruf.</translation>
     <message>
         <source>%1 %2: give X and Y as numbers, in canvas units</source>
         <translation>%1 %2: bitte X und Y als Zahlen in Leinwandeinheiten angeben</translation>
-    </message>
-    <message>
-        <source>The picture: .png, .tiff, .exr, .jpg, .webp or .pfm.</source>
-        <translation>Das Bild: .png, .tiff, .exr, .jpg, .webp oder .pfm.</translation>
     </message>
     <message>
         <source>Pixels: WxH, or W alone; scales uniformly.</source>
@@ -626,7 +679,7 @@ Rückgabewerte: 0 fertig, 1 fehlgeschlagen, 2 falscher Aufruf.</translation>
     </message>
     <message>
         <source>Leaves out what lies beside the picture: preview, view, undo history.</source>
-        <translation>Lässt weg, was neben dem Bild liegt: Vorschau, Ansicht, Verlauf.</translation>
+        <translation>Lässt weg, was neben dem Bild liegt: Vorschau, Ansicht, Rückgängig-Schritte.</translation>
     </message>
     <message>
         <source>Of a damaged document takes what is whole, and says what is missing.</source>
@@ -647,10 +700,6 @@ Rückgabewerte: 0 fertig, 1 fehlgeschlagen, 2 falscher Aufruf.</translation>
     <message>
         <source>%1 and %2 hold the same painting</source>
         <translation>%1 und %2 enthalten dasselbe Bild</translation>
-    </message>
-    <message>
-        <source>%1 → %2: %3 strokes added, %4 removed, %5 changed, %6 moved</source>
-        <translation>%1 → %2: %3 Striche hinzugefügt, %4 entfernt, %5 geändert, %6 verschoben</translation>
     </message>
     <message>
         <source>%1, segments: %2</source>
@@ -686,7 +735,7 @@ Rückgabewerte: 0 fertig, 1 fehlgeschlagen, 2 falscher Aufruf.</translation>
     </message>
     <message>
         <source>undo history</source>
-        <translation>Verlauf</translation>
+        <translation>Rückgängig-Schritte</translation>
     </message>
     <message>
         <source>unknown to this version, kept</source>
@@ -707,12 +756,6 @@ Rückgabewerte: 0 fertig, 1 fehlgeschlagen, 2 falscher Aufruf.</translation>
     <message>
         <source>what was not saved when the editor ended</source>
         <translation>was beim Ende des Programms nicht gespeichert war</translation>
-    </message>
-    <message>
-        <source>%1  %2  %3, %4 strokes
-</source>
-        <translation>%1  %2  %3, %4 Striche
-</translation>
     </message>
     <message>
         <source>in use by a running Suffuse</source>
@@ -757,10 +800,6 @@ Rückgabewerte: 0 fertig, 1 fehlgeschlagen, 2 falscher Aufruf.</translation>
         <translation>%1: ist IN selbst, das verloren ginge; geben Sie OUT einen anderen Namen</translation>
     </message>
     <message>
-        <source>%1: not one of its %2 strokes is whole; open a backup of it</source>
-        <translation>%1: Keiner der %2 Striche ist heil; öffnen Sie eine Sicherungskopie davon</translation>
-    </message>
-    <message>
         <source>The painting, recording or drawing to read; -: standard input.</source>
         <translation>Das Bild, die Aufzeichnung oder Zeichnung, die gelesen wird; -: Standardeingabe.</translation>
     </message>
@@ -797,14 +836,121 @@ Rückgabewerte: 0 fertig, 1 fehlgeschlagen, 2 falscher Aufruf.</translation>
         <translation>--time %1: Vor %2 s ist nichts gemalt</translation>
     </message>
     <message>
-        <source>  %1 segments with a share below %2 are left out (--all)
-</source>
-        <translation>  %1 Segmente mit einem Anteil unter %2 sind weggelassen (--all)
-</translation>
+        <source>--format is for an OUT of -; the ending of %1 chooses the format</source>
+        <translation>--format gilt, wenn OUT - ist; bei %1 bestimmt die Endung das Format</translation>
     </message>
     <message>
-        <source>Lists segments with shares below a thousandth, too; --json always does.</source>
-        <translation>Nennt auch Segmente mit Anteilen unter einem Tausendstel; --json immer.</translation>
+        <source>--format %1: give suffuse or json</source>
+        <translation>--format %1: suffuse oder json angeben</translation>
+    </message>
+    <message>
+        <source>Where OUT is -: suffuse or json (default: json).</source>
+        <translation>Wenn OUT - ist: suffuse oder json (sonst: json).</translation>
+    </message>
+    <message>
+        <source>--brush is ignored: the strokes of %1 have their looks already</source>
+        <translation>--brush bleibt ohne Wirkung: die Striche von %1 haben ihr Aussehen schon</translation>
+    </message>
+    <message numerus="yes">
+        <source>%1: none of its %n stroke(s) is whole; open a backup of it</source>
+        <translation>
+            <numerusform>%1: sein einziger Strich ist nicht heil; bitte eine Sicherung öffnen</numerusform>
+            <numerusform>%1: keiner der %n Striche ist heil; bitte eine Sicherung öffnen</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1 → %2: %3, %4 removed, %5 changed, %6 moved</source>
+        <translation>%1 → %2: %3, %4 entfernt, %5 geändert, %6 verschoben</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n stroke(s) added</source>
+        <translation>
+            <numerusform>%n Strich hinzugefügt</numerusform>
+            <numerusform>%n Striche hinzugefügt</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>suffuse-cli COMMAND --help lists the options of a command, and so does suffuse-cli help COMMAND. An input of - is standard input.
+Exit codes: 0 done, 1 the work failed, 2 wrong usage.</source>
+        <translation>suffuse-cli BEFEHL --help zeigt die Optionen eines Befehls, ebenso suffuse-cli help BEFEHL. Eine Eingabe von - ist die Standardeingabe.
+Rückgabewerte: 0 erledigt, 1 fehlgeschlagen, 2 falscher Aufruf.</translation>
+    </message>
+    <message>
+        <source>The file to write: .suffuse or .json; -: standard output.</source>
+        <translation>Die Datei, die geschrieben wird: .suffuse oder .json; -: Standardausgabe.</translation>
+    </message>
+    <message numerus="yes">
+        <source>  %n segment(s) with a share below %1 left out (--all)
+</source>
+        <translation>
+            <numerusform>  %n Segment mit einem Anteil unter %1 weggelassen (--all)
+</numerusform>
+            <numerusform>  %n Segmente mit einem Anteil unter %1 weggelassen (--all)
+</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Lists segments with shares below a millionth, too.</source>
+        <translation>Nennt auch Segmente mit Anteilen unter einem Millionstel.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n stroke(s)</source>
+        <translation>
+            <numerusform>%n Strich</numerusform>
+            <numerusform>%n Striche</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>-o %1: what is recovered is a painting: give a name that ends in .suffuse or .json. suffuse-cli render draws it then</source>
+        <translation>-o %1: Wiederhergestellt wird ein Gemälde: bitte einen Namen mit der Endung .suffuse oder .json angeben. suffuse-cli render zeichnet es dann</translation>
+    </message>
+    <message>
+        <source>The picture: .png, .tiff, .exr, .jpg, .webp or .pfm; -: standard output.</source>
+        <translation>Das Bild: .png, .tiff, .exr, .jpg, .webp oder .pfm; -: Standardausgabe.</translation>
+    </message>
+    <message>
+        <source>With -o -: png, tiff, exr, jpg, webp or pfm (default: png).</source>
+        <translation>Mit -o -: png, tiff, exr, jpg, webp oder pfm (sonst: png).</translation>
+    </message>
+    <message>
+        <source>Of JPEG and WebP, 1 to 100 (default 92); WebP loses nothing at 100.</source>
+        <translation>Von JPEG und WebP, 1 bis 100 (sonst 92); WebP verliert bei 100 nichts.</translation>
+    </message>
+    <message>
+        <source>Pixels an inch, as the file says it (default: it says nothing).</source>
+        <translation>Pixel je Zoll, wie die Datei sie nennt (sonst nennt sie keine).</translation>
+    </message>
+    <message>
+        <source>--format is for -o -; the ending of %1 chooses the format</source>
+        <translation>--format gilt für -o -; bei %1 bestimmt die Endung das Format</translation>
+    </message>
+    <message>
+        <source>--stats and -o - both write to standard output; give one</source>
+        <translation>--stats und -o - schreiben beide auf die Standardausgabe; bitte nur eines angeben</translation>
+    </message>
+    <message>
+        <source>standard output is a terminal, which shows no pictures; lead it into a file or a program</source>
+        <translation>die Standardausgabe ist ein Terminal, das keine Bilder zeigt; bitte in eine Datei oder ein Programm leiten</translation>
+    </message>
+    <message>
+        <source>--format %1: give one of %2</source>
+        <translation>--format %1: eines von %2 angeben</translation>
+    </message>
+    <message>
+        <source>--quality %1: give a whole number from 1 to 100</source>
+        <translation>--quality %1: eine ganze Zahl von 1 bis 100 angeben</translation>
+    </message>
+    <message>
+        <source>--quality is ignored: %1 loses nothing</source>
+        <translation>--quality bleibt ohne Wirkung: %1 verliert nichts</translation>
+    </message>
+    <message>
+        <source>--dpi %1: give a number from 1 to 10000, e.g. 300</source>
+        <translation>--dpi %1: eine Zahl von 1 bis 10000 angeben, z. B. 300</translation>
+    </message>
+    <message>
+        <source>--dpi is ignored: %1 files hold no resolution</source>
+        <translation>--dpi bleibt ohne Wirkung: %1-Dateien nennen keine Auflösung</translation>
     </message>
 </context>
 <context>
@@ -925,16 +1071,18 @@ Rückgabewerte: 0 fertig, 1 fehlgeschlagen, 2 falscher Aufruf.</translation>
     </message>
 </context>
 <context>
+    <name>Export</name>
+    <message>
+        <source>The selected strokes were exported last, and nothing is selected. Select strokes, or choose Export…</source>
+        <translation>Zuletzt wurden die ausgewählten Striche exportiert, und jetzt ist nichts ausgewählt. Bitte Striche auswählen oder „Exportieren …“ wählen</translation>
+    </message>
+    <message>
+        <source>There is nothing to export. Choose Export…</source>
+        <translation>Es gibt nichts zu exportieren. Bitte „Exportieren …“ wählen</translation>
+    </message>
+</context>
+<context>
     <name>FigureWarnings</name>
-    <message>
-        <source>Dries out at %1 s: nothing of it is seen after that. More φ, or less D or drying time, keeps it.</source>
-        <extracomment>%1: seconds after it was painted</extracomment>
-        <translation>Trocknet nach %1 s aus: Danach ist nichts mehr davon zu sehen. Mehr φ oder weniger D oder Trockenzeit verhindert das.</translation>
-    </message>
-    <message>
-        <source>Parts dry out, the first at %1 s. More φ, or less D or drying time, keeps them.</source>
-        <translation>Teile trocknen aus, der erste nach %1 s. Mehr φ oder weniger D oder Trockenzeit verhindert das.</translation>
-    </message>
     <message>
         <source>Widest at %1 s; from then on it grows narrower while it spreads.</source>
         <translation>Am breitesten nach %1 s; von da an wird der Strich schmaler, während er verläuft.</translation>
@@ -954,6 +1102,15 @@ Rückgabewerte: 0 fertig, 1 fehlgeschlagen, 2 falscher Aufruf.</translation>
     <message>
         <source>Opacity 0 %: nothing of it is seen.</source>
         <translation>Deckkraft 0 %: Nichts davon ist zu sehen.</translation>
+    </message>
+    <message>
+        <source>Fades away at %1 s: nothing of it is seen after that. More φ, or less D or drying time, keeps it.</source>
+        <extracomment>%1: seconds after it was painted</extracomment>
+        <translation>Verblasst nach %1 s: Danach ist nichts mehr davon zu sehen. Mehr φ oder weniger D oder Trockenzeit verhindert das.</translation>
+    </message>
+    <message>
+        <source>Parts fade away, the first at %1 s. More φ, or less D or drying time, keeps them.</source>
+        <translation>Teile verblassen, der erste nach %1 s. Mehr φ oder weniger D oder Trockenzeit verhindert das.</translation>
     </message>
 </context>
 <context>
@@ -1040,13 +1197,13 @@ Rückgabewerte: 0 fertig, 1 fehlgeschlagen, 2 falscher Aufruf.</translation>
         <source>%1 holds 1 to %2 pixels a side, not %3 × %4. Choose another size or format.</source>
         <translation>%1 fasst 1 bis %2 Pixel je Seite, nicht %3 × %4. Bitte eine andere Größe oder ein anderes Format wählen.</translation>
     </message>
+    <message>
+        <source>A picture of %1 × %2 pixels is too large: at most %3 million pixels can be drawn. Choose a smaller size.</source>
+        <translation>Ein Bild von %1 × %2 Pixeln ist zu groß: höchstens %3 Millionen Pixel können gezeichnet werden. Bitte eine kleinere Größe wählen.</translation>
+    </message>
 </context>
 <context>
     <name>ImageModule</name>
-    <message>
-        <source>the image module %1 %2; install or build Suffuse again (target suffuse_image_io). Pictures ending in .pfm work without it</source>
-        <translation>das Bildmodul %1 %2; bitte Suffuse neu installieren oder bauen (Ziel suffuse_image_io). Bilder mit der Endung .pfm gehen auch ohne es</translation>
-    </message>
     <message>
         <source>is missing</source>
         <translation>fehlt</translation>
@@ -1058,6 +1215,10 @@ Rückgabewerte: 0 fertig, 1 fehlgeschlagen, 2 falscher Aufruf.</translation>
     <message>
         <source>is of another version of Suffuse</source>
         <translation>gehört zu einer anderen Version von Suffuse</translation>
+    </message>
+    <message>
+        <source>the image module %1 %2; install or build Suffuse again (target %3). Pictures ending in .pfm work without it</source>
+        <translation>das Bildmodul %1 %2; Suffuse bitte neu installieren oder bauen (Ziel %3). Bilder mit der Endung .pfm gehen auch ohne</translation>
     </message>
 </context>
 <context>
@@ -1132,10 +1293,6 @@ Rückgabewerte: 0 fertig, 1 fehlgeschlagen, 2 falscher Aufruf.</translation>
         <translation>Ein anderes Programm hat „%1“ geändert.</translation>
     </message>
     <message>
-        <source>Reloading gives up what was painted since the last save.</source>
-        <translation>Beim Neuladen geht verloren, was seit dem letzten Speichern gemalt wurde.</translation>
-    </message>
-    <message>
         <source>The file stays as it is until you save.</source>
         <translation>Die Datei bleibt, wie sie ist, bis Sie speichern.</translation>
     </message>
@@ -1154,6 +1311,18 @@ Rückgabewerte: 0 fertig, 1 fehlgeschlagen, 2 falscher Aufruf.</translation>
     <message>
         <source>&amp;Reload</source>
         <translation>&amp;Neu laden</translation>
+    </message>
+    <message>
+        <source>Reloading takes away what was painted since the last save; Undo brings it back.</source>
+        <translation>Neuladen nimmt weg, was seit dem letzten Speichern gemalt wurde; Rückgängig bringt es zurück.</translation>
+    </message>
+    <message>
+        <source>“%1” exists. Replace it?</source>
+        <translation>„%1“ gibt es schon. Ersetzen?</translation>
+    </message>
+    <message>
+        <source>&amp;Replace</source>
+        <translation>&amp;Ersetzen</translation>
     </message>
 </context>
 <context>
@@ -1396,6 +1565,10 @@ Rückgabewerte: 0 fertig, 1 fehlgeschlagen, 2 falscher Aufruf.</translation>
     <message>
         <source>there is no such grain of paper</source>
         <translation>diese Papierkörnung gibt es nicht</translation>
+    </message>
+    <message>
+        <source>style.xi[1]: %1 is more than 2^(1/3) times xi[0], which is %2</source>
+        <translation>style.xi[1]: %1 ist mehr als das 2^(1/3)-Fache von xi[0], das %2 ist</translation>
     </message>
 </context>
 <context>
@@ -2275,7 +2448,7 @@ Rückgabewerte: 0 fertig, 1 fehlgeschlagen, 2 falscher Aufruf.</translation>
     </message>
     <message>
         <source>Keep Undo &amp;History in the File</source>
-        <translation>&amp;Verlauf in der Datei behalten</translation>
+        <translation>&amp;Rückgängig-Schritte in der Datei behalten</translation>
     </message>
     <message>
         <source>Whoever opens the file can go on undoing. Take it out before you give a file away</source>
@@ -2352,6 +2525,134 @@ Rückgabewerte: 0 fertig, 1 fehlgeschlagen, 2 falscher Aufruf.</translation>
     <message>
         <source>Give Up, or Deselect</source>
         <translation>Abbrechen oder Auswahl aufheben</translation>
+    </message>
+    <message>
+        <source>Save a Cop&amp;y…</source>
+        <translation>&amp;Kopie speichern …</translation>
+    </message>
+    <message>
+        <source>Ctrl+Alt+Shift+S</source>
+        <translation>Ctrl+Alt+Shift+S</translation>
+    </message>
+    <message>
+        <source>Into another file; you go on painting in this one</source>
+        <translation>In eine andere Datei; gemalt wird in dieser weiter</translation>
+    </message>
+    <message>
+        <source>Re&amp;vert…</source>
+        <translation>Zurück zur Da&amp;tei …</translation>
+    </message>
+    <message>
+        <source>Back to what the file holds; Undo takes it back</source>
+        <translation>Zurück zu dem, was in der Datei steht; Rückgängig nimmt es zurück</translation>
+    </message>
+    <message>
+        <source>Restore &amp;Backup…</source>
+        <translation>Sicherungskopie wie&amp;derherstellen …</translation>
+    </message>
+    <message>
+        <source>Back to an earlier version of the file</source>
+        <translation>Zurück zu einer früheren Fassung der Datei</translation>
+    </message>
+    <message>
+        <source>Export A&amp;gain</source>
+        <translation>E&amp;rneut exportieren</translation>
+    </message>
+    <message>
+        <source>Ctrl+E</source>
+        <translation>Ctrl+E</translation>
+    </message>
+    <message>
+        <source>To the same file, with the same settings</source>
+        <translation>In dieselbe Datei, mit denselben Einstellungen</translation>
+    </message>
+    <message>
+        <source>Hide Outlines and Handles While Held</source>
+        <translation>Konturen und Griffe ausblenden, solange gehalten</translation>
+    </message>
+    <message>
+        <source>&amp;Name</source>
+        <translation>&amp;Name</translation>
+    </message>
+    <message>
+        <source>Select all strokes of the same name</source>
+        <translation>Alle Striche mit demselben Namen auswählen</translation>
+    </message>
+    <message>
+        <source>Select &amp;Found</source>
+        <translation>Gefu&amp;ndenes auswählen</translation>
+    </message>
+    <message>
+        <source>Select what the search in the Strokes dock has found</source>
+        <translation>Auswählen, was die Suche im Andockfenster „Striche“ gefunden hat</translation>
+    </message>
+    <message>
+        <source>Show Ou&amp;tlines</source>
+        <translation>K&amp;onturen zeigen</translation>
+    </message>
+    <message>
+        <source>Shift+O</source>
+        <translation>Shift+O</translation>
+    </message>
+    <message>
+        <source>Lines along the selected strokes; the Brush shows none</source>
+        <translation>Linien entlang der ausgewählten Striche; der Pinsel zeigt keine</translation>
+    </message>
+    <message>
+        <source>Show Paint &amp;beyond the Canvas</source>
+        <translation>&amp;Farbe neben der Leinwand zeigen</translation>
+    </message>
+    <message>
+        <source>Under a veil, what was painted beside the canvas; it is in no picture that is exported</source>
+        <translation>Unter einem Schleier, was neben die Leinwand gemalt wurde; in exportierten Bildern ist es nie</translation>
+    </message>
+    <message>
+        <source>Ne&amp;xt Panel</source>
+        <translation>&amp;Nächster Bereich</translation>
+    </message>
+    <message>
+        <source>The keyboard goes from the canvas to the docks and tool bars in turn</source>
+        <translation>Die Tastatur geht von der Leinwand reihum zu den Bereichen und Werkzeugleisten</translation>
+    </message>
+    <message>
+        <source>&amp;Previous Panel</source>
+        <translation>&amp;Voriger Bereich</translation>
+    </message>
+    <message>
+        <source>The keyboard goes back from panel to panel</source>
+        <translation>Die Tastatur geht von Bereich zu Bereich zurück</translation>
+    </message>
+    <message>
+        <source>&amp;Undo: %1</source>
+        <translation>&amp;Rückgängig: %1</translation>
+    </message>
+    <message>
+        <source>&amp;Redo: %1</source>
+        <translation>&amp;Wiederholen: %1</translation>
+    </message>
+    <message>
+        <source>&amp;Find a Command…</source>
+        <translation>&amp;Befehl suchen …</translation>
+    </message>
+    <message>
+        <source>Ctrl+K</source>
+        <translation>Ctrl+K</translation>
+    </message>
+    <message>
+        <source>Commands, brushes, docks and recent files by their names</source>
+        <translation>Befehle, Pinsel, Andockfenster und zuletzt geöffnete Dateien nach ihrem Namen</translation>
+    </message>
+    <message>
+        <source>Drawing pace</source>
+        <translation>Zeichentempo</translation>
+    </message>
+    <message>
+        <source>&amp;Pause</source>
+        <translation>&amp;Anhalten</translation>
+    </message>
+    <message>
+        <source>Remove re-wetting</source>
+        <translation>Wiederanfeuchten aufheben</translation>
     </message>
 </context>
 <context>
@@ -2494,28 +2795,8 @@ Rückgabewerte: 0 fertig, 1 fehlgeschlagen, 2 falscher Aufruf.</translation>
 <context>
     <name>suffuse::AttributeBrushTool</name>
     <message>
-        <source>Diffusion D</source>
-        <translation>Diffusion D</translation>
-    </message>
-    <message>
-        <source>Density φ</source>
-        <translation>Dichte φ</translation>
-    </message>
-    <message>
-        <source>Granulation ω</source>
-        <translation>Granulation ω</translation>
-    </message>
-    <message>
         <source>Colour</source>
         <translation>Farbe</translation>
-    </message>
-    <message>
-        <source>Opacity</source>
-        <translation>Deckkraft</translation>
-    </message>
-    <message>
-        <source>Drying time</source>
-        <translation>Trockenzeit</translation>
     </message>
     <message>
         <source>What is painted onto the segments</source>
@@ -2532,10 +2813,6 @@ Rückgabewerte: 0 fertig, 1 fehlgeschlagen, 2 falscher Aufruf.</translation>
     <message>
         <source>What a segment has when it got all of it</source>
         <translation>Was ein Segment hat, wenn es alles davon bekommen hat</translation>
-    </message>
-    <message>
-        <source>Flow</source>
-        <translation>Fluss</translation>
     </message>
     <message>
         <source>How fast it is laid down</source>
@@ -2589,6 +2866,49 @@ Rückgabewerte: 0 fertig, 1 fehlgeschlagen, 2 falscher Aufruf.</translation>
         <source>Paint drying time</source>
         <translation>Trockenzeit malen</translation>
     </message>
+    <message>
+        <source>Strength</source>
+        <translation>Stärke</translation>
+    </message>
+</context>
+<context>
+    <name>suffuse::BackupsDialog</name>
+    <message>
+        <source>Restore Backup</source>
+        <translation>Sicherungskopie wiederherstellen</translation>
+    </message>
+    <message>
+        <source>There is no backup of “%1” yet. When it is saved again, the version before is kept; Settings says how many are.</source>
+        <translation>Von „%1“ gibt es noch keine Sicherungskopie. Beim nächsten Speichern bleibt die Fassung davor erhalten; wie viele bleiben, steht in den Einstellungen.</translation>
+    </message>
+    <message>
+        <source>An earlier version of “%1” takes the place of the painting as it is now. Undo brings that back, and no file changes until you save.</source>
+        <translation>Eine frühere Fassung von „%1“ tritt an die Stelle des Bildes, wie es jetzt ist. Rückgängig bringt dieses zurück, und keine Datei ändert sich, bevor gespeichert wird.</translation>
+    </message>
+    <message>
+        <source>Backups, the newest first</source>
+        <translation>Sicherungskopien, die neueste zuerst</translation>
+    </message>
+    <message>
+        <source>Saved</source>
+        <translation>Gespeichert</translation>
+    </message>
+    <message>
+        <source>Strokes</source>
+        <translation>Striche</translation>
+    </message>
+    <message>
+        <source>Size</source>
+        <translation>Größe</translation>
+    </message>
+    <message>
+        <source>&amp;Restore</source>
+        <translation>&amp;Wiederherstellen</translation>
+    </message>
+    <message>
+        <source>cannot be read</source>
+        <translation>nicht lesbar</translation>
+    </message>
 </context>
 <context>
     <name>suffuse::BrushDialog</name>
@@ -2617,24 +2937,12 @@ Rückgabewerte: 0 fertig, 1 fehlgeschlagen, 2 falscher Aufruf.</translation>
         <translation>Einstellungen des Pinsels</translation>
     </message>
     <message>
-        <source>Save Changes</source>
-        <translation>Änderungen speichern</translation>
-    </message>
-    <message>
         <source>Keeps the changes in the brush of this name; built-in brushes stay as they are</source>
         <translation>Behält die Änderungen im Pinsel dieses Namens; mitgelieferte Pinsel bleiben, wie sie sind</translation>
     </message>
     <message>
-        <source>Save as New…</source>
-        <translation>Als neuen speichern …</translation>
-    </message>
-    <message>
         <source>Keeps the brush under another name</source>
         <translation>Behält den Pinsel unter einem anderen Namen</translation>
-    </message>
-    <message>
-        <source>Close</source>
-        <translation>Schließen</translation>
     </message>
     <message>
         <source>Closes this window; the brush stays in hand as it is</source>
@@ -2645,116 +2953,16 @@ Rückgabewerte: 0 fertig, 1 fehlgeschlagen, 2 falscher Aufruf.</translation>
         <translation>Pinsel: %1</translation>
     </message>
     <message>
-        <source>Size</source>
-        <translation>Größe</translation>
-    </message>
-    <message>
-        <source>How far the paint spreads, in units; sets the diffusion.</source>
-        <translation>Wie weit die Farbe verläuft, in Einheiten; bestimmt die Diffusion.</translation>
-    </message>
-    <message>
-        <source>Flow</source>
-        <translation>Fluss</translation>
-    </message>
-    <message>
-        <source>Density in the middle of the stroke where no curve takes away</source>
-        <translation>Dichte in der Mitte des Strichs, wo keine Kurve etwas wegnimmt</translation>
-    </message>
-    <message>
-        <source>Opacity</source>
-        <translation>Deckkraft</translation>
-    </message>
-    <message>
-        <source>How much the paint covers at full density</source>
-        <translation>Wie stark die Farbe bei voller Dichte deckt</translation>
-    </message>
-    <message>
-        <source>Granulation ω</source>
-        <translation>Granulation ω</translation>
-    </message>
-    <message>
-        <source>1 hides the paper&apos;s grain, 0 shows it fully</source>
-        <translation>1 verbirgt die Körnung des Papiers, 0 zeigt sie ganz</translation>
-    </message>
-    <message>
-        <source>Drying time</source>
-        <translation>Trockenzeit</translation>
-    </message>
-    <message>
         <source>How long the paint spreads; the size stays</source>
         <translation>Wie lange die Farbe verläuft; die Größe bleibt</translation>
-    </message>
-    <message>
-        <source>Uniform</source>
-        <translation>Gleichmäßig</translation>
-    </message>
-    <message>
-        <source>Feathering</source>
-        <translation>Weich auslaufend</translation>
-    </message>
-    <message>
-        <source>Edge darkening</source>
-        <translation>Dunkle Ränder</translation>
     </message>
     <message>
         <source>Style</source>
         <translation>Stil</translation>
     </message>
     <message>
-        <source>How density becomes opacity</source>
-        <translation>Wie aus Dichte Deckkraft wird</translation>
-    </message>
-    <message>
-        <source>Covers (alpha)</source>
-        <translation>Deckend (Alpha)</translation>
-    </message>
-    <message>
-        <source>Mixes as pigment (beta)</source>
-        <translation>Mischt als Pigment (Beta)</translation>
-    </message>
-    <message>
         <source>Mixing</source>
         <translation>Mischung</translation>
-    </message>
-    <message>
-        <source>How the paint mixes with what lies below</source>
-        <translation>Wie sich die Farbe mit dem Darunterliegenden mischt</translation>
-    </message>
-    <message>
-        <source>ξ1</source>
-        <translation>ξ1</translation>
-    </message>
-    <message>
-        <source>Density at which the paint begins to cover</source>
-        <translation>Dichte, bei der die Farbe zu decken beginnt</translation>
-    </message>
-    <message>
-        <source>ξ2</source>
-        <translation>ξ2</translation>
-    </message>
-    <message>
-        <source>Uniform: softness of the edge; feathering: exponent; edge darkening: width of the rim</source>
-        <translation>Gleichmäßig: Weichheit des Randes; weich auslaufend: Exponent; dunkle Ränder: Breite des Randes</translation>
-    </message>
-    <message>
-        <source>ξ3</source>
-        <translation>ξ3</translation>
-    </message>
-    <message>
-        <source>Opacity inside the dark edge</source>
-        <translation>Deckkraft innerhalb des dunklen Randes</translation>
-    </message>
-    <message>
-        <source>β</source>
-        <translation>β</translation>
-    </message>
-    <message>
-        <source>How much of what lies below shows through the pigment</source>
-        <translation>Wie viel vom Darunterliegenden durch das Pigment scheint</translation>
-    </message>
-    <message>
-        <source>Granulation</source>
-        <translation>Granulation</translation>
     </message>
     <message>
         <source>Second colour</source>
@@ -2823,10 +3031,6 @@ Rückgabewerte: 0 fertig, 1 fehlgeschlagen, 2 falscher Aufruf.</translation>
     <message>
         <source>Way on which what drifts becomes another, in sizes</source>
         <translation>Weg, auf dem ein driftender Wert zu einem anderen wird, in Größen</translation>
-    </message>
-    <message>
-        <source>Take the current colour</source>
-        <translation>Aktuelle Farbe übernehmen</translation>
     </message>
     <message>
         <source>Makes the current colour the second one</source>
@@ -2905,22 +3109,6 @@ Rückgabewerte: 0 fertig, 1 fehlgeschlagen, 2 falscher Aufruf.</translation>
         <translation>Beruhigt die Hand: Der Strich folgt dem Stift sanft oder wird an einer Schnur gezogen</translation>
     </message>
     <message>
-        <source>Strength</source>
-        <translation>Stärke</translation>
-    </message>
-    <message>
-        <source>How far the stroke lags behind</source>
-        <translation>Wie weit der Strich zurückbleibt</translation>
-    </message>
-    <message>
-        <source>String</source>
-        <translation>Schnur</translation>
-    </message>
-    <message>
-        <source>Its length on the screen</source>
-        <translation>Ihre Länge auf dem Bildschirm</translation>
-    </message>
-    <message>
         <source>Sampling</source>
         <translation>Abtastung</translation>
     </message>
@@ -2931,18 +3119,6 @@ Rückgabewerte: 0 fertig, 1 fehlgeschlagen, 2 falscher Aufruf.</translation>
     <message>
         <source>Tip</source>
         <translation>Spitze</translation>
-    </message>
-    <message>
-        <source>Ratio</source>
-        <translation>Verhältnis</translation>
-    </message>
-    <message>
-        <source>How much faster the paint spreads along the tip&apos;s angle than across</source>
-        <translation>Wie viel schneller die Farbe längs des Winkels der Spitze verläuft als quer dazu</translation>
-    </message>
-    <message>
-        <source>Angle</source>
-        <translation>Winkel</translation>
     </message>
     <message>
         <source>Of the tip, against the path or the canvas</source>
@@ -2983,6 +3159,30 @@ Rückgabewerte: 0 fertig, 1 fehlgeschlagen, 2 falscher Aufruf.</translation>
     <message>
         <source>Size at the very end</source>
         <translation>Größe ganz am Ende</translation>
+    </message>
+    <message>
+        <source>&amp;Save Changes</source>
+        <translation>Änderungen &amp;speichern</translation>
+    </message>
+    <message>
+        <source>Save as &amp;New…</source>
+        <translation>Als &amp;neuen speichern …</translation>
+    </message>
+    <message>
+        <source>&amp;Close</source>
+        <translation>S&amp;chließen</translation>
+    </message>
+    <message>
+        <source>How density becomes coverage.</source>
+        <translation>Wie aus Dichte Deckung wird.</translation>
+    </message>
+    <message>
+        <source>How the paint mixes with what lies below it: it covers, or pigments add up.</source>
+        <translation>Wie sich die Farbe mit dem Darunterliegenden mischt: Sie deckt, oder Pigmente addieren sich.</translation>
+    </message>
+    <message>
+        <source>&amp;Take the Current Colour</source>
+        <translation>A&amp;ktuelle Farbe übernehmen</translation>
     </message>
 </context>
 <context>
@@ -3035,40 +3235,12 @@ Rückgabewerte: 0 fertig, 1 fehlgeschlagen, 2 falscher Aufruf.</translation>
         <translation>Womit gemalt wird. Die Farbe bleibt.</translation>
     </message>
     <message>
-        <source>%1: spread %2 units, dry after %3 s</source>
-        <translation>%1: Ausbreitung %2 Einheiten, trocken nach %3 s</translation>
-    </message>
-    <message>
         <source>Reset brush</source>
         <translation>Pinsel zurücksetzen</translation>
     </message>
     <message>
         <source>Back to the brush as it came</source>
         <translation>Zurück zum ursprünglichen Pinsel</translation>
-    </message>
-    <message>
-        <source>Size</source>
-        <translation>Größe</translation>
-    </message>
-    <message>
-        <source>How far the paint spreads, in units; sets the diffusion.</source>
-        <translation>Wie weit die Farbe verläuft, in Einheiten; bestimmt die Diffusion.</translation>
-    </message>
-    <message>
-        <source>Flow</source>
-        <translation>Fluss</translation>
-    </message>
-    <message>
-        <source>Density in the middle of the stroke at full pressure.</source>
-        <translation>Dichte in der Mitte des Strichs bei vollem Druck.</translation>
-    </message>
-    <message>
-        <source>Opacity</source>
-        <translation>Deckkraft</translation>
-    </message>
-    <message>
-        <source>How much the paint covers at full density</source>
-        <translation>Wie stark die Farbe bei voller Dichte deckt</translation>
     </message>
     <message>
         <source>%1 (changed)</source>
@@ -3139,28 +3311,8 @@ Rückgabewerte: 0 fertig, 1 fehlgeschlagen, 2 falscher Aufruf.</translation>
         <translation>&amp;Exportieren …</translation>
     </message>
     <message>
-        <source>Save brush</source>
-        <translation>Pinsel speichern</translation>
-    </message>
-    <message>
         <source>Name</source>
         <translation>Name</translation>
-    </message>
-    <message>
-        <source>Rename brush</source>
-        <translation>Pinsel umbenennen</translation>
-    </message>
-    <message>
-        <source>Delete brush</source>
-        <translation>Pinsel löschen</translation>
-    </message>
-    <message>
-        <source>Delete the brush “%1”? Strokes painted with it stay.</source>
-        <translation>Pinsel „%1“ löschen? Die mit ihm gemalten Striche bleiben.</translation>
-    </message>
-    <message>
-        <source>Import brushes</source>
-        <translation>Pinsel importieren</translation>
     </message>
     <message>
         <source>Brushes (*.suffuse-brush *.myb);;All files (*)</source>
@@ -3171,12 +3323,40 @@ Rückgabewerte: 0 fertig, 1 fehlgeschlagen, 2 falscher Aufruf.</translation>
         <translation>%1: Für diese Einstellungen gibt es hier keine Entsprechung: %2</translation>
     </message>
     <message>
-        <source>Export brush</source>
-        <translation>Pinsel exportieren</translation>
+        <source>Suffuse brush</source>
+        <translation>Suffuse-Pinsel</translation>
     </message>
     <message>
-        <source>Suffuse brush (*%1)</source>
-        <translation>Suffuse-Pinsel (*%1)</translation>
+        <source>%1: size %2, dry after %3</source>
+        <translation>%1: Größe %2, trocken nach %3</translation>
+    </message>
+    <message>
+        <source>Delete the brush “%1”?</source>
+        <translation>Pinsel „%1“ löschen?</translation>
+    </message>
+    <message>
+        <source>Strokes painted with it stay.</source>
+        <translation>Die mit ihm gemalten Striche bleiben.</translation>
+    </message>
+    <message>
+        <source>&amp;Delete</source>
+        <translation>&amp;Löschen</translation>
+    </message>
+    <message>
+        <source>Save Brush</source>
+        <translation>Pinsel speichern</translation>
+    </message>
+    <message>
+        <source>Rename Brush</source>
+        <translation>Pinsel umbenennen</translation>
+    </message>
+    <message>
+        <source>Import Brushes</source>
+        <translation>Pinsel importieren</translation>
+    </message>
+    <message>
+        <source>Export Brush</source>
+        <translation>Pinsel exportieren</translation>
     </message>
 </context>
 <context>
@@ -3202,24 +3382,8 @@ Rückgabewerte: 0 fertig, 1 fehlgeschlagen, 2 falscher Aufruf.</translation>
         <translation>Pinsel</translation>
     </message>
     <message>
-        <source>Size</source>
-        <translation>Größe</translation>
-    </message>
-    <message>
         <source>How far the paint spreads, in units ([ and ] change it)</source>
         <translation>Wie weit die Farbe verläuft, in Einheiten ([ und ] ändern es)</translation>
-    </message>
-    <message>
-        <source>Flow</source>
-        <translation>Fluss</translation>
-    </message>
-    <message>
-        <source>Density in the middle of the stroke at full pressure</source>
-        <translation>Dichte in der Mitte des Strichs bei vollem Druck</translation>
-    </message>
-    <message>
-        <source>Opacity</source>
-        <translation>Deckkraft</translation>
     </message>
     <message>
         <source>How much the paint covers ({ and } change it)</source>
@@ -3256,14 +3420,6 @@ Rückgabewerte: 0 fertig, 1 fehlgeschlagen, 2 falscher Aufruf.</translation>
     <message>
         <source>Own brush</source>
         <translation>Eigener Pinsel</translation>
-    </message>
-    <message>
-        <source>Size %1 u</source>
-        <translation>Größe %1 u</translation>
-    </message>
-    <message>
-        <source>Opacity %1 %</source>
-        <translation>Deckkraft %1 %</translation>
     </message>
     <message>
         <source>Drag to paint, tap for a dot. Shift+drag: size and opacity. Ctrl+click: take the picture&apos;s colour, with Shift the stroke&apos;s own.</source>
@@ -3336,10 +3492,6 @@ Rückgabewerte: 0 fertig, 1 fehlgeschlagen, 2 falscher Aufruf.</translation>
         <translation>Die Körnung des Papiers, die granulierende Striche zeigen.</translation>
     </message>
     <message>
-        <source>Choose image…</source>
-        <translation>Bild wählen …</translation>
-    </message>
-    <message>
         <source>Take the grain from another picture file.</source>
         <translation>Die Körnung aus einer anderen Bilddatei nehmen.</translation>
     </message>
@@ -3360,14 +3512,6 @@ Rückgabewerte: 0 fertig, 1 fehlgeschlagen, 2 falscher Aufruf.</translation>
         <translation>Skalierung</translation>
     </message>
     <message>
-        <source>Strength</source>
-        <translation>Stärke</translation>
-    </message>
-    <message>
-        <source>How deep the grain goes.</source>
-        <translation>Wie tief die Körnung reicht.</translation>
-    </message>
-    <message>
         <source>Paper image</source>
         <translation>Papierbild</translation>
     </message>
@@ -3382,6 +3526,10 @@ Rückgabewerte: 0 fertig, 1 fehlgeschlagen, 2 falscher Aufruf.</translation>
     <message>
         <source>Size of the coarsest grain or of a thread in units, or units per pixel of the image.</source>
         <translation>Größe des gröbsten Korns oder eines Fadens in Einheiten, oder Einheiten je Bildpixel.</translation>
+    </message>
+    <message>
+        <source>Choose &amp;Image…</source>
+        <translation>B&amp;ild wählen …</translation>
     </message>
 </context>
 <context>
@@ -3451,41 +3599,6 @@ Rückgabewerte: 0 fertig, 1 fehlgeschlagen, 2 falscher Aufruf.</translation>
     </message>
 </context>
 <context>
-    <name>suffuse::ColourRows</name>
-    <message>
-        <source>Red</source>
-        <translation>Rot</translation>
-    </message>
-    <message>
-        <source>Yellow</source>
-        <translation>Gelb</translation>
-    </message>
-    <message>
-        <source>Blue</source>
-        <translation>Blau</translation>
-    </message>
-    <message>
-        <source>Opacity</source>
-        <translation>Deckkraft</translation>
-    </message>
-    <message>
-        <source>Share of red pigment</source>
-        <translation>Anteil des roten Pigments</translation>
-    </message>
-    <message>
-        <source>Share of yellow pigment</source>
-        <translation>Anteil des gelben Pigments</translation>
-    </message>
-    <message>
-        <source>Share of blue pigment</source>
-        <translation>Anteil des blauen Pigments</translation>
-    </message>
-    <message>
-        <source>How much the paint covers at full density</source>
-        <translation>Wie stark die Farbe bei voller Dichte deckt</translation>
-    </message>
-</context>
-<context>
     <name>suffuse::ColourWheel</name>
     <message>
         <source>Colour wheel</source>
@@ -3496,6 +3609,45 @@ Rückgabewerte: 0 fertig, 1 fehlgeschlagen, 2 falscher Aufruf.</translation>
 Arrow keys work too.</source>
         <translation>Ring: Farbton in der Ordnung der Pigmente. Dreieck: rein, weiß und schwarz.
 Auch die Pfeiltasten wirken.</translation>
+    </message>
+</context>
+<context>
+    <name>suffuse::CommandPalette</name>
+    <message>
+        <source>Find a command</source>
+        <translation>Befehl suchen</translation>
+    </message>
+    <message>
+        <source>Commands, brushes, docks, recent files</source>
+        <translation>Befehle, Pinsel, Andockfenster, zuletzt geöffnete Dateien</translation>
+    </message>
+    <message>
+        <source>Parts of names in any order; Enter runs the chosen one, Escape goes back.</source>
+        <translation>Teile von Namen in beliebiger Reihenfolge; die Eingabetaste führt das Gewählte aus, Escape kehrt zurück.</translation>
+    </message>
+    <message>
+        <source>Found</source>
+        <translation>Gefunden</translation>
+    </message>
+    <message>
+        <source>Click one to run it.</source>
+        <translation>Ein Klick führt den Befehl aus.</translation>
+    </message>
+    <message>
+        <source>Nothing is called so.</source>
+        <translation>Nichts heißt so.</translation>
+    </message>
+    <message>
+        <source>It cannot be used now.</source>
+        <translation>Das ist gerade nicht möglich.</translation>
+    </message>
+    <message>
+        <source>Brush</source>
+        <translation>Pinsel</translation>
+    </message>
+    <message>
+        <source>Open Recent</source>
+        <translation>Zuletzt geöffnet</translation>
     </message>
 </context>
 <context>
@@ -3512,10 +3664,6 @@ Auch die Pfeiltasten wirken.</translation>
 <context>
     <name>suffuse::CrossSectionPlot</name>
     <message>
-        <source>Covers up to %1 %</source>
-        <translation>Deckt bis %1 %</translation>
-    </message>
-    <message>
         <source>Not painted yet</source>
         <translation>Noch nicht gemalt</translation>
     </message>
@@ -3524,8 +3672,8 @@ Auch die Pfeiltasten wirken.</translation>
         <translation>Querschnitt</translation>
     </message>
     <message>
-        <source>±%1 u</source>
-        <translation>±%1 u</translation>
+        <source>Covers up to %1</source>
+        <translation>Deckt bis %1</translation>
     </message>
 </context>
 <context>
@@ -3565,6 +3713,14 @@ Auch die Pfeiltasten wirken.</translation>
         <extracomment>name of a document that was brought back after a crash</extracomment>
         <translation>%1 (wiederhergestellt)</translation>
     </message>
+    <message>
+        <source>is damaged, so the painting stays as it is; save it, or open the file to see what is whole of it</source>
+        <translation>ist beschädigt, darum bleibt das Bild, wie es ist; bitte speichern, oder die Datei öffnen, um zu sehen, was davon heil ist</translation>
+    </message>
+    <message>
+        <source>Revert</source>
+        <translation>Zurück zur Datei</translation>
+    </message>
 </context>
 <context>
     <name>suffuse::EraserTool</name>
@@ -3600,16 +3756,8 @@ Auch die Pfeiltasten wirken.</translation>
         <translation>32 Bit Gleitkomma</translation>
     </message>
     <message>
-        <source>Export picture</source>
-        <translation>Bild exportieren</translation>
-    </message>
-    <message>
         <source>Progress</source>
         <translation>Fortschritt</translation>
-    </message>
-    <message>
-        <source>Export</source>
-        <translation>Exportieren</translation>
     </message>
     <message>
         <source>File</source>
@@ -3618,10 +3766,6 @@ Auch die Pfeiltasten wirken.</translation>
     <message>
         <source>The ending chooses the format: png, tiff, exr, jpg, webp or pfm.</source>
         <translation>Die Endung bestimmt das Format: png, tiff, exr, jpg, webp oder pfm.</translation>
-    </message>
-    <message>
-        <source>Browse…</source>
-        <translation>Durchsuchen …</translation>
     </message>
     <message>
         <source>Choose a folder and a name</source>
@@ -3688,12 +3832,39 @@ Auch die Pfeiltasten wirken.</translation>
         <translation>„%1“ hat keine Endung eines Bildformats. Möglich sind: %2.</translation>
     </message>
     <message>
-        <source>A picture of %1 × %2 pixels is too large. Choose a smaller size.</source>
-        <translation>Ein Bild von %1 × %2 Pixeln ist zu groß. Bitte eine kleinere Größe wählen.</translation>
-    </message>
-    <message>
         <source>%1 exists. Replace it?</source>
         <translation>%1 gibt es schon. Ersetzen?</translation>
+    </message>
+    <message>
+        <source>&amp;Export</source>
+        <translation>&amp;Exportieren</translation>
+    </message>
+    <message>
+        <source>&amp;Browse…</source>
+        <translation>&amp;Durchsuchen …</translation>
+    </message>
+    <message>
+        <source>What it holds now is lost.</source>
+        <translation>Was sie jetzt enthält, geht verloren.</translation>
+    </message>
+    <message>
+        <source>&amp;Replace</source>
+        <translation>&amp;Ersetzen</translation>
+    </message>
+    <message>
+        <source>At most %1 × %2 px</source>
+        <translation>Höchstens %1 × %2 px</translation>
+    </message>
+    <message>
+        <source>Export Picture</source>
+        <translation>Bild exportieren</translation>
+    </message>
+</context>
+<context>
+    <name>suffuse::ExportJob</name>
+    <message>
+        <source>A picture of %1 × %2 pixels does not fit into memory. Choose a smaller size.</source>
+        <translation>Ein Bild von %1 × %2 Pixeln passt nicht in den Speicher. Bitte eine kleinere Größe wählen.</translation>
     </message>
 </context>
 <context>
@@ -4137,14 +4308,6 @@ Auch die Pfeiltasten wirken.</translation>
         <translation>ist keine .suffuse-Datei</translation>
     </message>
     <message>
-        <source>ends after %1 bytes; %2</source>
-        <translation>endet nach %1 Bytes; %2</translation>
-    </message>
-    <message>
-        <source>its line endings were changed on the way; transfer it as a binary file</source>
-        <translation>ihre Zeilenenden wurden unterwegs verändert; bitte als Binärdatei übertragen</translation>
-    </message>
-    <message>
         <source>the hash of the whole differs</source>
         <translation>der Hash des Ganzen stimmt nicht</translation>
     </message>
@@ -4338,7 +4501,7 @@ Auch die Pfeiltasten wirken.</translation>
     </message>
     <message>
         <source>the undo history was left out: %1</source>
-        <translation>der Verlauf wurde weggelassen: %1</translation>
+        <translation>die Rückgängig-Schritte wurden weggelassen: %1</translation>
     </message>
     <message>
         <source>chunk %1 at byte %2: %3</source>
@@ -4358,7 +4521,7 @@ Auch die Pfeiltasten wirken.</translation>
     </message>
     <message>
         <source>the canvas, paper, groups, swatches and underlay are missing; the canvas is a usual one</source>
-        <translation>Leinwand, Papier, Gruppen, Farbfelder und Unterlage fehlen; die Leinwand ist eine übliche</translation>
+        <translation>Leinwand, Papier, Gruppen, Farbfelder und Vorlage fehlen; die Leinwand ist eine übliche</translation>
     </message>
     <message>
         <source>the image of the paper is missing; there is no paper now</source>
@@ -4366,7 +4529,7 @@ Auch die Pfeiltasten wirken.</translation>
     </message>
     <message>
         <source>the underlay is missing</source>
-        <translation>die Unterlage fehlt</translation>
+        <translation>die Vorlage fehlt</translation>
     </message>
     <message>
         <source>%1 strokes with %2 segments are here; how many there were is not known</source>
@@ -4425,10 +4588,6 @@ Auch die Pfeiltasten wirken.</translation>
         <translation>enthält keine Pfade, die gemalt werden können; wandeln Sie Text und Bilder im Zeichenprogramm zuerst in Pfade um</translation>
     </message>
     <message>
-        <source>Text and images of the drawing were left out: only paths and shapes are strokes.</source>
-        <translation>Text und Bilder der Zeichnung wurden weggelassen: Nur Pfade und Formen werden Striche.</translation>
-    </message>
-    <message>
         <source>the preview</source>
         <translation>die Vorschau</translation>
     </message>
@@ -4438,7 +4597,7 @@ Auch die Pfeiltasten wirken.</translation>
     </message>
     <message>
         <source>the undo history</source>
-        <translation>der Verlauf</translation>
+        <translation>die Rückgängig-Schritte</translation>
     </message>
     <message>
         <source>the end of the file is damaged</source>
@@ -4456,9 +4615,162 @@ Auch die Pfeiltasten wirken.</translation>
         <source>damaged and left out: %1</source>
         <translation>beschädigt und weggelassen: %1</translation>
     </message>
+    <message numerus="yes">
+        <source>%n fill(s)</source>
+        <translation>
+            <numerusform>%n Füllung</numerusform>
+            <numerusform>%n Füllungen</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n element(s) not drawn freehand</source>
+        <translation>
+            <numerusform>%n nicht freihändig gezeichnetes Element</numerusform>
+            <numerusform>%n nicht freihändig gezeichnete Elemente</numerusform>
+        </translation>
+    </message>
     <message>
-        <source>Fills were left out: filled shapes are painted along their outlines.</source>
-        <translation>Füllungen fehlen: Gefüllte Formen sind entlang ihrer Umrisse gemalt.</translation>
+        <source>column “%1”</source>
+        <translation>Spalte „%1“</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n brush shape(s)</source>
+        <translation>
+            <numerusform>%n Pinselform</numerusform>
+            <numerusform>%n Pinselformen</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n turned or stretched brush tip(s)</source>
+        <translation>
+            <numerusform>%n gedrehte oder gestreckte Pinselspitze</numerusform>
+            <numerusform>%n gedrehte oder gestreckte Pinselspitzen</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>the pen&apos;s azimuths</source>
+        <translation>die Azimute des Stifts</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n view(s) of recognised text</source>
+        <translation>
+            <numerusform>%n Ansicht erkannten Texts</numerusform>
+            <numerusform>%n Ansichten erkannten Texts</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 were left out.</source>
+        <extracomment>%1: a list such as &quot;3 fills, 2 gradients&quot;; the number is that of all things in it.</extracomment>
+        <translation>
+            <numerusform>%1 wurde weggelassen.</numerusform>
+            <numerusform>%1 wurden weggelassen.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>, </source>
+        <comment>list</comment>
+        <translation>, </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n gradient(s)</source>
+        <translation>
+            <numerusform>%n Verlauf</numerusform>
+            <numerusform>%n Verläufe</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n pattern(s)</source>
+        <translation>
+            <numerusform>%n Muster</numerusform>
+            <numerusform>%n Muster</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n clip path(s)</source>
+        <translation>
+            <numerusform>%n Beschneidungspfad</numerusform>
+            <numerusform>%n Beschneidungspfade</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n mask(s)</source>
+        <translation>
+            <numerusform>%n Maske</numerusform>
+            <numerusform>%n Masken</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n filter(s)</source>
+        <translation>
+            <numerusform>%n Filter</numerusform>
+            <numerusform>%n Filter</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n marker(s)</source>
+        <translation>
+            <numerusform>%n Markierung</numerusform>
+            <numerusform>%n Markierungen</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n dash(es)</source>
+        <translation>
+            <numerusform>%n Strichelung</numerusform>
+            <numerusform>%n Strichelungen</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n text(s)</source>
+        <translation>
+            <numerusform>%n Text</numerusform>
+            <numerusform>%n Texte</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n image(s)</source>
+        <translation>
+            <numerusform>%n Bild</numerusform>
+            <numerusform>%n Bilder</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n style rule(s)</source>
+        <translation>
+            <numerusform>%n Stilregel</numerusform>
+            <numerusform>%n Stilregeln</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n &lt;use&gt; of itself</source>
+        <translation>
+            <numerusform>%n &lt;use&gt; seiner selbst</numerusform>
+            <numerusform>%n &lt;use&gt; ihrer selbst</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Filled shapes are painted along their outlines.</source>
+        <translation>Gefüllte Formen sind entlang ihrer Umrisse gemalt.</translation>
+    </message>
+    <message>
+        <source>There is more in the drawing than is read; the rest was left out.</source>
+        <translation>Die Zeichnung enthält mehr, als gelesen wird; der Rest wurde weggelassen.</translation>
+    </message>
+    <message>
+        <source>ends after %1 bytes</source>
+        <translation>endet nach %1 Bytes</translation>
+    </message>
+    <message>
+        <source>its line endings were changed on the way, transfer it as a binary file</source>
+        <translation>ihre Zeilenenden wurden unterwegs verändert, bitte als Binärdatei übertragen</translation>
+    </message>
+    <message>
+        <source>its first bytes are damaged</source>
+        <translation>ihre ersten Bytes sind beschädigt</translation>
+    </message>
+    <message>
+        <source>the first bytes of the file</source>
+        <translation>die ersten Bytes der Datei</translation>
     </message>
 </context>
 <context>
@@ -4528,6 +4840,17 @@ Auch die Pfeiltasten wirken.</translation>
     </message>
 </context>
 <context>
+    <name>suffuse::KeyboardFocus</name>
+    <message>
+        <source>The %1 dock has the keyboard; Esc gives it back to the canvas.</source>
+        <translation>Das Dock „%1“ hat die Tastatur; Esc gibt sie der Leinwand zurück.</translation>
+    </message>
+    <message>
+        <source>The tool bar “%1” has the keyboard; Esc gives it back to the canvas.</source>
+        <translation>Die Werkzeugleiste „%1“ hat die Tastatur; Esc gibt sie der Leinwand zurück.</translation>
+    </message>
+</context>
+<context>
     <name>suffuse::KnifeTool</name>
     <message>
         <source>Drag a line to insert nodes where it crosses strokes. Shift: cut the strokes apart. Ctrl: steps of 15°.</source>
@@ -4540,6 +4863,57 @@ Auch die Pfeiltasten wirken.</translation>
     <message>
         <source>Insert nodes</source>
         <translation>Knoten einfügen</translation>
+    </message>
+    <message>
+        <source>%1 cut into %2</source>
+        <extracomment>what the knife did; %1: &quot;2 strokes&quot;, %2: &quot;5 parts&quot;</extracomment>
+        <translation>%1 in %2 zerschnitten</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n stroke(s)</source>
+        <translation>
+            <numerusform>%n Strich</numerusform>
+            <numerusform>%n Striche</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n part(s)</source>
+        <translation>
+            <numerusform>%n Teil</numerusform>
+            <numerusform>%n Teile</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1 inserted in %2</source>
+        <extracomment>what the knife did; %1: &quot;3 nodes&quot;, %2: &quot;2 strokes&quot;</extracomment>
+        <translation>%1 in %2 eingefügt</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n node(s)</source>
+        <translation>
+            <numerusform>%n Knoten</numerusform>
+            <numerusform>%n Knoten</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>There are nodes already where the line crosses strokes.</source>
+        <translation>Wo die Linie Striche kreuzt, sind schon Knoten.</translation>
+    </message>
+    <message>
+        <source>The line crosses no stroke.</source>
+        <translation>Die Linie kreuzt keinen Strich.</translation>
+    </message>
+    <message>
+        <source>The line crosses no selected stroke.</source>
+        <translation>Die Linie kreuzt keinen ausgewählten Strich.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n stroke(s)</source>
+        <comment>in</comment>
+        <translation>
+            <numerusform>%n Strich</numerusform>
+            <numerusform>%n Strichen</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -4569,32 +4943,12 @@ Auch die Pfeiltasten wirken.</translation>
         <translation>Position des Zeigers in Leinwandeinheiten</translation>
     </message>
     <message>
-        <source>Zoom</source>
-        <translation>Zoom</translation>
-    </message>
-    <message>
         <source>What renders the picture</source>
         <translation>Was das Bild berechnet</translation>
     </message>
     <message>
         <source>Time that the last frame took</source>
         <translation>Dauer des letzten Bildes</translation>
-    </message>
-    <message>
-        <source>&amp;Undo</source>
-        <translation>&amp;Rückgängig</translation>
-    </message>
-    <message>
-        <source>&amp;Undo: %1</source>
-        <translation>&amp;Rückgängig: %1</translation>
-    </message>
-    <message>
-        <source>&amp;Redo</source>
-        <translation>&amp;Wiederholen</translation>
-    </message>
-    <message>
-        <source>&amp;Redo: %1</source>
-        <translation>&amp;Wiederholen: %1</translation>
     </message>
     <message>
         <source>%1 %</source>
@@ -4623,14 +4977,6 @@ Auch die Pfeiltasten wirken.</translation>
     <message>
         <source>Save As</source>
         <translation>Speichern unter</translation>
-    </message>
-    <message>
-        <source>Suffuse painting (*.suffuse)</source>
-        <translation>Suffuse-Bild (*.suffuse)</translation>
-    </message>
-    <message>
-        <source>Text form (*.json)</source>
-        <translation>Textform (*.json)</translation>
     </message>
     <message>
         <source>&amp;Clear the List</source>
@@ -4686,14 +5032,6 @@ Auch die Pfeiltasten wirken.</translation>
         <translation>Nasse Farbe einfrieren</translation>
     </message>
     <message>
-        <source>Remove re-wetting</source>
-        <translation>Wiederanfeuchten aufheben</translation>
-    </message>
-    <message>
-        <source>Drawing pace</source>
-        <translation>Zeichentempo</translation>
-    </message>
-    <message>
         <source>Re-wet</source>
         <translation>Wieder anfeuchten</translation>
     </message>
@@ -4704,14 +5042,6 @@ Auch die Pfeiltasten wirken.</translation>
     <message>
         <source>Nothing that is selected is painted yet at this moment.</source>
         <translation>Zu diesem Zeitpunkt ist noch nichts vom Ausgewählten gemalt.</translation>
-    </message>
-    <message>
-        <source>&amp;Pause</source>
-        <translation>&amp;Anhalten</translation>
-    </message>
-    <message>
-        <source>&amp;Play</source>
-        <translation>&amp;Abspielen</translation>
     </message>
     <message>
         <source>%1 ms, coarse</source>
@@ -4731,11 +5061,11 @@ Auch die Pfeiltasten wirken.</translation>
     </message>
     <message>
         <source>Keep Undo &amp;History in the File (%1)</source>
-        <translation>&amp;Verlauf in der Datei behalten (%1)</translation>
+        <translation>&amp;Rückgängig-Schritte in der Datei behalten (%1)</translation>
     </message>
     <message>
         <source>Keep Undo &amp;History in the File</source>
-        <translation>&amp;Verlauf in der Datei behalten</translation>
+        <translation>&amp;Rückgängig-Schritte in der Datei behalten</translation>
     </message>
     <message>
         <source>“%1” is gone from its folder. Save to put it back.</source>
@@ -4776,6 +5106,79 @@ Auch die Pfeiltasten wirken.</translation>
     <message>
         <source>Name of the group</source>
         <translation>Name der Gruppe</translation>
+    </message>
+    <message>
+        <source>Backups of paintings (*.suffuse~* *.json~*)</source>
+        <translation>Sicherungskopien von Bildern (*.suffuse~* *.json~*)</translation>
+    </message>
+    <message>
+        <source>“%1” is open already.</source>
+        <translation>„%1“ ist schon geöffnet.</translation>
+    </message>
+    <message>
+        <source>Suffuse painting</source>
+        <translation>Suffuse-Bild</translation>
+    </message>
+    <message>
+        <source>Text form</source>
+        <translation>Textform</translation>
+    </message>
+    <message>
+        <source>“%1” is open in another window. Choose another name, or close that window first.</source>
+        <translation>„%1“ ist in einem anderen Fenster geöffnet. Bitte einen anderen Namen wählen oder zuerst jenes Fenster schließen.</translation>
+    </message>
+    <message>
+        <source>%1 copy</source>
+        <extracomment>name of the file that a copy is saved to, beside that of the painting</extracomment>
+        <translation>%1 Kopie</translation>
+    </message>
+    <message>
+        <source>Save a Copy</source>
+        <translation>Kopie speichern</translation>
+    </message>
+    <message>
+        <source>A copy is saved as “%1”.</source>
+        <translation>Eine Kopie ist als „%1“ gespeichert.</translation>
+    </message>
+    <message>
+        <source>“%1” is saved already.</source>
+        <translation>„%1“ ist schon gespeichert.</translation>
+    </message>
+    <message>
+        <source>Revert “%1” to what the file holds?</source>
+        <translation>„%1“ auf das zurücksetzen, was in der Datei steht?</translation>
+    </message>
+    <message>
+        <source>What was painted since the last save goes; Undo brings it back.</source>
+        <translation>Was seit dem letzten Speichern gemalt wurde, geht weg; Rückgängig bringt es zurück.</translation>
+    </message>
+    <message>
+        <source>&amp;Revert</source>
+        <translation>&amp;Zurücksetzen</translation>
+    </message>
+    <message>
+        <source>Restore backup of %1</source>
+        <translation>Sicherungskopie vom %1 wiederherstellen</translation>
+    </message>
+    <message>
+        <source>The backup of %1 is back. Undo takes it away again; no file changes until you save.</source>
+        <translation>Die Sicherungskopie vom %1 ist zurück. Rückgängig nimmt sie wieder weg; keine Datei ändert sich, bevor gespeichert wird.</translation>
+    </message>
+    <message>
+        <source>The backup is damaged. What is whole of it was restored.</source>
+        <translation>Die Sicherungskopie ist beschädigt. Was davon heil ist, wurde wiederhergestellt.</translation>
+    </message>
+    <message>
+        <source>Exported to %1</source>
+        <translation>Nach %1 exportiert</translation>
+    </message>
+    <message>
+        <source>Exporting %1…</source>
+        <translation>%1 wird exportiert …</translation>
+    </message>
+    <message>
+        <source>Zoom, and the angle by which the canvas is turned</source>
+        <translation>Zoom und Drehwinkel der Leinwand</translation>
     </message>
 </context>
 <context>
@@ -4883,10 +5286,6 @@ Auch die Pfeiltasten wirken.</translation>
         <translation>A4, 300 dpi</translation>
     </message>
     <message>
-        <source>New painting</source>
-        <translation>Neues Bild</translation>
-    </message>
-    <message>
         <source>Size</source>
         <translation>Größe</translation>
     </message>
@@ -4903,8 +5302,12 @@ Auch die Pfeiltasten wirken.</translation>
         <translation>Breite und Höhe tauschen</translation>
     </message>
     <message>
-        <source>Create</source>
-        <translation>Anlegen</translation>
+        <source>C&amp;reate</source>
+        <translation>An&amp;legen</translation>
+    </message>
+    <message>
+        <source>New Painting</source>
+        <translation>Neues Bild</translation>
     </message>
 </context>
 <context>
@@ -4920,10 +5323,6 @@ Auch die Pfeiltasten wirken.</translation>
     <message>
         <source>Drag to bend the curve. Double click to insert a node. Click to select the segment.</source>
         <translation>Ziehen biegt die Kurve. Doppelklick fügt einen Knoten ein. Klick wählt das Segment aus.</translation>
-    </message>
-    <message>
-        <source>Click a segment to select it, Shift+click for a run, Ctrl+click to add or remove one. Drag around nodes.</source>
-        <translation>Klick wählt ein Segment aus, Umschalt+Klick eine Folge, Strg+Klick fügt eines hinzu oder entfernt es. Ziehen umrahmt Knoten.</translation>
     </message>
     <message>
         <source>Insert node</source>
@@ -4984,6 +5383,10 @@ Auch die Pfeiltasten wirken.</translation>
     <message>
         <source>Bridge segments</source>
         <translation>Segmente überbrücken</translation>
+    </message>
+    <message>
+        <source>Click a segment to select it, Shift+click for a run or another stroke&apos;s, Ctrl+click to add or remove one. Drag around nodes.</source>
+        <translation>Klick auf ein Segment wählt es aus, Umschalt+Klick eine Folge oder das eines anderen Strichs, Strg+Klick nimmt eines dazu oder heraus. Knoten durch Ziehen umrahmen.</translation>
     </message>
 </context>
 <context>
@@ -5058,10 +5461,6 @@ Auch die Pfeiltasten wirken.</translation>
         <translation>Wie fest der Stift gedrückt werden muss, für alle Pinsel.</translation>
     </message>
     <message>
-        <source>Clear</source>
-        <translation>Leeren</translation>
-    </message>
-    <message>
         <source>Takes a clean sheet.</source>
         <translation>Nimmt ein leeres Blatt.</translation>
     </message>
@@ -5093,13 +5492,107 @@ Auch die Pfeiltasten wirken.</translation>
         <source>One finger moves the canvas, two zoom and turn it. Otherwise one finger paints.</source>
         <translation>Ein Finger verschiebt die Leinwand, zwei zoomen und drehen sie. Sonst malt ein Finger.</translation>
     </message>
+    <message>
+        <source>C&amp;lear</source>
+        <translation>&amp;Leeren</translation>
+    </message>
+</context>
+<context>
+    <name>suffuse::PresetRow</name>
+    <message>
+        <source>Preset</source>
+        <translation>Vorgabe</translation>
+    </message>
+    <message>
+        <source>None</source>
+        <translation>Keine</translation>
+    </message>
+    <message>
+        <source>Format, depth, quality, resolution, size, area and moment under a name</source>
+        <translation>Format, Farbtiefe, Qualität, Auflösung, Größe, Bereich und Zeitpunkt unter einem Namen</translation>
+    </message>
+    <message>
+        <source>&amp;Save…</source>
+        <translation>&amp;Sichern …</translation>
+    </message>
+    <message>
+        <source>Keep what is set here as a preset</source>
+        <translation>Was hier eingestellt ist, als Vorgabe behalten</translation>
+    </message>
+    <message>
+        <source>&amp;Remove</source>
+        <translation>Ent&amp;fernen</translation>
+    </message>
+    <message>
+        <source>Forget the chosen preset</source>
+        <translation>Die gewählte Vorgabe vergessen</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>Name</translation>
+    </message>
+    <message>
+        <source>There is a preset “%1”. Replace it?</source>
+        <translation>Es gibt schon eine Vorgabe „%1“. Ersetzen?</translation>
+    </message>
+    <message>
+        <source>Save Preset</source>
+        <translation>Vorgabe speichern</translation>
+    </message>
+</context>
+<context>
+    <name>suffuse::PrintRows</name>
+    <message>
+        <source>Print size</source>
+        <translation>Druckgröße</translation>
+    </message>
+    <message>
+        <source>Width on paper</source>
+        <translation>Breite auf Papier</translation>
+    </message>
+    <message>
+        <source>Width on paper; the height and the pixels follow.</source>
+        <translation>Breite auf Papier; Höhe und Pixel folgen.</translation>
+    </message>
+    <message>
+        <source>Height on paper</source>
+        <translation>Höhe auf Papier</translation>
+    </message>
+    <message>
+        <source>Height on paper; the width and the pixels follow.</source>
+        <translation>Höhe auf Papier; Breite und Pixel folgen.</translation>
+    </message>
+    <message>
+        <source>mm</source>
+        <translation>mm</translation>
+    </message>
+    <message>
+        <source>in</source>
+        <translation>Zoll</translation>
+    </message>
+    <message>
+        <source>Unit</source>
+        <translation>Einheit</translation>
+    </message>
+    <message>
+        <source>Millimetres or inches</source>
+        <translation>Millimeter oder Zoll</translation>
+    </message>
+    <message>
+        <source>Resolution</source>
+        <translation>Auflösung</translation>
+    </message>
+    <message>
+        <source> dpi</source>
+        <translation> dpi</translation>
+    </message>
+    <message>
+        <source>Pixels an inch. PNG, TIFF, JPEG and EXR files say it.</source>
+        <translation>Pixel je Zoll. PNG-, TIFF-, JPEG- und EXR-Dateien nennen sie.</translation>
+    </message>
 </context>
 <context>
     <name>suffuse::ProbePanel</name>
-    <message>
-        <source>%1 %</source>
-        <translation>%1 %</translation>
-    </message>
     <message>
         <source>Rest the pointer on the painting: what it is made of there is listed here, and stays when you come here to click it.</source>
         <translation>Den Zeiger auf dem Bild ruhen lassen: Woraus es dort besteht, steht dann hier und bleibt, wenn Sie zum Anklicken herkommen.</translation>
@@ -5273,14 +5766,6 @@ Auch die Pfeiltasten wirken.</translation>
         <translation>Wie viel Farbe das Segment entlang seiner Länge abgibt.</translation>
     </message>
     <message>
-        <source>Granulation ω</source>
-        <translation>Granulation ω</translation>
-    </message>
-    <message>
-        <source>100 % hides the paper&apos;s texture, 0 % shows it fully.</source>
-        <translation>100 % verbirgt die Papiertextur, 0 % zeigt sie ganz.</translation>
-    </message>
-    <message>
         <source>Drying time</source>
         <translation>Trockenzeit</translation>
     </message>
@@ -5400,6 +5885,142 @@ Auch die Pfeiltasten wirken.</translation>
         <source>Change birth</source>
         <translation>Entstehung ändern</translation>
     </message>
+    <message>
+        <source>Change %1</source>
+        <translation>%1 ändern</translation>
+    </message>
+    <message>
+        <source>Granulation</source>
+        <translation>Granulation</translation>
+    </message>
+    <message>
+        <source>How much of the paper&apos;s grain shows: 0 % is smooth, 100 % shows all of it. Files and scripts hold ω, which is 1 where this is 0 %.</source>
+        <translation>Wie viel von der Körnung des Papiers zu sehen ist: 0 % ist glatt, 100 % zeigt sie ganz. Dateien und Skripte enthalten ω, das 1 ist, wo hier 0 % steht.</translation>
+    </message>
+    <message>
+        <source>Size</source>
+        <translation>Größe</translation>
+    </message>
+    <message>
+        <source>How far the paint spreads, in units; sets the diffusion.</source>
+        <translation>Wie weit die Farbe verläuft, in Einheiten; bestimmt die Diffusion.</translation>
+    </message>
+    <message>
+        <source>Flow</source>
+        <translation>Fluss</translation>
+    </message>
+    <message>
+        <source>Density in the middle of the stroke at full pressure.</source>
+        <translation>Dichte in der Mitte des Strichs bei vollem Druck.</translation>
+    </message>
+    <message>
+        <source>String</source>
+        <translation>Schnur</translation>
+    </message>
+    <message>
+        <source>Its length on the screen</source>
+        <translation>Ihre Länge auf dem Bildschirm</translation>
+    </message>
+    <message>
+        <source>Pigment β</source>
+        <translation>Pigment β</translation>
+    </message>
+    <message>
+        <source>Share of the colour below that stays: 0 % covers, 100 % adds.</source>
+        <translation>Anteil der unteren Farbe, der bleibt: 0 % deckt, 100 % addiert.</translation>
+    </message>
+    <message>
+        <source>Strength</source>
+        <translation>Stärke</translation>
+    </message>
+    <message>
+        <source>How deep the grain goes.</source>
+        <translation>Wie tief die Körnung reicht.</translation>
+    </message>
+    <message>
+        <source>How far the stroke lags behind</source>
+        <translation>Wie weit der Strich zurückbleibt</translation>
+    </message>
+    <message>
+        <source>Parameter of the style</source>
+        <translation>Parameter des Stils</translation>
+    </message>
+    <message>
+        <source>Threshold ξ1</source>
+        <translation>Schwelle ξ1</translation>
+    </message>
+    <message>
+        <source>Softness ξ2</source>
+        <translation>Weichheit ξ2</translation>
+    </message>
+    <message>
+        <source>Full at ξ1</source>
+        <translation>Voll bei ξ1</translation>
+    </message>
+    <message>
+        <source>Steepness ξ2</source>
+        <translation>Steilheit ξ2</translation>
+    </message>
+    <message>
+        <source>Edge ξ1</source>
+        <translation>Rand ξ1</translation>
+    </message>
+    <message>
+        <source>Lightening ξ2</source>
+        <translation>Aufhellung ξ2</translation>
+    </message>
+    <message>
+        <source>Strength ξ3</source>
+        <translation>Stärke ξ3</translation>
+    </message>
+    <message>
+        <source>Density at which the stroke covers by half.</source>
+        <translation>Dichte, bei der der Strich zur Hälfte deckt.</translation>
+    </message>
+    <message>
+        <source>How gently the edge fades.</source>
+        <translation>Wie sanft der Rand ausläuft.</translation>
+    </message>
+    <message>
+        <source>Density from which the stroke covers fully.</source>
+        <translation>Dichte, ab der der Strich ganz deckt.</translation>
+    </message>
+    <message>
+        <source>How steeply coverage grows with density.</source>
+        <translation>Wie steil die Deckung mit der Dichte wächst.</translation>
+    </message>
+    <message>
+        <source>Density at which the dark rim stands.</source>
+        <translation>Dichte, bei der der dunkle Rand steht.</translation>
+    </message>
+    <message>
+        <source>How much the inside is lighter than the rim; at most 1.26·ξ1.</source>
+        <translation>Wie viel heller das Innere ist als der Rand; höchstens 1,26·ξ1.</translation>
+    </message>
+    <message>
+        <source>Coverage far inside the stroke.</source>
+        <translation>Deckung tief im Inneren des Strichs.</translation>
+    </message>
+    <message>
+        <source>Uniform</source>
+        <translation>Gleichmäßig</translation>
+    </message>
+    <message>
+        <source>Feathering</source>
+        <translation>Weich auslaufend</translation>
+    </message>
+    <message>
+        <source>Dark edges</source>
+        <translation>Dunkle Ränder</translation>
+    </message>
+    <message>
+        <source>Covering (alpha)</source>
+        <translation>Deckend (Alpha)</translation>
+    </message>
+    <message>
+        <source>Pigment (β)</source>
+        <translation>Pigment (β)</translation>
+    </message>
 </context>
 <context>
     <name>suffuse::SelectTool</name>
@@ -5430,10 +6051,6 @@ Auch die Pfeiltasten wirken.</translation>
     <message>
         <source>Scale to %1 % × %2 %</source>
         <translation>Skalieren auf %1 % × %2 %</translation>
-    </message>
-    <message>
-        <source>Rotate by %1°</source>
-        <translation>Drehen um %1°</translation>
     </message>
     <message>
         <source>Skew by %1°</source>
@@ -5483,6 +6100,10 @@ Auch die Pfeiltasten wirken.</translation>
         <source>Drag: move. Click again: rotate and skew. Double click: its segment. Shift+click: add. Shift+drag: a band. Alt+click: the stroke below.</source>
         <translation>Ziehen: verschieben. Noch ein Klick: drehen. Doppelklick: Segment. Umschalt+Klick: dazu. Umschalt+Ziehen: Rahmen. Alt+Klick: darunter.</translation>
     </message>
+    <message>
+        <source>Rotate by %1</source>
+        <translation>Drehen um %1</translation>
+    </message>
 </context>
 <context>
     <name>suffuse::SettingsDialog</name>
@@ -5493,10 +6114,6 @@ Auch die Pfeiltasten wirken.</translation>
     <message>
         <source>Language</source>
         <translation>Sprache</translation>
-    </message>
-    <message>
-        <source>Language of the program. Changes when it starts again.</source>
-        <translation>Sprache des Programms. Gilt ab dem nächsten Start.</translation>
     </message>
     <message>
         <source>System</source>
@@ -5523,10 +6140,6 @@ Auch die Pfeiltasten wirken.</translation>
         <translation>Leinwand</translation>
     </message>
     <message>
-        <source>How the picture comes to the screen. Changes when the program starts again.</source>
-        <translation>Wie das Bild auf den Bildschirm kommt. Gilt ab dem nächsten Start.</translation>
-    </message>
-    <message>
         <source>Automatic</source>
         <translation>Automatisch</translation>
     </message>
@@ -5543,20 +6156,8 @@ Auch die Pfeiltasten wirken.</translation>
         <translation>Threads</translation>
     </message>
     <message>
-        <source>Processor threads for drawing. Changes when the program starts again.</source>
-        <translation>Prozessor-Threads zum Zeichnen. Gilt ab dem nächsten Start.</translation>
-    </message>
-    <message>
-        <source>Language, canvas, renderer and threads change when Suffuse starts again.</source>
-        <translation>Sprache, Leinwand, Renderer und Threads ändern sich beim nächsten Start von Suffuse.</translation>
-    </message>
-    <message>
         <source>Renderer</source>
         <translation>Renderer</translation>
-    </message>
-    <message>
-        <source>What computes the picture. Changes when the program starts again.</source>
-        <translation>Was das Bild berechnet. Gilt ab dem nächsten Start.</translation>
     </message>
     <message>
         <source>General</source>
@@ -5575,16 +6176,28 @@ Auch die Pfeiltasten wirken.</translation>
         <translation>Sicherungskopien</translation>
     </message>
     <message>
-        <source>How many earlier versions are kept when a painting is saved: “name.suffuse~” beside it is the last one, “~2” the one before.</source>
-        <translation>Wie viele frühere Fassungen beim Speichern bleiben: „name.suffuse~“ daneben ist die letzte, „~2“ die davor.</translation>
+        <source>How many earlier versions are kept when a painting is saved: “name.suffuse~” beside it is the last one, “~2” the one before. File ▸ Restore Backup brings one back.</source>
+        <translation>Wie viele frühere Fassungen beim Speichern bleiben: „name.suffuse~“ daneben ist die letzte, „~2“ die davor. Datei ▸ Sicherungskopie wiederherstellen holt eine zurück.</translation>
+    </message>
+    <message>
+        <source>Language of the program</source>
+        <translation>Sprache des Programms</translation>
+    </message>
+    <message>
+        <source>How the picture comes to the screen</source>
+        <translation>Wie das Bild auf den Bildschirm kommt</translation>
+    </message>
+    <message>
+        <source>What computes the picture</source>
+        <translation>Was das Bild berechnet</translation>
+    </message>
+    <message>
+        <source>Processor threads for drawing</source>
+        <translation>Prozessor-Threads zum Zeichnen</translation>
     </message>
 </context>
 <context>
     <name>suffuse::ShortcutsDialog</name>
-    <message>
-        <source>Keyboard shortcuts</source>
-        <translation>Tastenkürzel</translation>
-    </message>
     <message>
         <source>Search</source>
         <translation>Suchen</translation>
@@ -5618,16 +6231,8 @@ Auch die Pfeiltasten wirken.</translation>
         <translation>Tasten drücken</translation>
     </message>
     <message>
-        <source>None</source>
-        <translation>Keines</translation>
-    </message>
-    <message>
         <source>No shortcut for this command</source>
         <translation>Kein Kürzel für diesen Befehl</translation>
-    </message>
-    <message>
-        <source>Reset</source>
-        <translation>Zurücksetzen</translation>
     </message>
     <message>
         <source>This command&apos;s own shortcut</source>
@@ -5636,10 +6241,6 @@ Auch die Pfeiltasten wirken.</translation>
     <message>
         <source>%1 belongs to “%2” and “%3”. Give one of them another shortcut.</source>
         <translation>%1 gehört zu „%2“ und „%3“. Bitte einem von beiden ein anderes Kürzel geben.</translation>
-    </message>
-    <message>
-        <source>Take over</source>
-        <translation>Übernehmen</translation>
     </message>
     <message>
         <source>Takes the shortcut away from the other command</source>
@@ -5652,6 +6253,22 @@ Auch die Pfeiltasten wirken.</translation>
     <message>
         <source>%1 is fixed: “%2”. Give “%3” another shortcut.</source>
         <translation>%1 ist fest: „%2“. Geben Sie „%3“ ein anderes Kürzel.</translation>
+    </message>
+    <message>
+        <source>&amp;None</source>
+        <translation>&amp;Keines</translation>
+    </message>
+    <message>
+        <source>&amp;Reset</source>
+        <translation>&amp;Zurücksetzen</translation>
+    </message>
+    <message>
+        <source>&amp;Take Over</source>
+        <translation>Ü&amp;bernehmen</translation>
+    </message>
+    <message>
+        <source>Keyboard Shortcuts</source>
+        <translation>Tastenkürzel</translation>
     </message>
 </context>
 <context>
@@ -5718,24 +6335,8 @@ Auch die Pfeiltasten wirken.</translation>
         <translation>Mischung</translation>
     </message>
     <message>
-        <source>Covering (alpha)</source>
-        <translation>Deckend (Alpha)</translation>
-    </message>
-    <message>
-        <source>Pigment (β)</source>
-        <translation>Pigment (β)</translation>
-    </message>
-    <message>
         <source>How the paint mixes with what lies below it: it covers, or pigments add up.</source>
         <translation>Wie sich die Farbe mit dem Darunterliegenden mischt: Sie deckt, oder Pigmente addieren sich.</translation>
-    </message>
-    <message>
-        <source>Pigment β</source>
-        <translation>Pigment β</translation>
-    </message>
-    <message>
-        <source>Share of the colour below that stays: 0 % covers, 100 % adds.</source>
-        <translation>Anteil der unteren Farbe, der bleibt: 0 % deckt, 100 % addiert.</translation>
     </message>
     <message>
         <source>Change pigment mixing</source>
@@ -5859,10 +6460,6 @@ Auch die Pfeiltasten wirken.</translation>
         <translation>Striche suchen</translation>
     </message>
     <message>
-        <source>Shows only strokes and groups whose name holds this text.</source>
-        <translation>Zeigt nur Striche und Gruppen, deren Name diesen Text enthält.</translation>
-    </message>
-    <message>
         <source>Strokes</source>
         <translation>Striche</translation>
     </message>
@@ -5926,6 +6523,14 @@ Auch die Pfeiltasten wirken.</translation>
         <source>Lock strokes</source>
         <translation>Striche sperren</translation>
     </message>
+    <message>
+        <source>Shows only strokes and groups whose name holds this text. Return selects them.</source>
+        <translation>Zeigt nur Striche und Gruppen, deren Name diesen Text enthält. Die Eingabetaste wählt sie aus.</translation>
+    </message>
+    <message>
+        <source>&amp;Name</source>
+        <translation>&amp;Name</translation>
+    </message>
 </context>
 <context>
     <name>suffuse::StyleSection</name>
@@ -5958,24 +6563,8 @@ Auch die Pfeiltasten wirken.</translation>
         <translation>Wie aus Dichte Deckung wird.</translation>
     </message>
     <message>
-        <source>Uniform</source>
-        <translation>Gleichmäßig</translation>
-    </message>
-    <message>
-        <source>Feathering</source>
-        <translation>Weich auslaufend</translation>
-    </message>
-    <message>
-        <source>Dark edges</source>
-        <translation>Dunkle Ränder</translation>
-    </message>
-    <message>
         <source>Change style</source>
         <translation>Stil ändern</translation>
-    </message>
-    <message>
-        <source>Parameter of the style</source>
-        <translation>Parameter des Stils</translation>
     </message>
     <message>
         <source>Give segments their own style</source>
@@ -5988,62 +6577,6 @@ Auch die Pfeiltasten wirken.</translation>
     <message>
         <source>Not possible for all that is selected: %1</source>
         <translation>Nicht für die ganze Auswahl möglich: %1</translation>
-    </message>
-    <message>
-        <source>Threshold ξ1</source>
-        <translation>Schwelle ξ1</translation>
-    </message>
-    <message>
-        <source>Softness ξ2</source>
-        <translation>Weichheit ξ2</translation>
-    </message>
-    <message>
-        <source>Full at ξ1</source>
-        <translation>Voll bei ξ1</translation>
-    </message>
-    <message>
-        <source>Steepness ξ2</source>
-        <translation>Steilheit ξ2</translation>
-    </message>
-    <message>
-        <source>Edge ξ1</source>
-        <translation>Rand ξ1</translation>
-    </message>
-    <message>
-        <source>Lightening ξ2</source>
-        <translation>Aufhellung ξ2</translation>
-    </message>
-    <message>
-        <source>Strength ξ3</source>
-        <translation>Stärke ξ3</translation>
-    </message>
-    <message>
-        <source>Density at which the stroke covers by half.</source>
-        <translation>Dichte, bei der der Strich zur Hälfte deckt.</translation>
-    </message>
-    <message>
-        <source>How gently the edge fades.</source>
-        <translation>Wie sanft der Rand ausläuft.</translation>
-    </message>
-    <message>
-        <source>Density from which the stroke covers fully.</source>
-        <translation>Dichte, ab der der Strich ganz deckt.</translation>
-    </message>
-    <message>
-        <source>How steeply coverage grows with density.</source>
-        <translation>Wie steil die Deckung mit der Dichte wächst.</translation>
-    </message>
-    <message>
-        <source>Density at which the dark rim stands.</source>
-        <translation>Dichte, bei der der dunkle Rand steht.</translation>
-    </message>
-    <message>
-        <source>How much the inside is lighter than the rim; at most 1.26·ξ1.</source>
-        <translation>Wie viel heller das Innere ist als der Rand; höchstens 1,26·ξ1.</translation>
-    </message>
-    <message>
-        <source>Coverage far inside the stroke.</source>
-        <translation>Deckung tief im Inneren des Strichs.</translation>
     </message>
 </context>
 <context>
@@ -6143,16 +6676,8 @@ Auch die Pfeiltasten wirken.</translation>
 <context>
     <name>suffuse::TimelapseDialog</name>
     <message>
-        <source>Export timelapse</source>
-        <translation>Zeitraffer exportieren</translation>
-    </message>
-    <message>
         <source>Progress</source>
         <translation>Fortschritt</translation>
-    </message>
-    <message>
-        <source>Export</source>
-        <translation>Exportieren</translation>
     </message>
     <message>
         <source>File</source>
@@ -6161,10 +6686,6 @@ Auch die Pfeiltasten wirken.</translation>
     <message>
         <source>The ending chooses the format: webm or mp4 is a video, webp an animation, and png, tiff, exr, jpg or pfm numbered pictures, such as frame%04d.png.</source>
         <translation>Die Endung bestimmt das Format: webm oder mp4 ist ein Video, webp eine Animation, und png, tiff, exr, jpg oder pfm sind nummerierte Bilder, etwa frame%04d.png.</translation>
-    </message>
-    <message>
-        <source>Browse…</source>
-        <translation>Durchsuchen …</translation>
     </message>
     <message>
         <source>Choose a folder and a name</source>
@@ -6271,6 +6792,26 @@ Auch die Pfeiltasten wirken.</translation>
     <message>
         <source>Loop</source>
         <translation>Endlos wiederholen</translation>
+    </message>
+    <message>
+        <source>&amp;Export</source>
+        <translation>&amp;Exportieren</translation>
+    </message>
+    <message>
+        <source>&amp;Browse…</source>
+        <translation>&amp;Durchsuchen …</translation>
+    </message>
+    <message>
+        <source>What it holds now is lost.</source>
+        <translation>Was sie jetzt enthält, geht verloren.</translation>
+    </message>
+    <message>
+        <source>&amp;Replace</source>
+        <translation>&amp;Ersetzen</translation>
+    </message>
+    <message>
+        <source>Export Timelapse</source>
+        <translation>Zeitraffer exportieren</translation>
     </message>
 </context>
 <context>

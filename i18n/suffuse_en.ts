@@ -10,6 +10,37 @@
             <numerusform>%n s left</numerusform>
         </translation>
     </message>
+    <message numerus="yes">
+        <source>%1: none of its %n stroke(s) is whole; open a backup of it</source>
+        <translation>
+            <numerusform>%1: its one stroke is not whole; open a backup of it</numerusform>
+            <numerusform>%1: none of its %n strokes is whole; open a backup of it</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n stroke(s) added</source>
+        <translation>
+            <numerusform>%n stroke added</numerusform>
+            <numerusform>%n strokes added</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>  %n segment(s) with a share below %1 left out (--all)
+</source>
+        <translation>
+            <numerusform>  %n segment with a share below %1 left out (--all)
+</numerusform>
+            <numerusform>  %n segments with a share below %1 left out (--all)
+</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n stroke(s)</source>
+        <translation>
+            <numerusform>%n stroke</numerusform>
+            <numerusform>%n strokes</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>Clipboard</name>
@@ -28,6 +59,129 @@
         <translation>
             <numerusform>%n thread</numerusform>
             <numerusform>%n threads</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>suffuse::Files</name>
+    <message numerus="yes">
+        <source>%n fill(s)</source>
+        <translation>
+            <numerusform>%n fill</numerusform>
+            <numerusform>%n fills</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n element(s) not drawn freehand</source>
+        <translation>
+            <numerusform>%n element not drawn freehand</numerusform>
+            <numerusform>%n elements not drawn freehand</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n brush shape(s)</source>
+        <translation>
+            <numerusform>%n brush shape</numerusform>
+            <numerusform>%n brush shapes</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n turned or stretched brush tip(s)</source>
+        <translation>
+            <numerusform>%n turned or stretched brush tip</numerusform>
+            <numerusform>%n turned or stretched brush tips</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n view(s) of recognised text</source>
+        <translation>
+            <numerusform>%n view of recognised text</numerusform>
+            <numerusform>%n views of recognised text</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 were left out.</source>
+        <extracomment>%1: a list such as &quot;3 fills, 2 gradients&quot;; the number is that of all things in it.</extracomment>
+        <translation>
+            <numerusform>%1 was left out.</numerusform>
+            <numerusform>%1 were left out.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n gradient(s)</source>
+        <translation>
+            <numerusform>%n gradient</numerusform>
+            <numerusform>%n gradients</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n pattern(s)</source>
+        <translation>
+            <numerusform>%n pattern</numerusform>
+            <numerusform>%n patterns</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n clip path(s)</source>
+        <translation>
+            <numerusform>%n clip path</numerusform>
+            <numerusform>%n clip paths</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n mask(s)</source>
+        <translation>
+            <numerusform>%n mask</numerusform>
+            <numerusform>%n masks</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n filter(s)</source>
+        <translation>
+            <numerusform>%n filter</numerusform>
+            <numerusform>%n filters</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n marker(s)</source>
+        <translation>
+            <numerusform>%n marker</numerusform>
+            <numerusform>%n markers</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n dash(es)</source>
+        <translation>
+            <numerusform>%n dash</numerusform>
+            <numerusform>%n dashes</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n text(s)</source>
+        <translation>
+            <numerusform>%n text</numerusform>
+            <numerusform>%n texts</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n image(s)</source>
+        <translation>
+            <numerusform>%n image</numerusform>
+            <numerusform>%n images</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n style rule(s)</source>
+        <translation>
+            <numerusform>%n style rule</numerusform>
+            <numerusform>%n style rules</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n &lt;use&gt; of itself</source>
+        <translation>
+            <numerusform>%n &lt;use&gt; of itself</numerusform>
+            <numerusform>%n &lt;use&gt; of themselves</numerusform>
         </translation>
     </message>
 </context>
@@ -52,6 +206,38 @@
         <translation>
             <numerusform>%1 of %n segment</numerusform>
             <numerusform>%1 of %n segments</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>suffuse::KnifeTool</name>
+    <message numerus="yes">
+        <source>%n stroke(s)</source>
+        <translation>
+            <numerusform>%n stroke</numerusform>
+            <numerusform>%n strokes</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n part(s)</source>
+        <translation>
+            <numerusform>%n part</numerusform>
+            <numerusform>%n parts</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n node(s)</source>
+        <translation>
+            <numerusform>%n node</numerusform>
+            <numerusform>%n nodes</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n stroke(s)</source>
+        <comment>in</comment>
+        <translation>
+            <numerusform>%n stroke</numerusform>
+            <numerusform>%n strokes</numerusform>
         </translation>
     </message>
 </context>

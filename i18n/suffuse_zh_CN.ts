@@ -164,6 +164,69 @@
     </message>
 </context>
 <context>
+    <name>Buttons</name>
+    <message>
+        <source>&amp;OK</source>
+        <translation>确定(&amp;O)</translation>
+    </message>
+    <message>
+        <source>&amp;Cancel</source>
+        <translation>取消(&amp;C)</translation>
+    </message>
+    <message>
+        <source>&amp;Save</source>
+        <translation>保存(&amp;S)</translation>
+    </message>
+    <message>
+        <source>&amp;Discard</source>
+        <translation>放弃(&amp;D)</translation>
+    </message>
+    <message>
+        <source>&amp;Close</source>
+        <translation>关闭(&amp;C)</translation>
+    </message>
+    <message>
+        <source>&amp;Open</source>
+        <translation>打开(&amp;O)</translation>
+    </message>
+    <message>
+        <source>&amp;Yes</source>
+        <translation>是(&amp;Y)</translation>
+    </message>
+    <message>
+        <source>&amp;No</source>
+        <translation>否(&amp;N)</translation>
+    </message>
+    <message>
+        <source>&amp;Apply</source>
+        <translation>应用(&amp;A)</translation>
+    </message>
+    <message>
+        <source>&amp;Reset</source>
+        <translation>重置(&amp;R)</translation>
+    </message>
+    <message>
+        <source>&amp;Help</source>
+        <translation>帮助(&amp;H)</translation>
+    </message>
+    <message>
+        <source>&amp;Retry</source>
+        <translation>重试(&amp;R)</translation>
+    </message>
+    <message>
+        <source>Restore &amp;Defaults</source>
+        <translation>恢复默认值(&amp;D)</translation>
+    </message>
+    <message>
+        <source>&amp;Show Details...</source>
+        <translation>显示详细信息(&amp;S)…</translation>
+    </message>
+    <message>
+        <source>&amp;Hide Details...</source>
+        <translation>隐藏详细信息(&amp;H)…</translation>
+    </message>
+</context>
+<context>
     <name>Cli</name>
     <message>
         <source>%1: unknown ending; use .suffuse or .json</source>
@@ -252,12 +315,6 @@
     <message>
         <source>Usage: suffuse-cli COMMAND [options] …</source>
         <translation>用法：suffuse-cli 命令 [选项] …</translation>
-    </message>
-    <message>
-        <source>suffuse-cli COMMAND --help lists the options of a command. An input of - is standard input.
-Exit codes: 0 done, 1 the work failed, 2 wrong usage.</source>
-        <translation>suffuse-cli 命令 --help 列出该命令的选项。输入 - 表示标准输入。
-退出码：0 完成，1 执行失败，2 用法错误。</translation>
     </message>
     <message>
         <source>%1: there is no such command. See suffuse-cli --help.</source>
@@ -384,10 +441,6 @@ Exit codes: 0 done, 1 the work failed, 2 wrong usage.</source>
     <message>
         <source>%1 %2: give X and Y as numbers, in canvas units</source>
         <translation>%1 %2：请以画布单位给出数字 X 和 Y</translation>
-    </message>
-    <message>
-        <source>The picture: .png, .tiff, .exr, .jpg, .webp or .pfm.</source>
-        <translation>图片：.png、.tiff、.exr、.jpg、.webp 或 .pfm。</translation>
     </message>
     <message>
         <source>Pixels: WxH, or W alone; scales uniformly.</source>
@@ -648,10 +701,6 @@ Exit codes: 0 done, 1 the work failed, 2 wrong usage.</source>
         <translation>%1 与 %2 是同一幅画作</translation>
     </message>
     <message>
-        <source>%1 → %2: %3 strokes added, %4 removed, %5 changed, %6 moved</source>
-        <translation>%1 → %2：新增 %3 笔，删除 %4 笔，更改 %5 笔，移动 %6 笔</translation>
-    </message>
-    <message>
         <source>%1, segments: %2</source>
         <translation>%1，线段：%2</translation>
     </message>
@@ -708,12 +757,6 @@ Exit codes: 0 done, 1 the work failed, 2 wrong usage.</source>
         <translation>编辑器结束时未保存的内容</translation>
     </message>
     <message>
-        <source>%1  %2  %3, %4 strokes
-</source>
-        <translation>%1  %2  %3，%4 笔
-</translation>
-    </message>
-    <message>
         <source>in use by a running Suffuse</source>
         <translation>正被运行中的 Suffuse 使用</translation>
     </message>
@@ -756,10 +799,6 @@ Exit codes: 0 done, 1 the work failed, 2 wrong usage.</source>
         <translation>%1：就是 IN 本身，会丢失；请为 OUT 另取名称</translation>
     </message>
     <message>
-        <source>%1: not one of its %2 strokes is whole; open a backup of it</source>
-        <translation>%1：%2 条笔画无一完整；请打开其备份</translation>
-    </message>
-    <message>
         <source>The painting, recording or drawing to read; -: standard input.</source>
         <translation>要读取的画作、记录或图形；-：标准输入。</translation>
     </message>
@@ -796,14 +835,116 @@ Exit codes: 0 done, 1 the work failed, 2 wrong usage.</source>
         <translation>--time %1：%2 秒之前没有任何绘画</translation>
     </message>
     <message>
-        <source>  %1 segments with a share below %2 are left out (--all)
-</source>
-        <translation>  略去了 %1 个份额低于 %2 的线段（--all）
-</translation>
+        <source>--format is for an OUT of -; the ending of %1 chooses the format</source>
+        <translation>--format 仅在 OUT 为 - 时使用；%1 的格式由扩展名决定</translation>
     </message>
     <message>
-        <source>Lists segments with shares below a thousandth, too; --json always does.</source>
-        <translation>也列出份额低于千分之一的线段；--json 总是列出。</translation>
+        <source>--format %1: give suffuse or json</source>
+        <translation>--format %1：请给出 suffuse 或 json</translation>
+    </message>
+    <message>
+        <source>Where OUT is -: suffuse or json (default: json).</source>
+        <translation>OUT 为 - 时：suffuse 或 json（默认 json）。</translation>
+    </message>
+    <message>
+        <source>--brush is ignored: the strokes of %1 have their looks already</source>
+        <translation>--brush 被忽略：%1 的笔画已有自己的外观</translation>
+    </message>
+    <message numerus="yes">
+        <source>%1: none of its %n stroke(s) is whole; open a backup of it</source>
+        <translation>
+            <numerusform>%1：%n 个笔画无一完好；请打开其备份</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1 → %2: %3, %4 removed, %5 changed, %6 moved</source>
+        <translation>%1 → %2：%3，移除 %4，更改 %5，移动 %6</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n stroke(s) added</source>
+        <translation>
+            <numerusform>新增 %n 个笔画</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>suffuse-cli COMMAND --help lists the options of a command, and so does suffuse-cli help COMMAND. An input of - is standard input.
+Exit codes: 0 done, 1 the work failed, 2 wrong usage.</source>
+        <translation>suffuse-cli 命令 --help 列出该命令的选项，suffuse-cli help 命令 亦然。输入为 - 表示标准输入。
+退出码：0 完成，1 失败，2 用法错误。</translation>
+    </message>
+    <message>
+        <source>The file to write: .suffuse or .json; -: standard output.</source>
+        <translation>要写入的文件：.suffuse 或 .json；-：标准输出。</translation>
+    </message>
+    <message numerus="yes">
+        <source>  %n segment(s) with a share below %1 left out (--all)
+</source>
+        <translation>
+            <numerusform>  省略 %n 个占比低于 %1 的线段（--all）
+</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Lists segments with shares below a millionth, too.</source>
+        <translation>也列出占比低于百万分之一的线段。</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n stroke(s)</source>
+        <translation>
+            <numerusform>%n 个笔画</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>-o %1: what is recovered is a painting: give a name that ends in .suffuse or .json. suffuse-cli render draws it then</source>
+        <translation>-o %1：恢复的是一幅画作：请给出以 .suffuse 或 .json 结尾的名称，然后用 suffuse-cli render 绘制</translation>
+    </message>
+    <message>
+        <source>The picture: .png, .tiff, .exr, .jpg, .webp or .pfm; -: standard output.</source>
+        <translation>图片：.png、.tiff、.exr、.jpg、.webp 或 .pfm；-：标准输出。</translation>
+    </message>
+    <message>
+        <source>With -o -: png, tiff, exr, jpg, webp or pfm (default: png).</source>
+        <translation>与 -o - 同用：png、tiff、exr、jpg、webp 或 pfm（默认 png）。</translation>
+    </message>
+    <message>
+        <source>Of JPEG and WebP, 1 to 100 (default 92); WebP loses nothing at 100.</source>
+        <translation>JPEG 与 WebP 的质量，1 到 100（默认 92）；WebP 为 100 时无损。</translation>
+    </message>
+    <message>
+        <source>Pixels an inch, as the file says it (default: it says nothing).</source>
+        <translation>文件中注明的每英寸像素数（默认不注明）。</translation>
+    </message>
+    <message>
+        <source>--format is for -o -; the ending of %1 chooses the format</source>
+        <translation>--format 用于 -o -；%1 的格式由扩展名决定</translation>
+    </message>
+    <message>
+        <source>--stats and -o - both write to standard output; give one</source>
+        <translation>--stats 与 -o - 都写到标准输出；请只用其一</translation>
+    </message>
+    <message>
+        <source>standard output is a terminal, which shows no pictures; lead it into a file or a program</source>
+        <translation>标准输出是终端，无法显示图片；请重定向到文件或程序</translation>
+    </message>
+    <message>
+        <source>--format %1: give one of %2</source>
+        <translation>--format %1：请给出 %2 之一</translation>
+    </message>
+    <message>
+        <source>--quality %1: give a whole number from 1 to 100</source>
+        <translation>--quality %1：请给出 1 到 100 的整数</translation>
+    </message>
+    <message>
+        <source>--quality is ignored: %1 loses nothing</source>
+        <translation>--quality 被忽略：%1 是无损的</translation>
+    </message>
+    <message>
+        <source>--dpi %1: give a number from 1 to 10000, e.g. 300</source>
+        <translation>--dpi %1：请给出 1 到 10000 的数，例如 300</translation>
+    </message>
+    <message>
+        <source>--dpi is ignored: %1 files hold no resolution</source>
+        <translation>--dpi 被忽略：%1 文件不含分辨率</translation>
     </message>
 </context>
 <context>
@@ -923,16 +1064,18 @@ Exit codes: 0 done, 1 the work failed, 2 wrong usage.</source>
     </message>
 </context>
 <context>
+    <name>Export</name>
+    <message>
+        <source>The selected strokes were exported last, and nothing is selected. Select strokes, or choose Export…</source>
+        <translation>上次导出的是所选笔画，而现在没有选择。请选择笔画，或选择“导出…”</translation>
+    </message>
+    <message>
+        <source>There is nothing to export. Choose Export…</source>
+        <translation>没有可导出的内容。请选择“导出…”</translation>
+    </message>
+</context>
+<context>
     <name>FigureWarnings</name>
-    <message>
-        <source>Dries out at %1 s: nothing of it is seen after that. More φ, or less D or drying time, keeps it.</source>
-        <extracomment>%1: seconds after it was painted</extracomment>
-        <translation>绘制 %1 秒后消褪：此后完全看不见。增大 φ，或减小 D 或干燥时间，可使其保留。</translation>
-    </message>
-    <message>
-        <source>Parts dry out, the first at %1 s. More φ, or less D or drying time, keeps them.</source>
-        <translation>部分会消褪，最早在 %1 秒。增大 φ，或减小 D 或干燥时间，可使其保留。</translation>
-    </message>
     <message>
         <source>Widest at %1 s; from then on it grows narrower while it spreads.</source>
         <translation>在 %1 秒时最宽；此后一边扩散一边变窄。</translation>
@@ -952,6 +1095,15 @@ Exit codes: 0 done, 1 the work failed, 2 wrong usage.</source>
     <message>
         <source>Opacity 0 %: nothing of it is seen.</source>
         <translation>不透明度 0 %：完全看不见。</translation>
+    </message>
+    <message>
+        <source>Fades away at %1 s: nothing of it is seen after that. More φ, or less D or drying time, keeps it.</source>
+        <extracomment>%1: seconds after it was painted</extracomment>
+        <translation>绘制 %1 秒后消褪：此后完全看不见。增大 φ，或减小 D 或干燥时间，可使其保留。</translation>
+    </message>
+    <message>
+        <source>Parts fade away, the first at %1 s. More φ, or less D or drying time, keeps them.</source>
+        <translation>部分会消褪，最早在 %1 秒。增大 φ，或减小 D 或干燥时间，可使其保留。</translation>
     </message>
 </context>
 <context>
@@ -1038,13 +1190,13 @@ Exit codes: 0 done, 1 the work failed, 2 wrong usage.</source>
         <source>%1 holds 1 to %2 pixels a side, not %3 × %4. Choose another size or format.</source>
         <translation>%1 每边支持 1 到 %2 像素，而不是 %3 × %4。请选择其他尺寸或格式。</translation>
     </message>
+    <message>
+        <source>A picture of %1 × %2 pixels is too large: at most %3 million pixels can be drawn. Choose a smaller size.</source>
+        <translation>%1 × %2 像素的图片过大：最多可绘制 %3 百万像素。请选择较小的尺寸。</translation>
+    </message>
 </context>
 <context>
     <name>ImageModule</name>
-    <message>
-        <source>the image module %1 %2; install or build Suffuse again (target suffuse_image_io). Pictures ending in .pfm work without it</source>
-        <translation>图像模块 %1 %2；请重新安装或构建 Suffuse（目标 suffuse_image_io）。扩展名为 .pfm 的图片无需该模块</translation>
-    </message>
     <message>
         <source>is missing</source>
         <translation>缺失</translation>
@@ -1056,6 +1208,10 @@ Exit codes: 0 done, 1 the work failed, 2 wrong usage.</source>
     <message>
         <source>is of another version of Suffuse</source>
         <translation>属于另一版本的 Suffuse</translation>
+    </message>
+    <message>
+        <source>the image module %1 %2; install or build Suffuse again (target %3). Pictures ending in .pfm work without it</source>
+        <translation>图像模块 %1 %2；请重新安装或构建 Suffuse（目标 %3）。以 .pfm 结尾的图片无需它</translation>
     </message>
 </context>
 <context>
@@ -1130,10 +1286,6 @@ Exit codes: 0 done, 1 the work failed, 2 wrong usage.</source>
         <translation>另一个程序更改了“%1”。</translation>
     </message>
     <message>
-        <source>Reloading gives up what was painted since the last save.</source>
-        <translation>重新载入会放弃上次保存以来绘制的内容。</translation>
-    </message>
-    <message>
         <source>The file stays as it is until you save.</source>
         <translation>在您保存之前，文件保持原样。</translation>
     </message>
@@ -1152,6 +1304,18 @@ Exit codes: 0 done, 1 the work failed, 2 wrong usage.</source>
     <message>
         <source>&amp;Reload</source>
         <translation>重新载入(&amp;R)</translation>
+    </message>
+    <message>
+        <source>Reloading takes away what was painted since the last save; Undo brings it back.</source>
+        <translation>重新载入会去掉上次保存以来绘制的内容；撤销可将其恢复。</translation>
+    </message>
+    <message>
+        <source>“%1” exists. Replace it?</source>
+        <translation>“%1”已存在。要替换吗？</translation>
+    </message>
+    <message>
+        <source>&amp;Replace</source>
+        <translation>替换(&amp;R)</translation>
     </message>
 </context>
 <context>
@@ -1393,6 +1557,10 @@ Exit codes: 0 done, 1 the work failed, 2 wrong usage.</source>
     <message>
         <source>there is no such grain of paper</source>
         <translation>没有此纸张颗粒</translation>
+    </message>
+    <message>
+        <source>style.xi[1]: %1 is more than 2^(1/3) times xi[0], which is %2</source>
+        <translation>style.xi[1]：%1 大于 xi[0] 的 2^(1/3) 倍，而 xi[0] 为 %2</translation>
     </message>
 </context>
 <context>
@@ -2350,6 +2518,134 @@ Exit codes: 0 done, 1 the work failed, 2 wrong usage.</source>
         <source>Give Up, or Deselect</source>
         <translation>放弃或取消选择</translation>
     </message>
+    <message>
+        <source>Save a Cop&amp;y…</source>
+        <translation>保存副本(&amp;Y)…</translation>
+    </message>
+    <message>
+        <source>Ctrl+Alt+Shift+S</source>
+        <translation>Ctrl+Alt+Shift+S</translation>
+    </message>
+    <message>
+        <source>Into another file; you go on painting in this one</source>
+        <translation>存入另一个文件；继续在当前文件中绘制</translation>
+    </message>
+    <message>
+        <source>Re&amp;vert…</source>
+        <translation>还原到文件(&amp;V)…</translation>
+    </message>
+    <message>
+        <source>Back to what the file holds; Undo takes it back</source>
+        <translation>回到文件中的内容；可以撤销</translation>
+    </message>
+    <message>
+        <source>Restore &amp;Backup…</source>
+        <translation>恢复备份(&amp;B)…</translation>
+    </message>
+    <message>
+        <source>Back to an earlier version of the file</source>
+        <translation>回到文件的早先版本</translation>
+    </message>
+    <message>
+        <source>Export A&amp;gain</source>
+        <translation>再次导出(&amp;G)</translation>
+    </message>
+    <message>
+        <source>Ctrl+E</source>
+        <translation>Ctrl+E</translation>
+    </message>
+    <message>
+        <source>To the same file, with the same settings</source>
+        <translation>以相同设置导出到同一文件</translation>
+    </message>
+    <message>
+        <source>Hide Outlines and Handles While Held</source>
+        <translation>按住时隐藏轮廓线和手柄</translation>
+    </message>
+    <message>
+        <source>&amp;Name</source>
+        <translation>名称(&amp;N)</translation>
+    </message>
+    <message>
+        <source>Select all strokes of the same name</source>
+        <translation>选择名称相同的所有笔画</translation>
+    </message>
+    <message>
+        <source>Select &amp;Found</source>
+        <translation>选择搜索结果(&amp;F)</translation>
+    </message>
+    <message>
+        <source>Select what the search in the Strokes dock has found</source>
+        <translation>选择“笔画”面板中搜索到的内容</translation>
+    </message>
+    <message>
+        <source>Show Ou&amp;tlines</source>
+        <translation>显示轮廓线(&amp;T)</translation>
+    </message>
+    <message>
+        <source>Shift+O</source>
+        <translation>Shift+O</translation>
+    </message>
+    <message>
+        <source>Lines along the selected strokes; the Brush shows none</source>
+        <translation>沿所选笔画的线条；使用画笔时不显示</translation>
+    </message>
+    <message>
+        <source>Show Paint &amp;beyond the Canvas</source>
+        <translation>显示画布外的颜料(&amp;B)</translation>
+    </message>
+    <message>
+        <source>Under a veil, what was painted beside the canvas; it is in no picture that is exported</source>
+        <translation>以半透明遮罩显示画在画布之外的内容；导出的图片中不包含它</translation>
+    </message>
+    <message>
+        <source>Ne&amp;xt Panel</source>
+        <translation>下一个面板(&amp;X)</translation>
+    </message>
+    <message>
+        <source>The keyboard goes from the canvas to the docks and tool bars in turn</source>
+        <translation>键盘焦点从画布依次移到各面板和工具栏</translation>
+    </message>
+    <message>
+        <source>&amp;Previous Panel</source>
+        <translation>上一个面板(&amp;P)</translation>
+    </message>
+    <message>
+        <source>The keyboard goes back from panel to panel</source>
+        <translation>键盘焦点依次移回上一个面板</translation>
+    </message>
+    <message>
+        <source>&amp;Undo: %1</source>
+        <translation>撤销(&amp;U)：%1</translation>
+    </message>
+    <message>
+        <source>&amp;Redo: %1</source>
+        <translation>重做(&amp;R)：%1</translation>
+    </message>
+    <message>
+        <source>&amp;Find a Command…</source>
+        <translation>查找命令(&amp;F)…</translation>
+    </message>
+    <message>
+        <source>Ctrl+K</source>
+        <translation>Ctrl+K</translation>
+    </message>
+    <message>
+        <source>Commands, brushes, docks and recent files by their names</source>
+        <translation>按名称查找命令、画笔、面板和最近的文件</translation>
+    </message>
+    <message>
+        <source>Drawing pace</source>
+        <translation>绘制节奏</translation>
+    </message>
+    <message>
+        <source>&amp;Pause</source>
+        <translation>暂停(&amp;P)</translation>
+    </message>
+    <message>
+        <source>Remove re-wetting</source>
+        <translation>移除再次润湿</translation>
+    </message>
 </context>
 <context>
     <name>suffuse::AgePlot</name>
@@ -2491,28 +2787,8 @@ Exit codes: 0 done, 1 the work failed, 2 wrong usage.</source>
 <context>
     <name>suffuse::AttributeBrushTool</name>
     <message>
-        <source>Diffusion D</source>
-        <translation>扩散系数 D</translation>
-    </message>
-    <message>
-        <source>Density φ</source>
-        <translation>密度 φ</translation>
-    </message>
-    <message>
-        <source>Granulation ω</source>
-        <translation>颗粒 ω</translation>
-    </message>
-    <message>
         <source>Colour</source>
         <translation>颜色</translation>
-    </message>
-    <message>
-        <source>Opacity</source>
-        <translation>不透明度</translation>
-    </message>
-    <message>
-        <source>Drying time</source>
-        <translation>干燥时间</translation>
     </message>
     <message>
         <source>What is painted onto the segments</source>
@@ -2529,10 +2805,6 @@ Exit codes: 0 done, 1 the work failed, 2 wrong usage.</source>
     <message>
         <source>What a segment has when it got all of it</source>
         <translation>线段被完全涂满后所具有的值</translation>
-    </message>
-    <message>
-        <source>Flow</source>
-        <translation>流量</translation>
     </message>
     <message>
         <source>How fast it is laid down</source>
@@ -2586,6 +2858,49 @@ Exit codes: 0 done, 1 the work failed, 2 wrong usage.</source>
         <source>Paint drying time</source>
         <translation>绘制干燥时间</translation>
     </message>
+    <message>
+        <source>Strength</source>
+        <translation>强度</translation>
+    </message>
+</context>
+<context>
+    <name>suffuse::BackupsDialog</name>
+    <message>
+        <source>Restore Backup</source>
+        <translation>恢复备份</translation>
+    </message>
+    <message>
+        <source>There is no backup of “%1” yet. When it is saved again, the version before is kept; Settings says how many are.</source>
+        <translation>“%1”还没有备份。再次保存时会保留之前的版本；保留多少个可在设置中指定。</translation>
+    </message>
+    <message>
+        <source>An earlier version of “%1” takes the place of the painting as it is now. Undo brings that back, and no file changes until you save.</source>
+        <translation>“%1”的早先版本将取代当前的画作。撤销可恢复当前画作，保存之前不会改动任何文件。</translation>
+    </message>
+    <message>
+        <source>Backups, the newest first</source>
+        <translation>备份，最新的在前</translation>
+    </message>
+    <message>
+        <source>Saved</source>
+        <translation>保存时间</translation>
+    </message>
+    <message>
+        <source>Strokes</source>
+        <translation>笔画</translation>
+    </message>
+    <message>
+        <source>Size</source>
+        <translation>大小</translation>
+    </message>
+    <message>
+        <source>&amp;Restore</source>
+        <translation>恢复(&amp;R)</translation>
+    </message>
+    <message>
+        <source>cannot be read</source>
+        <translation>无法读取</translation>
+    </message>
 </context>
 <context>
     <name>suffuse::BrushDialog</name>
@@ -2614,24 +2929,12 @@ Exit codes: 0 done, 1 the work failed, 2 wrong usage.</source>
         <translation>画笔设置</translation>
     </message>
     <message>
-        <source>Save Changes</source>
-        <translation>保存更改</translation>
-    </message>
-    <message>
         <source>Keeps the changes in the brush of this name; built-in brushes stay as they are</source>
         <translation>将更改保存到此名称的画笔；内置画笔保持不变</translation>
     </message>
     <message>
-        <source>Save as New…</source>
-        <translation>另存为新画笔…</translation>
-    </message>
-    <message>
         <source>Keeps the brush under another name</source>
         <translation>以其他名称保存画笔</translation>
-    </message>
-    <message>
-        <source>Close</source>
-        <translation>关闭</translation>
     </message>
     <message>
         <source>Closes this window; the brush stays in hand as it is</source>
@@ -2642,116 +2945,16 @@ Exit codes: 0 done, 1 the work failed, 2 wrong usage.</source>
         <translation>画笔：%1</translation>
     </message>
     <message>
-        <source>Size</source>
-        <translation>大小</translation>
-    </message>
-    <message>
-        <source>How far the paint spreads, in units; sets the diffusion.</source>
-        <translation>颜料扩散的距离（单位）；由此决定扩散系数。</translation>
-    </message>
-    <message>
-        <source>Flow</source>
-        <translation>流量</translation>
-    </message>
-    <message>
-        <source>Density in the middle of the stroke where no curve takes away</source>
-        <translation>没有曲线削减时笔画中央的密度</translation>
-    </message>
-    <message>
-        <source>Opacity</source>
-        <translation>不透明度</translation>
-    </message>
-    <message>
-        <source>How much the paint covers at full density</source>
-        <translation>密度饱和时颜料的覆盖程度</translation>
-    </message>
-    <message>
-        <source>Granulation ω</source>
-        <translation>颗粒 ω</translation>
-    </message>
-    <message>
-        <source>1 hides the paper&apos;s grain, 0 shows it fully</source>
-        <translation>1 隐藏纸张的颗粒，0 完全显示</translation>
-    </message>
-    <message>
-        <source>Drying time</source>
-        <translation>干燥时间</translation>
-    </message>
-    <message>
         <source>How long the paint spreads; the size stays</source>
         <translation>颜料扩散多久；大小不变</translation>
-    </message>
-    <message>
-        <source>Uniform</source>
-        <translation>均匀</translation>
-    </message>
-    <message>
-        <source>Feathering</source>
-        <translation>羽化</translation>
-    </message>
-    <message>
-        <source>Edge darkening</source>
-        <translation>深色边缘</translation>
     </message>
     <message>
         <source>Style</source>
         <translation>样式</translation>
     </message>
     <message>
-        <source>How density becomes opacity</source>
-        <translation>密度如何转化为不透明度</translation>
-    </message>
-    <message>
-        <source>Covers (alpha)</source>
-        <translation>覆盖（alpha）</translation>
-    </message>
-    <message>
-        <source>Mixes as pigment (beta)</source>
-        <translation>颜料混合（beta）</translation>
-    </message>
-    <message>
         <source>Mixing</source>
         <translation>混合</translation>
-    </message>
-    <message>
-        <source>How the paint mixes with what lies below</source>
-        <translation>颜料与下层的混合方式</translation>
-    </message>
-    <message>
-        <source>ξ1</source>
-        <translation>ξ1</translation>
-    </message>
-    <message>
-        <source>Density at which the paint begins to cover</source>
-        <translation>颜料开始覆盖时的密度</translation>
-    </message>
-    <message>
-        <source>ξ2</source>
-        <translation>ξ2</translation>
-    </message>
-    <message>
-        <source>Uniform: softness of the edge; feathering: exponent; edge darkening: width of the rim</source>
-        <translation>均匀：边缘的柔和度；羽化：指数；深色边缘：边缘的宽度</translation>
-    </message>
-    <message>
-        <source>ξ3</source>
-        <translation>ξ3</translation>
-    </message>
-    <message>
-        <source>Opacity inside the dark edge</source>
-        <translation>深色边缘以内的不透明度</translation>
-    </message>
-    <message>
-        <source>β</source>
-        <translation>β</translation>
-    </message>
-    <message>
-        <source>How much of what lies below shows through the pigment</source>
-        <translation>下层透过颜料显现的程度</translation>
-    </message>
-    <message>
-        <source>Granulation</source>
-        <translation>颗粒</translation>
     </message>
     <message>
         <source>Second colour</source>
@@ -2820,10 +3023,6 @@ Exit codes: 0 done, 1 the work failed, 2 wrong usage.</source>
     <message>
         <source>Way on which what drifts becomes another, in sizes</source>
         <translation>漂移的值变为另一个值所经过的路程，以画笔大小的倍数计</translation>
-    </message>
-    <message>
-        <source>Take the current colour</source>
-        <translation>取当前颜色</translation>
     </message>
     <message>
         <source>Makes the current colour the second one</source>
@@ -2902,22 +3101,6 @@ Exit codes: 0 done, 1 the work failed, 2 wrong usage.</source>
         <translation>稳定手部抖动：笔画柔和地跟随笔，或像被绳子牵引</translation>
     </message>
     <message>
-        <source>Strength</source>
-        <translation>强度</translation>
-    </message>
-    <message>
-        <source>How far the stroke lags behind</source>
-        <translation>笔画滞后的程度</translation>
-    </message>
-    <message>
-        <source>String</source>
-        <translation>绳长</translation>
-    </message>
-    <message>
-        <source>Its length on the screen</source>
-        <translation>绳子在屏幕上的长度</translation>
-    </message>
-    <message>
         <source>Sampling</source>
         <translation>采样间隔</translation>
     </message>
@@ -2928,18 +3111,6 @@ Exit codes: 0 done, 1 the work failed, 2 wrong usage.</source>
     <message>
         <source>Tip</source>
         <translation>笔尖</translation>
-    </message>
-    <message>
-        <source>Ratio</source>
-        <translation>比率</translation>
-    </message>
-    <message>
-        <source>How much faster the paint spreads along the tip&apos;s angle than across</source>
-        <translation>颜料沿笔尖角度的扩散比垂直方向快多少倍</translation>
-    </message>
-    <message>
-        <source>Angle</source>
-        <translation>角度</translation>
     </message>
     <message>
         <source>Of the tip, against the path or the canvas</source>
@@ -2980,6 +3151,30 @@ Exit codes: 0 done, 1 the work failed, 2 wrong usage.</source>
     <message>
         <source>Size at the very end</source>
         <translation>最末端的大小</translation>
+    </message>
+    <message>
+        <source>&amp;Save Changes</source>
+        <translation>保存更改(&amp;S)</translation>
+    </message>
+    <message>
+        <source>Save as &amp;New…</source>
+        <translation>另存为新画笔(&amp;N)…</translation>
+    </message>
+    <message>
+        <source>&amp;Close</source>
+        <translation>关闭(&amp;C)</translation>
+    </message>
+    <message>
+        <source>How density becomes coverage.</source>
+        <translation>密度如何转化为覆盖率。</translation>
+    </message>
+    <message>
+        <source>How the paint mixes with what lies below it: it covers, or pigments add up.</source>
+        <translation>颜料与下层的混合方式：覆盖，或颜料叠加。</translation>
+    </message>
+    <message>
+        <source>&amp;Take the Current Colour</source>
+        <translation>取当前颜色(&amp;T)</translation>
     </message>
 </context>
 <context>
@@ -3032,40 +3227,12 @@ Exit codes: 0 done, 1 the work failed, 2 wrong usage.</source>
         <translation>选择作画所用的画笔，颜色保持不变。</translation>
     </message>
     <message>
-        <source>%1: spread %2 units, dry after %3 s</source>
-        <translation>%1：扩散 %2 单位，%3 秒后干透</translation>
-    </message>
-    <message>
         <source>Reset brush</source>
         <translation>重置画笔</translation>
     </message>
     <message>
         <source>Back to the brush as it came</source>
         <translation>恢复画笔的原始设置</translation>
-    </message>
-    <message>
-        <source>Size</source>
-        <translation>大小</translation>
-    </message>
-    <message>
-        <source>How far the paint spreads, in units; sets the diffusion.</source>
-        <translation>颜料扩散的距离（单位）；由此决定扩散系数。</translation>
-    </message>
-    <message>
-        <source>Flow</source>
-        <translation>流量</translation>
-    </message>
-    <message>
-        <source>Density in the middle of the stroke at full pressure.</source>
-        <translation>全压感时笔画中央的密度。</translation>
-    </message>
-    <message>
-        <source>Opacity</source>
-        <translation>不透明度</translation>
-    </message>
-    <message>
-        <source>How much the paint covers at full density</source>
-        <translation>密度饱和时颜料的覆盖程度</translation>
     </message>
     <message>
         <source>%1 (changed)</source>
@@ -3136,28 +3303,8 @@ Exit codes: 0 done, 1 the work failed, 2 wrong usage.</source>
         <translation>导出(&amp;X)…</translation>
     </message>
     <message>
-        <source>Save brush</source>
-        <translation>保存画笔</translation>
-    </message>
-    <message>
         <source>Name</source>
         <translation>名称</translation>
-    </message>
-    <message>
-        <source>Rename brush</source>
-        <translation>重命名画笔</translation>
-    </message>
-    <message>
-        <source>Delete brush</source>
-        <translation>删除画笔</translation>
-    </message>
-    <message>
-        <source>Delete the brush “%1”? Strokes painted with it stay.</source>
-        <translation>要删除画笔“%1”吗？用它绘制的笔画会保留。</translation>
-    </message>
-    <message>
-        <source>Import brushes</source>
-        <translation>导入画笔</translation>
     </message>
     <message>
         <source>Brushes (*.suffuse-brush *.myb);;All files (*)</source>
@@ -3168,12 +3315,40 @@ Exit codes: 0 done, 1 the work failed, 2 wrong usage.</source>
         <translation>%1：以下设置在此没有对应项：%2</translation>
     </message>
     <message>
-        <source>Export brush</source>
-        <translation>导出画笔</translation>
+        <source>Suffuse brush</source>
+        <translation>Suffuse 画笔</translation>
     </message>
     <message>
-        <source>Suffuse brush (*%1)</source>
-        <translation>Suffuse 画笔 (*%1)</translation>
+        <source>%1: size %2, dry after %3</source>
+        <translation>%1：大小 %2，%3后干透</translation>
+    </message>
+    <message>
+        <source>Delete the brush “%1”?</source>
+        <translation>要删除画笔“%1”吗？</translation>
+    </message>
+    <message>
+        <source>Strokes painted with it stay.</source>
+        <translation>用它绘制的笔画会保留。</translation>
+    </message>
+    <message>
+        <source>&amp;Delete</source>
+        <translation>删除(&amp;D)</translation>
+    </message>
+    <message>
+        <source>Save Brush</source>
+        <translation>保存画笔</translation>
+    </message>
+    <message>
+        <source>Rename Brush</source>
+        <translation>重命名画笔</translation>
+    </message>
+    <message>
+        <source>Import Brushes</source>
+        <translation>导入画笔</translation>
+    </message>
+    <message>
+        <source>Export Brush</source>
+        <translation>导出画笔</translation>
     </message>
 </context>
 <context>
@@ -3199,24 +3374,8 @@ Exit codes: 0 done, 1 the work failed, 2 wrong usage.</source>
         <translation>画笔</translation>
     </message>
     <message>
-        <source>Size</source>
-        <translation>大小</translation>
-    </message>
-    <message>
         <source>How far the paint spreads, in units ([ and ] change it)</source>
         <translation>颜料扩散的距离（单位）（[ 和 ] 可更改）</translation>
-    </message>
-    <message>
-        <source>Flow</source>
-        <translation>流量</translation>
-    </message>
-    <message>
-        <source>Density in the middle of the stroke at full pressure</source>
-        <translation>全压感时笔画中央的密度</translation>
-    </message>
-    <message>
-        <source>Opacity</source>
-        <translation>不透明度</translation>
     </message>
     <message>
         <source>How much the paint covers ({ and } change it)</source>
@@ -3253,14 +3412,6 @@ Exit codes: 0 done, 1 the work failed, 2 wrong usage.</source>
     <message>
         <source>Own brush</source>
         <translation>自定义画笔</translation>
-    </message>
-    <message>
-        <source>Size %1 u</source>
-        <translation>大小 %1 单位</translation>
-    </message>
-    <message>
-        <source>Opacity %1 %</source>
-        <translation>不透明度 %1 %</translation>
     </message>
     <message>
         <source>Drag to paint, tap for a dot. Shift+drag: size and opacity. Ctrl+click: take the picture&apos;s colour, with Shift the stroke&apos;s own.</source>
@@ -3333,10 +3484,6 @@ Exit codes: 0 done, 1 the work failed, 2 wrong usage.</source>
         <translation>纸张的颗粒，会在有颗粒效果的笔画中显现。</translation>
     </message>
     <message>
-        <source>Choose image…</source>
-        <translation>选择图像…</translation>
-    </message>
-    <message>
         <source>Take the grain from another picture file.</source>
         <translation>从另一个图片文件获取颗粒。</translation>
     </message>
@@ -3357,14 +3504,6 @@ Exit codes: 0 done, 1 the work failed, 2 wrong usage.</source>
         <translation>缩放</translation>
     </message>
     <message>
-        <source>Strength</source>
-        <translation>强度</translation>
-    </message>
-    <message>
-        <source>How deep the grain goes.</source>
-        <translation>颗粒的深浅。</translation>
-    </message>
-    <message>
         <source>Paper image</source>
         <translation>纸张图像</translation>
     </message>
@@ -3379,6 +3518,10 @@ Exit codes: 0 done, 1 the work failed, 2 wrong usage.</source>
     <message>
         <source>Size of the coarsest grain or of a thread in units, or units per pixel of the image.</source>
         <translation>最粗颗粒或织线的大小（单位），或图像每像素对应的单位数。</translation>
+    </message>
+    <message>
+        <source>Choose &amp;Image…</source>
+        <translation>选择图像(&amp;I)…</translation>
     </message>
 </context>
 <context>
@@ -3448,41 +3591,6 @@ Exit codes: 0 done, 1 the work failed, 2 wrong usage.</source>
     </message>
 </context>
 <context>
-    <name>suffuse::ColourRows</name>
-    <message>
-        <source>Red</source>
-        <translation>红</translation>
-    </message>
-    <message>
-        <source>Yellow</source>
-        <translation>黄</translation>
-    </message>
-    <message>
-        <source>Blue</source>
-        <translation>蓝</translation>
-    </message>
-    <message>
-        <source>Opacity</source>
-        <translation>不透明度</translation>
-    </message>
-    <message>
-        <source>Share of red pigment</source>
-        <translation>红色颜料的比例</translation>
-    </message>
-    <message>
-        <source>Share of yellow pigment</source>
-        <translation>黄色颜料的比例</translation>
-    </message>
-    <message>
-        <source>Share of blue pigment</source>
-        <translation>蓝色颜料的比例</translation>
-    </message>
-    <message>
-        <source>How much the paint covers at full density</source>
-        <translation>密度饱和时颜料的覆盖程度</translation>
-    </message>
-</context>
-<context>
     <name>suffuse::ColourWheel</name>
     <message>
         <source>Colour wheel</source>
@@ -3493,6 +3601,45 @@ Exit codes: 0 done, 1 the work failed, 2 wrong usage.</source>
 Arrow keys work too.</source>
         <translation>圆环：按颜料顺序排列的色相。三角形：纯色、白与黑。
 也可使用方向键。</translation>
+    </message>
+</context>
+<context>
+    <name>suffuse::CommandPalette</name>
+    <message>
+        <source>Find a command</source>
+        <translation>查找命令</translation>
+    </message>
+    <message>
+        <source>Commands, brushes, docks, recent files</source>
+        <translation>命令、画笔、面板、最近的文件</translation>
+    </message>
+    <message>
+        <source>Parts of names in any order; Enter runs the chosen one, Escape goes back.</source>
+        <translation>可按任意顺序输入名称的一部分；按回车键执行所选项，按 Esc 返回。</translation>
+    </message>
+    <message>
+        <source>Found</source>
+        <translation>查找结果</translation>
+    </message>
+    <message>
+        <source>Click one to run it.</source>
+        <translation>单击即可执行。</translation>
+    </message>
+    <message>
+        <source>Nothing is called so.</source>
+        <translation>没有匹配的名称。</translation>
+    </message>
+    <message>
+        <source>It cannot be used now.</source>
+        <translation>现在无法使用。</translation>
+    </message>
+    <message>
+        <source>Brush</source>
+        <translation>画笔</translation>
+    </message>
+    <message>
+        <source>Open Recent</source>
+        <translation>最近打开</translation>
     </message>
 </context>
 <context>
@@ -3509,10 +3656,6 @@ Arrow keys work too.</source>
 <context>
     <name>suffuse::CrossSectionPlot</name>
     <message>
-        <source>Covers up to %1 %</source>
-        <translation>最高覆盖 %1 %</translation>
-    </message>
-    <message>
         <source>Not painted yet</source>
         <translation>尚未绘制</translation>
     </message>
@@ -3521,8 +3664,8 @@ Arrow keys work too.</source>
         <translation>横截面</translation>
     </message>
     <message>
-        <source>±%1 u</source>
-        <translation>±%1 单位</translation>
+        <source>Covers up to %1</source>
+        <translation>最高覆盖 %1</translation>
     </message>
 </context>
 <context>
@@ -3562,6 +3705,14 @@ Arrow keys work too.</source>
         <extracomment>name of a document that was brought back after a crash</extracomment>
         <translation>%1（已恢复）</translation>
     </message>
+    <message>
+        <source>is damaged, so the painting stays as it is; save it, or open the file to see what is whole of it</source>
+        <translation>已损坏，画作保持不变；请保存画作，或打开该文件查看其中完好的内容</translation>
+    </message>
+    <message>
+        <source>Revert</source>
+        <translation>还原到文件</translation>
+    </message>
 </context>
 <context>
     <name>suffuse::EraserTool</name>
@@ -3597,16 +3748,8 @@ Arrow keys work too.</source>
         <translation>32 位浮点</translation>
     </message>
     <message>
-        <source>Export picture</source>
-        <translation>导出图片</translation>
-    </message>
-    <message>
         <source>Progress</source>
         <translation>进度</translation>
-    </message>
-    <message>
-        <source>Export</source>
-        <translation>导出</translation>
     </message>
     <message>
         <source>File</source>
@@ -3615,10 +3758,6 @@ Arrow keys work too.</source>
     <message>
         <source>The ending chooses the format: png, tiff, exr, jpg, webp or pfm.</source>
         <translation>扩展名决定格式：png、tiff、exr、jpg、webp 或 pfm。</translation>
-    </message>
-    <message>
-        <source>Browse…</source>
-        <translation>浏览…</translation>
     </message>
     <message>
         <source>Choose a folder and a name</source>
@@ -3685,12 +3824,39 @@ Arrow keys work too.</source>
         <translation>“%1”没有图片格式的扩展名。请选择其一：%2。</translation>
     </message>
     <message>
-        <source>A picture of %1 × %2 pixels is too large. Choose a smaller size.</source>
-        <translation>%1 × %2 像素的图片太大。请选择较小的尺寸。</translation>
-    </message>
-    <message>
         <source>%1 exists. Replace it?</source>
         <translation>%1 已存在。要替换吗？</translation>
+    </message>
+    <message>
+        <source>&amp;Export</source>
+        <translation>导出(&amp;E)</translation>
+    </message>
+    <message>
+        <source>&amp;Browse…</source>
+        <translation>浏览(&amp;B)…</translation>
+    </message>
+    <message>
+        <source>What it holds now is lost.</source>
+        <translation>其现有内容将丢失。</translation>
+    </message>
+    <message>
+        <source>&amp;Replace</source>
+        <translation>替换(&amp;R)</translation>
+    </message>
+    <message>
+        <source>At most %1 × %2 px</source>
+        <translation>最大 %1 × %2 像素</translation>
+    </message>
+    <message>
+        <source>Export Picture</source>
+        <translation>导出图片</translation>
+    </message>
+</context>
+<context>
+    <name>suffuse::ExportJob</name>
+    <message>
+        <source>A picture of %1 × %2 pixels does not fit into memory. Choose a smaller size.</source>
+        <translation>内存放不下 %1 × %2 像素的图片。请选择较小的尺寸。</translation>
     </message>
 </context>
 <context>
@@ -4134,14 +4300,6 @@ Arrow keys work too.</source>
         <translation>不是 .suffuse 文件</translation>
     </message>
     <message>
-        <source>ends after %1 bytes; %2</source>
-        <translation>在 %1 字节后结束；%2</translation>
-    </message>
-    <message>
-        <source>its line endings were changed on the way; transfer it as a binary file</source>
-        <translation>其换行符在传输中被更改；请以二进制方式传输</translation>
-    </message>
-    <message>
         <source>the hash of the whole differs</source>
         <translation>整体哈希值不符</translation>
     </message>
@@ -4422,10 +4580,6 @@ Arrow keys work too.</source>
         <translation>没有可绘制的路径；请先在原程序中将文字和图像转换为路径</translation>
     </message>
     <message>
-        <source>Text and images of the drawing were left out: only paths and shapes are strokes.</source>
-        <translation>图形中的文字和图像已略去：只有路径和形状会成为笔画。</translation>
-    </message>
-    <message>
         <source>the preview</source>
         <translation>预览图</translation>
     </message>
@@ -4453,9 +4607,145 @@ Arrow keys work too.</source>
         <source>damaged and left out: %1</source>
         <translation>已损坏并略去：%1</translation>
     </message>
+    <message numerus="yes">
+        <source>%n fill(s)</source>
+        <translation>
+            <numerusform>%n 处填充</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n element(s) not drawn freehand</source>
+        <translation>
+            <numerusform>%n 个非手绘元素</numerusform>
+        </translation>
+    </message>
     <message>
-        <source>Fills were left out: filled shapes are painted along their outlines.</source>
-        <translation>填充已略去：填充的形状沿其轮廓绘制。</translation>
+        <source>column “%1”</source>
+        <translation>列“%1”</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n brush shape(s)</source>
+        <translation>
+            <numerusform>%n 个笔刷形状</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n turned or stretched brush tip(s)</source>
+        <translation>
+            <numerusform>%n 个旋转或拉伸的笔尖</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>the pen&apos;s azimuths</source>
+        <translation>笔的方位角</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n view(s) of recognised text</source>
+        <translation>
+            <numerusform>%n 个识别文字视图</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 were left out.</source>
+        <extracomment>%1: a list such as &quot;3 fills, 2 gradients&quot;; the number is that of all things in it.</extracomment>
+        <translation>
+            <numerusform>已略去：%1。</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>, </source>
+        <comment>list</comment>
+        <translation>、</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n gradient(s)</source>
+        <translation>
+            <numerusform>%n 个渐变</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n pattern(s)</source>
+        <translation>
+            <numerusform>%n 个图案</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n clip path(s)</source>
+        <translation>
+            <numerusform>%n 个剪切路径</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n mask(s)</source>
+        <translation>
+            <numerusform>%n 个蒙版</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n filter(s)</source>
+        <translation>
+            <numerusform>%n 个滤镜</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n marker(s)</source>
+        <translation>
+            <numerusform>%n 个标记</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n dash(es)</source>
+        <translation>
+            <numerusform>%n 处虚线</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n text(s)</source>
+        <translation>
+            <numerusform>%n 处文字</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n image(s)</source>
+        <translation>
+            <numerusform>%n 张图像</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n style rule(s)</source>
+        <translation>
+            <numerusform>%n 条样式规则</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n &lt;use&gt; of itself</source>
+        <translation>
+            <numerusform>%n 个引用自身的 &lt;use&gt;</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Filled shapes are painted along their outlines.</source>
+        <translation>填充的形状沿其轮廓绘制。</translation>
+    </message>
+    <message>
+        <source>There is more in the drawing than is read; the rest was left out.</source>
+        <translation>图形的内容超出可读取的范围；其余部分已略去。</translation>
+    </message>
+    <message>
+        <source>ends after %1 bytes</source>
+        <translation>在 %1 字节后结束</translation>
+    </message>
+    <message>
+        <source>its line endings were changed on the way, transfer it as a binary file</source>
+        <translation>其换行符在传输中被更改，请以二进制方式传输</translation>
+    </message>
+    <message>
+        <source>its first bytes are damaged</source>
+        <translation>其开头的字节已损坏</translation>
+    </message>
+    <message>
+        <source>the first bytes of the file</source>
+        <translation>文件开头的字节</translation>
     </message>
 </context>
 <context>
@@ -4522,6 +4812,17 @@ Arrow keys work too.</source>
     </message>
 </context>
 <context>
+    <name>suffuse::KeyboardFocus</name>
+    <message>
+        <source>The %1 dock has the keyboard; Esc gives it back to the canvas.</source>
+        <translation>键盘焦点在“%1”面板中；按 Esc 可交还画布。</translation>
+    </message>
+    <message>
+        <source>The tool bar “%1” has the keyboard; Esc gives it back to the canvas.</source>
+        <translation>键盘焦点在“%1”工具栏中；按 Esc 可交还画布。</translation>
+    </message>
+</context>
+<context>
     <name>suffuse::KnifeTool</name>
     <message>
         <source>Drag a line to insert nodes where it crosses strokes. Shift: cut the strokes apart. Ctrl: steps of 15°.</source>
@@ -4534,6 +4835,53 @@ Arrow keys work too.</source>
     <message>
         <source>Insert nodes</source>
         <translation>插入节点</translation>
+    </message>
+    <message>
+        <source>%1 cut into %2</source>
+        <extracomment>what the knife did; %1: &quot;2 strokes&quot;, %2: &quot;5 parts&quot;</extracomment>
+        <translation>已将 %1切成 %2</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n stroke(s)</source>
+        <translation>
+            <numerusform>%n 条笔画</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n part(s)</source>
+        <translation>
+            <numerusform>%n 段</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1 inserted in %2</source>
+        <extracomment>what the knife did; %1: &quot;3 nodes&quot;, %2: &quot;2 strokes&quot;</extracomment>
+        <translation>已在 %2中插入 %1</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n node(s)</source>
+        <translation>
+            <numerusform>%n 个节点</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>There are nodes already where the line crosses strokes.</source>
+        <translation>该线与笔画相交处已有节点。</translation>
+    </message>
+    <message>
+        <source>The line crosses no stroke.</source>
+        <translation>该线未与任何笔画相交。</translation>
+    </message>
+    <message>
+        <source>The line crosses no selected stroke.</source>
+        <translation>该线未与任何所选笔画相交。</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n stroke(s)</source>
+        <comment>in</comment>
+        <translation>
+            <numerusform>%n 条笔画</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -4563,32 +4911,12 @@ Arrow keys work too.</source>
         <translation>指针位置（画布单位）</translation>
     </message>
     <message>
-        <source>Zoom</source>
-        <translation>缩放</translation>
-    </message>
-    <message>
         <source>What renders the picture</source>
         <translation>渲染图片的后端</translation>
     </message>
     <message>
         <source>Time that the last frame took</source>
         <translation>上一帧所用时间</translation>
-    </message>
-    <message>
-        <source>&amp;Undo</source>
-        <translation>撤销(&amp;U)</translation>
-    </message>
-    <message>
-        <source>&amp;Undo: %1</source>
-        <translation>撤销(&amp;U)：%1</translation>
-    </message>
-    <message>
-        <source>&amp;Redo</source>
-        <translation>重做(&amp;R)</translation>
-    </message>
-    <message>
-        <source>&amp;Redo: %1</source>
-        <translation>重做(&amp;R)：%1</translation>
     </message>
     <message>
         <source>%1 %</source>
@@ -4617,14 +4945,6 @@ Arrow keys work too.</source>
     <message>
         <source>Save As</source>
         <translation>另存为</translation>
-    </message>
-    <message>
-        <source>Suffuse painting (*.suffuse)</source>
-        <translation>Suffuse 画作 (*.suffuse)</translation>
-    </message>
-    <message>
-        <source>Text form (*.json)</source>
-        <translation>文本形式 (*.json)</translation>
     </message>
     <message>
         <source>&amp;Clear the List</source>
@@ -4679,14 +4999,6 @@ Arrow keys work too.</source>
         <translation>冻结未干颜料</translation>
     </message>
     <message>
-        <source>Remove re-wetting</source>
-        <translation>移除再次润湿</translation>
-    </message>
-    <message>
-        <source>Drawing pace</source>
-        <translation>绘制节奏</translation>
-    </message>
-    <message>
         <source>Re-wet</source>
         <translation>再次润湿</translation>
     </message>
@@ -4697,14 +5009,6 @@ Arrow keys work too.</source>
     <message>
         <source>Nothing that is selected is painted yet at this moment.</source>
         <translation>此刻所选内容尚未绘制。</translation>
-    </message>
-    <message>
-        <source>&amp;Pause</source>
-        <translation>暂停(&amp;P)</translation>
-    </message>
-    <message>
-        <source>&amp;Play</source>
-        <translation>播放(&amp;P)</translation>
     </message>
     <message>
         <source>%1 ms, coarse</source>
@@ -4769,6 +5073,79 @@ Arrow keys work too.</source>
     <message>
         <source>Name of the group</source>
         <translation>组的名称</translation>
+    </message>
+    <message>
+        <source>Backups of paintings (*.suffuse~* *.json~*)</source>
+        <translation>画作的备份 (*.suffuse~* *.json~*)</translation>
+    </message>
+    <message>
+        <source>“%1” is open already.</source>
+        <translation>“%1”已经打开。</translation>
+    </message>
+    <message>
+        <source>Suffuse painting</source>
+        <translation>Suffuse 画作</translation>
+    </message>
+    <message>
+        <source>Text form</source>
+        <translation>文本形式</translation>
+    </message>
+    <message>
+        <source>“%1” is open in another window. Choose another name, or close that window first.</source>
+        <translation>“%1”已在另一个窗口中打开。请换个名称，或先关闭那个窗口。</translation>
+    </message>
+    <message>
+        <source>%1 copy</source>
+        <extracomment>name of the file that a copy is saved to, beside that of the painting</extracomment>
+        <translation>%1 副本</translation>
+    </message>
+    <message>
+        <source>Save a Copy</source>
+        <translation>保存副本</translation>
+    </message>
+    <message>
+        <source>A copy is saved as “%1”.</source>
+        <translation>副本已保存为“%1”。</translation>
+    </message>
+    <message>
+        <source>“%1” is saved already.</source>
+        <translation>“%1”已是保存过的状态。</translation>
+    </message>
+    <message>
+        <source>Revert “%1” to what the file holds?</source>
+        <translation>要将“%1”还原为文件中的内容吗？</translation>
+    </message>
+    <message>
+        <source>What was painted since the last save goes; Undo brings it back.</source>
+        <translation>上次保存以来绘制的内容将被去掉；撤销可将其恢复。</translation>
+    </message>
+    <message>
+        <source>&amp;Revert</source>
+        <translation>还原(&amp;R)</translation>
+    </message>
+    <message>
+        <source>Restore backup of %1</source>
+        <translation>恢复 %1 的备份</translation>
+    </message>
+    <message>
+        <source>The backup of %1 is back. Undo takes it away again; no file changes until you save.</source>
+        <translation>%1 的备份已恢复。可以撤销；保存之前不会改动任何文件。</translation>
+    </message>
+    <message>
+        <source>The backup is damaged. What is whole of it was restored.</source>
+        <translation>备份已损坏。其中完好的内容已恢复。</translation>
+    </message>
+    <message>
+        <source>Exported to %1</source>
+        <translation>已导出到 %1</translation>
+    </message>
+    <message>
+        <source>Exporting %1…</source>
+        <translation>正在导出 %1…</translation>
+    </message>
+    <message>
+        <source>Zoom, and the angle by which the canvas is turned</source>
+        <translation>缩放比例与画布旋转角度</translation>
     </message>
 </context>
 <context>
@@ -4876,10 +5253,6 @@ Arrow keys work too.</source>
         <translation>A4，300 dpi</translation>
     </message>
     <message>
-        <source>New painting</source>
-        <translation>新建画作</translation>
-    </message>
-    <message>
         <source>Size</source>
         <translation>大小</translation>
     </message>
@@ -4896,8 +5269,12 @@ Arrow keys work too.</source>
         <translation>交换宽度和高度</translation>
     </message>
     <message>
-        <source>Create</source>
-        <translation>创建</translation>
+        <source>C&amp;reate</source>
+        <translation>创建(&amp;R)</translation>
+    </message>
+    <message>
+        <source>New Painting</source>
+        <translation>新建画作</translation>
     </message>
 </context>
 <context>
@@ -4913,10 +5290,6 @@ Arrow keys work too.</source>
     <message>
         <source>Drag to bend the curve. Double click to insert a node. Click to select the segment.</source>
         <translation>拖动以弯曲曲线。双击插入节点。点击选择线段。</translation>
-    </message>
-    <message>
-        <source>Click a segment to select it, Shift+click for a run, Ctrl+click to add or remove one. Drag around nodes.</source>
-        <translation>点击线段以选择，Shift+点击选择连续多条，Ctrl+点击添加或移除一条。拖动框选节点。</translation>
     </message>
     <message>
         <source>Insert node</source>
@@ -4977,6 +5350,10 @@ Arrow keys work too.</source>
     <message>
         <source>Bridge segments</source>
         <translation>桥接线段</translation>
+    </message>
+    <message>
+        <source>Click a segment to select it, Shift+click for a run or another stroke&apos;s, Ctrl+click to add or remove one. Drag around nodes.</source>
+        <translation>单击选择线段，Shift+单击选择连续线段或其他笔画的线段，Ctrl+单击添加或移除一段。拖动框选节点。</translation>
     </message>
 </context>
 <context>
@@ -5051,10 +5428,6 @@ Arrow keys work too.</source>
         <translation>下笔所需的力度，适用于所有画笔。</translation>
     </message>
     <message>
-        <source>Clear</source>
-        <translation>清空</translation>
-    </message>
-    <message>
         <source>Takes a clean sheet.</source>
         <translation>换一张空白纸。</translation>
     </message>
@@ -5086,13 +5459,107 @@ Arrow keys work too.</source>
         <source>One finger moves the canvas, two zoom and turn it. Otherwise one finger paints.</source>
         <translation>单指移动画布，双指缩放和旋转。否则单指用于作画。</translation>
     </message>
+    <message>
+        <source>C&amp;lear</source>
+        <translation>清空(&amp;L)</translation>
+    </message>
+</context>
+<context>
+    <name>suffuse::PresetRow</name>
+    <message>
+        <source>Preset</source>
+        <translation>预设</translation>
+    </message>
+    <message>
+        <source>None</source>
+        <translation>无</translation>
+    </message>
+    <message>
+        <source>Format, depth, quality, resolution, size, area and moment under a name</source>
+        <translation>以一个名称保存的格式、位深、质量、分辨率、尺寸、区域与时刻</translation>
+    </message>
+    <message>
+        <source>&amp;Save…</source>
+        <translation>保存(&amp;S)…</translation>
+    </message>
+    <message>
+        <source>Keep what is set here as a preset</source>
+        <translation>将此处的设置存为预设</translation>
+    </message>
+    <message>
+        <source>&amp;Remove</source>
+        <translation>移除(&amp;R)</translation>
+    </message>
+    <message>
+        <source>Forget the chosen preset</source>
+        <translation>删除所选预设</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>名称</translation>
+    </message>
+    <message>
+        <source>There is a preset “%1”. Replace it?</source>
+        <translation>已有预设“%1”。要替换吗？</translation>
+    </message>
+    <message>
+        <source>Save Preset</source>
+        <translation>保存预设</translation>
+    </message>
+</context>
+<context>
+    <name>suffuse::PrintRows</name>
+    <message>
+        <source>Print size</source>
+        <translation>打印尺寸</translation>
+    </message>
+    <message>
+        <source>Width on paper</source>
+        <translation>纸上宽度</translation>
+    </message>
+    <message>
+        <source>Width on paper; the height and the pixels follow.</source>
+        <translation>纸上宽度；高度与像素随之改变。</translation>
+    </message>
+    <message>
+        <source>Height on paper</source>
+        <translation>纸上高度</translation>
+    </message>
+    <message>
+        <source>Height on paper; the width and the pixels follow.</source>
+        <translation>纸上高度；宽度与像素随之改变。</translation>
+    </message>
+    <message>
+        <source>mm</source>
+        <translation>毫米</translation>
+    </message>
+    <message>
+        <source>in</source>
+        <translation>英寸</translation>
+    </message>
+    <message>
+        <source>Unit</source>
+        <translation>单位</translation>
+    </message>
+    <message>
+        <source>Millimetres or inches</source>
+        <translation>毫米或英寸</translation>
+    </message>
+    <message>
+        <source>Resolution</source>
+        <translation>分辨率</translation>
+    </message>
+    <message>
+        <source> dpi</source>
+        <translation> dpi</translation>
+    </message>
+    <message>
+        <source>Pixels an inch. PNG, TIFF, JPEG and EXR files say it.</source>
+        <translation>每英寸像素数。PNG、TIFF、JPEG 与 EXR 文件会注明。</translation>
+    </message>
 </context>
 <context>
     <name>suffuse::ProbePanel</name>
-    <message>
-        <source>%1 %</source>
-        <translation>%1 %</translation>
-    </message>
     <message>
         <source>Rest the pointer on the painting: what it is made of there is listed here, and stays when you come here to click it.</source>
         <translation>将指针停在画作上：此处会列出该点的构成，指针移到此处点击时列表保持不变。</translation>
@@ -5265,14 +5732,6 @@ Arrow keys work too.</source>
         <translation>线段沿其长度释放的颜料量。</translation>
     </message>
     <message>
-        <source>Granulation ω</source>
-        <translation>颗粒 ω</translation>
-    </message>
-    <message>
-        <source>100 % hides the paper&apos;s texture, 0 % shows it fully.</source>
-        <translation>100 % 隐藏纸张纹理，0 % 完全显示。</translation>
-    </message>
-    <message>
         <source>Drying time</source>
         <translation>干燥时间</translation>
     </message>
@@ -5392,6 +5851,142 @@ Arrow keys work too.</source>
         <source>Change birth</source>
         <translation>更改诞生时间</translation>
     </message>
+    <message>
+        <source>Change %1</source>
+        <translation>更改%1</translation>
+    </message>
+    <message>
+        <source>Granulation</source>
+        <translation>颗粒</translation>
+    </message>
+    <message>
+        <source>How much of the paper&apos;s grain shows: 0 % is smooth, 100 % shows all of it. Files and scripts hold ω, which is 1 where this is 0 %.</source>
+        <translation>显现多少纸张颗粒：0 % 为光滑，100 % 完全显现。文件和脚本中存的是 ω，此处为 0 % 时 ω 为 1。</translation>
+    </message>
+    <message>
+        <source>Size</source>
+        <translation>大小</translation>
+    </message>
+    <message>
+        <source>How far the paint spreads, in units; sets the diffusion.</source>
+        <translation>颜料扩散的距离（单位）；由此决定扩散系数。</translation>
+    </message>
+    <message>
+        <source>Flow</source>
+        <translation>流量</translation>
+    </message>
+    <message>
+        <source>Density in the middle of the stroke at full pressure.</source>
+        <translation>全压感时笔画中央的密度。</translation>
+    </message>
+    <message>
+        <source>String</source>
+        <translation>绳长</translation>
+    </message>
+    <message>
+        <source>Its length on the screen</source>
+        <translation>绳子在屏幕上的长度</translation>
+    </message>
+    <message>
+        <source>Pigment β</source>
+        <translation>颜料 β</translation>
+    </message>
+    <message>
+        <source>Share of the colour below that stays: 0 % covers, 100 % adds.</source>
+        <translation>下层颜色保留的比例：0 % 覆盖，100 % 叠加。</translation>
+    </message>
+    <message>
+        <source>Strength</source>
+        <translation>强度</translation>
+    </message>
+    <message>
+        <source>How deep the grain goes.</source>
+        <translation>颗粒的深浅。</translation>
+    </message>
+    <message>
+        <source>How far the stroke lags behind</source>
+        <translation>笔画滞后的程度</translation>
+    </message>
+    <message>
+        <source>Parameter of the style</source>
+        <translation>样式的参数</translation>
+    </message>
+    <message>
+        <source>Threshold ξ1</source>
+        <translation>阈值 ξ1</translation>
+    </message>
+    <message>
+        <source>Softness ξ2</source>
+        <translation>柔和度 ξ2</translation>
+    </message>
+    <message>
+        <source>Full at ξ1</source>
+        <translation>饱和点 ξ1</translation>
+    </message>
+    <message>
+        <source>Steepness ξ2</source>
+        <translation>陡度 ξ2</translation>
+    </message>
+    <message>
+        <source>Edge ξ1</source>
+        <translation>边缘 ξ1</translation>
+    </message>
+    <message>
+        <source>Lightening ξ2</source>
+        <translation>提亮 ξ2</translation>
+    </message>
+    <message>
+        <source>Strength ξ3</source>
+        <translation>强度 ξ3</translation>
+    </message>
+    <message>
+        <source>Density at which the stroke covers by half.</source>
+        <translation>笔画覆盖一半时的密度。</translation>
+    </message>
+    <message>
+        <source>How gently the edge fades.</source>
+        <translation>边缘过渡的柔和程度。</translation>
+    </message>
+    <message>
+        <source>Density from which the stroke covers fully.</source>
+        <translation>笔画完全覆盖所需的密度。</translation>
+    </message>
+    <message>
+        <source>How steeply coverage grows with density.</source>
+        <translation>覆盖率随密度增长的陡度。</translation>
+    </message>
+    <message>
+        <source>Density at which the dark rim stands.</source>
+        <translation>深色边缘所在的密度。</translation>
+    </message>
+    <message>
+        <source>How much the inside is lighter than the rim; at most 1.26·ξ1.</source>
+        <translation>内部比边缘浅多少；最大为 1.26·ξ1。</translation>
+    </message>
+    <message>
+        <source>Coverage far inside the stroke.</source>
+        <translation>笔画内部深处的覆盖率。</translation>
+    </message>
+    <message>
+        <source>Uniform</source>
+        <translation>均匀</translation>
+    </message>
+    <message>
+        <source>Feathering</source>
+        <translation>羽化</translation>
+    </message>
+    <message>
+        <source>Dark edges</source>
+        <translation>深色边缘</translation>
+    </message>
+    <message>
+        <source>Covering (alpha)</source>
+        <translation>覆盖（alpha）</translation>
+    </message>
+    <message>
+        <source>Pigment (β)</source>
+        <translation>颜料（β）</translation>
+    </message>
 </context>
 <context>
     <name>suffuse::SelectTool</name>
@@ -5422,10 +6017,6 @@ Arrow keys work too.</source>
     <message>
         <source>Scale to %1 % × %2 %</source>
         <translation>缩放到 %1 % × %2 %</translation>
-    </message>
-    <message>
-        <source>Rotate by %1°</source>
-        <translation>旋转 %1°</translation>
     </message>
     <message>
         <source>Skew by %1°</source>
@@ -5475,6 +6066,10 @@ Arrow keys work too.</source>
         <source>Drag: move. Click again: rotate and skew. Double click: its segment. Shift+click: add. Shift+drag: a band. Alt+click: the stroke below.</source>
         <translation>拖动：移动。再次点击：旋转和倾斜。双击：其线段。Shift+点击：添加。Shift+拖动：框选。Alt+点击：下层笔画。</translation>
     </message>
+    <message>
+        <source>Rotate by %1</source>
+        <translation>旋转 %1</translation>
+    </message>
 </context>
 <context>
     <name>suffuse::SettingsDialog</name>
@@ -5485,10 +6080,6 @@ Arrow keys work too.</source>
     <message>
         <source>Language</source>
         <translation>语言</translation>
-    </message>
-    <message>
-        <source>Language of the program. Changes when it starts again.</source>
-        <translation>程序的语言。重新启动后生效。</translation>
     </message>
     <message>
         <source>System</source>
@@ -5515,10 +6106,6 @@ Arrow keys work too.</source>
         <translation>画布</translation>
     </message>
     <message>
-        <source>How the picture comes to the screen. Changes when the program starts again.</source>
-        <translation>图片如何显示到屏幕。重新启动后生效。</translation>
-    </message>
-    <message>
         <source>Automatic</source>
         <translation>自动</translation>
     </message>
@@ -5535,20 +6122,8 @@ Arrow keys work too.</source>
         <translation>线程</translation>
     </message>
     <message>
-        <source>Processor threads for drawing. Changes when the program starts again.</source>
-        <translation>用于绘制的处理器线程数。重新启动后生效。</translation>
-    </message>
-    <message>
-        <source>Language, canvas, renderer and threads change when Suffuse starts again.</source>
-        <translation>语言、画布、渲染器和线程的更改将在 Suffuse 重新启动后生效。</translation>
-    </message>
-    <message>
         <source>Renderer</source>
         <translation>渲染器</translation>
-    </message>
-    <message>
-        <source>What computes the picture. Changes when the program starts again.</source>
-        <translation>用什么计算图像。重新启动后生效。</translation>
     </message>
     <message>
         <source>General</source>
@@ -5567,16 +6142,28 @@ Arrow keys work too.</source>
         <translation>备份</translation>
     </message>
     <message>
-        <source>How many earlier versions are kept when a painting is saved: “name.suffuse~” beside it is the last one, “~2” the one before.</source>
-        <translation>保存画作时保留多少个早先版本：旁边的“name.suffuse~”是上一个，“~2”是再前一个。</translation>
+        <source>How many earlier versions are kept when a painting is saved: “name.suffuse~” beside it is the last one, “~2” the one before. File ▸ Restore Backup brings one back.</source>
+        <translation>保存画作时保留多少个早先版本：旁边的“name.suffuse~”是上一个，“~2”是再前一个。可用 文件 ▸ 恢复备份 取回。</translation>
+    </message>
+    <message>
+        <source>Language of the program</source>
+        <translation>程序的语言</translation>
+    </message>
+    <message>
+        <source>How the picture comes to the screen</source>
+        <translation>画面显示到屏幕上的方式</translation>
+    </message>
+    <message>
+        <source>What computes the picture</source>
+        <translation>由什么计算画面</translation>
+    </message>
+    <message>
+        <source>Processor threads for drawing</source>
+        <translation>绘制所用的处理器线程数</translation>
     </message>
 </context>
 <context>
     <name>suffuse::ShortcutsDialog</name>
-    <message>
-        <source>Keyboard shortcuts</source>
-        <translation>键盘快捷键</translation>
-    </message>
     <message>
         <source>Search</source>
         <translation>搜索</translation>
@@ -5610,16 +6197,8 @@ Arrow keys work too.</source>
         <translation>按下按键</translation>
     </message>
     <message>
-        <source>None</source>
-        <translation>无</translation>
-    </message>
-    <message>
         <source>No shortcut for this command</source>
         <translation>此命令不使用快捷键</translation>
-    </message>
-    <message>
-        <source>Reset</source>
-        <translation>重置</translation>
     </message>
     <message>
         <source>This command&apos;s own shortcut</source>
@@ -5628,10 +6207,6 @@ Arrow keys work too.</source>
     <message>
         <source>%1 belongs to “%2” and “%3”. Give one of them another shortcut.</source>
         <translation>%1 同时属于“%2”和“%3”。请为其中之一设置其他快捷键。</translation>
-    </message>
-    <message>
-        <source>Take over</source>
-        <translation>接管</translation>
     </message>
     <message>
         <source>Takes the shortcut away from the other command</source>
@@ -5644,6 +6219,22 @@ Arrow keys work too.</source>
     <message>
         <source>%1 is fixed: “%2”. Give “%3” another shortcut.</source>
         <translation>%1 是固定的：“%2”。请为“%3”另选快捷键。</translation>
+    </message>
+    <message>
+        <source>&amp;None</source>
+        <translation>无(&amp;N)</translation>
+    </message>
+    <message>
+        <source>&amp;Reset</source>
+        <translation>重置(&amp;R)</translation>
+    </message>
+    <message>
+        <source>&amp;Take Over</source>
+        <translation>接管(&amp;T)</translation>
+    </message>
+    <message>
+        <source>Keyboard Shortcuts</source>
+        <translation>键盘快捷键</translation>
     </message>
 </context>
 <context>
@@ -5710,24 +6301,8 @@ Arrow keys work too.</source>
         <translation>混合</translation>
     </message>
     <message>
-        <source>Covering (alpha)</source>
-        <translation>覆盖（alpha）</translation>
-    </message>
-    <message>
-        <source>Pigment (β)</source>
-        <translation>颜料（β）</translation>
-    </message>
-    <message>
         <source>How the paint mixes with what lies below it: it covers, or pigments add up.</source>
         <translation>颜料与下层的混合方式：覆盖，或颜料叠加。</translation>
-    </message>
-    <message>
-        <source>Pigment β</source>
-        <translation>颜料 β</translation>
-    </message>
-    <message>
-        <source>Share of the colour below that stays: 0 % covers, 100 % adds.</source>
-        <translation>下层颜色保留的比例：0 % 覆盖，100 % 叠加。</translation>
     </message>
     <message>
         <source>Change pigment mixing</source>
@@ -5850,10 +6425,6 @@ Arrow keys work too.</source>
         <translation>搜索笔画</translation>
     </message>
     <message>
-        <source>Shows only strokes and groups whose name holds this text.</source>
-        <translation>仅显示名称包含此文本的笔画和组。</translation>
-    </message>
-    <message>
         <source>Strokes</source>
         <translation>笔画</translation>
     </message>
@@ -5917,6 +6488,14 @@ Arrow keys work too.</source>
         <source>Lock strokes</source>
         <translation>锁定笔画</translation>
     </message>
+    <message>
+        <source>Shows only strokes and groups whose name holds this text. Return selects them.</source>
+        <translation>只显示名称包含此文字的笔画和组。按回车键选中它们。</translation>
+    </message>
+    <message>
+        <source>&amp;Name</source>
+        <translation>名称(&amp;N)</translation>
+    </message>
 </context>
 <context>
     <name>suffuse::StyleSection</name>
@@ -5949,24 +6528,8 @@ Arrow keys work too.</source>
         <translation>密度如何转化为覆盖率。</translation>
     </message>
     <message>
-        <source>Uniform</source>
-        <translation>均匀</translation>
-    </message>
-    <message>
-        <source>Feathering</source>
-        <translation>羽化</translation>
-    </message>
-    <message>
-        <source>Dark edges</source>
-        <translation>深色边缘</translation>
-    </message>
-    <message>
         <source>Change style</source>
         <translation>更改样式</translation>
-    </message>
-    <message>
-        <source>Parameter of the style</source>
-        <translation>样式的参数</translation>
     </message>
     <message>
         <source>Give segments their own style</source>
@@ -5979,62 +6542,6 @@ Arrow keys work too.</source>
     <message>
         <source>Not possible for all that is selected: %1</source>
         <translation>无法应用于全部所选内容：%1</translation>
-    </message>
-    <message>
-        <source>Threshold ξ1</source>
-        <translation>阈值 ξ1</translation>
-    </message>
-    <message>
-        <source>Softness ξ2</source>
-        <translation>柔和度 ξ2</translation>
-    </message>
-    <message>
-        <source>Full at ξ1</source>
-        <translation>饱和点 ξ1</translation>
-    </message>
-    <message>
-        <source>Steepness ξ2</source>
-        <translation>陡度 ξ2</translation>
-    </message>
-    <message>
-        <source>Edge ξ1</source>
-        <translation>边缘 ξ1</translation>
-    </message>
-    <message>
-        <source>Lightening ξ2</source>
-        <translation>提亮 ξ2</translation>
-    </message>
-    <message>
-        <source>Strength ξ3</source>
-        <translation>强度 ξ3</translation>
-    </message>
-    <message>
-        <source>Density at which the stroke covers by half.</source>
-        <translation>笔画覆盖一半时的密度。</translation>
-    </message>
-    <message>
-        <source>How gently the edge fades.</source>
-        <translation>边缘过渡的柔和程度。</translation>
-    </message>
-    <message>
-        <source>Density from which the stroke covers fully.</source>
-        <translation>笔画完全覆盖所需的密度。</translation>
-    </message>
-    <message>
-        <source>How steeply coverage grows with density.</source>
-        <translation>覆盖率随密度增长的陡度。</translation>
-    </message>
-    <message>
-        <source>Density at which the dark rim stands.</source>
-        <translation>深色边缘所在的密度。</translation>
-    </message>
-    <message>
-        <source>How much the inside is lighter than the rim; at most 1.26·ξ1.</source>
-        <translation>内部比边缘浅多少；最大为 1.26·ξ1。</translation>
-    </message>
-    <message>
-        <source>Coverage far inside the stroke.</source>
-        <translation>笔画内部深处的覆盖率。</translation>
     </message>
 </context>
 <context>
@@ -6134,16 +6641,8 @@ Arrow keys work too.</source>
 <context>
     <name>suffuse::TimelapseDialog</name>
     <message>
-        <source>Export timelapse</source>
-        <translation>导出缩时视频</translation>
-    </message>
-    <message>
         <source>Progress</source>
         <translation>进度</translation>
-    </message>
-    <message>
-        <source>Export</source>
-        <translation>导出</translation>
     </message>
     <message>
         <source>File</source>
@@ -6152,10 +6651,6 @@ Arrow keys work too.</source>
     <message>
         <source>The ending chooses the format: webm or mp4 is a video, webp an animation, and png, tiff, exr, jpg or pfm numbered pictures, such as frame%04d.png.</source>
         <translation>扩展名决定格式：webm 或 mp4 为视频，webp 为动画，png、tiff、exr、jpg 或 pfm 为带编号的图片，例如 frame%04d.png。</translation>
-    </message>
-    <message>
-        <source>Browse…</source>
-        <translation>浏览…</translation>
     </message>
     <message>
         <source>Choose a folder and a name</source>
@@ -6260,6 +6755,26 @@ Arrow keys work too.</source>
     <message>
         <source>Loop</source>
         <translation>循环播放</translation>
+    </message>
+    <message>
+        <source>&amp;Export</source>
+        <translation>导出(&amp;E)</translation>
+    </message>
+    <message>
+        <source>&amp;Browse…</source>
+        <translation>浏览(&amp;B)…</translation>
+    </message>
+    <message>
+        <source>What it holds now is lost.</source>
+        <translation>其现有内容将丢失。</translation>
+    </message>
+    <message>
+        <source>&amp;Replace</source>
+        <translation>替换(&amp;R)</translation>
+    </message>
+    <message>
+        <source>Export Timelapse</source>
+        <translation>导出缩时视频</translation>
     </message>
 </context>
 <context>

@@ -56,7 +56,7 @@ configure() {
         && grep -q "^SUFFUSE_WERROR:BOOL=$werror\$" $build/CMakeCache.txt; then
         return
     fi
-    configure_preset default "-DSUFFUSE_WERROR=$werror"
+    configure_preset default "-DSUFFUSE_WERROR=$werror" -DSUFFUSE_UNITY=ON
 }
 
 build_targets() {

@@ -16,7 +16,7 @@ public:
 };
 
 /// Two pictures of one size: the one that is worked on, and the one that is shown. Calls of `publish` and the others
-/// must not overlap (RenderWorker holds its frame's lock).
+/// must not overlap (FrameBoard holds its frame's lock).
 class DeviceFrame {
 public:
     virtual ~DeviceFrame() = default;

@@ -1,15 +1,14 @@
 #include "render/probe.h"
 
+#include "model/paint/local_paint.h"
 #include "model/painting/influence.h"
+#include "render/reference/colour.h"
 #include "render/reference/density.h"
-#include "render/reference/local_paint.h"
 #include "render/reference/paper.h"
 
 namespace suffuse {
 
 namespace {
-
-using reference::LocalDensity;
 
 double densityAt(const Stroke &stroke, const Segment &segment, Microseconds time, Point x)
 {
@@ -26,63 +25,30 @@ double densityAt(const Stroke &stroke, const Segment &segment, Microseconds time
     return reference::segmentDensity(cubic, kernel, segment.density, x - stroke.origin).density;
 }
 
-/// Adds a segment of density φ_k to the means; divided by φ later.
-void addSegment(LocalDensity &local, const Segment &segment, const Style &style, double density)
-{
-    local.density += density;
-    local.granulation += density * double(segment.granulation);
-    const Colour &c = segment.colour;
-    const std::array<double, 4> colour{c.red, c.yellow, c.blue, c.opacity};
-    for (std::size_t i = 0; i < 4; ++i)
-        local.colour[i] += density * colour[i];
-    int n = 0;
-    while (n < local.styleCount && local.styles[std::size_t(n)].kind != style.kind)
-        ++n;
-    if (n == local.styleCount)
-        local.styles[std::size_t(local.styleCount++)] = {style.kind, 0, {}};
-    local.styles[std::size_t(n)].share += density;
-    for (std::size_t i = 0; i < 3; ++i)
-        local.styles[std::size_t(n)].xi[i] += density * double(style.xi[i]);
-}
-
-void divideByDensity(LocalDensity &local)
-{
-    local.granulation /= local.density;
-    for (double &c : local.colour)
-        c /= local.density;
-    for (auto &style : local.styles) {
-        for (double &xi : style.xi)
-            xi = style.share > 0 ? xi / style.share : 0;
-        style.share /= local.density;
-    }
-}
-
 ProbeStroke probeStroke(const Stroke &stroke, Microseconds time, Point x, double paper)
 {
     ProbeStroke result;
     result.id = stroke.id;
     result.name = stroke.name;
-    LocalDensity local;
-    local.granulation = 0;
+    LocalPaint local;
     for (std::size_t k = 0; k < stroke.segments.size(); ++k) {
         const Segment &segment = stroke.segments[k];
         const double density = densityAt(stroke, segment, time, x);
         if (!(density > 0))
             continue;
-        addSegment(local, segment, stroke.styleOf(segment), density);
+        local.add(segment, stroke.styleOf(segment), density);
         result.shares.push_back({int(k), density, 0});
     }
-    if (!(local.density > 0))
+    if (!(local.density() > 0))
         return result;
-    divideByDensity(local);
     for (ProbeShare &share : result.shares)
-        share.share = share.density / local.density;
-    result.density = local.density;
-    result.granulation = local.granulation;
-    result.modulated = reference::modulation(local.granulation, paper) * local.density;
-    result.densityFunction = reference::localDensityFunction(local, paper, 0);
-    result.colour = local.colour;
-    result.opacity = result.densityFunction * local.colour[3];
+        share.share = share.density / local.density();
+    result.density = local.density();
+    result.granulation = local.granulation();
+    result.modulated = modulation(local.granulation(), paper) * local.density();
+    result.densityFunction = local.coverage(paper);
+    result.colour = local.colour();
+    result.opacity = local.opacity(paper);
     return result;
 }
 

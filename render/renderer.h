@@ -71,17 +71,4 @@ struct RendererOptions {
     int devices = 1;  ///< of several GPUs so many share each picture, or allDevices; the picture's bits stay the same
 };
 
-/// Never null for Auto, Cpu and Reference; Cuda fails with the reason where it cannot run.
-Result<std::unique_ptr<Renderer>> makeRenderer(const RendererOptions &options);
-
-struct BackendInfo {
-    QString name;
-    QString device;
-    QString unavailable; ///< empty, or why it cannot run here
-};
-std::vector<BackendInfo> backends();
-
-/// Size of a picture of `area`: height = round(area.height / (area.width / width)).
-int heightForWidth(const Rect &area, int width);
-
 } // namespace suffuse

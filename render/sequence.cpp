@@ -1,5 +1,6 @@
 #include "render/sequence.h"
 
+#include "render/backends.h"
 #include "render/threads/parallel.h"
 
 #include <QCoreApplication>

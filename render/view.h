@@ -57,4 +57,10 @@ struct View {
     }
 };
 
+/// Height of a picture of `area`, pixels: round(area.height / (area.width / width)).
+inline int heightForWidth(const Rect &area, int width)
+{
+    return int(std::lround(area.height() / (area.width() / width)));
+}
+
 } // namespace suffuse

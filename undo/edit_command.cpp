@@ -66,24 +66,30 @@ EditRun beginEditRun()
 }
 
 EditCommand::EditCommand(Document &document, Edit edit, const QString &text, EditRun run)
-    : QUndoCommand(text), m_document(document), m_edit(std::move(edit)), m_run(run)
+    : QUndoCommand(text), m_document(document), m_edit(std::make_shared<Edit>(std::move(edit))), m_run(run)
+{}
+
+EditCommand::EditCommand(Document &document, std::shared_ptr<Edit> edit, const QString &text)
+    : QUndoCommand(text), m_document(document), m_edit(std::move(edit)), m_run(0)
 {}
 
 void EditCommand::redo()
 {
     const bool isFirst = !m_done;
     // Undo brings the selection back too, whether the edit altered it or not.
-    if (!m_edit.selection)
-        m_edit.selection = m_document.selection();
-    m_document.exchange(m_edit);
+    if (!m_edit->selection)
+        m_edit->selection = m_document.selection();
+    m_document.exchange(*m_edit);
     m_done = true;
-    if (isFirst && changesNothing(m_edit, *m_document.painting()))
+    if (isFirst && changesNothing(*m_edit, *m_document.painting()))
         setObsolete(true);
 }
 
 void EditCommand::undo()
 {
-    m_document.exchange(m_edit);
+    m_document.exchange(*m_edit);
+    if (m_givenUp)
+        setObsolete(true);
 }
 
 int EditCommand::id() const
@@ -96,18 +102,18 @@ bool EditCommand::mergeWith(const QUndoCommand *other)
     const auto *newer = dynamic_cast<const EditCommand *>(other);
     if (!newer || m_run == 0 || newer->m_run != m_run || &newer->m_document != &m_document)
         return false;
-    if (newer->m_edit.places) {
+    if (newer->m_edit->places) {
         const std::vector<StrokeId> now = orderOf(*m_document.painting());
-        m_edit.places = orderDifference(now, orderWanted(m_edit, orderWanted(newer->m_edit, now)));
+        m_edit->places = orderDifference(now, orderWanted(*m_edit, orderWanted(*newer->m_edit, now)));
     }
-    if (!holdsAllOf(m_edit.strokes, newer->m_edit.strokes))
-        m_edit.strokes.insert(newer->m_edit.strokes.begin(), newer->m_edit.strokes.end());
-    keepOldest(m_edit.canvas, newer->m_edit.canvas);
-    keepOldest(m_edit.groups, newer->m_edit.groups);
-    keepOldest(m_edit.swatches, newer->m_edit.swatches);
-    keepOldest(m_edit.underlay, newer->m_edit.underlay);
-    keepOldest(m_edit.selection, newer->m_edit.selection);
-    setObsolete(changesNothing(m_edit, *m_document.painting()));
+    if (!holdsAllOf(m_edit->strokes, newer->m_edit->strokes))
+        m_edit->strokes.insert(newer->m_edit->strokes.begin(), newer->m_edit->strokes.end());
+    keepOldest(m_edit->canvas, newer->m_edit->canvas);
+    keepOldest(m_edit->groups, newer->m_edit->groups);
+    keepOldest(m_edit->swatches, newer->m_edit->swatches);
+    keepOldest(m_edit->underlay, newer->m_edit->underlay);
+    keepOldest(m_edit->selection, newer->m_edit->selection);
+    setObsolete(changesNothing(*m_edit, *m_document.painting()));
     return true;
 }
 

@@ -5,6 +5,8 @@
 
 #include <QUndoCommand>
 
+#include <memory>
+
 namespace suffuse {
 
 /// A drag is a run: its edits merge into one command. 0 means "not in a run"; ids never repeat, so two drags never
@@ -18,6 +20,8 @@ EditRun beginEditRun();
 class EditCommand : public QUndoCommand {
 public:
     EditCommand(Document &document, Edit edit, const QString &text, EditRun run = 0);
+    /// Shares the edit with another command, which is not called any more.
+    EditCommand(Document &document, std::shared_ptr<Edit> edit, const QString &text);
 
     void redo() override;
     void undo() override;
@@ -26,13 +30,17 @@ public:
 
     /// The state that the document does not have: the one before while the command is done, the one after while it is
     /// undone.
-    const Edit &edit() const { return m_edit; }
+    const Edit &edit() const { return *m_edit; }
+    const std::shared_ptr<Edit> &sharedEdit() const { return m_edit; }
+    /// Undone once more, it is no step any more: the stack drops it.
+    void giveUp() const { m_givenUp = true; }
 
 private:
     Document &m_document;
-    Edit m_edit;
+    std::shared_ptr<Edit> m_edit; ///< never null
     EditRun m_run;
     bool m_done = false;
+    mutable bool m_givenUp = false;
 };
 
 } // namespace suffuse

@@ -22,7 +22,8 @@ Edit changeStrokes(const Document &document, const std::set<StrokeId> &targets,
 Edit addStrokes(const Document &document, const std::vector<StrokePtr> &strokes, bool select);
 /// Deletes the selected segments (what is left of a stroke falls into strokes of its own), or the selected strokes.
 Edit deleteSelection(Document &document);
-/// Copies of the selected strokes above the topmost of them, moved by `offset`, and selects the copies.
+/// Copies of the selected strokes above the topmost of them, moved by `offset`, and selects the copies. Groups selected
+/// as a whole are copied as groups, with their tree and their names; what is hidden or locked in them stays out.
 Edit duplicateSelection(Document &document, Point offset);
 
 enum class Arrange { Raise, Lower, Top, Bottom };

@@ -151,6 +151,8 @@ bool isSame(const Stroke &a, const Stroke &b, Same what)
         return a.style == b.style && a.mix == b.mix;
     case Same::Brush:
         return a.brush == b.brush;
+    case Same::Name:
+        return !a.name.isEmpty() && a.name == b.name;
     }
     return false;
 }

@@ -26,9 +26,9 @@ Edit showAll(const Document &document);
 Edit renameStroke(const Document &document, StrokeId stroke, const QString &name);
 Edit renameGroup(const Document &document, GroupId group, const QString &name);
 
-enum class Same { Colour, Style, Brush };
+enum class Same { Colour, Style, Brush, Name };
 /// The selection and all visible, unlocked strokes that are like one of the selected: in mean colour (RYB, within 1/128
-/// a channel), in style and mixing, or in the name of their brush.
+/// a channel), in style and mixing, in the name of their brush, or in their own name, if they have one.
 Selection selectSame(const Document &document, Same what);
 
 } // namespace suffuse

@@ -11,7 +11,7 @@ namespace {
 
 using NodesOfStrokes = std::map<StrokeId, std::vector<int>>;
 
-NodesOfStrokes byStroke(const std::set<NodeRef> &nodes)
+NodesOfStrokes nodesByStroke(const std::set<NodeRef> &nodes)
 {
     NodesOfStrokes result;
     for (const NodeRef &ref : nodes)
@@ -138,7 +138,7 @@ Edit deleteNodes(const Document &document, const std::set<NodeRef> &nodes)
 {
     Selection selection = document.selection();
     std::set<StrokeId> emptied;
-    Edit edit = reshape(document, byStroke(nodes), [&](const Stroke &stroke, const std::vector<int> &gone) {
+    Edit edit = reshape(document, nodesByStroke(nodes), [&](const Stroke &stroke, const std::vector<int> &gone) {
         int end = int(stroke.segments.size());
         const auto isGone = [&](int node) { return std::find(gone.begin(), gone.end(), node) != gone.end(); };
         int left = 0;
@@ -206,14 +206,14 @@ Edit bridgeSegments(const Document &document, const std::set<SegmentRef> &segmen
 
 Edit moveNodes(const Document &document, const std::set<NodeRef> &nodes, Point by)
 {
-    return reshape(document, byStroke(nodes), [by](const Stroke &stroke, const std::vector<int> &which) {
+    return reshape(document, nodesByStroke(nodes), [by](const Stroke &stroke, const std::vector<int> &which) {
         return withNodeMoved(stroke, which, by);
     });
 }
 
 Edit setNodeKind(const Document &document, const std::set<NodeRef> &nodes, NodeKind kind)
 {
-    return reshape(document, byStroke(nodes), [kind](const Stroke &stroke, const std::vector<int> &which) {
+    return reshape(document, nodesByStroke(nodes), [kind](const Stroke &stroke, const std::vector<int> &which) {
         return withNodeKind(stroke, which, kind);
     });
 }

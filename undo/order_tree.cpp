@@ -83,6 +83,17 @@ std::vector<StrokeId> orderOf(const std::vector<Sibling> &siblings)
     return order;
 }
 
+std::vector<GroupId> groupsAround(const Painting &painting, GroupId id)
+{
+    std::vector<GroupId> chain;
+    while (id != 0 && chain.size() <= painting.groups.size()) {
+        chain.push_back(id);
+        const auto it = std::ranges::find(painting.groups, id, &Group::id);
+        id = it == painting.groups.end() ? 0 : it->parent;
+    }
+    return chain;
+}
+
 GroupId outermostGroup(const Painting &painting, GroupId id)
 {
     for (std::size_t steps = 0; steps < painting.groups.size(); ++steps) {

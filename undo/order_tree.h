@@ -27,6 +27,8 @@ void forEachStroke(const Sibling &sibling, const std::function<void(StrokeId)> &
 
 std::vector<StrokeId> orderOf(const std::vector<Sibling> &siblings);
 
+/// This group and those around it, from the inside out; none of 0.
+std::vector<GroupId> groupsAround(const Painting &painting, GroupId id);
 /// The group that holds this one and lies in no other.
 GroupId outermostGroup(const Painting &painting, GroupId id);
 

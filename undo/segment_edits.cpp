@@ -9,7 +9,7 @@ namespace {
 
 using SegmentsOfStrokes = std::unordered_map<StrokeId, std::vector<int>>; ///< ascending, without repetition
 
-SegmentsOfStrokes byStroke(const std::vector<SegmentRef> &targets)
+SegmentsOfStrokes segmentsByStroke(const std::vector<SegmentRef> &targets)
 {
     const std::set<SegmentRef> sorted(targets.begin(), targets.end());
     SegmentsOfStrokes result;
@@ -83,7 +83,7 @@ Edit changeSegments(const Document &document, const std::vector<SegmentRef> &tar
                     const std::function<void(Segment &)> &change)
 {
     Edit edit;
-    const SegmentsOfStrokes wanted = byStroke(targets);
+    const SegmentsOfStrokes wanted = segmentsByStroke(targets);
     if (wanted.empty())
         return edit;
     const Painting &painting = *document.painting();
@@ -101,7 +101,7 @@ Edit deleteSelection(Document &document)
 {
     const PaintingPtr painting = document.painting();
     const Selection &selection = document.selection();
-    const SegmentsOfStrokes parts = byStroke({selection.segments.begin(), selection.segments.end()});
+    const SegmentsOfStrokes parts = segmentsByStroke({selection.segments.begin(), selection.segments.end()});
     Edit edit;
     std::vector<StrokeId> order;
     for (const StrokePtr &stroke : painting->strokes) {

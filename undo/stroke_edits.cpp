@@ -2,6 +2,9 @@
 #include "undo/edits.h"
 #include "undo/order_tree.h"
 
+#include <algorithm>
+#include <unordered_map>
+
 namespace suffuse {
 
 namespace {
@@ -14,6 +17,70 @@ void keepLocked(const Stroke &before, Stroke &after)
     kept.visible = after.visible;
     kept.locked = after.locked;
     after = std::move(kept);
+}
+
+/// Copies of strokes, and of groups as a whole with the tree that is in them.
+struct Copies {
+    Document &document;
+    const Painting &painting;
+    Point offset;
+    std::unordered_map<StrokeId, StrokePtr> originals;
+    std::vector<StrokePtr> strokes; ///< bottom to top
+    std::vector<Group> groups;
+
+    void add(const Sibling &sibling, GroupId around)
+    {
+        if (sibling.group != 0) {
+            Group group = *std::ranges::find(painting.groups, sibling.group, &Group::id);
+            group.id = document.takeGroupId();
+            group.parent = around;
+            groups.push_back(group);
+            for (const Sibling &member : sibling.members)
+                add(member, group.id);
+            return;
+        }
+        auto copy = std::make_shared<Stroke>(*originals.at(sibling.stroke));
+        copy->origin = copy->origin + offset;
+        copy->group = around;
+        if (!problemOf(*copy).isEmpty())
+            return;
+        copy->id = document.takeStrokeId();
+        strokes.push_back(std::move(copy));
+    }
+};
+
+std::unordered_map<StrokeId, StrokePtr> byId(const Painting &painting)
+{
+    std::unordered_map<StrokeId, StrokePtr> found;
+    for (const StrokePtr &stroke : painting.strokes)
+        found.emplace(stroke->id, stroke);
+    return found;
+}
+
+/// The group in which a sibling stands.
+GroupId aroundOf(const Painting &painting, const Sibling &sibling)
+{
+    if (sibling.group == 0)
+        return painting.find(sibling.stroke)->group;
+    return std::ranges::find(painting.groups, sibling.group, &Group::id)->parent;
+}
+
+/// The place in the order right above a sibling, and all that is in it.
+std::ptrdiff_t placeAbove(const Painting &painting, const Sibling &sibling)
+{
+    const auto isOf = [&](const StrokePtr &stroke) {
+        if (sibling.group == 0)
+            return stroke->id == sibling.stroke;
+        const std::vector<GroupId> around = groupsAround(painting, stroke->group);
+        return std::ranges::find(around, sibling.group) != around.end();
+    };
+    std::ptrdiff_t place = 0, above = 0;
+    for (const StrokePtr &stroke : painting.strokes) {
+        ++place;
+        if (isOf(stroke))
+            above = place;
+    }
+    return above;
 }
 
 } // namespace
@@ -74,35 +141,36 @@ Edit addStrokes(const Document &document, const std::vector<StrokePtr> &strokes,
 Edit duplicateSelection(Document &document, Point offset)
 {
     const PaintingPtr painting = document.painting();
+    // A click on a group does not select what is hidden or locked in it: it is the group as a whole all the same.
     const std::set<StrokeId> &selected = document.selection().strokes;
-    std::vector<StrokePtr> originals;
+    Painting selectable = *painting;
+    selectable.strokes.clear();
     for (const StrokePtr &stroke : painting->strokes)
-        if (selected.contains(stroke->id) && !painting->isLocked(*stroke))
-            originals.push_back(stroke);
-    if (originals.empty())
+        if (selected.contains(stroke->id) || (painting->isVisible(*stroke) && !painting->isLocked(*stroke)))
+            selectable.strokes.push_back(stroke);
+    const std::vector<Sibling> tree = orderTree(selectable, selected);
+    const std::vector<const Sibling *> units = selectedUnits(tree);
+    if (units.empty())
         return {};
-    const StrokePtr topmost = originals.back();
+    const Sibling &topmost = *units.back();
+    Copies copies{document, *painting, offset, byId(*painting), {}, {}};
+    for (const Sibling *unit : units)
+        copies.add(*unit, aroundOf(*painting, topmost));
+    if (copies.strokes.empty())
+        return {};
     Edit edit;
-    std::vector<StrokeId> copies;
-    Selection selection;
-    for (const StrokePtr &stroke : originals) {
-        auto copy = std::make_shared<Stroke>(*stroke);
-        copy->origin = copy->origin + offset;
-        copy->group = topmost->group;
-        if (!problemOf(*copy).isEmpty())
-            continue;
-        copy->id = document.takeStrokeId();
-        copies.push_back(copy->id);
-        selection.strokes.insert(copy->id);
+    edit.order = orderOf(*painting);
+    std::vector<StrokeId> added;
+    for (StrokePtr &copy : copies.strokes) {
+        added.push_back(copy->id);
         edit.strokes.emplace(copy->id, std::move(copy));
     }
-    if (copies.empty())
-        return {};
-    std::vector<StrokeId> order = orderOf(*painting);
-    const auto place = std::find(order.begin(), order.end(), topmost->id) + 1;
-    order.insert(place, copies.begin(), copies.end());
-    edit.order = std::move(order);
-    edit.selection = std::move(selection);
+    edit.order->insert(edit.order->begin() + placeAbove(*painting, topmost), added.begin(), added.end());
+    edit.selection.emplace().strokes = {added.begin(), added.end()};
+    if (!copies.groups.empty()) {
+        edit.groups = painting->groups;
+        edit.groups->insert(edit.groups->end(), copies.groups.begin(), copies.groups.end());
+    }
     return edit;
 }
 

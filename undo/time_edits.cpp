@@ -156,18 +156,6 @@ void freezeSegment(Segment &segment, Microseconds T)
     std::erase_if(segment.rewet, [](const Rewet &r) { return r.extra == 0; });
 }
 
-/// From the inside out.
-std::vector<GroupId> groupsAround(const Painting &painting, GroupId group)
-{
-    std::vector<GroupId> chain;
-    while (group != 0 && chain.size() <= painting.groups.size()) {
-        chain.push_back(group);
-        const auto it = std::ranges::find(painting.groups, group, &Group::id);
-        group = it == painting.groups.end() ? 0 : it->parent;
-    }
-    return chain;
-}
-
 bool takesPaint(const Painting &painting, GroupId group)
 {
     Stroke member;

@@ -1,6 +1,6 @@
 #include "undo/transform_edits.h"
 
-#include "model/stroke_width.h"
+#include "model/paint/half_width.h"
 #include "model/painting/validate.h"
 #include "undo/order_tree.h"
 #include "undo/remap.h"

@@ -1,6 +1,8 @@
 // The canvas during a drag that floats.
 #include "app/canvas/canvas_widget.h"
 #include "app/editor.h"
+#include "app/session/frames/floating_layers.h"
+#include "app/session/frames/reach.h"
 
 #include <QPainter>
 

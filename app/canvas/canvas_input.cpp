@@ -105,6 +105,7 @@ void CanvasWidget::pointerRelease(const PointerEvent &event)
     if (m_navigation != Navigation::None) {
         m_navigation = Navigation::None;
         refreshCursor();
+        updateOverlay(); // the angle goes
     } else if (m_pressed) {
         m_pressed = false;
         if (m_tool)
@@ -206,10 +207,10 @@ void CanvasWidget::wheelEvent(QWheelEvent *event)
     const bool sideways = angle.y() == 0; // a wheel that tilts
     const double notches = (sideways ? angle.x() : angle.y()) / notch;
     const double pan = notches * pixelsPerNotch * dpr;
-    if (sideways || modifiers & Qt::ShiftModifier)
-        m_transform.panBy({pan, 0});
-    else if (modifiers & Qt::ControlModifier && !touchpad)
+    if (!touchpad && modifiers.testFlags(Qt::ControlModifier | Qt::ShiftModifier))
         m_transform.panBy({0, pan});
+    else if (sideways || modifiers & Qt::ShiftModifier)
+        m_transform.panBy({pan, 0});
     else
         m_transform.zoomAt(toPixels(event->position()), std::pow(zoomPerNotch, notches));
     moveByHand();
@@ -283,7 +284,7 @@ bool CanvasWidget::event(QEvent *event)
         const auto *key = static_cast<QKeyEvent *>(event);
         // Escape gives up what is in hand before it means anything else.
         const bool givesUp = key->key() == Qt::Key_Escape && m_tool && m_tool->isBusy();
-        if (givesUp || heldFor(*key) != Navigation::None || isToolKey(*key)) {
+        if (givesUp || heldFor(*key) != Navigation::None || isBareKey(*key) || isToolKey(*key)) {
             event->accept();
             return true;
         }
@@ -298,6 +299,12 @@ bool CanvasWidget::event(QEvent *event)
 bool CanvasWidget::isToolKey(const QKeyEvent &event) const
 {
     return m_tool && m_tool->wantsKey(event) && !m_windowKeys.contains(QKeySequence(event.keyCombination()));
+}
+
+bool CanvasWidget::isBareKey(const QKeyEvent &event) const
+{
+    const Qt::KeyboardModifiers modifiers = event.modifiers() & ~Qt::KeypadModifier;
+    return m_heldKeys.bare.contains(QKeySequence(QKeyCombination(modifiers, Qt::Key(event.key()))));
 }
 
 CanvasWidget::Navigation CanvasWidget::heldFor(const QKeyEvent &event) const
@@ -316,6 +323,9 @@ void CanvasWidget::keyPressEvent(QKeyEvent *event)
     if (const Navigation held = heldFor(*event); held != Navigation::None && !m_pressed) {
         (held == Navigation::Pan ? m_panKey : m_turnKey) = event->key();
         refreshCursor();
+    } else if (isBareKey(*event)) {
+        m_bareKey = event->key();
+        updateOverlay();
     } else if (event->key() == Qt::Key_Escape && m_tool && m_tool->isBusy()) {
         m_pressed = false;
         m_tool->cancel();
@@ -332,6 +342,8 @@ void CanvasWidget::keyReleaseEvent(QKeyEvent *event)
         m_panKey = 0;
     else if (event->key() == m_turnKey)
         m_turnKey = 0;
+    else if (event->key() == m_bareKey)
+        m_bareKey = 0, updateOverlay();
     else
         QWidget::keyReleaseEvent(event);
     refreshCursor();
@@ -359,6 +371,8 @@ void CanvasWidget::leaveEvent(QEvent *)
 void CanvasWidget::focusOutEvent(QFocusEvent *event)
 {
     m_panKey = m_turnKey = 0; // their release goes elsewhere
+    if (std::exchange(m_bareKey, 0))
+        updateOverlay();
     if (std::exchange(m_modifiers, Qt::NoModifier) != Qt::NoModifier)
         emit modifiersChanged();
     refreshCursor();

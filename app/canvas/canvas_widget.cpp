@@ -45,11 +45,12 @@ CanvasWidget::CanvasWidget(Editor &editor, QWidget *parent, MakeRenderer make)
     qApp->installEventFilter(this); // it hears of the pen coming near
     readPalette();
     m_presenter = makePresenter(*this, this);
-    connect(&m_worker, &RenderWorker::frameReady, this, &CanvasWidget::frameReady);
+    connect(&m_worker, &FrameThread::frameReady, this, &CanvasWidget::frameReady);
     connect(&editor.clock(), &PaintingClock::timeChanged, this, &CanvasWidget::scheduleRender);
     connect(&editor.clock(), &PaintingClock::timeChanged, this, &CanvasWidget::followMoment);
     connect(&editor, &Editor::dragEnded, this, &CanvasWidget::endDrag);
     connect(&editor, &Editor::comparedChanged, this, &CanvasWidget::scheduleRender);
+    connect(&editor, &Editor::comparedChanged, this, [this] { updateOverlay(); }); // it may be bare now, or no more
     connect(&editor.document(), &Document::changed, this, &CanvasWidget::follow);
     connect(&m_underlay, &UnderlayLoader::loaded, this, [this] { updateOverlay(); });
     connect(&m_underlay, &UnderlayLoader::failed, this, &CanvasWidget::underlayFailed);
@@ -276,8 +277,12 @@ std::optional<ShownUnderlay> CanvasWidget::underlay() const
 
 void CanvasWidget::paintAround(QPainter &painter)
 {
+    constexpr int veil = 115; // paint is known as paint, and as no part of the picture
+    OverlayColours colours = m_colours;
+    if (m_aids.showBeyond)
+        colours.pasteboard.setAlpha(veil);
     painter.save();
-    paintPasteboard(painter, view(), m_editor.document().painting()->canvas.area(), m_colours, devicePixelRatioF());
+    paintPasteboard(painter, view(), m_editor.document().painting()->canvas.area(), colours, devicePixelRatioF());
     painter.restore();
 }
 
@@ -287,18 +292,36 @@ void CanvasWidget::paintOverlay(QPainter &painter)
     painter.save();
     if (m_aids.showGrid)
         paintGrid(painter, view(), m_editor.document().painting()->canvas.area(), m_aids.gridStep, dpr);
-    paintSelection(painter, dpr);
+    if (showsOutlines())
+        paintSelection(painter, dpr);
     painter.restore();
-    if (m_tool) {
-        painter.setRenderHint(QPainter::Antialiasing);
+    painter.setRenderHint(QPainter::Antialiasing);
+    if (m_tool && !isBare())
         m_tool->paint(painter, view(), dpr);
-    }
+    paintAngle(painter, dpr);
     if (std::exchange(m_allRepaints, false)) {
         m_selectionArea = m_floating ? std::nullopt : selectionArea();
         m_selectionChanged = false;
         m_altered.area = {};
     }
     m_editor.laterChanges().painted();
+}
+
+bool CanvasWidget::isBare() const
+{
+    return m_bareKey != 0 || m_editor.compared();
+}
+
+bool CanvasWidget::showsOutlines() const
+{
+    return m_aids.showOutlines && !isBare() && (!m_tool || m_tool->showsOutlines());
+}
+
+/// While the canvas is turned by hand, beside the pointer.
+void CanvasWidget::paintAngle(QPainter &painter, double dpr) const
+{
+    if (m_navigation == Navigation::Rotate)
+        paintBadge(painter, angleText(view().rotation), m_lastPixel, 0, view(), dpr);
 }
 
 void CanvasWidget::setAids(const CanvasAids &aids)
@@ -310,9 +333,9 @@ void CanvasWidget::setAids(const CanvasAids &aids)
 void CanvasWidget::readPalette()
 {
     const bool dark = palette().color(QPalette::Window).lightness() < 128;
-    m_colours.pasteboard = dark ? QColor(38, 40, 44, 225) : QColor(206, 208, 212, 225);
+    m_colours.pasteboard = dark ? QColor(43, 45, 49) : QColor(209, 211, 215);
     m_colours.border = dark ? QColor(12, 12, 14) : QColor(120, 124, 130);
-    m_colours.accent = QColor(20, 110, 230);
+    m_colours.accent = QColor(4, 46, 124);
 }
 
 void CanvasWidget::changeEvent(QEvent *event)

@@ -5,11 +5,12 @@
 #include "app/canvas/overlay.h"
 #include "app/canvas/pen_input.h"
 #include "app/canvas/presenter.h"
-#include "app/canvas/render_worker.h"
 #include "app/canvas/selection_outline.h"
 #include "app/canvas/view_transform.h"
+#include "app/session/frames/frame_thread.h"
 #include "app/tools/snapping.h"
 #include "app/tools/tool.h"
+#include "render/backends.h"
 
 #include <QImage>
 #include <QKeySequence>
@@ -29,10 +30,12 @@ namespace suffuse {
 class Editor;
 struct Change;
 
-/// Keys that turn drags into moves of the view while they are held. With Shift those that pan turn.
+/// Keys that turn drags into moves of the view while they are held (with Shift those that pan turn), and those that
+/// leave the picture bare.
 struct HeldKeys {
     QList<QKeySequence> pan{QKeySequence(Qt::Key_Space)};
     QList<QKeySequence> turn{QKeySequence(Qt::Key_R)};
+    QList<QKeySequence> bare{QKeySequence(Qt::Key_O)};
 };
 
 /// Shows the last finished frame at once wherever the view is, and swaps in the sharp one when it is ready.
@@ -108,7 +111,12 @@ public:
     /// Theme colours of pasteboard and overlay, from the palette.
     const OverlayColours &overlayColours() const { return m_colours; }
 
-    /// Snapping and the grid, which is drawn over the picture.
+    /// Nothing lies over the picture that belongs to the selection or the tool: while the key for it is held, and while
+    /// another state of the painting is shown.
+    bool isBare() const;
+    /// Selected strokes have their lines.
+    bool showsOutlines() const;
+    /// Snapping, and what is drawn over the picture.
     const CanvasAids &aids() const { return m_aids; }
     void setAids(const CanvasAids &aids);
     const PenSettings &penSettings() const { return m_penSettings; }
@@ -153,6 +161,7 @@ private:
     /// What holding the key makes of drags.
     Navigation heldFor(const QKeyEvent &event) const;
     bool isToolKey(const QKeyEvent &event) const;
+    bool isBareKey(const QKeyEvent &event) const;
 
     // CanvasContent
     const View &shownView() const override { return view(); }
@@ -183,6 +192,7 @@ private:
     void requestFrame();
     bool holds(const Lift &lift) const;
     void paintSelection(QPainter &painter, double dpr);
+    void paintAngle(QPainter &painter, double dpr) const;
     void frameReady(const FrameInfo &frame);
     void viewMoved();
     void moveByHand();
@@ -207,7 +217,7 @@ private:
     void moveByFingers(const std::map<int, Point> &now);
 
     Editor &m_editor;
-    RenderWorker m_worker;
+    FrameThread m_worker;
     UnderlayLoader m_underlay;
     Presenter *m_presenter = nullptr;
     ViewTransform m_transform;
@@ -246,6 +256,7 @@ private:
     QList<QKeySequence> m_windowKeys;
     int m_panKey = 0;  ///< that is held; 0: none
     int m_turnKey = 0;
+    int m_bareKey = 0;
     quint64 m_pressStamp = 0;     ///< milliseconds, the device's clock
     Microseconds m_pressTime = 0; ///< document time of the press
 

@@ -2,6 +2,10 @@
 
 #include "app/canvas/view_transform.h"
 
+#include <QLocale>
+
+#include <numbers>
+
 namespace suffuse {
 
 namespace {
@@ -69,9 +73,47 @@ void paintNode(QPainter &painter, Point p, const OverlayColours &colours, double
     painter.setBrush(Qt::NoBrush);
 }
 
+QString angleText(double angle)
+{
+    double degrees = std::remainder(angle * 180 / std::numbers::pi, 360);
+    if (std::abs(degrees) < 0.05)
+        degrees = 0; // no minus before it
+    return QLocale().toString(degrees, 'f', 1).replace('-', QChar(0x2212)) + QChar(0xB0);
+}
+
+void paintBadge(QPainter &painter, const QString &text, Point pixel, double radius, const View &view, double dpr)
+{
+    painter.save();
+    QFont font = painter.font();
+    font.setPixelSize(qRound(13 * dpr));
+    painter.setFont(font);
+    const QFontMetricsF metrics(font);
+    const double pad = 6 * dpr, gap = 18 * dpr;
+    const QSizeF size(metrics.horizontalAdvance(text) + 2 * pad, metrics.height() + pad);
+    // Below the pointer on the right, else wherever there is room beside the circle.
+    const double off = std::max(gap, std::sqrt(0.5) * radius + 4 * dpr);
+    const QRectF window(0, 0, view.width, view.height);
+    QRectF box;
+    for (const Point side : {Point{1, 1}, Point{-1, 1}, Point{1, -1}, Point{-1, -1}}) {
+        const QPointF corner(pixel.x + side.x * off, pixel.y + side.y * off);
+        const QRectF there(corner, QPointF(corner.x() + side.x * size.width(), corner.y() + side.y * size.height()));
+        box = box.isNull() || !window.contains(box) ? there.normalized() : box;
+    }
+    if (!window.contains(box)) // the circle fills the window
+        box = QRectF(QPointF(pixel.x + gap, pixel.y + gap), size);
+    box.moveLeft(std::clamp(box.left(), 0.0, std::max(0.0, view.width - size.width())));
+    box.moveTop(std::clamp(box.top(), 0.0, std::max(0.0, view.height - size.height())));
+    painter.setPen(Qt::NoPen);
+    painter.setBrush(QColor(20, 20, 24));
+    painter.drawRoundedRect(box, 4 * dpr, 4 * dpr);
+    painter.setPen(Qt::white);
+    painter.drawText(box, Qt::AlignCenter, text);
+    painter.restore();
+}
+
 void strokeTwoTone(QPainter &painter, const QPainterPath &path, const QColor &colour, double width, Qt::PenStyle style)
 {
-    QPen under(QColor(255, 255, 255, 190), width * 2.6);
+    QPen under(QColor(255, 255, 255, 235), width * 2.6);
     under.setJoinStyle(Qt::RoundJoin);
     under.setCapStyle(Qt::RoundCap);
     painter.setBrush(Qt::NoBrush);

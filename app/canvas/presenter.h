@@ -1,8 +1,8 @@
 // How the picture gets on the screen: one interface, two ways.
 #pragma once
 
-#include "app/canvas/render_worker.h"
 #include "app/canvas/underlay.h"
+#include "app/session/frames/shown_frame.h"
 
 #include <QColor>
 #include <QWidget>

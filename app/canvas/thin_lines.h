@@ -4,6 +4,7 @@
 #include "app/canvas/pixel_mask.h"
 #include "app/canvas/view_transform.h"
 #include "model/painting/stroke.h"
+#include "render/pixel_map.h"
 
 #include <QLineF>
 #include <QList>

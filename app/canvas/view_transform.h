@@ -41,24 +41,6 @@ private:
     View m_view;
 };
 
-/// View::toPixels of many points that are given as offsets from one of the canvas, without sines for each.
-class PixelMap {
-public:
-    explicit PixelMap(const View &view, Point origin = {})
-        : m_base(view.toPixels(origin)), m_right(turned(view, {1, 0})), m_down(turned(view, {0, 1}))
-    {}
-    Point operator()(Point offset) const { return m_base + offset.x * m_right + offset.y * m_down; }
-
-private:
-    static Point turned(View view, Point vector)
-    {
-        view.centre = {};
-        return view.toPixels(vector) - view.toPixels({});
-    }
-
-    Point m_base, m_right, m_down;
-};
-
 /// Maps pixels of a picture that shows `from` to pixels of one that shows `to`; the differences are taken in canvas
 /// units first, so that deep zoom loses nothing.
 QTransform mapBetween(const View &from, const View &to);

@@ -2,6 +2,7 @@
 
 #include "app/cli/options.h"
 #include "model/formats/files.h"
+#include "render/backends.h"
 #include "render/bench/plan.h"
 
 #include <QCoreApplication>

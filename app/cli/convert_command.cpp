@@ -26,6 +26,23 @@ Result<Brush> brushOf(const QString &value)
             .arg(value, names.join(QStringLiteral(", ")))};
 }
 
+/// By OUT's ending, or by --format where OUT is standard output. Errors are usage errors.
+Result<FileFormat> formatOf(const CommandLine &line, const QString &out)
+{
+    const bool isToStdout = out == QLatin1String("-");
+    if (!isToStdout && line.isSet("format"))
+        return Error{
+            QCoreApplication::translate("Cli", "--format is for an OUT of -; the ending of %1 chooses the format")
+                .arg(out)};
+    const FileFormat format =
+        formatForSaving(isToStdout ? QLatin1Char('.') + (line.isSet("format") ? line.value("format") : "json") : out);
+    if (format != FileFormat::Unknown)
+        return format;
+    return Error{isToStdout
+                     ? QCoreApplication::translate("Cli", "--format %1: give suffuse or json").arg(line.value("format"))
+                     : QCoreApplication::translate("Cli", "%1: unknown ending; use .suffuse or .json").arg(out)};
+}
+
 /// Whether what is written to `out` takes the place of `in`, by whatever names and links.
 bool isSameFile(const QString &in, const QString &out)
 {
@@ -47,6 +64,8 @@ int convertCommand(const QStringList &arguments)
              QCoreApplication::translate("Cli", "The brush that recordings and drawings are painted with: a name, or a "
                                                 "brush file."),
              "PRESET");
+    line.add({"format"}, QCoreApplication::translate("Cli", "Where OUT is -: suffuse or json (default: json)."),
+             "FORMAT");
     line.add({"plain"}, QCoreApplication::translate(
                             "Cli", "Leaves out what lies beside the picture: preview, view, undo history."));
     line.add({"salvage"}, QCoreApplication::translate(
@@ -54,9 +73,9 @@ int convertCommand(const QStringList &arguments)
     if (const std::optional<int> code = line.parse(arguments))
         return *code;
     const QString out = line.argument(1);
-    if (formatForSaving(out) == FileFormat::Unknown)
-        return failUsage("convert",
-                         QCoreApplication::translate("Cli", "%1: unknown ending; use .suffuse or .json").arg(out));
+    const Result<FileFormat> format = formatOf(line, out);
+    if (!format)
+        return failUsage("convert", format.error());
     if (isSameFile(line.argument(0), out))
         return failUsage("convert", QCoreApplication::translate(
                                         "Cli", "%1: is IN itself, which would be lost; give OUT another name")
@@ -73,16 +92,22 @@ int convertCommand(const QStringList &arguments)
         return fail(document.error());
     if (!document->leftOut.isEmpty())
         warn(QStringLiteral("%1: %2").arg(line.argument(0), document->leftOut));
+    using enum FileFormat;
+    if (const FileFormat in = document->format; brush && (in == Suffuse || in == Text || in == DiffusionCurves))
+        warn(QCoreApplication::translate("Cli", "--brush is ignored: the strokes of %1 have their looks already")
+                 .arg(line.argument(0)));
     for (const QString &loss : document->losses)
         warn(QStringLiteral("%1: %2").arg(line.argument(0), loss));
     if (!document->losses.empty() && !line.isSet("salvage"))
         return fail(QCoreApplication::translate("Cli", "%1: is damaged; --salvage writes what is whole of it")
                         .arg(line.argument(0)));
     if (document->lostStrokes > 0 && document->painting.strokes.empty())
-        return fail(QCoreApplication::translate("Cli", "%1: not one of its %2 strokes is whole; open a backup of it")
-                        .arg(line.argument(0))
-                        .arg(document->lostStrokes));
+        return fail(QCoreApplication::translate("Cli", "%1: none of its %n stroke(s) is whole; open a backup of it",
+                                                nullptr, int(document->lostStrokes))
+                        .arg(line.argument(0)));
     const DocumentExtras extras = line.isSet("plain") ? DocumentExtras() : document->extras;
+    if (out == QLatin1String("-"))
+        return printBytes(writeDocument(document->painting, extras, *format));
     const Result<void> saved = saveDocument(document->painting, extras, out);
     return saved ? Done : fail(saved.error());
 }

@@ -74,9 +74,8 @@ QString textOf(const Comparison &c)
     if (d.isEmpty())
         return Cli::tr("%1 and %2 hold the same painting").arg(c.nameA, c.nameB) + '\n';
     QStringList lines;
-    lines << Cli::tr("%1 → %2: %3 strokes added, %4 removed, %5 changed, %6 moved")
-                 .arg(c.nameA, c.nameB)
-                 .arg(d.added.size())
+    lines << Cli::tr("%1 → %2: %3, %4 removed, %5 changed, %6 moved")
+                 .arg(c.nameA, c.nameB, Cli::tr("%n stroke(s) added", nullptr, int(d.added.size())))
                  .arg(d.removed.size())
                  .arg(d.changed.size())
                  .arg(d.moved.size());

@@ -1,5 +1,6 @@
 #include "app/cli/diff_picture.h"
 
+#include "render/backends.h"
 #include "render/image_io/image_io.h"
 
 #include <QCoreApplication>

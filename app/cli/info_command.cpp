@@ -2,6 +2,7 @@
 #include "model/formats/files.h"
 #include "model/painting/influence.h"
 #include "model/painting/paper_presets.h"
+#include "render/backends.h"
 
 #include <QCoreApplication>
 #include <QFile>

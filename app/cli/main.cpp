@@ -4,6 +4,7 @@
 
 #include <QCoreApplication>
 #include <QTextStream>
+#include <QTranslator>
 
 #include <array>
 #include <csignal>
@@ -37,16 +38,20 @@ QString help()
         text += QStringLiteral("  %1%2\n")
                     .arg(QLatin1String(c.name), -10)
                     .arg(QCoreApplication::translate("Cli", c.summary));
-    text += '\n' +
-            QCoreApplication::translate(
-                "Cli", "suffuse-cli COMMAND --help lists the options of a command. An input of - is standard "
-                       "input.\nExit codes: 0 done, 1 the work failed, 2 wrong usage.") +
-            '\n';
+    text +=
+        '\n' +
+        QCoreApplication::translate(
+            "Cli", "suffuse-cli COMMAND --help lists the options of a command, and so does suffuse-cli help "
+                   "COMMAND. An input of - is standard input.\nExit codes: 0 done, 1 the work failed, 2 wrong usage.") +
+        '\n';
     return text;
 }
 
-int run(const QStringList &arguments)
+int run(const QStringList &given)
 {
+    QStringList arguments = given;
+    if (arguments.value(1) == "help" && arguments.size() == 3) // "help render" is "render --help"
+        arguments = {arguments[0], arguments[2], QStringLiteral("--help")};
     const QString name = arguments.value(1);
     if (name == "--help" || name == "-h" || name == "help")
         return print(help());
@@ -73,6 +78,9 @@ int main(int argc, char *argv[])
     QCoreApplication app(argc, argv);
     QCoreApplication::setApplicationName(QStringLiteral("suffuse-cli"));
     QCoreApplication::setApplicationVersion(QStringLiteral(SUFFUSE_VERSION));
+    QTranslator plurals; // of English: "1 stroke", "2 strokes"
+    if (plurals.load(QStringLiteral(":/i18n/suffuse_en.qm")))
+        QCoreApplication::installTranslator(&plurals);
     suffuse::cli::interrupted(); // from now on an interrupt leaves no half file
     return suffuse::cli::run(app.arguments());
 }

@@ -1,14 +1,17 @@
 #include "app/cli/options.h"
 
 #include <QCoreApplication>
-#include <QFile>
 #include <QJsonDocument>
 #include <QLocale>
 #include <QSet>
 #include <QTextStream>
 
+#include <cerrno>
 #include <cmath>
-#include <cstdio>
+#include <csignal>
+#include <cstring>
+
+#include <unistd.h>
 
 namespace suffuse::cli {
 
@@ -28,7 +31,7 @@ QString meaningOf(const QString &argument)
     if (argument == QLatin1String("IN"))
         return QCoreApplication::translate("Cli", "The painting, recording or drawing to read; -: standard input.");
     if (argument == QLatin1String("OUT"))
-        return QCoreApplication::translate("Cli", "The file to write: .suffuse or .json.");
+        return QCoreApplication::translate("Cli", "The file to write: .suffuse or .json; -: standard output.");
     if (argument == QLatin1String("A"))
         return QCoreApplication::translate("Cli", "The painting before; -: standard input.");
     if (argument == QLatin1String("B"))
@@ -139,12 +142,23 @@ int failUsage(const QString &command, const QString &message)
 
 int print(const QString &text)
 {
-    QFile out;
-    if (!out.open(stdout, QIODevice::WriteOnly))
-        return Failed;
-    const QByteArray bytes = text.toUtf8();
-    if (out.write(bytes) != bytes.size() || !out.flush() || std::fflush(stdout) != 0)
-        return fail(QCoreApplication::translate("Cli", "standard output cannot be written: %1").arg(out.errorString()));
+    return printBytes(text.toUtf8());
+}
+
+int printBytes(const QByteArray &bytes)
+{
+    for (qsizetype at = 0; at < bytes.size();) {
+        const ssize_t written = ::write(STDOUT_FILENO, bytes.constData() + at, std::size_t(bytes.size() - at));
+        if (written >= 0) {
+            at += written;
+        } else if (errno == EPIPE) {
+            std::signal(SIGPIPE, SIG_DFL);
+            std::raise(SIGPIPE);
+        } else if (errno != EINTR || interrupted()) {
+            return fail(QCoreApplication::translate("Cli", "standard output cannot be written: %1")
+                            .arg(QString::fromLocal8Bit(std::strerror(errno))));
+        }
+    }
     return Done;
 }
 

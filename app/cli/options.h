@@ -3,6 +3,7 @@
 
 #include "model/painting/painting.h"
 #include "model/result.h"
+#include "render/image_io/image_io.h"
 #include "render/renderer.h"
 
 #include <QCommandLineParser>
@@ -66,8 +67,11 @@ void warn(const QString &message);
 int fail(const QString &message, ExitCode code = Failed);
 /// A usage error: the message and where help is.
 int failUsage(const QString &command, const QString &message);
-/// Writes text to stdout; Failed where that fails (a closed pipe, a full disk).
+/// Writes text to stdout; Failed where that fails (a full disk). Where nobody reads on (`| head`), the process ends
+/// without a word, by SIGPIPE, as others do.
 int print(const QString &text);
+/// The same with bytes.
+int printBytes(const QByteArray &bytes);
 /// The object on several lines, keys in alphabetical order.
 int printJson(const QJsonObject &object);
 
@@ -87,9 +91,6 @@ Result<PictureOptions> pictureOptions(const CommandLine &line, const Painting &p
 Result<Microseconds> timeOption(const CommandLine &line, const Painting &painting);
 /// --backend, --threads and --devices, as far as the command has them. Errors are usage errors.
 Result<RendererOptions> rendererOptions(const CommandLine &line);
-
-/// Largest picture that is drawn: pixels, at 16 bytes each in memory.
-inline constexpr qint64 maxPicturePixels = qint64(1) << 28;
 
 /// True after SIGINT or SIGTERM: work stops and nothing is left behind. Installs the handler on the first call.
 const std::atomic<bool> &interrupted();

@@ -5,6 +5,9 @@
 #include <QCoreApplication>
 #include <QJsonArray>
 
+#include <algorithm>
+#include <iterator>
+
 namespace suffuse::cli {
 
 namespace {
@@ -33,10 +36,23 @@ QString textOf(const std::array<double, N> &values)
     return out.join(QStringLiteral(", "));
 }
 
-QJsonObject jsonOf(const ProbeStroke &s)
+/// Smaller ones change nothing that could be seen; of a long stroke they are nearly all.
+constexpr double leastShare = 1e-6;
+
+/// Those that are listed.
+std::vector<ProbeShare> listedOf(const ProbeStroke &s, bool all)
 {
+    std::vector<ProbeShare> out;
+    std::copy_if(s.shares.begin(), s.shares.end(), std::back_inserter(out),
+                 [all](const ProbeShare &k) { return all || k.share >= leastShare; });
+    return out;
+}
+
+QJsonObject jsonOf(const ProbeStroke &s, bool all)
+{
+    const std::vector<ProbeShare> listed = listedOf(s, all);
     QJsonArray shares;
-    for (const ProbeShare &k : s.shares)
+    for (const ProbeShare &k : listed)
         shares.append(QJsonObject{{"segment", k.segment}, {"density", k.density}, {"share", k.share}});
     return {{"id", qint64(s.id)},
             {"name", s.name},
@@ -47,15 +63,16 @@ QJsonObject jsonOf(const ProbeStroke &s)
             {"colour", arrayOf(s.colour)},
             {"opacity", s.opacity},
             {"segments", shares},
+            {"segmentsLeftOut", qint64(s.shares.size() - listed.size())},
             {"rybAfter", arrayOf(s.rybAfter)},
             {"rgbAfter", arrayOf(s.rgbAfter)}};
 }
 
-QJsonObject jsonOf(const Probe &probe, const Place &place)
+QJsonObject jsonOf(const Probe &probe, const Place &place, bool all)
 {
     QJsonArray strokes;
     for (const ProbeStroke &s : probe.strokes)
-        strokes.append(jsonOf(s));
+        strokes.append(jsonOf(s, all));
     return {{"x", place.x},
             {"y", place.y},
             {"time", toSeconds(place.time)},
@@ -64,9 +81,6 @@ QJsonObject jsonOf(const Probe &probe, const Place &place)
             {"rgbBefore", arrayOf(probe.rgbBefore)},
             {"strokes", strokes}};
 }
-
-/// Shares below it change nothing that is seen.
-constexpr double leastShare = 1e-3;
 
 QString textOf(const ProbeStroke &s, bool all)
 {
@@ -81,20 +95,15 @@ QString textOf(const ProbeStroke &s, bool all)
                 .arg(s.densityFunction, 0, 'g', 8)
                 .arg(s.opacity, 0, 'g', 8)
                 .arg(textOf(s.colour), textOf(s.rybAfter), textOf(s.rgbAfter));
-    int left = 0;
-    for (const ProbeShare &k : s.shares) {
-        if (!all && k.share < leastShare) {
-            ++left;
-            continue;
-        }
+    const std::vector<ProbeShare> listed = listedOf(s, all);
+    for (const ProbeShare &k : listed)
         text += QCoreApplication::translate("Cli", "  segment %1: φ %2, share %3\n")
                     .arg(k.segment)
                     .arg(k.density, 0, 'g', 8)
                     .arg(k.share, 0, 'g', 8);
-    }
-    if (left > 0)
-        text += QCoreApplication::translate("Cli", "  %1 segments with a share below %2 are left out (--all)\n")
-                    .arg(left)
+    if (const std::size_t left = s.shares.size() - listed.size(); left > 0)
+        text += QCoreApplication::translate("Cli", "  %n segment(s) with a share below %1 left out (--all)\n", nullptr,
+                                            int(left))
                     .arg(leastShare);
     return text;
 }
@@ -124,8 +133,7 @@ int probeCommand(const QStringList &arguments)
                                                  "bottom to top. X and Y are in canvas units."),
                      {"IN", "X", "Y"});
     line.add({"time"}, QCoreApplication::translate("Cli", "The moment, in seconds (default: the end)."), "T");
-    line.add({"all"}, QCoreApplication::translate(
-                          "Cli", "Lists segments with shares below a thousandth, too; --json always does."));
+    line.add({"all"}, QCoreApplication::translate("Cli", "Lists segments with shares below a millionth, too."));
     line.add({"json"}, QCoreApplication::translate("Cli", "Prints JSON (docs/cli.md)."));
     if (const std::optional<int> code = line.parse(arguments))
         return *code;
@@ -143,7 +151,8 @@ int probeCommand(const QStringList &arguments)
     const Result<Probe> found = probe(*painting, place.time, place.x, place.y);
     if (!found)
         return fail(QStringLiteral("%1: %2").arg(line.argument(0), found.error()));
-    return line.isSet("json") ? printJson(jsonOf(*found, place)) : print(textOf(*found, place, line.isSet("all")));
+    const bool all = line.isSet("all");
+    return line.isSet("json") ? printJson(jsonOf(*found, place, all)) : print(textOf(*found, place, all));
 }
 
 } // namespace suffuse::cli

@@ -28,9 +28,10 @@ QJsonObject jsonOf(const LostDocument &document)
 
 QString textOf(const LostDocument &document)
 {
-    return QCoreApplication::translate("Cli", "%1  %2  %3, %4 strokes\n")
-        .arg(document.id(), document.lastChange().toString(QStringLiteral("yyyy-MM-dd HH:mm:ss")), document.name())
-        .arg(document.content.painting.strokes.size());
+    return QStringLiteral("%1  %2  %3, %4\n")
+        .arg(
+            document.id(), document.lastChange().toString(QStringLiteral("yyyy-MM-dd HH:mm:ss")), document.name(),
+            QCoreApplication::translate("Cli", "%n stroke(s)", nullptr, int(document.content.painting.strokes.size())));
 }
 
 int printList(const Journals &journals, bool json)
@@ -71,6 +72,13 @@ int recoverCommand(const QStringList &arguments)
     const bool json = line.isSet("json");
     if (id.isEmpty() == line.isSet("output") || (line.isSet("list") && !id.isEmpty()))
         return failUsage("recover", QCoreApplication::translate("Cli", "give an ID and -o OUT, or neither"));
+    const QString out = line.value("output");
+    if (!id.isEmpty() && formatForSaving(out) == FileFormat::Unknown)
+        return failUsage("recover",
+                         QCoreApplication::translate("Cli", "-o %1: what is recovered is a painting: give a name that "
+                                                            "ends in .suffuse or .json. suffuse-cli render draws it "
+                                                            "then")
+                             .arg(out));
     Journals journals = findJournals(journalFolder());
     if (id.isEmpty())
         return printList(journals, json);
@@ -81,7 +89,7 @@ int recoverCommand(const QStringList &arguments)
                                                 "%1: there is no such journal to recover. See suffuse-cli recover "
                                                 "--list.")
                         .arg(id));
-    if (const Result<void> saved = savePainting(wanted->content.painting, line.value("output")); !saved)
+    if (const Result<void> saved = savePainting(wanted->content.painting, out); !saved)
         return fail(saved.error());
     return json ? printJson(jsonOf(*wanted)) : Done;
 }

@@ -1,11 +1,15 @@
 #include "app/cli/options.h"
 #include "model/formats/files.h"
+#include "render/backends.h"
 #include "render/image_io/image_io.h"
 
 #include <QCoreApplication>
 #include <QElapsedTimer>
 
+#include <cmath>
 #include <map>
+
+#include <unistd.h>
 
 namespace suffuse::cli {
 
@@ -14,7 +18,12 @@ namespace {
 void addOptions(CommandLine &line)
 {
     line.add({"o", "output"},
-             QCoreApplication::translate("Cli", "The picture: .png, .tiff, .exr, .jpg, .webp or .pfm."), "OUT");
+             QCoreApplication::translate("Cli", "The picture: .png, .tiff, .exr, .jpg, .webp or .pfm; -: standard "
+                                                "output."),
+             "OUT");
+    line.add({"format"},
+             QCoreApplication::translate("Cli", "With -o -: png, tiff, exr, jpg, webp or pfm (default: png)."),
+             "FORMAT");
     line.add({"size"}, QCoreApplication::translate("Cli", "Pixels: WxH, or W alone; scales uniformly."), "WxH");
     line.add({"scale"}, QCoreApplication::translate("Cli", "Pixels a canvas unit (default 1)."), "F");
     line.add({"area"}, QCoreApplication::translate("Cli", "Part of the canvas, in canvas units (default: all of it)."),
@@ -24,6 +33,12 @@ void addOptions(CommandLine &line)
     line.add({"transparent"}, QCoreApplication::translate("Cli", "No background: alpha holds the coverage."));
     line.add({"depth"}, QCoreApplication::translate("Cli", "8, 16, half or float (default: the format's usual one)."),
              "DEPTH");
+    line.add({"quality"},
+             QCoreApplication::translate("Cli", "Of JPEG and WebP, 1 to 100 (default 92); WebP loses nothing at 100."),
+             "N");
+    line.add({"dpi"},
+             QCoreApplication::translate("Cli", "Pixels an inch, as the file says it (default: it says nothing)."),
+             "N");
     line.add({"backend"}, QCoreApplication::translate("Cli", "auto, cpu, cuda or reference."), "BACKEND");
     line.add({"devices"},
              QCoreApplication::translate("Cli", "With CUDA: GPUs that share the picture, all or a number (default 1)."),
@@ -32,8 +47,62 @@ void addOptions(CommandLine &line)
     line.add({"stats"}, QCoreApplication::translate("Cli", "Prints times and counts as JSON."));
 }
 
-/// Format, depth and alpha as asked; errors are usage errors. Sizes are checked later, when they are known.
-Result<ImageOptions> imageOptions(const CommandLine &line)
+bool isToStdout(const CommandLine &line)
+{
+    return line.value("output") == QLatin1String("-");
+}
+
+/// Errors are usage errors.
+Result<ImageFormat> formatOf(const CommandLine &line)
+{
+    if (!isToStdout(line)) {
+        if (line.isSet("format"))
+            return Error{QCoreApplication::translate("Cli", "--format is for -o -; the ending of %1 chooses the format")
+                             .arg(line.value("output"))};
+        return imageFormatForPath(line.value("output"));
+    }
+    if (line.isSet("stats"))
+        return Error{QCoreApplication::translate("Cli", "--stats and -o - both write to standard output; give one")};
+    if (::isatty(STDOUT_FILENO))
+        return Error{QCoreApplication::translate("Cli",
+                                                 "standard output is a terminal, which shows no pictures; lead it "
+                                                 "into a file or a program")};
+    const QString name = line.isSet("format") ? line.value("format") : QStringLiteral("png");
+    const ImageFormat format = imageFormatForPath(QLatin1Char('.') + name);
+    if (format == ImageFormat::Unknown)
+        return Error{QCoreApplication::translate("Cli", "--format %1: give one of %2")
+                         .arg(name, imageEndings().join(QStringLiteral(", ")))};
+    return format;
+}
+
+/// --quality and --dpi. Where the format has no such thing, that is said and it is drawn all the same.
+Result<void> takeNumbers(const CommandLine &line, ImageFormat format, ImageOptions &image)
+{
+    if (line.isSet("quality")) {
+        const std::optional<double> quality = toNumber(line.value("quality"));
+        if (!quality || *quality != std::floor(*quality) || *quality < 1 || *quality > 100)
+            return Error{QCoreApplication::translate("Cli", "--quality %1: give a whole number from 1 to 100")
+                             .arg(line.value("quality"))};
+        image.quality = int(*quality);
+        if (!hasQuality(format))
+            warn(QCoreApplication::translate("Cli", "--quality is ignored: %1 loses nothing").arg(nameOf(format)));
+    }
+    if (line.isSet("dpi")) {
+        const std::optional<double> dpi = toNumber(line.value("dpi"));
+        if (!dpi || *dpi < 1 || *dpi > 10'000)
+            return Error{QCoreApplication::translate("Cli", "--dpi %1: give a number from 1 to 10000, e.g. 300")
+                             .arg(line.value("dpi"))};
+        image.dpi = *dpi;
+        if (!hasResolution(format))
+            warn(QCoreApplication::translate("Cli", "--dpi is ignored: %1 files hold no resolution")
+                     .arg(nameOf(format)));
+    }
+    return {};
+}
+
+/// Depth, alpha, quality and resolution as asked; errors are usage errors. Sizes are checked later, when they are
+/// known.
+Result<ImageOptions> imageOptions(const CommandLine &line, ImageFormat format)
 {
     ImageOptions out;
     out.alpha = line.isSet("transparent");
@@ -48,9 +117,11 @@ Result<ImageOptions> imageOptions(const CommandLine &line)
                 QCoreApplication::translate("Cli", "--depth %1: give 8, 16, half or float").arg(line.value("depth"))};
         out.depth = depth->second;
     }
-    const QString problem = problemOf(imageFormatForPath(line.value("output")), out, 1, 1);
+    const QString problem = problemOf(format, out, 1, 1);
     if (!problem.isEmpty())
         return Error{QStringLiteral("%1: %2").arg(line.value("output"), problem)};
+    if (const Result<void> taken = takeNumbers(line, format, out); !taken)
+        return Error{taken.error()};
     return out;
 }
 
@@ -89,7 +160,18 @@ double lap(QElapsedTimer &clock)
     return ms;
 }
 
-int render(const CommandLine &line, ImageOptions image, const RendererOptions &options)
+/// To the file, or to standard output.
+int write(const CommandLine &line, ImageFormat format, const FloatPicture &pixels, const ImageOptions &image)
+{
+    if (!isToStdout(line)) {
+        const Result<void> written = writeImage(line.value("output"), pixels, image);
+        return written ? int(Done) : fail(written.error());
+    }
+    const Result<QByteArray> bytes = encodeImage(format, pixels, image, line.value("output"));
+    return bytes ? printBytes(*bytes) : fail(bytes.error());
+}
+
+int render(const CommandLine &line, ImageFormat format, ImageOptions image, const RendererOptions &options)
 {
     QElapsedTimer clock;
     clock.start();
@@ -101,10 +183,9 @@ int render(const CommandLine &line, ImageOptions image, const RendererOptions &o
     const Result<PictureOptions> picture = pictureOptions(line, *painting);
     if (!picture)
         return failUsage("render", picture.error());
-    const QString out = line.value("output");
-    const QString problem = problemOf(imageFormatForPath(out), image, picture->width, picture->height);
+    const QString problem = problemOf(format, image, picture->width, picture->height);
     if (!problem.isEmpty())
-        return failUsage("render", QStringLiteral("%1: %2").arg(out, problem));
+        return failUsage("render", QStringLiteral("%1: %2").arg(line.value("output"), problem));
     Result<std::unique_ptr<Renderer>> renderer = makeRenderer(options);
     if (!renderer)
         return fail(renderer.error());
@@ -122,8 +203,8 @@ int render(const CommandLine &line, ImageOptions image, const RendererOptions &o
     if (const QString notice = (*renderer)->notice(); !notice.isEmpty())
         warn(notice);
     image.cancel = &interrupted();
-    if (const Result<void> written = writeImage(out, pixels, image); !written)
-        return fail(written.error());
+    if (const int code = write(line, format, pixels, image); code != Done)
+        return code;
     times.writeMs = lap(clock);
     return line.isSet("stats") ? printJson(statsJson(**renderer, request, *stats, times)) : Done;
 }
@@ -139,13 +220,16 @@ int renderCommand(const QStringList &arguments)
         return *code;
     if (line.value("output").isEmpty())
         return failUsage("render", QCoreApplication::translate("Cli", "-o OUT is missing: name the picture to write"));
-    const Result<ImageOptions> image = imageOptions(line);
+    const Result<ImageFormat> format = formatOf(line);
+    if (!format)
+        return failUsage("render", format.error());
+    const Result<ImageOptions> image = imageOptions(line, *format);
     if (!image)
         return failUsage("render", image.error());
     const Result<RendererOptions> renderer = rendererOptions(line);
     if (!renderer)
         return failUsage("render", renderer.error());
-    return render(line, *image, *renderer);
+    return render(line, *format, *image, *renderer);
 }
 
 } // namespace suffuse::cli

@@ -1,5 +1,6 @@
 #include "app/cli/options.h"
 #include "model/formats/files.h"
+#include "render/backends.h"
 #include "render/compare.h"
 
 #include <QCoreApplication>

@@ -2,7 +2,7 @@
 
 #include "app/icons.h"
 #include "app/widgets/section.h"
-#include "render/renderer.h"
+#include "render/backends.h"
 
 #include <QDialogButtonBox>
 #include <QHBoxLayout>

@@ -2,15 +2,18 @@
 
 #include "app/brush_library.h"
 #include "app/editor.h"
+#include "app/theme.h"
 #include "app/widgets/colour_swatch.h"
+#include "app/widgets/mnemonics.h"
+#include "app/widgets/quantity.h"
 #include "app/widgets/response_editor.h"
 #include "app/widgets/section.h"
-#include "app/widgets/slider_field.h"
-#include "app/theme.h"
+#include "model/paint/style_function.h"
 #include "model/painting/validate.h"
 
 #include <QCheckBox>
 #include <QComboBox>
+#include <QEvent>
 #include <QPainter>
 #include <QPushButton>
 #include <QTabWidget>
@@ -70,7 +73,7 @@ BrushDialog::BrushDialog(Editor &editor, QWidget *parent) : QDialog(parent), m_e
     column->addWidget(m_hint);
     addButtons(*column);
     for (const Bound &b : m_bound)
-        connect(b.field, &SliderField::refused, m_hint, &HintLabel::showHint);
+        connect(b.field, &SliderField::refused, m_hint, &HintLabel::showRefusal);
     m_drawSoon.setSingleShot(true);
     m_drawSoon.setInterval(drawDelayMs);
     connect(&m_drawSoon, &QTimer::timeout, this, &BrushDialog::drawPreview);
@@ -82,11 +85,11 @@ BrushDialog::BrushDialog(Editor &editor, QWidget *parent) : QDialog(parent), m_e
 void BrushDialog::addButtons(QVBoxLayout &column)
 {
     auto *row = new QHBoxLayout;
-    m_save = new QPushButton(tr("Save Changes"), this);
+    m_save = new QPushButton(tr("&Save Changes"), this);
     m_save->setToolTip(tr("Keeps the changes in the brush of this name; built-in brushes stay as they are"));
-    auto *saveAsNew = new QPushButton(tr("Save as New…"), this);
+    auto *saveAsNew = new QPushButton(tr("Save as &New…"), this);
     saveAsNew->setToolTip(tr("Keeps the brush under another name"));
-    auto *shut = new QPushButton(tr("Close"), this);
+    auto *shut = new QPushButton(tr("&Close"), this);
     shut->setToolTip(tr("Closes this window; the brush stays in hand as it is"));
     for (QPushButton *button : {m_save, saveAsNew, shut})
         button->setAutoDefault(false); // Return in a field is no press
@@ -158,6 +161,8 @@ void BrushDialog::showCell()
     const int q = m_curves->currentRow(), i = m_curves->currentColumn();
     const ResponseCurve *curve = m_editor.brush().curve(BrushQuantity(q), BrushInput(i));
     m_curve->setEnabled(curve != nullptr);
+    // Curves multiply ω; shown is the grain, which grows as ω falls.
+    m_curve->setUpsideDown(BrushQuantity(q) == BrushQuantity::Granulation);
     m_curve->setTexts(m_curves->verticalHeaderItem(q)->text(), {}, m_curves->horizontalHeaderItem(i)->text());
     m_curve->setCurve(curve ? *curve : ResponseCurve{{{0, 1}, {1, 1}}});
 }
@@ -172,7 +177,13 @@ void BrushDialog::refresh()
         b.field->setValue(b.get(brush));
     m_style->setCurrentIndex(int(brush.style.kind));
     m_mix->setCurrentIndex(int(brush.mix.mode));
-    m_xi3->setVisible(brush.style.kind == StyleKind::Edge);
+    for (std::size_t i = 0; i < m_xi.size(); ++i) {
+        const FieldSpec spec = xiSpec(brush.style.kind, int(i));
+        if (m_xi[i]->number()->accessibleName() != spec.name)
+            m_xi[i]->rename(spec.name, spec.toolTip);
+    }
+    giveMnemonics(*this);
+    m_xi[2]->setVisible(xiCount(brush.style.kind) > 2);
     m_beta->setVisible(brush.mix.mode == MixMode::Beta);
     m_stabiliser->setCurrentIndex(int(brush.stabiliser.kind));
     m_strength->setVisible(brush.stabiliser.kind == Stabiliser::Kind::Weighted);
@@ -189,13 +200,20 @@ void BrushDialog::refresh()
     m_drawSoon.start();
 }
 
+void BrushDialog::changeEvent(QEvent *event)
+{
+    QDialog::changeEvent(event);
+    if (event->type() == QEvent::ApplicationPaletteChange)
+        m_drawSoon.start(); // its paper is the theme's
+}
+
 void BrushDialog::drawPreview()
 {
     const double ratio = devicePixelRatioF();
     m_image = m_preview.render(m_editor.brush(), pictureSize * ratio);
     QPixmap pixmap(pictureSize * ratio);
     pixmap.setDevicePixelRatio(ratio);
-    pixmap.fill(previewPaper());
+    pixmap.fill(paperFor(m_image));
     QPainter painter(&pixmap);
     if (!m_image.isNull())
         painter.drawImage(QRectF(QPointF(), QSizeF(pictureSize)), m_image);

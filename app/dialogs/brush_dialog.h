@@ -5,6 +5,7 @@
 #include <QDialog>
 #include <QTimer>
 
+#include <array>
 #include <functional>
 
 class QCheckBox;
@@ -42,6 +43,9 @@ signals:
     void saveWanted();
     void saveAsNewWanted();
 
+protected:
+    void changeEvent(QEvent *event) override;
+
 private:
     using Get = std::function<double(const Brush &)>;
     using Set = std::function<void(Brush &, double)>;
@@ -75,7 +79,7 @@ private:
     QTimer m_drawSoon;
     QLabel *m_picture = nullptr;
     std::vector<Bound> m_bound;
-    SliderField *m_xi3 = nullptr;
+    std::array<SliderField *, 3> m_xi{};
     SliderField *m_beta = nullptr;
     SliderField *m_strength = nullptr;
     SliderField *m_string = nullptr;

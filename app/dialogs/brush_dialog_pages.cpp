@@ -2,9 +2,9 @@
 #include "app/dialogs/brush_dialog.h"
 #include "app/editor.h"
 #include "app/widgets/colour_swatch.h"
+#include "app/widgets/quantity.h"
 #include "app/widgets/response_editor.h"
 #include "app/widgets/section.h"
-#include "app/widgets/slider_field.h"
 
 #include <QCheckBox>
 #include <QComboBox>
@@ -14,62 +14,27 @@
 #include <QTableWidget>
 #include <QVBoxLayout>
 
-#include <numbers>
-
 namespace suffuse {
-
-namespace {
-
-constexpr double degree = std::numbers::pi / 180;
-
-} // namespace
 
 void BrushDialog::addValues(QGridLayout &grid)
 {
     bind(
-        grid,
-        {.name = tr("Size"),
-         .toolTip = tr("How far the paint spreads, in units; sets the diffusion."),
-         .unit = NumberField::canvasUnit(),
-         .minimum = 1e-7,
-         .maximum = 1e5,
-         .sliderMinimum = 0.5,
-         .sliderMaximum = 300,
-         .logarithmic = true},
-        [](const Brush &b) { return b.spread(); }, [](Brush &b, double v) { b.setSpread(v); });
+        grid, specOf(Quantity::Size), [](const Brush &b) { return b.spread(); },
+        [](Brush &b, double v) { b.setSpread(v); });
     bind(
-        grid,
-        {.name = tr("Flow"),
-         .toolTip = tr("Density in the middle of the stroke where no curve takes away"),
-         .minimum = 0.001,
-         .maximum = 1e6,
-         .sliderMinimum = 0.1,
-         .sliderMaximum = 10,
-         .logarithmic = true},
-        [](const Brush &b) { return double(b.peak); }, [](Brush &b, double v) { b.peak = float(v); });
+        grid, specOf(Quantity::Flow), [](const Brush &b) { return double(b.peak); },
+        [](Brush &b, double v) { b.peak = float(v); });
     bind(
-        grid,
-        {.name = tr("Opacity"),
-         .toolTip = tr("How much the paint covers at full density"),
-         .unit = QStringLiteral(" %"),
-         .factor = 100,
-         .step = 0.01},
-        [](const Brush &b) { return double(b.colour.opacity); },
+        grid, specOf(Quantity::Opacity), [](const Brush &b) { return double(b.colour.opacity); },
         [](Brush &b, double v) { b.colour.opacity = float(v); });
     bind(
-        grid, {.name = tr("Granulation ω"), .toolTip = tr("1 hides the paper's grain, 0 shows it fully")},
-        [](const Brush &b) { return double(b.granulation); }, [](Brush &b, double v) { b.granulation = float(v); });
+        grid, specOf(Quantity::Granulation), [](const Brush &b) { return double(b.granulation); },
+        [](Brush &b, double v) { b.granulation = float(v); });
+    FieldSpec drying = specOf(Quantity::MaxAge);
+    drying.toolTip = tr("How long the paint spreads; the size stays");
+    drying.minimum = 0.001;
     bind(
-        grid,
-        {.name = tr("Drying time"),
-         .toolTip = tr("How long the paint spreads; the size stays"),
-         .unit = NumberField::secondsUnit(),
-         .minimum = 0.001,
-         .maximum = 1e6,
-         .sliderMinimum = 0.05,
-         .sliderMaximum = 20,
-         .logarithmic = true},
-        [](const Brush &b) { return double(b.maxAge); },
+        grid, drying, [](const Brush &b) { return double(b.maxAge); },
         [](Brush &b, double v) {
             const double spread = b.spread();
             b.maxAge = float(v);
@@ -83,44 +48,40 @@ QWidget *BrushDialog::makePaintPage()
     QWidget *page = makePage(column);
     auto *row = new QHBoxLayout;
     m_style = new QComboBox(page);
-    m_style->addItems({tr("Uniform"), tr("Feathering"), tr("Edge darkening")});
+    m_style->addItems(styleNames());
     m_style->setAccessibleName(tr("Style"));
-    m_style->setToolTip(tr("How density becomes opacity"));
+    m_style->setToolTip(tr("How density becomes coverage."));
     m_mix = new QComboBox(page);
-    m_mix->addItems({tr("Covers (alpha)"), tr("Mixes as pigment (beta)")});
+    m_mix->addItems(mixingNames());
     m_mix->setAccessibleName(tr("Mixing"));
-    m_mix->setToolTip(tr("How the paint mixes with what lies below"));
-    row->addWidget(m_style, 1);
-    row->addWidget(m_mix, 1);
+    m_mix->setToolTip(tr("How the paint mixes with what lies below it: it covers, or pigments add up."));
+    for (auto [name, box] : {std::pair(tr("Style"), m_style), std::pair(tr("Mixing"), m_mix)}) {
+        auto *label = new QLabel(name, page);
+        label->setBuddy(box);
+        row->addWidget(label);
+        row->addWidget(box, 1);
+    }
     column->addLayout(row);
     connect(m_style, &QComboBox::activated, this, &BrushDialog::chooseStyle);
     connect(m_mix, &QComboBox::activated, this, [this](int mode) {
         change([=](Brush &b) { b.mix = mode == 0 ? Mix{} : Mix{MixMode::Beta, 0.6f}; });
     });
     QGridLayout *grid = addFieldGrid(*column);
-    const auto xi = [&](int i, const QString &name, const QString &tip, double most) {
+    for (std::size_t i = 0; i < m_xi.size(); ++i) {
+        FieldSpec spec = xiSpec(StyleKind::Edge, int(i));
+        spec.name = QStringLiteral("ξ%1").arg(i + 1); // until refresh() has the name that it has in this kind of style
+        spec.minimum = 0.001;
+        spec.maximum = i < 2 ? 1000 : 1;
+        spec.sliderMinimum = i < 2 ? 0.005 : 0.05;
+        spec.sliderMaximum = i < 2 ? 10 : 1;
         bind(
-            *grid,
-            {.name = name,
-             .toolTip = tip,
-             .minimum = 0.001,
-             .maximum = 1000,
-             .sliderMinimum = 0.005,
-             .sliderMaximum = most,
-             .logarithmic = true},
-            [i](const Brush &b) { return double(b.style.xi[std::size_t(i)]); },
-            [i](Brush &b, double v) { b.style.xi[std::size_t(i)] = float(v); });
-    };
-    xi(0, tr("ξ1"), tr("Density at which the paint begins to cover"), 10);
-    xi(1, tr("ξ2"), tr("Uniform: softness of the edge; feathering: exponent; edge darkening: width of the rim"), 10);
+            *grid, spec, [i](const Brush &b) { return double(b.style.xi[i]); },
+            [i](Brush &b, double v) { b.style.xi[i] = float(v); });
+        m_xi[i] = m_bound.back().field;
+    }
     bind(
-        *grid,
-        {.name = tr("ξ3"), .toolTip = tr("Opacity inside the dark edge"), .minimum = 0.001, .sliderMinimum = 0.001},
-        [](const Brush &b) { return double(b.style.xi[2]); }, [](Brush &b, double v) { b.style.xi[2] = float(v); });
-    m_xi3 = m_bound.back().field;
-    bind(
-        *grid, {.name = tr("β"), .toolTip = tr("How much of what lies below shows through the pigment")},
-        [](const Brush &b) { return double(b.mix.beta); }, [](Brush &b, double v) { b.mix.beta = float(v); });
+        *grid, specOf(Quantity::Beta), [](const Brush &b) { return double(b.mix.beta); },
+        [](Brush &b, double v) { b.mix.beta = float(v); });
     m_beta = m_bound.back().field;
     addValues(*grid);
     column->addStretch();
@@ -130,8 +91,11 @@ QWidget *BrushDialog::makePaintPage()
 void BrushDialog::makeTable(QWidget *page)
 {
     m_curves = new QTableWidget(brushQuantities, brushInputs, page);
-    m_curves->setVerticalHeaderLabels(
-        {tr("Size"), tr("Flow"), tr("Granulation"), tr("Opacity"), tr("Drying time"), tr("Second colour")});
+    QStringList rows;
+    for (const Quantity quantity :
+         {Quantity::Size, Quantity::Flow, Quantity::Granulation, Quantity::Opacity, Quantity::MaxAge})
+        rows << specOf(quantity).name;
+    m_curves->setVerticalHeaderLabels(rows << tr("Second colour"));
     m_curves->setHorizontalHeaderLabels(
         {tr("Pressure"), tr("Tilt"), tr("Speed"), tr("Distance"), tr("By stroke"), tr("Drift")});
     m_curves->setAccessibleName(tr("Curves"));
@@ -140,6 +104,12 @@ void BrushDialog::makeTable(QWidget *page)
     m_curves->setSelectionMode(QAbstractItemView::SingleSelection);
     m_curves->setEditTriggers(QAbstractItemView::NoEditTriggers);
     m_curves->horizontalHeader()->setSectionResizeMode(QHeaderView::Stretch);
+    int widest = 0; // the columns are alike, and none cuts its name
+    for (int i = 0; i < brushInputs; ++i)
+        widest = std::max(widest, m_curves->horizontalHeader()->sectionSizeHint(i));
+    m_curves->horizontalHeader()->setMinimumSectionSize(widest);
+    m_curves->setMinimumWidth(brushInputs * (widest + 4) + m_curves->verticalHeader()->sizeHint().width() +
+                              2 * m_curves->frameWidth());
     m_curves->horizontalHeader()->setSectionsClickable(false);
     m_curves->verticalHeader()->setDefaultSectionSize(fontMetrics().height() + 8);
     m_curves->verticalHeader()->setSectionsClickable(false);
@@ -178,7 +148,7 @@ QWidget *BrushDialog::makeCurvesPage()
             *grid,
             {.name = name,
              .toolTip = tip,
-             .unit = unit,
+             .display = {.unit = unit},
              .minimum = 0.01,
              .maximum = 1e6,
              .sliderMinimum = 0.5,
@@ -202,7 +172,7 @@ QWidget *BrushDialog::makeColourPage()
     auto *row = new QHBoxLayout;
     m_second = new ColourSwatch(page);
     m_second->setAccessibleName(tr("Second colour"));
-    auto *take = new QPushButton(tr("Take the current colour"), page);
+    auto *take = new QPushButton(tr("&Take the Current Colour"), page);
     take->setToolTip(tr("Makes the current colour the second one"));
     row->addWidget(new QLabel(tr("Second colour"), page));
     row->addWidget(m_second);
@@ -215,15 +185,11 @@ QWidget *BrushDialog::makeColourPage()
     column->addWidget(sectionTitle(tr("Strays from the colour by"), page));
     QGridLayout *grid = addFieldGrid(*column);
     const auto stray = [&](const QString &name, const QString &tip, float ColourJitter::*member) {
+        FieldSpec spec = shareSpec(name, tip, 0);
+        spec.sliderMaximum = 0.5;
+        spec.sliderStep = 0.001;
         bind(
-            *grid,
-            {.name = name,
-             .toolTip = tip,
-             .unit = QStringLiteral(" %"),
-             .sliderMaximum = 0.5,
-             .factor = 100,
-             .step = 0.01},
-            [member](const Brush &b) { return double(b.jitter.*member); },
+            *grid, spec, [member](const Brush &b) { return double(b.jitter.*member); },
             [member](Brush &b, double v) { b.jitter.*member = float(v); });
     };
     stray(tr("Red"), tr("At most so much redder or less red"), &ColourJitter::red);
@@ -246,42 +212,33 @@ void BrushDialog::addHand(QVBoxLayout &column, QWidget *page)
     m_stabiliser->addItems({tr("No smoothing"), tr("Weighted"), tr("Pulled string")});
     m_stabiliser->setAccessibleName(tr("Smoothing"));
     m_stabiliser->setToolTip(tr("Steadies the hand: the stroke follows the pen softly, or is pulled on a string"));
-    column.addWidget(m_stabiliser);
+    auto *row = new QHBoxLayout;
+    auto *label = new QLabel(tr("Smoothing"), page);
+    label->setBuddy(m_stabiliser);
+    row->addWidget(label);
+    row->addWidget(m_stabiliser, 1);
+    column.addLayout(row);
     connect(m_stabiliser, &QComboBox::activated, this,
             [this](int kind) { change([=](Brush &b) { b.stabiliser.kind = Stabiliser::Kind(kind); }); });
     QGridLayout *hand = addFieldGrid(column);
     bind(
-        *hand,
-        {.name = tr("Strength"),
-         .toolTip = tr("How far the stroke lags behind"),
-         .unit = QStringLiteral(" %"),
-         .factor = 100,
-         .step = 0.05},
-        [](const Brush &b) { return double(b.stabiliser.strength); },
+        *hand, specOf(Quantity::SmoothingStrength), [](const Brush &b) { return double(b.stabiliser.strength); },
         [](Brush &b, double v) { b.stabiliser.strength = float(v); });
     m_strength = m_bound.back().field;
     bind(
-        *hand,
-        {.name = tr("String"),
-         .toolTip = tr("Its length on the screen"),
-         .unit = QStringLiteral(" px"),
-         .maximum = 1000,
-         .sliderMaximum = 200,
-         .step = 5},
-        [](const Brush &b) { return double(b.stabiliser.length); },
+        *hand, specOf(Quantity::SmoothingString), [](const Brush &b) { return double(b.stabiliser.length); },
         [](Brush &b, double v) { b.stabiliser.length = float(v); });
     m_string = m_bound.back().field;
     bind(
         *hand,
         {.name = tr("Sampling"),
          .toolTip = tr("Time between the points that the curve is fitted through"),
-         .unit = QStringLiteral(" ms"),
+         .display = {.unit = QStringLiteral(" ms"), .factor = 1000},
          .minimum = 0.002,
          .maximum = 0.2,
          .sliderMinimum = 0.004,
          .sliderMaximum = 0.1,
          .logarithmic = true,
-         .factor = 1000,
          .defaultValue = toSeconds(samplingInterval)},
         [](const Brush &b) { return toSeconds(b.interval); },
         [](Brush &b, double v) { b.interval = toMicroseconds(v); });
@@ -293,29 +250,19 @@ QWidget *BrushDialog::makeHandPage()
     QWidget *page = makePage(column);
     column->addWidget(sectionTitle(tr("Tip"), page));
     QGridLayout *tip = addFieldGrid(*column);
+    FieldSpec ratio = specOf(Quantity::Anisotropy);
+    ratio.minimum = 0.01;
+    ratio.maximum = 100;
     bind(
-        *tip,
-        {.name = tr("Ratio"),
-         .toolTip = tr("How much faster the paint spreads along the tip's angle than across"),
-         .minimum = 0.01,
-         .maximum = 100,
-         .sliderMinimum = 0.05,
-         .sliderMaximum = 20,
-         .logarithmic = true,
-         .defaultValue = 1},
-        [](const Brush &b) { return double(b.tip.ratio); }, [](Brush &b, double v) { b.tip.ratio = float(v); });
+        *tip, ratio, [](const Brush &b) { return double(b.tip.ratio); },
+        [](Brush &b, double v) { b.tip.ratio = float(v); });
+    FieldSpec angle = specOf(Quantity::Angle);
+    angle.toolTip = tr("Of the tip, against the path or the canvas");
+    angle.minimum = angle.display.toValue(-180);
+    angle.maximum = angle.display.toValue(180);
     bind(
-        *tip,
-        {.name = tr("Angle"),
-         .toolTip = tr("Of the tip, against the path or the canvas"),
-         .unit = QStringLiteral("°"),
-         .minimum = -180 * degree,
-         .maximum = 180 * degree,
-         .sliderMinimum = -90 * degree,
-         .sliderMaximum = 90 * degree,
-         .factor = 1 / degree,
-         .step = degree},
-        [](const Brush &b) { return double(b.tip.angle); }, [](Brush &b, double v) { b.tip.angle = float(v); });
+        *tip, angle, [](const Brush &b) { return double(b.tip.angle); },
+        [](Brush &b, double v) { b.tip.angle = float(v); });
     m_followsPath = new QCheckBox(tr("Turns with the path"), page);
     m_followsPath->setToolTip(tr("Else it keeps its angle on the canvas, as a broad nib does"));
     column->addWidget(m_followsPath);
@@ -326,19 +273,19 @@ QWidget *BrushDialog::makeHandPage()
     const auto end = [&](const QString &name, const QString &hint, float Taper::*member) {
         bind(
             *taper,
-            {.name = name, .toolTip = hint, .unit = tr(" sizes"), .maximum = 1000, .sliderMaximum = 20, .step = 0.5},
+            {.name = name,
+             .toolTip = hint,
+             .display = {.unit = tr(" sizes")},
+             .maximum = 1000,
+             .sliderMaximum = 20,
+             .step = 0.5},
             [member](const Brush &b) { return double(b.taper.*member); },
             [member](Brush &b, double v) { b.taper.*member = float(v); });
     };
     end(tr("Taper in"), tr("Length on which the stroke grows from its tip"), &Taper::in);
     end(tr("Taper out"), tr("Length on which it runs out when the pen lifts"), &Taper::out);
     bind(
-        *taper,
-        {.name = tr("Tip size"),
-         .toolTip = tr("Size at the very end"),
-         .unit = QStringLiteral(" %"),
-         .factor = 100,
-         .step = 0.01},
+        *taper, shareSpec(tr("Tip size"), tr("Size at the very end"), 0),
         [](const Brush &b) { return double(b.taper.tip); }, [](Brush &b, double v) { b.taper.tip = float(v); });
     addHand(*column, page);
     column->addStretch();

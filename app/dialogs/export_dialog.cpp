@@ -1,17 +1,24 @@
 #include "app/dialogs/export_dialog.h"
 
+#include "app/dialogs/preset_row.h"
+#include "app/dialogs/print_rows.h"
 #include "app/editor.h"
-#include "app/widgets/section.h"
+#include "app/icons.h"
+#include "app/messages.h"
+#include "app/save_name.h"
 #include "app/settings.h"
+#include "app/widgets/mnemonics.h"
+#include "app/widgets/section.h"
 
 #include <QCheckBox>
 #include <QComboBox>
 #include <QDialogButtonBox>
+#include <QDir>
 #include <QFileDialog>
 #include <QFileInfo>
 #include <QGridLayout>
 #include <QLineEdit>
-#include <QMessageBox>
+#include <QLocale>
 #include <QProgressBar>
 #include <QPushButton>
 #include <QSpinBox>
@@ -20,8 +27,17 @@ namespace suffuse {
 
 namespace {
 
-constexpr int largestSide = 30000;
-constexpr qint64 mostPixels = qint64(1) << 27; ///< 2 GiB of floats
+/// The path with another ending.
+QString withEnding(const QString &path, const QString &ending)
+{
+    const qsizetype dot = path.lastIndexOf(QLatin1Char('.'));
+    return path.left(dot > path.lastIndexOf(QLatin1Char('/')) ? dot : path.size()) + QLatin1Char('.') + ending;
+}
+
+QString endingOf(const QString &path)
+{
+    return path.section(QLatin1Char('.'), -1);
+}
 
 QString depthTitle(ImageDepth depth)
 {
@@ -42,7 +58,7 @@ QString depthTitle(ImageDepth depth)
 
 ExportDialog::ExportDialog(Editor &editor, const Rect &shown, QWidget *parent) : QDialog(parent), m_editor(editor)
 {
-    setWindowTitle(tr("Export picture"));
+    setWindowTitle(tr("Export Picture"));
     auto *column = new QVBoxLayout(this);
     column->setContentsMargins(16, 16, 16, 16);
     column->setSpacing(12);
@@ -64,8 +80,9 @@ ExportDialog::ExportDialog(Editor &editor, const Rect &shown, QWidget *parent) :
     column->addWidget(m_hint);
     column->addStretch(1);
     auto *buttons = new QDialogButtonBox(QDialogButtonBox::Cancel, this);
-    m_export = buttons->addButton(tr("Export"), QDialogButtonBox::AcceptRole);
+    m_export = buttons->addButton(tr("&Export"), QDialogButtonBox::AcceptRole);
     m_export->setDefault(true);
+    m_export->setIcon(icon("export"));
     m_cancel = buttons->button(QDialogButtonBox::Cancel);
     column->addWidget(buttons);
 
@@ -74,63 +91,154 @@ ExportDialog::ExportDialog(Editor &editor, const Rect &shown, QWidget *parent) :
     connect(m_path, &QLineEdit::textChanged, this, &ExportDialog::formatChanged);
     connect(&m_job, &ExportJob::progressed, m_progress, &QProgressBar::setValue);
     connect(&m_job, &ExportJob::finished, this, &ExportDialog::exportFinished);
-    m_path->setText(suggestedExportPath(editor, QStandardPaths::PicturesLocation, QStringLiteral("png")));
+    const std::optional<ExportSettings> last = exports::last();
+    m_path->setText(suggestedExportPath(editor, QStandardPaths::PicturesLocation,
+                                        last ? endingOf(last->path) : QStringLiteral("png")));
+    if (last)
+        takeFormat(*last);
+    if (const auto own = exports::lastOf(editor.filePath()))
+        restore(*own);
+    giveMnemonics(*this);
+    showLimits();
+    beginWithName(*m_path);
     setMinimumWidth(480);
+}
+
+void ExportDialog::addField(QGridLayout &grid, int row, const QString &name, QWidget *field, const QString &tip)
+{
+    auto *label = new QLabel(name, m_form);
+    label->setBuddy(field);
+    field->setAccessibleName(name);
+    field->setToolTip(tip);
+    grid.addWidget(label, row, 0);
+    grid.addWidget(field, row, 1, 1, field == m_path ? 1 : 2);
 }
 
 void ExportDialog::addFields(QGridLayout &grid, const Rect &shown)
 {
-    const auto add = [&](int row, const QString &name, QWidget *field, const QString &tip) {
-        auto *label = new QLabel(name, m_form);
-        label->setBuddy(field);
-        field->setAccessibleName(name);
-        field->setToolTip(tip);
-        grid.addWidget(label, row, 0);
-        grid.addWidget(field, row, 1, 1, field == m_path ? 1 : 2);
-    };
+    m_presets = new PresetRow(
+        grid, 0, [this] { return settings(); }, m_form);
+    connect(m_presets, &PresetRow::chosen, this, &ExportDialog::takePreset);
     m_path = new QLineEdit(m_form);
-    add(0, tr("File"), m_path, tr("The ending chooses the format: png, tiff, exr, jpg, webp or pfm."));
-    auto *browseButton = new QPushButton(tr("Browse…"), m_form);
+    addField(grid, 1, tr("File"), m_path, tr("The ending chooses the format: png, tiff, exr, jpg, webp or pfm."));
+    auto *browseButton = new QPushButton(tr("&Browse…"), m_form);
     browseButton->setToolTip(tr("Choose a folder and a name"));
     browseButton->setAutoDefault(false);
-    grid.addWidget(browseButton, 0, 2);
+    grid.addWidget(browseButton, 1, 2);
     connect(browseButton, &QPushButton::clicked, this, &ExportDialog::browse);
-    m_area = new AreaRow(grid, 1, m_editor, shown, m_form);
-    m_size = new SizeRow(grid, 3, largestSide, m_form);
+    m_area = new AreaRow(grid, 2, m_editor, shown, m_form);
+    m_size = new SizeRow(grid, 4, maxSideOf(ImageFormat::Png), m_form);
     m_size->setArea(m_area->area());
-    connect(m_area, &AreaRow::areaChanged, this, [this] { m_size->setArea(m_area->area()); });
-    m_moment = new MomentRow(grid, 4, m_editor, m_form);
+    m_limits = quietLabel({}, m_form);
+    grid.addWidget(m_limits, 5, 1, 1, 2);
+    m_print = new PrintRows(grid, 6, widthBox(), heightBox(), m_form);
+    connect(m_area, &AreaRow::areaChanged, this, [this] {
+        m_size->setArea(m_area->area());
+        showLimits();
+    });
+    m_moment = new MomentRow(grid, 8, m_editor, m_form);
+    addImageFields(grid);
+}
+
+void ExportDialog::addImageFields(QGridLayout &grid)
+{
     m_depth = new QComboBox(m_form);
     for (const ImageDepth depth : {ImageDepth::Bits8, ImageDepth::Bits16, ImageDepth::Half, ImageDepth::Float})
         m_depth->addItem(depthTitle(depth), int(depth));
-    add(5, tr("Depth"), m_depth, tr("Precision of each colour channel"));
+    addField(grid, 9, tr("Depth"), m_depth, tr("Precision of each colour channel"));
     m_quality = new QSpinBox(m_form);
     m_quality->setRange(1, 100);
     m_quality->setValue(ImageOptions{}.quality);
-    add(6, tr("Quality"), m_quality, tr("Of JPEG and WebP; 100 is the best. WebP loses nothing then."));
+    addField(grid, 10, tr("Quality"), m_quality, tr("Of JPEG and WebP; 100 is the best. WebP loses nothing then."));
     m_transparent = new QCheckBox(tr("Transparent background"), m_form);
     m_transparent->setToolTip(tr("Leaves the background out and stores how much the paint covers."));
     m_transparent->setAccessibleName(m_transparent->text());
-    grid.addWidget(m_transparent, 7, 1, 1, 2);
+    grid.addWidget(m_transparent, 11, 1, 1, 2);
+}
+
+ExportSettings ExportDialog::settings() const
+{
+    ExportSettings s;
+    s.path = QFileInfo(m_path->text()).absoluteFilePath();
+    s.depth = ImageDepth(m_depth->currentData().toInt());
+    s.quality = m_quality->value();
+    s.transparent = imageOptions().alpha;
+    s.dpi = m_print->dpi();
+    s.area = m_area->choice();
+    s.numbers = m_area->area();
+    s.width = widthBox()->value();
+    s.scale = m_size->scale();
+    s.moment = m_moment->choice();
+    s.time = m_moment->moment();
+    return s;
+}
+
+/// The ending is in the path already.
+void ExportDialog::takeFormat(const ExportSettings &settings)
+{
+    m_depth->setCurrentIndex(m_depth->findData(int(settings.depth)));
+    m_quality->setValue(settings.quality);
+    m_transparent->setChecked(settings.transparent);
+    m_print->setDpi(settings.dpi);
+    formatChanged();
+}
+
+void ExportDialog::takeArea(const ExportSettings &settings)
+{
+    if (settings.area == AreaRow::Choice::Numbers)
+        m_area->setNumbers(settings.numbers);
+    else
+        m_area->choose(settings.area);
+    m_moment->choose(settings.moment, settings.time);
+}
+
+void ExportDialog::restore(const ExportSettings &settings)
+{
+    if (QFileInfo(settings.path).absoluteDir().exists())
+        m_path->setText(settings.path);
+    else
+        m_path->setText(withEnding(m_path->text(), endingOf(settings.path)));
+    takeFormat(settings);
+    takeArea(settings);
+    m_size->setArea(m_area->area(), m_area->area().width() * settings.scale);
+}
+
+void ExportDialog::takePreset(const ExportSettings &settings)
+{
+    m_path->setText(withEnding(m_path->text(), endingOf(settings.path)));
+    takeFormat(settings);
+    takeArea(settings);
+    m_size->setArea(m_area->area(), settings.width);
+}
+
+/// Said before it is hit.
+void ExportDialog::showLimits()
+{
+    const QLocale locale;
+    m_limits->setText(
+        tr("At most %1 × %2 px").arg(locale.toString(widthBox()->maximum()), locale.toString(heightBox()->maximum())));
 }
 
 void ExportDialog::browse()
 {
-    QStringList patterns;
-    for (const QString &ending : imageEndings())
-        patterns << "*." + ending;
-    const QString path = QFileDialog::getSaveFileName(this, windowTitle(), m_path->text(),
-                                                      tr("Pictures") + " (" + patterns.join(' ') + ")", nullptr,
+    const FileKind pictures{tr("Pictures"), imageEndings()};
+    const QString path = QFileDialog::getSaveFileName(this, windowTitle(), m_path->text(), filterOf(pictures), nullptr,
                                                       QFileDialog::DontConfirmOverwrite);
-    if (!path.isEmpty())
-        m_path->setText(path);
+    if (path.isEmpty())
+        return;
+    const QString before = QFileInfo(m_path->text()).suffix();
+    m_path->setText(
+        withEnding(path, {pictures}, pictures.endings.contains(before) ? before : pictures.endings.front()));
 }
 
 void ExportDialog::formatChanged()
 {
     const ImageFormat format = imageFormatForPath(m_path->text());
     m_hint->showHint({});
-    m_quality->setEnabled(format == ImageFormat::Jpeg || format == ImageFormat::WebP);
+    m_quality->setEnabled(hasQuality(format));
+    if (format != ImageFormat::Unknown)
+        m_size->setLargestSide(maxSideOf(format));
+    showLimits();
     // Keep the depth where the new format has it too.
     ImageOptions options = imageOptions();
     if (format != ImageFormat::Unknown && !problemOf(format, options, 1, 1).isEmpty()) {
@@ -147,6 +255,7 @@ ImageOptions ExportDialog::imageOptions() const
     options.depth = ImageDepth(m_depth->currentData().toInt());
     options.alpha = m_transparent->isChecked() && m_transparent->isEnabled();
     options.quality = m_quality->value();
+    options.dpi = m_print->dpi();
     return options;
 }
 
@@ -154,23 +263,20 @@ void ExportDialog::startExport()
 {
     const QFileInfo target(m_path->text());
     const ImageFormat format = imageFormatForPath(m_path->text());
-    const int width = widthBox()->value(), height = heightBox()->value();
+    const int width = widthBox()->value();
     if (format == ImageFormat::Unknown) {
         m_hint->showHint(tr("“%1” has no ending of a picture format. Choose one of: %2.")
                              .arg(target.fileName(), imageEndings().join(QStringLiteral(", "))));
         return;
     }
-    QString problem = problemOf(format, imageOptions(), width, height);
     const int whole = std::max(suffuse::heightForWidth(m_area->area(), width), 1);
-    if (problem.isEmpty() && (whole > largestSide || qint64(width) * whole > mostPixels))
-        problem = tr("A picture of %1 × %2 pixels is too large. Choose a smaller size.").arg(width).arg(whole);
+    const QString problem = problemOf(format, imageOptions(), width, whole);
     if (!problem.isEmpty()) {
         m_hint->showHint(problem);
         return;
     }
-    if (target.exists() &&
-        QMessageBox::question(this, windowTitle(), tr("%1 exists. Replace it?").arg(target.fileName())) !=
-            QMessageBox::Yes)
+    if (target.exists() && !confirm(this, tr("%1 exists. Replace it?").arg(target.fileName()),
+                                    tr("What it holds now is lost."), tr("&Replace")))
         return;
 
     ExportOrder order;
@@ -182,7 +288,7 @@ void ExportDialog::startExport()
     order.height = whole;
     order.image = imageOptions();
     order.transparent = order.image.alpha;
-    order.threads = settings::threads();
+    order.threads = suffuse::settings::threads();
     setBusy(true);
     m_job.start(order);
 }
@@ -202,7 +308,8 @@ void ExportDialog::exportFinished(bool written, const QString &error)
 {
     setBusy(false);
     if (written) {
-        settings::store().setValue("exportFolder", QFileInfo(m_path->text()).absolutePath());
+        suffuse::settings::store().setValue("exportFolder", QFileInfo(m_path->text()).absolutePath());
+        exports::remember(m_editor.filePath(), settings());
         accept();
     } else if (!error.isEmpty()) {
         m_hint->showHint(error);

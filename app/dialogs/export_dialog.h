@@ -2,6 +2,7 @@
 
 #include "app/dialogs/export_job.h"
 #include "app/dialogs/export_rows.h"
+#include "app/dialogs/export_settings.h"
 
 #include <QDialog>
 
@@ -18,9 +19,12 @@ namespace suffuse {
 
 class Editor;
 class HintLabel;
+class PresetRow;
+class PrintRows;
 
-/// Exports the painting as a picture: file, area, size, moment, alpha, depth. Does the work itself, with a bar and a
-/// way to stop it; what stood at the target stays until the new picture is whole.
+/// Exports the painting as a picture: file, area, size, moment, alpha, depth. Begins with what the painting was
+/// exported with last, else with the format that anything was. Does the work itself, with a bar and a way to stop it;
+/// what stood at the target stays until the new picture is whole.
 class ExportDialog : public QDialog {
     Q_OBJECT
 
@@ -28,6 +32,15 @@ public:
     /// `shown`: the part of the canvas that the window shows.
     ExportDialog(Editor &editor, const Rect &shown, QWidget *parent = nullptr);
 
+    /// What is set now.
+    ExportSettings settings() const;
+    /// As at an earlier export of this painting. What is not there now (a selection) is left as it is.
+    void restore(const ExportSettings &settings);
+
+    PresetRow *presets() const { return m_presets; }
+    PrintRows *print() const { return m_print; }
+    QLabel *limits() const { return m_limits; }
+    QSpinBox *quality() const { return m_quality; }
     QLineEdit *path() const { return m_path; }
     AreaRow *area() const { return m_area; }
     MomentRow *moment() const { return m_moment; }
@@ -43,8 +56,14 @@ public:
 
 private:
     void addFields(QGridLayout &grid, const Rect &shown);
+    void addImageFields(QGridLayout &grid);
+    void addField(QGridLayout &grid, int row, const QString &name, QWidget *field, const QString &tip);
     void browse();
     void formatChanged();
+    void showLimits();
+    void takeFormat(const ExportSettings &settings);
+    void takeArea(const ExportSettings &settings);
+    void takePreset(const ExportSettings &settings);
     void startExport();
     void exportFinished(bool written, const QString &error);
     void setBusy(bool busy);
@@ -53,9 +72,12 @@ private:
     Editor &m_editor;
     ExportJob m_job;
     QWidget *m_form = nullptr;
+    PresetRow *m_presets = nullptr;
     QLineEdit *m_path = nullptr;
     AreaRow *m_area = nullptr;
     SizeRow *m_size = nullptr;
+    QLabel *m_limits = nullptr;
+    PrintRows *m_print = nullptr;
     MomentRow *m_moment = nullptr;
     QCheckBox *m_transparent = nullptr;
     QComboBox *m_depth = nullptr;

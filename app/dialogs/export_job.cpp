@@ -1,6 +1,9 @@
 #include "app/dialogs/export_job.h"
 
+#include "render/backends.h"
+
 #include <functional>
+#include <new>
 
 namespace suffuse {
 
@@ -47,46 +50,55 @@ void ExportJob::start(const ExportOrder &order)
         m_thread.join();
     m_cancel = false;
     m_running = true;
+    m_path = order.path;
     m_thread = std::jthread([this, order] { run(order); });
 }
 
 void ExportJob::run(const ExportOrder &order)
 {
-    const auto done = [this](bool written, const QString &error) {
-        QMetaObject::invokeMethod(
-            this,
-            [this, written, error] {
-                m_running = false;
-                emit finished(written, error);
-            },
-            Qt::QueuedConnection);
-    };
+    Result<void> written;
+    try {
+        written = work(order);
+    } catch (const std::bad_alloc &) {
+        written = Error{tr("A picture of %1 × %2 pixels does not fit into memory. Choose a smaller size.")
+                            .arg(order.width)
+                            .arg(order.height)};
+    }
+    QMetaObject::invokeMethod(
+        this,
+        [this, isWritten = bool(written), error = written || m_cancel ? QString() : written.error()] {
+            m_running = false;
+            emit finished(isWritten, error);
+        },
+        Qt::QueuedConnection);
+}
+
+Result<void> ExportJob::work(const ExportOrder &order)
+{
     const auto progress = [this](int perMille) {
         QMetaObject::invokeMethod(
             this, [this, perMille] { emit progressed(perMille); }, Qt::QueuedConnection);
     };
     auto renderer = makeRenderer({.backend = Backend::Auto, .threads = order.threads});
     if (!renderer)
-        return done(false, renderer.error());
+        return Error{renderer.error()};
     RenderRequest request;
     request.painting = order.painting;
     request.time = order.time;
     request.view = View::ofArea(order.area, order.width, order.height);
     request.transparent = order.transparent;
     CountingPicture picture(progress);
-    const auto stats = (*renderer)->render(request, picture, &m_cancel);
-    if (!stats)
-        return done(false, stats.error());
+    if (const auto stats = (*renderer)->render(request, picture, &m_cancel); !stats)
+        return Error{stats.error()};
     if (m_cancel)
-        return done(false, {});
+        return Error{};
     ImageOptions image = order.image;
     image.cancel = &m_cancel;
     image.progress = [&](int row, int rows) {
         if (row % 16 == 0)
             progress(renderShare + (1000 - renderShare) * row / std::max(rows, 1));
     };
-    const Result<void> written = writeImage(order.path, picture, image);
-    done(bool(written), written || m_cancel ? QString() : written.error());
+    return writeImage(order.path, picture, image);
 }
 
 } // namespace suffuse

@@ -35,6 +35,8 @@ public:
     void start(const ExportOrder &order);
     void cancel() { m_cancel = true; }
     bool isRunning() const { return m_running; }
+    /// Of the order that was started last.
+    const QString &path() const { return m_path; }
 
 signals:
     void progressed(int perMille);
@@ -43,7 +45,9 @@ signals:
 
 private:
     void run(const ExportOrder &order);
+    Result<void> work(const ExportOrder &order);
 
+    QString m_path;
     std::atomic<bool> m_cancel = false;
     bool m_running = false;
     std::jthread m_thread;

@@ -1,10 +1,10 @@
 #include "app/dialogs/export_rows.h"
 
 #include "app/dialogs/clock_box.h"
-#include "app/dialogs/export_dialog.h"
 #include "app/editor.h"
 #include "app/settings.h"
 #include "model/painting/influence.h"
+#include "render/image_io/image_io.h"
 #include "render/renderer.h"
 
 #include <QComboBox>
@@ -42,7 +42,37 @@ Rect wholeUnits(const Rect &area)
     return {std::floor(area.left), std::floor(area.top), std::ceil(area.right), std::ceil(area.bottom)};
 }
 
+/// The widest picture of the area with so many pixels a side, and not too many in all.
+int largestWidth(const Rect &area, int side)
+{
+    const double shape = area.height() / area.width();
+    const double pixels = std::sqrt(double(maxPicturePixels) / shape);
+    auto width = int(std::clamp(std::floor(std::min({double(side), side / shape, pixels})), 1.0, double(side)));
+    while (width > 1 && (suffuse::heightForWidth(area, width) > side ||
+                         qint64(width) * suffuse::heightForWidth(area, width) > maxPicturePixels))
+        --width; // heights are rounded
+    return width;
+}
+
 } // namespace
+
+Rect exportArea(AreaRow::Choice choice, Editor &editor, const Rect &shown)
+{
+    const PaintingPtr painting = editor.document().painting();
+    switch (choice) {
+    case AreaRow::Choice::Canvas:
+        return painting->canvas.area();
+    case AreaRow::Choice::Painted:
+        return wholeUnits(influenceOf(*painting, painting->end()));
+    case AreaRow::Choice::Selected:
+        return wholeUnits(reachOf(editor.document()));
+    case AreaRow::Choice::Shown:
+        return shown;
+    case AreaRow::Choice::Numbers:
+        break;
+    }
+    return {};
+}
 
 Rect shownArea(const View &view)
 {
@@ -63,11 +93,11 @@ AreaRow::AreaRow(QGridLayout &grid, int row, Editor &editor, const Rect &shown, 
     m_box->setToolTip(tr("Which part of the canvas is drawn"));
     label->setBuddy(m_box);
     line->addWidget(m_box);
-    const PaintingPtr painting = editor.document().painting();
-    add(tr("Whole canvas"), Choice::Canvas, painting->canvas.area());
-    add(tr("What is painted"), Choice::Painted, wholeUnits(influenceOf(*painting, painting->end())));
-    add(tr("Selected strokes"), Choice::Selected, wholeUnits(reachOf(editor.document())));
-    add(tr("What the window shows"), Choice::Shown, shown);
+    for (const auto &[name, choice] : {std::pair(tr("Whole canvas"), Choice::Canvas),
+                                       {tr("What is painted"), Choice::Painted},
+                                       {tr("Selected strokes"), Choice::Selected},
+                                       {tr("What the window shows"), Choice::Shown}})
+        add(name, choice, exportArea(choice, editor, shown));
     m_box->addItem(tr("By numbers"), int(Choice::Numbers));
     addNumbers(parent);
     grid.addWidget(label, row, 0);
@@ -139,14 +169,28 @@ Rect AreaRow::area() const
     return Rect::of(m_numbers[0]->value(), m_numbers[1]->value(), m_numbers[2]->value(), m_numbers[3]->value());
 }
 
-void AreaRow::take()
+void AreaRow::setNumbers(const Rect &area)
 {
-    const Rect area = this->area();
+    {
+        const QSignalBlocker blocker(m_box);
+        choose(Choice::Numbers);
+    }
+    showNumbers(area);
+    emit areaChanged();
+}
+
+void AreaRow::showNumbers(const Rect &area)
+{
     const double numbers[] = {area.left, area.top, area.width(), area.height()};
     for (std::size_t i = 0; i < 4; ++i) {
         const QSignalBlocker blocker(m_numbers[i]);
         m_numbers[i]->setValue(numbers[i]);
     }
+}
+
+void AreaRow::take()
+{
+    showNumbers(area());
     emit areaChanged();
 }
 
@@ -195,6 +239,13 @@ Microseconds MomentRow::moment() const
     return m_editor.document().painting()->end();
 }
 
+void MomentRow::choose(Choice choice, Microseconds time)
+{
+    if (choice == Choice::Time)
+        m_clock->setTime(time);
+    m_box->setCurrentIndex(m_box->findData(int(choice)));
+}
+
 void MomentRow::follow()
 {
     if (choice() == Choice::Time)
@@ -203,7 +254,8 @@ void MomentRow::follow()
     m_clock->setTime(moment());
 }
 
-SizeRow::SizeRow(QGridLayout &grid, int row, int largestSide, QWidget *parent) : QWidget(parent)
+SizeRow::SizeRow(QGridLayout &grid, int row, int largestSide, QWidget *parent)
+    : QWidget(parent), m_largestSide(largestSide)
 {
     auto *label = new QLabel(tr("Size"), parent);
     auto *line = new QHBoxLayout(this);
@@ -233,6 +285,7 @@ SizeRow::SizeRow(QGridLayout &grid, int row, int largestSide, QWidget *parent) :
 void SizeRow::setArea(const Rect &area, double width)
 {
     m_area = area;
+    limit();
     m_width->setValue(int(std::clamp(std::round(width), 1.0, double(m_width->maximum()))));
     m_scale = width / area.width();
     showHeight();
@@ -241,6 +294,20 @@ void SizeRow::setArea(const Rect &area, double width)
 void SizeRow::setArea(const Rect &area)
 {
     setArea(area, area.width() * m_scale);
+}
+
+void SizeRow::setLargestSide(int side)
+{
+    m_largestSide = side;
+    if (!m_area.isEmpty())
+        setArea(m_area);
+}
+
+void SizeRow::limit()
+{
+    const int width = largestWidth(m_area, m_largestSide);
+    m_width->setMaximum(width);
+    m_height->setMaximum(std::max(suffuse::heightForWidth(m_area, width), 1));
 }
 
 void SizeRow::takeWidth()
@@ -270,7 +337,7 @@ QString suggestedExportPath(const Editor &editor, QStandardPaths::StandardLocati
         folder = isNew ? QStandardPaths::writableLocation(place) : document.absolutePath();
     if (!QDir(folder).exists())
         folder = QDir::homePath();
-    const QString name = isNew ? ExportDialog::tr("painting") : document.completeBaseName();
+    const QString name = isNew ? QCoreApplication::translate("suffuse::ExportDialog", "painting") : document.completeBaseName();
     return QDir(folder).filePath(name + QLatin1Char('.') + ending);
 }
 

@@ -38,6 +38,8 @@ public:
     /// Does nothing where there is no such choice: nothing is painted, or selected.
     void choose(Choice choice);
     Rect area() const;
+    /// An area by its numbers.
+    void setNumbers(const Rect &area);
     QComboBox *box() const { return m_box; }
     /// Left, top, width, height; canvas units.
     const std::array<QDoubleSpinBox *, 4> &numbers() const { return m_numbers; }
@@ -49,12 +51,16 @@ private:
     void add(const QString &name, Choice choice, const Rect &area);
     void addNumbers(QWidget *parent);
     void take();
+    void showNumbers(const Rect &area);
 
     std::array<Rect, 4> m_areas; ///< but for those of numbers
     QComboBox *m_box = nullptr;
     QWidget *m_line = nullptr;
     std::array<QDoubleSpinBox *, 4> m_numbers{};
 };
+
+/// Where an area of a name lies now; empty where there is none, and for numbers. `shown`: what the window shows.
+Rect exportArea(AreaRow::Choice choice, Editor &editor, const Rect &shown);
 
 /// Which moment: by name, or a time of the document, which always shows; changing it chooses it.
 class MomentRow : public QWidget {
@@ -68,6 +74,8 @@ public:
 
     Choice choice() const;
     Microseconds moment() const;
+    /// `time` counts where that is the choice.
+    void choose(Choice choice, Microseconds time);
     QComboBox *box() const { return m_box; }
     ClockBox *clock() const { return m_clock; }
 
@@ -91,6 +99,9 @@ public:
     void setArea(const Rect &area, double width);
     /// As many pixels a unit as were last asked for.
     void setArea(const Rect &area);
+    /// A format holds so many pixels a side; more than `maxPicturePixels` in all are never drawn.
+    void setLargestSide(int side);
+    double scale() const { return m_scale; } ///< pixels a unit
     QSpinBox *widthBox() const { return m_width; }
     QSpinBox *heightBox() const { return m_height; }
 
@@ -98,8 +109,10 @@ private:
     void takeWidth();
     void showHeight();
     void takeHeight();
+    void limit();
 
     Rect m_area;
+    int m_largestSide;
     double m_scale = 1; ///< pixels a unit
     QSpinBox *m_width = nullptr;
     QSpinBox *m_height = nullptr;

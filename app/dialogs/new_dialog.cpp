@@ -3,8 +3,9 @@
 #include "app/editor.h"
 #include "app/icons.h"
 #include "app/panels/inspector/canvas_section.h"
-#include "app/widgets/section.h"
 #include "app/settings.h"
+#include "app/widgets/mnemonics.h"
+#include "app/widgets/section.h"
 #include "model/painting/validate.h"
 
 #include <QComboBox>
@@ -24,14 +25,13 @@ struct SizePreset {
     double height;
 };
 
-const std::vector<SizePreset> &sizePresets()
+/// In the language of now.
+std::vector<SizePreset> sizePresets()
 {
-    static const std::vector<SizePreset> presets{
-        {NewDialog::tr("Sketch"), 1024, 768},      {NewDialog::tr("Full HD"), 1920, 1080},
-        {NewDialog::tr("4K"), 3840, 2160},         {NewDialog::tr("Square"), 1080, 1080},
-        {NewDialog::tr("A5, 150 dpi"), 1240, 874}, {NewDialog::tr("A4, 150 dpi"), 1754, 1240},
-        {NewDialog::tr("A4, 300 dpi"), 3508, 2480}};
-    return presets;
+    return {{NewDialog::tr("Sketch"), 1024, 768},      {NewDialog::tr("Full HD"), 1920, 1080},
+            {NewDialog::tr("4K"), 3840, 2160},         {NewDialog::tr("Square"), 1080, 1080},
+            {NewDialog::tr("A5, 150 dpi"), 1240, 874}, {NewDialog::tr("A4, 150 dpi"), 1754, 1240},
+            {NewDialog::tr("A4, 300 dpi"), 3508, 2480}};
 }
 
 Canvas lastCanvas()
@@ -47,7 +47,7 @@ Canvas lastCanvas()
 
 NewDialog::NewDialog(QWidget *parent) : QDialog(parent)
 {
-    setWindowTitle(tr("New painting"));
+    setWindowTitle(tr("New Painting"));
     auto *column = new QVBoxLayout(this);
     column->setContentsMargins(16, 16, 16, 16);
     column->setSpacing(12);
@@ -80,14 +80,15 @@ NewDialog::NewDialog(QWidget *parent) : QDialog(parent)
     column->addStretch(1);
 
     auto *buttons = new QDialogButtonBox(QDialogButtonBox::Ok | QDialogButtonBox::Cancel, this);
-    buttons->button(QDialogButtonBox::Ok)->setText(tr("Create"));
+    buttons->button(QDialogButtonBox::Ok)->setText(tr("C&reate"));
     column->addWidget(buttons);
     connect(buttons, &QDialogButtonBox::accepted, this, &QDialog::accept);
     connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
     connect(m_presets, &QComboBox::activated, this, &NewDialog::takePreset);
     connect(swap, &QToolButton::clicked, this, &NewDialog::swapSides);
     connect(m_section, &CanvasSection::edited, this, &NewDialog::showPreset);
-    connect(m_section, &CanvasSection::refused, hint, &HintLabel::showHint);
+    connect(m_section, &CanvasSection::refused, hint, &HintLabel::showRefusal);
+    giveMnemonics(*this);
     showPreset();
 }
 

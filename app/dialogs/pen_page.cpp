@@ -37,7 +37,7 @@ PenPage::PenPage(const PenSettings &settings, const Brush &brush, QWidget *paren
     m_feel->setAccessibleName(tr("Pressure"));
     m_feel->setToolTip(tr("How hard the pen must be pressed, for all brushes."));
     label->setBuddy(m_feel);
-    auto *clear = new QPushButton(tr("Clear"), this);
+    auto *clear = new QPushButton(tr("C&lear"), this);
     clear->setToolTip(tr("Takes a clean sheet."));
     head->addWidget(label);
     head->addWidget(m_feel);

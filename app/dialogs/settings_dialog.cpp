@@ -1,9 +1,9 @@
 #include "app/dialogs/settings_dialog.h"
 
 #include "app/dialogs/pen_page.h"
-#include "app/widgets/section.h"
 #include "app/settings.h"
 #include "app/theme.h"
+#include "app/widgets/mnemonics.h"
 #include "model/formats/atomic_save.h"
 
 #include <QComboBox>
@@ -33,7 +33,7 @@ SettingsDialog::SettingsDialog(QWidget *parent, const Brush &brush)
     form->setVerticalSpacing(8);
     page->addLayout(form);
 
-    m_language = addCombo(*form, tr("Language"), tr("Language of the program. Changes when it starts again."));
+    m_language = addCombo(*form, tr("Language"), tr("Language of the program"));
     m_language->addItem(tr("System"), QString());
     m_language->addItem(QStringLiteral("English"), QStringLiteral("en"));
     m_language->addItem(QStringLiteral("简体中文"), QStringLiteral("zh_CN"));
@@ -50,7 +50,6 @@ SettingsDialog::SettingsDialog(QWidget *parent, const Brush &brush)
 
     addDrawing(*form);
     addSaving(*form);
-    page->addWidget(quietLabel(tr("Language, canvas, renderer and threads change when Suffuse starts again."), this));
     page->addStretch(1);
     pages->addTab(general, tr("General"));
     m_pen = new PenPage(settings::penSettings(), brush, this);
@@ -59,18 +58,18 @@ SettingsDialog::SettingsDialog(QWidget *parent, const Brush &brush)
     connect(buttons, &QDialogButtonBox::accepted, this, &SettingsDialog::accept);
     connect(buttons, &QDialogButtonBox::rejected, this, &SettingsDialog::reject);
     column->addWidget(buttons);
+    giveMnemonics(*this);
     setMinimumWidth(360);
 }
 
 /// The canvas, what computes its picture, and with how much.
 void SettingsDialog::addDrawing(QFormLayout &form)
 {
-    m_presenter =
-        addCombo(form, tr("Canvas"), tr("How the picture comes to the screen. Changes when the program starts again."));
+    m_presenter = addCombo(form, tr("Canvas"), tr("How the picture comes to the screen"));
     m_presenter->addItems({tr("Automatic"), tr("Raster"), QStringLiteral("OpenGL")});
     m_presenter->setCurrentIndex(int(settings::presenter()));
 
-    m_backend = addCombo(form, tr("Renderer"), tr("What computes the picture. Changes when the program starts again."));
+    m_backend = addCombo(form, tr("Renderer"), tr("What computes the picture"));
     m_backend->addItem(tr("Automatic"), int(Backend::Auto));
     m_backend->addItem(QStringLiteral("CPU"), int(Backend::Cpu));
     m_backend->addItem(QStringLiteral("CUDA"), int(Backend::Cuda));
@@ -81,7 +80,7 @@ void SettingsDialog::addDrawing(QFormLayout &form)
     m_threads->setSpecialValueText(tr("All cores"));
     m_threads->setValue(settings::threads());
     m_threads->setAccessibleName(tr("Threads"));
-    m_threads->setToolTip(tr("Processor threads for drawing. Changes when the program starts again."));
+    m_threads->setToolTip(tr("Processor threads for drawing"));
     form.addRow(tr("Threads"), m_threads);
 }
 
@@ -94,7 +93,7 @@ void SettingsDialog::addSaving(QFormLayout &form)
     m_backups->setAccessibleName(tr("Backups"));
     m_backups->setToolTip(
         tr("How many earlier versions are kept when a painting is saved: “name.suffuse~” beside it is the "
-           "last one, “~2” the one before."));
+           "last one, “~2” the one before. File ▸ Restore Backup brings one back."));
     form.addRow(tr("Backups"), m_backups);
 }
 
@@ -109,6 +108,10 @@ QComboBox *SettingsDialog::addCombo(QFormLayout &form, const QString &name, cons
 
 void SettingsDialog::accept()
 {
+    const auto builtBy = [] {
+        return std::tuple(settings::language(), settings::presenter(), settings::backend(), settings::threads());
+    };
+    const auto before = builtBy();
     settings::setLanguage(m_language->currentData().toString());
     settings::setPresenter(settings::Presenter(m_presenter->currentIndex()));
     settings::setBackend(Backend(m_backend->currentData().toInt()));
@@ -116,6 +119,7 @@ void SettingsDialog::accept()
     settings::setBackups(m_backups->value());
     settings::setPenSettings(m_pen->settings());
     settings::store().sync();
+    m_needsOtherWindows = builtBy() != before;
     QDialog::accept();
 }
 

@@ -12,14 +12,17 @@ namespace suffuse {
 
 class PenPage;
 
-/// Language, theme, how pictures are made and come to the screen, backups, and the pen. Theme, backups and pen change
-/// at once; the rest is said to need a restart.
+/// Language, theme, how pictures are made and come to the screen, backups, and the pen. All of it changes at once.
 class SettingsDialog : public QDialog {
     Q_OBJECT
 
 public:
     /// `brush`: what the pen is tried with.
     explicit SettingsDialog(QWidget *parent = nullptr, const Brush &brush = builtinBrushes().front());
+
+    /// After it was accepted: windows that are open have been made by what the settings said before
+    /// (rebuilt_windows.h).
+    bool needsOtherWindows() const { return m_needsOtherWindows; }
 
     QComboBox *language() const { return m_language; }
     QComboBox *theme() const { return m_theme; }
@@ -45,6 +48,7 @@ private:
     QSpinBox *m_backups = nullptr;
     PenPage *m_pen = nullptr;
     int m_themeBefore = 0;
+    bool m_needsOtherWindows = false;
 };
 
 } // namespace suffuse

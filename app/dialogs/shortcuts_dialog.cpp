@@ -1,7 +1,8 @@
 #include "app/dialogs/shortcuts_dialog.h"
 
-#include "app/widgets/section.h"
 #include "app/settings.h"
+#include "app/widgets/mnemonics.h"
+#include "app/widgets/section.h"
 
 #include <QAction>
 #include <QDialogButtonBox>
@@ -19,6 +20,7 @@ namespace suffuse {
 namespace {
 
 const char ownShortcuts[] = "suffuseOwnShortcuts";
+constexpr int roomBeside = 80; ///< margins and scroll bar beside the list's columns
 
 QString keyOf(const QAction *action)
 {
@@ -30,12 +32,6 @@ QList<QKeySequence> ownShortcutsOf(const QAction *action)
 {
     const QVariant own = action->property(ownShortcuts);
     return own.isValid() ? own.value<QList<QKeySequence>>() : action->shortcuts();
-}
-
-/// For undo without the step's name.
-QString titleOf(const QAction *action)
-{
-    return plainTitle(action->iconText());
 }
 
 } // namespace
@@ -56,7 +52,7 @@ void applyStoredShortcuts(const QList<QAction *> &actions)
 ShortcutsDialog::ShortcutsDialog(const QList<QAction *> &actions, const QList<FixedKeys> &fixed, QWidget *parent)
     : QDialog(parent), m_fixed(fixed)
 {
-    setWindowTitle(tr("Keyboard shortcuts"));
+    setWindowTitle(tr("Keyboard Shortcuts"));
     auto *column = new QVBoxLayout(this);
     column->setContentsMargins(16, 16, 16, 16);
     column->setSpacing(8);
@@ -82,8 +78,12 @@ ShortcutsDialog::ShortcutsDialog(const QList<QAction *> &actions, const QList<Fi
     });
     connect(buttons, &QDialogButtonBox::accepted, this, &ShortcutsDialog::accept);
     connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
+    giveMnemonics(*this);
     m_list->setCurrentItem(m_list->topLevelItem(0));
-    resize(520, 560);
+    m_list->resizeColumnToContents(0);
+    m_list->resizeColumnToContents(1);
+    const int wanted = m_list->columnWidth(0) + m_list->columnWidth(1) + roomBeside;
+    resize(std::clamp(wanted, 520, 1200), 560);
 }
 
 void ShortcutsDialog::addList(QVBoxLayout &column)
@@ -101,9 +101,9 @@ void ShortcutsDialog::addList(QVBoxLayout &column)
     m_list->setHeaderLabels({tr("Command"), tr("Shortcut")});
     m_list->setAccessibleName(tr("Commands"));
     m_list->setToolTip(tr("Choose a command, then press its new shortcut below."));
-    m_list->header()->setSectionResizeMode(0, QHeaderView::Stretch);
-    m_list->header()->setStretchLastSection(false);
-    m_list->header()->setSectionResizeMode(1, QHeaderView::ResizeToContents);
+    m_list->header()->setSectionResizeMode(QHeaderView::ResizeToContents); // a name is shown as a whole
+    m_list->header()->setStretchLastSection(true);
+    m_list->setHorizontalScrollMode(QAbstractItemView::ScrollPerPixel);
     column.addWidget(m_list, 1);
 }
 
@@ -121,9 +121,9 @@ void ShortcutsDialog::addEditor(QVBoxLayout &column)
         made->setAutoDefault(false);
         return made;
     };
-    m_clear = button(tr("None"), tr("No shortcut for this command"));
-    m_resetOne = button(tr("Reset"), tr("This command's own shortcut"));
-    m_takeOver = button(tr("Take over"), tr("Takes the shortcut away from the other command"));
+    m_clear = button(tr("&None"), tr("No shortcut for this command"));
+    m_resetOne = button(tr("&Reset"), tr("This command's own shortcut"));
+    m_takeOver = button(tr("&Take Over"), tr("Takes the shortcut away from the other command"));
     row->addWidget(label);
     row->addWidget(m_edit, 1);
     row->addWidget(m_takeOver);
@@ -145,7 +145,7 @@ void ShortcutsDialog::fill(const QList<QAction *> &actions)
             continue;
         m_actions << action;
         m_chosen[action] = action->shortcuts();
-        auto *item = new QTreeWidgetItem(m_list, {titleOf(action), QString()});
+        auto *item = new QTreeWidgetItem(m_list, {titleWithMenus(*action), QString()});
         item->setIcon(0, action->icon().isNull() ? blank : action->icon());
         item->setData(0, Qt::UserRole, QVariant::fromValue<quintptr>(reinterpret_cast<quintptr>(action)));
     }
@@ -233,15 +233,16 @@ void ShortcutsDialog::refresh()
         for (QAction *action : actions)
             clashes[action] = true;
         warnings << tr("%1 belongs to “%2” and “%3”. Give one of them another shortcut.")
-                        .arg(QKeySequence(sequence).toString(QKeySequence::NativeText), titleOf(actions[0]),
-                             titleOf(actions[1]));
+                        .arg(QKeySequence(sequence).toString(QKeySequence::NativeText), titleWithMenus(*actions[0]),
+                             titleWithMenus(*actions[1]));
     }
     for (const FixedKeys &fixed : m_fixed)
         for (const QKeySequence &sequence : fixed.keys)
             if (const auto it = users.find(sequence.toString()); it != users.end()) {
                 clashesWithFixed[it->second[0]] = true;
                 warnings << tr("%1 is fixed: “%2”. Give “%3” another shortcut.")
-                                .arg(sequence.toString(QKeySequence::NativeText), fixed.title, titleOf(it->second[0]));
+                                .arg(sequence.toString(QKeySequence::NativeText), fixed.title,
+                                     titleWithMenus(*it->second[0]));
             }
     static_cast<HintLabel *>(m_conflict)->showHint(warnings.join('\n'));
     m_ok->setEnabled(warnings.isEmpty());

@@ -1,8 +1,12 @@
 #include "app/dialogs/timelapse_dialog.h"
 
 #include "app/editor.h"
-#include "app/widgets/section.h"
+#include "app/icons.h"
+#include "app/messages.h"
+#include "app/save_name.h"
 #include "app/settings.h"
+#include "app/widgets/mnemonics.h"
+#include "app/widgets/section.h"
 
 #include <QCheckBox>
 #include <QDialogButtonBox>
@@ -12,7 +16,6 @@
 #include <QFileInfo>
 #include <QGridLayout>
 #include <QLineEdit>
-#include <QMessageBox>
 #include <QProgressBar>
 #include <QPushButton>
 #include <QSpinBox>
@@ -29,7 +32,7 @@ constexpr int numberWidth = 140;
 
 TimelapseDialog::TimelapseDialog(Editor &editor, const Rect &shown, QWidget *parent) : QDialog(parent), m_editor(editor)
 {
-    setWindowTitle(tr("Export timelapse"));
+    setWindowTitle(tr("Export Timelapse"));
     auto *column = new QVBoxLayout(this);
     column->setContentsMargins(16, 16, 16, 16);
     column->setSpacing(12);
@@ -51,8 +54,9 @@ TimelapseDialog::TimelapseDialog(Editor &editor, const Rect &shown, QWidget *par
     column->addWidget(m_hint);
     column->addStretch(1);
     auto *buttons = new QDialogButtonBox(QDialogButtonBox::Cancel, this);
-    m_export = buttons->addButton(tr("Export"), QDialogButtonBox::AcceptRole);
+    m_export = buttons->addButton(tr("&Export"), QDialogButtonBox::AcceptRole);
     m_export->setDefault(true);
+    m_export->setIcon(icon("film"));
     m_cancel = buttons->button(QDialogButtonBox::Cancel);
     column->addWidget(buttons);
 
@@ -64,7 +68,9 @@ TimelapseDialog::TimelapseDialog(Editor &editor, const Rect &shown, QWidget *par
     connect(&m_job, &TimelapseJob::progressed, this, &TimelapseDialog::showProgress);
     connect(&m_job, &TimelapseJob::finished, this, &TimelapseDialog::exportFinished);
     m_path->setText(suggestedExportPath(editor, QStandardPaths::MoviesLocation, QStringLiteral("webm")));
+    giveMnemonics(*this);
     setBusy(false);
+    beginWithName(*m_path);
     setMinimumWidth(480);
 }
 
@@ -91,7 +97,7 @@ void TimelapseDialog::addFields(QGridLayout &grid, const Rect &shown)
     m_path->setAccessibleName(tr("File"));
     m_path->setToolTip(tr("The ending chooses the format: webm or mp4 is a video, webp an animation, and png, tiff, "
                           "exr, jpg or pfm numbered pictures, such as frame%04d.png."));
-    auto *browseButton = new QPushButton(tr("Browse…"), m_form);
+    auto *browseButton = new QPushButton(tr("&Browse…"), m_form);
     browseButton->setToolTip(tr("Choose a folder and a name"));
     browseButton->setAutoDefault(false);
     connect(browseButton, &QPushButton::clicked, this, &TimelapseDialog::browse);
@@ -146,17 +152,16 @@ void TimelapseDialog::areaChanged()
 
 void TimelapseDialog::browse()
 {
-    QStringList films, pictures;
-    for (const QString &ending : filmEndings())
-        films << "*." + ending;
-    for (const QString &ending : imageEndings())
-        pictures << "*." + ending;
-    const QString path = QFileDialog::getSaveFileName(this, windowTitle(), m_path->text(),
-                                                      tr("Films") + " (" + films.join(' ') + ");;" +
-                                                          tr("Numbered pictures") + " (" + pictures.join(' ') + ")",
-                                                      nullptr, QFileDialog::DontConfirmOverwrite);
-    if (!path.isEmpty())
-        m_path->setText(path);
+    const FileKind films{tr("Films"), filmEndings()}, pictures{tr("Numbered pictures"), imageEndings()};
+    QString filter;
+    const QString path =
+        QFileDialog::getSaveFileName(this, windowTitle(), m_path->text(), filterOf(films) + ";;" + filterOf(pictures),
+                                     &filter, QFileDialog::DontConfirmOverwrite);
+    if (path.isEmpty())
+        return;
+    const FileKind &kind = filter == filterOf(pictures) ? pictures : films;
+    const QString before = QFileInfo(m_path->text()).suffix();
+    m_path->setText(withEnding(path, {films, pictures}, kind.endings.contains(before) ? before : kind.endings.front()));
 }
 
 QString TimelapseDialog::target() const
@@ -214,8 +219,8 @@ void TimelapseDialog::startExport()
         return;
     }
     const QFileInfo file(order.film.path);
-    if (file.exists() && QMessageBox::question(this, windowTitle(),
-                                               tr("%1 exists. Replace it?").arg(file.fileName())) != QMessageBox::Yes)
+    if (file.exists() && !confirm(this, tr("%1 exists. Replace it?").arg(file.fileName()),
+                                  tr("What it holds now is lost."), tr("&Replace")))
         return;
     m_progress->setRange(0, int(order.film.frames));
     setBusy(true);

@@ -1,5 +1,5 @@
 // The attribute brush's row over the canvas.
-#include "app/widgets/number_field.h"
+#include "app/widgets/quantity.h"
 #include "app/tools/attribute_brush_tool.h"
 #include "app/tools/tool_fields.h"
 
@@ -11,30 +11,44 @@ namespace suffuse {
 
 namespace {
 
-/// What the value field holds for a wish.
-struct ValueSpec {
-    double minimum;
-    double maximum;
-    double usual; ///< value when the quantity is chosen
-    double factor;
-    QString unit;
-};
-
-ValueSpec specOf(const AttributeWish &wish)
+Quantity quantityOf(Attribute attribute)
 {
-    if (wish.relative)
-        return isRatio(wish.attribute) ? ValueSpec{0.001, 1000, 1.5, 1, QStringLiteral(" ×")}
-                                       : ValueSpec{-1, 1, 0.25, 100, QStringLiteral(" %")};
-    switch (wish.attribute) {
+    switch (attribute) {
     case Attribute::Diffusion:
-        return {1e-9, 1e12, Segment{}.diffusion, 1, NumberField::diffusionUnit()};
+        return Quantity::Diffusion;
     case Attribute::Density:
-        return {0, 1e12, Segment{}.density, 1, NumberField::canvasUnit()};
+        return Quantity::Density;
+    case Attribute::Granulation:
+        return Quantity::Granulation;
     case Attribute::MaxAge:
-        return {1e-9, 1e6, Segment{}.maxAge, 1, NumberField::secondsUnit()};
+        return Quantity::MaxAge;
     default:
-        return {0, 1, 1, 100, QStringLiteral(" %")};
+        return Quantity::Opacity; // of a colour only differences are numbers, which are shares as these
     }
+}
+
+QString nameOf(Attribute attribute)
+{
+    return attribute == Attribute::Colour ? AttributeBrushTool::tr("Colour") : specOf(quantityOf(attribute)).name;
+}
+
+/// What the value field holds for a wish; its default is the value when the quantity is chosen.
+FieldSpec specOf(const AttributeWish &wish)
+{
+    FieldSpec spec = specOf(quantityOf(wish.attribute));
+    const bool isGrain = wish.attribute == Attribute::Granulation;
+    if (!wish.relative) {
+        if (isGrain)
+            spec.defaultValue = spec.display.toValue(100); // all of it: most segments have none
+        return spec;
+    }
+    spec.minimum = isRatio(wish.attribute) ? 0.001 : -1;
+    spec.maximum = isRatio(wish.attribute) ? 1000 : 1;
+    spec.display = isRatio(wish.attribute) ? Display{.unit = QStringLiteral(" ×")}
+                   : isGrain               ? grainDifferenceDisplay()
+                                           : shareDisplay();
+    spec.defaultValue = isRatio(wish.attribute) ? 1.5 : spec.display.toValue(25);
+    return spec;
 }
 
 } // namespace
@@ -46,8 +60,8 @@ QWidget *AttributeBrushTool::options()
     m_options = new QWidget;
     QHBoxLayout *row = toolRow(m_options);
     m_attributes = new QComboBox(m_options);
-    m_attributes->addItems(
-        {tr("Diffusion D"), tr("Density φ"), tr("Granulation ω"), tr("Colour"), tr("Opacity"), tr("Drying time")});
+    for (const Attribute attribute : allAttributes)
+        m_attributes->addItem(nameOf(attribute));
     m_attributes->setToolTip(tr("What is painted onto the segments"));
     m_attributes->setAccessibleName(m_attributes->toolTip());
     row->addWidget(m_attributes);
@@ -60,12 +74,9 @@ QWidget *AttributeBrushTool::options()
                         [this](double value) { m_wish.value = value; });
     m_valueLabel = m_options->findChild<QLabel *>();
     addSizeField(*row);
-    NumberField *flow =
-        addNumber(*row, tr("Flow"), tr("How fast it is laid down"), [this](double value) { setFlow(value); });
-    flow->setRange(0.001, 1);
-    flow->setDisplayFactor(100);
-    flow->setUnit(QStringLiteral(" %"));
-    flow->setValue(m_flow);
+    FieldSpec strength = shareSpec(tr("Strength"), tr("How fast it is laid down"), m_flow);
+    strength.minimum = 0.001;
+    addNumber(*row, strength, [this](double value) { setFlow(value); })->setValue(m_flow);
     row->addStretch();
     connect(m_attributes, &QComboBox::activated, this,
             [this](int i) { chooseAttribute(allAttributes[std::size_t(i)]); });
@@ -82,7 +93,7 @@ QWidget *AttributeBrushTool::options()
 void AttributeBrushTool::chooseAttribute(Attribute attribute)
 {
     m_wish.attribute = attribute;
-    m_wish.value = specOf(m_wish).usual;
+    m_wish.value = specOf(m_wish).defaultValue;
     refreshOptions();
 }
 
@@ -90,14 +101,14 @@ void AttributeBrushTool::refreshOptions()
 {
     if (!m_options)
         return;
-    const ValueSpec spec = specOf(m_wish);
+    const FieldSpec spec = specOf(m_wish);
     m_attributes->setCurrentIndex(int(m_wish.attribute));
     m_modes->setItemText(0, tr("set to"));
     m_modes->setItemText(1, isRatio(m_wish.attribute) ? tr("multiply by") : tr("add"));
     m_modes->setCurrentIndex(m_wish.relative ? 1 : 0);
     m_value->setRange(spec.minimum, spec.maximum);
-    m_value->setDisplayFactor(spec.factor);
-    m_value->setUnit(spec.unit);
+    m_value->setDisplay(spec.display);
+    m_value->setStep(m_wish.relative && isRatio(m_wish.attribute) ? 0 : spec.step);
     m_value->setValue(m_wish.value);
     const bool currentColour = m_wish.attribute == Attribute::Colour && !m_wish.relative;
     m_value->setVisible(!currentColour);

@@ -4,6 +4,8 @@
 #include "app/canvas/canvas_widget.h"
 #include "app/editor.h"
 #include "model/brush/brush_dynamics.h"
+#include "model/brush/brush_width.h"
+#include "model/paint/half_width.h"
 #include "model/painting/validate.h"
 #include "undo/node_edits.h"
 
@@ -19,7 +21,7 @@ constexpr double endReach = 8; ///< logical pixels around an end node
 
 double spreadOf(const Segment &segment)
 {
-    return std::sqrt(4.0 * segment.diffusion * segment.maxAge);
+    return spreadAt(double(segment.diffusion), double(segment.maxAge));
 }
 
 /// How far a brush's tapers reach, in spreads.
@@ -64,8 +66,7 @@ Brush brushAtEnd(const Stroke &stroke, int node, Brush brush)
     brush.colour = end.colour;
     const Point direction = node == 0 ? stroke.cubicOf(end).derivative(0) : stroke.cubicOf(end).derivative(1);
     brush.tip = {end.anisotropyRatio, end.anisotropyAngle, false};
-    brush.peak =
-        float(end.density / (std::sqrt(std::numbers::pi) * spreadAcross(brush.tip, brush.spread(), direction)));
+    brush.peak = float(peakDensity(double(end.density), spreadAcross(brush.tip, brush.spread(), direction)));
     brush.taper = {};
     if (way > 0) {
         brush.taper.in = float(way / brush.spread());
@@ -74,30 +75,7 @@ Brush brushAtEnd(const Stroke &stroke, int node, Brush brush)
     return brush;
 }
 
-/// Density φ′ at the visible edge of a style (eq 17-19).
-double edgeDensity(const Style &style)
-{
-    const double xi1 = style.xi[0], xi2 = style.xi[1], xi3 = style.xi[2];
-    switch (style.kind) {
-    case StyleKind::Uniform:
-        return xi1;
-    case StyleKind::Feathering:
-        return xi1 * std::pow(0.5, 1 / xi2);
-    case StyleKind::Edge: {
-        const double a = std::pow(xi2, 3), b = std::pow(xi1, 6);
-        return std::cbrt(2 * b / (a + std::sqrt(std::max(0.0, a * a - 4 * b * (1 - 1 / xi3)))));
-    }
-    }
-    return xi1;
-}
-
 } // namespace
-
-double halfWidthOf(const Brush &brush)
-{
-    const double ratio = brush.peak / edgeDensity(brush.style);
-    return ratio > 1 ? brush.spread() * std::sqrt(std::log(ratio)) : 0;
-}
 
 BrushTool::BrushTool(CanvasWidget &canvas, QObject *parent) : Tool(canvas, parent), m_picker(canvas)
 {
@@ -278,9 +256,13 @@ void BrushTool::showOutlineAt(Point pixel)
 void BrushTool::paint(QPainter &painter, const View &view, double dpr) const
 {
     m_picker.paint(painter, dpr);
-    paintNote(painter, dpr);
-    if (!m_hovering || m_picker.isActive())
-        return;
+    if (m_hovering && !m_picker.isActive())
+        paintOutline(painter, view, dpr);
+    paintNote(painter, dpr); // no circle crosses it
+}
+
+void BrushTool::paintOutline(QPainter &painter, const View &view, double dpr) const
+{
     paintString(painter, view, dpr);
     const StrokePtr near = m_nearEnd ? m_editor.document().painting()->find(m_nearEnd->stroke) : nullptr;
     if (near && m_nearEnd->node < nodeCount(*near)) {

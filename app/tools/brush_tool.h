@@ -36,6 +36,8 @@ public:
     void release(const PointerEvent &event) override;
     void hover(const PointerEvent &event) override;
     void leave() override;
+    /// None: what is painted is to be seen.
+    bool showsOutlines() const override { return false; }
     bool isBusy() const override { return m_builder || m_resizing || m_picker.isActive(); }
     void cancel() override;
     void stepSize(int steps) override;
@@ -63,6 +65,7 @@ private:
     void addOpacity(double difference);
     void showNote(const QString &note, bool stays);
     void paintString(QPainter &painter, const View &view, double dpr) const;
+    void paintOutline(QPainter &painter, const View &view, double dpr) const;
     void paintNote(QPainter &painter, double dpr) const;
     void refreshOptions();
     void pushStroke(const StrokePtr &stroke);
@@ -91,10 +94,5 @@ private:
     QComboBox *m_smoothing = nullptr;
     NumberField *m_amount = nullptr;
 };
-
-/// Half-width of the visible paint of a long straight line at full pressure and age: where its profile
-/// pk·e^(−v²/s²) falls to the density at which the style is half opaque (edge darkening: where it ends). 0 if it never
-/// gets there. Canvas units.
-double halfWidthOf(const Brush &brush);
 
 } // namespace suffuse

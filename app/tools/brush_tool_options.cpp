@@ -1,7 +1,7 @@
 // The brush's row over the canvas.
 #include "app/brush_library.h"
 #include "app/editor.h"
-#include "app/widgets/number_field.h"
+#include "app/widgets/quantity.h"
 #include "app/tools/brush_tool.h"
 #include "app/tools/tool_fields.h"
 
@@ -31,19 +31,14 @@ QWidget *BrushTool::options()
     row->addSpacing(10);
     connect(m_presets, &QComboBox::activated, this,
             [this](int i) { BrushLibrary::instance().use(m_editor, m_presets->itemData(i).toString()); });
-    m_size = addNumber(*row, tr("Size"), tr("How far the paint spreads, in units ([ and ] change it)"),
-                       [=](double size) { change([=](Brush &b) { b.setSpread(size); }); });
-    m_size->setRange(1e-7, 1e5);
-    m_size->setUnit(NumberField::canvasUnit());
-    m_flow = addNumber(*row, tr("Flow"), tr("Density in the middle of the stroke at full pressure"),
-                       [=](double peak) { change([=](Brush &b) { b.peak = float(peak); }); });
-    m_flow->setRange(0.001, 1e6);
-    m_opacity = addNumber(*row, tr("Opacity"), tr("How much the paint covers ({ and } change it)"),
-                          [=](double opacity) { change([=](Brush &b) { b.colour.opacity = float(opacity); }); });
-    m_opacity->setRange(0, 1);
-    m_opacity->setDisplayFactor(100);
-    m_opacity->setUnit(QStringLiteral(" %"));
-    m_opacity->setStep(0.05);
+    FieldSpec size = specOf(Quantity::Size), opacity = specOf(Quantity::Opacity);
+    size.toolTip = tr("How far the paint spreads, in units ([ and ] change it)");
+    opacity.toolTip = tr("How much the paint covers ({ and } change it)");
+    m_size = addNumber(*row, size, [=](double value) { change([=](Brush &b) { b.setSpread(value); }); });
+    m_flow = addNumber(*row, specOf(Quantity::Flow),
+                       [=](double value) { change([=](Brush &b) { b.peak = float(value); }); });
+    m_opacity =
+        addNumber(*row, opacity, [=](double value) { change([=](Brush &b) { b.colour.opacity = float(value); }); });
     auto *label = new QLabel(tr("Smoothing"), m_options);
     m_smoothing = new QComboBox(m_options);
     m_smoothing->addItems({tr("Off"), tr("Weighted"), tr("Pulled string")});
@@ -93,10 +88,10 @@ void BrushTool::refreshOptions()
     m_smoothing->setCurrentIndex(int(brush.stabiliser.kind));
     const bool string = brush.stabiliser.kind == Stabiliser::Kind::String;
     m_amount->setVisible(brush.stabiliser.kind != Stabiliser::Kind::Off);
-    m_amount->setRange(0, string ? 1000 : 1);
-    m_amount->setDisplayFactor(string ? 1 : 100);
-    m_amount->setUnit(string ? QStringLiteral(" px") : QStringLiteral(" %"));
-    m_amount->setStep(string ? 5 : 0.05);
+    const FieldSpec amount = specOf(string ? Quantity::SmoothingString : Quantity::SmoothingStrength);
+    m_amount->setRange(amount.minimum, amount.maximum);
+    m_amount->setDisplay(amount.display);
+    m_amount->setStep(amount.step);
     m_amount->setValue(double(string ? brush.stabiliser.length : brush.stabiliser.strength));
 }
 

@@ -2,8 +2,9 @@
 #include "app/canvas/canvas_widget.h"
 #include "app/editor.h"
 #include "app/tools/brush_tool.h"
+#include "app/widgets/quantity.h"
+#include "model/brush/brush_width.h"
 
-#include <QLocale>
 #include <QPainter>
 #include <QPainterPath>
 
@@ -19,6 +20,12 @@ constexpr double undecided = 4;      ///< logical pixels before a drag is one of
 constexpr double doubling = 80;      ///< logical pixels across that double the size
 constexpr double wholeOpacity = 200; ///< logical pixels upwards from none to all
 constexpr int noteMs = 900;
+
+QString noteOf(Quantity quantity, double value)
+{
+    const FieldSpec spec = specOf(quantity);
+    return spec.name + QStringLiteral(" ") + spec.display.text(value);
+}
 
 } // namespace
 
@@ -37,7 +44,7 @@ void BrushTool::scaleSize(double factor)
     Brush brush = m_editor.brush();
     brush.setSpread(std::clamp(brush.spread() * factor, leastSpread, greatestSpread));
     m_editor.setBrush(brush);
-    showNote(tr("Size %1 u").arg(QLocale().toString(brush.spread(), 'g', 3)), m_resizing.has_value());
+    showNote(noteOf(Quantity::Size, brush.spread()), m_resizing.has_value());
 }
 
 void BrushTool::addOpacity(double difference)
@@ -45,7 +52,7 @@ void BrushTool::addOpacity(double difference)
     Brush brush = m_editor.brush();
     brush.colour.opacity = float(std::clamp(double(brush.colour.opacity) + difference, 0.0, 1.0));
     m_editor.setBrush(brush);
-    showNote(tr("Opacity %1 %").arg(qRound(100 * double(brush.colour.opacity))), m_resizing.has_value());
+    showNote(noteOf(Quantity::Opacity, double(brush.colour.opacity)), m_resizing.has_value());
 }
 
 void BrushTool::resizeTo(Point pixel)
@@ -87,25 +94,9 @@ void BrushTool::paintNote(QPainter &painter, double dpr) const
 {
     if (m_note.isEmpty() || !m_hovering)
         return;
-    painter.save();
-    QFont font = m_canvas.font();
-    font.setPixelSize(qRound(13 * dpr));
-    painter.setFont(font);
-    const QFontMetricsF metrics(font);
-    const double pad = 6 * dpr;
-    const QSizeF size(metrics.horizontalAdvance(m_note) + 2 * pad, metrics.height() + pad);
-    // Beside the pointer, and within the canvas.
-    const View &view = m_canvas.view();
-    QPointF at(m_pixel.x + 18 * dpr, m_pixel.y + 18 * dpr);
-    at.setX(std::clamp(at.x(), 0.0, std::max(0.0, view.width - size.width())));
-    at.setY(std::clamp(at.y(), 0.0, std::max(0.0, view.height - size.height())));
-    const QRectF box(at, size);
-    painter.setPen(Qt::NoPen);
-    painter.setBrush(QColor(20, 20, 24, 215));
-    painter.drawRoundedRect(box, 4 * dpr, 4 * dpr);
-    painter.setPen(Qt::white);
-    painter.drawText(box, Qt::AlignCenter, m_note);
-    painter.restore();
+    const Brush &brush = m_editor.brush();
+    const double circle = std::max(brush.spread(), halfWidthOf(brush)) * m_canvas.view().scale;
+    paintBadge(painter, m_note, m_pixel, circle, m_canvas.view(), dpr);
 }
 
 void BrushTool::paintString(QPainter &painter, const View &view, double dpr) const

@@ -1,6 +1,7 @@
 #include "app/tools/commands.h"
 
 #include "app/tools/pick.h"
+#include "model/painting/decimal.h"
 
 #include <QCoreApplication>
 
@@ -55,8 +56,12 @@ void deselect(Editor &editor)
 void moveStrokes(Editor &editor, const std::set<StrokeId> &strokes, Point by, EditRun run)
 {
     const Document &document = editor.document();
-    editor.push(changeStrokes(document, strokes, [by](Stroke &stroke) { stroke.origin = stroke.origin + by; }),
-                QCoreApplication::translate("Commands", "Move"), run);
+    editor.push(
+        changeStrokes(document, strokes,
+                      [by](Stroke &stroke) {
+                          stroke.origin = {decimalSum(stroke.origin.x, by.x), decimalSum(stroke.origin.y, by.y)};
+                      }),
+        QCoreApplication::translate("Commands", "Move"), run);
 }
 
 void invertSelection(Editor &editor)

@@ -7,37 +7,7 @@
 
 #include <QHBoxLayout>
 
-#include <unordered_map>
-
 namespace suffuse {
-
-namespace {
-
-/// Brings a painting's strokes and their order back.
-Edit backTo(const Painting &before, const Painting &now, const Selection &selection)
-{
-    std::unordered_map<StrokeId, StrokePtr> old;
-    Edit edit;
-    edit.order.emplace();
-    for (const StrokePtr &stroke : before.strokes) {
-        old.emplace(stroke->id, stroke);
-        edit.order->push_back(stroke->id);
-    }
-    for (const StrokePtr &stroke : now.strokes) {
-        const auto it = old.find(stroke->id);
-        if (it == old.end())
-            edit.strokes[stroke->id] = nullptr;
-        else if (it->second != stroke)
-            edit.strokes[stroke->id] = it->second;
-        if (it != old.end())
-            old.erase(it);
-    }
-    edit.strokes.insert(old.begin(), old.end());
-    edit.selection = selection;
-    return edit;
-}
-
-} // namespace
 
 EraserTool::EraserTool(CanvasWidget &canvas, QObject *parent) : SizedTool("eraser", 10, canvas, parent) {}
 
@@ -64,9 +34,7 @@ void EraserTool::press(const PointerEvent &event)
     const Document &document = m_editor.document();
     m_run = beginEditRun();
     m_last = event.point;
-    m_selection = document.selection();
-    m_fromSelected = !m_selection.isEmpty();
-    m_before = m_shown = document.painting();
+    m_fromSelected = !document.selection().isEmpty();
     eraseTo(event.point);
     showCircleAt(event.pixel);
 }
@@ -78,7 +46,6 @@ void EraserTool::eraseTo(Point point)
         m_editor.push(eraseAlong(document, strokes, {m_last, point}, radius(), m_editor.clock().time()), tr("Erase"),
                       m_run);
     m_last = point;
-    m_shown = document.painting();
 }
 
 std::set<StrokeId> EraserTool::targets(Point from, Point to)
@@ -109,18 +76,13 @@ void EraserTool::release(const PointerEvent &event)
     if (isBusy() && event.point != m_last)
         eraseTo(event.point);
     m_run = 0;
-    m_before.reset();
-    m_shown.reset();
 }
 
 void EraserTool::cancel()
 {
     // Where something else has changed the painting since, what is erased stays, as a step of its own.
-    if (isBusy() && m_shown == m_editor.document().painting() && m_shown != m_before)
-        m_editor.push(backTo(*m_before, *m_shown, m_selection), tr("Erase"), m_run);
+    m_editor.giveUp(m_run);
     m_run = 0;
-    m_before.reset();
-    m_shown.reset();
 }
 
 } // namespace suffuse

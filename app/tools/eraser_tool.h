@@ -2,7 +2,6 @@
 
 #include "app/canvas/stroke_boxes.h"
 #include "app/tools/sized_tool.h"
-#include "model/document/document.h"
 #include "undo/edit_command.h"
 
 namespace suffuse {
@@ -34,9 +33,6 @@ private:
     Point m_last;
     bool m_fromSelected = false;
     StrokeBoxes m_boxes;
-    PaintingPtr m_before;  ///< at the press
-    Selection m_selection; ///< at the press
-    PaintingPtr m_shown;   ///< what the eraser left behind
 };
 
 } // namespace suffuse

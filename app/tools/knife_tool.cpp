@@ -1,5 +1,6 @@
 #include "app/tools/knife_tool.h"
 
+#include "app/at_next_change.h"
 #include "app/canvas/canvas_widget.h"
 #include "app/editor.h"
 #include "model/shaping/erase.h"
@@ -16,14 +17,19 @@ constexpr double angleStep = std::numbers::pi / 12; ///< of the line with Ctrl
 
 } // namespace
 
+KnifeTool::KnifeTool(CanvasWidget &canvas, QObject *parent) : Tool(canvas, parent) {}
+
 QString KnifeTool::hint() const
 {
+    if (!m_said.isEmpty())
+        return m_said;
     return tr(
         "Drag a line to insert nodes where it crosses strokes. Shift: cut the strokes apart. Ctrl: steps of 15°.");
 }
 
 void KnifeTool::press(const PointerEvent &event)
 {
+    say({});
     m_busy = true;
     m_from = m_to = event.point;
     m_splits = event.modifiers & Qt::ShiftModifier;
@@ -53,18 +59,55 @@ void KnifeTool::release(const PointerEvent &event)
     if (!m_busy)
         return;
     aim(event);
-    const PlacesOfStrokes places = cuts();
+    cut();
     m_busy = false;
+    m_canvas.updateOverlay();
+}
+
+void KnifeTool::cut()
+{
+    const PlacesOfStrokes places = cuts();
     Document &document = m_editor.document();
+    const auto nodes = [&] { // of the strokes that are crossed
+        int count = 0;
+        for (const auto &[id, at] : places)
+            if (const StrokePtr stroke = document.painting()->find(id))
+                count += nodeCount(*stroke);
+        return count;
+    };
+    const int nodesBefore = nodes(), strokesBefore = int(document.painting()->strokes.size());
     if (m_splits)
         m_editor.push(splitAt(document, places), tr("Cut strokes"));
     else
         m_editor.push(insertNodes(document, places), tr("Insert nodes"));
+    const int inserted = nodes() - nodesBefore, crossed = int(places.size());
+    const int parts = crossed + int(document.painting()->strokes.size()) - strokesBefore;
+    if (m_splits && parts > crossed)
+        //: what the knife did; %1: "2 strokes", %2: "5 parts"
+        say(tr("%1 cut into %2").arg(tr("%n stroke(s)", nullptr, crossed), tr("%n part(s)", nullptr, parts)));
+    else if (!m_splits && inserted > 0)
+        //: what the knife did; %1: "3 nodes", %2: "2 strokes"
+        say(tr("%1 inserted in %2").arg(tr("%n node(s)", nullptr, inserted), tr("%n stroke(s)", "in", crossed)));
+    else
+        say(crossed > 0                      ? tr("There are nodes already where the line crosses strokes.")
+            : document.selection().isEmpty() ? tr("The line crosses no stroke.")
+                                             : tr("The line crosses no selected stroke."));
+}
+
+void KnifeTool::say(const QString &text)
+{
+    if (text == m_said)
+        return;
+    m_said = text;
+    emit hintChanged();
+    if (!text.isEmpty())
+        atNextChange(m_editor.document(), this, [this] { say({}); });
 }
 
 void KnifeTool::cancel()
 {
     m_busy = false;
+    say({});
     m_canvas.updateOverlay();
 }
 

@@ -10,7 +10,7 @@ class KnifeTool : public Tool {
     Q_OBJECT
 
 public:
-    using Tool::Tool;
+    explicit KnifeTool(CanvasWidget &canvas, QObject *parent = nullptr);
 
     QString hint() const override;
     QCursor cursor() const override { return Qt::CrossCursor; }
@@ -22,12 +22,16 @@ public:
     void paint(QPainter &painter, const View &view, double dpr) const override;
 
 private:
+    void cut();
+    /// What the last cut did, in the status bar, until something else happens.
+    void say(const QString &text);
     void aim(const PointerEvent &event);
     PlacesOfStrokes cuts() const;
 
     bool m_busy = false;
     Point m_from, m_to; ///< canvas units
     bool m_splits = false;
+    QString m_said;
 };
 
 } // namespace suffuse

@@ -1,6 +1,7 @@
 #include "app/tools/node_marks.h"
 
 #include "app/canvas/view_transform.h"
+#include "render/pixel_map.h"
 
 #include <QPixmap>
 

@@ -44,7 +44,8 @@ QString NodeTool::hint() const
     if (m_hovered.curve)
         return tr("Drag to bend the curve. Double click to insert a node. Click to select the segment.");
     return tr(
-        "Click a segment to select it, Shift+click for a run, Ctrl+click to add or remove one. Drag around nodes.");
+        "Click a segment to select it, Shift+click for a run or another stroke's, Ctrl+click to add or remove one. "
+        "Drag around nodes.");
 }
 
 QCursor NodeTool::cursor() const
@@ -242,7 +243,9 @@ void NodeTool::clickedSegment(const PointerEvent &event)
         }
         return;
     }
-    if (event.modifiers & Qt::ControlModifier) {
+    if (event.modifiers & Qt::ShiftModifier) {
+        addStroke(*hit);
+    } else if (event.modifiers & Qt::ControlModifier) {
         Selection chosen = selection();
         if (!chosen.segments.erase(*hit))
             chosen.segments.insert(*hit);
@@ -251,6 +254,16 @@ void NodeTool::clickedSegment(const PointerEvent &event)
     } else {
         selectSegment(*hit);
     }
+}
+
+/// Beside what is selected: another stroke's segment, or where nodes are selected its nodes, to choose from.
+void NodeTool::addStroke(const SegmentRef &hit)
+{
+    if (m_nodes.empty())
+        return addSegment(hit);
+    std::set<StrokeId> strokes = selection().strokes;
+    strokes.insert(hit.stroke);
+    select(Selection{std::move(strokes), {}});
 }
 
 void NodeTool::banded(const Rect &band, const PointerEvent &event)

@@ -74,6 +74,7 @@ private:
     void setHovered(const Hovered &hovered);
     std::optional<CurveHit> curveAt(const PointerEvent &event) const;
     void clickedSegment(const PointerEvent &event);
+    void addStroke(const SegmentRef &hit);
     void insertNode(const CurveHit &at);
     void dragNodes(const PointerEvent &event);
     void dragHandle(const PointerEvent &event);

@@ -228,21 +228,13 @@ bool NodeTool::keyPress(QKeyEvent *event)
 
 bool NodeTool::nudge(QKeyEvent *event)
 {
-    const int key = event->key();
-    const Point direction{double((key == Qt::Key_Right) - (key == Qt::Key_Left)),
-                          double((key == Qt::Key_Down) - (key == Qt::Key_Up))};
-    if (m_nodes.empty() || direction == Point{})
+    const std::optional<Point> way = nudgeOf(*event);
+    if (m_nodes.empty() || !way)
         return false;
     if (!event->isAutoRepeat() || m_nudgeRun == 0)
         m_nudgeRun = beginEditRun(); // a key held down is one step
-    const View &view = m_canvas.view();
-    const Point centre{0.5 * view.width, 0.5 * view.height};
-    double step = event->modifiers() & Qt::AltModifier ? 1 : view.scale;
-    if (event->modifiers() & Qt::ShiftModifier)
-        step *= 10;
-    const Point by = step * (view.toCanvas(centre + direction) - view.toCanvas(centre));
-    m_editor.push(moveNodes(m_editor.document(), m_nodes, by), m_nodes.size() > 1 ? tr("Move nodes") : tr("Move node"),
-                  m_nudgeRun);
+    m_editor.push(moveNodes(m_editor.document(), m_nodes, *way),
+                  m_nodes.size() > 1 ? tr("Move nodes") : tr("Move node"), m_nudgeRun);
     return true;
 }
 

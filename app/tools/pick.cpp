@@ -1,8 +1,8 @@
 #include "app/tools/pick.h"
 
-#include "app/canvas/view_transform.h"
-#include "app/tools/seen_paint.h"
+#include "model/paint/seen_paint.h"
 #include "model/painting/influence.h"
+#include "render/pixel_map.h"
 #include "undo/order_tree.h"
 
 #include <numbers>

@@ -317,9 +317,16 @@ void SelectTool::dragHandle(const PointerEvent &event)
     if (m_handle->kind == Kind::Scale) // below 0: mirrored
         say(tr("Scale to %1 % × %2 %").arg(percent(m_map.a), percent(m_map.d)));
     else if (m_handle->kind == Kind::Rotate)
-        say(tr("Rotate by %1°").arg(locale.toString(std::atan2(m_map.c, m_map.a) * 180 / std::numbers::pi, 'f', 1)));
+        turned(event);
     else
         say(tr("Skew by %1°").arg(locale.toString(std::atan(m_map.b + m_map.c) * 180 / std::numbers::pi, 'f', 1)));
+}
+
+void SelectTool::turned(const PointerEvent &event)
+{
+    const double angle = std::atan2(m_map.c, m_map.a);
+    say(tr("Rotate by %1").arg(angleText(angle)));
+    showTurn(angle, event.pixel);
 }
 
 void SelectTool::show(const Affine &map)
@@ -345,6 +352,7 @@ void SelectTool::endDrag(bool cancelled)
     m_handle.reset();
     m_snap = {};
     say({});
+    showTurn({});
 }
 
 bool SelectTool::wantsKey(const QKeyEvent &event) const

@@ -11,6 +11,7 @@
 namespace suffuse {
 
 class Actions;
+class TransformBar;
 struct Change;
 
 /// Selects strokes by their visible paint, moves them, and maps them by the handles around them; a second click changes
@@ -61,13 +62,15 @@ private:
     void beginSnapping(bool moving);
     void dragHandle(const PointerEvent &event);
     void dragSelection(const PointerEvent &event);
+    void turned(const PointerEvent &event);
     void show(const Affine &map);
     /// The readout of a drag, in the status bar.
     void say(const QString &text);
+    void showTurn(std::optional<double> angle, Point pixel = {});
     QString handleHint(const TransformHandle &handle) const;
 
     Actions &m_actions;
-    QPointer<QWidget> m_options;
+    QPointer<TransformBar> m_options;
     mutable TransformHandles m_handles;
     mutable bool m_stale = true;  ///< the handles' box
     std::set<StrokeId> m_handled; ///< the strokes that they are around
@@ -81,6 +84,8 @@ private:
     std::optional<TransformHandle> m_handle; ///< that is dragged
     FloatingDrag m_drag;
     Affine m_map; ///< of the drag so far
+    std::optional<double> m_turned; ///< radians, while a drag turns
+    Point m_turnedAt;
     Snapping m_snapping;
     Snap m_snap;
     std::vector<Point> m_snapPoints; ///< that move along

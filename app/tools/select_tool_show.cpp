@@ -44,6 +44,16 @@ QCursor SelectTool::cursor() const
     return m_hovered ? Qt::PointingHandCursor : Qt::ArrowCursor;
 }
 
+/// On the canvas and in the row over it, while strokes are turned.
+void SelectTool::showTurn(std::optional<double> angle, Point pixel)
+{
+    m_turned = angle;
+    m_turnedAt = pixel;
+    if (m_options)
+        m_options->showTurn(angle);
+    m_canvas.updateSelection();
+}
+
 void SelectTool::say(const QString &text)
 {
     if (text == m_said)
@@ -96,8 +106,8 @@ std::optional<double> SelectTool::paintMargin() const
 {
     constexpr double marks = 40; // logical pixels: of the handles around the box, and of where it snaps
     const bool centre = m_handle ? m_handle->kind == Kind::Centre : m_handles.mode() == TransformHandles::Mode::Turn;
-    if (centre && !selection().isEmpty())
-        return {}; // the centre may lie anywhere
+    if ((centre || m_turned) && !selection().isEmpty())
+        return {}; // the centre may lie anywhere, and the angle stands beside the pointer
     return marks * m_canvas.devicePixelRatioF();
 }
 
@@ -112,6 +122,8 @@ void SelectTool::paint(QPainter &painter, const View &view, double dpr) const
         handles().paint(painter, view, dpr, colours.accent, m_hovered);
     if (m_drag.isActive() && m_snap.to != SnapTo::Nothing)
         paintSnapMark(painter, view.toPixels(m_snap.point), colours, dpr);
+    if (m_turned)
+        paintBadge(painter, angleText(*m_turned), m_turnedAt, 0, view, dpr);
 }
 
 } // namespace suffuse

@@ -118,20 +118,29 @@ bool SelectionTool::keyPress(QKeyEvent *event)
         commands::deselect(m_editor);
         return true;
     }
-    const std::optional<Point> direction = directionOf(event->key());
+    const std::optional<Point> way = nudgeOf(*event);
     const std::set<StrokeId> &moved = m_canvas.selection().strokes;
-    if (!direction || isBusy() || moved.empty())
+    if (!way || isBusy() || moved.empty())
         return false;
     if (!event->isAutoRepeat() || m_nudgeRun == 0)
         m_nudgeRun = beginEditRun(); // a key held down is one step
-    const View &view = m_canvas.view();
-    const Point centre{0.5 * view.width, 0.5 * view.height};
-    const Point pixel = view.toCanvas(centre + *direction) - view.toCanvas(centre);
-    double step = event->modifiers() & Qt::AltModifier ? 1 : view.scale;
-    if (event->modifiers() & Qt::ShiftModifier)
-        step *= 10;
-    commands::moveStrokes(m_editor, moved, step * pixel, m_nudgeRun);
+    commands::moveStrokes(m_editor, moved, *way, m_nudgeRun);
     return true;
+}
+
+std::optional<Point> SelectionTool::nudgeOf(const QKeyEvent &event) const
+{
+    const std::optional<Point> direction = directionOf(event.key());
+    if (!direction)
+        return {};
+    View turned; // of the view only how it is turned: differences of places far away are rounded
+    turned.rotation = m_canvas.view().rotation;
+    turned.mirrored = m_canvas.view().mirrored;
+    const Point unit = turned.toCanvas(*direction);
+    const auto exact = [](double share) { return std::round(share * 1e12) / 1e12; }; // quarter turns are whole
+    const double step = (event.modifiers() & Qt::ShiftModifier ? 10 : 1) *
+                        (event.modifiers() & Qt::AltModifier ? m_canvas.view().px() : 1);
+    return step * Point{exact(unit.x), exact(unit.y)};
 }
 
 Rect SelectionTool::band() const
@@ -208,6 +217,15 @@ void SelectionTool::selectSegment(const SegmentRef &segment)
 {
     m_anchor = segment;
     select(Selection{{segment.stroke}, {segment}});
+}
+
+void SelectionTool::addSegment(const SegmentRef &segment)
+{
+    m_anchor = segment;
+    Selection chosen = selection();
+    chosen.strokes.insert(segment.stroke);
+    chosen.segments.insert(segment);
+    select(std::move(chosen));
 }
 
 bool SelectionTool::selectRun(const PointerEvent &event)

@@ -54,9 +54,13 @@ protected:
     void select(Selection selection);
     /// Selects one segment, from which a run may start.
     void selectSegment(const SegmentRef &segment);
+    /// Adds one segment to what is selected; from it a run may go on.
+    void addSegment(const SegmentRef &segment);
     /// Adds the segments from the last one clicked to the one under the pointer, of that stroke even where another lies
     /// above it; false if the last one is not selected any more, or its stroke is not seen there.
     bool selectRun(const PointerEvent &event);
+    /// How far an arrow moves things, canvas units; none where the key is no arrow.
+    std::optional<Point> nudgeOf(const QKeyEvent &event) const;
     const PointerEvent &start() const { return m_start; }
 
 private:

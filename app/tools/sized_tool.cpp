@@ -48,7 +48,7 @@ void SizedTool::addSizeField(QHBoxLayout &row)
     m_field = addNumber(row, tr("Size"), tr("Diameter of the circle in canvas units ([ and ] change it)"),
                         [this](double size) { setRadius(0.5 * size); });
     m_field->setRange(2 * leastRadius, 2 * greatestRadius);
-    m_field->setUnit(NumberField::canvasUnit());
+    m_field->setDisplay(lengthDisplay());
     m_field->setValue(2 * m_radius);
 }
 

@@ -18,6 +18,8 @@ struct CanvasAids {
     bool snapToGrid = false;
     bool showGrid = false;
     double gridStep = 20; ///< canvas units
+    bool showOutlines = true; ///< of the selected strokes
+    bool showBeyond = false;  ///< veiled, the paint that lies beside the canvas
     friend bool operator==(const CanvasAids &, const CanvasAids &) = default;
 };
 

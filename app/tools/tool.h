@@ -59,6 +59,8 @@ public:
     virtual void leave() {}
     /// A drag may change strokes that are not selected.
     virtual bool changesAnything() const { return false; }
+    /// Whether selected strokes have their lines while it is in use.
+    virtual bool showsOutlines() const { return true; }
     /// True between press and release.
     virtual bool isBusy() const = 0;
     /// Gives up what is in hand, as if it had not begun.

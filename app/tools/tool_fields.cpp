@@ -1,10 +1,11 @@
 #include "app/tools/tool_fields.h"
 
-#include "app/widgets/number_field.h"
+#include "app/widgets/slider_field.h"
 
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QPainter>
+#include <QToolTip>
 
 namespace suffuse {
 
@@ -30,7 +31,26 @@ NumberField *addNumber(QHBoxLayout &row, const QString &name, const QString &too
     row.addSpacing(10);
     QObject::connect(field, &NumberField::entered, field, take);
     QObject::connect(field, &NumberField::stepped, field, take);
+    QObject::connect(field, &NumberField::refused, field,
+                     [field](const QString &hint) { showHintBelow(*field, hint); });
     return field;
+}
+
+NumberField *addNumber(QHBoxLayout &row, const FieldSpec &spec, const std::function<void(double)> &take)
+{
+    NumberField *field = addNumber(row, spec.name, spec.toolTip, take);
+    field->setRange(spec.minimum, spec.maximum);
+    field->setDisplay(spec.display);
+    field->setStep(spec.step);
+    return field;
+}
+
+void showHintBelow(NumberField &field, const QString &hint)
+{
+    const auto show = [&field, hint] {
+        QToolTip::showText(field.mapToGlobal(QPoint(0, field.height())), hint, &field); // empty: away
+    };
+    QMetaObject::invokeMethod(&field, show, Qt::QueuedConnection); // Return moves the focus, which hides tool tips
 }
 
 void paintRing(QPainter &painter, double x, double y, double radius, double dpr)

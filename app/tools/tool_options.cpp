@@ -1,6 +1,5 @@
 #include "app/tools/tool_options.h"
 
-#include <QLineEdit>
 #include <QStackedWidget>
 
 namespace suffuse {
@@ -24,11 +23,8 @@ ToolOptionsBar::ToolOptionsBar(const QString &title, QWidget *parent)
 
 void ToolOptionsBar::setWidget(QWidget *widget)
 {
-    if (widget && m_stack->indexOf(widget) < 0) {
+    if (widget && m_stack->indexOf(widget) < 0)
         m_stack->addWidget(widget);
-        for (QLineEdit *field : widget->findChildren<QLineEdit *>())
-            connect(field, &QLineEdit::returnPressed, this, &ToolOptionsBar::returnPressed, Qt::QueuedConnection);
-    }
     if (widget)
         m_stack->setCurrentWidget(widget);
     else

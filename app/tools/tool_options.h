@@ -17,10 +17,6 @@ public:
     /// Shows a widget, which belongs to the row from then on; null: nothing.
     void setWidget(QWidget *widget);
 
-signals:
-    /// Return in one of the fields: keys may mean the canvas again.
-    void returnPressed();
-
 private:
     QStackedWidget *m_stack;
 };

@@ -3,13 +3,14 @@
 #include "app/actions.h"
 #include "app/editor.h"
 #include "app/icons.h"
+#include "app/tools/tool_fields.h"
 #include "app/widgets/number_field.h"
+#include "model/painting/decimal.h"
 #include "undo/transform_edits.h"
 
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QToolButton>
-#include <QToolTip>
 
 #include <numbers>
 
@@ -53,7 +54,7 @@ void TransformBar::addNumbers(QHBoxLayout &row)
     //: height
     addField(row, Number::Height, tr("H"), tr("Height of the selected strokes' curves, canvas units"));
     NumberField *angle = addField(row, Number::Angle, tr("∠"), tr("Rotate the selected strokes by this angle"));
-    angle->setUnit(QStringLiteral("°"));
+    angle->setDisplay({.unit = angleDisplay().unit}); // in degrees already
     angle->setRange(-3600, 3600);
 }
 
@@ -81,11 +82,7 @@ NumberField *TransformBar::addField(QHBoxLayout &row, Number number, const QStri
 
 void TransformBar::showHint(Number number, const QString &hint)
 {
-    NumberField *field = m_fields[std::size_t(number)];
-    const auto show = [field, hint] {
-        QToolTip::showText(field->mapToGlobal(QPoint(0, field->height())), hint, field); // empty: away
-    };
-    QMetaObject::invokeMethod(field, show, Qt::QueuedConnection); // Return moves the focus, which hides tool tips
+    showHintBelow(*m_fields[std::size_t(number)], hint);
 }
 
 void TransformBar::addButtons(QHBoxLayout &row, Actions &actions)
@@ -124,12 +121,20 @@ void TransformBar::refresh()
         return;
     m_box = selectionBox(*m_editor.document().painting(), m_editor.document().selection());
     const bool any = !m_box.isEmpty();
-    const double values[] = {m_box.left, m_box.top, m_box.width(), m_box.height(), 0};
+    const double values[] = {m_box.left, m_box.top, m_box.width(), m_box.height(), m_turn};
     for (std::size_t i = 0; i < m_fields.size(); ++i) {
         const bool flat = (i == std::size_t(Number::Width) || i == std::size_t(Number::Height)) && !(values[i] > 0);
         m_fields[i]->setEnabled(any && !flat);
         m_fields[i]->setValue(any ? std::optional(values[i]) : std::nullopt);
     }
+}
+
+void TransformBar::showTurn(std::optional<double> angle)
+{
+    m_turn = std::round(angle.value_or(0) * 1800 / std::numbers::pi) / 10;
+    NumberField *field = m_fields[std::size_t(Number::Angle)];
+    if (angle || field->value())
+        field->setValue(m_turn);
 }
 
 EditRun TransformBar::stepRun(Number number)
@@ -147,9 +152,9 @@ Affine TransformBar::mapFor(Number number, double value) const
     const Point corner{m_box.left, m_box.top};
     switch (number) {
     case Number::X:
-        return Affine::translation({value - m_box.left, 0});
+        return Affine::translation({decimalSum(value, -m_box.left), 0});
     case Number::Y:
-        return Affine::translation({0, value - m_box.top});
+        return Affine::translation({0, decimalSum(value, -m_box.top)});
     case Number::Width: {
         const double k = value / m_box.width();
         return Affine::scaling(corner, k, keeps ? k : 1);

@@ -5,6 +5,8 @@
 
 #include <QWidget>
 
+#include <optional>
+
 class QHBoxLayout;
 class QToolButton;
 
@@ -21,6 +23,9 @@ class TransformBar : public QWidget {
 
 public:
     TransformBar(Editor &editor, Actions &actions, QWidget *parent = nullptr);
+
+    /// What a drag turns the selection by, radians; none: nothing is being turned.
+    void showTurn(std::optional<double> angle);
 
 protected:
     void showEvent(QShowEvent *event) override;
@@ -45,6 +50,7 @@ private:
     QToolButton *m_proportions = nullptr;
     Rect m_box;
     bool m_stale = true;
+    double m_turn = 0;            ///< degrees, while strokes are being turned
     Number m_stepped = Number::X; ///< the field that was stepped last; one field's steps are one undo step
     EditRun m_stepRun = 0;
     int m_stackIndex = -1; ///< of the undo stack, after the last step

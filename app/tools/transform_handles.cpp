@@ -217,8 +217,10 @@ void TransformHandles::paint(QPainter &painter, const View &view, double dpr, co
     outline.addPolygon(clippedCorners(view, m_box, window));
     outline.closeSubpath();
     QColor quiet = accent;
-    quiet.setAlpha(120);
+    quiet.setAlpha(190);
     painter.setBrush(Qt::NoBrush);
+    painter.setPen(QPen(QColor(255, 255, 255, 120), dpr)); // light between the dashes, on any paint
+    painter.drawPath(outline);
     painter.setPen(QPen(quiet, dpr, Qt::DashLine));
     painter.drawPath(outline);
     for (const TransformHandle &handle : list)

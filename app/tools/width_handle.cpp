@@ -2,7 +2,7 @@
 
 #include "app/canvas/canvas_widget.h"
 #include "app/editor.h"
-#include "model/stroke_width.h"
+#include "model/paint/half_width.h"
 #include "undo/edits.h"
 
 #include <QCoreApplication>
@@ -18,14 +18,6 @@ constexpr double gap = 9;       ///< logical pixels from the visible edge to the
 constexpr double hitRadius = 8; ///< logical pixels
 constexpr double markRadius = 4.5;
 
-Point tangentOf(const Cubic &cubic)
-{
-    Point tangent = cubic.derivative(0.5);
-    if (!(length(tangent) > 0))
-        tangent = cubic.p[3] - cubic.p[0];
-    return length(tangent) > 0 ? (1 / length(tangent)) * tangent : Point{1, 0};
-}
-
 } // namespace
 
 QString WidthHandle::hint()
@@ -40,7 +32,7 @@ std::optional<WidthHandle::Target> WidthHandle::targetOf(const Stroke &stroke, c
     // Paint that is not there yet is set for when it is dry.
     const double age = segment.age(m_canvas.editor().clock().time());
     target.age = age > 0 ? age : double(segment.maxAge);
-    target.across = diffusionAcross(segment, tangentOf(stroke.cubicOf(segment))) / double(segment.diffusion);
+    target.across = diffusionAcross(segment, tangentAt(stroke.cubicOf(segment), 0.5)) / double(segment.diffusion);
     target.cut = visibleCut(stroke.styleOf(segment));
     target.width =
         halfWidth(target.across * double(segment.diffusion), double(segment.density), target.age, target.cut);
@@ -63,7 +55,7 @@ std::optional<WidthHandle::Place> WidthHandle::place() const
     if (!target)
         return {};
     const Cubic cubic = stroke->cubicOf(stroke->segments[std::size_t(middle)]);
-    const Point tangent = tangentOf(cubic);
+    const Point tangent = tangentAt(cubic, 0.5);
     return Place{{stroke->id, middle}, cubic.at(0.5), {-tangent.y, tangent.x}, target->width};
 }
 
@@ -159,7 +151,7 @@ void WidthHandle::cancel()
 {
     if (!isBusy())
         return;
-    setWidth(m_start.width, false);
+    m_canvas.editor().giveUp(m_run);
     release();
 }
 

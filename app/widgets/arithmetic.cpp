@@ -1,6 +1,6 @@
 #include "app/widgets/arithmetic.h"
 
-#include "app/widgets/number_field.h"
+#include "app/widgets/display.h"
 
 #include <cmath>
 
@@ -96,7 +96,7 @@ struct Unit {
 QString plainUnit(const QString &shown)
 {
     const std::pair<QString, const char *> names[] = {
-        {NumberField::canvasUnit(), "u"}, {NumberField::secondsUnit(), "s"}, {NumberField::diffusionUnit(), "u²/s"}};
+        {canvasUnit(), "u"}, {secondsUnit(), "s"}, {diffusionUnit(), "u²/s"}};
     for (const auto &[unit, name] : names)
         if (shown == unit.trimmed())
             return QString::fromUtf8(name);

@@ -2,10 +2,10 @@
 
 #include "app/theme.h"
 
+#include <QCoreApplication>
 #include <QMouseEvent>
 #include <QPainter>
 #include <QPainterPath>
-#include <QWheelEvent>
 
 #include <algorithm>
 #include <cmath>
@@ -15,6 +15,7 @@ namespace suffuse {
 namespace {
 
 constexpr double handleRadius = 6.5;
+constexpr int leastWidth = 90; // less cannot be dragged finely
 
 void paintChecks(QPainter &painter, const QRectF &rect)
 {
@@ -34,7 +35,7 @@ BarSlider::BarSlider(QWidget *parent) : QSlider(Qt::Horizontal, parent)
     setSingleStep(steps / 100);
     setPageStep(steps / 10);
     setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
-    setFocusPolicy(Qt::StrongFocus);
+    setFocusPolicy(Qt::ClickFocus); // Tab goes from number to number; the number beside it does by keys what this does
 }
 
 void BarSlider::setGradient(std::function<QColor(double)> gradient)
@@ -56,7 +57,7 @@ QSize BarSlider::sizeHint() const
 
 QSize BarSlider::minimumSizeHint() const
 {
-    return {40, 22};
+    return {leastWidth, 22};
 }
 
 QRectF BarSlider::track() const
@@ -78,6 +79,7 @@ void BarSlider::mousePressEvent(QMouseEvent *event)
         return;
     }
     setSliderDown(true);
+    qApp->installEventFilter(this);
     // A press on the handle takes hold of it without a jump; elsewhere it jumps.
     const QRectF bar = track();
     const double handle = bar.left() + bar.width() * sliderPosition() / steps;
@@ -94,16 +96,26 @@ void BarSlider::mouseMoveEvent(QMouseEvent *event)
 void BarSlider::mouseReleaseEvent(QMouseEvent *event)
 {
     if (event->button() == Qt::LeftButton && isSliderDown())
-        setSliderDown(false);
+        endDrag();
 }
 
-void BarSlider::wheelEvent(QWheelEvent *event)
+void BarSlider::endDrag()
 {
-    // Without focus the wheel scrolls the panel.
-    if (!hasFocus())
-        event->ignore();
-    else
-        QSlider::wheelEvent(event);
+    qApp->removeEventFilter(this);
+    setSliderDown(false);
+}
+
+bool BarSlider::eventFilter(QObject *watched, QEvent *event)
+{
+    const bool key = event->type() == QEvent::KeyPress || event->type() == QEvent::ShortcutOverride;
+    if (!key || static_cast<QKeyEvent *>(event)->key() != Qt::Key_Escape)
+        return QSlider::eventFilter(watched, event);
+    event->accept();
+    if (event->type() == QEvent::KeyPress) {
+        emit givenUp();
+        endDrag();
+    }
+    return true;
 }
 
 void BarSlider::paintEvent(QPaintEvent *)

@@ -7,7 +7,7 @@
 namespace suffuse {
 
 /// A slim horizontal slider: a press anywhere jumps there and drags on, the bar is filled up to the handle or shows a
-/// gradient. Positions are 0 … steps.
+/// gradient. Positions are 0 … steps. Esc while it is dragged gives the drag up.
 class BarSlider : public QSlider {
     Q_OBJECT
 
@@ -25,14 +25,19 @@ public:
     QSize sizeHint() const override;
     QSize minimumSizeHint() const override;
 
+signals:
+    void givenUp(); ///< before sliderReleased
+
 protected:
+    /// While it is dragged: of the whole program, since the keyboard may be elsewhere.
+    bool eventFilter(QObject *watched, QEvent *event) override;
     void paintEvent(QPaintEvent *event) override;
     void mousePressEvent(QMouseEvent *event) override;
     void mouseMoveEvent(QMouseEvent *event) override;
     void mouseReleaseEvent(QMouseEvent *event) override;
-    void wheelEvent(QWheelEvent *event) override;
 
 private:
+    void endDrag();
     int positionAt(double x) const;
     QRectF track() const;
 

@@ -12,6 +12,23 @@
 
 namespace suffuse {
 
+void paintColour(QPainter &painter, const QPainterPath &shape, const Colour &colour)
+{
+    painter.fillPath(shape, toOpaqueScreen(colour));
+    if (colour.opacity == 1)
+        return;
+    // Left half as it is, right half over checks.
+    const QRectF area = shape.boundingRect();
+    const QRectF half(area.center().x(), area.top(), area.width() / 2, area.height());
+    painter.save();
+    painter.setClipPath(shape);
+    painter.fillRect(half, Qt::white);
+    painter.fillRect(QRectF(half.topLeft(), half.center()), QColor(0xBB, 0xBB, 0xBB));
+    painter.fillRect(QRectF(half.center(), half.bottomRight()), QColor(0xBB, 0xBB, 0xBB));
+    painter.fillRect(half, toScreen(colour));
+    painter.restore();
+}
+
 ColourSwatch::ColourSwatch(QWidget *parent) : QAbstractButton(parent)
 {
     setFocusPolicy(Qt::TabFocus);
@@ -49,10 +66,8 @@ void ColourSwatch::mouseMoveEvent(QMouseEvent *event)
         return;
     }
     setDown(false); // it is no click any more
-    auto *data = new QMimeData;
-    data->setColorData(toScreen(*m_colour));
     auto *drag = new QDrag(this);
-    drag->setMimeData(data);
+    drag->setMimeData(dragDataOf(*m_colour));
     drag->setPixmap(grab());
     drag->setHotSpot(m_pressed);
     drag->exec(Qt::CopyAction);
@@ -66,26 +81,13 @@ void ColourSwatch::paintEvent(QPaintEvent *)
     QPainterPath shape;
     shape.addRoundedRect(area, 3, 3);
     if (m_colour) {
-        painter.fillPath(shape, Qt::white);
-        if (m_colour->opacity < 1) {
-            // Left half as it is, right half over checks.
-            painter.fillPath(shape, toOpaqueScreen(*m_colour));
-            painter.setClipPath(shape);
-            const QRectF half(area.center().x(), area.top(), area.width() / 2, area.height());
-            painter.fillRect(half, Qt::white);
-            painter.fillRect(QRectF(half.topLeft(), half.center()), QColor(0xBB, 0xBB, 0xBB));
-            painter.fillRect(QRectF(half.center(), half.bottomRight()), QColor(0xBB, 0xBB, 0xBB));
-            painter.fillRect(half, toScreen(*m_colour));
-            painter.setClipping(false);
-        } else {
-            painter.fillPath(shape, toScreen(*m_colour));
-        }
+        paintColour(painter, shape, *m_colour);
     } else {
         painter.setPen(palette().color(QPalette::Text));
         painter.drawText(rect(), Qt::AlignCenter, QStringLiteral("—"));
     }
     const bool marked = hasFocus() || isDown();
-    painter.strokePath(shape, QPen(marked ? palette().color(QPalette::Highlight) : hairline(), marked ? 2 : 1));
+    painter.strokePath(shape, QPen(marked ? palette().color(QPalette::Highlight) : edgeOfColours(), marked ? 2 : 1));
 }
 
 } // namespace suffuse

@@ -6,7 +6,12 @@
 
 #include <optional>
 
+class QPainterPath;
+
 namespace suffuse {
+
+/// Fills a shape with a colour; the right half of one that is not opaque shows how much it lets through.
+void paintColour(QPainter &painter, const QPainterPath &shape, const Colour &colour);
 
 /// A button filled with a colour, over a checked ground where it is not opaque; "—" where colours are mixed. It can be
 /// dragged to wherever colours are taken.

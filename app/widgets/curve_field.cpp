@@ -31,6 +31,12 @@ void CurveField::setTexts(const QString &above, const QString &left, const QStri
     update();
 }
 
+void CurveField::setUpsideDown(bool upsideDown)
+{
+    m_upsideDown = upsideDown;
+    update();
+}
+
 QRectF CurveField::field() const
 {
     const double line = fontMetrics().height() + gap;
@@ -42,14 +48,15 @@ QRectF CurveField::field() const
 QPointF CurveField::toWidget(QPointF at) const
 {
     const QRectF f = field();
-    return {f.left() + f.width() * at.x(), f.bottom() - f.height() * at.y()};
+    const double up = m_upsideDown ? 1 - at.y() : at.y();
+    return {f.left() + f.width() * at.x(), f.bottom() - f.height() * up};
 }
 
 QPointF CurveField::fromWidget(QPointF at) const
 {
     const QRectF f = field();
-    return {std::clamp((at.x() - f.left()) / f.width(), 0.0, 1.0),
-            std::clamp((f.bottom() - at.y()) / f.height(), 0.0, 1.0)};
+    const double up = std::clamp((f.bottom() - at.y()) / f.height(), 0.0, 1.0);
+    return {std::clamp((at.x() - f.left()) / f.width(), 0.0, 1.0), m_upsideDown ? 1 - up : up};
 }
 
 void CurveField::mouseReleaseEvent(QMouseEvent *event)

@@ -17,6 +17,8 @@ public:
 
     /// Texts over the field and at both ends under it; the room of empty ones is the field's.
     void setTexts(const QString &above, const QString &left, const QString &right);
+    /// Whether 0 is on top: for what is shown in the opposite sense.
+    void setUpsideDown(bool upsideDown);
     /// Where a place and value of the curve are in the widget.
     QPointF toWidget(QPointF at) const;
 
@@ -34,6 +36,7 @@ protected:
     void paintKnot(QPainter &painter, QPointF at, bool chosen) const;
 
     bool m_dragging = false;
+    bool m_upsideDown = false;
 
 private:
     QString m_above, m_left, m_right;

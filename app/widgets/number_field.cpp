@@ -2,8 +2,8 @@
 
 #include "app/widgets/arithmetic.h"
 
+#include <QDialog>
 #include <QKeyEvent>
-#include <QLocale>
 #include <QTimer>
 #include <QWheelEvent>
 
@@ -17,7 +17,10 @@ NumberField::NumberField(QWidget *parent) : QLineEdit(parent)
     setAlignment(Qt::AlignRight | Qt::AlignVCenter);
     setSizePolicy(QSizePolicy::Fixed, QSizePolicy::Fixed);
     connect(this, &QLineEdit::editingFinished, this, &NumberField::commit);
-    connect(this, &QLineEdit::textEdited, this, [this] { emit refused({}); });
+    connect(this, &QLineEdit::textEdited, this, [this] {
+        if (m_complains)
+            complain({});
+    });
     show(std::nullopt);
 }
 
@@ -29,8 +32,20 @@ void NumberField::setRange(double minimum, double maximum)
 
 void NumberField::setUnit(const QString &unit)
 {
-    m_unit = unit;
+    m_display.unit = unit;
     show(m_value);
+}
+
+void NumberField::setDisplay(const Display &display)
+{
+    m_display = display;
+    show(m_value);
+}
+
+void NumberField::complain(const QString &hint)
+{
+    m_complains = !hint.isEmpty();
+    emit refused(hint);
 }
 
 void NumberField::setValue(std::optional<double> value)
@@ -43,45 +58,31 @@ void NumberField::setValue(std::optional<double> value)
 
 void NumberField::show(std::optional<double> value)
 {
-    m_shown = value ? format(*value * m_factor) + m_unit : QStringLiteral("—");
+    m_shown = value ? m_display.text(*value) : QStringLiteral("—");
+    const bool wasSelected = hasFocus() && hasSelectedText() && selectedText() == text();
     setText(m_shown);
     setCursorPosition(0);
+    if (wasSelected) // what is typed next goes in its place, also where the painting has just changed
+        selectAll();
     setModified(false);
-}
-
-QString NumberField::format(double shown) const
-{
-    QLocale locale;
-    locale.setNumberOptions(QLocale::OmitGroupSeparator);
-    const double size = std::abs(shown);
-    if (m_integer)
-        return locale.toString(shown, 'f', 0);
-    if (size != 0 && (size >= 1e6 || size < 1e-3))
-        return locale.toString(shown, 'g', 4);
-    const int decimals = size >= 1000 ? 0 : size >= 100 ? 1 : size >= 10 ? 2 : 3;
-    QString text = locale.toString(shown, 'f', decimals);
-    if (text.contains(locale.decimalPoint())) {
-        while (text.endsWith('0'))
-            text.chop(1);
-        if (text.endsWith(locale.decimalPoint()))
-            text.chop(1);
-    }
-    return text;
 }
 
 QString NumberField::whyRefused(const QString &text) const
 {
-    const QString unit = m_unit.trimmed(), foreign = foreignUnit(text, unit);
+    const QString unit = m_display.unit.trimmed(), foreign = foreignUnit(text, unit);
     if (foreign.isEmpty())
         return tr("“%1” is not a number. Sums such as 12*1.5 or +2 work too.").arg(text);
     return unit.isEmpty() ? tr("“%1” is not possible here: this number has no unit.").arg(foreign)
                           : tr("“%1” is not possible here: the unit is %2.").arg(foreign, unit);
 }
 
-QString NumberField::rangeHint(double shown) const
+QString NumberField::rangeHint(double value) const
 {
+    double low = m_minimum, high = m_maximum;
+    if (m_display.isReversed())
+        std::swap(low, high);
     return tr("%1 is out of range: %2 to %3 is possible.")
-        .arg(format(shown), format(m_minimum * m_factor), format(m_maximum * m_factor));
+        .arg(m_display.number(value), m_display.number(low), m_display.number(high));
 }
 
 void NumberField::commit()
@@ -90,33 +91,33 @@ void NumberField::commit()
         show(m_value);
         return;
     }
-    const QString typedText = text(), unit = m_unit.trimmed();
+    const QString typedText = text(), unit = m_display.unit.trimmed();
     if (!m_value && isRelative(typedText) && evaluateArithmetic(typedText, 1.0, unit)) {
         show(m_value);
-        emit refused({});
-        const auto map = [typedText, unit, factor = m_factor](double value) -> std::optional<double> {
-            const std::optional<double> shown = evaluateArithmetic(typedText, value * factor, unit);
-            return shown ? std::optional(*shown / factor) : std::nullopt;
+        complain({});
+        const auto map = [typedText, unit, display = m_display](double value) -> std::optional<double> {
+            const std::optional<double> shown = evaluateArithmetic(typedText, display.toShown(value), unit);
+            return shown ? std::optional(display.toValue(*shown)) : std::nullopt;
         };
         emit enteredRelative(map);
         return;
     }
-    const std::optional<double> current = m_value ? std::optional(*m_value * m_factor) : std::nullopt;
+    const std::optional<double> current = m_value ? std::optional(m_display.toShown(*m_value)) : std::nullopt;
     const std::optional<double> typed = evaluateArithmetic(typedText, current, unit);
     if (!typed) {
         show(m_value);
-        emit refused(whyRefused(typedText));
+        complain(whyRefused(typedText));
         return;
     }
-    const double value = m_integer ? std::round(*typed / m_factor) : *typed / m_factor;
+    const double exact = m_display.toValue(*typed), value = m_integer ? std::round(exact) : exact;
     if (!(value >= m_minimum && value <= m_maximum)) {
         show(m_value);
-        emit refused(rangeHint(*typed));
+        complain(rangeHint(exact));
         return;
     }
     m_value = value;
     show(value);
-    emit refused({});
+    complain({});
     emit entered(value);
 }
 
@@ -125,11 +126,13 @@ void NumberField::stepBy(double steps)
     if (!m_value)
         return;
     const double step = m_step > 0 ? m_step : std::max(std::abs(*m_value) * 0.1, m_minimum);
-    const double value = std::clamp(*m_value + steps * step, m_minimum, m_maximum);
+    const double sense = m_display.isReversed() ? -1 : 1; // up is what is shown
+    const double value = std::clamp(*m_value + sense * steps * step, m_minimum, m_maximum);
     if (value == *m_value)
         return;
     m_value = value;
     show(value);
+    complain({});
     emit stepped(value);
 }
 
@@ -148,21 +151,18 @@ bool NumberField::event(QEvent *event)
 
 void NumberField::keyPressEvent(QKeyEvent *event)
 {
-    if (event->key() == Qt::Key_Up || event->key() == Qt::Key_Down)
+    if (event->key() == Qt::Key_Up || event->key() == Qt::Key_Down) {
         stepBy((event->key() == Qt::Key_Up ? 1 : -1) * (event->modifiers() & Qt::ShiftModifier ? 10 : 1));
-    else if (event->key() == Qt::Key_Escape && isModified())
+    } else if (event->key() == Qt::Key_Escape && isModified()) {
         show(m_value);
-    else
+        event->setAccepted(qobject_cast<QDialog *>(window())); // which it would close; a panel gives the keyboard back
+    } else {
         QLineEdit::keyPressEvent(event);
+    }
 }
 
 void NumberField::wheelEvent(QWheelEvent *event)
 {
-    // Without focus the wheel scrolls the panel.
-    if (!hasFocus()) {
-        event->ignore();
-        return;
-    }
     stepBy(event->angleDelta().y() / 120.0);
     event->accept();
 }

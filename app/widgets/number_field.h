@@ -1,5 +1,7 @@
 #pragma once
 
+#include "app/widgets/display.h"
+
 #include <QLineEdit>
 
 #include <functional>
@@ -25,16 +27,16 @@ public:
     double maximum() const { return m_maximum; }
     /// Shown behind the number, " s" or " %"; taken off again where typed.
     void setUnit(const QString &unit);
-    /// The canvas' unit of length, as setUnit wants it.
-    static QString canvasUnit() { return tr(" u"); }
-    /// Those of time and of diffusion.
-    static QString secondsUnit() { return tr(" s"); }
-    static QString diffusionUnit() { return tr(" u²/s"); }
-    /// Shown and typed number = value · factor (100 for per cent).
-    void setDisplayFactor(double factor) { m_factor = factor; }
+    /// Unit, factor, sense and decimals of what is shown and typed.
+    void setDisplay(const Display &display);
     /// A step of the arrow keys: so much, or where 0 a tenth of the value.
     void setStep(double step) { m_step = step; }
-    void setInteger(bool integer) { m_integer = integer; }
+    /// Whole numbers only.
+    void setInteger(bool integer)
+    {
+        m_integer = integer;
+        m_display.decimals = integer ? 0 : -1;
+    }
 
     /// Shows a value, or mixed; emits nothing.
     void setValue(std::optional<double> value);
@@ -61,17 +63,17 @@ protected:
 private:
     void commit();
     QString whyRefused(const QString &text) const;
-    QString rangeHint(double shown) const;
+    QString rangeHint(double value) const;
+    void complain(const QString &hint); ///< empty: all is well again
     void stepBy(double steps);
     void show(std::optional<double> value);
-    QString format(double shown) const;
 
     double m_minimum = 0;
     double m_maximum = 1;
-    double m_factor = 1;
     double m_step = 0;
     bool m_integer = false;
-    QString m_unit;
+    bool m_complains = false; ///< what was typed last was refused
+    Display m_display;
     QString m_shown;
     std::optional<double> m_value;
 };

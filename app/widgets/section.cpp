@@ -2,9 +2,12 @@
 
 #include "app/theme.h"
 
+#include <QApplication>
 #include <QDialog>
 #include <QEvent>
 #include <QGridLayout>
+#include <QScrollBar>
+#include <QTimer>
 #include <QVBoxLayout>
 
 namespace suffuse {
@@ -49,12 +52,17 @@ HintLabel::HintLabel(QWidget *parent) : QLabel(parent)
     setAccessibleName(tr("Hint"));
     hide();
     takeColour();
+    connect(qApp, &QApplication::focusChanged, this, [this](const QWidget *from, const QWidget *to) {
+        if (m_passing && from && to) // not where another window comes to the front
+            showHint({});
+    });
 }
 
 void HintLabel::showHint(const QString &hint)
 {
     setText(hint);
     setVisible(!hint.isEmpty());
+    m_passing = false;
     // A dialog does not grow by itself for a text that wraps; its fields would be squeezed.
     QWidget *dialog = window();
     if (hint.isEmpty() || !qobject_cast<QDialog *>(dialog) || !dialog->layout())
@@ -63,6 +71,13 @@ void HintLabel::showHint(const QString &hint)
     const int wanted = dialog->layout()->totalHeightForWidth(dialog->width());
     if (wanted > dialog->height())
         dialog->resize(dialog->width(), wanted);
+}
+
+void HintLabel::showRefusal(const QString &hint)
+{
+    showHint(hint);
+    // Only then: the Tab that left the field, or the Return that gives the keyboard back, is still on its way.
+    QTimer::singleShot(0, this, [this] { m_passing = !text().isEmpty(); });
 }
 
 void HintLabel::takeColour()
@@ -79,6 +94,27 @@ void HintLabel::changeEvent(QEvent *event)
     QLabel::changeEvent(event);
     if (event->type() == QEvent::ApplicationPaletteChange && !m_takingColour)
         takeColour();
+}
+
+PanelScroll::PanelScroll(QWidget *parent) : QScrollArea(parent)
+{
+    setWidgetResizable(true);
+    setFrameShape(QFrame::NoFrame);
+    setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    setFocusPolicy(Qt::NoFocus);
+}
+
+QSize PanelScroll::minimumSizeHint() const
+{
+    const int content = widget() ? widget()->minimumSizeHint().expandedTo(widget()->minimumSize()).width() : 0;
+    return {content + verticalScrollBar()->sizeHint().width(), QScrollArea::minimumSizeHint().height()};
+}
+
+bool PanelScroll::eventFilter(QObject *watched, QEvent *event)
+{
+    if (watched == widget() && event->type() == QEvent::LayoutRequest)
+        updateGeometry(); // it may need more room now
+    return QScrollArea::eventFilter(watched, event);
 }
 
 void alignFieldLabels(QWidget &parent)

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <QLabel>
+#include <QScrollArea>
 
 class QGridLayout;
 class QVBoxLayout;
@@ -19,7 +20,7 @@ QLabel *quietLabel(const QString &text, QWidget *parent);
 /// For what changes with every frame: the label grows where it has to, and otherwise nothing is laid out anew.
 void showInPlace(QLabel &label, const QString &text);
 
-/// A line that appears while something typed was refused, in the warning colour.
+/// A line in the warning colour, there as long as it says something.
 class HintLabel : public QLabel {
     Q_OBJECT
 
@@ -28,6 +29,8 @@ public:
 
     /// Empty: hides it.
     void showHint(const QString &hint);
+    /// Why something typed was refused: goes by itself when people go on to another place.
+    void showRefusal(const QString &hint);
 
 protected:
     void changeEvent(QEvent *event) override;
@@ -35,6 +38,17 @@ protected:
 private:
     void takeColour();
     bool m_takingColour = false;
+    bool m_passing = false; ///< goes with the next change of the focus
+};
+
+/// Scrolls what a panel holds up and down, and is never narrower than that needs.
+class PanelScroll : public QScrollArea {
+public:
+    explicit PanelScroll(QWidget *parent = nullptr);
+    QSize minimumSizeHint() const override;
+
+protected:
+    bool eventFilter(QObject *watched, QEvent *event) override;
 };
 
 /// Gives the first columns of all field grids below `parent` one width.

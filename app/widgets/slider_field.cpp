@@ -23,15 +23,15 @@ SliderField::SliderField(const FieldSpec &spec, QGridLayout &grid, int row, QWid
     m_label->installEventFilter(this);
     m_label->setBuddy(m_number);
     m_number->setRange(spec.minimum, spec.maximum);
-    m_number->setDisplayFactor(spec.factor);
+    m_number->setDisplay(spec.display);
     m_number->setStep(spec.step);
-    m_number->setUnit(spec.unit);
     grid.addWidget(m_label, row, 0);
     grid.addWidget(m_slider, row, 1);
     grid.addWidget(m_number, row, 2);
 
     connect(m_slider, &QSlider::sliderPressed, this, &SliderField::sliderPressed);
     connect(m_slider, &QSlider::valueChanged, this, &SliderField::sliderChanged);
+    connect(m_slider, &BarSlider::givenUp, this, &SliderField::giveUp);
     connect(m_slider, &QSlider::sliderReleased, this, [this] {
         m_run = 0;
         m_pressedValue.reset();
@@ -66,12 +66,13 @@ int SliderField::toPosition(double value) const
         return 0;
     const double v = std::clamp(value, low, high);
     const double share = m_spec.logarithmic ? std::log(v / low) / std::log(high / low) : (v - low) / (high - low);
-    return int(std::lround(share * BarSlider::steps));
+    return int(std::lround((m_spec.display.isReversed() ? 1 - share : share) * BarSlider::steps));
 }
 
 double SliderField::toValue(int position) const
 {
-    const double share = double(position) / BarSlider::steps;
+    const double along = double(position) / BarSlider::steps;
+    const double share = m_spec.display.isReversed() ? 1 - along : along; // what is shown grows to the right
     const double low = m_spec.sliderMinimum, high = m_spec.sliderMaximum;
     if (!m_spec.logarithmic) {
         const double value = low + share * (high - low);
@@ -143,7 +144,16 @@ void SliderField::sliderChanged(int position)
     m_value = value;
     m_slider->setMixed(false);
     m_number->setValue(value);
+    emit refused({});
     emit edited(value, run);
+}
+
+void SliderField::giveUp()
+{
+    m_value = m_pressedValue;
+    if (m_pressedValue)
+        emit edited(*m_pressedValue, m_run);
+    emit givenUp(m_run);
 }
 
 EditRun SliderField::nudgeRun()

@@ -19,13 +19,12 @@ class BarSlider;
 struct FieldSpec {
     QString name;    ///< label, translated
     QString toolTip; ///< translated
-    QString unit = {};
+    Display display = {};
     double minimum = 0; ///< of the domain
     double maximum = 1;
     double sliderMinimum = 0; ///< of the slider, within the domain
     double sliderMaximum = 1;
     bool logarithmic = false;
-    double factor = 1;       ///< shown = value · factor
     double step = 0;         ///< of arrow keys, 0: a tenth of the value
     double sliderStep = 0;   ///< the slider's values are whole multiples of it, 0: any
     double defaultValue = 0; ///< double click resets to it
@@ -62,6 +61,8 @@ signals:
     void editedRelative(const suffuse::ValueMap &map);
     void dragStarted();
     void dragEnded();
+    /// Before dragEnded: what the run changed is to be as it was. Where the value was one, `edited` has told of it.
+    void givenUp(suffuse::EditRun run);
     void refused(const QString &hint);
 
 protected:
@@ -70,6 +71,7 @@ protected:
 private:
     void sliderPressed();
     void sliderChanged(int position);
+    void giveUp();
     EditRun nudgeRun();
     int toPosition(double value) const;
     double toValue(int position) const;

@@ -8,9 +8,9 @@ namespace suffuse {
 QString clockText(Microseconds time)
 {
     const QLocale locale;
-    const auto milliseconds = (time < 0 ? -time : time) / 1000;
+    const auto milliseconds = ((time < 0 ? -time : time) + 500) / 1000;
     return QStringLiteral("%1%2:%3%4%5")
-        .arg(time < 0 ? QStringLiteral("−") : QString())
+        .arg(time < 0 && milliseconds > 0 ? QStringLiteral("−") : QString())
         .arg(milliseconds / 60'000)
         .arg(milliseconds / 1000 % 60, 2, 10, QLatin1Char('0'))
         .arg(locale.decimalPoint())

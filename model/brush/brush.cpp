@@ -1,5 +1,6 @@
 #include "model/brush/brush.h"
 
+#include "model/painting/field_domains.h"
 #include "model/painting/validate.h"
 
 #include <QCoreApplication>
@@ -10,41 +11,40 @@ namespace suffuse {
 
 namespace {
 
-struct Domain {
+struct BrushNumber {
     const char *path;
-    double value, least, greatest;
+    double value;
+    Domain domain;
 };
 
-/// Lower ends of domains that are open at 0 are small numbers, as the brush's values are float32.
+/// What becomes a number of a segment has that one's domain.
 QString problemOfNumbers(const Brush &b)
 {
-    constexpr double open = 1e-30;
-    const Domain domains[] = {
-        {"diffusion", b.diffusion, open, 1e12},
-        {"peak", b.peak, 0, 1e12},
-        {"granulation", b.granulation, 0, 1},
-        {"maxAge", b.maxAge, open, 1e6},
-        {"jitter.red", b.jitter.red, 0, 1},
-        {"jitter.yellow", b.jitter.yellow, 0, 1},
-        {"jitter.blue", b.jitter.blue, 0, 1},
-        {"jitter.lightness", b.jitter.lightness, 0, 1},
-        {"tip.ratio", b.tip.ratio, 1e-2, 1e2},
-        {"tip.angle", b.tip.angle, -1e3, 1e3},
-        {"taper.in", b.taper.in, 0, 1e3},
-        {"taper.out", b.taper.out, 0, 1e3},
-        {"taper.tip", b.taper.tip, 0, 1},
-        {"stabiliser.strength", b.stabiliser.strength, 0, 1},
-        {"stabiliser.length", b.stabiliser.length, 0, 1e3},
-        {"fullSpeed", b.fullSpeed, 1e-3, 1e6},
-        {"fullDistance", b.fullDistance, 1e-3, 1e6},
-        {"driftLength", b.driftLength, 1e-2, 1e6},
-        {"interval", toSeconds(b.interval), 0.002, 0.2},
+    const auto segmentDomain = [](float Segment::*member) { return numberOf(member).traits.domain; };
+    const BrushNumber numbers[] = {
+        {"diffusion", b.diffusion, segmentDomain(&Segment::diffusion)},
+        {"peak", b.peak, {0, 1e12}},
+        {"granulation", b.granulation, segmentDomain(&Segment::granulation)},
+        {"maxAge", b.maxAge, segmentDomain(&Segment::maxAge)},
+        {"jitter.red", b.jitter.red, share},
+        {"jitter.yellow", b.jitter.yellow, share},
+        {"jitter.blue", b.jitter.blue, share},
+        {"jitter.lightness", b.jitter.lightness, share},
+        {"tip.ratio", b.tip.ratio, {1e-2, 1e2}},
+        {"tip.angle", b.tip.angle, {-1e3, 1e3}},
+        {"taper.in", b.taper.in, {0, 1e3}},
+        {"taper.out", b.taper.out, {0, 1e3}},
+        {"taper.tip", b.taper.tip, share},
+        {"stabiliser.strength", b.stabiliser.strength, share},
+        {"stabiliser.length", b.stabiliser.length, {0, 1e3}},
+        {"fullSpeed", b.fullSpeed, {1e-3, 1e6}},
+        {"fullDistance", b.fullDistance, {1e-3, 1e6}},
+        {"driftLength", b.driftLength, {1e-2, 1e6}},
+        {"interval", toSeconds(b.interval), {0.002, 0.2}},
     };
-    for (const Domain &d : domains)
-        if (!(d.value >= d.least && d.value <= d.greatest))
-            return QCoreApplication::translate("Validate", "%1: %2 is not in %3")
-                .arg(QLatin1String(d.path), QString::number(d.value, 'g', 9),
-                     QStringLiteral("[%1, %2]").arg(d.least).arg(d.greatest));
+    for (const BrushNumber &n : numbers)
+        if (!n.domain.contains(n.value))
+            return outsideText(QLatin1String(n.path), n.value, n.domain);
     return {};
 }
 

@@ -1,6 +1,7 @@
 #include "model/brush/stroke_fit.h"
 
 #include "model/brush/spline_fit.h"
+#include "model/paint/half_width.h"
 
 #include <numbers>
 
@@ -85,11 +86,6 @@ public:
     }
 
 private:
-    static double polygonLength(const Cubic &c)
-    {
-        return length(c.p[1] - c.p[0]) + length(c.p[2] - c.p[1]) + length(c.p[3] - c.p[2]);
-    }
-
     Paint paintAt(double u) const
     {
         Knot at;
@@ -206,7 +202,7 @@ void setPaint(Segment &segment, const Brush &brush, const Paint &paint, Point di
     const double age = std::clamp(paint.maxAge, leastAge * double(brush.maxAge), double(brush.maxAge));
     const double spread = spreadAcross(brush.tip, spreadOf(brush, paint.size, age), direction);
     segment.diffusion = float(std::max(least, double(brush.diffusion) * paint.size * paint.size));
-    segment.density = float(std::clamp(paint.peak * std::sqrt(std::numbers::pi) * spread, 0.0, 1e12));
+    segment.density = float(std::clamp(densityOfPeak(paint.peak, spread), 0.0, 1e12));
     segment.granulation = float(paint.granulation);
     segment.maxAge = float(std::max(least, age));
     segment.colour = paint.colour;

@@ -5,6 +5,7 @@
 
 #include <QByteArray>
 #include <QString>
+#include <QStringList>
 
 #include <optional>
 
@@ -17,7 +18,12 @@ std::optional<QByteArray> hashOfFile(const QString &path);
 inline constexpr int mostBackups = 20;
 /// Name of the i-th backup, 1 the newest: "a.suffuse~", "a.suffuse~2", …
 QString backupName(const QString &path, int i);
-/// Keeps the file that is about to be replaced, and the count − 1 versions before it. The file itself stays.
+/// The file whose backup has this name; empty for other names.
+QString backedUpFile(const QString &path);
+/// The backups that there are, the newest first. Links are followed; the file itself may be gone.
+QStringList backupsOf(const QString &path);
+/// Keeps the file that is about to be replaced, and the count − 1 versions before it. The file itself stays. One whose
+/// bytes the newest backup has is kept already.
 Result<void> keepBackups(const QString &path, int count);
 
 } // namespace suffuse

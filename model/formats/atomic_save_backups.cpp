@@ -2,8 +2,10 @@
 #include "model/formats/messages.h"
 
 #include <QCryptographicHash>
+#include <QDateTime>
 #include <QFile>
 #include <QFileInfo>
+#include <QRegularExpression>
 
 #include <algorithm>
 
@@ -22,7 +24,17 @@ bool linkOrCopy(const QString &from, const QString &to)
     if (::link(QFile::encodeName(from).constData(), QFile::encodeName(to).constData()) == 0)
         return true;
 #endif
-    return QFile::copy(from, to);
+    if (!QFile::copy(from, to))
+        return false;
+    QFile copy(to); // a backup is as old as what it holds
+    if (copy.open(QIODevice::ReadWrite))
+        copy.setFileTime(QFileInfo(from).lastModified(), QFileDevice::FileModificationTime);
+    return true;
+}
+
+bool haveSameBytes(const QString &a, const QString &b)
+{
+    return QFileInfo(a).size() == QFileInfo(b).size() && hashOfFile(a) && hashOfFile(a) == hashOfFile(b);
 }
 
 } // namespace
@@ -44,6 +56,24 @@ QString backupName(const QString &path, int i)
     return path + QLatin1Char('~') + (i > 1 ? QString::number(i) : QString());
 }
 
+QString backedUpFile(const QString &path)
+{
+    static const QRegularExpression backup(QStringLiteral("^(.+)~([2-9]|[1-9][0-9])?$"),
+                                           QRegularExpression::DotMatchesEverythingOption);
+    const QRegularExpressionMatch match = backup.match(path);
+    return match.hasMatch() && match.captured(2).toInt() <= mostBackups ? match.captured(1) : QString();
+}
+
+QStringList backupsOf(const QString &path)
+{
+    const QString canonical = QFileInfo(path).canonicalFilePath();
+    QStringList files;
+    for (int i = 1; i <= mostBackups; ++i)
+        if (const QString name = backupName(canonical.isEmpty() ? path : canonical, i); QFileInfo(name).isFile())
+            files << name;
+    return files;
+}
+
 Result<void> keepBackups(const QString &path, int count)
 {
     const QFileInfo info(path);
@@ -54,6 +84,8 @@ Result<void> keepBackups(const QString &path, int count)
     const auto failed = [&](const QString &name) {
         return fileError(name, FileMessages::tr("the backup could not be made; check the folder"));
     };
+    if (haveSameBytes(target, backupName(target, 1)))
+        return {};
     QFile::remove(backupName(target, count));
     for (int i = count; i > 1; --i)
         if (QFileInfo::exists(backupName(target, i - 1)) &&

@@ -4,7 +4,7 @@
 #include "model/formats/messages.h"
 #include "model/formats/ink/recording.h"
 #include "model/formats/suffuse/suffuse_layout.h"
-#include "model/formats/svg_painting.h"
+#include "model/formats/svg/svg_painting.h"
 
 #include <QDir>
 #include <QFile>
@@ -155,12 +155,8 @@ Result<QByteArray> readAll(QFile &file, const QString &path)
     return bytes;
 }
 
-} // namespace
-
-FileFormat detectFormat(const QByteArray &bytes)
+FileFormat formatOfText(const QByteArray &bytes)
 {
-    if (bytes.startsWith(suffuseName))
-        return FileFormat::Suffuse;
     std::string_view text(bytes.constData(), std::size_t(bytes.size()));
     if (text.starts_with("\xef\xbb\xbf"))
         text.remove_prefix(3);
@@ -175,6 +171,17 @@ FileFormat detectFormat(const QByteArray &bytes)
     if (text[first] == '<' && text.substr(first, 65536).find("<svg") != text.npos)
         return FileFormat::Svg;
     return formatOfLines(text);
+}
+
+} // namespace
+
+FileFormat detectFormat(const QByteArray &bytes)
+{
+    if (startsAsSuffuse(bytes) || hasFirstChunk(bytes))
+        return FileFormat::Suffuse;
+    const FileFormat format = formatOfText(bytes);
+    // Whatever became of its start, what is whole of a document is to be found.
+    return format == FileFormat::Unknown && hasAnyChunk(bytes) ? FileFormat::Suffuse : format;
 }
 
 FileFormat formatForSaving(const QString &path)
@@ -219,6 +226,7 @@ Result<Painting> readOther(const QByteArray &bytes, const QString &fileName, Fil
     const auto painted = [&](const Result<Recording> &recording) -> Result<Painting> {
         if (!recording)
             return Error{recording.error()};
+        leftOut = recording->leftOut;
         return paintRecording(*recording, brush ? *brush : builtinBrushes().front(), fileName);
     };
     switch (format) {

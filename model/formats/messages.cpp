@@ -1,5 +1,9 @@
 #include "model/formats/messages.h"
 
+#include <QStringList>
+
+#include <algorithm>
+
 namespace suffuse {
 
 QString shownName(const QString &path)
@@ -17,6 +21,22 @@ QString excerpt(std::string_view text)
             c = QChar(0xfffd);
     }
     return cut ? shown + QChar(0x2026) : shown;
+}
+
+QString leftOutSentence(const std::vector<LeftOut> &kinds)
+{
+    QStringList named;
+    int count = 0;
+    for (const LeftOut &kind : kinds) {
+        if (kind.count <= 0)
+            continue;
+        named << kind.what;
+        count = std::min(count, 1'000'000'000) + std::min(kind.count, 1'000'000'000);
+    }
+    if (named.isEmpty())
+        return {};
+    //: %1: a list such as "3 fills, 2 gradients"; the number is that of all things in it.
+    return FileMessages::tr("%1 were left out.", nullptr, count).arg(named.join(FileMessages::tr(", ", "list")));
 }
 
 } // namespace suffuse

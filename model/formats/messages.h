@@ -7,6 +7,7 @@
 #include <QCoreApplication>
 
 #include <string_view>
+#include <vector>
 
 namespace suffuse {
 
@@ -25,6 +26,13 @@ inline Error fileError(const QString &fileName, const QString &what)
 {
     return Error{shownName(fileName) + QStringLiteral(": ") + what};
 }
+
+/// "3 fills, 2 gradients were left out.", of the kinds whose number is above 0; empty where there are none.
+struct LeftOut {
+    int count = 0;
+    QString what; ///< with the number
+};
+QString leftOutSentence(const std::vector<LeftOut> &kinds);
 
 /// Largest file that is read or written, bytes.
 inline constexpr qint64 largestFile = qint64(2) << 30;

@@ -96,4 +96,10 @@ struct Cubic {
     }
 };
 
+/// Of the control polygon; no arc of the curve is longer.
+inline double polygonLength(const Cubic &c)
+{
+    return length(c.p[1] - c.p[0]) + length(c.p[2] - c.p[1]) + length(c.p[3] - c.p[2]);
+}
+
 } // namespace suffuse

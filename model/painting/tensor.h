@@ -2,7 +2,7 @@
 #pragma once
 
 #include "model/painting/segment.h"
-#include "model/shaping/transform.h"
+#include "model/painting/affine.h"
 
 namespace suffuse {
 

@@ -1,5 +1,7 @@
 #include "model/painting/validate.h"
 
+#include "model/painting/field_domains.h"
+
 #include <QCoreApplication>
 
 #include <unordered_map>
@@ -8,10 +10,6 @@
 namespace suffuse {
 
 namespace {
-
-constexpr double largestCoordinate = 1e12;
-constexpr Microseconds largestTime = 1'000'000'000'000'000; // 1e15 µs
-constexpr std::uint64_t largestId = 9'007'199'254'740'991;  // 2^53 − 1: exact in every JSON reader
 
 QString tr(const char *text)
 {
@@ -23,72 +21,20 @@ QString number(double value)
     return QString::number(value, 'g', 9);
 }
 
-/// "diffusion: -3 is not in (0, 1e12]"
-QString outside(const QString &path, double value, const char *domain)
-{
-    return tr(QT_TRANSLATE_NOOP("Validate", "%1: %2 is not in %3")).arg(path, number(value), QLatin1String(domain));
-}
-
-QString outside(const char *path, double value, const char *domain)
-{
-    return outside(QString::fromLatin1(path), value, domain);
-}
-
 QString says(const QString &path, const char *translatable)
 {
     return path + QLatin1String(": ") + tr(translatable);
 }
 
-bool inUnit(double v)
+QString outsideXi(const Style &style, int index)
 {
-    return v >= 0 && v <= 1;
+    return outsideText(QStringLiteral("style.xi[%1]").arg(index), double(style.xi[std::size_t(index)]),
+                       domainOfXi(style.kind, index));
 }
 
-bool isCoordinate(double v)
+bool isPlace(Point p)
 {
-    return std::abs(v) <= largestCoordinate; // false for NaN
-}
-
-bool isTime(Microseconds t)
-{
-    return t >= -largestTime && t <= largestTime;
-}
-
-QString problemOfColour(const Colour &colour, const char *path)
-{
-    const float channels[] = {colour.red, colour.yellow, colour.blue, colour.opacity};
-    for (int i = 0; i < 4; ++i)
-        if (!inUnit(channels[i]))
-            return outside(QStringLiteral("%1[%2]").arg(QLatin1String(path)).arg(i), channels[i], "[0, 1]");
-    return {};
-}
-
-QString problemOfEdge(double xi1, double xi2, double xi3)
-{
-    if (!(xi3 > 0 && xi3 <= 1))
-        return outside("style.xi[2]", xi3, "(0, 1]");
-    // Exactly 2^(1/3) rounded to float32 must pass.
-    if (!(xi2 <= std::cbrt(2.0) * xi1 * (1 + 1e-6)))
-        return tr(QT_TRANSLATE_NOOP("Validate", "style.xi[1]: %1 is more than 2^(1/3) times xi[0], which is %2"))
-            .arg(number(xi2), number(xi1));
-    return {};
-}
-
-QString problemOfRewet(const Segment &segment)
-{
-    for (std::size_t i = 0; i < segment.rewet.size(); ++i) {
-        const Rewet &r = segment.rewet[i];
-        const QString path = QStringLiteral("rewet[%1]").arg(i);
-        if (!isTime(r.time))
-            return outside(path + QLatin1String("[0]"), toSeconds(r.time), "[-1e9, 1e9]");
-        if (r.extra < 0 || !isTime(r.extra))
-            return outside(path + QLatin1String("[1]"), toSeconds(r.extra), "[0, 1e9]");
-        if (i > 0 && r.time < segment.rewet[i - 1].time)
-            return says(
-                path + QLatin1String("[0]"),
-                QT_TRANSLATE_NOOP("Validate", "it is earlier than the one before it; put them in order of time"));
-    }
-    return {};
+    return coordinate.contains(p.x) && coordinate.contains(p.y);
 }
 
 /// Ids unique and in range; parents exist; no cycle.
@@ -97,8 +43,8 @@ QString problemOfGroups(const std::vector<Group> &groups)
     std::unordered_map<GroupId, GroupId> parents;
     for (std::size_t i = 0; i < groups.size(); ++i) {
         const QString path = QStringLiteral("groups[%1].id").arg(i);
-        if (groups[i].id == 0 || groups[i].id > largestId)
-            return outside(path, double(groups[i].id), "[1, 9007199254740991]");
+        if (!identity.contains(double(groups[i].id)))
+            return outsideText(path, double(groups[i].id), identity);
         if (!parents.emplace(groups[i].id, groups[i].parent).second)
             return says(path, QT_TRANSLATE_NOOP("Validate", "another group has the same id"));
     }
@@ -121,22 +67,73 @@ QString problemOfGroups(const std::vector<Group> &groups)
 
 } // namespace
 
+QString FieldPath::text() const
+{
+    QString before = parent ? parent->text() : QString();
+    if (!name)
+        return before + QStringLiteral("[%1]").arg(index);
+    if (!before.isEmpty() && *name != '[')
+        before += QLatin1Char('.');
+    return before + QLatin1String(name);
+}
+
+QString outsideText(const QString &path, double value, const Domain &domain)
+{
+    return QCoreApplication::translate("Validate", "%1: %2 is not in %3").arg(path, number(value), domain.text());
+}
+
+void DomainCheck::failDomain(const FieldPath &path, double value, const Domain &domain)
+{
+    m_problem = outsideText(path.text(), value, domain);
+}
+
+void DomainCheck::failText(const FieldPath &path, const char *translatable)
+{
+    m_problem = says(path.text(), translatable);
+}
+
+const char *DomainCheck::noSuch(NodeKind)
+{
+    return QT_TRANSLATE_NOOP("Validate", "there is no such kind of node");
+}
+
+const char *DomainCheck::noSuch(PaperKind)
+{
+    return QT_TRANSLATE_NOOP("Validate", "there is no such kind of paper");
+}
+
+const char *DomainCheck::noSuch(PaperGrain)
+{
+    return QT_TRANSLATE_NOOP("Validate", "there is no such grain of paper");
+}
+
+void DomainCheck::checkParts(const std::vector<Rewet> &list, const FieldTraits &, const FieldPath &path)
+{
+    for (std::size_t i = 0; i < list.size() && ok(); ++i) {
+        const FieldPath place{&path, nullptr, int(i)};
+        checkFields(list[i], place);
+        if (ok() && i > 0 && list[i].time < list[i - 1].time)
+            failText(FieldPath{&place, "[0]"},
+                     QT_TRANSLATE_NOOP("Validate", "it is earlier than the one before it; put them in order of time"));
+    }
+}
+
 QString problemOf(const Style &style)
 {
-    const double xi1 = style.xi[0], xi2 = style.xi[1], xi3 = style.xi[2];
-    if (style.kind > StyleKind::Edge)
+    if (std::size_t(style.kind) >= styleKinds.size())
         return says(QStringLiteral("style.kind"), QT_TRANSLATE_NOOP("Validate", "there is no such style"));
-    if (!(xi1 > 0 && std::isfinite(xi1)))
-        return outside("style.xi[0]", xi1, "(0, 3.4e38]");
-    if (!(xi2 > 0 && std::isfinite(xi2)))
-        return outside("style.xi[1]", xi2, "(0, 3.4e38]");
-    if (style.kind == StyleKind::Edge)
-        return problemOfEdge(xi1, xi2, xi3);
-    if (style.kind == StyleKind::Feathering && !(xi2 >= 0.5 && xi2 <= 64))
-        return outside("style.xi[1]", xi2, "[0.5, 64]");
-    if (xi3 != 0)
+    const auto isGood = [&](int index) { return domainOfXi(style.kind, index).contains(style.xi[std::size_t(index)]); };
+    for (int index = 0; index < xiCount(style.kind); ++index)
+        if (!isGood(index))
+            return outsideXi(style, index);
+    if (!isGood(2))
         return says(QStringLiteral("style.xi[2]"),
                     QT_TRANSLATE_NOOP("Validate", "only edge darkening has a third value"));
+    const double xi1 = style.xi[0], xi2 = style.xi[1];
+    // Exactly 2^(1/3) rounded to float32 must pass.
+    if (hasRim(style.kind) && !(xi2 <= greatestLightening() * xi1 * (1 + 1e-6)))
+        return QCoreApplication::translate("Validate", "style.xi[1]: %1 is more than 2^(1/3) times xi[0], which is %2")
+            .arg(number(xi2), number(xi1));
     return {};
 }
 
@@ -144,8 +141,8 @@ QString problemOf(const Mix &mix)
 {
     if (mix.mode > MixMode::Beta)
         return says(QStringLiteral("mix.mode"), QT_TRANSLATE_NOOP("Validate", "there is no such mixing mode"));
-    if (!inUnit(mix.beta))
-        return outside("mix.beta", mix.beta, "[0, 1]");
+    if (!share.contains(mix.beta))
+        return outsideText(QStringLiteral("mix.beta"), double(mix.beta), share);
     if (mix.mode == MixMode::Alpha && mix.beta != 0)
         return says(QStringLiteral("mix.beta"), QT_TRANSLATE_NOOP("Validate", "only beta mixing has a beta"));
     return {};
@@ -153,51 +150,24 @@ QString problemOf(const Mix &mix)
 
 QString problemOf(const Colour &colour)
 {
-    return problemOfColour(colour, "colour");
+    DomainCheck check;
+    check.checkFields(colour, FieldPath{nullptr, "colour"});
+    return check.problem();
 }
 
-QString problemOf(const Segment &s)
+QString problemOf(const Segment &segment)
 {
-    for (int i = 0; i < 4; ++i)
-        for (int axis = 0; axis < 2; ++axis)
-            if (const double v = axis ? s.bezier[i].y : s.bezier[i].x; !isCoordinate(v))
-                return outside(QStringLiteral("bezier[%1][%2]").arg(i).arg(axis), v, "[-1e12, 1e12]");
-    if (!(s.diffusion > 0 && s.diffusion <= 1e12))
-        return outside("diffusion", s.diffusion, "(0, 1e12]");
-    if (!(s.density >= 0 && s.density <= 1e12))
-        return outside("density", s.density, "[0, 1e12]");
-    if (!inUnit(s.granulation))
-        return outside("granulation", s.granulation, "[0, 1]");
-    if (!(s.maxAge > 0 && s.maxAge <= 1e6))
-        return outside("maxAge", s.maxAge, "(0, 1e6]");
-    if (!isTime(s.born))
-        return outside("born", toSeconds(s.born), "[-1e9, 1e9]");
-    if (const QString problem = problemOf(s.colour); !problem.isEmpty())
-        return problem;
-    if (s.style)
-        if (const QString problem = problemOf(*s.style); !problem.isEmpty())
-            return problem;
-    if (!(s.anisotropyRatio >= 1e-6f && s.anisotropyRatio <= 1e6f))
-        return outside("anisotropy.ratio", s.anisotropyRatio, "[1e-6, 1e6]");
-    if (!std::isfinite(s.anisotropyAngle))
-        return outside("anisotropy.angle", s.anisotropyAngle, "[-3.4e38, 3.4e38]");
-    if (s.node > NodeKind::Corner)
-        return says(QStringLiteral("node"), QT_TRANSLATE_NOOP("Validate", "there is no such kind of node"));
-    return problemOfRewet(s);
+    DomainCheck check;
+    check.checkFields(segment);
+    return check.problem();
 }
 
 QString problemOf(const Stroke &stroke)
 {
-    if (stroke.id == 0 || stroke.id > largestId)
-        return outside("id", double(stroke.id), "[1, 9007199254740991]");
-    if (!isCoordinate(stroke.origin.x))
-        return outside("origin[0]", stroke.origin.x, "[-1e12, 1e12]");
-    if (!isCoordinate(stroke.origin.y))
-        return outside("origin[1]", stroke.origin.y, "[-1e12, 1e12]");
-    if (const QString problem = problemOf(stroke.style); !problem.isEmpty())
-        return problem;
-    if (const QString problem = problemOf(stroke.mix); !problem.isEmpty())
-        return problem;
+    DomainCheck check;
+    check.checkFields(stroke);
+    if (!check.ok())
+        return check.problem();
     if (stroke.segments.empty())
         return says(QStringLiteral("segments"), QT_TRANSLATE_NOOP("Validate", "a stroke needs at least one"));
     for (std::size_t k = 0; k < stroke.segments.size(); ++k) {
@@ -207,9 +177,11 @@ QString problemOf(const Stroke &stroke)
             return path() + problem;
         for (int i = 0; i < 4; ++i) {
             const Point p = stroke.origin + segment.bezier[i];
-            if (!isCoordinate(p.x) || !isCoordinate(p.y))
-                return path() + outside(QStringLiteral("bezier[%1][%2]").arg(i).arg(isCoordinate(p.x) ? 1 : 0),
-                                        isCoordinate(p.x) ? p.y : p.x, "[-1e12, 1e12]");
+            if (!isPlace(p)) {
+                const bool isX = !coordinate.contains(p.x);
+                return path() + outsideText(QStringLiteral("bezier[%1][%2]").arg(i).arg(isX ? 0 : 1), isX ? p.x : p.y,
+                                            coordinate);
+            }
         }
         if (k > 0 && segment.bezier[0] != stroke.segments[k - 1].bezier[3])
             return says(path() + QLatin1String("bezier[0]"),
@@ -220,24 +192,11 @@ QString problemOf(const Stroke &stroke)
 
 QString problemOf(const Canvas &canvas)
 {
-    if (!(canvas.width > 0 && canvas.width <= 1e6))
-        return outside("canvas.width", canvas.width, "(0, 1e6]");
-    if (!(canvas.height > 0 && canvas.height <= 1e6))
-        return outside("canvas.height", canvas.height, "(0, 1e6]");
-    if (const QString problem = problemOfColour(canvas.background, "canvas.background"); !problem.isEmpty())
-        return problem;
-    const Paper &paper = canvas.paper;
-    if (paper.kind > PaperKind::Image)
-        return says(QStringLiteral("canvas.paper.kind"),
-                    QT_TRANSLATE_NOOP("Validate", "there is no such kind of paper"));
-    if (paper.grain > PaperGrain::Weave)
-        return says(QStringLiteral("canvas.paper.grain"),
-                    QT_TRANSLATE_NOOP("Validate", "there is no such grain of paper"));
-    if (!(paper.scale > 0 && paper.scale <= 1e6))
-        return outside("canvas.paper.scale", paper.scale, "(0, 1e6]");
-    if (!inUnit(paper.strength))
-        return outside("canvas.paper.strength", paper.strength, "[0, 1]");
-    if (paper.kind == PaperKind::Image && !paper.image)
+    DomainCheck check;
+    check.checkFields(canvas, FieldPath{nullptr, "canvas"});
+    if (!check.ok())
+        return check.problem();
+    if (canvas.paper.kind == PaperKind::Image && !canvas.paper.image)
         return says(QStringLiteral("canvas.paper.image"),
                     QT_TRANSLATE_NOOP("Validate", "the paper's image is missing"));
     return {};
@@ -273,13 +232,9 @@ QString problemOfMembership(const Painting &painting)
 
 QString problemOf(const Underlay &underlay)
 {
-    const Rect &a = underlay.area;
-    for (double v : {a.left, a.top, a.right, a.bottom})
-        if (!isCoordinate(v))
-            return outside("underlay.area", v, "[-1e12, 1e12]");
-    if (!inUnit(underlay.opacity))
-        return outside("underlay.opacity", underlay.opacity, "[0, 1]");
-    return {};
+    DomainCheck check;
+    check.checkFields(underlay, FieldPath{nullptr, "underlay"});
+    return check.problem();
 }
 
 QString problemOf(const Painting &painting)

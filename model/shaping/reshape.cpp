@@ -10,11 +10,6 @@ namespace suffuse {
 
 namespace {
 
-bool isInner(const Stroke &stroke, int node)
-{
-    return node > 0 && node < int(stroke.segments.size());
-}
-
 /// Squared distance from a point to a box; 0 inside.
 double squaredDistance(const Rect &box, Point p)
 {
@@ -33,7 +28,7 @@ Point nodePosition(const Stroke &stroke, int node)
 
 NodeKind nodeKind(const Stroke &stroke, int node)
 {
-    return isInner(stroke, node) ? stroke.segments[std::size_t(node)].node : NodeKind::Corner;
+    return isInnerNode(stroke, node) ? stroke.segments[std::size_t(node)].node : NodeKind::Corner;
 }
 
 std::optional<Point> handlePosition(const Stroke &stroke, int node, bool after)
@@ -54,18 +49,6 @@ std::vector<int> cornersOf(const Stroke &stroke)
             corners.push_back(int(k));
     }
     return corners;
-}
-
-Cubic partOf(const Cubic &cubic, double from, double to)
-{
-    // The control points are the curve's polar form at the ends of the interval, in every mixture.
-    const auto mix = [](double t, Point a, Point b) { return (1 - t) * a + t * b; };
-    const auto polar = [&](double r, double s, double t) {
-        const Point a = mix(r, cubic.p[0], cubic.p[1]), b = mix(r, cubic.p[1], cubic.p[2]);
-        const Point c = mix(r, cubic.p[2], cubic.p[3]);
-        return mix(t, mix(s, a, b), mix(s, b, c));
-    };
-    return {{polar(from, from, from), polar(from, from, to), polar(from, to, to), polar(to, to, to)}};
 }
 
 CurvePlace nearestPlace(const Stroke &stroke, Point point, double *distance)

@@ -4,30 +4,21 @@
 #pragma once
 
 #include "model/painting/stroke.h"
+#include "model/painting/stroke_places.h"
 
-#include <compare>
 #include <optional>
 #include <vector>
 
 namespace suffuse {
 
-/// A node of a stroke of n segments: node k is the start of segment k, node n the end of the last one.
-struct NodeRef {
-    StrokeId stroke = 0;
-    int node = 0;
-    friend auto operator<=>(const NodeRef &, const NodeRef &) = default;
-};
-
-/// A place on a stroke's curve: parameter p in [0, 1] of a segment.
-struct CurvePlace {
-    int segment = 0;
-    double p = 0;
-    friend auto operator<=>(const CurvePlace &, const CurvePlace &) = default;
-};
-
 inline int nodeCount(const Stroke &stroke)
 {
     return int(stroke.segments.size()) + 1;
+}
+/// Whether the stroke goes on at both sides of the node.
+inline bool isInnerNode(const Stroke &stroke, int node)
+{
+    return node > 0 && node < int(stroke.segments.size());
 }
 /// Canvas units. The node must exist.
 Point nodePosition(const Stroke &stroke, int node);
@@ -39,8 +30,6 @@ std::optional<Point> handlePosition(const Stroke &stroke, int node, bool after);
 /// The inner nodes at which the curve's direction breaks, whatever their kind.
 std::vector<int> cornersOf(const Stroke &stroke);
 
-/// The part of a cubic between two parameters, from ≤ to; exact but for the last bits of double precision.
-Cubic partOf(const Cubic &cubic, double from, double to);
 /// The place nearest to a point, and how far away it is (canvas units), if `distance` is given.
 CurvePlace nearestPlace(const Stroke &stroke, Point point, double *distance = nullptr);
 

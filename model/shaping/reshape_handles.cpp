@@ -1,6 +1,8 @@
 #include "model/shaping/reshape.h"
 #include "model/shaping/split.h"
 
+#include "model/painting/decimal.h"
+
 #include <set>
 
 namespace suffuse {
@@ -45,11 +47,6 @@ bool hasNode(const Stroke &stroke, int node)
     return node >= 0 && node <= int(stroke.segments.size());
 }
 
-bool isInner(const Stroke &stroke, int node)
-{
-    return node > 0 && node < int(stroke.segments.size());
-}
-
 void moveNode(Stroke &stroke, int node, Point by)
 {
     if (node > 0) {
@@ -67,7 +64,7 @@ void moveNode(Stroke &stroke, int node, Point by)
 /// Turns or mirrors the handle opposite to the one that was moved, as the node's kind wants.
 void followHandle(Stroke &stroke, int node, bool after)
 {
-    if (!isInner(stroke, node) || stroke.segments[std::size_t(node)].node == NodeKind::Corner)
+    if (!isInnerNode(stroke, node) || stroke.segments[std::size_t(node)].node == NodeKind::Corner)
         return;
     Node n(stroke, node);
     const Point own = vectorBetween(n.leaving, after ? n.after : n.before);
@@ -118,7 +115,7 @@ Stroke withNodeMoved(const Stroke &stroke, const std::vector<int> &nodes, Point 
             wanted.insert(node);
     Stroke result = stroke;
     if (int(wanted.size()) == nodeCount(stroke)) {
-        result.origin = result.origin + by;
+        result.origin = {decimalSum(stroke.origin.x, by.x), decimalSum(stroke.origin.y, by.y)};
         return validOr(std::move(result), stroke);
     }
     // A segment that shrinks to a point stops a hair's breadth short of it.
@@ -152,7 +149,7 @@ Stroke withNodeKind(const Stroke &stroke, const std::vector<int> &nodes, NodeKin
 {
     Stroke result = stroke;
     for (int node : nodes) {
-        if (!isInner(stroke, node))
+        if (!isInnerNode(stroke, node))
             continue;
         if (kind != NodeKind::Corner)
             makeSmooth(result, node, kind == NodeKind::Symmetric);

@@ -1,6 +1,7 @@
 #include "model/shaping/split.h"
 
 #include "model/brush/stroke_fit.h"
+#include "model/painting/fields.h"
 #include "model/painting/tensor.h"
 #include "model/painting/validate.h"
 
@@ -34,13 +35,6 @@ void appendParts(const Segment &segment, int source, const std::vector<double> &
     }
 }
 
-struct LengthMean {
-    double sum = 0;
-    double weight = 0;
-    void add(double value, double w) { sum += w * value, weight += w; }
-    operator float() const { return float(sum / weight); }
-};
-
 } // namespace
 
 Cubic offsetsOf(const Segment &segment)
@@ -68,11 +62,6 @@ double resolutionAt(const Cubic &offsets)
     for (const Point &p : offsets.p)
         largest = std::max({largest, std::abs(p.x), std::abs(p.y)});
     return 8 * double(std::numeric_limits<float>::epsilon()) * largest;
-}
-
-double polygonLength(const Cubic &c)
-{
-    return length(c.p[1] - c.p[0]) + length(c.p[2] - c.p[1]) + length(c.p[3] - c.p[2]);
 }
 
 Point unit(Point vector)
@@ -109,35 +98,38 @@ Cubic arcBetween(Point from, Point direction, Point to, Point arrival)
 
 void setMeanValues(Segment &result, const std::vector<const Segment *> &of)
 {
-    LengthMean diffusion, density, granulation, maxAge, red, yellow, blue, opacity;
+    std::vector<double> lengths;
+    double length = 0;
     Tensor tensor;
     bool sameTensor = true;
     Microseconds born = of.front()->born;
     for (const Segment *s : of) {
-        const double w = std::max(arcLength(offsetsOf(*s)), 1e-300);
-        diffusion.add(s->diffusion, w);
-        density.add(s->density, w);
-        granulation.add(s->granulation, w);
-        maxAge.add(s->maxAge, w);
-        red.add(s->colour.red, w);
-        yellow.add(s->colour.yellow, w);
-        blue.add(s->colour.blue, w);
-        opacity.add(s->colour.opacity, w);
+        lengths.push_back(std::max(arcLength(offsetsOf(*s)), 1e-300));
+        length += lengths.back();
         born = std::min(born, s->born);
-        tensor = tensor + w * tensorOf(*s);
+        tensor = tensor + lengths.back() * tensorOf(*s);
         sameTensor = sameTensor && s->anisotropyRatio == of.front()->anisotropyRatio &&
                      s->anisotropyAngle == of.front()->anisotropyAngle;
     }
-    result.diffusion = diffusion;
-    result.density = density;
-    result.granulation = granulation;
-    result.maxAge = maxAge;
-    result.colour = {red, yellow, blue, opacity};
+    const float ratio = of.front()->anisotropyRatio, angle = of.front()->anisotropyAngle;
+    setMeanNumbers(result, of, lengths);
     result.born = born;
-    result.anisotropyRatio = of.front()->anisotropyRatio;
-    result.anisotropyAngle = of.front()->anisotropyAngle;
+    result.anisotropyRatio = ratio;
+    result.anisotropyAngle = angle;
     if (!sameTensor)
-        setTensor(result, (1 / diffusion.weight) * tensor);
+        setTensor(result, (1 / length) * tensor);
+}
+
+Cubic partOf(const Cubic &cubic, double from, double to)
+{
+    // The control points are the curve's polar form at the ends of the interval, in every mixture.
+    const auto mix = [](double t, Point a, Point b) { return (1 - t) * a + t * b; };
+    const auto polar = [&](double r, double s, double t) {
+        const Point a = mix(r, cubic.p[0], cubic.p[1]), b = mix(r, cubic.p[1], cubic.p[2]);
+        const Point c = mix(r, cubic.p[2], cubic.p[3]);
+        return mix(t, mix(s, a, b), mix(s, b, c));
+    };
+    return {{polar(from, from, from), polar(from, from, to), polar(from, to, to), polar(to, to, to)}};
 }
 
 std::vector<double> distinct(std::vector<double> ps, const Cubic &curve)

@@ -1,7 +1,11 @@
 // What reshaping, erasing and transforming have in common: exact splits, held to float32.
 #pragma once
 
-#include "model/shaping/reshape.h"
+#include "model/painting/stroke.h"
+#include "model/painting/stroke_places.h"
+
+#include <array>
+#include <vector>
 
 namespace suffuse {
 
@@ -13,6 +17,8 @@ struct Piece {
     Segment segment;
 };
 
+/// The part of a cubic between two parameters, from ≤ to; exact but for the last bits of double precision.
+Cubic partOf(const Cubic &cubic, double from, double to);
 /// Those of the parameters that lie in (0, 1) and farther than float32 resolution from each other and from the ends.
 std::vector<double> distinct(std::vector<double> ps, const Cubic &curve);
 /// The stroke's segments, each split at parameters that are `distinct`. Segments without any come as they are.
@@ -30,7 +36,6 @@ std::array<Offset, 4> toOffsets(const Cubic &cubic);
 bool isPoint(const Segment &segment);
 /// A few steps of float32 at the largest of these offsets: what is nearer is the same place.
 double resolutionAt(const Cubic &offsets);
-double polygonLength(const Cubic &cubic);
 
 /// The curve's direction at its start (end), also where handles are drawn in; length 1, or 0 for a point.
 Point startDirection(const Cubic &cubic);

@@ -1,6 +1,7 @@
 #include "render/bench/measure.h"
 
 #include "model/formats/files.h"
+#include "render/backends.h"
 #include "render/bench/generator.h"
 #include "render/threads/parallel.h"
 

@@ -6,7 +6,7 @@
 #define SUFFUSE_RENDER_CPU_BLOCK_INL_H
 #endif
 
-#include "render/cpu/kernels.h"
+#include "render/cpu/blocks.h"
 #include "render/math/lanes-inl.h"
 
 HWY_BEFORE_NAMESPACE();

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "render/cpu/kernels.h"
 #include "render/cpu/tile_painter.h"
 #include "render/scene/frame_history.h"
 

@@ -1,6 +1,7 @@
 // Strokes so wide on screen that a float sum would lose their edge: a cubic Taylor polynomial per cell, in double.
 #pragma once
 
+#include "render/cpu/kernels.h"
 #include "render/scene/scene.h"
 
 namespace suffuse::cpu {

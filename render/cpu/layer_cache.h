@@ -1,6 +1,7 @@
 // What lies below and above the strokes that are being edited, per tile, so that a frame costs those strokes only.
 #pragma once
 
+#include "render/cpu/kernels.h"
 #include "render/cpu/prefix_sums.h"
 
 #include <cstddef>

@@ -1,6 +1,7 @@
 // Sums over the part of a growing stroke that has dried, so that a frame costs the young part only.
 #pragma once
 
+#include "render/cpu/kernels.h"
 #include "render/scene/scene.h"
 
 #include <cstdint>

@@ -1,6 +1,7 @@
 // Paints one tile: every stroke that meets it, from bottom to top.
 #pragma once
 
+#include "render/cpu/kernels.h"
 #include "render/cpu/layer_cache.h"
 #include "render/cpu/tile_strokes.h"
 #include "render/scene/paper.h"

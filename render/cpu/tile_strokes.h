@@ -1,6 +1,7 @@
 // Which strokes show in a tile, and which of their nodes meet each of its blocks.
 #pragma once
 
+#include "render/cpu/kernels.h"
 #include "render/cpu/prefix_sums.h"
 
 #include <array>

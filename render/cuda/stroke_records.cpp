@@ -31,7 +31,7 @@ bool isPlain(const SceneStroke &s)
 /// The pixels that nodes [begin, end) may show in: their boxes and a pixel around them for its coverage.
 void bound(const SceneStroke &s, std::size_t begin, std::size_t end, int width, int height, ChunkRecord &chunk)
 {
-    const cpu::NodeBoxes boxes = s.boxes.boxes();
+    const NodeBoxes boxes = s.boxes.boxes();
     double left = 1e30, top = 1e30, right = -1e30, bottom = -1e30;
     for (std::size_t i = begin; i < end; ++i) {
         const double x = s.nodes[i].x, y = s.nodes[i].y;
@@ -56,8 +56,8 @@ std::int32_t cellOf(double v)
 
 NodeRecord nodeRecord(const SceneStroke &stroke, std::size_t i)
 {
-    const cpu::ViewNode &n = stroke.nodes[i];
-    const cpu::NodeBoxes boxes = stroke.boxes.boxes();
+    const ViewNode &n = stroke.nodes[i];
+    const NodeBoxes boxes = stroke.boxes.boxes();
     NodeRecord r;
     r.cellX = cellOf(n.x), r.cellY = cellOf(n.y);
     r.x = float(n.x - double(tileSide) * r.cellX), r.y = float(n.y - double(tileSide) * r.cellY);

@@ -16,6 +16,8 @@ struct FormatRow {
     std::vector<const char *> endings;
     std::vector<ImageDepth> depths; ///< the first is the usual one
     bool alpha;
+    bool quality;
+    bool resolution;
     int maxSide;
 };
 
@@ -23,12 +25,12 @@ const std::vector<FormatRow> &formats()
 {
     using enum ImageDepth;
     static const std::vector<FormatRow> rows = {
-        {ImageFormat::Png, "PNG", {"png"}, {Bits8, Bits16}, true, 1 << 20},
-        {ImageFormat::Tiff, "TIFF", {"tiff", "tif"}, {Bits8, Bits16, Half, Float}, true, 1 << 20},
-        {ImageFormat::Exr, "EXR", {"exr"}, {Half, Float}, true, 1 << 20},
-        {ImageFormat::Jpeg, "JPEG", {"jpg", "jpeg"}, {Bits8}, false, 65500},
-        {ImageFormat::WebP, "WebP", {"webp"}, {Bits8}, true, 16383},
-        {ImageFormat::Pfm, "PFM", {"pfm"}, {Float}, false, 1 << 20},
+        {ImageFormat::Png, "PNG", {"png"}, {Bits8, Bits16}, true, false, true, 1 << 20},
+        {ImageFormat::Tiff, "TIFF", {"tiff", "tif"}, {Bits8, Bits16, Half, Float}, true, false, true, 1 << 20},
+        {ImageFormat::Exr, "EXR", {"exr"}, {Half, Float}, true, false, true, 1 << 20},
+        {ImageFormat::Jpeg, "JPEG", {"jpg", "jpeg"}, {Bits8}, false, true, true, 65500},
+        {ImageFormat::WebP, "WebP", {"webp"}, {Bits8}, true, true, false, 16383},
+        {ImageFormat::Pfm, "PFM", {"pfm"}, {Float}, false, false, false, 1 << 20},
     };
     return rows;
 }
@@ -103,6 +105,24 @@ QStringList imageEndings()
     return all;
 }
 
+bool hasResolution(ImageFormat format)
+{
+    const FormatRow *row = rowOf(format);
+    return row && row->resolution;
+}
+
+bool hasQuality(ImageFormat format)
+{
+    const FormatRow *row = rowOf(format);
+    return row && row->quality;
+}
+
+int maxSideOf(ImageFormat format)
+{
+    const FormatRow *row = rowOf(format);
+    return row ? row->maxSide : 0;
+}
+
 QString problemOf(ImageFormat format, const ImageOptions &options, int width, int height)
 {
     const FormatRow *row = rowOf(format);
@@ -130,12 +150,22 @@ QString problemOf(ImageFormat format, const ImageOptions &options, int width, in
             .arg(row->maxSide)
             .arg(width)
             .arg(height);
+    if (qint64(width) * height > maxPicturePixels)
+        return QCoreApplication::translate("ImageFormat",
+                                           "A picture of %1 × %2 pixels is too large: at most %3 million "
+                                           "pixels can be drawn. Choose a smaller size.")
+            .arg(width)
+            .arg(height)
+            .arg(maxPicturePixels / 1'000'000);
     return {};
 }
 
 QString imageModuleProblem()
 {
-    return imageModule().error();
+    for (const Result<ImageModule> &module : {readingModule(ImageFormat::WebP), readingModule(ImageFormat::Png)})
+        if (!module)
+            return module.error();
+    return {};
 }
 
 } // namespace suffuse

@@ -1,4 +1,4 @@
-// Image files: pictures out, images in. Everything but PFM goes through a module that is loaded on first use.
+// Image files: pictures out, images in. Everything but PFM goes through modules that are loaded on first use.
 #pragma once
 
 #include "model/result.h"
@@ -21,11 +21,12 @@ enum class ImageDepth { Bits8, Bits16, Half, Float };
 /// How a picture is stored. PNG, TIFF, JPEG, WebP and PFM hold sRGB-encoded values as they are; EXR holds linear light
 /// with associated (premultiplied) alpha, as OpenEXR has it; the others hold straight alpha.
 struct ImageOptions {
-    std::optional<ImageDepth> depth;                  ///< none: the format's usual one (`usualDepth`)
-    bool alpha = false;                               ///< four channels instead of three
-    int quality = 92;                                 ///< JPEG and WebP, 1 … 100; 100 is lossless in WebP
-    bool quick = false;                               ///< PNG of 8 bits: in a quarter of the time, a fifteenth larger
-    const std::atomic<bool> *cancel = nullptr;        ///< becomes true: stop soon, leave nothing behind
+    std::optional<ImageDepth> depth;           ///< none: the format's usual one (`usualDepth`)
+    bool alpha = false;                        ///< four channels instead of three
+    int quality = 92;                          ///< JPEG and WebP, 1 … 100; 100 is lossless in WebP
+    double dpi = 0;                            ///< pixels an inch, 1 … 10,000, where the format says it; 0: none
+    bool quick = false;                        ///< PNG of 8 bits: in a quarter of the time, a fifteenth larger
+    const std::atomic<bool> *cancel = nullptr; ///< becomes true: stop soon, leave nothing behind
     std::function<void(int done, int rows)> progress; ///< called after each row
 };
 
@@ -39,6 +40,15 @@ ImageDepth usualDepth(ImageFormat format);
 /// The endings that can be written, for messages and file dialogs: "png", "tiff", "tif", "exr", "jpg", "jpeg", "webp",
 /// "pfm".
 QStringList imageEndings();
+/// Whether the format's files can say how many pixels an inch has.
+bool hasResolution(ImageFormat format);
+/// Whether `ImageOptions::quality` means something to it.
+bool hasQuality(ImageFormat format);
+
+/// Largest picture that is drawn and written: pixels, at 16 bytes each in memory.
+inline constexpr qint64 maxPicturePixels = qint64(1) << 28;
+/// Pixels a side that the format holds.
+int maxSideOf(ImageFormat format);
 
 /// Empty if the format can hold such a picture, else why not and what to choose instead (depth, alpha, size).
 QString problemOf(ImageFormat format, const ImageOptions &options, int width, int height);
@@ -46,6 +56,9 @@ QString problemOf(ImageFormat format, const ImageOptions &options, int width, in
 /// Writes the picture in the format of the path's ending. The target is replaced when the whole picture is on disk, or
 /// left as it was: rows are streamed to a temporary file beside it. Errors name the file and the remedy. Any thread.
 Result<void> writeImage(const QString &path, const FloatPicture &picture, const ImageOptions &options);
+/// The same as the bytes of a file. `name` stands in messages.
+Result<QByteArray> encodeImage(ImageFormat format, const FloatPicture &picture, const ImageOptions &options,
+                               const QString &name);
 
 /// Largest image that is read: sides, and pixels (256 MB as 8 bit RGBA). Declared sizes are checked before decoding.
 inline constexpr int maxImageSide = 16384;
@@ -64,7 +77,8 @@ struct ImageRun {
     int count = 0;
 
     /// Calls put(x, y, rgba) for each.
-    template <typename Put> void forEach(const Put &put) const
+    template <typename Put>
+    void forEach(const Put &put) const
     {
         for (int i = 0; i < count; ++i)
             put(x + i * dx, y + i * dy, rgba + std::size_t(i) * 4);
@@ -79,7 +93,7 @@ struct ImageRows {
 /// As `readImage`, without holding the picture.
 Result<void> readImageRows(const QByteArray &bytes, const QString &name, const ImageRows &rows);
 
-/// Empty if the module can be loaded, else why not, with the remedy.
+/// Empty if the modules can be loaded, else why not, with the remedy.
 QString imageModuleProblem();
 
 } // namespace suffuse

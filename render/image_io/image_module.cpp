@@ -1,5 +1,7 @@
 #include "render/image_io/image_module.h"
 
+#include "render/image_io/file_replacement.h"
+
 #include <QCoreApplication>
 #include <QDir>
 #include <QFileInfo>
@@ -9,22 +11,22 @@ namespace suffuse {
 
 namespace {
 
-QString modulePath()
+QString modulePath(const QString &name)
 {
     const QString folder = qEnvironmentVariable("SUFFUSE_MODULE_DIR");
     const QDir dir(folder.isEmpty() ? QCoreApplication::applicationDirPath() + QStringLiteral("/../lib/suffuse")
                                     : folder);
-    return QDir::cleanPath(dir.absoluteFilePath(QStringLiteral("suffuse_image_io.so")));
+    return QDir::cleanPath(dir.absoluteFilePath(name + QStringLiteral(".so")));
 }
 
-Result<ImageModule> load()
+Result<ImageModule> load(const QString &name)
 {
-    const QString path = modulePath();
-    const auto problem = [&path](const QString &what) {
+    const QString path = modulePath(name);
+    const auto problem = [&](const QString &what) {
         return Error{QCoreApplication::translate("ImageModule",
                                                  "the image module %1 %2; install or build Suffuse again (target "
-                                                 "suffuse_image_io). Pictures ending in .pfm work without it")
-                         .arg(path, what)};
+                                                 "%3). Pictures ending in .pfm work without it")
+                         .arg(path, what, name)};
     };
     if (!QFileInfo::exists(path))
         return problem(QCoreApplication::translate("ImageModule", "is missing"));
@@ -35,17 +37,53 @@ Result<ImageModule> load()
     ImageModule module;
     module.write = reinterpret_cast<ImageModuleWriteFunction>(library.resolve("suffuse_image_write"));
     module.read = reinterpret_cast<ImageModuleReadFunction>(library.resolve("suffuse_image_read"));
+    module.filmAdd = reinterpret_cast<ImageModuleFilmAddFunction>(library.resolve("suffuse_image_film_add"));
+    module.filmEnd = reinterpret_cast<ImageModuleFilmEndFunction>(library.resolve("suffuse_image_film_end"));
     if (!version || version() != imageModuleVersion || !module.write || !module.read)
         return problem(QCoreApplication::translate("ImageModule", "is of another version of Suffuse"));
     return module;
 }
 
+/// PNG, TIFF, JPEG and WebP.
+const Result<ImageModule> &smallModule()
+{
+    static const Result<ImageModule> module = load(QStringLiteral("suffuse_image_io"));
+    return module;
+}
+
+const Result<ImageModule> &largeModule()
+{
+    static const Result<ImageModule> module = load(QStringLiteral("suffuse_openimageio"));
+    return module;
+}
+
+constexpr qint64 mostPngBytes = qint64(1) << 28; ///< the small module makes a PNG's stream as a whole
+
 } // namespace
 
-const Result<ImageModule> &imageModule()
+const Result<ImageModule> &readingModule(ImageFormat format)
 {
-    static const Result<ImageModule> module = load();
-    return module;
+    return format == ImageFormat::WebP ? smallModule() : largeModule();
+}
+
+const Result<ImageModule> &writingModule(ImageFormat format, qint64 bytes)
+{
+    const bool isLarge = format == ImageFormat::Exr || (format == ImageFormat::Png && bytes > mostPngBytes);
+    return isLarge ? largeModule() : smallModule();
+}
+
+ImageModuleFile moduleFile(FileReplacement &file)
+{
+    ImageModuleFile out{};
+    out.context = &file;
+    out.read = [](void *c, void *to, std::size_t n, std::int64_t at) {
+        return static_cast<FileReplacement *>(c)->read(to, n, at);
+    };
+    out.write = [](void *c, const void *from, std::size_t n, std::int64_t at) {
+        return static_cast<FileReplacement *>(c)->write(from, n, at);
+    };
+    out.size = [](void *c) { return static_cast<FileReplacement *>(c)->size(); };
+    return out;
 }
 
 const char *imageModuleName(ImageFormat format)

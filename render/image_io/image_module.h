@@ -6,17 +6,27 @@
 
 namespace suffuse {
 
-/// The image module's functions, all set.
+class FileReplacement;
+
+/// An image module's functions, all set but those of films, which the small one alone has.
 struct ImageModule {
     ImageModuleWriteFunction write = nullptr;
     ImageModuleReadFunction read = nullptr;
+    ImageModuleFilmAddFunction filmAdd = nullptr;
+    ImageModuleFilmEndFunction filmEnd = nullptr;
 };
 
-/// Loads the module on the first call: from the folder SUFFUSE_MODULE_DIR if that is set, else from
-/// ../lib/suffuse beside the program's folder. The outcome stays for the life of the process. Any thread.
-const Result<ImageModule> &imageModule();
+/// There are two modules: a small one for what is written often, which loads at once, and OpenImageIO, which brings
+/// some 260 libraries. Each is loaded when it is first asked for: from the folder SUFFUSE_MODULE_DIR if that is set,
+/// else from ../lib/suffuse beside the program's folder. The outcome stays for the life of the process. Any thread.
+const Result<ImageModule> &readingModule(ImageFormat format);
+/// `bytes`: of the picture's pixels in the file, before they are packed.
+const Result<ImageModule> &writingModule(ImageFormat format, qint64 bytes);
 
-/// What the module calls a format (OpenImageIO's names).
+/// The file as modules see it.
+ImageModuleFile moduleFile(FileReplacement &file);
+
+/// What the modules call a format (OpenImageIO's names).
 const char *imageModuleName(ImageFormat format);
 
 } // namespace suffuse

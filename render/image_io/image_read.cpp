@@ -77,9 +77,10 @@ Result<void> readImageRows(const QByteArray &bytes, const QString &name, const I
                          .arg(name)};
     if (declaresTooMuch(bytes, format))
         return tooLarge(name);
-    if (!imageModule())
+    const Result<ImageModule> &module = readingModule(format);
+    if (!module)
         return Error{QCoreApplication::translate("ImageReader", "%1: cannot read %2: %3.")
-                         .arg(name, nameOf(format), imageModule().error())};
+                         .arg(name, nameOf(format), module.error())};
     RowConverter converter{rows, orientationOf(bytes, format), 0, 0, 0, false, false, {}};
     ImageModuleRead job{};
     job.format = imageModuleName(format);
@@ -94,7 +95,7 @@ Result<void> readImageRows(const QByteArray &bytes, const QString &name, const I
     };
     job.row = [](void *c, int y, const float *values) { static_cast<RowConverter *>(c)->row(y, values); };
     std::array<char, 512> error{};
-    if (!imageModule()->read(&job, error.data(), error.size()))
+    if (!module->read(&job, error.data(), error.size()))
         return Error{QCoreApplication::translate(
                          "ImageReader", "%1: the %2 image cannot be read (%3). It may be damaged, or too large "
                                         "(at most %4 pixels a side, %5 million in all).")

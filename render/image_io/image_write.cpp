@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <array>
 #include <bit>
+#include <cstring>
 
 namespace suffuse {
 
@@ -61,36 +62,59 @@ private:
     std::vector<float> m_values;
 };
 
+/// The bytes are the file.
+ImageModuleFile moduleFile(QByteArray &bytes)
+{
+    ImageModuleFile out{};
+    out.context = &bytes;
+    out.read = [](void *c, void *to, std::size_t n, std::int64_t at) {
+        const QByteArray &file = *static_cast<QByteArray *>(c);
+        const std::size_t there = std::min(n, std::size_t(std::max<qsizetype>(0, file.size() - qsizetype(at))));
+        std::memcpy(to, file.constData() + (there > 0 ? at : 0), there);
+        return there;
+    };
+    out.write = [](void *c, const void *from, std::size_t n, std::int64_t at) {
+        QByteArray &file = *static_cast<QByteArray *>(c);
+        const qsizetype before = file.size(), end = qsizetype(at) + qsizetype(n);
+        if (end > file.capacity())
+            file.reserve(std::max(end, 2 * before)); // many small writes
+        if (end > before)
+            file.resize(end);
+        if (at > before)
+            std::memset(file.data() + before, 0, std::size_t(at - before));
+        std::memcpy(file.data() + at, from, n);
+        return n;
+    };
+    out.size = [](void *c) { return std::int64_t(static_cast<QByteArray *>(c)->size()); };
+    return out;
+}
+
 /// Portable float map: RGB, rows from bottom to top, the sign of the scale tells the byte order.
-void writePfm(FileReplacement &file, RowSource &source, int width, int height)
+void writePfm(const ImageModuleFile &file, RowSource &source, int width, int height)
 {
     const char *order = std::endian::native == std::endian::little ? "-1.0" : "1.0";
     const QByteArray header =
         "PF\n" + QByteArray::number(width) + ' ' + QByteArray::number(height) + '\n' + order + '\n';
-    std::int64_t at = std::int64_t(file.write(header.constData(), std::size_t(header.size()), 0));
+    const auto size = std::size_t(header.size());
+    std::int64_t at = std::int64_t(file.write(file.context, header.constData(), size, 0));
     const std::size_t bytes = std::size_t(width) * 3 * sizeof(float);
-    for (int y = height - 1; y >= 0 && file.problem().isEmpty(); --y) {
+    bool whole = std::size_t(at) == size;
+    for (int y = height - 1; y >= 0 && whole; --y) {
         const float *row = source.row(y);
         if (!row)
             return;
-        at += std::int64_t(file.write(row, bytes, at));
+        whole = file.write(file.context, row, bytes, at) == bytes;
+        at += std::int64_t(bytes);
     }
 }
 
 /// Empty, or what the module said.
-QString writeThroughModule(const ImageModule &module, FileReplacement &file, RowSource &source, ImageFormat format,
-                           const FloatPicture &picture, const ImageOptions &options)
+QString writeThroughModule(const ImageModule &module, const ImageModuleFile &file, RowSource &source,
+                           ImageFormat format, const FloatPicture &picture, const ImageOptions &options)
 {
     ImageModuleWrite job{};
     job.format = imageModuleName(format);
-    job.file.context = &file;
-    job.file.read = [](void *c, void *to, std::size_t n, std::int64_t at) {
-        return static_cast<FileReplacement *>(c)->read(to, n, at);
-    };
-    job.file.write = [](void *c, const void *from, std::size_t n, std::int64_t at) {
-        return static_cast<FileReplacement *>(c)->write(from, n, at);
-    };
-    job.file.size = [](void *c) { return static_cast<FileReplacement *>(c)->size(); };
+    job.file = file;
     job.width = picture.width;
     job.height = picture.height;
     job.channels = source.channels();
@@ -99,6 +123,7 @@ QString writeThroughModule(const ImageModule &module, FileReplacement &file, Row
     job.associated = format == ImageFormat::Exr;
     job.quality = std::clamp(options.quality, 1, 100);
     job.quick = options.quick;
+    job.dpi = hasResolution(format) && options.dpi > 0 ? std::clamp(options.dpi, 1.0, 10'000.0) : 0;
     job.context = &source;
     job.row = [](void *c, int y) { return static_cast<RowSource *>(c)->row(y); };
     std::array<char, 512> error{};
@@ -110,40 +135,85 @@ QString writeThroughModule(const ImageModule &module, FileReplacement &file, Row
 static_assert(int(ImageDepth::Bits8) == ModuleBits8 && int(ImageDepth::Bits16) == ModuleBits16 &&
               int(ImageDepth::Half) == ModuleHalf && int(ImageDepth::Float) == ModuleFloat);
 
+qint64 bytesOf(const FloatPicture &picture, const ImageOptions &options, ImageFormat format)
+{
+    const ImageDepth depth = options.depth.value_or(usualDepth(format));
+    const int each = depth == ImageDepth::Bits8 ? 1 : depth == ImageDepth::Float ? 4 : 2;
+    return qint64(picture.width) * picture.height * (options.alpha ? 4 : 3) * each;
+}
+
+/// A picture on its way into a file.
+struct Writing {
+    QString name; ///< in messages
+    ImageFormat format;
+    const FloatPicture &picture;
+    const ImageOptions &options;
+    const ImageModule *module = nullptr; ///< null for PFM
+
+    /// Whether it can be written at all. Loads the module.
+    Result<void> prepare()
+    {
+        const QString problem = problemOf(format, options, picture.width, picture.height);
+        if (!problem.isEmpty())
+            return Error{QStringLiteral("%1: %2").arg(name, problem)};
+        if (format == ImageFormat::Pfm)
+            return {};
+        const Result<ImageModule> &found = writingModule(format, bytesOf(picture, options, format));
+        if (!found)
+            return Error{QCoreApplication::translate("ImageWriter", "%1: cannot write %2: %3.")
+                             .arg(name, nameOf(format), found.error())};
+        module = &*found;
+        return {};
+    }
+
+    /// `fileProblem` says what went wrong with the file itself, empty: nothing.
+    template <typename Problem>
+    Result<void> write(const ImageModuleFile &file, const Problem &fileProblem) const
+    {
+        RowSource source(picture, options, format);
+        QString failure;
+        if (module)
+            failure = writeThroughModule(*module, file, source, format, picture, options);
+        else
+            writePfm(file, source, picture.width, picture.height);
+        if (source.isCancelled())
+            return Error{QCoreApplication::translate("ImageWriter", "%1: writing was cancelled; nothing was changed.")
+                             .arg(name)};
+        if (const QString problem = fileProblem(); !problem.isEmpty())
+            return Error{problem};
+        if (!failure.isEmpty())
+            return Error{QCoreApplication::translate(
+                             "ImageWriter", "%1: %2 could not be written (%3). Choose another format or depth.")
+                             .arg(name, nameOf(format), failure)};
+        return {};
+    }
+};
+
 } // namespace
 
 Result<void> writeImage(const QString &path, const FloatPicture &picture, const ImageOptions &options)
 {
-    const ImageFormat format = imageFormatForPath(path);
-    const QString problem = problemOf(format, options, picture.width, picture.height);
-    if (!problem.isEmpty())
-        return Error{QStringLiteral("%1: %2").arg(path, problem)};
-    const ImageModule *module = nullptr;
-    if (format != ImageFormat::Pfm) {
-        if (!imageModule())
-            return Error{QCoreApplication::translate("ImageWriter", "%1: cannot write %2: %3.")
-                             .arg(path, nameOf(format), imageModule().error())};
-        module = &*imageModule();
-    }
+    Writing writing{path, imageFormatForPath(path), picture, options};
+    if (Result<void> prepared = writing.prepare(); !prepared)
+        return prepared;
     FileReplacement file(path);
     if (Result<void> opened = file.open(); !opened)
         return opened;
-    RowSource source(picture, options, format);
-    QString failure;
-    if (module)
-        failure = writeThroughModule(*module, file, source, format, picture, options);
-    else
-        writePfm(file, source, picture.width, picture.height);
-    if (source.isCancelled())
-        return Error{
-            QCoreApplication::translate("ImageWriter", "%1: writing was cancelled; nothing was changed.").arg(path)};
-    if (!file.problem().isEmpty())
-        return Error{file.problem()};
-    if (!failure.isEmpty())
-        return Error{QCoreApplication::translate("ImageWriter",
-                                                 "%1: %2 could not be written (%3). Choose another format or depth.")
-                         .arg(path, nameOf(format), failure)};
+    if (Result<void> written = writing.write(moduleFile(file), [&file] { return file.problem(); }); !written)
+        return written;
     return file.commit();
+}
+
+Result<QByteArray> encodeImage(ImageFormat format, const FloatPicture &picture, const ImageOptions &options,
+                               const QString &name)
+{
+    Writing writing{name, format, picture, options};
+    if (Result<void> prepared = writing.prepare(); !prepared)
+        return Error{prepared.error()};
+    QByteArray bytes;
+    if (Result<void> written = writing.write(moduleFile(bytes), [] { return QString(); }); !written)
+        return Error{written.error()};
+    return bytes;
 }
 
 } // namespace suffuse

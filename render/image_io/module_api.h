@@ -1,4 +1,4 @@
-// The border between the program and the image module: plain C types, so that the module needs nothing of the program.
+// The border between the program and the image modules: plain C types, so that a module needs nothing of the program.
 #pragma once
 
 #include <cstddef>
@@ -7,7 +7,7 @@
 namespace suffuse {
 
 /// Both sides must have the same number; raise it with every change below.
-inline constexpr int imageModuleVersion = 2;
+inline constexpr int imageModuleVersion = 4;
 
 /// Codes of `ImageDepth` and `ImageFormat` on the border.
 enum ImageModuleDepth { ModuleBits8, ModuleBits16, ModuleHalf, ModuleFloat };
@@ -31,6 +31,7 @@ struct ImageModuleWrite {
     bool associated;
     int quality; ///< 1 … 100
     bool quick;  ///< PNG of 8 bits: less compression
+    double dpi;  ///< pixels an inch; 0: not said
     void *context;
     const float *(*row)(void *context, int y); ///< width·channels floats, valid until the next call; null: stop
 };
@@ -46,10 +47,28 @@ struct ImageModuleRead {
     void (*row)(void *context, int y, const float *values); ///< width·channels floats, 1 … 4 channels
 };
 
-/// The module's entry points (C linkage): `suffuse_image_module_version`, `suffuse_image_write`, `suffuse_image_read`.
-/// The latter two return false and put a message (UTF-8, cut to `size` bytes) into `error` where they fail.
+/// An animated WebP on its way.
+struct ImageModuleFilm {
+    int width;
+    int height;
+    int channels; ///< 3, or 4 with alpha
+    int quality;  ///< 1 … 100
+    bool loops;
+    std::int64_t bytes; ///< out: of the file so far
+    void *work;         ///< the module's own: null at first and after the end
+};
+
+/// A module's entry points (C linkage): `suffuse_image_module_version`, `suffuse_image_write`, `suffuse_image_read`,
+/// and in the small module `suffuse_image_film_add` and `suffuse_image_film_end`. All but the first return false and
+/// put a message (UTF-8, cut to `size` bytes) into `error` where they fail.
 using ImageModuleVersionFunction = int (*)();
 using ImageModuleWriteFunction = bool (*)(const ImageModuleWrite *job, char *error, std::size_t size);
 using ImageModuleReadFunction = bool (*)(const ImageModuleRead *job, char *error, std::size_t size);
+/// Shows a picture, width·height·channels bytes, from so many milliseconds after the film's start on.
+using ImageModuleFilmAddFunction = bool (*)(ImageModuleFilm *film, const std::uint8_t *pixels,
+                                            std::int64_t milliseconds, char *error, std::size_t size);
+/// Writes the film, which is so long, into the file; without a file, it is given up. Frees `work` in any case.
+using ImageModuleFilmEndFunction = bool (*)(ImageModuleFilm *film, const ImageModuleFile *file,
+                                            std::int64_t milliseconds, char *error, std::size_t size);
 
 } // namespace suffuse

@@ -1,9 +1,9 @@
-// PNG of 8 bits a channel, by libdeflate: OpenImageIO's way through libpng and zlib takes three times as long.
-#include "render/image_io/module_proxy.h"
+// PNG by libdeflate: the way through libpng and zlib takes three times as long.
+#include "render/image_io/module_formats.h"
 
 #include <libdeflate.h>
 
-#include <algorithm>
+#include <cmath>
 #include <memory>
 #include <vector>
 
@@ -13,13 +13,37 @@ namespace {
 
 using Byte = unsigned char;
 
-constexpr int usualLevel = 6;
+/// Half of the bytes of 16 bit colours are noise: to search longer makes them no smaller.
+int levelFor(const ImageModuleWrite &job)
+{
+    return job.depth == ModuleBits16 ? 1 : 6;
+}
+
 constexpr char averageFilter =
     3; // on soft paint nearly as small as the best of all filters, row by row, and far quicker
 
+std::size_t pixelBytes(const ImageModuleWrite &job)
+{
+    return std::size_t(job.channels) * (job.depth == ModuleBits16 ? 2 : 1);
+}
+
 std::size_t strideOf(const ImageModuleWrite &job)
 {
-    return std::size_t(job.width) * std::size_t(job.channels);
+    return std::size_t(job.width) * pixelBytes(job);
+}
+
+void putRow(const ImageModuleWrite &job, const float *from, Byte *to)
+{
+    const std::size_t count = std::size_t(job.width) * std::size_t(job.channels);
+    if (job.depth == ModuleBits8) {
+        std::transform(from, from + count, to, [](float v) { return toWhole<Byte>(v, 255); });
+        return;
+    }
+    for (std::size_t i = 0; i < count; ++i) { // the high byte first
+        const auto v = toWhole<std::uint16_t>(from[i], 65535);
+        to[2 * i] = Byte(v >> 8);
+        to[2 * i + 1] = Byte(v);
+    }
 }
 
 /// What a row adds to the mean of its left neighbour and the row above, as PNG defines it.
@@ -42,10 +66,9 @@ std::vector<Byte> filteredRows(const ImageModuleWrite &job)
         const float *from = job.row(job.context, y);
         if (!from)
             return {};
-        std::transform(from, from + stride, row.begin(),
-                       [](float v) { return Byte(255 * (v > 0 ? std::min(v, 1.0f) : 0.0f) + 0.5f); });
+        putRow(job, from, row.data());
         *to++ = averageFilter;
-        filterRow(row.data(), above.data(), stride, std::size_t(job.channels), to);
+        filterRow(row.data(), above.data(), stride, pixelBytes(job), to);
         row.swap(above);
     }
     return rows;
@@ -91,22 +114,27 @@ std::string numbers(std::initializer_list<std::uint32_t> values)
 /// What comes before the pixels: they are sRGB, and for readers that do not know that chunk its gamma and primaries.
 void putHead(Chunks &out, const ImageModuleWrite &job)
 {
-    constexpr char bits = 8, rgb = 2, rgba = 6, absoluteColorimetric = 3;
-    const char layout[] = {bits, job.channels == 4 ? rgba : rgb, 0, 0, 0};
+    constexpr char rgb = 2, rgba = 6, absoluteColorimetric = 3, metre = 1;
+    const char layout[] = {char(job.depth == ModuleBits16 ? 16 : 8), job.channels == 4 ? rgba : rgb, 0, 0, 0};
     constexpr char software[] = "Software\0Suffuse " SUFFUSE_VERSION;
     out.put("\x89PNG\r\n\x1a\n", 8);
     out.chunk("IHDR", numbers({std::uint32_t(job.width), std::uint32_t(job.height)}) + std::string(layout, 5));
     out.chunk("gAMA", numbers({45455}));
     out.chunk("sRGB", {absoluteColorimetric});
     out.chunk("cHRM", numbers({31270, 32900, 64000, 33000, 30000, 60000, 15000, 6000}));
+    if (job.dpi > 0) {
+        const auto perMetre = std::uint32_t(std::lround(job.dpi / 0.0254));
+        out.chunk("pHYs", numbers({perMetre, perMetre}) + metre);
+    }
     out.chunk("tEXt", std::string(software, sizeof software - 1));
 }
 
 /// False where there is not enough memory.
-bool putPixels(Chunks &out, const std::vector<Byte> &rows, bool quick)
+bool putPixels(Chunks &out, const std::vector<Byte> &rows, const ImageModuleWrite &job)
 {
+    const bool quick = job.quick && job.depth == ModuleBits8;
     const std::unique_ptr<libdeflate_compressor, void (*)(libdeflate_compressor *)> compressor(
-        quick ? nullptr : libdeflate_alloc_compressor(usualLevel), libdeflate_free_compressor);
+        quick ? nullptr : libdeflate_alloc_compressor(levelFor(job)), libdeflate_free_compressor);
     if (!quick && !compressor)
         return false;
     const std::size_t most =
@@ -120,13 +148,6 @@ bool putPixels(Chunks &out, const std::vector<Byte> &rows, bool quick)
 
 } // namespace
 
-bool fitsWritePng(const ImageModuleWrite &job)
-{
-    constexpr std::size_t mostBytes = std::size_t(1) << 28; // the stream is made as a whole
-    return std::string(job.format) == "png" && job.depth == ModuleBits8 &&
-           strideOf(job) <= mostBytes / std::size_t(job.height);
-}
-
 bool writePng(const ImageModuleWrite &job, char *error, std::size_t size)
 {
     const std::vector<Byte> rows = filteredRows(job);
@@ -134,7 +155,7 @@ bool writePng(const ImageModuleWrite &job, char *error, std::size_t size)
         return fail(error, size, "stopped");
     Chunks out(job.file);
     putHead(out, job);
-    if (!putPixels(out, rows, job.quick))
+    if (!putPixels(out, rows, job))
         return fail(error, size, "there is not enough memory");
     out.chunk("IEND", {});
     return out.isWhole() || fail(error, size, "the file could not be written");

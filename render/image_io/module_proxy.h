@@ -1,10 +1,8 @@
 #pragma once
 
-#include "render/image_io/module_api.h"
+#include "render/image_io/module_entry.h"
 
 #include <OpenImageIO/filesystem.h>
-
-#include <string>
 
 namespace suffuse {
 
@@ -45,31 +43,5 @@ private:
     ImageModuleFile m_file;
     bool m_failed = false;
 };
-
-/// An sRGB ICC profile (version 4, parametric curves), written by us: `srgbProfile(size)` points at static bytes.
-const unsigned char *srgbProfile(std::size_t &size);
-
-/// Puts the message into `error` (cut to `size` bytes) and returns false.
-bool fail(char *error, std::size_t size, const std::string &message);
-
-/// Appends the number, the highest byte first, as PNG and ICC profiles have it.
-inline void put32(std::string &out, std::uint32_t v)
-{
-    for (int shift = 24; shift >= 0; shift -= 8)
-        out.push_back(char(v >> shift));
-}
-
-/// PNG of 8 bits, made as a whole: pictures of up to 256 MB of pixels.
-bool fitsWritePng(const ImageModuleWrite &job);
-bool writePng(const ImageModuleWrite &job, char *error, std::size_t size);
-
-/// Packs bytes, at least one, as a zlib stream, quickly: `to` has room for `packedRunsBound(size)`. Returns the size.
-std::size_t packRuns(const unsigned char *from, std::size_t size, unsigned char *to);
-std::size_t packedRunsBound(std::size_t size);
-
-/// WebP goes to libwebp itself: OpenImageIO 2.4 stores straight colours wrong (it divides them by alpha again) and its
-/// lossless mode is not.
-bool writeWebP(const ImageModuleWrite &job, char *error, std::size_t size);
-bool readWebP(const ImageModuleRead &job, char *error, std::size_t size);
 
 } // namespace suffuse

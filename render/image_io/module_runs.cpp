@@ -1,6 +1,6 @@
 // Deflate (RFC 1951) without a search for matches: Huffman codes, and runs of one byte. Of rows that PNG's filters went
 // over, runs of zeros are most of what a search finds; what this leaves out makes pictures of soft paint 2 % larger.
-#include "render/image_io/module_proxy.h"
+#include "render/image_io/module_formats.h"
 
 #include <libdeflate.h>
 

@@ -1,104 +1,88 @@
-#include "render/image_io/module_proxy.h"
+#include "render/image_io/module_formats.h"
+#include "render/image_io/module_webp_pixels.h"
 
-#include <algorithm>
-#include <cmath>
-#include <memory>
+#include <webp/decode.h>
+
 #include <vector>
-
-#include <dlfcn.h>
 
 namespace suffuse {
 
 namespace {
 
-/// The part of libwebp's simple API that is needed (webp/encode.h, webp/decode.h: stable since 0.1). OpenImageIO
-/// depends on the library, so it is there without its headers being.
-struct WebP {
-    std::size_t (*encodeRgb)(const std::uint8_t *, int, int, int, float, std::uint8_t **) = nullptr;
-    std::size_t (*encodeRgba)(const std::uint8_t *, int, int, int, float, std::uint8_t **) = nullptr;
-    std::size_t (*encodeLosslessRgb)(const std::uint8_t *, int, int, int, std::uint8_t **) = nullptr;
-    std::size_t (*encodeLosslessRgba)(const std::uint8_t *, int, int, int, std::uint8_t **) = nullptr;
-    std::uint8_t *(*decodeRgba)(const std::uint8_t *, std::size_t, int *, int *) = nullptr;
-    int (*getInfo)(const std::uint8_t *, std::size_t, int *, int *) = nullptr;
-    void (*free)(void *) = nullptr;
-
-    WebP()
-    {
-        void *library = dlopen("libwebp.so.7", RTLD_NOW | RTLD_LOCAL);
-        if (!library)
-            return;
-        resolve(library, "WebPEncodeRGB", encodeRgb);
-        resolve(library, "WebPEncodeRGBA", encodeRgba);
-        resolve(library, "WebPEncodeLosslessRGB", encodeLosslessRgb);
-        resolve(library, "WebPEncodeLosslessRGBA", encodeLosslessRgba);
-        resolve(library, "WebPDecodeRGBA", decodeRgba);
-        resolve(library, "WebPGetInfo", getInfo);
-        resolve(library, "WebPFree", free);
-    }
-    bool isComplete() const
-    {
-        return encodeRgb && encodeRgba && encodeLosslessRgb && encodeLosslessRgba && decodeRgba && getInfo && free;
-    }
-
-private:
-    template <typename Function>
-    static void resolve(void *library, const char *name, Function &function)
-    {
-        function = reinterpret_cast<Function>(dlsym(library, name));
-    }
-};
-
-const WebP *webp()
+/// How the encoder works: as its makers' simple functions have it, on two threads.
+bool configure(WebPConfig &config, int quality)
 {
-    static const WebP library;
-    return library.isComplete() ? &library : nullptr;
+    if (!WebPConfigInit(&config))
+        return false;
+    config.thread_level = 1;
+    config.quality = float(quality);
+    if (quality < 100)
+        return true;
+    config.lossless = 1;
+    config.quality = 70;
+    return true;
 }
-
-const char *const missing = "the library libwebp.so.7 is missing: install libwebp7";
 
 } // namespace
 
+WebPBytes encodeWebP(const WebPPixels &from, int quality, char *error, std::size_t size)
+{
+    WebPBytes bytes(nullptr, [](WebPMemoryWriter *memory) {
+        WebPMemoryWriterClear(memory);
+        delete memory;
+    });
+    WebPConfig config;
+    WebPPicture picture;
+    if (!configure(config, quality) || !WebPPictureInit(&picture)) {
+        fail(error, size, "libwebp is of another version");
+        return bytes;
+    }
+    const std::unique_ptr<WebPPicture, void (*)(WebPPicture *)> pictureOwner(&picture, WebPPictureFree);
+    bytes.reset(new WebPMemoryWriter);
+    WebPMemoryWriterInit(bytes.get());
+    picture.use_argb = config.lossless;
+    picture.width = from.width;
+    picture.height = from.height;
+    picture.writer = WebPMemoryWrite;
+    picture.custom_ptr = bytes.get();
+    const auto take = from.channels == 4 ? WebPPictureImportRGBA : WebPPictureImportRGB;
+    if (!take(&picture, from.pixels, from.stride) || !WebPEncode(&config, &picture)) {
+        fail(error, size, "libwebp could not encode it");
+        bytes.reset();
+    }
+    return bytes;
+}
+
 bool writeWebP(const ImageModuleWrite &job, char *error, std::size_t size)
 {
-    if (!webp())
-        return fail(error, size, missing);
     const int stride = job.width * job.channels;
-    std::vector<std::uint8_t> pixels(std::size_t(stride) * job.height);
+    std::vector<std::uint8_t> pixels(std::size_t(stride) * std::size_t(job.height));
     for (int y = 0; y < job.height; ++y) {
         const float *row = job.row(job.context, y);
         if (!row)
             return fail(error, size, "stopped");
-        std::transform(row, row + stride, pixels.data() + std::size_t(y) * stride,
-                       [](float v) { return std::uint8_t(std::lround(255 * std::clamp(v, 0.0f, 1.0f))); });
+        std::transform(row, row + stride, pixels.data() + std::size_t(y) * std::size_t(stride),
+                       [](float v) { return toWhole<std::uint8_t>(v, 255); });
     }
-    std::uint8_t *encoded = nullptr;
-    std::size_t bytes = 0;
-    if (job.quality == 100)
-        bytes = (job.channels == 4 ? webp()->encodeLosslessRgba
-                                   : webp()->encodeLosslessRgb)(pixels.data(), job.width, job.height, stride, &encoded);
-    else
-        bytes = (job.channels == 4 ? webp()->encodeRgba : webp()->encodeRgb)(pixels.data(), job.width, job.height,
-                                                                             stride, float(job.quality), &encoded);
-    const std::unique_ptr<std::uint8_t, void (*)(void *)> owner(encoded, webp()->free);
-    if (bytes == 0)
-        return fail(error, size, "libwebp could not encode it");
-    return job.file.write(job.file.context, encoded, bytes, 0) == bytes ||
+    const WebPBytes bytes =
+        encodeWebP({pixels.data(), stride, job.width, job.height, job.channels}, job.quality, error, size);
+    if (!bytes)
+        return false;
+    return job.file.write(job.file.context, bytes->mem, bytes->size, 0) == bytes->size ||
            fail(error, size, "the file could not be written");
 }
 
 bool readWebP(const ImageModuleRead &job, char *error, std::size_t size)
 {
-    if (!webp())
-        return fail(error, size, missing);
     const auto *bytes = static_cast<const std::uint8_t *>(job.bytes);
     int width = 0, height = 0;
-    if (!webp()->getInfo(bytes, job.size, &width, &height))
+    if (!WebPGetInfo(bytes, job.size, &width, &height))
         return fail(error, size, "it is damaged");
     if (width < 1 || height < 1 || width > job.maxSide || height > job.maxSide ||
         std::int64_t(width) * height > job.maxPixels)
         return fail(error, size, "it declares " + std::to_string(width) + " x " + std::to_string(height) + " pixels");
-    const std::unique_ptr<std::uint8_t, void (*)(void *)> pixels(webp()->decodeRgba(bytes, job.size, &width, &height),
-                                                                 webp()->free);
+    const std::unique_ptr<std::uint8_t, void (*)(void *)> pixels(WebPDecodeRGBA(bytes, job.size, &width, &height),
+                                                                 WebPFree);
     if (!pixels)
         return fail(error, size, "it is damaged or animated");
     job.begin(job.context, width, height, 4, false, false);

@@ -64,7 +64,7 @@ double norm(Point p)
     return std::sqrt(dot(p, p));
 }
 
-double polygonLength(const Cubic &c)
+double sumOfSides(const Cubic &c)
 {
     return norm(c.p[1] - c.p[0]) + norm(c.p[2] - c.p[1]) + norm(c.p[3] - c.p[2]);
 }
@@ -90,7 +90,7 @@ void addPanels(const Source &s, const Cubic &curve, double tolerance, int depth,
     int n = panelNodes(s.isotropic ? metric : whitened(s, curve), metric, tolerance);
     // A piece (of a cusp) so short that all its mass counts for less than the tolerance takes any rule.
     if (n == 0 && (depth == maxDepth || out.size() >= most ||
-                   2 * polygonLength(metric) < tolerance * std::sqrt(std::numbers::pi)))
+                   2 * sumOfSides(metric) < tolerance * std::sqrt(std::numbers::pi)))
         n = 4;
     if (n > 0)
         return addPanel(s, curve, n, out);
@@ -212,7 +212,7 @@ bool buildSegment(const Stroke &stroke, const Segment &segment, const NodeContex
     const bool raised = larger * scale <= deepSpread;
     const double lineLoss = !raised ? lossUnraised : s.isotropic ? lossSeparable : lossOblique;
     const Rect box = s.curve.controlBox();
-    const double polygon = polygonLength(s.curve);
+    const double polygon = sumOfSides(s.curve);
     // How often the segment may lie on top of itself.
     const double folds = std::max(1.0, polygon / (norm({box.width(), box.height()}) + 0.5 * spread));
     s.radius = cutRadius(out.epsilon * out.peak, styles, out.peak, spread * scale, folds * lineLoss);

@@ -29,11 +29,6 @@ double distanceToOrigin(const Rect &r)
     return std::hypot(x, y);
 }
 
-double polygonLength(const Cubic &c)
-{
-    return length(c.p[1] - c.p[0]) + length(c.p[2] - c.p[1]) + length(c.p[3] - c.p[2]);
-}
-
 /// A piece of the curve: `plain` for |c′|, `q` = A(x − c) for the exponent.
 struct Piece {
     Cubic plain;

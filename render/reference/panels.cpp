@@ -48,11 +48,6 @@ bool isExact(const Cubic &plain, const Cubic &white, double spread)
     return true;
 }
 
-double polygonLength(const Cubic &c)
-{
-    return length(c.p[1] - c.p[0]) + length(c.p[2] - c.p[1]) + length(c.p[3] - c.p[2]);
-}
-
 void refine(const Cubic &piece, const Kernel &kernel, const PanelFilter &skip, int depth, std::vector<Panel> &panels)
 {
     const Rect box = piece.controlBox();

@@ -14,11 +14,6 @@ constexpr double leastReach = 6.5;
 constexpr double greatestReach = 27.3; // e^−745 is the least double
 constexpr double thinPixels = 0.125;   // thinner segments would need too many panels to keep
 
-double polygonLength(const Cubic &c)
-{
-    return length(c.p[1] - c.p[0]) + length(c.p[2] - c.p[1]) + length(c.p[3] - c.p[2]);
-}
-
 /// In pixels. Subtracts in double before it scales: nothing is lost at deep zoom.
 Cubic toPixels(const Stroke &stroke, const Segment &segment, const View &view)
 {

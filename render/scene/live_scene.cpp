@@ -12,7 +12,7 @@ namespace {
 void reachEverywhere(SceneStroke &stroke, const View &view)
 {
     stroke.bounds = {0, 0, view.width, view.height};
-    const cpu::NodeBoxSink boxes = stroke.boxes.sink();
+    const NodeBoxSink boxes = stroke.boxes.sink();
     for (std::size_t i = 0; i < stroke.nodes.size(); ++i) {
         boxes.reachX[i] = boxes.reachY[i] = boxes.weight[i] = 1e30f;
         boxes.slowest[i] = 0;

@@ -1,11 +1,22 @@
-// Where nodes reach and how dense they are, side by side: what choosing among them needs (Kernels::select).
+// Nodes in pixels of a picture, as every backend takes them; and where they reach and how dense they are, side by side,
+// which is what choosing among them needs.
 #pragma once
 
 #include <cstddef>
 #include <cstdint>
 #include <vector>
 
-namespace suffuse::cpu {
+namespace suffuse {
+
+/// A node in pixels of the picture. Separable: b = 0.
+struct ViewNode {
+    double x = 0, y = 0;
+    float a = 0, b = 0, c = 0; ///< metric, px⁻²
+    float weight = 0;          ///< density at its centre
+    float cut = 0;             ///< e^(−R²)
+    std::uint32_t row = 0;     ///< of the stroke's channel values
+    friend bool operator==(const ViewNode &, const ViewNode &) = default;
+};
 
 /// Boxes are read and written in runs of so many, whichever comes first.
 inline constexpr std::size_t boxRun = 16;
@@ -18,8 +29,8 @@ struct BoxPlanes {
     F *reachX = nullptr, *reachY = nullptr; ///< half-sizes, px
     F *weight = nullptr;                    ///< density at the centre
     F *slowest = nullptr;                   ///< least eigenvalue of the metric, px⁻²: q ≥ slowest·d²
-    F *steepest = nullptr;                  ///< weight times the root of the greatest, px⁻¹: weight·|∇q| ≤ 2·steepest·√q
-    I *node = nullptr;                      ///< index of the node in its stroke
+    F *steepest = nullptr; ///< weight times the root of the greatest, px⁻¹: weight·|∇q| ≤ 2·steepest·√q
+    I *node = nullptr;     ///< index of the node in its stroke
 
     /// Those from the one at `first` on.
     BoxPlanes from(std::size_t first) const
@@ -61,4 +72,4 @@ private:
     std::vector<std::uint32_t> m_nodes;
 };
 
-} // namespace suffuse::cpu
+} // namespace suffuse

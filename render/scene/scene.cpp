@@ -1,7 +1,8 @@
 #include "render/scene/scene.h"
 
-#include "render/nodes/colour_line.h"
+#include "model/paint/style_function.h"
 #include "render/math/scalar.h"
+#include "render/nodes/colour_line.h"
 #include "render/threads/parallel.h"
 // After the numbers: templates over them.
 #include "render/math/shade.h"
@@ -128,7 +129,7 @@ struct PlacedNodes {
 void writeNodes(const std::vector<Placed> &placed, const std::vector<Footprint> &footprints, SceneStroke &s,
                 std::size_t at)
 {
-    const cpu::NodeBoxSink boxes = s.boxes.sink();
+    const NodeBoxSink boxes = s.boxes.sink();
     std::uint32_t last = ~0u;
     float radius = -1, cut = 0, slowest = 0, steepest = 0;
     for (const Placed &p : placed) {
@@ -267,11 +268,6 @@ Differences placeNodes(SceneStroke &s, const View &view, int threads, bool chang
     return differences;
 }
 
-int xiCount(StyleKind kind)
-{
-    return kind == StyleKind::Edge ? 3 : 2;
-}
-
 /// Chooses constants where all segments agree, channels where they differ.
 void planChannels(SceneStroke &s, const Differences &differ)
 {
@@ -290,7 +286,7 @@ void planChannels(SceneStroke &s, const Differences &differ)
         s.shade.grainChannel = s.channels++;
     s.granulated = s.shade.grainChannel >= 0 || s.shade.grain != 1;
     s.shade.kinds = 0;
-    for (StyleKind kind : {StyleKind::Uniform, StyleKind::Feathering, StyleKind::Edge}) {
+    for (StyleKind kind : styleKinds) {
         const auto member =
             std::find_if(rows.begin(), rows.end(), [&](const NodeValues &v) { return v.style.kind == kind; });
         if (member == rows.end())

@@ -1,7 +1,8 @@
 // A painting prepared for one view: strokes in order, with their nodes in pixels.
 #pragma once
 
-#include "render/cpu/kernels.h"
+#include "render/math/shade_params.h"
+#include "render/scene/node_boxes.h"
 #include "render/nodes/node_builder.h"
 #include "render/renderer.h"
 
@@ -27,8 +28,8 @@ struct SceneStroke {
     StrokePtr stroke;
     std::shared_ptr<const StrokeNodes> source;
     PixelRect bounds; ///< pixels of the picture that it can touch; empty: none
-    UnsetVector<cpu::ViewNode> nodes; ///< the separable ones first
-    cpu::NodeBoxStore boxes;          ///< of `nodes`
+    UnsetVector<ViewNode> nodes; ///< the separable ones first
+    NodeBoxStore boxes;          ///< of `nodes`
     int separable = 0;
     std::vector<DeepNode> deep;
     std::vector<SmallSegment> small;

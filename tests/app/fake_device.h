@@ -1,7 +1,8 @@
 // A renderer whose pictures stay on a device that is none: they lie in memory, and can fail in every way.
 #pragma once
 
-#include "app/canvas/render_worker.h"
+#include "app/session/frames/make_renderer.h"
+#include "render/backends.h"
 
 #include <QOpenGLContext>
 #include <QOpenGLFunctions>

@@ -419,7 +419,7 @@ private:
         const int what = below(6);
         m_detail = QString::number(what);
         if (what == 0)
-            dialog->choose(allQuantities[std::size_t(below(int(std::size(allQuantities))))]);
+            dialog->choose(curveQuantities[std::size_t(below(int(std::size(curveQuantities))))]);
         else if (what == 1)
             dialog->choose(AlongDialog::Shape(below(3)));
         else if (what == 2)

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "app/tools/select_tool.h"
-#include "model/stroke_width.h"
+#include "model/paint/half_width.h"
 #include "tests/app/session.h"
 
 namespace suffuse {

@@ -1,7 +1,8 @@
 // Renderers that are slow, or say so.
 #pragma once
 
-#include "app/canvas/render_worker.h"
+#include "app/session/frames/make_renderer.h"
+#include "render/backends.h"
 
 namespace suffuse {
 

@@ -153,7 +153,7 @@ private slots:
             const Segment &s = stroke.segments[std::size_t(k)];
             const float middle = 0.5f * (s.bezier[0].x + s.bezier[3].x);
             const bool inRun = middle > 20 && middle < 60;
-            QVERIFY(std::abs(s.granulation - (inRun ? 0.1f + 0.8f * (middle - 20) / 40 : 1)) < 0.02f);
+            QVERIFY(std::abs(s.granulation - (inRun ? 0.9f - 0.8f * (middle - 20) / 40 : 1)) < 0.02f);
             QCOMPARE(selected.segments.contains({2, k}), inRun); // all pieces of what was selected
         }
         dialog->choose(AlongDialog::Constant); // needs no pieces

@@ -7,6 +7,7 @@
 #include "model/formats/files.h"
 #include "model/shaping/split.h"
 #include "model/painting/validate.h"
+#include "render/backends.h"
 #include "tests/app/shapes.h"
 
 #include <QTemporaryDir>

@@ -2,17 +2,18 @@
 #include "app/brush_library.h"
 #include "app/dialogs/brush_dialog.h"
 #include "app/panels/brushes/brush_panel.h"
-#include "app/widgets/response_editor.h"
-#include "app/widgets/slider_field.h"
 #include "app/settings.h"
 #include "app/tools/brush_tool.h"
 #include "app/tools/stabiliser.h"
+#include "app/widgets/response_editor.h"
+#include "app/widgets/slider_field.h"
 #include "model/formats/files.h"
 #include "model/painting/validate.h"
 #include "tests/app/panel_bench.h"
 #include "tests/app/session.h"
 
 #include <QComboBox>
+#include <QDockWidget>
 #include <QListWidget>
 #include <QMenu>
 #include <QScopeGuard>
@@ -432,6 +433,35 @@ private slots:
         const Point end = stroke.cubicOf(stroke.segments.back()).p[3];
         const double length = 50 / s.canvas().view().scale * s.canvas().devicePixelRatioF();
         QVERIFY2(std::abs(end.x - (600 - length)) < 3, qPrintable(QString::number(end.x)));
+    }
+
+    void choosingABrushTakesTheBrushTool()
+    {
+        Session s;
+        auto *dock = s.window.findChild<QDockWidget *>("brushesDock");
+        QVERIFY(dock);
+        dock->raise();
+        auto &panel = *s.window.findChild<BrushPanel *>();
+        QListWidget &list = *panel.list();
+        QTRY_VERIFY(list.isVisible());
+        const auto click = [&](const QString &name, Qt::MouseButton button) {
+            list.scrollToItem(panel.itemOf(name));
+            QTest::mouseClick(list.viewport(), button, {}, list.visualItemRect(panel.itemOf(name)).center());
+        };
+        const auto inHand = [&](Command command) { return s.window.action(command).isChecked(); };
+        s.use(Command::Select);
+        click("gouache", Qt::LeftButton);
+        QVERIFY(inHand(Command::Brush));
+        QCOMPARE(s.editor().brush().name, QString("gouache"));
+        s.use(Command::Eraser);
+        click("gouache", Qt::LeftButton); // be it the one in hand
+        QVERIFY(inHand(Command::Brush));
+        s.use(Command::Select);
+        click("ink-wash", Qt::RightButton); // only looks into its menu
+        panel.menu()->close();
+        QVERIFY(inHand(Command::Select));
+        s.use(Command::Favourite1);
+        QVERIFY(inHand(Command::Brush));
     }
 
 private:

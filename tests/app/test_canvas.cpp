@@ -224,6 +224,14 @@ private slots:
         QCOMPARE(canvas.view().scale, moved.scale);
         QVERIFY(canvas.view().centre.x < moved.centre.x);
         QCOMPARE(canvas.view().centre.y, moved.centre.y);
+        const View tiltedView = canvas.view(); // Ctrl+wheel zooms, as it does everywhere else
+        sendWheel(canvas, at, 120, Qt::ControlModifier);
+        QVERIFY(std::abs(canvas.view().scale / tiltedView.scale - 1.25) < 1e-9);
+        const View closer = canvas.view();
+        sendWheel(canvas, at, 120, Qt::ControlModifier | Qt::ShiftModifier);
+        QCOMPARE(canvas.view().scale, closer.scale);
+        QVERIFY(canvas.view().centre.y < closer.centre.y);
+        QCOMPARE(canvas.view().centre.x, closer.centre.x);
     }
 
     void dragsPanAndRotate()
@@ -258,8 +266,8 @@ private slots:
 
     void workerDropsWhatIsSuperseded()
     {
-        RenderWorker worker({});
-        QSignalSpy frames(&worker, &RenderWorker::frameReady);
+        FrameThread worker({});
+        QSignalSpy frames(&worker, &FrameThread::frameReady);
         quint64 last = 0;
         for (int i = 1; i <= 50; ++i) {
             RenderRequest request;
@@ -312,3 +320,4 @@ private:
 
 QTEST_MAIN(TestCanvas)
 #include "test_canvas.moc"
+#include "render/backends.h"

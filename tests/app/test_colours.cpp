@@ -1,13 +1,13 @@
 // History, swatches, palettes, the sheet to mix on, and the choice of papers.
 #include "app/messages.h"
-#include "app/panels/inspector/canvas_section.h"
+#include "app/panels/brushes/mixing_pad.h"
 #include "app/panels/colour/colour_convert.h"
 #include "app/panels/colour/colour_panel.h"
 #include "app/panels/colour/colour_rows.h"
-#include "app/panels/inspector/inspector_panel.h"
-#include "app/panels/brushes/mixing_pad.h"
 #include "app/panels/colour/swatch_grid.h"
 #include "app/panels/colour/swatches_section.h"
+#include "app/panels/inspector/canvas_section.h"
+#include "app/panels/inspector/inspector_panel.h"
 #include "app/settings.h"
 #include "model/formats/brushes/gimp_palette.h"
 #include "model/painting/paper_presets.h"
@@ -17,6 +17,7 @@
 #include <QComboBox>
 #include <QMenu>
 #include <QMimeData>
+#include <QPushButton>
 #include <QTemporaryDir>
 #include <QToolButton>
 #include <QtTest>
@@ -86,18 +87,37 @@ private slots:
             QCOMPARE(history.size(), std::size_t(16));
             QCOMPARE(toOpaqueScreen(history[0].colour), QColor(190, 40, 90));
             QCOMPARE(toOpaqueScreen(history[15].colour), QColor(40, 40, 90));
-            QTest::mouseClick(panel.history(), Qt::LeftButton, {}, middleOf(*panel.history(), 12));
-            QCOMPARE(bench.editor.brush().colour, history[12].colour);
+            QTest::mouseClick(panel.history(), Qt::LeftButton, {}, middleOf(*panel.history(), 5));
+            QCOMPARE(bench.editor.brush().colour, history[5].colour);
             // One that is used again comes to the front and stands there once.
             bench.editor.document().setDraft(makeStroke(99, 1, 10));
             QCOMPARE(panel.history()->swatches().size(), std::size_t(16));
-            QCOMPARE(toOpaqueScreen(panel.history()->swatches()[0].colour), QColor(70, 40, 90));
+            QCOMPARE(toOpaqueScreen(panel.history()->swatches()[0].colour), QColor(140, 40, 90));
         }
         Bench next; // another session
         ColourPanel panel(next.editor);
         QCOMPARE(panel.history()->swatches().size(), std::size_t(16));
-        QCOMPARE(toOpaqueScreen(panel.history()->swatches()[0].colour), QColor(70, 40, 90));
+        QCOMPARE(toOpaqueScreen(panel.history()->swatches()[0].colour), QColor(140, 40, 90));
         QCOMPARE(next.steps(), 0);
+    }
+
+    void recentColoursAreOneLineAndTheButtonIsSeen()
+    {
+        Bench bench;
+        ColourPanel panel(bench.editor);
+        for (const QSize &size : {QSize(200, 258), QSize(296, 258), QSize(320, 420), QSize(420, 900)}) {
+            showAt(panel, size);
+            for (int i = 0; i < 16; ++i) {
+                bench.editor.setColour(fromScreen(QColor(10 * i, 60, 20)));
+                bench.editor.document().setDraft(makeStroke(99, 1, 10));
+                bench.editor.document().setDraft(nullptr);
+            }
+            QCoreApplication::processEvents();
+            const SwatchGrid &recent = *panel.history();
+            QCOMPARE(recent.height(), recent.cell(0).height());
+            QVERIFY(recent.cell(1).right() < recent.width());
+            QCOMPARE(panel.applyButton()->visibleRegion(), QRegion(panel.applyButton()->rect()));
+        }
     }
 
     void swatchesAreSeenInLowWindows()

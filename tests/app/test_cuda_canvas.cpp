@@ -27,7 +27,7 @@ MakeRenderer makerWith(cuda::PlannedFault fault, std::weak_ptr<cuda::FailingDevi
 enum Place { Nowhere, InMemory, OnDevice };
 
 /// Where the shown frame is, if it is the picture but for a level a channel.
-Place placeOf(RenderWorker &worker, const std::vector<std::uint32_t> &pixels)
+Place placeOf(FrameThread &worker, const std::vector<std::uint32_t> &pixels)
 {
     Place place = Nowhere;
     worker.withFrame([&](ShownFrame &frame) {
@@ -56,7 +56,7 @@ class TestCudaCanvas : public QObject {
 private slots:
     void picturesAreWhereTheyAreWanted()
     {
-        RenderWorker worker({.threads = 1}, makerWith({}));
+        FrameThread worker({.threads = 1}, makerWith({}));
         float density = 20;
         for (const bool onDevice : {false, true, true, false, false, true}) {
             worker.setDeviceFramesWanted(onDevice);
@@ -86,7 +86,7 @@ private slots:
         int call = 1;
         for (bool failed = true; failed; ++call) {
             std::weak_ptr<cuda::FailingDevice> device;
-            RenderWorker worker({.threads = 1}, makerWith({call, cuda::Fault::Kind(kind)}, &device));
+            FrameThread worker({.threads = 1}, makerWith({call, cuda::Fault::Kind(kind)}, &device));
             worker.setDeviceFramesWanted(true);
             FrameInfo info;
             failed = false;

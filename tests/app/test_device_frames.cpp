@@ -1,4 +1,5 @@
 // Pictures that stay on a device: shown right, given up in order, replaced by the CPU's where the device fails.
+#include "render/backends.h"
 #include "tests/app/fake_device.h"
 #include "tests/app/session.h"
 #include "tests/app/worker_frames.h"
@@ -14,7 +15,7 @@ namespace {
 enum Place { Nowhere, InMemory, OnDevice };
 
 /// Where the shown frame is, if it has exactly these pixels.
-Place placeOf(RenderWorker &worker, const std::vector<std::uint32_t> &pixels)
+Place placeOf(FrameThread &worker, const std::vector<std::uint32_t> &pixels)
 {
     Place place = Nowhere;
     worker.withFrame([&](ShownFrame &frame) {
@@ -42,7 +43,7 @@ private slots:
     void framesAreWhereTheyAreWanted()
     {
         FakeDevice device;
-        RenderWorker worker({}, makerOn(device));
+        FrameThread worker({}, makerOn(device));
         const RenderRequest first = request(30), second = request(60);
         const auto firstPixels = pixelsOf(first), secondPixels = pixelsOf(second);
         QVERIFY(!firstPixels.empty() && firstPixels != secondPixels);
@@ -69,7 +70,7 @@ private slots:
     void anotherSizeIsAnotherFrame()
     {
         FakeDevice device;
-        RenderWorker worker({}, makerOn(device));
+        FrameThread worker({}, makerOn(device));
         worker.setDeviceFramesWanted(true);
         for (const int w : {width, width + 37, width - 50}) {
             const RenderRequest r = request(30, w);
@@ -87,7 +88,7 @@ private slots:
     {
         FakeDevice device;
         device.publishesUntilFailure = 1;
-        RenderWorker worker({}, makerOn(device));
+        FrameThread worker({}, makerOn(device));
         worker.setDeviceFramesWanted(true);
         const RenderRequest first = request(30), second = request(60);
         draw(worker, first);
@@ -105,7 +106,7 @@ private slots:
     {
         FakeDevice device;
         {
-            RenderWorker worker({}, makerOn(device));
+            FrameThread worker({}, makerOn(device));
             worker.setDeviceFramesWanted(true);
             draw(worker, request(30));
             draw(worker, request(30, width + 16));
@@ -118,7 +119,7 @@ private slots:
     void aBackendThatCannotStartIsReplaced()
     {
         const RenderRequest r = request(30);
-        RenderWorker worker({.backend = Backend::Cuda, .threads = 1}, [](const RendererOptions &options) {
+        FrameThread worker({.backend = Backend::Cuda, .threads = 1}, [](const RendererOptions &options) {
             return options.backend == Backend::Cpu
                        ? makeRenderer(options)
                        : Result<std::unique_ptr<Renderer>>(Error{QStringLiteral("there is no driver")});

@@ -5,10 +5,10 @@
 #include "app/dialogs/shortcuts_dialog.h"
 #include "app/icons.h"
 #include "app/panels/inspector/canvas_section.h"
-#include "app/widgets/number_field.h"
-#include "app/widgets/section.h"
 #include "app/settings.h"
 #include "app/theme.h"
+#include "app/widgets/number_field.h"
+#include "app/widgets/section.h"
 #include "tests/app/panel_bench.h"
 
 #include <QAction>
@@ -64,7 +64,7 @@ private slots:
         dialog.presenter()->setCurrentIndex(int(settings::Presenter::Raster));
         dialog.backend()->setCurrentText("CUDA");
         dialog.threads()->setValue(2);
-        QCOMPARE(dialog.backups()->text(), QString("None"));
+        QCOMPARE(dialog.backups()->value(), 2);
         dialog.backups()->setValue(3);
         dialog.accept();
         QCOMPARE(settings::backups(), 3);
@@ -141,7 +141,7 @@ private slots:
                 QVERIFY2(dialog.conflict()->isVisible() && !ok->isEnabled(), qPrintable(key.toString()));
                 QVERIFY(dialog.conflict()->text().contains(fixed.title));
                 for (QPushButton *button : dialog.findChildren<QPushButton *>())
-                    QVERIFY(button->text() != "Take over" || !button->isVisible()); // there is nothing to take
+                    QVERIFY(button->text() != "&Take Over" || !button->isVisible()); // there is nothing to take
             }
         dialog.editor()->setKeySequence(QKeySequence("X"));
         QVERIFY(!dialog.conflict()->isVisible() && ok->isEnabled());
@@ -172,7 +172,7 @@ private slots:
         dialog.editor()->setKeySequence(QKeySequence("Ctrl+O")); // a clash, resolved by taking it over
         auto *takeOver = [&] {
             for (QPushButton *button : dialog.findChildren<QPushButton *>())
-                if (button->text() == "Take over")
+                if (button->text() == "&Take Over")
                     return button;
             return static_cast<QPushButton *>(nullptr);
         }();
@@ -204,7 +204,13 @@ private slots:
             }
         }
         QVERIFY(icon("no such icon").isNull());
-        QVERIFY(!applicationIcon().isNull());
+        QVERIFY(iconNames().contains("brush"));
+        for (const int size : {32, 256}) {
+            const QImage image = applicationIcon().pixmap(QSize(size, size)).toImage();
+            QCOMPARE(image.width(), size);
+            QCOMPARE(image.pixelColor(size * 3 / 4, size / 4).alpha(), 255);                  // paper
+            QVERIFY(image.pixelColor(size * 114 / 256, size * 151 / 256).lightness() < 128); // the curve
+        }
     }
 
     void aboutSaysWhatRuns()

@@ -203,12 +203,14 @@ private slots:
         paint(a.editor(), 2);
         QVERIFY(a.window.saveTo(path("view.suffuse")));
         QVERIFY(!loadDocument(path("view.suffuse"))->extras.view); // all of it, at the end: as it opens anyway
+        paint(a.editor(), 1); // what is as it was saved is not written again
         a.canvas().setZoom(3.5);
         a.canvas().rotateBy(20);
         a.canvas().mirror();
         a.canvas().panBy({40, -25});
         a.editor().clock().lookAt(500'000);
         QVERIFY(a.window.saveTo(path("view.suffuse")));
+        a.window.hide(); // else it is raised
         Session b;
         b.window.resize(900, 700);
         QVERIFY(b.window.openFile(path("view.suffuse")));
@@ -234,6 +236,7 @@ private slots:
         QVERIFY(s.editor().keepsHistory());
         QVERIFY(s.window.saveTo(path("menu.suffuse")));
         QVERIFY2(keep.text().startsWith(title + " (") && keep.text().endsWith("bytes)"), qPrintable(keep.text()));
+        s.window.hide();
         Session t;
         QVERIFY(t.window.openFile(path("menu.suffuse")));
         QVERIFY(t.window.action(Command::KeepHistory).isChecked());

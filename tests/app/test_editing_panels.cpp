@@ -1,19 +1,19 @@
 // The inspector as a refiner works in it, by real events: figures and warnings, before and after, relative entry, the
 // canvas handle for the width.
-#include "app/widgets/arithmetic.h"
 #include "app/panels/colour/colour_rows.h"
-#include "app/widgets/compare_button.h"
 #include "app/panels/inspector/cross_section.h"
 #include "app/panels/inspector/cross_section_plot.h"
 #include "app/panels/inspector/figures_section.h"
 #include "app/panels/inspector/inspector_panel.h"
-#include "app/widgets/number_field.h"
-#include "app/panels/quantity.h"
-#include "app/widgets/section.h"
 #include "app/panels/inspector/segment_section.h"
 #include "app/panels/inspector/style_section.h"
 #include "app/tools/width_handle.h"
-#include "model/stroke_width.h"
+#include "app/widgets/arithmetic.h"
+#include "app/widgets/compare_button.h"
+#include "app/widgets/number_field.h"
+#include "app/widgets/quantity.h"
+#include "app/widgets/section.h"
+#include "model/paint/half_width.h"
 #include "model/painting/validate.h"
 #include "render/probe.h"
 #include "tests/app/panel_bench.h"
@@ -66,8 +66,8 @@ private slots:
             }
         } words;
         QCoreApplication::installTranslator(&words);
-        QCOMPARE(specOf(Quantity::MaxAge).unit, QString(" 秒"));
-        QCOMPARE(specOf(Quantity::Diffusion).unit, QString(" u²/秒"));
+        QCOMPARE(specOf(Quantity::MaxAge).display.unit, QString(" 秒"));
+        QCOMPARE(specOf(Quantity::Diffusion).display.unit, QString(" u²/秒"));
         QCOMPARE(evaluateArithmetic("500 ms", {}, "秒").value(), 0.5);
         for (const char *two : {"2 s", "2 秒", "2"})
             QCOMPARE(evaluateArithmetic(two, {}, "秒").value(), 2.0);

@@ -63,8 +63,10 @@ private slots:
             QVERIFY(s.window.saveTo(path(name)));
             QVERIFY(!s.window.isWindowModified());
             QVERIFY(s.window.windowTitle().startsWith(name));
+            s.window.hide(); // else it is raised
             Session other;
             QCOMPARE(other.window.openFile(path(name)), &other.window);
+            s.window.show();
             QCOMPARE(hashOf(other.painting()), hashOf(s.painting()));
             QCOMPARE(other.editor().clock().time(), other.painting().end());
             other.dry();

@@ -1,12 +1,15 @@
 // A session as a painter has it: paint, select, change, undo.
 #include "app/actions.h"
 #include "app/tools/brush_tool.h"
+#include "model/brush/brush_width.h"
 #include "tests/app/session.h"
+#include "undo/edits.h"
 
 #include <QDockWidget>
 #include <QTemporaryDir>
 
 #include <map>
+#include <numbers>
 #include <set>
 
 using namespace suffuse;
@@ -286,6 +289,37 @@ private slots:
         s.editor().document().setSelection({{s.painting().strokes[0]->id}, {}});
         QTest::keyClick(&s.canvas(), Qt::Key_Right, Qt::ShiftModifier);
         QVERIFY(std::abs(s.painting().strokes[0]->origin.x - origin.x - 10) < 1e-6);
+    }
+
+    void arrowsMoveByExactDecimals()
+    {
+        Session s;
+        s.paintLine({200, 300}, {700, 300});
+        s.dry();
+        const StrokeId id = s.painting().strokes[0]->id;
+        s.editor().push(changeStrokes(s.editor().document(), {id},
+                                      [](Stroke &stroke) {
+                                          stroke.origin = {0.1, 0};
+                                      }),
+                        "origin");
+        s.editor().document().setSelection({{id}, {}});
+        s.use(Command::Select);
+        const auto origin = [&] { return s.painting().strokes[0]->origin; };
+        View view = s.canvas().view();
+        view.centre = {387.123456789, -1234.56789}; // as it is after some zooming and panning
+        view.scale = 1.2345678901;
+        for (const auto &[turn, way] : {std::pair(0.0, Point{1, 0}), std::pair(std::numbers::pi / 2, Point{0, -1})}) {
+            view.rotation = turn;
+            s.canvas().lookThrough(view);
+            const Point from = origin();
+            QTest::keyClick(&s.canvas(), Qt::Key_Right);
+            QCOMPARE(origin(), (Point{way.x != 0 ? 1.1 : from.x, way.y != 0 ? -1.0 : 0.0}));
+            for (int i = 0; i < 30; ++i)
+                QTest::keyClick(&s.canvas(), Qt::Key_Right);
+            for (int i = 0; i < 31; ++i)
+                QTest::keyClick(&s.canvas(), Qt::Key_Left);
+            QCOMPARE(origin(), from);
+        }
     }
 
     void commandsOnTheSelection()

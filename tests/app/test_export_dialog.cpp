@@ -1,16 +1,24 @@
 // File ▸ Export…: any area, moment and size, as the renderer draws them; whole pictures or nothing.
 #include "app/dialogs/clock_box.h"
 #include "app/dialogs/export_dialog.h"
+#include "app/dialogs/preset_row.h"
+#include "app/dialogs/print_rows.h"
+#include "app/main_window.h"
 #include "app/widgets/section.h"
 #include "app/widgets/time_text.h"
 #include "model/painting/influence.h"
+#include "render/backends.h"
 #include "tests/app/panel_bench.h"
+#include "tests/files.h"
 
 #include <QCheckBox>
 #include <QComboBox>
 #include <QDir>
+#include <QJsonArray>
+#include <QJsonObject>
 #include <QPushButton>
 #include <QSpinBox>
+#include <QStatusBar>
 #include <QTemporaryDir>
 
 #include <cmath>
@@ -202,6 +210,219 @@ private slots:
         QCOMPARE(dialog.widthBox()->value(), 1);
         dialog.area()->choose(Canvas);
         QCOMPARE(dialog.widthBox()->value(), 2048);
+    }
+
+    void limitsAreSaidAndOne()
+    {
+        Bench bench;
+        ExportDialog dialog(bench.editor, shown);
+        const int width = dialog.widthBox()->maximum(), height = dialog.heightBox()->maximum();
+        QVERIFY(qint64(width) * height <= maxPicturePixels); // what suffuse-cli has, too
+        QVERIFY(qint64(width + 1) * heightForWidth(bench.editor.document().painting()->canvas.area(), width + 1) >
+                maxPicturePixels);
+        QVERIFY(dialog.limits()->text().contains(QLocale().toString(width)));
+        QVERIFY(dialog.limits()->text().contains(QLocale().toString(height)));
+        dialog.widthBox()->setValue(20'000);
+        dialog.path()->setText(m_folder->filePath("small.webp"));
+        QCOMPARE(dialog.widthBox()->maximum(), 16383);
+        QCOMPARE(dialog.widthBox()->value(), 16383);
+        QVERIFY(dialog.limits()->text().contains(QLocale().toString(16383)));
+        dialog.area()->setNumbers(Rect::of(0, 0, 10, 40)); // a high one: its height is the limit
+        QCOMPARE(dialog.heightBox()->maximum(), 16383 / 4 * 4);
+    }
+
+    void printSizeAndResolution()
+    {
+        Bench bench;
+        ExportDialog dialog(bench.editor, shown);
+        PrintRows &print = *dialog.print();
+        print.unitBox()->setCurrentIndex(0);
+        QCOMPARE(print.dpi(), 300.0);
+        dialog.widthBox()->setValue(3000);
+        QCOMPARE(print.widthBox()->value(), 254.0);
+        QCOMPARE(print.heightBox()->value(), 190.5); // 4:3
+        print.dpiBox()->setValue(600);               // pixels were set: they stay
+        QCOMPARE(dialog.widthBox()->value(), 3000);
+        QCOMPARE(print.widthBox()->value(), 127.0);
+        print.widthBox()->setValue(254);
+        QCOMPARE(dialog.widthBox()->value(), 6000);
+        QCOMPARE(dialog.heightBox()->value(), 4500);
+        print.dpiBox()->setValue(150); // the print size was set: it stays
+        QCOMPARE(dialog.widthBox()->value(), 1500);
+        QCOMPARE(print.widthBox()->value(), 254.0);
+        print.heightBox()->setValue(95.2);
+        QCOMPARE(dialog.heightBox()->value(), heightForWidth({0, 0, 1024, 768}, dialog.widthBox()->value()));
+        QVERIFY(std::abs(print.heightBox()->value() - 95.2) < 0.2);
+        print.unitBox()->setCurrentIndex(1);
+        dialog.widthBox()->setValue(450);
+        QCOMPARE(print.widthBox()->value(), 3.0);
+        ExportDialog next(bench.editor, shown);
+        QCOMPARE(next.print()->unitBox()->currentIndex(), 1);
+    }
+
+    void whatWasExportedLastIsKept()
+    {
+        Bench bench;
+        const QString file = m_folder->filePath("kept.suffuse"), picture = m_folder->filePath("out/kept.tif");
+        QVERIFY(QDir(m_folder->path()).mkpath("out"));
+        bench.editor.startSaving(file);
+        QTRY_VERIFY_WITH_TIMEOUT(bench.editor.filePath() == file && !bench.editor.isSaving(), 20000);
+        ExportSettings settings;
+        {
+            ExportDialog dialog(bench.editor, shown);
+            dialog.show();
+            dialog.path()->setText(picture);
+            dialog.depth()->setCurrentIndex(dialog.depth()->findData(int(ImageDepth::Bits16)));
+            dialog.area()->setNumbers(Rect::of(45.5, 90.25, 60, 20));
+            dialog.widthBox()->setValue(120);
+            dialog.print()->dpiBox()->setValue(150);
+            dialog.transparent()->setChecked(true);
+            dialog.moment()->choose(MomentRow::Choice::Time, 125'000);
+            settings = dialog.settings();
+            QTest::mouseClick(dialog.exportButton(), Qt::LeftButton);
+            QTRY_COMPARE_WITH_TIMEOUT(dialog.result(), int(QDialog::Accepted), 20000);
+        }
+        QCOMPARE(settings.image().dpi, 150.0);
+        ExportDialog again(bench.editor, shown);
+        QVERIFY(again.settings() == settings);
+        Bench other; // another painting has format and resolution, not area, size and moment
+        ExportDialog elsewhere(other.editor, shown);
+        QVERIFY(elsewhere.path()->text().endsWith(".tif"));
+        QCOMPARE(elsewhere.depth()->currentData().toInt(), int(ImageDepth::Bits16));
+        QCOMPARE(elsewhere.print()->dpi(), 150.0);
+        QCOMPARE(elsewhere.area()->choice(), AreaRow::Choice::Canvas);
+        QCOMPARE(elsewhere.widthBox()->value(), 1024);
+        QCOMPARE(elsewhere.moment()->choice(), MomentRow::Choice::Dried);
+    }
+
+    void settingsAreReadWithCare()
+    {
+        ExportSettings settings;
+        settings.path = "/a/b.png";
+        settings.numbers = Rect::of(1, 2, 3, 4);
+        QVERIFY(ExportSettings::fromJson(settings.toJson()) == settings);
+        QVERIFY(!ExportSettings::fromJson({}));
+        for (const auto &[key, value] :
+             std::initializer_list<std::pair<const char *, QJsonValue>>{{"path", "a.doc"},
+                                                                        {"quality", 101},
+                                                                        {"dpi", 0},
+                                                                        {"area", 9},
+                                                                        {"moment", -1},
+                                                                        {"width", 0},
+                                                                        {"scale", -1.0},
+                                                                        {"numbers", QJsonArray{0, 0, 0, 0}}}) {
+            QJsonObject object = settings.toJson();
+            object[key] = value;
+            QVERIFY2(!ExportSettings::fromJson(object), key);
+        }
+        for (int i = 0; i < 60; ++i)
+            exports::remember(QStringLiteral("/paintings/%1.suffuse").arg(i), settings);
+        int kept = 0;
+        for (int i = 0; i < 60; ++i)
+            kept += exports::lastOf(QStringLiteral("/paintings/%1.suffuse").arg(i)).has_value();
+        QCOMPARE(kept, 50);
+    }
+
+    void presets()
+    {
+        Bench bench;
+        ExportDialog dialog(bench.editor, shown);
+        dialog.show();
+        QVERIFY(!dialog.presets()->removeButton()->isEnabled());
+        dialog.path()->setText(m_folder->filePath("a.jpg"));
+        dialog.quality()->setValue(71);
+        dialog.widthBox()->setValue(500);
+        dialog.print()->dpiBox()->setValue(96);
+        dialog.presets()->saveAs("Web/ü");
+        QCOMPARE(dialog.presets()->box()->currentText(), QString("Web/ü"));
+        dialog.path()->setText(m_folder->filePath("b.png"));
+        dialog.widthBox()->setValue(2000);
+        dialog.presets()->saveAs("Large");
+
+        ExportDialog next(bench.editor, shown);
+        QComboBox &box = *next.presets()->box();
+        QCOMPARE(box.count(), 2);
+        QCOMPARE(box.currentIndex(), -1);
+        next.path()->setText(m_folder->filePath("v1.0 sky.png"));
+        box.setCurrentIndex(box.findText("Web/ü"));
+        emit box.activated(box.currentIndex());
+        QCOMPARE(next.path()->text(), m_folder->filePath("v1.0 sky.jpg"));
+        QCOMPARE(next.quality()->value(), 71);
+        QCOMPARE(next.widthBox()->value(), 500);
+        QCOMPARE(next.print()->dpi(), 96.0);
+        QVERIFY(next.presets()->removeButton()->isEnabled());
+        next.presets()->removeButton()->click();
+        QCOMPARE(exports::presets(), QStringList("Large"));
+        QCOMPARE(box.count(), 1);
+    }
+
+    void exportAgain()
+    {
+        MainWindow window;
+        window.show();
+        auto painting = std::make_shared<Painting>();
+        painting->strokes.push_back(makeStroke(1, 4, 10));
+        window.editor().document().reset(painting);
+        const QString picture = m_folder->filePath("again.png");
+        const auto inDialog = [&](const std::function<void(ExportDialog &)> &work, Command command) {
+            bool done = false;
+            QTimer::singleShot(0, &window, [&] {
+                auto *dialog = qobject_cast<ExportDialog *>(QApplication::activeModalWidget());
+                if (!dialog)
+                    return;
+                work(*dialog);
+                done = true;
+            });
+            window.action(command).trigger();
+            return done;
+        };
+        // Nothing was exported yet: it asks.
+        QVERIFY(inDialog(
+            [&](ExportDialog &dialog) {
+                dialog.path()->setText(picture);
+                dialog.widthBox()->setValue(80);
+                dialog.exportButton()->click();
+            },
+            Command::ExportAgain));
+        QTRY_VERIFY_WITH_TIMEOUT(QFile::exists(picture), 20000);
+        const QByteArray before = bytesOf(picture);
+        auto more = std::make_shared<Painting>(*painting);
+        more->canvas.background = {1, 0, 0, 1};
+        window.editor().document().reset(more);
+        window.action(Command::ExportAgain).trigger();
+        QVERIFY(!QApplication::activeModalWidget());
+        QTRY_VERIFY_WITH_TIMEOUT(window.statusBar()->currentMessage().contains("again.png") &&
+                                     window.action(Command::ExportAgain).isEnabled(),
+                                 20000);
+        const QByteArray after = bytesOf(picture);
+        QVERIFY(after != before);
+        QCOMPARE(after.mid(16, 8), before.mid(16, 8)); // of the same size
+        QVERIFY(inDialog(                              // and the dialog begins with it
+            [&](ExportDialog &dialog) {
+                QCOMPARE(dialog.path()->text(), picture);
+                QCOMPARE(dialog.widthBox()->value(), 80);
+                dialog.reject();
+            },
+            Command::Export));
+    }
+
+    void namedAreasAreLookedUpAnew()
+    {
+        Bench bench;
+        ExportSettings settings;
+        settings.path = "/a/b.png";
+        settings.area = AreaRow::Choice::Selected;
+        settings.scale = 2;
+        const Result<ExportOrder> nothing = exportOrder(settings, bench.editor, shown);
+        QVERIFY(!nothing);
+        QVERIFY2(nothing.error().contains("selected"), qPrintable(nothing.error()));
+        bench.select({2});
+        const Result<ExportOrder> order = exportOrder(settings, bench.editor, shown);
+        QVERIFY(order);
+        QCOMPARE(order->width, int(std::round(2 * order->area.width())));
+        QCOMPARE(order->height, heightForWidth(order->area, order->width));
+        settings.scale = 1e6;
+        QVERIFY(!exportOrder(settings, bench.editor, shown)); // the limit holds here, too
     }
 
     void momentsFollowTheCanvas()

@@ -1,5 +1,6 @@
 // Frames that are composed of two pictures, without a window.
-#include "app/canvas/floating_layers.h"
+#include "app/session/frames/floating_layers.h"
+#include "render/backends.h"
 #include "tests/app/selecting.h"
 #include "tests/app/worker_frames.h"
 

@@ -1,9 +1,10 @@
 // What comes first on the screen, and what stands in for a picture that takes too long.
-#include "app/canvas/coarse_frames.h"
 #include "app/canvas/selection_outline.h"
 #include "app/panels/inspector/inspector_panel.h"
 #include "app/panels/inspector/segment_section.h"
+#include "app/session/frames/coarse_frames.h"
 #include "app/settings.h"
+#include "render/backends.h"
 #include "render/bench/generator.h"
 #include "tests/app/selecting.h"
 #include "tests/app/slow_renderer.h"
@@ -72,7 +73,7 @@ RenderRequest movedBy(double units, bool interactive)
     return r;
 }
 
-std::vector<std::uint32_t> shownBy(RenderWorker &worker)
+std::vector<std::uint32_t> shownBy(FrameThread &worker)
 {
     std::vector<std::uint32_t> argb;
     worker.withFrame([&](ShownFrame &frame) { argb = frame.picture.argb; });
@@ -281,7 +282,7 @@ private slots:
                 r.view.rotation = factor == 4 ? 0.3 : 0;
                 Picture8 picture;
                 picture.resize(r.view.width, r.view.height);
-                CoarseFrames frames(std::move(*makeRenderer({.backend = Backend::Cpu})), factor);
+                CoarseFrames frames({.threads = 1}, makeRenderer, factor);
                 QVERIFY(!frames.isAt(r));
                 const Result<RenderStats> stats = frames.draw(r);
                 QVERIFY(bool(stats));
@@ -290,7 +291,7 @@ private slots:
                 for (const PixelRect &rect : stats->dirty)
                     area += double(rect.width) * rect.height;
                 QCOMPARE(area, double(r.view.width) * r.view.height); // whole, no pixel twice
-                frames.enlargeInto(picture, stats->dirty, 1);
+                frames.enlargeInto(picture, stats->dirty);
                 const double mean = meanDifference(picture.argb, pixelsOf(r));
                 QVERIFY2(mean < 2.5 * factor, qPrintable(QString::number(mean)));
             }
@@ -299,7 +300,7 @@ private slots:
     void aLongPictureGivesWayButNeverTwiceInARow()
     {
         HeldRenderer::Hold hold;
-        RenderWorker worker({.backend = Backend::Cpu, .threads = 1},
+        FrameThread worker({.backend = Backend::Cpu, .threads = 1},
                             [&hold](const RendererOptions &options) -> Result<std::unique_ptr<Renderer>> {
                                 auto renderer = makeRenderer(options);
                                 if (!renderer)
@@ -309,7 +310,7 @@ private slots:
                             });
         QVector<quint64> shown;
         QObject here;
-        connect(&worker, &RenderWorker::frameReady, &here, [&](const FrameInfo &frame) { shown << frame.serial; });
+        connect(&worker, &FrameThread::frameReady, &here, [&](const FrameInfo &frame) { shown << frame.serial; });
         QVector<quint64> asked{worker.request(request(1))};
         for (int i = 2; i <= 3; ++i) { // each while the one before takes long
             QTRY_COMPARE_WITH_TIMEOUT(hold.begun.load(std::memory_order_relaxed), i - 1, waitMs);
@@ -323,11 +324,11 @@ private slots:
 
     void aSlowGestureIsCoarseAndItsRestExact()
     {
-        RenderWorker worker({.backend = Backend::Cpu, .threads = 2}, makeSlowRenderer);
+        FrameThread worker({.backend = Backend::Cpu, .threads = 2}, makeSlowRenderer);
         worker.setCoarseWanted(true);
         QVector<int> coarseness;
         QObject here;
-        connect(&worker, &RenderWorker::frameReady, &here,
+        connect(&worker, &FrameThread::frameReady, &here,
                 [&](const FrameInfo &frame) { coarseness << frame.coarseness; });
         QCOMPARE(draw(worker, movedBy(0, false)).coarseness, 1);
         quint64 last = 0;
@@ -351,7 +352,7 @@ private slots:
     /// Strokes that a gesture cuts or takes away are predicted as those that it moves.
     void aSlowGestureIsCoarseWhereStrokesComeAndGo()
     {
-        RenderWorker worker({.backend = Backend::Cpu, .threads = 2}, makeSlowRenderer);
+        FrameThread worker({.backend = Backend::Cpu, .threads = 2}, makeSlowRenderer);
         worker.setCoarseWanted(true);
         const RenderRequest whole = movedBy(0, false);
         (void)draw(worker, whole);
@@ -385,7 +386,7 @@ private slots:
 
     void aGestureThatComesBackLeavesNoCoarsePixel()
     {
-        RenderWorker worker({.backend = Backend::Cpu, .threads = 2}, makeSlowRenderer);
+        FrameThread worker({.backend = Backend::Cpu, .threads = 2}, makeSlowRenderer);
         worker.setCoarseWanted(true);
         const RenderRequest still = movedBy(0, false);
         (void)draw(worker, still);
@@ -398,7 +399,7 @@ private slots:
 
     void otherFramesStayExact()
     {
-        RenderWorker worker({.backend = Backend::Cpu, .threads = 2}, makeSlowRenderer);
+        FrameThread worker({.backend = Backend::Cpu, .threads = 2}, makeSlowRenderer);
         (void)draw(worker, movedBy(0, false));
         for (int i = 1; i <= 3; ++i) // not wanted
             QCOMPARE(draw(worker, movedBy(i, true)).coarseness, 1);

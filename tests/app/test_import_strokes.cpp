@@ -1,6 +1,7 @@
 // File ▸ Import Strokes…: what other files hold comes into the open painting.
 #include "app/import_strokes.h"
 #include "app/messages.h"
+#include "model/shaping/transform.h"
 #include "tests/app/selecting.h"
 
 #include <QMenu>
@@ -106,17 +107,57 @@ private slots:
         s.window.importStrokes(write("b.svg", drawing));
         QCOMPARE(s.painting().strokes[0]->brush, brush.name);
         const QString said = s.window.statusBar()->currentMessage();
-        QVERIFY2(said.contains("Fills") && said.contains("Text"), qPrintable(said));
+        QVERIFY2(said.contains("1 fill(s), 1 text(s) were left out"), qPrintable(said));
     }
 
     void groupsKeepTheirNames()
     {
         Selecting s({});
-        s.window.importStrokes(write("c.suffuse", writePainting(another(), FileFormat::Suffuse)));
-        QCOMPARE(s.painting().groups.size(), std::size_t(1));
-        QCOMPARE(s.painting().groups[0].name, QString("Trees"));
-        QCOMPARE(s.painting().strokes[1]->group, s.painting().groups[0].id);
+        s.window.importStrokes(write("c.d.suffuse", writePainting(another(), FileFormat::Suffuse)));
+        const std::vector<Group> &groups = s.painting().groups;
+        QCOMPARE(groups.size(), std::size_t(2));
+        QCOMPARE(groups[0].name, QString("Trees"));
+        QCOMPARE(groups[1].name, QString("c.d")); // all of it is one group
+        QCOMPARE(groups[0].parent, groups[1].id);
+        QCOMPARE(groups[1].parent, GroupId(0));
+        QCOMPARE(s.painting().strokes[1]->group, groups[0].id);
+        QCOMPARE(s.painting().strokes[0]->group, groups[1].id);
         QCOMPARE(s.painting().strokes[0]->name, QString("sky"));
+    }
+
+    void arrivesInTheMiddleOfTheViewWithTheSelectToolInHand_data() { everyKindIsOneStepAndSelected_data(); }
+    void arrivesInTheMiddleOfTheViewWithTheSelectToolInHand()
+    {
+        QFETCH(QString, name);
+        QFETCH(QByteArray, bytes);
+        Selecting s({line(1, {200, 200}, {600, 200})});
+        s.use(Command::Brush);
+        View view = s.canvas().view();
+        view.centre = view.centre + Point{731, -252};
+        view.scale = 1.7;
+        s.canvas().lookThrough(view);
+        s.window.importStrokes(write(name, bytes));
+        QVERIFY(s.window.action(Command::Select).isChecked());
+        QVERIFY(dynamic_cast<SelectTool *>(s.canvas().tool()));
+        Rect box;
+        for (const StrokeId id : s.selected())
+            box = box.united(controlBox(s.stroke(id)));
+        QVERIFY2(length(box.centre() - s.canvas().view().toCanvas(
+                                           {0.5 * s.canvas().view().width, 0.5 * s.canvas().view().height})) < 1e-3,
+                 qPrintable(QString("%1 %2").arg(box.centre().x).arg(box.centre().y)));
+        // One group: a click on one takes all.
+        std::set<GroupId> outermost;
+        for (const StrokeId id : s.selected()) {
+            GroupId group = s.stroke(id).group;
+            for (bool isInner = true; isInner;) {
+                isInner = false;
+                for (const Group &g : s.painting().groups)
+                    if (g.id == group && g.parent)
+                        group = g.parent, isInner = true;
+            }
+            outermost.insert(group);
+        }
+        QVERIFY(outermost.size() == 1 && *outermost.begin() != 0);
     }
 
     void mistakesAreShownAndChangeNothing()

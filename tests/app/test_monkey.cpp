@@ -2,6 +2,7 @@
 // redoing all the last one, every stroke is valid, and what was redrawn in parts is what is drawn as a whole.
 // SUFFUSE_MONKEY_EVENTS and SUFFUSE_MONKEY_SEED ask for more or other events; SUFFUSE_LONG for 50,000.
 #include "model/painting/validate.h"
+#include "render/backends.h"
 #include "tests/app/monkey.h"
 #include "tests/app/shapes.h"
 #include "tests/trials.h"

@@ -96,6 +96,55 @@ private slots:
         QVERIFY(s.stroke() == before);
     }
 
+    void twoStrokesAreJoinedWhereTheyAre()
+    {
+        NodeSession s;
+        const StrokeId other = s.addWave(700, 300, false); // from 700 to 1100, level with the first
+        const Stroke before = s.stroke(), otherBefore = s.stroke(other);
+        s.canvas().panBy({-250, 0});
+        s.click({250, 320});
+        QCOMPARE(s.selection(), (Selection{{s.id}, {{s.id, 0}}}));
+        s.click({850, 320}, Qt::ShiftModifier); // another stroke's
+        QCOMPARE(s.selection(), (Selection{{s.id, other}, {{s.id, 0}, {other, 1}}}));
+        s.click({1050, 320}, Qt::ShiftModifier); // a run on that one
+        QCOMPARE(s.selection(), (Selection{{s.id, other}, {{s.id, 0}, {other, 1}, {other, 2}, {other, 3}}}));
+        s.click({550, 320}, Qt::ShiftModifier); // back on the first
+        QVERIFY(s.selection().segments.contains({s.id, 3}));
+        QCOMPARE(s.selection().segments.size(), std::size_t(5));
+        s.click(nodeAt[4]);
+        QCOMPARE(s.tool().nodes(), s.nodes({4}));
+        QVERIFY(!s.window.action(Command::JoinNodes).isEnabled());
+        s.click({700, 300}, Qt::ShiftModifier); // the other's first node
+        QCOMPARE(s.tool().nodes(), (std::set<NodeRef>{{s.id, 4}, {other, 0}}));
+        s.window.activateWindow();
+        QVERIFY(QTest::qWaitForWindowActive(&s.window));
+        s.canvas().setFocus();
+        s.key(Qt::Key_J, Qt::ShiftModifier);
+        QCOMPARE(s.painting().strokes.size(), std::size_t(1));
+        const Stroke &whole = *s.painting().strokes.front();
+        const auto isThere = [&](Point place) {
+            for (int k = 0; k < nodeCount(whole); ++k)
+                if (length(nodePosition(whole, k) - place) < 1e-3)
+                    return true;
+            return false;
+        };
+        for (const Stroke *part : {&before, &otherBefore})
+            for (int k = 0; k < nodeCount(*part); ++k)
+                QVERIFY(isThere(nodePosition(*part, k)));
+    }
+
+    void nodesStayWhereAnotherStrokeIsAdded()
+    {
+        NodeSession s;
+        const StrokeId other = s.addWave(200, 450, false);
+        s.click(nodeAt[4]);
+        s.click({250, 470}, Qt::ShiftModifier);
+        QCOMPARE(s.selection(), (Selection{{s.id, other}, {}}));
+        QCOMPARE(s.tool().nodes(), s.nodes({4}));
+        s.click({600, 450}, Qt::ShiftModifier);
+        QVERIFY(s.window.action(Command::JoinNodes).isEnabled());
+    }
+
     void breakJoinAndReverse()
     {
         NodeSession s;

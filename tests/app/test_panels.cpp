@@ -1,22 +1,22 @@
 // Panels driven by real events: each gesture is one undo step, mixed values stay mixed, what is refused changes
 // nothing.
-#include "app/widgets/arithmetic.h"
 #include "app/panels/brushes/brush_panel.h"
-#include "app/panels/inspector/canvas_section.h"
 #include "app/panels/colour/colour_convert.h"
 #include "app/panels/colour/colour_panel.h"
 #include "app/panels/colour/colour_rows.h"
 #include "app/panels/colour/colour_wheel.h"
-#include "app/panels/density_function.h"
 #include "app/panels/history/history_panel.h"
+#include "app/panels/inspector/canvas_section.h"
 #include "app/panels/inspector/inspector_panel.h"
-#include "app/widgets/number_field.h"
-#include "app/widgets/section.h"
 #include "app/panels/inspector/segment_section.h"
 #include "app/panels/inspector/stroke_section.h"
+#include "app/panels/inspector/style_section.h"
 #include "app/panels/strokes/strokes_model.h"
 #include "app/panels/strokes/strokes_panel.h"
-#include "app/panels/inspector/style_section.h"
+#include "app/widgets/arithmetic.h"
+#include "app/widgets/number_field.h"
+#include "app/widgets/section.h"
+#include "model/paint/derived_figures.h"
 #include "tests/app/panel_bench.h"
 
 #include <QComboBox>
@@ -219,7 +219,7 @@ private slots:
         NumberField *granulation = panel.segmentSection()->granulation()->number();
         granulation->setFocus();
         for (int i = 0; i < 3; ++i)
-            QTest::keyClick(granulation, Qt::Key_Down);
+            QTest::keyClick(granulation, Qt::Key_Up); // more grain: a smaller ω
         QVERIFY(std::abs(bench.stroke(1).segments[0].granulation - 0.97f) < 1e-6f);
         QCOMPARE(bench.steps(), 1);
     }
@@ -358,7 +358,7 @@ private slots:
         QCOMPARE(densityFunction(edge, start * 0.9999), 0.0);
         QVERIFY(std::abs(densityFunction(edge, start * 1.000001) - 1) < 1e-4);
         Segment segment;
-        segment.density = float(densityForPeak(1.2, segment.diffusion, segment.maxAge));
+        segment.density = float(densityOfPeak(1.2, spreadAt(segment.diffusion, segment.maxAge)));
         const DerivedFigures figures = derivedFigures(segment, uniform);
         QVERIFY(std::abs(figures.peak - 1.2) < 1e-6);
         QVERIFY(std::abs(figures.halfWidth - figures.spread * std::sqrt(std::log(2.4))) < 1e-5);

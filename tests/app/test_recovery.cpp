@@ -206,9 +206,13 @@ private:
     QString crashed() const { return m_folder->filePath("crashed"); }
     static QStringList journalsIn(const QString &folder) { return QDir(folder).entryList({"*.journal*"}, QDir::Files); }
 
-    /// What would be on the disk if the program died now: this process still holds its own journals.
+    /// What would be on the disk if the program died now: this process still holds its own journals. All of them stand
+    /// still before they are copied: each has a thread that writes it, and puts files in other ones' place.
     void crash(Session &session)
     {
+        for (QWidget *widget : QApplication::topLevelWidgets())
+            if (auto *window = qobject_cast<MainWindow *>(widget))
+                window->journal().flush();
         session.window.journal().flush();
         QVERIFY(QDir().mkpath(crashed()));
         for (const QString &name : journalsIn(Journal::folder())) {

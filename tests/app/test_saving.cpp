@@ -139,6 +139,11 @@ private slots:
         QTRY_COMPARE_WITH_TIMEOUT(m_asked, 1, waitMs);
         QCOMPARE(s.painting().canvas.width, 555.0);
         QVERIFY(!s.window.isWindowModified());
+        s.use(Command::Undo); // nothing is lost
+        QCOMPARE(hashOf(s.painting()), mine);
+        QVERIFY(s.window.isWindowModified());
+        s.use(Command::Redo);
+        QVERIFY(!s.window.isWindowModified());
 
         m_answer = ConflictAnswer::KeepMine; // the watcher has not lost the file that was put in place
         QVERIFY(put("a.suffuse", first));
@@ -205,6 +210,7 @@ private slots:
 
     void backupsAreKeptWhereWanted()
     {
+        settings::setBackups(0);
         Session s;
         s.paintLine({200, 300}, {700, 300});
         QVERIFY(s.window.saveTo(path("a.suffuse")));

@@ -1,7 +1,8 @@
 // Selecting strokes on the canvas, by the events that a hand makes.
+#include "app/panels/strokes/strokes_panel.h"
 #include "app/settings.h"
 #include "app/tools/pick.h"
-#include "app/tools/seen_paint.h"
+#include "model/paint/seen_paint.h"
 #include "render/bench/generator.h"
 #include "render/probe.h"
 #include "tests/app/selecting.h"
@@ -12,6 +13,7 @@
 #include <QSettings>
 #include <QTemporaryDir>
 #include <QTimer>
+#include <QTreeView>
 
 #include <random>
 
@@ -239,6 +241,43 @@ private slots:
         s.select({3});
         s.use(Command::SameBrush);
         QCOMPARE(s.selected(), (std::set<StrokeId>{2, 3}));
+    }
+
+    void selectsWhatHasTheSameNameOrIsFound()
+    {
+        StrokeList strokes;
+        for (StrokeId id = 1; id <= 5; ++id) {
+            auto stroke = std::make_shared<Stroke>(*line(id, {200, 100.0 * double(id)}, {600, 100.0 * double(id)}));
+            stroke->name = id <= 2 ? "leaf" : id == 3 ? "pear" : "";
+            strokes.push_back(std::move(stroke));
+        }
+        Selecting s(std::move(strokes));
+        s.select({1});
+        s.use(Command::SameName);
+        QCOMPARE(s.selected(), (std::set<StrokeId>{1, 2}));
+        s.select({4});
+        s.use(Command::SameName); // no name is no likeness
+        QCOMPARE(s.selected(), std::set<StrokeId>{4});
+
+        QAction &found = s.window.action(Command::SelectFound);
+        QVERIFY(!found.isEnabled());
+        auto *panel = s.window.findChild<StrokesPanel *>();
+        for (QWidget *above = panel; above; above = above->parentWidget())
+            above->show();
+        panel->search()->setText("a");
+        QVERIFY(found.isEnabled());
+        s.canvas().setFocus();
+        s.use(Command::SelectFound);
+        QCOMPARE(s.selected(), (std::set<StrokeId>{1, 2, 3}));
+        s.use(Command::SelectAll); // on the canvas all is meant
+        QCOMPARE(s.selected(), (std::set<StrokeId>{1, 2, 3, 4, 5}));
+        s.window.activateWindow();
+        QVERIFY(QTest::qWaitForWindowActive(&s.window));
+        panel->view()->setFocus();
+        QTest::keyClick(panel->view(), Qt::Key_A, Qt::ControlModifier); // in the dock what it shows
+        QCOMPARE(s.selected(), (std::set<StrokeId>{1, 2, 3}));
+        panel->search()->clear();
+        QVERIFY(!s.window.action(Command::SelectFound).isEnabled());
     }
 
     void tabGoesThroughTheStrokes()

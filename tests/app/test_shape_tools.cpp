@@ -69,6 +69,27 @@ private slots:
         QVERIFY(largestDifference(picture, s.pictureNow()) <= 1);
     }
 
+    void knifeSaysWhatItDid()
+    {
+        WaveSession s;
+        s.addWave(200, 450, false);
+        s.use(Command::Knife);
+        const auto hint = [&] { return s.canvas().tool()->hint(); };
+        const QString usual = hint();
+        s.drag({360, 250}, {345, 550}); // two strokes, of which one is selected
+        QCOMPARE(hint(), QStringLiteral("1 node(s) inserted in 1 stroke(s)"));
+        s.use(Command::Undo);
+        QCOMPARE(hint(), usual); // it has gone with what it told of
+        s.drag({700, 250}, {700, 550});
+        QCOMPARE(hint(), QStringLiteral("The line crosses no selected stroke."));
+        s.editor().document().setSelection({});
+        s.drag({360, 250}, {345, 550}, Qt::ShiftModifier);
+        QCOMPARE(hint(), QStringLiteral("2 stroke(s) cut into 4 part(s)"));
+        s.drag({700, 250}, {700, 550}, {}, false);
+        QCOMPARE(hint(), usual);
+        QTest::keyClick(&s.canvas(), Qt::Key_Escape);
+    }
+
     void knifeWithShiftCutsApart()
     {
         WaveSession s;

@@ -76,10 +76,10 @@ private slots:
         QCOMPARE(bench.steps(), 3);
         QCOMPARE(bench.editor.document().selection().strokes, std::set<StrokeId>{3});
         const QModelIndex row = panel.model()->indexOf(1);
-        QVERIFY(row.data(Qt::FontRole).value<QFont>().italic());
+        QVERIFY(row.data(StrokesModel::UnnamedRole).toBool());
         QVERIFY(panel.model()->setData(row, "Cloud"));
         QCOMPARE(bench.stroke(1).name, QString("Cloud"));
-        QVERIFY(!row.data(Qt::FontRole).isValid());
+        QVERIFY(!row.data(StrokesModel::UnnamedRole).toBool());
         panel.search()->setText("clou");
         QCOMPARE(panel.view()->model()->rowCount(), 1);
         QCOMPARE(bench.editor.document().selection().strokes, std::set<StrokeId>{3}); // hidden, still selected
@@ -239,6 +239,77 @@ private slots:
         QCOMPARE(panel.view()->model()->rowCount(panel.viewIndexOf(2)), 4);
     }
 
+    /// Strokes 1 "sea", group a of 2 "tree", 3 "sea" and 4 "tree" (locked), and 5 "tree"; the group is closed.
+    static void fillWithTrees(Bench &bench)
+    {
+        auto painting = std::make_shared<Painting>();
+        painting->groups = {{1, "a", 0, true, false}};
+        for (StrokeId id = 1; id <= 5; ++id) {
+            auto stroke = std::make_shared<Stroke>(*makeStroke(id, 2, 10));
+            stroke->name = id % 2 == 0 || id == 5 ? "tree" : "sea";
+            stroke->group = id >= 2 && id <= 4 ? 1 : 0;
+            stroke->locked = id == 4;
+            painting->strokes.push_back(std::move(stroke));
+        }
+        bench.editor.document().reset(painting);
+    }
+
+    void whatIsFoundIsSeenAndSelected()
+    {
+        Bench bench;
+        fillWithTrees(bench);
+        StrokesPanel panel(bench.editor);
+        showAt(panel, {280, 400});
+        const auto selected = [&] { return bench.editor.document().selection().strokes; };
+        const auto rowOf = [&](StrokeId id) { return panel.view()->visualRect(panel.viewIndexOf(id)); };
+        const QModelIndex group = panel.model()->indexOf(2).parent();
+        QVERIFY(!panel.view()->isExpanded(panel.viewIndexOf(2).parent()));
+        panel.selectFound(); // nothing is searched for
+        QVERIFY(selected().empty());
+        panel.search()->setText("tree");
+        QVERIFY(panel.isSearching());
+        QVERIFY(panel.view()->isExpanded(panel.viewIndexOf(2).parent()));
+        QVERIFY(!rowOf(2).isEmpty() && !rowOf(4).isEmpty() && !rowOf(5).isEmpty());
+        QVERIFY(!panel.viewIndexOf(3).isValid());
+        QTest::keyClick(panel.search(), Qt::Key_Return);
+        QCOMPARE(selected(), (std::set<StrokeId>{2, 5})); // 4 is locked
+        // The group's row stands for what is found in it.
+        QTest::mouseClick(panel.view()->viewport(), Qt::LeftButton, {},
+                          panel.view()->visualRect(panel.viewIndexOf(2).parent()).center());
+        QCOMPARE(selected(), (std::set<StrokeId>{2, 4}));
+        panel.search()->clear();
+        QVERIFY(!panel.view()->isExpanded(panel.viewIndexOf(2).parent())); // as it was
+        QVERIFY(group.isValid());
+        panel.search()->setText("a"); // the group itself, and 1 and 3 of "sea"
+        QVERIFY(panel.view()->isExpanded(panel.viewIndexOf(3).parent()));
+        QVERIFY(panel.viewIndexOf(2).isValid()); // all in a group that is found
+    }
+
+    void aRangeTakesRowsNotGroups()
+    {
+        Bench bench;
+        fillWithTrees(bench);
+        StrokesPanel panel(bench.editor);
+        showAt(panel, {280, 400});
+        const QModelIndex group = panel.viewIndexOf(2).parent();
+        panel.view()->expand(group);
+        const auto click = [&](const QModelIndex &index, Qt::KeyboardModifiers modifiers = {}) {
+            QTest::mouseClick(panel.view()->viewport(), Qt::LeftButton, modifiers,
+                              panel.view()->visualRect(index).center());
+            return bench.editor.document().selection().strokes;
+        };
+        click(panel.viewIndexOf(5)); // rows 5, a, 4, 3, 2, 1
+        QCOMPARE(click(panel.viewIndexOf(3), Qt::ShiftModifier), (std::set<StrokeId>{3, 4, 5}));
+        QVERIFY(!panel.view()->selectionModel()->isSelected(group));
+        QCOMPARE(click(panel.viewIndexOf(1), Qt::ShiftModifier), (std::set<StrokeId>{1, 2, 3, 4, 5}));
+        click(panel.viewIndexOf(5));
+        QCOMPARE(click(group, Qt::ShiftModifier), (std::set<StrokeId>{2, 3, 4, 5})); // it is the end of the range
+        QCOMPARE(click(group), (std::set<StrokeId>{2, 3, 4}));
+        panel.view()->collapse(group);
+        click(panel.viewIndexOf(5));
+        QCOMPARE(click(panel.viewIndexOf(1), Qt::ShiftModifier), (std::set<StrokeId>{1, 2, 3, 4, 5}));
+    }
+
     void contextMenu()
     {
         Bench bench;
@@ -367,6 +438,35 @@ private slots:
         QCOMPARE(panel.view()->model()->rowCount(), 3);
         panel.view()->setCurrentIndex(panel.view()->model()->index(1, 0));
         QCOMPARE(bench.stroke(1).name, QString("one"));
+    }
+
+    /// How dark the darkest pixel of a row is, of those that are grey.
+    static int inkOf(QListView &view, int row)
+    {
+        const QImage image = view.viewport()->grab(view.visualRect(view.model()->index(row, 0))).toImage();
+        int darkest = 255;
+        for (int y = 0; y < image.height(); ++y)
+            for (int x = 20; x < image.width(); ++x)
+                darkest = std::min(darkest, qGray(image.pixel(x, y)));
+        return darkest;
+    }
+
+    void undoneStepsLookUndone()
+    {
+        Bench bench;
+        HistoryPanel panel(bench.editor);
+        showAt(panel, {280, 200});
+        for (const char *name : {"mmmm", "mmmm ", "mmmm  "})
+            bench.editor.push(changeStrokes(bench.editor.document(), {1}, [&](Stroke &s) { s.name = name; }), "mmmm");
+        QCOMPARE(inkOf(*panel.view(), 1), inkOf(*panel.view(), 2));
+        const int done = inkOf(*panel.view(), 1);
+        bench.editor.undoStack().undo();
+        bench.editor.undoStack().undo();
+        for (const int row : {2, 3})
+            QVERIFY2(inkOf(*panel.view(), row) > done + 40, qPrintable(QString::number(inkOf(*panel.view(), row))));
+        bench.editor.undoStack().redo();
+        QCOMPARE(inkOf(*panel.view(), 1), done);
+        QVERIFY(inkOf(*panel.view(), 3) > done + 40);
     }
 
     void oneStrokeGoesBack()

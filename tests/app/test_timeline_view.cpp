@@ -411,6 +411,37 @@ private slots:
         QCOMPARE(seen, (std::vector<std::size_t>{0}));
     }
 
+    void aMovedBarStaysInItsLane()
+    {
+        TimelineBars bars;
+        auto painting = std::make_shared<Painting>();
+        painting->strokes = fourStrokes(); // lanes 0, 1, 0, 0
+        bars.setPainting(painting);
+        const auto lanes = [&](std::size_t which, Microseconds born) {
+            const auto moved = std::make_shared<Painting>(bars.painting());
+            moved->strokes[which] = drawnAt(StrokeId(which + 1), born, {0, 0}, {10, 0});
+            bars.setPainting(moved);
+            std::vector<int> result;
+            for (std::size_t i = 0; i < bars.size(); ++i)
+                result.push_back(bars[i].lane);
+            return result;
+        };
+        using Lanes = std::vector<int>;
+        QCOMPARE(lanes(1, 6 * second), (Lanes{0, 1, 0, 0})); // the upper one is free there
+        QCOMPARE(bars.laneCount(), 2);
+        QCOMPARE(lanes(1, 20 * second), (Lanes{0, 1, 0, 0})); // behind all others
+        QCOMPARE(bars.span().end, bars[1].end);
+        QCOMPARE(lanes(3, 1'100'000), (Lanes{0, 1, 0, 1})); // no room: the others stay
+        QCOMPARE(lanes(0, 30 * second), (Lanes{0, 1, 0, 1}));
+        QCOMPARE(lanes(2, 30 * second), (Lanes{0, 1, 1, 1}));
+        QCOMPARE(lanes(1, 30 * second), (Lanes{0, 2, 1, 1}));
+        QCOMPARE(bars.laneCount(), 3);
+        std::vector<std::size_t> seen;
+        for (int lane = 0; lane < bars.laneCount(); ++lane)
+            bars.forEachIn(lane, {0, 60 * second}, 0, [&](std::size_t i) { seen.push_back(i); });
+        QCOMPARE(seen, (std::vector<std::size_t>{0, 3, 2, 1}));
+    }
+
     void tenThousandStrokes()
     {
         Painting painting;

@@ -188,6 +188,7 @@ void TestUnderlay::savedAndReopened()
         const Underlay underlay = *s.painting().underlay;
         QVERIFY(s.window.saveTo(pathOf(ending)));
         QVERIFY(!s.editor().isModified());
+        s.window.hide(); // else it is raised
         Session again;
         QCOMPARE(again.window.openFile(pathOf(ending)), &again.window);
         QVERIFY(again.painting().underlay);

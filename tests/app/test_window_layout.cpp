@@ -47,7 +47,9 @@ private slots:
             MainWindow *own = first.openFile(path); // in it, since it is untouched
             QCOMPARE(own, &first);
             for (int k = 0; k < 3; ++k) {
-                MainWindow *next = first.openFile(path);
+                const QString other = m_folder.filePath(QString("%1-%2.suffuse").arg(maximised).arg(k));
+                QVERIFY(savePainting(Painting(), other));
+                MainWindow *next = first.openFile(other);
                 QVERIFY(next && next != &first);
                 QVERIFY(next->isVisible());
                 QCOMPARE(next->isMaximized(), maximised);
@@ -68,6 +70,39 @@ private slots:
         s.window.resize(900, 505);
         QTest::qWait(50);
         QCOMPARE(s.window.height(), 505);
+    }
+
+    /// Hidden and shown again they are where they were, to the pixel.
+    void hiddenDocksComeBackAsTheyWere()
+    {
+        Session s;
+        const QList<QDockWidget *> docks = s.window.findChildren<QDockWidget *>();
+        const auto dock = [&](const char *name) { return s.window.findChild<QDockWidget *>(name); };
+        s.window.resizeDocks({dock("colourDock"), dock("inspectorDock")}, {367, 211}, Qt::Vertical);
+        s.window.resizeDocks({dock("colourDock")}, {341}, Qt::Horizontal);
+        s.window.resizeDocks({dock("timelineDock")}, {187}, Qt::Vertical);
+        dock("brushesDock")->raise();
+        QTest::qWait(50);
+        const auto places = [&] {
+            QList<QRect> list{s.canvas().geometry()};
+            for (const QDockWidget *d : docks)
+                list << (d->isHidden() ? QRect() : d->geometry());
+            return list;
+        };
+        const QList<QRect> before = places();
+        for (int i = 0; i < 3; ++i) {
+            s.use(Command::HideDocks);
+            QTest::qWait(10);
+            QVERIFY(places() != before);
+            s.use(Command::HideDocks);
+            QTest::qWait(10);
+            QCOMPARE(places(), before);
+        }
+        s.use(Command::HideDocks);
+        dock("probeDock")->show(); // opened meanwhile
+        s.use(Command::HideDocks);
+        QVERIFY(!dock("probeDock")->isHidden());
+        QVERIFY(!dock("colourDock")->isHidden());
     }
 
 private:

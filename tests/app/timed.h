@@ -5,6 +5,7 @@
 #include "app/panels/timeline/timeline_view.h"
 #include "app/playback.h"
 #include "model/formats/files.h"
+#include "render/backends.h"
 #include "tests/app/selecting.h"
 
 #include <QComboBox>

@@ -1,7 +1,8 @@
 // Small pictures, asked of a worker without a window.
 #pragma once
 
-#include "app/canvas/render_worker.h"
+#include "app/session/frames/frame_thread.h"
+#include "render/backends.h"
 #include "tests/app/session.h"
 
 namespace suffuse {
@@ -42,12 +43,12 @@ inline std::vector<std::uint32_t> pixelsOf(const RenderRequest &r)
 }
 
 /// Asks for a picture and waits for it.
-inline FrameInfo draw(RenderWorker &worker, const RenderRequest &r)
+inline FrameInfo draw(FrameThread &worker, const RenderRequest &r)
 {
     FrameInfo last;
     quint64 serial = 0;
     QObject here; // a signal spy would listen on the worker's thread
-    QObject::connect(&worker, &RenderWorker::frameReady, &here, [&](const FrameInfo &frame) {
+    QObject::connect(&worker, &FrameThread::frameReady, &here, [&](const FrameInfo &frame) {
         if (frame.serial == serial)
             last = frame;
     });

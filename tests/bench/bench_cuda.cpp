@@ -1,4 +1,5 @@
 // The CUDA renderer, the paper's kernels on the same device, the CPU renderer and the reference, in one run.
+#include "render/backends.h"
 #include "render/bench/plan.h"
 #include "render/compare.h"
 #include "tests/bench/cuda/paper_scene.h"

@@ -1,6 +1,6 @@
 // Google Benchmark programs over the renderer's jobs: for work on the renderer itself (--benchmark_filter, perf).
 #include "render/bench/generator.h"
-#include "render/renderer.h"
+#include "render/backends.h"
 
 #include <benchmark/benchmark.h>
 

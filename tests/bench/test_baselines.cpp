@@ -1,4 +1,5 @@
 // The methods that Suffuse is compared with draw the same picture.
+#include "render/backends.h"
 #include "render/bench/measure.h"
 #include "tests/bench/baselines.h"
 #include "tests/bench/cuda/paper_scene.h"

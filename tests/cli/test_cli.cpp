@@ -5,6 +5,10 @@
 #include <QTest>
 
 #include <cmath>
+#include <csignal>
+
+#include <fcntl.h>
+#include <unistd.h>
 
 class TestCli : public QObject {
     Q_OBJECT
@@ -24,6 +28,9 @@ private slots:
     void probeTakesNegativeNumbers();
     void verify();
     void standardInput();
+    void standardOutput();
+    void nobodyReadsOn_data();
+    void nobodyReadsOn();
 
 private:
     QString path(const QString &name) const { return m_folder.filePath(name); }
@@ -49,6 +56,9 @@ void TestCli::helpAndVersion()
                  qPrintable(own.text()));
         QVERIFY2(own.out.simplified().contains("to read; -: standard input"), qPrintable(own.text()));
     }
+    QCOMPARE(runCli({"help"}).out, help.out);
+    QCOMPARE(runCli({"help", "render"}).out, runCli({"render", "--help"}).out);
+    QCOMPARE(runCli({"help", "paint"}).code, 2);
     QCOMPARE(runCli({"--version"}).out, QByteArray("suffuse-cli " SUFFUSE_VERSION "\n"));
 }
 
@@ -80,6 +90,14 @@ void TestCli::wrongUsage_data()
     row("infinite area", {"render", in, "-o", out, "--area", "0,0,inf,5"}, "X,Y,W,H");
     row("half an area", {"render", in, "-o", out, "--area", "0,0,5"}, "X,Y,W,H");
     row("no moment", {"render", in, "-o", out, "--time", "nan"}, "--time");
+    row("quality 0", {"render", in, "-o", path("out.jpg"), "--quality", "0"}, "from 1 to 100");
+    row("half a quality", {"render", in, "-o", path("out.jpg"), "--quality", "90.5"}, "from 1 to 100");
+    row("no resolution", {"render", in, "-o", out, "--dpi", "0"}, "from 1 to 10000");
+    row("a format for a file", {"render", in, "-o", out, "--format", "jpg"}, "--format is for -o -");
+    row("no format", {"render", in, "-o", "-", "--format", "bmp"}, "png, tiff");
+    row("two things on standard output", {"render", in, "-o", "-", "--stats"}, "standard output");
+    row("a document of no format", {"convert", in, "-", "--format", "txt"}, "suffuse or json");
+    row("convert to a file by format", {"convert", in, path("b.json"), "--format", "json"}, "chooses the format");
     row("no depth", {"render", in, "-o", out, "--depth", "12"}, "8, 16, half or float");
     row("PNG holds no half", {"render", in, "-o", out, "--depth", "half"}, "8, 16");
     row("EXR holds no 8 bit", {"render", in, "-o", path("out.exr"), "--depth", "8"}, "half, float");
@@ -196,6 +214,9 @@ void TestCli::convertWithBrush()
     };
     QCOMPARE(styleKind(readFile(path("edge.json"))), QString("edge"));
     QVERIFY(readFile(path("default.json")) != readFile(path("edge.json")));
+    QVERIFY(edge.err.isEmpty());
+    const CliOutcome painting = runCli({"convert", path("a.json"), path("same.json"), "--brush", "watercolour-edge"});
+    QVERIFY2(painting.code == 0 && painting.err.contains("--brush is ignored"), qPrintable(painting.text()));
 }
 
 void TestCli::convertDrawing()
@@ -204,7 +225,7 @@ void TestCli::convertDrawing()
         path("drawing.txt"),
         "<svg viewBox='0 0 60 40' width='120'><path d='M10 20h40' stroke='#f00' stroke-width='6'/><text/></svg>"));
     const CliOutcome made = runCli({"convert", path("drawing.txt"), path("drawing.suffuse")});
-    QVERIFY2(made.code == 0 && made.err.contains("drawing.txt: Text and images"), qPrintable(made.text()));
+    QVERIFY2(made.code == 0 && made.err.contains("drawing.txt: 1 text"), qPrintable(made.text()));
     QCOMPARE(runCli({"info", path("drawing.txt"), "--json"}).json()["format"].toString(), QString("svg"));
     const QJsonObject canvas = runCli({"info", path("drawing.suffuse"), "--json"}).json()["canvas"].toObject();
     QCOMPARE(canvas["width"].toDouble(), 120.0);
@@ -249,8 +270,15 @@ void TestCli::probe()
     // At the left end the right half counts for nothing.
     const QByteArray shown = runCli({"probe", path("a.json"), "5", "15"}).out;
     QVERIFY2(shown.contains("bar") && shown.contains("segment 0") && !shown.contains("segment 1"), shown.constData());
-    QVERIFY2(shown.contains("1 segments with a share below 0.001"), shown.constData());
+    QVERIFY2(shown.contains("1 segment with a share below 1e-06 left out"), shown.constData());
     QVERIFY(runCli({"probe", path("a.json"), "5", "15", "--all"}).out.contains("segment 1"));
+    const QJsonObject few = runCli({"probe", path("a.json"), "5", "15", "--json"}).json()["strokes"][0].toObject();
+    QCOMPARE(few["segments"].toArray().size(), 1);
+    QCOMPARE(few["segmentsLeftOut"].toInt(), 1);
+    const QJsonObject all =
+        runCli({"probe", path("a.json"), "5", "15", "--json", "--all"}).json()["strokes"][0].toObject();
+    QCOMPARE(all["segments"].toArray().size(), 2);
+    QCOMPARE(all["segmentsLeftOut"].toInt(), 0);
 }
 
 void TestCli::probeTakesNegativeNumbers()
@@ -285,5 +313,45 @@ void TestCli::standardInput()
     QCOMPARE(runCli({"info", "-"}, "").code, 1);
 }
 
+void TestCli::standardOutput()
+{
+    QVERIFY(runCli({"convert", path("a.json"), path("out.suffuse")}).code == 0);
+    const CliOutcome document = runCli({"convert", path("a.json"), "-", "--format", "suffuse"});
+    QCOMPARE(document.code, 0);
+    QVERIFY(!document.out.isEmpty() && document.out == readFile(path("out.suffuse")));
+    QCOMPARE(QJsonDocument::fromJson(runCli({"convert", path("a.json"), "-"}).out)["strokes"].toArray().size(), 2);
+}
+
+void TestCli::nobodyReadsOn_data()
+{
+    QTest::addColumn<QStringList>("arguments");
+    QVERIFY(writeFile(path("b.json"), smallPainting().replace("\"density\": 30", "\"density\": 31")));
+    QTest::newRow("diff") << QStringList{"diff", path("a.json"), path("b.json")};
+    QTest::newRow("info") << QStringList{"info", path("a.json"), "--json"};
+    QTest::newRow("help") << QStringList{"--help"};
+    QTest::newRow("render") << QStringList{"render", path("a.json"), "-o", "-"};
+}
+
+/// As with "| head": no message, and the end that others come to.
+void TestCli::nobodyReadsOn()
+{
+    QFETCH(QStringList, arguments);
+    int ends[2];
+    QCOMPARE(::pipe2(ends, O_CLOEXEC), 0);
+    ::close(ends[0]);
+    QProcess process;
+    process.setChildProcessModifier([&ends] {
+        std::signal(SIGPIPE, SIG_DFL);
+        ::dup2(ends[1], STDOUT_FILENO);
+    });
+    process.start(QStringLiteral(SUFFUSE_BIN_DIR "/suffuse-cli"), arguments);
+    QVERIFY(process.waitForFinished(60'000));
+    ::close(ends[1]);
+    QCOMPARE(process.readAllStandardError(), QByteArray());
+    QCOMPARE(process.exitStatus(), QProcess::CrashExit);
+    QCOMPARE(process.exitCode(), SIGPIPE);
+}
+
 QTEST_GUILESS_MAIN(TestCli)
 #include "test_cli.moc"
+#include "render/backends.h"

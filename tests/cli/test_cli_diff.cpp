@@ -82,7 +82,7 @@ private slots:
         QVERIFY2(outcome.code == 1, qPrintable(outcome.text()));
         const QString text = QString::fromUtf8(outcome.out);
         for (const char *line :
-             {": 1 strokes added, 1 removed, 1 changed, 1 moved\n", "\ncanvas.background: [0,0,0,1] → [0.5,0,0,1]\n",
+             {": 1 stroke added, 1 removed, 1 changed, 1 moved\n", "\ncanvas.background: [0,0,0,1] → [0.5,0,0,1]\n",
               "\nswatches[0].name: + \"red\"\n", "\n- stroke 2 “s2”, segments: 5\n", "\n+ stroke 5 “s5”, segments: 2\n",
               "\n~ stroke 3 “s3”\n    segments added: 5\n    locked: false → true\n"
               "    segments[1].diffusion: 12.5 → 20\n",
@@ -173,7 +173,7 @@ private slots:
         QVERIFY(writeFile(path("empty.suffuse"), bytes));
         const CliOutcome salvaged = runCli({"convert", path("empty.suffuse"), path("none.suffuse"), "--salvage"});
         QCOMPARE(salvaged.code, 1);
-        QVERIFY2(salvaged.err.contains("not one of its 4 strokes is whole"), qPrintable(salvaged.text()));
+        QVERIFY2(salvaged.err.contains("none of its 4 strokes is whole"), qPrintable(salvaged.text()));
         QVERIFY(!QFile::exists(path("none.suffuse")));
     }
 

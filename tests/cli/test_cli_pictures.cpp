@@ -21,6 +21,8 @@ private slots:
     void formatsAgree_data();
     void formatsAgree();
     void pfmNeedsNoModule();
+    void qualityAndResolution();
+    void standardOutput();
     void sizesAndAreas();
     void moments();
     void transparent();
@@ -118,6 +120,37 @@ void TestCliPictures::pfmNeedsNoModule()
     QVERIFY2(png.err.contains("suffuse_image_io.so") && png.err.contains("is missing") && png.err.contains(".pfm"),
              qPrintable(png.text()));
     QVERIFY(!QFile::exists(path("none.png")));
+}
+
+void TestCliPictures::qualityAndResolution()
+{
+    const auto bytes = [&](const QStringList &options, const char *name) {
+        rendered(options + QStringList{"--size", "400"}, name);
+        return readFile(path(name));
+    };
+    for (const char *name : {"q.jpg", "q.webp"}) {
+        const qsizetype low = bytes({"--quality", "20"}, name).size(), usual = bytes({}, name).size();
+        QVERIFY2(low < usual && usual < bytes({"--quality", "100"}, name).size(), name);
+    }
+    QVERIFY(bytes({"--dpi", "300"}, "q.jpg").contains(QByteArray("JFIF\0\1\1\1\1\x2C\1\x2C", 12)));
+    QVERIFY(bytes({"--dpi", "300"}, "q.png").contains(QByteArray("pHYs\0\0\x2E\x23\0\0\x2E\x23\1", 13)));
+    QVERIFY(!bytes({}, "q.png").contains("pHYs"));
+    const CliOutcome png = runCli({"render", path("a.json"), "-o", path("q.png"), "--quality", "50"});
+    QVERIFY2(png.code == 0 && png.err.contains("--quality is ignored"), qPrintable(png.text()));
+    const CliOutcome webp = runCli({"render", path("a.json"), "-o", path("q.webp"), "--dpi", "72"});
+    QVERIFY2(webp.code == 0 && webp.err.contains("--dpi is ignored"), qPrintable(webp.text()));
+}
+
+void TestCliPictures::standardOutput()
+{
+    QVERIFY(!rendered({}, "file.png").rgba.empty());
+    const CliOutcome png = runCli({"render", path("a.json"), "-o", "-"});
+    QVERIFY2(png.code == 0 && png.err.isEmpty(), png.err.constData());
+    QVERIFY(png.out == readFile(path("file.png")));
+    QVERIFY(!rendered({"--depth", "16"}, "file.tif").rgba.empty());
+    const CliOutcome tiff = runCli({"render", path("a.json"), "-o", "-", "--format", "tiff", "--depth", "16"});
+    QVERIFY(tiff.code == 0 && tiff.out == readFile(path("file.tif")));
+    QVERIFY(!QFile::exists("-"));
 }
 
 void TestCliPictures::sizesAndAreas()

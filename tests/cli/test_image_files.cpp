@@ -7,13 +7,19 @@
 #include <QFile>
 #include <QPoint>
 #include <QRandomGenerator>
+#include <QRegularExpression>
 #include <QSize>
 #include <QTemporaryDir>
 #include <QTest>
+#include <QtEndian>
+
+#include <lcms2.h>
 
 #include <algorithm>
 #include <cmath>
+#include <ctime>
 #include <limits>
+#include <memory>
 
 using namespace suffuse;
 
@@ -115,6 +121,11 @@ class TestImageFiles : public QObject {
     Q_OBJECT
 
 private slots:
+    void commonFormatsLoadNothingHeavy();
+    void resolution_data();
+    void resolution();
+    void colourProfile();
+    void bytesAreTheFile();
     void alphaRoundTrip_data();
     void alphaRoundTrip();
     void eightBitPng_data();
@@ -137,6 +148,135 @@ private:
 
     QTemporaryDir m_folder;
 };
+
+/// Comes first: OpenImageIO's 260 libraries take longer than a picture does, and stay once they are loaded.
+void TestImageFiles::commonFormatsLoadNothingHeavy()
+{
+    const auto loaded = [](const char *library) { return bytesOf("/proc/self/maps").contains(library); };
+    if (loaded("libOpenImageIO"))
+        QSKIP("OpenImageIO is loaded already");
+    for (const auto &[name, depth] :
+         std::initializer_list<std::pair<const char *, ImageDepth>>{{"l.png", ImageDepth::Bits8},
+                                                                    {"l.png", ImageDepth::Bits16},
+                                                                    {"l.jpg", ImageDepth::Bits8},
+                                                                    {"l.tif", ImageDepth::Bits8},
+                                                                    {"l.tif", ImageDepth::Bits16},
+                                                                    {"l.tif", ImageDepth::Half},
+                                                                    {"l.tif", ImageDepth::Float},
+                                                                    {"l.webp", ImageDepth::Bits8},
+                                                                    {"l.pfm", ImageDepth::Float}}) {
+        ImageOptions options;
+        options.depth = depth;
+        QVERIFY(writeImage(path(name), ramp(16, 16), options));
+        QVERIFY2(!loaded("libOpenImageIO"), name);
+    }
+    QVERIFY(writeImage(path("l.exr"), ramp(16, 16), {}));
+    QVERIFY(loaded("libOpenImageIO")); // so it would have been seen
+}
+
+void TestImageFiles::resolution_data()
+{
+    QTest::addColumn<QString>("name");
+    QTest::addColumn<int>("depth");
+    QTest::addColumn<QByteArray>("says"); ///< 254 pixels an inch, 100 a centimetre
+    const QByteArray png = bigEndian(9) + "pHYs" + bigEndian(10000) + bigEndian(10000) + '\1';
+    QTest::newRow("PNG 8") << "r.png" << 0 << png;
+    QTest::newRow("PNG 16") << "r.png" << 1 << png;
+    QTest::newRow("JPEG") << "r.jpg" << 0 << QByteArray("JFIF\0\1\1\1\0\xFE\0\xFE", 12);
+    QTest::newRow("TIFF 8") << "r.tif" << 0 << QByteArray("\x28\1\3\0\1\0\0\0\2\0", 10); // an inch is the unit
+    QTest::newRow("EXR") << "r.exr" << 2 << QByteArray("xDensity\0float\0\4\0\0\0\0\0\x7E\x43", 22);
+}
+
+/// Nothing is said unless it is asked for.
+void TestImageFiles::resolution()
+{
+    QFETCH(QString, name);
+    QFETCH(int, depth);
+    QFETCH(QByteArray, says);
+    ImageOptions options;
+    options.depth = ImageDepth(depth);
+    QVERIFY(writeImage(path(name), ramp(16, 16), options));
+    QVERIFY(!bytesOf(path(name)).contains(says));
+    options.dpi = 254;
+    QVERIFY(writeImage(path(name), ramp(16, 16), options));
+    const QByteArray bytes = bytesOf(path(name));
+    QVERIFY(bytes.contains(says));
+    if (name.endsWith("tif")) { // two rational numbers, wherever they lie
+        const auto numberAt = [&](qsizetype at) {
+            return quint32(uchar(bytes[at]) | uchar(bytes[at + 1]) << 8 | uchar(bytes[at + 2]) << 16 |
+                           uchar(bytes[at + 3]) << 24);
+        };
+        for (const char *tag : {"\x1A\1\5\0\1\0\0\0", "\x1B\1\5\0\1\0\0\0"}) {
+            const qsizetype entry = bytes.indexOf(QByteArray(tag, 8));
+            QVERIFY(entry > 0);
+            const qsizetype at = qsizetype(numberAt(entry + 8));
+            QCOMPARE(double(numberAt(at)) / numberAt(at + 4), 254.0);
+        }
+    }
+    const Result<FloatPicture> read = readImage(bytes, name);
+    QVERIFY2(read, qPrintable(read.error()));
+    QCOMPARE(read->width, 16);
+}
+
+/// What readers of colour profiles make of it, and always the same bytes, whatever the clock says.
+void TestImageFiles::colourProfile()
+{
+    for (const char *name : {"icc.jpg", "icc.tif"}) {
+        QVERIFY(writeImage(path(name), ramp(16, 16), {}));
+        const QByteArray file = bytesOf(path(name));
+        constexpr int signatureAt = 36;
+        const qsizetype at = file.indexOf("acsp") - signatureAt;
+        QVERIFY2(at >= 0, name);
+        const auto size = qFromBigEndian<quint32>(file.constData() + at);
+        QVERIFY2(at + qsizetype(size) <= file.size(), name);
+        const auto open = [](cmsHPROFILE p) {
+            return std::unique_ptr<void, cmsBool (*)(cmsHPROFILE)>(p, cmsCloseProfile);
+        };
+        const auto profile = open(cmsOpenProfileFromMem(file.constData() + at, size));
+        QVERIFY2(profile, name);
+        std::tm made{};
+        QVERIFY(cmsGetHeaderCreationDateTime(profile.get(), &made));
+        QCOMPARE(made.tm_year, 2024 - 1900);
+        const auto xyz = open(cmsCreateXYZProfile());
+        const std::unique_ptr<void, void (*)(cmsHTRANSFORM)> transform(
+            cmsCreateTransform(profile.get(), TYPE_RGB_DBL, xyz.get(), TYPE_XYZ_DBL, INTENT_RELATIVE_COLORIMETRIC,
+                               cmsFLAGS_NOOPTIMIZE),
+            cmsDeleteTransform);
+        QVERIFY2(transform, name);
+        // IEC 61966-2-1 in numbers: luminances of white, of half grey, and of the primaries as D50 sees them.
+        const double colours[][4] = {
+            {1, 1, 1, 1}, {0.5, 0.5, 0.5, 0.21404}, {1, 0, 0, 0.2225}, {0, 1, 0, 0.7169}, {0, 0, 1, 0.0606}};
+        for (const auto &colour : colours) {
+            double found[3] = {};
+            cmsDoTransform(transform.get(), colour, found, 1);
+            QVERIFY2(std::abs(found[1] - colour[3]) < 2e-4, qPrintable(QString("%1: %2").arg(name).arg(found[1])));
+        }
+    }
+}
+
+/// Without the moment of writing, "2026:11:22 20:38:26", which EXR files hold: two that are written one after the other
+/// may be of two seconds.
+static QByteArray undated(const QByteArray &file)
+{
+    static const QRegularExpression moment("\\d{4}:\\d\\d:\\d\\d \\d\\d:\\d\\d:\\d\\d");
+    return QString::fromLatin1(file).replace(moment, QString()).toLatin1();
+}
+
+void TestImageFiles::bytesAreTheFile()
+{
+    for (const QString &ending : imageEndings()) {
+        const ImageFormat format = imageFormatForPath("b." + ending);
+        const Result<QByteArray> bytes = encodeImage(format, ramp(50, 40), {}, "b");
+        QVERIFY2(bytes, qPrintable(bytes.error()));
+        QVERIFY(writeImage(path("b." + ending), ramp(50, 40), {}));
+        QVERIFY2(undated(*bytes) == undated(bytesOf(path("b." + ending))), qPrintable(ending));
+    }
+    QVERIFY(!encodeImage(ImageFormat::Unknown, ramp(5, 5), {}, "b"));
+    std::atomic<bool> cancel{true};
+    ImageOptions options;
+    options.cancel = &cancel;
+    QVERIFY(!encodeImage(ImageFormat::Png, ramp(5, 5), options, "b"));
+}
 
 void TestImageFiles::alphaRoundTrip_data()
 {
@@ -229,6 +369,8 @@ void TestImageFiles::endingsAndMagic()
     }
     QVERIFY(!problemOf(ImageFormat::WebP, {}, 20000, 10).isEmpty());
     QVERIFY(problemOf(ImageFormat::Png, {}, 20000, 10).isEmpty());
+    QVERIFY(problemOf(ImageFormat::Png, {}, 16384, 16384).isEmpty());
+    QVERIFY(problemOf(ImageFormat::Png, {}, 16385, 16384).contains("268 million"));
     QVERIFY(!readImage("GIF89a", "a.gif"));
     QVERIFY(!readImage({}, "empty.png"));
 }

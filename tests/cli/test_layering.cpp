@@ -1,4 +1,5 @@
-// Who may know whom: ARCHITECTURE.md's table, checked against every #include. And that no two types share a name.
+// Who may know whom: ARCHITECTURE.md's table, checked against every #include. That no more than two units know each
+// other in a circle. And that no two types share a name.
 #include <QDirIterator>
 #include <QFile>
 #include <QFileInfo>
@@ -8,6 +9,8 @@
 #include <QTest>
 
 #include <functional>
+#include <map>
+#include <set>
 
 namespace {
 
@@ -23,6 +26,8 @@ const QList<Rule> &rules()
 {
     static const QList<Rule> table = {
         {"model/", {"model/"}, {"QtCore"}, {"Eigen", "unsupported", "zstd.h"}},
+        // Formulas in double precision: plain C++.
+        {"model/paint/", {"model/"}, {}, {}},
         {"undo/", {"model/", "undo/"}, {"QtCore", "QtGui"}, {}},
         {"render/", {"model/", "render/"}, {"QtCore"}, {"Eigen", "hwy", "tbb", "oneapi"}},
         // Written once for host and device.
@@ -30,12 +35,19 @@ const QList<Rule> &rules()
         {"render/cuda/", {"model/", "render/"}, {"QtCore"}, {"cuda_runtime.h", "cuda_pipeline.h"}},
         // OpenGL by its types only: no library of it is linked.
         {"render/cuda/gl_interop", {"render/"}, {}, {"cuda_runtime.h", "cuda_gl_interop.h"}},
-        // Where OpenImageIO is known, the program is not.
-        {"render/image_io/module_", {"render/image_io/module_"}, {}, {"OpenImageIO", "libdeflate.h"}},
+        // Where the libraries of image files are known, the program is not; where OpenImageIO is, none of the others.
+        {"render/image_io/module_",
+         {"render/image_io/module_"},
+         {},
+         {"Imath", "jpeglib.h", "lcms2.h", "libdeflate.h", "tiffio.h", "webp"}},
+        {"render/image_io/module_openimageio", {"render/image_io/module_"}, {}, {"OpenImageIO"}},
+        {"render/image_io/module_proxy", {"render/image_io/module_"}, {}, {"OpenImageIO"}},
         {"app/",
          {"model/", "undo/", "render/", "app/"},
          {"QtCore", "QtGui", "QtWidgets", "QtOpenGL", "QtOpenGLWidgets", "QtSvg"},
-         {"GL"}},
+         {"GL", "zlib.h"}},
+        // What the program does needs no window.
+        {"app/session/", {"model/", "undo/", "render/", "app/session/"}, {"QtCore", "QtGui"}, {}},
         // suffuse-cli links model and render only.
         {"app/cli/", {"model/", "render/", "app/cli/"}, {"QtCore"}, {}},
     };
@@ -148,6 +160,61 @@ QStringList breachesIn(const QString &file, const QString &text)
     return out;
 }
 
+/// Which units (a header with its source) include which.
+using IncludeGraph = std::map<QString, std::set<QString>>;
+
+QString unitOf(const QString &file)
+{
+    return file.section('.', 0, 0);
+}
+
+void addIncludes(IncludeGraph &graph, const QString &file, const QString &text)
+{
+    std::set<QString> &known = graph[unitOf(file)];
+    for (const Include &i : includesOf(text))
+        if (i.quoted && i.header.contains('/') && unitOf(i.header) != unitOf(file))
+            known.insert(unitOf(i.header));
+}
+
+/// The units of which each includes each other one, by way of others or not: groups of two and more (Tarjan, 1972).
+class Circles {
+public:
+    explicit Circles(const IncludeGraph &graph) : m_graph(graph)
+    {
+        for (const auto &[unit, known] : graph)
+            if (!m_index.contains(unit))
+                visit(unit);
+    }
+    const QList<QStringList> &found() const { return m_found; }
+
+private:
+    int visit(const QString &unit)
+    {
+        const int index = m_index[unit] = int(m_index.size());
+        int lowest = index;
+        m_open.append(unit);
+        if (const auto at = m_graph.find(unit); at != m_graph.end())
+            for (const QString &next : at->second) {
+                if (!m_index.contains(next))
+                    lowest = std::min(lowest, visit(next));
+                else if (m_open.contains(next))
+                    lowest = std::min(lowest, m_index.at(next));
+            }
+        if (lowest == index) {
+            const QStringList circle = m_open.mid(m_open.indexOf(unit));
+            m_open.resize(m_open.size() - circle.size());
+            if (circle.size() > 1)
+                m_found.append(circle);
+        }
+        return lowest;
+    }
+
+    const IncludeGraph &m_graph;
+    std::map<QString, int> m_index;
+    QStringList m_open;
+    QList<QStringList> m_found;
+};
+
 /// The types that a file defines for all to link with: with their namespaces, but none that is without a name.
 QStringList typesIn(const QString &text)
 {
@@ -194,6 +261,8 @@ private slots:
     void everyFileKeepsToItsLevel();
     void breachesAreFound_data();
     void breachesAreFound();
+    void noCircleIsLargerThanTwo();
+    void circlesAreFound();
     void noTwoTypesShareAName();
     void typesAreFound();
 };
@@ -221,13 +290,17 @@ void TestLayering::breachesAreFound_data()
     row("model does not know render", "model/a.h", "#include \"render/view.h\"", 1);
     row("Eigen in a model source", "model/a.cpp", "#include <Eigen/Core>", 0);
     row("Eigen in a model header", "model/a.h", "#include <Eigen/Core>", 1);
-    row("Eigen passed on by a header", "model/a.h", "#include \"model/spline_fit.h\"", 1);
+    row("Eigen passed on by a header", "model/a.h", "#include \"model/brush/spline_fit.h\"", 1);
+    row("formulas without Qt", "model/paint/a.cpp",
+        "#include \"model/painting/stroke.h\"\n#include <QString>\n#include <cmath>", 1);
+    row("formulas without kernels", "model/paint/a.cpp", "#include \"render/math/style.h\"", 1);
     row("undo does not know render", "undo/a.cpp", "#include \"model/a.h\"\n#include \"render/view.h\"", 1);
     row("render does not know undo", "render/a.cpp", "#include \"undo/edits.h\"", 1);
     row("quotes change nothing", "model/a.cpp", "#include \"hwy/highway.h\"", 1);
     row("render uses no Widgets", "render/a.cpp", "#include <QWidget>\n#include <QObject>", 1);
     row("OpenImageIO outside its module", "render/a.cpp", "#include <OpenImageIO/imageio.h>", 1);
-    row("OpenImageIO in its module", "render/image_io/module_a.cpp", "#include <OpenImageIO/imageio.h>", 0);
+    row("OpenImageIO in its module", "render/image_io/module_openimageio.cpp", "#include <OpenImageIO/imageio.h>", 0);
+    row("and not in the light one", "render/image_io/module_png.cpp", "#include <OpenImageIO/imageio.h>", 1);
     row("the module does not know the program", "render/image_io/module_a.cpp", "#include \"render/target.h\"", 1);
     row("CUDA sources without Qt and Eigen", "render/cuda/a.cu", "#include <QString>\n#include <Eigen/Core>", 2);
     row("OpenGL where CUDA meets it", "render/cuda/gl_interop.cu", "#include <cuda_gl_interop.h>", 0);
@@ -235,6 +308,9 @@ void TestLayering::breachesAreFound_data()
     row("kernels without Qt", "render/math/a.h", "#include <QString>\n#include <cmath>", 1);
     row("the command line without undo", "app/cli/a.cpp", "#include \"undo/edits.h\"\n#include \"app/editor.h\"", 2);
     row("the command line without Gui", "app/cli/a.cpp", "#include <QImage>", 1);
+    row("the session without windows", "app/session/a.h", "#include <QWidget>\n#include \"app/canvas/a.h\"", 2);
+    row("the session with all below", "app/session/frames/a.cpp",
+        "#include \"app/session/a.h\"\n#include \"undo/edits.h\"\n#include \"render/view.h\"\n#include <QImage>", 0);
     row("the window knows all", "app/a.cpp",
         "#include \"undo/edits.h\"\n#include <QWidget>\n#include \"render/view.h\"", 0);
 }
@@ -246,6 +322,30 @@ void TestLayering::breachesAreFound()
     QFETCH(int, breaches);
     const QStringList found = breachesIn(file, text);
     QVERIFY2(found.size() == breaches, qPrintable(found.join('\n')));
+}
+
+/// Who is in a circle of three cannot be read, or tested, without the other two.
+void TestLayering::noCircleIsLargerThanTwo()
+{
+    IncludeGraph graph;
+    forEachSource([&](const QString &path, const QString &text) { addIncludes(graph, path, text); });
+    QVERIFY2(graph.size() > 100, "the includes were not found");
+    const Circles circles(graph);
+    for (const QStringList &circle : circles.found())
+        QVERIFY2(circle.size() <= 2, qPrintable(circle.join(", ")));
+}
+
+void TestLayering::circlesAreFound()
+{
+    IncludeGraph graph;
+    addIncludes(graph, "m/a.h", "#include \"m/b.h\"\n");
+    addIncludes(graph, "m/b.h", "#include <vector>\n#include \"m/d.h\"");
+    addIncludes(graph, "m/b.cpp", "#include \"m/b.h\"\n#include \"m/c.h\"\n");
+    addIncludes(graph, "m/c.h", "#include \"m/a.h\"\n");
+    addIncludes(graph, "m/d.h", "#include \"m/e.h\"\n");
+    const QList<QStringList> found = Circles(graph).found();
+    QCOMPARE(found.size(), 1);
+    QCOMPARE(QSet<QString>(found[0].begin(), found[0].end()), QSet<QString>({"m/a", "m/b", "m/c"}));
 }
 
 /// The linker keeps one of two vectors of types of one name, and no compiler sees both.

@@ -39,6 +39,7 @@ private slots:
         QCOMPARE(journal["strokes"].toInt(), 1);
         const QString id = journal["id"].toString();
         QVERIFY(QString::fromUtf8(recover({}).out).contains(id));
+        QVERIFY(recover({}).out.contains("flowers.suffuse, 1 stroke\n"));
 
         for (const QString &name : {QString("a.suffuse"), QString("a.json")}) {
             const QString out = m_folder.filePath(name);
@@ -54,6 +55,9 @@ private slots:
         QCOMPARE(recover({"x"}).code, 2);
         QCOMPARE(recover({"-o", "a.suffuse"}).code, 2);
         QCOMPARE(recover({"--list", "x", "-o", "a.suffuse"}).code, 2);
+        const CliOutcome picture = recover({"x", "-o", m_folder.filePath("b.png")});
+        QCOMPARE(picture.code, 2);
+        QVERIFY2(picture.err.contains(".suffuse or .json"), qPrintable(picture.text()));
         const CliOutcome missing = recover({"x", "-o", m_folder.filePath("b.suffuse")});
         QCOMPARE(missing.code, 1);
         QVERIFY(missing.err.contains("there is no such journal"));

@@ -1,7 +1,7 @@
 // SVG: whole drawings, as paths and as paintings, and path data alone.
 #include "fuzzing.h"
 
-#include "model/formats/svg_painting.h"
+#include "model/formats/svg/svg_painting.h"
 #include "model/painting/validate.h"
 
 #include <cmath>

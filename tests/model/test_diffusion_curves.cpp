@@ -1,7 +1,7 @@
 // Diffusion curves come in as strokes along both sides.
 #include "model/formats/files.h"
+#include "model/paint/half_width.h"
 #include "model/painting/ryb.h"
-#include "model/stroke_width.h"
 #include "model/painting/validate.h"
 
 #include <QFile>

@@ -4,7 +4,7 @@
 #include "model/formats/files.h"
 #include "model/formats/brushes/gimp_palette.h"
 #include "model/formats/brushes/mypaint_brush.h"
-#include "model/formats/svg_paths.h"
+#include "model/formats/svg/svg_paths.h"
 #include "model/painting/validate.h"
 
 #include <QDir>

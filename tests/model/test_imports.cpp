@@ -1,13 +1,16 @@
 // Recordings become paintings: what is found in them, their timing, and what is said of damaged ones.
-#include "model/formats/svg/css_colours.h"
 #include "model/formats/files.h"
 #include "model/formats/ink/recording.h"
+#include "model/formats/svg/css_colours.h"
+#include "model/paint/half_width.h"
 #include "model/painting/ryb.h"
 #include "model/painting/validate.h"
 
 #include <QFile>
 #include <QRandomGenerator>
 #include <QTest>
+
+#include <numbers>
 
 using namespace suffuse;
 
@@ -22,6 +25,12 @@ QString errorOf(const QByteArray &bytes)
 {
     const auto p = import(bytes);
     return p ? QStringLiteral("no error") : p.error();
+}
+
+/// With ' for ".
+QByteArray json(QByteArray text)
+{
+    return text.replace('\'', '"');
 }
 
 double seconds(const StrokePtr &stroke)
@@ -242,6 +251,117 @@ private slots:
         QCOMPARE(tiltsOf("[0, 0, 0]"), (std::vector<double>{0, 0, 0})); // not measured
     }
 
+    /// Width of the dry stroke in the middle of each of its segments.
+    static std::vector<double> widthsOf(const Stroke &stroke)
+    {
+        std::vector<double> widths;
+        for (const Segment &s : stroke.segments)
+            widths.push_back(
+                2 * halfWidth(double(s.diffusion), double(s.density), double(s.maxAge), visibleCut(stroke.styleOf(s))));
+        return widths;
+    }
+
+    void universalInkWidths_data()
+    {
+        QTest::addColumn<QByteArray>("stroke");
+        QTest::addColumn<QByteArray>("brush");
+        QTest::addColumn<double>("first");
+        QTest::addColumn<double>("last");
+        const QByteArray circle = "ink/Circle?precision=8&radius=";
+        QTest::newRow("along the stroke") << QByteArray("\"size\": [2, 3, 4, 5, 6]") << circle << 4.0 << 12.0;
+        QTest::newRow("of the style") << QByteArray("\"style\": {\"properties\": {\"size\": {\"value\": 3.5}}}")
+                                      << circle << 7.0 << 7.0;
+        QTest::newRow("of a brush of its own radius")
+            << QByteArray("\"size\": [2, 2, 2, 2, 2], \"style\": {\"brushURI\": \"b\"}") << circle + "0.5" << 2.0
+            << 2.0;
+        QTest::newRow("hairlines") << QByteArray("\"size\": [0.4, 0.4, 0.4, 0.4, 0.5]") << circle << 0.8 << 1.0;
+    }
+    void universalInkWidths()
+    {
+        QFETCH(const QByteArray, stroke);
+        QFETCH(const QByteArray, brush);
+        QFETCH(const double, first);
+        QFETCH(const double, last);
+        const QByteArray bytes =
+            json("{'inputData': {'inputContextData': {'sensorContexts': [{'sensorChannelsContext': [{'channels': "
+                 "[{'id': 'p', 'type': 'ink/Pressure', 'precision': 2}]}]}]}, 'sensorData': [{'id': 's', "
+                 "'dataChannels': [{'sensorChannelID': 'p', 'values': [90, -80, 40, 0, 3]}]}]}, 'brushes': "
+                 "{'vectorBrushes': [{'name': 'b', 'prototype': [{'shapeURI': '") +
+            brush +
+            json("'}]}]}, 'inkData': {'strokes': [{'sensorDataID': 's', 'splineX': [0, 40, 80, 120, 160], 'splineY': "
+                 "[0, 0, 0, 0, 0], ") +
+            stroke + "}]}}";
+        for (const Brush &painted : builtinBrushes()) { // whatever the brush in hand makes of pressure and speed
+            Brush edged = painted;
+            edged.style = builtinBrushes().front().style, edged.peak = 2;
+            edged.jitter = {}, edged.dynamics.clear();
+            edged.setCurve(BrushQuantity::Density, BrushInput::Pressure, {});
+            edged.setCurve(BrushQuantity::Size, BrushInput::Speed, {{{0, 1}, {1, 0.1f}}});
+            edged.taper.in = 4;
+            const auto p = readPainting(bytes, "a.json", &edged);
+            QVERIFY2(p, p ? "" : qPrintable(p.error()));
+            const std::vector<double> widths = widthsOf(*p->strokes.at(0));
+            QVERIFY2(std::abs(widths.front() - first) < 0.05 * first && std::abs(widths.back() - last) < 0.05 * last,
+                     qPrintable(QString("%1 %2").arg(widths.front()).arg(widths.back())));
+        }
+    }
+
+    void whatRecordingsHoldBesideIsSaid()
+    {
+        const auto leftOut = [](const QByteArray &bytes) {
+            const auto document = readDocument(bytes, "a.ink");
+            return document ? document->leftOut : document.error();
+        };
+        QCOMPARE(leftOut(json("{'inkData': {'strokes': [{'splineX': [0, 9], 'splineY': [0, 9], 'size': [1, 2]}]}}")),
+                 QString());
+        QCOMPARE(
+            leftOut(json("{'inkData': {'strokes': [ {'splineX': [0, 9], 'splineY': [0, 9], 'rotation': [1, 1], "
+                         "'style': {'brushURI': 'pencil'}}, {'splineX': [0, 9], 'splineY': [0, 9], 'scaleX': [2, "
+                         "2]}]}, 'brushes': {'rasterBrushes': [{'name': 'pencil'}]}, 'views': [{'name': 'words'}]}")),
+            QString(
+                "1 brush shape(s), 2 turned or stretched brush tip(s), 1 view(s) of recognised text were left out."));
+        QCOMPARE(leftOut("x,y,Azimuth,time,hue\n1,2,0,0,1\n9,9,0,1,1\n"),
+                 QString("column “Azimuth”, column “hue” were left out."));
+        QCOMPARE(leftOut("x,y,SENSOR_ALTITUDE,pen_width,time\n1,2,0.5,1,0\n9,9,0.5,1,1\n"), QString());
+        QCOMPARE(leftOut(json("{'type': 'excalidraw', 'elements': [{'type': 'line'}, {'type': 'text'}, {'type': "
+                              "'text', 'isDeleted': true}, {'type': 'freedraw', 'x': 0, 'y': 0, 'backgroundColor': "
+                              "'red', 'points': [[0,0],[90,0],[90,90],[0,0]]}]}")),
+                 QString("1 fill(s), 2 element(s) not drawn freehand were left out."));
+    }
+
+    void csvWidthsAndTilts()
+    {
+        const auto p = import("x,y,width,time\n0,0,6,0\n40,0,6,0.05\n80,0,12,0.1\n120,0,12,0.15\n");
+        QVERIFY2(p, p ? "" : qPrintable(p.error()));
+        const std::vector<double> widths = widthsOf(*p->strokes.at(0));
+        QVERIFY(std::abs(widths.front() - 6) < 0.4 && std::abs(widths.back() - 12) < 0.4);
+        for (const QByteArray unit : {"1.5707963,1.0471976,0.5235988", "90,60,30"}) {
+            const QList<QByteArray> a = unit.split(',');
+            const auto recording =
+                readInkCsv("x,y,altitude\n0,0," + a[0] + "\n9,0," + a[1] + "\n20,0," + a[2] + "\n", "a");
+            QVERIFY(recording);
+            const auto &samples = recording->paths.at(0).samples;
+            QVERIFY(samples[0].tilt < 1e-4f && std::abs(samples[1].tilt - 0.5f) < 1e-4f && samples[2].tilt > 0.9999f);
+        }
+        QVERIFY(errorOf("x,y,width\n0,0,thick\n").contains("line 2, column width"));
+    }
+
+    /// 4.25 × the stroke's width × what the pressure leaves is the radius.
+    void excalidrawWidths()
+    {
+        const auto width = [](const QByteArray &more) {
+            const auto p = import(json("{'type': 'excalidraw', 'elements': [{'type': 'freedraw', 'x': 0, 'y': 0, "
+                                       "'strokeWidth': 2, 'points': [[0,0],[60,0],[120,0],[180,0],[240,0]], ") +
+                                  more + "}]}");
+            return p ? widthsOf(*p->strokes.at(0)).back() : 0;
+        };
+        const double size = 2 * 4.25 * 2;
+        const auto near = [](double a, double b) { return std::abs(a - b) < 0.05 * b; };
+        QVERIFY(near(width(json("'pressures': [0.5, 0.5, 0.5, 0.5, 0.5]")), size * std::sqrt(0.5)));
+        QVERIFY(near(width(json("'pressures': [1, 1, 1, 1, 1]")), size * std::sin(0.4 * std::numbers::pi)));
+        QVERIFY(near(width(json("'simulatePressure': true, 'pressures': []")), size * std::sqrt(0.5)));
+    }
+
     void excalidrawColoursAndTurns()
     {
         const auto p = import(
@@ -263,7 +383,12 @@ private slots:
         QCOMPARE(*cssColour(QStringLiteral("#0000")), *cssColour(QStringLiteral("transparent")));
         QCOMPARE(*cssColour(QStringLiteral("#ff000080")), (Rgba{1, 0, 0, 128 / 255.0}));
         QCOMPARE(*cssColour(QStringLiteral("rgba(255, 0, 51, 0.5)")), (Rgba{1, 0, 0.2, 0.5}));
-        for (const char *bad : {"", "#12", "#12345g", "nocolour", "rgb(1,2)", "rgb", "rgb(a,b,c)", "rgb)"})
+        QCOMPARE(*cssColour(QStringLiteral("rgb(100%, 0%,20%)")), (Rgba{1, 0, 0.2, 1})); // as Cairo writes them
+        QCOMPARE(*cssColour(QStringLiteral("rgb(255 0 51 / 50%)")), (Rgba{1, 0, 0.2, 0.5}));
+        QCOMPARE(*cssColour(QStringLiteral("hsl(360, 100%, 25%)")), (Rgba{0.5, 0, 0, 1}));
+        QCOMPARE(*cssColour(QStringLiteral("hsla(-240deg 100% 50% / .5)")), (Rgba{0, 1, 0, 0.5}));
+        for (const char *bad :
+             {"hsl(1,2)", "hsl(a,1%,1%)", "", "#12", "#12345g", "nocolour", "rgb(1,2)", "rgb", "rgb(a,b,c)", "rgb)"})
             QVERIFY2(!cssColour(QLatin1String(bad)), bad);
     }
 };

@@ -1,5 +1,6 @@
 // A damaged file gives what is whole of it and says what is missing.
 #include "model/formats/files.h"
+#include "model/journal/journal_layout.h"
 #include "random_paintings.h"
 #include "suffuse_chunks.h"
 #include "tests/trials.h"
@@ -260,6 +261,70 @@ private slots:
         QCOMPARE(d->painting.strokes.size(), std::size_t(6));
     }
 
+    /// It says nothing of the painting: any bit of it, all of it, more or less of it, and what lies before it.
+    void theSignatureIsNoPartOfThePainting()
+    {
+        const Painting p = largePainting();
+        const QByteArray whole = writeSuffuseFile(p);
+        std::vector<QByteArray> files;
+        for (int bit = 0; bit < 8 * int(suffuseSignatureSize); ++bit) {
+            files.push_back(whole);
+            files.back()[bit / 8] = char(whole[bit / 8] ^ (1 << bit % 8));
+        }
+        const QByteArray chunks = whole.mid(suffuseSignatureSize);
+        files.insert(files.end(),
+                     {QByteArray(suffuseSignatureSize, '\0') + chunks, chunks, "\x89SUFFUSE\n\x1a\n" + chunks,
+                      "x,y\n1,2\n...." + chunks, QByteArray(700, 'x') + chunks});
+        for (const QByteArray &file : files) {
+            const auto d = opened(file);
+            QVERIFY2(d, d ? "" : qPrintable(d.error()));
+            QVERIFY2(d->losses.empty(), d->losses.empty() ? "" : qPrintable(d->losses.front()));
+            QVERIFY(d->painting == p);
+            QCOMPARE(d->leftOut,
+                     QStringLiteral("Damaged and left out: the first bytes of the file. All 6 strokes are here."));
+            QVERIFY(!readPainting(file, QStringLiteral("a.suffuse")));
+            QVERIFY(suffuseChunks(file, QStringLiteral("a.suffuse")));
+        }
+    }
+
+    /// With HEAD behind it, or a chunk of strokes.
+    void theSignatureAndMore()
+    {
+        const Painting p = largePainting();
+        const QByteArray whole = writeSuffuseFile(p);
+        QByteArray bytes = whole;
+        bytes.replace(0, 40, QByteArray(40, '\0'));
+        auto d = opened(bytes);
+        QVERIFY2(d, d ? "" : qPrintable(d.error()));
+        QVERIFY(d->painting == p);
+        QVERIFY(anyContains(d->losses, "how many there were is not known"));
+        bytes = whole;
+        flip(bytes, 3);
+        flip(bytes, test::startOf(whole, "STRK", 1) + 30);
+        d = opened(bytes);
+        QVERIFY2(d, d ? "" : qPrintable(d.error()));
+        QCOMPARE(ids(d->painting), (std::vector<StrokeId>{1, 2, 5, 6}));
+        QVERIFY(anyContains(d->losses, "the first bytes of the file"));
+        QVERIFY(anyContains(d->losses, "2 of 6 strokes are missing"));
+        // A chunk that went without a trace is noticed, as with a good signature.
+        const qsizetype a = test::startOf(whole, "STRK", 0), b = test::startOf(whole, "STRK", 1);
+        bytes = whole.left(a) + whole.mid(b);
+        flip(bytes, 3);
+        d = opened(bytes);
+        QVERIFY(d && anyContains(d->losses, "2 of 6 strokes are missing"));
+    }
+
+    /// It is made of chunks, too, but is opened by what recovers.
+    void aJournalIsNoDocument()
+    {
+        const QByteArray whole = writeSuffuseFile(largePainting());
+        QByteArray journal = QByteArray(journalName) + suffuseLineEnds;
+        appendChunk(journal, "HEAD", "x");
+        appendChunk(journal, "BASE", whole);
+        QCOMPARE(detectFormat(journal), FileFormat::Unknown);
+        QVERIFY(!opened(journal));
+    }
+
     void newerAndEmptyFilesStayErrors()
     {
         test::ChunkList chunks = test::chunksOf(writeSuffuseFile(largePainting()));
@@ -312,7 +377,7 @@ private slots:
             salvaged += checkDamaged(damaged, &whole->painting);
         }
         qInfo("%d of %lld damaged files gave something", salvaged, static_cast<long long>(bytes.size()));
-        QCOMPARE(salvaged, int(bytes.size()) - int(suffuseSignatureSize)); // all but those without the signature
+        QCOMPARE(salvaged, int(bytes.size()));
     }
 
     /// SUFFUSE_LONG=1: as many as before a release, 201,000.

@@ -1,5 +1,5 @@
 // Basic shapes and <use> of SVG as curves.
-#include "model/formats/svg_paths.h"
+#include "model/formats/svg/svg_paths.h"
 #include "model/formats/svg/svg_shapes.h"
 
 #include <QTest>

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "model/painting/painting.h"
-#include "render/renderer.h"
+#include "render/backends.h"
 
 #include <QtTest>
 

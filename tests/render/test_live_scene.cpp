@@ -157,8 +157,8 @@ private slots:
                        m.row == n.row;
             };
             const auto node = [&](std::size_t i) {
-                const cpu::ViewNode &m = a.nodes[i], &n = b.nodes[i];
-                const cpu::NodeBoxes p = a.boxes.boxes(), q = b.boxes.boxes();
+                const ViewNode &m = a.nodes[i], &n = b.nodes[i];
+                const NodeBoxes p = a.boxes.boxes(), q = b.boxes.boxes();
                 return m.x == n.x && m.y == n.y && m.a == n.a && m.b == n.b && m.c == n.c && m.weight == n.weight &&
                        m.cut == n.cut && m.row == n.row && p.x[i] == q.x[i] && p.y[i] == q.y[i] &&
                        p.reachX[i] == q.reachX[i] && p.reachY[i] == q.reachY[i] && p.weight[i] == q.weight[i] &&

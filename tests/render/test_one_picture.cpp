@@ -1,4 +1,5 @@
 // One picture: the same bits for any tiling, thread count, instruction order, dirty region and history.
+#include "render/backends.h"
 #include "tests/render/paintings.h"
 
 #include "model/painting/influence.h"

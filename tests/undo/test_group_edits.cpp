@@ -1,5 +1,5 @@
 // Aligning, distributing, grouping, locking, and selecting by likeness.
-#include "model/stroke_width.h"
+#include "model/paint/half_width.h"
 #include "model/painting/validate.h"
 #include "tests/undo/random_edits.h"
 #include "undo/edit_command.h"
@@ -104,6 +104,57 @@ private slots:
         d.exchange(centres);
         select(d, {1, 2});
         QVERIFY(distribute(d, Axis::Vertical, Spacing::Gaps).isEmpty());
+    }
+
+    void duplicatesOfGroupsAreGroups()
+    {
+        // 1, [a: 2, [b: 3, 4 (hidden)], 5], 6
+        Document d;
+        auto p = std::make_shared<Painting>(*makePainting(6));
+        p->groups = {{1, QStringLiteral("a"), 0, true, false}, {2, QStringLiteral("b"), 1, true, false}};
+        for (const auto &[place, group] : std::map<std::size_t, GroupId>{{1, 1}, {2, 2}, {3, 2}, {4, 1}}) {
+            auto member = std::make_shared<Stroke>(*std::as_const(p->strokes)[place]);
+            member->group = group;
+            member->visible = place != 3;
+            p->strokes[place] = member;
+        }
+        d.reset(p);
+        const auto duplicated = [&](std::set<StrokeId> strokes) {
+            d.reset(p);
+            d.setSelection({std::move(strokes), {}});
+            Edit edit = duplicateSelection(d, {0, 0});
+            d.exchange(edit);
+            return edit;
+        };
+        duplicated({2, 3, 5}); // as a click selects it
+        QCOMPARE(orderOf(d), (Order{1, 2, 3, 4, 5, 7, 8, 9, 6}));
+        QCOMPARE(d.selection(), (Selection{{7, 8, 9}, {}}));
+        QCOMPARE(d.painting()->groups, (std::vector<Group>{p->groups[0],
+                                                           p->groups[1],
+                                                           {3, QStringLiteral("a"), 0, true, false},
+                                                           {4, QStringLiteral("b"), 3, true, false}}));
+        QCOMPARE(strokeOf(d, 7).group, GroupId(3));
+        QCOMPARE(strokeOf(d, 8).group, GroupId(4));
+        QCOMPARE(strokeOf(d, 9).group, GroupId(3));
+        QCOMPARE(strokeOf(d, 5).group, GroupId(1));
+        QVERIFY(problemOf(*d.painting()).isEmpty());
+
+        Edit inner = duplicated({3}); // all of the inner group that shows: it is copied within the outer one
+        QCOMPARE(orderOf(d), (Order{1, 2, 3, 4, 7, 5, 6}));
+        QCOMPARE(d.painting()->groups.back(), (Group{3, QStringLiteral("b"), 1, true, false}));
+        QVERIFY(problemOf(*d.painting()).isEmpty());
+        d.exchange(inner);
+        QVERIFY(*d.painting() == *p);
+
+        duplicated({5}); // a part of a group stays in it
+        QCOMPARE(orderOf(d), (Order{1, 2, 3, 4, 5, 7, 6}));
+        QCOMPARE(strokeOf(d, 7).group, GroupId(1));
+        QCOMPARE(d.painting()->groups, p->groups);
+
+        duplicated({2, 3, 5, 6}); // with a stroke above it: all of them above that
+        QCOMPARE(orderOf(d), (Order{1, 2, 3, 4, 5, 6, 7, 8, 9, 10}));
+        QCOMPARE(strokeOf(d, 10).group, GroupId(0));
+        QCOMPARE(strokeOf(d, 7).group, GroupId(3));
     }
 
     void groupsStandTogetherAndNest()

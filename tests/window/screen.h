@@ -1,6 +1,7 @@
 // What stands on the screen, and what ought to.
 #pragma once
 
+#include "render/backends.h"
 #include "tests/app/session.h"
 
 #include <QFile>

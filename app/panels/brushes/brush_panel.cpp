@@ -4,9 +4,9 @@
 #include "app/dialogs/brush_dialog.h"
 #include "app/editor.h"
 #include "app/icons.h"
-#include "app/widgets/section.h"
-#include "app/widgets/slider_field.h"
 #include "app/theme.h"
+#include "app/widgets/quantity.h"
+#include "app/widgets/section.h"
 
 #include <QApplication>
 #include <QEvent>
@@ -37,7 +37,7 @@ QPixmap onPaper(const QImage &stroke, double ratio, bool chosen, int key)
     painter.setRenderHint(QPainter::Antialiasing);
     QPainterPath sheet;
     sheet.addRoundedRect(QRectF(0.5, 0.5, previewSize.width() - 1, previewSize.height() - 1), 4, 4);
-    painter.fillPath(sheet, previewPaper());
+    painter.fillPath(sheet, paperFor(stroke));
     if (!stroke.isNull()) {
         painter.setClipPath(sheet);
         painter.drawImage(QRectF(QPointF(), QSizeF(previewSize)), stroke);
@@ -84,7 +84,7 @@ BrushPanel::BrushPanel(Editor &editor, QWidget *parent) : QWidget(parent), m_edi
     m_hint = new HintLabel(this);
     column->addWidget(m_hint);
     for (SliderField *field : {m_size, m_flow, m_opacity})
-        connect(field, &SliderField::refused, m_hint, &HintLabel::showHint);
+        connect(field, &SliderField::refused, m_hint, &HintLabel::showRefusal);
     connect(&editor, &Editor::brushChanged, this, &BrushPanel::refresh);
     connect(&BrushLibrary::instance(), &BrushLibrary::changed, this, [this] {
         fillList();
@@ -153,8 +153,15 @@ void BrushPanel::addList(QVBoxLayout &column)
     m_list->setContextMenuPolicy(Qt::CustomContextMenu);
     column.addWidget(m_list, 1);
     connect(m_list, &QListWidget::currentItemChanged, this, [this](QListWidgetItem *item) {
-        if (item && !item->data(headingRole).toBool())
-            BrushLibrary::instance().use(m_editor, nameOf(item));
+        if (!item || item->data(headingRole).toBool())
+            return;
+        BrushLibrary::instance().use(m_editor, nameOf(item));
+        if (!(QApplication::mouseButtons() & Qt::RightButton))
+            emit chosen();
+    });
+    connect(m_list, &QListWidget::itemClicked, this, [this](const QListWidgetItem *item) {
+        if (!item->data(headingRole).toBool())
+            emit chosen(); // that in hand, too, while another tool is
     });
     connect(m_list, &QListWidget::itemDoubleClicked, this, &BrushPanel::showDialog);
     connect(m_list, &QListWidget::customContextMenuRequested, this,
@@ -176,7 +183,7 @@ void BrushPanel::addHeading(const QString &group)
     item->setFlags(Qt::NoItemFlags);
     item->setData(headingRole, true);
     item->setTextAlignment(Qt::AlignLeft | Qt::AlignBottom);
-    item->setForeground(palette().color(QPalette::PlaceholderText));
+    item->setForeground(QApplication::palette().color(QPalette::PlaceholderText));
 }
 
 void BrushPanel::fillList()
@@ -196,9 +203,9 @@ void BrushPanel::fillList()
                 continue;
             auto *item = new QListWidgetItem(brushTitle(brush.name), m_list);
             item->setData(Qt::UserRole, brush.name);
-            item->setToolTip(tr("%1: spread %2 units, dry after %3 s")
-                                 .arg(brushTitle(brush.name), QLocale().toString(brush.spread(), 'f', 1),
-                                      QLocale().toString(brush.maxAge, 'g', 3)));
+            item->setToolTip(tr("%1: size %2, dry after %3")
+                                 .arg(brushTitle(brush.name), lengthDisplay().text(brush.spread()),
+                                      timeDisplay().text(double(brush.maxAge))));
             item->setSizeHint({previewSize.width() + 6, previewSize.height() + fontMetrics().height() + 10});
             setPicture(item);
         }
@@ -252,32 +259,9 @@ void BrushPanel::addFields(QVBoxLayout &column)
     connect(m_reset, &QToolButton::clicked, this, [this] { BrushLibrary::instance().use(m_editor, inHand()); });
 
     QGridLayout *grid = addFieldGrid(column);
-    m_size = new SliderField({.name = tr("Size"),
-                              .toolTip = tr("How far the paint spreads, in units; sets the diffusion."),
-                              .unit = NumberField::canvasUnit(),
-                              .minimum = 0.01,
-                              .maximum = 1e5,
-                              .sliderMinimum = 0.5,
-                              .sliderMaximum = 300,
-                              .logarithmic = true,
-                              .defaultValue = Brush{}.spread()},
-                             *grid, 0, this);
-    m_flow = new SliderField({.name = tr("Flow"),
-                              .toolTip = tr("Density in the middle of the stroke at full pressure."),
-                              .minimum = 0.001,
-                              .maximum = 1e6,
-                              .sliderMinimum = 0.1,
-                              .sliderMaximum = 10,
-                              .logarithmic = true,
-                              .defaultValue = Brush{}.peak},
-                             *grid, 1, this);
-    m_opacity = new SliderField({.name = tr("Opacity"),
-                                 .toolTip = tr("How much the paint covers at full density"),
-                                 .unit = QStringLiteral(" %"),
-                                 .factor = 100,
-                                 .step = 0.01,
-                                 .defaultValue = 1},
-                                *grid, 2, this);
+    m_size = new SliderField(specOf(Quantity::Size), *grid, 0, this);
+    m_flow = new SliderField(specOf(Quantity::Flow), *grid, 1, this);
+    m_opacity = new SliderField(specOf(Quantity::Opacity), *grid, 2, this);
     connect(m_size, &SliderField::edited, this,
             [this](double spread) { edit([=](Brush &b) { b.setSpread(spread); }); });
     connect(m_flow, &SliderField::edited, this, [this](double peak) { edit([=](Brush &b) { b.peak = float(peak); }); });
@@ -337,7 +321,9 @@ void BrushPanel::paintEvent(QPaintEvent *event)
 void BrushPanel::changeEvent(QEvent *event)
 {
     QWidget::changeEvent(event);
-    if (event->type() == QEvent::ApplicationPaletteChange && m_started) {
+    const bool otherColours =
+        event->type() == QEvent::ApplicationPaletteChange || event->type() == QEvent::PaletteChange;
+    if (otherColours && m_hint) { // all is there
         fillList();
         refresh();
     }

@@ -46,6 +46,11 @@ public:
 
     QSize sizeHint() const override;
 
+signals:
+    /// A brush was chosen to paint with, by mouse or keys, be it the one in hand. A press of the right button, for the
+    /// menu, only takes it in hand.
+    void chosen();
+
 protected:
     void paintEvent(QPaintEvent *event) override;
     void resizeEvent(QResizeEvent *event) override;

@@ -2,13 +2,14 @@
 #include "app/brush_library.h"
 #include "app/dialogs/brush_dialog.h"
 #include "app/editor.h"
+#include "app/messages.h"
 #include "app/panels/brushes/brush_panel.h"
+#include "app/save_name.h"
 #include "app/widgets/section.h"
 
 #include <QFileDialog>
 #include <QInputDialog>
 #include <QMenu>
-#include <QMessageBox>
 
 namespace suffuse {
 
@@ -75,7 +76,7 @@ void BrushPanel::saveAsNew()
 {
     bool taken = false;
     const QString name =
-        QInputDialog::getText(this, tr("Save brush"), tr("Name"), QLineEdit::Normal, brushTitle(inHand()), &taken);
+        QInputDialog::getText(this, tr("Save Brush"), tr("Name"), QLineEdit::Normal, brushTitle(inHand()), &taken);
     if (!taken)
         return;
     Brush brush = m_editor.brush();
@@ -90,7 +91,7 @@ void BrushPanel::rename()
 {
     bool taken = false;
     const QString before = inHand();
-    const QString name = QInputDialog::getText(this, tr("Rename brush"), tr("Name"), QLineEdit::Normal, before, &taken);
+    const QString name = QInputDialog::getText(this, tr("Rename Brush"), tr("Name"), QLineEdit::Normal, before, &taken);
     if (!taken)
         return;
     if (Result<void> renamed = BrushLibrary::instance().rename(before, name); !renamed)
@@ -101,10 +102,7 @@ void BrushPanel::rename()
 void BrushPanel::remove()
 {
     const QString name = inHand();
-    const auto answer = QMessageBox::question(this, tr("Delete brush"),
-                                              tr("Delete the brush “%1”? Strokes painted with it stay.").arg(name),
-                                              QMessageBox::Yes | QMessageBox::Cancel, QMessageBox::Cancel);
-    if (answer != QMessageBox::Yes)
+    if (!confirm(this, tr("Delete the brush “%1”?").arg(name), tr("Strokes painted with it stay."), tr("&Delete")))
         return;
     if (Result<void> removed = BrushLibrary::instance().remove(name); !removed)
         return note(removed.error());
@@ -113,7 +111,7 @@ void BrushPanel::remove()
 
 void BrushPanel::import()
 {
-    const QStringList paths = QFileDialog::getOpenFileNames(this, tr("Import brushes"), {},
+    const QStringList paths = QFileDialog::getOpenFileNames(this, tr("Import Brushes"), {},
                                                             tr("Brushes (*.suffuse-brush *.myb);;All files (*)"));
     QStringList notes;
     for (const QString &path : paths) {
@@ -132,13 +130,11 @@ void BrushPanel::import()
 
 void BrushPanel::exportBrush()
 {
-    const QString ending = QLatin1Char('.') + QLatin1String(brushFileEnding);
-    QString path = QFileDialog::getSaveFileName(this, tr("Export brush"), brushTitle(inHand()) + ending,
-                                                tr("Suffuse brush (*%1)").arg(ending));
+    const QString ending = QLatin1String(brushFileEnding);
+    const QString path = chooseFileToSave(this, tr("Export Brush"), brushTitle(inHand()) + '.' + ending,
+                                          {{tr("Suffuse brush"), {ending}}});
     if (path.isEmpty())
         return;
-    if (!path.endsWith(ending))
-        path += ending;
     if (Result<void> written = BrushLibrary::instance().exportTo(inHand(), path); !written)
         note(written.error());
 }

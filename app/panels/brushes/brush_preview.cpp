@@ -1,6 +1,7 @@
 #include "app/panels/brushes/brush_preview.h"
 
 #include "model/brush/stroke_builder.h"
+#include "render/backends.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,5 +1,7 @@
 #include "app/panels/brushes/stroke_sheet.h"
 
+#include "render/backends.h"
+
 namespace suffuse {
 
 StrokeSheet::StrokeSheet()

@@ -2,10 +2,18 @@
 
 #include "model/painting/ryb.h"
 
+#include <QMimeData>
+#include <QStringList>
+
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace suffuse {
+
+namespace {
+const QString colourMime = QStringLiteral("application/x-suffuse-colour");
+} // namespace
 
 QColor toOpaqueScreen(const Colour &colour)
 {
@@ -27,6 +35,42 @@ Colour fromScreen(const QColor &colour)
     Colour result = rybFromSrgb(colour.red() / 255.0, colour.green() / 255.0, colour.blue() / 255.0);
     result.opacity = float(colour.alpha() / 255.0);
     return result;
+}
+
+QString textOf(const Colour &colour)
+{
+    const auto text = [](float channel) { return QString::number(double(channel), 'g', 9); };
+    return QStringList{text(colour.red), text(colour.yellow), text(colour.blue), text(colour.opacity)}.join(' ');
+}
+
+std::optional<Colour> colourOfText(const QString &text)
+{
+    const QStringList parts = text.split(' ');
+    std::array<float, 4> channels{};
+    if (parts.size() != qsizetype(channels.size()))
+        return {};
+    for (std::size_t i = 0; i < channels.size(); ++i) {
+        bool ok = false;
+        channels[i] = parts[qsizetype(i)].toFloat(&ok);
+        if (!ok || !(channels[i] >= 0 && channels[i] <= 1))
+            return {};
+    }
+    return Colour{channels[0], channels[1], channels[2], channels[3]};
+}
+
+QMimeData *dragDataOf(const Colour &colour)
+{
+    auto *data = new QMimeData;
+    data->setColorData(toScreen(colour));
+    data->setData(colourMime, textOf(colour).toLatin1());
+    return data;
+}
+
+std::optional<Colour> colourOf(const QMimeData &data)
+{
+    if (const auto colour = colourOfText(QString::fromLatin1(data.data(colourMime))))
+        return colour;
+    return data.hasColor() ? std::optional(fromScreen(data.colorData().value<QColor>())) : std::nullopt;
 }
 
 Colour pureHue(double hue)

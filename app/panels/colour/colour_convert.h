@@ -5,6 +5,10 @@
 
 #include <QColor>
 
+#include <optional>
+
+class QMimeData;
+
 namespace suffuse {
 
 /// sRGB of a colour; alpha is its opacity.
@@ -13,6 +17,14 @@ QColor toScreen(const Colour &colour);
 QColor toOpaqueScreen(const Colour &colour);
 /// RYB of a screen colour; opacity is its alpha.
 Colour fromScreen(const QColor &colour);
+
+/// Exactly this colour, to the last bit, as a line of text: "red yellow blue opacity".
+QString textOf(const Colour &colour);
+std::optional<Colour> colourOfText(const QString &text);
+/// What is dragged: the colour itself for our own windows, a screen colour for others. The caller owns it.
+QMimeData *dragDataOf(const Colour &colour);
+/// The colour that was dragged or copied, exactly where it is one of ours.
+std::optional<Colour> colourOf(const QMimeData &data);
 
 /// A pure hue of the RYB circle, hue in [0, 1): red 0, yellow 1/3, blue 2/3.
 Colour pureHue(double hue);

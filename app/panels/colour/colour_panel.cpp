@@ -1,22 +1,21 @@
 #include "app/panels/colour/colour_panel.h"
 
 #include "app/editor.h"
+#include "app/panels/brushes/mixing_pad.h"
 #include "app/panels/colour/colour_convert.h"
 #include "app/panels/colour/colour_rows.h"
-#include "app/widgets/colour_swatch.h"
 #include "app/panels/colour/colour_wheel.h"
-#include "app/panels/brushes/mixing_pad.h"
-#include "app/widgets/section.h"
 #include "app/panels/colour/swatch_grid.h"
 #include "app/panels/colour/swatches_section.h"
 #include "app/settings.h"
+#include "app/widgets/colour_swatch.h"
+#include "app/widgets/section.h"
 #include "undo/edits.h"
 
 #include <QHBoxLayout>
 #include <QLineEdit>
 #include <QPushButton>
 #include <QRegularExpression>
-#include <QScrollArea>
 
 #include <algorithm>
 
@@ -30,12 +29,20 @@ QString hexOf(const Colour &colour)
     return toOpaqueScreen(colour).name();
 }
 
+std::optional<Colour> storedColour(const QString &name)
+{
+    if (const auto colour = colourOfText(name))
+        return colour;
+    const QColor screen(name); // as earlier versions kept them
+    return screen.isValid() ? std::optional(fromScreen(screen)) : std::nullopt;
+}
+
 std::vector<Colour> storedColours(std::size_t most)
 {
     std::vector<Colour> colours;
     for (const QString &name : settings::store().value("recentColours").toStringList().mid(0, qsizetype(most)))
-        if (const QColor colour(name); colour.isValid())
-            colours.push_back(fromScreen(colour));
+        if (const auto colour = storedColour(name))
+            colours.push_back(*colour);
     return colours;
 }
 
@@ -46,11 +53,7 @@ ColourPanel::ColourPanel(Editor &editor, QWidget *parent)
 {
     auto *outer = new QVBoxLayout(this);
     outer->setContentsMargins(0, 0, 0, 0);
-    auto *scroll = new QScrollArea(this);
-    scroll->setWidgetResizable(true);
-    scroll->setFrameShape(QFrame::NoFrame);
-    scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-    scroll->setFocusPolicy(Qt::NoFocus);
+    auto *scroll = new PanelScroll(this);
     outer->addWidget(scroll);
     auto *content = new QWidget;
     auto *column = new QVBoxLayout(content);
@@ -70,10 +73,10 @@ ColourPanel::ColourPanel(Editor &editor, QWidget *parent)
     m_hint = new HintLabel(content);
     column->addWidget(m_hint);
     addRecent(*column);
-    addApply(*column);
     m_mixing = new MixingSection(editor, content);
     column->addWidget(m_mixing, 1);
     scroll->setWidget(content);
+    addApply(*outer); // below what scrolls: it is seen however low the dock is
 
     connect(m_wheel, &ColourWheel::picked, &editor, &Editor::setColour);
     connect(m_rows, &ColourRows::edited, this, [this](int channel, double value) {
@@ -81,7 +84,7 @@ ColourPanel::ColourPanel(Editor &editor, QWidget *parent)
         ColourRows::channelOf(colour, channel) = float(value);
         m_editor.setColour(colour);
     });
-    connect(m_rows, &ColourRows::refused, m_hint, &HintLabel::showHint);
+    connect(m_rows, &ColourRows::refused, m_hint, &HintLabel::showRefusal);
     connect(&editor, &Editor::brushChanged, this, &ColourPanel::refresh);
     connect(&editor.laterChanges(), &LaterChanges::changed, this, [this](const Change &change) {
         if (change.selection || change.reset)
@@ -144,13 +147,17 @@ void ColourPanel::addApply(QVBoxLayout &column)
 {
     m_apply = new QPushButton(tr("Apply to selection"), this);
     m_apply->setToolTip(tr("Gives the selected segments this colour."));
-    column.addWidget(m_apply);
+    auto *row = new QHBoxLayout;
+    row->setContentsMargins(8, 4, 8, 8);
+    row->addWidget(m_apply);
+    column.addLayout(row);
     connect(m_apply, &QPushButton::clicked, this, &ColourPanel::applyToSelection);
 }
 
 void ColourPanel::refresh()
 {
     const Colour &colour = m_editor.brush().colour;
+    m_hint->showHint({}); // whatever was refused, this is the colour now
     m_wheel->setColour(colour);
     m_rows->setColour(colour);
     m_current->setColour(colour);
@@ -172,7 +179,7 @@ void ColourPanel::takeHex()
         colour.opacity = m_editor.brush().colour.opacity;
         m_editor.setColour(colour);
     } else {
-        m_hint->showHint(tr("“%1” is not a colour. Write it as #rrggbb, for example #2f6690.").arg(m_hex->text()));
+        m_hint->showRefusal(tr("“%1” is not a colour. Write it as #rrggbb, for example #2f6690.").arg(m_hex->text()));
     }
     m_hex->setText(hexOf(m_editor.brush().colour));
 }
@@ -192,13 +199,17 @@ void ColourPanel::rememberUsed()
         return;
     m_used = colour;
     m_previous->setColour(m_used);
-    std::erase_if(m_recent, [&](const Colour &c) { return hexOf(c) == hexOf(colour); });
+    std::erase_if(m_recent, [&](const Colour &c) { return toScreen(c) == toScreen(colour); }); // look the same
     m_recent.insert(m_recent.begin(), colour);
     m_recent.resize(std::min(m_recent.size(), recentCount));
-    QStringList names;
-    for (const Colour &c : m_recent)
-        names << toScreen(c).name(QColor::HexArgb);
-    settings::store().setValue("recentColours", names);
+    settings::updateList("recentColours", [&colour](QStringList names) { // and what was used in other windows
+        names.removeIf([&colour](const QString &name) {
+            const auto other = storedColour(name);
+            return !other || toScreen(*other) == toScreen(colour);
+        });
+        names.prepend(textOf(colour));
+        return names.mid(0, qsizetype(recentCount));
+    });
     showRecent();
 }
 

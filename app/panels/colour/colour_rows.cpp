@@ -2,6 +2,7 @@
 
 #include "app/widgets/bar_slider.h"
 #include "app/panels/colour/colour_convert.h"
+#include "app/widgets/quantity.h"
 
 #include <QGridLayout>
 
@@ -14,18 +15,9 @@ ColourRows::ColourRows(bool withOpacity, QWidget *parent) : QWidget(parent)
     grid->setHorizontalSpacing(8);
     grid->setVerticalSpacing(2);
     grid->setColumnStretch(1, 1);
-    const std::array<QString, 4> names{tr("Red"), tr("Yellow"), tr("Blue"), tr("Opacity")};
-    const std::array<QString, 4> tips{tr("Share of red pigment"), tr("Share of yellow pigment"),
-                                      tr("Share of blue pigment"), tr("How much the paint covers at full density")};
+    constexpr std::array quantities{Quantity::Red, Quantity::Yellow, Quantity::Blue, Quantity::Opacity};
     for (int channel = 0; channel < (withOpacity ? 4 : 3); ++channel) {
-        FieldSpec spec;
-        spec.name = names[std::size_t(channel)];
-        spec.toolTip = tips[std::size_t(channel)];
-        spec.unit = QStringLiteral(" %");
-        spec.factor = 100;
-        spec.step = 0.01;
-        spec.defaultValue = channel == Opacity ? 1 : 0;
-        auto *row = new SliderField(spec, *grid, channel, this);
+        auto *row = new SliderField(specOf(quantities[std::size_t(channel)]), *grid, channel, this);
         m_rows[std::size_t(channel)] = row;
         connect(row, &SliderField::edited, this,
                 [this, channel](double value, EditRun run) { emit edited(channel, value, run); });

@@ -2,6 +2,7 @@
 
 #include "app/panels/colour/colour_convert.h"
 #include "app/theme.h"
+#include "app/widgets/colour_swatch.h"
 
 #include <QApplication>
 #include <QContextMenuEvent>
@@ -29,8 +30,10 @@ SwatchGrid::SwatchGrid(bool editable, QWidget *parent) : QWidget(parent), m_edit
     setFocusPolicy(Qt::StrongFocus);
     setAcceptDrops(editable);
     QSizePolicy policy(QSizePolicy::Expanding, QSizePolicy::Preferred);
-    policy.setHeightForWidth(true);
+    policy.setHeightForWidth(editable);
     setSizePolicy(policy);
+    if (!editable)
+        setFixedHeight(side);
 }
 
 void SwatchGrid::setSwatches(std::vector<Swatch> swatches)
@@ -88,10 +91,15 @@ int SwatchGrid::columns(int width) const
     return std::max(1, (width + gap) / step);
 }
 
+int SwatchGrid::shown(int width) const
+{
+    return m_editable ? size() : std::min(size(), columns(width));
+}
+
 int SwatchGrid::heightForWidth(int width) const
 {
     const int across = columns(width);
-    return std::max(1, (size() + across - 1) / across) * step - gap;
+    return std::max(1, (shown(width) + across - 1) / across) * step - gap;
 }
 
 QSize SwatchGrid::sizeHint() const
@@ -114,7 +122,7 @@ int SwatchGrid::indexAt(QPoint at) const
 {
     const int across = columns(width());
     const int column = at.x() / step, row = at.y() / step, index = row * across + column;
-    const bool inside = at.x() >= 0 && at.y() >= 0 && column < across && index < size();
+    const bool inside = at.x() >= 0 && at.y() >= 0 && column < across && index < shown(width());
     return inside && cell(index).contains(at) ? index : -1;
 }
 
@@ -127,7 +135,7 @@ int SwatchGrid::gapAt(QPoint at) const
 
 void SwatchGrid::setCurrent(int index)
 {
-    m_current = std::clamp(index, 0, std::max(0, size() - 1));
+    m_current = std::clamp(index, 0, std::max(0, shown(width()) - 1));
     update();
 }
 
@@ -167,12 +175,13 @@ void SwatchGrid::paintEvent(QPaintEvent *)
             painter.drawText(rect(), Qt::AlignLeft | Qt::AlignVCenter,
                              fontMetrics().elidedText(m_emptyText, Qt::ElideRight, width()));
     }
-    for (int i = 0; i < size(); ++i) {
+    for (int i = 0; i < shown(width()); ++i) {
         QPainterPath shape;
         shape.addRoundedRect(QRectF(cell(i)).adjusted(0.5, 0.5, -0.5, -0.5), 3, 3);
-        painter.fillPath(shape, toOpaqueScreen(m_swatches[std::size_t(i)].colour));
+        paintColour(painter, shape, m_swatches[std::size_t(i)].colour);
         const bool marked = hasFocus() && i == m_current;
-        painter.strokePath(shape, QPen(marked ? palette().color(QPalette::Highlight) : hairline(), marked ? 2 : 1));
+        painter.strokePath(shape,
+                           QPen(marked ? palette().color(QPalette::Highlight) : edgeOfColours(), marked ? 2 : 1));
     }
     if (m_gap >= 0) {
         const QRect at = cell(m_gap);
@@ -207,10 +216,8 @@ void SwatchGrid::mouseReleaseEvent(QMouseEvent *event)
 
 void SwatchGrid::startDrag(int index)
 {
-    auto *data = new QMimeData;
-    data->setColorData(toScreen(m_swatches[std::size_t(index)].colour));
     auto *drag = new QDrag(this);
-    drag->setMimeData(data);
+    drag->setMimeData(dragDataOf(m_swatches[std::size_t(index)].colour));
     drag->setPixmap(grab(cell(index)));
     drag->setHotSpot({side / 2, side / 2});
     drag->exec(Qt::CopyAction);
@@ -251,7 +258,7 @@ void SwatchGrid::keyPressEvent(QKeyEvent *event)
     case Qt::Key_Up:
         return setCurrent(m_current >= across ? m_current - across : m_current);
     case Qt::Key_Down:
-        return setCurrent(m_current + across < size() ? m_current + across : m_current);
+        return setCurrent(m_current + across < shown(width()) ? m_current + across : m_current);
     case Qt::Key_Return:
     case Qt::Key_Enter:
     case Qt::Key_Space:
@@ -289,8 +296,8 @@ void SwatchGrid::dropEvent(QDropEvent *event)
     const int to = gapAt(event->position().toPoint());
     if (event->source() == this)
         move(m_current, to); // the one that the drag began with
-    else
-        insert(to, fromScreen(event->mimeData()->colorData().value<QColor>()));
+    else if (const auto colour = colourOf(*event->mimeData()))
+        insert(to, *colour);
     event->acceptProposedAction();
 }
 

@@ -6,8 +6,9 @@
 
 namespace suffuse {
 
-/// Rows of colours to pick from. Where it may be edited, colours can be dropped, moved by dragging, named and removed;
-/// it changes nothing itself but says what there should be. Keys: arrows, Return picks, Delete removes, F2 names.
+/// Colours to pick from: one line of them, as many as fit; or, where it may be edited, rows. Then colours can be
+/// dropped, moved by dragging, named and removed; it changes nothing itself but says what there should be. Keys:
+/// arrows, Return picks, Delete removes, F2 names.
 class SwatchGrid : public QWidget {
     Q_OBJECT
 
@@ -51,6 +52,7 @@ protected:
 
 private:
     int columns(int width) const;
+    int shown(int width) const;   ///< how many there is room for
     int indexAt(QPoint at) const; ///< −1: none
     int gapAt(QPoint at) const;   ///< before which one something dropped would come
     void setCurrent(int index);

@@ -5,6 +5,7 @@
 #include "app/messages.h"
 #include "app/widgets/section.h"
 #include "app/panels/colour/swatch_grid.h"
+#include "app/save_name.h"
 #include "model/formats/files.h"
 #include "model/formats/brushes/gimp_palette.h"
 #include "undo/swatch_edits.h"
@@ -85,12 +86,10 @@ void SwatchesSection::addMenu()
             importPalette(path);
     });
     m_export = menu->addAction(tr("Export palette…"), this, [=, this] {
-        QString path = QFileDialog::getSaveFileName(this, tr("Export palette"), {}, filter);
-        if (path.isEmpty())
-            return;
-        if (QFileInfo(path).suffix().isEmpty())
-            path += QStringLiteral(".gpl");
-        exportPalette(path);
+        const QString path =
+            chooseFileToSave(this, tr("Export palette"), QString(), {{tr("GIMP palettes"), {QStringLiteral("gpl")}}});
+        if (!path.isEmpty())
+            exportPalette(path);
     });
     menu->addSeparator();
     m_clear = menu->addAction(tr("Remove all"), this, [this] { push({}, tr("Remove all swatches")); });

@@ -6,14 +6,36 @@
 #include "app/panels/history/stroke_history_list.h"
 
 #include <QSplitter>
+#include <QStyledItemDelegate>
 #include <QUndoView>
 #include <QVBoxLayout>
 
 namespace suffuse {
 
+namespace {
+
+/// Steps that are undone are grey: below the place where the painting stands.
+class StepDelegate : public QStyledItemDelegate {
+public:
+    StepDelegate(const QUndoStack &stack, QObject *parent) : QStyledItemDelegate(parent), m_stack(stack) {}
+
+    void initStyleOption(QStyleOptionViewItem *option, const QModelIndex &index) const override
+    {
+        QStyledItemDelegate::initStyleOption(option, index);
+        if (index.row() > m_stack.index()) // the first row is the start
+            option->palette.setColor(QPalette::Text, option->palette.color(QPalette::Disabled, QPalette::Text));
+    }
+
+private:
+    const QUndoStack &m_stack;
+};
+
+} // namespace
+
 HistoryPanel::HistoryPanel(Editor &editor, QWidget *parent) : QWidget(parent)
 {
     m_view = new QUndoView(&editor.undoStack(), this);
+    m_view->setItemDelegate(new StepDelegate(editor.undoStack(), this));
     m_view->setEmptyLabel(tr("Start"));
     m_view->setCleanIcon(icon("save"));
     m_view->setIconSize({14, 14});

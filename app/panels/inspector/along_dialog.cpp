@@ -1,6 +1,7 @@
 #include "app/panels/inspector/along_dialog.h"
 
 #include "app/editor.h"
+#include "app/widgets/mnemonics.h"
 #include "app/widgets/section.h"
 
 #include <QButtonGroup>
@@ -8,7 +9,6 @@
 #include <QDialogButtonBox>
 #include <QHBoxLayout>
 #include <QKeyEvent>
-#include <QLocale>
 #include <QScopedValueRollback>
 #include <QToolButton>
 #include <QVBoxLayout>
@@ -44,6 +44,7 @@ AlongDialog::AlongDialog(Editor &editor, QWidget *parent)
         apply();
     });
     connect(&editor.document(), &Document::changed, this, &AlongDialog::documentChanged);
+    giveMnemonics(*this);
     choose(Quantity::Density);
 }
 
@@ -52,7 +53,10 @@ void AlongDialog::addChoice()
     auto *row = new QHBoxLayout;
     m_choice = new QComboBox(this);
     m_choice->setAccessibleName(tr("Quantity"));
-    for (const Quantity quantity : allQuantities)
+    auto *label = new QLabel(tr("Quantity"), this);
+    label->setBuddy(m_choice);
+    row->addWidget(label);
+    for (const Quantity quantity : curveQuantities)
         m_choice->addItem(specOf(quantity).name);
     row->addWidget(m_choice, 1);
     m_shapes = new QButtonGroup(this);
@@ -72,7 +76,7 @@ void AlongDialog::addChoice()
         row->addWidget(button);
     }
     static_cast<QVBoxLayout *>(layout())->addLayout(row);
-    connect(m_choice, &QComboBox::activated, this, [this](int index) { choose(allQuantities[std::size_t(index)]); });
+    connect(m_choice, &QComboBox::activated, this, [this](int index) { choose(curveQuantities[std::size_t(index)]); });
     connect(m_shapes, &QButtonGroup::idClicked, this, [this](int shape) { choose(Shape(shape)); });
 }
 
@@ -88,7 +92,7 @@ void AlongDialog::addFields()
         row->addWidget(field);
         connect(field, &NumberField::entered, this, [this, knot](double value) { setEnd(knot, value); });
         connect(field, &NumberField::stepped, this, [this, knot](double value) { setEnd(knot, value); });
-        connect(field, &NumberField::refused, this, [this](const QString &hint) { m_hint->showHint(hint); });
+        connect(field, &NumberField::refused, this, [this](const QString &hint) { m_hint->showRefusal(hint); });
         return std::pair(label, field);
     };
     m_start = add(tr("Start"), 0).second;
@@ -100,11 +104,13 @@ void AlongDialog::addFields()
 double AlongDialog::Axis::toShare(double value) const
 {
     const double v = std::clamp(value, low, high);
-    return logarithmic ? std::log(v / low) / std::log(high / low) : (v - low) / (high - low);
+    const double share = logarithmic ? std::log(v / low) / std::log(high / low) : (v - low) / (high - low);
+    return reversed ? 1 - share : share;
 }
 
-double AlongDialog::Axis::toValue(double share) const
+double AlongDialog::Axis::toValue(double place) const
 {
+    const double share = reversed ? 1 - place : place;
     return std::clamp(logarithmic ? low * std::pow(high / low, share) : std::lerp(low, high, share), low, high);
 }
 
@@ -112,7 +118,7 @@ double AlongDialog::Axis::toValue(double share) const
 AlongDialog::Axis AlongDialog::axisOf(Quantity quantity) const
 {
     const FieldSpec spec = specOf(quantity);
-    Axis axis{spec.sliderMinimum, spec.sliderMaximum, spec.logarithmic};
+    Axis axis{spec.sliderMinimum, spec.sliderMaximum, spec.logarithmic, spec.display.isReversed()};
     for (const auto &[id, run] : m_runs)
         for (const RunPlace &p : run.places) {
             const double value = valueOf(run.stroke->segments[std::size_t(p.segment)], quantity);
@@ -140,7 +146,7 @@ void AlongDialog::choose(Quantity quantity)
 {
     m_quantity = quantity;
     m_choice->setCurrentIndex(
-        int(std::find(allQuantities.begin(), allQuantities.end(), quantity) - allQuantities.begin()));
+        int(std::find(curveQuantities.begin(), curveQuantities.end(), quantity) - curveQuantities.begin()));
     const auto it = m_set.find(quantity);
     m_axis = it == m_set.end() ? axisOf(quantity) : it->second.axis;
     showQuantity();
@@ -149,14 +155,12 @@ void AlongDialog::choose(Quantity quantity)
 void AlongDialog::showQuantity()
 {
     const FieldSpec spec = specOf(m_quantity);
-    const auto text = [&](double value) { return QLocale().toString(value * spec.factor, 'g', 4) + spec.unit; };
-    m_curve->setAxis(text(m_axis.low), text(m_axis.high));
+    m_curve->setAxis(spec.display.text(m_axis.toValue(0)), spec.display.text(m_axis.toValue(1)));
     const std::vector<QPointF> present = presentOf(m_quantity);
     m_curve->setPresent(present);
     for (NumberField *field : {m_start, m_end}) {
         field->setRange(spec.minimum, spec.maximum);
-        field->setUnit(spec.unit);
-        field->setDisplayFactor(spec.factor);
+        field->setDisplay(spec.display);
         field->setStep(spec.step);
     }
     PlaceCurve curve;

@@ -44,8 +44,9 @@ private:
     struct Axis {
         double low = 0, high = 1;
         bool logarithmic = false;
+        bool reversed = false; ///< what is shown falls as the value grows
         double toShare(double value) const;
-        double toValue(double share) const;
+        double toValue(double place) const;
     };
 
     void addChoice();

@@ -5,6 +5,7 @@
 #include "app/widgets/number_field.h"
 #include "app/panels/inspector/paper_preview.h"
 #include "app/panels/inspector/picture_file.h"
+#include "app/widgets/quantity.h"
 #include "app/widgets/section.h"
 #include "model/painting/paper_presets.h"
 #include "model/painting/validate.h"
@@ -87,7 +88,7 @@ void CanvasSection::addSize(QGridLayout &grid)
         auto *field = new NumberField(this);
         field->setRange(0.001, 1e6);
         field->setStep(1);
-        field->setUnit(NumberField::canvasUnit());
+        field->setDisplay(lengthDisplay());
         field->setAccessibleName(name);
         field->setToolTip(tip);
         label->setBuddy(field);
@@ -114,13 +115,12 @@ void CanvasSection::addPaper(QGridLayout &grid)
     m_paper->setIconSize(thumbnailSize);
     m_paper->setAccessibleName(tr("Texture"));
     m_paper->setToolTip(tr("The paper's grain, which granulating strokes show."));
-    m_paper->setFocusPolicy(Qt::StrongFocus);
     paperLabel->setBuddy(m_paper);
     grid.addWidget(paperLabel, 0, 0);
     grid.addWidget(m_paper, 0, 1, 1, 2);
     connect(m_paper, &QComboBox::activated, this, &CanvasSection::choosePaper);
 
-    m_image = new QPushButton(tr("Choose image…"), this);
+    m_image = new QPushButton(tr("Choose &Image…"), this);
     m_image->setToolTip(tr("Take the grain from another picture file."));
     grid.addWidget(m_image, 1, 1, 1, 2);
     connect(m_image, &QPushButton::clicked, this, &CanvasSection::chooseImagePaper);
@@ -144,7 +144,7 @@ void CanvasSection::addPaper(QGridLayout &grid)
     m_scale = new SliderField(
         {.name = tr("Scale"),
          .toolTip = tr("Size of the coarsest grain or of a thread in units, or units per pixel of the image."),
-         .unit = NumberField::canvasUnit(),
+         .display = lengthDisplay(),
          .minimum = 1e-6,
          .maximum = 1e6,
          .sliderMinimum = 0.1,
@@ -152,13 +152,7 @@ void CanvasSection::addPaper(QGridLayout &grid)
          .logarithmic = true,
          .defaultValue = Paper{}.scale},
         grid, 3, this);
-    m_strength = new SliderField({.name = tr("Strength"),
-                                  .toolTip = tr("How deep the grain goes."),
-                                  .unit = QStringLiteral(" %"),
-                                  .factor = 100,
-                                  .step = 0.01,
-                                  .defaultValue = Paper{}.strength},
-                                 grid, 4, this);
+    m_strength = new SliderField(specOf(Quantity::PaperStrength), grid, 4, this);
     const auto connectField = [this](SliderField *field, float Paper::*member) {
         connect(field, &SliderField::refused, this, &CanvasSection::refused);
         connect(field, &SliderField::edited, this, [this, member](double value, EditRun run) {

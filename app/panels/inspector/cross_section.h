@@ -1,4 +1,4 @@
-// Densities for panels: quick, to a thousandth of the peak. Pictures never come from here.
+// A cut across a stroke for panels: quick, to a thousandth of the peak. Pictures never come from here.
 #pragma once
 
 #include "model/painting/painting.h"
@@ -7,11 +7,6 @@
 #include <vector>
 
 namespace suffuse {
-
-/// φ_k of one segment at a canvas point (eq 13); 0 at age ≤ 0.
-double segmentDensityAt(const Stroke &stroke, const Segment &segment, Microseconds time, Point point);
-/// φ of the stroke (eq 14).
-double strokeDensityAt(const Stroke &stroke, Microseconds time, Point point);
 
 /// A stroke at one distance from its curve.
 struct CrossSectionPoint {

@@ -1,9 +1,9 @@
 #include "app/panels/inspector/cross_section_plot.h"
 
+#include "app/widgets/display.h"
 #include "app/widgets/plot_frame.h"
 #include "app/theme.h"
 
-#include <QLocale>
 #include <QPainter>
 #include <QPainterPath>
 
@@ -22,7 +22,7 @@ void CrossSectionPlot::show(std::vector<CrossSectionPoint> points)
     double most = 0;
     for (const CrossSectionPoint &p : m_points)
         most = std::max(most, p.opacity);
-    setAccessibleDescription(tr("Covers up to %1 %").arg(QLocale().toString(100 * most, 'f', 0)));
+    setAccessibleDescription(tr("Covers up to %1").arg(shareDisplay().text(most)));
     update();
 }
 
@@ -53,7 +53,7 @@ void CrossSectionPlot::paintEvent(QPaintEvent *)
     painter.drawText(QRectF(0, plot.top() - line / 2.0, 20, line), Qt::AlignRight | Qt::AlignVCenter, "1");
     painter.drawText(QRectF(0, plot.bottom() - line / 2.0, 20, line), Qt::AlignRight | Qt::AlignVCenter, "0");
     painter.drawText(below, Qt::AlignLeft, tr("cross-section"));
-    painter.drawText(below, Qt::AlignRight, tr("±%1 u").arg(QLocale().toString(range, 'g', 3)));
+    painter.drawText(below, Qt::AlignRight, QStringLiteral("±") + lengthDisplay().text(range));
 
     // The ground is what the eye sees: each column in the colour of the stroke on the background there.
     const auto at = [&](const CrossSectionPoint &p) {

@@ -1,8 +1,8 @@
 #include "app/panels/inspector/density_plot.h"
 
-#include "app/panels/density_function.h"
-#include "app/widgets/plot_frame.h"
 #include "app/theme.h"
+#include "app/widgets/plot_frame.h"
+#include "model/paint/style_function.h"
 
 #include <QLocale>
 #include <QPainter>
@@ -42,8 +42,7 @@ QSize DensityPlot::minimumSizeHint() const
 
 double DensityPlot::horizontalRange() const
 {
-    const double inside =
-        m_style->kind == StyleKind::Uniform ? m_style->xi[0] + 6 * double(m_style->xi[1]) : 2 * double(m_style->xi[0]);
+    const double inside = plottedDensity(*m_style);
     // A far peak must not flatten the curve to nothing: it is marked at the right end then.
     return std::max(inside, std::min(1.15 * m_highestPeak, 4 * inside));
 }

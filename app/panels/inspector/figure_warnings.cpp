@@ -1,9 +1,9 @@
 #include "app/panels/inspector/figure_warnings.h"
 
+#include "model/paint/style_function.h"
+
 #include <QCoreApplication>
 #include <QLocale>
-
-#include <cmath>
 
 namespace suffuse {
 
@@ -29,10 +29,10 @@ void addFading(QStringList &warnings, const Extent &fading, const Extent &shrink
         //: %1: seconds after it was painted
         warnings
             << Text::tr(
-                   "Dries out at %1 s: nothing of it is seen after that. More φ, or less D or drying time, keeps it.")
+                   "Fades away at %1 s: nothing of it is seen after that. More φ, or less D or drying time, keeps it.")
                    .arg(seconds(fading.most));
     else if (fading.count > 0)
-        warnings << Text::tr("Parts dry out, the first at %1 s. More φ, or less D or drying time, keeps them.")
+        warnings << Text::tr("Parts fade away, the first at %1 s. More φ, or less D or drying time, keeps them.")
                         .arg(seconds(fading.least));
     else if (shrinking.count > 0)
         warnings << Text::tr("Widest at %1 s; from then on it grows narrower while it spreads.")
@@ -41,12 +41,12 @@ void addFading(QStringList &warnings, const Extent &fading, const Extent &shrink
 
 void addStyle(QStringList &warnings, const Style &style)
 {
-    const double xi1 = style.xi[0], xi2 = style.xi[1], xi3 = style.xi[2];
+    const double xi1 = style.xi[0], xi2 = style.xi[1];
     if (style.kind == StyleKind::Uniform && xi1 < clearestEdge * xi2)
         warnings << Text::tr("ξ2 too large for ξ1: the stroke has no clear edge and tints as far as its paint reaches. "
                              "Up to %1 is clear.")
                         .arg(QLocale().toString(xi1 / clearestEdge, 'g', 2));
-    if (style.kind == StyleKind::Edge && xi3 * (1 - std::pow(xi2 / xi1, 6) / 4) < bareInside)
+    if (hasRim(style.kind) && leastInsideRim(style) < bareInside)
         warnings << Text::tr("ξ2 too large for ξ1: the paint inside the dark rim vanishes.");
 }
 

@@ -4,6 +4,7 @@
 #include "app/panels/inspector/cross_section_plot.h"
 #include "app/panels/inspector/density_plot.h"
 #include "app/panels/inspector/figure_warnings.h"
+#include "app/widgets/display.h"
 #include "app/widgets/number_field.h"
 #include "app/widgets/section.h"
 
@@ -125,14 +126,14 @@ void FiguresSection::showFigures(const FiguresSummary &figures)
     };
     const Extent &dries = figures.driesOut;
     const bool stays = dries.count < figures.segments;
-    const QString seconds = NumberField::secondsUnit();
+    const QString seconds = secondsUnit();
     m_names[0]->setText(figures.uneven ? tr("Spread across") : tr("Spread s"));
     m_names[1]->setVisible(figures.uneven);
     m_figures[1]->setVisible(figures.uneven);
-    m_figures[0]->setText(range(figures.spread, NumberField::canvasUnit()));
-    m_figures[1]->setText(range(figures.along, NumberField::canvasUnit()));
+    m_figures[0]->setText(range(figures.spread, canvasUnit()));
+    m_figures[1]->setText(range(figures.along, canvasUnit()));
     m_figures[2]->setText(range(figures.peak, QString()));
-    m_figures[3]->setText(range(figures.halfWidth, NumberField::canvasUnit()));
+    m_figures[3]->setText(range(figures.halfWidth, canvasUnit()));
     m_figures[4]->setText(dries.count == 0 ? tr("never")
                           : stays          ? tr("partly, from %1").arg(rangeText(dries.least, dries.least, seconds))
                                            : tr("after %1").arg(range(dries, seconds)));

@@ -1,6 +1,6 @@
 #include "app/panels/inspector/figures_summary.h"
 
-#include "app/panels/density_function.h"
+#include "model/paint/derived_figures.h"
 
 #include <algorithm>
 #include <numbers>

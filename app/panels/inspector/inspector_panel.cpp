@@ -7,13 +7,13 @@
 #include "app/panels/inspector/figures_section.h"
 #include "app/widgets/section.h"
 #include "app/panels/inspector/segment_section.h"
+#include "app/widgets/slider_field.h"
 #include "app/panels/inspector/stroke_section.h"
 #include "app/panels/inspector/style_section.h"
 #include "app/panels/inspector/underlay_section.h"
 #include "undo/edits.h"
 
 #include <QHBoxLayout>
-#include <QScrollArea>
 #include <QToolButton>
 #include <QVBoxLayout>
 
@@ -24,11 +24,7 @@ InspectorPanel::InspectorPanel(Editor &editor, QWidget *parent) : QWidget(parent
     auto *outer = new QVBoxLayout(this);
     outer->setContentsMargins(0, 0, 0, 0);
     outer->setSpacing(0);
-    m_scroll = new QScrollArea(this);
-    m_scroll->setWidgetResizable(true);
-    m_scroll->setFrameShape(QFrame::NoFrame);
-    m_scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-    m_scroll->setFocusPolicy(Qt::NoFocus);
+    m_scroll = new PanelScroll(this);
     m_hint = new HintLabel(this);
     outer->addWidget(m_scroll, 1);
     outer->addWidget(m_hint);
@@ -65,15 +61,20 @@ InspectorPanel::InspectorPanel(Editor &editor, QWidget *parent) : QWidget(parent
     canvas->addWidget(m_underlay);
     m_scroll->setWidget(content);
     alignFieldLabels(*content);
+    // As wide for one page as for the other: the dock must not change with the selection.
+    const int wider = std::max(m_selectionPage->minimumSizeHint().width(), m_canvasPage->minimumSizeHint().width());
+    content->setMinimumWidth(wider + pages->contentsMargins().left() + pages->contentsMargins().right());
 
-    connect(m_segments, &SegmentSection::refused, m_hint, &HintLabel::showHint);
-    connect(m_style, &StyleSection::refused, m_hint, &HintLabel::showHint);
-    connect(m_strokes, &StrokeSection::refused, m_hint, &HintLabel::showHint);
-    connect(m_canvas, &CanvasSection::refused, m_hint, &HintLabel::showHint);
-    connect(m_underlay, &UnderlaySection::refused, m_hint, &HintLabel::showHint);
+    connect(m_segments, &SegmentSection::refused, m_hint, &HintLabel::showRefusal);
+    connect(m_style, &StyleSection::refused, m_hint, &HintLabel::showRefusal);
+    connect(m_strokes, &StrokeSection::refused, m_hint, &HintLabel::showRefusal);
+    connect(m_canvas, &CanvasSection::refused, m_hint, &HintLabel::showRefusal);
+    connect(m_underlay, &UnderlaySection::refused, m_hint, &HintLabel::showRefusal);
     connect(m_canvas, &CanvasSection::edited, this, [this](const Canvas &value, const QString &text, EditRun run) {
         m_editor.push(setCanvas(m_editor.document(), value), text, run);
     });
+    for (const SliderField *field : content->findChildren<SliderField *>())
+        connect(field, &SliderField::givenUp, &editor, &Editor::giveUp);
     connect(&editor.laterChanges(), &LaterChanges::changed, this, &InspectorPanel::documentChanged);
     refresh();
 }

@@ -1,9 +1,9 @@
 #include "app/panels/inspector/paper_preview.h"
 
-#include "render/renderer.h"
+#include "model/paint/half_width.h"
+#include "render/backends.h"
 
 #include <cmath>
-#include <numbers>
 
 namespace suffuse {
 
@@ -25,7 +25,7 @@ Stroke wash(const Rect &area)
             s.bezier[std::size_t(k)] = {float(area.left + (i - 1 + k / 3.0) * step), float(y)};
         s.diffusion = float(spread * spread / 4);
         const float peak = dry + (wet - dry) * float(i) / (segments - 1);
-        s.density = peak * float(std::sqrt(std::numbers::pi) * spread);
+        s.density = float(densityOfPeak(double(peak), spread));
         s.granulation = 0;
         s.colour = {0.85f, 0.75f, 0.9f, 1};
         stroke.segments.push_back(s);

@@ -4,7 +4,7 @@
 #include "app/widgets/bar_slider.h"
 #include "app/panels/colour/colour_rows.h"
 #include "app/widgets/colour_swatch.h"
-#include "app/panels/quantity.h"
+#include "app/widgets/quantity.h"
 #include "app/panels/inspector/rewet_rows.h"
 #include "app/widgets/section.h"
 #include "undo/edits.h"
@@ -16,13 +16,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 namespace suffuse {
 
 namespace {
-
-constexpr double smallestPositive = 1e-9;
 
 FieldSpec bornSpec()
 {
@@ -30,9 +27,9 @@ FieldSpec bornSpec()
             .toolTip =
                 SegmentSection::tr("When the stroke, or what is selected of it, begins. All of that moves in time "
                                    "as one."),
-            .unit = NumberField::secondsUnit(),
-            .minimum = 0,
-            .maximum = 1e9,
+            .display = timeDisplay(),
+            .minimum = 0, // edits keep a painting from beginning earlier
+            .maximum = moment.greatest,
             .sliderMaximum = 10,
             .step = 0.1};
 }
@@ -49,34 +46,6 @@ std::vector<Microseconds> beginsOf(const std::vector<InspectedSegment> &segments
         begins.back() = std::min(begins.back(), s.segment->born);
     }
     return begins;
-}
-
-FieldSpec anisotropySpec()
-{
-    return {.name = SegmentSection::tr("Anisotropy"),
-            .toolTip = SegmentSection::tr("How many times D along the angle is D across it; 1 spreads evenly."),
-            .minimum = 1e-6,
-            .maximum = 1e6,
-            .sliderMinimum = 0.01,
-            .sliderMaximum = 100,
-            .logarithmic = true,
-            .defaultValue = Segment{}.anisotropyRatio};
-}
-
-FieldSpec angleSpec()
-{
-    constexpr double degree = std::numbers::pi / 180;
-    return {.name = SegmentSection::tr("Angle"),
-            .toolTip = SegmentSection::tr("Direction of the anisotropy, clockwise from the horizontal."),
-            .unit = QStringLiteral("°"),
-            .minimum = -360 * degree,
-            .maximum = 360 * degree,
-            .sliderMinimum = -90 * degree, // a half turn is the same again
-            .sliderMaximum = 90 * degree,
-            .factor = 1 / degree,
-            .step = degree,
-            .sliderStep = degree,
-            .defaultValue = Segment{}.anisotropyAngle};
 }
 
 QString colourText(int channel)
@@ -98,8 +67,14 @@ SegmentSection::SegmentSection(Editor &editor, QWidget *parent) : QWidget(parent
     m_granulation = addRow(specOf(Quantity::Granulation), *grid, &Segment::granulation, tr("Change granulation"));
     m_maxAge = addRow(specOf(Quantity::MaxAge), *grid, &Segment::maxAge, tr("Change drying time"));
     addBorn(*grid);
-    m_anisotropy = addRow(anisotropySpec(), *grid, &Segment::anisotropyRatio, tr("Change anisotropy"));
-    m_angle = addRow(angleSpec(), *grid, &Segment::anisotropyAngle, tr("Change angle"));
+    m_anisotropy = addRow(specOf(Quantity::Anisotropy), *grid, &Segment::anisotropyRatio, tr("Change anisotropy"));
+    m_angle = addRow(specOf(Quantity::Angle), *grid, &Segment::anisotropyAngle, tr("Change angle"));
+
+    std::vector<float Segment::*> shown;
+    for (const auto &[member, row] : m_rows)
+        shown.push_back(member);
+    for (const Number<Segment> &number : otherNumbers(shown))
+        addRow(specOf(number), *grid, number.member, tr("Change %1").arg(QLatin1String(number.name)));
 
     m_rewet = new RewetRows(editor, this);
     column->addWidget(m_rewet);
@@ -157,6 +132,7 @@ SliderField *SegmentSection::addRow(const FieldSpec &spec, QGridLayout &grid, fl
                                     const QString &undoText)
 {
     auto *field = new SliderField(spec, grid, grid.rowCount(), this);
+    m_rows.emplace_back(member, field);
     connect(field, &SliderField::edited, this, [this, member, undoText](double value, EditRun run) {
         Document &document = m_editor.document();
         m_editor.push(changeSegments(document, targetSegments(document),
@@ -168,6 +144,12 @@ SliderField *SegmentSection::addRow(const FieldSpec &spec, QGridLayout &grid, fl
     });
     connect(field, &SliderField::refused, this, &SegmentSection::refused);
     return field;
+}
+
+SliderField *SegmentSection::row(float Segment::*member) const
+{
+    const auto at = std::ranges::find(m_rows, member, &std::pair<float Segment::*, SliderField *>::first);
+    return at == m_rows.end() ? nullptr : at->second;
 }
 
 void SegmentSection::changeEach(const std::function<float &(Segment &)> &member, const ValueMap &map,
@@ -216,13 +198,9 @@ void SegmentSection::refresh(const Inspected &inspected)
     const auto common = [&segments](float Segment::*member) {
         return commonNumber(segments, [member](const InspectedSegment &s) { return s.segment->*member; });
     };
-    m_diffusion->setValue(common(&Segment::diffusion));
-    m_density->setValue(common(&Segment::density));
-    m_granulation->setValue(common(&Segment::granulation));
-    m_maxAge->setValue(common(&Segment::maxAge));
+    for (const auto &[member, row] : m_rows)
+        row->setValue(common(member));
     showBorn(inspected);
-    m_anisotropy->setValue(common(&Segment::anisotropyRatio));
-    m_angle->setValue(common(&Segment::anisotropyAngle));
     m_angle->setEnabled(std::any_of(segments.begin(), segments.end(),
                                     [](const InspectedSegment &s) { return !s.segment->isIsotropic(); }));
 

@@ -26,6 +26,8 @@ public:
     SliderField *born() const { return m_born; }             ///< of each stroke's first selected segment, seconds
     SliderField *anisotropy() const { return m_anisotropy; } ///< ratio
     SliderField *angle() const { return m_angle; }           ///< radians
+    /// Of a number that is none of its colour's.
+    SliderField *row(float Segment::*member) const;
     ColourRows *colour() const { return m_colour; }
     RewetRows *rewet() const { return m_rewet; }
 
@@ -44,6 +46,7 @@ private:
     void takeCurrentColour();
 
     Editor &m_editor;
+    std::vector<std::pair<float Segment::*, SliderField *>> m_rows; ///< one for each number that is no colour's
     SliderField *m_diffusion = nullptr;
     SliderField *m_density = nullptr;
     SliderField *m_granulation = nullptr;

@@ -1,6 +1,7 @@
 #include "app/panels/inspector/stroke_section.h"
 
 #include "app/editor.h"
+#include "app/widgets/quantity.h"
 #include "app/widgets/section.h"
 #include "undo/edits.h"
 
@@ -53,26 +54,18 @@ void StrokeSection::addMixing(QGridLayout &grid)
 {
     auto *modeLabel = new QLabel(tr("Mixing"), this);
     m_mode = new QComboBox(this);
-    m_mode->addItems({tr("Covering (alpha)"), tr("Pigment (β)")});
+    m_mode->addItems(mixingNames());
     m_mode->setPlaceholderText(QStringLiteral("—"));
     m_mode->setAccessibleName(tr("Mixing"));
     m_mode->setToolTip(tr("How the paint mixes with what lies below it: it covers, or pigments add up."));
     m_mode->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
     m_mode->setMinimumContentsLength(8);
-    m_mode->setFocusPolicy(Qt::StrongFocus);
     modeLabel->setBuddy(m_mode);
     grid.addWidget(modeLabel, 1, 0);
     grid.addWidget(m_mode, 1, 1, 1, 2);
     connect(m_mode, &QComboBox::activated, this, [this](int index) { chooseMode(MixMode(index)); });
 
-    FieldSpec spec;
-    spec.name = tr("Pigment β");
-    spec.toolTip = tr("Share of the colour below that stays: 0 % covers, 100 % adds.");
-    spec.unit = QStringLiteral(" %");
-    spec.factor = 100;
-    spec.step = 0.01;
-    spec.defaultValue = double(usualBeta);
-    m_beta = new SliderField(spec, grid, 2, this);
+    m_beta = new SliderField(specOf(Quantity::Beta), grid, 2, this);
     connect(m_beta, &SliderField::refused, this, &StrokeSection::refused);
     connect(m_beta, &SliderField::editedRelative, this, [this](const ValueMap &map) {
         Document &document = m_editor.document();

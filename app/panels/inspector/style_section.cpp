@@ -1,7 +1,9 @@
 #include "app/panels/inspector/style_section.h"
 
 #include "app/editor.h"
+#include "app/widgets/quantity.h"
 #include "app/widgets/section.h"
+#include "model/painting/fields.h"
 #include "model/painting/validate.h"
 #include "undo/edits.h"
 
@@ -15,10 +17,8 @@ namespace suffuse {
 
 namespace {
 
-constexpr double smallestXi = 1e-6;
-constexpr double largestXi = 1e6;
-/// 2^(1/3), a little less: the bound must hold after rounding to float.
-const double edgeFactor = std::cbrt(2.0) * (1 - 1e-7);
+/// A little less than may be: the bound must hold after rounding to float.
+const double edgeFactor = greatestLightening() * (1 - 1e-7);
 
 /// Indices of the target segments, stroke by stroke.
 std::map<StrokeId, std::vector<int>> targetsByStroke(const Document &document)
@@ -53,7 +53,6 @@ void StyleSection::addCombos(QGridLayout &grid)
         combo->setToolTip(tip);
         combo->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
         combo->setMinimumContentsLength(8);
-        combo->setFocusPolicy(Qt::StrongFocus);
         label->setBuddy(combo);
         grid.addWidget(label, row, 0);
         grid.addWidget(combo, row, 1, 1, 2);
@@ -61,8 +60,7 @@ void StyleSection::addCombos(QGridLayout &grid)
     };
     m_source = add(0, tr("Belongs to"), tr("Whether the segments follow their stroke's style or have their own."),
                    {tr("The stroke"), tr("These segments")});
-    m_kind =
-        add(1, tr("Kind"), tr("How density becomes coverage."), {tr("Uniform"), tr("Feathering"), tr("Dark edges")});
+    m_kind = add(1, tr("Kind"), tr("How density becomes coverage."), styleNames());
     connect(m_source, &QComboBox::activated, this, [this](int index) { chooseSource(index == 1); });
     connect(m_kind, &QComboBox::activated, this, [this](int index) {
         const Style style = defaultStyle(StyleKind(index));
@@ -78,22 +76,13 @@ void StyleSection::addCombos(QGridLayout &grid)
 void StyleSection::addXiRows(QGridLayout &grid)
 {
     for (int i = 0; i < 3; ++i) {
-        FieldSpec spec;
-        spec.name = QStringLiteral("ξ%1").arg(i + 1);
-        spec.toolTip = tr("Parameter of the style");
-        spec.minimum = smallestXi;
-        spec.maximum = largestXi;
-        spec.sliderMinimum = 0.01;
-        spec.sliderMaximum = 4;
-        spec.logarithmic = true;
-        spec.defaultValue = double(Style{}.xi[std::size_t(i)]);
-        auto *row = new SliderField(spec, grid, 2 + i, this);
+        auto *row = new SliderField(xiSpec(Style{}.kind, i), grid, 2 + i, this);
         m_xi[std::size_t(i)] = row;
         connect(row, &SliderField::refused, this, &StyleSection::refused);
         connect(row, &SliderField::edited, this, [this, i](double value, EditRun run) {
             changeStyles(
                 [=](Style &s) {
-                    if (i < 2 || s.kind == StyleKind::Edge)
+                    if (i < xiCount(s.kind))
                         s.xi[std::size_t(i)] = float(value);
                 },
                 tr("Change style"), run);
@@ -181,7 +170,7 @@ void StyleSection::refresh(const Inspected &inspected)
 void StyleSection::refreshXi(const Inspected &inspected, std::optional<StyleKind> kind)
 {
     for (int i = 0; i < 3; ++i)
-        m_xi[std::size_t(i)]->setVisible(kind && (i < 2 || kind == StyleKind::Edge));
+        m_xi[std::size_t(i)]->setVisible(kind && i < xiCount(*kind));
     if (!kind)
         return;
     nameXi(*kind);
@@ -192,42 +181,31 @@ void StyleSection::refreshXi(const Inspected &inspected, std::optional<StyleKind
 
 void StyleSection::nameXi(StyleKind kind)
 {
-    const std::array<std::array<QString, 3>, 3> names{{{tr("Threshold ξ1"), tr("Softness ξ2"), QString()},
-                                                       {tr("Full at ξ1"), tr("Steepness ξ2"), QString()},
-                                                       {tr("Edge ξ1"), tr("Lightening ξ2"), tr("Strength ξ3")}}};
-    const std::array<std::array<QString, 3>, 3> tips{
-        {{tr("Density at which the stroke covers by half."), tr("How gently the edge fades."), QString()},
-         {tr("Density from which the stroke covers fully."), tr("How steeply coverage grows with density."), QString()},
-         {tr("Density at which the dark rim stands."),
-          tr("How much the inside is lighter than the rim; at most 1.26·ξ1."), tr("Coverage far inside the stroke.")}}};
     const Style fallback = defaultStyle(kind);
     for (std::size_t i = 0; i < 3; ++i) {
-        if (names[std::size_t(kind)][i].isEmpty())
-            continue;
-        m_xi[i]->rename(names[std::size_t(kind)][i], tips[std::size_t(kind)][i]);
+        const FieldSpec spec = xiSpec(kind, int(i));
+        m_xi[i]->rename(spec.name, spec.toolTip);
         m_xi[i]->setDefaultValue(double(fallback.xi[i]));
     }
 }
 
 void StyleSection::limitXi(const Inspected &inspected, StyleKind kind)
 {
-    double lowestXi1 = largestXi, highestXi2 = smallestXi;
+    double lowestXi1 = positive.greatest, highestXi2 = positive.leastFloat();
     for (const InspectedSegment &s : inspected.segments) {
         lowestXi1 = std::min(lowestXi1, double(s.style().xi[0]));
         highestXi2 = std::max(highestXi2, double(s.style().xi[1]));
     }
-    double xi1From = smallestXi, xi2From = smallestXi, xi2To = largestXi;
-    if (kind == StyleKind::Feathering) {
-        xi2From = 0.5;
-        xi2To = 64;
-    } else if (kind == StyleKind::Edge) {
+    const auto domain = [kind](int index) { return domainOfXi(kind, index); };
+    double xi1From = domain(0).leastFloat(), xi2To = domain(1).greatest;
+    if (hasRim(kind)) {
         xi1From = highestXi2 / edgeFactor;
         xi2To = lowestXi1 * edgeFactor;
     }
-    m_xi[0]->setRange(xi1From, largestXi);
-    m_xi[1]->setRange(xi2From, xi2To);
-    m_xi[2]->setRange(smallestXi, 1);
-    m_xi[0]->setSliderRange(std::max(0.02, xi1From), std::max(kind == StyleKind::Edge ? 2.0 : 4.0, 2 * xi1From));
+    m_xi[0]->setRange(xi1From, domain(0).greatest);
+    m_xi[1]->setRange(domain(1).leastFloat(), xi2To);
+    m_xi[2]->setRange(domain(2).leastFloat(), domain(2).greatest);
+    m_xi[0]->setSliderRange(std::max(0.02, xi1From), std::max(hasRim(kind) ? 2.0 : 4.0, 2 * xi1From));
     if (kind == StyleKind::Uniform)
         m_xi[1]->setSliderRange(0.002, 1);
     else

@@ -2,6 +2,7 @@
 
 #include "app/editor.h"
 #include "app/icons.h"
+#include "app/widgets/quantity.h"
 #include "app/widgets/section.h"
 #include "app/underlay_commands.h"
 
@@ -69,7 +70,7 @@ NumberField *UnderlaySection::addNumber(Number number, const QString &name, cons
     auto *field = new NumberField(m_values);
     field->setRange(isSize ? smallest : -farthest, farthest);
     field->setStep(1);
-    field->setUnit(NumberField::canvasUnit());
+    field->setDisplay(lengthDisplay());
     field->setAccessibleName(name);
     field->setToolTip(toolTip);
     field->setMinimumWidth(fontMetrics().horizontalAdvance(QStringLiteral("00000 u"))); // two stand in a row
@@ -87,13 +88,9 @@ NumberField *UnderlaySection::addNumber(Number number, const QString &name, cons
 void UnderlaySection::addFields(QVBoxLayout &column)
 {
     QGridLayout *grid = addFieldGrid(column);
-    m_opacity = new SliderField({.name = tr("Opacity"),
-                                 .toolTip = tr("How strongly the underlay shows."),
-                                 .unit = QStringLiteral(" %"),
-                                 .factor = 100,
-                                 .step = 0.01,
-                                 .defaultValue = Underlay{}.opacity},
-                                *grid, 0, m_values);
+    m_opacity =
+        new SliderField(shareSpec(tr("Opacity"), tr("How strongly the underlay shows."), double(Underlay{}.opacity)),
+                        *grid, 0, m_values);
     connect(m_opacity, &SliderField::refused, this, &UnderlaySection::refused);
     connect(m_opacity, &SliderField::edited, this,
             [this](double value, EditRun run) { underlay::setOpacity(m_editor, value, run); });

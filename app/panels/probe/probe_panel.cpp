@@ -4,9 +4,11 @@
 #include "app/panels/inspector/age_plot.h"
 #include "app/panels/colour/colour_convert.h"
 #include "app/panels/inspector/cross_section.h"
+#include "app/widgets/display.h"
 #include "app/widgets/section.h"
+#include "model/paint/half_width.h"
+#include "model/paint/point_density.h"
 #include "model/painting/influence.h"
-#include "model/stroke_width.h"
 
 #include <QHeaderView>
 #include <QLocale>
@@ -63,11 +65,6 @@ QPixmap chip(const QColor &colour)
     return pixmap;
 }
 
-QString percent(double share)
-{
-    return ProbePanel::tr("%1 %").arg(QLocale().toString(100 * share, 'f', share < 0.1 ? 1 : 0));
-}
-
 } // namespace
 
 ProbePanel::ProbePanel(Editor &editor, QWidget *parent) : QWidget(parent), m_editor(editor)
@@ -90,6 +87,7 @@ ProbePanel::ProbePanel(Editor &editor, QWidget *parent) : QWidget(parent), m_edi
         m_view->header()->setSectionResizeMode(c, QHeaderView::ResizeToContents);
         m_view->headerItem()->setTextAlignment(c, Qt::AlignRight | Qt::AlignVCenter);
     }
+    m_view->header()->setMinimumSectionSize(fontMetrics().horizontalAdvance(QStringLiteral("00.0 %")) + 16);
     m_view->setUniformRowHeights(true);
     m_view->setIndentation(14);
     m_view->setFrameShape(QFrame::NoFrame);
@@ -227,7 +225,7 @@ void ProbePanel::showProbe(const Probe &probe)
         if (probe.strokes[i].id == chosen)
             m_view->setCurrentItem(item);
     }
-    auto *ground = new QTreeWidgetItem(m_view, {tr("Canvas"), percent(shares.back()), QString()});
+    auto *ground = new QTreeWidgetItem(m_view, {tr("Canvas"), shareDisplay().text(shares.back()), QString()});
     ground->setIcon(NameColumn, chip(toOpaqueScreen(m_shown.painting->canvas.background)));
     ground->setTextAlignment(ShareColumn, Qt::AlignRight | Qt::AlignVCenter);
     showAges();
@@ -237,7 +235,7 @@ QTreeWidgetItem *ProbePanel::addStroke(const ProbeStroke &stroke, double share)
 {
     const QLocale l;
     const auto row = [&](const QString &name, double part, double density, int segment) {
-        auto *item = new QTreeWidgetItem({name, percent(part), l.toString(density, 'g', 3)});
+        auto *item = new QTreeWidgetItem({name, shareDisplay().text(part), l.toString(density, 'g', 3)});
         item->setData(0, StrokeRole, QVariant::fromValue<qulonglong>(stroke.id));
         item->setData(0, SegmentRole, segment);
         for (const int c : {ShareColumn, DensityColumn})

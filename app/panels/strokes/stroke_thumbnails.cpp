@@ -1,7 +1,7 @@
 #include "app/panels/strokes/stroke_thumbnails.h"
 
 #include "model/painting/influence.h"
-#include "render/renderer.h"
+#include "render/backends.h"
 
 #include <algorithm>
 #include <cmath>

@@ -19,12 +19,13 @@ bool StrokesFilter::matches(const QModelIndex &index) const
 
 bool StrokesFilter::holdsMatch(const QModelIndex &index) const
 {
-    if (matches(index))
-        return true;
-    if (!index.data(StrokesModel::GroupIdRole).toULongLong())
-        return false;
-    for (int row = 0; row < sourceModel()->rowCount(index); ++row)
-        if (holdsMatch(sourceModel()->index(row, StrokesModel::NameColumn, index)))
+    return matches(index) || (index.data(StrokesModel::GroupIdRole).toULongLong() != 0 && holdsMatchWithin(index));
+}
+
+bool StrokesFilter::holdsMatchWithin(const QModelIndex &group) const
+{
+    for (int row = 0; row < sourceModel()->rowCount(group); ++row)
+        if (holdsMatch(sourceModel()->index(row, StrokesModel::NameColumn, group)))
             return true;
     return false;
 }

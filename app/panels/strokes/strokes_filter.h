@@ -13,17 +13,22 @@ public:
     using QSortFilterProxyModel::QSortFilterProxyModel;
 
     void setText(const QString &text);
+    const QString &text() const { return m_text; }
+    /// Whether something in a group matches by its own name; `group` is an index of the source.
+    bool holdsMatchWithin(const QModelIndex &group) const;
     /// As the source says: what is shown is shown with its children, and asking each row must cost nothing.
     bool hasChildren(const QModelIndex &parent = {}) const override
     {
         return sourceModel()->hasChildren(mapToSource(parent));
     }
 
+    /// By its own name; an index of the source.
+    bool matches(const QModelIndex &index) const;
+
 protected:
     bool filterAcceptsRow(int row, const QModelIndex &parent) const override;
 
 private:
-    bool matches(const QModelIndex &index) const;
     bool holdsMatch(const QModelIndex &index) const;
 
     QString m_text;

@@ -4,8 +4,6 @@
 #include "app/icons.h"
 #include "app/panels/colour/colour_convert.h"
 
-#include <QFont>
-
 #include <algorithm>
 #include <unordered_set>
 
@@ -226,13 +224,6 @@ QVariant StrokesModel::strokeData(const Stroke &stroke, int column, int role) co
         return titleOf(stroke);
     case Qt::EditRole:
         return stroke.name;
-    case Qt::FontRole:
-        if (stroke.name.isEmpty()) {
-            QFont font;
-            font.setItalic(true);
-            return font;
-        }
-        return {};
     case Qt::ToolTipRole:
         return tr("%n segment(s)", nullptr, int(stroke.segments.size()));
     case ColourRole:

@@ -25,7 +25,7 @@ StrokesPanel::StrokesPanel(Editor &editor, QWidget *parent) : QWidget(parent), m
     m_search->setClearButtonEnabled(true);
     m_search->addAction(icon("search"), QLineEdit::LeadingPosition);
     m_search->setAccessibleName(tr("Search strokes"));
-    m_search->setToolTip(tr("Shows only strokes and groups whose name holds this text."));
+    m_search->setToolTip(tr("Shows only strokes and groups whose name holds this text. Return selects them."));
     column->addWidget(m_search);
 
     m_model = new StrokesModel(editor, this);
@@ -37,13 +37,9 @@ StrokesPanel::StrokesPanel(Editor &editor, QWidget *parent) : QWidget(parent), m
                           "offers more."));
     column->addWidget(m_view, 1);
 
-    connect(m_search, &QLineEdit::textChanged, this, [this](const QString &text) {
-        m_syncing = true; // rows that the search hides stay selected in the painting
-        m_filter->setText(text.trimmed());
-        m_syncing = false;
-        m_view->setDragEnabled(text.trimmed().isEmpty());
-        takeSelectionFromDocument();
-    });
+    connect(m_search, &QLineEdit::textChanged, this, [this](const QString &text) { search(text.trimmed()); });
+    connect(m_search, &QLineEdit::returnPressed, this, &StrokesPanel::selectFound);
+    m_search->installEventFilter(this);
     m_view->viewport()->installEventFilter(this);
     m_view->setContextMenuPolicy(Qt::CustomContextMenu);
     connect(m_view, &QTreeView::customContextMenuRequested, this, &StrokesPanel::showMenu);
@@ -51,6 +47,94 @@ StrokesPanel::StrokesPanel(Editor &editor, QWidget *parent) : QWidget(parent), m
             &StrokesPanel::giveSelectionToDocument);
     connect(&editor.laterChanges(), &LaterChanges::changed, this, &StrokesPanel::documentChanged);
     takeSelectionFromDocument();
+}
+
+bool StrokesPanel::isSearching() const
+{
+    return !m_filter->text().isEmpty();
+}
+
+void StrokesPanel::search(const QString &text)
+{
+    const bool before = isSearching();
+    m_syncing = true; // rows that the search hides stay selected in the painting
+    if (!before)
+        m_openGroups = openGroups();
+    m_filter->setText(text);
+    // What is found is seen, in closed groups too; afterwards they are closed again.
+    if (isSearching() || before)
+        forEachGroup({}, [this](const QModelIndex &group) {
+            const QModelIndex source = m_filter->mapToSource(group);
+            const bool open = isSearching()
+                                  ? m_filter->holdsMatchWithin(source)
+                                  : m_openGroups.contains(source.data(StrokesModel::GroupIdRole).toULongLong());
+            m_view->setExpanded(group, open);
+        });
+    m_syncing = false;
+    m_view->setDragEnabled(!isSearching());
+    takeSelectionFromDocument();
+    if (before != isSearching())
+        emit searchingChanged();
+}
+
+void StrokesPanel::forEachGroup(const QModelIndex &parent, const std::function<void(const QModelIndex &)> &visit) const
+{
+    for (int row = 0; row < m_filter->rowCount(parent); ++row) {
+        const QModelIndex index = m_filter->index(row, StrokesModel::NameColumn, parent);
+        if (index.data(StrokesModel::GroupIdRole).toULongLong() == 0)
+            continue;
+        visit(index);
+        forEachGroup(index, visit);
+    }
+}
+
+std::set<GroupId> StrokesPanel::openGroups() const
+{
+    std::set<GroupId> open;
+    forEachGroup({}, [&](const QModelIndex &group) {
+        if (m_view->isExpanded(group))
+            open.insert(group.data(StrokesModel::GroupIdRole).toULongLong());
+    });
+    return open;
+}
+
+std::set<StrokeId> StrokesPanel::foundBelow(const QModelIndex &index) const
+{
+    if (const StrokeId stroke = m_model->strokeAt(m_filter->mapToSource(index)))
+        return {stroke};
+    std::set<StrokeId> found;
+    for (int row = 0; row < m_filter->rowCount(index); ++row)
+        found.merge(foundBelow(m_filter->index(row, StrokesModel::NameColumn, index)));
+    return found;
+}
+
+void StrokesPanel::selectFound()
+{
+    if (!isSearching())
+        return;
+    const Painting &painting = *m_editor.document().painting();
+    Selection selection{foundBelow({}), {}};
+    for (const StrokePtr &stroke : painting.strokes)
+        if (!painting.isVisible(*stroke) || painting.isLocked(*stroke))
+            selection.strokes.erase(stroke->id);
+    m_editor.document().setSelection(std::move(selection));
+}
+
+void StrokesPanel::goToFirstFound()
+{
+    QModelIndex row = m_filter->index(0, StrokesModel::NameColumn);
+    while (isSearching() && row.isValid() && !m_filter->matches(m_filter->mapToSource(row)) &&
+           m_view->indexBelow(row).isValid())
+        row = m_view->indexBelow(row); // a group around it
+    if (!row.isValid())
+        return;
+    m_view->setFocus(Qt::TabFocusReason);
+    m_view->setCurrentIndex(row);
+}
+
+QTreeView *StrokesPanel::view() const
+{
+    return m_view;
 }
 
 QSize StrokesPanel::sizeHint() const
@@ -72,6 +156,11 @@ void StrokesPanel::showEvent(QShowEvent *event)
 
 bool StrokesPanel::eventFilter(QObject *watched, QEvent *event)
 {
+    if (watched == m_search && event->type() == QEvent::KeyPress &&
+        static_cast<QKeyEvent *>(event)->key() == Qt::Key_Down) {
+        goToFirstFound();
+        return true;
+    }
     // Eyes and locks switch without a change of the selection.
     const bool press = event->type() == QEvent::MouseButtonPress || event->type() == QEvent::MouseButtonDblClick;
     if (watched != m_view->viewport() || (!press && event->type() != QEvent::MouseButtonRelease))
@@ -139,28 +228,44 @@ void StrokesPanel::giveSelectionToDocument()
     if (m_syncing || m_model->isFollowing())
         return;
     Selection selection;
-    const auto take = [&](const QModelIndex &source) {
+    QModelIndexList passed; // groups that a range goes through: each row in them stands for itself
+    const std::set<QModelIndex> holding = m_view->isRanging() ? groupsAroundSelected() : std::set<QModelIndex>();
+    const auto take = [&](const QModelIndex &index) {
+        const QModelIndex source = m_filter->mapToSource(index);
         if (const int segment = m_model->segmentAt(source); segment >= 0) {
             selection.strokes.insert(m_model->strokeAt(source));
             selection.segments.insert({m_model->strokeAt(source), segment});
+        } else if (m_model->strokeAt(source) == 0 && holding.contains(index)) {
+            passed << index;
         } else {
-            selection.strokes.merge(m_model->strokesBelow(source));
+            selection.strokes.merge(isSearching() ? foundBelow(index) : m_model->strokesBelow(source));
         }
     };
     // Not selectedRows: Qt 6.4 leaves out rows that have the number of one just toggled under another parent.
     for (const QItemSelectionRange &range : m_view->selectionModel()->selection())
         for (int row = range.top(); row <= range.bottom() && range.left() == StrokesModel::NameColumn; ++row)
-            take(m_filter->mapToSource(m_filter->index(row, StrokesModel::NameColumn, range.parent())));
+            take(m_filter->index(row, StrokesModel::NameColumn, range.parent()));
     Document &document = m_editor.document();
     // Of strokes that are not open here, no segment's row could be selected: those of the painting stay.
     for (const SegmentRef &ref : document.selection().segments)
         if (selection.strokes.contains(ref.stroke) && !m_view->isExpanded(viewIndexOf(ref.stroke)))
             selection.segments.insert(ref);
-    if (selection == document.selection())
-        return;
     m_syncing = true; // a group's members get selected, the group's row stays
+    for (const QModelIndex &group : passed)
+        m_view->selectionModel()->select(group, QItemSelectionModel::Deselect | QItemSelectionModel::Rows);
     document.setSelection(std::move(selection));
     m_syncing = false;
+}
+
+/// Rows that hold a selected row.
+std::set<QModelIndex> StrokesPanel::groupsAroundSelected() const
+{
+    std::set<QModelIndex> around;
+    for (const QItemSelectionRange &range : m_view->selectionModel()->selection())
+        for (QModelIndex above = range.parent(); above.isValid(); above = above.parent())
+            if (!around.insert(above).second)
+                break;
+    return around;
 }
 
 void StrokesPanel::showMenu(const QPoint &at)
@@ -191,7 +296,7 @@ void StrokesPanel::fillMenu(QMenu &menu, const QModelIndex &index)
     QMenu *same = menu.addMenu(tr("Select &Same"));
     same->setEnabled(!selected.empty());
     for (const auto &[text, what] : {std::pair(tr("&Colour"), Same::Colour), std::pair(tr("&Style"), Same::Style),
-                                     std::pair(tr("&Brush"), Same::Brush)})
+                                     std::pair(tr("&Brush"), Same::Brush), std::pair(tr("&Name"), Same::Name)})
         same->addAction(text, this, [this, what = what] { commands::selectSameAs(m_editor, what); });
 }
 

@@ -9,6 +9,7 @@
 #include <QApplication>
 #include <QCache>
 #include <QHeaderView>
+#include <QInputEvent>
 #include <QLineEdit>
 #include <QPainter>
 #include <QPainterPath>
@@ -34,6 +35,14 @@ public:
     void initStyleOption(QStyleOptionViewItem *option, const QModelIndex &index) const override
     {
         QStyledItemDelegate::initStyleOption(option, index);
+        addPicture(option, index);
+        // Paler, not in italics: Chinese has none. Last, as pictures are remembered by the palette.
+        if (index.column() == StrokesModel::NameColumn && index.data(StrokesModel::UnnamedRole).toBool())
+            option->palette.setBrush(QPalette::Text, option->palette.brush(QPalette::PlaceholderText));
+    }
+
+    void addPicture(QStyleOptionViewItem *option, const QModelIndex &index) const
+    {
         if (index.column() != StrokesModel::NameColumn || !index.data(StrokesModel::ColourRole).isValid())
             return;
         option->features |= QStyleOptionViewItem::HasDecoration;
@@ -132,9 +141,12 @@ private:
         painter.setRenderHint(QPainter::Antialiasing);
         QPainterPath paper;
         paper.addRoundedRect(QRectF(QPointF(), pixmap.deviceIndependentSize()), 3, 3);
-        painter.fillPath(paper, previewPaper());
+        painter.fillPath(paper, paperFor(image));
         painter.setClipPath(paper);
         painter.drawImage(QPointF(), image);
+        painter.setClipping(false);
+        painter.setPen(QPen(hairline(), 1));
+        painter.drawRoundedRect(paper.boundingRect().adjusted(0.5, 0.5, -0.5, -0.5), 3, 3);
         QIcon icon(pixmap);
         icon.addPixmap(pixmap, QIcon::Selected); // selected paint keeps its colours
         return icon;
@@ -148,7 +160,7 @@ private:
         pixmap.fill(Qt::transparent);
         QPainter painter(&pixmap);
         painter.setRenderHint(QPainter::Antialiasing);
-        painter.setPen(QPen(hairline(), 1));
+        painter.setPen(QPen(edgeOfColours(), 1));
         painter.setBrush(colour);
         painter.drawRoundedRect(QRectF(2.5, 2.5, size.width() - 5, size.height() - 5), 3, 3);
         QIcon icon(pixmap);
@@ -196,6 +208,29 @@ StrokesView::StrokesView(Editor &editor, const StrokesModel &model, StrokesFilte
     for (const int column : {StrokesModel::EyeColumn, StrokesModel::LockColumn}) {
         columns->setSectionResizeMode(column, QHeaderView::Fixed);
         columns->resizeSection(column, 28);
+    }
+}
+
+QItemSelectionModel::SelectionFlags StrokesView::selectionCommand(const QModelIndex &index, const QEvent *event) const
+{
+    const bool dragged = event && event->type() == QEvent::MouseMove;
+    const bool shift = event && event->isInputEvent() &&
+                       static_cast<const QInputEvent *>(event)->modifiers().testFlag(Qt::ShiftModifier);
+    m_ranging = dragged || shift;
+    return QTreeView::selectionCommand(index, event);
+}
+
+void StrokesView::keyPressEvent(QKeyEvent *event)
+{
+    const bool plain = !(event->modifiers() & ~Qt::KeypadModifier), none = !selectionModel()->hasSelection();
+    const bool steps = event->key() == Qt::Key_Up || event->key() == Qt::Key_Down;
+    const bool jumps = event->key() == Qt::Key_Home || event->key() == Qt::Key_End;
+    if (!(plain && none && steps && currentIndex().isValid()))
+        QTreeView::keyPressEvent(event);
+    if (plain && (jumps || (none && steps)) && currentIndex().isValid() &&
+        !selectionModel()->isSelected(currentIndex())) {
+        setCurrentIndex(currentIndex());
+        event->accept();
     }
 }
 

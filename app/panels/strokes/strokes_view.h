@@ -19,8 +19,18 @@ public:
     void dataChanged(const QModelIndex &topLeft, const QModelIndex &bottomRight,
                      const QList<int> &roles = QList<int>()) override;
 
+    /// What is being selected is a range of rows, not one row after the other.
+    bool isRanging() const { return m_ranging; }
+
 protected:
+    QItemSelectionModel::SelectionFlags selectionCommand(const QModelIndex &index,
+                                                         const QEvent *event = nullptr) const override;
+    /// The first key selects the row that is framed where none is selected.
+    void keyPressEvent(QKeyEvent *event) override;
     void drawRow(QPainter *painter, const QStyleOptionViewItem &option, const QModelIndex &index) const override;
+
+private:
+    mutable bool m_ranging = false; ///< by the last event that selected
 };
 
 } // namespace suffuse

@@ -52,12 +52,14 @@ std::optional<bool> TimelineBars::update(const Painting &painting)
 {
     if (painting.strokes.size() != m_painting->strokes.size())
         return {};
-    bool same = true, moved = false, differs = painting.groups != m_painting->groups;
+    bool same = true, differs = painting.groups != m_painting->groups;
+    std::vector<std::size_t> moved;
     m_painting->strokes.forEachDifference(painting.strokes, [&](std::size_t i) {
         TimelineBar bar = barOf(*painting.strokes[i]);
         same = same && bar.stroke == m_bars[i].stroke;
         bar.lane = m_bars[i].lane;
-        moved = moved || bar.begin != m_bars[i].begin || bar.end != m_bars[i].end;
+        if (bar.begin != m_bars[i].begin || bar.end != m_bars[i].end)
+            moved.push_back(i);
         const Stroke &before = *m_painting->strokes[i], &now = *painting.strokes[i];
         differs = differs || bar != m_bars[i] || before.visible != now.visible || before.group != now.group ||
                   !sameBirths(before, now);
@@ -65,14 +67,47 @@ std::optional<bool> TimelineBars::update(const Painting &painting)
     });
     if (!same)
         return {};
-    if (moved)
+    constexpr std::size_t few = 64;
+    if (moved.size() > few)
         layOut();
+    else if (!moved.empty())
+        place(moved);
     return differs;
+}
+
+bool TimelineBars::isFree(int lane, const TimelineBar &bar) const
+{
+    const std::vector<std::size_t> &row = m_lanes[std::size_t(lane)];
+    const auto after = std::ranges::partition_point(row, [&](std::size_t i) { return m_bars[i].end < bar.begin; });
+    return after == row.end() || m_bars[*after].begin > bar.end;
+}
+
+void TimelineBars::place(const std::vector<std::size_t> &moved)
+{
+    for (std::vector<std::size_t> &row : m_lanes)
+        std::erase_if(row, [&](std::size_t i) { return std::ranges::binary_search(moved, i); });
+    for (const std::size_t i : moved) {
+        TimelineBar &bar = m_bars[i];
+        for (int lane = 0; !isFree(bar.lane, bar); ++lane) { // the uppermost that is free
+            if (lane == laneCount())
+                m_lanes.emplace_back();
+            bar.lane = lane;
+        }
+        std::vector<std::size_t> &row = m_lanes[std::size_t(bar.lane)];
+        row.insert(std::ranges::upper_bound(row, bar.begin, {}, [this](std::size_t k) { return m_bars[k].begin; }), i);
+    }
+    while (!m_lanes.empty() && m_lanes.back().empty())
+        m_lanes.pop_back();
+    m_span = {m_bars.front().begin, m_bars.front().end};
+    for (const TimelineBar &bar : m_bars)
+        m_span = {std::min(m_span.begin, bar.begin), std::max(m_span.end, bar.end)};
 }
 
 int TimelineBars::laneFrom(Microseconds begin) const
 {
-    const auto isFree = [&](const std::vector<std::size_t> &row) { return m_bars[row.back()].end < begin; };
+    const auto isFree = [&](const std::vector<std::size_t> &row) {
+        return row.empty() || m_bars[row.back()].end < begin;
+    };
     return int(std::ranges::find_if(m_lanes, isFree) - m_lanes.begin());
 }
 

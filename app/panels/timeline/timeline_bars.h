@@ -21,7 +21,8 @@ struct TimelineBar {
 
 TimelineBar barOf(const Stroke &stroke);
 
-/// All strokes of a painting in time: bars in lanes, of which none overlaps another of its lane.
+/// All strokes of a painting in time: bars in lanes, of which none overlaps another of its lane. Where a few are moved
+/// or stretched, each stays in its lane if there is room, and the others stay in any case.
 class TimelineBars {
 public:
     /// Costs little where few strokes changed, and none came or went. True if anything looks different now.
@@ -57,6 +58,8 @@ public:
 private:
     std::optional<bool> update(const Painting &painting);
     void layOut();
+    void place(const std::vector<std::size_t> &moved);
+    bool isFree(int lane, const TimelineBar &bar) const;
 
     PaintingPtr m_painting = std::make_shared<const Painting>();
     std::vector<TimelineBar> m_bars;

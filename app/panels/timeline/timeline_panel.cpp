@@ -54,6 +54,10 @@ TimelinePanel::TimelinePanel(Editor &editor, Playback &playback, const Actions &
     for (const Command command :
          {Command::ToStart, Command::PreviousStroke, Command::Play, Command::NextStroke, Command::ToEnd})
         row->addWidget(buttonOf(actions[command], this));
+    // These keys are the timeline's as much as the canvas'.
+    for (const Command command : {Command::ToStart, Command::PreviousStroke, Command::Play, Command::NextStroke,
+                                  Command::ToEnd, Command::LetDry, Command::FinalPreview})
+        addAction(&actions[command]);
     row->addSpacing(8);
     m_time = new QLabel(this);
     m_time->setToolTip(tr("The moment that is shown, and the end, when all has dried"));

@@ -272,7 +272,7 @@ void TimelineView::endRetiming()
 void TimelineView::giveUp()
 {
     if (m_before) {
-        m_editor.push(retime(*m_before, m_selectionBefore, {}), retimingText(), m_run);
+        m_editor.giveUp(m_run);
         endRetiming();
     } else if (m_drag == Drag::Band) {
         m_editor.document().setSelection(m_selectionBefore);

@@ -183,8 +183,9 @@ void TimelineView::paintBar(QPainter &painter, const TimelineBar &bar, const Str
     colour.setAlphaF(m_bars.painting().isVisible(stroke) ? 1.0f : 0.35f);
     const bool selected = m_editor.document().selection().strokes.contains(bar.stroke);
     if (end - begin < 3) { // too small for parts
-        painter.fillRect(QRectF(begin, top, end - begin, laneHeight),
-                         selected ? palette().color(QPalette::Highlight) : colour);
+        const QRectF bar(begin, top, end - begin, laneHeight);
+        painter.fillRect(bar.adjusted(-0.5, -0.5, 0.5, 0.5), edgeOfColours()); // colours may be the ground's
+        painter.fillRect(bar, selected ? palette().color(QPalette::Highlight) : colour);
         return;
     }
     const double drawn = std::max(xOf(bar.drawn), begin + 2), dry = std::max(xOf(bar.dry), drawn);
@@ -205,7 +206,7 @@ void TimelineView::paintBar(QPainter &painter, const TimelineBar &bar, const Str
     painter.setBrush(Qt::NoBrush);
     // A line around: paint may have the colour of the ground.
     painter.setPen(selected ? QPen(palette().color(isDarkTheme() ? QPalette::Link : QPalette::Highlight), 2)
-                            : QPen(QColor(128, 128, 128, 130), 1));
+                            : QPen(edgeOfColours(), 1));
     painter.drawRect(body.adjusted(0.5, 0.5, -0.5, -0.5));
     if (selected)
         paintSelectedRuns(painter, stroke, body);

@@ -1,8 +1,8 @@
 #include "model/formats/ink/diffusion_curves.h"
 
 #include "model/formats/messages.h"
+#include "model/paint/half_width.h"
 #include "model/painting/ryb.h"
-#include "model/stroke_width.h"
 #include "model/painting/validate.h"
 
 #include <QXmlStreamReader>

@@ -1,15 +1,16 @@
 // Excalidraw's drawings and libraries: their freedraw elements. They hold no times.
-#include "model/formats/svg/css_colours.h"
 #include "model/formats/ink/ink_json.h"
+#include "model/formats/svg/css_colours.h"
 #include "model/painting/ryb.h"
 
 #include <cmath>
+#include <numbers>
 
 namespace suffuse {
 
 namespace {
 
-std::optional<Colour> colourOf(const QJsonObject &element)
+std::optional<Colour> colourOfElement(const QJsonObject &element)
 {
     const auto rgba = cssColour(element.value(QLatin1String("strokeColor")).toString());
     if (!rgba)
@@ -26,9 +27,17 @@ Point turned(Point p, Point centre, double angle)
     return centre + Point{c * d.x - s * d.y, s * d.x + c * d.y};
 }
 
+/// As Excalidraw draws freehand strokes (by perfect-freehand): 4.25 times the stroke's width is the size, which the
+/// pressure thins by up to 0.6, eased by a quarter of a sine; the size is a radius.
+double widthAt(double strokeWidth, double pressure)
+{
+    const double radius = 4.25 * strokeWidth * std::sin(0.5 * std::numbers::pi * (0.5 - 0.6 * (0.5 - pressure)));
+    return 2 * radius;
+}
+
 Result<Recording::Path> pathOf(const QJsonObject &element, const QString &fileName, const QString &path)
 {
-    const auto placed = numbersOf(QJsonArray{element.value(QLatin1String("x")), element.value(QLatin1String("y")),
+    const auto placed = numbersIn(QJsonArray{element.value(QLatin1String("x")), element.value(QLatin1String("y")),
                                              element.value(QLatin1String("angle")).toDouble()},
                                   fileName, path + QStringLiteral(".(x, y)"));
     if (!placed)
@@ -36,11 +45,13 @@ Result<Recording::Path> pathOf(const QJsonObject &element, const QString &fileNa
     const Point corner{(*placed)[0], (*placed)[1]};
     const QJsonArray points = element.value(QLatin1String("points")).toArray();
     const QJsonArray pressures = element.value(QLatin1String("pressures")).toArray();
+    const double strokeWidth = std::clamp(element.value(QLatin1String("strokeWidth")).toDouble(), 0.0, 1e6);
+    const bool isSimulated = element.value(QLatin1String("simulatePressure")).toBool();
     Recording::Path result;
     Rect box;
     for (qsizetype k = 0; k < points.size(); ++k) {
         const QString place = QStringLiteral("%1.points[%2]").arg(path).arg(k);
-        const auto xy = numbersOf(points.at(k), fileName, place);
+        const auto xy = numbersIn(points.at(k), fileName, place);
         if (!xy)
             return Error{xy.error()};
         if (xy->size() < 2)
@@ -50,12 +61,25 @@ Result<Recording::Path> pathOf(const QJsonObject &element, const QString &fileNa
         const Point p = corner + Point{(*xy)[0], (*xy)[1]};
         box.include(p);
         result.samples.push_back({p, 0, float(pressure > 0 ? std::min(pressure, 1.0) : 1.0)});
+        if (strokeWidth > 0) {
+            const bool isMeasured = !isSimulated && k < pressures.size() && pressure > 0;
+            result.widths.push_back(widthAt(strokeWidth, isMeasured ? std::min(pressure, 1.0) : 0.5));
+        }
     }
     const double angle = (*placed)[2];
     for (PenSample &s : result.samples)
         s.position = angle != 0 ? turned(s.position, box.centre(), angle) : s.position;
-    result.colour = colourOf(element);
+    result.colour = colourOfElement(element);
     return result;
+}
+
+/// Excalidraw fills freehand strokes that end where they began.
+bool isFilled(const QJsonObject &element, const Recording::Path &path)
+{
+    const auto rgba = cssColour(element.value(QLatin1String("backgroundColor")).toString());
+    constexpr double loop = 8; // units
+    return rgba && (*rgba)[3] > 0 && path.samples.size() > 2 &&
+           length(path.samples.front().position - path.samples.back().position) <= loop;
 }
 
 /// The lists of elements of a drawing ("elements") or of a library (version 1: "library", 2: "libraryItems").
@@ -88,12 +112,16 @@ Result<Recording> readExcalidraw(const QByteArray &bytes, const QString &fileNam
         return Error{top.error()};
     Recording recording;
     Microseconds clock = 0;
+    int others = 0, fills = 0;
     for (const auto &[listPath, elements] : elementLists(*top)) {
         for (qsizetype k = 0; k < elements.size(); ++k) {
             const QJsonObject element = elements.at(k).toObject();
-            if (element.value(QLatin1String("type")) != QLatin1String("freedraw") ||
-                element.value(QLatin1String("isDeleted")).toBool())
+            if (element.value(QLatin1String("isDeleted")).toBool())
                 continue;
+            if (element.value(QLatin1String("type")) != QLatin1String("freedraw")) {
+                ++others;
+                continue;
+            }
             auto path = pathOf(element, fileName, QStringLiteral("%1[%2]").arg(listPath).arg(k));
             if (!path)
                 return Error{path.error()};
@@ -102,11 +130,15 @@ Result<Recording> readExcalidraw(const QByteArray &bytes, const QString &fileNam
                 clock += assumedStep;
             }
             clock += assumedPause;
+            fills += isFilled(element, *path) ? 1 : 0;
             recording.paths.push_back(std::move(*path));
         }
     }
     if (recording.paths.empty())
         return fileError(fileName, FileMessages::tr("holds no freedraw elements; only those become strokes"));
+    recording.leftOut =
+        leftOutSentence({{fills, FileMessages::tr("%n fill(s)", nullptr, fills)},
+                         {others, FileMessages::tr("%n element(s) not drawn freehand", nullptr, others)}});
     return recording;
 }
 

@@ -15,7 +15,7 @@ Result<QJsonObject> parseJsonObject(const QByteArray &bytes, const QString &file
     return json.object();
 }
 
-Result<std::vector<double>> numbersOf(const QJsonValue &list, const QString &fileName, const QString &path)
+Result<std::vector<double>> numbersIn(const QJsonValue &list, const QString &fileName, const QString &path)
 {
     if (!list.isArray())
         return fileError(fileName, path + FileMessages::tr(": is not a list of numbers"));

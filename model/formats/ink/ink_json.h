@@ -12,6 +12,6 @@ namespace suffuse {
 /// The top object of a JSON file; errors give line and column.
 Result<QJsonObject> parseJsonObject(const QByteArray &bytes, const QString &fileName);
 /// Finite numbers of a list; `path` names it in the message. Numbers beyond ±1e15 are refused.
-Result<std::vector<double>> numbersOf(const QJsonValue &list, const QString &fileName, const QString &path);
+Result<std::vector<double>> numbersIn(const QJsonValue &list, const QString &fileName, const QString &path);
 
 } // namespace suffuse

@@ -5,17 +5,19 @@
 #include <array>
 #include <cmath>
 #include <map>
+#include <numbers>
 #include <string>
 
 namespace suffuse {
 
 namespace {
 
-enum Column { X, Y, Time, Pressure, StrokeName, columnCount };
+enum Column { X, Y, Time, Pressure, Width, Altitude, StrokeName, columnCount };
 using Columns = std::array<int, columnCount>;
+constexpr std::array<Column, 6> numberColumns{X, Y, Time, Pressure, Width, Altitude};
 
 struct Row {
-    std::array<double, 4> values{0, 0, 0, 1}; ///< x, y, time, pressure
+    std::array<double, numberColumns.size()> values{0, 0, 0, 1, 0, 0}; ///< by Column
     std::string stroke;
 };
 
@@ -91,8 +93,13 @@ int findColumn(const std::vector<std::string> &header, std::initializer_list<std
 }
 
 struct Header {
-    Columns columns{-1, -1, -1, -1, -1};
+    Columns columns = [] {
+        Columns none{};
+        none.fill(-1);
+        return none;
+    }();
     double secondsPerUnit = 0; ///< of the time; 0: to be found from the steps
+    QString leftOut;           ///< columns that are not taken, as a sentence
 };
 
 Header headerOf(const std::vector<std::string_view> &cells)
@@ -109,6 +116,13 @@ Header headerOf(const std::vector<std::string_view> &cells)
         findColumn(names, {"time", "t", "timestamp", "time_ms", "t_ms", "ms", "time_s", "t_s", "seconds"});
     h.columns[Pressure] = findColumn(names, {"pressure", "p", "force"});
     h.columns[StrokeName] = findColumn(names, {"stroke", "idx", "stroke_id", "strokeid", "stroke_index"});
+    h.columns[Width] = findColumn(names, {"width", "size", "thickness"});
+    h.columns[Altitude] = findColumn(names, {"altitude"});
+    std::vector<LeftOut> others;
+    for (std::size_t k = 0; k < names.size() && others.size() < 8; ++k)
+        if (!names[k].empty() && std::ranges::find(h.columns, int(k)) == h.columns.end())
+            others.push_back({1, FileMessages::tr("column “%1”").arg(excerpt(cells[k]))});
+    h.leftOut = leftOutSentence(others);
     if (h.columns[Time] >= 0) {
         const std::string &name = names[std::size_t(h.columns[Time])];
         if (name.ends_with("ms"))
@@ -179,15 +193,30 @@ double pressureScale(const std::vector<std::vector<Row>> &paths)
     return most > 1 ? 1 / most : most > 0 ? 1 : 0;
 }
 
+/// Radians for each unit of the altitude's column; 0 where pens wrote 0 all the way, since they do not measure it.
+double altitudeScale(const std::vector<std::vector<Row>> &paths)
+{
+    double most = 0;
+    for (const auto &rows : paths)
+        for (const Row &row : rows)
+            most = std::max(most, row.values[Altitude]);
+    constexpr double degree = std::numbers::pi / 180;
+    return most > 3.2 ? degree : most > 0 ? 1 : 0;
+}
+
 Recording toRecording(const std::vector<std::vector<Row>> &paths, const Header &header)
 {
     Recording recording;
-    const double scale = pressureScale(paths);
+    recording.leftOut = header.leftOut;
+    const double scale = pressureScale(paths), radians = altitudeScale(paths);
     for (const auto &rows : paths) {
         auto &path = recording.paths.emplace_back();
         for (const Row &row : rows) {
             const double p = scale > 0 ? std::clamp(row.values[Pressure] * scale, 0.0, 1.0) : 1;
-            path.samples.push_back({{row.values[X], row.values[Y]}, 0, float(p)});
+            const float tilt = radians > 0 ? tiltOf(row.values[Altitude] * radians) : 0;
+            path.samples.push_back({{row.values[X], row.values[Y]}, 0, float(p), tilt});
+            if (header.columns[Width] >= 0)
+                path.widths.push_back(std::clamp(row.values[Width], 0.0, 1e6));
         }
     }
     setTimes(recording, paths, header);
@@ -196,7 +225,7 @@ Recording toRecording(const std::vector<std::vector<Row>> &paths, const Header &
 
 QString columnName(int column)
 {
-    static constexpr const char *names[] = {"x", "y", "time", "pressure", "stroke"};
+    static constexpr const char *names[] = {"x", "y", "time", "pressure", "width", "altitude", "stroke"};
     return QLatin1String(names[column]);
 }
 
@@ -207,9 +236,9 @@ public:
     /// False: see error().
     bool read(const std::vector<std::string_view> &cells, qint64 line, Row &row)
     {
-        for (const int column : {int(X), int(Y), int(Time), int(Pressure)}) {
+        for (const Column column : numberColumns) {
             const int k = m_header.columns[std::size_t(column)];
-            if (k < 0 || (column == Pressure && std::size_t(k) < cells.size() && cells[std::size_t(k)].empty()))
+            if (k < 0 || (column >= Pressure && std::size_t(k) < cells.size() && cells[std::size_t(k)].empty()))
                 continue;
             const std::string_view cell = std::size_t(k) < cells.size() ? cells[std::size_t(k)] : std::string_view();
             const auto value = numberIn(cell);
@@ -312,7 +341,7 @@ Result<Recording> readMyPaintEvents(const QByteArray &bytes, const QString &file
     std::string_view line;
     Header header;
     header.secondsPerUnit = 1;
-    header.columns = {1, 2, 0, 3, -1};
+    header.columns = {1, 2, 0, 3, -1, -1, -1};
     std::vector<Row> rows;
     RowReader reader(header, fileName);
     while (lines.next(line)) {

@@ -2,15 +2,17 @@
 #include "model/formats/ink/ink_json.h"
 #include "model/painting/ryb.h"
 
+#include <QRegularExpression>
+#include <QSet>
+
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 namespace suffuse {
 
 namespace {
 
-enum class Channel { Other, Time, Pressure, Altitude };
+enum class Channel { Other, Time, Pressure, Altitude, Azimuth };
 
 struct ChannelType {
     Channel kind = Channel::Other;
@@ -20,6 +22,7 @@ struct ChannelType {
 struct Sensor {
     double start = 0; ///< s
     std::vector<double> times, pressures, altitudes;
+    bool hasAzimuth = false;
 };
 
 QHash<QString, ChannelType> channelTypes(const QJsonObject &input)
@@ -39,6 +42,8 @@ QHash<QString, ChannelType> channelTypes(const QJsonObject &input)
                     t = {Channel::Time, t.scale / (perSecond > 0 ? perSecond : 1000)};
                 } else if (type.endsWith(QLatin1String("/Pressure"))) {
                     t.kind = Channel::Pressure;
+                } else if (type.endsWith(QLatin1String("/Azimuth"))) {
+                    t.kind = Channel::Azimuth;
                 } else if (type.endsWith(QLatin1String("/Altitude"))) {
                     const double perRadian = channel.value(QLatin1String("resolution")).toDouble(1);
                     t = {Channel::Altitude, t.scale / (perRadian > 0 ? perRadian : 1)};
@@ -75,10 +80,11 @@ Result<QHash<QString, Sensor>> sensorsOf(const QJsonObject &input, const QString
         for (qsizetype k = 0; k < channels.size(); ++k) {
             const QJsonObject channel = channels.at(k).toObject();
             const ChannelType type = types.value(channel.value(QLatin1String("sensorChannelID")).toString());
-            if (type.kind == Channel::Other)
+            sensor.hasAzimuth = sensor.hasAzimuth || type.kind == Channel::Azimuth;
+            if (type.kind == Channel::Other || type.kind == Channel::Azimuth)
                 continue;
             const auto values =
-                numbersOf(channel.value(QLatin1String("values")), fileName,
+                numbersIn(channel.value(QLatin1String("values")), fileName,
                           QStringLiteral("inputData.sensorData[%1].dataChannels[%2].values").arg(j).arg(k));
             if (!values)
                 return Error{values.error()};
@@ -102,15 +108,6 @@ double sampled(const std::vector<double> &values, double at)
     return k + 1 < values.size() ? values[k] + f * (values[k + 1] - values[k]) : values[k];
 }
 
-/// In [0, 1] as PenSample has it, of altitudes over the tablet; upright without any.
-float tiltAt(const std::vector<double> &altitudes, double at)
-{
-    constexpr double upright = std::numbers::pi / 2, flat = std::numbers::pi / 3;
-    if (altitudes.empty())
-        return 0;
-    return float(std::clamp((upright - sampled(altitudes, at)) / flat, 0.0, 1.0));
-}
-
 std::optional<Colour> colourOf(const QJsonObject &stroke)
 {
     const QJsonObject properties =
@@ -124,28 +121,106 @@ std::optional<Colour> colourOf(const QJsonObject &stroke)
     return rybFromSrgb(channel("red", 0), channel("green", 0), channel("blue", 0), channel("alpha", 1));
 }
 
-Result<Recording::Path> pathOf(const QJsonObject &stroke, const Sensor *sensor, const QString &fileName,
+/// Sizes along a stroke, its own or its style's; empty where it has none. A brush's shape is scaled by them.
+Result<std::vector<double>> sizesOf(const QJsonObject &stroke, const QString &fileName, const QString &path)
+{
+    if (stroke.contains(QLatin1String("size"))) {
+        auto sizes = numbersIn(stroke.value(QLatin1String("size")), fileName, path + QStringLiteral(".size"));
+        if (!sizes || !sizes->empty())
+            return sizes;
+    }
+    const QJsonValue size = stroke.value(QLatin1String("style"))
+                                .toObject()
+                                .value(QLatin1String("properties"))
+                                .toObject()
+                                .value(QLatin1String("size"))
+                                .toObject()
+                                .value(QLatin1String("value"));
+    return size.toDouble() > 0 ? std::vector<double>{size.toDouble()} : std::vector<double>();
+}
+
+/// Radius of each brush's shape at size 1, by the brush's name: of circles ("…/Circle?precision=8&radius=0.5", 1 where
+/// it is not said); others count as circles of radius 1.
+struct Shapes {
+    QHash<QString, double> radii;
+    QSet<QString> notRound;
+};
+
+Shapes shapesOf(const QJsonObject &brushes)
+{
+    static const QRegularExpression radius(QStringLiteral("[?&]radius=([0-9.eE+-]+)"));
+    Shapes shapes;
+    for (const QJsonValue &value : brushes.value(QLatin1String("vectorBrushes")).toArray()) {
+        const QJsonObject brush = value.toObject();
+        const QString name = brush.value(QLatin1String("name")).toString();
+        const QString uri = brush.value(QLatin1String("prototype"))
+                                .toArray()
+                                .at(0)
+                                .toObject()
+                                .value(QLatin1String("shapeURI"))
+                                .toString();
+        const double given = radius.match(uri).captured(1).toDouble();
+        if (given > 0 && given < 1e6)
+            shapes.radii.insert(name, given);
+        if (!uri.isEmpty() && !uri.contains(QLatin1String("/Circle")))
+            shapes.notRound.insert(name);
+    }
+    for (const QJsonValue &value : brushes.value(QLatin1String("rasterBrushes")).toArray())
+        shapes.notRound.insert(value.toObject().value(QLatin1String("name")).toString());
+    return shapes;
+}
+
+/// What of a file no stroke can show.
+class Losses {
+public:
+    void see(const QJsonObject &stroke, const Shapes &shapes, const Sensor *sensor)
+    {
+        static const QStringList turns{"rotation", "scaleX", "scaleY", "scaleZ", "offsetX", "offsetY", "offsetZ"};
+        m_turned +=
+            std::ranges::any_of(turns, [&stroke](const QString &name) { return stroke.contains(name); }) ? 1 : 0;
+        m_shaped += shapes.notRound.contains(brushOf(stroke)) ? 1 : 0;
+        m_hasAzimuth = m_hasAzimuth || (sensor && sensor->hasAzimuth);
+    }
+    static QString brushOf(const QJsonObject &stroke)
+    {
+        return stroke.value(QLatin1String("style")).toObject().value(QLatin1String("brushURI")).toString();
+    }
+    QString sentence(const QJsonObject &top) const
+    {
+        const int views = int(top.value(QLatin1String("views")).toArray().size());
+        return leftOutSentence({
+            {m_shaped, FileMessages::tr("%n brush shape(s)", nullptr, m_shaped)},
+            {m_turned, FileMessages::tr("%n turned or stretched brush tip(s)", nullptr, m_turned)},
+            {m_hasAzimuth ? 2 : 0, FileMessages::tr("the pen's azimuths")},
+            {views, FileMessages::tr("%n view(s) of recognised text", nullptr, views)},
+        });
+    }
+
+private:
+    int m_turned = 0, m_shaped = 0;
+    bool m_hasAzimuth = false;
+};
+
+Result<Recording::Path> pathOf(const QJsonObject &stroke, const Sensor *sensor, double radius, const QString &fileName,
                                const QString &path)
 {
-    const auto xs = numbersOf(stroke.value(QLatin1String("splineX")), fileName, path + QStringLiteral(".splineX"));
+    const auto xs = numbersIn(stroke.value(QLatin1String("splineX")), fileName, path + QStringLiteral(".splineX"));
     if (!xs)
         return Error{xs.error()};
-    const auto ys = numbersOf(stroke.value(QLatin1String("splineY")), fileName, path + QStringLiteral(".splineY"));
+    const auto ys = numbersIn(stroke.value(QLatin1String("splineY")), fileName, path + QStringLiteral(".splineY"));
     if (!ys)
         return Error{ys.error()};
     if (xs->size() != ys->size())
         return fileError(
             fileName,
             FileMessages::tr("%1: splineX has %2 numbers, splineY %3").arg(path).arg(xs->size()).arg(ys->size()));
-    std::vector<double> pressures = sensor ? sensor->pressures : std::vector<double>();
-    if (pressures.empty() && stroke.contains(QLatin1String("size"))) {
-        const auto sizes = numbersOf(stroke.value(QLatin1String("size")), fileName, path + QStringLiteral(".size"));
-        if (!sizes)
-            return Error{sizes.error()};
-        pressures = *sizes;
-    }
+    const auto sizes = sizesOf(stroke, fileName, path);
+    if (!sizes)
+        return Error{sizes.error()};
+    static const std::vector<double> none;
+    const std::vector<double> &pressures = sensor ? sensor->pressures : none;
     const double most = pressures.empty() ? 0 : *std::max_element(pressures.begin(), pressures.end());
-    const double scale = most > 1 || (sensor && sensor->pressures.empty() && most > 0) ? 1 / most : 1;
+    const double scale = most > 1 ? 1 / most : 1;
     Recording::Path result;
     const std::size_t count = xs->size();
     for (std::size_t k = 0; k < count; ++k) {
@@ -157,7 +232,9 @@ Result<Recording::Path> pathOf(const QJsonObject &stroke, const Sensor *sensor, 
         result.samples.push_back({{(*xs)[k], (*ys)[k]},
                                   toMicroseconds(seconds),
                                   float(pressure),
-                                  sensor ? tiltAt(sensor->altitudes, at) : 0});
+                                  sensor && !sensor->altitudes.empty() ? tiltOf(sampled(sensor->altitudes, at)) : 0});
+        if (!sizes->empty())
+            result.widths.push_back(2 * radius * std::clamp(sampled(*sizes, at), 0.0, 1e6));
     }
     result.colour = colourOf(stroke);
     return result;
@@ -175,13 +252,17 @@ Result<Recording> readUniversalInk(const QByteArray &bytes, const QString &fileN
         return Error{sensors.error()};
     const QJsonArray strokes =
         top->value(QLatin1String("inkData")).toObject().value(QLatin1String("strokes")).toArray();
+    const Shapes shapes = shapesOf(top->value(QLatin1String("brushes")).toObject());
+    Losses losses;
     Recording recording;
     Microseconds clock = 0;
     for (qsizetype k = 0; k < strokes.size(); ++k) {
         const QJsonObject stroke = strokes.at(k).toObject();
         const auto found = sensors->constFind(stroke.value(QLatin1String("sensorDataID")).toString());
         const Sensor *sensor = found == sensors->cend() ? nullptr : &*found;
-        auto path = pathOf(stroke, sensor, fileName, QStringLiteral("inkData.strokes[%1]").arg(k));
+        losses.see(stroke, shapes, sensor);
+        const double radius = shapes.radii.value(Losses::brushOf(stroke), 1);
+        auto path = pathOf(stroke, sensor, radius, fileName, QStringLiteral("inkData.strokes[%1]").arg(k));
         if (!path)
             return Error{path.error()};
         const bool timed = sensor && !sensor->times.empty();
@@ -191,6 +272,7 @@ Result<Recording> readUniversalInk(const QByteArray &bytes, const QString &fileN
         clock = (path->samples.empty() ? start : path->samples.back().time) + assumedPause;
         recording.paths.push_back(std::move(*path));
     }
+    recording.leftOut = losses.sentence(*top);
     return recording;
 }
 

@@ -1,9 +1,12 @@
 #include "model/formats/ink/recording.h"
 
+#include "model/brush/brush_width.h"
 #include "model/painting/validate.h"
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <numbers>
 
 namespace suffuse {
 
@@ -28,7 +31,35 @@ Extent extentOf(const Recording &recording)
     return e;
 }
 
+/// The brush as it paints a path of given widths: the pressure of the samples says the width from here on, so that the
+/// spread follows it and the density, which a curve of the pressure would have made, does not.
+void takeWidths(const std::vector<double> &widths, Brush &brush, std::vector<PenSample> &samples)
+{
+    const double most = widths.size() == samples.size() && !widths.empty() ? *std::ranges::max_element(widths) : 0;
+    if (!(most > 0))
+        return;
+    brush.setSpread(std::clamp(brush.spread() * most / visibleWidth(brush), 1e-3, 1e5));
+    brush.tip = {};
+    brush.taper = {};
+    for (const BrushInput input : {BrushInput::Pressure, BrushInput::Tilt, BrushInput::Speed, BrushInput::Distance,
+                                   BrushInput::StrokeRandom, BrushInput::Drift}) {
+        brush.removeCurve(BrushQuantity::Size, input);
+        if (input == BrushInput::Pressure)
+            brush.removeCurve(BrushQuantity::Density, input);
+    }
+    constexpr double least = 0.02; // of which brushes make nothing smaller; and 0 would be a lifted pen
+    brush.setCurve(BrushQuantity::Size, BrushInput::Pressure, {});
+    for (std::size_t k = 0; k < samples.size(); ++k)
+        samples[k].pressure = float(std::clamp(widths[k] / most, least, 1.0));
+}
+
 } // namespace
+
+float tiltOf(double altitude)
+{
+    constexpr double upright = std::numbers::pi / 2, flat = std::numbers::pi / 3;
+    return float(std::clamp((upright - altitude) / flat, 0.0, 1.0));
+}
 
 Result<Painting> paintRecording(const Recording &recording, const Brush &brush, const QString &fileName)
 {
@@ -56,6 +87,7 @@ Result<Painting> paintRecording(const Recording &recording, const Brush &brush, 
             s.position = s.position + shift;
             s.time -= extent.start;
         }
+        takeWidths(path.widths, own, samples);
         if (StrokePtr stroke = buildStroke(own, id + 1, samples)) {
             painting.strokes.push_back(std::move(stroke));
             ++id;

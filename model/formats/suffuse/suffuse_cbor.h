@@ -21,33 +21,33 @@ class MapReader {
 public:
     MapReader(const QCborValue &map, bool &ok) : m_map(map.toMap()), m_ok(ok) { m_ok = m_ok && map.isMap(); }
 
-    void read(const char *name, double &value)
+    void read(const char *name, double &value) const
     {
         if (const QCborValue v = take(name); good(v, v.isDouble() || v.isInteger()))
             value = v.toDouble();
     }
-    void read(const char *name, float &value)
+    void read(const char *name, float &value) const
     {
         double wide = double(value);
         read(name, wide);
         value = float(wide);
     }
-    void read(const char *name, std::uint64_t &value)
+    void read(const char *name, std::uint64_t &value) const
     {
         if (const QCborValue v = take(name); good(v, v.isInteger()))
             value = std::uint64_t(v.toInteger());
     }
-    void read(const char *name, bool &value)
+    void read(const char *name, bool &value) const
     {
         if (const QCborValue v = take(name); good(v, v.isBool()))
             value = v.toBool();
     }
-    void read(const char *name, QString &value)
+    void read(const char *name, QString &value) const
     {
         if (const QCborValue v = take(name); good(v, v.isString()))
             value = v.toString();
     }
-    void read(const char *name, Colour &value)
+    void read(const char *name, Colour &value) const
     {
         const QCborValue v = take(name);
         const QCborArray list = v.toArray();
@@ -56,7 +56,7 @@ public:
                      float(list.at(3).toDouble())};
     }
     /// The number of one of `images`.
-    void read(const char *name, EncodedImage &value, const std::vector<EncodedImage> &images)
+    void read(const char *name, EncodedImage &value, const std::vector<EncodedImage> &images) const
     {
         const QCborValue v = take(name);
         if (good(v, v.isInteger() && v.toInteger() >= 0 && std::uint64_t(v.toInteger()) < images.size()))
@@ -65,7 +65,7 @@ public:
     QCborValue take(const char *name) const { return m_map.value(QLatin1String(name)); }
 
 private:
-    bool good(const QCborValue &value, bool rightType)
+    bool good(const QCborValue &value, bool rightType) const
     {
         m_ok = m_ok && (value.isUndefined() || rightType);
         return !value.isUndefined() && rightType;

@@ -1,4 +1,5 @@
 // docs/file-format.md: a painting and what belongs beside it as the bytes of a file.
+#include "model/formats/suffuse/field_columns.h"
 #include "model/formats/suffuse/suffuse_extras.h"
 #include "model/formats/suffuse/suffuse_strokes.h"
 #include "model/parallel.h"
@@ -10,10 +11,25 @@ namespace suffuse {
 
 namespace {
 
+static_assert(std::ranges::all_of(laterNumbersOf<Segment>,
+                                  [](const auto &n) { return n.traits.since <= suffuseVersion; }),
+              "raise suffuseVersion: a segment has a number that documents of this version do not know");
+
+constexpr bool laterFieldsAreNumbers()
+{
+    bool all = true;
+    forEachFieldOf<Segment>([&]<class Value>(const Field<Segment, Value> &field) {
+        all = all && (field.traits.since == 1 || std::is_same_v<Value, float> || std::is_same_v<Value, Colour>);
+    });
+    return all;
+}
+static_assert(laterFieldsAreNumbers(), "a field of a segment that is no number needs columns of its own");
+
 struct Totals {
     std::uint64_t segments = 0;
     std::uint64_t rewets = 0;
-    std::uint64_t blocks = 0; ///< bytes that all palettes can have at most
+    std::uint64_t blocks = 0;        ///< bytes that all palettes can have at most
+    int reader = suffuseLeastReader; ///< least version of a reader that understands it
 };
 
 Totals totalsOf(const Painting &painting)
@@ -26,6 +42,7 @@ Totals totalsOf(const Painting &painting)
         for (const Segment &segment : s->segments) {
             t.rewets += segment.rewet.size();
             t.blocks += segment.style ? style : 0;
+            t.reader = std::max(t.reader, versionNeededBy(segment));
         }
     }
     return t;
@@ -34,7 +51,7 @@ Totals totalsOf(const Painting &painting)
 QByteArray header(const Painting &painting, const Totals &totals)
 {
     const QCborMap map{{QLatin1String("version"), suffuseVersion},
-                       {QLatin1String("reader"), suffuseLeastReader},
+                       {QLatin1String("reader"), totals.reader},
                        {QLatin1String("program"), QStringLiteral("Suffuse " SUFFUSE_VERSION)},
                        {QLatin1String("strokes"), qint64(painting.strokes.size())},
                        {QLatin1String("segments"), qint64(totals.segments)}};

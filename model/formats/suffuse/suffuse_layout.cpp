@@ -78,16 +78,32 @@ Error chunkError(const QString &fileName, const Chunk &chunk, const QString &wha
     return fileError(fileName, chunkText(chunk, what) + QStringLiteral("; ") + damaged());
 }
 
+bool startsAsSuffuse(const QByteArray &bytes)
+{
+    return bytes.startsWith(suffuseName);
+}
+
+QString problemOfSignature(const QByteArray &bytes)
+{
+    if (bytes.startsWith(QByteArray(suffuseName) + suffuseLineEnds))
+        return {};
+    if (bytes.size() < suffuseSignatureSize)
+        return FileMessages::tr("ends after %1 bytes").arg(bytes.size());
+    const QByteArray ends = bytes.mid(8, 5);
+    for (const char *changed : {"\n\x1a\n", "\r\r\n", "\r\n\x1a\r\n"}) // as text goes from one system to another
+        if (startsAsSuffuse(bytes) && ends.startsWith(changed))
+            return FileMessages::tr("its line endings were changed on the way, transfer it as a binary file");
+    return FileMessages::tr("its first bytes are damaged");
+}
+
 Result<void> checkSignature(const QByteArray &bytes, const QString &fileName)
 {
-    if (!bytes.startsWith(suffuseName))
+    const QString problem = problemOfSignature(bytes);
+    if (problem.isEmpty())
+        return {};
+    if (!startsAsSuffuse(bytes) && !hasAnyChunk(bytes))
         return fileError(fileName, FileMessages::tr("is not a .suffuse file"));
-    if (bytes.size() < suffuseSignatureSize)
-        return fileError(fileName, FileMessages::tr("ends after %1 bytes; %2").arg(bytes.size()).arg(damaged()));
-    if (bytes.mid(8, 4) != QByteArray(suffuseLineEnds))
-        return fileError(fileName,
-                         FileMessages::tr("its line endings were changed on the way; transfer it as a binary file"));
-    return {};
+    return fileError(fileName, problem + QStringLiteral("; ") + damaged());
 }
 
 ChunkAttempt chunkAt(const QByteArray &bytes, qsizetype at)
@@ -109,11 +125,13 @@ ChunkAttempt chunkAt(const QByteArray &bytes, qsizetype at)
     return out;
 }
 
-QString problemOfEnd(const QByteArray &bytes, const Chunk &end)
+QString problemOfEnd(const QByteArray &bytes, const Chunk &end, qsizetype first)
 {
-    const QByteArray hash =
-        QCryptographicHash::hash(QByteArrayView(bytes).first(end.start), QCryptographicHash::Sha256);
-    if (end.payload != hash)
+    QCryptographicHash hash(QCryptographicHash::Sha256);
+    hash.addData(QByteArrayView(suffuseName));
+    hash.addData(QByteArrayView(suffuseLineEnds));
+    hash.addData(QByteArrayView(bytes).sliced(first, end.start - first));
+    if (end.payload != hash.result())
         return FileMessages::tr("the hash of the whole differs");
     if (end.start + end.size() != bytes.size())
         return FileMessages::tr("%1 bytes follow after the end").arg(bytes.size() - end.start - end.size());

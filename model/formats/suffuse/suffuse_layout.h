@@ -55,6 +55,10 @@ QString chunkText(const Chunk &chunk, const QString &what);
 /// "a.suffuse: chunk STRK at byte 1234: WHAT; REMEDY"
 Error chunkError(const QString &fileName, const Chunk &chunk, const QString &what);
 
+/// Whether the file starts as a document does, what follows the name aside.
+bool startsAsSuffuse(const QByteArray &bytes);
+/// What became of the first bytes; empty where they are as they should be.
+QString problemOfSignature(const QByteArray &bytes);
 Result<void> checkSignature(const QByteArray &bytes, const QString &fileName);
 /// The chunk that starts at a byte, with `problem` empty; else what is wrong, and as much of the chunk as can be told.
 struct ChunkAttempt {
@@ -62,8 +66,9 @@ struct ChunkAttempt {
     QString problem;
 };
 ChunkAttempt chunkAt(const QByteArray &bytes, qsizetype at);
-/// Empty, or why the end chunk does not fit what is before and behind it.
-QString problemOfEnd(const QByteArray &bytes, const Chunk &end);
+/// Empty, or why the end chunk does not fit what is behind it and before it: the signature as it should be, and the
+/// chunks from byte `first` on.
+QString problemOfEnd(const QByteArray &bytes, const Chunk &end, qsizetype first = suffuseSignatureSize);
 
 /// Checks signature, chunk lengths, checksums and the hash at the end. The views look into `bytes`.
 Result<std::vector<Chunk>> splitChunks(const QByteArray &bytes, const QString &fileName);
@@ -73,10 +78,17 @@ Result<std::vector<Chunk>> splitChunks(const QByteArray &bytes, const QString &f
 struct FilePiece {
     Chunk chunk;
     QString damage;
+    /// The first bytes, which hold nothing of the painting.
+    bool isSignature() const { return chunk.start == 0 && !damage.isEmpty(); }
 };
-/// All that is whole of a file with a good signature, in order, and the stretches between. Never fails; the end chunk
-/// is among the pieces only if it is whole and fits.
+/// All that is whole of a file, in order, and the stretches between; a damaged signature is the first of them. Never
+/// fails; the end chunk is among the pieces only if it is whole and fits.
 std::vector<FilePiece> salvageChunks(const QByteArray &bytes);
+/// Whether the chunk behind the signature, which may be damaged, is whole. Costs next to nothing.
+bool hasFirstChunk(const QByteArray &bytes);
+/// Whether any chunk of a painting is whole, wherever it is. Looks through the file, but not through a journal
+/// (docs/recovery.md), which is made of such chunks too.
+bool hasAnyChunk(const QByteArray &bytes);
 
 /// Reads little-endian numbers from memory that may be too short; after the first failure everything fails.
 class ByteCursor {

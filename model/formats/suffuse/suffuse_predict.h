@@ -2,7 +2,7 @@
 // (docs/file-format.md, "Prediction"). Only +, −, ×, ÷ of doubles and rounding: the same bits everywhere.
 #pragma once
 
-#include "model/painting/stroke.h"
+#include "model/painting/fields.h"
 
 #include <array>
 #include <bit>
@@ -76,7 +76,8 @@ inline std::uint64_t unzigzag64(std::uint64_t code)
 
 /// The numbers of a stroke as columns. Segment k runs from node k to node k + 1.
 struct StrokeColumns {
-    static constexpr std::size_t attributeCount = 8;         ///< D, φ, ω, t_max, red, yellow, blue, opacity
+    /// The numbers that are predicted: D, φ, ω, t_max, red, yellow, blue, opacity.
+    static constexpr std::size_t attributeCount = predictedNumbersOf<Segment>.size();
     std::array<std::vector<float>, 2> node;                  ///< x, y
     std::array<std::array<std::vector<float>, 2>, 2> handle; ///< [first, second][x, y]
     std::array<std::vector<float>, attributeCount> attribute;

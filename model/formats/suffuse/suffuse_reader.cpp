@@ -29,6 +29,10 @@ public:
     {
         for (std::size_t k = 0; k < pieces.size(); ++k) {
             const Chunk &chunk = pieces[k].chunk;
+            if (pieces[k].isSignature()) {
+                noteSignature(pieces[k].damage, k + 1 < pieces.size() ? pieces[k + 1].chunk.type : QByteArray());
+                continue;
+            }
             const QString problem = pieces[k].damage.isEmpty() ? readChunk(chunk, k == 0) : pieces[k].damage;
             if (!m_refusal.isEmpty())
                 return fileError(m_fileName, m_refusal);
@@ -71,6 +75,18 @@ private:
             m_missedUnknown = true;
             lose(FileMessages::tr("the file is damaged or cut off at byte %1").arg(chunk.start));
         }
+    }
+
+    /// The signature says nothing of the painting. But where HEAD does not follow it, more than that is gone.
+    void noteSignature(const QString &problem, const QByteArray &next)
+    {
+        m_firstDamage = problem;
+        if (next == "HEAD") {
+            m_leftOut.append(FileMessages::tr("the first bytes of the file"));
+            return;
+        }
+        m_pictureIsHurt = m_missedUnknown = true;
+        lose(FileMessages::tr("the file is damaged or cut off at byte %1").arg(0));
     }
 
     /// Empty, or what is wrong with the chunk.
@@ -270,8 +286,6 @@ private:
 
 Result<LoadedDocument> readSuffuseDocument(const QByteArray &bytes, const QString &fileName)
 {
-    if (const auto good = checkSignature(bytes, fileName); !good)
-        return Error{good.error()};
     const std::vector<FilePiece> pieces = salvageChunks(bytes);
     const bool damaged =
         std::any_of(pieces.begin(), pieces.end(), [](const FilePiece &p) { return !p.damage.isEmpty(); });

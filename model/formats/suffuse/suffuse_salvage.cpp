@@ -2,19 +2,28 @@
 #include "model/formats/files.h"
 #include "model/formats/messages.h"
 #include "model/formats/suffuse/suffuse_layout.h"
+#include "model/journal/journal_layout.h"
 
 #include <algorithm>
+#include <cstring>
 
 namespace suffuse {
 
 namespace {
 
-constexpr std::array<const char *, 8> knownTypes{"HEAD", "IMAG", "DOCU", "STRK", "ENDS", "prev", "view", "hist"};
+/// Four letters as a number: every byte of a file may be where a chunk starts.
+std::uint32_t tagOf(const char *type)
+{
+    std::uint32_t tag = 0;
+    std::memcpy(&tag, type, 4);
+    return tag;
+}
 
 bool isKnown(QByteArrayView type)
 {
-    return std::any_of(knownTypes.begin(), knownTypes.end(),
-                       [&](const char *known) { return type == QByteArrayView(known); });
+    static const std::array<std::uint32_t, 8> known{tagOf("HEAD"), tagOf("IMAG"), tagOf("DOCU"), tagOf("STRK"),
+                                                    tagOf("ENDS"), tagOf("prev"), tagOf("view"), tagOf("hist")};
+    return type.size() == 4 && std::ranges::find(known, tagOf(type.data())) != known.end();
 }
 
 class Salvage {
@@ -23,7 +32,7 @@ public:
 
     std::vector<FilePiece> run()
     {
-        for (qsizetype at = suffuseSignatureSize; !m_ended;) {
+        for (qsizetype at = start(); !m_ended;) {
             if (at == m_bytes.size()) {
                 add({{}, at, {}}, FileMessages::tr("the end of the file is missing"));
                 break;
@@ -45,7 +54,29 @@ public:
         return std::move(m_pieces);
     }
 
+    /// Where a whole chunk of a known type is, from byte `at` on, or -1.
+    qsizetype findWhole(qsizetype at)
+    {
+        for (; at + 12 <= m_bytes.size() && m_budget > 0; ++at)
+            if (isWhole(at))
+                return at;
+        return -1;
+    }
+
 private:
+    /// Where the chunks begin. A signature that is damaged may be longer or shorter than it was.
+    qsizetype start()
+    {
+        const QString problem = problemOfSignature(m_bytes);
+        if (problem.isEmpty())
+            return m_first;
+        const bool inPlace = m_bytes.size() >= m_first + 4 && isKnown(QByteArrayView(m_bytes).sliced(m_first, 4));
+        if (const qsizetype found = inPlace ? m_first : findWhole(0); found >= 0)
+            m_first = found;
+        add({{}, 0, {}}, problem);
+        return std::min(m_first, m_bytes.size());
+    }
+
     void add(const Chunk &chunk, const QString &damage) { m_pieces.push_back({chunk, damage}); }
 
     void take(const Chunk &chunk)
@@ -55,9 +86,9 @@ private:
             add(chunk, {});
             return;
         }
-        const bool before =
-            std::any_of(m_pieces.begin(), m_pieces.end(), [](const FilePiece &p) { return !p.damage.isEmpty(); });
-        const QString problem = problemOfEnd(m_bytes, chunk);
+        const bool before = std::any_of(m_pieces.begin(), m_pieces.end(),
+                                        [](const FilePiece &p) { return !p.damage.isEmpty() && !p.isSignature(); });
+        const QString problem = problemOfEnd(m_bytes, chunk, m_first);
         // Where something is damaged the hash differs anyway.
         if (problem.isEmpty() || (before && chunk.start + chunk.size() == m_bytes.size()))
             add(chunk, {});
@@ -76,11 +107,7 @@ private:
             if (isWhole(behind))
                 return behind;
         }
-        for (qsizetype at = broken.start + 1; at + 12 <= m_bytes.size() && m_budget > 0; ++at) {
-            if (isWhole(at))
-                return at;
-        }
-        return -1;
+        return findWhole(broken.start + 1);
     }
 
     /// Each check costs its bytes, so that a hostile file cannot make this long.
@@ -96,6 +123,7 @@ private:
     const QByteArray &m_bytes;
     std::vector<FilePiece> m_pieces;
     qint64 m_budget;
+    qsizetype m_first = suffuseSignatureSize; ///< byte of the first chunk
     bool m_ended = false;
 };
 
@@ -106,10 +134,23 @@ std::vector<FilePiece> salvageChunks(const QByteArray &bytes)
     return Salvage(bytes).run();
 }
 
+bool hasFirstChunk(const QByteArray &bytes)
+{
+    if (bytes.startsWith(journalName) || bytes.size() < suffuseSignatureSize + 12 ||
+        !isKnown(QByteArrayView(bytes).sliced(suffuseSignatureSize, 4)))
+        return false;
+    return chunkAt(bytes, suffuseSignatureSize).problem.isEmpty();
+}
+
+bool hasAnyChunk(const QByteArray &bytes)
+{
+    return !bytes.startsWith(journalName) && Salvage(bytes).findWhole(0) >= 0;
+}
+
 Result<std::vector<ChunkInfo>> suffuseChunks(const QByteArray &bytes, const QString &fileName)
 {
-    if (const auto good = checkSignature(bytes, fileName); !good)
-        return Error{good.error()};
+    if (detectFormat(bytes) != FileFormat::Suffuse)
+        return fileError(fileName, FileMessages::tr("is not a .suffuse file"));
     std::vector<ChunkInfo> list;
     for (const FilePiece &piece : salvageChunks(bytes))
         list.push_back({QString::fromLatin1(piece.chunk.type), piece.chunk.start,

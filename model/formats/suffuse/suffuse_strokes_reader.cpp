@@ -1,4 +1,5 @@
 #include "model/formats/messages.h"
+#include "model/formats/suffuse/field_columns.h"
 #include "model/formats/suffuse/suffuse_predict.h"
 #include "model/formats/suffuse/suffuse_strokes.h"
 
@@ -49,14 +50,14 @@ private:
             for (float &xi : style.xi)
                 xi = std::bit_cast<float>(in.u32());
             style.kind = StyleKind(kind);
-            if (!in.ok() || kind > std::uint32_t(StyleKind::Edge) || m_styles.size() >= n + m)
+            if (!in.ok() || kind >= WordsOf<StyleKind>::list.size() || m_styles.size() >= n + m)
                 return false;
             m_styles.push_back(style);
         }
         for (std::uint64_t left = in.varint(); in.ok() && left > 0; --left) {
             const std::uint32_t mode = in.u32();
             const float beta = std::bit_cast<float>(in.u32());
-            if (!in.ok() || mode > std::uint32_t(MixMode::Beta) || m_mixes.size() >= n)
+            if (!in.ok() || mode >= WordsOf<MixMode>::list.size() || m_mixes.size() >= n)
                 return false;
             m_mixes.push_back({MixMode(mode), beta});
         }
@@ -93,14 +94,14 @@ private:
         m_born = m_in.get<std::uint64_t>(m);
         m_ownStyle = m_in.get<std::uint32_t>(m);
         m_nodeKind = m_in.get<std::uint8_t>(m);
-        for (auto &quantity : m_anisotropy)
-            quantity = m_in.get<std::uint32_t>(m);
+        m_plain.get(m_in, m);
         m_rewetCount = m_in.get<std::uint32_t>(m);
         const std::uint64_t rewets = std::accumulate(m_rewetCount.begin(), m_rewetCount.end(), std::uint64_t(0));
         if (!m_in.ok() || !allowance.takeRewets(rewets))
             return false;
         m_rewetTime = m_in.get<std::uint64_t>(rewets);
         m_rewetExtra = m_in.get<std::uint64_t>(rewets);
+        m_later.getUsed(m_in, m);
         return m_in.atEnd();
     }
 
@@ -172,20 +173,17 @@ private:
     {
         s.bezier = {Offset{c.node[0][k], c.node[1][k]}, Offset{c.handle[0][0][k], c.handle[0][1][k]},
                     Offset{c.handle[1][0][k], c.handle[1][1][k]}, Offset{c.node[0][k + 1], c.node[1][k + 1]}};
-        s.diffusion = c.attribute[0][k];
-        s.density = c.attribute[1][k];
-        s.granulation = c.attribute[2][k];
-        s.maxAge = c.attribute[3][k];
-        s.colour = {c.attribute[4][k], c.attribute[5][k], c.attribute[6][k], c.attribute[7][k]};
+        for (std::size_t a = 0; a < StrokeColumns::attributeCount; ++a)
+            predictedNumbersOf<Segment>[a].of(s) = c.attribute[a][k];
         s.born = c.born[k];
         const std::size_t at = m_segment + k;
-        if (m_ownStyle[at] > m_styles.size() || m_nodeKind[at] > std::uint8_t(NodeKind::Corner))
+        if (m_ownStyle[at] > m_styles.size() || m_nodeKind[at] >= WordsOf<NodeKind>::list.size())
             return false;
         if (m_ownStyle[at] > 0)
             s.style = m_styles[m_ownStyle[at] - 1];
         s.node = NodeKind(m_nodeKind[at]);
-        s.anisotropyRatio = std::bit_cast<float>(m_anisotropy[0][at] + std::bit_cast<std::uint32_t>(1.0f));
-        s.anisotropyAngle = std::bit_cast<float>(m_anisotropy[1][at]);
+        m_plain.set(s, at);
+        m_later.set(s, at);
         s.rewet.reserve(m_rewetCount[at]);
         for (std::uint32_t r = 0; r < m_rewetCount[at]; ++r, ++m_rewet) {
             const std::uint64_t time = std::uint64_t(s.born) + unzigzag64(m_rewetTime[m_rewet]);
@@ -206,7 +204,8 @@ private:
     std::array<std::vector<std::uint32_t>, 2> m_node;
     std::array<std::array<std::vector<std::uint32_t>, 2>, 2> m_handle;
     std::array<std::vector<std::uint32_t>, StrokeColumns::attributeCount> m_attribute;
-    std::array<std::vector<std::uint32_t>, 2> m_anisotropy;
+    PlainColumns<Segment> m_plain;
+    LaterColumns<Segment> m_later;
     std::vector<std::uint32_t> m_ownStyle, m_rewetCount;
     std::vector<std::uint64_t> m_born, m_rewetTime, m_rewetExtra;
     std::array<float, StrokeColumns::attributeCount> m_carry{};

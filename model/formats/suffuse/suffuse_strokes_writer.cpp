@@ -1,3 +1,4 @@
+#include "model/formats/suffuse/field_columns.h"
 #include "model/formats/suffuse/suffuse_predict.h"
 #include "model/formats/suffuse/suffuse_strokes.h"
 
@@ -48,11 +49,8 @@ StrokeColumns columnsOf(const Stroke &stroke)
             c.handle[h][0][k] = s.bezier[h + 1].x;
             c.handle[h][1][k] = s.bezier[h + 1].y;
         }
-        const std::array<float, StrokeColumns::attributeCount> values{s.diffusion,   s.density,       s.granulation,
-                                                                      s.maxAge,      s.colour.red,    s.colour.yellow,
-                                                                      s.colour.blue, s.colour.opacity};
-        for (std::size_t a = 0; a < values.size(); ++a)
-            c.attribute[a][k] = values[a];
+        for (std::size_t a = 0; a < StrokeColumns::attributeCount; ++a)
+            c.attribute[a][k] = predictedNumbersOf<Segment>[a].of(s);
         c.born[k] = s.born;
     }
     if (!segments.empty()) {
@@ -170,11 +168,11 @@ public:
         out.put(m_born);
         out.put(m_ownStyle);
         out.put(m_nodeKind);
-        out.put(m_anisotropy[0]);
-        out.put(m_anisotropy[1]);
+        m_plain.put(out);
         out.put(m_rewetCount);
         out.put(m_rewetTime, density.rewets);
         out.put(m_rewetExtra);
+        m_later.putUsed(out);
         return out.bytes();
     }
 
@@ -249,8 +247,8 @@ private:
     {
         m_ownStyle.push_back(s.style ? m_styles.place(bitsOf(*s.style)) + 1 : 0);
         m_nodeKind.push_back(std::uint8_t(s.node));
-        m_anisotropy[0].push_back(std::bit_cast<std::uint32_t>(s.anisotropyRatio) - std::bit_cast<std::uint32_t>(1.0f));
-        m_anisotropy[1].push_back(std::bit_cast<std::uint32_t>(s.anisotropyAngle));
+        m_plain.add(s);
+        m_later.add(s);
         m_rewetCount.push_back(std::uint32_t(s.rewet.size()));
         for (const Rewet &r : s.rewet) {
             m_rewetTime.push_back(zigzag64(std::uint64_t(r.time) - std::uint64_t(s.born)));
@@ -293,7 +291,8 @@ private:
     std::array<Column<std::uint32_t>, 2> m_node;
     std::array<std::array<Column<std::uint32_t>, 2>, 2> m_handle; ///< [x, y][first, second]
     std::array<Column<std::uint32_t>, StrokeColumns::attributeCount> m_attribute;
-    std::array<Column<std::uint32_t>, 2> m_anisotropy;
+    PlainColumns<Segment> m_plain;
+    LaterColumns<Segment> m_later;
     Column<std::uint32_t> m_ownStyle, m_rewetCount;
     Column<std::uint64_t> m_born, m_rewetTime, m_rewetExtra;
     std::array<float, StrokeColumns::attributeCount> m_carry{};

@@ -75,19 +75,48 @@ std::optional<Rgba> fromHex(QStringView digits)
     return colour;
 }
 
-std::optional<Rgba> fromFunction(QStringView arguments)
+/// "255", "50%" (of `whole`) or "120deg"; nothing for what is not finite.
+std::optional<double> component(QString text, double whole)
 {
-    const auto parts = arguments.split(QLatin1Char(','));
+    const bool isShare = text.endsWith(QLatin1Char('%'));
+    text.remove(isShare ? QLatin1String("%") : QLatin1String("deg"));
+    bool good = false;
+    const double value = text.toDouble(&good);
+    return good && std::isfinite(value) ? std::optional(isShare ? value / 100 * whole : value) : std::nullopt;
+}
+
+/// Hue in degrees, saturation and lightness in [0, 1] (CSS Color 4, 7.1).
+Rgba fromHsl(double hue, double saturation, double lightness)
+{
+    const auto channel = [&](double n) {
+        double k = std::fmod(n + hue / 30, 12);
+        k += k < 0 ? 12 : 0;
+        return lightness -
+               saturation * std::min(lightness, 1 - lightness) * std::clamp(std::min(k - 3, 9 - k), -1.0, 1.0);
+    };
+    return {channel(0), channel(8), channel(4), 1};
+}
+
+/// What stands in the brackets of rgb(), rgba(), hsl() and hsla(): with commas, or with spaces and a slash.
+std::optional<Rgba> fromFunction(QString arguments, bool isHsl)
+{
+    const QStringList parts = arguments.replace(QLatin1Char(','), QLatin1Char(' '))
+                                  .replace(QLatin1Char('/'), QLatin1Char(' '))
+                                  .simplified()
+                                  .split(QLatin1Char(' '));
     if (parts.size() != 3 && parts.size() != 4)
         return {};
-    Rgba colour{0, 0, 0, 1};
+    std::array<double, 4> values{0, 0, 0, 1};
     for (qsizetype k = 0; k < parts.size(); ++k) {
-        bool good = false;
-        const double value = parts[k].trimmed().toDouble(&good);
-        if (!good || !std::isfinite(value))
+        const std::optional<double> value = component(parts[k], k == 3 ? 1 : isHsl ? (k == 0 ? 360 : 100) : 255);
+        if (!value)
             return {};
-        colour[std::size_t(k)] = std::clamp(k < 3 ? value / 255 : value, 0.0, 1.0);
+        values[std::size_t(k)] = *value;
     }
+    const auto share = [&values](std::size_t k, double whole) { return std::clamp(values[k] / whole, 0.0, 1.0); };
+    Rgba colour =
+        isHsl ? fromHsl(values[0], share(1, 100), share(2, 100)) : Rgba{share(0, 255), share(1, 255), share(2, 255), 1};
+    colour[3] = share(3, 1);
     return colour;
 }
 
@@ -98,9 +127,10 @@ std::optional<std::array<double, 4>> cssColour(const QString &text)
     const QString colour = text.trimmed().toLower();
     if (colour.startsWith(QLatin1Char('#')))
         return fromHex(QStringView(colour).mid(1));
-    if (colour.startsWith(QLatin1String("rgb")) && colour.endsWith(QLatin1Char(')'))) {
+    const bool isHsl = colour.startsWith(QLatin1String("hsl"));
+    if ((isHsl || colour.startsWith(QLatin1String("rgb"))) && colour.endsWith(QLatin1Char(')'))) {
         const qsizetype from = colour.indexOf(QLatin1Char('('));
-        return from < 0 ? std::nullopt : fromFunction(QStringView(colour).mid(from + 1).chopped(1));
+        return from < 0 ? std::nullopt : fromFunction(colour.mid(from + 1).chopped(1), isHsl);
     }
     if (colour == QLatin1String("transparent"))
         return Rgba{0, 0, 0, 0};

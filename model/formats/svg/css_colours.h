@@ -9,7 +9,8 @@
 namespace suffuse {
 
 /// sRGB-encoded red, green, blue and alpha in [0, 1] of "#rgb", "#rgba", "#rrggbb", "#rrggbbaa", "rgb(1, 2, 3)",
-/// "rgba(1, 2, 3, 0.5)", "transparent" or a CSS colour name; nothing for other text.
+/// "rgba(10%, 20%, 30%, 0.5)", "rgb(1 2 3 / 50%)", "hsl(20, 50%, 40%)", "transparent" or a CSS colour name; nothing for
+/// other text.
 std::optional<std::array<double, 4>> cssColour(const QString &text);
 
 } // namespace suffuse

@@ -1,5 +1,5 @@
 // Path data: the grammar of the attribute d.
-#include "model/formats/svg_paths.h"
+#include "model/formats/svg/svg_paths.h"
 
 #include <QString>
 

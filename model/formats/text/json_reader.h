@@ -25,6 +25,7 @@ public:
 
     bool ok() const { return m_error.isEmpty(); }
     const QString &error() const { return m_error; }
+    const QString &fileName() const { return m_fileName; }
 
     /// Reads an object; calls `handler(k)` with the reader before the value of member names[k]. Unknown and repeated
     /// members are errors. Returns the set of members found (bit k), 0 after an error. At most 32 names.

@@ -2,6 +2,7 @@
 
 #include "model/formats/messages.h"
 #include "model/formats/text/text_numbers.h"
+#include "model/painting/fields.h"
 
 namespace suffuse {
 
@@ -46,7 +47,7 @@ void readJson(JsonReader &json, Colour &c)
 void readJson(JsonReader &json, Style &s)
 {
     static constexpr Names names[] = {"kind", "xi"};
-    static constexpr Names kinds[] = {"uniform", "feathering", "edge"};
+    static constexpr auto &kinds = WordsOf<StyleKind>::list;
     std::size_t given = 0;
     s.xi = {0, 0, 0};
     const auto found = json.object(names, [&](int k) {
@@ -60,7 +61,7 @@ void readJson(JsonReader &json, Style &s)
         }
     });
     requireMembers(json, found, names, memberBit(0) | memberBit(1));
-    const std::size_t wanted = s.kind == StyleKind::Edge ? 3 : 2;
+    const auto wanted = std::size_t(xiCount(s.kind));
     if (json.ok() && given != wanted)
         json.failMember("xi", FileMessages::tr("has %1 numbers; the kind %2 has %3")
                                   .arg(given)
@@ -71,10 +72,9 @@ void readJson(JsonReader &json, Style &s)
 void readJson(JsonReader &json, Mix &m)
 {
     static constexpr Names names[] = {"mode", "beta"};
-    static constexpr Names modes[] = {"alpha", "beta"};
     const auto found = json.object(names, [&](int k) {
         if (k == 0)
-            m.mode = MixMode(readChoice(json, modes));
+            m.mode = MixMode(readChoice(json, WordsOf<MixMode>::list));
         else
             json.read(m.beta);
     });
@@ -94,12 +94,11 @@ void appendJson(QByteArray &out, const Colour &c)
 
 void appendJson(QByteArray &out, const Style &style)
 {
-    static constexpr const char *names[] = {"uniform", "feathering", "edge"};
-    out.append("{\"kind\": \"").append(names[int(style.kind)]).append("\", \"xi\": [");
-    appendNumber(out, style.xi[0]);
-    appendNumber(out.append(", "), style.xi[1]);
-    if (style.kind == StyleKind::Edge)
-        appendNumber(out.append(", "), style.xi[2]);
+    out.append("{\"kind\": \"")
+        .append(WordsOf<StyleKind>::list[std::size_t(style.kind)].data())
+        .append("\", \"xi\": [");
+    for (int i = 0; i < xiCount(style.kind); ++i)
+        appendNumber(out.append(i ? ", " : ""), style.xi[std::size_t(i)]);
     out.append("]}");
 }
 

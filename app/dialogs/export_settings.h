@@ -1,0 +1,58 @@
+// How a picture was exported, to be kept and done again.
+#pragma once
+
+#include "app/dialogs/export_job.h"
+#include "app/dialogs/export_rows.h"
+
+#include <QStringList>
+
+#include <optional>
+
+class QJsonObject;
+
+namespace suffuse {
+
+struct ExportSettings {
+    QString path; ///< absolute; of a preset the ending alone counts
+    ImageDepth depth = ImageDepth::Bits8;
+    int quality = ImageOptions{}.quality;
+    bool transparent = false;
+    double dpi = 300;
+    AreaRow::Choice area = AreaRow::Choice::Canvas;
+    Rect numbers;     ///< the area that was exported, canvas units
+    int width = 1;    ///< pixels
+    double scale = 1; ///< pixels a unit
+    MomentRow::Choice moment = MomentRow::Choice::Dried;
+    Microseconds time = 0; ///< where `moment` is a time
+
+    ImageFormat format() const { return imageFormatForPath(path); }
+    ImageOptions image() const;
+    QJsonObject toJson() const;
+    /// None where it is not of this program, or out of range.
+    static std::optional<ExportSettings> fromJson(const QJsonObject &object);
+    friend bool operator==(const ExportSettings &, const ExportSettings &) = default;
+};
+
+/// The same export of the painting as it is now: named areas and moments are looked up anew, and keep their scale. The
+/// error says what is missing, or why the picture cannot be.
+Result<ExportOrder> exportOrder(const ExportSettings &settings, Editor &editor, const Rect &shown);
+
+/// What the program remembers of exports. It is not in the painting's file, which others may be given.
+namespace exports {
+
+/// Of any painting.
+std::optional<ExportSettings> last();
+/// Of the document at this path; it is forgotten after exports of many others.
+std::optional<ExportSettings> lastOf(const QString &document);
+/// `document`: empty for one that has no file.
+void remember(const QString &document, const ExportSettings &settings);
+
+/// In alphabetical order.
+QStringList presets();
+std::optional<ExportSettings> preset(const QString &name);
+void setPreset(const QString &name, const ExportSettings &settings);
+void removePreset(const QString &name);
+
+} // namespace exports
+
+} // namespace suffuse

@@ -1,0 +1,49 @@
+#pragma once
+
+#include <QWidget>
+
+class QComboBox;
+class QDoubleSpinBox;
+class QGridLayout;
+class QSpinBox;
+
+namespace suffuse {
+
+/// How large a picture is on paper, and its resolution. Of pixels and print size, what was set last stays when the
+/// resolution changes.
+class PrintRows : public QWidget {
+    Q_OBJECT
+
+public:
+    enum class Unit { Millimetres, Inches };
+
+    /// Puts itself, the row of the resolution and their labels into the grid. `width`, `height`: of the picture,
+    /// pixels.
+    PrintRows(QGridLayout &grid, int row, QSpinBox *width, QSpinBox *height, QWidget *parent);
+
+    double dpi() const;
+    void setDpi(double dpi);
+    QDoubleSpinBox *widthBox() const { return m_width; }
+    QDoubleSpinBox *heightBox() const { return m_height; }
+    QDoubleSpinBox *dpiBox() const { return m_dpi; }
+    QComboBox *unitBox() const { return m_unit; }
+
+private:
+    void addPrintSize(QGridLayout &grid, int row);
+    void addResolution(QGridLayout &grid, int row);
+    double inch() const; ///< in the unit
+    void show();
+    void takePrint(QSpinBox *pixels, const QDoubleSpinBox *print);
+    void takeResolution();
+
+    QSpinBox *m_pixelWidth;
+    QSpinBox *m_pixelHeight;
+    QDoubleSpinBox *m_width = nullptr;
+    QDoubleSpinBox *m_height = nullptr;
+    QComboBox *m_unit = nullptr;
+    QDoubleSpinBox *m_dpi = nullptr;
+    double m_inches = 0; ///< the width that stays; 0: the pixels stay
+    bool m_setting = false;
+};
+
+} // namespace suffuse

@@ -1,0 +1,36 @@
+// SVG's transforms.
+#pragma once
+
+#include "model/painting/geometry.h"
+
+#include <QString>
+#include <QXmlStreamAttributes>
+
+#include <cmath>
+
+namespace suffuse {
+
+/// x′ = a x + c y + e, y′ = b x + d y + f, as SVG writes it.
+struct SvgMatrix {
+    double a = 1, b = 0, c = 0, d = 1, e = 0, f = 0;
+
+    Point map(Point p) const { return {a * p.x + c * p.y + e, b * p.x + d * p.y + f}; }
+    SvgMatrix operator*(const SvgMatrix &o) const
+    {
+        return {a * o.a + c * o.b, b * o.a + d * o.b,     a * o.c + c * o.d,
+                b * o.c + d * o.d, a * o.e + c * o.f + e, b * o.e + d * o.f + f};
+    }
+    double scale() const { return std::sqrt(std::abs(a * d - b * c)); }
+};
+
+/// "translate(10 20) rotate(45)": of an attribute, or of a style sheet with its units (px, deg). What it does not know
+/// changes nothing.
+SvgMatrix svgTransform(const QString &text);
+
+/// The four numbers of "viewBox"; empty where there are none that enclose an area.
+Rect svgViewBox(const QXmlStreamAttributes &attributes);
+
+/// From a view box into `port`, as "preserveAspectRatio" says.
+SvgMatrix svgViewport(const Rect &viewBox, const Rect &port, const QString &preserveAspectRatio);
+
+} // namespace suffuse

@@ -1,0 +1,169 @@
+#include "model/formats/svg/svg_painting.h"
+
+#include "model/brush/brush_width.h"
+#include "model/formats/messages.h"
+#include "model/paint/half_width.h"
+#include "model/painting/ryb.h"
+#include "model/painting/validate.h"
+
+#include <cmath>
+#include <numbers>
+#include <optional>
+
+namespace suffuse {
+
+namespace {
+
+constexpr qint64 largestSvg = qint64(64) << 20;
+constexpr double largestCanvas = 1e6;
+
+/// The values of a segment painted with the brush, so that the dry stroke is `width` wide (0: as the brush is).
+Segment valuesOf(const Brush &brush, double width)
+{
+    Segment segment;
+    segment.diffusion = brush.diffusion;
+    segment.density = float(densityOfPeak(double(brush.peak), brush.spread()));
+    segment.granulation = brush.granulation;
+    segment.maxAge = brush.maxAge;
+    if (!(width > 0))
+        return segment;
+    const double scale = width / visibleWidth(brush);
+    segment.diffusion = float(double(segment.diffusion) * scale * scale);
+    segment.density = float(double(segment.density) * scale);
+    return segment;
+}
+
+Rect boundsOf(const std::vector<SvgPath> &paths)
+{
+    Rect box;
+    for (const SvgPath &path : paths)
+        for (const Cubic &cubic : path.curves)
+            box = box.united(cubic.controlBox());
+    return box;
+}
+
+/// Whole units, however the size was rounded on its way.
+double wholeUnits(double size)
+{
+    return std::max(1.0, std::ceil(size - 1e-3));
+}
+
+/// The stroke along a path whose units are `scale` canvas units, and whose point `corner` lies at (0, 0); nothing where
+/// files could not hold it.
+std::optional<Stroke> strokeAlong(const SvgPath &path, Point corner, double scale, const Brush &brush,
+                                  Microseconds born)
+{
+    Segment values = valuesOf(brush, path.stroke ? path.strokeWidth * scale : 0);
+    const auto &rgba = path.stroke ? path.stroke : path.fill;
+    values.colour = rgba ? rybFromSrgb((*rgba)[0], (*rgba)[1], (*rgba)[2], (*rgba)[3]) : brush.colour;
+    values.born = born;
+    const auto placed = [&](Point p) { return scale * (p - corner); };
+    Stroke stroke;
+    stroke.id = 1; // to be checked with
+    stroke.name = path.name;
+    stroke.style = brush.style;
+    stroke.mix = brush.mix;
+    stroke.brush = brush.name;
+    stroke.origin = placed(path.curves.front().p[0]);
+    stroke.segments.reserve(path.curves.size());
+    for (const Cubic &cubic : path.curves) {
+        Segment segment = values;
+        for (std::size_t i = 0; i < 4; ++i)
+            segment.bezier[i] = toOffset(placed(cubic.p[i]), stroke.origin);
+        if (!stroke.segments.empty())
+            segment.bezier[0] = stroke.segments.back().bezier[3];
+        const bool isPoint = segment.bezier[0] == segment.bezier[1] && segment.bezier[1] == segment.bezier[2] &&
+                             segment.bezier[2] == segment.bezier[3];
+        if (!isPoint)
+            stroke.segments.push_back(std::move(segment));
+    }
+    if (stroke.segments.empty() || !problemOf(stroke).isEmpty())
+        return {};
+    return stroke;
+}
+
+/// The groups that hold strokes, themselves or in groups of theirs.
+std::vector<Group> heldGroups(const SvgDrawing &drawing, const StrokeList &strokes)
+{
+    std::vector<bool> held(drawing.groups.size() + 1, false); // by id
+    for (const StrokePtr &stroke : strokes)
+        for (GroupId id = stroke->group; id != 0 && !held[id]; id = GroupId(drawing.groups[id - 1].parent + 1))
+            held[id] = true;
+    std::vector<Group> groups;
+    for (std::size_t i = 0; i < drawing.groups.size(); ++i)
+        if (held[i + 1])
+            groups.push_back(
+                {GroupId(i + 1), drawing.groups[i].name, GroupId(drawing.groups[i].parent + 1), true, false});
+    return groups;
+}
+
+} // namespace
+
+Painting paintingAlong(const SvgDrawing &drawing, const Brush &brush, Microseconds born)
+{
+    const Rect area = drawing.area.isEmpty() ? boundsOf(drawing.paths).grown(2 * brush.spread()) : drawing.area;
+    Painting painting;
+    painting.canvas.width = wholeUnits(area.width() * drawing.scale);
+    painting.canvas.height = wholeUnits(area.height() * drawing.scale);
+    for (const SvgPath &path : drawing.paths) {
+        std::optional<Stroke> stroke = strokeAlong(path, {area.left, area.top}, drawing.scale, brush, born);
+        if (!stroke)
+            continue;
+        stroke->id = StrokeId(painting.strokes.size() + 1);
+        stroke->group = GroupId(path.group + 1);
+        painting.strokes.push_back(std::make_shared<const Stroke>(std::move(*stroke)));
+    }
+    painting.groups = heldGroups(drawing, painting.strokes);
+    return painting;
+}
+
+QString leftOutOf(const SvgDrawing &drawing)
+{
+    const SvgLosses &l = drawing.losses;
+    QStringList sentences{leftOutSentence({
+        {l.fills, FileMessages::tr("%n fill(s)", nullptr, l.fills)},
+        {l.gradients, FileMessages::tr("%n gradient(s)", nullptr, l.gradients)},
+        {l.patterns, FileMessages::tr("%n pattern(s)", nullptr, l.patterns)},
+        {l.clipPaths, FileMessages::tr("%n clip path(s)", nullptr, l.clipPaths)},
+        {l.masks, FileMessages::tr("%n mask(s)", nullptr, l.masks)},
+        {l.filters, FileMessages::tr("%n filter(s)", nullptr, l.filters)},
+        {l.markers, FileMessages::tr("%n marker(s)", nullptr, l.markers)},
+        {l.dashes, FileMessages::tr("%n dash(es)", nullptr, l.dashes)},
+        {l.texts, FileMessages::tr("%n text(s)", nullptr, l.texts)},
+        {l.images, FileMessages::tr("%n image(s)", nullptr, l.images)},
+        {l.rules, FileMessages::tr("%n style rule(s)", nullptr, l.rules)},
+        {l.cycles, FileMessages::tr("%n <use> of itself", nullptr, l.cycles)},
+    })};
+    if (l.outlined > 0)
+        sentences << FileMessages::tr("Filled shapes are painted along their outlines.");
+    if (l.isCut)
+        sentences << FileMessages::tr("There is more in the drawing than is read; the rest was left out.");
+    sentences.removeAll(QString());
+    return sentences.join(' ');
+}
+
+Result<Painting> readSvg(const QByteArray &bytes, const QString &fileName, const Brush &brush, QString *leftOut)
+{
+    if (bytes.size() > largestSvg)
+        return fileError(fileName, FileMessages::tr("has more than 64 MB of XML; that is more than is read"));
+    const Result<SvgDrawing> drawing = readSvgDrawing(bytes);
+    if (!drawing)
+        return fileError(fileName, drawing.error());
+    Painting painting = paintingAlong(*drawing, brush, 0);
+    const Canvas &canvas = painting.canvas;
+    if (!(canvas.width <= largestCanvas && canvas.height <= largestCanvas))
+        return fileError(fileName,
+                         FileMessages::tr("the drawing is %1 × %2 units large; at most 1e6 are possible, scale it down")
+                             .arg(canvas.width)
+                             .arg(canvas.height));
+    if (painting.strokes.empty())
+        return fileError(fileName, FileMessages::tr("holds no paths that can be painted; in the program that drew it, "
+                                                    "turn text and images into paths first"));
+    if (const QString problem = problemOf(painting); !problem.isEmpty())
+        return fileError(fileName, problem);
+    if (leftOut)
+        *leftOut = leftOutOf(*drawing);
+    return painting;
+}
+
+} // namespace suffuse

@@ -1,0 +1,197 @@
+#include "model/formats/svg/svg_style.h"
+
+#include "model/formats/svg/css_colours.h"
+#include "model/formats/svg/svg_shapes.h"
+
+#include <QMap>
+#include <QRegularExpression>
+#include <QSet>
+
+#include <algorithm>
+
+namespace suffuse {
+
+namespace {
+
+std::optional<double> shareOf(const QString &text)
+{
+    bool ok = false;
+    QString number = text;
+    const bool percent = number.endsWith('%');
+    if (percent)
+        number.chop(1);
+    const double value = number.toDouble(&ok) / (percent ? 100 : 1);
+    return ok && std::isfinite(value) ? std::optional(std::clamp(value, 0.0, 1.0)) : std::nullopt;
+}
+
+bool isPaint(const QString &text)
+{
+    return text == QLatin1String("none") || text.startsWith(QLatin1String("context-")) ||
+           text.compare(QLatin1String("currentcolor"), Qt::CaseInsensitive) == 0 || !svgReference(text).isEmpty() ||
+           cssColour(text);
+}
+
+/// Whether these are the lengths of dashes, one of them longer than 0. Negative ones make the list void.
+bool areDashes(const QString &text)
+{
+    static const QRegularExpression separator(QStringLiteral("[\\s,]+"));
+    double sum = 0;
+    for (QString length : text.split(separator, Qt::SkipEmptyParts)) {
+        static const QRegularExpression unit(QStringLiteral("(%|[a-z]+)$"));
+        const double value = length.remove(unit).toDouble();
+        if (!(value >= 0))
+            return false;
+        sum += value;
+    }
+    return sum > 0;
+}
+
+const QSet<QString> &knownProperties()
+{
+    static const QSet<QString> names{
+        "fill",    "stroke", "fill-opacity", "stroke-opacity", "opacity",          "stroke-width", "visibility",
+        "display", "color",  "stop-color",   "stop-opacity",   "stroke-dasharray", "marker",       "clip-path",
+        "mask",    "filter", "marker-start", "marker-mid",     "marker-end",       "transform",    "vector-effect"};
+    return names;
+}
+
+/// Whether a value means something, so that it may take the place of a weaker one.
+bool isValid(const QString &property, const QString &value)
+{
+    if (value == QLatin1String("inherit"))
+        return true;
+    if (property == QLatin1String("fill") || property == QLatin1String("stroke"))
+        return isPaint(value);
+    if (property == QLatin1String("color") || property == QLatin1String("stop-color"))
+        return cssColour(value) || value.compare(QLatin1String("currentcolor"), Qt::CaseInsensitive) == 0;
+    if (property.endsWith(QLatin1String("opacity")))
+        return shareOf(value).has_value();
+    if (property == QLatin1String("stroke-width"))
+        return svgLength(value).value_or(-1) >= 0;
+    return true;
+}
+
+using Properties = QMap<QString, QString>;
+
+/// What holds for an element, the strongest of each.
+Properties propertiesOf(const SvgElement &element, CssSheet &sheet)
+{
+    Properties properties;
+    const auto set = [&properties](const QString &name, const QString &value) {
+        if (knownProperties().contains(name) && isValid(name, value))
+            properties.insert(name, value);
+    };
+    for (const QXmlStreamAttribute &a : element.attributes)
+        if (a.namespaceUri().isEmpty())
+            set(a.name().toString(), a.value().trimmed().toString());
+    const std::vector<CssDeclaration> own = cssDeclarations(element.attribute("style"));
+    const CssSheet::Declarations &ruled = sheet.matching(element);
+    for (const bool important : {false, true}) {
+        for (const CssDeclaration *d : ruled)
+            if (d->important == important)
+                set(d->property, d->value);
+        for (const CssDeclaration &d : own)
+            if (d.important == important)
+                set(d.property, d.value);
+    }
+    return properties;
+}
+
+SvgColour colourFrom(const QString &text, const SvgColour &current)
+{
+    return cssColour(text).value_or(current); // currentColor
+}
+
+/// The children that matter of a gradient, or of the one that it takes them from.
+std::vector<SvgColour> stopsOf(const SvgElement *gradient, const SvgColour &current, SvgTree &tree)
+{
+    std::vector<SvgColour> stops;
+    for (int hops = 0; gradient && stops.empty() && hops < 32; ++hops, gradient = tree.target(*gradient)) {
+        for (const auto &child : gradient->children) {
+            if (child->name != QLatin1String("stop") || stops.size() >= 1000)
+                continue;
+            const Properties p = propertiesOf(*child, tree.sheet());
+            SvgColour colour = colourFrom(p.value("stop-color", "black"), current);
+            colour[3] *= shareOf(p.value("stop-opacity", "1")).value_or(1);
+            stops.push_back(colour);
+        }
+    }
+    return stops;
+}
+
+} // namespace
+
+SvgStyle SvgStyle::of(const SvgElement &element, const SvgStyle &parent, CssSheet &sheet)
+{
+    SvgStyle style = parent;
+    style.isDisplayed = true, style.keepsWidth = false;
+    style.clipPath.clear(), style.mask.clear(), style.filter.clear();
+    const Properties all = propertiesOf(element, sheet);
+    const auto take = [&all](const char *name, auto use) {
+        const auto it = all.constFind(QLatin1String(name));
+        if (it != all.constEnd() && *it != QLatin1String("inherit"))
+            use(*it);
+    };
+    const auto share = [&take](const char *name, double &value) {
+        take(name, [&value](const QString &text) { value = *shareOf(text); });
+    };
+    const auto text = [&take](const char *name, QString &value) {
+        take(name, [&value](const QString &given) { value = given; });
+    };
+    take("color", [&](const QString &v) { style.current = colourFrom(v, parent.current); });
+    text("fill", style.fill), text("stroke", style.stroke);
+    share("fill-opacity", style.fillOpacity), share("stroke-opacity", style.strokeOpacity);
+    double own = 1;
+    share("opacity", own);
+    style.opacity *= own;
+    take("stroke-width", [&](const QString &v) { style.strokeWidth = *svgLength(v); });
+    take("stroke-dasharray", [&](const QString &v) { style.isDashed = areDashes(v); });
+    take("visibility", [&](const QString &v) { style.isVisible = v == QLatin1String("visible"); });
+    take("display", [&](const QString &v) { style.isDisplayed = v != QLatin1String("none"); });
+    take("vector-effect",
+         [&](const QString &v) { style.keepsWidth = v.contains(QLatin1String("non-scaling-stroke")); });
+    take("transform", [&](const QString &v) { style.matrix = parent.matrix * svgTransform(v); });
+    for (QString &marker : style.markers)
+        text("marker", marker);
+    text("marker-start", style.markers[0]), text("marker-mid", style.markers[1]), text("marker-end", style.markers[2]);
+    text("clip-path", style.clipPath), text("mask", style.mask), text("filter", style.filter);
+    return style;
+}
+
+QString svgReference(const QString &paint)
+{
+    static const QRegularExpression form(QStringLiteral("^url\\(\\s*[\"']?(#[^\"')]*?)[\"']?\\s*\\)"));
+    return paint.startsWith(QLatin1String("url")) ? form.match(paint).captured(1) : QString();
+}
+
+SvgPaint svgPaint(const QString &paint, double opacity, const SvgColour &current, SvgTree &tree)
+{
+    SvgPaint result;
+    const QString reference = svgReference(paint);
+    const SvgElement *server = tree.find(reference);
+    if (server && server->name.endsWith(QLatin1String("Gradient"))) {
+        const std::vector<SvgColour> stops = stopsOf(server, current, tree);
+        SvgColour mean{};
+        for (const SvgColour &stop : stops)
+            for (std::size_t i = 0; i < 4; ++i)
+                mean[i] += stop[i] / double(stops.size());
+        if (!stops.empty())
+            result.colour = mean;
+        if (std::ranges::any_of(stops, [&stops](const SvgColour &stop) { return stop != stops.front(); }))
+            result.replaced = server;
+    } else if (!reference.isEmpty()) {
+        const QString instead = paint.mid(paint.indexOf(u')') + 1).trimmed();
+        const bool isPattern = server && server->name == QLatin1String("pattern");
+        result.colour = cssColour(instead);
+        if (!result.colour && (isPattern || instead == QLatin1String("currentColor")))
+            result.colour = current;
+        result.replaced = isPattern ? server : nullptr;
+    } else if (paint != QLatin1String("none")) {
+        result.colour = colourFrom(paint, current);
+    }
+    if (result.colour && !(((*result.colour)[3] *= opacity) > 0))
+        result = {};
+    return result;
+}
+
+} // namespace suffuse

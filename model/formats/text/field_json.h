@@ -1,0 +1,297 @@
+// Values as JSON, field by field: what the text form is made of (docs/text-form.md), and how single values are printed.
+#pragma once
+
+#include "model/formats/text/json_reader.h"
+#include "model/formats/text/text_numbers.h"
+#include "model/formats/text/value_json.h"
+#include "model/painting/fields.h"
+
+#include <optional>
+
+namespace suffuse {
+
+namespace field_json {
+
+/// Fields as members of JSON objects. "anisotropy.ratio" is the member ratio of a member anisotropy.
+struct MemberNames {
+    static constexpr std::size_t most = 32;
+    std::array<std::string_view, most> heads{}; ///< members of the object, each once
+    std::array<int, most> first{};              ///< the field that a head is, or the first of its part
+    std::array<int, most> parts{};              ///< fields of a part; 0: it is a field itself
+    std::array<int, most> headOf{};             ///< by field
+    std::array<std::string_view, most> tails{}; ///< by field
+    std::size_t headCount = 0;
+    std::uint32_t required = 0; ///< bits of heads
+
+    constexpr void add(std::string_view name, bool isRequired, int field)
+    {
+        const std::size_t dot = name.find('.');
+        const std::string_view head = name.substr(0, dot);
+        if (headCount == 0 || heads[headCount - 1] != head) {
+            heads[headCount] = head;
+            first[headCount] = field;
+            ++headCount;
+        }
+        headOf[std::size_t(field)] = int(headCount) - 1;
+        if (dot != name.npos) {
+            tails[std::size_t(field)] = name.substr(dot + 1);
+            ++parts[headCount - 1];
+        }
+        if (isRequired)
+            required |= memberBit(int(headCount) - 1);
+    }
+    constexpr std::uint32_t bitOf(std::string_view head) const
+    {
+        std::uint32_t bit = 0;
+        for (std::size_t k = 0; k < headCount; ++k)
+            bit |= heads[k] == head ? memberBit(int(k)) : 0;
+        return bit;
+    }
+};
+
+template <class T>
+inline constexpr MemberNames namesOf = [] {
+    MemberNames names;
+    int index = 0;
+    forEachFieldOf<T>(
+        [&](const auto &field) { names.add(field.name, field.traits.presence == Presence::Required, index++); });
+    return names;
+}();
+
+/// Whether the text form writes a field of a value.
+template <class T, class Value>
+bool isWritten(const T &value, const FieldTraits &traits, const Value &member, const Value &usual)
+{
+    if constexpr (std::is_same_v<Value, EncodedImage>)
+        return bool(member);
+    if (traits.presence == Presence::Required)
+        return true;
+    bool isUnusual = traits.presence == Presence::Unusual;
+    if constexpr (std::is_same_v<T, Paper>)
+        isUnusual = isUnusual || value.kind == PaperKind::None; // what it would be like is said where it was changed
+    return !isUnusual || !(member == usual);
+}
+
+} // namespace field_json
+
+/// An image in the text form, or a failure of the reader.
+void readImage(JsonReader &json, EncodedImage &image);
+void readBezier(JsonReader &json, std::array<Offset, 4> &points);
+void readRewet(JsonReader &json, std::vector<Rewet> &list);
+void readArea(JsonReader &json, Rect &area);
+void readSeed(JsonReader &json, std::uint32_t &seed);
+
+void appendImage(QByteArray &out, const EncodedImage &image);
+/// [left, top, width, height]: with the extents that give right and bottom again, to the last bit.
+void appendArea(QByteArray &out, const Rect &area);
+
+/// Returns which members were there, as bits of the fields' heads in their order. Fails where a required one is not.
+template <HasFields T>
+std::uint32_t readObject(JsonReader &json, T &value);
+/// `{"name": value, …}`. `between(name)` stands before each member but the first.
+template <HasFields T, class Between>
+void appendObject(QByteArray &out, const T &value, Between between);
+template <HasFields T>
+void appendObject(QByteArray &out, const T &value)
+{
+    appendObject(out, value, [](std::string_view) { return ", "; });
+}
+
+/// The value of a field.
+template <class Value>
+void readMember(JsonReader &json, Value &value, const FieldTraits &traits)
+{
+    if constexpr (std::is_same_v<Value, Microseconds>) {
+        json.readSeconds(value);
+    } else if constexpr (std::is_same_v<Value, std::uint64_t>) {
+        if (!traits.nullable || !json.skipNull())
+            json.read(value);
+    } else if constexpr (std::is_same_v<Value, std::uint32_t>) {
+        readSeed(json, value);
+    } else if constexpr (std::is_enum_v<Value>) {
+        value = Value(readChoice(json, WordsOf<Value>::list));
+    } else if constexpr (std::is_same_v<Value, Point>) {
+        std::array<double, 2> xy{};
+        json.readAll(xy);
+        value = {xy[0], xy[1]};
+    } else if constexpr (std::is_same_v<Value, std::array<Offset, 4>>) {
+        readBezier(json, value);
+    } else if constexpr (std::is_same_v<Value, std::optional<Style>>) {
+        readJson(json, value.emplace());
+    } else if constexpr (std::is_same_v<Value, std::vector<Rewet>>) {
+        readRewet(json, value);
+    } else if constexpr (std::is_same_v<Value, std::vector<Segment>>) {
+        json.array([&](std::size_t) { readObject(json, value.emplace_back()); });
+    } else if constexpr (std::is_same_v<Value, EncodedImage>) {
+        readImage(json, value);
+    } else if constexpr (std::is_same_v<Value, Rect>) {
+        readArea(json, value);
+    } else if constexpr (std::is_same_v<Value, Colour> || std::is_same_v<Value, Style> || std::is_same_v<Value, Mix>) {
+        readJson(json, value);
+    } else if constexpr (HasFields<Value>) {
+        readObject(json, value);
+    } else {
+        json.read(value);
+    }
+}
+
+template <class Value>
+void appendMember(QByteArray &out, const Value &value, const FieldTraits &traits)
+{
+    if constexpr (std::is_same_v<Value, bool>) {
+        out.append(value ? "true" : "false");
+    } else if constexpr (std::is_same_v<Value, Microseconds>) {
+        appendSeconds(out, value);
+    } else if constexpr (std::is_floating_point_v<Value>) {
+        appendNumber(out, value);
+    } else if constexpr (std::is_unsigned_v<Value>) {
+        if (traits.nullable && value == 0)
+            out.append("null");
+        else
+            appendNumber(out, std::uint64_t(value));
+    } else if constexpr (std::is_enum_v<Value>) {
+        const std::string_view word = WordsOf<Value>::list[std::size_t(value)];
+        out.append('"').append(word.data(), qsizetype(word.size())).append('"');
+    } else if constexpr (std::is_same_v<Value, QString>) {
+        appendString(out, value);
+    } else if constexpr (std::is_same_v<Value, Point> || std::is_same_v<Value, Offset>) {
+        appendNumber(out.append('['), value.x);
+        appendNumber(out.append(','), value.y);
+        out.append(']');
+    } else if constexpr (std::is_same_v<Value, std::array<Offset, 4>>) {
+        for (std::size_t k = 0; k < value.size(); ++k)
+            appendMember(out.append(k ? ',' : '['), value[k], traits);
+        out.append(']');
+    } else if constexpr (std::is_same_v<Value, std::optional<Style>>) {
+        if (value)
+            appendJson(out, *value);
+        else
+            out.append("null");
+    } else if constexpr (std::is_same_v<Value, std::vector<Rewet>>) {
+        out.append('[');
+        for (std::size_t k = 0; k < value.size(); ++k) {
+            appendSeconds(out.append(k ? ",[" : "["), value[k].time);
+            appendSeconds(out.append(','), value[k].extra);
+            out.append(']');
+        }
+        out.append(']');
+    } else if constexpr (std::is_same_v<Value, std::vector<Segment>>) {
+        out.append('[');
+        for (std::size_t k = 0; k < value.size(); ++k) // one a line
+            appendObject(out.append(k ? ",\n    " : "\n    "), value[k]);
+        out.append(']');
+    } else if constexpr (std::is_same_v<Value, EncodedImage>) {
+        appendImage(out, value);
+    } else if constexpr (std::is_same_v<Value, Rect>) {
+        appendArea(out, value);
+    } else if constexpr (std::is_same_v<Value, Colour> || std::is_same_v<Value, Style> || std::is_same_v<Value, Mix>) {
+        appendJson(out, value);
+    } else {
+        appendObject(out, value);
+    }
+}
+
+template <HasFields T>
+std::uint32_t readObject(JsonReader &json, T &value)
+{
+    static constexpr const field_json::MemberNames &names = field_json::namesOf<T>;
+    const auto readField = [&](int wanted) {
+        int index = 0;
+        forEachField(value, [&](const auto &field, auto &member) {
+            if (index++ == wanted)
+                readMember(json, member, field.traits);
+        });
+    };
+    const std::span heads = std::span(names.heads).first(names.headCount);
+    const std::uint32_t found = json.object(heads, [&](int head) {
+        const int first = names.first[std::size_t(head)], parts = names.parts[std::size_t(head)];
+        if (parts == 0)
+            return readField(first);
+        json.object(std::span(names.tails).subspan(std::size_t(first), std::size_t(parts)),
+                    [&](int part) { readField(first + part); });
+    });
+    std::uint32_t required = names.required;
+    if constexpr (std::is_same_v<T, Paper>)
+        if (value.kind == PaperKind::Image)
+            required |= names.bitOf("image");
+    requireMembers(json, found, heads, required);
+    return found;
+}
+
+template <HasFields T, class Between>
+void appendObject(QByteArray &out, const T &value, Between between)
+{
+    static constexpr const field_json::MemberNames &names = field_json::namesOf<T>;
+    static const T usual;
+    std::uint32_t written = 0; // heads: a part is written as a whole
+    std::size_t index = 0;
+    forEachField(value, [&](const auto &field, const auto &member) {
+        if (field_json::isWritten(value, field.traits, member, usual.*field.member))
+            written |= memberBit(names.headOf[index]);
+        ++index;
+    });
+    const auto appendName = [&](std::string_view name) {
+        out.append('"').append(name.data(), qsizetype(name.size())).append("\": ");
+    };
+    out.append('{');
+    index = 0;
+    bool isFirst = true;
+    forEachField(value, [&](const auto &field, const auto &member) {
+        const int at = int(index), head = names.headOf[index++];
+        if (!(written & memberBit(head)))
+            return;
+        const int first = names.first[std::size_t(head)], parts = names.parts[std::size_t(head)];
+        if (at == first) {
+            out.append(isFirst ? "" : between(names.heads[std::size_t(head)]));
+            appendName(names.heads[std::size_t(head)]);
+            isFirst = false;
+        }
+        if (parts > 0) {
+            out.append(at == first ? "{" : ", ");
+            appendName(names.tails[std::size_t(at)]);
+        }
+        appendMember(out, member, field.traits);
+        if (parts > 0 && at + 1 == first + parts)
+            out.append('}');
+    });
+    out.append('}');
+}
+
+/// Names and values of a thing's fields, as the text form names and writes them; control points one by one, images by
+/// their size and hash, and neither its id nor a stroke's segments.
+using FieldTexts = std::vector<std::pair<QByteArray, QByteArray>>;
+QByteArray imageSummary(const EncodedImage &image);
+
+template <HasFields T>
+FieldTexts fieldTextsOf(const T &value)
+{
+    FieldTexts out;
+    forEachField(value, [&](const auto &field, const auto &member) {
+        using Value = std::decay_t<decltype(member)>;
+        const QByteArray name(field.name);
+        QByteArray text;
+        if constexpr (std::is_same_v<Value, std::vector<Segment>>) {
+            return;
+        } else if constexpr (std::is_same_v<Value, std::array<Offset, 4>>) {
+            for (std::size_t k = 0; k < member.size(); ++k) {
+                text.clear();
+                appendMember(text, member[k], field.traits);
+                out.emplace_back(name + '[' + QByteArray::number(int(k)) + ']', text);
+            }
+            return;
+        } else if constexpr (std::is_same_v<Value, Paper>) {
+            for (const auto &[part, partText] : fieldTextsOf(member))
+                out.emplace_back(name + '.' + part, partText);
+            return;
+        } else if constexpr (std::is_same_v<Value, EncodedImage>) {
+            text = imageSummary(member);
+        } else {
+            appendMember(text, member, field.traits);
+        }
+        if (name != "id")
+            out.emplace_back(name, text);
+    });
+    return out;
+}
+
+} // namespace suffuse

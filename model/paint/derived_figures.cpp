@@ -1,0 +1,31 @@
+#include "model/paint/derived_figures.h"
+
+namespace suffuse {
+
+CurveDiffusion curveDiffusion(const Segment &segment)
+{
+    const double D = segment.diffusion;
+    if (segment.isIsotropic())
+        return {D, D};
+    const Point tangent = tangentAt({{Point() + segment.bezier[0], Point() + segment.bezier[1],
+                                      Point() + segment.bezier[2], Point() + segment.bezier[3]}},
+                                    0.5);
+    return {diffusionAcross(segment, {-tangent.y, tangent.x}), diffusionAcross(segment, tangent)};
+}
+
+DerivedFigures derivedFigures(const Segment &segment, const Style &style)
+{
+    DerivedFigures figures;
+    const auto [along, across] = curveDiffusion(segment);
+    const double phi = segment.density, cut = visibleCut(style), age = segment.maxAge;
+    figures.spread = spreadAt(across, age);
+    figures.along = spreadAt(along, age);
+    figures.peak = peakDensity(phi, figures.spread);
+    figures.halfWidth = halfWidth(across, phi, age, cut);
+    const double t = fadingAge(across, phi, cut);
+    if (t < age)
+        figures.driesOut = t;
+    return figures;
+}
+
+} // namespace suffuse

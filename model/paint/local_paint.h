@@ -1,0 +1,42 @@
+// What a stroke is at a point, of the densities that its segments have there (eq 15, 16, 20, 21).
+#pragma once
+
+#include "model/paint/style_function.h"
+#include "model/painting/segment.h"
+
+#include <array>
+
+namespace suffuse {
+
+/// Sums over the segments at a point. What segments say counts by their densities there.
+class LocalPaint {
+public:
+    /// φ_k of a segment, and its style.
+    void add(const Segment &segment, const Style &style, double density);
+
+    /// φ (14).
+    double density() const { return m_density; }
+    /// ω̄ (15); 1 where there is no paint.
+    double granulation() const;
+    /// C̄ (20): R, Y, B, opacity; 0 where there is no paint.
+    std::array<double, 4> colour() const;
+    /// F(φ′) = Σ share·F_kind(φ′; ξ̄_kind), φ′ = γφ (16), where the paper's texture is η; 0 where there is no paint.
+    double coverage(double eta) const;
+    /// w = F·C̄_opacity (21).
+    double opacity(double eta) const { return coverage(eta) * colour()[3]; }
+
+private:
+    struct KindSum {
+        double density = 0;
+        std::array<double, 3> xi{};
+    };
+    double m_density = 0;
+    double m_granulation = 0;
+    std::array<double, 4> m_colour{};
+    std::array<KindSum, styleKinds.size()> m_kinds{};
+};
+
+/// γ = (1 − ω̄)η + ω̄ (16).
+double modulation(double granulation, double eta);
+
+} // namespace suffuse

@@ -1,0 +1,114 @@
+// Whether the fields of a value are in their domains; model/painting/validate.cpp adds what fields say of each other.
+#pragma once
+
+#include "model/painting/fields.h"
+#include "model/painting/validate.h"
+
+#include <cstdlib>
+#include <optional>
+
+namespace suffuse {
+
+/// Where a value stands, as the text form names it; written out only where something is wrong.
+struct FieldPath {
+    const FieldPath *parent = nullptr;
+    const char *name = ""; ///< "[2]" stands behind what it belongs to without a dot
+    int index = -1;        ///< of an element, where there is no name
+
+    QString text() const;
+};
+
+/// Finds the first field that is not in its domain.
+class DomainCheck {
+public:
+    /// Empty, or "diffusion: -3 is not in (0, 1e12]".
+    const QString &problem() const { return m_problem; }
+    bool ok() const { return m_problem.isEmpty(); }
+    void fail(const QString &problem) { m_problem = problem; }
+
+    /// All fields of a value; strings, images and the segments of a stroke have no domain.
+    template <HasFields T>
+    void checkFields(const T &value, const FieldPath &path = {})
+    {
+        forEachField(value, [&](const auto &field, const auto &member) {
+            if (ok())
+                check(member, field.traits, FieldPath{&path, field.name});
+        });
+    }
+
+private:
+    template <class Value>
+    void check(const Value &value, const FieldTraits &traits, const FieldPath &path)
+    {
+        if constexpr (std::is_floating_point_v<Value>)
+            require(traits.domain.contains(value), path, double(value), traits.domain);
+        else if constexpr (std::is_same_v<Value, Microseconds>)
+            require(double(value) >= 1e6 * traits.domain.least && double(value) <= 1e6 * traits.domain.greatest, path,
+                    toSeconds(value), traits.domain);
+        else if constexpr (std::is_enum_v<Value>)
+            requireKnown(std::size_t(value) < WordsOf<Value>::list.size(), path, noSuch(value));
+        else if constexpr (std::is_same_v<Value, std::uint64_t>)
+            require(traits.nullable || traits.domain.contains(double(value)), path, double(value), traits.domain);
+        else if constexpr (std::is_same_v<Value, Style> || std::is_same_v<Value, Mix>)
+            m_problem = problemOf(value);
+        else if constexpr (HasFields<Value>)
+            checkFields(value, path);
+        else
+            checkParts(value, traits, path);
+    }
+    template <class V>
+    void check(const std::optional<V> &value, const FieldTraits &traits, const FieldPath &path)
+    {
+        if (value)
+            check(*value, traits, path);
+    }
+    template <class V, std::size_t N>
+    void check(const std::array<V, N> &values, const FieldTraits &traits, const FieldPath &path)
+    {
+        for (std::size_t i = 0; i < N && ok(); ++i)
+            check(values[i], traits, FieldPath{&path, nullptr, int(i)});
+    }
+    template <class Pair>
+    requires std::is_same_v<Pair, Offset> || std::is_same_v<Pair, Point>
+    void checkParts(const Pair &p, const FieldTraits &traits, const FieldPath &path)
+    {
+        check(p.x, traits, FieldPath{&path, "[0]"});
+        if (ok())
+            check(p.y, traits, FieldPath{&path, "[1]"});
+    }
+    void checkParts(const Rect &r, const FieldTraits &traits, const FieldPath &path)
+    {
+        for (const double v : {r.left, r.top, r.right, r.bottom})
+            if (ok())
+                check(v, traits, path);
+    }
+    void checkParts(const std::vector<Rewet> &list, const FieldTraits &traits, const FieldPath &path);
+    void checkParts(const std::vector<Segment> &, const FieldTraits &, const FieldPath &) {}
+    void checkParts(const QString &, const FieldTraits &, const FieldPath &) {}
+    void checkParts(const EncodedImage &, const FieldTraits &, const FieldPath &) {}
+    void checkParts(bool, const FieldTraits &, const FieldPath &) {}
+    void checkParts(std::uint32_t, const FieldTraits &, const FieldPath &) {} // its domain is all that it can be
+
+    static const char *noSuch(NodeKind);
+    static const char *noSuch(PaperKind);
+    static const char *noSuch(PaperGrain);
+    void require(bool inDomain, const FieldPath &path, double value, const Domain &domain)
+    {
+        if (!inDomain)
+            failDomain(path, value, domain);
+    }
+    void requireKnown(bool known, const FieldPath &path, const char *translatable)
+    {
+        if (!known)
+            failText(path, translatable);
+    }
+    void failDomain(const FieldPath &path, double value, const Domain &domain);
+    void failText(const FieldPath &path, const char *translatable);
+
+    QString m_problem;
+};
+
+/// "diffusion: -3 is not in (0, 1e12]"
+QString outsideText(const QString &path, double value, const Domain &domain);
+
+} // namespace suffuse

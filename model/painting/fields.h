@@ -1,0 +1,361 @@
+// What the values of a painting hold: the one list of their fields, with names, units and domains.
+//
+// A field's default is the one that its struct gives it. Hash, validation, the text form, the document's columns, the
+// difference of two paintings, means of segments and the inspector walk through these lists: a number that is added to
+// a struct is one row here (CONTRIBUTING.md, "A number of a segment").
+#pragma once
+
+#include "model/paint/style_function.h"
+#include "model/painting/painting.h"
+
+#include <QString>
+
+#include <array>
+#include <string_view>
+#include <tuple>
+#include <type_traits>
+#include <utility>
+
+namespace suffuse {
+
+/// What a number is counted in. Units are canvas units.
+enum class Unit : std::uint8_t { None, Length, Diffusion, Seconds, Share, Radians };
+
+/// The numbers that are allowed: from `least`, which is not itself among them where the domain is open, to `greatest`.
+struct Domain {
+    double least = -double(std::numeric_limits<float>::max());
+    double greatest = double(std::numeric_limits<float>::max());
+    bool open = false;
+
+    /// False for NaN.
+    constexpr bool contains(double value) const { return (open ? value > least : value >= least) && value <= greatest; }
+    /// Bounds are rounded as values are.
+    constexpr bool contains(float value) const
+    {
+        return (open ? value > float(least) : value >= float(least)) && value <= float(greatest);
+    }
+    /// "(0, 1e12]"
+    QString text() const;
+    /// The least number that is both among them and usual as a float32: `least`, or what comes after it where the
+    /// domain is open.
+    double leastFloat() const;
+};
+
+inline constexpr Domain anyNumber{};
+inline constexpr Domain positive{0, anyNumber.greatest, true};
+inline constexpr Domain share{0, 1};
+inline constexpr Domain coordinate{-1e12, 1e12};
+inline constexpr Domain moment{-1e9, 1e9};                  ///< seconds of document time
+inline constexpr Domain identity{1, 9'007'199'254'740'991}; ///< up to 2^53 − 1: exact in every JSON reader
+
+/// When the text form has a field.
+enum class Presence : std::uint8_t {
+    Required, ///< it is written always, and a reader refuses a value without it
+    Written,  ///< it is written always; a reader takes the default where it is missing
+    Unusual   ///< it is written only where it is not the default
+};
+
+/// How the columns of a document hold a number (docs/file-format.md).
+enum class Column : std::uint8_t {
+    Predicted, ///< by what stands before it in the stroke, as numbers that mostly change slowly
+    Plain      ///< the difference of its bits from the default's
+};
+
+struct FieldTraits {
+    Unit unit = Unit::None;
+    Domain domain = anyNumber;
+    Presence presence = Presence::Written;
+    Column column = Column::Plain;
+    /// Version of the documents that first hold it. Numbers of later versions stand behind the columns of version 1,
+    /// and only in documents that use them.
+    int since = 1;
+    bool averages = true;  ///< it is averaged by length where segments become one; else they say how themselves
+    bool nullable = false; ///< 0 is none
+};
+
+/// One member of a struct.
+template <class Owner, class Value>
+struct Field {
+    const char *name; ///< its path in the text form; members of one part stand together: "anisotropy.ratio"
+    Value Owner::*member;
+    FieldTraits traits;
+};
+
+template <class Owner, class Value>
+constexpr Field<Owner, Value> field(const char *name, Value Owner::*member, FieldTraits traits = {})
+{
+    return {name, member, traits};
+}
+
+/// The fields of a type, in the order in which the text form writes them: `list`, a tuple of Field.
+template <class T>
+struct FieldsOf;
+
+template <class T>
+concept HasFields = requires
+{
+    FieldsOf<T>::list;
+};
+
+/// Calls f(field) for each.
+template <HasFields T, class F>
+constexpr void forEachFieldOf(F f)
+{
+    std::apply([&](const auto &...fields) { (f(fields), ...); }, FieldsOf<T>::list);
+}
+
+/// Calls f(field, member) for each; `value` may be constant.
+template <class T, class F>
+requires HasFields<std::remove_const_t<T>>
+constexpr void forEachField(T &value, F f)
+{
+    forEachFieldOf<std::remove_const_t<T>>([&](const auto &field) { f(field, value.*field.member); });
+}
+
+/// Words of an enumeration in files, in the order of its values.
+template <class Enum>
+struct WordsOf;
+
+template <>
+struct WordsOf<StyleKind> {
+    static constexpr std::array<std::string_view, 3> list{"uniform", "feathering", "edge"};
+};
+template <>
+struct WordsOf<MixMode> {
+    static constexpr std::array<std::string_view, 2> list{"alpha", "beta"};
+};
+template <>
+struct WordsOf<NodeKind> {
+    static constexpr std::array<std::string_view, 3> list{"smooth", "symmetric", "corner"};
+};
+template <>
+struct WordsOf<PaperKind> {
+    static constexpr std::array<std::string_view, 3> list{"none", "procedural", "image"};
+};
+template <>
+struct WordsOf<PaperGrain> {
+    static constexpr std::array<std::string_view, 3> list{"tooth", "fibres", "weave"};
+};
+
+/// The domain of ξ1, ξ2, ξ3 (`index` 0 … 2) of a kind by itself; those that it does not have are 0.
+constexpr Domain domainOfXi(StyleKind kind, int index)
+{
+    if (index >= xiCount(kind))
+        return {0, 0};
+    if (kind == StyleKind::Feathering && index == 1)
+        return {0.5, 64};
+    return index == 2 ? Domain{0, 1, true} : positive;
+}
+/// Edge darkening's ξ2 is at most so many times its ξ1: 2^(1/3), else the inside of the stroke would go below nothing.
+double greatestLightening();
+
+template <>
+struct FieldsOf<Colour> {
+    static constexpr std::tuple list{field("[0]", &Colour::red, {.unit = Unit::Share, .domain = share}),
+                                     field("[1]", &Colour::yellow, {.unit = Unit::Share, .domain = share}),
+                                     field("[2]", &Colour::blue, {.unit = Unit::Share, .domain = share}),
+                                     field("[3]", &Colour::opacity, {.unit = Unit::Share, .domain = share})};
+};
+
+/// Domains of ξ depend on the kind: domainOfXi.
+template <>
+struct FieldsOf<Style> {
+    static constexpr std::tuple list{field("kind", &Style::kind, {.presence = Presence::Required}),
+                                     field("xi", &Style::xi, {.presence = Presence::Required})};
+};
+
+template <>
+struct FieldsOf<Mix> {
+    static constexpr std::tuple list{
+        field("mode", &Mix::mode, {.presence = Presence::Required}),
+        field("beta", &Mix::beta, {.unit = Unit::Share, .domain = share, .presence = Presence::Unusual})};
+};
+
+template <>
+struct FieldsOf<Rewet> {
+    static constexpr std::tuple list{field("[0]", &Rewet::time, {.unit = Unit::Seconds, .domain = moment}),
+                                     field("[1]", &Rewet::extra, {.unit = Unit::Seconds, .domain = {0, 1e9}})};
+};
+
+template <>
+struct FieldsOf<Segment> {
+    static constexpr std::tuple list{
+        field("bezier", &Segment::bezier, {.unit = Unit::Length, .domain = coordinate, .presence = Presence::Required}),
+        field("diffusion", &Segment::diffusion,
+              {.unit = Unit::Diffusion,
+               .domain = {0, 1e12, true},
+               .presence = Presence::Required,
+               .column = Column::Predicted}),
+        field("density", &Segment::density,
+              {.unit = Unit::Length, .domain = {0, 1e12}, .presence = Presence::Required, .column = Column::Predicted}),
+        field("granulation", &Segment::granulation,
+              {.unit = Unit::Share, .domain = share, .column = Column::Predicted}),
+        field("maxAge", &Segment::maxAge,
+              {.unit = Unit::Seconds, .domain = {0, 1e6, true}, .column = Column::Predicted}),
+        field("born", &Segment::born, {.unit = Unit::Seconds, .domain = moment}),
+        field("colour", &Segment::colour, {.unit = Unit::Share, .domain = share, .column = Column::Predicted}),
+        field("style", &Segment::style, {.presence = Presence::Unusual}),
+        field("anisotropy.ratio", &Segment::anisotropyRatio,
+              {.domain = {1e-6, 1e6}, .presence = Presence::Unusual, .averages = false}),
+        field("anisotropy.angle", &Segment::anisotropyAngle,
+              {.unit = Unit::Radians, .presence = Presence::Unusual, .averages = false}),
+        field("node", &Segment::node, {.presence = Presence::Unusual}),
+        field("rewet", &Segment::rewet, {.presence = Presence::Unusual})};
+};
+
+template <>
+struct FieldsOf<Stroke> {
+    static constexpr std::tuple list{
+        field("id", &Stroke::id, {.domain = identity}),
+        field("name", &Stroke::name),
+        field("group", &Stroke::group, {.nullable = true}),
+        field("visible", &Stroke::visible),
+        field("locked", &Stroke::locked),
+        field("style", &Stroke::style),
+        field("mix", &Stroke::mix),
+        field("origin", &Stroke::origin, {.unit = Unit::Length, .domain = coordinate, .presence = Presence::Unusual}),
+        field("brush", &Stroke::brush, {.presence = Presence::Unusual}),
+        field("segments", &Stroke::segments, {.presence = Presence::Required})};
+};
+
+template <>
+struct FieldsOf<Paper> {
+    static constexpr std::tuple list{field("kind", &Paper::kind, {.presence = Presence::Required}),
+                                     field("grain", &Paper::grain, {.presence = Presence::Unusual}),
+                                     field("seed", &Paper::seed, {.domain = {0, 4'294'967'295}}),
+                                     field("scale", &Paper::scale, {.unit = Unit::Length, .domain = {0, 1e6, true}}),
+                                     field("strength", &Paper::strength, {.unit = Unit::Share, .domain = share}),
+                                     field("image", &Paper::image, {.presence = Presence::Unusual})};
+};
+
+template <>
+struct FieldsOf<Canvas> {
+    static constexpr std::tuple list{field("width", &Canvas::width, {.unit = Unit::Length, .domain = {0, 1e6, true}}),
+                                     field("height", &Canvas::height, {.unit = Unit::Length, .domain = {0, 1e6, true}}),
+                                     field("background", &Canvas::background, {.unit = Unit::Share, .domain = share}),
+                                     field("paper", &Canvas::paper)};
+};
+
+template <>
+struct FieldsOf<Group> {
+    static constexpr std::tuple list{field("id", &Group::id, {.domain = identity, .presence = Presence::Required}),
+                                     field("name", &Group::name), field("parent", &Group::parent, {.nullable = true}),
+                                     field("visible", &Group::visible), field("locked", &Group::locked)};
+};
+
+template <>
+struct FieldsOf<Swatch> {
+    static constexpr std::tuple list{
+        field("name", &Swatch::name),
+        field("colour", &Swatch::colour, {.unit = Unit::Share, .domain = share, .presence = Presence::Required})};
+};
+
+template <>
+struct FieldsOf<Underlay> {
+    static constexpr std::tuple list{
+        field("image", &Underlay::image, {.presence = Presence::Required}),
+        field("area", &Underlay::area, {.unit = Unit::Length, .domain = coordinate, .presence = Presence::Required}),
+        field("opacity", &Underlay::opacity, {.unit = Unit::Share, .domain = share}),
+        field("visible", &Underlay::visible)};
+};
+
+/// A float32 of a value: a member, or a channel of a colour that is one.
+template <class Owner>
+struct Number {
+    const char *name; ///< the field's
+    FieldTraits traits;
+    float Owner::*member = nullptr;
+    Colour Owner::*colour = nullptr; ///< where there is no `member`
+    float Colour::*channel = nullptr;
+
+    constexpr float &of(Owner &owner) const { return member ? owner.*member : (owner.*colour).*channel; }
+    constexpr float of(const Owner &owner) const { return member ? owner.*member : (owner.*colour).*channel; }
+    float usual() const { return of(Owner{}); }
+};
+
+namespace fields {
+
+template <class Owner>
+struct NumberSink {
+    std::array<Number<Owner>, 32> list{};
+    std::size_t count = 0;
+
+    template <class Declarer, class Value>
+    constexpr void operator()(const Field<Declarer, Value> &f)
+    {
+        if constexpr (std::is_same_v<Value, float>)
+            list[count++] = {f.name, f.traits, f.member};
+        else if constexpr (std::is_same_v<Value, Colour>)
+            forEachFieldOf<Colour>([&](const auto &c) {
+                list[count++] = {f.name, f.traits, nullptr, f.member, c.member};
+            });
+    }
+};
+
+template <class Owner, class Chosen>
+constexpr auto numbers(Chosen chosen)
+{
+    NumberSink<Owner> all, some;
+    forEachFieldOf<Owner>([&](const auto &f) { all(f); });
+    for (std::size_t k = 0; k < all.count; ++k)
+        if (chosen(all.list[k].traits))
+            some.list[some.count++] = all.list[k];
+    return some;
+}
+
+template <auto &Sink, class Owner>
+constexpr auto packed()
+{
+    std::array<Number<Owner>, Sink.count> out{};
+    for (std::size_t k = 0; k < out.size(); ++k)
+        out[k] = Sink.list[k];
+    return out;
+}
+
+template <class Owner>
+inline constexpr auto allSink = numbers<Owner>([](const FieldTraits &) { return true; });
+template <class Owner>
+inline constexpr auto predictedSink = numbers<Owner>([](const FieldTraits &t) {
+    return t.column == Column::Predicted;
+});
+template <class Owner>
+inline constexpr auto plainSink = numbers<Owner>([](const FieldTraits &t) {
+    return t.column == Column::Plain && t.since == 1;
+});
+template <class Owner>
+inline constexpr auto laterSink = numbers<Owner>([](const FieldTraits &t) { return t.since > 1; });
+
+} // namespace fields
+
+/// The numbers of a type in the order of its fields; all of them, or those that a document holds in one way.
+template <class Owner>
+inline constexpr auto numbersOf = fields::packed<fields::allSink<Owner>, Owner>();
+template <class Owner>
+inline constexpr auto predictedNumbersOf = fields::packed<fields::predictedSink<Owner>, Owner>();
+template <class Owner>
+inline constexpr auto plainNumbersOf = fields::packed<fields::plainSink<Owner>, Owner>();
+template <class Owner>
+inline constexpr auto laterNumbersOf = fields::packed<fields::laterSink<Owner>, Owner>();
+
+/// Sets the numbers of `result` that average to their means over some values by their weights (> 0).
+template <class Owner>
+void setMeanNumbers(Owner &result, const std::vector<const Owner *> &of, const std::vector<double> &weights)
+{
+    std::array<double, numbersOf<Owner>.size()> sums{};
+    double weight = 0;
+    for (std::size_t i = 0; i < of.size(); ++i) {
+        for (std::size_t k = 0; k < sums.size(); ++k)
+            sums[k] += weights[i] * double(numbersOf<Owner>[k].of(*of[i]));
+        weight += weights[i];
+    }
+    for (std::size_t k = 0; k < sums.size(); ++k)
+        if (numbersOf<Owner>[k].traits.averages)
+            numbersOf<Owner>[k].of(result) = float(sums[k] / weight);
+}
+
+/// The number of a segment that a member is; the member must be one.
+const Number<Segment> &numberOf(float Segment::*member);
+/// The same for a channel of its colour.
+const Number<Segment> &numberOf(float Colour::*channel);
+
+} // namespace suffuse

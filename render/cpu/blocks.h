@@ -1,0 +1,89 @@
+// What the inner loops read and write: blocks of samples, and areas that nodes are chosen for.
+#pragma once
+
+#include "render/math/shade_params.h"
+#include "render/scene/node_boxes.h"
+
+#include <cstdint>
+#include <cstring>
+#include <span>
+
+namespace suffuse::cpu {
+
+/// Samples are evaluated in blocks of 16 × 16.
+inline constexpr int blockSide = 16;
+inline constexpr int blockSize = blockSide * blockSide;
+/// Node distances are taken from the centres of cells of 8 × 8 samples whose corners lie on the picture's 8-pixel grid,
+/// so that a sample's bits do not depend on the tile it is evaluated in.
+inline constexpr int cellSide = 8;
+
+/// A rectangle of pixels as centre and half-sizes.
+struct Area {
+    double x = 0, y = 0;
+    double halfWidth = 0, halfHeight = 0;
+};
+
+/// Square cells side by side, the first at (x, y): at most gridSide columns and rows.
+inline constexpr int gridSide = 4;
+struct Grid {
+    double x = 0, y = 0;
+    double side = blockSide; ///< of a cell
+    int columns = 1, rows = 1;
+};
+
+/// How many nodes meet an area, and upper bounds of their φ and |∇φ| (per pixel) over it.
+struct Meeting {
+    int count = 0;
+    float density = 0;
+    float slope = 0;
+
+    Meeting &operator+=(const Meeting &other)
+    {
+        count += other.count, density += other.density, slope += other.slope;
+        return *this;
+    }
+};
+
+/// Sample (i, j) lies at (x + (i+½)·step, y + (j+½)·step), in pixels.
+struct Block {
+    double x = 0, y = 0;
+    double step = 1;
+};
+
+/// Sums at the samples of a block (render/math/shade_params.h).
+struct Sums {
+    alignas(64) float v[fixedSums + maxChannels][blockSize];
+
+    /// The first rows, one after the other; there may be none.
+    void take(std::span<const float> rows)
+    {
+        if (!rows.empty())
+            std::memcpy(v, rows.data(), rows.size_bytes());
+    }
+    void give(std::span<float> rows) const { std::memcpy(rows.data(), v, rows.size_bytes()); }
+};
+
+/// Opacity w = F·C̄_opacity and colour C̄ at the samples of a block.
+struct Shaded {
+    alignas(64) float w[blockSize];
+    alignas(64) float colour[3][blockSize];
+};
+
+/// A block of the picture while strokes are mixed into it: RYB backdrop, and coverage where the picture is transparent.
+struct Backdrop {
+    alignas(64) float ryb[3][blockSize];
+    alignas(64) float coverage[blockSize];
+    bool transparent = false;
+};
+
+/// A run of strokes as one map of the backdrop: B ← min(limit, keep·B + add), coverage a ← hold·a + gain. Such maps
+/// compose (docs/solver.md, "Layers").
+struct OverMap {
+    alignas(64) float keep[3][blockSize];
+    alignas(64) float add[3][blockSize];
+    alignas(64) float limit[3][blockSize];
+    alignas(64) float hold[blockSize];
+    alignas(64) float gain[blockSize];
+};
+
+} // namespace suffuse::cpu

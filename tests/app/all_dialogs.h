@@ -1,0 +1,50 @@
+// Every dialog that Suffuse makes itself.
+#pragma once
+
+#include "app/dialogs/about_dialog.h"
+#include "app/dialogs/brush_dialog.h"
+#include "app/dialogs/export_dialog.h"
+#include "app/dialogs/new_dialog.h"
+#include "app/dialogs/settings_dialog.h"
+#include "app/dialogs/shortcuts_dialog.h"
+#include "app/dialogs/timelapse_dialog.h"
+#include "app/palette_entries.h"
+#include "app/panels/inspector/along_dialog.h"
+#include "app/recovery.h"
+#include "tests/app/shapes.h"
+
+#include <functional>
+#include <memory>
+#include <vector>
+
+namespace suffuse {
+
+struct DialogMaker {
+    const char *name;
+    std::function<std::unique_ptr<QDialog>(MainWindow &)> make;
+};
+
+inline std::vector<DialogMaker> allDialogs()
+{
+    const auto area = [](MainWindow &w) { return w.editor().document().painting()->canvas.area(); };
+    return {
+        {"new", [](MainWindow &w) { return std::make_unique<NewDialog>(&w); }},
+        {"settings", [](MainWindow &w) { return std::make_unique<SettingsDialog>(&w); }},
+        {"shortcuts",
+         [](MainWindow &w) {
+             return std::make_unique<ShortcutsDialog>(w.findChild<Actions *>()->all(), fixedKeys(), &w);
+         }},
+        {"brush", [](MainWindow &w) { return std::make_unique<BrushDialog>(w.editor(), &w); }},
+        {"export", [area](MainWindow &w) { return std::make_unique<ExportDialog>(w.editor(), area(w), &w); }},
+        {"timelapse", [area](MainWindow &w) { return std::make_unique<TimelapseDialog>(w.editor(), area(w), &w); }},
+        {"along", [](MainWindow &w) { return std::make_unique<AlongDialog>(w.editor(), &w); }},
+        {"recovery", [](MainWindow &w) { return std::make_unique<RecoveryDialog>(std::vector<LostDocument>(), &w); }},
+        {"palette",
+         [](MainWindow &w) {
+             return std::make_unique<CommandPalette>(paletteEntries(w, *w.findChild<Actions *>()), &w);
+         }},
+        {"about", [](MainWindow &w) { return std::make_unique<AboutDialog>(&w); }},
+    };
+}
+
+} // namespace suffuse

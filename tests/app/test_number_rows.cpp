@@ -1,0 +1,83 @@
+// Every number of a segment has its row in the inspector, with its domain and default: also one that was just added.
+#include "app/panels/colour/colour_rows.h"
+#include "app/panels/inspector/inspector_panel.h"
+#include "app/panels/inspector/segment_section.h"
+#include "app/widgets/quantity.h"
+#include "tests/app/panel_bench.h"
+#include "tests/model/tried_segment.h"
+
+#include <QGridLayout>
+#include <QSignalSpy>
+
+using namespace suffuse;
+using test::TriedSegment;
+
+class TestNumberRows : public QObject {
+    Q_OBJECT
+
+private slots:
+    void everyNumberHasARow()
+    {
+        Bench bench;
+        InspectorPanel panel(bench.editor);
+        showAt(panel, {300, 1100});
+        bench.select({1}, {{1, 1}});
+        SegmentSection &section = *panel.segmentSection();
+        int colours = 0;
+        for (const Number<Segment> &number : numbersOf<Segment>) {
+            static constexpr std::array rows{ColourRows::Red, ColourRows::Yellow, ColourRows::Blue,
+                                             ColourRows::Opacity};
+            SliderField *row =
+                number.member ? section.row(number.member) : section.colour()->row(rows[std::size_t(colours++)]);
+            QVERIFY2(row, number.name);
+            QCOMPARE(row->minimum(), number.traits.domain.leastFloat());
+            QCOMPARE(row->maximum(), number.traits.domain.greatest);
+        }
+        QCOMPARE(colours, 4);
+        QCOMPARE(section.row(&Segment::density), section.density());
+    }
+
+    void everyNumberCanBeSet()
+    {
+        Bench bench;
+        InspectorPanel panel(bench.editor);
+        showAt(panel, {300, 1100});
+        bench.select({1}, {{1, 1}});
+        for (const Number<Segment> &number : numbersOf<Segment>) {
+            if (!number.member)
+                continue;
+            emit panel.segmentSection()->row(number.member)->edited(0.75, 0);
+            QCOMPARE(number.of(bench.stroke(1).segments[1]), 0.75f);
+        }
+    }
+
+    void oneMoreHasARow()
+    {
+        std::vector<float TriedSegment::*> shown;
+        for (const Number<Segment> &number : numbersOf<Segment>)
+            if (number.member)
+                shown.push_back(number.member);
+        const auto others = otherNumbers(shown);
+        QCOMPARE(others.size(), std::size_t(1));
+        const Number<TriedSegment> &wetness = others.front();
+        QWidget parent;
+        QGridLayout grid(&parent);
+        SliderField row(plainSpec(wetness.name, wetness.traits, wetness.usual()), grid, 0, &parent);
+        QCOMPARE(row.label()->text(), QStringLiteral("water.wetness"));
+        QCOMPARE(row.minimum(), 0.0);
+        QCOMPARE(row.maximum(), 1.0);
+        TriedSegment segment;
+        row.setValue(double(wetness.of(segment)));
+        QVERIFY(row.number()->text().startsWith(QStringLiteral("25")));
+        connect(&row, &SliderField::edited, this, [&](double value) { wetness.of(segment) = float(value); });
+        type(*row.number(), QStringLiteral("60"));
+        QCOMPARE(segment.wetness, 0.6f);
+        QSignalSpy refused(&row, &SliderField::refused);
+        type(*row.number(), QStringLiteral("160"));
+        QCOMPARE(segment.wetness, 0.6f);
+        QVERIFY(!refused.isEmpty() && !refused.last().first().toString().isEmpty());
+    }
+};
+
+QTEST_MAIN(TestNumberRows)
+#include "test_number_rows.moc"

@@ -1,0 +1,166 @@
+// Paintings that are open, and the list of those that were: in several windows, and in several running instances.
+#include "app/messages.h"
+#include "app/settings.h"
+#include "model/formats/files.h"
+#include "tests/app/session.h"
+
+#include <QFile>
+#include <QProcess>
+#include <QStatusBar>
+#include <QTemporaryDir>
+
+using namespace suffuse;
+
+namespace {
+
+constexpr char addRecent[] = "--add-recent-files"; ///< then the files: another instance, as this program plays it
+
+/// Whoever else has the settings open writes them as a whole.
+QByteArray iniOf(const QStringList &recent)
+{
+    return "[General]\nrecentFiles=" + recent.join(", ").toUtf8() + "\n";
+}
+
+} // namespace
+
+class TestOpenPaintings : public QObject {
+    Q_OBJECT
+
+private slots:
+    void initTestCase()
+    {
+        qputenv("SUFFUSE_PRESENTER", "raster");
+        qputenv("SUFFUSE_BACKEND", "cpu");
+    }
+    void init()
+    {
+        m_folder = std::make_unique<QTemporaryDir>();
+        qputenv("SUFFUSE_SETTINGS", path("settings.ini").toLocal8Bit());
+        m_errors.clear();
+        MessageHooks hooks;
+        hooks.error = [this](const QString &message) { m_errors << message; };
+        hooks.unsaved = [](const QString &) { return SaveAnswer::Discard; };
+        setMessageHooks(hooks);
+    }
+    void cleanup() { QVERIFY2(m_errors.isEmpty(), qPrintable(m_errors.join('\n'))); }
+    void cleanupTestCase() { setMessageHooks({}); }
+
+    void otherInstancesEntriesStay()
+    {
+        const QStringList files = make({"a", "b", "c-longer"});
+        settings::addRecentFile(files[0]);
+        settings::store().sync();
+        QFile ini(path("settings.ini"));
+        QVERIFY(ini.open(QIODevice::WriteOnly));
+        ini.write(iniOf({files[1], files[0]})); // another instance opened b
+        ini.close();
+        QCOMPARE(settings::recentFiles(), QStringList({files[1], files[0]})); // in this one's menu, too
+        settings::addRecentFile(files[2]);
+        QCOMPARE(settings::recentFiles(), QStringList({files[2], files[1], files[0]}));
+        QVERIFY(ini.open(QIODevice::ReadOnly));
+        const QByteArray stored = ini.readAll();
+        for (const QString &file : files)
+            QVERIFY2(stored.contains(file.toUtf8()), stored.constData());
+    }
+
+    void manyInstancesAtOnce()
+    {
+        const QStringList files =
+            make({"1", "22", "333", "4444", "55555", "666666", "7777777", "88888888", "999999999"});
+        std::vector<std::unique_ptr<QProcess>> instances;
+        for (int i = 0; i < 3; ++i) {
+            instances.push_back(std::make_unique<QProcess>());
+            instances.back()->start(QCoreApplication::applicationFilePath(),
+                                    QStringList(addRecent) + files.mid(3 * i, 3));
+        }
+        for (const auto &instance : instances) {
+            QVERIFY(instance->waitForFinished(waitMs));
+            QCOMPARE(instance->exitCode(), 0);
+        }
+        const QStringList recent = settings::recentFiles();
+        for (const QString &file : files)
+            QVERIFY2(recent.contains(file), qPrintable(recent.join(' ')));
+    }
+
+    /// The usual list counts until somebody alters it, and what others altered stays.
+    void listsAreAlteredAsTheyAreStored()
+    {
+        settings::updateList("aList", [](QStringList names) { return names << "mine"; }, {"usual"});
+        QCOMPARE(settings::store().value("aList").toStringList(), QStringList({"usual", "mine"}));
+        QFile ini(path("settings.ini"));
+        QVERIFY(ini.open(QIODevice::WriteOnly));
+        ini.write("[General]\naList=usual, mine, another one's\n");
+        ini.close();
+        settings::updateList("aList", [](QStringList names) { return names << "mine too"; }, {"usual"});
+        QCOMPARE(settings::store().value("aList").toStringList(),
+                 QStringList({"usual", "mine", "another one's", "mine too"}));
+    }
+
+    void oneFileIsListedOnce()
+    {
+        const QStringList files = make({"a"});
+        QVERIFY(QFile::link(files[0], path("link.suffuse")));
+        settings::addRecentFile(files[0]);
+        settings::addRecentFile(path("link.suffuse"));
+        QCOMPARE(settings::recentFiles(), QStringList(path("link.suffuse")));
+    }
+
+    void anOpenPaintingIsRaised()
+    {
+        Session a, b;
+        a.paintLine({200, 300}, {700, 300});
+        QVERIFY(a.window.saveTo(path("a.suffuse")));
+        a.paintLine({200, 400}, {700, 400});
+        b.paintLine({200, 500}, {700, 500});
+        const QByteArray painted = hashOf(a.painting()), other = hashOf(b.painting());
+        QVERIFY(QFile::link(path("a.suffuse"), path("link.suffuse")));
+        const auto windows = QApplication::topLevelWidgets().size();
+        const QString around = "../" + QFileInfo(m_folder->path()).fileName() + "/a.suffuse";
+        for (const QString &name : {QString("a.suffuse"), QString("link.suffuse"), around}) {
+            const QString file = path(name);
+            a.window.showMinimized();
+            QCOMPARE(b.window.openFile(file), &a.window);
+            QVERIFY(!a.window.isMinimized());
+            QVERIFY(a.window.statusBar()->currentMessage().contains(QFileInfo(file).fileName()));
+            QCOMPARE(a.window.openFile(file), &a.window);
+        }
+        QCOMPARE(QApplication::topLevelWidgets().size(), windows);
+        QCOMPARE(hashOf(a.painting()), painted); // nothing is lost
+        QCOMPARE(hashOf(b.painting()), other);
+        QVERIFY(a.window.close());
+        a.editor().newPainting({});
+        Session c;
+        QCOMPARE(c.window.openFile(path("a.suffuse")), &c.window);
+    }
+
+private:
+    QString path(const QString &name) const { return m_folder->filePath(name); }
+    QStringList make(const QStringList &names) const
+    {
+        QStringList files;
+        for (const QString &name : names) {
+            files << path(name + ".suffuse");
+            if (QFile file(files.last()); !file.open(QIODevice::WriteOnly))
+                return {};
+        }
+        return files;
+    }
+
+    std::unique_ptr<QTemporaryDir> m_folder;
+    QStringList m_errors;
+};
+
+int main(int argc, char **argv)
+{
+    if (argc > 1 && QByteArray(argv[1]) == addRecent) {
+        QCoreApplication app(argc, argv);
+        for (const QString &file : app.arguments().mid(2))
+            settings::addRecentFile(file);
+        return 0;
+    }
+    QApplication app(argc, argv);
+    TestOpenPaintings test;
+    return QTest::qExec(&test, argc, argv);
+}
+
+#include "test_open_paintings.moc"

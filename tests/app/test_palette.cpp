@@ -1,0 +1,231 @@
+// The table of commands, and the palette that finds what is in it.
+#include "app/brush_library.h"
+#include "app/dialogs/shortcuts_dialog.h"
+#include "app/palette_entries.h"
+#include "app/settings.h"
+#include "model/formats/files.h"
+#include "tests/app/session.h"
+
+#include <QDockWidget>
+#include <QLineEdit>
+#include <QListWidget>
+#include <QStandardPaths>
+#include <QTemporaryDir>
+#include <QTimer>
+
+#include <set>
+
+using namespace suffuse;
+
+namespace {
+
+const Actions &tableOf(Session &s)
+{
+    return *s.window.findChild<Actions *>();
+}
+
+PaletteEntry entry(const char *title, const char *id = "")
+{
+    PaletteEntry made;
+    made.title = QString::fromUtf8(title);
+    made.id = QString::fromLatin1(id);
+    return made;
+}
+
+/// Opens the palette by the command, types, and presses a key; says what was found first, and whether it could be run.
+struct Asked {
+    QString first;
+    bool enabled = false;
+    bool stayed = false; ///< the key did not close it; Escape did
+};
+Asked ask(Session &s, const QString &typed, Qt::Key key = Qt::Key_Return)
+{
+    Asked asked;
+    QTimer::singleShot(0, &s.window, [&] {
+        auto *palette = qobject_cast<CommandPalette *>(QApplication::activeModalWidget());
+        if (!palette)
+            return;
+        QTest::keyClicks(palette->search(), typed);
+        if (const QListWidgetItem *item = palette->list()->currentItem()) {
+            asked.first = item->text();
+            asked.enabled = item->toolTip().isEmpty();
+        }
+        QTest::keyClick(palette->search(), key);
+        asked.stayed = palette->isVisible();
+        if (asked.stayed)
+            QTest::keyClick(palette->search(), Qt::Key_Escape);
+    });
+    s.use(Command::FindCommand);
+    return asked;
+}
+
+} // namespace
+
+class TestPalette : public QObject {
+    Q_OBJECT
+
+private slots:
+    void initTestCase()
+    {
+        QVERIFY(m_folder.isValid());
+        QStandardPaths::setTestModeEnabled(true);
+        qputenv("SUFFUSE_PRESENTER", "raster");
+        qputenv("SUFFUSE_SETTINGS", m_folder.filePath("settings.ini").toLocal8Bit());
+    }
+
+    /// Users' settings hold these names. Whatever the order of the rows, a name belongs to its command for ever.
+    void namesBelongToRows()
+    {
+        Session s;
+        const std::pair<Command, const char *> names[] = {
+            {Command::New, "new"},           {Command::Undo, "undo"},           {Command::Redo, "redo"},
+            {Command::Raise, "raise"},       {Command::Lower, "lower"},         {Command::GroupStrokes, "group"},
+            {Command::FlipDown, "flipDown"}, {Command::ShowAll, "showAll"},     {Command::Favourite7, "favourite7"},
+            {Command::LetDry, "letDry"},     {Command::HoldToPan, "holdToPan"}, {Command::About, "about"}};
+        for (const auto &[command, name] : names)
+            QCOMPARE(s.window.action(command).objectName(), QString(name));
+        std::set<QString> all;
+        for (const QAction *action : tableOf(s).all())
+            QVERIFY2(!action->objectName().isEmpty() && all.insert(action->objectName()).second,
+                     qPrintable(action->text()));
+        settings::store().setValue("shortcuts/raise", "Ctrl+Alt+U");
+        applyStoredShortcuts(tableOf(s).all());
+        QCOMPARE(s.window.action(Command::Raise).shortcut(), QKeySequence("Ctrl+Alt+U"));
+        QCOMPARE(s.window.action(Command::Lower).shortcut(), QKeySequence(Qt::Key_PageDown));
+        settings::store().remove("shortcuts/raise");
+    }
+
+    void rowsFollowTheSelection()
+    {
+        Session s;
+        const auto enabled = [&](Command command) { return s.window.action(command).isEnabled(); };
+        QVERIFY(!enabled(Command::Play) && !enabled(Command::Undo) && !enabled(Command::Raise));
+        s.paintLine({200, 200}, {500, 250});
+        QVERIFY(enabled(Command::Play) && enabled(Command::Undo));
+        QVERIFY(s.window.action(Command::Undo).text().contains(s.editor().undoStack().undoText()));
+        s.use(Command::SelectAll);
+        QVERIFY(enabled(Command::Raise) && enabled(Command::FlipAcross) && !enabled(Command::AlignLeft));
+        s.use(Command::AlignToCanvas);
+        QVERIFY(enabled(Command::AlignLeft));
+        s.use(Command::Deselect);
+        QVERIFY(!enabled(Command::Raise) && !enabled(Command::AlignLeft) && !enabled(Command::Rewet));
+    }
+
+    void ranks()
+    {
+        const PaletteEntry flip = entry("Objekt ▸ Horizontal spiegeln", "flipAcross");
+        QVERIFY(paletteRank(flip, "") && paletteRank(flip, "SPIEG hor") && paletteRank(flip, "objekt spi"));
+        QVERIFY(paletteRank(flip, "flip"));  // in English, too
+        QVERIFY(paletteRank(flip, "hrzsp")); // with letters left out
+        QVERIFY(!paletteRank(flip, "vertikal") && !paletteRank(flip, "horizontal drehen"));
+        QVERIFY(*paletteRank(flip, "hor") < *paletteRank(flip, "spieg"));
+        QVERIFY(*paletteRank(flip, "spieg") < *paletteRank(flip, "objekt"));
+        QVERIFY(*paletteRank(flip, "objekt") < *paletteRank(flip, "hzspgl"));
+        QVERIFY(*paletteRank(entry("Bearbeiten ▸ Alles"), "alles") <
+                *paletteRank(entry("Ansicht ▸ Alles zeigen"), "alles"));
+        QVERIFY(paletteRank(entry("编辑 ▸ 全选", "selectAll"), "全选"));
+    }
+
+    void runsACommand()
+    {
+        Session s;
+        QVERIFY(!s.window.action(Command::Select).isChecked());
+        const Asked asked = ask(s, "attribute br");
+        QVERIFY(asked.enabled && !asked.stayed);
+        QVERIFY(asked.first.endsWith("Attribute Brush"));
+        QVERIFY(s.window.action(Command::AttributeBrush).isChecked());
+    }
+
+    void doesNotRunWhatIsDisabled()
+    {
+        Session s;
+        const Asked asked = ask(s, "flipacross");
+        QVERIFY(asked.first.endsWith("Flip Horizontally"));
+        QVERIFY(!asked.enabled && asked.stayed);
+        QCOMPARE(s.editor().undoStack().count(), 0);
+    }
+
+    void escapeGivesTheKeyboardBack()
+    {
+        Session s;
+        s.window.activateWindow();
+        QVERIFY(QTest::qWaitForWindowActive(&s.window));
+        s.canvas().setFocus();
+        const Asked asked = ask(s, "knife", Qt::Key_Escape);
+        QVERIFY(!asked.stayed);
+        QTRY_VERIFY(s.canvas().hasFocus());
+        QVERIFY(!s.window.action(Command::Knife).isChecked());
+    }
+
+    void arrowsPassAllRows()
+    {
+        Session s;
+        CommandPalette palette(paletteEntries(s.window, tableOf(s)), &s.window);
+        const int count = palette.list()->count();
+        QVERIFY(count > 100);
+        std::set<int> seen{palette.list()->currentRow()};
+        for (int i = 1; i < count; ++i) {
+            QTest::keyClick(palette.search(), Qt::Key_Down);
+            seen.insert(palette.list()->currentRow());
+        }
+        QCOMPARE(int(seen.size()), count);
+        QTest::keyClick(palette.search(), Qt::Key_Down);
+        QCOMPARE(palette.list()->currentRow(), 0);
+        palette.search()->setText("no such thing at all");
+        QCOMPARE(palette.list()->count(), 0);
+        QTest::keyClick(palette.search(), Qt::Key_Return);
+        QVERIFY(!palette.chosen());
+    }
+
+    void findsBrushes()
+    {
+        Session s;
+        s.use(Command::Select);
+        const QString name = BrushLibrary::instance().brushes().at(3).name;
+        QVERIFY(s.editor().brush().name != name);
+        const Asked asked = ask(s, "brush " + brushTitle(name));
+        QVERIFY2(asked.first.endsWith(brushTitle(name)), qPrintable(asked.first));
+        QCOMPARE(s.editor().brush().name, name);
+        QVERIFY(s.window.action(Command::Brush).isChecked());
+    }
+
+    void findsRecentFiles()
+    {
+        Session s;
+        const QString path = m_folder.filePath("harbour at dusk.suffuse");
+        s.paintLine({200, 200}, {500, 250});
+        QVERIFY(s.window.saveTo(path));
+        Session other;
+        ask(other, "harbour dusk");
+        // It is open already: the window that shows it comes to the front instead of a second one.
+        QVERIFY(other.editor().filePath().isEmpty());
+        s.window.close();
+        ask(other, "harbour dusk");
+        QCOMPARE(other.editor().filePath(), path);
+    }
+
+    void findsDocks()
+    {
+        Session s;
+        auto *dock = s.window.findChild<QDockWidget *>("probeDock");
+        QVERIFY(dock && dock->isHidden());
+        ask(s, "docks probe");
+        QVERIFY(!dock->isHidden());
+    }
+
+    /// What works while a key is held does nothing here; what finds is not found.
+    void leavesOutWhatCannotRun()
+    {
+        Session s;
+        for (const PaletteEntry &found : paletteEntries(s.window, tableOf(s))) {
+            QVERIFY2(!found.id.startsWith("holdTo") && found.id != "findCommand", qPrintable(found.title));
+            QVERIFY(!found.title.isEmpty() && found.run);
+        }
+    }
+
+private:
+    QTemporaryDir m_folder;
+};
+
+QTEST_MAIN(TestPalette)
+#include "test_palette.moc"

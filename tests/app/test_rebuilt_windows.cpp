@@ -1,0 +1,188 @@
+// Settings that windows are built by: other windows show the same paintings, and nothing is lost.
+#include "app/rebuilt_windows.h"
+#include "app/settings.h"
+#include "app/translation.h"
+#include "tests/app/shapes.h"
+
+#include <QDockWidget>
+#include <QMenuBar>
+#include <QPointer>
+#include <QTemporaryDir>
+
+using namespace suffuse;
+
+namespace {
+
+MainWindow *onlyWindow()
+{
+    MainWindow *found = nullptr;
+    for (QWidget *widget : QApplication::topLevelWidgets())
+        if (auto *window = qobject_cast<MainWindow *>(widget); window && window->isVisible()) {
+            if (found)
+                return nullptr;
+            found = window;
+        }
+    return found;
+}
+
+StrokePtr addWave(MainWindow &window, double x)
+{
+    Document &document = window.editor().document();
+    const StrokePtr stroke = wave(document.takeStrokeId(), x, 300);
+    window.editor().push(addStrokes(document, {stroke}, true), "wave");
+    return stroke;
+}
+
+} // namespace
+
+class TestRebuiltWindows : public QObject {
+    Q_OBJECT
+
+private slots:
+    void init()
+    {
+        m_folder = std::make_unique<QTemporaryDir>();
+        QVERIFY(m_folder->isValid());
+        qputenv("SUFFUSE_PRESENTER", "raster");
+        qputenv("SUFFUSE_BACKEND", "cpu");
+        qputenv("SUFFUSE_SETTINGS", m_folder->filePath("settings.ini").toLocal8Bit());
+        settings::setLanguage("en");
+        installTranslators();
+        Journal::setFolder(m_folder->filePath("journals"));
+    }
+    void cleanup()
+    {
+        settings::setLanguage("en");
+        installTranslators();
+        Journal::setFolder({});
+    }
+
+    void languageChangesAtOnceAndNothingIsLost()
+    {
+        QPointer<MainWindow> old = new MainWindow;
+        old->setAttribute(Qt::WA_DeleteOnClose);
+        old->setGeometry(20, 40, 1000, 600);
+        old->show();
+        old->editor().clock().setManual(true);
+        const StrokePtr first = addWave(*old, 200);
+        addWave(*old, 250);
+        old->editor().undoStack().undo();
+        old->editor().document().setSelection({{first->id}, {}});
+        old->action(Command::Segments).trigger();
+        old->action(Command::SnapToNodes).setChecked(true);
+        old->canvas().setZoom(2.5);
+        old->canvas().panBy({40, -30});
+        old->playback().setSpeed(7);
+        old->findChild<QDockWidget *>("historyDock")->raise();
+        const PaintingPtr painting = old->editor().document().snapshot();
+        Editor *editor = &old->editor();
+        Journal *journal = &old->journal();
+        const View view = old->canvas().view();
+        const QString title = old->windowTitle();
+        QCOMPARE(old->menuBar()->actions()[0]->text(), QString("&File"));
+
+        settings::setLanguage("de");
+        rebuildWindows();
+        QTRY_VERIFY(!old);
+        MainWindow *now = onlyWindow();
+        QVERIFY(now);
+        QCOMPARE(now->menuBar()->actions()[0]->text(), QString("&Datei"));
+        QCOMPARE(now->findChild<QDockWidget *>("strokesDock")->windowTitle(), QString("Striche"));
+        QCOMPARE(&now->editor(), editor);
+        QCOMPARE(&now->journal(), journal);
+        QCOMPARE(now->editor().document().snapshot(), painting);
+        QCOMPARE(now->editor().undoStack().count(), 2);
+        QVERIFY(now->editor().undoStack().canRedo());
+        QCOMPARE(now->editor().document().selection(), (Selection{{first->id}, {}}));
+        QVERIFY(now->action(Command::Segments).isChecked());
+        QVERIFY(now->action(Command::SnapToNodes).isChecked());
+        QVERIFY(now->action(Command::Copy).isEnabled());
+        QCOMPARE(now->canvas().view().scale, view.scale);
+        QVERIFY(length(now->canvas().view().centre - view.centre) < 1e-6);
+        QCOMPARE(now->playback().speed(), 7.0);
+        QCOMPARE(now->geometry(), QRect(20, 40, 1000, 600));
+        QVERIFY(now->testAttribute(Qt::WA_DeleteOnClose));
+        QVERIFY(now->windowTitle() != title); // it has no name: "Untitled"
+        QVERIFY(now->isWindowModified());
+
+        // It is worked on.
+        now->action(Command::Redo).trigger();
+        QCOMPARE(now->editor().document().painting()->strokes.size(), std::size_t(2));
+        QTRY_VERIFY_WITH_TIMEOUT(now->canvas().isUpToDate(), waitMs);
+        now->action(Command::Select).trigger();
+        now->action(Command::SelectAll).trigger();
+        now->action(Command::Delete).trigger();
+        QVERIFY(now->editor().document().painting()->strokes.empty());
+        now->action(Command::Undo).trigger();
+        QCOMPARE(now->editor().document().painting()->strokes.size(), std::size_t(2));
+        // And back.
+        settings::setLanguage("zh_CN");
+        rebuildWindows();
+        settings::setLanguage("en");
+        rebuildWindows();
+        QTRY_VERIFY(onlyWindow());
+        QCOMPARE(onlyWindow()->menuBar()->actions()[0]->text(), QString("&File"));
+        QCOMPARE(onlyWindow()->editor().document().painting()->strokes.size(), std::size_t(2));
+        onlyWindow()->journal().remove();
+        delete onlyWindow();
+    }
+
+    void threadsChangeAtOnce()
+    {
+        int threads = -1;
+        const MakeRenderer make = [&threads](const RendererOptions &options) {
+            threads = options.threads;
+            return makeRenderer(options);
+        };
+        auto *window = new MainWindow(nullptr, make);
+        window->setAttribute(Qt::WA_DeleteOnClose);
+        window->show();
+        QTRY_VERIFY_WITH_TIMEOUT(window->canvas().isUpToDate(), waitMs);
+        QCOMPARE(threads, 0);
+        settings::setThreads(1);
+        rebuildWindows();
+        QTRY_VERIFY(onlyWindow());
+        QTRY_VERIFY_WITH_TIMEOUT(onlyWindow()->canvas().isUpToDate(), waitMs);
+        QCOMPARE(threads, 1);
+        delete onlyWindow();
+    }
+
+    /// Docks that are hidden come back as they were.
+    void hiddenDocksStayHidden()
+    {
+        auto *window = new MainWindow;
+        window->setAttribute(Qt::WA_DeleteOnClose);
+        window->show();
+        window->action(Command::HideDocks).trigger();
+        rebuildWindows();
+        QTRY_VERIFY(onlyWindow());
+        QVERIFY(onlyWindow()->action(Command::HideDocks).isChecked());
+        QVERIFY(onlyWindow()->findChild<QDockWidget *>("colourDock")->isHidden());
+        onlyWindow()->action(Command::HideDocks).trigger();
+        QVERIFY(!onlyWindow()->findChild<QDockWidget *>("colourDock")->isHidden());
+        delete onlyWindow();
+    }
+
+    /// It goes on in the new window.
+    void whatPlaysGoesOn()
+    {
+        auto *window = new MainWindow;
+        window->setAttribute(Qt::WA_DeleteOnClose);
+        window->show();
+        addWave(*window, 200);
+        window->playback().setSpeed(0.1);
+        window->playback().play();
+        rebuildWindows();
+        QTRY_VERIFY(onlyWindow());
+        QVERIFY(onlyWindow()->playback().isPlaying());
+        QCOMPARE(onlyWindow()->action(Command::Play).iconText().isEmpty(), false);
+        onlyWindow()->playback().pause();
+        delete onlyWindow();
+    }
+
+private:
+    std::unique_ptr<QTemporaryDir> m_folder;
+};
+
+QTEST_MAIN(TestRebuiltWindows)
+#include "test_rebuilt_windows.moc"

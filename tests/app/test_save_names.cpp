@@ -1,0 +1,209 @@
+// Names that users give to files: what stands behind a dot may be part of one.
+#include "app/messages.h"
+#include "app/save_name.h"
+#include "app/settings.h"
+#include "model/formats/files.h"
+#include "tests/app/file_dialogs.h"
+#include "tests/app/session.h"
+
+#include <QFile>
+#include <QStatusBar>
+#include <QTemporaryDir>
+
+using namespace suffuse;
+
+class TestSaveNames : public QObject {
+    Q_OBJECT
+
+private slots:
+    void initTestCase()
+    {
+        qputenv("SUFFUSE_PRESENTER", "raster");
+        qputenv("SUFFUSE_BACKEND", "cpu");
+        QCoreApplication::setAttribute(Qt::AA_DontUseNativeDialogs);
+    }
+    void init()
+    {
+        m_folder = std::make_unique<QTemporaryDir>();
+        qputenv("SUFFUSE_SETTINGS", path("settings.ini").toLocal8Bit());
+        m_errors.clear();
+        m_answered = m_confirmed = 0;
+        m_mayReplace = false;
+        MessageHooks hooks;
+        m_then = {};
+        hooks.error = [this](const QString &message) {
+            m_errors << message;
+            if (m_then)
+                m_then();
+        };
+        hooks.unsaved = [](const QString &) { return SaveAnswer::Discard; };
+        hooks.confirm = [this](const QString &) {
+            ++m_confirmed;
+            if (m_then)
+                m_then();
+            return m_mayReplace;
+        };
+        setMessageHooks(hooks);
+    }
+    void cleanupTestCase() { setMessageHooks({}); }
+
+    void endingsAreAppended_data()
+    {
+        QTest::addColumn<QString>("given");
+        QTest::addColumn<QString>("wanted");
+        QTest::newRow("none") << "a"
+                              << "a.suffuse";
+        QTest::newRow("a version") << "edited v1.0"
+                                   << "edited v1.0.suffuse";
+        QTest::newRow("a date") << "22.11.2026"
+                                << "22.11.2026.suffuse";
+        QTest::newRow("its own") << "a.suffuse"
+                                 << "a.suffuse";
+        QTest::newRow("its own, loud") << "a.SUFFUSE"
+                                       << "a.SUFFUSE";
+        QTest::newRow("the other kind's") << "a.json"
+                                          << "a.json";
+        QTest::newRow("another program's") << "a.png"
+                                           << "a.png.suffuse";
+        QTest::newRow("a dot at the end") << "a."
+                                          << "a.suffuse";
+        QTest::newRow("a folder's dot") << "v1.0/a"
+                                        << "v1.0/a.suffuse";
+    }
+    void endingsAreAppended()
+    {
+        QFETCH(const QString, given);
+        QFETCH(const QString, wanted);
+        const QList<FileKind> kinds{{"Suffuse painting", {"suffuse"}}, {"Text form", {"json"}}};
+        QCOMPARE(withEnding(given, kinds, "suffuse"), wanted);
+        QCOMPARE(filterOf({"Films", {"webm", "mp4"}}), QString("Films (*.webm *.mp4)"));
+    }
+
+    void saveAsAppendsTheEnding()
+    {
+        Session s;
+        s.paintLine({200, 300}, {700, 300});
+        QVERIFY(s.window.saveTo(path("a.suffuse")));
+        whenAskedForFile(this, m_answered, path("edited v1.0"));
+        s.use(Command::SaveAs);
+        QTRY_VERIFY_WITH_TIMEOUT(!s.editor().isSaving(), waitMs);
+        QCOMPARE(m_answered, 1);
+        QVERIFY2(m_errors.isEmpty(), qPrintable(m_errors.join('\n')));
+        QCOMPARE(s.editor().filePath(), path("edited v1.0.suffuse"));
+        QVERIFY(QFile::exists(path("edited v1.0.suffuse")));
+        QVERIFY(!s.window.isWindowModified());
+    }
+
+    /// The dialog has asked about the name that was typed; the other one is another file.
+    void whatIsThereIsReplacedOnlyIfWanted()
+    {
+        QFile there(path("edited v1.0.suffuse"));
+        QVERIFY(there.open(QIODevice::WriteOnly) && there.write("precious") > 0);
+        there.close();
+        Session s;
+        s.paintLine({200, 300}, {700, 300});
+        whenAskedForFile(this, m_answered, path("edited v1.0"));
+        m_then = [this] { whenAskedForFile(this, m_answered, path("edited v1.1")); }; // not that one: asks again
+        s.use(Command::SaveAs);
+        QTRY_VERIFY_WITH_TIMEOUT(!s.editor().isSaving(), waitMs);
+        QCOMPARE(m_answered, 2);
+        QCOMPARE(m_confirmed, 1);
+        QCOMPARE(s.editor().filePath(), path("edited v1.1.suffuse"));
+        QVERIFY(bytesOf("edited v1.0.suffuse").startsWith("precious"));
+    }
+
+    /// Whatever fails: what is on disk is what was on disk.
+    void aFailedSaveForgetsNothing()
+    {
+        Session s;
+        s.paintLine({200, 300}, {700, 300});
+        QVERIFY(s.window.saveTo(path("a.suffuse")));
+        for (const char *impossible : {"edited v1.0", "no/such/folder/a.suffuse"}) {
+            QVERIFY(!s.window.saveTo(path(impossible)));
+            QVERIFY(!s.window.isWindowModified());
+            QVERIFY(s.editor().undoStack().isClean());
+        }
+        s.paintLine({200, 400}, {700, 400});
+        QVERIFY(!s.window.saveTo(path("edited v1.0")));
+        QVERIFY(s.window.isWindowModified());
+        s.use(Command::Undo);
+        QVERIFY(!s.window.isWindowModified());
+        QVERIFY(s.editor().undoStack().isClean());
+        s.use(Command::Undo);
+        QVERIFY(s.window.isWindowModified());
+        QCOMPARE(m_errors.size(), 3);
+    }
+
+    void aCopyLeavesThePaintingWhereItIs()
+    {
+        Session s;
+        s.paintLine({200, 300}, {700, 300});
+        QVERIFY(s.window.saveTo(path("a.suffuse")));
+        const QByteArray before = bytesOf("a.suffuse");
+        s.paintLine({200, 400}, {700, 400});
+        whenAskedForFile(this, m_answered, path("a v1.0"));
+        s.use(Command::SaveCopy);
+        QTRY_VERIFY_WITH_TIMEOUT(!s.editor().isSaving(), waitMs);
+        QCOMPARE(m_answered, 1);
+        QCOMPARE(hashOf(*loadPainting(path("a v1.0.suffuse"))), hashOf(s.painting()));
+        QCOMPARE(bytesOf("a.suffuse"), before);
+        QCOMPARE(s.editor().filePath(), path("a.suffuse"));
+        QVERIFY(s.window.isWindowModified());
+        s.use(Command::Undo);
+        QVERIFY(!s.window.isWindowModified());
+        QVERIFY(!settings::recentFiles().contains(path("a v1.0.suffuse")));
+    }
+
+    /// Saving waits for its turn; a copy that is ordered meanwhile does not take it.
+    void aCopyTakesNoSavesPlace()
+    {
+        Session s;
+        for (int i = 0; i < 4; ++i) {
+            s.paintLine({200, 300.0 + 50 * i}, {700, 300.0 + 50 * i});
+            s.editor().startSaving(path("a.suffuse"), true);
+            s.editor().startSavingCopy(path("copy.suffuse"));
+        }
+        QTRY_VERIFY_WITH_TIMEOUT(!s.editor().isSaving(), waitMs);
+        QCOMPARE(hashOf(*loadPainting(path("a.suffuse"))), hashOf(s.painting()));
+        QCOMPARE(hashOf(*loadPainting(path("copy.suffuse"))), hashOf(s.painting()));
+        QCOMPARE(s.editor().filePath(), path("a.suffuse"));
+        QVERIFY(!s.window.isWindowModified());
+    }
+
+    /// Two windows would save over each other.
+    void anotherWindowsFileIsNoTarget()
+    {
+        Session a, b;
+        a.paintLine({200, 300}, {700, 300});
+        QVERIFY(a.window.saveTo(path("a v1.0.suffuse")));
+        b.paintLine({200, 400}, {700, 400});
+        m_mayReplace = true;
+        whenAskedForFile(this, m_answered, path("a v1.0"));
+        m_then = [this] {
+            if (m_errors.size() == 1)
+                whenAsked<QFileDialog>(this, m_answered, [](QFileDialog &dialog) { dialog.reject(); });
+        };
+        b.use(Command::SaveAs);
+        QCOMPARE(m_answered, 2);
+        QCOMPARE(m_errors.size(), 1);
+        QVERIFY(b.editor().filePath().isEmpty());
+        QCOMPARE(hashOf(*loadPainting(path("a v1.0.suffuse"))), hashOf(a.painting()));
+    }
+
+private:
+    QString path(const QString &name) const { return m_folder->filePath(name); }
+    QByteArray bytesOf(const QString &name) const
+    {
+        QFile file(path(name));
+        return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
+    }
+
+    std::unique_ptr<QTemporaryDir> m_folder;
+    QStringList m_errors;
+    int m_answered = 0, m_confirmed = 0;
+    bool m_mayReplace = false;
+    std::function<void()> m_then; ///< when something was asked or said
+};
+
+QTEST_MAIN(TestSaveNames)
+#include "test_save_names.moc"

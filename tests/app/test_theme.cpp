@@ -1,0 +1,130 @@
+// Tool tips and open messages follow a theme that changes while the program runs, and icons are sharp.
+#include "app/editor.h"
+#include "app/icons.h"
+#include "app/panels/brushes/brush_panel.h"
+#include "app/settings.h"
+#include "app/theme.h"
+
+#include <QApplication>
+#include <QListWidget>
+#include <QMessageBox>
+#include <QStyle>
+#include <QTemporaryDir>
+#include <QTest>
+#include <QToolTip>
+
+#include <cmath>
+
+using namespace suffuse;
+
+namespace {
+
+void wear(settings::Theme theme)
+{
+    settings::setTheme(theme);
+    applyTheme();
+}
+
+double luminance(const QColor &colour)
+{
+    const auto linear = [](double v) { return v <= 0.04045 ? v / 12.92 : std::pow((v + 0.055) / 1.055, 2.4); };
+    return 0.2126 * linear(colour.redF()) + 0.7152 * linear(colour.greenF()) + 0.0722 * linear(colour.blueF());
+}
+
+double contrast(const QColor &a, const QColor &b)
+{
+    const double x = luminance(a), y = luminance(b);
+    return (std::max(x, y) + 0.05) / (std::min(x, y) + 0.05);
+}
+
+QImage painted(QRgb colour)
+{
+    QImage image(20, 20, QImage::Format_ARGB32_Premultiplied);
+    image.fill(0);
+    for (int x = 2; x < 18; ++x)
+        image.setPixel(x, 10, colour);
+    return image;
+}
+
+} // namespace
+
+class TestTheme : public QObject {
+    Q_OBJECT
+
+private slots:
+    void initTestCase()
+    {
+        QVERIFY(m_folder.isValid());
+        qputenv("SUFFUSE_SETTINGS", m_folder.filePath("settings.ini").toUtf8());
+    }
+
+    void toolTipsAndOpenMessagesFollow()
+    {
+        wear(settings::Theme::Light);
+        QMessageBox box(QMessageBox::Warning, "x", "y");
+        const QImage light = box.iconPixmap().toImage();
+        wear(settings::Theme::Dark);
+        QVERIFY(box.iconPixmap().toImage() != light);
+        QCOMPARE(QToolTip::palette().color(QPalette::ToolTipBase), darkPalette().color(QPalette::ToolTipBase));
+    }
+
+    void iconsOfTitlesAndDialogsAreSharp()
+    {
+        wear(settings::Theme::Light);
+        using S = QStyle::StandardPixmap;
+        for (const S standard :
+             {S::SP_TitleBarNormalButton, S::SP_TitleBarCloseButton, S::SP_DockWidgetCloseButton,
+              S::SP_MessageBoxWarning, S::SP_MessageBoxQuestion, S::SP_MessageBoxInformation, S::SP_MessageBoxCritical,
+              S::SP_DialogOkButton, S::SP_DialogCancelButton, S::SP_DialogSaveButton, S::SP_DialogDiscardButton,
+              S::SP_LineEditClearButton, S::SP_ToolBarHorizontalExtensionButton, S::SP_FileDialogNewFolder}) {
+            const QIcon found = QApplication::style()->standardIcon(standard);
+            for (const int side : {12, 16, 48})
+                QCOMPARE(found.pixmap(QSize(side, side), 2.0).size(), QSize(2 * side, 2 * side));
+            // Its lines have the palette's colour: they follow the theme.
+            const QImage image = found.pixmap(QSize(48, 48), 1.0).toImage();
+            bool inked = false;
+            for (int y = 0; y < image.height() && !inked; ++y)
+                for (int x = 0; x < image.width() && !inked; ++x)
+                    inked = image.pixelColor(x, y) == QApplication::palette().color(QPalette::ButtonText);
+            QVERIFY2(inked, qPrintable(QString::number(int(standard))));
+        }
+        for (const QString &name : iconNames()) // none is empty
+            QVERIFY2(icon(name).pixmap(24).toImage() != QPixmap().toImage(), qPrintable(name));
+    }
+
+    void coloursThatTheUserChoseAreSeen()
+    {
+        for (const settings::Theme theme : {settings::Theme::Light, settings::Theme::Dark}) {
+            wear(theme);
+            for (const QPalette::ColorRole ground : {QPalette::Window, QPalette::Base, QPalette::AlternateBase})
+                QVERIFY(contrast(edgeOfColours(), QApplication::palette().color(ground)) >= 3);
+            QCOMPARE(paperFor(painted(0xFF202020)), previewPaper());
+            QCOMPARE(paperFor(painted(0)), previewPaper());
+            QVERIFY(contrast(paperFor(painted(0xFFFFFFFF)), Qt::white) >= 3);
+        }
+    }
+
+    void groupsOfBrushesAreReadInBothThemes()
+    {
+        wear(settings::Theme::Light);
+        Editor editor;
+        BrushPanel panel(editor);
+        panel.show();
+        QVERIFY(QTest::qWaitForWindowExposed(&panel));
+        for (const settings::Theme theme : {settings::Theme::Dark, settings::Theme::Light}) {
+            wear(theme);
+            QCoreApplication::processEvents();
+            const QListWidgetItem *heading = panel.list()->item(0);
+            QVERIFY(!(heading->flags() & Qt::ItemIsSelectable));
+            const double found =
+                contrast(heading->foreground().color(), QApplication::palette().color(QPalette::Window));
+            QVERIFY2(found >= 4.5, qPrintable(QString::number(found)));
+        }
+    }
+
+private:
+    QTemporaryDir m_folder;
+};
+
+QTEST_MAIN(TestTheme)
+#include "test_theme.moc"
