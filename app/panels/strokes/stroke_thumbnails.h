@@ -29,6 +29,9 @@ public:
     /// unless `quiet`.
     QImage of(const StrokePtr &stroke, double ratio, bool quiet);
 
+    /// All pictures that were asked for are there.
+    bool isIdle() const { return !m_running && m_wanted.empty(); }
+
 signals:
     void ready(suffuse::StrokeId stroke);
 
