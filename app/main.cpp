@@ -1,13 +1,14 @@
 // The editor.
 #include "app/canvas/presenter.h"
-#include "app/icons.h"
-#include "app/journal.h"
-#include "app/main_window.h"
-#include "app/messages.h"
-#include "app/recovery.h"
-#include "app/settings.h"
-#include "app/theme.h"
-#include "app/translation.h"
+#include "app/session/files/journal.h"
+#include "app/session/settings/settings.h"
+#include "app/session/translation.h"
+#include "app/widgets/icons.h"
+#include "app/widgets/messages.h"
+#include "app/widgets/theme.h"
+#include "app/window/main_window.h"
+#include "app/window/recovery.h"
+#include "app/window/window_layout.h"
 
 #include <QApplication>
 #include <QScreen>
@@ -117,7 +118,7 @@ int main(int argc, char **argv)
         return options.exitCode;
     if (options.resetLayout && !hasDisplay(argc, argv)) {
         QCoreApplication::setApplicationName("suffuse");
-        suffuse::settings::resetLayout();
+        suffuse::window_layout::reset();
         return 0;
     }
     if (!hasDisplay(argc, argv)) {
@@ -138,13 +139,13 @@ int main(int argc, char **argv)
     suffuse::installTranslators();
     suffuse::applyTheme();
     if (options.resetLayout)
-        suffuse::settings::resetLayout();
+        suffuse::window_layout::reset();
 
     suffuse::Journal::setFolder(suffuse::journalFolder());
     auto *first = new suffuse::MainWindow;
     first->setAttribute(Qt::WA_DeleteOnClose);
     first->resize(first->size().boundedTo(first->screen()->availableSize()));
-    if (suffuse::settings::hasLayout())
+    if (suffuse::window_layout::isStored())
         first->show();
     else // the first start: as much of the picture as there can be, as other painting programs do
         first->showMaximized();

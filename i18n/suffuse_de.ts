@@ -227,6 +227,13 @@
     </message>
 </context>
 <context>
+    <name>ChoosePicture</name>
+    <message>
+        <source>Pictures</source>
+        <translation>Bilder</translation>
+    </message>
+</context>
+<context>
     <name>Cli</name>
     <message>
         <source>%1: unknown ending; use .suffuse or .json</source>
@@ -1361,10 +1368,6 @@ Rückgabewerte: 0 erledigt, 1 fehlgeschlagen, 2 falscher Aufruf.</translation>
 </context>
 <context>
     <name>PictureFile</name>
-    <message>
-        <source>Pictures</source>
-        <translation>Bilder</translation>
-    </message>
     <message>
         <source>%1 cannot be read: %2.</source>
         <translation>%1 kann nicht gelesen werden: %2.</translation>
@@ -5180,6 +5183,10 @@ Auch die Pfeiltasten wirken.</translation>
         <source>Zoom, and the angle by which the canvas is turned</source>
         <translation>Zoom und Drehwinkel der Leinwand</translation>
     </message>
+    <message>
+        <source>Import underlay</source>
+        <translation>Vorlage importieren</translation>
+    </message>
 </context>
 <context>
     <name>suffuse::MixingSection</name>
@@ -7078,6 +7085,10 @@ Auch die Pfeiltasten wirken.</translation>
     <message>
         <source>Another picture in its place</source>
         <translation>Ein anderes Bild an seiner Stelle</translation>
+    </message>
+    <message>
+        <source>Import underlay</source>
+        <translation>Vorlage importieren</translation>
     </message>
 </context>
 </TS>

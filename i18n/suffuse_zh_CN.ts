@@ -227,6 +227,13 @@
     </message>
 </context>
 <context>
+    <name>ChoosePicture</name>
+    <message>
+        <source>Pictures</source>
+        <translation>图片</translation>
+    </message>
+</context>
+<context>
     <name>Cli</name>
     <message>
         <source>%1: unknown ending; use .suffuse or .json</source>
@@ -1354,10 +1361,6 @@ Exit codes: 0 done, 1 the work failed, 2 wrong usage.</source>
 </context>
 <context>
     <name>PictureFile</name>
-    <message>
-        <source>Pictures</source>
-        <translation>图片</translation>
-    </message>
     <message>
         <source>%1 cannot be read: %2.</source>
         <translation>无法读取 %1：%2。</translation>
@@ -5147,6 +5150,10 @@ Arrow keys work too.</source>
         <source>Zoom, and the angle by which the canvas is turned</source>
         <translation>缩放比例与画布旋转角度</translation>
     </message>
+    <message>
+        <source>Import underlay</source>
+        <translation>导入底图</translation>
+    </message>
 </context>
 <context>
     <name>suffuse::MixingSection</name>
@@ -7041,6 +7048,10 @@ Arrow keys work too.</source>
     <message>
         <source>Another picture in its place</source>
         <translation>用另一张图片替换</translation>
+    </message>
+    <message>
+        <source>Import underlay</source>
+        <translation>导入底图</translation>
     </message>
 </context>
 </TS>

@@ -1,6 +1,6 @@
 // The canvas during a drag that floats.
 #include "app/canvas/canvas_widget.h"
-#include "app/editor.h"
+#include "app/session/editor.h"
 #include "app/session/frames/floating_layers.h"
 #include "app/session/frames/reach.h"
 

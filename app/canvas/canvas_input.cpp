@@ -1,6 +1,6 @@
 // Mouse, pen, wheel, touch and keys of the canvas: either they move the view, or the tool gets them.
 #include "app/canvas/canvas_widget.h"
-#include "app/editor.h"
+#include "app/session/editor.h"
 
 #include <QAbstractSpinBox>
 #include <QApplication>

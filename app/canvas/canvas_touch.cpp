@@ -1,7 +1,7 @@
 // The pen's coming and going, and fingers on the canvas: two move the view; one paints, or moves the view where only
 // the pen paints.
 #include "app/canvas/canvas_widget.h"
-#include "app/editor.h"
+#include "app/session/editor.h"
 
 #include <QTabletEvent>
 #include <QTouchEvent>

@@ -1,6 +1,6 @@
 // What of the canvas is painted again, and when.
 #include "app/canvas/canvas_widget.h"
-#include "app/editor.h"
+#include "app/session/editor.h"
 #include "model/shaping/transform.h"
 
 #include <algorithm>

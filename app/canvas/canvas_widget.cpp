@@ -1,8 +1,8 @@
 #include "app/canvas/canvas_widget.h"
 
-#include "app/editor.h"
-#include "app/panels/colour/colour_convert.h"
-#include "app/settings.h"
+#include "app/session/colour_convert.h"
+#include "app/session/editor.h"
+#include "app/session/settings/settings.h"
 
 #include <QApplication>
 #include <QEvent>

@@ -1,15 +1,15 @@
 // The canvas: shows the painting, moves the view, and hands the pointer to the tool in use.
 #pragma once
 
-#include "app/canvas/begun_selection.h"
 #include "app/canvas/overlay.h"
-#include "app/canvas/pen_input.h"
 #include "app/canvas/presenter.h"
 #include "app/canvas/selection_outline.h"
+#include "app/canvas/tool.h"
 #include "app/canvas/view_transform.h"
 #include "app/session/frames/frame_thread.h"
-#include "app/tools/snapping.h"
-#include "app/tools/tool.h"
+#include "app/session/selecting/begun_selection.h"
+#include "app/session/selecting/snapping.h"
+#include "app/session/settings/pen_input.h"
 #include "render/backends.h"
 
 #include <QImage>

@@ -1,6 +1,6 @@
 #include "app/canvas/presenter.h"
 
-#include "app/settings.h"
+#include "app/session/settings/settings.h"
 
 #include <QGuiApplication>
 #include <QOffscreenSurface>

@@ -2,7 +2,7 @@
 
 #include "app/canvas/overlay.h"
 #include "app/canvas/pixel_mask.h"
-#include "app/canvas/stroke_boxes.h"
+#include "app/session/selecting/stroke_boxes.h"
 
 #include <optional>
 #include <set>

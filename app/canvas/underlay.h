@@ -1,7 +1,7 @@
 // The underlay on the canvas: it lies over the picture like a sheet that is held to the light, and is in no frame.
 #pragma once
 
-#include "app/canvas/underlay_image.h"
+#include "app/session/files/underlay_image.h"
 #include "render/view.h"
 
 #include <QPolygonF>

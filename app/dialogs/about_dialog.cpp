@@ -1,6 +1,6 @@
 #include "app/dialogs/about_dialog.h"
 
-#include "app/icons.h"
+#include "app/widgets/icons.h"
 #include "app/widgets/section.h"
 #include "render/backends.h"
 

@@ -2,12 +2,12 @@
 
 #include "app/dialogs/preset_row.h"
 #include "app/dialogs/print_rows.h"
-#include "app/editor.h"
-#include "app/icons.h"
-#include "app/messages.h"
-#include "app/save_name.h"
-#include "app/settings.h"
+#include "app/session/editor.h"
+#include "app/session/settings/settings.h"
+#include "app/widgets/icons.h"
+#include "app/widgets/messages.h"
 #include "app/widgets/mnemonics.h"
+#include "app/widgets/save_name.h"
 #include "app/widgets/section.h"
 
 #include <QCheckBox>

@@ -1,8 +1,8 @@
 #include "app/dialogs/export_rows.h"
 
 #include "app/dialogs/clock_box.h"
-#include "app/editor.h"
-#include "app/settings.h"
+#include "app/session/editor.h"
+#include "app/session/settings/settings.h"
 #include "model/painting/influence.h"
 #include "render/image_io/image_io.h"
 #include "render/renderer.h"

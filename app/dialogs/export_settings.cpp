@@ -1,7 +1,7 @@
 #include "app/dialogs/export_settings.h"
 
-#include "app/editor.h"
-#include "app/settings.h"
+#include "app/session/editor.h"
+#include "app/session/settings/settings.h"
 
 #include <QCryptographicHash>
 #include <QDateTime>

@@ -1,9 +1,9 @@
 #include "app/dialogs/new_dialog.h"
 
-#include "app/editor.h"
-#include "app/icons.h"
-#include "app/panels/inspector/canvas_section.h"
-#include "app/settings.h"
+#include "app/session/editor.h"
+#include "app/session/settings/settings.h"
+#include "app/widgets/canvas_section.h"
+#include "app/widgets/icons.h"
 #include "app/widgets/mnemonics.h"
 #include "app/widgets/section.h"
 #include "model/painting/validate.h"

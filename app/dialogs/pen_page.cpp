@@ -1,6 +1,6 @@
 #include "app/dialogs/pen_page.h"
 
-#include "app/panels/brushes/pen_pad.h"
+#include "app/widgets/pen_pad.h"
 #include "app/widgets/response_editor.h"
 
 #include <QCheckBox>

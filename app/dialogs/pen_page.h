@@ -1,6 +1,6 @@
 #pragma once
 
-#include "app/canvas/pen_input.h"
+#include "app/session/settings/pen_input.h"
 #include "model/brush/brush.h"
 
 #include <QWidget>

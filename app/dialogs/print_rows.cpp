@@ -1,6 +1,6 @@
 #include "app/dialogs/print_rows.h"
 
-#include "app/settings.h"
+#include "app/session/settings/settings.h"
 
 #include <QComboBox>
 #include <QDoubleSpinBox>

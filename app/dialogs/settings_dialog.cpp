@@ -1,9 +1,9 @@
 #include "app/dialogs/settings_dialog.h"
 
 #include "app/dialogs/pen_page.h"
-#include "app/settings.h"
-#include "app/theme.h"
+#include "app/session/settings/settings.h"
 #include "app/widgets/mnemonics.h"
+#include "app/widgets/theme.h"
 #include "model/formats/atomic_save.h"
 
 #include <QComboBox>

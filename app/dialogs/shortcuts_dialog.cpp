@@ -1,6 +1,6 @@
 #include "app/dialogs/shortcuts_dialog.h"
 
-#include "app/settings.h"
+#include "app/session/settings/settings.h"
 #include "app/widgets/mnemonics.h"
 #include "app/widgets/section.h"
 

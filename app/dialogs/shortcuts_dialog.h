@@ -1,6 +1,6 @@
 #pragma once
 
-#include "app/actions.h"
+#include "app/window/actions.h"
 
 #include <QDialog>
 #include <QList>

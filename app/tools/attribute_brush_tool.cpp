@@ -1,7 +1,7 @@
 #include "app/tools/attribute_brush_tool.h"
 
 #include "app/canvas/canvas_widget.h"
-#include "app/editor.h"
+#include "app/session/editor.h"
 #include "undo/edits.h"
 
 #include <QTimerEvent>

@@ -1,8 +1,8 @@
 #pragma once
 
-#include "app/tools/attribute_brush.h"
+#include "app/session/painting/attribute_brush.h"
+#include "app/session/selecting/stroke_drag.h"
 #include "app/tools/sized_tool.h"
-#include "app/tools/stroke_drag.h"
 
 #include <QBasicTimer>
 

@@ -1,8 +1,8 @@
 #include "app/tools/brush_tool.h"
 
-#include "app/brush_library.h"
 #include "app/canvas/canvas_widget.h"
-#include "app/editor.h"
+#include "app/session/editor.h"
+#include "app/session/settings/brush_library.h"
 #include "model/brush/brush_dynamics.h"
 #include "model/brush/brush_width.h"
 #include "model/paint/half_width.h"

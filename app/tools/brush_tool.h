@@ -1,11 +1,11 @@
 #pragma once
 
+#include "app/canvas/tool.h"
+#include "app/session/painting/stabiliser.h"
 #include "app/tools/eyedropper_tool.h"
-#include "app/tools/stabiliser.h"
-#include "app/tools/tool.h"
 #include "model/brush/brush.h"
-#include "model/shaping/reshape.h"
 #include "model/brush/stroke_builder.h"
+#include "model/shaping/reshape.h"
 
 #include <QBasicTimer>
 #include <QPointer>

@@ -1,9 +1,9 @@
 // The brush's row over the canvas.
-#include "app/brush_library.h"
-#include "app/editor.h"
-#include "app/widgets/quantity.h"
+#include "app/session/editor.h"
+#include "app/session/settings/brush_library.h"
 #include "app/tools/brush_tool.h"
 #include "app/tools/tool_fields.h"
+#include "app/widgets/quantity.h"
 
 #include <QComboBox>
 #include <QHBoxLayout>

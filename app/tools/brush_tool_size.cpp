@@ -1,6 +1,6 @@
 // The brush's size and opacity, changed on the canvas and shown there.
 #include "app/canvas/canvas_widget.h"
-#include "app/editor.h"
+#include "app/session/editor.h"
 #include "app/tools/brush_tool.h"
 #include "app/widgets/quantity.h"
 #include "model/brush/brush_width.h"

@@ -1,7 +1,7 @@
 #include "app/tools/eraser_tool.h"
 
 #include "app/canvas/canvas_widget.h"
-#include "app/editor.h"
+#include "app/session/editor.h"
 #include "app/tools/tool_fields.h"
 #include "undo/node_edits.h"
 

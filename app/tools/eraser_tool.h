@@ -1,6 +1,6 @@
 #pragma once
 
-#include "app/canvas/stroke_boxes.h"
+#include "app/session/selecting/stroke_boxes.h"
 #include "app/tools/sized_tool.h"
 #include "undo/edit_command.h"
 

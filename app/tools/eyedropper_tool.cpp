@@ -1,9 +1,9 @@
 #include "app/tools/eyedropper_tool.h"
 
 #include "app/canvas/canvas_widget.h"
-#include "app/editor.h"
-#include "app/panels/colour/colour_convert.h"
-#include "app/tools/pick.h"
+#include "app/session/colour_convert.h"
+#include "app/session/editor.h"
+#include "app/session/selecting/pick.h"
 #include "model/painting/influence.h"
 #include "render/probe.h"
 

@@ -1,7 +1,7 @@
 #include "app/tools/floating_drag.h"
 
 #include "app/canvas/canvas_widget.h"
-#include "app/editor.h"
+#include "app/session/editor.h"
 
 #include <QCoreApplication>
 #include <QEvent>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "app/tools/stroke_drag.h"
+#include "app/session/selecting/stroke_drag.h"
 #include "model/shaping/transform.h"
 
 #include <QObject>

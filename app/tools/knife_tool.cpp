@@ -1,8 +1,8 @@
 #include "app/tools/knife_tool.h"
 
-#include "app/at_next_change.h"
 #include "app/canvas/canvas_widget.h"
-#include "app/editor.h"
+#include "app/session/editor.h"
+#include "app/widgets/at_next_change.h"
 #include "model/shaping/erase.h"
 
 #include <QPainter>

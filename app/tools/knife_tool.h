@@ -1,6 +1,6 @@
 #pragma once
 
-#include "app/tools/tool.h"
+#include "app/canvas/tool.h"
 #include "undo/node_edits.h"
 
 namespace suffuse {

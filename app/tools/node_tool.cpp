@@ -1,8 +1,8 @@
 #include "app/tools/node_tool.h"
 
 #include "app/canvas/canvas_widget.h"
-#include "app/editor.h"
-#include "app/tools/pick.h"
+#include "app/session/editor.h"
+#include "app/session/selecting/pick.h"
 #include "undo/node_edits.h"
 
 #include <algorithm>

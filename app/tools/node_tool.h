@@ -1,9 +1,9 @@
 #pragma once
 
+#include "app/session/selecting/snapping.h"
+#include "app/session/selecting/stroke_drag.h"
 #include "app/tools/node_marks.h"
 #include "app/tools/selection_tool.h"
-#include "app/tools/snapping.h"
-#include "app/tools/stroke_drag.h"
 #include "app/tools/width_handle.h"
 
 #include <QPointer>

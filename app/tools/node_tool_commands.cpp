@@ -1,8 +1,8 @@
 // What keys, menu and the tool's row do to nodes.
-#include "app/actions.h"
 #include "app/canvas/canvas_widget.h"
-#include "app/editor.h"
+#include "app/session/editor.h"
 #include "app/tools/node_tool.h"
+#include "app/window/actions.h"
 #include "undo/node_edits.h"
 
 #include <QHBoxLayout>

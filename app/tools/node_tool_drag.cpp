@@ -1,6 +1,6 @@
 // Drags of nodes, handles and curves.
 #include "app/canvas/canvas_widget.h"
-#include "app/editor.h"
+#include "app/session/editor.h"
 #include "app/tools/node_tool.h"
 #include "undo/node_edits.h"
 

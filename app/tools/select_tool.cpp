@@ -1,8 +1,8 @@
 #include "app/tools/select_tool.h"
 
-#include "app/actions.h"
 #include "app/canvas/canvas_widget.h"
-#include "app/editor.h"
+#include "app/session/editor.h"
+#include "app/window/actions.h"
 #include "undo/transform_edits.h"
 
 #include <QKeyEvent>

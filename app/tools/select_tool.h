@@ -1,9 +1,9 @@
 #pragma once
 
+#include "app/session/selecting/pick.h"
+#include "app/session/selecting/snapping.h"
 #include "app/tools/floating_drag.h"
-#include "app/tools/pick.h"
 #include "app/tools/selection_tool.h"
-#include "app/tools/snapping.h"
 #include "app/tools/transform_handles.h"
 
 #include <QPointer>

@@ -1,9 +1,9 @@
 // What the Select tool shows: handles, cursor, and the line that says what clicking will do.
-#include "app/actions.h"
 #include "app/canvas/canvas_widget.h"
-#include "app/editor.h"
+#include "app/session/editor.h"
 #include "app/tools/select_tool.h"
 #include "app/tools/transform_bar.h"
+#include "app/window/actions.h"
 
 #include <QPainter>
 

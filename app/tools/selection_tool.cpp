@@ -1,9 +1,9 @@
 #include "app/tools/selection_tool.h"
 
 #include "app/canvas/canvas_widget.h"
-#include "app/editor.h"
-#include "app/tools/commands.h"
-#include "app/tools/pick.h"
+#include "app/session/commands.h"
+#include "app/session/editor.h"
+#include "app/session/selecting/pick.h"
 
 #include <QApplication>
 #include <QKeyEvent>

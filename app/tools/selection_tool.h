@@ -1,7 +1,7 @@
 // What the tools that select have in common: click, rubber band, nudging.
 #pragma once
 
-#include "app/tools/tool.h"
+#include "app/canvas/tool.h"
 #include "model/painting/selection.h"
 #include "undo/edit_command.h"
 

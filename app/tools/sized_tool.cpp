@@ -1,10 +1,10 @@
 #include "app/tools/sized_tool.h"
 
 #include "app/canvas/canvas_widget.h"
-#include "app/editor.h"
-#include "app/widgets/number_field.h"
-#include "app/settings.h"
+#include "app/session/editor.h"
+#include "app/session/settings/settings.h"
 #include "app/tools/tool_fields.h"
+#include "app/widgets/number_field.h"
 
 #include <QHBoxLayout>
 #include <QPainter>

@@ -1,10 +1,10 @@
 #include "app/tools/transform_bar.h"
 
-#include "app/actions.h"
-#include "app/editor.h"
-#include "app/icons.h"
+#include "app/session/editor.h"
 #include "app/tools/tool_fields.h"
+#include "app/widgets/icons.h"
 #include "app/widgets/number_field.h"
+#include "app/window/actions.h"
 #include "model/painting/decimal.h"
 #include "undo/transform_edits.h"
 

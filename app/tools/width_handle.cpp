@@ -1,7 +1,7 @@
 #include "app/tools/width_handle.h"
 
 #include "app/canvas/canvas_widget.h"
-#include "app/editor.h"
+#include "app/session/editor.h"
 #include "model/paint/half_width.h"
 #include "undo/edits.h"
 

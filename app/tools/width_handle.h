@@ -1,7 +1,7 @@
 // The handle that makes a stroke wider or narrower on the canvas.
 #pragma once
 
-#include "app/tools/tool.h"
+#include "app/canvas/tool.h"
 #include "model/painting/selection.h"
 #include "undo/edit_command.h"
 

@@ -1,6 +1,6 @@
 #include "app/widgets/bar_slider.h"
 
-#include "app/theme.h"
+#include "app/widgets/theme.h"
 
 #include <QCoreApplication>
 #include <QMouseEvent>

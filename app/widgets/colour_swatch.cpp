@@ -1,7 +1,7 @@
 #include "app/widgets/colour_swatch.h"
 
-#include "app/panels/colour/colour_convert.h"
-#include "app/theme.h"
+#include "app/session/colour_convert.h"
+#include "app/widgets/theme.h"
 
 #include <QApplication>
 #include <QDrag>

@@ -1,6 +1,6 @@
 #include "app/widgets/compare_button.h"
 
-#include "app/editor.h"
+#include "app/session/editor.h"
 #include "undo/stroke_history.h"
 
 namespace suffuse {

@@ -1,6 +1,6 @@
 #include "app/widgets/curve_field.h"
 
-#include "app/theme.h"
+#include "app/widgets/theme.h"
 
 #include <QMouseEvent>
 #include <QPainter>

@@ -1,6 +1,6 @@
 #include "app/widgets/plot_frame.h"
 
-#include "app/theme.h"
+#include "app/widgets/theme.h"
 
 #include <QPainter>
 #include <QWidget>

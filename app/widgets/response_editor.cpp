@@ -1,6 +1,6 @@
 #include "app/widgets/response_editor.h"
 
-#include "app/theme.h"
+#include "app/widgets/theme.h"
 
 #include <QKeyEvent>
 #include <QMouseEvent>

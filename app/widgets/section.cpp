@@ -1,6 +1,6 @@
 #include "app/widgets/section.h"
 
-#include "app/theme.h"
+#include "app/widgets/theme.h"
 
 #include <QApplication>
 #include <QDialog>

@@ -2,15 +2,15 @@
 #pragma once
 
 #include "app/dialogs/about_dialog.h"
-#include "app/dialogs/brush_dialog.h"
 #include "app/dialogs/export_dialog.h"
 #include "app/dialogs/new_dialog.h"
 #include "app/dialogs/settings_dialog.h"
 #include "app/dialogs/shortcuts_dialog.h"
 #include "app/dialogs/timelapse_dialog.h"
-#include "app/palette_entries.h"
+#include "app/panels/brushes/brush_dialog.h"
 #include "app/panels/inspector/along_dialog.h"
-#include "app/recovery.h"
+#include "app/window/palette_entries.h"
+#include "app/window/recovery.h"
 #include "tests/app/shapes.h"
 
 #include <functional>

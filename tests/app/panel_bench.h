@@ -1,7 +1,7 @@
 // What tests of panels share: an editor with a few strokes, and hands that click and type.
 #pragma once
 
-#include "app/editor.h"
+#include "app/session/editor.h"
 #include "app/widgets/bar_slider.h"
 
 #include <QLineEdit>

@@ -1,10 +1,10 @@
 // Values along the stroke, and the probe, by real events.
-#include "app/panels/inspector/age_plot.h"
 #include "app/panels/inspector/along_dialog.h"
 #include "app/panels/inspector/inspector_panel.h"
-#include "app/widgets/number_field.h"
 #include "app/panels/probe/probe_panel.h"
-#include "app/place_beside.h"
+#include "app/widgets/age_plot.h"
+#include "app/widgets/number_field.h"
+#include "app/widgets/place_beside.h"
 #include "model/painting/validate.h"
 #include "render/probe.h"
 #include "tests/app/panel_bench.h"

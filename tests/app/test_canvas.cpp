@@ -1,7 +1,7 @@
 // The view's arithmetic, and the canvas as a hand uses it: wheel, drags, keys.
 #include "app/canvas/canvas_widget.h"
 #include "app/canvas/overlay.h"
-#include "app/editor.h"
+#include "app/session/editor.h"
 
 #include <QSignalSpy>
 #include <QTemporaryDir>

@@ -1,7 +1,7 @@
 // Cut, copy, paste and drops: between paintings bit for bit, with others as pictures, curves and colours.
-#include "app/clipboard.h"
-#include "app/panels/colour/colour_convert.h"
-#include "app/svg_strokes.h"
+#include "app/session/colour_convert.h"
+#include "app/session/files/clipboard.h"
+#include "app/session/files/svg_strokes.h"
 #include "app/widgets/colour_swatch.h"
 #include "model/paint/derived_figures.h"
 #include "model/painting/influence.h"

@@ -3,12 +3,12 @@
 #include "app/dialogs/new_dialog.h"
 #include "app/dialogs/settings_dialog.h"
 #include "app/dialogs/shortcuts_dialog.h"
-#include "app/icons.h"
-#include "app/panels/inspector/canvas_section.h"
-#include "app/settings.h"
-#include "app/theme.h"
+#include "app/session/settings/settings.h"
+#include "app/widgets/canvas_section.h"
+#include "app/widgets/icons.h"
 #include "app/widgets/number_field.h"
 #include "app/widgets/section.h"
+#include "app/widgets/theme.h"
 #include "tests/app/panel_bench.h"
 
 #include <QAction>

@@ -1,5 +1,5 @@
 // What goes into a document's file beside the picture: undo history, and how it was looked at.
-#include "app/actions.h"
+#include "app/window/actions.h"
 #include "model/formats/files.h"
 #include "tests/app/session.h"
 #include "undo/edits.h"

@@ -1,7 +1,5 @@
 // The inspector as a refiner works in it, by real events: figures and warnings, before and after, relative entry, the
 // canvas handle for the width.
-#include "app/panels/colour/colour_rows.h"
-#include "app/panels/inspector/cross_section.h"
 #include "app/panels/inspector/cross_section_plot.h"
 #include "app/panels/inspector/figures_section.h"
 #include "app/panels/inspector/inspector_panel.h"
@@ -9,7 +7,9 @@
 #include "app/panels/inspector/style_section.h"
 #include "app/tools/width_handle.h"
 #include "app/widgets/arithmetic.h"
+#include "app/widgets/colour_rows.h"
 #include "app/widgets/compare_button.h"
+#include "app/widgets/cross_section.h"
 #include "app/widgets/number_field.h"
 #include "app/widgets/quantity.h"
 #include "app/widgets/section.h"

@@ -1,5 +1,5 @@
 // Going on with a stroke from its end: as wide as it is before its taper.
-#include "app/brush_library.h"
+#include "app/session/settings/brush_library.h"
 #include "model/brush/stroke_fit.h"
 #include "tests/app/session.h"
 

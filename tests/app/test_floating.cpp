@@ -1,5 +1,5 @@
 // Drags that float: pictures in place of edits while the hand moves, and what the document has when it rests.
-#include "app/settings.h"
+#include "app/session/settings/settings.h"
 #include "tests/app/selecting.h"
 #include "tests/app/slow_renderer.h"
 #include "tests/app/worker_frames.h"

@@ -3,7 +3,7 @@
 #include "app/panels/inspector/inspector_panel.h"
 #include "app/panels/inspector/segment_section.h"
 #include "app/session/frames/coarse_frames.h"
-#include "app/settings.h"
+#include "app/session/settings/settings.h"
 #include "render/backends.h"
 #include "render/bench/generator.h"
 #include "tests/app/selecting.h"

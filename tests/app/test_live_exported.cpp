@@ -1,5 +1,5 @@
 // What is painted on the canvas with any brush is what suffuse-cli draws of the saved file, bit for bit, at any moment.
-#include "app/editor.h"
+#include "app/session/editor.h"
 #include "model/formats/files.h"
 #include "render/view.h"
 #include "tests/app/pen_hand.h"

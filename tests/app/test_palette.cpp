@@ -1,8 +1,8 @@
 // The table of commands, and the palette that finds what is in it.
-#include "app/brush_library.h"
 #include "app/dialogs/shortcuts_dialog.h"
-#include "app/palette_entries.h"
-#include "app/settings.h"
+#include "app/session/settings/brush_library.h"
+#include "app/session/settings/settings.h"
+#include "app/window/palette_entries.h"
 #include "model/formats/files.h"
 #include "tests/app/session.h"
 

@@ -1,5 +1,5 @@
 // The pen on the canvas, by synthetic devices.
-#include "app/settings.h"
+#include "app/session/settings/settings.h"
 #include "pen_hand.h"
 #include "session.h"
 #include "synthetic_pen.h"

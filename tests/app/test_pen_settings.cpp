@@ -1,9 +1,9 @@
 // The pressure curve and the pen's page of the settings.
 #include "app/dialogs/pen_page.h"
 #include "app/dialogs/settings_dialog.h"
-#include "app/panels/brushes/pen_pad.h"
+#include "app/session/settings/settings.h"
+#include "app/widgets/pen_pad.h"
 #include "app/widgets/response_editor.h"
-#include "app/settings.h"
 #include "session.h"
 #include "synthetic_pen.h"
 

@@ -1,7 +1,7 @@
 // Settings that windows are built by: other windows show the same paintings, and nothing is lost.
-#include "app/rebuilt_windows.h"
-#include "app/settings.h"
-#include "app/translation.h"
+#include "app/session/settings/settings.h"
+#include "app/session/translation.h"
+#include "app/window/rebuilt_windows.h"
 #include "tests/app/shapes.h"
 
 #include <QDockWidget>

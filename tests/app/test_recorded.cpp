@@ -1,6 +1,6 @@
 // A recorded painting, played to the canvas as a pen's reports: it becomes what its import is, bit for bit.
 // SUFFUSE_RECORDING names a file of MyPaint events (time, x, y, pressure); without it one is made up.
-#include "app/editor.h"
+#include "app/session/editor.h"
 #include "model/formats/files.h"
 #include "model/shaping/transform.h"
 #include "tests/app/pen_hand.h"

@@ -1,7 +1,7 @@
 // What a start offers after a crash: everything that was finished, once, and never what was saved or closed.
-#include "app/journal.h"
-#include "app/messages.h"
-#include "app/recovery.h"
+#include "app/session/files/journal.h"
+#include "app/widgets/messages.h"
+#include "app/window/recovery.h"
 #include "tests/app/selecting.h"
 
 #include <QApplication>

@@ -1,5 +1,5 @@
 // Which step is on disk, whatever is done and fails meanwhile.
-#include "app/saved_step.h"
+#include "app/session/files/saved_step.h"
 
 #include <QTest>
 

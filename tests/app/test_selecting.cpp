@@ -1,7 +1,7 @@
 // Selecting strokes on the canvas, by the events that a hand makes.
 #include "app/panels/strokes/strokes_panel.h"
-#include "app/settings.h"
-#include "app/tools/pick.h"
+#include "app/session/selecting/pick.h"
+#include "app/session/settings/settings.h"
 #include "model/paint/seen_paint.h"
 #include "render/bench/generator.h"
 #include "render/probe.h"

@@ -1,6 +1,6 @@
 // The outlines of the selected strokes: thinned out where they are many, apart where they move.
 #include "app/canvas/selection_outline.h"
-#include "app/tools/pick.h"
+#include "app/session/selecting/pick.h"
 #include "tests/app/selecting.h"
 #include "undo/transform_edits.h"
 

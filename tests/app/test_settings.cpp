@@ -1,7 +1,8 @@
 // Settings: what is stored comes back, and damaged files never keep the program from starting.
-#include "app/settings.h"
-#include "app/theme.h"
-#include "app/translation.h"
+#include "app/session/settings/settings.h"
+#include "app/session/translation.h"
+#include "app/widgets/theme.h"
+#include "app/window/window_layout.h"
 #include "model/formats/atomic_save.h"
 #include "tests/trials.h"
 
@@ -111,13 +112,13 @@ private slots:
         window.findChild<QDockWidget *>("two")->hide();
         window.addDockWidget(Qt::LeftDockWidgetArea, window.findChild<QDockWidget *>("three"));
         window.resize(700, 500);
-        QVERIFY(!settings::hasLayout());
-        settings::saveLayout(window);
-        QVERIFY(settings::hasLayout());
+        QVERIFY(!window_layout::isStored());
+        window_layout::save(window);
+        QVERIFY(window_layout::isStored());
 
         QMainWindow other;
         addDocks(other);
-        QVERIFY(settings::restoreLayout(other));
+        QVERIFY(window_layout::restore(other));
         QVERIFY(other.findChild<QDockWidget *>("two")->isHidden());
         QCOMPARE(other.dockWidgetArea(other.findChild<QDockWidget *>("three")), Qt::LeftDockWidgetArea);
         other.show();
@@ -128,16 +129,16 @@ private slots:
     {
         QMainWindow window;
         addDocks(window);
-        settings::saveLayout(window);
+        window_layout::save(window);
         {
             QMainWindow never; // restored, but never shown: as if the program had died
             addDocks(never);
-            QVERIFY(settings::restoreLayout(never));
+            QVERIFY(window_layout::restore(never));
         }
         QMainWindow next;
         addDocks(next);
-        QVERIFY(!settings::restoreLayout(next));
-        QVERIFY(!settings::hasLayout());
+        QVERIFY(!window_layout::restore(next));
+        QVERIFY(!window_layout::isStored());
     }
 
     void damagedFilesStillStart()
@@ -146,7 +147,7 @@ private slots:
         addDocks(window);
         settings::setLanguage("zh_CN");
         settings::addRecentFile(QCoreApplication::applicationFilePath());
-        settings::saveLayout(window);
+        window_layout::save(window);
         settings::store().sync();
         QFile file(m_folder->filePath("settings.ini"));
         QVERIFY(file.open(QIODevice::ReadOnly));
@@ -179,7 +180,7 @@ private slots:
             applyTheme();
             QMainWindow started;
             addDocks(started);
-            if (settings::restoreLayout(started))
+            if (window_layout::restore(started))
                 ++restored;
             settings::startSucceeded();
             QFile::remove(out.fileName());

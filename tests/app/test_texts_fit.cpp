@@ -1,9 +1,10 @@
 // Every text is seen as a whole, and every dialog lies on the screen: in all languages, and in ones that take more
 // room.
-#include "app/place_beside.h"
-#include "app/settings.h"
-#include "app/translation.h"
+#include "app/session/settings/settings.h"
+#include "app/session/translation.h"
 #include "app/widgets/bar_slider.h"
+#include "app/widgets/place_beside.h"
+#include "app/window/window_layout.h"
 #include "tests/app/all_dialogs.h"
 
 #include <QAbstractButton>
@@ -197,7 +198,7 @@ private slots:
         QCOMPARE(QGuiApplication::primaryScreen()->availableGeometry(), QRect(0, 0, 1366, 768));
     }
 
-    void init() { settings::resetLayout(); }
+    void init() { window_layout::reset(); }
     void cleanup()
     {
         m_longer.reset();

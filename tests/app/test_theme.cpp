@@ -1,9 +1,9 @@
 // Tool tips and open messages follow a theme that changes while the program runs, and icons are sharp.
-#include "app/editor.h"
-#include "app/icons.h"
 #include "app/panels/brushes/brush_panel.h"
-#include "app/settings.h"
-#include "app/theme.h"
+#include "app/session/editor.h"
+#include "app/session/settings/settings.h"
+#include "app/widgets/icons.h"
+#include "app/widgets/theme.h"
 
 #include <QApplication>
 #include <QListWidget>

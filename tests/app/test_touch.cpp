@@ -1,5 +1,5 @@
 // Fingers on the canvas, alone and beside the pen.
-#include "app/settings.h"
+#include "app/session/settings/settings.h"
 #include "session.h"
 #include "synthetic_pen.h"
 

@@ -1,10 +1,10 @@
 // The underlay: it comes from a file, is edited, undone and saved like all else, and is in no picture that is exported.
-#include "app/canvas/underlay_image.h"
 #include "app/dialogs/export_dialog.h"
-#include "app/messages.h"
 #include "app/panels/inspector/inspector_panel.h"
-#include "app/widgets/section.h"
 #include "app/panels/inspector/underlay_section.h"
+#include "app/session/files/underlay_image.h"
+#include "app/widgets/messages.h"
+#include "app/widgets/section.h"
 #include "model/formats/files.h"
 #include "tests/app/panel_bench.h"
 #include "tests/app/session.h"

@@ -1,7 +1,8 @@
 // What the wheel and the keys reach: nothing is altered that was not meant.
-#include "app/keyboard_focus.h"
-#include "app/settings.h"
+#include "app/session/settings/settings.h"
+#include "app/widgets/keyboard_focus.h"
 #include "app/widgets/number_field.h"
+#include "app/window/window_layout.h"
 #include "tests/app/all_dialogs.h"
 
 #include <QAbstractSpinBox>
@@ -163,7 +164,7 @@ private slots:
         qputenv("SUFFUSE_SETTINGS", m_folder.filePath("settings.ini").toLocal8Bit());
     }
 
-    void init() { settings::resetLayout(); }
+    void init() { window_layout::reset(); }
 
     void noWindowsWidgetWithoutFocusTakesTheWheel()
     {

@@ -1,7 +1,8 @@
 // Where windows go, and how their docks share the room.
 #include "app/panels/strokes/strokes_panel.h"
-#include "app/place_beside.h"
-#include "app/settings.h"
+#include "app/session/settings/settings.h"
+#include "app/widgets/place_beside.h"
+#include "app/window/window_layout.h"
 #include "model/formats/files.h"
 #include "tests/app/session.h"
 
@@ -23,7 +24,7 @@ private slots:
         qputenv("SUFFUSE_SETTINGS", m_folder.filePath("settings.ini").toLocal8Bit());
     }
 
-    void init() { settings::resetLayout(); }
+    void init() { window_layout::reset(); }
 
     void rectanglesKeepToTheScreen()
     {

@@ -3,7 +3,7 @@
 
 #include "app/panels/timeline/timeline_panel.h"
 #include "app/panels/timeline/timeline_view.h"
-#include "app/playback.h"
+#include "app/session/playback.h"
 #include "model/formats/files.h"
 #include "render/backends.h"
 #include "tests/app/selecting.h"

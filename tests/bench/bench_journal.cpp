@@ -2,8 +2,8 @@
 //   bench_journal [FILE.suffuse]...    without a file: 10,000 strokes of ten segments; --quick: a hundred
 // Prints a line a painting: median, 99th percentile and most of the thread's own time and of the time on the wall, for
 // handing over a snapshot; and from there until it is synced. Then how many syncs a second the disk takes.
-#include "app/editor.h"
-#include "app/journal.h"
+#include "app/session/editor.h"
+#include "app/session/files/journal.h"
 #include "model/formats/files.h"
 #include "render/bench/generator.h"
 #include "undo/edits.h"

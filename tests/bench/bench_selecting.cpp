@@ -4,8 +4,8 @@
 // time (which a busy machine does not spoil).
 #include "app/canvas/canvas_widget.h"
 #include "app/canvas/selection_outline.h"
-#include "app/main_window.h"
-#include "app/tools/pick.h"
+#include "app/session/selecting/pick.h"
+#include "app/window/main_window.h"
 #include "render/bench/generator.h"
 
 #include <QApplication>

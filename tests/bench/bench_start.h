@@ -1,7 +1,7 @@
 // What the benches of the window begin with.
 #pragma once
 
-#include "app/settings.h"
+#include "app/session/settings/settings.h"
 #include "model/formats/files.h"
 #include "render/bench/generator.h"
 

@@ -1,10 +1,10 @@
 // Drags of a node, a slider and selections.
-#include "app/widgets/bar_slider.h"
 #include "app/panels/inspector/inspector_panel.h"
 #include "app/panels/inspector/segment_section.h"
+#include "app/session/selecting/pick.h"
 #include "app/tools/node_tool.h"
-#include "app/tools/pick.h"
 #include "app/tools/select_tool.h"
+#include "app/widgets/bar_slider.h"
 #include "model/painting/influence.h"
 #include "tests/bench/editing_benches.h"
 #include "undo/node_edits.h"

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "app/canvas/canvas_widget.h"
-#include "app/main_window.h"
+#include "app/window/main_window.h"
 
 #include <QApplication>
 

@@ -3,9 +3,9 @@
 //   victim paint FOLDER SEED   paints for ever, with its journal in the folder
 //   victim fault FILE OTHER    saves once with faults armed, then once under another name
 //   victim settings            reads all settings
-#include "app/editor.h"
-#include "app/journal.h"
-#include "app/settings.h"
+#include "app/session/editor.h"
+#include "app/session/files/journal.h"
+#include "app/session/settings/settings.h"
 #include "model/brush/stroke_builder.h"
 #include "undo/edits.h"
 

@@ -1,12 +1,12 @@
 #include "app/panels/brushes/brush_panel.h"
 
-#include "app/brush_library.h"
-#include "app/dialogs/brush_dialog.h"
-#include "app/editor.h"
-#include "app/icons.h"
-#include "app/theme.h"
+#include "app/panels/brushes/brush_dialog.h"
+#include "app/session/editor.h"
+#include "app/session/settings/brush_library.h"
+#include "app/widgets/icons.h"
 #include "app/widgets/quantity.h"
 #include "app/widgets/section.h"
+#include "app/widgets/theme.h"
 
 #include <QApplication>
 #include <QEvent>

@@ -1,10 +1,10 @@
 // What can be done with the brush in hand and with brush files.
-#include "app/brush_library.h"
-#include "app/dialogs/brush_dialog.h"
-#include "app/editor.h"
-#include "app/messages.h"
+#include "app/panels/brushes/brush_dialog.h"
 #include "app/panels/brushes/brush_panel.h"
-#include "app/save_name.h"
+#include "app/session/editor.h"
+#include "app/session/settings/brush_library.h"
+#include "app/widgets/messages.h"
+#include "app/widgets/save_name.h"
 #include "app/widgets/section.h"
 
 #include <QFileDialog>

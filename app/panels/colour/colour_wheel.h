@@ -1,6 +1,6 @@
 #pragma once
 
-#include "app/panels/colour/colour_convert.h"
+#include "app/session/colour_convert.h"
 
 #include <QImage>
 #include <QWidget>

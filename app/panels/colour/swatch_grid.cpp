@@ -1,8 +1,8 @@
 #include "app/panels/colour/swatch_grid.h"
 
-#include "app/panels/colour/colour_convert.h"
-#include "app/theme.h"
+#include "app/session/colour_convert.h"
 #include "app/widgets/colour_swatch.h"
+#include "app/widgets/theme.h"
 
 #include <QApplication>
 #include <QContextMenuEvent>

@@ -1,13 +1,13 @@
 #include "app/panels/colour/swatches_section.h"
 
-#include "app/editor.h"
-#include "app/icons.h"
-#include "app/messages.h"
-#include "app/widgets/section.h"
 #include "app/panels/colour/swatch_grid.h"
-#include "app/save_name.h"
-#include "model/formats/files.h"
+#include "app/session/editor.h"
+#include "app/widgets/icons.h"
+#include "app/widgets/messages.h"
+#include "app/widgets/save_name.h"
+#include "app/widgets/section.h"
 #include "model/formats/brushes/gimp_palette.h"
+#include "model/formats/files.h"
 #include "undo/swatch_edits.h"
 
 #include <QFile>

@@ -1,9 +1,9 @@
 #include "app/panels/history/history_panel.h"
 
-#include "app/editor.h"
-#include "app/icons.h"
-#include "app/widgets/section.h"
 #include "app/panels/history/stroke_history_list.h"
+#include "app/session/editor.h"
+#include "app/widgets/icons.h"
+#include "app/widgets/section.h"
 
 #include <QSplitter>
 #include <QStyledItemDelegate>

@@ -1,6 +1,6 @@
 #include "app/panels/history/stroke_history_list.h"
 
-#include "app/editor.h"
+#include "app/session/editor.h"
 
 #include <QSignalBlocker>
 #include <QTimerEvent>

@@ -1,6 +1,6 @@
 #include "app/panels/inspector/along_dialog.h"
 
-#include "app/editor.h"
+#include "app/session/editor.h"
 #include "app/widgets/mnemonics.h"
 #include "app/widgets/section.h"
 

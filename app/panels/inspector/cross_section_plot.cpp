@@ -2,7 +2,7 @@
 
 #include "app/widgets/display.h"
 #include "app/widgets/plot_frame.h"
-#include "app/theme.h"
+#include "app/widgets/theme.h"
 
 #include <QPainter>
 #include <QPainterPath>

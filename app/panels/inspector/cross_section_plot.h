@@ -1,6 +1,6 @@
 #pragma once
 
-#include "app/panels/inspector/cross_section.h"
+#include "app/widgets/cross_section.h"
 
 #include <QWidget>
 

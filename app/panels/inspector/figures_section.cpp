@@ -1,9 +1,9 @@
 #include "app/panels/inspector/figures_section.h"
 
-#include "app/editor.h"
 #include "app/panels/inspector/cross_section_plot.h"
 #include "app/panels/inspector/density_plot.h"
 #include "app/panels/inspector/figure_warnings.h"
+#include "app/session/editor.h"
 #include "app/widgets/display.h"
 #include "app/widgets/number_field.h"
 #include "app/widgets/section.h"

@@ -1,16 +1,16 @@
 #include "app/panels/inspector/inspector_panel.h"
 
-#include "app/editor.h"
 #include "app/panels/inspector/along_dialog.h"
-#include "app/panels/inspector/canvas_section.h"
-#include "app/widgets/compare_button.h"
 #include "app/panels/inspector/figures_section.h"
-#include "app/widgets/section.h"
 #include "app/panels/inspector/segment_section.h"
-#include "app/widgets/slider_field.h"
 #include "app/panels/inspector/stroke_section.h"
 #include "app/panels/inspector/style_section.h"
 #include "app/panels/inspector/underlay_section.h"
+#include "app/session/editor.h"
+#include "app/widgets/canvas_section.h"
+#include "app/widgets/compare_button.h"
+#include "app/widgets/section.h"
+#include "app/widgets/slider_field.h"
 #include "undo/edits.h"
 
 #include <QHBoxLayout>

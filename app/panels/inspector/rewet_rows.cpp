@@ -1,7 +1,7 @@
 #include "app/panels/inspector/rewet_rows.h"
 
-#include "app/editor.h"
-#include "app/icons.h"
+#include "app/session/editor.h"
+#include "app/widgets/icons.h"
 #include "app/widgets/section.h"
 #include "app/widgets/time_text.h"
 #include "undo/time_edits.h"

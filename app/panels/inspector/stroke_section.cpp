@@ -1,6 +1,6 @@
 #include "app/panels/inspector/stroke_section.h"
 
-#include "app/editor.h"
+#include "app/session/editor.h"
 #include "app/widgets/quantity.h"
 #include "app/widgets/section.h"
 #include "undo/edits.h"

@@ -1,10 +1,11 @@
 #include "app/panels/inspector/underlay_section.h"
 
-#include "app/editor.h"
-#include "app/icons.h"
+#include "app/session/editor.h"
+#include "app/session/underlay_commands.h"
+#include "app/widgets/choose_picture.h"
+#include "app/widgets/icons.h"
 #include "app/widgets/quantity.h"
 #include "app/widgets/section.h"
-#include "app/underlay_commands.h"
 
 #include <QGridLayout>
 #include <QHBoxLayout>
@@ -142,7 +143,7 @@ void UnderlaySection::addButtons(QVBoxLayout &column)
 
 void UnderlaySection::choose()
 {
-    if (const QString path = underlay::choose(this); !path.isEmpty())
+    if (const QString path = choosePicture(this, tr("Import underlay")); !path.isEmpty())
         emit refused(underlay::importFile(m_editor, path));
 }
 

@@ -1,9 +1,9 @@
 #include "app/panels/probe/probe_panel.h"
 
-#include "app/editor.h"
-#include "app/panels/inspector/age_plot.h"
-#include "app/panels/colour/colour_convert.h"
-#include "app/panels/inspector/cross_section.h"
+#include "app/session/colour_convert.h"
+#include "app/session/editor.h"
+#include "app/widgets/age_plot.h"
+#include "app/widgets/cross_section.h"
 #include "app/widgets/display.h"
 #include "app/widgets/section.h"
 #include "model/paint/half_width.h"

@@ -1,8 +1,8 @@
 #include "app/panels/strokes/strokes_model.h"
 
-#include "app/editor.h"
-#include "app/icons.h"
-#include "app/panels/colour/colour_convert.h"
+#include "app/session/colour_convert.h"
+#include "app/session/editor.h"
+#include "app/widgets/icons.h"
 
 #include <algorithm>
 #include <unordered_set>

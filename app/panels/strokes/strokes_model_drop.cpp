@@ -1,7 +1,7 @@
 // How rows are dragged: within the list, and to other windows.
-#include "app/clipboard.h"
-#include "app/editor.h"
 #include "app/panels/strokes/strokes_model.h"
+#include "app/session/editor.h"
+#include "app/session/files/clipboard.h"
 
 #include <QDataStream>
 #include <QIODevice>

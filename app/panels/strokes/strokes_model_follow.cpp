@@ -1,6 +1,6 @@
 // How the rows follow the document.
-#include "app/editor.h"
 #include "app/panels/strokes/strokes_model.h"
+#include "app/session/editor.h"
 
 #include <QScopedValueRollback>
 

@@ -1,11 +1,11 @@
 #include "app/panels/strokes/strokes_panel.h"
 
-#include "app/editor.h"
-#include "app/icons.h"
 #include "app/panels/strokes/strokes_filter.h"
 #include "app/panels/strokes/strokes_model.h"
 #include "app/panels/strokes/strokes_view.h"
-#include "app/tools/commands.h"
+#include "app/session/commands.h"
+#include "app/session/editor.h"
+#include "app/widgets/icons.h"
 
 #include <QAction>
 #include <QLineEdit>

@@ -1,10 +1,10 @@
 #include "app/panels/strokes/strokes_view.h"
 
-#include "app/editor.h"
 #include "app/panels/strokes/stroke_thumbnails.h"
 #include "app/panels/strokes/strokes_filter.h"
 #include "app/panels/strokes/strokes_model.h"
-#include "app/theme.h"
+#include "app/session/editor.h"
+#include "app/widgets/theme.h"
 
 #include <QApplication>
 #include <QCache>

@@ -1,12 +1,12 @@
 #include "app/panels/timeline/timeline_panel.h"
 
-#include "app/actions.h"
-#include "app/editor.h"
-#include "app/icons.h"
+#include "app/panels/timeline/timeline_view.h"
+#include "app/session/editor.h"
+#include "app/session/playback.h"
+#include "app/widgets/icons.h"
 #include "app/widgets/section.h"
 #include "app/widgets/time_text.h"
-#include "app/panels/timeline/timeline_view.h"
-#include "app/playback.h"
+#include "app/window/actions.h"
 
 #include <QComboBox>
 #include <QHBoxLayout>

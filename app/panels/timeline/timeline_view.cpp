@@ -1,7 +1,7 @@
 #include "app/panels/timeline/timeline_view.h"
 
-#include "app/editor.h"
-#include "app/playback.h"
+#include "app/session/editor.h"
+#include "app/session/playback.h"
 
 #include <QGestureEvent>
 #include <QHelpEvent>

@@ -1,8 +1,8 @@
 // The mouse on the timeline: the playhead, selecting, retiming.
-#include "app/editor.h"
-#include "app/widgets/time_text.h"
 #include "app/panels/timeline/timeline_view.h"
-#include "app/playback.h"
+#include "app/session/editor.h"
+#include "app/session/playback.h"
+#include "app/widgets/time_text.h"
 #include "undo/time_edits.h"
 
 #include <QApplication>

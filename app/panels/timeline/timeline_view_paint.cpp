@@ -1,8 +1,8 @@
 // What the timeline looks like.
-#include "app/editor.h"
-#include "app/panels/colour/colour_convert.h"
 #include "app/panels/timeline/timeline_view.h"
-#include "app/theme.h"
+#include "app/session/colour_convert.h"
+#include "app/session/editor.h"
+#include "app/widgets/theme.h"
 
 #include <QLocale>
 #include <QPaintEvent>

@@ -1,0 +1,161 @@
+#include "app/session/commands.h"
+
+#include "app/session/selecting/pick.h"
+#include "model/painting/decimal.h"
+
+#include <QCoreApplication>
+
+namespace suffuse::commands {
+
+namespace {
+
+QString tr(const char *text)
+{
+    return QCoreApplication::translate("Commands", text);
+}
+
+} // namespace
+
+void deleteSelected(Editor &editor)
+{
+    const bool segments = !editor.document().selection().segments.empty();
+    editor.push(deleteSelection(editor.document()), segments
+                                                        ? QCoreApplication::translate("Commands", "Delete segments")
+                                                        : QCoreApplication::translate("Commands", "Delete strokes"));
+}
+
+void duplicateSelected(Editor &editor)
+{
+    editor.push(duplicateSelection(editor.document(), {0, 0}), QCoreApplication::translate("Commands", "Duplicate"));
+}
+
+void arrangeSelected(Editor &editor, Arrange how)
+{
+    const char *names[] = {QT_TRANSLATE_NOOP("Commands", "Raise"), QT_TRANSLATE_NOOP("Commands", "Lower"),
+                           QT_TRANSLATE_NOOP("Commands", "Raise to top"),
+                           QT_TRANSLATE_NOOP("Commands", "Lower to bottom")};
+    editor.push(arrangeSelection(editor.document(), how), tr(names[int(how)]));
+}
+
+void selectAll(Editor &editor)
+{
+    Selection selection;
+    selection.strokes = selectableStrokes(*editor.document().painting(), editor.clock().time());
+    editor.document().setSelection(std::move(selection));
+}
+
+void deselect(Editor &editor)
+{
+    Selection selection = editor.document().selection();
+    if (selection.segments.empty())
+        selection.strokes.clear();
+    selection.segments.clear();
+    editor.document().setSelection(std::move(selection));
+}
+
+void moveStrokes(Editor &editor, const std::set<StrokeId> &strokes, Point by, EditRun run)
+{
+    const Document &document = editor.document();
+    editor.push(
+        changeStrokes(document, strokes,
+                      [by](Stroke &stroke) {
+                          stroke.origin = {decimalSum(stroke.origin.x, by.x), decimalSum(stroke.origin.y, by.y)};
+                      }),
+        QCoreApplication::translate("Commands", "Move"), run);
+}
+
+void invertSelection(Editor &editor)
+{
+    Selection selection;
+    for (const StrokeId id : selectableStrokes(*editor.document().painting(), editor.clock().time()))
+        if (!editor.document().selection().strokes.contains(id))
+            selection.strokes.insert(id);
+    editor.document().setSelection(std::move(selection));
+}
+
+void selectSameAs(Editor &editor, Same what)
+{
+    editor.document().setSelection(selectSame(editor.document(), what));
+}
+
+void flipSelected(Editor &editor, Axis axis, SpreadRule rule)
+{
+    const Rect box = selectionBox(*editor.document().painting(), editor.document().selection());
+    if (box.isEmpty())
+        return;
+    const bool across = axis == Axis::Horizontal;
+    const Affine map = Affine::scaling(box.centre(), across ? -1 : 1, across ? 1 : -1);
+    editor.push(transformSelection(editor.document(), map, rule),
+                across ? QCoreApplication::translate("Commands", "Flip horizontally")
+                       : QCoreApplication::translate("Commands", "Flip vertically"));
+}
+
+void quarterTurnSelected(Editor &editor, int quarters, SpreadRule rule)
+{
+    const Rect box = selectionBox(*editor.document().painting(), editor.document().selection());
+    if (box.isEmpty())
+        return;
+    const std::array<double, 4> sines{0, 1, 0, -1}; // exact
+    const double s = sines[std::size_t(quarters & 3)], c = sines[std::size_t((quarters + 1) & 3)];
+    editor.push(transformSelection(editor.document(), Affine::about(box.centre(), c, -s, s, c), rule),
+                QCoreApplication::translate("Commands", "Rotate by 90°"));
+}
+
+void alignSelected(Editor &editor, Align how, AlignTo to, StrokeId anchor)
+{
+    editor.push(align(editor.document(), how, to, anchor), QCoreApplication::translate("Commands", "Align"));
+}
+
+void distributeSelected(Editor &editor, Axis axis, Spacing spacing)
+{
+    editor.push(distribute(editor.document(), axis, spacing), QCoreApplication::translate("Commands", "Distribute"));
+}
+
+void groupSelected(Editor &editor)
+{
+    editor.push(groupSelection(editor.document(), {}), QCoreApplication::translate("Commands", "Group"));
+}
+
+void ungroupSelected(Editor &editor)
+{
+    editor.push(ungroupSelection(editor.document()), QCoreApplication::translate("Commands", "Ungroup"));
+}
+
+void lockSelected(Editor &editor)
+{
+    Edit edit = setLocked(editor.document(), editor.document().selection().strokes, true);
+    if (!edit.isEmpty())
+        edit.selection = Selection();
+    editor.push(std::move(edit), QCoreApplication::translate("Commands", "Lock strokes"));
+}
+
+void hideSelected(Editor &editor)
+{
+    Edit edit = setVisible(editor.document(), editor.document().selection().strokes, false);
+    if (!edit.isEmpty())
+        edit.selection = Selection();
+    editor.push(std::move(edit), QCoreApplication::translate("Commands", "Hide strokes"));
+}
+
+void unlockAllStrokes(Editor &editor)
+{
+    editor.push(unlockAll(editor.document()), QCoreApplication::translate("Commands", "Unlock all"));
+}
+
+void showAllStrokes(Editor &editor)
+{
+    editor.push(showAll(editor.document()), QCoreApplication::translate("Commands", "Show all"));
+}
+
+void renameSelected(Editor &editor, const QString &name)
+{
+    const Document &document = editor.document();
+    if (const GroupId group = selectedGroup(document)) {
+        editor.push(renameGroup(document, group, name), QCoreApplication::translate("Commands", "Rename group"));
+        return;
+    }
+    editor.push(changeStrokes(document, document.selection().strokes, [&name](Stroke &s) { s.name = name; }),
+                QCoreApplication::translate("Commands", "Rename strokes"));
+}
+
+} // namespace suffuse::commands

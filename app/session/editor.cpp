@@ -1,0 +1,409 @@
+#include "app/session/editor.h"
+
+#include "app/session/files/opened_file.h"
+#include "app/session/settings/settings.h"
+#include "model/formats/messages.h"
+#include "model/painting/paper_presets.h"
+#include "undo/kept_history.h"
+#include "undo/restore_edit.h"
+#include "undo/time_edits.h"
+
+#include <QCoreApplication>
+#include <QFileInfo>
+#include <QKeyEvent>
+
+#include <algorithm>
+
+namespace suffuse {
+
+namespace {
+
+constexpr int dragPauseMs = 120; // without an edit of the run
+
+bool canBeSavedAs(FileFormat format)
+{
+    return format == FileFormat::Suffuse || format == FileFormat::Text;
+}
+
+/// More than what is selected, and than the stroke in hand.
+bool altersPainting(const Change &change)
+{
+    return change.order || change.canvas || change.reset || !change.strokes.empty();
+}
+
+/// The moment by which all segments of these strokes are born.
+Microseconds latestBirth(const Painting &painting, const std::vector<StrokeId> &strokes)
+{
+    Microseconds latest = 0;
+    for (const StrokeId id : strokes)
+        if (const StrokePtr stroke = painting.find(id))
+            for (const Segment &segment : stroke->segments)
+                latest = std::max(latest, segment.born);
+    return latest;
+}
+
+QString recoveredName(const QString &name)
+{
+    //: name of a document that was brought back after a crash
+    const QString pattern = Editor::tr("%1 (recovered)");
+    return name.endsWith(pattern.section(QStringLiteral("%1"), 1)) ? name : pattern.arg(name);
+}
+
+} // namespace
+
+Editor::Editor(QObject *parent) : QObject(parent), m_brush(builtinBrushes().front())
+{
+    m_dragEnd.setSingleShot(true);
+    m_dragEnd.setInterval(dragPauseMs);
+    connect(&m_dragEnd, &QTimer::timeout, this, &Editor::endDrag);
+    connect(&m_undoStack, &QUndoStack::indexChanged, this, [this] {
+        m_savedStep.follow();
+        if (isModified() != m_wasModified)
+            tellFileChanged();
+    });
+    connect(&m_saver, &Saver::finished, this, &Editor::noteSaved);
+    connect(&m_document, &Document::changed, this, &Editor::noteChange);
+    connect(&m_document, &Document::changed, this, [this](const Change &change) {
+        setCompared(nullptr);
+        if (!altersPainting(change))
+            return;
+        const Painting &painting = *m_document.painting();
+        m_driesAt.follow(painting.strokes, [](const Stroke &stroke) { return stroke.driesAt(); });
+        const Microseconds end = painting.strokes.empty() ? 0 : *std::ranges::max_element(m_driesAt);
+        m_clock.setEnd(end);
+        // Who looks at all goes on seeing all, also what was moved to later.
+        if (!m_clock.isInPast() && !m_clock.isDrawing() && m_clock.time() < end)
+            m_clock.runFrom(latestBirth(painting, change.strokes));
+    });
+}
+
+Editor::~Editor()
+{
+    m_undoStack.disconnect(this); // one that goes tells of it
+}
+
+void Editor::keepDragging()
+{
+    if (!m_dragEnd.isActive() && qApp)
+        qApp->installEventFilter(this);
+    m_dragEnd.start();
+}
+
+void Editor::endDrag()
+{
+    if (qApp)
+        qApp->removeEventFilter(this);
+    m_dragEnd.stop();
+    emit dragEnded();
+    if (std::exchange(m_unfinished, false))
+        emit edited();
+}
+
+bool Editor::eventFilter(QObject *watched, QEvent *event)
+{
+    const QEvent::Type type = event->type();
+    if (type == QEvent::MouseButtonRelease || type == QEvent::TabletRelease || type == QEvent::TouchEnd ||
+        (type == QEvent::KeyRelease && !static_cast<QKeyEvent *>(event)->isAutoRepeat()))
+        QTimer::singleShot(0, this, [this] { // whoever gets the event may push a last edit
+            if (m_dragEnd.isActive())
+                endDrag();
+        });
+    return QObject::eventFilter(watched, event);
+}
+
+void Editor::push(Edit edit, const QString &text, EditRun run)
+{
+    if (edit.isEmpty())
+        return;
+    if (run != 0)
+        keepDragging();
+    if (m_clock.isInPast()) {
+        edit = placedInTime(m_document, std::move(edit));
+        noteDrawn(edit);
+    }
+    m_pushingRun = run != 0;
+    m_savedStep.willPush();
+    m_undone.keep(m_undoStack);
+    m_undoStack.push(new EditCommand(m_document, std::move(edit), text, run));
+    putBackUndone();
+    m_pushingRun = false;
+}
+
+void Editor::giveUp(EditRun run)
+{
+    const auto last = [this] {
+        return m_undoStack.canRedo() ? nullptr
+                                     : dynamic_cast<const EditCommand *>(m_undoStack.command(m_undoStack.index() - 1));
+    };
+    const EditCommand *command = last();
+    for (; run != 0 && command && command->id() == run; command = last()) { // several where it was saved in between
+        command->giveUp();
+        m_undoStack.undo();
+    }
+    putBackUndone();
+}
+
+void Editor::putBackUndone()
+{
+    if (m_undone.putBack(m_undoStack, m_document))
+        m_savedStep.putBack();
+}
+
+void Editor::noteChange(const Change &change)
+{
+    if (change.reset || !altersPainting(change))
+        return;
+    m_unfinished = m_pushingRun;
+    if (!m_unfinished)
+        emit edited();
+}
+
+void Editor::setBrush(const Brush &brush)
+{
+    if (brush == m_brush)
+        return;
+    m_brush = brush;
+    emit brushChanged();
+}
+
+void Editor::setColour(const Colour &colour)
+{
+    Brush brush = m_brush;
+    brush.colour = colour;
+    setBrush(brush);
+}
+
+void Editor::setCompared(PaintingPtr painting)
+{
+    if (painting == m_compared)
+        return;
+    m_compared = std::move(painting);
+    emit comparedChanged();
+}
+
+void Editor::setFinalShown(bool shown)
+{
+    if (shown == m_finalShown)
+        return;
+    m_finalShown = shown;
+    emit comparedChanged();
+}
+
+PaintingPtr Editor::shown() const
+{
+    if (m_compared)
+        return m_compared;
+    PaintingPtr painting = snapshotInTime();
+    return m_finalShown ? m_finalPreview.of(painting, m_clock.time()) : painting;
+}
+
+PaintingPtr Editor::snapshotInTime() const
+{
+    const StrokePtr &draft = m_document.draft();
+    if (!draft || !m_clock.isInPast())
+        return m_document.snapshot();
+    auto painting = std::make_shared<Painting>(*m_document.painting());
+    const PlaceInTime place = placeInTime(*painting, draft->born());
+    painting->strokes.insert(std::as_const(painting->strokes).begin() + std::ptrdiff_t(place.index), draft);
+    return painting;
+}
+
+void Editor::noteDrawn(const Edit &edit)
+{
+    if (!m_clock.isDrawing())
+        return;
+    for (const auto &[id, stroke] : edit.strokes)
+        if (stroke)
+            for (const Segment &segment : stroke->segments)
+                m_clock.noteDrawn(segment);
+}
+
+QString Editor::displayName() const
+{
+    if (!m_filePath.isEmpty())
+        return QFileInfo(m_filePath).fileName();
+    return m_untitledName.isEmpty() ? tr("Untitled") : m_untitledName;
+}
+
+Canvas Editor::usualCanvas()
+{
+    Canvas canvas;
+    canvas.paper = paperOf(paperPresets()[1]);
+    return canvas;
+}
+
+void Editor::newPainting(const Canvas &canvas)
+{
+    auto painting = std::make_shared<Painting>();
+    painting->canvas = canvas;
+    m_extras = {};
+    show(std::move(painting), {});
+}
+
+Result<std::vector<QString>> Editor::open(const QString &path)
+{
+    Result<OpenedFile> file = readOpenedFile(path);
+    if (!file)
+        return Error{file.error()};
+    LoadedDocument &document = file->document;
+    const QString absolute = QFileInfo(path).absoluteFilePath();
+    m_extras = std::move(document.extras);
+    const QByteArray history = std::exchange(m_extras.history, {});
+    auto painting = std::make_shared<const Painting>(std::move(document.painting));
+    if (!document.losses.empty())
+        show(std::move(painting), {{}, recoveredName(QFileInfo(path).fileName()), absolute, {}, true});
+    else if (canBeSavedAs(document.format))
+        show(std::move(painting), {absolute, {}, absolute, file->hash, false});
+    else
+        show(std::move(painting), {});
+    m_leftOut = document.leftOut;
+    takeUpHistory(history, !document.losses.empty());
+    return std::move(document.losses);
+}
+
+void Editor::takeUpHistory(const QByteArray &bytes, bool modified)
+{
+    if (bytes.isEmpty())
+        return;
+    const Result<UndoHistory> history = readHistory(bytes, *m_document.painting());
+    if (!history) {
+        m_leftOut = history.error();
+        return;
+    }
+    restoreHistory(m_undoStack, m_document, *history);
+    m_savedStep.set(!modified);
+    m_keepsHistory = m_historyIsSaved = true;
+    m_historyBytes = bytes.size();
+    tellFileChanged();
+}
+
+bool Editor::isModified() const
+{
+    const bool historyDiffers = m_keepsHistory != m_historyIsSaved && m_undoStack.count() > 0;
+    return !m_savedStep.isNow() || historyDiffers || m_savedStep.isSaving();
+}
+
+void Editor::setKeepsHistory(bool keeps)
+{
+    if (keeps == m_keepsHistory)
+        return;
+    m_keepsHistory = keeps;
+    tellFileChanged();
+}
+
+void Editor::openRecovered(Painting painting, const QString &name, const QString &suggestedPath)
+{
+    m_extras = {};
+    show(std::make_shared<const Painting>(std::move(painting)), {{}, recoveredName(name), suggestedPath, {}, true});
+}
+
+SaveOrder Editor::orderFor(const QString &path)
+{
+    SaveOrder order{m_document.painting(), m_extras, path, {}, settings::backups()};
+    order.serial = ++m_lastSave;
+    if (m_keepsHistory)
+        order.history = historyOf(m_undoStack);
+    return order;
+}
+
+void Editor::startSaving(const QString &path, bool whatever)
+{
+    SaveOrder order = orderFor(path);
+    if (!whatever && QFileInfo(path).absoluteFilePath() == m_filePath) {
+        order.expected = m_fileHash;
+        order.isThere = !isModified() && m_leftOut.isEmpty(); // a file with damage is mended
+    }
+    m_savedStep.savingBegins(order.serial);
+    m_saver.save(std::move(order));
+    tellFileChanged();
+}
+
+void Editor::startSavingCopy(const QString &path)
+{
+    SaveOrder order = orderFor(path);
+    order.isCopy = true;
+    m_saver.save(std::move(order));
+}
+
+void Editor::noteSaved(const SaveOutcome &outcome)
+{
+    // Without a step it is a copy, or of a painting that is not here any more.
+    if (m_savedStep.savingEnds(outcome.serial, outcome.isSaved())) {
+        if (outcome.isSaved()) {
+            m_filePath = m_suggestedPath = outcome.path;
+            m_fileHash = outcome.hash;
+        }
+        if (outcome.isSaved() && !outcome.wasThere) {
+            m_historyBytes = outcome.historyBytes;
+            m_historyIsSaved = outcome.withHistory;
+            m_leftOut.clear();
+        }
+        if (outcome.kind == SaveOutcome::Kind::ChangedOutside && !m_savedStep.isSaving())
+            m_savedStep.set(false); // the file that had it is another one now
+        tellFileChanged();
+    }
+    emit saved(outcome);
+}
+
+void Editor::tellFileChanged()
+{
+    m_wasModified = isModified();
+    emit fileChanged();
+}
+
+void Editor::restore(const Painting &state, const QString &text)
+{
+    m_clock.lookAt(m_document.painting()->end()); // in the past an edit would be put to its place in time
+    push(restorePainting(m_document, state), text);
+    m_clock.reset(m_document.painting()->end());
+    emit m_clock.timeChanged();
+}
+
+Result<void> Editor::revert()
+{
+    Result<OpenedFile> file = readOpenedFile(m_filePath);
+    if (!file)
+        return Error{file.error()};
+    LoadedDocument &document = file->document;
+    if (!document.losses.empty())
+        return fileError(m_filePath, tr("is damaged, so the painting stays as it is; save it, or open the file to see "
+                                        "what is whole of it"));
+    restore(document.painting, tr("Revert"));
+    m_extras = std::move(document.extras);
+    m_historyBytes = std::exchange(m_extras.history, {}).size();
+    m_keepsHistory = m_historyIsSaved = m_historyBytes > 0;
+    m_leftOut = document.leftOut;
+    m_fileHash = file->hash;
+    m_savedStep.set(true);
+    tellFileChanged();
+    return {};
+}
+
+void Editor::keepMine(const QByteArray &hashOnDisk)
+{
+    m_fileHash = hashOnDisk;
+    m_savedStep.set(false);
+    tellFileChanged();
+}
+
+void Editor::show(PaintingPtr painting, const Origin &origin)
+{
+    m_clock.reset(painting->end());
+    m_undoStack.clear(); // its commands name strokes of the painting that goes
+    m_savedStep.set(!origin.modified);
+    m_undone.clear();
+    m_unfinished = false;
+    m_document.reset(std::move(painting));
+    m_filePath = origin.path;
+    m_untitledName = origin.name;
+    m_suggestedPath = origin.suggestedPath;
+    m_fileHash = origin.hash;
+    m_keepsHistory = m_historyIsSaved = false;
+    m_historyBytes = 0;
+    m_leftOut.clear();
+    emit opened();
+    emit m_clock.timeChanged();
+    tellFileChanged();
+}
+
+} // namespace suffuse

@@ -1,0 +1,227 @@
+#include "app/session/files/clipboard.h"
+
+#include "app/session/colour_convert.h"
+#include "app/session/editor.h"
+#include "app/session/files/import_strokes.h"
+#include "app/session/files/svg_strokes.h"
+#include "model/formats/files.h"
+#include "model/painting/influence.h"
+#include "render/backends.h"
+#include "undo/edits.h"
+
+#include <QBuffer>
+#include <QClipboard>
+#include <QCoreApplication>
+#include <QGuiApplication>
+#include <QImage>
+#include <QRegularExpression>
+
+#include <algorithm>
+#include <cmath>
+
+namespace suffuse::clipboard {
+
+namespace {
+
+constexpr int longestSide = 4096;
+constexpr char svgMime[] = "image/svg+xml";
+constexpr char pngMime[] = "image/png";
+constexpr char imageMime[] = "application/x-qt-image";
+
+QImage renderTransparent(const PaintingPtr &painting, Microseconds time)
+{
+    const Rect reach = influenceOf(*painting, time);
+    if (reach.isEmpty())
+        return {};
+    const Rect area{std::floor(reach.left), std::floor(reach.top), std::ceil(reach.right), std::ceil(reach.bottom)};
+    const double scale = std::min(1.0, longestSide / std::max(area.width(), area.height()));
+    const int width = std::max(1, int(std::lround(area.width() * scale)));
+    auto renderer = makeRenderer({.backend = Backend::Cpu});
+    if (!renderer)
+        return {};
+    RenderRequest request;
+    request.painting = painting;
+    request.time = time;
+    request.view = View::ofArea(area, width, std::max(1, heightForWidth(area, width)));
+    request.transparent = true;
+    Picture8 picture;
+    if (!(*renderer)->render(request, picture))
+        return {};
+    return QImage(reinterpret_cast<const uchar *>(picture.argb.data()), picture.width, picture.height,
+                  picture.width * 4, QImage::Format_ARGB32)
+        .copy();
+}
+
+/// Holds the strokes as a value and makes the forms of others on demand: copying costs nothing, whatever is selected.
+class StrokesMimeData : public QMimeData {
+public:
+    StrokesMimeData(Painting painting, Microseconds time)
+        : m_painting(std::make_shared<const Painting>(std::move(painting))), m_time(time)
+    {}
+
+    QStringList formats() const override
+    {
+        return QMimeData::formats() + QStringList{strokesMime, svgMime, pngMime, imageMime};
+    }
+    bool hasFormat(const QString &type) const override { return formats().contains(type); }
+
+protected:
+    QVariant retrieveData(const QString &type, QMetaType wanted) const override
+    {
+        if (type == strokesMime)
+            return writeTextForm(*m_painting);
+        if (type == svgMime)
+            return svgOf(*m_painting);
+        if (type != pngMime && type != imageMime)
+            return QMimeData::retrieveData(type, wanted);
+        if (m_image.isNull())
+            m_image = renderTransparent(m_painting, m_time);
+        if (type == imageMime)
+            return m_image;
+        QByteArray bytes;
+        QBuffer buffer(&bytes);
+        m_image.save(&buffer, "PNG");
+        return bytes;
+    }
+
+private:
+    PaintingPtr m_painting;
+    Microseconds m_time;
+    mutable QImage m_image;
+};
+
+/// The runs of a stroke's selected segments, each a stroke; the stroke itself where none are selected.
+std::vector<Stroke> selectedRuns(const Stroke &stroke, const Selection &selection)
+{
+    const auto from = selection.segments.lower_bound({stroke.id, 0});
+    if (from == selection.segments.end() || from->stroke != stroke.id)
+        return {stroke};
+    std::vector<Stroke> runs;
+    int last = -2;
+    for (auto it = from; it != selection.segments.end() && it->stroke == stroke.id; ++it) {
+        if (it->segment != last + 1) {
+            runs.push_back(stroke);
+            runs.back().segments.clear();
+        }
+        runs.back().segments.push_back(stroke.segments[std::size_t(it->segment)]);
+        last = it->segment;
+    }
+    return runs;
+}
+
+QByteArray svgFrom(const QMimeData &data)
+{
+    if (data.hasFormat(svgMime))
+        return data.data(svgMime);
+    const QString text = data.hasText() ? data.text().trimmed() : QString();
+    static const QRegularExpression root("<([a-z]+:)?svg\\b"),
+        shape("<(path|rect|circle|ellipse|line|polyline|polygon|g)\\b[^<]*>");
+    if (!text.startsWith('<'))
+        return {};
+    if (text.contains(root))
+        return text.toUtf8();
+    // Single elements, as they are copied out of a document.
+    return text.contains(shape) ? "<svg xmlns=\"http://www.w3.org/2000/svg\" "
+                                  "xmlns:xlink=\"http://www.w3.org/1999/xlink\" "
+                                  "xmlns:inkscape=\"http://www.inkscape.org/namespaces/inkscape\" "
+                                  "xmlns:sodipodi=\"http://sodipodi.sourceforge.net/DTD/sodipodi-0.dtd\">" +
+                                      text.toUtf8() + "</svg>"
+                                : QByteArray();
+}
+
+std::optional<Colour> colourFrom(const QMimeData &data)
+{
+    if (const auto colour = colourOf(data))
+        return colour;
+    const QString text = data.hasText() ? data.text().trimmed() : QString();
+    if (text.startsWith('#') && QColor::isValidColor(text))
+        return fromScreen(QColor(text));
+    return {};
+}
+
+} // namespace
+
+Painting asPainting(const Painting &painting, const Selection &selection)
+{
+    Painting result;
+    result.canvas = painting.canvas;
+    result.canvas.paper.image = nullptr; // a copy is of strokes
+    if (result.canvas.paper.kind == PaperKind::Image)
+        result.canvas.paper = {};
+    std::set<GroupId> groups;
+    StrokeId next = painting.nextStrokeId();
+    for (const StrokePtr &stroke : painting.strokes) {
+        if (!selection.strokes.contains(stroke->id))
+            continue;
+        std::vector<Stroke> runs = selectedRuns(*stroke, selection);
+        for (std::size_t i = 0; i < runs.size(); ++i) {
+            runs[i].id = i == 0 ? stroke->id : next++;
+            result.strokes.push_back(std::make_shared<const Stroke>(std::move(runs[i])));
+        }
+        groups.insert(stroke->group);
+    }
+    for (bool more = true; more;) { // and the groups around them
+        more = false;
+        for (const Group &group : painting.groups)
+            if (groups.contains(group.id) && group.parent)
+                more = groups.insert(group.parent).second || more;
+    }
+    for (const Group &group : painting.groups)
+        if (groups.contains(group.id))
+            result.groups.push_back(group);
+    return result;
+}
+
+QMimeData *mimeOf(Painting painting, Microseconds time)
+{
+    return new StrokesMimeData(std::move(painting), time);
+}
+
+bool canPaste(const QMimeData *data)
+{
+    return data && (data->hasFormat(strokesMime) || data->hasFormat(svgMime) || data->hasColor() || data->hasText());
+}
+
+void copy(Editor &editor)
+{
+    Painting painting = asPainting(*editor.document().painting(), editor.document().selection());
+    if (!painting.strokes.empty())
+        QGuiApplication::clipboard()->setMimeData(mimeOf(std::move(painting), editor.clock().time()));
+}
+
+void cut(Editor &editor)
+{
+    copy(editor);
+    editor.push(deleteSelection(editor.document()), QCoreApplication::translate("Clipboard", "Cut"));
+}
+
+QString paste(Editor &editor, const QMimeData &data, std::optional<Point> centre)
+{
+    const QString pasting = QCoreApplication::translate("Clipboard", "Paste");
+    if (data.hasFormat(strokesMime)) {
+        const Result<Painting> read =
+            readTextForm(data.data(strokesMime), QCoreApplication::translate("Clipboard", "Clipboard"));
+        if (!read)
+            return read.error();
+        return addStrokes(editor, *read, centre, pasting);
+    }
+    if (const QByteArray svg = svgFrom(data); !svg.isEmpty()) {
+        Result<SvgDrawing> drawing = readSvgDrawing(svg);
+        if (!drawing)
+            return drawing.error();
+        drawing->area = Rect::of(0, 0, 1, 1); // in place is where the drawing's own coordinates say
+        const Painting painting = paintingAlong(*drawing, editor.brush(), editor.clock().time());
+        const QString problem =
+            painting.strokes.empty()
+                ? QCoreApplication::translate("Clipboard", "There are no paths in the SVG of the clipboard.")
+                : addStrokes(editor, painting, centre, pasting);
+        return joinedSentences({problem, leftOutOf(*drawing)});
+    }
+    if (const auto colour = colourFrom(data)) {
+        editor.setColour(*colour);
+        return {};
+    }
+    return QCoreApplication::translate("Clipboard", "The clipboard holds no strokes, no SVG paths and no colour.");
+}
+
+} // namespace suffuse::clipboard

@@ -1,0 +1,133 @@
+#include "app/session/files/import_strokes.h"
+
+#include "app/session/editor.h"
+#include "model/formats/messages.h"
+#include "model/painting/validate.h"
+#include "model/shaping/transform.h"
+#include "undo/edits.h"
+
+#include <QFileInfo>
+
+#include <algorithm>
+#include <map>
+
+namespace suffuse {
+
+namespace {
+
+Rect controlBoxOf(const std::vector<Stroke> &strokes)
+{
+    Rect box;
+    for (const Stroke &stroke : strokes)
+        box = box.united(controlBox(stroke));
+    return box;
+}
+
+/// The strokes as old at `now` as they can be without any of them being yet to come: paint that is pasted is seen.
+void bringBefore(std::vector<Stroke> &strokes, Microseconds now)
+{
+    Microseconds latest = now;
+    for (const Stroke &stroke : strokes)
+        for (const Segment &segment : stroke.segments)
+            latest = std::max(latest, segment.born);
+    const Microseconds by = latest - now;
+    for (Stroke &stroke : strokes)
+        for (Segment &segment : stroke.segments) {
+            const Microseconds shift = std::min(by, segment.born);
+            segment.born -= shift;
+            for (Rewet &rewet : segment.rewet)
+                rewet.time -= shift;
+        }
+}
+
+/// All of it in one group of that name.
+Painting inOneGroup(Painting painting, const QString &name)
+{
+    Group around;
+    for (const Group &group : painting.groups)
+        around.id = std::max(around.id, group.id);
+    ++around.id;
+    around.name = name;
+    for (Group &group : painting.groups)
+        group.parent = group.parent ? group.parent : around.id;
+    painting.groups.push_back(around);
+    StrokeList members;
+    for (const StrokePtr &stroke : painting.strokes) {
+        Stroke member = *stroke;
+        member.group = member.group ? member.group : around.id;
+        members.push_back(std::make_shared<const Stroke>(std::move(member)));
+    }
+    painting.strokes = std::move(members);
+    return painting;
+}
+
+} // namespace
+
+QString addStrokes(Editor &editor, const Painting &added, std::optional<Point> centre, const QString &undoText)
+{
+    std::vector<Stroke> strokes;
+    for (const StrokePtr &stroke : added.strokes)
+        strokes.push_back(*stroke);
+    for (Stroke &stroke : strokes)
+        stroke.visible = true, stroke.locked = false;
+    bringBefore(strokes, editor.clock().time());
+    Document &document = editor.document();
+    Edit edit;
+    std::map<GroupId, GroupId> fresh;
+    for (const Group &group : added.groups)
+        fresh[group.id] = document.takeGroupId();
+    if (!added.groups.empty()) {
+        edit.groups = document.painting()->groups;
+        for (Group group : added.groups) {
+            group.visible = true, group.locked = false;
+            group.id = fresh[group.id];
+            group.parent = fresh.contains(group.parent) ? fresh[group.parent] : 0;
+            edit.groups->push_back(std::move(group));
+        }
+    }
+    const Point by = centre ? *centre - controlBoxOf(strokes).centre() : Point{};
+    edit.order.emplace();
+    for (const StrokePtr &stroke : document.painting()->strokes)
+        edit.order->push_back(stroke->id);
+    edit.selection.emplace();
+    int refused = 0;
+    for (Stroke &stroke : strokes) {
+        stroke.id = document.takeStrokeId();
+        stroke.group = fresh.contains(stroke.group) ? fresh[stroke.group] : 0;
+        stroke.origin = stroke.origin + by;
+        if (!problemOf(stroke).isEmpty()) {
+            ++refused;
+            continue;
+        }
+        edit.order->push_back(stroke.id);
+        edit.selection->strokes.insert(stroke.id);
+        edit.strokes.emplace(stroke.id, std::make_shared<const Stroke>(std::move(stroke)));
+    }
+    if (!edit.strokes.empty())
+        editor.push(std::move(edit), undoText);
+    if (refused == 0)
+        return {};
+    return QCoreApplication::translate("Clipboard", "%n stroke(s) cannot lie there, too far out, and were left out.",
+                                       nullptr, refused);
+}
+
+QString joinedSentences(const QStringList &sentences)
+{
+    QStringList said = sentences;
+    said.removeAll(QString());
+    return said.join(' ');
+}
+
+Result<ImportReport> importStrokes(Editor &editor, const QString &path, Point centre)
+{
+    const Result<LoadedDocument> file = loadDocument(path, &editor.brush());
+    if (!file)
+        return Error{file.error()};
+    if (file->painting.strokes.empty() && file->losses.empty())
+        return fileError(path, QCoreApplication::translate("Import", "there are no strokes in it"));
+    const QString refused = addStrokes(editor, inOneGroup(file->painting, QFileInfo(path).completeBaseName()), centre,
+                                       QCoreApplication::translate("Import", "Import strokes"));
+    return ImportReport{file->losses, joinedSentences({refused, file->leftOut})};
+}
+
+} // namespace suffuse

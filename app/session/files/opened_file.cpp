@@ -1,0 +1,24 @@
+#include "app/session/files/opened_file.h"
+
+#include "model/formats/messages.h"
+
+#include <QCryptographicHash>
+#include <QFile>
+#include <QFileInfo>
+
+namespace suffuse {
+
+Result<OpenedFile> readOpenedFile(const QString &path)
+{
+    QFile file(path);
+    QByteArray bytes;
+    if (QFileInfo(path).isFile() && file.size() <= largestFile && file.open(QIODevice::ReadOnly))
+        bytes = file.readAll();
+    // Where there is nothing to be read, this says why.
+    Result<LoadedDocument> document = bytes.isEmpty() ? loadDocument(path) : readDocument(bytes, path);
+    if (!document)
+        return Error{document.error()};
+    return OpenedFile{std::move(*document), QCryptographicHash::hash(bytes, QCryptographicHash::Sha256)};
+}
+
+} // namespace suffuse

@@ -1,0 +1,272 @@
+#include "app/session/selecting/pick.h"
+
+#include "model/paint/seen_paint.h"
+#include "model/painting/influence.h"
+#include "render/pixel_map.h"
+#include "undo/order_tree.h"
+
+#include <numbers>
+#include <unordered_map>
+
+namespace suffuse {
+
+namespace {
+
+/// Not what is painted only after the moment that is shown.
+bool isSelectable(const Painting &painting, Microseconds T, const Stroke &stroke)
+{
+    return painting.isVisible(stroke) && !painting.isLocked(stroke) && stroke.born() <= T;
+}
+
+/// The segment with the largest share where the stroke is seen at the point.
+std::optional<SegmentRef> hitOf(const Stroke &stroke, Microseconds T, Point point)
+{
+    const SeenPaint seen = seenPaint(stroke, T, point);
+    if (seen.opacity < visibleOpacity)
+        return {};
+    return SegmentRef{stroke.id, seen.segment};
+}
+
+std::array<Point, 8> ringAround(Point point, double radius)
+{
+    std::array<Point, 8> ring;
+    for (int k = 0; k < 8; ++k) {
+        const double angle = k * std::numbers::pi / 4;
+        ring[std::size_t(k)] = point + radius * Point{std::cos(angle), std::sin(angle)};
+    }
+    return ring;
+}
+
+bool isNear(const Stroke &stroke, Microseconds T, Point point, double tolerance)
+{
+    const Point at = point - stroke.origin;
+    return std::any_of(stroke.segments.begin(), stroke.segments.end(), [&](const Segment &segment) {
+        // As influenceOf, but most segments are far away: distances first, and no roots.
+        const auto &p = segment.bezier;
+        const auto [left, right] = std::minmax({p[0].x, p[1].x, p[2].x, p[3].x});
+        const auto [top, bottom] = std::minmax({p[0].y, p[1].y, p[2].y, p[3].y});
+        const double away = std::max({left - at.x, at.x - right, top - at.y, at.y - bottom, tolerance}) - tolerance;
+        const double reach = reachInSpreads * reachInSpreads * std::max(1.0f, segment.anisotropyRatio) * 4 *
+                             double(segment.diffusion) * segment.age(T);
+        return reach > 0 && away * away <= reach;
+    });
+}
+
+/// From top to bottom.
+std::vector<StrokePtr> strokesNear(const Painting &painting, Microseconds T, Point point, double tolerance)
+{
+    std::vector<StrokePtr> near;
+    for (auto it = painting.strokes.rbegin(); it != painting.strokes.rend(); ++it)
+        if (isNear(**it, T, point, tolerance) && isSelectable(painting, T, **it))
+            near.push_back(*it);
+    return near;
+}
+
+/// The first that is seen at the point, else the first that is seen around it.
+std::optional<SegmentRef> pickFrom(const std::vector<StrokePtr> &strokes, Microseconds T, Point point, double tolerance)
+{
+    for (const StrokePtr &stroke : strokes)
+        if (const auto hit = hitOf(*stroke, T, point))
+            return hit;
+    for (const StrokePtr &stroke : strokes)
+        for (const Point &beside : ringAround(point, tolerance))
+            if (const auto hit = hitOf(*stroke, T, beside))
+                return hit;
+    return {};
+}
+
+template <typename IsInside>
+std::set<StrokeId> strokesWhollyIn(const Painting &painting, Microseconds T, IsInside isInside)
+{
+    const auto isWithin = [&](const Stroke &stroke) {
+        for (const Segment &segment : stroke.segments) {
+            const Cubic cubic = stroke.cubicOf(segment);
+            for (int k = 0; k <= 4; ++k)
+                if (!isInside(cubic.at(k / 4.0)))
+                    return false;
+        }
+        return true;
+    };
+    std::set<StrokeId> ids;
+    for (const StrokePtr &stroke : painting.strokes)
+        if (isSelectable(painting, T, *stroke) && isWithin(*stroke))
+            ids.insert(ids.end(), stroke->id);
+    return ids;
+}
+
+bool isInPolygon(const std::vector<Point> &polygon, Point p)
+{
+    bool inside = false;
+    for (std::size_t i = 0, j = polygon.size() - 1; i < polygon.size(); j = i++) {
+        const Point a = polygon[i], b = polygon[j];
+        if ((a.y > p.y) != (b.y > p.y) && p.x < a.x + (p.y - a.y) / (b.y - a.y) * (b.x - a.x))
+            inside = !inside;
+    }
+    return inside;
+}
+
+Rect boxOf(const std::vector<Point> &points)
+{
+    Rect box;
+    for (const Point &p : points)
+        box.include(p);
+    return box;
+}
+
+/// Points along a path, at most `step` apart.
+std::vector<Point> resampled(const std::vector<Point> &path, double step)
+{
+    constexpr double maxPieces = 4096; // of one report
+    std::vector<Point> points;
+    for (std::size_t i = 0; i < path.size(); ++i) {
+        if (i > 0) {
+            const Point d = path[i] - path[i - 1];
+            const int pieces = int(std::min(std::ceil(length(d) / step), maxPieces));
+            for (int k = 1; k < pieces; ++k)
+                points.push_back(path[i - 1] + (double(k) / pieces) * d);
+        }
+        points.push_back(path[i]);
+    }
+    return points;
+}
+
+/// Whether its visible paint may be narrower than the points of a path are apart.
+bool isHairline(const Stroke &stroke, Microseconds T, double step)
+{
+    return std::any_of(stroke.segments.begin(), stroke.segments.end(),
+                       [&](const Segment &segment) { return segment.spread(T) < 2 * step; });
+}
+
+} // namespace
+
+std::optional<SegmentRef> pickTopmost(const Painting &painting, Microseconds T, Point point, double tolerance)
+{
+    return pickFrom(strokesNear(painting, T, point, tolerance), T, point, tolerance);
+}
+
+std::optional<SegmentRef> pickOn(const Painting &painting, StrokeId id, Microseconds T, Point point, double tolerance)
+{
+    const StrokePtr stroke = painting.find(id);
+    if (!stroke || !isSelectable(painting, T, *stroke) || !isNear(*stroke, T, point, tolerance))
+        return {};
+    return pickFrom({stroke}, T, point, tolerance);
+}
+
+std::vector<SegmentRef> pickAll(const Painting &painting, Microseconds T, Point point, double tolerance)
+{
+    const std::vector<StrokePtr> near = strokesNear(painting, T, point, tolerance);
+    std::vector<SegmentRef> hits;
+    for (const StrokePtr &stroke : near)
+        if (const auto hit = hitOf(*stroke, T, point))
+            hits.push_back(*hit);
+    if (!hits.empty())
+        return hits;
+    for (const StrokePtr &stroke : near)
+        if (const auto hit = pickFrom({stroke}, T, point, tolerance))
+            hits.push_back(*hit);
+    return hits;
+}
+
+std::set<StrokeId> withGroup(const Painting &painting, StrokeId id)
+{
+    const StrokePtr stroke = painting.find(id);
+    if (!stroke || stroke->group == 0)
+        return {id};
+    const GroupId group = outermostGroup(painting, stroke->group);
+    std::unordered_map<GroupId, GroupId> outer; // many strokes, few groups
+    std::set<StrokeId> members;
+    for (const StrokePtr &s : painting.strokes) {
+        if (s->group == 0 || !painting.isVisible(*s) || painting.isLocked(*s)) // a group stays whole in the past, too
+            continue;
+        const auto [it, isNew] = outer.try_emplace(s->group, 0);
+        if (isNew)
+            it->second = outermostGroup(painting, s->group);
+        if (it->second == group)
+            members.insert(s->id);
+    }
+    return members;
+}
+
+std::set<StrokeId> strokesWithin(const Painting &painting, Microseconds T, const View &view, const Rect &pixels)
+{
+    const PixelMap pixelOf(view, view.centre);
+    return strokesWhollyIn(painting, T, [&](Point p) { return pixels.contains(pixelOf(p - view.centre)); });
+}
+
+std::set<StrokeId> strokesWithin(const Painting &painting, Microseconds T, const std::vector<Point> &polygon)
+{
+    if (polygon.size() < 3)
+        return {};
+    const Rect box = boxOf(polygon);
+    return strokesWhollyIn(painting, T, [&](Point p) { return box.contains(p) && isInPolygon(polygon, p); });
+}
+
+PathTouch::PathTouch(PaintingPtr painting, Microseconds T, double tolerance, Point start)
+    : m_painting(std::move(painting)), m_time(T), m_tolerance(tolerance), m_last(start)
+{
+    for (const StrokePtr &stroke : m_painting->strokes) {
+        if (!isSelectable(*m_painting, T, *stroke))
+            continue;
+        // A hairline may run between the points, but not between their rings.
+        const bool hairline = isHairline(*stroke, T, tolerance);
+        const Rect reach = influenceOf(*stroke, T);
+        m_left.push_back({stroke, hairline ? reach.grown(tolerance) : reach, hairline});
+    }
+    touchAt({start});
+}
+
+void PathTouch::goOn(Point to)
+{
+    std::vector<Point> points = resampled({m_last, to}, m_tolerance);
+    points.erase(points.begin());
+    m_last = to;
+    touchAt(points);
+}
+
+void PathTouch::touchAt(const std::vector<Point> &points)
+{
+    const Rect box = boxOf(points).grown(m_tolerance);
+    std::erase_if(m_left, [&](const Candidate &candidate) {
+        if (!candidate.around.intersects(box))
+            return false;
+        const bool touched = std::any_of(points.begin(), points.end(), [&](Point p) { return touches(candidate, p); });
+        if (touched)
+            m_touched.insert(candidate.stroke->id);
+        return touched;
+    });
+}
+
+bool PathTouch::touches(const Candidate &candidate, Point p) const
+{
+    const Stroke &stroke = *candidate.stroke;
+    if (!candidate.around.contains(p))
+        return false;
+    if (candidate.hairline)
+        return isNear(stroke, m_time, p, m_tolerance) &&
+               pickFrom({candidate.stroke}, m_time, p, m_tolerance).has_value();
+    return hitOf(stroke, m_time, p).has_value();
+}
+
+std::set<SegmentRef> segmentsWithin(const Painting &painting, Microseconds T, const View &view, const Rect &pixels)
+{
+    std::set<SegmentRef> found;
+    for (const StrokePtr &stroke : painting.strokes) {
+        if (!isSelectable(painting, T, *stroke))
+            continue;
+        for (int k = 0; k < int(stroke->segments.size()); ++k)
+            if (pixels.contains(view.toPixels(stroke->cubicOf(stroke->segments[k]).at(0.5))))
+                found.insert({stroke->id, k});
+    }
+    return found;
+}
+
+std::set<StrokeId> selectableStrokes(const Painting &painting, Microseconds T)
+{
+    std::set<StrokeId> ids;
+    for (const StrokePtr &stroke : painting.strokes)
+        if (isSelectable(painting, T, *stroke))
+            ids.insert(ids.end(), stroke->id); // most often the order is that of the ids
+    return ids;
+}
+
+} // namespace suffuse

@@ -1,0 +1,84 @@
+#include "app/session/selecting/snapping.h"
+
+namespace suffuse {
+
+Snapping::Snapping(const Painting &painting, const CanvasAids &aids, const LeftOut &leftOut)
+    : m_step(aids.snapToGrid ? aids.gridStep : 0)
+{
+    if (!aids.snapToNodes)
+        return;
+    for (const StrokePtr &stroke : painting.strokes) {
+        if (!painting.isVisible(*stroke))
+            continue;
+        const int n = int(stroke->segments.size());
+        for (int k = 0; k <= n; ++k)
+            if (!leftOut || !leftOut(*stroke, k))
+                m_nodes.push_back(k < n ? stroke->origin + stroke->segments[std::size_t(k)].bezier[0]
+                                        : stroke->origin + stroke->segments.back().bezier[3]);
+    }
+}
+
+const Point *Snapping::nearestNode(Point point, double limit, double *distance) const
+{
+    const Point *nearest = nullptr;
+    double least = limit * limit;
+    for (const Point &node : m_nodes) {
+        const Point d = node - point;
+        if (const double squared = dot(d, d); squared < least) {
+            least = squared;
+            nearest = &node;
+        }
+    }
+    if (nearest)
+        *distance = std::sqrt(least);
+    return nearest;
+}
+
+double Snapping::toGrid(double v) const
+{
+    return m_step * std::round(v / m_step) - v;
+}
+
+Snap Snapping::snap(Point point, const View &view, double dpr) const
+{
+    const Snap move = snapMove({point}, {}, view, dpr);
+    return {point + move.point, move.to};
+}
+
+Snap Snapping::snapMove(const std::vector<Point> &points, Point by, const View &view, double dpr, Point *at) const
+{
+    const double limit = reach * dpr / view.scale;
+    Snap best{by};
+    double least = limit;
+    for (const Point &point : points) {
+        const Point *node = nearestNode(point + by, least, &least);
+        if (!node)
+            continue;
+        best = {*node - point, SnapTo::Node};
+        if (at)
+            *at = *node;
+    }
+    if (best.to != SnapTo::Nothing || !(m_step > 0))
+        return best;
+    // Lines across and lines down, each for whichever point is nearest to one.
+    double dx = limit, dy = limit;
+    Point mark = points.empty() ? by : points.front() + by;
+    for (const Point &point : points) {
+        const Point moved = point + by;
+        if (const double d = toGrid(moved.x); std::abs(d) < std::abs(dx)) {
+            dx = d;
+            mark.x = moved.x + d;
+        }
+        if (const double d = toGrid(moved.y); std::abs(d) < std::abs(dy)) {
+            dy = d;
+            mark.y = moved.y + d;
+        }
+    }
+    if (dx == limit && dy == limit)
+        return best;
+    if (at)
+        *at = mark;
+    return {by + Point{dx == limit ? 0 : dx, dy == limit ? 0 : dy}, SnapTo::Grid};
+}
+
+} // namespace suffuse

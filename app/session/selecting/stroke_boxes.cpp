@@ -1,0 +1,12 @@
+#include "app/session/selecting/stroke_boxes.h"
+
+#include "model/shaping/transform.h"
+
+namespace suffuse {
+
+bool StrokeBoxes::follow(const StrokeList &strokes)
+{
+    return m_boxes.follow(strokes, controlBox);
+}
+
+} // namespace suffuse

@@ -1,0 +1,96 @@
+#include "app/session/translation.h"
+
+#include "app/session/settings/settings.h"
+
+#include <QCoreApplication>
+#include <QLibraryInfo>
+#include <QLocale>
+#include <QTranslator>
+
+namespace suffuse {
+
+namespace {
+
+/// Of the system's languages in order of preference, the first that we speak.
+QString systemLanguage()
+{
+    for (const QString &name : QLocale::system().uiLanguages()) {
+        const QLocale locale(name);
+        if (locale.language() == QLocale::Chinese && locale.script() != QLocale::TraditionalHanScript)
+            return "zh_CN";
+        if (locale.language() == QLocale::German)
+            return "de";
+        if (locale.language() == QLocale::English)
+            return "en";
+    }
+    return "en";
+}
+
+/// The texts of Qt's own buttons, each with a mnemonic: Qt has them without, or with others on each desktop.
+constexpr const char *buttonTexts[] = {
+    QT_TRANSLATE_NOOP("Buttons", "&OK"),
+    QT_TRANSLATE_NOOP("Buttons", "&Cancel"),
+    QT_TRANSLATE_NOOP("Buttons", "&Save"),
+    QT_TRANSLATE_NOOP("Buttons", "&Discard"),
+    QT_TRANSLATE_NOOP("Buttons", "&Close"),
+    QT_TRANSLATE_NOOP("Buttons", "&Open"),
+    QT_TRANSLATE_NOOP("Buttons", "&Yes"),
+    QT_TRANSLATE_NOOP("Buttons", "&No"),
+    QT_TRANSLATE_NOOP("Buttons", "&Apply"),
+    QT_TRANSLATE_NOOP("Buttons", "&Reset"),
+    QT_TRANSLATE_NOOP("Buttons", "&Help"),
+    QT_TRANSLATE_NOOP("Buttons", "&Retry"),
+    QT_TRANSLATE_NOOP("Buttons", "Restore &Defaults"),
+    QT_TRANSLATE_NOOP("Buttons", "&Show Details..."),
+    QT_TRANSLATE_NOOP("Buttons", "&Hide Details..."),
+};
+
+class ButtonTexts : public QTranslator {
+public:
+    QString translate(const char *context, const char *source, const char *, int) const override
+    {
+        const QByteArrayView place(context);
+        if (place != "QPlatformTheme" && place != "QGnomeTheme" && place != "QMessageBox")
+            return {};
+        const auto plain = [](QByteArray text) { return text.replace('&', ""); };
+        const QByteArray wanted = place == "QGnomeTheme" && QByteArrayView(source) == "Close without Saving"
+                                      ? QByteArray("Discard")
+                                      : plain(source);
+        for (const char *text : buttonTexts)
+            if (plain(text) == wanted)
+                return QCoreApplication::translate("Buttons", text);
+        return {};
+    }
+    bool isEmpty() const override { return false; }
+};
+
+} // namespace
+
+QStringList translationCodes()
+{
+    return {"en", "zh_CN", "de"};
+}
+
+void installTranslators()
+{
+    static QTranslator qtTexts;
+    static QTranslator ownTexts;
+    static ButtonTexts ofButtons;
+    QCoreApplication::removeTranslator(&qtTexts);
+    QCoreApplication::removeTranslator(&ownTexts);
+    QCoreApplication::removeTranslator(&ofButtons);
+
+    const QString chosen = settings::language();
+    const QString code = chosen.isEmpty() ? systemLanguage() : chosen;
+    // Numbers as the texts: the system's own ways where they are of the same language.
+    const QLocale language(code), system = QLocale::system();
+    QLocale::setDefault(system.language() == language.language() ? system : language);
+    // English too: it holds the plural forms.
+    if (ownTexts.load(":/i18n/suffuse_" + code + ".qm"))
+        QCoreApplication::installTranslator(&ownTexts);
+    if (code != "en" && qtTexts.load("qtbase_" + code, QLibraryInfo::path(QLibraryInfo::TranslationsPath)))
+        QCoreApplication::installTranslator(&qtTexts);
+    QCoreApplication::installTranslator(&ofButtons); // the last one is asked first
+}
+
+} // namespace suffuse

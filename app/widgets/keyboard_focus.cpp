@@ -1,0 +1,327 @@
+#include "app/widgets/keyboard_focus.h"
+
+#include <QAbstractItemView>
+#include <QAbstractSpinBox>
+#include <QAction>
+#include <QApplication>
+#include <QComboBox>
+#include <QDockWidget>
+#include <QKeyEvent>
+#include <QLineEdit>
+#include <QMainWindow>
+#include <QPainter>
+#include <QScrollArea>
+#include <QShortcutEvent>
+#include <QStatusBar>
+#include <QTabBar>
+#include <QToolBar>
+#include <QTreeView>
+
+#include <algorithm>
+
+namespace suffuse {
+
+/// A frame around a panel, on top of it, which lets everything through.
+class PanelFrame : public QWidget {
+public:
+    explicit PanelFrame(QWidget &panel) : QWidget(panel.window()), m_panel(panel)
+    {
+        setAttribute(Qt::WA_TransparentForMouseEvents);
+        setFocusPolicy(Qt::NoFocus);
+        follow();
+        show();
+        raise();
+    }
+
+    const QWidget &panel() const { return m_panel; }
+    /// The panel is somewhere else, or has another size.
+    void follow()
+    {
+        constexpr int width = 2;
+        setGeometry(QRect(m_panel.mapTo(window(), QPoint()), m_panel.size()));
+        setMask(QRegion(rect()) - rect().adjusted(width, width, -width, -width)); // what lies below paints freely
+    }
+
+protected:
+    void paintEvent(QPaintEvent *) override { QPainter(this).fillRect(rect(), palette().color(QPalette::Highlight)); }
+
+private:
+    QWidget &m_panel;
+};
+
+namespace {
+
+/// A key that types, moves or deletes; not one that stands for a command in any place, as function keys do. F2 renames
+/// in lists.
+bool isTyped(const QKeyEvent &key)
+{
+    const bool isFunction = key.key() >= Qt::Key_F1 && key.key() <= Qt::Key_F35 && key.key() != Qt::Key_F2;
+    return !isFunction && !(key.modifiers() & (Qt::ControlModifier | Qt::AltModifier | Qt::MetaModifier));
+}
+
+bool hasAction(const QWidget &widget, const QKeySequence &keys)
+{
+    return std::ranges::any_of(widget.actions(),
+                               [&](const QAction *action) { return action->shortcuts().contains(keys); });
+}
+
+bool isHeldWithShift(const QAction *action)
+{
+    return std::ranges::any_of(action->shortcuts(), [](const QKeySequence &keys) {
+        return !keys.isEmpty() && keys[0].keyboardModifiers() == Qt::ShiftModifier;
+    });
+}
+
+/// Not a button, a slider or the like; the timeline has keys of its own and scrolls.
+bool canBeTypedInto(const QWidget &widget)
+{
+    return qobject_cast<const QLineEdit *>(&widget) || qobject_cast<const QAbstractSpinBox *>(&widget) ||
+           qobject_cast<const QComboBox *>(&widget) ||
+           (qobject_cast<const QAbstractScrollArea *>(&widget) && !qobject_cast<const QScrollArea *>(&widget));
+}
+
+/// A letter would choose by the first letter of a name.
+bool searchesFor(const QWidget &widget, const QKeyEvent &key)
+{
+    const auto *combo = qobject_cast<const QComboBox *>(&widget);
+    const bool isTree = qobject_cast<const QTreeView *>(&widget); // which opens and closes by + - *
+    if (!qobject_cast<const QAbstractItemView *>(&widget) && !(combo && !combo->isEditable()))
+        return false;
+    const QString text = key.text();
+    return isTyped(key) && !text.isEmpty() && text[0].isPrint() && !text[0].isSpace() &&
+           !(isTree && QStringLiteral("+-*").contains(text[0]));
+}
+
+/// Among the tabs of docks that share a place; -1: it has one for itself.
+int tabOf(const QMainWindow &window, const QString &title)
+{
+    for (const auto *bar : window.findChildren<QTabBar *>(QString(), Qt::FindDirectChildrenOnly))
+        for (int i = 0; bar->isVisible() && i < bar->count(); ++i)
+            if (bar->tabText(i) == title)
+                return i;
+    return -1;
+}
+
+bool takesFocus(const QWidget &widget)
+{
+    return widget.focusPolicy() & Qt::TabFocus && widget.isEnabled() && !widget.focusProxy();
+}
+
+} // namespace
+
+KeyboardFocus::KeyboardFocus(QMainWindow &window, QWidget &canvas)
+    : QObject(&window), m_window(window), m_canvas(canvas)
+{
+    qApp->installEventFilter(this);
+    connect(qApp, &QApplication::focusChanged, this, [this](QWidget *, QWidget *now) {
+        if (m_frame && (!now || (now != &m_frame->panel() && !m_frame->panel().isAncestorOf(now))))
+            delete m_frame;
+        if (m_told && now && panelOf(now) != m_told) { // not while the window goes
+            m_told = nullptr;
+            m_window.statusBar()->clearMessage();
+        }
+    });
+}
+
+KeyboardFocus::~KeyboardFocus()
+{
+    delete m_frame;
+}
+
+void KeyboardFocus::toCanvas()
+{
+    m_window.activateWindow(); // the panel may float
+    m_canvas.setFocus(Qt::OtherFocusReason);
+}
+
+QWidget *KeyboardFocus::panelOf(QWidget *widget) const
+{
+    for (; widget && widget != &m_window; widget = widget->parentWidget()) {
+        const bool isPanel = qobject_cast<QDockWidget *>(widget) || qobject_cast<QToolBar *>(widget);
+        if (isPanel && widget->parentWidget() == &m_window)
+            return widget;
+        if (widget->isWindow())
+            return nullptr; // a dialog, which has keys of its own
+    }
+    return nullptr;
+}
+
+bool KeyboardFocus::keepsFromCanvas(QWidget &widget, const QKeyEvent &key) const
+{
+    if (!isTyped(key) || &widget == &m_window || &widget == &m_canvas || m_canvas.isAncestorOf(&widget))
+        return false;
+    if (const QWidget *focus = QApplication::focusWidget(); focus && focus != &widget && widget.isAncestorOf(focus))
+        return false; // the event comes up from where it was let through
+    QWidget *panel = panelOf(&widget);
+    if (!panel && widget.window() != &m_window)
+        return false;
+    const QKeySequence keys(QKeyCombination(key.modifiers() & ~Qt::KeypadModifier, Qt::Key(key.key())));
+    const bool shift = key.modifiers() & Qt::ShiftModifier;
+    for (const QWidget *w = &widget; panel && w; w = w == panel ? nullptr : w->parentWidget())
+        // What Shift makes of a key depends on the keyboard (> is Shift+. on some): Qt's table of shortcuts knows.
+        if (hasAction(*w, keys) || (shift && std::ranges::any_of(w->actions(), isHeldWithShift)))
+            return false;
+    return true;
+}
+
+/// What Qt has found for a key that the filter left to it, as the panel might have had a command for it.
+bool KeyboardFocus::keepsShortcut(const QObject &owner, const QKeySequence &keys) const
+{
+    QWidget *focus = QApplication::focusWidget(), *panel = panelOf(focus);
+    const auto *action = qobject_cast<const QAction *>(&owner);
+    if (!panel || !action || keys.isEmpty() ||
+        !isTyped(QKeyEvent(QEvent::KeyPress, keys[0].key(), keys[0].keyboardModifiers())))
+        return false;
+    for (const QWidget *w = focus; w; w = w == panel ? nullptr : w->parentWidget())
+        if (std::ranges::any_of(w->actions(), [action](const QAction *own) { return own == action; }))
+            return false;
+    return true;
+}
+
+bool KeyboardFocus::keyPressed(QWidget &widget, const QKeyEvent &key)
+{
+    QWidget *panel = panelOf(&widget);
+    if (!panel)
+        return false;
+    const bool leaves = key.key() == Qt::Key_Escape || key.key() == Qt::Key_Return || key.key() == Qt::Key_Enter;
+    if (panel == &widget) { // nothing in it had a use for the key
+        if (leaves)
+            toCanvas();
+        else
+            tellWhoHasIt(*panel, key);
+        return leaves;
+    }
+    if (!widget.hasFocus() || !searchesFor(widget, key))
+        return false;
+    tellWhoHasIt(*panel, key);
+    return true;
+}
+
+/// Whatever it does has been done: the mouse has been let go.
+void KeyboardFocus::letClicked()
+{
+    if (QApplication::mouseButtons() != Qt::NoButton)
+        return;
+    QWidget *focus = QApplication::focusWidget();
+    // Behind a dialog that the click has opened, too.
+    for (QWidget *had : {focus, m_window.focusWidget()})
+        if (had && panelOf(had) && !canBeTypedInto(*had)) {
+            if (had == focus)
+                toCanvas();
+            else
+                m_canvas.setFocus(Qt::OtherFocusReason);
+        }
+}
+
+void KeyboardFocus::tellWhoHasIt(QWidget &panel, const QKeyEvent &key)
+{
+    const bool plain = isTyped(key) && !(key.modifiers() & Qt::ShiftModifier);
+    const QList<QAction *> actions = m_window.findChildren<QAction *>();
+    if (m_told == &panel || !plain || std::ranges::none_of(actions, [&](const QAction *action) {
+            return action->isEnabled() && action->shortcuts().contains(QKeySequence(key.key()));
+        }))
+        return;
+    constexpr int milliseconds = 10'000;
+    m_told = &panel;
+    const QString title = panel.windowTitle();
+    m_window.statusBar()->showMessage(
+        qobject_cast<QDockWidget *>(&panel)
+            ? tr("The %1 dock has the keyboard; Esc gives it back to the canvas.").arg(title)
+            : tr("The tool bar “%1” has the keyboard; Esc gives it back to the canvas.").arg(title),
+        milliseconds);
+}
+
+bool KeyboardFocus::eventFilter(QObject *watched, QEvent *event)
+{
+    auto *widget = qobject_cast<QWidget *>(watched);
+    switch (event->type()) {
+    case QEvent::ShortcutOverride:
+        if (widget && keepsFromCanvas(*widget, *static_cast<QKeyEvent *>(event))) {
+            event->accept(); // it comes again, as a key that is pressed
+            return true;
+        }
+        break;
+    case QEvent::Shortcut: {
+        const auto *shortcut = static_cast<QShortcutEvent *>(event);
+        if (keepsShortcut(*watched, shortcut->key()))
+            return true;
+        break;
+    }
+    case QEvent::KeyPress:
+        if (widget && keyPressed(*widget, *static_cast<QKeyEvent *>(event)))
+            return true;
+        break;
+    case QEvent::MouseButtonRelease:
+        if (widget && panelOf(widget)) // once it has done what it does then
+            QMetaObject::invokeMethod(this, &KeyboardFocus::letClicked, Qt::QueuedConnection);
+        break;
+    case QEvent::MouseButtonPress:
+        delete m_frame;
+        break;
+    case QEvent::Resize:
+    case QEvent::Move:
+        if (m_frame && widget == &m_frame->panel())
+            m_frame->follow();
+        break;
+    default:
+        break;
+    }
+    return QObject::eventFilter(watched, event);
+}
+
+QList<QWidget *> KeyboardFocus::stops() const
+{
+    QList<QWidget *> panels;
+    for (auto *bar : m_window.findChildren<QToolBar *>(QString(), Qt::FindDirectChildrenOnly))
+        if (bar->isVisible())
+            panels << bar;
+    for (auto *dock : m_window.findChildren<QDockWidget *>(QString(), Qt::FindDirectChildrenOnly))
+        if (!dock->isHidden())
+            panels << dock;
+    // Tabs that lie behind have no place of their own: they stand where the one does that is shown.
+    const auto place = [this](QWidget *panel) {
+        const QWidget *shown = panel;
+        auto *dock = qobject_cast<QDockWidget *>(panel);
+        if (dock && dock->visibleRegion().isEmpty())
+            for (const QDockWidget *other : m_window.tabifiedDockWidgets(dock))
+                if (!other->visibleRegion().isEmpty())
+                    shown = other;
+        const QPoint at = shown->mapToGlobal(QPoint());
+        return std::tuple(at.x(), at.y(), tabOf(m_window, panel->windowTitle()));
+    };
+    std::ranges::sort(panels, {}, place);
+    return QList<QWidget *>{&m_canvas} + panels;
+}
+
+void KeyboardFocus::walk(bool forward)
+{
+    const QList<QWidget *> all = stops();
+    QWidget *focus = QApplication::focusWidget();
+    const qsizetype count = all.size(), here = std::max<qsizetype>(0, all.indexOf(panelOf(focus)));
+    for (qsizetype i = 1; i <= count; ++i)
+        if (enter(*all[(here + (forward ? i : count - i)) % count]))
+            return;
+}
+
+bool KeyboardFocus::enter(QWidget &stop)
+{
+    QWidget *goal = &stop == &m_canvas ? &stop : nullptr;
+    QWidget *last = stop.focusWidget(); // what had it when the keyboard was here
+    if (auto *dock = qobject_cast<QDockWidget *>(&stop))
+        dock->raise();
+    if (!goal && last && last->focusPolicy() != Qt::NoFocus && last->isEnabled() && last->isVisibleTo(&stop))
+        goal = last;
+    for (QWidget *w = stop.nextInFocusChain(); !goal && w != &stop; w = w->nextInFocusChain())
+        if (stop.isAncestorOf(w) && takesFocus(*w) && w->isVisibleTo(&stop))
+            goal = w;
+    if (!goal)
+        return false;
+    stop.window()->activateWindow();
+    stop.window()->setAttribute(Qt::WA_KeyboardFocusChange); // styles show the focus from now on
+    goal->setFocus(Qt::TabFocusReason);
+    delete m_frame;
+    m_frame = new PanelFrame(stop);
+    return true;
+}
+
+} // namespace suffuse

@@ -1,0 +1,107 @@
+// What the Object menu, Select Same, the canvas' aids and the underlay's commands do.
+#include "app/canvas/canvas_widget.h"
+#include "app/panels/strokes/strokes_model.h"
+#include "app/panels/strokes/strokes_panel.h"
+#include "app/session/commands.h"
+#include "app/session/settings/settings.h"
+#include "app/session/underlay_commands.h"
+#include "app/widgets/choose_picture.h"
+#include "app/widgets/messages.h"
+#include "app/window/main_window.h"
+
+#include <QInputDialog>
+#include <QLineEdit>
+#include <QStatusBar>
+
+#include <algorithm>
+
+namespace suffuse {
+
+namespace {
+
+/// What is to be renamed and how it is called.
+struct PresentName {
+    QString label;
+    QString name;  ///< as it was typed; empty: none, or several
+    QString title; ///< what people see where it has no name
+};
+
+/// Of the group that is selected as a whole, or else of the selected strokes; nothing where none are.
+std::optional<PresentName> presentNameOf(const Document &document)
+{
+    const Painting &painting = *document.painting();
+    const std::set<StrokeId> &selected = document.selection().strokes;
+    if (const GroupId group = selectedGroup(document))
+        for (const Group &g : painting.groups)
+            if (g.id == group)
+                return PresentName{MainWindow::tr("Name of the group"), g.name, titleOf(g)};
+    if (selected.empty())
+        return {};
+    const StrokePtr first = painting.find(*selected.begin());
+    const bool alike = std::all_of(selected.begin(), selected.end(),
+                                   [&](StrokeId id) { return painting.find(id)->name == first->name; });
+    return PresentName{MainWindow::tr("Name of %n stroke(s)", nullptr, int(selected.size())),
+                       alike ? first->name : QString(), selected.size() == 1 ? titleOf(*first) : QStringLiteral("—")};
+}
+
+} // namespace
+
+void MainWindow::connectObjectActions()
+{
+    const auto on = [this](Command command, auto function) {
+        connect(&action(command), &QAction::triggered, this, function);
+    };
+    on(Command::SelectFound, [this] { m_strokes->selectFound(); });
+    on(Command::RenameStrokes, [this] { renameSelected(); });
+    connectAids();
+    connectUnderlay();
+}
+
+void MainWindow::connectAids()
+{
+    m_canvas->setAids(settings::canvasAids());
+    connect(&action(Command::GridStep), &QAction::triggered, this, [this] {
+        bool ok = false;
+        const double step = QInputDialog::getDouble(this, tr("Grid"), tr("Step in canvas units"),
+                                                    m_canvas->aids().gridStep, 0.001, maxGridStep, 3, &ok);
+        if (!ok)
+            return;
+        CanvasAids aids = m_canvas->aids();
+        aids.gridStep = step;
+        m_canvas->setAids(aids);
+        settings::setCanvasAids(aids);
+    });
+}
+
+void MainWindow::importUnderlay(const QString &path)
+{
+    if (const QString problem = underlay::importFile(m_editor, path); !problem.isEmpty())
+        showError(this, problem);
+}
+
+void MainWindow::connectUnderlay()
+{
+    connect(&action(Command::ImportUnderlay), &QAction::triggered, this, [this] {
+        if (const QString path = choosePicture(this, tr("Import underlay")); !path.isEmpty())
+            importUnderlay(path);
+    });
+    connect(m_canvas, &CanvasWidget::underlayFailed, this,
+            [this](const QString &problem) { statusBar()->showMessage(problem, 15'000); });
+}
+
+void MainWindow::renameSelected()
+{
+    const std::optional<PresentName> present = presentNameOf(m_editor.document());
+    if (!present)
+        return;
+    QInputDialog dialog(this);
+    dialog.setWindowTitle(tr("Rename"));
+    dialog.setLabelText(present->label);
+    dialog.setTextValue(present->name);
+    if (auto *field = dialog.findChild<QLineEdit *>())
+        field->setPlaceholderText(present->title);
+    if (dialog.exec() == QDialog::Accepted)
+        commands::renameSelected(m_editor, dialog.textValue());
+}
+
+} // namespace suffuse

@@ -1,0 +1,88 @@
+// Shortcuts and settings, and how a window makes way for another one where they ask for it.
+#include "app/canvas/canvas_widget.h"
+#include "app/dialogs/settings_dialog.h"
+#include "app/dialogs/shortcuts_dialog.h"
+#include "app/session/settings/settings.h"
+#include "app/window/main_window.h"
+#include "app/window/rebuilt_windows.h"
+#include "app/window/workspace_view.h"
+
+#include <QApplication>
+#include <QDockWidget>
+
+namespace suffuse {
+
+namespace {
+
+/// What the user has switched on and off. Full screen is the window's own state, hidden docks need their layout first.
+void takeSwitches(const Actions &from, const Actions &to)
+{
+    for (QAction *action : from.all())
+        for (QAction *same : to.all())
+            if (same->objectName() == action->objectName() && action->isCheckable() &&
+                same != &to[Command::FullScreen] && same != &to[Command::HideDocks])
+                same->setChecked(action->isChecked());
+}
+
+} // namespace
+
+void MainWindow::changeShortcuts()
+{
+    if (ShortcutsDialog(m_actions->all(), fixedKeys(), this).exec() != QDialog::Accepted)
+        return;
+    for (QWidget *widget : QApplication::topLevelWidgets())
+        if (auto *window = qobject_cast<MainWindow *>(widget))
+            applyStoredShortcuts(window->m_actions->all());
+}
+
+void MainWindow::changeSettings()
+{
+    SettingsDialog dialog(this, m_editor.brush());
+    if (dialog.exec() != QDialog::Accepted)
+        return;
+    m_canvas->setPenSettings(settings::penSettings());
+    if (dialog.needsOtherWindows())
+        rebuildWindowsSoon(); // this is an action of one of them
+}
+
+std::unique_ptr<OpenPainting> MainWindow::release()
+{
+    // A stack that goes reports that it is empty; there is no canvas to tell any more.
+    Editor &editor = m_editor;
+    for (QObject *sender :
+         std::initializer_list<QObject *>{&editor, &editor.document(), &editor.laterChanges(), &editor.undoStack(),
+                                          &editor.clock(), m_playback, m_journal})
+        disconnect(sender, nullptr, this, nullptr);
+    delete m_canvas; // it draws the document
+    m_canvas = nullptr;
+    for (QDockWidget *dock : std::as_const(m_docks))
+        delete dock;
+    m_docks.clear();
+    return std::move(m_open);
+}
+
+MainWindow *MainWindow::replace()
+{
+    if (m_canvas->tool())
+        m_canvas->tool()->cancel();
+    const bool hidesDocks = action(Command::HideDocks).isChecked();
+    if (hidesDocks)
+        action(Command::HideDocks).trigger();
+    const QByteArray geometry = saveGeometry(), layout = saveState();
+    const std::optional<WorkspaceState> view = workspaceOf(*m_canvas, m_editor);
+    const bool fitted = m_canvas->isFitted();
+    auto *successor = new MainWindow(release(), m_makeRenderer);
+    takeSwitches(*m_actions, *successor->m_actions);
+    successor->setAttribute(Qt::WA_DeleteOnClose, testAttribute(Qt::WA_DeleteOnClose));
+    successor->restoreGeometry(geometry);
+    successor->restoreState(layout);
+    successor->updateActions();
+    successor->show();
+    if (view && !fitted)
+        showWorkspace(*view, *successor->m_canvas, successor->m_editor);
+    if (hidesDocks)
+        successor->action(Command::HideDocks).trigger();
+    return successor;
+}
+
+} // namespace suffuse
