@@ -12,7 +12,7 @@ namespace suffuse {
 
 namespace {
 
-/// "CPU · 2 threads · AVX2", a line for each backend, with the reason where one is missing.
+/// A line for each backend, "CPU · 2 threads · AVX2", with the reason where one is missing.
 QString backendLines()
 {
     QStringList lines;

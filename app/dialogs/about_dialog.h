@@ -4,7 +4,7 @@
 
 namespace suffuse {
 
-/// Name, version, licence and what this build runs on.
+/// Shows name, version, licence and the backends of this build.
 class AboutDialog : public QDialog {
     Q_OBJECT
 

@@ -19,8 +19,8 @@ namespace suffuse {
 namespace {
 
 constexpr int columnGap = 20;
-constexpr QSize usualSize(560, 400); ///< three pictures and a little; low screens have room for it, too
-/// Larger ones have the picture that is in the file or none: drawing one would take too long.
+constexpr QSize usualSize(560, 400); ///< room for three pictures and a little more; low screens have that, too
+/// Larger paintings show the picture in their file or none, since drawing one would take too long.
 constexpr std::size_t mostDrawn = 200'000;
 enum Column { Saved, Strokes, Size };
 
@@ -111,7 +111,7 @@ void BackupsDialog::fillList(const QStringList &files)
     }
 }
 
-/// Files may be large, and there may be twenty.
+/// Reads the backups on a thread, since they may be large, and there may be twenty.
 void BackupsDialog::startReading(const QStringList &files)
 {
     const int side = int(pictureSize.width() * devicePixelRatioF());

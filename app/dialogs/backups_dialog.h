@@ -14,11 +14,11 @@ class BackupsDialog : public QDialog {
     Q_OBJECT
 
 public:
-    /// `painting`: the file whose backups are listed.
+    /// `painting` is the file whose backups are listed.
     explicit BackupsDialog(const QString &painting, QWidget *parent = nullptr);
     ~BackupsDialog() override;
 
-    /// The backup's path; empty where there is none.
+    /// The path of the chosen backup; empty if there is none.
     QString chosen() const;
 
     QTreeWidget *list() const { return m_list; }

@@ -6,7 +6,8 @@
 
 namespace suffuse {
 
-/// A field for a moment of the document, shown and typed as clocks do (1:02.345; seconds alone are understood, too).
+/// A field for a moment of the document. It is shown and typed as clocks do (1:02.345); seconds alone are understood,
+/// too.
 class ClockBox : public QDoubleSpinBox {
     Q_OBJECT
 

@@ -37,7 +37,8 @@ public:
         const QStyle *style = option.widget ? option.widget->style() : QApplication::style();
         const QString title = option.text;
         option.text.clear();
-        style->drawControl(QStyle::CE_ItemViewItem, &option, painter, option.widget); // the whole row's ground and icon
+        // This paints the ground and the icon of the whole row.
+        style->drawControl(QStyle::CE_ItemViewItem, &option, painter, option.widget);
         const bool selected = option.state & QStyle::State_Selected, enabled = index.data(enabledRole).toBool();
         const QPalette::ColorGroup group = enabled ? QPalette::Active : QPalette::Disabled;
         painter->setPen(option.palette.color(group, selected ? QPalette::HighlightedText : QPalette::Text));
@@ -49,7 +50,7 @@ public:
     }
 };
 
-/// All letters stand in the text in their order.
+/// Whether all letters stand in the text in their order.
 bool hasLetters(const QString &text, const QString &letters)
 {
     qsizetype at = 0;
@@ -98,7 +99,7 @@ CommandPalette::CommandPalette(std::vector<PaletteEntry> entries, QWidget *paren
     : QDialog(parent, Qt::Dialog | Qt::FramelessWindowHint), m_entries(std::move(entries))
 {
     setWindowTitle(tr("Find a command"));
-    auto *frame = new QFrame(this); // the window has none, and may lie over its own colour
+    auto *frame = new QFrame(this); // the window has no frame, and may lie over a ground of its own colour
     frame->setFrameStyle(QFrame::StyledPanel | QFrame::Raised);
     auto *whole = new QVBoxLayout(this);
     whole->setContentsMargins(0, 0, 0, 0);
@@ -120,7 +121,7 @@ CommandPalette::CommandPalette(std::vector<PaletteEntry> entries, QWidget *paren
     m_list->setIconSize(QSize(iconSize, iconSize));
     m_list->setUniformItemSizes(true);
     m_list->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-    m_list->setFocusPolicy(Qt::NoFocus); // typing goes on while the arrows choose
+    m_list->setFocusPolicy(Qt::NoFocus); // the field keeps the keyboard while the arrows choose
     m_list->setFocusProxy(m_search);
     column->addWidget(m_list, 1);
     m_nothing = new QLabel(tr("Nothing is called so."), this);
@@ -144,7 +145,7 @@ void CommandPalette::ask(std::vector<PaletteEntry> entries, QWidget &over)
         if (palette.exec() == QDialog::Accepted && palette.chosen())
             run = palette.chosen()->run;
     }
-    over.window()->activateWindow(); // not every window manager does it when a frameless window goes
+    over.window()->activateWindow(); // not every window manager does this when a frameless window goes
     if (run)
         run();
 }
@@ -173,7 +174,7 @@ void CommandPalette::fill()
             item->setIcon(entry.icon.pixmap(m_list->iconSize(), devicePixelRatioF(), QIcon::Disabled));
         item->setData(keysRole, entry.keys);
         item->setData(entryRole, i);
-        item->setData(enabledRole, entry.enabled); // the item itself stays enabled, for the arrows to pass it
+        item->setData(enabledRole, entry.enabled); // the item itself stays enabled, so that the arrows can pass it
         QStringList spoken{entry.title};
         if (!entry.keys.isEmpty())
             spoken << entry.keys;

@@ -1,4 +1,4 @@
-// Finds a command, a brush, a dock or a file by a part of its name, and runs it.
+// The command palette: finds a command, a brush, a dock or a file by a part of its name, and runs it.
 #pragma once
 
 #include <QDialog>
@@ -14,18 +14,18 @@ class QListWidget;
 
 namespace suffuse {
 
-/// What can be found.
+/// An entry of the palette.
 struct PaletteEntry {
-    QString title;       ///< with what it belongs to, apart by " ▸ "
-    QString id;          ///< its name in English, which is searched, too; may be empty
-    QString keys;        ///< as people read them; may be empty
+    QString title;       ///< title with the menu or dock that it belongs to before it, separated by " ▸ "
+    QString id;          ///< name in English, which is searched, too; may be empty
+    QString keys;        ///< keys as people read them; may be empty
     QIcon icon;          ///< may be null
-    bool enabled = true; ///< otherwise it is shown and not run
+    bool enabled = true; ///< an entry that is not enabled is shown, but not run
     std::function<void()> run;
 };
 
-/// How well an entry answers to what is typed: 0 best; nothing: not at all. Each word of it must be somewhere in the
-/// title or the id, as a part of it or, in the title's last part, with letters left out.
+/// How well an entry matches the typed text: 0 is best, and nothing means not at all. Each word of the text must stand
+/// somewhere in the title or the id, as a part of it or, in the title's last part, with letters left out.
 std::optional<int> paletteRank(const PaletteEntry &entry, const QString &typed);
 
 class CommandPalette : public QDialog {
@@ -34,12 +34,12 @@ class CommandPalette : public QDialog {
 public:
     CommandPalette(std::vector<PaletteEntry> entries, QWidget *parent);
 
-    /// Shows the palette over a widget, and runs what is chosen when it has gone.
+    /// Shows the palette over a widget, and runs the chosen entry when the palette has gone.
     static void ask(std::vector<PaletteEntry> entries, QWidget &over);
 
     QLineEdit *search() const { return m_search; }
     QListWidget *list() const { return m_list; }
-    /// What was chosen; null: nothing.
+    /// The chosen entry; null: none.
     const PaletteEntry *chosen() const { return m_chosen; }
 
 protected:

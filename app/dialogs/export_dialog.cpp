@@ -27,7 +27,7 @@ namespace suffuse {
 
 namespace {
 
-/// The path with another ending.
+/// Returns the path with another ending.
 QString withEnding(const QString &path, const QString &ending)
 {
     const qsizetype dot = path.lastIndexOf(QLatin1Char('.'));
@@ -173,7 +173,7 @@ ExportSettings ExportDialog::settings() const
     return s;
 }
 
-/// The ending is in the path already.
+/// Shows the values that belong to the format. The ending is in the path already.
 void ExportDialog::takeFormat(const ExportSettings &settings)
 {
     m_depth->setCurrentIndex(m_depth->findData(int(settings.depth)));
@@ -211,7 +211,7 @@ void ExportDialog::takePreset(const ExportSettings &settings)
     m_size->setArea(m_area->area(), settings.width);
 }
 
-/// Said before it is hit.
+/// Tells about limits before they are hit.
 void ExportDialog::showLimits()
 {
     const QLocale locale;
@@ -239,7 +239,7 @@ void ExportDialog::formatChanged()
     if (format != ImageFormat::Unknown)
         m_size->setLargestSide(maxSideOf(format));
     showLimits();
-    // Keep the depth where the new format has it too.
+    // The depth is kept where the new format has it, too.
     ImageOptions options = imageOptions();
     if (format != ImageFormat::Unknown && !problemOf(format, options, 1, 1).isEmpty()) {
         options.alpha = false;
@@ -318,7 +318,7 @@ void ExportDialog::exportFinished(bool written, const QString &error)
 
 void ExportDialog::reject()
 {
-    // First stops the work; the dialog stays so that it can be tried again.
+    // The first Cancel stops the work; the dialog stays so that the user can try again.
     if (m_job.isRunning()) {
         m_job.cancel();
         m_cancel->setEnabled(false);

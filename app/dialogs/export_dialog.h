@@ -22,19 +22,20 @@ class HintLabel;
 class PresetRow;
 class PrintRows;
 
-/// Exports the painting as a picture: file, area, size, moment, alpha, depth. Begins with what the painting was
-/// exported with last, else with the format that anything was. Does the work itself, with a bar and a way to stop it;
-/// what stood at the target stays until the new picture is whole.
+/// Exports the painting as a picture: file, area, size, moment, alpha, depth. It begins with the settings of the
+/// painting's last export, else with the format of the last export of any painting. It does the work itself, with a bar
+/// and a way to stop it. The file at the target stays until the new picture is whole.
 class ExportDialog : public QDialog {
     Q_OBJECT
 
 public:
-    /// `shown`: the part of the canvas that the window shows.
+    /// `shown` is the part of the canvas that the window shows.
     ExportDialog(Editor &editor, const Rect &shown, QWidget *parent = nullptr);
 
-    /// What is set now.
+    /// The present settings.
     ExportSettings settings() const;
-    /// As at an earlier export of this painting. What is not there now (a selection) is left as it is.
+    /// Takes the settings of an earlier export of this painting. A choice that is not possible now (a selection) is
+    /// left as it is.
     void restore(const ExportSettings &settings);
 
     PresetRow *presets() const { return m_presets; }

@@ -9,9 +9,9 @@ namespace suffuse {
 
 namespace {
 
-constexpr int renderShare = 850; ///< per mille of the bar for rendering, the rest for writing
+constexpr int renderShare = 850; ///< share of the bar for rendering, per mille; the rest is for writing
 
-/// Counts what is stored, so that the bar moves.
+/// Counts the stored pixels, so that the bar moves.
 class CountingPicture : public FloatPicture {
 public:
     explicit CountingPicture(std::function<void(int)> progress) : m_progress(std::move(progress)) {}

@@ -10,7 +10,7 @@
 
 namespace suffuse {
 
-/// What is to be exported, and where.
+/// An order: what is to be exported, and where.
 struct ExportOrder {
     QString path;
     PaintingPtr painting;
@@ -23,7 +23,7 @@ struct ExportOrder {
     int threads = 0; ///< 0: all cores
 };
 
-/// Renders and writes a picture on a thread of its own. Cancelled or failed, it leaves the target as it was.
+/// Renders and writes a picture on a thread of its own. If it is cancelled or fails, it leaves the target as it was.
 class ExportJob : public QObject {
     Q_OBJECT
 
@@ -31,16 +31,16 @@ public:
     explicit ExportJob(QObject *parent = nullptr);
     ~ExportJob() override; ///< cancels and waits
 
-    /// One order at a time.
+    /// Starts an order; only one runs at a time.
     void start(const ExportOrder &order);
     void cancel() { m_cancel = true; }
     bool isRunning() const { return m_running; }
-    /// Of the order that was started last.
+    /// The target of the order that was started last.
     const QString &path() const { return m_path; }
 
 signals:
     void progressed(int perMille);
-    /// On the caller's thread. `error` is empty after success and after a cancel.
+    /// Emitted on the caller's thread. `error` is empty after success and after a cancel.
     void finished(bool written, const QString &error);
 
 private:

@@ -25,7 +25,7 @@ namespace {
 
 constexpr double farthest = 1e7; ///< canvas units
 
-/// All that the selected strokes ever reach.
+/// The area that the selected strokes ever reach.
 Rect reachOf(const Document &document)
 {
     Rect reach;
@@ -42,7 +42,7 @@ Rect wholeUnits(const Rect &area)
     return {std::floor(area.left), std::floor(area.top), std::ceil(area.right), std::ceil(area.bottom)};
 }
 
-/// The widest picture of the area with so many pixels a side, and not too many in all.
+/// The width of the widest picture of the area that has at most so many pixels a side, and not too many in all.
 int largestWidth(const Rect &area, int side)
 {
     const double shape = area.height() / area.width();
@@ -50,7 +50,7 @@ int largestWidth(const Rect &area, int side)
     auto width = int(std::clamp(std::floor(std::min({double(side), side / shape, pixels})), 1.0, double(side)));
     while (width > 1 && (suffuse::heightForWidth(area, width) > side ||
                          qint64(width) * suffuse::heightForWidth(area, width) > maxPicturePixels))
-        --width; // heights are rounded
+        --width; // since heights are rounded
     return width;
 }
 
@@ -217,7 +217,8 @@ MomentRow::MomentRow(QGridLayout &grid, int row, Editor &editor, QWidget *parent
     connect(m_box, &QComboBox::currentIndexChanged, this, &MomentRow::follow);
     connect(m_clock, &ClockBox::valueChanged, this,
             [this] { m_box->setCurrentIndex(m_box->findData(int(Choice::Time))); });
-    connect(&editor.clock(), &PaintingClock::timeChanged, this, &MomentRow::follow); // what is wet goes on drying
+    // Wet paint goes on drying, so the moment changes.
+    connect(&editor.clock(), &PaintingClock::timeChanged, this, &MomentRow::follow);
     follow();
 }
 

@@ -1,4 +1,4 @@
-// What the dialogs that export have in common.
+// Rows that all dialogs for exports have.
 #pragma once
 
 #include "model/painting/geometry.h"
@@ -21,27 +21,29 @@ class ClockBox;
 class Editor;
 struct View;
 
-/// The part of the canvas plane that the view shows, where it is turned a little more.
+/// The part of the canvas plane that the view shows. Where the view is turned, it is a little more.
 Rect shownArea(const View &view);
 
-/// Which part of the canvas: by name, or by its numbers, which always show it; changing one chooses them.
+/// A row for the exported part of the canvas. It is chosen by name, or by its numbers, which always show it; changing a
+/// number chooses them.
 class AreaRow : public QWidget {
     Q_OBJECT
 
 public:
     enum class Choice { Canvas, Painted, Selected, Shown, Numbers };
 
-    /// Puts a label, itself and, into the row below, the numbers into the grid. `shown`: what the window shows.
+    /// Puts a label, itself and, into the row below, the numbers into the grid. `shown` is the part that the window
+    /// shows.
     AreaRow(QGridLayout &grid, int row, Editor &editor, const Rect &shown, QWidget *parent);
 
     Choice choice() const;
-    /// Does nothing where there is no such choice: nothing is painted, or selected.
+    /// Chooses an area by its name. Does nothing where there is no such area because nothing is painted, or selected.
     void choose(Choice choice);
     Rect area() const;
-    /// An area by its numbers.
+    /// Chooses an area by its numbers.
     void setNumbers(const Rect &area);
     QComboBox *box() const { return m_box; }
-    /// Left, top, width, height; canvas units.
+    /// The numbers: left, top, width, height, in canvas units.
     const std::array<QDoubleSpinBox *, 4> &numbers() const { return m_numbers; }
 
 signals:
@@ -53,16 +55,18 @@ private:
     void take();
     void showNumbers(const Rect &area);
 
-    std::array<Rect, 4> m_areas; ///< but for those of numbers
+    std::array<Rect, 4> m_areas; ///< the named areas
     QComboBox *m_box = nullptr;
     QWidget *m_line = nullptr;
     std::array<QDoubleSpinBox *, 4> m_numbers{};
 };
 
-/// Where an area of a name lies now; empty where there is none, and for numbers. `shown`: what the window shows.
+/// The place of a named area now. It is empty where there is none, and for numbers. `shown` is the part that the window
+/// shows.
 Rect exportArea(AreaRow::Choice choice, Editor &editor, const Rect &shown);
 
-/// Which moment: by name, or a time of the document, which always shows; changing it chooses it.
+/// A row for the exported moment. It is chosen by name, or by a time of the document, which always shows it; changing
+/// the time chooses it.
 class MomentRow : public QWidget {
     Q_OBJECT
 
@@ -74,7 +78,7 @@ public:
 
     Choice choice() const;
     Microseconds moment() const;
-    /// `time` counts where that is the choice.
+    /// Chooses a moment. `time` counts if the choice is a time.
     void choose(Choice choice, Microseconds time);
     QComboBox *box() const { return m_box; }
     ClockBox *clock() const { return m_clock; }
@@ -87,8 +91,8 @@ private:
     ClockBox *m_clock = nullptr;
 };
 
-/// Width × height in pixels, which keep to an area's shape: only widths set the scale, and a height picks the width
-/// that comes nearest.
+/// A row for width × height in pixels, which keep to the shape of the area. Only a width sets the scale; a height
+/// chooses the width that comes nearest to it.
 class SizeRow : public QWidget {
     Q_DECLARE_TR_FUNCTIONS(suffuse::ExportDialog)
 
@@ -97,9 +101,10 @@ public:
     SizeRow(QGridLayout &grid, int row, int largestSide, QWidget *parent);
 
     void setArea(const Rect &area, double width);
-    /// As many pixels a unit as were last asked for.
+    /// The number of pixels a unit that was asked for last.
     void setArea(const Rect &area);
-    /// A format holds so many pixels a side; more than `maxPicturePixels` in all are never drawn.
+    /// Sets the greatest number of pixels a side that the format can hold. More than `maxPicturePixels` in all are
+    /// never drawn.
     void setLargestSide(int side);
     double scale() const { return m_scale; } ///< pixels a unit
     QSpinBox *widthBox() const { return m_width; }
@@ -118,7 +123,8 @@ private:
     QSpinBox *m_height = nullptr;
 };
 
-/// The document's name with this ending, where something was exported last, else beside the document, else in `place`.
+/// Proposes a path: the document's name with this ending, in the folder of the last export, else beside the document,
+/// else in `place`.
 QString suggestedExportPath(const Editor &editor, QStandardPaths::StandardLocation place, const QString &ending);
 
 } // namespace suffuse

@@ -28,7 +28,7 @@ QJsonObject objectIn(const QString &key)
     return QJsonDocument::fromJson(settings::store().value(key).toString().toUtf8()).object();
 }
 
-/// Paths have characters that keys cannot have.
+/// Makes a key of a name. Some names are paths, which have characters that keys cannot have.
 QString keyOf(const QString &group, const QString &name)
 {
     return group + QLatin1Char('/') +

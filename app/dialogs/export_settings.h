@@ -1,4 +1,4 @@
-// How a picture was exported, to be kept and done again.
+// The settings of an export, which are kept so that it can be done again.
 #pragma once
 
 #include "app/dialogs/export_job.h"
@@ -13,7 +13,7 @@ class QJsonObject;
 namespace suffuse {
 
 struct ExportSettings {
-    QString path; ///< absolute; of a preset the ending alone counts
+    QString path; ///< absolute path; of a preset only the ending counts
     ImageDepth depth = ImageDepth::Bits8;
     int quality = ImageOptions{}.quality;
     bool transparent = false;
@@ -23,31 +23,32 @@ struct ExportSettings {
     int width = 1;    ///< pixels
     double scale = 1; ///< pixels a unit
     MomentRow::Choice moment = MomentRow::Choice::Dried;
-    Microseconds time = 0; ///< where `moment` is a time
+    Microseconds time = 0; ///< the time, if `moment` is one
 
     ImageFormat format() const { return imageFormatForPath(path); }
     ImageOptions image() const;
     QJsonObject toJson() const;
-    /// None where it is not of this program, or out of range.
+    /// Reads settings. Returns none where they are not of this program, or out of range.
     static std::optional<ExportSettings> fromJson(const QJsonObject &object);
     friend bool operator==(const ExportSettings &, const ExportSettings &) = default;
 };
 
-/// The same export of the painting as it is now: named areas and moments are looked up anew, and keep their scale. The
-/// error says what is missing, or why the picture cannot be.
+/// The order for the same export of the painting as it is now: named areas and moments are looked up anew, and keep
+/// their scale. The error says what is missing, or why the picture cannot be made.
 Result<ExportOrder> exportOrder(const ExportSettings &settings, Editor &editor, const Rect &shown);
 
-/// What the program remembers of exports. It is not in the painting's file, which others may be given.
+/// What the program remembers of exports. It is not kept in the painting's file, which others may be given.
 namespace exports {
 
-/// Of any painting.
+/// The settings of the last export of any painting.
 std::optional<ExportSettings> last();
-/// Of the document at this path; it is forgotten after exports of many others.
+/// The settings of the last export of the document at this path. They are forgotten after exports of many other
+/// documents.
 std::optional<ExportSettings> lastOf(const QString &document);
-/// `document`: empty for one that has no file.
+/// Remembers an export. `document` is empty for a painting that has no file.
 void remember(const QString &document, const ExportSettings &settings);
 
-/// In alphabetical order.
+/// The names of the presets, in alphabetical order.
 QStringList presets();
 std::optional<ExportSettings> preset(const QString &name);
 void setPreset(const QString &name, const ExportSettings &settings);

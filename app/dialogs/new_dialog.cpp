@@ -25,7 +25,7 @@ struct SizePreset {
     double height;
 };
 
-/// In the language of now.
+/// The usual sizes, with their names in the present language.
 std::vector<SizePreset> sizePresets()
 {
     return {{NewDialog::tr("Sketch"), 1024, 768},      {NewDialog::tr("Full HD"), 1920, 1080},

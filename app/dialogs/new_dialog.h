@@ -12,14 +12,15 @@ namespace suffuse {
 
 class CanvasSection;
 
-/// Size, background and paper of a new painting.
+/// Asks for size, background and paper of a new painting.
 class NewDialog : public QDialog {
     Q_OBJECT
 
 public:
     explicit NewDialog(QWidget *parent = nullptr);
 
-    /// The canvas chosen, or nothing if the person thought better of it. Begins with what was chosen last.
+    /// Returns the chosen canvas, or nothing if the user gave up. The dialog begins with the canvas that was chosen
+    /// last.
     static std::optional<Canvas> ask(QWidget *parent);
 
     const Canvas &canvas() const;

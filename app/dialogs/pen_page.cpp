@@ -14,7 +14,7 @@ namespace suffuse {
 
 namespace {
 
-/// Usual curves, from a light hand's to a heavy one's.
+/// The usual curves, from a light hand's to a heavy one's.
 const std::vector<ResponseCurve> &feels()
 {
     static const std::vector<ResponseCurve> curves{

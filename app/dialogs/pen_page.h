@@ -13,7 +13,7 @@ namespace suffuse {
 class PenPad;
 class ResponseEditor;
 
-/// The pen's page of the settings: its pressure curve, a sheet to try it on, and whether fingers paint.
+/// The page of the settings for the pen: its pressure curve, a sheet to try it on, and whether fingers paint.
 class PenPage : public QWidget {
     Q_OBJECT
 

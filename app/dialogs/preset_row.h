@@ -10,18 +10,19 @@ class QPushButton;
 
 namespace suffuse {
 
-/// Named export settings: one is chosen, the present ones are saved under a name, the chosen one is removed.
+/// A row of named export settings. One of them can be chosen, the present ones can be saved under a name, and the
+/// chosen one can be removed.
 class PresetRow : public QWidget {
     Q_OBJECT
 
 public:
-    /// Puts itself and its label into the grid. `present` gives what is to be saved.
+    /// Puts itself and its label into the grid. `present` gives the settings that are to be saved.
     PresetRow(QGridLayout &grid, int row, std::function<ExportSettings()> present, QWidget *parent);
 
     QComboBox *box() const { return m_box; }
     QPushButton *saveButton() const { return m_save; }
     QPushButton *removeButton() const { return m_remove; }
-    /// Takes the place of one of that name.
+    /// Saves the present settings. They replace those of that name.
     void saveAs(const QString &name);
 
 signals:
@@ -30,7 +31,7 @@ signals:
 private:
     void askForName();
     void removeChosen();
-    /// Shows what there is, and which one is chosen; empty: none.
+    /// Shows the names, and which one is chosen; an empty name: none.
     void fill(const QString &chosen);
 
     std::function<ExportSettings()> m_present;

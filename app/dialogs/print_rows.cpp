@@ -120,7 +120,7 @@ void PrintRows::takePrint(QSpinBox *pixels, const QDoubleSpinBox *print)
     const double inches = print->value() / inch();
     m_setting = true;
     pixels->setValue(int(std::clamp(std::round(inches * dpi()), 1.0, double(pixels->maximum()))));
-    emit pixels->editingFinished(); // a height picks its width then
+    emit pixels->editingFinished(); // a height then chooses the width that belongs to it
     m_setting = false;
     m_inches = m_pixelWidth->value() / dpi();
     if (pixels == m_pixelWidth && pixels->value() < pixels->maximum())

@@ -9,16 +9,16 @@ class QSpinBox;
 
 namespace suffuse {
 
-/// How large a picture is on paper, and its resolution. Of pixels and print size, what was set last stays when the
-/// resolution changes.
+/// Rows for the size of a picture on paper, and for its resolution. When the resolution changes, pixels or print size
+/// stay, whichever was set last.
 class PrintRows : public QWidget {
     Q_OBJECT
 
 public:
     enum class Unit { Millimetres, Inches };
 
-    /// Puts itself, the row of the resolution and their labels into the grid. `width`, `height`: of the picture,
-    /// pixels.
+    /// Puts itself, the row of the resolution and their labels into the grid. `width` and `height` are those of the
+    /// picture in pixels.
     PrintRows(QGridLayout &grid, int row, QSpinBox *width, QSpinBox *height, QWidget *parent);
 
     double dpi() const;
@@ -31,7 +31,7 @@ public:
 private:
     void addPrintSize(QGridLayout &grid, int row);
     void addResolution(QGridLayout &grid, int row);
-    double inch() const; ///< in the unit
+    double inch() const; ///< the length of an inch in the chosen unit
     void show();
     void takePrint(QSpinBox *pixels, const QDoubleSpinBox *print);
     void takeResolution();
@@ -42,7 +42,7 @@ private:
     QDoubleSpinBox *m_height = nullptr;
     QComboBox *m_unit = nullptr;
     QDoubleSpinBox *m_dpi = nullptr;
-    double m_inches = 0; ///< the width that stays; 0: the pixels stay
+    double m_inches = 0; ///< the width that stays, in inches; 0: the pixels stay
     bool m_setting = false;
 };
 

@@ -62,7 +62,7 @@ SettingsDialog::SettingsDialog(QWidget *parent, const Brush &brush)
     setMinimumWidth(360);
 }
 
-/// The canvas, what computes its picture, and with how much.
+/// The page for the canvas: what computes its picture, and with how many threads.
 void SettingsDialog::addDrawing(QFormLayout &form)
 {
     m_presenter = addCombo(form, tr("Canvas"), tr("How the picture comes to the screen"));

@@ -12,16 +12,17 @@ namespace suffuse {
 
 class PenPage;
 
-/// Language, theme, how pictures are made and come to the screen, backups, and the pen. All of it changes at once.
+/// The settings: language, theme, how pictures are made and come to the screen, backups, and the pen. All of them take
+/// effect at once.
 class SettingsDialog : public QDialog {
     Q_OBJECT
 
 public:
-    /// `brush`: what the pen is tried with.
+    /// `brush` is the one with which the pen is tried.
     explicit SettingsDialog(QWidget *parent = nullptr, const Brush &brush = builtinBrushes().front());
 
-    /// After it was accepted: windows that are open have been made by what the settings said before
-    /// (rebuilt_windows.h).
+    /// To be asked after the dialog was accepted: whether the open windows were made for other settings, so that they
+    /// have to be made anew (rebuilt_windows.h).
     bool needsOtherWindows() const { return m_needsOtherWindows; }
 
     QComboBox *language() const { return m_language; }

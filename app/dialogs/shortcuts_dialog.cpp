@@ -20,7 +20,7 @@ namespace suffuse {
 namespace {
 
 const char ownShortcuts[] = "suffuseOwnShortcuts";
-constexpr int roomBeside = 80; ///< margins and scroll bar beside the list's columns
+constexpr int roomBeside = 80; ///< room for margins and scroll bar beside the list's columns
 
 QString keyOf(const QAction *action)
 {
@@ -101,7 +101,7 @@ void ShortcutsDialog::addList(QVBoxLayout &column)
     m_list->setHeaderLabels({tr("Command"), tr("Shortcut")});
     m_list->setAccessibleName(tr("Commands"));
     m_list->setToolTip(tr("Choose a command, then press its new shortcut below."));
-    m_list->header()->setSectionResizeMode(QHeaderView::ResizeToContents); // a name is shown as a whole
+    m_list->header()->setSectionResizeMode(QHeaderView::ResizeToContents); // so that a name is shown as a whole
     m_list->header()->setStretchLastSection(true);
     m_list->setHorizontalScrollMode(QAbstractItemView::ScrollPerPixel);
     column.addWidget(m_list, 1);
@@ -195,7 +195,7 @@ void ShortcutsDialog::takeSequence(const QKeySequence &sequence)
     QAction *action = currentAction();
     if (!action)
         return;
-    // One key chord a command: a second one would only be waited for.
+    // A command has one key chord, since the list would only wait for a second one.
     const QKeySequence first = sequence.isEmpty() ? QKeySequence() : QKeySequence(sequence[0]);
     if (first != sequence) {
         const QSignalBlocker blocker(m_edit);
@@ -204,7 +204,7 @@ void ShortcutsDialog::takeSequence(const QKeySequence &sequence)
     QList<QKeySequence> &chosen = m_chosen[action];
     if (first.isEmpty()) {
         chosen.clear();
-    } else { // further ones, as Shift+Del for Cut, stay
+    } else { // further shortcuts stay, such as Shift+Del for Cut
         chosen.removeAll(first);
         chosen.isEmpty() ? chosen.append(first) : void(chosen[0] = first);
     }
@@ -270,7 +270,7 @@ void ShortcutsDialog::filter()
         first = found ? item : first;
     }
     if (QTreeWidgetItem *current = m_list->currentItem(); !current || current->isHidden())
-        m_list->setCurrentItem(first); // nobody edits what they do not see
+        m_list->setCurrentItem(first); // the chosen row must be a visible one
 }
 
 void ShortcutsDialog::takeOver()

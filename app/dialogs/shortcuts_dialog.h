@@ -17,11 +17,11 @@ class QVBoxLayout;
 
 namespace suffuse {
 
-/// Remembers each action's own shortcuts and puts those in the settings in their place. Call it once all actions exist;
-/// actions are known by their object name, or where they have none by their text.
+/// Remembers each action's own shortcuts and replaces them by those in the settings. Call it once all actions exist.
+/// Actions are known by their object name, or by their text if they have none.
 void applyStoredShortcuts(const QList<QAction *> &actions);
 
-/// Edits the shortcuts of actions; what several actions would share is marked and cannot be kept.
+/// Edits the shortcuts of actions. Shortcuts that several actions would share are marked and cannot be kept.
 class ShortcutsDialog : public QDialog {
     Q_OBJECT
 
@@ -48,7 +48,7 @@ private:
     void reset(QAction *action);
     /// Takes the current command's shortcuts from all others.
     void takeOver();
-    /// Texts and clashes.
+    /// Refreshes texts and clashes.
     void refresh();
     /// Shows the rows that the search finds.
     void filter();
@@ -61,7 +61,7 @@ private:
     QPushButton *m_takeOver = nullptr;
     QPushButton *m_ok = nullptr;
     QLabel *m_conflict = nullptr;
-    QList<QAction *> m_actions; ///< of the rows; those below are fixed
+    QList<QAction *> m_actions; ///< the actions of the rows; the rows below them are fixed keys
     QList<FixedKeys> m_fixed;
     std::map<QAction *, QList<QKeySequence>> m_chosen;
 };

@@ -142,7 +142,8 @@ void TimelapseDialog::addFields(QGridLayout &grid, const Rect &shown)
 
 void TimelapseDialog::areaChanged()
 {
-    // As many pixels as the canvas has units, or as the window shows, within what videos hold.
+    // The film has as many pixels as the canvas has units, or as the window shows, within the size that videos can
+    // have.
     const Rect area = m_area->area();
     double width = m_area->choice() == AreaRow::Choice::Canvas ? area.width() : 1280;
     if (const double height = width * area.height() / area.width(); height > largestSide / 4)
@@ -238,7 +239,7 @@ void TimelapseDialog::showProgress(int frames)
     const QString drawn = tr("Frame %1 of %2").arg(frames).arg(all);
     if (frames == all)
         m_left->setText(tr("Writing the film…"));
-    else if (m_clock.elapsed() < 1000) // too early to tell
+    else if (m_clock.elapsed() < 1000) // it is too early to tell how long the rest will take
         m_left->setText(drawn);
     else if (left < 90)
         m_left->setText(tr("%1; %n second(s) left", nullptr, int(std::ceil(left))).arg(drawn));
@@ -272,7 +273,7 @@ void TimelapseDialog::exportFinished(bool written, const QString &error)
 
 void TimelapseDialog::reject()
 {
-    // First stops the work; the dialog stays so that it can be tried again.
+    // The first Cancel stops the work; the dialog stays so that the user can try again.
     if (m_job.isRunning()) {
         m_job.cancel();
         m_cancel->setEnabled(false);

@@ -20,13 +20,13 @@ namespace suffuse {
 class Editor;
 class HintLabel;
 
-/// Makes a film of the painting being painted: numbered frames, an animated WebP or a video. Does the work itself, with
-/// a bar and a way to stop it; what stood at the target stays until the film is whole.
+/// Makes a film of the painting being painted: numbered frames, an animated WebP or a video. It does the work itself,
+/// with a bar and a way to stop it. The file at the target stays until the film is whole.
 class TimelapseDialog : public QDialog {
     Q_OBJECT
 
 public:
-    /// `shown`: the part of the canvas that the window shows.
+    /// `shown` is the part of the canvas that the window shows.
     TimelapseDialog(Editor &editor, const Rect &shown, QWidget *parent = nullptr);
 
     QLineEdit *path() const { return m_path; }
@@ -56,7 +56,7 @@ private:
     void showProgress(int frames);
     void exportFinished(bool written, const QString &error);
     void setBusy(bool busy);
-    /// The path of numbered pictures gets its number where it has none.
+    /// Gives the path of numbered pictures its number if it has none.
     QString target() const;
     FilmOptions film() const;
 

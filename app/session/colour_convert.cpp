@@ -31,7 +31,7 @@ QColor toScreen(const Colour &colour)
 
 Colour fromScreen(const QColor &colour)
 {
-    // 8-bit channels from the integers: hex fields come back as they were typed.
+    // The 8-bit channels are taken from the integers, so that hex fields come back as they were typed.
     Colour result = rybFromSrgb(colour.red() / 255.0, colour.green() / 255.0, colour.blue() / 255.0);
     result.opacity = float(colour.alpha() / 255.0);
     return result;

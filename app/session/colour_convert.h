@@ -1,4 +1,4 @@
-// Between the painting's RYB and the screen's colours.
+// Conversions between the painting's RYB colours and the screen's.
 #pragma once
 
 #include "model/painting/style.h"
@@ -11,19 +11,20 @@ class QMimeData;
 
 namespace suffuse {
 
-/// sRGB of a colour; alpha is its opacity.
+/// The sRGB form of a colour; alpha is its opacity.
 QColor toScreen(const Colour &colour);
-/// The same without its opacity.
+/// The same, opaque.
 QColor toOpaqueScreen(const Colour &colour);
-/// RYB of a screen colour; opacity is its alpha.
+/// The RYB form of a screen colour; the opacity is its alpha.
 Colour fromScreen(const QColor &colour);
 
-/// Exactly this colour, to the last bit, as a line of text: "red yellow blue opacity".
+/// Writes exactly this colour, to the last bit, as a line of text: "red yellow blue opacity".
 QString textOf(const Colour &colour);
 std::optional<Colour> colourOfText(const QString &text);
-/// What is dragged: the colour itself for our own windows, a screen colour for others. The caller owns it.
+/// Makes the data of a drag: the colour itself for our own windows, and a screen colour for other programs. The caller
+/// owns it.
 QMimeData *dragDataOf(const Colour &colour);
-/// The colour that was dragged or copied, exactly where it is one of ours.
+/// The colour that was dragged or copied. It is exact where it comes from one of our windows.
 std::optional<Colour> colourOf(const QMimeData &data);
 
 /// A pure hue of the RYB circle, hue in [0, 1): red 0, yellow 1/3, blue 2/3.
@@ -36,7 +37,7 @@ struct HueShares {
     double chroma = 0;
     double black = 0;
 };
-/// Of greys the hue is undefined: `hueOfGrey` is kept.
+/// Greys have no hue; they keep `hueOfGrey`.
 HueShares toShares(const Colour &colour, double hueOfGrey);
 Colour fromShares(const HueShares &shares, float opacity);
 

@@ -95,7 +95,7 @@ void quarterTurnSelected(Editor &editor, int quarters, SpreadRule rule)
     const Rect box = selectionBox(*editor.document().painting(), editor.document().selection());
     if (box.isEmpty())
         return;
-    const std::array<double, 4> sines{0, 1, 0, -1}; // exact
+    const std::array<double, 4> sines{0, 1, 0, -1}; // so that quarters of a turn are exact
     const double s = sines[std::size_t(quarters & 3)], c = sines[std::size_t((quarters + 1) & 3)];
     editor.push(transformSelection(editor.document(), Affine::about(box.centre(), c, -s, s, c), rule),
                 QCoreApplication::translate("Commands", "Rotate by 90°"));

@@ -4,7 +4,7 @@ namespace suffuse {
 
 namespace {
 
-/// At T, and ever after, what is born by then is as old as it ever gets.
+/// Makes every segment that is born by T as old as it ever gets, at T and ever after.
 StrokePtr driedBy(const Stroke &stroke, Microseconds T)
 {
     auto dried = std::make_shared<Stroke>(stroke);
@@ -38,7 +38,7 @@ PaintingPtr FinalPreview::of(const PaintingPtr &painting, Microseconds T)
             continue;
         const auto known = m_dried.find(stroke);
         StrokePtr dried = known != m_dried.end() ? known->second : driedBy(*stroke, T);
-        // The same value from frame to frame, so that the renderer sees that nothing changed.
+        // It must be the same value from frame to frame, so that the renderer sees that nothing changed.
         if (paintedAt(*stroke) <= T)
             kept.emplace(stroke, dried);
         if (!result)

@@ -6,14 +6,16 @@
 
 namespace suffuse {
 
-/// The painting as it will look when what is wet has dried.
+/// Shows the painting as it will look when all wet paint has dried.
 class FinalPreview {
 public:
-    /// A painting that at T shows all that is painted by then at its full age. Strokes that are dry at T are shared.
+    /// Returns a painting that shows at T everything painted by then at its full age. It shares the strokes that are
+    /// dry at T.
     PaintingPtr of(const PaintingPtr &painting, Microseconds T);
 
 private:
-    std::unordered_map<StrokePtr, StrokePtr> m_dried; ///< of strokes that are wet but painted to the end
+    /// The dried forms of strokes that are wet and finished.
+    std::unordered_map<StrokePtr, StrokePtr> m_dried;
 };
 
 } // namespace suffuse

@@ -1,4 +1,4 @@
-// What is open, apart from how it is shown.
+// A painting that is open, without the widgets that show it.
 #pragma once
 
 #include "app/session/editor.h"
@@ -8,7 +8,8 @@
 
 namespace suffuse {
 
-/// A painting that is open, with all that must not be lost while a window around it makes way for another.
+/// Holds a painting that is open, and everything about it that must not be lost when another window takes the place of
+/// the one that shows it.
 struct OpenPainting {
     Editor editor;
     Playback playback{editor};

@@ -15,7 +15,7 @@ Microseconds PaintingClock::time() const
     if (!m_running || m_manual)
         return m_time;
     const Microseconds now = m_time + m_since.nsecsElapsed() / 1000;
-    // The end is where a reopened file stands: stopping right there makes both the same picture.
+    // A reopened file stands at its end. A clock that stops exactly there shows the same picture as the reopened file.
     return m_drawing ? now : std::min(now, std::max(m_time, runsUntil()));
 }
 

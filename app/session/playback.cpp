@@ -63,7 +63,7 @@ void Playback::timerEvent(QTimerEvent *event)
 void Playback::advance(Microseconds real)
 {
     m_since.start();
-    if (m_editor.clock().isDrawing()) // the pen has the clock
+    if (m_editor.clock().isDrawing()) // the pen moves the clock meanwhile
         return pause();
     m_rest += double(real) * m_speed;
     const auto played = Microseconds(m_rest);

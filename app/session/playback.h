@@ -12,8 +12,8 @@ namespace suffuse {
 
 class Editor;
 
-/// Plays the painting being painted, and goes to moments of it. It only says which moment is looked at: the picture
-/// there is the same however it was reached.
+/// Plays how the painting was painted, and goes to moments of it. It only sets the moment that is looked at: the
+/// picture there is the same however it was reached.
 class Playback : public QObject {
     Q_OBJECT
 
@@ -23,11 +23,11 @@ public:
     explicit Playback(Editor &editor, QObject *parent = nullptr);
 
     bool isPlaying() const { return m_timer.isActive(); }
-    /// From the moment that is looked at; from the beginning if that is the end.
+    /// Plays on from the moment that is looked at, or from the beginning if that moment is the end.
     void play();
     void pause();
     void toggle();
-    /// Plays on by so much real time; the timer calls it.
+    /// Plays on by this much real time. The timer calls it.
     void advance(Microseconds real);
 
     double speed() const { return m_speed; }
@@ -43,7 +43,7 @@ public:
 
     /// Pauses and looks at the moment.
     void seek(Microseconds time);
-    /// To where a stroke begins.
+    /// These go to the moments at which strokes begin.
     void toNextStroke();
     void toPreviousStroke();
 
@@ -59,12 +59,12 @@ private:
     Editor &m_editor;
     QBasicTimer m_timer;
     QElapsedTimer m_since; ///< real time since the last step
-    double m_rest = 0;     ///< microseconds that were too few to play
+    double m_rest = 0;     ///< microseconds that the last step was too short to play
     double m_speed = 1;
     bool m_loops = false;
     bool m_skipsPauses = true;
 
-    /// What is known of one painting.
+    /// Figures of one painting, kept until the painting changes.
     struct Measured {
         PaintingPtr painting;
         TimeSpan span;

@@ -1,4 +1,4 @@
-// Which strokes were selected first and last.
+// The order in which strokes were selected.
 #pragma once
 
 #include "model/document/document.h"
@@ -7,14 +7,15 @@
 
 namespace suffuse {
 
-/// Follows a document's selection, which itself has no order. Of strokes that were selected at once the topmost counts.
+/// Remembers in which order strokes were selected, which a document's selection does not. Of strokes that were selected
+/// at once the topmost counts.
 class SelectionOrder : public QObject {
     Q_OBJECT
 
 public:
     explicit SelectionOrder(const Document &document, QObject *parent = nullptr);
 
-    /// 0 where nothing is selected.
+    /// Both are 0 where nothing is selected.
     StrokeId first() const;
     StrokeId last() const;
 
@@ -23,7 +24,8 @@ private:
     StrokeId topmostOf(const std::vector<StrokeId> &strokes) const;
 
     const Document &m_document;
-    std::vector<std::vector<StrokeId>> m_steps; ///< what was selected at once; none is empty, each is sorted
+    /// The strokes that were selected at once, step by step. No step is empty, and each is sorted.
+    std::vector<std::vector<StrokeId>> m_steps;
 };
 
 } // namespace suffuse

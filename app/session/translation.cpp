@@ -11,7 +11,7 @@ namespace suffuse {
 
 namespace {
 
-/// Of the system's languages in order of preference, the first that we speak.
+/// The first of the system's languages, in order of preference, for which there is a translation.
 QString systemLanguage()
 {
     for (const QString &name : QLocale::system().uiLanguages()) {
@@ -26,7 +26,8 @@ QString systemLanguage()
     return "en";
 }
 
-/// The texts of Qt's own buttons, each with a mnemonic: Qt has them without, or with others on each desktop.
+/// Translates the texts of Qt's own buttons, each with a mnemonic: Qt has them without mnemonics, or with others on
+/// each desktop.
 constexpr const char *buttonTexts[] = {
     QT_TRANSLATE_NOOP("Buttons", "&OK"),
     QT_TRANSLATE_NOOP("Buttons", "&Cancel"),
@@ -82,15 +83,15 @@ void installTranslators()
 
     const QString chosen = settings::language();
     const QString code = chosen.isEmpty() ? systemLanguage() : chosen;
-    // Numbers as the texts: the system's own ways where they are of the same language.
+    // Numbers follow the language of the texts. Where the system's locale is of the same language, its own ways count.
     const QLocale language(code), system = QLocale::system();
     QLocale::setDefault(system.language() == language.language() ? system : language);
-    // English too: it holds the plural forms.
+    // English is loaded, too: its file holds the plural forms.
     if (ownTexts.load(":/i18n/suffuse_" + code + ".qm"))
         QCoreApplication::installTranslator(&ownTexts);
     if (code != "en" && qtTexts.load("qtbase_" + code, QLibraryInfo::path(QLibraryInfo::TranslationsPath)))
         QCoreApplication::installTranslator(&qtTexts);
-    QCoreApplication::installTranslator(&ofButtons); // the last one is asked first
+    QCoreApplication::installTranslator(&ofButtons); // the translator that was installed last is asked first
 }
 
 } // namespace suffuse

@@ -5,11 +5,11 @@
 
 namespace suffuse {
 
-/// Puts the translations of the language in the settings (or the system's) on the application, Qt's own texts included.
-/// Call it before windows are made; calling it again replaces the language.
+/// Installs the translations of the language in the settings (or of the system's) in the application, those of Qt's own
+/// texts included. Call it before windows are made; calling it again replaces the language.
 void installTranslators();
 
-/// Codes of the languages there are translations for ("en", "zh_CN", "de").
+/// Codes of the languages for which there are translations ("en", "zh_CN", "de").
 QStringList translationCodes();
 
 } // namespace suffuse

@@ -24,7 +24,7 @@ Rect sheetIn(const UnderlayImage &image, const Rect &around)
     return fitted(image.size().width(), image.size().height(), around);
 }
 
-/// Decoding a large picture takes a moment.
+/// Shows a waiting cursor, since decoding a large picture takes a moment.
 Result<UnderlayImagePtr> decodeWaiting(const EncodedImage &encoded, const QString &name)
 {
     QGuiApplication::setOverrideCursor(Qt::WaitCursor);
@@ -46,7 +46,7 @@ QString importFile(Editor &editor, const QString &path)
     const Result<EncodedImage> encoded = readPictureFile(path);
     if (!encoded)
         return encoded.error();
-    // It stays decoded until the canvas has it.
+    // This holds the decoded picture until the canvas has it.
     const Result<UnderlayImagePtr> image = decodeWaiting(*encoded, path);
     if (!image)
         return image.error();
@@ -91,7 +91,7 @@ void fitToCanvas(Editor &editor)
         return;
     const Result<UnderlayImagePtr> image = decodeWaiting(underlay->image, UnderlayCommands::tr("Underlay"));
     const Rect canvas = editor.document().painting()->canvas.area();
-    // Of one that cannot be decoded, the proportions that it has now.
+    // A picture that cannot be decoded keeps the proportions that it has now.
     const Rect area = image                      ? sheetIn(**image, canvas)
                       : underlay->area.isEmpty() ? canvas
                                                  : fitted(underlay->area.width(), underlay->area.height(), canvas);

@@ -1,4 +1,4 @@
-// What is done with the underlay: each an edit, one undo step.
+// Commands for the underlay. Each is an edit and one undo step.
 #pragma once
 
 #include "undo/edit_command.h"
@@ -11,17 +11,17 @@ class Editor;
 
 namespace underlay {
 
-/// By its first bytes.
+/// Whether a file is a picture, by its first bytes.
 bool isPicture(const QString &path);
-/// Puts a picture under the painting: in the middle of the canvas, as large as it goes, or where the picture is that it
-/// takes the place of. Empty, or why not.
+/// Puts a picture under the painting: in the middle of the canvas, as large as it fits, or in the place of the underlay
+/// that was there. Returns an empty string, or why it could not.
 QString importFile(Editor &editor, const QString &path);
 
 void show(Editor &editor, bool visible);
 void setOpacity(Editor &editor, double opacity, EditRun run);
 /// Moves or resizes it to an area of canvas units.
 void setArea(Editor &editor, const Rect &area, EditRun run = 0);
-/// Its picture's own proportions, in the middle of the canvas, as large as it goes.
+/// Gives the underlay its picture's own proportions and puts it into the middle of the canvas, as large as it fits.
 void fitToCanvas(Editor &editor);
 void remove(Editor &editor);
 

@@ -6,14 +6,16 @@
 
 namespace suffuse {
 
-/// The density φ at a place over document time, with the moment shown and the density from which a stroke is seen.
+/// Plots the density φ at a place over document time, with the moment that is shown and the density from which on a
+/// stroke is seen.
 class AgePlot : public QWidget {
     Q_OBJECT
 
 public:
     explicit AgePlot(QWidget *parent = nullptr);
 
-    /// `points`: seconds since the stroke began, φ; empty: nothing to plot. `now` in the same seconds.
+    /// `points` are pairs of the seconds since the stroke began and φ; if there are none, nothing is plotted. `now`
+    /// counts the same seconds.
     void show(std::vector<QPointF> points, double now, double cut);
     using QWidget::show;
     const std::vector<QPointF> &points() const { return m_points; }

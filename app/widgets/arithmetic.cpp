@@ -8,7 +8,7 @@ namespace suffuse {
 
 namespace {
 
-/// Recursive descent over a sum of products; nesting is bounded so that no input exhausts the stack.
+/// Parses a sum of products by recursive descent. Nesting is bounded so that no input exhausts the stack.
 class Parser {
 public:
     explicit Parser(const QString &text) : m_text(text) {}
@@ -85,14 +85,14 @@ private:
     qsizetype m_at = 0;
 };
 
-/// A unit that may be typed in a field of another, and what it is worth there.
+/// A unit that may be typed in a field of another unit, and what it is worth there.
 struct Unit {
     const char *name;
     const char *field;
     double factor;
 };
 
-/// A unit as fields show it, by the name that the table has.
+/// The name in the table of a unit as fields show it.
 QString plainUnit(const QString &shown)
 {
     const std::pair<QString, const char *> names[] = {
@@ -118,13 +118,13 @@ double worthOf(const QString &shownName, const QString &shownField)
     return 0;
 }
 
-/// Where the unit at the end begins: behind the last digit, point or bracket.
+/// The place where the unit at the end begins: behind the last digit, point or bracket.
 qsizetype unitStart(const QString &text)
 {
     qsizetype end = text.size();
     while (end > 0 && !text[end - 1].isDigit() && text[end - 1] != '.' && text[end - 1] != ')')
         --end;
-    // The "2" of "u²" is no digit, but an "e" may end a broken number.
+    // The "2" of "u²" is no digit, but an "e" may be the end of a broken number.
     return end;
 }
 
@@ -172,7 +172,7 @@ std::optional<double> evaluateArithmetic(const QString &text, std::optional<doub
         return std::nullopt;
     if (assigns(t))
         t.remove(1, 1);
-    const bool sum = t[0] == '+' || t[0] == '-'; // what is added has the unit, a factor has none
+    const bool sum = t[0] == '+' || t[0] == '-'; // a summand has the unit, a factor has none
     if (sum && worth != 1)
         t = t[0] + ("(" + t.mid(1) + ")*" + QString::number(worth, 'g', 17));
     return Parser("(" + QString::number(*current, 'g', 17) + ")" + t).whole();

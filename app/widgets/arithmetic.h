@@ -6,16 +6,16 @@
 
 namespace suffuse {
 
-/// Value of what was typed into a number field: numbers with + − * / and parentheses ("12*1.5"), a decimal comma or
-/// point. A leading + * or / works on `current` where there is one ("+2", "*1.5"); a leading − is a sign, "−=2" takes 2
-/// away. `unit` or one that converts to it (ms to s, rad to °) may stand at the end, as the interface writes it or as
-/// here. Nothing if it cannot be read or is not finite.
+/// The value of the text in a number field: numbers with + − * / and parentheses ("12*1.5"), with a decimal comma or
+/// point. A leading + * or / works on `current`, if there is one ("+2", "*1.5"). A leading − is a sign, and "−=2" takes
+/// 2 away. `unit`, or one that converts to it (ms to s, rad to °), may stand at the end, as the interface or as this
+/// comment writes it. Returns nothing if the text cannot be read or its value is not finite.
 std::optional<double> evaluateArithmetic(const QString &text, std::optional<double> current, const QString &unit = {});
 
 /// Whether the text works on the current value: "+2", "*1.5", "/2", "−=2".
 bool isRelative(const QString &text);
 
-/// Letters at the end of the text that are no unit which `evaluateArithmetic` knows; empty if there are none.
+/// The letters at the end of the text if they are no unit that `evaluateArithmetic` knows; else empty.
 QString foreignUnit(const QString &text, const QString &unit);
 
 } // namespace suffuse

@@ -15,7 +15,7 @@ void sayUntilChange(QStatusBar &bar, const Document &document, const QString &me
 {
     bar.showMessage(message, milliseconds);
     atNextChange(document, &bar, [&bar, message] {
-        if (bar.currentMessage() == message) // not what was said since
+        if (bar.currentMessage() == message) // leaves a message that was shown since then
             bar.clearMessage();
     });
 }

@@ -1,4 +1,4 @@
-// Messages about what was just done: they go as soon as something else is done.
+// Messages about what was just done. They disappear as soon as something else is done.
 #pragma once
 
 #include <QString>
@@ -12,8 +12,8 @@ namespace suffuse {
 
 class Document;
 
-/// Calls `then` once, at the document's next change of any kind: undo, a new stroke, another selection. Not if the
-/// context is gone by then.
+/// Calls `then` once, at the document's next change of any kind: undo, a new stroke, another selection. It is not
+/// called if the context is gone by then.
 void atNextChange(const Document &document, QObject *context, std::function<void()> then);
 
 /// Shows a message in the status bar until the document's next change, at most for `milliseconds`.

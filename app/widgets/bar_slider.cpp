@@ -15,7 +15,7 @@ namespace suffuse {
 namespace {
 
 constexpr double handleRadius = 6.5;
-constexpr int leastWidth = 90; // less cannot be dragged finely
+constexpr int leastWidth = 90; // a narrower bar cannot be dragged finely
 
 void paintChecks(QPainter &painter, const QRectF &rect)
 {
@@ -35,7 +35,8 @@ BarSlider::BarSlider(QWidget *parent) : QSlider(Qt::Horizontal, parent)
     setSingleStep(steps / 100);
     setPageStep(steps / 10);
     setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
-    setFocusPolicy(Qt::ClickFocus); // Tab goes from number to number; the number beside it does by keys what this does
+    setFocusPolicy(Qt::ClickFocus); // Tab goes from number to number; the number beside the slider does by keys all
+                                    // that the slider does
 }
 
 void BarSlider::setGradient(std::function<QColor(double)> gradient)
@@ -80,7 +81,7 @@ void BarSlider::mousePressEvent(QMouseEvent *event)
     }
     setSliderDown(true);
     qApp->installEventFilter(this);
-    // A press on the handle takes hold of it without a jump; elsewhere it jumps.
+    // A press on the handle takes hold of it without a jump; a press elsewhere jumps there.
     const QRectF bar = track();
     const double handle = bar.left() + bar.width() * sliderPosition() / steps;
     if (m_mixed || std::abs(event->position().x() - handle) > handleRadius)

@@ -6,8 +6,8 @@
 
 namespace suffuse {
 
-/// A slim horizontal slider: a press anywhere jumps there and drags on, the bar is filled up to the handle or shows a
-/// gradient. Positions are 0 … steps. Esc while it is dragged gives the drag up.
+/// A slim horizontal slider. A press anywhere jumps there and drags on. The bar is filled up to the handle or shows a
+/// gradient. Positions are 0 … steps. Esc gives a drag up.
 class BarSlider : public QSlider {
     Q_OBJECT
 
@@ -16,9 +16,9 @@ public:
 
     explicit BarSlider(QWidget *parent = nullptr);
 
-    /// Colour along the bar at position 0 … 1; null: a plain bar.
+    /// Sets the colour along the bar at positions 0 … 1; null: a plain bar.
     void setGradient(std::function<QColor(double)> gradient);
-    /// No handle: the values are mixed.
+    /// Shows no handle, since the values are mixed.
     void setMixed(bool mixed);
     bool isMixed() const { return m_mixed; }
 
@@ -26,10 +26,10 @@ public:
     QSize minimumSizeHint() const override;
 
 signals:
-    void givenUp(); ///< before sliderReleased
+    void givenUp(); ///< emitted before sliderReleased
 
 protected:
-    /// While it is dragged: of the whole program, since the keyboard may be elsewhere.
+    /// During a drag it filters the events of the whole program, since the keyboard may be elsewhere.
     bool eventFilter(QObject *watched, QEvent *event) override;
     void paintEvent(QPaintEvent *event) override;
     void mousePressEvent(QMouseEvent *event) override;

@@ -11,9 +11,9 @@ namespace suffuse {
 
 namespace {
 
-constexpr double aspectLength = 150; ///< canvas units across at spread 9
+constexpr double aspectLength = 150; ///< length of the stroke in canvas units, at spread 9
 
-/// An S from left to right with the pressure of a calligrapher: light, heavy, light.
+/// An S from left to right, pressed as a calligrapher would: light, heavy, light.
 std::vector<PenSample> sShape(double width, double height)
 {
     constexpr int count = 64;

@@ -12,8 +12,8 @@ namespace suffuse {
 /// Draws brushes as a stroke on paper with the real renderer.
 class BrushPreview {
 public:
-    /// An S-shaped stroke of the brush, `size` device pixels, straight alpha (draw it over paper). Larger brushes are
-    /// shown from further away. A null image if the renderer fails.
+    /// An S-shaped stroke of the brush on `size` device pixels, with straight alpha (draw it over paper). Larger
+    /// brushes are shown from further away. A null image if the renderer fails.
     QImage render(const Brush &brush, QSize size);
 
 private:

@@ -23,13 +23,13 @@ namespace {
 constexpr QSize thumbnailSize{60, 24};
 constexpr double thumbnailScale = 0.75; ///< logical pixels a unit
 
-/// Of the entry that asks for an image, after none and the presets.
+/// Place of the entry that asks for an image, after none and the presets.
 int imageIndex()
 {
     return int(paperPresets().size()) + 1;
 }
 
-/// Of the entry that is there while the paper is none of the others; choosing it changes nothing.
+/// Place of the entry that is there only while the paper is none of the others. Choosing it changes nothing.
 int customIndex()
 {
     return imageIndex() + 1;

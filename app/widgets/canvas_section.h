@@ -14,8 +14,8 @@ class ColourRows;
 class ColourSwatch;
 class NumberField;
 
-/// Size, background and paper of a canvas, as a form over a value: the inspector writes it to the document, the dialog
-/// for new paintings keeps it.
+/// A form for the size, background and paper of a canvas. It edits a value: the inspector writes that to the document,
+/// and the dialog for new paintings keeps it.
 class CanvasSection : public QWidget {
     Q_OBJECT
 
@@ -27,14 +27,14 @@ public:
 
     NumberField *widthField() const { return m_width; }
     NumberField *heightField() const { return m_height; }
-    /// None, the presets, an image.
+    /// The entries: none, the presets, and an image.
     QComboBox *paperChoice() const { return m_paper; }
     SliderField *paperScale() const { return m_scale; }
     SliderField *paperStrength() const { return m_strength; }
     ColourRows *background() const { return m_background; }
 
 signals:
-    /// A valid canvas with one member changed.
+    /// Emitted with a valid canvas in which one member was changed.
     void edited(const suffuse::Canvas &canvas, const QString &undoText, suffuse::EditRun run);
     void refused(const QString &hint);
 

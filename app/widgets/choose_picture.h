@@ -5,7 +5,7 @@ class QWidget;
 
 namespace suffuse {
 
-/// Asks for a picture's file; empty: given up. `title` is translated.
+/// Asks for the file of a picture. Returns an empty path if the user gave up. `title` is translated.
 QString choosePicture(QWidget *parent, const QString &title);
 
 } // namespace suffuse

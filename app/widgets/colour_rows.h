@@ -7,17 +7,17 @@
 
 namespace suffuse {
 
-/// Four slider rows for R, Y, B and opacity with gradients of what each would give.
+/// Four rows of sliders, for R, Y, B and opacity. Each gradient shows the colours that the row would give.
 class ColourRows : public QWidget {
     Q_OBJECT
 
 public:
     enum Channel { Red, Yellow, Blue, Opacity };
 
-    /// Without opacity: three rows.
+    /// Without opacity there are three rows.
     explicit ColourRows(bool withOpacity, QWidget *parent = nullptr);
 
-    /// Channels that are mixed are nullopt; `shown` is what the gradients start from.
+    /// Mixed channels are nullopt. `shown` is the colour from which the gradients start.
     void setColour(const std::array<std::optional<double>, 4> &channels, const Colour &shown);
     void setColour(const Colour &colour);
 

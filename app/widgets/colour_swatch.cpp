@@ -17,7 +17,7 @@ void paintColour(QPainter &painter, const QPainterPath &shape, const Colour &col
     painter.fillPath(shape, toOpaqueScreen(colour));
     if (colour.opacity == 1)
         return;
-    // Left half as it is, right half over checks.
+    // The left half shows the opaque colour, the right half the colour over checks.
     const QRectF area = shape.boundingRect();
     const QRectF half(area.center().x(), area.top(), area.width() / 2, area.height());
     painter.save();
@@ -65,7 +65,7 @@ void ColourSwatch::mouseMoveEvent(QMouseEvent *event)
         QAbstractButton::mouseMoveEvent(event);
         return;
     }
-    setDown(false); // it is no click any more
+    setDown(false); // the press has become a drag and is no click any more
     auto *drag = new QDrag(this);
     drag->setMimeData(dragDataOf(*m_colour));
     drag->setPixmap(grab());

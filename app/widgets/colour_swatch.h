@@ -10,11 +10,11 @@ class QPainterPath;
 
 namespace suffuse {
 
-/// Fills a shape with a colour; the right half of one that is not opaque shows how much it lets through.
+/// Fills a shape with a colour. If the colour is not opaque, the right half shows how much it lets through.
 void paintColour(QPainter &painter, const QPainterPath &shape, const Colour &colour);
 
-/// A button filled with a colour, over a checked ground where it is not opaque; "—" where colours are mixed. It can be
-/// dragged to wherever colours are taken.
+/// A button that is filled with a colour, over a checked ground where it is not opaque, and shows "—" where colours are
+/// mixed. The colour can be dragged to any place that takes colours.
 class ColourSwatch : public QAbstractButton {
     Q_OBJECT
 

@@ -6,7 +6,7 @@
 namespace suffuse {
 
 namespace {
-constexpr int clickMs = 300; ///< pressed longer, it is held
+constexpr int clickMs = 300; ///< a press that lasts longer counts as holding the button
 }
 
 CompareButton::CompareButton(Editor &editor, QWidget *parent) : QToolButton(parent), m_editor(editor)
@@ -27,7 +27,8 @@ CompareButton::CompareButton(Editor &editor, QWidget *parent) : QToolButton(pare
             m_editor.setCompared(nullptr);
         refresh();
     });
-    connect(this, &QToolButton::clicked, this, &CompareButton::refresh); // the check mark follows what is shown
+    // The check mark follows the shown picture.
+    connect(this, &QToolButton::clicked, this, &CompareButton::refresh);
     connect(&editor, &Editor::comparedChanged, this, &CompareButton::refresh);
     connect(&editor.undoStack(), &QUndoStack::indexChanged, this, &CompareButton::refresh);
     connect(&editor.laterChanges(), &LaterChanges::changed, this, &CompareButton::refresh);

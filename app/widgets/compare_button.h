@@ -7,8 +7,8 @@ namespace suffuse {
 
 class Editor;
 
-/// Shows the picture as it was before the last run of changes to the selection: while it is held, or until it is
-/// clicked again or the painting changes. Touches no undo step.
+/// Shows the picture as it was before the last run of changes to the selection: while the button is held, or until it
+/// is clicked again or the painting changes. It touches no undo step.
 class CompareButton : public QToolButton {
     Q_OBJECT
 

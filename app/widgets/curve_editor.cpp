@@ -70,7 +70,7 @@ void CurveEditor::dragTo(QPointF at)
 
 void CurveEditor::drawTo(QPointF to)
 {
-    // All knots that the pointer passed since the last report.
+    // This sets all knots that the pointer passed since the last report.
     const double last = double(m_curve.knots.size() - 1);
     const QPointF from = m_last;
     const double low = std::min(from.x(), to.x()), high = std::max(from.x(), to.x());

@@ -6,14 +6,14 @@
 
 namespace suffuse {
 
-/// A curve over [0, 1] with values in [0, 1]: one knot is a constant, two are a ramp, more are a drawn curve; evenly
-/// spread and joined by straight lines.
+/// A curve over [0, 1] with values in [0, 1]. One knot is a constant, two knots are a ramp, and more are a drawn curve;
+/// they are evenly spread and joined by straight lines.
 struct PlaceCurve {
     std::vector<double> knots{0.5};
     double at(double place) const;
 };
 
-/// Edits a PlaceCurve: the line of a constant and the ends of a ramp are dragged, a drawn curve is drawn over. Arrow
+/// Edits a PlaceCurve. The line of a constant and the ends of a ramp are dragged; a drawn curve is drawn over. Arrow
 /// keys move the knot that was dragged last.
 class CurveEditor : public CurveField {
     Q_OBJECT
@@ -25,9 +25,9 @@ public:
 
     void setCurve(const PlaceCurve &curve);
     const PlaceCurve &curve() const { return m_curve; }
-    /// What is there now, as dots: place and value, both in [0, 1].
+    /// Shows the present values as dots: place and value, both in [0, 1].
     void setPresent(std::vector<QPointF> dots);
-    /// Texts at the lower and upper end of the axis.
+    /// Sets the texts at the lower and upper end of the axis.
     void setAxis(const QString &low, const QString &high);
 
     QSize sizeHint() const override { return {360, 200}; }
@@ -45,7 +45,7 @@ private:
 
     PlaceCurve m_curve;
     std::vector<QPointF> m_present;
-    std::size_t m_knot = 0; ///< dragged last
+    std::size_t m_knot = 0; ///< the knot that was dragged last
     QPointF m_last;
 };
 

@@ -1,4 +1,4 @@
-// What editors of a curve have in common: its field, with a grid and names of the axes, and how curve and knots look.
+// The common part of curve editors: the field, with a grid and names of the axes, and how curve and knots look.
 #pragma once
 
 #include <QWidget>
@@ -8,28 +8,28 @@ class QPainterPath;
 
 namespace suffuse {
 
-/// A field of [0, 1] × [0, 1]. Who derives from it starts drags.
+/// A field of [0, 1] × [0, 1]. Derived classes start the drags.
 class CurveField : public QWidget {
     Q_OBJECT
 
 public:
     explicit CurveField(QWidget *parent = nullptr);
 
-    /// Texts over the field and at both ends under it; the room of empty ones is the field's.
+    /// Sets texts over the field and at both ends under it. Where they are empty the field takes their room.
     void setTexts(const QString &above, const QString &left, const QString &right);
-    /// Whether 0 is on top: for what is shown in the opposite sense.
+    /// Puts 0 on top, for quantities that are shown in the opposite sense.
     void setUpsideDown(bool upsideDown);
-    /// Where a place and value of the curve are in the widget.
+    /// Where a place and value of the curve lie in the widget.
     QPointF toWidget(QPointF at) const;
 
 signals:
-    void edited(); ///< by hand
+    void edited(); ///< the user has edited the curve
 
 protected:
     void mouseReleaseEvent(QMouseEvent *event) override;
 
     QRectF field() const;
-    QPointF fromWidget(QPointF at) const; ///< within the field
+    QPointF fromWidget(QPointF at) const; ///< clamped to the field
     QColor accent() const;
     void paintField(QPainter &painter) const;
     void paintCurve(QPainter &painter, const QPainterPath &path) const;

@@ -19,7 +19,7 @@ QString Display::number(double value) const
     int places = size >= 1000 ? 0 : size >= 100 ? 1 : size >= 10 ? 2 : 3;
     if (decimals >= 0)
         places = std::min(decimals, places);
-    // Rounded first: what is shown as zero has no sign.
+    // The number is rounded first, so that one that is shown as zero has no sign.
     const double power = std::pow(10.0, places), rounded = size * power < 0.5 ? 0 : shown;
     QString text = locale.toString(rounded, 'f', places);
     if (text.contains(locale.decimalPoint())) {

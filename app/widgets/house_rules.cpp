@@ -17,7 +17,8 @@ namespace suffuse {
 
 namespace {
 
-/// It would change something for good, or bring something else to the front, where scrolling was meant.
+/// Whether the wheel would change something for good in this widget, or bring something else to the front, where the
+/// user meant to scroll.
 bool wheelAlters(const QObject *widget)
 {
     return qobject_cast<const QAbstractSpinBox *>(widget) || qobject_cast<const QComboBox *>(widget) ||
@@ -31,7 +32,8 @@ bool isField(const QWidget &widget)
            qobject_cast<const QLineEdit *>(&widget) || qobject_cast<const QAbstractItemView *>(&widget);
 }
 
-/// Where a dialog has not said itself what is typed into first: so that nothing typed at once gets lost.
+/// Gives the keyboard to a dialog's first field where the dialog itself has not chosen one, so that nothing gets lost
+/// that is typed at once.
 void focusFirstField(QDialog &dialog)
 {
     if (dialog.focusWidget())
@@ -49,13 +51,13 @@ public:
     bool eventFilter(QObject *watched, QEvent *event) override
     {
         switch (event->type()) {
-        case QEvent::Polish: // Qt gives the focus to what has this policy before the wheel reaches it
+        case QEvent::Polish: // with this policy, Qt would give the focus before the wheel event reaches the widget
             if (auto *widget = qobject_cast<QWidget *>(watched); widget && widget->focusPolicy() == Qt::WheelFocus)
                 widget->setFocusPolicy(Qt::StrongFocus);
             break;
         case QEvent::Wheel:
             if (wheelAlters(watched) && !static_cast<QWidget *>(watched)->hasFocus()) {
-                event->ignore(); // so that Qt goes on to the parent, which may scroll
+                event->ignore(); // Qt then goes on to the parent, which may scroll
                 return true;
             }
             break;
@@ -77,7 +79,7 @@ public:
 
 void installHouseRules()
 {
-    static QPointer<HouseRules> rules; // goes with the application
+    static QPointer<HouseRules> rules; // is deleted with the application
     if (rules)
         return;
     rules = new HouseRules(qApp);

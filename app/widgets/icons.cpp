@@ -12,7 +12,7 @@ namespace suffuse {
 
 namespace {
 
-/// The outline's file, on a 24 × 24 grid and in "currentColor"; empty if there is none.
+/// The file of an outline, on a 24 × 24 grid and in "currentColor"; empty if there is none.
 QByteArray outlineOf(const QString &name)
 {
     return QResource(QStringLiteral(":/outlines/%1.svg").arg(name)).uncompressedData();
@@ -26,7 +26,7 @@ QColor inkOf(QIcon::Mode mode)
     return p.color(mode == QIcon::Disabled ? QPalette::Disabled : QPalette::Active, QPalette::ButtonText);
 }
 
-/// Paints a drawing sharply at every size; an outline in the palette's colour of the moment.
+/// Paints a drawing sharply at every size, and an outline in the palette's present colour.
 class DrawingEngine : public QIconEngine {
 public:
     explicit DrawingEngine(const QByteArray &svg) : m_svg(svg) {}
@@ -73,7 +73,7 @@ QStringList iconNames()
 
 QIcon applicationIcon()
 {
-    // As pixmaps: window systems ask an icon for the sizes that it has.
+    // The icon needs pixmaps: window systems ask it for the sizes that it has.
     DrawingEngine drawing(QResource(QStringLiteral(":/suffuse.svg")).uncompressedData());
     QIcon result;
     for (const int size : {16, 24, 32, 48, 64, 128, 256})

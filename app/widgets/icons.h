@@ -1,4 +1,4 @@
-// Icons drawn from outlines of our own (app/icons/outlines), in the palette's text colour, sharp at every scale.
+// Icons, drawn from our own outlines (app/icons/outlines) in the palette's text colour, sharp at every scale.
 #pragma once
 
 #include <QIcon>
@@ -6,11 +6,11 @@
 
 namespace suffuse {
 
-/// The icon of a name in iconNames(); follows the palette, so it needs no renewal when the theme changes. A null icon
-/// for other names.
+/// The icon of a name in iconNames(). It follows the palette, so it needs no renewal when the theme changes. Other
+/// names give a null icon.
 QIcon icon(const QString &name);
 
-/// All names there are.
+/// The names of all icons.
 QStringList iconNames();
 
 /// The program's own icon.

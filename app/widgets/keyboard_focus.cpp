@@ -21,7 +21,7 @@
 
 namespace suffuse {
 
-/// A frame around a panel, on top of it, which lets everything through.
+/// A frame that lies on top of a panel and lets all events through.
 class PanelFrame : public QWidget {
 public:
     explicit PanelFrame(QWidget &panel) : QWidget(panel.window()), m_panel(panel)
@@ -34,12 +34,12 @@ public:
     }
 
     const QWidget &panel() const { return m_panel; }
-    /// The panel is somewhere else, or has another size.
+    /// Follows the panel, which has moved or has another size.
     void follow()
     {
         constexpr int width = 2;
         setGeometry(QRect(m_panel.mapTo(window(), QPoint()), m_panel.size()));
-        setMask(QRegion(rect()) - rect().adjusted(width, width, -width, -width)); // what lies below paints freely
+        setMask(QRegion(rect()) - rect().adjusted(width, width, -width, -width)); // the widgets below paint freely
     }
 
 protected:
@@ -51,8 +51,8 @@ private:
 
 namespace {
 
-/// A key that types, moves or deletes; not one that stands for a command in any place, as function keys do. F2 renames
-/// in lists.
+/// Whether a key types, moves or deletes. Keys that stand for a command everywhere, such as function keys, do not; but
+/// F2 renames in lists.
 bool isTyped(const QKeyEvent &key)
 {
     const bool isFunction = key.key() >= Qt::Key_F1 && key.key() <= Qt::Key_F35 && key.key() != Qt::Key_F2;
@@ -72,7 +72,8 @@ bool isHeldWithShift(const QAction *action)
     });
 }
 
-/// Not a button, a slider or the like; the timeline has keys of its own and scrolls.
+/// Whether a widget takes typing: not a button, a slider or the like. The timeline does, since it has keys of its own
+/// and scrolls.
 bool canBeTypedInto(const QWidget &widget)
 {
     return qobject_cast<const QLineEdit *>(&widget) || qobject_cast<const QAbstractSpinBox *>(&widget) ||
@@ -80,11 +81,11 @@ bool canBeTypedInto(const QWidget &widget)
            (qobject_cast<const QAbstractScrollArea *>(&widget) && !qobject_cast<const QScrollArea *>(&widget));
 }
 
-/// A letter would choose by the first letter of a name.
+/// Whether a letter would choose a row by the first letter of its name.
 bool searchesFor(const QWidget &widget, const QKeyEvent &key)
 {
     const auto *combo = qobject_cast<const QComboBox *>(&widget);
-    const bool isTree = qobject_cast<const QTreeView *>(&widget); // which opens and closes by + - *
+    const bool isTree = qobject_cast<const QTreeView *>(&widget); // a tree opens and closes rows by + - *
     if (!qobject_cast<const QAbstractItemView *>(&widget) && !(combo && !combo->isEditable()))
         return false;
     const QString text = key.text();
@@ -92,7 +93,7 @@ bool searchesFor(const QWidget &widget, const QKeyEvent &key)
            !(isTree && QStringLiteral("+-*").contains(text[0]));
 }
 
-/// Among the tabs of docks that share a place; -1: it has one for itself.
+/// The place of a dock among the tabs of docks that share a place; −1 if it has a place for itself.
 int tabOf(const QMainWindow &window, const QString &title)
 {
     for (const auto *bar : window.findChildren<QTabBar *>(QString(), Qt::FindDirectChildrenOnly))
@@ -116,7 +117,7 @@ KeyboardFocus::KeyboardFocus(QMainWindow &window, QWidget &canvas)
     connect(qApp, &QApplication::focusChanged, this, [this](QWidget *, QWidget *now) {
         if (m_frame && (!now || (now != &m_frame->panel() && !m_frame->panel().isAncestorOf(now))))
             delete m_frame;
-        if (m_told && now && panelOf(now) != m_told) { // not while the window goes
+        if (m_told && now && panelOf(now) != m_told) { // not while the window is being closed
             m_told = nullptr;
             m_window.statusBar()->clearMessage();
         }
@@ -141,7 +142,7 @@ QWidget *KeyboardFocus::panelOf(QWidget *widget) const
         if (isPanel && widget->parentWidget() == &m_window)
             return widget;
         if (widget->isWindow())
-            return nullptr; // a dialog, which has keys of its own
+            return nullptr; // a dialog has keys of its own
     }
     return nullptr;
 }
@@ -151,20 +152,22 @@ bool KeyboardFocus::keepsFromCanvas(QWidget &widget, const QKeyEvent &key) const
     if (!isTyped(key) || &widget == &m_window || &widget == &m_canvas || m_canvas.isAncestorOf(&widget))
         return false;
     if (const QWidget *focus = QApplication::focusWidget(); focus && focus != &widget && widget.isAncestorOf(focus))
-        return false; // the event comes up from where it was let through
+        return false; // the widget with the focus has let the event through
     QWidget *panel = panelOf(&widget);
     if (!panel && widget.window() != &m_window)
         return false;
     const QKeySequence keys(QKeyCombination(key.modifiers() & ~Qt::KeypadModifier, Qt::Key(key.key())));
     const bool shift = key.modifiers() & Qt::ShiftModifier;
     for (const QWidget *w = &widget; panel && w; w = w == panel ? nullptr : w->parentWidget())
-        // What Shift makes of a key depends on the keyboard (> is Shift+. on some): Qt's table of shortcuts knows.
+        // The effect of Shift on a key depends on the keyboard (> is Shift+. on some). Qt's table of shortcuts knows
+        // it.
         if (hasAction(*w, keys) || (shift && std::ranges::any_of(w->actions(), isHeldWithShift)))
             return false;
     return true;
 }
 
-/// What Qt has found for a key that the filter left to it, as the panel might have had a command for it.
+/// Handles a shortcut that Qt found for a key which the filter had left to it, since the panel might have had a command
+/// for it.
 bool KeyboardFocus::keepsShortcut(const QObject &owner, const QKeySequence &keys) const
 {
     QWidget *focus = QApplication::focusWidget(), *panel = panelOf(focus);
@@ -184,7 +187,7 @@ bool KeyboardFocus::keyPressed(QWidget &widget, const QKeyEvent &key)
     if (!panel)
         return false;
     const bool leaves = key.key() == Qt::Key_Escape || key.key() == Qt::Key_Return || key.key() == Qt::Key_Enter;
-    if (panel == &widget) { // nothing in it had a use for the key
+    if (panel == &widget) { // nothing in the panel had a use for the key
         if (leaves)
             toCanvas();
         else
@@ -197,13 +200,13 @@ bool KeyboardFocus::keyPressed(QWidget &widget, const QKeyEvent &key)
     return true;
 }
 
-/// Whatever it does has been done: the mouse has been let go.
+/// Gives the keyboard back after a click: the mouse has been let go, so the clicked widget has done its work.
 void KeyboardFocus::letClicked()
 {
     if (QApplication::mouseButtons() != Qt::NoButton)
         return;
     QWidget *focus = QApplication::focusWidget();
-    // Behind a dialog that the click has opened, too.
+    // This works behind a dialog, too, that the click has opened.
     for (QWidget *had : {focus, m_window.focusWidget()})
         if (had && panelOf(had) && !canBeTypedInto(*had)) {
             if (had == focus)
@@ -237,7 +240,7 @@ bool KeyboardFocus::eventFilter(QObject *watched, QEvent *event)
     switch (event->type()) {
     case QEvent::ShortcutOverride:
         if (widget && keepsFromCanvas(*widget, *static_cast<QKeyEvent *>(event))) {
-            event->accept(); // it comes again, as a key that is pressed
+            event->accept(); // the key comes again as a key press
             return true;
         }
         break;
@@ -252,7 +255,7 @@ bool KeyboardFocus::eventFilter(QObject *watched, QEvent *event)
             return true;
         break;
     case QEvent::MouseButtonRelease:
-        if (widget && panelOf(widget)) // once it has done what it does then
+        if (widget && panelOf(widget)) // after the widget has handled the release
             QMetaObject::invokeMethod(this, &KeyboardFocus::letClicked, Qt::QueuedConnection);
         break;
     case QEvent::MouseButtonPress:
@@ -278,7 +281,7 @@ QList<QWidget *> KeyboardFocus::stops() const
     for (auto *dock : m_window.findChildren<QDockWidget *>(QString(), Qt::FindDirectChildrenOnly))
         if (!dock->isHidden())
             panels << dock;
-    // Tabs that lie behind have no place of their own: they stand where the one does that is shown.
+    // Docks that lie behind another one have no place of their own. They count as standing where the shown one stands.
     const auto place = [this](QWidget *panel) {
         const QWidget *shown = panel;
         auto *dock = qobject_cast<QDockWidget *>(panel);
@@ -306,7 +309,7 @@ void KeyboardFocus::walk(bool forward)
 bool KeyboardFocus::enter(QWidget &stop)
 {
     QWidget *goal = &stop == &m_canvas ? &stop : nullptr;
-    QWidget *last = stop.focusWidget(); // what had it when the keyboard was here
+    QWidget *last = stop.focusWidget(); // the widget that had the keyboard when it was here last
     if (auto *dock = qobject_cast<QDockWidget *>(&stop))
         dock->raise();
     if (!goal && last && last->focusPolicy() != Qt::NoFocus && last->isEnabled() && last->isVisibleTo(&stop))
@@ -317,7 +320,7 @@ bool KeyboardFocus::enter(QWidget &stop)
     if (!goal)
         return false;
     stop.window()->activateWindow();
-    stop.window()->setAttribute(Qt::WA_KeyboardFocusChange); // styles show the focus from now on
+    stop.window()->setAttribute(Qt::WA_KeyboardFocusChange); // from now on styles show the focus
     goal->setFocus(Qt::TabFocusReason);
     delete m_frame;
     m_frame = new PanelFrame(stop);

@@ -1,4 +1,4 @@
-// Whose the keyboard is in a window: the canvas', or a panel's.
+// Decides who has the keyboard in a window: the canvas or a panel.
 #pragma once
 
 #include <QObject>
@@ -11,23 +11,24 @@ namespace suffuse {
 
 class PanelFrame;
 
-/// Keeps what is typed in a panel (a dock or a tool bar) from the canvas' commands: without Ctrl, Alt or Meta a key
-/// reaches no shortcut of the window but those of the panel itself, which are the actions that the panel or a widget in
-/// it has by addAction(). Esc and Enter, where nothing in the panel has a use for them, give the keyboard back; so does
-/// the mouse that is let go, where what was clicked cannot be typed into. Lists do not go to the row whose name begins
-/// with a letter: it would be a command's key anywhere else, and the status bar says who has the keyboard.
+/// Keeps keys that are typed in a panel (a dock or a tool bar) from the canvas' commands. Without Ctrl, Alt or Meta a
+/// key reaches no shortcut of the window except those of the panel itself, which are the actions that the panel or a
+/// widget in it has by addAction(). Esc and Enter give the keyboard back to the canvas where nothing in the panel has a
+/// use for them. So does the release of the mouse over something that cannot be typed into. Lists do not go to the row
+/// whose name begins with a typed letter: the letter would be a command's key anywhere else, and the status bar says
+/// who has the keyboard.
 class KeyboardFocus : public QObject {
     Q_OBJECT
 
 public:
-    /// Belongs to the window.
+    /// The window owns this object.
     KeyboardFocus(QMainWindow &window, QWidget &canvas);
     ~KeyboardFocus() override;
 
     void toCanvas();
-    /// To the next of canvas, docks and tool bars, in the order in which they stand, or to the one before; a dock that
-    /// is hidden behind another is raised. What had the keyboard in it last has it again. A frame shows where the
-    /// keyboard is until something is clicked.
+    /// Gives the keyboard to the next of canvas, docks and tool bars, in the order in which they stand, or to the one
+    /// before. A dock that is hidden behind another one is raised. The widget in it that had the keyboard last gets it
+    /// again. A frame shows where the keyboard is until something is clicked.
     void walk(bool forward);
 
     bool eventFilter(QObject *watched, QEvent *event) override;
@@ -45,7 +46,7 @@ private:
     QMainWindow &m_window;
     QWidget &m_canvas;
     QPointer<PanelFrame> m_frame;
-    QPointer<QWidget> m_told; ///< of this panel the status bar has said that it has the keyboard
+    QPointer<QWidget> m_told; ///< the panel of which the status bar has said that it has the keyboard
 };
 
 } // namespace suffuse

@@ -10,7 +10,7 @@ namespace suffuse {
 
 namespace {
 
-constexpr qsizetype shownDetails = 5; // lines; the rest on request
+constexpr qsizetype shownDetails = 5; // lines that are shown at once; the rest is shown on request
 
 MessageHooks &hooks()
 {
@@ -32,7 +32,7 @@ void showError(QWidget *parent, const QString &message)
         return;
     }
     QMessageBox box(QMessageBox::Warning, QStringLiteral("Suffuse"), message, QMessageBox::Ok, parent);
-    box.setTextFormat(Qt::PlainText); // file names may look like markup
+    box.setTextFormat(Qt::PlainText); // since file names may look like markup
     box.exec();
 }
 

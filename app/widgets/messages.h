@@ -1,4 +1,4 @@
-// What the window says and asks. Tests put answers in place of message boxes.
+// The messages and questions of the window. Tests put answers in place of the message boxes.
 #pragma once
 
 #include <QString>
@@ -10,10 +10,10 @@ class QWidget;
 namespace suffuse {
 
 enum class SaveAnswer { Save, Discard, Cancel };
-/// Of a file that another program has changed.
+/// Answers about a file that another program has changed.
 enum class ConflictAnswer { KeepMine, Reload, SaveAs, Cancel };
 
-/// Takes the place of the boxes where set.
+/// Answers for tests: where one is set, it takes the place of the box.
 struct MessageHooks {
     std::function<void(const QString &message)> error = {};
     std::function<SaveAnswer(const QString &name)> unsaved = {};
@@ -23,19 +23,19 @@ struct MessageHooks {
 };
 void setMessageHooks(MessageHooks hooks);
 
-/// An error that names the file, the place and the remedy.
+/// Shows an error that names the file, the place and the remedy.
 void showError(QWidget *parent, const QString &message);
-/// "Save changes to … before closing?"
+/// Asks "Save changes to … before closing?".
 SaveAnswer askToSave(QWidget *parent, const QString &name);
 
-/// Says something beside the work, which goes on.
+/// Says something about the work, which goes on meanwhile.
 void showNotice(QWidget *parent, const QString &message, const QString &details = {});
-/// What went wrong when saving; true: save under another name.
+/// Says what went wrong when saving. Returns true if the user wants to save under another name.
 bool askAfterFailedSave(QWidget *parent, const QString &message);
-/// Another program has changed the file: noticed meanwhile, or when it was to be replaced (`saving`). `modified`: there
-/// is work that reloading would lose.
+/// Asks what to do about a file that another program has changed. The change was noticed at some time, or when the file
+/// was to be replaced (`saving`). `modified`: reloading would lose work.
 ConflictAnswer askAboutConflict(QWidget *parent, const QString &name, bool modified, bool saving);
-/// "Discard?", with the button that does it named; false is the usual answer.
+/// Asks whether to discard something; the button that does it has its own name. False is the usual answer.
 bool confirm(QWidget *parent, const QString &question, const QString &information, const QString &button);
 
 } // namespace suffuse

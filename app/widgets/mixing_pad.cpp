@@ -21,13 +21,13 @@ namespace suffuse {
 
 namespace {
 
-constexpr int tallest = 360;             ///< logical pixels: about square in a wide dock
-constexpr std::size_t mostStrokes = 200; ///< what is older lies below them
+constexpr int tallest = 360;             ///< logical pixels: makes the pad about square in a wide dock
+constexpr std::size_t mostStrokes = 200; ///< older strokes lie below them, as a picture
 constexpr Microseconds sampleTime = 16'000;
-constexpr float pigment = 0.7f; ///< β of what is painted
-constexpr float uptake = 0.15f; ///< share of what lies there that the rubbing brush takes up, a sample
+constexpr float pigment = 0.7f; ///< β of the painted strokes
+constexpr float uptake = 0.15f; ///< share of the paint below that the rubbing brush takes up with each sample
 
-/// Soft and wide; what it leaves covers.
+/// The brush of the pad: soft and wide, and its paint covers.
 Brush padBrush(const Colour &colour, bool rubbing)
 {
     Brush brush;
@@ -39,7 +39,7 @@ Brush padBrush(const Colour &colour, bool rubbing)
     return brush;
 }
 
-/// White outside.
+/// The colour of a pixel; white outside of the picture.
 Colour colourOf(const QImage &image, QPoint pixel)
 {
     return image.valid(pixel) ? fromScreen(QColor(image.pixel(pixel))) : Colour{0, 0, 0, 1};
@@ -127,7 +127,7 @@ void MixingPad::release()
     emit clearChanged();
 }
 
-/// A rubbed stroke has the colours that the brush carried along its way.
+/// Gives a rubbed stroke the colours that the brush carried along its way.
 StrokePtr MixingPad::strokeInHand() const
 {
     const StrokePtr built = m_builder ? m_builder->stroke() : nullptr;

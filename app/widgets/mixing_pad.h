@@ -13,8 +13,9 @@ namespace suffuse {
 
 class Editor;
 
-/// A little sheet to mix colours on, painted with strokes as the canvas is: what is painted over other paint mixes with
-/// it as pigments do. Rubbing carries paint along; picking makes a mixture the current colour. No part of the document.
+/// A little sheet to mix colours on. It is painted with strokes like the canvas: paint over other paint mixes with it
+/// as pigments do. Rubbing carries paint along; picking makes a mixture the current colour. The sheet is no part of the
+/// document.
 class MixingPad : public QWidget {
     Q_OBJECT
 
@@ -27,7 +28,7 @@ public:
     void setMode(Mode mode);
     void clear();
     bool isClear() const { return m_strokes.empty(); }
-    /// What is seen at a point of the widget, opaque; white outside.
+    /// The colour that is seen at a point of the widget, opaque; white outside.
     Colour colourAt(QPointF at) const;
 
     QSize sizeHint() const override { return {240, 110}; }
@@ -53,7 +54,7 @@ private:
     void pick(QPointF at);
     void draw();
 
-    /// What the rubbing brush carried at a moment.
+    /// The colour that the rubbing brush carried at a moment.
     struct Carried {
         Microseconds time;
         Colour colour;
@@ -63,11 +64,11 @@ private:
     Mode m_mode = Mode::Paint;
     std::vector<StrokePtr> m_strokes;
     std::unique_ptr<StrokeBuilder> m_builder;
-    std::vector<Carried> m_carried; ///< while rubbing
+    std::vector<Carried> m_carried; ///< colours carried while rubbing
     QImage m_before;                ///< the sheet when the stroke in hand began
     Microseconds m_time = 0;
     StrokeId m_nextId = 1;
-    Mode m_hand = Mode::Paint; ///< what the pointer that is down does
+    Mode m_hand = Mode::Paint; ///< what the pointer does that is down
     bool m_down = false;
     StrokeSheet m_sheet;
 };

@@ -13,7 +13,8 @@ namespace suffuse {
 
 namespace {
 
-/// What shows a text with a mnemonic, and the page of a tab widget that it is on: pages are never seen together.
+/// A widget that shows a text with a mnemonic, and the page of a tab widget that it is on. Pages are never seen
+/// together.
 struct Holder {
     QWidget *widget;
     const QWidget *page;
@@ -32,7 +33,7 @@ QChar mnemonicOf(const QString &text)
     return {};
 }
 
-/// Where letters of the text would stand, the best first: at the start of words, then anywhere.
+/// Places where a mnemonic could stand in the text, the best first: at the start of words, then anywhere.
 std::vector<qsizetype> placesIn(const QString &text)
 {
     std::vector<qsizetype> starts, others;
@@ -43,14 +44,14 @@ std::vector<qsizetype> placesIn(const QString &text)
     return starts;
 }
 
-/// Empty if no letter is left.
+/// The text with a mnemonic; empty if no letter is left.
 QString withMnemonic(QString text, const QSet<QChar> &taken)
 {
     const std::vector<qsizetype> places = placesIn(text);
     for (const qsizetype place : places)
         if (!taken.contains(text[place].toUpper()))
             return text.insert(place, u'&');
-    for (char16_t key = u'A'; key <= u'Z'; ++key) // as in menus in Chinese
+    for (char16_t key = u'A'; key <= u'Z'; ++key) // capital letters, as in Chinese menus
         if (!taken.contains(key))
             return QStringLiteral("%1(&%2)").arg(text, QChar(key));
     return {};
@@ -90,7 +91,7 @@ std::vector<Holder> holdersIn(const QWidget &dialog)
         if (holds && !textOf(widget).isEmpty() && widget->window() == dialog.window())
             holders.push_back({widget, pageOf(widget, tabs)});
     }
-    // What is one letter has no choice.
+    // Texts of a single letter come first, since they have no choice.
     std::ranges::stable_partition(holders, [](const Holder &holder) { return textOf(holder.widget).size() == 1; });
     return holders;
 }

@@ -51,7 +51,7 @@ void NumberField::complain(const QString &hint)
 void NumberField::setValue(std::optional<double> value)
 {
     if (hasFocus() && isModified() && value == m_value)
-        return; // what is being typed stays while something else changes
+        return; // the text that is being typed stays while something else changes
     m_value = value;
     show(value);
 }
@@ -62,7 +62,7 @@ void NumberField::show(std::optional<double> value)
     const bool wasSelected = hasFocus() && hasSelectedText() && selectedText() == text();
     setText(m_shown);
     setCursorPosition(0);
-    if (wasSelected) // what is typed next goes in its place, also where the painting has just changed
+    if (wasSelected) // the next typed text replaces all of it, also where the painting has just changed
         selectAll();
     setModified(false);
 }
@@ -126,7 +126,7 @@ void NumberField::stepBy(double steps)
     if (!m_value)
         return;
     const double step = m_step > 0 ? m_step : std::max(std::abs(*m_value) * 0.1, m_minimum);
-    const double sense = m_display.isReversed() ? -1 : 1; // up is what is shown
+    const double sense = m_display.isReversed() ? -1 : 1; // up means up in the shown sense
     const double value = std::clamp(*m_value + sense * steps * step, m_minimum, m_maximum);
     if (value == *m_value)
         return;
@@ -138,7 +138,7 @@ void NumberField::stepBy(double steps)
 
 bool NumberField::event(QEvent *event)
 {
-    // Where nothing has been typed there is nothing to undo here: the keys undo in the painting.
+    // Where nothing has been typed there is nothing to undo in the field, so the keys undo in the painting.
     if (event->type() == QEvent::ShortcutOverride && !isModified()) {
         const auto *key = static_cast<QKeyEvent *>(event);
         if (key->matches(QKeySequence::Undo) || key->matches(QKeySequence::Redo)) {
@@ -155,7 +155,8 @@ void NumberField::keyPressEvent(QKeyEvent *event)
         stepBy((event->key() == Qt::Key_Up ? 1 : -1) * (event->modifiers() & Qt::ShiftModifier ? 10 : 1));
     } else if (event->key() == Qt::Key_Escape && isModified()) {
         show(m_value);
-        event->setAccepted(qobject_cast<QDialog *>(window())); // which it would close; a panel gives the keyboard back
+        // In a dialog the key stops here, since Esc would close it; in a panel it goes on and gives the keyboard back.
+        event->setAccepted(qobject_cast<QDialog *>(window()));
     } else {
         QLineEdit::keyPressEvent(event);
     }

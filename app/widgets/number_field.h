@@ -9,47 +9,48 @@
 
 namespace suffuse {
 
-/// From a value to the one that takes its place.
+/// Maps a value to the one that takes its place.
 using ValueMap = std::function<std::optional<double>(double)>;
 
-/// A field for one number with a unit: takes arithmetic ("12*1.5", "+2"), steps by arrow keys and the wheel, and shows
-/// "—" where several values are mixed, each of which "*1.2" or "+2" then changes. A number outside the range is
-/// refused, never clamped in silence.
+/// A field for one number with a unit. It takes arithmetic ("12*1.5", "+2") and steps by arrow keys and the wheel.
+/// Where several values are mixed it shows "—", and "*1.2" or "+2" then changes each of them. A number outside the
+/// range is refused, never clamped in silence.
 class NumberField : public QLineEdit {
     Q_OBJECT
 
 public:
     explicit NumberField(QWidget *parent = nullptr);
 
-    /// Closed range; ends that are open in the domain are given as the smallest value allowed.
+    /// Sets the range, which is closed. An end that is open in the domain is given as the smallest value allowed.
     void setRange(double minimum, double maximum);
     double minimum() const { return m_minimum; }
     double maximum() const { return m_maximum; }
-    /// Shown behind the number, " s" or " %"; taken off again where typed.
+    /// Sets the unit that is shown behind the number, " s" or " %". It is taken off again where it is typed.
     void setUnit(const QString &unit);
-    /// Unit, factor, sense and decimals of what is shown and typed.
+    /// Sets unit, factor, sense and decimals of the number that is shown and typed.
     void setDisplay(const Display &display);
-    /// A step of the arrow keys: so much, or where 0 a tenth of the value.
+    /// Sets the step of the arrow keys; 0: a tenth of the value.
     void setStep(double step) { m_step = step; }
-    /// Whole numbers only.
+    /// Allows whole numbers only.
     void setInteger(bool integer)
     {
         m_integer = integer;
         m_display.decimals = integer ? 0 : -1;
     }
 
-    /// Shows a value, or mixed; emits nothing.
+    /// Shows a value, or "—" for mixed ones; emits nothing.
     void setValue(std::optional<double> value);
     std::optional<double> value() const { return m_value; }
 
 signals:
-    /// A valid number was entered (Return, leaving the field).
+    /// The user has entered a valid number, by Return or by leaving the field.
     void entered(double value);
-    /// Values are mixed and each is to change ("*1.2", "+2"): `map` gives the new one of each, nothing where it cannot.
+    /// Each of the mixed values is to change ("*1.2", "+2"). `map` gives the new value of each, and nothing where there
+    /// is none.
     void enteredRelative(const suffuse::ValueMap &map);
-    /// The number was stepped by the arrow keys or the wheel.
+    /// The user has stepped the number by the arrow keys or the wheel.
     void stepped(double value);
-    /// What was typed was refused; `hint` says why, empty: all is well again.
+    /// The typed text was refused, and `hint` says why. An empty hint: all is well again.
     void refused(const QString &hint);
 
 protected:
@@ -64,7 +65,7 @@ private:
     void commit();
     QString whyRefused(const QString &text) const;
     QString rangeHint(double value) const;
-    void complain(const QString &hint); ///< empty: all is well again
+    void complain(const QString &hint); ///< an empty hint takes the complaint back
     void stepBy(double steps);
     void show(std::optional<double> value);
 
@@ -72,7 +73,7 @@ private:
     double m_maximum = 1;
     double m_step = 0;
     bool m_integer = false;
-    bool m_complains = false; ///< what was typed last was refused
+    bool m_complains = false; ///< the last typed text was refused
     Display m_display;
     QString m_shown;
     std::optional<double> m_value;

@@ -8,7 +8,7 @@ namespace suffuse {
 
 namespace {
 
-/// The outline that takes the place of one of Qt's pictures; null: there is none.
+/// The outline that takes the place of one of Qt's pictures; null if there is none.
 const char *outlineOf(QStyle::StandardPixmap standard)
 {
     switch (standard) {
@@ -117,7 +117,7 @@ QPixmap OutlineStyle::standardPixmap(StandardPixmap standard, const QStyleOption
 int OutlineStyle::styleHint(StyleHint hint, const QStyleOption *option, const QWidget *widget,
                             QStyleHintReturn *result) const
 {
-    // On every desktop alike.
+    // This is the same on every desktop.
     return hint == SH_DialogButtonBox_ButtonsHaveIcons ? 1 : QProxyStyle::styleHint(hint, option, widget, result);
 }
 

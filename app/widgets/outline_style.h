@@ -1,12 +1,12 @@
-// Fusion with the icons of the house, in dialogs and on title bars too.
+// The Fusion style with our own icons, also in dialogs and on title bars.
 #pragma once
 
 #include <QProxyStyle>
 
 namespace suffuse {
 
-/// Where Fusion draws small pictures of fixed size, which blur on fine screens and stay as they are when the theme
-/// changes, this one gives outlines (app/widgets/icons.h).
+/// Fusion draws small pictures of fixed size, which blur on fine screens and stay as they are when the theme changes.
+/// This style returns outlines in their place (app/widgets/icons.h).
 class OutlineStyle : public QProxyStyle {
     Q_OBJECT
 

@@ -11,7 +11,7 @@ namespace suffuse {
 
 namespace {
 constexpr std::size_t mostStrokes = 60;
-constexpr Microseconds sampleTime = 8'000; ///< pens report at about this pace
+constexpr Microseconds sampleTime = 8'000; ///< time from one report to the next, about that of pens
 } // namespace
 
 PenPad::PenPad(const Brush &brush, QWidget *parent) : QWidget(parent), m_brush(brush)

@@ -8,7 +8,7 @@
 
 namespace suffuse {
 
-/// A sheet to try the pen on: the real brush under a pressure curve.
+/// A sheet on which the pen can be tried: it paints with the real brush under a pressure curve.
 class PenPad : public QWidget {
     Q_OBJECT
 
@@ -22,7 +22,7 @@ public:
     QSize sizeHint() const override { return {260, 220}; }
 
 signals:
-    /// As the pen reports it; nothing once it is lifted.
+    /// The pressure that the pen reports; none once it is lifted.
     void pressureReported(double pressure);
     void lifted();
 

@@ -14,7 +14,7 @@ namespace {
 
 constexpr int gap = 16;
 
-/// What a window manager puts around a window's contents; where that is not known, at least a title.
+/// The frame that a window manager puts around a window's contents. Where it is not known, at least a title is assumed.
 QMargins frameOf(const QWidget &window)
 {
     const QRect framed = window.frameGeometry(), inner = window.geometry();
@@ -58,7 +58,7 @@ void moveBeside(QWidget &window, const QRect &what)
     if (what.isEmpty() || !(screen || (screen = window.screen())))
         return;
     window.adjustSize();
-    // The frame that it will have is not known yet.
+    // The frame that the window will have is not known yet.
     const QSize frame(0, window.style()->pixelMetric(QStyle::PM_TitleBarHeight));
     window.move(placeBeside(window.size() + frame, what, screen->availableGeometry()));
 }
@@ -78,15 +78,16 @@ void placeDialog(QDialog &dialog)
         return;
     const QRect room = screen->availableGeometry();
     const QMargins frame = frameOf(parent && !parent->isFullScreen() ? *parent : dialog);
-    // Its children have been polished just now. A dialog that grew after it is shown would be sent to where Qt believes
-    // it is, which is wrong while a window manager puts its frame around it: in the corner of the screen, at times.
+    // The dialog's children have been polished just now. A dialog that grew after it is shown would be sent to the
+    // place where Qt believes it to be, which is wrong while a window manager puts its frame around it: sometimes that
+    // is the corner of the screen.
     QCoreApplication::sendPostedEvents(nullptr, QEvent::LayoutRequest);
     const QSize size = dialog.size().expandedTo(dialog.minimumSizeHint()).boundedTo(dialog.maximumSize());
     const QRect framed = QRect(dialog.geometry().topLeft(), size).marginsAdded(frame);
     const QRect place = dialog.testAttribute(Qt::WA_Moved)
                             ? placeWithin(framed, room)
                             : placeOver(framed.size(), parent ? parent->frameGeometry() : room, room);
-    dialog.setGeometry(place.marginsRemoved(frame)); // and now the window manager is told so
+    dialog.setGeometry(place.marginsRemoved(frame)); // this tells the window manager, too
 }
 
 void showLike(QWidget &window, const QWidget &other)

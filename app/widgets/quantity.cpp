@@ -38,7 +38,7 @@ FieldSpec densitySpec()
 
 FieldSpec granulationSpec()
 {
-    // Kept is ω, which hides the paper; people think of the grain that they see.
+    // The stored number is ω, which hides the paper; people think of the grain that they see.
     return {.name = Text::tr("Granulation"),
             .toolTip = Text::tr("How much of the paper's grain shows: 0 % is smooth, 100 % shows all of it. Files and "
                                 "scripts hold ω, which is 1 where this is 0 %."),
@@ -72,7 +72,7 @@ FieldSpec angleSpec()
     return {.name = Text::tr("Angle"),
             .toolTip = Text::tr("Direction of the anisotropy, clockwise from the horizontal."),
             .display = display,
-            .sliderMinimum = display.toValue(-90), // a half turn is the same again
+            .sliderMinimum = display.toValue(-90), // after a half turn the tip is the same again
             .sliderMaximum = display.toValue(90),
             .step = display.toValue(1),
             .sliderStep = display.toValue(1)};
@@ -215,7 +215,7 @@ const Number<Segment> &numberOf(Quantity quantity)
     case Quantity::Angle:
         return numberOf(&Segment::anisotropyAngle);
     default:
-        return numberOf(&Colour::blue); // the others are no segment's
+        return numberOf(&Colour::blue); // the other quantities are no numbers of a segment
     }
 }
 
@@ -241,7 +241,7 @@ FieldSpec plainSpec(const char *name, const FieldTraits &traits, float usual)
     FieldSpec spec{
         .name = QString::fromLatin1(name), .toolTip = QString::fromLatin1(name), .display = displayOf(traits.unit)};
     if (spec.display.factor != 1)
-        spec.step = spec.display.toValue(1); // one of what is shown: per cent, degrees
+        spec.step = spec.display.toValue(1); // one of the shown unit: a per cent, a degree
     spec = within(spec, traits, usual);
     const double most = 2 * std::max(std::abs(double(usual)), 0.5);
     spec.sliderMinimum = std::max(spec.minimum, spec.minimum < 0 ? -most : 0.0);

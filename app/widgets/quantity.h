@@ -1,5 +1,4 @@
-// The quantities that people change: how each is called, in which unit, sense and range it is shown, wherever it
-// stands.
+// The quantities that people change: the name, unit, sense and range in which each is shown, wherever it stands.
 #pragma once
 
 #include "app/widgets/slider_field.h"
@@ -37,29 +36,29 @@ enum class Quantity {
 inline constexpr std::array segmentQuantities{
     Quantity::Diffusion, Quantity::Density, Quantity::Granulation, Quantity::MaxAge,     Quantity::Opacity,
     Quantity::Red,       Quantity::Yellow,  Quantity::Blue,        Quantity::Anisotropy, Quantity::Angle};
-/// What can be set along a stroke.
+/// The quantities that can be set along a stroke.
 inline constexpr std::array curveQuantities{Quantity::Diffusion, Quantity::Density, Quantity::Granulation,
                                             Quantity::MaxAge,    Quantity::Opacity, Quantity::Red,
                                             Quantity::Yellow,    Quantity::Blue};
 
-/// The number that one of a segment's quantities is.
+/// The segment's number that a quantity stands for.
 const Number<Segment> &numberOf(Quantity quantity);
-/// How it is shown: translated name, unit, sense, domain, slider.
+/// How a quantity is shown: translated name, unit, sense, domain, slider.
 FieldSpec specOf(Quantity quantity);
-/// The same for any number of a segment, by what it is called in files where it has no words.
+/// The same for any number of a segment. One without words of its own gets the name that it has in files.
 FieldSpec specOf(const Number<Segment> &number);
-/// How a number is shown that has no words of its own: as files name it.
+/// How a number without words of its own is shown: by the name that it has in files.
 FieldSpec plainSpec(const char *name, const FieldTraits &traits, float usual);
-/// A share in [0, 1], shown in per cent.
+/// How a share in [0, 1] is shown: in per cent.
 FieldSpec shareSpec(const QString &name, const QString &toolTip, double defaultValue = 0);
-/// ξ1 … ξ3 (`index` 0 … 2) of a kind of style.
+/// How ξ1 … ξ3 (`index` 0 … 2) of a kind of style is shown.
 FieldSpec xiSpec(StyleKind kind, int index);
 
-/// Translated, in the order of StyleKind and MixMode.
+/// Translated names, in the order of StyleKind and MixMode.
 QStringList styleNames();
 QStringList mixingNames();
 
-/// The members of a type that are numbers by themselves, but for those that are `shown` already.
+/// The members of a type that are numbers by themselves, without those that are `shown` already.
 template <class Owner>
 std::vector<Number<Owner>> otherNumbers(const std::vector<float Owner::*> &shown)
 {
@@ -70,7 +69,7 @@ std::vector<Number<Owner>> otherNumbers(const std::vector<float Owner::*> &shown
     return others;
 }
 
-/// Of a segment's quantities only.
+/// This is for a segment's quantities only.
 float &valueOf(Segment &segment, Quantity quantity);
 float valueOf(const Segment &segment, Quantity quantity);
 

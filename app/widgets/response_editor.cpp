@@ -13,9 +13,9 @@
 namespace suffuse {
 
 namespace {
-constexpr double reach = 10;     ///< of the pointer around a point
-constexpr double outside = 30;   ///< beyond the field: the point is taken away
-constexpr float between = 0.01f; ///< least distance of points
+constexpr double reach = 10;     ///< the pointer takes hold of a point within so many logical pixels
+constexpr double outside = 30;   ///< a point dragged so far beyond the field is taken away
+constexpr float between = 0.01f; ///< least distance between points
 } // namespace
 
 void ResponseEditor::setCurve(const ResponseCurve &curve)

@@ -7,8 +7,8 @@
 
 namespace suffuse {
 
-/// Edits a ResponseCurve by its points: drag them, click beside them for another, drag one out of the field or press
-/// Delete to take it away. Keys: Page Up and Page Down choose a point, arrows move it.
+/// Edits a ResponseCurve by its points. Points are dragged; a click beside them makes another one; a point that is
+/// dragged out of the field, or Delete, is taken away. Page Up and Page Down choose a point, and arrow keys move it.
 class ResponseEditor : public CurveField {
     Q_OBJECT
 
@@ -17,7 +17,7 @@ public:
 
     void setCurve(const ResponseCurve &curve);
     const ResponseCurve &curve() const { return m_curve; }
-    /// A dot on the curve at an input in [0, 1].
+    /// Shows a dot on the curve at an input in [0, 1].
     void setMark(std::optional<double> input);
 
     QSize sizeHint() const override { return {220, 220}; }
@@ -35,7 +35,7 @@ private:
     bool removePoint();
 
     ResponseCurve m_curve;
-    std::size_t m_point = 0; ///< in hand
+    std::size_t m_point = 0; ///< the point in hand
     std::optional<double> m_mark;
 };
 

@@ -13,7 +13,7 @@ namespace suffuse {
 
 namespace {
 
-/// Of the kind that has the file's ending; the first where none has.
+/// The kind that has the file's ending, or the first one if none has.
 qsizetype kindOf(const QString &path, const QList<FileKind> &kinds)
 {
     const auto it = std::ranges::find_if(kinds, [ending = QFileInfo(path).suffix()](const FileKind &kind) {
@@ -50,7 +50,7 @@ QString chooseFileToSave(QWidget *parent, const QString &title, const QString &p
         const auto usual = [&] {
             return kinds[std::max<qsizetype>(0, filters.indexOf(dialog.selectedNameFilter()))].endings.front();
         };
-        // So the dialog itself asks about the right file, most often.
+        // With it the dialog itself asks about the right file, in most cases, before it is replaced.
         QObject::connect(&dialog, &QFileDialog::filterSelected, &dialog, [&] { dialog.setDefaultSuffix(usual()); });
         dialog.selectNameFilter(filters[kindOf(path, kinds)]);
         dialog.setDefaultSuffix(usual());
@@ -75,7 +75,7 @@ void beginWithName(QLineEdit &path)
         const qsizetype name = text.lastIndexOf(QLatin1Char('/')) + 1, dot = text.lastIndexOf(QLatin1Char('.'));
         path.setSelection(int(name), int((dot > name ? dot : text.size()) - name));
     };
-    QMetaObject::invokeMethod(&path, select, Qt::QueuedConnection); // being shown selects all
+    QMetaObject::invokeMethod(&path, select, Qt::QueuedConnection); // later, since showing the dialog selects all
 }
 
 } // namespace suffuse

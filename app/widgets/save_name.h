@@ -1,4 +1,4 @@
-// Names of files that are written.
+// Asks for names of files to write.
 #pragma once
 
 #include <QList>
@@ -10,23 +10,23 @@ class QWidget;
 
 namespace suffuse {
 
-/// A kind of file and its endings, without dots, the usual one first.
+/// A kind of file and its endings, without dots; the usual ending comes first.
 struct FileKind {
     QString title; ///< translated
     QStringList endings;
 };
 
-/// "Suffuse painting (*.suffuse)"
+/// The filter of a file dialog: "Suffuse painting (*.suffuse)".
 QString filterOf(const FileKind &kind);
-/// The path as it is where it has one of the endings; else with `usual` appended: what stands after a dot may be part
+/// Returns the path as it is if it has one of the endings, else with `usual` appended: the text after a dot may be part
 /// of a name ("edited v1.0").
 QString withEnding(const QString &path, const QList<FileKind> &kinds, const QString &usual);
-/// Asks for the name of a file to write, `proposal` to begin with. One that lacks an ending gets that of the kind that
-/// is chosen. What is there already is replaced only if the user says so. Empty: given up.
+/// Asks for the name of a file to write, beginning with `proposal`. A name that lacks an ending gets that of the chosen
+/// kind. An existing file is replaced only if the user says so. Returns an empty path if the user gave up.
 QString chooseFileToSave(QWidget *parent, const QString &title, const QString &proposal, const QList<FileKind> &kinds);
 
-/// For a dialog that is being made: it opens with the keyboard in this field, and the name without folder and ending
-/// selected, so that another one can be typed at once.
+/// Call it while a dialog is made: the dialog opens with the keyboard in this field, and with the name selected without
+/// folder and ending, so that another name can be typed at once.
 void beginWithName(QLineEdit &path);
 
 } // namespace suffuse

@@ -53,7 +53,7 @@ HintLabel::HintLabel(QWidget *parent) : QLabel(parent)
     hide();
     takeColour();
     connect(qApp, &QApplication::focusChanged, this, [this](const QWidget *from, const QWidget *to) {
-        if (m_passing && from && to) // not where another window comes to the front
+        if (m_passing && from && to) // not when another window comes to the front
             showHint({});
     });
 }
@@ -63,7 +63,7 @@ void HintLabel::showHint(const QString &hint)
     setText(hint);
     setVisible(!hint.isEmpty());
     m_passing = false;
-    // A dialog does not grow by itself for a text that wraps; its fields would be squeezed.
+    // A dialog does not grow by itself for a text that wraps, and its fields would be squeezed.
     QWidget *dialog = window();
     if (hint.isEmpty() || !qobject_cast<QDialog *>(dialog) || !dialog->layout())
         return;
@@ -76,7 +76,7 @@ void HintLabel::showHint(const QString &hint)
 void HintLabel::showRefusal(const QString &hint)
 {
     showHint(hint);
-    // Only then: the Tab that left the field, or the Return that gives the keyboard back, is still on its way.
+    // This is done later: the Tab that left the field, or the Return that gives the keyboard back, is still on its way.
     QTimer::singleShot(0, this, [this] { m_passing = !text().isEmpty(); });
 }
 
@@ -113,7 +113,7 @@ QSize PanelScroll::minimumSizeHint() const
 bool PanelScroll::eventFilter(QObject *watched, QEvent *event)
 {
     if (watched == widget() && event->type() == QEvent::LayoutRequest)
-        updateGeometry(); // it may need more room now
+        updateGeometry(); // the panel may need more room now
     return QScrollArea::eventFilter(watched, event);
 }
 

@@ -1,4 +1,4 @@
-// The small parts that all panels are put together from, so that they look alike.
+// The small parts of which all panels are made, so that they look alike.
 #pragma once
 
 #include <QLabel>
@@ -9,27 +9,27 @@ class QVBoxLayout;
 
 namespace suffuse {
 
-/// A section's heading.
+/// Makes the heading of a section.
 QLabel *sectionTitle(const QString &text, QWidget *parent);
 
-/// Three columns: label, slider, number; appended to the column.
+/// Appends a grid of three columns to the column: label, slider, number.
 QGridLayout *addFieldGrid(QVBoxLayout &column);
 
-/// A line of text that wraps, in the palette's quieter colour.
+/// Makes a text that wraps, in the palette's quieter colour.
 QLabel *quietLabel(const QString &text, QWidget *parent);
-/// For what changes with every frame: the label grows where it has to, and otherwise nothing is laid out anew.
+/// Shows a text that changes with every frame. The label grows where it has to; otherwise nothing is laid out anew.
 void showInPlace(QLabel &label, const QString &text);
 
-/// A line in the warning colour, there as long as it says something.
+/// A line in the warning colour. It is there only while it says something.
 class HintLabel : public QLabel {
     Q_OBJECT
 
 public:
     explicit HintLabel(QWidget *parent = nullptr);
 
-    /// Empty: hides it.
+    /// Says something; an empty text hides the line.
     void showHint(const QString &hint);
-    /// Why something typed was refused: goes by itself when people go on to another place.
+    /// Says why something typed was refused. The text disappears by itself when the user goes on to another place.
     void showRefusal(const QString &hint);
 
 protected:
@@ -38,10 +38,10 @@ protected:
 private:
     void takeColour();
     bool m_takingColour = false;
-    bool m_passing = false; ///< goes with the next change of the focus
+    bool m_passing = false; ///< the text disappears with the next change of the focus
 };
 
-/// Scrolls what a panel holds up and down, and is never narrower than that needs.
+/// Scrolls the contents of a panel up and down, and is never narrower than they need.
 class PanelScroll : public QScrollArea {
 public:
     explicit PanelScroll(QWidget *parent = nullptr);
@@ -51,7 +51,7 @@ protected:
     bool eventFilter(QObject *watched, QEvent *event) override;
 };
 
-/// Gives the first columns of all field grids below `parent` one width.
+/// Gives the first columns of all field grids below `parent` the same width.
 void alignFieldLabels(QWidget &parent);
 
 } // namespace suffuse

@@ -72,13 +72,13 @@ int SliderField::toPosition(double value) const
 double SliderField::toValue(int position) const
 {
     const double along = double(position) / BarSlider::steps;
-    const double share = m_spec.display.isReversed() ? 1 - along : along; // what is shown grows to the right
+    const double share = m_spec.display.isReversed() ? 1 - along : along; // the shown value grows to the right
     const double low = m_spec.sliderMinimum, high = m_spec.sliderMaximum;
     if (!m_spec.logarithmic) {
         const double value = low + share * (high - low);
         return m_spec.sliderStep > 0 ? std::round(value / m_spec.sliderStep) * m_spec.sliderStep : value;
     }
-    // Three significant digits: nobody wants 12.589254.
+    // Values have three significant digits: nobody wants 12.589254.
     const double value = low * std::pow(high / low, share);
     const double unit = std::pow(10.0, std::floor(std::log10(value)) - 2);
     return std::clamp(std::round(value / unit) * unit, low, high);

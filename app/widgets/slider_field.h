@@ -15,19 +15,19 @@ namespace suffuse {
 
 class BarSlider;
 
-/// What a quantity looks like in a panel.
+/// How a quantity looks in a panel.
 struct FieldSpec {
     QString name;    ///< label, translated
     QString toolTip; ///< translated
     Display display = {};
-    double minimum = 0; ///< of the domain
+    double minimum = 0; ///< smallest value of the domain
     double maximum = 1;
-    double sliderMinimum = 0; ///< of the slider, within the domain
+    double sliderMinimum = 0; ///< smallest value of the slider, within the domain
     double sliderMaximum = 1;
     bool logarithmic = false;
-    double step = 0;         ///< of arrow keys, 0: a tenth of the value
-    double sliderStep = 0;   ///< the slider's values are whole multiples of it, 0: any
-    double defaultValue = 0; ///< double click resets to it
+    double step = 0;         ///< step of the arrow keys; 0: a tenth of the value
+    double sliderStep = 0;   ///< the slider's values are whole multiples of it; 0: any values
+    double defaultValue = 0; ///< a double click resets to it
 };
 
 /// A label, a slider and a number field for one quantity, laid out in three columns of a grid that the panel owns.
@@ -36,13 +36,13 @@ class SliderField : public QObject {
     Q_OBJECT
 
 public:
-    /// Adds itself as a row of the grid.
+    /// Adds its widgets as a row of the grid.
     SliderField(const FieldSpec &spec, QGridLayout &grid, int row, QWidget *parent);
 
     void setValue(std::optional<double> value); ///< nullopt: mixed; emits nothing
     void setEnabled(bool enabled);
     void setVisible(bool visible);
-    /// Another domain (ξ depend on each other); the slider's part of it is cut to fit.
+    /// Sets another domain (those of ξ depend on each other). The slider's part of it is cut to fit.
     void setRange(double minimum, double maximum);
     void setSliderRange(double minimum, double maximum);
     double minimum() const { return m_spec.minimum; }

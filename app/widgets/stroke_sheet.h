@@ -9,13 +9,13 @@
 
 namespace suffuse {
 
-/// Strokes on white, dry, drawn by the renderer; a unit is a logical pixel. What did not change since the last drawing
-/// is not drawn again.
+/// Draws strokes on white, dry, by the renderer; a unit is a logical pixel. Strokes that did not change since the last
+/// drawing are not drawn again.
 class StrokeSheet {
 public:
     StrokeSheet();
 
-    /// False, and the image as before, where the renderer fails.
+    /// Returns false, and leaves the image as it was, if the renderer fails.
     bool draw(const std::vector<StrokePtr> &strokes, QSize size, double ratio);
     const QImage &image() const { return m_image; }
 

@@ -84,10 +84,10 @@ void applyTheme()
         QApplication::setStyle(new OutlineStyle);
     const QPalette palette = dark ? darkPalette() : lightPalette();
     QApplication::setPalette(palette);
-    QToolTip::setPalette(palette); // has one of its own
+    QToolTip::setPalette(palette); // tool tips have a palette of their own
     for (QWidget *window : QApplication::topLevelWidgets())
         if (auto *box = qobject_cast<QMessageBox *>(window))
-            box->setIcon(box->icon()); // which it keeps as a picture
+            box->setIcon(box->icon()); // the box keeps its icon as a picture
 }
 
 bool isDarkTheme()
@@ -102,7 +102,7 @@ QColor previewPaper()
 
 QColor paperFor(const QImage &picture)
 {
-    // By the lightest half of what covers: a dark outline around white paint would be seen anyway.
+    // The lightest half of the covering pixels decides: a dark outline around white paint would be seen anyway.
     constexpr int light = 215, covers = 24;
     qint64 covered = 0, pale = 0;
     for (int y = 0; y < picture.height(); ++y)

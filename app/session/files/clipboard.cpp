@@ -52,7 +52,8 @@ QImage renderTransparent(const PaintingPtr &painting, Microseconds time)
         .copy();
 }
 
-/// Holds the strokes as a value and makes the forms of others on demand: copying costs nothing, whatever is selected.
+/// Holds the strokes as a value and makes the other forms on demand, so that copying costs nothing, whatever is
+/// selected.
 class StrokesMimeData : public QMimeData {
 public:
     StrokesMimeData(Painting painting, Microseconds time)
@@ -90,7 +91,7 @@ private:
     mutable QImage m_image;
 };
 
-/// The runs of a stroke's selected segments, each a stroke; the stroke itself where none are selected.
+/// The runs of a stroke's selected segments, each as a stroke; or the stroke itself where no segments are selected.
 std::vector<Stroke> selectedRuns(const Stroke &stroke, const Selection &selection)
 {
     const auto from = selection.segments.lower_bound({stroke.id, 0});
@@ -120,7 +121,7 @@ QByteArray svgFrom(const QMimeData &data)
         return {};
     if (text.contains(root))
         return text.toUtf8();
-    // Single elements, as they are copied out of a document.
+    // Single elements, as people copy them out of a document, need a drawing around them.
     return text.contains(shape) ? "<svg xmlns=\"http://www.w3.org/2000/svg\" "
                                   "xmlns:xlink=\"http://www.w3.org/1999/xlink\" "
                                   "xmlns:inkscape=\"http://www.inkscape.org/namespaces/inkscape\" "
@@ -145,7 +146,7 @@ Painting asPainting(const Painting &painting, const Selection &selection)
 {
     Painting result;
     result.canvas = painting.canvas;
-    result.canvas.paper.image = nullptr; // a copy is of strokes
+    result.canvas.paper.image = nullptr; // a copy holds strokes and no image
     if (result.canvas.paper.kind == PaperKind::Image)
         result.canvas.paper = {};
     std::set<GroupId> groups;
@@ -160,7 +161,7 @@ Painting asPainting(const Painting &painting, const Selection &selection)
         }
         groups.insert(stroke->group);
     }
-    for (bool more = true; more;) { // and the groups around them
+    for (bool more = true; more;) { // adds the groups around the groups, too
         more = false;
         for (const Group &group : painting.groups)
             if (groups.contains(group.id) && group.parent)
@@ -209,7 +210,7 @@ QString paste(Editor &editor, const QMimeData &data, std::optional<Point> centre
         Result<SvgDrawing> drawing = readSvgDrawing(svg);
         if (!drawing)
             return drawing.error();
-        drawing->area = Rect::of(0, 0, 1, 1); // in place is where the drawing's own coordinates say
+        drawing->area = Rect::of(0, 0, 1, 1); // pasting in place means: where the drawing's own coordinates say
         const Painting painting = paintingAlong(*drawing, editor.brush(), editor.clock().time());
         const QString problem =
             painting.strokes.empty()

@@ -1,4 +1,4 @@
-// Cut, copy and paste: between paintings exactly, to and from others as pictures, curves and colours.
+// Cut, copy and paste. Between paintings they are exact; other programs give and get pictures, curves and colours.
 #pragma once
 
 #include "model/painting/painting.h"
@@ -14,24 +14,27 @@ class Editor;
 
 namespace clipboard {
 
-/// The selected strokes (or runs of selected segments) as a painting in the text form.
+/// Type of the selected strokes (or runs of selected segments), as a painting in the text form.
 inline constexpr char strokesMime[] = "application/x-suffuse-strokes+json";
 
-/// What is selected, as a painting of its own, with the groups that its strokes are in; no strokes if nothing is.
+/// The selection as a painting of its own, with the groups that its strokes are in. It has no strokes if nothing is
+/// selected.
 Painting asPainting(const Painting &painting, const Selection &selection);
 
-/// Strokes in every form that others understand; PNG (transparent, 1 pixel a unit, at most 4,096 a side) and SVG are
-/// made when somebody asks for them. `time`: the moment of the picture.
-/// Further formats can be set on it.
+/// Offers strokes in every form that other programs understand. PNG (transparent, 1 pixel a unit, at most 4,096 a side)
+/// and SVG are made only when somebody asks for them. `time` is the moment of the picture. Further formats can be set
+/// on the result.
 QMimeData *mimeOf(Painting painting, Microseconds time);
 
-/// Whether `paste` may find something in it, by its formats alone: asking for contents could make the window wait.
+/// Whether `paste` may find something in the data, judged by their formats alone: asking for contents could make the
+/// window wait.
 bool canPaste(const QMimeData *data);
 
 void copy(Editor &editor);
 void cut(Editor &editor);
-/// Strokes and SVG paths become new strokes on top, selected (`addStrokes`). A colour becomes the current colour. Empty,
-/// or what could not be pasted and why: of SVG also what strokes cannot show.
+/// Strokes and SVG paths become new strokes on top, selected (`addStrokes`). A colour becomes the current colour.
+/// Returns an empty string, or what could not be pasted and why, which includes the parts of an SVG drawing that
+/// strokes cannot show.
 QString paste(Editor &editor, const QMimeData &data, std::optional<Point> centre);
 
 } // namespace clipboard

@@ -23,7 +23,8 @@ Rect controlBoxOf(const std::vector<Stroke> &strokes)
     return box;
 }
 
-/// The strokes as old at `now` as they can be without any of them being yet to come: paint that is pasted is seen.
+/// Moves the strokes back in time, as far as it takes for all segments to be born by `now`: pasted paint is seen at
+/// once.
 void bringBefore(std::vector<Stroke> &strokes, Microseconds now)
 {
     Microseconds latest = now;
@@ -40,7 +41,7 @@ void bringBefore(std::vector<Stroke> &strokes, Microseconds now)
         }
 }
 
-/// All of it in one group of that name.
+/// Puts all strokes into one group of that name.
 Painting inOneGroup(Painting painting, const QString &name)
 {
     Group around;

@@ -1,4 +1,4 @@
-// Strokes that come into an open painting: from the clipboard and from files.
+// Brings strokes into an open painting, from the clipboard and from files.
 #pragma once
 
 #include "model/formats/files.h"
@@ -12,22 +12,22 @@ namespace suffuse {
 
 class Editor;
 
-/// New strokes on top of all, in groups of their own, visible, unlocked and selected; one undo step. They lie with
-/// their middle at `centre`, or where they were, and none is born after the moment that is shown. Empty, or what of
-/// them could not be added and why.
+/// Adds strokes on top of all, in groups of their own, visible, unlocked and selected, as one undo step. Their middle
+/// lies at `centre`, or they stay where they were, and none is born after the moment that is shown. Returns an empty
+/// string, or which of them could not be added and why.
 QString addStrokes(Editor &editor, const Painting &added, std::optional<Point> centre, const QString &undoText);
 
-/// Those that say something, one after the other.
+/// Joins the sentences that are not empty, one after the other.
 QString joinedSentences(const QStringList &sentences);
 
 struct ImportReport {
-    std::vector<QString> losses; ///< of a damaged file: what is missing
-    QString leftOut;             ///< what cannot be strokes; empty: nothing
+    std::vector<QString> losses; ///< what is missing of a damaged file
+    QString leftOut;             ///< what of the file strokes cannot show; empty: nothing
 };
 
-/// The strokes of a file of any kind that can be opened, as `addStrokes` adds them, with their middle at `centre` and
-/// in one group that has the file's name; drawings and recordings are painted with the brush in hand. Errors name the
-/// file, and nothing is added.
+/// Adds the strokes of a file, of any kind that can be opened, by `addStrokes`, with their middle at `centre` and in
+/// one group that has the file's name. Drawings and recordings are painted with the brush in hand. On an error, which
+/// names the file, nothing is added.
 Result<ImportReport> importStrokes(Editor &editor, const QString &path, Point centre);
 
 } // namespace suffuse

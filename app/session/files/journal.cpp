@@ -42,7 +42,7 @@ Journal::Journal(Editor &editor, QObject *parent) : QObject(parent), m_editor(ed
                                          }});
     begin();
     connect(&editor, &Editor::opened, this, &Journal::begin);
-    // Whatever the stack says in the middle of an edit: there is something new.
+    // In the middle of an edit the stack may say that all is saved; there is something new all the same.
     connect(&editor, &Editor::edited, this, [this] { record(true); });
     connect(&editor, &Editor::fileChanged, this, [this] {
         if (m_editor.isModified() != m_modified)

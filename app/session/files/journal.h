@@ -8,12 +8,12 @@ namespace suffuse {
 
 class Editor;
 
-/// Keeps an editor's document recoverable: hands every finished edit to the journal of its own.
+/// Keeps an editor's document recoverable: hands every finished edit to the document's own journal.
 class Journal : public QObject {
     Q_OBJECT
 
 public:
-    /// Where all windows keep their journals from now on; empty, as at first: nowhere.
+    /// The folder in which all windows keep their journals from now on. Empty, as at first: they keep none.
     static void setFolder(const QString &folder);
     static const QString &folder();
 
@@ -21,17 +21,19 @@ public:
     explicit Journal(Editor &editor, QObject *parent = nullptr);
     ~Journal() override;
 
-    /// The next document that the editor opens has this journal of an earlier run; it goes when the new one is on disk.
+    /// The next document that the editor opens comes from this journal of an earlier run. The old journal is removed
+    /// when the new one is on disk.
     void replaceNext(std::shared_ptr<JournalFile> old) { m_replaced = std::move(old); }
-    /// The document was closed in peace.
+    /// Removes the journal: the document was closed without a crash.
     void remove();
-    /// Waits until what was done is on disk.
+    /// Waits until all that was handed over is on disk.
     void flush();
 
 signals:
-    /// An edit, the n-th that was handed over, is on disk with all before it. On the writer's thread.
+    /// The n-th edit that was handed over is on disk, with all before it. Emitted on the writer's thread.
     void written(quint64 n);
-    /// Once: what is done from now on would not survive a crash. On the editor's thread.
+    /// The journal cannot be written: edits from now on would not survive a crash. Emitted once, on the editor's
+    /// thread.
     void failed(const QString &message);
 
 private:
@@ -40,8 +42,8 @@ private:
 
     Editor &m_editor;
     std::shared_ptr<JournalFile> m_replaced;
-    bool m_modified = false;                 ///< as it was told last
-    std::unique_ptr<JournalWriter> m_writer; ///< null: no folder
+    bool m_modified = false;                 ///< the modified state that was recorded last
+    std::unique_ptr<JournalWriter> m_writer; ///< null where there is no folder
 };
 
 } // namespace suffuse

@@ -14,7 +14,7 @@ Result<OpenedFile> readOpenedFile(const QString &path)
     QByteArray bytes;
     if (QFileInfo(path).isFile() && file.size() <= largestFile && file.open(QIODevice::ReadOnly))
         bytes = file.readAll();
-    // Where there is nothing to be read, this says why.
+    // Where there is nothing to read, loadDocument's error says why.
     Result<LoadedDocument> document = bytes.isEmpty() ? loadDocument(path) : readDocument(bytes, path);
     if (!document)
         return Error{document.error()};

@@ -1,4 +1,4 @@
-// A document's file, read to be worked on.
+// Reads the file of a document that is to be worked on.
 #pragma once
 
 #include "model/formats/files.h"
@@ -7,10 +7,10 @@ namespace suffuse {
 
 struct OpenedFile {
     LoadedDocument document;
-    QByteArray hash; ///< SHA-256 of the very bytes that were read
+    QByteArray hash; ///< SHA-256 of exactly the bytes that were read
 };
 
-/// As loadDocument; a damaged file gives what is whole of it.
+/// As loadDocument; of a damaged file it returns all that is whole.
 Result<OpenedFile> readOpenedFile(const QString &path);
 
 } // namespace suffuse

@@ -1,4 +1,4 @@
-// Pictures that a painting takes in: its paper's and its underlay's.
+// Reads the pictures that a painting takes in: its paper's and its underlay's.
 #pragma once
 
 #include "model/painting/painting.h"
@@ -6,7 +6,7 @@
 
 namespace suffuse {
 
-/// The file as it is, at most 64 MB; whether it is a picture shows when it is decoded.
+/// The bytes of a file, at most 64 MB. Only decoding shows whether they are a picture.
 Result<EncodedImage> readPictureFile(const QString &path);
 
 } // namespace suffuse

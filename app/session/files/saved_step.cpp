@@ -18,7 +18,7 @@ void SavedStep::set(bool isNow)
 void SavedStep::savingBegins(quint64 serial)
 {
     m_steps.saving[serial] = m_stack.index();
-    m_stack.setClean(); // a stack merges nothing with the step that has its mark
+    m_stack.setClean(); // a stack merges nothing into the step that has its mark
 }
 
 bool SavedStep::savingEnds(quint64 serial, bool saved)
@@ -28,7 +28,7 @@ bool SavedStep::savingEnds(quint64 serial, bool saved)
         return false;
     if (saved)
         m_steps.saved = it->second;
-    m_steps.saving.erase(m_steps.saving.begin(), std::next(it)); // those before gave way
+    m_steps.saving.erase(m_steps.saving.begin(), std::next(it)); // the orders before it gave way
     if (!saved && m_steps.saving.empty())
         m_stack.resetClean();
     follow();

@@ -1,4 +1,4 @@
-// Which step of an undo stack is on disk.
+// Knows which step of an undo stack is on disk.
 #pragma once
 
 #include <QUndoStack>
@@ -7,40 +7,41 @@
 
 namespace suffuse {
 
-/// Remembers the step at which a painting is as its file, while it is painted on, saved again, and saving fails. The
-/// stack's own mark only follows: once it is moved it cannot be put back to where it was.
+/// Remembers the step at which the painting is the same as its file, while the user goes on painting, saves again, and
+/// while saving fails. The stack's own mark only follows: once it has been moved, it cannot be put back.
 class SavedStep {
 public:
-    /// At first the painting is as its file.
+    /// At first the painting is the same as its file.
     explicit SavedStep(QUndoStack &stack);
 
-    /// The painting is as its file now, or no step is.
+    /// With `isNow` the painting is the same as its file at the present step; else it is so at no step.
     void set(bool isNow);
-    /// Saving begins here, under a number that rises. No edit merges with this step any more.
+    /// Saving begins at the present step, under a number that rises. From now on no edit merges with this step.
     void savingBegins(quint64 serial);
-    /// It is on disk, or it is not and all is as it was before. False for numbers that `set` has made void.
+    /// Saving ended. If it was `saved`, the step at which it began is on disk; else all is as before. Returns false for
+    /// numbers that `set` has made void.
     bool savingEnds(quint64 serial, bool saved);
-    /// Call it before a command is pushed: undone steps are lost then.
+    /// Call it before a command is pushed, since undone steps are lost then.
     void willPush();
-    /// Call it when those steps are on the stack again, where they were.
+    /// Call it when those steps are on the stack again, in their old places.
     void putBack();
-    /// Call it when the stack has another index.
+    /// Call it when the stack's index has changed.
     void follow();
 
     bool isSaving() const { return !m_steps.saving.empty(); }
-    /// Whether the painting is as its file, saving aside.
+    /// Whether the painting is the same as its file, whatever is being saved.
     bool isNow() const { return m_stack.index() == m_steps.saved; }
 
 private:
     static constexpr int lost = -1;
     struct Steps {
         int saved = 0;
-        std::map<quint64, int> saving; ///< by number
+        std::map<quint64, int> saving; ///< steps at which saving began, by number
     };
 
     QUndoStack &m_stack;
     Steps m_steps;
-    Steps m_dropped; ///< as they were before undone steps were lost the last time
+    Steps m_dropped; ///< the steps before undone ones were lost last
 };
 
 } // namespace suffuse

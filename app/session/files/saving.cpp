@@ -12,7 +12,7 @@ namespace suffuse {
 
 namespace {
 
-/// Larger paintings keep the preview that they have: drawing one would take longer than saving.
+/// Larger paintings keep the preview that they have, since drawing one would take longer than saving.
 constexpr std::size_t mostPreviewed = 200'000;
 
 QByteArray previewPng(const PaintingPtr &painting)
@@ -55,18 +55,18 @@ SaveOutcome carryOut(const SaveOrder &order)
         return outcome;
     }
     const FileFormat format = formatForSaving(order.path);
-    if (format == FileFormat::Unknown) // says which endings there are
+    if (format == FileFormat::Unknown) // saveDocument's error says which endings there are
         return failed(saveDocument(*order.painting, order.extras, order.path).error());
     DocumentExtras extras = order.extras;
     if (format == FileFormat::Suffuse && order.painting->segmentCount() <= mostPreviewed)
         extras.preview = previewPng(order.painting);
     extras.history = order.history ? writeHistory(*order.history, *order.painting) : QByteArray();
     const QByteArray bytes = writeDocument(*order.painting, extras, format);
-    if (isOther()) // drawing and packing took their time
+    if (isOther()) // looked at once more, since drawing and packing took their time
         return outcome;
     outcome.hash = QCryptographicHash::hash(bytes, QCryptographicHash::Sha256);
-    // A version is kept when another one takes its place. The same bytes are written all the same: whoever saves once
-    // more may have been told that the folder could not be synced.
+    // A version is kept as a backup when another one takes its place. Equal bytes are written all the same: the user
+    // may save once more because a message said that the folder could not be synced.
     const Result<void> kept = there == outcome.hash ? Result<void>() : keepBackups(order.path, order.backups);
     if (const Result<void> written = writeFileAtomically(order.path, bytes); !written)
         return failed(written.error());

@@ -13,38 +13,38 @@
 
 namespace suffuse {
 
-/// What is to be written, and where.
+/// An order to write a painting: what, and where.
 struct SaveOrder {
     PaintingPtr painting;
     DocumentExtras extras;
     QString path;
     QByteArray expected;                     ///< SHA-256 of the file that may be replaced; empty: any
-    int backups = 0;                         ///< earlier versions that are kept
-    std::optional<UndoHistory> history = {}; ///< goes into the file, too
-    bool isThere = false;                    ///< a file as `expected` holds all of this: nothing is written then
-    bool isCopy = false;                     ///< the document goes on living in its own file
-    quint64 serial = 0;                      ///< comes back with the outcome
+    int backups = 0;                         ///< how many earlier versions are kept
+    std::optional<UndoHistory> history = {}; ///< undo steps that go into the file, too
+    bool isThere = false; ///< the expected file holds all of this already, so nothing is written if it is there
+    bool isCopy = false;  ///< the document goes on living in its own file
+    quint64 serial = 0;   ///< number of the order, which comes back with the outcome
 };
 
-/// How it went.
+/// How saving went.
 struct SaveOutcome {
     enum class Kind { Saved, Failed, ChangedOutside };
     Kind kind = Kind::Saved;
     QString path;    ///< absolute
-    QString message; ///< what went wrong; with Saved, what went wrong beside it
-    QByteArray hash; ///< SHA-256 of the file as it is now, Saved and ChangedOutside
+    QString message; ///< what went wrong; with Saved, what went wrong beside the painting
+    QByteArray hash; ///< SHA-256 of the file as it is now, with Saved and ChangedOutside
     qint64 bytes = 0;
-    qint64 historyBytes = 0;  ///< of them
+    qint64 historyBytes = 0;  ///< how many of the bytes the undo steps take
     bool withHistory = false; ///< as it was ordered
-    bool wasThere = false;    ///< nothing was written: the file holds all of it already
+    bool wasThere = false;    ///< nothing was written, since the file held all of it already
     bool isCopy = false;      ///< as it was ordered
     quint64 serial = 0;       ///< of the order
 
     bool isSaved() const { return kind == Kind::Saved; }
 };
 
-/// Writes snapshots on a thread of its own, in turn. One that has not begun gives way to a newer one for the same file.
-/// When it is destroyed, what was ordered is written first.
+/// Writes snapshots on a thread of its own, one after the other. A snapshot whose turn has not come gives way to a
+/// newer one for the same file. The destructor first writes all that was ordered.
 class Saver : public QObject {
     Q_OBJECT
 
@@ -53,17 +53,17 @@ public:
     ~Saver() override;
 
     void save(SaveOrder order);
-    /// Until the outcome of the last order has been told.
+    /// True until the outcome of the last order has been told.
     bool isBusy() const { return m_open > 0; }
 
 signals:
-    /// On the thread that ordered; orders that gave way are not told of.
+    /// Emitted on the thread that ordered. Orders that gave way have no outcome.
     void finished(const suffuse::SaveOutcome &outcome);
 
 private:
     void run();
 
-    int m_open = 0; ///< the owner's thread only: orders without an outcome
+    int m_open = 0; ///< orders without an outcome; used on the owner's thread only
     std::mutex m_mutex;
     std::condition_variable m_wake;
     std::deque<SaveOrder> m_orders;
@@ -71,7 +71,7 @@ private:
     std::thread m_thread;
 };
 
-/// Writes it here and now, a preview with it. Any thread.
+/// Carries out an order here and now, and writes a preview with it. Any thread.
 SaveOutcome carryOut(const SaveOrder &order);
 
 } // namespace suffuse

@@ -6,7 +6,8 @@
 
 namespace suffuse {
 
-/// The whole canvas when all is dry, its longer side `side` pixels; null where nothing can be drawn. Any thread.
+/// A picture of the whole canvas when all is dry, with `side` pixels on its longer side. Null where nothing can be
+/// drawn. Any thread.
 QImage previewImage(const PaintingPtr &painting, int side);
 
 } // namespace suffuse

@@ -34,7 +34,8 @@ void FileWatch::watch(const QString &path, const QByteArray &hash)
     follow();
 }
 
-/// A file that was replaced is another one to the watcher, so it is named again; its folder tells when it comes back.
+/// Names the file to the watcher again, since a file that was replaced is another one to it. The folder is watched,
+/// too: it tells when the file comes back.
 void FileWatch::follow()
 {
     if (m_path.isEmpty())
@@ -55,7 +56,7 @@ void FileWatch::look()
     m_wasThere = isThere;
     if (!isThere)
         return;
-    m_hashing = std::jthread([this, path = m_path] { // waits for the one before
+    m_hashing = std::jthread([this, path = m_path] { // assigning waits for the thread before
         if (const auto hash = hashOfFile(path))
             QMetaObject::invokeMethod(
                 this, [this, path, hash] { compare(path, *hash); }, Qt::QueuedConnection);
@@ -66,7 +67,7 @@ void FileWatch::compare(const QString &path, const QByteArray &hash)
 {
     if (path != m_path || hash == m_hash)
         return;
-    m_hash = hash; // told once
+    m_hash = hash; // a change is told once
     emit changed(hash);
 }
 

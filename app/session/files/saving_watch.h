@@ -9,8 +9,8 @@
 
 namespace suffuse {
 
-/// Notices that another program changed a file or took it away. By its content, not its time: a copy of the same bytes
-/// is no change.
+/// Notices that another program changed a file or took it away. It compares the content and not the time: a copy of the
+/// same bytes is no change.
 class FileWatch : public QObject {
     Q_OBJECT
 
@@ -18,11 +18,11 @@ public:
     explicit FileWatch(QObject *parent = nullptr);
     ~FileWatch() override;
 
-    /// The file, and the SHA-256 of what it holds; an empty path: none.
+    /// Watches a file, whose content has this SHA-256. An empty path: watches none.
     void watch(const QString &path, const QByteArray &hash);
 
 signals:
-    void changed(const QByteArray &hash); ///< it has another content
+    void changed(const QByteArray &hash); ///< the file has another content, with this hash
     void removed();
 
 private:
@@ -31,7 +31,7 @@ private:
     void follow();
 
     QFileSystemWatcher m_watcher;
-    QTimer m_pause; ///< another program may take a moment to write
+    QTimer m_pause; ///< waits a moment, since the other program may still be writing
     QString m_path;
     QByteArray m_hash;
     bool m_wasThere = false;

@@ -13,21 +13,21 @@ namespace suffuse {
 
 namespace {
 
-constexpr double widthStep = 0.01; ///< units: finer differences make no path of their own
+constexpr double widthStep = 0.01; ///< canvas units: smaller differences of width make no new path
 
 QString number(double value)
 {
     return QString::number(value, 'g', 9);
 }
 
-/// What a segment looks like as a line.
+/// How a segment looks as a line.
 struct Look {
     QColor colour;
     double width = 0;
     friend bool operator==(const Look &, const Look &) = default;
 };
 
-/// Half of the width of what is seen of a segment; where it has no edge to be as wide as, half of its spread.
+/// Half of the width at which a segment is seen. A segment without an edge has half of its spread.
 double halfWidthOf(const DerivedFigures &figures)
 {
     return figures.halfWidth > 0 ? figures.halfWidth : 0.5 * figures.spread;
@@ -38,21 +38,21 @@ SvgLine lineOf(const Stroke &stroke, const Segment &segment)
     const DerivedFigures figures = derivedFigures(segment, stroke.styleOf(segment));
     const Cubic c = stroke.cubicOf(segment);
     SvgLine line{c.p[0], c.p[3], halfWidthOf(figures), 0};
-    // Twice the density is there where two rows meet: s √ln(2 pk/cut).
+    // Where two rows meet the density is twice as high: s √ln(2 pk/cut).
     line.reach = figures.halfWidth > 0
                      ? std::sqrt(line.half * line.half + figures.spread * figures.spread * std::log(2.0))
                      : line.half;
     return line;
 }
 
-/// `half`: of the width.
+/// How a segment looks whose width is twice `half`.
 Look lookOf(const Stroke &stroke, const Segment &segment, double half)
 {
     const Style &style = stroke.styleOf(segment);
     const DerivedFigures figures = derivedFigures(segment, style);
     Look look;
     QColor colour = toOpaqueScreen(segment.colour);
-    // What has no edge to be as wide as is shown as wide as it has spread, and as faint as it is.
+    // Paint without an edge is shown as wide as it has spread, and as faint as it is.
     const double coverage = figures.halfWidth > 0 ? 1 : densityFunction(style, figures.peak);
     colour.setAlphaF(float(std::clamp(double(segment.colour.opacity) * coverage, 0.0, 1.0)));
     look.colour = colour;
@@ -71,7 +71,8 @@ void writePath(QXmlStreamWriter &xml, const Look &look, const QString &data)
     xml.writeEndElement();
 }
 
-/// `half`: of the width of its first segment; goes behind the last.
+/// Writes a stroke as a group of paths. `half` points at half of the width of its first segment, and afterwards behind
+/// that of its last one.
 void writeStroke(QXmlStreamWriter &xml, const Stroke &stroke, std::vector<double>::const_iterator &half)
 {
     const auto text = [](Point p) { return number(p.x) + ',' + number(p.y); };

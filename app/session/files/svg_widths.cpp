@@ -8,7 +8,7 @@ namespace suffuse {
 
 namespace {
 
-constexpr int longestWalk = 64; ///< cells that a line is put into
+constexpr int longestWalk = 64; ///< a line is put into the cells of at most so many of its points
 
 using Cell = std::pair<int, int>;
 
@@ -62,7 +62,7 @@ std::vector<double> joinedHalfWidths(const std::vector<SvgLine> &lines)
     for (const SvgLine &line : lines) {
         const Point middle = along(line, 0.5);
         const Cell at = cellOf(middle);
-        double nearest[] = {2 * line.reach, 2 * line.reach}; // to the left and to the right; beyond it nothing joins
+        double nearest[] = {2 * line.reach, 2 * line.reach}; // distances to the left and to the right
         bool found[] = {false, false};
         for (int x = at.first - 1; x <= at.first + 1; ++x)
             for (int y = at.second - 1; y <= at.second + 1; ++y) {

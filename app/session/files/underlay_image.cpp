@@ -11,7 +11,8 @@ namespace suffuse {
 
 namespace {
 
-/// Both by identity; what nobody holds any more matches nothing.
+/// Remembers an encoded picture and its decoded form, both by identity. A picture that nobody holds any more matches
+/// nothing.
 struct Decoded {
     std::weak_ptr<const QByteArray> encoded;
     std::weak_ptr<const UnderlayImage> image;
@@ -27,7 +28,7 @@ void remember(const EncodedImage &encoded, const UnderlayImagePtr &image)
     inUse.push_back({encoded, image});
 }
 
-/// Straight RGBA in [0, 1] to premultiplied bytes.
+/// Converts straight RGBA in [0, 1] to premultiplied bytes.
 void convertRow(const ImageRun &run, QImage &to)
 {
     const auto byte = [](float v) { return int(v * 255 + 0.5f); };

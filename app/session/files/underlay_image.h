@@ -11,17 +11,19 @@
 
 namespace suffuse {
 
-/// Premultiplied; after the picture itself each level is half as wide and high as the one before, down to a pixel.
+/// Premultiplied pictures. The first level is the picture itself; each further level is half as wide and high as the
+/// one before, down to a pixel.
 struct UnderlayImage {
     std::vector<QImage> levels;
     QSize size() const { return levels.front().size(); }
 };
 using UnderlayImagePtr = std::shared_ptr<const UnderlayImage>;
 
-/// Decodes what an underlay holds, or gives what is decoded already and in use. `name` stands in messages. Any thread.
+/// Decodes an underlay's picture, or returns it where somebody holds it decoded already. `name` stands in messages. Any
+/// thread.
 Result<UnderlayImagePtr> decodeUnderlay(const EncodedImage &encoded, const QString &name);
 
-/// Null where nobody holds it decoded.
+/// The decoded picture, or null where nobody holds it.
 UnderlayImagePtr decodedUnderlay(const EncodedImage &encoded);
 
 } // namespace suffuse

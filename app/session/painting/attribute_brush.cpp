@@ -22,7 +22,7 @@ float Segment::*memberOf(Attribute attribute)
     }
 }
 
-/// From `from` to `to`, evenly in the logarithm where both have one.
+/// Goes from `from` to `to` by a share, evenly in the logarithm where both have one.
 double between(double from, double to, double share, bool ratio)
 {
     return ratio && from > 0 && to > 0 ? from * std::pow(to / from, share) : from + share * (to - from);

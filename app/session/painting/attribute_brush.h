@@ -1,4 +1,4 @@
-// What the attribute brush does to a segment's values; nothing here knows about a window.
+// What the attribute brush does to the values of a segment. This unit knows nothing about windows.
 #pragma once
 
 #include "model/painting/segment.h"
@@ -11,23 +11,23 @@ enum class Attribute { Diffusion, Density, Granulation, Colour, Opacity, MaxAge 
 inline constexpr std::array allAttributes{Attribute::Diffusion, Attribute::Density, Attribute::Granulation,
                                           Attribute::Colour,    Attribute::Opacity, Attribute::MaxAge};
 
-/// Quantities whose steps are ratios (D, φ, t_max): relative means times. The others: relative means plus.
+/// Whether a quantity's steps are ratios (D, φ, t_max): a relative change multiplies them. To other quantities it adds.
 bool isRatio(Attribute attribute);
 
-/// What is painted.
+/// What the attribute brush paints: a quantity and where it is to go.
 struct AttributeWish {
     Attribute attribute = Attribute::Density;
     bool relative = false;
-    double value = 1; ///< what it goes to; relative: the factor, or what is added; unused for an absolute colour
-    Colour colour;    ///< for Attribute::Colour: what it goes to; relative: `value` times this is added
+    double value = 1; ///< the value to go to; if relative, the factor or the difference; unused for an absolute colour
+    Colour colour;    ///< of Attribute::Colour: the colour to go to; if relative, `value` times this is added
 };
 
-/// How much of a wish a place at `distance` from the middle of the brush gets: 1 there, falling to 0 at `radius` as a
-/// cosine does.
+/// The share of a wish that a place at `distance` from the middle of the brush gets: 1 in the middle, falling to 0 at
+/// `radius` like a cosine.
 double falloff(double distance, double radius);
 
-/// The segment with `share` (0 … 1) of the wish: ratios are gone through evenly in their logarithm. Stays in the
-/// domain; what share 0 gives is the segment itself.
+/// Returns the segment with `share` (0 … 1) of the wish. Ratios change evenly in their logarithm. Values stay in their
+/// domain, and share 0 returns the segment itself.
 Segment withAttribute(const Segment &segment, const AttributeWish &wish, double share);
 
 } // namespace suffuse

@@ -4,8 +4,8 @@ namespace suffuse {
 
 namespace {
 
-constexpr double longestLag = 0.2;          ///< of the weighted mean at full strength, s
-constexpr Microseconds shortestStep = 1000; ///< reports at one moment still move it
+constexpr double longestLag = 0.2;          ///< lag of the weighted mean at full strength, s
+constexpr Microseconds shortestStep = 1000; ///< reports of one moment still move the mean
 
 } // namespace
 

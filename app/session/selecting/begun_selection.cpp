@@ -18,7 +18,7 @@ const Selection &BegunSelection::at(Microseconds T, const StrokeList &strokes, c
     const auto last = std::max_element(m_births.begin(), m_births.end());
     m_from = last == m_births.end() ? std::numeric_limits<Microseconds>::min() : *last;
     if (T >= m_from)
-        return selection; // the present
+        return selection; // nothing is left out, as always in the present
     m_from = std::numeric_limits<Microseconds>::min();
     for (std::size_t i = 0; i < strokes.size(); ++i) {
         if (!selection.strokes.contains(strokes[i]->id))

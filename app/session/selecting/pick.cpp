@@ -12,7 +12,7 @@ namespace suffuse {
 
 namespace {
 
-/// Not what is painted only after the moment that is shown.
+/// Whether a stroke can be selected at T. One that is painted only later cannot.
 bool isSelectable(const Painting &painting, Microseconds T, const Stroke &stroke)
 {
     return painting.isVisible(stroke) && !painting.isLocked(stroke) && stroke.born() <= T;
@@ -41,7 +41,8 @@ bool isNear(const Stroke &stroke, Microseconds T, Point point, double tolerance)
 {
     const Point at = point - stroke.origin;
     return std::any_of(stroke.segments.begin(), stroke.segments.end(), [&](const Segment &segment) {
-        // As influenceOf, but most segments are far away: distances first, and no roots.
+        // This computes the same as influenceOf. Most segments are far away, so their distances are compared first, and
+        // no roots are taken.
         const auto &p = segment.bezier;
         const auto [left, right] = std::minmax({p[0].x, p[1].x, p[2].x, p[3].x});
         const auto [top, bottom] = std::minmax({p[0].y, p[1].y, p[2].y, p[3].y});
@@ -52,7 +53,7 @@ bool isNear(const Stroke &stroke, Microseconds T, Point point, double tolerance)
     });
 }
 
-/// From top to bottom.
+/// The selectable strokes around the point, from top to bottom.
 std::vector<StrokePtr> strokesNear(const Painting &painting, Microseconds T, Point point, double tolerance)
 {
     std::vector<StrokePtr> near;
@@ -62,7 +63,7 @@ std::vector<StrokePtr> strokesNear(const Painting &painting, Microseconds T, Poi
     return near;
 }
 
-/// The first that is seen at the point, else the first that is seen around it.
+/// The first stroke that is seen at the point, else the first that is seen around it.
 std::optional<SegmentRef> pickFrom(const std::vector<StrokePtr> &strokes, Microseconds T, Point point, double tolerance)
 {
     for (const StrokePtr &stroke : strokes)
@@ -116,7 +117,7 @@ Rect boxOf(const std::vector<Point> &points)
 /// Points along a path, at most `step` apart.
 std::vector<Point> resampled(const std::vector<Point> &path, double step)
 {
-    constexpr double maxPieces = 4096; // of one report
+    constexpr double maxPieces = 4096; // pieces of the way of one report
     std::vector<Point> points;
     for (std::size_t i = 0; i < path.size(); ++i) {
         if (i > 0) {
@@ -130,7 +131,7 @@ std::vector<Point> resampled(const std::vector<Point> &path, double step)
     return points;
 }
 
-/// Whether its visible paint may be narrower than the points of a path are apart.
+/// Whether a stroke's visible paint may be narrower than the distance between the points of a path.
 bool isHairline(const Stroke &stroke, Microseconds T, double step)
 {
     return std::any_of(stroke.segments.begin(), stroke.segments.end(),
@@ -173,10 +174,11 @@ std::set<StrokeId> withGroup(const Painting &painting, StrokeId id)
     if (!stroke || stroke->group == 0)
         return {id};
     const GroupId group = outermostGroup(painting, stroke->group);
-    std::unordered_map<GroupId, GroupId> outer; // many strokes, few groups
+    std::unordered_map<GroupId, GroupId> outer; // remembered, since there are many strokes and few groups
     std::set<StrokeId> members;
     for (const StrokePtr &s : painting.strokes) {
-        if (s->group == 0 || !painting.isVisible(*s) || painting.isLocked(*s)) // a group stays whole in the past, too
+        // A group stays whole even where some of its strokes are not begun.
+        if (s->group == 0 || !painting.isVisible(*s) || painting.isLocked(*s))
             continue;
         const auto [it, isNew] = outer.try_emplace(s->group, 0);
         if (isNew)
@@ -207,7 +209,7 @@ PathTouch::PathTouch(PaintingPtr painting, Microseconds T, double tolerance, Poi
     for (const StrokePtr &stroke : m_painting->strokes) {
         if (!isSelectable(*m_painting, T, *stroke))
             continue;
-        // A hairline may run between the points, but not between their rings.
+        // A hairline may run between the points, but not between the rings around them.
         const bool hairline = isHairline(*stroke, T, tolerance);
         const Rect reach = influenceOf(*stroke, T);
         m_left.push_back({stroke, hairline ? reach.grown(tolerance) : reach, hairline});
@@ -265,7 +267,7 @@ std::set<StrokeId> selectableStrokes(const Painting &painting, Microseconds T)
     std::set<StrokeId> ids;
     for (const StrokePtr &stroke : painting.strokes)
         if (isSelectable(painting, T, *stroke))
-            ids.insert(ids.end(), stroke->id); // most often the order is that of the ids
+            ids.insert(ids.end(), stroke->id); // the hint fits most often, since the order is mostly that of the ids
     return ids;
 }
 

@@ -1,4 +1,4 @@
-// What lies under the pointer: by visible paint, not by a thin curve.
+// Finds the strokes under the pointer by their visible paint, not by the thin curve.
 #pragma once
 
 #include "model/painting/painting.h"
@@ -10,7 +10,7 @@
 
 namespace suffuse {
 
-/// A stroke whose opacity w at a point is less than this is not seen there.
+/// A stroke is not seen at a point where its opacity w is less than this.
 inline constexpr double visibleOpacity = 0.02;
 
 /// The topmost visible, unlocked stroke that paints at the point or, for hairlines, within `tolerance` canvas units of
@@ -21,16 +21,17 @@ std::optional<SegmentRef> pickTopmost(const Painting &painting, Microseconds T, 
 std::optional<SegmentRef> pickOn(const Painting &painting, StrokeId stroke, Microseconds T, Point point,
                                  double tolerance);
 
-/// All visible, unlocked strokes that paint at the point, from top to bottom; where none does, those within
-/// `tolerance`.
+/// All visible, unlocked strokes that paint at the point, from top to bottom. Where no stroke paints there, those
+/// within `tolerance`.
 std::vector<SegmentRef> pickAll(const Painting &painting, Microseconds T, Point point, double tolerance);
 
-/// The strokes that a click on one means: those of its outermost group that can be selected, or itself alone.
+/// The strokes that a click on one stroke selects: those of its outermost group that can be selected, or the stroke
+/// alone.
 std::set<StrokeId> withGroup(const Painting &painting, StrokeId stroke);
 
 /// The visible, unlocked strokes, begun by T, whose curves lie wholly within a rectangle of the view's pixels.
 std::set<StrokeId> strokesWithin(const Painting &painting, Microseconds T, const View &view, const Rect &pixels);
-/// The same within a closed polygon, canvas units; even-odd.
+/// The same within a closed polygon in canvas units (even-odd rule).
 std::set<StrokeId> strokesWithin(const Painting &painting, Microseconds T, const std::vector<Point> &polygon);
 /// Goes along a path and collects the visible, unlocked strokes, begun by T, that paint somewhere on it (or within
 /// `tolerance` of it); canvas units. Each step looks only at strokes that are not touched yet.
@@ -43,7 +44,7 @@ public:
 private:
     struct Candidate {
         StrokePtr stroke;
-        Rect around; ///< nothing of it is found outside
+        Rect around; ///< the stroke paints nowhere outside of this
         bool hairline = false;
     };
     void touchAt(const std::vector<Point> &points);

@@ -60,7 +60,7 @@ Snap Snapping::snapMove(const std::vector<Point> &points, Point by, const View &
     }
     if (best.to != SnapTo::Nothing || !(m_step > 0))
         return best;
-    // Lines across and lines down, each for whichever point is nearest to one.
+    // The grid has lines across and lines down. Along each axis the point that is nearest to a line decides.
     double dx = limit, dy = limit;
     Point mark = points.empty() ? by : points.front() + by;
     for (const Point &point : points) {

@@ -1,4 +1,4 @@
-// Where a point that is being dragged is drawn to: nodes of strokes and the grid.
+// Snapping: draws a point that is being dragged to nodes of strokes and to the grid.
 #pragma once
 
 #include "model/painting/painting.h"
@@ -12,48 +12,48 @@ namespace suffuse {
 inline constexpr double minGridStep = 1e-6;
 inline constexpr double maxGridStep = 1e6;
 
-/// What helps the hand on the canvas; a window's own, remembered for the next one.
+/// Aids of the canvas. Each window has its own; the next window begins with those that were changed last.
 struct CanvasAids {
     bool snapToNodes = false;
     bool snapToGrid = false;
     bool showGrid = false;
-    double gridStep = 20; ///< canvas units
-    bool showOutlines = true; ///< of the selected strokes
-    bool showBeyond = false;  ///< veiled, the paint that lies beside the canvas
+    double gridStep = 20;     ///< canvas units
+    bool showOutlines = true; ///< outlines of the selected strokes
+    bool showBeyond = false;  ///< paint beyond the canvas, under a veil
     friend bool operator==(const CanvasAids &, const CanvasAids &) = default;
 };
 
 enum class SnapTo { Nothing, Node, Grid };
 
-/// A point, and what it was drawn to.
+/// A point, and what it was snapped to.
 struct Snap {
     Point point;
     SnapTo to = SnapTo::Nothing;
 };
 
-/// Gathers what there is to snap to when a drag begins, and is asked at each of its moves.
+/// Gathers the places to snap to when a drag begins, and is asked at each of its moves.
 class Snapping {
 public:
-    /// Logical pixels within which a point is drawn to something.
+    /// A point snaps to places within so many logical pixels.
     static constexpr double reach = 8;
-    /// True for nodes that move themselves; node n of n segments is the end.
+    /// True for nodes that move themselves and are no places to snap to. Node n of n segments is the end.
     using LeftOut = std::function<bool(const Stroke &, int node)>;
 
-    /// Snaps to nothing.
+    /// This one snaps to nothing.
     Snapping() = default;
-    /// Nodes of visible strokes, but for those left out, and the grid, as the aids ask for.
+    /// Snaps to nodes of visible strokes that are not left out, and to the grid, as the aids ask for.
     Snapping(const Painting &painting, const CanvasAids &aids, const LeftOut &leftOut = {});
 
-    /// The nearest node within reach, else the grid lines within reach, else the point itself.
+    /// Returns the nearest node within reach, else the grid lines within reach, else the point itself.
     Snap snap(Point point, const View &view, double dpr) const;
-    /// For points that move together by `by`: the move that brings one of them to a node or, along each axis, to a line
-    /// of the grid (`by` itself where none comes near), and in `at` where that is.
+    /// For points that move together by `by`: returns the move that brings one of them to a node or, along each axis,
+    /// to a line of the grid; `by` itself where none comes near. `at` gets the place to which it was brought.
     Snap snapMove(const std::vector<Point> &points, Point by, const View &view, double dpr, Point *at = nullptr) const;
 
 private:
-    /// Null: none nearer than `limit`.
+    /// The nearest node, or null where none is nearer than `limit`.
     const Point *nearestNode(Point point, double limit, double *distance) const;
-    /// From a coordinate to the nearest line.
+    /// The distance from a coordinate to the nearest line of the grid.
     double toGrid(double v) const;
 
     std::vector<Point> m_nodes;

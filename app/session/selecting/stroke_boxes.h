@@ -5,10 +5,12 @@
 
 namespace suffuse {
 
-/// The boxes of the strokes' control points, by their places in the order. Those of strokes that stay are kept.
+/// Keeps the boxes of the strokes' control points, by the strokes' places in the order. The boxes of strokes that stay
+/// are not computed again.
 class StrokeBoxes {
 public:
-    /// True where the same strokes stand in the same order as before, whatever their values are.
+    /// Takes up the strokes. Returns true if the same strokes stand in the same order as before, whatever their values
+    /// are.
     bool follow(const StrokeList &strokes);
     const Rect &operator[](std::size_t place) const { return m_boxes[place]; }
 

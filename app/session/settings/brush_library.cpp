@@ -14,7 +14,7 @@ namespace suffuse {
 
 namespace {
 
-constexpr int mostOwn = 2000;   ///< files that are read
+constexpr int mostOwn = 2000;   ///< at most so many files are read
 constexpr int longestName = 80; ///< characters
 const char *const favouritesKey = "brushes/favourites";
 
@@ -24,7 +24,7 @@ QStringList usualFavourites()
             "pencil",   "dry-chalk", "flat-marker", "soft-airbrush"};
 }
 
-/// Of all running instances; some may have brushes that this one does not know yet.
+/// Alters the favourites of all running instances. Some may be brushes that this instance does not know yet.
 void updateFavourites(const std::function<void(QStringList &names)> &change)
 {
     settings::updateList(
@@ -41,7 +41,7 @@ QString cleaned(const QString &name)
     return name.simplified().left(longestName);
 }
 
-/// Names of files keep to letters that every file system takes.
+/// A file name for a brush. It has only characters that every file system takes.
 QString fileNameOf(const QString &name)
 {
     static const QRegularExpression other(QStringLiteral("[^\\w .()+-]"),

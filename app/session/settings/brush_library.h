@@ -9,40 +9,43 @@ namespace suffuse {
 
 class Editor;
 
-/// All brushes that can be chosen: the built-in ones and the user's, which are files in one folder; and which of them
-/// are favourites. One for all windows.
+/// Holds all brushes that can be chosen: the built-in ones, and the user's, which are files in one folder. It also
+/// knows which of them are favourites. All windows share one library.
 class BrushLibrary : public QObject {
     Q_OBJECT
 
 public:
-    static constexpr int keys = 9; ///< so many favourites have a key
+    static constexpr int keys = 9; ///< the first so many favourites have a key
 
-    /// That of the program: the user's data folder.
+    /// The library of the program, of the user's data folder.
     static BrushLibrary &instance();
-    /// Brushes of another folder; files that cannot be read are left out.
+    /// A library of another folder. Files that cannot be read are left out.
     explicit BrushLibrary(const QString &folder, QObject *parent = nullptr);
 
-    /// Built-in ones first, then the user's by name.
+    /// The built-in brushes first, then the user's by name.
     const std::vector<Brush> &brushes() const { return m_brushes; }
     const Brush *find(const QString &name) const; ///< null if there is none
     bool isOwn(const QString &name) const { return m_files.contains(name); }
 
-    /// Adds one under its name, or the name with a number where that is taken. Returns the name it got.
+    /// Adds a brush under its name, or under the name with a number where the name is taken. Returns the name that it
+    /// got.
     Result<QString> add(Brush brush);
     /// Replaces the user's brush of that name.
     Result<void> save(const Brush &brush);
     Result<void> rename(const QString &name, const QString &to);
     Result<void> remove(const QString &name);
-    /// A brush file or a MyPaint brush; `left` gets what of it does not map. Returns its name.
+    /// Imports a brush file or a MyPaint brush. `left` gets the settings that have no counterpart. Returns the brush's
+    /// name.
     Result<QString> import(const QString &path, QStringList *left = nullptr);
     Result<void> exportTo(const QString &name, const QString &path) const;
 
-    /// In the order in which they were made favourites: the first has the key 1. Names that are gone are left out.
+    /// The favourites in the order in which they were chosen; the first has the key 1. Names of brushes that are gone
+    /// are left out.
     QStringList favourites() const;
     bool isFavourite(const QString &name) const { return favourites().contains(name); }
     void setFavourite(const QString &name, bool favourite);
 
-    /// Takes a brush into the editor's hand; red, yellow and blue of the current colour stay.
+    /// Takes a brush into the editor's hand. Red, yellow and blue of the current colour stay.
     void use(Editor &editor, const QString &name) const;
 
 signals:
@@ -56,12 +59,12 @@ private:
 
     QString m_folder;
     std::vector<Brush> m_brushes;
-    QHash<QString, QString> m_files; ///< of the user's brushes, by name
+    QHash<QString, QString> m_files; ///< files of the user's brushes, by name
 };
 
-/// Equal but for red, yellow and blue, which belong to the hand.
+/// Whether two brushes are equal except for red, yellow and blue, which belong to the hand.
 bool isSameBrush(const Brush &a, const Brush &b);
-/// A brush's name for people: translated for built-in ones.
+/// A brush's name for people. Names of built-in brushes are translated.
 QString brushTitle(const QString &name);
 /// A group's name for people.
 QString brushGroupTitle(const QString &group);

@@ -1,4 +1,4 @@
-// What is done to a pen's reports before they are painted with.
+// What happens to the reports of a pen before a tool sees them (docs/pen.md).
 #pragma once
 
 #include "model/brush/response_curve.h"
@@ -9,39 +9,42 @@
 
 namespace suffuse {
 
-/// The user's pen; kept in the settings, the same for all brushes.
+/// Settings of the user's pen. They are the same for all brushes.
 struct PenSettings {
-    ResponseCurve pressure;       ///< pressure that is painted with, over the pressure that the pen reports
-    bool fingersMoveView = false; ///< fingers never paint
+    ResponseCurve pressure;       ///< maps the pressure that the pen reports to the pressure that is painted with
+    bool fingersMoveView = false; ///< fingers move the view and never paint
     friend bool operator==(const PenSettings &, const PenSettings &) = default;
 };
 
-/// Device time stamps further than this from our clock are not believed.
+/// A device time stamp that lies further from our clock than this is not believed.
 inline constexpr Microseconds mostLag = 250'000;
 
-/// How late a device's reports come, by its own stamps: waiting only ever adds, so the least that was seen is none.
+/// Tells how late a device's reports come, from their own time stamps. Waiting only ever adds to the difference of the
+/// two clocks, so the least difference that was seen is that of a report that did not wait.
 class ReportLag {
 public:
-    /// Of a report with the stamp (milliseconds of the device's clock; 0: it has none) that is heard of at `now`.
+    /// How late a report comes that has this stamp (milliseconds of the device's clock; 0: it has none) and is heard of
+    /// at `now`.
     Microseconds take(std::uint64_t stamp, Microseconds now);
 
 private:
-    std::optional<Microseconds> m_least; ///< from the device's clock to ours
-    Microseconds m_last = 0;             ///< when a report was heard of
+    std::optional<Microseconds> m_least; ///< least difference between the device's clock and ours
+    Microseconds m_last = 0;             ///< when a report was heard of last
 };
 
-/// Pressures of one pen, one after the other: blips are held back and the user's curve is laid on (docs/pen.md).
+/// Turns the reported pressures of one pen, one after the other, into those that are painted with: blips are held back,
+/// and the user's curve is laid on (docs/pen.md).
 class PenPressure {
 public:
     void setCurve(const ResponseCurve &curve) { m_curve = curve; }
 
-    /// In [0, 1]; 0 stays 0, and only 0 becomes 0. `press`: the first report of a touch; `sensitive`: whether the pen
-    /// measures pressure at all.
+    /// Returns a pressure in [0, 1]; 0 stays 0, and only 0 becomes 0. `press`: this is the first report of a touch;
+    /// `sensitive`: the pen measures pressure.
     double take(double reported, bool press, bool sensitive);
 
 private:
     ResponseCurve m_curve;
-    double m_last = 0;   ///< last one that was believed
+    double m_last = 0;   ///< the last pressure that was believed
     bool m_full = false; ///< the last report was full pressure
 };
 

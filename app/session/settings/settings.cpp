@@ -162,7 +162,7 @@ void setBackups(int count)
 
 namespace {
 
-/// Those that are there, each once.
+/// The files of a list that exist, each once.
 QStringList presentFiles(const QStringList &paths)
 {
     QStringList files, places;
@@ -181,7 +181,7 @@ QStringList presentFiles(const QStringList &paths)
 
 QStringList recentFiles()
 {
-    store().sync(); // another instance may have added some
+    store().sync(); // another instance may have added files
     return presentFiles(store().value("recentFiles").toStringList());
 }
 

@@ -1,4 +1,4 @@
-// Where settings are, and how a start survives whatever is there.
+// The store of the settings: where it lies, and how a start survives a damaged one.
 #include "app/session/settings/settings.h"
 
 #include <QDir>
@@ -15,7 +15,7 @@ namespace {
 
 constexpr qint64 largestStore = qint64(4) << 20;
 constexpr int startsForgiven = 2;
-/// How many starts in a row have failed is kept beside the settings, not in them.
+/// The number of starts that failed in a row is kept beside the settings, not in them.
 constexpr char startsEnding[] = ".starts";
 constexpr char damagedEnding[] = ".damaged";
 constexpr char listsEnding[] = ".lists";
@@ -36,7 +36,8 @@ QString storePath()
     return QSettings(QSettings::IniFormat, QSettings::UserScope, "suffuse", "suffuse").fileName();
 }
 
-/// Empty, or where it is now. Only files are moved: there may be a device.
+/// Puts a file aside. Returns its new path, or an empty string. Only files are moved: a device may stand in their
+/// place.
 QString putAside(const QString &path)
 {
     if (!QFileInfo(path).isFile())
@@ -46,8 +47,8 @@ QString putAside(const QString &path)
     return QFile::rename(path, place) ? place : QString();
 }
 
-/// Reading a pipe would wait; a huge file would take long; "@Variant" makes Qt build any type from the bytes that
-/// follow, and Suffuse never writes one.
+/// Whether Suffuse can have written this. Reading a pipe would wait, and a huge file would take long. "@Variant" makes
+/// Qt build any type from the bytes that follow, and Suffuse never writes it.
 bool mayBeRead(const QString &path)
 {
     const QFileInfo info(path);
@@ -72,7 +73,7 @@ int failedStarts(const QString &path)
 
 QSettings &store()
 {
-    const auto given = [&folder = forgotten()] { // the folder outlives the settings that are written to it
+    const auto given = [&folder = forgotten()] { // the folder must outlive the settings that are written to it
         return folder ? folder->path() : qEnvironmentVariable("SUFFUSE_SETTINGS");
     };
     static std::unique_ptr<QSettings> settings;
@@ -90,9 +91,9 @@ void updateList(const QString &key, const std::function<QStringList(const QStrin
                 const QStringList &usual)
 {
     QSettings &s = store();
-    // Qt's own lock covers reading and writing, not what is between them.
+    // Qt's own lock covers reading and writing, but not the time between them.
     QLockFile lock(storePath() + QLatin1String(listsEnding));
-    lock.tryLock(lockMs); // where it cannot be had, an entry may be lost, but the program does not wait
+    lock.tryLock(lockMs); // if the lock cannot be had, an entry may be lost, but the program does not wait
     s.sync();
     s.setValue(key, change(s.value(key, usual).toStringList()));
     s.sync();
