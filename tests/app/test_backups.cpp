@@ -218,6 +218,37 @@ private slots:
         QCOMPARE(t.painting().strokes.size(), std::size_t(1));
     }
 
+    /// Files of other kinds are left out then, and the painting itself, too.
+    void theOpenDialogShowsBackups()
+    {
+        Session s;
+        saveVersions(s, 2);
+        QString filter;
+        bool isListed = false, isPaintingListed = true;
+        whenAsked<QFileDialog>(this, m_answered, [&](QFileDialog &dialog) {
+            for (const QString &one : dialog.nameFilters())
+                if (one.contains("~*"))
+                    filter = one;
+            dialog.selectNameFilter(filter);
+            const auto *list = dialog.findChild<QAbstractItemView *>(QStringLiteral("listView"));
+            const auto isThere = [list](const QString &name) {
+                const QModelIndex folder = list->rootIndex();
+                for (int row = 0; row < list->model()->rowCount(folder); ++row)
+                    if (list->model()->index(row, 0, folder).data().toString() == name)
+                        return true;
+                return false;
+            };
+            isListed = QTest::qWaitFor([&] { return isThere("a.suffuse~"); }, waitMs); // a thread reads the folder
+            isPaintingListed = isThere("a.suffuse");
+            dialog.reject();
+        });
+        s.use(Command::Open);
+        QCOMPARE(m_answered, 1);
+        QVERIFY(!filter.isEmpty());
+        QVERIFY(isListed);
+        QVERIFY(!isPaintingListed);
+    }
+
     void aBackupWhosePaintingIsGone()
     {
         {
