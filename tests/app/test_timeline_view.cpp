@@ -155,6 +155,46 @@ private slots:
         }
     }
 
+    /// Over whatever lies there; where it will lie is decided when it is let go.
+    void draggedBarsKeepTheirLanes()
+    {
+        Timed s; // lanes 0, 1, 0, 0; each is wet for a second
+        const auto shown = [&] {
+            QTest::qWait(120); // bars follow edits now and then
+            return s.view().viewport()->grab().toImage();
+        };
+        const auto across = [&](Microseconds by) {
+            return QPoint(int(std::lround(s.view().xOf(by) - s.view().xOf(0))), 0);
+        };
+        const int upper = s.middleOf(1).y(), lower = s.middleOf(2).y();
+        const auto differ = [&](const QImage &a, const QImage &b, Microseconds time, int y) {
+            const QPoint at(int(s.view().xOf(time)), y);
+            return a.pixel(at) != b.pixel(at);
+        };
+        s.select({2});
+        const QPoint second2 = s.middleOf(2);
+        QImage before = shown();
+        s.press(second2);
+        s.moveTo(second2 + across(2 * second));
+        s.moveTo(second2 + across(4 * second)); // from 6 to 7.3 s, where both lanes are empty
+        QImage during = shown();
+        QVERIFY(differ(before, during, 6'800'000, lower));
+        QVERIFY(!differ(before, during, 6'800'000, upper));
+        QTest::keyClick(&s.view(), Qt::Key_Escape);
+        s.release(second2);
+
+        s.select({3});
+        const QPoint third = s.middleOf(3);
+        before = shown();
+        s.press(third);
+        s.moveTo(third - across(second));
+        s.moveTo(third - across(1'500'000)); // from 1.5 to 2.8 s, where the first one is in its lane
+        during = shown();
+        QVERIFY(differ(before, during, 2'600'000, upper));
+        QVERIFY(!differ(before, during, 1'750'000, lower));
+        s.release(third - across(1'500'000));
+    }
+
     void draggedEndsStretch()
     {
         Timed s;
