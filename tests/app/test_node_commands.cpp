@@ -133,6 +133,19 @@ private slots:
                 QVERIFY(isThere(nodePosition(*part, k)));
     }
 
+    /// Who has begun with segments goes on with them, also where a node lies under the pointer.
+    void shiftGoesOnWithSegments()
+    {
+        NodeSession s;
+        s.click({250, 320});
+        QCOMPARE(s.selection(), (Selection{{s.id}, {{s.id, 0}}}));
+        s.click(nodeAt[3], Qt::ShiftModifier);
+        QVERIFY(s.tool().nodes().empty());
+        QVERIFY(s.selection().segments.contains({s.id, 0}));
+        QVERIFY(s.selection().segments.contains({s.id, 1}));
+        QVERIFY(s.selection().segments.contains({s.id, 2}));
+    }
+
     void nodesStayWhereAnotherStrokeIsAdded()
     {
         NodeSession s;
