@@ -1,12 +1,16 @@
 // Settings that windows are built by: other windows show the same paintings, and nothing is lost.
+#include "app/dialogs/settings_dialog.h"
 #include "app/session/settings/settings.h"
 #include "app/session/translation.h"
 #include "app/window/rebuilt_windows.h"
+#include "tests/app/file_dialogs.h"
 #include "tests/app/shapes.h"
 
+#include <QComboBox>
 #include <QDockWidget>
 #include <QMenuBar>
 #include <QPointer>
+#include <QSpinBox>
 #include <QTemporaryDir>
 
 using namespace suffuse;
@@ -144,6 +148,34 @@ private slots:
         QTRY_VERIFY(onlyWindow());
         QTRY_VERIFY_WITH_TIMEOUT(onlyWindow()->canvas().isUpToDate(), waitMs);
         QCOMPARE(threads, 1);
+        delete onlyWindow();
+    }
+
+    /// What windows are built by asks for other ones, and nothing else does.
+    void theSettingsDialogAsksForOtherWindows()
+    {
+        QPointer<MainWindow> window = new MainWindow;
+        window->setAttribute(Qt::WA_DeleteOnClose);
+        window->show();
+        int answered = 0;
+        const auto change = [&](const std::function<void(SettingsDialog &)> &set) {
+            whenAsked<SettingsDialog>(this, answered, [set](SettingsDialog &dialog) {
+                set(dialog);
+                dialog.accept();
+            });
+            onlyWindow()->action(Command::Settings).trigger();
+            QTest::qWait(1); // the action goes with its window, so that comes later
+        };
+        change([](SettingsDialog &dialog) { dialog.backups()->setValue(7); });
+        QCOMPARE(settings::backups(), 7);
+        QCOMPARE(onlyWindow(), window.data());
+        change([](SettingsDialog &dialog) { dialog.threads()->setValue(1); });
+        QTRY_VERIFY(!window && onlyWindow());
+        QPointer<MainWindow> second = onlyWindow();
+        change([](SettingsDialog &dialog) { dialog.language()->setCurrentIndex(dialog.language()->findData("de")); });
+        QTRY_VERIFY(!second && onlyWindow());
+        QCOMPARE(onlyWindow()->menuBar()->actions()[0]->text(), QString("&Datei"));
+        QCOMPARE(answered, 3);
         delete onlyWindow();
     }
 
