@@ -346,6 +346,22 @@ private slots:
         QVERIFY(!hint->isVisible());
     }
 
+    /// With the first key that mends it; nobody has to finish first.
+    void aMessageGoesWhenItsNumberIsTypedAnew()
+    {
+        Bench bench;
+        ColourPanel panel(bench.editor);
+        showAt(panel, {320, 760});
+        panel.activateWindow();
+        QVERIFY(QTest::qWaitForWindowActive(&panel));
+        auto *hint = panel.findChild<HintLabel *>();
+        NumberField *red = panel.rows()->findChildren<NumberField *>().front();
+        type(*red, "#202020");
+        QVERIFY(hint->isVisible());
+        QTest::keyClick(red, Qt::Key_1);
+        QVERIFY(!hint->isVisible());
+    }
+
     void buttonsHaveMnemonicsAndNothingIsSlanted_data()
     {
         QTest::addColumn<QString>("language");
