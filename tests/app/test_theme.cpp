@@ -60,6 +60,7 @@ private slots:
 
     void toolTipsAndOpenMessagesFollow()
     {
+        QToolTip::setPalette(QPalette(Qt::yellow)); // as some platforms give them one
         wear(settings::Theme::Light);
         QMessageBox box(QMessageBox::Warning, "x", "y");
         const QImage light = box.iconPixmap().toImage();
