@@ -81,6 +81,10 @@ private slots:
             const QIcon found = QApplication::style()->standardIcon(standard);
             for (const int side : {12, 16, 48})
                 QCOMPARE(found.pixmap(QSize(side, side), 2.0).size(), QSize(2 * side, 2 * side));
+            // Who asks for a picture instead is given the same one.
+            const int small = QApplication::style()->pixelMetric(QStyle::PM_SmallIconSize);
+            QCOMPARE(QApplication::style()->standardPixmap(standard).toImage(),
+                     found.pixmap(QSize(small, small), 1.0).toImage());
             // Its lines have the palette's colour: they follow the theme.
             const QImage image = found.pixmap(QSize(48, 48), 1.0).toImage();
             bool inked = false;
