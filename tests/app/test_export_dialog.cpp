@@ -406,6 +406,36 @@ private slots:
             Command::Export));
     }
 
+    /// As it was exported last, in whatever session that was.
+    void exportAgainAfterOpening()
+    {
+        Painting painting;
+        painting.strokes.push_back(makeStroke(1, 4, 10));
+        const QString file = m_folder->filePath("a.suffuse"), picture = m_folder->filePath("of a.png");
+        QVERIFY(savePainting(painting, file));
+        ExportSettings settings;
+        settings.path = picture;
+        settings.scale = 64 / painting.canvas.width;
+        settings.numbers = painting.canvas.area();
+        exports::remember(file, settings);
+        MainWindow window;
+        window.show();
+        QVERIFY(window.openFile(file));
+        bool isAsked = false;
+        QTimer::singleShot(0, &window, [&] {
+            if (auto *dialog = qobject_cast<QDialog *>(QApplication::activeModalWidget())) {
+                isAsked = true;
+                dialog->reject();
+            }
+        });
+        window.action(Command::ExportAgain).trigger();
+        QVERIFY(!isAsked);
+        QTRY_VERIFY_WITH_TIMEOUT(window.statusBar()->currentMessage().contains("of a.png") &&
+                                     window.action(Command::ExportAgain).isEnabled(),
+                                 20000);
+        QCOMPARE(QImage(picture).width(), 64);
+    }
+
     void namedAreasAreLookedUpAnew()
     {
         Bench bench;
