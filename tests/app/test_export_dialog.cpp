@@ -8,6 +8,7 @@
 #include "app/window/main_window.h"
 #include "model/painting/influence.h"
 #include "render/backends.h"
+#include "tests/app/file_dialogs.h"
 #include "tests/app/panel_bench.h"
 #include "tests/files.h"
 
@@ -404,6 +405,27 @@ private slots:
                 dialog.reject();
             },
             Command::Export));
+    }
+
+    void browsingAppendsTheEnding()
+    {
+        Bench bench;
+        ExportDialog dialog(bench.editor, shown);
+        dialog.show();
+        QPushButton *browse = nullptr;
+        for (auto *button : dialog.findChildren<QPushButton *>())
+            if (button->text().remove('&').startsWith("Browse"))
+                browse = button;
+        QVERIFY(browse);
+        dialog.path()->setText(m_folder->filePath("picture.tiff"));
+        int answered = 0;
+        for (const auto &[name, wanted] :
+             {std::pair("edited v1.0", "edited v1.0.tiff"), {"22.11.2026", "22.11.2026.tiff"}, {"a.webp", "a.webp"}}) {
+            whenAskedForFile(&dialog, answered, m_folder->filePath(name));
+            browse->click();
+            QCOMPARE(dialog.path()->text(), m_folder->filePath(wanted));
+        }
+        QCOMPARE(answered, 3);
     }
 
     /// As it was exported last, in whatever session that was.
