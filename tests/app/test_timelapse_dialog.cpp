@@ -1,6 +1,7 @@
 // File ▸ Export Timelapse…: films of every kind, mistakes, and a film that is stopped.
 #include "app/dialogs/timelapse_dialog.h"
 #include "app/widgets/section.h"
+#include "tests/app/file_dialogs.h"
 #include "tests/app/selecting.h"
 
 #include <QCheckBox>
@@ -42,6 +43,28 @@ class TestTimelapseDialog : public QObject {
 
 private slots:
     void initTestCase() { qputenv("SUFFUSE_SETTINGS", QDir(m_settings.path()).filePath("settings.ini").toLocal8Bit()); }
+
+    void browsingAppendsTheEnding()
+    {
+        Editor editor;
+        fill(editor);
+        TimelapseDialog dialog(editor, Rect::of(0, 0, 40, 30));
+        dialog.show();
+        QPushButton *browse = nullptr;
+        for (auto *button : dialog.findChildren<QPushButton *>())
+            if (button->text().remove('&').startsWith("Browse"))
+                browse = button;
+        QVERIFY(browse);
+        dialog.path()->setText(m_folder.filePath("film.webp"));
+        int answered = 0;
+        for (const auto &[name, wanted] :
+             {std::pair("film v1.0", "film v1.0.webp"), {"22.11.2026", "22.11.2026.webp"}, {"f.png", "f.png"}}) {
+            whenAskedForFile(&dialog, answered, m_folder.filePath(name));
+            browse->click();
+            QCOMPARE(dialog.path()->text(), m_folder.filePath(wanted));
+        }
+        QCOMPARE(answered, 3);
+    }
 
     void makesFilms_data()
     {
