@@ -12,7 +12,7 @@ namespace {
 
 constexpr int manyRects = 200; ///< of a frame, to be painted together
 /// So many strokes that a drag alters are painted without the others that are selected.
-constexpr std::size_t fewStrokes = 32;
+constexpr std::size_t fewChangedStrokes = 32;
 
 /// Tiles together, neighbours as one.
 QRegion regionOf(std::vector<PixelRect> tiles)
@@ -135,8 +135,8 @@ QRect CanvasWidget::selectionOnScreen() const
 bool CanvasWidget::altersFew(const Change &change)
 {
     const std::optional<double> margin = selectionMargin();
-    const bool mayBe =
-        margin && m_editor.isDragging() && !change.selection && !change.order && change.strokes.size() <= fewStrokes;
+    const bool mayBe = margin && m_editor.isDragging() && !change.selection && !change.order &&
+                       change.strokes.size() <= fewChangedStrokes;
     if (!mayBe) {
         m_altered = {};
         return false;

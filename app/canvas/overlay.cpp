@@ -14,7 +14,7 @@ constexpr double flatness = 0.3;
 constexpr int maxDepth = 40;
 constexpr double beyond = 64; ///< pixels around the window that lines may still run through
 
-Rect windowOf(const View &view)
+Rect canvasWindowOf(const View &view)
 {
     return Rect::of(0, 0, view.width, view.height).grown(beyond);
 }
@@ -61,7 +61,7 @@ void addCurve(QPainterPath &path, const Cubic &cubic, const View &view)
     Cubic pixels;
     for (int i = 0; i < 4; ++i)
         pixels.p[i] = view.toPixels(cubic.p[i]);
-    flatten(path, pixels, windowOf(view), maxDepth);
+    flatten(path, pixels, canvasWindowOf(view), maxDepth);
 }
 
 void paintNode(QPainter &painter, Point p, const OverlayColours &colours, double dpr)
@@ -172,7 +172,7 @@ bool isUpright(const QPolygonF &polygon)
 void paintPasteboard(QPainter &painter, const View &view, const Rect &canvas, const OverlayColours &colours, double dpr)
 {
     constexpr double fade = 12; // logical pixels, border and shadow
-    const Rect window = windowOf(view);
+    const Rect window = canvasWindowOf(view);
     const QPolygonF inside = clippedCorners(view, canvas, window);
     const double f = fade * dpr;
     if (painter.hasClipping() && inside.size() > 2) {

@@ -14,7 +14,7 @@ constexpr std::size_t smoothSegments = 120;
 /// Logical pixels between dots, so that the line is seen between them.
 constexpr double nodeDistance = 10;
 /// So many strokes that change are drawn apart.
-constexpr std::size_t fewStrokes = 64;
+constexpr std::size_t fewOutlines = 64;
 
 /// What of the canvas the view shows, as a box.
 Rect shownBox(const View &view, double beyond)
@@ -91,12 +91,12 @@ bool SelectionOutline::follow(const View &view, const Painting &painting, bool m
         return false;
     std::vector<std::size_t> changed;
     painting.strokes.forEachDifference(m_strokes, [&](std::size_t place) {
-        if (changed.size() <= fewStrokes)
+        if (changed.size() <= fewOutlines)
             changed.push_back(place);
     });
     if (changed.empty())
         return moving || std::none_of(m_shown.begin(), m_shown.end(), [](const Shown &shown) { return shown.apart; });
-    return moving && m_thin && changed.size() <= fewStrokes && followApart(painting.strokes, changed);
+    return moving && m_thin && changed.size() <= fewOutlines && followApart(painting.strokes, changed);
 }
 
 bool SelectionOutline::followApart(const StrokeList &strokes, const std::vector<std::size_t> &changed)

@@ -11,7 +11,7 @@ namespace {
 
 // What is below is multiplied by white where the picture is clear, or screened with black. Bytes are blue, green, red,
 // alpha, premultiplied.
-constexpr const char *fragmentShader = R"(
+constexpr const char *underlayShader = R"(
 uniform sampler2D picture;
 uniform highp float opacity;
 uniform highp float ground;
@@ -32,7 +32,7 @@ bool UnderlayTexture::prepare()
     initializeOpenGLFunctions();
     m_program = std::make_unique<QOpenGLShaderProgram>();
     m_program->addShaderFromSourceCode(QOpenGLShader::Vertex, vertexShader);
-    m_program->addShaderFromSourceCode(QOpenGLShader::Fragment, fragmentShader);
+    m_program->addShaderFromSourceCode(QOpenGLShader::Fragment, underlayShader);
     m_program->bindAttributeLocation("corner", 0);
     if (!m_program->link())
         qWarning("OpenGL shader: %s", qPrintable(m_program->log()));

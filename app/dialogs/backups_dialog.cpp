@@ -18,7 +18,7 @@ namespace suffuse {
 
 namespace {
 
-constexpr int columnGap = 20;
+constexpr int backupColumnGap = 20;
 constexpr QSize usualSize(560, 400); ///< room for three pictures and a little more; low screens have that, too
 /// Larger paintings show the picture in their file or none, since drawing one would take too long.
 constexpr std::size_t mostDrawn = 200'000;
@@ -107,7 +107,7 @@ void BackupsDialog::fillList(const QStringList &files)
         m_list->setCurrentItem(m_list->topLevelItem(0));
     for (const int i : {Saved, Strokes}) {
         m_list->resizeColumnToContents(i);
-        m_list->setColumnWidth(i, m_list->columnWidth(i) + columnGap);
+        m_list->setColumnWidth(i, m_list->columnWidth(i) + backupColumnGap);
     }
 }
 
@@ -139,7 +139,7 @@ void BackupsDialog::showContent(int row, const QImage &picture, const QString &s
     if (!isReadable)
         item->setFlags(Qt::NoItemFlags);
     m_list->resizeColumnToContents(Strokes);
-    m_list->setColumnWidth(Strokes, m_list->columnWidth(Strokes) + columnGap);
+    m_list->setColumnWidth(Strokes, m_list->columnWidth(Strokes) + backupColumnGap);
     updateButton();
 }
 

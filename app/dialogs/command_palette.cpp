@@ -16,10 +16,10 @@ namespace suffuse {
 namespace {
 
 constexpr int keysRole = Qt::UserRole, entryRole = Qt::UserRole + 1, enabledRole = Qt::UserRole + 2;
-constexpr int usualWidth = 560, rowsShown = 12, rowPadding = 4, gap = 12, iconSize = 20;
+constexpr int usualWidth = 560, rowsShown = 12, rowPadding = 4, keysGap = 12, iconSize = 20;
 
 /// Draws the keys at the end of a row, where a menu has them.
-class RowDelegate : public QStyledItemDelegate {
+class PaletteRowDelegate : public QStyledItemDelegate {
 public:
     using QStyledItemDelegate::QStyledItemDelegate;
 
@@ -33,7 +33,7 @@ public:
         const QString keys = index.data(keysRole).toString();
         QStyleOptionViewItem option = given;
         initStyleOption(&option, index);
-        const int width = keys.isEmpty() ? 0 : option.fontMetrics.horizontalAdvance(keys) + 2 * gap;
+        const int width = keys.isEmpty() ? 0 : option.fontMetrics.horizontalAdvance(keys) + 2 * keysGap;
         const QStyle *style = option.widget ? option.widget->style() : QApplication::style();
         const QString title = option.text;
         option.text.clear();
@@ -42,7 +42,8 @@ public:
         const bool selected = option.state & QStyle::State_Selected, enabled = index.data(enabledRole).toBool();
         const QPalette::ColorGroup group = enabled ? QPalette::Active : QPalette::Disabled;
         painter->setPen(option.palette.color(group, selected ? QPalette::HighlightedText : QPalette::Text));
-        const QRect room = option.rect.adjusted(gap / 2 + option.decorationSize.width() + gap / 2, 0, -gap, 0);
+        const QRect room =
+            option.rect.adjusted(keysGap / 2 + option.decorationSize.width() + keysGap / 2, 0, -keysGap, 0);
         const QRect left = room.adjusted(0, 0, -width, 0);
         painter->drawText(left, Qt::AlignVCenter | Qt::AlignLeft,
                           option.fontMetrics.elidedText(title, Qt::ElideMiddle, left.width()));
@@ -117,7 +118,7 @@ CommandPalette::CommandPalette(std::vector<PaletteEntry> entries, QWidget *paren
     m_list = new QListWidget(this);
     m_list->setAccessibleName(tr("Found"));
     m_list->setToolTip(tr("Click one to run it."));
-    m_list->setItemDelegate(new RowDelegate(m_list));
+    m_list->setItemDelegate(new PaletteRowDelegate(m_list));
     m_list->setIconSize(QSize(iconSize, iconSize));
     m_list->setUniformItemSizes(true);
     m_list->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);

@@ -23,7 +23,7 @@ namespace suffuse {
 
 namespace {
 
-constexpr double farthest = 1e7; ///< canvas units
+constexpr double farthestArea = 1e7; ///< canvas units
 
 /// The area that the selected strokes ever reach.
 Rect reachOf(const Document &document)
@@ -128,7 +128,7 @@ void AreaRow::addNumbers(QWidget *parent)
     for (std::size_t i = 0; i < 4; ++i) {
         auto *label = new QLabel(names[i].first, m_line);
         auto *box = new QDoubleSpinBox(m_line);
-        box->setRange(i < 2 ? -farthest : 0.01, farthest);
+        box->setRange(i < 2 ? -farthestArea : 0.01, farthestArea);
         box->setDecimals(2);
         box->setKeyboardTracking(false);
         box->setButtonSymbols(QAbstractSpinBox::NoButtons);
@@ -338,7 +338,8 @@ QString suggestedExportPath(const Editor &editor, QStandardPaths::StandardLocati
         folder = isNew ? QStandardPaths::writableLocation(place) : document.absolutePath();
     if (!QDir(folder).exists())
         folder = QDir::homePath();
-    const QString name = isNew ? QCoreApplication::translate("suffuse::ExportDialog", "painting") : document.completeBaseName();
+    const QString name =
+        isNew ? QCoreApplication::translate("suffuse::ExportDialog", "painting") : document.completeBaseName();
     return QDir(folder).filePath(name + QLatin1Char('.') + ending);
 }
 

@@ -29,7 +29,7 @@ QJsonObject objectIn(const QString &key)
 }
 
 /// Makes a key of a name. Some names are paths, which have characters that keys cannot have.
-QString keyOf(const QString &group, const QString &name)
+QString settingOf(const QString &group, const QString &name)
 {
     return group + QLatin1Char('/') +
            QString::fromLatin1(QCryptographicHash::hash(name.toUtf8(), QCryptographicHash::Sha1).toHex().left(16));
@@ -135,7 +135,7 @@ std::optional<ExportSettings> last()
 
 std::optional<ExportSettings> lastOf(const QString &document)
 {
-    return document.isEmpty() ? std::nullopt : ExportSettings::fromJson(objectIn(keyOf(documentsGroup, document)));
+    return document.isEmpty() ? std::nullopt : ExportSettings::fromJson(objectIn(settingOf(documentsGroup, document)));
 }
 
 void remember(const QString &document, const ExportSettings &settings)
@@ -145,7 +145,7 @@ void remember(const QString &document, const ExportSettings &settings)
     if (document.isEmpty())
         return;
     object["at"] = QDateTime::currentSecsSinceEpoch();
-    settings::store().setValue(keyOf(documentsGroup, document), stored(object));
+    settings::store().setValue(settingOf(documentsGroup, document), stored(object));
     QStringList keys = keysOf(documentsGroup);
     if (keys.size() <= mostDocuments)
         return;
@@ -166,7 +166,7 @@ QStringList presets()
 
 std::optional<ExportSettings> preset(const QString &name)
 {
-    return ExportSettings::fromJson(objectIn(keyOf(presetsGroup, name)));
+    return ExportSettings::fromJson(objectIn(settingOf(presetsGroup, name)));
 }
 
 void setPreset(const QString &name, const ExportSettings &settings)
@@ -174,12 +174,12 @@ void setPreset(const QString &name, const ExportSettings &settings)
     QJsonObject object = settings.toJson();
     object["name"] = name;
     object["path"] = QStringLiteral("picture.") + settings.path.section(QLatin1Char('.'), -1);
-    settings::store().setValue(keyOf(presetsGroup, name), stored(object));
+    settings::store().setValue(settingOf(presetsGroup, name), stored(object));
 }
 
 void removePreset(const QString &name)
 {
-    settings::store().remove(keyOf(presetsGroup, name));
+    settings::store().remove(settingOf(presetsGroup, name));
 }
 
 } // namespace exports

@@ -22,7 +22,7 @@ namespace {
 const char ownShortcuts[] = "suffuseOwnShortcuts";
 constexpr int roomBeside = 80; ///< room for margins and scroll bar beside the list's columns
 
-QString keyOf(const QAction *action)
+QString shortcutOf(const QAction *action)
 {
     const QString name = action->objectName().isEmpty() ? action->text().remove('&') : action->objectName();
     return QStringLiteral("shortcuts/") + QString::fromLatin1(name.toUtf8().toPercentEncoding());
@@ -41,7 +41,7 @@ void applyStoredShortcuts(const QList<QAction *> &actions)
     for (QAction *action : actions) {
         if (!action->property(ownShortcuts).isValid())
             action->setProperty(ownShortcuts, QVariant::fromValue(action->shortcuts()));
-        const QVariant stored = settings::store().value(keyOf(action));
+        const QVariant stored = settings::store().value(shortcutOf(action));
         if (stored.isValid())
             action->setShortcuts(QKeySequence::listFromString(stored.toString(), QKeySequence::PortableText));
         else
@@ -288,9 +288,9 @@ void ShortcutsDialog::accept()
     for (QAction *action : m_actions) {
         action->setShortcuts(m_chosen[action]);
         if (m_chosen[action] == ownShortcutsOf(action))
-            settings::store().remove(keyOf(action));
+            settings::store().remove(shortcutOf(action));
         else
-            settings::store().setValue(keyOf(action),
+            settings::store().setValue(shortcutOf(action),
                                        QKeySequence::listToString(m_chosen[action], QKeySequence::PortableText));
     }
     settings::store().sync();

@@ -6,7 +6,7 @@ namespace suffuse {
 
 namespace {
 
-constexpr int tickMs = 16;
+constexpr int clockTickMs = 16;
 
 } // namespace
 
@@ -116,7 +116,7 @@ void PaintingClock::start()
         return;
     m_running = true;
     m_since.start();
-    m_timer.start(tickMs, Qt::PreciseTimer, this);
+    m_timer.start(clockTickMs, Qt::PreciseTimer, this);
 }
 
 void PaintingClock::stop()

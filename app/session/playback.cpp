@@ -10,7 +10,7 @@ namespace suffuse {
 
 namespace {
 
-constexpr int tickMs = 16;
+constexpr int playbackTickMs = 16;
 constexpr Microseconds keptOfPauses = 500'000;
 
 } // namespace
@@ -34,7 +34,7 @@ void Playback::play()
         m_editor.clock().lookAt(m_editor.clock().shown());
     m_rest = 0;
     m_since.start();
-    m_timer.start(tickMs, Qt::PreciseTimer, this);
+    m_timer.start(playbackTickMs, Qt::PreciseTimer, this);
     emit stateChanged();
 }
 

@@ -1,7 +1,7 @@
 // The attribute brush's row over the canvas.
-#include "app/widgets/quantity.h"
 #include "app/tools/attribute_brush_tool.h"
 #include "app/tools/tool_fields.h"
+#include "app/widgets/quantity.h"
 
 #include <QComboBox>
 #include <QHBoxLayout>
@@ -27,7 +27,7 @@ Quantity quantityOf(Attribute attribute)
     }
 }
 
-QString nameOf(Attribute attribute)
+QString attributeNameOf(Attribute attribute)
 {
     return attribute == Attribute::Colour ? AttributeBrushTool::tr("Colour") : specOf(quantityOf(attribute)).name;
 }
@@ -61,7 +61,7 @@ QWidget *AttributeBrushTool::options()
     QHBoxLayout *row = toolRow(m_options);
     m_attributes = new QComboBox(m_options);
     for (const Attribute attribute : allAttributes)
-        m_attributes->addItem(nameOf(attribute));
+        m_attributes->addItem(attributeNameOf(attribute));
     m_attributes->setToolTip(tr("What is painted onto the segments"));
     m_attributes->setAccessibleName(m_attributes->toolTip());
     row->addWidget(m_attributes);

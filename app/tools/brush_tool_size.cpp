@@ -12,7 +12,7 @@ namespace suffuse {
 
 namespace {
 
-constexpr double sizeStep = 1.189207115002721; ///< four double it
+constexpr double brushSizeStep = 1.189207115002721; ///< four double it
 constexpr double opacityStep = 0.1;
 constexpr double leastSpread = 1e-7;
 constexpr double greatestSpread = 1e5;
@@ -31,7 +31,7 @@ QString noteOf(Quantity quantity, double value)
 
 void BrushTool::stepSize(int steps)
 {
-    scaleSize(std::pow(sizeStep, steps));
+    scaleSize(std::pow(brushSizeStep, steps));
 }
 
 void BrushTool::stepOpacity(int steps)

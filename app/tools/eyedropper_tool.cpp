@@ -15,9 +15,9 @@ namespace suffuse {
 
 namespace {
 
-constexpr double ringRadius = 26; ///< logical pixels
-constexpr double ringWidth = 10;  ///< logical pixels
-constexpr double slack = 3;       ///< logical pixels around the pointer in which hairlines are found
+constexpr double ringRadius = 26;   ///< logical pixels
+constexpr double ringWidth = 10;    ///< logical pixels
+constexpr double hairlineSlack = 3; ///< logical pixels around the pointer in which hairlines are found
 
 } // namespace
 
@@ -61,7 +61,7 @@ void ColourPicker::move(const PointerEvent &event)
         return;
     m_pixel = event.pixel;
     if (event.modifiers & Qt::ShiftModifier) {
-        const double tolerance = slack * m_canvas.devicePixelRatioF() / m_canvas.view().scale;
+        const double tolerance = hairlineSlack * m_canvas.devicePixelRatioF() / m_canvas.view().scale;
         if (const auto colour = strokeColourAt(m_editor, event.point, tolerance))
             m_editor.setColour(*colour);
     } else if (auto colour = pictureColourAt(m_editor, event.point)) {

@@ -13,7 +13,7 @@ namespace suffuse {
 
 namespace {
 
-constexpr double angleStep = std::numbers::pi / 12; ///< of the line with Ctrl
+constexpr double cutAngleStep = std::numbers::pi / 12; ///< of the line with Ctrl
 
 } // namespace
 
@@ -42,7 +42,7 @@ void KnifeTool::aim(const PointerEvent &event)
     if (event.modifiers & Qt::ControlModifier) {
         const View &view = m_canvas.view();
         const Point from = view.toPixels(m_from), arm = event.pixel - from;
-        const double angle = angleStep * std::round(std::atan2(arm.y, arm.x) / angleStep);
+        const double angle = cutAngleStep * std::round(std::atan2(arm.y, arm.x) / cutAngleStep);
         m_to = view.toCanvas(from + length(arm) * Point{std::cos(angle), std::sin(angle)});
     }
     m_canvas.updateOverlay();

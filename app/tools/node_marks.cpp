@@ -9,10 +9,10 @@ namespace suffuse {
 
 namespace {
 
-constexpr double leastGap = 24;    ///< logical pixels between nodes that are shown
-constexpr double nodeRadius = 4;   ///< logical pixels
-constexpr double handleRadius = 3; ///< logical pixels
-constexpr double leastHandle = 2;  ///< logical pixels; shorter ones are drawn in
+constexpr double leastGap = 24;        ///< logical pixels between nodes that are shown
+constexpr double nodeRadius = 4;       ///< logical pixels
+constexpr double handleMarkRadius = 3; ///< logical pixels
+constexpr double leastHandle = 2;      ///< logical pixels; shorter ones are drawn in
 constexpr std::size_t manyMarks = 2000;
 constexpr std::size_t manySelected = 500;
 constexpr double place = 10; ///< logical pixels that a mark has for itself where there are many
@@ -176,7 +176,7 @@ void NodeMarks::paint(QPainter &painter, const OverlayColours &colours, const Hi
     }
     strokeTwoTone(painter, lines, colours.accent, m_dpr);
     for (const HandleMark &mark : m_handles) {
-        const double r = (hovered.handle == mark.handle ? handleRadius + 1.5 : handleRadius) * m_dpr;
+        const double r = (hovered.handle == mark.handle ? handleMarkRadius + 1.5 : handleMarkRadius) * m_dpr;
         painter.setPen(QPen(Qt::white, m_dpr));
         painter.setBrush(colours.accent);
         painter.drawEllipse(QPointF(mark.pixel.x, mark.pixel.y), r, r);

@@ -11,7 +11,7 @@ namespace suffuse {
 
 namespace {
 
-constexpr double angleStep = std::numbers::pi / 12; ///< of handles with Ctrl
+constexpr double handleAngleStep = std::numbers::pi / 12; ///< of handles with Ctrl
 
 /// A move on screen along one of its axes: the longer part of it.
 Point alongAxis(Point pixels)
@@ -109,7 +109,7 @@ void NodeTool::dragHandle(const PointerEvent &event)
     if (event.modifiers & Qt::ControlModifier) {
         const Point centre = view.toPixels(nodePosition(*grabbed, node.node));
         const Point arm = view.toPixels(to) - centre;
-        const double angle = angleStep * std::round(std::atan2(arm.y, arm.x) / angleStep);
+        const double angle = handleAngleStep * std::round(std::atan2(arm.y, arm.x) / handleAngleStep);
         to = view.toCanvas(centre + length(arm) * Point{std::cos(angle), std::sin(angle)});
     }
     const bool breaks = event.modifiers & Qt::ShiftModifier;

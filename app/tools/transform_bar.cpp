@@ -18,8 +18,8 @@ namespace suffuse {
 
 namespace {
 
-constexpr double farthest = 1e9; ///< canvas units
-constexpr double smallest = 1e-6;
+constexpr double farthestBox = 1e9; ///< canvas units
+constexpr double smallestBox = 1e-6;
 
 } // namespace
 
@@ -67,7 +67,7 @@ NumberField *TransformBar::addField(QHBoxLayout &row, Number number, const QStri
     field->setAccessibleName(tip);
     field->setFixedWidth(fontMetrics().horizontalAdvance(QStringLiteral("00000.000")) + 12);
     const bool size = number == Number::Width || number == Number::Height;
-    field->setRange(size ? smallest : -farthest, farthest);
+    field->setRange(size ? smallestBox : -farthestBox, farthestBox);
     field->setStep(1);
     row.addSpacing(4);
     row.addWidget(name);

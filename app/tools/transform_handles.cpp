@@ -13,7 +13,7 @@ using Kind = TransformHandle::Kind;
 constexpr double standOff = 11;      ///< logical pixels between the box and the middle of a handle
 constexpr double hitRadius = 9;      ///< logical pixels
 constexpr double roomForMiddle = 34; ///< logical pixels of a side with a handle in its middle
-constexpr double turnStep = std::numbers::pi / 12;
+constexpr double turnAngleStep = std::numbers::pi / 12;
 
 Point unit(Point v)
 {
@@ -188,7 +188,7 @@ Affine TransformHandles::rotation(const TransformHandle &handle, Point from, Poi
     const Point a = from - fixed, b = to - fixed;
     double angle = std::atan2(cross(a, b), dot(a, b));
     if (modifiers & Qt::ControlModifier)
-        angle = turnStep * std::round(angle / turnStep);
+        angle = turnAngleStep * std::round(angle / turnAngleStep);
     return Affine::rotation(fixed, angle);
 }
 
@@ -202,7 +202,8 @@ Affine TransformHandles::skewing(const TransformHandle &handle, Point by, Qt::Ke
         return {};
     double k = (alongX ? by.x : by.y) / lever;
     if (modifiers & Qt::ControlModifier)
-        k = std::tan(std::clamp(turnStep * std::round(std::atan(k) / turnStep), -5 * turnStep, 5 * turnStep));
+        k = std::tan(std::clamp(turnAngleStep * std::round(std::atan(k) / turnAngleStep), -5 * turnAngleStep,
+                                5 * turnAngleStep));
     return Affine::skew(fixed, alongX ? k : 0, alongX ? 0 : k);
 }
 

@@ -14,8 +14,8 @@ namespace suffuse {
 
 namespace {
 
-constexpr double gap = 9;       ///< logical pixels from the visible edge to the handle's middle
-constexpr double hitRadius = 8; ///< logical pixels
+constexpr double handleGap = 9;      ///< logical pixels from the visible edge to the handle's middle
+constexpr double widthHitRadius = 8; ///< logical pixels
 constexpr double markRadius = 4.5;
 
 } // namespace
@@ -62,7 +62,7 @@ std::optional<WidthHandle::Place> WidthHandle::place() const
 Point WidthHandle::pixelOf(const Place &place, const View &view, double dpr) const
 {
     // The handle keeps a distance on screen: where the stroke is thin, its nodes stay free.
-    const double distance = place.width + gap * dpr / view.scale;
+    const double distance = place.width + handleGap * dpr / view.scale;
     return view.toPixels(place.middle + distance * place.normal);
 }
 
@@ -70,7 +70,7 @@ bool WidthHandle::isAt(Point pixel) const
 {
     const std::optional<Place> at = place();
     const double dpr = m_canvas.devicePixelRatioF();
-    return at && length(pixel - pixelOf(*at, m_canvas.view(), dpr)) <= hitRadius * dpr;
+    return at && length(pixel - pixelOf(*at, m_canvas.view(), dpr)) <= widthHitRadius * dpr;
 }
 
 bool WidthHandle::press(const PointerEvent &event)
@@ -159,7 +159,7 @@ double WidthHandle::reach() const
 {
     const std::optional<Place> at = place();
     const double dpr = m_canvas.devicePixelRatioF();
-    return at ? at->width * m_canvas.view().scale + (gap + 2 * hitRadius) * dpr : 0;
+    return at ? at->width * m_canvas.view().scale + (handleGap + 2 * widthHitRadius) * dpr : 0;
 }
 
 void WidthHandle::paint(QPainter &painter, const View &view, double dpr) const

@@ -14,7 +14,7 @@ namespace suffuse {
 
 namespace {
 
-constexpr double handleRadius = 6.5;
+constexpr double sliderHandleRadius = 6.5;
 constexpr int leastWidth = 90; // a narrower bar cannot be dragged finely
 
 void paintChecks(QPainter &painter, const QRectF &rect)
@@ -64,7 +64,7 @@ QSize BarSlider::minimumSizeHint() const
 QRectF BarSlider::track() const
 {
     const double thickness = m_gradient ? 10 : 4;
-    return {handleRadius + 1, 0.5 * (height() - thickness), width() - 2 * handleRadius - 2, thickness};
+    return {sliderHandleRadius + 1, 0.5 * (height() - thickness), width() - 2 * sliderHandleRadius - 2, thickness};
 }
 
 int BarSlider::positionAt(double x) const
@@ -84,7 +84,7 @@ void BarSlider::mousePressEvent(QMouseEvent *event)
     // A press on the handle takes hold of it without a jump; a press elsewhere jumps there.
     const QRectF bar = track();
     const double handle = bar.left() + bar.width() * sliderPosition() / steps;
-    if (m_mixed || std::abs(event->position().x() - handle) > handleRadius)
+    if (m_mixed || std::abs(event->position().x() - handle) > sliderHandleRadius)
         setSliderPosition(positionAt(event->position().x()));
 }
 
@@ -151,7 +151,7 @@ void BarSlider::paintEvent(QPaintEvent *)
     const bool strong = hasFocus() || isSliderDown();
     painter.setPen(QPen(strong ? colours.color(QPalette::Highlight) : colours.color(QPalette::Dark), strong ? 2 : 1.2));
     painter.setBrush(isDarkTheme() ? QColor(0xE3, 0xE4, 0xE6) : QColor(Qt::white));
-    painter.drawEllipse(QPointF(x, 0.5 * height()), handleRadius - 0.5, handleRadius - 0.5);
+    painter.drawEllipse(QPointF(x, 0.5 * height()), sliderHandleRadius - 0.5, sliderHandleRadius - 0.5);
 }
 
 } // namespace suffuse

@@ -11,9 +11,9 @@
 namespace suffuse {
 
 namespace {
-constexpr double margin = 10;
+constexpr double fieldMargin = 10;
 constexpr double knotRadius = 4.5;
-constexpr double gap = 4; ///< between field and texts
+constexpr double textGap = 4; ///< between field and texts
 } // namespace
 
 CurveField::CurveField(QWidget *parent) : QWidget(parent)
@@ -39,10 +39,10 @@ void CurveField::setUpsideDown(bool upsideDown)
 
 QRectF CurveField::field() const
 {
-    const double line = fontMetrics().height() + gap;
+    const double line = fontMetrics().height() + textGap;
     const bool under = !m_left.isEmpty() || !m_right.isEmpty();
-    return QRectF(rect()).adjusted(margin, margin + (m_above.isEmpty() ? 0 : line), -margin,
-                                   -margin - (under ? line : 0));
+    return QRectF(rect()).adjusted(fieldMargin, fieldMargin + (m_above.isEmpty() ? 0 : line), -fieldMargin,
+                                   -fieldMargin - (under ? line : 0));
 }
 
 QPointF CurveField::toWidget(QPointF at) const
@@ -85,8 +85,8 @@ void CurveField::paintField(QPainter &painter) const
     painter.setPen(colours.color(QPalette::PlaceholderText));
     const QRectF f = field();
     const double line = fontMetrics().height();
-    const QRectF under(f.left(), f.bottom() + gap, f.width(), line);
-    painter.drawText(QRectF(f.left(), f.top() - line - gap, f.width(), line), Qt::AlignLeft, m_above);
+    const QRectF under(f.left(), f.bottom() + textGap, f.width(), line);
+    painter.drawText(QRectF(f.left(), f.top() - line - textGap, f.width(), line), Qt::AlignLeft, m_above);
     painter.drawText(under, Qt::AlignLeft, m_left);
     painter.drawText(under, Qt::AlignRight, m_right);
 }

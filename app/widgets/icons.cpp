@@ -13,7 +13,7 @@ namespace suffuse {
 namespace {
 
 /// The file of an outline, on a 24 × 24 grid and in "currentColor"; empty if there is none.
-QByteArray outlineOf(const QString &name)
+QByteArray svgOf(const QString &name)
 {
     return QResource(QStringLiteral(":/outlines/%1.svg").arg(name)).uncompressedData();
 }
@@ -62,7 +62,7 @@ private:
 
 QIcon icon(const QString &name)
 {
-    const QByteArray outline = outlineOf(name);
+    const QByteArray outline = svgOf(name);
     return outline.isEmpty() ? QIcon() : QIcon(new DrawingEngine(outline));
 }
 

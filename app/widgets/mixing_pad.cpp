@@ -22,8 +22,8 @@ namespace suffuse {
 namespace {
 
 constexpr int tallest = 360;             ///< logical pixels: makes the pad about square in a wide dock
-constexpr std::size_t mostStrokes = 200; ///< older strokes lie below them, as a picture
-constexpr Microseconds sampleTime = 16'000;
+constexpr std::size_t mostMixedStrokes = 200; ///< older strokes lie below them, as a picture
+constexpr Microseconds mixingSampleTime = 16'000;
 constexpr float pigment = 0.7f; ///< β of the painted strokes
 constexpr float uptake = 0.15f; ///< share of the paint below that the rubbing brush takes up with each sample
 
@@ -95,7 +95,7 @@ void MixingPad::press(QPointF at, double pressure, Mode mode)
 
 void MixingPad::add(QPointF at, double pressure)
 {
-    m_time += sampleTime;
+    m_time += mixingSampleTime;
     if (m_hand == Mode::Rub) {
         const Colour there = colourOf(m_before, (at * devicePixelRatioF()).toPoint());
         m_carried.push_back({m_time, between(m_carried.back().colour, there, uptake)});
@@ -121,7 +121,7 @@ void MixingPad::release()
     if (StrokePtr stroke = strokeInHand())
         m_strokes.push_back(std::move(stroke));
     m_builder.reset();
-    if (m_strokes.size() > mostStrokes)
+    if (m_strokes.size() > mostMixedStrokes)
         m_strokes.erase(m_strokes.begin());
     draw();
     emit clearChanged();

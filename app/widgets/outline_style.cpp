@@ -9,7 +9,7 @@ namespace suffuse {
 namespace {
 
 /// The outline that takes the place of one of Qt's pictures; null if there is none.
-const char *outlineOf(QStyle::StandardPixmap standard)
+const char *outlineNameOf(QStyle::StandardPixmap standard)
 {
     switch (standard) {
     case QStyle::SP_TitleBarNormalButton:
@@ -101,13 +101,13 @@ OutlineStyle::OutlineStyle() : QProxyStyle(QStringLiteral("Fusion")) {}
 
 QIcon OutlineStyle::standardIcon(StandardPixmap standard, const QStyleOption *option, const QWidget *widget) const
 {
-    const char *outline = outlineOf(standard);
+    const char *outline = outlineNameOf(standard);
     return outline ? icon(outline) : QProxyStyle::standardIcon(standard, option, widget);
 }
 
 QPixmap OutlineStyle::standardPixmap(StandardPixmap standard, const QStyleOption *option, const QWidget *widget) const
 {
-    const char *outline = outlineOf(standard);
+    const char *outline = outlineNameOf(standard);
     if (!outline)
         return QProxyStyle::standardPixmap(standard, option, widget);
     const int side = pixelMetric(PM_SmallIconSize, option, widget);

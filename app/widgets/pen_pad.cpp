@@ -10,8 +10,8 @@
 namespace suffuse {
 
 namespace {
-constexpr std::size_t mostStrokes = 60;
-constexpr Microseconds sampleTime = 8'000; ///< time from one report to the next, about that of pens
+constexpr std::size_t mostTriedStrokes = 60;
+constexpr Microseconds penSampleTime = 8'000; ///< time from one report to the next, about that of pens
 } // namespace
 
 PenPad::PenPad(const Brush &brush, QWidget *parent) : QWidget(parent), m_brush(brush)
@@ -41,7 +41,7 @@ void PenPad::press(QPointF at, double pressure)
 
 void PenPad::add(QPointF at, double pressure)
 {
-    m_time += sampleTime;
+    m_time += penSampleTime;
     m_builder->add({.position = {at.x(), at.y()}, .time = m_time, .pressure = float(pressure)});
     draw();
 }
@@ -55,7 +55,7 @@ void PenPad::release()
     if (StrokePtr stroke = m_builder->stroke())
         m_strokes.push_back(std::move(stroke));
     m_builder.reset();
-    if (m_strokes.size() > mostStrokes)
+    if (m_strokes.size() > mostTriedStrokes)
         m_strokes.erase(m_strokes.begin());
     draw();
 }

@@ -12,7 +12,7 @@ namespace suffuse {
 
 namespace {
 
-constexpr int gap = 16;
+constexpr int gapBeside = 16;
 
 /// The frame that a window manager puts around a window's contents. Where it is not known, at least a title is assumed.
 QMargins frameOf(const QWidget &window)
@@ -28,10 +28,10 @@ QMargins frameOf(const QWidget &window)
 QPoint placeBeside(QSize size, const QRect &what, const QRect &screen)
 {
     const QPoint middle = what.center() - QPoint(size.width() / 2, size.height() / 2);
-    const QPoint wishes[] = {{what.right() + gap, middle.y()},
-                             {what.left() - gap - size.width(), middle.y()},
-                             {middle.x(), what.bottom() + gap},
-                             {middle.x(), what.top() - gap - size.height()}};
+    const QPoint wishes[] = {{what.right() + gapBeside, middle.y()},
+                             {what.left() - gapBeside - size.width(), middle.y()},
+                             {middle.x(), what.bottom() + gapBeside},
+                             {middle.x(), what.top() - gapBeside - size.height()}};
     const auto within = [&](QPoint wish) {
         return QPoint(std::max(screen.left(), std::min(wish.x(), screen.right() + 1 - size.width())),
                       std::max(screen.top(), std::min(wish.y(), screen.bottom() + 1 - size.height())));

@@ -15,7 +15,7 @@ namespace suffuse {
 namespace {
 constexpr double reach = 10;     ///< the pointer takes hold of a point within so many logical pixels
 constexpr double outside = 30;   ///< a point dragged so far beyond the field is taken away
-constexpr float between = 0.01f; ///< least distance between points
+constexpr float pointsApart = 0.01f; ///< least distance between points
 } // namespace
 
 void ResponseEditor::setCurve(const ResponseCurve &curve)
@@ -55,8 +55,8 @@ void ResponseEditor::mousePressEvent(QMouseEvent *event)
         const QPointF at = fromWidget(event->position());
         const auto next = std::find_if(points.begin(), points.end(), [&](Offset p) { return double(p.x) > at.x(); });
         const bool room = points.size() < ResponseCurve::mostPoints &&
-                          (next == points.end() || double(next->x) - at.x() > double(between)) &&
-                          (next == points.begin() || at.x() - double(std::prev(next)->x) > double(between));
+                          (next == points.end() || double(next->x) - at.x() > double(pointsApart)) &&
+                          (next == points.begin() || at.x() - double(std::prev(next)->x) > double(pointsApart));
         if (!room)
             return;
         m_point = std::size_t(next - points.begin());
@@ -81,8 +81,8 @@ void ResponseEditor::mouseMoveEvent(QMouseEvent *event)
 void ResponseEditor::movePoint(QPointF to)
 {
     auto &points = m_curve.points;
-    const float low = m_point > 0 ? points[m_point - 1].x + between : 0;
-    const float high = m_point + 1 < points.size() ? points[m_point + 1].x - between : 1;
+    const float low = m_point > 0 ? points[m_point - 1].x + pointsApart : 0;
+    const float high = m_point + 1 < points.size() ? points[m_point + 1].x - pointsApart : 1;
     points[m_point] = {std::clamp(float(to.x()), std::min(low, high), high), float(std::clamp(to.y(), 0.0, 1.0))};
     update();
 }

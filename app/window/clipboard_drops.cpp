@@ -13,11 +13,11 @@ namespace suffuse {
 
 namespace {
 
-constexpr double slack = 3; ///< logical pixels around the pointer in which hairlines are found
+constexpr double dropSlack = 3; ///< logical pixels around the pointer in which hairlines are found
 
 std::optional<SegmentRef> strokeAt(CanvasWidget &canvas, Point point)
 {
-    const double tolerance = slack * canvas.devicePixelRatioF() / canvas.view().scale;
+    const double tolerance = dropSlack * canvas.devicePixelRatioF() / canvas.view().scale;
     return pickTopmost(*canvas.editor().document().painting(), canvas.editor().clock().time(), point, tolerance);
 }
 

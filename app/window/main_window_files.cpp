@@ -61,7 +61,7 @@ QString folderNear(const Editor &editor)
 }
 
 /// That shows this file, by whatever name and links it was opened.
-MainWindow *windowOf(const QString &path)
+MainWindow *windowWith(const QString &path)
 {
     const QString file = QFileInfo(path).canonicalFilePath();
     if (file.isEmpty())
@@ -110,7 +110,7 @@ void MainWindow::chooseFileToOpen()
 
 MainWindow *MainWindow::openFile(const QString &path)
 {
-    if (MainWindow *window = windowOf(path)) { // twice would be as if another program changed it
+    if (MainWindow *window = windowWith(path)) { // twice would be as if another program changed it
         window->setWindowState(window->windowState() & ~Qt::WindowMinimized);
         window->raise();
         window->activateWindow();
@@ -172,7 +172,7 @@ QString MainWindow::askForFile(const QString &title, const QString &proposal)
     const QList<FileKind> kinds{{tr("Suffuse painting"), {"suffuse"}}, {tr("Text form"), {"json"}}};
     for (QString path = proposal;;) {
         path = chooseFileToSave(this, title, path, kinds);
-        const MainWindow *other = path.isEmpty() ? nullptr : windowOf(path);
+        const MainWindow *other = path.isEmpty() ? nullptr : windowWith(path);
         if (!other || other == this)
             return path;
         showError(this, tr("“%1” is open in another window. Choose another name, or close that window first.")

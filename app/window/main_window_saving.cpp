@@ -23,7 +23,7 @@ namespace {
 
 constexpr int quietMs = 300; ///< of waiting before it is said
 constexpr int shownMs = 6'000;
-constexpr int laterMs = 500;
+constexpr int saveLaterMs = 500;
 
 } // namespace
 
@@ -201,7 +201,7 @@ void MainWindow::fileChangedOutside(const QByteArray &hash)
     if (m_asking || m_editor.isSaving() || hash == m_editor.fileHash())
         return;                                           // saving looks for itself
     if (m_canvas->tool() && m_canvas->tool()->isBusy()) { // not in the middle of a stroke
-        QTimer::singleShot(laterMs, this, [this, hash] { fileChangedOutside(hash); });
+        QTimer::singleShot(saveLaterMs, this, [this, hash] { fileChangedOutside(hash); });
         return;
     }
     m_asking = true;

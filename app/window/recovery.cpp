@@ -18,7 +18,7 @@ namespace suffuse {
 
 namespace {
 
-constexpr int columnGap = 20;
+constexpr int recoveredColumnGap = 20;
 /// Larger ones are listed without a picture: it would take too long.
 constexpr std::size_t mostPictured = 200'000;
 
@@ -89,7 +89,7 @@ void RecoveryDialog::fillList()
     }
     for (int i = 0; i < 3; ++i) {
         m_list->resizeColumnToContents(i);
-        m_list->setColumnWidth(i, m_list->columnWidth(i) + columnGap);
+        m_list->setColumnWidth(i, m_list->columnWidth(i) + recoveredColumnGap);
     }
 }
 

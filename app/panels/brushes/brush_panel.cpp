@@ -65,7 +65,7 @@ QIcon previewIcon(const QImage &stroke, double ratio, int key)
     return result;
 }
 
-QString nameOf(const QListWidgetItem *item)
+QString brushNameOf(const QListWidgetItem *item)
 {
     return item->data(Qt::UserRole).toString();
 }
@@ -155,7 +155,7 @@ void BrushPanel::addList(QVBoxLayout &column)
     connect(m_list, &QListWidget::currentItemChanged, this, [this](QListWidgetItem *item) {
         if (!item || item->data(headingRole).toBool())
             return;
-        BrushLibrary::instance().use(m_editor, nameOf(item));
+        BrushLibrary::instance().use(m_editor, brushNameOf(item));
         if (!(QApplication::mouseButtons() & Qt::RightButton))
             emit chosen();
     });
@@ -232,14 +232,14 @@ void BrushPanel::resizeEvent(QResizeEvent *event)
 QListWidgetItem *BrushPanel::itemOf(const QString &name) const
 {
     for (int row = 0; row < m_list->count(); ++row)
-        if (!m_list->item(row)->data(headingRole).toBool() && nameOf(m_list->item(row)) == name)
+        if (!m_list->item(row)->data(headingRole).toBool() && brushNameOf(m_list->item(row)) == name)
             return m_list->item(row);
     return nullptr;
 }
 
 void BrushPanel::setPicture(QListWidgetItem *item)
 {
-    const QString name = nameOf(item);
+    const QString name = brushNameOf(item);
     const int key = int(BrushLibrary::instance().favourites().indexOf(name)) + 1;
     item->setIcon(previewIcon(m_drawn.value(name).image, devicePixelRatioF(), key));
 }
@@ -334,7 +334,7 @@ void BrushPanel::schedulePreviews()
     const bool idle = m_pending.empty();
     m_pending.clear();
     for (int row = m_list->count() - 1; row >= 0; --row) {
-        const Brush *brush = BrushLibrary::instance().find(nameOf(m_list->item(row)));
+        const Brush *brush = BrushLibrary::instance().find(brushNameOf(m_list->item(row)));
         if (brush && !(m_drawn.contains(brush->name) && m_drawn.value(brush->name).brush == *brush))
             m_pending.push_back(brush->name);
     }

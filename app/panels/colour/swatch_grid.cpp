@@ -21,8 +21,8 @@ namespace suffuse {
 
 namespace {
 constexpr int side = 20;
-constexpr int gap = 3;
-constexpr int step = side + gap;
+constexpr int swatchGap = 3;
+constexpr int step = side + swatchGap;
 } // namespace
 
 SwatchGrid::SwatchGrid(bool editable, QWidget *parent) : QWidget(parent), m_editable(editable)
@@ -88,7 +88,7 @@ void SwatchGrid::remove(int index)
 
 int SwatchGrid::columns(int width) const
 {
-    return std::max(1, (width + gap) / step);
+    return std::max(1, (width + swatchGap) / step);
 }
 
 int SwatchGrid::shown(int width) const
@@ -99,17 +99,17 @@ int SwatchGrid::shown(int width) const
 int SwatchGrid::heightForWidth(int width) const
 {
     const int across = columns(width);
-    return std::max(1, (shown(width) + across - 1) / across) * step - gap;
+    return std::max(1, (shown(width) + across - 1) / across) * step - swatchGap;
 }
 
 QSize SwatchGrid::sizeHint() const
 {
-    return {8 * step - gap, heightForWidth(8 * step - gap)};
+    return {8 * step - swatchGap, heightForWidth(8 * step - swatchGap)};
 }
 
 QSize SwatchGrid::minimumSizeHint() const
 {
-    return {4 * step - gap, side};
+    return {4 * step - swatchGap, side};
 }
 
 QRect SwatchGrid::cell(int index) const

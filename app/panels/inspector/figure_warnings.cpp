@@ -14,7 +14,7 @@ constexpr double clearestEdge = 3;
 /// Coverage inside a dark rim that nobody sees.
 constexpr double bareInside = 0.02;
 
-struct Text {
+struct WarningText {
     Q_DECLARE_TR_FUNCTIONS(FigureWarnings)
 };
 
@@ -28,14 +28,14 @@ void addFading(QStringList &warnings, const Extent &fading, const Extent &shrink
     if (fading.count == all)
         //: %1: seconds after it was painted
         warnings
-            << Text::tr(
+            << WarningText::tr(
                    "Fades away at %1 s: nothing of it is seen after that. More φ, or less D or drying time, keeps it.")
                    .arg(seconds(fading.most));
     else if (fading.count > 0)
-        warnings << Text::tr("Parts fade away, the first at %1 s. More φ, or less D or drying time, keeps them.")
+        warnings << WarningText::tr("Parts fade away, the first at %1 s. More φ, or less D or drying time, keeps them.")
                         .arg(seconds(fading.least));
     else if (shrinking.count > 0)
-        warnings << Text::tr("Widest at %1 s; from then on it grows narrower while it spreads.")
+        warnings << WarningText::tr("Widest at %1 s; from then on it grows narrower while it spreads.")
                         .arg(seconds(shrinking.least));
 }
 
@@ -43,11 +43,12 @@ void addStyle(QStringList &warnings, const Style &style)
 {
     const double xi1 = style.xi[0], xi2 = style.xi[1];
     if (style.kind == StyleKind::Uniform && xi1 < clearestEdge * xi2)
-        warnings << Text::tr("ξ2 too large for ξ1: the stroke has no clear edge and tints as far as its paint reaches. "
-                             "Up to %1 is clear.")
+        warnings << WarningText::tr(
+                        "ξ2 too large for ξ1: the stroke has no clear edge and tints as far as its paint reaches. "
+                        "Up to %1 is clear.")
                         .arg(QLocale().toString(xi1 / clearestEdge, 'g', 2));
     if (hasRim(style.kind) && leastInsideRim(style) < bareInside)
-        warnings << Text::tr("ξ2 too large for ξ1: the paint inside the dark rim vanishes.");
+        warnings << WarningText::tr("ξ2 too large for ξ1: the paint inside the dark rim vanishes.");
 }
 
 } // namespace
@@ -56,9 +57,9 @@ QStringList figureWarnings(const FiguresSummary &figures)
 {
     QStringList warnings;
     if (figures.withoutPaint == figures.segments)
-        warnings << Text::tr("Density 0: there is no paint.");
+        warnings << WarningText::tr("Density 0: there is no paint.");
     else if (figures.transparent == figures.segments)
-        warnings << Text::tr("Opacity 0 %: nothing of it is seen.");
+        warnings << WarningText::tr("Opacity 0 %: nothing of it is seen.");
     else
         addFading(warnings, figures.fading, figures.shrinking, figures.segments);
     for (const Style &style : figures.styles) {

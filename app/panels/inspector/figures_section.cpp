@@ -16,7 +16,7 @@ namespace suffuse {
 
 namespace {
 
-constexpr int laterMs = 40;
+constexpr int figuresLaterMs = 40;
 
 /// "3.2 – 5.6" or "3.2"
 QString rangeText(double low, double high, const QString &unit)
@@ -48,7 +48,7 @@ FiguresSection::FiguresSection(Editor &editor, QWidget *parent) : QWidget(parent
     m_warnings->setAccessibleName(tr("Warnings"));
     column->addWidget(m_warnings);
     m_later.setSingleShot(true);
-    m_later.setInterval(laterMs);
+    m_later.setInterval(figuresLaterMs);
     connect(&m_later, &QTimer::timeout, this, [this] {
         if (isVisible())
             refreshCut();

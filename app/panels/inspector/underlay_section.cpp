@@ -15,8 +15,8 @@
 namespace suffuse {
 
 namespace {
-constexpr double farthest = 1e9; ///< canvas units
-constexpr double smallest = 1e-3;
+constexpr double farthestUnderlay = 1e9; ///< canvas units
+constexpr double smallestUnderlay = 1e-3;
 } // namespace
 
 UnderlaySection::UnderlaySection(Editor &editor, QWidget *parent) : QWidget(parent), m_editor(editor)
@@ -69,7 +69,7 @@ NumberField *UnderlaySection::addNumber(Number number, const QString &name, cons
 {
     const bool isSize = number == Number::Width || number == Number::Height;
     auto *field = new NumberField(m_values);
-    field->setRange(isSize ? smallest : -farthest, farthest);
+    field->setRange(isSize ? smallestUnderlay : -farthestUnderlay, farthestUnderlay);
     field->setStep(1);
     field->setDisplay(lengthDisplay());
     field->setAccessibleName(name);

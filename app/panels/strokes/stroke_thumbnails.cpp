@@ -10,7 +10,7 @@ namespace suffuse {
 
 namespace {
 constexpr std::size_t mostWanted = 64; ///< rows scrolled past are not drawn
-constexpr double margin = 0.04;
+constexpr double thumbnailMargin = 0.04;
 } // namespace
 
 /// Lives on the worker's thread.
@@ -39,9 +39,10 @@ public:
         request.view.width = int(std::lround(size.width() * ratio));
         request.view.height = int(std::lround(size.height() * ratio));
         request.view.centre = box.centre();
-        request.view.scale = std::clamp((1 - 2 * margin) * std::min(request.view.width / std::max(box.width(), 1e-9),
-                                                                    request.view.height / std::max(box.height(), 1e-9)),
-                                        1e-3, 1e9);
+        request.view.scale =
+            std::clamp((1 - 2 * thumbnailMargin) * std::min(request.view.width / std::max(box.width(), 1e-9),
+                                                            request.view.height / std::max(box.height(), 1e-9)),
+                       1e-3, 1e9);
         Picture8 picture;
         m_renderer->invalidate();
         if (!m_renderer->render(request, picture))

@@ -25,10 +25,10 @@ namespace {
 
 /// A small picture of the stroke before its name, a chip of its colour before a segment's; eyes and locks in the middle
 /// of their columns.
-class RowDelegate : public QStyledItemDelegate {
+class StrokeRowDelegate : public QStyledItemDelegate {
 public:
-    RowDelegate(const StrokesFilter &filter, const StrokesModel &model, StrokeThumbnails &thumbnails, Editor &editor,
-                QObject *parent)
+    StrokeRowDelegate(const StrokesFilter &filter, const StrokesModel &model, StrokeThumbnails &thumbnails,
+                      Editor &editor, QObject *parent)
         : QStyledItemDelegate(parent), m_filter(filter), m_model(model), m_thumbnails(thumbnails), m_editor(editor)
     {}
 
@@ -187,7 +187,7 @@ StrokesView::StrokesView(Editor &editor, const StrokesModel &model, StrokesFilte
     });
     connect(&editor, &Editor::dragEnded, viewport(), qOverload<>(&QWidget::update));
     setModel(&filter);
-    setItemDelegate(new RowDelegate(filter, model, *thumbnails, editor, this));
+    setItemDelegate(new StrokeRowDelegate(filter, model, *thumbnails, editor, this));
     setIconSize(StrokeThumbnails::size);
     setHeaderHidden(true);
     setUniformRowHeights(true);

@@ -22,7 +22,7 @@ namespace suffuse {
 
 namespace {
 
-constexpr int laterMs = 100; ///< the end is looked for now and then while edits follow each other fast
+constexpr int endLaterMs = 100; ///< the end is looked for now and then while edits follow each other fast
 constexpr std::array<double, 11> speeds{0.1, 0.25, 0.5, 1, 2, 4, 10, 25, 100, 250, 1000};
 
 QString speedText(double speed)
@@ -110,7 +110,7 @@ TimelinePanel::TimelinePanel(Editor &editor, Playback &playback, const Actions &
             m_later.start();
     });
     m_later.setSingleShot(true);
-    m_later.setInterval(laterMs);
+    m_later.setInterval(endLaterMs);
     connect(&m_later, &QTimer::timeout, this, &TimelinePanel::showTime);
     showState();
 }

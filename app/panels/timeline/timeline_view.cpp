@@ -20,11 +20,11 @@ namespace suffuse {
 
 namespace {
 
-constexpr double margin = 12;                ///< pixels at both ends when all is shown
+constexpr double endMargin = 12;             ///< pixels at both ends when all is shown
 constexpr double finest = 20;                ///< microseconds a pixel
 constexpr double mostPixels = 1e9;           ///< of the whole length, so that scroll bars can count them
 constexpr Microseconds shortest = 1'000'000; ///< of what is shown of an empty painting
-constexpr int laterMs = 60;
+constexpr int lanesLaterMs = 60;
 
 /// Time ahead of what is painted.
 Microseconds roomFor(const TimeSpan &span)
@@ -46,7 +46,7 @@ TimelineView::TimelineView(Editor &editor, Playback &playback, QWidget *parent)
     viewport()->grabGesture(Qt::PinchGesture);
     setMinimumHeight(rulerHeight() + 40);
     m_later.setSingleShot(true);
-    m_later.setInterval(laterMs);
+    m_later.setInterval(lanesLaterMs);
     connect(&m_later, &QTimer::timeout, this, &TimelineView::refresh);
     connect(&editor.document(), &Document::changed, this, [this](const Change &change) {
         documentChanged(!change.strokes.empty() || change.order || change.canvas, change.selection, change.reset);
@@ -149,12 +149,12 @@ void TimelineView::updateScrollBars()
     const TimeSpan span = shownSpan();
     const double length = double(span.end - span.begin), width = viewport()->width();
     if (m_fitted) {
-        m_scale = std::max(length / std::max(width - 2 * margin, 1.0), finest);
-        m_from = span.begin - Microseconds(margin * m_scale);
+        m_scale = std::max(length / std::max(width - 2 * endMargin, 1.0), finest);
+        m_from = span.begin - Microseconds(endMargin * m_scale);
     }
     m_scale = std::max(m_scale, length / mostPixels);
-    const double before = margin + double(m_from - span.begin) / m_scale; // pixels left of the view
-    const int range = int(std::max(0.0, std::ceil(length / m_scale + 2 * margin - width)));
+    const double before = endMargin + double(m_from - span.begin) / m_scale; // pixels left of the view
+    const int range = int(std::max(0.0, std::ceil(length / m_scale + 2 * endMargin - width)));
     m_scrolling = true;
     horizontalScrollBar()->setRange(0, range);
     horizontalScrollBar()->setPageStep(int(width));
@@ -172,7 +172,7 @@ void TimelineView::scrollContentsBy(int dx, int)
     if (m_scrolling)
         return;
     if (dx != 0) {
-        const double pixels = horizontalScrollBar()->value() - margin;
+        const double pixels = horizontalScrollBar()->value() - endMargin;
         m_from = shownSpan().begin + Microseconds(std::llround(pixels * m_scale));
         m_fitted = false;
     }
@@ -196,13 +196,13 @@ void TimelineView::zoomBy(double factor)
 void TimelineView::zoomAt(double x, double factor)
 {
     const TimeSpan span = shownSpan();
-    const double widest = double(span.end - span.begin) / std::max(viewport()->width() - 2 * margin, 1.0);
+    const double widest = double(span.end - span.begin) / std::max(viewport()->width() - 2 * endMargin, 1.0);
     const Microseconds fixed = timeAt(x);
     const double scale = std::clamp(m_scale / factor, finest, std::max(widest, finest));
     m_fitted = scale >= widest;
     m_scale = scale;
     // Neither end comes further in than its margin.
-    const Microseconds edge = Microseconds(margin * scale);
+    const Microseconds edge = Microseconds(endMargin * scale);
     const Microseconds last = span.end + edge - Microseconds(viewport()->width() * scale);
     m_from = std::max(span.begin - edge, std::min(fixed - Microseconds(std::llround(x * scale)), last));
     m_looksStale = true;
@@ -267,7 +267,7 @@ void TimelineView::timeChanged()
     // A page on, where it is played out of the view.
     const double x = xOf(time);
     if (m_playback.isPlaying() && !m_fitted && (x < 0 || x > viewport()->width())) {
-        m_from = time - Microseconds(margin * m_scale);
+        m_from = time - Microseconds(endMargin * m_scale);
         updateScrollBars();
         viewport()->update();
     }
