@@ -1,7 +1,5 @@
 #include "render/cpu/cpu_renderer.h"
 
-#include "render/threads/parallel.h"
-
 #include <QCoreApplication>
 #include <QElapsedTimer>
 
@@ -28,14 +26,12 @@ QString instructionSet()
 } // namespace
 
 CpuRenderer::CpuRenderer(int threads, int tileSize, bool cull)
-    : m_threads(threads > 0 ? threads : hardwareThreads()),
-      m_history(tileSize > 0 ? std::min((tileSize + 7) / 8 * 8, greatestTile) : defaultTile, cull)
-{
-}
+    : m_threads(threads), m_history(tileSize > 0 ? std::min((tileSize + 7) / 8 * 8, greatestTile) : defaultTile, cull)
+{}
 
 QString CpuRenderer::deviceName() const
 {
-    return QCoreApplication::translate("Renderer", "%n threads", nullptr, m_threads) + QStringLiteral(" · ") +
+    return QCoreApplication::translate("Renderer", "%n threads", nullptr, m_threads.count()) + QStringLiteral(" · ") +
            instructionSet();
 }
 
@@ -71,7 +67,9 @@ std::vector<CpuRenderer::Job> CpuRenderer::planJobs(bool interactive)
             if (m_history.edited() != FrameHistory::noEdit) {
                 cpu::TileLayers &layers = m_layers.at(m_history.tileIndex(column, row));
                 const PixelRect tile = region.tile(column, row);
-                const auto across = [](int pixels) { return std::size_t((pixels + cpu::blockSide - 1) / cpu::blockSide); };
+                const auto across = [](int pixels) {
+                    return std::size_t((pixels + cpu::blockSide - 1) / cpu::blockSide);
+                };
                 const std::size_t blocks = across(tile.width) * across(tile.height);
                 job.plan.layers = &layers;
                 job.plan.haveUnder = !layers.under.empty();

@@ -3,6 +3,7 @@
 #include "render/cpu/kernels.h"
 #include "render/cpu/tile_painter.h"
 #include "render/scene/frame_history.h"
+#include "render/threads/parallel.h"
 
 namespace suffuse {
 
@@ -37,7 +38,7 @@ private:
     const cpu::StrokePrefix *prefixOf(const Job &job, std::uint32_t stroke, cpu::TileStrokes &strokes) const;
     void paint(const Job &job, Target &target);
 
-    int m_threads;
+    const Threads m_threads;
     FrameHistory m_history;
     cpu::LayerCache m_layers{std::size_t(64) << 20};
     std::vector<cpu::SteadyStroke> m_changed; ///< strokes that differ from the frame before, ascending

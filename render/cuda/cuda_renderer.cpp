@@ -1,7 +1,6 @@
 #include "render/cuda/cuda_renderer.h"
 
 #include "render/cuda/failing_device.h"
-#include "render/threads/parallel.h"
 
 #include <QCoreApplication>
 #include <QElapsedTimer>
@@ -83,15 +82,16 @@ std::vector<PixelRect> dirtyRects(const DirtyRegion &region, const std::uint8_t 
 } // namespace
 
 CudaRenderer::CudaRenderer(const std::vector<std::shared_ptr<cuda::Device>> &devices, int threads, bool cull)
-    : m_threads(threads > 0 ? threads : hardwareThreads()), m_crew(m_threads), m_history(cuda::tileSide, cull),
-      m_devices(devices)
+    : m_crew(Threads(threads).count()), m_threads(threads, &m_crew), m_history(cuda::tileSide, cull), m_devices(devices)
 {
     m_deviceName = QString::fromStdString(devices.front()->name());
     if (devices.size() > 1)
         m_deviceName = QStringLiteral("%1 × %2").arg(devices.size()).arg(m_deviceName);
     m_shares.resize(devices.size());
-    for (const auto &device : devices)
-        m_workers.push_back(std::make_unique<cuda::TileWorker>(device, cull, m_threads));
+    for (const auto &device : devices) { // further devices work beside the first one, which has the crew
+        const Threads own = m_workers.empty() ? m_threads : Threads(m_threads.count());
+        m_workers.push_back(std::make_unique<cuda::TileWorker>(device, cull, own));
+    }
 }
 
 CudaRenderer::~CudaRenderer() = default;
@@ -172,7 +172,6 @@ Error CudaRenderer::lose(const QString &why)
 Result<RenderStats> CudaRenderer::render(const RenderRequest &request, Target &target, const std::atomic<bool> *cancel)
 {
     RenderStats stats;
-    const CrewOnDuty onDuty(&m_crew);
     QElapsedTimer total, stage;
     total.start();
     stage.start();

@@ -1,10 +1,10 @@
 // Draws on one or several CUDA devices, evaluating only what differs from the last call.
 #pragma once
 
-#include "render/threads/crew.h"
 #include "render/cuda/cuda_frame.h"
 #include "render/cuda/tile_worker.h"
 #include "render/renderer.h"
+#include "render/threads/crew.h"
 
 #include <functional>
 
@@ -41,8 +41,8 @@ private:
     std::vector<std::uint8_t> drawnTiles() const;
     Error lose(const QString &why);
 
-    int m_threads;
     Crew m_crew;
+    Threads m_threads; ///< the crew
     QString m_deviceName;
     FrameHistory m_history;
     std::vector<std::unique_ptr<cuda::TileWorker>> m_workers;

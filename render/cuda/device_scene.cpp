@@ -1,7 +1,6 @@
 #include "render/cuda/device_scene.h"
 
 #include "render/cuda/stroke_records.h"
-#include "render/threads/parallel.h"
 
 #include <unordered_map>
 
@@ -103,7 +102,7 @@ void DeviceScene::placeRecords(const std::vector<Prepared> &changed)
     m_small.resize(m_smallRuns.size());
 }
 
-void DeviceScene::setNodes(Prepared &p, int threads)
+void DeviceScene::setNodes(Prepared &p, Threads threads)
 {
     const Entry &e = m_entries[p.index];
     const SceneStroke &s = *e.stroke;
@@ -114,7 +113,7 @@ void DeviceScene::setNodes(Prepared &p, int threads)
     constexpr std::size_t share = 16, worthSharing = 4 * share; // chunks
     const std::size_t shares = (count + share - 1) / share;
     std::vector<IndexRange> changed(count);
-    parallelFor(shares, count < worthSharing ? 1 : threads, [&](std::size_t k) {
+    parallelFor(shares, count < worthSharing ? Threads(1) : threads, [&](std::size_t k) {
         for (std::size_t i = k * share; i < std::min((k + 1) * share, count); ++i) {
             ChunkRecord &chunk = p.chunks[deep + i] = chunkOf(s, i, m_width, m_height);
             const std::size_t first = chunk.firstNode;
@@ -130,7 +129,7 @@ void DeviceScene::setNodes(Prepared &p, int threads)
             p.nodes = {std::min(p.nodes.first, begin), end};
 }
 
-void DeviceScene::prepare(Prepared &p, int threads)
+void DeviceScene::prepare(Prepared &p, Threads threads)
 {
     const Entry &e = m_entries[p.index];
     const SceneStroke &s = *e.stroke;
@@ -214,7 +213,7 @@ Fault DeviceScene::upload()
 }
 
 Fault DeviceScene::update(const std::vector<SceneStrokePtr> &strokes, const SceneChange &change, int width, int height,
-                          int threads)
+                          Threads threads)
 {
     const bool wasteful = m_nodeRuns.size() > 2 * m_nodeRuns.used() + (std::size_t(1) << 16);
     const bool anew = !m_valid || wasteful || width != m_width || height != m_height;
@@ -237,7 +236,7 @@ Fault DeviceScene::update(const std::vector<SceneStrokePtr> &strokes, const Scen
         }
     }
     placeRecords(changed);
-    const int threadsEach = std::max(1, threads / std::max(1, int(changed.size())));
+    const Threads threadsEach = threads.within(changed.size());
     parallelFor(changed.size(), threads, [&](std::size_t i) { prepare(changed[i], threadsEach); });
     for (const Prepared &p : changed)
         m_nodes.touch(p.nodes), m_values.touch(p.values), m_deep.touch(p.deep), m_small.touch(p.small);

@@ -4,6 +4,7 @@
 #include "render/cuda/device_memory.h"
 #include "render/cuda/run_pool.h"
 #include "render/scene/live_scene.h"
+#include "render/threads/parallel.h"
 
 namespace suffuse::cuda {
 
@@ -14,7 +15,7 @@ public:
     /// Brings the device up to date with the scene's strokes; `change` tells how they differ from the last call's, in a
     /// picture of width × height pixels. Uploads the records whose bytes differ. After a fault, call `forget`.
     Fault update(const std::vector<SceneStrokePtr> &strokes, const SceneChange &change, int width, int height,
-                 int threads);
+                 Threads threads);
     /// The next update writes everything anew.
     void forget();
 
@@ -45,9 +46,9 @@ private:
     void reset(int width, int height);
     void drop(Entry &entry);
     void placeRecords(const std::vector<Prepared> &changed);
-    void prepare(Prepared &p, int threads);
+    void prepare(Prepared &p, Threads threads);
     /// Writes the stroke's node records and makes its chunks.
-    void setNodes(Prepared &p, int threads);
+    void setNodes(Prepared &p, Threads threads);
     /// Puts chunks in document order: in place before stroke `from`, moved together from there on.
     void placeChunks(std::vector<Prepared> &changed, std::size_t from);
     void moveChunks(std::vector<Prepared> &changed, std::size_t from);

@@ -1,7 +1,5 @@
 #include "render/cuda/tile_worker.h"
 
-#include "render/threads/parallel.h"
-
 #include <bit>
 #include <numbers>
 #include <utility>
@@ -29,7 +27,7 @@ ToCanvas toCanvasOf(const View &v)
 
 } // namespace
 
-TileWorker::TileWorker(std::shared_ptr<Device> device, bool cull, int threads)
+TileWorker::TileWorker(std::shared_ptr<Device> device, bool cull, Threads threads)
     : m_device(std::move(device)), m_threads(threads), m_scene(*m_device), m_layers(*m_device), m_paper(*m_device),
       m_tileJobs(*m_device), m_macroJobs(*m_device), m_hostStatus(*m_device), m_deviceTileJobs(*m_device),
       m_deviceMacroJobs(*m_device), m_status(*m_device), m_listCounts(*m_device), m_order(*m_device),

@@ -5,6 +5,7 @@
 #include "render/cuda/device_scene.h"
 #include "render/scene/frame_history.h"
 #include "render/scene/paper.h"
+#include "render/threads/parallel.h"
 
 #include <array>
 #include <atomic>
@@ -23,7 +24,7 @@ struct TileTask {
 
 class TileWorker {
 public:
-    TileWorker(std::shared_ptr<Device> device, bool cull, int threads);
+    TileWorker(std::shared_ptr<Device> device, bool cull, Threads threads);
 
     Device &device() { return *m_device; }
     /// Brings the device up to date with the step that `history` made.
@@ -73,7 +74,7 @@ private:
     void releaseBuffers();
 
     std::shared_ptr<Device> m_device;
-    const int m_threads;
+    const Threads m_threads;
     DeviceScene m_scene;
     DeviceLayers m_layers;
     Frame m_frame;

@@ -35,7 +35,7 @@ bool holds(const FrozenNodes &frozen, const Stroke &stroke, Microseconds T, int 
 } // namespace
 
 std::shared_ptr<const StrokeNodes> buildNodes(const StrokePtr &stroke, Microseconds T, int octave, const Rect &clip,
-                                              FrozenNodes &frozen, int threads)
+                                              FrozenNodes &frozen, Threads threads)
 {
     if (!hasOneStyle(*stroke)) {
         frozen = {};

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "render/nodes/node_builder.h"
+#include "render/threads/parallel.h"
 
 namespace suffuse {
 
@@ -17,6 +18,6 @@ struct FrozenNodes {
 /// As buildNodes, bit for bit, at the cost of what `frozen` does not hold. Brings `frozen` (of any stroke, or empty) up
 /// to date for the next call.
 std::shared_ptr<const StrokeNodes> buildNodes(const StrokePtr &stroke, Microseconds T, int octave, const Rect &clip,
-                                              FrozenNodes &frozen, int threads = 1);
+                                              FrozenNodes &frozen, Threads threads = 1);
 
 } // namespace suffuse

@@ -1,7 +1,6 @@
 #include "render/nodes/node_builder.h"
 
 #include "render/nodes/level1.h"
-#include "render/threads/parallel.h"
 #include "render/nodes/segment_nodes.h"
 
 #include <span>
@@ -229,12 +228,12 @@ void appendNodes(const StrokeNodes &part, StrokeNodes &out)
     out.clipped |= part.clipped;
 }
 
-void appendNodes(const Stroke &stroke, std::size_t from, std::size_t to, const NodeContext &context, int threads,
+void appendNodes(const Stroke &stroke, std::size_t from, std::size_t to, const NodeContext &context, Threads threads,
                  StrokeNodes &out)
 {
     constexpr std::size_t share = 2 * mergeBlock; // segments: tens of microseconds
     const std::size_t shares = (to - from + share - 1) / share;
-    if (threads == 1 || shares < 4)
+    if (threads.count() == 1 || shares < 4)
         return appendBlocks(stroke, from, to, context, out);
     std::vector<StrokeNodes> parts(shares);
     parallelFor(shares, threads, [&](std::size_t i) {
@@ -253,7 +252,7 @@ void appendNodes(const Stroke &stroke, std::size_t from, std::size_t to, const N
 }
 
 std::shared_ptr<const StrokeNodes> buildNodes(const Stroke &stroke, Microseconds T, int octave, const Rect &clip,
-                                              int threads)
+                                              Threads threads)
 {
     NodeContext context{T, octave, clip, {}};
     auto &styles = context.styles; // every segment's density passes through all of the stroke's styles

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "model/painting/painting.h"
+#include "render/threads/parallel.h"
 #include "render/threads/unset_vector.h"
 
 #include <memory>
@@ -57,7 +58,7 @@ struct StrokeNodes {
     UnsetVector<NodeGroup> groups; ///< of what is there at T and can be seen at the octave
     UnsetVector<NodeValues> rows;
     UnsetVector<SegmentReach> reaches;
-    bool clipped = false;  ///< depends on the clip
+    bool clipped = false;          ///< depends on the clip
     std::uint32_t settledRows = 0; ///< rows of leading blocks that have dried: they stay while the stroke grows
 };
 
@@ -69,7 +70,7 @@ int zoomOctave(double scale);
 
 /// `clip`: what the view shows, canvas units. The same bits for any number of threads.
 std::shared_ptr<const StrokeNodes> buildNodes(const Stroke &stroke, Microseconds T, int octave, const Rect &clip,
-                                              int threads = 1);
+                                              Threads threads = 1);
 
 /// What nodes depend on beside their block of segments.
 struct NodeContext {
@@ -80,7 +81,7 @@ struct NodeContext {
 };
 
 /// Appends the nodes of the stroke's segments [from, to), `from` a multiple of mergeBlock; `to` another one or the end.
-void appendNodes(const Stroke &stroke, std::size_t from, std::size_t to, const NodeContext &context, int threads,
+void appendNodes(const Stroke &stroke, std::size_t from, std::size_t to, const NodeContext &context, Threads threads,
                  StrokeNodes &out);
 
 /// Appends all of `part`.

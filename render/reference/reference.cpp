@@ -7,7 +7,6 @@
 #include <algorithm>
 #include <chrono>
 #include <functional>
-#include <thread>
 
 namespace suffuse {
 
@@ -21,17 +20,14 @@ bool isSet(const std::atomic<bool> *cancel)
 }
 
 /// Calls work(next), next() handing out 0 … count − 1 once each and then −1, on every thread.
-void onThreads(int threads, int count, const std::function<void(const std::function<int()> &)> &work)
+void onThreads(const Threads &threads, int count, const std::function<void(const std::function<int()> &)> &work)
 {
     std::atomic<int> taken = 0;
     const std::function<int()> next = [&taken, count] {
         const int i = taken.fetch_add(1);
         return i < count ? i : -1;
     };
-    std::vector<std::jthread> others;
-    for (int i = 1; i < std::min(threads, count); ++i)
-        others.emplace_back([&] { work(next); });
-    work(next);
+    parallelFor(std::size_t(std::min(threads.count(), count)), threads, [&](std::size_t) { work(next); });
 }
 
 std::vector<StrokePtr> visibleStrokes(const Painting &painting)
@@ -50,9 +46,7 @@ double millisecondsSince(std::chrono::steady_clock::time_point start)
 
 } // namespace
 
-ReferenceRenderer::ReferenceRenderer(int threads)
-    : m_threads(threads > 0 ? threads : std::max(1, int(std::thread::hardware_concurrency())))
-{}
+ReferenceRenderer::ReferenceRenderer(int threads) : m_threads(threads) {}
 
 QString ReferenceRenderer::backendName() const
 {
@@ -61,7 +55,7 @@ QString ReferenceRenderer::backendName() const
 
 QString ReferenceRenderer::deviceName() const
 {
-    return QCoreApplication::translate("ReferenceRenderer", "%1 threads · double").arg(m_threads);
+    return QCoreApplication::translate("ReferenceRenderer", "%1 threads · double").arg(m_threads.count());
 }
 
 Result<RenderStats> ReferenceRenderer::render(const RenderRequest &request, Target &target,

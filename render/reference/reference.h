@@ -2,6 +2,7 @@
 #pragma once
 
 #include "render/renderer.h"
+#include "render/threads/parallel.h"
 
 namespace suffuse {
 
@@ -19,7 +20,7 @@ public:
     void invalidate() override {}
 
 private:
-    int m_threads;
+    const Threads m_threads;
 };
 
 std::unique_ptr<Renderer> makeReferenceRenderer(int threads);

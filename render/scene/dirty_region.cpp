@@ -1,7 +1,5 @@
 #include "render/scene/dirty_region.h"
 
-#include "render/threads/parallel.h"
-
 #include <algorithm>
 #include <array>
 #include <bit>
@@ -116,7 +114,7 @@ bool samePlan(const SceneStroke &a, const SceneStroke &b)
 
 } // namespace
 
-void markChanged(const SceneStroke &before, const SceneStroke &after, const View &view, int threads,
+void markChanged(const SceneStroke &before, const SceneStroke &after, const View &view, Threads threads,
                  DirtyRegion &region)
 {
     const auto &a = before.source->groups, &b = after.source->groups;
@@ -157,7 +155,7 @@ void markChanged(const SceneStroke &before, const SceneStroke &after, const View
     constexpr std::size_t share = 256;
     const bool isQuick = !inPlace && !before.groupBounds.empty() && !after.groupBounds.empty();
     std::vector<std::array<TileRange, 2>> changed(isQuick ? 0 : count);
-    parallelFor((changed.size() + share - 1) / share, count < 2 * share ? 1 : threads, [&](std::size_t k) {
+    parallelFor((changed.size() + share - 1) / share, count < 2 * share ? Threads(1) : threads, [&](std::size_t k) {
         for (std::size_t i = k * share; i < std::min((k + 1) * share, count); ++i)
             changed[i] = changedBy(prefix + i);
     });

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "render/scene/scene.h"
+#include "render/threads/parallel.h"
 
 #include <vector>
 
@@ -49,7 +50,7 @@ private:
 
 /// Marks where one stroke differs from what it was, in the same view: only segments whose nodes or values differ, old
 /// and new; all of it where a choice for the whole stroke differs. The same tiles for any number of threads.
-void markChanged(const SceneStroke &before, const SceneStroke &after, const View &view, int threads,
+void markChanged(const SceneStroke &before, const SceneStroke &after, const View &view, Threads threads,
                  DirtyRegion &region);
 
 } // namespace suffuse

@@ -46,7 +46,7 @@ bool FrameHistory::sameFrame(const RenderRequest &request, const Target &target)
            m_canvas.paper == request.painting->canvas.paper;
 }
 
-void FrameHistory::markDifferences(const SceneChange &change, int threads)
+void FrameHistory::markDifferences(const SceneChange &change, Threads threads)
 {
     const auto &scene = m_scene.strokes();
     if (!change.reordered) {
@@ -107,7 +107,7 @@ void FrameHistory::followEdits(Step &step, bool interactive)
             }
 }
 
-FrameHistory::Step FrameHistory::advance(const RenderRequest &request, Target &target, int threads)
+FrameHistory::Step FrameHistory::advance(const RenderRequest &request, Target &target, Threads threads)
 {
     Step step;
     step.whole = !sameFrame(request, target);

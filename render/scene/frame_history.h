@@ -4,6 +4,7 @@
 
 #include "render/scene/dirty_region.h"
 #include "render/scene/live_scene.h"
+#include "render/threads/parallel.h"
 
 namespace suffuse {
 
@@ -23,7 +24,7 @@ public:
         bool keepsOver = false;   ///< and those above it
     };
     /// Brings scene and region up to date with the request; resizes the target where its size changes.
-    Step advance(const RenderRequest &request, Target &target, int threads);
+    Step advance(const RenderRequest &request, Target &target, Threads threads);
     /// The next step is whole.
     void forget() { m_target = 0; }
     /// Tile (column, row) was drawn; `approximate`: with an over map.
@@ -49,7 +50,7 @@ public:
 
 private:
     bool sameFrame(const RenderRequest &request, const Target &target) const;
-    void markDifferences(const SceneChange &change, int threads);
+    void markDifferences(const SceneChange &change, Threads threads);
     /// Where the scene's strokes begin to differ from the last frame's, or noEdit.
     std::size_t firstDifference(const SceneChange &change) const;
     /// Decides which layers still hold and where the edited strokes begin.

@@ -1,7 +1,5 @@
 #include "render/scene/live_scene.h"
 
-#include "render/threads/parallel.h"
-
 #include <algorithm>
 
 namespace suffuse {
@@ -22,8 +20,8 @@ void reachEverywhere(SceneStroke &stroke, const View &view)
 /// Nodes are offsets from the origin: a stroke that only moved keeps them, unless they depend on what the view shows.
 bool keepsNodes(const SceneStroke &known, const Stroke &now)
 {
-    return known.stroke.get() == &now || (!known.source->clipped && known.stroke->style == now.style &&
-                                          known.stroke->segments == now.segments);
+    return known.stroke.get() == &now ||
+           (!known.source->clipped && known.stroke->style == now.style && known.stroke->segments == now.segments);
 }
 
 } // namespace
@@ -153,7 +151,7 @@ SceneStrokePtr LiveScene::dryOf(std::size_t i, const View &view) const
     return m_driesAt[i] <= m_time ? known : known->dry;
 }
 
-void LiveScene::prepare(const std::vector<Stale> &stale, const RenderRequest &request, int threads)
+void LiveScene::prepare(const std::vector<Stale> &stale, const RenderRequest &request, Threads threads)
 {
     const int octave = zoomOctave(request.view.scale);
     const Rect visible = visibleBox(request.view);
@@ -170,8 +168,7 @@ void LiveScene::prepare(const std::vector<Stale> &stale, const RenderRequest &re
         if (keeps && known != m_frozen.end())
             *frozen.back() = std::move(known->second);
     }
-    threads = threads > 0 ? threads : hardwareThreads();
-    const int threadsEach = std::max(1, threads / std::max(1, int(stale.size())));
+    const Threads threadsEach = threads.within(stale.size());
     parallelFor(stale.size(), threads, [&](std::size_t k) {
         const std::size_t i = stale[k].index;
         const bool dries = m_driesAt[i] <= request.time;
@@ -198,7 +195,7 @@ void LiveScene::prepare(const std::vector<Stale> &stale, const RenderRequest &re
     m_frozen = std::move(wet);
 }
 
-SceneChange LiveScene::update(const RenderRequest &request, int threads)
+SceneChange LiveScene::update(const RenderRequest &request, Threads threads)
 {
     SceneChange change;
     std::vector<Stale> stale;

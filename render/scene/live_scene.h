@@ -4,6 +4,7 @@
 
 #include "render/nodes/frozen_nodes.h"
 #include "render/scene/scene.h"
+#include "render/threads/parallel.h"
 
 #include <cstdint>
 #include <unordered_map>
@@ -36,7 +37,7 @@ public:
     explicit LiveScene(bool cull = true) : m_cull(cull) {}
 
     /// Brings the scene up to date with the request. What is told of the change is of use where the view is the same.
-    SceneChange update(const RenderRequest &request, int threads);
+    SceneChange update(const RenderRequest &request, Threads threads);
 
     /// Visible strokes from bottom to top.
     const std::vector<SceneStrokePtr> &strokes() const { return m_strokes; }
@@ -60,7 +61,7 @@ private:
     void addWet(Microseconds time, std::vector<Stale> &stale) const;
     /// A stroke as it is once it has dried, where that is known: scrubbing comes back to it.
     SceneStrokePtr dryOf(std::size_t i, const View &view) const;
-    void prepare(const std::vector<Stale> &stale, const RenderRequest &request, int threads);
+    void prepare(const std::vector<Stale> &stale, const RenderRequest &request, Threads threads);
     bool sameAge(std::size_t i, Microseconds time) const
     {
         return time == m_time || (m_driesAt[i] <= m_time && m_driesAt[i] <= time);

@@ -3,7 +3,6 @@
 #include "model/paint/style_function.h"
 #include "render/math/scalar.h"
 #include "render/nodes/colour_line.h"
-#include "render/threads/parallel.h"
 // After the numbers: templates over them.
 #include "render/math/shade.h"
 
@@ -229,14 +228,14 @@ PlacedNodes placeGroups(const StrokeNodes &source, std::size_t from, std::size_t
 
 /// Puts the stroke's nodes into the picture, the separable ones first, and finds its bounds and what its segments
 /// differ in.
-Differences placeNodes(SceneStroke &s, const View &view, int threads, bool changes)
+Differences placeNodes(SceneStroke &s, const View &view, Threads threads, bool changes)
 {
     const StrokeNodes &source = *s.source;
     constexpr std::size_t share = 64, worthSharing = 8 * share; // groups
     const std::size_t count = source.groups.size();
     if (changes)
         s.groupBounds.resize(count);
-    std::vector<PlacedNodes> parts(threads == 1 || count < worthSharing ? 1 : (count + share - 1) / share);
+    std::vector<PlacedNodes> parts(threads.count() == 1 || count < worthSharing ? 1 : (count + share - 1) / share);
     parallelFor(parts.size(), threads, [&](std::size_t k) {
         const std::size_t from = k * share, to = k + 1 == parts.size() ? count : from + share;
         parts[k] = placeGroups(source, from, to, s.stroke->origin, view, changes ? s.groupBounds.data() : nullptr);
@@ -372,8 +371,8 @@ PixelRect pixelBounds(const StrokeNodes &nodes, const NodeGroup &group, Point or
     return toPixelRect(box, view);
 }
 
-SceneStroke makeSceneStroke(StrokePtr stroke, std::shared_ptr<const StrokeNodes> nodes, const View &view, int threads,
-                            bool changes)
+SceneStroke makeSceneStroke(StrokePtr stroke, std::shared_ptr<const StrokeNodes> nodes, const View &view,
+                            Threads threads, bool changes)
 {
     SceneStroke s;
     s.stroke = std::move(stroke);

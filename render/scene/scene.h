@@ -2,9 +2,10 @@
 #pragma once
 
 #include "render/math/shade_params.h"
-#include "render/scene/node_boxes.h"
 #include "render/nodes/node_builder.h"
 #include "render/renderer.h"
+#include "render/scene/node_boxes.h"
+#include "render/threads/parallel.h"
 
 #include <unordered_map>
 
@@ -12,8 +13,8 @@ namespace suffuse {
 
 /// Double-precision node of a segment so wide on screen (s > deepSpread px) that floats would lose its edge.
 struct DeepNode {
-    double x = 0, y = 0;       ///< pixels
-    double a = 0, b = 0, c = 0;///< px⁻²
+    double x = 0, y = 0;        ///< pixels
+    double a = 0, b = 0, c = 0; ///< px⁻²
     double weight = 0;
     std::uint32_t row = 0;
 };
@@ -27,14 +28,15 @@ struct SmallSegment {
 struct SceneStroke {
     StrokePtr stroke;
     std::shared_ptr<const StrokeNodes> source;
-    PixelRect bounds; ///< pixels of the picture that it can touch; empty: none
+    PixelRect bounds;            ///< pixels of the picture that it can touch; empty: none
     UnsetVector<ViewNode> nodes; ///< the separable ones first
     NodeBoxStore boxes;          ///< of `nodes`
     int separable = 0;
     std::vector<DeepNode> deep;
     std::vector<SmallSegment> small;
     ShadeParams shade;
-    float level[3] = {0, 0, 0}; ///< of each kind of style: it shows nothing where densities stay below (render/math/style.h)
+    float level[3] = {0, 0,
+                      0}; ///< of each kind of style: it shows nothing where densities stay below (render/math/style.h)
     bool hasLevels = false;
     float lowest = -1; ///< of the levels: a density above shows in any case
     int channels = 0;
@@ -61,7 +63,7 @@ PixelRect pixelBounds(const StrokeNodes &nodes, const NodeGroup &group, Point or
 
 /// `changes`: it will be compared with what it becomes, group by group. The same bits for any number of threads.
 SceneStroke makeSceneStroke(StrokePtr stroke, std::shared_ptr<const StrokeNodes> nodes, const View &view,
-                            int threads = 1, bool changes = false);
+                            Threads threads = 1, bool changes = false);
 
 /// The canvas as the view shows it, as a box in canvas units.
 Rect visibleBox(const View &view);

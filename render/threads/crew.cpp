@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <chrono>
-#include <utility>
 
 namespace suffuse {
 
@@ -13,21 +12,7 @@ namespace {
 constexpr std::chrono::milliseconds awake{2};
 constexpr int mostThreads = 12; // more share too little work of a frame to pay for waking them
 
-thread_local Crew *s_crew = nullptr;
-
 } // namespace
-
-CrewOnDuty::CrewOnDuty(Crew *crew) : m_before(std::exchange(s_crew, crew)) {}
-
-CrewOnDuty::~CrewOnDuty()
-{
-    s_crew = m_before;
-}
-
-Crew *CrewOnDuty::crew()
-{
-    return s_crew;
-}
 
 Crew::Crew(int threads) : m_size(std::min({threads, hardwareThreads(), mostThreads})) {}
 
@@ -90,10 +75,7 @@ void Crew::run(std::size_t count, int threads, const Body &body)
     m_loop = &loop;
     ++m_posted;
     m_posted.notify_all();
-    {
-        const CrewOnDuty nobody(nullptr); // loops within this one
-        work(loop);
-    }
+    work(loop);
     m_loop = nullptr;
     while (m_inside > 0)
         std::this_thread::yield();

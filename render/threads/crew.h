@@ -24,7 +24,7 @@ public:
     Crew &operator=(const Crew &) = delete;
     ~Crew();
 
-    /// As parallelFor. One thread at a time, and not from within a body.
+    /// As parallelFor, which calls it. One thread at a time, and not from within a body (Threads::within).
     void run(std::size_t count, int threads, const Body &body);
 
 private:
@@ -49,20 +49,6 @@ private:
     std::atomic<int> m_inside{0};           ///< threads that may look at m_loop
     std::atomic<bool> m_end{false};
     std::vector<std::thread> m_threads;
-};
-
-/// While it lives, the calling thread's parallelFor runs on the crew.
-class CrewOnDuty {
-public:
-    explicit CrewOnDuty(Crew *crew);
-    CrewOnDuty(const CrewOnDuty &) = delete;
-    CrewOnDuty &operator=(const CrewOnDuty &) = delete;
-    ~CrewOnDuty();
-    /// The calling thread's, or null.
-    static Crew *crew();
-
-private:
-    Crew *const m_before;
 };
 
 } // namespace suffuse

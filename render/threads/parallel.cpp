@@ -54,16 +54,21 @@ int hardwareThreads()
     return threads;
 }
 
-void parallelFor(std::size_t count, int threads, const std::function<void(std::size_t)> &body)
+Threads Threads::within(std::size_t bodies) const
 {
-    threads = threads > 0 ? threads : hardwareThreads();
+    return bodies < 2 ? *this : Threads(std::max(1, m_count / int(bodies)));
+}
+
+void parallelFor(std::size_t count, const Threads &on, const std::function<void(std::size_t)> &body)
+{
+    const int threads = on.count();
     if (threads == 1 || count < 2) {
         for (std::size_t i = 0; i < count; ++i)
             body(i);
         return;
     }
-    if (Crew *crew = CrewOnDuty::crew())
-        return crew->run(count, threads, body);
+    if (on.crew())
+        return on.crew()->run(count, threads, body);
 #ifdef SUFFUSE_JTHREAD
     std::atomic<std::size_t> next{0};
     const auto work = [&] {

@@ -53,11 +53,12 @@ private slots:
     void loopsWithinLoops()
     {
         Crew crew(4);
-        const CrewOnDuty onDuty(&crew);
+        const Threads threads(4, &crew), each = threads.within(20);
         std::atomic<int> done = 0;
-        parallelFor(20, 4, [&](std::size_t) { parallelFor(20, 2, [&](std::size_t) { ++done; }); });
+        parallelFor(20, threads, [&](std::size_t) { parallelFor(20, 2, [&](std::size_t) { ++done; }); });
         QCOMPARE(done.load(), 400);
-        QCOMPARE(CrewOnDuty::crew(), &crew);
+        QCOMPARE(each.crew(), nullptr);
+        QCOMPARE(threads.within(1).crew(), &crew); // a single body may use what the loop would have
     }
 
     void handsAFailureOn()
