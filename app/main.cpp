@@ -9,6 +9,7 @@
 #include "app/window/main_window.h"
 #include "app/window/recovery.h"
 #include "app/window/window_layout.h"
+#include "model/environment.h"
 
 #include <QApplication>
 #include <QScreen>
@@ -59,7 +60,7 @@ Options readOptions(int argc, char **argv)
         } else if (arg == "--safe-mode") {
             options.safeMode = true;
         } else if (arg == "--backend=auto" || arg == "--backend=cpu" || arg == "--backend=cuda") {
-            qputenv("SUFFUSE_BACKEND", argv[i] + arg.find('=') + 1);
+            suffuse::environment::set(suffuse::environment::Variable::Backend, argv[i] + arg.find('=') + 1);
         } else if (arg.starts_with("--") && arg != "--platform" && arg != "--style") {
             std::fprintf(stderr, "suffuse: unknown option %s. suffuse --help lists the options.\n", argv[i]);
             options.exitCode = 2;
@@ -77,8 +78,10 @@ bool hasDisplay(int argc, char **argv)
     for (int i = 1; i < argc; ++i)
         if (std::string_view(argv[i]) == "-platform" || std::string_view(argv[i]) == "--platform")
             return true;
-    return qEnvironmentVariableIsSet("QT_QPA_PLATFORM") || !qEnvironmentVariableIsEmpty("DISPLAY") ||
-           !qEnvironmentVariableIsEmpty("WAYLAND_DISPLAY");
+    namespace environment = suffuse::environment;
+    using enum environment::Variable;
+    return environment::isSet(QtPlatform) || !environment::value(Display).empty() ||
+           !environment::value(WaylandDisplay).empty();
 #else
     (void)argc, (void)argv;
     return true;
@@ -103,8 +106,8 @@ QString takeSettings(const Options &options)
 {
     if (options.safeMode) {
         suffuse::settings::forgetEverything();
-        qputenv("SUFFUSE_BACKEND", "cpu");
-        qputenv("SUFFUSE_PRESENTER", "raster");
+        suffuse::environment::set(suffuse::environment::Variable::Backend, "cpu");
+        suffuse::environment::set(suffuse::environment::Variable::Presenter, "raster");
     }
     return suffuse::settings::beginStart();
 }

@@ -3,6 +3,7 @@
 #include "app/session/colour_convert.h"
 #include "app/session/editor.h"
 #include "app/session/settings/settings.h"
+#include "model/environment.h"
 
 #include <QApplication>
 #include <QEvent>
@@ -17,12 +18,12 @@ namespace {
 constexpr double fitMargin = 24; ///< logical pixels around the canvas
 constexpr int frameMs = 16;
 
-/// The environment variable SUFFUSE_BACKEND=auto|cpu|cuda goes before the setting.
+/// The environment goes before the setting.
 RendererOptions rendererOptions()
 {
     RendererOptions options;
     options.threads = settings::threads();
-    const QByteArray wish = qgetenv("SUFFUSE_BACKEND").toLower();
+    const QByteArray wish = QByteArray::fromStdString(environment::value(environment::Variable::Backend)).toLower();
     options.backend = wish == "cuda"   ? Backend::Cuda
                       : wish == "cpu"  ? Backend::Cpu
                       : wish == "auto" ? Backend::Auto

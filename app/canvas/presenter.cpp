@@ -1,6 +1,7 @@
 #include "app/canvas/presenter.h"
 
 #include "app/session/settings/settings.h"
+#include "model/environment.h"
 
 #include <QGuiApplication>
 #include <QOffscreenSurface>
@@ -47,7 +48,7 @@ bool isHardwareOpenGl()
 
 Presenter *makePresenter(CanvasContent &content, QWidget *parent)
 {
-    QByteArray wish = qgetenv("SUFFUSE_PRESENTER").toLower();
+    QByteArray wish = QByteArray::fromStdString(environment::value(environment::Variable::Presenter)).toLower();
     if (wish.isEmpty() && settings::presenter() != settings::Presenter::Auto)
         wish = settings::presenter() == settings::Presenter::OpenGL ? "opengl" : "raster";
     if (QGuiApplication::platformName() == "offscreen") // it has no OpenGL at all

@@ -1,5 +1,6 @@
 #include "model/journal/recovery.h"
 
+#include "model/environment.h"
 #include "model/formats/messages.h"
 
 #include <QDir>
@@ -30,10 +31,11 @@ QString idOf(const QString &path)
 
 QString journalFolder()
 {
-    if (const QString given = qEnvironmentVariable("SUFFUSE_JOURNALS"); !given.isEmpty())
+    using environment::Variable;
+    if (const QString given = QString::fromStdString(environment::value(Variable::Journals)); !given.isEmpty())
         return QDir(given).absolutePath();
 #ifdef Q_OS_LINUX
-    const QString state = qEnvironmentVariable("XDG_STATE_HOME");
+    const QString state = QString::fromStdString(environment::value(Variable::StateHome));
     const QString base = QDir::isAbsolutePath(state) ? state : QDir::homePath() + QLatin1String("/.local/state");
 #else
     const QString base = QStandardPaths::writableLocation(QStandardPaths::GenericDataLocation);

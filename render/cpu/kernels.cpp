@@ -11,6 +11,7 @@
 #include "hwy/foreach_target.h" // first: it includes this file again for each target
 
 #include "hwy/highway.h"
+#include "model/environment.h"
 #include "render/cpu/kernels.h"
 #include "render/cpu/shading-inl.h"
 #include "render/cpu/sums-inl.h"
@@ -18,8 +19,8 @@
 #include "render/math/colour.h"
 
 #include <algorithm>
-#include <cstdlib>
 #include <cstring>
+#include <string>
 
 HWY_BEFORE_NAMESPACE();
 namespace suffuse::HWY_NAMESPACE {
@@ -39,10 +40,7 @@ struct Approach {
         u2 = beyond * beyond * slowest;
     }
     /// e^(−u²), from 2^−63 on: products of two are normal.
-    HWY_INLINE Lanes e() const
-    {
-        return Lanes(exp2InRange(hn::Max((Lanes(-log2e) * u2).v, hn::Set(tag, -63.0f))));
-    }
+    HWY_INLINE Lanes e() const { return Lanes(exp2InRange(hn::Max((Lanes(-log2e) * u2).v, hn::Set(tag, -63.0f)))); }
 };
 
 /// Bounds summed over boxes.
@@ -241,7 +239,17 @@ void toArgb(const float *rgba, int count, std::uint32_t *argb)
 
 Kernels table()
 {
-    return {hwy::TargetName(HWY_TARGET), findRuns, listNodes, accumulate, shade, shadeInto, mix, compose, apply, finish, toArgb};
+    return {hwy::TargetName(HWY_TARGET),
+            findRuns,
+            listNodes,
+            accumulate,
+            shade,
+            shadeInto,
+            mix,
+            compose,
+            apply,
+            finish,
+            toArgb};
 }
 
 } // namespace suffuse::HWY_NAMESPACE
@@ -255,9 +263,9 @@ HWY_EXPORT(table);
 const cpu::Kernels &cpu::kernels()
 {
     static const Kernels chosen = [] {
-        if (const char *wanted = std::getenv("SUFFUSE_SIMD"))
+        if (const std::string wanted = environment::value(environment::Variable::Simd); !wanted.empty())
             for (std::int64_t bit = 1; bit > 0; bit <<= 1)
-                if ((hwy::SupportedTargets() & bit) && std::strcmp(hwy::TargetName(bit), wanted) == 0)
+                if ((hwy::SupportedTargets() & bit) && hwy::TargetName(bit) == wanted)
                     hwy::SetSupportedTargetsForTest(bit);
         return HWY_DYNAMIC_DISPATCH(table)();
     }();

@@ -1,5 +1,7 @@
 #include "render/cuda/failing_device.h"
 
+#include "model/environment.h"
+
 #include <cstdlib>
 
 namespace suffuse::cuda {
@@ -71,11 +73,11 @@ std::unique_ptr<GlTexture> FailingDevice::registerTexture(unsigned texture, Faul
 
 std::unique_ptr<Device> failingIfAsked(std::unique_ptr<Device> device)
 {
-    const char *asked = std::getenv("SUFFUSE_CUDA_FAIL");
-    if (!asked)
+    const std::string asked = environment::value(environment::Variable::CudaFailure);
+    if (asked.empty())
         return device;
     char *end = nullptr;
-    const long call = std::strtol(asked, &end, 10);
+    const long call = std::strtol(asked.c_str(), &end, 10);
     const bool oom = std::string(end) == ":oom";
     return std::make_unique<FailingDevice>(std::move(device),
                                            PlannedFault{int(call), oom ? Fault::OutOfMemory : Fault::Lost});

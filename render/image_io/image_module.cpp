@@ -1,5 +1,6 @@
 #include "render/image_io/image_module.h"
 
+#include "model/environment.h"
 #include "render/image_io/file_replacement.h"
 
 #include <QCoreApplication>
@@ -13,7 +14,7 @@ namespace {
 
 QString modulePath(const QString &name)
 {
-    const QString folder = qEnvironmentVariable("SUFFUSE_MODULE_DIR");
+    const QString folder = QString::fromStdString(environment::value(environment::Variable::ModuleFolder));
     const QDir dir(folder.isEmpty() ? QCoreApplication::applicationDirPath() + QStringLiteral("/../lib/suffuse")
                                     : folder);
     return QDir::cleanPath(dir.absoluteFilePath(name + QStringLiteral(".so")));

@@ -1,5 +1,6 @@
 // The store of the settings: where it lies, and how a start survives a damaged one.
 #include "app/session/settings/settings.h"
+#include "model/environment.h"
 
 #include <QDir>
 #include <QFile>
@@ -27,11 +28,17 @@ std::unique_ptr<QTemporaryDir> &forgotten()
     return folder;
 }
 
+/// SUFFUSE_SETTINGS.
+QString givenPath()
+{
+    return QString::fromStdString(environment::value(environment::Variable::Settings));
+}
+
 QString storePath()
 {
     if (forgotten())
         return forgotten()->filePath(QStringLiteral("suffuse.ini"));
-    if (const QString given = qEnvironmentVariable("SUFFUSE_SETTINGS"); !given.isEmpty())
+    if (const QString given = givenPath(); !given.isEmpty())
         return given;
     return QSettings(QSettings::IniFormat, QSettings::UserScope, "suffuse", "suffuse").fileName();
 }
@@ -74,7 +81,7 @@ int failedStarts(const QString &path)
 QSettings &store()
 {
     const auto given = [&folder = forgotten()] { // the folder must outlive the settings that are written to it
-        return folder ? folder->path() : qEnvironmentVariable("SUFFUSE_SETTINGS");
+        return folder ? folder->path() : givenPath();
     };
     static std::unique_ptr<QSettings> settings;
     static QString opened;
