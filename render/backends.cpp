@@ -3,12 +3,21 @@
 #include "render/cpu/cpu_renderer.h"
 #include "render/cuda/cuda_renderer.h"
 #include "render/fallback_renderer.h"
-#include "render/threads/parallel.h"
 #include "render/reference/reference.h"
+#include "render/threads/parallel.h"
 
 #include <QCoreApplication>
 
 namespace suffuse {
+
+namespace {
+
+std::unique_ptr<Renderer> makeCpuRenderer(const RendererOptions &options)
+{
+    return std::make_unique<CpuRenderer>(options.threads, options.tileSize, options.cull);
+}
+
+} // namespace
 
 Result<std::unique_ptr<Renderer>> makeRenderer(const RendererOptions &options)
 {
@@ -17,13 +26,35 @@ Result<std::unique_ptr<Renderer>> makeRenderer(const RendererOptions &options)
     if (options.backend != Backend::Cpu) {
         Result<std::unique_ptr<Renderer>> cuda = makeCudaRenderer(options);
         if (cuda)
-            return std::unique_ptr<Renderer>(std::make_unique<FallbackRenderer>(std::move(*cuda), options));
+            return std::unique_ptr<Renderer>(
+                std::make_unique<FallbackRenderer>(std::move(*cuda), [options] { return makeCpuRenderer(options); }));
         if (options.backend == Backend::Cuda)
             return Error{
                 QCoreApplication::translate("Renderer", "The CUDA backend cannot run: %1. Use the CPU backend.")
                     .arg(cuda.error())};
     }
-    return std::unique_ptr<Renderer>(std::make_unique<CpuRenderer>(options.threads, options.tileSize, options.cull));
+    return makeCpuRenderer(options);
+}
+
+Result<std::vector<std::unique_ptr<Renderer>>> makeRenderers(const RendererOptions &options)
+{
+    std::vector<std::unique_ptr<Renderer>> renderers;
+    RendererOptions one = options;
+    one.devices = 1;
+    for (int i = 0; i < options.devices || options.devices == allDevices; ++i) {
+        one.firstDevice = i;
+        if (i > 0)
+            one.backend = Backend::Cuda; // where there is no other GPU, this fails and all are found
+        Result<std::unique_ptr<Renderer>> renderer = makeRenderer(one);
+        if (!renderer && i == 0)
+            return Error{renderer.error()};
+        if (!renderer)
+            break;
+        renderers.push_back(std::move(*renderer));
+        if (options.backend == Backend::Cpu || options.backend == Backend::Reference)
+            break;
+    }
+    return renderers;
 }
 
 std::vector<BackendInfo> backends()
@@ -32,9 +63,9 @@ std::vector<BackendInfo> backends()
     const CpuRenderer cpu(threads, 0);
     const auto reference = makeReferenceRenderer(threads);
     const auto cuda = makeCudaRenderer({.devices = allDevices});
-    return {{cpu.backendName(), cpu.deviceName(), {}},
-            {QStringLiteral("CUDA"), cuda ? (*cuda)->deviceName() : QString(), cuda ? QString() : cuda.error()},
-            {reference->backendName(), reference->deviceName(), {}}};
+    return {{Backend::Cpu, cpu.deviceName(), {}},
+            {Backend::Cuda, cuda ? (*cuda)->deviceName() : QString(), cuda ? QString() : cuda.error()},
+            {Backend::Reference, reference->deviceName(), {}}};
 }
 
 } // namespace suffuse

@@ -1,15 +1,19 @@
-// Which renderers there are, and making one. Nothing below includes this: a backend knows no other one.
+// Which renderers there are, and making them. Only the programs include this: a backend knows no other one.
 #pragma once
 
 #include "render/renderer.h"
 
 namespace suffuse {
 
-/// Never null for Auto, Cpu and Reference; Cuda fails with the reason where it cannot run.
+/// Auto, Cpu and Reference never fail; Cuda fails with the reason where it cannot run.
 Result<std::unique_ptr<Renderer>> makeRenderer(const RendererOptions &options);
 
+/// Renderers that share work by whole pictures (render/sequence.h): one a GPU (`options.devices` of them), or one for
+/// the CPU.
+Result<std::vector<std::unique_ptr<Renderer>>> makeRenderers(const RendererOptions &options);
+
 struct BackendInfo {
-    QString name;
+    Backend backend;
     QString device;
     QString unavailable; ///< empty, or why it cannot run here
 };

@@ -1,19 +1,18 @@
 #include "render/fallback_renderer.h"
 
-#include "render/cpu/cpu_renderer.h"
-
 #include <QCoreApplication>
 
 namespace suffuse {
 
-FallbackRenderer::FallbackRenderer(std::unique_ptr<Renderer> primary, const RendererOptions &options)
-    : m_renderer(std::move(primary)), m_options(options)
+FallbackRenderer::FallbackRenderer(std::unique_ptr<Renderer> primary,
+                                   std::function<std::unique_ptr<Renderer>()> makeCpu)
+    : m_renderer(std::move(primary)), m_makeCpu(std::move(makeCpu))
 {}
 
-QString FallbackRenderer::backendName() const
+Backend FallbackRenderer::backend() const
 {
     const std::lock_guard lock(m_mutex);
-    return m_renderer->backendName();
+    return m_renderer->backend();
 }
 
 QString FallbackRenderer::deviceName() const
@@ -34,11 +33,11 @@ Result<RenderStats> FallbackRenderer::render(const RenderRequest &request, Targe
     Result<RenderStats> result = m_renderer->render(request, target, cancel);
     if (result || !m_renderer->isLost())
         return result;
-    auto cpu = std::make_unique<CpuRenderer>(m_options.threads, m_options.tileSize, m_options.cull);
+    std::unique_ptr<Renderer> cpu = m_makeCpu();
     {
         const std::lock_guard lock(m_mutex);
         m_notice = QCoreApplication::translate("Renderer", "%1 stopped: %2. The CPU draws now.")
-                       .arg(m_renderer->backendName(), result.error());
+                       .arg(nameOf(m_renderer->backend()), result.error());
         m_renderer = std::move(cpu);
     }
     return m_renderer->render(request, target, cancel);

@@ -8,6 +8,7 @@
 #include "render/view.h"
 
 #include <atomic>
+#include <functional>
 #include <memory>
 #include <vector>
 
@@ -16,7 +17,7 @@ namespace suffuse {
 /// What is to be drawn. The picture is a pure function of this.
 struct RenderRequest {
     PaintingPtr painting;
-    Microseconds time = 0;    ///< document time T
+    Microseconds time = 0; ///< document time T
     View view;
     bool transparent = false; ///< no background: alpha holds the coverage
     /// A value is being dragged: this frame may differ by 1e-5 a channel from the exact one, if that makes it faster.
@@ -29,23 +30,25 @@ struct RenderStats {
     double binningMs = 0; ///< nodes to tiles
     double tilesMs = 0;   ///< pixels
     double totalMs = 0;
-    int tiles = 0;          ///< in the picture
-    int tilesEvaluated = 0; ///< of them evaluated in this call
-    std::size_t nodes = 0;  ///< in the scene
-    std::vector<PixelRect> dirty; ///< what was stored, disjoint
-    double deviceMs = 0;          ///< of the device alone, by its clock; 0 on the CPU
+    int tiles = 0;                      ///< in the picture
+    int tilesEvaluated = 0;             ///< of them evaluated in this call
+    std::size_t nodes = 0;              ///< in the scene
+    std::vector<PixelRect> dirty;       ///< what was stored, disjoint
+    double deviceMs = 0;                ///< of the device alone, by its clock; 0 on the CPU
     std::shared_ptr<DeviceFrame> frame; ///< where the picture stayed on the device; null: it is in the target
-    bool cancelled = false; ///< `cancel` was set: what was not stored is still dirty for the next call
+    bool cancelled = false;             ///< `cancel` was set: what was not stored is still dirty for the next call
 };
 
 enum class Backend { Auto, Cpu, Cuda, Reference };
+/// "CPU", "CUDA", "reference": what people and JSON call it, in every language.
+QString nameOf(Backend backend);
 
 /// Draws into one target again and again, evaluating only what differs from its last call.
 class Renderer {
 public:
     virtual ~Renderer() = default;
-    virtual QString backendName() const = 0; ///< "CPU", "CUDA", "reference"
-    virtual QString deviceName() const = 0;  ///< "2 threads · AVX2", "H100"
+    virtual Backend backend() const = 0;    ///< which one draws now, never Auto
+    virtual QString deviceName() const = 0; ///< "2 threads · AVX2", "H100"
 
     /// Brings `target` up to date with the request. The first call, another target, size, view or paper draw all of it.
     /// Returns early, with `cancelled`, soon after `cancel` becomes true.
@@ -64,11 +67,14 @@ inline constexpr int allDevices = -1;
 
 struct RendererOptions {
     Backend backend = Backend::Auto;
-    int threads = 0;  ///< 0: all cores
-    int tileSize = 0; ///< 0: the backend's choice; the picture's bits do not depend on it
-    bool cull = true; ///< false: every stroke is evaluated everywhere, to test that culling changes no bit
+    int threads = 0;     ///< 0: all cores
+    int tileSize = 0;    ///< 0: the backend's choice; the picture's bits do not depend on it
+    bool cull = true;    ///< false: every stroke is evaluated everywhere, to test that culling changes no bit
     int firstDevice = 0; ///< the GPU to begin with
-    int devices = 1;  ///< of several GPUs so many share each picture, or allDevices; the picture's bits stay the same
+    int devices = 1; ///< of several GPUs so many share each picture, or allDevices; the picture's bits stay the same
 };
+
+/// How renderers are made: makeRenderer (render/backends.h), or what a test has in its place.
+using MakeRenderer = std::function<Result<std::unique_ptr<Renderer>>(const RendererOptions &)>;
 
 } // namespace suffuse

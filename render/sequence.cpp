@@ -1,6 +1,5 @@
 #include "render/sequence.h"
 
-#include "render/backends.h"
 #include "render/threads/parallel.h"
 
 #include <QCoreApplication>
@@ -152,27 +151,6 @@ private:
 };
 
 } // namespace
-
-Result<std::vector<std::unique_ptr<Renderer>>> makeRenderers(const RendererOptions &options)
-{
-    std::vector<std::unique_ptr<Renderer>> renderers;
-    RendererOptions one = options;
-    one.devices = 1;
-    for (int i = 0; i < options.devices || options.devices == allDevices; ++i) {
-        one.firstDevice = i;
-        if (i > 0)
-            one.backend = Backend::Cuda; // where there is no other GPU, this fails and all are found
-        Result<std::unique_ptr<Renderer>> renderer = makeRenderer(one);
-        if (!renderer && i == 0)
-            return Error{renderer.error()};
-        if (!renderer)
-            break;
-        renderers.push_back(std::move(*renderer));
-        if (options.backend == Backend::Cpu || options.backend == Backend::Reference)
-            break;
-    }
-    return renderers;
-}
 
 Result<SequenceStats> renderSequence(const std::vector<std::unique_ptr<Renderer>> &renderers,
                                      const RenderRequest &request, const std::vector<Microseconds> &moments,

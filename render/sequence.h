@@ -7,9 +7,6 @@
 
 namespace suffuse {
 
-/// Renderers that share work by whole pictures: one a GPU (`options.devices` of them), or one for the CPU.
-Result<std::vector<std::unique_ptr<Renderer>>> makeRenderers(const RendererOptions &options);
-
 struct SequenceStats {
     std::int64_t tiles = 0;          ///< of all pictures
     std::int64_t tilesEvaluated = 0; ///< of them evaluated: the others did not change since the picture before

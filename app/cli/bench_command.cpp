@@ -171,6 +171,7 @@ Result<void> rowsAndGrowth(const CommandLine &line, bench::Plan &plan)
 Result<bench::Plan> planOf(const CommandLine &line)
 {
     bench::Plan plan;
+    plan.make = makeRenderer;
     Result<std::vector<RendererOptions>> backends = devices(line);
     if (!backends)
         return Error{backends.error()};

@@ -215,12 +215,15 @@ int printBackends(bool json)
     QString text;
     QJsonArray list;
     for (const BackendInfo &b : backends()) {
-        list.append(QJsonObject{
-            {"name", b.name}, {"device", b.device}, {"available", b.unavailable.isEmpty()}, {"reason", b.unavailable}});
-        text +=
-            b.unavailable.isEmpty()
-                ? QStringLiteral("%1%2\n").arg(b.name, -11).arg(b.device)
-                : QCoreApplication::translate("Cli", "%1not available: %2").arg(b.name, -11).arg(b.unavailable) + '\n';
+        list.append(QJsonObject{{"name", nameOf(b.backend)},
+                                {"device", b.device},
+                                {"available", b.unavailable.isEmpty()},
+                                {"reason", b.unavailable}});
+        text += b.unavailable.isEmpty() ? QStringLiteral("%1%2\n").arg(nameOf(b.backend), -11).arg(b.device)
+                                        : QCoreApplication::translate("Cli", "%1not available: %2")
+                                                  .arg(nameOf(b.backend), -11)
+                                                  .arg(b.unavailable) +
+                                              '\n';
     }
     return json ? printJson({{"backends", list}}) : print(text);
 }

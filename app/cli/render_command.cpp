@@ -134,7 +134,7 @@ struct Times {
 QJsonObject statsJson(const Renderer &renderer, const RenderRequest &request, const RenderStats &stats,
                       const Times &times)
 {
-    return {{"backend", renderer.backendName()},
+    return {{"backend", nameOf(renderer.backend())},
             {"device", renderer.deviceName()},
             {"width", request.view.width},
             {"height", request.view.height},

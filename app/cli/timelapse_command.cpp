@@ -1,7 +1,8 @@
 #include "app/cli/options.h"
 #include "app/cli/progress.h"
-#include "model/formats/files.h"
 #include "model/document/timelapse.h"
+#include "model/formats/files.h"
+#include "render/backends.h"
 #include "render/film/film_writer.h"
 #include "render/sequence.h"
 
@@ -86,7 +87,7 @@ Result<Film> filmOf(const CommandLine &line)
 QJsonObject statsJson(const Renderer &renderer, std::size_t renderers, const SequenceStats &stats, int frames,
                       double milliseconds)
 {
-    return {{"backend", renderer.backendName()},
+    return {{"backend", nameOf(renderer.backend())},
             {"device", renderer.deviceName()},
             {"devices", qint64(renderers)},
             {"frames", frames},

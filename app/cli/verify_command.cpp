@@ -24,10 +24,10 @@ Result<Drawn> draw(Backend backend, const RenderRequest &request)
     if (!renderer)
         return Error{renderer.error()};
     Drawn out;
-    out.name = QStringLiteral("%1 (%2)").arg((*renderer)->backendName(), (*renderer)->deviceName());
+    out.name = QStringLiteral("%1 (%2)").arg(nameOf((*renderer)->backend()), (*renderer)->deviceName());
     const Result<RenderStats> stats = renderPicture(**renderer, request, out.picture);
     if (!stats)
-        return Error{QStringLiteral("%1: %2").arg((*renderer)->backendName(), stats.error())};
+        return Error{QStringLiteral("%1: %2").arg(nameOf((*renderer)->backend()), stats.error())};
     if (const QString notice = (*renderer)->notice(); !notice.isEmpty()) // this is another backend's picture
         return Error{notice};
     return out;

@@ -17,8 +17,8 @@ QString backendLines()
 {
     QStringList lines;
     for (const BackendInfo &info : backends())
-        lines << (info.unavailable.isEmpty() ? QStringLiteral("%1 · %2").arg(info.name, info.device)
-                                             : QStringLiteral("%1 — %2").arg(info.name, info.unavailable));
+        lines << (info.unavailable.isEmpty() ? QStringLiteral("%1 · %2").arg(nameOf(info.backend), info.device)
+                                             : QStringLiteral("%1 — %2").arg(nameOf(info.backend), info.unavailable));
     return lines.join('\n');
 }
 

@@ -1,4 +1,5 @@
 #include "app/dialogs/timelapse_job.h"
+#include "render/backends.h"
 
 #include "render/sequence.h"
 

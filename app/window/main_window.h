@@ -1,7 +1,6 @@
 // One window, one painting: wires editor, canvas, tools, docks and actions together.
 #pragma once
 
-#include "app/session/frames/make_renderer.h"
 #include "app/session/frames/shown_frame.h"
 #include "app/session/open_painting.h"
 #include "app/window/actions.h"

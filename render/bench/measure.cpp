@@ -1,7 +1,6 @@
 #include "render/bench/measure.h"
 
 #include "model/formats/files.h"
-#include "render/backends.h"
 #include "render/bench/generator.h"
 #include "render/threads/parallel.h"
 
@@ -36,7 +35,7 @@ class Session {
 public:
     static Result<Session> make(const Job &job)
     {
-        Result<std::unique_ptr<Renderer>> renderer = makeRenderer(job.renderer);
+        Result<std::unique_ptr<Renderer>> renderer = job.make(job.renderer);
         if (!renderer)
             return Error{renderer.error()};
         return Session(job, std::move(*renderer));
@@ -118,7 +117,7 @@ Error nothingToDrag()
 
 } // namespace
 
-Job jobOf(PaintingPtr painting, int width, const RendererOptions &renderer)
+Job jobOf(PaintingPtr painting, int width, const RendererOptions &renderer, MakeRenderer make)
 {
     Job job;
     const Rect area = painting->canvas.area();
@@ -126,6 +125,7 @@ Job jobOf(PaintingPtr painting, int width, const RendererOptions &renderer)
     job.time = painting->end();
     job.painting = std::move(painting);
     job.renderer = renderer;
+    job.make = std::move(make);
     return job;
 }
 
@@ -291,17 +291,17 @@ Painting amongOthers(const Painting &painting, const StrokePtr &stroke, std::siz
 
 Result<Row> rowFor(const Job &job, const QString &name, const QString &paintingName)
 {
-    const Result<std::unique_ptr<Renderer>> renderer = makeRenderer(job.renderer);
+    const Result<std::unique_ptr<Renderer>> renderer = job.make(job.renderer);
     if (!renderer)
         return Error{renderer.error()};
     Row row;
     row.name = name;
-    row.backend = (*renderer)->backendName();
+    row.backend = nameOf((*renderer)->backend());
     row.device = (*renderer)->deviceName();
     row.painting = paintingName;
     row.width = job.view.width;
     row.height = job.view.height;
-    row.threads = job.renderer.threads > 0 ? job.renderer.threads : hardwareThreads();
+    row.threads = Threads(job.renderer.threads).count();
     return row;
 }
 

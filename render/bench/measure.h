@@ -14,13 +14,14 @@ struct Job {
     View view;
     Microseconds time = 0; ///< document time T
     RendererOptions renderer;
+    MakeRenderer make;
     int runs = 9;
     int dragSteps = 30;
     const std::atomic<bool> *cancel = nullptr;
 };
 
-/// The job's painting at its end, all of its canvas, `width` pixels wide.
-Job jobOf(PaintingPtr painting, int width, const RendererOptions &renderer);
+/// The job's painting at its end, all of its canvas, `width` pixels wide. `make`: makeRenderer (render/backends.h).
+Job jobOf(PaintingPtr painting, int width, const RendererOptions &renderer, MakeRenderer make);
 
 struct StageTimings {
     Timing nodeBuild;  ///< segments to nodes, by a fresh renderer

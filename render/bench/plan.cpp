@@ -31,7 +31,7 @@ private:
     {
         RendererOptions options = m_device;
         options.threads = threads;
-        Job out = jobOf(painting, width, options);
+        Job out = jobOf(painting, width, options, m_plan.make);
         out.runs = m_plan.runs;
         out.dragSteps = std::max(3 * m_plan.runs, 10);
         out.cancel = m_plan.cancel;

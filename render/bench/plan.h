@@ -15,6 +15,7 @@ struct Plan {
     PaintingPtr painting; ///< null: generate one
     QString name = QStringLiteral("figure11f");
     PaintingOptions generated;
+    MakeRenderer make;                    ///< makeRenderer (render/backends.h)
     std::vector<RendererOptions> devices; ///< backends, one after the other; `threads` is taken from `threads` below
     std::vector<int> threads{0};          ///< full renders are taken with each, the rest with the last; 0: all cores
     std::vector<int> widths;              ///< of full renders, pixels; the rest is taken at the first

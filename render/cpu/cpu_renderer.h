@@ -13,7 +13,7 @@ public:
     /// `tileSize`: a multiple of 8, 0 for the default; `threads`: 0 for all cores; `cull`: see RendererOptions.
     CpuRenderer(int threads, int tileSize, bool cull = true);
 
-    QString backendName() const override { return QStringLiteral("CPU"); }
+    Backend backend() const override { return Backend::Cpu; }
     QString deviceName() const override;
     Result<RenderStats> render(const RenderRequest &request, Target &target,
                                const std::atomic<bool> *cancel = nullptr) override;

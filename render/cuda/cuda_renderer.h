@@ -16,7 +16,7 @@ public:
     CudaRenderer(const std::vector<std::shared_ptr<cuda::Device>> &devices, int threads, bool cull = true);
     ~CudaRenderer() override;
 
-    QString backendName() const override { return QStringLiteral("CUDA"); }
+    Backend backend() const override { return Backend::Cuda; }
     QString deviceName() const override { return m_deviceName; }
     Result<RenderStats> render(const RenderRequest &request, Target &target,
                                const std::atomic<bool> *cancel = nullptr) override;

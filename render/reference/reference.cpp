@@ -48,11 +48,6 @@ double millisecondsSince(std::chrono::steady_clock::time_point start)
 
 ReferenceRenderer::ReferenceRenderer(int threads) : m_threads(threads) {}
 
-QString ReferenceRenderer::backendName() const
-{
-    return QStringLiteral("reference");
-}
-
 QString ReferenceRenderer::deviceName() const
 {
     return QCoreApplication::translate("ReferenceRenderer", "%1 threads · double").arg(m_threads.count());

@@ -13,7 +13,7 @@ public:
     /// `threads`: 0 for all cores.
     explicit ReferenceRenderer(int threads);
 
-    QString backendName() const override;
+    Backend backend() const override { return Backend::Reference; }
     QString deviceName() const override;
     Result<RenderStats> render(const RenderRequest &request, Target &target,
                                const std::atomic<bool> *cancel = nullptr) override;

@@ -1,7 +1,6 @@
 // A renderer whose pictures stay on a device that is none: they lie in memory, and can fail in every way.
 #pragma once
 
-#include "app/session/frames/make_renderer.h"
 #include "render/backends.h"
 
 #include <QOpenGLContext>
@@ -129,7 +128,7 @@ public:
     }
     ~FakeDeviceRenderer() override { m_device.endHere(); }
 
-    QString backendName() const override { return m_device.lost ? QStringLiteral("CPU") : QStringLiteral("CUDA"); }
+    Backend backend() const override { return m_device.lost ? Backend::Cpu : Backend::Cuda; }
     QString deviceName() const override { return m_device.lost ? m_cpu->deviceName() : QStringLiteral("Fake 1"); }
     QString notice() const override { return m_device.lost ? QStringLiteral("CUDA stopped: it is lost") : QString(); }
     void invalidate() override { m_cpu->invalidate(); }

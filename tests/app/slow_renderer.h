@@ -1,7 +1,6 @@
 // Renderers that are slow, or say so.
 #pragma once
 
-#include "app/session/frames/make_renderer.h"
 #include "render/backends.h"
 
 namespace suffuse {
@@ -14,7 +13,7 @@ public:
     SlowRenderer(std::unique_ptr<Renderer> renderer, Slow slow)
         : m_renderer(std::move(renderer)), m_slow(std::move(slow))
     {}
-    QString backendName() const override { return m_renderer->backendName(); }
+    Backend backend() const override { return m_renderer->backend(); }
     QString deviceName() const override { return m_renderer->deviceName(); }
     Result<RenderStats> render(const RenderRequest &request, Target &target, const std::atomic<bool> *cancel) override
     {

@@ -5,8 +5,8 @@
 #include "app/tools/node_tool.h"
 #include "app/tools/select_tool.h"
 #include "model/formats/files.h"
-#include "model/shaping/split.h"
 #include "model/painting/validate.h"
+#include "model/shaping/split.h"
 #include "render/backends.h"
 #include "tests/app/shapes.h"
 
@@ -25,7 +25,7 @@ public:
     HeldRenderer(std::unique_ptr<Renderer> own, std::binary_semaphore &begun, std::binary_semaphore &mayEnd)
         : m_own(std::move(own)), m_begun(begun), m_mayEnd(mayEnd)
     {}
-    QString backendName() const override { return m_own->backendName(); }
+    Backend backend() const override { return m_own->backend(); }
     QString deviceName() const override { return m_own->deviceName(); }
     Result<RenderStats> render(const RenderRequest &request, Target &target, const std::atomic<bool> *cancel) override
     {

@@ -1,5 +1,6 @@
 // The CUDA renderer behind the canvas, on a device in memory: pictures stay there or come back as they are wanted, and
 // whichever call fails, the picture that was asked for is shown.
+#include "render/cpu/cpu_renderer.h"
 #include "render/cuda/cuda_renderer.h"
 #include "render/cuda/failing_device.h"
 #include "render/fallback_renderer.h"
@@ -20,7 +21,9 @@ MakeRenderer makerWith(cuda::PlannedFault fault, std::weak_ptr<cuda::FailingDevi
         if (made)
             *made = device;
         auto renderer = std::make_unique<CudaRenderer>(std::vector<std::shared_ptr<cuda::Device>>{device}, 1);
-        return std::unique_ptr<Renderer>(std::make_unique<FallbackRenderer>(std::move(renderer), options));
+        return std::unique_ptr<Renderer>(std::make_unique<FallbackRenderer>(std::move(renderer), [options] {
+            return std::make_unique<CpuRenderer>(options.threads, options.tileSize);
+        }));
     };
 }
 

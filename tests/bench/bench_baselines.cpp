@@ -1,5 +1,6 @@
 // Suffuse and the methods it is compared with, on one painting in one run.
 #include "model/formats/files.h"
+#include "render/backends.h"
 #include "render/bench/generator.h"
 #include "render/bench/measure.h"
 #include "render/threads/parallel.h"
@@ -63,7 +64,7 @@ Result<std::vector<bench::Row>> measure(const Options &options, int threads)
     RendererOptions renderer;
     renderer.backend = Backend::Cpu;
     renderer.threads = threads;
-    bench::Job job = bench::jobOf(options.painting, options.width, renderer);
+    bench::Job job = bench::jobOf(options.painting, options.width, renderer, makeRenderer);
     job.runs = 1;
     RenderRequest request;
     request.painting = job.painting;

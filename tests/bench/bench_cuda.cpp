@@ -73,7 +73,8 @@ bench::Job jobOf(const Case &c, Backend backend, int runs)
 {
     RendererOptions renderer;
     renderer.backend = backend;
-    bench::Job job = bench::jobOf(std::make_shared<const Painting>(bench::makePainting(c.painting)), c.width, renderer);
+    bench::Job job = bench::jobOf(std::make_shared<const Painting>(bench::makePainting(c.painting)), c.width, renderer,
+                                  makeRenderer);
     job.runs = runs;
     return job;
 }
@@ -167,6 +168,7 @@ Result<void> fullRenders(const Case &c, const Options &options, Report &report)
 Result<void> edits(const Case &c, const Options &options, Report &report)
 {
     bench::Plan plan;
+    plan.make = makeRenderer;
     plan.name = c.name;
     plan.generated = c.painting;
     plan.devices.resize(1);

@@ -1,5 +1,6 @@
 // Counts what a full render has to do: the floor that docs/performance.md compares times with.
 #include "model/formats/files.h"
+#include "render/backends.h"
 #include "render/bench/generator.h"
 #include "render/bench/measure.h"
 #include "render/nodes/node_builder.h"
@@ -171,7 +172,8 @@ int main(int argc, char *argv[])
         QTextStream(stderr) << "bench_floor: " << painting.error() << Qt::endl;
         return 1;
     }
-    const bench::Job job = bench::jobOf(*painting, std::clamp(parser.value("width").toInt(), 1, 8192), {});
+    const bench::Job job =
+        bench::jobOf(*painting, std::clamp(parser.value("width").toInt(), 1, 8192), {}, makeRenderer);
     Counts counts;
     for (const StrokePtr &stroke : job.painting->strokes)
         if (job.painting->isVisible(*stroke))

@@ -5,6 +5,7 @@
 #include "app/panels/timeline/timeline_view.h"
 #include "model/brush/brush.h"
 #include "model/document/timelapse.h"
+#include "render/backends.h"
 #include "render/film/film_writer.h"
 #include "render/sequence.h"
 #include "tests/app/pen_hand.h"

@@ -32,7 +32,7 @@ PaintingPtr softPainting()
 
 RenderRequest requestFor(const PaintingPtr &painting)
 {
-    const bench::Job job = bench::jobOf(painting, int(painting->canvas.width), {});
+    const bench::Job job = bench::jobOf(painting, int(painting->canvas.width), {}, makeRenderer);
     RenderRequest request;
     request.painting = job.painting;
     request.time = job.time;

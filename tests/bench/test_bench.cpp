@@ -1,6 +1,7 @@
 // The measuring code measures what it says: paintings and rows.
 #include "model/formats/files.h"
 #include "model/painting/validate.h"
+#include "render/backends.h"
 #include "render/bench/measure.h"
 #include "render/bench/plan.h"
 #include "tests/bench/small_painting.h"
@@ -131,6 +132,7 @@ void TestBench::rowsAsJson()
 void TestBench::planTakesEveryRow()
 {
     bench::Plan plan;
+    plan.make = makeRenderer;
     plan.painting = std::make_shared<const Painting>(bench::makePainting(smallOptions()));
     plan.name = "small";
     plan.devices = {RendererOptions{Backend::Cpu, 0, 0}};

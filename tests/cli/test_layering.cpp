@@ -17,24 +17,52 @@ namespace {
 /// What the files of a folder may include. The longest matching path decides.
 struct Rule {
     QString path;
-    QStringList own;      ///< the project's folders
-    QStringList qt;       ///< Qt modules
-    QStringList packages; ///< first part of other libraries' headers
+    QStringList own;        ///< the project's folders
+    QStringList qt;         ///< Qt modules
+    QStringList packages;   ///< first part of other libraries' headers
+    QStringList never = {}; ///< of the project's folders, what is left out
 };
 
 const QList<Rule> &rules()
 {
     static const QStringList below = {"model/", "undo/", "render/", "app/session/"};
     static const QStringList widgets = {"QtCore", "QtGui", "QtWidgets"};
+    // A picture's parts know no backend, a backend no other one, and none the factory, which knows them all.
+    static const QStringList backends = {"render/backends", "render/fallback_renderer", "render/cpu/", "render/cuda/",
+                                         "render/reference/"};
+    static const auto allBut = [](const QString &own) {
+        QStringList others = backends;
+        others.removeAll(own);
+        return others;
+    };
     static const QList<Rule> table = {
         {"model/", {"model/"}, {"QtCore"}, {"Eigen", "unsupported", "zstd.h"}},
         // Formulas in double precision: plain C++.
         {"model/paint/", {"model/"}, {}, {}},
         {"undo/", {"model/", "undo/"}, {"QtCore", "QtGui"}, {}},
-        {"render/", {"model/", "render/"}, {"QtCore"}, {"Eigen", "hwy", "tbb", "oneapi"}},
+        {"render/", {"model/", "render/"}, {"QtCore"}, {"Eigen", "hwy", "tbb", "oneapi"}, backends},
+        {"render/backends", {"model/", "render/"}, {"QtCore"}, {}},
+        {"render/fallback_renderer", {"render/renderer.h", "render/fallback_renderer.h"}, {"QtCore"}, {}},
+        // Finished pixels become bytes by the same vector instructions as they were made.
+        {"render/target.", {"model/", "render/target.h", "render/view.h", "render/cpu/kernels.h"}, {"QtCore"}, {}},
+        // What a pixel holds is told by the equations, not by what drew it.
+        {"render/probe.", {"model/", "render/"}, {"QtCore"}, {}, allBut("render/reference/")},
+        {"render/threads/", {"render/threads/"}, {}, {"tbb"}},
+        {"render/nodes/", {"model/", "render/math/", "render/nodes/", "render/threads/"}, {"QtCore"}, {"hwy"}},
+        {"render/scene/",
+         {"model/", "render/math/", "render/nodes/", "render/scene/", "render/threads/", "render/renderer.h",
+          "render/target.h", "render/view.h", "render/image_io/image_io.h"},
+         {"QtCore"},
+         {}},
+        {"render/cpu/", {"model/", "render/"}, {"QtCore"}, {"hwy"}, allBut("render/cpu/")},
+        {"render/reference/", {"model/", "render/"}, {"QtCore"}, {}, allBut("render/reference/")},
         // Written once for host and device.
         {"render/math/", {"render/math/", "model/painting/style.h"}, {}, {"hwy"}},
-        {"render/cuda/", {"model/", "render/"}, {"QtCore"}, {"cuda_runtime.h", "cuda_pipeline.h"}},
+        {"render/cuda/",
+         {"model/", "render/"},
+         {"QtCore"},
+         {"cuda_runtime.h", "cuda_pipeline.h"},
+         allBut("render/cuda/")},
         // OpenGL by its types only: no library of it is linked.
         {"render/cuda/gl_interop", {"render/"}, {}, {"cuda_runtime.h", "cuda_gl_interop.h"}},
         // Where the libraries of image files are known, the program is not; where OpenImageIO is, none of the others.
@@ -125,6 +153,9 @@ QString breach(const QString &file, const QString &header, bool quoted)
             return {};
         if (!folders.contains(header.section('/', 0, 0)))
             return breach(file, header, false);
+        for (const QString &never : rule->never)
+            if (header.startsWith(never))
+                return QString("%1 may not include %2").arg(rule->path, never);
         for (const QString &own : rule->own)
             if (header.startsWith(own))
                 return {};
@@ -287,6 +318,7 @@ private slots:
     void circlesAreFound();
     void noTwoTypesShareAName();
     void typesAreFound();
+    void onePlaceReadsTheEnvironment();
 };
 
 void TestLayering::everyFileKeepsToItsLevel()
@@ -327,6 +359,14 @@ void TestLayering::breachesAreFound_data()
     row("CUDA sources without Qt and Eigen", "render/cuda/a.cu", "#include <QString>\n#include <Eigen/Core>", 2);
     row("OpenGL where CUDA meets it", "render/cuda/gl_interop.cu", "#include <cuda_gl_interop.h>", 0);
     row("and nowhere else", "render/cuda/device.cu", "#include <cuda_gl_interop.h>\n#include <GL/gl.h>", 2);
+    row("a scene without backends", "render/scene/a.cpp",
+        "#include \"render/cpu/kernels.h\"\n#include \"render/nodes/a.h\"", 1);
+    row("nodes without backends", "render/nodes/a.h", "#include \"render/cuda/records.h\"", 1);
+    row("a backend without others", "render/cuda/a.cpp",
+        "#include \"render/cuda/a.h\"\n#include \"render/cpu/kernels.h\"\n#include \"render/scene/a.h\"", 1);
+    row("render without its factory", "render/a.cpp", "#include \"render/backends.h\"", 1);
+    row("the factory with all backends", "render/backends.cpp",
+        "#include \"render/cpu/a.h\"\n#include \"render/cuda/a.h\"\n#include \"render/reference/a.h\"", 0);
     row("kernels without Qt", "render/math/a.h", "#include <QString>\n#include <cmath>", 1);
     row("the command line without undo", "app/cli/a.cpp",
         "#include \"undo/edits.h\"\n#include \"app/session/editor.h\"", 2);
@@ -390,6 +430,18 @@ void TestLayering::typesAreFound()
                        "namespace {\nstruct F {\n};\n} // namespace\n"
                        "class G final : public H\n{\nclass G::I : public H {\n} // namespace a::b\nunion J {");
     QCOMPARE(typesIn(text), QStringList({"a::b::D", "a::b::E", "a::b::G", "J"}));
+}
+
+/// Else nobody knows which variables there are.
+void TestLayering::onePlaceReadsTheEnvironment()
+{
+    static const QRegularExpression reads("\\b(getenv|q?putenv|setenv|qgetenv|qEnvironmentVariable\\w*)\\(");
+    QStringList readers;
+    forEachSource([&](const QString &path, const QString &text) {
+        if (text.contains(reads))
+            readers.append(path);
+    });
+    QCOMPARE(readers, QStringList("model/environment.cpp"));
 }
 
 QTEST_GUILESS_MAIN(TestLayering)

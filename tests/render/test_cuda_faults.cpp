@@ -23,7 +23,7 @@ class TestCudaFaults : public QObject {
         auto late = std::make_unique<EmulatedDevice>(memory, EmulatedDevice::Timing::Late);
         s.device = std::make_shared<cuda::FailingDevice>(std::move(late), fault);
         auto cuda = std::make_unique<CudaRenderer>(std::vector<std::shared_ptr<cuda::Device>>{s.device}, 1);
-        s.renderer = std::make_unique<FallbackRenderer>(std::move(cuda), RendererOptions{.threads = 1});
+        s.renderer = std::make_unique<FallbackRenderer>(std::move(cuda), [] { return make(Backend::Cpu, 1); });
         return s;
     }
 
@@ -59,7 +59,7 @@ private slots:
         drag<FloatPicture>(s, [&](const RenderRequest &request, const FloatPicture &picture) {
             compare8(picture, test::render(*make(Backend::Cpu), request.painting, request.view), "no fault");
         });
-        QCOMPARE(s.renderer->backendName(), QStringLiteral("CUDA"));
+        QCOMPARE(s.renderer->backend(), Backend::Cuda);
         QVERIFY(s.renderer->notice().isEmpty());
         QVERIFY(s.device->calls() > 40);
     }
@@ -72,10 +72,10 @@ private slots:
         for (int n = 1; n <= calls; ++n) {
             Session s = open({n, cuda::Fault::Lost});
             drag<FloatPicture>(s, [&](const RenderRequest &request, const FloatPicture &picture) {
-                if (s.renderer->backendName() == QLatin1String("CPU") && !request.interactive)
+                if (s.renderer->backend() == Backend::Cpu && !request.interactive)
                     QVERIFY2(isCpu(request, picture), qPrintable(QStringLiteral("call %1").arg(n)));
             });
-            QCOMPARE(s.renderer->backendName(), QStringLiteral("CPU"));
+            QCOMPARE(s.renderer->backend(), Backend::Cpu);
             QCOMPARE(s.renderer->notice(),
                      QStringLiteral("CUDA stopped: call %1 was made to fail. The CPU draws now.").arg(n));
         }
@@ -93,13 +93,13 @@ private slots:
             Session s = open({n, cuda::Fault::OutOfMemory});
             std::size_t step = 0;
             drag<FloatPicture>(s, [&](const RenderRequest &request, const FloatPicture &picture) {
-                const bool cpu = s.renderer->backendName() == QLatin1String("CPU");
+                const bool cpu = s.renderer->backend() == Backend::Cpu;
                 if (!request.interactive)
                     QVERIFY2(cpu ? isCpu(request, picture) : picture.rgba == expected[step],
                              qPrintable(QStringLiteral("call %1").arg(n)));
                 ++step;
             });
-            survived += s.renderer->backendName() == QLatin1String("CUDA");
+            survived += s.renderer->backend() == Backend::Cuda;
         }
         QVERIFY(survived > 0);
     }
@@ -116,7 +116,7 @@ private slots:
         for (std::size_t memory = std::size_t(1) << 22; memory > 1000; memory /= 2) {
             Session s = open({}, memory);
             const FloatPicture picture = test::render(*s.renderer, p, view);
-            if (s.renderer->backendName() == QLatin1String("CUDA")) {
+            if (s.renderer->backend() == Backend::Cuda) {
                 QVERIFY(picture.rgba == expected.rgba);
                 halved += s.device->calls() > once;
             } else {
@@ -135,7 +135,7 @@ private slots:
         p->canvas.paper = {PaperKind::Image, 1, 4, 1, std::make_shared<const QByteArray>("no image")};
         FloatPicture picture;
         QVERIFY(!s.renderer->render({p, p->end(), m_view}, picture));
-        QCOMPARE(s.renderer->backendName(), QStringLiteral("CUDA"));
+        QCOMPARE(s.renderer->backend(), Backend::Cuda);
         QVERIFY(s.renderer->render({m_painting, m_painting->end(), m_view}, picture));
     }
 

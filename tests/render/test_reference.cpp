@@ -361,7 +361,7 @@ void TestReference::cancelledPicturesSaySo()
     const auto whole = renderer->render({painting, painting->end(), view, false}, picture);
     QVERIFY(bool(whole) && !whole->cancelled);
     QCOMPARE(whole->dirty, (std::vector<PixelRect>{{0, 0, 48, 40}}));
-    QCOMPARE(renderer->backendName(), QString("reference"));
+    QCOMPARE(renderer->backend(), Backend::Reference);
 }
 
 void TestReference::comparisonFindsTheLargestDifference()

@@ -1,4 +1,5 @@
 // Pictures of a film: those of single renders, whoever draws which; errors and cancelling end the work.
+#include "render/backends.h"
 #include "render/sequence.h"
 #include "tests/render/paintings.h"
 

@@ -2,8 +2,8 @@
 #pragma once
 
 #include "app/session/frames/frame_schedule.h"
-#include "app/session/frames/make_renderer.h"
 #include "app/session/frames/shown_frame.h"
+#include "render/renderer.h"
 
 #include <atomic>
 #include <memory>

@@ -15,7 +15,7 @@ constexpr std::size_t maxDirtyRects = 4096;
 QString whyNoCuda()
 {
     for (const BackendInfo &backend : backends())
-        if (backend.name == "CUDA" && !backend.unavailable.isEmpty())
+        if (backend.backend == Backend::Cuda && !backend.unavailable.isEmpty())
             return QStringLiteral("CUDA: %1").arg(backend.unavailable);
     return {};
 }
@@ -43,7 +43,7 @@ ExactFrames::ExactFrames(const RendererOptions &options, const MakeRenderer &mak
         RendererOptions byCpu = options;
         byCpu.backend = Backend::Cpu;
         renderer = make(byCpu);
-    } else if (options.backend == Backend::Auto && (*renderer)->backendName() == "CPU") {
+    } else if (options.backend == Backend::Auto && (*renderer)->backend() == Backend::Cpu) {
         m_notice = whyNoCuda();
     }
     if (renderer)
@@ -56,7 +56,7 @@ QString ExactFrames::backendText() const
 {
     if (!m_renderer)
         return {};
-    return QStringLiteral("%1 · %2").arg(m_renderer->backendName(), m_renderer->deviceName());
+    return QStringLiteral("%1 · %2").arg(nameOf(m_renderer->backend()), m_renderer->deviceName());
 }
 
 QString ExactFrames::notice() const

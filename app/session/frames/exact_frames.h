@@ -2,8 +2,8 @@
 #pragma once
 
 #include "app/session/frames/frame_schedule.h"
-#include "app/session/frames/make_renderer.h"
 #include "app/session/frames/shown_frame.h"
+#include "render/renderer.h"
 
 #include <atomic>
 #include <memory>
@@ -25,7 +25,7 @@ public:
     FrameOutcome draw(const RenderRequest &request, const std::atomic<bool> *cancel, Picture8 &picture);
 
     /// The CPU draws, and its pictures are in memory.
-    bool isInMemory() const { return m_renderer && m_renderer->backendName() == "CPU"; }
+    bool isInMemory() const { return m_renderer && m_renderer->backend() == Backend::Cpu; }
     /// "CPU · 2 threads · AVX2"; empty where nothing can draw.
     QString backendText() const;
     /// Empty, or why the CPU draws, or why pictures do not stay on the device.

@@ -2,7 +2,6 @@
 #pragma once
 
 #include "app/session/frames/frame_schedule.h"
-#include "app/session/frames/make_renderer.h"
 #include "app/session/frames/shown_frame.h"
 #include "render/backends.h"
 
