@@ -10,12 +10,12 @@ namespace suffuse {
 namespace {
 
 /// What moves as one: a stroke, or a group that is selected as a whole.
-struct Unit {
+struct MovedUnit {
     std::vector<StrokePtr> strokes;
     Rect box;
 };
 
-std::vector<Unit> unitsOf(const Document &document)
+std::vector<MovedUnit> unitsOf(const Document &document)
 {
     const Painting &painting = *document.painting();
     std::unordered_map<StrokeId, StrokePtr> byId;
@@ -23,9 +23,9 @@ std::vector<Unit> unitsOf(const Document &document)
         if (document.selection().strokes.contains(s->id))
             byId.emplace(s->id, s);
     const std::vector<Sibling> tree = orderTree(painting, document.selection().strokes);
-    std::vector<Unit> units;
+    std::vector<MovedUnit> units;
     for (const Sibling *sibling : selectedUnits(tree)) {
-        Unit unit;
+        MovedUnit unit;
         forEachStroke(*sibling, [&](StrokeId id) {
             unit.strokes.push_back(byId.at(id));
             unit.box = unit.box.united(seenBox(*unit.strokes.back()));
@@ -35,7 +35,7 @@ std::vector<Unit> unitsOf(const Document &document)
     return units;
 }
 
-void move(const Unit &unit, Point by, Edit &edit)
+void move(const MovedUnit &unit, Point by, Edit &edit)
 {
     if (by == Point())
         return;
@@ -67,11 +67,11 @@ Point wayTo(const Rect &target, const Rect &box, Align how)
     return {};
 }
 
-Rect targetBox(const Document &document, const std::vector<Unit> &units, AlignTo to, StrokeId anchor)
+Rect targetBox(const Document &document, const std::vector<MovedUnit> &units, AlignTo to, StrokeId anchor)
 {
-    const auto size = [](const Unit &unit) { return std::hypot(unit.box.width(), unit.box.height()); };
-    const auto smaller = [&](const Unit &a, const Unit &b) { return size(a) < size(b); };
-    const auto hasAnchor = [anchor](const Unit &unit) {
+    const auto size = [](const MovedUnit &unit) { return std::hypot(unit.box.width(), unit.box.height()); };
+    const auto smaller = [&](const MovedUnit &a, const MovedUnit &b) { return size(a) < size(b); };
+    const auto hasAnchor = [anchor](const MovedUnit &unit) {
         return std::any_of(unit.strokes.begin(), unit.strokes.end(),
                            [anchor](const StrokePtr &s) { return s->id == anchor; });
     };
@@ -88,7 +88,7 @@ Rect targetBox(const Document &document, const std::vector<Unit> &units, AlignTo
         break;
     }
     Rect all;
-    for (const Unit &unit : units)
+    for (const MovedUnit &unit : units)
         all = all.united(unit.box);
     return all;
 }
@@ -154,12 +154,12 @@ Rect selectionBox(const Painting &painting, const Selection &selection)
 
 Edit align(const Document &document, Align how, AlignTo to, StrokeId anchor)
 {
-    const std::vector<Unit> units = unitsOf(document);
+    const std::vector<MovedUnit> units = unitsOf(document);
     Edit edit;
     if (units.empty())
         return edit;
     const Rect target = targetBox(document, units, to, anchor);
-    for (const Unit &unit : units)
+    for (const MovedUnit &unit : units)
         move(unit, wayTo(target, unit.box, how), edit);
     return edit;
 }
@@ -167,17 +167,17 @@ Edit align(const Document &document, Align how, AlignTo to, StrokeId anchor)
 Edit distribute(const Document &document, Axis axis, Spacing spacing)
 {
     struct Span {
-        const Unit *unit;
+        const MovedUnit *unit;
         double from, to;
         double centre() const { return 0.5 * (from + to); }
     };
-    const std::vector<Unit> units = unitsOf(document);
+    const std::vector<MovedUnit> units = unitsOf(document);
     Edit edit;
     if (units.size() < 3)
         return edit;
     std::vector<Span> spans;
     double covered = 0;
-    for (const Unit &unit : units) {
+    for (const MovedUnit &unit : units) {
         const Rect &b = unit.box;
         spans.push_back(axis == Axis::Horizontal ? Span{&unit, b.left, b.right} : Span{&unit, b.top, b.bottom});
         covered += spans.back().to - spans.back().from;

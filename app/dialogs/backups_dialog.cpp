@@ -22,7 +22,7 @@ constexpr int backupColumnGap = 20;
 constexpr QSize usualSize(560, 400); ///< room for three pictures and a little more; low screens have that, too
 /// Larger paintings show the picture in their file or none, since drawing one would take too long.
 constexpr std::size_t mostDrawn = 200'000;
-enum Column { Saved, Strokes, Size };
+enum BackupColumn { Saved, Strokes, Size };
 
 QImage pictureOf(LoadedDocument &document, int side)
 {

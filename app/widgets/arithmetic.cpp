@@ -86,7 +86,7 @@ private:
 };
 
 /// A unit that may be typed in a field of another unit, and what it is worth there.
-struct Unit {
+struct LengthUnit {
     const char *name;
     const char *field;
     double factor;
@@ -106,13 +106,13 @@ QString plainUnit(const QString &shown)
 double worthOf(const QString &shownName, const QString &shownField)
 {
     const QString name = plainUnit(shownName), field = plainUnit(shownField);
-    static const Unit units[] = {
+    static const LengthUnit units[] = {
         {"ms", "s", 1e-3},    {"min", "s", 60}, {"px", "u", 1}, {"deg", "°", 1}, {"rad", "°", 57.29577951308232},
         {"px²/s", "u²/s", 1},
     };
     if (name.isEmpty() || name == field)
         return 1;
-    for (const Unit &unit : units)
+    for (const LengthUnit &unit : units)
         if (name == QString::fromUtf8(unit.name) && field == QString::fromUtf8(unit.field))
             return unit.factor;
     return 0;

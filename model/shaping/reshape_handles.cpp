@@ -28,13 +28,13 @@ bool makesPoints(const Stroke &after, const Stroke &before)
 }
 
 /// An inner node with its two handles.
-struct Node {
+struct HandleNode {
     Offset &before;
     Offset &arriving; ///< the end of the segment before: the same place as `leaving`
     Offset &leaving;
     Offset &after;
 
-    Node(Stroke &stroke, int node)
+    HandleNode(Stroke &stroke, int node)
         : before(stroke.segments[std::size_t(node - 1)].bezier[2]),
           arriving(stroke.segments[std::size_t(node - 1)].bezier[3]),
           leaving(stroke.segments[std::size_t(node)].bezier[0]), after(stroke.segments[std::size_t(node)].bezier[1])
@@ -66,7 +66,7 @@ void followHandle(Stroke &stroke, int node, bool after)
 {
     if (!isInnerNode(stroke, node) || stroke.segments[std::size_t(node)].node == NodeKind::Corner)
         return;
-    Node n(stroke, node);
+    HandleNode n(stroke, node);
     const Point own = vectorBetween(n.leaving, after ? n.after : n.before);
     Offset &opposite = after ? n.before : n.after;
     const double reach = stroke.segments[std::size_t(node)].node == NodeKind::Symmetric
@@ -79,7 +79,7 @@ void followHandle(Stroke &stroke, int node, bool after)
 /// Turns the two handles into one line along the bisector of where they point.
 void makeSmooth(Stroke &stroke, int node, bool symmetric)
 {
-    Node n(stroke, node);
+    HandleNode n(stroke, node);
     const Point in = vectorBetween(n.before, n.leaving), out = vectorBetween(n.leaving, n.after);
     double before = length(in), after = length(out);
     const bool isStraight = before > 0 && after > 0 && dot(unit(in), unit(out)) > 1 - 1e-12;

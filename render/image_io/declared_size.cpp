@@ -49,13 +49,13 @@ Size pngSize(const QByteArray &bytes)
 }
 
 /// An attribute of an EXR header: name, type, size, value.
-struct Attribute {
+struct ExrAttribute {
     QByteArray name, type;
     qsizetype at = 0, size = 0; ///< of the value
 };
 
 /// Goes on behind the attribute; none at a header's end. A size that the file has not is left as it is.
-std::optional<Attribute> nextAttribute(const QByteArray &bytes, qsizetype &at)
+std::optional<ExrAttribute> nextAttribute(const QByteArray &bytes, qsizetype &at)
 {
     const auto text = [&] {
         const qsizetype end = bytes.indexOf('\0', at);
@@ -63,7 +63,7 @@ std::optional<Attribute> nextAttribute(const QByteArray &bytes, qsizetype &at)
         at = end < 0 ? bytes.size() : end + 1;
         return found;
     };
-    Attribute attribute;
+    ExrAttribute attribute;
     attribute.name = text();
     if (attribute.name.isEmpty())
         return {};
@@ -75,7 +75,7 @@ std::optional<Attribute> nextAttribute(const QByteArray &bytes, qsizetype &at)
 }
 
 /// OpenEXR reads some types by their own end, whatever size is written: then the next attribute is elsewhere for it.
-bool endsElsewhere(const QByteArray &bytes, const Attribute &a)
+bool endsElsewhere(const QByteArray &bytes, const ExrAttribute &a)
 {
     static const std::map<QByteArray, qsizetype> sizes = {
         {"box2i", 16}, {"box2f", 16}, {"chromaticities", 32}, {"compression", 1}, {"deepImageState", 1}, {"double", 8},
@@ -94,7 +94,7 @@ bool endsElsewhere(const QByteArray &bytes, const Attribute &a)
     return at + 1 != a.at + a.size;
 }
 
-bool asksTooMuch(const QByteArray &bytes, const Attribute &a)
+bool asksTooMuch(const QByteArray &bytes, const ExrAttribute &a)
 {
     const auto number = [&](int i) { return qint64(qint32(littleEndian(bytes, a.at + 4 * i, 4))); };
     if (a.size < 0 || a.at + a.size > bytes.size() || endsElsewhere(bytes, a))
@@ -115,7 +115,7 @@ bool exrAsksTooMuch(const QByteArray &bytes)
     qsizetype at = 8;
     for (bool isFirst = true;; isFirst = false) {
         bool isEmpty = true;
-        while (const std::optional<Attribute> attribute = nextAttribute(bytes, at)) {
+        while (const std::optional<ExrAttribute> attribute = nextAttribute(bytes, at)) {
             isEmpty = false;
             if (asksTooMuch(bytes, *attribute))
                 return true;

@@ -185,13 +185,16 @@ void appendBlocks(const Stroke &stroke, std::size_t from, std::size_t to, const 
 }
 
 /// How many of each kind there are.
-struct Extent {
+struct NodesExtent {
     std::size_t nodes, groups, rows, reaches;
 
-    explicit Extent(const StrokeNodes &s)
+    explicit NodesExtent(const StrokeNodes &s)
         : nodes(s.nodes.size()), groups(s.groups.size()), rows(s.rows.size()), reaches(s.reaches.size())
     {}
-    void operator+=(const Extent &e) { nodes += e.nodes, groups += e.groups, rows += e.rows, reaches += e.reaches; }
+    void operator+=(const NodesExtent &e)
+    {
+        nodes += e.nodes, groups += e.groups, rows += e.rows, reaches += e.reaches;
+    }
     void resize(StrokeNodes &s) const
     {
         s.nodes.resize(nodes);
@@ -202,7 +205,7 @@ struct Extent {
 };
 
 /// Puts all of `part` into `out` from `at` on, where there is room.
-void copyNodes(const StrokeNodes &part, const Extent &at, StrokeNodes &out)
+void copyNodes(const StrokeNodes &part, const NodesExtent &at, StrokeNodes &out)
 {
     const auto nodes = std::uint32_t(at.nodes), reaches = std::uint32_t(at.reaches);
     std::ranges::transform(part.groups, out.groups.begin() + std::ptrdiff_t(at.groups), [&](NodeGroup group) {
@@ -220,9 +223,9 @@ void copyNodes(const StrokeNodes &part, const Extent &at, StrokeNodes &out)
 
 void appendNodes(const StrokeNodes &part, StrokeNodes &out)
 {
-    const Extent at(out);
-    Extent end = at;
-    end += Extent(part);
+    const NodesExtent at(out);
+    NodesExtent end = at;
+    end += NodesExtent(part);
     end.resize(out);
     copyNodes(part, at, out);
     out.clipped |= part.clipped;
@@ -240,11 +243,11 @@ void appendNodes(const Stroke &stroke, std::size_t from, std::size_t to, const N
         const std::size_t first = from + i * share;
         appendBlocks(stroke, first, std::min(first + share, to), context, parts[i]);
     });
-    std::vector<Extent> places; // where each part begins
-    Extent end(out);
+    std::vector<NodesExtent> places; // where each part begins
+    NodesExtent end(out);
     for (const StrokeNodes &part : parts) {
         places.push_back(end);
-        end += Extent(part);
+        end += NodesExtent(part);
         out.clipped |= part.clipped;
     }
     end.resize(out);

@@ -268,8 +268,8 @@ private:
     QList<QStringList> m_found;
 };
 
-/// The types that a file defines for all to link with: with their namespaces, but none that is without a name.
-QStringList typesIn(const QString &text)
+/// The types that a file defines, with their namespaces: for all to link with, or `unnamed`, for itself.
+QStringList typesIn(const QString &text, bool unnamed = false)
 {
     static const QRegularExpression space("^(?:inline )?namespace ?([\\w:]*) ?\\{$");
     static const QRegularExpression type(
@@ -280,8 +280,11 @@ QStringList typesIn(const QString &text)
             spaces.append(opened.captured(1));
         else if (l.startsWith("} // namespace") && !spaces.isEmpty())
             spaces.removeLast();
-        else if (const auto match = type.match(l); match.hasMatch() && !spaces.contains(QString()))
-            out.append((spaces + QStringList(match.captured(1))).join("::"));
+        else if (const auto match = type.match(l); match.hasMatch() && spaces.contains(QString()) == unnamed) {
+            QStringList path = spaces + QStringList(match.captured(1));
+            path.removeAll(QString());
+            out.append(path.join("::"));
+        }
     }
     return out;
 }
@@ -317,6 +320,7 @@ private slots:
     void noCircleIsLargerThanTwo();
     void circlesAreFound();
     void noTwoTypesShareAName();
+    void noTypeOfOneFileIsNamedAsOneOfAll();
     void typesAreFound();
     void onePlaceReadsTheEnvironment();
 };
@@ -424,12 +428,29 @@ void TestLayering::noTwoTypesShareAName()
         QVERIFY2(places.count(type) == 1, qPrintable(type + ": " + places.values(type).join(", ")));
 }
 
+/// Whichever files are compiled as one (SUFFUSE_UNITY), which of the two is meant must be plain.
+void TestLayering::noTypeOfOneFileIsNamedAsOneOfAll()
+{
+    QSet<QString> ofAll;
+    QMultiMap<QString, QString> ofOne;
+    forEachSource([&](const QString &path, const QString &text) {
+        for (const QString &type : typesIn(text))
+            ofAll.insert(type);
+        for (const QString &type : typesIn(text, true))
+            ofOne.insert(type, path);
+    });
+    QVERIFY2(ofOne.size() > 30, "the types were not found");
+    for (const QString &type : ofOne.uniqueKeys())
+        QVERIFY2(!ofAll.contains(type), qPrintable(type + ": " + ofOne.values(type).join(", ")));
+}
+
 void TestLayering::typesAreFound()
 {
     const QString text("namespace a::b {\nclass C;\nstruct D {\nenum class E : int { One };\n"
                        "namespace {\nstruct F {\n};\n} // namespace\n"
                        "class G final : public H\n{\nclass G::I : public H {\n} // namespace a::b\nunion J {");
     QCOMPARE(typesIn(text), QStringList({"a::b::D", "a::b::E", "a::b::G", "J"}));
+    QCOMPARE(typesIn(text, true), QStringList("a::b::F"));
 }
 
 /// Else nobody knows which variables there are.

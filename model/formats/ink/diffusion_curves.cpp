@@ -164,14 +164,14 @@ Point unit(Point v)
 }
 
 /// The pieces of a curve: cubics that are no points, and where on the curve the middle of each lies.
-struct Piece {
+struct CurvePiece {
     Cubic cubic;
     double place = 0;
 };
 
-std::vector<Piece> piecesOf(const Curve &curve)
+std::vector<CurvePiece> piecesOf(const Curve &curve)
 {
-    std::vector<Piece> pieces;
+    std::vector<CurvePiece> pieces;
     for (std::size_t i = 0; i + 3 < curve.points.size(); i += 3) {
         Cubic rest{{curve.points[i], curve.points[i + 1], curve.points[i + 2], curve.points[i + 3]}};
         for (int k = 0; k < piecesPerCubic; ++k) {
@@ -186,7 +186,7 @@ std::vector<Piece> piecesOf(const Curve &curve)
 }
 
 /// Directions at the nodes between pieces: halfway between the one that comes and the one that goes.
-std::vector<Point> directionsAt(const std::vector<Piece> &pieces)
+std::vector<Point> directionsAt(const std::vector<CurvePiece> &pieces)
 {
     std::vector<Point> directions(pieces.size() + 1);
     for (std::size_t k = 0; k < pieces.size(); ++k) {
@@ -214,7 +214,7 @@ float softness(double xi1, double halfWidth, double spread, double blur)
 /// One side of a curve; `away` is +1 or −1 times the distance of the stroke's middle from the curve.
 StrokePtr sideOf(const Curve &curve, const Stops<Rgb> &colours, double away, StrokeId id)
 {
-    const std::vector<Piece> pieces = piecesOf(curve);
+    const std::vector<CurvePiece> pieces = piecesOf(curve);
     if (pieces.empty())
         return {};
     const std::vector<Point> directions = directionsAt(pieces);

@@ -12,12 +12,12 @@ namespace suffuse {
 
 namespace {
 
-enum Column { X, Y, Time, Pressure, Width, Altitude, StrokeName, columnCount };
+enum InkColumn { X, Y, Time, Pressure, Width, Altitude, StrokeName, columnCount };
 using Columns = std::array<int, columnCount>;
-constexpr std::array<Column, 6> numberColumns{X, Y, Time, Pressure, Width, Altitude};
+constexpr std::array<InkColumn, 6> numberColumns{X, Y, Time, Pressure, Width, Altitude};
 
 struct Row {
-    std::array<double, numberColumns.size()> values{0, 0, 0, 1, 0, 0}; ///< by Column
+    std::array<double, numberColumns.size()> values{0, 0, 0, 1, 0, 0}; ///< by InkColumn
     std::string stroke;
 };
 
@@ -236,7 +236,7 @@ public:
     /// False: see error().
     bool read(const std::vector<std::string_view> &cells, qint64 line, Row &row)
     {
-        for (const Column column : numberColumns) {
+        for (const InkColumn column : numberColumns) {
             const int k = m_header.columns[std::size_t(column)];
             if (k < 0 || (column >= Pressure && std::size_t(k) < cells.size() && cells[std::size_t(k)].empty()))
                 continue;

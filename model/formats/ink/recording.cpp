@@ -12,15 +12,15 @@ namespace suffuse {
 
 namespace {
 
-struct Extent {
+struct TimesAndBox {
     Rect box;
     Microseconds start = std::numeric_limits<Microseconds>::max();
     Microseconds end = std::numeric_limits<Microseconds>::min();
 };
 
-Extent extentOf(const Recording &recording)
+TimesAndBox extentOf(const Recording &recording)
 {
-    Extent e;
+    TimesAndBox e;
     for (const auto &path : recording.paths) {
         for (const PenSample &s : path.samples) {
             e.box.include(s.position);
@@ -63,7 +63,7 @@ float tiltOf(double altitude)
 
 Result<Painting> paintRecording(const Recording &recording, const Brush &brush, const QString &fileName)
 {
-    const Extent extent = extentOf(recording);
+    const TimesAndBox extent = extentOf(recording);
     if (extent.box.isEmpty())
         return fileError(fileName, FileMessages::tr("holds no pen strokes; there is nothing to paint"));
     constexpr double largestCanvas = 1e6;
