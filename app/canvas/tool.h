@@ -1,8 +1,7 @@
 // What happens between pointer and document.
 #pragma once
 
-#include "model/painting/geometry.h"
-#include "model/painting/segment.h"
+#include "app/canvas/input/pointer_event.h"
 #include "render/view.h"
 
 #include <QCursor>
@@ -16,34 +15,13 @@ class QWidget;
 
 namespace suffuse {
 
-class CanvasWidget;
-class Editor;
-
-enum class PointerDevice { Mouse, Pen, Eraser };
-
-/// One report of the pointer.
-struct PointerEvent {
-    Point point;                ///< canvas units
-    Point pixel;                ///< device pixels of the canvas widget
-    double pressure = 1;        ///< [0, 1]; a mouse presses fully
-    double tiltX = 0;           ///< degrees
-    double tiltY = 0;           ///< degrees
-    Microseconds time = 0;      ///< document time
-    Microseconds late = 0;      ///< of a press: how long it has waited to be heard of
-    Qt::MouseButton button = Qt::NoButton; ///< what caused it
-    Qt::MouseButtons buttons;   ///< what is down
-    Qt::KeyboardModifiers modifiers;
-    PointerDevice device = PointerDevice::Mouse;
-    bool doubleClick = false; ///< a press that follows another at the same place
-};
-
-/// A tool of the canvas. It sees press, moves, release of the main button, and hovering in between; it changes the
-/// document through the editor and draws only on the overlay.
+/// What the canvas knows of a tool: it sees press, moves, release of the main button, and hovering in between; it
+/// changes the document through the editor and draws only on the overlay.
 class Tool : public QObject {
     Q_OBJECT
 
 public:
-    explicit Tool(CanvasWidget &canvas, QObject *parent = nullptr);
+    using QObject::QObject;
 
     /// One line for the status bar, translated.
     virtual QString hint() const = 0;
@@ -85,10 +63,6 @@ public:
 signals:
     /// What hint() says is another line now.
     void hintChanged();
-
-protected:
-    CanvasWidget &m_canvas;
-    Editor &m_editor;
 };
 
 } // namespace suffuse

@@ -77,7 +77,7 @@ Brush brushAtEnd(const Stroke &stroke, int node, Brush brush)
 
 } // namespace
 
-BrushTool::BrushTool(CanvasWidget &canvas, QObject *parent) : Tool(canvas, parent), m_picker(canvas)
+BrushTool::BrushTool(CanvasWidget &canvas, QObject *parent) : CanvasTool(canvas, parent), m_picker(canvas)
 {
     connect(&m_editor, &Editor::brushChanged, this, [this] {
         refreshOptions();

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "app/canvas/tool.h"
 #include "app/session/painting/stabiliser.h"
+#include "app/tools/canvas_tool.h"
 #include "app/tools/eyedropper_tool.h"
 #include "model/brush/brush.h"
 #include "model/brush/stroke_builder.h"
@@ -21,7 +21,7 @@ class NumberField;
 /// Paints: the stroke in hand is the document's draft, and becomes one undo step when the pen lifts. With Shift from an
 /// end of a selected stroke it goes on with that stroke, with the values at that end; from elsewhere Shift changes the
 /// brush's size across and its opacity upwards; with Ctrl or Alt it picks colours.
-class BrushTool : public Tool {
+class BrushTool : public CanvasTool {
     Q_OBJECT
 
 public:

@@ -104,7 +104,7 @@ void ColourPicker::paint(QPainter &painter, double dpr) const
     half(m_before, 180);
 }
 
-EyedropperTool::EyedropperTool(CanvasWidget &canvas, QObject *parent) : Tool(canvas, parent), m_picker(canvas) {}
+EyedropperTool::EyedropperTool(CanvasWidget &canvas, QObject *parent) : CanvasTool(canvas, parent), m_picker(canvas) {}
 
 QString EyedropperTool::hint() const
 {

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "app/canvas/tool.h"
+#include "app/tools/canvas_tool.h"
 #include "model/painting/style.h"
 
 #include <optional>
@@ -37,7 +37,7 @@ private:
 };
 
 /// Picks the current colour from the canvas.
-class EyedropperTool : public Tool {
+class EyedropperTool : public CanvasTool {
     Q_OBJECT
 
 public:

@@ -17,7 +17,7 @@ constexpr double cutAngleStep = std::numbers::pi / 12; ///< of the line with Ctr
 
 } // namespace
 
-KnifeTool::KnifeTool(CanvasWidget &canvas, QObject *parent) : Tool(canvas, parent) {}
+KnifeTool::KnifeTool(CanvasWidget &canvas, QObject *parent) : CanvasTool(canvas, parent) {}
 
 QString KnifeTool::hint() const
 {

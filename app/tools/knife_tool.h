@@ -1,12 +1,12 @@
 #pragma once
 
-#include "app/canvas/tool.h"
+#include "app/tools/canvas_tool.h"
 #include "undo/node_edits.h"
 
 namespace suffuse {
 
 /// Cuts strokes where a line crosses them: the selected ones, or all without a selection.
-class KnifeTool : public Tool {
+class KnifeTool : public CanvasTool {
     Q_OBJECT
 
 public:

@@ -1,15 +1,15 @@
 #pragma once
 
-#include "app/canvas/tool.h"
+#include "app/tools/canvas_tool.h"
 
 namespace suffuse {
 
 /// Drags the canvas under the window, as space-drag does with any tool.
-class PanTool : public Tool {
+class PanTool : public CanvasTool {
     Q_OBJECT
 
 public:
-    using Tool::Tool;
+    using CanvasTool::CanvasTool;
 
     QString hint() const override;
     QCursor cursor() const override { return m_dragging ? Qt::ClosedHandCursor : Qt::OpenHandCursor; }

@@ -1,7 +1,7 @@
 // What the tools that select have in common: click, rubber band, nudging.
 #pragma once
 
-#include "app/canvas/tool.h"
+#include "app/tools/canvas_tool.h"
 #include "model/painting/selection.h"
 #include "undo/edit_command.h"
 
@@ -16,11 +16,11 @@ namespace suffuse {
 enum class BandShape { Rectangle, Lasso, Touch };
 
 /// Tells clicks from drags; a drag is a rubber band unless the tool takes it.
-class SelectionTool : public Tool {
+class SelectionTool : public CanvasTool {
     Q_OBJECT
 
 public:
-    using Tool::Tool;
+    using CanvasTool::CanvasTool;
 
     void press(const PointerEvent &event) override;
     void move(const PointerEvent &event) override;

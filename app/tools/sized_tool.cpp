@@ -19,7 +19,7 @@ constexpr double edge = 4;                     ///< pixels that the ring's pen t
 } // namespace
 
 SizedTool::SizedTool(const QString &name, double radius, CanvasWidget &canvas, QObject *parent)
-    : Tool(canvas, parent), m_name(QStringLiteral("tools/%1Radius").arg(name)), m_radius(radius)
+    : CanvasTool(canvas, parent), m_name(QStringLiteral("tools/%1Radius").arg(name)), m_radius(radius)
 {
     const double stored = settings::store().value(m_name, radius).toDouble();
     if (stored >= leastRadius && stored <= greatestRadius)

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "app/canvas/tool.h"
+#include "app/tools/canvas_tool.h"
 
 #include <QPointer>
 
@@ -11,7 +11,7 @@ namespace suffuse {
 class NumberField;
 
 /// A tool that works within a circle around the pointer, which is shown; commands change its size.
-class SizedTool : public Tool {
+class SizedTool : public CanvasTool {
     Q_OBJECT
 
 public:

@@ -1,14 +1,19 @@
 // The handle that makes a stroke wider or narrower on the canvas.
 #pragma once
 
-#include "app/canvas/tool.h"
+#include "app/canvas/input/pointer_event.h"
 #include "model/painting/selection.h"
+#include "render/view.h"
 #include "undo/edit_command.h"
 
 #include <optional>
 #include <vector>
 
+class QPainter;
+
 namespace suffuse {
+
+class CanvasWidget;
 
 /// Stands at the visible edge beside the middle of what is selected in one stroke. A drag solves for the density φ in
 /// closed form, and for the diffusion D beyond twice the spread; with Shift for D alone. All selected segments keep
