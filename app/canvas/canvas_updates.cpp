@@ -78,7 +78,7 @@ QRect CanvasWidget::markedArea(const Rect &units, double margin) const
 
 std::optional<double> CanvasWidget::selectionMargin() const
 {
-    return m_tool ? m_tool->paintMargin() : 0.0;
+    return tool() ? tool()->paintMargin() : 0.0;
 }
 
 std::optional<QRegion> CanvasWidget::selectionArea() const

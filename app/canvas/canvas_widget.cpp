@@ -5,11 +5,12 @@
 #include "app/session/settings/settings.h"
 #include "model/environment.h"
 
-#include <QApplication>
 #include <QEvent>
+#include <QKeyEvent>
 #include <QPainter>
-
-#include <numbers>
+#include <QScopeGuard>
+#include <QTabletEvent>
+#include <QWheelEvent>
 
 namespace suffuse {
 
@@ -34,7 +35,8 @@ RendererOptions rendererOptions()
 } // namespace
 
 CanvasWidget::CanvasWidget(Editor &editor, QWidget *parent, MakeRenderer make)
-    : QWidget(parent), m_editor(editor), m_worker(rendererOptions(), std::move(make))
+    : QWidget(parent), m_editor(editor), m_worker(rendererOptions(), std::move(make)),
+      m_input(*this, m_view, editor.clock())
 {
     setObjectName("canvas");
     setAccessibleName(tr("Canvas"));
@@ -43,9 +45,10 @@ CanvasWidget::CanvasWidget(Editor &editor, QWidget *parent, MakeRenderer make)
     setTabletTracking(true);
     setMinimumSize(160, 120);
     setAttribute(Qt::WA_AcceptTouchEvents);
-    qApp->installEventFilter(this); // it hears of the pen coming near
     readPalette();
     m_presenter = makePresenter(*this, this);
+    connect(&m_view, &CanvasView::moved, this, &CanvasWidget::viewMoved);
+    connectInput();
     connect(&m_worker, &FrameThread::frameReady, this, &CanvasWidget::frameReady);
     connect(&editor.clock(), &PaintingClock::timeChanged, this, &CanvasWidget::scheduleRender);
     connect(&editor.clock(), &PaintingClock::timeChanged, this, &CanvasWidget::followMoment);
@@ -62,6 +65,18 @@ CanvasWidget::CanvasWidget(Editor &editor, QWidget *parent, MakeRenderer make)
     connect(&m_selectionWaits, &QTimer::timeout, this, &CanvasWidget::flushSelection);
 }
 
+void CanvasWidget::connectInput()
+{
+    connect(&m_input.hand(), &Hand::moved, this, &CanvasWidget::pointerMoved);
+    connect(&m_input, &CanvasInput::pointerLeft, this, &CanvasWidget::pointerLeft);
+    connect(&m_input, &CanvasInput::penTurned, this, &CanvasWidget::penTurned);
+    connect(&m_input, &CanvasInput::modifiersChanged, this, &CanvasWidget::modifiersChanged);
+    connect(&m_input, &CanvasInput::busyChanged, this, &CanvasWidget::busyChanged);
+    connect(&m_input, &CanvasInput::cursorChanged, this, &CanvasWidget::refreshCursor);
+    connect(&m_input, &CanvasInput::overlayChanged, this, [this] { updateOverlay(); });
+    connect(&m_input, &CanvasInput::fitWanted, this, &CanvasWidget::fit);
+}
+
 CanvasWidget::~CanvasWidget()
 {
     m_editor.laterChanges().setGate({});
@@ -72,9 +87,7 @@ void CanvasWidget::follow(const Change &change)
 {
     m_begun.noteChange();
     if (change.reset) {
-        m_pressed = false;
-        if (m_tool)
-            m_tool->cancel();
+        m_input.hand().cancel();
         fit();
     }
     if (change.canvas || change.reset) {
@@ -92,7 +105,7 @@ void CanvasWidget::follow(const Change &change)
 
 bool CanvasWidget::wantsCoarse() const
 {
-    return !m_editor.document().selection().isEmpty() || (m_tool && m_tool->changesAnything());
+    return !m_editor.document().selection().isEmpty() || (tool() && tool()->changesAnything());
 }
 
 bool CanvasWidget::paintsFirst(const Change &change) const
@@ -102,81 +115,36 @@ bool CanvasWidget::paintsFirst(const Change &change) const
     return change.selection || !change.strokes.empty();
 }
 
-void CanvasWidget::setTool(Tool *tool)
+void CanvasWidget::setTool(Tool *next)
 {
-    if (tool == m_tool)
+    if (next == tool())
         return;
-    if (m_tool) {
-        m_tool->cancel();
-        m_tool->leave();
-    }
-    m_tool = tool;
-    m_pressed = false;
+    m_input.hand().setTool(next);
     m_worker.setCoarseWanted(wantsCoarse());
     refreshCursor();
     updateOverlay();
     emit toolChanged();
-    noteBusy();
+    m_input.noteBusy();
 }
 
 Point CanvasWidget::zoomCentre() const
 {
-    return m_pointerInside ? m_lastPixel : m_transform.centrePixel();
+    return m_input.pointer().value_or(m_view.centre());
 }
 
 void CanvasWidget::zoomBy(double factor)
 {
-    m_transform.zoomAt(zoomCentre(), factor);
-    moveByHand();
+    m_view.zoomAt(zoomCentre(), factor);
 }
 
 void CanvasWidget::setZoom(double scale)
 {
-    m_transform.setScaleAt(zoomCentre(), scale);
-    moveByHand();
+    m_view.setScaleAt(zoomCentre(), scale);
 }
 
 void CanvasWidget::fit()
 {
-    m_transform.fit(m_editor.document().painting()->canvas.area(), fitMargin * devicePixelRatioF());
-    m_fitted = true;
-    viewMoved();
-}
-
-void CanvasWidget::lookThrough(const View &view)
-{
-    m_transform.show(view);
-    moveByHand();
-}
-
-void CanvasWidget::panBy(Point pixels)
-{
-    m_transform.panBy(pixels);
-    moveByHand();
-}
-
-void CanvasWidget::rotateBy(double degrees)
-{
-    m_transform.rotateAt(m_transform.centrePixel(), degrees * std::numbers::pi / 180);
-    moveByHand();
-}
-
-void CanvasWidget::resetRotation()
-{
-    m_transform.setRotationAt(m_transform.centrePixel(), 0);
-    moveByHand();
-}
-
-void CanvasWidget::mirror()
-{
-    m_transform.mirrorAt(m_transform.centrePixel());
-    moveByHand();
-}
-
-void CanvasWidget::moveByHand()
-{
-    m_fitted = false;
-    viewMoved();
+    m_view.fit(m_editor.document().painting()->canvas.area(), fitMargin * devicePixelRatioF());
 }
 
 void CanvasWidget::viewMoved()
@@ -188,14 +156,7 @@ void CanvasWidget::viewMoved()
 
 void CanvasWidget::refreshCursor()
 {
-    if (m_navigation == Navigation::Pan)
-        setCursor(Qt::ClosedHandCursor);
-    else if (m_panKey)
-        setCursor(Qt::OpenHandCursor);
-    else if (m_navigation == Navigation::Rotate || m_turnKey)
-        setCursor(Qt::SizeAllCursor);
-    else
-        setCursor(m_tool ? m_tool->cursor() : QCursor(Qt::ArrowCursor));
+    setCursor(m_input.cursor());
 }
 
 void CanvasWidget::scheduleRender()
@@ -297,8 +258,8 @@ void CanvasWidget::paintOverlay(QPainter &painter)
         paintSelection(painter, dpr);
     painter.restore();
     painter.setRenderHint(QPainter::Antialiasing);
-    if (m_tool && !isBare())
-        m_tool->paint(painter, view(), dpr);
+    if (tool() && !isBare())
+        tool()->paint(painter, view(), dpr);
     paintAngle(painter, dpr);
     if (std::exchange(m_allRepaints, false)) {
         m_selectionArea = m_floating ? std::nullopt : selectionArea();
@@ -310,19 +271,19 @@ void CanvasWidget::paintOverlay(QPainter &painter)
 
 bool CanvasWidget::isBare() const
 {
-    return m_bareKey != 0 || m_editor.compared();
+    return m_input.keys().isBare() || m_editor.compared();
 }
 
 bool CanvasWidget::showsOutlines() const
 {
-    return m_aids.showOutlines && !isBare() && (!m_tool || m_tool->showsOutlines());
+    return m_aids.showOutlines && !isBare() && (!tool() || tool()->showsOutlines());
 }
 
 /// While the canvas is turned by hand, beside the pointer.
 void CanvasWidget::paintAngle(QPainter &painter, double dpr) const
 {
-    if (m_navigation == Navigation::Rotate)
-        paintBadge(painter, angleText(view().rotation), m_lastPixel, 0, view(), dpr);
+    if (m_input.hand().navigation() == Navigation::Rotate)
+        paintBadge(painter, angleText(view().rotation), m_input.hand().lastPixel(), 0, view(), dpr);
 }
 
 void CanvasWidget::setAids(const CanvasAids &aids)
@@ -352,11 +313,86 @@ void CanvasWidget::resizeEvent(QResizeEvent *)
 {
     m_presenter->widget()->setGeometry(rect());
     const double dpr = devicePixelRatioF();
-    m_transform.resize(int(std::lround(width() * dpr)), int(std::lround(height() * dpr)));
-    if (m_fitted)
+    m_view.resize(int(std::lround(width() * dpr)), int(std::lround(height() * dpr)));
+    if (isFitted())
         fit();
     else
         viewMoved();
+}
+
+bool CanvasWidget::event(QEvent *event)
+{
+    const auto after = qScopeGuard([this] { m_input.noteBusy(); });
+    return m_input.take(event) || QWidget::event(event);
+}
+
+void CanvasWidget::mousePressEvent(QMouseEvent *event)
+{
+    m_input.mousePress(*event);
+}
+
+void CanvasWidget::mouseMoveEvent(QMouseEvent *event)
+{
+    m_input.mouseMove(*event);
+}
+
+void CanvasWidget::mouseReleaseEvent(QMouseEvent *event)
+{
+    m_input.mouseRelease(*event);
+}
+
+void CanvasWidget::mouseDoubleClickEvent(QMouseEvent *event)
+{
+    m_input.mousePress(*event); // quick dots are dots; a tool may look at PointerEvent::doubleClick
+}
+
+void CanvasWidget::tabletEvent(QTabletEvent *event)
+{
+    event->accept(); // so that no mouse events are made of it
+    m_input.tablet(*event);
+}
+
+void CanvasWidget::wheelEvent(QWheelEvent *event)
+{
+    event->accept();
+    m_input.wheel(*event);
+}
+
+void CanvasWidget::keyPressEvent(QKeyEvent *event)
+{
+    if (!m_input.keyPress(event))
+        QWidget::keyPressEvent(event);
+}
+
+void CanvasWidget::keyReleaseEvent(QKeyEvent *event)
+{
+    if (!m_input.keyRelease(*event))
+        QWidget::keyReleaseEvent(event);
+}
+
+void CanvasWidget::enterEvent(QEnterEvent *event)
+{
+    m_input.enter(event->position());
+}
+
+void CanvasWidget::leaveEvent(QEvent *)
+{
+    m_input.leave();
+}
+
+void CanvasWidget::focusOutEvent(QFocusEvent *event)
+{
+    m_input.focusOut();
+    QWidget::focusOutEvent(event);
+}
+
+bool CanvasWidget::focusNextPrevChild(bool next)
+{
+    const QKeyEvent key(QEvent::KeyPress, next ? Qt::Key_Tab : Qt::Key_Backtab,
+                        next ? Qt::NoModifier : Qt::ShiftModifier);
+    if (next || m_input.isToolKey(key))
+        return false; // Tab hides the docks, or is the tool's
+    return QWidget::focusNextPrevChild(next);
 }
 
 } // namespace suffuse

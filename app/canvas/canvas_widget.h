@@ -1,42 +1,28 @@
 // The canvas: shows the painting, moves the view, and hands the pointer to the tool in use.
 #pragma once
 
+#include "app/canvas/canvas_view.h"
+#include "app/canvas/input/canvas_input.h"
 #include "app/canvas/overlay.h"
 #include "app/canvas/presenter.h"
 #include "app/canvas/selection_outline.h"
 #include "app/canvas/tool.h"
-#include "app/canvas/view_transform.h"
 #include "app/session/frames/frame_thread.h"
 #include "app/session/selecting/begun_selection.h"
 #include "app/session/selecting/snapping.h"
-#include "app/session/settings/pen_input.h"
 #include "render/backends.h"
 
 #include <QImage>
-#include <QKeySequence>
 #include <QRegion>
 #include <QTimer>
 #include <QWidget>
 
-#include <map>
-
-class QInputEvent;
-class QNativeGestureEvent;
-class QSinglePointEvent;
-class QTouchEvent;
+#include <numbers>
 
 namespace suffuse {
 
 class Editor;
 struct Change;
-
-/// Keys that turn drags into moves of the view while they are held (with Shift those that pan turn), and those that
-/// leave the picture bare.
-struct HeldKeys {
-    QList<QKeySequence> pan{QKeySequence(Qt::Key_Space)};
-    QList<QKeySequence> turn{QKeySequence(Qt::Key_R)};
-    QList<QKeySequence> bare{QKeySequence(Qt::Key_O)};
-};
 
 /// Shows the last finished frame at once wherever the view is, and swaps in the sharp one when it is ready.
 /// All pixels of its interface are device pixels.
@@ -48,7 +34,7 @@ public:
     ~CanvasWidget() override;
 
     Editor &editor() { return m_editor; }
-    const View &view() const { return m_transform.view(); }
+    const View &view() const { return m_view.view(); }
     /// "CPU · 2 threads · AVX2", of the last frame; empty before the first one.
     const QString &backendText() const { return m_backendText; }
     /// Empty, or why the CPU draws, and why the picture takes the way over memory: a line each.
@@ -57,19 +43,20 @@ public:
 
     /// The tool in use; tools belong to whoever makes them. The old one is cancelled.
     void setTool(Tool *tool);
-    Tool *tool() const { return m_tool; }
+    Tool *tool() const { return m_input.hand().tool(); }
     /// The tool has seen a press and no release yet.
-    bool isPressed() const { return m_pressed; }
+    bool isPressed() const { return m_input.hand().isPressed(); }
 
     void zoomBy(double factor); ///< at the pointer if it is over the canvas, else at the centre
     void setZoom(double scale); ///< pixels per unit
     void fit();                 ///< the whole canvas; stays so when the window changes size
-    bool isFitted() const { return m_fitted; }
-    void lookThrough(const View &view); ///< in a window of any size, its centre in the middle
-    void panBy(Point pixels);
-    void rotateBy(double degrees);
-    void resetRotation();
-    void mirror();
+    bool isFitted() const { return m_view.isFitted(); }
+    /// In a window of any size, its centre in the middle.
+    void lookThrough(const View &view) { m_view.lookThrough(view); }
+    void panBy(Point pixels) { m_view.panBy(pixels); }
+    void rotateBy(double degrees) { m_view.rotateAt(m_view.centre(), degrees * std::numbers::pi / 180); }
+    void resetRotation() { m_view.resetRotation(); }
+    void mirror() { m_view.mirror(); }
 
     /// Repaints the overlay, or the part of it in `pixels`.
     void updateOverlay();
@@ -86,9 +73,9 @@ public:
     void updateSelection();
     void refreshCursor();
     /// They mean the canvas, even where they are commands' shortcuts.
-    void setHeldKeys(const HeldKeys &keys) { m_heldKeys = keys; }
+    void setHeldKeys(const HeldKeys &keys) { m_input.keys().setKeys(keys); }
     /// Keys that stay the window's even where the tool wants them.
-    void setWindowKeys(const QList<QKeySequence> &keys) { m_windowKeys = keys; }
+    void setWindowKeys(const QList<QKeySequence> &keys) { m_input.setWindowKeys(keys); }
 
     /// Strokes that a drag is about to map as a whole: where its frames would be slow, pictures of them and of the rest
     /// are made ready, and the drag may float. Another change, view or moment, and the lift is over.
@@ -119,10 +106,10 @@ public:
     /// Snapping, and what is drawn over the picture.
     const CanvasAids &aids() const { return m_aids; }
     void setAids(const CanvasAids &aids);
-    const PenSettings &penSettings() const { return m_penSettings; }
-    void setPenSettings(const PenSettings &settings);
+    const PenSettings &penSettings() const { return m_input.pen().settings(); }
+    void setPenSettings(const PenSettings &settings) { m_input.pen().setSettings(settings); }
     /// The modifier keys as the last event of the canvas left them.
-    Qt::KeyboardModifiers modifiers() const { return m_modifiers; }
+    Qt::KeyboardModifiers modifiers() const { return m_input.modifiers(); }
 
 signals:
     void viewChanged();
@@ -133,13 +120,12 @@ signals:
     void pointerMoved(double x, double y); ///< canvas units
     void pointerLeft();
     void framePresented(const suffuse::FrameInfo &frame);
-    void backendChanged();       ///< its text or its notice
+    void backendChanged();                       ///< its text or its notice
     void underlayFailed(const QString &problem); ///< it cannot be shown
-    void penTurned(bool eraser); ///< before the first report of the pen's other end
+    void penTurned(bool eraser);                 ///< before the first report of the pen's other end
 
 protected:
     bool event(QEvent *event) override;
-    bool eventFilter(QObject *watched, QEvent *event) override;
     void resizeEvent(QResizeEvent *event) override;
     void changeEvent(QEvent *event) override;
     void mousePressEvent(QMouseEvent *event) override;
@@ -156,13 +142,6 @@ protected:
     bool focusNextPrevChild(bool next) override;
 
 private:
-    /// What a drag does to the view.
-    enum class Navigation { None, Pan, Rotate };
-    /// What holding the key makes of drags.
-    Navigation heldFor(const QKeyEvent &event) const;
-    bool isToolKey(const QKeyEvent &event) const;
-    bool isBareKey(const QKeyEvent &event) const;
-
     // CanvasContent
     const View &shownView() const override { return view(); }
     void withFrame(const std::function<void(ShownFrame &)> &use) override { m_worker.withFrame(use); }
@@ -195,70 +174,29 @@ private:
     void paintAngle(QPainter &painter, double dpr) const;
     void frameReady(const FrameInfo &frame);
     void viewMoved();
-    void moveByHand();
+    void connectInput();
     void readPalette();
     Point zoomCentre() const;
-    void noteModifiers(const QInputEvent &event);
-    void noteBusy();
-
-    Point toPixels(const QPointF &logical) const;
-    PointerEvent pointerEvent(const QSinglePointEvent &event, PointerDevice device) const;
-    Navigation navigationFor(const QSinglePointEvent &event) const;
-    void pointerPress(const PointerEvent &event, Navigation navigation);
-    void pointerMove(const PointerEvent &event);
-    void pointerRelease(const PointerEvent &event);
-    void navigate(Point pixel);
-    bool nativeGesture(QNativeGestureEvent *event);
-    void turnPen(bool eraser);
-    void lostPen();
-    bool touch(const QTouchEvent &event);
-    PointerEvent fingerEvent(const QTouchEvent &event, Point pixel) const;
-    void giveUpFinger();
-    void moveByFingers(const std::map<int, Point> &now);
 
     Editor &m_editor;
     FrameThread m_worker;
     UnderlayLoader m_underlay;
     Presenter *m_presenter = nullptr;
-    ViewTransform m_transform;
+    CanvasView m_view;
+    CanvasInput m_input;
     OverlayColours m_colours;
     CanvasAids m_aids;
-    Qt::KeyboardModifiers m_modifiers;
     mutable SelectionOutline m_outline; ///< it keeps what it has computed
     mutable BegunSelection m_begun;
     QString m_backendText;
     QString m_rendererNotice;
     QString m_presenterNotice;
-    Tool *m_tool = nullptr;
 
-    bool m_fitted = true; ///< the view has not been moved by hand since it was fitted
     LiftPtr m_lift;                     ///< null: none
     std::optional<Floating> m_floating; ///< that is shown, until the exact picture is
     PaintingPtr m_liftedFrom;           ///< the document's painting, for which both hold
     bool m_renderScheduled = false;
     quint64 m_lastSerial = 0;
-
-    Navigation m_navigation = Navigation::None;
-    Point m_lastPixel;
-    bool m_pointerInside = false;
-    bool m_pressed = false; ///< the tool has seen a press
-    bool m_busy = false;    ///< as `busyChanged` told last
-    Qt::MouseButton m_pressButton = Qt::NoButton;
-    bool m_penDown = false;
-    bool m_penTurned = false; ///< its eraser end points down
-    bool m_penNear = false;   ///< fingers are the hand that holds it
-    PenSettings m_penSettings;
-    PenPressure m_penPressure;
-    ReportLag m_penLag;
-    std::map<int, Point> m_fingers; ///< that are down, by the device's numbers, and where they were last
-    bool m_fingerPaints = false;
-    HeldKeys m_heldKeys;
-    QList<QKeySequence> m_windowKeys;
-    int m_panKey = 0;  ///< that is held; 0: none
-    int m_turnKey = 0;
-    int m_bareKey = 0;
-    quint64 m_pressStamp = 0;     ///< milliseconds, the device's clock
-    Microseconds m_pressTime = 0; ///< document time of the press
 
     std::optional<QRegion> m_selectionArea; ///< where it stands on the screen or is to be painted; none: anywhere
     bool m_selectionChanged = false;        ///< more of it than what was altered is to be painted
@@ -270,7 +208,7 @@ private:
         QRegion area;                   ///< to be painted
     };
     Altered m_altered;
-    QTimer m_selectionWaits;                ///< for a frame, with which it is painted
+    QTimer m_selectionWaits; ///< for a frame, with which it is painted
 };
 
 } // namespace suffuse

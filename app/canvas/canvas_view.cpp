@@ -1,0 +1,88 @@
+#include "app/canvas/canvas_view.h"
+
+#include <cmath>
+
+namespace suffuse {
+
+namespace {
+
+/// Clockwise on the screen, radians.
+double angleBetween(Point from, Point to)
+{
+    return std::atan2(cross(from, to), dot(from, to));
+}
+
+} // namespace
+
+void CanvasView::fit(const Rect &area, double margin)
+{
+    m_transform.fit(area, margin);
+    m_fitted = true;
+    emit moved();
+}
+
+void CanvasView::moveByHand()
+{
+    m_fitted = false;
+    emit moved();
+}
+
+void CanvasView::panBy(Point pixels)
+{
+    m_transform.panBy(pixels);
+    moveByHand();
+}
+
+void CanvasView::zoomAt(Point pixel, double factor)
+{
+    m_transform.zoomAt(pixel, factor);
+    moveByHand();
+}
+
+void CanvasView::setScaleAt(Point pixel, double scale)
+{
+    m_transform.setScaleAt(pixel, scale);
+    moveByHand();
+}
+
+void CanvasView::rotateAt(Point pixel, double radians)
+{
+    m_transform.rotateAt(pixel, radians);
+    moveByHand();
+}
+
+void CanvasView::resetRotation()
+{
+    m_transform.setRotationAt(centre(), 0);
+    moveByHand();
+}
+
+void CanvasView::mirror()
+{
+    m_transform.mirrorAt(centre());
+    moveByHand();
+}
+
+void CanvasView::lookThrough(const View &view)
+{
+    m_transform.show(view);
+    moveByHand();
+}
+
+void CanvasView::turnBy(Point from, Point to)
+{
+    rotateAt(centre(), angleBetween(from - centre(), to - centre()));
+}
+
+void CanvasView::pinch(Point from1, Point to1, Point from2, Point to2)
+{
+    const Point middle = 0.5 * (to1 + to2), before = from2 - from1, after = to2 - to1;
+    m_transform.panBy(middle - 0.5 * (from1 + from2));
+    if (length(before) > 1 && length(after) > 1) {
+        m_transform.zoomAt(middle, length(after) / length(before));
+        m_transform.rotateAt(middle, angleBetween(before, after));
+    }
+    moveByHand();
+}
+
+} // namespace suffuse

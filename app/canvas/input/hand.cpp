@@ -1,0 +1,82 @@
+#include "app/canvas/input/hand.h"
+
+#include "app/canvas/canvas_view.h"
+#include "app/canvas/tool.h"
+
+namespace suffuse {
+
+void Hand::setTool(Tool *tool)
+{
+    if (m_tool) {
+        m_tool->cancel();
+        m_tool->leave();
+    }
+    m_tool = tool;
+    m_pressed = false;
+}
+
+void Hand::setNavigation(Navigation navigation)
+{
+    m_navigation = navigation;
+    emit navigationChanged();
+}
+
+void Hand::press(const PointerEvent &event, Navigation navigation)
+{
+    m_lastPixel = event.pixel;
+    if (!isFree())
+        return; // a second button changes nothing of what the first one began
+    m_button = event.button;
+    if (navigation != Navigation::None) {
+        setNavigation(navigation);
+    } else if (m_tool && event.button == Qt::LeftButton) {
+        m_pressed = true;
+        m_tool->press(event);
+    }
+}
+
+void Hand::move(const PointerEvent &event)
+{
+    if (m_navigation == Navigation::Pan)
+        m_view.panBy(event.pixel - m_lastPixel);
+    else if (m_navigation == Navigation::Rotate)
+        m_view.turnBy(m_lastPixel, event.pixel);
+    else if (m_tool && m_pressed)
+        m_tool->move(event);
+    else if (m_tool)
+        m_tool->hover(event);
+    m_lastPixel = event.pixel;
+    emit moved(event.point.x, event.point.y);
+}
+
+void Hand::release(const PointerEvent &event)
+{
+    m_lastPixel = event.pixel;
+    if (event.button != m_button)
+        return;
+    m_button = Qt::NoButton;
+    if (m_navigation != Navigation::None) {
+        setNavigation(Navigation::None);
+    } else if (m_pressed) {
+        m_pressed = false;
+        if (m_tool)
+            m_tool->release(event);
+    }
+}
+
+void Hand::leave()
+{
+    if (m_tool)
+        m_tool->leave();
+}
+
+void Hand::cancel()
+{
+    m_pressed = false;
+    if (m_navigation == Navigation::None)
+        m_button = Qt::NoButton;
+    if (m_tool)
+        m_tool->cancel();
+}
+
+} // namespace suffuse
