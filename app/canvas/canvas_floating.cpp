@@ -115,13 +115,13 @@ void CanvasWidget::paintSelection(QPainter &painter, double dpr)
     if (selection().isEmpty())
         return;
     if (!m_floating || !holds(*m_floating->lift)) {
-        m_outline.paint(painter, view(), *document.painting(), selection(), m_colours, dpr, m_editor.isDragging());
+        m_selected.outline().paint(painter, view(), *document.painting(), selection(), m_colours, dpr, m_editor.isDragging());
         return;
     }
     const std::optional<View> under = viewUnder(view(), m_floating->map);
     if (!under)
         painter.setTransform(inPixels(view(), m_floating->map), true);
-    m_outline.paint(painter, under.value_or(view()), *m_floating->lift->lifted, selection(), m_colours, dpr, true);
+    m_selected.outline().paint(painter, under.value_or(view()), *m_floating->lift->lifted, selection(), m_colours, dpr, true);
 }
 
 } // namespace suffuse

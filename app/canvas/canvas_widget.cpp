@@ -2,8 +2,7 @@
 
 #include "app/session/colour_convert.h"
 #include "app/session/editor.h"
-#include "app/session/settings/settings.h"
-#include "model/environment.h"
+#include "app/session/settings/renderer_options.h"
 
 #include <QEvent>
 #include <QKeyEvent>
@@ -17,26 +16,13 @@ namespace suffuse {
 namespace {
 
 constexpr double fitMargin = 24; ///< logical pixels around the canvas
-constexpr int frameMs = 16;
-
-/// The environment goes before the setting.
-RendererOptions rendererOptions()
-{
-    RendererOptions options;
-    options.threads = settings::threads();
-    const QByteArray wish = QByteArray::fromStdString(environment::value(environment::Variable::Backend)).toLower();
-    options.backend = wish == "cuda"   ? Backend::Cuda
-                      : wish == "cpu"  ? Backend::Cpu
-                      : wish == "auto" ? Backend::Auto
-                                       : settings::backend();
-    return options;
-}
 
 } // namespace
 
 CanvasWidget::CanvasWidget(Editor &editor, QWidget *parent, MakeRenderer make)
-    : QWidget(parent), m_editor(editor), m_worker(rendererOptions(), std::move(make)),
-      m_input(*this, m_view, editor.clock())
+    : QWidget(parent), m_editor(editor), m_worker(settings::rendererOptions(), std::move(make)),
+      m_input(*this, m_view, editor.clock()), m_selected(editor),
+      m_repaint(*this, editor, m_view, m_selected, [this] { return tool() ? tool()->paintMargin() : 0.0; })
 {
     setObjectName("canvas");
     setAccessibleName(tr("Canvas"));
@@ -47,6 +33,7 @@ CanvasWidget::CanvasWidget(Editor &editor, QWidget *parent, MakeRenderer make)
     setAttribute(Qt::WA_AcceptTouchEvents);
     readPalette();
     m_presenter = makePresenter(*this, this);
+    m_repaint.setPresenter(m_presenter);
     connect(&m_view, &CanvasView::moved, this, &CanvasWidget::viewMoved);
     connectInput();
     connect(&m_worker, &FrameThread::frameReady, this, &CanvasWidget::frameReady);
@@ -60,9 +47,6 @@ CanvasWidget::CanvasWidget(Editor &editor, QWidget *parent, MakeRenderer make)
     connect(&m_underlay, &UnderlayLoader::failed, this, &CanvasWidget::underlayFailed);
     wantUnderlay();
     editor.laterChanges().setGate([this](const Change &change) { return paintsFirst(change); });
-    m_selectionWaits.setSingleShot(true);
-    m_selectionWaits.setInterval(frameMs);
-    connect(&m_selectionWaits, &QTimer::timeout, this, &CanvasWidget::flushSelection);
 }
 
 void CanvasWidget::connectInput()
@@ -85,7 +69,7 @@ CanvasWidget::~CanvasWidget()
 
 void CanvasWidget::follow(const Change &change)
 {
-    m_begun.noteChange();
+    m_selected.noteChange();
     if (change.reset) {
         m_input.hand().cancel();
         fit();
@@ -94,13 +78,52 @@ void CanvasWidget::follow(const Change &change)
         wantUnderlay();
         updateOverlay();
     } else if (change.selection || !m_editor.document().selection().isEmpty())
-        followSelection(change);
+        m_repaint.follow(change);
     if (change.selection)
         m_worker.setCoarseWanted(wantsCoarse());
     if (change.selection && change.strokes.empty()) // no frame comes for it
-        flushSelection();
+        m_repaint.flush();
     if (!change.strokes.empty() || change.order || change.canvas || change.draft || change.reset)
         scheduleRender(); // a selection is in no picture
+}
+
+void CanvasWidget::followMoment()
+{
+    if (!m_selected.followMoment())
+        return;
+    emit begunChanged();
+    updateSelection();
+}
+
+QRect CanvasWidget::selectionOnScreen() const
+{
+    const QRect visible = m_selected.curvesInView(view(), rect(), devicePixelRatioF());
+    return visible.isEmpty() ? QRect() : visible.translated(mapToGlobal(QPoint()));
+}
+
+void CanvasWidget::endDrag()
+{
+    m_repaint.endDrag();
+    scheduleRender();
+}
+
+void CanvasWidget::frameReady(const FrameInfo &frame)
+{
+    if (frame.backendText != m_backendText || frame.notice != m_rendererNotice) {
+        m_backendText = frame.backendText;
+        m_rendererNotice = frame.notice;
+        emit backendChanged();
+    }
+    if (frame.error.isEmpty()) {
+        m_repaint.flushWaiting();
+        if (frame.isExact() && m_floating && m_floating->settled)
+            m_floating.reset();
+        if (frame.view == view() && !frame.floats)
+            m_repaint.tiles(frame.stats.dirty);
+        else
+            updateOverlay();
+    }
+    emit framePresented(frame);
 }
 
 bool CanvasWidget::wantsCoarse() const
@@ -132,16 +155,6 @@ Point CanvasWidget::zoomCentre() const
     return m_input.pointer().value_or(m_view.centre());
 }
 
-void CanvasWidget::zoomBy(double factor)
-{
-    m_view.zoomAt(zoomCentre(), factor);
-}
-
-void CanvasWidget::setZoom(double scale)
-{
-    m_view.setScaleAt(zoomCentre(), scale);
-}
-
 void CanvasWidget::fit()
 {
     m_view.fit(m_editor.document().painting()->canvas.area(), fitMargin * devicePixelRatioF());
@@ -152,11 +165,6 @@ void CanvasWidget::viewMoved()
     updateOverlay();
     scheduleRender();
     emit viewChanged();
-}
-
-void CanvasWidget::refreshCursor()
-{
-    setCursor(m_input.cursor());
 }
 
 void CanvasWidget::scheduleRender()
@@ -261,11 +269,7 @@ void CanvasWidget::paintOverlay(QPainter &painter)
     if (tool() && !isBare())
         tool()->paint(painter, view(), dpr);
     paintAngle(painter, dpr);
-    if (std::exchange(m_allRepaints, false)) {
-        m_selectionArea = m_floating ? std::nullopt : selectionArea();
-        m_selectionChanged = false;
-        m_altered.area = {};
-    }
+    m_repaint.painted(m_floating.has_value());
     m_editor.laterChanges().painted();
 }
 
@@ -284,12 +288,6 @@ void CanvasWidget::paintAngle(QPainter &painter, double dpr) const
 {
     if (m_input.hand().navigation() == Navigation::Rotate)
         paintBadge(painter, angleText(view().rotation), m_input.hand().lastPixel(), 0, view(), dpr);
-}
-
-void CanvasWidget::setAids(const CanvasAids &aids)
-{
-    m_aids = aids;
-    updateOverlay();
 }
 
 void CanvasWidget::readPalette()

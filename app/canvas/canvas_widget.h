@@ -4,17 +4,15 @@
 #include "app/canvas/canvas_view.h"
 #include "app/canvas/input/canvas_input.h"
 #include "app/canvas/overlay.h"
+#include "app/canvas/overlay_repaint.h"
 #include "app/canvas/presenter.h"
-#include "app/canvas/selection_outline.h"
+#include "app/canvas/shown_selection.h"
 #include "app/canvas/tool.h"
 #include "app/session/frames/frame_thread.h"
-#include "app/session/selecting/begun_selection.h"
 #include "app/session/selecting/snapping.h"
 #include "render/backends.h"
 
 #include <QImage>
-#include <QRegion>
-#include <QTimer>
 #include <QWidget>
 
 #include <numbers>
@@ -47,9 +45,10 @@ public:
     /// The tool has seen a press and no release yet.
     bool isPressed() const { return m_input.hand().isPressed(); }
 
-    void zoomBy(double factor); ///< at the pointer if it is over the canvas, else at the centre
-    void setZoom(double scale); ///< pixels per unit
-    void fit();                 ///< the whole canvas; stays so when the window changes size
+    /// At the pointer if it is over the canvas, else at the centre.
+    void zoomBy(double factor) { m_view.zoomAt(zoomCentre(), factor); }
+    void setZoom(double scale) { m_view.setScaleAt(zoomCentre(), scale); } ///< pixels per unit
+    void fit(); ///< the whole canvas; stays so when the window changes size
     bool isFitted() const { return m_view.isFitted(); }
     /// In a window of any size, its centre in the middle.
     void lookThrough(const View &view) { m_view.lookThrough(view); }
@@ -59,19 +58,19 @@ public:
     void mirror() { m_view.mirror(); }
 
     /// Repaints the overlay, or the part of it in `pixels`.
-    void updateOverlay();
-    void updateOverlay(const QRectF &pixels);
-    void updateOverlay(const QRegion &pixels);
+    void updateOverlay() { m_repaint.all(); }
+    void updateOverlay(const QRectF &pixels) { m_repaint.part(pixels); }
+    void updateOverlay(const QRegion &pixels) { m_repaint.part(pixels); }
     /// What is selected, less the strokes that are not begun at the moment that is looked at: they have neither outline
     /// nor handles.
-    const Selection &selection() const;
+    const Selection &selection() const { return m_selected.selection(); }
     /// `selectionBox` of that, from boxes of strokes that are kept.
-    Rect selectedCurves() const;
+    Rect selectedCurves() const { return m_selected.curves(); }
     /// Where that is on the screen, as far as the view shows it: global logical pixels; empty: nowhere.
     QRect selectionOnScreen() const;
     /// Repaints what stands at the selected strokes, then and now; while they are dragged together with the next frame.
-    void updateSelection();
-    void refreshCursor();
+    void updateSelection() { m_repaint.selection(); }
+    void refreshCursor() { setCursor(m_input.cursor()); }
     /// They mean the canvas, even where they are commands' shortcuts.
     void setHeldKeys(const HeldKeys &keys) { m_input.keys().setKeys(keys); }
     /// Keys that stay the window's even where the tool wants them.
@@ -105,7 +104,11 @@ public:
     bool showsOutlines() const;
     /// Snapping, and what is drawn over the picture.
     const CanvasAids &aids() const { return m_aids; }
-    void setAids(const CanvasAids &aids);
+    void setAids(const CanvasAids &aids)
+    {
+        m_aids = aids;
+        updateOverlay();
+    }
     const PenSettings &penSettings() const { return m_input.pen().settings(); }
     void setPenSettings(const PenSettings &settings) { m_input.pen().setSettings(settings); }
     /// The modifier keys as the last event of the canvas left them.
@@ -151,14 +154,6 @@ private:
     void paintAround(QPainter &painter) override;
     void paintOverlay(QPainter &painter) override;
     void wantUnderlay();
-    /// Where selection and tool paint; none: anywhere.
-    std::optional<QRegion> selectionArea() const;
-    std::optional<double> selectionMargin() const;
-    QRect markedArea(const Rect &units, double margin) const;
-    bool altersFew(const Change &change);
-    void followSelection(const Change &change);
-    void flushSelectionLater();
-    void flushSelection();
     void endDrag();
     /// Whether others hear of a change only when its overlay or its frame is on the screen.
     bool paintsFirst(const Change &change) const;
@@ -186,8 +181,8 @@ private:
     CanvasInput m_input;
     OverlayColours m_colours;
     CanvasAids m_aids;
-    mutable SelectionOutline m_outline; ///< it keeps what it has computed
-    mutable BegunSelection m_begun;
+    ShownSelection m_selected;
+    OverlayRepaint m_repaint;
     QString m_backendText;
     QString m_rendererNotice;
     QString m_presenterNotice;
@@ -197,18 +192,6 @@ private:
     PaintingPtr m_liftedFrom;           ///< the document's painting, for which both hold
     bool m_renderScheduled = false;
     quint64 m_lastSerial = 0;
-
-    std::optional<QRegion> m_selectionArea; ///< where it stands on the screen or is to be painted; none: anywhere
-    bool m_selectionChanged = false;        ///< more of it than what was altered is to be painted
-    bool m_allRepaints = false;             ///< the whole widget is about to be painted
-    /// Few strokes that a drag alters.
-    struct Altered {
-        std::map<StrokeId, Rect> boxes; ///< as they were last, canvas units
-        double margin = 0;              ///< pixels around them
-        QRegion area;                   ///< to be painted
-    };
-    Altered m_altered;
-    QTimer m_selectionWaits; ///< for a frame, with which it is painted
 };
 
 } // namespace suffuse

@@ -1,0 +1,19 @@
+#include "app/session/settings/renderer_options.h"
+
+#include "app/session/settings/settings.h"
+
+namespace suffuse::settings {
+
+RendererOptions rendererOptions()
+{
+    RendererOptions options;
+    options.threads = threads();
+    const QByteArray wish = qgetenv("SUFFUSE_BACKEND").toLower();
+    options.backend = wish == "cuda"   ? Backend::Cuda
+                      : wish == "cpu"  ? Backend::Cpu
+                      : wish == "auto" ? Backend::Auto
+                                       : backend();
+    return options;
+}
+
+} // namespace suffuse::settings
