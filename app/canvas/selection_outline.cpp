@@ -72,20 +72,11 @@ Rect SelectionOutline::curveBoxOf(const Painting &painting, const Selection &sel
     return box;
 }
 
-std::optional<Point> SelectionOutline::shiftBetween(const View &from, const View &to)
-{
-    View alike = from;
-    alike.centre = to.centre;
-    if (!(alike == to))
-        return {};
-    return to.toPixels(from.centre) - Point{0.5 * to.width, 0.5 * to.height};
-}
-
 /// True where what was gathered holds, strokes apart that are shown as they are now.
 bool SelectionOutline::follow(const View &view, const Painting &painting, bool moving)
 {
-    const std::optional<Point> shift = shiftBetween(m_view, view);
-    const double most = m_thin ? thinMargin : 0;
+    const std::optional<Point> shift = shiftBetween(m_shown.view, view);
+    const double most = m_thin ? ThinOutline::margin : 0;
     if (m_stale || !shift || std::abs(shift->x) > most || std::abs(shift->y) > most ||
         painting.strokes.size() != m_strokes.size())
         return false;
@@ -95,7 +86,8 @@ bool SelectionOutline::follow(const View &view, const Painting &painting, bool m
             changed.push_back(place);
     });
     if (changed.empty())
-        return moving || std::none_of(m_shown.begin(), m_shown.end(), [](const Shown &shown) { return shown.apart; });
+        return moving || std::none_of(m_shown.strokes.begin(), m_shown.strokes.end(),
+                                      [](const OutlinedStroke &shown) { return shown.apart; });
     return moving && m_thin && changed.size() <= fewOutlines && followApart(painting.strokes, changed);
 }
 
@@ -107,15 +99,15 @@ bool SelectionOutline::followApart(const StrokeList &strokes, const std::vector<
             return false;
         if (!m_selection.strokes.contains(stroke->id))
             continue;
-        const auto it = std::lower_bound(m_shown.begin(), m_shown.end(), place,
-                                         [](const Shown &shown, std::size_t p) { return shown.place < p; });
-        if (it == m_shown.end() || it->place != place)
+        const auto it = std::lower_bound(m_shown.strokes.begin(), m_shown.strokes.end(), place,
+                                         [](const OutlinedStroke &shown, std::size_t p) { return shown.place < p; });
+        if (it == m_shown.strokes.end() || it->place != place)
             return false; // it comes into the view
         it->stroke = stroke;
         if (!it->chosen.empty())
-            m_chosenDrawn = false;
+            m_thinLines.forgetChosen();
         if (!std::exchange(it->apart, true))
-            m_drawn = false;
+            m_thinLines.forgetLines();
     }
     m_strokes = strokes;
     return true;
@@ -132,22 +124,25 @@ std::set<int> SelectionOutline::chosenOf(StrokeId id) const
 
 void SelectionOutline::gather(const View &view, const Painting &painting)
 {
-    if (!(view == m_view))
+    if (!(view == m_shown.view))
         m_lines.clear();
-    m_view = view;
+    m_shown.view = view;
     m_strokes = painting.strokes;
-    m_stale = m_drawn = m_chosenDrawn = false;
-    m_shown.clear();
-    m_shownBox = {};
-    const Rect window = shownBox(view, thinMargin);
+    m_stale = false;
+    m_thinLines.forgetLines();
+    m_thinLines.forgetChosen();
+    m_shown.strokes.clear();
+    m_shown.box = {};
+    m_shown.anyChosen = !m_selection.segments.empty();
+    const Rect window = shownBox(view, ThinOutline::margin);
     std::size_t segments = 0;
     for (const std::size_t place : m_places) {
         if (!m_boxes[place].intersects(window))
             continue;
         const StrokePtr &stroke = painting.strokes[place];
         segments += stroke->segments.size();
-        m_shown.push_back({place, stroke, chosenOf(stroke->id)});
-        m_shownBox = m_shownBox.united(m_boxes[place]);
+        m_shown.strokes.push_back({place, stroke, chosenOf(stroke->id)});
+        m_shown.box = m_shown.box.united(m_boxes[place]);
     }
     m_segments = segments;
     m_thin = segments > fineSegments;
@@ -157,21 +152,21 @@ void SelectionOutline::gather(const View &view, const Painting &painting)
         std::erase_if(m_lines, [&](const auto &line) { return !m_selection.strokes.contains(line.first); });
 }
 
-const SelectionOutline::Line &SelectionOutline::lineOf(const Shown &shown)
+const SelectionOutline::Line &SelectionOutline::lineOf(const OutlinedStroke &shown)
 {
     const StrokePtr &stroke = shown.stroke;
     Line &line = m_lines[stroke->id];
     if (line.stroke == stroke && line.chosen == shown.chosen)
         return line;
     line = {stroke, shown.chosen, {}, {}, {}};
-    const Rect window = Rect::of(0, 0, m_view.width, m_view.height).grown(8);
+    const Rect window = Rect::of(0, 0, m_shown.view.width, m_shown.view.height).grown(8);
     for (int k = 0; k < int(stroke->segments.size()); ++k) {
         const Cubic cubic = stroke->cubicOf(stroke->segments[std::size_t(k)]);
         const bool isChosen = line.chosen.contains(k);
-        addCurve(isChosen ? line.segments : line.path, cubic, m_view);
+        addCurve(isChosen ? line.segments : line.path, cubic, m_shown.view);
         if (!isChosen)
             continue;
-        for (const Point &node : {m_view.toPixels(cubic.p[0]), m_view.toPixels(cubic.p[3])})
+        for (const Point &node : {m_shown.view.toPixels(cubic.p[0]), m_shown.view.toPixels(cubic.p[3])})
             if (window.contains(node))
                 line.nodes.push_back(node);
     }
@@ -183,12 +178,12 @@ void SelectionOutline::paintFine(QPainter &painter, const OverlayColours &colour
     QColor quiet = colours.accent;
     quiet.setAlpha(m_selection.segments.empty() ? 255 : 150);
     // Stroke by stroke: one path of all would be searched for crossings.
-    for (const Shown &shown : m_shown)
+    for (const OutlinedStroke &shown : m_shown.strokes)
         strokeTwoTone(painter, m_lines.at(shown.stroke->id).path, quiet, 1.1 * dpr);
-    for (const Shown &shown : m_shown)
+    for (const OutlinedStroke &shown : m_shown.strokes)
         if (!shown.chosen.empty())
             strokeTwoTone(painter, m_lines.at(shown.stroke->id).segments, colours.accent, 2.2 * dpr);
-    for (const Shown &shown : m_shown) {
+    for (const OutlinedStroke &shown : m_shown.strokes) {
         const Point *last = nullptr;
         for (const Point &node : m_lines.at(shown.stroke->id).nodes)
             if (!last || length(node - *last) >= nodeDistance * dpr) {
@@ -203,24 +198,24 @@ void SelectionOutline::paint(QPainter &painter, const View &view, const Painting
 {
     locate(painting, selection);
     if (!follow(view, painting, moving)) {
-        const bool mayMend = moving && m_thin && m_drawn && view == m_view;
-        const std::vector<Shown> before = std::exchange(m_shown, {});
+        const bool mayMend = moving && m_thin && m_thinLines.isDrawn() && view == m_shown.view;
+        const std::vector<OutlinedStroke> before = std::exchange(m_shown.strokes, {});
         gather(view, painting);
         if (mayMend && m_thin)
-            mendThin(before);
+            m_thinLines.mend(before, m_boxes);
     }
-    if (m_shown.empty())
+    if (m_shown.strokes.empty())
         return;
     if (m_thin) {
-        paintThin(painter, view, dpr, colours.accent, moving);
+        m_thinLines.paint(painter, view, dpr, colours.accent, moving);
         return;
     }
     if (moving && m_segments > smoothSegments) {
-        paintQuick(painter, view, colours.accent, dpr, false);
-        paintChosen(painter, colours.accent, dpr, {});
+        paintQuickLines(painter, view, m_shown.strokes, false, colours.accent, dpr);
+        m_thinLines.paintChosen(painter, colours.accent, dpr, {});
         return;
     }
-    for (const Shown &shown : m_shown)
+    for (const OutlinedStroke &shown : m_shown.strokes)
         lineOf(shown);
     painter.setRenderHint(QPainter::Antialiasing);
     paintFine(painter, colours, dpr);

@@ -1,5 +1,5 @@
-// The picture of thin lines: many strokes, and selected segments among them.
-#include "app/canvas/selection_outline.h"
+#include "app/canvas/thin_outline.h"
+
 #include "app/canvas/thin_lines.h"
 #include "model/shaping/transform.h"
 
@@ -33,17 +33,15 @@ Rect pixelBox(const View &view, const Rect &box)
     return pixels;
 }
 
-} // namespace
-
 /// Of either list, bottom to top; many where they are not alike. What is apart in the first differs.
-std::vector<const Stroke *> SelectionOutline::differingStrokes(const std::vector<Shown> &before,
-                                                               const std::vector<Shown> &after)
+std::vector<const Stroke *> differingStrokes(const std::vector<OutlinedStroke> &before,
+                                             const std::vector<OutlinedStroke> &after)
 {
     constexpr std::size_t near = 8; // places that are looked at
     std::vector<const Stroke *> differing;
     std::size_t i = 0;
     const auto goes = [&] { differing.push_back(before[i++].stroke.get()); };
-    for (const Shown &shown : after) {
+    for (const OutlinedStroke &shown : after) {
         std::size_t known = i;
         while (known < std::min(i + near, before.size()) && before[known].stroke != shown.stroke)
             ++known;
@@ -67,70 +65,92 @@ std::vector<const Stroke *> SelectionOutline::differingStrokes(const std::vector
     return differing;
 }
 
-/// About how many pixels all lines are long.
-double SelectionOutline::lengthOfLines() const
+} // namespace
+
+std::optional<Point> shiftBetween(const View &from, const View &to)
 {
-    constexpr std::size_t most = 64; // strokes that are measured
-    const std::size_t step = m_shown.size() / most + 1;
-    double sum = 0;
-    for (std::size_t i = 0; i < m_shown.size(); i += step)
-        for (const Segment &segment : m_shown[i].stroke->segments)
-            sum += polygonLength(segment);
-    return sum * double(step) * m_view.scale;
+    View alike = from;
+    alike.centre = to.centre;
+    if (!(alike == to))
+        return {};
+    return to.toPixels(from.centre) - Point{0.5 * to.width, 0.5 * to.height};
 }
 
-void SelectionOutline::drawThin(double dpr, bool moving)
+void paintQuickLines(QPainter &painter, const View &view, const std::vector<OutlinedStroke> &strokes, bool apart,
+                     const QColor &colour, double dpr)
+{
+    ListPen pen;
+    for (const OutlinedStroke &shown : strokes)
+        if (shown.apart == apart)
+            drawStroke(pen, *shown.stroke, PixelMap(view, shown.stroke->origin), view.scale, leastSpacing * dpr);
+    painter.setPen(QPen(colour, 0)); // one device pixel, not smoothed
+    painter.drawLines(pen.lines);
+}
+
+/// About how many pixels all lines are long.
+double ThinOutline::lengthOfLines() const
+{
+    constexpr std::size_t most = 64; // strokes that are measured
+    const std::size_t step = m_of.strokes.size() / most + 1;
+    double sum = 0;
+    for (std::size_t i = 0; i < m_of.strokes.size(); i += step)
+        for (const Segment &segment : m_of.strokes[i].stroke->segments)
+            sum += polygonLength(segment);
+    return sum * double(step) * m_of.view.scale;
+}
+
+void ThinOutline::draw(double dpr, bool moving)
 {
     m_drawn = true;
     m_chosenDrawn = false;
     m_rough = moving;
-    const View around = thinView();
-    m_inked = inkedBy(m_shownBox);
-    m_mask.clear(around.width, around.height);
+    const View wide = around();
+    m_inked = inkedBy(m_of.box);
+    m_mask.clear(wide.width, wide.height);
     weigh();
     m_spacing = std::max(leastSpacing * dpr, lengthOfLines() / (moving ? movingLines : thinLines));
-    ThinPen pen(m_mask, {0, 0, around.width, around.height});
-    for (const Shown &shown : m_shown)
+    ThinPen pen(m_mask, {0, 0, wide.width, wide.height});
+    for (const OutlinedStroke &shown : m_of.strokes)
         if (!shown.apart)
-            drawStroke(pen, *shown.stroke, PixelMap(around, shown.stroke->origin), m_view.scale, m_spacing);
+            drawStroke(pen, *shown.stroke, PixelMap(wide, shown.stroke->origin), m_of.view.scale, m_spacing);
 }
 
 /// Lines that lie close together are fainter: they are not to hide the paint.
-void SelectionOutline::weigh()
+void ThinOutline::weigh()
 {
-    const double area = m_shownBox.width() * m_shownBox.height() * m_view.scale * m_view.scale;
+    const double area = m_of.box.width() * m_of.box.height() * m_of.view.scale * m_of.view.scale;
     m_weight = std::clamp(denseLines * area / std::max(lengthOfLines(), 1.0), leastWeight, 1.0);
-    if (!m_selection.segments.empty())
+    if (m_of.anyChosen)
         m_weight *= quietWeight;
 }
 
 /// Of the mask.
-View SelectionOutline::thinView() const
+View ThinOutline::around() const
 {
-    View around = m_view; // the same middle
-    around.width += 2 * thinMargin;
-    around.height += 2 * thinMargin;
-    return around;
+    View wide = m_of.view; // the same middle
+    wide.width += 2 * margin;
+    wide.height += 2 * margin;
+    return wide;
 }
 
 /// The pixels of the mask where lines in a box of the canvas may be.
-QRect SelectionOutline::inkedBy(const Rect &box) const
+QRect ThinOutline::inkedBy(const Rect &box) const
 {
-    const View around = thinView();
-    const Rect pixels = pixelBox(around, box).grown(2);
-    const QRectF inView = QRectF(0, 0, around.width, around.height); // the box may be as large as a deep zoom makes it
+    const View wide = around();
+    const Rect pixels = pixelBox(wide, box).grown(2);
+    const QRectF inView = QRectF(0, 0, wide.width, wide.height); // the box may be as large as a deep zoom makes it
     return (inView & QRectF(QPointF(pixels.left, pixels.top), QPointF(pixels.right, pixels.bottom))).toAlignedRect();
 }
 
 /// Draws thin lines anew where what was shown before and what is shown now differ, if that is by few strokes.
-void SelectionOutline::mendThin(const std::vector<Shown> &before)
+void ThinOutline::mend(const std::vector<OutlinedStroke> &before, const StrokeBoxes &boxes)
 {
-    const std::vector<const Stroke *> differing = differingStrokes(before, m_shown);
+    const std::vector<const Stroke *> differing = differingStrokes(before, m_of.strokes);
     if (differing.size() > mendedStrokes)
         return;
     m_drawn = m_rough = true;
     weigh();
-    m_inked = inkedBy(m_shownBox);
+    m_inked = inkedBy(m_of.box);
     Rect box; // one: most often they stand together
     for (const Stroke *stroke : differing)
         box = box.united(controlBox(*stroke));
@@ -138,61 +158,50 @@ void SelectionOutline::mendThin(const std::vector<Shown> &before)
     if (part.isEmpty())
         return;
     m_mask.clear(part);
-    const View around = thinView();
+    const View wide = around();
     Rect reach;
     for (const QPoint corner : {part.topLeft(), part.topRight(), part.bottomLeft(), part.bottomRight()})
-        reach.include(around.toCanvas({double(corner.x()), double(corner.y())}));
-    reach = reach.grown(2 / around.scale);
+        reach.include(wide.toCanvas({double(corner.x()), double(corner.y())}));
+    reach = reach.grown(2 / wide.scale);
     ThinPen pen(m_mask, part);
-    for (const Shown &shown : m_shown)
-        if (m_boxes[shown.place].intersects(reach))
-            drawStroke(pen, *shown.stroke, PixelMap(around, shown.stroke->origin), m_view.scale, m_spacing);
+    for (const OutlinedStroke &shown : m_of.strokes)
+        if (boxes[shown.place].intersects(reach))
+            drawStroke(pen, *shown.stroke, PixelMap(wide, shown.stroke->origin), m_of.view.scale, m_spacing);
 }
 
-void SelectionOutline::paintThin(QPainter &painter, const View &view, double dpr, const QColor &colour, bool moving)
+void ThinOutline::paint(QPainter &painter, const View &view, double dpr, const QColor &colour, bool moving)
 {
     if (!m_drawn || (m_rough && !moving))
-        drawThin(dpr, moving);
-    const Point shift = *shiftBetween(m_view, view);
-    const QPoint corner(int(std::round(shift.x)) - thinMargin, int(std::round(shift.y)) - thinMargin);
+        draw(dpr, moving);
+    const Point shift = *shiftBetween(m_of.view, view);
+    const QPoint corner(int(std::round(shift.x)) - margin, int(std::round(shift.y)) - margin);
     QColor veiled = colour, rim = Qt::white; // the paint below is still to be seen
     veiled.setAlphaF(float(thinOpacity * m_weight));
     rim.setAlphaF(float(rimOpacity * std::pow(m_weight, 1.5))); // it is wider
     m_mask.paint(painter, corner, m_inked, {{rim, 1}, {veiled, 0}});
-    paintQuick(painter, view, colour, dpr, true);
+    paintQuickLines(painter, view, m_of.strokes, true, colour, dpr);
     paintChosen(painter, colour, dpr, shift);
 }
 
 /// Over all the others, where these are no fine lines; `shift`: of the view since strokes were gathered.
-void SelectionOutline::paintChosen(QPainter &painter, const QColor &colour, double dpr, Point shift)
+void ThinOutline::paintChosen(QPainter &painter, const QColor &colour, double dpr, Point shift)
 {
-    if (m_selection.segments.empty())
+    if (!m_of.anyChosen)
         return;
-    const View around = thinView();
+    const View wide = around();
     if (!std::exchange(m_chosenDrawn, true)) {
-        m_chosenMask.clear(around.width, around.height);
-        ThinPen pen(m_chosenMask, {0, 0, around.width, around.height});
-        for (const Shown &shown : m_shown)
+        m_chosenMask.clear(wide.width, wide.height);
+        ThinPen pen(m_chosenMask, {0, 0, wide.width, wide.height});
+        for (const OutlinedStroke &shown : m_of.strokes)
             if (!shown.chosen.empty())
-                drawChosen(pen, *shown.stroke, shown.chosen, PixelMap(around, shown.stroke->origin), m_view.scale,
+                drawChosen(pen, *shown.stroke, shown.chosen, PixelMap(wide, shown.stroke->origin), m_of.view.scale,
                            leastSpacing * dpr);
     }
     const int core = std::max(1, int(std::lround(dpr)));
     QColor rim = Qt::white;
     rim.setAlphaF(float(chosenRim));
-    const QPoint corner(int(std::round(shift.x)) - thinMargin, int(std::round(shift.y)) - thinMargin);
-    m_chosenMask.paint(painter, corner, {0, 0, around.width, around.height}, {{rim, 2 * core}, {colour, core}});
-}
-
-void SelectionOutline::paintQuick(QPainter &painter, const View &view, const QColor &colour, double dpr,
-                                  bool apart) const
-{
-    ListPen pen;
-    for (const Shown &shown : m_shown)
-        if (shown.apart == apart)
-            drawStroke(pen, *shown.stroke, PixelMap(view, shown.stroke->origin), view.scale, leastSpacing * dpr);
-    painter.setPen(QPen(colour, 0)); // one device pixel, not smoothed
-    painter.drawLines(pen.lines);
+    const QPoint corner(int(std::round(shift.x)) - margin, int(std::round(shift.y)) - margin);
+    m_chosenMask.paint(painter, corner, {0, 0, wide.width, wide.height}, {{rim, 2 * core}, {colour, core}});
 }
 
 } // namespace suffuse
