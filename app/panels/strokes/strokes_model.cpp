@@ -1,31 +1,131 @@
 #include "app/panels/strokes/strokes_model.h"
 
+#include "app/panels/strokes/dragged_rows.h"
+#include "app/panels/strokes/row_changes.h"
 #include "app/session/colour_convert.h"
 #include "app/session/editor.h"
+#include "app/session/files/clipboard.h"
 #include "app/widgets/icons.h"
 
+#include <QScopedValueRollback>
+
 #include <algorithm>
-#include <unordered_set>
 
 namespace suffuse {
 
-StrokesModel::StrokesModel(Editor &editor, QObject *parent)
-    : QAbstractItemModel(parent), m_editor(editor), m_root(std::make_unique<Node>())
+QString titleOf(const Stroke &stroke)
 {
-    rebuild();
-    connect(&editor.laterChanges(), &LaterChanges::changed, this, &StrokesModel::documentChanged);
+    return stroke.name.isEmpty() ? StrokesModel::tr("Stroke %1").arg(stroke.id) : stroke.name;
 }
 
-StrokesModel::~StrokesModel() = default;
+QString titleOf(const Group &group)
+{
+    return group.name.isEmpty() ? StrokesModel::tr("Group %1").arg(group.id) : group.name;
+}
 
 namespace {
+
 /// In a row's internal pointer: it stands for a segment of the node's stroke.
 constexpr quintptr segmentTag = 1;
+const char rowsMime[] = "application/x-suffuse-stroke-rows";
+
+QVariant switchData(bool visible, bool locked, int column, int role)
+{
+    if (role == StrokesModel::SwitchRole)
+        return column == StrokesModel::EyeColumn ? visible : locked;
+    if (column == StrokesModel::EyeColumn) {
+        if (role == Qt::DecorationRole)
+            return icon(visible ? "eye" : "eye-off");
+        if (role == Qt::ToolTipRole || role == Qt::AccessibleTextRole)
+            return visible ? StrokesModel::tr("Visible. Click: hide.") : StrokesModel::tr("Hidden. Click: show.");
+    } else if (column == StrokesModel::LockColumn) {
+        if (role == Qt::DecorationRole)
+            return icon(locked ? "lock" : "unlock");
+        if (role == Qt::ToolTipRole || role == Qt::AccessibleTextRole)
+            return locked ? StrokesModel::tr("Locked. Click: unlock.") : StrokesModel::tr("Not locked. Click: lock.");
+    }
+    return {};
+}
+
+QVariant segmentData(const Stroke &stroke, int segment, int column, int role)
+{
+    if (role == StrokesModel::StrokeIdRole)
+        return QVariant::fromValue<qulonglong>(stroke.id);
+    if (role == StrokesModel::GroupIdRole)
+        return QVariant::fromValue<qulonglong>(0);
+    if (role == StrokesModel::SegmentRole)
+        return segment;
+    if (column != StrokesModel::NameColumn || std::size_t(segment) >= stroke.segments.size())
+        return {};
+    if (role == Qt::DisplayRole)
+        return StrokesModel::tr("Segment %1").arg(segment + 1);
+    if (role == StrokesModel::ColourRole)
+        return toOpaqueScreen(stroke.segments[std::size_t(segment)].colour);
+    return {};
+}
+
+QVariant strokeData(const Stroke &stroke, int column, int role)
+{
+    if (role == StrokesModel::SegmentRole)
+        return -1;
+    if (role == StrokesModel::StrokeIdRole)
+        return QVariant::fromValue<qulonglong>(stroke.id);
+    if (role == StrokesModel::GroupIdRole)
+        return QVariant::fromValue<qulonglong>(0);
+    if (column != StrokesModel::NameColumn)
+        return switchData(stroke.visible, stroke.locked, column, role);
+    switch (role) {
+    case Qt::DisplayRole:
+        return titleOf(stroke);
+    case Qt::EditRole:
+        return stroke.name;
+    case Qt::ToolTipRole:
+        return StrokesModel::tr("%n segment(s)", nullptr, int(stroke.segments.size()));
+    case StrokesModel::ColourRole:
+        return stroke.segments.empty() ? QVariant()
+                                       : toOpaqueScreen(stroke.segments[stroke.segments.size() / 2].colour);
+    case StrokesModel::UnnamedRole:
+        return stroke.name.isEmpty();
+    default:
+        return {};
+    }
+}
+
+QVariant groupData(const Group &group, int column, int role)
+{
+    if (role == StrokesModel::SegmentRole)
+        return -1;
+    if (role == StrokesModel::StrokeIdRole)
+        return QVariant::fromValue<qulonglong>(0);
+    if (role == StrokesModel::GroupIdRole)
+        return QVariant::fromValue<qulonglong>(group.id);
+    if (column != StrokesModel::NameColumn)
+        return switchData(group.visible, group.locked, column, role);
+    switch (role) {
+    case Qt::DisplayRole:
+        return titleOf(group);
+    case Qt::EditRole:
+        return group.name;
+    case Qt::DecorationRole:
+        return icon("group");
+    case StrokesModel::UnnamedRole:
+        return group.name.isEmpty();
+    default:
+        return {};
+    }
+}
+
 } // namespace
 
-StrokesModel::Node *StrokesModel::nodeAt(const QModelIndex &index) const
+StrokesModel::StrokesModel(Editor &editor, QObject *parent) : QAbstractItemModel(parent), m_editor(editor)
 {
-    return index.isValid() ? reinterpret_cast<Node *>(index.internalId() & ~segmentTag) : m_root.get();
+    rebuild();
+    connect(&editor.laterChanges(), &LaterChanges::changed, this, &StrokesModel::follow);
+}
+
+const StrokesModel::Node &StrokesModel::nodeAt(const QModelIndex &index) const
+{
+    return index.isValid() ? *reinterpret_cast<const Node *>(index.internalId() & ~segmentTag) : m_tree.root();
 }
 
 int StrokesModel::segmentAt(const QModelIndex &index) const
@@ -40,39 +140,27 @@ QModelIndex StrokesModel::indexOf(const SegmentRef &ref) const
 
 StrokePtr StrokesModel::strokeValueAt(const QModelIndex &index) const
 {
-    const auto it = m_values.find(strokeAt(index));
-    return it == m_values.end() ? nullptr : it->second;
+    return m_tree.strokeOf(strokeAt(index));
 }
 
 QModelIndex StrokesModel::indexOf(const Node *node, int column) const
 {
-    return !node || node == m_root.get() ? QModelIndex() : createIndex(node->row, column, const_cast<Node *>(node));
+    return !node || node == &m_tree.root() ? QModelIndex() : createIndex(node->row, column, const_cast<Node *>(node));
 }
 
 QModelIndex StrokesModel::indexOf(StrokeId id) const
 {
-    const auto it = m_nodes.find(id);
-    return it == m_nodes.end() ? QModelIndex() : indexOf(it->second);
+    return indexOf(m_tree.nodeOf(id));
 }
 
 StrokeId StrokesModel::strokeAt(const QModelIndex &index) const
 {
-    return index.isValid() ? nodeAt(index)->stroke : 0;
+    return nodeAt(index).stroke;
 }
 
 std::set<StrokeId> StrokesModel::strokesBelow(const QModelIndex &index) const
 {
-    std::set<StrokeId> result;
-    std::vector<const Node *> open{nodeAt(index)};
-    while (!open.empty()) {
-        const Node *node = open.back();
-        open.pop_back();
-        if (node->stroke)
-            result.insert(node->stroke);
-        for (const auto &child : node->children)
-            open.push_back(child.get());
-    }
-    return result;
+    return StrokesTree::strokesBelow(nodeAt(index));
 }
 
 bool StrokesModel::isWhollySelected(const Node &node) const
@@ -85,28 +173,28 @@ bool StrokesModel::isWhollySelected(const Node &node) const
 
 QModelIndex StrokesModel::index(int row, int column, const QModelIndex &parent) const
 {
-    const Node *node = nodeAt(parent);
+    const Node &node = nodeAt(parent);
     if (row < 0 || row >= rowCount(parent) || column < 0 || column >= ColumnCount)
         return {};
-    if (node->stroke)
-        return createIndex(row, column, reinterpret_cast<quintptr>(node) | segmentTag);
-    return createIndex(row, column, node->children[std::size_t(row)].get());
+    if (node.stroke)
+        return createIndex(row, column, reinterpret_cast<quintptr>(&node) | segmentTag);
+    return createIndex(row, column, node.children[std::size_t(row)].get());
 }
 
 QModelIndex StrokesModel::parent(const QModelIndex &child) const
 {
     if (!child.isValid())
         return {};
-    const Node *node = nodeAt(child);
-    return indexOf(segmentAt(child) < 0 ? node->parent : node);
+    const Node &node = nodeAt(child);
+    return indexOf(segmentAt(child) < 0 ? node.parent : &node);
 }
 
 int StrokesModel::rowCount(const QModelIndex &parent) const
 {
     if (parent.column() > 0 || segmentAt(parent) >= 0)
         return 0;
-    const Node *node = nodeAt(parent);
-    return node->stroke ? node->segments : int(node->children.size());
+    const Node &node = nodeAt(parent);
+    return node.stroke ? node.segments : int(node.children.size());
 }
 
 int StrokesModel::columnCount(const QModelIndex &) const
@@ -130,134 +218,28 @@ Qt::ItemFlags StrokesModel::flags(const QModelIndex &index) const
     Qt::ItemFlags result = Qt::ItemIsEnabled | Qt::ItemIsSelectable | Qt::ItemIsDragEnabled;
     if (index.column() == NameColumn)
         result |= Qt::ItemIsEditable;
-    if (nodeAt(index)->group)
+    if (nodeAt(index).group)
         result |= Qt::ItemIsDropEnabled;
     return result;
-}
-
-const Group *StrokesModel::groupOf(GroupId id) const
-{
-    const auto it = std::find_if(m_groups.begin(), m_groups.end(), [id](const Group &g) { return g.id == id; });
-    return it == m_groups.end() ? nullptr : &*it;
 }
 
 QVariant StrokesModel::data(const QModelIndex &index, int role) const
 {
     if (!index.isValid())
         return {};
-    const Node *node = nodeAt(index);
-    if (node->group) {
-        const Group *group = groupOf(node->group);
+    const Node &node = nodeAt(index);
+    if (node.group) {
+        const Group *group = m_tree.groupOf(node.group);
         if (role == WhollySelectedRole)
-            return isWhollySelected(*node);
+            return isWhollySelected(node);
         return group ? groupData(*group, index.column(), role) : QVariant();
     }
-    const auto it = m_values.find(node->stroke);
-    if (it == m_values.end())
+    const StrokePtr stroke = m_tree.strokeOf(node.stroke);
+    if (!stroke)
         return {};
     const int segment = segmentAt(index);
-    return segment < 0 ? strokeData(*it->second, index.column(), role)
-                       : segmentData(*it->second, segment, index.column(), role);
-}
-
-QVariant StrokesModel::segmentData(const Stroke &stroke, int segment, int column, int role) const
-{
-    if (role == StrokeIdRole)
-        return QVariant::fromValue<qulonglong>(stroke.id);
-    if (role == GroupIdRole)
-        return QVariant::fromValue<qulonglong>(0);
-    if (role == SegmentRole)
-        return segment;
-    if (column != NameColumn || std::size_t(segment) >= stroke.segments.size())
-        return {};
-    if (role == Qt::DisplayRole)
-        return tr("Segment %1").arg(segment + 1);
-    if (role == ColourRole)
-        return toOpaqueScreen(stroke.segments[std::size_t(segment)].colour);
-    return {};
-}
-
-namespace {
-
-QVariant switchData(bool visible, bool locked, int column, int role)
-{
-    if (role == StrokesModel::SwitchRole)
-        return column == StrokesModel::EyeColumn ? visible : locked;
-    if (column == StrokesModel::EyeColumn) {
-        if (role == Qt::DecorationRole)
-            return icon(visible ? "eye" : "eye-off");
-        if (role == Qt::ToolTipRole || role == Qt::AccessibleTextRole)
-            return visible ? StrokesModel::tr("Visible. Click: hide.") : StrokesModel::tr("Hidden. Click: show.");
-    } else if (column == StrokesModel::LockColumn) {
-        if (role == Qt::DecorationRole)
-            return icon(locked ? "lock" : "unlock");
-        if (role == Qt::ToolTipRole || role == Qt::AccessibleTextRole)
-            return locked ? StrokesModel::tr("Locked. Click: unlock.") : StrokesModel::tr("Not locked. Click: lock.");
-    }
-    return {};
-}
-
-} // namespace
-
-QString titleOf(const Stroke &stroke)
-{
-    return stroke.name.isEmpty() ? StrokesModel::tr("Stroke %1").arg(stroke.id) : stroke.name;
-}
-
-QString titleOf(const Group &group)
-{
-    return group.name.isEmpty() ? StrokesModel::tr("Group %1").arg(group.id) : group.name;
-}
-
-QVariant StrokesModel::strokeData(const Stroke &stroke, int column, int role) const
-{
-    if (role == SegmentRole)
-        return -1;
-    if (role == StrokeIdRole)
-        return QVariant::fromValue<qulonglong>(stroke.id);
-    if (role == GroupIdRole)
-        return QVariant::fromValue<qulonglong>(0);
-    if (column != NameColumn)
-        return switchData(stroke.visible, stroke.locked, column, role);
-    switch (role) {
-    case Qt::DisplayRole:
-        return titleOf(stroke);
-    case Qt::EditRole:
-        return stroke.name;
-    case Qt::ToolTipRole:
-        return tr("%n segment(s)", nullptr, int(stroke.segments.size()));
-    case ColourRole:
-        return stroke.segments.empty() ? QVariant()
-                                       : toOpaqueScreen(stroke.segments[stroke.segments.size() / 2].colour);
-    case UnnamedRole:
-        return stroke.name.isEmpty();
-    default:
-        return {};
-    }
-}
-
-QVariant StrokesModel::groupData(const Group &group, int column, int role) const
-{
-    if (role == SegmentRole)
-        return -1;
-    if (role == StrokeIdRole)
-        return QVariant::fromValue<qulonglong>(0);
-    if (role == GroupIdRole)
-        return QVariant::fromValue<qulonglong>(group.id);
-    if (column != NameColumn)
-        return switchData(group.visible, group.locked, column, role);
-    switch (role) {
-    case Qt::DisplayRole:
-        return titleOf(group);
-    case Qt::EditRole:
-        return group.name;
-    case Qt::DecorationRole:
-        return icon("group");
-    case UnnamedRole:
-        return group.name.isEmpty();
-    default:
-        return {};
-    }
+    return segment < 0 ? strokeData(*stroke, index.column(), role)
+                       : segmentData(*stroke, segment, index.column(), role);
 }
 
 bool StrokesModel::setData(const QModelIndex &index, const QVariant &value, int role)
@@ -265,13 +247,13 @@ bool StrokesModel::setData(const QModelIndex &index, const QVariant &value, int 
     if (!index.isValid() || segmentAt(index) >= 0 || index.column() != NameColumn || role != Qt::EditRole)
         return false;
     const QString name = value.toString().trimmed();
-    const Node *node = nodeAt(index);
-    if (node->group)
+    const Node &node = nodeAt(index);
+    if (node.group)
         changeGroup(
-            node->group, [&](Group &g) { g.name = name; }, tr("Rename group"));
+            m_editor, node.group, [&](Group &g) { g.name = name; }, tr("Rename group"));
     else
         changeStroke(
-            node->stroke, [&](Stroke &s) { s.name = name; }, tr("Rename stroke"));
+            m_editor, node.stroke, [&](Stroke &s) { s.name = name; }, tr("Rename stroke"));
     return true;
 }
 
@@ -279,7 +261,7 @@ void StrokesModel::toggle(const QModelIndex &index)
 {
     if (!index.isValid() || segmentAt(index) >= 0)
         return;
-    const Node *node = nodeAt(index);
+    const Node &node = nodeAt(index);
     const bool eye = index.column() == EyeColumn;
     const auto flip = [eye](auto &item) {
         if (eye)
@@ -287,45 +269,124 @@ void StrokesModel::toggle(const QModelIndex &index)
         else
             item.locked = !item.locked;
     };
-    if (node->group) {
-        const Group *group = groupOf(node->group);
+    if (node.group) {
+        const Group *group = m_tree.groupOf(node.group);
         const bool on = group && (eye ? group->visible : group->locked);
-        changeGroup(node->group, flip,
+        changeGroup(m_editor, node.group, flip,
                     eye ? (on ? tr("Hide group") : tr("Show group")) : (on ? tr("Unlock group") : tr("Lock group")));
-    } else if (const auto it = m_values.find(node->stroke); it != m_values.end()) {
-        const bool on = eye ? it->second->visible : it->second->locked;
-        changeStroke(node->stroke, flip,
+    } else if (const StrokePtr stroke = m_tree.strokeOf(node.stroke)) {
+        const bool on = eye ? stroke->visible : stroke->locked;
+        changeStroke(m_editor, node.stroke, flip,
                      eye ? (on ? tr("Hide stroke") : tr("Show stroke"))
                          : (on ? tr("Unlock stroke") : tr("Lock stroke")));
     }
 }
 
-void StrokesModel::changeStroke(StrokeId id, const std::function<void(Stroke &)> &change, const QString &text)
+void StrokesModel::rebuild()
 {
-    // Names, eyes and locks of locked strokes change too: `changeStrokes` would leave them alone.
-    const StrokePtr old = m_editor.document().painting()->find(id);
-    if (!old)
-        return;
-    Stroke stroke = *old;
-    change(stroke);
-    if (stroke == *old)
-        return;
-    Edit edit;
-    edit.strokes.emplace(id, std::make_shared<const Stroke>(std::move(stroke)));
-    m_editor.push(std::move(edit), text);
+    beginResetModel();
+    m_tree.build(m_editor.document().painting());
+    endResetModel();
 }
 
-void StrokesModel::changeGroup(GroupId id, const std::function<void(Group &)> &change, const QString &text)
+void StrokesModel::follow(const Change &change)
 {
-    std::vector<Group> groups = m_editor.document().painting()->groups;
-    for (Group &group : groups)
-        if (group.id == id)
-            change(group);
-    if (groups == m_editor.document().painting()->groups)
+    const QScopedValueRollback following(m_following, true);
+    const PaintingPtr painting = m_editor.document().painting();
+    if (painting == m_tree.painting() && !change.reset)
         return;
-    Edit edit;
-    edit.groups = std::move(groups);
-    m_editor.push(std::move(edit), text);
+    const auto changed = change.reset ? std::nullopt : m_tree.follow(painting, change, *this);
+    if (changed)
+        announce(*changed);
+    else
+        rebuild();
+}
+
+void StrokesModel::announce(const StrokesTree::Changed &changed)
+{
+    // From the first to the last below a parent: views look for each row, and a row that did not change costs less.
+    std::unordered_map<const Node *, std::pair<const Node *, const Node *>> ends;
+    for (const Node *node : changed.strokes) {
+        auto &[first, last] = ends.try_emplace(node->parent, node, node).first->second;
+        first = node->row < first->row ? node : first;
+        last = node->row > last->row ? node : last;
+    }
+    for (const auto &[parent, rows] : ends)
+        emit dataChanged(indexOf(rows.first), indexOf(rows.second, LockColumn));
+    for (const Node *node : changed.withSegments) {
+        const QModelIndex stroke = indexOf(node);
+        if (node->segments > 0)
+            emit dataChanged(index(0, NameColumn, stroke), index(node->segments - 1, NameColumn, stroke));
+    }
+    if (changed.groups && rowCount() > 0)
+        emit dataChanged(index(0, 0), index(rowCount() - 1, LockColumn));
+}
+
+void StrokesModel::rowsCome(const Node &parent, int first, int last)
+{
+    beginInsertRows(indexOf(&parent), first, last);
+}
+
+void StrokesModel::rowsGo(const Node &parent, int first, int last)
+{
+    beginRemoveRows(indexOf(&parent), first, last);
+}
+
+void StrokesModel::rowsMove(const Node &parent)
+{
+    emit layoutAboutToBeChanged({QPersistentModelIndex(indexOf(&parent))});
+}
+
+void StrokesModel::rowsMoved(const Node &parent)
+{
+    const QModelIndexList before = persistentIndexList();
+    QModelIndexList after;
+    for (const QModelIndex &old : before)
+        after << (segmentAt(old) < 0 ? indexOf(&nodeAt(old), old.column()) : old); // segments stay in their stroke
+    changePersistentIndexList(before, after);
+    emit layoutChanged({QPersistentModelIndex(indexOf(&parent))});
+}
+
+QStringList StrokesModel::mimeTypes() const
+{
+    return {rowsMime};
+}
+
+QMimeData *StrokesModel::mimeData(const QModelIndexList &indexes) const
+{
+    DraggedRows rows;
+    for (const QModelIndex &index : indexes) {
+        if (index.column() != NameColumn || segmentAt(index) >= 0)
+            continue;
+        rows.strokes.merge(strokesBelow(index));
+        if (const GroupId group = nodeAt(index).group)
+            rows.groups.insert(group);
+    }
+    // Other windows take the strokes themselves.
+    QMimeData *data =
+        clipboard::mimeOf(clipboard::asPainting(*m_tree.painting(), {rows.strokes, {}}), m_editor.clock().time());
+    data->setData(rowsMime, rows.toBytes(this));
+    return data;
+}
+
+bool StrokesModel::canDropMimeData(const QMimeData *data, Qt::DropAction action, int, int, const QModelIndex &) const
+{
+    return data && action == Qt::MoveAction && data->hasFormat(rowsMime);
+}
+
+bool StrokesModel::dropMimeData(const QMimeData *data, Qt::DropAction action, int row, int, const QModelIndex &parent)
+{
+    if (!canDropMimeData(data, action, 0, 0, parent) || segmentAt(parent) >= 0)
+        return false;
+    const std::optional<DraggedRows> dragged = DraggedRows::fromBytes(data->data(rowsMime), this);
+    const DraggedRows rows = dragged ? dragged->movable(m_tree) : DraggedRows();
+    if (rows.strokes.empty())
+        return false;
+    const DropPlace place = dropPlace(nodeAt(parent), row, rows.strokes);
+    if (std::optional<Edit> edit = dropEdit(m_tree, *m_editor.document().painting(), rows, place))
+        m_editor.push(std::move(*edit), tr("Reorder strokes"));
+    // The rows have moved already, with the document: the view has nothing to remove.
+    return false;
 }
 
 } // namespace suffuse

@@ -1,12 +1,8 @@
 #pragma once
 
-#include "model/document/document.h"
+#include "app/panels/strokes/strokes_tree.h"
 
 #include <QAbstractItemModel>
-
-#include <functional>
-#include <memory>
-#include <unordered_map>
 
 namespace suffuse {
 
@@ -19,7 +15,7 @@ QString titleOf(const Group &group);
 /// Groups, strokes and their segments as a tree, the topmost first. Follows the document by difference: a change of
 /// values touches the rows that changed, strokes that come or go are inserted or removed in runs, and only another
 /// grouping or painting resets it. Edits go through the editor, one undo step each.
-class StrokesModel : public QAbstractItemModel {
+class StrokesModel : public QAbstractItemModel, private StrokesTree::Listener {
     Q_OBJECT
 
 public:
@@ -35,7 +31,6 @@ public:
     };
 
     explicit StrokesModel(Editor &editor, QObject *parent = nullptr);
-    ~StrokesModel() override;
 
     QModelIndex index(int row, int column, const QModelIndex &parent = {}) const override;
     QModelIndex parent(const QModelIndex &child) const override;
@@ -76,56 +71,26 @@ public:
     void toggle(const QModelIndex &index);
 
 private:
-    struct Node {
-        StrokeId stroke = 0;
-        GroupId group = 0;
-        Node *parent = nullptr;
-        int row = 0;
-        int segments = 0; ///< rows below a stroke
-        std::vector<std::unique_ptr<Node>> children;
-    };
-    /// What stands under each parent, top to bottom: strokes as themselves, groups marked.
-    struct Entry {
-        StrokeId stroke = 0;
-        GroupId group = 0;
-        friend bool operator==(const Entry &, const Entry &) = default;
-    };
-    using Layout = std::unordered_map<GroupId, std::vector<Entry>>;
+    using Node = StrokesTree::Node;
+
+    // StrokesTree::Listener
+    void rowsCome(const Node &parent, int first, int last) override;
+    void rowsCame() override { endInsertRows(); }
+    void rowsGo(const Node &parent, int first, int last) override;
+    void rowsWent() override { endRemoveRows(); }
+    void rowsMove(const Node &parent) override;
+    void rowsMoved(const Node &parent) override;
 
     /// Of a segment's row: its stroke's node.
-    Node *nodeAt(const QModelIndex &index) const;
-    QVariant segmentData(const Stroke &stroke, int segment, int column, int role) const;
-    /// Rows whose values changed, and those of whose segments that did.
-    void announce(const std::vector<const Node *> &strokes, const std::vector<const Node *> &withSegments);
-    void followSegments(Node &node, const Stroke &stroke);
+    const Node &nodeAt(const QModelIndex &index) const;
     QModelIndex indexOf(const Node *node, int column = 0) const;
-    static Layout layoutOf(const Painting &painting);
-    void rebuild();
-    void buildBelow(Node &node, const Layout &layout);
-    void documentChanged(const Change &change);
-    void follow(const Painting &painting);
-    void followBelow(Node &node, const std::vector<Entry> &wanted);
-    void removeMissing(Node &node, const std::vector<Entry> &wanted);
-    void insertNew(Node &node, const std::vector<Entry> &wanted);
-    void sortLike(Node &node, const std::vector<Entry> &wanted);
-    static void renumber(Node &node);
-    const Group *groupOf(GroupId id) const;
     bool isWhollySelected(const Node &node) const;
-    QVariant strokeData(const Stroke &stroke, int column, int role) const;
-    QVariant groupData(const Group &group, int column, int role) const;
-    void changeStroke(StrokeId id, const std::function<void(Stroke &)> &change, const QString &text);
-    void changeGroup(GroupId id, const std::function<void(Group &)> &change, const QString &text);
-    StrokeId lowestStrokeOf(const Node &node) const;
-    /// Groups move with what is in them; single strokes join the group.
-    void moveInto(const std::set<StrokeId> &strokes, const std::set<GroupId> &groups, StrokeId before, GroupId group);
-    bool isWithin(GroupId group, const std::set<GroupId> &groups) const;
+    void rebuild();
+    void follow(const Change &change);
+    void announce(const StrokesTree::Changed &changed);
 
     Editor &m_editor;
-    PaintingPtr m_painting; ///< what the rows show
-    std::vector<Group> m_groups;
-    std::unordered_map<StrokeId, StrokePtr> m_values;
-    std::unordered_map<StrokeId, Node *> m_nodes;
-    std::unique_ptr<Node> m_root;
+    StrokesTree m_tree;
     bool m_following = false;
 };
 

@@ -1,8 +1,4 @@
-// How the rows follow the document.
-#include "app/panels/strokes/strokes_model.h"
-#include "app/session/editor.h"
-
-#include <QScopedValueRollback>
+#include "app/panels/strokes/strokes_tree.h"
 
 #include <algorithm>
 #include <unordered_set>
@@ -18,9 +14,20 @@ bool sameTree(const std::vector<Group> &a, const std::vector<Group> &b)
                       [](const Group &x, const Group &y) { return x.id == y.id && x.parent == y.parent; });
 }
 
+/// The strokes of a painting that a change names, as far as they are there.
+std::unordered_map<StrokeId, StrokePtr> changedStrokes(const Painting &painting, const std::set<StrokeId> &ids)
+{
+    std::unordered_map<StrokeId, StrokePtr> changed;
+    if (!ids.empty())
+        for (const StrokePtr &stroke : painting.strokes)
+            if (ids.contains(stroke->id))
+                changed.emplace(stroke->id, stroke);
+    return changed;
+}
+
 } // namespace
 
-StrokesModel::Layout StrokesModel::layoutOf(const Painting &painting)
+StrokesTree::Layout StrokesTree::layoutOf(const Painting &painting)
 {
     std::unordered_map<GroupId, GroupId> parentOf;
     for (const Group &group : painting.groups)
@@ -44,13 +51,13 @@ StrokesModel::Layout StrokesModel::layoutOf(const Painting &painting)
     return layout;
 }
 
-void StrokesModel::renumber(Node &node)
+void StrokesTree::renumber(Node &node)
 {
     for (std::size_t i = 0; i < node.children.size(); ++i)
         node.children[i]->row = int(i);
 }
 
-void StrokesModel::buildBelow(Node &node, const Layout &layout)
+void StrokesTree::buildBelow(Node &node, const Layout &layout)
 {
     const auto it = layout.find(node.group);
     if (it == layout.end())
@@ -71,55 +78,101 @@ void StrokesModel::buildBelow(Node &node, const Layout &layout)
     }
 }
 
-void StrokesModel::rebuild()
+void StrokesTree::build(const PaintingPtr &painting)
 {
-    beginResetModel();
-    m_painting = m_editor.document().painting();
-    m_groups = m_painting->groups;
+    m_painting = painting;
+    m_groups = painting->groups;
     m_values.clear();
-    m_values.reserve(m_painting->strokes.size());
-    for (const StrokePtr &stroke : m_painting->strokes)
+    m_values.reserve(painting->strokes.size());
+    for (const StrokePtr &stroke : painting->strokes)
         m_values.emplace(stroke->id, stroke);
     m_nodes.clear();
     m_nodes.reserve(m_values.size());
     m_root = std::make_unique<Node>();
-    buildBelow(*m_root, layoutOf(*m_painting));
-    endResetModel();
+    buildBelow(*m_root, layoutOf(*painting));
 }
 
-void StrokesModel::documentChanged(const Change &change)
+const StrokesTree::Node *StrokesTree::nodeOf(StrokeId id) const
 {
-    const QScopedValueRollback following(m_following, true);
-    const PaintingPtr painting = m_editor.document().painting();
-    if (change.reset || !sameTree(painting->groups, m_groups)) {
-        rebuild();
-        return;
+    const auto it = m_nodes.find(id);
+    return it == m_nodes.end() ? nullptr : it->second;
+}
+
+StrokePtr StrokesTree::strokeOf(StrokeId id) const
+{
+    const auto it = m_values.find(id);
+    return it == m_values.end() ? nullptr : it->second;
+}
+
+const Group *StrokesTree::groupOf(GroupId id) const
+{
+    const auto it = std::find_if(m_groups.begin(), m_groups.end(), [id](const Group &g) { return g.id == id; });
+    return it == m_groups.end() ? nullptr : &*it;
+}
+
+bool StrokesTree::isWithin(GroupId group, const std::set<GroupId> &groups) const
+{
+    for (const Group *at = groupOf(group); at; at = groupOf(at->parent))
+        if (groups.contains(at->id))
+            return true;
+    return false;
+}
+
+std::set<StrokeId> StrokesTree::strokesBelow(const Node &node)
+{
+    std::set<StrokeId> result;
+    std::vector<const Node *> open{&node};
+    while (!open.empty()) {
+        const Node *next = open.back();
+        open.pop_back();
+        if (next->stroke)
+            result.insert(next->stroke);
+        for (const auto &child : next->children)
+            open.push_back(child.get());
     }
-    if (painting == m_painting)
-        return;
-    std::unordered_map<StrokeId, StrokePtr> changed;
+    return result;
+}
+
+StrokeId StrokesTree::lowestStrokeOf(const Node &node)
+{
+    if (node.stroke)
+        return node.stroke;
+    for (auto it = node.children.rbegin(); it != node.children.rend(); ++it)
+        if (const StrokeId id = lowestStrokeOf(**it))
+            return id;
+    return 0;
+}
+
+std::optional<StrokesTree::Changed> StrokesTree::follow(const PaintingPtr &painting, const Change &change,
+                                                        Listener &listener)
+{
+    if (!sameTree(painting->groups, m_groups))
+        return {};
     const std::set<StrokeId> ids(change.strokes.begin(), change.strokes.end());
-    if (!ids.empty())
-        for (const StrokePtr &stroke : painting->strokes)
-            if (ids.contains(stroke->id))
-                changed.emplace(stroke->id, stroke);
+    const Values changed = changedStrokes(*painting, ids);
     const bool regrouped = std::any_of(changed.begin(), changed.end(), [&](const auto &entry) {
         const auto before = m_values.find(entry.first);
         return before != m_values.end() && entry.second->group != before->second->group;
     });
-    if (regrouped) {
-        rebuild();
-        return;
-    }
+    if (regrouped)
+        return {};
     for (const auto &[id, stroke] : changed)
         m_values.emplace(id, stroke); // what is new; rows that stay show their old values until they have followed
     if (change.order)
-        follow(*painting);
+        followOrder(*painting, listener);
     m_painting = painting;
     for (const auto &[id, stroke] : changed)
         if (const auto it = m_nodes.find(id); it != m_nodes.end())
-            followSegments(*it->second, *stroke);
-    std::vector<const Node *> news, withSegments;
+            followSegments(*it->second, *stroke, listener);
+    Changed result = takeValues(ids, changed);
+    result.groups = m_groups != painting->groups;
+    m_groups = painting->groups;
+    return result;
+}
+
+StrokesTree::Changed StrokesTree::takeValues(const std::set<StrokeId> &ids, const Values &changed)
+{
+    Changed result;
     for (const StrokeId id : ids) {
         const auto now = changed.find(id);
         if (now == changed.end()) {
@@ -128,53 +181,30 @@ void StrokesModel::documentChanged(const Change &change)
         }
         StrokePtr &value = m_values[id];
         if (const auto it = m_nodes.find(id); it != m_nodes.end()) {
-            news.push_back(it->second);
+            result.strokes.push_back(it->second);
             if (value->segments != now->second->segments)
-                withSegments.push_back(it->second);
+                result.withSegments.push_back(it->second);
         }
         value = now->second;
     }
-    const bool groupsChanged = m_groups != painting->groups;
-    m_groups = painting->groups;
-    announce(news, withSegments);
-    if (groupsChanged && rowCount() > 0)
-        emit dataChanged(index(0, 0), index(rowCount() - 1, LockColumn));
+    return result;
 }
 
-void StrokesModel::announce(const std::vector<const Node *> &strokes, const std::vector<const Node *> &withSegments)
-{
-    // From the first to the last below a parent: views look for each row, and a row that did not change costs less.
-    std::unordered_map<const Node *, std::pair<const Node *, const Node *>> ends;
-    for (const Node *node : strokes) {
-        auto &[first, last] = ends.try_emplace(node->parent, node, node).first->second;
-        first = node->row < first->row ? node : first;
-        last = node->row > last->row ? node : last;
-    }
-    for (const auto &[parent, rows] : ends)
-        emit dataChanged(indexOf(rows.first), indexOf(rows.second, LockColumn));
-    for (const Node *node : withSegments) {
-        const QModelIndex stroke = indexOf(node);
-        if (node->segments > 0)
-            emit dataChanged(index(0, NameColumn, stroke), index(node->segments - 1, NameColumn, stroke));
-    }
-}
-
-void StrokesModel::followSegments(Node &node, const Stroke &stroke)
+void StrokesTree::followSegments(Node &node, const Stroke &stroke, Listener &listener)
 {
     const int wanted = int(stroke.segments.size());
-    const QModelIndex parent = indexOf(&node);
     if (wanted > node.segments) {
-        beginInsertRows(parent, node.segments, wanted - 1);
+        listener.rowsCome(node, node.segments, wanted - 1);
         node.segments = wanted;
-        endInsertRows();
+        listener.rowsCame();
     } else if (wanted < node.segments) {
-        beginRemoveRows(parent, wanted, node.segments - 1);
+        listener.rowsGo(node, wanted, node.segments - 1);
         node.segments = wanted;
-        endRemoveRows();
+        listener.rowsWent();
     }
 }
 
-void StrokesModel::follow(const Painting &painting)
+void StrokesTree::followOrder(const Painting &painting, Listener &listener)
 {
     const Layout layout = layoutOf(painting);
     std::vector<Node *> open{m_root.get()};
@@ -182,21 +212,17 @@ void StrokesModel::follow(const Painting &painting)
         Node *node = open.back();
         open.pop_back();
         const auto it = layout.find(node->group);
-        followBelow(*node, it == layout.end() ? std::vector<Entry>{} : it->second);
+        const Entries wanted = it == layout.end() ? Entries() : it->second;
+        removeMissing(*node, wanted, listener);
+        insertNew(*node, wanted, listener);
+        sortLike(*node, wanted, listener);
         for (const auto &child : node->children)
             if (child->group)
                 open.push_back(child.get());
     }
 }
 
-void StrokesModel::followBelow(Node &node, const std::vector<Entry> &wanted)
-{
-    removeMissing(node, wanted);
-    insertNew(node, wanted);
-    sortLike(node, wanted);
-}
-
-void StrokesModel::removeMissing(Node &node, const std::vector<Entry> &wanted)
+void StrokesTree::removeMissing(Node &node, const Entries &wanted, Listener &listener)
 {
     std::unordered_set<StrokeId> stay;
     for (const Entry &entry : wanted)
@@ -211,17 +237,17 @@ void StrokesModel::removeMissing(Node &node, const std::vector<Entry> &wanted)
         int first = last;
         while (first > 0 && gone(first - 1))
             --first;
-        beginRemoveRows(indexOf(&node), first, last);
+        listener.rowsGo(node, first, last);
         for (int row = first; row <= last; ++row)
             m_nodes.erase(node.children[std::size_t(row)]->stroke);
         node.children.erase(node.children.begin() + first, node.children.begin() + last + 1);
         renumber(node);
-        endRemoveRows();
+        listener.rowsWent();
         last = first;
     }
 }
 
-void StrokesModel::insertNew(Node &node, const std::vector<Entry> &wanted)
+void StrokesTree::insertNew(Node &node, const Entries &wanted, Listener &listener)
 {
     const auto isNew = [&](const Entry &entry) { return entry.stroke && !m_nodes.contains(entry.stroke); };
     // Behind the row that they follow in the new order; sorting moves what is left.
@@ -236,7 +262,7 @@ void StrokesModel::insertNew(Node &node, const std::vector<Entry> &wanted)
         std::size_t end = i;
         while (end < wanted.size() && isNew(wanted[end]))
             ++end;
-        beginInsertRows(indexOf(&node), at, at + int(end - i) - 1);
+        listener.rowsCome(node, at, at + int(end - i) - 1);
         std::vector<std::unique_ptr<Node>> added;
         for (; i < end; ++i) {
             auto child = std::make_unique<Node>();
@@ -249,18 +275,17 @@ void StrokesModel::insertNew(Node &node, const std::vector<Entry> &wanted)
         node.children.insert(node.children.begin() + at, std::make_move_iterator(added.begin()),
                              std::make_move_iterator(added.end()));
         renumber(node);
-        endInsertRows();
+        listener.rowsCame();
         at += int(added.size());
     }
 }
 
-void StrokesModel::sortLike(Node &node, const std::vector<Entry> &wanted)
+void StrokesTree::sortLike(Node &node, const Entries &wanted, Listener &listener)
 {
-    const auto matches = [&] {
-        return std::equal(wanted.begin(), wanted.end(), node.children.begin(), node.children.end(),
-                          [](const Entry &e, const auto &c) { return e.stroke == c->stroke && e.group == c->group; });
-    };
-    if (matches())
+    const bool matches =
+        std::equal(wanted.begin(), wanted.end(), node.children.begin(), node.children.end(),
+                   [](const Entry &e, const auto &c) { return e.stroke == c->stroke && e.group == c->group; });
+    if (matches)
         return;
     std::unordered_map<StrokeId, int> strokeRows;
     std::unordered_map<GroupId, int> groupRows;
@@ -268,16 +293,11 @@ void StrokesModel::sortLike(Node &node, const std::vector<Entry> &wanted)
         (wanted[i].stroke ? strokeRows[wanted[i].stroke] : groupRows[wanted[i].group]) = int(i);
     const auto rowOf = [&](const Node &n) { return n.stroke ? strokeRows[n.stroke] : groupRows[n.group]; };
 
-    emit layoutAboutToBeChanged({QPersistentModelIndex(indexOf(&node))});
-    const QModelIndexList before = persistentIndexList();
+    listener.rowsMove(node);
     std::sort(node.children.begin(), node.children.end(),
               [&](const auto &a, const auto &b) { return rowOf(*a) < rowOf(*b); });
     renumber(node);
-    QModelIndexList after;
-    for (const QModelIndex &old : before)
-        after << (segmentAt(old) < 0 ? indexOf(nodeAt(old), old.column()) : old); // segments stay in their stroke
-    changePersistentIndexList(before, after);
-    emit layoutChanged({QPersistentModelIndex(indexOf(&node))});
+    listener.rowsMoved(node);
 }
 
 } // namespace suffuse

@@ -1,0 +1,122 @@
+#include "app/panels/strokes/dragged_rows.h"
+
+#include <QDataStream>
+#include <QIODevice>
+
+namespace suffuse {
+
+namespace {
+
+quint64 numberOf(const void *source)
+{
+    return quint64(reinterpret_cast<quintptr>(source));
+}
+
+/// The order of the painting with the strokes in their new place.
+std::vector<StrokeId> orderWith(const Painting &painting, const std::set<StrokeId> &strokes, StrokeId before)
+{
+    std::vector<StrokeId> order, moved;
+    for (const StrokePtr &stroke : painting.strokes)
+        if (strokes.contains(stroke->id))
+            moved.push_back(stroke->id);
+    for (const StrokePtr &stroke : painting.strokes) {
+        if (stroke->id == before)
+            order.insert(order.end(), moved.begin(), moved.end());
+        if (!strokes.contains(stroke->id))
+            order.push_back(stroke->id);
+    }
+    if (!before)
+        order.insert(order.end(), moved.begin(), moved.end());
+    return order;
+}
+
+} // namespace
+
+QByteArray DraggedRows::toBytes(const void *source) const
+{
+    QByteArray bytes;
+    QDataStream out(&bytes, QIODevice::WriteOnly);
+    out << numberOf(source) << quint64(groups.size());
+    for (const GroupId id : groups)
+        out << quint64(id);
+    for (const StrokeId id : strokes)
+        out << quint64(id);
+    return bytes;
+}
+
+std::optional<DraggedRows> DraggedRows::fromBytes(const QByteArray &bytes, const void *source)
+{
+    QDataStream in(bytes);
+    quint64 from = 0, count = 0;
+    in >> from >> count;
+    if (from != numberOf(source))
+        return {};
+    DraggedRows rows;
+    for (quint64 id = 0; !in.atEnd();) {
+        in >> id;
+        if (count > 0)
+            --count, rows.groups.insert(id);
+        else
+            rows.strokes.insert(id);
+    }
+    return rows;
+}
+
+DraggedRows DraggedRows::movable(const StrokesTree &tree) const
+{
+    DraggedRows result{{}, groups};
+    for (const StrokeId id : strokes)
+        if (const StrokePtr stroke = tree.strokeOf(id);
+            stroke && (!stroke->locked || tree.isWithin(stroke->group, groups)))
+            result.strokes.insert(id);
+    return result;
+}
+
+DropPlace dropPlace(const StrokesTree::Node &onto, int row, const std::set<StrokeId> &moved)
+{
+    const StrokesTree::Node *target = &onto;
+    if (target->stroke) { // onto a stroke: just above it
+        row = target->row;
+        target = target->parent;
+    }
+    if (row < 0)
+        row = target->group ? 0 : int(target->children.size());
+    // Below the next row above that stays where it is; on top of a group: below what stands above the group.
+    StrokeId before = 0;
+    const StrokesTree::Node *at = target;
+    for (int above = row - 1; at && !before;) {
+        for (; above >= 0 && !before; --above) {
+            const StrokeId lowest = StrokesTree::lowestStrokeOf(*at->children[std::size_t(above)]);
+            before = lowest && !moved.contains(lowest) ? lowest : 0;
+        }
+        above = at->row - 1;
+        at = at->parent;
+    }
+    return {target->group, before};
+}
+
+std::optional<Edit> dropEdit(const StrokesTree &tree, const Painting &painting, const DraggedRows &rows,
+                             const DropPlace &place)
+{
+    if (tree.isWithin(place.group, rows.groups))
+        return {};
+    Edit edit;
+    for (const StrokeId id : rows.strokes) {
+        const StrokePtr stroke = tree.strokeOf(id);
+        if (stroke->group == place.group || tree.isWithin(stroke->group, rows.groups))
+            continue;
+        Stroke copy = *stroke;
+        copy.group = place.group;
+        edit.strokes.emplace(id, std::make_shared<const Stroke>(std::move(copy)));
+    }
+    std::vector<Group> groups = painting.groups;
+    for (Group &group : groups)
+        if (rows.groups.contains(group.id) && !tree.isWithin(group.parent, rows.groups))
+            group.parent = place.group;
+    if (groups != painting.groups)
+        edit.groups = std::move(groups);
+    edit.order = orderWith(painting, rows.strokes, place.before);
+    return edit;
+}
+
+} // namespace suffuse

@@ -1,0 +1,35 @@
+#include "app/panels/strokes/row_changes.h"
+
+#include "app/session/editor.h"
+
+namespace suffuse {
+
+void changeStroke(Editor &editor, StrokeId id, const std::function<void(Stroke &)> &change, const QString &text)
+{
+    // Names, eyes and locks of locked strokes change too: `changeStrokes` would leave them alone.
+    const StrokePtr old = editor.document().painting()->find(id);
+    if (!old)
+        return;
+    Stroke stroke = *old;
+    change(stroke);
+    if (stroke == *old)
+        return;
+    Edit edit;
+    edit.strokes.emplace(id, std::make_shared<const Stroke>(std::move(stroke)));
+    editor.push(std::move(edit), text);
+}
+
+void changeGroup(Editor &editor, GroupId id, const std::function<void(Group &)> &change, const QString &text)
+{
+    std::vector<Group> groups = editor.document().painting()->groups;
+    for (Group &group : groups)
+        if (group.id == id)
+            change(group);
+    if (groups == editor.document().painting()->groups)
+        return;
+    Edit edit;
+    edit.groups = std::move(groups);
+    editor.push(std::move(edit), text);
+}
+
+} // namespace suffuse
