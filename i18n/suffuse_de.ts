@@ -1427,10 +1427,52 @@ Rückgabewerte: 0 erledigt, 1 fehlgeschlagen, 2 falscher Aufruf.</translation>
     </message>
 </context>
 <context>
+    <name>Retiming</name>
+    <message>
+        <source>Ease in time</source>
+        <translation>Zeit sanft verteilen</translation>
+    </message>
+    <message>
+        <source>Move in time</source>
+        <translation>Zeitlich verschieben</translation>
+    </message>
+    <message>
+        <source>Stretch in time</source>
+        <translation>Zeitlich strecken</translation>
+    </message>
+    <message>
+        <source>Later by %1 s</source>
+        <translation>Verschoben um %1 s</translation>
+    </message>
+    <message>
+        <source>Drawn in %1 s</source>
+        <translation>Gezeichnet in %1 s</translation>
+    </message>
+    <message>
+        <source>Begins at %1 % of its pace</source>
+        <translation>Beginnt mit %1 % seines Tempos</translation>
+    </message>
+    <message>
+        <source>Ends at %1 % of its pace</source>
+        <translation>Endet mit %1 % seines Tempos</translation>
+    </message>
+</context>
+<context>
     <name>SvgPaths</name>
     <message>
         <source>SVG, line %1: %2</source>
         <translation>SVG, Zeile %1: %2</translation>
+    </message>
+</context>
+<context>
+    <name>TimelinePicture</name>
+    <message>
+        <source>%1 s</source>
+        <translation>%1 s</translation>
+    </message>
+    <message>
+        <source>Each stroke is a bar here: from when it is painted until it is dry.</source>
+        <translation>Jeder Strich ist hier ein Balken: vom Malen, bis er trocken ist.</translation>
     </message>
 </context>
 <context>
@@ -6857,35 +6899,7 @@ Auch die Pfeiltasten wirken.</translation>
     </message>
 </context>
 <context>
-    <name>suffuse::TimelineView</name>
-    <message>
-        <source>Timeline</source>
-        <translation>Zeitleiste</translation>
-    </message>
-    <message>
-        <source>Later by %1 s</source>
-        <translation>Verschoben um %1 s</translation>
-    </message>
-    <message>
-        <source>Drawn in %1 s</source>
-        <translation>Gezeichnet in %1 s</translation>
-    </message>
-    <message>
-        <source>Move in time</source>
-        <translation>Zeitlich verschieben</translation>
-    </message>
-    <message>
-        <source>Stretch in time</source>
-        <translation>Zeitlich strecken</translation>
-    </message>
-    <message>
-        <source>%1 s</source>
-        <translation>%1 s</translation>
-    </message>
-    <message>
-        <source>Each stroke is a bar here: from when it is painted until it is dry.</source>
-        <translation>Jeder Strich ist hier ein Balken: vom Malen, bis er trocken ist.</translation>
-    </message>
+    <name>suffuse::TimelinePointer</name>
     <message>
         <source>Stroke %1</source>
         <translation>Strich %1</translation>
@@ -6906,17 +6920,12 @@ Auch die Pfeiltasten wirken.</translation>
         <source>Locked</source>
         <translation>Gesperrt</translation>
     </message>
+</context>
+<context>
+    <name>suffuse::TimelineView</name>
     <message>
-        <source>Ease in time</source>
-        <translation>Zeit sanft verteilen</translation>
-    </message>
-    <message>
-        <source>Begins at %1 % of its pace</source>
-        <translation>Beginnt mit %1 % seines Tempos</translation>
-    </message>
-    <message>
-        <source>Ends at %1 % of its pace</source>
-        <translation>Endet mit %1 % seines Tempos</translation>
+        <source>Timeline</source>
+        <translation>Zeitleiste</translation>
     </message>
 </context>
 <context>

@@ -1419,10 +1419,52 @@ Exit codes: 0 done, 1 the work failed, 2 wrong usage.</source>
     </message>
 </context>
 <context>
+    <name>Retiming</name>
+    <message>
+        <source>Ease in time</source>
+        <translation>时间缓动</translation>
+    </message>
+    <message>
+        <source>Move in time</source>
+        <translation>在时间上移动</translation>
+    </message>
+    <message>
+        <source>Stretch in time</source>
+        <translation>在时间上伸缩</translation>
+    </message>
+    <message>
+        <source>Later by %1 s</source>
+        <translation>移动 %1 秒</translation>
+    </message>
+    <message>
+        <source>Drawn in %1 s</source>
+        <translation>绘制用时 %1 秒</translation>
+    </message>
+    <message>
+        <source>Begins at %1 % of its pace</source>
+        <translation>以其速度的 %1 % 开始</translation>
+    </message>
+    <message>
+        <source>Ends at %1 % of its pace</source>
+        <translation>以其速度的 %1 % 结束</translation>
+    </message>
+</context>
+<context>
     <name>SvgPaths</name>
     <message>
         <source>SVG, line %1: %2</source>
         <translation>SVG 第 %1 行：%2</translation>
+    </message>
+</context>
+<context>
+    <name>TimelinePicture</name>
+    <message>
+        <source>%1 s</source>
+        <translation>%1 秒</translation>
+    </message>
+    <message>
+        <source>Each stroke is a bar here: from when it is painted until it is dry.</source>
+        <translation>此处每条笔画为一个横条：从绘制开始到干透为止。</translation>
     </message>
 </context>
 <context>
@@ -6820,35 +6862,7 @@ Arrow keys work too.</source>
     </message>
 </context>
 <context>
-    <name>suffuse::TimelineView</name>
-    <message>
-        <source>Timeline</source>
-        <translation>时间轴</translation>
-    </message>
-    <message>
-        <source>Later by %1 s</source>
-        <translation>移动 %1 秒</translation>
-    </message>
-    <message>
-        <source>Drawn in %1 s</source>
-        <translation>绘制用时 %1 秒</translation>
-    </message>
-    <message>
-        <source>Move in time</source>
-        <translation>在时间上移动</translation>
-    </message>
-    <message>
-        <source>Stretch in time</source>
-        <translation>在时间上伸缩</translation>
-    </message>
-    <message>
-        <source>%1 s</source>
-        <translation>%1 秒</translation>
-    </message>
-    <message>
-        <source>Each stroke is a bar here: from when it is painted until it is dry.</source>
-        <translation>此处每条笔画为一个横条：从绘制开始到干透为止。</translation>
-    </message>
+    <name>suffuse::TimelinePointer</name>
     <message>
         <source>Stroke %1</source>
         <translation>笔画 %1</translation>
@@ -6869,17 +6883,12 @@ Arrow keys work too.</source>
         <source>Locked</source>
         <translation>已锁定</translation>
     </message>
+</context>
+<context>
+    <name>suffuse::TimelineView</name>
     <message>
-        <source>Ease in time</source>
-        <translation>时间缓动</translation>
-    </message>
-    <message>
-        <source>Begins at %1 % of its pace</source>
-        <translation>以其速度的 %1 % 开始</translation>
-    </message>
-    <message>
-        <source>Ends at %1 % of its pace</source>
-        <translation>以其速度的 %1 % 结束</translation>
+        <source>Timeline</source>
+        <translation>时间轴</translation>
     </message>
 </context>
 <context>

@@ -1,4 +1,5 @@
 // The timeline's ruler and bars.
+#include "app/panels/timeline/timeline_picture.h"
 #include "tests/app/timed.h"
 #include "undo/time_edits.h"
 
@@ -36,13 +37,13 @@ private slots:
 
     void labelsMakeWayForThePlayhead()
     {
-        QCOMPARE(TimelineView::labelLeft(100, 30, 500, 1000), 104.0);
+        QCOMPARE(TimelinePicture::labelLeft(100, 30, 500, 1000), 104.0);
         for (const double tick : {-200.0, -20.0, 1003.0, 1200.0}) // what is out of the view stays there
-            QCOMPARE(TimelineView::labelLeft(tick, 30, 500, 1000), tick + 4);
+            QCOMPARE(TimelinePicture::labelLeft(tick, 30, 500, 1000), tick + 4);
         for (const double width : {20.0, 34.0})
             for (double tick = 0; tick <= 1000; tick += 4)
                 for (double head = 0; head <= 1000; head += 3) {
-                    const double left = TimelineView::labelLeft(tick, width, head, 1000);
+                    const double left = TimelinePicture::labelLeft(tick, width, head, 1000);
                     QVERIFY(left >= 0 && left + width <= 1000);
                     QVERIFY(left >= head + 5 || left + width <= head - 5);
                     QVERIFY(std::abs(left - tick) <= 2 * width + 16);

@@ -1,5 +1,7 @@
 #include "app/panels/timeline/timeline_bars.h"
 
+#include "model/document/document.h"
+
 #include <algorithm>
 #include <numeric>
 #include <queue>
@@ -137,6 +139,16 @@ void TimelineBars::layOut()
         m_lanes[std::size_t(bar.lane)].push_back(i);
         busy.emplace(bar.end, bar.lane);
     }
+}
+
+std::optional<TimelineBar> draftBar(const TimelineBars &bars, const Document &document)
+{
+    const StrokePtr &draft = document.draft();
+    if (!draft)
+        return {};
+    TimelineBar bar = barOf(*draft);
+    bar.lane = bars.laneFrom(bar.begin);
+    return bar;
 }
 
 } // namespace suffuse

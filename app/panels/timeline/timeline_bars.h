@@ -7,6 +7,8 @@
 
 namespace suffuse {
 
+class Document;
+
 /// A stroke in time.
 struct TimelineBar {
     StrokeId stroke = 0;
@@ -66,5 +68,9 @@ private:
     std::vector<std::vector<std::size_t>> m_lanes; ///< ascending
     TimeSpan m_span;
 };
+
+/// The bar of the stroke in hand, in the lane where it will be when the pen has lifted; none: nothing is painted at the
+/// moment.
+std::optional<TimelineBar> draftBar(const TimelineBars &bars, const Document &document);
 
 } // namespace suffuse

@@ -1,12 +1,16 @@
 #include "app/panels/timeline/timeline_view.h"
 
+#include "app/panels/timeline/timeline_picture.h"
 #include "app/session/editor.h"
 #include "app/session/playback.h"
 
+#include <QContextMenuEvent>
 #include <QGestureEvent>
 #include <QHelpEvent>
 #include <QKeyEvent>
+#include <QMouseEvent>
 #include <QNativeGestureEvent>
+#include <QPainter>
 #include <QPinchGesture>
 #include <QScrollBar>
 #include <QToolTip>
@@ -20,22 +24,13 @@ namespace suffuse {
 
 namespace {
 
-constexpr double endMargin = 12;             ///< pixels at both ends when all is shown
-constexpr double finest = 20;                ///< microseconds a pixel
-constexpr double mostPixels = 1e9;           ///< of the whole length, so that scroll bars can count them
-constexpr Microseconds shortest = 1'000'000; ///< of what is shown of an empty painting
 constexpr int lanesLaterMs = 60;
-
-/// Time ahead of what is painted.
-Microseconds roomFor(const TimeSpan &span)
-{
-    return (span.end - span.begin) / 16;
-}
 
 } // namespace
 
 TimelineView::TimelineView(Editor &editor, Playback &playback, QWidget *parent)
-    : QAbstractScrollArea(parent), m_editor(editor), m_playback(playback)
+    : QAbstractScrollArea(parent), m_editor(editor), m_playback(playback),
+      m_pointer(editor, playback, m_bars, *viewport())
 {
     setFrameShape(QFrame::NoFrame);
     setFocusPolicy(Qt::StrongFocus);
@@ -53,8 +48,19 @@ TimelineView::TimelineView(Editor &editor, Playback &playback, QWidget *parent)
         if (change.draft)
             draftChanged();
     });
+    connect(&m_pointer, &TimelinePointer::dragged, this, &TimelineView::dragged);
+    connect(&m_pointer, &TimelinePointer::panned, this, &TimelineView::pan);
+    connect(&m_pointer, &TimelinePointer::retimingEnded, this, [this] {
+        m_stale = true;
+        refresh();
+    });
     connect(&editor.clock(), &PaintingClock::timeChanged, this, &TimelineView::timeChanged);
     connect(&editor.clock(), &PaintingClock::pastChanged, viewport(), qOverload<>(&QWidget::update));
+}
+
+TimelineAxes TimelineView::axes() const
+{
+    return {m_shown.from(), m_shown.scale(), rulerHeight(), verticalScrollBar()->value()};
 }
 
 int TimelineView::rulerHeight() const
@@ -65,16 +71,14 @@ int TimelineView::rulerHeight() const
 void TimelineView::documentChanged(bool painting, bool selection, bool reset)
 {
     if (reset) {
-        m_drag = Drag::None;
-        m_before.reset();
-        m_fitted = true;
-        m_room = 0;
+        m_pointer.forget();
+        m_shown.fit();
     }
     m_stale = m_stale || painting || reset;
-    m_looksStale = m_looksStale || selection || reset || m_before;
+    m_looksStale = m_looksStale || selection || reset || m_pointer.isRetiming();
     if (!isVisible() || !(painting || selection || reset))
         return;
-    if (m_drag != Drag::None || reset)
+    if (m_pointer.isBusy() || reset)
         refresh();
     else if (!m_later.isActive())
         m_later.start();
@@ -95,11 +99,11 @@ void TimelineView::catchUp()
 
 void TimelineView::refresh()
 {
-    const auto seen = [this] { return std::tuple(m_from, m_scale, verticalScrollBar()->value()); };
+    const auto seen = [this] { return std::tuple(m_shown.from(), m_shown.scale(), verticalScrollBar()->value()); };
     const auto before = seen();
     bool differs = std::exchange(m_looksStale, false);
     // While bars are dragged the lanes stay: what is dragged is painted over them.
-    if (m_stale && !m_before) {
+    if (m_stale && !m_pointer.isRetiming()) {
         differs = m_bars.setPainting(m_editor.document().painting()) || differs;
         m_stale = false;
     }
@@ -113,11 +117,12 @@ void TimelineView::refresh()
 void TimelineView::updateDraft()
 {
     QRect now;
-    if (const std::optional<TimelineBar> draft = draftBar())
-        now =
-            QRectF(QPointF(xOf(draft->begin), laneTop(draft->lane)), QPointF(xOf(draft->end), laneTop(draft->lane + 1)))
-                .toAlignedRect()
-                .adjusted(-4, -1, 4, 1);
+    const TimelineAxes axes = this->axes();
+    if (const std::optional<TimelineBar> draft = draftBar(m_bars, m_editor.document()))
+        now = QRectF(QPointF(axes.xOf(draft->begin), axes.laneTop(draft->lane)),
+                     QPointF(axes.xOf(draft->end), axes.laneTop(draft->lane + 1)))
+                  .toAlignedRect()
+                  .adjusted(-4, -1, 4, 1);
     viewport()->update(std::exchange(m_draftRect, now).united(now));
 }
 
@@ -136,34 +141,25 @@ void TimelineView::resizeEvent(QResizeEvent *event)
 
 TimeSpan TimelineView::shownSpan() const
 {
-    TimeSpan span = m_bars.span();
-    span.begin = std::min<Microseconds>(span.begin, 0);
-    span.end = std::max({span.end, m_editor.clock().shown(), span.begin + shortest});
-    if (m_room < span.end + 2 * roomFor(span)) // else undone since
-        span.end = std::max(span.end, m_room);
-    return span;
+    return m_shown.spanOf(m_bars.span(), m_editor.clock().shown());
 }
 
 void TimelineView::updateScrollBars()
 {
     const TimeSpan span = shownSpan();
-    const double length = double(span.end - span.begin), width = viewport()->width();
-    if (m_fitted) {
-        m_scale = std::max(length / std::max(width - 2 * endMargin, 1.0), finest);
-        m_from = span.begin - Microseconds(endMargin * m_scale);
-    }
-    m_scale = std::max(m_scale, length / mostPixels);
-    const double before = endMargin + double(m_from - span.begin) / m_scale; // pixels left of the view
-    const int range = int(std::max(0.0, std::ceil(length / m_scale + 2 * endMargin - width)));
+    const int width = viewport()->width();
+    m_shown.follow(span, width);
+    const double before = m_shown.pixelsBefore(span);
     m_scrolling = true;
-    horizontalScrollBar()->setRange(0, range);
-    horizontalScrollBar()->setPageStep(int(width));
+    horizontalScrollBar()->setRange(0, int(m_shown.pixelsBeyond(span, width)));
+    horizontalScrollBar()->setPageStep(width);
     horizontalScrollBar()->setSingleStep(40);
     horizontalScrollBar()->setValue(int(std::lround(before)));
-    const int rows = int(laneTop(m_bars.laneCount()) - laneTop(0)) + 8;
+    const TimelineAxes axes = this->axes();
+    const int rows = int(axes.laneTop(m_bars.laneCount()) - axes.laneTop(0)) + 8;
     verticalScrollBar()->setRange(0, std::max(0, rows - (viewport()->height() - rulerHeight())));
     verticalScrollBar()->setPageStep(viewport()->height() - rulerHeight());
-    verticalScrollBar()->setSingleStep(int(laneTop(1) - laneTop(0)));
+    verticalScrollBar()->setSingleStep(int(axes.laneTop(1) - axes.laneTop(0)));
     m_scrolling = false;
 }
 
@@ -171,18 +167,20 @@ void TimelineView::scrollContentsBy(int dx, int)
 {
     if (m_scrolling)
         return;
-    if (dx != 0) {
-        const double pixels = horizontalScrollBar()->value() - endMargin;
-        m_from = shownSpan().begin + Microseconds(std::llround(pixels * m_scale));
-        m_fitted = false;
-    }
+    if (dx != 0)
+        m_shown.scrollTo(horizontalScrollBar()->value(), shownSpan());
     viewport()->update();
+}
+
+void TimelineView::pan(QPointF by)
+{
+    horizontalScrollBar()->setValue(horizontalScrollBar()->value() - int(by.x()));
+    verticalScrollBar()->setValue(verticalScrollBar()->value() - int(by.y()));
 }
 
 void TimelineView::fit()
 {
-    m_fitted = true;
-    m_room = 0;
+    m_shown.fit();
     m_looksStale = true;
     refresh();
 }
@@ -195,16 +193,7 @@ void TimelineView::zoomBy(double factor)
 
 void TimelineView::zoomAt(double x, double factor)
 {
-    const TimeSpan span = shownSpan();
-    const double widest = double(span.end - span.begin) / std::max(viewport()->width() - 2 * endMargin, 1.0);
-    const Microseconds fixed = timeAt(x);
-    const double scale = std::clamp(m_scale / factor, finest, std::max(widest, finest));
-    m_fitted = scale >= widest;
-    m_scale = scale;
-    // Neither end comes further in than its margin.
-    const Microseconds edge = Microseconds(endMargin * scale);
-    const Microseconds last = span.end + edge - Microseconds(viewport()->width() * scale);
-    m_from = std::max(span.begin - edge, std::min(fixed - Microseconds(std::llround(x * scale)), last));
+    m_shown.zoomAt(x, factor, shownSpan(), viewport()->width());
     m_looksStale = true;
     refresh();
 }
@@ -246,7 +235,8 @@ bool TimelineView::viewportEvent(QEvent *event)
     } else if (event->type() == QEvent::ToolTip) {
         const auto &help = static_cast<QHelpEvent &>(*event);
         catchUp();
-        QToolTip::showText(help.globalPos(), m_drag == Drag::None ? toolTipAt(help.pos()) : QString(), viewport());
+        QToolTip::showText(help.globalPos(), m_pointer.isBusy() ? QString() : m_pointer.toolTipAt(help.pos(), axes()),
+                           viewport());
         return true;
     }
     return QAbstractScrollArea::viewportEvent(event);
@@ -258,16 +248,16 @@ void TimelineView::timeChanged()
         return;
     const Microseconds time = m_editor.clock().shown();
     if (const TimeSpan span = shownSpan(); span.end == time) {
-        if (m_fitted && time > m_bars.span().end) {
-            m_room = time + roomFor(span);
+        if (m_shown.isFitted() && time > m_bars.span().end) {
+            m_shown.makeRoomAfter(time, span);
             viewport()->update();
         }
         updateScrollBars();
     }
     // A page on, where it is played out of the view.
     const double x = xOf(time);
-    if (m_playback.isPlaying() && !m_fitted && (x < 0 || x > viewport()->width())) {
-        m_from = time - Microseconds(endMargin * m_scale);
+    if (m_playback.isPlaying() && !m_shown.isFitted() && (x < 0 || x > viewport()->width())) {
+        m_shown.turnPageTo(time);
         updateScrollBars();
         viewport()->update();
     }
@@ -277,7 +267,7 @@ void TimelineView::timeChanged()
     };
     for (const Microseconds head : {std::exchange(m_head, time), time}) {
         viewport()->update(strip(head));
-        viewport()->update(headArea(head));
+        viewport()->update(TimelinePicture::headArea(axes(), head, viewport()->width()));
     }
 }
 
@@ -312,8 +302,8 @@ void TimelineView::keyPressEvent(QKeyEvent *event)
         fit();
         break;
     case Qt::Key_Escape:
-        if (m_drag != Drag::None) {
-            giveUp();
+        if (m_pointer.isBusy()) {
+            m_pointer.giveUp();
             break;
         }
         [[fallthrough]];
@@ -327,18 +317,71 @@ bool TimelineView::event(QEvent *event)
     if (event->type() != QEvent::ShortcutOverride)
         return QAbstractScrollArea::event(event);
     auto *key = static_cast<QKeyEvent *>(event);
-    if (m_drag != Drag::None && key->matches(QKeySequence::Undo)) { // as on the canvas: it gives up the drag
-        giveUp();
+    if (m_pointer.isBusy() && key->matches(QKeySequence::Undo)) { // as on the canvas: it gives up the drag
+        m_pointer.giveUp();
         key->accept();
     }
     // The canvas' commands have some of these keys.
     constexpr int own[] = {Qt::Key_Left, Qt::Key_Right, Qt::Key_Home,  Qt::Key_End, Qt::Key_Space,
                            Qt::Key_Plus, Qt::Key_Minus, Qt::Key_Equal, Qt::Key_0};
     const bool plain = !(key->modifiers() & ~(Qt::ShiftModifier | Qt::KeypadModifier));
-    const bool giveUpKey = key->key() == Qt::Key_Escape && m_drag != Drag::None;
+    const bool giveUpKey = key->key() == Qt::Key_Escape && m_pointer.isBusy();
     if (giveUpKey || (plain && std::ranges::find(own, key->key()) != std::end(own)))
         key->accept();
     return key->isAccepted() || QAbstractScrollArea::event(event);
+}
+
+QRectF TimelineView::drawnRect(StrokeId id)
+{
+    catchUp();
+    const TimelineAxes axes = this->axes();
+    for (std::size_t i = 0; i < m_bars.size(); ++i)
+        if (const TimelineBar &bar = m_bars[i]; bar.stroke == id)
+            return {QPointF(axes.xOf(bar.begin), axes.laneTop(bar.lane)),
+                    QPointF(axes.xOf(bar.drawn), axes.laneTop(bar.lane) + TimelineAxes::laneHeight)};
+    return {};
+}
+
+void TimelineView::paintEvent(QPaintEvent *event)
+{
+    QPainter painter(viewport());
+    const TimelinePicture picture(*viewport(), m_editor.document(), m_editor.clock(), m_bars, axes());
+    picture.paint(painter, event->rect(), m_pointer.retimed(), m_pointer.band());
+}
+
+void TimelineView::mousePressEvent(QMouseEvent *event)
+{
+    if (event->button() == Qt::LeftButton && !m_pointer.isBusy())
+        catchUp();
+    m_pointer.press(*event, axes());
+}
+
+void TimelineView::mouseMoveEvent(QMouseEvent *event)
+{
+    m_pointer.move(*event, axes());
+}
+
+void TimelineView::mouseReleaseEvent(QMouseEvent *event)
+{
+    if (m_pointer.release(*event))
+        m_pointer.hover(event->position(), axes());
+}
+
+void TimelineView::mouseDoubleClickEvent(QMouseEvent *event)
+{
+    catchUp();
+    m_pointer.doubleClick(*event, axes());
+}
+
+void TimelineView::contextMenuEvent(QContextMenuEvent *event)
+{
+    if (m_pointer.isBusy())
+        return;
+    catchUp();
+    const bool byKey = event->reason() == QContextMenuEvent::Keyboard;
+    const bool onBar =
+        byKey ? !m_editor.document().selection().isEmpty() : m_pointer.selectForMenu(event->pos(), axes());
+    emit menuWanted(event->globalPos(), onBar);
 }
 
 } // namespace suffuse

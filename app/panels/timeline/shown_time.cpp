@@ -1,0 +1,96 @@
+#include "app/panels/timeline/shown_time.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace suffuse {
+
+namespace {
+
+constexpr double margin = 12;                ///< pixels at both ends when all is shown
+constexpr double finest = 20;                ///< microseconds a pixel
+constexpr double mostPixels = 1e9;           ///< of the whole length, so that scroll bars can count them
+constexpr Microseconds shortest = 1'000'000; ///< of what is shown of an empty painting
+
+/// Time ahead of what is painted.
+Microseconds roomFor(const TimeSpan &span)
+{
+    return (span.end - span.begin) / 16;
+}
+
+double lengthOf(const TimeSpan &span)
+{
+    return double(span.end - span.begin);
+}
+
+/// Microseconds a pixel where all is shown.
+double fittedScale(const TimeSpan &span, double width)
+{
+    return std::max(lengthOf(span) / std::max(width - 2 * margin, 1.0), finest);
+}
+
+} // namespace
+
+void ShownTime::fit()
+{
+    m_fitted = true;
+    m_room = 0;
+}
+
+TimeSpan ShownTime::spanOf(const TimeSpan &painted, Microseconds now) const
+{
+    TimeSpan span = painted;
+    span.begin = std::min<Microseconds>(span.begin, 0);
+    span.end = std::max({span.end, now, span.begin + shortest});
+    if (m_room < span.end + 2 * roomFor(span)) // else undone since
+        span.end = std::max(span.end, m_room);
+    return span;
+}
+
+void ShownTime::makeRoomAfter(Microseconds now, const TimeSpan &span)
+{
+    m_room = now + roomFor(span);
+}
+
+void ShownTime::follow(const TimeSpan &span, double width)
+{
+    if (m_fitted) {
+        m_scale = fittedScale(span, width);
+        m_from = span.begin - Microseconds(margin * m_scale);
+    }
+    m_scale = std::max(m_scale, lengthOf(span) / mostPixels);
+}
+
+void ShownTime::zoomAt(double x, double factor, const TimeSpan &span, double width)
+{
+    const Microseconds fixed = m_from + Microseconds(std::llround(x * m_scale));
+    const double widest = lengthOf(span) / std::max(width - 2 * margin, 1.0);
+    m_scale = std::clamp(m_scale / factor, finest, std::max(widest, finest));
+    m_fitted = m_scale >= widest;
+    const Microseconds edge = Microseconds(margin * m_scale);
+    const Microseconds last = span.end + edge - Microseconds(width * m_scale);
+    m_from = std::max(span.begin - edge, std::min(fixed - Microseconds(std::llround(x * m_scale)), last));
+}
+
+void ShownTime::scrollTo(double pixels, const TimeSpan &span)
+{
+    m_from = span.begin + Microseconds(std::llround((pixels - margin) * m_scale));
+    m_fitted = false;
+}
+
+void ShownTime::turnPageTo(Microseconds time)
+{
+    m_from = time - Microseconds(margin * m_scale);
+}
+
+double ShownTime::pixelsBefore(const TimeSpan &span) const
+{
+    return margin + double(m_from - span.begin) / m_scale;
+}
+
+double ShownTime::pixelsBeyond(const TimeSpan &span, double width) const
+{
+    return std::max(0.0, std::ceil(lengthOf(span) / m_scale + 2 * margin - width));
+}
+
+} // namespace suffuse
