@@ -2956,126 +2956,14 @@ Rückgabewerte: 0 erledigt, 1 fehlgeschlagen, 2 falscher Aufruf.</translation>
     </message>
 </context>
 <context>
-    <name>suffuse::BrushDialog</name>
-    <message>
-        <source>A stroke of the brush</source>
-        <translation>Ein Strich des Pinsels</translation>
-    </message>
-    <message>
-        <source>Paint</source>
-        <translation>Farbauftrag</translation>
-    </message>
-    <message>
-        <source>Curves</source>
-        <translation>Kurven</translation>
-    </message>
-    <message>
-        <source>Colour</source>
-        <translation>Farbe</translation>
-    </message>
-    <message>
-        <source>Shape and hand</source>
-        <translation>Form und Hand</translation>
-    </message>
-    <message>
-        <source>Settings of the brush</source>
-        <translation>Einstellungen des Pinsels</translation>
-    </message>
-    <message>
-        <source>Keeps the changes in the brush of this name; built-in brushes stay as they are</source>
-        <translation>Behält die Änderungen im Pinsel dieses Namens; mitgelieferte Pinsel bleiben, wie sie sind</translation>
-    </message>
-    <message>
-        <source>Keeps the brush under another name</source>
-        <translation>Behält den Pinsel unter einem anderen Namen</translation>
-    </message>
-    <message>
-        <source>Closes this window; the brush stays in hand as it is</source>
-        <translation>Schließt dieses Fenster; der Pinsel bleibt in der Hand, wie er ist</translation>
-    </message>
-    <message>
-        <source>Brush: %1</source>
-        <translation>Pinsel: %1</translation>
-    </message>
-    <message>
-        <source>How long the paint spreads; the size stays</source>
-        <translation>Wie lange die Farbe verläuft; die Größe bleibt</translation>
-    </message>
-    <message>
-        <source>Style</source>
-        <translation>Stil</translation>
-    </message>
-    <message>
-        <source>Mixing</source>
-        <translation>Mischung</translation>
-    </message>
+    <name>suffuse::BrushColourPage</name>
     <message>
         <source>Second colour</source>
         <translation>Zweite Farbe</translation>
     </message>
     <message>
-        <source>Pressure</source>
-        <translation>Druck</translation>
-    </message>
-    <message>
-        <source>Tilt</source>
-        <translation>Neigung</translation>
-    </message>
-    <message>
-        <source>Speed</source>
-        <translation>Tempo</translation>
-    </message>
-    <message>
-        <source>Distance</source>
-        <translation>Strecke</translation>
-    </message>
-    <message>
-        <source>By stroke</source>
-        <translation>Je Strich</translation>
-    </message>
-    <message>
-        <source>Drift</source>
-        <translation>Drift</translation>
-    </message>
-    <message>
-        <source>What changes with what: a tick switches a curve on, a click shows it below</source>
-        <translation>Was sich womit ändert: Ein Häkchen schaltet eine Kurve ein, ein Klick zeigt sie unten</translation>
-    </message>
-    <message>
-        <source>Curve</source>
-        <translation>Kurve</translation>
-    </message>
-    <message>
-        <source>Drag points; click for another one, drag it out to take it away</source>
-        <translation>Punkte ziehen; ein Klick fügt einen hinzu, Hinausziehen entfernt ihn</translation>
-    </message>
-    <message>
-        <source>Full speed</source>
-        <translation>Volles Tempo</translation>
-    </message>
-    <message>
-        <source>Speed at the right end of its curves, in sizes a second</source>
-        <translation>Tempo am rechten Ende seiner Kurven, in Größen je Sekunde</translation>
-    </message>
-    <message>
-        <source> sizes/s</source>
-        <translation> Gr./s</translation>
-    </message>
-    <message>
-        <source>Full distance</source>
-        <translation>Volle Strecke</translation>
-    </message>
-    <message>
-        <source>Distance at the right end of its curves, in sizes</source>
-        <translation>Strecke am rechten Ende ihrer Kurven, in Größen</translation>
-    </message>
-    <message>
-        <source> sizes</source>
-        <translation> Gr.</translation>
-    </message>
-    <message>
-        <source>Way on which what drifts becomes another, in sizes</source>
-        <translation>Weg, auf dem ein driftender Wert zu einem anderen wird, in Größen</translation>
+        <source>&amp;Take the Current Colour</source>
+        <translation>A&amp;ktuelle Farbe übernehmen</translation>
     </message>
     <message>
         <source>Makes the current colour the second one</source>
@@ -3129,6 +3017,187 @@ Rückgabewerte: 0 erledigt, 1 fehlgeschlagen, 2 falscher Aufruf.</translation>
         <source>Else each stroke has one colour</source>
         <translation>Sonst hat jeder Strich eine Farbe</translation>
     </message>
+</context>
+<context>
+    <name>suffuse::BrushCurvesPage</name>
+    <message>
+        <source>Second colour</source>
+        <translation>Zweite Farbe</translation>
+    </message>
+    <message>
+        <source>Pressure</source>
+        <translation>Druck</translation>
+    </message>
+    <message>
+        <source>Tilt</source>
+        <translation>Neigung</translation>
+    </message>
+    <message>
+        <source>Speed</source>
+        <translation>Tempo</translation>
+    </message>
+    <message>
+        <source>Distance</source>
+        <translation>Strecke</translation>
+    </message>
+    <message>
+        <source>By stroke</source>
+        <translation>Je Strich</translation>
+    </message>
+    <message>
+        <source>Drift</source>
+        <translation>Drift</translation>
+    </message>
+    <message>
+        <source>Curves</source>
+        <translation>Kurven</translation>
+    </message>
+    <message>
+        <source>What changes with what: a tick switches a curve on, a click shows it below</source>
+        <translation>Was sich womit ändert: Ein Häkchen schaltet eine Kurve ein, ein Klick zeigt sie unten</translation>
+    </message>
+    <message>
+        <source>Curve</source>
+        <translation>Kurve</translation>
+    </message>
+    <message>
+        <source>Drag points; click for another one, drag it out to take it away</source>
+        <translation>Punkte ziehen; ein Klick fügt einen hinzu, Hinausziehen entfernt ihn</translation>
+    </message>
+    <message>
+        <source>Full speed</source>
+        <translation>Volles Tempo</translation>
+    </message>
+    <message>
+        <source>Speed at the right end of its curves, in sizes a second</source>
+        <translation>Tempo am rechten Ende seiner Kurven, in Größen je Sekunde</translation>
+    </message>
+    <message>
+        <source> sizes/s</source>
+        <translation> Gr./s</translation>
+    </message>
+    <message>
+        <source>Full distance</source>
+        <translation>Volle Strecke</translation>
+    </message>
+    <message>
+        <source>Distance at the right end of its curves, in sizes</source>
+        <translation>Strecke am rechten Ende ihrer Kurven, in Größen</translation>
+    </message>
+    <message>
+        <source> sizes</source>
+        <translation> Gr.</translation>
+    </message>
+    <message>
+        <source>Way on which what drifts becomes another, in sizes</source>
+        <translation>Weg, auf dem ein driftender Wert zu einem anderen wird, in Größen</translation>
+    </message>
+</context>
+<context>
+    <name>suffuse::BrushDialog</name>
+    <message>
+        <source>A stroke of the brush</source>
+        <translation>Ein Strich des Pinsels</translation>
+    </message>
+    <message>
+        <source>Paint</source>
+        <translation>Farbauftrag</translation>
+    </message>
+    <message>
+        <source>Curves</source>
+        <translation>Kurven</translation>
+    </message>
+    <message>
+        <source>Colour</source>
+        <translation>Farbe</translation>
+    </message>
+    <message>
+        <source>Shape and hand</source>
+        <translation>Form und Hand</translation>
+    </message>
+    <message>
+        <source>Settings of the brush</source>
+        <translation>Einstellungen des Pinsels</translation>
+    </message>
+    <message>
+        <source>Keeps the changes in the brush of this name; built-in brushes stay as they are</source>
+        <translation>Behält die Änderungen im Pinsel dieses Namens; mitgelieferte Pinsel bleiben, wie sie sind</translation>
+    </message>
+    <message>
+        <source>Keeps the brush under another name</source>
+        <translation>Behält den Pinsel unter einem anderen Namen</translation>
+    </message>
+    <message>
+        <source>Closes this window; the brush stays in hand as it is</source>
+        <translation>Schließt dieses Fenster; der Pinsel bleibt in der Hand, wie er ist</translation>
+    </message>
+    <message>
+        <source>Brush: %1</source>
+        <translation>Pinsel: %1</translation>
+    </message>
+    <message>
+        <source>&amp;Save Changes</source>
+        <translation>Änderungen &amp;speichern</translation>
+    </message>
+    <message>
+        <source>Save as &amp;New…</source>
+        <translation>Als &amp;neuen speichern …</translation>
+    </message>
+    <message>
+        <source>&amp;Close</source>
+        <translation>S&amp;chließen</translation>
+    </message>
+</context>
+<context>
+    <name>suffuse::BrushHandPage</name>
+    <message>
+        <source>Tip</source>
+        <translation>Spitze</translation>
+    </message>
+    <message>
+        <source>Of the tip, against the path or the canvas</source>
+        <translation>Der Spitze, gegen den Weg oder die Leinwand</translation>
+    </message>
+    <message>
+        <source>Turns with the path</source>
+        <translation>Dreht sich mit dem Weg</translation>
+    </message>
+    <message>
+        <source>Else it keeps its angle on the canvas, as a broad nib does</source>
+        <translation>Sonst behält sie ihren Winkel auf der Leinwand, wie eine Breitfeder</translation>
+    </message>
+    <message>
+        <source>Ends</source>
+        <translation>Enden</translation>
+    </message>
+    <message>
+        <source> sizes</source>
+        <translation> Gr.</translation>
+    </message>
+    <message>
+        <source>Taper in</source>
+        <translation>Anlauf</translation>
+    </message>
+    <message>
+        <source>Length on which the stroke grows from its tip</source>
+        <translation>Länge, auf der der Strich aus seiner Spitze wächst</translation>
+    </message>
+    <message>
+        <source>Taper out</source>
+        <translation>Auslauf</translation>
+    </message>
+    <message>
+        <source>Length on which it runs out when the pen lifts</source>
+        <translation>Länge, auf der er ausläuft, wenn der Stift abhebt</translation>
+    </message>
+    <message>
+        <source>Tip size</source>
+        <translation>Größe der Spitze</translation>
+    </message>
+    <message>
+        <source>Size at the very end</source>
+        <translation>Größe ganz am Ende</translation>
+    </message>
     <message>
         <source>Hand</source>
         <translation>Hand</translation>
@@ -3160,74 +3229,6 @@ Rückgabewerte: 0 erledigt, 1 fehlgeschlagen, 2 falscher Aufruf.</translation>
     <message>
         <source>Time between the points that the curve is fitted through</source>
         <translation>Zeit zwischen den Punkten, durch die die Kurve gelegt wird</translation>
-    </message>
-    <message>
-        <source>Tip</source>
-        <translation>Spitze</translation>
-    </message>
-    <message>
-        <source>Of the tip, against the path or the canvas</source>
-        <translation>Der Spitze, gegen den Weg oder die Leinwand</translation>
-    </message>
-    <message>
-        <source>Turns with the path</source>
-        <translation>Dreht sich mit dem Weg</translation>
-    </message>
-    <message>
-        <source>Else it keeps its angle on the canvas, as a broad nib does</source>
-        <translation>Sonst behält sie ihren Winkel auf der Leinwand, wie eine Breitfeder</translation>
-    </message>
-    <message>
-        <source>Ends</source>
-        <translation>Enden</translation>
-    </message>
-    <message>
-        <source>Taper in</source>
-        <translation>Anlauf</translation>
-    </message>
-    <message>
-        <source>Length on which the stroke grows from its tip</source>
-        <translation>Länge, auf der der Strich aus seiner Spitze wächst</translation>
-    </message>
-    <message>
-        <source>Taper out</source>
-        <translation>Auslauf</translation>
-    </message>
-    <message>
-        <source>Length on which it runs out when the pen lifts</source>
-        <translation>Länge, auf der er ausläuft, wenn der Stift abhebt</translation>
-    </message>
-    <message>
-        <source>Tip size</source>
-        <translation>Größe der Spitze</translation>
-    </message>
-    <message>
-        <source>Size at the very end</source>
-        <translation>Größe ganz am Ende</translation>
-    </message>
-    <message>
-        <source>&amp;Save Changes</source>
-        <translation>Änderungen &amp;speichern</translation>
-    </message>
-    <message>
-        <source>Save as &amp;New…</source>
-        <translation>Als &amp;neuen speichern …</translation>
-    </message>
-    <message>
-        <source>&amp;Close</source>
-        <translation>S&amp;chließen</translation>
-    </message>
-    <message>
-        <source>How density becomes coverage.</source>
-        <translation>Wie aus Dichte Deckung wird.</translation>
-    </message>
-    <message>
-        <source>How the paint mixes with what lies below it: it covers, or pigments add up.</source>
-        <translation>Wie sich die Farbe mit dem Darunterliegenden mischt: Sie deckt, oder Pigmente addieren sich.</translation>
-    </message>
-    <message>
-        <source>&amp;Take the Current Colour</source>
-        <translation>A&amp;ktuelle Farbe übernehmen</translation>
     </message>
 </context>
 <context>
@@ -3267,6 +3268,112 @@ Rückgabewerte: 0 erledigt, 1 fehlgeschlagen, 2 falscher Aufruf.</translation>
     <message>
         <source>There is no brush “%1”</source>
         <translation>Einen Pinsel „%1“ gibt es nicht</translation>
+    </message>
+</context>
+<context>
+    <name>suffuse::BrushMenu</name>
+    <message>
+        <source>&amp;Edit Brush…</source>
+        <translation>Pinsel &amp;bearbeiten …</translation>
+    </message>
+    <message>
+        <source>&amp;Favourite</source>
+        <translation>&amp;Favorit</translation>
+    </message>
+    <message>
+        <source>&amp;Save Changes</source>
+        <translation>Änderungen &amp;speichern</translation>
+    </message>
+    <message>
+        <source>Save as &amp;New…</source>
+        <translation>Als &amp;neuen speichern …</translation>
+    </message>
+    <message>
+        <source>&amp;Duplicate</source>
+        <translation>&amp;Duplizieren</translation>
+    </message>
+    <message>
+        <source>&amp;Rename…</source>
+        <translation>&amp;Umbenennen …</translation>
+    </message>
+    <message>
+        <source>De&amp;lete…</source>
+        <translation>&amp;Löschen …</translation>
+    </message>
+    <message>
+        <source>&amp;Import…</source>
+        <translation>&amp;Importieren …</translation>
+    </message>
+    <message>
+        <source>E&amp;xport…</source>
+        <translation>&amp;Exportieren …</translation>
+    </message>
+    <message>
+        <source>Save Brush</source>
+        <translation>Pinsel speichern</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>Name</translation>
+    </message>
+    <message>
+        <source>Rename Brush</source>
+        <translation>Pinsel umbenennen</translation>
+    </message>
+    <message>
+        <source>Delete the brush “%1”?</source>
+        <translation>Pinsel „%1“ löschen?</translation>
+    </message>
+    <message>
+        <source>Strokes painted with it stay.</source>
+        <translation>Die mit ihm gemalten Striche bleiben.</translation>
+    </message>
+    <message>
+        <source>&amp;Delete</source>
+        <translation>&amp;Löschen</translation>
+    </message>
+    <message>
+        <source>Import Brushes</source>
+        <translation>Pinsel importieren</translation>
+    </message>
+    <message>
+        <source>Brushes (*.suffuse-brush *.myb);;All files (*)</source>
+        <translation>Pinsel (*.suffuse-brush *.myb);;Alle Dateien (*)</translation>
+    </message>
+    <message>
+        <source>%1: these settings have no counterpart here: %2</source>
+        <translation>%1: Für diese Einstellungen gibt es hier keine Entsprechung: %2</translation>
+    </message>
+    <message>
+        <source>Export Brush</source>
+        <translation>Pinsel exportieren</translation>
+    </message>
+    <message>
+        <source>Suffuse brush</source>
+        <translation>Suffuse-Pinsel</translation>
+    </message>
+</context>
+<context>
+    <name>suffuse::BrushPaintPage</name>
+    <message>
+        <source>Style</source>
+        <translation>Stil</translation>
+    </message>
+    <message>
+        <source>How density becomes coverage.</source>
+        <translation>Wie aus Dichte Deckung wird.</translation>
+    </message>
+    <message>
+        <source>Mixing</source>
+        <translation>Mischung</translation>
+    </message>
+    <message>
+        <source>How the paint mixes with what lies below it: it covers, or pigments add up.</source>
+        <translation>Wie sich die Farbe mit dem Darunterliegenden mischt: Sie deckt, oder Pigmente addieren sich.</translation>
+    </message>
+    <message>
+        <source>How long the paint spreads; the size stays</source>
+        <translation>Wie lange die Farbe verläuft; die Größe bleibt</translation>
     </message>
 </context>
 <context>
@@ -3320,88 +3427,8 @@ Rückgabewerte: 0 erledigt, 1 fehlgeschlagen, 2 falscher Aufruf.</translation>
         <translation>Pinsel bearbeiten, speichern, importieren und exportieren</translation>
     </message>
     <message>
-        <source>&amp;Edit Brush…</source>
-        <translation>Pinsel &amp;bearbeiten …</translation>
-    </message>
-    <message>
-        <source>&amp;Favourite</source>
-        <translation>&amp;Favorit</translation>
-    </message>
-    <message>
-        <source>&amp;Save Changes</source>
-        <translation>Änderungen &amp;speichern</translation>
-    </message>
-    <message>
-        <source>Save as &amp;New…</source>
-        <translation>Als &amp;neuen speichern …</translation>
-    </message>
-    <message>
-        <source>&amp;Duplicate</source>
-        <translation>&amp;Duplizieren</translation>
-    </message>
-    <message>
-        <source>&amp;Rename…</source>
-        <translation>&amp;Umbenennen …</translation>
-    </message>
-    <message>
-        <source>De&amp;lete…</source>
-        <translation>&amp;Löschen …</translation>
-    </message>
-    <message>
-        <source>&amp;Import…</source>
-        <translation>&amp;Importieren …</translation>
-    </message>
-    <message>
-        <source>E&amp;xport…</source>
-        <translation>&amp;Exportieren …</translation>
-    </message>
-    <message>
-        <source>Name</source>
-        <translation>Name</translation>
-    </message>
-    <message>
-        <source>Brushes (*.suffuse-brush *.myb);;All files (*)</source>
-        <translation>Pinsel (*.suffuse-brush *.myb);;Alle Dateien (*)</translation>
-    </message>
-    <message>
-        <source>%1: these settings have no counterpart here: %2</source>
-        <translation>%1: Für diese Einstellungen gibt es hier keine Entsprechung: %2</translation>
-    </message>
-    <message>
-        <source>Suffuse brush</source>
-        <translation>Suffuse-Pinsel</translation>
-    </message>
-    <message>
         <source>%1: size %2, dry after %3</source>
         <translation>%1: Größe %2, trocken nach %3</translation>
-    </message>
-    <message>
-        <source>Delete the brush “%1”?</source>
-        <translation>Pinsel „%1“ löschen?</translation>
-    </message>
-    <message>
-        <source>Strokes painted with it stay.</source>
-        <translation>Die mit ihm gemalten Striche bleiben.</translation>
-    </message>
-    <message>
-        <source>&amp;Delete</source>
-        <translation>&amp;Löschen</translation>
-    </message>
-    <message>
-        <source>Save Brush</source>
-        <translation>Pinsel speichern</translation>
-    </message>
-    <message>
-        <source>Rename Brush</source>
-        <translation>Pinsel umbenennen</translation>
-    </message>
-    <message>
-        <source>Import Brushes</source>
-        <translation>Pinsel importieren</translation>
-    </message>
-    <message>
-        <source>Export Brush</source>
-        <translation>Pinsel exportieren</translation>
     </message>
 </context>
 <context>

@@ -2948,126 +2948,14 @@ Exit codes: 0 done, 1 the work failed, 2 wrong usage.</source>
     </message>
 </context>
 <context>
-    <name>suffuse::BrushDialog</name>
-    <message>
-        <source>A stroke of the brush</source>
-        <translation>画笔的示例笔画</translation>
-    </message>
-    <message>
-        <source>Paint</source>
-        <translation>颜料</translation>
-    </message>
-    <message>
-        <source>Curves</source>
-        <translation>曲线</translation>
-    </message>
-    <message>
-        <source>Colour</source>
-        <translation>颜色</translation>
-    </message>
-    <message>
-        <source>Shape and hand</source>
-        <translation>形状与手感</translation>
-    </message>
-    <message>
-        <source>Settings of the brush</source>
-        <translation>画笔设置</translation>
-    </message>
-    <message>
-        <source>Keeps the changes in the brush of this name; built-in brushes stay as they are</source>
-        <translation>将更改保存到此名称的画笔；内置画笔保持不变</translation>
-    </message>
-    <message>
-        <source>Keeps the brush under another name</source>
-        <translation>以其他名称保存画笔</translation>
-    </message>
-    <message>
-        <source>Closes this window; the brush stays in hand as it is</source>
-        <translation>关闭此窗口；当前画笔保持现状</translation>
-    </message>
-    <message>
-        <source>Brush: %1</source>
-        <translation>画笔：%1</translation>
-    </message>
-    <message>
-        <source>How long the paint spreads; the size stays</source>
-        <translation>颜料扩散多久；大小不变</translation>
-    </message>
-    <message>
-        <source>Style</source>
-        <translation>样式</translation>
-    </message>
-    <message>
-        <source>Mixing</source>
-        <translation>混合</translation>
-    </message>
+    <name>suffuse::BrushColourPage</name>
     <message>
         <source>Second colour</source>
         <translation>第二颜色</translation>
     </message>
     <message>
-        <source>Pressure</source>
-        <translation>压感</translation>
-    </message>
-    <message>
-        <source>Tilt</source>
-        <translation>倾斜</translation>
-    </message>
-    <message>
-        <source>Speed</source>
-        <translation>速度</translation>
-    </message>
-    <message>
-        <source>Distance</source>
-        <translation>距离</translation>
-    </message>
-    <message>
-        <source>By stroke</source>
-        <translation>逐笔随机</translation>
-    </message>
-    <message>
-        <source>Drift</source>
-        <translation>漂移</translation>
-    </message>
-    <message>
-        <source>What changes with what: a tick switches a curve on, a click shows it below</source>
-        <translation>哪项参数随哪项输入变化：勾选以启用曲线，点击可在下方显示</translation>
-    </message>
-    <message>
-        <source>Curve</source>
-        <translation>曲线</translation>
-    </message>
-    <message>
-        <source>Drag points; click for another one, drag it out to take it away</source>
-        <translation>拖动控制点；点击添加，拖出则移除</translation>
-    </message>
-    <message>
-        <source>Full speed</source>
-        <translation>最高速度</translation>
-    </message>
-    <message>
-        <source>Speed at the right end of its curves, in sizes a second</source>
-        <translation>其曲线右端对应的速度，以每秒画笔大小的倍数计</translation>
-    </message>
-    <message>
-        <source> sizes/s</source>
-        <translation> 倍/秒</translation>
-    </message>
-    <message>
-        <source>Full distance</source>
-        <translation>最大距离</translation>
-    </message>
-    <message>
-        <source>Distance at the right end of its curves, in sizes</source>
-        <translation>其曲线右端对应的距离，以画笔大小的倍数计</translation>
-    </message>
-    <message>
-        <source> sizes</source>
-        <translation> 倍</translation>
-    </message>
-    <message>
-        <source>Way on which what drifts becomes another, in sizes</source>
-        <translation>漂移的值变为另一个值所经过的路程，以画笔大小的倍数计</translation>
+        <source>&amp;Take the Current Colour</source>
+        <translation>取当前颜色(&amp;T)</translation>
     </message>
     <message>
         <source>Makes the current colour the second one</source>
@@ -3121,6 +3009,187 @@ Exit codes: 0 done, 1 the work failed, 2 wrong usage.</source>
         <source>Else each stroke has one colour</source>
         <translation>否则每条笔画只有一种颜色</translation>
     </message>
+</context>
+<context>
+    <name>suffuse::BrushCurvesPage</name>
+    <message>
+        <source>Second colour</source>
+        <translation>第二颜色</translation>
+    </message>
+    <message>
+        <source>Pressure</source>
+        <translation>压感</translation>
+    </message>
+    <message>
+        <source>Tilt</source>
+        <translation>倾斜</translation>
+    </message>
+    <message>
+        <source>Speed</source>
+        <translation>速度</translation>
+    </message>
+    <message>
+        <source>Distance</source>
+        <translation>距离</translation>
+    </message>
+    <message>
+        <source>By stroke</source>
+        <translation>逐笔随机</translation>
+    </message>
+    <message>
+        <source>Drift</source>
+        <translation>漂移</translation>
+    </message>
+    <message>
+        <source>Curves</source>
+        <translation>曲线</translation>
+    </message>
+    <message>
+        <source>What changes with what: a tick switches a curve on, a click shows it below</source>
+        <translation>哪项参数随哪项输入变化：勾选以启用曲线，点击可在下方显示</translation>
+    </message>
+    <message>
+        <source>Curve</source>
+        <translation>曲线</translation>
+    </message>
+    <message>
+        <source>Drag points; click for another one, drag it out to take it away</source>
+        <translation>拖动控制点；点击添加，拖出则移除</translation>
+    </message>
+    <message>
+        <source>Full speed</source>
+        <translation>最高速度</translation>
+    </message>
+    <message>
+        <source>Speed at the right end of its curves, in sizes a second</source>
+        <translation>其曲线右端对应的速度，以每秒画笔大小的倍数计</translation>
+    </message>
+    <message>
+        <source> sizes/s</source>
+        <translation> 倍/秒</translation>
+    </message>
+    <message>
+        <source>Full distance</source>
+        <translation>最大距离</translation>
+    </message>
+    <message>
+        <source>Distance at the right end of its curves, in sizes</source>
+        <translation>其曲线右端对应的距离，以画笔大小的倍数计</translation>
+    </message>
+    <message>
+        <source> sizes</source>
+        <translation> 倍</translation>
+    </message>
+    <message>
+        <source>Way on which what drifts becomes another, in sizes</source>
+        <translation>漂移的值变为另一个值所经过的路程，以画笔大小的倍数计</translation>
+    </message>
+</context>
+<context>
+    <name>suffuse::BrushDialog</name>
+    <message>
+        <source>A stroke of the brush</source>
+        <translation>画笔的示例笔画</translation>
+    </message>
+    <message>
+        <source>Paint</source>
+        <translation>颜料</translation>
+    </message>
+    <message>
+        <source>Curves</source>
+        <translation>曲线</translation>
+    </message>
+    <message>
+        <source>Colour</source>
+        <translation>颜色</translation>
+    </message>
+    <message>
+        <source>Shape and hand</source>
+        <translation>形状与手感</translation>
+    </message>
+    <message>
+        <source>Settings of the brush</source>
+        <translation>画笔设置</translation>
+    </message>
+    <message>
+        <source>Keeps the changes in the brush of this name; built-in brushes stay as they are</source>
+        <translation>将更改保存到此名称的画笔；内置画笔保持不变</translation>
+    </message>
+    <message>
+        <source>Keeps the brush under another name</source>
+        <translation>以其他名称保存画笔</translation>
+    </message>
+    <message>
+        <source>Closes this window; the brush stays in hand as it is</source>
+        <translation>关闭此窗口；当前画笔保持现状</translation>
+    </message>
+    <message>
+        <source>Brush: %1</source>
+        <translation>画笔：%1</translation>
+    </message>
+    <message>
+        <source>&amp;Save Changes</source>
+        <translation>保存更改(&amp;S)</translation>
+    </message>
+    <message>
+        <source>Save as &amp;New…</source>
+        <translation>另存为新画笔(&amp;N)…</translation>
+    </message>
+    <message>
+        <source>&amp;Close</source>
+        <translation>关闭(&amp;C)</translation>
+    </message>
+</context>
+<context>
+    <name>suffuse::BrushHandPage</name>
+    <message>
+        <source>Tip</source>
+        <translation>笔尖</translation>
+    </message>
+    <message>
+        <source>Of the tip, against the path or the canvas</source>
+        <translation>笔尖相对于路径或画布的角度</translation>
+    </message>
+    <message>
+        <source>Turns with the path</source>
+        <translation>随路径转动</translation>
+    </message>
+    <message>
+        <source>Else it keeps its angle on the canvas, as a broad nib does</source>
+        <translation>否则在画布上保持固定角度，如同宽头笔尖</translation>
+    </message>
+    <message>
+        <source>Ends</source>
+        <translation>两端</translation>
+    </message>
+    <message>
+        <source> sizes</source>
+        <translation> 倍</translation>
+    </message>
+    <message>
+        <source>Taper in</source>
+        <translation>起笔渐粗</translation>
+    </message>
+    <message>
+        <source>Length on which the stroke grows from its tip</source>
+        <translation>笔画从笔锋逐渐变粗的长度</translation>
+    </message>
+    <message>
+        <source>Taper out</source>
+        <translation>收笔渐细</translation>
+    </message>
+    <message>
+        <source>Length on which it runs out when the pen lifts</source>
+        <translation>抬笔时笔画逐渐变细的长度</translation>
+    </message>
+    <message>
+        <source>Tip size</source>
+        <translation>末端大小</translation>
+    </message>
+    <message>
+        <source>Size at the very end</source>
+        <translation>最末端的大小</translation>
+    </message>
     <message>
         <source>Hand</source>
         <translation>手感</translation>
@@ -3152,74 +3221,6 @@ Exit codes: 0 done, 1 the work failed, 2 wrong usage.</source>
     <message>
         <source>Time between the points that the curve is fitted through</source>
         <translation>拟合曲线所经各点之间的时间</translation>
-    </message>
-    <message>
-        <source>Tip</source>
-        <translation>笔尖</translation>
-    </message>
-    <message>
-        <source>Of the tip, against the path or the canvas</source>
-        <translation>笔尖相对于路径或画布的角度</translation>
-    </message>
-    <message>
-        <source>Turns with the path</source>
-        <translation>随路径转动</translation>
-    </message>
-    <message>
-        <source>Else it keeps its angle on the canvas, as a broad nib does</source>
-        <translation>否则在画布上保持固定角度，如同宽头笔尖</translation>
-    </message>
-    <message>
-        <source>Ends</source>
-        <translation>两端</translation>
-    </message>
-    <message>
-        <source>Taper in</source>
-        <translation>起笔渐粗</translation>
-    </message>
-    <message>
-        <source>Length on which the stroke grows from its tip</source>
-        <translation>笔画从笔锋逐渐变粗的长度</translation>
-    </message>
-    <message>
-        <source>Taper out</source>
-        <translation>收笔渐细</translation>
-    </message>
-    <message>
-        <source>Length on which it runs out when the pen lifts</source>
-        <translation>抬笔时笔画逐渐变细的长度</translation>
-    </message>
-    <message>
-        <source>Tip size</source>
-        <translation>末端大小</translation>
-    </message>
-    <message>
-        <source>Size at the very end</source>
-        <translation>最末端的大小</translation>
-    </message>
-    <message>
-        <source>&amp;Save Changes</source>
-        <translation>保存更改(&amp;S)</translation>
-    </message>
-    <message>
-        <source>Save as &amp;New…</source>
-        <translation>另存为新画笔(&amp;N)…</translation>
-    </message>
-    <message>
-        <source>&amp;Close</source>
-        <translation>关闭(&amp;C)</translation>
-    </message>
-    <message>
-        <source>How density becomes coverage.</source>
-        <translation>密度如何转化为覆盖率。</translation>
-    </message>
-    <message>
-        <source>How the paint mixes with what lies below it: it covers, or pigments add up.</source>
-        <translation>颜料与下层的混合方式：覆盖，或颜料叠加。</translation>
-    </message>
-    <message>
-        <source>&amp;Take the Current Colour</source>
-        <translation>取当前颜色(&amp;T)</translation>
     </message>
 </context>
 <context>
@@ -3259,6 +3260,112 @@ Exit codes: 0 done, 1 the work failed, 2 wrong usage.</source>
     <message>
         <source>There is no brush “%1”</source>
         <translation>没有名为“%1”的画笔</translation>
+    </message>
+</context>
+<context>
+    <name>suffuse::BrushMenu</name>
+    <message>
+        <source>&amp;Edit Brush…</source>
+        <translation>编辑画笔(&amp;E)…</translation>
+    </message>
+    <message>
+        <source>&amp;Favourite</source>
+        <translation>收藏(&amp;F)</translation>
+    </message>
+    <message>
+        <source>&amp;Save Changes</source>
+        <translation>保存更改(&amp;S)</translation>
+    </message>
+    <message>
+        <source>Save as &amp;New…</source>
+        <translation>另存为新画笔(&amp;N)…</translation>
+    </message>
+    <message>
+        <source>&amp;Duplicate</source>
+        <translation>再制(&amp;D)</translation>
+    </message>
+    <message>
+        <source>&amp;Rename…</source>
+        <translation>重命名(&amp;R)…</translation>
+    </message>
+    <message>
+        <source>De&amp;lete…</source>
+        <translation>删除(&amp;L)…</translation>
+    </message>
+    <message>
+        <source>&amp;Import…</source>
+        <translation>导入(&amp;I)…</translation>
+    </message>
+    <message>
+        <source>E&amp;xport…</source>
+        <translation>导出(&amp;X)…</translation>
+    </message>
+    <message>
+        <source>Save Brush</source>
+        <translation>保存画笔</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>名称</translation>
+    </message>
+    <message>
+        <source>Rename Brush</source>
+        <translation>重命名画笔</translation>
+    </message>
+    <message>
+        <source>Delete the brush “%1”?</source>
+        <translation>要删除画笔“%1”吗？</translation>
+    </message>
+    <message>
+        <source>Strokes painted with it stay.</source>
+        <translation>用它绘制的笔画会保留。</translation>
+    </message>
+    <message>
+        <source>&amp;Delete</source>
+        <translation>删除(&amp;D)</translation>
+    </message>
+    <message>
+        <source>Import Brushes</source>
+        <translation>导入画笔</translation>
+    </message>
+    <message>
+        <source>Brushes (*.suffuse-brush *.myb);;All files (*)</source>
+        <translation>画笔 (*.suffuse-brush *.myb);;所有文件 (*)</translation>
+    </message>
+    <message>
+        <source>%1: these settings have no counterpart here: %2</source>
+        <translation>%1：以下设置在此没有对应项：%2</translation>
+    </message>
+    <message>
+        <source>Export Brush</source>
+        <translation>导出画笔</translation>
+    </message>
+    <message>
+        <source>Suffuse brush</source>
+        <translation>Suffuse 画笔</translation>
+    </message>
+</context>
+<context>
+    <name>suffuse::BrushPaintPage</name>
+    <message>
+        <source>Style</source>
+        <translation>样式</translation>
+    </message>
+    <message>
+        <source>How density becomes coverage.</source>
+        <translation>密度如何转化为覆盖率。</translation>
+    </message>
+    <message>
+        <source>Mixing</source>
+        <translation>混合</translation>
+    </message>
+    <message>
+        <source>How the paint mixes with what lies below it: it covers, or pigments add up.</source>
+        <translation>颜料与下层的混合方式：覆盖，或颜料叠加。</translation>
+    </message>
+    <message>
+        <source>How long the paint spreads; the size stays</source>
+        <translation>颜料扩散多久；大小不变</translation>
     </message>
 </context>
 <context>
@@ -3312,88 +3419,8 @@ Exit codes: 0 done, 1 the work failed, 2 wrong usage.</source>
         <translation>编辑、保存、导入和导出画笔</translation>
     </message>
     <message>
-        <source>&amp;Edit Brush…</source>
-        <translation>编辑画笔(&amp;E)…</translation>
-    </message>
-    <message>
-        <source>&amp;Favourite</source>
-        <translation>收藏(&amp;F)</translation>
-    </message>
-    <message>
-        <source>&amp;Save Changes</source>
-        <translation>保存更改(&amp;S)</translation>
-    </message>
-    <message>
-        <source>Save as &amp;New…</source>
-        <translation>另存为新画笔(&amp;N)…</translation>
-    </message>
-    <message>
-        <source>&amp;Duplicate</source>
-        <translation>再制(&amp;D)</translation>
-    </message>
-    <message>
-        <source>&amp;Rename…</source>
-        <translation>重命名(&amp;R)…</translation>
-    </message>
-    <message>
-        <source>De&amp;lete…</source>
-        <translation>删除(&amp;L)…</translation>
-    </message>
-    <message>
-        <source>&amp;Import…</source>
-        <translation>导入(&amp;I)…</translation>
-    </message>
-    <message>
-        <source>E&amp;xport…</source>
-        <translation>导出(&amp;X)…</translation>
-    </message>
-    <message>
-        <source>Name</source>
-        <translation>名称</translation>
-    </message>
-    <message>
-        <source>Brushes (*.suffuse-brush *.myb);;All files (*)</source>
-        <translation>画笔 (*.suffuse-brush *.myb);;所有文件 (*)</translation>
-    </message>
-    <message>
-        <source>%1: these settings have no counterpart here: %2</source>
-        <translation>%1：以下设置在此没有对应项：%2</translation>
-    </message>
-    <message>
-        <source>Suffuse brush</source>
-        <translation>Suffuse 画笔</translation>
-    </message>
-    <message>
         <source>%1: size %2, dry after %3</source>
         <translation>%1：大小 %2，%3后干透</translation>
-    </message>
-    <message>
-        <source>Delete the brush “%1”?</source>
-        <translation>要删除画笔“%1”吗？</translation>
-    </message>
-    <message>
-        <source>Strokes painted with it stay.</source>
-        <translation>用它绘制的笔画会保留。</translation>
-    </message>
-    <message>
-        <source>&amp;Delete</source>
-        <translation>删除(&amp;D)</translation>
-    </message>
-    <message>
-        <source>Save Brush</source>
-        <translation>保存画笔</translation>
-    </message>
-    <message>
-        <source>Rename Brush</source>
-        <translation>重命名画笔</translation>
-    </message>
-    <message>
-        <source>Import Brushes</source>
-        <translation>导入画笔</translation>
-    </message>
-    <message>
-        <source>Export Brush</source>
-        <translation>导出画笔</translation>
     </message>
 </context>
 <context>

@@ -1,6 +1,6 @@
 #include "app/panels/brushes/brush_panel.h"
 
-#include "app/panels/brushes/brush_dialog.h"
+#include "app/panels/brushes/brush_menu.h"
 #include "app/session/editor.h"
 #include "app/session/settings/brush_library.h"
 #include "app/widgets/icons.h"
@@ -13,7 +13,6 @@
 #include <QGridLayout>
 #include <QLineEdit>
 #include <QListWidget>
-#include <QMenu>
 #include <QPainter>
 #include <QPainterPath>
 #include <QTimer>
@@ -93,6 +92,11 @@ BrushPanel::BrushPanel(Editor &editor, QWidget *parent) : QWidget(parent), m_edi
     refresh();
 }
 
+QMenu *BrushPanel::menu() const
+{
+    return m_menu;
+}
+
 QSize BrushPanel::sizeHint() const
 {
     return {280, 320};
@@ -120,9 +124,9 @@ void BrushPanel::addHead(QVBoxLayout &column)
     more->setAccessibleName(tr("Brush menu"));
     more->setToolTip(tr("Edit, save, import and export brushes"));
     more->setStyleSheet(QStringLiteral("QToolButton::menu-indicator { image: none; }"));
-    m_menu = new QMenu(this);
+    m_menu = new BrushMenu(m_editor, this);
     more->setMenu(m_menu);
-    connect(m_menu, &QMenu::aboutToShow, this, &BrushPanel::fillMenu);
+    connect(m_menu, &BrushMenu::noted, this, [this](const QString &text) { m_hint->showHint(text); });
     row->addWidget(m_search, 1);
     row->addWidget(m_favourites);
     row->addWidget(more);
@@ -163,7 +167,7 @@ void BrushPanel::addList(QVBoxLayout &column)
         if (!item->data(headingRole).toBool())
             emit chosen(); // that in hand, too, while another tool is
     });
-    connect(m_list, &QListWidget::itemDoubleClicked, this, &BrushPanel::showDialog);
+    connect(m_list, &QListWidget::itemDoubleClicked, m_menu, &BrushMenu::showDialog);
     connect(m_list, &QListWidget::customContextMenuRequested, this,
             [this](QPoint at) { m_menu->popup(m_list->viewport()->mapToGlobal(at)); });
 }
@@ -282,19 +286,13 @@ QString BrushPanel::inHand() const
     return m_editor.brush().name;
 }
 
-bool BrushPanel::isModified() const
-{
-    const Brush *preset = BrushLibrary::instance().find(inHand());
-    return preset && !isSameBrush(m_editor.brush(), *preset);
-}
-
 void BrushPanel::refresh()
 {
     const Brush &brush = m_editor.brush();
     const QSignalBlocker blocker(m_list);
     QListWidgetItem *item = itemOf(brush.name);
     m_list->setCurrentItem(item);
-    const bool modified = isModified();
+    const bool modified = BrushLibrary::instance().isChanged(brush);
     m_title->setText(modified ? tr("%1 (changed)").arg(brushTitle(brush.name)) : brushTitle(brush.name));
     m_reset->setEnabled(modified);
     if (const Brush *preset = BrushLibrary::instance().find(brush.name)) {

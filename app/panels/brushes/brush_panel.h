@@ -3,7 +3,6 @@
 #include "app/widgets/brush_preview.h"
 
 #include <QHash>
-#include <QPointer>
 #include <QWidget>
 
 #include <functional>
@@ -18,7 +17,7 @@ class QVBoxLayout;
 
 namespace suffuse {
 
-class BrushDialog;
+class BrushMenu;
 class Editor;
 class HintLabel;
 class SliderField;
@@ -34,7 +33,7 @@ public:
     QListWidget *list() const { return m_list; }
     QLineEdit *search() const { return m_search; }
     QToolButton *favouritesButton() const { return m_favourites; }
-    QMenu *menu() const { return m_menu; }
+    QMenu *menu() const;
     SliderField *size() const { return m_size; }
     SliderField *flow() const { return m_flow; }
     SliderField *opacity() const { return m_opacity; }
@@ -60,32 +59,21 @@ private:
     void addHead(QVBoxLayout &column);
     void addList(QVBoxLayout &column);
     void addFields(QVBoxLayout &column);
-    void addMenu();
-    void fillMenu();
     void fillList();
     void addHeading(const QString &group);
     void fitHeadings();
     bool isShown(const Brush &brush) const;
     void edit(const std::function<void(Brush &)> &change);
-    bool isModified() const;
     void refresh();
     void setPicture(QListWidgetItem *item);
     void schedulePreviews();
     void renderNext();
     QString inHand() const;
-    void showDialog();
-    void saveChanges();
-    void saveAsNew();
-    void rename();
-    void remove();
-    void import();
-    void exportBrush();
-    void note(const QString &text);
 
     Editor &m_editor;
     QLineEdit *m_search = nullptr;
     QToolButton *m_favourites = nullptr;
-    QMenu *m_menu = nullptr;
+    BrushMenu *m_menu = nullptr;
     QListWidget *m_list = nullptr;
     QLabel *m_title = nullptr;
     QToolButton *m_reset = nullptr;
@@ -93,7 +81,6 @@ private:
     SliderField *m_flow = nullptr;
     SliderField *m_opacity = nullptr;
     HintLabel *m_hint = nullptr;
-    QPointer<BrushDialog> m_dialog;
     BrushPreview m_preview;
     /// Pictures that are drawn, and of what.
     struct Drawn {

@@ -95,6 +95,12 @@ const Brush *BrushLibrary::find(const QString &name) const
     return it == m_brushes.end() ? nullptr : &*it;
 }
 
+bool BrushLibrary::isChanged(const Brush &brush) const
+{
+    const Brush *preset = find(brush.name);
+    return preset && !isSameBrush(brush, *preset);
+}
+
 QString BrushLibrary::freeName(const QString &wanted) const
 {
     const QString base = wanted.isEmpty() ? tr("Brush") : wanted;

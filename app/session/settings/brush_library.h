@@ -25,6 +25,8 @@ public:
     /// The built-in brushes first, then the user's by name.
     const std::vector<Brush> &brushes() const { return m_brushes; }
     const Brush *find(const QString &name) const; ///< null if there is none
+    /// Whether a brush differs from the one of its name, if there is one.
+    bool isChanged(const Brush &brush) const;
     bool isOwn(const QString &name) const { return m_files.contains(name); }
 
     /// Adds a brush under its name, or under the name with a number where the name is taken. Returns the name that it

@@ -1,117 +1,125 @@
-// What can be done with the brush in hand and with brush files.
+#include "app/panels/brushes/brush_menu.h"
+
 #include "app/panels/brushes/brush_dialog.h"
-#include "app/panels/brushes/brush_panel.h"
 #include "app/session/editor.h"
 #include "app/session/settings/brush_library.h"
 #include "app/widgets/messages.h"
 #include "app/widgets/save_name.h"
-#include "app/widgets/section.h"
 
 #include <QFileDialog>
 #include <QInputDialog>
-#include <QMenu>
+#include <QLineEdit>
 
 namespace suffuse {
 
-void BrushPanel::fillMenu()
+BrushMenu::BrushMenu(Editor &editor, QWidget *panel) : QMenu(panel), m_editor(editor), m_panel(panel)
+{
+    connect(this, &QMenu::aboutToShow, this, &BrushMenu::fill);
+}
+
+QString BrushMenu::inHand() const
+{
+    return m_editor.brush().name;
+}
+
+void BrushMenu::fill()
 {
     BrushLibrary &library = BrushLibrary::instance();
     const QString name = inHand();
     const bool own = library.isOwn(name), known = library.find(name) != nullptr;
-    m_menu->clear();
+    clear();
     const auto add = [this](const QString &text, bool enabled, auto slot) {
-        QAction *action = m_menu->addAction(text, this, slot);
+        QAction *action = addAction(text, this, slot);
         action->setEnabled(enabled);
         return action;
     };
-    add(tr("&Edit Brush…"), true, &BrushPanel::showDialog);
-    QAction *favourite = m_menu->addAction(tr("&Favourite"));
+    add(tr("&Edit Brush…"), true, &BrushMenu::showDialog);
+    QAction *favourite = addAction(tr("&Favourite"));
     favourite->setCheckable(true);
     favourite->setEnabled(known);
     favourite->setChecked(library.isFavourite(name));
     connect(favourite, &QAction::triggered, this, [name](bool on) { BrushLibrary::instance().setFavourite(name, on); });
-    m_menu->addSeparator();
-    add(tr("&Save Changes"), own && isModified(), &BrushPanel::saveChanges);
-    add(tr("Save as &New…"), true, &BrushPanel::saveAsNew);
+    addSeparator();
+    add(tr("&Save Changes"), own && library.isChanged(m_editor.brush()), &BrushMenu::saveChanges);
+    add(tr("Save as &New…"), true, &BrushMenu::saveAsNew);
     add(tr("&Duplicate"), known, [this] {
         Brush brush = *BrushLibrary::instance().find(inHand());
         brush.name = brushTitle(brush.name);
         Result<QString> added = BrushLibrary::instance().add(std::move(brush));
         if (!added)
-            return note(added.error());
+            return noted(added.error());
         BrushLibrary::instance().use(m_editor, *added);
     });
-    add(tr("&Rename…"), own, &BrushPanel::rename);
-    add(tr("De&lete…"), own, &BrushPanel::remove);
-    m_menu->addSeparator();
-    add(tr("&Import…"), true, &BrushPanel::import);
-    add(tr("E&xport…"), known, &BrushPanel::exportBrush);
+    add(tr("&Rename…"), own, &BrushMenu::rename);
+    add(tr("De&lete…"), own, &BrushMenu::remove);
+    addSeparator();
+    add(tr("&Import…"), true, &BrushMenu::import);
+    add(tr("E&xport…"), known, &BrushMenu::exportBrush);
 }
 
-void BrushPanel::note(const QString &text)
-{
-    m_hint->showHint(text);
-}
-
-void BrushPanel::showDialog()
+void BrushMenu::showDialog()
 {
     if (!m_dialog) {
-        m_dialog = new BrushDialog(m_editor, window());
-        connect(m_dialog, &BrushDialog::saveWanted, this, &BrushPanel::saveChanges);
-        connect(m_dialog, &BrushDialog::saveAsNewWanted, this, &BrushPanel::saveAsNew);
+        m_dialog = new BrushDialog(m_editor, m_panel->window());
+        connect(m_dialog, &BrushDialog::saveWanted, this, &BrushMenu::saveChanges);
+        connect(m_dialog, &BrushDialog::saveAsNewWanted, this, &BrushMenu::saveAsNew);
     }
     m_dialog->show();
     m_dialog->raise();
     m_dialog->activateWindow();
 }
 
-void BrushPanel::saveChanges()
+void BrushMenu::saveChanges()
 {
     BrushLibrary &library = BrushLibrary::instance();
     if (Result<void> saved = library.save(m_editor.brush()); !saved)
-        note(saved.error());
+        emit noted(saved.error());
 }
 
-void BrushPanel::saveAsNew()
+void BrushMenu::saveAsNew()
 {
     bool taken = false;
     const QString name =
-        QInputDialog::getText(this, tr("Save Brush"), tr("Name"), QLineEdit::Normal, brushTitle(inHand()), &taken);
+        QInputDialog::getText(m_panel, tr("Save Brush"), tr("Name"), QLineEdit::Normal, brushTitle(inHand()), &taken);
     if (!taken)
         return;
     Brush brush = m_editor.brush();
     brush.name = name;
     Result<QString> added = BrushLibrary::instance().add(brush);
     if (!added)
-        return note(added.error());
+        return noted(added.error());
     BrushLibrary::instance().use(m_editor, *added);
 }
 
-void BrushPanel::rename()
+void BrushMenu::rename()
 {
     bool taken = false;
     const QString before = inHand();
-    const QString name = QInputDialog::getText(this, tr("Rename Brush"), tr("Name"), QLineEdit::Normal, before, &taken);
+    const QString name =
+        QInputDialog::getText(m_panel, tr("Rename Brush"), tr("Name"), QLineEdit::Normal, before, &taken);
     if (!taken)
         return;
     if (Result<void> renamed = BrushLibrary::instance().rename(before, name); !renamed)
-        return note(renamed.error());
-    edit([&](Brush &b) { b.name = name.simplified(); });
+        return noted(renamed.error());
+    Brush brush = m_editor.brush();
+    brush.name = name.simplified();
+    emit noted({});
+    m_editor.setBrush(brush);
 }
 
-void BrushPanel::remove()
+void BrushMenu::remove()
 {
     const QString name = inHand();
-    if (!confirm(this, tr("Delete the brush “%1”?").arg(name), tr("Strokes painted with it stay."), tr("&Delete")))
+    if (!confirm(m_panel, tr("Delete the brush “%1”?").arg(name), tr("Strokes painted with it stay."), tr("&Delete")))
         return;
     if (Result<void> removed = BrushLibrary::instance().remove(name); !removed)
-        return note(removed.error());
+        return noted(removed.error());
     BrushLibrary::instance().use(m_editor, builtinBrushes().front().name);
 }
 
-void BrushPanel::import()
+void BrushMenu::import()
 {
-    const QStringList paths = QFileDialog::getOpenFileNames(this, tr("Import Brushes"), {},
+    const QStringList paths = QFileDialog::getOpenFileNames(m_panel, tr("Import Brushes"), {},
                                                             tr("Brushes (*.suffuse-brush *.myb);;All files (*)"));
     QStringList notes;
     for (const QString &path : paths) {
@@ -125,18 +133,18 @@ void BrushPanel::import()
         if (!left.isEmpty())
             notes << tr("%1: these settings have no counterpart here: %2").arg(*added, left.join(QStringLiteral(", ")));
     }
-    note(notes.join('\n'));
+    emit noted(notes.join('\n'));
 }
 
-void BrushPanel::exportBrush()
+void BrushMenu::exportBrush()
 {
     const QString ending = QLatin1String(brushFileEnding);
-    const QString path = chooseFileToSave(this, tr("Export Brush"), brushTitle(inHand()) + '.' + ending,
+    const QString path = chooseFileToSave(m_panel, tr("Export Brush"), brushTitle(inHand()) + '.' + ending,
                                           {{tr("Suffuse brush"), {ending}}});
     if (path.isEmpty())
         return;
     if (Result<void> written = BrushLibrary::instance().exportTo(inHand(), path); !written)
-        note(written.error());
+        emit noted(written.error());
 }
 
 } // namespace suffuse

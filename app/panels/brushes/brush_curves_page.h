@@ -1,0 +1,32 @@
+#pragma once
+
+#include "app/panels/brushes/brush_page.h"
+
+class QTableWidget;
+class QTableWidgetItem;
+
+namespace suffuse {
+
+class ResponseEditor;
+
+/// What of the brush changes with what of the pen: a table of switches, and the curve of the current one.
+class BrushCurvesPage : public BrushPage {
+    Q_OBJECT
+
+public:
+    explicit BrushCurvesPage(QWidget *parent);
+    void showBrush(const Brush &brush) override;
+    QTableWidget *curves() const { return m_curves; }
+    ResponseEditor *curve() const { return m_curve; }
+
+private:
+    void makeTable();
+    void cellChanged(QTableWidgetItem *item);
+    void showCell();
+
+    Brush m_brush; ///< that is shown
+    QTableWidget *m_curves = nullptr;
+    ResponseEditor *m_curve = nullptr;
+};
+
+} // namespace suffuse

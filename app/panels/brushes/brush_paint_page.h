@@ -1,0 +1,30 @@
+#pragma once
+
+#include "app/panels/brushes/brush_page.h"
+
+#include <array>
+
+class QComboBox;
+class QGridLayout;
+
+namespace suffuse {
+
+/// How the paint becomes a picture: style, mixing, and the numbers of the paint.
+class BrushPaintPage : public BrushPage {
+    Q_OBJECT
+
+public:
+    explicit BrushPaintPage(QWidget *parent);
+    void showBrush(const Brush &brush) override;
+    QComboBox *style() const { return m_style; }
+
+private:
+    void addValues(QGridLayout &grid);
+
+    std::array<SliderField *, 3> m_xi{};
+    SliderField *m_beta = nullptr;
+    QComboBox *m_style = nullptr;
+    QComboBox *m_mix = nullptr;
+};
+
+} // namespace suffuse
