@@ -2840,44 +2840,8 @@ Rückgabewerte: 0 erledigt, 1 fehlgeschlagen, 2 falscher Aufruf.</translation>
 <context>
     <name>suffuse::AttributeBrushTool</name>
     <message>
-        <source>Colour</source>
-        <translation>Farbe</translation>
-    </message>
-    <message>
-        <source>What is painted onto the segments</source>
-        <translation>Was auf die Segmente gemalt wird</translation>
-    </message>
-    <message>
-        <source>Towards a value, or from the value that each segment has</source>
-        <translation>Auf einen Wert zu, oder ausgehend vom Wert, den jedes Segment hat</translation>
-    </message>
-    <message>
-        <source>Value</source>
-        <translation>Wert</translation>
-    </message>
-    <message>
-        <source>What a segment has when it got all of it</source>
-        <translation>Was ein Segment hat, wenn es alles davon bekommen hat</translation>
-    </message>
-    <message>
         <source>How fast it is laid down</source>
         <translation>Wie schnell aufgetragen wird</translation>
-    </message>
-    <message>
-        <source>set to</source>
-        <translation>setzen auf</translation>
-    </message>
-    <message>
-        <source>multiply by</source>
-        <translation>multiplizieren mit</translation>
-    </message>
-    <message>
-        <source>add</source>
-        <translation>addieren</translation>
-    </message>
-    <message>
-        <source>the current colour</source>
-        <translation>die aktuelle Farbe</translation>
     </message>
     <message>
         <source>Drag over strokes to paint the chosen value onto their segments. [ and ] change the size.</source>
@@ -3446,13 +3410,12 @@ Rückgabewerte: 0 erledigt, 1 fehlgeschlagen, 2 falscher Aufruf.</translation>
         <translation>Strich fortsetzen</translation>
     </message>
     <message>
-        <source>What to paint with; the Brushes dock has pictures</source>
-        <translation>Womit gemalt wird; das Andockfenster „Pinsel“ zeigt Bilder</translation>
+        <source>Drag to paint, tap for a dot. Shift+drag: size and opacity. Ctrl+click: take the picture&apos;s colour, with Shift the stroke&apos;s own.</source>
+        <translation>Ziehen malt, Tippen: Punkt. Umschalt+Ziehen: Größe, Deckkraft. Strg+Klick: Farbe des Bildes, mit Umschalt die des Strichs.</translation>
     </message>
-    <message>
-        <source>Brush</source>
-        <translation>Pinsel</translation>
-    </message>
+</context>
+<context>
+    <name>suffuse::BrushToolOptions</name>
     <message>
         <source>How far the paint spreads, in units ([ and ] change it)</source>
         <translation>Wie weit die Farbe verläuft, in Einheiten ([ und ] ändern es)</translation>
@@ -3460,6 +3423,14 @@ Rückgabewerte: 0 erledigt, 1 fehlgeschlagen, 2 falscher Aufruf.</translation>
     <message>
         <source>How much the paint covers ({ and } change it)</source>
         <translation>Wie stark die Farbe deckt ({ und } ändern es)</translation>
+    </message>
+    <message>
+        <source>What to paint with; the Brushes dock has pictures</source>
+        <translation>Womit gemalt wird; das Andockfenster „Pinsel“ zeigt Bilder</translation>
+    </message>
+    <message>
+        <source>Brush</source>
+        <translation>Pinsel</translation>
     </message>
     <message>
         <source>Smoothing</source>
@@ -3492,10 +3463,6 @@ Rückgabewerte: 0 erledigt, 1 fehlgeschlagen, 2 falscher Aufruf.</translation>
     <message>
         <source>Own brush</source>
         <translation>Eigener Pinsel</translation>
-    </message>
-    <message>
-        <source>Drag to paint, tap for a dot. Shift+drag: size and opacity. Ctrl+click: take the picture&apos;s colour, with Shift the stroke&apos;s own.</source>
-        <translation>Ziehen malt, Tippen: Punkt. Umschalt+Ziehen: Größe, Deckkraft. Strg+Klick: Farbe des Bildes, mit Umschalt die des Strichs.</translation>
     </message>
 </context>
 <context>
@@ -7125,6 +7092,45 @@ Auch die Pfeiltasten wirken.</translation>
     <message>
         <source>Import underlay</source>
         <translation>Vorlage importieren</translation>
+    </message>
+</context>
+<context>
+    <name>suffuse::WishFields</name>
+    <message>
+        <source>Colour</source>
+        <translation>Farbe</translation>
+    </message>
+    <message>
+        <source>What is painted onto the segments</source>
+        <translation>Was auf die Segmente gemalt wird</translation>
+    </message>
+    <message>
+        <source>Towards a value, or from the value that each segment has</source>
+        <translation>Auf einen Wert zu, oder ausgehend vom Wert, den jedes Segment hat</translation>
+    </message>
+    <message>
+        <source>Value</source>
+        <translation>Wert</translation>
+    </message>
+    <message>
+        <source>What a segment has when it got all of it</source>
+        <translation>Was ein Segment hat, wenn es alles davon bekommen hat</translation>
+    </message>
+    <message>
+        <source>set to</source>
+        <translation>setzen auf</translation>
+    </message>
+    <message>
+        <source>multiply by</source>
+        <translation>multiplizieren mit</translation>
+    </message>
+    <message>
+        <source>add</source>
+        <translation>addieren</translation>
+    </message>
+    <message>
+        <source>the current colour</source>
+        <translation>die aktuelle Farbe</translation>
     </message>
 </context>
 </TS>

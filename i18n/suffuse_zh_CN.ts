@@ -2832,44 +2832,8 @@ Exit codes: 0 done, 1 the work failed, 2 wrong usage.</source>
 <context>
     <name>suffuse::AttributeBrushTool</name>
     <message>
-        <source>Colour</source>
-        <translation>颜色</translation>
-    </message>
-    <message>
-        <source>What is painted onto the segments</source>
-        <translation>绘制到线段上的内容</translation>
-    </message>
-    <message>
-        <source>Towards a value, or from the value that each segment has</source>
-        <translation>趋向某个值，或以各线段现有的值为基础</translation>
-    </message>
-    <message>
-        <source>Value</source>
-        <translation>值</translation>
-    </message>
-    <message>
-        <source>What a segment has when it got all of it</source>
-        <translation>线段被完全涂满后所具有的值</translation>
-    </message>
-    <message>
         <source>How fast it is laid down</source>
         <translation>施加的快慢</translation>
-    </message>
-    <message>
-        <source>set to</source>
-        <translation>设为</translation>
-    </message>
-    <message>
-        <source>multiply by</source>
-        <translation>乘以</translation>
-    </message>
-    <message>
-        <source>add</source>
-        <translation>加上</translation>
-    </message>
-    <message>
-        <source>the current colour</source>
-        <translation>当前颜色</translation>
     </message>
     <message>
         <source>Drag over strokes to paint the chosen value onto their segments. [ and ] change the size.</source>
@@ -3438,13 +3402,12 @@ Exit codes: 0 done, 1 the work failed, 2 wrong usage.</source>
         <translation>延长笔画</translation>
     </message>
     <message>
-        <source>What to paint with; the Brushes dock has pictures</source>
-        <translation>作画所用的画笔；“画笔”面板中有示例图</translation>
+        <source>Drag to paint, tap for a dot. Shift+drag: size and opacity. Ctrl+click: take the picture&apos;s colour, with Shift the stroke&apos;s own.</source>
+        <translation>拖动绘制，轻点成点。Shift+拖动：大小和不透明度。Ctrl+点击：拾取画面颜色，再加 Shift：笔画本身的颜色。</translation>
     </message>
-    <message>
-        <source>Brush</source>
-        <translation>画笔</translation>
-    </message>
+</context>
+<context>
+    <name>suffuse::BrushToolOptions</name>
     <message>
         <source>How far the paint spreads, in units ([ and ] change it)</source>
         <translation>颜料扩散的距离（单位）（[ 和 ] 可更改）</translation>
@@ -3452,6 +3415,14 @@ Exit codes: 0 done, 1 the work failed, 2 wrong usage.</source>
     <message>
         <source>How much the paint covers ({ and } change it)</source>
         <translation>颜料的覆盖程度（{ 和 } 可更改）</translation>
+    </message>
+    <message>
+        <source>What to paint with; the Brushes dock has pictures</source>
+        <translation>作画所用的画笔；“画笔”面板中有示例图</translation>
+    </message>
+    <message>
+        <source>Brush</source>
+        <translation>画笔</translation>
     </message>
     <message>
         <source>Smoothing</source>
@@ -3484,10 +3455,6 @@ Exit codes: 0 done, 1 the work failed, 2 wrong usage.</source>
     <message>
         <source>Own brush</source>
         <translation>自定义画笔</translation>
-    </message>
-    <message>
-        <source>Drag to paint, tap for a dot. Shift+drag: size and opacity. Ctrl+click: take the picture&apos;s colour, with Shift the stroke&apos;s own.</source>
-        <translation>拖动绘制，轻点成点。Shift+拖动：大小和不透明度。Ctrl+点击：拾取画面颜色，再加 Shift：笔画本身的颜色。</translation>
     </message>
 </context>
 <context>
@@ -7088,6 +7055,45 @@ Arrow keys work too.</source>
     <message>
         <source>Import underlay</source>
         <translation>导入底图</translation>
+    </message>
+</context>
+<context>
+    <name>suffuse::WishFields</name>
+    <message>
+        <source>Colour</source>
+        <translation>颜色</translation>
+    </message>
+    <message>
+        <source>What is painted onto the segments</source>
+        <translation>绘制到线段上的内容</translation>
+    </message>
+    <message>
+        <source>Towards a value, or from the value that each segment has</source>
+        <translation>趋向某个值，或以各线段现有的值为基础</translation>
+    </message>
+    <message>
+        <source>Value</source>
+        <translation>值</translation>
+    </message>
+    <message>
+        <source>What a segment has when it got all of it</source>
+        <translation>线段被完全涂满后所具有的值</translation>
+    </message>
+    <message>
+        <source>set to</source>
+        <translation>设为</translation>
+    </message>
+    <message>
+        <source>multiply by</source>
+        <translation>乘以</translation>
+    </message>
+    <message>
+        <source>add</source>
+        <translation>加上</translation>
+    </message>
+    <message>
+        <source>the current colour</source>
+        <translation>当前颜色</translation>
     </message>
 </context>
 </TS>

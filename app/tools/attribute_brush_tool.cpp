@@ -2,8 +2,12 @@
 
 #include "app/canvas/canvas_widget.h"
 #include "app/session/editor.h"
+#include "app/tools/tool_fields.h"
+#include "app/tools/wish_fields.h"
+#include "app/widgets/quantity.h"
 #include "undo/edits.h"
 
+#include <QHBoxLayout>
 #include <QTimerEvent>
 
 namespace suffuse {
@@ -29,10 +33,28 @@ QString AttributeBrushTool::hint() const
                : tr("Drag over the selection to paint the chosen value onto its segments. [ and ] change the size.");
 }
 
+QWidget *AttributeBrushTool::options()
+{
+    if (m_options)
+        return m_options;
+    m_options = new QWidget;
+    QHBoxLayout *row = toolRow(m_options);
+    m_fields = new WishFields(*row);
+    m_fields->show(m_wish);
+    connect(m_fields, &WishFields::wishChanged, this, [this](const AttributeWish &wish) { m_wish = wish; });
+    addSizeField(*row);
+    FieldSpec strength = shareSpec(tr("Strength"), tr("How fast it is laid down"), m_flow);
+    strength.minimum = 0.001;
+    addNumber(*row, strength, [this](double value) { setFlow(value); })->setValue(m_flow);
+    row->addStretch();
+    return m_options;
+}
+
 void AttributeBrushTool::setWish(const AttributeWish &wish)
 {
     m_wish = wish;
-    refreshOptions();
+    if (m_fields)
+        m_fields->show(wish);
 }
 
 void AttributeBrushTool::setFlow(double flow)

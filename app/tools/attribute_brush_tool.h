@@ -6,10 +6,9 @@
 
 #include <QBasicTimer>
 
-class QComboBox;
-class QLabel;
-
 namespace suffuse {
+
+class WishFields;
 
 /// Paints a quantity onto the segments that are there: the selected ones, or all without a selection. The nearer a
 /// segment's middle is, and the longer the brush stays, the more it gets; no more than the whole wish a stroke of the
@@ -51,15 +50,9 @@ private:
     void dabAt(Point point, double pressure);
     void show();
     void finish();
-    void chooseAttribute(Attribute attribute);
-    void refreshOptions();
 
     QPointer<QWidget> m_options;
-    QComboBox *m_attributes = nullptr;
-    QComboBox *m_modes = nullptr;
-    QLabel *m_valueLabel = nullptr;
-    NumberField *m_value = nullptr;
-
+    QPointer<WishFields> m_fields; ///< in the options
     AttributeWish m_wish;
     double m_flow = 0.2;
 

@@ -3,6 +3,7 @@
 #include "app/canvas/canvas_widget.h"
 #include "app/session/editor.h"
 #include "app/session/settings/brush_library.h"
+#include "app/tools/brush_tool_options.h"
 #include "model/brush/brush_dynamics.h"
 #include "model/brush/brush_width.h"
 #include "model/paint/half_width.h"
@@ -10,6 +11,7 @@
 #include "undo/node_edits.h"
 
 #include <QPainter>
+#include <QPainterPath>
 
 #include <numbers>
 
@@ -77,13 +79,11 @@ Brush brushAtEnd(const Stroke &stroke, int node, Brush brush)
 
 } // namespace
 
-BrushTool::BrushTool(CanvasWidget &canvas, QObject *parent) : CanvasTool(canvas, parent), m_picker(canvas)
+BrushTool::BrushTool(CanvasWidget &canvas, QObject *parent)
+    : CanvasTool(canvas, parent), m_sizing(m_editor), m_picker(canvas)
 {
-    connect(&m_editor, &Editor::brushChanged, this, [this] {
-        refreshOptions();
-        m_canvas.updateOverlay();
-    });
-    connect(&BrushLibrary::instance(), &BrushLibrary::changed, this, &BrushTool::refreshOptions);
+    connect(&m_editor, &Editor::brushChanged, this, [this] { m_canvas.updateOverlay(); });
+    connect(&m_sizing, &BrushSizing::noteChanged, this, [this] { m_canvas.updateOverlay(); });
 }
 
 BrushTool::~BrushTool() = default;
@@ -96,6 +96,13 @@ QString BrushTool::hint() const
               "Shift the stroke's own.");
 }
 
+QWidget *BrushTool::options()
+{
+    if (!m_options)
+        m_options = new BrushToolOptions(m_editor);
+    return m_options;
+}
+
 void BrushTool::press(const PointerEvent &event)
 {
     if (event.modifiers & (Qt::ControlModifier | Qt::AltModifier)) {
@@ -105,7 +112,7 @@ void BrushTool::press(const PointerEvent &event)
     Brush brush = m_editor.brush();
     m_extended = event.modifiers & Qt::ShiftModifier ? endAt(event.pixel) : std::nullopt;
     if ((event.modifiers & Qt::ShiftModifier) && !m_extended) {
-        m_resizing = Resizing{brush, event.pixel};
+        m_sizing.begin(event.pixel);
         showOutlineAt(event.pixel);
         return;
     }
@@ -166,8 +173,8 @@ void BrushTool::add(const PointerEvent &event)
 void BrushTool::move(const PointerEvent &event)
 {
     m_picker.move(event);
-    if (m_resizing)
-        return resizeTo(event.pixel);
+    if (m_sizing.isActive())
+        return m_sizing.moveTo(event.pixel, m_canvas.devicePixelRatioF());
     if (m_builder)
         add(event);
     showOutlineAt(event.pixel);
@@ -176,11 +183,8 @@ void BrushTool::move(const PointerEvent &event)
 void BrushTool::release(const PointerEvent &event)
 {
     m_picker.end();
-    if (m_resizing) {
-        resizeTo(event.pixel);
-        m_resizing.reset();
-        showNote(m_note, false);
-    }
+    m_sizing.moveTo(event.pixel, m_canvas.devicePixelRatioF());
+    m_sizing.end();
     if (!m_builder)
         return;
     if (event.device == PointerDevice::Mouse || event.pressure > 0) // a pen lifts with pressure 0, which is no paint
@@ -210,10 +214,7 @@ void BrushTool::pushStroke(const StrokePtr &stroke)
 void BrushTool::cancel()
 {
     m_picker.giveUp();
-    if (m_resizing) {
-        m_editor.setBrush(std::exchange(m_resizing, std::nullopt)->brush);
-        showNote({}, false);
-    }
+    m_sizing.giveUp();
     if (!m_builder)
         return;
     m_builder.reset();
@@ -284,6 +285,27 @@ void BrushTool::paintOutline(QPainter &painter, const View &view, double dpr) co
     const Brush &brush = m_editor.brush();
     ring(brush.spread(), Qt::DotLine, 110);
     ring(halfWidthOf(brush), Qt::SolidLine, 200);
+}
+
+void BrushTool::paintNote(QPainter &painter, double dpr) const
+{
+    if (note().isEmpty() || !m_hovering)
+        return;
+    const Brush &brush = m_editor.brush();
+    const double circle = std::max(brush.spread(), halfWidthOf(brush)) * m_canvas.view().scale;
+    paintBadge(painter, note(), m_pixel, circle, m_canvas.view(), dpr);
+}
+
+void BrushTool::paintString(QPainter &painter, const View &view, double dpr) const
+{
+    const std::optional<Point> anchor = m_builder ? m_stabiliser.anchor() : std::nullopt;
+    if (!anchor)
+        return;
+    const Point at = view.toPixels(*anchor);
+    QPainterPath string(QPointF(at.x, at.y));
+    string.lineTo(m_pixel.x, m_pixel.y);
+    strokeTwoTone(painter, string, QColor(20, 20, 24), dpr);
+    paintNode(painter, at, m_canvas.overlayColours(), dpr);
 }
 
 } // namespace suffuse

@@ -1,5 +1,5 @@
-// The attribute brush's row over the canvas.
-#include "app/tools/attribute_brush_tool.h"
+#include "app/tools/wish_fields.h"
+
 #include "app/tools/tool_fields.h"
 #include "app/widgets/quantity.h"
 
@@ -29,7 +29,7 @@ Quantity quantityOf(Attribute attribute)
 
 QString attributeNameOf(Attribute attribute)
 {
-    return attribute == Attribute::Colour ? AttributeBrushTool::tr("Colour") : specOf(quantityOf(attribute)).name;
+    return attribute == Attribute::Colour ? WishFields::tr("Colour") : specOf(quantityOf(attribute)).name;
 }
 
 /// What the value field holds for a wish; its default is the value when the quantity is chosen.
@@ -53,54 +53,45 @@ FieldSpec specOf(const AttributeWish &wish)
 
 } // namespace
 
-QWidget *AttributeBrushTool::options()
+WishFields::WishFields(QHBoxLayout &row) : QObject(row.parentWidget())
 {
-    if (m_options)
-        return m_options;
-    m_options = new QWidget;
-    QHBoxLayout *row = toolRow(m_options);
-    m_attributes = new QComboBox(m_options);
+    QWidget *parent = row.parentWidget();
+    m_attributes = new QComboBox(parent);
     for (const Attribute attribute : allAttributes)
         m_attributes->addItem(attributeNameOf(attribute));
     m_attributes->setToolTip(tr("What is painted onto the segments"));
     m_attributes->setAccessibleName(m_attributes->toolTip());
-    row->addWidget(m_attributes);
-    m_modes = new QComboBox(m_options);
+    row.addWidget(m_attributes);
+    m_modes = new QComboBox(parent);
     m_modes->addItems({QString(), QString()});
     m_modes->setToolTip(tr("Towards a value, or from the value that each segment has"));
     m_modes->setAccessibleName(m_modes->toolTip());
-    row->addWidget(m_modes);
-    m_value = addNumber(*row, tr("Value"), tr("What a segment has when it got all of it"),
-                        [this](double value) { m_wish.value = value; });
-    m_valueLabel = m_options->findChild<QLabel *>();
-    addSizeField(*row);
-    FieldSpec strength = shareSpec(tr("Strength"), tr("How fast it is laid down"), m_flow);
-    strength.minimum = 0.001;
-    addNumber(*row, strength, [this](double value) { setFlow(value); })->setValue(m_flow);
-    row->addStretch();
-    connect(m_attributes, &QComboBox::activated, this,
-            [this](int i) { chooseAttribute(allAttributes[std::size_t(i)]); });
-    connect(m_modes, &QComboBox::activated, this, [this](int i) {
-        if (m_wish.relative == (i == 1))
-            return;
-        m_wish.relative = i == 1;
-        chooseAttribute(m_wish.attribute);
+    row.addWidget(m_modes);
+    m_value = addNumber(row, tr("Value"), tr("What a segment has when it got all of it"), [this](double value) {
+        m_wish.value = value;
+        emit wishChanged(m_wish);
     });
-    refreshOptions();
-    return m_options;
+    m_valueLabel = parent->findChild<QLabel *>();
+    connect(m_attributes, &QComboBox::activated, this,
+            [this](int i) { choose(allAttributes[std::size_t(i)], m_wish.relative); });
+    connect(m_modes, &QComboBox::activated, this, [this](int i) {
+        if (m_wish.relative != (i == 1))
+            choose(m_wish.attribute, i == 1);
+    });
 }
 
-void AttributeBrushTool::chooseAttribute(Attribute attribute)
+void WishFields::choose(Attribute attribute, bool relative)
 {
     m_wish.attribute = attribute;
+    m_wish.relative = relative;
     m_wish.value = specOf(m_wish).defaultValue;
-    refreshOptions();
+    show(m_wish);
+    emit wishChanged(m_wish);
 }
 
-void AttributeBrushTool::refreshOptions()
+void WishFields::show(const AttributeWish &wish)
 {
-    if (!m_options)
-        return;
+    m_wish = wish;
     const FieldSpec spec = specOf(m_wish);
     m_attributes->setCurrentIndex(int(m_wish.attribute));
     m_modes->setItemText(0, tr("set to"));
