@@ -1458,6 +1458,69 @@ Rückgabewerte: 0 erledigt, 1 fehlgeschlagen, 2 falscher Aufruf.</translation>
     </message>
 </context>
 <context>
+    <name>SelectHints</name>
+    <message>
+        <source>Drag: scale. Ctrl: keep the proportions. Shift: about the centre.</source>
+        <translation>Ziehen: skalieren. Strg: Seitenverhältnis erhalten. Umschalt: um die Mitte.</translation>
+    </message>
+    <message>
+        <source>Drag: rotate. Ctrl: in steps of 15°. Shift: about the opposite corner.</source>
+        <translation>Ziehen: drehen. Strg: in Schritten von 15°. Umschalt: um die gegenüberliegende Ecke.</translation>
+    </message>
+    <message>
+        <source>Drag: skew. Ctrl: in steps of 15°. Shift: about the opposite side.</source>
+        <translation>Ziehen: scheren. Strg: in Schritten von 15°. Umschalt: um die gegenüberliegende Seite.</translation>
+    </message>
+    <message>
+        <source>Drag: move the centre of rotation. Shift+click: back into the middle.</source>
+        <translation>Ziehen: Drehpunkt verschieben. Umschalt+Klick: zurück in die Mitte.</translation>
+    </message>
+    <message>
+        <source>Shift+Alt+click: add the next stroke below, with Ctrl within its group. Shift+Alt+drag: add what the path touches.</source>
+        <translation>Umschalt+Alt+Klick: nächsten Strich darunter hinzufügen, mit Strg den in seiner Gruppe. Umschalt+Alt+Ziehen: hinzufügen, was der Pfad berührt.</translation>
+    </message>
+    <message>
+        <source>Alt+click: select the next stroke below, with Ctrl within its group. Alt+drag: select what the path touches.</source>
+        <translation>Alt+Klick: nächsten Strich darunter auswählen, mit Strg den in seiner Gruppe. Alt+Ziehen: auswählen, was der Pfad berührt.</translation>
+    </message>
+    <message>
+        <source>Ctrl+Shift+click: one stroke of a group, in or out. Ctrl+Shift+drag: take away.</source>
+        <translation>Strg+Umschalt+Klick: einen Strich einer Gruppe dazu oder weg. Strg+Umschalt+Ziehen: wegnehmen.</translation>
+    </message>
+    <message>
+        <source>Ctrl+click: one stroke of a group. Ctrl+drag: move along an axis.</source>
+        <translation>Strg+Klick: ein Strich einer Gruppe. Strg+Ziehen: entlang einer Achse verschieben.</translation>
+    </message>
+    <message>
+        <source>Shift+click: add or take away. Shift+drag: add what the band encloses; while moving: do not snap.</source>
+        <translation>Umschalt+Klick: hinzufügen oder wegnehmen. Umschalt+Ziehen: Umrahmtes hinzufügen; beim Verschieben: nicht einrasten.</translation>
+    </message>
+    <message>
+        <source>Click paint to select its stroke. Drag for a band, over paint with Shift. Alt+click: the stroke below.</source>
+        <translation>Klick auf Farbe wählt ihren Strich. Ziehen: Rahmen, über Farbe mit Umschalt. Alt+Klick: der Strich darunter.</translation>
+    </message>
+    <message>
+        <source>Drag: move. Click again: rotate and skew. Double click: its segment. Shift+click: add. Shift+drag: a band. Alt+click: the stroke below.</source>
+        <translation>Ziehen: verschieben. Noch ein Klick: drehen. Doppelklick: Segment. Umschalt+Klick: dazu. Umschalt+Ziehen: Rahmen. Alt+Klick: darunter.</translation>
+    </message>
+    <message>
+        <source>Move by %1, %2</source>
+        <translation>Verschieben um %1; %2</translation>
+    </message>
+    <message>
+        <source>Scale to %1 % × %2 %</source>
+        <translation>Skalieren auf %1 % × %2 %</translation>
+    </message>
+    <message>
+        <source>Rotate by %1</source>
+        <translation>Drehen um %1</translation>
+    </message>
+    <message>
+        <source>Skew by %1°</source>
+        <translation>Scheren um %1°</translation>
+    </message>
+</context>
+<context>
     <name>SvgPaths</name>
     <message>
         <source>SVG, line %1: %2</source>
@@ -6086,66 +6149,6 @@ Auch die Pfeiltasten wirken.</translation>
     <message>
         <source>Rotate</source>
         <translation>Drehen</translation>
-    </message>
-    <message>
-        <source>Move by %1, %2</source>
-        <translation>Verschieben um %1; %2</translation>
-    </message>
-    <message>
-        <source>Scale to %1 % × %2 %</source>
-        <translation>Skalieren auf %1 % × %2 %</translation>
-    </message>
-    <message>
-        <source>Skew by %1°</source>
-        <translation>Scheren um %1°</translation>
-    </message>
-    <message>
-        <source>Drag: scale. Ctrl: keep the proportions. Shift: about the centre.</source>
-        <translation>Ziehen: skalieren. Strg: Seitenverhältnis erhalten. Umschalt: um die Mitte.</translation>
-    </message>
-    <message>
-        <source>Drag: rotate. Ctrl: in steps of 15°. Shift: about the opposite corner.</source>
-        <translation>Ziehen: drehen. Strg: in Schritten von 15°. Umschalt: um die gegenüberliegende Ecke.</translation>
-    </message>
-    <message>
-        <source>Drag: skew. Ctrl: in steps of 15°. Shift: about the opposite side.</source>
-        <translation>Ziehen: scheren. Strg: in Schritten von 15°. Umschalt: um die gegenüberliegende Seite.</translation>
-    </message>
-    <message>
-        <source>Drag: move the centre of rotation. Shift+click: back into the middle.</source>
-        <translation>Ziehen: Drehpunkt verschieben. Umschalt+Klick: zurück in die Mitte.</translation>
-    </message>
-    <message>
-        <source>Shift+Alt+click: add the next stroke below, with Ctrl within its group. Shift+Alt+drag: add what the path touches.</source>
-        <translation>Umschalt+Alt+Klick: nächsten Strich darunter hinzufügen, mit Strg den in seiner Gruppe. Umschalt+Alt+Ziehen: hinzufügen, was der Pfad berührt.</translation>
-    </message>
-    <message>
-        <source>Alt+click: select the next stroke below, with Ctrl within its group. Alt+drag: select what the path touches.</source>
-        <translation>Alt+Klick: nächsten Strich darunter auswählen, mit Strg den in seiner Gruppe. Alt+Ziehen: auswählen, was der Pfad berührt.</translation>
-    </message>
-    <message>
-        <source>Ctrl+Shift+click: one stroke of a group, in or out. Ctrl+Shift+drag: take away.</source>
-        <translation>Strg+Umschalt+Klick: einen Strich einer Gruppe dazu oder weg. Strg+Umschalt+Ziehen: wegnehmen.</translation>
-    </message>
-    <message>
-        <source>Ctrl+click: one stroke of a group. Ctrl+drag: move along an axis.</source>
-        <translation>Strg+Klick: ein Strich einer Gruppe. Strg+Ziehen: entlang einer Achse verschieben.</translation>
-    </message>
-    <message>
-        <source>Shift+click: add or take away. Shift+drag: add what the band encloses; while moving: do not snap.</source>
-        <translation>Umschalt+Klick: hinzufügen oder wegnehmen. Umschalt+Ziehen: Umrahmtes hinzufügen; beim Verschieben: nicht einrasten.</translation>
-    </message>
-    <message>
-        <source>Click paint to select its stroke. Drag for a band, over paint with Shift. Alt+click: the stroke below.</source>
-        <translation>Klick auf Farbe wählt ihren Strich. Ziehen: Rahmen, über Farbe mit Umschalt. Alt+Klick: der Strich darunter.</translation>
-    </message>
-    <message>
-        <source>Drag: move. Click again: rotate and skew. Double click: its segment. Shift+click: add. Shift+drag: a band. Alt+click: the stroke below.</source>
-        <translation>Ziehen: verschieben. Noch ein Klick: drehen. Doppelklick: Segment. Umschalt+Klick: dazu. Umschalt+Ziehen: Rahmen. Alt+Klick: darunter.</translation>
-    </message>
-    <message>
-        <source>Rotate by %1</source>
-        <translation>Drehen um %1</translation>
     </message>
 </context>
 <context>

@@ -1450,6 +1450,69 @@ Exit codes: 0 done, 1 the work failed, 2 wrong usage.</source>
     </message>
 </context>
 <context>
+    <name>SelectHints</name>
+    <message>
+        <source>Drag: scale. Ctrl: keep the proportions. Shift: about the centre.</source>
+        <translation>拖动：缩放。Ctrl：保持比例。Shift：以中心为基准。</translation>
+    </message>
+    <message>
+        <source>Drag: rotate. Ctrl: in steps of 15°. Shift: about the opposite corner.</source>
+        <translation>拖动：旋转。Ctrl：以 15° 为步长。Shift：绕对角旋转。</translation>
+    </message>
+    <message>
+        <source>Drag: skew. Ctrl: in steps of 15°. Shift: about the opposite side.</source>
+        <translation>拖动：倾斜。Ctrl：以 15° 为步长。Shift：以对边为基准。</translation>
+    </message>
+    <message>
+        <source>Drag: move the centre of rotation. Shift+click: back into the middle.</source>
+        <translation>拖动：移动旋转中心。Shift+点击：恢复到正中。</translation>
+    </message>
+    <message>
+        <source>Shift+Alt+click: add the next stroke below, with Ctrl within its group. Shift+Alt+drag: add what the path touches.</source>
+        <translation>Shift+Alt+点击：添加下方的下一条笔画，按住 Ctrl 时为组内的笔画。Shift+Alt+拖动：添加路径触碰到的内容。</translation>
+    </message>
+    <message>
+        <source>Alt+click: select the next stroke below, with Ctrl within its group. Alt+drag: select what the path touches.</source>
+        <translation>Alt+点击：选择下方的下一条笔画，按住 Ctrl 时为组内的笔画。Alt+拖动：选择路径触碰到的内容。</translation>
+    </message>
+    <message>
+        <source>Ctrl+Shift+click: one stroke of a group, in or out. Ctrl+Shift+drag: take away.</source>
+        <translation>Ctrl+Shift+点击：添加或移除组中的单条笔画。Ctrl+Shift+拖动：移除。</translation>
+    </message>
+    <message>
+        <source>Ctrl+click: one stroke of a group. Ctrl+drag: move along an axis.</source>
+        <translation>Ctrl+点击：选择组中的单条笔画。Ctrl+拖动：沿坐标轴移动。</translation>
+    </message>
+    <message>
+        <source>Shift+click: add or take away. Shift+drag: add what the band encloses; while moving: do not snap.</source>
+        <translation>Shift+点击：添加或移除。Shift+拖动：添加选框圈住的内容；移动时：不吸附。</translation>
+    </message>
+    <message>
+        <source>Click paint to select its stroke. Drag for a band, over paint with Shift. Alt+click: the stroke below.</source>
+        <translation>点击颜料选择其笔画。拖动：框选，在颜料上按住 Shift。Alt+点击：下层笔画。</translation>
+    </message>
+    <message>
+        <source>Drag: move. Click again: rotate and skew. Double click: its segment. Shift+click: add. Shift+drag: a band. Alt+click: the stroke below.</source>
+        <translation>拖动：移动。再次点击：旋转和倾斜。双击：其线段。Shift+点击：添加。Shift+拖动：框选。Alt+点击：下层笔画。</translation>
+    </message>
+    <message>
+        <source>Move by %1, %2</source>
+        <translation>移动 %1, %2</translation>
+    </message>
+    <message>
+        <source>Scale to %1 % × %2 %</source>
+        <translation>缩放到 %1 % × %2 %</translation>
+    </message>
+    <message>
+        <source>Rotate by %1</source>
+        <translation>旋转 %1</translation>
+    </message>
+    <message>
+        <source>Skew by %1°</source>
+        <translation>倾斜 %1°</translation>
+    </message>
+</context>
+<context>
     <name>SvgPaths</name>
     <message>
         <source>SVG, line %1: %2</source>
@@ -6052,66 +6115,6 @@ Arrow keys work too.</source>
     <message>
         <source>Rotate</source>
         <translation>旋转</translation>
-    </message>
-    <message>
-        <source>Move by %1, %2</source>
-        <translation>移动 %1, %2</translation>
-    </message>
-    <message>
-        <source>Scale to %1 % × %2 %</source>
-        <translation>缩放到 %1 % × %2 %</translation>
-    </message>
-    <message>
-        <source>Skew by %1°</source>
-        <translation>倾斜 %1°</translation>
-    </message>
-    <message>
-        <source>Drag: scale. Ctrl: keep the proportions. Shift: about the centre.</source>
-        <translation>拖动：缩放。Ctrl：保持比例。Shift：以中心为基准。</translation>
-    </message>
-    <message>
-        <source>Drag: rotate. Ctrl: in steps of 15°. Shift: about the opposite corner.</source>
-        <translation>拖动：旋转。Ctrl：以 15° 为步长。Shift：绕对角旋转。</translation>
-    </message>
-    <message>
-        <source>Drag: skew. Ctrl: in steps of 15°. Shift: about the opposite side.</source>
-        <translation>拖动：倾斜。Ctrl：以 15° 为步长。Shift：以对边为基准。</translation>
-    </message>
-    <message>
-        <source>Drag: move the centre of rotation. Shift+click: back into the middle.</source>
-        <translation>拖动：移动旋转中心。Shift+点击：恢复到正中。</translation>
-    </message>
-    <message>
-        <source>Shift+Alt+click: add the next stroke below, with Ctrl within its group. Shift+Alt+drag: add what the path touches.</source>
-        <translation>Shift+Alt+点击：添加下方的下一条笔画，按住 Ctrl 时为组内的笔画。Shift+Alt+拖动：添加路径触碰到的内容。</translation>
-    </message>
-    <message>
-        <source>Alt+click: select the next stroke below, with Ctrl within its group. Alt+drag: select what the path touches.</source>
-        <translation>Alt+点击：选择下方的下一条笔画，按住 Ctrl 时为组内的笔画。Alt+拖动：选择路径触碰到的内容。</translation>
-    </message>
-    <message>
-        <source>Ctrl+Shift+click: one stroke of a group, in or out. Ctrl+Shift+drag: take away.</source>
-        <translation>Ctrl+Shift+点击：添加或移除组中的单条笔画。Ctrl+Shift+拖动：移除。</translation>
-    </message>
-    <message>
-        <source>Ctrl+click: one stroke of a group. Ctrl+drag: move along an axis.</source>
-        <translation>Ctrl+点击：选择组中的单条笔画。Ctrl+拖动：沿坐标轴移动。</translation>
-    </message>
-    <message>
-        <source>Shift+click: add or take away. Shift+drag: add what the band encloses; while moving: do not snap.</source>
-        <translation>Shift+点击：添加或移除。Shift+拖动：添加选框圈住的内容；移动时：不吸附。</translation>
-    </message>
-    <message>
-        <source>Click paint to select its stroke. Drag for a band, over paint with Shift. Alt+click: the stroke below.</source>
-        <translation>点击颜料选择其笔画。拖动：框选，在颜料上按住 Shift。Alt+点击：下层笔画。</translation>
-    </message>
-    <message>
-        <source>Drag: move. Click again: rotate and skew. Double click: its segment. Shift+click: add. Shift+drag: a band. Alt+click: the stroke below.</source>
-        <translation>拖动：移动。再次点击：旋转和倾斜。双击：其线段。Shift+点击：添加。Shift+拖动：框选。Alt+点击：下层笔画。</translation>
-    </message>
-    <message>
-        <source>Rotate by %1</source>
-        <translation>旋转 %1</translation>
     </message>
 </context>
 <context>

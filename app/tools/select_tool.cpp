@@ -2,13 +2,14 @@
 
 #include "app/canvas/canvas_widget.h"
 #include "app/session/editor.h"
+#include "app/session/selecting/choosing.h"
+#include "app/tools/select_hints.h"
+#include "app/tools/transform_bar.h"
 #include "app/window/actions.h"
 #include "undo/transform_edits.h"
 
 #include <QKeyEvent>
-#include <QLocale>
-
-#include <numbers>
+#include <QPainter>
 
 namespace suffuse {
 
@@ -16,29 +17,9 @@ namespace {
 
 using Kind = TransformHandle::Kind;
 
-/// Nodes that snap, those nearest to the pointer: of few strokes all.
-constexpr std::size_t snappingNodes = 64;
-
 bool takesAway(const PointerEvent &event)
 {
     return event.modifiers & Qt::ShiftModifier && event.modifiers & Qt::ControlModifier;
-}
-
-std::vector<Point> nodesNear(const Painting &painting, const std::set<StrokeId> &moved, Point point)
-{
-    std::vector<Point> nodes;
-    for (const StrokePtr &stroke : painting.strokes) {
-        if (!moved.contains(stroke->id) || !painting.isVisible(*stroke) || painting.isLocked(*stroke))
-            continue;
-        for (const Segment &segment : stroke->segments)
-            nodes.push_back(stroke->origin + segment.bezier[0]);
-        nodes.push_back(stroke->origin + stroke->segments.back().bezier[3]);
-    }
-    const auto count = std::min(nodes.size(), snappingNodes);
-    std::partial_sort(nodes.begin(), nodes.begin() + std::ptrdiff_t(count), nodes.end(),
-                      [point](Point a, Point b) { return length(a - point) < length(b - point); });
-    nodes.resize(count);
-    return nodes;
 }
 
 } // namespace
@@ -138,15 +119,7 @@ void SelectTool::clickedStroke(const PointerEvent &event)
         const std::set<StrokeId> meant = event.modifiers & Qt::ControlModifier
                                              ? std::set<StrokeId>{m_hit->stroke}
                                              : withGroup(*m_editor.document().painting(), m_hit->stroke);
-        Selection chosen = selection();
-        const bool add = !chosen.strokes.contains(m_hit->stroke);
-        for (const StrokeId id : meant)
-            if (add)
-                chosen.strokes.insert(id);
-            else
-                chosen.strokes.erase(id);
-        std::erase_if(chosen.segments, [&](const SegmentRef &s) { return meant.contains(s.stroke); });
-        select(std::move(chosen));
+        select(toggled(selection(), m_hit->stroke, meant));
     } else if (start().doubleClick) {
         if (turned)
             m_handles.setMode(TransformHandles::Mode::Scale);
@@ -166,10 +139,7 @@ void SelectTool::clickedBelow(const PointerEvent &event)
     const std::vector<SegmentRef> hits = pickAll(painting, m_editor.clock().time(), event.point, tolerance());
     if (hits.empty())
         return;
-    std::size_t next = 0; // below the lowest that is selected; from the lowest, the topmost
-    for (std::size_t i = 0; i < hits.size(); ++i)
-        if (selection().strokes.contains(hits[i].stroke))
-            next = (i + 1) % hits.size();
+    const std::size_t next = nextBelow(hits, selection());
     Selection chosen;
     if (event.modifiers & Qt::ShiftModifier)
         chosen = selection();
@@ -216,17 +186,12 @@ void SelectTool::traced(const std::vector<Point> &path, BandShape shape, const P
 
 void SelectTool::combine(std::set<StrokeId> found, const PointerEvent &event)
 {
+    if (takesAway(event) || takesAway(start()))
+        return select(without(selection(), found));
     Selection chosen;
-    if (takesAway(event) || takesAway(start())) {
+    if ((event.modifiers | start().modifiers) & Qt::ShiftModifier)
         chosen = selection();
-        for (const StrokeId id : found)
-            chosen.strokes.erase(id);
-        std::erase_if(chosen.segments, [&](const SegmentRef &s) { return found.contains(s.stroke); });
-    } else {
-        if ((event.modifiers | start().modifiers) & Qt::ShiftModifier)
-            chosen = selection();
-        chosen.strokes.merge(found);
-    }
+    chosen.strokes.merge(found);
     select(std::move(chosen));
 }
 
@@ -242,26 +207,12 @@ bool SelectTool::beginDrag(const PointerEvent &event)
                          : m_handle->kind == Kind::Skew  ? tr("Skew")
                                                          : tr("Rotate");
     m_drag.begin(m_canvas.selection().strokes, name);
-    beginSnapping(moves);
+    m_snap.begin(*m_editor.document().painting(), m_canvas.aids(), m_canvas.selection(),
+                 moves                                        ? TransformSnap::What::Strokes
+                 : m_handle && m_handle->kind == Kind::Centre ? TransformSnap::What::Centre
+                                                              : TransformSnap::What::Handle,
+                 start().point);
     return m_drag.isActive();
-}
-
-void SelectTool::beginSnapping(bool moving)
-{
-    const Painting &painting = *m_editor.document().painting();
-    const std::set<StrokeId> &moved = m_canvas.selection().strokes;
-    const bool centre = m_handle && m_handle->kind == Kind::Centre; // it may lie on a node of its own strokes
-    m_snapping = Snapping(painting, m_canvas.aids(),
-                          [&](const Stroke &stroke, int) { return !centre && moved.contains(stroke.id); });
-    m_snap = {};
-    m_snapPoints.clear();
-    if (!moving)
-        return;
-    const Rect box = selectionBox(painting, m_canvas.selection());
-    m_snapPoints = {
-        {box.left, box.top}, {box.right, box.top}, {box.right, box.bottom}, {box.left, box.bottom}, box.centre()};
-    for (const Point &node : nodesNear(painting, moved, start().point))
-        m_snapPoints.push_back(node);
 }
 
 void SelectTool::drag(const PointerEvent &event)
@@ -276,20 +227,16 @@ void SelectTool::dragSelection(const PointerEvent &event)
 {
     const View &view = m_canvas.view();
     Point by = event.point - start().point;
-    m_snap = {};
+    m_snap.clear();
     if (event.modifiers & Qt::ControlModifier) { // along one axis of the screen, as in Inkscape
         const Point pixels = event.pixel - start().pixel;
         const Point kept = std::abs(pixels.x) > std::abs(pixels.y) ? Point{pixels.x, 0} : Point{0, pixels.y};
         by = view.toCanvas(start().pixel + kept) - start().point;
     } else if (!(event.modifiers & Qt::ShiftModifier)) { // Shift: freely
-        Point at;
-        const Snap snapped = m_snapping.snapMove(m_snapPoints, by, view, m_canvas.devicePixelRatioF(), &at);
-        by = snapped.point;
-        m_snap = {at, snapped.to};
+        by = m_snap.move(by, view, m_canvas.devicePixelRatioF());
     }
     show(Affine::translation(by));
-    const QLocale locale;
-    say(tr("Move by %1, %2").arg(locale.toString(by.x, 'f', 1), locale.toString(by.y, 'f', 1)));
+    say(SelectHints::ofMove(by));
 }
 
 void SelectTool::dragHandle(const PointerEvent &event)
@@ -298,11 +245,10 @@ void SelectTool::dragHandle(const PointerEvent &event)
     Point to = event.point;
     const bool ctrl = event.modifiers & Qt::ControlModifier;
     const bool snaps = m_handle->kind == Kind::Centre || (m_handle->kind == Kind::Scale && !ctrl);
-    m_snap = {};
+    m_snap.clear();
     if (snaps) { // the corner of the box, not the handle beside it
         const Point beside = m_handle->kind == Kind::Centre ? Point{} : start().point - m_handles.anchor(*m_handle);
-        m_snap = m_snapping.snap(to - beside, view, m_canvas.devicePixelRatioF());
-        to = m_snap.point + beside;
+        to = m_snap.point(to - beside, view, m_canvas.devicePixelRatioF()) + beside;
     }
     if (m_handle->kind == Kind::Centre) {
         m_handles.setCentre(to);
@@ -312,21 +258,12 @@ void SelectTool::dragHandle(const PointerEvent &event)
     const Affine map = m_handles.map(*m_handle, start().point, to, event.modifiers);
     if (map.inverse())
         show(map);
-    const QLocale locale;
-    const auto percent = [&](double scale) { return locale.toString(100 * scale, 'f', 1); };
-    if (m_handle->kind == Kind::Scale) // below 0: mirrored
-        say(tr("Scale to %1 % × %2 %").arg(percent(m_map.a), percent(m_map.d)));
-    else if (m_handle->kind == Kind::Rotate)
-        turned(event);
-    else
-        say(tr("Skew by %1°").arg(locale.toString(std::atan(m_map.b + m_map.c) * 180 / std::numbers::pi, 'f', 1)));
-}
-
-void SelectTool::turned(const PointerEvent &event)
-{
     const double angle = std::atan2(m_map.c, m_map.a);
-    say(tr("Rotate by %1").arg(angleText(angle)));
-    showTurn(angle, event.pixel);
+    say(m_handle->kind == Kind::Scale    ? SelectHints::ofScale(m_map)
+        : m_handle->kind == Kind::Rotate ? SelectHints::ofTurn(angle)
+                                         : SelectHints::ofSkew(m_map));
+    if (m_handle->kind == Kind::Rotate)
+        showTurn(angle, event.pixel);
 }
 
 void SelectTool::show(const Affine &map)
@@ -350,7 +287,7 @@ void SelectTool::endDrag(bool cancelled)
     if (!cancelled && !centre && ownCentre)
         m_handles.setCentre(about); // it stays where it was on the strokes
     m_handle.reset();
-    m_snap = {};
+    m_snap.clear();
     say({});
     showTurn({});
 }
@@ -373,20 +310,91 @@ bool SelectTool::keyPress(QKeyEvent *event)
 void SelectTool::selectNext(int step)
 {
     const Painting &painting = *m_editor.document().painting();
-    const std::set<StrokeId> selectable = selectableStrokes(painting, m_editor.clock().time());
-    std::vector<StrokeId> order;
-    for (const StrokePtr &stroke : painting.strokes)
-        if (selectable.contains(stroke->id))
-            order.push_back(stroke->id);
-    if (order.empty())
+    if (const StrokeId next = nextStroke(painting, m_editor.clock().time(), selection(), step))
+        select(Selection{{next}, {}});
+}
+
+QWidget *SelectTool::options()
+{
+    if (!m_options)
+        m_options = new TransformBar(m_editor, m_actions);
+    return m_options;
+}
+
+void SelectTool::hover(const PointerEvent &event)
+{
+    const auto handle = handles().at(event.pixel, m_canvas.view(), m_canvas.devicePixelRatioF());
+    if (handle == m_hovered)
         return;
-    const auto isSelected = [&](StrokeId id) { return selection().strokes.contains(id); };
-    const int count = int(order.size());
-    int at = step > 0 ? -1 : count;
-    for (int i = 0; i < count; ++i)
-        if (isSelected(order[std::size_t(i)]) && (step > 0 || at == count))
-            at = i;
-    select(Selection{{order[std::size_t((at + step + count) % count)]}, {}});
+    m_hovered = handle;
+    m_said.clear();
+    m_canvas.refreshCursor();
+    m_canvas.updateSelection();
+    emit hintChanged();
+}
+
+void SelectTool::leave()
+{
+    if (!m_hovered)
+        return;
+    m_hovered.reset();
+    m_canvas.updateSelection();
+    emit hintChanged();
+}
+
+QCursor SelectTool::cursor() const
+{
+    return m_hovered ? Qt::PointingHandCursor : Qt::ArrowCursor;
+}
+
+/// On the canvas and in the row over it, while strokes are turned.
+void SelectTool::showTurn(std::optional<double> angle, Point pixel)
+{
+    m_turned = angle;
+    m_turnedAt = pixel;
+    if (m_options)
+        m_options->showTurn(angle);
+    m_canvas.updateSelection();
+}
+
+void SelectTool::say(const QString &text)
+{
+    if (text == m_said)
+        return;
+    m_said = text;
+    emit hintChanged();
+}
+
+QString SelectTool::hint() const
+{
+    if (!m_said.isEmpty())
+        return m_said;
+    return m_hovered ? SelectHints::ofHandle(*m_hovered)
+                     : SelectHints::ofKeys(m_canvas.modifiers(), !selection().isEmpty());
+}
+
+std::optional<double> SelectTool::paintMargin() const
+{
+    constexpr double marks = 40; // logical pixels: of the handles around the box, and of where it snaps
+    const bool centre = m_handle ? m_handle->kind == Kind::Centre : m_handles.mode() == TransformHandles::Mode::Turn;
+    if ((centre || m_turned) && !selection().isEmpty())
+        return {}; // the centre may lie anywhere, and the angle stands beside the pointer
+    return marks * m_canvas.devicePixelRatioF();
+}
+
+void SelectTool::paint(QPainter &painter, const View &view, double dpr) const
+{
+    const OverlayColours &colours = m_canvas.overlayColours();
+    SelectionTool::paint(painter, view, dpr);
+    const bool movesCentre = m_drag.isActive() && m_handle && m_handle->kind == Kind::Centre;
+    if (movesCentre)
+        m_handles.paint(painter, view, dpr, colours.accent, m_handle);
+    else if (!isBusy() && !selection().isEmpty())
+        handles().paint(painter, view, dpr, colours.accent, m_hovered);
+    if (m_drag.isActive() && m_snap.found().to != SnapTo::Nothing)
+        paintSnapMark(painter, view.toPixels(m_snap.found().point), colours, dpr);
+    if (m_turned)
+        paintBadge(painter, angleText(*m_turned), m_turnedAt, 0, view, dpr);
 }
 
 } // namespace suffuse

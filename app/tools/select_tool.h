@@ -1,10 +1,10 @@
 #pragma once
 
 #include "app/session/selecting/pick.h"
-#include "app/session/selecting/snapping.h"
 #include "app/tools/floating_drag.h"
 #include "app/tools/selection_tool.h"
 #include "app/tools/transform_handles.h"
+#include "app/tools/transform_snap.h"
 
 #include <QPointer>
 
@@ -59,15 +59,12 @@ private:
 
     /// Whether a drag from there moves the selection.
     bool isMoving(const PointerEvent &event) const;
-    void beginSnapping(bool moving);
     void dragHandle(const PointerEvent &event);
     void dragSelection(const PointerEvent &event);
-    void turned(const PointerEvent &event);
     void show(const Affine &map);
     /// The readout of a drag, in the status bar.
     void say(const QString &text);
     void showTurn(std::optional<double> angle, Point pixel = {});
-    QString handleHint(const TransformHandle &handle) const;
 
     Actions &m_actions;
     QPointer<TransformBar> m_options;
@@ -83,12 +80,10 @@ private:
     bool m_turnedByClick = false;            ///< the last click changed the handles' mode
     std::optional<TransformHandle> m_handle; ///< that is dragged
     FloatingDrag m_drag;
-    Affine m_map; ///< of the drag so far
+    Affine m_map;                   ///< of the drag so far
     std::optional<double> m_turned; ///< radians, while a drag turns
     Point m_turnedAt;
-    Snapping m_snapping;
-    Snap m_snap;
-    std::vector<Point> m_snapPoints; ///< that move along
+    TransformSnap m_snap;
 };
 
 } // namespace suffuse
