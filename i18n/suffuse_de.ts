@@ -5417,39 +5417,7 @@ Auch die Pfeiltasten wirken.</translation>
     </message>
 </context>
 <context>
-    <name>suffuse::NodeTool</name>
-    <message>
-        <source>Drag the handle to bend the curve. Shift: make the node a corner. Ctrl: steps of 15°.</source>
-        <translation>Ziehen am Anfasser biegt die Kurve. Umschalt: Knoten eckig machen. Strg: Schritte von 15°.</translation>
-    </message>
-    <message>
-        <source>Drag to move the selected nodes. Ctrl: along an axis. Alt: along the handle. Shift+click for more nodes.</source>
-        <translation>Ziehen verschiebt die ausgewählten Knoten. Strg: entlang einer Achse. Alt: entlang des Anfassers. Umschalt+Klick: weitere Knoten.</translation>
-    </message>
-    <message>
-        <source>Drag to bend the curve. Double click to insert a node. Click to select the segment.</source>
-        <translation>Ziehen biegt die Kurve. Doppelklick fügt einen Knoten ein. Klick wählt das Segment aus.</translation>
-    </message>
-    <message>
-        <source>Insert node</source>
-        <translation>Knoten einfügen</translation>
-    </message>
-    <message>
-        <source>Move nodes</source>
-        <translation>Knoten verschieben</translation>
-    </message>
-    <message>
-        <source>Move node</source>
-        <translation>Knoten verschieben</translation>
-    </message>
-    <message>
-        <source>Move handle</source>
-        <translation>Anfasser verschieben</translation>
-    </message>
-    <message>
-        <source>Bend curve</source>
-        <translation>Kurve biegen</translation>
-    </message>
+    <name>suffuse::NodeCommands</name>
     <message>
         <source>Smooth nodes</source>
         <translation>Knoten glätten</translation>
@@ -5489,6 +5457,41 @@ Auch die Pfeiltasten wirken.</translation>
     <message>
         <source>Bridge segments</source>
         <translation>Segmente überbrücken</translation>
+    </message>
+</context>
+<context>
+    <name>suffuse::NodeTool</name>
+    <message>
+        <source>Drag the handle to bend the curve. Shift: make the node a corner. Ctrl: steps of 15°.</source>
+        <translation>Ziehen am Anfasser biegt die Kurve. Umschalt: Knoten eckig machen. Strg: Schritte von 15°.</translation>
+    </message>
+    <message>
+        <source>Drag to move the selected nodes. Ctrl: along an axis. Alt: along the handle. Shift+click for more nodes.</source>
+        <translation>Ziehen verschiebt die ausgewählten Knoten. Strg: entlang einer Achse. Alt: entlang des Anfassers. Umschalt+Klick: weitere Knoten.</translation>
+    </message>
+    <message>
+        <source>Drag to bend the curve. Double click to insert a node. Click to select the segment.</source>
+        <translation>Ziehen biegt die Kurve. Doppelklick fügt einen Knoten ein. Klick wählt das Segment aus.</translation>
+    </message>
+    <message>
+        <source>Insert node</source>
+        <translation>Knoten einfügen</translation>
+    </message>
+    <message>
+        <source>Move nodes</source>
+        <translation>Knoten verschieben</translation>
+    </message>
+    <message>
+        <source>Move node</source>
+        <translation>Knoten verschieben</translation>
+    </message>
+    <message>
+        <source>Move handle</source>
+        <translation>Anfasser verschieben</translation>
+    </message>
+    <message>
+        <source>Bend curve</source>
+        <translation>Kurve biegen</translation>
     </message>
     <message>
         <source>Click a segment to select it, Shift+click for a run or another stroke&apos;s, Ctrl+click to add or remove one. Drag around nodes.</source>

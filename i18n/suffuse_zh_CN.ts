@@ -5384,39 +5384,7 @@ Arrow keys work too.</source>
     </message>
 </context>
 <context>
-    <name>suffuse::NodeTool</name>
-    <message>
-        <source>Drag the handle to bend the curve. Shift: make the node a corner. Ctrl: steps of 15°.</source>
-        <translation>拖动控制柄以弯曲曲线。Shift：使节点变为尖角。Ctrl：以 15° 为步长。</translation>
-    </message>
-    <message>
-        <source>Drag to move the selected nodes. Ctrl: along an axis. Alt: along the handle. Shift+click for more nodes.</source>
-        <translation>拖动以移动所选节点。Ctrl：沿坐标轴。Alt：沿控制柄。Shift+点击：选择更多节点。</translation>
-    </message>
-    <message>
-        <source>Drag to bend the curve. Double click to insert a node. Click to select the segment.</source>
-        <translation>拖动以弯曲曲线。双击插入节点。点击选择线段。</translation>
-    </message>
-    <message>
-        <source>Insert node</source>
-        <translation>插入节点</translation>
-    </message>
-    <message>
-        <source>Move nodes</source>
-        <translation>移动节点</translation>
-    </message>
-    <message>
-        <source>Move node</source>
-        <translation>移动节点</translation>
-    </message>
-    <message>
-        <source>Move handle</source>
-        <translation>移动控制柄</translation>
-    </message>
-    <message>
-        <source>Bend curve</source>
-        <translation>弯曲曲线</translation>
-    </message>
+    <name>suffuse::NodeCommands</name>
     <message>
         <source>Smooth nodes</source>
         <translation>平滑节点</translation>
@@ -5456,6 +5424,41 @@ Arrow keys work too.</source>
     <message>
         <source>Bridge segments</source>
         <translation>桥接线段</translation>
+    </message>
+</context>
+<context>
+    <name>suffuse::NodeTool</name>
+    <message>
+        <source>Drag the handle to bend the curve. Shift: make the node a corner. Ctrl: steps of 15°.</source>
+        <translation>拖动控制柄以弯曲曲线。Shift：使节点变为尖角。Ctrl：以 15° 为步长。</translation>
+    </message>
+    <message>
+        <source>Drag to move the selected nodes. Ctrl: along an axis. Alt: along the handle. Shift+click for more nodes.</source>
+        <translation>拖动以移动所选节点。Ctrl：沿坐标轴。Alt：沿控制柄。Shift+点击：选择更多节点。</translation>
+    </message>
+    <message>
+        <source>Drag to bend the curve. Double click to insert a node. Click to select the segment.</source>
+        <translation>拖动以弯曲曲线。双击插入节点。点击选择线段。</translation>
+    </message>
+    <message>
+        <source>Insert node</source>
+        <translation>插入节点</translation>
+    </message>
+    <message>
+        <source>Move nodes</source>
+        <translation>移动节点</translation>
+    </message>
+    <message>
+        <source>Move node</source>
+        <translation>移动节点</translation>
+    </message>
+    <message>
+        <source>Move handle</source>
+        <translation>移动控制柄</translation>
+    </message>
+    <message>
+        <source>Bend curve</source>
+        <translation>弯曲曲线</translation>
     </message>
     <message>
         <source>Click a segment to select it, Shift+click for a run or another stroke&apos;s, Ctrl+click to add or remove one. Drag around nodes.</source>

@@ -5,12 +5,15 @@
 #include "app/session/selecting/pick.h"
 #include "undo/node_edits.h"
 
+#include <QKeyEvent>
+
 #include <algorithm>
 
 namespace suffuse {
 
 NodeTool::NodeTool(CanvasWidget &canvas, Actions &actions, QObject *parent)
-    : SelectionTool(canvas, parent), m_actions(actions), m_drag(m_editor), m_width(canvas)
+    : SelectionTool(canvas, parent), m_commands(canvas, m_editor, actions, *this, m_nodes), m_drag(m_editor),
+      m_width(canvas)
 {
     connect(&m_editor.document(), &Document::changed, this, &NodeTool::followDocument);
     connect(&canvas, &CanvasWidget::begunChanged, this, [this] {
@@ -22,9 +25,10 @@ NodeTool::NodeTool(CanvasWidget &canvas, Actions &actions, QObject *parent)
         if (!isInUse())
             m_nodes.clear();
         m_marks.reset();
-        updateCommands();
+        m_commands.update();
     });
-    connectCommands();
+    connect(&m_commands, &NodeCommands::chosen, this, &NodeTool::selectNodes);
+    m_commands.update();
 }
 
 bool NodeTool::isInUse() const
@@ -55,6 +59,13 @@ QCursor NodeTool::cursor() const
     return m_hovered.curve ? Qt::OpenHandCursor : Qt::PointingHandCursor;
 }
 
+QWidget *NodeTool::options()
+{
+    if (!m_options)
+        m_options = m_commands.makeRow();
+    return m_options;
+}
+
 void NodeTool::followDocument(const Change &change)
 {
     const std::size_t nodes = m_nodes.size();
@@ -74,7 +85,7 @@ void NodeTool::followDocument(const Change &change)
         m_marks->follow(*m_editor.document().painting(), change.strokes, m_nodes);
     else
         m_marks.reset();
-    updateCommands();
+    m_commands.update();
 }
 
 /// Whether it is one of few strokes in the hand and nothing else.
@@ -99,7 +110,7 @@ void NodeTool::selectNodes(std::set<NodeRef> nodes)
     if (!selection().segments.empty()) // no segments beside nodes; without nodes this is what deselecting them means
         select(Selection{selection().strokes, {}});
     m_marks.reset();
-    updateCommands();
+    m_commands.update();
     m_canvas.updateSelection();
 }
 
@@ -292,6 +303,39 @@ void NodeTool::banded(const Rect &band, const PointerEvent &event)
     }
     selectNodes({});
     select(std::move(chosen));
+}
+
+bool NodeTool::wantsKey(const QKeyEvent &event) const
+{
+    const bool tab = event.key() == Qt::Key_Tab || event.key() == Qt::Key_Backtab;
+    return tab && !(event.modifiers() & (Qt::ControlModifier | Qt::AltModifier)) && !selection().isEmpty();
+}
+
+bool NodeTool::keyPress(QKeyEvent *event)
+{
+    if (isBusy())
+        return SelectionTool::keyPress(event);
+    if (wantsKey(*event)) {
+        m_commands.selectNext(event->key() == Qt::Key_Backtab || event->modifiers() & Qt::ShiftModifier ? -1 : 1);
+        return true;
+    }
+    if (!m_nodes.empty() && event->key() == Qt::Key_Escape) {
+        selectNodes({});
+        return true;
+    }
+    return nudge(event) || SelectionTool::keyPress(event);
+}
+
+bool NodeTool::nudge(QKeyEvent *event)
+{
+    const std::optional<Point> way = nudgeOf(*event);
+    if (m_nodes.empty() || !way)
+        return false;
+    if (!event->isAutoRepeat() || m_nudgeRun == 0)
+        m_nudgeRun = beginEditRun(); // a key held down is one step
+    m_editor.push(moveNodes(m_editor.document(), m_nodes, *way),
+                  m_nodes.size() > 1 ? tr("Move nodes") : tr("Move node"), m_nudgeRun);
+    return true;
 }
 
 std::optional<double> NodeTool::paintMargin() const

@@ -2,6 +2,7 @@
 
 #include "app/session/selecting/snapping.h"
 #include "app/session/selecting/stroke_drag.h"
+#include "app/tools/node_commands.h"
 #include "app/tools/node_marks.h"
 #include "app/tools/selection_tool.h"
 #include "app/tools/width_handle.h"
@@ -34,9 +35,9 @@ public:
     bool keyPress(QKeyEvent *event) override;
     bool wantsKey(const QKeyEvent &event) const override;
     /// The selected nodes; their neighbours are bridged.
-    bool deleteSelected() override;
+    bool deleteSelected() override { return m_commands.deleteNodes(); }
     /// All nodes of the selected strokes.
-    bool selectAll() override;
+    bool selectAll() override { return m_commands.selectAll(); }
     void paint(QPainter &painter, const View &view, double dpr) const override;
     std::optional<double> paintMargin() const override;
 
@@ -80,24 +81,10 @@ private:
     void dragHandle(const PointerEvent &event);
     std::set<StrokeId> strokesOfNodes() const;
     bool nudge(QKeyEvent *event);
-    void selectNext(int step);
 
-    // Commands
-    void connectCommands();
-    void updateCommands();
-    void setKind(NodeKind kind);
-    void insertBetween();
-    void breakAtNodes();
-    void joinNodes();
-    void reverse();
-    void deleteSegments();
-    void bridge();
-    /// The selected segments, or else those between selected nodes.
-    std::set<SegmentRef> chosenSegments() const;
-
-    Actions &m_actions;
     QPointer<QWidget> m_options;
     std::set<NodeRef> m_nodes;
+    NodeCommands m_commands;
     mutable std::optional<NodeMarks> m_marks; ///< of the present state, while nothing changes
     Hovered m_hovered;
 

@@ -1,12 +1,11 @@
-// What keys, menu and the tool's row do to nodes.
+#include "app/tools/node_commands.h"
+
 #include "app/canvas/canvas_widget.h"
 #include "app/session/editor.h"
-#include "app/tools/node_tool.h"
 #include "app/window/actions.h"
 #include "undo/node_edits.h"
 
 #include <QHBoxLayout>
-#include <QKeyEvent>
 #include <QToolButton>
 
 namespace suffuse {
@@ -36,11 +35,13 @@ bool isEnd(const Painting &painting, const NodeRef &node)
 
 } // namespace
 
-void NodeTool::connectCommands()
+NodeCommands::NodeCommands(const CanvasWidget &canvas, Editor &editor, Actions &actions, const Tool &tool,
+                           const std::set<NodeRef> &nodes)
+    : m_canvas(canvas), m_editor(editor), m_actions(actions), m_tool(tool), m_nodes(nodes)
 {
     const auto on = [this](Command command, auto function) {
         connect(&m_actions[command], &QAction::triggered, this, [this, function] {
-            if (!isBusy())
+            if (!m_tool.isBusy())
                 function();
         });
     };
@@ -49,14 +50,13 @@ void NodeTool::connectCommands()
     on(Command::NodeCorner, [this] { setKind(NodeKind::Corner); });
     on(Command::InsertNodes, [this] { insertBetween(); });
     on(Command::BreakNodes, [this] { breakAtNodes(); });
-    on(Command::JoinNodes, [this] { joinNodes(); });
+    on(Command::JoinNodes, [this] { join(); });
     on(Command::DeleteSegments, [this] { deleteSegments(); });
     on(Command::BridgeSegments, [this] { bridge(); });
     on(Command::ReverseStrokes, [this] { reverse(); });
-    updateCommands();
 }
 
-void NodeTool::updateCommands()
+void NodeCommands::update()
 {
     const Painting &painting = *m_editor.document().painting();
     const bool any = !m_nodes.empty();
@@ -68,15 +68,13 @@ void NodeTool::updateCommands()
         m_actions[command].setEnabled(segments);
     m_actions[Command::JoinNodes].setEnabled(m_nodes.size() == 2 && isEnd(painting, *m_nodes.begin()) &&
                                              isEnd(painting, *m_nodes.rbegin()));
-    m_actions[Command::ReverseStrokes].setEnabled(!selection().isEmpty());
+    m_actions[Command::ReverseStrokes].setEnabled(!m_editor.document().selection().isEmpty());
 }
 
-QWidget *NodeTool::options()
+QWidget *NodeCommands::makeRow()
 {
-    if (m_options)
-        return m_options;
-    m_options = new QWidget;
-    auto *row = new QHBoxLayout(m_options);
+    auto *widget = new QWidget;
+    auto *row = new QHBoxLayout(widget);
     row->setContentsMargins(4, 0, 4, 0);
     row->setSpacing(2);
     for (const std::optional<Command> &command : rowOfCommands) {
@@ -84,32 +82,32 @@ QWidget *NodeTool::options()
             row->addSpacing(10);
             continue;
         }
-        auto *button = new QToolButton(m_options);
+        auto *button = new QToolButton(widget);
         button->setDefaultAction(&m_actions[*command]);
         button->setIconSize(QSize(20, 20));
         button->setAutoRaise(true);
         row->addWidget(button);
     }
     row->addStretch();
-    return m_options;
+    return widget;
 }
 
-std::set<SegmentRef> NodeTool::chosenSegments() const
+std::set<SegmentRef> NodeCommands::chosenSegments() const
 {
-    std::set<SegmentRef> chosen = selection().segments;
+    std::set<SegmentRef> chosen = m_editor.document().selection().segments;
     for (const NodeRef &node : m_nodes)
         if (m_nodes.contains({node.stroke, node.node + 1}))
             chosen.insert({node.stroke, node.node});
     return chosen;
 }
 
-void NodeTool::setKind(NodeKind kind)
+void NodeCommands::setKind(NodeKind kind)
 {
     const QString names[] = {tr("Smooth nodes"), tr("Symmetric nodes"), tr("Corner nodes")};
     m_editor.push(setNodeKind(m_editor.document(), m_nodes, kind), names[int(kind)]);
 }
 
-void NodeTool::insertBetween()
+void NodeCommands::insertBetween()
 {
     PlacesOfStrokes places;
     for (const SegmentRef &segment : chosenSegments())
@@ -130,29 +128,29 @@ void NodeTool::insertBetween()
         }
     }
     m_editor.push(insertNodes(m_editor.document(), places), tr("Insert nodes"));
-    selectNodes(std::move(nodes));
+    emit chosen(nodes);
 }
 
-void NodeTool::breakAtNodes()
+void NodeCommands::breakAtNodes()
 {
     const Edit edit = splitAtNodes(m_editor.document(), m_nodes);
     if (edit.isEmpty())
         return;
-    selectNodes({});
+    emit chosen({});
     m_editor.push(edit, tr("Break stroke"));
 }
 
-void NodeTool::joinNodes()
+void NodeCommands::join()
 {
     const NodeRef a = *m_nodes.begin(), b = *m_nodes.rbegin();
     const Edit edit = suffuse::joinNodes(m_editor.document(), a, b);
     if (edit.isEmpty())
         return;
-    selectNodes({});
+    emit chosen({});
     m_editor.push(edit, tr("Join nodes"));
 }
 
-void NodeTool::reverse()
+void NodeCommands::reverse()
 {
     std::set<NodeRef> nodes;
     for (const NodeRef &node : m_nodes)
@@ -160,37 +158,37 @@ void NodeTool::reverse()
             nodes.insert({node.stroke, nodeCount(*stroke) - 1 - node.node});
     m_editor.push(reverseSelection(m_editor.document()), tr("Reverse strokes"));
     if (!m_nodes.empty())
-        selectNodes(std::move(nodes));
+        emit chosen(nodes);
 }
 
-bool NodeTool::deleteSelected()
+bool NodeCommands::deleteNodes()
 {
     if (m_nodes.empty())
         return false;
-    const Edit edit = deleteNodes(m_editor.document(), m_nodes);
-    selectNodes({});
+    const Edit edit = suffuse::deleteNodes(m_editor.document(), m_nodes);
+    emit chosen({});
     m_editor.push(edit, tr("Delete nodes"));
     return true;
 }
 
-void NodeTool::deleteSegments()
+void NodeCommands::deleteSegments()
 {
     const std::set<SegmentRef> segments = chosenSegments();
     std::set<StrokeId> strokes; // others that are selected must stay
     for (const SegmentRef &segment : segments)
         strokes.insert(segment.stroke);
-    select(Selection{strokes, segments});
+    m_editor.document().setSelection({strokes, segments});
     m_editor.push(deleteSelection(m_editor.document()), tr("Delete segments"));
 }
 
-void NodeTool::bridge()
+void NodeCommands::bridge()
 {
     const Edit edit = bridgeSegments(m_editor.document(), chosenSegments());
-    selectNodes({});
+    emit chosen({});
     m_editor.push(edit, tr("Bridge segments"));
 }
 
-bool NodeTool::selectAll()
+bool NodeCommands::selectAll()
 {
     std::set<NodeRef> nodes;
     const Painting &painting = *m_editor.document().painting();
@@ -201,44 +199,11 @@ bool NodeTool::selectAll()
                 nodes.insert(nodes.end(), NodeRef{stroke->id, k});
     if (nodes.empty())
         return false;
-    selectNodes(std::move(nodes));
+    emit chosen(nodes);
     return true;
 }
 
-bool NodeTool::wantsKey(const QKeyEvent &event) const
-{
-    const bool tab = event.key() == Qt::Key_Tab || event.key() == Qt::Key_Backtab;
-    return tab && !(event.modifiers() & (Qt::ControlModifier | Qt::AltModifier)) && !selection().isEmpty();
-}
-
-bool NodeTool::keyPress(QKeyEvent *event)
-{
-    if (isBusy())
-        return SelectionTool::keyPress(event);
-    if (wantsKey(*event)) {
-        selectNext(event->key() == Qt::Key_Backtab || event->modifiers() & Qt::ShiftModifier ? -1 : 1);
-        return true;
-    }
-    if (!m_nodes.empty() && event->key() == Qt::Key_Escape) {
-        selectNodes({});
-        return true;
-    }
-    return nudge(event) || SelectionTool::keyPress(event);
-}
-
-bool NodeTool::nudge(QKeyEvent *event)
-{
-    const std::optional<Point> way = nudgeOf(*event);
-    if (m_nodes.empty() || !way)
-        return false;
-    if (!event->isAutoRepeat() || m_nudgeRun == 0)
-        m_nudgeRun = beginEditRun(); // a key held down is one step
-    m_editor.push(moveNodes(m_editor.document(), m_nodes, *way),
-                  m_nodes.size() > 1 ? tr("Move nodes") : tr("Move node"), m_nudgeRun);
-    return true;
-}
-
-void NodeTool::selectNext(int step)
+void NodeCommands::selectNext(int step)
 {
     const Painting &painting = *m_editor.document().painting();
     std::vector<const Stroke *> strokes;
@@ -254,7 +219,7 @@ void NodeTool::selectNext(int step)
         ++at;
     if (at == strokes.size()) {
         const Stroke &first = step > 0 ? *strokes.front() : *strokes.back();
-        selectNodes({{first.id, step > 0 ? 0 : nodeCount(first) - 1}});
+        emit chosen({{first.id, step > 0 ? 0 : nodeCount(first) - 1}});
         return;
     }
     int node = from.node + step;
@@ -262,7 +227,7 @@ void NodeTool::selectNext(int step)
         at = (at + strokes.size() + std::size_t(step)) % strokes.size();
         node = step > 0 ? 0 : nodeCount(*strokes[at]) - 1;
     }
-    selectNodes({{strokes[at]->id, node}});
+    emit chosen({{strokes[at]->id, node}});
 }
 
 } // namespace suffuse
