@@ -1,9 +1,12 @@
 #include "model/formats/text/json_reader.h"
 
 #include "model/formats/messages.h"
+#include "model/formats/text/json_tokens.h"
 
-#include <algorithm>
-#include <cstring>
+#include <QStringDecoder>
+
+#include <charconv>
+#include <limits>
 
 namespace suffuse {
 
@@ -89,20 +92,7 @@ int JsonReader::memberName(std::span<const std::string_view> names, std::uint32_
 
 std::string_view JsonReader::valueToken() const
 {
-    const char *end = m_at;
-    if (end < m_end && *end == '"') {
-        for (++end; end < m_end && *end != '"' && end - m_at < 60; ++end)
-            end += *end == '\\' && end + 1 < m_end;
-        end = std::min(end + 1, m_end);
-    } else if (end < m_end && (*end == '{' || *end == '[')) {
-        return *end == '{' ? "{…}" : "[…]";
-    } else {
-        while (end < m_end && end - m_at < 60 && !std::strchr(" \t\r\n,]}:", *end))
-            ++end;
-        if (end == m_at && end < m_end)
-            ++end;
-    }
-    return {m_at, std::size_t(end - m_at)};
+    return json::valueAt(m_at, m_end);
 }
 
 void JsonReader::failType(const QString &wanted)
@@ -172,6 +162,129 @@ void JsonReader::failSyntax(const QString &what)
     const qint64 column = QString::fromUtf8(lineStart, m_at - lineStart).size() + 1;
     m_error = shownName(m_fileName) + QStringLiteral(": ") +
               FileMessages::tr("line %1, column %2: %3").arg(line).arg(column).arg(what);
+}
+
+bool JsonReader::readText(std::string &text)
+{
+    ++m_at; // the quote
+    char escape = 0;
+    switch (json::readString(m_at, m_end, text, escape)) {
+    case json::StringEnd::EndOfFile:
+        failSyntax(FileMessages::tr("the file ends inside a string; it is probably cut off"));
+        return false;
+    case json::StringEnd::ControlCharacter:
+        failSyntax(FileMessages::tr("a string has a control character; write it as an escape such as \\n"));
+        return false;
+    case json::StringEnd::WrongEscape:
+        failSyntax(FileMessages::tr("a string has a wrong escape “\\%1”").arg(QLatin1Char(escape)));
+        return false;
+    case json::StringEnd::Quote:
+        break;
+    }
+    return true;
+}
+
+bool JsonReader::numberToken(std::string_view &token)
+{
+    if (!ok())
+        return false;
+    skipSpace();
+    token = json::numberAt(m_at, m_end);
+    if (token.empty()) {
+        failType(FileMessages::tr("a number"));
+        return false;
+    }
+    m_at += token.size();
+    return true;
+}
+
+template <typename Number>
+void JsonReader::readFloating(Number &value)
+{
+    std::string_view token;
+    if (!numberToken(token))
+        return;
+    const auto [end, code] = std::from_chars(token.data(), token.data() + token.size(), value);
+    if (code == std::errc())
+        return;
+    if (json::isTooLarge(token))
+        fail(FileMessages::tr("%1 is too large; the largest number is %2")
+                 .arg(excerpt(token))
+                 .arg(double(std::numeric_limits<Number>::max()), 0, 'g', 4));
+    value = token.front() == '-' ? Number(-0.0) : Number(0);
+}
+
+void JsonReader::read(float &value)
+{
+    readFloating(value);
+}
+
+void JsonReader::read(double &value)
+{
+    readFloating(value);
+}
+
+void JsonReader::read(std::uint64_t &value)
+{
+    std::string_view token;
+    if (!numberToken(token))
+        return;
+    const auto [end, code] = std::from_chars(token.data(), token.data() + token.size(), value);
+    if (code != std::errc() || end != token.data() + token.size())
+        fail(FileMessages::tr("%1 is not a whole number from 0 to 2^64 − 1").arg(excerpt(token)));
+}
+
+void JsonReader::readSeconds(Microseconds &value)
+{
+    std::string_view token;
+    if (!numberToken(token))
+        return;
+    if (const std::optional<Microseconds> seconds = json::secondsOf(token))
+        value = *seconds;
+    else
+        fail(FileMessages::tr("%1 s is not in [-1e12, 1e12]").arg(excerpt(token)));
+}
+
+void JsonReader::read(bool &value)
+{
+    if (!ok())
+        return;
+    skipSpace();
+    const std::string_view token = valueToken();
+    if (token != "true" && token != "false") {
+        failType(FileMessages::tr("true or false"));
+        return;
+    }
+    value = token == "true";
+    m_at += token.size();
+}
+
+bool JsonReader::skipNull()
+{
+    if (!ok())
+        return false;
+    skipSpace();
+    if (valueToken() != "null")
+        return false;
+    m_at += 4;
+    return true;
+}
+
+void JsonReader::read(QString &value)
+{
+    if (!ok())
+        return;
+    skipSpace();
+    if (m_at >= m_end || *m_at != '"') {
+        failType(FileMessages::tr("a string in quotes"));
+        return;
+    }
+    if (!readText(m_text))
+        return;
+    QStringDecoder decoder(QStringDecoder::Utf8, QStringDecoder::Flag::Stateless);
+    value = decoder(QByteArrayView(m_text.data(), qsizetype(m_text.size())));
+    if (decoder.hasError())
+        fail(FileMessages::tr("is not UTF-8; save the file in that encoding"));
 }
 
 } // namespace suffuse

@@ -109,8 +109,6 @@ private:
     bool nextItem(char closing, bool first);
     int memberName(std::span<const std::string_view> names, std::uint32_t found);
     bool readText(std::string &text);
-    bool readEscape(std::string &text);
-    bool readHex(std::uint32_t &unit);
     bool numberToken(std::string_view &token);
     std::string_view valueToken() const;
     void failType(const QString &wanted);
