@@ -1,14 +1,12 @@
 // Who may know whom: ARCHITECTURE.md's table, checked against every #include. That no more than two units know each
 // other in a circle. And that no two types share a name.
-#include <QDirIterator>
-#include <QFile>
-#include <QFileInfo>
+#include "tests/cli/sources.h"
+
 #include <QLibraryInfo>
 #include <QMultiMap>
 #include <QRegularExpression>
 #include <QTest>
 
-#include <functional>
 #include <map>
 #include <set>
 
@@ -287,25 +285,6 @@ QStringList typesIn(const QString &text, bool unnamed = false)
         }
     }
     return out;
-}
-
-/// Calls `use` with the path below the root, and the text, of every source; returns how many there are.
-int forEachSource(const std::function<void(const QString &path, const QString &text)> &use)
-{
-    const QDir root(SUFFUSE_SOURCE_DIR);
-    int files = 0;
-    for (const char *folder : {"model", "undo", "render", "app"}) {
-        QDirIterator it(root.filePath(folder), {"*.h", "*.cpp", "*.cu", "*.cuh"}, QDir::Files,
-                        QDirIterator::Subdirectories);
-        while (it.hasNext()) {
-            QFile file(it.next());
-            if (!file.open(QIODevice::ReadOnly))
-                qFatal("%s cannot be read", qPrintable(file.fileName()));
-            use(root.relativeFilePath(file.fileName()), QString::fromUtf8(file.readAll()));
-            ++files;
-        }
-    }
-    return files;
 }
 
 } // namespace
