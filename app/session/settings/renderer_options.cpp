@@ -1,6 +1,7 @@
 #include "app/session/settings/renderer_options.h"
 
 #include "app/session/settings/settings.h"
+#include "model/environment.h"
 
 namespace suffuse::settings {
 
@@ -8,7 +9,7 @@ RendererOptions rendererOptions()
 {
     RendererOptions options;
     options.threads = threads();
-    const QByteArray wish = qgetenv("SUFFUSE_BACKEND").toLower();
+    const QByteArray wish = QByteArray::fromStdString(environment::value(environment::Variable::Backend)).toLower();
     options.backend = wish == "cuda"   ? Backend::Cuda
                       : wish == "cpu"  ? Backend::Cpu
                       : wish == "auto" ? Backend::Auto
