@@ -67,7 +67,7 @@ Row measureDrag(EditingSession &s, const Drag &drag, int events)
     Row row = rowOf(drag.name, times);
     s.settle();
     double evaluated = 0, influenced = 0;
-    for (int i = events; i < events + 20; ++i) { // one by one, for the pixels
+    for (int i = events; i < events + std::min(events, 20); ++i) { // one by one, for the pixels
         const PaintingPtr before = s.document().painting();
         s.takeEvaluatedPixels();
         (void)s.untilShown([&] { drag.move(i); });

@@ -52,7 +52,8 @@ private slots:
     void cullingChangesNothing()
     {
         std::mt19937_64 random(4);
-        const auto p = painting(randomStrokes(random, 25, 130, 101), 130, 101, {PaperKind::Procedural, 1, 16, 0.7f, {}});
+        const auto p =
+            painting(randomStrokes(random, 25, 130, 101), 130, 101, {PaperKind::Procedural, 1, 16, 0.7f, {}});
         for (const View &v : {View::ofArea(p->canvas.area(), 130, 101), View{{60, 50}, 0.11, 0.5, true, 70, 61},
                               View{{60, 50}, 30, 0.2, false, 70, 61}, View{{60, 50}, 900, 0, false, 70, 61}})
             for (int tile : {8, 32}) {
@@ -67,11 +68,11 @@ private slots:
     {
         std::mt19937_64 random(5);
         std::uniform_real_distribution<double> u(0, 1);
-        auto p = painting(randomStrokes(random, 20, 160, 120), 160, 120);
-        const auto live = make(Backend::Cpu);
+        auto p = painting(randomStrokes(random, 20, 96, 72), 96, 72);
+        const auto live = make(Backend::Cpu, 0, 16); // 30 tiles, of which an edit reaches some
         FloatPicture picture;
         Microseconds time = p->end();
-        const View view = View::ofArea(p->canvas.area(), 160, 120);
+        const View view = View::ofArea(p->canvas.area(), 96, 72);
         QVERIFY(live->render({p, time, view, false}, picture));
         bool partial = false;
         for (int step = 0; step < 120; ++step) {
@@ -119,7 +120,8 @@ private slots:
     {
         std::vector<Stroke> strokes;
         for (int i = 0; i < 6; ++i)
-            strokes.push_back(stroke(StrokeId(i + 1), Shape::Straight, {60.0 + 90 * i, 60}, 25, 4, styleOf(StyleKind::Uniform)));
+            strokes.push_back(
+                stroke(StrokeId(i + 1), Shape::Straight, {60.0 + 90 * i, 60}, 25, 4, styleOf(StyleKind::Uniform)));
         const auto p = painting(strokes, 600, 120);
         const auto renderer = make(Backend::Cpu);
         FloatPicture picture;
@@ -163,7 +165,8 @@ private slots:
                     g.maxAge = float(std::pow(10, -6 + 12 * u(random)));
                 }
             const auto p = painting(strokes, 64, 48);
-            const FloatPicture picture = test::render(*renderer, p, View{{32, 24}, std::pow(10, -2 + 4 * u(random)), 0, false, 32, 24});
+            const FloatPicture picture =
+                test::render(*renderer, p, View{{32, 24}, std::pow(10, -2 + 4 * u(random)), 0, false, 16, 12});
             for (float v : picture.rgba)
                 QVERIFY(v >= 0 && v <= 1);
         }

@@ -16,6 +16,9 @@
 
 using namespace suffuse;
 
+/// Of a window whose every pixel OpenGL draws by software, at a scale of 2 four of them for one.
+constexpr QSize fewPixels(900, 640);
+
 class TestWindow : public QObject {
     Q_OBJECT
 
@@ -68,6 +71,7 @@ void TestWindow::bothPresentersShowThePicture()
     QVERIFY(QTest::qWaitForWindowExposed(&s.window));
     QCOMPARE(s.canvas().presenterName(), presenter);
     QCOMPARE(s.canvas().view().width, qRound(s.canvas().width() * s.canvas().devicePixelRatioF()));
+    s.window.resize(fewPixels);
     s.paintLine({150, 200}, {850, 300});
     s.paintLine({150, 600}, {850, 250});
     COMPARE_SCREEN(s); // half way
@@ -92,7 +96,7 @@ void TestWindow::turnedAndMirroredViews()
     s.canvas().mirror();
     s.canvas().panBy({17, -9});
     COMPARE_SCREEN(s);
-    s.window.resize(900, 640);
+    s.window.resize(fewPixels);
     COMPARE_SCREEN(s);
 }
 
@@ -102,6 +106,7 @@ void TestWindow::docksFloatAndComeBack()
     qputenv("SUFFUSE_PRESENTER", presenter.toLatin1());
     Session s;
     QVERIFY(QTest::qWaitForWindowExposed(&s.window));
+    s.window.resize(fewPixels);
     s.paintLine({150, 200}, {850, 500});
     s.dry();
     const QList<QDockWidget *> docks = s.window.findChildren<QDockWidget *>();
@@ -265,11 +270,11 @@ void TestWindow::paintingKeepsUpWithTheHand()
                               1e3 * toSeconds(s.editor().clock().time() - frame.time)});
     });
     const auto point = [&](int i) {
-        return QPoint(int(s.canvas().width() * (0.1 + 0.0025 * i)),
-                      int(s.canvas().height() * (0.5 + 0.3 * std::sin(i * 0.05))));
+        return QPoint(int(s.canvas().width() * (0.1 + 0.005 * i)),
+                      int(s.canvas().height() * (0.5 + 0.3 * std::sin(i * 0.1))));
     };
-    // 2.5 s of a hand at 125 reports a second; where OpenGL is software every report takes long.
-    const int reports = presenter == "OpenGL" ? 40 : 320;
+    // A hand at 125 reports a second, for 1.3 s; where OpenGL is software every report takes long.
+    const int reports = presenter == "OpenGL" ? 24 : 160;
     QTest::mousePress(&s.canvas(), Qt::LeftButton, {}, point(0));
     for (int i = 1; i <= reports; ++i) {
         QTest::qWait(std::max<int>(0, int(8 * i - clock.elapsed())));
