@@ -127,7 +127,7 @@ private:
     }
 
     /// "exact a", "exact a device", "estimate a b": from a to b, "coarse b from a", "float b" and its flags, "prepare
-    /// coarse a", "prepare lift L", "forget", "wait", "wait 30": until then.
+    /// coarse a", "prepare lift L", "tell rest", "forget", "wait", "wait 30": until then.
     QString describe(const FrameTask &task) const
     {
         using std::chrono::milliseconds;
@@ -152,6 +152,8 @@ private:
             return "prepare lift" + QString(task.liftIsShown ? " over exact" : "");
         case Kind::Forget:
             return "forget";
+        case Kind::TellRest:
+            return "tell rest";
         }
         return {};
     }

@@ -149,7 +149,16 @@ void TestFrameSchedule::coarseFrames()
     const auto row = [](const char *name, const QStringList &lines) { QTest::newRow(name) << lines; };
     row("a slow gesture is coarse, and exact when it pauses",
         slowGesture +
-            QStringList{"205 done > wait 235", "234 rest > wait 235", "235 rest > exact b", "275 done 40 > wait"});
+            QStringList{"205 done > wait 235", "234 rest > wait 235", "235 rest > exact b", "275 done 40 > wait 395"});
+    row("the window hears of a longer rest, once",
+        slowGesture + QStringList{"205 done > wait 235", "235 rest > exact b", "275 done 40 > wait 395",
+                                  "394 rest > wait 395", "395 rest > tell rest", "396 done > wait",
+                                  "9000 rest > wait"});
+    row("a frame that is wanted meanwhile comes first",
+        slowGesture + QStringList{"205 done > wait 235", "235 rest > exact b", "275 done 40 > wait 395",
+                                  "395 rest > tell rest", "396 ask c drag > cancelled", "397 done > coarse c~ from b"});
+    row("what is no gesture does not rest",
+        slowGesture + QStringList{"205 done > wait 235", "210 ask b > exact b", "250 done 40 > wait"});
     row("a pause begins with the last frame",
         slowGesture + QStringList{"205 done > wait 235", "220 ask c drag > coarse c~ from b~", "225 done > wait 255",
                                   "255 rest > exact c"});
@@ -182,16 +191,16 @@ void TestFrameSchedule::coarseFrames()
         slowGesture + QStringList{"205 done > wait 235", "210 ask b > exact b", "250 done 40 > wait",
                                   "260 ask c drag > estimate b c~", "261 differs 4 100 > exact c~"});
     row("without being wanted none is coarse",
-        {"0 ask a > exact a", "40 done 40 > wait", "50 ask b drag > exact b~", "90 done 40 > wait",
-         "100 ask c drag > exact c~", "140 done 40 > wait", "150 ask d drag > exact d~"});
+        {"0 ask a > exact a", "40 done 40 > wait", "50 ask b drag > exact b~", "90 done 40 > wait 210",
+         "100 ask c drag > exact c~", "140 done 40 > wait 260", "150 ask d drag > exact d~"});
     row("nor without a gesture", slowPainting + QStringList{"200 ask b > exact b", "240 done 40 > wait 340"});
     row("nor in another view", slowGesture + QStringList{"205 done > wait 235", "210 ask b@2 drag > exact b@2~"});
     row("nor the first frame", {"0 coarse on > wait", "0 ask a drag > exact a~"});
     row("nor after an error",
         slowPainting + QStringList{"200 ask b > exact b", "201 failed > wait", "202 ask c drag > exact c~"});
     row("nor where the source cannot, ever again",
-        slowGesture + QStringList{"205 failed > exact b~", "245 done 40 > wait", "250 ask c drag > exact c~",
-                                  "290 done 40 > wait", "300 ask d drag > exact d~"});
+        slowGesture + QStringList{"205 failed > exact b~", "245 done 40 > wait 365", "250 ask c drag > exact c~",
+                                  "290 done 40 > wait 410", "300 ask d drag > exact d~"});
     row("nor where it cannot this time",
         slowGesture + QStringList{"205 unfit > exact b~", "245 done 40 > wait 345", "250 ask c drag > estimate b~ c~",
                                   "251 differs 4 5000 > coarse c~ from b~"});
@@ -235,7 +244,7 @@ void TestFrameSchedule::devices()
                                              "2 unpublished > exact a", "3 done > exact b"});
     row("frames of a device are never coarse",
         {"0 device on > wait", "0 coarse on > wait", "0 ask a > exact a device", "40 done 40 > wait",
-         "50 ask b drag > exact b~ device", "90 done 40 > wait", "100 ask c drag > exact c~ device"});
+         "50 ask b drag > exact b~ device", "90 done 40 > wait 210", "100 ask c drag > exact c~ device"});
     row("nor do they float", {"0 device on > wait", "0 ask a > exact a device", "40 done 40 > wait", "50 lift a > wait",
                               "60 ask a drag float a > exact a~ device"});
     row("when it is lost the CPU goes on as ever",
@@ -248,42 +257,47 @@ void TestFrameSchedule::floatingFrames()
 {
     const auto row = [](const char *name, const QStringList &lines) { QTest::newRow(name) << lines; };
     const QStringList floating =
-        lifted + QStringList{"120 done > wait", "200 ask a drag float a > float a~ over exact all", "202 done > wait"};
+        lifted +
+        QStringList{"120 done > wait", "200 ask a drag float a > float a~ over exact all", "202 done > wait 322"};
     row("the first frame replaces all, those after it what differs",
-        floating + QStringList{"216 ask a drag float a > float a~", "218 done > wait"});
+        floating + QStringList{"216 ask a drag float a > float a~", "218 done > wait 338"});
     row("and so does the first of another lift", floating + QStringList{"216 ask a drag float b > float a~ all"});
-    row("what the document does not have stays afloat", floating + QStringList{"9000 rest > wait"});
+    row("what the document does not have stays afloat, and the window hears when the hand rests",
+        floating + QStringList{"321 rest > wait 322", "322 rest > tell rest", "323 done > wait", "9000 rest > wait"});
+    row("but no more when it moves again",
+        floating + QStringList{"321 ask a drag float a > float a~", "324 done > wait 444", "443 rest > wait 444"});
     row("what it has is exact after a pause",
         floating + QStringList{"300 ask b drag float a settled > float b~", "302 done > wait 332", "332 rest > exact b",
-                               "372 done 40 > wait"});
+                               "372 done 40 > wait 492"});
     row("but not where the hand has moved since",
         floating + QStringList{"300 ask b drag float a settled > float b~", "302 done > wait 332",
-                               "310 ask b drag float a > float b~", "312 done > wait"});
+                               "310 ask b drag float a > float b~", "312 done > wait 432"});
     row("that gives way to a hand that goes on",
         floating + QStringList{"300 ask b drag float a settled > float b~", "302 done > wait 332", "332 rest > exact b",
                                "333 ask b drag float a > cancelled", "334 cancelled > float b~"});
     row("what is exact already does not float back",
         floating + QStringList{"300 ask b drag float a settled > float b~", "302 done > wait 332", "332 rest > exact b",
-                               "372 done 40 > wait", "380 ask b float a settled > exact b"});
+                               "372 done 40 > wait 492", "380 ask b float a settled > exact b"});
     row("what is given up is exact",
-        floating + QStringList{"210 lift none > wait 5210", "210 ask a > exact a", "250 done 40 > wait 5250"});
+        floating + QStringList{"210 lift none > wait 330", "210 ask a > exact a", "250 done 40 > wait 5250"});
     row("the first frame in another view replaces all",
-        floating + QStringList{"216 ask a@2 drag float a > float a@2~ all", "218 done > wait",
+        floating + QStringList{"216 ask a@2 drag float a > float a@2~ all", "218 done > wait 338",
                                "232 ask a@2 drag float a > float a@2~"});
-    row("over what floats no frame is coarse", lifted + QStringList{"120 done > wait", "130 coarse on > wait",
-                                                                    "200 ask a drag float a > float a~ over exact all",
-                                                                    "202 done > wait", "210 ask b drag > exact b~"});
+    row("over what floats no frame is coarse",
+        lifted + QStringList{"120 done > wait", "130 coarse on > wait",
+                             "200 ask a drag float a > float a~ over exact all", "202 done > wait 322",
+                             "210 ask b drag > exact b~"});
     row("a hand that does not wait gets it at once",
         lifted + QStringList{"105 ask a drag float a > cancelled", "106 cancelled > float a~ over exact all"});
     row("where it cannot be composed the frame is exact",
-        floating + QStringList{"216 ask b drag float a > float b~", "217 unfit > exact b~", "257 done 40 > wait",
+        floating + QStringList{"216 ask b drag float a > float b~", "217 unfit > exact b~", "257 done 40 > wait 377",
                                "260 ask c drag float a > float c~ all"});
     row("where it never can, all are",
-        floating + QStringList{"216 ask b drag float a > float b~", "217 failed > exact b~", "257 done 40 > wait",
-                               "260 ask c drag float a > exact c~", "300 done 40 > wait"});
+        floating + QStringList{"216 ask b drag float a > float b~", "217 failed > exact b~", "257 done 40 > wait 377",
+                               "260 ask c drag float a > exact c~", "300 done 40 > wait 420"});
     row("or coarse, where that is wanted",
         slowPainting + QStringList{"160 lift a > prepare lift over exact", "170 done > wait",
-                                   "180 ask b drag float a > float b~ over exact all", "181 done > wait",
+                                   "180 ask b drag float a > float b~ over exact all", "181 done > wait 301",
                                    "190 ask c > exact c", "230 done 40 > wait", "240 ask d drag float a > float d~ all",
                                    "241 failed > estimate c d~", "242 differs 4 5000 > coarse d~ from c"});
 }
@@ -298,7 +312,7 @@ void TestFrameSchedule::liftsAreReady()
     row("quick pictures are drawn finer when the hand rests",
         {"0 ask a > exact a", "40 done 40 > wait", "100 lift a > prepare lift over exact",
          "101 ask a drag float a > cancelled", "102 cancelled > float a~ over exact all", "110 done > wait 210",
-         "150 lift a > wait 210", "209 rest > wait 210", "210 rest > prepare lift", "250 done > wait"});
+         "150 lift a > wait 210", "209 rest > wait 210", "210 rest > prepare lift", "250 done > wait 370"});
     row("over a coarse frame it is not what is shown",
         slowGesture +
             QStringList{"205 done > wait 235", "206 lift a > wait 236", "210 ask a drag float a > float a~ all"});
@@ -306,7 +320,7 @@ void TestFrameSchedule::liftsAreReady()
         lifted + QStringList{"110 unfit > wait", "120 ask a drag float a > exact a~",
                              "160 done 40 > prepare lift over exact"});
     row("nor ever what failed",
-        lifted + QStringList{"110 failed > wait", "120 ask a drag float a > exact a~", "160 done 40 > wait"});
+        lifted + QStringList{"110 failed > wait", "120 ask a drag float a > exact a~", "160 done 40 > wait 280"});
     row("the pictures are let go",
         lifted + QStringList{"120 done > wait", "130 lift none > wait 5130", "5130 rest > forget", "5131 done > wait"});
 }

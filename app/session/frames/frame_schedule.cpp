@@ -20,7 +20,9 @@ constexpr auto patience = 400ms;
 constexpr auto pause = 30ms;
 /// When nothing was asked for so long, what the next gesture will need is made ready…
 constexpr auto rest = 100ms;
-/// …and it is let go when it was unwanted for so long.
+/// A hand that does not move for this long rests.
+constexpr auto handRest = 120ms;
+/// …and what was made ready is let go when it was unwanted for so long.
 constexpr auto forgetting = 5s;
 /// An exact frame of a gesture that takes longer than this is too slow.
 constexpr double slowMs = 12;
@@ -38,6 +40,7 @@ quint64 FrameSchedule::request(RenderRequest request, std::optional<Floating> fl
 {
     if (m_hand && (m_hand->yields || isUseless(request.view, now)))
         m_cancelled = true;
+    m_moving = request.interactive ? m_serial + 1 : 0;
     m_pending = FrameJob{std::move(request), ++m_serial, std::move(floating)};
     return m_serial;
 }
@@ -90,6 +93,8 @@ FrameTask FrameSchedule::whileNothingIsAsked(Time now)
         return afterRest(m_ready.lift == m_lift ? rest : 0ms, Kind::PrepareLift, m_lift->view, now);
     if (needsCoarse())
         return afterRest(rest, Kind::PrepareCoarse, m_shown.exact->view, now);
+    if (m_moving > 0)
+        return afterRest(handRest, Kind::TellRest, View(), now);
     if (!m_coarseWanted && !m_lift && m_ready.keepsAny)
         return afterRest(forgetting, Kind::Forget, View(), now);
     return {};
@@ -104,7 +109,10 @@ FrameTask FrameSchedule::afterRest(Clock::duration wait, Kind kind, const View &
         hand.job = *std::exchange(m_unrefined, std::nullopt);
         hand.job.request.interactive = false;
     }
-    return takeUp(std::move(hand));
+    FrameTask task = takeUp(std::move(hand));
+    if (kind == Kind::TellRest)
+        task.job.serial = std::exchange(m_moving, 0);
+    return task;
 }
 
 /// Whether there is something to be made ready for what is lifted, or to be drawn finer than in haste.

@@ -44,6 +44,7 @@ struct FrameTask {
         Floating,      ///< The job's picture is composed of the two pictures of its lift, and shown.
         PrepareCoarse, ///< The coarse picture of `before` is drawn, and not shown.
         PrepareLift,   ///< The two pictures of `lift` are drawn, and not shown.
+        TellRest,      ///< The window is told that the hand rests since the job was asked for.
         Forget,        ///< What the coarse and the floating source keep is let go.
     };
 
@@ -91,6 +92,8 @@ struct FrameResult {
 /// - They are coarse only where exact ones take longer than a frame has, which the schedule estimates from the last
 /// ones.
 /// - A pause of the gesture brings the exact frame.
+/// - When the hand has rested for long enough, the window hears of it once: what floats cannot be exact before the
+/// document has it.
 /// - Whatever fails, the exact frame is drawn in its place.
 class FrameSchedule {
 public:
@@ -169,6 +172,7 @@ private:
 
     std::optional<FrameJob> m_pending;
     std::optional<Hand> m_hand;
+    quint64 m_moving = 0;                ///< the last request, where it was of a gesture that has not rested since
     std::optional<FrameJob> m_unrefined; ///< that a coarse frame has answered, and no exact one yet
     Shown m_shown;
     Gesture m_gesture;

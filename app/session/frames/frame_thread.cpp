@@ -134,6 +134,7 @@ FrameResult FrameThread::Sources::carryOut(const FrameTask &task, const std::ato
         coarse.forget();
         floating.forget();
         return {};
+    case Kind::TellRest:
     case Kind::Wait:
         break;
     }
@@ -148,6 +149,8 @@ void FrameThread::run()
         FrameResult result = sources.carryOut(*task, &m_cancel, frame);
         result.ready = sources.readiness();
         tell([&](FrameSchedule &schedule) { schedule.finished(result, FrameSchedule::Clock::now()); });
+        if (task->kind == FrameTask::Kind::TellRest)
+            emit handRests(task->job.serial);
         if (task->isAnswered(result.outcome))
             deliver(sources, task->job, frame);
     }

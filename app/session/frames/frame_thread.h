@@ -50,6 +50,9 @@ public:
 signals:
     /// Emitted on the frame thread: connect to an object of the GUI thread.
     void frameReady(const suffuse::FrameInfo &frame);
+    /// The hand that asked for the frame with this serial, the last one of a gesture, has not moved for a while.
+    /// Emitted on the frame thread.
+    void handRests(quint64 serial);
 
 private:
     struct Sources;
