@@ -1,5 +1,5 @@
 // Edits as values, one function per kind. Each returns an empty Edit where there is nothing to do; locked strokes are
-// left alone. Push them as `new EditCommand(document, edit, tr("…"), run)`.
+// left alone. The program does them by `Editor::push`.
 #pragma once
 
 #include "model/document/document.h"

@@ -59,21 +59,28 @@ Edit putBack(const Document &document, const Stroke &state)
     });
 }
 
-bool endsWithEditOfSelection(const QUndoStack &stack, const Document &document)
+bool endsWithEditOfSelection(const QUndoStack &stack, const Document &document, const Edit *undecided)
 {
+    if (undecided)
+        return onlyAlters(*undecided, document.selection().strokes);
     const EditCommand *command = stack.index() > 0 ? commandAt(stack, stack.index() - 1) : nullptr;
     return command && onlyAlters(command->edit(), document.selection().strokes);
 }
 
-PaintingPtr beforeEditsOfSelection(const QUndoStack &stack, const Document &document)
+PaintingPtr beforeEditsOfSelection(const QUndoStack &stack, const Document &document, const Edit *undecided)
 {
     std::map<StrokeId, StrokePtr> before;
-    for (int i = stack.index() - 1; i >= 0; --i) {
-        const EditCommand *command = commandAt(stack, i);
-        if (!command || !onlyAlters(command->edit(), document.selection().strokes))
-            break;
-        for (const auto &[id, stroke] : command->edit().strokes)
+    const auto goBack = [&](const Edit &edit) {
+        if (!onlyAlters(edit, document.selection().strokes))
+            return false;
+        for (const auto &[id, stroke] : edit.strokes)
             before[id] = stroke;
+        return true;
+    };
+    bool goesBack = !undecided || goBack(*undecided);
+    for (int i = stack.index() - 1; i >= 0 && goesBack; --i) {
+        const EditCommand *command = commandAt(stack, i);
+        goesBack = command && goBack(command->edit());
     }
     if (before.empty())
         return nullptr;

@@ -26,9 +26,9 @@ std::vector<StrokeState> statesOf(const QUndoStack &stack, const Document &docum
 Edit putBack(const Document &document, const Stroke &state);
 
 /// The painting as it was before the last steps that altered selected strokes and nothing else; null where the last
-/// step was of another kind.
-PaintingPtr beforeEditsOfSelection(const QUndoStack &stack, const Document &document);
+/// step was of another kind. What is undecided, the way back from something that is in no step yet, counts as the last.
+PaintingPtr beforeEditsOfSelection(const QUndoStack &stack, const Document &document, const Edit *undecided = nullptr);
 /// Whether the last step was of that kind.
-bool endsWithEditOfSelection(const QUndoStack &stack, const Document &document);
+bool endsWithEditOfSelection(const QUndoStack &stack, const Document &document, const Edit *undecided = nullptr);
 
 } // namespace suffuse

@@ -46,7 +46,7 @@ CanvasWidget::CanvasWidget(Editor &editor, QWidget *parent, MakeRenderer make)
     connect(&m_underlay, &UnderlayLoader::loaded, this, [this] { updateOverlay(); });
     connect(&m_underlay, &UnderlayLoader::failed, this, &CanvasWidget::underlayFailed);
     wantUnderlay();
-    editor.laterChanges().setGate([this](const Change &change) { return paintsFirst(change); });
+    connect(&m_worker, &FrameThread::handRests, this, &CanvasWidget::handRests);
 }
 
 void CanvasWidget::connectInput()
@@ -63,7 +63,10 @@ void CanvasWidget::connectInput()
 
 CanvasWidget::~CanvasWidget()
 {
-    m_editor.laterChanges().setGate({});
+    m_editor.laterChanges().setCanvasShown(false);
+    m_editor.disconnect(this); // its tools go later, and give up what they have in hand
+    m_editor.document().disconnect(this);
+    m_editor.clock().disconnect(this);
     delete m_presenter->widget(); // it draws what this object holds
 }
 
@@ -77,7 +80,7 @@ void CanvasWidget::follow(const Change &change)
     if (change.canvas || change.reset) {
         wantUnderlay();
         updateOverlay();
-    } else if (change.selection || !m_editor.document().selection().isEmpty())
+    } else if (change.selection || !m_editor.selection().isEmpty())
         m_repaint.follow(change);
     if (change.selection)
         m_worker.setCoarseWanted(wantsCoarse());
@@ -116,8 +119,8 @@ void CanvasWidget::frameReady(const FrameInfo &frame)
     }
     if (frame.error.isEmpty()) {
         m_repaint.flushWaiting();
-        if (frame.isExact() && m_floating && m_floating->settled)
-            m_floating.reset();
+        if (frame.isExact())
+            m_lift.exactShown();
         if (frame.view == view() && !frame.floats)
             m_repaint.tiles(frame.stats.dirty);
         else
@@ -128,14 +131,7 @@ void CanvasWidget::frameReady(const FrameInfo &frame)
 
 bool CanvasWidget::wantsCoarse() const
 {
-    return !m_editor.document().selection().isEmpty() || (tool() && tool()->changesAnything());
-}
-
-bool CanvasWidget::paintsFirst(const Change &change) const
-{
-    if (!isVisible() || change.canvas || change.draft || change.reset || (change.order && !m_editor.isDragging()))
-        return false;
-    return change.selection || !change.strokes.empty();
+    return !m_editor.selection().isEmpty() || (tool() && tool()->changesAnything());
 }
 
 void CanvasWidget::setTool(Tool *next)
@@ -157,11 +153,12 @@ Point CanvasWidget::zoomCentre() const
 
 void CanvasWidget::fit()
 {
-    m_view.fit(m_editor.document().painting()->canvas.area(), fitMargin * devicePixelRatioF());
+    m_view.fit(m_editor.unsettled().painting()->canvas.area(), fitMargin * devicePixelRatioF());
 }
 
 void CanvasWidget::viewMoved()
 {
+    m_editor.settle(); // what floats is of one view
     updateOverlay();
     scheduleRender();
     emit viewChanged();
@@ -183,18 +180,32 @@ void CanvasWidget::requestFrame()
     if (view().width <= 0 || view().height <= 0)
         return;
     RenderRequest request;
-    request.painting = m_editor.shown();
+    request.painting = m_editor.unsettledShown();
     request.time = m_editor.clock().time();
     request.view = view();
-    request.interactive = m_editor.isDragging();
-    if (m_floating && !holds(*m_floating->lift))
-        m_floating.reset();
-    m_lastSerial = m_worker.request(std::move(request), m_floating);
+    request.interactive = isMoving();
+    m_lastSerial = m_worker.request(std::move(request), m_lift.forFrame());
+}
+
+bool CanvasWidget::isMoving() const
+{
+    return m_editor.isDragging() || m_editor.isStepping();
+}
+
+/// Since the frame that was asked for under this number.
+void CanvasWidget::handRests(quint64 serial)
+{
+    if (m_renderScheduled || serial != m_lastSerial)
+        return;
+    if (m_editor.isDragging())
+        m_editor.rest();
+    else
+        endDrag();
 }
 
 bool CanvasWidget::isUpToDate() const
 {
-    return !m_renderScheduled && m_lastSerial > 0 && m_worker.shownSerial() == m_lastSerial;
+    return !m_renderScheduled && !m_lift.isAhead() && m_lastSerial > 0 && m_worker.shownSerial() == m_lastSerial;
 }
 
 void CanvasWidget::setDeviceFramesWanted(bool wanted, const QString &why)
@@ -226,18 +237,18 @@ QImage CanvasWidget::picture()
 
 QColor CanvasWidget::backgroundColour() const
 {
-    return toOpaqueScreen(m_editor.document().painting()->canvas.background);
+    return toOpaqueScreen(m_editor.unsettled().painting()->canvas.background);
 }
 
 void CanvasWidget::wantUnderlay()
 {
-    const auto &underlay = m_editor.document().painting()->underlay;
+    const auto &underlay = m_editor.unsettled().painting()->underlay;
     m_underlay.want(underlay ? underlay->image : nullptr);
 }
 
 std::optional<ShownUnderlay> CanvasWidget::underlay() const
 {
-    const auto &underlay = m_editor.document().painting()->underlay;
+    const auto &underlay = m_editor.unsettled().painting()->underlay;
     if (!underlay || !underlay->visible || !m_underlay.image() || underlay->area.width() == 0 ||
         underlay->area.height() == 0)
         return {};
@@ -252,7 +263,7 @@ void CanvasWidget::paintAround(QPainter &painter)
     if (m_aids.showBeyond)
         colours.pasteboard.setAlpha(veil);
     painter.save();
-    paintPasteboard(painter, view(), m_editor.document().painting()->canvas.area(), colours, devicePixelRatioF());
+    paintPasteboard(painter, view(), m_editor.unsettled().painting()->canvas.area(), colours, devicePixelRatioF());
     painter.restore();
 }
 
@@ -261,7 +272,7 @@ void CanvasWidget::paintOverlay(QPainter &painter)
     const double dpr = devicePixelRatioF();
     painter.save();
     if (m_aids.showGrid)
-        paintGrid(painter, view(), m_editor.document().painting()->canvas.area(), m_aids.gridStep, dpr);
+        paintGrid(painter, view(), m_editor.unsettled().painting()->canvas.area(), m_aids.gridStep, dpr);
     if (showsOutlines())
         paintSelection(painter, dpr);
     painter.restore();
@@ -269,8 +280,16 @@ void CanvasWidget::paintOverlay(QPainter &painter)
     if (tool() && !isBare())
         tool()->paint(painter, view(), dpr);
     paintAngle(painter, dpr);
-    m_repaint.painted(m_floating.has_value());
+    m_repaint.painted(m_lift.isFloating());
     m_editor.laterChanges().painted();
+}
+
+void CanvasWidget::paintSelection(QPainter &painter, double dpr)
+{
+    SelectionOutline &outline = m_selected.outline();
+    if (selection().isEmpty() || m_lift.paintOutline(painter, outline, selection(), m_colours, dpr))
+        return;
+    outline.paint(painter, view(), *m_editor.unsettled().painting(), selection(), m_colours, dpr, isMoving());
 }
 
 bool CanvasWidget::isBare() const
@@ -305,6 +324,19 @@ void CanvasWidget::changeEvent(QEvent *event)
         updateOverlay();
     }
     QWidget::changeEvent(event);
+}
+
+/// While it is on the screen, panels follow what is done when it has been painted.
+void CanvasWidget::showEvent(QShowEvent *event)
+{
+    m_editor.laterChanges().setCanvasShown(true);
+    QWidget::showEvent(event);
+}
+
+void CanvasWidget::hideEvent(QHideEvent *event)
+{
+    m_editor.laterChanges().setCanvasShown(false);
+    QWidget::hideEvent(event);
 }
 
 void CanvasWidget::resizeEvent(QResizeEvent *)

@@ -1,6 +1,7 @@
 // The canvas: shows the painting, moves the view, and hands the pointer to the tool in use.
 #pragma once
 
+#include "app/canvas/canvas_lift.h"
 #include "app/canvas/canvas_view.h"
 #include "app/canvas/input/canvas_input.h"
 #include "app/canvas/overlay.h"
@@ -76,17 +77,9 @@ public:
     /// Keys that stay the window's even where the tool wants them.
     void setWindowKeys(const QList<QKeySequence> &keys) { m_input.setWindowKeys(keys); }
 
-    /// Strokes that a drag is about to map as a whole: where its frames would be slow, pictures of them and of the rest
-    /// are made ready, and the drag may float. Another change, view or moment, and the lift is over.
-    void lift(const std::set<StrokeId> &strokes);
-    void endLift();
-    bool isLifted() const { return m_lift && holds(*m_lift); }
-    /// Shows what is lifted as it lies under a map, which the document has not heard of.
-    void showFloating(const Affine &map);
-    /// The document has now what floats: the exact picture follows. Call it where `isLifted` was true before the edit.
-    void settleFloating();
-    /// Whether under the map all shows that could: what lay far outside of the view is in no picture.
-    bool coversFloating(const Affine &map) const;
+    /// Strokes that float while a gesture maps them.
+    CanvasLift &lifted() { return m_lift; }
+    bool isLifted() const { return m_lift.isLifted(); }
 
     /// True when the picture on the screen is that of the document as it is now, at this moment, in this view.
     bool isUpToDate() const;
@@ -141,6 +134,8 @@ protected:
     void keyReleaseEvent(QKeyEvent *event) override;
     void enterEvent(QEnterEvent *event) override;
     void leaveEvent(QEvent *event) override;
+    void showEvent(QShowEvent *event) override;
+    void hideEvent(QHideEvent *event) override;
     void focusOutEvent(QFocusEvent *event) override;
     bool focusNextPrevChild(bool next) override;
 
@@ -155,8 +150,6 @@ private:
     void paintOverlay(QPainter &painter) override;
     void wantUnderlay();
     void endDrag();
-    /// Whether others hear of a change only when its overlay or its frame is on the screen.
-    bool paintsFirst(const Change &change) const;
     /// A drag may follow that is too much for exact frames.
     bool wantsCoarse() const;
 
@@ -164,7 +157,9 @@ private:
     void followMoment();
     void scheduleRender();
     void requestFrame();
-    bool holds(const Lift &lift) const;
+    /// What is shown changes again and again: quick frames do.
+    bool isMoving() const;
+    void handRests(quint64 serial);
     void paintSelection(QPainter &painter, double dpr);
     void paintAngle(QPainter &painter, double dpr) const;
     void frameReady(const FrameInfo &frame);
@@ -187,9 +182,7 @@ private:
     QString m_rendererNotice;
     QString m_presenterNotice;
 
-    LiftPtr m_lift;                     ///< null: none
-    std::optional<Floating> m_floating; ///< that is shown, until the exact picture is
-    PaintingPtr m_liftedFrom;           ///< the document's painting, for which both hold
+    CanvasLift m_lift{m_editor, m_worker, m_view, [this] { scheduleRender(); }};
     bool m_renderScheduled = false;
     quint64 m_lastSerial = 0;
 };

@@ -50,7 +50,7 @@ OverlayRepaint::OverlayRepaint(QWidget &canvas, Editor &editor, const CanvasView
 
 bool OverlayRepaint::isMoving() const
 {
-    return m_editor.isDragging();
+    return m_editor.isDragging() || m_editor.isStepping();
 }
 
 void OverlayRepaint::all()
@@ -109,7 +109,7 @@ bool OverlayRepaint::altersFew(const Change &change)
     const double dpr = m_canvas.devicePixelRatioF();
     bool known = m_altered.margin == *margin && m_area && !m_selectionChanged && m_area == areaNow();
     m_altered.margin = *margin;
-    for (const StrokePtr &stroke : m_editor.document().painting()->strokes) {
+    for (const StrokePtr &stroke : m_editor.unsettled().painting()->strokes) {
         if (!std::binary_search(change.strokes.begin(), change.strokes.end(), stroke->id))
             continue;
         const Rect now = controlBox(*stroke);

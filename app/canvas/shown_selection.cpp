@@ -22,13 +22,13 @@ Rect pixelBox(const Rect &units, const View &view)
 
 const Selection &ShownSelection::selection() const
 {
-    const Document &document = m_editor.document();
+    const Document &document = m_editor.unsettled();
     return m_begun.at(m_editor.clock().time(), document.painting()->strokes, document.selection());
 }
 
 bool ShownSelection::followMoment()
 {
-    if (m_editor.document().selection().isEmpty() || m_begun.holds(m_editor.clock().time()))
+    if (m_editor.selection().isEmpty() || m_begun.holds(m_editor.clock().time()))
         return false;
     const std::set<StrokeId> before = m_begun.leftOut();
     selection();
@@ -55,7 +55,7 @@ QRegion ShownSelection::area(const View &view, double margin, double dpr) const
 {
     if (selection().isEmpty())
         return {};
-    return QRegion(markedArea(m_outline.boxOf(*m_editor.document().painting(), selection()), margin, view, dpr));
+    return QRegion(markedArea(m_outline.boxOf(*m_editor.unsettled().painting(), selection()), margin, view, dpr));
 }
 
 QRect markedArea(const Rect &units, double margin, const View &view, double dpr)

@@ -53,7 +53,7 @@ void deselect(Editor &editor)
     editor.document().setSelection(std::move(selection));
 }
 
-void moveStrokes(Editor &editor, const std::set<StrokeId> &strokes, Point by, EditRun run)
+void moveStrokes(Editor &editor, const std::set<StrokeId> &strokes, Point by, ValueEntry *entry)
 {
     const Document &document = editor.document();
     editor.push(
@@ -61,7 +61,7 @@ void moveStrokes(Editor &editor, const std::set<StrokeId> &strokes, Point by, Ed
                       [by](Stroke &stroke) {
                           stroke.origin = {decimalSum(stroke.origin.x, by.x), decimalSum(stroke.origin.y, by.y)};
                       }),
-        QCoreApplication::translate("Commands", "Move"), run);
+        QCoreApplication::translate("Commands", "Move"), entry);
 }
 
 void invertSelection(Editor &editor)

@@ -18,7 +18,7 @@ void selectSameAs(Editor &editor, Same what);
 /// Deselects the segments; where none are selected, the strokes.
 void deselect(Editor &editor);
 /// Moves the strokes by canvas units. Moves of one run are one step.
-void moveStrokes(Editor &editor, const std::set<StrokeId> &strokes, Point by, EditRun run);
+void moveStrokes(Editor &editor, const std::set<StrokeId> &strokes, Point by, ValueEntry *entry);
 /// Mirrors the selection about its middle.
 void flipSelected(Editor &editor, Axis axis, SpreadRule rule);
 /// Turns the selection about its middle, clockwise, by so many quarters of a turn.

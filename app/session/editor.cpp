@@ -1,6 +1,7 @@
 #include "app/session/editor.h"
 
 #include "app/session/files/opened_file.h"
+#include "app/session/gesture_state.h"
 #include "app/session/settings/settings.h"
 #include "model/formats/messages.h"
 #include "model/painting/paper_presets.h"
@@ -8,9 +9,8 @@
 #include "undo/restore_edit.h"
 #include "undo/time_edits.h"
 
-#include <QCoreApplication>
 #include <QFileInfo>
-#include <QKeyEvent>
+#include <QScopedValueRollback>
 
 #include <algorithm>
 
@@ -18,7 +18,7 @@ namespace suffuse {
 
 namespace {
 
-constexpr int dragPauseMs = 120; // without an edit of the run
+constexpr int stepPauseMs = 120; ///< steps that come no later are taken for a hand that moves
 
 bool canBeSavedAs(FileFormat format)
 {
@@ -53,28 +53,14 @@ QString recoveredName(const QString &name)
 
 Editor::Editor(QObject *parent) : QObject(parent), m_brush(builtinBrushes().front())
 {
-    m_dragEnd.setSingleShot(true);
-    m_dragEnd.setInterval(dragPauseMs);
-    connect(&m_dragEnd, &QTimer::timeout, this, &Editor::endDrag);
-    connect(&m_undoStack, &QUndoStack::indexChanged, this, [this] {
-        m_savedStep.follow();
-        if (isModified() != m_wasModified)
-            tellFileChanged();
-    });
+    connect(&m_undoStack, &QUndoStack::indexChanged, this, &Editor::followStack);
     connect(&m_saver, &Saver::finished, this, &Editor::noteSaved);
-    connect(&m_document, &Document::changed, this, &Editor::noteChange);
-    connect(&m_document, &Document::changed, this, [this](const Change &change) {
-        setCompared(nullptr);
-        if (!altersPainting(change))
-            return;
-        const Painting &painting = *m_document.painting();
-        m_driesAt.follow(painting.strokes, [](const Stroke &stroke) { return stroke.driesAt(); });
-        const Microseconds end = painting.strokes.empty() ? 0 : *std::ranges::max_element(m_driesAt);
-        m_clock.setEnd(end);
-        // Who looks at all goes on seeing all, also what was moved to later.
-        if (!m_clock.isInPast() && !m_clock.isDrawing() && m_clock.time() < end)
-            m_clock.runFrom(latestBirth(painting, change.strokes));
-    });
+    connect(&m_gestures, &GestureDesk::openChanged, &m_laterChanges, &LaterChanges::setGestureOpen);
+    connect(&m_gestures, &GestureDesk::movingEnded, this, &Editor::dragEnded);
+    connect(&m_gestures, &GestureDesk::undecidedChanged, this, &Editor::tellModified);
+    connect(&m_gestures, &GestureDesk::restTold, this, &Editor::edited);
+    connect(&m_document, &Document::changed, this, &Editor::followDocument);
+    connect(&m_clock, &PaintingClock::timeChanged, this, &Editor::settle); // what floats is of one moment
 }
 
 Editor::~Editor()
@@ -82,80 +68,114 @@ Editor::~Editor()
     m_undoStack.disconnect(this); // one that goes tells of it
 }
 
-void Editor::keepDragging()
+void Editor::followStack()
 {
-    if (!m_dragEnd.isActive() && qApp)
-        qApp->installEventFilter(this);
-    m_dragEnd.start();
-}
-
-void Editor::endDrag()
-{
-    if (qApp)
-        qApp->removeEventFilter(this);
-    m_dragEnd.stop();
-    emit dragEnded();
-    if (std::exchange(m_unfinished, false))
+    if (!m_takesUpSteps)
         emit edited();
+    m_savedStep.follow();
+    tellModified();
 }
 
-bool Editor::eventFilter(QObject *watched, QEvent *event)
+void Editor::tellModified()
 {
-    const QEvent::Type type = event->type();
-    if (type == QEvent::MouseButtonRelease || type == QEvent::TabletRelease || type == QEvent::TouchEnd ||
-        (type == QEvent::KeyRelease && !static_cast<QKeyEvent *>(event)->isAutoRepeat()))
-        QTimer::singleShot(0, this, [this] { // whoever gets the event may push a last edit
-            if (m_dragEnd.isActive())
-                endDrag();
-        });
-    return QObject::eventFilter(watched, event);
+    if (isModified() != m_wasModified)
+        tellFileChanged();
 }
 
-void Editor::push(Edit edit, const QString &text, EditRun run)
+void Editor::followDocument(const Change &change)
+{
+    setCompared(nullptr);
+    if (!altersPainting(change))
+        return;
+    const Painting &painting = *m_document.painting();
+    m_driesAt.follow(painting.strokes, [](const Stroke &stroke) { return stroke.driesAt(); });
+    const Microseconds end = painting.strokes.empty() ? 0 : *std::ranges::max_element(m_driesAt);
+    m_clock.setEnd(end);
+    // Who looks at all goes on seeing all, also what was moved to later.
+    if (!m_clock.isInPast() && !m_clock.isDrawing() && m_clock.time() < end)
+        m_clock.runFrom(latestBirth(painting, change.strokes));
+}
+
+Gesture Editor::begin(const QString &name)
+{
+    return Gesture(m_gestures.begin(name));
+}
+
+bool Editor::isStepping() const
+{
+    return m_sinceStep.isValid() && m_sinceStep.elapsed() < stepPauseMs;
+}
+
+Edit Editor::placed(Edit edit)
+{
+    if (!m_clock.isInPast())
+        return edit;
+    edit = placedInTime(m_document, std::move(edit));
+    noteDrawn(edit);
+    return edit;
+}
+
+void Editor::push(Edit edit, const QString &text, ValueEntry *entry)
 {
     if (edit.isEmpty())
         return;
-    if (run != 0)
-        keepDragging();
-    if (m_clock.isInPast()) {
-        edit = placedInTime(m_document, std::move(edit));
-        noteDrawn(edit);
-    }
-    m_pushingRun = run != 0;
-    m_savedStep.willPush();
-    m_undone.keep(m_undoStack);
-    m_undoStack.push(new EditCommand(m_document, std::move(edit), text, run));
-    putBackUndone();
-    m_pushingRun = false;
-}
-
-void Editor::giveUp(EditRun run)
-{
-    const auto last = [this] {
-        return m_undoStack.canRedo() ? nullptr
-                                     : dynamic_cast<const EditCommand *>(m_undoStack.command(m_undoStack.index() - 1));
-    };
-    const EditCommand *command = last();
-    for (; run != 0 && command && command->id() == run; command = last()) { // several where it was saved in between
-        command->giveUp();
-        m_undoStack.undo();
-    }
-    putBackUndone();
-}
-
-void Editor::putBackUndone()
-{
-    if (m_undone.putBack(m_undoStack, m_document))
-        m_savedStep.putBack();
-}
-
-void Editor::noteChange(const Change &change)
-{
-    if (change.reset || !altersPainting(change))
+    if (entry && entry->m_drags) {
+        if (!entry->m_gesture.isOpen())
+            entry->m_gesture = begin(text);
+        entry->m_gesture.show(std::move(edit));
         return;
-    m_unfinished = m_pushingRun;
-    if (!m_unfinished)
-        emit edited();
+    }
+    commit();
+    edit = placed(std::move(edit));
+    if (entry && goesOn(*entry)) {
+        m_sinceStep.start();
+        goOnWithStep(m_undoStack, m_document, std::move(edit));
+        return;
+    }
+    std::optional<Edit> back = doEdit(m_document, std::move(edit));
+    if (!back)
+        return;
+    pushDone(std::move(*back), text);
+    if (entry)
+        entry->m_step = static_cast<const EditCommand *>(m_undoStack.command(m_undoStack.index() - 1))->sharedEdit();
+}
+
+/// Whether the entry's step is the last one, and is in no file.
+bool Editor::goesOn(const ValueEntry &entry) const
+{
+    const std::shared_ptr<Edit> step = entry.m_step.lock();
+    const auto *last = dynamic_cast<const EditCommand *>(m_undoStack.command(m_undoStack.index() - 1));
+    return step && last && last->sharedEdit() == step && !m_undoStack.canRedo() && !m_undoStack.isClean() &&
+           !m_savedStep.isNow();
+}
+
+/// What was done becomes a step.
+void Editor::pushDone(Edit back, const QString &text)
+{
+    m_savedStep.willPush();
+    m_undoStack.push(new EditCommand(m_document, std::move(back), text));
+}
+
+QString Editor::undoText() const
+{
+    return undecided() ? m_gestures.open()->name() : m_undoStack.undoText();
+}
+
+QString Editor::redoText() const
+{
+    return undecided() ? QString() : m_undoStack.redoText();
+}
+
+void Editor::undo()
+{
+    commit();
+    m_undoStack.undo();
+}
+
+void Editor::redo()
+{
+    commit();
+    m_undoStack.redo();
 }
 
 void Editor::setBrush(const Brush &brush)
@@ -189,7 +209,13 @@ void Editor::setFinalShown(bool shown)
     emit comparedChanged();
 }
 
-PaintingPtr Editor::shown() const
+PaintingPtr Editor::shown()
+{
+    settle();
+    return unsettledShown();
+}
+
+PaintingPtr Editor::unsettledShown() const
 {
     if (m_compared)
         return m_compared;
@@ -270,7 +296,10 @@ void Editor::takeUpHistory(const QByteArray &bytes, bool modified)
         m_leftOut = history.error();
         return;
     }
-    restoreHistory(m_undoStack, m_document, *history);
+    {
+        const QScopedValueRollback takesUp(m_takesUpSteps, true);
+        restoreHistory(m_undoStack, m_document, *history);
+    }
     m_savedStep.set(!modified);
     m_keepsHistory = m_historyIsSaved = true;
     m_historyBytes = bytes.size();
@@ -280,7 +309,7 @@ void Editor::takeUpHistory(const QByteArray &bytes, bool modified)
 bool Editor::isModified() const
 {
     const bool historyDiffers = m_keepsHistory != m_historyIsSaved && m_undoStack.count() > 0;
-    return !m_savedStep.isNow() || historyDiffers || m_savedStep.isSaving();
+    return undecided() || !m_savedStep.isNow() || historyDiffers || m_savedStep.isSaving();
 }
 
 void Editor::setKeepsHistory(bool keeps)
@@ -308,6 +337,7 @@ SaveOrder Editor::orderFor(const QString &path)
 
 void Editor::startSaving(const QString &path, bool whatever)
 {
+    commit();
     SaveOrder order = orderFor(path);
     if (!whatever && QFileInfo(path).absoluteFilePath() == m_filePath) {
         order.expected = m_fileHash;
@@ -320,6 +350,7 @@ void Editor::startSaving(const QString &path, bool whatever)
 
 void Editor::startSavingCopy(const QString &path)
 {
+    commit();
     SaveOrder order = orderFor(path);
     order.isCopy = true;
     m_saver.save(std::move(order));
@@ -388,11 +419,13 @@ void Editor::keepMine(const QByteArray &hashOnDisk)
 
 void Editor::show(PaintingPtr painting, const Origin &origin)
 {
+    commit(); // whoever holds a gesture shows nothing more of it
     m_clock.reset(painting->end());
-    m_undoStack.clear(); // its commands name strokes of the painting that goes
+    {
+        const QScopedValueRollback letsGo(m_takesUpSteps, true);
+        m_undoStack.clear(); // its commands name strokes of the painting that goes
+    }
     m_savedStep.set(!origin.modified);
-    m_undone.clear();
-    m_unfinished = false;
     m_document.reset(std::move(painting));
     m_filePath = origin.path;
     m_untitledName = origin.name;

@@ -4,8 +4,11 @@
 #include "app/session/files/saved_step.h"
 #include "app/session/files/saving.h"
 #include "app/session/final_preview.h"
+#include "app/session/gesture.h"
+#include "app/session/gesture_desk.h"
 #include "app/session/later_changes.h"
 #include "app/session/painting_clock.h"
+#include "app/session/value_entry.h"
 #include "model/brush/brush.h"
 #include "model/document/document.h"
 #include "model/painting/stroke_values.h"
@@ -13,8 +16,8 @@
 #include "undo/edit_command.h"
 #include "undo/kept_history.h"
 
+#include <QElapsedTimer>
 #include <QObject>
-#include <QTimer>
 #include <QUndoStack>
 
 namespace suffuse {
@@ -27,17 +30,53 @@ public:
     explicit Editor(QObject *parent = nullptr);
     ~Editor() override;
 
-    Document &document() { return m_document; }
+    /// The document, as it is shown: what floats over it is put into it first. Whoever is being told of a change finds
+    /// the document as it was changed: another change would follow else, and another.
+    Document &document()
+    {
+        if (!m_laterChanges.isTelling())
+            settle();
+        return m_document;
+    }
+    /// Puts what floats into the document.
+    void settle() { m_gestures.settle(); }
+    /// The document, which may lack what floats over it. For whoever paints what floats, above all; what is selected is
+    /// always right.
+    const Document &unsettled() const { return m_document; }
+    const Selection &selection() const { return m_document.selection(); }
+    /// Of steps. `undo` and `redo` of this class commit an open gesture; the stack's own have it given up.
     QUndoStack &undoStack() { return m_undoStack; }
     /// The document's changes for whoever only shows them, panels above all.
     LaterChanges &laterChanges() { return m_laterChanges; }
 
-    /// Pushes an edit under a translated name; an empty edit is ignored. Edits of one run (a drag) become one step.
-    /// What comes to nothing, at once or when a run is back at its start, leaves the steps to be redone as they were.
-    void push(Edit edit, const QString &text, EditRun run = 0);
-    /// Takes a run back, if it is the last that was done: the painting and the steps, those to be redone too, are as
-    /// they were before it.
-    void giveUp(EditRun run);
+    /// Does an edit, as a step with a translated name; an empty edit is ignored. What changes nothing is no step, and
+    /// leaves the steps to be redone as they were. With an entry it is part of the entry's drag, or goes on with its
+    /// step.
+    void push(Edit edit, const QString &text, ValueEntry *entry = nullptr);
+    /// Begins something that is not decided yet; `name` is its step's, translated. What was open is committed.
+    Gesture begin(const QString &name);
+    /// Whatever is open becomes a step.
+    void commit() { m_gestures.commit(); }
+    /// A gesture is open and in the hand: frames may be quick ones.
+    bool isDragging() const { return m_gestures.isMoving(); }
+    /// The hand does not move any more, though a gesture is open.
+    void rest() { m_gestures.rest(); }
+    /// A step has gone on a moment ago: a key is held down, or a wheel is turned.
+    bool isStepping() const;
+    /// The way back from what is shown and in no step yet; null: nothing is.
+    const Edit *undecided() const { return m_gestures.undecided(); }
+
+    /// An open gesture is a step for these.
+    bool canUndo() const { return undecided() || m_undoStack.canUndo(); }
+    bool canRedo() const { return !undecided() && m_undoStack.canRedo(); }
+    QString undoText() const;
+    QString redoText() const;
+    void undo();
+    void redo();
+
+    /// Who shows strokes afloat; null: nobody.
+    void setFloatingView(FloatingView *view) { m_gestures.setFloatingView(view); }
+    FloatingView *floatingView() const { return m_gestures.floatingView(); }
 
     /// What the next stroke is painted with; its colour is the current colour.
     const Brush &brush() const { return m_brush; }
@@ -48,12 +87,6 @@ public:
     PaintingClock &clock() { return m_clock; }
     const PaintingClock &clock() const { return m_clock; }
 
-    /// A run of edits is coming in (a value is being dragged): frames may be quick ones. Over when button, pen or key is
-    /// let go, and a moment after the last edit.
-    bool isDragging() const { return m_dragEnd.isActive(); }
-    /// It goes on, though its edit is not pushed yet.
-    void keepDragging();
-
     /// Shows another painting instead of the document's until the document changes or null is set: a look back, in no
     /// undo step.
     void setCompared(PaintingPtr painting);
@@ -62,7 +95,9 @@ public:
     void setFinalShown(bool shown);
     bool isFinalShown() const { return m_finalShown; }
     /// What the canvas shows: the compared painting, else the document's snapshot, the stroke in hand in its place.
-    PaintingPtr shown() const;
+    PaintingPtr shown();
+    /// The same, which may lack what floats.
+    PaintingPtr unsettledShown() const;
 
     const QString &filePath() const { return m_filePath; } ///< empty: untitled
     /// Title without the program's name: file name or "Untitled", translated.
@@ -108,21 +143,20 @@ public:
 
 signals:
     void brushChanged();
-    void dragEnded();       ///< exact frames again
+    void dragEnded();       ///< `isDragging` is over: exact frames again
     void comparedChanged(); ///< something else is shown: the compared painting, or what is wet as it will look
     void fileChanged();     ///< path or modified state
     void opened();          ///< another painting is there, with its path and modified state
-    void edited();          ///< an edit was finished, undone or redone: not while a value is being dragged
+    void edited();          ///< steps were done, undone or redone, or a gesture rests
     void saved(const suffuse::SaveOutcome &outcome);
 
-protected:
-    /// While a value is dragged: of the whole program.
-    bool eventFilter(QObject *watched, QEvent *event) override;
-
 private:
-    void endDrag();
-    /// The steps that a run has dropped, if it has come to nothing.
-    void putBackUndone();
+    Edit placed(Edit edit);
+    void pushDone(Edit back, const QString &text);
+    bool goesOn(const ValueEntry &entry) const;
+    void followStack();
+    void followDocument(const Change &change);
+    void tellModified();
     void noteDrawn(const Edit &edit);
     PaintingPtr snapshotInTime() const;
     /// `name`: of an untitled one. Modified: it is in no file.
@@ -132,23 +166,25 @@ private:
         bool modified = false;
     };
     void show(PaintingPtr painting, const Origin &origin);
-    void noteChange(const Change &change);
     void noteSaved(const SaveOutcome &outcome);
     SaveOrder orderFor(const QString &path);
     void tellFileChanged();
     void takeUpHistory(const QByteArray &bytes, bool modified);
 
     Document m_document;
+    GestureDesk m_gestures{m_document,
+                           {[this](Edit edit) { return placed(std::move(edit)); },
+                            [this](Edit back, const QString &name) { pushDone(std::move(back), name); }}};
     LaterChanges m_laterChanges{m_document};
     QUndoStack m_undoStack;
     SavedStep m_savedStep{m_undoStack};
-    bool m_wasModified = false; ///< when it was told last
-    quint64 m_lastSave = 0;     ///< number of the last save
-    UndoneSteps m_undone; ///< while a run may come to nothing
+    bool m_wasModified = false;  ///< when it was told last
+    quint64 m_lastSave = 0;      ///< number of the last save
+    bool m_takesUpSteps = false; ///< of a file, or lets go those of one: nothing is done
+    QElapsedTimer m_sinceStep;   ///< since one went on
     PaintingClock m_clock;
     StrokeValues<Microseconds> m_driesAt;
     PaintingPtr m_compared; ///< null: none
-    QTimer m_dragEnd;
     Brush m_brush;
     QString m_filePath;
     QString m_untitledName; ///< empty: "Untitled"
@@ -160,8 +196,6 @@ private:
     qint64 m_historyBytes = 0;
     QString m_leftOut;
     Saver m_saver;
-    bool m_pushingRun = false;
-    bool m_unfinished = false; ///< edits of a run that `edited` has not told of
     bool m_finalShown = false;
     mutable FinalPreview m_finalPreview;
 };

@@ -1,7 +1,6 @@
 #include "app/session/later_changes.h"
 
-#include <QCoreApplication>
-#include <QEvent>
+#include <QScopedValueRollback>
 
 #include <algorithm>
 
@@ -25,26 +24,6 @@ void add(Change &to, const Change &change)
     to.reset = to.reset || change.reset;
 }
 
-/// Something is being done that may ask what stands in a panel.
-bool actsOnPanels(QEvent::Type type)
-{
-    switch (type) {
-    case QEvent::MouseButtonPress:
-    case QEvent::MouseButtonDblClick:
-    case QEvent::TabletPress:
-    case QEvent::TouchBegin:
-    case QEvent::Wheel:
-    case QEvent::KeyPress:
-    case QEvent::ShortcutOverride:
-    case QEvent::InputMethod:
-    case QEvent::DragEnter:
-    case QEvent::Drop:
-        return true;
-    default:
-        return false;
-    }
-}
-
 } // namespace
 
 LaterChanges::LaterChanges(Document &document, QObject *parent) : QObject(parent)
@@ -55,13 +34,19 @@ LaterChanges::LaterChanges(Document &document, QObject *parent) : QObject(parent
     connect(&document, &Document::changed, this, &LaterChanges::take);
 }
 
+bool LaterChanges::waits(const Change &change) const
+{
+    if (!m_canvasShown || change.canvas || change.draft || change.reset || (change.order && !m_gestureOpen))
+        return false;
+    return change.selection || !change.strokes.empty();
+}
+
 void LaterChanges::take(const Change &change)
 {
-    if (m_waits && m_waits(change)) {
+    if (waits(change)) {
         if (!m_waiting) {
             m_waiting.emplace();
             m_due.start(patienceMs);
-            qApp->installEventFilter(this);
         }
         add(*m_waiting, change);
         return;
@@ -70,8 +55,14 @@ void LaterChanges::take(const Change &change)
         add(*m_waiting, change);
         flush();
     } else {
-        emit changed(change);
+        tell(change);
     }
+}
+
+void LaterChanges::tell(const Change &change)
+{
+    const QScopedValueRollback telling(m_telling, true);
+    emit changed(change);
 }
 
 void LaterChanges::painted()
@@ -85,20 +76,12 @@ void LaterChanges::flush()
     if (!m_waiting)
         return;
     m_due.stop();
-    qApp->removeEventFilter(this);
     const Change change = *std::exchange(m_waiting, std::nullopt);
     const qint64 start = m_clock.elapsed();
-    emit changed(change);
+    tell(change);
     const qint64 end = m_clock.elapsed();
     if (!change.strokes.empty())
         m_restsUntil = end + std::clamp(restShare * (end - start), leastRestMs, mostRestMs);
-}
-
-bool LaterChanges::eventFilter(QObject *watched, QEvent *event)
-{
-    if (actsOnPanels(event->type()))
-        flush();
-    return QObject::eventFilter(watched, event);
 }
 
 } // namespace suffuse

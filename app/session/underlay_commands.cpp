@@ -68,20 +68,20 @@ void show(Editor &editor, bool visible)
                 visible ? UnderlayCommands::tr("Show underlay") : UnderlayCommands::tr("Hide underlay"));
 }
 
-void setOpacity(Editor &editor, double opacity, EditRun run)
+void setOpacity(Editor &editor, double opacity, ValueEntry *entry)
 {
     editor.push(changeUnderlay(editor.document(), [=](Underlay &u) { u.opacity = float(opacity); }),
-                UnderlayCommands::tr("Change underlay opacity"), run);
+                UnderlayCommands::tr("Change underlay opacity"), entry);
 }
 
-void setArea(Editor &editor, const Rect &area, EditRun run)
+void setArea(Editor &editor, const Rect &area, ValueEntry *entry)
 {
     const auto &underlay = editor.document().painting()->underlay;
     const auto about = [](double a, double b) { return std::abs(a - b) <= 1e-9 * std::abs(b); };
     const bool moves =
         underlay && about(underlay->area.width(), area.width()) && about(underlay->area.height(), area.height());
     editor.push(changeUnderlay(editor.document(), [&](Underlay &u) { u.area = area; }),
-                moves ? UnderlayCommands::tr("Move underlay") : UnderlayCommands::tr("Resize underlay"), run);
+                moves ? UnderlayCommands::tr("Move underlay") : UnderlayCommands::tr("Resize underlay"), entry);
 }
 
 void fitToCanvas(Editor &editor)

@@ -1,13 +1,14 @@
 // Commands for the underlay. Each is an edit and one undo step.
 #pragma once
 
-#include "undo/edit_command.h"
+#include "model/painting/geometry.h"
 
 #include <QString>
 
 namespace suffuse {
 
 class Editor;
+class ValueEntry;
 
 namespace underlay {
 
@@ -18,9 +19,9 @@ bool isPicture(const QString &path);
 QString importFile(Editor &editor, const QString &path);
 
 void show(Editor &editor, bool visible);
-void setOpacity(Editor &editor, double opacity, EditRun run);
+void setOpacity(Editor &editor, double opacity, ValueEntry *entry = nullptr);
 /// Moves or resizes it to an area of canvas units.
-void setArea(Editor &editor, const Rect &area, EditRun run = 0);
+void setArea(Editor &editor, const Rect &area, ValueEntry *entry = nullptr);
 /// Gives the underlay its picture's own proportions and puts it into the middle of the canvas, as large as it fits.
 void fitToCanvas(Editor &editor);
 void remove(Editor &editor);

@@ -21,7 +21,7 @@ constexpr int mostDabs = 400;       ///< of one report, however far it comes
 } // namespace
 
 AttributeBrushTool::AttributeBrushTool(CanvasWidget &canvas, QObject *parent)
-    : SizedTool("attributeBrush", 30, canvas, parent), m_drag(m_editor)
+    : SizedTool("attributeBrush", 30, canvas, parent)
 {
     m_wish = {.attribute = Attribute::Density, .relative = true, .value = 1.5, .colour = {}};
 }
@@ -89,12 +89,11 @@ void AttributeBrushTool::press(const PointerEvent &event)
 {
     const QString names[] = {tr("Paint diffusion"), tr("Paint density"), tr("Paint granulation"),
                              tr("Paint colour"),    tr("Paint opacity"), tr("Paint drying time")};
-    m_painting = true;
     m_last = event;
     m_wish.colour = m_editor.brush().colour;
     m_touched.clear();
     gatherTargets();
-    m_drag.begin({}, names[int(m_wish.attribute)]);
+    m_gesture = m_editor.begin(names[int(m_wish.attribute)]);
     dabAt(event.point, event.pressure);
     show();
     m_timer.start(stayMs, this);
@@ -116,8 +115,8 @@ void AttributeBrushTool::show()
 {
     if (m_touched.empty())
         return;
-    m_drag.add(m_touched);
-    m_drag.show([this](const Stroke &stroke) {
+    m_gesture.take(m_touched);
+    m_gesture.show([this](const Stroke &stroke) {
         Stroke changed = stroke;
         const auto first = std::lower_bound(m_targets.begin(), m_targets.end(), stroke.id,
                                             [](const Target &t, StrokeId id) { return t.stroke < id; });
@@ -132,7 +131,7 @@ void AttributeBrushTool::show()
 void AttributeBrushTool::move(const PointerEvent &event)
 {
     showCircleAt(event.pixel);
-    if (!m_painting)
+    if (!isBusy())
         return;
     const Point way = event.point - m_last.point;
     const double dabs = std::clamp(std::ceil(length(way) / (dabSpacing * radius())), 1.0, double(mostDabs));
@@ -158,16 +157,14 @@ void AttributeBrushTool::release(const PointerEvent &)
 
 void AttributeBrushTool::cancel()
 {
-    if (m_painting)
-        m_drag.giveUp();
+    m_gesture.giveUp();
     finish();
 }
 
 void AttributeBrushTool::finish()
 {
     m_timer.stop();
-    m_painting = false;
-    m_drag.end();
+    m_gesture.commit();
     m_targets.clear();
     m_touched.clear();
 }

@@ -1,7 +1,7 @@
 #pragma once
 
+#include "app/session/gesture.h"
 #include "app/session/painting/attribute_brush.h"
-#include "app/session/selecting/stroke_drag.h"
 #include "app/tools/sized_tool.h"
 
 #include <QBasicTimer>
@@ -25,7 +25,7 @@ public:
     void move(const PointerEvent &event) override;
     void release(const PointerEvent &event) override;
     bool changesAnything() const override { return true; }
-    bool isBusy() const override { return m_painting; }
+    bool isBusy() const override { return m_gesture.isOpen(); }
     void cancel() override;
 
     const AttributeWish &wish() const { return m_wish; }
@@ -56,11 +56,10 @@ private:
     AttributeWish m_wish;
     double m_flow = 0.2;
 
-    bool m_painting = false;
     PointerEvent m_last;
     std::vector<Target> m_targets; ///< in the order of the strokes' ids and segments
     std::set<StrokeId> m_touched;
-    StrokeDrag m_drag;
+    Gesture m_gesture;
     QBasicTimer m_timer; ///< lays down more while the pointer stays
 };
 

@@ -32,7 +32,7 @@ QWidget *EraserTool::options()
 void EraserTool::press(const PointerEvent &event)
 {
     const Document &document = m_editor.document();
-    m_run = beginEditRun();
+    m_gesture = m_editor.begin(tr("Erase"));
     m_last = event.point;
     m_fromSelected = !document.selection().isEmpty();
     eraseTo(event.point);
@@ -43,8 +43,7 @@ void EraserTool::eraseTo(Point point)
 {
     Document &document = m_editor.document();
     if (const std::set<StrokeId> strokes = targets(m_last, point); !strokes.empty())
-        m_editor.push(eraseAlong(document, strokes, {m_last, point}, radius(), m_editor.clock().time()), tr("Erase"),
-                      m_run);
+        m_gesture.show(eraseAlong(document, strokes, {m_last, point}, radius(), m_editor.clock().time()));
     m_last = point;
 }
 
@@ -75,14 +74,13 @@ void EraserTool::release(const PointerEvent &event)
 {
     if (isBusy() && event.point != m_last)
         eraseTo(event.point);
-    m_run = 0;
+    m_gesture.commit();
 }
 
 void EraserTool::cancel()
 {
-    // Where something else has changed the painting since, what is erased stays, as a step of its own.
-    m_editor.giveUp(m_run);
-    m_run = 0;
+    // What was erased before something else changed the painting stays, as a step of its own.
+    m_gesture.giveUp();
 }
 
 } // namespace suffuse

@@ -1,8 +1,8 @@
 #pragma once
 
+#include "app/session/gesture.h"
 #include "app/session/selecting/stroke_boxes.h"
 #include "app/tools/sized_tool.h"
-#include "undo/edit_command.h"
 
 namespace suffuse {
 
@@ -20,7 +20,7 @@ public:
     void move(const PointerEvent &event) override;
     void release(const PointerEvent &event) override;
     bool changesAnything() const override { return true; }
-    bool isBusy() const override { return m_run != 0; }
+    bool isBusy() const override { return m_gesture.isOpen(); }
     void cancel() override;
 
 private:
@@ -29,7 +29,7 @@ private:
     std::set<StrokeId> targets(Point from, Point to);
 
     QPointer<QWidget> m_options;
-    EditRun m_run = 0;
+    Gesture m_gesture;
     Point m_last;
     bool m_fromSelected = false;
     StrokeBoxes m_boxes;

@@ -12,8 +12,7 @@
 namespace suffuse {
 
 NodeTool::NodeTool(CanvasWidget &canvas, Actions &actions, QObject *parent)
-    : SelectionTool(canvas, parent), m_commands(canvas, m_editor, actions, *this, m_nodes), m_drag(m_editor),
-      m_width(canvas)
+    : SelectionTool(canvas, parent), m_commands(canvas, m_editor, actions, *this, m_nodes), m_width(canvas)
 {
     connect(&m_editor.document(), &Document::changed, this, &NodeTool::followDocument);
     connect(&canvas, &CanvasWidget::begunChanged, this, [this] {
@@ -93,7 +92,8 @@ bool NodeTool::isOfDrag(const Change &change) const
 {
     constexpr std::size_t few = 32;
     return !change.selection && !change.order && !change.canvas && !change.reset && change.strokes.size() <= few &&
-           std::all_of(change.strokes.begin(), change.strokes.end(), [this](StrokeId id) { return m_drag.before(id); });
+           std::all_of(change.strokes.begin(), change.strokes.end(),
+                       [this](StrokeId id) { return m_gesture.before(id); });
 }
 
 std::set<StrokeId> NodeTool::strokesOfNodes() const
@@ -331,10 +331,10 @@ bool NodeTool::nudge(QKeyEvent *event)
     const std::optional<Point> way = nudgeOf(*event);
     if (m_nodes.empty() || !way)
         return false;
-    if (!event->isAutoRepeat() || m_nudgeRun == 0)
-        m_nudgeRun = beginEditRun(); // a key held down is one step
+    if (!event->isAutoRepeat()) // a key held down is one step
+        m_nodeNudges.endSteps();
     m_editor.push(moveNodes(m_editor.document(), m_nodes, *way),
-                  m_nodes.size() > 1 ? tr("Move nodes") : tr("Move node"), m_nudgeRun);
+                  m_nodes.size() > 1 ? tr("Move nodes") : tr("Move node"), &m_nodeNudges);
     return true;
 }
 

@@ -1,7 +1,7 @@
 #pragma once
 
+#include "app/session/gesture.h"
 #include "app/session/selecting/snapping.h"
-#include "app/session/selecting/stroke_drag.h"
 #include "app/tools/node_commands.h"
 #include "app/tools/node_marks.h"
 #include "app/tools/selection_tool.h"
@@ -77,6 +77,7 @@ private:
     void clickedSegment(const PointerEvent &event);
     void addStroke(const SegmentRef &hit);
     void insertNode(const CurveHit &at);
+    void begin(const std::set<StrokeId> &strokes, const QString &name);
     void dragNodes(const PointerEvent &event);
     void dragHandle(const PointerEvent &event);
     std::set<StrokeId> strokesOfNodes() const;
@@ -91,11 +92,11 @@ private:
     NodeMarks::Hit m_hit; ///< what the press hit
     std::optional<CurveHit> m_onCurve;
     bool m_inserted = false; ///< by this press
-    StrokeDrag m_drag;
+    Gesture m_gesture;
     Snapping m_snapping;
     Snap m_snap;
     WidthHandle m_width;
-    EditRun m_nudgeRun = 0;
+    ValueEntry m_nodeNudges;
 };
 
 } // namespace suffuse

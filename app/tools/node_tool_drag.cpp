@@ -50,16 +50,25 @@ bool NodeTool::beginDrag(const PointerEvent &event)
             nodes.insert(*m_hit.node);
             selectNodes(std::move(nodes));
         }
-        m_drag.begin(strokesOfNodes(), m_nodes.size() > 1 ? tr("Move nodes") : tr("Move node"));
+        begin(strokesOfNodes(), m_nodes.size() > 1 ? tr("Move nodes") : tr("Move node"));
         m_snapping = Snapping(*m_editor.document().painting(), m_canvas.aids(), [this](const Stroke &stroke, int node) {
             return m_nodes.contains({stroke.id, node});
         });
     } else if (m_hit.handle) {
-        m_drag.begin({m_hit.handle->node.stroke}, tr("Move handle"));
+        begin({m_hit.handle->node.stroke}, tr("Move handle"));
     } else if (m_onCurve) {
-        m_drag.begin({m_onCurve->stroke}, tr("Bend curve"));
+        begin({m_onCurve->stroke}, tr("Bend curve"));
     }
-    return m_drag.isActive();
+    return m_gesture.isOpen();
+}
+
+/// Of the strokes that are not locked; without any there is nothing to drag.
+void NodeTool::begin(const std::set<StrokeId> &strokes, const QString &name)
+{
+    m_gesture = m_editor.begin(name);
+    m_gesture.take(strokes);
+    if (m_gesture.strokes().empty())
+        m_gesture.giveUp();
 }
 
 void NodeTool::drag(const PointerEvent &event)
@@ -69,14 +78,14 @@ void NodeTool::drag(const PointerEvent &event)
     else if (m_hit.handle)
         dragHandle(event);
     else if (m_onCurve)
-        m_drag.show([&](const Stroke &stroke) {
+        m_gesture.show([&](const Stroke &stroke) {
             return withCurveDragged(stroke, m_onCurve->place.segment, m_onCurve->place.p, event.point - start().point);
         });
 }
 
 void NodeTool::dragNodes(const PointerEvent &event)
 {
-    const Stroke *grabbed = m_drag.before(m_hit.node->stroke);
+    const Stroke *grabbed = m_gesture.before(m_hit.node->stroke);
     if (!grabbed)
         return;
     const View &view = m_canvas.view();
@@ -95,13 +104,13 @@ void NodeTool::dragNodes(const PointerEvent &event)
     std::map<StrokeId, std::vector<int>> nodes;
     for (const NodeRef &node : m_nodes)
         nodes[node.stroke].push_back(node.node);
-    m_drag.show([&](const Stroke &stroke) { return withNodeMoved(stroke, nodes[stroke.id], by); });
+    m_gesture.show([&](const Stroke &stroke) { return withNodeMoved(stroke, nodes[stroke.id], by); });
 }
 
 void NodeTool::dragHandle(const PointerEvent &event)
 {
     const auto [node, after] = *m_hit.handle;
-    const Stroke *grabbed = m_drag.before(node.stroke);
+    const Stroke *grabbed = m_gesture.before(node.stroke);
     if (!grabbed)
         return;
     const View &view = m_canvas.view();
@@ -113,7 +122,7 @@ void NodeTool::dragHandle(const PointerEvent &event)
         to = view.toCanvas(centre + length(arm) * Point{std::cos(angle), std::sin(angle)});
     }
     const bool breaks = event.modifiers & Qt::ShiftModifier;
-    m_drag.show([&](const Stroke &stroke) {
+    m_gesture.show([&](const Stroke &stroke) {
         return withHandleMoved(breaks ? withNodeKind(stroke, {node.node}, NodeKind::Corner) : stroke, node.node, after,
                                to);
     });
@@ -122,8 +131,9 @@ void NodeTool::dragHandle(const PointerEvent &event)
 void NodeTool::endDrag(bool cancelled)
 {
     if (cancelled)
-        m_drag.giveUp();
-    m_drag.end();
+        m_gesture.giveUp();
+    else
+        m_gesture.commit();
     m_marks.reset();
     m_snap = {};
 }

@@ -25,7 +25,7 @@ bool takesAway(const PointerEvent &event)
 } // namespace
 
 SelectTool::SelectTool(CanvasWidget &canvas, Actions &actions, QObject *parent)
-    : SelectionTool(canvas, parent), m_actions(actions), m_drag(canvas)
+    : SelectionTool(canvas, parent), m_actions(actions)
 {
     connect(&m_editor.document(), &Document::changed, this, &SelectTool::followDocument);
     connect(&canvas, &CanvasWidget::begunChanged, this, [this] {
@@ -70,7 +70,7 @@ void SelectTool::pressed(const PointerEvent &event)
                          {}});
     }
     if (isMoving(event) || (m_handle && m_handle->kind != Kind::Centre))
-        m_drag.prepare(m_canvas.selection().strokes);
+        m_canvas.lifted().lift(m_canvas.selection().strokes);
 }
 
 bool SelectTool::isMoving(const PointerEvent &event) const
@@ -82,13 +82,13 @@ bool SelectTool::isMoving(const PointerEvent &event) const
 void SelectTool::release(const PointerEvent &event)
 {
     SelectionTool::release(event);
-    m_drag.end();
+    m_canvas.lifted().endLift(); // a click has only pressed
 }
 
 void SelectTool::cancel()
 {
     SelectionTool::cancel();
-    m_drag.end();
+    m_canvas.lifted().endLift();
 }
 
 void SelectTool::clicked(const PointerEvent &event)
@@ -206,13 +206,17 @@ bool SelectTool::beginDrag(const PointerEvent &event)
                          : m_handle->kind == Kind::Scale ? tr("Scale")
                          : m_handle->kind == Kind::Skew  ? tr("Skew")
                                                          : tr("Rotate");
-    m_drag.begin(m_canvas.selection().strokes, name);
+    const std::set<StrokeId> strokes = m_canvas.selection().strokes;
+    m_gesture = m_editor.begin(name);
+    m_gesture.take(strokes);
     m_snap.begin(*m_editor.document().painting(), m_canvas.aids(), m_canvas.selection(),
                  moves                                        ? TransformSnap::What::Strokes
                  : m_handle && m_handle->kind == Kind::Centre ? TransformSnap::What::Centre
                                                               : TransformSnap::What::Handle,
                  start().point);
-    return m_drag.isActive();
+    if (m_gesture.strokes().empty())
+        m_gesture.giveUp();
+    return m_gesture.isOpen();
 }
 
 void SelectTool::drag(const PointerEvent &event)
@@ -270,7 +274,9 @@ void SelectTool::show(const Affine &map)
 {
     m_map = map;
     const SpreadRule rule = m_actions[Command::ScaleSpread].isChecked() ? SpreadRule::Scales : SpreadRule::Stays;
-    m_drag.show(map, rule);
+    m_gesture.floatBy(map, rule);
+    if (!m_canvas.lifted().isAhead())
+        m_canvas.updateSelection();
 }
 
 void SelectTool::endDrag(bool cancelled)
@@ -279,9 +285,9 @@ void SelectTool::endDrag(bool cancelled)
     const Point about = m_map(m_handles.centre());
     const bool ownCentre = length(m_handles.centre() - m_handles.box().centre()) > 1e-9 * m_handles.box().width();
     if (cancelled)
-        m_drag.giveUp();
+        m_gesture.giveUp();
     else
-        m_drag.end();
+        m_gesture.commit();
     m_stale = true;
     handles();
     if (!cancelled && !centre && ownCentre)
@@ -386,12 +392,12 @@ void SelectTool::paint(QPainter &painter, const View &view, double dpr) const
 {
     const OverlayColours &colours = m_canvas.overlayColours();
     SelectionTool::paint(painter, view, dpr);
-    const bool movesCentre = m_drag.isActive() && m_handle && m_handle->kind == Kind::Centre;
+    const bool movesCentre = m_gesture.isOpen() && m_handle && m_handle->kind == Kind::Centre;
     if (movesCentre)
         m_handles.paint(painter, view, dpr, colours.accent, m_handle);
     else if (!isBusy() && !selection().isEmpty())
         handles().paint(painter, view, dpr, colours.accent, m_hovered);
-    if (m_drag.isActive() && m_snap.found().to != SnapTo::Nothing)
+    if (m_gesture.isOpen() && m_snap.found().to != SnapTo::Nothing)
         paintSnapMark(painter, view.toPixels(m_snap.found().point), colours, dpr);
     if (m_turned)
         paintBadge(painter, angleText(*m_turned), m_turnedAt, 0, view, dpr);

@@ -1,7 +1,7 @@
 #pragma once
 
+#include "app/session/gesture.h"
 #include "app/session/selecting/pick.h"
-#include "app/tools/floating_drag.h"
 #include "app/tools/selection_tool.h"
 #include "app/tools/transform_handles.h"
 #include "app/tools/transform_snap.h"
@@ -79,7 +79,7 @@ private:
     bool m_selectedByPress = false;
     bool m_turnedByClick = false;            ///< the last click changed the handles' mode
     std::optional<TransformHandle> m_handle; ///< that is dragged
-    FloatingDrag m_drag;
+    Gesture m_gesture;
     Affine m_map;                   ///< of the drag so far
     std::optional<double> m_turned; ///< radians, while a drag turns
     Point m_turnedAt;

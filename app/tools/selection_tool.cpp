@@ -122,9 +122,9 @@ bool SelectionTool::keyPress(QKeyEvent *event)
     const std::set<StrokeId> &moved = m_canvas.selection().strokes;
     if (!way || isBusy() || moved.empty())
         return false;
-    if (!event->isAutoRepeat() || m_nudgeRun == 0)
-        m_nudgeRun = beginEditRun(); // a key held down is one step
-    commands::moveStrokes(m_editor, moved, *way, m_nudgeRun);
+    if (!event->isAutoRepeat()) // a key held down is one step
+        m_nudges.endSteps();
+    commands::moveStrokes(m_editor, moved, *way, &m_nudges);
     return true;
 }
 
@@ -205,7 +205,7 @@ std::optional<SegmentRef> SelectionTool::pick(const PointerEvent &event) const
 
 const Selection &SelectionTool::selection() const
 {
-    return m_editor.document().selection();
+    return m_editor.selection();
 }
 
 void SelectionTool::select(Selection selection)

@@ -1,9 +1,9 @@
 // What the tools that select have in common: click, rubber band, nudging.
 #pragma once
 
+#include "app/session/value_entry.h"
 #include "app/tools/canvas_tool.h"
 #include "model/painting/selection.h"
-#include "undo/edit_command.h"
 
 #include <QPainterPath>
 
@@ -79,7 +79,7 @@ private:
     BandShape m_shape = BandShape::Rectangle;
     std::vector<Point> m_trace; ///< canvas units
     SegmentRef m_anchor;
-    EditRun m_nudgeRun = 0;
+    ValueEntry m_nudges;
 };
 
 } // namespace suffuse

@@ -72,9 +72,8 @@ NumberField *TransformBar::addField(QHBoxLayout &row, Number number, const QStri
     row.addSpacing(4);
     row.addWidget(name);
     row.addWidget(field);
-    connect(field, &NumberField::entered, this, [this, number](double value) { enter(number, value, 0); });
-    connect(field, &NumberField::stepped, this,
-            [this, number](double value) { enter(number, value, stepRun(number)); });
+    connect(field, &NumberField::entered, this, [this, number](double value) { enter(number, value); });
+    connect(field, &NumberField::stepped, this, [this, number](double value) { step(number, value); });
     connect(field, &NumberField::refused, this, [this, number](const QString &hint) { showHint(number, hint); });
     m_fields[std::size_t(number)] = field;
     return field;
@@ -119,7 +118,7 @@ void TransformBar::refresh()
 {
     if (!std::exchange(m_stale, false))
         return;
-    m_box = selectionBox(*m_editor.document().painting(), m_editor.document().selection());
+    m_box = selectionBox(*m_editor.unsettled().painting(), m_editor.selection());
     const bool any = !m_box.isEmpty();
     const double values[] = {m_box.left, m_box.top, m_box.width(), m_box.height(), m_turn};
     for (std::size_t i = 0; i < m_fields.size(); ++i) {
@@ -137,13 +136,11 @@ void TransformBar::showTurn(std::optional<double> angle)
         field->setValue(m_turn);
 }
 
-EditRun TransformBar::stepRun(Number number)
+void TransformBar::step(Number number, double value)
 {
-    const bool goesOn = m_stepRun != 0 && m_stepped == number && m_stackIndex == m_editor.undoStack().index();
-    if (!goesOn)
-        m_stepRun = beginEditRun();
-    m_stepped = number;
-    return m_stepRun;
+    if (std::exchange(m_stepped, number) != number)
+        m_steps.endSteps();
+    enter(number, value, &m_steps);
 }
 
 Affine TransformBar::mapFor(Number number, double value) const
@@ -169,8 +166,9 @@ Affine TransformBar::mapFor(Number number, double value) const
     return Affine::rotation(m_box.centre(), value * std::numbers::pi / 180);
 }
 
-void TransformBar::enter(Number number, double value, EditRun run)
+void TransformBar::enter(Number number, double value, ValueEntry *entry)
 {
+    m_editor.settle();
     m_stale = true;
     refresh(); // the box of this moment
     if (m_box.isEmpty())
@@ -183,8 +181,7 @@ void TransformBar::enter(Number number, double value, EditRun run)
     Edit edit = transformSelection(m_editor.document(), map, rule);
     if (edit.isEmpty() && !map.isIdentity())
         showHint(number, tr("Some of these strokes would become too small, too large or too far away to be painted."));
-    m_editor.push(std::move(edit), name, run);
-    m_stackIndex = m_editor.undoStack().index();
+    m_editor.push(std::move(edit), name, entry);
     m_stale = true;
     refresh();
 }

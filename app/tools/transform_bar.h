@@ -1,7 +1,7 @@
 #pragma once
 
+#include "app/session/value_entry.h"
 #include "model/shaping/transform.h"
-#include "undo/edit_command.h"
 
 #include <QWidget>
 
@@ -40,8 +40,8 @@ private:
     void addButtons(QHBoxLayout &row, Actions &actions);
     void follow();
     void refresh();
-    void enter(Number number, double value, EditRun run);
-    EditRun stepRun(Number number);
+    void enter(Number number, double value, ValueEntry *entry = nullptr);
+    void step(Number number, double value);
     Affine mapFor(Number number, double value) const;
 
     Editor &m_editor;
@@ -52,8 +52,7 @@ private:
     bool m_stale = true;
     double m_turn = 0;            ///< degrees, while strokes are being turned
     Number m_stepped = Number::X; ///< the field that was stepped last; one field's steps are one undo step
-    EditRun m_stepRun = 0;
-    int m_stackIndex = -1; ///< of the undo stack, after the last step
+    ValueEntry m_steps;
 };
 
 } // namespace suffuse

@@ -85,7 +85,7 @@ bool WidthHandle::press(const PointerEvent &event)
         if (const std::optional<Target> target = targetOf(*stroke, ref))
             m_targets.push_back(*target);
     m_grab = dot(event.point - m_start.middle, m_start.normal) - m_start.width;
-    m_run = beginEditRun();
+    m_gesture = m_canvas.editor().begin(QCoreApplication::translate("WidthHandle", "Change width"));
     return true;
 }
 
@@ -131,27 +131,20 @@ void WidthHandle::setWidth(double width, bool diffusionAlone)
                 widen(segment, target, m_start.width > 0 ? ratio * target.width : width, diffusionAlone);
         }
     });
-    push(std::move(edit));
-}
-
-void WidthHandle::push(Edit edit)
-{
-    m_canvas.editor().push(std::move(edit), QCoreApplication::translate("WidthHandle", "Change width"), m_run);
+    m_gesture.show(std::move(edit));
     m_canvas.updateOverlay();
 }
 
 void WidthHandle::release()
 {
-    m_run = 0;
+    m_gesture.commit();
     m_targets.clear();
     m_canvas.updateOverlay();
 }
 
 void WidthHandle::cancel()
 {
-    if (!isBusy())
-        return;
-    m_canvas.editor().giveUp(m_run);
+    m_gesture.giveUp();
     release();
 }
 

@@ -2,9 +2,9 @@
 #pragma once
 
 #include "app/canvas/input/pointer_event.h"
+#include "app/session/gesture.h"
 #include "model/painting/selection.h"
 #include "render/view.h"
-#include "undo/edit_command.h"
 
 #include <optional>
 #include <vector>
@@ -30,7 +30,7 @@ public:
     void release();
     /// Gives the drag up; the values are what they were.
     void cancel();
-    bool isBusy() const { return m_run != 0; }
+    bool isBusy() const { return m_gesture.isOpen(); }
     void paint(QPainter &painter, const View &view, double dpr) const;
     /// Device pixels from the curve to the far side of the handle; 0: there is none.
     double reach() const;
@@ -59,13 +59,12 @@ private:
     std::optional<Target> targetOf(const Stroke &stroke, const SegmentRef &ref) const;
     void widen(Segment &segment, const Target &target, double width, bool diffusionAlone) const;
     void setWidth(double width, bool diffusionAlone);
-    void push(Edit edit);
 
     CanvasWidget &m_canvas;
     Place m_start;
     std::vector<Target> m_targets;
     double m_grab = 0; ///< pixels between the handle and the pointer, outwards
-    EditRun m_run = 0;
+    Gesture m_gesture;
 };
 
 } // namespace suffuse

@@ -70,9 +70,9 @@ CanvasSection::CanvasSection(QWidget *parent) : QWidget(parent)
     column->addWidget(m_background);
     connect(m_swatch, &ColourSwatch::clicked, this,
             [this] { change([](Canvas &c) { c.background = Colour{}; }, tr("Change background")); });
-    connect(m_background, &ColourRows::edited, this, [this](int channel, double value, EditRun run) {
+    connect(m_background, &ColourRows::edited, this, [this](int channel, double value, ValueEntry *entry) {
         change([=](Canvas &c) { ColourRows::channelOf(c.background, channel) = float(value); }, tr("Change background"),
-               run);
+               entry);
     });
     connect(m_background, &ColourRows::refused, this, &CanvasSection::refused);
 
@@ -156,8 +156,8 @@ void CanvasSection::addPaper(QGridLayout &grid)
     m_strength = new SliderField(specOf(Quantity::PaperStrength), grid, 4, this);
     const auto connectField = [this](SliderField *field, float Paper::*member) {
         connect(field, &SliderField::refused, this, &CanvasSection::refused);
-        connect(field, &SliderField::edited, this, [this, member](double value, EditRun run) {
-            change([=](Canvas &c) { c.paper.*member = float(value); }, tr("Change paper"), run);
+        connect(field, &SliderField::edited, this, [this, member](double value, ValueEntry *entry) {
+            change([=](Canvas &c) { c.paper.*member = float(value); }, tr("Change paper"), entry);
         });
     };
     connectField(m_scale, &Paper::scale);
@@ -228,7 +228,7 @@ bool CanvasSection::chooseImage(Paper &paper)
     return true;
 }
 
-void CanvasSection::change(const std::function<void(Canvas &)> &change, const QString &undoText, EditRun run)
+void CanvasSection::change(const std::function<void(Canvas &)> &change, const QString &undoText, ValueEntry *entry)
 {
     Canvas canvas = m_canvas;
     change(canvas);
@@ -239,7 +239,7 @@ void CanvasSection::change(const std::function<void(Canvas &)> &change, const QS
     }
     m_canvas = canvas;
     refresh();
-    emit edited(canvas, undoText, run);
+    emit edited(canvas, undoText, entry);
 }
 
 void CanvasSection::setCanvas(const Canvas &canvas)

@@ -35,7 +35,7 @@ public:
 
 signals:
     /// Emitted with a valid canvas in which one member was changed.
-    void edited(const suffuse::Canvas &canvas, const QString &undoText, suffuse::EditRun run);
+    void edited(const suffuse::Canvas &canvas, const QString &undoText, suffuse::ValueEntry *entry);
     void refused(const QString &hint);
 
 protected:
@@ -44,7 +44,7 @@ protected:
 private:
     void addSize(QGridLayout &grid);
     void addPaper(QGridLayout &grid);
-    void change(const std::function<void(Canvas &)> &change, const QString &undoText, EditRun run = 0);
+    void change(const std::function<void(Canvas &)> &change, const QString &undoText, ValueEntry *entry = nullptr);
     void choosePaper(int index);
     void chooseImagePaper();
     void showThumbnails();

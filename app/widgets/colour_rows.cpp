@@ -20,7 +20,7 @@ ColourRows::ColourRows(bool withOpacity, QWidget *parent) : QWidget(parent)
         auto *row = new SliderField(specOf(quantities[std::size_t(channel)]), *grid, channel, this);
         m_rows[std::size_t(channel)] = row;
         connect(row, &SliderField::edited, this,
-                [this, channel](double value, EditRun run) { emit edited(channel, value, run); });
+                [this, channel](double value, ValueEntry *entry) { emit edited(channel, value, entry); });
         connect(row, &SliderField::editedRelative, this,
                 [this, channel](const ValueMap &map) { emit editedRelative(channel, map); });
         connect(row, &SliderField::refused, this, &ColourRows::refused);

@@ -26,7 +26,7 @@ public:
     SliderField *row(int channel) const { return m_rows[std::size_t(channel)]; }
 
 signals:
-    void edited(int channel, double value, suffuse::EditRun run);
+    void edited(int channel, double value, suffuse::ValueEntry *entry);
     void editedRelative(int channel, const suffuse::ValueMap &map);
     void refused(const QString &hint);
 

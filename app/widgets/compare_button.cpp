@@ -20,7 +20,7 @@ CompareButton::CompareButton(Editor &editor, QWidget *parent) : QToolButton(pare
     connect(this, &QToolButton::pressed, this, [this] {
         m_held.start();
         m_wasOn = m_editor.compared() != nullptr;
-        m_editor.setCompared(beforeEditsOfSelection(m_editor.undoStack(), m_editor.document()));
+        m_editor.setCompared(beforeEditsOfSelection(m_editor.undoStack(), m_editor.document(), m_editor.undecided()));
     });
     connect(this, &QToolButton::released, this, [this] {
         if (m_wasOn || m_held.elapsed() > clickMs)
@@ -40,7 +40,7 @@ void CompareButton::refresh()
     if (isDown())
         return;
     setChecked(m_editor.compared() != nullptr);
-    setEnabled(endsWithEditOfSelection(m_editor.undoStack(), m_editor.document()));
+    setEnabled(endsWithEditOfSelection(m_editor.undoStack(), m_editor.document(), m_editor.undecided()));
 }
 
 } // namespace suffuse

@@ -61,8 +61,8 @@ QPointF CurveField::fromWidget(QPointF at) const
 
 void CurveField::mouseReleaseEvent(QMouseEvent *event)
 {
-    if (event->button() == Qt::LeftButton)
-        m_dragging = false;
+    if (event->button() == Qt::LeftButton && std::exchange(m_dragging, false))
+        emit released();
 }
 
 QColor CurveField::accent() const

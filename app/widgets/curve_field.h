@@ -21,9 +21,11 @@ public:
     void setUpsideDown(bool upsideDown);
     /// Where a place and value of the curve lie in the widget.
     QPointF toWidget(QPointF at) const;
+    bool isDragging() const { return m_dragging; }
 
 signals:
-    void edited(); ///< the user has edited the curve
+    void edited();   ///< the user has edited the curve
+    void released(); ///< a drag has ended
 
 protected:
     void mouseReleaseEvent(QMouseEvent *event) override;

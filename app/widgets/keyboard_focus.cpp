@@ -103,6 +103,26 @@ int tabOf(const QMainWindow &window, const QString &title)
     return -1;
 }
 
+/// Something is being done that may ask what stands in a panel.
+bool actsOnPanels(QEvent::Type type)
+{
+    switch (type) {
+    case QEvent::MouseButtonPress:
+    case QEvent::MouseButtonDblClick:
+    case QEvent::TabletPress:
+    case QEvent::TouchBegin:
+    case QEvent::Wheel:
+    case QEvent::KeyPress:
+    case QEvent::ShortcutOverride:
+    case QEvent::InputMethod:
+    case QEvent::DragEnter:
+    case QEvent::Drop:
+        return true;
+    default:
+        return false;
+    }
+}
+
 bool takesFocus(const QWidget &widget)
 {
     return widget.focusPolicy() & Qt::TabFocus && widget.isEnabled() && !widget.focusProxy();
@@ -236,6 +256,8 @@ void KeyboardFocus::tellWhoHasIt(QWidget &panel, const QKeyEvent &key)
 
 bool KeyboardFocus::eventFilter(QObject *watched, QEvent *event)
 {
+    if (actsOnPanels(event->type()))
+        emit acting();
     auto *widget = qobject_cast<QWidget *>(watched);
     switch (event->type()) {
     case QEvent::ShortcutOverride:

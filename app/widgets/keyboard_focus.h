@@ -33,6 +33,10 @@ public:
 
     bool eventFilter(QObject *watched, QEvent *event) override;
 
+signals:
+    /// Something is pressed, typed, scrolled or dropped, here or in a dialog: panels must be up to date now.
+    void acting();
+
 private:
     QWidget *panelOf(QWidget *widget) const;
     bool keepsFromCanvas(QWidget &widget, const QKeyEvent &key) const;

@@ -12,7 +12,7 @@
 namespace suffuse {
 
 namespace {
-constexpr int nudgeGapMs = 900; ///< key and wheel steps closer than this are one undo step
+constexpr int stepGapMs = 900; ///< key and wheel steps closer than this are one undo step
 }
 
 SliderField::SliderField(const FieldSpec &spec, QGridLayout &grid, int row, QWidget *parent)
@@ -33,19 +33,19 @@ SliderField::SliderField(const FieldSpec &spec, QGridLayout &grid, int row, QWid
     connect(m_slider, &QSlider::valueChanged, this, &SliderField::sliderChanged);
     connect(m_slider, &BarSlider::givenUp, this, &SliderField::giveUp);
     connect(m_slider, &QSlider::sliderReleased, this, [this] {
-        m_run = 0;
+        m_entry.commitDrag();
         m_pressedValue.reset();
         setValue(m_value);
         emit dragEnded();
     });
-    connect(m_number, &NumberField::entered, this, [this](double value) { emit edited(value, 0); });
+    connect(m_number, &NumberField::entered, this, [this](double value) { emit edited(value, nullptr); });
     connect(m_number, &NumberField::enteredRelative, this, [this](const ValueMap &map) {
         emit editedRelative([map, low = m_spec.minimum, high = m_spec.maximum](double value) {
             const std::optional<double> mapped = map(value);
             return mapped && *mapped >= low && *mapped <= high ? mapped : std::nullopt;
         });
     });
-    connect(m_number, &NumberField::stepped, this, [this](double value) { emit edited(value, nudgeRun()); });
+    connect(m_number, &NumberField::stepped, this, [this](double value) { emit edited(value, step()); });
     connect(m_number, &NumberField::refused, this, &SliderField::refused);
 }
 
@@ -124,8 +124,7 @@ void SliderField::setSliderRange(double minimum, double maximum)
 
 void SliderField::sliderPressed()
 {
-    m_run = beginEditRun();
-    m_nudgeRun = 0;
+    m_entry.beginDrag();
     m_pressedValue = m_value;
     m_pressedPosition = m_slider->value();
     emit dragStarted();
@@ -134,40 +133,39 @@ void SliderField::sliderPressed()
 void SliderField::sliderChanged(int position)
 {
     double value = toValue(position);
-    EditRun run = m_run;
-    if (m_slider->isSliderDown()) {
-        if (m_pressedValue && position == m_pressedPosition)
-            value = *m_pressedValue;
-    } else {
-        run = nudgeRun();
-    }
+    ValueEntry *entry = &m_entry;
+    if (!m_slider->isSliderDown())
+        entry = step();
+    else if (m_pressedValue && position == m_pressedPosition)
+        value = *m_pressedValue;
     m_value = value;
     m_slider->setMixed(false);
     m_number->setValue(value);
     emit refused({});
-    emit edited(value, run);
+    emit edited(value, entry);
 }
 
 void SliderField::giveUp()
 {
     m_value = m_pressedValue;
-    if (m_pressedValue)
-        emit edited(*m_pressedValue, m_run);
-    emit givenUp(m_run);
+    if (m_pressedValue) // for whoever keeps values without an editor
+        emit edited(*m_pressedValue, &m_entry);
+    m_entry.giveUpDrag();
 }
 
-EditRun SliderField::nudgeRun()
+/// The entry for a step by key or wheel.
+ValueEntry *SliderField::step()
 {
-    if (!m_nudgeRun || !m_sinceNudge.isValid() || m_sinceNudge.elapsed() > nudgeGapMs)
-        m_nudgeRun = beginEditRun();
-    m_sinceNudge.restart();
-    return m_nudgeRun;
+    if (!m_sinceStep.isValid() || m_sinceStep.elapsed() > stepGapMs)
+        m_entry.endSteps();
+    m_sinceStep.restart();
+    return &m_entry;
 }
 
 bool SliderField::eventFilter(QObject *watched, QEvent *event)
 {
     if (watched == m_label && event->type() == QEvent::MouseButtonDblClick && m_label->isEnabled()) {
-        emit edited(m_spec.defaultValue, 0);
+        emit edited(m_spec.defaultValue, nullptr);
         return true;
     }
     return QObject::eventFilter(watched, event);

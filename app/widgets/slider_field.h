@@ -1,7 +1,7 @@
 #pragma once
 
+#include "app/session/value_entry.h"
 #include "app/widgets/number_field.h"
-#include "undo/edit_command.h"
 
 #include <QElapsedTimer>
 #include <QLabel>
@@ -31,7 +31,8 @@ struct FieldSpec {
 };
 
 /// A label, a slider and a number field for one quantity, laid out in three columns of a grid that the panel owns.
-/// Emits changes with the run that they belong to: a whole drag is one run, quick repeated key or wheel steps too.
+/// Emits changes with the entry by which they come in: a whole drag is one gesture, quick repeated key or wheel steps
+/// are one step.
 class SliderField : public QObject {
     Q_OBJECT
 
@@ -55,14 +56,12 @@ public:
     NumberField *number() const { return m_number; }
 
 signals:
-    /// run 0: a step of its own.
-    void edited(double value, suffuse::EditRun run);
+    /// To be pushed with the entry; null: a step of its own.
+    void edited(double value, suffuse::ValueEntry *entry);
     /// Each of the mixed values is to change by the map, which keeps to the field's range: nothing beyond it.
     void editedRelative(const suffuse::ValueMap &map);
     void dragStarted();
     void dragEnded();
-    /// Before dragEnded: what the run changed is to be as it was. Where the value was one, `edited` has told of it.
-    void givenUp(suffuse::EditRun run);
     void refused(const QString &hint);
 
 protected:
@@ -72,7 +71,7 @@ private:
     void sliderPressed();
     void sliderChanged(int position);
     void giveUp();
-    EditRun nudgeRun();
+    ValueEntry *step();
     int toPosition(double value) const;
     double toValue(int position) const;
 
@@ -83,9 +82,8 @@ private:
     std::optional<double> m_value;
     std::optional<double> m_pressedValue; ///< returned to exactly where the handle returns to m_pressedPosition
     int m_pressedPosition = 0;
-    EditRun m_run = 0;
-    EditRun m_nudgeRun = 0;
-    QElapsedTimer m_sinceNudge;
+    ValueEntry m_entry;
+    QElapsedTimer m_sinceStep;
 };
 
 } // namespace suffuse

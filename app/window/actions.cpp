@@ -167,27 +167,25 @@ void Actions::addFileAndEdit()
     add(Command::Quit, "quit", tr("&Quit"), "", {QKeySequence(tr("Ctrl+Q"))});
     m_actions[Command::Quit]->setMenuRole(QAction::QuitRole);
     add(Command::Undo, "undo", tr("&Undo"), "undo", keys(QKeySequence::Undo))
-        .when([](const CommandTarget &t) {
-            return t.editor.document().draft() || isBusy(t) || t.editor.undoStack().canUndo();
-        })
+        .when([](const CommandTarget &t) { return t.editor.document().draft() || isBusy(t) || t.editor.canUndo(); })
         .named([](const CommandTarget &t) {
             const bool strokeInHand = t.editor.document().draft() != nullptr;
-            const QString step = strokeInHand ? QString() : t.editor.undoStack().undoText();
+            const QString step = strokeInHand ? QString() : t.editor.undoText();
             return step.isEmpty() ? tr("&Undo") : tr("&Undo: %1").arg(step);
         })
         .runs([](const CommandTarget &t) {
             if (!givesUp(t))
-                t.editor.undoStack().undo();
+                t.editor.undo();
         });
     add(Command::Redo, "redo", tr("&Redo"), "redo", {QKeySequence(tr("Ctrl+Shift+Z")), QKeySequence(tr("Ctrl+Y"))})
-        .when([](const CommandTarget &t) { return t.editor.undoStack().canRedo(); })
+        .when([](const CommandTarget &t) { return t.editor.canRedo(); })
         .named([](const CommandTarget &t) {
-            const QString step = t.editor.undoStack().redoText();
+            const QString step = t.editor.redoText();
             return step.isEmpty() ? tr("&Redo") : tr("&Redo: %1").arg(step);
         })
         .runs([](const CommandTarget &t) {
             if (!givesUp(t))
-                t.editor.undoStack().redo();
+                t.editor.redo();
         });
     add(Command::Cut, "cut", tr("Cu&t"), "cut", keys(QKeySequence::Cut))
         .when(anySelected)

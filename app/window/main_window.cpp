@@ -274,6 +274,8 @@ void MainWindow::connectUpdates()
             updateActions();
     };
     connect(&m_editor.undoStack(), &QUndoStack::indexChanged, this, update);
+    connect(&m_editor, &Editor::dragEnded, this, update);
+    connect(m_keyboard, &KeyboardFocus::acting, this, [this] { m_editor.laterChanges().flush(); });
     connect(m_canvas, &CanvasWidget::busyChanged, this, update);
     connect(m_strokes, &StrokesPanel::searchingChanged, this, update);
     connect(m_canvas, &CanvasWidget::busyChanged, this, [this] {

@@ -47,6 +47,9 @@ void MainWindow::changeSettings()
 
 std::unique_ptr<OpenPainting> MainWindow::release()
 {
+    if (m_canvas->tool())
+        m_canvas->tool()->cancel();
+    m_editor.commit(); // no widget that goes puts anything back
     // A stack that goes reports that it is empty; there is no canvas to tell any more.
     Editor &editor = m_editor;
     for (QObject *sender :

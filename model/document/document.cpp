@@ -110,6 +110,7 @@ void Document::exchange(Edit &edit)
 {
     if (edit.isEmpty())
         return;
+    emit aboutToExchange();
     Change change;
     for (const auto &[id, state] : edit.strokes) {
         change.strokes.push_back(id);

@@ -42,6 +42,8 @@ public:
     void reserve(const Edit &edit);
 
 signals:
+    /// An edit is about to be exchanged. Who shows a state that is in no step yet takes it back before that.
+    void aboutToExchange();
     void changed(const suffuse::Change &change);
 
 private:

@@ -328,7 +328,7 @@ private slots:
             for (int k = 0; k + 1 < i; ++k)
                 QVERIFY(thumbnails[std::size_t(k)] != thumbnails.back());
         }
-        emit section.paperScale()->edited(9.5, 0); // the grain stays
+        emit section.paperScale()->edited(9.5, nullptr); // the grain stays
         QCOMPARE(paper().grain, PaperGrain::Weave);
         QCOMPARE(paper().scale, 9.5f);
         QCOMPARE(choice.currentText(), QString("Custom"));

@@ -113,7 +113,7 @@ private slots:
 
     void init() { settings::store().clear(); }
 
-    void withoutAGateChangesComeAtOnce()
+    void withoutACanvasChangesComeAtOnce()
     {
         Document document;
         LaterChanges later(document);
@@ -131,7 +131,7 @@ private slots:
         LaterChanges later(document);
         std::vector<Change> heard;
         connect(&later, &LaterChanges::changed, this, [&](const Change &change) { heard.push_back(change); });
-        later.setGate([](const Change &change) { return change.selection; });
+        later.setCanvasShown(true);
         document.setSelection({{1}, {}});
         document.setSelection({{2}, {}});
         QVERIFY(later.isWaiting());
@@ -143,6 +143,7 @@ private slots:
         document.setSelection({{3}, {}});
         Edit edit;
         edit.strokes[2] = std::make_shared<const Stroke>(*document.painting()->find(2));
+        edit.canvas = document.painting()->canvas;
         document.exchange(edit); // this does not wait, and takes with it what does
         QCOMPARE(heard.size(), std::size_t(2));
         QVERIFY(heard[1].selection);

@@ -46,7 +46,7 @@ private slots:
         for (const Number<Segment> &number : numbersOf<Segment>) {
             if (!number.member)
                 continue;
-            emit panel.segmentSection()->row(number.member)->edited(0.75, 0);
+            emit panel.segmentSection()->row(number.member)->edited(0.75, nullptr);
             QCOMPARE(number.of(bench.stroke(1).segments[1]), 0.75f);
         }
     }

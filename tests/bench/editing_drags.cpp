@@ -71,7 +71,7 @@ Row measureDrag(EditingSession &s, const Drag &drag, int events)
         const PaintingPtr before = s.document().painting();
         s.takeEvaluatedPixels();
         (void)s.untilShown([&] { drag.move(i); });
-        if (s.document().painting() == before)
+        if (s.editor().unsettled().painting() == before)
             s.settle(); // it floats
         evaluated += s.takeEvaluatedPixels();
         influenced += influencedPixels(*before, s.painting(), s.canvas().view(), s.editor().clock().time());

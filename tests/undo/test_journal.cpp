@@ -4,7 +4,7 @@
 #include "tests/files.h"
 #include "tests/model/random_paintings.h"
 #include "tests/undo/random_edits.h"
-#include "undo/edit_command.h"
+#include "tests/undo/steps.h"
 
 #include <QDir>
 #include <QFile>
@@ -33,7 +33,7 @@ struct Painter {
         else if (what == 1 && stack.canRedo())
             stack.redo();
         else if (Edit edit = random.next(); !edit.isEmpty())
-            stack.push(new EditCommand(document, std::move(edit), QStringLiteral("edit")));
+            pushStep(stack, document, std::move(edit));
     }
 
     Document document;

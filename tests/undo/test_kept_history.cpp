@@ -3,7 +3,7 @@
 #include "model/painting/validate.h"
 #include "tests/trials.h"
 #include "tests/undo/random_edits.h"
-#include "undo/edit_command.h"
+#include "tests/undo/steps.h"
 #include "undo/kept_history.h"
 
 #include <QTest>
@@ -21,7 +21,7 @@ struct Session {
     void push(Edit edit, const QString &text = QStringLiteral("edit"))
     {
         if (!edit.isEmpty())
-            stack.push(new EditCommand(document, std::move(edit), text));
+            pushStep(stack, document, std::move(edit), text);
     }
     void paint(unsigned seed, int edits)
     {

@@ -1,6 +1,6 @@
 // A long day: ten thousand steps, all the way back and forth again. Time and memory are printed, never judged.
 #include "tests/undo/random_shape_edits.h"
-#include "undo/edit_command.h"
+#include "tests/undo/steps.h"
 
 #include <QElapsedTimer>
 #include <QFile>
@@ -78,7 +78,7 @@ private:
     static void push(QUndoStack &stack, Document &d, Edit edit)
     {
         if (!edit.isEmpty())
-            stack.push(new EditCommand(d, std::move(edit), QStringLiteral("edit")));
+            pushStep(stack, d, std::move(edit));
     }
 };
 

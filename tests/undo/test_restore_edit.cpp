@@ -1,6 +1,6 @@
 // A whole painting in another one's place, and back.
 #include "tests/model/random_paintings.h"
-#include "undo/edit_command.h"
+#include "tests/undo/steps.h"
 #include "undo/restore_edit.h"
 
 #include <QTest>
@@ -23,7 +23,7 @@ private slots:
             QUndoStack stack;
             Edit edit = restorePainting(document, after);
             QVERIFY(!edit.isEmpty());
-            stack.push(new EditCommand(document, std::move(edit), QStringLiteral("Restore")));
+            pushStep(stack, document, std::move(edit), QStringLiteral("Restore"));
             QVERIFY(*document.painting() == after);
             stack.undo();
             QVERIFY(*document.painting() == *before);

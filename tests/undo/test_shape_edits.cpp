@@ -1,8 +1,8 @@
 // Edits of nodes, shapes and groups: what they do, and that undo takes it back.
-#include "model/shaping/erase.h"
 #include "model/painting/validate.h"
+#include "model/shaping/erase.h"
 #include "tests/undo/random_shape_edits.h"
-#include "undo/edit_command.h"
+#include "tests/undo/steps.h"
 
 #include <QTest>
 #include <QUndoStack>
@@ -35,10 +35,13 @@ private slots:
             QUndoStack stack;
             ShapeEdits edits(d, walk);
             const QByteArray first = hashOf(*d.painting());
-            EditRun run = 0;
+            StepRun run;
+            bool runs = false;
             for (int i = 0; i < 150; ++i) {
-                if (edits.below(4) == 0)
-                    run = edits.below(2) ? beginEditRun() : 0;
+                if (edits.below(4) == 0) {
+                    run.reset();
+                    runs = edits.below(2);
+                }
                 const QByteArray before = hashOf(*d.painting());
                 const Selection selection = d.selection();
                 Edit edit = edits.next();
@@ -53,7 +56,7 @@ private slots:
                 d.exchange(copy);
                 QCOMPARE(hashOf(*d.painting()), before);
                 QCOMPARE(d.selection(), selected);
-                stack.push(new EditCommand(d, std::move(edit), QStringLiteral("edit"), run));
+                pushStep(stack, d, std::move(edit), QStringLiteral("edit"), runs ? &run : nullptr);
             }
             QVERIFY(stack.index() > 10);
             checkUndoAllAndRedo(stack, d, first);
@@ -212,10 +215,10 @@ private slots:
         Document d;
         d.reset(makePainting(3));
         QUndoStack stack;
-        const EditRun run = beginEditRun();
+        StepRun run;
         for (double x = 50; x < 250; x += 5)
             if (Edit edit = eraseAlong(d, {}, {{x, -20}, {x + 5, 20}}, 2); !edit.isEmpty())
-                stack.push(new EditCommand(d, std::move(edit), QStringLiteral("erase"), run));
+                pushStep(stack, d, std::move(edit), QStringLiteral("erase"), &run);
         QCOMPARE(stack.count(), 1);
         QVERIFY(d.painting()->strokes.size() > 10);
         stack.undo();
@@ -268,10 +271,10 @@ private slots:
         select(d, {1, 2, 4}, segments);
         const Selection selection = d.selection();
         QUndoStack stack;
-        const EditRun run = beginEditRun();
+        StepRun run;
         const auto drag = [&](const Affine &map) {
-            stack.push(new EditCommand(d, transformSelection(d, *before, selection, map, SpreadRule::Scales),
-                                       QStringLiteral("scale"), run));
+            pushStep(stack, d, transformSelection(d, *before, selection, map, SpreadRule::Scales),
+                     QStringLiteral("scale"), &run);
         };
         for (double k : {1.1, 1.4, 2.0, 0.7})
             drag(Affine::scaling({10, 10}, k, 1 / k));

@@ -1,7 +1,7 @@
 // Retiming, freezing, re-wetting, and strokes that are painted in the past.
 #include "model/painting/validate.h"
 #include "tests/undo/random_edits.h"
-#include "undo/edit_command.h"
+#include "tests/undo/steps.h"
 #include "undo/node_edits.h"
 #include "undo/time_edits.h"
 
@@ -44,10 +44,10 @@ struct Desk {
 
     explicit Desk(PaintingPtr painting) { document.reset(std::move(painting)); }
     const Stroke &stroke(StrokeId id) { return strokeOf(document, id); }
-    void push(Edit edit, EditRun run = 0)
+    void push(Edit edit, StepRun *run = nullptr)
     {
         if (!edit.isEmpty())
-            stack.push(new EditCommand(document, std::move(edit), QStringLiteral("edit"), run));
+            pushStep(stack, document, std::move(edit), QStringLiteral("edit"), run);
         QCOMPARE(problemOf(*document.painting()), QString());
     }
 };
@@ -144,18 +144,18 @@ private slots:
         const PaintingPtr before = d.document.painting();
         select(d.document, {2});
         const Selection selection = d.document.selection();
-        EditRun run = beginEditRun();
+        StepRun run;
         for (const Microseconds by : {100'000, 500'000, -300'000, 250'000})
-            d.push(retime(*before, selection, {.by = by}), run);
+            d.push(retime(*before, selection, {.by = by}), &run);
         QCOMPARE(d.stack.count(), 1);
         QCOMPARE(d.stroke(2).born(), 2'250'000);
         d.stack.undo();
         QVERIFY(*d.document.painting() == *before);
         d.stack.redo();
-        run = beginEditRun();
+        run.reset();
         const PaintingPtr now = d.document.painting();
         for (const Microseconds by : {100'000, -100'000, 0})
-            d.push(retime(*now, selection, {.by = by}), run);
+            d.push(retime(*now, selection, {.by = by}), &run);
         QCOMPARE(d.stack.count(), 1);
         QVERIFY(*d.document.painting() == *now);
     }

@@ -1,5 +1,5 @@
 // Edits of the underlay: what changes nothing, or would be none, is no edit.
-#include "undo/edit_command.h"
+#include "tests/undo/steps.h"
 #include "undo/underlay_edits.h"
 
 #include <QTest>
@@ -15,9 +15,9 @@ private slots:
     {
         Document document;
         QUndoStack stack;
-        const auto push = [&](Edit edit, EditRun run = 0) {
+        const auto push = [&](Edit edit, StepRun *run = nullptr) {
             QVERIFY(!edit.isEmpty());
-            stack.push(new EditCommand(document, std::move(edit), "underlay", run));
+            pushStep(stack, document, std::move(edit), "underlay", run);
         };
         const auto opacity = [](float value) { return [value](Underlay &u) { u.opacity = value; }; };
         QVERIFY(changeUnderlay(document, opacity(1)).isEmpty());
@@ -25,9 +25,9 @@ private slots:
         const Underlay first{std::make_shared<const QByteArray>("picture"), Rect::of(0, 0, 30, 20)};
         push(setUnderlay(document, first));
         QVERIFY(setUnderlay(document, first).isEmpty());
-        const EditRun run = beginEditRun();
+        StepRun run;
         for (const float value : {0.6f, 0.7f, 0.8f})
-            push(changeUnderlay(document, opacity(value)), run);
+            push(changeUnderlay(document, opacity(value)), &run);
         QCOMPARE(stack.count(), 2);
         QCOMPARE(document.painting()->underlay->opacity, 0.8f);
         QCOMPARE(document.painting()->underlay->image, first.image); // shared, not copied

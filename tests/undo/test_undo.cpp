@@ -2,7 +2,7 @@
 #include "model/painting/validate.h"
 #include "tests/trials.h"
 #include "tests/undo/random_edits.h"
-#include "undo/edit_command.h"
+#include "tests/undo/steps.h"
 
 #include <QTest>
 #include <QUndoStack>
@@ -30,10 +30,13 @@ private slots:
             QUndoStack stack;
             RandomEdits edits(d, walk);
             const QByteArray first = hashOf(*d.painting());
-            EditRun run = 0;
+            StepRun run;
+            bool runs = false;
             for (int i = 0; i < length; ++i) {
-                if (edits.below(4) == 0)
-                    run = edits.below(2) ? beginEditRun() : 0;
+                if (edits.below(4) == 0) {
+                    run.reset();
+                    runs = edits.below(2);
+                }
                 if (edits.below(10) == 0) {
                     for (int k = edits.below(5); k > 0; --k)
                         stack.undo();
@@ -41,7 +44,7 @@ private slots:
                         stack.redo();
                 }
                 if (Edit edit = edits.next(); !edit.isEmpty())
-                    stack.push(new EditCommand(d, std::move(edit), QStringLiteral("edit"), run));
+                    pushStep(stack, d, std::move(edit), QStringLiteral("edit"), runs ? &run : nullptr);
                 if (i % 10 == 0)
                     QCOMPARE(problemOf(*d.painting()), QString());
             }
@@ -60,20 +63,20 @@ private slots:
         d.reset(makePainting(2));
         QUndoStack stack;
         const QByteArray first = hashOf(*d.painting());
-        const auto drag = [&](float density, EditRun run) {
-            stack.push(new EditCommand(d, changeSegments(d, {{1, 2}}, [=](Segment &s) { s.density = density; }),
-                                       QStringLiteral("density"), run));
+        const auto drag = [&](float density, StepRun *run) {
+            pushStep(stack, d, changeSegments(d, {{1, 2}}, [=](Segment &s) { s.density = density; }),
+                     QStringLiteral("density"), run);
         };
-        const EditRun one = beginEditRun();
+        StepRun one;
         for (int i = 0; i < 50; ++i)
-            drag(float(20 + i), one);
+            drag(float(20 + i), &one);
         QCOMPARE(stack.count(), 1);
-        const EditRun two = beginEditRun();
-        drag(3, two);
-        drag(4, two);
+        StepRun two;
+        drag(3, &two);
+        drag(4, &two);
         QCOMPARE(stack.count(), 2);
-        drag(5, 0);
-        drag(6, 0);
+        drag(5, nullptr);
+        drag(6, nullptr);
         QCOMPARE(stack.count(), 4);
         stack.undo(), stack.undo(), stack.undo();
         QCOMPARE(d.painting()->strokes[0]->segments[2].density, 69.0f);
@@ -87,10 +90,10 @@ private slots:
         d.reset(makePainting(3));
         const QByteArray first = hashOf(*d.painting());
         QUndoStack stack;
-        const EditRun run = beginEditRun();
+        StepRun run;
         for (StrokeId id : {1, 2, 3, 2})
-            stack.push(new EditCommand(d, changeStrokes(d, {id}, [](Stroke &s) { s.origin.x += 1; }), {}, run));
-        stack.push(new EditCommand(d, reorder(d, {1}, 0), {}, run));
+            pushStep(stack, d, changeStrokes(d, {id}, [](Stroke &s) { s.origin.x += 1; }), {}, &run);
+        pushStep(stack, d, reorder(d, {1}, 0), {}, &run);
         QCOMPARE(stack.count(), 1);
         QCOMPARE(d.painting()->find(2)->origin.x, 122.0);
         stack.undo();
@@ -103,16 +106,15 @@ private slots:
         d.reset(makePainting(2));
         QUndoStack stack;
         stack.setClean();
-        const EditRun run = beginEditRun();
+        StepRun run;
         for (float density : {20.0f, 30.0f, 9.0f})
-            stack.push(
-                new EditCommand(d, changeSegments(d, {{1, 0}}, [=](Segment &s) { s.density = density; }), {}, run));
+            pushStep(stack, d, changeSegments(d, {{1, 0}}, [=](Segment &s) { s.density = density; }), {}, &run);
         QCOMPARE(stack.count(), 0);
         QVERIFY(stack.isClean());
         // And one that would only select.
         Edit selecting;
         selecting.selection = Selection{{1}, {}};
-        stack.push(new EditCommand(d, selecting, {}));
+        pushStep(stack, d, selecting);
         QCOMPARE(stack.count(), 0);
         QCOMPARE(d.selection(), (Selection{{1}, {}}));
     }
@@ -124,12 +126,12 @@ private slots:
         d.setSelection({{2}, {{2, 1}}});
         const Selection before = d.selection();
         QUndoStack stack;
-        stack.push(new EditCommand(d, deleteSelection(d), {}));
+        pushStep(stack, d, deleteSelection(d));
         QVERIFY(d.selection().isEmpty());
         d.setSelection({{3}, {}});
         stack.undo();
         QCOMPARE(d.selection(), before);
-        stack.push(new EditCommand(d, changeSegments(d, targetSegments(d), [](Segment &s) { s.density = 1; }), {}));
+        pushStep(stack, d, changeSegments(d, targetSegments(d), [](Segment &s) { s.density = 1; }));
         d.setSelection({});
         stack.undo();
         QCOMPARE(d.selection(), before);

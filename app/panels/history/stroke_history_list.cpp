@@ -50,7 +50,7 @@ void StrokeHistoryList::followLater()
 
 void StrokeHistoryList::follow()
 {
-    const std::set<StrokeId> &selected = m_editor.document().selection().strokes;
+    const std::set<StrokeId> &selected = m_editor.selection().strokes;
     const StrokeId stroke = selected.size() == 1 ? *selected.begin() : 0;
     if (stroke != m_stroke) {
         m_stroke = stroke;
@@ -58,7 +58,7 @@ void StrokeHistoryList::follow()
     }
     if (!isVisible())
         return;
-    m_states = statesOf(m_editor.undoStack(), m_editor.document(), stroke);
+    m_states = statesOf(m_editor.undoStack(), m_editor.unsettled(), stroke);
     const QSignalBlocker blocker(this);
     while (count() > int(m_states.size()))
         delete takeItem(count() - 1);

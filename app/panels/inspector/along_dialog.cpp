@@ -19,7 +19,7 @@
 namespace suffuse {
 
 AlongDialog::AlongDialog(Editor &editor, QWidget *parent)
-    : QDialog(parent), m_editor(editor), m_runs(runsOf(editor.document())), m_run(beginEditRun())
+    : QDialog(parent), m_editor(editor), m_runs(runsOf(editor.document()))
 {
     setWindowTitle(tr("Along the Stroke"));
     setAttribute(Qt::WA_DeleteOnClose);
@@ -43,9 +43,15 @@ AlongDialog::AlongDialog(Editor &editor, QWidget *parent)
         showFields();
         apply();
     });
+    connect(m_curve, &CurveEditor::released, this, [this] { m_gesture.rest(); });
     connect(&editor.document(), &Document::changed, this, &AlongDialog::documentChanged);
     giveMnemonics(*this);
     choose(Quantity::Density);
+}
+
+AlongDialog::~AlongDialog()
+{
+    m_gesture.commit(); // its window may go without being closed
 }
 
 void AlongDialog::addChoice()
@@ -230,12 +236,15 @@ void AlongDialog::apply()
     if (m_finished)
         return; // a drag that went on while the strokes went
     m_set[m_quantity] = {m_curve->curve(), m_axis};
-    m_changed = true;
     std::map<Quantity, std::function<double(double)>> values;
     for (const auto &[quantity, set] : m_set)
         values[quantity] = [&set = set](double place) { return set.axis.toValue(set.curve.at(place)); };
     const QScopedValueRollback applying(m_applying, true);
-    m_editor.push(setAlong(m_editor.document(), runsToSet(), values), tr("Change along the stroke"), m_run);
+    if (!m_gesture.isOpen())
+        m_gesture = m_editor.begin(tr("Change along the stroke"));
+    m_gesture.show(setAlong(m_editor.document(), runsToSet(), values));
+    if (!m_curve->isDragging())
+        m_gesture.rest();
 }
 
 const StrokeRuns &AlongDialog::runsToSet()
@@ -251,12 +260,18 @@ const StrokeRuns &AlongDialog::runsToSet()
     return *m_refined;
 }
 
+void AlongDialog::accept()
+{
+    m_gesture.commit();
+    QDialog::accept();
+}
+
 void AlongDialog::reject()
 {
-    if (m_changed) {
-        const QScopedValueRollback applying(m_applying, true);
-        m_editor.push(setAlong(m_editor.document(), m_runs, {}), tr("Change along the stroke"), m_run);
-    }
+    // A part of it may be a step already, where something else was done meanwhile.
+    const QScopedValueRollback applying(m_applying, true);
+    m_gesture.show(setAlong(m_editor.document(), m_runs, {}));
+    m_gesture.commit();
     QDialog::reject();
 }
 

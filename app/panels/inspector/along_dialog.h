@@ -1,7 +1,8 @@
 #pragma once
 
-#include "app/widgets/curve_editor.h"
 #include "app/panels/inspector/stroke_run.h"
+#include "app/session/gesture.h"
+#include "app/widgets/curve_editor.h"
 
 #include <QDialog>
 
@@ -27,6 +28,7 @@ public:
     enum Shape { Constant, Ramp, Drawn };
 
     AlongDialog(Editor &editor, QWidget *parent);
+    ~AlongDialog() override;
 
     void choose(Quantity quantity);
     void choose(Shape shape);
@@ -34,6 +36,7 @@ public:
     NumberField *start() const { return m_start; }
     NumberField *end() const { return m_end; }
 
+    void accept() override;
     void reject() override;
 
 protected:
@@ -63,7 +66,7 @@ private:
     Editor &m_editor;
     StrokeRuns m_runs;
     std::optional<StrokeRuns> m_refined; ///< once something varies
-    EditRun m_run;
+    Gesture m_gesture;                   ///< from the first change until the dialog closes
     Quantity m_quantity = Quantity::Density;
     Axis m_axis;
     /// A curve that was set here, and the axis that it belongs to.
@@ -73,7 +76,6 @@ private:
     };
     std::map<Quantity, Set> m_set;
     bool m_applying = false;
-    bool m_changed = false;
     bool m_finished = false; ///< by a change from elsewhere
 
     QComboBox *m_choice = nullptr;

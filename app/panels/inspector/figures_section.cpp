@@ -88,7 +88,7 @@ void FiguresSection::refresh(const Inspected &inspected)
     if (inspected.isEmpty())
         return;
     // A whole stroke is cut in its middle, a run of segments at its first.
-    const bool whole = m_editor.document().selection().segments.empty();
+    const bool whole = m_editor.unsettled().selection().segments.empty();
     m_cutAt = inspected.refs.front();
     if (whole)
         m_cutAt.segment = int(inspected.segments.front().stroke->segments.size()) / 2;
@@ -112,7 +112,7 @@ void FiguresSection::refreshCutSoon()
 
 void FiguresSection::refreshCut()
 {
-    const PaintingPtr &painting = m_editor.document().painting();
+    const PaintingPtr &painting = m_editor.unsettled().painting();
     const StrokePtr stroke = painting->find(m_cutAt.stroke);
     if (stroke && m_cutAt.segment < int(stroke->segments.size()))
         m_cut->show(

@@ -70,11 +70,10 @@ InspectorPanel::InspectorPanel(Editor &editor, QWidget *parent) : QWidget(parent
     connect(m_strokes, &StrokeSection::refused, m_hint, &HintLabel::showRefusal);
     connect(m_canvas, &CanvasSection::refused, m_hint, &HintLabel::showRefusal);
     connect(m_underlay, &UnderlaySection::refused, m_hint, &HintLabel::showRefusal);
-    connect(m_canvas, &CanvasSection::edited, this, [this](const Canvas &value, const QString &text, EditRun run) {
-        m_editor.push(setCanvas(m_editor.document(), value), text, run);
-    });
-    for (const SliderField *field : content->findChildren<SliderField *>())
-        connect(field, &SliderField::givenUp, &editor, &Editor::giveUp);
+    connect(m_canvas, &CanvasSection::edited, this,
+            [this](const Canvas &value, const QString &text, ValueEntry *entry) {
+                m_editor.push(setCanvas(m_editor.document(), value), text, entry);
+            });
     connect(&editor.laterChanges(), &LaterChanges::changed, this, &InspectorPanel::documentChanged);
     refresh();
 }

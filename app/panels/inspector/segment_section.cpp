@@ -102,12 +102,12 @@ void SegmentSection::addBorn(QGridLayout &grid)
 {
     m_born = new SliderField(bornSpec(), grid, grid.rowCount(), this);
     connect(m_born, &SliderField::edited, this,
-            [this](double value, EditRun run) { changeBorn([value](double) { return value; }, run); });
-    connect(m_born, &SliderField::editedRelative, this, [this](const ValueMap &map) { changeBorn(map, 0); });
+            [this](double value, ValueEntry *entry) { changeBorn([value](double) { return value; }, entry); });
+    connect(m_born, &SliderField::editedRelative, this, [this](const ValueMap &map) { changeBorn(map, nullptr); });
     connect(m_born, &SliderField::refused, this, &SegmentSection::refused);
 }
 
-void SegmentSection::changeBorn(const ValueMap &map, EditRun run)
+void SegmentSection::changeBorn(const ValueMap &map, ValueEntry *entry)
 {
     const Document &document = m_editor.document();
     bool possible = true;
@@ -118,7 +118,7 @@ void SegmentSection::changeBorn(const ValueMap &map, EditRun run)
     };
     Edit edit = beginAt(*document.painting(), document.selection(), mapped);
     if (possible)
-        m_editor.push(std::move(edit), tr("Change birth"), run);
+        m_editor.push(std::move(edit), tr("Change birth"), entry);
     else
         refuse();
 }
@@ -133,11 +133,11 @@ SliderField *SegmentSection::addRow(const FieldSpec &spec, QGridLayout &grid, fl
 {
     auto *field = new SliderField(spec, grid, grid.rowCount(), this);
     m_rows.emplace_back(member, field);
-    connect(field, &SliderField::edited, this, [this, member, undoText](double value, EditRun run) {
+    connect(field, &SliderField::edited, this, [this, member, undoText](double value, ValueEntry *entry) {
         Document &document = m_editor.document();
         m_editor.push(changeSegments(document, targetSegments(document),
                                      [=](Segment &segment) { segment.*member = float(value); }),
-                      undoText, run);
+                      undoText, entry);
     });
     connect(field, &SliderField::editedRelative, this, [this, member, undoText](const ValueMap &map) {
         changeEach([member](Segment &s) -> float & { return s.*member; }, map, undoText);
@@ -169,13 +169,13 @@ void SegmentSection::changeEach(const std::function<float &(Segment &)> &member,
         refuse();
 }
 
-void SegmentSection::changeColour(int channel, double value, EditRun run)
+void SegmentSection::changeColour(int channel, double value, ValueEntry *entry)
 {
     Document &document = m_editor.document();
     m_editor.push(
         changeSegments(document, targetSegments(document),
                        [=](Segment &segment) { ColourRows::channelOf(segment.colour, channel) = float(value); }),
-        colourText(channel), run);
+        colourText(channel), entry);
 }
 
 void SegmentSection::takeCurrentColour()

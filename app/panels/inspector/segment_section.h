@@ -36,13 +36,13 @@ signals:
 
 private:
     void addBorn(QGridLayout &grid);
-    void changeBorn(const ValueMap &map, EditRun run);
+    void changeBorn(const ValueMap &map, ValueEntry *entry);
     void showBorn(const Inspected &inspected);
     void refuse();
     SliderField *addRow(const FieldSpec &spec, QGridLayout &grid, float Segment::*member, const QString &undoText);
     /// Each of the values by the map, or none of them.
     void changeEach(const std::function<float &(Segment &)> &member, const ValueMap &map, const QString &undoText);
-    void changeColour(int channel, double value, EditRun run);
+    void changeColour(int channel, double value, ValueEntry *entry);
     void takeCurrentColour();
 
     Editor &m_editor;

@@ -82,14 +82,14 @@ void StrokeSection::addMixing(QGridLayout &grid)
         else
             emit refused(tr("Not possible for all that is selected: a value would be out of range."));
     });
-    connect(m_beta, &SliderField::edited, this, [this](double value, EditRun run) {
+    connect(m_beta, &SliderField::edited, this, [this](double value, ValueEntry *entry) {
         Document &document = m_editor.document();
         m_editor.push(changeStrokes(document, document.selection().strokes,
                                     [=](Stroke &s) {
                                         if (s.mix.mode == MixMode::Beta)
                                             s.mix.beta = float(value);
                                     }),
-                      tr("Change pigment mixing"), run);
+                      tr("Change pigment mixing"), entry);
     });
 }
 

@@ -69,7 +69,7 @@ void StyleSection::addCombos(QGridLayout &grid)
                 if (s.kind != style.kind)
                     s = style;
             },
-            tr("Change style"), 0);
+            tr("Change style"), nullptr);
     });
 }
 
@@ -79,20 +79,20 @@ void StyleSection::addXiRows(QGridLayout &grid)
         auto *row = new SliderField(xiSpec(Style{}.kind, i), grid, 2 + i, this);
         m_xi[std::size_t(i)] = row;
         connect(row, &SliderField::refused, this, &StyleSection::refused);
-        connect(row, &SliderField::edited, this, [this, i](double value, EditRun run) {
+        connect(row, &SliderField::edited, this, [this, i](double value, ValueEntry *entry) {
             changeStyles(
                 [=](Style &s) {
                     if (i < xiCount(s.kind))
                         s.xi[std::size_t(i)] = float(value);
                 },
-                tr("Change style"), run);
+                tr("Change style"), entry);
         });
         connect(row, &SliderField::editedRelative, this, [this, i](const ValueMap &map) {
             const auto change = [&](Style &s) {
                 // A value beyond the range makes the style invalid, and so the whole change.
                 s.xi[std::size_t(i)] = float(map(double(s.xi[std::size_t(i)])).value_or(-1));
             };
-            changeStyles(change, tr("Change style"), 0);
+            changeStyles(change, tr("Change style"), nullptr);
         });
     }
 }
@@ -127,7 +127,7 @@ void StyleSection::chooseSource(bool own)
     refresh(inspect(document));
 }
 
-void StyleSection::changeStyles(const std::function<void(Style &)> &change, const QString &text, EditRun run)
+void StyleSection::changeStyles(const std::function<void(Style &)> &change, const QString &text, ValueEntry *entry)
 {
     Document &document = m_editor.document();
     std::map<StrokeId, std::vector<int>> targets = targetsByStroke(document);
@@ -150,7 +150,7 @@ void StyleSection::changeStyles(const std::function<void(Style &)> &change, cons
             changeChecked(stroke.style);
     });
     if (problem.isEmpty()) {
-        m_editor.push(std::move(edit), text, run);
+        m_editor.push(std::move(edit), text, entry);
     } else {
         emit refused(tr("Not possible for all that is selected: %1").arg(problem));
         refresh(inspect(document));

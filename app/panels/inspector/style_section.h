@@ -36,7 +36,7 @@ private:
     void addCombos(QGridLayout &grid);
     void addXiRows(QGridLayout &grid);
     void chooseSource(bool own);
-    void changeStyles(const std::function<void(Style &)> &change, const QString &text, EditRun run);
+    void changeStyles(const std::function<void(Style &)> &change, const QString &text, ValueEntry *entry);
     void refreshXi(const Inspected &inspected, std::optional<StyleKind> kind);
     void nameXi(StyleKind kind);
     void limitXi(const Inspected &inspected, StyleKind kind);

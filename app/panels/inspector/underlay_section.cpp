@@ -78,10 +78,7 @@ NumberField *UnderlaySection::addNumber(Number number, const QString &name, cons
     field->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
     connect(field, &NumberField::refused, this, &UnderlaySection::refused);
     connect(field, &NumberField::entered, this, [this, number](double value) { enter(number, value); });
-    connect(field, &NumberField::stepped, this, [this, number](double value) {
-        enter(number, value, stepRun(number));
-        m_stackIndex = m_editor.undoStack().index();
-    });
+    connect(field, &NumberField::stepped, this, [this, number](double value) { step(number, value); });
     m_fields[std::size_t(number)] = field;
     return field;
 }
@@ -94,7 +91,7 @@ void UnderlaySection::addFields(QVBoxLayout &column)
                         *grid, 0, m_values);
     connect(m_opacity, &SliderField::refused, this, &UnderlaySection::refused);
     connect(m_opacity, &SliderField::edited, this,
-            [this](double value, EditRun run) { underlay::setOpacity(m_editor, value, run); });
+            [this](double value, ValueEntry *entry) { underlay::setOpacity(m_editor, value, entry); });
 
     const auto addPair = [&](int row, const QString &name, NumberField *first, NumberField *second) {
         auto *label = new QLabel(name, m_values);
@@ -147,15 +144,14 @@ void UnderlaySection::choose()
         emit refused(underlay::importFile(m_editor, path));
 }
 
-EditRun UnderlaySection::stepRun(Number number)
+void UnderlaySection::step(Number number, double value)
 {
-    if (m_stepRun == 0 || m_stepped != number || m_stackIndex != m_editor.undoStack().index())
-        m_stepRun = beginEditRun();
-    m_stepped = number;
-    return m_stepRun;
+    if (std::exchange(m_stepped, number) != number)
+        m_steps.endSteps();
+    enter(number, value, &m_steps);
 }
 
-void UnderlaySection::enter(Number number, double value, EditRun run)
+void UnderlaySection::enter(Number number, double value, ValueEntry *entry)
 {
     const auto &underlay = m_editor.document().painting()->underlay;
     if (!underlay)
@@ -179,7 +175,7 @@ void UnderlaySection::enter(Number number, double value, EditRun run)
         height = value;
         break;
     }
-    underlay::setArea(m_editor, Rect::of(x, y, width, height), run);
+    underlay::setArea(m_editor, Rect::of(x, y, width, height), entry);
     refresh(); // of what was too far the old number
 }
 

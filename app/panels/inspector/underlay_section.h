@@ -43,8 +43,8 @@ private:
     void addButtons(QVBoxLayout &column);
     NumberField *addNumber(Number number, const QString &name, const QString &toolTip);
     QPushButton *addButton(QHBoxLayout &row, const QString &text, const QString &toolTip);
-    void enter(Number number, double value, EditRun run = 0);
-    EditRun stepRun(Number number);
+    void enter(Number number, double value, ValueEntry *entry = nullptr);
+    void step(Number number, double value);
     void choose();
 
     Editor &m_editor;
@@ -57,9 +57,8 @@ private:
     QPushButton *m_fit = nullptr;
     QPushButton *m_replace = nullptr;
     QToolButton *m_remove = nullptr;
-    EditRun m_stepRun = 0; ///< of steps that follow on each other in one field
+    ValueEntry m_steps; ///< those that follow each other in one field
     Number m_stepped = Number::X;
-    int m_stackIndex = -1; ///< after the last of them
 };
 
 } // namespace suffuse

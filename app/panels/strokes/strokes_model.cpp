@@ -166,7 +166,7 @@ std::set<StrokeId> StrokesModel::strokesBelow(const QModelIndex &index) const
 bool StrokesModel::isWhollySelected(const Node &node) const
 {
     if (node.stroke)
-        return m_editor.document().selection().strokes.contains(node.stroke);
+        return m_editor.selection().strokes.contains(node.stroke);
     return !node.children.empty() && std::all_of(node.children.begin(), node.children.end(),
                                                  [this](const auto &child) { return isWhollySelected(*child); });
 }

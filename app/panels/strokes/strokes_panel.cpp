@@ -193,10 +193,10 @@ void StrokesPanel::takeSelectionFromDocument()
     m_syncing = true;
     // Runs of neighbouring rows: ten thousand single ranges would be slow.
     std::map<QModelIndex, std::vector<int>> rows;
-    for (const StrokeId id : m_editor.document().selection().strokes)
+    for (const StrokeId id : m_editor.selection().strokes)
         if (const QModelIndex index = viewIndexOf(id); index.isValid())
             rows[index.parent()].push_back(index.row());
-    for (const SegmentRef &ref : m_editor.document().selection().segments)
+    for (const SegmentRef &ref : m_editor.selection().segments)
         if (const QModelIndex stroke = viewIndexOf(ref.stroke); stroke.isValid() && m_view->isExpanded(stroke))
             rows[stroke].push_back(ref.segment);
     QItemSelection selection;
@@ -314,7 +314,7 @@ void StrokesPanel::addSwitches(QMenu &menu, const QModelIndex &index)
     }
     // All that is selected goes the way of the row that was clicked.
     const StrokePtr stroke = m_model->strokeValueAt(index);
-    std::set<StrokeId> strokes = m_editor.document().selection().strokes;
+    std::set<StrokeId> strokes = m_editor.selection().strokes;
     strokes.insert(stroke->id);
     const bool visible = stroke->visible, locked = stroke->locked;
     menu.addAction(visible ? tr("&Hide") : tr("Sh&ow"), this, [this, strokes, visible] {

@@ -19,30 +19,26 @@ QString signedSeconds(Microseconds t)
 } // namespace
 
 Retiming::Retiming(Editor &editor, Kind kind, const TimelineBar &held)
-    : m_editor(&editor), m_kind(kind), m_held(held), m_before(editor.document().painting()),
-      m_selection(editor.document().selection()), m_drawn(drawnSpan(*m_before, m_selection)), m_run(beginEditRun())
+    : m_kind(kind), m_held(held), m_before(editor.document().painting()), m_selection(editor.document().selection()),
+      m_drawn(drawnSpan(*m_before, m_selection))
 {}
 
 std::optional<Retiming> Retiming::begin(Editor &editor, Kind kind, const TimelineBar &held)
 {
     Retiming retiming(editor, kind, held);
-    return retiming.m_drawn.end < retiming.m_drawn.begin ? std::nullopt : std::optional(std::move(retiming));
+    if (retiming.m_drawn.end < retiming.m_drawn.begin)
+        return {};
+    retiming.m_gesture = editor.begin(retiming.eases()      ? tr("Ease in time")
+                                      : kind == Kind::Shift ? tr("Move in time")
+                                                            : tr("Stretch in time"));
+    return retiming;
 }
 
 QString Retiming::moveBy(Microseconds by)
 {
     auto [edit, words] = m_kind == Kind::Shift ? shifted(by) : eases() ? eased(by) : stretched(by);
-    m_editor->push(std::move(edit),
-                   eases()                 ? tr("Ease in time")
-                   : m_kind == Kind::Shift ? tr("Move in time")
-                                           : tr("Stretch in time"),
-                   m_run);
+    m_gesture.show(std::move(edit));
     return words;
-}
-
-void Retiming::giveUp()
-{
-    m_editor->giveUp(m_run);
 }
 
 std::pair<Edit, QString> Retiming::shifted(Microseconds by) const

@@ -2,8 +2,8 @@
 #pragma once
 
 #include "app/panels/timeline/timeline_bars.h"
+#include "app/session/gesture.h"
 #include "model/painting/selection.h"
-#include "undo/edit_command.h"
 
 #include <QCoreApplication>
 
@@ -25,7 +25,9 @@ public:
     /// So much from where the drag began. Returns what that makes of the strokes, in words.
     QString moveBy(Microseconds by);
     /// The strokes are where they were.
-    void giveUp();
+    void giveUp() { m_gesture.giveUp(); }
+    /// They stay where they are: a step.
+    void commit() { m_gesture.commit(); }
     const std::set<StrokeId> &strokes() const { return m_selection.strokes; }
 
 private:
@@ -35,13 +37,12 @@ private:
     std::pair<Edit, QString> eased(Microseconds by) const;
     bool eases() const { return m_kind == Kind::EaseBegin || m_kind == Kind::EaseEnd; }
 
-    Editor *m_editor;
     Kind m_kind;
     TimelineBar m_held;
     PaintingPtr m_before;
     Selection m_selection;
     TimeSpan m_drawn; ///< before
-    EditRun m_run;
+    Gesture m_gesture;
 };
 
 } // namespace suffuse

@@ -138,10 +138,10 @@ void TimelinePanel::showMenu(QPoint globalPosition, bool onBar)
             to.addAction(&m_actions[command]);
     };
     if (onBar) {
-        const std::set<StrokeId> selected = m_editor.document().selection().strokes;
+        const std::set<StrokeId> selected = m_editor.selection().strokes;
         TimelineBar all;
         bool any = false;
-        for (const StrokePtr &stroke : m_editor.document().painting()->strokes)
+        for (const StrokePtr &stroke : m_editor.unsettled().painting()->strokes)
             if (selected.contains(stroke->id)) {
                 const TimelineBar bar = barOf(*stroke);
                 all.begin = any ? std::min(all.begin, bar.begin) : bar.begin;

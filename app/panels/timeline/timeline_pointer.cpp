@@ -215,6 +215,7 @@ void TimelinePointer::retimeTo(QPointF at, const TimelineAxes &axes)
 
 void TimelinePointer::endRetiming()
 {
+    m_retiming->commit();
     forget();
     emit retimingEnded();
     emit dragged({});

@@ -45,7 +45,7 @@ public:
     bool selectForMenu(QPointF at, const TimelineAxes &axes);
     /// As if the drag had not begun.
     void giveUp();
-    /// Another painting is there: nothing is held any more.
+    /// Another painting is there: nothing is held any more, and what was is given up.
     void forget();
 
     /// What is below the pointer, in words.

@@ -104,7 +104,7 @@ void TimelineView::refresh()
     bool differs = std::exchange(m_looksStale, false);
     // While bars are dragged the lanes stay: what is dragged is painted over them.
     if (m_stale && !m_pointer.isRetiming()) {
-        differs = m_bars.setPainting(m_editor.document().painting()) || differs;
+        differs = m_bars.setPainting(m_editor.unsettled().painting()) || differs;
         m_stale = false;
     }
     updateScrollBars();
@@ -118,7 +118,7 @@ void TimelineView::updateDraft()
 {
     QRect now;
     const TimelineAxes axes = this->axes();
-    if (const std::optional<TimelineBar> draft = draftBar(m_bars, m_editor.document()))
+    if (const std::optional<TimelineBar> draft = draftBar(m_bars, m_editor.unsettled()))
         now = QRectF(QPointF(axes.xOf(draft->begin), axes.laneTop(draft->lane)),
                      QPointF(axes.xOf(draft->end), axes.laneTop(draft->lane + 1)))
                   .toAlignedRect()
@@ -345,7 +345,7 @@ QRectF TimelineView::drawnRect(StrokeId id)
 void TimelineView::paintEvent(QPaintEvent *event)
 {
     QPainter painter(viewport());
-    const TimelinePicture picture(*viewport(), m_editor.document(), m_editor.clock(), m_bars, axes());
+    const TimelinePicture picture(*viewport(), m_editor.unsettled(), m_editor.clock(), m_bars, axes());
     picture.paint(painter, event->rect(), m_pointer.retimed(), m_pointer.band());
 }
 

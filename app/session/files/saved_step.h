@@ -23,25 +23,19 @@ public:
     bool savingEnds(quint64 serial, bool saved);
     /// Call it before a command is pushed, since undone steps are lost then.
     void willPush();
-    /// Call it when those steps are on the stack again, in their old places.
-    void putBack();
-    /// Call it when the stack's index has changed.
+    /// Call it when the stack has another index.
     void follow();
 
-    bool isSaving() const { return !m_steps.saving.empty(); }
-    /// Whether the painting is the same as its file, whatever is being saved.
-    bool isNow() const { return m_stack.index() == m_steps.saved; }
+    bool isSaving() const { return !m_saving.empty(); }
+    /// Whether the painting is as its file, saving aside.
+    bool isNow() const { return m_stack.index() == m_saved; }
 
 private:
     static constexpr int lost = -1;
-    struct Steps {
-        int saved = 0;
-        std::map<quint64, int> saving; ///< steps at which saving began, by number
-    };
 
     QUndoStack &m_stack;
-    Steps m_steps;
-    Steps m_dropped; ///< the steps before undone ones were lost last
+    int m_saved = 0;
+    std::map<quint64, int> m_saving; ///< steps, by number
 };
 
 } // namespace suffuse

@@ -1,5 +1,5 @@
-// The canvas during a drag that floats.
-#include "app/canvas/canvas_widget.h"
+#include "app/canvas/canvas_lift.h"
+
 #include "app/session/editor.h"
 #include "app/session/frames/floating_layers.h"
 #include "app/session/frames/reach.h"
@@ -41,11 +41,24 @@ QTransform inPixels(const View &view, const Affine &map)
 
 } // namespace
 
-void CanvasWidget::lift(const std::set<StrokeId> &strokes)
+CanvasLift::CanvasLift(Editor &editor, FrameThread &frames, const CanvasView &view, std::function<void()> schedule)
+    : m_editor(editor), m_frames(frames), m_view(view), m_schedule(std::move(schedule))
+{
+    m_editor.setFloatingView(this);
+}
+
+CanvasLift::~CanvasLift()
+{
+    if (m_editor.floatingView() == this)
+        m_editor.setFloatingView(nullptr);
+}
+
+void CanvasLift::lift(const std::set<StrokeId> &strokes)
 {
     endLift();
-    const PaintingPtr &painting = m_editor.document().painting();
-    if (strokes.size() < 2 || m_editor.clock().isRunning() || m_editor.shown() != painting || !m_worker.canFloat())
+    const PaintingPtr &painting = m_editor.unsettled().painting();
+    if (strokes.size() < 2 || m_editor.clock().isRunning() || m_editor.unsettledShown() != painting ||
+        !m_frames.canFloat())
         return;
     Painting rest = *painting, lifted = *painting;
     rest.strokes.clear();
@@ -56,49 +69,48 @@ void CanvasWidget::lift(const std::set<StrokeId> &strokes)
     }
     const Microseconds time = m_editor.clock().time();
     // An edit draws where they were and where they are.
-    if (lifted.segmentCount() < manySegments && !m_worker.isSlowFor(2 * reachedPixels(lifted, view(), time)))
+    if (lifted.segmentCount() < manySegments && !m_frames.isSlowFor(2 * reachedPixels(lifted, view(), time)))
         return;
     m_liftedFrom = painting;
     m_lift = std::make_shared<const Lift>(painting, std::make_shared<const Painting>(std::move(rest)),
                                           std::make_shared<const Painting>(std::move(lifted)), time, view());
-    m_worker.lift(m_lift);
+    m_frames.lift(m_lift);
 }
 
-void CanvasWidget::endLift()
+void CanvasLift::endLift()
 {
     if (!m_lift)
         return;
     m_lift.reset();
-    m_worker.lift(nullptr);
+    m_frames.lift(nullptr);
     if (m_floating && m_floating->settled)
         return;
     m_floating.reset();
-    scheduleRender(); // the renderer has drawn the rest last
+    m_schedule(); // the renderer has drawn the rest last
 }
 
-bool CanvasWidget::holds(const Lift &lift) const
+bool CanvasLift::holds(const Lift &lift) const
 {
-    return m_liftedFrom == m_editor.shown() && lift.view == view() && lift.time == m_editor.clock().time() &&
-           m_worker.canFloat();
+    return m_liftedFrom == m_editor.unsettledShown() && lift.view == view() && lift.time == m_editor.clock().time() &&
+           m_frames.canFloat();
 }
 
-void CanvasWidget::showFloating(const Affine &map)
+void CanvasLift::showFloating(const Affine &map)
 {
     m_floating = {m_lift, map, false};
-    m_editor.keepDragging();
-    scheduleRender();
+    m_schedule();
 }
 
-void CanvasWidget::settleFloating()
+void CanvasLift::settleFloating()
 {
     if (!m_floating)
         return;
     m_floating->settled = true;
-    m_liftedFrom = m_editor.document().painting();
-    scheduleRender();
+    m_liftedFrom = m_editor.unsettled().painting();
+    m_schedule();
 }
 
-bool CanvasWidget::coversFloating(const Affine &map) const
+bool CanvasLift::coversFloating(const Affine &map) const
 {
     constexpr double beyond = FloatingLayers::margin;
     const std::optional<Affine> back = map.inverse();
@@ -109,19 +121,29 @@ bool CanvasWidget::coversFloating(const Affine &map) const
     return true;
 }
 
-void CanvasWidget::paintSelection(QPainter &painter, double dpr)
+const std::optional<Floating> &CanvasLift::forFrame()
 {
-    const Document &document = m_editor.document();
-    if (selection().isEmpty())
-        return;
-    if (!m_floating || !holds(*m_floating->lift)) {
-        m_selected.outline().paint(painter, view(), *document.painting(), selection(), m_colours, dpr, m_editor.isDragging());
-        return;
-    }
+    if (m_floating && !holds(*m_floating->lift))
+        m_floating.reset();
+    return m_floating;
+}
+
+void CanvasLift::exactShown()
+{
+    if (m_floating && m_floating->settled)
+        m_floating.reset();
+}
+
+bool CanvasLift::paintOutline(QPainter &painter, SelectionOutline &outline, const Selection &selection,
+                              const OverlayColours &colours, double dpr) const
+{
+    if (!m_floating || !holds(*m_floating->lift))
+        return false;
     const std::optional<View> under = viewUnder(view(), m_floating->map);
     if (!under)
         painter.setTransform(inPixels(view(), m_floating->map), true);
-    m_selected.outline().paint(painter, under.value_or(view()), *m_floating->lift->lifted, selection(), m_colours, dpr, true);
+    outline.paint(painter, under.value_or(view()), *m_floating->lift->lifted, selection, colours, dpr, true);
+    return true;
 }
 
 } // namespace suffuse

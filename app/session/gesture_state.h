@@ -1,0 +1,72 @@
+// What one gesture knows: what it shows, and the way back.
+#pragma once
+
+#include "model/document/edit.h"
+#include "model/painting/stroke.h"
+#include "model/shaping/transform.h"
+
+#include <QPointer>
+#include <QString>
+
+#include <functional>
+#include <map>
+#include <optional>
+#include <set>
+
+namespace suffuse {
+
+class GestureDesk;
+
+/// Of a Gesture, which says what its functions do, and of the desk on which it lies while it is open. It may outlive
+/// the desk, and shows nothing then.
+class GestureState {
+public:
+    GestureState(GestureDesk &desk, const QString &name);
+
+    void show(Edit edit);
+    void take(const std::set<StrokeId> &strokes);
+    void showEach(const std::function<Stroke(const Stroke &)> &change);
+    void floatBy(const Affine &map, SpreadRule rule);
+    std::set<StrokeId> strokes() const;
+    const Stroke *before(StrokeId stroke) const;
+    void rest();
+    void commit();
+    void giveUp();
+
+    // For the desk.
+    const QString &name() const { return m_name; }
+    /// The way back so far; null: nothing has been changed.
+    const Edit *back() const { return m_back ? &*m_back : nullptr; }
+    /// Puts what floats into the document.
+    void settle();
+    /// Lifts strokes anew that have left the picture.
+    void liftAnew();
+    /// The way back to the start; what is shown stays. None, where nothing was changed.
+    std::optional<Edit> takeBack();
+    /// The same, of what is to be exchanged now: everything is put back.
+    std::optional<Edit> takeUndo();
+    /// Another painting is there: there is no way back, and nothing to go on with.
+    void forget();
+
+private:
+    struct Taken {
+        StrokePtr before;
+        StrokePtr shown;
+        bool kept = false; ///< it is in the document as it was shown
+    };
+    void showMapped();
+    /// From where strokes were lifted to where they are shown.
+    Affine sinceLift() const;
+
+    QPointer<GestureDesk> m_desk;
+    QString m_name;
+    std::optional<Edit> m_back;
+    std::map<StrokeId, Taken> m_taken;
+    Affine m_map; ///< that is shown
+    SpreadRule m_rule = SpreadRule::Scales;
+    Affine m_liftedAt; ///< the map under which the strokes were lifted
+    bool m_maps = false;
+    bool m_afloat = false; ///< something is shown that the document does not have
+};
+
+} // namespace suffuse

@@ -1,0 +1,29 @@
+#include "app/session/value_entry.h"
+
+namespace suffuse {
+
+ValueEntry::~ValueEntry()
+{
+    commitDrag();
+}
+
+void ValueEntry::beginDrag()
+{
+    commitDrag();
+    endSteps();
+    m_drags = true;
+}
+
+void ValueEntry::commitDrag()
+{
+    m_drags = false;
+    m_gesture.commit();
+}
+
+void ValueEntry::giveUpDrag()
+{
+    m_drags = false;
+    m_gesture.giveUp();
+}
+
+} // namespace suffuse

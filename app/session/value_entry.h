@@ -1,0 +1,35 @@
+// How values come in from a field: typed, as steps that follow each other, or while something is dragged.
+#pragma once
+
+#include "app/session/gesture.h"
+
+namespace suffuse {
+
+/// A field keeps one and hands it on with each value; whoever makes an edit of the value gives both to `Editor::push`.
+/// While it drags, all its edits are one gesture. Else each is done at once, and goes on with the step of the one
+/// before where nothing was done in between: a key that is held down, or a wheel that is turned, is one step.
+class ValueEntry {
+public:
+    ValueEntry() = default;
+    /// What a field shows when it goes, stays.
+    ~ValueEntry();
+    ValueEntry(const ValueEntry &) = delete;
+    ValueEntry &operator=(const ValueEntry &) = delete;
+
+    void beginDrag();
+    bool isDragging() const { return m_drags; }
+    void commitDrag();
+    void giveUpDrag();
+
+    /// The next value begins a step of its own.
+    void endSteps() { m_step.reset(); }
+
+private:
+    friend class Editor;
+
+    bool m_drags = false;
+    Gesture m_gesture;          ///< of the drag, once it has brought an edit
+    std::weak_ptr<Edit> m_step; ///< that was done last
+};
+
+} // namespace suffuse
