@@ -1,7 +1,7 @@
 #include "app/tools/selection_tool.h"
 
 #include "app/canvas/canvas_widget.h"
-#include "app/session/commands.h"
+#include "app/session/commands/selection_commands.h"
 #include "app/session/editor.h"
 #include "app/session/selecting/pick.h"
 

@@ -1,7 +1,7 @@
 #include "app/window/actions.h"
 
 #include "app/canvas/canvas_widget.h"
-#include "app/session/commands.h"
+#include "app/session/commands/selection_commands.h"
 #include "app/session/editor.h"
 #include "app/session/files/clipboard.h"
 #include "app/widgets/icons.h"

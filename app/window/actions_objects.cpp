@@ -2,11 +2,11 @@
 #include "app/window/actions.h"
 
 #include "app/canvas/canvas_widget.h"
-#include "app/session/commands.h"
+#include "app/session/commands/selection_commands.h"
 #include "app/session/editor.h"
 #include "app/session/selection_order.h"
 #include "app/session/settings/settings.h"
-#include "app/session/underlay_commands.h"
+#include "app/session/commands/underlay_commands.h"
 
 #include <QActionGroup>
 #include <QMenu>

@@ -13,7 +13,7 @@
 #include "app/panels/probe/probe_panel.h"
 #include "app/panels/strokes/strokes_panel.h"
 #include "app/panels/timeline/timeline_panel.h"
-#include "app/session/commands.h"
+#include "app/session/commands/selection_commands.h"
 #include "app/session/settings/settings.h"
 #include "app/tools/attribute_brush_tool.h"
 #include "app/tools/brush_tool.h"

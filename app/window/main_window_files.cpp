@@ -5,7 +5,7 @@
 #include "app/session/files/import_strokes.h"
 #include "app/session/files/journal.h"
 #include "app/session/settings/settings.h"
-#include "app/session/underlay_commands.h"
+#include "app/session/commands/underlay_commands.h"
 #include "app/widgets/at_next_change.h"
 #include "app/widgets/messages.h"
 #include "app/widgets/place_beside.h"

@@ -3,7 +3,7 @@
 #include "app/panels/strokes/strokes_filter.h"
 #include "app/panels/strokes/strokes_model.h"
 #include "app/panels/strokes/strokes_view.h"
-#include "app/session/commands.h"
+#include "app/session/commands/selection_commands.h"
 #include "app/session/editor.h"
 #include "app/widgets/icons.h"
 

@@ -1,4 +1,4 @@
-#include "app/session/underlay_commands.h"
+#include "app/session/commands/underlay_commands.h"
 
 #include "app/session/editor.h"
 #include "app/session/files/picture_file.h"

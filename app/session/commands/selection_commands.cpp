@@ -1,4 +1,4 @@
-#include "app/session/commands.h"
+#include "app/session/commands/selection_commands.h"
 
 #include "app/session/selecting/pick.h"
 #include "model/painting/decimal.h"
