@@ -1721,7 +1721,996 @@ Rückgabewerte: 0 erledigt, 1 fehlgeschlagen, 2 falscher Aufruf.</translation>
     </message>
 </context>
 <context>
-    <name>suffuse::Actions</name>
+    <name>suffuse::AgePlot</name>
+    <message>
+        <source>No paint here</source>
+        <translation>Hier ist keine Farbe</translation>
+    </message>
+    <message>
+        <source>density φ, up to %1</source>
+        <translation>Dichte φ, bis %1</translation>
+    </message>
+    <message>
+        <source>0 s</source>
+        <translation>0 s</translation>
+    </message>
+    <message>
+        <source>age %1 s</source>
+        <translation>Alter %1 s</translation>
+    </message>
+</context>
+<context>
+    <name>suffuse::AlongDialog</name>
+    <message>
+        <source>Along the Stroke</source>
+        <translation>Entlang des Strichs</translation>
+    </message>
+    <message>
+        <source>Curve along the stroke</source>
+        <translation>Kurve entlang des Strichs</translation>
+    </message>
+    <message>
+        <source>Drag the line or its ends; a drawn curve is drawn with the pointer. The dots are the values of the segments.</source>
+        <translation>Die Linie oder ihre Enden ziehen; eine gezeichnete Kurve zeichnet man mit dem Zeiger. Die Punkte sind die Werte der Segmente.</translation>
+    </message>
+    <message>
+        <source>Quantity</source>
+        <translation>Kenngröße</translation>
+    </message>
+    <message>
+        <source>Constant</source>
+        <translation>Konstant</translation>
+    </message>
+    <message>
+        <source>The same value all along</source>
+        <translation>Überall derselbe Wert</translation>
+    </message>
+    <message>
+        <source>Ramp</source>
+        <translation>Rampe</translation>
+    </message>
+    <message>
+        <source>Evenly from one value to another</source>
+        <translation>Gleichmäßig von einem Wert zum anderen</translation>
+    </message>
+    <message>
+        <source>Drawn</source>
+        <translation>Gezeichnet</translation>
+    </message>
+    <message>
+        <source>A curve drawn with the pointer</source>
+        <translation>Eine mit dem Zeiger gezeichnete Kurve</translation>
+    </message>
+    <message>
+        <source>Start</source>
+        <translation>Anfang</translation>
+    </message>
+    <message>
+        <source>End</source>
+        <translation>Ende</translation>
+    </message>
+    <message>
+        <source>Change along the stroke</source>
+        <translation>Entlang des Strichs ändern</translation>
+    </message>
+</context>
+<context>
+    <name>suffuse::AreaRow</name>
+    <message>
+        <source>Area</source>
+        <translation>Bereich</translation>
+    </message>
+    <message>
+        <source>Which part of the canvas is drawn</source>
+        <translation>Welcher Teil der Leinwand gezeichnet wird</translation>
+    </message>
+    <message>
+        <source>Whole canvas</source>
+        <translation>Ganze Leinwand</translation>
+    </message>
+    <message>
+        <source>What is painted</source>
+        <translation>Was gemalt ist</translation>
+    </message>
+    <message>
+        <source>Selected strokes</source>
+        <translation>Ausgewählte Striche</translation>
+    </message>
+    <message>
+        <source>What the window shows</source>
+        <translation>Was das Fenster zeigt</translation>
+    </message>
+    <message>
+        <source>By numbers</source>
+        <translation>Nach Zahlen</translation>
+    </message>
+    <message>
+        <source>X</source>
+        <translation>X</translation>
+    </message>
+    <message>
+        <source>Left edge, canvas units</source>
+        <translation>Linker Rand, Leinwandeinheiten</translation>
+    </message>
+    <message>
+        <source>Y</source>
+        <translation>Y</translation>
+    </message>
+    <message>
+        <source>Upper edge, canvas units</source>
+        <translation>Oberer Rand, Leinwandeinheiten</translation>
+    </message>
+    <message>
+        <source>W</source>
+        <translation>B</translation>
+    </message>
+    <message>
+        <source>Width, canvas units</source>
+        <translation>Breite, Leinwandeinheiten</translation>
+    </message>
+    <message>
+        <source>H</source>
+        <translation>H</translation>
+    </message>
+    <message>
+        <source>Height, canvas units</source>
+        <translation>Höhe, Leinwandeinheiten</translation>
+    </message>
+</context>
+<context>
+    <name>suffuse::AttributeBrushTool</name>
+    <message>
+        <source>How fast it is laid down</source>
+        <translation>Wie schnell aufgetragen wird</translation>
+    </message>
+    <message>
+        <source>Drag over strokes to paint the chosen value onto their segments. [ and ] change the size.</source>
+        <translation>Ziehen über Striche malt den gewählten Wert auf ihre Segmente. [ und ] ändern die Größe.</translation>
+    </message>
+    <message>
+        <source>Drag over the selection to paint the chosen value onto its segments. [ and ] change the size.</source>
+        <translation>Ziehen über die Auswahl malt den gewählten Wert auf ihre Segmente. [ und ] ändern die Größe.</translation>
+    </message>
+    <message>
+        <source>Paint diffusion</source>
+        <translation>Diffusion malen</translation>
+    </message>
+    <message>
+        <source>Paint density</source>
+        <translation>Dichte malen</translation>
+    </message>
+    <message>
+        <source>Paint granulation</source>
+        <translation>Granulation malen</translation>
+    </message>
+    <message>
+        <source>Paint colour</source>
+        <translation>Farbe malen</translation>
+    </message>
+    <message>
+        <source>Paint opacity</source>
+        <translation>Deckkraft malen</translation>
+    </message>
+    <message>
+        <source>Paint drying time</source>
+        <translation>Trockenzeit malen</translation>
+    </message>
+    <message>
+        <source>Strength</source>
+        <translation>Stärke</translation>
+    </message>
+</context>
+<context>
+    <name>suffuse::BackupsDialog</name>
+    <message>
+        <source>Restore Backup</source>
+        <translation>Sicherungskopie wiederherstellen</translation>
+    </message>
+    <message>
+        <source>There is no backup of “%1” yet. When it is saved again, the version before is kept; Settings says how many are.</source>
+        <translation>Von „%1“ gibt es noch keine Sicherungskopie. Beim nächsten Speichern bleibt die Fassung davor erhalten; wie viele bleiben, steht in den Einstellungen.</translation>
+    </message>
+    <message>
+        <source>An earlier version of “%1” takes the place of the painting as it is now. Undo brings that back, and no file changes until you save.</source>
+        <translation>Eine frühere Fassung von „%1“ tritt an die Stelle des Bildes, wie es jetzt ist. Rückgängig bringt dieses zurück, und keine Datei ändert sich, bevor gespeichert wird.</translation>
+    </message>
+    <message>
+        <source>Backups, the newest first</source>
+        <translation>Sicherungskopien, die neueste zuerst</translation>
+    </message>
+    <message>
+        <source>Saved</source>
+        <translation>Gespeichert</translation>
+    </message>
+    <message>
+        <source>Strokes</source>
+        <translation>Striche</translation>
+    </message>
+    <message>
+        <source>Size</source>
+        <translation>Größe</translation>
+    </message>
+    <message>
+        <source>&amp;Restore</source>
+        <translation>&amp;Wiederherstellen</translation>
+    </message>
+    <message>
+        <source>cannot be read</source>
+        <translation>nicht lesbar</translation>
+    </message>
+</context>
+<context>
+    <name>suffuse::BrushColourPage</name>
+    <message>
+        <source>Second colour</source>
+        <translation>Zweite Farbe</translation>
+    </message>
+    <message>
+        <source>&amp;Take the Current Colour</source>
+        <translation>A&amp;ktuelle Farbe übernehmen</translation>
+    </message>
+    <message>
+        <source>Makes the current colour the second one</source>
+        <translation>Macht die aktuelle Farbe zur zweiten</translation>
+    </message>
+    <message>
+        <source>The row Second colour of the curves says when it comes through.</source>
+        <translation>Wann sie durchkommt, bestimmt die Zeile „Zweite Farbe“ der Kurven.</translation>
+    </message>
+    <message>
+        <source>Strays from the colour by</source>
+        <translation>Weicht von der Farbe ab um</translation>
+    </message>
+    <message>
+        <source>Red</source>
+        <translation>Rot</translation>
+    </message>
+    <message>
+        <source>At most so much redder or less red</source>
+        <translation>Höchstens so viel mehr oder weniger rot</translation>
+    </message>
+    <message>
+        <source>Yellow</source>
+        <translation>Gelb</translation>
+    </message>
+    <message>
+        <source>At most so much more or less yellow</source>
+        <translation>Höchstens so viel mehr oder weniger gelb</translation>
+    </message>
+    <message>
+        <source>Blue</source>
+        <translation>Blau</translation>
+    </message>
+    <message>
+        <source>At most so much bluer or less blue</source>
+        <translation>Höchstens so viel mehr oder weniger blau</translation>
+    </message>
+    <message>
+        <source>Lightness</source>
+        <translation>Helligkeit</translation>
+    </message>
+    <message>
+        <source>At most so much lighter or darker</source>
+        <translation>Höchstens so viel heller oder dunkler</translation>
+    </message>
+    <message>
+        <source>Drifts along the stroke</source>
+        <translation>Driftet entlang des Strichs</translation>
+    </message>
+    <message>
+        <source>Else each stroke has one colour</source>
+        <translation>Sonst hat jeder Strich eine Farbe</translation>
+    </message>
+</context>
+<context>
+    <name>suffuse::BrushCurvesPage</name>
+    <message>
+        <source>Second colour</source>
+        <translation>Zweite Farbe</translation>
+    </message>
+    <message>
+        <source>Pressure</source>
+        <translation>Druck</translation>
+    </message>
+    <message>
+        <source>Tilt</source>
+        <translation>Neigung</translation>
+    </message>
+    <message>
+        <source>Speed</source>
+        <translation>Tempo</translation>
+    </message>
+    <message>
+        <source>Distance</source>
+        <translation>Strecke</translation>
+    </message>
+    <message>
+        <source>By stroke</source>
+        <translation>Je Strich</translation>
+    </message>
+    <message>
+        <source>Drift</source>
+        <translation>Drift</translation>
+    </message>
+    <message>
+        <source>Curves</source>
+        <translation>Kurven</translation>
+    </message>
+    <message>
+        <source>What changes with what: a tick switches a curve on, a click shows it below</source>
+        <translation>Was sich womit ändert: Ein Häkchen schaltet eine Kurve ein, ein Klick zeigt sie unten</translation>
+    </message>
+    <message>
+        <source>Curve</source>
+        <translation>Kurve</translation>
+    </message>
+    <message>
+        <source>Drag points; click for another one, drag it out to take it away</source>
+        <translation>Punkte ziehen; ein Klick fügt einen hinzu, Hinausziehen entfernt ihn</translation>
+    </message>
+    <message>
+        <source>Full speed</source>
+        <translation>Volles Tempo</translation>
+    </message>
+    <message>
+        <source>Speed at the right end of its curves, in sizes a second</source>
+        <translation>Tempo am rechten Ende seiner Kurven, in Größen je Sekunde</translation>
+    </message>
+    <message>
+        <source> sizes/s</source>
+        <translation> Gr./s</translation>
+    </message>
+    <message>
+        <source>Full distance</source>
+        <translation>Volle Strecke</translation>
+    </message>
+    <message>
+        <source>Distance at the right end of its curves, in sizes</source>
+        <translation>Strecke am rechten Ende ihrer Kurven, in Größen</translation>
+    </message>
+    <message>
+        <source> sizes</source>
+        <translation> Gr.</translation>
+    </message>
+    <message>
+        <source>Way on which what drifts becomes another, in sizes</source>
+        <translation>Weg, auf dem ein driftender Wert zu einem anderen wird, in Größen</translation>
+    </message>
+</context>
+<context>
+    <name>suffuse::BrushDialog</name>
+    <message>
+        <source>A stroke of the brush</source>
+        <translation>Ein Strich des Pinsels</translation>
+    </message>
+    <message>
+        <source>Paint</source>
+        <translation>Farbauftrag</translation>
+    </message>
+    <message>
+        <source>Curves</source>
+        <translation>Kurven</translation>
+    </message>
+    <message>
+        <source>Colour</source>
+        <translation>Farbe</translation>
+    </message>
+    <message>
+        <source>Shape and hand</source>
+        <translation>Form und Hand</translation>
+    </message>
+    <message>
+        <source>Settings of the brush</source>
+        <translation>Einstellungen des Pinsels</translation>
+    </message>
+    <message>
+        <source>Keeps the changes in the brush of this name; built-in brushes stay as they are</source>
+        <translation>Behält die Änderungen im Pinsel dieses Namens; mitgelieferte Pinsel bleiben, wie sie sind</translation>
+    </message>
+    <message>
+        <source>Keeps the brush under another name</source>
+        <translation>Behält den Pinsel unter einem anderen Namen</translation>
+    </message>
+    <message>
+        <source>Closes this window; the brush stays in hand as it is</source>
+        <translation>Schließt dieses Fenster; der Pinsel bleibt in der Hand, wie er ist</translation>
+    </message>
+    <message>
+        <source>Brush: %1</source>
+        <translation>Pinsel: %1</translation>
+    </message>
+    <message>
+        <source>&amp;Save Changes</source>
+        <translation>Änderungen &amp;speichern</translation>
+    </message>
+    <message>
+        <source>Save as &amp;New…</source>
+        <translation>Als &amp;neuen speichern …</translation>
+    </message>
+    <message>
+        <source>&amp;Close</source>
+        <translation>S&amp;chließen</translation>
+    </message>
+</context>
+<context>
+    <name>suffuse::BrushHandPage</name>
+    <message>
+        <source>Tip</source>
+        <translation>Spitze</translation>
+    </message>
+    <message>
+        <source>Of the tip, against the path or the canvas</source>
+        <translation>Der Spitze, gegen den Weg oder die Leinwand</translation>
+    </message>
+    <message>
+        <source>Turns with the path</source>
+        <translation>Dreht sich mit dem Weg</translation>
+    </message>
+    <message>
+        <source>Else it keeps its angle on the canvas, as a broad nib does</source>
+        <translation>Sonst behält sie ihren Winkel auf der Leinwand, wie eine Breitfeder</translation>
+    </message>
+    <message>
+        <source>Ends</source>
+        <translation>Enden</translation>
+    </message>
+    <message>
+        <source> sizes</source>
+        <translation> Gr.</translation>
+    </message>
+    <message>
+        <source>Taper in</source>
+        <translation>Anlauf</translation>
+    </message>
+    <message>
+        <source>Length on which the stroke grows from its tip</source>
+        <translation>Länge, auf der der Strich aus seiner Spitze wächst</translation>
+    </message>
+    <message>
+        <source>Taper out</source>
+        <translation>Auslauf</translation>
+    </message>
+    <message>
+        <source>Length on which it runs out when the pen lifts</source>
+        <translation>Länge, auf der er ausläuft, wenn der Stift abhebt</translation>
+    </message>
+    <message>
+        <source>Tip size</source>
+        <translation>Größe der Spitze</translation>
+    </message>
+    <message>
+        <source>Size at the very end</source>
+        <translation>Größe ganz am Ende</translation>
+    </message>
+    <message>
+        <source>Hand</source>
+        <translation>Hand</translation>
+    </message>
+    <message>
+        <source>No smoothing</source>
+        <translation>Keine Glättung</translation>
+    </message>
+    <message>
+        <source>Weighted</source>
+        <translation>Gewichtet</translation>
+    </message>
+    <message>
+        <source>Pulled string</source>
+        <translation>Gezogene Schnur</translation>
+    </message>
+    <message>
+        <source>Smoothing</source>
+        <translation>Glättung</translation>
+    </message>
+    <message>
+        <source>Steadies the hand: the stroke follows the pen softly, or is pulled on a string</source>
+        <translation>Beruhigt die Hand: Der Strich folgt dem Stift sanft oder wird an einer Schnur gezogen</translation>
+    </message>
+    <message>
+        <source>Sampling</source>
+        <translation>Abtastung</translation>
+    </message>
+    <message>
+        <source>Time between the points that the curve is fitted through</source>
+        <translation>Zeit zwischen den Punkten, durch die die Kurve gelegt wird</translation>
+    </message>
+</context>
+<context>
+    <name>suffuse::BrushLibrary</name>
+    <message>
+        <source>Brush</source>
+        <translation>Pinsel</translation>
+    </message>
+    <message>
+        <source>%1 %2</source>
+        <translation>%1 %2</translation>
+    </message>
+    <message>
+        <source>%1: the folder could not be made; check its permissions</source>
+        <translation>%1: Der Ordner konnte nicht angelegt werden; bitte die Rechte prüfen</translation>
+    </message>
+    <message>
+        <source>%1 is a built-in brush; save it under a name of its own</source>
+        <translation>%1 ist ein mitgelieferter Pinsel; bitte unter eigenem Namen speichern</translation>
+    </message>
+    <message>
+        <source>A brush needs a name</source>
+        <translation>Ein Pinsel braucht einen Namen</translation>
+    </message>
+    <message>
+        <source>There is a brush “%1” already</source>
+        <translation>Einen Pinsel „%1“ gibt es schon</translation>
+    </message>
+    <message>
+        <source>%1 is a built-in brush; it stays</source>
+        <translation>%1 ist ein mitgelieferter Pinsel; er bleibt</translation>
+    </message>
+    <message>
+        <source>%1 could not be removed; check its permissions</source>
+        <translation>%1 konnte nicht entfernt werden; bitte die Rechte prüfen</translation>
+    </message>
+    <message>
+        <source>There is no brush “%1”</source>
+        <translation>Einen Pinsel „%1“ gibt es nicht</translation>
+    </message>
+</context>
+<context>
+    <name>suffuse::BrushMenu</name>
+    <message>
+        <source>&amp;Edit Brush…</source>
+        <translation>Pinsel &amp;bearbeiten …</translation>
+    </message>
+    <message>
+        <source>&amp;Favourite</source>
+        <translation>&amp;Favorit</translation>
+    </message>
+    <message>
+        <source>&amp;Save Changes</source>
+        <translation>Änderungen &amp;speichern</translation>
+    </message>
+    <message>
+        <source>Save as &amp;New…</source>
+        <translation>Als &amp;neuen speichern …</translation>
+    </message>
+    <message>
+        <source>&amp;Duplicate</source>
+        <translation>&amp;Duplizieren</translation>
+    </message>
+    <message>
+        <source>&amp;Rename…</source>
+        <translation>&amp;Umbenennen …</translation>
+    </message>
+    <message>
+        <source>De&amp;lete…</source>
+        <translation>&amp;Löschen …</translation>
+    </message>
+    <message>
+        <source>&amp;Import…</source>
+        <translation>&amp;Importieren …</translation>
+    </message>
+    <message>
+        <source>E&amp;xport…</source>
+        <translation>&amp;Exportieren …</translation>
+    </message>
+    <message>
+        <source>Save Brush</source>
+        <translation>Pinsel speichern</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>Name</translation>
+    </message>
+    <message>
+        <source>Rename Brush</source>
+        <translation>Pinsel umbenennen</translation>
+    </message>
+    <message>
+        <source>Delete the brush “%1”?</source>
+        <translation>Pinsel „%1“ löschen?</translation>
+    </message>
+    <message>
+        <source>Strokes painted with it stay.</source>
+        <translation>Die mit ihm gemalten Striche bleiben.</translation>
+    </message>
+    <message>
+        <source>&amp;Delete</source>
+        <translation>&amp;Löschen</translation>
+    </message>
+    <message>
+        <source>Import Brushes</source>
+        <translation>Pinsel importieren</translation>
+    </message>
+    <message>
+        <source>Brushes (*.suffuse-brush *.myb);;All files (*)</source>
+        <translation>Pinsel (*.suffuse-brush *.myb);;Alle Dateien (*)</translation>
+    </message>
+    <message>
+        <source>%1: these settings have no counterpart here: %2</source>
+        <translation>%1: Für diese Einstellungen gibt es hier keine Entsprechung: %2</translation>
+    </message>
+    <message>
+        <source>Export Brush</source>
+        <translation>Pinsel exportieren</translation>
+    </message>
+    <message>
+        <source>Suffuse brush</source>
+        <translation>Suffuse-Pinsel</translation>
+    </message>
+</context>
+<context>
+    <name>suffuse::BrushPaintPage</name>
+    <message>
+        <source>Style</source>
+        <translation>Stil</translation>
+    </message>
+    <message>
+        <source>How density becomes coverage.</source>
+        <translation>Wie aus Dichte Deckung wird.</translation>
+    </message>
+    <message>
+        <source>Mixing</source>
+        <translation>Mischung</translation>
+    </message>
+    <message>
+        <source>How the paint mixes with what lies below it: it covers, or pigments add up.</source>
+        <translation>Wie sich die Farbe mit dem Darunterliegenden mischt: Sie deckt, oder Pigmente addieren sich.</translation>
+    </message>
+    <message>
+        <source>How long the paint spreads; the size stays</source>
+        <translation>Wie lange die Farbe verläuft; die Größe bleibt</translation>
+    </message>
+</context>
+<context>
+    <name>suffuse::BrushPanel</name>
+    <message>
+        <source>Brushes</source>
+        <translation>Pinsel</translation>
+    </message>
+    <message>
+        <source>Choose what to paint with. The colour stays.</source>
+        <translation>Womit gemalt wird. Die Farbe bleibt.</translation>
+    </message>
+    <message>
+        <source>Reset brush</source>
+        <translation>Pinsel zurücksetzen</translation>
+    </message>
+    <message>
+        <source>Back to the brush as it came</source>
+        <translation>Zurück zum ursprünglichen Pinsel</translation>
+    </message>
+    <message>
+        <source>%1 (changed)</source>
+        <translation>%1 (geändert)</translation>
+    </message>
+    <message>
+        <source>Search</source>
+        <translation>Suchen</translation>
+    </message>
+    <message>
+        <source>Search brushes</source>
+        <translation>Pinsel suchen</translation>
+    </message>
+    <message>
+        <source>Shows brushes and groups with this in their name</source>
+        <translation>Zeigt Pinsel und Gruppen, deren Name dies enthält</translation>
+    </message>
+    <message>
+        <source>Favourites only</source>
+        <translation>Nur Favoriten</translation>
+    </message>
+    <message>
+        <source>Show favourites only; the first nine have the keys 1 to 9</source>
+        <translation>Nur Favoriten zeigen; die ersten neun haben die Tasten 1 bis 9</translation>
+    </message>
+    <message>
+        <source>Brush menu</source>
+        <translation>Pinselmenü</translation>
+    </message>
+    <message>
+        <source>Edit, save, import and export brushes</source>
+        <translation>Pinsel bearbeiten, speichern, importieren und exportieren</translation>
+    </message>
+    <message>
+        <source>%1: size %2, dry after %3</source>
+        <translation>%1: Größe %2, trocken nach %3</translation>
+    </message>
+</context>
+<context>
+    <name>suffuse::BrushTool</name>
+    <message>
+        <source>Brush stroke</source>
+        <translation>Pinselstrich</translation>
+    </message>
+    <message>
+        <source>Shift+drag to go on with the selected stroke from its end.</source>
+        <translation>Umschalt+Ziehen setzt den ausgewählten Strich an seinem Ende fort.</translation>
+    </message>
+    <message>
+        <source>Extend stroke</source>
+        <translation>Strich fortsetzen</translation>
+    </message>
+    <message>
+        <source>Drag to paint, tap for a dot. Shift+drag: size and opacity. Ctrl+click: take the picture&apos;s colour, with Shift the stroke&apos;s own.</source>
+        <translation>Ziehen malt, Tippen: Punkt. Umschalt+Ziehen: Größe, Deckkraft. Strg+Klick: Farbe des Bildes, mit Umschalt die des Strichs.</translation>
+    </message>
+</context>
+<context>
+    <name>suffuse::BrushToolOptions</name>
+    <message>
+        <source>How far the paint spreads, in units ([ and ] change it)</source>
+        <translation>Wie weit die Farbe verläuft, in Einheiten ([ und ] ändern es)</translation>
+    </message>
+    <message>
+        <source>How much the paint covers ({ and } change it)</source>
+        <translation>Wie stark die Farbe deckt ({ und } ändern es)</translation>
+    </message>
+    <message>
+        <source>What to paint with; the Brushes dock has pictures</source>
+        <translation>Womit gemalt wird; das Andockfenster „Pinsel“ zeigt Bilder</translation>
+    </message>
+    <message>
+        <source>Brush</source>
+        <translation>Pinsel</translation>
+    </message>
+    <message>
+        <source>Smoothing</source>
+        <translation>Glättung</translation>
+    </message>
+    <message>
+        <source>Off</source>
+        <translation>Aus</translation>
+    </message>
+    <message>
+        <source>Weighted</source>
+        <translation>Gewichtet</translation>
+    </message>
+    <message>
+        <source>Pulled string</source>
+        <translation>Gezogene Schnur</translation>
+    </message>
+    <message>
+        <source>Steadies the hand: the stroke follows the pen softly, or is pulled on a string</source>
+        <translation>Beruhigt die Hand: Der Strich folgt dem Stift sanft oder wird an einer Schnur gezogen</translation>
+    </message>
+    <message>
+        <source>Amount of smoothing</source>
+        <translation>Maß der Glättung</translation>
+    </message>
+    <message>
+        <source>How strongly it lags behind, or how long the string is</source>
+        <translation>Wie stark der Strich zurückbleibt oder wie lang die Schnur ist</translation>
+    </message>
+    <message>
+        <source>Own brush</source>
+        <translation>Eigener Pinsel</translation>
+    </message>
+</context>
+<context>
+    <name>suffuse::CanvasDrops</name>
+    <message>
+        <source>Drop colour</source>
+        <translation>Farbe ablegen</translation>
+    </message>
+</context>
+<context>
+    <name>suffuse::CanvasSection</name>
+    <message>
+        <source>Canvas</source>
+        <translation>Leinwand</translation>
+    </message>
+    <message>
+        <source>Background</source>
+        <translation>Hintergrund</translation>
+    </message>
+    <message>
+        <source>Background colour. Click: white.</source>
+        <translation>Hintergrundfarbe. Klick: Weiß.</translation>
+    </message>
+    <message>
+        <source>Change background</source>
+        <translation>Hintergrund ändern</translation>
+    </message>
+    <message>
+        <source>Paper</source>
+        <translation>Papier</translation>
+    </message>
+    <message>
+        <source>Resize canvas</source>
+        <translation>Leinwandgröße ändern</translation>
+    </message>
+    <message>
+        <source>Width</source>
+        <translation>Breite</translation>
+    </message>
+    <message>
+        <source>Width of the canvas in units; a unit is a pixel at 100 %.</source>
+        <translation>Breite der Leinwand in Einheiten; eine Einheit ist bei 100 % ein Pixel.</translation>
+    </message>
+    <message>
+        <source>Height</source>
+        <translation>Höhe</translation>
+    </message>
+    <message>
+        <source>Height of the canvas in units; a unit is a pixel at 100 %.</source>
+        <translation>Höhe der Leinwand in Einheiten; eine Einheit ist bei 100 % ein Pixel.</translation>
+    </message>
+    <message>
+        <source>Texture</source>
+        <translation>Textur</translation>
+    </message>
+    <message>
+        <source>None</source>
+        <translation>Keine</translation>
+    </message>
+    <message>
+        <source>Image…</source>
+        <translation>Bild …</translation>
+    </message>
+    <message>
+        <source>The paper&apos;s grain, which granulating strokes show.</source>
+        <translation>Die Körnung des Papiers, die granulierende Striche zeigen.</translation>
+    </message>
+    <message>
+        <source>Take the grain from another picture file.</source>
+        <translation>Die Körnung aus einer anderen Bilddatei nehmen.</translation>
+    </message>
+    <message>
+        <source>Seed</source>
+        <translation>Startwert</translation>
+    </message>
+    <message>
+        <source>Another number gives another grain.</source>
+        <translation>Eine andere Zahl gibt eine andere Körnung.</translation>
+    </message>
+    <message>
+        <source>Change paper</source>
+        <translation>Papier ändern</translation>
+    </message>
+    <message>
+        <source>Scale</source>
+        <translation>Skalierung</translation>
+    </message>
+    <message>
+        <source>Paper image</source>
+        <translation>Papierbild</translation>
+    </message>
+    <message>
+        <source>%1 cannot be used as paper: %2</source>
+        <translation>%1 kann nicht als Papier dienen: %2</translation>
+    </message>
+    <message>
+        <source>Custom</source>
+        <translation>Eigene</translation>
+    </message>
+    <message>
+        <source>Size of the coarsest grain or of a thread in units, or units per pixel of the image.</source>
+        <translation>Größe des gröbsten Korns oder eines Fadens in Einheiten, oder Einheiten je Bildpixel.</translation>
+    </message>
+    <message>
+        <source>Choose &amp;Image…</source>
+        <translation>B&amp;ild wählen …</translation>
+    </message>
+</context>
+<context>
+    <name>suffuse::CanvasWidget</name>
+    <message>
+        <source>Canvas</source>
+        <translation>Leinwand</translation>
+    </message>
+    <message>
+        <source>The picture goes to the screen by way of memory: %1</source>
+        <translation>Das Bild nimmt den Weg über den Hauptspeicher: %1</translation>
+    </message>
+</context>
+<context>
+    <name>suffuse::ColourPanel</name>
+    <message>
+        <source>Current colour</source>
+        <translation>Aktuelle Farbe</translation>
+    </message>
+    <message>
+        <source>The colour that is painted with</source>
+        <translation>Die Farbe, mit der gemalt wird</translation>
+    </message>
+    <message>
+        <source>Previous colour</source>
+        <translation>Vorherige Farbe</translation>
+    </message>
+    <message>
+        <source>The colour painted with last. Click: back to it.</source>
+        <translation>Die zuletzt gemalte Farbe. Klick: zurück zu ihr.</translation>
+    </message>
+    <message>
+        <source>Hex</source>
+        <translation>Hex</translation>
+    </message>
+    <message>
+        <source>sRGB colour as #rrggbb, or #rgb</source>
+        <translation>sRGB-Farbe als #rrggbb oder #rgb</translation>
+    </message>
+    <message>
+        <source>Apply to selection</source>
+        <translation>Auf Auswahl anwenden</translation>
+    </message>
+    <message>
+        <source>Gives the selected segments this colour.</source>
+        <translation>Gibt den ausgewählten Segmenten diese Farbe.</translation>
+    </message>
+    <message>
+        <source>“%1” is not a colour. Write it as #rrggbb, for example #2f6690.</source>
+        <translation>„%1“ ist keine Farbe. Schreibweise: #rrggbb, zum Beispiel #2f6690.</translation>
+    </message>
+    <message>
+        <source>Apply colour</source>
+        <translation>Farbe anwenden</translation>
+    </message>
+    <message>
+        <source>Recent colours</source>
+        <translation>Letzte Farben</translation>
+    </message>
+    <message>
+        <source>Colours painted with before. Click: take it.</source>
+        <translation>Früher gemalte Farben. Klick: übernehmen.</translation>
+    </message>
+    <message>
+        <source>Colours painted with come here.</source>
+        <translation>Hierher kommen die gemalten Farben.</translation>
+    </message>
+</context>
+<context>
+    <name>suffuse::ColourWheel</name>
+    <message>
+        <source>Colour wheel</source>
+        <translation>Farbkreis</translation>
+    </message>
+    <message>
+        <source>Ring: hue in the order of pigments. Triangle: pure, white and black.
+Arrow keys work too.</source>
+        <translation>Ring: Farbton in der Ordnung der Pigmente. Dreieck: rein, weiß und schwarz.
+Auch die Pfeiltasten wirken.</translation>
+    </message>
+</context>
+<context>
+    <name>suffuse::CommandPalette</name>
+    <message>
+        <source>Find a command</source>
+        <translation>Befehl suchen</translation>
+    </message>
+    <message>
+        <source>Commands, brushes, docks, recent files</source>
+        <translation>Befehle, Pinsel, Andockfenster, zuletzt geöffnete Dateien</translation>
+    </message>
+    <message>
+        <source>Parts of names in any order; Enter runs the chosen one, Escape goes back.</source>
+        <translation>Teile von Namen in beliebiger Reihenfolge; die Eingabetaste führt das Gewählte aus, Escape kehrt zurück.</translation>
+    </message>
+    <message>
+        <source>Found</source>
+        <translation>Gefunden</translation>
+    </message>
+    <message>
+        <source>Click one to run it.</source>
+        <translation>Ein Klick führt den Befehl aus.</translation>
+    </message>
+    <message>
+        <source>Nothing is called so.</source>
+        <translation>Nichts heißt so.</translation>
+    </message>
+    <message>
+        <source>It cannot be used now.</source>
+        <translation>Das ist gerade nicht möglich.</translation>
+    </message>
+    <message>
+        <source>Brush</source>
+        <translation>Pinsel</translation>
+    </message>
+    <message>
+        <source>Open Recent</source>
+        <translation>Zuletzt geöffnet</translation>
+    </message>
+</context>
+<context>
+    <name>suffuse::Commands</name>
     <message>
         <source>&amp;New…</source>
         <translation>&amp;Neu …</translation>
@@ -2762,994 +3751,53 @@ Rückgabewerte: 0 erledigt, 1 fehlgeschlagen, 2 falscher Aufruf.</translation>
         <source>Remove re-wetting</source>
         <translation>Wiederanfeuchten aufheben</translation>
     </message>
-</context>
-<context>
-    <name>suffuse::AgePlot</name>
     <message>
-        <source>No paint here</source>
-        <translation>Hier ist keine Farbe</translation>
+        <source>Grid</source>
+        <translation>Gitter</translation>
     </message>
     <message>
-        <source>density φ, up to %1</source>
-        <translation>Dichte φ, bis %1</translation>
+        <source>Step in canvas units</source>
+        <translation>Weite in Leinwandeinheiten</translation>
     </message>
     <message>
-        <source>0 s</source>
-        <translation>0 s</translation>
+        <source>Keep Undo &amp;History in the File (%1)</source>
+        <translation>&amp;Rückgängig-Schritte in der Datei behalten (%1)</translation>
     </message>
     <message>
-        <source>age %1 s</source>
-        <translation>Alter %1 s</translation>
+        <source>Canvas, while held</source>
+        <translation>Leinwand, solange gehalten</translation>
     </message>
-</context>
-<context>
-    <name>suffuse::AlongDialog</name>
     <message>
-        <source>Along the Stroke</source>
-        <translation>Entlang des Strichs</translation>
+        <source>Everywhere</source>
+        <translation>Überall</translation>
     </message>
     <message>
-        <source>Curve along the stroke</source>
-        <translation>Kurve entlang des Strichs</translation>
+        <source>Canvas, Strokes dock</source>
+        <translation>Leinwand, Dock „Striche“</translation>
     </message>
     <message>
-        <source>Drag the line or its ends; a drawn curve is drawn with the pointer. The dots are the values of the segments.</source>
-        <translation>Die Linie oder ihre Enden ziehen; eine gezeichnete Kurve zeichnet man mit dem Zeiger. Die Punkte sind die Werte der Segmente.</translation>
+        <source>Canvas, Timeline dock</source>
+        <translation>Leinwand, Dock „Zeitleiste“</translation>
     </message>
     <message>
-        <source>Quantity</source>
-        <translation>Kenngröße</translation>
+        <source>Canvas, Segments tool</source>
+        <translation>Leinwand, Segmente</translation>
     </message>
-    <message>
-        <source>Constant</source>
-        <translation>Konstant</translation>
-    </message>
-    <message>
-        <source>The same value all along</source>
-        <translation>Überall derselbe Wert</translation>
-    </message>
-    <message>
-        <source>Ramp</source>
-        <translation>Rampe</translation>
-    </message>
-    <message>
-        <source>Evenly from one value to another</source>
-        <translation>Gleichmäßig von einem Wert zum anderen</translation>
-    </message>
-    <message>
-        <source>Drawn</source>
-        <translation>Gezeichnet</translation>
-    </message>
-    <message>
-        <source>A curve drawn with the pointer</source>
-        <translation>Eine mit dem Zeiger gezeichnete Kurve</translation>
-    </message>
-    <message>
-        <source>Start</source>
-        <translation>Anfang</translation>
-    </message>
-    <message>
-        <source>End</source>
-        <translation>Ende</translation>
-    </message>
-    <message>
-        <source>Change along the stroke</source>
-        <translation>Entlang des Strichs ändern</translation>
-    </message>
-</context>
-<context>
-    <name>suffuse::AreaRow</name>
-    <message>
-        <source>Area</source>
-        <translation>Bereich</translation>
-    </message>
-    <message>
-        <source>Which part of the canvas is drawn</source>
-        <translation>Welcher Teil der Leinwand gezeichnet wird</translation>
-    </message>
-    <message>
-        <source>Whole canvas</source>
-        <translation>Ganze Leinwand</translation>
-    </message>
-    <message>
-        <source>What is painted</source>
-        <translation>Was gemalt ist</translation>
-    </message>
-    <message>
-        <source>Selected strokes</source>
-        <translation>Ausgewählte Striche</translation>
-    </message>
-    <message>
-        <source>What the window shows</source>
-        <translation>Was das Fenster zeigt</translation>
-    </message>
-    <message>
-        <source>By numbers</source>
-        <translation>Nach Zahlen</translation>
-    </message>
-    <message>
-        <source>X</source>
-        <translation>X</translation>
-    </message>
-    <message>
-        <source>Left edge, canvas units</source>
-        <translation>Linker Rand, Leinwandeinheiten</translation>
-    </message>
-    <message>
-        <source>Y</source>
-        <translation>Y</translation>
-    </message>
-    <message>
-        <source>Upper edge, canvas units</source>
-        <translation>Oberer Rand, Leinwandeinheiten</translation>
-    </message>
-    <message>
-        <source>W</source>
-        <translation>B</translation>
-    </message>
-    <message>
-        <source>Width, canvas units</source>
-        <translation>Breite, Leinwandeinheiten</translation>
-    </message>
-    <message>
-        <source>H</source>
-        <translation>H</translation>
-    </message>
-    <message>
-        <source>Height, canvas units</source>
-        <translation>Höhe, Leinwandeinheiten</translation>
-    </message>
-</context>
-<context>
-    <name>suffuse::AttributeBrushTool</name>
-    <message>
-        <source>How fast it is laid down</source>
-        <translation>Wie schnell aufgetragen wird</translation>
-    </message>
-    <message>
-        <source>Drag over strokes to paint the chosen value onto their segments. [ and ] change the size.</source>
-        <translation>Ziehen über Striche malt den gewählten Wert auf ihre Segmente. [ und ] ändern die Größe.</translation>
-    </message>
-    <message>
-        <source>Drag over the selection to paint the chosen value onto its segments. [ and ] change the size.</source>
-        <translation>Ziehen über die Auswahl malt den gewählten Wert auf ihre Segmente. [ und ] ändern die Größe.</translation>
-    </message>
-    <message>
-        <source>Paint diffusion</source>
-        <translation>Diffusion malen</translation>
-    </message>
-    <message>
-        <source>Paint density</source>
-        <translation>Dichte malen</translation>
-    </message>
-    <message>
-        <source>Paint granulation</source>
-        <translation>Granulation malen</translation>
-    </message>
-    <message>
-        <source>Paint colour</source>
-        <translation>Farbe malen</translation>
-    </message>
-    <message>
-        <source>Paint opacity</source>
-        <translation>Deckkraft malen</translation>
-    </message>
-    <message>
-        <source>Paint drying time</source>
-        <translation>Trockenzeit malen</translation>
-    </message>
-    <message>
-        <source>Strength</source>
-        <translation>Stärke</translation>
-    </message>
-</context>
-<context>
-    <name>suffuse::BackupsDialog</name>
-    <message>
-        <source>Restore Backup</source>
-        <translation>Sicherungskopie wiederherstellen</translation>
-    </message>
-    <message>
-        <source>There is no backup of “%1” yet. When it is saved again, the version before is kept; Settings says how many are.</source>
-        <translation>Von „%1“ gibt es noch keine Sicherungskopie. Beim nächsten Speichern bleibt die Fassung davor erhalten; wie viele bleiben, steht in den Einstellungen.</translation>
-    </message>
-    <message>
-        <source>An earlier version of “%1” takes the place of the painting as it is now. Undo brings that back, and no file changes until you save.</source>
-        <translation>Eine frühere Fassung von „%1“ tritt an die Stelle des Bildes, wie es jetzt ist. Rückgängig bringt dieses zurück, und keine Datei ändert sich, bevor gespeichert wird.</translation>
-    </message>
-    <message>
-        <source>Backups, the newest first</source>
-        <translation>Sicherungskopien, die neueste zuerst</translation>
-    </message>
-    <message>
-        <source>Saved</source>
-        <translation>Gespeichert</translation>
-    </message>
-    <message>
-        <source>Strokes</source>
-        <translation>Striche</translation>
-    </message>
-    <message>
-        <source>Size</source>
-        <translation>Größe</translation>
-    </message>
-    <message>
-        <source>&amp;Restore</source>
-        <translation>&amp;Wiederherstellen</translation>
-    </message>
-    <message>
-        <source>cannot be read</source>
-        <translation>nicht lesbar</translation>
-    </message>
-</context>
-<context>
-    <name>suffuse::BrushColourPage</name>
-    <message>
-        <source>Second colour</source>
-        <translation>Zweite Farbe</translation>
-    </message>
-    <message>
-        <source>&amp;Take the Current Colour</source>
-        <translation>A&amp;ktuelle Farbe übernehmen</translation>
-    </message>
-    <message>
-        <source>Makes the current colour the second one</source>
-        <translation>Macht die aktuelle Farbe zur zweiten</translation>
-    </message>
-    <message>
-        <source>The row Second colour of the curves says when it comes through.</source>
-        <translation>Wann sie durchkommt, bestimmt die Zeile „Zweite Farbe“ der Kurven.</translation>
-    </message>
-    <message>
-        <source>Strays from the colour by</source>
-        <translation>Weicht von der Farbe ab um</translation>
-    </message>
-    <message>
-        <source>Red</source>
-        <translation>Rot</translation>
-    </message>
-    <message>
-        <source>At most so much redder or less red</source>
-        <translation>Höchstens so viel mehr oder weniger rot</translation>
-    </message>
-    <message>
-        <source>Yellow</source>
-        <translation>Gelb</translation>
-    </message>
-    <message>
-        <source>At most so much more or less yellow</source>
-        <translation>Höchstens so viel mehr oder weniger gelb</translation>
-    </message>
-    <message>
-        <source>Blue</source>
-        <translation>Blau</translation>
-    </message>
-    <message>
-        <source>At most so much bluer or less blue</source>
-        <translation>Höchstens so viel mehr oder weniger blau</translation>
-    </message>
-    <message>
-        <source>Lightness</source>
-        <translation>Helligkeit</translation>
-    </message>
-    <message>
-        <source>At most so much lighter or darker</source>
-        <translation>Höchstens so viel heller oder dunkler</translation>
-    </message>
-    <message>
-        <source>Drifts along the stroke</source>
-        <translation>Driftet entlang des Strichs</translation>
-    </message>
-    <message>
-        <source>Else each stroke has one colour</source>
-        <translation>Sonst hat jeder Strich eine Farbe</translation>
-    </message>
-</context>
-<context>
-    <name>suffuse::BrushCurvesPage</name>
-    <message>
-        <source>Second colour</source>
-        <translation>Zweite Farbe</translation>
-    </message>
-    <message>
-        <source>Pressure</source>
-        <translation>Druck</translation>
-    </message>
-    <message>
-        <source>Tilt</source>
-        <translation>Neigung</translation>
-    </message>
-    <message>
-        <source>Speed</source>
-        <translation>Tempo</translation>
-    </message>
-    <message>
-        <source>Distance</source>
-        <translation>Strecke</translation>
-    </message>
-    <message>
-        <source>By stroke</source>
-        <translation>Je Strich</translation>
-    </message>
-    <message>
-        <source>Drift</source>
-        <translation>Drift</translation>
-    </message>
-    <message>
-        <source>Curves</source>
-        <translation>Kurven</translation>
-    </message>
-    <message>
-        <source>What changes with what: a tick switches a curve on, a click shows it below</source>
-        <translation>Was sich womit ändert: Ein Häkchen schaltet eine Kurve ein, ein Klick zeigt sie unten</translation>
-    </message>
-    <message>
-        <source>Curve</source>
-        <translation>Kurve</translation>
-    </message>
-    <message>
-        <source>Drag points; click for another one, drag it out to take it away</source>
-        <translation>Punkte ziehen; ein Klick fügt einen hinzu, Hinausziehen entfernt ihn</translation>
-    </message>
-    <message>
-        <source>Full speed</source>
-        <translation>Volles Tempo</translation>
-    </message>
-    <message>
-        <source>Speed at the right end of its curves, in sizes a second</source>
-        <translation>Tempo am rechten Ende seiner Kurven, in Größen je Sekunde</translation>
-    </message>
-    <message>
-        <source> sizes/s</source>
-        <translation> Gr./s</translation>
-    </message>
-    <message>
-        <source>Full distance</source>
-        <translation>Volle Strecke</translation>
-    </message>
-    <message>
-        <source>Distance at the right end of its curves, in sizes</source>
-        <translation>Strecke am rechten Ende ihrer Kurven, in Größen</translation>
-    </message>
-    <message>
-        <source> sizes</source>
-        <translation> Gr.</translation>
-    </message>
-    <message>
-        <source>Way on which what drifts becomes another, in sizes</source>
-        <translation>Weg, auf dem ein driftender Wert zu einem anderen wird, in Größen</translation>
-    </message>
-</context>
-<context>
-    <name>suffuse::BrushDialog</name>
-    <message>
-        <source>A stroke of the brush</source>
-        <translation>Ein Strich des Pinsels</translation>
-    </message>
-    <message>
-        <source>Paint</source>
-        <translation>Farbauftrag</translation>
-    </message>
-    <message>
-        <source>Curves</source>
-        <translation>Kurven</translation>
-    </message>
-    <message>
-        <source>Colour</source>
-        <translation>Farbe</translation>
-    </message>
-    <message>
-        <source>Shape and hand</source>
-        <translation>Form und Hand</translation>
-    </message>
-    <message>
-        <source>Settings of the brush</source>
-        <translation>Einstellungen des Pinsels</translation>
-    </message>
-    <message>
-        <source>Keeps the changes in the brush of this name; built-in brushes stay as they are</source>
-        <translation>Behält die Änderungen im Pinsel dieses Namens; mitgelieferte Pinsel bleiben, wie sie sind</translation>
-    </message>
-    <message>
-        <source>Keeps the brush under another name</source>
-        <translation>Behält den Pinsel unter einem anderen Namen</translation>
-    </message>
-    <message>
-        <source>Closes this window; the brush stays in hand as it is</source>
-        <translation>Schließt dieses Fenster; der Pinsel bleibt in der Hand, wie er ist</translation>
-    </message>
-    <message>
-        <source>Brush: %1</source>
-        <translation>Pinsel: %1</translation>
-    </message>
-    <message>
-        <source>&amp;Save Changes</source>
-        <translation>Änderungen &amp;speichern</translation>
-    </message>
-    <message>
-        <source>Save as &amp;New…</source>
-        <translation>Als &amp;neuen speichern …</translation>
-    </message>
-    <message>
-        <source>&amp;Close</source>
-        <translation>S&amp;chließen</translation>
-    </message>
-</context>
-<context>
-    <name>suffuse::BrushHandPage</name>
-    <message>
-        <source>Tip</source>
-        <translation>Spitze</translation>
-    </message>
-    <message>
-        <source>Of the tip, against the path or the canvas</source>
-        <translation>Der Spitze, gegen den Weg oder die Leinwand</translation>
-    </message>
-    <message>
-        <source>Turns with the path</source>
-        <translation>Dreht sich mit dem Weg</translation>
-    </message>
-    <message>
-        <source>Else it keeps its angle on the canvas, as a broad nib does</source>
-        <translation>Sonst behält sie ihren Winkel auf der Leinwand, wie eine Breitfeder</translation>
-    </message>
-    <message>
-        <source>Ends</source>
-        <translation>Enden</translation>
-    </message>
-    <message>
-        <source> sizes</source>
-        <translation> Gr.</translation>
-    </message>
-    <message>
-        <source>Taper in</source>
-        <translation>Anlauf</translation>
-    </message>
-    <message>
-        <source>Length on which the stroke grows from its tip</source>
-        <translation>Länge, auf der der Strich aus seiner Spitze wächst</translation>
-    </message>
-    <message>
-        <source>Taper out</source>
-        <translation>Auslauf</translation>
-    </message>
-    <message>
-        <source>Length on which it runs out when the pen lifts</source>
-        <translation>Länge, auf der er ausläuft, wenn der Stift abhebt</translation>
-    </message>
-    <message>
-        <source>Tip size</source>
-        <translation>Größe der Spitze</translation>
-    </message>
-    <message>
-        <source>Size at the very end</source>
-        <translation>Größe ganz am Ende</translation>
-    </message>
-    <message>
-        <source>Hand</source>
-        <translation>Hand</translation>
-    </message>
-    <message>
-        <source>No smoothing</source>
-        <translation>Keine Glättung</translation>
-    </message>
-    <message>
-        <source>Weighted</source>
-        <translation>Gewichtet</translation>
-    </message>
-    <message>
-        <source>Pulled string</source>
-        <translation>Gezogene Schnur</translation>
-    </message>
-    <message>
-        <source>Smoothing</source>
-        <translation>Glättung</translation>
-    </message>
-    <message>
-        <source>Steadies the hand: the stroke follows the pen softly, or is pulled on a string</source>
-        <translation>Beruhigt die Hand: Der Strich folgt dem Stift sanft oder wird an einer Schnur gezogen</translation>
-    </message>
-    <message>
-        <source>Sampling</source>
-        <translation>Abtastung</translation>
-    </message>
-    <message>
-        <source>Time between the points that the curve is fitted through</source>
-        <translation>Zeit zwischen den Punkten, durch die die Kurve gelegt wird</translation>
-    </message>
-</context>
-<context>
-    <name>suffuse::BrushLibrary</name>
-    <message>
-        <source>Brush</source>
-        <translation>Pinsel</translation>
-    </message>
-    <message>
-        <source>%1 %2</source>
-        <translation>%1 %2</translation>
-    </message>
-    <message>
-        <source>%1: the folder could not be made; check its permissions</source>
-        <translation>%1: Der Ordner konnte nicht angelegt werden; bitte die Rechte prüfen</translation>
-    </message>
-    <message>
-        <source>%1 is a built-in brush; save it under a name of its own</source>
-        <translation>%1 ist ein mitgelieferter Pinsel; bitte unter eigenem Namen speichern</translation>
-    </message>
-    <message>
-        <source>A brush needs a name</source>
-        <translation>Ein Pinsel braucht einen Namen</translation>
-    </message>
-    <message>
-        <source>There is a brush “%1” already</source>
-        <translation>Einen Pinsel „%1“ gibt es schon</translation>
-    </message>
-    <message>
-        <source>%1 is a built-in brush; it stays</source>
-        <translation>%1 ist ein mitgelieferter Pinsel; er bleibt</translation>
-    </message>
-    <message>
-        <source>%1 could not be removed; check its permissions</source>
-        <translation>%1 konnte nicht entfernt werden; bitte die Rechte prüfen</translation>
-    </message>
-    <message>
-        <source>There is no brush “%1”</source>
-        <translation>Einen Pinsel „%1“ gibt es nicht</translation>
-    </message>
-</context>
-<context>
-    <name>suffuse::BrushMenu</name>
-    <message>
-        <source>&amp;Edit Brush…</source>
-        <translation>Pinsel &amp;bearbeiten …</translation>
-    </message>
-    <message>
-        <source>&amp;Favourite</source>
-        <translation>&amp;Favorit</translation>
-    </message>
-    <message>
-        <source>&amp;Save Changes</source>
-        <translation>Änderungen &amp;speichern</translation>
-    </message>
-    <message>
-        <source>Save as &amp;New…</source>
-        <translation>Als &amp;neuen speichern …</translation>
-    </message>
-    <message>
-        <source>&amp;Duplicate</source>
-        <translation>&amp;Duplizieren</translation>
-    </message>
-    <message>
-        <source>&amp;Rename…</source>
-        <translation>&amp;Umbenennen …</translation>
-    </message>
-    <message>
-        <source>De&amp;lete…</source>
-        <translation>&amp;Löschen …</translation>
-    </message>
-    <message>
-        <source>&amp;Import…</source>
-        <translation>&amp;Importieren …</translation>
-    </message>
-    <message>
-        <source>E&amp;xport…</source>
-        <translation>&amp;Exportieren …</translation>
-    </message>
-    <message>
-        <source>Save Brush</source>
-        <translation>Pinsel speichern</translation>
-    </message>
-    <message>
-        <source>Name</source>
-        <translation>Name</translation>
-    </message>
-    <message>
-        <source>Rename Brush</source>
-        <translation>Pinsel umbenennen</translation>
-    </message>
-    <message>
-        <source>Delete the brush “%1”?</source>
-        <translation>Pinsel „%1“ löschen?</translation>
-    </message>
-    <message>
-        <source>Strokes painted with it stay.</source>
-        <translation>Die mit ihm gemalten Striche bleiben.</translation>
-    </message>
-    <message>
-        <source>&amp;Delete</source>
-        <translation>&amp;Löschen</translation>
-    </message>
-    <message>
-        <source>Import Brushes</source>
-        <translation>Pinsel importieren</translation>
-    </message>
-    <message>
-        <source>Brushes (*.suffuse-brush *.myb);;All files (*)</source>
-        <translation>Pinsel (*.suffuse-brush *.myb);;Alle Dateien (*)</translation>
-    </message>
-    <message>
-        <source>%1: these settings have no counterpart here: %2</source>
-        <translation>%1: Für diese Einstellungen gibt es hier keine Entsprechung: %2</translation>
-    </message>
-    <message>
-        <source>Export Brush</source>
-        <translation>Pinsel exportieren</translation>
-    </message>
-    <message>
-        <source>Suffuse brush</source>
-        <translation>Suffuse-Pinsel</translation>
-    </message>
-</context>
-<context>
-    <name>suffuse::BrushPaintPage</name>
-    <message>
-        <source>Style</source>
-        <translation>Stil</translation>
-    </message>
-    <message>
-        <source>How density becomes coverage.</source>
-        <translation>Wie aus Dichte Deckung wird.</translation>
-    </message>
-    <message>
-        <source>Mixing</source>
-        <translation>Mischung</translation>
-    </message>
-    <message>
-        <source>How the paint mixes with what lies below it: it covers, or pigments add up.</source>
-        <translation>Wie sich die Farbe mit dem Darunterliegenden mischt: Sie deckt, oder Pigmente addieren sich.</translation>
-    </message>
-    <message>
-        <source>How long the paint spreads; the size stays</source>
-        <translation>Wie lange die Farbe verläuft; die Größe bleibt</translation>
-    </message>
-</context>
-<context>
-    <name>suffuse::BrushPanel</name>
-    <message>
-        <source>Brushes</source>
-        <translation>Pinsel</translation>
-    </message>
-    <message>
-        <source>Choose what to paint with. The colour stays.</source>
-        <translation>Womit gemalt wird. Die Farbe bleibt.</translation>
-    </message>
-    <message>
-        <source>Reset brush</source>
-        <translation>Pinsel zurücksetzen</translation>
-    </message>
-    <message>
-        <source>Back to the brush as it came</source>
-        <translation>Zurück zum ursprünglichen Pinsel</translation>
-    </message>
-    <message>
-        <source>%1 (changed)</source>
-        <translation>%1 (geändert)</translation>
-    </message>
-    <message>
-        <source>Search</source>
-        <translation>Suchen</translation>
-    </message>
-    <message>
-        <source>Search brushes</source>
-        <translation>Pinsel suchen</translation>
-    </message>
-    <message>
-        <source>Shows brushes and groups with this in their name</source>
-        <translation>Zeigt Pinsel und Gruppen, deren Name dies enthält</translation>
-    </message>
-    <message>
-        <source>Favourites only</source>
-        <translation>Nur Favoriten</translation>
-    </message>
-    <message>
-        <source>Show favourites only; the first nine have the keys 1 to 9</source>
-        <translation>Nur Favoriten zeigen; die ersten neun haben die Tasten 1 bis 9</translation>
-    </message>
-    <message>
-        <source>Brush menu</source>
-        <translation>Pinselmenü</translation>
-    </message>
-    <message>
-        <source>Edit, save, import and export brushes</source>
-        <translation>Pinsel bearbeiten, speichern, importieren und exportieren</translation>
-    </message>
-    <message>
-        <source>%1: size %2, dry after %3</source>
-        <translation>%1: Größe %2, trocken nach %3</translation>
-    </message>
-</context>
-<context>
-    <name>suffuse::BrushTool</name>
-    <message>
-        <source>Brush stroke</source>
-        <translation>Pinselstrich</translation>
-    </message>
-    <message>
-        <source>Shift+drag to go on with the selected stroke from its end.</source>
-        <translation>Umschalt+Ziehen setzt den ausgewählten Strich an seinem Ende fort.</translation>
-    </message>
-    <message>
-        <source>Extend stroke</source>
-        <translation>Strich fortsetzen</translation>
-    </message>
-    <message>
-        <source>Drag to paint, tap for a dot. Shift+drag: size and opacity. Ctrl+click: take the picture&apos;s colour, with Shift the stroke&apos;s own.</source>
-        <translation>Ziehen malt, Tippen: Punkt. Umschalt+Ziehen: Größe, Deckkraft. Strg+Klick: Farbe des Bildes, mit Umschalt die des Strichs.</translation>
-    </message>
-</context>
-<context>
-    <name>suffuse::BrushToolOptions</name>
-    <message>
-        <source>How far the paint spreads, in units ([ and ] change it)</source>
-        <translation>Wie weit die Farbe verläuft, in Einheiten ([ und ] ändern es)</translation>
-    </message>
-    <message>
-        <source>How much the paint covers ({ and } change it)</source>
-        <translation>Wie stark die Farbe deckt ({ und } ändern es)</translation>
-    </message>
-    <message>
-        <source>What to paint with; the Brushes dock has pictures</source>
-        <translation>Womit gemalt wird; das Andockfenster „Pinsel“ zeigt Bilder</translation>
-    </message>
-    <message>
-        <source>Brush</source>
-        <translation>Pinsel</translation>
-    </message>
-    <message>
-        <source>Smoothing</source>
-        <translation>Glättung</translation>
-    </message>
-    <message>
-        <source>Off</source>
-        <translation>Aus</translation>
-    </message>
-    <message>
-        <source>Weighted</source>
-        <translation>Gewichtet</translation>
-    </message>
-    <message>
-        <source>Pulled string</source>
-        <translation>Gezogene Schnur</translation>
-    </message>
-    <message>
-        <source>Steadies the hand: the stroke follows the pen softly, or is pulled on a string</source>
-        <translation>Beruhigt die Hand: Der Strich folgt dem Stift sanft oder wird an einer Schnur gezogen</translation>
-    </message>
-    <message>
-        <source>Amount of smoothing</source>
-        <translation>Maß der Glättung</translation>
-    </message>
-    <message>
-        <source>How strongly it lags behind, or how long the string is</source>
-        <translation>Wie stark der Strich zurückbleibt oder wie lang die Schnur ist</translation>
-    </message>
-    <message>
-        <source>Own brush</source>
-        <translation>Eigener Pinsel</translation>
-    </message>
-</context>
-<context>
-    <name>suffuse::CanvasDrops</name>
-    <message>
-        <source>Drop colour</source>
-        <translation>Farbe ablegen</translation>
-    </message>
-</context>
-<context>
-    <name>suffuse::CanvasSection</name>
     <message>
         <source>Canvas</source>
         <translation>Leinwand</translation>
     </message>
     <message>
-        <source>Background</source>
-        <translation>Hintergrund</translation>
+        <source>Nothing is wet at this moment.</source>
+        <translation>Zu diesem Zeitpunkt ist nichts nass.</translation>
     </message>
     <message>
-        <source>Background colour. Click: white.</source>
-        <translation>Hintergrundfarbe. Klick: Weiß.</translation>
+        <source>Freeze wet paint</source>
+        <translation>Nasse Farbe einfrieren</translation>
     </message>
     <message>
-        <source>Change background</source>
-        <translation>Hintergrund ändern</translation>
-    </message>
-    <message>
-        <source>Paper</source>
-        <translation>Papier</translation>
-    </message>
-    <message>
-        <source>Resize canvas</source>
-        <translation>Leinwandgröße ändern</translation>
-    </message>
-    <message>
-        <source>Width</source>
-        <translation>Breite</translation>
-    </message>
-    <message>
-        <source>Width of the canvas in units; a unit is a pixel at 100 %.</source>
-        <translation>Breite der Leinwand in Einheiten; eine Einheit ist bei 100 % ein Pixel.</translation>
-    </message>
-    <message>
-        <source>Height</source>
-        <translation>Höhe</translation>
-    </message>
-    <message>
-        <source>Height of the canvas in units; a unit is a pixel at 100 %.</source>
-        <translation>Höhe der Leinwand in Einheiten; eine Einheit ist bei 100 % ein Pixel.</translation>
-    </message>
-    <message>
-        <source>Texture</source>
-        <translation>Textur</translation>
-    </message>
-    <message>
-        <source>None</source>
-        <translation>Keine</translation>
-    </message>
-    <message>
-        <source>Image…</source>
-        <translation>Bild …</translation>
-    </message>
-    <message>
-        <source>The paper&apos;s grain, which granulating strokes show.</source>
-        <translation>Die Körnung des Papiers, die granulierende Striche zeigen.</translation>
-    </message>
-    <message>
-        <source>Take the grain from another picture file.</source>
-        <translation>Die Körnung aus einer anderen Bilddatei nehmen.</translation>
-    </message>
-    <message>
-        <source>Seed</source>
-        <translation>Startwert</translation>
-    </message>
-    <message>
-        <source>Another number gives another grain.</source>
-        <translation>Eine andere Zahl gibt eine andere Körnung.</translation>
-    </message>
-    <message>
-        <source>Change paper</source>
-        <translation>Papier ändern</translation>
-    </message>
-    <message>
-        <source>Scale</source>
-        <translation>Skalierung</translation>
-    </message>
-    <message>
-        <source>Paper image</source>
-        <translation>Papierbild</translation>
-    </message>
-    <message>
-        <source>%1 cannot be used as paper: %2</source>
-        <translation>%1 kann nicht als Papier dienen: %2</translation>
-    </message>
-    <message>
-        <source>Custom</source>
-        <translation>Eigene</translation>
-    </message>
-    <message>
-        <source>Size of the coarsest grain or of a thread in units, or units per pixel of the image.</source>
-        <translation>Größe des gröbsten Korns oder eines Fadens in Einheiten, oder Einheiten je Bildpixel.</translation>
-    </message>
-    <message>
-        <source>Choose &amp;Image…</source>
-        <translation>B&amp;ild wählen …</translation>
-    </message>
-</context>
-<context>
-    <name>suffuse::CanvasWidget</name>
-    <message>
-        <source>Canvas</source>
-        <translation>Leinwand</translation>
-    </message>
-    <message>
-        <source>The picture goes to the screen by way of memory: %1</source>
-        <translation>Das Bild nimmt den Weg über den Hauptspeicher: %1</translation>
-    </message>
-</context>
-<context>
-    <name>suffuse::ColourPanel</name>
-    <message>
-        <source>Current colour</source>
-        <translation>Aktuelle Farbe</translation>
-    </message>
-    <message>
-        <source>The colour that is painted with</source>
-        <translation>Die Farbe, mit der gemalt wird</translation>
-    </message>
-    <message>
-        <source>Previous colour</source>
-        <translation>Vorherige Farbe</translation>
-    </message>
-    <message>
-        <source>The colour painted with last. Click: back to it.</source>
-        <translation>Die zuletzt gemalte Farbe. Klick: zurück zu ihr.</translation>
-    </message>
-    <message>
-        <source>Hex</source>
-        <translation>Hex</translation>
-    </message>
-    <message>
-        <source>sRGB colour as #rrggbb, or #rgb</source>
-        <translation>sRGB-Farbe als #rrggbb oder #rgb</translation>
-    </message>
-    <message>
-        <source>Apply to selection</source>
-        <translation>Auf Auswahl anwenden</translation>
-    </message>
-    <message>
-        <source>Gives the selected segments this colour.</source>
-        <translation>Gibt den ausgewählten Segmenten diese Farbe.</translation>
-    </message>
-    <message>
-        <source>“%1” is not a colour. Write it as #rrggbb, for example #2f6690.</source>
-        <translation>„%1“ ist keine Farbe. Schreibweise: #rrggbb, zum Beispiel #2f6690.</translation>
-    </message>
-    <message>
-        <source>Apply colour</source>
-        <translation>Farbe anwenden</translation>
-    </message>
-    <message>
-        <source>Recent colours</source>
-        <translation>Letzte Farben</translation>
-    </message>
-    <message>
-        <source>Colours painted with before. Click: take it.</source>
-        <translation>Früher gemalte Farben. Klick: übernehmen.</translation>
-    </message>
-    <message>
-        <source>Colours painted with come here.</source>
-        <translation>Hierher kommen die gemalten Farben.</translation>
-    </message>
-</context>
-<context>
-    <name>suffuse::ColourWheel</name>
-    <message>
-        <source>Colour wheel</source>
-        <translation>Farbkreis</translation>
-    </message>
-    <message>
-        <source>Ring: hue in the order of pigments. Triangle: pure, white and black.
-Arrow keys work too.</source>
-        <translation>Ring: Farbton in der Ordnung der Pigmente. Dreieck: rein, weiß und schwarz.
-Auch die Pfeiltasten wirken.</translation>
-    </message>
-</context>
-<context>
-    <name>suffuse::CommandPalette</name>
-    <message>
-        <source>Find a command</source>
-        <translation>Befehl suchen</translation>
-    </message>
-    <message>
-        <source>Commands, brushes, docks, recent files</source>
-        <translation>Befehle, Pinsel, Andockfenster, zuletzt geöffnete Dateien</translation>
-    </message>
-    <message>
-        <source>Parts of names in any order; Enter runs the chosen one, Escape goes back.</source>
-        <translation>Teile von Namen in beliebiger Reihenfolge; die Eingabetaste führt das Gewählte aus, Escape kehrt zurück.</translation>
-    </message>
-    <message>
-        <source>Found</source>
-        <translation>Gefunden</translation>
-    </message>
-    <message>
-        <source>Click one to run it.</source>
-        <translation>Ein Klick führt den Befehl aus.</translation>
-    </message>
-    <message>
-        <source>Nothing is called so.</source>
-        <translation>Nichts heißt so.</translation>
-    </message>
-    <message>
-        <source>It cannot be used now.</source>
-        <translation>Das ist gerade nicht möglich.</translation>
-    </message>
-    <message>
-        <source>Brush</source>
-        <translation>Pinsel</translation>
-    </message>
-    <message>
-        <source>Open Recent</source>
-        <translation>Zuletzt geöffnet</translation>
+        <source>Nothing that is selected is painted yet at this moment.</source>
+        <translation>Zu diesem Zeitpunkt ist noch nichts vom Ausgewählten gemalt.</translation>
     </message>
 </context>
 <context>
@@ -5098,14 +5146,6 @@ Auch die Pfeiltasten wirken.</translation>
         <translation>Sonde</translation>
     </message>
     <message>
-        <source>Grid</source>
-        <translation>Gitter</translation>
-    </message>
-    <message>
-        <source>Step in canvas units</source>
-        <translation>Weite in Leinwandeinheiten</translation>
-    </message>
-    <message>
         <source>Rename</source>
         <translation>Umbenennen</translation>
     </message>
@@ -5126,24 +5166,12 @@ Auch die Pfeiltasten wirken.</translation>
         <translation>Sie malen in der Vergangenheit: Späteres verdeckt es. </translation>
     </message>
     <message>
-        <source>Nothing is wet at this moment.</source>
-        <translation>Zu diesem Zeitpunkt ist nichts nass.</translation>
-    </message>
-    <message>
-        <source>Freeze wet paint</source>
-        <translation>Nasse Farbe einfrieren</translation>
-    </message>
-    <message>
         <source>Re-wet</source>
         <translation>Wieder anfeuchten</translation>
     </message>
     <message>
         <source>Seconds that the paint spreads on</source>
         <translation>Sekunden, die die Farbe weiter verläuft</translation>
-    </message>
-    <message>
-        <source>Nothing that is selected is painted yet at this moment.</source>
-        <translation>Zu diesem Zeitpunkt ist noch nichts vom Ausgewählten gemalt.</translation>
     </message>
     <message>
         <source>%1 ms, coarse</source>
@@ -5160,14 +5188,6 @@ Auch die Pfeiltasten wirken.</translation>
     <message>
         <source>What you paint now would not survive a crash: %1. Painting goes on; save from time to time.</source>
         <translation>Was Sie jetzt malen, würde einen Absturz nicht überstehen: %1. Sie können weitermalen; bitte ab und zu speichern.</translation>
-    </message>
-    <message>
-        <source>Keep Undo &amp;History in the File (%1)</source>
-        <translation>&amp;Rückgängig-Schritte in der Datei behalten (%1)</translation>
-    </message>
-    <message>
-        <source>Keep Undo &amp;History in the File</source>
-        <translation>&amp;Rückgängig-Schritte in der Datei behalten</translation>
     </message>
     <message>
         <source>“%1” is gone from its folder. Save to put it back.</source>
@@ -6318,6 +6338,14 @@ Auch die Pfeiltasten wirken.</translation>
     <message>
         <source>Keyboard Shortcuts</source>
         <translation>Tastenkürzel</translation>
+    </message>
+    <message>
+        <source>Where</source>
+        <translation>Wo</translation>
+    </message>
+    <message>
+        <source>Where the shortcut works. What is typed in a dock, without Ctrl or Alt, stays there.</source>
+        <translation>Wo das Kürzel wirkt. Was in einem Dock ohne Strg oder Alt getippt wird, bleibt dort.</translation>
     </message>
 </context>
 <context>

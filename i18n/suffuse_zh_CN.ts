@@ -1713,7 +1713,996 @@ Exit codes: 0 done, 1 the work failed, 2 wrong usage.</source>
     </message>
 </context>
 <context>
-    <name>suffuse::Actions</name>
+    <name>suffuse::AgePlot</name>
+    <message>
+        <source>No paint here</source>
+        <translation>此处没有颜料</translation>
+    </message>
+    <message>
+        <source>density φ, up to %1</source>
+        <translation>密度 φ，最高 %1</translation>
+    </message>
+    <message>
+        <source>0 s</source>
+        <translation>0 秒</translation>
+    </message>
+    <message>
+        <source>age %1 s</source>
+        <translation>落笔后 %1 秒</translation>
+    </message>
+</context>
+<context>
+    <name>suffuse::AlongDialog</name>
+    <message>
+        <source>Along the Stroke</source>
+        <translation>沿笔画变化</translation>
+    </message>
+    <message>
+        <source>Curve along the stroke</source>
+        <translation>沿笔画的曲线</translation>
+    </message>
+    <message>
+        <source>Drag the line or its ends; a drawn curve is drawn with the pointer. The dots are the values of the segments.</source>
+        <translation>拖动线条或其两端；手绘曲线用指针绘制。圆点为各线段的值。</translation>
+    </message>
+    <message>
+        <source>Quantity</source>
+        <translation>参数</translation>
+    </message>
+    <message>
+        <source>Constant</source>
+        <translation>恒定</translation>
+    </message>
+    <message>
+        <source>The same value all along</source>
+        <translation>全程相同的值</translation>
+    </message>
+    <message>
+        <source>Ramp</source>
+        <translation>渐变</translation>
+    </message>
+    <message>
+        <source>Evenly from one value to another</source>
+        <translation>从一个值均匀变化到另一个值</translation>
+    </message>
+    <message>
+        <source>Drawn</source>
+        <translation>手绘</translation>
+    </message>
+    <message>
+        <source>A curve drawn with the pointer</source>
+        <translation>用指针绘制的曲线</translation>
+    </message>
+    <message>
+        <source>Start</source>
+        <translation>起点</translation>
+    </message>
+    <message>
+        <source>End</source>
+        <translation>终点</translation>
+    </message>
+    <message>
+        <source>Change along the stroke</source>
+        <translation>更改沿笔画的变化</translation>
+    </message>
+</context>
+<context>
+    <name>suffuse::AreaRow</name>
+    <message>
+        <source>Area</source>
+        <translation>区域</translation>
+    </message>
+    <message>
+        <source>Which part of the canvas is drawn</source>
+        <translation>绘制画布的哪一部分</translation>
+    </message>
+    <message>
+        <source>Whole canvas</source>
+        <translation>整个画布</translation>
+    </message>
+    <message>
+        <source>What is painted</source>
+        <translation>已绘制的内容</translation>
+    </message>
+    <message>
+        <source>Selected strokes</source>
+        <translation>所选笔画</translation>
+    </message>
+    <message>
+        <source>What the window shows</source>
+        <translation>窗口所示部分</translation>
+    </message>
+    <message>
+        <source>By numbers</source>
+        <translation>按数值</translation>
+    </message>
+    <message>
+        <source>X</source>
+        <translation>X</translation>
+    </message>
+    <message>
+        <source>Left edge, canvas units</source>
+        <translation>左边缘，画布单位</translation>
+    </message>
+    <message>
+        <source>Y</source>
+        <translation>Y</translation>
+    </message>
+    <message>
+        <source>Upper edge, canvas units</source>
+        <translation>上边缘，画布单位</translation>
+    </message>
+    <message>
+        <source>W</source>
+        <translation>宽</translation>
+    </message>
+    <message>
+        <source>Width, canvas units</source>
+        <translation>宽度，画布单位</translation>
+    </message>
+    <message>
+        <source>H</source>
+        <translation>高</translation>
+    </message>
+    <message>
+        <source>Height, canvas units</source>
+        <translation>高度，画布单位</translation>
+    </message>
+</context>
+<context>
+    <name>suffuse::AttributeBrushTool</name>
+    <message>
+        <source>How fast it is laid down</source>
+        <translation>施加的快慢</translation>
+    </message>
+    <message>
+        <source>Drag over strokes to paint the chosen value onto their segments. [ and ] change the size.</source>
+        <translation>在笔画上拖动，将选定的值绘制到其线段上。[ 和 ] 更改大小。</translation>
+    </message>
+    <message>
+        <source>Drag over the selection to paint the chosen value onto its segments. [ and ] change the size.</source>
+        <translation>在所选内容上拖动，将选定的值绘制到其线段上。[ 和 ] 更改大小。</translation>
+    </message>
+    <message>
+        <source>Paint diffusion</source>
+        <translation>绘制扩散系数</translation>
+    </message>
+    <message>
+        <source>Paint density</source>
+        <translation>绘制密度</translation>
+    </message>
+    <message>
+        <source>Paint granulation</source>
+        <translation>绘制颗粒</translation>
+    </message>
+    <message>
+        <source>Paint colour</source>
+        <translation>绘制颜色</translation>
+    </message>
+    <message>
+        <source>Paint opacity</source>
+        <translation>绘制不透明度</translation>
+    </message>
+    <message>
+        <source>Paint drying time</source>
+        <translation>绘制干燥时间</translation>
+    </message>
+    <message>
+        <source>Strength</source>
+        <translation>强度</translation>
+    </message>
+</context>
+<context>
+    <name>suffuse::BackupsDialog</name>
+    <message>
+        <source>Restore Backup</source>
+        <translation>恢复备份</translation>
+    </message>
+    <message>
+        <source>There is no backup of “%1” yet. When it is saved again, the version before is kept; Settings says how many are.</source>
+        <translation>“%1”还没有备份。再次保存时会保留之前的版本；保留多少个可在设置中指定。</translation>
+    </message>
+    <message>
+        <source>An earlier version of “%1” takes the place of the painting as it is now. Undo brings that back, and no file changes until you save.</source>
+        <translation>“%1”的早先版本将取代当前的画作。撤销可恢复当前画作，保存之前不会改动任何文件。</translation>
+    </message>
+    <message>
+        <source>Backups, the newest first</source>
+        <translation>备份，最新的在前</translation>
+    </message>
+    <message>
+        <source>Saved</source>
+        <translation>保存时间</translation>
+    </message>
+    <message>
+        <source>Strokes</source>
+        <translation>笔画</translation>
+    </message>
+    <message>
+        <source>Size</source>
+        <translation>大小</translation>
+    </message>
+    <message>
+        <source>&amp;Restore</source>
+        <translation>恢复(&amp;R)</translation>
+    </message>
+    <message>
+        <source>cannot be read</source>
+        <translation>无法读取</translation>
+    </message>
+</context>
+<context>
+    <name>suffuse::BrushColourPage</name>
+    <message>
+        <source>Second colour</source>
+        <translation>第二颜色</translation>
+    </message>
+    <message>
+        <source>&amp;Take the Current Colour</source>
+        <translation>取当前颜色(&amp;T)</translation>
+    </message>
+    <message>
+        <source>Makes the current colour the second one</source>
+        <translation>将当前颜色设为第二颜色</translation>
+    </message>
+    <message>
+        <source>The row Second colour of the curves says when it comes through.</source>
+        <translation>何时显现由曲线中的“第二颜色”一行决定。</translation>
+    </message>
+    <message>
+        <source>Strays from the colour by</source>
+        <translation>颜色随机偏移量</translation>
+    </message>
+    <message>
+        <source>Red</source>
+        <translation>红</translation>
+    </message>
+    <message>
+        <source>At most so much redder or less red</source>
+        <translation>红色最多增减此量</translation>
+    </message>
+    <message>
+        <source>Yellow</source>
+        <translation>黄</translation>
+    </message>
+    <message>
+        <source>At most so much more or less yellow</source>
+        <translation>黄色最多增减此量</translation>
+    </message>
+    <message>
+        <source>Blue</source>
+        <translation>蓝</translation>
+    </message>
+    <message>
+        <source>At most so much bluer or less blue</source>
+        <translation>蓝色最多增减此量</translation>
+    </message>
+    <message>
+        <source>Lightness</source>
+        <translation>明度</translation>
+    </message>
+    <message>
+        <source>At most so much lighter or darker</source>
+        <translation>明度最多增减此量</translation>
+    </message>
+    <message>
+        <source>Drifts along the stroke</source>
+        <translation>沿笔画漂移</translation>
+    </message>
+    <message>
+        <source>Else each stroke has one colour</source>
+        <translation>否则每条笔画只有一种颜色</translation>
+    </message>
+</context>
+<context>
+    <name>suffuse::BrushCurvesPage</name>
+    <message>
+        <source>Second colour</source>
+        <translation>第二颜色</translation>
+    </message>
+    <message>
+        <source>Pressure</source>
+        <translation>压感</translation>
+    </message>
+    <message>
+        <source>Tilt</source>
+        <translation>倾斜</translation>
+    </message>
+    <message>
+        <source>Speed</source>
+        <translation>速度</translation>
+    </message>
+    <message>
+        <source>Distance</source>
+        <translation>距离</translation>
+    </message>
+    <message>
+        <source>By stroke</source>
+        <translation>逐笔随机</translation>
+    </message>
+    <message>
+        <source>Drift</source>
+        <translation>漂移</translation>
+    </message>
+    <message>
+        <source>Curves</source>
+        <translation>曲线</translation>
+    </message>
+    <message>
+        <source>What changes with what: a tick switches a curve on, a click shows it below</source>
+        <translation>哪项参数随哪项输入变化：勾选以启用曲线，点击可在下方显示</translation>
+    </message>
+    <message>
+        <source>Curve</source>
+        <translation>曲线</translation>
+    </message>
+    <message>
+        <source>Drag points; click for another one, drag it out to take it away</source>
+        <translation>拖动控制点；点击添加，拖出则移除</translation>
+    </message>
+    <message>
+        <source>Full speed</source>
+        <translation>最高速度</translation>
+    </message>
+    <message>
+        <source>Speed at the right end of its curves, in sizes a second</source>
+        <translation>其曲线右端对应的速度，以每秒画笔大小的倍数计</translation>
+    </message>
+    <message>
+        <source> sizes/s</source>
+        <translation> 倍/秒</translation>
+    </message>
+    <message>
+        <source>Full distance</source>
+        <translation>最大距离</translation>
+    </message>
+    <message>
+        <source>Distance at the right end of its curves, in sizes</source>
+        <translation>其曲线右端对应的距离，以画笔大小的倍数计</translation>
+    </message>
+    <message>
+        <source> sizes</source>
+        <translation> 倍</translation>
+    </message>
+    <message>
+        <source>Way on which what drifts becomes another, in sizes</source>
+        <translation>漂移的值变为另一个值所经过的路程，以画笔大小的倍数计</translation>
+    </message>
+</context>
+<context>
+    <name>suffuse::BrushDialog</name>
+    <message>
+        <source>A stroke of the brush</source>
+        <translation>画笔的示例笔画</translation>
+    </message>
+    <message>
+        <source>Paint</source>
+        <translation>颜料</translation>
+    </message>
+    <message>
+        <source>Curves</source>
+        <translation>曲线</translation>
+    </message>
+    <message>
+        <source>Colour</source>
+        <translation>颜色</translation>
+    </message>
+    <message>
+        <source>Shape and hand</source>
+        <translation>形状与手感</translation>
+    </message>
+    <message>
+        <source>Settings of the brush</source>
+        <translation>画笔设置</translation>
+    </message>
+    <message>
+        <source>Keeps the changes in the brush of this name; built-in brushes stay as they are</source>
+        <translation>将更改保存到此名称的画笔；内置画笔保持不变</translation>
+    </message>
+    <message>
+        <source>Keeps the brush under another name</source>
+        <translation>以其他名称保存画笔</translation>
+    </message>
+    <message>
+        <source>Closes this window; the brush stays in hand as it is</source>
+        <translation>关闭此窗口；当前画笔保持现状</translation>
+    </message>
+    <message>
+        <source>Brush: %1</source>
+        <translation>画笔：%1</translation>
+    </message>
+    <message>
+        <source>&amp;Save Changes</source>
+        <translation>保存更改(&amp;S)</translation>
+    </message>
+    <message>
+        <source>Save as &amp;New…</source>
+        <translation>另存为新画笔(&amp;N)…</translation>
+    </message>
+    <message>
+        <source>&amp;Close</source>
+        <translation>关闭(&amp;C)</translation>
+    </message>
+</context>
+<context>
+    <name>suffuse::BrushHandPage</name>
+    <message>
+        <source>Tip</source>
+        <translation>笔尖</translation>
+    </message>
+    <message>
+        <source>Of the tip, against the path or the canvas</source>
+        <translation>笔尖相对于路径或画布的角度</translation>
+    </message>
+    <message>
+        <source>Turns with the path</source>
+        <translation>随路径转动</translation>
+    </message>
+    <message>
+        <source>Else it keeps its angle on the canvas, as a broad nib does</source>
+        <translation>否则在画布上保持固定角度，如同宽头笔尖</translation>
+    </message>
+    <message>
+        <source>Ends</source>
+        <translation>两端</translation>
+    </message>
+    <message>
+        <source> sizes</source>
+        <translation> 倍</translation>
+    </message>
+    <message>
+        <source>Taper in</source>
+        <translation>起笔渐粗</translation>
+    </message>
+    <message>
+        <source>Length on which the stroke grows from its tip</source>
+        <translation>笔画从笔锋逐渐变粗的长度</translation>
+    </message>
+    <message>
+        <source>Taper out</source>
+        <translation>收笔渐细</translation>
+    </message>
+    <message>
+        <source>Length on which it runs out when the pen lifts</source>
+        <translation>抬笔时笔画逐渐变细的长度</translation>
+    </message>
+    <message>
+        <source>Tip size</source>
+        <translation>末端大小</translation>
+    </message>
+    <message>
+        <source>Size at the very end</source>
+        <translation>最末端的大小</translation>
+    </message>
+    <message>
+        <source>Hand</source>
+        <translation>手感</translation>
+    </message>
+    <message>
+        <source>No smoothing</source>
+        <translation>不平滑</translation>
+    </message>
+    <message>
+        <source>Weighted</source>
+        <translation>加权</translation>
+    </message>
+    <message>
+        <source>Pulled string</source>
+        <translation>拉绳</translation>
+    </message>
+    <message>
+        <source>Smoothing</source>
+        <translation>平滑</translation>
+    </message>
+    <message>
+        <source>Steadies the hand: the stroke follows the pen softly, or is pulled on a string</source>
+        <translation>稳定手部抖动：笔画柔和地跟随笔，或像被绳子牵引</translation>
+    </message>
+    <message>
+        <source>Sampling</source>
+        <translation>采样间隔</translation>
+    </message>
+    <message>
+        <source>Time between the points that the curve is fitted through</source>
+        <translation>拟合曲线所经各点之间的时间</translation>
+    </message>
+</context>
+<context>
+    <name>suffuse::BrushLibrary</name>
+    <message>
+        <source>Brush</source>
+        <translation>画笔</translation>
+    </message>
+    <message>
+        <source>%1 %2</source>
+        <translation>%1 %2</translation>
+    </message>
+    <message>
+        <source>%1: the folder could not be made; check its permissions</source>
+        <translation>%1：未能创建文件夹；请检查其权限</translation>
+    </message>
+    <message>
+        <source>%1 is a built-in brush; save it under a name of its own</source>
+        <translation>%1 是内置画笔；请以其他名称保存</translation>
+    </message>
+    <message>
+        <source>A brush needs a name</source>
+        <translation>画笔需要名称</translation>
+    </message>
+    <message>
+        <source>There is a brush “%1” already</source>
+        <translation>已有名为“%1”的画笔</translation>
+    </message>
+    <message>
+        <source>%1 is a built-in brush; it stays</source>
+        <translation>%1 是内置画笔，不能删除</translation>
+    </message>
+    <message>
+        <source>%1 could not be removed; check its permissions</source>
+        <translation>未能删除 %1；请检查其权限</translation>
+    </message>
+    <message>
+        <source>There is no brush “%1”</source>
+        <translation>没有名为“%1”的画笔</translation>
+    </message>
+</context>
+<context>
+    <name>suffuse::BrushMenu</name>
+    <message>
+        <source>&amp;Edit Brush…</source>
+        <translation>编辑画笔(&amp;E)…</translation>
+    </message>
+    <message>
+        <source>&amp;Favourite</source>
+        <translation>收藏(&amp;F)</translation>
+    </message>
+    <message>
+        <source>&amp;Save Changes</source>
+        <translation>保存更改(&amp;S)</translation>
+    </message>
+    <message>
+        <source>Save as &amp;New…</source>
+        <translation>另存为新画笔(&amp;N)…</translation>
+    </message>
+    <message>
+        <source>&amp;Duplicate</source>
+        <translation>再制(&amp;D)</translation>
+    </message>
+    <message>
+        <source>&amp;Rename…</source>
+        <translation>重命名(&amp;R)…</translation>
+    </message>
+    <message>
+        <source>De&amp;lete…</source>
+        <translation>删除(&amp;L)…</translation>
+    </message>
+    <message>
+        <source>&amp;Import…</source>
+        <translation>导入(&amp;I)…</translation>
+    </message>
+    <message>
+        <source>E&amp;xport…</source>
+        <translation>导出(&amp;X)…</translation>
+    </message>
+    <message>
+        <source>Save Brush</source>
+        <translation>保存画笔</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>名称</translation>
+    </message>
+    <message>
+        <source>Rename Brush</source>
+        <translation>重命名画笔</translation>
+    </message>
+    <message>
+        <source>Delete the brush “%1”?</source>
+        <translation>要删除画笔“%1”吗？</translation>
+    </message>
+    <message>
+        <source>Strokes painted with it stay.</source>
+        <translation>用它绘制的笔画会保留。</translation>
+    </message>
+    <message>
+        <source>&amp;Delete</source>
+        <translation>删除(&amp;D)</translation>
+    </message>
+    <message>
+        <source>Import Brushes</source>
+        <translation>导入画笔</translation>
+    </message>
+    <message>
+        <source>Brushes (*.suffuse-brush *.myb);;All files (*)</source>
+        <translation>画笔 (*.suffuse-brush *.myb);;所有文件 (*)</translation>
+    </message>
+    <message>
+        <source>%1: these settings have no counterpart here: %2</source>
+        <translation>%1：以下设置在此没有对应项：%2</translation>
+    </message>
+    <message>
+        <source>Export Brush</source>
+        <translation>导出画笔</translation>
+    </message>
+    <message>
+        <source>Suffuse brush</source>
+        <translation>Suffuse 画笔</translation>
+    </message>
+</context>
+<context>
+    <name>suffuse::BrushPaintPage</name>
+    <message>
+        <source>Style</source>
+        <translation>样式</translation>
+    </message>
+    <message>
+        <source>How density becomes coverage.</source>
+        <translation>密度如何转化为覆盖率。</translation>
+    </message>
+    <message>
+        <source>Mixing</source>
+        <translation>混合</translation>
+    </message>
+    <message>
+        <source>How the paint mixes with what lies below it: it covers, or pigments add up.</source>
+        <translation>颜料与下层的混合方式：覆盖，或颜料叠加。</translation>
+    </message>
+    <message>
+        <source>How long the paint spreads; the size stays</source>
+        <translation>颜料扩散多久；大小不变</translation>
+    </message>
+</context>
+<context>
+    <name>suffuse::BrushPanel</name>
+    <message>
+        <source>Brushes</source>
+        <translation>画笔</translation>
+    </message>
+    <message>
+        <source>Choose what to paint with. The colour stays.</source>
+        <translation>选择作画所用的画笔，颜色保持不变。</translation>
+    </message>
+    <message>
+        <source>Reset brush</source>
+        <translation>重置画笔</translation>
+    </message>
+    <message>
+        <source>Back to the brush as it came</source>
+        <translation>恢复画笔的原始设置</translation>
+    </message>
+    <message>
+        <source>%1 (changed)</source>
+        <translation>%1（已修改）</translation>
+    </message>
+    <message>
+        <source>Search</source>
+        <translation>搜索</translation>
+    </message>
+    <message>
+        <source>Search brushes</source>
+        <translation>搜索画笔</translation>
+    </message>
+    <message>
+        <source>Shows brushes and groups with this in their name</source>
+        <translation>显示名称包含此文本的画笔和组</translation>
+    </message>
+    <message>
+        <source>Favourites only</source>
+        <translation>仅收藏</translation>
+    </message>
+    <message>
+        <source>Show favourites only; the first nine have the keys 1 to 9</source>
+        <translation>仅显示收藏的画笔；前九个对应按键 1 到 9</translation>
+    </message>
+    <message>
+        <source>Brush menu</source>
+        <translation>画笔菜单</translation>
+    </message>
+    <message>
+        <source>Edit, save, import and export brushes</source>
+        <translation>编辑、保存、导入和导出画笔</translation>
+    </message>
+    <message>
+        <source>%1: size %2, dry after %3</source>
+        <translation>%1：大小 %2，%3后干透</translation>
+    </message>
+</context>
+<context>
+    <name>suffuse::BrushTool</name>
+    <message>
+        <source>Brush stroke</source>
+        <translation>画笔笔画</translation>
+    </message>
+    <message>
+        <source>Shift+drag to go on with the selected stroke from its end.</source>
+        <translation>Shift+拖动：从所选笔画的末端继续绘制。</translation>
+    </message>
+    <message>
+        <source>Extend stroke</source>
+        <translation>延长笔画</translation>
+    </message>
+    <message>
+        <source>Drag to paint, tap for a dot. Shift+drag: size and opacity. Ctrl+click: take the picture&apos;s colour, with Shift the stroke&apos;s own.</source>
+        <translation>拖动绘制，轻点成点。Shift+拖动：大小和不透明度。Ctrl+点击：拾取画面颜色，再加 Shift：笔画本身的颜色。</translation>
+    </message>
+</context>
+<context>
+    <name>suffuse::BrushToolOptions</name>
+    <message>
+        <source>How far the paint spreads, in units ([ and ] change it)</source>
+        <translation>颜料扩散的距离（单位）（[ 和 ] 可更改）</translation>
+    </message>
+    <message>
+        <source>How much the paint covers ({ and } change it)</source>
+        <translation>颜料的覆盖程度（{ 和 } 可更改）</translation>
+    </message>
+    <message>
+        <source>What to paint with; the Brushes dock has pictures</source>
+        <translation>作画所用的画笔；“画笔”面板中有示例图</translation>
+    </message>
+    <message>
+        <source>Brush</source>
+        <translation>画笔</translation>
+    </message>
+    <message>
+        <source>Smoothing</source>
+        <translation>平滑</translation>
+    </message>
+    <message>
+        <source>Off</source>
+        <translation>关</translation>
+    </message>
+    <message>
+        <source>Weighted</source>
+        <translation>加权</translation>
+    </message>
+    <message>
+        <source>Pulled string</source>
+        <translation>拉绳</translation>
+    </message>
+    <message>
+        <source>Steadies the hand: the stroke follows the pen softly, or is pulled on a string</source>
+        <translation>稳定手部抖动：笔画柔和地跟随笔，或像被绳子牵引</translation>
+    </message>
+    <message>
+        <source>Amount of smoothing</source>
+        <translation>平滑程度</translation>
+    </message>
+    <message>
+        <source>How strongly it lags behind, or how long the string is</source>
+        <translation>滞后的强度，或绳子的长度</translation>
+    </message>
+    <message>
+        <source>Own brush</source>
+        <translation>自定义画笔</translation>
+    </message>
+</context>
+<context>
+    <name>suffuse::CanvasDrops</name>
+    <message>
+        <source>Drop colour</source>
+        <translation>拖放颜色</translation>
+    </message>
+</context>
+<context>
+    <name>suffuse::CanvasSection</name>
+    <message>
+        <source>Canvas</source>
+        <translation>画布</translation>
+    </message>
+    <message>
+        <source>Background</source>
+        <translation>背景</translation>
+    </message>
+    <message>
+        <source>Background colour. Click: white.</source>
+        <translation>背景颜色。点击恢复白色。</translation>
+    </message>
+    <message>
+        <source>Change background</source>
+        <translation>更改背景</translation>
+    </message>
+    <message>
+        <source>Paper</source>
+        <translation>纸张</translation>
+    </message>
+    <message>
+        <source>Resize canvas</source>
+        <translation>调整画布大小</translation>
+    </message>
+    <message>
+        <source>Width</source>
+        <translation>宽度</translation>
+    </message>
+    <message>
+        <source>Width of the canvas in units; a unit is a pixel at 100 %.</source>
+        <translation>画布宽度（单位）；100 % 时 1 单位即 1 像素。</translation>
+    </message>
+    <message>
+        <source>Height</source>
+        <translation>高度</translation>
+    </message>
+    <message>
+        <source>Height of the canvas in units; a unit is a pixel at 100 %.</source>
+        <translation>画布高度（单位）；100 % 时 1 单位即 1 像素。</translation>
+    </message>
+    <message>
+        <source>Texture</source>
+        <translation>纹理</translation>
+    </message>
+    <message>
+        <source>None</source>
+        <translation>无</translation>
+    </message>
+    <message>
+        <source>Image…</source>
+        <translation>图像…</translation>
+    </message>
+    <message>
+        <source>The paper&apos;s grain, which granulating strokes show.</source>
+        <translation>纸张的颗粒，会在有颗粒效果的笔画中显现。</translation>
+    </message>
+    <message>
+        <source>Take the grain from another picture file.</source>
+        <translation>从另一个图片文件获取颗粒。</translation>
+    </message>
+    <message>
+        <source>Seed</source>
+        <translation>随机种子</translation>
+    </message>
+    <message>
+        <source>Another number gives another grain.</source>
+        <translation>不同的数字产生不同的颗粒。</translation>
+    </message>
+    <message>
+        <source>Change paper</source>
+        <translation>更改纸张</translation>
+    </message>
+    <message>
+        <source>Scale</source>
+        <translation>缩放</translation>
+    </message>
+    <message>
+        <source>Paper image</source>
+        <translation>纸张图像</translation>
+    </message>
+    <message>
+        <source>%1 cannot be used as paper: %2</source>
+        <translation>%1 不能用作纸张：%2</translation>
+    </message>
+    <message>
+        <source>Custom</source>
+        <translation>自定义</translation>
+    </message>
+    <message>
+        <source>Size of the coarsest grain or of a thread in units, or units per pixel of the image.</source>
+        <translation>最粗颗粒或织线的大小（单位），或图像每像素对应的单位数。</translation>
+    </message>
+    <message>
+        <source>Choose &amp;Image…</source>
+        <translation>选择图像(&amp;I)…</translation>
+    </message>
+</context>
+<context>
+    <name>suffuse::CanvasWidget</name>
+    <message>
+        <source>Canvas</source>
+        <translation>画布</translation>
+    </message>
+    <message>
+        <source>The picture goes to the screen by way of memory: %1</source>
+        <translation>图像经由内存送到屏幕：%1</translation>
+    </message>
+</context>
+<context>
+    <name>suffuse::ColourPanel</name>
+    <message>
+        <source>Current colour</source>
+        <translation>当前颜色</translation>
+    </message>
+    <message>
+        <source>The colour that is painted with</source>
+        <translation>正在使用的颜色</translation>
+    </message>
+    <message>
+        <source>Previous colour</source>
+        <translation>上一个颜色</translation>
+    </message>
+    <message>
+        <source>The colour painted with last. Click: back to it.</source>
+        <translation>上次作画用的颜色。点击返回该颜色。</translation>
+    </message>
+    <message>
+        <source>Hex</source>
+        <translation>十六进制</translation>
+    </message>
+    <message>
+        <source>sRGB colour as #rrggbb, or #rgb</source>
+        <translation>sRGB 颜色，写作 #rrggbb 或 #rgb</translation>
+    </message>
+    <message>
+        <source>Apply to selection</source>
+        <translation>应用到所选</translation>
+    </message>
+    <message>
+        <source>Gives the selected segments this colour.</source>
+        <translation>将所选线段设为此颜色。</translation>
+    </message>
+    <message>
+        <source>“%1” is not a colour. Write it as #rrggbb, for example #2f6690.</source>
+        <translation>“%1”不是颜色。请写成 #rrggbb，例如 #2f6690。</translation>
+    </message>
+    <message>
+        <source>Apply colour</source>
+        <translation>应用颜色</translation>
+    </message>
+    <message>
+        <source>Recent colours</source>
+        <translation>最近颜色</translation>
+    </message>
+    <message>
+        <source>Colours painted with before. Click: take it.</source>
+        <translation>先前用过的颜色。点击选用。</translation>
+    </message>
+    <message>
+        <source>Colours painted with come here.</source>
+        <translation>用过的颜色会显示在此处。</translation>
+    </message>
+</context>
+<context>
+    <name>suffuse::ColourWheel</name>
+    <message>
+        <source>Colour wheel</source>
+        <translation>色轮</translation>
+    </message>
+    <message>
+        <source>Ring: hue in the order of pigments. Triangle: pure, white and black.
+Arrow keys work too.</source>
+        <translation>圆环：按颜料顺序排列的色相。三角形：纯色、白与黑。
+也可使用方向键。</translation>
+    </message>
+</context>
+<context>
+    <name>suffuse::CommandPalette</name>
+    <message>
+        <source>Find a command</source>
+        <translation>查找命令</translation>
+    </message>
+    <message>
+        <source>Commands, brushes, docks, recent files</source>
+        <translation>命令、画笔、面板、最近的文件</translation>
+    </message>
+    <message>
+        <source>Parts of names in any order; Enter runs the chosen one, Escape goes back.</source>
+        <translation>可按任意顺序输入名称的一部分；按回车键执行所选项，按 Esc 返回。</translation>
+    </message>
+    <message>
+        <source>Found</source>
+        <translation>查找结果</translation>
+    </message>
+    <message>
+        <source>Click one to run it.</source>
+        <translation>单击即可执行。</translation>
+    </message>
+    <message>
+        <source>Nothing is called so.</source>
+        <translation>没有匹配的名称。</translation>
+    </message>
+    <message>
+        <source>It cannot be used now.</source>
+        <translation>现在无法使用。</translation>
+    </message>
+    <message>
+        <source>Brush</source>
+        <translation>画笔</translation>
+    </message>
+    <message>
+        <source>Open Recent</source>
+        <translation>最近打开</translation>
+    </message>
+</context>
+<context>
+    <name>suffuse::Commands</name>
     <message>
         <source>&amp;New…</source>
         <translation>新建(&amp;N)…</translation>
@@ -2754,994 +3743,53 @@ Exit codes: 0 done, 1 the work failed, 2 wrong usage.</source>
         <source>Remove re-wetting</source>
         <translation>移除再次润湿</translation>
     </message>
-</context>
-<context>
-    <name>suffuse::AgePlot</name>
     <message>
-        <source>No paint here</source>
-        <translation>此处没有颜料</translation>
+        <source>Grid</source>
+        <translation>网格</translation>
     </message>
     <message>
-        <source>density φ, up to %1</source>
-        <translation>密度 φ，最高 %1</translation>
+        <source>Step in canvas units</source>
+        <translation>间距（画布单位）</translation>
     </message>
     <message>
-        <source>0 s</source>
-        <translation>0 秒</translation>
+        <source>Keep Undo &amp;History in the File (%1)</source>
+        <translation>在文件中保留撤销历史(&amp;H)（%1）</translation>
     </message>
     <message>
-        <source>age %1 s</source>
-        <translation>落笔后 %1 秒</translation>
+        <source>Canvas, while held</source>
+        <translation>画布（按住时）</translation>
     </message>
-</context>
-<context>
-    <name>suffuse::AlongDialog</name>
     <message>
-        <source>Along the Stroke</source>
-        <translation>沿笔画变化</translation>
+        <source>Everywhere</source>
+        <translation>任何位置</translation>
     </message>
     <message>
-        <source>Curve along the stroke</source>
-        <translation>沿笔画的曲线</translation>
+        <source>Canvas, Strokes dock</source>
+        <translation>画布、“笔画”面板</translation>
     </message>
     <message>
-        <source>Drag the line or its ends; a drawn curve is drawn with the pointer. The dots are the values of the segments.</source>
-        <translation>拖动线条或其两端；手绘曲线用指针绘制。圆点为各线段的值。</translation>
+        <source>Canvas, Timeline dock</source>
+        <translation>画布、“时间轴”面板</translation>
     </message>
     <message>
-        <source>Quantity</source>
-        <translation>参数</translation>
+        <source>Canvas, Segments tool</source>
+        <translation>画布，线段工具</translation>
     </message>
-    <message>
-        <source>Constant</source>
-        <translation>恒定</translation>
-    </message>
-    <message>
-        <source>The same value all along</source>
-        <translation>全程相同的值</translation>
-    </message>
-    <message>
-        <source>Ramp</source>
-        <translation>渐变</translation>
-    </message>
-    <message>
-        <source>Evenly from one value to another</source>
-        <translation>从一个值均匀变化到另一个值</translation>
-    </message>
-    <message>
-        <source>Drawn</source>
-        <translation>手绘</translation>
-    </message>
-    <message>
-        <source>A curve drawn with the pointer</source>
-        <translation>用指针绘制的曲线</translation>
-    </message>
-    <message>
-        <source>Start</source>
-        <translation>起点</translation>
-    </message>
-    <message>
-        <source>End</source>
-        <translation>终点</translation>
-    </message>
-    <message>
-        <source>Change along the stroke</source>
-        <translation>更改沿笔画的变化</translation>
-    </message>
-</context>
-<context>
-    <name>suffuse::AreaRow</name>
-    <message>
-        <source>Area</source>
-        <translation>区域</translation>
-    </message>
-    <message>
-        <source>Which part of the canvas is drawn</source>
-        <translation>绘制画布的哪一部分</translation>
-    </message>
-    <message>
-        <source>Whole canvas</source>
-        <translation>整个画布</translation>
-    </message>
-    <message>
-        <source>What is painted</source>
-        <translation>已绘制的内容</translation>
-    </message>
-    <message>
-        <source>Selected strokes</source>
-        <translation>所选笔画</translation>
-    </message>
-    <message>
-        <source>What the window shows</source>
-        <translation>窗口所示部分</translation>
-    </message>
-    <message>
-        <source>By numbers</source>
-        <translation>按数值</translation>
-    </message>
-    <message>
-        <source>X</source>
-        <translation>X</translation>
-    </message>
-    <message>
-        <source>Left edge, canvas units</source>
-        <translation>左边缘，画布单位</translation>
-    </message>
-    <message>
-        <source>Y</source>
-        <translation>Y</translation>
-    </message>
-    <message>
-        <source>Upper edge, canvas units</source>
-        <translation>上边缘，画布单位</translation>
-    </message>
-    <message>
-        <source>W</source>
-        <translation>宽</translation>
-    </message>
-    <message>
-        <source>Width, canvas units</source>
-        <translation>宽度，画布单位</translation>
-    </message>
-    <message>
-        <source>H</source>
-        <translation>高</translation>
-    </message>
-    <message>
-        <source>Height, canvas units</source>
-        <translation>高度，画布单位</translation>
-    </message>
-</context>
-<context>
-    <name>suffuse::AttributeBrushTool</name>
-    <message>
-        <source>How fast it is laid down</source>
-        <translation>施加的快慢</translation>
-    </message>
-    <message>
-        <source>Drag over strokes to paint the chosen value onto their segments. [ and ] change the size.</source>
-        <translation>在笔画上拖动，将选定的值绘制到其线段上。[ 和 ] 更改大小。</translation>
-    </message>
-    <message>
-        <source>Drag over the selection to paint the chosen value onto its segments. [ and ] change the size.</source>
-        <translation>在所选内容上拖动，将选定的值绘制到其线段上。[ 和 ] 更改大小。</translation>
-    </message>
-    <message>
-        <source>Paint diffusion</source>
-        <translation>绘制扩散系数</translation>
-    </message>
-    <message>
-        <source>Paint density</source>
-        <translation>绘制密度</translation>
-    </message>
-    <message>
-        <source>Paint granulation</source>
-        <translation>绘制颗粒</translation>
-    </message>
-    <message>
-        <source>Paint colour</source>
-        <translation>绘制颜色</translation>
-    </message>
-    <message>
-        <source>Paint opacity</source>
-        <translation>绘制不透明度</translation>
-    </message>
-    <message>
-        <source>Paint drying time</source>
-        <translation>绘制干燥时间</translation>
-    </message>
-    <message>
-        <source>Strength</source>
-        <translation>强度</translation>
-    </message>
-</context>
-<context>
-    <name>suffuse::BackupsDialog</name>
-    <message>
-        <source>Restore Backup</source>
-        <translation>恢复备份</translation>
-    </message>
-    <message>
-        <source>There is no backup of “%1” yet. When it is saved again, the version before is kept; Settings says how many are.</source>
-        <translation>“%1”还没有备份。再次保存时会保留之前的版本；保留多少个可在设置中指定。</translation>
-    </message>
-    <message>
-        <source>An earlier version of “%1” takes the place of the painting as it is now. Undo brings that back, and no file changes until you save.</source>
-        <translation>“%1”的早先版本将取代当前的画作。撤销可恢复当前画作，保存之前不会改动任何文件。</translation>
-    </message>
-    <message>
-        <source>Backups, the newest first</source>
-        <translation>备份，最新的在前</translation>
-    </message>
-    <message>
-        <source>Saved</source>
-        <translation>保存时间</translation>
-    </message>
-    <message>
-        <source>Strokes</source>
-        <translation>笔画</translation>
-    </message>
-    <message>
-        <source>Size</source>
-        <translation>大小</translation>
-    </message>
-    <message>
-        <source>&amp;Restore</source>
-        <translation>恢复(&amp;R)</translation>
-    </message>
-    <message>
-        <source>cannot be read</source>
-        <translation>无法读取</translation>
-    </message>
-</context>
-<context>
-    <name>suffuse::BrushColourPage</name>
-    <message>
-        <source>Second colour</source>
-        <translation>第二颜色</translation>
-    </message>
-    <message>
-        <source>&amp;Take the Current Colour</source>
-        <translation>取当前颜色(&amp;T)</translation>
-    </message>
-    <message>
-        <source>Makes the current colour the second one</source>
-        <translation>将当前颜色设为第二颜色</translation>
-    </message>
-    <message>
-        <source>The row Second colour of the curves says when it comes through.</source>
-        <translation>何时显现由曲线中的“第二颜色”一行决定。</translation>
-    </message>
-    <message>
-        <source>Strays from the colour by</source>
-        <translation>颜色随机偏移量</translation>
-    </message>
-    <message>
-        <source>Red</source>
-        <translation>红</translation>
-    </message>
-    <message>
-        <source>At most so much redder or less red</source>
-        <translation>红色最多增减此量</translation>
-    </message>
-    <message>
-        <source>Yellow</source>
-        <translation>黄</translation>
-    </message>
-    <message>
-        <source>At most so much more or less yellow</source>
-        <translation>黄色最多增减此量</translation>
-    </message>
-    <message>
-        <source>Blue</source>
-        <translation>蓝</translation>
-    </message>
-    <message>
-        <source>At most so much bluer or less blue</source>
-        <translation>蓝色最多增减此量</translation>
-    </message>
-    <message>
-        <source>Lightness</source>
-        <translation>明度</translation>
-    </message>
-    <message>
-        <source>At most so much lighter or darker</source>
-        <translation>明度最多增减此量</translation>
-    </message>
-    <message>
-        <source>Drifts along the stroke</source>
-        <translation>沿笔画漂移</translation>
-    </message>
-    <message>
-        <source>Else each stroke has one colour</source>
-        <translation>否则每条笔画只有一种颜色</translation>
-    </message>
-</context>
-<context>
-    <name>suffuse::BrushCurvesPage</name>
-    <message>
-        <source>Second colour</source>
-        <translation>第二颜色</translation>
-    </message>
-    <message>
-        <source>Pressure</source>
-        <translation>压感</translation>
-    </message>
-    <message>
-        <source>Tilt</source>
-        <translation>倾斜</translation>
-    </message>
-    <message>
-        <source>Speed</source>
-        <translation>速度</translation>
-    </message>
-    <message>
-        <source>Distance</source>
-        <translation>距离</translation>
-    </message>
-    <message>
-        <source>By stroke</source>
-        <translation>逐笔随机</translation>
-    </message>
-    <message>
-        <source>Drift</source>
-        <translation>漂移</translation>
-    </message>
-    <message>
-        <source>Curves</source>
-        <translation>曲线</translation>
-    </message>
-    <message>
-        <source>What changes with what: a tick switches a curve on, a click shows it below</source>
-        <translation>哪项参数随哪项输入变化：勾选以启用曲线，点击可在下方显示</translation>
-    </message>
-    <message>
-        <source>Curve</source>
-        <translation>曲线</translation>
-    </message>
-    <message>
-        <source>Drag points; click for another one, drag it out to take it away</source>
-        <translation>拖动控制点；点击添加，拖出则移除</translation>
-    </message>
-    <message>
-        <source>Full speed</source>
-        <translation>最高速度</translation>
-    </message>
-    <message>
-        <source>Speed at the right end of its curves, in sizes a second</source>
-        <translation>其曲线右端对应的速度，以每秒画笔大小的倍数计</translation>
-    </message>
-    <message>
-        <source> sizes/s</source>
-        <translation> 倍/秒</translation>
-    </message>
-    <message>
-        <source>Full distance</source>
-        <translation>最大距离</translation>
-    </message>
-    <message>
-        <source>Distance at the right end of its curves, in sizes</source>
-        <translation>其曲线右端对应的距离，以画笔大小的倍数计</translation>
-    </message>
-    <message>
-        <source> sizes</source>
-        <translation> 倍</translation>
-    </message>
-    <message>
-        <source>Way on which what drifts becomes another, in sizes</source>
-        <translation>漂移的值变为另一个值所经过的路程，以画笔大小的倍数计</translation>
-    </message>
-</context>
-<context>
-    <name>suffuse::BrushDialog</name>
-    <message>
-        <source>A stroke of the brush</source>
-        <translation>画笔的示例笔画</translation>
-    </message>
-    <message>
-        <source>Paint</source>
-        <translation>颜料</translation>
-    </message>
-    <message>
-        <source>Curves</source>
-        <translation>曲线</translation>
-    </message>
-    <message>
-        <source>Colour</source>
-        <translation>颜色</translation>
-    </message>
-    <message>
-        <source>Shape and hand</source>
-        <translation>形状与手感</translation>
-    </message>
-    <message>
-        <source>Settings of the brush</source>
-        <translation>画笔设置</translation>
-    </message>
-    <message>
-        <source>Keeps the changes in the brush of this name; built-in brushes stay as they are</source>
-        <translation>将更改保存到此名称的画笔；内置画笔保持不变</translation>
-    </message>
-    <message>
-        <source>Keeps the brush under another name</source>
-        <translation>以其他名称保存画笔</translation>
-    </message>
-    <message>
-        <source>Closes this window; the brush stays in hand as it is</source>
-        <translation>关闭此窗口；当前画笔保持现状</translation>
-    </message>
-    <message>
-        <source>Brush: %1</source>
-        <translation>画笔：%1</translation>
-    </message>
-    <message>
-        <source>&amp;Save Changes</source>
-        <translation>保存更改(&amp;S)</translation>
-    </message>
-    <message>
-        <source>Save as &amp;New…</source>
-        <translation>另存为新画笔(&amp;N)…</translation>
-    </message>
-    <message>
-        <source>&amp;Close</source>
-        <translation>关闭(&amp;C)</translation>
-    </message>
-</context>
-<context>
-    <name>suffuse::BrushHandPage</name>
-    <message>
-        <source>Tip</source>
-        <translation>笔尖</translation>
-    </message>
-    <message>
-        <source>Of the tip, against the path or the canvas</source>
-        <translation>笔尖相对于路径或画布的角度</translation>
-    </message>
-    <message>
-        <source>Turns with the path</source>
-        <translation>随路径转动</translation>
-    </message>
-    <message>
-        <source>Else it keeps its angle on the canvas, as a broad nib does</source>
-        <translation>否则在画布上保持固定角度，如同宽头笔尖</translation>
-    </message>
-    <message>
-        <source>Ends</source>
-        <translation>两端</translation>
-    </message>
-    <message>
-        <source> sizes</source>
-        <translation> 倍</translation>
-    </message>
-    <message>
-        <source>Taper in</source>
-        <translation>起笔渐粗</translation>
-    </message>
-    <message>
-        <source>Length on which the stroke grows from its tip</source>
-        <translation>笔画从笔锋逐渐变粗的长度</translation>
-    </message>
-    <message>
-        <source>Taper out</source>
-        <translation>收笔渐细</translation>
-    </message>
-    <message>
-        <source>Length on which it runs out when the pen lifts</source>
-        <translation>抬笔时笔画逐渐变细的长度</translation>
-    </message>
-    <message>
-        <source>Tip size</source>
-        <translation>末端大小</translation>
-    </message>
-    <message>
-        <source>Size at the very end</source>
-        <translation>最末端的大小</translation>
-    </message>
-    <message>
-        <source>Hand</source>
-        <translation>手感</translation>
-    </message>
-    <message>
-        <source>No smoothing</source>
-        <translation>不平滑</translation>
-    </message>
-    <message>
-        <source>Weighted</source>
-        <translation>加权</translation>
-    </message>
-    <message>
-        <source>Pulled string</source>
-        <translation>拉绳</translation>
-    </message>
-    <message>
-        <source>Smoothing</source>
-        <translation>平滑</translation>
-    </message>
-    <message>
-        <source>Steadies the hand: the stroke follows the pen softly, or is pulled on a string</source>
-        <translation>稳定手部抖动：笔画柔和地跟随笔，或像被绳子牵引</translation>
-    </message>
-    <message>
-        <source>Sampling</source>
-        <translation>采样间隔</translation>
-    </message>
-    <message>
-        <source>Time between the points that the curve is fitted through</source>
-        <translation>拟合曲线所经各点之间的时间</translation>
-    </message>
-</context>
-<context>
-    <name>suffuse::BrushLibrary</name>
-    <message>
-        <source>Brush</source>
-        <translation>画笔</translation>
-    </message>
-    <message>
-        <source>%1 %2</source>
-        <translation>%1 %2</translation>
-    </message>
-    <message>
-        <source>%1: the folder could not be made; check its permissions</source>
-        <translation>%1：未能创建文件夹；请检查其权限</translation>
-    </message>
-    <message>
-        <source>%1 is a built-in brush; save it under a name of its own</source>
-        <translation>%1 是内置画笔；请以其他名称保存</translation>
-    </message>
-    <message>
-        <source>A brush needs a name</source>
-        <translation>画笔需要名称</translation>
-    </message>
-    <message>
-        <source>There is a brush “%1” already</source>
-        <translation>已有名为“%1”的画笔</translation>
-    </message>
-    <message>
-        <source>%1 is a built-in brush; it stays</source>
-        <translation>%1 是内置画笔，不能删除</translation>
-    </message>
-    <message>
-        <source>%1 could not be removed; check its permissions</source>
-        <translation>未能删除 %1；请检查其权限</translation>
-    </message>
-    <message>
-        <source>There is no brush “%1”</source>
-        <translation>没有名为“%1”的画笔</translation>
-    </message>
-</context>
-<context>
-    <name>suffuse::BrushMenu</name>
-    <message>
-        <source>&amp;Edit Brush…</source>
-        <translation>编辑画笔(&amp;E)…</translation>
-    </message>
-    <message>
-        <source>&amp;Favourite</source>
-        <translation>收藏(&amp;F)</translation>
-    </message>
-    <message>
-        <source>&amp;Save Changes</source>
-        <translation>保存更改(&amp;S)</translation>
-    </message>
-    <message>
-        <source>Save as &amp;New…</source>
-        <translation>另存为新画笔(&amp;N)…</translation>
-    </message>
-    <message>
-        <source>&amp;Duplicate</source>
-        <translation>再制(&amp;D)</translation>
-    </message>
-    <message>
-        <source>&amp;Rename…</source>
-        <translation>重命名(&amp;R)…</translation>
-    </message>
-    <message>
-        <source>De&amp;lete…</source>
-        <translation>删除(&amp;L)…</translation>
-    </message>
-    <message>
-        <source>&amp;Import…</source>
-        <translation>导入(&amp;I)…</translation>
-    </message>
-    <message>
-        <source>E&amp;xport…</source>
-        <translation>导出(&amp;X)…</translation>
-    </message>
-    <message>
-        <source>Save Brush</source>
-        <translation>保存画笔</translation>
-    </message>
-    <message>
-        <source>Name</source>
-        <translation>名称</translation>
-    </message>
-    <message>
-        <source>Rename Brush</source>
-        <translation>重命名画笔</translation>
-    </message>
-    <message>
-        <source>Delete the brush “%1”?</source>
-        <translation>要删除画笔“%1”吗？</translation>
-    </message>
-    <message>
-        <source>Strokes painted with it stay.</source>
-        <translation>用它绘制的笔画会保留。</translation>
-    </message>
-    <message>
-        <source>&amp;Delete</source>
-        <translation>删除(&amp;D)</translation>
-    </message>
-    <message>
-        <source>Import Brushes</source>
-        <translation>导入画笔</translation>
-    </message>
-    <message>
-        <source>Brushes (*.suffuse-brush *.myb);;All files (*)</source>
-        <translation>画笔 (*.suffuse-brush *.myb);;所有文件 (*)</translation>
-    </message>
-    <message>
-        <source>%1: these settings have no counterpart here: %2</source>
-        <translation>%1：以下设置在此没有对应项：%2</translation>
-    </message>
-    <message>
-        <source>Export Brush</source>
-        <translation>导出画笔</translation>
-    </message>
-    <message>
-        <source>Suffuse brush</source>
-        <translation>Suffuse 画笔</translation>
-    </message>
-</context>
-<context>
-    <name>suffuse::BrushPaintPage</name>
-    <message>
-        <source>Style</source>
-        <translation>样式</translation>
-    </message>
-    <message>
-        <source>How density becomes coverage.</source>
-        <translation>密度如何转化为覆盖率。</translation>
-    </message>
-    <message>
-        <source>Mixing</source>
-        <translation>混合</translation>
-    </message>
-    <message>
-        <source>How the paint mixes with what lies below it: it covers, or pigments add up.</source>
-        <translation>颜料与下层的混合方式：覆盖，或颜料叠加。</translation>
-    </message>
-    <message>
-        <source>How long the paint spreads; the size stays</source>
-        <translation>颜料扩散多久；大小不变</translation>
-    </message>
-</context>
-<context>
-    <name>suffuse::BrushPanel</name>
-    <message>
-        <source>Brushes</source>
-        <translation>画笔</translation>
-    </message>
-    <message>
-        <source>Choose what to paint with. The colour stays.</source>
-        <translation>选择作画所用的画笔，颜色保持不变。</translation>
-    </message>
-    <message>
-        <source>Reset brush</source>
-        <translation>重置画笔</translation>
-    </message>
-    <message>
-        <source>Back to the brush as it came</source>
-        <translation>恢复画笔的原始设置</translation>
-    </message>
-    <message>
-        <source>%1 (changed)</source>
-        <translation>%1（已修改）</translation>
-    </message>
-    <message>
-        <source>Search</source>
-        <translation>搜索</translation>
-    </message>
-    <message>
-        <source>Search brushes</source>
-        <translation>搜索画笔</translation>
-    </message>
-    <message>
-        <source>Shows brushes and groups with this in their name</source>
-        <translation>显示名称包含此文本的画笔和组</translation>
-    </message>
-    <message>
-        <source>Favourites only</source>
-        <translation>仅收藏</translation>
-    </message>
-    <message>
-        <source>Show favourites only; the first nine have the keys 1 to 9</source>
-        <translation>仅显示收藏的画笔；前九个对应按键 1 到 9</translation>
-    </message>
-    <message>
-        <source>Brush menu</source>
-        <translation>画笔菜单</translation>
-    </message>
-    <message>
-        <source>Edit, save, import and export brushes</source>
-        <translation>编辑、保存、导入和导出画笔</translation>
-    </message>
-    <message>
-        <source>%1: size %2, dry after %3</source>
-        <translation>%1：大小 %2，%3后干透</translation>
-    </message>
-</context>
-<context>
-    <name>suffuse::BrushTool</name>
-    <message>
-        <source>Brush stroke</source>
-        <translation>画笔笔画</translation>
-    </message>
-    <message>
-        <source>Shift+drag to go on with the selected stroke from its end.</source>
-        <translation>Shift+拖动：从所选笔画的末端继续绘制。</translation>
-    </message>
-    <message>
-        <source>Extend stroke</source>
-        <translation>延长笔画</translation>
-    </message>
-    <message>
-        <source>Drag to paint, tap for a dot. Shift+drag: size and opacity. Ctrl+click: take the picture&apos;s colour, with Shift the stroke&apos;s own.</source>
-        <translation>拖动绘制，轻点成点。Shift+拖动：大小和不透明度。Ctrl+点击：拾取画面颜色，再加 Shift：笔画本身的颜色。</translation>
-    </message>
-</context>
-<context>
-    <name>suffuse::BrushToolOptions</name>
-    <message>
-        <source>How far the paint spreads, in units ([ and ] change it)</source>
-        <translation>颜料扩散的距离（单位）（[ 和 ] 可更改）</translation>
-    </message>
-    <message>
-        <source>How much the paint covers ({ and } change it)</source>
-        <translation>颜料的覆盖程度（{ 和 } 可更改）</translation>
-    </message>
-    <message>
-        <source>What to paint with; the Brushes dock has pictures</source>
-        <translation>作画所用的画笔；“画笔”面板中有示例图</translation>
-    </message>
-    <message>
-        <source>Brush</source>
-        <translation>画笔</translation>
-    </message>
-    <message>
-        <source>Smoothing</source>
-        <translation>平滑</translation>
-    </message>
-    <message>
-        <source>Off</source>
-        <translation>关</translation>
-    </message>
-    <message>
-        <source>Weighted</source>
-        <translation>加权</translation>
-    </message>
-    <message>
-        <source>Pulled string</source>
-        <translation>拉绳</translation>
-    </message>
-    <message>
-        <source>Steadies the hand: the stroke follows the pen softly, or is pulled on a string</source>
-        <translation>稳定手部抖动：笔画柔和地跟随笔，或像被绳子牵引</translation>
-    </message>
-    <message>
-        <source>Amount of smoothing</source>
-        <translation>平滑程度</translation>
-    </message>
-    <message>
-        <source>How strongly it lags behind, or how long the string is</source>
-        <translation>滞后的强度，或绳子的长度</translation>
-    </message>
-    <message>
-        <source>Own brush</source>
-        <translation>自定义画笔</translation>
-    </message>
-</context>
-<context>
-    <name>suffuse::CanvasDrops</name>
-    <message>
-        <source>Drop colour</source>
-        <translation>拖放颜色</translation>
-    </message>
-</context>
-<context>
-    <name>suffuse::CanvasSection</name>
     <message>
         <source>Canvas</source>
         <translation>画布</translation>
     </message>
     <message>
-        <source>Background</source>
-        <translation>背景</translation>
+        <source>Nothing is wet at this moment.</source>
+        <translation>此刻没有未干的颜料。</translation>
     </message>
     <message>
-        <source>Background colour. Click: white.</source>
-        <translation>背景颜色。点击恢复白色。</translation>
+        <source>Freeze wet paint</source>
+        <translation>冻结未干颜料</translation>
     </message>
     <message>
-        <source>Change background</source>
-        <translation>更改背景</translation>
-    </message>
-    <message>
-        <source>Paper</source>
-        <translation>纸张</translation>
-    </message>
-    <message>
-        <source>Resize canvas</source>
-        <translation>调整画布大小</translation>
-    </message>
-    <message>
-        <source>Width</source>
-        <translation>宽度</translation>
-    </message>
-    <message>
-        <source>Width of the canvas in units; a unit is a pixel at 100 %.</source>
-        <translation>画布宽度（单位）；100 % 时 1 单位即 1 像素。</translation>
-    </message>
-    <message>
-        <source>Height</source>
-        <translation>高度</translation>
-    </message>
-    <message>
-        <source>Height of the canvas in units; a unit is a pixel at 100 %.</source>
-        <translation>画布高度（单位）；100 % 时 1 单位即 1 像素。</translation>
-    </message>
-    <message>
-        <source>Texture</source>
-        <translation>纹理</translation>
-    </message>
-    <message>
-        <source>None</source>
-        <translation>无</translation>
-    </message>
-    <message>
-        <source>Image…</source>
-        <translation>图像…</translation>
-    </message>
-    <message>
-        <source>The paper&apos;s grain, which granulating strokes show.</source>
-        <translation>纸张的颗粒，会在有颗粒效果的笔画中显现。</translation>
-    </message>
-    <message>
-        <source>Take the grain from another picture file.</source>
-        <translation>从另一个图片文件获取颗粒。</translation>
-    </message>
-    <message>
-        <source>Seed</source>
-        <translation>随机种子</translation>
-    </message>
-    <message>
-        <source>Another number gives another grain.</source>
-        <translation>不同的数字产生不同的颗粒。</translation>
-    </message>
-    <message>
-        <source>Change paper</source>
-        <translation>更改纸张</translation>
-    </message>
-    <message>
-        <source>Scale</source>
-        <translation>缩放</translation>
-    </message>
-    <message>
-        <source>Paper image</source>
-        <translation>纸张图像</translation>
-    </message>
-    <message>
-        <source>%1 cannot be used as paper: %2</source>
-        <translation>%1 不能用作纸张：%2</translation>
-    </message>
-    <message>
-        <source>Custom</source>
-        <translation>自定义</translation>
-    </message>
-    <message>
-        <source>Size of the coarsest grain or of a thread in units, or units per pixel of the image.</source>
-        <translation>最粗颗粒或织线的大小（单位），或图像每像素对应的单位数。</translation>
-    </message>
-    <message>
-        <source>Choose &amp;Image…</source>
-        <translation>选择图像(&amp;I)…</translation>
-    </message>
-</context>
-<context>
-    <name>suffuse::CanvasWidget</name>
-    <message>
-        <source>Canvas</source>
-        <translation>画布</translation>
-    </message>
-    <message>
-        <source>The picture goes to the screen by way of memory: %1</source>
-        <translation>图像经由内存送到屏幕：%1</translation>
-    </message>
-</context>
-<context>
-    <name>suffuse::ColourPanel</name>
-    <message>
-        <source>Current colour</source>
-        <translation>当前颜色</translation>
-    </message>
-    <message>
-        <source>The colour that is painted with</source>
-        <translation>正在使用的颜色</translation>
-    </message>
-    <message>
-        <source>Previous colour</source>
-        <translation>上一个颜色</translation>
-    </message>
-    <message>
-        <source>The colour painted with last. Click: back to it.</source>
-        <translation>上次作画用的颜色。点击返回该颜色。</translation>
-    </message>
-    <message>
-        <source>Hex</source>
-        <translation>十六进制</translation>
-    </message>
-    <message>
-        <source>sRGB colour as #rrggbb, or #rgb</source>
-        <translation>sRGB 颜色，写作 #rrggbb 或 #rgb</translation>
-    </message>
-    <message>
-        <source>Apply to selection</source>
-        <translation>应用到所选</translation>
-    </message>
-    <message>
-        <source>Gives the selected segments this colour.</source>
-        <translation>将所选线段设为此颜色。</translation>
-    </message>
-    <message>
-        <source>“%1” is not a colour. Write it as #rrggbb, for example #2f6690.</source>
-        <translation>“%1”不是颜色。请写成 #rrggbb，例如 #2f6690。</translation>
-    </message>
-    <message>
-        <source>Apply colour</source>
-        <translation>应用颜色</translation>
-    </message>
-    <message>
-        <source>Recent colours</source>
-        <translation>最近颜色</translation>
-    </message>
-    <message>
-        <source>Colours painted with before. Click: take it.</source>
-        <translation>先前用过的颜色。点击选用。</translation>
-    </message>
-    <message>
-        <source>Colours painted with come here.</source>
-        <translation>用过的颜色会显示在此处。</translation>
-    </message>
-</context>
-<context>
-    <name>suffuse::ColourWheel</name>
-    <message>
-        <source>Colour wheel</source>
-        <translation>色轮</translation>
-    </message>
-    <message>
-        <source>Ring: hue in the order of pigments. Triangle: pure, white and black.
-Arrow keys work too.</source>
-        <translation>圆环：按颜料顺序排列的色相。三角形：纯色、白与黑。
-也可使用方向键。</translation>
-    </message>
-</context>
-<context>
-    <name>suffuse::CommandPalette</name>
-    <message>
-        <source>Find a command</source>
-        <translation>查找命令</translation>
-    </message>
-    <message>
-        <source>Commands, brushes, docks, recent files</source>
-        <translation>命令、画笔、面板、最近的文件</translation>
-    </message>
-    <message>
-        <source>Parts of names in any order; Enter runs the chosen one, Escape goes back.</source>
-        <translation>可按任意顺序输入名称的一部分；按回车键执行所选项，按 Esc 返回。</translation>
-    </message>
-    <message>
-        <source>Found</source>
-        <translation>查找结果</translation>
-    </message>
-    <message>
-        <source>Click one to run it.</source>
-        <translation>单击即可执行。</translation>
-    </message>
-    <message>
-        <source>Nothing is called so.</source>
-        <translation>没有匹配的名称。</translation>
-    </message>
-    <message>
-        <source>It cannot be used now.</source>
-        <translation>现在无法使用。</translation>
-    </message>
-    <message>
-        <source>Brush</source>
-        <translation>画笔</translation>
-    </message>
-    <message>
-        <source>Open Recent</source>
-        <translation>最近打开</translation>
+        <source>Nothing that is selected is painted yet at this moment.</source>
+        <translation>此刻所选内容尚未绘制。</translation>
     </message>
 </context>
 <context>
@@ -5066,14 +5114,6 @@ Arrow keys work too.</source>
         <translation>探查</translation>
     </message>
     <message>
-        <source>Grid</source>
-        <translation>网格</translation>
-    </message>
-    <message>
-        <source>Step in canvas units</source>
-        <translation>间距（画布单位）</translation>
-    </message>
-    <message>
         <source>Rename</source>
         <translation>重命名</translation>
     </message>
@@ -5093,24 +5133,12 @@ Arrow keys work too.</source>
         <translation>您正在过去的时刻作画：之后的内容会将其覆盖。 </translation>
     </message>
     <message>
-        <source>Nothing is wet at this moment.</source>
-        <translation>此刻没有未干的颜料。</translation>
-    </message>
-    <message>
-        <source>Freeze wet paint</source>
-        <translation>冻结未干颜料</translation>
-    </message>
-    <message>
         <source>Re-wet</source>
         <translation>再次润湿</translation>
     </message>
     <message>
         <source>Seconds that the paint spreads on</source>
         <translation>颜料继续扩散的秒数</translation>
-    </message>
-    <message>
-        <source>Nothing that is selected is painted yet at this moment.</source>
-        <translation>此刻所选内容尚未绘制。</translation>
     </message>
     <message>
         <source>%1 ms, coarse</source>
@@ -5127,14 +5155,6 @@ Arrow keys work too.</source>
     <message>
         <source>What you paint now would not survive a crash: %1. Painting goes on; save from time to time.</source>
         <translation>现在绘制的内容在崩溃后将无法恢复：%1。可以继续绘画；请不时保存。</translation>
-    </message>
-    <message>
-        <source>Keep Undo &amp;History in the File (%1)</source>
-        <translation>在文件中保留撤销历史(&amp;H)（%1）</translation>
-    </message>
-    <message>
-        <source>Keep Undo &amp;History in the File</source>
-        <translation>在文件中保留撤销历史(&amp;H)</translation>
     </message>
     <message>
         <source>“%1” is gone from its folder. Save to put it back.</source>
@@ -6284,6 +6304,14 @@ Arrow keys work too.</source>
     <message>
         <source>Keyboard Shortcuts</source>
         <translation>键盘快捷键</translation>
+    </message>
+    <message>
+        <source>Where</source>
+        <translation>生效位置</translation>
+    </message>
+    <message>
+        <source>Where the shortcut works. What is typed in a dock, without Ctrl or Alt, stays there.</source>
+        <translation>快捷键生效的位置。在面板中不按 Ctrl 或 Alt 键入的内容留在该面板。</translation>
     </message>
 </context>
 <context>

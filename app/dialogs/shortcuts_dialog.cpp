@@ -1,6 +1,8 @@
 #include "app/dialogs/shortcuts_dialog.h"
 
+#include "app/session/commands/commands.h"
 #include "app/session/settings/settings.h"
+#include "app/widgets/menu_titles.h"
 #include "app/widgets/mnemonics.h"
 #include "app/widgets/section.h"
 
@@ -19,35 +21,9 @@ namespace suffuse {
 
 namespace {
 
-const char ownShortcuts[] = "suffuseOwnShortcuts";
-constexpr int roomBeside = 80; ///< room for margins and scroll bar beside the list's columns
-
-QString shortcutOf(const QAction *action)
-{
-    const QString name = action->objectName().isEmpty() ? action->text().remove('&') : action->objectName();
-    return QStringLiteral("shortcuts/") + QString::fromLatin1(name.toUtf8().toPercentEncoding());
-}
-
-QList<QKeySequence> ownShortcutsOf(const QAction *action)
-{
-    const QVariant own = action->property(ownShortcuts);
-    return own.isValid() ? own.value<QList<QKeySequence>>() : action->shortcuts();
-}
+constexpr int roomBeside = 80; ///< margins and scroll bar beside the list's columns
 
 } // namespace
-
-void applyStoredShortcuts(const QList<QAction *> &actions)
-{
-    for (QAction *action : actions) {
-        if (!action->property(ownShortcuts).isValid())
-            action->setProperty(ownShortcuts, QVariant::fromValue(action->shortcuts()));
-        const QVariant stored = settings::store().value(shortcutOf(action));
-        if (stored.isValid())
-            action->setShortcuts(QKeySequence::listFromString(stored.toString(), QKeySequence::PortableText));
-        else
-            action->setShortcuts(ownShortcutsOf(action));
-    }
-}
 
 ShortcutsDialog::ShortcutsDialog(const QList<QAction *> &actions, const QList<FixedKeys> &fixed, QWidget *parent)
     : QDialog(parent), m_fixed(fixed)
@@ -73,16 +49,18 @@ ShortcutsDialog::ShortcutsDialog(const QList<QAction *> &actions, const QList<Fi
     connect(m_resetOne, &QPushButton::clicked, this, [this] { reset(currentAction()); });
     connect(buttons->button(QDialogButtonBox::RestoreDefaults), &QPushButton::clicked, this, [this] {
         for (QAction *action : m_actions)
-            m_chosen[action] = ownShortcutsOf(action);
+            m_chosen[action] = ownShortcutsOf(*action);
         showCurrent();
     });
     connect(buttons, &QDialogButtonBox::accepted, this, &ShortcutsDialog::accept);
     connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
     giveMnemonics(*this);
     m_list->setCurrentItem(m_list->topLevelItem(0));
-    m_list->resizeColumnToContents(0);
-    m_list->resizeColumnToContents(1);
-    const int wanted = m_list->columnWidth(0) + m_list->columnWidth(1) + roomBeside;
+    int wanted = roomBeside;
+    for (int column = 0; column < m_list->columnCount(); ++column) {
+        m_list->resizeColumnToContents(column);
+        wanted += m_list->columnWidth(column);
+    }
     resize(std::clamp(wanted, 520, 1200), 560);
 }
 
@@ -98,7 +76,9 @@ void ShortcutsDialog::addList(QVBoxLayout &column)
     m_list->setRootIsDecorated(false);
     m_list->setAlternatingRowColors(true);
     m_list->setUniformRowHeights(true);
-    m_list->setHeaderLabels({tr("Command"), tr("Shortcut")});
+    m_list->setHeaderLabels({tr("Command"), tr("Shortcut"), tr("Where")});
+    m_list->headerItem()->setToolTip(
+        2, tr("Where the shortcut works. What is typed in a dock, without Ctrl or Alt, stays there."));
     m_list->setAccessibleName(tr("Commands"));
     m_list->setToolTip(tr("Choose a command, then press its new shortcut below."));
     m_list->header()->setSectionResizeMode(QHeaderView::ResizeToContents); // so that a name is shown as a whole
@@ -158,7 +138,7 @@ void ShortcutsDialog::fillFixed(const QIcon &blank)
         auto *item = new QTreeWidgetItem(
             m_list, {fixed.title, QKeySequence::listToString(fixed.keys, QKeySequence::NativeText)});
         item->setIcon(0, blank);
-        for (int column = 0; column < 2; ++column) {
+        for (int column = 0; column < m_list->columnCount(); ++column) {
             item->setForeground(column, palette().brush(QPalette::Disabled, QPalette::Text));
             item->setToolTip(column, tr("Fixed: no command can have these keys."));
         }
@@ -215,7 +195,7 @@ void ShortcutsDialog::reset(QAction *action)
 {
     if (!action)
         return;
-    m_chosen[action] = ownShortcutsOf(action);
+    m_chosen[action] = ownShortcutsOf(*action);
     showCurrent();
 }
 
@@ -249,8 +229,9 @@ void ShortcutsDialog::refresh()
     for (QAction *action : m_actions) {
         QTreeWidgetItem *item = itemOf(action);
         item->setText(1, QKeySequence::listToString(m_chosen[action], QKeySequence::NativeText));
+        item->setText(2, whereKeysWork(scopeOf(*action), m_chosen[action]));
         QFont font = m_list->font();
-        font.setBold(m_chosen[action] != ownShortcutsOf(action));
+        font.setBold(m_chosen[action] != ownShortcutsOf(*action));
         item->setFont(1, font);
         const bool warned = clashes[action] || clashesWithFixed[action];
         item->setForeground(1, warned ? QBrush(m_conflict->palette().color(QPalette::WindowText)) : QBrush());
@@ -285,14 +266,8 @@ void ShortcutsDialog::takeOver()
 
 void ShortcutsDialog::accept()
 {
-    for (QAction *action : m_actions) {
-        action->setShortcuts(m_chosen[action]);
-        if (m_chosen[action] == ownShortcutsOf(action))
-            settings::store().remove(shortcutOf(action));
-        else
-            settings::store().setValue(shortcutOf(action),
-                                       QKeySequence::listToString(m_chosen[action], QKeySequence::PortableText));
-    }
+    for (QAction *action : m_actions)
+        storeShortcuts(*action, m_chosen[action]);
     settings::store().sync();
     QDialog::accept();
 }

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "app/window/actions.h"
+#include "app/session/commands/keys.h"
 
 #include <QDialog>
 #include <QList>
@@ -17,11 +17,8 @@ class QVBoxLayout;
 
 namespace suffuse {
 
-/// Remembers each action's own shortcuts and replaces them by those in the settings. Call it once all actions exist.
-/// Actions are known by their object name, or by their text if they have none.
-void applyStoredShortcuts(const QList<QAction *> &actions);
-
-/// Edits the shortcuts of actions. Shortcuts that several actions would share are marked and cannot be kept.
+/// Edits the shortcuts of actions, and says where which of them work; what several actions would share is marked and
+/// cannot be kept.
 class ShortcutsDialog : public QDialog {
     Q_OBJECT
 

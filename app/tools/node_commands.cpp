@@ -1,8 +1,9 @@
 #include "app/tools/node_commands.h"
 
 #include "app/canvas/canvas_widget.h"
+#include "app/session/commands/commands.h"
 #include "app/session/editor.h"
-#include "app/window/actions.h"
+#include "app/tools/node_tool.h"
 #include "undo/node_edits.h"
 
 #include <QHBoxLayout>
@@ -35,40 +36,54 @@ bool isEnd(const Painting &painting, const NodeRef &node)
 
 } // namespace
 
-NodeCommands::NodeCommands(const CanvasWidget &canvas, Editor &editor, Actions &actions, const Tool &tool,
+NodeCommands::NodeCommands(const CanvasWidget &canvas, Editor &editor, Commands &table, const Tool &tool,
                            const std::set<NodeRef> &nodes)
-    : m_canvas(canvas), m_editor(editor), m_actions(actions), m_tool(tool), m_nodes(nodes)
+    : m_canvas(canvas), m_editor(editor), m_table(table), m_tool(tool), m_nodes(nodes)
 {
-    const auto on = [this](Command command, auto function) {
-        connect(&m_actions[command], &QAction::triggered, this, [this, function] {
-            if (!m_tool.isBusy())
-                function();
-        });
+    using enum Command;
+    const auto add = [this](Command command, const char *id, const QString &text, const char *icon,
+                            const QKeySequence &key, const QString &tip, CommandRow::Predicate predicate,
+                            std::function<void()> perform) {
+        m_table.add(command, QString::fromLatin1(id), text, icon, {key}, tip)
+            .in(CommandScope::Nodes)
+            .when(std::move(predicate))
+            .runs([this, perform = std::move(perform)] {
+                if (!m_tool.isBusy())
+                    perform();
+            });
     };
-    on(Command::NodeSmooth, [this] { setKind(NodeKind::Smooth); });
-    on(Command::NodeSymmetric, [this] { setKind(NodeKind::Symmetric); });
-    on(Command::NodeCorner, [this] { setKind(NodeKind::Corner); });
-    on(Command::InsertNodes, [this] { insertBetween(); });
-    on(Command::BreakNodes, [this] { breakAtNodes(); });
-    on(Command::JoinNodes, [this] { join(); });
-    on(Command::DeleteSegments, [this] { deleteSegments(); });
-    on(Command::BridgeSegments, [this] { bridge(); });
-    on(Command::ReverseStrokes, [this] { reverse(); });
+    const auto nodes = [this] { return !m_nodes.empty(); };
+    const auto segments = [this] { return !chosenSegments().empty(); };
+    const auto twoEnds = [this] {
+        const Painting &painting = *m_editor.document().painting();
+        return m_nodes.size() == 2 && isEnd(painting, *m_nodes.begin()) && isEnd(painting, *m_nodes.rbegin());
+    };
+    const auto strokes = [this] { return !m_editor.selection().isEmpty(); };
+    add(InsertNodes, "insertNodes", Commands::tr("&Insert Nodes"), "node-insert", Qt::Key_Insert,
+        Commands::tr("Insert a node into each selected segment"), segments, [this] { insertBetween(); });
+    add(NodeCorner, "nodeCorner", Commands::tr("&Corner"), "node-corner", Commands::tr("Shift+C"),
+        Commands::tr("Make the selected nodes corners"), nodes, [this] { setKind(NodeKind::Corner); });
+    add(NodeSmooth, "nodeSmooth", Commands::tr("&Smooth"), "node-smooth", Commands::tr("Shift+S"),
+        Commands::tr("Make the selected nodes smooth"), nodes, [this] { setKind(NodeKind::Smooth); });
+    add(NodeSymmetric, "nodeSymmetric", Commands::tr("S&ymmetric"), "node-symmetric", Commands::tr("Shift+Y"),
+        Commands::tr("Make the selected nodes symmetric"), nodes, [this] { setKind(NodeKind::Symmetric); });
+    add(BreakNodes, "breakNodes", Commands::tr("&Break Strokes"), "node-break", Commands::tr("Shift+B"),
+        Commands::tr("Break strokes at the selected nodes"), nodes, [this] { breakAtNodes(); });
+    add(JoinNodes, "joinNodes", Commands::tr("&Join Nodes"), "node-join", Commands::tr("Shift+J"),
+        Commands::tr("Join two selected end nodes"), twoEnds, [this] { join(); });
+    add(DeleteSegments, "deleteSegments", Commands::tr("&Delete Segments"), "segment-delete", Commands::tr("Ctrl+Del"),
+        Commands::tr("Delete the selected segments, so that strokes split"), segments, [this] { deleteSegments(); });
+    add(BridgeSegments, "bridgeSegments", Commands::tr("Brid&ge Segments"), "bridge", Commands::tr("Alt+Del"),
+        Commands::tr("Replace selected segments by one that goes on smoothly"), segments, [this] { bridge(); });
+    add(ReverseStrokes, "reverseStrokes", Commands::tr("&Reverse"), "reverse", Commands::tr("Shift+R"),
+        Commands::tr("Let the selected strokes run from end to start"), strokes, [this] { reverse(); });
 }
 
 void NodeCommands::update()
 {
-    const Painting &painting = *m_editor.document().painting();
-    const bool any = !m_nodes.empty();
-    const bool segments = !chosenSegments().empty();
-    for (const Command command :
-         {Command::NodeSmooth, Command::NodeSymmetric, Command::NodeCorner, Command::BreakNodes})
-        m_actions[command].setEnabled(any);
-    for (const Command command : {Command::InsertNodes, Command::DeleteSegments, Command::BridgeSegments})
-        m_actions[command].setEnabled(segments);
-    m_actions[Command::JoinNodes].setEnabled(m_nodes.size() == 2 && isEnd(painting, *m_nodes.begin()) &&
-                                             isEnd(painting, *m_nodes.rbegin()));
-    m_actions[Command::ReverseStrokes].setEnabled(!m_editor.document().selection().isEmpty());
+    for (const std::optional<Command> &command : rowOfCommands)
+        if (command)
+            m_table.update(*command);
 }
 
 QWidget *NodeCommands::makeRow()
@@ -83,7 +98,7 @@ QWidget *NodeCommands::makeRow()
             continue;
         }
         auto *button = new QToolButton(widget);
-        button->setDefaultAction(&m_actions[*command]);
+        button->setDefaultAction(&m_table[*command]);
         button->setIconSize(QSize(20, 20));
         button->setAutoRaise(true);
         row->addWidget(button);

@@ -13,8 +13,8 @@ class QWidget;
 
 namespace suffuse {
 
-class Actions;
 class CanvasWidget;
+class Commands;
 class Editor;
 class Tool;
 
@@ -23,8 +23,8 @@ class NodeCommands : public QObject {
     Q_OBJECT
 
 public:
-    /// `nodes`: the tool's, that are selected; the tool calls `update` when they change.
-    NodeCommands(const CanvasWidget &canvas, Editor &editor, Actions &actions, const Tool &tool,
+    /// Adds the rows. `nodes`: the tool's, that are selected; the tool calls `update` when they change.
+    NodeCommands(const CanvasWidget &canvas, Editor &editor, Commands &table, const Tool &tool,
                  const std::set<NodeRef> &nodes);
 
     void update();
@@ -54,7 +54,7 @@ private:
 
     const CanvasWidget &m_canvas;
     Editor &m_editor;
-    Actions &m_actions;
+    Commands &m_table;
     const Tool &m_tool;
     const std::set<NodeRef> &m_nodes;
 };

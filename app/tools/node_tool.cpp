@@ -11,8 +11,8 @@
 
 namespace suffuse {
 
-NodeTool::NodeTool(CanvasWidget &canvas, Actions &actions, QObject *parent)
-    : SelectionTool(canvas, parent), m_commands(canvas, m_editor, actions, *this, m_nodes), m_width(canvas)
+NodeTool::NodeTool(CanvasWidget &canvas, Commands &commands, QObject *parent)
+    : SelectionTool(canvas, parent), m_commands(canvas, m_editor, commands, *this, m_nodes), m_width(canvas)
 {
     connect(&m_editor.document(), &Document::changed, this, &NodeTool::followDocument);
     connect(&canvas, &CanvasWidget::begunChanged, this, [this] {

@@ -11,7 +11,7 @@
 
 namespace suffuse {
 
-class Actions;
+class Commands;
 struct Change;
 
 /// Segments, nodes and handles of strokes. Segments are selected in the document, nodes here; never both at once.
@@ -19,8 +19,8 @@ class NodeTool : public SelectionTool {
     Q_OBJECT
 
 public:
-    /// Does what the node commands among the actions ask for while it is in use.
-    NodeTool(CanvasWidget &canvas, Actions &actions, QObject *parent = nullptr);
+    /// Adds the rows of the commands that work on nodes.
+    NodeTool(CanvasWidget &canvas, Commands &commands, QObject *parent = nullptr);
 
     QString hint() const override;
     QCursor cursor() const override;

@@ -1,11 +1,11 @@
 #include "app/tools/select_tool.h"
 
 #include "app/canvas/canvas_widget.h"
+#include "app/session/commands/commands.h"
 #include "app/session/editor.h"
 #include "app/session/selecting/choosing.h"
 #include "app/tools/select_hints.h"
 #include "app/tools/transform_bar.h"
-#include "app/window/actions.h"
 #include "undo/transform_edits.h"
 
 #include <QKeyEvent>
@@ -24,8 +24,8 @@ bool takesAway(const PointerEvent &event)
 
 } // namespace
 
-SelectTool::SelectTool(CanvasWidget &canvas, Actions &actions, QObject *parent)
-    : SelectionTool(canvas, parent), m_actions(actions)
+SelectTool::SelectTool(CanvasWidget &canvas, Commands &commands, QObject *parent)
+    : SelectionTool(canvas, parent), m_commands(commands), m_drag(canvas)
 {
     connect(&m_editor.document(), &Document::changed, this, &SelectTool::followDocument);
     connect(&canvas, &CanvasWidget::begunChanged, this, [this] {
@@ -155,9 +155,9 @@ void SelectTool::clickedBelow(const PointerEvent &event)
 
 BandShape SelectTool::bandShape(const PointerEvent &event) const
 {
-    if (event.modifiers & Qt::AltModifier || m_actions[Command::TouchPath].isChecked())
+    if (event.modifiers & Qt::AltModifier || m_commands[Command::TouchPath].isChecked())
         return BandShape::Touch;
-    return m_actions[Command::Lasso].isChecked() ? BandShape::Lasso : BandShape::Rectangle;
+    return m_commands[Command::Lasso].isChecked() ? BandShape::Lasso : BandShape::Rectangle;
 }
 
 void SelectTool::banded(const Rect &band, const PointerEvent &event)
@@ -273,7 +273,7 @@ void SelectTool::dragHandle(const PointerEvent &event)
 void SelectTool::show(const Affine &map)
 {
     m_map = map;
-    const SpreadRule rule = m_actions[Command::ScaleSpread].isChecked() ? SpreadRule::Scales : SpreadRule::Stays;
+    const SpreadRule rule = m_commands[Command::ScaleSpread].isChecked() ? SpreadRule::Scales : SpreadRule::Stays;
     m_gesture.floatBy(map, rule);
     if (!m_canvas.lifted().isAhead())
         m_canvas.updateSelection();
@@ -323,7 +323,7 @@ void SelectTool::selectNext(int step)
 QWidget *SelectTool::options()
 {
     if (!m_options)
-        m_options = new TransformBar(m_editor, m_actions);
+        m_options = new TransformBar(m_editor, m_commands);
     return m_options;
 }
 

@@ -10,7 +10,7 @@
 
 namespace suffuse {
 
-class Actions;
+class Commands;
 class TransformBar;
 struct Change;
 
@@ -20,7 +20,7 @@ class SelectTool : public SelectionTool {
     Q_OBJECT
 
 public:
-    SelectTool(CanvasWidget &canvas, Actions &actions, QObject *parent = nullptr);
+    SelectTool(CanvasWidget &canvas, Commands &commands, QObject *parent = nullptr);
 
     QString hint() const override;
     QCursor cursor() const override;
@@ -66,7 +66,7 @@ private:
     void say(const QString &text);
     void showTurn(std::optional<double> angle, Point pixel = {});
 
-    Actions &m_actions;
+    Commands &m_commands;
     QPointer<TransformBar> m_options;
     mutable TransformHandles m_handles;
     mutable bool m_stale = true;  ///< the handles' box
@@ -79,7 +79,7 @@ private:
     bool m_selectedByPress = false;
     bool m_turnedByClick = false;            ///< the last click changed the handles' mode
     std::optional<TransformHandle> m_handle; ///< that is dragged
-    Gesture m_gesture;
+    FloatingDrag m_drag;
     Affine m_map;                   ///< of the drag so far
     std::optional<double> m_turned; ///< radians, while a drag turns
     Point m_turnedAt;

@@ -1,10 +1,10 @@
 #include "app/tools/transform_bar.h"
 
+#include "app/session/commands/commands.h"
 #include "app/session/editor.h"
 #include "app/tools/tool_fields.h"
 #include "app/widgets/icons.h"
 #include "app/widgets/number_field.h"
-#include "app/window/actions.h"
 #include "model/painting/decimal.h"
 #include "undo/transform_edits.h"
 
@@ -23,15 +23,15 @@ constexpr double smallestBox = 1e-6;
 
 } // namespace
 
-TransformBar::TransformBar(Editor &editor, Actions &actions, QWidget *parent)
-    : QWidget(parent), m_editor(editor), m_actions(actions)
+TransformBar::TransformBar(Editor &editor, Commands &commands, QWidget *parent)
+    : QWidget(parent), m_editor(editor), m_commands(commands)
 {
     auto *row = new QHBoxLayout(this);
     row->setContentsMargins(4, 2, 4, 2);
     row->setSpacing(4);
     addNumbers(*row);
     row->addSpacing(8);
-    addButtons(*row, actions);
+    addButtons(*row, commands);
     row->addStretch(1);
     connect(&editor.laterChanges(), &LaterChanges::changed, this, &TransformBar::follow);
 }
@@ -84,11 +84,11 @@ void TransformBar::showHint(Number number, const QString &hint)
     showHintBelow(*m_fields[std::size_t(number)], hint);
 }
 
-void TransformBar::addButtons(QHBoxLayout &row, Actions &actions)
+void TransformBar::addButtons(QHBoxLayout &row, Commands &commands)
 {
     const auto add = [&](Command command) {
         auto *button = new QToolButton(this);
-        button->setDefaultAction(&actions[command]);
+        button->setDefaultAction(&commands[command]);
         button->setAutoRaise(true);
         button->setIconSize(QSize(20, 20));
         row.addWidget(button);
@@ -176,7 +176,7 @@ void TransformBar::enter(Number number, double value, ValueEntry *entry)
     const QString name = number == Number::Angle                      ? tr("Rotate")
                          : number == Number::X || number == Number::Y ? tr("Move")
                                                                       : tr("Scale");
-    const SpreadRule rule = m_actions[Command::ScaleSpread].isChecked() ? SpreadRule::Scales : SpreadRule::Stays;
+    const SpreadRule rule = m_commands[Command::ScaleSpread].isChecked() ? SpreadRule::Scales : SpreadRule::Stays;
     const Affine map = mapFor(number, value);
     Edit edit = transformSelection(m_editor.document(), map, rule);
     if (edit.isEmpty() && !map.isIdentity())

@@ -12,7 +12,7 @@ class QToolButton;
 
 namespace suffuse {
 
-class Actions;
+class Commands;
 class Editor;
 class NumberField;
 
@@ -22,7 +22,7 @@ class TransformBar : public QWidget {
     Q_OBJECT
 
 public:
-    TransformBar(Editor &editor, Actions &actions, QWidget *parent = nullptr);
+    TransformBar(Editor &editor, Commands &commands, QWidget *parent = nullptr);
 
     /// What a drag turns the selection by, radians; none: nothing is being turned.
     void showTurn(std::optional<double> angle);
@@ -37,7 +37,7 @@ private:
     NumberField *addField(QHBoxLayout &row, Number number, const QString &label, const QString &tip);
     void showHint(Number number, const QString &hint);
     void addNumbers(QHBoxLayout &row);
-    void addButtons(QHBoxLayout &row, Actions &actions);
+    void addButtons(QHBoxLayout &row, Commands &commands);
     void follow();
     void refresh();
     void enter(Number number, double value, ValueEntry *entry = nullptr);
@@ -45,7 +45,7 @@ private:
     Affine mapFor(Number number, double value) const;
 
     Editor &m_editor;
-    Actions &m_actions;
+    Commands &m_commands;
     std::array<NumberField *, 5> m_fields{}; ///< by Number
     QToolButton *m_proportions = nullptr;
     Rect m_box;

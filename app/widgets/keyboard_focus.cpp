@@ -1,5 +1,7 @@
 #include "app/widgets/keyboard_focus.h"
 
+#include "app/session/commands/keys.h"
+
 #include <QAbstractItemView>
 #include <QAbstractSpinBox>
 #include <QAction>
@@ -55,8 +57,7 @@ namespace {
 /// F2 renames in lists.
 bool isTyped(const QKeyEvent &key)
 {
-    const bool isFunction = key.key() >= Qt::Key_F1 && key.key() <= Qt::Key_F35 && key.key() != Qt::Key_F2;
-    return !isFunction && !(key.modifiers() & (Qt::ControlModifier | Qt::AltModifier | Qt::MetaModifier));
+    return isTypedKey(QKeyCombination(key.modifiers(), Qt::Key(key.key())));
 }
 
 bool hasAction(const QWidget &widget, const QKeySequence &keys)
@@ -192,8 +193,7 @@ bool KeyboardFocus::keepsShortcut(const QObject &owner, const QKeySequence &keys
 {
     QWidget *focus = QApplication::focusWidget(), *panel = panelOf(focus);
     const auto *action = qobject_cast<const QAction *>(&owner);
-    if (!panel || !action || keys.isEmpty() ||
-        !isTyped(QKeyEvent(QEvent::KeyPress, keys[0].key(), keys[0].keyboardModifiers())))
+    if (!panel || !action || keys.isEmpty() || !isTypedKey(keys[0]))
         return false;
     for (const QWidget *w = focus; w; w = w == panel ? nullptr : w->parentWidget())
         if (std::ranges::any_of(w->actions(), [action](const QAction *own) { return own == action; }))

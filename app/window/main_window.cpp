@@ -1,5 +1,6 @@
 #include "app/window/main_window.h"
 
+#include "app/canvas/canvas_rows.h"
 #include "app/canvas/canvas_widget.h"
 #include "app/dialogs/about_dialog.h"
 #include "app/dialogs/command_palette.h"
@@ -13,7 +14,8 @@
 #include "app/panels/probe/probe_panel.h"
 #include "app/panels/strokes/strokes_panel.h"
 #include "app/panels/timeline/timeline_panel.h"
-#include "app/session/commands/selection_commands.h"
+#include "app/session/commands/keys.h"
+#include "app/session/commands/session_rows.h"
 #include "app/session/settings/settings.h"
 #include "app/tools/attribute_brush_tool.h"
 #include "app/tools/brush_tool.h"
@@ -24,15 +26,17 @@
 #include "app/tools/pan_tool.h"
 #include "app/tools/select_tool.h"
 #include "app/tools/tool_options.h"
+#include "app/widgets/at_next_change.h"
+#include "app/widgets/choose_picture.h"
 #include "app/widgets/house_rules.h"
 #include "app/widgets/icons.h"
 #include "app/widgets/keyboard_focus.h"
 #include "app/widgets/place_beside.h"
 #include "app/widgets/section.h"
+#include "app/window/menus.h"
 #include "app/window/palette_entries.h"
 #include "app/window/window_layout.h"
 
-#include <QActionGroup>
 #include <QApplication>
 #include <QDockWidget>
 #include <QMenu>
@@ -80,30 +84,39 @@ MainWindow::MainWindow(std::unique_ptr<OpenPainting> open, MakeRenderer make, QW
     m_canvas = new CanvasWidget(m_editor, this, m_makeRenderer);
     setCentralWidget(m_canvas);
     m_keyboard = new KeyboardFocus(*this, *m_canvas);
-    m_actions = new Actions(*this);
-    m_actions->fillMenus();
-    applyStoredShortcuts(m_actions->all());
-    QToolBar *tools = m_actions->makeToolBar();
-    addToolBar(Qt::LeftToolBarArea, tools);
+    m_commands = new Commands(icon, this);
+    addSessionRows(*m_commands, *m_open);
+    addCanvasRows(*m_commands, *m_canvas);
     m_toolOptions = new ToolOptionsBar(tr("Tool Options"), this);
+    makeStatusBar();
+    addToolRows();
+    addFileRows();
+    addSavingRows();
+    addExportRows();
+    addClipboardRows();
+    addObjectRows();
+    addTimeRows();
+    addWindowRows();
+    const OpenMenus menus = fillMenus(*menuBar(), *m_commands);
+    m_recentMenu = menus.recent;
+    m_docksMenu = menus.docks;
+    connect(m_recentMenu, &QMenu::aboutToShow, this, &MainWindow::fillRecentMenu);
+    addActions(m_commands->all()); // keys work with the menu bar hidden, too
+    applyStoredShortcuts(m_commands->all());
+    QToolBar *tools = makeToolBar(*m_commands, this);
+    addToolBar(Qt::LeftToolBarArea, tools);
     addToolBar(Qt::TopToolBarArea, m_toolOptions);
     makeDocks();
-    m_actions->docksMenu()->addSeparator();
-    m_actions->docksMenu()->addAction(tools->toggleViewAction());
-    m_actions->docksMenu()->addAction(m_toolOptions->toggleViewAction());
-    makeStatusBar();
-    makeTools();
-    m_actions->serve({m_editor, *m_playback, *m_selectionOrder, *m_canvas, *m_actions});
-    connectActions();
-    connectViewActions();
-    connectClipboard();
-    connectObjectActions();
-    connectTimeActions();
+    m_docksMenu->addSeparator();
+    m_docksMenu->addAction(tools->toggleViewAction());
+    m_docksMenu->addAction(m_toolOptions->toggleViewAction());
+    action(Command::Brush).setChecked(true);
+    m_canvas->setPenSettings(settings::penSettings());
     connectBrushes();
     connectSaving();
     connectUpdates();
     updateTitle();
-    updateActions();
+    m_commands->update();
     updateZoom();
     window_layout::restore(*this);
     action(Command::FullScreen).setChecked(isFullScreen());
@@ -113,7 +126,7 @@ MainWindow::MainWindow(std::unique_ptr<OpenPainting> open, MakeRenderer make, QW
 QAction &MainWindow::action(Command command)
 {
     m_editor.laterChanges().flush(); // it may be asked whether it is enabled
-    return (*m_actions)[command];
+    return (*m_commands)[command];
 }
 
 MainWindow::~MainWindow()
@@ -128,7 +141,7 @@ QDockWidget *MainWindow::addDock(const char *name, const QString &title, QWidget
     dock->setObjectName(QString::fromLatin1(name));
     dock->setWidget(panel->minimumSizeHint().height() > lowPanel ? new LowScroll(panel) : panel);
     addDockWidget(Qt::RightDockWidgetArea, dock);
-    m_actions->docksMenu()->addAction(dock->toggleViewAction());
+    m_docksMenu->addAction(dock->toggleViewAction());
     connect(dock->toggleViewAction(), &QAction::triggered, dock, [dock](bool shown) {
         if (shown) // and not as a tab behind another
             dock->raise();
@@ -146,7 +159,7 @@ void MainWindow::makeDocks()
     connect(inspectorPanel, &InspectorPanel::alongOpening, m_canvas,
             [this](QWidget *dialog) { moveBeside(*dialog, m_canvas->selectionOnScreen()); });
     m_strokes = new StrokesPanel(m_editor);
-    m_strokes->addAction(&action(Command::Delete));
+    m_strokes->addActions(m_commands->of(CommandScope::Strokes));
     QDockWidget *strokes = addDock("strokesDock", tr("Strokes"), m_strokes);
     QDockWidget *history = addDock("historyDock", tr("History"), new HistoryPanel(m_editor));
     tabifyDockWidget(colour, brushes);
@@ -163,8 +176,9 @@ void MainWindow::makeDocks()
     colour->raise();
     (isHigh ? strokes : inspector)->raise();
     setTabPosition(Qt::RightDockWidgetArea, QTabWidget::North);
-    QDockWidget *timeline =
-        addDock("timelineDock", tr("Timeline"), new TimelinePanel(m_editor, *m_playback, *m_actions));
+    auto *timelinePanel = new TimelinePanel(m_editor, *m_playback, *m_commands);
+    timelinePanel->addActions(m_commands->of(CommandScope::Timeline));
+    QDockWidget *timeline = addDock("timelineDock", tr("Timeline"), timelinePanel);
     addDockWidget(Qt::BottomDockWidgetArea, timeline);
     setCorner(Qt::BottomRightCorner, Qt::RightDockWidgetArea);
     resizeDocks({timeline}, {150}, Qt::Vertical);
@@ -175,24 +189,37 @@ void MainWindow::makeDocks()
         resizeDocks({colour, inspector}, {300, 360}, Qt::Vertical);
 }
 
-void MainWindow::makeTools()
+void MainWindow::addToolRows()
 {
-    const std::pair<Command, Tool *> tools[] = {{Command::Brush, new BrushTool(*m_canvas, m_canvas)},
-                                                {Command::Select, new SelectTool(*m_canvas, *m_actions, m_canvas)},
-                                                {Command::Segments, new NodeTool(*m_canvas, *m_actions, m_canvas)},
-                                                {Command::Knife, new KnifeTool(*m_canvas, m_canvas)},
-                                                {Command::Eraser, new EraserTool(*m_canvas, m_canvas)},
-                                                {Command::AttributeBrush, new AttributeBrushTool(*m_canvas, m_canvas)},
-                                                {Command::Eyedropper, new EyedropperTool(*m_canvas, m_canvas)},
-                                                {Command::Pan, new PanTool(*m_canvas, m_canvas)}};
-    for (const auto &[command, tool] : tools) {
-        connect(&action(command), &QAction::toggled, this, [this, tool = tool](bool on) {
-            if (on)
-                useTool(tool);
-        });
+    using enum Command;
+    const auto add = [this](Command command, const char *id, const QString &text, const char *icon, Qt::Key key,
+                            const QString &tip, Tool *tool) {
+        m_commands->add(command, QString::fromLatin1(id), text, icon, {QKeySequence(key)}, tip)
+            .toggles([this, tool](bool on) {
+                if (on)
+                    useTool(tool);
+            });
         connect(tool, &Tool::hintChanged, this, &MainWindow::showHint);
         m_toolOptions->setWidget(tool->options()); // the row is as high as the highest from the start
-    }
+    };
+    CanvasWidget *canvas = m_canvas;
+    add(Brush, "brush", Commands::tr("&Brush"), "brush", Qt::Key_B, Commands::tr("Paint strokes"),
+        new BrushTool(*canvas, canvas));
+    add(Select, "select", Commands::tr("&Select"), "select", Qt::Key_V, Commands::tr("Select and move strokes"),
+        new SelectTool(*canvas, *m_commands, canvas));
+    add(Segments, "segments", Commands::tr("Se&gments"), "segments", Qt::Key_N,
+        Commands::tr("Edit segments, nodes and handles of strokes"), new NodeTool(*canvas, *m_commands, canvas));
+    add(Knife, "knife", Commands::tr("&Knife"), "knife", Qt::Key_K, Commands::tr("Cut strokes along a line"),
+        new KnifeTool(*canvas, canvas));
+    add(Eraser, "eraser", Commands::tr("&Eraser"), "eraser", Qt::Key_E, Commands::tr("Erase parts of strokes"),
+        new EraserTool(*canvas, canvas));
+    add(AttributeBrush, "attributeBrush", Commands::tr("&Attribute Brush"), "attribute-brush", Qt::Key_A,
+        Commands::tr("Paint values onto segments"), new AttributeBrushTool(*canvas, canvas));
+    add(Eyedropper, "eyedropper", Commands::tr("Eye&dropper"), "eyedropper", Qt::Key_I, Commands::tr("Pick a colour"),
+        new EyedropperTool(*canvas, canvas));
+    add(Pan, "pan", Commands::tr("&Hand"), "pan", Qt::Key_H, Commands::tr("Move the canvas"),
+        new PanTool(*canvas, canvas));
+    m_commands->makeExclusive({Brush, Select, Segments, Knife, Eraser, AttributeBrush, Eyedropper, Pan});
     // The pen's other end erases, whatever its tip does.
     connect(m_canvas, &CanvasWidget::penTurned, this, [this](bool eraser) {
         QAction *inUse = action(Command::Brush).actionGroup()->checkedAction();
@@ -205,7 +232,6 @@ void MainWindow::makeTools()
             m_tipAction = nullptr;
         }
     });
-    action(Command::Brush).setChecked(true);
 }
 
 void MainWindow::useTool(Tool *tool)
@@ -218,66 +244,81 @@ void MainWindow::useTool(Tool *tool)
     showHint();
 }
 
-void MainWindow::connectActions()
+void MainWindow::addFileRows()
 {
-    const auto on = [this](Command command, auto function) {
-        connect(&action(command), &QAction::triggered, this, function);
-    };
-    on(Command::New, [this] { newWindow(); });
-    on(Command::Open, [this] { chooseFileToOpen(); });
-    on(Command::ImportStrokes, [this] { chooseStrokesToImport(); });
-    on(Command::Save, [this] { startSaving(); });
-    on(Command::SaveAs, [this] { startSavingAs(); });
-    connectExport();
-    on(Command::Close, [this] { close(); });
-    on(Command::Quit, [] { QApplication::closeAllWindows(); });
-    on(Command::SelectAll, [this] {
-        if (m_strokes->isSearching() && m_strokes->isAncestorOf(QApplication::focusWidget()))
-            m_strokes->selectFound(); // all of what is to be seen there
-        else if (!m_canvas->tool()->selectAll())
-            commands::selectAll(m_editor);
+    using enum Command;
+    const auto keys = [](QKeySequence::StandardKey key) { return QKeySequence::keyBindings(key); };
+    m_commands->add(New, "new", Commands::tr("&New…"), "new", keys(QKeySequence::New)).runs([this] { newWindow(); });
+    m_commands->add(Open, "open", Commands::tr("&Open…"), "open", keys(QKeySequence::Open)).runs([this] {
+        chooseFileToOpen();
     });
-    m_canvas->setPenSettings(settings::penSettings());
-    on(Command::Settings, [this] { changeSettings(); });
-    on(Command::FindCommand, [this] { CommandPalette::ask(paletteEntries(*this, *m_actions), *m_canvas); });
-    on(Command::Shortcuts, [this] { changeShortcuts(); });
-    on(Command::About, [this] { AboutDialog(this).exec(); });
-    connect(m_actions->recentMenu(), &QMenu::aboutToShow, this, &MainWindow::fillRecentMenu);
+    m_commands
+        ->add(ImportStrokes, "importStrokes", Commands::tr("&Import Strokes…"), "", {},
+              Commands::tr("Drawings, recordings and the strokes of other paintings, into this one"))
+        .runs([this] { chooseStrokesToImport(); });
+    m_commands
+        ->add(ImportUnderlay, "importUnderlay", Commands::tr("Import &Underlay…"), "", {},
+              Commands::tr("A picture to paint over, which shows on the canvas only"))
+        .runs([this] {
+            if (const QString path = choosePicture(this, tr("Import underlay")); !path.isEmpty())
+                importUnderlay(path);
+        });
+    m_commands->add(Close, "close", Commands::tr("&Close Window"), "", keys(QKeySequence::Close)).runs([this] {
+        close();
+    });
+    m_commands->add(Quit, "quit", Commands::tr("&Quit"), "", {QKeySequence(Commands::tr("Ctrl+Q"))}).runs([] {
+        QApplication::closeAllWindows();
+    });
+    action(Quit).setMenuRole(QAction::QuitRole);
 }
 
-void MainWindow::connectViewActions()
+void MainWindow::addWindowRows()
 {
-    const auto on = [this](Command command, auto function) {
-        connect(&action(command), &QAction::triggered, this, function);
-    };
-    const auto hold = [this] {
-        const auto keys = [this](Command command) { return (*m_actions)[command].shortcuts(); };
-        m_canvas->setHeldKeys({keys(Command::HoldToPan), keys(Command::HoldToTurn), keys(Command::HoldToHideOutlines)});
-    };
-    hold();
-    for (const Command command : {Command::HoldToPan, Command::HoldToTurn, Command::HoldToHideOutlines})
-        connect(&action(command), &QAction::changed, this, hold);
-    on(Command::HideDocks, [this](bool hide) { hideDocks(hide); });
-    on(Command::NextPanel, [this] { m_keyboard->walk(true); });
-    on(Command::PreviousPanel, [this] { m_keyboard->walk(false); });
-    on(Command::FullScreen, [this](bool full) {
-        setWindowState(full ? windowState() | Qt::WindowFullScreen : windowState() & ~Qt::WindowFullScreen);
-    });
+    using enum Command;
+    m_commands->add(Settings, "settings", Commands::tr("Settin&gs…"), "", {QKeySequence(Commands::tr("Ctrl+,"))})
+        .runs([this] { changeSettings(); });
+    action(Settings).setMenuRole(QAction::PreferencesRole);
+    m_commands->add(HideDocks, "hideDocks", Commands::tr("&Hide the Docks"), "", {QKeySequence(Qt::Key_Tab)})
+        .checkable()
+        .runs([this] { hideDocks(action(HideDocks).isChecked()); });
+    m_commands
+        ->add(NextPanel, "nextPanel", Commands::tr("Ne&xt Panel"), "", {QKeySequence(Qt::Key_F6)},
+              Commands::tr("The keyboard goes from the canvas to the docks and tool bars in turn"))
+        .runs([this] { m_keyboard->walk(true); });
+    m_commands
+        ->add(PreviousPanel, "previousPanel", Commands::tr("&Previous Panel"), "",
+              {QKeySequence(Qt::SHIFT | Qt::Key_F6)}, Commands::tr("The keyboard goes back from panel to panel"))
+        .runs([this] { m_keyboard->walk(false); });
+    m_commands->add(FullScreen, "fullScreen", Commands::tr("Full S&creen"), "", {QKeySequence(Qt::Key_F11)})
+        .checkable()
+        .runs([this] {
+            const bool full = action(FullScreen).isChecked();
+            setWindowState(full ? windowState() | Qt::WindowFullScreen : windowState() & ~Qt::WindowFullScreen);
+        });
+    m_commands
+        ->add(FindCommand, "findCommand", Commands::tr("&Find a Command…"), "", {QKeySequence(Commands::tr("Ctrl+K"))},
+              Commands::tr("Commands, brushes, docks and recent files by their names"))
+        .runs([this] { CommandPalette::ask(paletteEntries(), *m_canvas); });
+    m_commands->add(Shortcuts, "shortcuts", Commands::tr("&Keyboard Shortcuts…"), "", {QKeySequence(Qt::Key_F1)})
+        .runs([this] { changeShortcuts(); });
+    m_commands->add(About, "about", Commands::tr("&About Suffuse…"), "", {}).runs([this] { AboutDialog(this).exec(); });
+    action(About).setMenuRole(QAction::AboutRole);
+}
+
+std::vector<PaletteEntry> MainWindow::paletteEntries()
+{
+    return suffuse::paletteEntries(m_editor, *m_commands, m_docksMenu->actions(),
+                                   [this](const QString &path) { openFile(path); });
 }
 
 void MainWindow::connectUpdates()
 {
     connect(&m_editor, &Editor::fileChanged, this, &MainWindow::updateTitle);
-    connect(&m_editor.laterChanges(), &LaterChanges::changed, this, &MainWindow::updateActions);
-    const auto update = [this] {
-        if (!m_editor.laterChanges().isWaiting()) // else it comes with what waits
-            updateActions();
-    };
-    connect(&m_editor.undoStack(), &QUndoStack::indexChanged, this, update);
-    connect(&m_editor, &Editor::dragEnded, this, update);
     connect(m_keyboard, &KeyboardFocus::acting, this, [this] { m_editor.laterChanges().flush(); });
-    connect(m_canvas, &CanvasWidget::busyChanged, this, update);
-    connect(m_strokes, &StrokesPanel::searchingChanged, this, update);
+    connect(m_commands, &Commands::said, this, [this](const QString &message, int milliseconds) {
+        sayUntilChange(*statusBar(), m_editor.document(), message, milliseconds);
+    });
+    connect(m_strokes, &StrokesPanel::searchingChanged, this, [this] { m_commands->update(Command::SelectFound); });
     connect(m_canvas, &CanvasWidget::busyChanged, this, [this] {
         if (m_nextTool)
             useTool(m_nextTool);
@@ -290,12 +331,6 @@ void MainWindow::connectUpdates()
     connect(m_canvas, &CanvasWidget::pointerMoved, this, &MainWindow::showPosition);
 }
 
-void MainWindow::updateActions()
-{
-    action(Command::SelectFound).setEnabled(m_strokes->isSearching());
-    m_actions->update();
-}
-
 void MainWindow::updateTitle()
 {
     setWindowTitle(QStringLiteral("%1[*] — Suffuse").arg(m_editor.displayName()));
@@ -305,7 +340,7 @@ void MainWindow::updateTitle()
 
 void MainWindow::changeEvent(QEvent *event)
 {
-    if (event->type() == QEvent::WindowStateChange && m_actions) // the window manager has keys for it, too
+    if (event->type() == QEvent::WindowStateChange && m_commands) // the window manager has keys for it, too
         action(Command::FullScreen).setChecked(isFullScreen());
     QMainWindow::changeEvent(event);
 }

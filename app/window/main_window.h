@@ -1,9 +1,9 @@
 // One window, one painting: wires editor, canvas, tools, docks and actions together.
 #pragma once
 
+#include "app/session/commands/commands.h"
 #include "app/session/frames/shown_frame.h"
 #include "app/session/open_painting.h"
-#include "app/window/actions.h"
 #include "render/backends.h"
 
 #include <QLabel>
@@ -22,6 +22,7 @@ class ToolOptionsBar;
 enum class ConflictAnswer;
 struct ExportSettings;
 struct LostDocument;
+struct PaletteEntry;
 
 class MainWindow : public QMainWindow {
     Q_OBJECT
@@ -44,6 +45,8 @@ public:
     MainWindow *openFile(const QString &path);
     /// Adds a file's strokes to this window's painting and selects them. Errors are shown, and so is what was left out.
     void importStrokes(const QString &path);
+    /// What the command palette finds.
+    std::vector<PaletteEntry> paletteEntries();
     Journal &journal() { return *m_journal; }
     /// Saves and waits until it is on disk. False if it failed or was given up.
     bool save();
@@ -62,31 +65,29 @@ private:
     MainWindow(std::unique_ptr<OpenPainting> open, MakeRenderer make, QWidget *parent = nullptr);
     /// Takes everything away that shows the painting.
     std::unique_ptr<OpenPainting> release();
-    void makeTools();
+    void addToolRows();
     void makeDocks();
     void makeStatusBar();
-    void connectActions();
-    void connectViewActions();
-    void connectClipboard();
-    void connectExport();
+    void addFileRows();
+    void addWindowRows();
+    void addClipboardRows();
+    void addExportRows();
     void exportPicture();
     void exportAgain();
     /// Empty: where it was.
     void pasteAt(std::optional<Point> centre);
-    void connectObjectActions();
-    void connectAids();
-    void connectUnderlay();
+    void addObjectRows();
     void importUnderlay(const QString &path);
     void renameSelected();
-    void connectTimeActions();
+    void addTimeRows();
     void connectBrushes();
-    void nameFavourites();
     /// For the next window and the next start.
     void keepBrush();
     void rewetSelected();
     void connectUpdates();
     QDockWidget *addDock(const char *name, const QString &title, QWidget *panel);
 
+    void addSavingRows();
     void connectSaving();
     /// Starts to save, where it is to go; the user goes on painting. False if that was given up.
     bool startSaving();
@@ -114,7 +115,6 @@ private:
     void changeSettings();
     void useTool(Tool *tool);
     void showHint();
-    void updateActions();
     void updateTitle();
     void showPosition(double x, double y);
     void updateZoom();
@@ -134,7 +134,7 @@ private:
     MakeRenderer m_makeRenderer;
     KeyboardFocus *m_keyboard = nullptr;
     CanvasWidget *m_canvas = nullptr;
-    Actions *m_actions = nullptr;
+    Commands *m_commands = nullptr;
     ExportJob *m_exportJob = nullptr;
     std::unique_ptr<ExportSettings> m_lastExport; ///< of this painting; null: none
     StrokesPanel *m_strokes = nullptr;
@@ -147,7 +147,10 @@ private:
     QLabel *m_zoom = nullptr;
     QLabel *m_backend = nullptr;
     QLabel *m_frameTime = nullptr;
+    QMenu *m_recentMenu = nullptr;
+    QMenu *m_docksMenu = nullptr;
     QLabel *m_hint = nullptr;
+    bool m_canPaste = false;
     QTimer m_brushChanged; ///< a moment ago, and is not kept yet
     QString m_renderError;
     FileWatch *m_watch = nullptr;

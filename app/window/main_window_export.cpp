@@ -10,17 +10,24 @@
 
 namespace suffuse {
 
-void MainWindow::connectExport()
+void MainWindow::addExportRows()
 {
-    connect(&action(Command::Export), &QAction::triggered, this, &MainWindow::exportPicture);
-    connect(&action(Command::ExportAgain), &QAction::triggered, this, &MainWindow::exportAgain);
+    m_commands
+        ->add(Command::Export, "export", Commands::tr("&Export…"), "export",
+              {QKeySequence(Commands::tr("Ctrl+Shift+E"))})
+        .runs([this] { exportPicture(); });
+    m_commands
+        ->add(Command::ExportAgain, "exportAgain", Commands::tr("Export A&gain"), "",
+              {QKeySequence(Commands::tr("Ctrl+E"))}, Commands::tr("To the same file, with the same settings"))
+        .when([this] { return !m_exportJob->isRunning(); })
+        .runs([this] { exportAgain(); });
     connect(&m_editor, &Editor::opened, this, [this] {
         const auto last = exports::lastOf(m_editor.filePath());
         m_lastExport = last ? std::make_unique<ExportSettings>(*last) : nullptr;
     });
     m_exportJob = new ExportJob(this);
     connect(m_exportJob, &ExportJob::finished, this, [this](bool written, const QString &error) {
-        action(Command::ExportAgain).setEnabled(true);
+        m_commands->update(Command::ExportAgain);
         statusBar()->clearMessage();
         if (written)
             statusBar()->showMessage(tr("Exported to %1").arg(QDir::toNativeSeparators(m_exportJob->path())), 8'000);
@@ -49,9 +56,9 @@ void MainWindow::exportAgain()
         showError(this, order.error());
         return;
     }
-    action(Command::ExportAgain).setEnabled(false); // until this one is done
     statusBar()->showMessage(tr("Exporting %1…").arg(QFileInfo(order->path).fileName()));
     m_exportJob->start(*order);
+    m_commands->update(Command::ExportAgain); // until this one is done
 }
 
 } // namespace suffuse

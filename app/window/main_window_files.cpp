@@ -1,11 +1,11 @@
 // Opening, saving, closing, the clipboard: the part of the window that deals with what comes from outside.
 #include "app/canvas/canvas_widget.h"
 #include "app/dialogs/new_dialog.h"
+#include "app/session/commands/underlay_commands.h"
 #include "app/session/files/clipboard.h"
 #include "app/session/files/import_strokes.h"
 #include "app/session/files/journal.h"
 #include "app/session/settings/settings.h"
-#include "app/session/commands/underlay_commands.h"
 #include "app/widgets/at_next_change.h"
 #include "app/widgets/messages.h"
 #include "app/widgets/place_beside.h"
@@ -234,7 +234,7 @@ bool MainWindow::maySwitch()
 
 void MainWindow::fillRecentMenu()
 {
-    QMenu *menu = m_actions->recentMenu();
+    QMenu *menu = m_recentMenu;
     menu->clear();
     const QStringList files = settings::recentFiles();
     for (const QString &path : files) {
@@ -285,25 +285,33 @@ void MainWindow::dropEvent(QDropEvent *event)
     }
 }
 
-void MainWindow::connectClipboard()
+void MainWindow::addClipboardRows()
 {
-    const auto tell = [this](const QString &problem) {
-        sayUntilChange(*statusBar(), m_editor.document(), problem, 8'000);
-    };
-    connect(new CanvasDrops(*m_canvas), &CanvasDrops::leftOut, this, tell);
-    connect(&action(Command::Paste), &QAction::triggered, this, [this] {
-        // At the pointer, as in Inkscape; in the middle where it is elsewhere.
-        const QPointF at = m_canvas->mapFromGlobal(QPointF(QCursor::pos()));
-        const View &view = m_canvas->view();
-        const double dpr = m_canvas->devicePixelRatioF();
-        const bool inside = QRectF(m_canvas->rect()).contains(at);
-        pasteAt(view.toCanvas(inside ? Point{at.x() * dpr, at.y() * dpr} : Point{0.5 * view.width, 0.5 * view.height}));
-    });
-    connect(&action(Command::PasteInPlace), &QAction::triggered, this, [this] { pasteAt({}); });
+    using enum Command;
+    m_commands
+        ->add(Paste, "paste", Commands::tr("&Paste"), "paste", QKeySequence::keyBindings(QKeySequence::Paste),
+              Commands::tr("Paste strokes or SVG paths at the pointer; a colour becomes the current one"))
+        .when([this] { return m_canPaste; })
+        .runs([this] {
+            // At the pointer, as in Inkscape; in the middle where it is elsewhere.
+            const QPointF at = m_canvas->mapFromGlobal(QPointF(QCursor::pos()));
+            const View &view = m_canvas->view();
+            const double dpr = m_canvas->devicePixelRatioF();
+            const bool inside = QRectF(m_canvas->rect()).contains(at);
+            const Point middle{0.5 * view.width, 0.5 * view.height};
+            pasteAt(view.toCanvas(inside ? Point{at.x() * dpr, at.y() * dpr} : middle));
+        });
+    m_commands
+        ->add(PasteInPlace, "pasteInPlace", Commands::tr("Paste &in Place"), "",
+              {QKeySequence(Commands::tr("Ctrl+Alt+V"))}, Commands::tr("Paste strokes where they were"))
+        .when([this] { return m_canPaste; })
+        .runs([this] { pasteAt({}); });
+    connect(new CanvasDrops(*m_canvas), &CanvasDrops::leftOut, this,
+            [this](const QString &problem) { emit m_commands->said(problem, 8'000); });
     const auto follow = [this] {
-        const bool can = clipboard::canPaste(QGuiApplication::clipboard()->mimeData());
-        action(Command::Paste).setEnabled(can);
-        action(Command::PasteInPlace).setEnabled(can);
+        m_canPaste = clipboard::canPaste(QGuiApplication::clipboard()->mimeData());
+        m_commands->update(Paste);
+        m_commands->update(PasteInPlace);
     };
     connect(QGuiApplication::clipboard(), &QClipboard::dataChanged, this, follow);
     follow();

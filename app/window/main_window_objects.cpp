@@ -3,12 +3,12 @@
 #include "app/panels/strokes/strokes_model.h"
 #include "app/panels/strokes/strokes_panel.h"
 #include "app/session/commands/selection_commands.h"
-#include "app/session/settings/settings.h"
+#include "app/session/commands/session_rows.h"
 #include "app/session/commands/underlay_commands.h"
-#include "app/widgets/choose_picture.h"
 #include "app/widgets/messages.h"
 #include "app/window/main_window.h"
 
+#include <QApplication>
 #include <QInputDialog>
 #include <QLineEdit>
 #include <QStatusBar>
@@ -46,47 +46,34 @@ std::optional<PresentName> presentNameOf(const Document &document)
 
 } // namespace
 
-void MainWindow::connectObjectActions()
+void MainWindow::addObjectRows()
 {
-    const auto on = [this](Command command, auto function) {
-        connect(&action(command), &QAction::triggered, this, function);
-    };
-    on(Command::SelectFound, [this] { m_strokes->selectFound(); });
-    on(Command::RenameStrokes, [this] { renameSelected(); });
-    connectAids();
-    connectUnderlay();
-}
-
-void MainWindow::connectAids()
-{
-    m_canvas->setAids(settings::canvasAids());
-    connect(&action(Command::GridStep), &QAction::triggered, this, [this] {
-        bool ok = false;
-        const double step = QInputDialog::getDouble(this, tr("Grid"), tr("Step in canvas units"),
-                                                    m_canvas->aids().gridStep, 0.001, maxGridStep, 3, &ok);
-        if (!ok)
-            return;
-        CanvasAids aids = m_canvas->aids();
-        aids.gridStep = step;
-        m_canvas->setAids(aids);
-        settings::setCanvasAids(aids);
-    });
+    using enum Command;
+    m_commands
+        ->add(SelectAll, "selectAll", Commands::tr("Select &All"), "",
+              QKeySequence::keyBindings(QKeySequence::SelectAll))
+        .runs([this] {
+            if (m_strokes->isSearching() && m_strokes->isAncestorOf(QApplication::focusWidget()))
+                m_strokes->selectFound(); // all of what is to be seen there
+            else if (!m_canvas->tool()->selectAll())
+                commands::selectAll(m_editor);
+        });
+    m_commands
+        ->add(SelectFound, "selectFound", Commands::tr("Select &Found"), "", {},
+              Commands::tr("Select what the search in the Strokes dock has found"))
+        .when([this] { return m_strokes->isSearching(); })
+        .runs([this] { m_strokes->selectFound(); });
+    m_commands->add(RenameStrokes, "rename", Commands::tr("Rena&me…"), "", {QKeySequence(Commands::tr("F2"))})
+        .when(anySelected(m_editor))
+        .runs([this] { renameSelected(); });
+    connect(m_canvas, &CanvasWidget::underlayFailed, this,
+            [this](const QString &problem) { statusBar()->showMessage(problem, 15'000); });
 }
 
 void MainWindow::importUnderlay(const QString &path)
 {
     if (const QString problem = underlay::importFile(m_editor, path); !problem.isEmpty())
         showError(this, problem);
-}
-
-void MainWindow::connectUnderlay()
-{
-    connect(&action(Command::ImportUnderlay), &QAction::triggered, this, [this] {
-        if (const QString path = choosePicture(this, tr("Import underlay")); !path.isEmpty())
-            importUnderlay(path);
-    });
-    connect(m_canvas, &CanvasWidget::underlayFailed, this,
-            [this](const QString &problem) { statusBar()->showMessage(problem, 15'000); });
 }
 
 void MainWindow::renameSelected()

@@ -27,6 +27,30 @@ constexpr int saveLaterMs = 500;
 
 } // namespace
 
+void MainWindow::addSavingRows()
+{
+    using enum Command;
+    const auto hasFile = [this] { return !m_editor.filePath().isEmpty(); };
+    m_commands->add(Save, "save", Commands::tr("&Save"), "save", QKeySequence::keyBindings(QKeySequence::Save))
+        .runs([this] { startSaving(); });
+    m_commands->add(SaveAs, "saveAs", Commands::tr("Save &As…"), "", {QKeySequence(Commands::tr("Ctrl+Shift+S"))})
+        .runs([this] { startSavingAs(); });
+    m_commands
+        ->add(SaveCopy, "saveCopy", Commands::tr("Save a Cop&y…"), "", {QKeySequence(Commands::tr("Ctrl+Alt+Shift+S"))},
+              Commands::tr("Into another file; you go on painting in this one"))
+        .runs([this] { startSavingCopy(); });
+    m_commands
+        ->add(Revert, "revert", Commands::tr("Re&vert…"), "", {},
+              Commands::tr("Back to what the file holds; Undo takes it back"))
+        .when(hasFile)
+        .runs([this] { revert(); });
+    m_commands
+        ->add(RestoreBackup, "restoreBackup", Commands::tr("Restore &Backup…"), "", {},
+              Commands::tr("Back to an earlier version of the file"))
+        .when(hasFile)
+        .runs([this] { restoreBackup(); });
+}
+
 void MainWindow::connectSaving()
 {
     connect(m_journal, &Journal::failed, this, [this](const QString &message) {
@@ -41,27 +65,7 @@ void MainWindow::connectSaving()
         if (outcome.isSaved())
             watchFile();
     });
-    connect(&action(Command::SaveCopy), &QAction::triggered, this, &MainWindow::startSavingCopy);
-    QAction &revert = action(Command::Revert), &restore = action(Command::RestoreBackup);
-    connect(&revert, &QAction::triggered, this, &MainWindow::revert);
-    connect(&restore, &QAction::triggered, this, &MainWindow::restoreBackup);
-    const auto needFile = [this, &revert, &restore] {
-        revert.setEnabled(!m_editor.filePath().isEmpty());
-        restore.setEnabled(!m_editor.filePath().isEmpty());
-    };
-    connect(&m_editor, &Editor::fileChanged, this, needFile);
-    needFile();
     connect(&m_editor, &Editor::saved, this, &MainWindow::showOutcome);
-    QAction &keepHistory = action(Command::KeepHistory);
-    connect(&keepHistory, &QAction::triggered, &m_editor, &Editor::setKeepsHistory);
-    const auto showKept = [this, &keepHistory] {
-        const qint64 bytes = m_editor.historyBytes();
-        keepHistory.setChecked(m_editor.keepsHistory());
-        keepHistory.setText(bytes > 0 ? tr("Keep Undo &History in the File (%1)").arg(locale().formattedDataSize(bytes))
-                                      : tr("Keep Undo &History in the File"));
-    };
-    connect(&m_editor, &Editor::fileChanged, this, showKept);
-    showKept();
     connect(m_watch, &FileWatch::changed, this, &MainWindow::fileChangedOutside);
     connect(m_watch, &FileWatch::removed, this, [this] {
         if (m_editor.isSaving())

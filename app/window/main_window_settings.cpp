@@ -10,29 +10,39 @@
 #include <QApplication>
 #include <QDockWidget>
 
+#include <map>
+
 namespace suffuse {
 
 namespace {
 
-/// What the user has switched on and off. Full screen is the window's own state, hidden docks need their layout first.
-void takeSwitches(const Actions &from, const Actions &to)
+/// What the user has switched on and off, by the rows' ids. Full screen is the window's own state, hidden docks need
+/// their layout first.
+std::map<QString, bool> switchesOf(const Commands &table)
 {
-    for (QAction *action : from.all())
-        for (QAction *same : to.all())
-            if (same->objectName() == action->objectName() && action->isCheckable() &&
-                same != &to[Command::FullScreen] && same != &to[Command::HideDocks])
-                same->setChecked(action->isChecked());
+    std::map<QString, bool> switches;
+    for (const QAction *action : table.all())
+        if (action->isCheckable() && action != &table[Command::FullScreen] && action != &table[Command::HideDocks])
+            switches[action->objectName()] = action->isChecked();
+    return switches;
+}
+
+void setSwitches(const Commands &table, const std::map<QString, bool> &switches)
+{
+    for (QAction *action : table.all())
+        if (const auto it = switches.find(action->objectName()); it != switches.end())
+            action->setChecked(it->second);
 }
 
 } // namespace
 
 void MainWindow::changeShortcuts()
 {
-    if (ShortcutsDialog(m_actions->all(), fixedKeys(), this).exec() != QDialog::Accepted)
+    if (ShortcutsDialog(m_commands->all(), fixedKeys(), this).exec() != QDialog::Accepted)
         return;
     for (QWidget *widget : QApplication::topLevelWidgets())
         if (auto *window = qobject_cast<MainWindow *>(widget))
-            applyStoredShortcuts(window->m_actions->all());
+            applyStoredShortcuts(window->m_commands->all());
 }
 
 void MainWindow::changeSettings()
@@ -56,6 +66,8 @@ std::unique_ptr<OpenPainting> MainWindow::release()
          std::initializer_list<QObject *>{&editor, &editor.document(), &editor.laterChanges(), &editor.undoStack(),
                                           &editor.clock(), m_playback, m_journal})
         disconnect(sender, nullptr, this, nullptr);
+    delete m_commands; // they follow it
+    m_commands = nullptr;
     delete m_canvas; // it draws the document
     m_canvas = nullptr;
     for (QDockWidget *dock : std::as_const(m_docks))
@@ -74,12 +86,13 @@ MainWindow *MainWindow::replace()
     const QByteArray geometry = saveGeometry(), layout = saveState();
     const std::optional<WorkspaceState> view = workspaceOf(*m_canvas, m_editor);
     const bool fitted = m_canvas->isFitted();
+    const std::map<QString, bool> switches = switchesOf(*m_commands);
     auto *successor = new MainWindow(release(), m_makeRenderer);
-    takeSwitches(*m_actions, *successor->m_actions);
+    setSwitches(*successor->m_commands, switches);
     successor->setAttribute(Qt::WA_DeleteOnClose, testAttribute(Qt::WA_DeleteOnClose));
     successor->restoreGeometry(geometry);
     successor->restoreState(layout);
-    successor->updateActions();
+    successor->m_commands->update();
     successor->show();
     if (view && !fitted)
         showWorkspace(*view, *successor->m_canvas, successor->m_editor);

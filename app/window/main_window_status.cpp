@@ -50,7 +50,7 @@ void MainWindow::makeStatusBar()
 void MainWindow::showHint()
 {
     //: before what the brush does, while the timeline shows a moment of the past
-    const QString past = m_editor.clock().isInPast() && (*m_actions)[Command::Brush].isChecked()
+    const QString past = m_editor.clock().isInPast() && (*m_commands)[Command::Brush].isChecked()
                              ? tr("You paint in the past: what came later covers it. ")
                              : QString();
     m_hint->setText(past + m_canvas->tool()->hint());
@@ -74,8 +74,6 @@ void MainWindow::updateZoom()
                                               : locale().toString(percent, 'g', 3));
     const double rotation = m_canvas->view().rotation;
     showInPlace(*m_zoom, std::abs(rotation) < 1e-6 ? zoom : zoom + QStringLiteral(" · ") + angleText(rotation));
-    QSignalBlocker blocked(action(Command::Mirror));
-    action(Command::Mirror).setChecked(m_canvas->view().mirrored);
 }
 
 void MainWindow::showFrame(const FrameInfo &frame)

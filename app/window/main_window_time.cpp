@@ -1,40 +1,30 @@
 // What the Time menu does.
 #include "app/canvas/canvas_widget.h"
 #include "app/dialogs/timelapse_dialog.h"
+#include "app/session/commands/session_rows.h"
 #include "app/session/playback.h"
-#include "app/widgets/at_next_change.h"
 #include "app/window/main_window.h"
 #include "undo/time_edits.h"
 
 #include <QInputDialog>
-#include <QStatusBar>
 
 namespace suffuse {
 
-namespace {
-
-constexpr int messageMs = 5000;
-
-} // namespace
-
-void MainWindow::connectTimeActions()
+void MainWindow::addTimeRows()
 {
-    const auto on = [this](Command command, auto function) {
-        connect(&action(command), &QAction::triggered, this, function);
-    };
-    on(Command::FreezeNow, [this] {
-        m_playback->pause();
-        Edit edit = freeze(m_editor.document(), m_editor.clock().time());
-        if (edit.isEmpty())
-            sayUntilChange(*statusBar(), m_editor.document(), tr("Nothing is wet at this moment."), messageMs);
-        m_editor.push(std::move(edit), tr("Freeze wet paint"));
-    });
-    on(Command::Rewet, [this] { rewetSelected(); });
-    on(Command::ExportTimelapse, [this] {
-        m_playback->pause();
-        TimelapseDialog(m_editor, shownArea(m_canvas->view()), this).exec();
-    });
-    connect(m_playback, &Playback::stateChanged, m_actions, &Actions::update);
+    m_commands
+        ->add(Command::Rewet, "rewet", Commands::tr("Re-&wet…"), "rewet", {QKeySequence(Commands::tr("Ctrl+Alt+W"))},
+              Commands::tr("Let the selected paint spread on for a while from this moment"))
+        .when(anySelected(m_editor))
+        .runs([this] { rewetSelected(); });
+    m_commands
+        ->add(Command::ExportTimelapse, "exportTimelapse", Commands::tr("Export Ti&melapse…"), "film",
+              {QKeySequence(Commands::tr("Ctrl+Alt+E"))}, Commands::tr("Make a film of the painting being painted"))
+        .when(anyStrokes(m_editor))
+        .runs([this] {
+            m_playback->pause();
+            TimelapseDialog(m_editor, shownArea(m_canvas->view()), this).exec();
+        });
     connect(&m_editor.clock(), &PaintingClock::pastChanged, this, &MainWindow::showHint);
 }
 
@@ -49,8 +39,7 @@ void MainWindow::rewetSelected()
         return;
     Edit edit = rewet(m_editor.document(), now, toMicroseconds(seconds));
     if (edit.isEmpty())
-        sayUntilChange(*statusBar(), m_editor.document(), tr("Nothing that is selected is painted yet at this moment."),
-                       messageMs);
+        emit m_commands->said(Commands::tr("Nothing that is selected is painted yet at this moment."), 5000);
     m_editor.push(std::move(edit), tr("Re-wet"));
 }
 

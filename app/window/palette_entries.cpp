@@ -1,13 +1,13 @@
 #include "app/window/palette_entries.h"
 
+#include "app/session/commands/commands.h"
+#include "app/session/editor.h"
 #include "app/session/settings/brush_library.h"
 #include "app/session/settings/settings.h"
-#include "app/window/actions.h"
-#include "app/window/main_window.h"
+#include "app/widgets/menu_titles.h"
 
 #include <QCoreApplication>
 #include <QFileInfo>
-#include <QMenu>
 #include <QPointer>
 
 namespace suffuse {
@@ -40,13 +40,14 @@ PaletteEntry entryOf(QAction &action)
 
 } // namespace
 
-std::vector<PaletteEntry> paletteEntries(MainWindow &window, const Actions &actions)
+std::vector<PaletteEntry> paletteEntries(Editor &editor, const Commands &table, const QList<QAction *> &docks,
+                                         const std::function<void(const QString &path)> &openFile)
 {
     std::vector<PaletteEntry> entries;
-    for (QAction *action : actions.runnable())
-        if (action->isVisible() && action != &actions[Command::FindCommand])
+    for (QAction *action : table.runnable())
+        if (action->isVisible() && action != &table[Command::FindCommand])
             entries.push_back(entryOf(*action));
-    for (QAction *toggle : actions.docksMenu()->actions())
+    for (QAction *toggle : docks)
         if (!toggle->isSeparator())
             entries.push_back(entryOf(*toggle));
     for (const Brush &brush : BrushLibrary::instance().brushes())
@@ -55,9 +56,9 @@ std::vector<PaletteEntry> paletteEntries(MainWindow &window, const Actions &acti
                            {},
                            {},
                            true,
-                           [&window, name = brush.name] {
-                               BrushLibrary::instance().use(window.editor(), name);
-                               window.action(Command::Brush).setChecked(true);
+                           [&editor, &table, name = brush.name] {
+                               BrushLibrary::instance().use(editor, name);
+                               table[Command::Brush].setChecked(true);
                            }});
     for (const QString &path : settings::recentFiles())
         entries.push_back(
@@ -66,7 +67,7 @@ std::vector<PaletteEntry> paletteEntries(MainWindow &window, const Actions &acti
              {},
              {},
              true,
-             [&window, path] { window.openFile(path); }});
+             [openFile, path] { openFile(path); }});
     return entries;
 }
 

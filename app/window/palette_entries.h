@@ -3,14 +3,21 @@
 
 #include "app/dialogs/command_palette.h"
 
+#include <QList>
+
+#include <functional>
 #include <vector>
+
+class QAction;
 
 namespace suffuse {
 
-class Actions;
-class MainWindow;
+class Commands;
+class Editor;
 
-/// Its commands in the order of the table, docks, brushes, and files that were open before.
-std::vector<PaletteEntry> paletteEntries(MainWindow &window, const Actions &actions);
+/// The commands in the order of the table, `docks` (the entries of their menu), brushes, and files that were open
+/// before, which are opened by `openFile`.
+std::vector<PaletteEntry> paletteEntries(Editor &editor, const Commands &table, const QList<QAction *> &docks,
+                                         const std::function<void(const QString &path)> &openFile);
 
 } // namespace suffuse

@@ -32,17 +32,14 @@ inline std::vector<DialogMaker> allDialogs()
         {"settings", [](MainWindow &w) { return std::make_unique<SettingsDialog>(&w); }},
         {"shortcuts",
          [](MainWindow &w) {
-             return std::make_unique<ShortcutsDialog>(w.findChild<Actions *>()->all(), fixedKeys(), &w);
+             return std::make_unique<ShortcutsDialog>(w.findChild<Commands *>()->all(), fixedKeys(), &w);
          }},
         {"brush", [](MainWindow &w) { return std::make_unique<BrushDialog>(w.editor(), &w); }},
         {"export", [area](MainWindow &w) { return std::make_unique<ExportDialog>(w.editor(), area(w), &w); }},
         {"timelapse", [area](MainWindow &w) { return std::make_unique<TimelapseDialog>(w.editor(), area(w), &w); }},
         {"along", [](MainWindow &w) { return std::make_unique<AlongDialog>(w.editor(), &w); }},
         {"recovery", [](MainWindow &w) { return std::make_unique<RecoveryDialog>(std::vector<LostDocument>(), &w); }},
-        {"palette",
-         [](MainWindow &w) {
-             return std::make_unique<CommandPalette>(paletteEntries(w, *w.findChild<Actions *>()), &w);
-         }},
+        {"palette", [](MainWindow &w) { return std::make_unique<CommandPalette>(w.paletteEntries(), &w); }},
         {"about", [](MainWindow &w) { return std::make_unique<AboutDialog>(&w); }},
     };
 }

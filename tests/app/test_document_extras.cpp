@@ -1,5 +1,4 @@
 // What goes into a document's file beside the picture: undo history, and how it was looked at.
-#include "app/window/actions.h"
 #include "model/formats/files.h"
 #include "tests/app/session.h"
 #include "undo/edits.h"
@@ -203,7 +202,7 @@ private slots:
         paint(a.editor(), 2);
         QVERIFY(a.window.saveTo(path("view.suffuse")));
         QVERIFY(!loadDocument(path("view.suffuse"))->extras.view); // all of it, at the end: as it opens anyway
-        paint(a.editor(), 1); // what is as it was saved is not written again
+        paint(a.editor(), 1);                                      // what is as it was saved is not written again
         a.canvas().setZoom(3.5);
         a.canvas().rotateBy(20);
         a.canvas().mirror();

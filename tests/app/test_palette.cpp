@@ -19,9 +19,9 @@ using namespace suffuse;
 
 namespace {
 
-const Actions &tableOf(Session &s)
+const Commands &tableOf(Session &s)
 {
-    return *s.window.findChild<Actions *>();
+    return *s.window.findChild<Commands *>();
 }
 
 PaletteEntry entry(const char *title, const char *id = "")
@@ -160,7 +160,7 @@ private slots:
     void arrowsPassAllRows()
     {
         Session s;
-        CommandPalette palette(paletteEntries(s.window, tableOf(s)), &s.window);
+        CommandPalette palette(s.window.paletteEntries(), &s.window);
         const int count = palette.list()->count();
         QVERIFY(count > 100);
         std::set<int> seen{palette.list()->currentRow()};
@@ -217,7 +217,7 @@ private slots:
     void leavesOutWhatCannotRun()
     {
         Session s;
-        for (const PaletteEntry &found : paletteEntries(s.window, tableOf(s))) {
+        for (const PaletteEntry &found : s.window.paletteEntries()) {
             QVERIFY2(!found.id.startsWith("holdTo") && found.id != "findCommand", qPrintable(found.title));
             QVERIFY(!found.title.isEmpty() && found.run);
         }

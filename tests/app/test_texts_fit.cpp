@@ -301,7 +301,7 @@ private slots:
     {
         speak();
         Session s;
-        ShortcutsDialog dialog(s.window.findChild<Actions *>()->all(), fixedKeys(), &s.window);
+        ShortcutsDialog dialog(s.window.findChild<Commands *>()->all(), fixedKeys(), &s.window);
         dialog.show();
         settle();
         QSet<QString> names;

@@ -257,7 +257,7 @@ private slots:
         WaveSession s;
         QVERIFY(QTest::qWaitForWindowActive(&s.window));
         QList<QKeyCombination> typed, commands;
-        for (const QAction *action : s.window.findChild<Actions *>()->all())
+        for (const QAction *action : s.window.findChild<Commands *>()->all())
             for (const QKeySequence &keys : action->shortcuts()) {
                 const bool held = keys[0].keyboardModifiers() & (Qt::ControlModifier | Qt::AltModifier);
                 const bool function = keys[0].key() >= Qt::Key_F1 && keys[0].key() <= Qt::Key_F35;

@@ -1,7 +1,7 @@
 #include "app/panels/inspector/underlay_section.h"
 
-#include "app/session/editor.h"
 #include "app/session/commands/underlay_commands.h"
+#include "app/session/editor.h"
 #include "app/widgets/choose_picture.h"
 #include "app/widgets/icons.h"
 #include "app/widgets/quantity.h"

@@ -1,12 +1,12 @@
 #include "app/panels/timeline/timeline_panel.h"
 
 #include "app/panels/timeline/timeline_view.h"
+#include "app/session/commands/commands.h"
 #include "app/session/editor.h"
 #include "app/session/playback.h"
 #include "app/widgets/icons.h"
 #include "app/widgets/section.h"
 #include "app/widgets/time_text.h"
-#include "app/window/actions.h"
 
 #include <QComboBox>
 #include <QHBoxLayout>
@@ -42,8 +42,8 @@ QToolButton *buttonOf(QAction &action, QWidget *parent)
 
 } // namespace
 
-TimelinePanel::TimelinePanel(Editor &editor, Playback &playback, const Actions &actions, QWidget *parent)
-    : QWidget(parent), m_editor(editor), m_playback(playback), m_actions(actions)
+TimelinePanel::TimelinePanel(Editor &editor, Playback &playback, const Commands &commands, QWidget *parent)
+    : QWidget(parent), m_editor(editor), m_playback(playback), m_commands(commands)
 {
     auto *column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, 0);
@@ -53,19 +53,15 @@ TimelinePanel::TimelinePanel(Editor &editor, Playback &playback, const Actions &
     row->setSpacing(2);
     for (const Command command :
          {Command::ToStart, Command::PreviousStroke, Command::Play, Command::NextStroke, Command::ToEnd})
-        row->addWidget(buttonOf(actions[command], this));
-    // These keys are the timeline's as much as the canvas'.
-    for (const Command command : {Command::ToStart, Command::PreviousStroke, Command::Play, Command::NextStroke,
-                                  Command::ToEnd, Command::LetDry, Command::FinalPreview})
-        addAction(&actions[command]);
+        row->addWidget(buttonOf(commands[command], this));
     row->addSpacing(8);
     m_time = new QLabel(this);
     m_time->setToolTip(tr("The moment that is shown, and the end, when all has dried"));
     m_time->setMinimumWidth(fontMetrics().horizontalAdvance(QStringLiteral("00:00.000 / 00:00.000 ")));
     row->addWidget(m_time);
     row->addSpacing(8);
-    row->addWidget(buttonOf(actions[Command::LoopPlaying], this));
-    row->addWidget(buttonOf(actions[Command::SkipPauses], this));
+    row->addWidget(buttonOf(commands[Command::LoopPlaying], this));
+    row->addWidget(buttonOf(commands[Command::SkipPauses], this));
     m_speed = new QComboBox(this);
     m_speed->setEditable(true);
     m_speed->setInsertPolicy(QComboBox::NoInsert);
@@ -81,7 +77,7 @@ TimelinePanel::TimelinePanel(Editor &editor, Playback &playback, const Actions &
     m_what->setWordWrap(false);
     m_what->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
     row->addWidget(m_what, 1);
-    row->addWidget(buttonOf(actions[Command::FinalPreview], this));
+    row->addWidget(buttonOf(commands[Command::FinalPreview], this));
     auto *fit = new QToolButton(this);
     fit->setIcon(icon("fit-time"));
     fit->setAutoRaise(true);
@@ -135,7 +131,7 @@ void TimelinePanel::showMenu(QPoint globalPosition, bool onBar)
     menu->setAttribute(Qt::WA_DeleteOnClose);
     const auto append = [this](QMenu &to, std::initializer_list<Command> commands) {
         for (const Command command : commands)
-            to.addAction(&m_actions[command]);
+            to.addAction(&m_commands[command]);
     };
     if (onBar) {
         const std::set<StrokeId> selected = m_editor.selection().strokes;

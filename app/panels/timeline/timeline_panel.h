@@ -8,7 +8,7 @@ class QLabel;
 
 namespace suffuse {
 
-class Actions;
+class Commands;
 class Editor;
 class Playback;
 class TimelineView;
@@ -18,8 +18,8 @@ class TimelinePanel : public QWidget {
     Q_OBJECT
 
 public:
-    /// Buttons trigger the window's actions.
-    TimelinePanel(Editor &editor, Playback &playback, const Actions &actions, QWidget *parent = nullptr);
+    /// Buttons trigger the window's commands.
+    TimelinePanel(Editor &editor, Playback &playback, const Commands &commands, QWidget *parent = nullptr);
 
     TimelineView *view() const { return m_view; }
     QComboBox *speed() const { return m_speed; }
@@ -35,7 +35,7 @@ private:
 
     Editor &m_editor;
     Playback &m_playback;
-    const Actions &m_actions;
+    const Commands &m_commands;
     TimelineView *m_view = nullptr;
     QComboBox *m_speed = nullptr;
     QLabel *m_time = nullptr;

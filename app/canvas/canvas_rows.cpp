@@ -1,0 +1,205 @@
+#include "app/canvas/canvas_rows.h"
+
+#include "app/canvas/canvas_widget.h"
+#include "app/session/commands/selection_commands.h"
+#include "app/session/commands/session_rows.h"
+#include "app/session/settings/settings.h"
+
+#include <QInputDialog>
+
+#include <memory>
+
+namespace suffuse {
+
+namespace {
+
+constexpr double zoomStep = 1.4142135623730951;
+constexpr double turnStep = 15; ///< degrees
+
+/// A drag belongs to no step yet.
+bool isBusy(const CanvasWidget &canvas)
+{
+    return canvas.tool() && canvas.tool()->isBusy();
+}
+
+/// Undo gives up what is in hand instead, as in Krita. False: nothing was.
+bool givesUp(const CanvasWidget &canvas)
+{
+    if (!isBusy(canvas))
+        return false;
+    canvas.tool()->cancel();
+    return true;
+}
+
+void changeAid(CanvasWidget &canvas, bool CanvasAids::*aid, bool on)
+{
+    CanvasAids aids = canvas.aids();
+    aids.*aid = on;
+    canvas.setAids(aids);
+    settings::setCanvasAids(aids);
+}
+
+void askForGridStep(CanvasWidget &canvas)
+{
+    bool ok = false;
+    const double step =
+        QInputDialog::getDouble(canvas.window(), Commands::tr("Grid"), Commands::tr("Step in canvas units"),
+                                canvas.aids().gridStep, 0.001, maxGridStep, 3, &ok);
+    if (!ok)
+        return;
+    CanvasAids aids = canvas.aids();
+    aids.gridStep = step;
+    canvas.setAids(aids);
+    settings::setCanvasAids(aids);
+}
+
+void addEditingRows(Commands &table, CanvasWidget &canvas)
+{
+    using enum Command;
+    Editor &editor = canvas.editor();
+    const auto keys = [](QKeySequence::StandardKey key) { return QKeySequence::keyBindings(key); };
+    table.add(Undo, "undo", Commands::tr("&Undo"), "undo", keys(QKeySequence::Undo))
+        .when(
+            [&canvas, &editor] { return editor.document().draft() || isBusy(canvas) || editor.canUndo(); })
+        .named([&editor] {
+            const bool strokeInHand = editor.document().draft() != nullptr;
+            const QString step = strokeInHand ? QString() : editor.undoText();
+            return step.isEmpty() ? Commands::tr("&Undo") : Commands::tr("&Undo: %1").arg(step);
+        })
+        .runs([&canvas, &editor] {
+            if (!givesUp(canvas))
+                editor.undo();
+        });
+    table
+        .add(Redo, "redo", Commands::tr("&Redo"), "redo",
+             {QKeySequence(Commands::tr("Ctrl+Shift+Z")), QKeySequence(Commands::tr("Ctrl+Y"))})
+        .when([&editor] { return editor.canRedo(); })
+        .named([&editor] {
+            const QString step = editor.redoText();
+            return step.isEmpty() ? Commands::tr("&Redo") : Commands::tr("&Redo: %1").arg(step);
+        })
+        .runs([&canvas, &editor] {
+            if (!givesUp(canvas))
+                editor.redo();
+        });
+    table.add(Delete, "delete", Commands::tr("&Delete"), "delete", {QKeySequence(Qt::Key_Delete)})
+        .in(CommandScope::Strokes)
+        .when(anySelected(editor))
+        .runs([&canvas, &editor] {
+            if (!givesUp(canvas) && !canvas.tool()->deleteSelected())
+                commands::deleteSelected(editor);
+        });
+}
+
+void addViewRows(Commands &table, CanvasWidget &canvas)
+{
+    using enum Command;
+    // "=" is the unshifted "+" on many keyboards.
+    table
+        .add(ZoomIn, "zoomIn", Commands::tr("Zoom &In"), "zoom-in",
+             {QKeySequence(Qt::Key_Plus), QKeySequence(Qt::Key_Equal), QKeySequence(QKeySequence::ZoomIn)})
+        .runs([&canvas] { canvas.zoomBy(zoomStep); });
+    table
+        .add(ZoomOut, "zoomOut", Commands::tr("Zoom &Out"), "zoom-out",
+             {QKeySequence(Qt::Key_Minus), QKeySequence(QKeySequence::ZoomOut)})
+        .runs([&canvas] { canvas.zoomBy(1 / zoomStep); });
+    table.add(Zoom100, "zoom100", Commands::tr("&100 %"), "", {QKeySequence(Commands::tr("Ctrl+1"))}).runs([&canvas] {
+        canvas.setZoom(1);
+    });
+    table.add(Fit, "fit", Commands::tr("&Fit the Canvas"), "fit", {QKeySequence(Qt::Key_0)}).runs([&canvas] {
+        canvas.fit();
+    });
+    table.add(RotateLeft, "rotateLeft", Commands::tr("Turn &Left"), "", {QKeySequence(Commands::tr("Ctrl+4"))})
+        .runs([&canvas] { canvas.rotateBy(-turnStep); });
+    table.add(RotateRight, "rotateRight", Commands::tr("Turn &Right"), "", {QKeySequence(Commands::tr("Ctrl+6"))})
+        .runs([&canvas] { canvas.rotateBy(turnStep); });
+    table.add(ResetRotation, "resetRotation", Commands::tr("&Upright"), "", {QKeySequence(Commands::tr("Ctrl+5"))})
+        .runs([&canvas] { canvas.resetRotation(); });
+    table.add(Mirror, "mirror", Commands::tr("&Mirror"), "", {QKeySequence(Qt::Key_M)})
+        .checkedWhen([&canvas] { return canvas.view().mirrored; })
+        .runs([&canvas] { canvas.mirror(); });
+}
+
+void addToolRows(Commands &table, CanvasWidget &canvas)
+{
+    using enum Command;
+    table.add(SmallerSize, "smallerSize", Commands::tr("S&maller Tool Size"), "", {QKeySequence(Qt::Key_BracketLeft)})
+        .runs([&canvas] { canvas.tool()->stepSize(-1); });
+    table.add(LargerSize, "largerSize", Commands::tr("La&rger Tool Size"), "", {QKeySequence(Qt::Key_BracketRight)})
+        .runs([&canvas] { canvas.tool()->stepSize(1); });
+    table.add(LessOpacity, "lessOpacity", Commands::tr("&Less Opacity"), "", {QKeySequence(Qt::Key_BraceLeft)})
+        .runs([&canvas] { canvas.tool()->stepOpacity(-1); });
+    table.add(MoreOpacity, "moreOpacity", Commands::tr("More &Opacity"), "", {QKeySequence(Qt::Key_BraceRight)})
+        .runs([&canvas] { canvas.tool()->stepOpacity(1); });
+}
+
+void addHeldRows(Commands &table, CanvasWidget &canvas)
+{
+    using enum Command;
+    const auto held = std::make_shared<HeldKeys>();
+    table.add(HoldToPan, "holdToPan", Commands::tr("Move the Canvas While Held"), "", {QKeySequence(Qt::Key_Space)})
+        .in(CommandScope::Canvas)
+        .held([&canvas, held](const QList<QKeySequence> &keys) {
+            held->pan = keys;
+            canvas.setHeldKeys(*held);
+        });
+    table.add(HoldToTurn, "holdToTurn", Commands::tr("Turn the Canvas While Held"), "", {QKeySequence(Qt::Key_R)})
+        .in(CommandScope::Canvas)
+        .held([&canvas, held](const QList<QKeySequence> &keys) {
+            held->turn = keys;
+            canvas.setHeldKeys(*held);
+        });
+    table
+        .add(HoldToHideOutlines, "holdToHideOutlines", Commands::tr("Hide Outlines and Handles While Held"), "",
+             {QKeySequence(Qt::Key_O)})
+        .in(CommandScope::Canvas)
+        .held([&canvas, held](const QList<QKeySequence> &keys) {
+            held->bare = keys;
+            canvas.setHeldKeys(*held);
+        });
+}
+
+void addAidRows(Commands &table, CanvasWidget &canvas)
+{
+    using enum Command;
+    const CanvasAids aids = canvas.aids();
+    table.add(SnapToNodes, "snapToNodes", Commands::tr("Snap to &Nodes"), "", {QKeySequence(Commands::tr("%"))})
+        .checkable(aids.snapToNodes)
+        .toggles([&canvas](bool on) { changeAid(canvas, &CanvasAids::snapToNodes, on); });
+    table.add(SnapToGrid, "snapToGrid", Commands::tr("Snap to &Grid"), "", {})
+        .checkable(aids.snapToGrid)
+        .toggles([&canvas](bool on) { changeAid(canvas, &CanvasAids::snapToGrid, on); });
+    table.add(ShowGrid, "showGrid", Commands::tr("&Show the Grid"), "", {QKeySequence(Commands::tr("#"))})
+        .checkable(aids.showGrid)
+        .toggles([&canvas](bool on) { changeAid(canvas, &CanvasAids::showGrid, on); });
+    table.add(GridStep, "gridStep", Commands::tr("Grid St&ep…"), "", {}).runs([&canvas] { askForGridStep(canvas); });
+    table
+        .add(ShowOutlines, "showOutlines", Commands::tr("Show Ou&tlines"), "", {QKeySequence(Commands::tr("Shift+O"))},
+             Commands::tr("Lines along the selected strokes; the Brush shows none"))
+        .checkable(aids.showOutlines)
+        .toggles([&canvas](bool on) { changeAid(canvas, &CanvasAids::showOutlines, on); });
+    table
+        .add(ShowBeyond, "showBeyond", Commands::tr("Show Paint &beyond the Canvas"), "", {},
+             Commands::tr("Under a veil, what was painted beside the canvas; it is in no picture that is exported"))
+        .checkable(aids.showBeyond)
+        .toggles([&canvas](bool on) { changeAid(canvas, &CanvasAids::showBeyond, on); });
+}
+
+} // namespace
+
+void addCanvasRows(Commands &table, CanvasWidget &canvas)
+{
+    canvas.setAids(settings::canvasAids());
+    addEditingRows(table, canvas);
+    addViewRows(table, canvas);
+    addToolRows(table, canvas);
+    addHeldRows(table, canvas);
+    addAidRows(table, canvas);
+    QObject::connect(&canvas, &CanvasWidget::viewChanged, &table, [&table] { table.update(Command::Mirror); });
+    QObject::connect(&canvas, &CanvasWidget::busyChanged, &table, [&table, &canvas] {
+        if (!canvas.editor().laterChanges().isWaiting()) // else it comes with what waits
+            table.update();
+    });
+}
+
+} // namespace suffuse

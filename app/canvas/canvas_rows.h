@@ -1,0 +1,12 @@
+// The rows of the table that move the view, or ask the tool in use.
+#pragma once
+
+namespace suffuse {
+
+class CanvasWidget;
+class Commands;
+
+/// The table follows the canvas from then on. The canvas must outlive the table.
+void addCanvasRows(Commands &table, CanvasWidget &canvas);
+
+} // namespace suffuse

@@ -1,0 +1,149 @@
+// Rows that work on whole strokes, and the one of the underlay.
+#include "app/session/commands/session_rows.h"
+
+#include "app/session/commands/selection_commands.h"
+#include "app/session/commands/underlay_commands.h"
+#include "app/session/settings/settings.h"
+
+namespace suffuse {
+
+namespace {
+
+SpreadRule spreadRule(const Commands &table)
+{
+    return table[Command::ScaleSpread].isChecked() ? SpreadRule::Scales : SpreadRule::Stays;
+}
+
+/// The shortcut in this language.
+QList<QKeySequence> key(const QString &keys)
+{
+    return {QKeySequence(keys)};
+}
+
+void addOrderRows(Commands &table, Editor &editor)
+{
+    using enum Command;
+    const auto selected = anySelected(editor);
+    table.add(Raise, "raise", Commands::tr("&Raise"), "raise", {QKeySequence(Qt::Key_PageUp)})
+        .when(selected)
+        .runs([&editor] { commands::arrangeSelected(editor, Arrange::Raise); });
+    table.add(Lower, "lower", Commands::tr("&Lower"), "lower", {QKeySequence(Qt::Key_PageDown)})
+        .when(selected)
+        .runs([&editor] { commands::arrangeSelected(editor, Arrange::Lower); });
+    table.add(Top, "top", Commands::tr("Raise to &Top"), "top", {QKeySequence(Qt::Key_Home)})
+        .when(selected)
+        .runs([&editor] { commands::arrangeSelected(editor, Arrange::Top); });
+    table.add(Bottom, "bottom", Commands::tr("Lower to &Bottom"), "bottom", {QKeySequence(Qt::Key_End)})
+        .when(selected)
+        .runs([&editor] { commands::arrangeSelected(editor, Arrange::Bottom); });
+}
+
+void addSelectingRows(Commands &table, Editor &editor)
+{
+    using enum Command;
+    const auto selected = anySelected(editor);
+    table
+        .add(InvertSelection, "invertSelection", Commands::tr("In&vert Selection"), "",
+             {QKeySequence(Commands::tr("Ctrl+Shift+I")), QKeySequence(Commands::tr("!"))})
+        .runs([&editor] { commands::invertSelection(editor); });
+    table
+        .add(SameColour, "sameColour", Commands::tr("&Colour"), "", {},
+             Commands::tr("Select all strokes of the same colour"))
+        .when(selected)
+        .runs([&editor] { commands::selectSameAs(editor, Same::Colour); });
+    table
+        .add(SameStyle, "sameStyle", Commands::tr("&Style"), "", {},
+             Commands::tr("Select all strokes of the same style"))
+        .when(selected)
+        .runs([&editor] { commands::selectSameAs(editor, Same::Style); });
+    table
+        .add(SameBrush, "sameBrush", Commands::tr("&Brush"), "", {},
+             Commands::tr("Select all strokes of the same brush"))
+        .when(selected)
+        .runs([&editor] { commands::selectSameAs(editor, Same::Brush); });
+    table.add(SameName, "sameName", Commands::tr("&Name"), "", {}, Commands::tr("Select all strokes of the same name"))
+        .when(selected)
+        .runs([&editor] { commands::selectSameAs(editor, Same::Name); });
+    table
+        .add(Lasso, "lasso", Commands::tr("&Lasso"), "lasso", key(Commands::tr("L")),
+             Commands::tr("Select what is drawn around"))
+        .switches();
+    table
+        .add(TouchPath, "touchPath", Commands::tr("&Touch"), "touch-path", {},
+             Commands::tr("Select what a path touches"))
+        .switches();
+    table.makeExclusive({Lasso, TouchPath}, QActionGroup::ExclusionPolicy::ExclusiveOptional);
+}
+
+void addGroupRows(Commands &table, Editor &editor)
+{
+    using enum Command;
+    const auto selected = anySelected(editor);
+    table.add(GroupStrokes, "group", Commands::tr("&Group"), "group-strokes", key(Commands::tr("Ctrl+G")))
+        .when(selected)
+        .runs([&editor] { commands::groupSelected(editor); });
+    table.add(UngroupStrokes, "ungroup", Commands::tr("&Ungroup"), "ungroup", key(Commands::tr("Ctrl+Shift+G")))
+        .when(selected)
+        .runs([&editor] { commands::ungroupSelected(editor); });
+    table.add(LockStrokes, "lock", Commands::tr("Loc&k"), "lock", key(Commands::tr("Ctrl+2")))
+        .when(selected)
+        .runs([&editor] { commands::lockSelected(editor); });
+    table.add(UnlockAll, "unlockAll", Commands::tr("U&nlock All"), "unlock", key(Commands::tr("Ctrl+Alt+2")))
+        .runs([&editor] { commands::unlockAllStrokes(editor); });
+    table.add(HideStrokes, "hide", Commands::tr("&Hide"), "eye-off", key(Commands::tr("Ctrl+3")))
+        .when(selected)
+        .runs([&editor] { commands::hideSelected(editor); });
+    table.add(ShowAll, "showAll", Commands::tr("Sho&w All"), "eye", key(Commands::tr("Ctrl+Alt+3"))).runs([&editor] {
+        commands::showAllStrokes(editor);
+    });
+}
+
+void addShapeRows(Commands &table, Editor &editor)
+{
+    using enum Command;
+    const auto selected = anySelected(editor);
+    table.add(FlipAcross, "flipAcross", Commands::tr("Flip Hori&zontally"), "flip-across", key(Commands::tr("Shift+H")))
+        .when(selected)
+        .runs([&editor, &table] { commands::flipSelected(editor, Axis::Horizontal, spreadRule(table)); });
+    table.add(FlipDown, "flipDown", Commands::tr("Flip &Vertically"), "flip-down", key(Commands::tr("Shift+V")))
+        .when(selected)
+        .runs([&editor, &table] { commands::flipSelected(editor, Axis::Vertical, spreadRule(table)); });
+    table
+        .add(QuarterLeft, "quarterLeft", Commands::tr("Rotate by 90° L&eft"), "quarter-left",
+             key(Commands::tr("Ctrl+[")))
+        .when(selected)
+        .runs([&editor, &table] { commands::quarterTurnSelected(editor, -1, spreadRule(table)); });
+    table
+        .add(QuarterRight, "quarterRight", Commands::tr("Rotate by 90° R&ight"), "quarter-right",
+             key(Commands::tr("Ctrl+]")))
+        .when(selected)
+        .runs([&editor, &table] { commands::quarterTurnSelected(editor, 1, spreadRule(table)); });
+    table
+        .add(ScaleSpread, "scaleSpread", Commands::tr("&Scale Spread with the Shape"), "scale-spread", {},
+             Commands::tr("Spread and density follow the shape when it is scaled"))
+        .checkable(settings::scalesSpread())
+        .toggles([](bool on) { settings::setScalesSpread(on); });
+}
+
+} // namespace
+
+void addObjectRows(Commands &table, OpenPainting &open)
+{
+    using enum Command;
+    Editor &editor = open.editor;
+    addOrderRows(table, editor);
+    addSelectingRows(table, editor);
+    addGroupRows(table, editor);
+    addShapeRows(table, editor);
+    table
+        .add(ShowUnderlay, "showUnderlay", Commands::tr("Show the Underl&ay"), "",
+             {QKeySequence(Commands::tr("Shift+U"))})
+        .when([&editor] { return bool(editor.document().painting()->underlay); })
+        .checkedWhen([&editor] {
+            const auto &underlay = editor.document().painting()->underlay;
+            return underlay && underlay->visible;
+        })
+        .runs([&table, &editor] { underlay::show(editor, table[ShowUnderlay].isChecked()); });
+}
+
+} // namespace suffuse

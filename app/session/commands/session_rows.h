@@ -1,0 +1,23 @@
+// The rows of the table that need neither canvas nor window: what they do is done by the session.
+#pragma once
+
+#include "app/session/commands/commands.h"
+#include "app/session/open_painting.h"
+
+namespace suffuse {
+
+/// All of them; the table follows the painting from then on. The painting must outlive the table.
+void addSessionRows(Commands &table, OpenPainting &open);
+
+void addEditRows(Commands &table, OpenPainting &open);
+void addObjectRows(Commands &table, OpenPainting &open);
+void addAlignRows(Commands &table, OpenPainting &open);
+void addTimeRows(Commands &table, OpenPainting &open);
+void addBrushRows(Commands &table, OpenPainting &open);
+
+/// Something is selected.
+CommandRow::Predicate anySelected(Editor &editor);
+/// The painting has a stroke.
+CommandRow::Predicate anyStrokes(Editor &editor);
+
+} // namespace suffuse

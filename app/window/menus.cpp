@@ -1,0 +1,153 @@
+#include "app/window/menus.h"
+
+#include "app/session/commands/commands.h"
+
+#include <QMenu>
+#include <QMenuBar>
+#include <QToolBar>
+#include <QToolButton>
+
+namespace suffuse {
+
+using enum Command;
+
+namespace {
+
+/// What stands between two lines.
+using Group = QList<Command>;
+
+/// Appends groups of commands with a line between each two.
+void append(QWidget &to, const Commands &table, const QList<Group> &groups)
+{
+    for (const Group &group : groups) {
+        if (!to.actions().isEmpty()) {
+            auto *line = new QAction(&to);
+            line->setSeparator(true);
+            to.addAction(line);
+        }
+        for (const Command command : group)
+            to.addAction(&table[command]);
+    }
+}
+
+QMenu *addMenu(QMenuBar &bar, const QString &title, const Commands &table, const QList<Group> &groups)
+{
+    QMenu *menu = bar.addMenu(title);
+    append(*menu, table, groups);
+    return menu;
+}
+
+QMenu *addMenu(QMenu &above, const QString &title, const Commands &table, const QList<Group> &groups)
+{
+    QMenu *menu = above.addMenu(title);
+    append(*menu, table, groups);
+    return menu;
+}
+
+QMenu *addFileMenu(QMenuBar &bar, const Commands &table)
+{
+    QMenu *file = addMenu(bar, Commands::tr("&File"), table, {{New, Open}});
+    QMenu *recent = file->addMenu(Commands::tr("Open &Recent"));
+    append(*file, table,
+           {{Save, SaveAs, SaveCopy, KeepHistory},
+            {Revert, RestoreBackup},
+            {ImportStrokes, ImportUnderlay, Export, ExportAgain, ExportTimelapse},
+            {Close, Quit}});
+    return recent;
+}
+
+void addEditMenu(QMenuBar &bar, const Commands &table)
+{
+    QMenu *edit = addMenu(bar, Commands::tr("&Edit"), table,
+                          {{Undo, Redo},
+                           {Cut, Copy, Paste, PasteInPlace},
+                           {Delete, Duplicate},
+                           {SelectAll, SelectFound, Deselect, InvertSelection}});
+    addMenu(*edit, Commands::tr("Select Sa&me"), table, {{SameColour, SameStyle, SameBrush, SameName}});
+    append(*edit, table, {{Settings}});
+}
+
+QMenu *addViewMenu(QMenuBar &bar, const Commands &table)
+{
+    QMenu *view = addMenu(bar, Commands::tr("&View"), table,
+                          {{ZoomIn, ZoomOut, Zoom100, Fit},
+                           {RotateLeft, RotateRight, ResetRotation, Mirror},
+                           {SnapToNodes, SnapToGrid, ShowGrid, GridStep, ShowOutlines, ShowBeyond, ShowUnderlay}});
+    view->addSeparator();
+    QMenu *docks = view->addMenu(Commands::tr("&Docks"));
+    for (const Command command : {HideDocks, NextPanel, PreviousPanel, FullScreen})
+        view->addAction(&table[command]);
+    return docks;
+}
+
+void addObjectMenu(QMenuBar &bar, const Commands &table)
+{
+    QMenu *object = addMenu(bar, Commands::tr("&Object"), table,
+                            {{Raise, Lower, Top, Bottom},
+                             {GroupStrokes, UngroupStrokes},
+                             {LockStrokes, UnlockAll, HideStrokes, ShowAll, RenameStrokes},
+                             {FlipAcross, FlipDown, QuarterLeft, QuarterRight, ScaleSpread}});
+    object->addSeparator();
+    addMenu(*object, Commands::tr("&Align"), table,
+            {{AlignLeft, AlignCentre, AlignRight},
+             {AlignTop, AlignMiddle, AlignBottom},
+             {AlignToSelection, AlignToLast, AlignToFirst, AlignToBiggest, AlignToCanvas}});
+    addMenu(*object, Commands::tr("&Distribute"), table,
+            {{DistributeGapsAcross, DistributeCentresAcross, DistributeGapsDown, DistributeCentresDown}});
+}
+
+void addTimeMenu(QMenuBar &bar, const Commands &table)
+{
+    QMenu *time = addMenu(bar, Commands::tr("Ti&me"), table,
+                          {{Play, ToStart, PreviousStroke, NextStroke, ToEnd},
+                           {LoopPlaying, SkipPauses},
+                           {FinalPreview, LetDry, FreezeNow, Rewet, RemoveRewetting}});
+    time->addSeparator();
+    addMenu(*time, Commands::tr("Drawing Pa&ce"), table, {{PaceEven, PaceEaseIn, PaceEaseOut, PaceEaseInOut}});
+}
+
+void addToolsMenu(QMenuBar &bar, const Commands &table)
+{
+    QMenu *tools = addMenu(bar, Commands::tr("&Tools"), table,
+                           {{Brush, Select, Segments, Knife, Eraser, AttributeBrush, Eyedropper, Pan}});
+    Group favourites;
+    for (int i = int(Favourite1); i <= int(Favourite9); ++i)
+        favourites << Command(i);
+    addMenu(*tools, Commands::tr("&Favourite Brushes"), table, {favourites});
+    append(*tools, table, {{SmallerSize, LargerSize, LessOpacity, MoreOpacity}});
+}
+
+} // namespace
+
+OpenMenus fillMenus(QMenuBar &bar, const Commands &table)
+{
+    OpenMenus open;
+    open.recent = addFileMenu(bar, table);
+    addEditMenu(bar, table);
+    open.docks = addViewMenu(bar, table);
+    addObjectMenu(bar, table);
+    addTimeMenu(bar, table);
+    addMenu(bar, Commands::tr("&Nodes"), table,
+            {{InsertNodes, NodeCorner, NodeSmooth, NodeSymmetric, BreakNodes, JoinNodes, DeleteSegments, BridgeSegments,
+              ReverseStrokes}});
+    addToolsMenu(bar, table);
+    addMenu(bar, Commands::tr("&Help"), table, {{FindCommand, Shortcuts, About}});
+    return open;
+}
+
+QToolBar *makeToolBar(const Commands &table, QWidget *parent)
+{
+    auto *bar = new QToolBar(Commands::tr("Tools"), parent);
+    bar->setObjectName("tools");
+    bar->setIconSize(QSize(22, 22));
+    bar->setOrientation(Qt::Vertical);
+    append(*bar, table,
+           {{Brush, Select, Segments, Knife, Eraser, AttributeBrush, Eyedropper, Pan},
+            {Undo, Redo},
+            {ZoomIn, ZoomOut, Fit}});
+    for (auto *button : bar->findChildren<QToolButton *>())
+        button->setFocusPolicy(Qt::TabFocus); // the keyboard comes here, too; a click leaves it where it is
+    return bar;
+}
+
+} // namespace suffuse
