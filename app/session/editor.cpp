@@ -271,19 +271,24 @@ Result<std::vector<QString>> Editor::open(const QString &path)
     Result<OpenedFile> file = readOpenedFile(path);
     if (!file)
         return Error{file.error()};
-    LoadedDocument &document = file->document;
-    const QString absolute = QFileInfo(path).absoluteFilePath();
+    return open(std::move(*file));
+}
+
+std::vector<QString> Editor::open(OpenedFile file)
+{
+    LoadedDocument &document = file.document;
     m_extras = std::move(document.extras);
     const QByteArray history = std::exchange(m_extras.history, {});
-    auto painting = std::make_shared<const Painting>(std::move(document.painting));
-    if (!document.losses.empty())
-        show(std::move(painting), {{}, recoveredName(QFileInfo(path).fileName()), absolute, {}, true});
+    const bool damaged = !document.losses.empty();
+    Origin origin;
+    if (damaged)
+        origin = {{}, recoveredName(QFileInfo(file.path).fileName()), file.path, {}, document.leftOut, true};
     else if (canBeSavedAs(document.format))
-        show(std::move(painting), {absolute, {}, absolute, file->hash, false});
+        origin = {file.path, {}, file.path, file.hash, document.leftOut, false};
     else
-        show(std::move(painting), {});
-    m_leftOut = document.leftOut;
-    takeUpHistory(history, !document.losses.empty());
+        origin.leftOut = document.leftOut;
+    show(std::make_shared<const Painting>(std::move(document.painting)), origin);
+    takeUpHistory(history, damaged);
     return std::move(document.losses);
 }
 
@@ -323,7 +328,7 @@ void Editor::setKeepsHistory(bool keeps)
 void Editor::openRecovered(Painting painting, const QString &name, const QString &suggestedPath)
 {
     m_extras = {};
-    show(std::make_shared<const Painting>(std::move(painting)), {{}, recoveredName(name), suggestedPath, {}, true});
+    show(std::make_shared<const Painting>(std::move(painting)), {{}, recoveredName(name), suggestedPath, {}, {}, true});
 }
 
 SaveOrder Editor::orderFor(const QString &path)
@@ -426,14 +431,14 @@ void Editor::show(PaintingPtr painting, const Origin &origin)
         m_undoStack.clear(); // its commands name strokes of the painting that goes
     }
     m_savedStep.set(!origin.modified);
-    m_document.reset(std::move(painting));
     m_filePath = origin.path;
     m_untitledName = origin.name;
     m_suggestedPath = origin.suggestedPath;
     m_fileHash = origin.hash;
     m_keepsHistory = m_historyIsSaved = false;
     m_historyBytes = 0;
-    m_leftOut.clear();
+    m_leftOut = origin.leftOut;
+    m_document.reset(std::move(painting)); // whoever hears of it knows at once which file it is of
     emit opened();
     emit m_clock.timeChanged();
     tellFileChanged();

@@ -22,6 +22,8 @@
 
 namespace suffuse {
 
+struct OpenedFile;
+
 /// Holds document, undo stack, clock, file and brush; panels and tools talk to it, never to each other.
 class Editor : public QObject {
     Q_OBJECT
@@ -113,8 +115,10 @@ public:
     /// What a new painting has where nothing else is asked for: a sheet of grainy paper.
     static Canvas usualCanvas();
     void newPainting(const Canvas &canvas);
-    /// Formats that cannot be saved (recordings) open untitled. So does a damaged file, modified, with what is whole of
-    /// it; returns what is lost.
+    /// Shows what was read of a file. Formats that cannot be saved (recordings) open untitled. So does a damaged file,
+    /// modified, with what is whole of it; returns what is lost.
+    std::vector<QString> open(OpenedFile file);
+    /// Reads it first; one that cannot be read changes nothing.
     Result<std::vector<QString>> open(const QString &path);
     /// A painting that is in no file: untitled but for its name, modified.
     void openRecovered(Painting painting, const QString &name, const QString &suggestedPath);
@@ -146,7 +150,7 @@ signals:
     void dragEnded();       ///< `isDragging` is over: exact frames again
     void comparedChanged(); ///< something else is shown: the compared painting, or what is wet as it will look
     void fileChanged();     ///< path or modified state
-    void opened();          ///< another painting is there, with its path and modified state
+    void opened();          ///< another painting is there, with its path, hash and modified state
     void edited();          ///< steps were done, undone or redone, or a gesture rests
     void saved(const suffuse::SaveOutcome &outcome);
 
@@ -163,6 +167,7 @@ private:
     struct Origin {
         QString path, name, suggestedPath;
         QByteArray hash;
+        QString leftOut;
         bool modified = false;
     };
     void show(PaintingPtr painting, const Origin &origin);

@@ -18,7 +18,8 @@ Result<OpenedFile> readOpenedFile(const QString &path)
     Result<LoadedDocument> document = bytes.isEmpty() ? loadDocument(path) : readDocument(bytes, path);
     if (!document)
         return Error{document.error()};
-    return OpenedFile{std::move(*document), QCryptographicHash::hash(bytes, QCryptographicHash::Sha256)};
+    return OpenedFile{QFileInfo(path).absoluteFilePath(), std::move(*document),
+                      QCryptographicHash::hash(bytes, QCryptographicHash::Sha256)};
 }
 
 } // namespace suffuse

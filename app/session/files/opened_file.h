@@ -6,6 +6,7 @@
 namespace suffuse {
 
 struct OpenedFile {
+    QString path; ///< absolute
     LoadedDocument document;
     QByteArray hash; ///< SHA-256 of exactly the bytes that were read
 };
