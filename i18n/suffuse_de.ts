@@ -3799,6 +3799,29 @@ Auch die Pfeiltasten wirken.</translation>
         <source>Nothing that is selected is painted yet at this moment.</source>
         <translation>Zu diesem Zeitpunkt ist noch nichts vom Ausgewählten gemalt.</translation>
     </message>
+    <message>
+        <source>Name of the group</source>
+        <translation>Name der Gruppe</translation>
+    </message>
+    <message numerus="yes">
+        <source>Name of %n stroke(s)</source>
+        <translation>
+                <numerusform>Name von %n Strich</numerusform>
+                <numerusform>Name von %n Strichen</numerusform>
+            </translation>
+    </message>
+    <message>
+        <source>Rename</source>
+        <translation>Umbenennen</translation>
+    </message>
+    <message>
+        <source>Re-wet</source>
+        <translation>Wieder anfeuchten</translation>
+    </message>
+    <message>
+        <source>Seconds that the paint spreads on</source>
+        <translation>Sekunden, die die Farbe weiter verläuft</translation>
+    </message>
 </context>
 <context>
     <name>suffuse::CompareButton</name>
@@ -3850,6 +3873,37 @@ Auch die Pfeiltasten wirken.</translation>
     <message>
         <source>F(φ), peak %1</source>
         <translation>F(φ), Spitze %1</translation>
+    </message>
+</context>
+<context>
+    <name>suffuse::Docks</name>
+    <message>
+        <source>Probe</source>
+        <translation>Sonde</translation>
+    </message>
+    <message>
+        <source>Timeline</source>
+        <translation>Zeitleiste</translation>
+    </message>
+    <message>
+        <source>Colour</source>
+        <translation>Farbe</translation>
+    </message>
+    <message>
+        <source>Brushes</source>
+        <translation>Pinsel</translation>
+    </message>
+    <message>
+        <source>Inspector</source>
+        <translation>Inspektor</translation>
+    </message>
+    <message>
+        <source>Strokes</source>
+        <translation>Striche</translation>
+    </message>
+    <message>
+        <source>History</source>
+        <translation>Verlauf</translation>
     </message>
 </context>
 <context>
@@ -4018,6 +4072,17 @@ Auch die Pfeiltasten wirken.</translation>
     </message>
 </context>
 <context>
+    <name>suffuse::Exporting</name>
+    <message>
+        <source>Exported to %1</source>
+        <translation>Nach %1 exportiert</translation>
+    </message>
+    <message>
+        <source>Exporting %1…</source>
+        <translation>%1 wird exportiert …</translation>
+    </message>
+</context>
+<context>
     <name>suffuse::EyedropperTool</name>
     <message>
         <source>Click to take the picture&apos;s colour as the current one. Shift: the stroke&apos;s own colour.</source>
@@ -4101,6 +4166,140 @@ Auch die Pfeiltasten wirken.</translation>
     <message>
         <source>Spread across</source>
         <translation>Ausbreitung quer</translation>
+    </message>
+</context>
+<context>
+    <name>suffuse::FileOpening</name>
+    <message>
+        <source>All that can be opened (*.suffuse *.json *.csv *.excalidraw *.dat *.svg *.xml)</source>
+        <translation>Alles, was sich öffnen lässt (*.suffuse *.json *.csv *.excalidraw *.dat *.svg *.xml)</translation>
+    </message>
+    <message>
+        <source>Suffuse paintings (*.suffuse *.json)</source>
+        <translation>Suffuse-Bilder (*.suffuse *.json)</translation>
+    </message>
+    <message>
+        <source>Backups of paintings (*.suffuse~* *.json~*)</source>
+        <translation>Sicherungskopien von Bildern (*.suffuse~* *.json~*)</translation>
+    </message>
+    <message>
+        <source>Pen recordings (*.csv *.json *.excalidraw *.dat)</source>
+        <translation>Stiftaufzeichnungen (*.csv *.json *.excalidraw *.dat)</translation>
+    </message>
+    <message>
+        <source>SVG drawings (*.svg)</source>
+        <translation>SVG-Zeichnungen (*.svg)</translation>
+    </message>
+    <message>
+        <source>Diffusion curves (*.xml)</source>
+        <translation>Diffusionskurven (*.xml)</translation>
+    </message>
+    <message>
+        <source>All files (*)</source>
+        <translation>Alle Dateien (*)</translation>
+    </message>
+    <message>
+        <source>Open</source>
+        <translation>Öffnen</translation>
+    </message>
+    <message>
+        <source>“%1” is open already.</source>
+        <translation>„%1“ ist schon geöffnet.</translation>
+    </message>
+    <message>
+        <source>“%1” is damaged. What is whole of it was opened; the file itself is left as it is.</source>
+        <translation>„%1“ ist beschädigt. Was davon heil ist, wurde geöffnet; die Datei selbst bleibt, wie sie ist.</translation>
+    </message>
+    <message>
+        <source>&amp;Clear the List</source>
+        <translation>Liste &amp;leeren</translation>
+    </message>
+</context>
+<context>
+    <name>suffuse::FileRestoring</name>
+    <message>
+        <source>Revert “%1” to what the file holds?</source>
+        <translation>„%1“ auf das zurücksetzen, was in der Datei steht?</translation>
+    </message>
+    <message>
+        <source>What was painted since the last save goes; Undo brings it back.</source>
+        <translation>Was seit dem letzten Speichern gemalt wurde, geht weg; Rückgängig bringt es zurück.</translation>
+    </message>
+    <message>
+        <source>&amp;Revert</source>
+        <translation>&amp;Zurücksetzen</translation>
+    </message>
+    <message>
+        <source>Restore backup of %1</source>
+        <translation>Sicherungskopie vom %1 wiederherstellen</translation>
+    </message>
+    <message>
+        <source>The backup of %1 is back. Undo takes it away again; no file changes until you save.</source>
+        <translation>Die Sicherungskopie vom %1 ist zurück. Rückgängig nimmt sie wieder weg; keine Datei ändert sich, bevor gespeichert wird.</translation>
+    </message>
+    <message>
+        <source>The backup is damaged. What is whole of it was restored.</source>
+        <translation>Die Sicherungskopie ist beschädigt. Was davon heil ist, wurde wiederhergestellt.</translation>
+    </message>
+</context>
+<context>
+    <name>suffuse::FileSaving</name>
+    <message>
+        <source>What you paint now would not survive a crash: %1. Painting goes on; save from time to time.</source>
+        <translation>Was Sie jetzt malen, würde einen Absturz nicht überstehen: %1. Sie können weitermalen; bitte ab und zu speichern.</translation>
+    </message>
+    <message>
+        <source>“%1” is gone from its folder. Save to put it back.</source>
+        <translation>„%1“ ist aus dem Ordner verschwunden. Speichern legt es wieder dorthin.</translation>
+    </message>
+    <message>
+        <source>Save As</source>
+        <translation>Speichern unter</translation>
+    </message>
+    <message>
+        <source>%1 copy</source>
+        <extracomment>name of the file that a copy is saved to, beside that of the painting</extracomment>
+        <translation>%1 Kopie</translation>
+    </message>
+    <message>
+        <source>Save a Copy</source>
+        <translation>Kopie speichern</translation>
+    </message>
+    <message>
+        <source>Saving “%1”…</source>
+        <translation>„%1“ wird gespeichert …</translation>
+    </message>
+    <message>
+        <source>A copy is saved as “%1”.</source>
+        <translation>Eine Kopie ist als „%1“ gespeichert.</translation>
+    </message>
+    <message>
+        <source>“%1” is saved already.</source>
+        <translation>„%1“ ist schon gespeichert.</translation>
+    </message>
+    <message>
+        <source>Saved “%1”, %2</source>
+        <translation>„%1“ gespeichert, %2</translation>
+    </message>
+    <message>
+        <source>Saved “%1”, but %2</source>
+        <translation>„%1“ gespeichert, aber %2</translation>
+    </message>
+    <message>
+        <source>“%1” is not saved.</source>
+        <translation>„%1“ ist nicht gespeichert.</translation>
+    </message>
+    <message>
+        <source>Suffuse painting</source>
+        <translation>Suffuse-Bild</translation>
+    </message>
+    <message>
+        <source>Text form</source>
+        <translation>Textform</translation>
+    </message>
+    <message>
+        <source>“%1” is open in another window. Choose another name, or close that window first.</source>
+        <translation>„%1“ ist in einem anderen Fenster geöffnet. Bitte einen anderen Namen wählen oder zuerst jenes Fenster schließen.</translation>
     </message>
 </context>
 <context>
@@ -4950,6 +5149,21 @@ Auch die Pfeiltasten wirken.</translation>
     </message>
 </context>
 <context>
+    <name>suffuse::Importing</name>
+    <message>
+        <source>Import underlay</source>
+        <translation>Vorlage importieren</translation>
+    </message>
+    <message>
+        <source>Import Strokes</source>
+        <translation>Striche importieren</translation>
+    </message>
+    <message>
+        <source>“%1” is damaged. What is whole of it was imported.</source>
+        <translation>„%1“ ist beschädigt. Was davon heil ist, wurde importiert.</translation>
+    </message>
+</context>
+<context>
     <name>suffuse::InspectorPanel</name>
     <message>
         <source>Nothing is selected. Click a stroke to see and change its values.</source>
@@ -5069,242 +5283,8 @@ Auch die Pfeiltasten wirken.</translation>
 <context>
     <name>suffuse::MainWindow</name>
     <message>
-        <source>Colour</source>
-        <translation>Farbe</translation>
-    </message>
-    <message>
-        <source>Brushes</source>
-        <translation>Pinsel</translation>
-    </message>
-    <message>
-        <source>Inspector</source>
-        <translation>Inspektor</translation>
-    </message>
-    <message>
-        <source>Strokes</source>
-        <translation>Striche</translation>
-    </message>
-    <message>
-        <source>History</source>
-        <translation>Verlauf</translation>
-    </message>
-    <message>
-        <source>Position of the pointer in canvas units</source>
-        <translation>Position des Zeigers in Leinwandeinheiten</translation>
-    </message>
-    <message>
-        <source>What renders the picture</source>
-        <translation>Was das Bild berechnet</translation>
-    </message>
-    <message>
-        <source>Time that the last frame took</source>
-        <translation>Dauer des letzten Bildes</translation>
-    </message>
-    <message>
-        <source>%1 %</source>
-        <translation>%1 %</translation>
-    </message>
-    <message>
-        <source>%1 ms</source>
-        <translation>%1 ms</translation>
-    </message>
-    <message>
-        <source>Suffuse paintings (*.suffuse *.json)</source>
-        <translation>Suffuse-Bilder (*.suffuse *.json)</translation>
-    </message>
-    <message>
-        <source>Pen recordings (*.csv *.json *.excalidraw *.dat)</source>
-        <translation>Stiftaufzeichnungen (*.csv *.json *.excalidraw *.dat)</translation>
-    </message>
-    <message>
-        <source>All files (*)</source>
-        <translation>Alle Dateien (*)</translation>
-    </message>
-    <message>
-        <source>Open</source>
-        <translation>Öffnen</translation>
-    </message>
-    <message>
-        <source>Save As</source>
-        <translation>Speichern unter</translation>
-    </message>
-    <message>
-        <source>&amp;Clear the List</source>
-        <translation>Liste &amp;leeren</translation>
-    </message>
-    <message>
-        <source>%1, %2</source>
-        <extracomment>a position: x, y</extracomment>
-        <translation>%1; %2</translation>
-    </message>
-    <message>
         <source>Tool Options</source>
         <translation>Werkzeugeinstellungen</translation>
-    </message>
-    <message>
-        <source>Probe</source>
-        <translation>Sonde</translation>
-    </message>
-    <message>
-        <source>Rename</source>
-        <translation>Umbenennen</translation>
-    </message>
-    <message numerus="yes">
-        <source>Name of %n stroke(s)</source>
-        <translation>
-            <numerusform>Name von %n Strich</numerusform>
-            <numerusform>Name von %n Strichen</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>Timeline</source>
-        <translation>Zeitleiste</translation>
-    </message>
-    <message>
-        <source>You paint in the past: what came later covers it. </source>
-        <extracomment>before what the brush does, while the timeline shows a moment of the past</extracomment>
-        <translation>Sie malen in der Vergangenheit: Späteres verdeckt es. </translation>
-    </message>
-    <message>
-        <source>Re-wet</source>
-        <translation>Wieder anfeuchten</translation>
-    </message>
-    <message>
-        <source>Seconds that the paint spreads on</source>
-        <translation>Sekunden, die die Farbe weiter verläuft</translation>
-    </message>
-    <message>
-        <source>%1 ms, coarse</source>
-        <translation>%1 ms, grob</translation>
-    </message>
-    <message>
-        <source>Diffusion curves (*.xml)</source>
-        <translation>Diffusionskurven (*.xml)</translation>
-    </message>
-    <message>
-        <source>“%1” is damaged. What is whole of it was opened; the file itself is left as it is.</source>
-        <translation>„%1“ ist beschädigt. Was davon heil ist, wurde geöffnet; die Datei selbst bleibt, wie sie ist.</translation>
-    </message>
-    <message>
-        <source>What you paint now would not survive a crash: %1. Painting goes on; save from time to time.</source>
-        <translation>Was Sie jetzt malen, würde einen Absturz nicht überstehen: %1. Sie können weitermalen; bitte ab und zu speichern.</translation>
-    </message>
-    <message>
-        <source>“%1” is gone from its folder. Save to put it back.</source>
-        <translation>„%1“ ist aus dem Ordner verschwunden. Speichern legt es wieder dorthin.</translation>
-    </message>
-    <message>
-        <source>Saving “%1”…</source>
-        <translation>„%1“ wird gespeichert …</translation>
-    </message>
-    <message>
-        <source>Saved “%1”, %2</source>
-        <translation>„%1“ gespeichert, %2</translation>
-    </message>
-    <message>
-        <source>Saved “%1”, but %2</source>
-        <translation>„%1“ gespeichert, aber %2</translation>
-    </message>
-    <message>
-        <source>“%1” is not saved.</source>
-        <translation>„%1“ ist nicht gespeichert.</translation>
-    </message>
-    <message>
-        <source>All that can be opened (*.suffuse *.json *.csv *.excalidraw *.dat *.svg *.xml)</source>
-        <translation>Alles, was sich öffnen lässt (*.suffuse *.json *.csv *.excalidraw *.dat *.svg *.xml)</translation>
-    </message>
-    <message>
-        <source>SVG drawings (*.svg)</source>
-        <translation>SVG-Zeichnungen (*.svg)</translation>
-    </message>
-    <message>
-        <source>Import Strokes</source>
-        <translation>Striche importieren</translation>
-    </message>
-    <message>
-        <source>“%1” is damaged. What is whole of it was imported.</source>
-        <translation>„%1“ ist beschädigt. Was davon heil ist, wurde importiert.</translation>
-    </message>
-    <message>
-        <source>Name of the group</source>
-        <translation>Name der Gruppe</translation>
-    </message>
-    <message>
-        <source>Backups of paintings (*.suffuse~* *.json~*)</source>
-        <translation>Sicherungskopien von Bildern (*.suffuse~* *.json~*)</translation>
-    </message>
-    <message>
-        <source>“%1” is open already.</source>
-        <translation>„%1“ ist schon geöffnet.</translation>
-    </message>
-    <message>
-        <source>Suffuse painting</source>
-        <translation>Suffuse-Bild</translation>
-    </message>
-    <message>
-        <source>Text form</source>
-        <translation>Textform</translation>
-    </message>
-    <message>
-        <source>“%1” is open in another window. Choose another name, or close that window first.</source>
-        <translation>„%1“ ist in einem anderen Fenster geöffnet. Bitte einen anderen Namen wählen oder zuerst jenes Fenster schließen.</translation>
-    </message>
-    <message>
-        <source>%1 copy</source>
-        <extracomment>name of the file that a copy is saved to, beside that of the painting</extracomment>
-        <translation>%1 Kopie</translation>
-    </message>
-    <message>
-        <source>Save a Copy</source>
-        <translation>Kopie speichern</translation>
-    </message>
-    <message>
-        <source>A copy is saved as “%1”.</source>
-        <translation>Eine Kopie ist als „%1“ gespeichert.</translation>
-    </message>
-    <message>
-        <source>“%1” is saved already.</source>
-        <translation>„%1“ ist schon gespeichert.</translation>
-    </message>
-    <message>
-        <source>Revert “%1” to what the file holds?</source>
-        <translation>„%1“ auf das zurücksetzen, was in der Datei steht?</translation>
-    </message>
-    <message>
-        <source>What was painted since the last save goes; Undo brings it back.</source>
-        <translation>Was seit dem letzten Speichern gemalt wurde, geht weg; Rückgängig bringt es zurück.</translation>
-    </message>
-    <message>
-        <source>&amp;Revert</source>
-        <translation>&amp;Zurücksetzen</translation>
-    </message>
-    <message>
-        <source>Restore backup of %1</source>
-        <translation>Sicherungskopie vom %1 wiederherstellen</translation>
-    </message>
-    <message>
-        <source>The backup of %1 is back. Undo takes it away again; no file changes until you save.</source>
-        <translation>Die Sicherungskopie vom %1 ist zurück. Rückgängig nimmt sie wieder weg; keine Datei ändert sich, bevor gespeichert wird.</translation>
-    </message>
-    <message>
-        <source>The backup is damaged. What is whole of it was restored.</source>
-        <translation>Die Sicherungskopie ist beschädigt. Was davon heil ist, wurde wiederhergestellt.</translation>
-    </message>
-    <message>
-        <source>Exported to %1</source>
-        <translation>Nach %1 exportiert</translation>
-    </message>
-    <message>
-        <source>Exporting %1…</source>
-        <translation>%1 wird exportiert …</translation>
-    </message>
-    <message>
-        <source>Zoom, and the angle by which the canvas is turned</source>
-        <translation>Zoom und Drehwinkel der Leinwand</translation>
-    </message>
-    <message>
-        <source>Import underlay</source>
-        <translation>Vorlage importieren</translation>
     </message>
 </context>
 <context>
@@ -6368,6 +6348,47 @@ Auch die Pfeiltasten wirken.</translation>
     <message>
         <source>%1, slider</source>
         <translation>%1, Schieberegler</translation>
+    </message>
+</context>
+<context>
+    <name>suffuse::StatusLine</name>
+    <message>
+        <source>Position of the pointer in canvas units</source>
+        <translation>Position des Zeigers in Leinwandeinheiten</translation>
+    </message>
+    <message>
+        <source>Zoom, and the angle by which the canvas is turned</source>
+        <translation>Zoom und Drehwinkel der Leinwand</translation>
+    </message>
+    <message>
+        <source>What renders the picture</source>
+        <translation>Was das Bild berechnet</translation>
+    </message>
+    <message>
+        <source>Time that the last frame took</source>
+        <translation>Dauer des letzten Bildes</translation>
+    </message>
+    <message>
+        <source>You paint in the past: what came later covers it. </source>
+        <extracomment>before what the brush does, while the timeline shows a moment of the past</extracomment>
+        <translation>Sie malen in der Vergangenheit: Späteres verdeckt es. </translation>
+    </message>
+    <message>
+        <source>%1, %2</source>
+        <extracomment>a position: x, y</extracomment>
+        <translation>%1; %2</translation>
+    </message>
+    <message>
+        <source>%1 %</source>
+        <translation>%1 %</translation>
+    </message>
+    <message>
+        <source>%1 ms</source>
+        <translation>%1 ms</translation>
+    </message>
+    <message>
+        <source>%1 ms, coarse</source>
+        <translation>%1 ms, grob</translation>
     </message>
 </context>
 <context>

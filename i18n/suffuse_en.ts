@@ -63,6 +63,16 @@
     </message>
 </context>
 <context>
+    <name>suffuse::Commands</name>
+    <message numerus="yes">
+        <source>Name of %n stroke(s)</source>
+        <translation>
+                <numerusform>Name of %n stroke</numerusform>
+                <numerusform>Name of %n strokes</numerusform>
+            </translation>
+    </message>
+</context>
+<context>
     <name>suffuse::Files</name>
     <message numerus="yes">
         <source>%n fill(s)</source>
@@ -238,16 +248,6 @@
         <translation>
             <numerusform>%n stroke</numerusform>
             <numerusform>%n strokes</numerusform>
-        </translation>
-    </message>
-</context>
-<context>
-    <name>suffuse::MainWindow</name>
-    <message numerus="yes">
-        <source>Name of %n stroke(s)</source>
-        <translation>
-            <numerusform>Name of %n stroke</numerusform>
-            <numerusform>Name of %n strokes</numerusform>
         </translation>
     </message>
 </context>

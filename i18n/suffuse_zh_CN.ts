@@ -3791,6 +3791,28 @@ Arrow keys work too.</source>
         <source>Nothing that is selected is painted yet at this moment.</source>
         <translation>此刻所选内容尚未绘制。</translation>
     </message>
+    <message>
+        <source>Name of the group</source>
+        <translation>组的名称</translation>
+    </message>
+    <message numerus="yes">
+        <source>Name of %n stroke(s)</source>
+        <translation>
+                <numerusform>%n 条笔画的名称</numerusform>
+            </translation>
+    </message>
+    <message>
+        <source>Rename</source>
+        <translation>重命名</translation>
+    </message>
+    <message>
+        <source>Re-wet</source>
+        <translation>再次润湿</translation>
+    </message>
+    <message>
+        <source>Seconds that the paint spreads on</source>
+        <translation>颜料继续扩散的秒数</translation>
+    </message>
 </context>
 <context>
     <name>suffuse::CompareButton</name>
@@ -3842,6 +3864,37 @@ Arrow keys work too.</source>
     <message>
         <source>F(φ), peak %1</source>
         <translation>F(φ)，峰值 %1</translation>
+    </message>
+</context>
+<context>
+    <name>suffuse::Docks</name>
+    <message>
+        <source>Probe</source>
+        <translation>探查</translation>
+    </message>
+    <message>
+        <source>Timeline</source>
+        <translation>时间轴</translation>
+    </message>
+    <message>
+        <source>Colour</source>
+        <translation>颜色</translation>
+    </message>
+    <message>
+        <source>Brushes</source>
+        <translation>画笔</translation>
+    </message>
+    <message>
+        <source>Inspector</source>
+        <translation>检查器</translation>
+    </message>
+    <message>
+        <source>Strokes</source>
+        <translation>笔画</translation>
+    </message>
+    <message>
+        <source>History</source>
+        <translation>历史记录</translation>
     </message>
 </context>
 <context>
@@ -4010,6 +4063,17 @@ Arrow keys work too.</source>
     </message>
 </context>
 <context>
+    <name>suffuse::Exporting</name>
+    <message>
+        <source>Exported to %1</source>
+        <translation>已导出到 %1</translation>
+    </message>
+    <message>
+        <source>Exporting %1…</source>
+        <translation>正在导出 %1…</translation>
+    </message>
+</context>
+<context>
     <name>suffuse::EyedropperTool</name>
     <message>
         <source>Click to take the picture&apos;s colour as the current one. Shift: the stroke&apos;s own colour.</source>
@@ -4093,6 +4157,140 @@ Arrow keys work too.</source>
     <message>
         <source>Spread across</source>
         <translation>横向扩散</translation>
+    </message>
+</context>
+<context>
+    <name>suffuse::FileOpening</name>
+    <message>
+        <source>All that can be opened (*.suffuse *.json *.csv *.excalidraw *.dat *.svg *.xml)</source>
+        <translation>所有可打开的文件 (*.suffuse *.json *.csv *.excalidraw *.dat *.svg *.xml)</translation>
+    </message>
+    <message>
+        <source>Suffuse paintings (*.suffuse *.json)</source>
+        <translation>Suffuse 画作 (*.suffuse *.json)</translation>
+    </message>
+    <message>
+        <source>Backups of paintings (*.suffuse~* *.json~*)</source>
+        <translation>画作的备份 (*.suffuse~* *.json~*)</translation>
+    </message>
+    <message>
+        <source>Pen recordings (*.csv *.json *.excalidraw *.dat)</source>
+        <translation>笔迹记录 (*.csv *.json *.excalidraw *.dat)</translation>
+    </message>
+    <message>
+        <source>SVG drawings (*.svg)</source>
+        <translation>SVG 图形 (*.svg)</translation>
+    </message>
+    <message>
+        <source>Diffusion curves (*.xml)</source>
+        <translation>扩散曲线 (*.xml)</translation>
+    </message>
+    <message>
+        <source>All files (*)</source>
+        <translation>所有文件 (*)</translation>
+    </message>
+    <message>
+        <source>Open</source>
+        <translation>打开</translation>
+    </message>
+    <message>
+        <source>“%1” is open already.</source>
+        <translation>“%1”已经打开。</translation>
+    </message>
+    <message>
+        <source>“%1” is damaged. What is whole of it was opened; the file itself is left as it is.</source>
+        <translation>“%1”已损坏。已打开其完好的部分；文件本身保持原样。</translation>
+    </message>
+    <message>
+        <source>&amp;Clear the List</source>
+        <translation>清空列表(&amp;C)</translation>
+    </message>
+</context>
+<context>
+    <name>suffuse::FileRestoring</name>
+    <message>
+        <source>Revert “%1” to what the file holds?</source>
+        <translation>要将“%1”还原为文件中的内容吗？</translation>
+    </message>
+    <message>
+        <source>What was painted since the last save goes; Undo brings it back.</source>
+        <translation>上次保存以来绘制的内容将被去掉；撤销可将其恢复。</translation>
+    </message>
+    <message>
+        <source>&amp;Revert</source>
+        <translation>还原(&amp;R)</translation>
+    </message>
+    <message>
+        <source>Restore backup of %1</source>
+        <translation>恢复 %1 的备份</translation>
+    </message>
+    <message>
+        <source>The backup of %1 is back. Undo takes it away again; no file changes until you save.</source>
+        <translation>%1 的备份已恢复。可以撤销；保存之前不会改动任何文件。</translation>
+    </message>
+    <message>
+        <source>The backup is damaged. What is whole of it was restored.</source>
+        <translation>备份已损坏。其中完好的内容已恢复。</translation>
+    </message>
+</context>
+<context>
+    <name>suffuse::FileSaving</name>
+    <message>
+        <source>What you paint now would not survive a crash: %1. Painting goes on; save from time to time.</source>
+        <translation>现在绘制的内容在崩溃后将无法恢复：%1。可以继续绘画；请不时保存。</translation>
+    </message>
+    <message>
+        <source>“%1” is gone from its folder. Save to put it back.</source>
+        <translation>“%1”已不在其文件夹中。保存即可放回。</translation>
+    </message>
+    <message>
+        <source>Save As</source>
+        <translation>另存为</translation>
+    </message>
+    <message>
+        <source>%1 copy</source>
+        <extracomment>name of the file that a copy is saved to, beside that of the painting</extracomment>
+        <translation>%1 副本</translation>
+    </message>
+    <message>
+        <source>Save a Copy</source>
+        <translation>保存副本</translation>
+    </message>
+    <message>
+        <source>Saving “%1”…</source>
+        <translation>正在保存“%1”…</translation>
+    </message>
+    <message>
+        <source>A copy is saved as “%1”.</source>
+        <translation>副本已保存为“%1”。</translation>
+    </message>
+    <message>
+        <source>“%1” is saved already.</source>
+        <translation>“%1”已是保存过的状态。</translation>
+    </message>
+    <message>
+        <source>Saved “%1”, %2</source>
+        <translation>已保存“%1”，%2</translation>
+    </message>
+    <message>
+        <source>Saved “%1”, but %2</source>
+        <translation>已保存“%1”，但 %2</translation>
+    </message>
+    <message>
+        <source>“%1” is not saved.</source>
+        <translation>“%1”未保存。</translation>
+    </message>
+    <message>
+        <source>Suffuse painting</source>
+        <translation>Suffuse 画作</translation>
+    </message>
+    <message>
+        <source>Text form</source>
+        <translation>文本形式</translation>
+    </message>
+    <message>
+        <source>“%1” is open in another window. Choose another name, or close that window first.</source>
+        <translation>“%1”已在另一个窗口中打开。请换个名称，或先关闭那个窗口。</translation>
     </message>
 </context>
 <context>
@@ -4925,6 +5123,21 @@ Arrow keys work too.</source>
     </message>
 </context>
 <context>
+    <name>suffuse::Importing</name>
+    <message>
+        <source>Import underlay</source>
+        <translation>导入底图</translation>
+    </message>
+    <message>
+        <source>Import Strokes</source>
+        <translation>导入笔画</translation>
+    </message>
+    <message>
+        <source>“%1” is damaged. What is whole of it was imported.</source>
+        <translation>“%1”已损坏。其中完好的部分已导入。</translation>
+    </message>
+</context>
+<context>
     <name>suffuse::InspectorPanel</name>
     <message>
         <source>Nothing is selected. Click a stroke to see and change its values.</source>
@@ -5037,241 +5250,8 @@ Arrow keys work too.</source>
 <context>
     <name>suffuse::MainWindow</name>
     <message>
-        <source>Colour</source>
-        <translation>颜色</translation>
-    </message>
-    <message>
-        <source>Brushes</source>
-        <translation>画笔</translation>
-    </message>
-    <message>
-        <source>Inspector</source>
-        <translation>检查器</translation>
-    </message>
-    <message>
-        <source>Strokes</source>
-        <translation>笔画</translation>
-    </message>
-    <message>
-        <source>History</source>
-        <translation>历史记录</translation>
-    </message>
-    <message>
-        <source>Position of the pointer in canvas units</source>
-        <translation>指针位置（画布单位）</translation>
-    </message>
-    <message>
-        <source>What renders the picture</source>
-        <translation>渲染图片的后端</translation>
-    </message>
-    <message>
-        <source>Time that the last frame took</source>
-        <translation>上一帧所用时间</translation>
-    </message>
-    <message>
-        <source>%1 %</source>
-        <translation>%1 %</translation>
-    </message>
-    <message>
-        <source>%1 ms</source>
-        <translation>%1 毫秒</translation>
-    </message>
-    <message>
-        <source>Suffuse paintings (*.suffuse *.json)</source>
-        <translation>Suffuse 画作 (*.suffuse *.json)</translation>
-    </message>
-    <message>
-        <source>Pen recordings (*.csv *.json *.excalidraw *.dat)</source>
-        <translation>笔迹记录 (*.csv *.json *.excalidraw *.dat)</translation>
-    </message>
-    <message>
-        <source>All files (*)</source>
-        <translation>所有文件 (*)</translation>
-    </message>
-    <message>
-        <source>Open</source>
-        <translation>打开</translation>
-    </message>
-    <message>
-        <source>Save As</source>
-        <translation>另存为</translation>
-    </message>
-    <message>
-        <source>&amp;Clear the List</source>
-        <translation>清空列表(&amp;C)</translation>
-    </message>
-    <message>
-        <source>%1, %2</source>
-        <extracomment>a position: x, y</extracomment>
-        <translation>%1, %2</translation>
-    </message>
-    <message>
         <source>Tool Options</source>
         <translation>工具选项</translation>
-    </message>
-    <message>
-        <source>Probe</source>
-        <translation>探查</translation>
-    </message>
-    <message>
-        <source>Rename</source>
-        <translation>重命名</translation>
-    </message>
-    <message numerus="yes">
-        <source>Name of %n stroke(s)</source>
-        <translation>
-            <numerusform>%n 条笔画的名称</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>Timeline</source>
-        <translation>时间轴</translation>
-    </message>
-    <message>
-        <source>You paint in the past: what came later covers it. </source>
-        <extracomment>before what the brush does, while the timeline shows a moment of the past</extracomment>
-        <translation>您正在过去的时刻作画：之后的内容会将其覆盖。 </translation>
-    </message>
-    <message>
-        <source>Re-wet</source>
-        <translation>再次润湿</translation>
-    </message>
-    <message>
-        <source>Seconds that the paint spreads on</source>
-        <translation>颜料继续扩散的秒数</translation>
-    </message>
-    <message>
-        <source>%1 ms, coarse</source>
-        <translation>%1 毫秒，粗略</translation>
-    </message>
-    <message>
-        <source>Diffusion curves (*.xml)</source>
-        <translation>扩散曲线 (*.xml)</translation>
-    </message>
-    <message>
-        <source>“%1” is damaged. What is whole of it was opened; the file itself is left as it is.</source>
-        <translation>“%1”已损坏。已打开其完好的部分；文件本身保持原样。</translation>
-    </message>
-    <message>
-        <source>What you paint now would not survive a crash: %1. Painting goes on; save from time to time.</source>
-        <translation>现在绘制的内容在崩溃后将无法恢复：%1。可以继续绘画；请不时保存。</translation>
-    </message>
-    <message>
-        <source>“%1” is gone from its folder. Save to put it back.</source>
-        <translation>“%1”已不在其文件夹中。保存即可放回。</translation>
-    </message>
-    <message>
-        <source>Saving “%1”…</source>
-        <translation>正在保存“%1”…</translation>
-    </message>
-    <message>
-        <source>Saved “%1”, %2</source>
-        <translation>已保存“%1”，%2</translation>
-    </message>
-    <message>
-        <source>Saved “%1”, but %2</source>
-        <translation>已保存“%1”，但 %2</translation>
-    </message>
-    <message>
-        <source>“%1” is not saved.</source>
-        <translation>“%1”未保存。</translation>
-    </message>
-    <message>
-        <source>All that can be opened (*.suffuse *.json *.csv *.excalidraw *.dat *.svg *.xml)</source>
-        <translation>所有可打开的文件 (*.suffuse *.json *.csv *.excalidraw *.dat *.svg *.xml)</translation>
-    </message>
-    <message>
-        <source>SVG drawings (*.svg)</source>
-        <translation>SVG 图形 (*.svg)</translation>
-    </message>
-    <message>
-        <source>Import Strokes</source>
-        <translation>导入笔画</translation>
-    </message>
-    <message>
-        <source>“%1” is damaged. What is whole of it was imported.</source>
-        <translation>“%1”已损坏。其中完好的部分已导入。</translation>
-    </message>
-    <message>
-        <source>Name of the group</source>
-        <translation>组的名称</translation>
-    </message>
-    <message>
-        <source>Backups of paintings (*.suffuse~* *.json~*)</source>
-        <translation>画作的备份 (*.suffuse~* *.json~*)</translation>
-    </message>
-    <message>
-        <source>“%1” is open already.</source>
-        <translation>“%1”已经打开。</translation>
-    </message>
-    <message>
-        <source>Suffuse painting</source>
-        <translation>Suffuse 画作</translation>
-    </message>
-    <message>
-        <source>Text form</source>
-        <translation>文本形式</translation>
-    </message>
-    <message>
-        <source>“%1” is open in another window. Choose another name, or close that window first.</source>
-        <translation>“%1”已在另一个窗口中打开。请换个名称，或先关闭那个窗口。</translation>
-    </message>
-    <message>
-        <source>%1 copy</source>
-        <extracomment>name of the file that a copy is saved to, beside that of the painting</extracomment>
-        <translation>%1 副本</translation>
-    </message>
-    <message>
-        <source>Save a Copy</source>
-        <translation>保存副本</translation>
-    </message>
-    <message>
-        <source>A copy is saved as “%1”.</source>
-        <translation>副本已保存为“%1”。</translation>
-    </message>
-    <message>
-        <source>“%1” is saved already.</source>
-        <translation>“%1”已是保存过的状态。</translation>
-    </message>
-    <message>
-        <source>Revert “%1” to what the file holds?</source>
-        <translation>要将“%1”还原为文件中的内容吗？</translation>
-    </message>
-    <message>
-        <source>What was painted since the last save goes; Undo brings it back.</source>
-        <translation>上次保存以来绘制的内容将被去掉；撤销可将其恢复。</translation>
-    </message>
-    <message>
-        <source>&amp;Revert</source>
-        <translation>还原(&amp;R)</translation>
-    </message>
-    <message>
-        <source>Restore backup of %1</source>
-        <translation>恢复 %1 的备份</translation>
-    </message>
-    <message>
-        <source>The backup of %1 is back. Undo takes it away again; no file changes until you save.</source>
-        <translation>%1 的备份已恢复。可以撤销；保存之前不会改动任何文件。</translation>
-    </message>
-    <message>
-        <source>The backup is damaged. What is whole of it was restored.</source>
-        <translation>备份已损坏。其中完好的内容已恢复。</translation>
-    </message>
-    <message>
-        <source>Exported to %1</source>
-        <translation>已导出到 %1</translation>
-    </message>
-    <message>
-        <source>Exporting %1…</source>
-        <translation>正在导出 %1…</translation>
-    </message>
-    <message>
-        <source>Zoom, and the angle by which the canvas is turned</source>
-        <translation>缩放比例与画布旋转角度</translation>
-    </message>
-    <message>
-        <source>Import underlay</source>
-        <translation>导入底图</translation>
     </message>
 </context>
 <context>
@@ -6334,6 +6314,47 @@ Arrow keys work too.</source>
     <message>
         <source>%1, slider</source>
         <translation>%1，滑块</translation>
+    </message>
+</context>
+<context>
+    <name>suffuse::StatusLine</name>
+    <message>
+        <source>Position of the pointer in canvas units</source>
+        <translation>指针位置（画布单位）</translation>
+    </message>
+    <message>
+        <source>Zoom, and the angle by which the canvas is turned</source>
+        <translation>缩放比例与画布旋转角度</translation>
+    </message>
+    <message>
+        <source>What renders the picture</source>
+        <translation>渲染图片的后端</translation>
+    </message>
+    <message>
+        <source>Time that the last frame took</source>
+        <translation>上一帧所用时间</translation>
+    </message>
+    <message>
+        <source>You paint in the past: what came later covers it. </source>
+        <extracomment>before what the brush does, while the timeline shows a moment of the past</extracomment>
+        <translation>您正在过去的时刻作画：之后的内容会将其覆盖。 </translation>
+    </message>
+    <message>
+        <source>%1, %2</source>
+        <extracomment>a position: x, y</extracomment>
+        <translation>%1, %2</translation>
+    </message>
+    <message>
+        <source>%1 %</source>
+        <translation>%1 %</translation>
+    </message>
+    <message>
+        <source>%1 ms</source>
+        <translation>%1 毫秒</translation>
+    </message>
+    <message>
+        <source>%1 ms, coarse</source>
+        <translation>%1 毫秒，粗略</translation>
     </message>
 </context>
 <context>

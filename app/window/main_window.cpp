@@ -3,62 +3,84 @@
 #include "app/canvas/canvas_rows.h"
 #include "app/canvas/canvas_widget.h"
 #include "app/dialogs/about_dialog.h"
-#include "app/dialogs/command_palette.h"
-#include "app/dialogs/export_settings.h"
-#include "app/dialogs/new_dialog.h"
+#include "app/dialogs/settings_dialog.h"
 #include "app/dialogs/shortcuts_dialog.h"
-#include "app/panels/brushes/brush_panel.h"
-#include "app/panels/colour/colour_panel.h"
-#include "app/panels/history/history_panel.h"
-#include "app/panels/inspector/inspector_panel.h"
-#include "app/panels/probe/probe_panel.h"
-#include "app/panels/strokes/strokes_panel.h"
-#include "app/panels/timeline/timeline_panel.h"
 #include "app/session/commands/keys.h"
 #include "app/session/commands/session_rows.h"
+#include "app/session/commands/underlay_commands.h"
+#include "app/session/settings/kept_brush.h"
 #include "app/session/settings/settings.h"
-#include "app/tools/attribute_brush_tool.h"
-#include "app/tools/brush_tool.h"
-#include "app/tools/eraser_tool.h"
-#include "app/tools/eyedropper_tool.h"
-#include "app/tools/knife_tool.h"
-#include "app/tools/node_tool.h"
-#include "app/tools/pan_tool.h"
-#include "app/tools/select_tool.h"
 #include "app/tools/tool_options.h"
-#include "app/widgets/at_next_change.h"
-#include "app/widgets/choose_picture.h"
 #include "app/widgets/house_rules.h"
 #include "app/widgets/icons.h"
 #include "app/widgets/keyboard_focus.h"
-#include "app/widgets/place_beside.h"
-#include "app/widgets/section.h"
+#include "app/window/dialog_rows.h"
+#include "app/window/docks.h"
+#include "app/window/exporting.h"
+#include "app/window/file_opening.h"
+#include "app/window/file_restoring.h"
+#include "app/window/file_saving.h"
+#include "app/window/importing.h"
 #include "app/window/menus.h"
 #include "app/window/palette_entries.h"
+#include "app/window/pasting.h"
+#include "app/window/rebuilt_windows.h"
+#include "app/window/status_line.h"
+#include "app/window/tool_rack.h"
 #include "app/window/window_layout.h"
+#include "app/window/workspace_view.h"
+#include "model/journal/recovery.h"
 
 #include <QApplication>
+#include <QCloseEvent>
 #include <QDockWidget>
 #include <QMenu>
-#include <QScreen>
+#include <QMenuBar>
+#include <QMimeData>
 #include <QToolBar>
+
+#include <map>
 
 namespace suffuse {
 
 namespace {
 
-/// Logical pixels that every screen has for a panel.
-constexpr int lowPanel = 110;
-/// Of a screen, from which on the inspector and the strokes have room below each other.
-constexpr int highScreen = 950;
+QStringList localFiles(const QMimeData *data)
+{
+    QStringList files;
+    for (const QUrl &url : data->urls())
+        if (url.isLocalFile())
+            files << url.toLocalFile();
+    return files;
+}
 
-/// Gives a panel as much room as it wants, and lets it scroll where the window is low.
-class LowScroll : public PanelScroll {
-public:
-    explicit LowScroll(QWidget *panel) { setWidget(panel); }
-    QSize sizeHint() const override { return widget()->sizeHint(); }
-    QSize minimumSizeHint() const override { return {PanelScroll::minimumSizeHint().width(), lowPanel}; }
-};
+/// What the user has switched on and off, by the rows' ids. Full screen is the window's own state, hidden docks need
+/// their layout first.
+std::map<QString, bool> switchesOf(const Commands &table)
+{
+    std::map<QString, bool> switches;
+    for (const QAction *action : table.all())
+        if (action->isCheckable() && action != &table[Command::FullScreen] && action != &table[Command::HideDocks])
+            switches[action->objectName()] = action->isChecked();
+    return switches;
+}
+
+void setSwitches(const Commands &table, const std::map<QString, bool> &switches)
+{
+    for (QAction *action : table.all())
+        if (const auto it = switches.find(action->objectName()); it != switches.end())
+            action->setChecked(it->second);
+}
+
+/// In all windows: they share the shortcuts.
+void changeShortcuts(QWidget &window)
+{
+    if (ShortcutsDialog(window.findChild<Commands *>()->all(), fixedKeys(), &window).exec() != QDialog::Accepted)
+        return;
+    for (const QWidget *other : QApplication::topLevelWidgets())
+        if (const auto *table = other->findChild<Commands *>(QString(), Qt::FindDirectChildrenOnly))
+            applyStoredShortcuts(table->all());
+}
 
 std::unique_ptr<OpenPainting> newPainting()
 {
@@ -73,8 +95,7 @@ std::unique_ptr<OpenPainting> newPainting()
 MainWindow::MainWindow(QWidget *parent, MakeRenderer make) : MainWindow(newPainting(), std::move(make), parent) {}
 
 MainWindow::MainWindow(std::unique_ptr<OpenPainting> open, MakeRenderer make, QWidget *parent)
-    : QMainWindow(parent), m_open(std::move(open)), m_editor(m_open->editor), m_playback(&m_open->playback),
-      m_selectionOrder(&m_open->selectionOrder), m_journal(&m_open->journal), m_makeRenderer(std::move(make))
+    : QMainWindow(parent), m_open(std::move(open)), m_editor(m_open->editor), m_makeRenderer(std::move(make))
 {
     installHouseRules();
     setWindowIcon(applicationIcon());
@@ -82,51 +103,20 @@ MainWindow::MainWindow(std::unique_ptr<OpenPainting> open, MakeRenderer make, QW
     setDockNestingEnabled(true);
     resize(1280, 800);
     m_canvas = new CanvasWidget(m_editor, this, m_makeRenderer);
+    m_canvas->setPenSettings(settings::penSettings());
     setCentralWidget(m_canvas);
-    m_keyboard = new KeyboardFocus(*this, *m_canvas);
     m_commands = new Commands(icon, this);
     addSessionRows(*m_commands, *m_open);
     addCanvasRows(*m_commands, *m_canvas);
-    m_toolOptions = new ToolOptionsBar(tr("Tool Options"), this);
-    makeStatusBar();
-    addToolRows();
-    addFileRows();
-    addSavingRows();
-    addExportRows();
-    addClipboardRows();
-    addObjectRows();
-    addTimeRows();
-    addWindowRows();
-    const OpenMenus menus = fillMenus(*menuBar(), *m_commands);
-    m_recentMenu = menus.recent;
-    m_docksMenu = menus.docks;
-    connect(m_recentMenu, &QMenu::aboutToShow, this, &MainWindow::fillRecentMenu);
-    addActions(m_commands->all()); // keys work with the menu bar hidden, too
-    applyStoredShortcuts(m_commands->all());
-    QToolBar *tools = makeToolBar(*m_commands, this);
-    addToolBar(Qt::LeftToolBarArea, tools);
-    addToolBar(Qt::TopToolBarArea, m_toolOptions);
-    makeDocks();
-    m_docksMenu->addSeparator();
-    m_docksMenu->addAction(tools->toggleViewAction());
-    m_docksMenu->addAction(m_toolOptions->toggleViewAction());
-    action(Command::Brush).setChecked(true);
-    m_canvas->setPenSettings(settings::penSettings());
-    connectBrushes();
-    connectSaving();
-    connectUpdates();
+    makeParts({*this, *m_open, *m_canvas, *m_commands});
+    addRows();
+    showRows();
+    connect(&m_editor, &Editor::fileChanged, m_parts, [this] { updateTitle(); });
     updateTitle();
     m_commands->update();
-    updateZoom();
     window_layout::restore(*this);
     action(Command::FullScreen).setChecked(isFullScreen());
     m_canvas->setFocus();
-}
-
-QAction &MainWindow::action(Command command)
-{
-    m_editor.laterChanges().flush(); // it may be asked whether it is enabled
-    return (*m_commands)[command];
 }
 
 MainWindow::~MainWindow()
@@ -135,160 +125,46 @@ MainWindow::~MainWindow()
         release();
 }
 
-QDockWidget *MainWindow::addDock(const char *name, const QString &title, QWidget *panel)
+QAction &MainWindow::action(Command command)
 {
-    auto *dock = new QDockWidget(title, this);
-    dock->setObjectName(QString::fromLatin1(name));
-    dock->setWidget(panel->minimumSizeHint().height() > lowPanel ? new LowScroll(panel) : panel);
-    addDockWidget(Qt::RightDockWidgetArea, dock);
-    m_docksMenu->addAction(dock->toggleViewAction());
-    connect(dock->toggleViewAction(), &QAction::triggered, dock, [dock](bool shown) {
-        if (shown) // and not as a tab behind another
-            dock->raise();
-    });
-    m_docks << dock;
-    return dock;
+    m_editor.laterChanges().flush(); // it may be asked whether it is enabled
+    return (*m_commands)[command];
 }
 
-void MainWindow::makeDocks()
+void MainWindow::makeParts(const Workplace &place)
 {
-    QDockWidget *colour = addDock("colourDock", tr("Colour"), new ColourPanel(m_editor));
-    QDockWidget *brushes = addDock("brushesDock", tr("Brushes"), new BrushPanel(m_editor));
-    auto *inspectorPanel = new InspectorPanel(m_editor);
-    QDockWidget *inspector = addDock("inspectorDock", tr("Inspector"), inspectorPanel);
-    connect(inspectorPanel, &InspectorPanel::alongOpening, m_canvas,
-            [this](QWidget *dialog) { moveBeside(*dialog, m_canvas->selectionOnScreen()); });
-    m_strokes = new StrokesPanel(m_editor);
-    m_strokes->addActions(m_commands->of(CommandScope::Strokes));
-    QDockWidget *strokes = addDock("strokesDock", tr("Strokes"), m_strokes);
-    QDockWidget *history = addDock("historyDock", tr("History"), new HistoryPanel(m_editor));
-    tabifyDockWidget(colour, brushes);
-    const bool isHigh = screen()->availableSize().height() >= highScreen;
-    if (!isHigh)
-        tabifyDockWidget(inspector, strokes);
-    tabifyDockWidget(strokes, history);
-    auto *probe = new ProbePanel(m_editor);
-    QDockWidget *probeDock = addDock("probeDock", tr("Probe"), probe);
-    tabifyDockWidget(history, probeDock);
-    probeDock->hide();
-    connect(m_canvas, &CanvasWidget::pointerMoved, probe, [probe](double x, double y) { probe->setPoint({x, y}); });
-    connect(m_canvas, &CanvasWidget::pointerLeft, probe, &ProbePanel::leaveCanvas);
-    colour->raise();
-    (isHigh ? strokes : inspector)->raise();
-    setTabPosition(Qt::RightDockWidgetArea, QTabWidget::North);
-    auto *timelinePanel = new TimelinePanel(m_editor, *m_playback, *m_commands);
-    timelinePanel->addActions(m_commands->of(CommandScope::Timeline));
-    QDockWidget *timeline = addDock("timelineDock", tr("Timeline"), timelinePanel);
-    addDockWidget(Qt::BottomDockWidgetArea, timeline);
-    setCorner(Qt::BottomRightCorner, Qt::RightDockWidgetArea);
-    resizeDocks({timeline}, {150}, Qt::Vertical);
-    resizeDocks({colour, inspector, strokes}, {300, 300, 300}, Qt::Horizontal);
-    if (isHigh)
-        resizeDocks({colour, inspector, strokes}, {360, 285, 255}, Qt::Vertical);
-    else
-        resizeDocks({colour, inspector}, {300, 360}, Qt::Vertical);
-}
-
-void MainWindow::addToolRows()
-{
-    using enum Command;
-    const auto add = [this](Command command, const char *id, const QString &text, const char *icon, Qt::Key key,
-                            const QString &tip, Tool *tool) {
-        m_commands->add(command, QString::fromLatin1(id), text, icon, {QKeySequence(key)}, tip)
-            .toggles([this, tool](bool on) {
-                if (on)
-                    useTool(tool);
-            });
-        connect(tool, &Tool::hintChanged, this, &MainWindow::showHint);
-        m_toolOptions->setWidget(tool->options()); // the row is as high as the highest from the start
+    m_parts = new QObject(this);
+    auto *keyboard = new KeyboardFocus(*this, *m_canvas);
+    connect(keyboard, &KeyboardFocus::acting, this, [this] { m_editor.laterChanges().flush(); });
+    m_toolOptions = new ToolOptionsBar(tr("Tool Options"), this);
+    new ToolRack(place, *m_toolOptions, m_parts);
+    new StatusLine(place, m_parts);
+    m_brush = new KeptBrush(m_editor, m_parts);
+    m_saving = new FileSaving(place, m_parts);
+    auto *restoring = new FileRestoring(place, *m_saving, m_parts);
+    const auto makeWindow = [](std::unique_ptr<OpenPainting> open) {
+        return (new MainWindow(std::move(open)))->m_opening;
     };
-    CanvasWidget *canvas = m_canvas;
-    add(Brush, "brush", Commands::tr("&Brush"), "brush", Qt::Key_B, Commands::tr("Paint strokes"),
-        new BrushTool(*canvas, canvas));
-    add(Select, "select", Commands::tr("&Select"), "select", Qt::Key_V, Commands::tr("Select and move strokes"),
-        new SelectTool(*canvas, *m_commands, canvas));
-    add(Segments, "segments", Commands::tr("Se&gments"), "segments", Qt::Key_N,
-        Commands::tr("Edit segments, nodes and handles of strokes"), new NodeTool(*canvas, *m_commands, canvas));
-    add(Knife, "knife", Commands::tr("&Knife"), "knife", Qt::Key_K, Commands::tr("Cut strokes along a line"),
-        new KnifeTool(*canvas, canvas));
-    add(Eraser, "eraser", Commands::tr("&Eraser"), "eraser", Qt::Key_E, Commands::tr("Erase parts of strokes"),
-        new EraserTool(*canvas, canvas));
-    add(AttributeBrush, "attributeBrush", Commands::tr("&Attribute Brush"), "attribute-brush", Qt::Key_A,
-        Commands::tr("Paint values onto segments"), new AttributeBrushTool(*canvas, canvas));
-    add(Eyedropper, "eyedropper", Commands::tr("Eye&dropper"), "eyedropper", Qt::Key_I, Commands::tr("Pick a colour"),
-        new EyedropperTool(*canvas, canvas));
-    add(Pan, "pan", Commands::tr("&Hand"), "pan", Qt::Key_H, Commands::tr("Move the canvas"),
-        new PanTool(*canvas, canvas));
-    m_commands->makeExclusive({Brush, Select, Segments, Knife, Eraser, AttributeBrush, Eyedropper, Pan});
-    // The pen's other end erases, whatever its tip does.
-    connect(m_canvas, &CanvasWidget::penTurned, this, [this](bool eraser) {
-        QAction *inUse = action(Command::Brush).actionGroup()->checkedAction();
-        if (eraser && inUse != &action(Command::Eraser)) {
-            m_tipAction = inUse;
-            action(Command::Eraser).setChecked(true);
-        } else if (!eraser && m_tipAction) {
-            if (inUse == &action(Command::Eraser))
-                m_tipAction->setChecked(true);
-            m_tipAction = nullptr;
-        }
-    });
+    m_opening = new FileOpening(place, *restoring, *m_brush, makeWindow, m_parts);
+    m_importing = new Importing(place, m_parts);
+    new Exporting(place, m_parts);
+    new Pasting(place, m_parts);
+    addDialogRows(place);
+    m_docks = new Docks(place, *keyboard, m_parts);
 }
 
-void MainWindow::useTool(Tool *tool)
-{
-    m_nextTool = m_canvas->isPressed() && m_canvas->tool()->isBusy() ? tool : nullptr;
-    if (m_nextTool) // when the stroke in hand is finished
-        return;
-    m_canvas->setTool(tool);
-    m_toolOptions->setWidget(tool->options());
-    showHint();
-}
-
-void MainWindow::addFileRows()
+void MainWindow::addRows()
 {
     using enum Command;
-    const auto keys = [](QKeySequence::StandardKey key) { return QKeySequence::keyBindings(key); };
-    m_commands->add(New, "new", Commands::tr("&New…"), "new", keys(QKeySequence::New)).runs([this] { newWindow(); });
-    m_commands->add(Open, "open", Commands::tr("&Open…"), "open", keys(QKeySequence::Open)).runs([this] {
-        chooseFileToOpen();
-    });
-    m_commands
-        ->add(ImportStrokes, "importStrokes", Commands::tr("&Import Strokes…"), "", {},
-              Commands::tr("Drawings, recordings and the strokes of other paintings, into this one"))
-        .runs([this] { chooseStrokesToImport(); });
-    m_commands
-        ->add(ImportUnderlay, "importUnderlay", Commands::tr("Import &Underlay…"), "", {},
-              Commands::tr("A picture to paint over, which shows on the canvas only"))
-        .runs([this] {
-            if (const QString path = choosePicture(this, tr("Import underlay")); !path.isEmpty())
-                importUnderlay(path);
-        });
-    m_commands->add(Close, "close", Commands::tr("&Close Window"), "", keys(QKeySequence::Close)).runs([this] {
-        close();
-    });
+    m_commands->add(Close, "close", Commands::tr("&Close Window"), "", QKeySequence::keyBindings(QKeySequence::Close))
+        .runs([this] { close(); });
     m_commands->add(Quit, "quit", Commands::tr("&Quit"), "", {QKeySequence(Commands::tr("Ctrl+Q"))}).runs([] {
         QApplication::closeAllWindows();
     });
     action(Quit).setMenuRole(QAction::QuitRole);
-}
-
-void MainWindow::addWindowRows()
-{
-    using enum Command;
     m_commands->add(Settings, "settings", Commands::tr("Settin&gs…"), "", {QKeySequence(Commands::tr("Ctrl+,"))})
         .runs([this] { changeSettings(); });
     action(Settings).setMenuRole(QAction::PreferencesRole);
-    m_commands->add(HideDocks, "hideDocks", Commands::tr("&Hide the Docks"), "", {QKeySequence(Qt::Key_Tab)})
-        .checkable()
-        .runs([this] { hideDocks(action(HideDocks).isChecked()); });
-    m_commands
-        ->add(NextPanel, "nextPanel", Commands::tr("Ne&xt Panel"), "", {QKeySequence(Qt::Key_F6)},
-              Commands::tr("The keyboard goes from the canvas to the docks and tool bars in turn"))
-        .runs([this] { m_keyboard->walk(true); });
-    m_commands
-        ->add(PreviousPanel, "previousPanel", Commands::tr("&Previous Panel"), "",
-              {QKeySequence(Qt::SHIFT | Qt::Key_F6)}, Commands::tr("The keyboard goes back from panel to panel"))
-        .runs([this] { m_keyboard->walk(false); });
     m_commands->add(FullScreen, "fullScreen", Commands::tr("Full S&creen"), "", {QKeySequence(Qt::Key_F11)})
         .checkable()
         .runs([this] {
@@ -300,9 +176,27 @@ void MainWindow::addWindowRows()
               Commands::tr("Commands, brushes, docks and recent files by their names"))
         .runs([this] { CommandPalette::ask(paletteEntries(), *m_canvas); });
     m_commands->add(Shortcuts, "shortcuts", Commands::tr("&Keyboard Shortcuts…"), "", {QKeySequence(Qt::Key_F1)})
-        .runs([this] { changeShortcuts(); });
+        .runs([this] { changeShortcuts(*this); });
     m_commands->add(About, "about", Commands::tr("&About Suffuse…"), "", {}).runs([this] { AboutDialog(this).exec(); });
     action(About).setMenuRole(QAction::AboutRole);
+}
+
+void MainWindow::showRows()
+{
+    addActions(m_commands->all()); // keys work with the menu bar hidden, too
+    applyStoredShortcuts(m_commands->all());
+    QToolBar *tools = makeToolBar(*m_commands, this);
+    addToolBar(Qt::LeftToolBarArea, tools);
+    addToolBar(Qt::TopToolBarArea, m_toolOptions);
+    const OpenMenus menus = fillMenus(*menuBar(), *m_commands);
+    connect(menus.recent, &QMenu::aboutToShow, m_opening,
+            [this, menu = menus.recent] { m_opening->fillRecentMenu(*menu); });
+    m_docksMenu = menus.docks;
+    for (QDockWidget *dock : m_docks->all())
+        m_docksMenu->addAction(dock->toggleViewAction());
+    m_docksMenu->addSeparator();
+    m_docksMenu->addAction(tools->toggleViewAction());
+    m_docksMenu->addAction(m_toolOptions->toggleViewAction());
 }
 
 std::vector<PaletteEntry> MainWindow::paletteEntries()
@@ -311,24 +205,40 @@ std::vector<PaletteEntry> MainWindow::paletteEntries()
                                    [this](const QString &path) { openFile(path); });
 }
 
-void MainWindow::connectUpdates()
+MainWindow *MainWindow::openFile(const QString &path)
 {
-    connect(&m_editor, &Editor::fileChanged, this, &MainWindow::updateTitle);
-    connect(m_keyboard, &KeyboardFocus::acting, this, [this] { m_editor.laterChanges().flush(); });
-    connect(m_commands, &Commands::said, this, [this](const QString &message, int milliseconds) {
-        sayUntilChange(*statusBar(), m_editor.document(), message, milliseconds);
-    });
-    connect(m_strokes, &StrokesPanel::searchingChanged, this, [this] { m_commands->update(Command::SelectFound); });
-    connect(m_canvas, &CanvasWidget::busyChanged, this, [this] {
-        if (m_nextTool)
-            useTool(m_nextTool);
-    });
-    connect(m_canvas, &CanvasWidget::viewChanged, this, &MainWindow::updateZoom);
-    connect(m_canvas, &CanvasWidget::modifiersChanged, this, &MainWindow::showHint);
-    connect(m_canvas, &CanvasWidget::framePresented, this, &MainWindow::showFrame);
-    connect(m_canvas, &CanvasWidget::backendChanged, this, &MainWindow::showBackend);
-    connect(m_canvas, &CanvasWidget::pointerLeft, this, [this] { m_position->clear(); });
-    connect(m_canvas, &CanvasWidget::pointerMoved, this, &MainWindow::showPosition);
+    const FileOpening *shown = m_opening->open(path);
+    return shown ? static_cast<MainWindow *>(&shown->window()) : nullptr;
+}
+
+MainWindow *MainWindow::openRecovered(LostDocument document)
+{
+    return static_cast<MainWindow *>(&m_opening->openRecovered(std::move(document))->window());
+}
+
+void MainWindow::importStrokes(const QString &path)
+{
+    m_importing->importStrokes(path);
+}
+
+bool MainWindow::save()
+{
+    return m_saving->save();
+}
+
+bool MainWindow::saveTo(const QString &path)
+{
+    return m_saving->saveTo(path);
+}
+
+void MainWindow::changeSettings()
+{
+    SettingsDialog dialog(this, m_editor.brush());
+    if (dialog.exec() != QDialog::Accepted)
+        return;
+    m_canvas->setPenSettings(settings::penSettings());
+    if (dialog.needsOtherWindows())
+        rebuildWindowsSoon(); // this is an action of one of them
 }
 
 void MainWindow::updateTitle()
@@ -345,24 +255,76 @@ void MainWindow::changeEvent(QEvent *event)
     QMainWindow::changeEvent(event);
 }
 
-void MainWindow::hideDocks(bool hide)
+void MainWindow::closeEvent(QCloseEvent *event)
 {
-    // The way back is the same in every tool.
-    m_canvas->setWindowKeys(hide ? action(Command::HideDocks).shortcuts() : QList<QKeySequence>());
-    if (hide) {
-        m_layout = saveState();
-        for (QDockWidget *dock : std::as_const(m_docks))
-            dock->hide();
+    if (m_canvas->tool())
+        m_canvas->tool()->cancel();
+    if (!m_saving->maySwitch()) {
+        event->ignore();
         return;
     }
-    const QList<QDockWidget *> opened = [this] { // meanwhile, by their own entries in the menu
-        QList<QDockWidget *> shown = m_docks;
-        shown.removeIf([](const QDockWidget *dock) { return dock->isHidden(); });
-        return shown;
-    }();
-    restoreState(m_layout); // with the very sizes that they had
-    for (QDockWidget *dock : opened)
-        dock->show();
+    if (action(Command::HideDocks).isChecked()) // they are to come back next time
+        action(Command::HideDocks).trigger();
+    window_layout::save(*this);
+    m_brush->finish();
+    m_open->journal.remove();
+    event->accept();
+}
+
+void MainWindow::dragEnterEvent(QDragEnterEvent *event)
+{
+    if (!localFiles(event->mimeData()).isEmpty())
+        event->acceptProposedAction();
+}
+
+void MainWindow::dropEvent(QDropEvent *event)
+{
+    event->acceptProposedAction();
+    MainWindow *window = this;
+    for (const QString &file : localFiles(event->mimeData())) {
+        if (underlay::isPicture(file))
+            window->m_importing->importUnderlay(file);
+        else if (MainWindow *opened = window->openFile(file))
+            window = opened;
+    }
+}
+
+std::unique_ptr<OpenPainting> MainWindow::release()
+{
+    if (m_canvas->tool())
+        m_canvas->tool()->cancel();
+    m_editor.commit(); // no widget that goes puts anything back
+    for (QObject *follower : std::initializer_list<QObject *>{m_commands, m_parts, m_canvas})
+        delete follower; // of a painting that goes
+    m_commands = nullptr;
+    m_parts = nullptr;
+    m_canvas = nullptr;
+    return std::move(m_open);
+}
+
+MainWindow *MainWindow::replace()
+{
+    if (m_canvas->tool())
+        m_canvas->tool()->cancel();
+    const bool hidesDocks = action(Command::HideDocks).isChecked();
+    if (hidesDocks)
+        action(Command::HideDocks).trigger();
+    const QByteArray geometry = saveGeometry(), layout = saveState();
+    const std::optional<WorkspaceState> view = workspaceOf(canvas(), m_editor);
+    const bool fitted = m_canvas->isFitted();
+    const std::map<QString, bool> switches = switchesOf(*m_commands);
+    auto *successor = new MainWindow(release(), m_makeRenderer);
+    setSwitches(*successor->m_commands, switches);
+    successor->setAttribute(Qt::WA_DeleteOnClose, testAttribute(Qt::WA_DeleteOnClose));
+    successor->restoreGeometry(geometry);
+    successor->restoreState(layout);
+    successor->m_commands->update();
+    successor->show();
+    if (view && !fitted)
+        showWorkspace(*view, *successor->m_canvas, successor->m_editor);
+    if (hidesDocks)
+        successor->action(Command::HideDocks).trigger();
+    return successor;
 }
 
 } // namespace suffuse

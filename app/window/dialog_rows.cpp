@@ -1,0 +1,90 @@
+#include "app/window/dialog_rows.h"
+
+#include "app/panels/strokes/strokes_model.h"
+#include "app/session/commands/selection_commands.h"
+#include "app/session/commands/session_rows.h"
+#include "undo/time_edits.h"
+
+#include <QInputDialog>
+#include <QLineEdit>
+#include <QMainWindow>
+
+#include <algorithm>
+
+namespace suffuse {
+
+namespace {
+
+/// What is to be renamed and how it is called.
+struct PresentName {
+    QString label;
+    QString name;  ///< as it was typed; empty: none, or several
+    QString title; ///< what people see where it has no name
+};
+
+/// Of the group that is selected as a whole, or else of the selected strokes; nothing where none are.
+std::optional<PresentName> presentNameOf(const Document &document)
+{
+    const Painting &painting = *document.painting();
+    const std::set<StrokeId> &selected = document.selection().strokes;
+    if (const GroupId group = selectedGroup(document))
+        for (const Group &g : painting.groups)
+            if (g.id == group)
+                return PresentName{Commands::tr("Name of the group"), g.name, titleOf(g)};
+    if (selected.empty())
+        return {};
+    const StrokePtr first = painting.find(*selected.begin());
+    const bool alike = std::all_of(selected.begin(), selected.end(),
+                                   [&](StrokeId id) { return painting.find(id)->name == first->name; });
+    return PresentName{Commands::tr("Name of %n stroke(s)", nullptr, int(selected.size())),
+                       alike ? first->name : QString(), selected.size() == 1 ? titleOf(*first) : QStringLiteral("—")};
+}
+
+void renameSelected(const Workplace &place)
+{
+    const std::optional<PresentName> present = presentNameOf(place.open.editor.document());
+    if (!present)
+        return;
+    QInputDialog dialog(&place.window);
+    dialog.setWindowTitle(Commands::tr("Rename"));
+    dialog.setLabelText(present->label);
+    dialog.setTextValue(present->name);
+    if (auto *field = dialog.findChild<QLineEdit *>())
+        field->setPlaceholderText(present->title);
+    if (dialog.exec() == QDialog::Accepted)
+        commands::renameSelected(place.open.editor, dialog.textValue());
+}
+
+void rewetSelected(const Workplace &place)
+{
+    Editor &editor = place.open.editor;
+    constexpr double usualSeconds = 1, mostSeconds = 1e6;
+    const Microseconds now = editor.clock().time(); // the dialog takes its time
+    bool ok = false;
+    const double seconds = QInputDialog::getDouble(&place.window, Commands::tr("Re-wet"),
+                                                   Commands::tr("Seconds that the paint spreads on"), usualSeconds,
+                                                   0.001, mostSeconds, 3, &ok);
+    if (!ok)
+        return;
+    Edit edit = rewet(editor.document(), now, toMicroseconds(seconds));
+    if (edit.isEmpty())
+        emit place.commands.said(Commands::tr("Nothing that is selected is painted yet at this moment."), 5000);
+    editor.push(std::move(edit), Commands::tr("Re-wet"));
+}
+
+} // namespace
+
+void addDialogRows(const Workplace &place)
+{
+    place.commands
+        .add(Command::RenameStrokes, "rename", Commands::tr("Rena&me…"), "", {QKeySequence(Commands::tr("F2"))})
+        .when(anySelected(place.open.editor))
+        .runs([place] { renameSelected(place); });
+    place.commands
+        .add(Command::Rewet, "rewet", Commands::tr("Re-&wet…"), "rewet", {QKeySequence(Commands::tr("Ctrl+Alt+W"))},
+             Commands::tr("Let the selected paint spread on for a while from this moment"))
+        .when(anySelected(place.open.editor))
+        .runs([place] { rewetSelected(place); });
+}
+
+} // namespace suffuse

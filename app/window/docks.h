@@ -1,0 +1,45 @@
+// The docks of a window.
+#pragma once
+
+#include "app/session/commands/command_row.h"
+#include "app/window/workplace.h"
+
+#include <QList>
+#include <QObject>
+
+class QDockWidget;
+class QWidget;
+
+namespace suffuse {
+
+class KeyboardFocus;
+class StrokesPanel;
+
+/// Makes the panels and puts them where they stand at the first start.
+class Docks : public QObject {
+    Q_OBJECT
+
+public:
+    Docks(const Workplace &place, KeyboardFocus &keyboard, QObject *parent);
+    ~Docks() override;
+
+    /// In the order of their menu.
+    const QList<QDockWidget *> &all() const { return m_docks; }
+
+private:
+    /// Keys of a scope are the panel's as much as the canvas'.
+    QDockWidget *add(const char *name, const QString &title, QWidget *panel, CommandScope scope = CommandScope::Window);
+    void makeDocks();
+    QDockWidget *makeTimeline();
+    QDockWidget *makeProbe();
+    void addRows(KeyboardFocus &keyboard);
+    void addSelectingRows();
+    void hide(bool hide);
+
+    Workplace m_place;
+    StrokesPanel *m_strokes = nullptr;
+    QList<QDockWidget *> m_docks;
+    QByteArray m_layout; ///< while they are hidden
+};
+
+} // namespace suffuse

@@ -1,0 +1,39 @@
+// What the status bar says.
+#pragma once
+
+#include "app/window/workplace.h"
+
+#include <QObject>
+
+class QLabel;
+
+namespace suffuse {
+
+struct FrameInfo;
+
+/// Shows the hint of the tool in use, where the pointer is, the zoom, what draws the picture and how fast, and what
+/// commands have to say.
+class StatusLine : public QObject {
+    Q_OBJECT
+
+public:
+    StatusLine(const Workplace &place, QObject *parent);
+
+private:
+    void makeLabels();
+    void showHint();
+    void showPosition(double x, double y);
+    void showZoom();
+    void showFrame(const FrameInfo &frame);
+    void showBackend();
+
+    Workplace m_place;
+    QLabel *m_hint = nullptr;
+    QLabel *m_position = nullptr;
+    QLabel *m_zoom = nullptr;
+    QLabel *m_backend = nullptr;
+    QLabel *m_frameTime = nullptr;
+    QString m_renderError;
+};
+
+} // namespace suffuse
