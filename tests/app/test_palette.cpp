@@ -9,10 +9,12 @@
 #include <QDockWidget>
 #include <QLineEdit>
 #include <QListWidget>
+#include <QMenu>
 #include <QStandardPaths>
 #include <QTemporaryDir>
 #include <QTimer>
 
+#include <algorithm>
 #include <set>
 
 using namespace suffuse;
@@ -93,6 +95,56 @@ private slots:
         QCOMPARE(s.window.action(Command::Raise).shortcut(), QKeySequence("Ctrl+Alt+U"));
         QCOMPARE(s.window.action(Command::Lower).shortcut(), QKeySequence(Qt::Key_PageDown));
         settings::store().remove("shortcuts/raise");
+    }
+
+    /// Every id that users' settings may hold, for ever; a new command adds its own.
+    void noIdIsEverChanged()
+    {
+        Session s;
+        const QStringList known =
+            QStringLiteral(
+                "new open save saveAs saveCopy revert restoreBackup keepHistory importStrokes importUnderlay export "
+                "exportAgain close quit undo redo cut copy paste pasteInPlace delete duplicate selectAll selectFound "
+                "deselect settings brush select segments knife eraser attributeBrush eyedropper pan raise lower top "
+                "bottom insertNodes nodeCorner nodeSmooth nodeSymmetric breakNodes joinNodes deleteSegments "
+                "bridgeSegments reverseStrokes invertSelection sameColour sameStyle sameBrush sameName lasso touchPath "
+                "group ungroup lock unlockAll hide showAll rename flipAcross flipDown quarterLeft quarterRight "
+                "scaleSpread alignLeft alignCentre alignRight alignTop alignMiddle alignBottom alignToSelection "
+                "alignToLast alignToFirst alignToBiggest alignToCanvas distributeGapsAcross distributeGapsDown "
+                "distributeCentresAcross distributeCentresDown snapToNodes snapToGrid showGrid gridStep showUnderlay "
+                "showOutlines showBeyond play toStart previousStroke nextStroke toEnd loopPlaying skipPauses letDry "
+                "freezeNow rewet removeRewetting paceEven paceEaseIn paceEaseOut paceEaseInOut finalPreview "
+                "exportTimelapse favourite1 favourite2 favourite3 favourite4 favourite5 favourite6 favourite7 "
+                "favourite8 favourite9 smallerSize largerSize lessOpacity moreOpacity holdToPan holdToTurn "
+                "holdToHideOutlines zoomIn zoomOut zoom100 fit rotateLeft rotateRight resetRotation mirror hideDocks "
+                "nextPanel previousPanel fullScreen findCommand shortcuts about")
+                .split(' ');
+        QStringList ids;
+        for (const QAction *action : tableOf(s).all())
+            ids << action->objectName();
+        QCOMPARE(ids, known); // in the order of the shortcut editor, too
+        QCOMPARE(ids.size(), int(Command::About) + 1);
+    }
+
+    void everyRowDoesSomethingAndIsFound()
+    {
+        Session s;
+        std::set<QString> found;
+        for (const PaletteEntry &entry : s.window.paletteEntries())
+            found.insert(entry.id);
+        for (int i = 0; i <= int(Command::About); ++i) {
+            const CommandRow &row = tableOf(s).row(Command(i));
+            const QString id = row.action->objectName();
+            QVERIFY2(row.doesSomething() && !row.action->text().isEmpty(), qPrintable(id));
+            const bool inMenu = std::ranges::any_of(row.action->associatedObjects(), [](const QObject *place) {
+                return qobject_cast<const QMenu *>(place) != nullptr;
+            });
+            // What is held cannot be chosen; how a band selects is chosen in the Select tool's row.
+            const bool elsewhere = row.isHeld() || Command(i) == Command::Lasso || Command(i) == Command::TouchPath;
+            QVERIFY2(inMenu != elsewhere, qPrintable(id));
+            const bool searched = !row.isHeld() && row.action->isVisible() && Command(i) != Command::FindCommand;
+            QVERIFY2(found.contains(id) == searched, qPrintable(id));
+        }
     }
 
     void rowsFollowTheSelection()

@@ -55,12 +55,13 @@ bool isTypedKey(QKeyCombination key)
 
 QString whereKeysWork(CommandScope scope, const QList<QKeySequence> &keys)
 {
-    if (keys.isEmpty())
+    const auto isNone = [](const QKeySequence &key) { return key.isEmpty(); }; // as it is stored where there is none
+    if (std::ranges::all_of(keys, isNone))
         return {};
     if (scope == CommandScope::Canvas)
         return Commands::tr("Canvas, while held");
     const bool typed =
-        std::ranges::any_of(keys, [](const QKeySequence &key) { return !key.isEmpty() && isTypedKey(key[0]); });
+        std::ranges::any_of(keys, [&](const QKeySequence &key) { return !isNone(key) && isTypedKey(key[0]); });
     if (!typed)
         return Commands::tr("Everywhere");
     switch (scope) {

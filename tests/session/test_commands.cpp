@@ -1,0 +1,182 @@
+// The table of commands without a window: rows, switches, and whose a user's keys are.
+#include "app/session/commands/keys.h"
+#include "app/session/commands/session_rows.h"
+#include "app/session/settings/settings.h"
+#include "undo/edits.h"
+
+#include <QSignalSpy>
+#include <QStandardPaths>
+#include <QTemporaryDir>
+#include <QTest>
+
+using namespace suffuse;
+
+namespace {
+
+/// A short straight stroke.
+StrokePtr stroke(Document &document)
+{
+    auto made = std::make_shared<Stroke>();
+    made->id = document.takeStrokeId();
+    Segment segment;
+    segment.bezier = {Offset{0, 0}, {10, 0}, {20, 0}, {30, 0}};
+    made->segments = {segment};
+    return made;
+}
+
+void addStroke(Editor &editor)
+{
+    editor.push(addStrokes(editor.document(), {stroke(editor.document())}, true), "stroke");
+}
+
+} // namespace
+
+class TestCommands : public QObject {
+    Q_OBJECT
+
+private slots:
+    void initTestCase()
+    {
+        QVERIFY(m_folder.isValid());
+        QStandardPaths::setTestModeEnabled(true); // whose brushes there are
+        qputenv("SUFFUSE_SETTINGS", m_folder.filePath("settings.ini").toLocal8Bit());
+    }
+
+    void commandsRunWithoutAWindow()
+    {
+        OpenPainting open;
+        open.editor.newPainting(Editor::usualCanvas());
+        Commands table;
+        addSessionRows(table, open);
+        table.update();
+        QVERIFY(!table[Command::Duplicate].isEnabled() && !table[Command::Play].isEnabled());
+        addStroke(open.editor);
+        QVERIFY(table[Command::Duplicate].isEnabled() && table[Command::Play].isEnabled());
+        table[Command::Duplicate].trigger();
+        QCOMPARE(open.editor.document().painting()->strokes.size(), std::size_t(2));
+        table[Command::GroupStrokes].trigger();
+        QCOMPARE(open.editor.document().painting()->groups.size(), std::size_t(1));
+        table[Command::Deselect].trigger();
+        QVERIFY(!table[Command::Duplicate].isEnabled());
+        for (const QAction *action : table.all())
+            QVERIFY(!action->objectName().isEmpty() && !action->text().isEmpty());
+    }
+
+    /// What has nothing to do says so.
+    void commandsSaySomething()
+    {
+        OpenPainting open;
+        open.editor.newPainting(Editor::usualCanvas());
+        Commands table;
+        addSessionRows(table, open);
+        addStroke(open.editor);
+        open.editor.clock().setManual(true);
+        open.editor.clock().setTime(open.editor.document().painting()->end() + 1'000'000);
+        const QSignalSpy said(&table, &Commands::said);
+        table[Command::FreezeNow].trigger();
+        QCOMPARE(said.size(), 1);
+        QCOMPARE(open.editor.undoStack().count(), 1);
+    }
+
+    /// A key is stored under the row's id: wherever the row stands, and whichever number its command has.
+    void swappedRowsKeepTheirKeys()
+    {
+        settings::store().setValue("shortcuts/raise", "Ctrl+Alt+U");
+        for (const bool swapped : {false, true}) {
+            Commands table;
+            const Command raise = swapped ? Command::Lower : Command::Raise;
+            const Command lower = swapped ? Command::Raise : Command::Lower;
+            if (swapped)
+                table.add(lower, "lower", "Lower", "", {QKeySequence(Qt::Key_PageDown)});
+            table.add(raise, "raise", "Raise", "", {QKeySequence(Qt::Key_PageUp)});
+            if (!swapped)
+                table.add(lower, "lower", "Lower", "", {QKeySequence(Qt::Key_PageDown)});
+            applyStoredShortcuts(table.all());
+            QCOMPARE(table[raise].shortcut(), QKeySequence("Ctrl+Alt+U"));
+            QCOMPARE(table[lower].shortcut(), QKeySequence(Qt::Key_PageDown));
+            QCOMPARE(ownShortcutsOf(table[raise]), QList<QKeySequence>{QKeySequence(Qt::Key_PageUp)});
+        }
+        settings::store().remove("shortcuts/raise");
+    }
+
+    void scopesSayWhereKeysWork()
+    {
+        Commands table;
+        table.add(Command::Delete, "delete", "Delete", "", {}).in(CommandScope::Strokes);
+        table.add(Command::Play, "play", "Play", "", {}).in(CommandScope::Timeline);
+        table.add(Command::Copy, "copy", "Copy", "", {});
+        QCOMPARE(table.of(CommandScope::Strokes), QList<QAction *>{&table[Command::Delete]});
+        QCOMPARE(scopeOf(table[Command::Play]), CommandScope::Timeline);
+        QCOMPARE(scopeOf(table[Command::Copy]), CommandScope::Window);
+        QCOMPARE(scopeOf(QAction()), CommandScope::Window);
+        const auto where = [](CommandScope scope, const char *keys) {
+            return whereKeysWork(scope, QKeySequence::listFromString(keys));
+        };
+        QCOMPARE(where(CommandScope::Window, ""), QString());
+        QCOMPARE(where(CommandScope::Window, "Ctrl+E"), QString("Everywhere"));
+        QCOMPARE(where(CommandScope::Window, "F6"), QString("Everywhere"));
+        QCOMPARE(where(CommandScope::Window, "E"), QString("Canvas"));
+        QCOMPARE(where(CommandScope::Window, "F2"), QString("Canvas"));
+        QCOMPARE(where(CommandScope::Strokes, "Del"), QString("Canvas, Strokes dock"));
+        QCOMPARE(where(CommandScope::Timeline, "Shift+D"), QString("Canvas, Timeline dock"));
+        QCOMPARE(where(CommandScope::Canvas, "Space"), QString("Canvas, while held"));
+    }
+
+    void heldKeysAreTold()
+    {
+        Commands table;
+        QList<QKeySequence> told;
+        table.add(Command::HoldToPan, "holdToPan", "Hold", "", {QKeySequence(Qt::Key_Space)})
+            .held([&told](const QList<QKeySequence> &keys) { told = keys; });
+        QCOMPARE(told, QList<QKeySequence>{QKeySequence(Qt::Key_Space)});
+        table[Command::HoldToPan].setShortcut(QKeySequence(Qt::Key_W));
+        QCOMPARE(told, QList<QKeySequence>{QKeySequence(Qt::Key_W)});
+        QVERIFY(table.runnable().isEmpty());
+    }
+
+    /// A switch that is on from the start was switched by nobody.
+    void switchesBeginQuietly()
+    {
+        Commands table;
+        int told = 0;
+        table.add(Command::ShowGrid, "showGrid", "Grid", "", {}).checkable(true).toggles([&told](bool) { ++told; });
+        QVERIFY(table[Command::ShowGrid].isChecked());
+        QCOMPARE(told, 0);
+        table[Command::ShowGrid].trigger();
+        QCOMPARE(told, 1);
+    }
+
+    /// Whoever hears of a file's painting finds its path and hash with it.
+    void aFileIsKnownAtOnce()
+    {
+        const QString path = m_folder.filePath("known.suffuse");
+        OpenPainting first;
+        first.editor.newPainting(Editor::usualCanvas());
+        addStroke(first.editor);
+        QSignalSpy saved(&first.editor, &Editor::saved);
+        first.editor.startSaving(path);
+        QVERIFY(saved.wait());
+
+        OpenPainting second;
+        int heard = 0;
+        const auto look = [&] {
+            ++heard;
+            QCOMPARE(second.editor.filePath(), path);
+            QCOMPARE(second.editor.fileHash(), first.editor.fileHash());
+            QCOMPARE(second.editor.document().painting()->strokes.size(), std::size_t(1));
+            QVERIFY(!second.editor.isModified());
+        };
+        connect(&second.editor.document(), &Document::changed, this, look);
+        connect(&second.editor, &Editor::opened, this, look);
+        QVERIFY(second.editor.open(path));
+        QCOMPARE(heard, 2);
+        QVERIFY(!second.editor.open(m_folder.filePath("none.suffuse"))); // and nothing is shown of it
+        QCOMPARE(heard, 2);
+    }
+
+private:
+    QTemporaryDir m_folder;
+};
+
+QTEST_MAIN(TestCommands)
+#include "test_commands.moc"
