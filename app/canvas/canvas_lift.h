@@ -1,9 +1,9 @@
 // Strokes that float over the canvas while a gesture maps them as a whole.
 #pragma once
 
-#include "app/canvas/overlay.h"
-#include "app/canvas/selection_outline.h"
 #include "app/canvas/canvas_view.h"
+#include "app/canvas/overlay/overlay.h"
+#include "app/canvas/overlay/selection_outline.h"
 #include "app/session/floating_view.h"
 #include "app/session/frames/frame_thread.h"
 

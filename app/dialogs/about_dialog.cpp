@@ -1,7 +1,7 @@
 #include "app/dialogs/about_dialog.h"
 
-#include "app/widgets/icons.h"
-#include "app/widgets/section.h"
+#include "app/widgets/look/icons.h"
+#include "app/widgets/look/section.h"
 #include "render/backends.h"
 
 #include <QDialogButtonBox>

@@ -1,7 +1,7 @@
 #include "app/dialogs/backups_dialog.h"
 
 #include "app/session/files/saving_preview.h"
-#include "app/widgets/picture_icon.h"
+#include "app/widgets/look/picture_icon.h"
 #include "model/formats/atomic_save.h"
 #include "model/formats/files.h"
 

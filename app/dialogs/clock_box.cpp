@@ -1,6 +1,6 @@
 #include "app/dialogs/clock_box.h"
 
-#include "app/widgets/time_text.h"
+#include "app/widgets/numbers/time_text.h"
 
 namespace suffuse {
 

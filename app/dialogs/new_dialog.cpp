@@ -2,10 +2,10 @@
 
 #include "app/session/editor.h"
 #include "app/session/settings/settings.h"
-#include "app/widgets/canvas_section.h"
-#include "app/widgets/icons.h"
-#include "app/widgets/mnemonics.h"
-#include "app/widgets/section.h"
+#include "app/widgets/habits/mnemonics.h"
+#include "app/widgets/look/icons.h"
+#include "app/widgets/look/section.h"
+#include "app/widgets/paper/canvas_section.h"
 #include "model/painting/validate.h"
 
 #include <QComboBox>

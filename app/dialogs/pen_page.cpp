@@ -1,7 +1,7 @@
 #include "app/dialogs/pen_page.h"
 
-#include "app/widgets/pen_pad.h"
-#include "app/widgets/response_editor.h"
+#include "app/widgets/brush/pen_pad.h"
+#include "app/widgets/curves/response_editor.h"
 
 #include <QCheckBox>
 #include <QComboBox>

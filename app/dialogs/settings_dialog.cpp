@@ -2,8 +2,8 @@
 
 #include "app/dialogs/pen_page.h"
 #include "app/session/settings/settings.h"
-#include "app/widgets/mnemonics.h"
-#include "app/widgets/theme.h"
+#include "app/widgets/habits/mnemonics.h"
+#include "app/widgets/look/theme.h"
 #include "model/formats/atomic_save.h"
 
 #include <QComboBox>

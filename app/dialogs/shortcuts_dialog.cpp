@@ -2,9 +2,9 @@
 
 #include "app/session/commands/commands.h"
 #include "app/session/settings/settings.h"
+#include "app/widgets/habits/mnemonics.h"
+#include "app/widgets/look/section.h"
 #include "app/widgets/menu_titles.h"
-#include "app/widgets/mnemonics.h"
-#include "app/widgets/section.h"
 
 #include <QAction>
 #include <QDialogButtonBox>

@@ -2,11 +2,11 @@
 
 #include "app/session/editor.h"
 #include "app/session/settings/settings.h"
-#include "app/widgets/icons.h"
-#include "app/widgets/messages.h"
-#include "app/widgets/mnemonics.h"
-#include "app/widgets/save_name.h"
-#include "app/widgets/section.h"
+#include "app/widgets/asking/messages.h"
+#include "app/widgets/asking/save_name.h"
+#include "app/widgets/habits/mnemonics.h"
+#include "app/widgets/look/icons.h"
+#include "app/widgets/look/section.h"
 
 #include <QCheckBox>
 #include <QDialogButtonBox>

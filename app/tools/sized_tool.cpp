@@ -4,7 +4,7 @@
 #include "app/session/editor.h"
 #include "app/session/settings/settings.h"
 #include "app/tools/tool_fields.h"
-#include "app/widgets/number_field.h"
+#include "app/widgets/numbers/number_field.h"
 
 #include <QHBoxLayout>
 #include <QPainter>

@@ -1,6 +1,6 @@
 #include "app/tools/tool_fields.h"
 
-#include "app/widgets/slider_field.h"
+#include "app/widgets/numbers/slider_field.h"
 
 #include <QHBoxLayout>
 #include <QLabel>

@@ -11,9 +11,9 @@
 #include "app/session/commands/commands.h"
 #include "app/session/commands/selection_commands.h"
 #include "app/session/open_painting.h"
-#include "app/widgets/keyboard_focus.h"
-#include "app/widgets/place_beside.h"
-#include "app/widgets/section.h"
+#include "app/widgets/habits/keyboard_focus.h"
+#include "app/widgets/habits/place_beside.h"
+#include "app/widgets/look/section.h"
 
 #include <QApplication>
 #include <QDockWidget>

@@ -4,7 +4,7 @@
 #include "app/dialogs/export_dialog.h"
 #include "app/dialogs/timelapse_dialog.h"
 #include "app/session/commands/session_rows.h"
-#include "app/widgets/messages.h"
+#include "app/widgets/asking/messages.h"
 
 #include <QDir>
 #include <QFileInfo>

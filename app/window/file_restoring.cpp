@@ -4,8 +4,8 @@
 #include "app/dialogs/backups_dialog.h"
 #include "app/session/commands/commands.h"
 #include "app/session/open_painting.h"
-#include "app/widgets/at_next_change.h"
-#include "app/widgets/messages.h"
+#include "app/widgets/asking/messages.h"
+#include "app/widgets/habits/at_next_change.h"
 #include "app/window/file_saving.h"
 
 #include <QDateTime>

@@ -5,9 +5,9 @@
 #include "app/session/files/saving_watch.h"
 #include "app/session/open_painting.h"
 #include "app/session/settings/settings.h"
-#include "app/widgets/at_next_change.h"
-#include "app/widgets/messages.h"
-#include "app/widgets/save_name.h"
+#include "app/widgets/asking/messages.h"
+#include "app/widgets/asking/save_name.h"
+#include "app/widgets/habits/at_next_change.h"
 #include "app/window/workspace_view.h"
 
 #include <QApplication>
@@ -213,7 +213,7 @@ void FileSaving::fileChangedOutside(const QByteArray &hash)
     if (m_asking || m_editor.isSaving() || hash == m_editor.fileHash())
         return;                                           // saving looks for itself
     if (m_canvas.tool() && m_canvas.tool()->isBusy()) { // not in the middle of a stroke
-        QTimer::singleShot(laterMs, this, [this, hash] { fileChangedOutside(hash); });
+        QTimer::singleShot(saveLaterMs, this, [this, hash] { fileChangedOutside(hash); });
         return;
     }
     m_asking = true;

@@ -5,9 +5,9 @@
 #include "app/session/commands/underlay_commands.h"
 #include "app/session/files/import_strokes.h"
 #include "app/session/open_painting.h"
-#include "app/widgets/at_next_change.h"
-#include "app/widgets/choose_picture.h"
-#include "app/widgets/messages.h"
+#include "app/widgets/asking/choose_picture.h"
+#include "app/widgets/asking/messages.h"
+#include "app/widgets/habits/at_next_change.h"
 #include "app/window/file_choice.h"
 
 #include <QFileDialog>

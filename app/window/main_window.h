@@ -2,7 +2,6 @@
 #pragma once
 
 #include "app/session/commands/commands.h"
-#include "app/session/frames/make_renderer.h"
 #include "app/session/open_painting.h"
 #include "render/backends.h"
 

@@ -1,8 +1,8 @@
 #include "app/window/recovery.h"
 
 #include "app/session/files/saving_preview.h"
-#include "app/widgets/messages.h"
-#include "app/widgets/picture_icon.h"
+#include "app/widgets/asking/messages.h"
+#include "app/widgets/look/picture_icon.h"
 #include "app/window/main_window.h"
 
 #include <QDialogButtonBox>

@@ -3,9 +3,9 @@
 #include "app/canvas/canvas_widget.h"
 #include "app/session/commands/commands.h"
 #include "app/session/open_painting.h"
-#include "app/widgets/at_next_change.h"
-#include "app/widgets/messages.h"
-#include "app/widgets/section.h"
+#include "app/widgets/asking/messages.h"
+#include "app/widgets/habits/at_next_change.h"
+#include "app/widgets/look/section.h"
 
 #include <QLabel>
 #include <QLocale>

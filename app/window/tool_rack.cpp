@@ -2,14 +2,14 @@
 
 #include "app/canvas/canvas_widget.h"
 #include "app/session/commands/commands.h"
-#include "app/tools/attribute_brush_tool.h"
-#include "app/tools/brush_tool.h"
-#include "app/tools/eraser_tool.h"
-#include "app/tools/eyedropper_tool.h"
-#include "app/tools/knife_tool.h"
-#include "app/tools/node_tool.h"
+#include "app/tools/brush/attribute_brush_tool.h"
+#include "app/tools/brush/brush_tool.h"
+#include "app/tools/brush/eyedropper_tool.h"
+#include "app/tools/nodes/node_tool.h"
 #include "app/tools/pan_tool.h"
-#include "app/tools/select_tool.h"
+#include "app/tools/select/select_tool.h"
+#include "app/tools/shaping/eraser_tool.h"
+#include "app/tools/shaping/knife_tool.h"
 #include "app/tools/tool_options.h"
 
 namespace suffuse {

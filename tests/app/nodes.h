@@ -1,7 +1,7 @@
 // A wave with the Segments tool in hand.
 #pragma once
 
-#include "app/tools/node_tool.h"
+#include "app/tools/nodes/node_tool.h"
 #include "tests/app/shapes.h"
 
 namespace suffuse {

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "app/session/editor.h"
-#include "app/widgets/bar_slider.h"
+#include "app/widgets/numbers/bar_slider.h"
 
 #include <QLineEdit>
 #include <QTest>

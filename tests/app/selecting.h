@@ -1,7 +1,7 @@
 // A window with the Select tool in hand, and the mouse with modifier keys.
 #pragma once
 
-#include "app/tools/select_tool.h"
+#include "app/tools/select/select_tool.h"
 #include "model/paint/half_width.h"
 #include "tests/app/session.h"
 

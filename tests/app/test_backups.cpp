@@ -1,7 +1,7 @@
 // Earlier versions: kept when one takes another one's place, never twice, and brought back as a step like any other.
 #include "app/dialogs/backups_dialog.h"
 #include "app/session/settings/settings.h"
-#include "app/widgets/messages.h"
+#include "app/widgets/asking/messages.h"
 #include "model/formats/atomic_save.h"
 #include "model/formats/files.h"
 #include "tests/app/file_dialogs.h"

@@ -2,8 +2,8 @@
 // rendered, nodes dropped onto each other, dialogs about strokes that go.
 #include "app/panels/inspector/along_dialog.h"
 #include "app/panels/inspector/inspector_panel.h"
-#include "app/tools/node_tool.h"
-#include "app/tools/select_tool.h"
+#include "app/tools/nodes/node_tool.h"
+#include "app/tools/select/select_tool.h"
 #include "model/formats/files.h"
 #include "model/painting/validate.h"
 #include "model/shaping/split.h"

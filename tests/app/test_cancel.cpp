@@ -1,10 +1,10 @@
 // Whatever is given up leaves the painting and its steps, those to be redone too, as they were.
 #include "app/panels/inspector/along_dialog.h"
-#include "app/widgets/bar_slider.h"
-#include "app/widgets/number_field.h"
 #include "app/panels/inspector/segment_section.h"
-#include "app/widgets/slider_field.h"
 #include "app/panels/timeline/timeline_view.h"
+#include "app/widgets/numbers/bar_slider.h"
+#include "app/widgets/numbers/number_field.h"
+#include "app/widgets/numbers/slider_field.h"
 #include "tests/app/panel_bench.h"
 #include "tests/app/shapes.h"
 

@@ -1,6 +1,6 @@
 // The view's arithmetic, and the canvas as a hand uses it: wheel, drags, keys.
 #include "app/canvas/canvas_widget.h"
-#include "app/canvas/overlay.h"
+#include "app/canvas/overlay/overlay.h"
 #include "app/session/editor.h"
 
 #include <QSignalSpy>

@@ -2,7 +2,7 @@
 #include "app/session/colour_convert.h"
 #include "app/session/files/clipboard.h"
 #include "app/session/files/svg_strokes.h"
-#include "app/widgets/colour_swatch.h"
+#include "app/widgets/colour/colour_swatch.h"
 #include "model/paint/derived_figures.h"
 #include "model/painting/influence.h"
 #include "model/painting/validate.h"

@@ -4,11 +4,11 @@
 #include "app/dialogs/settings_dialog.h"
 #include "app/dialogs/shortcuts_dialog.h"
 #include "app/session/settings/settings.h"
-#include "app/widgets/canvas_section.h"
-#include "app/widgets/icons.h"
-#include "app/widgets/number_field.h"
-#include "app/widgets/section.h"
-#include "app/widgets/theme.h"
+#include "app/widgets/look/icons.h"
+#include "app/widgets/look/section.h"
+#include "app/widgets/look/theme.h"
+#include "app/widgets/numbers/number_field.h"
+#include "app/widgets/paper/canvas_section.h"
 #include "tests/app/panel_bench.h"
 
 #include <QAction>

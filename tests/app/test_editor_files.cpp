@@ -1,5 +1,5 @@
 // What happens between the window and files: save, reopen, errors, unsaved work, drops.
-#include "app/widgets/messages.h"
+#include "app/widgets/asking/messages.h"
 #include "model/formats/files.h"
 #include "tests/app/session.h"
 #include "undo/edits.h"

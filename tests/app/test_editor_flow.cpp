@@ -1,6 +1,6 @@
 // A session as a painter has it: paint, select, change, undo.
 #include "app/session/commands/keys.h"
-#include "app/tools/brush_tool.h"
+#include "app/tools/brush/brush_tool.h"
 #include "model/brush/brush_width.h"
 #include "tests/app/session.h"
 #include "undo/edits.h"

@@ -1,5 +1,5 @@
 // What comes first on the screen, and what stands in for a picture that takes too long.
-#include "app/canvas/selection_outline.h"
+#include "app/canvas/overlay/selection_outline.h"
 #include "app/panels/inspector/inspector_panel.h"
 #include "app/panels/inspector/segment_section.h"
 #include "app/session/frames/coarse_frames.h"

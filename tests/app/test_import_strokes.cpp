@@ -1,6 +1,6 @@
 // File ▸ Import Strokes…: what other files hold comes into the open painting.
 #include "app/session/files/import_strokes.h"
-#include "app/widgets/messages.h"
+#include "app/widgets/asking/messages.h"
 #include "model/shaping/transform.h"
 #include "tests/app/selecting.h"
 

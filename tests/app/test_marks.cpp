@@ -1,6 +1,6 @@
 // What lies over the picture: outlines that give way to it, angles and sizes beside the pointer, the pasteboard.
-#include "app/widgets/number_field.h"
-#include "app/tools/brush_tool.h"
+#include "app/tools/brush/brush_tool.h"
+#include "app/widgets/numbers/number_field.h"
 #include "tests/app/shapes.h"
 
 #include <QLabel>

@@ -1,8 +1,8 @@
 // Every number of a segment has its row in the inspector, with its domain and default: also one that was just added.
 #include "app/panels/inspector/inspector_panel.h"
 #include "app/panels/inspector/segment_section.h"
-#include "app/widgets/colour_rows.h"
-#include "app/widgets/quantity.h"
+#include "app/widgets/colour/colour_rows.h"
+#include "app/widgets/numbers/quantity.h"
 #include "tests/app/panel_bench.h"
 #include "tests/model/tried_segment.h"
 

@@ -1,6 +1,6 @@
 // Paintings that are open, and the list of those that were: in several windows, and in several running instances.
 #include "app/session/settings/settings.h"
-#include "app/widgets/messages.h"
+#include "app/widgets/asking/messages.h"
 #include "model/formats/files.h"
 #include "tests/app/session.h"
 

@@ -1,5 +1,5 @@
 // Eraser and knife at a moment of the past: what is not painted yet is left alone.
-#include "app/tools/eraser_tool.h"
+#include "app/tools/shaping/eraser_tool.h"
 #include "tests/app/timed.h"
 
 using namespace suffuse;

@@ -2,8 +2,8 @@
 #include "app/dialogs/pen_page.h"
 #include "app/dialogs/settings_dialog.h"
 #include "app/session/settings/settings.h"
-#include "app/widgets/pen_pad.h"
-#include "app/widgets/response_editor.h"
+#include "app/widgets/brush/pen_pad.h"
+#include "app/widgets/curves/response_editor.h"
 #include "session.h"
 #include "synthetic_pen.h"
 

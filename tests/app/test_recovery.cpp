@@ -1,6 +1,6 @@
 // What a start offers after a crash: everything that was finished, once, and never what was saved or closed.
 #include "app/session/files/journal.h"
-#include "app/widgets/messages.h"
+#include "app/widgets/asking/messages.h"
 #include "app/window/recovery.h"
 #include "tests/app/selecting.h"
 

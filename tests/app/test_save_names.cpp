@@ -1,7 +1,7 @@
 // Names that users give to files: what stands behind a dot may be part of one.
 #include "app/session/settings/settings.h"
-#include "app/widgets/messages.h"
-#include "app/widgets/save_name.h"
+#include "app/widgets/asking/messages.h"
+#include "app/widgets/asking/save_name.h"
 #include "model/formats/files.h"
 #include "tests/app/file_dialogs.h"
 #include "tests/app/session.h"

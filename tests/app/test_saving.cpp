@@ -1,6 +1,6 @@
 // Saving while it is painted on, failing, and other programs that write to the same file.
 #include "app/session/settings/settings.h"
-#include "app/widgets/messages.h"
+#include "app/widgets/asking/messages.h"
 #include "model/formats/atomic_save.h"
 #include "model/formats/files.h"
 #include "tests/app/session.h"

@@ -1,5 +1,5 @@
 // The outlines of the selected strokes: thinned out where they are many, apart where they move.
-#include "app/canvas/selection_outline.h"
+#include "app/canvas/overlay/selection_outline.h"
 #include "app/session/selecting/pick.h"
 #include "tests/app/selecting.h"
 #include "undo/transform_edits.h"

@@ -1,7 +1,7 @@
 // Settings: what is stored comes back, and damaged files never keep the program from starting.
 #include "app/session/settings/settings.h"
 #include "app/session/translation.h"
-#include "app/widgets/theme.h"
+#include "app/widgets/look/theme.h"
 #include "app/window/window_layout.h"
 #include "model/formats/atomic_save.h"
 #include "tests/trials.h"

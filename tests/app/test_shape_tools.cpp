@@ -1,7 +1,7 @@
 // Knife, eraser, attribute brush and eyedropper under the hand.
-#include "app/tools/attribute_brush_tool.h"
-#include "app/tools/eraser_tool.h"
-#include "app/tools/knife_tool.h"
+#include "app/tools/brush/attribute_brush_tool.h"
+#include "app/tools/shaping/eraser_tool.h"
+#include "app/tools/shaping/knife_tool.h"
 #include "app/tools/tool_options.h"
 #include "model/painting/validate.h"
 #include "render/probe.h"

@@ -2,8 +2,8 @@
 // room.
 #include "app/session/settings/settings.h"
 #include "app/session/translation.h"
-#include "app/widgets/bar_slider.h"
-#include "app/widgets/place_beside.h"
+#include "app/widgets/habits/place_beside.h"
+#include "app/widgets/numbers/bar_slider.h"
 #include "app/window/window_layout.h"
 #include "tests/app/all_dialogs.h"
 

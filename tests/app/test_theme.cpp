@@ -2,8 +2,8 @@
 #include "app/panels/brushes/brush_panel.h"
 #include "app/session/editor.h"
 #include "app/session/settings/settings.h"
-#include "app/widgets/icons.h"
-#include "app/widgets/theme.h"
+#include "app/widgets/look/icons.h"
+#include "app/widgets/look/theme.h"
 
 #include <QApplication>
 #include <QListWidget>

@@ -1,6 +1,6 @@
 // File ▸ Export Timelapse…: films of every kind, mistakes, and a film that is stopped.
 #include "app/dialogs/timelapse_dialog.h"
-#include "app/widgets/section.h"
+#include "app/widgets/look/section.h"
 #include "tests/app/file_dialogs.h"
 #include "tests/app/selecting.h"
 

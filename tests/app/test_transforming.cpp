@@ -1,6 +1,6 @@
 // Moving, scaling, turning, aligning and snapping: handles, numbers and commands.
 #include "app/session/settings/settings.h"
-#include "app/widgets/number_field.h"
+#include "app/widgets/numbers/number_field.h"
 #include "tests/app/selecting.h"
 
 #include <QSettings>

@@ -1,7 +1,7 @@
 // What the wheel and the keys reach: nothing is altered that was not meant.
 #include "app/session/settings/settings.h"
-#include "app/widgets/keyboard_focus.h"
-#include "app/widgets/number_field.h"
+#include "app/widgets/habits/keyboard_focus.h"
+#include "app/widgets/numbers/number_field.h"
 #include "app/window/window_layout.h"
 #include "tests/app/all_dialogs.h"
 

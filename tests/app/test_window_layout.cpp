@@ -1,7 +1,7 @@
 // Where windows go, and how their docks share the room.
 #include "app/panels/strokes/strokes_panel.h"
 #include "app/session/settings/settings.h"
-#include "app/widgets/place_beside.h"
+#include "app/widgets/habits/place_beside.h"
 #include "app/window/window_layout.h"
 #include "model/formats/files.h"
 #include "tests/app/session.h"

@@ -3,7 +3,7 @@
 // Prints a line a case: median and 99th percentile in milliseconds, by the clock on the wall and of the thread's own
 // time (which a busy machine does not spoil).
 #include "app/canvas/canvas_widget.h"
-#include "app/canvas/selection_outline.h"
+#include "app/canvas/overlay/selection_outline.h"
 #include "app/session/selecting/pick.h"
 #include "app/window/main_window.h"
 #include "render/bench/generator.h"

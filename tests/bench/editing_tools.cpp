@@ -1,5 +1,5 @@
 // Tools that look at every stroke.
-#include "app/tools/node_tool.h"
+#include "app/tools/nodes/node_tool.h"
 #include "tests/bench/editing_benches.h"
 #include "undo/node_edits.h"
 

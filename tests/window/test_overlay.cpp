@@ -1,5 +1,5 @@
 // Only parts of the canvas are painted while something is dragged: nothing of where it stood may stay on the screen.
-#include "app/tools/node_tool.h"
+#include "app/tools/nodes/node_tool.h"
 #include "tests/app/selecting.h"
 #include "tests/window/screen.h"
 

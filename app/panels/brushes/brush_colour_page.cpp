@@ -1,8 +1,8 @@
 #include "app/panels/brushes/brush_colour_page.h"
 
-#include "app/widgets/colour_swatch.h"
-#include "app/widgets/quantity.h"
-#include "app/widgets/section.h"
+#include "app/widgets/colour/colour_swatch.h"
+#include "app/widgets/look/section.h"
+#include "app/widgets/numbers/quantity.h"
 
 #include <QCheckBox>
 #include <QGridLayout>

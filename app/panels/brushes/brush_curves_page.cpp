@@ -1,8 +1,8 @@
 #include "app/panels/brushes/brush_curves_page.h"
 
-#include "app/widgets/quantity.h"
-#include "app/widgets/response_editor.h"
-#include "app/widgets/section.h"
+#include "app/widgets/curves/response_editor.h"
+#include "app/widgets/look/section.h"
+#include "app/widgets/numbers/quantity.h"
 
 #include <QGridLayout>
 #include <QHeaderView>

@@ -6,9 +6,9 @@
 #include "app/panels/brushes/brush_paint_page.h"
 #include "app/session/editor.h"
 #include "app/session/settings/brush_library.h"
-#include "app/widgets/mnemonics.h"
-#include "app/widgets/section.h"
-#include "app/widgets/theme.h"
+#include "app/widgets/habits/mnemonics.h"
+#include "app/widgets/look/section.h"
+#include "app/widgets/look/theme.h"
 #include "model/painting/validate.h"
 
 #include <QEvent>

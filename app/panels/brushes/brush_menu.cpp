@@ -3,8 +3,8 @@
 #include "app/panels/brushes/brush_dialog.h"
 #include "app/session/editor.h"
 #include "app/session/settings/brush_library.h"
-#include "app/widgets/messages.h"
-#include "app/widgets/save_name.h"
+#include "app/widgets/asking/messages.h"
+#include "app/widgets/asking/save_name.h"
 
 #include <QFileDialog>
 #include <QInputDialog>

@@ -1,6 +1,6 @@
 #include "app/panels/brushes/brush_page.h"
 
-#include "app/widgets/slider_field.h"
+#include "app/widgets/numbers/slider_field.h"
 
 #include <QGridLayout>
 #include <QVBoxLayout>

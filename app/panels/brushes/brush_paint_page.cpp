@@ -1,7 +1,7 @@
 #include "app/panels/brushes/brush_paint_page.h"
 
-#include "app/widgets/quantity.h"
-#include "app/widgets/section.h"
+#include "app/widgets/look/section.h"
+#include "app/widgets/numbers/quantity.h"
 #include "model/paint/style_function.h"
 
 #include <QComboBox>

@@ -3,10 +3,10 @@
 #include "app/panels/brushes/brush_menu.h"
 #include "app/session/editor.h"
 #include "app/session/settings/brush_library.h"
-#include "app/widgets/icons.h"
-#include "app/widgets/quantity.h"
-#include "app/widgets/section.h"
-#include "app/widgets/theme.h"
+#include "app/widgets/look/icons.h"
+#include "app/widgets/look/section.h"
+#include "app/widgets/look/theme.h"
+#include "app/widgets/numbers/quantity.h"
 
 #include <QApplication>
 #include <QEvent>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "app/widgets/brush_preview.h"
+#include "app/widgets/brush/brush_preview.h"
 
 #include <QHash>
 #include <QWidget>

@@ -6,10 +6,10 @@
 #include "app/session/colour_convert.h"
 #include "app/session/editor.h"
 #include "app/session/settings/settings.h"
-#include "app/widgets/colour_rows.h"
-#include "app/widgets/colour_swatch.h"
-#include "app/widgets/mixing_pad.h"
-#include "app/widgets/section.h"
+#include "app/widgets/colour/colour_rows.h"
+#include "app/widgets/colour/colour_swatch.h"
+#include "app/widgets/colour/mixing_pad.h"
+#include "app/widgets/look/section.h"
 #include "undo/edits.h"
 
 #include <QHBoxLayout>

@@ -1,6 +1,6 @@
 #include "app/panels/colour/colour_wheel.h"
 
-#include "app/widgets/theme.h"
+#include "app/widgets/look/theme.h"
 
 #include <QKeyEvent>
 #include <QMouseEvent>

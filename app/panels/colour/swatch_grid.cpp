@@ -1,8 +1,8 @@
 #include "app/panels/colour/swatch_grid.h"
 
 #include "app/session/colour_convert.h"
-#include "app/widgets/colour_swatch.h"
-#include "app/widgets/theme.h"
+#include "app/widgets/colour/colour_swatch.h"
+#include "app/widgets/look/theme.h"
 
 #include <QApplication>
 #include <QContextMenuEvent>

@@ -2,8 +2,8 @@
 
 #include "app/panels/history/stroke_history_list.h"
 #include "app/session/editor.h"
-#include "app/widgets/icons.h"
-#include "app/widgets/section.h"
+#include "app/widgets/look/icons.h"
+#include "app/widgets/look/section.h"
 
 #include <QSplitter>
 #include <QStyledItemDelegate>

@@ -1,8 +1,8 @@
 #include "app/panels/inspector/along_dialog.h"
 
 #include "app/session/editor.h"
-#include "app/widgets/mnemonics.h"
-#include "app/widgets/section.h"
+#include "app/widgets/habits/mnemonics.h"
+#include "app/widgets/look/section.h"
 
 #include <QButtonGroup>
 #include <QComboBox>

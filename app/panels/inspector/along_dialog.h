@@ -2,7 +2,7 @@
 
 #include "app/panels/inspector/stroke_run.h"
 #include "app/session/gesture.h"
-#include "app/widgets/curve_editor.h"
+#include "app/widgets/curves/curve_editor.h"
 
 #include <QDialog>
 

@@ -1,8 +1,8 @@
 #include "app/panels/inspector/cross_section_plot.h"
 
-#include "app/widgets/display.h"
-#include "app/widgets/plot_frame.h"
-#include "app/widgets/theme.h"
+#include "app/widgets/curves/plot_frame.h"
+#include "app/widgets/look/theme.h"
+#include "app/widgets/numbers/display.h"
 
 #include <QPainter>
 #include <QPainterPath>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "app/widgets/cross_section.h"
+#include "app/widgets/curves/cross_section.h"
 
 #include <QWidget>
 

@@ -1,7 +1,7 @@
 #include "app/panels/inspector/density_plot.h"
 
-#include "app/widgets/plot_frame.h"
-#include "app/widgets/theme.h"
+#include "app/widgets/curves/plot_frame.h"
+#include "app/widgets/look/theme.h"
 #include "model/paint/style_function.h"
 
 #include <QLocale>

@@ -4,9 +4,9 @@
 #include "app/panels/inspector/density_plot.h"
 #include "app/panels/inspector/figure_warnings.h"
 #include "app/session/editor.h"
-#include "app/widgets/display.h"
-#include "app/widgets/number_field.h"
-#include "app/widgets/section.h"
+#include "app/widgets/look/section.h"
+#include "app/widgets/numbers/display.h"
+#include "app/widgets/numbers/number_field.h"
 
 #include <QGridLayout>
 #include <QLocale>

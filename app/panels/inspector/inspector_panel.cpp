@@ -7,10 +7,10 @@
 #include "app/panels/inspector/style_section.h"
 #include "app/panels/inspector/underlay_section.h"
 #include "app/session/editor.h"
-#include "app/widgets/canvas_section.h"
-#include "app/widgets/compare_button.h"
-#include "app/widgets/section.h"
-#include "app/widgets/slider_field.h"
+#include "app/widgets/habits/compare_button.h"
+#include "app/widgets/look/section.h"
+#include "app/widgets/numbers/slider_field.h"
+#include "app/widgets/paper/canvas_section.h"
 #include "undo/edits.h"
 
 #include <QHBoxLayout>

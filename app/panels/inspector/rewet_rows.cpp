@@ -1,9 +1,9 @@
 #include "app/panels/inspector/rewet_rows.h"
 
 #include "app/session/editor.h"
-#include "app/widgets/icons.h"
-#include "app/widgets/section.h"
-#include "app/widgets/time_text.h"
+#include "app/widgets/look/icons.h"
+#include "app/widgets/look/section.h"
+#include "app/widgets/numbers/time_text.h"
 #include "undo/time_edits.h"
 
 #include <QHBoxLayout>

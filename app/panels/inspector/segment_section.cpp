@@ -2,11 +2,11 @@
 
 #include "app/panels/inspector/rewet_rows.h"
 #include "app/session/editor.h"
-#include "app/widgets/bar_slider.h"
-#include "app/widgets/colour_rows.h"
-#include "app/widgets/colour_swatch.h"
-#include "app/widgets/quantity.h"
-#include "app/widgets/section.h"
+#include "app/widgets/colour/colour_rows.h"
+#include "app/widgets/colour/colour_swatch.h"
+#include "app/widgets/look/section.h"
+#include "app/widgets/numbers/bar_slider.h"
+#include "app/widgets/numbers/quantity.h"
 #include "undo/edits.h"
 #include "undo/time_edits.h"
 

@@ -1,7 +1,7 @@
 // Selected runs of segments, and values set along their arc length.
 #pragma once
 
-#include "app/widgets/quantity.h"
+#include "app/widgets/numbers/quantity.h"
 #include "model/document/document.h"
 
 #include <functional>

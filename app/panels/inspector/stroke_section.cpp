@@ -1,8 +1,8 @@
 #include "app/panels/inspector/stroke_section.h"
 
 #include "app/session/editor.h"
-#include "app/widgets/quantity.h"
-#include "app/widgets/section.h"
+#include "app/widgets/look/section.h"
+#include "app/widgets/numbers/quantity.h"
 #include "undo/edits.h"
 
 #include <QComboBox>

@@ -1,8 +1,8 @@
 #include "app/panels/inspector/style_section.h"
 
 #include "app/session/editor.h"
-#include "app/widgets/quantity.h"
-#include "app/widgets/section.h"
+#include "app/widgets/look/section.h"
+#include "app/widgets/numbers/quantity.h"
 #include "model/painting/fields.h"
 #include "model/painting/validate.h"
 #include "undo/edits.h"

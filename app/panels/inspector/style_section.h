@@ -1,7 +1,7 @@
 #pragma once
 
 #include "app/panels/inspector/inspected.h"
-#include "app/widgets/slider_field.h"
+#include "app/widgets/numbers/slider_field.h"
 
 #include <array>
 #include <functional>

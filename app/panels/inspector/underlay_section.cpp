@@ -2,10 +2,10 @@
 
 #include "app/session/commands/underlay_commands.h"
 #include "app/session/editor.h"
-#include "app/widgets/choose_picture.h"
-#include "app/widgets/icons.h"
-#include "app/widgets/quantity.h"
-#include "app/widgets/section.h"
+#include "app/widgets/asking/choose_picture.h"
+#include "app/widgets/look/icons.h"
+#include "app/widgets/look/section.h"
+#include "app/widgets/numbers/quantity.h"
 
 #include <QGridLayout>
 #include <QHBoxLayout>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "app/widgets/slider_field.h"
+#include "app/widgets/numbers/slider_field.h"
 #include "model/painting/painting.h"
 
 #include <array>

@@ -5,7 +5,7 @@
 #include "app/session/colour_convert.h"
 #include "app/session/editor.h"
 #include "app/session/files/clipboard.h"
-#include "app/widgets/icons.h"
+#include "app/widgets/look/icons.h"
 
 #include <QScopedValueRollback>
 

@@ -5,7 +5,7 @@
 #include "app/panels/strokes/strokes_view.h"
 #include "app/session/commands/selection_commands.h"
 #include "app/session/editor.h"
-#include "app/widgets/icons.h"
+#include "app/widgets/look/icons.h"
 
 #include <QAction>
 #include <QLineEdit>

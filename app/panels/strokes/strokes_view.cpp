@@ -4,7 +4,7 @@
 #include "app/panels/strokes/strokes_filter.h"
 #include "app/panels/strokes/strokes_model.h"
 #include "app/session/editor.h"
-#include "app/widgets/theme.h"
+#include "app/widgets/look/theme.h"
 
 #include <QApplication>
 #include <QCache>

@@ -4,9 +4,9 @@
 #include "app/session/commands/commands.h"
 #include "app/session/editor.h"
 #include "app/session/playback.h"
-#include "app/widgets/icons.h"
-#include "app/widgets/section.h"
-#include "app/widgets/time_text.h"
+#include "app/widgets/look/icons.h"
+#include "app/widgets/look/section.h"
+#include "app/widgets/numbers/time_text.h"
 
 #include <QComboBox>
 #include <QHBoxLayout>

@@ -2,7 +2,7 @@
 
 #include "app/session/colour_convert.h"
 #include "app/session/painting_clock.h"
-#include "app/widgets/theme.h"
+#include "app/widgets/look/theme.h"
 #include "model/document/document.h"
 
 #include <QLocale>

@@ -2,7 +2,7 @@
 
 #include "app/session/editor.h"
 #include "app/session/playback.h"
-#include "app/widgets/time_text.h"
+#include "app/widgets/numbers/time_text.h"
 
 #include <QApplication>
 #include <QMouseEvent>

@@ -1,0 +1,224 @@
+#include "app/canvas/overlay/selection_outline.h"
+
+#include "app/canvas/view_transform.h"
+#include "model/shaping/transform.h"
+
+namespace suffuse {
+
+namespace {
+
+/// Segments in the view from which on lines are thin.
+constexpr std::size_t fineSegments = 600;
+/// In the view from which on lines are quick ones while they move.
+constexpr std::size_t smoothSegments = 120;
+/// Logical pixels between dots, so that the line is seen between them.
+constexpr double nodeDistance = 10;
+/// So many strokes that change are drawn apart.
+constexpr std::size_t fewOutlines = 64;
+
+/// What of the canvas the view shows, as a box.
+Rect shownBox(const View &view, double beyond)
+{
+    Rect box;
+    const double w = view.width, h = view.height;
+    for (const Point corner : {Point{-beyond, -beyond}, Point{w + beyond, -beyond}, Point{w + beyond, h + beyond},
+                               Point{-beyond, h + beyond}})
+        box.include(view.toCanvas(corner));
+    return box;
+}
+
+} // namespace
+
+/// Finds the selected strokes, unless the same are selected in the same order.
+void SelectionOutline::locate(const Painting &painting, const Selection &selection)
+{
+    if (m_boxes.follow(painting.strokes) && selection == m_selection)
+        return;
+    m_selection = selection;
+    m_stale = true;
+    m_places.clear();
+    const std::set<StrokeId> &wanted = m_selection.strokes;
+    auto next = wanted.begin(); // most often the order is that of the ids
+    for (std::size_t i = 0; i < painting.strokes.size() && m_places.size() < wanted.size(); ++i) {
+        const StrokeId id = painting.strokes[i]->id;
+        if (next == wanted.end() || *next != id)
+            next = wanted.find(id);
+        if (next == wanted.end())
+            continue;
+        m_places.push_back(i);
+        ++next;
+    }
+}
+
+Rect SelectionOutline::boxOf(const Painting &painting, const Selection &selection)
+{
+    locate(painting, selection);
+    Rect box;
+    for (const std::size_t place : m_places)
+        box = box.united(m_boxes[place]);
+    return box;
+}
+
+Rect SelectionOutline::curveBoxOf(const Painting &painting, const Selection &selection)
+{
+    locate(painting, selection);
+    Rect box;
+    for (const std::size_t place : m_places) {
+        const Rect &around = m_boxes[place];
+        const bool isWithin = box.contains({around.left, around.top}) && box.contains({around.right, around.bottom});
+        if (!isWithin && !painting.isLocked(*painting.strokes[place])) // most curves add nothing
+            box = box.united(curveBox(*painting.strokes[place]));
+    }
+    return box;
+}
+
+/// True where what was gathered holds, strokes apart that are shown as they are now.
+bool SelectionOutline::follow(const View &view, const Painting &painting, bool moving)
+{
+    const std::optional<Point> shift = shiftBetween(m_shown.view, view);
+    const double most = m_thin ? ThinOutline::margin : 0;
+    if (m_stale || !shift || std::abs(shift->x) > most || std::abs(shift->y) > most ||
+        painting.strokes.size() != m_strokes.size())
+        return false;
+    std::vector<std::size_t> changed;
+    painting.strokes.forEachDifference(m_strokes, [&](std::size_t place) {
+        if (changed.size() <= fewOutlines)
+            changed.push_back(place);
+    });
+    if (changed.empty())
+        return moving || std::none_of(m_shown.strokes.begin(), m_shown.strokes.end(),
+                                      [](const OutlinedStroke &shown) { return shown.apart; });
+    return moving && m_thin && changed.size() <= fewOutlines && followApart(painting.strokes, changed);
+}
+
+bool SelectionOutline::followApart(const StrokeList &strokes, const std::vector<std::size_t> &changed)
+{
+    for (const std::size_t place : changed) {
+        const StrokePtr &stroke = strokes[place];
+        if (std::as_const(m_strokes)[place]->id != stroke->id)
+            return false;
+        if (!m_selection.strokes.contains(stroke->id))
+            continue;
+        const auto it = std::lower_bound(m_shown.strokes.begin(), m_shown.strokes.end(), place,
+                                         [](const OutlinedStroke &shown, std::size_t p) { return shown.place < p; });
+        if (it == m_shown.strokes.end() || it->place != place)
+            return false; // it comes into the view
+        it->stroke = stroke;
+        if (!it->chosen.empty())
+            m_thinLines.forgetChosen();
+        if (!std::exchange(it->apart, true))
+            m_thinLines.forgetLines();
+    }
+    m_strokes = strokes;
+    return true;
+}
+
+std::set<int> SelectionOutline::chosenOf(StrokeId id) const
+{
+    std::set<int> chosen;
+    const auto from = m_selection.segments.lower_bound({id, 0});
+    for (auto it = from; it != m_selection.segments.end() && it->stroke == id; ++it)
+        chosen.insert(it->segment);
+    return chosen;
+}
+
+void SelectionOutline::gather(const View &view, const Painting &painting)
+{
+    if (!(view == m_shown.view))
+        m_lines.clear();
+    m_shown.view = view;
+    m_strokes = painting.strokes;
+    m_stale = false;
+    m_thinLines.forgetLines();
+    m_thinLines.forgetChosen();
+    m_shown.strokes.clear();
+    m_shown.box = {};
+    m_shown.anyChosen = !m_selection.segments.empty();
+    const Rect window = shownBox(view, ThinOutline::margin);
+    std::size_t segments = 0;
+    for (const std::size_t place : m_places) {
+        if (!m_boxes[place].intersects(window))
+            continue;
+        const StrokePtr &stroke = painting.strokes[place];
+        segments += stroke->segments.size();
+        m_shown.strokes.push_back({place, stroke, chosenOf(stroke->id)});
+        m_shown.box = m_shown.box.united(m_boxes[place]);
+    }
+    m_segments = segments;
+    m_thin = segments > fineSegments;
+    if (m_thin)
+        m_lines.clear();
+    else
+        std::erase_if(m_lines, [&](const auto &line) { return !m_selection.strokes.contains(line.first); });
+}
+
+const SelectionOutline::Line &SelectionOutline::lineOf(const OutlinedStroke &shown)
+{
+    const StrokePtr &stroke = shown.stroke;
+    Line &line = m_lines[stroke->id];
+    if (line.stroke == stroke && line.chosen == shown.chosen)
+        return line;
+    line = {stroke, shown.chosen, {}, {}, {}};
+    const Rect window = Rect::of(0, 0, m_shown.view.width, m_shown.view.height).grown(8);
+    for (int k = 0; k < int(stroke->segments.size()); ++k) {
+        const Cubic cubic = stroke->cubicOf(stroke->segments[std::size_t(k)]);
+        const bool isChosen = line.chosen.contains(k);
+        addCurve(isChosen ? line.segments : line.path, cubic, m_shown.view);
+        if (!isChosen)
+            continue;
+        for (const Point &node : {m_shown.view.toPixels(cubic.p[0]), m_shown.view.toPixels(cubic.p[3])})
+            if (window.contains(node))
+                line.nodes.push_back(node);
+    }
+    return line;
+}
+
+void SelectionOutline::paintFine(QPainter &painter, const OverlayColours &colours, double dpr) const
+{
+    QColor quiet = colours.accent;
+    quiet.setAlpha(m_selection.segments.empty() ? 255 : 150);
+    // Stroke by stroke: one path of all would be searched for crossings.
+    for (const OutlinedStroke &shown : m_shown.strokes)
+        strokeTwoTone(painter, m_lines.at(shown.stroke->id).path, quiet, 1.1 * dpr);
+    for (const OutlinedStroke &shown : m_shown.strokes)
+        if (!shown.chosen.empty())
+            strokeTwoTone(painter, m_lines.at(shown.stroke->id).segments, colours.accent, 2.2 * dpr);
+    for (const OutlinedStroke &shown : m_shown.strokes) {
+        const Point *last = nullptr;
+        for (const Point &node : m_lines.at(shown.stroke->id).nodes)
+            if (!last || length(node - *last) >= nodeDistance * dpr) {
+                paintNode(painter, node, colours, dpr);
+                last = &node;
+            }
+    }
+}
+
+void SelectionOutline::paint(QPainter &painter, const View &view, const Painting &painting, const Selection &selection,
+                             const OverlayColours &colours, double dpr, bool moving)
+{
+    locate(painting, selection);
+    if (!follow(view, painting, moving)) {
+        const bool mayMend = moving && m_thin && m_thinLines.isDrawn() && view == m_shown.view;
+        const std::vector<OutlinedStroke> before = std::exchange(m_shown.strokes, {});
+        gather(view, painting);
+        if (mayMend && m_thin)
+            m_thinLines.mend(before, m_boxes);
+    }
+    if (m_shown.strokes.empty())
+        return;
+    if (m_thin) {
+        m_thinLines.paint(painter, view, dpr, colours.accent, moving);
+        return;
+    }
+    if (moving && m_segments > smoothSegments) {
+        paintQuickLines(painter, view, m_shown.strokes, false, colours.accent, dpr);
+        m_thinLines.paintChosen(painter, colours.accent, dpr, {});
+        return;
+    }
+    for (const OutlinedStroke &shown : m_shown.strokes)
+        lineOf(shown);
+    painter.setRenderHint(QPainter::Antialiasing);
+    paintFine(painter, colours, dpr);
+}
+
+} // namespace suffuse

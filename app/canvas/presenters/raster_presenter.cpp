@@ -1,0 +1,94 @@
+#include "app/canvas/presenters/presenter.h"
+#include "app/canvas/view_transform.h"
+
+#include <QImage>
+#include <QPaintEvent>
+#include <QPainter>
+
+namespace suffuse {
+
+namespace {
+
+/// Draws the frame with QPainter on a plain widget: the fast way where OpenGL is software.
+class RasterPresenter : public QWidget, public Presenter {
+public:
+    RasterPresenter(CanvasContent &content, QWidget *parent) : QWidget(parent), m_content(content)
+    {
+        setAttribute(Qt::WA_TransparentForMouseEvents);
+        setAttribute(Qt::WA_OpaquePaintEvent);
+        setFocusPolicy(Qt::NoFocus);
+    }
+
+    QWidget *widget() override { return this; }
+    QString name() const override { return QStringLiteral("raster"); }
+    void updateArea(const QRegion &area) override { update(area); }
+
+protected:
+    void paintEvent(QPaintEvent *event) override
+    {
+        QPainter painter(this);
+        m_content.withFrame([&](ShownFrame &frame) { paintPicture(painter, frame, event->region()); });
+        begin(painter, event->region());
+        m_content.paintOverlay(painter);
+    }
+
+private:
+    /// In device pixels, within a region that is in logical ones.
+    void begin(QPainter &painter, const QRegion &within)
+    {
+        const double toDevice = 1 / devicePixelRatioF();
+        painter.resetTransform();
+        painter.setClipRegion(within);
+        painter.scale(toDevice, toDevice);
+    }
+
+    /// A few rows after the other, so that the pasteboard finds the frame in the cache. (Around a sheet that is turned
+    /// it is a path, which takes longer to make than to fill.)
+    void paintPicture(QPainter &painter, ShownFrame &frame, const QRegion &region)
+    {
+        const std::optional<ShownUnderlay> underlay = m_content.underlay();
+        if (!underlay)
+            m_underlay.forget();
+        const QRect all = region.boundingRect();
+        const int rows = m_content.shownView().rotation == 0 ? 64 : all.height();
+        for (int y = all.top(); y <= all.bottom(); y += rows) {
+            begin(painter, region & QRect(all.left(), y, all.width(), rows));
+            paintFrame(painter, frame);
+            if (underlay)
+                m_underlay.paint(painter, *underlay, m_content.shownView(), painter.clipBoundingRect().toAlignedRect());
+            m_content.paintAround(painter);
+        }
+    }
+
+    void paintFrame(QPainter &painter, ShownFrame &frame)
+    {
+        frame.dirty.clear();
+        const View &view = m_content.shownView();
+        const bool sharp = frame.view == view;
+        if (!sharp || frame.picture.argb.empty())
+            painter.fillRect(QRectF(0, 0, view.width + 1, view.height + 1), m_content.backgroundColour());
+        if (frame.picture.argb.empty() || !isFrameUseful(frame, view))
+            return;
+        const QImage image(reinterpret_cast<const uchar *>(frame.picture.argb.data()), frame.picture.width,
+                           frame.picture.height, qsizetype(frame.picture.width) * 4, QImage::Format_RGB32);
+        painter.save();
+        if (!sharp) {
+            painter.setRenderHint(QPainter::SmoothPixmapTransform);
+            painter.setTransform(mapBetween(frame.view, view), true);
+        }
+        painter.drawImage(QPointF(0, 0), image);
+        painter.restore();
+    }
+
+    CanvasContent &m_content;
+    UnderlaySheet m_underlay;
+};
+
+} // namespace
+
+Presenter *makeRasterPresenter(CanvasContent &content, QWidget *parent)
+{
+    return new RasterPresenter(content, parent);
+}
+
+} // namespace suffuse

@@ -1,0 +1,311 @@
+#include "app/tools/brush/brush_tool.h"
+
+#include "app/canvas/canvas_widget.h"
+#include "app/session/editor.h"
+#include "app/session/settings/brush_library.h"
+#include "app/tools/brush/brush_tool_options.h"
+#include "model/brush/brush_dynamics.h"
+#include "model/brush/brush_width.h"
+#include "model/paint/half_width.h"
+#include "model/painting/validate.h"
+#include "undo/node_edits.h"
+
+#include <QPainter>
+#include <QPainterPath>
+
+#include <numbers>
+
+namespace suffuse {
+
+namespace {
+
+constexpr double endReach = 8; ///< logical pixels around an end node
+
+double spreadOf(const Segment &segment)
+{
+    return spreadAt(double(segment.diffusion), double(segment.maxAge));
+}
+
+/// How far a brush's tapers reach, in spreads.
+double taperOf(const QString &name, bool atStart)
+{
+    const Brush *brush = BrushLibrary::instance().find(name);
+    return brush ? double(atStart ? brush->taper.in : brush->taper.out) : 0;
+}
+
+/// The segment where the taper at one of a stroke's ends begins, and how far it is from that end; the end's own
+/// segment where there is no taper.
+std::pair<const Segment *, double> bodyAtEnd(const Stroke &stroke, int node)
+{
+    const std::size_t count = stroke.segments.size();
+    const auto fromEnd = [&](std::size_t k) { return &stroke.segments[node == 0 ? k : count - 1 - k]; };
+    const double taper = taperOf(stroke.brush, node == 0);
+    const Segment *widest = fromEnd(0);
+    double way = 0, wayToWidest = 0;
+    for (std::size_t k = 0; k < count && way < taper * spreadOf(*widest); ++k) {
+        way += arcLength(stroke.cubicOf(*fromEnd(k)));
+        if (spreadOf(*fromEnd(k)) > spreadOf(*widest)) {
+            widest = fromEnd(k);
+            wayToWidest = way;
+        }
+    }
+    return {widest, wayToWidest};
+}
+
+/// What goes on as a stroke is at one of its ends: its look, and the values there. From a tapered end it grows to the
+/// stroke's size before the taper, over as long a way.
+Brush brushAtEnd(const Stroke &stroke, int node, Brush brush)
+{
+    const Segment &tip = node == 0 ? stroke.segments.front() : stroke.segments.back();
+    const auto [body, way] = bodyAtEnd(stroke, node);
+    const Segment &end = *body;
+    brush.name = stroke.brush;
+    brush.style = stroke.styleOf(end);
+    brush.mix = stroke.mix;
+    brush.diffusion = end.diffusion;
+    brush.granulation = end.granulation;
+    brush.maxAge = end.maxAge;
+    brush.colour = end.colour;
+    const Point direction = node == 0 ? stroke.cubicOf(end).derivative(0) : stroke.cubicOf(end).derivative(1);
+    brush.tip = {end.anisotropyRatio, end.anisotropyAngle, false};
+    brush.peak = float(peakDensity(double(end.density), spreadAcross(brush.tip, brush.spread(), direction)));
+    brush.taper = {};
+    if (way > 0) {
+        brush.taper.in = float(way / brush.spread());
+        brush.taper.tip = float(std::clamp(spreadOf(tip) / brush.spread(), 0.0, 1.0));
+    }
+    return brush;
+}
+
+} // namespace
+
+BrushTool::BrushTool(CanvasWidget &canvas, QObject *parent)
+    : CanvasTool(canvas, parent), m_sizing(m_editor), m_picker(canvas)
+{
+    connect(&m_editor, &Editor::brushChanged, this, [this] { m_canvas.updateOverlay(); });
+    connect(&m_sizing, &BrushSizing::noteChanged, this, [this] { m_canvas.updateOverlay(); });
+}
+
+BrushTool::~BrushTool() = default;
+
+QString BrushTool::hint() const
+{
+    if (m_nearEnd)
+        return tr("Shift+drag to go on with the selected stroke from its end.");
+    return tr("Drag to paint, tap for a dot. Shift+drag: size and opacity. Ctrl+click: take the picture's colour, with "
+              "Shift the stroke's own.");
+}
+
+QWidget *BrushTool::options()
+{
+    if (!m_options)
+        m_options = new BrushToolOptions(m_editor);
+    return m_options;
+}
+
+void BrushTool::press(const PointerEvent &event)
+{
+    if (event.modifiers & (Qt::ControlModifier | Qt::AltModifier)) {
+        m_picker.begin(event);
+        return;
+    }
+    Brush brush = m_editor.brush();
+    m_extended = event.modifiers & Qt::ShiftModifier ? endAt(event.pixel) : std::nullopt;
+    if ((event.modifiers & Qt::ShiftModifier) && !m_extended) {
+        m_sizing.begin(event.pixel);
+        showOutlineAt(event.pixel);
+        return;
+    }
+    if (m_extended)
+        brush = brushAtEnd(*m_editor.document().painting()->find(m_extended->stroke), m_extended->node, brush);
+    m_builder = std::make_unique<StrokeBuilder>(brush, m_editor.document().takeStrokeId());
+    m_lastTime = event.time;
+    m_editor.clock().hold(true, event.late);
+    PointerEvent first = event;
+    if (m_extended) // it begins right where the stroke ends
+        first.point = nodePosition(*m_editor.document().painting()->find(m_extended->stroke), m_extended->node);
+    const double stringLength = double(brush.stabiliser.length) * m_canvas.devicePixelRatioF() / m_canvas.view().scale;
+    m_stabiliser.begin(brush.stabiliser, sampleOf(first), stringLength);
+    m_builder->add(sampleOf(first));
+    m_editor.document().setDraft(m_builder->stroke());
+    showOutlineAt(event.pixel);
+}
+
+std::optional<NodeRef> BrushTool::endAt(Point pixel) const
+{
+    std::optional<NodeRef> found;
+    const Document &document = m_editor.document();
+    const std::set<StrokeId> &selected = m_canvas.selection().strokes;
+    if (selected.empty())
+        return found;
+    double nearest = endReach * m_canvas.devicePixelRatioF();
+    for (const StrokePtr &stroke : document.painting()->strokes) {
+        if (!selected.contains(stroke->id) || document.painting()->isLocked(*stroke))
+            continue;
+        for (const int node : {0, nodeCount(*stroke) - 1})
+            if (const double d = length(m_canvas.view().toPixels(nodePosition(*stroke, node)) - pixel); d <= nearest) {
+                nearest = d;
+                found = {stroke->id, node};
+            }
+    }
+    return found;
+}
+
+PenSample BrushTool::sampleOf(const PointerEvent &event) const
+{
+    constexpr double flat = 60; // degrees from upright
+    constexpr double degree = std::numbers::pi / 180;
+    const double tilt = std::atan(std::hypot(std::tan(std::clamp(event.tiltX, -89.0, 89.0) * degree),
+                                             std::tan(std::clamp(event.tiltY, -89.0, 89.0) * degree)));
+    return {event.point, std::max(m_lastTime, event.time), float(event.pressure),
+            float(std::min(1.0, tilt / (flat * degree)))};
+}
+
+void BrushTool::add(const PointerEvent &event)
+{
+    m_lastTime = std::max(m_lastTime, event.time);
+    if (const auto sample = m_stabiliser.take(sampleOf(event))) {
+        m_builder->add(*sample);
+        m_editor.document().setDraft(m_builder->stroke());
+    }
+}
+
+void BrushTool::move(const PointerEvent &event)
+{
+    m_picker.move(event);
+    if (m_sizing.isActive())
+        return m_sizing.moveTo(event.pixel, m_canvas.devicePixelRatioF());
+    if (m_builder)
+        add(event);
+    showOutlineAt(event.pixel);
+}
+
+void BrushTool::release(const PointerEvent &event)
+{
+    m_picker.end();
+    m_sizing.moveTo(event.pixel, m_canvas.devicePixelRatioF());
+    m_sizing.end();
+    if (!m_builder)
+        return;
+    if (event.device == PointerDevice::Mouse || event.pressure > 0) // a pen lifts with pressure 0, which is no paint
+        if (const auto last = m_stabiliser.finish(sampleOf(event)))
+            m_builder->add(*last);
+    m_builder->finish();
+    const StrokePtr stroke = m_builder->stroke();
+    m_builder.reset();
+    Document &document = m_editor.document();
+    document.setDraft(nullptr);
+    if (stroke && problemOf(*stroke).isEmpty())
+        pushStroke(stroke);
+    m_editor.clock().hold(false);
+    showOutlineAt(event.pixel);
+}
+
+void BrushTool::pushStroke(const StrokePtr &stroke)
+{
+    const Document &document = m_editor.document();
+    const std::optional<NodeRef> end = std::exchange(m_extended, std::nullopt);
+    if (end)
+        if (Edit edit = extendStroke(document, end->stroke, end->node != 0, *stroke); !edit.isEmpty())
+            return m_editor.push(std::move(edit), tr("Extend stroke"));
+    m_editor.push(addStrokes(document, {stroke}, false), tr("Brush stroke"));
+}
+
+void BrushTool::cancel()
+{
+    m_picker.giveUp();
+    m_sizing.giveUp();
+    if (!m_builder)
+        return;
+    m_builder.reset();
+    m_editor.document().setDraft(nullptr);
+    m_editor.clock().hold(false);
+}
+
+void BrushTool::hover(const PointerEvent &event)
+{
+    showOutlineAt(event.pixel);
+    if (const std::optional<NodeRef> end = endAt(event.pixel); end != m_nearEnd) {
+        m_nearEnd = end;
+        m_canvas.updateOverlay();
+        emit hintChanged();
+    }
+}
+
+void BrushTool::leave()
+{
+    m_canvas.updateOverlay(outlineBox());
+    m_hovering = false;
+}
+
+QRectF BrushTool::outlineBox() const
+{
+    const Brush &brush = m_editor.brush();
+    const double r = std::max(brush.spread(), halfWidthOf(brush)) * m_canvas.view().scale + 4;
+    return QRectF(m_pixel.x - r, m_pixel.y - r, 2 * r, 2 * r);
+}
+
+void BrushTool::showOutlineAt(Point pixel)
+{
+    if (m_hovering)
+        m_canvas.updateOverlay(outlineBox());
+    m_pixel = pixel;
+    m_hovering = true;
+    m_canvas.updateOverlay(outlineBox());
+}
+
+void BrushTool::paint(QPainter &painter, const View &view, double dpr) const
+{
+    m_picker.paint(painter, dpr);
+    if (m_hovering && !m_picker.isActive())
+        paintOutline(painter, view, dpr);
+    paintNote(painter, dpr); // no circle crosses it
+}
+
+void BrushTool::paintOutline(QPainter &painter, const View &view, double dpr) const
+{
+    paintString(painter, view, dpr);
+    const StrokePtr near = m_nearEnd ? m_editor.document().painting()->find(m_nearEnd->stroke) : nullptr;
+    if (near && m_nearEnd->node < nodeCount(*near)) {
+        const Point at = view.toPixels(nodePosition(*near, m_nearEnd->node));
+        painter.setPen(QPen(Qt::white, 1.2 * dpr));
+        painter.setBrush(m_canvas.overlayColours().accent);
+        painter.drawEllipse(QPointF(at.x, at.y), 4 * dpr, 4 * dpr);
+    }
+    const auto ring = [&](double radius, Qt::PenStyle style, int alpha) {
+        const double r = radius * view.scale;
+        if (r < 3 * dpr || r > 2.0 * (view.width + view.height))
+            return; // too small to tell from the cross, or all around the window
+        painter.setBrush(Qt::NoBrush);
+        painter.setPen(QPen(QColor(255, 255, 255, alpha), 2.2 * dpr));
+        painter.drawEllipse(QPointF(m_pixel.x, m_pixel.y), r, r);
+        painter.setPen(QPen(QColor(20, 20, 24, alpha), dpr, style));
+        painter.drawEllipse(QPointF(m_pixel.x, m_pixel.y), r, r);
+    };
+    const Brush &brush = m_editor.brush();
+    ring(brush.spread(), Qt::DotLine, 110);
+    ring(halfWidthOf(brush), Qt::SolidLine, 200);
+}
+
+void BrushTool::paintNote(QPainter &painter, double dpr) const
+{
+    if (note().isEmpty() || !m_hovering)
+        return;
+    const Brush &brush = m_editor.brush();
+    const double circle = std::max(brush.spread(), halfWidthOf(brush)) * m_canvas.view().scale;
+    paintBadge(painter, note(), m_pixel, circle, m_canvas.view(), dpr);
+}
+
+void BrushTool::paintString(QPainter &painter, const View &view, double dpr) const
+{
+    const std::optional<Point> anchor = m_builder ? m_stabiliser.anchor() : std::nullopt;
+    if (!anchor)
+        return;
+    const Point at = view.toPixels(*anchor);
+    QPainterPath string(QPointF(at.x, at.y));
+    string.lineTo(m_pixel.x, m_pixel.y);
+    strokeTwoTone(painter, string, QColor(20, 20, 24), dpr);
+    paintNode(painter, at, m_canvas.overlayColours(), dpr);
+}
+
+} // namespace suffuse

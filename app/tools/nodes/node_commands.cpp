@@ -1,0 +1,248 @@
+#include "app/tools/nodes/node_commands.h"
+
+#include "app/canvas/canvas_widget.h"
+#include "app/session/commands/commands.h"
+#include "app/session/editor.h"
+#include "app/tools/nodes/node_tool.h"
+#include "undo/node_edits.h"
+
+#include <QHBoxLayout>
+#include <QToolButton>
+
+namespace suffuse {
+
+namespace {
+
+/// In the order of the tool's row; 0 parts groups.
+constexpr std::optional<Command> rowOfCommands[] = {Command::InsertNodes,
+                                                    {},
+                                                    Command::NodeCorner,
+                                                    Command::NodeSmooth,
+                                                    Command::NodeSymmetric,
+                                                    {},
+                                                    Command::BreakNodes,
+                                                    Command::JoinNodes,
+                                                    {},
+                                                    Command::DeleteSegments,
+                                                    Command::BridgeSegments,
+                                                    {},
+                                                    Command::ReverseStrokes};
+
+bool isEnd(const Painting &painting, const NodeRef &node)
+{
+    const StrokePtr stroke = painting.find(node.stroke);
+    return stroke && (node.node == 0 || node.node == nodeCount(*stroke) - 1);
+}
+
+} // namespace
+
+NodeCommands::NodeCommands(const CanvasWidget &canvas, Editor &editor, Commands &table, const Tool &tool,
+                           const std::set<NodeRef> &nodes)
+    : m_canvas(canvas), m_editor(editor), m_table(table), m_tool(tool), m_nodes(nodes)
+{
+    using enum Command;
+    const auto add = [this](Command command, const char *id, const QString &text, const char *icon,
+                            const QKeySequence &key, const QString &tip, CommandRow::Predicate predicate,
+                            std::function<void()> perform) {
+        m_table.add(command, QString::fromLatin1(id), text, icon, {key}, tip)
+            .in(CommandScope::Nodes)
+            .when(std::move(predicate))
+            .runs([this, perform = std::move(perform)] {
+                if (!m_tool.isBusy())
+                    perform();
+            });
+    };
+    const auto anyNodes = [this] { return !m_nodes.empty(); };
+    const auto anySegments = [this] { return !chosenSegments().empty(); };
+    const auto twoEnds = [this] {
+        const Painting &painting = *m_editor.document().painting();
+        return m_nodes.size() == 2 && isEnd(painting, *m_nodes.begin()) && isEnd(painting, *m_nodes.rbegin());
+    };
+    const auto anyStrokes = [this] { return !m_editor.selection().isEmpty(); };
+    add(InsertNodes, "insertNodes", Commands::tr("&Insert Nodes"), "node-insert", Qt::Key_Insert,
+        Commands::tr("Insert a node into each selected segment"), anySegments, [this] { insertBetween(); });
+    add(NodeCorner, "nodeCorner", Commands::tr("&Corner"), "node-corner", Commands::tr("Shift+C"),
+        Commands::tr("Make the selected nodes corners"), anyNodes, [this] { setKind(NodeKind::Corner); });
+    add(NodeSmooth, "nodeSmooth", Commands::tr("&Smooth"), "node-smooth", Commands::tr("Shift+S"),
+        Commands::tr("Make the selected nodes smooth"), anyNodes, [this] { setKind(NodeKind::Smooth); });
+    add(NodeSymmetric, "nodeSymmetric", Commands::tr("S&ymmetric"), "node-symmetric", Commands::tr("Shift+Y"),
+        Commands::tr("Make the selected nodes symmetric"), anyNodes, [this] { setKind(NodeKind::Symmetric); });
+    add(BreakNodes, "breakNodes", Commands::tr("&Break Strokes"), "node-break", Commands::tr("Shift+B"),
+        Commands::tr("Break strokes at the selected nodes"), anyNodes, [this] { breakAtNodes(); });
+    add(JoinNodes, "joinNodes", Commands::tr("&Join Nodes"), "node-join", Commands::tr("Shift+J"),
+        Commands::tr("Join two selected end nodes"), twoEnds, [this] { join(); });
+    add(DeleteSegments, "deleteSegments", Commands::tr("&Delete Segments"), "segment-delete", Commands::tr("Ctrl+Del"),
+        Commands::tr("Delete the selected segments, so that strokes split"), anySegments, [this] { deleteSegments(); });
+    add(BridgeSegments, "bridgeSegments", Commands::tr("Brid&ge Segments"), "bridge", Commands::tr("Alt+Del"),
+        Commands::tr("Replace selected segments by one that goes on smoothly"), anySegments, [this] { bridge(); });
+    add(ReverseStrokes, "reverseStrokes", Commands::tr("&Reverse"), "reverse", Commands::tr("Shift+R"),
+        Commands::tr("Let the selected strokes run from end to start"), anyStrokes, [this] { reverse(); });
+}
+
+void NodeCommands::update()
+{
+    for (const std::optional<Command> &command : rowOfCommands)
+        if (command)
+            m_table.update(*command);
+}
+
+QWidget *NodeCommands::makeRow()
+{
+    auto *widget = new QWidget;
+    auto *row = new QHBoxLayout(widget);
+    row->setContentsMargins(4, 0, 4, 0);
+    row->setSpacing(2);
+    for (const std::optional<Command> &command : rowOfCommands) {
+        if (!command) {
+            row->addSpacing(10);
+            continue;
+        }
+        auto *button = new QToolButton(widget);
+        button->setDefaultAction(&m_table[*command]);
+        button->setIconSize(QSize(20, 20));
+        button->setAutoRaise(true);
+        row->addWidget(button);
+    }
+    row->addStretch();
+    return widget;
+}
+
+std::set<SegmentRef> NodeCommands::chosenSegments() const
+{
+    std::set<SegmentRef> chosen = m_editor.document().selection().segments;
+    for (const NodeRef &node : m_nodes)
+        if (m_nodes.contains({node.stroke, node.node + 1}))
+            chosen.insert({node.stroke, node.node});
+    return chosen;
+}
+
+void NodeCommands::setKind(NodeKind kind)
+{
+    const QString names[] = {tr("Smooth nodes"), tr("Symmetric nodes"), tr("Corner nodes")};
+    m_editor.push(setNodeKind(m_editor.document(), m_nodes, kind), names[int(kind)]);
+}
+
+void NodeCommands::insertBetween()
+{
+    PlacesOfStrokes places;
+    for (const SegmentRef &segment : chosenSegments())
+        places[segment.stroke].push_back({segment.segment, 0.5});
+    // The nodes that there were, and the new ones between them.
+    std::set<NodeRef> nodes;
+    for (const auto &[id, inStroke] : places) {
+        const StrokePtr stroke = m_editor.document().painting()->find(id);
+        std::vector<int> sources;
+        if (!stroke)
+            continue;
+        const Stroke split = withNodes(*stroke, inStroke, &sources);
+        for (int k = 0; k < nodeCount(split); ++k) {
+            const bool isNew = k > 0 && k < int(sources.size()) && sources[k] == sources[k - 1];
+            const int old = k < int(sources.size()) ? sources[k] : nodeCount(*stroke) - 1;
+            if (isNew || m_nodes.contains({id, old}))
+                nodes.insert({id, k});
+        }
+    }
+    m_editor.push(insertNodes(m_editor.document(), places), tr("Insert nodes"));
+    emit chosen(nodes);
+}
+
+void NodeCommands::breakAtNodes()
+{
+    const Edit edit = splitAtNodes(m_editor.document(), m_nodes);
+    if (edit.isEmpty())
+        return;
+    emit chosen({});
+    m_editor.push(edit, tr("Break stroke"));
+}
+
+void NodeCommands::join()
+{
+    const NodeRef a = *m_nodes.begin(), b = *m_nodes.rbegin();
+    const Edit edit = suffuse::joinNodes(m_editor.document(), a, b);
+    if (edit.isEmpty())
+        return;
+    emit chosen({});
+    m_editor.push(edit, tr("Join nodes"));
+}
+
+void NodeCommands::reverse()
+{
+    std::set<NodeRef> nodes;
+    for (const NodeRef &node : m_nodes)
+        if (const StrokePtr stroke = m_editor.document().painting()->find(node.stroke))
+            nodes.insert({node.stroke, nodeCount(*stroke) - 1 - node.node});
+    m_editor.push(reverseSelection(m_editor.document()), tr("Reverse strokes"));
+    if (!m_nodes.empty())
+        emit chosen(nodes);
+}
+
+bool NodeCommands::deleteNodes()
+{
+    if (m_nodes.empty())
+        return false;
+    const Edit edit = suffuse::deleteNodes(m_editor.document(), m_nodes);
+    emit chosen({});
+    m_editor.push(edit, tr("Delete nodes"));
+    return true;
+}
+
+void NodeCommands::deleteSegments()
+{
+    const std::set<SegmentRef> segments = chosenSegments();
+    std::set<StrokeId> strokes; // others that are selected must stay
+    for (const SegmentRef &segment : segments)
+        strokes.insert(segment.stroke);
+    m_editor.document().setSelection({strokes, segments});
+    m_editor.push(deleteSelection(m_editor.document()), tr("Delete segments"));
+}
+
+void NodeCommands::bridge()
+{
+    const Edit edit = bridgeSegments(m_editor.document(), chosenSegments());
+    emit chosen({});
+    m_editor.push(edit, tr("Bridge segments"));
+}
+
+bool NodeCommands::selectAll()
+{
+    std::set<NodeRef> nodes;
+    const Painting &painting = *m_editor.document().painting();
+    for (const StrokePtr &stroke : painting.strokes)
+        if (m_canvas.selection().strokes.contains(stroke->id) && painting.isVisible(*stroke) &&
+            !painting.isLocked(*stroke))
+            for (int k = 0; k < nodeCount(*stroke); ++k)
+                nodes.insert(nodes.end(), NodeRef{stroke->id, k});
+    if (nodes.empty())
+        return false;
+    emit chosen(nodes);
+    return true;
+}
+
+void NodeCommands::selectNext(int step)
+{
+    const Painting &painting = *m_editor.document().painting();
+    std::vector<const Stroke *> strokes;
+    for (const StrokePtr &stroke : painting.strokes)
+        if (m_canvas.selection().strokes.contains(stroke->id) && painting.isVisible(*stroke) &&
+            !painting.isLocked(*stroke))
+            strokes.push_back(stroke.get());
+    if (strokes.empty())
+        return;
+    const NodeRef from = m_nodes.empty() ? NodeRef{} : step > 0 ? *m_nodes.rbegin() : *m_nodes.begin();
+    std::size_t at = 0;
+    while (at < strokes.size() && strokes[at]->id != from.stroke)
+        ++at;
+    if (at == strokes.size()) {
+        const Stroke &first = step > 0 ? *strokes.front() : *strokes.back();
+        emit chosen({{first.id, step > 0 ? 0 : nodeCount(first) - 1}});
+        return;
+    }
+    int node = from.node + step;
+    if (node < 0 || node >= nodeCount(*strokes[at])) {
+        at = (at + strokes.size() + std::size_t(step)) % strokes.size();
+        node = step > 0 ? 0 : nodeCount(*strokes[at]) - 1;
+    }
+    emit chosen({{strokes[at]->id, node}});
+}
+
+} // namespace suffuse

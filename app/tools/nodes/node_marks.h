@@ -1,0 +1,70 @@
+// The nodes and handles that the Segments tool shows, where they lie on screen, and which of them the pointer means.
+#pragma once
+
+#include "app/canvas/overlay/overlay.h"
+#include "model/shaping/reshape.h"
+
+#include <optional>
+#include <set>
+
+namespace suffuse {
+
+/// A tangent handle of a node.
+struct HandleRef {
+    NodeRef node;
+    bool after = false;
+    friend auto operator<=>(const HandleRef &, const HandleRef &) = default;
+};
+
+struct NodeMark {
+    NodeRef node;
+    Point pixel;
+    NodeKind kind = NodeKind::Smooth;
+    bool selected = false;
+};
+
+struct HandleMark {
+    HandleRef handle;
+    Point pixel;
+    Point nodePixel;
+};
+
+/// Made for one state of painting, selection and view. Nodes that crowd on screen are thinned out: along a stroke, but
+/// for its ends and the selected ones; and where very many are to be seen, to one a place. Handles are those of the
+/// selected nodes and their neighbours, unless these are very many. All pixels are device pixels.
+class NodeMarks {
+public:
+    /// Logical pixels around the pointer in which something is hit.
+    static constexpr double reach = 8;
+
+    NodeMarks(const Painting &painting, const std::set<StrokeId> &strokes, const std::set<NodeRef> &selected,
+              const View &view, double dpr);
+
+    const View &view() const { return m_view; }
+    /// Takes strokes over as they are now while they are dragged: what crowds on screen is told from their own marks alone.
+    void follow(const Painting &painting, const std::vector<StrokeId> &strokes, const std::set<NodeRef> &selected);
+    /// The nearest node or handle that is hit, if any.
+    struct Hit {
+        std::optional<NodeRef> node;
+        std::optional<HandleRef> handle;
+        bool isEmpty() const { return !node && !handle; }
+        friend bool operator==(const Hit &, const Hit &) = default;
+    };
+    Hit hit(Point pixel) const;
+    /// `hovered` stands out.
+    void paint(QPainter &painter, const OverlayColours &colours, const Hit &hovered) const;
+
+private:
+    void add(const Stroke &stroke, const std::set<NodeRef> &selected);
+    void addNodes(const Stroke &stroke, const std::set<NodeRef> &selected);
+    void addHandles(const Stroke &stroke, const std::set<NodeRef> &selected);
+    void thinOut();
+    Rect window() const;
+
+    View m_view;
+    double m_dpr;
+    std::vector<NodeMark> m_nodes;
+    std::vector<HandleMark> m_handles;
+};
+
+} // namespace suffuse

@@ -1,0 +1,356 @@
+#include "app/tools/nodes/node_tool.h"
+
+#include "app/canvas/canvas_widget.h"
+#include "app/session/editor.h"
+#include "app/session/selecting/pick.h"
+#include "undo/node_edits.h"
+
+#include <QKeyEvent>
+
+#include <algorithm>
+
+namespace suffuse {
+
+NodeTool::NodeTool(CanvasWidget &canvas, Commands &commands, QObject *parent)
+    : SelectionTool(canvas, parent), m_commands(canvas, m_editor, commands, *this, m_nodes), m_width(canvas)
+{
+    connect(&m_editor.document(), &Document::changed, this, &NodeTool::followDocument);
+    connect(&canvas, &CanvasWidget::begunChanged, this, [this] {
+        Change change;
+        change.selection = true;
+        followDocument(change);
+    });
+    connect(&canvas, &CanvasWidget::toolChanged, this, [this] {
+        if (!isInUse())
+            m_nodes.clear();
+        m_marks.reset();
+        m_commands.update();
+    });
+    connect(&m_commands, &NodeCommands::chosen, this, &NodeTool::selectNodes);
+    m_commands.update();
+}
+
+bool NodeTool::isInUse() const
+{
+    return m_canvas.tool() == this;
+}
+
+QString NodeTool::hint() const
+{
+    if (m_hovered.mark.handle)
+        return tr("Drag the handle to bend the curve. Shift: make the node a corner. Ctrl: steps of 15°.");
+    if (m_hovered.mark.node)
+        return tr(
+            "Drag to move the selected nodes. Ctrl: along an axis. Alt: along the handle. Shift+click for more nodes.");
+    if (m_hovered.width)
+        return WidthHandle::hint();
+    if (m_hovered.curve)
+        return tr("Drag to bend the curve. Double click to insert a node. Click to select the segment.");
+    return tr(
+        "Click a segment to select it, Shift+click for a run or another stroke's, Ctrl+click to add or remove one. "
+        "Drag around nodes.");
+}
+
+QCursor NodeTool::cursor() const
+{
+    if (!m_hovered.mark.isEmpty() || m_hovered.width)
+        return Qt::SizeAllCursor;
+    return m_hovered.curve ? Qt::OpenHandCursor : Qt::PointingHandCursor;
+}
+
+QWidget *NodeTool::options()
+{
+    if (!m_options)
+        m_options = m_commands.makeRow();
+    return m_options;
+}
+
+void NodeTool::followDocument(const Change &change)
+{
+    const std::size_t nodes = m_nodes.size();
+    if (change.reset || !selection().segments.empty())
+        m_nodes.clear();
+    if (!m_nodes.empty()) {
+        const std::set<StrokeId> &shown = m_canvas.selection().strokes;
+        std::map<StrokeId, int> counts; // of the selected strokes that have selected nodes
+        const std::set<StrokeId> wanted = strokesOfNodes();
+        for (const StrokePtr &stroke : m_editor.document().painting()->strokes)
+            if (wanted.contains(stroke->id) && shown.contains(stroke->id))
+                counts[stroke->id] = nodeCount(*stroke);
+        std::erase_if(m_nodes,
+                      [&](const NodeRef &n) { return !counts.contains(n.stroke) || n.node >= counts[n.stroke]; });
+    }
+    if (m_marks && m_nodes.size() == nodes && isOfDrag(change))
+        m_marks->follow(*m_editor.document().painting(), change.strokes, m_nodes);
+    else
+        m_marks.reset();
+    m_commands.update();
+}
+
+/// Whether it is one of few strokes in the hand and nothing else.
+bool NodeTool::isOfDrag(const Change &change) const
+{
+    constexpr std::size_t few = 32;
+    return !change.selection && !change.order && !change.canvas && !change.reset && change.strokes.size() <= few &&
+           std::all_of(change.strokes.begin(), change.strokes.end(),
+                       [this](StrokeId id) { return m_gesture.before(id); });
+}
+
+std::set<StrokeId> NodeTool::strokesOfNodes() const
+{
+    std::set<StrokeId> strokes;
+    for (const NodeRef &node : m_nodes)
+        strokes.insert(node.stroke);
+    return strokes;
+}
+
+void NodeTool::selectNodes(std::set<NodeRef> nodes)
+{
+    m_nodes = std::move(nodes);
+    if (!selection().segments.empty()) // no segments beside nodes; without nodes this is what deselecting them means
+        select(Selection{selection().strokes, {}});
+    m_marks.reset();
+    m_commands.update();
+    m_canvas.updateSelection();
+}
+
+const NodeMarks &NodeTool::marks() const
+{
+    if (!m_marks || m_marks->view() != m_canvas.view())
+        m_marks.emplace(*m_editor.document().painting(), m_canvas.selection().strokes, m_nodes, m_canvas.view(),
+                        m_canvas.devicePixelRatioF());
+    return *m_marks;
+}
+
+std::optional<NodeTool::CurveHit> NodeTool::curveAt(const PointerEvent &event) const
+{
+    std::optional<CurveHit> hit;
+    double nearest = NodeMarks::reach * m_canvas.devicePixelRatioF() / m_canvas.view().scale;
+    const std::set<StrokeId> &shown = m_canvas.selection().strokes;
+    if (shown.empty())
+        return hit;
+    const Painting &painting = *m_editor.document().painting();
+    for (const StrokePtr &stroke : painting.strokes) {
+        if (!shown.contains(stroke->id) || painting.isLocked(*stroke) || !painting.isVisible(*stroke))
+            continue;
+        const auto isNear = [&](const Segment &segment) {
+            return stroke->cubicOf(segment).controlBox().grown(nearest).contains(event.point);
+        };
+        if (std::none_of(stroke->segments.begin(), stroke->segments.end(), isNear))
+            continue;
+        double distance = 0;
+        const CurvePlace place = nearestPlace(*stroke, event.point, &distance);
+        if (distance <= nearest) {
+            nearest = distance;
+            hit = {stroke->id, place};
+        }
+    }
+    return hit;
+}
+
+void NodeTool::setHovered(const Hovered &hovered)
+{
+    if (hovered == m_hovered)
+        return;
+    m_hovered = hovered;
+    m_canvas.updateSelection();
+    m_canvas.refreshCursor();
+    emit hintChanged();
+}
+
+void NodeTool::hover(const PointerEvent &event)
+{
+    Hovered hovered;
+    hovered.mark = marks().hit(event.pixel);
+    hovered.width = hovered.mark.isEmpty() && m_width.isAt(event.pixel);
+    hovered.curve = hovered.mark.isEmpty() && !hovered.width && curveAt(event);
+    setHovered(hovered);
+}
+
+void NodeTool::leave()
+{
+    setHovered({});
+}
+
+void NodeTool::press(const PointerEvent &event)
+{
+    if (!marks().hit(event.pixel).isEmpty() || !m_width.press(event))
+        SelectionTool::press(event);
+}
+
+void NodeTool::move(const PointerEvent &event)
+{
+    if (m_width.isBusy())
+        m_width.move(event);
+    else
+        SelectionTool::move(event);
+}
+
+void NodeTool::release(const PointerEvent &event)
+{
+    if (m_width.isBusy())
+        m_width.release();
+    else
+        SelectionTool::release(event);
+}
+
+void NodeTool::cancel()
+{
+    if (m_width.isBusy())
+        m_width.cancel();
+    SelectionTool::cancel();
+}
+
+void NodeTool::pressed(const PointerEvent &event)
+{
+    m_inserted = false;
+    m_hit = marks().hit(event.pixel);
+    m_onCurve = m_hit.isEmpty() ? curveAt(event) : std::nullopt;
+    if (event.doubleClick && m_onCurve && !(event.modifiers & (Qt::ShiftModifier | Qt::ControlModifier)))
+        insertNode(*m_onCurve);
+}
+
+void NodeTool::insertNode(const CurveHit &at)
+{
+    const StrokePtr before = m_editor.document().painting()->find(at.stroke);
+    m_editor.push(insertNodes(m_editor.document(), {{at.stroke, {at.place}}}), tr("Insert node"));
+    const StrokePtr after = m_editor.document().painting()->find(at.stroke);
+    if (!before || !after || nodeCount(*after) == nodeCount(*before))
+        return;
+    const NodeRef node{at.stroke, at.place.segment + 1};
+    selectNodes({node});
+    m_inserted = true;
+    m_hit = {node, {}};
+    m_onCurve.reset();
+}
+
+void NodeTool::clicked(const PointerEvent &event)
+{
+    if (m_inserted)
+        return;
+    const bool add = event.modifiers & Qt::ShiftModifier;
+    const bool goesOnWithSegments = add && !selection().segments.empty();
+    const bool nodesCount = !goesOnWithSegments && !(event.modifiers & Qt::ControlModifier);
+    if (m_hit.node && nodesCount) {
+        std::set<NodeRef> nodes = add ? m_nodes : std::set<NodeRef>();
+        if (!add || !nodes.erase(*m_hit.node))
+            nodes.insert(*m_hit.node);
+        selectNodes(std::move(nodes));
+    } else if (!(m_hit.handle && nodesCount)) {
+        clickedSegment(event);
+    }
+}
+
+void NodeTool::clickedSegment(const PointerEvent &event)
+{
+    if (event.modifiers & Qt::ShiftModifier && selectRun(event))
+        return;
+    std::optional<SegmentRef> hit = m_onCurve ? m_onCurve->segment() : pick(event);
+    if (!hit) {
+        if (!(event.modifiers & (Qt::ShiftModifier | Qt::ControlModifier))) {
+            if (m_nodes.empty())
+                select({});
+            selectNodes({});
+        }
+        return;
+    }
+    if (event.modifiers & Qt::ShiftModifier) {
+        addStroke(*hit);
+    } else if (event.modifiers & Qt::ControlModifier) {
+        Selection chosen = selection();
+        if (!chosen.segments.erase(*hit))
+            chosen.segments.insert(*hit);
+        chosen.strokes.insert(hit->stroke);
+        select(std::move(chosen));
+    } else {
+        selectSegment(*hit);
+    }
+}
+
+/// Beside what is selected: another stroke's segment, or where nodes are selected its nodes, to choose from.
+void NodeTool::addStroke(const SegmentRef &hit)
+{
+    if (m_nodes.empty())
+        return addSegment(hit);
+    std::set<StrokeId> strokes = selection().strokes;
+    strokes.insert(hit.stroke);
+    select(Selection{std::move(strokes), {}});
+}
+
+void NodeTool::banded(const Rect &band, const PointerEvent &event)
+{
+    const bool add = event.modifiers & Qt::ShiftModifier;
+    const Painting &painting = *m_editor.document().painting();
+    std::set<NodeRef> nodes;
+    for (const StrokePtr &stroke : painting.strokes)
+        if (m_canvas.selection().strokes.contains(stroke->id) && painting.isVisible(*stroke) &&
+            !painting.isLocked(*stroke))
+            for (int k = 0; k < nodeCount(*stroke); ++k)
+                if (band.contains(m_canvas.view().toPixels(nodePosition(*stroke, k))))
+                    nodes.insert({stroke->id, k});
+    if (!nodes.empty()) {
+        if (add)
+            nodes.insert(m_nodes.begin(), m_nodes.end());
+        selectNodes(std::move(nodes));
+        return;
+    }
+    Selection chosen;
+    if (add)
+        chosen = selection();
+    for (const SegmentRef &segment : segmentsWithin(painting, m_editor.clock().time(), m_canvas.view(), band)) {
+        chosen.segments.insert(segment);
+        chosen.strokes.insert(segment.stroke);
+    }
+    selectNodes({});
+    select(std::move(chosen));
+}
+
+bool NodeTool::wantsKey(const QKeyEvent &event) const
+{
+    const bool tab = event.key() == Qt::Key_Tab || event.key() == Qt::Key_Backtab;
+    return tab && !(event.modifiers() & (Qt::ControlModifier | Qt::AltModifier)) && !selection().isEmpty();
+}
+
+bool NodeTool::keyPress(QKeyEvent *event)
+{
+    if (isBusy())
+        return SelectionTool::keyPress(event);
+    if (wantsKey(*event)) {
+        m_commands.selectNext(event->key() == Qt::Key_Backtab || event->modifiers() & Qt::ShiftModifier ? -1 : 1);
+        return true;
+    }
+    if (!m_nodes.empty() && event->key() == Qt::Key_Escape) {
+        selectNodes({});
+        return true;
+    }
+    return nudge(event) || SelectionTool::keyPress(event);
+}
+
+bool NodeTool::nudge(QKeyEvent *event)
+{
+    const std::optional<Point> way = nudgeOf(*event);
+    if (m_nodes.empty() || !way)
+        return false;
+    if (!event->isAutoRepeat()) // a key held down is one step
+        m_nodeNudges.endSteps();
+    m_editor.push(moveNodes(m_editor.document(), m_nodes, *way),
+                  m_nodes.size() > 1 ? tr("Move nodes") : tr("Move node"), &m_nodeNudges);
+    return true;
+}
+
+std::optional<double> NodeTool::paintMargin() const
+{
+    constexpr double marks = 20; // logical pixels: of nodes, handles and where they snap
+    return std::max(marks * m_canvas.devicePixelRatioF(), m_width.reach());
+}
+
+void NodeTool::paint(QPainter &painter, const View &view, double dpr) const
+{
+    m_width.paint(painter, view, dpr);
+    marks().paint(painter, m_canvas.overlayColours(), m_hovered.mark);
+    if (m_snap.to != SnapTo::Nothing)
+        paintSnapMark(painter, view.toPixels(m_snap.point), m_canvas.overlayColours(), dpr);
+    SelectionTool::paint(painter, view, dpr);
+}
+
+} // namespace suffuse

@@ -1,0 +1,102 @@
+#pragma once
+
+#include "app/session/gesture.h"
+#include "app/session/selecting/snapping.h"
+#include "app/tools/nodes/node_commands.h"
+#include "app/tools/nodes/node_marks.h"
+#include "app/tools/nodes/width_handle.h"
+#include "app/tools/selection_tool.h"
+
+#include <QPointer>
+
+namespace suffuse {
+
+class Commands;
+struct Change;
+
+/// Segments, nodes and handles of strokes. Segments are selected in the document, nodes here; never both at once.
+class NodeTool : public SelectionTool {
+    Q_OBJECT
+
+public:
+    /// Adds the rows of the commands that work on nodes.
+    NodeTool(CanvasWidget &canvas, Commands &commands, QObject *parent = nullptr);
+
+    QString hint() const override;
+    QCursor cursor() const override;
+    QWidget *options() override;
+    void press(const PointerEvent &event) override;
+    void move(const PointerEvent &event) override;
+    void release(const PointerEvent &event) override;
+    bool isBusy() const override { return m_width.isBusy() || SelectionTool::isBusy(); }
+    void cancel() override;
+    void hover(const PointerEvent &event) override;
+    void leave() override;
+    bool keyPress(QKeyEvent *event) override;
+    bool wantsKey(const QKeyEvent &event) const override;
+    /// The selected nodes; their neighbours are bridged.
+    bool deleteSelected() override { return m_commands.deleteNodes(); }
+    /// All nodes of the selected strokes.
+    bool selectAll() override { return m_commands.selectAll(); }
+    void paint(QPainter &painter, const View &view, double dpr) const override;
+    std::optional<double> paintMargin() const override;
+
+    const std::set<NodeRef> &nodes() const { return m_nodes; }
+    /// Selects nodes of selected strokes; no segments are selected then.
+    void selectNodes(std::set<NodeRef> nodes);
+
+protected:
+    void pressed(const PointerEvent &event) override;
+    void clicked(const PointerEvent &event) override;
+    void banded(const Rect &band, const PointerEvent &event) override;
+    bool beginDrag(const PointerEvent &event) override;
+    void drag(const PointerEvent &event) override;
+    void endDrag(bool cancelled) override;
+
+private:
+    /// A place on a selected stroke's curve.
+    struct CurveHit {
+        StrokeId stroke = 0;
+        CurvePlace place;
+        SegmentRef segment() const { return {stroke, place.segment}; }
+    };
+
+    void followDocument(const Change &change);
+    bool isOfDrag(const Change &change) const;
+    const NodeMarks &marks() const;
+    bool isInUse() const;
+    /// What the pointer is over, besides paint.
+    struct Hovered {
+        NodeMarks::Hit mark;
+        bool curve = false;
+        bool width = false;
+        friend bool operator==(const Hovered &, const Hovered &) = default;
+    };
+    void setHovered(const Hovered &hovered);
+    std::optional<CurveHit> curveAt(const PointerEvent &event) const;
+    void clickedSegment(const PointerEvent &event);
+    void addStroke(const SegmentRef &hit);
+    void insertNode(const CurveHit &at);
+    void begin(const std::set<StrokeId> &strokes, const QString &name);
+    void dragNodes(const PointerEvent &event);
+    void dragHandle(const PointerEvent &event);
+    std::set<StrokeId> strokesOfNodes() const;
+    bool nudge(QKeyEvent *event);
+
+    QPointer<QWidget> m_options;
+    std::set<NodeRef> m_nodes;
+    NodeCommands m_commands;
+    mutable std::optional<NodeMarks> m_marks; ///< of the present state, while nothing changes
+    Hovered m_hovered;
+
+    NodeMarks::Hit m_hit; ///< what the press hit
+    std::optional<CurveHit> m_onCurve;
+    bool m_inserted = false; ///< by this press
+    Gesture m_gesture;
+    Snapping m_snapping;
+    Snap m_snap;
+    WidthHandle m_width;
+    ValueEntry m_nodeNudges;
+};
+
+} // namespace suffuse

@@ -1,0 +1,178 @@
+#include "app/tools/nodes/width_handle.h"
+
+#include "app/canvas/canvas_widget.h"
+#include "app/session/editor.h"
+#include "model/paint/half_width.h"
+#include "undo/edits.h"
+
+#include <QCoreApplication>
+#include <QPainter>
+
+#include <algorithm>
+
+namespace suffuse {
+
+namespace {
+
+constexpr double handleGap = 9;      ///< logical pixels from the visible edge to the handle's middle
+constexpr double widthHitRadius = 8; ///< logical pixels
+constexpr double markRadius = 4.5;
+
+} // namespace
+
+QString WidthHandle::hint()
+{
+    return QCoreApplication::translate("WidthHandle", "Drag to set the width by the density, Shift: by the diffusion.");
+}
+
+std::optional<WidthHandle::Target> WidthHandle::targetOf(const Stroke &stroke, const SegmentRef &ref) const
+{
+    const Segment &segment = stroke.segments[std::size_t(ref.segment)];
+    Target target{ref, segment};
+    // Paint that is not there yet is set for when it is dry.
+    const double age = segment.age(m_canvas.editor().clock().time());
+    target.age = age > 0 ? age : double(segment.maxAge);
+    target.across = diffusionAcross(segment, tangentAt(stroke.cubicOf(segment), 0.5)) / double(segment.diffusion);
+    target.cut = visibleCut(stroke.styleOf(segment));
+    target.width =
+        halfWidth(target.across * double(segment.diffusion), double(segment.density), target.age, target.cut);
+    return target.cut > 0 ? std::optional(target) : std::nullopt;
+}
+
+std::optional<WidthHandle::Place> WidthHandle::place() const
+{
+    const Document &document = m_canvas.editor().document();
+    const Selection &selection = document.selection();
+    if (selection.strokes.size() != 1 || m_canvas.selection().isEmpty())
+        return {};
+    const StrokePtr stroke = document.painting()->find(*selection.strokes.begin());
+    if (!stroke || !document.painting()->isVisible(*stroke) || document.painting()->isLocked(*stroke))
+        return {};
+    int middle = int(stroke->segments.size()) / 2;
+    if (!selection.segments.empty())
+        middle = std::next(selection.segments.begin(), std::ptrdiff_t(selection.segments.size() / 2))->segment;
+    const std::optional<Target> target = targetOf(*stroke, {stroke->id, middle});
+    if (!target)
+        return {};
+    const Cubic cubic = stroke->cubicOf(stroke->segments[std::size_t(middle)]);
+    const Point tangent = tangentAt(cubic, 0.5);
+    return Place{{stroke->id, middle}, cubic.at(0.5), {-tangent.y, tangent.x}, target->width};
+}
+
+Point WidthHandle::pixelOf(const Place &place, const View &view, double dpr) const
+{
+    // The handle keeps a distance on screen: where the stroke is thin, its nodes stay free.
+    const double distance = place.width + handleGap * dpr / view.scale;
+    return view.toPixels(place.middle + distance * place.normal);
+}
+
+bool WidthHandle::isAt(Point pixel) const
+{
+    const std::optional<Place> at = place();
+    const double dpr = m_canvas.devicePixelRatioF();
+    return at && length(pixel - pixelOf(*at, m_canvas.view(), dpr)) <= widthHitRadius * dpr;
+}
+
+bool WidthHandle::press(const PointerEvent &event)
+{
+    if (isBusy() || !isAt(event.pixel))
+        return false;
+    const Document &document = m_canvas.editor().document();
+    m_start = *place();
+    m_targets.clear();
+    const StrokePtr stroke = document.painting()->find(m_start.ref.stroke);
+    for (const SegmentRef &ref : targetSegments(document))
+        if (const std::optional<Target> target = targetOf(*stroke, ref))
+            m_targets.push_back(*target);
+    m_grab = dot(event.point - m_start.middle, m_start.normal) - m_start.width;
+    m_gesture = m_canvas.editor().begin(QCoreApplication::translate("WidthHandle", "Change width"));
+    return true;
+}
+
+void WidthHandle::move(const PointerEvent &event)
+{
+    if (!isBusy())
+        return;
+    const double width = dot(event.point - m_start.middle, m_start.normal) - m_grab;
+    setWidth(std::max(width, 0.0), event.modifiers & Qt::ShiftModifier);
+}
+
+void WidthHandle::widen(Segment &segment, const Target &target, double width, bool diffusionAlone) const
+{
+    if (target.width <= 0 && m_start.width > 0)
+        return; // what has faded stays so beside what is seen
+    const double diffusion = target.across * double(segment.diffusion);
+    if (diffusionAlone) {
+        if (width > 0 && segment.density > 0)
+            segment.diffusion =
+                float(diffusionForHalfWidth(width, double(segment.density), target.age, target.cut) / target.across);
+        return;
+    }
+    const WidthValues values = valuesForHalfWidth(width, diffusion, target.age, target.cut);
+    if (values.diffusion != diffusion)
+        segment.diffusion = float(values.diffusion / target.across);
+    segment.density = float(values.density);
+}
+
+void WidthHandle::setWidth(double width, bool diffusionAlone)
+{
+    // Back at the start every value is what it was, to the last bit.
+    const bool back = std::abs(width - m_start.width) * m_canvas.view().scale < 0.5;
+    const double ratio = m_start.width > 0 ? width / m_start.width : 0;
+    Editor &editor = m_canvas.editor();
+    Edit edit = changeStrokes(editor.document(), {m_start.ref.stroke}, [&](Stroke &stroke) {
+        for (const Target &target : m_targets) {
+            if (std::size_t(target.ref.segment) >= stroke.segments.size())
+                continue;
+            Segment &segment = stroke.segments[std::size_t(target.ref.segment)];
+            segment.diffusion = target.before.diffusion;
+            segment.density = target.before.density;
+            if (!back)
+                widen(segment, target, m_start.width > 0 ? ratio * target.width : width, diffusionAlone);
+        }
+    });
+    m_gesture.show(std::move(edit));
+    m_canvas.updateOverlay();
+}
+
+void WidthHandle::release()
+{
+    m_gesture.commit();
+    m_targets.clear();
+    m_canvas.updateOverlay();
+}
+
+void WidthHandle::cancel()
+{
+    m_gesture.giveUp();
+    release();
+}
+
+double WidthHandle::reach() const
+{
+    const std::optional<Place> at = place();
+    const double dpr = m_canvas.devicePixelRatioF();
+    return at ? at->width * m_canvas.view().scale + (handleGap + 2 * widthHitRadius) * dpr : 0;
+}
+
+void WidthHandle::paint(QPainter &painter, const View &view, double dpr) const
+{
+    const std::optional<Place> at = place();
+    if (!at)
+        return;
+    const Point from = view.toPixels(at->middle), to = pixelOf(*at, view, dpr);
+    const QColor accent = m_canvas.overlayColours().accent;
+    const auto point = [](Point p) { return QPointF(p.x, p.y); };
+    painter.setPen(QPen(QColor(255, 255, 255, 200), 3 * dpr));
+    painter.drawLine(point(from), point(to));
+    painter.setPen(QPen(accent, 1 * dpr));
+    painter.drawLine(point(from), point(to));
+    // Two arrow heads, inwards and outwards, in a round knob.
+    painter.setPen(QPen(Qt::white, 3 * dpr));
+    painter.drawEllipse(point(to), markRadius * dpr, markRadius * dpr);
+    painter.setPen(QPen(accent, 1.5 * dpr));
+    painter.setBrush(isBusy() ? accent : QColor(Qt::white));
+    painter.drawEllipse(point(to), markRadius * dpr, markRadius * dpr);
+}
+
+} // namespace suffuse

@@ -1,0 +1,406 @@
+#include "app/tools/select/select_tool.h"
+
+#include "app/canvas/canvas_widget.h"
+#include "app/session/commands/commands.h"
+#include "app/session/editor.h"
+#include "app/session/selecting/choosing.h"
+#include "app/tools/select/select_hints.h"
+#include "app/tools/select/transform_bar.h"
+#include "undo/transform_edits.h"
+
+#include <QKeyEvent>
+#include <QPainter>
+
+namespace suffuse {
+
+namespace {
+
+using Kind = TransformHandle::Kind;
+
+bool takesAway(const PointerEvent &event)
+{
+    return event.modifiers & Qt::ShiftModifier && event.modifiers & Qt::ControlModifier;
+}
+
+} // namespace
+
+SelectTool::SelectTool(CanvasWidget &canvas, Commands &commands, QObject *parent)
+    : SelectionTool(canvas, parent), m_commands(commands)
+{
+    connect(&m_editor.document(), &Document::changed, this, &SelectTool::followDocument);
+    connect(&canvas, &CanvasWidget::begunChanged, this, [this] {
+        m_stale = true;
+        m_hovered.reset();
+    });
+}
+
+void SelectTool::followDocument(const Change &change)
+{
+    m_stale = true;
+    if (change.reset || selection().strokes != m_handled) {
+        m_handled = selection().strokes;
+        m_handles.setMode(TransformHandles::Mode::Scale);
+        m_handles.resetCentre();
+        m_hovered.reset();
+    }
+}
+
+const TransformHandles &SelectTool::handles() const
+{
+    if (m_stale && !isBusy()) {
+        m_handles.setBox(m_canvas.selectedCurves());
+        m_stale = false;
+    }
+    return m_handles;
+}
+
+void SelectTool::pressed(const PointerEvent &event)
+{
+    m_touch.reset();
+    m_handle = event.modifiers & Qt::AltModifier
+                   ? std::nullopt
+                   : handles().at(event.pixel, m_canvas.view(), m_canvas.devicePixelRatioF());
+    m_hit = m_handle ? std::nullopt : pick(event);
+    const bool plain = !(event.modifiers & (Qt::ShiftModifier | Qt::AltModifier));
+    m_selectedByPress = m_hit && plain && !selection().strokes.contains(m_hit->stroke);
+    if (m_selectedByPress) {
+        const bool within = event.modifiers & Qt::ControlModifier; // a group
+        select(Selection{within ? std::set<StrokeId>{m_hit->stroke}
+                                : withGroup(*m_editor.document().painting(), m_hit->stroke),
+                         {}});
+    }
+    if (isMoving(event) || (m_handle && m_handle->kind != Kind::Centre))
+        m_canvas.lifted().lift(m_canvas.selection().strokes);
+}
+
+bool SelectTool::isMoving(const PointerEvent &event) const
+{
+    return m_hit && !(event.modifiers & (Qt::ShiftModifier | Qt::AltModifier)) &&
+           selection().strokes.contains(m_hit->stroke);
+}
+
+void SelectTool::release(const PointerEvent &event)
+{
+    SelectionTool::release(event);
+    m_canvas.lifted().endLift(); // a click has only pressed
+}
+
+void SelectTool::cancel()
+{
+    SelectionTool::cancel();
+    m_canvas.lifted().endLift();
+}
+
+void SelectTool::clicked(const PointerEvent &event)
+{
+    say({});
+    const std::optional<TransformHandle> handle = std::exchange(m_handle, std::nullopt);
+    const bool centre = handle && handle->kind == Kind::Centre;
+    const bool resets = centre && event.modifiers & Qt::ShiftModifier;
+    if (resets)
+        m_handles.resetCentre();
+    else if (centre)
+        m_hit = pick(event); // it only lies over the paint
+    if (resets || (handle && !centre)) {
+        // A handle that is not dragged does nothing.
+    } else if (event.modifiers & Qt::AltModifier) {
+        clickedBelow(event);
+    } else if (m_hit) {
+        clickedStroke(event);
+    } else if (!(event.modifiers & Qt::ShiftModifier)) {
+        select({});
+    }
+}
+
+void SelectTool::clickedStroke(const PointerEvent &event)
+{
+    const bool turned = std::exchange(m_turnedByClick, false);
+    if (event.modifiers & Qt::ShiftModifier) {
+        const std::set<StrokeId> meant = event.modifiers & Qt::ControlModifier
+                                             ? std::set<StrokeId>{m_hit->stroke}
+                                             : withGroup(*m_editor.document().painting(), m_hit->stroke);
+        select(toggled(selection(), m_hit->stroke, meant));
+    } else if (start().doubleClick) {
+        if (turned)
+            m_handles.setMode(TransformHandles::Mode::Scale);
+        selectSegment(*m_hit);
+    } else if (event.modifiers & Qt::ControlModifier) {
+        select(Selection{{m_hit->stroke}, {}});
+    } else if (!m_selectedByPress) {
+        const bool scales = m_handles.mode() == TransformHandles::Mode::Scale;
+        m_handles.setMode(scales ? TransformHandles::Mode::Turn : TransformHandles::Mode::Scale);
+        m_turnedByClick = scales;
+    }
+}
+
+void SelectTool::clickedBelow(const PointerEvent &event)
+{
+    const Painting &painting = *m_editor.document().painting();
+    const std::vector<SegmentRef> hits = pickAll(painting, m_editor.clock().time(), event.point, tolerance());
+    if (hits.empty())
+        return;
+    const std::size_t next = nextBelow(hits, selection());
+    Selection chosen;
+    if (event.modifiers & Qt::ShiftModifier)
+        chosen = selection();
+    if (event.modifiers & Qt::ControlModifier)
+        chosen.strokes.insert(hits[next].stroke);
+    else
+        chosen.strokes.merge(withGroup(painting, hits[next].stroke));
+    select(std::move(chosen));
+    say(tr("Stroke %1 of %2 under the pointer, from the top. Alt+click again: the next below.")
+            .arg(next + 1)
+            .arg(hits.size()));
+}
+
+BandShape SelectTool::bandShape(const PointerEvent &event) const
+{
+    if (event.modifiers & Qt::AltModifier || m_commands[Command::TouchPath].isChecked())
+        return BandShape::Touch;
+    return m_commands[Command::Lasso].isChecked() ? BandShape::Lasso : BandShape::Rectangle;
+}
+
+void SelectTool::banded(const Rect &band, const PointerEvent &event)
+{
+    combine(strokesWithin(*m_editor.document().painting(), m_editor.clock().time(), m_canvas.view(), band), event);
+}
+
+void SelectTool::tracing(Point point, BandShape shape)
+{
+    if (shape != BandShape::Touch)
+        return;
+    if (m_touch)
+        m_touch->goOn(point);
+    else
+        m_touch.emplace(m_editor.document().painting(), m_editor.clock().time(), tolerance(), point);
+}
+
+void SelectTool::traced(const std::vector<Point> &path, BandShape shape, const PointerEvent &event)
+{
+    const std::optional<PathTouch> touch = std::exchange(m_touch, std::nullopt);
+    if (shape == BandShape::Touch && touch)
+        combine(touch->touched(), event);
+    else
+        combine(strokesWithin(*m_editor.document().painting(), m_editor.clock().time(), path), event);
+}
+
+void SelectTool::combine(std::set<StrokeId> found, const PointerEvent &event)
+{
+    if (takesAway(event) || takesAway(start()))
+        return select(without(selection(), found));
+    Selection chosen;
+    if ((event.modifiers | start().modifiers) & Qt::ShiftModifier)
+        chosen = selection();
+    chosen.strokes.merge(found);
+    select(std::move(chosen));
+}
+
+bool SelectTool::beginDrag(const PointerEvent &event)
+{
+    m_map = {};
+    m_turnedByClick = false;
+    const bool moves = isMoving(event);
+    if (!m_handle && !moves)
+        return false;
+    const QString name = !m_handle                       ? tr("Move")
+                         : m_handle->kind == Kind::Scale ? tr("Scale")
+                         : m_handle->kind == Kind::Skew  ? tr("Skew")
+                                                         : tr("Rotate");
+    const std::set<StrokeId> strokes = m_canvas.selection().strokes;
+    m_gesture = m_editor.begin(name);
+    m_gesture.take(strokes);
+    m_snap.begin(*m_editor.document().painting(), m_canvas.aids(), m_canvas.selection(),
+                 moves                                        ? TransformSnap::What::Strokes
+                 : m_handle && m_handle->kind == Kind::Centre ? TransformSnap::What::Centre
+                                                              : TransformSnap::What::Handle,
+                 start().point);
+    if (m_gesture.strokes().empty())
+        m_gesture.giveUp();
+    return m_gesture.isOpen();
+}
+
+void SelectTool::drag(const PointerEvent &event)
+{
+    if (m_handle)
+        dragHandle(event);
+    else
+        dragSelection(event);
+}
+
+void SelectTool::dragSelection(const PointerEvent &event)
+{
+    const View &view = m_canvas.view();
+    Point by = event.point - start().point;
+    m_snap.clear();
+    if (event.modifiers & Qt::ControlModifier) { // along one axis of the screen, as in Inkscape
+        const Point pixels = event.pixel - start().pixel;
+        const Point kept = std::abs(pixels.x) > std::abs(pixels.y) ? Point{pixels.x, 0} : Point{0, pixels.y};
+        by = view.toCanvas(start().pixel + kept) - start().point;
+    } else if (!(event.modifiers & Qt::ShiftModifier)) { // Shift: freely
+        by = m_snap.move(by, view, m_canvas.devicePixelRatioF());
+    }
+    show(Affine::translation(by));
+    say(SelectHints::ofMove(by));
+}
+
+void SelectTool::dragHandle(const PointerEvent &event)
+{
+    const View &view = m_canvas.view();
+    Point to = event.point;
+    const bool ctrl = event.modifiers & Qt::ControlModifier;
+    const bool snaps = m_handle->kind == Kind::Centre || (m_handle->kind == Kind::Scale && !ctrl);
+    m_snap.clear();
+    if (snaps) { // the corner of the box, not the handle beside it
+        const Point beside = m_handle->kind == Kind::Centre ? Point{} : start().point - m_handles.anchor(*m_handle);
+        to = m_snap.point(to - beside, view, m_canvas.devicePixelRatioF()) + beside;
+    }
+    if (m_handle->kind == Kind::Centre) {
+        m_handles.setCentre(to);
+        m_canvas.updateOverlay();
+        return;
+    }
+    const Affine map = m_handles.map(*m_handle, start().point, to, event.modifiers);
+    if (map.inverse())
+        show(map);
+    const double angle = std::atan2(m_map.c, m_map.a);
+    say(m_handle->kind == Kind::Scale    ? SelectHints::ofScale(m_map)
+        : m_handle->kind == Kind::Rotate ? SelectHints::ofTurn(angle)
+                                         : SelectHints::ofSkew(m_map));
+    if (m_handle->kind == Kind::Rotate)
+        showTurn(angle, event.pixel);
+}
+
+void SelectTool::show(const Affine &map)
+{
+    m_map = map;
+    const SpreadRule rule = m_commands[Command::ScaleSpread].isChecked() ? SpreadRule::Scales : SpreadRule::Stays;
+    m_gesture.floatBy(map, rule);
+    if (!m_canvas.lifted().isAhead())
+        m_canvas.updateSelection();
+}
+
+void SelectTool::endDrag(bool cancelled)
+{
+    const bool centre = m_handle && m_handle->kind == Kind::Centre;
+    const Point about = m_map(m_handles.centre());
+    const bool ownCentre = length(m_handles.centre() - m_handles.box().centre()) > 1e-9 * m_handles.box().width();
+    if (cancelled)
+        m_gesture.giveUp();
+    else
+        m_gesture.commit();
+    m_stale = true;
+    handles();
+    if (!cancelled && !centre && ownCentre)
+        m_handles.setCentre(about); // it stays where it was on the strokes
+    m_handle.reset();
+    m_snap.clear();
+    say({});
+    showTurn({});
+}
+
+bool SelectTool::wantsKey(const QKeyEvent &event) const
+{
+    const bool isTab = event.key() == Qt::Key_Tab || event.key() == Qt::Key_Backtab;
+    return isTab && !(event.modifiers() & (Qt::ControlModifier | Qt::AltModifier | Qt::MetaModifier));
+}
+
+bool SelectTool::keyPress(QKeyEvent *event)
+{
+    if (!wantsKey(*event))
+        return SelectionTool::keyPress(event);
+    if (!isBusy())
+        selectNext(event->key() == Qt::Key_Tab && !(event->modifiers() & Qt::ShiftModifier) ? 1 : -1);
+    return true;
+}
+
+void SelectTool::selectNext(int step)
+{
+    const Painting &painting = *m_editor.document().painting();
+    if (const StrokeId next = nextStroke(painting, m_editor.clock().time(), selection(), step))
+        select(Selection{{next}, {}});
+}
+
+QWidget *SelectTool::options()
+{
+    if (!m_options)
+        m_options = new TransformBar(m_editor, m_commands);
+    return m_options;
+}
+
+void SelectTool::hover(const PointerEvent &event)
+{
+    const auto handle = handles().at(event.pixel, m_canvas.view(), m_canvas.devicePixelRatioF());
+    if (handle == m_hovered)
+        return;
+    m_hovered = handle;
+    m_said.clear();
+    m_canvas.refreshCursor();
+    m_canvas.updateSelection();
+    emit hintChanged();
+}
+
+void SelectTool::leave()
+{
+    if (!m_hovered)
+        return;
+    m_hovered.reset();
+    m_canvas.updateSelection();
+    emit hintChanged();
+}
+
+QCursor SelectTool::cursor() const
+{
+    return m_hovered ? Qt::PointingHandCursor : Qt::ArrowCursor;
+}
+
+/// On the canvas and in the row over it, while strokes are turned.
+void SelectTool::showTurn(std::optional<double> angle, Point pixel)
+{
+    m_turned = angle;
+    m_turnedAt = pixel;
+    if (m_options)
+        m_options->showTurn(angle);
+    m_canvas.updateSelection();
+}
+
+void SelectTool::say(const QString &text)
+{
+    if (text == m_said)
+        return;
+    m_said = text;
+    emit hintChanged();
+}
+
+QString SelectTool::hint() const
+{
+    if (!m_said.isEmpty())
+        return m_said;
+    return m_hovered ? SelectHints::ofHandle(*m_hovered)
+                     : SelectHints::ofKeys(m_canvas.modifiers(), !selection().isEmpty());
+}
+
+std::optional<double> SelectTool::paintMargin() const
+{
+    constexpr double marks = 40; // logical pixels: of the handles around the box, and of where it snaps
+    const bool centre = m_handle ? m_handle->kind == Kind::Centre : m_handles.mode() == TransformHandles::Mode::Turn;
+    if ((centre || m_turned) && !selection().isEmpty())
+        return {}; // the centre may lie anywhere, and the angle stands beside the pointer
+    return marks * m_canvas.devicePixelRatioF();
+}
+
+void SelectTool::paint(QPainter &painter, const View &view, double dpr) const
+{
+    const OverlayColours &colours = m_canvas.overlayColours();
+    SelectionTool::paint(painter, view, dpr);
+    const bool movesCentre = m_gesture.isOpen() && m_handle && m_handle->kind == Kind::Centre;
+    if (movesCentre)
+        m_handles.paint(painter, view, dpr, colours.accent, m_handle);
+    else if (!isBusy() && !selection().isEmpty())
+        handles().paint(painter, view, dpr, colours.accent, m_hovered);
+    if (m_gesture.isOpen() && m_snap.found().to != SnapTo::Nothing)
+        paintSnapMark(painter, view.toPixels(m_snap.found().point), colours, dpr);
+    if (m_turned)
+        paintBadge(painter, angleText(*m_turned), m_turnedAt, 0, view, dpr);
+}
+
+} // namespace suffuse

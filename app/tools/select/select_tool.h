@@ -1,0 +1,89 @@
+#pragma once
+
+#include "app/session/gesture.h"
+#include "app/session/selecting/pick.h"
+#include "app/tools/select/transform_handles.h"
+#include "app/tools/select/transform_snap.h"
+#include "app/tools/selection_tool.h"
+
+#include <QPointer>
+
+namespace suffuse {
+
+class Commands;
+class TransformBar;
+struct Change;
+
+/// Selects strokes by their visible paint, moves them, and maps them by the handles around them; a second click changes
+/// between the handles that scale and those that turn, as in Inkscape.
+class SelectTool : public SelectionTool {
+    Q_OBJECT
+
+public:
+    SelectTool(CanvasWidget &canvas, Commands &commands, QObject *parent = nullptr);
+
+    QString hint() const override;
+    QCursor cursor() const override;
+    QWidget *options() override;
+    void release(const PointerEvent &event) override;
+    void cancel() override;
+    void hover(const PointerEvent &event) override;
+    void leave() override;
+    /// Tab and Shift+Tab go through the strokes.
+    bool keyPress(QKeyEvent *event) override;
+    bool wantsKey(const QKeyEvent &event) const override;
+    void paint(QPainter &painter, const View &view, double dpr) const override;
+    std::optional<double> paintMargin() const override;
+
+    /// Around the selection, as they are shown.
+    const TransformHandles &handles() const;
+
+protected:
+    void pressed(const PointerEvent &event) override;
+    void clicked(const PointerEvent &event) override;
+    BandShape bandShape(const PointerEvent &event) const override;
+    void banded(const Rect &band, const PointerEvent &event) override;
+    void tracing(Point point, BandShape shape) override;
+    void traced(const std::vector<Point> &path, BandShape shape, const PointerEvent &event) override;
+    bool beginDrag(const PointerEvent &event) override;
+    void drag(const PointerEvent &event) override;
+    void endDrag(bool cancelled) override;
+
+private:
+    void followDocument(const Change &change);
+    void clickedBelow(const PointerEvent &event);
+    void clickedStroke(const PointerEvent &event);
+    /// Adds, takes away or replaces, as the modifiers say.
+    void combine(std::set<StrokeId> found, const PointerEvent &event);
+    void selectNext(int step);
+
+    /// Whether a drag from there moves the selection.
+    bool isMoving(const PointerEvent &event) const;
+    void dragHandle(const PointerEvent &event);
+    void dragSelection(const PointerEvent &event);
+    void show(const Affine &map);
+    /// The readout of a drag, in the status bar.
+    void say(const QString &text);
+    void showTurn(std::optional<double> angle, Point pixel = {});
+
+    Commands &m_commands;
+    QPointer<TransformBar> m_options;
+    mutable TransformHandles m_handles;
+    mutable bool m_stale = true;  ///< the handles' box
+    std::set<StrokeId> m_handled; ///< the strokes that they are around
+    std::optional<TransformHandle> m_hovered;
+    QString m_said;
+
+    std::optional<SegmentRef> m_hit;  ///< what the press hit
+    std::optional<PathTouch> m_touch; ///< of the path that is being drawn
+    bool m_selectedByPress = false;
+    bool m_turnedByClick = false;            ///< the last click changed the handles' mode
+    std::optional<TransformHandle> m_handle; ///< that is dragged
+    Gesture m_gesture;
+    Affine m_map;                   ///< of the drag so far
+    std::optional<double> m_turned; ///< radians, while a drag turns
+    Point m_turnedAt;
+    TransformSnap m_snap;
+};
+
+} // namespace suffuse

@@ -1,0 +1,89 @@
+#include "app/widgets/habits/house_rules.h"
+
+#include "app/widgets/habits/place_beside.h"
+
+#include <QAbstractItemView>
+#include <QAbstractSpinBox>
+#include <QApplication>
+#include <QComboBox>
+#include <QDialog>
+#include <QEvent>
+#include <QLineEdit>
+#include <QPointer>
+#include <QScrollBar>
+#include <QTabBar>
+
+namespace suffuse {
+
+namespace {
+
+/// Whether the wheel would change something for good in this widget, or bring something else to the front, where the
+/// user meant to scroll.
+bool wheelAlters(const QObject *widget)
+{
+    return qobject_cast<const QAbstractSpinBox *>(widget) || qobject_cast<const QComboBox *>(widget) ||
+           qobject_cast<const QLineEdit *>(widget) || qobject_cast<const QTabBar *>(widget) ||
+           (qobject_cast<const QAbstractSlider *>(widget) && !qobject_cast<const QScrollBar *>(widget));
+}
+
+bool isField(const QWidget &widget)
+{
+    return qobject_cast<const QAbstractSpinBox *>(&widget) || qobject_cast<const QComboBox *>(&widget) ||
+           qobject_cast<const QLineEdit *>(&widget) || qobject_cast<const QAbstractItemView *>(&widget);
+}
+
+/// Gives the keyboard to a dialog's first field where the dialog itself has not chosen one, so that nothing gets lost
+/// that is typed at once.
+void focusFirstField(QDialog &dialog)
+{
+    if (dialog.focusWidget())
+        return;
+    for (QWidget *w = dialog.nextInFocusChain(); w && w != &dialog; w = w->nextInFocusChain())
+        if (dialog.isAncestorOf(w) && isField(*w) && w->focusPolicy() & Qt::TabFocus && !w->focusProxy() &&
+            w->isEnabled() && w->isVisibleTo(&dialog))
+            return w->setFocus(Qt::TabFocusReason);
+}
+
+class HouseRules : public QObject {
+public:
+    using QObject::QObject;
+
+    bool eventFilter(QObject *watched, QEvent *event) override
+    {
+        switch (event->type()) {
+        case QEvent::Polish: // with this policy, Qt would give the focus before the wheel event reaches the widget
+            if (auto *widget = qobject_cast<QWidget *>(watched); widget && widget->focusPolicy() == Qt::WheelFocus)
+                widget->setFocusPolicy(Qt::StrongFocus);
+            break;
+        case QEvent::Wheel:
+            if (wheelAlters(watched) && !static_cast<QWidget *>(watched)->hasFocus()) {
+                event->ignore(); // Qt then goes on to the parent, which may scroll
+                return true;
+            }
+            break;
+        case QEvent::Show:
+            if (auto *dialog = qobject_cast<QDialog *>(watched);
+                dialog && dialog->isWindow() && !event->spontaneous()) {
+                placeDialog(*dialog);
+                focusFirstField(*dialog);
+            }
+            break;
+        default:
+            break;
+        }
+        return QObject::eventFilter(watched, event);
+    }
+};
+
+} // namespace
+
+void installHouseRules()
+{
+    static QPointer<HouseRules> rules; // is deleted with the application
+    if (rules)
+        return;
+    rules = new HouseRules(qApp);
+    qApp->installEventFilter(rules);
+}
+
+} // namespace suffuse

@@ -1,0 +1,352 @@
+#include "app/widgets/habits/keyboard_focus.h"
+
+#include "app/session/commands/keys.h"
+
+#include <QAbstractItemView>
+#include <QAbstractSpinBox>
+#include <QAction>
+#include <QApplication>
+#include <QComboBox>
+#include <QDockWidget>
+#include <QKeyEvent>
+#include <QLineEdit>
+#include <QMainWindow>
+#include <QPainter>
+#include <QScrollArea>
+#include <QShortcutEvent>
+#include <QStatusBar>
+#include <QTabBar>
+#include <QToolBar>
+#include <QTreeView>
+
+#include <algorithm>
+
+namespace suffuse {
+
+/// A frame that lies on top of a panel and lets all events through.
+class PanelFrame : public QWidget {
+public:
+    explicit PanelFrame(QWidget &panel) : QWidget(panel.window()), m_panel(panel)
+    {
+        setAttribute(Qt::WA_TransparentForMouseEvents);
+        setFocusPolicy(Qt::NoFocus);
+        follow();
+        show();
+        raise();
+    }
+
+    const QWidget &panel() const { return m_panel; }
+    /// Follows the panel, which has moved or has another size.
+    void follow()
+    {
+        constexpr int width = 2;
+        setGeometry(QRect(m_panel.mapTo(window(), QPoint()), m_panel.size()));
+        setMask(QRegion(rect()) - rect().adjusted(width, width, -width, -width)); // the widgets below paint freely
+    }
+
+protected:
+    void paintEvent(QPaintEvent *) override { QPainter(this).fillRect(rect(), palette().color(QPalette::Highlight)); }
+
+private:
+    QWidget &m_panel;
+};
+
+namespace {
+
+/// Whether a key types, moves or deletes. Keys that stand for a command everywhere, such as function keys, do not; but
+/// F2 renames in lists.
+bool isTyped(const QKeyEvent &key)
+{
+    return isTypedKey(QKeyCombination(key.modifiers(), Qt::Key(key.key())));
+}
+
+bool hasAction(const QWidget &widget, const QKeySequence &keys)
+{
+    return std::ranges::any_of(widget.actions(),
+                               [&](const QAction *action) { return action->shortcuts().contains(keys); });
+}
+
+bool isHeldWithShift(const QAction *action)
+{
+    return std::ranges::any_of(action->shortcuts(), [](const QKeySequence &keys) {
+        return !keys.isEmpty() && keys[0].keyboardModifiers() == Qt::ShiftModifier;
+    });
+}
+
+/// Whether a widget takes typing: not a button, a slider or the like. The timeline does, since it has keys of its own
+/// and scrolls.
+bool canBeTypedInto(const QWidget &widget)
+{
+    return qobject_cast<const QLineEdit *>(&widget) || qobject_cast<const QAbstractSpinBox *>(&widget) ||
+           qobject_cast<const QComboBox *>(&widget) ||
+           (qobject_cast<const QAbstractScrollArea *>(&widget) && !qobject_cast<const QScrollArea *>(&widget));
+}
+
+/// Whether a letter would choose a row by the first letter of its name.
+bool searchesFor(const QWidget &widget, const QKeyEvent &key)
+{
+    const auto *combo = qobject_cast<const QComboBox *>(&widget);
+    const bool isTree = qobject_cast<const QTreeView *>(&widget); // a tree opens and closes rows by + - *
+    if (!qobject_cast<const QAbstractItemView *>(&widget) && !(combo && !combo->isEditable()))
+        return false;
+    const QString text = key.text();
+    return isTyped(key) && !text.isEmpty() && text[0].isPrint() && !text[0].isSpace() &&
+           !(isTree && QStringLiteral("+-*").contains(text[0]));
+}
+
+/// The place of a dock among the tabs of docks that share a place; −1 if it has a place for itself.
+int tabOf(const QMainWindow &window, const QString &title)
+{
+    for (const auto *bar : window.findChildren<QTabBar *>(QString(), Qt::FindDirectChildrenOnly))
+        for (int i = 0; bar->isVisible() && i < bar->count(); ++i)
+            if (bar->tabText(i) == title)
+                return i;
+    return -1;
+}
+
+/// Something is being done that may ask what stands in a panel.
+bool actsOnPanels(QEvent::Type type)
+{
+    switch (type) {
+    case QEvent::MouseButtonPress:
+    case QEvent::MouseButtonDblClick:
+    case QEvent::TabletPress:
+    case QEvent::TouchBegin:
+    case QEvent::Wheel:
+    case QEvent::KeyPress:
+    case QEvent::ShortcutOverride:
+    case QEvent::InputMethod:
+    case QEvent::DragEnter:
+    case QEvent::Drop:
+        return true;
+    default:
+        return false;
+    }
+}
+
+bool takesFocus(const QWidget &widget)
+{
+    return widget.focusPolicy() & Qt::TabFocus && widget.isEnabled() && !widget.focusProxy();
+}
+
+} // namespace
+
+KeyboardFocus::KeyboardFocus(QMainWindow &window, QWidget &canvas)
+    : QObject(&window), m_window(window), m_canvas(canvas)
+{
+    qApp->installEventFilter(this);
+    connect(qApp, &QApplication::focusChanged, this, [this](QWidget *, QWidget *now) {
+        if (m_frame && (!now || (now != &m_frame->panel() && !m_frame->panel().isAncestorOf(now))))
+            delete m_frame;
+        if (m_told && now && panelOf(now) != m_told) { // not while the window is being closed
+            m_told = nullptr;
+            m_window.statusBar()->clearMessage();
+        }
+    });
+}
+
+KeyboardFocus::~KeyboardFocus()
+{
+    delete m_frame;
+}
+
+void KeyboardFocus::toCanvas()
+{
+    m_window.activateWindow(); // the panel may float
+    m_canvas.setFocus(Qt::OtherFocusReason);
+}
+
+QWidget *KeyboardFocus::panelOf(QWidget *widget) const
+{
+    for (; widget && widget != &m_window; widget = widget->parentWidget()) {
+        const bool isPanel = qobject_cast<QDockWidget *>(widget) || qobject_cast<QToolBar *>(widget);
+        if (isPanel && widget->parentWidget() == &m_window)
+            return widget;
+        if (widget->isWindow())
+            return nullptr; // a dialog has keys of its own
+    }
+    return nullptr;
+}
+
+bool KeyboardFocus::keepsFromCanvas(QWidget &widget, const QKeyEvent &key) const
+{
+    if (!isTyped(key) || &widget == &m_window || &widget == &m_canvas || m_canvas.isAncestorOf(&widget))
+        return false;
+    if (const QWidget *focus = QApplication::focusWidget(); focus && focus != &widget && widget.isAncestorOf(focus))
+        return false; // the widget with the focus has let the event through
+    QWidget *panel = panelOf(&widget);
+    if (!panel && widget.window() != &m_window)
+        return false;
+    const QKeySequence keys(QKeyCombination(key.modifiers() & ~Qt::KeypadModifier, Qt::Key(key.key())));
+    const bool shift = key.modifiers() & Qt::ShiftModifier;
+    for (const QWidget *w = &widget; panel && w; w = w == panel ? nullptr : w->parentWidget())
+        // The effect of Shift on a key depends on the keyboard (> is Shift+. on some). Qt's table of shortcuts knows
+        // it.
+        if (hasAction(*w, keys) || (shift && std::ranges::any_of(w->actions(), isHeldWithShift)))
+            return false;
+    return true;
+}
+
+/// Handles a shortcut that Qt found for a key which the filter had left to it, since the panel might have had a command
+/// for it.
+bool KeyboardFocus::keepsShortcut(const QObject &owner, const QKeySequence &keys) const
+{
+    QWidget *focus = QApplication::focusWidget(), *panel = panelOf(focus);
+    const auto *action = qobject_cast<const QAction *>(&owner);
+    if (!panel || !action || keys.isEmpty() || !isTypedKey(keys[0]))
+        return false;
+    for (const QWidget *w = focus; w; w = w == panel ? nullptr : w->parentWidget())
+        if (std::ranges::any_of(w->actions(), [action](const QAction *own) { return own == action; }))
+            return false;
+    return true;
+}
+
+bool KeyboardFocus::keyPressed(QWidget &widget, const QKeyEvent &key)
+{
+    QWidget *panel = panelOf(&widget);
+    if (!panel)
+        return false;
+    const bool leaves = key.key() == Qt::Key_Escape || key.key() == Qt::Key_Return || key.key() == Qt::Key_Enter;
+    if (panel == &widget) { // nothing in the panel had a use for the key
+        if (leaves)
+            toCanvas();
+        else
+            tellWhoHasIt(*panel, key);
+        return leaves;
+    }
+    if (!widget.hasFocus() || !searchesFor(widget, key))
+        return false;
+    tellWhoHasIt(*panel, key);
+    return true;
+}
+
+/// Gives the keyboard back after a click: the mouse has been let go, so the clicked widget has done its work.
+void KeyboardFocus::letClicked()
+{
+    if (QApplication::mouseButtons() != Qt::NoButton)
+        return;
+    QWidget *focus = QApplication::focusWidget();
+    // This works behind a dialog, too, that the click has opened.
+    for (QWidget *had : {focus, m_window.focusWidget()})
+        if (had && panelOf(had) && !canBeTypedInto(*had)) {
+            if (had == focus)
+                toCanvas();
+            else
+                m_canvas.setFocus(Qt::OtherFocusReason);
+        }
+}
+
+void KeyboardFocus::tellWhoHasIt(QWidget &panel, const QKeyEvent &key)
+{
+    const bool plain = isTyped(key) && !(key.modifiers() & Qt::ShiftModifier);
+    const QList<QAction *> actions = m_window.findChildren<QAction *>();
+    if (m_told == &panel || !plain || std::ranges::none_of(actions, [&](const QAction *action) {
+            return action->isEnabled() && action->shortcuts().contains(QKeySequence(key.key()));
+        }))
+        return;
+    constexpr int milliseconds = 10'000;
+    m_told = &panel;
+    const QString title = panel.windowTitle();
+    m_window.statusBar()->showMessage(
+        qobject_cast<QDockWidget *>(&panel)
+            ? tr("The %1 dock has the keyboard; Esc gives it back to the canvas.").arg(title)
+            : tr("The tool bar “%1” has the keyboard; Esc gives it back to the canvas.").arg(title),
+        milliseconds);
+}
+
+bool KeyboardFocus::eventFilter(QObject *watched, QEvent *event)
+{
+    if (actsOnPanels(event->type()))
+        emit acting();
+    auto *widget = qobject_cast<QWidget *>(watched);
+    switch (event->type()) {
+    case QEvent::ShortcutOverride:
+        if (widget && keepsFromCanvas(*widget, *static_cast<QKeyEvent *>(event))) {
+            event->accept(); // the key comes again as a key press
+            return true;
+        }
+        break;
+    case QEvent::Shortcut: {
+        const auto *shortcut = static_cast<QShortcutEvent *>(event);
+        if (keepsShortcut(*watched, shortcut->key()))
+            return true;
+        break;
+    }
+    case QEvent::KeyPress:
+        if (widget && keyPressed(*widget, *static_cast<QKeyEvent *>(event)))
+            return true;
+        break;
+    case QEvent::MouseButtonRelease:
+        if (widget && panelOf(widget)) // after the widget has handled the release
+            QMetaObject::invokeMethod(this, &KeyboardFocus::letClicked, Qt::QueuedConnection);
+        break;
+    case QEvent::MouseButtonPress:
+        delete m_frame;
+        break;
+    case QEvent::Resize:
+    case QEvent::Move:
+        if (m_frame && widget == &m_frame->panel())
+            m_frame->follow();
+        break;
+    default:
+        break;
+    }
+    return QObject::eventFilter(watched, event);
+}
+
+QList<QWidget *> KeyboardFocus::stops() const
+{
+    QList<QWidget *> panels;
+    for (auto *bar : m_window.findChildren<QToolBar *>(QString(), Qt::FindDirectChildrenOnly))
+        if (bar->isVisible())
+            panels << bar;
+    for (auto *dock : m_window.findChildren<QDockWidget *>(QString(), Qt::FindDirectChildrenOnly))
+        if (!dock->isHidden())
+            panels << dock;
+    // Docks that lie behind another one have no place of their own. They count as standing where the shown one stands.
+    const auto place = [this](QWidget *panel) {
+        const QWidget *shown = panel;
+        auto *dock = qobject_cast<QDockWidget *>(panel);
+        if (dock && dock->visibleRegion().isEmpty())
+            for (const QDockWidget *other : m_window.tabifiedDockWidgets(dock))
+                if (!other->visibleRegion().isEmpty())
+                    shown = other;
+        const QPoint at = shown->mapToGlobal(QPoint());
+        return std::tuple(at.x(), at.y(), tabOf(m_window, panel->windowTitle()));
+    };
+    std::ranges::sort(panels, {}, place);
+    return QList<QWidget *>{&m_canvas} + panels;
+}
+
+void KeyboardFocus::walk(bool forward)
+{
+    const QList<QWidget *> all = stops();
+    QWidget *focus = QApplication::focusWidget();
+    const qsizetype count = all.size(), here = std::max<qsizetype>(0, all.indexOf(panelOf(focus)));
+    for (qsizetype i = 1; i <= count; ++i)
+        if (enter(*all[(here + (forward ? i : count - i)) % count]))
+            return;
+}
+
+bool KeyboardFocus::enter(QWidget &stop)
+{
+    QWidget *goal = &stop == &m_canvas ? &stop : nullptr;
+    QWidget *last = stop.focusWidget(); // the widget that had the keyboard when it was here last
+    if (auto *dock = qobject_cast<QDockWidget *>(&stop))
+        dock->raise();
+    if (!goal && last && last->focusPolicy() != Qt::NoFocus && last->isEnabled() && last->isVisibleTo(&stop))
+        goal = last;
+    for (QWidget *w = stop.nextInFocusChain(); !goal && w != &stop; w = w->nextInFocusChain())
+        if (stop.isAncestorOf(w) && takesFocus(*w) && w->isVisibleTo(&stop))
+            goal = w;
+    if (!goal)
+        return false;
+    stop.window()->activateWindow();
+    stop.window()->setAttribute(Qt::WA_KeyboardFocusChange); // from now on styles show the focus
+    goal->setFocus(Qt::TabFocusReason);
+    delete m_frame;
+    m_frame = new PanelFrame(stop);
+    return true;
+}
+
+} // namespace suffuse

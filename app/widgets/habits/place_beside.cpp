@@ -1,0 +1,106 @@
+#include "app/widgets/habits/place_beside.h"
+
+#include <QDialog>
+#include <QGuiApplication>
+#include <QScreen>
+#include <QStyle>
+#include <QWidget>
+
+#include <algorithm>
+
+namespace suffuse {
+
+namespace {
+
+constexpr int gapBeside = 16;
+
+/// The frame that a window manager puts around a window's contents. Where it is not known, at least a title is assumed.
+QMargins frameOf(const QWidget &window)
+{
+    const QRect framed = window.frameGeometry(), inner = window.geometry();
+    const int title = window.style()->pixelMetric(QStyle::PM_TitleBarHeight);
+    return QMargins(inner.left() - framed.left(), std::max(inner.top() - framed.top(), title),
+                    framed.right() - inner.right(), framed.bottom() - inner.bottom());
+}
+
+} // namespace
+
+QPoint placeBeside(QSize size, const QRect &what, const QRect &screen)
+{
+    const QPoint middle = what.center() - QPoint(size.width() / 2, size.height() / 2);
+    const QPoint wishes[] = {{what.right() + gapBeside, middle.y()},
+                             {what.left() - gapBeside - size.width(), middle.y()},
+                             {middle.x(), what.bottom() + gapBeside},
+                             {middle.x(), what.top() - gapBeside - size.height()}};
+    const auto within = [&](QPoint wish) {
+        return QPoint(std::max(screen.left(), std::min(wish.x(), screen.right() + 1 - size.width())),
+                      std::max(screen.top(), std::min(wish.y(), screen.bottom() + 1 - size.height())));
+    };
+    const auto covered = [&](QPoint wish) {
+        const QRect both = QRect(within(wish), size) & what;
+        return qint64(both.width()) * both.height();
+    };
+    return within(*std::min_element(std::begin(wishes), std::end(wishes),
+                                    [&](QPoint a, QPoint b) { return covered(a) < covered(b); }));
+}
+
+QRect placeWithin(const QRect &wish, const QRect &screen)
+{
+    const QSize size = wish.size().boundedTo(screen.size());
+    return {QPoint(std::clamp(wish.left(), screen.left(), screen.right() + 1 - size.width()),
+                   std::clamp(wish.top(), screen.top(), screen.bottom() + 1 - size.height())),
+            size};
+}
+
+void moveBeside(QWidget &window, const QRect &what)
+{
+    const QScreen *screen = QGuiApplication::screenAt(what.center());
+    if (what.isEmpty() || !(screen || (screen = window.screen())))
+        return;
+    window.adjustSize();
+    // The frame that the window will have is not known yet.
+    const QSize frame(0, window.style()->pixelMetric(QStyle::PM_TitleBarHeight));
+    window.move(placeBeside(window.size() + frame, what, screen->availableGeometry()));
+}
+
+QRect placeOver(QSize size, const QRect &owner, const QRect &screen)
+{
+    QRect wish(QPoint(), size.boundedTo(screen.size()));
+    wish.moveCenter(owner.center());
+    return placeWithin(wish, screen);
+}
+
+void placeDialog(QDialog &dialog)
+{
+    const QWidget *parent = dialog.parentWidget() ? dialog.parentWidget()->window() : nullptr;
+    const QScreen *screen = parent ? parent->screen() : dialog.screen();
+    if (!screen)
+        return;
+    const QRect room = screen->availableGeometry();
+    const QMargins frame = frameOf(parent && !parent->isFullScreen() ? *parent : dialog);
+    // The dialog's children have been polished just now. A dialog that grew after it is shown would be sent to the
+    // place where Qt believes it to be, which is wrong while a window manager puts its frame around it: sometimes that
+    // is the corner of the screen.
+    QCoreApplication::sendPostedEvents(nullptr, QEvent::LayoutRequest);
+    const QSize size = dialog.size().expandedTo(dialog.minimumSizeHint()).boundedTo(dialog.maximumSize());
+    const QRect framed = QRect(dialog.geometry().topLeft(), size).marginsAdded(frame);
+    const QRect place = dialog.testAttribute(Qt::WA_Moved)
+                            ? placeWithin(framed, room)
+                            : placeOver(framed.size(), parent ? parent->frameGeometry() : room, room);
+    dialog.setGeometry(place.marginsRemoved(frame)); // this tells the window manager, too
+}
+
+void showLike(QWidget &window, const QWidget &other)
+{
+    constexpr int step = 28;
+    const QRect normal = other.isMaximized() || other.isFullScreen() ? other.normalGeometry() : other.geometry();
+    const QMargins frame = frameOf(other);
+    const QRect wish = (normal.isEmpty() ? other.geometry() : normal).translated(step, step).marginsAdded(frame);
+    window.setGeometry(placeWithin(wish, other.screen()->availableGeometry()).marginsRemoved(frame));
+    if (other.isMaximized())
+        window.showMaximized();
+    else
+        window.show();
+}
+
+} // namespace suffuse

@@ -1,0 +1,131 @@
+#include "app/widgets/look/outline_style.h"
+
+#include "app/widgets/look/icons.h"
+
+#include <QWidget>
+
+namespace suffuse {
+
+namespace {
+
+/// The outline that takes the place of one of Qt's pictures; null if there is none.
+const char *outlineNameOf(QStyle::StandardPixmap standard)
+{
+    switch (standard) {
+    case QStyle::SP_TitleBarNormalButton:
+        return "float";
+    case QStyle::SP_TitleBarCloseButton:
+    case QStyle::SP_DockWidgetCloseButton:
+    case QStyle::SP_TabCloseButton:
+    case QStyle::SP_DialogCancelButton:
+    case QStyle::SP_DialogCloseButton:
+    case QStyle::SP_DialogNoButton:
+    case QStyle::SP_DialogAbortButton:
+    case QStyle::SP_LineEditClearButton:
+        return "close";
+    case QStyle::SP_DialogOkButton:
+    case QStyle::SP_DialogYesButton:
+    case QStyle::SP_DialogApplyButton:
+    case QStyle::SP_DialogYesToAllButton:
+        return "ok";
+    case QStyle::SP_DialogSaveButton:
+    case QStyle::SP_DialogSaveAllButton:
+        return "save";
+    case QStyle::SP_DialogOpenButton:
+    case QStyle::SP_DirOpenIcon:
+        return "open";
+    case QStyle::SP_DialogDiscardButton:
+        return "delete";
+    case QStyle::SP_DialogResetButton:
+    case QStyle::SP_RestoreDefaultsButton:
+    case QStyle::SP_DialogRetryButton:
+    case QStyle::SP_BrowserReload:
+        return "reset";
+    case QStyle::SP_DialogHelpButton:
+    case QStyle::SP_MessageBoxQuestion:
+        return "question";
+    case QStyle::SP_MessageBoxWarning:
+    case QStyle::SP_MessageBoxCritical:
+        return "warning";
+    case QStyle::SP_MessageBoxInformation:
+        return "information";
+    case QStyle::SP_ToolBarHorizontalExtensionButton:
+        return "more-right";
+    case QStyle::SP_ToolBarVerticalExtensionButton:
+        return "more-down";
+    case QStyle::SP_ArrowBack:
+    case QStyle::SP_ArrowLeft:
+    case QStyle::SP_FileDialogBack:
+        return "back";
+    case QStyle::SP_ArrowForward:
+    case QStyle::SP_ArrowRight:
+        return "forward";
+    case QStyle::SP_FileDialogToParent:
+    case QStyle::SP_ArrowUp:
+        return "raise";
+    case QStyle::SP_ArrowDown:
+        return "lower";
+    case QStyle::SP_FileDialogNewFolder:
+        return "new-folder";
+    case QStyle::SP_FileDialogListView:
+        return "list";
+    case QStyle::SP_FileDialogDetailedView:
+    case QStyle::SP_FileDialogContentsView:
+        return "menu";
+    case QStyle::SP_DirIcon:
+    case QStyle::SP_DirLinkIcon:
+    case QStyle::SP_DirClosedIcon:
+        return "group";
+    case QStyle::SP_FileIcon:
+    case QStyle::SP_FileLinkIcon:
+        return "file";
+    case QStyle::SP_DirHomeIcon:
+        return "home";
+    case QStyle::SP_ComputerIcon:
+    case QStyle::SP_DesktopIcon:
+        return "computer";
+    case QStyle::SP_DriveHDIcon:
+    case QStyle::SP_DriveNetIcon:
+    case QStyle::SP_DriveCDIcon:
+    case QStyle::SP_DriveDVDIcon:
+    case QStyle::SP_DriveFDIcon:
+        return "drive";
+    default:
+        return nullptr;
+    }
+}
+
+} // namespace
+
+OutlineStyle::OutlineStyle() : QProxyStyle(QStringLiteral("Fusion")) {}
+
+QIcon OutlineStyle::standardIcon(StandardPixmap standard, const QStyleOption *option, const QWidget *widget) const
+{
+    const char *outline = outlineNameOf(standard);
+    return outline ? icon(outline) : QProxyStyle::standardIcon(standard, option, widget);
+}
+
+QPixmap OutlineStyle::standardPixmap(StandardPixmap standard, const QStyleOption *option, const QWidget *widget) const
+{
+    const char *outline = outlineNameOf(standard);
+    if (!outline)
+        return QProxyStyle::standardPixmap(standard, option, widget);
+    const int side = pixelMetric(PM_SmallIconSize, option, widget);
+    return icon(outline).pixmap(QSize(side, side), widget ? widget->devicePixelRatioF() : 1);
+}
+
+int OutlineStyle::styleHint(StyleHint hint, const QStyleOption *option, const QWidget *widget,
+                            QStyleHintReturn *result) const
+{
+    // This is the same on every desktop.
+    return hint == SH_DialogButtonBox_ButtonsHaveIcons ? 1 : QProxyStyle::styleHint(hint, option, widget, result);
+}
+
+int OutlineStyle::pixelMetric(PixelMetric metric, const QStyleOption *option, const QWidget *widget) const
+{
+    // The buttons of a dock's title are no higher than its text.
+    const bool titleButton = metric == PM_SmallIconSize && widget && widget->inherits("QDockWidgetTitleButton");
+    return titleButton ? 12 : QProxyStyle::pixelMetric(metric, option, widget);
+}
+
+} // namespace suffuse

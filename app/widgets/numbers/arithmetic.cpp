@@ -1,0 +1,181 @@
+#include "app/widgets/numbers/arithmetic.h"
+
+#include "app/widgets/numbers/display.h"
+
+#include <cmath>
+
+namespace suffuse {
+
+namespace {
+
+/// Parses a sum of products by recursive descent. Nesting is bounded so that no input exhausts the stack.
+class Parser {
+public:
+    explicit Parser(const QString &text) : m_text(text) {}
+
+    std::optional<double> whole()
+    {
+        const std::optional<double> value = sum(0);
+        return value && m_at == m_text.size() && std::isfinite(*value) ? value : std::nullopt;
+    }
+
+private:
+    QChar peek() const { return m_at < m_text.size() ? m_text[m_at] : QChar(); }
+
+    std::optional<double> sum(int depth)
+    {
+        std::optional<double> left = product(depth);
+        while (left && (peek() == '+' || peek() == '-')) {
+            const bool minus = m_text[m_at++] == '-';
+            const std::optional<double> right = product(depth);
+            left = right ? std::optional(minus ? *left - *right : *left + *right) : std::nullopt;
+        }
+        return left;
+    }
+
+    std::optional<double> product(int depth)
+    {
+        std::optional<double> left = factor(depth);
+        while (left && (peek() == '*' || peek() == '/')) {
+            const bool divide = m_text[m_at++] == '/';
+            const std::optional<double> right = factor(depth);
+            left = right ? std::optional(divide ? *left / *right : *left * *right) : std::nullopt;
+        }
+        return left;
+    }
+
+    std::optional<double> factor(int depth)
+    {
+        if (depth > 32)
+            return std::nullopt;
+        if (peek() == '-' || peek() == '+') {
+            const bool minus = m_text[m_at++] == '-';
+            const std::optional<double> value = factor(depth + 1);
+            return value && minus ? std::optional(-*value) : value;
+        }
+        if (peek() == '(') {
+            ++m_at;
+            const std::optional<double> value = sum(depth + 1);
+            if (!value || peek() != ')')
+                return std::nullopt;
+            ++m_at;
+            return value;
+        }
+        return number();
+    }
+
+    std::optional<double> number()
+    {
+        const qsizetype start = m_at;
+        while (peek().isDigit() || peek() == '.')
+            ++m_at;
+        if (m_at > start && peek().toLower() == 'e') {
+            ++m_at;
+            if (peek() == '+' || peek() == '-')
+                ++m_at;
+            while (peek().isDigit())
+                ++m_at;
+        }
+        bool ok = false;
+        const double value = m_text.mid(start, m_at - start).toDouble(&ok);
+        return ok ? std::optional(value) : std::nullopt;
+    }
+
+    QString m_text;
+    qsizetype m_at = 0;
+};
+
+/// A unit that may be typed in a field of another unit, and what it is worth there.
+struct LengthUnit {
+    const char *name;
+    const char *field;
+    double factor;
+};
+
+/// The name in the table of a unit as fields show it.
+QString plainUnit(const QString &shown)
+{
+    const std::pair<QString, const char *> names[] = {
+        {canvasUnit(), "u"}, {secondsUnit(), "s"}, {diffusionUnit(), "u²/s"}};
+    for (const auto &[unit, name] : names)
+        if (shown == unit.trimmed())
+            return QString::fromUtf8(name);
+    return shown;
+}
+
+double worthOf(const QString &shownName, const QString &shownField)
+{
+    const QString name = plainUnit(shownName), field = plainUnit(shownField);
+    static const LengthUnit units[] = {
+        {"ms", "s", 1e-3},    {"min", "s", 60}, {"px", "u", 1}, {"deg", "°", 1}, {"rad", "°", 57.29577951308232},
+        {"px²/s", "u²/s", 1},
+    };
+    if (name.isEmpty() || name == field)
+        return 1;
+    for (const LengthUnit &unit : units)
+        if (name == QString::fromUtf8(unit.name) && field == QString::fromUtf8(unit.field))
+            return unit.factor;
+    return 0;
+}
+
+/// The place where the unit at the end begins: behind the last digit, point or bracket.
+qsizetype unitStart(const QString &text)
+{
+    qsizetype end = text.size();
+    while (end > 0 && !text[end - 1].isDigit() && text[end - 1] != '.' && text[end - 1] != ')')
+        --end;
+    // The "2" of "u²" is no digit, but an "e" may be the end of a broken number.
+    return end;
+}
+
+QString compact(QString text)
+{
+    text.replace(QChar(0x2212), '-').replace(QChar(0x00D7), '*').replace(QChar(0x00F7), '/').replace(',', '.');
+    text.remove(QChar(' ')).remove(QChar(0x00A0)).remove(QChar(0x202F)).remove(QChar('\t'));
+    return text;
+}
+
+bool assigns(const QString &compacted)
+{
+    return compacted.size() > 1 && compacted[1] == '=' && QString("+-*/").contains(compacted[0]);
+}
+
+} // namespace
+
+bool isRelative(const QString &text)
+{
+    const QString t = compact(text);
+    return !t.isEmpty() && (assigns(t) || QString("+*/").contains(t[0]));
+}
+
+QString foreignUnit(const QString &text, const QString &unit)
+{
+    const QString t = compact(text);
+    const QString name = t.mid(unitStart(t));
+    const bool letters = !name.isEmpty() && (name[0].isLetter() || QString("%°\"'").contains(name[0]));
+    return letters && unitStart(t) > 0 && worthOf(name, unit) == 0 ? name : QString();
+}
+
+std::optional<double> evaluateArithmetic(const QString &text, std::optional<double> current, const QString &unit)
+{
+    QString t = compact(text);
+    const qsizetype end = unitStart(t);
+    const double worth = worthOf(t.mid(end), unit);
+    t.truncate(end);
+    if (t.isEmpty() || worth == 0)
+        return std::nullopt;
+    if (!isRelative(t)) {
+        const std::optional<double> value = Parser(t).whole();
+        return value ? std::optional(*value * worth) : std::nullopt;
+    }
+    if (!current)
+        return std::nullopt;
+    if (assigns(t))
+        t.remove(1, 1);
+    const bool sum = t[0] == '+' || t[0] == '-'; // a summand has the unit, a factor has none
+    if (sum && worth != 1)
+        t = t[0] + ("(" + t.mid(1) + ")*" + QString::number(worth, 'g', 17));
+    return Parser("(" + QString::number(*current, 'g', 17) + ")" + t).whole();
+}
+
+} // namespace suffuse

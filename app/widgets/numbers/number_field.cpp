@@ -1,0 +1,187 @@
+#include "app/widgets/numbers/number_field.h"
+
+#include "app/widgets/numbers/arithmetic.h"
+
+#include <QDialog>
+#include <QKeyEvent>
+#include <QTimer>
+#include <QWheelEvent>
+
+#include <algorithm>
+#include <cmath>
+
+namespace suffuse {
+
+NumberField::NumberField(QWidget *parent) : QLineEdit(parent)
+{
+    setAlignment(Qt::AlignRight | Qt::AlignVCenter);
+    setSizePolicy(QSizePolicy::Fixed, QSizePolicy::Fixed);
+    connect(this, &QLineEdit::editingFinished, this, &NumberField::commit);
+    connect(this, &QLineEdit::textEdited, this, [this] {
+        if (m_complains)
+            complain({});
+    });
+    show(std::nullopt);
+}
+
+void NumberField::setRange(double minimum, double maximum)
+{
+    m_minimum = minimum;
+    m_maximum = maximum;
+}
+
+void NumberField::setUnit(const QString &unit)
+{
+    m_display.unit = unit;
+    show(m_value);
+}
+
+void NumberField::setDisplay(const Display &display)
+{
+    m_display = display;
+    show(m_value);
+}
+
+void NumberField::complain(const QString &hint)
+{
+    m_complains = !hint.isEmpty();
+    emit refused(hint);
+}
+
+void NumberField::setValue(std::optional<double> value)
+{
+    if (hasFocus() && isModified() && value == m_value)
+        return; // the text that is being typed stays while something else changes
+    m_value = value;
+    show(value);
+}
+
+void NumberField::show(std::optional<double> value)
+{
+    m_shown = value ? m_display.text(*value) : QStringLiteral("—");
+    const bool wasSelected = hasFocus() && hasSelectedText() && selectedText() == text();
+    setText(m_shown);
+    setCursorPosition(0);
+    if (wasSelected) // the next typed text replaces all of it, also where the painting has just changed
+        selectAll();
+    setModified(false);
+}
+
+QString NumberField::whyRefused(const QString &text) const
+{
+    const QString unit = m_display.unit.trimmed(), foreign = foreignUnit(text, unit);
+    if (foreign.isEmpty())
+        return tr("“%1” is not a number. Sums such as 12*1.5 or +2 work too.").arg(text);
+    return unit.isEmpty() ? tr("“%1” is not possible here: this number has no unit.").arg(foreign)
+                          : tr("“%1” is not possible here: the unit is %2.").arg(foreign, unit);
+}
+
+QString NumberField::rangeHint(double value) const
+{
+    double low = m_minimum, high = m_maximum;
+    if (m_display.isReversed())
+        std::swap(low, high);
+    return tr("%1 is out of range: %2 to %3 is possible.")
+        .arg(m_display.number(value), m_display.number(low), m_display.number(high));
+}
+
+void NumberField::commit()
+{
+    if (!isModified() || text() == m_shown) {
+        show(m_value);
+        return;
+    }
+    const QString typedText = text(), unit = m_display.unit.trimmed();
+    if (!m_value && isRelative(typedText) && evaluateArithmetic(typedText, 1.0, unit)) {
+        show(m_value);
+        complain({});
+        const auto map = [typedText, unit, display = m_display](double value) -> std::optional<double> {
+            const std::optional<double> shown = evaluateArithmetic(typedText, display.toShown(value), unit);
+            return shown ? std::optional(display.toValue(*shown)) : std::nullopt;
+        };
+        emit enteredRelative(map);
+        return;
+    }
+    const std::optional<double> current = m_value ? std::optional(m_display.toShown(*m_value)) : std::nullopt;
+    const std::optional<double> typed = evaluateArithmetic(typedText, current, unit);
+    if (!typed) {
+        show(m_value);
+        complain(whyRefused(typedText));
+        return;
+    }
+    const double exact = m_display.toValue(*typed), value = m_integer ? std::round(exact) : exact;
+    if (!(value >= m_minimum && value <= m_maximum)) {
+        show(m_value);
+        complain(rangeHint(exact));
+        return;
+    }
+    m_value = value;
+    show(value);
+    complain({});
+    emit entered(value);
+}
+
+void NumberField::stepBy(double steps)
+{
+    if (!m_value)
+        return;
+    const double step = m_step > 0 ? m_step : std::max(std::abs(*m_value) * 0.1, m_minimum);
+    const double sense = m_display.isReversed() ? -1 : 1; // up means up in the shown sense
+    const double value = std::clamp(*m_value + sense * steps * step, m_minimum, m_maximum);
+    if (value == *m_value)
+        return;
+    m_value = value;
+    show(value);
+    complain({});
+    emit stepped(value);
+}
+
+bool NumberField::event(QEvent *event)
+{
+    // Where nothing has been typed there is nothing to undo in the field, so the keys undo in the painting.
+    if (event->type() == QEvent::ShortcutOverride && !isModified()) {
+        const auto *key = static_cast<QKeyEvent *>(event);
+        if (key->matches(QKeySequence::Undo) || key->matches(QKeySequence::Redo)) {
+            event->ignore();
+            return true;
+        }
+    }
+    return QLineEdit::event(event);
+}
+
+void NumberField::keyPressEvent(QKeyEvent *event)
+{
+    if (event->key() == Qt::Key_Up || event->key() == Qt::Key_Down) {
+        stepBy((event->key() == Qt::Key_Up ? 1 : -1) * (event->modifiers() & Qt::ShiftModifier ? 10 : 1));
+    } else if (event->key() == Qt::Key_Escape && isModified()) {
+        show(m_value);
+        // In a dialog the key stops here, since Esc would close it; in a panel it goes on and gives the keyboard back.
+        event->setAccepted(qobject_cast<QDialog *>(window()));
+    } else {
+        QLineEdit::keyPressEvent(event);
+    }
+}
+
+void NumberField::wheelEvent(QWheelEvent *event)
+{
+    stepBy(event->angleDelta().y() / 120.0);
+    event->accept();
+}
+
+void NumberField::focusInEvent(QFocusEvent *event)
+{
+    QLineEdit::focusInEvent(event);
+    QTimer::singleShot(0, this, &QLineEdit::selectAll);
+}
+
+QSize NumberField::sizeHint() const
+{
+    return {fontMetrics().horizontalAdvance(QStringLiteral("10000 u²/s")) + 14, QLineEdit::sizeHint().height()};
+}
+
+QSize NumberField::minimumSizeHint() const
+{
+    return sizeHint();
+}
+
+} // namespace suffuse

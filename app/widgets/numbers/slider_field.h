@@ -1,0 +1,89 @@
+#pragma once
+
+#include "app/session/value_entry.h"
+#include "app/widgets/numbers/number_field.h"
+
+#include <QElapsedTimer>
+#include <QLabel>
+#include <QWidget>
+
+#include <optional>
+
+class QGridLayout;
+
+namespace suffuse {
+
+class BarSlider;
+
+/// How a quantity looks in a panel.
+struct FieldSpec {
+    QString name;    ///< label, translated
+    QString toolTip; ///< translated
+    Display display = {};
+    double minimum = 0; ///< smallest value of the domain
+    double maximum = 1;
+    double sliderMinimum = 0; ///< smallest value of the slider, within the domain
+    double sliderMaximum = 1;
+    bool logarithmic = false;
+    double step = 0;         ///< step of the arrow keys; 0: a tenth of the value
+    double sliderStep = 0;   ///< the slider's values are whole multiples of it; 0: any values
+    double defaultValue = 0; ///< a double click resets to it
+};
+
+/// A label, a slider and a number field for one quantity, laid out in three columns of a grid that the panel owns.
+/// Emits changes with the entry by which they come in: a whole drag is one gesture, quick repeated key or wheel steps
+/// are one step.
+class SliderField : public QObject {
+    Q_OBJECT
+
+public:
+    /// Adds its widgets as a row of the grid.
+    SliderField(const FieldSpec &spec, QGridLayout &grid, int row, QWidget *parent);
+
+    void setValue(std::optional<double> value); ///< nullopt: mixed; emits nothing
+    void setEnabled(bool enabled);
+    void setVisible(bool visible);
+    /// Sets another domain (those of ξ depend on each other). The slider's part of it is cut to fit.
+    void setRange(double minimum, double maximum);
+    void setSliderRange(double minimum, double maximum);
+    double minimum() const { return m_spec.minimum; }
+    double maximum() const { return m_spec.maximum; }
+    void setDefaultValue(double value) { m_spec.defaultValue = value; }
+    void rename(const QString &name, const QString &toolTip);
+
+    QLabel *label() const { return m_label; }
+    BarSlider *slider() const { return m_slider; }
+    NumberField *number() const { return m_number; }
+
+signals:
+    /// To be pushed with the entry; null: a step of its own.
+    void edited(double value, suffuse::ValueEntry *entry);
+    /// Each of the mixed values is to change by the map, which keeps to the field's range: nothing beyond it.
+    void editedRelative(const suffuse::ValueMap &map);
+    void dragStarted();
+    void dragEnded();
+    void refused(const QString &hint);
+
+protected:
+    bool eventFilter(QObject *watched, QEvent *event) override;
+
+private:
+    void sliderPressed();
+    void sliderChanged(int position);
+    void giveUp();
+    ValueEntry *step();
+    int toPosition(double value) const;
+    double toValue(int position) const;
+
+    FieldSpec m_spec;
+    QLabel *m_label;
+    BarSlider *m_slider;
+    NumberField *m_number;
+    std::optional<double> m_value;
+    std::optional<double> m_pressedValue; ///< returned to exactly where the handle returns to m_pressedPosition
+    int m_pressedPosition = 0;
+    ValueEntry m_entry;
+    QElapsedTimer m_sinceStep;
+};
+
+} // namespace suffuse
