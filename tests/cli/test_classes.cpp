@@ -28,10 +28,7 @@ std::set<QString> classesDefinedIn(const QString &text)
 const std::map<QString, QString> &slicedClasses()
 {
     static const std::map<QString, QString> table = {
-        {"Actions", "the rows of its table stand in a file for each menu"},
-        {"CanvasWidget", "what floats is to become a class of its own with the gesture"},
-        {"MainWindow", "its parts are to become classes with the table of commands"},
-        {"NodeTool", "its drags and commands are to become classes with the gesture"},
+        {"NodeTool", "its drags are to become a class of their own"},
     };
     return table;
 }
