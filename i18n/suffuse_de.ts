@@ -959,6 +959,12 @@ Rückgabewerte: 0 erledigt, 1 fehlgeschlagen, 2 falscher Aufruf.</translation>
         <source>--dpi is ignored: %1 files hold no resolution</source>
         <translation>--dpi bleibt ohne Wirkung: %1-Dateien nennen keine Auflösung</translation>
     </message>
+    <message>
+        <source>  segment %1 lifts: φ %2, share %3
+</source>
+        <translation>  Segment %1 nimmt weg: φ %2, Anteil %3
+</translation>
+    </message>
 </context>
 <context>
     <name>Clipboard</name>
@@ -4733,10 +4739,6 @@ Auch die Pfeiltasten wirken.</translation>
         <translation>0 ist keine Version; bitte 1 schreiben</translation>
     </message>
     <message>
-        <source>%1 is newer than this program, which reads version 1; update Suffuse</source>
-        <translation>%1 ist neuer als dieses Programm, das Version 1 liest; bitte Suffuse aktualisieren</translation>
-    </message>
-    <message>
         <source>%1 is not a version that this program reads; it reads 1</source>
         <translation>%1 ist keine Version, die dieses Programm liest; es liest 1</translation>
     </message>
@@ -5120,6 +5122,14 @@ Auch die Pfeiltasten wirken.</translation>
     <message>
         <source>the first bytes of the file</source>
         <translation>die ersten Bytes der Datei</translation>
+    </message>
+    <message>
+        <source>version: %1 does not know all that segments have here; write %2</source>
+        <translation>version: %1 kennt nicht alles, was Segmente hier haben; schreiben Sie %2</translation>
+    </message>
+    <message>
+        <source>%1 is newer than this program, which reads up to version %2; update Suffuse</source>
+        <translation>%1 ist neuer als dieses Programm, das bis Version %2 liest; bitte Suffuse aktualisieren</translation>
     </message>
 </context>
 <context>

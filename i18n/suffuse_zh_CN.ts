@@ -953,6 +953,12 @@ Exit codes: 0 done, 1 the work failed, 2 wrong usage.</source>
         <source>--dpi is ignored: %1 files hold no resolution</source>
         <translation>--dpi 被忽略：%1 文件不含分辨率</translation>
     </message>
+    <message>
+        <source>  segment %1 lifts: φ %2, share %3
+</source>
+        <translation>  线段 %1 吸走：φ %2，占比 %3
+</translation>
+    </message>
 </context>
 <context>
     <name>Clipboard</name>
@@ -4724,10 +4730,6 @@ Arrow keys work too.</source>
         <translation>0 不是有效版本；请写 1</translation>
     </message>
     <message>
-        <source>%1 is newer than this program, which reads version 1; update Suffuse</source>
-        <translation>%1 比此程序新（此程序读取版本 1）；请更新 Suffuse</translation>
-    </message>
-    <message>
         <source>%1 is not a version that this program reads; it reads 1</source>
         <translation>%1 不是此程序可读取的版本；可读取的是 1</translation>
     </message>
@@ -5094,6 +5096,14 @@ Arrow keys work too.</source>
     <message>
         <source>the first bytes of the file</source>
         <translation>文件开头的字节</translation>
+    </message>
+    <message>
+        <source>version: %1 does not know all that segments have here; write %2</source>
+        <translation>version：%1 不认识此处线段的全部内容；请写 %2</translation>
+    </message>
+    <message>
+        <source>%1 is newer than this program, which reads up to version %2; update Suffuse</source>
+        <translation>%1 比此程序新（此程序最高读取版本 %2）；请更新 Suffuse</translation>
     </message>
 </context>
 <context>

@@ -20,8 +20,13 @@ Edit changeStrokes(const Document &document, const std::set<StrokeId> &targets,
 
 /// Appends strokes on top (ids taken from the document beforehand); selects them if `select`.
 Edit addStrokes(const Document &document, const std::vector<StrokePtr> &strokes, bool select);
-/// Deletes the selected segments (what is left of a stroke falls into strokes of its own), or the selected strokes.
-Edit deleteSelection(Document &document);
+/// What a stroke becomes of which something in the middle is taken.
+enum class Leaves {
+    Strokes, ///< strokes of their own, which mix over each other
+    Chains   ///< one stroke of several chains: the picture stays but for what was taken
+};
+/// Deletes the selected segments, or the selected strokes.
+Edit deleteSelection(Document &document, Leaves leaves = Leaves::Strokes);
 /// Copies of the selected strokes above the topmost of them, moved by `offset`, and selects the copies. Groups selected
 /// as a whole are copied as groups, with their tree and their names; what is hidden or locked in them stays out.
 Edit duplicateSelection(Document &document, Point offset);

@@ -16,17 +16,12 @@ Gap nearestEnds(const Stroke &a, const Stroke &b)
     Gap best;
     for (bool aAtEnd : {true, false})
         for (bool bAtEnd : {false, true}) {
-            const Point p = nodePosition(a, aAtEnd ? nodeCount(a) - 1 : 0);
-            const Point q = nodePosition(b, bAtEnd ? nodeCount(b) - 1 : 0);
+            const Point p = nodePosition(a, aAtEnd ? int(a.segments.size()) : 0);
+            const Point q = nodePosition(b, bAtEnd ? int(b.segments.size()) : 0);
             if (const double d = length(p - q); d < best.distance)
                 best = {d, aAtEnd, bAtEnd};
         }
     return best;
-}
-
-bool isEnd(const Stroke &stroke, int node)
-{
-    return node == 0 || node == nodeCount(stroke) - 1;
 }
 
 /// `whole` in the place of one stroke, the others gone.
@@ -62,18 +57,17 @@ Edit joinNodes(const Document &document, NodeRef a, NodeRef b)
 {
     const Painting &painting = *document.painting();
     StrokePtr upper = painting.find(a.stroke), lower = painting.find(b.stroke);
-    if (!upper || !lower || painting.isLocked(*upper) || painting.isLocked(*lower) || !isEnd(*upper, a.node) ||
-        !isEnd(*lower, b.node) || a == b)
+    if (!upper || !lower || painting.isLocked(*upper) || painting.isLocked(*lower) || a == b)
         return {};
     if (upper == lower) {
-        std::optional<Stroke> whole = closed(*upper);
+        std::optional<Stroke> whole = joinedWithin(*upper, a.node, b.node);
         return whole ? mergedInto(document, std::move(*whole), {}) : Edit();
     }
     if (painting.indexOf(a.stroke) < painting.indexOf(b.stroke)) {
         std::swap(upper, lower);
         std::swap(a, b);
     }
-    std::optional<Stroke> whole = joined(*upper, a.node != 0, *lower, b.node != 0);
+    std::optional<Stroke> whole = joinedAt(*upper, a.node, *lower, b.node);
     return whole ? mergedInto(document, std::move(*whole), {lower->id}) : Edit();
 }
 

@@ -1,7 +1,7 @@
 #include "undo/node_edits.h"
 
-#include "model/shaping/erase.h"
 #include "model/painting/validate.h"
+#include "model/shaping/erase.h"
 #include "undo/order_tree.h"
 #include "undo/remap.h"
 
@@ -109,6 +109,27 @@ private:
     std::vector<StrokeId> m_order;
 };
 
+/// Segments become several; `split(stroke, places, &sources)` makes the stroke.
+template <typename Split>
+Edit splitSegments(const Document &document, const PlacesOfStrokes &places, Split split)
+{
+    Selection selection = document.selection();
+    Edit edit = reshape(document, places, [&](const Stroke &stroke, const std::vector<CurvePlace> &where) {
+        std::vector<int> sources;
+        Stroke result = split(stroke, where, &sources);
+        remap(selection, stroke.id, sources);
+        return result;
+    });
+    if (!edit.isEmpty())
+        setSelection(edit, document, std::move(selection));
+    return edit;
+}
+
+Edit splitIntoChains(const Document &document, const PlacesOfStrokes &places)
+{
+    return splitSegments(document, places, cutInOne);
+}
+
 } // namespace
 
 Edit replaceStrokes(const Document &document, std::vector<Stroke> strokes)
@@ -122,16 +143,7 @@ Edit replaceStrokes(const Document &document, std::vector<Stroke> strokes)
 
 Edit insertNodes(const Document &document, const PlacesOfStrokes &places)
 {
-    Selection selection = document.selection();
-    Edit edit = reshape(document, places, [&](const Stroke &stroke, const std::vector<CurvePlace> &where) {
-        std::vector<int> sources;
-        Stroke result = withNodes(stroke, where, &sources);
-        remap(selection, stroke.id, sources);
-        return result;
-    });
-    if (!edit.isEmpty())
-        setSelection(edit, document, std::move(selection));
-    return edit;
+    return splitSegments(document, places, withNodes);
 }
 
 Edit deleteNodes(const Document &document, const std::set<NodeRef> &nodes)
@@ -141,10 +153,13 @@ Edit deleteNodes(const Document &document, const std::set<NodeRef> &nodes)
     Edit edit = reshape(document, nodesByStroke(nodes), [&](const Stroke &stroke, const std::vector<int> &gone) {
         int end = int(stroke.segments.size());
         const auto isGone = [&](int node) { return std::find(gone.begin(), gone.end(), node) != gone.end(); };
-        int left = 0;
-        for (int node = 0; node < nodeCount(stroke); ++node)
-            left += !isGone(node);
-        if (left < 2) {
+        const auto staysOf = [&](const Chain &chain) { // a segment takes two nodes
+            int left = !isGone(endNode(stroke, chain.last));
+            for (int node = chain.first; node <= chain.last; ++node)
+                left += !isGone(node);
+            return left >= 2;
+        };
+        if (std::ranges::none_of(chainsOf(stroke), staysOf)) {
             emptied.insert(stroke.id);
             return stroke;
         }
@@ -218,8 +233,10 @@ Edit setNodeKind(const Document &document, const std::set<NodeRef> &nodes, NodeK
     });
 }
 
-Edit splitAt(Document &document, const PlacesOfStrokes &places)
+Edit splitAt(Document &document, const PlacesOfStrokes &places, Leaves leaves)
 {
+    if (leaves == Leaves::Chains)
+        return splitIntoChains(document, places);
     const PaintingPtr painting = document.painting();
     Parts parts(document);
     for (const StrokePtr &stroke : painting->strokes) {
@@ -238,17 +255,17 @@ Edit splitAt(Document &document, const PlacesOfStrokes &places)
     return parts.edit();
 }
 
-Edit splitAtNodes(Document &document, const std::set<NodeRef> &nodes)
+Edit splitAtNodes(Document &document, const std::set<NodeRef> &nodes, Leaves leaves)
 {
     PlacesOfStrokes places;
     for (const NodeRef &ref : nodes)
         if (ref.node > 0)
             places[ref.stroke].push_back({ref.node, 0});
-    return splitAt(document, places);
+    return splitAt(document, places, leaves);
 }
 
 Edit eraseAlong(Document &document, const std::set<StrokeId> &targets, const std::vector<Point> &path, double radius,
-                Microseconds T)
+                Microseconds T, Leaves leaves)
 {
     const PaintingPtr painting = document.painting();
     Parts parts(document);
@@ -260,7 +277,11 @@ Edit eraseAlong(Document &document, const std::set<StrokeId> &targets, const std
             continue;
         }
         std::vector<int> sources;
-        std::vector<Stroke> left = erased(*stroke, path, radius, &sources, T);
+        std::vector<Stroke> left;
+        if (leaves == Leaves::Strokes)
+            left = erased(*stroke, path, radius, &sources, T);
+        else if (std::optional<Stroke> one = erasedInOne(*stroke, path, radius, &sources, T))
+            left.push_back(std::move(*one));
         if (left.size() == 1 && left.front().segments == stroke->segments)
             parts.keep(*stroke);
         else

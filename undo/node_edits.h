@@ -25,16 +25,16 @@ Edit bridgeSegments(const Document &document, const std::set<SegmentRef> &segmen
 Edit moveNodes(const Document &document, const std::set<NodeRef> &nodes, Point by);
 Edit setNodeKind(const Document &document, const std::set<NodeRef> &nodes, NodeKind kind);
 
-/// Cuts strokes into strokes of their own at places or nodes. The first part keeps the id; all are selected if the
-/// stroke was. Parts stand together in the order.
-Edit splitAt(Document &document, const PlacesOfStrokes &places);
-Edit splitAtNodes(Document &document, const std::set<NodeRef> &nodes);
+/// Cuts strokes into strokes of their own, or chains, at places or nodes. The first part keeps the id; all are selected
+/// if the stroke was. Parts stand together in the order.
+Edit splitAt(Document &document, const PlacesOfStrokes &places, Leaves leaves = Leaves::Strokes);
+Edit splitAtNodes(Document &document, const std::set<NodeRef> &nodes, Leaves leaves = Leaves::Strokes);
 /// Takes away what lies nearer than `radius` to the path and is painted by T; of all visible strokes if `targets` is
 /// empty.
 Edit eraseAlong(Document &document, const std::set<StrokeId> &targets, const std::vector<Point> &path, double radius,
-                Microseconds T = std::numeric_limits<Microseconds>::max());
+                Microseconds T = std::numeric_limits<Microseconds>::max(), Leaves leaves = Leaves::Strokes);
 
-/// Joins two end nodes, of two strokes or of one. The upper stroke's place, name and style stay.
+/// Joins the ends of two chains, of two strokes or of one. The upper stroke's place, name and style stay.
 Edit joinNodes(const Document &document, NodeRef a, NodeRef b);
 /// Joins the selected strokes to the topmost one, each time the one that has the end nearest to its ends.
 Edit joinSelection(const Document &document);

@@ -1,4 +1,5 @@
 #include "model/painting/validate.h"
+#include "model/shaping/erase.h"
 #include "undo/edits.h"
 
 #include <unordered_map>
@@ -37,9 +38,15 @@ StrokePtr withChanged(const Stroke &stroke, const std::vector<int> &segments,
     return result;
 }
 
-/// What is left of a stroke without the segments (ascending): runs of segments, strokes of their own.
-std::vector<StrokePtr> remainingRuns(const Stroke &stroke, const std::vector<int> &deleted, Document &document)
+/// What is left of a stroke without the segments (ascending).
+std::vector<StrokePtr> remainingRuns(const Stroke &stroke, const std::vector<int> &deleted, Leaves leaves,
+                                     Document &document)
 {
+    if (leaves == Leaves::Chains) {
+        std::optional<Stroke> left = withoutSegments(stroke, deleted);
+        return left ? std::vector<StrokePtr>{std::make_shared<const Stroke>(std::move(*left))}
+                    : std::vector<StrokePtr>();
+    }
     std::vector<StrokePtr> runs;
     auto next = deleted.begin();
     std::shared_ptr<Stroke> run;
@@ -55,6 +62,9 @@ std::vector<StrokePtr> remainingRuns(const Stroke &stroke, const std::vector<int
             if (!runs.empty())
                 run->id = document.takeStrokeId();
             runs.push_back(run);
+            run->segments.push_back(stroke.segments[k]);
+            run->segments.back().start = false;
+            continue;
         }
         run->segments.push_back(stroke.segments[k]);
     }
@@ -97,7 +107,7 @@ Edit changeSegments(const Document &document, const std::vector<SegmentRef> &tar
     return edit;
 }
 
-Edit deleteSelection(Document &document)
+Edit deleteSelection(Document &document, Leaves leaves)
 {
     const PaintingPtr painting = document.painting();
     const Selection &selection = document.selection();
@@ -111,7 +121,7 @@ Edit deleteSelection(Document &document)
         }
         const auto it = parts.find(stroke->id);
         const std::vector<StrokePtr> runs =
-            it == parts.end() ? std::vector<StrokePtr>() : remainingRuns(*stroke, it->second, document);
+            it == parts.end() ? std::vector<StrokePtr>() : remainingRuns(*stroke, it->second, leaves, document);
         edit.strokes[stroke->id] = nullptr;
         for (const StrokePtr &run : runs) {
             edit.strokes[run->id] = run;

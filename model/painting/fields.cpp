@@ -68,6 +68,15 @@ double greatestLightening()
     return std::cbrt(2.0);
 }
 
+int versionNeededBy(const Painting &painting)
+{
+    int version = 1;
+    for (const StrokePtr &stroke : painting.strokes)
+        for (const Segment &segment : stroke->segments)
+            version = std::max(version, versionNeededBy(segment));
+    return version;
+}
+
 const Number<Segment> &numberOf(float Segment::*member)
 {
     return findNumber([&](const Number<Segment> &n) { return n.member == member; });

@@ -200,7 +200,9 @@ struct FieldsOf<Segment> {
         field("anisotropy.angle", &Segment::anisotropyAngle,
               {.unit = Unit::Radians, .presence = Presence::Unusual, .averages = false}),
         field("node", &Segment::node, {.presence = Presence::Unusual}),
-        field("rewet", &Segment::rewet, {.presence = Presence::Unusual})};
+        field("rewet", &Segment::rewet, {.presence = Presence::Unusual}),
+        field("start", &Segment::start, {.presence = Presence::Unusual, .since = 2, .averages = false}),
+        field("lift", &Segment::lift, {.presence = Presence::Unusual, .since = 2, .averages = false})};
 };
 
 template <>
@@ -352,6 +354,21 @@ void setMeanNumbers(Owner &result, const std::vector<const Owner *> &of, const s
         if (numbersOf<Owner>[k].traits.averages)
             numbersOf<Owner>[k].of(result) = float(sums[k] / weight);
 }
+
+/// The least version of files that holds a value: the greatest that brought a field which is not as usual.
+template <HasFields T>
+int versionNeededBy(const T &value)
+{
+    static const T usual;
+    int version = 1;
+    forEachField(value, [&](const auto &field, const auto &member) {
+        if (field.traits.since > version && member != usual.*field.member)
+            version = field.traits.since;
+    });
+    return version;
+}
+/// The same for all segments of a painting.
+int versionNeededBy(const Painting &painting);
 
 /// The number of a segment that a member is; the member must be one.
 const Number<Segment> &numberOf(float Segment::*member);

@@ -15,8 +15,14 @@ namespace suffuse {
 
 using Microseconds = std::int64_t; ///< document time in whole microseconds
 
-inline double toSeconds(Microseconds t) { return double(t) * 1e-6; }
-inline Microseconds toMicroseconds(double seconds) { return Microseconds(std::llround(seconds * 1e6)); }
+inline double toSeconds(Microseconds t)
+{
+    return double(t) * 1e-6;
+}
+inline Microseconds toMicroseconds(double seconds)
+{
+    return Microseconds(std::llround(seconds * 1e6));
+}
 
 /// Kind of the node at a segment's start.
 enum class NodeKind : std::uint8_t { Smooth, Symmetric, Corner };
@@ -30,18 +36,22 @@ struct Rewet {
 
 /// Values of one segment (eq 13). Domains are checked by `problemOf` (model/painting/validate.h), not here.
 struct Segment {
-    std::array<Offset, 4> bezier;      ///< control points, offsets from the stroke's origin, canvas units
-    float diffusion = 12.5f;           ///< D, unit²/s, (0, 1e12]
-    float density = 9;                 ///< φˢ, unit, [0, 1e12]
-    float granulation = 1;             ///< ω, [0, 1]; 1 hides the paper, 0 shows it fully
-    float maxAge = 1;                  ///< t_max, s, (0, 1e6]
-    Microseconds born = 0;             ///< time of the segment's first sample
-    Colour colour;                     ///< C, RYB and opacity
-    std::optional<Style> style;        ///< overrides the stroke's
-    float anisotropyRatio = 1;         ///< D·ratio along the angle, D across it
-    float anisotropyAngle = 0;         ///< radians, from the x axis towards the y axis
-    NodeKind node = NodeKind::Smooth;  ///< kind of the node at its start
-    std::vector<Rewet> rewet;          ///< in order of time
+    std::array<Offset, 4> bezier;     ///< control points, offsets from the stroke's origin, canvas units
+    float diffusion = 12.5f;          ///< D, unit²/s, (0, 1e12]
+    float density = 9;                ///< φˢ, unit, [0, 1e12]
+    float granulation = 1;            ///< ω, [0, 1]; 1 hides the paper, 0 shows it fully
+    float maxAge = 1;                 ///< t_max, s, (0, 1e6]
+    Microseconds born = 0;            ///< time of the segment's first sample
+    Colour colour;                    ///< C, RYB and opacity
+    std::optional<Style> style;       ///< overrides the stroke's
+    float anisotropyRatio = 1;        ///< D·ratio along the angle, D across it
+    float anisotropyAngle = 0;        ///< radians, from the x axis towards the y axis
+    NodeKind node = NodeKind::Smooth; ///< kind of the node at its start
+    std::vector<Rewet> rewet;         ///< in order of time
+    /// It begins another chain, so it need not start where the one before it ends. A stroke's first segment begins one
+    /// in any case, and leaves this as it is.
+    bool start = false;
+    bool lift = false; ///< it takes paint away: its density is subtracted from that of the stroke's other segments
 
     friend bool operator==(const Segment &, const Segment &) = default;
 

@@ -10,7 +10,7 @@
 namespace suffuse {
 
 /// A stroke as a value. Paintings share them as `StrokePtr`; an edit makes a new one with the same id.
-/// Segment k + 1 starts where segment k ends, in equal float32 numbers.
+/// It has one or more chains: within a chain segment k + 1 starts where segment k ends, in equal float32 numbers.
 struct Stroke {
     StrokeId id = 0;
     QString name;
@@ -19,12 +19,19 @@ struct Stroke {
     bool locked = false;
     Style style;
     Mix mix;
-    Point origin; ///< the segments' control points are offsets from it
-    QString brush; ///< name of the preset it was painted with, may be empty
+    Point origin;                  ///< the segments' control points are offsets from it
+    QString brush;                 ///< name of the preset it was painted with, may be empty
     std::vector<Segment> segments; ///< at least one
 
     friend bool operator==(const Stroke &, const Stroke &) = default;
 
+    /// Whether a segment begins a chain.
+    bool beginsChain(std::size_t segment) const { return segment == 0 || segments[segment].start; }
+    /// Whether some of its segments take paint away.
+    bool hasLift() const
+    {
+        return std::any_of(segments.begin(), segments.end(), [](const Segment &s) { return s.lift; });
+    }
     const Style &styleOf(const Segment &s) const { return s.style ? *s.style : style; }
     Cubic cubicOf(const Segment &s) const
     {

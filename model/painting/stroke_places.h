@@ -7,7 +7,8 @@
 
 namespace suffuse {
 
-/// A node of a stroke of n segments: node k is the start of segment k, node n the end of the last one.
+/// A node of a stroke of n segments: node k is the start of segment k, node n the end of the last one; the ends of
+/// other chains follow (model/shaping/chains.h).
 struct NodeRef {
     StrokeId stroke = 0;
     int node = 0;

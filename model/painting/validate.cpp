@@ -183,7 +183,7 @@ QString problemOf(const Stroke &stroke)
                                             coordinate);
             }
         }
-        if (k > 0 && segment.bezier[0] != stroke.segments[k - 1].bezier[3])
+        if (!stroke.beginsChain(k) && segment.bezier[0] != stroke.segments[k - 1].bezier[3])
             return says(path() + QLatin1String("bezier[0]"),
                         QT_TRANSLATE_NOOP("Validate", "the segment does not start where the one before it ends"));
     }

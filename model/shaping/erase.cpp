@@ -113,31 +113,40 @@ std::vector<Stroke> runsOf(const Stroke &stroke, std::vector<Piece> &pieces, Sta
             open = false;
             continue;
         }
-        if (!open || starts(i))
+        if (!open || starts(i)) {
             runs.push_back(empty);
+            pieces[i].segment.start = false;
+        }
         open = true;
         runs.back().segments.push_back(std::move(pieces[i].segment));
     }
     return runs;
 }
 
-} // namespace
-
-std::vector<Stroke> erased(const Stroke &stroke, const std::vector<Point> &path, double radius,
-                           std::vector<int> *sources, Microseconds T)
+/// Whether anything of it can be seen: a stroke that only takes away is none.
+bool laysPaint(const Stroke &stroke)
 {
-    if (sources) {
-        sources->resize(stroke.segments.size());
-        std::iota(sources->begin(), sources->end(), 0);
-    }
+    return std::any_of(stroke.segments.begin(), stroke.segments.end(), [](const Segment &s) { return !s.lift; });
+}
+
+/// The segments cut where the path goes in or out, and which of the pieces lie inside.
+struct ErasedPieces {
+    std::vector<Piece> pieces;
+    std::vector<bool> inside;
+};
+
+/// None where nothing is touched.
+std::optional<ErasedPieces> erasedPieces(const Stroke &stroke, const std::vector<Point> &path, double radius,
+                                         Microseconds T)
+{
     if (!(radius > 0))
-        return {stroke};
+        return std::nullopt;
     const std::vector<Capsule> capsules = capsulesOf(path, radius, stroke.origin);
     std::vector<std::vector<double>> cuts(stroke.segments.size());
     std::vector<bool> startsInside(stroke.segments.size());
     bool touched = false;
     for (std::size_t k = 0; k < stroke.segments.size(); ++k) {
-        if (stroke.segments[k].born > T)
+        if (stroke.segments[k].born > T || stroke.segments[k].lift)
             continue;
         const Cubic curve = offsetsOf(stroke.segments[k]);
         const Eraser eraser(capsules, radius, curve);
@@ -146,19 +155,108 @@ std::vector<Stroke> erased(const Stroke &stroke, const std::vector<Point> &path,
         touched = touched || startsInside[k] || !cuts[k].empty();
     }
     if (!touched)
+        return std::nullopt;
+    ErasedPieces result{piecesOf(stroke, cuts), {}};
+    for (std::size_t i = 0; i < result.pieces.size(); ++i) { // each cut goes in or out
+        const Piece &piece = result.pieces[i];
+        result.inside.push_back(piece.from == 0 ? startsInside[std::size_t(piece.source)] : !result.inside[i - 1]);
+    }
+    return result;
+}
+
+std::vector<int> allSegments(const Stroke &stroke)
+{
+    std::vector<int> all(stroke.segments.size());
+    std::iota(all.begin(), all.end(), 0);
+    return all;
+}
+
+/// The stroke made of some of the pieces; what follows a gap, or a place where `cuts(i)`, begins another chain.
+template <typename Keeps, typename Cuts>
+Stroke chainsOfPieces(const Stroke &stroke, std::vector<Piece> &pieces, Keeps keeps, Cuts cuts,
+                      std::vector<int> *sources)
+{
+    Stroke result = stroke;
+    result.segments.clear();
+    if (sources)
+        sources->clear();
+    bool isGap = false;
+    for (std::size_t i = 0; i < pieces.size(); ++i) {
+        if (!keeps(i)) {
+            isGap = true;
+            continue;
+        }
+        Segment &segment = pieces[i].segment;
+        segment.start = !result.segments.empty() && (segment.start || isGap || cuts(i));
+        result.segments.push_back(std::move(segment));
+        isGap = false;
+        if (sources)
+            sources->push_back(pieces[i].source);
+    }
+    return result;
+}
+
+/// Where a stroke is cut: places inside segments, and nodes as the segments that begin there.
+struct Cuts {
+    std::vector<CurvePlace> splits;
+    std::set<int> nodes;
+
+    Cuts(const Stroke &stroke, const std::vector<CurvePlace> &places)
+    {
+        for (const CurvePlace &place : places) {
+            if (place.segment < 0 || place.segment >= int(stroke.segments.size()))
+                continue;
+            if (const int node = nodeAt(stroke, place); node >= 0)
+                nodes.insert(node);
+            else
+                splits.push_back(place);
+        }
+    }
+    bool isBefore(const Piece &piece) const { return piece.from > 0 || nodes.contains(piece.source); }
+};
+
+} // namespace
+
+std::vector<Stroke> erased(const Stroke &stroke, const std::vector<Point> &path, double radius,
+                           std::vector<int> *sources, Microseconds T)
+{
+    std::optional<ErasedPieces> left = erasedPieces(stroke, path, radius, T);
+    if (sources)
+        *sources = allSegments(stroke);
+    if (!left)
         return {stroke};
-    std::vector<Piece> pieces = piecesOf(stroke, cuts);
-    std::vector<bool> inside(pieces.size());
-    for (std::size_t i = 0; i < pieces.size(); ++i) // each cut goes in or out
-        inside[i] = pieces[i].from == 0 ? startsInside[std::size_t(pieces[i].source)] : !inside[i - 1];
     if (sources) {
         sources->clear();
-        for (std::size_t i = 0; i < pieces.size(); ++i)
-            if (!inside[i])
-                sources->push_back(pieces[i].source);
+        for (std::size_t i = 0; i < left->pieces.size(); ++i)
+            if (!left->inside[i])
+                sources->push_back(left->pieces[i].source);
     }
     return runsOf(
-        stroke, pieces, [](std::size_t) { return false; }, [&](std::size_t i) { return !inside[i]; });
+        stroke, left->pieces, [](std::size_t) { return false; }, [&](std::size_t i) { return !left->inside[i]; });
+}
+
+std::optional<Stroke> erasedInOne(const Stroke &stroke, const std::vector<Point> &path, double radius,
+                                  std::vector<int> *sources, Microseconds T)
+{
+    std::optional<ErasedPieces> left = erasedPieces(stroke, path, radius, T);
+    if (sources)
+        *sources = allSegments(stroke);
+    if (!left)
+        return stroke;
+    Stroke result = chainsOfPieces(
+        stroke, left->pieces, [&](std::size_t i) { return !left->inside[i]; }, [](std::size_t) { return false; },
+        sources);
+    return laysPaint(result) ? std::optional(std::move(result)) : std::nullopt;
+}
+
+std::optional<Stroke> withoutSegments(const Stroke &stroke, const std::vector<int> &gone, std::vector<int> *sources)
+{
+    const std::set<int> without(gone.begin(), gone.end());
+    std::vector<Piece> pieces = piecesOf(stroke, std::vector<CurvePlace>());
+    Stroke result = chainsOfPieces(
+        stroke, pieces, [&](std::size_t i) { return !without.contains(int(i)); }, [](std::size_t) { return false; },
+        sources);
+    return laysPaint(result) ? std::optional(std::move(result)) : std::nullopt;
 }
 
 bool mayErase(const Stroke &stroke, const std::vector<Point> &path, double radius)
@@ -188,7 +286,7 @@ std::vector<CurvePlace> crossings(const Stroke &stroke, Point a, Point b)
             const int node = nodeAt(stroke, {k, p});
             if (node < 0)
                 places.insert({k, p});
-            else if (node > 0 && node < int(stroke.segments.size()))
+            else if (isInnerNode(stroke, node))
                 places.insert({node, 0});
         }
     }
@@ -197,20 +295,19 @@ std::vector<CurvePlace> crossings(const Stroke &stroke, Point a, Point b)
 
 std::vector<Stroke> cutAt(const Stroke &stroke, const std::vector<CurvePlace> &places)
 {
-    std::vector<CurvePlace> splits;
-    std::set<int> nodes;
-    for (const CurvePlace &place : places) {
-        if (place.segment < 0 || place.segment >= int(stroke.segments.size()))
-            continue;
-        if (const int node = nodeAt(stroke, place); node >= 0)
-            nodes.insert(node);
-        else
-            splits.push_back(place);
-    }
-    std::vector<Piece> pieces = piecesOf(stroke, splits);
+    const Cuts cuts(stroke, places);
+    std::vector<Piece> pieces = piecesOf(stroke, cuts.splits);
     return runsOf(
-        stroke, pieces, [&](std::size_t i) { return pieces[i].from > 0 || nodes.contains(pieces[i].source); },
-        [](std::size_t) { return true; });
+        stroke, pieces, [&](std::size_t i) { return cuts.isBefore(pieces[i]); }, [](std::size_t) { return true; });
+}
+
+Stroke cutInOne(const Stroke &stroke, const std::vector<CurvePlace> &places, std::vector<int> *sources)
+{
+    const Cuts cuts(stroke, places);
+    std::vector<Piece> pieces = piecesOf(stroke, cuts.splits);
+    return chainsOfPieces(
+        stroke, pieces, [](std::size_t) { return true; }, [&](std::size_t i) { return cuts.isBefore(pieces[i]); },
+        sources);
 }
 
 } // namespace suffuse

@@ -1,7 +1,7 @@
 #include "model/shaping/merge.h"
 
-#include "model/shaping/split.h"
 #include "model/brush/stroke_fit.h"
+#include "model/shaping/split.h"
 
 namespace suffuse {
 
@@ -161,6 +161,7 @@ Segment withValuesOf(const std::vector<Segment> &run)
     }
     Segment result = *longest;
     result.node = run.front().node;
+    result.start = run.front().start;
     setMeanValues(result, all);
     return result;
 }

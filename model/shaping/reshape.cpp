@@ -4,6 +4,7 @@
 #include "model/shaping/merge.h"
 #include "model/shaping/split.h"
 
+#include <numeric>
 #include <set>
 
 namespace suffuse {
@@ -18,12 +19,40 @@ double squaredDistance(const Rect &box, Point p)
     return x * x + y * y;
 }
 
+/// Appends what is left of a chain without some nodes to `result`, and the segments that it comes from to `sources`.
+void appendWithoutNodes(const Stroke &stroke, const Chain &chain, const std::set<int> &gone, Stroke &result,
+                        std::vector<int> &sources)
+{
+    int first = chain.first, end = chain.last + 1; // segments
+    while (first < end && gone.contains(first))
+        ++first;
+    if (gone.contains(endNode(stroke, chain.last)))
+        while (--end > first && gone.contains(end))
+            ;
+    std::vector<Segment> left;
+    for (int k = first; k < end;) {
+        int next = k + 1;
+        while (next < end && gone.contains(next))
+            ++next;
+        const std::vector<Segment> run(stroke.segments.begin() + k, stroke.segments.begin() + next);
+        Segment one = merged(run);
+        const bool isWhole = next == k + 1 || !isPoint(one);
+        for (int i = k; i < (isWhole ? k + 1 : next); ++i) {
+            left.push_back(isWhole ? one : stroke.segments[std::size_t(i)]);
+            sources.push_back(i);
+        }
+        k = next;
+    }
+    appendChain(result, std::move(left));
+}
+
 } // namespace
 
 Point nodePosition(const Stroke &stroke, int node)
 {
-    return node < int(stroke.segments.size()) ? stroke.origin + stroke.segments[std::size_t(node)].bezier[0]
-                                              : stroke.origin + stroke.segments.back().bezier[3];
+    const NodeSides sides = sidesOf(stroke, node);
+    return sides.after >= 0 ? stroke.origin + stroke.segments[std::size_t(sides.after)].bezier[0]
+                            : stroke.origin + stroke.segments[std::size_t(sides.before)].bezier[3];
 }
 
 NodeKind nodeKind(const Stroke &stroke, int node)
@@ -33,8 +62,9 @@ NodeKind nodeKind(const Stroke &stroke, int node)
 
 std::optional<Point> handlePosition(const Stroke &stroke, int node, bool after)
 {
-    const int segment = after ? node : node - 1;
-    if (segment < 0 || segment >= int(stroke.segments.size()))
+    const NodeSides sides = sidesOf(stroke, node);
+    const int segment = after ? sides.after : sides.before;
+    if (segment < 0)
         return std::nullopt;
     return stroke.origin + stroke.segments[std::size_t(segment)].bezier[after ? 1 : 2];
 }
@@ -43,6 +73,8 @@ std::vector<int> cornersOf(const Stroke &stroke)
 {
     std::vector<int> corners;
     for (std::size_t k = 1; k < stroke.segments.size(); ++k) {
+        if (stroke.beginsChain(k))
+            continue;
         const Point in = endDirection(offsetsOf(stroke.segments[k - 1]));
         const Point out = startDirection(offsetsOf(stroke.segments[k]));
         if (dot(in, out) < 0.9998) // more than about a degree
@@ -93,31 +125,15 @@ Stroke withNodes(const Stroke &stroke, const std::vector<CurvePlace> &places, st
 Stroke withoutNodes(const Stroke &stroke, const std::vector<int> &nodes, std::vector<int> *sources)
 {
     const std::set<int> gone(nodes.begin(), nodes.end());
-    int first = 0, last = int(stroke.segments.size()); // nodes
-    while (gone.contains(first))
-        ++first;
-    while (gone.contains(last))
-        --last;
     Stroke result = stroke;
     result.segments.clear();
     std::vector<int> from;
-    for (int k = first; k < last;) {
-        int next = k + 1;
-        while (next < last && gone.contains(next))
-            ++next;
-        const std::vector<Segment> run(stroke.segments.begin() + k, stroke.segments.begin() + next);
-        Segment one = merged(run);
-        const bool isWhole = next == k + 1 || !isPoint(one);
-        for (int i = k; i < (isWhole ? k + 1 : next); ++i) {
-            result.segments.push_back(isWhole ? one : stroke.segments[std::size_t(i)]);
-            from.push_back(i);
-        }
-        k = next;
-    }
+    for (const Chain &chain : chainsOf(stroke))
+        appendWithoutNodes(stroke, chain, gone, result, from);
     if (result.segments.empty()) {
         result = stroke;
-        for (int k = 0; k < int(stroke.segments.size()); ++k)
-            from.push_back(k);
+        from.resize(stroke.segments.size());
+        std::iota(from.begin(), from.end(), 0);
     }
     if (sources)
         *sources = std::move(from);
@@ -133,22 +149,23 @@ Stroke withBridge(const Stroke &stroke, int first, int last)
         return stroke;
     const std::vector<Segment> run(stroke.segments.begin() + first, stroke.segments.begin() + last + 1);
     const Cubic start = offsetsOf(run.front()), end = offsetsOf(run.back());
+    const bool begins = stroke.beginsChain(std::size_t(first));
+    const bool ends = last + 1 == n || stroke.beginsChain(std::size_t(last) + 1);
     const Point leaving =
-        first > 0 ? endDirection(offsetsOf(stroke.segments[std::size_t(first - 1)])) : startDirection(start);
-    const Point arriving =
-        last + 1 < n ? startDirection(offsetsOf(stroke.segments[std::size_t(last + 1)])) : endDirection(end);
+        begins ? startDirection(start) : endDirection(offsetsOf(stroke.segments[std::size_t(first - 1)]));
+    const Point arriving = ends ? endDirection(end) : startDirection(offsetsOf(stroke.segments[std::size_t(last + 1)]));
     Segment bridge = withValuesOf(run);
     bridge.bezier = toOffsets(arcBetween(start.p[0], leaving, end.p[3], arriving));
     bridge.bezier[0] = run.front().bezier[0];
     bridge.bezier[3] = run.back().bezier[3];
     if (isPoint(bridge))
         return stroke;
-    if (first > 0)
+    if (!begins)
         bridge.node = NodeKind::Smooth;
     Stroke result = stroke;
     result.segments.erase(result.segments.begin() + first, result.segments.begin() + last + 1);
     result.segments.insert(result.segments.begin() + first, std::move(bridge));
-    if (last + 1 < n)
+    if (!ends)
         result.segments[std::size_t(first) + 1].node = NodeKind::Smooth;
     return validOr(std::move(result), stroke);
 }

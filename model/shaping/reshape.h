@@ -5,24 +5,16 @@
 
 #include "model/painting/stroke.h"
 #include "model/painting/stroke_places.h"
+#include "model/shaping/chains.h"
 
 #include <optional>
 #include <vector>
 
 namespace suffuse {
 
-inline int nodeCount(const Stroke &stroke)
-{
-    return int(stroke.segments.size()) + 1;
-}
-/// Whether the stroke goes on at both sides of the node.
-inline bool isInnerNode(const Stroke &stroke, int node)
-{
-    return node > 0 && node < int(stroke.segments.size());
-}
 /// Canvas units. The node must exist.
 Point nodePosition(const Stroke &stroke, int node);
-/// The kind of an inner node; the two ends have no opposite handles and count as corners.
+/// The kind of an inner node; the ends of chains have no opposite handles and count as corners.
 NodeKind nodeKind(const Stroke &stroke, int node);
 /// The handle on the side of the segment after (or before) the node, canvas units; none beyond an end. It may lie on
 /// the node itself (drawn in).
@@ -39,12 +31,13 @@ CurvePlace nearestPlace(const Stroke &stroke, Point point, double *distance = nu
 Stroke withNodes(const Stroke &stroke, const std::vector<CurvePlace> &places, std::vector<int> *sources = nullptr);
 /// Without some nodes: the segments beside an inner one become one, which keeps the tangents at its ends and the shape
 /// as far as one cubic can; what comes of an exact split becomes what it was. Values are means by length. An end node
-/// goes with its segment. Where fewer than two nodes would be left, the stroke stays as it is. `sources`: as above, the
-/// first.
+/// goes with its segment, and a chain of which fewer than two nodes would be left goes as a whole. Where no chain would
+/// be left, the stroke stays as it is. `sources`: as above, the first.
 Stroke withoutNodes(const Stroke &stroke, const std::vector<int> &nodes, std::vector<int> *sources = nullptr);
 /// Segments first … last replaced by one cubic that goes on smoothly from its neighbours; values are means by length.
+/// Where they belong to several chains these become one.
 Stroke withBridge(const Stroke &stroke, int first, int last);
-/// From end to start. Every segment keeps its values, its time of birth among them.
+/// From end to start, the chains too. Every segment keeps its values, its time of birth among them.
 Stroke reversed(const Stroke &stroke);
 /// Stroke b put to an end of stroke a (`aAtEnd`: its end, else its start) with one of its ends; a keeps its direction,
 /// id, name, style and mixing, and b's segments keep their style as their own. Ends that lie apart are bridged smoothly
@@ -52,8 +45,15 @@ Stroke reversed(const Stroke &stroke);
 std::optional<Stroke> joined(const Stroke &a, bool aAtEnd, const Stroke &b, bool bAtEnd);
 /// The same in place; false, and nothing done, if b cannot be held.
 bool join(Stroke &a, bool aAtEnd, const Stroke &b, bool bAtEnd);
-/// The end joined to the start by a smooth bridge with the end's values; none if they lie on each other.
+/// The end joined to the start by a smooth bridge with the end's values; none if they lie on each other. Of a stroke of
+/// several chains: the last one's end and the first one's start, which so become one.
 std::optional<Stroke> closed(const Stroke &stroke);
+/// Stroke b put to stroke a, an end of one of its chains at an end of one of a's, as above; b's other chains become
+/// chains of a. None if b cannot be held, or a node is no end.
+std::optional<Stroke> joinedAt(const Stroke &a, int aNode, const Stroke &b, int bNode);
+/// The ends of two chains of a stroke joined, so that they become one chain, or of one chain, which is closed. None if
+/// there is nothing to join.
+std::optional<Stroke> joinedWithin(const Stroke &stroke, int node, int other);
 
 /// Moves nodes, their handles along with them. All nodes: moves the origin alone.
 Stroke withNodeMoved(const Stroke &stroke, const std::vector<int> &nodes, Point by);

@@ -44,18 +44,19 @@ struct HandleNode {
 
 bool hasNode(const Stroke &stroke, int node)
 {
-    return node >= 0 && node <= int(stroke.segments.size());
+    return sidesOf(stroke, node) != NodeSides{};
 }
 
 void moveNode(Stroke &stroke, int node, Point by)
 {
-    if (node > 0) {
-        Segment &s = stroke.segments[std::size_t(node - 1)];
+    const NodeSides sides = sidesOf(stroke, node);
+    if (sides.before >= 0) {
+        Segment &s = stroke.segments[std::size_t(sides.before)];
         s.bezier[2] = moved(s.bezier[2], by);
         s.bezier[3] = moved(s.bezier[3], by);
     }
-    if (node < int(stroke.segments.size())) {
-        Segment &s = stroke.segments[std::size_t(node)];
+    if (sides.after >= 0) {
+        Segment &s = stroke.segments[std::size_t(sides.after)];
         s.bezier[0] = moved(s.bezier[0], by);
         s.bezier[1] = moved(s.bezier[1], by);
     }
@@ -137,10 +138,11 @@ Stroke withHandleMoved(const Stroke &stroke, int node, bool after, Point to)
     if (!handlePosition(stroke, node, after))
         return stroke;
     Stroke result = stroke;
+    const NodeSides sides = sidesOf(stroke, node);
     if (after)
-        result.segments[std::size_t(node)].bezier[1] = toOffset(to, stroke.origin);
+        result.segments[std::size_t(sides.after)].bezier[1] = toOffset(to, stroke.origin);
     else
-        result.segments[std::size_t(node - 1)].bezier[2] = toOffset(to, stroke.origin);
+        result.segments[std::size_t(sides.before)].bezier[2] = toOffset(to, stroke.origin);
     followHandle(result, node, after);
     return makesPoints(result, stroke) ? stroke : validOr(std::move(result), stroke);
 }

@@ -1,6 +1,6 @@
+#include "model/painting/validate.h"
 #include "model/shaping/reshape.h"
 #include "model/shaping/split.h"
-#include "model/painting/validate.h"
 
 namespace suffuse {
 
@@ -64,6 +64,7 @@ void append(std::vector<Segment> &segments, std::vector<Segment> tail, bool valu
         segments.push_back(std::move(bridge));
     }
     first.node = kindBetween(segments.back(), first);
+    first.start = false;
     segments.insert(segments.end(), std::make_move_iterator(tail.begin()), std::make_move_iterator(tail.end()));
 }
 
@@ -82,8 +83,11 @@ Stroke reversed(const Stroke &stroke)
     for (std::size_t k = 0; k < n; ++k) {
         Segment &s = result.segments[k];
         std::reverse(s.bezier.begin(), s.bezier.end());
-        // The kind belongs to the node at the start; the two ends, which have none, share what is written there.
-        s.node = stroke.segments[k == 0 ? 0 : n - k].node;
+        // The kind belongs to the node at the start, as does a gap there; the two ends, which have none, share what is
+        // written there.
+        const Segment &node = stroke.segments[k == 0 ? 0 : n - k];
+        s.node = node.node;
+        s.start = k > 0 && node.start;
     }
     return result;
 }
@@ -97,7 +101,7 @@ bool join(Stroke &a, bool aAtEnd, const Stroke &b, bool bAtEnd)
     added.style = a.style;
     added.origin = a.origin;
     if (aAtEnd) {
-        added.segments = {end};
+        added.segments = {end}; // may begin a chain of a's: that counts for nothing here
         append(added.segments, movedOver(bAtEnd ? reversed(b) : b, a), false);
     } else {
         added.segments = movedOver(bAtEnd ? b : reversed(b), a);
@@ -111,6 +115,7 @@ bool join(Stroke &a, bool aAtEnd, const Stroke &b, bool bAtEnd)
         a.segments.insert(a.segments.end(), from + 1, to);
     } else {
         a.segments.front() = *(to - 1);
+        a.segments.front().start = false;
         a.segments.insert(a.segments.begin(), from, to - 1);
     }
     return true;
@@ -126,6 +131,8 @@ std::optional<Stroke> joined(const Stroke &a, bool aAtEnd, const Stroke &b, bool
 
 std::optional<Stroke> closed(const Stroke &stroke)
 {
+    if (const std::vector<Chain> chains = chainsOf(stroke); chains.size() > 1)
+        return joinedWithin(stroke, int(stroke.segments.size()), 0);
     const Segment &first = stroke.segments.front(), &last = stroke.segments.back();
     if (distance(last.bezier[3], first.bezier[0]) <= weldingDistance(last.bezier[3], first.bezier[0]))
         return std::nullopt;
@@ -134,6 +141,70 @@ std::optional<Stroke> closed(const Stroke &stroke)
     bridge.node = kindBetween(last, bridge);
     result.segments.push_back(std::move(bridge));
     return result;
+}
+
+namespace {
+
+/// The chain that ends or begins at a node, by itself, and on which side the node is.
+struct ChainEnd {
+    Chain chain;
+    Stroke stroke;
+    bool atEnd = false;
+
+    ChainEnd(const Stroke &whole, const NodeSides &sides)
+        : chain(chainAt(whole, std::max(sides.before, sides.after))), stroke(chainOnly(whole, chain)),
+          atEnd(sides.before >= 0)
+    {}
+};
+
+bool isChainEnd(const NodeSides &sides)
+{
+    return (sides.before < 0) != (sides.after < 0);
+}
+
+/// The stroke with another chain in the place of one of its chains, and without some others.
+Stroke withChain(const Stroke &stroke, const Chain &place, const std::vector<Segment> &segments, const Chain *gone)
+{
+    Stroke result = stroke;
+    result.segments.clear();
+    for (const Chain &chain : chainsOf(stroke)) {
+        if (chain == place)
+            appendChain(result, segments);
+        else if (!gone || chain != *gone)
+            appendChain(result, chainOnly(stroke, chain).segments);
+    }
+    return result;
+}
+
+} // namespace
+
+std::optional<Stroke> joinedAt(const Stroke &a, int aNode, const Stroke &b, int bNode)
+{
+    const NodeSides aSides = sidesOf(a, aNode), bSides = sidesOf(b, bNode);
+    if (!isChainEnd(aSides) || !isChainEnd(bSides))
+        return std::nullopt;
+    const ChainEnd end(a, aSides), other(b, bSides);
+    const std::optional<Stroke> chain = joined(end.stroke, end.atEnd, other.stroke, other.atEnd);
+    if (!chain)
+        return std::nullopt;
+    Stroke result = withChain(a, end.chain, chain->segments, nullptr);
+    for (const Chain &more : chainsOf(b))
+        if (more != other.chain)
+            appendChain(result, movedOver(chainOnly(b, more), a));
+    return problemOf(result).isEmpty() || !problemOf(a).isEmpty() ? std::optional(std::move(result)) : std::nullopt;
+}
+
+std::optional<Stroke> joinedWithin(const Stroke &stroke, int node, int other)
+{
+    const NodeSides sides = sidesOf(stroke, node), otherSides = sidesOf(stroke, other);
+    if (node == other || !isChainEnd(sides) || !isChainEnd(otherSides))
+        return std::nullopt;
+    const ChainEnd one(stroke, sides), two(stroke, otherSides);
+    const std::optional<Stroke> chain =
+        one.chain == two.chain ? closed(one.stroke) : joined(one.stroke, one.atEnd, two.stroke, two.atEnd);
+    if (!chain)
+        return std::nullopt;
+    return withChain(stroke, one.chain, chain->segments, one.chain == two.chain ? nullptr : &two.chain);
 }
 
 } // namespace suffuse

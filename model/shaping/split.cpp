@@ -1,5 +1,7 @@
 #include "model/shaping/split.h"
 
+#include "model/shaping/chains.h"
+
 #include "model/brush/stroke_fit.h"
 #include "model/painting/fields.h"
 #include "model/painting/tensor.h"
@@ -29,6 +31,8 @@ void appendParts(const Segment &segment, int source, const std::vector<double> &
             piece.segment.bezier[3] = segment.bezier[3];
         if (i > 0 || segment.node == NodeKind::Symmetric)
             piece.segment.node = NodeKind::Smooth;
+        if (i > 0)
+            piece.segment.start = false;
         start = piece.segment.bezier[3];
         from = to;
         pieces.push_back(std::move(piece));
@@ -160,7 +164,8 @@ std::vector<Piece> piecesOf(const Stroke &stroke, const std::vector<std::vector<
         else
             appendParts(stroke.segments[k], int(k), parameters[k], pieces);
         // Its handles are no longer equally long.
-        if (NodeKind &kind = pieces[first].segment.node; afterSplit && kind == NodeKind::Symmetric)
+        if (NodeKind &kind = pieces[first].segment.node;
+            afterSplit && kind == NodeKind::Symmetric && !stroke.beginsChain(k))
             kind = NodeKind::Smooth;
         afterSplit = !parameters[k].empty();
     }
@@ -185,7 +190,7 @@ int nodeAt(const Stroke &stroke, const CurvePlace &place)
     if (!distinct({place.p}, curve).empty())
         return -1;
     const bool isStart = polygonLength(partOf(curve, 0, place.p)) <= polygonLength(partOf(curve, place.p, 1));
-    return place.segment + (isStart ? 0 : 1);
+    return isStart ? place.segment : endNode(stroke, place.segment);
 }
 
 Stroke validOr(Stroke result, const Stroke &before)

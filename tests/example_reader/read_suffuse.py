@@ -104,16 +104,18 @@ def time_ratio(born, j):
     return next((2.0**k for k in range(-6, 7) if abs(ratio - 2.0**k) < 0.01 * 2.0**k), ratio)
 
 
-def handles(codes, mode, node, born):
+def handles(codes, mode, node, born, starts):
     digits, kind, out = mode // 4 - 1, mode % 4, []
+    begin = [starts.get(j, node[j]) for j in range(len(born))]
     for j, (code1, code2) in enumerate(codes):
-        a, b = node[j], node[j + 1]
-        if kind >= 2 and j > 0:
+        a, b = begin[j], node[j + 1]
+        if kind >= 2 and j > 0 and j not in starts:
             (p1, p2), r = out[-1], time_ratio(born, j) if kind == 3 else 1.0
             first = decoded(code1, a + r * (a - p2), digits)
             second = decoded(code2, 2 * first - a + r * r * (a - 2 * p2 + p1), digits)
         else:
-            before, after = node[max(j - 1, 0)], node[min(j + 2, len(node) - 1)]
+            before = a if j == 0 or j in starts else begin[j - 1]
+            after = b if j + 1 == len(born) or j + 1 in starts else node[j + 2]
             d1, d2 = ((b - before) / 6, (after - a) / 6) if kind == 1 else ((b - a) / 3, (b - a) / 3)
             first, second = decoded(code1, a + d1, digits), decoded(code2, b - d2, digits)
         out.append((first, second))
@@ -140,7 +142,10 @@ def strokes(payload):
     attributes = [iter(c.column(4, m)) for _ in range(8)]
     rows = list(zip(*[c.column(width, m) for width in (8, 4, 1, 4, 4, 4)]))
     rewets = zip(*[c.column(8, sum(row[5] for row in rows)) for _ in range(2)])
-    assert c.at == len(payload), "bytes are left"
+    marks = c.column(1, m) if c.at < len(payload) else [0] * m
+    begins = [iter(c.column(4, sum(mark & 1 for mark in marks)) if any(marks) else []) for _ in "xy"]
+    assert c.at == len(payload) and max(marks, default=0) < 4, "bytes are left"
+    marks = iter(marks)
     rows, identity, step, moment, before = iter(rows), 0, 0, 0, [0.0] * 8
     for (added, count, flags, name, brush, group, own, mix, *origin), mode in zip(of_stroke, modes):
         identity, mine, born = (identity + added + 1) % 2**64, list(islice(rows, count)), []
@@ -149,18 +154,22 @@ def strokes(payload):
             moment = signed(moment + step, 64)
             born.append(moment)
         node = [series(islice(axis, count + 1), mode[0], 0.0) for axis in nodes]
-        curve = [handles(islice(axis, count), mode[1], line, born) for axis, line in zip(curves, node)]
+        marked = list(islice(marks, count))
+        starts = [{j: decoded(next(codes), line[j], mode[0] // 4 - 1) for j in range(count) if marked[j] & 1}
+                  for codes, line in zip(begins, node)]
+        curve = [handles(islice(axis, count), mode[1], line, born, at) for axis, line, at in zip(curves, node, starts)]
         values = [series(islice(attributes[a], count), mode[2 + a], before[a]) for a in range(8)]
         before = [column[-1] for column in values]
         segments = []
         for i, (_, style, kind, ratio, angle, wettings) in enumerate(mine):
             diffusion, density, granulation, age, *colour = (column[i] for column in values)
-            points = zip(*([line[i], *pairs[i], line[i + 1]] for line, pairs in zip(node, curve)))
+            points = zip(*([at.get(i, line[i]), *pairs[i], line[i + 1]] for line, pairs, at in zip(node, curve, starts)))
             segments.append({
                 "bezier": [list(point) for point in points], "born": born[i] / 1e6, "colour": colour,
                 "diffusion": diffusion, "density": density, "granulation": granulation, "maxAge": age,
                 "node": ["smooth", "symmetric", "corner"][kind], "style": styles[style - 1] if style else None,
                 "anisotropy": {"ratio": of_bits(ratio + 0x3F800000), "angle": of_bits(angle)},
+                "start": bool(marked[i] & 1), "lift": bool(marked[i] & 2),
                 "rewet": [[(born[i] + unzigzag(t)) / 1e6, extra / 1e6] for t, extra in islice(rewets, wettings)]})
         yield {"id": identity, "name": texts[name], "brush": texts[brush], "group": group or None,
                "visible": bool(flags & 1), "locked": bool(flags & 2), "style": styles[own], "mix": mixes[mix],
@@ -172,7 +181,8 @@ def read(data):
     for kind, payload in chunks(data):
         if kind == "HEAD":
             head = cbor2.loads(payload)
-            assert head["reader"] <= 1, "the file is newer"
+            assert head["reader"] <= 2, "the file is newer"
+            out["version"] = head["reader"]
         elif kind == "IMAG":
             media = {b"\x89": "png", b"\xff": "jpeg", b"R": "webp", b"v": "x-exr"}.get(payload[:1], "tiff")
             images.append(f"data:image/{media};base64," + base64.b64encode(payload).decode())

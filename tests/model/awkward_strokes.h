@@ -87,6 +87,19 @@ public:
         return s;
     }
 
+    /// The same with several chains, some of whose segments take paint away.
+    Stroke chains(int segments, double size = 40, double spread = 7)
+    {
+        Stroke s = stroke(segments, size, spread);
+        for (std::size_t k = 1; k < s.segments.size(); ++k) {
+            s.segments[k].start = below(3) == 0;
+            s.segments[k].lift = below(4) == 0;
+            if (s.segments[k].start && below(4) > 0)
+                s.segments[k].bezier[0] = toOffset(point(50), {});
+        }
+        return s;
+    }
+
 private:
     std::mt19937_64 m_random;
 };

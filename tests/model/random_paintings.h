@@ -144,8 +144,12 @@ private:
             s->origin = {coordinate(1e10), 0.1};
         s->brush = chance(2) ? QString() : QStringLiteral("ink-wash");
         Offset at = point();
+        const bool hasChains = chance(3), hasLift = chance(3);
         for (quint32 k = 0; k < segments; ++k) {
-            s->segments.push_back(segment(at));
+            const bool starts = hasChains && k > 0 && chance(4);
+            s->segments.push_back(segment(starts && chance(2) ? point() : at));
+            s->segments.back().start = starts;
+            s->segments.back().lift = hasLift && chance(3);
             at = s->segments.back().bezier[3];
         }
         return s;

@@ -191,8 +191,11 @@ private slots:
             "strokes: {…} is not a list");
         row("no strokes", "{\"format\": \"suffuse-text\", \"version\": 1}", "a.json: strokes: is missing");
         row("no format", "{\"version\": 1, \"strokes\": []}", "a.json: format: is missing");
-        row("version", "{\"format\": \"suffuse-text\", \"version\": 2, \"strokes\": []}",
-            "version: 2 is newer than this program");
+        row("version", "{\"format\": \"suffuse-text\", \"version\": 3, \"strokes\": []}",
+            "version: 3 is newer than this program");
+        row("a chain in version 1", segment(", \"start\": true"), "version: 1 does not know all");
+        row("lifting in version 1", segment(", \"lift\": true"), "version: 1 does not know all");
+        row("lift", segment(", \"lift\": 1"), "segments[0].lift: 1 is not true or false");
         row("canvas", documentOf({}, ", \"canvas\": {\"width\": 0}"), "canvas.width: 0 is not in (0, 1e6]");
         row("paper grain", documentOf({}, ", \"canvas\": {\"paper\": {\"kind\": \"procedural\", \"grain\": \"wool\"}}"),
             "canvas.paper.grain: “wool” is none of: tooth, fibres, weave");

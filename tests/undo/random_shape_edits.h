@@ -13,7 +13,8 @@ inline PaintingPtr awkwardPainting(AwkwardStrokes &random, int strokes)
 {
     auto p = std::make_shared<Painting>();
     for (int i = 1; i <= strokes; ++i) {
-        auto s = std::make_shared<Stroke>(random.stroke(1 + random.below(6)));
+        const int segments = 1 + random.below(6);
+        auto s = std::make_shared<Stroke>(random.below(3) ? random.stroke(segments) : random.chains(segments));
         s->id = StrokeId(i);
         p->strokes.push_back(s);
     }
@@ -41,12 +42,13 @@ public:
         case 4:
             return setNodeKind(m_document, nodes(4), NodeKind(m_random.below(3)));
         case 5:
-            return splitAt(m_document, places());
+            return splitAt(m_document, places(), leaves());
         case 6:
-            return splitAtNodes(m_document, nodes(3));
+            return splitAtNodes(m_document, nodes(3), leaves());
         case 7:
             return eraseAlong(m_document, m_random.below(2) ? m_document.selection().strokes : std::set<StrokeId>(),
-                              {m_random.point(300), m_random.point(300)}, m_random.real(0, 30));
+                              {m_random.point(300), m_random.point(300)}, m_random.real(0, 30),
+                              std::numeric_limits<Microseconds>::max(), leaves());
         case 8:
             return joinNodes(m_document, endNode(), endNode());
         case 9:
@@ -110,8 +112,11 @@ private:
     NodeRef endNode()
     {
         const StrokePtr s = any();
-        return s ? NodeRef{s->id, m_random.below(2) ? nodeCount(*s) - 1 : 0} : NodeRef();
+        if (!s)
+            return {};
+        return {s->id, m_random.below(3) ? (m_random.below(2) ? nodeCount(*s) - 1 : 0) : m_random.below(nodeCount(*s))};
     }
+    Leaves leaves() { return m_random.below(2) ? Leaves::Chains : Leaves::Strokes; }
     std::set<NodeRef> nodes(int count)
     {
         std::set<NodeRef> result;

@@ -81,7 +81,14 @@ void writeStroke(QXmlStreamWriter &xml, const Stroke &stroke, std::vector<double
         xml.writeTextElement("title", stroke.name);
     QString data;
     Look look;
-    for (const Segment &segment : stroke.segments) {
+    bool isGap = false;
+    for (std::size_t k = 0; k < stroke.segments.size(); ++k) {
+        const Segment &segment = stroke.segments[k];
+        isGap = isGap || stroke.beginsChain(k);
+        if (segment.lift) {
+            isGap = true;
+            continue;
+        }
         const Look here = lookOf(stroke, segment, *half++);
         const Cubic c = stroke.cubicOf(segment);
         if (data.isEmpty() || !(here == look)) {
@@ -89,7 +96,10 @@ void writeStroke(QXmlStreamWriter &xml, const Stroke &stroke, std::vector<double
                 writePath(xml, look, data);
             data = 'M' + text(c.p[0]);
             look = here;
+        } else if (isGap) {
+            data += " M" + text(c.p[0]);
         }
+        isGap = false;
         data += " C" + text(c.p[1]) + ' ' + text(c.p[2]) + ' ' + text(c.p[3]);
     }
     if (!data.isEmpty())
@@ -120,7 +130,7 @@ QByteArray svgOf(const Painting &painting)
     std::vector<SvgLine> lines;
     for (const StrokePtr &stroke : painting.strokes)
         for (const Segment &segment : stroke->segments)
-            if (painting.isVisible(*stroke))
+            if (painting.isVisible(*stroke) && !segment.lift)
                 lines.push_back(lineOf(*stroke, segment));
     const std::vector<double> halves = joinedHalfWidths(lines);
     auto half = halves.begin();

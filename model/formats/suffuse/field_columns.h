@@ -35,12 +35,11 @@ public:
             column = in.get<std::uint32_t>(count);
     }
 
+    bool isUsed() const { return usedColumns() > 0; }
     /// Up to the last column that has a number which is not as usual.
     void putUsed(ColumnWriter &out) const
     {
-        std::size_t used = m_columns.size();
-        while (used > 0 && std::ranges::count(m_columns[used - 1], 0u) == std::ptrdiff_t(m_columns[used - 1].size()))
-            --used;
+        const std::size_t used = usedColumns();
         for (std::size_t k = 0; k < used; ++k)
             out.put(m_columns[k]);
     }
@@ -54,6 +53,13 @@ public:
 private:
     using Column = std::vector<std::uint32_t>;
 
+    std::size_t usedColumns() const
+    {
+        std::size_t used = m_columns.size();
+        while (used > 0 && std::ranges::count(m_columns[used - 1], 0u) == std::ptrdiff_t(m_columns[used - 1].size()))
+            --used;
+        return used;
+    }
     static std::uint32_t bitsOf(float value) { return std::bit_cast<std::uint32_t>(value); }
     static std::array<std::uint32_t, numbers.size()> usualBits()
     {
@@ -74,15 +80,62 @@ using PlainColumns = NumberColumns<Owner, plainNumbersOf<Owner>>;
 template <class Owner>
 using LaterColumns = NumberColumns<Owner, laterNumbersOf<Owner>>;
 
-/// The least version of a reader that understands a value's numbers.
+/// The flags of a type that later versions brought, in one column: the first is bit 0. They are usually false.
 template <class Owner>
-int versionNeededBy(const Owner &owner)
-{
-    int version = suffuseLeastReader;
-    for (const Number<Owner> &number : laterNumbersOf<Owner>)
-        if (number.of(owner) != number.usual())
-            version = std::max(version, number.traits.since);
-    return version;
-}
+class FlagColumn {
+public:
+    void add(const Owner &owner)
+    {
+        std::uint8_t bits = 0;
+        forEachFlag([&](bool Owner::*flag, int bit) { bits |= std::uint8_t(owner.*flag << bit); });
+        m_bits.push_back(bits);
+    }
+    /// Sets the flags to what the column has at a place; false where it has one that is unknown. Does nothing where
+    /// nothing was read.
+    bool set(Owner &owner, std::size_t place) const
+    {
+        if (m_bits.empty())
+            return true;
+        int known = 0;
+        forEachFlag([&](bool Owner::*flag, int bit) { owner.*flag = m_bits[place] >> bit & 1, ++known; });
+        return m_bits[place] >> known == 0;
+    }
+    bool has(bool Owner::*wanted, std::size_t place) const
+    {
+        return !m_bits.empty() && (m_bits[place] & maskOf(wanted));
+    }
+    std::size_t count(bool Owner::*wanted) const
+    {
+        const std::uint8_t mask = maskOf(wanted);
+        return std::size_t(std::ranges::count_if(m_bits, [mask](std::uint8_t bits) { return bits & mask; }));
+    }
+    bool isUsed() const
+    {
+        return std::ranges::any_of(m_bits, [](std::uint8_t bits) { return bits != 0; });
+    }
+    void put(ColumnWriter &out) const { out.put(m_bits); }
+    void get(ColumnReader &in, std::size_t size) { m_bits = in.get<std::uint8_t>(size); }
+
+private:
+    /// Calls use(flag, bit).
+    template <class Use>
+    static void forEachFlag(Use use)
+    {
+        int bit = 0;
+        forEachFieldOf<Owner>([&]<class Declarer, class Value>(const Field<Declarer, Value> &f) {
+            if constexpr (std::is_same_v<Value, bool>)
+                if (f.traits.since > 1)
+                    use(static_cast<bool Owner::*>(f.member), bit++);
+        });
+    }
+    static std::uint8_t maskOf(bool Owner::*wanted)
+    {
+        std::uint8_t mask = 0;
+        forEachFlag([&](bool Owner::*flag, int bit) { mask |= std::uint8_t((flag == wanted) << bit); });
+        return mask;
+    }
+
+    std::vector<std::uint8_t> m_bits;
+};
 
 } // namespace suffuse

@@ -11,19 +11,19 @@ namespace suffuse {
 
 namespace {
 
-static_assert(std::ranges::all_of(laterNumbersOf<Segment>,
-                                  [](const auto &n) { return n.traits.since <= suffuseVersion; }),
-              "raise suffuseVersion: a segment has a number that documents of this version do not know");
-
-constexpr bool laterFieldsAreNumbers()
+constexpr bool laterFieldsHaveColumns()
 {
     bool all = true;
     forEachFieldOf<Segment>([&]<class Value>(const Field<Segment, Value> &field) {
-        all = all && (field.traits.since == 1 || std::is_same_v<Value, float> || std::is_same_v<Value, Colour>);
+        constexpr bool has =
+            std::is_same_v<Value, float> || std::is_same_v<Value, Colour> || std::is_same_v<Value, bool>;
+        all = all && (field.traits.since == 1 || (has && field.traits.since <= suffuseVersion));
     });
     return all;
 }
-static_assert(laterFieldsAreNumbers(), "a field of a segment that is no number needs columns of its own");
+static_assert(laterFieldsHaveColumns(),
+              "a field of a segment that is neither number nor flag needs columns of its own, "
+              "and one that this version does not know a greater suffuseVersion");
 
 struct Totals {
     std::uint64_t segments = 0;
@@ -50,7 +50,8 @@ Totals totalsOf(const Painting &painting)
 
 QByteArray header(const Painting &painting, const Totals &totals)
 {
-    const QCborMap map{{QLatin1String("version"), suffuseVersion},
+    // A document that needs nothing of a later version is the bytes that it was before that version.
+    const QCborMap map{{QLatin1String("version"), totals.reader},
                        {QLatin1String("reader"), totals.reader},
                        {QLatin1String("program"), QStringLiteral("Suffuse " SUFFUSE_VERSION)},
                        {QLatin1String("strokes"), qint64(painting.strokes.size())},

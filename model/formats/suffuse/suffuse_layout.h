@@ -17,15 +17,15 @@ inline constexpr char suffuseName[] = "\x89SUFFUSE";
 inline constexpr char suffuseLineEnds[] = "\r\n\x1a\n";
 inline constexpr qsizetype suffuseSignatureSize = 12;
 
-/// Version that is written, and the least version of a reader that understands it.
-inline constexpr int suffuseVersion = 1;
+/// The version that is understood; what is written is of the least version that holds it, which is at least the other.
+inline constexpr int suffuseVersion = 2;
 inline constexpr int suffuseLeastReader = 1;
 
 /// Segments (and rewettings) that a small file may declare; beyond it has at least one byte for each.
 inline constexpr std::uint64_t freeElements = 500'000;
 /// Most segments of a stroke chunk, but for one stroke that has more: a sixteenth of the painting's, so that damage at
-/// one place loses little of a small painting too, within bounds that keep chunks worth packing and small beside a large
-/// one.
+/// one place loses little of a small painting too, within bounds that keep chunks worth packing and small beside a
+/// large one.
 constexpr std::size_t segmentsPerChunk(std::size_t total)
 {
     return std::clamp<std::size_t>(total / 16, 64, 4'096);

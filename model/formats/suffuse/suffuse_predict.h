@@ -74,7 +74,8 @@ inline std::uint64_t unzigzag64(std::uint64_t code)
     return code >> 1 ^ (code & 1 ? ~std::uint64_t(0) : 0);
 }
 
-/// The numbers of a stroke as columns. Segment k runs from node k to node k + 1.
+/// The numbers of a stroke as columns. Segment k runs from node k to node k + 1; one that begins another chain runs
+/// from a place of its own to node k + 1.
 struct StrokeColumns {
     /// The numbers that are predicted: D, φ, ω, t_max, red, yellow, blue, opacity.
     static constexpr std::size_t attributeCount = predictedNumbersOf<Segment>.size();
@@ -82,6 +83,15 @@ struct StrokeColumns {
     std::array<std::array<std::vector<float>, 2>, 2> handle; ///< [first, second][x, y]
     std::array<std::vector<float>, attributeCount> attribute;
     std::vector<Microseconds> born;
+    std::vector<std::uint8_t> starts;           ///< by segment, 1 where it begins another chain; empty where none does
+    std::array<std::vector<float>, 2> startsAt; ///< x, y by segment, of those that do; as long as `starts`
+
+    bool isStart(std::size_t segment) const { return !starts.empty() && starts[segment]; }
+    /// Where a segment begins, on one axis.
+    float beginOf(std::size_t axis, std::size_t segment) const
+    {
+        return isStart(segment) ? startsAt[axis][segment] : node[axis][segment];
+    }
 
     void resize(std::size_t segments)
     {
@@ -129,18 +139,20 @@ inline double timeRatio(const std::vector<Microseconds> &born, std::size_t k)
     return ratio;
 }
 
-/// Handles of one axis, first and second of each segment in turn; all nodes and births are known.
+/// Handles of one axis, first and second of each of the first `count` segments in turn; all nodes and births are known.
 template <typename Code>
-void walkHandles(const std::vector<float> &node, const std::vector<Microseconds> &born, std::span<float> first,
-                 std::span<float> second, int predictor, Code code)
+void walkHandles(StrokeColumns &columns, std::size_t axis, std::size_t count, int predictor, Code code)
 {
-    const std::size_t n = first.size();
-    for (std::size_t k = 0; k < n; ++k) {
-        const double a = node[k], b = node[k + 1];
+    const std::vector<float> &node = columns.node[axis];
+    const std::vector<Microseconds> &born = columns.born;
+    std::vector<float> &first = columns.handle[0][axis], &second = columns.handle[1][axis];
+    for (std::size_t k = 0; k < count; ++k) {
+        const bool begins = k == 0 || columns.isStart(k), ends = k + 1 == born.size() || columns.isStart(k + 1);
+        const double a = columns.beginOf(axis, k), b = node[k + 1];
         if (predictor == NeighbourHandles) {
-            code(first[k], a + (b - double(node[k > 0 ? k - 1 : 0])) / 6);
-            code(second[k], b - (double(node[std::min(k + 2, node.size() - 1)]) - a) / 6);
-        } else if (predictor == StraightHandles || k == 0) {
+            code(first[k], a + (b - (begins ? a : double(columns.beginOf(axis, k - 1)))) / 6);
+            code(second[k], b - ((ends ? b : double(node[k + 2])) - a) / 6);
+        } else if (predictor == StraightHandles || begins) {
             code(first[k], a + (b - a) / 3);
             code(second[k], b - (b - a) / 3);
         } else {

@@ -101,6 +101,12 @@ private:
             return false;
         m_rewetTime = m_in.get<std::uint64_t>(rewets);
         m_rewetExtra = m_in.get<std::uint64_t>(rewets);
+        if (!m_in.atEnd()) {
+            m_marks.get(m_in, m);
+            const std::size_t starts = m_marks.count(&Segment::start);
+            for (auto &axis : m_start)
+                axis = m_in.get<std::uint32_t>(starts);
+        }
         m_later.getUsed(m_in, m);
         return m_in.atEnd();
     }
@@ -153,12 +159,15 @@ private:
             const std::uint32_t *code = m_node[axis].data() + m_nodes;
             walkSeries(c.node[axis], 0, nodes.predictor,
                        [&](float &v, double prediction) { v = value(*code++, prediction, nodes.digits); });
+        }
+        if (!m_start[0].empty())
+            decodeStarts(c, [&](std::uint32_t code, double before) { return value(code, before, nodes.digits); });
+        for (std::size_t axis = 0; axis < 2; ++axis) {
             std::size_t place = 0;
-            walkHandles(c.node[axis], c.born, c.handle[0][axis], c.handle[1][axis], handles.predictor,
-                        [&](float &v, double prediction) {
-                            v = value(m_handle[axis][place & 1][m_segment + place / 2], prediction, handles.digits);
-                            ++place;
-                        });
+            walkHandles(c, axis, c.born.size(), handles.predictor, [&](float &v, double prediction) {
+                v = value(m_handle[axis][place & 1][m_segment + place / 2], prediction, handles.digits);
+                ++place;
+            });
         }
         for (std::size_t a = 0; a < StrokeColumns::attributeCount; ++a) {
             const ColumnMode mode = ColumnMode::fromByte(m_modes[2 + a][j]);
@@ -169,9 +178,27 @@ private:
         }
     }
 
+    /// Where its segments begin that need not begin where the one before ends. `value(code, prediction)`.
+    template <typename Value>
+    void decodeStarts(StrokeColumns &c, Value value)
+    {
+        const std::size_t count = c.born.size();
+        c.starts.resize(count);
+        for (auto &axis : c.startsAt)
+            axis.resize(count);
+        for (std::size_t k = 0; k < count; ++k) {
+            c.starts[k] = m_marks.has(&Segment::start, m_segment + k);
+            if (!c.starts[k])
+                continue;
+            for (std::size_t axis = 0; axis < 2; ++axis)
+                c.startsAt[axis][k] = value(m_start[axis][m_startPlace], double(c.node[axis][k]));
+            ++m_startPlace;
+        }
+    }
+
     bool decodeSegment(const StrokeColumns &c, std::size_t k, Segment &s)
     {
-        s.bezier = {Offset{c.node[0][k], c.node[1][k]}, Offset{c.handle[0][0][k], c.handle[0][1][k]},
+        s.bezier = {Offset{c.beginOf(0, k), c.beginOf(1, k)}, Offset{c.handle[0][0][k], c.handle[0][1][k]},
                     Offset{c.handle[1][0][k], c.handle[1][1][k]}, Offset{c.node[0][k + 1], c.node[1][k + 1]}};
         for (std::size_t a = 0; a < StrokeColumns::attributeCount; ++a)
             predictedNumbersOf<Segment>[a].of(s) = c.attribute[a][k];
@@ -184,6 +211,8 @@ private:
         s.node = NodeKind(m_nodeKind[at]);
         m_plain.set(s, at);
         m_later.set(s, at);
+        if (!m_marks.set(s, at))
+            return false;
         s.rewet.reserve(m_rewetCount[at]);
         for (std::uint32_t r = 0; r < m_rewetCount[at]; ++r, ++m_rewet) {
             const std::uint64_t time = std::uint64_t(s.born) + unzigzag64(m_rewetTime[m_rewet]);
@@ -205,12 +234,14 @@ private:
     std::array<std::array<std::vector<std::uint32_t>, 2>, 2> m_handle;
     std::array<std::vector<std::uint32_t>, StrokeColumns::attributeCount> m_attribute;
     PlainColumns<Segment> m_plain;
+    FlagColumn<Segment> m_marks;
+    std::array<std::vector<std::uint32_t>, 2> m_start;
     LaterColumns<Segment> m_later;
     std::vector<std::uint32_t> m_ownStyle, m_rewetCount;
     std::vector<std::uint64_t> m_born, m_rewetTime, m_rewetExtra;
     std::array<float, StrokeColumns::attributeCount> m_carry{};
     std::uint64_t m_idBefore = 0, m_bornBefore = 0, m_bornStep = 0;
-    std::size_t m_segment = 0, m_nodes = 0, m_rewet = 0; ///< places in the columns
+    std::size_t m_segment = 0, m_nodes = 0, m_rewet = 0, m_startPlace = 0; ///< places in the columns
 };
 
 } // namespace

@@ -36,6 +36,15 @@ StyleBits bitsOf(const Style &s)
             std::bit_cast<std::uint32_t>(s.xi[2])};
 }
 
+void addStarts(const std::vector<Segment> &segments, StrokeColumns &c)
+{
+    for (const Segment &s : segments) {
+        c.starts.push_back(s.start);
+        c.startsAt[0].push_back(s.start ? s.bezier[0].x : 0);
+        c.startsAt[1].push_back(s.start ? s.bezier[0].y : 0);
+    }
+}
+
 StrokeColumns columnsOf(const Stroke &stroke)
 {
     StrokeColumns c;
@@ -43,8 +52,9 @@ StrokeColumns columnsOf(const Stroke &stroke)
     c.resize(segments.size());
     for (std::size_t k = 0; k < segments.size(); ++k) {
         const Segment &s = segments[k];
-        c.node[0][k] = s.bezier[0].x;
-        c.node[1][k] = s.bezier[0].y;
+        const Offset node = s.start && k > 0 ? segments[k - 1].bezier[3] : s.bezier[0];
+        c.node[0][k] = node.x;
+        c.node[1][k] = node.y;
         for (std::size_t h = 0; h < 2; ++h) {
             c.handle[h][0][k] = s.bezier[h + 1].x;
             c.handle[h][1][k] = s.bezier[h + 1].y;
@@ -57,6 +67,8 @@ StrokeColumns columnsOf(const Stroke &stroke)
         c.node[0].back() = segments.back().bezier[3].x;
         c.node[1].back() = segments.back().bezier[3].y;
     }
+    if (std::ranges::any_of(segments, &Segment::start))
+        addStarts(segments, c);
     return c;
 }
 
@@ -172,7 +184,12 @@ public:
         out.put(m_rewetCount);
         out.put(m_rewetTime, density.rewets);
         out.put(m_rewetExtra);
-        m_later.putUsed(out);
+        if (m_marks.isUsed() || m_later.isUsed()) {
+            m_marks.put(out);
+            out.put(m_start[0]);
+            out.put(m_start[1]);
+            m_later.putUsed(out);
+        }
         return out.bytes();
     }
 
@@ -195,7 +212,8 @@ private:
     void addNodes(StrokeColumns &c)
     {
         const std::size_t sample = std::min(c.node[0].size(), sampleSize);
-        const ColumnMode mode = bestMode(decimalsOf({c.node[0], c.node[1]}), 4, [&](int predictor, auto code) {
+        const int decimals = decimalsOf({c.node[0], c.node[1], c.startsAt[0], c.startsAt[1]});
+        const ColumnMode mode = bestMode(decimals, 4, [&](int predictor, auto code) {
             for (auto &axis : c.node)
                 walkSeries(std::span(axis).first(sample), 0, predictor, code);
         });
@@ -204,6 +222,9 @@ private:
             walkSeries(c.node[axis], 0, mode.predictor, [&](float value, double prediction) {
                 m_node[axis].push_back(residual(value, prediction, mode.digits));
             });
+            for (std::size_t k = 0; k < c.starts.size(); ++k)
+                if (c.starts[k])
+                    m_start[axis].push_back(residual(c.startsAt[axis][k], c.node[axis][k], mode.digits));
         }
     }
 
@@ -211,8 +232,7 @@ private:
     {
         const std::size_t all = c.born.size(), sample = std::min(all, sampleSize);
         const auto walk = [&c](std::size_t count, std::size_t axis, int predictor, auto code) {
-            walkHandles(c.node[axis], c.born, std::span(c.handle[0][axis]).first(count),
-                        std::span(c.handle[1][axis]).first(count), predictor, code);
+            walkHandles(c, axis, count, predictor, code);
         };
         const int decimals = decimalsOf({c.handle[0][0], c.handle[0][1], c.handle[1][0], c.handle[1][1]});
         const ColumnMode mode = bestMode(decimals, 4, [&](int predictor, auto code) {
@@ -248,6 +268,7 @@ private:
         m_ownStyle.push_back(s.style ? m_styles.place(bitsOf(*s.style)) + 1 : 0);
         m_nodeKind.push_back(std::uint8_t(s.node));
         m_plain.add(s);
+        m_marks.add(s);
         m_later.add(s);
         m_rewetCount.push_back(std::uint32_t(s.rewet.size()));
         for (const Rewet &r : s.rewet) {
@@ -292,6 +313,8 @@ private:
     std::array<std::array<Column<std::uint32_t>, 2>, 2> m_handle; ///< [x, y][first, second]
     std::array<Column<std::uint32_t>, StrokeColumns::attributeCount> m_attribute;
     PlainColumns<Segment> m_plain;
+    FlagColumn<Segment> m_marks;
+    std::array<Column<std::uint32_t>, 2> m_start; ///< of the segments that begin another chain
     LaterColumns<Segment> m_later;
     Column<std::uint32_t> m_ownStyle, m_rewetCount;
     Column<std::uint64_t> m_born, m_rewetTime, m_rewetExtra;

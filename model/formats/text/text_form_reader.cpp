@@ -10,6 +10,9 @@ namespace {
 
 using Names = std::string_view;
 
+/// The greatest version that is read.
+constexpr int textFormVersion = 2;
+
 class TextFormReader {
 public:
     TextFormReader(const QByteArray &bytes, const QString &fileName) : m_json(bytes, fileName), m_fileName(fileName) {}
@@ -21,6 +24,11 @@ public:
         if (!m_json.ok())
             return Error{m_json.error()};
         giveIds();
+        if (const int needed = versionNeededBy(m_painting); needed > m_version)
+            return fileError(m_fileName, FileMessages::tr("version: %1 does not know all that segments have here; "
+                                                          "write %2")
+                                             .arg(m_version)
+                                             .arg(needed));
         if (const QString problem = problemOf(m_painting); !problem.isEmpty())
             return fileError(m_fileName, problem);
         return std::move(m_painting);
@@ -58,9 +66,11 @@ private:
         m_json.read(value);
         if (m_json.ok() && value == 0)
             m_json.fail(FileMessages::tr("0 is not a version; write 1"));
-        if (m_json.ok() && value > 1)
-            m_json.fail(
-                FileMessages::tr("%1 is newer than this program, which reads version 1; update Suffuse").arg(value));
+        if (m_json.ok() && value > textFormVersion)
+            m_json.fail(FileMessages::tr("%1 is newer than this program, which reads up to version %2; update Suffuse")
+                            .arg(value)
+                            .arg(textFormVersion));
+        m_version = int(std::min<std::uint64_t>(value, textFormVersion));
     }
 
     void document()
@@ -112,6 +122,7 @@ private:
 
     JsonReader m_json;
     QString m_fileName;
+    int m_version = 1;
     Painting m_painting;
 };
 

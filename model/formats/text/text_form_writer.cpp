@@ -33,7 +33,9 @@ QByteArray writeTextForm(const Painting &painting)
 {
     QByteArray out;
     out.reserve(qsizetype(1024 + 320 * painting.segmentCount()));
-    out.append("{\"format\": \"suffuse-text\", \"version\": 1,\n \"canvas\": ");
+    // Of the least version that holds it: a painting that uses nothing new is the text that it was before.
+    out.append("{\"format\": \"suffuse-text\", \"version\": ").append(QByteArray::number(versionNeededBy(painting)));
+    out.append(",\n \"canvas\": ");
     append(out, painting.canvas);
     if (!painting.groups.empty())
         appendList(out, "groups", painting.groups);

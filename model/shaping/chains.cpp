@@ -1,0 +1,83 @@
+#include "model/shaping/chains.h"
+
+namespace suffuse {
+
+std::vector<Chain> chainsOf(const Stroke &stroke)
+{
+    std::vector<Chain> chains;
+    for (std::size_t k = 0; k < stroke.segments.size(); ++k) {
+        if (stroke.beginsChain(k))
+            chains.push_back({int(k), int(k)});
+        chains.back().last = int(k);
+    }
+    return chains;
+}
+
+Chain chainAt(const Stroke &stroke, int segment)
+{
+    Chain chain{segment, segment};
+    while (!stroke.beginsChain(std::size_t(chain.first)))
+        --chain.first;
+    while (chain.last + 1 < int(stroke.segments.size()) && !stroke.beginsChain(std::size_t(chain.last) + 1))
+        ++chain.last;
+    return chain;
+}
+
+int nodeCount(const Stroke &stroke)
+{
+    int count = int(stroke.segments.size()) + 1;
+    for (std::size_t k = 1; k < stroke.segments.size(); ++k)
+        count += stroke.segments[k].start;
+    return count;
+}
+
+NodeSides sidesOf(const Stroke &stroke, int node)
+{
+    const int n = int(stroke.segments.size());
+    if (node < 0)
+        return {};
+    if (node < n)
+        return {stroke.beginsChain(std::size_t(node)) ? -1 : node - 1, node};
+    if (node == n)
+        return {n - 1, -1};
+    int ends = node - n; // of chains before the last
+    for (int k = 1; k < n; ++k)
+        if (stroke.segments[std::size_t(k)].start && --ends == 0)
+            return {k - 1, -1};
+    return {};
+}
+
+int endNode(const Stroke &stroke, int segment)
+{
+    const int n = int(stroke.segments.size()), next = segment + 1;
+    if (next >= n || !stroke.segments[std::size_t(next)].start)
+        return next;
+    int ends = 0;
+    for (int k = 1; k <= next; ++k)
+        ends += stroke.segments[std::size_t(k)].start;
+    return n + ends;
+}
+
+bool isInnerNode(const Stroke &stroke, int node)
+{
+    return node > 0 && node < int(stroke.segments.size()) && !stroke.segments[std::size_t(node)].start;
+}
+
+Stroke chainOnly(const Stroke &stroke, const Chain &chain)
+{
+    Stroke one = stroke;
+    one.segments.assign(stroke.segments.begin() + chain.first, stroke.segments.begin() + chain.last + 1);
+    one.segments.front().start = false;
+    return one;
+}
+
+void appendChain(Stroke &stroke, std::vector<Segment> segments)
+{
+    if (segments.empty())
+        return;
+    segments.front().start = !stroke.segments.empty();
+    stroke.segments.insert(stroke.segments.end(), std::make_move_iterator(segments.begin()),
+                           std::make_move_iterator(segments.end()));
+}
+
+} // namespace suffuse
