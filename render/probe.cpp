@@ -37,13 +37,14 @@ ProbeStroke probeStroke(const Stroke &stroke, Microseconds time, Point x, double
         if (!(density > 0))
             continue;
         local.add(segment, stroke.styleOf(segment), density);
-        result.shares.push_back({int(k), density, 0});
+        result.shares.push_back({int(k), segment.lift, density, 0});
     }
-    if (!(local.density() > 0))
+    if (!(local.laid() > 0))
         return result;
     for (ProbeShare &share : result.shares)
-        share.share = share.density / local.density();
+        share.share = share.density / local.laid();
     result.density = local.density();
+    result.lifted = local.lifted();
     result.granulation = local.granulation();
     result.modulated = modulation(local.granulation(), paper) * local.density();
     result.densityFunction = local.coverage(paper);
@@ -69,7 +70,7 @@ Result<Probe> probe(const Painting &painting, Microseconds time, double x, doubl
         if (!painting.isVisible(*stroke))
             continue;
         ProbeStroke here = probeStroke(*stroke, time, point, result.paper);
-        const bool inReach = influenceOf(*stroke, time).contains(point) && here.density > 0;
+        const bool inReach = influenceOf(*stroke, time).contains(point) && (here.density > 0 || here.lifted > 0);
         if (!inReach && !(here.opacity > 0))
             continue;
         reference::mix(spot, stroke->mix, {here.opacity, {here.colour[0], here.colour[1], here.colour[2]}});

@@ -12,15 +12,17 @@ namespace suffuse {
 /// One segment's part of a stroke's density at the point.
 struct ProbeShare {
     int segment = 0;    ///< index
+    bool lifts = false; ///< it takes so much away
     double density = 0; ///< φ_k
-    double share = 0;   ///< φ_k/φ
+    double share = 0;   ///< φ_k/φ⁺, φ⁺ the sum over the segments that lay paint
 };
 
 /// A stroke at the point, and the canvas after it.
 struct ProbeStroke {
     StrokeId id = 0;
     QString name;
-    double density = 0;               ///< φ (14)
+    double density = 0;               ///< φ (14): what is left of φ⁺ where paint is taken away
+    double lifted = 0;                ///< φ⁻, what is taken away
     double granulation = 1;           ///< ω̄ (15)
     double modulated = 0;             ///< φ′ = γφ (16)
     double densityFunction = 0;       ///< F (17-19)

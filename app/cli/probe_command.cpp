@@ -53,10 +53,12 @@ QJsonObject jsonOf(const ProbeStroke &s, bool all)
     const std::vector<ProbeShare> listed = listedOf(s, all);
     QJsonArray shares;
     for (const ProbeShare &k : listed)
-        shares.append(QJsonObject{{"segment", k.segment}, {"density", k.density}, {"share", k.share}});
+        shares.append(
+            QJsonObject{{"segment", k.segment}, {"density", k.density}, {"share", k.share}, {"lift", k.lifts}});
     return {{"id", qint64(s.id)},
             {"name", s.name},
             {"density", s.density},
+            {"lifted", s.lifted},
             {"granulation", s.granulation},
             {"modulatedDensity", s.modulated},
             {"densityFunction", s.densityFunction},
@@ -97,7 +99,8 @@ QString textOf(const ProbeStroke &s, bool all)
                 .arg(textOf(s.colour), textOf(s.rybAfter), textOf(s.rgbAfter));
     const std::vector<ProbeShare> listed = listedOf(s, all);
     for (const ProbeShare &k : listed)
-        text += QCoreApplication::translate("Cli", "  segment %1: φ %2, share %3\n")
+        text += (k.lifts ? QCoreApplication::translate("Cli", "  segment %1 lifts: φ %2, share %3\n")
+                         : QCoreApplication::translate("Cli", "  segment %1: φ %2, share %3\n"))
                     .arg(k.segment)
                     .arg(k.density, 0, 'g', 8)
                     .arg(k.share, 0, 'g', 8);

@@ -111,9 +111,12 @@ Rect seenBox(const Stroke &stroke)
 {
     double total = 0;
     for (const Segment &segment : stroke.segments)
-        total += arcLength(stroke.cubicOf(segment));
+        total += segment.lift ? 0 : arcLength(stroke.cubicOf(segment));
     Rect box;
-    for (const Segment &segment : stroke.segments) {
+    for (std::size_t k = 0; k < stroke.segments.size(); ++k) {
+        const Segment &segment = stroke.segments[k];
+        if (segment.lift)
+            continue;
         const Cubic cubic = stroke.cubicOf(segment);
         const SeenPaintOf seen(segment, stroke.styleOf(segment), total);
         for (int place = 0; place <= widthPlaces; ++place) {
@@ -123,9 +126,9 @@ Rect seenBox(const Stroke &stroke)
             box.include(at + aside);
             box.include(at - aside);
         }
-        if (&segment == &stroke.segments.front())
+        if (stroke.beginsChain(k))
             box.include(cubic.p[0] - seen.beyond(tangentAt(cubic, 0)) * tangentAt(cubic, 0));
-        if (&segment == &stroke.segments.back())
+        if (k + 1 == stroke.segments.size() || stroke.beginsChain(k + 1))
             box.include(cubic.p[3] + seen.beyond(tangentAt(cubic, 1)) * tangentAt(cubic, 1));
     }
     return box;

@@ -41,8 +41,8 @@ WidthValues valuesForHalfWidth(double halfWidth, double diffusion, double age, d
 double diffusionForHalfWidth(double halfWidth, double density, double age, double cut);
 
 /// Box of what is seen of the dry stroke, canvas units: its curves, the half-widths beside them, and as far beyond the
-/// two ends as paint is seen there. Exact for a straight stroke of one width; of a short one all is narrower, by the
-/// density that its length lacks.
+/// ends of its chains as paint is seen there. What takes paint away is left out of account. Exact for a straight stroke
+/// of one width; of a short one all is narrower, by the density that its length lacks.
 Rect seenBox(const Stroke &stroke);
 
 /// Lambert's W on its lower branch: the y ≤ −1 with y·e^y = x, for x in [−1/e, 0).

@@ -4,7 +4,11 @@ namespace suffuse {
 
 void LocalPaint::add(const Segment &segment, const Style &style, double density)
 {
-    m_density += density;
+    if (segment.lift) {
+        m_lifted += density;
+        return;
+    }
+    m_laid += density;
     m_granulation += density * double(segment.granulation);
     const std::array<float, 4> colour{segment.colour.red, segment.colour.yellow, segment.colour.blue,
                                       segment.colour.opacity};
@@ -18,27 +22,27 @@ void LocalPaint::add(const Segment &segment, const Style &style, double density)
 
 double LocalPaint::granulation() const
 {
-    return m_density > 0 ? m_granulation / m_density : 1;
+    return m_laid > 0 ? m_granulation / m_laid : 1;
 }
 
 std::array<double, 4> LocalPaint::colour() const
 {
     std::array<double, 4> mean{};
-    for (std::size_t i = 0; i < 4 && m_density > 0; ++i)
-        mean[i] = m_colour[i] / m_density;
+    for (std::size_t i = 0; i < 4 && m_laid > 0; ++i)
+        mean[i] = m_colour[i] / m_laid;
     return mean;
 }
 
 double LocalPaint::coverage(double eta) const
 {
-    const double density = modulation(granulation(), eta) * m_density;
+    const double density = modulation(granulation(), eta) * this->density();
     double sum = 0;
     for (const StyleKind kind : styleKinds) {
         const KindSum &own = m_kinds[std::size_t(kind)];
         if (!(own.density > 0))
             continue;
         const std::array<double, 3> xi{own.xi[0] / own.density, own.xi[1] / own.density, own.xi[2] / own.density};
-        sum += own.density / m_density * densityFunction(kind, xi, density);
+        sum += own.density / m_laid * densityFunction(kind, xi, density);
     }
     return sum;
 }

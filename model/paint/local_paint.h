@@ -8,17 +8,22 @@
 
 namespace suffuse {
 
-/// Sums over the segments at a point. What segments say counts by their densities there.
+/// Sums over the segments at a point. What segments say counts by their densities there; those that take paint away say
+/// nothing but how much.
 class LocalPaint {
 public:
     /// φ_k of a segment, and its style.
     void add(const Segment &segment, const Style &style, double density);
 
-    /// φ (14).
-    double density() const { return m_density; }
-    /// ω̄ (15); 1 where there is no paint.
+    /// φ = max(0, φ⁺ − φ⁻) (14).
+    double density() const { return std::max(0.0, m_laid - m_lifted); }
+    /// φ⁺, of the segments that lay paint.
+    double laid() const { return m_laid; }
+    /// φ⁻, of those that take it away.
+    double lifted() const { return m_lifted; }
+    /// ω̄ (15); 1 where no paint was laid.
     double granulation() const;
-    /// C̄ (20): R, Y, B, opacity; 0 where there is no paint.
+    /// C̄ (20): R, Y, B, opacity; 0 where no paint was laid.
     std::array<double, 4> colour() const;
     /// F(φ′) = Σ share·F_kind(φ′; ξ̄_kind), φ′ = γφ (16), where the paper's texture is η; 0 where there is no paint.
     double coverage(double eta) const;
@@ -30,7 +35,8 @@ private:
         double density = 0;
         std::array<double, 3> xi{};
     };
-    double m_density = 0;
+    double m_laid = 0;
+    double m_lifted = 0;
     double m_granulation = 0;
     std::array<double, 4> m_colour{};
     std::array<KindSum, styleKinds.size()> m_kinds{};

@@ -103,8 +103,8 @@ double strokeDensityAt(const Stroke &stroke, Microseconds time, Point point)
 {
     double density = 0;
     for (const Segment &segment : stroke.segments)
-        density += segmentDensityAt(stroke, segment, time, point);
-    return density;
+        density += (segment.lift ? -1 : 1) * segmentDensityAt(stroke, segment, time, point);
+    return std::max(0.0, density);
 }
 
 } // namespace suffuse

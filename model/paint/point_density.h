@@ -21,7 +21,7 @@ bool reaches(const Segment &segment, double spread, Point fromOrigin);
 
 /// φ_k of a segment at a canvas point, fine; 0 where it is not there yet, and out of its reach.
 double segmentDensityAt(const Stroke &stroke, const Segment &segment, Microseconds time, Point point);
-/// φ of the stroke.
+/// φ = max(0, φ⁺ − φ⁻) of the stroke.
 double strokeDensityAt(const Stroke &stroke, Microseconds time, Point point);
 
 } // namespace suffuse

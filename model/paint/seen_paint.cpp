@@ -18,7 +18,7 @@ SeenPaint seenPaint(const Stroke &stroke, Microseconds T, Point point)
             continue;
         const double density = segmentDensity(segment, spread, at, CurveDetail::Rough);
         paint.add(segment, stroke.styleOf(segment), density);
-        if (density > largest) {
+        if (density > largest && !segment.lift) {
             largest = density;
             seen.segment = int(k);
         }

@@ -15,7 +15,7 @@ double localDensityFunction(const LocalDensity &local, double eta, double px)
     for (int i = 0; i < local.styleCount; ++i) {
         const StyleShare &style = local.styles[std::size_t(i)];
         if (style.share > 0)
-            sum += style.share * densityFunctionMean(style.kind, style.xi, gamma * local.density, h);
+            sum += style.share * densityFunctionMean(style.kind, style.xi, gamma * local.density, h, local.lifted);
     }
     return sum;
 }

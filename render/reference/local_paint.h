@@ -14,9 +14,10 @@ struct StyleShare {
 };
 
 struct LocalDensity {
-    double density = 0;                 ///< φ (14)
-    double slope = 0;                   ///< |∇φ|
-    double granulation = 1;             ///< ω̄ (15)
+    double density = 0;     ///< φ⁺ − φ⁻, of the segments that lay paint and of those that lift it; may be < 0
+    double slope = 0;       ///< |∇(φ⁺ − φ⁻)|
+    double lifted = 0;      ///< φ⁻/φ⁺
+    double granulation = 1; ///< ω̄ (15)
     std::array<double, 4> colour{};     ///< C̄ (20): R, Y, B, opacity
     std::array<StyleShare, 3> styles{}; ///< of the kinds there are
     int styleCount = 0;

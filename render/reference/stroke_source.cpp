@@ -47,7 +47,7 @@ std::vector<StyleKind> mixedKinds(const Stroke &stroke, Microseconds time)
     bool differ = false;
     std::array<bool, 3> there{};
     for (const Segment &segment : stroke.segments) {
-        if (segment.age(time) <= 0)
+        if (segment.age(time) <= 0 || segment.lift)
             continue;
         const Style &style = stroke.styleOf(segment);
         differ = differ || (first && !(*first == style));
@@ -74,11 +74,11 @@ std::vector<double> channelsOf(const Segment &segment, const Style &style, const
     return channels;
 }
 
-/// Smallest k ≤ 6 with s·2^k ≥ 1, s in pixels.
-int levelOf(double s)
+/// Smallest k ≤ 6 with s·2^k ≥ least, s in pixels.
+int levelOf(double s, double least)
 {
     int k = 0;
-    while (k < 6 && std::ldexp(s, k) < 1)
+    while (k < 6 && std::ldexp(s, k) < least)
         ++k;
     return k;
 }
@@ -94,7 +94,8 @@ SegmentSource segmentSource(const Stroke &stroke, const Segment &segment, Micros
     source.box = source.curve.controlBox().grown(source.reach);
     source.onTheFly = source.kernel.smallerSpread < thinPixels;
     source.channels = channelsOf(segment, stroke.styleOf(segment), whole.kinds);
-    source.level = levelOf(source.kernel.smallerSpread);
+    source.lifts = segment.lift;
+    source.level = levelOf(source.kernel.smallerSpread, segment.lift ? 4 : 1);
     source.influence = influenceOf(stroke, segment, time);
 
     const Rect picture = Rect::of(0, 0, view.width, view.height).grown(source.reach);
@@ -115,8 +116,9 @@ double reachOf(const Stroke &stroke, Microseconds time)
         if (segment.age(time) <= 0)
             continue;
         const Style &style = stroke.styleOf(segment);
-        least = std::min(least, double(style.xi[0]));
-        if (style.kind == StyleKind::Uniform)
+        if (!segment.lift)
+            least = std::min(least, double(style.xi[0]));
+        if (!segment.lift && style.kind == StyleKind::Uniform)
             least = std::min(least, double(style.xi[1]));
         const double s = segment.spread(time);
         const Kernel kernel =
@@ -136,11 +138,13 @@ StrokeSource strokeSource(const Stroke &stroke, Microseconds time, const View &v
     source.kinds = mixedKinds(stroke, time);
     source.channels = FirstStyleChannel + 4 * source.kinds.size();
     source.reach = reachOf(stroke, time);
+    bool lays = false;
     for (const Segment &segment : stroke.segments) {
         if (segment.age(time) <= 0)
             continue;
-        if (source.segments.empty())
+        if (!lays && !segment.lift)
             source.style = stroke.styleOf(segment);
+        lays = lays || !segment.lift;
         source.segments.push_back(segmentSource(stroke, segment, time, view, source));
         source.box = source.box.united(source.segments.back().box);
     }

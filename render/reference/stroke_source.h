@@ -19,7 +19,8 @@ struct SegmentSource {
     bool onTheFly = false;        ///< so thin that panels are made where they are needed
     std::vector<Panel> panels;    ///< else: those that reach the picture
     std::vector<double> channels; ///< values by `Channel`
-    int level = 0;                ///< smallest k ≤ 6 with s·2^k ≥ 1 px
+    bool lifts = false;           ///< it takes paint away; its channels count for nothing
+    int level = 0;                ///< smallest k ≤ 6 with s·2^k ≥ 1 px, where it lifts 4 px
     Rect influence;               ///< canvas units, for the supersampling rule
 };
 
@@ -33,7 +34,8 @@ struct StrokeSource {
     Rect box; ///< pixels
 };
 
-/// The stroke at time T in the view; segments of age 0 are left out. Pixel (i, j) covers [i, i+1] × [j, j+1].
+/// The stroke at time T in the view; segments of age 0 are left out. Pixel (i, j) covers [i, i+1] × [j, j+1]. Styles
+/// are those of the segments that lay paint.
 StrokeSource strokeSource(const Stroke &stroke, Microseconds time, const View &view);
 
 /// How many spreads a node must reach so that what is cut off is below 1e-14 of the density at which the stroke's

@@ -103,6 +103,21 @@ double edgeMean(const Xi &xi, double density, double h)
     return xi[2] * (width + (third(b) - third(a)) / 3 - (sixth(b) - sixth(a)) / 6) / (2 * q);
 }
 
+/// The mean of (19) over densities, not over their logarithms.
+double edgeMeanOverDensity(const Xi &xi, double density, double h)
+{
+    const double low = std::max(edgeCut(xi), density - h), high = density + h;
+    if (high <= low)
+        return 0;
+    // The antiderivative loses digits where the range is short against the density.
+    if (high - low <= 0.05 * low)
+        return halfIntegral((low - density) / h, 1, [&](double t) { return edgeAt(xi, std::log(density + h * t)); });
+    const auto antiderivative = [&](double v) {
+        return v + xi[1] * std::pow(xi[1] / v, 2) / 2 - xi[0] * std::pow(xi[0] / v, 5) / 5;
+    };
+    return xi[2] * (antiderivative(high) - antiderivative(low)) / (2 * h);
+}
+
 } // namespace
 
 double uniformCut(const Xi &xi)
@@ -131,9 +146,9 @@ double densityFunction(StyleKind kind, const Xi &xi, double density)
     return density < edgeCut(xi) ? 0 : std::clamp(edgeAt(xi, std::log(density)), 0.0, 1.0);
 }
 
-double densityFunctionMean(StyleKind kind, const Xi &xi, double density, double h)
+double densityFunctionMean(StyleKind kind, const Xi &xi, double density, double h, double lifted)
 {
-    if (h <= 1e-15 * density || h <= 0)
+    if (h <= 1e-15 * std::abs(density) || h <= 0)
         return densityFunction(kind, xi, density);
     double mean = 0;
     switch (kind) {
@@ -145,6 +160,8 @@ double densityFunctionMean(StyleKind kind, const Xi &xi, double density, double 
         break;
     case StyleKind::Edge:
         mean = edgeMean(xi, density, h);
+        if (const double share = std::min(1.0, 2 * lifted); share > 0)
+            mean += share * (std::clamp(edgeMeanOverDensity(xi, density, h), 0.0, 1.0) - std::clamp(mean, 0.0, 1.0));
         break;
     }
     return std::clamp(mean, 0.0, 1.0);

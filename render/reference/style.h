@@ -18,7 +18,9 @@ double edgeCut(const Xi &xi);
 double densityFunction(StyleKind kind, const Xi &xi, double density);
 
 /// Its mean over φ ∈ [φ′ − h, φ′ + h] for (17) and (18), over ln φ ∈ [ln φ′ ± min(h/φ′, 2)] for (19); h ≥ 0, and h = 0
-/// gives F itself. Closed forms; Gauss quadrature of the smooth pieces where their difference would cancel.
-double densityFunctionMean(StyleKind kind, const Xi &xi, double density, double h);
+/// gives F itself. Closed forms; Gauss quadrature of the smooth pieces where their difference would cancel. φ′ may be
+/// below 0, where F is 0. `lifted`: φ⁻/φ⁺; where it is above 0 the mean of (19) is taken over φ, too, and counts by
+/// min(1, 2φ⁻/φ⁺): paint that is lifted ends in a density that falls through 0, not in one that fades.
+double densityFunctionMean(StyleKind kind, const Xi &xi, double density, double h, double lifted = 0);
 
 } // namespace suffuse::reference

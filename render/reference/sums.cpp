@@ -37,7 +37,7 @@ void StrokeSums::evaluate(const StrokeSource &stroke, const SampleBlock &block)
 {
     m_block = block;
     const std::size_t samples = std::size_t(block.nx) * std::size_t(block.ny);
-    for (auto *sum : {&m_density, &m_gradientX, &m_gradientY})
+    for (auto *sum : {&m_density, &m_lifted, &m_gradientX, &m_gradientY})
         sum->assign(samples, 0.0);
     m_channels.resize(std::max(m_channels.size(), stroke.channels));
     for (std::size_t c = 0; c < stroke.channels; ++c)
@@ -82,9 +82,12 @@ void StrokeSums::addSegment(const SegmentSource &segment)
 
     for (int j = rows.from; j < rows.to; ++j) {
         const std::size_t start = index(columns.from, j);
-        addScaled(&m_density[start], &m_own[start], 1, n);
-        addScaled(&m_gradientX[start], &m_ownX[start], 1, n);
-        addScaled(&m_gradientY[start], &m_ownY[start], 1, n);
+        const double sign = segment.lifts ? -1 : 1;
+        addScaled(segment.lifts ? &m_lifted[start] : &m_density[start], &m_own[start], 1, n);
+        addScaled(&m_gradientX[start], &m_ownX[start], sign, n);
+        addScaled(&m_gradientY[start], &m_ownY[start], sign, n);
+        if (segment.lifts)
+            continue;
         for (std::size_t c = 0; c < segment.channels.size(); ++c)
             if (segment.channels[c] != 0)
                 addScaled(&m_channels[c][start], &m_own[start], segment.channels[c], n);
@@ -137,11 +140,13 @@ LocalDensity StrokeSums::at(const StrokeSource &stroke, int i, int j) const
 {
     const std::size_t s = index(i, j);
     LocalDensity local;
-    local.density = m_density[s];
+    const double laid = m_density[s];
+    local.density = laid - m_lifted[s];
+    local.lifted = m_lifted[s] / laid;
     local.slope = std::hypot(m_gradientX[s], m_gradientY[s]);
-    local.granulation = m_channels[GranulationChannel][s] / local.density;
+    local.granulation = m_channels[GranulationChannel][s] / laid;
     for (std::size_t c = 0; c < 4; ++c)
-        local.colour[c] = m_channels[ColourChannel + c][s] / local.density;
+        local.colour[c] = m_channels[ColourChannel + c][s] / laid;
     if (stroke.kinds.empty()) {
         local.styleCount = 1;
         local.styles[0] = {stroke.style.kind, 1, {stroke.style.xi[0], stroke.style.xi[1], stroke.style.xi[2]}};
@@ -154,7 +159,7 @@ LocalDensity StrokeSums::at(const StrokeSource &stroke, int i, int j) const
             continue;
         StyleShare &style = local.styles[std::size_t(local.styleCount++)];
         style.kind = stroke.kinds[n];
-        style.share = sum / local.density;
+        style.share = sum / laid;
         for (std::size_t x = 0; x < 3; ++x)
             style.xi[x] = m_channels[channel + 1 + x][s] / sum;
     }

@@ -27,13 +27,14 @@ private:
     Range range(double lo, double hi, double start, int n) const;
 };
 
-/// φ, ∇φ and Σφ_k·value for every channel, at every sample of a block. Its memory is used again and again.
+/// φ⁺, φ⁻, ∇(φ⁺ − φ⁻) and Σφ_k·value over the segments that lay paint for every channel, at every sample of a block.
+/// Its memory is used again and again.
 class StrokeSums {
 public:
     /// Adds up all segments of the stroke that reach the block.
     void evaluate(const StrokeSource &stroke, const SampleBlock &block);
 
-    /// φ = 0 there: nothing of the stroke.
+    /// φ⁺ = 0 there: nothing of the stroke.
     bool isEmpty(int i, int j) const { return !(m_density[index(i, j)] > 0); }
     /// The slope is per pixel.
     LocalDensity at(const StrokeSource &stroke, int i, int j) const;
@@ -45,7 +46,7 @@ private:
     void addAnisotropicNode(const Node &node, const SegmentSource &segment);
 
     SampleBlock m_block;
-    std::vector<double> m_density, m_gradientX, m_gradientY;
+    std::vector<double> m_density, m_lifted, m_gradientX, m_gradientY;
     std::vector<std::vector<double>> m_channels;
     std::vector<double> m_own, m_ownX, m_ownY; ///< of the segment in hand
     std::vector<double> m_column, m_columnX;   ///< factors of the node in hand
