@@ -19,8 +19,8 @@ void addGaussian(const DeepNode &n, Point centre, Cubic2 &out)
     const double dx = centre.x - n.x, dy = centre.y - n.y;
     const double qx = n.a * dx + n.b * dy, qy = n.b * dx + n.c * dy;
     const double e = n.weight * std::exp(-(dx * qx + dy * qy));
-    const double g = -2 * qx, h = -2 * qy;             // linear part
-    const double xx = -n.a, xy = -2 * n.b, yy = -n.c;  // quadratic part of the exponent
+    const double g = -2 * qx, h = -2 * qy;            // linear part
+    const double xx = -n.a, xy = -2 * n.b, yy = -n.c; // quadratic part of the exponent
     out[0] += e;
     out[1] += e * g;
     out[2] += e * h;
@@ -118,13 +118,14 @@ public:
                 const int at = j * blockSide + i;
                 const double x = p.left + (i - p.x0) * step, y = p.top + (j - p.y0) * step;
                 for (int c = 0; c < m_stroke.channels; ++c)
-                    channels[c] = double(other.v[fixedSums + c][at]) + valueRow(m_polynomial[std::size_t(1 + c)], y).at(x);
+                    channels[c] =
+                        double(other.v[fixedSums + c][at]) + valueRow(m_polynomial[std::size_t(1 + c)], y).at(x);
                 const double density = double(other.v[0][at]) + valueRow(m_polynomial[0], y).at(x);
                 const auto m = math::modulate(m_stroke.shade, density,
                                               double(other.v[1][at]) + slopeXRow(m_polynomial[0], y).at(x),
                                               double(other.v[2][at]) + slopeYRow(m_polynomial[0], y).at(x), channel,
                                               eta ? double(eta[at]) : 1.0, step);
-                const double f = math::mixedStyles<double>(m_stroke.shade, channel, m.inverse, m.phi, m.h2);
+                const double f = math::mixedStyles<double>(m_stroke.shade, channel, m);
                 const auto paint = math::paintOf(m_stroke.shade, m.inverse, channel, f);
                 out.w[at] = float(paint.w);
                 out.colour[0][at] = float(paint.red);

@@ -24,7 +24,7 @@ HWY_INLINE void shadeMixedStyles(const ShadeParams &params, const Sums &sums, co
         const auto sum = [&](int i) { return load(sums.v[i] + at); };
         const auto channel = [&](int c) { return sum(fixedSums + c); };
         const auto m = modulate(params, sum(0), sum(1), sum(2), channel, eta ? load(eta + at) : Lanes(1), Lanes(step));
-        const Lanes f = mixedStyles<Lanes>(params, channel, m.inverse, m.phi, m.h2);
+        const Lanes f = mixedStyles<Lanes>(params, channel, m);
         use(at, paintOf(params, m.inverse, channel, f));
     }
 }
@@ -80,7 +80,7 @@ HWY_INLINE void shadeOneStyle(const Style &style, const ShadeParams &params, con
             modulate(params, sum(0, at), sum(1, at), sum(2, at), channel, eta ? load(eta + at) : Lanes(1), Lanes(step));
         const Mask isSeen = style.seen(m.phi, m.h2), simple = style.simple(m.phi, m.h2);
         store(Lanes(hn::IfThenElseZero(isSeen, m.phi.v)), phi + at);
-        store(m.h2, h2 + at);
+        store(Lanes(hn::IfThenElseZero(isSeen, m.h2.v)), h2 + at); // where φ lies below 0, too, nothing is left
         seen[vectors] = std::uint8_t(at);
         vectors += !hn::AllFalse(tag, isSeen);
         if (!hn::AllTrue(tag, simple))
@@ -96,8 +96,21 @@ HWY_INLINE void shadeOneStyle(const Style &style, const ShadeParams &params, con
         const auto channel = [&](int c) { return sum(fixedSums + c, at); };
         Lanes inverse(0);
         if (usesChannels(params))
-            inverse = inverseDensity(sum(0, at));
+            inverse = inverseDensity(laidOf(params, sum(0, at), channel));
         use(at, paintOf(params, inverse, channel, load(f + at)));
+    }
+}
+
+/// One style whose mean depends on how much is lifted. Where nothing is, the same bits as above.
+template <class Use>
+HWY_INLINE void shadeLifted(const Edge<Lanes> &style, const ShadeParams &params, const Sums &sums, const float *eta,
+                            float step, Use use)
+{
+    for (int at = 0; at < blockSize; at += int(hn::Lanes(tag))) {
+        const auto sum = [&](int i) { return load(sums.v[i] + at); };
+        const auto channel = [&](int c) { return sum(fixedSums + c); };
+        const auto m = modulate(params, sum(0), sum(1), sum(2), channel, eta ? load(eta + at) : Lanes(1), Lanes(step));
+        use(at, paintOf(params, m.inverse, channel, meanWhere(style, m.phi, m.h2, m.lifted)));
     }
 }
 
@@ -107,6 +120,8 @@ HWY_INLINE void shadeBlock(const ShadeParams &params, const Sums &sums, const fl
     if (!hasOneStyle(params))
         return shadeMixedStyles(params, sums, eta, step, use);
     const auto xi = [&](int i) { return Lanes(params.kind[0].xi[i]); };
+    if (params.laidChannel >= 0 && params.kind[0].kind == StyleKind::Edge)
+        return shadeLifted(Edge<Lanes>(xi(0), xi(1), xi(2)), params, sums, eta, step, use);
     withStyle<Lanes>(params.kind[0].kind, xi,
                      [&](const auto &style) { shadeOneStyle(style, params, sums, eta, step, use); });
 }

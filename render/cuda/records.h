@@ -80,7 +80,8 @@ struct alignas(16) StrokeRecord {
     std::uint32_t hasLevels = 0;
     std::uint32_t channels = 0;
     std::uint32_t granulated = 0;
-    std::uint32_t plain = 0; ///< one style, one granulation, only separable nodes, nothing small or deep
+    std::uint32_t plain =
+        0; ///< one style, one granulation, only separable nodes, nothing small or deep, no φ⁺ of its own
     std::uint32_t firstChunk = 0, chunks = 0;
     std::uint32_t firstValue = 0; ///< of its channel values, `channels` a row
     std::uint32_t firstDeep = 0, deep = 0;
@@ -121,7 +122,7 @@ struct BackdropPixel {
 inline constexpr int overPlanes = 9; ///< keep, add 3, limit 3, hold, gain
 
 struct PaperParams {
-    std::int32_t kind = 0; ///< PaperKind
+    std::int32_t kind = 0;  ///< PaperKind
     std::int32_t grain = 0; ///< PaperGrain
     std::uint32_t seed = 0;
     double scale = 1;

@@ -24,8 +24,8 @@ void keepStyle(const Style &style, float (&bytes)[12])
 /// As StrokeRecord::plain.
 bool isPlain(const SceneStroke &s)
 {
-    return math::hasOneStyle(s.shade) && s.shade.grainChannel < 0 && s.separable == int(s.nodes.size()) &&
-           s.deep.empty() && s.small.empty();
+    return math::hasOneStyle(s.shade) && s.shade.grainChannel < 0 && s.shade.laidChannel < 0 &&
+           s.separable == int(s.nodes.size()) && s.deep.empty() && s.small.empty();
 }
 
 /// The pixels that nodes [begin, end) may show in: their boxes and a pixel around them for its coverage.

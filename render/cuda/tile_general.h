@@ -320,15 +320,15 @@ private:
     template <class Channel>
     SUFFUSE_PROGRAM double meanAt(const ShadeParams &params, Channel channel, const math::Modulated<double> &m)
     {
-        return math::mixedStyles<double>(params, channel, m.inverse, m.phi, m.h2);
+        return math::mixedStyles<double>(params, channel, m);
     }
     template <class Channel>
     SUFFUSE_PROGRAM float meanAt(const ShadeParams &params, Channel channel, const math::Modulated<float> &m)
     {
         if (!math::hasOneStyle(params))
-            return math::mixedStyles<float>(params, channel, m.inverse, m.phi, m.h2);
+            return math::mixedStyles<float>(params, channel, m);
         float f = 0;
-        withMadeStyle(m_stroke, 0, [&](const auto &style) { f = math::meanOf(style, m.phi, m.h2); });
+        withMadeStyle(m_stroke, 0, [&](const auto &style) { f = math::meanWhere(style, m.phi, m.h2, m.lifted); });
         return f;
     }
 

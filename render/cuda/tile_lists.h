@@ -56,7 +56,8 @@ SUFFUSE_PROGRAM CullNode cullNodeOf(const NodeRecord &n, std::int32_t cellX, std
     const float spread = n.b == 0 ? math::abs_(half) : math::sqrt_(math::mulAdd_(half, half, n.b * n.b));
     const float slowest = math::max_(0.9999f * (middle - spread), 0.0f), greatest = 1.0001f * (middle + spread);
     const float x = float((n.cellX - cellX) * tileSide) + n.x, y = float((n.cellY - cellY) * tileSide) + n.y;
-    return {{x, y, n.reachX, n.reachY}, {slowest * -float(math::log2e), n.weight, n.weight * math::sqrt_(greatest), 0}};
+    const float laid = math::max_(n.weight, 0.0f), steepest = math::abs_(n.weight) * math::sqrt_(greatest);
+    return {{x, y, n.reachX, n.reachY}, {slowest * -float(math::log2e), laid, steepest, 0}};
 }
 
 /// Which tiles of half a macro-tile one stroke may show in, one tile a lane.
@@ -132,7 +133,7 @@ public:
             if (!m_frame.cull || !stroke.hasLevels || phi > stroke.lowest)
                 return true;
             for (int k = 0; k < stroke.shade.kinds; ++k)
-                if (!vanishes(stroke.shade.kind[k].kind, stroke.level[k], phi, h))
+                if (!vanishes(stroke.shade, k, stroke.level[k], phi, h))
                     return true;
             return false;
         });

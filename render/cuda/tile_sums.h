@@ -189,7 +189,7 @@ SUFFUSE_PROGRAM void fillTables(Warp &warp, int from, int to, const Block &block
             for (int k = 0; k < stride; ++k) {
                 const float d = offset - axis[k].x, rise = axis[k].y * d;
                 const float e = math::exp2_(rise * d) * axis[k].w;
-                const bool there = axis[k].z < e;
+                const bool there = math::abs_(axis[k].z) < math::abs_(e); // weights may be negative
                 entry[k] = {there ? e - axis[k].z : 0.0f, there ? rise * e : 0.0f};
             }
             axes += 2 * stride;

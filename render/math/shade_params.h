@@ -6,9 +6,10 @@
 
 namespace suffuse {
 
-/// Sums at a sample: φ, −½∂φ/∂x, −½∂φ/∂y (per pixel), then Σφ_k·value for each channel.
+/// Sums at a sample: φ, −½∂φ/∂x, −½∂φ/∂y (per pixel), then Σφ_k·value for each channel. Where segments take paint away
+/// φ is φ⁺ − φ⁻, which may lie below 0, and the channels are sums over the others.
 inline constexpr int fixedSums = 3;
-inline constexpr int maxChannels = 15; ///< colour 4, granulation 1, shares 3, ξ 7
+inline constexpr int maxChannels = 16; ///< colour 4, granulation 1, shares 3, ξ 7, φ⁺ 1
 
 /// How one kind of style of a stroke is evaluated: from constants, or from channels where segments differ.
 struct KindParams {
@@ -27,6 +28,7 @@ struct ShadeParams {
     Colour colourEnd;
     int grainChannel = -1; ///< −1: constant `grain`
     float grain = 1;
+    int laidChannel = -1; ///< φ⁺, where segments take paint away and it is asked for; −1: φ stands for it
 };
 
 /// True only if F is zero for all densities and h up to these. `level`: the style's.
@@ -38,6 +40,13 @@ SUFFUSE_INLINE bool vanishes(StyleKind kind, float level, float phi, float h)
     const float q = h < 0.5f * phi ? h / phi : 2.0f;
     const float e = q < 0.5f ? 1 + q * (1 + q * (0.5f + q * (1.0f / 6 + q / 12))) : 7.3890561f;
     return phi * e <= level && 7.3890561f * (phi < 0.5f * h ? phi : 0.5f * h) <= level;
+}
+
+/// The same for one of a stroke's kinds; `phi` is a bound of φ⁺.
+SUFFUSE_INLINE bool vanishes(const ShadeParams &params, int kind, float level, float phi, float h)
+{
+    // Where paint is lifted edge darkening takes its mean over φ ± h, too.
+    return vanishes(params.kind[kind].kind, level, phi, h) && (params.laidChannel < 0 || phi + h <= level);
 }
 
 } // namespace suffuse

@@ -46,6 +46,13 @@ SUFFUSE_INLINE auto below_(V h2, V a)
     return less_(h2, positive * positive);
 }
 
+/// The same where paint may be lifted (`lifted`: as in Modulated). Only the mean of a style with a rim depends on it.
+template <class Style, class V>
+SUFFUSE_INLINE V meanWhere(const Style &style, V phi, V h2, V)
+{
+    return meanOf(style, phi, h2);
+}
+
 /// Uniform colouring (17), F̃: zero below φ₀ = max(0, ξ1 − 8ξ2). F̃ = gain·f − loss, with f₀ = loss/gain.
 template <class V>
 struct Uniform {
@@ -202,6 +209,26 @@ struct Edge {
         return clamp01(whole * max_(V(0), f) * min_(share, V(1)));
     }
 
+    /// The mean over φ ± h, not over v: for paint that is lifted, which ends in a density that falls through 0.
+    SUFFUSE_INLINE V meanOverDensity(V phi, V h) const
+    {
+        const V reach = h * inversePhiE, p = phi * inversePhiE;
+        const auto within = [](V t) { return min_(max_(t, V(1)), V(1e18)); };
+        const V low = within(p - reach), top = within(p + reach), range = top - low;
+        // The antiderivative ξ3(t + β/(2t²) − α/(5t⁵)), t = φ/φ_e, loses digits where the range is short.
+        const V a = reciprocal_(low), b = reciprocal_(top), a2 = a * a, b2 = b * b;
+        const V quotient =
+            V(1) + (V(0.5) * beta * (b2 - a2) - V(0.2) * alpha * (b2 * b2 * b - a2 * a2 * a)) / max_(range, V(1e-30));
+        const V middle = reciprocal_(V(0.5) * (low + top)), third = middle * middle * middle;
+        const V f = mulAdd_(mulAdd_(alpha, third, V(0) - beta), third, V(1));
+        // The second derivative's part: 42 α t⁻⁸ − 12 β t⁻⁵, times a 24th of the range's square.
+        const V bend = third * middle * middle * mulAdd_(V(42) * alpha, third, V(-12) * beta);
+        const V shortMean = mulAdd_(bend * range, range * V(1.0 / 24), f);
+        const V mean = xi3 * select_(less_(range, V(0.06) * low), shortMean, quotient);
+        const V share = clamp01(((p - V(1)) + reach) / max_(V(2) * reach, V(1e-30))); // of the pixel, inside the edge
+        return clamp01(share * mean);
+    }
+
 private:
     /// The mean of e^(−kv) over v ± q is e^(−kv) sinh(kq)/(kq). `ratio`: e^−v.
     SUFFUSE_INLINE V shortMean(V ratio, V q2) const
@@ -218,6 +245,17 @@ private:
         return s;
     }
 };
+
+/// Where paint is lifted the mean over φ ± h takes the place of that over ln φ ± q, the more the more is lifted.
+template <class V>
+SUFFUSE_INLINE V meanWhere(const Edge<V> &style, V phi, V h2, V lifted)
+{
+    const V f = meanOf(style, phi, h2);
+    const auto isLifted = less_(V(0), lifted);
+    if (all_(not_(isLifted)))
+        return f;
+    return select_(isLifted, mulAdd_(lifted, style.meanOverDensity(phi, sqrt_(h2)) - f, f), f);
+}
 
 } // namespace suffuse::SUFFUSE_MATH
 SUFFUSE_MATH_END

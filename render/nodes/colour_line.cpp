@@ -44,18 +44,21 @@ std::optional<ColourLine> lineThrough(std::span<const NodeValues> rows)
             const Channels d = difference(v.colour, c);
             return dot(d, d);
         };
-        return std::max_element(rows.begin(), rows.end(),
-                                [&](const NodeValues &a, const NodeValues &b) { return distance(a) < distance(b); })
-            ->colour;
+        const auto isNearer = [&](const NodeValues &a, const NodeValues &b) {
+            return !b.lift && (a.lift || distance(a) < distance(b));
+        };
+        return std::max_element(rows.begin(), rows.end(), isNearer)->colour;
     };
     // On a line, the colour farthest from any other is one of its ends.
     ColourLine line;
-    line.from = farthestFrom(rows.front().colour);
+    line.from = farthestFrom(firstLaying(rows)->colour);
     line.to = farthestFrom(line.from);
     if (line.from == line.to)
         return {};
     const Channels along = difference(line.to, line.from);
     for (const NodeValues &v : rows) {
+        if (v.lift)
+            continue;
         const Channels d = difference(v.colour, line.from);
         const double place = double(line.placeOf(v.colour));
         for (std::size_t i = 0; i < d.size(); ++i)

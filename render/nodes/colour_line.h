@@ -15,8 +15,9 @@ struct ColourLine {
     float placeOf(const Colour &c) const;
 };
 
-/// The line through all colours, to 2e-6 a channel (opacity included), between the two that lie farthest out; none
-/// where they do not lie on one or all are the same. A pure function of the colours in order.
+/// The line through all colours that are laid, to 2e-6 a channel (opacity included), between the two that lie farthest
+/// out; none where they do not lie on one or all are the same. At least one row lays paint. A pure function of the
+/// colours in order.
 std::optional<ColourLine> lineThrough(std::span<const NodeValues> rows);
 
 } // namespace suffuse

@@ -9,26 +9,35 @@ namespace {
 /// Of several styles each segment's nodes would depend on all segments.
 bool hasOneStyle(const Stroke &stroke)
 {
-    return std::ranges::all_of(stroke.segments, [&](const Segment &s) { return stroke.styleOf(s) == stroke.style; });
+    return std::ranges::all_of(stroke.segments,
+                               [&](const Segment &s) { return s.lift || stroke.styleOf(s) == stroke.style; });
 }
 
-/// Whole blocks at the stroke's begin, after `known` segments, that are dry.
+/// Where the whole blocks at the stroke's begin end, after `known` segments, that are dry.
 std::size_t drySegments(const Stroke &stroke, Microseconds T, std::size_t known)
 {
     const auto &segments = stroke.segments;
     const auto firstWet = std::find_if(segments.begin() + std::ptrdiff_t(known), segments.end(),
                                        [T](const Segment &s) { return s.driesAt() > T; });
-    return std::size_t(firstWet - segments.begin()) / mergeBlock * mergeBlock;
+    const auto wet = std::size_t(firstWet - segments.begin());
+    const std::vector<std::size_t> borders = blockBorders(stroke);
+    // The last block may grow: it is whole only where it cannot.
+    std::size_t whole = 0;
+    for (std::size_t i = 1; i < borders.size() && borders[i] <= wet; ++i)
+        if (i + 1 < borders.size() || borders[i] - borders[i - 1] == mergeBlock)
+            whole = borders[i];
+    return whole;
 }
 
-/// The stroke still begins with what is frozen, and looks the same.
+/// The stroke still begins with what is frozen, in the same blocks, and looks the same.
 bool holds(const FrozenNodes &frozen, const Stroke &stroke, Microseconds T, int octave)
 {
     if (!frozen.stroke || frozen.octave != octave || frozen.segments > stroke.segments.size() ||
         frozen.stroke->origin != stroke.origin || frozen.stroke->style != stroke.style)
         return false;
     const auto end = stroke.segments.begin() + std::ptrdiff_t(frozen.segments);
-    return std::equal(stroke.segments.begin(), end, frozen.stroke->segments.begin()) &&
+    return std::ranges::binary_search(blockBorders(stroke), frozen.segments) &&
+           std::equal(stroke.segments.begin(), end, frozen.stroke->segments.begin()) &&
            std::all_of(stroke.segments.begin(), end, [T](const Segment &s) { return s.driesAt() <= T; });
 }
 

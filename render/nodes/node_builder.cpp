@@ -2,10 +2,17 @@
 
 #include "render/nodes/level1.h"
 #include "render/nodes/segment_nodes.h"
+#include "render/threads/parallel.h"
 
 #include <span>
 
 namespace suffuse {
+
+const NodeValues *firstLaying(std::span<const NodeValues> rows)
+{
+    const auto it = std::ranges::find(rows, false, &NodeValues::lift);
+    return it == rows.end() ? nullptr : &*it;
+}
 
 int zoomOctave(double scale)
 {
@@ -53,7 +60,7 @@ void append(const BuiltBlock &block, const SegmentNodes &b, StrokeNodes &out)
 void toSpan(const BuiltBlock &block, std::span<const SegmentNodes> run, std::vector<SpanNode> &fine,
             std::vector<std::size_t> &begins)
 {
-    const double inverse = 1 / run[0].reach.spread;
+    const double inverse = 1 / run[0].spread;
     fine.clear();
     begins.clear();
     for (const SegmentNodes &b : run) {
@@ -74,8 +81,9 @@ void toSpan(const BuiltBlock &block, std::span<const SegmentNodes> run, std::vec
 void appendMerged(BuiltBlock &block, std::span<const SegmentNodes> run, StrokeNodes &out)
 {
     toSpan(block, run, block.fine, block.begins);
-    const double s = run[0].reach.spread, metric = 1 / (s * s);
+    const double s = run[0].spread, metric = 1 / (s * s);
     const MergedSpan merged = mergeSpan(block.fine, block.begins);
+    const NodeValues &values = run[0].values; // what they have in common
     const std::size_t origin = run[0].begin;
     std::size_t first = 0, next = 0; // segments of the window, and of the next one
     for (const SpanWindow &window : merged.windows) {
@@ -96,7 +104,7 @@ void appendMerged(BuiltBlock &block, std::span<const SegmentNodes> run, StrokeNo
             if (g.rowPerNode || out.rows.size() == g.row) {
                 const auto &v = n.values;
                 out.rows.push_back(
-                    {{float(v[0]), float(v[1]), float(v[2]), float(v[3])}, float(v[4]), run[0].values.style});
+                    {{float(v[0]), float(v[1]), float(v[2]), float(v[3])}, float(v[4]), values.style, values.lift});
             }
         }
         g.end = std::uint32_t(out.nodes.size());
@@ -114,7 +122,7 @@ void appendBlock(BuiltBlock &block, StrokeNodes &out)
     const auto &segments = block.segments;
     const bool merge = std::ranges::all_of(segments, &SegmentNodes::mergeable);
     const auto together = [](const SegmentNodes &a, const SegmentNodes &b) {
-        return a.reach.spread == b.reach.spread && a.values.style == b.values.style;
+        return a.spread == b.spread && a.values.style == b.values.style && a.values.lift == b.values.lift;
     };
     for (std::size_t i = 0; i < segments.size();) {
         std::size_t end = i + 1;
@@ -158,14 +166,16 @@ void appendApart(const Stroke &stroke, std::size_t from, std::size_t to, const N
     }
 }
 
-/// Appends segments [from, to), block by block.
-void appendBlocks(const Stroke &stroke, std::size_t from, std::size_t to, const NodeContext &context, StrokeNodes &out)
+/// Appends the segments between these borders, block by block.
+void appendBlocks(const Stroke &stroke, std::span<const std::size_t> borders, const NodeContext &context,
+                  StrokeNodes &out)
 {
     const double scale = std::ldexp(1.0, context.octave);
-    reserve(to - from, 5 * (to - from), out);
+    const std::size_t count = borders.back() - borders.front();
+    reserve(count, 5 * count, out);
     BuiltBlock block;
-    for (std::size_t first = from; first < to; first += mergeBlock) {
-        const std::size_t end = std::min(first + mergeBlock, to);
+    for (std::size_t i = 0; i + 1 < borders.size(); ++i) {
+        const std::size_t first = borders[i], end = borders[i + 1];
         const auto alone = [&](const Segment &s) { return standsAlone(s, context, scale); };
         if (std::any_of(&stroke.segments[first], stroke.segments.data() + end, alone)) {
             appendApart(stroke, first, end, context, scale, out);
@@ -234,14 +244,19 @@ void appendNodes(const StrokeNodes &part, StrokeNodes &out)
 void appendNodes(const Stroke &stroke, std::size_t from, std::size_t to, const NodeContext &context, Threads threads,
                  StrokeNodes &out)
 {
-    constexpr std::size_t share = 2 * mergeBlock; // segments: tens of microseconds
-    const std::size_t shares = (to - from + share - 1) / share;
+    if (from == to)
+        return;
+    const std::vector<std::size_t> all = blockBorders(stroke);
+    const auto first = std::ranges::lower_bound(all, from), last = std::ranges::lower_bound(all, to);
+    const std::span<const std::size_t> borders(first, last + 1);
+    constexpr std::size_t share = 2; // blocks: tens of microseconds
+    const std::size_t blocks = borders.size() - 1, shares = (blocks + share - 1) / share;
     if (threads.count() == 1 || shares < 4)
-        return appendBlocks(stroke, from, to, context, out);
+        return appendBlocks(stroke, borders, context, out);
     std::vector<StrokeNodes> parts(shares);
     parallelFor(shares, threads, [&](std::size_t i) {
-        const std::size_t first = from + i * share;
-        appendBlocks(stroke, first, std::min(first + share, to), context, parts[i]);
+        const std::size_t begin = i * share, count = std::min(share, blocks - begin) + 1;
+        appendBlocks(stroke, borders.subspan(begin, count), context, parts[i]);
     });
     std::vector<NodesExtent> places; // where each part begins
     NodesExtent end(out);
@@ -254,13 +269,25 @@ void appendNodes(const Stroke &stroke, std::size_t from, std::size_t to, const N
     parallelFor(shares, threads, [&](std::size_t i) { copyNodes(parts[i], places[i], out); });
 }
 
+std::vector<std::size_t> blockBorders(const Stroke &stroke)
+{
+    const std::vector<Segment> &segments = stroke.segments;
+    std::vector<std::size_t> borders{0};
+    for (std::size_t k = 1; k < segments.size(); ++k)
+        if (segments[k].start || segments[k].lift != segments[k - 1].lift || k - borders.back() == mergeBlock)
+            borders.push_back(k);
+    if (!segments.empty())
+        borders.push_back(segments.size());
+    return borders;
+}
+
 std::shared_ptr<const StrokeNodes> buildNodes(const Stroke &stroke, Microseconds T, int octave, const Rect &clip,
                                               Threads threads)
 {
     NodeContext context{T, octave, clip, {}};
     auto &styles = context.styles; // every segment's density passes through all of the stroke's styles
     for (const Segment &segment : stroke.segments)
-        if (std::find(styles.begin(), styles.end(), stroke.styleOf(segment)) == styles.end())
+        if (!segment.lift && std::find(styles.begin(), styles.end(), stroke.styleOf(segment)) == styles.end())
             styles.push_back(stroke.styleOf(segment));
     auto result = std::make_shared<StrokeNodes>();
     appendNodes(stroke, 0, stroke.segments.size(), context, threads, *result);

@@ -7,11 +7,13 @@
 
 #include <memory>
 #include <optional>
+#include <span>
 #include <vector>
 
 namespace suffuse {
 
 /// weight · e^(−q(d)), q = a·dx² + 2b·dx·dy + c·dy², d = x − position; taken as zero where q > cutRadius² per axis.
+/// Nodes of segments that take paint away have negative weights: a stroke's sum over all its nodes is φ⁺ − φ⁻.
 struct Node {
     double x = 0; ///< offset from the stroke's origin, canvas units
     double y = 0;
@@ -30,13 +32,20 @@ inline constexpr double deepSpread = 4096;
 struct NodeValues {
     Colour colour;
     float granulation = 1;
-    Style style; ///< the segment's own or the stroke's
+    Style style;       ///< the segment's own or the stroke's
+    bool lift = false; ///< it takes paint away; all else is then as usual, and counts for nothing
     friend bool operator==(const NodeValues &, const NodeValues &) = default;
 };
 
+/// Samples of a pixel lie so many times closer where paint is taken away (docs/solver.md, "Lift").
+inline constexpr double liftFineness = 4;
+
+/// The first that lays paint; null: there is none.
+const NodeValues *firstLaying(std::span<const NodeValues> rows);
+
 /// Where a segment makes pixels supersampled (docs/reference.md): offsets from the stroke's origin.
 struct SegmentReach {
-    double spread = 0; ///< s, the smaller axis where anisotropic
+    double spread = 0; ///< s, the smaller axis where anisotropic; of a segment that takes paint away liftFineness less
     Rect box;          ///< influenceOf
     friend bool operator==(const SegmentReach &, const SegmentReach &) = default;
 };
@@ -62,8 +71,12 @@ struct StrokeNodes {
     std::uint32_t settledRows = 0; ///< rows of leading blocks that have dried: they stay while the stroke grows
 };
 
-/// Segments are merged within blocks of so many, all of them dry: so an edit changes nodes of its block only.
+/// Segments are merged within blocks of so many, all of them dry: so an edit changes nodes of its block only. A chain
+/// begins a block, and so do segments that take paint away behind others that lay it: strokes that get more chains, or
+/// are lifted from, keep the nodes that they have.
 inline constexpr int mergeBlock = 32;
+/// The segments where blocks begin, in order, and the number of segments.
+std::vector<std::size_t> blockBorders(const Stroke &stroke);
 
 /// Zoom octave of a scale in pixels per unit: the smallest o with 2^o ≥ scale.
 int zoomOctave(double scale);
@@ -77,11 +90,11 @@ struct NodeContext {
     Microseconds T = 0;
     int octave = 0;
     Rect clip;                 ///< what the view shows, canvas units
-    std::vector<Style> styles; ///< of all segments of the stroke, each once
+    std::vector<Style> styles; ///< of all segments of the stroke that lay paint, each once
 };
 
 /// Appends the nodes of the stroke's segments [from, to), `from` a multiple of mergeBlock; `to` another one or the end.
-void appendNodes(const Stroke &stroke, std::size_t from, std::size_t to, const NodeContext &context, Threads threads,
+void appendNodes(const Stroke &stroke, std::size_t from, std::size_t to, const NodeContext &context, int threads,
                  StrokeNodes &out);
 
 /// Appends all of `part`.

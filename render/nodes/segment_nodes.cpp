@@ -1,8 +1,8 @@
 #include "render/nodes/segment_nodes.h"
 
 #include "model/painting/influence.h"
-#include "render/nodes/level0.h"
 #include "render/math/scalar.h"
+#include "render/nodes/level0.h"
 // After the numbers: templates over them.
 #include "render/math/style.h"
 
@@ -89,8 +89,8 @@ void addPanels(const Source &s, const Cubic &curve, double tolerance, int depth,
     const Cubic metric = scaled(s, curve);
     int n = panelNodes(s.isotropic ? metric : whitened(s, curve), metric, tolerance);
     // A piece (of a cusp) so short that all its mass counts for less than the tolerance takes any rule.
-    if (n == 0 && (depth == maxDepth || out.size() >= most ||
-                   2 * sumOfSides(metric) < tolerance * std::sqrt(std::numbers::pi)))
+    if (n == 0 &&
+        (depth == maxDepth || out.size() >= most || 2 * sumOfSides(metric) < tolerance * std::sqrt(std::numbers::pi)))
         n = 4;
     if (n > 0)
         return addPanel(s, curve, n, out);
@@ -227,8 +227,12 @@ bool buildSegment(const Stroke &stroke, const Segment &segment, const NodeContex
     out.begin = nodes.size();
     addPanels(s, s.curve, out.epsilon * std::min(1.0, chord / (4 * spread) + 0.1), 0, out.begin + mostNodes, nodes);
     out.end = nodes.size();
-    out.values = {segment.colour, segment.granulation, stroke.styleOf(segment)};
-    out.reach = {spread, box.grown(reachInSpreads * larger)};
+    if (segment.lift)
+        out.values = {{}, 1, stroke.style, true}, out.weightGain = -out.weightGain;
+    else
+        out.values = {segment.colour, segment.granulation, stroke.styleOf(segment), false};
+    out.spread = spread;
+    out.reach = {segment.lift ? spread / liftFineness : spread, box.grown(reachInSpreads * larger)};
     out.mergeable = segment.isIsotropic() && !out.clipped && segment.driesAt() <= context.T && out.epsilon >= mergeable;
     return true;
 }

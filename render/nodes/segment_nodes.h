@@ -13,7 +13,8 @@ struct SegmentNodes {
     SegmentReach reach;
     double epsilon = 0; ///< error budget relative to the peak
     double peak = 0;
-    double weightGain = 1;  ///< makes up for the cut
+    double spread = 0;      ///< s, the smaller axis where anisotropic
+    double weightGain = 1;  ///< makes up for the cut; negative where it takes paint away
     float radius = 0;       ///< R
     bool clipped = false;   ///< to the view
     bool mergeable = false; ///< isotropic, dry, not clipped, and not too exact

@@ -97,12 +97,15 @@ struct Placed {
     std::uint32_t footprint;
 };
 
-/// What segments of a stroke differ in, from its first one.
+/// What segments of a stroke that lay paint differ in, from the first of them; and whether there are some that lift it.
 struct Differences {
-    bool colour = false, granulation = false, style = false, kind = false;
+    bool colour = false, granulation = false, style = false, kind = false, lift = false;
 
     void look(const NodeValues &first, const NodeValues &v)
     {
+        lift |= v.lift;
+        if (v.lift)
+            return;
         colour |= v.colour != first.colour;
         granulation |= v.granulation != first.granulation;
         style |= v.style != first.style;
@@ -110,7 +113,7 @@ struct Differences {
     }
     void operator|=(const Differences &d)
     {
-        colour |= d.colour, granulation |= d.granulation, style |= d.style, kind |= d.kind;
+        colour |= d.colour, granulation |= d.granulation, style |= d.style, kind |= d.kind, lift |= d.lift;
     }
 };
 
@@ -147,9 +150,9 @@ void writeNodes(const std::vector<Placed> &placed, const std::vector<Footprint> 
         // 1.0001: rounded to float.
         boxes.reachX[at] = float(f.reach.x * 1.0001);
         boxes.reachY[at] = float(f.reach.y * 1.0001);
-        boxes.weight[at] = p.weight;
+        boxes.weight[at] = std::max(p.weight, 0.0f); // a bound of what is laid
         boxes.slowest[at] = slowest;
-        boxes.steepest[at] = p.weight * steepest;
+        boxes.steepest[at] = std::abs(p.weight) * steepest;
         boxes.node[at] = std::uint32_t(at);
         ++at;
     }
@@ -218,8 +221,9 @@ PlacedNodes placeGroups(const StrokeNodes &source, std::size_t from, std::size_t
         bounds[g] = toPixelRect(box, view);
     }
     const std::size_t rowsEnd = to < source.groups.size() ? source.groups[to].row : source.rows.size();
+    const NodeValues &first = *firstLaying(source.rows);
     for (std::size_t k = source.groups[from].row; k < rowsEnd; ++k)
-        out.differences.look(source.rows.front(), source.rows[k]);
+        out.differences.look(first, source.rows[k]);
     for (std::uint32_t k = source.groups[from].reachBegin; k < source.groups[to - 1].reachEnd; ++k)
         if (const SegmentReach &r = source.reaches[k]; r.spread * view.scale < 1)
             out.small.push_back(smallSegment(r, origin, view));
@@ -271,7 +275,7 @@ Differences placeNodes(SceneStroke &s, const View &view, Threads threads, bool c
 void planChannels(SceneStroke &s, const Differences &differ)
 {
     const auto &rows = s.source->rows;
-    const NodeValues &first = rows.front();
+    const NodeValues &first = *firstLaying(rows);
     s.shade.colour = first.colour;
     s.shade.grain = first.granulation;
     if (const auto line = differ.colour ? lineThrough(rows) : std::nullopt) {
@@ -286,8 +290,8 @@ void planChannels(SceneStroke &s, const Differences &differ)
     s.granulated = s.shade.grainChannel >= 0 || s.shade.grain != 1;
     s.shade.kinds = 0;
     for (StyleKind kind : styleKinds) {
-        const auto member =
-            std::find_if(rows.begin(), rows.end(), [&](const NodeValues &v) { return v.style.kind == kind; });
+        const auto member = std::find_if(rows.begin(), rows.end(),
+                                         [&](const NodeValues &v) { return !v.lift && v.style.kind == kind; });
         if (member == rows.end())
             continue;
         KindParams &p = s.shade.kind[s.shade.kinds++];
@@ -298,6 +302,9 @@ void planChannels(SceneStroke &s, const Differences &differ)
         if (differ.style)
             p.xiChannel = s.channels, s.channels += xiCount(kind);
     }
+    // φ⁺ itself, where anything is asked of it: else max(0, φ⁺ − φ⁻) is all that counts.
+    if (differ.lift && (s.channels > 0 || hasRim(first.style.kind)))
+        s.shade.laidChannel = s.channels++;
 }
 
 /// Where ξ varies the levels do too: not worth a bound.
@@ -322,6 +329,10 @@ void fillValues(SceneStroke &s)
     for (std::size_t k = 0; k < rows.size(); ++k) {
         float *row = s.values.data() + k * s.channels;
         const NodeValues &v = rows[k];
+        if (v.lift)
+            continue; // it only counts in the density
+        if (s.shade.laidChannel >= 0)
+            row[s.shade.laidChannel] = 1;
         if (const int c = s.shade.colourChannel; c >= 0) {
             const float colour[4] = {v.colour.red, v.colour.yellow, v.colour.blue, v.colour.opacity};
             std::copy_n(colour, 4, row + c);
@@ -377,7 +388,7 @@ SceneStroke makeSceneStroke(StrokePtr stroke, std::shared_ptr<const StrokeNodes>
     SceneStroke s;
     s.stroke = std::move(stroke);
     s.source = std::move(nodes);
-    if (s.source->groups.empty())
+    if (!firstLaying(s.source->rows))
         return s;
     s.keep = s.stroke->mix.mode == MixMode::Beta ? 1 - s.stroke->mix.beta : 1;
     const Differences differences = placeNodes(s, view, threads, changes);

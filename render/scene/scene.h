@@ -19,7 +19,8 @@ struct DeepNode {
     std::uint32_t row = 0;
 };
 
-/// A segment with s < 1 px: the pixels that it reaches are supersampled 2^level × 2^level.
+/// A segment with s < 1 px (4 px where it takes paint away): the pixels that it reaches are supersampled 2^level ×
+/// 2^level.
 struct SmallSegment {
     int level = 0;
     Rect reach; ///< canvas units
@@ -47,13 +48,13 @@ struct SceneStroke {
     std::shared_ptr<const SceneStroke> dry; ///< the same once it has dried, where LiveScene has seen it so in this view
 };
 
-/// True only where opacity is exactly zero for every density and slope (per pixel) up to these.
+/// True only where opacity is exactly zero for every density φ⁺ and slope (per pixel) up to these.
 inline bool canVanish(const SceneStroke &stroke, float density, float slope)
 {
     if (!stroke.hasLevels || density > stroke.lowest)
         return false;
     for (int k = 0; k < stroke.shade.kinds; ++k)
-        if (!vanishes(stroke.shade.kind[k].kind, stroke.level[k], density * 1.001f, 0.5f * slope * 1.001f))
+        if (!vanishes(stroke.shade, k, stroke.level[k], density * 1.001f, 0.5f * slope * 1.001f))
             return false;
     return true;
 }

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "render/cuda/cuda_renderer.h"
-#include "tests/render/paintings.h"
+#include "tests/render/lifted.h"
 
 #include <functional>
 
@@ -38,11 +38,10 @@ inline void compareWithOthers(Renderer &cuda, const PaintingPtr &p, const View &
     const FloatPicture picture = test::render(cuda, p, view, time, transparent);
     compare8(picture, test::render(*make(Backend::Cpu), p, view, time, transparent), what);
     const Worst w = worst(picture, test::render(*make(Backend::Reference), p, view, time, transparent));
-    QVERIFY2(w.difference <= 1.0 / 512, qPrintable(QStringLiteral("%1: %2/512 at %3, %4")
-                                                       .arg(QLatin1String(what))
-                                                       .arg(w.difference * 512)
-                                                       .arg(w.x)
-                                                       .arg(w.y)));
+    QVERIFY2(
+        w.difference <= 1.0 / 512,
+        qPrintable(
+            QStringLiteral("%1: %2/512 at %3, %4").arg(QLatin1String(what)).arg(w.difference * 512).arg(w.x).arg(w.y)));
 }
 
 inline void checkPictures(const OpenDevice &open)
@@ -88,6 +87,43 @@ inline void checkKinds(const OpenDevice &open)
     s.segments[1].colour = {0.9f, 0.4f, 0.2f, 1};
     for (double scale = 512; scale < 2e9; scale *= 64)
         compareWithOthers(cuda, painting({s}), {s.origin, scale, 0, false, 24, 24}, "deep zoom");
+}
+
+/// Strokes of several chains, from which paint is lifted.
+inline void checkLifts(const OpenDevice &open)
+{
+    CudaRenderer cuda({open()}, 0);
+    std::mt19937_64 random(7);
+    for (int i = 0; i < 4; ++i) {
+        const Paper paper = i % 2 ? Paper{PaperKind::Procedural, 5, 20, 0.8f, {}, PaperGrain(i / 2)} : Paper{};
+        const auto p = painting(liftedStrokes(random, 8, 72, 54), 72, 54, paper);
+        const View view = View::ofArea(p->canvas.area(), 72, 54);
+        compareWithOthers(cuda, p, view, "lifted painting", -1, i == 2);
+        compareWithOthers(cuda, p, view, "lifted, still spreading", 600000);
+    }
+    const auto zoomed = painting(liftedStrokes(random, 6, 72, 54), 72, 54);
+    for (const double scale : {0.1, 0.4, 3.0, 900.0, 20000.0})
+        compareWithOthers(cuda, zoomed, {{30.2, 23.1}, scale, 0.7, true, 37, 30}, "lifted, zoomed");
+    for (const StyleKind kind : {StyleKind::Uniform, StyleKind::Feathering, StyleKind::Edge}) {
+        Stroke s = wash(1, Rect::of(10, 8, 50, 38), 8, 5, styleOf(kind));
+        liftAlong(s, {12, 4}, {50, 40}, 4, 2);
+        const auto p = painting({s}, 72, 54);
+        compareWithOthers(cuda, p, View::ofArea(p->canvas.area(), 72, 54), "lifted wash");
+        CudaRenderer whole({open()}, 0, false);
+        const View view = View::ofArea(p->canvas.area(), 72, 54);
+        QVERIFY(test::render(cuda, p, view).rgba == test::render(whole, p, view).rgba);
+    }
+    CudaRenderer live({open()}, 0), fresh({open()}, 0);
+    const View view = View::ofArea(Rect::of(0, 0, 72, 54), 72, 54);
+    auto p = painting(liftedStrokes(random, 12, 72, 54), 72, 54);
+    FloatPicture picture;
+    QVERIFY(live.render({p, p->end(), view}, picture));
+    for (int step = 1; step <= 6; ++step) {
+        p = withDensity(p, 5, 1 + 0.05 * step);
+        QVERIFY(live.render({p, p->end(), view, false, step < 6}, picture));
+        const FloatPicture whole = test::render(fresh, p, view);
+        QVERIFY(step < 6 ? worst(picture, whole).difference <= 1e-5 : picture.rgba == whole.rgba);
+    }
 }
 
 inline void checkDirtyIsFull(const OpenDevice &open, int steps)

@@ -26,6 +26,7 @@ private slots:
 
     void pictures() { checkPictures(open); }
     void kinds() { checkKinds(open); }
+    void lifts() { checkLifts(open); }
     void dirtyIsFull() { checkDirtyIsFull(open, 200); }
     void growingStroke() { checkGrowingStroke(open); }
     void layers() { checkLayers(open); }

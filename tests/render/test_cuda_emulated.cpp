@@ -19,6 +19,7 @@ class TestCudaEmulated : public QObject {
 private slots:
     void pictures() { checkPictures(open); }
     void kinds() { checkKinds(open); }
+    void lifts() { checkLifts(open); }
     void dirtyIsFull() { checkDirtyIsFull(open, 60); }
     void growingStroke() { checkGrowingStroke(open); }
     void layers() { checkLayers(open); }
