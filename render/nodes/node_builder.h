@@ -94,7 +94,7 @@ struct NodeContext {
 };
 
 /// Appends the nodes of the stroke's segments [from, to), `from` a multiple of mergeBlock; `to` another one or the end.
-void appendNodes(const Stroke &stroke, std::size_t from, std::size_t to, const NodeContext &context, int threads,
+void appendNodes(const Stroke &stroke, std::size_t from, std::size_t to, const NodeContext &context, Threads threads,
                  StrokeNodes &out);
 
 /// Appends all of `part`.
