@@ -14,7 +14,7 @@ namespace suffuse {
 
 namespace {
 
-constexpr int shownMs = 8'000;
+constexpr int pastedShownMs = 8'000;
 
 } // namespace
 
@@ -31,7 +31,7 @@ Pasting::Pasting(const Workplace &place, QObject *parent) : QObject(parent), m_p
         .when([this] { return m_canPaste; })
         .runs([this] { pasteAt({}); });
     connect(new CanvasDrops(place.canvas), &CanvasDrops::leftOut, this,
-            [this](const QString &problem) { emit m_place.commands.said(problem, shownMs); });
+            [this](const QString &problem) { emit m_place.commands.said(problem, pastedShownMs); });
     connect(QGuiApplication::clipboard(), &QClipboard::dataChanged, this, &Pasting::followClipboard);
     followClipboard();
 }
@@ -61,7 +61,7 @@ void Pasting::pasteAt(std::optional<Point> centre)
     const QMimeData *data = QGuiApplication::clipboard()->mimeData();
     const QString problem = data ? clipboard::paste(m_place.open.editor, *data, centre) : QString();
     if (!problem.isEmpty())
-        emit m_place.commands.said(problem, shownMs);
+        emit m_place.commands.said(problem, pastedShownMs);
 }
 
 } // namespace suffuse
