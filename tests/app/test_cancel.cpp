@@ -205,13 +205,17 @@ private slots:
     void sliders_data()
     {
         QTest::addColumn<bool>("mixed");
-        QTest::newRow("one value") << false;
-        QTest::newRow("mixed values") << true;
+        QTest::addColumn<QKeySequence>("key");
+        QTest::newRow("one value") << false << QKeySequence(Qt::Key_Escape);
+        QTest::newRow("mixed values") << true << QKeySequence(Qt::Key_Escape);
+        QTest::newRow("one value, Undo") << false << QKeySequence("Ctrl+Z");
+        QTest::newRow("mixed values, Undo") << true << QKeySequence("Ctrl+Z");
     }
 
     void sliders()
     {
         QFETCH(bool, mixed);
+        QFETCH(QKeySequence, key);
         Undone session;
         if (mixed) {
             session.editor().push(changeSegments(session.editor().document(), {{session.id, 1}},
@@ -231,7 +235,7 @@ private slots:
         for (const double share : {0.3, 0.5, 0.8})
             QTest::mouseMove(&slider, sliderPoint(slider, share));
         QVERIFY(session.alters());
-        QTest::keyClick(session.window.windowHandle(), Qt::Key_Escape);
+        QTest::keyClick(session.window.windowHandle(), key[0].key(), key[0].keyboardModifiers());
         QVERIFY(State(session.editor()) == *session.before);
         QTest::mouseMove(&slider, sliderPoint(slider, 0.6)); // the button is still down
         QTest::mouseRelease(&slider, Qt::LeftButton, {}, sliderPoint(slider, 0.6));

@@ -109,7 +109,10 @@ void BarSlider::endDrag()
 bool BarSlider::eventFilter(QObject *watched, QEvent *event)
 {
     const bool key = event->type() == QEvent::KeyPress || event->type() == QEvent::ShortcutOverride;
-    if (!key || static_cast<QKeyEvent *>(event)->key() != Qt::Key_Escape)
+    const auto givesUp = [](const QKeyEvent &pressed) {
+        return pressed.key() == Qt::Key_Escape || pressed.matches(QKeySequence::Undo);
+    };
+    if (!key || !givesUp(*static_cast<QKeyEvent *>(event)))
         return QSlider::eventFilter(watched, event);
     event->accept();
     if (event->type() == QEvent::KeyPress) {

@@ -26,7 +26,7 @@ public:
     QSize minimumSizeHint() const override;
 
 signals:
-    void givenUp(); ///< emitted before sliderReleased
+    void givenUp(); ///< by Esc or Undo; emitted before sliderReleased
 
 protected:
     /// During a drag it filters the events of the whole program, since the keyboard may be elsewhere.
