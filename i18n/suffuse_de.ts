@@ -2639,8 +2639,8 @@ Rückgabewerte: 0 erledigt, 1 fehlgeschlagen, 2 falscher Aufruf.</translation>
         <translation>Auf Auswahl anwenden</translation>
     </message>
     <message>
-        <source>Gives the selected segments this colour.</source>
-        <translation>Gibt den ausgewählten Segmenten diese Farbe.</translation>
+        <source>Gives the selected segments this colour. They keep their opacity.</source>
+        <translation>Gibt den ausgewählten Segmenten diese Farbe. Ihre Deckkraft behalten sie.</translation>
     </message>
     <message>
         <source>“%1” is not a colour. Write it as #rrggbb, for example #2f6690.</source>
@@ -3575,7 +3575,7 @@ Auch die Pfeiltasten wirken.</translation>
     </message>
     <message>
         <source>&amp;Import Strokes…</source>
-        <translation>Striche &amp;importieren…</translation>
+        <translation>Striche &amp;importieren …</translation>
     </message>
     <message>
         <source>Drawings, recordings and the strokes of other paintings, into this one</source>

@@ -2631,8 +2631,8 @@ Exit codes: 0 done, 1 the work failed, 2 wrong usage.</source>
         <translation>应用到所选</translation>
     </message>
     <message>
-        <source>Gives the selected segments this colour.</source>
-        <translation>将所选线段设为此颜色。</translation>
+        <source>Gives the selected segments this colour. They keep their opacity.</source>
+        <translation>将所选线段设为此颜色，其不透明度不变。</translation>
     </message>
     <message>
         <source>“%1” is not a colour. Write it as #rrggbb, for example #2f6690.</source>

@@ -8,6 +8,7 @@
 
 #include <QDir>
 #include <QFileInfo>
+#include <QLineEdit>
 #include <QMainWindow>
 #include <QStatusBar>
 
@@ -51,18 +52,24 @@ void Exporting::takeLast()
 void Exporting::showOutcome(bool written, const QString &error)
 {
     m_place.commands.update(Command::ExportAgain);
-    QStatusBar &bar = *m_place.window.statusBar();
-    bar.clearMessage();
+    m_place.window.statusBar()->clearMessage();
     if (written)
-        bar.showMessage(tr("Exported to %1").arg(QDir::toNativeSeparators(m_job->path())), 8'000);
+        sayWritten(m_job->path());
     else if (!error.isEmpty())
         showError(&m_place.window, error);
+}
+
+void Exporting::sayWritten(const QString &path)
+{
+    m_place.window.statusBar()->showMessage(tr("Exported to %1").arg(QDir::toNativeSeparators(path)), 8'000);
 }
 
 void Exporting::exportTimelapse()
 {
     m_place.open.playback.pause();
-    TimelapseDialog(m_place.open.editor, shownArea(m_place.canvas.view()), &m_place.window).exec();
+    TimelapseDialog dialog(m_place.open.editor, shownArea(m_place.canvas.view()), &m_place.window);
+    if (dialog.exec() == QDialog::Accepted)
+        sayWritten(dialog.path()->text());
 }
 
 void Exporting::exportPicture()
@@ -70,8 +77,10 @@ void Exporting::exportPicture()
     ExportDialog dialog(m_place.open.editor, shownArea(m_place.canvas.view()), &m_place.window);
     if (m_last)
         dialog.restore(*m_last);
-    if (dialog.exec() == QDialog::Accepted)
-        m_last = std::make_unique<ExportSettings>(dialog.settings());
+    if (dialog.exec() != QDialog::Accepted)
+        return;
+    m_last = std::make_unique<ExportSettings>(dialog.settings());
+    sayWritten(m_last->path);
 }
 
 void Exporting::exportAgain()

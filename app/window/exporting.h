@@ -27,6 +27,7 @@ private:
     void exportAgain();
     void exportTimelapse();
     void showOutcome(bool written, const QString &error);
+    void sayWritten(const QString &path);
 
     Workplace m_place;
     ExportJob *m_job;

@@ -386,6 +386,8 @@ private slots:
             },
             Command::ExportAgain));
         QTRY_VERIFY_WITH_TIMEOUT(QFile::exists(picture), 20000);
+        QVERIFY(window.statusBar()->currentMessage().contains("again.png"));
+        window.statusBar()->clearMessage();
         const QByteArray before = bytesOf(picture);
         auto more = std::make_shared<Painting>(*painting);
         more->canvas.background = {1, 0, 0, 1};

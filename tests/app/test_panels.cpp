@@ -336,11 +336,13 @@ private slots:
         type(*panel.hex(), "nice");
         QCOMPARE(bench.editor.brush().colour, before);
         QCOMPARE(panel.hex()->text(), QString("#2f6690"));
+        bench.editor.setColour({before.red, before.yellow, before.blue, 0.25f});
         bench.select({1, 3});
         QVERIFY(panel.applyButton()->isEnabled());
         QTest::mouseClick(panel.applyButton(), Qt::LeftButton);
         QCOMPARE(bench.steps(), 1);
-        QCOMPARE(bench.stroke(3).segments[3].colour, before);
+        QCOMPARE(bench.stroke(3).segments[3].colour, // its opacity is its own
+                 (Colour{before.red, before.yellow, before.blue, Colour{}.opacity}));
         QCOMPARE(bench.stroke(2).segments[0].colour, Colour{});
     }
 

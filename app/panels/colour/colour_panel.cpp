@@ -146,7 +146,7 @@ void ColourPanel::addRecent(QVBoxLayout &column)
 void ColourPanel::addApply(QVBoxLayout &column)
 {
     m_apply = new QPushButton(tr("Apply to selection"), this);
-    m_apply->setToolTip(tr("Gives the selected segments this colour."));
+    m_apply->setToolTip(tr("Gives the selected segments this colour. They keep their opacity."));
     auto *row = new QHBoxLayout;
     row->setContentsMargins(8, 4, 8, 8);
     row->addWidget(m_apply);
@@ -188,8 +188,8 @@ void ColourPanel::applyToSelection()
 {
     Document &document = m_editor.document();
     const Colour colour = m_editor.brush().colour;
-    m_editor.push(changeSegments(document, targetSegments(document), [&](Segment &s) { s.colour = colour; }),
-                  tr("Apply colour"));
+    const auto apply = [&](Segment &s) { s.colour = {colour.red, colour.yellow, colour.blue, s.colour.opacity}; };
+    m_editor.push(changeSegments(document, targetSegments(document), apply), tr("Apply colour"));
 }
 
 void ColourPanel::rememberUsed()
