@@ -25,6 +25,7 @@ std::unique_ptr<GestureState> GestureDesk::begin(const QString &name)
 {
     auto gesture = std::make_unique<GestureState>(*this, name);
     take(*gesture);
+    m_rests = true; // until it shows something: no frame comes of a press alone, and none would tell that it rests
     return gesture;
 }
 
