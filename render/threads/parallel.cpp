@@ -12,6 +12,7 @@
 #else
 #include <optional>
 #include <tbb/global_control.h>
+#include <tbb/info.h>
 #include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
 #endif
@@ -50,7 +51,13 @@ tbb::task_arena &arenaOf(int threads)
 
 int hardwareThreads()
 {
-    static const int threads = std::max(1, int(std::thread::hardware_concurrency())); // each asking reads a file
+    // Asked once, since each asking reads a file. oneTBB counts the cores that this process may use, and warns on the
+    // error output where it is asked for more.
+#ifdef SUFFUSE_JTHREAD
+    static const int threads = std::max(1, int(std::thread::hardware_concurrency()));
+#else
+    static const int threads = std::max(1, tbb::info::default_concurrency());
+#endif
     return threads;
 }
 

@@ -18,7 +18,7 @@ namespace suffuse {
 
 class Crew;
 
-/// Cores of this machine, at least 1.
+/// Cores that this process may use, at least 1.
 int hardwareThreads();
 
 /// The threads that the loops of a task run on. Whoever begins the task chooses them, and hands them to all that have
