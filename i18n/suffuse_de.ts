@@ -3812,9 +3812,9 @@ Auch die Pfeiltasten wirken.</translation>
     <message numerus="yes">
         <source>Name of %n stroke(s)</source>
         <translation>
-                <numerusform>Name von %n Strich</numerusform>
-                <numerusform>Name von %n Strichen</numerusform>
-            </translation>
+            <numerusform>Name von %n Strich</numerusform>
+            <numerusform>Name von %n Strichen</numerusform>
+        </translation>
     </message>
     <message>
         <source>Rename</source>

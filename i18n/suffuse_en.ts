@@ -67,9 +67,9 @@
     <message numerus="yes">
         <source>Name of %n stroke(s)</source>
         <translation>
-                <numerusform>Name of %n stroke</numerusform>
-                <numerusform>Name of %n strokes</numerusform>
-            </translation>
+            <numerusform>Name of %n stroke</numerusform>
+            <numerusform>Name of %n strokes</numerusform>
+        </translation>
     </message>
 </context>
 <context>

@@ -3804,8 +3804,8 @@ Arrow keys work too.</source>
     <message numerus="yes">
         <source>Name of %n stroke(s)</source>
         <translation>
-                <numerusform>%n 条笔画的名称</numerusform>
-            </translation>
+            <numerusform>%n 条笔画的名称</numerusform>
+        </translation>
     </message>
     <message>
         <source>Rename</source>
