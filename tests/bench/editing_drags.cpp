@@ -107,7 +107,7 @@ Drag dragOfSlider(EditingSession &s, const SegmentRef &middle)
 {
     BarSlider *slider = s.window().findChild<InspectorPanel *>()->segmentSection()->diffusion()->slider();
     const auto start = std::make_shared<double>();
-    // No two reports give the same value, where it turns neither: an event without a change has no frame to wait for.
+    // No two reports give the same value, where it turns neither: an event without a change would measure nothing.
     const auto at = [slider, start](int i) {
         return Point{*start + 15 * std::sin(0.21 * i + 0.5) + 0.4 * (i % 2), 0.5 * slider->height()};
     };

@@ -96,6 +96,12 @@ void EditingSession::painted()
     m_waiting.erase(m_waiting.begin(), end);
 }
 
+void EditingSession::waitFor(quint64 frame, Clock::time_point since)
+{
+    if (frame != m_lastPainted) // else the event changed nothing, as at a slider's end, and no frame comes for it
+        m_waiting.emplace(frame, since);
+}
+
 bool EditingSession::runUntil(const std::function<bool()> &done)
 {
     const Clock::time_point start = Clock::now();
@@ -130,7 +136,7 @@ DragTimes EditingSession::paced(int events, const std::function<void(int)> &act)
                     waits = false;
                     ++taken;
                     act(i);
-                    m_waiting.emplace(canvas().neededFrame(), at);
+                    waitFor(canvas().neededFrame(), at);
                 },
                 Qt::QueuedConnection);
         }
@@ -166,7 +172,7 @@ double EditingSession::untilShown(const std::function<void()> &act)
     m_shown.clear();
     const Clock::time_point start = Clock::now();
     act();
-    m_waiting.emplace(canvas().neededFrame(), start);
+    waitFor(canvas().neededFrame(), start);
     runUntil([this] { return m_waiting.empty(); });
     return m_shown.empty() ? 0 : m_shown.front();
 }

@@ -77,6 +77,7 @@ private:
     using Clock = std::chrono::steady_clock;
 
     void painted();
+    void waitFor(quint64 frame, Clock::time_point since);
     bool runUntil(const std::function<bool()> &done);
 
     Application &m_application;
