@@ -196,6 +196,15 @@ Edit ungroupSelection(const Document &document)
     return dissolve(painting, gone);
 }
 
+bool canUngroup(const Document &document)
+{
+    const Painting &painting = *document.painting();
+    const std::set<StrokeId> &selected = document.selection().strokes;
+    return !selected.empty() && std::ranges::any_of(painting.strokes, [&](const StrokePtr &s) {
+        return s->group != 0 && selected.contains(s->id) && !painting.isLocked(*s);
+    });
+}
+
 GroupId selectedGroup(const Document &document)
 {
     const Selection &selection = document.selection();

@@ -11,6 +11,8 @@ namespace suffuse {
 Edit groupSelection(Document &document, const QString &name);
 /// Dissolves the outermost groups that are selected as a whole, or else the groups in which the selected strokes stand.
 Edit ungroupSelection(const Document &document);
+/// Whether that dissolves something: a selected stroke that is not locked lies in a group.
+bool canUngroup(const Document &document);
 /// The outermost group whose strokes are all that is selected; 0 where there is none, or segments are selected.
 GroupId selectedGroup(const Document &document);
 /// Dissolves one group; what is in it goes to the group around it.

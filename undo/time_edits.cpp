@@ -293,6 +293,23 @@ Edit removeRewetting(const Document &document)
     return changeSegments(document, targetSegments(document), [](Segment &segment) { segment.rewet.clear(); });
 }
 
+bool canRemoveRewetting(const Document &document)
+{
+    const Painting &painting = *document.painting();
+    const Selection &selection = document.selection();
+    const auto isRewetted = [](const Segment &segment) { return !segment.rewet.empty(); };
+    return !selection.strokes.empty() && std::ranges::any_of(painting.strokes, [&](const StrokePtr &s) {
+        if (!selection.strokes.contains(s->id) || painting.isLocked(*s))
+            return false;
+        auto part = selection.segments.lower_bound({s->id, 0});
+        const bool inPart = part != selection.segments.end() && part->stroke == s->id;
+        for (; part != selection.segments.end() && part->stroke == s->id; ++part)
+            if (isRewetted(s->segments[std::size_t(part->segment)]))
+                return true;
+        return !inPart && std::ranges::any_of(s->segments, isRewetted);
+    });
+}
+
 PlaceInTime placeInTime(const Painting &painting, Microseconds born)
 {
     const StrokeList &strokes = painting.strokes;

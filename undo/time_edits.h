@@ -59,6 +59,8 @@ Edit freeze(const Document &document, Microseconds T);
 Edit rewet(const Document &document, Microseconds T, Microseconds extra);
 /// What is selected is never wetted again.
 Edit removeRewetting(const Document &document);
+/// Whether that changes something.
+bool canRemoveRewetting(const Document &document);
 /// What is selected is not wetted then.
 Edit removeRewetting(const Document &document, const Rewet &one);
 

@@ -3,6 +3,8 @@
 #include "app/session/commands/session_rows.h"
 #include "app/session/settings/settings.h"
 #include "undo/edits.h"
+#include "undo/group_edits.h"
+#include "undo/time_edits.h"
 
 #include <QSignalSpy>
 #include <QStandardPaths>
@@ -60,6 +62,50 @@ private slots:
         QVERIFY(!table[Command::Duplicate].isEnabled());
         for (const QAction *action : table.all())
             QVERIFY(!action->objectName().isEmpty() && !action->text().isEmpty());
+    }
+
+    /// Groups dissolve, and paint dries once and for all, where there is a group, and paint that is wetted again.
+    void whatHasNothingToDoIsDisabled()
+    {
+        OpenPainting open;
+        Editor &editor = open.editor;
+        editor.newPainting(Editor::usualCanvas());
+        Commands table;
+        addSessionRows(table, open);
+        addStroke(editor);
+        addStroke(editor);
+        const Painting &painting = *editor.document().painting();
+        const StrokeId grouped = painting.strokes[0]->id, single = painting.strokes[1]->id;
+        const auto select = [&](const std::set<StrokeId> &strokes, const std::set<SegmentRef> &segments = {}) {
+            editor.document().setSelection({strokes, segments});
+            table.update();
+        };
+        select({grouped});
+        QVERIFY(!table[Command::UngroupStrokes].isEnabled() && !table[Command::RemoveRewetting].isEnabled());
+        table[Command::GroupStrokes].trigger();
+        QVERIFY(table[Command::UngroupStrokes].isEnabled());
+        const GroupId group = editor.document().painting()->groups[0].id;
+        editor.push(setGroupLocked(editor.document(), group, true), "lock");
+        select({grouped});
+        QVERIFY(!table[Command::UngroupStrokes].isEnabled());
+        editor.undoStack().undo();
+        select({single});
+        QVERIFY(!table[Command::UngroupStrokes].isEnabled());
+        editor.push(rewet(editor.document(), 60'000'000, 1'000'000), "rewet");
+        select({single});
+        QVERIFY(table[Command::RemoveRewetting].isEnabled());
+        select({single}, {{single, 0}});
+        QVERIFY(table[Command::RemoveRewetting].isEnabled());
+        select({grouped});
+        QVERIFY(!table[Command::RemoveRewetting].isEnabled());
+        select({grouped, single});
+        QVERIFY(table[Command::RemoveRewetting].isEnabled());
+        table[Command::RemoveRewetting].trigger();
+        QVERIFY(!table[Command::RemoveRewetting].isEnabled());
+        select({grouped});
+        table[Command::UngroupStrokes].trigger();
+        QVERIFY(!table[Command::UngroupStrokes].isEnabled());
+        QVERIFY(editor.document().painting()->groups.empty());
     }
 
     /// What has nothing to do says so.

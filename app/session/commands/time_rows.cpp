@@ -95,7 +95,7 @@ void addWetRows(Commands &table, OpenPainting &open)
     table
         .add(RemoveRewetting, "removeRewetting", Commands::tr("Remove Re-we&tting"), "", {},
              Commands::tr("The selected paint dries once and for all"))
-        .when(selected)
+        .when([&editor] { return canRemoveRewetting(editor.document()); })
         .runs([&editor] { editor.push(removeRewetting(editor.document()), Commands::tr("Remove re-wetting")); });
 }
 
