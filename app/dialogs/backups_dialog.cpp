@@ -24,6 +24,15 @@ constexpr QSize usualSize(560, 400); ///< room for three pictures and a little m
 constexpr std::size_t mostDrawn = 200'000;
 enum BackupColumn { Saved, Strokes, Size };
 
+/// The short format of date and time. Versions of one minute must be told apart, so it has seconds, too.
+QString formatWithSeconds(const QLocale &locale)
+{
+    QString format = locale.dateTimeFormat(QLocale::ShortFormat);
+    if (const qsizetype minutes = format.indexOf(QStringLiteral("mm")); minutes > 0 && !format.contains('s'))
+        format.insert(minutes + 2, format[minutes - 1] + QStringLiteral("ss"));
+    return format;
+}
+
 QImage pictureOf(LoadedDocument &document, int side)
 {
     if (const QImage kept = QImage::fromData(document.extras.preview, "PNG"); !kept.isNull())
@@ -95,10 +104,11 @@ QString BackupsDialog::chosen() const
 void BackupsDialog::fillList(const QStringList &files)
 {
     const QLocale locale;
+    const QString format = formatWithSeconds(locale);
     for (const QString &path : files) {
         const QFileInfo file(path);
-        auto *item = new QTreeWidgetItem(m_list, {locale.toString(file.lastModified(), QLocale::ShortFormat), QString(),
-                                                  locale.formattedDataSize(file.size())});
+        auto *item = new QTreeWidgetItem(
+            m_list, {locale.toString(file.lastModified(), format), QString(), locale.formattedDataSize(file.size())});
         item->setIcon(Saved, pictureIcon({}, palette(), devicePixelRatioF()));
         item->setToolTip(Saved, file.fileName());
         item->setData(Saved, Qt::UserRole, path);

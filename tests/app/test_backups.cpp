@@ -194,6 +194,29 @@ private slots:
     }
 
     /// Its painting opens, with the backup in its place: saving saves the painting.
+    void backupsOfOneMinuteAreToldApart()
+    {
+        Session s;
+        saveVersions(s, 3);
+        for (const int n : {1, 2}) {
+            QFile file(backupName(path("a.suffuse"), n));
+            QVERIFY(file.open(QIODevice::ReadWrite));
+            const QDateTime saved(QDate(2026, 3, 4), QTime(9, 30, n == 1 ? 11 : 47));
+            QVERIFY(file.setFileTime(saved, QFileDevice::FileModificationTime));
+        }
+        const auto restore = qScopeGuard([] { QLocale::setDefault(QLocale::English); });
+        for (const char *locale : {"en_US", "en_GB", "de_DE", "zh_CN", "fi_FI"}) {
+            QLocale::setDefault(QLocale(locale));
+            BackupsDialog dialog(path("a.suffuse"));
+            auto *list = dialog.findChild<QTreeWidget *>();
+            QCOMPARE(list->topLevelItemCount(), 2);
+            for (const int n : {1, 2}) {
+                const QString text = list->topLevelItem(n - 1)->text(0);
+                QVERIFY2(text.contains(n == 1 ? "11" : "47"), qPrintable(locale + (": " + text)));
+            }
+        }
+    }
+
     void aBackupOpenedByName()
     {
         {
