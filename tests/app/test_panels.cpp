@@ -299,6 +299,27 @@ private slots:
         QCOMPARE(bench.editor.document().painting()->canvas, Canvas{});
     }
 
+    /// A size goes up and down by a tenth of itself, to whole units: one unit a notch would take an afternoon.
+    void canvasSizesStepInProportion()
+    {
+        Bench bench;
+        InspectorPanel panel(bench.editor);
+        showAt(panel);
+        const auto width = [&bench] { return bench.editor.document().painting()->canvas.width; };
+        NumberField *field = panel.canvasSection()->widthField();
+        field->setFocus();
+        QTest::keyClick(field, Qt::Key_Up);
+        QCOMPARE(width(), 1126.0);
+        QCOMPARE(field->value(), std::optional(1126.0));
+        QWheelEvent down({5, 5}, field->mapToGlobal(QPointF(5, 5)), {}, {0, -120}, Qt::NoButton, Qt::NoModifier,
+                         Qt::NoScrollPhase, false);
+        QCoreApplication::sendEvent(field, &down);
+        QCOMPARE(width(), 1013.0);
+        type(*field, "4");
+        QTest::keyClick(field, Qt::Key_Up);
+        QCOMPARE(width(), 4.4);
+    }
+
     void wheelPicksColours()
     {
         for (const double hue : {0.0, 1.0 / 3, 0.5, 0.9}) {

@@ -88,7 +88,6 @@ void CanvasSection::addSize(QGridLayout &grid)
         auto *label = new QLabel(name, this);
         auto *field = new NumberField(this);
         field->setRange(0.001, 1e6);
-        field->setStep(1);
         field->setDisplay(lengthDisplay());
         field->setAccessibleName(name);
         field->setToolTip(tip);
@@ -96,9 +95,13 @@ void CanvasSection::addSize(QGridLayout &grid)
         grid.addWidget(label, row, 0);
         grid.addWidget(field, row, 2);
         connect(field, &NumberField::refused, this, &CanvasSection::refused);
-        for (const auto signal : {&NumberField::entered, &NumberField::stepped})
-            connect(field, signal, this,
-                    [=, this](double value) { change([=](Canvas &c) { c.*member = value; }, tr("Resize canvas")); });
+        const auto take = [=, this](double value) {
+            change([=](Canvas &c) { c.*member = value; }, tr("Resize canvas"));
+        };
+        connect(field, &NumberField::entered, this, take);
+        // A tenth of a size is rarely whole, and nobody steps to a part of a pixel.
+        connect(field, &NumberField::stepped, this,
+                [=](double value) { take(value < 10 ? value : std::round(value)); });
         return field;
     };
     m_width = add(0, tr("Width"), tr("Width of the canvas in units; a unit is a pixel at 100 %."), &Canvas::width);
