@@ -17,6 +17,7 @@
 #include <QListWidget>
 #include <QMenu>
 #include <QScopeGuard>
+#include <QSignalSpy>
 #include <QStandardPaths>
 #include <QTableWidget>
 #include <QTemporaryDir>
@@ -433,6 +434,33 @@ private slots:
         const Point end = stroke.cubicOf(stroke.segments.back()).p[3];
         const double length = 50 / s.canvas().view().scale * s.canvas().devicePixelRatioF();
         QVERIFY2(std::abs(end.x - (600 - length)) < 3, qPrintable(QString::number(end.x)));
+    }
+
+    /// The status bar says so until something else is done.
+    void paintBeyondTheCanvasIsNoSecret()
+    {
+        Session s;
+        const QString said = "This stroke lies beyond the canvas: View ▸ Show Paint beyond the Canvas shows it.";
+        const auto hint = [&s] { return s.canvas().tool()->hint(); };
+        const QString usual = hint();
+        s.canvas().zoomBy(0.5);
+        s.click({100, 100});
+        QCOMPARE(hint(), usual);
+        const QSignalSpy changed(s.canvas().tool(), &Tool::hintChanged);
+        s.click({-300, 300});
+        QCOMPARE(s.painting().strokes.size(), std::size_t(2)); // it is kept
+        QCOMPARE(hint(), said);
+        QCOMPARE(changed.size(), 1);
+        s.paintLine({-200, 300}, {300, 300}); // part of it is seen
+        QCOMPARE(hint(), usual);
+        s.click({-300, 400});
+        QCOMPARE(hint(), said);
+        s.editor().undoStack().undo();
+        QCOMPARE(hint(), usual);
+        s.use(Command::ShowBeyond);
+        s.click({-300, 400});
+        QCOMPARE(hint(), usual);
+        s.use(Command::ShowBeyond);
     }
 
     void choosingABrushTakesTheBrushTool()

@@ -4,6 +4,7 @@
 #include "app/session/editor.h"
 #include "app/session/settings/brush_library.h"
 #include "app/tools/brush/brush_tool_options.h"
+#include "app/widgets/habits/at_next_change.h"
 #include "model/brush/brush_dynamics.h"
 #include "model/brush/brush_width.h"
 #include "model/paint/half_width.h"
@@ -90,6 +91,8 @@ BrushTool::~BrushTool() = default;
 
 QString BrushTool::hint() const
 {
+    if (!m_said.isEmpty())
+        return m_said;
     if (m_nearEnd)
         return tr("Shift+drag to go on with the selected stroke from its end.");
     return tr("Drag to paint, tap for a dot. Shift+drag: size and opacity. Ctrl+click: take the picture's colour, with "
@@ -118,6 +121,7 @@ void BrushTool::press(const PointerEvent &event)
     }
     if (m_extended)
         brush = brushAtEnd(*m_editor.document().painting()->find(m_extended->stroke), m_extended->node, brush);
+    say({});
     m_builder = std::make_unique<StrokeBuilder>(brush, m_editor.document().takeStrokeId());
     m_lastTime = event.time;
     m_editor.clock().hold(true, event.late);
@@ -195,8 +199,10 @@ void BrushTool::release(const PointerEvent &event)
     m_builder.reset();
     Document &document = m_editor.document();
     document.setDraft(nullptr);
-    if (stroke && problemOf(*stroke).isEmpty())
+    if (stroke && problemOf(*stroke).isEmpty()) {
         pushStroke(stroke);
+        tellIfUnseen(*stroke);
+    }
     m_editor.clock().hold(false);
     showOutlineAt(event.pixel);
 }
@@ -209,6 +215,23 @@ void BrushTool::pushStroke(const StrokePtr &stroke)
         if (Edit edit = extendStroke(document, end->stroke, end->node != 0, *stroke); !edit.isEmpty())
             return m_editor.push(std::move(edit), tr("Extend stroke"));
     m_editor.push(addStrokes(document, {stroke}, false), tr("Brush stroke"));
+}
+
+void BrushTool::tellIfUnseen(const Stroke &stroke)
+{
+    const Canvas &canvas = m_editor.document().painting()->canvas;
+    const Rect sheet = Rect::of(0, 0, canvas.width, canvas.height);
+    if (!m_canvas.aids().showBeyond && !seenBox(stroke).intersects(sheet))
+        say(tr("This stroke lies beyond the canvas: View ▸ Show Paint beyond the Canvas shows it."));
+}
+
+void BrushTool::say(const QString &text)
+{
+    if (std::exchange(m_said, text) == text)
+        return;
+    emit hintChanged();
+    if (!text.isEmpty())
+        atNextChange(m_editor.document(), this, [this] { say({}); });
 }
 
 void BrushTool::cancel()

@@ -50,6 +50,9 @@ private:
     void paintOutline(QPainter &painter, const View &view, double dpr) const;
     void paintNote(QPainter &painter, double dpr) const;
     void pushStroke(const StrokePtr &stroke);
+    /// Says so where nothing of a new stroke can be seen, until something else is done.
+    void tellIfUnseen(const Stroke &stroke);
+    void say(const QString &text);
     /// The end node of a selected stroke that is near enough to go on from.
     std::optional<NodeRef> endAt(Point pixel) const;
     void showOutlineAt(Point pixel);
@@ -62,6 +65,7 @@ private:
     std::optional<NodeRef> m_extended; ///< the end that the stroke in hand goes on from
     std::optional<NodeRef> m_nearEnd;  ///< under the pointer
     ColourPicker m_picker;
+    QString m_said; ///< about the last stroke; empty: nothing
     bool m_hovering = false;
     Point m_pixel; ///< where the outline is
     QPointer<QWidget> m_options;
