@@ -10,11 +10,22 @@
 #include <QLabel>
 #include <QLocale>
 #include <QMainWindow>
+#include <QPainter>
 #include <QStatusBar>
+#include <QStyle>
+#include <QStyleOption>
 
 namespace suffuse {
 
 namespace {
+
+/// Draws a line of text that ends in "…" where there is no room for all of it.
+void drawElided(QPainter &painter, const QWidget &widget, const QRect &area, const QString &text)
+{
+    widget.style()->drawItemText(
+        &painter, area, Qt::AlignLeading | Qt::AlignVCenter | Qt::TextSingleLine, widget.palette(), true,
+        widget.fontMetrics().elidedText(text, Qt::ElideRight, area.width()), QPalette::WindowText);
+}
 
 /// A line that takes the room there is, so that another text need not be measured.
 class HintLine : public QLabel {
@@ -22,6 +33,39 @@ public:
     using QLabel::QLabel;
     QSize sizeHint() const override { return {0, fontMetrics().height()}; }
     QSize minimumSizeHint() const override { return sizeHint(); }
+
+protected:
+    void paintEvent(QPaintEvent *) override
+    {
+        QPainter painter(this);
+        drawElided(painter, *this, contentsRect(), text());
+    }
+};
+
+/// Qt's own bar cuts a message off where the numbers begin. All of it is in the tool tip.
+class MessageBar : public QStatusBar {
+public:
+    explicit MessageBar(QWidget *parent) : QStatusBar(parent)
+    {
+        connect(this, &QStatusBar::messageChanged, this, &QWidget::setToolTip);
+    }
+
+protected:
+    void paintEvent(QPaintEvent *event) override
+    {
+        if (currentMessage().isEmpty())
+            return QStatusBar::paintEvent(event);
+        QStyleOption option;
+        option.initFrom(this);
+        QPainter painter(this);
+        style()->drawPrimitive(QStyle::PE_PanelStatusBar, &option, &painter, this);
+        constexpr int margin = 6;
+        QRect area = rect().adjusted(margin, 0, -margin, 0); // beside what stays visible: the numbers
+        for (const QObject *child : children())
+            if (const auto *widget = qobject_cast<const QWidget *>(child); widget && widget->isVisible())
+                area.setRight(std::min(area.right(), widget->x() - margin));
+        drawElided(painter, *this, area, currentMessage());
+    }
 };
 
 } // namespace
@@ -49,6 +93,7 @@ StatusLine::StatusLine(const Workplace &place, QObject *parent) : QObject(parent
 
 void StatusLine::makeLabels()
 {
+    m_place.window.setStatusBar(new MessageBar(&m_place.window));
     const QFontMetrics metrics = m_place.window.fontMetrics();
     const auto label = [this](const QString &tip, int width) {
         auto *l = new QLabel(&m_place.window);

@@ -7,6 +7,8 @@
 #include "tests/app/session.h"
 
 #include <QDockWidget>
+#include <QLabel>
+#include <QStatusBar>
 #include <QTemporaryDir>
 #include <QTreeView>
 
@@ -33,6 +35,52 @@ private slots:
         QCOMPARE(placeWithin({900, 600, 300, 200}, screen), QRect(700, 520, 300, 200));
         QCOMPARE(placeWithin({-50, 0, 300, 200}, screen), QRect(0, 20, 300, 200));
         QCOMPARE(placeWithin({28, 48, 1000, 900}, screen), screen);
+    }
+
+    /// Whether what is written up to `right` ends in "…": ink at the foot of the line only.
+    static bool endsInDots(QWidget &widget, int right)
+    {
+        const QImage image = widget.grab().toImage();
+        const QColor ground = widget.palette().color(QPalette::Window);
+        const auto topOfInk = [&](int x) {
+            for (int y = 2; y < image.height(); ++y)
+                if (std::abs(qGray(image.pixel(x, y)) - qGray(ground.rgb())) > 60)
+                    return y;
+            return -1;
+        };
+        int last = std::min(right, image.width() - 1);
+        while (last > 0 && topOfInk(last) < 0)
+            --last;
+        return last > 0 && topOfInk(last) > image.height() / 2;
+    }
+
+    /// What the status bar has no room for is in the tool tip.
+    void statusTextsEndInDotsWhereTheyAreCut()
+    {
+        Session s;
+        s.window.resize(s.window.minimumSizeHint().width(), 700);
+        QVERIFY(QTest::qWaitForWindowExposed(&s.window));
+        QStatusBar &bar = *s.window.statusBar();
+        const QString hint = s.canvas().tool()->hint();
+        QLabel *line = nullptr;
+        for (QLabel *label : bar.findChildren<QLabel *>())
+            if (label->text() == hint)
+                line = label;
+        QVERIFY(line && line->isVisible());
+        QVERIFY(line->fontMetrics().horizontalAdvance(hint) > line->width());
+        QVERIFY(endsInDots(*line, line->width()));
+        QCOMPARE(line->toolTip(), hint);
+        const int right = line->geometry().right();
+        const QString message(300, 'H');
+        bar.showMessage(message);
+        QVERIFY(!line->isVisible());
+        QVERIFY(endsInDots(bar, right));
+        QCOMPARE(bar.toolTip(), message);
+        bar.showMessage("HHH");
+        QVERIFY(!endsInDots(bar, right)); // all of it is there
+        bar.clearMessage();
+        QCOMPARE(bar.toolTip(), QString());
+        QVERIFY(line->isVisible());
     }
 
     /// A window that is opened from a maximised one is maximised, too, and has somewhere to go back to.
