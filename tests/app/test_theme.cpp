@@ -7,6 +7,7 @@
 
 #include <QApplication>
 #include <QListWidget>
+#include <QMenu>
 #include <QMessageBox>
 #include <QStyle>
 #include <QTemporaryDir>
@@ -106,6 +107,26 @@ private slots:
             QCOMPARE(paperFor(painted(0xFF202020)), previewPaper());
             QCOMPARE(paperFor(painted(0)), previewPaper());
             QVERIFY(contrast(paperFor(painted(0xFFFFFFFF)), Qt::white) >= 3);
+        }
+    }
+
+    /// Also while it is empty.
+    void checkBoxesInMenusAreSeen()
+    {
+        for (const settings::Theme theme : {settings::Theme::Light, settings::Theme::Dark}) {
+            wear(theme);
+            QMenu menu;
+            QAction *action = menu.addAction("m");
+            action->setCheckable(true);
+            menu.resize(menu.sizeHint());
+            const QRect row = menu.actionGeometry(action);
+            const QImage image = menu.grab(QRect(row.topLeft(), QSize(row.height(), row.height()))).toImage();
+            const QColor ground = image.pixelColor(image.width() - 1, 1);
+            double most = 0;
+            for (int y = 0; y < image.height(); ++y)
+                for (int x = 0; x < image.width(); ++x)
+                    most = std::max(most, contrast(image.pixelColor(x, y), ground));
+            QVERIFY2(most >= 3, qPrintable(QString::number(most)));
         }
     }
 

@@ -1,7 +1,10 @@
 #include "app/widgets/look/outline_style.h"
 
 #include "app/widgets/look/icons.h"
+#include "app/widgets/look/theme.h"
 
+#include <QPainter>
+#include <QStyleOption>
 #include <QWidget>
 
 namespace suffuse {
@@ -112,6 +115,19 @@ QPixmap OutlineStyle::standardPixmap(StandardPixmap standard, const QStyleOption
         return QProxyStyle::standardPixmap(standard, option, widget);
     const int side = pixelMetric(PM_SmallIconSize, option, widget);
     return icon(outline).pixmap(QSize(side, side), widget ? widget->devicePixelRatioF() : 1);
+}
+
+void OutlineStyle::drawPrimitive(PrimitiveElement element, const QStyleOption *option, QPainter *painter,
+                                 const QWidget *widget) const
+{
+    QProxyStyle::drawPrimitive(element, option, painter, widget);
+    if (element != PE_IndicatorCheckBox)
+        return;
+    painter->save();
+    painter->setPen(option->state & State_Enabled ? edgeOfColours() : option->palette.color(QPalette::Mid));
+    painter->setBrush(Qt::NoBrush);
+    painter->drawRect(option->rect.adjusted(0, 0, -1, -1));
+    painter->restore();
 }
 
 int OutlineStyle::styleHint(StyleHint hint, const QStyleOption *option, const QWidget *widget,
