@@ -35,6 +35,7 @@
 #include <QMessageBox>
 #include <QMimeData>
 #include <QPushButton>
+#include <QRegularExpression>
 #include <QTabWidget>
 #include <QTableWidget>
 #include <QTemporaryDir>
@@ -86,6 +87,9 @@ QString mnemonicFault(const QWidget &dialog)
             continue;
         if (mnemonicOf(text).isNull())
             return "no mnemonic: " + text;
+        static const QRegularExpression strange("[A-Za-z].*\\(&.\\)$");
+        if (strange.match(text).hasMatch())
+            return "a mnemonic as in Chinese: " + text;
         const QWidget *page = pageOf(*widget, dialog);
         for (const auto &[other, otherPage] : taken)
             if (mnemonicOf(other) == mnemonicOf(text) && (!page || !otherPage || page == otherPage))

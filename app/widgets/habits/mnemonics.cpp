@@ -44,19 +44,6 @@ std::vector<qsizetype> placesIn(const QString &text)
     return starts;
 }
 
-/// The text with a mnemonic; empty if no letter is left.
-QString withMnemonic(QString text, const QSet<QChar> &taken)
-{
-    const std::vector<qsizetype> places = placesIn(text);
-    for (const qsizetype place : places)
-        if (!taken.contains(text[place].toUpper()))
-            return text.insert(place, u'&');
-    for (char16_t key = u'A'; key <= u'Z'; ++key) // capital letters, as in Chinese menus
-        if (!taken.contains(key))
-            return QStringLiteral("%1(&%2)").arg(text, QChar(key));
-    return {};
-}
-
 QString textOf(const QWidget *widget)
 {
     const auto *label = qobject_cast<const QLabel *>(widget);
@@ -96,21 +83,95 @@ std::vector<Holder> holdersIn(const QWidget &dialog)
     return holders;
 }
 
+/// Finds a letter for each text, no letter twice on what is seen together. A text whose letters are all taken makes
+/// another one give up its own, if that has a second one: a matching by augmenting paths.
+class Mnemonics {
+public:
+    explicit Mnemonics(std::vector<Holder> holders) : m_holders(std::move(holders))
+    {
+        for (const Holder &holder : m_holders)
+            m_letters.push_back(mnemonicOf(textOf(holder.widget)));
+        m_given.resize(m_holders.size(), -1);
+    }
+
+    void find()
+    {
+        for (std::size_t i = 0; i < m_holders.size(); ++i) {
+            QSet<QChar> tried;
+            if (m_letters[i].isNull() && !giveOwn(i, tried))
+                giveForeign(i);
+        }
+    }
+
+    void show() const
+    {
+        for (std::size_t i = 0; i < m_holders.size(); ++i) {
+            const QString text = textOf(m_holders[i].widget);
+            if (m_given[i] >= 0)
+                setText(m_holders[i].widget, QString(text).insert(m_given[i], u'&'));
+            else if (!m_letters[i].isNull() && mnemonicOf(text).isNull())
+                setText(m_holders[i].widget, QStringLiteral("%1(&%2)").arg(text, m_letters[i]));
+        }
+    }
+
+private:
+    /// Those seen together with this one that have the letter.
+    std::vector<std::size_t> rivals(std::size_t i, QChar letter) const
+    {
+        std::vector<std::size_t> found;
+        for (std::size_t k = 0; k < m_holders.size(); ++k) {
+            const QWidget *page = m_holders[i].page, *other = m_holders[k].page;
+            if (k != i && m_letters[k] == letter && (!page || !other || page == other))
+                found.push_back(k);
+        }
+        return found;
+    }
+
+    /// `tried`: letters that are on their way to somebody already.
+    bool giveOwn(std::size_t i, QSet<QChar> &tried)
+    {
+        const QString text = textOf(m_holders[i].widget);
+        for (const bool mayMove : {false, true}) // whoever has a letter keeps it where another one is free
+            for (const qsizetype place : placesIn(text)) {
+                const QChar letter = text[place].toUpper();
+                if (tried.contains(letter))
+                    continue;
+                if (const std::vector<std::size_t> others = rivals(i, letter); !others.empty()) {
+                    if (!mayMove || others.size() > 1 || m_given[others.front()] < 0)
+                        continue;
+                    tried << letter;
+                    if (!giveOwn(others.front(), tried))
+                        continue;
+                }
+                m_letters[i] = letter;
+                m_given[i] = place;
+                return true;
+            }
+        return false;
+    }
+
+    /// A capital letter behind the text, as in Chinese menus; in Latin writing it would look like a misprint.
+    void giveForeign(std::size_t i)
+    {
+        if (!placesIn(textOf(m_holders[i].widget)).empty())
+            return;
+        for (char16_t key = u'A'; key <= u'Z' && m_letters[i].isNull(); ++key)
+            if (rivals(i, key).empty())
+                m_letters[i] = key;
+    }
+
+    std::vector<Holder> m_holders;
+    std::vector<QChar> m_letters;
+    std::vector<qsizetype> m_given; ///< where the letter stands in the text; −1: not in it, or it came with the text
+};
+
 } // namespace
 
 void giveMnemonics(QWidget &dialog)
 {
-    const std::vector<Holder> holders = holdersIn(dialog);
-    for (const Holder &holder : holders) {
-        if (!mnemonicOf(textOf(holder.widget)).isNull())
-            continue;
-        QSet<QChar> taken;
-        for (const Holder &other : holders)
-            if (!holder.page || !other.page || other.page == holder.page)
-                taken << mnemonicOf(textOf(other.widget));
-        if (const QString text = withMnemonic(textOf(holder.widget), taken); !text.isEmpty())
-            setText(holder.widget, text);
-    }
+    Mnemonics mnemonics(holdersIn(dialog));
+    mnemonics.find();
+    mnemonics.show();
 }
 
 } // namespace suffuse
