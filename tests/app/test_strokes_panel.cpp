@@ -428,6 +428,30 @@ private slots:
         }
     }
 
+    /// Also where the dock gets lower.
+    void thePresentStepStaysInSight()
+    {
+        Bench bench;
+        HistoryPanel panel(bench.editor);
+        showAt(panel, {280, 500});
+        for (int i = 0; i < 12; ++i)
+            bench.editor.push(
+                changeSegments(bench.editor.document(), {{1, 0}}, [i](Segment &s) { s.density = float(20 + i); }),
+                QString("step %1").arg(i));
+        bench.select({1});
+        QTRY_VERIFY(panel.strokeView()->isVisible());
+        for (const int height : {300, 150, 430, 200}) {
+            panel.resize(280, height);
+            QCoreApplication::processEvents();
+            for (QAbstractItemView *list : {static_cast<QAbstractItemView *>(panel.view()),
+                                            static_cast<QAbstractItemView *>(panel.strokeView())}) {
+                QVERIFY(list->currentIndex().isValid());
+                QVERIFY2(list->viewport()->rect().contains(list->visualRect(list->currentIndex())),
+                         qPrintable(QString("%1 at %2").arg(list->accessibleName()).arg(height)));
+            }
+        }
+    }
+
     void historyGoesThere()
     {
         Bench bench;

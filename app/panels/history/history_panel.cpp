@@ -30,11 +30,24 @@ private:
     const QUndoStack &m_stack;
 };
 
+/// The present step stays in sight when the list gets lower.
+class StepList : public QUndoView {
+public:
+    using QUndoView::QUndoView;
+
+protected:
+    void resizeEvent(QResizeEvent *event) override
+    {
+        QUndoView::resizeEvent(event);
+        scrollTo(currentIndex());
+    }
+};
+
 } // namespace
 
 HistoryPanel::HistoryPanel(Editor &editor, QWidget *parent) : QWidget(parent)
 {
-    m_view = new QUndoView(&editor.undoStack(), this);
+    m_view = new StepList(&editor.undoStack(), this);
     m_view->setItemDelegate(new StepDelegate(editor.undoStack(), this));
     m_view->setEmptyLabel(tr("Start"));
     m_view->setCleanIcon(icon("save"));

@@ -31,6 +31,12 @@ void StrokeHistoryList::showEvent(QShowEvent *event)
     follow();
 }
 
+void StrokeHistoryList::resizeEvent(QResizeEvent *event)
+{
+    QListWidget::resizeEvent(event);
+    scrollTo(currentIndex());
+}
+
 void StrokeHistoryList::timerEvent(QTimerEvent *event)
 {
     if (event->timerId() != m_later.timerId()) {

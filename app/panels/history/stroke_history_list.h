@@ -26,6 +26,8 @@ signals:
 
 protected:
     void showEvent(QShowEvent *event) override;
+    /// The present state stays in sight when the list gets lower.
+    void resizeEvent(QResizeEvent *event) override;
     void timerEvent(QTimerEvent *event) override;
 
 private:
