@@ -9,6 +9,7 @@
 #include "undo/group_edits.h"
 
 #include <QAbstractItemModelTester>
+#include <QLabel>
 #include <QMenu>
 #include <QMimeData>
 #include <QScrollBar>
@@ -426,6 +427,30 @@ private slots:
             QCOMPARE(panel.view()->model()->rowCount(), 100'000 / perStroke);
             QVERIFY(panel.view()->selectionModel()->isSelected(panel.viewIndexOf(StrokeId(50'000 / perStroke))));
         }
+    }
+
+    void aSearchWithoutHitsSaysSo()
+    {
+        Bench bench;
+        StrokesPanel panel(bench.editor);
+        showAt(panel, {280, 400});
+        const auto said = [&panel] {
+            for (const QLabel *label : panel.findChildren<QLabel *>())
+                if (label->isVisible())
+                    return label->text();
+            return QString();
+        };
+        QCOMPARE(said(), QString());
+        panel.search()->setText("zebra");
+        QCOMPARE(said(), QString("No stroke is called “zebra”."));
+        bench.editor.push(changeStrokes(bench.editor.document(), {1}, [](Stroke &s) { s.name = "A zebra"; }), "name");
+        bench.editor.laterChanges().flush();
+        QCOMPARE(said(), QString());
+        bench.editor.undoStack().undo();
+        bench.editor.laterChanges().flush();
+        QCOMPARE(said(), QString("No stroke is called “zebra”."));
+        panel.search()->clear();
+        QCOMPARE(said(), QString());
     }
 
     /// Also where the dock gets lower.

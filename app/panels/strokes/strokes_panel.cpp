@@ -6,6 +6,7 @@
 #include "app/session/commands/selection_commands.h"
 #include "app/session/editor.h"
 #include "app/widgets/look/icons.h"
+#include "app/widgets/look/section.h"
 
 #include <QAction>
 #include <QLineEdit>
@@ -27,6 +28,9 @@ StrokesPanel::StrokesPanel(Editor &editor, QWidget *parent) : QWidget(parent), m
     m_search->setAccessibleName(tr("Search strokes"));
     m_search->setToolTip(tr("Shows only strokes and groups whose name holds this text. Return selects them."));
     column->addWidget(m_search);
+    m_notFound = quietLabel({}, this);
+    m_notFound->hide();
+    column->addWidget(m_notFound);
 
     m_model = new StrokesModel(editor, this);
     m_filter = new StrokesFilter(this);
@@ -39,6 +43,10 @@ StrokesPanel::StrokesPanel(Editor &editor, QWidget *parent) : QWidget(parent), m
 
     connect(m_search, &QLineEdit::textChanged, this, [this](const QString &text) { search(text.trimmed()); });
     connect(m_search, &QLineEdit::returnPressed, this, &StrokesPanel::selectFound);
+    // Strokes come, go and get names while a search goes on.
+    for (const auto signal : {&QAbstractItemModel::rowsInserted, &QAbstractItemModel::rowsRemoved})
+        connect(m_filter, signal, this, &StrokesPanel::showWhetherFound);
+    connect(m_filter, &QAbstractItemModel::modelReset, this, &StrokesPanel::showWhetherFound);
     m_search->installEventFilter(this);
     m_view->viewport()->installEventFilter(this);
     m_view->setContextMenuPolicy(Qt::CustomContextMenu);
@@ -71,10 +79,19 @@ void StrokesPanel::search(const QString &text)
             m_view->setExpanded(group, open);
         });
     m_syncing = false;
+    showWhetherFound();
     m_view->setDragEnabled(!isSearching());
     takeSelectionFromDocument();
     if (before != isSearching())
         emit searchingChanged();
+}
+
+void StrokesPanel::showWhetherFound()
+{
+    const bool found = !isSearching() || m_filter->rowCount() > 0;
+    if (!found)
+        m_notFound->setText(tr("No stroke is called “%1”.").arg(m_filter->text()));
+    m_notFound->setVisible(!found);
 }
 
 void StrokesPanel::forEachGroup(const QModelIndex &parent, const std::function<void(const QModelIndex &)> &visit) const

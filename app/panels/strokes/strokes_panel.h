@@ -7,6 +7,7 @@
 
 #include <functional>
 
+class QLabel;
 class QLineEdit;
 class QMenu;
 class QTreeView;
@@ -50,6 +51,7 @@ protected:
 
 private:
     void search(const QString &text);
+    void showWhetherFound();
     /// From the search to the list.
     void goToFirstFound();
     void documentChanged(const Change &change);
@@ -69,6 +71,7 @@ private:
     StrokesFilter *m_filter = nullptr;
     StrokesView *m_view = nullptr;
     QLineEdit *m_search = nullptr;
+    QLabel *m_notFound = nullptr;   ///< only there while it says so
     std::set<GroupId> m_openGroups; ///< before the search
     bool m_syncing = false;
     bool m_stale = true;
