@@ -2439,6 +2439,10 @@ Rückgabewerte: 0 erledigt, 1 fehlgeschlagen, 2 falscher Aufruf.</translation>
         <source>Drag to paint, tap for a dot. Shift+drag: size and opacity. Ctrl+click: take the picture&apos;s colour, with Shift the stroke&apos;s own.</source>
         <translation>Ziehen malt, Tippen: Punkt. Umschalt+Ziehen: Größe, Deckkraft. Strg+Klick: Farbe des Bildes, mit Umschalt die des Strichs.</translation>
     </message>
+    <message>
+        <source>This stroke lies beyond the canvas: View ▸ Show Paint beyond the Canvas shows it.</source>
+        <translation>Dieser Strich liegt neben der Leinwand: Ansicht ▸ Farbe neben der Leinwand zeigen.</translation>
+    </message>
 </context>
 <context>
     <name>suffuse::BrushToolOptions</name>
@@ -6638,6 +6642,10 @@ Auch die Pfeiltasten wirken.</translation>
     <message>
         <source>&amp;Name</source>
         <translation>&amp;Name</translation>
+    </message>
+    <message>
+        <source>No stroke is called “%1”.</source>
+        <translation>Kein Strich heißt „%1“.</translation>
     </message>
 </context>
 <context>

@@ -2431,6 +2431,10 @@ Exit codes: 0 done, 1 the work failed, 2 wrong usage.</source>
         <source>Drag to paint, tap for a dot. Shift+drag: size and opacity. Ctrl+click: take the picture&apos;s colour, with Shift the stroke&apos;s own.</source>
         <translation>拖动绘制，轻点成点。Shift+拖动：大小和不透明度。Ctrl+点击：拾取画面颜色，再加 Shift：笔画本身的颜色。</translation>
     </message>
+    <message>
+        <source>This stroke lies beyond the canvas: View ▸ Show Paint beyond the Canvas shows it.</source>
+        <translation>此笔画位于画布之外：视图 ▸ 显示画布外的颜料。</translation>
+    </message>
 </context>
 <context>
     <name>suffuse::BrushToolOptions</name>
@@ -6603,6 +6607,10 @@ Arrow keys work too.</source>
     <message>
         <source>&amp;Name</source>
         <translation>名称(&amp;N)</translation>
+    </message>
+    <message>
+        <source>No stroke is called “%1”.</source>
+        <translation>没有名为“%1”的笔画。</translation>
     </message>
 </context>
 <context>
