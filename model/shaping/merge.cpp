@@ -1,6 +1,7 @@
 #include "model/shaping/merge.h"
 
 #include "model/brush/stroke_fit.h"
+#include "model/shaping/curve_fit.h"
 #include "model/shaping/split.h"
 
 namespace suffuse {
@@ -45,79 +46,10 @@ double splitBetween(const Cubic &a, const Cubic &b)
     return best;
 }
 
-/// Points on the curves, with their arc length from the start as a share of the whole: for a fit.
-class Samples {
-public:
-    explicit Samples(const std::vector<Cubic> &curves)
-    {
-        constexpr int each = 16;
-        for (const Cubic &curve : curves)
-            for (int i = 0; i < each; ++i)
-                append(curve.at((i + 0.5) / each));
-        m_total = m_lengths.back() + length(curves.back().p[3] - m_points.back());
-        const double start = length(m_points.front() - curves.front().p[0]);
-        m_total += start;
-        for (double &l : m_lengths)
-            l = (l + start) / m_total;
-    }
-
-    double total() const { return m_total; }
-
-    /// Handles along the directions that come nearest to the points in the sense of least squares (Schneider's way).
-    Cubic fitted(Point from, Point direction, Point to, Point arrival) const
-    {
-        double aa = 0, ab = 0, bb = 0, ax = 0, bx = 0;
-        for (std::size_t i = 0; i < m_points.size(); ++i) {
-            const double t = m_lengths[i], u = 1 - t;
-            const Point a = (3 * u * u * t) * direction, b = (-3 * u * t * t) * arrival;
-            const Point rest = m_points[i] - (u * u * (1 + 2 * t)) * from - (t * t * (1 + 2 * u)) * to;
-            aa += dot(a, a), ab += dot(a, b), bb += dot(b, b), ax += dot(a, rest), bx += dot(b, rest);
-        }
-        const double determinant = aa * bb - ab * ab;
-        double start = (ax * bb - bx * ab) / determinant, end = (aa * bx - ab * ax) / determinant;
-        const auto isSound = [this](double l) { return l > 1e-3 * m_total && l < 3 * m_total; };
-        if (!isSound(start) || !isSound(end))
-            start = end = m_total / 3;
-        return {{from, from + start * direction, to - end * arrival, to}};
-    }
-
-    /// Puts the points' parameters where the curve is nearest (one step of Newton's).
-    void reparametrise(const Cubic &curve)
-    {
-        for (std::size_t i = 0; i < m_points.size(); ++i) {
-            const double t = m_lengths[i];
-            const Point d = curve.at(t) - m_points[i], first = curve.derivative(t);
-            const Point second = (6 * (1 - t)) * (curve.p[2] - 2.0 * curve.p[1] + curve.p[0]) +
-                                 (6 * t) * (curve.p[3] - 2.0 * curve.p[2] + curve.p[1]);
-            const double slope = dot(first, first) + dot(d, second);
-            if (slope > 0)
-                m_lengths[i] = std::clamp(t - dot(d, first) / slope, 0.0, 1.0);
-        }
-    }
-
-private:
-    void append(Point p)
-    {
-        m_lengths.push_back(m_points.empty() ? 0 : m_lengths.back() + length(p - m_points.back()));
-        m_points.push_back(p);
-    }
-
-    std::vector<Point> m_points;
-    std::vector<double> m_lengths;
-    double m_total = 0;
-};
-
 Cubic fitted(const std::vector<Cubic> &curves)
 {
-    const Point from = curves.front().p[0], to = curves.back().p[3];
-    const Point direction = startDirection(curves.front()), arrival = endDirection(curves.back());
-    Samples samples(curves);
-    Cubic result = samples.fitted(from, direction, to, arrival);
-    for (int round = 0; round < 8; ++round) {
-        samples.reparametrise(result);
-        result = samples.fitted(from, direction, to, arrival);
-    }
-    return result;
+    CurveFit fit(curves);
+    return fittedCubic(fit, startDirection(curves.front()), endDirection(curves.back()));
 }
 
 /// The cubic of which the curves are parts, one after the other; none if they are not, as far as float32 can tell.

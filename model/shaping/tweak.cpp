@@ -1,0 +1,278 @@
+#include "model/shaping/tweak.h"
+
+#include "model/painting/validate.h"
+#include "model/shaping/runs.h"
+#include "model/shaping/split.h"
+
+#include <cstdint>
+
+namespace suffuse {
+
+namespace {
+
+constexpr double longestPart = 0.4;   ///< of the radius: a segment that follows a push
+constexpr double longestRough = 0.15; ///< the same, that can be roughened
+constexpr double roughCell = 0.3;     ///< of the radius: how far the noise goes one way
+constexpr double slopeStep = 1e-3;    ///< of the radius: for the slope of a field
+
+double squaredDistance(const Rect &box, Point p)
+{
+    const double x = std::max({box.left - p.x, p.x - box.right, 0.0});
+    const double y = std::max({box.top - p.y, p.y - box.bottom, 0.0});
+    return x * x + y * y;
+}
+
+/// A number in [−1, 1] for a cell of the plane.
+double noiseOf(std::int64_t x, std::int64_t y, std::uint64_t seed)
+{
+    std::uint64_t h = std::uint64_t(x) * 0x9e3779b97f4a7c15u ^ std::uint64_t(y) * 0xc2b2ae3d27d4eb4fu ^ seed;
+    for (int round = 0; round < 2; ++round) { // splitmix64's finish
+        h = (h ^ (h >> 30)) * 0xbf58476d1ce4e5b9u;
+        h = (h ^ (h >> 27)) * 0x94d049bb133111ebu;
+        h ^= h >> 31;
+    }
+    return double(h >> 11) * 0x1p-52 - 1;
+}
+
+/// How the plane moves under the brush. Places are relative to its middle.
+class TouchField {
+public:
+    explicit TouchField(const Tweak &tweak) : m_tweak(tweak) {}
+
+    double weight(Point p) const
+    {
+        const double rest = 1 - dot(p, p) / (m_tweak.radius * m_tweak.radius);
+        return rest > 0 ? rest * rest : 0;
+    }
+
+    Point move(Point p) const
+    {
+        const double w = weight(p);
+        if (w == 0)
+            return {};
+        switch (m_tweak.kind) {
+        case TweakKind::Push:
+            return w * m_tweak.by;
+        case TweakKind::Pinch:
+            return (-m_tweak.share * w) * p;
+        case TweakKind::Roughen:
+            return (w * m_tweak.share * m_tweak.radius) * noise(p + m_tweak.centre);
+        case TweakKind::Comb:
+            break;
+        }
+        return {};
+    }
+
+    /// What becomes of a vector that begins at p, as far as the field is linear there; opposite vectors stay opposite.
+    Point turned(Point p, Point vector) const
+    {
+        const double l = length(vector);
+        if (l == 0)
+            return vector;
+        const double h = slopeStep * m_tweak.radius;
+        const Point step = (h / l) * vector;
+        return vector + (l / (2 * h)) * (move(p + step) - move(p - step));
+    }
+
+private:
+    Point noise(Point p) const
+    {
+        const double cell = roughCell * m_tweak.radius;
+        const double x = std::floor(p.x / cell), y = std::floor(p.y / cell);
+        const double u = smoothStep(p.x / cell - x), v = smoothStep(p.y / cell - y);
+        const auto at = [&](int i, int j) {
+            const auto column = std::int64_t(x) + i, row = std::int64_t(y) + j;
+            const std::uint64_t seed = std::uint64_t(m_tweak.seed) << 1;
+            return Point{noiseOf(column, row, seed), noiseOf(column, row, seed | 1)};
+        };
+        return (1 - v) * ((1 - u) * at(0, 0) + u * at(1, 0)) + v * ((1 - u) * at(0, 1) + u * at(1, 1));
+    }
+
+    const Tweak &m_tweak;
+};
+
+/// Halves what lies under the circle until it is short enough.
+void addCuts(const Cubic &curve, double from, double to, Point centre, double radius, double longest,
+             std::vector<double> &cuts)
+{
+    const Cubic part = partOf(curve, from, to);
+    const bool isFar = squaredDistance(part.controlBox(), centre) >= radius * radius;
+    if (isFar || polygonLength(part) <= longest || to - from < 1e-4)
+        return;
+    const double middle = 0.5 * (from + to);
+    addCuts(curve, from, middle, centre, radius, longest, cuts);
+    cuts.push_back(middle);
+    addCuts(curve, middle, to, centre, radius, longest, cuts);
+}
+
+/// Turns a run of curves, which become a chain again: its ends stay where they lie outside of the circle.
+class Combing {
+public:
+    Combing(RunPath &path, const Tweak &tweak, Point centre) : m_path(path), m_tweak(tweak), m_field(tweak)
+    {
+        for (std::size_t node = 0; node <= path.curves.size(); ++node) {
+            const Point place = placeOf(node) - centre;
+            m_weights.push_back(m_field.weight(place));
+            m_turns.push_back(m_tweak.share * m_weights.back() * angleAt(node));
+        }
+    }
+
+    void run()
+    {
+        std::vector<Point> moves = movesOfNodes();
+        std::vector<double> shares = sharesOfWay();
+        const bool startIsFree = !m_path.joinsBefore && m_weights.front() > 0;
+        const bool endIsFree = !m_path.joinsAfter && m_weights.back() > 0;
+        const Point gap = moves.back();
+        double weights = 0;
+        Point mean;
+        for (std::size_t k = 0; k < moves.size(); ++k) {
+            mean = mean + m_weights[k] * moves[k];
+            weights += m_weights[k];
+        }
+        const bool closes = !startIsFree && !endIsFree;
+        const Point shift = startIsFree && endIsFree ? (1 / weights) * mean : startIsFree ? gap : Point();
+        for (std::size_t k = 0; k < moves.size(); ++k)
+            moves[k] = moves[k] - shift - (closes ? shares[k] : 0.0) * gap;
+        const double total = m_weighedWay;
+        for (std::size_t k = 0; k < m_path.curves.size(); ++k) {
+            Cubic &c = m_path.curves[k];
+            const auto handle = [&](Point vector, std::size_t node, double sense) {
+                const Point closing = closes && total > 0 ? (m_weights[node] / total) * gap : Point();
+                return rotated(vector, m_turns[node]) - (sense * length(vector)) * closing;
+            };
+            const Point leaving = handle(c.p[1] - c.p[0], k, 1), arriving = handle(c.p[2] - c.p[3], k + 1, -1);
+            c.p[0] = c.p[0] + moves[k];
+            c.p[3] = c.p[3] + moves[k + 1];
+            c.p[1] = c.p[0] + leaving;
+            c.p[2] = c.p[3] + arriving;
+        }
+    }
+
+private:
+    static Point rotated(Point v, double angle)
+    {
+        const double c = std::cos(angle), s = std::sin(angle);
+        return {c * v.x - s * v.y, s * v.x + c * v.y};
+    }
+    Point placeOf(std::size_t node) const
+    {
+        return node < m_path.curves.size() ? m_path.curves[node].p[0] : m_path.curves.back().p[3];
+    }
+    /// From the curve's direction to that of the brush or against it, whichever is nearer.
+    double angleAt(std::size_t node) const
+    {
+        const Point in = node > 0 ? endDirection(m_path.curves[node - 1]) : Point();
+        const Point out = node < m_path.curves.size() ? startDirection(m_path.curves[node]) : Point();
+        const Point t = in + out;
+        const double sense = dot(t, m_tweak.by) < 0 ? -1 : 1;
+        return std::atan2(sense * cross(t, m_tweak.by), sense * dot(t, m_tweak.by));
+    }
+    std::vector<Point> movesOfNodes() const
+    {
+        std::vector<Point> moves{Point()};
+        for (std::size_t k = 0; k < m_path.curves.size(); ++k) {
+            const Point chord = m_path.curves[k].p[3] - m_path.curves[k].p[0];
+            moves.push_back(moves.back() + rotated(chord, 0.5 * (m_turns[k] + m_turns[k + 1])) - chord);
+        }
+        return moves;
+    }
+    /// The share of the weighed way at each node, and the whole of it.
+    std::vector<double> sharesOfWay()
+    {
+        std::vector<double> shares{0};
+        for (std::size_t k = 0; k < m_path.curves.size(); ++k)
+            shares.push_back(shares.back() +
+                             0.5 * (m_weights[k] + m_weights[k + 1]) * (m_path.lengths[k + 1] - m_path.lengths[k]));
+        m_weighedWay = shares.back();
+        for (double &share : shares)
+            share = m_weighedWay > 0 ? share / m_weighedWay : 0;
+        return shares;
+    }
+
+    RunPath &m_path;
+    const Tweak &m_tweak;
+    TouchField m_field;
+    std::vector<double> m_weights, m_turns;
+    double m_weighedWay = 0;
+};
+
+void moveByField(Stroke &stroke, const Tweak &tweak, const std::vector<bool> &near)
+{
+    const TouchField field(tweak);
+    const Point toMiddle = stroke.origin - tweak.centre;
+    for (std::size_t k = 0; k < stroke.segments.size(); ++k) {
+        if (!near[k])
+            continue;
+        const Cubic c = offsetsOf(stroke.segments[k]);
+        Cubic moved = c;
+        for (const std::size_t end : {std::size_t(0), std::size_t(3)}) {
+            const std::size_t handle = end == 0 ? 1 : 2;
+            const Point place = c.p[end] + toMiddle;
+            moved.p[end] = c.p[end] + field.move(place);
+            moved.p[handle] = moved.p[end] + field.turned(place, c.p[handle] - c.p[end]);
+        }
+        stroke.segments[k].bezier = toOffsets(moved);
+    }
+}
+
+} // namespace
+
+std::optional<Stroke> tweaked(const Stroke &stroke, const Tweak &tweak, std::vector<int> *sources)
+{
+    const Point centre = tweak.centre - stroke.origin;
+    const double longest = (tweak.kind == TweakKind::Roughen ? longestRough : longestPart) * tweak.radius;
+    std::vector<std::vector<double>> cuts(stroke.segments.size());
+    bool touches = false, splits = false;
+    for (std::size_t k = 0; k < stroke.segments.size(); ++k) {
+        const Cubic curve = offsetsOf(stroke.segments[k]);
+        if (squaredDistance(curve.controlBox(), centre) >= tweak.radius * tweak.radius)
+            continue;
+        touches = true;
+        addCuts(curve, 0, 1, centre, tweak.radius, longest, cuts[k]);
+        cuts[k] = distinct(std::move(cuts[k]), curve);
+        splits = splits || !cuts[k].empty();
+    }
+    if (!touches)
+        return std::nullopt;
+    Stroke result = stroke;
+    std::vector<int> from;
+    if (splits) {
+        result.segments.clear();
+        for (Piece &piece : piecesOf(stroke, cuts)) {
+            result.segments.push_back(std::move(piece.segment));
+            from.push_back(piece.source);
+        }
+    }
+    std::vector<bool> near(result.segments.size());
+    for (std::size_t k = 0; k < near.size(); ++k)
+        near[k] = squaredDistance(offsetsOf(result.segments[k]).controlBox(), centre) < tweak.radius * tweak.radius;
+    if (tweak.kind == TweakKind::Comb) {
+        for (const Chain &run : runsOf(result, near)) {
+            RunPath path(result, run);
+            const Segment first = result.segments[std::size_t(run.first)],
+                          last = result.segments[std::size_t(run.last)];
+            Combing(path, tweak, centre).run();
+            writeCurves(result, run.first, path.curves);
+            if (path.joinsBefore)
+                result.segments[std::size_t(run.first)].bezier[0] = first.bezier[0];
+            if (path.joinsAfter)
+                result.segments[std::size_t(run.last)].bezier[3] = last.bezier[3];
+        }
+    } else {
+        moveByField(result, tweak, near);
+    }
+    for (std::size_t k = 0; k < near.size(); ++k)
+        if (near[k] && isPoint(result.segments[k]) && !isPoint(stroke.segments[splits ? std::size_t(from[k]) : k]))
+            return std::nullopt;
+    if (!problemOf(result).isEmpty() || result == stroke)
+        return std::nullopt;
+    if (sources) {
+        *sources = std::move(from);
+        for (int k = int(sources->size()); !splits && k < int(result.segments.size()); ++k)
+            sources->push_back(k);
+    }
+    return result;
+}
+
+} // namespace suffuse
