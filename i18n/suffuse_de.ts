@@ -1082,6 +1082,34 @@ Rückgabewerte: 0 erledigt, 1 fehlgeschlagen, 2 falscher Aufruf.</translation>
         <source>Rename group</source>
         <translation>Gruppe umbenennen</translation>
     </message>
+    <message>
+        <source>Simplify</source>
+        <translation>Vereinfachen</translation>
+    </message>
+    <message>
+        <source>Smooth strokes</source>
+        <translation>Striche glätten</translation>
+    </message>
+    <message>
+        <source>Straighten</source>
+        <translation>Begradigen</translation>
+    </message>
+    <message>
+        <source>Grow or shrink paint</source>
+        <translation>Farbe verbreitern oder verschmälern</translation>
+    </message>
+    <message>
+        <source>Offset</source>
+        <translation>Versetzen</translation>
+    </message>
+    <message>
+        <source>What is selected is locked or hidden.</source>
+        <translation>Das Ausgewählte ist gesperrt oder ausgeblendet.</translation>
+    </message>
+    <message>
+        <source>Nothing changes.</source>
+        <translation>Nichts ändert sich.</translation>
+    </message>
 </context>
 <context>
     <name>Export</name>
@@ -3832,6 +3860,98 @@ Auch die Pfeiltasten wirken.</translation>
         <source>Seconds that the paint spreads on</source>
         <translation>Sekunden, die die Farbe weiter verläuft</translation>
     </message>
+    <message>
+        <source>Ctrl+Shift+L</source>
+        <translation>Ctrl+Shift+L</translation>
+    </message>
+    <message>
+        <source>Smooth the curves of the selected strokes; each time more</source>
+        <translation>Glättet die Kurven der gewählten Striche, jedes Mal mehr</translation>
+    </message>
+    <message>
+        <source>S&amp;traighten</source>
+        <translation>&amp;Begradigen</translation>
+    </message>
+    <message>
+        <source>Ctrl+Alt+L</source>
+        <translation>Ctrl+Alt+L</translation>
+    </message>
+    <message>
+        <source>Move the selected strokes towards straight lines; each time more</source>
+        <translation>Zieht die gewählten Striche zur Geraden hin, jedes Mal mehr</translation>
+    </message>
+    <message>
+        <source>&amp;Grow Paint</source>
+        <translation>Farbe &amp;verbreitern</translation>
+    </message>
+    <message>
+        <source>Ctrl+)</source>
+        <translation>Ctrl+)</translation>
+    </message>
+    <message>
+        <source>Make the paint of the selected strokes wider</source>
+        <translation>Macht die Farbe der gewählten Striche breiter</translation>
+    </message>
+    <message>
+        <source>S&amp;hrink Paint</source>
+        <translation>Farbe ver&amp;schmälern</translation>
+    </message>
+    <message>
+        <source>Ctrl+(</source>
+        <translation>Ctrl+(</translation>
+    </message>
+    <message>
+        <source>Make the paint of the selected strokes narrower</source>
+        <translation>Macht die Farbe der gewählten Striche schmaler</translation>
+    </message>
+    <message>
+        <source>What is selected is locked or hidden.</source>
+        <translation>Das Ausgewählte ist gesperrt oder ausgeblendet.</translation>
+    </message>
+    <message>
+        <source>Simp&amp;lify…</source>
+        <translation>Verein&amp;fachen…</translation>
+    </message>
+    <message>
+        <source>Ctrl+L</source>
+        <translation>Ctrl+L</translation>
+    </message>
+    <message>
+        <source>Make fewer segments of the selected strokes</source>
+        <translation>Macht weniger Segmente aus den gewählten Strichen</translation>
+    </message>
+    <message>
+        <source>&amp;Offset and More…</source>
+        <translation>Verset&amp;zen und mehr…</translation>
+    </message>
+    <message>
+        <source>Ctrl+Alt+O</source>
+        <translation>Ctrl+Alt+O</translation>
+    </message>
+    <message>
+        <source>Offset, smooth, straighten, grow or shrink the selected strokes by numbers</source>
+        <translation>Versetzt, glättet, begradigt, verbreitert oder verschmälert die gewählten Striche nach Zahlen</translation>
+    </message>
+    <message>
+        <source>Resha&amp;pe</source>
+        <translation>Um&amp;formen</translation>
+    </message>
+    <message>
+        <source>Redra&amp;w</source>
+        <translation>Neu &amp;zeichnen</translation>
+    </message>
+    <message>
+        <source>Draw over a part of a stroke, which follows the new line</source>
+        <translation>Zeichnet über einen Teil eines Strichs, der der neuen Linie folgt</translation>
+    </message>
+    <message>
+        <source>&amp;Push</source>
+        <translation>&amp;Schieben</translation>
+    </message>
+    <message>
+        <source>Push, comb, pinch or roughen strokes</source>
+        <translation>Schiebt, kämmt, rafft oder raut Striche auf</translation>
+    </message>
 </context>
 <context>
     <name>suffuse::CompareButton</name>
@@ -5766,6 +5886,85 @@ Auch die Pfeiltasten wirken.</translation>
     </message>
 </context>
 <context>
+    <name>suffuse::PushTool</name>
+    <message>
+        <source>Drag to push strokes along. [ and ] change the size.</source>
+        <translation>Ziehen schiebt Striche mit. [ und ] ändern die Größe.</translation>
+    </message>
+    <message>
+        <source>Drag to push the selected strokes along. [ and ] change the size.</source>
+        <translation>Ziehen schiebt die gewählten Striche mit. [ und ] ändern die Größe.</translation>
+    </message>
+    <message>
+        <source>Drag to turn strokes into the direction of the drag.</source>
+        <translation>Ziehen richtet Striche in Zugrichtung aus.</translation>
+    </message>
+    <message>
+        <source>Drag to turn the selected strokes into the direction of the drag.</source>
+        <translation>Ziehen richtet die gewählten Striche in Zugrichtung aus.</translation>
+    </message>
+    <message>
+        <source>Hold to pull strokes together. Shift: apart.</source>
+        <translation>Halten rafft Striche zusammen. Umschalt: auseinander.</translation>
+    </message>
+    <message>
+        <source>Hold to pull the selected strokes together. Shift: apart.</source>
+        <translation>Halten rafft die gewählten Striche zusammen. Umschalt: auseinander.</translation>
+    </message>
+    <message>
+        <source>Drag to roughen strokes.</source>
+        <translation>Ziehen raut Striche auf.</translation>
+    </message>
+    <message>
+        <source>Drag to roughen the selected strokes.</source>
+        <translation>Ziehen raut die gewählten Striche auf.</translation>
+    </message>
+    <message>
+        <source>Push</source>
+        <translation>Schieben</translation>
+    </message>
+    <message>
+        <source>Comb</source>
+        <translation>Kämmen</translation>
+    </message>
+    <message>
+        <source>Pinch</source>
+        <translation>Raffen</translation>
+    </message>
+    <message>
+        <source>Roughen</source>
+        <translation>Aufrauen</translation>
+    </message>
+    <message>
+        <source>What the circle does to strokes</source>
+        <translation>Was der Kreis mit Strichen tut</translation>
+    </message>
+    <message>
+        <source>Strength</source>
+        <translation>Stärke</translation>
+    </message>
+    <message>
+        <source>How much of it one touch does; a pen&apos;s pressure takes from it</source>
+        <translation>Wie viel eine Berührung bewirkt; der Druck des Stifts mindert es</translation>
+    </message>
+    <message>
+        <source>Push strokes</source>
+        <translation>Striche schieben</translation>
+    </message>
+    <message>
+        <source>Comb strokes</source>
+        <translation>Striche kämmen</translation>
+    </message>
+    <message>
+        <source>Pinch strokes</source>
+        <translation>Striche raffen</translation>
+    </message>
+    <message>
+        <source>Roughen strokes</source>
+        <translation>Striche aufrauen</translation>
+    </message>
+</context>
+<context>
     <name>suffuse::RecoveryDialog</name>
     <message>
         <source>Recover Paintings</source>
@@ -5841,6 +6040,130 @@ Auch die Pfeiltasten wirken.</translation>
     <message>
         <source>&amp;Discard</source>
         <translation>&amp;Verwerfen</translation>
+    </message>
+</context>
+<context>
+    <name>suffuse::RedrawTool</name>
+    <message>
+        <source>Draw from a stroke and back to it: the part between follows the line.</source>
+        <translation>Von einem Strich weg und zurück zeichnen: Der Teil dazwischen folgt der Linie.</translation>
+    </message>
+    <message>
+        <source>Draw from a selected stroke and back to it: the part between follows.</source>
+        <translation>Von einem gewählten Strich weg und zurück zeichnen: Der Teil dazwischen folgt.</translation>
+    </message>
+    <message>
+        <source>Values</source>
+        <translation>Werte</translation>
+    </message>
+    <message>
+        <source>As they were</source>
+        <translation>Wie sie waren</translation>
+    </message>
+    <message>
+        <source>Of the brush in hand</source>
+        <translation>Des Pinsels in der Hand</translation>
+    </message>
+    <message>
+        <source>What the new part is painted with, and when</source>
+        <translation>Womit und wann der neue Teil gemalt ist</translation>
+    </message>
+    <message>
+        <source>Redraw</source>
+        <translation>Neu zeichnen</translation>
+    </message>
+    <message>
+        <source>The line begins and ends at no stroke that can be changed.</source>
+        <translation>Die Linie beginnt und endet an keinem Strich, der geändert werden kann.</translation>
+    </message>
+    <message>
+        <source>The line begins and ends at no selected stroke that can be changed.</source>
+        <translation>Die Linie beginnt und endet an keinem gewählten Strich, der geändert werden kann.</translation>
+    </message>
+</context>
+<context>
+    <name>suffuse::ReshapeDialog</name>
+    <message>
+        <source>Reshape</source>
+        <translation>Umformen</translation>
+    </message>
+    <message>
+        <source>Simplify</source>
+        <translation>Vereinfachen</translation>
+    </message>
+    <message>
+        <source>Smooth</source>
+        <translation>Glätten</translation>
+    </message>
+    <message>
+        <source>Straighten</source>
+        <translation>Begradigen</translation>
+    </message>
+    <message>
+        <source>Grow or shrink</source>
+        <translation>Verbreitern oder verschmälern</translation>
+    </message>
+    <message>
+        <source>Offset</source>
+        <translation>Versetzen</translation>
+    </message>
+    <message>
+        <source>Change</source>
+        <translation>Änderung</translation>
+    </message>
+    <message>
+        <source>Distance</source>
+        <translation>Abstand</translation>
+    </message>
+    <message>
+        <source>How far curves may move, in canvas units</source>
+        <translation>Wie weit Kurven wandern dürfen, in Leinwandeinheiten</translation>
+    </message>
+    <message>
+        <source>Values</source>
+        <translation>Werte</translation>
+    </message>
+    <message>
+        <source>How far spreads, densities, colours and times may differ that become one</source>
+        <translation>Wie weit Ausbreitung, Dichte, Farbe und Zeit dessen abweichen dürfen, was eins wird</translation>
+    </message>
+    <message>
+        <source>Length</source>
+        <translation>Länge</translation>
+    </message>
+    <message>
+        <source>Wiggles of this length and shorter ones go, in canvas units</source>
+        <translation>Wellen dieser Länge und kürzere verschwinden, in Leinwandeinheiten</translation>
+    </message>
+    <message>
+        <source>Amount</source>
+        <translation>Anteil</translation>
+    </message>
+    <message>
+        <source>0 %: as it is; 100 %: a straight line</source>
+        <translation>0 %: wie es ist; 100 %: eine gerade Linie</translation>
+    </message>
+    <message>
+        <source>Width</source>
+        <translation>Breite</translation>
+    </message>
+    <message>
+        <source>Of the paint; below 100 % it shrinks</source>
+        <translation>Der Farbe; unter 100 % wird sie schmaler</translation>
+    </message>
+    <message>
+        <source>To the right of the stroke&apos;s direction, in canvas units; below 0 to the left</source>
+        <translation>Nach rechts von der Richtung des Strichs, in Leinwandeinheiten; unter 0 nach links</translation>
+    </message>
+    <message>
+        <source>%1 → %2 segments</source>
+        <extracomment>%1, %2: numbers of segments before and after</extracomment>
+        <translation>%1 → %2 Segmente</translation>
+    </message>
+    <message>
+        <source>%1, picture differs by %2</source>
+        <extracomment>%1: &quot;12 → 3 segments&quot;; %2: &quot;0.4 %&quot;, the mean difference of the pictures</extracomment>
+        <translation>%1, Bild weicht um %2 ab</translation>
     </message>
 </context>
 <context>

@@ -1075,6 +1075,34 @@ Exit codes: 0 done, 1 the work failed, 2 wrong usage.</source>
         <source>Rename group</source>
         <translation>重命名组</translation>
     </message>
+    <message>
+        <source>Simplify</source>
+        <translation>简化</translation>
+    </message>
+    <message>
+        <source>Smooth strokes</source>
+        <translation>平滑笔画</translation>
+    </message>
+    <message>
+        <source>Straighten</source>
+        <translation>拉直</translation>
+    </message>
+    <message>
+        <source>Grow or shrink paint</source>
+        <translation>增减颜料宽度</translation>
+    </message>
+    <message>
+        <source>Offset</source>
+        <translation>偏移</translation>
+    </message>
+    <message>
+        <source>What is selected is locked or hidden.</source>
+        <translation>所选内容已锁定或隐藏。</translation>
+    </message>
+    <message>
+        <source>Nothing changes.</source>
+        <translation>没有变化。</translation>
+    </message>
 </context>
 <context>
     <name>Export</name>
@@ -3823,6 +3851,98 @@ Arrow keys work too.</source>
         <source>Seconds that the paint spreads on</source>
         <translation>颜料继续扩散的秒数</translation>
     </message>
+    <message>
+        <source>Ctrl+Shift+L</source>
+        <translation>Ctrl+Shift+L</translation>
+    </message>
+    <message>
+        <source>Smooth the curves of the selected strokes; each time more</source>
+        <translation>平滑所选笔画的曲线；每次更平滑</translation>
+    </message>
+    <message>
+        <source>S&amp;traighten</source>
+        <translation>拉直(&amp;T)</translation>
+    </message>
+    <message>
+        <source>Ctrl+Alt+L</source>
+        <translation>Ctrl+Alt+L</translation>
+    </message>
+    <message>
+        <source>Move the selected strokes towards straight lines; each time more</source>
+        <translation>使所选笔画趋向直线；每次更直</translation>
+    </message>
+    <message>
+        <source>&amp;Grow Paint</source>
+        <translation>加宽颜料(&amp;G)</translation>
+    </message>
+    <message>
+        <source>Ctrl+)</source>
+        <translation>Ctrl+)</translation>
+    </message>
+    <message>
+        <source>Make the paint of the selected strokes wider</source>
+        <translation>使所选笔画的颜料更宽</translation>
+    </message>
+    <message>
+        <source>S&amp;hrink Paint</source>
+        <translation>缩窄颜料(&amp;H)</translation>
+    </message>
+    <message>
+        <source>Ctrl+(</source>
+        <translation>Ctrl+(</translation>
+    </message>
+    <message>
+        <source>Make the paint of the selected strokes narrower</source>
+        <translation>使所选笔画的颜料更窄</translation>
+    </message>
+    <message>
+        <source>What is selected is locked or hidden.</source>
+        <translation>所选内容已锁定或隐藏。</translation>
+    </message>
+    <message>
+        <source>Simp&amp;lify…</source>
+        <translation>简化(&amp;L)…</translation>
+    </message>
+    <message>
+        <source>Ctrl+L</source>
+        <translation>Ctrl+L</translation>
+    </message>
+    <message>
+        <source>Make fewer segments of the selected strokes</source>
+        <translation>减少所选笔画的线段数</translation>
+    </message>
+    <message>
+        <source>&amp;Offset and More…</source>
+        <translation>偏移及更多(&amp;O)…</translation>
+    </message>
+    <message>
+        <source>Ctrl+Alt+O</source>
+        <translation>Ctrl+Alt+O</translation>
+    </message>
+    <message>
+        <source>Offset, smooth, straighten, grow or shrink the selected strokes by numbers</source>
+        <translation>按数值偏移、平滑、拉直、加宽或缩窄所选笔画</translation>
+    </message>
+    <message>
+        <source>Resha&amp;pe</source>
+        <translation>整形(&amp;P)</translation>
+    </message>
+    <message>
+        <source>Redra&amp;w</source>
+        <translation>重绘(&amp;W)</translation>
+    </message>
+    <message>
+        <source>Draw over a part of a stroke, which follows the new line</source>
+        <translation>在笔画的一段上绘制，该段将跟随新线条</translation>
+    </message>
+    <message>
+        <source>&amp;Push</source>
+        <translation>推移(&amp;P)</translation>
+    </message>
+    <message>
+        <source>Push, comb, pinch or roughen strokes</source>
+        <translation>推移、梳理、收拢或粗糙化笔画</translation>
+    </message>
 </context>
 <context>
     <name>suffuse::CompareButton</name>
@@ -5733,6 +5853,85 @@ Arrow keys work too.</source>
     </message>
 </context>
 <context>
+    <name>suffuse::PushTool</name>
+    <message>
+        <source>Drag to push strokes along. [ and ] change the size.</source>
+        <translation>拖动以推移笔画。[ 和 ] 改变大小。</translation>
+    </message>
+    <message>
+        <source>Drag to push the selected strokes along. [ and ] change the size.</source>
+        <translation>拖动以推移所选笔画。[ 和 ] 改变大小。</translation>
+    </message>
+    <message>
+        <source>Drag to turn strokes into the direction of the drag.</source>
+        <translation>拖动使笔画转向拖动方向。</translation>
+    </message>
+    <message>
+        <source>Drag to turn the selected strokes into the direction of the drag.</source>
+        <translation>拖动使所选笔画转向拖动方向。</translation>
+    </message>
+    <message>
+        <source>Hold to pull strokes together. Shift: apart.</source>
+        <translation>按住使笔画收拢。Shift：散开。</translation>
+    </message>
+    <message>
+        <source>Hold to pull the selected strokes together. Shift: apart.</source>
+        <translation>按住使所选笔画收拢。Shift：散开。</translation>
+    </message>
+    <message>
+        <source>Drag to roughen strokes.</source>
+        <translation>拖动使笔画粗糙。</translation>
+    </message>
+    <message>
+        <source>Drag to roughen the selected strokes.</source>
+        <translation>拖动使所选笔画粗糙。</translation>
+    </message>
+    <message>
+        <source>Push</source>
+        <translation>推移</translation>
+    </message>
+    <message>
+        <source>Comb</source>
+        <translation>梳理</translation>
+    </message>
+    <message>
+        <source>Pinch</source>
+        <translation>收拢</translation>
+    </message>
+    <message>
+        <source>Roughen</source>
+        <translation>粗糙化</translation>
+    </message>
+    <message>
+        <source>What the circle does to strokes</source>
+        <translation>圆圈对笔画的作用</translation>
+    </message>
+    <message>
+        <source>Strength</source>
+        <translation>强度</translation>
+    </message>
+    <message>
+        <source>How much of it one touch does; a pen&apos;s pressure takes from it</source>
+        <translation>每次触碰的作用量；笔的压力会减弱它</translation>
+    </message>
+    <message>
+        <source>Push strokes</source>
+        <translation>推移笔画</translation>
+    </message>
+    <message>
+        <source>Comb strokes</source>
+        <translation>梳理笔画</translation>
+    </message>
+    <message>
+        <source>Pinch strokes</source>
+        <translation>收拢笔画</translation>
+    </message>
+    <message>
+        <source>Roughen strokes</source>
+        <translation>粗糙化笔画</translation>
+    </message>
+</context>
+<context>
     <name>suffuse::RecoveryDialog</name>
     <message>
         <source>Recover Paintings</source>
@@ -5807,6 +6006,130 @@ Arrow keys work too.</source>
     <message>
         <source>&amp;Discard</source>
         <translation>丢弃(&amp;D)</translation>
+    </message>
+</context>
+<context>
+    <name>suffuse::RedrawTool</name>
+    <message>
+        <source>Draw from a stroke and back to it: the part between follows the line.</source>
+        <translation>从笔画画出再画回：中间的部分跟随线条。</translation>
+    </message>
+    <message>
+        <source>Draw from a selected stroke and back to it: the part between follows.</source>
+        <translation>从所选笔画画出再画回：中间的部分随之改变。</translation>
+    </message>
+    <message>
+        <source>Values</source>
+        <translation>数值</translation>
+    </message>
+    <message>
+        <source>As they were</source>
+        <translation>保持原样</translation>
+    </message>
+    <message>
+        <source>Of the brush in hand</source>
+        <translation>当前画笔的</translation>
+    </message>
+    <message>
+        <source>What the new part is painted with, and when</source>
+        <translation>新的部分用什么、在何时绘制</translation>
+    </message>
+    <message>
+        <source>Redraw</source>
+        <translation>重绘</translation>
+    </message>
+    <message>
+        <source>The line begins and ends at no stroke that can be changed.</source>
+        <translation>线条的起点和终点都不在可更改的笔画上。</translation>
+    </message>
+    <message>
+        <source>The line begins and ends at no selected stroke that can be changed.</source>
+        <translation>线条的起点和终点都不在可更改的所选笔画上。</translation>
+    </message>
+</context>
+<context>
+    <name>suffuse::ReshapeDialog</name>
+    <message>
+        <source>Reshape</source>
+        <translation>整形</translation>
+    </message>
+    <message>
+        <source>Simplify</source>
+        <translation>简化</translation>
+    </message>
+    <message>
+        <source>Smooth</source>
+        <translation>平滑</translation>
+    </message>
+    <message>
+        <source>Straighten</source>
+        <translation>拉直</translation>
+    </message>
+    <message>
+        <source>Grow or shrink</source>
+        <translation>加宽或缩窄</translation>
+    </message>
+    <message>
+        <source>Offset</source>
+        <translation>偏移</translation>
+    </message>
+    <message>
+        <source>Change</source>
+        <translation>更改</translation>
+    </message>
+    <message>
+        <source>Distance</source>
+        <translation>距离</translation>
+    </message>
+    <message>
+        <source>How far curves may move, in canvas units</source>
+        <translation>曲线可移动的距离，以画布单位计</translation>
+    </message>
+    <message>
+        <source>Values</source>
+        <translation>数值</translation>
+    </message>
+    <message>
+        <source>How far spreads, densities, colours and times may differ that become one</source>
+        <translation>合并时扩散、密度、颜色和时间允许的差异</translation>
+    </message>
+    <message>
+        <source>Length</source>
+        <translation>长度</translation>
+    </message>
+    <message>
+        <source>Wiggles of this length and shorter ones go, in canvas units</source>
+        <translation>此长度及更短的抖动会消失，以画布单位计</translation>
+    </message>
+    <message>
+        <source>Amount</source>
+        <translation>程度</translation>
+    </message>
+    <message>
+        <source>0 %: as it is; 100 %: a straight line</source>
+        <translation>0 %：不变；100 %：直线</translation>
+    </message>
+    <message>
+        <source>Width</source>
+        <translation>宽度</translation>
+    </message>
+    <message>
+        <source>Of the paint; below 100 % it shrinks</source>
+        <translation>颜料的宽度；低于 100 % 则缩窄</translation>
+    </message>
+    <message>
+        <source>To the right of the stroke&apos;s direction, in canvas units; below 0 to the left</source>
+        <translation>向笔画方向的右侧，以画布单位计；负值向左</translation>
+    </message>
+    <message>
+        <source>%1 → %2 segments</source>
+        <extracomment>%1, %2: numbers of segments before and after</extracomment>
+        <translation>%1 → %2 条线段</translation>
+    </message>
+    <message>
+        <source>%1, picture differs by %2</source>
+        <extracomment>%1: &quot;12 → 3 segments&quot;; %2: &quot;0.4 %&quot;, the mean difference of the pictures</extracomment>
+        <translation>%1，画面相差 %2</translation>
     </message>
 </context>
 <context>

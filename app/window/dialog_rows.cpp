@@ -1,5 +1,6 @@
 #include "app/window/dialog_rows.h"
 
+#include "app/dialogs/reshape_dialog.h"
 #include "app/panels/strokes/strokes_model.h"
 #include "app/session/commands/selection_commands.h"
 #include "app/session/commands/session_rows.h"
@@ -72,6 +73,15 @@ void rewetSelected(const Workplace &place)
     editor.push(std::move(edit), Commands::tr("Re-wet"));
 }
 
+void reshapeSelectedBy(const Workplace &place, Reshaping what)
+{
+    Editor &editor = place.open.editor;
+    if (chosenCount(*editor.document().painting(), editor.selection()) == 0)
+        emit place.commands.said(Commands::tr("What is selected is locked or hidden."), 5000);
+    else
+        ReshapeDialog(editor, what, &place.window).exec();
+}
+
 } // namespace
 
 void addDialogRows(const Workplace &place)
@@ -85,6 +95,17 @@ void addDialogRows(const Workplace &place)
              Commands::tr("Let the selected paint spread on for a while from this moment"))
         .when(anySelected(place.open.editor))
         .runs([place] { rewetSelected(place); });
+    place.commands
+        .add(Command::SimplifyStrokes, "simplify", Commands::tr("Simp&lify…"), "simplify",
+             {QKeySequence(Commands::tr("Ctrl+L"))}, Commands::tr("Make fewer segments of the selected strokes"))
+        .when(anySelected(place.open.editor))
+        .runs([place] { reshapeSelectedBy(place, Reshaping::Simplify); });
+    place.commands
+        .add(Command::OffsetStrokes, "offset", Commands::tr("&Offset and More…"), "offset",
+             {QKeySequence(Commands::tr("Ctrl+Alt+O"))},
+             Commands::tr("Offset, smooth, straighten, grow or shrink the selected strokes by numbers"))
+        .when(anySelected(place.open.editor))
+        .runs([place] { reshapeSelectedBy(place, Reshaping::Offset); });
 }
 
 } // namespace suffuse

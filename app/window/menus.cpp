@@ -87,6 +87,8 @@ void addObjectMenu(QMenuBar &bar, const Commands &table)
                              {GroupStrokes, UngroupStrokes},
                              {LockStrokes, UnlockAll, HideStrokes, ShowAll, RenameStrokes},
                              {FlipAcross, FlipDown, QuarterLeft, QuarterRight, ScaleSpread}});
+    addMenu(*object, Commands::tr("Resha&pe"), table,
+            {{SimplifyStrokes, SmoothStrokes, StraightenStrokes, OffsetStrokes}, {GrowPaint, ShrinkPaint}});
     object->addSeparator();
     addMenu(*object, Commands::tr("&Align"), table,
             {{AlignLeft, AlignCentre, AlignRight},
@@ -109,7 +111,7 @@ void addTimeMenu(QMenuBar &bar, const Commands &table)
 void addToolsMenu(QMenuBar &bar, const Commands &table)
 {
     QMenu *tools = addMenu(bar, Commands::tr("&Tools"), table,
-                           {{Brush, Select, Segments, Knife, Eraser, AttributeBrush, Eyedropper, Pan}});
+                           {{Brush, Select, Segments, Redraw, Push, Knife, Eraser, AttributeBrush, Eyedropper, Pan}});
     Group favourites;
     for (int i = int(Favourite1); i <= int(Favourite9); ++i)
         favourites << Command(i);
@@ -142,7 +144,7 @@ QToolBar *makeToolBar(const Commands &table, QWidget *parent)
     bar->setIconSize(QSize(22, 22));
     bar->setOrientation(Qt::Vertical);
     append(*bar, table,
-           {{Brush, Select, Segments, Knife, Eraser, AttributeBrush, Eyedropper, Pan},
+           {{Brush, Select, Segments, Redraw, Push, Knife, Eraser, AttributeBrush, Eyedropper, Pan},
             {Undo, Redo},
             {ZoomIn, ZoomOut, Fit}});
     for (auto *button : bar->findChildren<QToolButton *>())

@@ -10,6 +10,8 @@
 #include "app/tools/select/select_tool.h"
 #include "app/tools/shaping/eraser_tool.h"
 #include "app/tools/shaping/knife_tool.h"
+#include "app/tools/shaping/push_tool.h"
+#include "app/tools/shaping/redraw_tool.h"
 #include "app/tools/tool_options.h"
 
 namespace suffuse {
@@ -36,6 +38,10 @@ void ToolRack::addTools()
         new SelectTool(canvas, m_place.commands, &canvas));
     add(Segments, "segments", Commands::tr("Se&gments"), "segments", Qt::Key_N,
         Commands::tr("Edit segments, nodes and handles of strokes"), new NodeTool(canvas, m_place.commands, &canvas));
+    add(Redraw, "redraw", Commands::tr("Redra&w"), "redraw", Qt::Key_W,
+        Commands::tr("Draw over a part of a stroke, which follows the new line"), new RedrawTool(canvas, &canvas));
+    add(Push, "push", Commands::tr("&Push"), "push", Qt::Key_U, Commands::tr("Push, comb, pinch or roughen strokes"),
+        new PushTool(canvas, &canvas));
     add(Knife, "knife", Commands::tr("&Knife"), "knife", Qt::Key_K, Commands::tr("Cut strokes along a line"),
         new KnifeTool(canvas, &canvas));
     add(Eraser, "eraser", Commands::tr("&Eraser"), "eraser", Qt::Key_E, Commands::tr("Erase parts of strokes"),
@@ -46,7 +52,8 @@ void ToolRack::addTools()
         new EyedropperTool(canvas, &canvas));
     add(Pan, "pan", Commands::tr("&Hand"), "pan", Qt::Key_H, Commands::tr("Move the canvas"),
         new PanTool(canvas, &canvas));
-    m_place.commands.makeExclusive({Brush, Select, Segments, Knife, Eraser, AttributeBrush, Eyedropper, Pan});
+    m_place.commands.makeExclusive(
+        {Brush, Select, Segments, Redraw, Push, Knife, Eraser, AttributeBrush, Eyedropper, Pan});
 }
 
 void ToolRack::add(Command command, const QString &id, const QString &text, const char *icon, Qt::Key key,

@@ -4,6 +4,7 @@
 #include "app/dialogs/about_dialog.h"
 #include "app/dialogs/export_dialog.h"
 #include "app/dialogs/new_dialog.h"
+#include "app/dialogs/reshape_dialog.h"
 #include "app/dialogs/settings_dialog.h"
 #include "app/dialogs/shortcuts_dialog.h"
 #include "app/dialogs/timelapse_dialog.h"
@@ -38,6 +39,7 @@ inline std::vector<DialogMaker> allDialogs()
         {"export", [area](MainWindow &w) { return std::make_unique<ExportDialog>(w.editor(), area(w), &w); }},
         {"timelapse", [area](MainWindow &w) { return std::make_unique<TimelapseDialog>(w.editor(), area(w), &w); }},
         {"along", [](MainWindow &w) { return std::make_unique<AlongDialog>(w.editor(), &w); }},
+        {"reshape", [](MainWindow &w) { return std::make_unique<ReshapeDialog>(w.editor(), Reshaping::Simplify, &w); }},
         {"recovery", [](MainWindow &w) { return std::make_unique<RecoveryDialog>(std::vector<LostDocument>(), &w); }},
         {"palette", [](MainWindow &w) { return std::make_unique<CommandPalette>(w.paletteEntries(), &w); }},
         {"about", [](MainWindow &w) { return std::make_unique<AboutDialog>(&w); }},

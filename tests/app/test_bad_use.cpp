@@ -61,6 +61,8 @@ Grab grabOf(WaveSession &s, const QString &what)
                                                {"node", {Command::Segments, {300, 340}, {330, 400}}},
                                                {"handle", {Command::Segments, {333.333, 340}, {350, 400}}},
                                                {"curve", {Command::Segments, {250, 320}, {260, 380}}},
+                                               {"redraw", {Command::Redraw, {250, 320}, {450, 320}}},
+                                               {"push", {Command::Push, {350, 300}, {350, 380}}},
                                                {"knife", {Command::Knife, {350, 250}, {345, 400}}},
                                                {"eraser", {Command::Eraser, {350, 270}, {350, 380}}},
                                                {"attributes", {Command::AttributeBrush, {250, 320}, {450, 320}}},

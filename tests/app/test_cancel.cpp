@@ -108,6 +108,8 @@ private slots:
         row("node", Command::Segments, {300, 340}, {320, 400});
         row("curve", Command::Segments, {350, 320}, {360, 380});
         row("erase", Command::Eraser, {350, 200}, {350, 450});
+        row("push", Command::Push, {350, 300}, {350, 380});
+        row("redraw", Command::Redraw, {250, 320}, {450, 320});
         row("attribute", Command::AttributeBrush, {250, 320}, {400, 320});
         row("paint", Command::Brush, {300, 500}, {500, 500});
         row("knife", Command::Knife, {350, 200}, {350, 450});
@@ -128,7 +130,7 @@ private slots:
         }
         session.drag(start, {to.x(), to.y()}, {}, false);
         QVERIFY(session.canvas().tool()->isBusy());
-        const bool pushes = tool != Command::Brush && tool != Command::Knife;
+        const bool pushes = tool != Command::Brush && tool != Command::Knife && tool != Command::Redraw;
         QCOMPARE(session.alters(), pushes);
         session.escape();
         QVERIFY(!session.canvas().tool()->isBusy());

@@ -329,8 +329,9 @@ private slots:
             QVERIFY2(needed <= room, qPrintable(QString("%1 of %2: %3").arg(needed).arg(room).arg(hint)));
         };
         for (const bool selected : {false, true})
-            for (const Command tool : {Command::Brush, Command::Select, Command::Segments, Command::Knife,
-                                       Command::Eraser, Command::AttributeBrush, Command::Eyedropper, Command::Pan}) {
+            for (const Command tool :
+                 {Command::Brush, Command::Select, Command::Segments, Command::Redraw, Command::Push, Command::Knife,
+                  Command::Eraser, Command::AttributeBrush, Command::Eyedropper, Command::Pan}) {
                 s.use(tool);
                 s.select(selected ? std::set<StrokeId>{1} : std::set<StrokeId>{});
                 check();

@@ -221,8 +221,9 @@ private slots:
                 if (!cut.contains(when + text))
                     cut << when + text;
         };
-        for (const Command tool : {Command::Brush, Command::Select, Command::Segments, Command::Knife, Command::Eraser,
-                                   Command::AttributeBrush, Command::Eyedropper, Command::Pan}) {
+        for (const Command tool :
+             {Command::Brush, Command::Select, Command::Segments, Command::Redraw, Command::Push, Command::Knife,
+              Command::Eraser, Command::AttributeBrush, Command::Eyedropper, Command::Pan}) {
             s.use(tool);
             look("with a tool: ");
         }

@@ -26,8 +26,9 @@ using namespace suffuse;
 
 namespace {
 
-constexpr Command tools[] = {Command::Brush,  Command::Select,         Command::Segments,   Command::Knife,
-                             Command::Eraser, Command::AttributeBrush, Command::Eyedropper, Command::Pan};
+constexpr Command tools[] = {Command::Brush,      Command::Select, Command::Segments, Command::Knife,
+                             Command::Redraw,     Command::Push,   Command::Eraser,   Command::AttributeBrush,
+                             Command::Eyedropper, Command::Pan};
 
 /// What a hand can set in a widget, as a text.
 QString valueOf(const QWidget *widget)

@@ -69,7 +69,8 @@ Report measureTools(EditingSession &s, int events, const QString &wanted)
         Command before; ///< what is selected
     };
     for (const auto &[name, tool, before] :
-         {Sweep{"knife", Command::Knife, Command::Deselect}, Sweep{"eraser", Command::Eraser, Command::Deselect},
+         {Sweep{"knife", Command::Knife, Command::Deselect}, Sweep{"push", Command::Push, Command::Deselect},
+          Sweep{"eraser", Command::Eraser, Command::Deselect},
           Sweep{"eraser, all strokes selected", Command::Eraser, Command::SelectAll}}) {
         if (!name.contains(wanted))
             continue;

@@ -11,6 +11,7 @@ void addSessionRows(Commands &table, OpenPainting &open);
 
 void addEditRows(Commands &table, OpenPainting &open);
 void addObjectRows(Commands &table, OpenPainting &open);
+void addReshapeRows(Commands &table, OpenPainting &open);
 void addAlignRows(Commands &table, OpenPainting &open);
 void addTimeRows(Commands &table, OpenPainting &open);
 void addBrushRows(Commands &table, OpenPainting &open);

@@ -1,0 +1,57 @@
+#pragma once
+
+#include "app/session/gesture.h"
+#include "app/session/selecting/stroke_boxes.h"
+#include "app/tools/sized_tool.h"
+#include "model/shaping/tweak.h"
+
+#include <QBasicTimer>
+
+class QComboBox;
+
+namespace suffuse {
+
+/// Moves the strokes under its circle: the selected ones, or all without a selection. It pushes them along, combs them
+/// into its direction, pinches them together or apart, or roughens them.
+class PushTool : public SizedTool {
+    Q_OBJECT
+
+public:
+    explicit PushTool(CanvasWidget &canvas, QObject *parent = nullptr);
+
+    QString hint() const override;
+    QWidget *options() override;
+    void press(const PointerEvent &event) override;
+    void move(const PointerEvent &event) override;
+    void release(const PointerEvent &event) override;
+    bool changesAnything() const override { return true; }
+    bool isBusy() const override { return m_gesture.isOpen(); }
+    void cancel() override;
+
+    TweakKind kind() const { return m_kind; }
+    void setKind(TweakKind kind);
+    /// How much of it a touch of full pressure does, (0, 1].
+    void setStrength(double strength);
+
+protected:
+    void timerEvent(QTimerEvent *event) override;
+
+private:
+    Tweak touchAt(Point centre, Point by) const;
+    void show(const std::vector<Tweak> &touches);
+    /// The strokes that the circle may touch on its way.
+    std::vector<StrokePtr> targets(const std::vector<Tweak> &touches);
+    void finish();
+
+    QPointer<QWidget> m_options;
+    QPointer<QComboBox> m_kinds; ///< in the options
+    TweakKind m_kind = TweakKind::Push;
+    double m_strength = 0.6;
+    Gesture m_gesture;
+    PointerEvent m_last;
+    unsigned m_touches = 0; ///< of this drag: each one roughens another way
+    StrokeBoxes m_boxes;
+    QBasicTimer m_timer; ///< goes on while the pointer stays
+};
+
+} // namespace suffuse

@@ -1,0 +1,54 @@
+#pragma once
+
+#include "app/tools/canvas_tool.h"
+#include "model/brush/stroke_builder.h"
+#include "model/shaping/redraw.h"
+
+#include <QPointer>
+
+#include <memory>
+
+class QComboBox;
+
+namespace suffuse {
+
+/// Draws over a part of a stroke, of a selected one or of the nearest without a selection: what lies between the ends
+/// of the line follows the line, with the values that it had or with those of the brush in hand.
+class RedrawTool : public CanvasTool {
+    Q_OBJECT
+
+public:
+    explicit RedrawTool(CanvasWidget &canvas, QObject *parent = nullptr);
+    ~RedrawTool() override;
+
+    QString hint() const override;
+    QCursor cursor() const override { return Qt::CrossCursor; }
+    QWidget *options() override;
+    void press(const PointerEvent &event) override;
+    void move(const PointerEvent &event) override;
+    void release(const PointerEvent &event) override;
+    bool changesAnything() const override { return true; }
+    bool isBusy() const override { return bool(m_builder); }
+    void cancel() override;
+    void paint(QPainter &painter, const View &view, double dpr) const override;
+
+    void setValues(RedrawValues values);
+
+private:
+    void add(const PointerEvent &event);
+    /// The stroke that the line would redraw; 0: none.
+    StrokeId strokeUnder(const std::vector<Point> &line) const;
+    double reach() const; ///< canvas units
+    /// What the last line did, in the status bar, until something else happens.
+    void say(const QString &text);
+
+    std::unique_ptr<StrokeBuilder> m_builder;
+    std::vector<Point> m_line; ///< canvas units
+    Microseconds m_lastTime = 0;
+    RedrawValues m_values = RedrawValues::Kept;
+    QString m_said;
+    QPointer<QWidget> m_options;
+    QPointer<QComboBox> m_choice; ///< in the options
+};
+
+} // namespace suffuse

@@ -1,0 +1,171 @@
+// Simplify, smooth, straighten, grow, shrink and offset, as a user has them.
+#include "app/dialogs/reshape_dialog.h"
+#include "app/session/settings/settings.h"
+#include "app/widgets/numbers/number_field.h"
+#include "model/brush/stroke_builder.h"
+#include "model/brush/stroke_fit.h"
+#include "tests/app/shapes.h"
+
+#include <QRegularExpression>
+#include <QSignalSpy>
+#include <QTemporaryDir>
+
+using namespace suffuse;
+
+namespace {
+
+/// A session with a trunk as a hand paints it, selected.
+struct TrunkSession : WaveSession {
+    StrokeId trunk = 0;
+
+    TrunkSession()
+    {
+        std::vector<PenSample> samples;
+        for (int i = 0; i <= 200; ++i) {
+            const double u = i / 200.0;
+            samples.push_back({{300 + 30 * std::sin(5 * u) + 9 * std::sin(17 * u), 620 - 520 * u},
+                               Microseconds(i) * 8000,
+                               float(0.25 + 0.6 * std::sin(3 * u))});
+        }
+        trunk = editor().document().takeStrokeId();
+        editor().push(addStrokes(editor().document(), {buildStroke(*findBrush("brush-pen"), trunk, samples)}, true),
+                      "trunk");
+        editor().clock().setTime(painting().end());
+    }
+};
+
+double widthOf(const Segment &s)
+{
+    return std::sqrt(4 * double(s.diffusion) * double(s.maxAge));
+}
+
+} // namespace
+
+class TestReshaping : public QObject {
+    Q_OBJECT
+
+private slots:
+    void initTestCase()
+    {
+        QVERIFY(m_folder.isValid());
+        qputenv("SUFFUSE_PRESENTER", "raster");
+        qputenv("SUFFUSE_SETTINGS", m_folder.filePath("settings.ini").toLocal8Bit());
+    }
+    void cleanup() { settings::store().remove("reshape"); }
+
+    void aTrunkIsSimplified()
+    {
+        TrunkSession s;
+        const auto before = s.editor().document().painting();
+        const std::size_t count = s.stroke(s.trunk).segments.size();
+        const int steps = s.steps();
+        {
+            ReshapeDialog dialog(s.editor(), Reshaping::Simplify, &s.window);
+            QVERIFY(s.stroke(s.trunk).segments.size() <= 40); // it shows at once
+            QCOMPARE(s.steps(), steps);
+            QTRY_VERIFY(dialog.report().contains(QString::number(count)));
+            const auto number = QRegularExpression("by ([0-9.]+)").match(dialog.report());
+            QVERIFY2(number.hasMatch(), qPrintable(dialog.report()));
+            qInfo() << dialog.report();
+            QVERIFY(number.captured(1).toDouble() <= 100.0 / 64);
+            dialog.accept();
+        }
+        QCOMPARE(s.steps(), steps + 1);
+        QCOMPARE(s.editor().undoText(), QString("Simplify"));
+        s.use(Command::Undo);
+        QVERIFY(s.painting() == *before);
+    }
+
+    void cancelLeavesNoTrace()
+    {
+        TrunkSession s;
+        const auto before = s.editor().document().painting();
+        const int steps = s.steps();
+        for (const Reshaping what :
+             {Reshaping::Simplify, Reshaping::Smooth, Reshaping::Straighten, Reshaping::Width, Reshaping::Offset}) {
+            ReshapeDialog dialog(s.editor(), what, &s.window);
+            QVERIFY(s.painting() != *before);
+            QVERIFY(!dialog.fields().empty());
+            dialog.choose(Reshaping::Width); // another one begins from the start
+            emit dialog.fields().front()->entered(2);
+            QVERIFY(std::abs(widthOf(s.stroke(s.trunk).segments[80]) / widthOf(before->find(s.trunk)->segments[80]) -
+                             2) < 1e-5);
+            dialog.reject();
+            QVERIFY(s.painting() == *before);
+            QCOMPARE(s.steps(), steps);
+        }
+    }
+
+    void selectedRunsAloneAreChanged()
+    {
+        TrunkSession s;
+        const Stroke before = s.stroke(s.trunk);
+        Selection part{{s.trunk}, {}};
+        for (int k = 40; k < 90; ++k)
+            part.segments.insert({s.trunk, k});
+        s.editor().document().setSelection(part);
+        QString why = reshapeSelected(s.editor(), Reshaping::Simplify, {});
+        QVERIFY(why.isEmpty());
+        const Stroke after = s.stroke(s.trunk);
+        const std::size_t fewer = before.segments.size() - after.segments.size();
+        QVERIFY(fewer > 30);
+        QCOMPARE(s.selection().segments.size(), 50 - fewer); // what they became is selected
+        QVERIFY(after.segments[39] == before.segments[39] && after.segments[0] == before.segments[0]);
+        s.use(Command::Undo);
+        QVERIFY(s.selection() == part);
+    }
+
+    void keysDoItAgain()
+    {
+        WaveSession s;
+        const Stroke before = s.stroke();
+        s.use(Command::GrowPaint);
+        s.use(Command::GrowPaint);
+        QCOMPARE(s.steps(), 3);
+        for (std::size_t k = 0; k < before.segments.size(); ++k) {
+            QVERIFY(std::abs(widthOf(s.stroke().segments[k]) / widthOf(before.segments[k]) - 1.21) < 1e-5);
+            QVERIFY(std::abs(double(s.stroke().segments[k].density / before.segments[k].density) - 1.21) < 1e-5);
+            QVERIFY(s.stroke().segments[k].bezier == before.segments[k].bezier);
+        }
+        s.use(Command::ShrinkPaint);
+        s.use(Command::ShrinkPaint);
+        QVERIFY(std::abs(widthOf(s.stroke().segments[0]) / widthOf(before.segments[0]) - 1) < 1e-5);
+        s.use(Command::StraightenStrokes);
+        const double once = s.stroke().segments[1].bezier[0].y;
+        s.use(Command::StraightenStrokes);
+        QVERIFY(std::abs(once - 330) < 0.5 && double(s.stroke().segments[1].bezier[0].y) < once);
+        s.use(Command::SmoothStrokes);
+        QVERIFY(s.stroke().segments.front().bezier[0] == before.segments.front().bezier[0]);
+        QCOMPARE(s.stroke().segments[0].born, before.segments[0].born);
+    }
+
+    void lockedAndHiddenStrokesStay()
+    {
+        for (const Command command : {Command::LockStrokes, Command::HideStrokes}) {
+            WaveSession s;
+            s.use(command);
+            s.editor().document().setSelection({{s.id}, {}});
+            const auto before = s.editor().document().painting();
+            QSignalSpy said(s.window.findChild<Commands *>(), &Commands::said);
+            for (const Command reshape : {Command::SmoothStrokes, Command::StraightenStrokes, Command::GrowPaint,
+                                          Command::ShrinkPaint, Command::SimplifyStrokes, Command::OffsetStrokes})
+                s.use(reshape); // no dialog opens
+            QVERIFY(s.painting() == *before);
+            QCOMPARE(said.size(), 6);
+        }
+    }
+
+    void nothingSelectedNothingDone()
+    {
+        WaveSession s;
+        s.editor().document().setSelection({});
+        for (const Command reshape : {Command::SmoothStrokes, Command::GrowPaint, Command::SimplifyStrokes})
+            QVERIFY(!s.window.action(reshape).isEnabled());
+    }
+
+private:
+    QTemporaryDir m_folder;
+};
+
+QTEST_MAIN(TestReshaping)
+#include "test_reshaping.moc"
