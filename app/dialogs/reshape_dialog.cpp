@@ -62,7 +62,9 @@ ReshapeDialog::ReshapeDialog(Editor &editor, Reshaping what, QWidget *parent)
              1e6);
     m_report = new QLabel(this);
     m_report->setTextInteractionFlags(Qt::TextSelectableByMouse);
-    m_report->setMinimumWidth(m_report->fontMetrics().horizontalAdvance(QString(36, QLatin1Char('0'))));
+    const QString counts = tr("%1 → %2 segments").arg("88,888", "88,888");
+    const QString longest = tr("%1, picture differs by %2").arg(counts, "88.88 %");
+    m_report->setMinimumWidth(m_report->fontMetrics().horizontalAdvance(longest));
     m_form->addRow(m_report);
     auto *buttons = new QDialogButtonBox(QDialogButtonBox::Ok | QDialogButtonBox::Cancel, this);
     m_form->addRow(buttons);

@@ -15,7 +15,7 @@ constexpr double longestRough = 0.15; ///< the same, that can be roughened
 constexpr double roughCell = 0.3;     ///< of the radius: how far the noise goes one way
 constexpr double slopeStep = 1e-3;    ///< of the radius: for the slope of a field
 
-double squaredDistance(const Rect &box, Point p)
+double squaredDistanceTo(const Rect &box, Point p)
 {
     const double x = std::max({box.left - p.x, p.x - box.right, 0.0});
     const double y = std::max({box.top - p.y, p.y - box.bottom, 0.0});
@@ -96,7 +96,7 @@ void addCuts(const Cubic &curve, double from, double to, Point centre, double ra
              std::vector<double> &cuts)
 {
     const Cubic part = partOf(curve, from, to);
-    const bool isFar = squaredDistance(part.controlBox(), centre) >= radius * radius;
+    const bool isFar = squaredDistanceTo(part.controlBox(), centre) >= radius * radius;
     if (isFar || polygonLength(part) <= longest || to - from < 1e-4)
         return;
     const double middle = 0.5 * (from + to);
@@ -226,7 +226,7 @@ std::optional<Stroke> tweaked(const Stroke &stroke, const Tweak &tweak, std::vec
     bool touches = false, splits = false;
     for (std::size_t k = 0; k < stroke.segments.size(); ++k) {
         const Cubic curve = offsetsOf(stroke.segments[k]);
-        if (squaredDistance(curve.controlBox(), centre) >= tweak.radius * tweak.radius)
+        if (squaredDistanceTo(curve.controlBox(), centre) >= tweak.radius * tweak.radius)
             continue;
         touches = true;
         addCuts(curve, 0, 1, centre, tweak.radius, longest, cuts[k]);
@@ -246,7 +246,7 @@ std::optional<Stroke> tweaked(const Stroke &stroke, const Tweak &tweak, std::vec
     }
     std::vector<bool> near(result.segments.size());
     for (std::size_t k = 0; k < near.size(); ++k)
-        near[k] = squaredDistance(offsetsOf(result.segments[k]).controlBox(), centre) < tweak.radius * tweak.radius;
+        near[k] = squaredDistanceTo(offsetsOf(result.segments[k]).controlBox(), centre) < tweak.radius * tweak.radius;
     if (tweak.kind == TweakKind::Comb) {
         for (const Chain &run : runsOf(result, near)) {
             RunPath path(result, run);
