@@ -389,10 +389,10 @@ private slots:
 
         const auto spread = [&] { return s.editor().brush().spread(); };
         const double before = spread();
-        s.window.action(Command::LargerSize).setShortcut(QKeySequence("W"));
+        s.window.action(Command::LargerSize).setShortcut(QKeySequence("J"));
         QTest::keyClick(&s.canvas(), Qt::Key_BracketRight);
         QCOMPARE(spread(), before);
-        QTest::keyClick(&s.canvas(), Qt::Key_W);
+        QTest::keyClick(&s.canvas(), Qt::Key_J);
         QVERIFY(spread() > 1.1 * before);
 
         // Held keys: the new one turns, even where a command has the old one.

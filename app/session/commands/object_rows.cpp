@@ -83,7 +83,7 @@ void addGroupRows(Commands &table, Editor &editor)
         .when(selected)
         .runs([&editor] { commands::groupSelected(editor); });
     table.add(UngroupStrokes, "ungroup", Commands::tr("&Ungroup"), "ungroup", key(Commands::tr("Ctrl+Shift+G")))
-        .when([&editor] { return canUngroup(editor.document()); })
+        .when([&editor] { return canUngroup(editor.unsettled()); })
         .runs([&editor] { commands::ungroupSelected(editor); });
     table.add(LockStrokes, "lock", Commands::tr("Loc&k"), "lock", key(Commands::tr("Ctrl+2")))
         .when(selected)
