@@ -62,7 +62,7 @@ void SelectionTool::beginMoving()
         m_state = State::Drag;
         return;
     }
-    m_canvas.updateSelection(); // handles give way to the band
+    m_canvas.updateSelection(); // Handles are hidden while there is a band.
     m_state = State::Band;
     m_shape = bandShape(m_start);
     m_trace = {m_start.point};
@@ -122,7 +122,7 @@ bool SelectionTool::keyPress(QKeyEvent *event)
     const std::set<StrokeId> &moved = m_canvas.selection().strokes;
     if (!way || isBusy() || moved.empty())
         return false;
-    if (!event->isAutoRepeat()) // a key held down is one step
+    if (!event->isAutoRepeat()) // A key that is held down is one step.
         m_nudges.endSteps();
     commands::moveStrokes(m_editor, moved, *way, &m_nudges);
     return true;
@@ -133,11 +133,13 @@ std::optional<Point> SelectionTool::nudgeOf(const QKeyEvent &event) const
     const std::optional<Point> direction = directionOf(event.key());
     if (!direction)
         return {};
-    View turned; // of the view only how it is turned: differences of places far away are rounded
+    // Only the view's rotation and mirroring are taken, since differences of places that are far away are rounded.
+    View turned;
     turned.rotation = m_canvas.view().rotation;
     turned.mirrored = m_canvas.view().mirrored;
     const Point unit = turned.toCanvas(*direction);
-    const auto exact = [](double share) { return std::round(share * 1e12) / 1e12; }; // quarter turns are whole
+    // Rounding makes quarter turns exact.
+    const auto exact = [](double share) { return std::round(share * 1e12) / 1e12; };
     const double step = (event.modifiers() & Qt::ShiftModifier ? 10 : 1) *
                         (event.modifiers() & Qt::AltModifier ? m_canvas.view().px() : 1);
     return step * Point{exact(unit.x), exact(unit.y)};
@@ -153,7 +155,7 @@ Rect SelectionTool::band() const
 
 void SelectionTool::updateBand() const
 {
-    constexpr double line = 4; // logical pixels that it takes beside the path
+    constexpr double line = 4; // logical pixels that the line takes beside its path
     const double r = line * m_canvas.devicePixelRatioF();
     if (m_state == State::Band)
         m_canvas.updateOverlay(bandPath(m_canvas.view()).boundingRect().adjusted(-r, -r, r, r));

@@ -15,7 +15,7 @@ namespace suffuse {
 /// What a drag encloses or touches.
 enum class BandShape { Rectangle, Lasso, Touch };
 
-/// Tells clicks from drags; a drag is a rubber band unless the tool takes it.
+/// Tells clicks from drags. A drag is a rubber band unless the tool takes it for itself.
 class SelectionTool : public CanvasTool {
     Q_OBJECT
 
@@ -27,39 +27,41 @@ public:
     void release(const PointerEvent &event) override;
     bool isBusy() const override { return m_state != State::Idle; }
     void cancel() override;
-    /// Arrows nudge the selected strokes on screen by 1 unit (Shift: 10, Alt: 1 pixel); Esc deselects.
+    /// Arrow keys move the selected strokes on the screen by 1 unit (with Shift by 10, with Alt by 1 pixel); Esc
+    /// deselects.
     bool keyPress(QKeyEvent *event) override;
     void paint(QPainter &painter, const View &view, double dpr) const override;
 
 protected:
     virtual void pressed(const PointerEvent &) {}
     virtual void clicked(const PointerEvent &event) = 0;
-    /// The band is in device pixels.
+    /// Called when a band was drawn, in device pixels.
     virtual void banded(const Rect &band, const PointerEvent &event) = 0;
-    /// Of the band that a drag begins which is not the tool's own.
+    /// The shape of the band that a drag begins which is not the tool's own.
     virtual BandShape bandShape(const PointerEvent &) const { return BandShape::Rectangle; }
-    /// A band of another shape than a rectangle has begun, or goes on, at the point.
+    /// Called when a band of another shape than a rectangle begins or goes on at the point (canvas units).
     virtual void tracing(Point, BandShape) {}
-    /// A band of another shape than a rectangle; the path is in canvas units.
+    /// Called when a band of another shape than a rectangle was drawn; the path is in canvas units.
     virtual void traced(const std::vector<Point> &, BandShape, const PointerEvent &) {}
-    /// True if the drag that begins is the tool's own.
+    /// Returns true if the drag that begins is the tool's own.
     virtual bool beginDrag(const PointerEvent &) { return false; }
     virtual void drag(const PointerEvent &) {}
     virtual void endDrag(bool /*cancelled*/) {}
 
     std::optional<SegmentRef> pick(const PointerEvent &event) const;
-    /// Canvas units around the pointer in which hairlines are found.
+    /// The distance from the pointer, in canvas units, in which hairlines are found.
     double tolerance() const;
     const Selection &selection() const;
     void select(Selection selection);
-    /// Selects one segment, from which a run may start.
+    /// Selects one segment. A run of segments may start from it.
     void selectSegment(const SegmentRef &segment);
-    /// Adds one segment to what is selected; from it a run may go on.
+    /// Adds one segment to the selection. A run of segments may start from it.
     void addSegment(const SegmentRef &segment);
-    /// Adds the segments from the last one clicked to the one under the pointer, of that stroke even where another lies
-    /// above it; false if the last one is not selected any more, or its stroke is not seen there.
+    /// Adds the segments from the last one that was clicked to the one under the pointer. Both belong to that stroke,
+    /// even where another one lies above it. Returns false if the last one is no longer selected, or its stroke is not
+    /// seen under the pointer.
     bool selectRun(const PointerEvent &event);
-    /// How far an arrow moves things, canvas units; none where the key is no arrow.
+    /// How far an arrow key moves strokes, canvas units; no value for other keys.
     std::optional<Point> nudgeOf(const QKeyEvent &event) const;
     const PointerEvent &start() const { return m_start; }
 
@@ -77,7 +79,7 @@ private:
     PointerEvent m_start;
     PointerEvent m_now;
     BandShape m_shape = BandShape::Rectangle;
-    std::vector<Point> m_trace; ///< canvas units
+    std::vector<Point> m_trace; ///< the path of the band, canvas units
     SegmentRef m_anchor;
     ValueEntry m_nudges;
 };

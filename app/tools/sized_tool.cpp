@@ -13,8 +13,8 @@ namespace suffuse {
 
 namespace {
 
-constexpr double sizeStep = 1.189207115002721; ///< four double it
-constexpr double edge = 4;                     ///< pixels that the ring's pen takes
+constexpr double sizeStep = 1.189207115002721; ///< Four steps double the size.
+constexpr double edge = 4;                     ///< pixels beside the circle that the pen of the ring takes
 
 } // namespace
 
@@ -25,7 +25,7 @@ SizedTool::SizedTool(const QString &name, double radius, CanvasWidget &canvas, Q
     if (stored >= leastRadius && stored <= greatestRadius)
         m_radius = stored;
     connect(&m_editor.document(), &Document::changed, this, [this](const Change &change) {
-        if (change.selection) // what such a tool works on
+        if (change.selection) // Another selection changes what the tool works on, and so its hint.
             emit hintChanged();
     });
 }
@@ -87,7 +87,8 @@ void SizedTool::repaintCircle()
 void SizedTool::paint(QPainter &painter, const View &view, double dpr) const
 {
     const double r = m_radius * view.scale;
-    if (m_shown && r > 2 * dpr && r < 2.0 * (view.width + view.height)) // else a point, or all around the window
+    // A smaller ring would be a point, and a larger one lies all around the window.
+    if (m_shown && r > 2 * dpr && r < 2.0 * (view.width + view.height))
         paintRing(painter, m_pixel.x, m_pixel.y, r, dpr);
 }
 

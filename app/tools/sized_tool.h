@@ -10,7 +10,7 @@ namespace suffuse {
 
 class NumberField;
 
-/// A tool that works within a circle around the pointer, which is shown; commands change its size.
+/// A tool that works within a circle around the pointer. The circle is shown, and commands change its size.
 class SizedTool : public CanvasTool {
     Q_OBJECT
 
@@ -18,7 +18,7 @@ public:
     static constexpr double leastRadius = 1e-7;
     static constexpr double greatestRadius = 1e5;
 
-    /// The radius is remembered in the settings under `name`.
+    /// Makes the tool with a radius in canvas units, which the settings remember under `name`.
     SizedTool(const QString &name, double radius, CanvasWidget &canvas, QObject *parent);
 
     QCursor cursor() const override { return Qt::CrossCursor; }
@@ -27,11 +27,13 @@ public:
     void stepSize(int steps) override;
     void paint(QPainter &painter, const View &view, double dpr) const override;
 
+    /// The radius of the circle.
     double radius() const { return m_radius; } ///< canvas units
+    /// Sets the radius (canvas units) and remembers it in the settings.
     void setRadius(double radius);
 
 protected:
-    /// Makes the field of the tool's row that shows the radius as a diameter.
+    /// Adds a field to the tool's row that shows the radius as a diameter.
     void addSizeField(QHBoxLayout &row);
     void showCircleAt(Point pixel);
 
@@ -42,7 +44,7 @@ private:
     double m_radius;
     QPointer<NumberField> m_field;
     bool m_shown = false;
-    Point m_pixel; ///< where the circle is
+    Point m_pixel; ///< where the middle of the circle is
 };
 
 } // namespace suffuse

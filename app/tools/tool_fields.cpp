@@ -48,9 +48,11 @@ NumberField *addNumber(QHBoxLayout &row, const FieldSpec &spec, const std::funct
 void showHintBelow(NumberField &field, const QString &hint)
 {
     const auto show = [&field, hint] {
-        QToolTip::showText(field.mapToGlobal(QPoint(0, field.height())), hint, &field); // empty: away
+        // An empty text hides the tool tip.
+        QToolTip::showText(field.mapToGlobal(QPoint(0, field.height())), hint, &field);
     };
-    QMetaObject::invokeMethod(&field, show, Qt::QueuedConnection); // Return moves the focus, which hides tool tips
+    // Return moves the focus, which hides tool tips, so the hint is shown after that.
+    QMetaObject::invokeMethod(&field, show, Qt::QueuedConnection);
 }
 
 void paintRing(QPainter &painter, double x, double y, double radius, double dpr)

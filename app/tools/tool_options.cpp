@@ -6,7 +6,7 @@ namespace suffuse {
 
 namespace {
 
-constexpr int leastHeight = 30; ///< of a row of fields
+constexpr int leastHeight = 30; ///< the height of a row of fields, logical pixels
 
 } // namespace
 

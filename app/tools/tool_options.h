@@ -6,15 +6,15 @@ class QStackedWidget;
 
 namespace suffuse {
 
-/// The row over the canvas: shows what the tool in use has to set. It is as high as the highest of them, so that the
-/// canvas stays where it is when the tool changes.
+/// The row over the canvas, which shows what can be set for the tool in use. It is as high as the highest row of all
+/// tools, so that the canvas stays where it is when the tool changes.
 class ToolOptionsBar : public QToolBar {
     Q_OBJECT
 
 public:
     explicit ToolOptionsBar(const QString &title, QWidget *parent = nullptr);
 
-    /// Shows a widget, which belongs to the row from then on; null: nothing.
+    /// Shows a widget, which belongs to the row from then on; null shows nothing.
     void setWidget(QWidget *widget);
 
 private:

@@ -14,9 +14,10 @@ namespace suffuse {
 
 namespace {
 
-constexpr int stayMs = 40;          ///< between dabs while the pointer stays
-constexpr double dabSpacing = 0.25; ///< radii between dabs while it moves
-constexpr int mostDabs = 400;       ///< of one report, however far it comes
+constexpr int stayMs = 40;          ///< milliseconds between dabs while the pointer stays
+constexpr double dabSpacing = 0.25; ///< radii between dabs while the pointer moves
+/// One report of the pointer lays down no more dabs than these, however far away it is.
+constexpr int mostDabs = 400;
 
 } // namespace
 
@@ -68,7 +69,7 @@ void AttributeBrushTool::gatherTargets()
     const Document &document = m_editor.document();
     const Painting &painting = *document.painting();
     const Selection &selection = document.selection();
-    std::set<StrokeId> inPart; // strokes of which segments are selected
+    std::set<StrokeId> inPart; // the strokes of which only segments are selected
     for (const SegmentRef &ref : selection.segments)
         inPart.insert(ref.stroke);
     for (const StrokePtr &stroke : painting.strokes) {

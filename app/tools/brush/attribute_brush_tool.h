@@ -10,9 +10,9 @@ namespace suffuse {
 
 class WishFields;
 
-/// Paints a quantity onto the segments that are there: the selected ones, or all without a selection. The nearer a
-/// segment's middle is, and the longer the brush stays, the more it gets; no more than the whole wish a stroke of the
-/// brush.
+/// Paints a quantity onto segments that exist: the selected ones or, without a selection, all. A segment gets more the
+/// nearer its middle is and the longer the brush stays. One stroke of the brush gives no segment more than the whole
+/// wish.
 class AttributeBrushTool : public SizedTool {
     Q_OBJECT
 
@@ -29,21 +29,21 @@ public:
     void cancel() override;
 
     const AttributeWish &wish() const { return m_wish; }
-    /// The colour of a wish is always the current one.
+    /// Sets what is painted. Where the wish is a colour, it is always the current one.
     void setWish(const AttributeWish &wish);
-    /// Share of the wish that one dab of full pressure lays down in the middle, (0, 1].
+    /// Sets the share of the wish that one dab of full pressure lays down in the middle of the circle, (0, 1].
     void setFlow(double flow);
 
 protected:
     void timerEvent(QTimerEvent *event) override;
 
 private:
-    /// A segment that may be painted.
+    /// A segment that this stroke of the brush may paint.
     struct Target {
         StrokeId stroke = 0;
         int segment = 0;
         Point middle;
-        double left = 1; ///< share of the wish that has not been laid down
+        double left = 1; ///< the share of the wish that this segment has not received yet
     };
 
     void gatherTargets();
@@ -52,15 +52,15 @@ private:
     void finish();
 
     QPointer<QWidget> m_options;
-    QPointer<WishFields> m_fields; ///< in the options
+    QPointer<WishFields> m_fields; ///< one of the fields of the options
     AttributeWish m_wish;
     double m_flow = 0.2;
 
     PointerEvent m_last;
-    std::vector<Target> m_targets; ///< in the order of the strokes' ids and segments
+    std::vector<Target> m_targets; ///< in the order of stroke ids and, within a stroke, of segments
     std::set<StrokeId> m_touched;
     Gesture m_gesture;
-    QBasicTimer m_timer; ///< lays down more while the pointer stays
+    QBasicTimer m_timer; ///< lays down more dabs while the pointer stays
 };
 
 } // namespace suffuse

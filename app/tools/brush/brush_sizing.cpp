@@ -9,13 +9,14 @@ namespace suffuse {
 
 namespace {
 
-constexpr double sizeStep = 1.189207115002721; ///< four double it
+constexpr double sizeStep = 1.189207115002721; ///< Four steps double the size.
 constexpr double opacityStep = 0.1;
 constexpr double leastSpread = 1e-7;
 constexpr double greatestSpread = 1e5;
-constexpr double undecided = 4;      ///< logical pixels before a drag is one of size or of opacity
+/// logical pixels that a drag takes before it is known to be one of size or one of opacity
+constexpr double undecided = 4;
 constexpr double doubling = 80;      ///< logical pixels across that double the size
-constexpr double wholeOpacity = 200; ///< logical pixels upwards from none to all
+constexpr double wholeOpacity = 200; ///< logical pixels upwards that raise the opacity from 0 to 1
 constexpr int noteMs = 900;
 
 QString noteOf(Quantity quantity, double value)
@@ -80,7 +81,7 @@ void BrushSizing::moveTo(Point pixel, double dpr)
         m_drag->what = std::abs(way.x) >= std::abs(way.y) ? Drag::Size : Drag::Opacity;
     if (m_drag->what == Drag::Undecided)
         return;
-    // From the brush as it was, so that the way back leads to it.
+    // The change starts from the brush as it was at the beginning, so that dragging back leads to it exactly.
     Brush brush = m_editor.brush();
     brush.diffusion = m_drag->brush.diffusion;
     brush.colour.opacity = m_drag->brush.colour.opacity;

@@ -1,4 +1,4 @@
-// The brush's size and opacity, changed by steps and by dragging over the canvas.
+// Changes the brush's size and opacity, by steps and by dragging over the canvas.
 #pragma once
 
 #include "model/brush/brush.h"
@@ -13,7 +13,7 @@ namespace suffuse {
 
 class Editor;
 
-/// A drag across changes the size, one upwards the opacity. What the brush has now stands in a note for a while.
+/// A drag across changes the size, and a drag upwards the opacity. For a while a note says what the brush has now.
 class BrushSizing : public QObject {
     Q_OBJECT
 
@@ -21,17 +21,21 @@ public:
     explicit BrushSizing(Editor &editor) : m_editor(editor) {}
 
     bool isActive() const { return m_drag.has_value(); }
+    /// Starts a drag at a pixel of the canvas (device pixels).
     void begin(Point pixel);
-    /// Device pixels, and how many of them are a logical one.
+    /// Goes on with the drag; `pixel` is in device pixels, of which `dpr` are a logical one.
     void moveTo(Point pixel, double dpr);
+    /// Ends the drag; the brush keeps what it has now.
     void end();
-    /// The brush is what it was.
+    /// Gives the drag up: the brush is again what it was before.
     void giveUp();
 
+    /// Makes the brush larger (positive) or smaller by steps of a fourth of an octave.
     void stepSize(int steps);
+    /// Raises (positive) or lowers the opacity by steps.
     void stepOpacity(int steps);
 
-    /// Empty: there is none.
+    /// What is said beside the pointer; empty where nothing is.
     const QString &note() const { return m_note; }
 
 signals:
@@ -41,7 +45,7 @@ protected:
     void timerEvent(QTimerEvent *event) override;
 
 private:
-    /// From where the brush was.
+    /// A drag, which always counts from the brush that there was at its beginning.
     struct Drag {
         Brush brush;
         Point pixel;

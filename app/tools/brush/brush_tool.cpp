@@ -20,22 +20,22 @@ namespace suffuse {
 
 namespace {
 
-constexpr double endReach = 8; ///< logical pixels around an end node
+constexpr double endReach = 8; ///< logical pixels around an end node in which a stroke can be continued
 
 double spreadOf(const Segment &segment)
 {
     return spreadAt(double(segment.diffusion), double(segment.maxAge));
 }
 
-/// How far a brush's tapers reach, in spreads.
+/// How far the taper of a brush reaches, in spreads.
 double taperOf(const QString &name, bool atStart)
 {
     const Brush *brush = BrushLibrary::instance().find(name);
     return brush ? double(atStart ? brush->taper.in : brush->taper.out) : 0;
 }
 
-/// The segment where the taper at one of a stroke's ends begins, and how far it is from that end; the end's own
-/// segment where there is no taper.
+/// The segment where the taper at one of a stroke's ends begins, and its distance from that end. Where there is no
+/// taper, it is the segment at the end itself.
 std::pair<const Segment *, double> bodyAtEnd(const Stroke &stroke, int node)
 {
     const std::size_t count = stroke.segments.size();
@@ -53,8 +53,8 @@ std::pair<const Segment *, double> bodyAtEnd(const Stroke &stroke, int node)
     return {widest, wayToWidest};
 }
 
-/// What goes on as a stroke is at one of its ends: its look, and the values there. From a tapered end it grows to the
-/// stroke's size before the taper, over as long a way.
+/// A brush that continues a stroke at one of its ends, with the stroke's look and the values there. If the end is
+/// tapered, the new paint grows to the size that the stroke has before the taper, over a way as long as the taper.
 Brush brushAtEnd(const Stroke &stroke, int node, Brush brush)
 {
     const Segment &tip = node == 0 ? stroke.segments.front() : stroke.segments.back();
@@ -126,7 +126,7 @@ void BrushTool::press(const PointerEvent &event)
     m_lastTime = event.time;
     m_editor.clock().hold(true, event.late);
     PointerEvent first = event;
-    if (m_extended) // it begins right where the stroke ends
+    if (m_extended) // The new stroke begins exactly where the old one ends.
         first.point = nodePosition(*m_editor.document().painting()->find(m_extended->stroke), m_extended->node);
     const double stringLength = double(brush.stabiliser.length) * m_canvas.devicePixelRatioF() / m_canvas.view().scale;
     m_stabiliser.begin(brush.stabiliser, sampleOf(first), stringLength);
@@ -191,7 +191,8 @@ void BrushTool::release(const PointerEvent &event)
     m_sizing.end();
     if (!m_builder)
         return;
-    if (event.device == PointerDevice::Mouse || event.pressure > 0) // a pen lifts with pressure 0, which is no paint
+    // A pen reports pressure 0 when it lifts, which is no paint.
+    if (event.device == PointerDevice::Mouse || event.pressure > 0)
         if (const auto last = m_stabiliser.finish(sampleOf(event)))
             m_builder->add(*last);
     m_builder->finish();
@@ -282,7 +283,7 @@ void BrushTool::paint(QPainter &painter, const View &view, double dpr) const
     m_picker.paint(painter, dpr);
     if (m_hovering && !m_picker.isActive())
         paintOutline(painter, view, dpr);
-    paintNote(painter, dpr); // no circle crosses it
+    paintNote(painter, dpr); // The note is painted last, so that no circle crosses it.
 }
 
 void BrushTool::paintOutline(QPainter &painter, const View &view, double dpr) const
@@ -298,7 +299,7 @@ void BrushTool::paintOutline(QPainter &painter, const View &view, double dpr) co
     const auto ring = [&](double radius, Qt::PenStyle style, int alpha) {
         const double r = radius * view.scale;
         if (r < 3 * dpr || r > 2.0 * (view.width + view.height))
-            return; // too small to tell from the cross, or all around the window
+            return; // The circle is too small to tell it from the cross, or lies all around the window.
         painter.setBrush(Qt::NoBrush);
         painter.setPen(QPen(QColor(255, 255, 255, alpha), 2.2 * dpr));
         painter.drawEllipse(QPointF(m_pixel.x, m_pixel.y), r, r);

@@ -14,9 +14,9 @@
 
 namespace suffuse {
 
-/// Paints: the stroke in hand is the document's draft, and becomes one undo step when the pen lifts. With Shift from an
-/// end of a selected stroke it goes on with that stroke, with the values at that end; from elsewhere Shift changes the
-/// brush's size across and its opacity upwards; with Ctrl or Alt it picks colours.
+/// Paints. The stroke in hand is the document's draft, and becomes one undo step when the pen lifts. A drag with Shift
+/// that begins at an end of a selected stroke continues that stroke with the values at that end; one that begins
+/// elsewhere changes the brush's size across and its opacity upwards. With Ctrl or Alt the tool picks colours.
 class BrushTool : public CanvasTool {
     Q_OBJECT
 
@@ -32,7 +32,7 @@ public:
     void release(const PointerEvent &event) override;
     void hover(const PointerEvent &event) override;
     void leave() override;
-    /// None: what is painted is to be seen.
+    /// Outlines are hidden, so that what is painted is seen.
     bool showsOutlines() const override { return false; }
     bool isBusy() const override { return m_builder || m_sizing.isActive() || m_picker.isActive(); }
     void cancel() override;
@@ -40,7 +40,7 @@ public:
     void stepOpacity(int steps) override { m_sizing.stepOpacity(steps); }
     void paint(QPainter &painter, const View &view, double dpr) const override;
 
-    /// What the canvas says about the brush at the moment; empty: nothing.
+    /// What stands beside the pointer about the brush at the moment; empty where nothing does.
     const QString &note() const { return m_sizing.note(); }
 
 private:
@@ -50,10 +50,10 @@ private:
     void paintOutline(QPainter &painter, const View &view, double dpr) const;
     void paintNote(QPainter &painter, double dpr) const;
     void pushStroke(const StrokePtr &stroke);
-    /// Says so where nothing of a new stroke can be seen, until something else is done.
+    /// Says so where nothing of a new stroke can be seen. The message stays until something else is done.
     void tellIfUnseen(const Stroke &stroke);
     void say(const QString &text);
-    /// The end node of a selected stroke that is near enough to go on from.
+    /// The end node of a selected stroke that is near enough to the pixel to be continued.
     std::optional<NodeRef> endAt(Point pixel) const;
     void showOutlineAt(Point pixel);
     QRectF outlineBox() const;
@@ -62,12 +62,12 @@ private:
     PenStabiliser m_stabiliser;
     BrushSizing m_sizing;
     Microseconds m_lastTime = 0;
-    std::optional<NodeRef> m_extended; ///< the end that the stroke in hand goes on from
-    std::optional<NodeRef> m_nearEnd;  ///< under the pointer
+    std::optional<NodeRef> m_extended; ///< the end that the stroke in hand continues
+    std::optional<NodeRef> m_nearEnd;  ///< the end under the pointer that could be continued
     ColourPicker m_picker;
-    QString m_said; ///< about the last stroke; empty: nothing
+    QString m_said; ///< what is said about the last stroke; empty: nothing
     bool m_hovering = false;
-    Point m_pixel; ///< where the outline is
+    Point m_pixel; ///< where the outline of the brush is
     QPointer<QWidget> m_options;
 };
 

@@ -23,7 +23,8 @@ constexpr double hairlineSlack = 3; ///< logical pixels around the pointer in wh
 
 std::optional<Colour> pictureColourAt(Editor &editor, Point point)
 {
-    Painting near = *editor.document().snapshot(); // the probe looks closely at all it gets
+    // The probe computes all strokes that it gets, so it gets only those near the point.
+    Painting near = *editor.document().snapshot();
     StrokeList strokes;
     for (const StrokePtr &stroke : std::as_const(near.strokes))
         if (influenceOf(*stroke, editor.clock().time()).contains(point))
@@ -65,7 +66,7 @@ void ColourPicker::move(const PointerEvent &event)
         if (const auto colour = strokeColourAt(m_editor, event.point, tolerance))
             m_editor.setColour(*colour);
     } else if (auto colour = pictureColourAt(m_editor, event.point)) {
-        colour->opacity = m_editor.brush().colour.opacity; // a picture has none
+        colour->opacity = m_editor.brush().colour.opacity; // The picture has no opacity, so the brush keeps its own.
         m_editor.setColour(*colour);
     }
     m_canvas.updateOverlay();

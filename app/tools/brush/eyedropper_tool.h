@@ -11,21 +11,24 @@ namespace suffuse {
 
 /// The picture's colour at a point of the canvas: red, yellow and blue as they are mixed there, opacity 1.
 std::optional<Colour> pictureColourAt(Editor &editor, Point point);
-/// The own colour of the stroke that is seen there on top: that of the segment with the largest share.
+/// The colour of the topmost stroke that is seen at a point: that of its segment with the largest share there.
 std::optional<Colour> strokeColourAt(Editor &editor, Point point, double tolerance);
 
-/// Picks while the pointer is down: the picture's colour, or with Shift the stroke's own, becomes the current colour.
+/// Picks while the pointer is down: the picture's colour or, with Shift, the stroke's own becomes the current colour.
 class ColourPicker {
 public:
     explicit ColourPicker(CanvasWidget &canvas);
 
+    /// Begins to pick at a press.
     void begin(const PointerEvent &event);
+    /// Picks at another place.
     void move(const PointerEvent &event);
+    /// Ends picking; the picked colour stays the current one.
     void end();
-    /// Gives the colour back that was the current one.
+    /// Makes the colour from before the press the current one again.
     void giveUp();
     bool isActive() const { return m_active; }
-    /// A ring around the pointer: the picked colour above, the one before below.
+    /// Paints a ring around the pointer: the picked colour above, the one before it below.
     void paint(QPainter &painter, double dpr) const;
 
 private:

@@ -23,7 +23,7 @@ Quantity quantityOf(Attribute attribute)
     case Attribute::MaxAge:
         return Quantity::MaxAge;
     default:
-        return Quantity::Opacity; // of a colour only differences are numbers, which are shares as these
+        return Quantity::Opacity; // Differences of a colour are shares, as opacities are.
     }
 }
 
@@ -39,7 +39,7 @@ FieldSpec specOf(const AttributeWish &wish)
     const bool isGrain = wish.attribute == Attribute::Granulation;
     if (!wish.relative) {
         if (isGrain)
-            spec.defaultValue = spec.display.toValue(100); // all of it: most segments have none
+            spec.defaultValue = spec.display.toValue(100); // The default is all of it, since most segments have none.
         return spec;
     }
     spec.minimum = isRatio(wish.attribute) ? 0.001 : -1;

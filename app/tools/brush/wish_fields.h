@@ -13,22 +13,24 @@ namespace suffuse {
 
 class NumberField;
 
-/// What is painted onto segments, whether towards a value or from theirs, and the value. They go with the row that they
-/// are added to.
+/// The fields for what is painted onto segments, for whether it leads towards a value or adds to the segments' own, and
+/// for the value. They belong to the row that they are added to.
 class WishFields : public QObject {
     Q_OBJECT
 
 public:
+    /// Adds the fields to a row.
     explicit WishFields(QHBoxLayout &row);
 
+    /// Shows a wish, and emits nothing.
     void show(const AttributeWish &wish);
 
 signals:
-    /// By hand.
+    /// Emitted when somebody has changed the wish by hand.
     void wishChanged(const suffuse::AttributeWish &wish);
 
 private:
-    /// The value becomes what is usual.
+    /// Takes another quantity, with the value that is usual for it.
     void choose(Attribute attribute, bool relative);
 
     AttributeWish m_wish;

@@ -13,7 +13,7 @@ namespace suffuse {
 
 namespace {
 
-/// In the order of the tool's row; 0 parts groups.
+/// The commands in the order of the tool's row; an entry without a command is a line between groups.
 constexpr std::optional<Command> rowOfCommands[] = {Command::InsertNodes,
                                                     {},
                                                     Command::NodeCorner,
@@ -127,7 +127,7 @@ void NodeCommands::insertBetween()
     PlacesOfStrokes places;
     for (const SegmentRef &segment : chosenSegments())
         places[segment.stroke].push_back({segment.segment, 0.5});
-    // The nodes that there were, and the new ones between them.
+    // Both the nodes that were selected and the new ones between them are selected afterwards.
     std::set<NodeRef> nodes;
     for (const auto &[id, inStroke] : places) {
         const StrokePtr stroke = m_editor.document().painting()->find(id);
@@ -189,7 +189,7 @@ bool NodeCommands::deleteNodes()
 void NodeCommands::deleteSegments()
 {
     const std::set<SegmentRef> segments = chosenSegments();
-    std::set<StrokeId> strokes; // others that are selected must stay
+    std::set<StrokeId> strokes; // Strokes that take no part stay selected.
     for (const SegmentRef &segment : segments)
         strokes.insert(segment.stroke);
     m_editor.document().setSelection({strokes, segments});

@@ -1,4 +1,4 @@
-// What menu and the tool's row do to nodes and segments.
+// The commands that the menu and the tool's row have for nodes and segments.
 #pragma once
 
 #include "model/painting/segment.h"
@@ -23,22 +23,23 @@ class NodeCommands : public QObject {
     Q_OBJECT
 
 public:
-    /// Adds the rows. `nodes`: the tool's, that are selected; the tool calls `update` when they change.
+    /// Adds the rows to the table. `nodes` are the tool's selected nodes; the tool calls `update` when they change.
     NodeCommands(const CanvasWidget &canvas, Editor &editor, Commands &table, const Tool &tool,
                  const std::set<NodeRef> &nodes);
 
+    /// Enables the commands that the selected nodes and segments allow.
     void update();
-    /// A button for each; whoever calls it owns it.
+    /// Makes a row with a button for each command. The caller owns it.
     QWidget *makeRow();
-    /// False if none is selected. Their neighbours are bridged.
+    /// Deletes the selected nodes and bridges the gaps between their neighbours. Returns false if no node is selected.
     bool deleteNodes();
-    /// All nodes of the selected strokes; false if there are none.
+    /// Selects all nodes of the selected strokes. Returns false if no stroke is selected.
     bool selectAll();
-    /// The next node of the selected strokes, or the one before: by 1 or -1.
+    /// Selects the next (1) or the previous (-1) node of the selected strokes instead.
     void selectNext(int step);
 
 signals:
-    /// Nodes are to be selected, and no others.
+    /// Emitted when exactly these nodes are to be selected.
     void chosen(const std::set<suffuse::NodeRef> &nodes);
 
 private:
@@ -49,7 +50,7 @@ private:
     void reverse();
     void deleteSegments();
     void bridge();
-    /// The selected segments, or else those between selected nodes.
+    /// The selected segments or, where none is, the segments between selected nodes.
     std::set<SegmentRef> chosenSegments() const;
 
     const CanvasWidget &m_canvas;

@@ -12,10 +12,10 @@ namespace {
 constexpr double leastGap = 24;        ///< logical pixels between nodes that are shown
 constexpr double nodeRadius = 4;       ///< logical pixels
 constexpr double handleMarkRadius = 3; ///< logical pixels
-constexpr double leastHandle = 2;      ///< logical pixels; shorter ones are drawn in
+constexpr double leastHandle = 2;      ///< logical pixels; shorter handles are not shown
 constexpr std::size_t manyMarks = 2000;
 constexpr std::size_t manySelected = 500;
-constexpr double place = 10; ///< logical pixels that a mark has for itself where there are many
+constexpr double place = 10; ///< logical pixels of a square that shows one mark only, where there are many
 
 void drawNode(QPainter &painter, QPointF at, NodeKind kind, bool selected, double radius, const QColor &accent,
               double dpr)
@@ -37,7 +37,7 @@ void drawNode(QPainter &painter, QPointF at, NodeKind kind, bool selected, doubl
     }
 }
 
-/// The picture of one mark, to be put down at whole pixels, so that straight edges are sharp.
+/// The picture of one mark. It is painted at whole pixels, so that straight edges stay sharp.
 QPixmap stampOf(NodeKind kind, bool selected, double radius, const QColor &accent, double dpr)
 {
     const int half = int(std::ceil((radius + 3) * dpr));
@@ -153,7 +153,8 @@ NodeMarks::Hit NodeMarks::hit(Point pixel) const
             hit.handle = mark.handle;
         }
     for (const NodeMark &mark : m_nodes)
-        if (const double d = length(mark.pixel - pixel); d <= nearest) { // a handle that lies on a node is below it
+        // On equal distance the node wins, since it lies over its handles.
+        if (const double d = length(mark.pixel - pixel); d <= nearest) {
             nearest = d;
             hit = {mark.node, {}};
         }
@@ -182,7 +183,7 @@ void NodeMarks::paint(QPainter &painter, const OverlayColours &colours, const Hi
         painter.drawEllipse(QPointF(mark.pixel.x, mark.pixel.y), r, r);
     }
     const NodeKind kinds[] = {NodeKind::Smooth, NodeKind::Symmetric, NodeKind::Corner};
-    for (const bool selected : {false, true}) { // the selected ones on top
+    for (const bool selected : {false, true}) { // The selected nodes come last, and so lie on top.
         std::array<QPixmap, 3> stamps;
         for (const NodeKind kind : kinds)
             stamps[std::size_t(kind)] = stampOf(kind, selected, nodeRadius, colours.accent, m_dpr);

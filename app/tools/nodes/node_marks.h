@@ -1,4 +1,4 @@
-// The nodes and handles that the Segments tool shows, where they lie on screen, and which of them the pointer means.
+// The nodes and handles that the Segments tool shows, their places on the screen, and which of them the pointer means.
 #pragma once
 
 #include "app/canvas/overlay/overlay.h"
@@ -29,29 +29,32 @@ struct HandleMark {
     Point nodePixel;
 };
 
-/// Made for one state of painting, selection and view. Nodes that crowd on screen are thinned out: along a stroke, but
-/// for its ends and the selected ones; and where very many are to be seen, to one a place. Handles are those of the
-/// selected nodes and their neighbours, unless these are very many. All pixels are device pixels.
+/// The marks for one state of painting, selection and view. Nodes that crowd on the screen are thinned out along their
+/// stroke, except its ends and the selected nodes; where very many nodes are in view, each place shows one. The handles
+/// shown are those of the selected nodes and of their neighbours, unless these are very many. All pixels are device
+/// pixels.
 class NodeMarks {
 public:
-    /// Logical pixels around the pointer in which something is hit.
+    /// Logical pixels around the pointer in which a mark is hit.
     static constexpr double reach = 8;
 
     NodeMarks(const Painting &painting, const std::set<StrokeId> &strokes, const std::set<NodeRef> &selected,
               const View &view, double dpr);
 
     const View &view() const { return m_view; }
-    /// Takes strokes over as they are now while they are dragged: what crowds on screen is told from their own marks alone.
+    /// Takes over strokes as they are now while they are dragged. Only the marks of these strokes decide which of their
+    /// nodes crowd.
     void follow(const Painting &painting, const std::vector<StrokeId> &strokes, const std::set<NodeRef> &selected);
-    /// The nearest node or handle that is hit, if any.
+    /// The nearest node or handle within reach, if there is one.
     struct Hit {
         std::optional<NodeRef> node;
         std::optional<HandleRef> handle;
         bool isEmpty() const { return !node && !handle; }
         friend bool operator==(const Hit &, const Hit &) = default;
     };
+    /// What the pointer hits at a pixel.
     Hit hit(Point pixel) const;
-    /// `hovered` stands out.
+    /// Paints the marks; `hovered` stands out among them.
     void paint(QPainter &painter, const OverlayColours &colours, const Hit &hovered) const;
 
 private:

@@ -72,7 +72,7 @@ void NodeTool::followDocument(const Change &change)
         m_nodes.clear();
     if (!m_nodes.empty()) {
         const std::set<StrokeId> &shown = m_canvas.selection().strokes;
-        std::map<StrokeId, int> counts; // of the selected strokes that have selected nodes
+        std::map<StrokeId, int> counts; // the nodes of each selected stroke that has selected nodes
         const std::set<StrokeId> wanted = strokesOfNodes();
         for (const StrokePtr &stroke : m_editor.document().painting()->strokes)
             if (wanted.contains(stroke->id) && shown.contains(stroke->id))
@@ -87,7 +87,7 @@ void NodeTool::followDocument(const Change &change)
     m_commands.update();
 }
 
-/// Whether it is one of few strokes in the hand and nothing else.
+/// Whether a change comes from dragging few strokes, and from nothing else.
 bool NodeTool::isOfDrag(const Change &change) const
 {
     constexpr std::size_t few = 32;
@@ -107,7 +107,8 @@ std::set<StrokeId> NodeTool::strokesOfNodes() const
 void NodeTool::selectNodes(std::set<NodeRef> nodes)
 {
     m_nodes = std::move(nodes);
-    if (!selection().segments.empty()) // no segments beside nodes; without nodes this is what deselecting them means
+    // Segments and nodes are never both selected; where no node is left, this deselects the segments.
+    if (!selection().segments.empty())
         select(Selection{selection().strokes, {}});
     m_marks.reset();
     m_commands.update();
@@ -267,7 +268,8 @@ void NodeTool::clickedSegment(const PointerEvent &event)
     }
 }
 
-/// Beside what is selected: another stroke's segment, or where nodes are selected its nodes, to choose from.
+/// Adds another stroke to the selection: the segment that was hit or, where nodes are selected, the whole stroke, so
+/// that its nodes can be chosen.
 void NodeTool::addStroke(const SegmentRef &hit)
 {
     if (m_nodes.empty())
@@ -331,7 +333,7 @@ bool NodeTool::nudge(QKeyEvent *event)
     const std::optional<Point> way = nudgeOf(*event);
     if (m_nodes.empty() || !way)
         return false;
-    if (!event->isAutoRepeat()) // a key held down is one step
+    if (!event->isAutoRepeat()) // A key that is held down is one step.
         m_nodeNudges.endSteps();
     m_editor.push(moveNodes(m_editor.document(), m_nodes, *way),
                   m_nodes.size() > 1 ? tr("Move nodes") : tr("Move node"), &m_nodeNudges);
@@ -340,7 +342,7 @@ bool NodeTool::nudge(QKeyEvent *event)
 
 std::optional<double> NodeTool::paintMargin() const
 {
-    constexpr double marks = 20; // logical pixels: of nodes, handles and where they snap
+    constexpr double marks = 20; // logical pixels that nodes, handles and the mark of a snap take
     return std::max(marks * m_canvas.devicePixelRatioF(), m_width.reach());
 }
 

@@ -14,7 +14,8 @@ namespace suffuse {
 class Commands;
 struct Change;
 
-/// Segments, nodes and handles of strokes. Segments are selected in the document, nodes here; never both at once.
+/// Selects and drags segments, nodes and handles of strokes. The document knows the selected segments and the tool the
+/// selected nodes; never are both selected at once.
 class NodeTool : public SelectionTool {
     Q_OBJECT
 
@@ -34,15 +35,15 @@ public:
     void leave() override;
     bool keyPress(QKeyEvent *event) override;
     bool wantsKey(const QKeyEvent &event) const override;
-    /// The selected nodes; their neighbours are bridged.
+    /// Deletes the selected nodes and bridges the gaps between their neighbours.
     bool deleteSelected() override { return m_commands.deleteNodes(); }
-    /// All nodes of the selected strokes.
+    /// Selects all nodes of the selected strokes.
     bool selectAll() override { return m_commands.selectAll(); }
     void paint(QPainter &painter, const View &view, double dpr) const override;
     std::optional<double> paintMargin() const override;
 
     const std::set<NodeRef> &nodes() const { return m_nodes; }
-    /// Selects nodes of selected strokes; no segments are selected then.
+    /// Selects nodes of selected strokes, and deselects the segments.
     void selectNodes(std::set<NodeRef> nodes);
 
 protected:
@@ -65,7 +66,7 @@ private:
     bool isOfDrag(const Change &change) const;
     const NodeMarks &marks() const;
     bool isInUse() const;
-    /// What the pointer is over, besides paint.
+    /// What lies under the pointer, besides paint.
     struct Hovered {
         NodeMarks::Hit mark;
         bool curve = false;
@@ -86,12 +87,13 @@ private:
     QPointer<QWidget> m_options;
     std::set<NodeRef> m_nodes;
     NodeCommands m_commands;
-    mutable std::optional<NodeMarks> m_marks; ///< of the present state, while nothing changes
+    /// the marks of the present state; none after a change, until they are needed
+    mutable std::optional<NodeMarks> m_marks;
     Hovered m_hovered;
 
-    NodeMarks::Hit m_hit; ///< what the press hit
+    NodeMarks::Hit m_hit; ///< the mark that the press hit
     std::optional<CurveHit> m_onCurve;
-    bool m_inserted = false; ///< by this press
+    bool m_inserted = false; ///< whether this press has inserted a node
     Gesture m_gesture;
     Snapping m_snapping;
     Snap m_snap;

@@ -1,4 +1,4 @@
-// Drags of nodes, handles and curves.
+// How the Segments tool drags nodes, handles and curves.
 #include "app/canvas/canvas_widget.h"
 #include "app/session/editor.h"
 #include "app/tools/nodes/node_tool.h"
@@ -11,16 +11,17 @@ namespace suffuse {
 
 namespace {
 
-constexpr double handleAngleStep = std::numbers::pi / 12; ///< of handles with Ctrl
+/// Handles that are dragged with Ctrl take angles in steps of this.
+constexpr double handleAngleStep = std::numbers::pi / 12;
 
-/// A move on screen along one of its axes: the longer part of it.
+/// The part of a move along one axis of the screen: along the axis with the longer part.
 Point alongAxis(Point pixels)
 {
     return std::abs(pixels.x) > std::abs(pixels.y) ? Point{pixels.x, 0} : Point{0, pixels.y};
 }
 
-/// The part of a move that goes along one of a node's handles, whichever it follows more; all of it where there is
-/// none.
+/// The part of a move along one of a node's handles, namely the one that it follows more. Without handles it is the
+/// whole move.
 Point alongHandles(const Stroke &stroke, int node, Point by)
 {
     Point best = by;
@@ -62,7 +63,7 @@ bool NodeTool::beginDrag(const PointerEvent &event)
     return m_gesture.isOpen();
 }
 
-/// Of the strokes that are not locked; without any there is nothing to drag.
+/// Begins the drag of those of the strokes that are not locked. If all are locked, nothing is dragged.
 void NodeTool::begin(const std::set<StrokeId> &strokes, const QString &name)
 {
     m_gesture = m_editor.begin(name);

@@ -29,7 +29,7 @@ std::optional<WidthHandle::Target> WidthHandle::targetOf(const Stroke &stroke, c
 {
     const Segment &segment = stroke.segments[std::size_t(ref.segment)];
     Target target{ref, segment};
-    // Paint that is not there yet is set for when it is dry.
+    // The width of paint that is not there yet is set for the time when it is dry.
     const double age = segment.age(m_canvas.editor().clock().time());
     target.age = age > 0 ? age : double(segment.maxAge);
     target.across = diffusionAcross(segment, tangentAt(stroke.cubicOf(segment), 0.5)) / double(segment.diffusion);
@@ -61,7 +61,7 @@ std::optional<WidthHandle::Place> WidthHandle::place() const
 
 Point WidthHandle::pixelOf(const Place &place, const View &view, double dpr) const
 {
-    // The handle keeps a distance on screen: where the stroke is thin, its nodes stay free.
+    // The handle keeps a least distance on the screen, so that the nodes of thin strokes stay free.
     const double distance = place.width + handleGap * dpr / view.scale;
     return view.toPixels(place.middle + distance * place.normal);
 }
@@ -100,7 +100,7 @@ void WidthHandle::move(const PointerEvent &event)
 void WidthHandle::widen(Segment &segment, const Target &target, double width, bool diffusionAlone) const
 {
     if (target.width <= 0 && m_start.width > 0)
-        return; // what has faded stays so beside what is seen
+        return; // Where other segments are seen, those that have faded keep their width.
     const double diffusion = target.across * double(segment.diffusion);
     if (diffusionAlone) {
         if (width > 0 && segment.density > 0)
@@ -116,7 +116,7 @@ void WidthHandle::widen(Segment &segment, const Target &target, double width, bo
 
 void WidthHandle::setWidth(double width, bool diffusionAlone)
 {
-    // Back at the start every value is what it was, to the last bit.
+    // At the start of the drag every value is again what it was, to the last bit.
     const bool back = std::abs(width - m_start.width) * m_canvas.view().scale < 0.5;
     const double ratio = m_start.width > 0 ? width / m_start.width : 0;
     Editor &editor = m_canvas.editor();
@@ -167,7 +167,7 @@ void WidthHandle::paint(QPainter &painter, const View &view, double dpr) const
     painter.drawLine(point(from), point(to));
     painter.setPen(QPen(accent, 1 * dpr));
     painter.drawLine(point(from), point(to));
-    // Two arrow heads, inwards and outwards, in a round knob.
+    // The knob is round and shows two arrow heads, one inwards and one outwards.
     painter.setPen(QPen(Qt::white, 3 * dpr));
     painter.drawEllipse(point(to), markRadius * dpr, markRadius * dpr);
     painter.setPen(QPen(accent, 1.5 * dpr));

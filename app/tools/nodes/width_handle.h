@@ -15,40 +15,44 @@ namespace suffuse {
 
 class CanvasWidget;
 
-/// Stands at the visible edge beside the middle of what is selected in one stroke. A drag solves for the density φ in
-/// closed form, and for the diffusion D beyond twice the spread; with Shift for D alone. All selected segments keep
-/// their widths' proportions. For tools that select: they offer it each press before they look at it themselves.
+/// The handle stands at the visible edge, beside the middle of what is selected in one stroke. Dragging it solves in
+/// closed form for the density φ, and beyond twice the spread for the diffusion D; with Shift it solves for D alone.
+/// The widths of all selected segments keep their proportions. Tools that select offer each press to the handle before
+/// they look at it themselves.
 class WidthHandle {
 public:
     explicit WidthHandle(CanvasWidget &canvas) : m_canvas(canvas) {}
 
-    /// Whether a press there would take hold of it; pixels of the canvas.
+    /// Whether a press at a pixel of the canvas would take hold of the handle.
     bool isAt(Point pixel) const;
-    /// True if it took hold: moves and the release are its own then.
+    /// Returns true if the press took hold of the handle: then moves and the release belong to it, too.
     bool press(const PointerEvent &event);
+    /// Goes on with the drag.
     void move(const PointerEvent &event);
+    /// Ends the drag, and makes a step of it.
     void release();
-    /// Gives the drag up; the values are what they were.
+    /// Gives the drag up: the values are again what they were.
     void cancel();
     bool isBusy() const { return m_gesture.isOpen(); }
+    /// Paints the handle in device pixels, if there is one.
     void paint(QPainter &painter, const View &view, double dpr) const;
-    /// Device pixels from the curve to the far side of the handle; 0: there is none.
+    /// Device pixels from the curve to the far side of the handle; 0 if there is none.
     double reach() const;
-    /// What dragging it does, for the status bar.
+    /// What dragging the handle does, for the status bar.
     static QString hint();
 
 private:
-    /// Where it stands: beside the middle of a segment, on the left of its direction.
+    /// Where the handle stands: beside the middle of a segment, to the left of its direction.
     struct Place {
         SegmentRef ref;
         Point middle;     ///< canvas units
-        Point normal;     ///< of length 1
-        double width = 0; ///< visible half-width of the segment, units
+        Point normal;     ///< a vector of length 1
+        double width = 0; ///< visible half-width of the segment, canvas units
     };
     struct Target {
         SegmentRef ref;
         Segment before;
-        double across = 1; ///< D across the curve, of D
+        double across = 1; ///< D across the curve, as a share of D
         double cut = 0;
         double width = 0;
         double age = 0;
@@ -63,7 +67,7 @@ private:
     CanvasWidget &m_canvas;
     Place m_start;
     std::vector<Target> m_targets;
-    double m_grab = 0; ///< pixels between the handle and the pointer, outwards
+    double m_grab = 0; ///< pixels from the handle outwards to where the pointer took hold of it
     Gesture m_gesture;
 };
 

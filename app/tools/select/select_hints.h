@@ -13,14 +13,17 @@ struct SelectHints {
     Q_DECLARE_TR_FUNCTIONS(SelectHints)
 
 public:
-    /// Over a handle.
+    /// What a drag of a handle does.
     static QString ofHandle(const TransformHandle &handle);
-    /// Elsewhere, with the modifier keys that are held.
+    /// What clicks and drags beside the handles do with the modifier keys that are held.
     static QString ofKeys(Qt::KeyboardModifiers held, bool anySelected);
-    // While strokes are dragged.
+    /// What the strokes in the hand have been moved by, in canvas units.
     static QString ofMove(Point by);
-    static QString ofScale(const Affine &map); ///< below 0: mirrored
+    /// How the box has been scaled; a side that is mirrored has a value below 0.
+    static QString ofScale(const Affine &map);
+    /// How far the strokes have been turned, from radians.
     static QString ofTurn(double radians);
+    /// How far the box has been skewed.
     static QString ofSkew(const Affine &map);
 };
 

@@ -64,7 +64,7 @@ void SelectTool::pressed(const PointerEvent &event)
     const bool plain = !(event.modifiers & (Qt::ShiftModifier | Qt::AltModifier));
     m_selectedByPress = m_hit && plain && !selection().strokes.contains(m_hit->stroke);
     if (m_selectedByPress) {
-        const bool within = event.modifiers & Qt::ControlModifier; // a group
+        const bool within = event.modifiers & Qt::ControlModifier; // The click means a stroke within its group.
         select(Selection{within ? std::set<StrokeId>{m_hit->stroke}
                                 : withGroup(*m_editor.document().painting(), m_hit->stroke),
                          {}});
@@ -82,7 +82,7 @@ bool SelectTool::isMoving(const PointerEvent &event) const
 void SelectTool::release(const PointerEvent &event)
 {
     SelectionTool::release(event);
-    m_canvas.lifted().endLift(); // a click has only pressed
+    m_canvas.lifted().endLift(); // The press was only a click, so nothing floats any more.
 }
 
 void SelectTool::cancel()
@@ -100,9 +100,9 @@ void SelectTool::clicked(const PointerEvent &event)
     if (resets)
         m_handles.resetCentre();
     else if (centre)
-        m_hit = pick(event); // it only lies over the paint
+        m_hit = pick(event); // The handle only lies over the paint that was meant.
     if (resets || (handle && !centre)) {
-        // A handle that is not dragged does nothing.
+        // A click on a handle does nothing without a drag.
     } else if (event.modifiers & Qt::AltModifier) {
         clickedBelow(event);
     } else if (m_hit) {
@@ -232,11 +232,11 @@ void SelectTool::dragSelection(const PointerEvent &event)
     const View &view = m_canvas.view();
     Point by = event.point - start().point;
     m_snap.clear();
-    if (event.modifiers & Qt::ControlModifier) { // along one axis of the screen, as in Inkscape
+    if (event.modifiers & Qt::ControlModifier) { // The drag goes along one axis of the screen, as in Inkscape.
         const Point pixels = event.pixel - start().pixel;
         const Point kept = std::abs(pixels.x) > std::abs(pixels.y) ? Point{pixels.x, 0} : Point{0, pixels.y};
         by = view.toCanvas(start().pixel + kept) - start().point;
-    } else if (!(event.modifiers & Qt::ShiftModifier)) { // Shift: freely
+    } else if (!(event.modifiers & Qt::ShiftModifier)) { // With Shift the drag goes freely.
         by = m_snap.move(by, view, m_canvas.devicePixelRatioF());
     }
     show(Affine::translation(by));
@@ -250,7 +250,7 @@ void SelectTool::dragHandle(const PointerEvent &event)
     const bool ctrl = event.modifiers & Qt::ControlModifier;
     const bool snaps = m_handle->kind == Kind::Centre || (m_handle->kind == Kind::Scale && !ctrl);
     m_snap.clear();
-    if (snaps) { // the corner of the box, not the handle beside it
+    if (snaps) { // What snaps is the corner of the box, not the handle beside it.
         const Point beside = m_handle->kind == Kind::Centre ? Point{} : start().point - m_handles.anchor(*m_handle);
         to = m_snap.point(to - beside, view, m_canvas.devicePixelRatioF()) + beside;
     }
@@ -291,7 +291,7 @@ void SelectTool::endDrag(bool cancelled)
     m_stale = true;
     handles();
     if (!cancelled && !centre && ownCentre)
-        m_handles.setCentre(about); // it stays where it was on the strokes
+        m_handles.setCentre(about); // The centre stays where it was on the strokes.
     m_handle.reset();
     m_snap.clear();
     say({});
@@ -353,7 +353,7 @@ QCursor SelectTool::cursor() const
     return m_hovered ? Qt::PointingHandCursor : Qt::ArrowCursor;
 }
 
-/// On the canvas and in the row over it, while strokes are turned.
+/// Shows the angle by which strokes are turned, on the canvas and in the row over it.
 void SelectTool::showTurn(std::optional<double> angle, Point pixel)
 {
     m_turned = angle;
@@ -381,10 +381,10 @@ QString SelectTool::hint() const
 
 std::optional<double> SelectTool::paintMargin() const
 {
-    constexpr double marks = 40; // logical pixels: of the handles around the box, and of where it snaps
+    constexpr double marks = 40; // logical pixels for the handles around the box, and for the mark of a snap
     const bool centre = m_handle ? m_handle->kind == Kind::Centre : m_handles.mode() == TransformHandles::Mode::Turn;
     if ((centre || m_turned) && !selection().isEmpty())
-        return {}; // the centre may lie anywhere, and the angle stands beside the pointer
+        return {}; // The centre may lie anywhere, and the angle stands beside the pointer.
     return marks * m_canvas.devicePixelRatioF();
 }
 

@@ -14,8 +14,8 @@ class Commands;
 class TransformBar;
 struct Change;
 
-/// Selects strokes by their visible paint, moves them, and maps them by the handles around them; a second click changes
-/// between the handles that scale and those that turn, as in Inkscape.
+/// Selects strokes by their visible paint, moves them, and maps them by the handles around them. A second click
+/// switches between the handles that scale and those that turn, as in Inkscape.
 class SelectTool : public SelectionTool {
     Q_OBJECT
 
@@ -29,13 +29,13 @@ public:
     void cancel() override;
     void hover(const PointerEvent &event) override;
     void leave() override;
-    /// Tab and Shift+Tab go through the strokes.
+    /// Selects the next stroke for Tab, and the previous one for Shift+Tab.
     bool keyPress(QKeyEvent *event) override;
     bool wantsKey(const QKeyEvent &event) const override;
     void paint(QPainter &painter, const View &view, double dpr) const override;
     std::optional<double> paintMargin() const override;
 
-    /// Around the selection, as they are shown.
+    /// The handles around the selection, as they are shown.
     const TransformHandles &handles() const;
 
 protected:
@@ -53,35 +53,35 @@ private:
     void followDocument(const Change &change);
     void clickedBelow(const PointerEvent &event);
     void clickedStroke(const PointerEvent &event);
-    /// Adds, takes away or replaces, as the modifiers say.
+    /// Adds strokes to the selection, removes them from it, or replaces it, as the modifier keys say.
     void combine(std::set<StrokeId> found, const PointerEvent &event);
     void selectNext(int step);
 
-    /// Whether a drag from there moves the selection.
+    /// Whether a drag that begins there moves the selection.
     bool isMoving(const PointerEvent &event) const;
     void dragHandle(const PointerEvent &event);
     void dragSelection(const PointerEvent &event);
     void show(const Affine &map);
-    /// The readout of a drag, in the status bar.
+    /// Shows the numbers of a drag in the status bar.
     void say(const QString &text);
     void showTurn(std::optional<double> angle, Point pixel = {});
 
     Commands &m_commands;
     QPointer<TransformBar> m_options;
     mutable TransformHandles m_handles;
-    mutable bool m_stale = true;  ///< the handles' box
-    std::set<StrokeId> m_handled; ///< the strokes that they are around
+    mutable bool m_stale = true;  ///< whether the handles' box must be computed anew
+    std::set<StrokeId> m_handled; ///< the strokes inside the handles' box
     std::optional<TransformHandle> m_hovered;
     QString m_said;
 
-    std::optional<SegmentRef> m_hit;  ///< what the press hit
-    std::optional<PathTouch> m_touch; ///< of the path that is being drawn
+    std::optional<SegmentRef> m_hit;  ///< the stroke and segment that the press hit
+    std::optional<PathTouch> m_touch; ///< what the path that is being drawn has touched
     bool m_selectedByPress = false;
-    bool m_turnedByClick = false;            ///< the last click changed the handles' mode
-    std::optional<TransformHandle> m_handle; ///< that is dragged
+    bool m_turnedByClick = false;            ///< whether the last click has changed the handles' mode
+    std::optional<TransformHandle> m_handle; ///< the handle that is dragged
     Gesture m_gesture;
-    Affine m_map;                   ///< of the drag so far
-    std::optional<double> m_turned; ///< radians, while a drag turns
+    Affine m_map;                   ///< the map of the drag so far
+    std::optional<double> m_turned; ///< radians; it has a value while a drag turns strokes
     Point m_turnedAt;
     TransformSnap m_snap;
 };

@@ -54,7 +54,8 @@ void TransformBar::addNumbers(QHBoxLayout &row)
     //: height
     addField(row, Number::Height, tr("H"), tr("Height of the selected strokes' curves, canvas units"));
     NumberField *angle = addField(row, Number::Angle, tr("∠"), tr("Rotate the selected strokes by this angle"));
-    angle->setDisplay({.unit = angleDisplay().unit}); // in degrees already
+    // The values are degrees already, so only the unit of the display is taken.
+    angle->setDisplay({.unit = angleDisplay().unit});
     angle->setRange(-3600, 3600);
 }
 
@@ -110,7 +111,7 @@ void TransformBar::showEvent(QShowEvent *event)
 void TransformBar::follow()
 {
     m_stale = true;
-    if (isVisible()) // once for all that happens before the event loop comes round
+    if (isVisible()) // One refresh serves all that happens before the event loop comes round.
         QMetaObject::invokeMethod(this, &TransformBar::refresh, Qt::QueuedConnection);
 }
 
@@ -170,7 +171,7 @@ void TransformBar::enter(Number number, double value, ValueEntry *entry)
 {
     m_editor.settle();
     m_stale = true;
-    refresh(); // the box of this moment
+    refresh(); // The fields must show the box of this moment before a value is taken.
     if (m_box.isEmpty())
         return;
     const QString name = number == Number::Angle                      ? tr("Rotate")

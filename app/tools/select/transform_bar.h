@@ -16,15 +16,15 @@ class Commands;
 class Editor;
 class NumberField;
 
-/// The Select tool's row over the canvas: place and size of the selection as numbers, turning, and the commands that go
-/// with it.
+/// The Select tool's row over the canvas: place and size of the selection as numbers, an angle to turn it by, and the
+/// commands that belong to it.
 class TransformBar : public QWidget {
     Q_OBJECT
 
 public:
     TransformBar(Editor &editor, Commands &commands, QWidget *parent = nullptr);
 
-    /// What a drag turns the selection by, radians; none: nothing is being turned.
+    /// Shows the angle by which a drag turns the selection, in radians; no value where nothing is being turned.
     void showTurn(std::optional<double> angle);
 
 protected:
@@ -46,12 +46,12 @@ private:
 
     Editor &m_editor;
     Commands &m_commands;
-    std::array<NumberField *, 5> m_fields{}; ///< by Number
+    std::array<NumberField *, 5> m_fields{}; ///< by the value of `Number`
     QToolButton *m_proportions = nullptr;
     Rect m_box;
     bool m_stale = true;
-    double m_turn = 0;            ///< degrees, while strokes are being turned
-    Number m_stepped = Number::X; ///< the field that was stepped last; one field's steps are one undo step
+    double m_turn = 0;            ///< degrees; 0 where no strokes are being turned
+    Number m_stepped = Number::X; ///< The field that was stepped last: steps of one field become one undo step.
     ValueEntry m_steps;
 };
 

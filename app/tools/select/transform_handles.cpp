@@ -12,7 +12,7 @@ using Kind = TransformHandle::Kind;
 
 constexpr double standOff = 11;      ///< logical pixels between the box and the middle of a handle
 constexpr double hitRadius = 9;      ///< logical pixels
-constexpr double roomForMiddle = 34; ///< logical pixels of a side with a handle in its middle
+constexpr double roomForMiddle = 34; ///< logical pixels that a side needs to have a handle in its middle
 constexpr double turnAngleStep = std::numbers::pi / 12;
 
 Point unit(Point v)
@@ -21,7 +21,7 @@ Point unit(Point v)
     return l > 0 ? (1 / l) * v : Point{};
 }
 
-/// A straight double arrow along x, 16 long.
+/// A straight double arrow along x, 16 logical pixels long.
 QPainterPath straightArrow()
 {
     QPainterPath path;
@@ -39,7 +39,7 @@ QPainterPath straightArrow()
     return path;
 }
 
-/// A double arrow bent around a corner that lies towards −x.
+/// A double arrow that is bent around a corner towards −x.
 QPainterPath bentArrow()
 {
     QPainterPath bend;
@@ -170,7 +170,8 @@ Affine TransformHandles::scaling(const TransformHandle &handle, Point by, Qt::Ke
     const Point before = anchor(handle) - fixed, after = before + by;
     const auto ratio = [](int side, double b, double a) { return side != 0 && b != 0 ? a / b : 1; };
     double kx = ratio(handle.x, before.x, after.x), ky = ratio(handle.y, before.y, after.y);
-    if (modifiers & Qt::ControlModifier) { // one size for both, and mirrored only across the sides that were passed
+    // Both axes get one scale, and are mirrored only across the sides that the pointer has passed.
+    if (modifiers & Qt::ControlModifier) {
         const Point size{std::abs(before.x), std::abs(before.y)};
         const double k = handle.x != 0 && handle.y != 0 && dot(before, before) > 0
                              ? (std::abs(after.x) * size.x + std::abs(after.y) * size.y) / dot(before, before)
@@ -220,7 +221,8 @@ void TransformHandles::paint(QPainter &painter, const View &view, double dpr, co
     QColor quiet = accent;
     quiet.setAlpha(190);
     painter.setBrush(Qt::NoBrush);
-    painter.setPen(QPen(QColor(255, 255, 255, 120), dpr)); // light between the dashes, on any paint
+    // The gaps between the dashes are light, so that the line is seen on any paint.
+    painter.setPen(QPen(QColor(255, 255, 255, 120), dpr));
     painter.drawPath(outline);
     painter.setPen(QPen(quiet, dpr, Qt::DashLine));
     painter.drawPath(outline);
@@ -239,7 +241,7 @@ void TransformHandles::paintHandle(QPainter &painter, const TransformHandle &han
     if (handle.kind == Kind::Centre) {
         strokeTwoTone(painter, mark, fill, 1.3);
     } else {
-        // Away from the box; arrows lie along that or, for skewing, across it.
+        // Arrows point away from the box or, for skewing, lie across that direction.
         const Point out = p - view.toPixels(anchor(handle));
         const double across = handle.kind == Kind::Skew ? 90 : 0;
         painter.rotate(std::atan2(out.y, out.x) * 180 / std::numbers::pi + across);

@@ -1,4 +1,4 @@
-// The handles around a selection: where they stand, and which map dragging one means.
+// The handles around a selection: where they stand, and which map a drag of one means.
 #pragma once
 
 #include "app/canvas/overlay/overlay.h"
@@ -9,7 +9,7 @@
 
 namespace suffuse {
 
-/// A handle at a corner or the middle of a side, as Inkscape's: x, y in {−1, 0, 1}; or the centre.
+/// A handle at a corner or in the middle of a side, as in Inkscape, with x and y in {−1, 0, 1}; or the centre.
 struct TransformHandle {
     enum class Kind { Scale, Rotate, Skew, Centre };
     Kind kind = Kind::Scale;
@@ -18,8 +18,8 @@ struct TransformHandle {
     friend bool operator==(const TransformHandle &, const TransformHandle &) = default;
 };
 
-/// A box with its handles. They keep their size on screen and stand a little outside of it, along its own sides in
-/// turned and mirrored views.
+/// A box with its handles. The handles keep their size on the screen and stand a little outside of the box. The box
+/// lies along the axes of the canvas, so in a turned or mirrored view it is turned and mirrored, too.
 class TransformHandles {
 public:
     enum class Mode { Scale, Turn };
@@ -27,24 +27,26 @@ public:
     Mode mode() const { return m_mode; }
     void setMode(Mode mode) { m_mode = mode; }
     const Rect &box() const { return m_box; }
-    /// The centre stays where it was in the box.
+    /// Puts the handles around another box. The centre keeps its place relative to the box.
     void setBox(const Rect &box);
-    /// What turns turn about and Shift scales about.
+    /// The point about which strokes are turned, and about which they are scaled with Shift (canvas units).
     Point centre() const;
     void setCentre(Point centre);
     void resetCentre() { m_centre = {0.5, 0.5}; }
 
-    /// Those of the mode; sides too short for a handle in the middle have none.
+    /// The handles of the mode. A side that is too short has no handle in its middle.
     std::vector<TransformHandle> handles(const View &view, double dpr) const;
-    /// Device pixels.
+    /// Where a handle stands on the screen, device pixels.
     Point place(const TransformHandle &handle, const View &view, double dpr) const;
+    /// The handle at a device pixel, if there is one.
     std::optional<TransformHandle> at(Point pixel, const View &view, double dpr) const;
     /// The point of the box that the handle stands for, canvas units.
     Point anchor(const TransformHandle &handle) const;
 
-    /// What moving the pointer means: Shift scales about the centre and turns about the opposite corner, Ctrl keeps
-    /// proportions or goes in steps of 15°. Past the fixed point scaling mirrors, each axis by itself, as in Inkscape.
-    /// The identity where that cannot be told.
+    /// The map that a move of the pointer from one point to another (canvas units) means. Shift scales about the centre
+    /// and turns about the opposite corner; Ctrl keeps proportions or takes steps of 15°. When the pointer passes the
+    /// fixed point, strokes are mirrored, each axis by itself, as in Inkscape. Where no map can be told, it is the
+    /// identity.
     Affine map(const TransformHandle &handle, Point from, Point to, Qt::KeyboardModifiers modifiers) const;
 
     void paint(QPainter &painter, const View &view, double dpr, const QColor &accent,
@@ -60,7 +62,7 @@ private:
 
     Mode m_mode = Mode::Scale;
     Rect m_box;
-    Point m_centre{0.5, 0.5}; ///< within the box: 0 … 1
+    Point m_centre{0.5, 0.5}; ///< as shares of the box, 0 … 1
 };
 
 } // namespace suffuse

@@ -8,7 +8,7 @@ namespace suffuse {
 
 namespace {
 
-/// Nodes that snap, those nearest to the pointer: of few strokes all.
+/// So many nodes snap, those nearest to the pointer. Few strokes have no more, so all of theirs snap.
 constexpr std::size_t snappingNodes = 64;
 
 std::vector<Point> nodesNear(const Painting &painting, const std::set<StrokeId> &moved, Point point)
@@ -33,7 +33,7 @@ std::vector<Point> nodesNear(const Painting &painting, const std::set<StrokeId> 
 void TransformSnap::begin(const Painting &painting, const CanvasAids &aids, const Selection &moved, What what,
                           Point start)
 {
-    const bool centre = what == What::Centre; // it may lie on a node of its own strokes
+    const bool centre = what == What::Centre; // The centre may lie on a node of the strokes that it turns.
     m_snapping = Snapping(painting, aids,
                           [&](const Stroke &stroke, int) { return !centre && moved.strokes.contains(stroke.id); });
     m_found = {};

@@ -6,26 +6,26 @@
 
 namespace suffuse {
 
-/// Snapping of strokes that are moved, by their box and their nodes; of a handle; or of the centre of rotation.
+/// Snaps strokes that are moved (by their box and their nodes), a handle, or the centre of rotation.
 class TransformSnap {
 public:
     enum class What { Strokes, Handle, Centre };
 
-    /// `start`: where the drag began, canvas units.
+    /// Gathers what the drag can snap to. `start` is where it began, canvas units.
     void begin(const Painting &painting, const CanvasAids &aids, const Selection &moved, What what, Point start);
-    /// Where the strokes go that are to go by so much.
+    /// Returns the move that is nearest to `by` and snaps, or `by` itself. Canvas units.
     Point move(Point by, const View &view, double dpr);
-    /// Where a point goes.
+    /// Returns the place that is nearest to a point and snaps, or the point itself. Canvas units.
     Point point(Point to, const View &view, double dpr);
-    /// The drag goes freely.
+    /// Forgets the snap, since the drag goes freely.
     void clear() { m_found = {}; }
-    /// The place that it snapped to last.
+    /// The place that the drag snapped to last.
     const Snap &found() const { return m_found; }
 
 private:
     Snapping m_snapping;
     Snap m_found;
-    std::vector<Point> m_points; ///< that move along
+    std::vector<Point> m_points; ///< the points that move along with the drag
 };
 
 } // namespace suffuse

@@ -79,7 +79,7 @@ void EraserTool::release(const PointerEvent &event)
 
 void EraserTool::cancel()
 {
-    // What was erased before something else changed the painting stays, as a step of its own.
+    // If something else has changed the painting, what was erased before that stays as a step of its own.
     m_gesture.giveUp();
 }
 

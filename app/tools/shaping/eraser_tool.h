@@ -6,8 +6,8 @@
 
 namespace suffuse {
 
-/// Takes away what of the strokes' curves lies under the circle: of the selected strokes, or of all without a
-/// selection.
+/// Removes the parts of strokes whose curves lie under the circle: of the selected strokes or, without a selection, of
+/// all.
 class EraserTool : public SizedTool {
     Q_OBJECT
 
@@ -25,7 +25,7 @@ public:
 
 private:
     void eraseTo(Point point);
-    /// The strokes that the circle may touch on its way.
+    /// The strokes that the circle may touch on its way from one point to the other.
     std::set<StrokeId> targets(Point from, Point to);
 
     QPointer<QWidget> m_options;

@@ -13,7 +13,7 @@ namespace suffuse {
 
 namespace {
 
-constexpr double cutAngleStep = std::numbers::pi / 12; ///< of the line with Ctrl
+constexpr double cutAngleStep = std::numbers::pi / 12; ///< The line takes angles in steps of this with Ctrl.
 
 } // namespace
 
@@ -68,7 +68,7 @@ void KnifeTool::cut()
 {
     const PlacesOfStrokes places = cuts();
     Document &document = m_editor.document();
-    const auto nodes = [&] { // of the strokes that are crossed
+    const auto nodes = [&] { // counts the nodes of the strokes that are crossed
         int count = 0;
         for (const auto &[id, at] : places)
             if (const StrokePtr stroke = document.painting()->find(id))
@@ -127,7 +127,7 @@ PlacesOfStrokes KnifeTool::cuts() const
         if (std::none_of(stroke->segments.begin(), stroke->segments.end(), isNear))
             continue;
         std::vector<CurvePlace> found = crossings(*stroke, m_from, m_to);
-        std::erase_if(found, [&](const CurvePlace &p) { // not painted yet
+        std::erase_if(found, [&](const CurvePlace &p) { // Strokes that are not painted yet at this moment are not cut.
             return stroke->segments[std::size_t(p.segment)].born > m_editor.clock().time();
         });
         if (!found.empty())
@@ -158,7 +158,7 @@ void KnifeTool::paint(QPainter &painter, const View &view, double dpr) const
                 continue;
             painter.setPen(QPen(m_splits ? QColor(Qt::white) : accent, 1.2 * dpr));
             painter.setBrush(m_splits ? accent : QColor(Qt::white));
-            if (m_splits) { // two ends with a gap between them
+            if (m_splits) { // A cut that splits is shown as two ends with a gap between them.
                 for (const double side : {-1.0, 1.0}) {
                     const Point end = at + (1.2 * side * r) * Point{-way.y, way.x};
                     painter.drawEllipse(QPointF(end.x, end.y), 0.65 * r, 0.65 * r);

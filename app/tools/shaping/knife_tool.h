@@ -5,7 +5,7 @@
 
 namespace suffuse {
 
-/// Cuts strokes where a line crosses them: the selected ones, or all without a selection.
+/// Cuts strokes where a line crosses them: the selected strokes or, without a selection, all.
 class KnifeTool : public CanvasTool {
     Q_OBJECT
 
@@ -23,7 +23,7 @@ public:
 
 private:
     void cut();
-    /// What the last cut did, in the status bar, until something else happens.
+    /// Says in the status bar what the last cut did, until something else happens.
     void say(const QString &text);
     void aim(const PointerEvent &event);
     PlacesOfStrokes cuts() const;

@@ -14,12 +14,12 @@ namespace suffuse {
 
 namespace {
 
-constexpr int stayMs = 40;            ///< between touches while the pointer stays
-constexpr double touchSpacing = 0.25; ///< radii between touches while it moves
-constexpr int mostTouches = 64;       ///< of one report
-constexpr double leastMove = 1e-3;    ///< radii: less is no direction
-constexpr double pinchShare = 0.12;   ///< of the way to the middle, of a touch at full strength
-constexpr double roughShare = 0.06;   ///< of the radius
+constexpr int stayMs = 40;            ///< milliseconds between touches while the pointer stays
+constexpr double touchSpacing = 0.25; ///< radii between touches while the pointer moves
+constexpr int mostTouches = 64;       ///< One report of the pointer makes no more touches than these.
+constexpr double leastMove = 1e-3;    ///< radii; a shorter move has no direction that means anything
+constexpr double pinchShare = 0.12;   ///< the share of the way to the middle that a touch at full strength takes
+constexpr double roughShare = 0.06;   ///< the share of the radius by which a touch at full strength roughens
 
 } // namespace
 
@@ -101,7 +101,7 @@ Tweak PushTool::touchAt(Point centre, Point by) const
     Tweak touch{m_kind, centre, radius(), by, force, m_touches};
     switch (m_kind) {
     case TweakKind::Push:
-        touch.by = std::sqrt(force) * by; // even a light hand takes strokes along
+        touch.by = std::sqrt(force) * by; // The root lets even a light hand take strokes along.
         break;
     case TweakKind::Comb:
         break;
@@ -122,7 +122,7 @@ void PushTool::move(const PointerEvent &event)
         return;
     const Point way = event.point - m_last.point;
     if (length(way) < leastMove * radius())
-        return; // it adds up
+        return; // Short moves wait until they add up to a touch.
     const Point from = m_last.point;
     m_last = event;
     const int count = int(std::clamp(std::ceil(length(way) / (touchSpacing * radius())), 1.0, double(mostTouches)));
@@ -149,7 +149,7 @@ std::vector<StrokePtr> PushTool::targets(const std::vector<Tweak> &touches)
     Rect way;
     for (const Tweak &touch : touches)
         way.include(touch.centre);
-    way = way.grown(2 * radius()); // strokes move while it goes
+    way = way.grown(2 * radius()); // Strokes that are moved may come into the circle from beside the way.
     std::vector<StrokePtr> result;
     for (std::size_t i = 0; i < strokes.size(); ++i)
         if (m_boxes[i].intersects(way) && (selected.empty() || selected.contains(strokes[i]->id)) &&
@@ -170,7 +170,8 @@ void PushTool::release(const PointerEvent &event)
 {
     if (isBusy() && event.point != m_last.point) {
         PointerEvent last = event;
-        last.pressure = m_last.pressure; // a pen lifts with none
+        // A pen reports pressure 0 when it lifts, so the last pressure before that counts.
+        last.pressure = m_last.pressure;
         move(last);
     }
     finish();

@@ -11,8 +11,8 @@ class QComboBox;
 
 namespace suffuse {
 
-/// Moves the strokes under its circle: the selected ones, or all without a selection. It pushes them along, combs them
-/// into its direction, pinches them together or apart, or roughens them.
+/// Moves the strokes under its circle: the selected strokes or, without a selection, all. It pushes them along, combs
+/// them into its direction, pinches them together or apart, or roughens them.
 class PushTool : public SizedTool {
     Q_OBJECT
 
@@ -30,7 +30,7 @@ public:
 
     TweakKind kind() const { return m_kind; }
     void setKind(TweakKind kind);
-    /// How much of it a touch of full pressure does, (0, 1].
+    /// Sets how much of its effect a touch of full pressure has, (0, 1].
     void setStrength(double strength);
 
 protected:
@@ -39,19 +39,19 @@ protected:
 private:
     Tweak touchAt(Point centre, Point by) const;
     void show(const std::vector<Tweak> &touches);
-    /// The strokes that the circle may touch on its way.
+    /// The strokes that the touches may change.
     std::vector<StrokePtr> targets(const std::vector<Tweak> &touches);
     void finish();
 
     QPointer<QWidget> m_options;
-    QPointer<QComboBox> m_kinds; ///< in the options
+    QPointer<QComboBox> m_kinds; ///< one of the fields of the options
     TweakKind m_kind = TweakKind::Push;
     double m_strength = 0.6;
     Gesture m_gesture;
     PointerEvent m_last;
-    unsigned m_touches = 0; ///< of this drag: each one roughens another way
+    unsigned m_touches = 0; ///< Counts the touches of this drag, each of which roughens in another way.
     StrokeBoxes m_boxes;
-    QBasicTimer m_timer; ///< goes on while the pointer stays
+    QBasicTimer m_timer; ///< goes on touching while the pointer stays
 };
 
 } // namespace suffuse

@@ -16,7 +16,7 @@ namespace suffuse {
 
 namespace {
 
-constexpr double strokeReach = 12; ///< logical pixels around a stroke
+constexpr double strokeReach = 12; ///< logical pixels around a stroke in which a line may begin
 
 } // namespace
 
@@ -118,7 +118,8 @@ void RedrawTool::release(const PointerEvent &event)
 {
     if (!m_builder)
         return;
-    if (event.device == PointerDevice::Mouse || event.pressure > 0) // a pen lifts with pressure 0, which is no paint
+    // A pen reports pressure 0 when it lifts, which is no part of the line.
+    if (event.device == PointerDevice::Mouse || event.pressure > 0)
         add(event);
     m_builder->finish();
     const StrokePtr line = m_builder->stroke();

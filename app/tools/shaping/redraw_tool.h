@@ -12,8 +12,8 @@ class QComboBox;
 
 namespace suffuse {
 
-/// Draws over a part of a stroke, of a selected one or of the nearest without a selection: what lies between the ends
-/// of the line follows the line, with the values that it had or with those of the brush in hand.
+/// Draws a part of a stroke anew: of a selected stroke or, without a selection, of the nearest. The part between the
+/// ends of the drawn line follows the line, with the values that it had or with those of the brush in hand.
 class RedrawTool : public CanvasTool {
     Q_OBJECT
 
@@ -36,10 +36,10 @@ public:
 
 private:
     void add(const PointerEvent &event);
-    /// The stroke that the line would redraw; 0: none.
+    /// The stroke that the line would redraw; 0 if there is none.
     StrokeId strokeUnder(const std::vector<Point> &line) const;
     double reach() const; ///< canvas units
-    /// What the last line did, in the status bar, until something else happens.
+    /// Says in the status bar what the last line did, until something else happens.
     void say(const QString &text);
 
     std::unique_ptr<StrokeBuilder> m_builder;
@@ -48,7 +48,7 @@ private:
     RedrawValues m_values = RedrawValues::Kept;
     QString m_said;
     QPointer<QWidget> m_options;
-    QPointer<QComboBox> m_choice; ///< in the options
+    QPointer<QComboBox> m_choice; ///< one of the fields of the options
 };
 
 } // namespace suffuse
