@@ -10,10 +10,10 @@ namespace suffuse {
 
 namespace {
 
-/// Beyond so many segments the edit of a drag alone is slow, whatever it draws.
+/// With more segments than these an edit takes long during a drag, however little it draws.
 constexpr std::size_t manySegments = 2000;
 
-/// The view in which strokes look as they do under the map in `view`; none where the map is no similarity.
+/// The view in which strokes look as they do in `view` after the map. It has no value where the map is no similarity.
 std::optional<View> viewUnder(View view, const Affine &map)
 {
     const std::optional<Affine> back = map.inverse();
@@ -22,7 +22,7 @@ std::optional<View> viewUnder(View view, const Affine &map)
     const Point centre = (*back)(view.centre);
     view.centre = {};
     const Point half{0.5 * view.width, 0.5 * view.height};
-    const Point down = view.toPixels(map.turned({0, 1})) - half; // mirroring leaves it alone
+    const Point down = view.toPixels(map.turned({0, 1})) - half; // Mirroring leaves this direction unchanged.
     view.mirrored = view.mirrored != (map.determinant() < 0);
     view.scale = length(down);
     view.rotation = std::atan2(-down.x, down.y);
@@ -30,7 +30,7 @@ std::optional<View> viewUnder(View view, const Affine &map)
     return view;
 }
 
-/// The map in pixels of the view.
+/// The map as it acts on pixels of the view.
 QTransform inPixels(const View &view, const Affine &map)
 {
     const auto at = [&](double x, double y) { return view.toPixels(map(view.toCanvas({x, y}))); };
@@ -68,7 +68,7 @@ void CanvasLift::lift(const std::set<StrokeId> &strokes)
         (moves ? lifted : rest).strokes.push_back(stroke);
     }
     const Microseconds time = m_editor.clock().time();
-    // An edit draws where they were and where they are.
+    // An edit draws what the strokes reach before and after it, which is why twice the pixels count.
     if (lifted.segmentCount() < manySegments && !m_frames.isSlowFor(2 * reachedPixels(lifted, view(), time)))
         return;
     m_liftedFrom = painting;
@@ -86,7 +86,7 @@ void CanvasLift::endLift()
     if (m_floating && m_floating->settled)
         return;
     m_floating.reset();
-    m_schedule(); // the renderer has drawn the rest last
+    m_schedule(); // The renderer has drawn the rest last, so the whole picture is asked for.
 }
 
 bool CanvasLift::holds(const Lift &lift) const

@@ -11,10 +11,10 @@ namespace suffuse {
 
 class Editor;
 
-/// Has the frame thread make pictures of what is lifted and of the rest, and says what floats in the next frame.
+/// Lets the frame thread make pictures of the lifted strokes and of the rest, and says what floats in the next frame.
 class CanvasLift : public FloatingView {
 public:
-    /// `schedule` asks for a frame.
+    /// `schedule` is called where a frame is needed.
     CanvasLift(Editor &editor, FrameThread &frames, const CanvasView &view, std::function<void()> schedule);
     ~CanvasLift() override;
 
@@ -25,15 +25,15 @@ public:
     void settleFloating() override;
     bool coversFloating(const Affine &map) const override;
 
-    /// What floats in a frame of now; what belongs to another painting, moment or view is let go.
+    /// What floats in a frame of now. If it belongs to another painting, moment or view, it is let go.
     const std::optional<Floating> &forFrame();
-    /// Something is shown afloat, until the exact picture is.
+    /// Whether something is shown afloat. It stays so until the exact picture is shown.
     bool isFloating() const { return m_floating.has_value(); }
-    /// The document has not heard of what is shown.
+    /// Whether the screen shows more than the document has heard of.
     bool isAhead() const { return m_floating && !m_floating->settled; }
-    /// The exact picture of the document is shown.
+    /// To be called when the exact picture of the document is on the screen.
     void exactShown();
-    /// The lines of the selection where what is selected floats; false: it does not.
+    /// Paints the lines of the selection where the selected strokes float. Returns false if they do not float.
     bool paintOutline(QPainter &painter, SelectionOutline &outline, const Selection &selection,
                       const OverlayColours &colours, double dpr) const;
 
@@ -45,9 +45,9 @@ private:
     FrameThread &m_frames;
     const CanvasView &m_view;
     std::function<void()> m_schedule;
-    LiftPtr m_lift;                     ///< null: none
-    std::optional<Floating> m_floating; ///< that is shown, until the exact picture is
-    PaintingPtr m_liftedFrom;           ///< the document's painting, for which both hold
+    LiftPtr m_lift;                     ///< null while nothing is lifted
+    std::optional<Floating> m_floating; ///< what is shown afloat, until the exact picture is shown
+    PaintingPtr m_liftedFrom;           ///< the document's painting to which both belong
 };
 
 } // namespace suffuse

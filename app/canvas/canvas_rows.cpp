@@ -16,13 +16,13 @@ namespace {
 constexpr double zoomStep = 1.4142135623730951;
 constexpr double turnStep = 15; ///< degrees
 
-/// A drag belongs to no step yet.
+/// Whether something is in the tool's hand, which belongs to no undo step yet.
 bool isBusy(const CanvasWidget &canvas)
 {
     return canvas.tool() && canvas.tool()->isBusy();
 }
 
-/// Undo gives up what is in hand instead, as in Krita. False: nothing was.
+/// Undo gives up what is in hand first, as in Krita. Returns false if nothing was in hand.
 bool givesUp(const CanvasWidget &canvas)
 {
     if (!isBusy(canvas))
@@ -94,7 +94,7 @@ void addEditingRows(Commands &table, CanvasWidget &canvas)
 void addViewRows(Commands &table, CanvasWidget &canvas)
 {
     using enum Command;
-    // "=" is the unshifted "+" on many keyboards.
+    // On many keyboards "=" is the key of "+" without Shift.
     table
         .add(ZoomIn, "zoomIn", Commands::tr("Zoom &In"), "zoom-in",
              {QKeySequence(Qt::Key_Plus), QKeySequence(Qt::Key_Equal), QKeySequence(QKeySequence::ZoomIn)})
@@ -197,7 +197,7 @@ void addCanvasRows(Commands &table, CanvasWidget &canvas)
     addAidRows(table, canvas);
     QObject::connect(&canvas, &CanvasWidget::viewChanged, &table, [&table] { table.update(Command::Mirror); });
     QObject::connect(&canvas, &CanvasWidget::busyChanged, &table, [&table, &canvas] {
-        if (!canvas.editor().laterChanges().isWaiting()) // else it comes with what waits
+        if (!canvas.editor().laterChanges().isWaiting()) // Otherwise the table is updated with the changes that wait.
             table.update();
     });
 }

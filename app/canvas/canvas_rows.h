@@ -6,7 +6,7 @@ namespace suffuse {
 class CanvasWidget;
 class Commands;
 
-/// The table follows the canvas from then on. The canvas must outlive the table.
+/// Adds the rows, and updates the table when the canvas changes. The canvas must outlive the table.
 void addCanvasRows(Commands &table, CanvasWidget &canvas);
 
 } // namespace suffuse

@@ -6,7 +6,7 @@ namespace suffuse {
 
 namespace {
 
-/// Clockwise on the screen, radians.
+/// The angle from one direction to another, clockwise on the screen, in radians.
 double angleBetween(Point from, Point to)
 {
     return std::atan2(cross(from, to), dot(from, to));

@@ -1,4 +1,4 @@
-// The view of the canvas as hands move it.
+// The view of the canvas, and the ways in which hands move it.
 #pragma once
 
 #include "app/canvas/view_transform.h"
@@ -7,7 +7,8 @@
 
 namespace suffuse {
 
-/// The view that the canvas shows, and whether it is fitted. All points are device pixels of the canvas widget.
+/// The view that the canvas shows. It knows whether it is fitted to the canvas. All points are device pixels of the
+/// canvas widget.
 class CanvasView : public QObject {
     Q_OBJECT
 
@@ -16,28 +17,36 @@ public:
 
     const View &view() const { return m_transform.view(); }
     Point centre() const { return m_transform.centrePixel(); }
-    /// It has not been moved by hand since it was fitted.
+    /// Whether nobody has moved the view by hand since it was fitted.
     bool isFitted() const { return m_fitted; }
 
-    /// All of `area` (canvas units), with `margin` around.
+    /// Shows all of `area` (canvas units) with a margin around it (device pixels).
     void fit(const Rect &area, double margin);
-    /// Another size of the widget. It emits nothing: whoever calls it knows whether the view is to be fitted, too.
+    /// Takes another size of the widget. It emits nothing, since the caller knows whether the view is to be fitted,
+    /// too.
     void resize(int width, int height) { m_transform.resize(width, height); }
 
-    // By hand: it is fitted no more.
+    /// Moves the canvas by pixels. This and what follows are moves by hand, after which the view is no longer fitted.
     void panBy(Point pixels);
+    /// Zooms by a factor; the point under the pixel stays there.
     void zoomAt(Point pixel, double factor);
+    /// Sets the scale (pixels per canvas unit); the point under the pixel stays there.
     void setScaleAt(Point pixel, double scale);
+    /// Turns the canvas clockwise by an angle in radians; the point under the pixel stays there.
     void rotateAt(Point pixel, double radians);
+    /// Turns the canvas upright around the centre of the view.
     void resetRotation();
+    /// Mirrors the view around its centre.
     void mirror();
+    /// Shows what another view shows.
     void lookThrough(const View &view);
-    /// Turns around the centre, as a hand does that goes from one point to another.
+    /// Turns the canvas around the centre, as a hand does that moves from one point to another.
     void turnBy(Point from, Point to);
-    /// What lay under two fingers lies under them again.
+    /// Moves, turns and zooms the canvas so that what lay under two fingers lies under them again.
     void pinch(Point from1, Point to1, Point from2, Point to2);
 
 signals:
+    /// Emitted when another part of the canvas is shown.
     void moved();
 
 private:

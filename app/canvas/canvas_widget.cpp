@@ -41,7 +41,8 @@ CanvasWidget::CanvasWidget(Editor &editor, QWidget *parent, MakeRenderer make)
     connect(&editor.clock(), &PaintingClock::timeChanged, this, &CanvasWidget::followMoment);
     connect(&editor, &Editor::dragEnded, this, &CanvasWidget::endDrag);
     connect(&editor, &Editor::comparedChanged, this, &CanvasWidget::scheduleRender);
-    connect(&editor, &Editor::comparedChanged, this, [this] { updateOverlay(); }); // it may be bare now, or no more
+    // The canvas may have become bare, or is no longer bare.
+    connect(&editor, &Editor::comparedChanged, this, [this] { updateOverlay(); });
     connect(&editor.document(), &Document::changed, this, &CanvasWidget::follow);
     connect(&m_underlay, &UnderlayLoader::loaded, this, [this] { updateOverlay(); });
     connect(&m_underlay, &UnderlayLoader::failed, this, &CanvasWidget::underlayFailed);
@@ -64,10 +65,10 @@ void CanvasWidget::connectInput()
 CanvasWidget::~CanvasWidget()
 {
     m_editor.laterChanges().setCanvasShown(false);
-    m_editor.disconnect(this); // its tools go later, and give up what they have in hand
+    m_editor.disconnect(this); // The tools are destroyed later, and give up then what they have in hand.
     m_editor.document().disconnect(this);
     m_editor.clock().disconnect(this);
-    delete m_presenter->widget(); // it draws what this object holds
+    delete m_presenter->widget(); // The presenter draws what this object holds, so it must go first.
 }
 
 void CanvasWidget::follow(const Change &change)
@@ -84,10 +85,10 @@ void CanvasWidget::follow(const Change &change)
         m_repaint.follow(change);
     if (change.selection)
         m_worker.setCoarseWanted(wantsCoarse());
-    if (change.selection && change.strokes.empty()) // no frame comes for it
+    if (change.selection && change.strokes.empty()) // No frame comes for a change of the selection alone.
         m_repaint.flush();
     if (!change.strokes.empty() || change.order || change.canvas || change.draft || change.reset)
-        scheduleRender(); // a selection is in no picture
+        scheduleRender(); // A selection is in no picture.
 }
 
 void CanvasWidget::followMoment()
@@ -158,7 +159,7 @@ void CanvasWidget::fit()
 
 void CanvasWidget::viewMoved()
 {
-    m_editor.settle(); // what floats is of one view
+    m_editor.settle(); // What floats belongs to one view.
     updateOverlay();
     scheduleRender();
     emit viewChanged();
@@ -166,8 +167,8 @@ void CanvasWidget::viewMoved()
 
 void CanvasWidget::scheduleRender()
 {
-    // One request for all that happens before the event loop comes round: a stroke that turns from the draft into a
-    // part of the painting must not vanish for a frame.
+    // One request serves all that happens before the event loop comes round. In between a stroke turns from the draft
+    // into a part of the painting, and must not vanish for a frame.
     if (m_renderScheduled)
         return;
     m_renderScheduled = true;
@@ -192,7 +193,7 @@ bool CanvasWidget::isMoving() const
     return m_editor.isDragging() || m_editor.isStepping();
 }
 
-/// Since the frame that was asked for under this number.
+/// Called when nothing has changed since the frame with this number was asked for.
 void CanvasWidget::handRests(quint64 serial)
 {
     if (m_renderScheduled || serial != m_lastSerial)
@@ -258,7 +259,7 @@ std::optional<ShownUnderlay> CanvasWidget::underlay() const
 
 void CanvasWidget::paintAround(QPainter &painter)
 {
-    constexpr int veil = 115; // paint is known as paint, and as no part of the picture
+    constexpr int veil = 115; // Paint below this veil is seen as paint, and as no part of the picture.
     OverlayColours colours = m_colours;
     if (m_aids.showBeyond)
         colours.pasteboard.setAlpha(veil);
@@ -302,7 +303,7 @@ bool CanvasWidget::showsOutlines() const
     return m_aids.showOutlines && !isBare() && (!tool() || tool()->showsOutlines());
 }
 
-/// While the canvas is turned by hand, beside the pointer.
+/// Paints the angle beside the pointer while the canvas is turned by hand.
 void CanvasWidget::paintAngle(QPainter &painter, double dpr) const
 {
     if (m_input.hand().navigation() == Navigation::Rotate)
@@ -326,7 +327,7 @@ void CanvasWidget::changeEvent(QEvent *event)
     QWidget::changeEvent(event);
 }
 
-/// While it is on the screen, panels follow what is done when it has been painted.
+/// While the canvas is on the screen, panels hear of a change when the canvas has been painted.
 void CanvasWidget::showEvent(QShowEvent *event)
 {
     m_editor.laterChanges().setCanvasShown(true);
@@ -373,12 +374,13 @@ void CanvasWidget::mouseReleaseEvent(QMouseEvent *event)
 
 void CanvasWidget::mouseDoubleClickEvent(QMouseEvent *event)
 {
-    m_input.mousePress(*event); // quick dots are dots; a tool may look at PointerEvent::doubleClick
+    // Every press of two quick dots paints a dot. A tool may look at PointerEvent::doubleClick.
+    m_input.mousePress(*event);
 }
 
 void CanvasWidget::tabletEvent(QTabletEvent *event)
 {
-    event->accept(); // so that no mouse events are made of it
+    event->accept(); // Qt makes no mouse events of a tablet event that was accepted.
     m_input.tablet(*event);
 }
 
@@ -421,7 +423,7 @@ bool CanvasWidget::focusNextPrevChild(bool next)
     const QKeyEvent key(QEvent::KeyPress, next ? Qt::Key_Tab : Qt::Key_Backtab,
                         next ? Qt::NoModifier : Qt::ShiftModifier);
     if (next || m_input.isToolKey(key))
-        return false; // Tab hides the docks, or is the tool's
+        return false; // Tab hides the docks, or belongs to the tool.
     return QWidget::focusNextPrevChild(next);
 }
 

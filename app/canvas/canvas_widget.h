@@ -1,4 +1,4 @@
-// The canvas: shows the painting, moves the view, and hands the pointer to the tool in use.
+// The canvas: it shows the painting, moves the view, and hands the pointer to the tool in use.
 #pragma once
 
 #include "app/canvas/canvas_lift.h"
@@ -23,7 +23,7 @@ namespace suffuse {
 class Editor;
 struct Change;
 
-/// Shows the last finished frame at once wherever the view is, and swaps in the sharp one when it is ready.
+/// Shows the last finished frame at once wherever the view is, and shows the sharp one instead when it is ready.
 /// All pixels of its interface are device pixels.
 class CanvasWidget : public QWidget, private CanvasContent {
     Q_OBJECT
@@ -34,24 +34,24 @@ public:
 
     Editor &editor() { return m_editor; }
     const View &view() const { return m_view.view(); }
-    /// "CPU · 2 threads · AVX2", of the last frame; empty before the first one.
+    /// What drew the last frame, as in "CPU · 2 threads · AVX2"; empty before the first one.
     const QString &backendText() const { return m_backendText; }
-    /// Empty, or why the CPU draws, and why the picture takes the way over memory: a line each.
+    /// Why the CPU draws, and why pictures go through memory, a line for each reason; empty where neither is so.
     QString backendNotice() const;
     QString presenterName() const { return m_presenter->name(); }
 
-    /// The tool in use; tools belong to whoever makes them. The old one is cancelled.
+    /// Sets the tool in use, which belongs to whoever made it. The tool before it is cancelled.
     void setTool(Tool *tool);
     Tool *tool() const { return m_input.hand().tool(); }
-    /// The tool has seen a press and no release yet.
+    /// Whether the tool has seen a press and no release yet.
     bool isPressed() const { return m_input.hand().isPressed(); }
 
-    /// At the pointer if it is over the canvas, else at the centre.
+    /// Zooms at the pointer if it is over the canvas, else at the centre.
     void zoomBy(double factor) { m_view.zoomAt(zoomCentre(), factor); }
-    void setZoom(double scale) { m_view.setScaleAt(zoomCentre(), scale); } ///< pixels per unit
-    void fit(); ///< the whole canvas; stays so when the window changes size
+    void setZoom(double scale) { m_view.setScaleAt(zoomCentre(), scale); } ///< scale in device pixels per canvas unit
+    void fit(); ///< Shows the whole canvas, also after the window changes its size.
     bool isFitted() const { return m_view.isFitted(); }
-    /// In a window of any size, its centre in the middle.
+    /// Shows what another view shows. The view may be of a window of another size; its centre stays in the middle.
     void lookThrough(const View &view) { m_view.lookThrough(view); }
     void panBy(Point pixels) { m_view.panBy(pixels); }
     void rotateBy(double degrees) { m_view.rotateAt(m_view.centre(), degrees * std::numbers::pi / 180); }
@@ -62,40 +62,42 @@ public:
     void updateOverlay() { m_repaint.all(); }
     void updateOverlay(const QRectF &pixels) { m_repaint.part(pixels); }
     void updateOverlay(const QRegion &pixels) { m_repaint.part(pixels); }
-    /// What is selected, less the strokes that are not begun at the moment that is looked at: they have neither outline
+    /// The selection without the strokes that are not begun at the moment that is looked at, which have neither outline
     /// nor handles.
     const Selection &selection() const { return m_selected.selection(); }
-    /// `selectionBox` of that, from boxes of strokes that are kept.
+    /// The box that `selectionBox` gives for that selection. It is quick, since it is made from boxes of strokes that
+    /// are kept.
     Rect selectedCurves() const { return m_selected.curves(); }
-    /// Where that is on the screen, as far as the view shows it: global logical pixels; empty: nowhere.
+    /// The part of that box that the view shows, in global logical pixels; empty where it shows none of it.
     QRect selectionOnScreen() const;
-    /// Repaints what stands at the selected strokes, then and now; while they are dragged together with the next frame.
+    /// Repaints what stands at the selected strokes, where they were and where they are. While they are dragged, it
+    /// waits for the next frame.
     void updateSelection() { m_repaint.selection(); }
     void refreshCursor() { setCursor(m_input.cursor()); }
-    /// They mean the canvas, even where they are commands' shortcuts.
+    /// Sets keys that mean the canvas while they are held, even where they are shortcuts of commands.
     void setHeldKeys(const HeldKeys &keys) { m_input.keys().setKeys(keys); }
-    /// Keys that stay the window's even where the tool wants them.
+    /// Sets keys that belong to the window even where the tool wants them.
     void setWindowKeys(const QList<QKeySequence> &keys) { m_input.setWindowKeys(keys); }
 
-    /// Strokes that float while a gesture maps them.
+    /// The strokes that float while a gesture maps them.
     CanvasLift &lifted() { return m_lift; }
     bool isLifted() const { return m_lift.isLifted(); }
 
-    /// True when the picture on the screen is that of the document as it is now, at this moment, in this view.
+    /// Whether the picture on the screen is that of the document as it is now, at this moment, in this view.
     bool isUpToDate() const;
-    /// Serial (FrameInfo) of the first frame that shows the document as it is now.
+    /// The serial (see FrameInfo) of the first frame that shows the document as it is now.
     quint64 neededFrame() const { return m_lastSerial + (m_renderScheduled ? 1 : 0); }
-    /// A copy of the last finished frame, without overlay; null while frames stay on the device.
+    /// A copy of the last finished frame, without overlay. It is null while frames stay on the device.
     QImage picture();
-    /// Theme colours of pasteboard and overlay, from the palette.
+    /// The colours of pasteboard and overlay, which follow the palette.
     const OverlayColours &overlayColours() const { return m_colours; }
 
-    /// Nothing lies over the picture that belongs to the selection or the tool: while the key for it is held, and while
-    /// another state of the painting is shown.
+    /// Whether nothing of the selection or of the tool lies over the picture. It is so while the key for it is held,
+    /// and while another state of the painting is shown.
     bool isBare() const;
-    /// Selected strokes have their lines.
+    /// Whether lines are drawn through the selected strokes.
     bool showsOutlines() const;
-    /// Snapping, and what is drawn over the picture.
+    /// How snapping works, and what is drawn over the picture.
     const CanvasAids &aids() const { return m_aids; }
     void setAids(const CanvasAids &aids)
     {
@@ -104,21 +106,21 @@ public:
     }
     const PenSettings &penSettings() const { return m_input.pen().settings(); }
     void setPenSettings(const PenSettings &settings) { m_input.pen().setSettings(settings); }
-    /// The modifier keys as the last event of the canvas left them.
+    /// The modifier keys that were held at the last event of the canvas.
     Qt::KeyboardModifiers modifiers() const { return m_input.modifiers(); }
 
 signals:
     void viewChanged();
     void modifiersChanged();
     void toolChanged();
-    void begunChanged();                   ///< `selection`, though nothing else was selected
-    void busyChanged();                    ///< something is in the tool's hand, or no more
+    void begunChanged();                   ///< `selection()` has changed, though nothing else was selected
+    void busyChanged();                    ///< something has come into the tool's hand, or has left it
     void pointerMoved(double x, double y); ///< canvas units
     void pointerLeft();
     void framePresented(const suffuse::FrameInfo &frame);
-    void backendChanged();                       ///< its text or its notice
-    void underlayFailed(const QString &problem); ///< it cannot be shown
-    void penTurned(bool eraser);                 ///< before the first report of the pen's other end
+    void backendChanged();                       ///< the text of the backend, or the notice about it, has changed
+    void underlayFailed(const QString &problem); ///< the underlay cannot be shown
+    void penTurned(bool eraser);                 ///< emitted before the first report of the pen's other end
 
 protected:
     bool event(QEvent *event) override;
@@ -140,7 +142,7 @@ protected:
     bool focusNextPrevChild(bool next) override;
 
 private:
-    // CanvasContent
+    // What presenters ask of the canvas (CanvasContent).
     const View &shownView() const override { return view(); }
     void withFrame(const std::function<void(ShownFrame &)> &use) override { m_worker.withFrame(use); }
     void setDeviceFramesWanted(bool wanted, const QString &why) override;
@@ -150,14 +152,14 @@ private:
     void paintOverlay(QPainter &painter) override;
     void wantUnderlay();
     void endDrag();
-    /// A drag may follow that is too much for exact frames.
+    /// Whether a drag may follow for which exact frames would take too long.
     bool wantsCoarse() const;
 
     void follow(const Change &change);
     void followMoment();
     void scheduleRender();
     void requestFrame();
-    /// What is shown changes again and again: quick frames do.
+    /// Whether what is shown changes again and again, so that quick frames are good enough.
     bool isMoving() const;
     void handRests(quint64 serial);
     void paintSelection(QPainter &painter, double dpr);

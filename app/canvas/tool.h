@@ -1,4 +1,4 @@
-// What happens between pointer and document.
+// What stands between the pointer and the document: a tool.
 #pragma once
 
 #include "app/canvas/input/pointer_event.h"
@@ -15,8 +15,8 @@ class QWidget;
 
 namespace suffuse {
 
-/// What the canvas knows of a tool: it sees press, moves, release of the main button, and hovering in between; it
-/// changes the document through the editor and draws only on the overlay.
+/// What the canvas knows of a tool. The tool sees press, moves and release of the main button, and the hovering in
+/// between. It changes the document through the editor, and draws only on the overlay.
 class Tool : public QObject {
     Q_OBJECT
 
@@ -26,8 +26,8 @@ public:
     /// One line for the status bar, translated.
     virtual QString hint() const = 0;
     virtual QCursor cursor() const { return Qt::ArrowCursor; }
-    /// What stands in the row over the canvas while the tool is in use, always the same widget; null: nothing. The row
-    /// owns it from then on.
+    /// The widget for the row over the canvas while the tool is in use; null if there is none. It is always the same
+    /// one, and belongs to the row from then on.
     virtual QWidget *options() { return nullptr; }
 
     virtual void press(const PointerEvent &event) = 0;
@@ -35,33 +35,34 @@ public:
     virtual void release(const PointerEvent &event) = 0;
     virtual void hover(const PointerEvent &) {}
     virtual void leave() {}
-    /// A drag may change strokes that are not selected.
+    /// Whether a drag may change strokes that are not selected.
     virtual bool changesAnything() const { return false; }
-    /// Whether selected strokes have their lines while it is in use.
+    /// Whether lines are drawn through selected strokes while the tool is in use.
     virtual bool showsOutlines() const { return true; }
-    /// True between press and release.
+    /// Whether a press has come and no release yet.
     virtual bool isBusy() const = 0;
     /// Gives up what is in hand, as if it had not begun.
     virtual void cancel() = 0;
-    /// The commands for size and opacity, by so many steps; nothing for a tool that has none.
+    /// Changes the size by so many steps, for a command. A tool without a size does nothing.
     virtual void stepSize(int /*steps*/) {}
     virtual void stepOpacity(int /*steps*/) {}
-    /// True if the key was used.
+    /// Takes a key. Returns true if the tool has used it.
     virtual bool keyPress(QKeyEvent *) { return false; }
-    /// True if the key means the tool, even where it is a command's shortcut.
+    /// Whether the key means the tool, even where it is the shortcut of a command.
     virtual bool wantsKey(const QKeyEvent &) const { return false; }
-    /// The command Delete: true if the tool deleted something of its own (nodes).
+    /// Deletes what the tool itself has selected (nodes), for the command Delete. Returns false if that is nothing.
     virtual bool deleteSelected() { return false; }
-    /// The command Select All: true if the tool selected something of its own (nodes).
+    /// Selects all that the tool itself selects (nodes), for the command Select All. Returns false if it selects
+    /// nothing.
     virtual bool selectAll() { return false; }
     /// Draws over the picture, in device pixels.
     virtual void paint(QPainter &, const View &, double /*dpr*/) const {}
-    /// Device pixels around the control points of the selected strokes that `paint` keeps to now; none: it may paint
-    /// anywhere.
+    /// How far from the control points of the selected strokes `paint` may draw at the moment, in device pixels. No
+    /// value means that it may draw anywhere.
     virtual std::optional<double> paintMargin() const { return {}; }
 
 signals:
-    /// What hint() says is another line now.
+    /// Emitted when `hint` returns another line than before.
     void hintChanged();
 };
 

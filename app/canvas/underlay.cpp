@@ -22,8 +22,8 @@ QRgb mixed(QRgb a, QRgb b, unsigned share)
     return (low & odd) | (high & ~odd);
 }
 
-/// One level of the picture, read between its pixels; beyond the border it goes on as there. Points are in pixels of
-/// the level, whose centres are whole numbers.
+/// One level of the picture, read between its pixels. Beyond its border the picture goes on with the colour of the
+/// border. Points are in pixels of the level, whose centres are whole numbers.
 class Sampler {
 public:
     explicit Sampler(const QImage &level)
@@ -40,7 +40,7 @@ public:
         const int on = i + 1 < m_width ? 1 : 0, below = j + 1 < m_height ? m_width : 0;
         return mixed(mixed(row[0], row[on], a), mixed(row[below], row[below + on], a), b);
     }
-    /// A run of pixels, all of it between the centres of the level's outer ones.
+    /// Writes a run of pixels which lie wholly between the centres of the level's outer pixels.
     void run(QRgb *out, int count, Point start, Point step) const
     {
         constexpr double one = 4294967296.0;
@@ -58,7 +58,8 @@ private:
     int m_width, m_height;
 };
 
-/// The numbers of the steps, from 0 below `count`, after which start + k·step is in [low, high].
+/// The first step k, and the one after the last, for which start + k·step is in [low, high]; both are from 0 to
+/// `count`.
 std::pair<int, int> stepsWithin(double start, double step, double low, double high, int count)
 {
     double first = 0, last = count - 1.0;
@@ -70,7 +71,7 @@ std::pair<int, int> stepsWithin(double start, double step, double low, double hi
     return first <= last ? std::pair{int(first), int(last) + 1} : std::pair{0, 0};
 }
 
-/// The level whose pixels are next to as large as the view's.
+/// The level whose pixels come nearest to the view's in size.
 const QImage &levelFor(const UnderlayImage &image, const UnderlayMap &map)
 {
     const QSize size = image.size();
@@ -80,7 +81,7 @@ const QImage &levelFor(const UnderlayImage &image, const UnderlayMap &map)
     return image.levels[std::size_t(std::clamp(level, 0.0, double(image.levels.size() - 1)))];
 }
 
-/// How much of a pixel lies between 0 and 1, where a pixel is `size` wide.
+/// How much of a pixel of width `size` lies between 0 and 1.
 double coverage(double share, double size)
 {
     return std::clamp(std::min(share, 1 - share) / size + 0.5, 0.0, 1.0);
@@ -91,7 +92,7 @@ void drawRow(QRgb *out, int count, Point pixel, const UnderlayMap &map, const Sa
     const Point size = sampler.size(), share = map(pixel);
     const Point start{share.x * size.x - 0.5, share.y * size.y - 0.5};
     const Point step{map.right().x * size.x, map.right().y * size.y};
-    // Of a pixel, in shares; along a border that is turned as well.
+    // The width and height of a pixel, as shares of the picture. The border may be turned, so both directions count.
     const double across = std::hypot(map.right().x, map.down().x), down = std::hypot(map.right().y, map.down().y);
     const auto borders = [&](int from, int to) {
         for (int x = from; x < to; ++x) {
@@ -118,7 +119,7 @@ UnderlayMap::UnderlayMap(const ShownUnderlay &shown, const View &view)
     const auto share = [&](Point p) {
         return Point{(p.x - area.left) / area.width(), (p.y - area.top) / area.height()};
     };
-    View turned = view; // differences without the far canvas point: deep zoom
+    View turned = view; // Without the centre, which may be far away, differences keep their digits at deep zoom.
     turned.centre = {};
     const Point origin = turned.toCanvas({});
     const Point right = turned.toCanvas({1, 0}) - origin, down = turned.toCanvas({0, 1}) - origin;
@@ -199,7 +200,7 @@ void UnderlayLoader::want(const EncodedImage &encoded)
 void UnderlayLoader::take(const EncodedImage &encoded, const Result<UnderlayImagePtr> &image)
 {
     if (encoded != m_wanted)
-        return; // another one since
+        return; // Another picture has been wanted since.
     if (!image) {
         emit failed(image.error());
         return;

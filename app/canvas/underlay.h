@@ -1,4 +1,4 @@
-// The underlay on the canvas: it lies over the picture like a sheet that is held to the light, and is in no frame.
+// The underlay on the canvas. It lies over the picture like a sheet of tracing paper, and is in no frame.
 #pragma once
 
 #include "app/session/files/underlay_image.h"
@@ -12,22 +12,22 @@ class QPainter;
 
 namespace suffuse {
 
-/// What presenters draw.
+/// The underlay as presenters draw it.
 struct ShownUnderlay {
     UnderlayImagePtr image;
     Rect area; ///< canvas units, not empty
     double opacity = 1;
-    bool brightens = false; ///< it multiplies what lies below; on a dark canvas it is screened
+    bool brightens = false; ///< The underlay multiplies what lies below it; on a dark canvas it is screened instead.
 
     friend bool operator==(const ShownUnderlay &, const ShownUnderlay &) = default;
 };
 
-/// How an underlay lies in a view: maps pixels to shares of its width and height.
+/// How an underlay lies in a view: maps pixels to places in it, as shares of its width and height.
 class UnderlayMap {
 public:
     UnderlayMap(const ShownUnderlay &shown, const View &view);
     Point operator()(Point pixel) const { return m_base + pixel.x * m_right + pixel.y * m_down; }
-    /// Of one pixel.
+    /// How far a step of one pixel to the right leads.
     Point right() const { return m_right; }
     Point down() const { return m_down; }
 
@@ -35,22 +35,23 @@ private:
     Point m_base, m_right, m_down;
 };
 
-/// Where in the view it shows, device pixels.
+/// The device pixels of the view on which the underlay is seen.
 QRect underlayBounds(const ShownUnderlay &shown, const View &view);
 
-/// Paints an underlay with QPainter. Keeps it as it stands in the view, so that parts are painted at little cost.
+/// Paints an underlay with QPainter. It keeps the picture as the view shows it, so that parts are painted at little
+/// cost.
 class UnderlaySheet {
 public:
-    /// The painter's units are device pixels; nothing beyond `part` is needed.
+    /// Paints the underlay. The painter's units are device pixels; nothing beyond `part` is needed.
     void paint(QPainter &painter, const ShownUnderlay &shown, const View &view, const QRect &part);
     void forget() { m_sheet = {}; }
 
 private:
     void draw(const ShownUnderlay &shown, const View &view);
 
-    QImage m_sheet; ///< what `underlayBounds` gives
+    QImage m_sheet; ///< the part of the view that `underlayBounds` gives
     QPoint m_at;
-    ShownUnderlay m_shown; ///< as it was drawn; opacity comes later
+    ShownUnderlay m_shown; ///< as it was drawn; the opacity is applied when it is painted
     View m_view;
 };
 
@@ -62,9 +63,9 @@ public:
     explicit UnderlayLoader(QObject *parent = nullptr);
     ~UnderlayLoader() override;
 
-    /// From now on this one is wanted; null: none.
+    /// Sets the picture that is wanted from now on, or none (null).
     void want(const EncodedImage &encoded);
-    /// Null until it is decoded, and where it cannot be.
+    /// The decoded picture. It is null before it is decoded, and where it cannot be.
     const UnderlayImagePtr &image() const { return m_image; }
 
 signals:

@@ -8,7 +8,7 @@
 
 namespace suffuse {
 
-/// A View with the moves of a hand on it. Pixels are device pixels; what is named stays under the pixel that is named.
+/// A View that hands move. Pixels are device pixels. What a function has under the pixel that it names stays there.
 class ViewTransform {
 public:
     static constexpr double minScale = 1e-3;
@@ -16,21 +16,23 @@ public:
 
     const View &view() const { return m_view; }
 
-    /// Another size of the picture; its centre stays in the centre.
+    /// Takes another size of the picture; what was in the centre stays there.
     void resize(int width, int height);
     /// Moves the canvas under the window by device pixels.
     void panBy(Point pixels);
     /// Zooms by a factor, within minScale … maxScale.
     void zoomAt(Point pixel, double factor) { setScaleAt(pixel, m_view.scale * factor); }
+    /// Sets the scale in pixels per canvas unit, within minScale … maxScale.
     void setScaleAt(Point pixel, double scale);
-    /// Turns clockwise on screen, radians.
+    /// Turns the canvas clockwise on the screen, by radians.
     void rotateAt(Point pixel, double radians) { setRotationAt(pixel, m_view.rotation + radians); }
+    /// Sets the rotation of the canvas, in radians.
     void setRotationAt(Point pixel, double radians);
-    /// Swaps left and right on screen.
+    /// Swaps left and right on the screen.
     void mirrorAt(Point pixel);
-    /// Shows all of `area`, as large as it goes with `margin` device pixels around; keeps rotation and mirroring.
+    /// Shows all of `area` as large as possible, with `margin` device pixels around it. Rotation and mirroring stay.
     void fit(const Rect &area, double margin);
-    /// Another view in a picture of the same size, within minScale … maxScale.
+    /// Shows what another view shows, in a picture of the same size. The scale stays within minScale … maxScale.
     void show(const View &view);
     Point centrePixel() const { return {0.5 * m_view.width, 0.5 * m_view.height}; }
 
@@ -49,7 +51,7 @@ QTransform mapBetween(const View &from, const View &to);
 /// are far beyond what a painter takes). May be empty.
 QPolygonF clippedCorners(const View &view, const Rect &area, const Rect &clip);
 
-/// Clips a line in place; false if nothing of it lies in `clip`.
+/// Shortens a line, in place, to its part in `clip`. Returns false if nothing of it lies there.
 bool clipLine(Point &a, Point &b, const Rect &clip);
 
 } // namespace suffuse

@@ -21,8 +21,8 @@ namespace suffuse {
 namespace {
 
 constexpr double zoomPerNotch = 1.25;
-constexpr double notch = 120;         ///< eighths of a degree, as QWheelEvent counts
-constexpr double pixelsPerNotch = 60; ///< logical pixels that a notch pans
+constexpr double notch = 120;         ///< a notch of the wheel in eighths of a degree, as QWheelEvent counts
+constexpr double pixelsPerNotch = 60; ///< logical pixels by which a notch pans
 
 bool isSynthesized(const QMouseEvent &event)
 {
@@ -34,11 +34,11 @@ bool isSynthesized(const QMouseEvent &event)
 CanvasInput::CanvasInput(QWidget &canvas, CanvasView &view, const PaintingClock &clock)
     : m_canvas(canvas), m_view(view), m_clock(clock), m_hand(view), m_touch(canvas, m_hand, view, m_pen, clock)
 {
-    qApp->installEventFilter(this); // it hears of the pen coming near
+    qApp->installEventFilter(this); // The filter hears when the pen comes near the tablet.
     connect(&m_hand, &Hand::navigationChanged, this, [this] {
         emit cursorChanged();
         if (m_hand.navigation() == Navigation::None)
-            emit overlayChanged(); // the angle goes
+            emit overlayChanged(); // The angle beside the pointer disappears.
     });
 }
 
@@ -81,7 +81,7 @@ PointerEvent CanvasInput::report(const QSinglePointEvent &event, PointerDevice d
     e.device = device;
     e.doubleClick = event.type() == QEvent::MouseButtonDblClick;
     e.time = m_clock.time();
-    // Reports come in bunches: the device's own stamps keep their pace.
+    // Reports arrive in bunches, so their times are taken from the stamps of the device.
     if (!m_clock.isManual() && m_hand.isPressed() && event.timestamp() >= m_pressStamp && m_pressStamp > 0) {
         const Microseconds stamped = m_pressTime + Microseconds(event.timestamp() - m_pressStamp) * 1000;
         if (std::abs(stamped - e.time) < mostLag)
@@ -123,7 +123,7 @@ void CanvasInput::tablet(const QTabletEvent &event)
 {
     const Microseconds late = m_pen.lateness(event.timestamp());
     if (!m_hand.isFree() && !m_pen.isDown())
-        return; // the mouse or a finger is at work
+        return; // The mouse or a finger holds the tool.
     const bool eraser = event.pointerType() == QPointingDevice::PointerType::Eraser;
     turnPen(eraser);
     PointerEvent e = report(event, eraser ? PointerDevice::Eraser : PointerDevice::Pen);
@@ -138,7 +138,7 @@ void CanvasInput::tablet(const QTabletEvent &event)
         break;
     case QEvent::TabletMove:
         if (m_pen.isDown() && event.buttons() == Qt::NoButton && event.pressure() == 0)
-            lostPen(); // it was lifted where nobody heard of it
+            lostPen(); // The pen was lifted where no report could tell of it.
         m_hand.move(e);
         break;
     case QEvent::TabletRelease:
@@ -153,7 +153,7 @@ void CanvasInput::tablet(const QTabletEvent &event)
 void CanvasInput::pressPen(const QTabletEvent &event, PointerEvent report, Microseconds late)
 {
     if (m_pen.isDown() && !m_hand.isFree())
-        return m_hand.move(report); // some drivers repeat it
+        return m_hand.move(report); // Some drivers repeat a press.
     m_pen.setDown(true);
     m_canvas.setFocus(Qt::MouseFocusReason);
     m_pressStamp = event.timestamp();
@@ -170,7 +170,7 @@ void CanvasInput::turnPen(bool eraser)
     emit penTurned(eraser);
 }
 
-/// The pen was lifted, and no report has told of it.
+/// Makes the release of a pen that was lifted without a report.
 void CanvasInput::lostPen()
 {
     m_pen.setDown(false);
@@ -209,7 +209,7 @@ void CanvasInput::wheel(const QWheelEvent &event)
     if (touchpad && !(modifiers & Qt::ControlModifier))
         return m_view.panBy(devicePixels(m_canvas, event.pixelDelta()));
     const QPoint angle = event.angleDelta();
-    const bool sideways = angle.y() == 0; // a wheel that tilts
+    const bool sideways = angle.y() == 0; // A wheel that tilts scrolls sideways.
     const double notches = (sideways ? angle.x() : angle.y()) / notch;
     const double pan = notches * pixelsPerNotch * m_canvas.devicePixelRatioF();
     if (!touchpad && modifiers.testFlags(Qt::ControlModifier | Qt::ShiftModifier))
@@ -241,7 +241,8 @@ bool CanvasInput::nativeGesture(const QNativeGestureEvent &event)
 void CanvasInput::noteModifiers(const QInputEvent &event)
 {
     Qt::KeyboardModifiers now = event.modifiers();
-    if (event.type() == QEvent::KeyPress || event.type() == QEvent::KeyRelease) { // these tell of those held before
+    // The event tells which modifier keys were held before it.
+    if (event.type() == QEvent::KeyPress || event.type() == QEvent::KeyRelease) {
         const int key = static_cast<const QKeyEvent &>(event).key();
         const Qt::KeyboardModifier own = key == Qt::Key_Shift     ? Qt::ShiftModifier
                                          : key == Qt::Key_Control ? Qt::ControlModifier
@@ -277,7 +278,7 @@ bool CanvasInput::take(QEvent *event)
         event->accept();
         return true;
     }
-    case QEvent::KeyPress: { // before Tab moves the focus
+    case QEvent::KeyPress: { // The canvas needs the key before Tab moves the focus.
         auto *key = static_cast<QKeyEvent *>(event);
         if (!isToolKey(*key))
             return false;
@@ -329,7 +330,7 @@ void CanvasInput::enter(const QPointF &position)
 {
     m_pointerInside = true;
     m_hand.enter(devicePixels(m_canvas, position));
-    // Keys mean the canvas when the pointer is over it, unless something is being typed.
+    // While the pointer is over the canvas, keys mean the canvas, unless something is being typed.
     const QWidget *focus = QApplication::focusWidget();
     const bool typing = qobject_cast<const QLineEdit *>(focus) || qobject_cast<const QAbstractSpinBox *>(focus);
     if (!typing && m_canvas.isActiveWindow())
@@ -346,7 +347,7 @@ void CanvasInput::leave()
 void CanvasInput::focusOut()
 {
     const bool wasBare = m_keys.isBare();
-    m_keys.forget(); // their release goes elsewhere
+    m_keys.forget(); // The release of the keys will go elsewhere.
     if (wasBare)
         emit overlayChanged();
     if (std::exchange(m_modifiers, Qt::NoModifier) != Qt::NoModifier)

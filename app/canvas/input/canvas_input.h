@@ -22,8 +22,8 @@ class QWheelEvent;
 
 namespace suffuse {
 
-/// Makes reports of the events of the canvas' widget: either they move the view, or the tool gets them. The widget
-/// calls it; what it does not use is the widget's.
+/// Makes reports of the events that the canvas' widget gets, by which either the view is moved or the tool works. The
+/// widget calls it for each event, and deals itself with what it does not use.
 class CanvasInput : public QObject {
     Q_OBJECT
 
@@ -36,19 +36,21 @@ public:
     const CanvasPen &pen() const { return m_pen; }
     KeysDown &keys() { return m_keys; }
     const KeysDown &keys() const { return m_keys; }
-    /// Keys that stay the window's even where the tool wants them.
+    /// Sets keys that belong to the window even where the tool wants them.
     void setWindowKeys(const QList<QKeySequence> &keys) { m_windowKeys = keys; }
-    /// The modifier keys as the last event left them.
+    /// The modifier keys that were held at the last event.
     Qt::KeyboardModifiers modifiers() const { return m_modifiers; }
-    /// Where the pointer is, if it is over the canvas; device pixels.
+    /// Where the pointer is, in device pixels; no value where it is not over the canvas.
     std::optional<Point> pointer() const;
     QCursor cursor() const;
 
-    /// Events that come before all others; true if nothing else is to be done with it.
+    /// Takes an event before all others see it. Returns true if nothing else is to be done with the event.
     bool take(QEvent *event);
-    /// The same of a key.
+    /// Takes a key that was pressed. Returns false if it means nothing to the canvas.
     bool keyPress(QKeyEvent *event);
+    /// Takes a key that was released. Returns false if it means nothing to the canvas.
     bool keyRelease(const QKeyEvent &event);
+    /// Whether a key means the tool, even where it is the shortcut of a command.
     bool isToolKey(const QKeyEvent &event) const;
     void mousePress(const QMouseEvent &event);
     void mouseMove(const QMouseEvent &event);
@@ -58,17 +60,17 @@ public:
     void enter(const QPointF &position);
     void leave();
     void focusOut();
-    /// Tells whether something is in the tool's hand, where that is new.
+    /// Emits `busyChanged` if something has come into the tool's hand, or has left it, since it was last emitted.
     void noteBusy();
 
 signals:
     void modifiersChanged();
-    void busyChanged(); ///< something is in the tool's hand, or no more
+    void busyChanged(); ///< something has come into the tool's hand, or has left it
     void cursorChanged();
-    void overlayChanged(); ///< other things lie over the picture
+    void overlayChanged(); ///< what lies over the picture has changed
     void fitWanted();
     void pointerLeft();
-    void penTurned(bool eraser); ///< before the first report of the pen's other end
+    void penTurned(bool eraser); ///< emitted before the first report of the pen's other end
 
 protected:
     bool eventFilter(QObject *watched, QEvent *event) override;
@@ -93,9 +95,9 @@ private:
     QList<QKeySequence> m_windowKeys;
     Qt::KeyboardModifiers m_modifiers;
     bool m_pointerInside = false;
-    bool m_busy = false;          ///< as `busyChanged` told last
-    quint64 m_pressStamp = 0;     ///< milliseconds, the device's clock
-    Microseconds m_pressTime = 0; ///< document time of the press
+    bool m_busy = false;          ///< what the last `busyChanged` said
+    quint64 m_pressStamp = 0;     ///< milliseconds of the device's clock
+    Microseconds m_pressTime = 0; ///< the document time of the press
 };
 
 } // namespace suffuse

@@ -1,4 +1,4 @@
-// What the canvas knows of the pen from its reports so far.
+// What the canvas has learned of the pen from its reports.
 #pragma once
 
 #include "app/session/settings/pen_input.h"
@@ -13,16 +13,16 @@ public:
 
     bool isDown() const { return m_down; }
     void setDown(bool down) { m_down = down; }
-    /// It is in reach of the tablet: fingers are the hand that holds it.
+    /// Whether the pen is in reach of the tablet. Fingers on it are then those of the hand that holds the pen.
     bool isNear() const { return m_near; }
     void setNear(bool near) { m_near = near; }
-    /// Its eraser points down.
+    /// Whether the pen's eraser points down.
     bool isTurned() const { return m_turned; }
     void setTurned(bool turned) { m_turned = turned; }
 
-    /// How long a report has waited to be heard of, by its stamp (milliseconds of the device's clock).
+    /// How long a report has waited before it arrived here, by its stamp (milliseconds of the device's clock).
     Microseconds lateness(std::uint64_t stamp);
-    /// The pressure that is painted with, as `PenPressure::take`.
+    /// The pressure to paint with, as `PenPressure::take` computes it.
     double pressure(double reported, bool press, bool sensitive) { return m_pressure.take(reported, press, sensitive); }
 
 private:

@@ -25,7 +25,7 @@ void Hand::press(const PointerEvent &event, Navigation navigation)
 {
     m_lastPixel = event.pixel;
     if (!isFree())
-        return; // a second button changes nothing of what the first one began
+        return; // A second button does not change what the first one began.
     m_button = event.button;
     if (navigation != Navigation::None) {
         setNavigation(navigation);

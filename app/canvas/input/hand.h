@@ -11,33 +11,33 @@ namespace suffuse {
 class CanvasView;
 class Tool;
 
-/// Takes the pointer's reports, whatever device they come from, and gives them to the tool, or moves the view by them.
+/// Takes the pointer's reports, whatever device they come from. It gives them to the tool, or moves the view by them.
 class Hand : public QObject {
     Q_OBJECT
 
 public:
     explicit Hand(CanvasView &view, QObject *parent = nullptr) : QObject(parent), m_view(view) {}
 
-    /// The tool belongs to the caller; null: none. The old one is cancelled.
+    /// Sets the tool, which belongs to the caller, or none (null). The tool before it is cancelled.
     void setTool(Tool *tool);
     Tool *tool() const { return m_tool; }
-    /// The tool has seen a press and no release yet.
+    /// Whether the tool has seen a press and no release yet.
     bool isPressed() const { return m_pressed; }
     Navigation navigation() const { return m_navigation; }
-    /// Neither is the tool pressed nor the view in the hand.
+    /// Whether neither the tool is pressed nor the view is being moved.
     bool isFree() const { return !m_pressed && m_navigation == Navigation::None; }
-    /// Whose release is awaited.
+    /// The button whose release is awaited.
     Qt::MouseButton button() const { return m_button; }
     Point lastPixel() const { return m_lastPixel; }
 
-    /// The pointer comes in at a pixel.
+    /// Notes that the pointer comes over the canvas at a pixel.
     void enter(Point pixel) { m_lastPixel = pixel; }
     void press(const PointerEvent &event, Navigation navigation);
     void move(const PointerEvent &event);
     void release(const PointerEvent &event);
-    /// The pointer is over the canvas no more, or the pen out of reach.
+    /// To be called when the pointer leaves the canvas, or the pen gets out of reach.
     void leave();
-    /// The tool gives up what it has in hand.
+    /// Makes the tool give up what it has in hand.
     void cancel();
 
 signals:

@@ -6,7 +6,7 @@ namespace suffuse {
 
 namespace {
 
-/// The keypad's keys are the keys of their names.
+/// The modifiers of a key event; keys of the keypad count as the keys of their names.
 Qt::KeyboardModifiers modifiersOf(const QKeyEvent &event)
 {
     return event.modifiers() & ~Qt::KeypadModifier;

@@ -1,4 +1,4 @@
-// A report of mouse, pen or finger, as tools and the view take it.
+// A report of mouse, pen or finger, in the form that tools and the view use.
 #pragma once
 
 #include "model/painting/geometry.h"
@@ -20,15 +20,15 @@ struct PointerEvent {
     double tiltX = 0;                      ///< degrees
     double tiltY = 0;                      ///< degrees
     Microseconds time = 0;                 ///< document time
-    Microseconds late = 0;                 ///< of a press: how long it has waited to be heard of
-    Qt::MouseButton button = Qt::NoButton; ///< what caused it
-    Qt::MouseButtons buttons;              ///< what is down
+    Microseconds late = 0;                 ///< microseconds that a press has waited before it arrived
+    Qt::MouseButton button = Qt::NoButton; ///< the button that caused the report
+    Qt::MouseButtons buttons;              ///< the buttons that are down
     Qt::KeyboardModifiers modifiers;
     PointerDevice device = PointerDevice::Mouse;
-    bool doubleClick = false; ///< a press that follows another at the same place
+    bool doubleClick = false; ///< whether it is a press that follows another one at the same place
 };
 
-/// Logical pixels of a widget in device pixels.
+/// Converts logical pixels of a widget to device pixels.
 Point devicePixels(const QWidget &widget, const QPointF &logical);
 
 } // namespace suffuse

@@ -36,14 +36,14 @@ void TouchInput::giveUp()
     m_hand.cancel();
 }
 
-/// Where the fingers are, device pixels.
+/// The places of the fingers in device pixels, by the device's numbers.
 std::map<int, Point> TouchInput::placesIn(const QTouchEvent &event) const
 {
     std::map<int, Point> now;
     for (const QEventPoint &point : event.points()) {
         if (point.state() == QEventPoint::Released && event.points().size() > 1)
             continue;
-        // One that stands still does not always say the truth about where.
+        // The place that is reported for a finger that stands still is not reliable, so its last place counts.
         const auto last = m_fingers.find(point.id());
         const bool still = point.state() == QEventPoint::Stationary && last != m_fingers.end();
         now[point.id()] = still ? last->second : devicePixels(m_canvas, point.position());
@@ -54,10 +54,10 @@ std::map<int, Point> TouchInput::placesIn(const QTouchEvent &event) const
 bool TouchInput::take(const QTouchEvent &event)
 {
     if (event.device()->type() == QInputDevice::DeviceType::TouchPad)
-        return false; // it moves the mouse
+        return false; // Fingers on a touchpad move the mouse.
     const bool otherAtWork = !m_paints && !m_hand.isFree();
     if (event.type() == QEvent::TouchCancel || m_pen.isNear() || m_pen.isDown() || otherAtWork) {
-        giveUp(); // it was the hand that holds the pen
+        giveUp(); // It was the hand that holds the pen.
         m_fingers.clear();
         return true;
     }
@@ -82,7 +82,7 @@ bool TouchInput::take(const QTouchEvent &event)
 
 void TouchInput::moveView(const std::map<int, Point> &now)
 {
-    std::vector<std::pair<Point, Point>> moved; // from, to
+    std::vector<std::pair<Point, Point>> moved; // places from which and to which fingers have moved
     for (const auto &[id, to] : now)
         if (const auto from = m_fingers.find(id); from != m_fingers.end())
             moved.emplace_back(from->second, to);

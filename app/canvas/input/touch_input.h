@@ -1,4 +1,4 @@
-// Fingers on the canvas.
+// What fingers do on the canvas.
 #pragma once
 
 #include "model/painting/geometry.h"
@@ -16,12 +16,12 @@ class PaintingClock;
 class CanvasPen;
 struct PointerEvent;
 
-/// Two fingers move the view; one paints, or moves the view where only the pen paints.
+/// Two fingers move the view. One finger paints or, where only the pen is to paint, moves the view.
 class TouchInput {
 public:
     TouchInput(QWidget &canvas, Hand &hand, CanvasView &view, const CanvasPen &pen, const PaintingClock &clock);
 
-    /// False if the event is another's: the touchpad's.
+    /// Returns false if the event is not for the canvas: a touchpad's moves the mouse.
     bool take(const QTouchEvent &event);
 
 private:
@@ -35,8 +35,8 @@ private:
     CanvasView &m_view;
     const CanvasPen &m_pen;
     const PaintingClock &m_clock;
-    std::map<int, Point> m_fingers; ///< that are down, by the device's numbers, and where they were last
-    bool m_paints = false;          ///< one of them holds the tool
+    std::map<int, Point> m_fingers; ///< the fingers that are down, by the device's numbers, and where they were last
+    bool m_paints = false;          ///< whether one of them holds the tool
 };
 
 } // namespace suffuse

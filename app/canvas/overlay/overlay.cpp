@@ -12,7 +12,7 @@ namespace {
 
 constexpr double flatness = 0.3;
 constexpr int maxDepth = 40;
-constexpr double beyond = 64; ///< pixels around the window that lines may still run through
+constexpr double beyond = 64; ///< Device pixels beyond the window's border through which a line may still run.
 
 Rect canvasWindowOf(const View &view)
 {
@@ -77,7 +77,7 @@ QString angleText(double angle)
 {
     double degrees = std::remainder(angle * 180 / std::numbers::pi, 360);
     if (std::abs(degrees) < 0.05)
-        degrees = 0; // no minus before it
+        degrees = 0; // An angle of zero has no minus sign.
     return QLocale().toString(degrees, 'f', 1).replace('-', QChar(0x2212)) + QChar(0xB0);
 }
 
@@ -90,7 +90,7 @@ void paintBadge(QPainter &painter, const QString &text, Point pixel, double radi
     const QFontMetricsF metrics(font);
     const double pad = 6 * dpr, gap = 18 * dpr;
     const QSizeF size(metrics.horizontalAdvance(text) + 2 * pad, metrics.height() + pad);
-    // Below the pointer on the right, else wherever there is room beside the circle.
+    // The badge stands below the pointer on the right or, where there is no room, elsewhere beside the circle.
     const double off = std::max(gap, std::sqrt(0.5) * radius + 4 * dpr);
     const QRectF window(0, 0, view.width, view.height);
     QRectF box;
@@ -99,7 +99,7 @@ void paintBadge(QPainter &painter, const QString &text, Point pixel, double radi
         const QRectF there(corner, QPointF(corner.x() + side.x * size.width(), corner.y() + side.y * size.height()));
         box = box.isNull() || !window.contains(box) ? there.normalized() : box;
     }
-    if (!window.contains(box)) // the circle fills the window
+    if (!window.contains(box)) // The circle fills the window, so the badge cannot stand beside it.
         box = QRectF(QPointF(pixel.x + gap, pixel.y + gap), size);
     box.moveLeft(std::clamp(box.left(), 0.0, std::max(0.0, view.width - size.width())));
     box.moveTop(std::clamp(box.top(), 0.0, std::max(0.0, view.height - size.height())));
@@ -128,13 +128,14 @@ void strokeTwoTone(QPainter &painter, const QPainterPath &path, const QColor &co
 namespace {
 
 constexpr int shadowRings = 5;
-const QColor shadow(0, 0, 0, 11); // of a ring; the narrower ones lie over the wider
+// the colour of one ring; the rings lie over each other, so the shadow gets darker towards the canvas
+const QColor shadow(0, 0, 0, 11);
 
-/// Around an upright sheet there are rectangles only, which cost a tenth of paths.
+/// Around an upright sheet the pasteboard consists of rectangles, which take a tenth of the time of paths.
 void paintUprightPasteboard(QPainter &painter, const QRect &window, const QRectF &sheet, const OverlayColours &colours,
                             double dpr)
 {
-    // A painter hands more rows than these at a time to other threads, and waking them takes longer than filling.
+    // A painter hands more rows than these to other threads at a time, and waking them takes longer than filling.
     constexpr int rows = 64;
     const auto fill = [&](const QRegion &region, const QColor &colour) {
         for (const QRect &rect : region)
@@ -143,7 +144,7 @@ void paintUprightPasteboard(QPainter &painter, const QRect &window, const QRectF
     };
     const QRect inside(QPoint(int(std::lround(sheet.left())), int(std::lround(sheet.top()))),
                        QPoint(int(std::lround(sheet.right())) - 1, int(std::lround(sheet.bottom())) - 1));
-    // Large fills are costly even where they are clipped.
+    // Large fills take long even where they are clipped.
     const QRect seen = painter.hasClipping() ? window & painter.clipBoundingRect().toAlignedRect() : window;
     const QRegion outside = QRegion(seen) - inside;
     fill(outside, colours.pasteboard);
@@ -171,12 +172,12 @@ bool isUpright(const QPolygonF &polygon)
 
 void paintPasteboard(QPainter &painter, const View &view, const Rect &canvas, const OverlayColours &colours, double dpr)
 {
-    constexpr double fade = 12; // logical pixels, border and shadow
+    constexpr double fade = 12; // logical pixels for border and shadow
     const Rect window = canvasWindowOf(view);
     const QPolygonF inside = clippedCorners(view, canvas, window);
     const double f = fade * dpr;
     if (painter.hasClipping() && inside.size() > 2) {
-        QPainterPath deep; // nothing of it shows there
+        QPainterPath deep; // the sheet, inside which nothing of the pasteboard is seen
         deep.addPolygon(inside);
         if (deep.contains(painter.clipBoundingRect().adjusted(-f, -f, f, f)))
             return;
@@ -202,7 +203,7 @@ void paintPasteboard(QPainter &painter, const View &view, const Rect &canvas, co
     painter.save();
     painter.setClipPath(outside, Qt::IntersectClip);
     painter.setBrush(Qt::NoBrush);
-    for (int ring = shadowRings; ring >= 1; --ring) { // it fades within a few pixels
+    for (int ring = shadowRings; ring >= 1; --ring) { // The shadow fades within a few pixels.
         painter.setPen(QPen(shadow, 2 * ring * dpr));
         painter.drawPath(sheet.translated(0, dpr));
     }
@@ -214,10 +215,11 @@ void paintPasteboard(QPainter &painter, const View &view, const Rect &canvas, co
 
 void paintGrid(QPainter &painter, const View &view, const Rect &area, double step, double dpr)
 {
-    constexpr double leastPixels = 8; // logical, between two lines
+    constexpr double leastPixels = 8; // least distance of two lines, logical pixels
     constexpr double mostLines = 2000;
     while (step * view.scale < leastPixels * dpr)
-        step *= step * view.scale * 5 < leastPixels * dpr ? 10 : 5; // every fifth line, every tenth …
+        // Every fifth line is drawn, then every tenth, and so on.
+        step *= step * view.scale * 5 < leastPixels * dpr ? 10 : 5;
     Rect shown;
     for (const Point corner : {Point{0, 0}, Point{double(view.width), 0}, Point{0, double(view.height)},
                                Point{double(view.width), double(view.height)}})

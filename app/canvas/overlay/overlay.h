@@ -1,4 +1,4 @@
-// Crisp lines over the picture. Painters here work in device pixels; `dpr` is the device pixel ratio.
+// Draws crisp lines over the picture. Painters here work in device pixels; `dpr` is the device pixel ratio.
 #pragma once
 
 #include "model/painting/painting.h"
@@ -11,35 +11,39 @@
 
 namespace suffuse {
 
-/// Colours of the overlay that follow the theme.
+/// The colours of the overlay, which follow the theme.
 struct OverlayColours {
-    QColor pasteboard; ///< over what lies outside of the canvas
-    QColor border;     ///< of the canvas
-    QColor accent;     ///< selection: so dark that it stands out from white beside it, and one of both from any paint
+    QColor pasteboard; ///< covers what lies outside of the canvas
+    QColor border;     ///< for the line around the canvas
+    /// The colour of the selection. It is so dark that it stands out from white beside it, and one of the two stands
+    /// out from any paint.
+    QColor accent;
 };
 
-/// The visible part of a cubic as a polyline within a third of a pixel, appended to `path`.
+/// Appends the visible part of a cubic to `path`, as a polyline that is exact to a third of a pixel.
 void addCurve(QPainterPath &path, const Cubic &cubic, const View &view);
 
 /// Covers what lies outside of the canvas, with a soft shadow and a hairline along its border.
 void paintPasteboard(QPainter &painter, const View &view, const Rect &canvas, const OverlayColours &colours, double dpr);
 
-/// Lines through multiples of `step` over the canvas; where they would stand too close, every fifth or tenth of them.
+/// Draws lines through the multiples of `step` (canvas units) over the canvas. Where they would stand too close, only
+/// every fifth or tenth of them is drawn.
 void paintGrid(QPainter &painter, const View &view, const Rect &area, double step, double dpr);
 
-/// Where a dragged point snaps.
+/// Draws a mark where a dragged point snaps.
 void paintSnapMark(QPainter &painter, Point pixel, const OverlayColours &colours, double dpr);
 
-/// A dot at a node.
+/// Draws a dot at a node.
 void paintNode(QPainter &painter, Point pixel, const OverlayColours &colours, double dpr);
 
-/// "12.5°" for an angle in radians, from −180° to 180°.
+/// The text for an angle in radians, as "12.5°", from −180° to 180°.
 QString angleText(double angle);
 
-/// A short text on a dark plate, outside of a circle of `radius` pixels around `pixel` and within the view.
+/// Draws a short text on a dark plate, outside of a circle of `radius` device pixels around `pixel` and within the
+/// view.
 void paintBadge(QPainter &painter, const QString &text, Point pixel, double radius, const View &view, double dpr);
 
-/// A two-tone line that shows on any picture.
+/// Draws a line in two tones, which is seen on any picture.
 void strokeTwoTone(QPainter &painter, const QPainterPath &path, const QColor &colour, double width,
                    Qt::PenStyle style = Qt::SolidLine);
 

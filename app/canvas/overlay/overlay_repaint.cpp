@@ -14,11 +14,11 @@ namespace suffuse {
 namespace {
 
 constexpr int frameMs = 16;
-constexpr int manyRects = 200; ///< of a frame, to be painted together
-/// So many strokes that a drag alters are painted without the others that are selected.
+constexpr int manyRects = 200; ///< A frame that has changed in more rectangles than these is painted as a whole.
+/// Up to so many strokes that a drag alters are painted without the rest of the selection.
 constexpr std::size_t fewStrokes = 32;
 
-/// Tiles together, neighbours as one.
+/// The region of all tiles; neighbouring tiles are joined first.
 QRegion regionOf(std::vector<PixelRect> tiles)
 {
     std::sort(tiles.begin(), tiles.end(),
@@ -88,7 +88,7 @@ void OverlayRepaint::tiles(const std::vector<PixelRect> &dirty)
         all();
 }
 
-/// Where the selection is painted now; none: anywhere.
+/// Where the selection is painted now. No value means that it may be painted anywhere.
 std::optional<QRegion> OverlayRepaint::areaNow() const
 {
     const std::optional<double> margin = m_margin();
@@ -96,7 +96,7 @@ std::optional<QRegion> OverlayRepaint::areaNow() const
                   : std::nullopt;
 }
 
-/// Notes what a drag alters. True where only that is to be painted: the rest of the selection stays as it is.
+/// Notes what a drag alters. Returns true if only that needs painting, since the rest of the selection stays as it is.
 bool OverlayRepaint::altersFew(const Change &change)
 {
     const std::optional<double> margin = m_margin();
@@ -171,14 +171,14 @@ void OverlayRepaint::flush()
         all();
         return;
     }
-    part(*m_area); // two strokes that lie far apart are not one large box
+    part(*m_area); // The area is a region, so two strokes that lie far apart do not become one large box.
     m_area = areaNow();
 }
 
 void OverlayRepaint::endDrag()
 {
     m_altered = {};
-    selection(); // smooth lines again
+    selection(); // Lines are smooth again after a drag.
 }
 
 void OverlayRepaint::painted(bool anywhere)

@@ -1,4 +1,4 @@
-// What lies over the picture and is to be painted again, and when.
+// Decides which parts of what lies over the picture are painted again, and when.
 #pragma once
 
 #include "model/painting/geometry.h"
@@ -23,44 +23,47 @@ class Presenter;
 class ShownSelection;
 struct Change;
 
-/// Has parts of the overlay painted again. Those of the selection wait for the next frame while it is dragged, and
-/// where a drag alters few strokes, only these are painted. Areas are device pixels.
+/// Has parts of the overlay painted again. While the selection is dragged, its parts wait for the next frame; where a
+/// drag alters few strokes, only these are painted. Areas are in device pixels.
 class OverlayRepaint : public QObject {
     Q_OBJECT
 
 public:
-    /// `margin`: device pixels around the selected strokes' control points that the tool keeps to; none: it may paint
-    /// anywhere.
+    /// `margin` returns how far from the selected strokes' control points the tool draws, in device pixels. No value
+    /// means that it may draw anywhere.
     OverlayRepaint(QWidget &canvas, Editor &editor, const CanvasView &view, const ShownSelection &selection,
                    std::function<std::optional<double>()> margin);
 
-    /// Set before anything is painted.
+    /// Sets the presenter. To be called before anything is painted.
     void setPresenter(Presenter *presenter) { m_presenter = presenter; }
 
+    /// Repaints the whole overlay.
     void all();
+    /// Repaints the part of the overlay in an area.
     void part(const QRectF &area);
     void part(const QRegion &area);
-    /// Of a frame, those that differ from the one before.
+    /// Repaints the tiles of a frame that differ from the frame before.
     void tiles(const std::vector<PixelRect> &dirty);
-    /// What stands at the selected strokes, then and now.
+    /// Repaints what stands at the selected strokes, where they were and where they are.
     void selection();
-    /// The same, after a change of the document.
+    /// Does the same after a change of the document.
     void follow(const Change &change);
-    /// What waits for a frame is painted now.
+    /// Repaints now what would wait for a frame.
     void flush();
-    /// A frame has come: what waits is painted with it.
+    /// Repaints what waits, since a frame has come with which it is painted.
     void flushWaiting();
-    /// Few strokes are altered no more: all of the selection is painted again.
+    /// Ends the time in which few strokes are altered; all of the selection is painted again.
     void endDrag();
-    /// All that was asked for is on the screen. `anywhere`: what stands at the selected strokes was painted elsewhere.
+    /// To be called when all that was asked for is on the screen. `anywhere` says that the things at the selected
+    /// strokes were painted elsewhere.
     void painted(bool anywhere);
 
 private:
-    /// Few strokes that a drag alters.
+    /// The few strokes that a drag alters.
     struct Altered {
-        std::map<StrokeId, Rect> boxes; ///< as they were last, canvas units
-        double margin = 0;              ///< pixels around them
-        QRegion area;                   ///< to be painted
+        std::map<StrokeId, Rect> boxes; ///< the strokes' boxes as they were last, canvas units
+        double margin = 0;              ///< device pixels around the boxes
+        QRegion area;                   ///< the area to be painted
     };
 
     bool isMoving() const;
@@ -74,11 +77,12 @@ private:
     const ShownSelection &m_selection;
     std::function<std::optional<double>()> m_margin;
     Presenter *m_presenter = nullptr;
-    std::optional<QRegion> m_area;   ///< where the selection stands on the screen or is to be painted; none: anywhere
-    bool m_selectionChanged = false; ///< more of it than what was altered is to be painted
-    bool m_all = false;              ///< the whole widget is about to be painted
+    /// where the selection stands on the screen or is to be painted; no value: anywhere
+    std::optional<QRegion> m_area;
+    bool m_selectionChanged = false; ///< whether more of the selection is to be painted than what was altered
+    bool m_all = false;              ///< whether the whole widget is about to be painted
     Altered m_altered;
-    QTimer m_waits; ///< for a frame, with which the selection is painted
+    QTimer m_waits; ///< waits for a frame, with which the selection is painted
 };
 
 } // namespace suffuse

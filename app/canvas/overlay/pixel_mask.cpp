@@ -32,10 +32,11 @@ void PixelMask::paint(QPainter &painter, QPoint corner, const QRect &part, const
         seen &= painter.clipBoundingRect().toAlignedRect().adjusted(-1, -1, 1, 1).translated(-corner);
     if (seen.isEmpty())
         return;
-    // A few rows after the other stay in the cache; where each becomes a texture, or is turned, all at once.
+    // A few rows at a time stay in the cache. Where each picture becomes a texture, or is turned, all rows are painted
+    // at once.
     const bool inMemory = painter.paintEngine()->type() == QPaintEngine::Raster;
     const int rows = inMemory && painter.deviceTransform().type() <= QTransform::TxTranslate ? 32 : seen.height();
-    const int from = seen.left() / 64, to = seen.right() / 64 + 1; // words
+    const int from = seen.left() / 64, to = seen.right() / 64 + 1; // counted in words
     for (int top = seen.top(); top <= seen.bottom(); top += rows) {
         const QRect strip(seen.left(), top, seen.width(), std::min(rows, seen.bottom() + 1 - top));
         fillStrip({from, top, to - from, strip.height()}, inks);
@@ -43,7 +44,7 @@ void PixelMask::paint(QPainter &painter, QPoint corner, const QRect &part, const
     }
 }
 
-/// Ors a row with the rows up to `reach` above and below.
+/// Combines the bits of a row with those of the rows up to `reach` above and below it.
 void PixelMask::gatherColumns(int y, int reach)
 {
     m_columns.assign(m_stride + 2, 0);
@@ -52,7 +53,7 @@ void PixelMask::gatherColumns(int y, int reach)
             m_columns[i + 1] |= m_words[std::size_t(row) * m_stride + i];
 }
 
-/// A word of these, and what is up to `reach` beside its bits.
+/// A word of the combined row in which the pixels up to `reach` beside a set one are set, too.
 quint64 PixelMask::spread(int word, int reach) const
 {
     const quint64 *at = m_columns.data() + word + 1;
@@ -67,7 +68,7 @@ quint64 PixelMask::spread(int word, int reach) const
 void PixelMask::fillStrip(const QRect &words, const std::vector<Ink> &inks)
 {
     if (words == m_filled && inks == m_inks)
-        return; // a texture of it lasts
+        return; // The strip is unchanged, so a texture that was made of it remains valid.
     m_filled = words;
     m_inks = inks;
     const QSize size(64 * words.width(), words.height());

@@ -7,16 +7,16 @@ namespace suffuse {
 
 namespace {
 
-/// Segments in the view from which on lines are thin.
+/// With so many segments in the view, and with more, lines are thin.
 constexpr std::size_t fineSegments = 600;
-/// In the view from which on lines are quick ones while they move.
+/// With so many segments in the view, and with more, quick lines are drawn while they move.
 constexpr std::size_t smoothSegments = 120;
 /// Logical pixels between dots, so that the line is seen between them.
 constexpr double nodeDistance = 10;
-/// So many strokes that change are drawn apart.
+/// Up to so many strokes that change are drawn apart from the picture of the others.
 constexpr std::size_t fewOutlines = 64;
 
-/// What of the canvas the view shows, as a box.
+/// The box of what the view shows of the canvas, and of `beyond` pixels around it.
 Rect shownBox(const View &view, double beyond)
 {
     Rect box;
@@ -29,7 +29,7 @@ Rect shownBox(const View &view, double beyond)
 
 } // namespace
 
-/// Finds the selected strokes, unless the same are selected in the same order.
+/// Finds the places of the selected strokes, unless the same strokes are selected in the same order.
 void SelectionOutline::locate(const Painting &painting, const Selection &selection)
 {
     if (m_boxes.follow(painting.strokes) && selection == m_selection)
@@ -38,7 +38,7 @@ void SelectionOutline::locate(const Painting &painting, const Selection &selecti
     m_stale = true;
     m_places.clear();
     const std::set<StrokeId> &wanted = m_selection.strokes;
-    auto next = wanted.begin(); // most often the order is that of the ids
+    auto next = wanted.begin(); // Most often the order of strokes is that of their ids.
     for (std::size_t i = 0; i < painting.strokes.size() && m_places.size() < wanted.size(); ++i) {
         const StrokeId id = painting.strokes[i]->id;
         if (next == wanted.end() || *next != id)
@@ -66,13 +66,14 @@ Rect SelectionOutline::curveBoxOf(const Painting &painting, const Selection &sel
     for (const std::size_t place : m_places) {
         const Rect &around = m_boxes[place];
         const bool isWithin = box.contains({around.left, around.top}) && box.contains({around.right, around.bottom});
-        if (!isWithin && !painting.isLocked(*painting.strokes[place])) // most curves add nothing
+        // Most curves lie within the box so far, and add nothing to it.
+        if (!isWithin && !painting.isLocked(*painting.strokes[place]))
             box = box.united(curveBox(*painting.strokes[place]));
     }
     return box;
 }
 
-/// True where what was gathered holds, strokes apart that are shown as they are now.
+/// Returns true where what was gathered is still valid. Strokes that are drawn apart are then taken as they are now.
 bool SelectionOutline::follow(const View &view, const Painting &painting, bool moving)
 {
     const std::optional<Point> shift = shiftBetween(m_shown.view, view);
@@ -102,7 +103,7 @@ bool SelectionOutline::followApart(const StrokeList &strokes, const std::vector<
         const auto it = std::lower_bound(m_shown.strokes.begin(), m_shown.strokes.end(), place,
                                          [](const OutlinedStroke &shown, std::size_t p) { return shown.place < p; });
         if (it == m_shown.strokes.end() || it->place != place)
-            return false; // it comes into the view
+            return false; // The stroke comes into the view.
         it->stroke = stroke;
         if (!it->chosen.empty())
             m_thinLines.forgetChosen();
@@ -177,7 +178,7 @@ void SelectionOutline::paintFine(QPainter &painter, const OverlayColours &colour
 {
     QColor quiet = colours.accent;
     quiet.setAlpha(m_selection.segments.empty() ? 255 : 150);
-    // Stroke by stroke: one path of all would be searched for crossings.
+    // Each stroke is a path of its own, since one path of all would be searched for crossings.
     for (const OutlinedStroke &shown : m_shown.strokes)
         strokeTwoTone(painter, m_lines.at(shown.stroke->id).path, quiet, 1.1 * dpr);
     for (const OutlinedStroke &shown : m_shown.strokes)

@@ -13,15 +13,16 @@
 
 namespace suffuse {
 
-/// Thin two-tone lines through the selected strokes; selected segments stand out, with dots at their nodes. What was
-/// computed for a stroke in a view is kept. Where there is more to draw than lines could show, they are not smoothed,
-/// thinned out, the fainter the denser they lie, and kept as a picture; plain, too, of a few hundred segments while
-/// they move. Selected segments stand out there as well: heavy lines in a picture of their own. A few strokes that change
-/// among many are drawn apart, over the picture of the others.
+/// Draws thin two-tone lines through the selected strokes. Selected segments stand out, and have dots at their nodes.
+/// What was computed for a stroke in a view is kept.
+/// Where there is more to draw than lines could show, lines are not smoothed. They are thinned out, are fainter the
+/// denser they lie, and are kept as a picture; heavy lines through selected segments are a picture of their own. While
+/// a few hundred segments move, their lines are not smoothed either. A few changing strokes among many are drawn apart,
+/// over the picture of the others.
 class SelectionOutline {
 public:
     SelectionOutline() = default;
-    Q_DISABLE_COPY_MOVE(SelectionOutline) // the thin lines are those of the member beside them
+    Q_DISABLE_COPY_MOVE(SelectionOutline) // The thin lines refer to the member beside them.
 
     void paint(QPainter &painter, const View &view, const Painting &painting, const Selection &selection,
                const OverlayColours &colours, double dpr, bool moving = false);
@@ -29,16 +30,16 @@ public:
     bool isThin() const { return m_thin; }
     /// The box of the selected strokes' control points, canvas units.
     Rect boxOf(const Painting &painting, const Selection &selection);
-    /// The same as `selectionBox`.
+    /// The box that `selectionBox` gives for the selection, canvas units.
     Rect curveBoxOf(const Painting &painting, const Selection &selection);
 
 private:
     struct Line {
         StrokePtr stroke;
-        std::set<int> chosen;     ///< segments
-        QPainterPath path;        ///< of the others
-        QPainterPath segments;    ///< of the chosen ones
-        std::vector<Point> nodes; ///< of these, device pixels
+        std::set<int> chosen;     ///< the segments that are selected
+        QPainterPath path;        ///< through the other segments
+        QPainterPath segments;    ///< through the selected segments
+        std::vector<Point> nodes; ///< the nodes of the selected segments, device pixels
     };
 
     void locate(const Painting &painting, const Selection &selection);
@@ -50,15 +51,15 @@ private:
     void paintFine(QPainter &painter, const OverlayColours &colours, double dpr) const;
 
     StrokeBoxes m_boxes;
-    Selection m_selection;             ///< that was located
-    std::vector<std::size_t> m_places; ///< of its strokes in the order
-    bool m_stale = true;               ///< others are selected than were gathered
+    Selection m_selection;             ///< the selection whose places are known
+    std::vector<std::size_t> m_places; ///< the places of its strokes in the order
+    bool m_stale = true;               ///< whether other strokes are selected than were gathered
 
-    StrokeList m_strokes; ///< of the painting that was shown
+    StrokeList m_strokes; ///< the strokes of the painting that was shown
     OutlinedStrokes m_shown;
     ThinOutline m_thinLines{m_shown};
     std::unordered_map<StrokeId, Line> m_lines;
-    std::size_t m_segments = 0; ///< of these
+    std::size_t m_segments = 0; ///< the number of their segments
     bool m_thin = false;
 };
 

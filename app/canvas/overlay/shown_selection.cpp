@@ -8,7 +8,7 @@ namespace suffuse {
 
 namespace {
 
-/// The box in pixels around what stands in a box, however the view is turned.
+/// The box in pixels around a box of the canvas, however the view is turned.
 Rect pixelBox(const Rect &units, const View &view)
 {
     Rect box;
@@ -47,7 +47,7 @@ QRect ShownSelection::curvesInView(const View &view, const QRect &canvas, double
         return {};
     const Rect pixels = pixelBox(units, view);
     const QRectF logical(pixels.left / dpr, pixels.top / dpr, pixels.width() / dpr, pixels.height() / dpr);
-    // Straight strokes have boxes without width or height.
+    // The boxes of straight strokes may have no width or no height.
     return (logical.adjusted(-1, -1, 1, 1) & QRectF(canvas)).toAlignedRect();
 }
 
@@ -60,7 +60,7 @@ QRegion ShownSelection::area(const View &view, double margin, double dpr) const
 
 QRect markedArea(const Rect &units, double margin, const View &view, double dpr)
 {
-    constexpr double lines = 12; // logical pixels: of the outline
+    constexpr double lines = 12; // logical pixels that the outline takes
     if (units.isEmpty())
         return {};
     const Rect box = pixelBox(units, view).grown(std::max(margin, lines * dpr));

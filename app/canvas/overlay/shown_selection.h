@@ -10,26 +10,27 @@ namespace suffuse {
 
 class Editor;
 
-/// What is selected, less the strokes that are not begun at the moment that is looked at: they have neither outline nor
-/// handles. It keeps what it has computed of it.
+/// The selection without the strokes that are not begun at the moment that is looked at, which have neither outline nor
+/// handles. It keeps what it has computed of the selection.
 class ShownSelection {
 public:
     explicit ShownSelection(Editor &editor) : m_editor(editor) {}
 
     const Selection &selection() const;
-    /// The painting or the selection is another one.
+    /// To be called when the painting or the selection is another one.
     void noteChange() { m_begun.noteChange(); }
-    /// Time goes on or back: true where selected strokes begin, or are not begun any more.
+    /// To be called when the moment changes. Returns true if selected strokes begin, or are no longer begun.
     bool followMoment();
 
-    /// `selectionBox` of the selection, from boxes of strokes that are kept.
+    /// The box that `selectionBox` gives for the selection. It is quick, since it is made from boxes of strokes that
+    /// are kept.
     Rect curves() const;
-    /// The same on the screen, as far as the view shows it: logical pixels of the canvas, of which
-    /// `canvas` is all; empty: nowhere.
+    /// The part of that box that the view shows, in logical pixels of the canvas widget, whose area is `canvas`. It is
+    /// empty where the view shows none of it.
     QRect curvesInView(const View &view, const QRect &canvas, double dpr) const;
-    /// Where it is painted, with so many pixels around control points. Device pixels.
+    /// Where the selection is painted in the view, with `margin` pixels around control points. All are device pixels.
     QRegion area(const View &view, double margin, double dpr) const;
-    /// The lines through it.
+    /// The lines through the selection.
     SelectionOutline &outline() { return m_outline; }
 
 private:
@@ -38,7 +39,8 @@ private:
     mutable BegunSelection m_begun;
 };
 
-/// Where something that stands in a box, canvas units, is painted with so many pixels around it.
+/// Where something is painted that stands in a box of the canvas, with `margin` pixels around it. All pixels are device
+/// pixels.
 QRect markedArea(const Rect &units, double margin, const View &view, double dpr);
 
 } // namespace suffuse

@@ -1,4 +1,4 @@
-// Quick lines through strokes: what an outline of thousands is drawn with.
+// Quick lines through strokes, with which the outlines of thousands of strokes are drawn.
 #pragma once
 
 #include "app/canvas/overlay/pixel_mask.h"
@@ -16,7 +16,7 @@
 
 namespace suffuse {
 
-/// Of the control polygon, canvas units.
+/// The length of a segment's control polygon, canvas units.
 inline double polygonLength(const Segment &segment)
 {
     double sum = 0;
@@ -28,10 +28,10 @@ inline double polygonLength(const Segment &segment)
     return sum;
 }
 
-/// Lines of one pixel, not smoothed: many times faster than a painter's.
+/// Draws lines of one pixel which are not smoothed, many times faster than a painter does.
 class ThinPen {
 public:
-    /// Sets pixels of `part` only.
+    /// Sets pixels only in `part`.
     ThinPen(PixelMask &mask, const QRect &part)
         : m_mask(mask), m_left(part.left()), m_top(part.top()), m_right(part.right()), m_bottom(part.bottom()),
           m_inside(Rect::of(0, 0, mask.width() - 1.0, mask.height() - 1.0))
@@ -47,7 +47,8 @@ public:
         int x = int((a.x + 0.5) * one), y = int((a.y + 0.5) * one);
         const int stepX = int(way.x / steps * one), stepY = int(way.y / steps * one);
         for (int i = 0; i <= steps; ++i, x += stepX, y += stepY)
-            if (const int column = x >> 16, row = y >> 16; // QRect's own function is a call
+            // The comparison by QRect would be a function call for each pixel.
+            if (const int column = x >> 16, row = y >> 16;
                 column >= m_left && column <= m_right && row >= m_top && row <= m_bottom)
                 m_mask.set(column, row);
     }
@@ -58,19 +59,19 @@ private:
     Rect m_inside;
 };
 
-/// Lists lines for a painter.
+/// Lists lines for a painter instead of drawing them.
 struct ListPen {
     QList<QLineF> lines;
     void line(Point a, Point b) { lines << QLineF(a.x, a.y, b.x, b.y); }
 };
 
-/// A polyline through the stroke with points about `spacing` pixels apart.
+/// Draws a polyline through the stroke with points about `spacing` pixels apart.
 template <typename Pen>
 void drawStroke(Pen &pen, const Stroke &stroke, const PixelMap &pixelOf, double scale, double spacing)
 {
-    constexpr double mostPieces = 16; // of a segment
+    constexpr double mostPieces = 16; // of one segment
     Point last = pixelOf(Point{} + stroke.segments.front().bezier[0]);
-    double since = 0; // pixels along the curve
+    double since = 0; // pixels along the curve since the last point
     for (std::size_t k = 0; k < stroke.segments.size(); ++k) {
         const Segment &segment = stroke.segments[k];
         const double size = polygonLength(segment) * scale;
@@ -92,7 +93,7 @@ void drawStroke(Pen &pen, const Stroke &stroke, const PixelMap &pixelOf, double 
     }
 }
 
-/// The chosen segments alone.
+/// Draws lines through the chosen segments alone.
 inline void drawChosen(ThinPen &pen, const Stroke &stroke, const std::set<int> &chosen, const PixelMap &pixelOf, double scale,
                 double spacing)
 {

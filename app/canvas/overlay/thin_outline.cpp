@@ -10,20 +10,21 @@ namespace suffuse {
 
 namespace {
 
-/// About so many lines are what a thin picture has at most, and one for each stroke.
+/// A thin picture has about so many lines at most, and at least one for each stroke.
 constexpr double thinLines = 20'000, movingLines = 7'000;
-/// Of lines that lie apart; of their rims; and of either where lines would hide the picture, so much of it.
+/// The opacity of lines that lie apart and of their rims, and the factor to which both fall where lines would hide the
+/// picture.
 constexpr double thinOpacity = 0.85, rimOpacity = 0.6, leastWeight = 0.3;
-/// Pixels of lines a pixel of their box from which on they are fainter.
+/// Lines become fainter where they fill a larger share than this of the pixels of their box.
 constexpr double denseLines = 0.06;
-/// Of what is not chosen, where something is.
+/// A factor of the opacity of strokes where segments are selected, so that these stand out.
 constexpr double quietWeight = 0.6;
 constexpr double chosenRim = 0.75;
 constexpr double leastSpacing = 5; ///< logical pixels between the points of a thin line
-/// So many that come, go or change are drawn anew without the rest of a thin picture.
+/// Up to so many strokes that are new, gone or changed are drawn anew without the rest of a thin picture.
 constexpr std::size_t mendedStrokes = 256;
 
-/// Where a box of the canvas lies in the view.
+/// The box of the view's pixels that a box of the canvas takes.
 Rect pixelBox(const View &view, const Rect &box)
 {
     Rect pixels;
@@ -33,11 +34,12 @@ Rect pixelBox(const View &view, const Rect &box)
     return pixels;
 }
 
-/// Of either list, bottom to top; many where they are not alike. What is apart in the first differs.
+/// The strokes of either list that are not in the other one, bottom to top; where the lists have little in common,
+/// others as well. A stroke that is drawn apart in the first list counts as different.
 std::vector<const Stroke *> differingStrokes(const std::vector<OutlinedStroke> &before,
                                              const std::vector<OutlinedStroke> &after)
 {
-    constexpr std::size_t near = 8; // places that are looked at
+    constexpr std::size_t near = 8; // how many places ahead are compared
     std::vector<const Stroke *> differing;
     std::size_t i = 0;
     const auto goes = [&] { differing.push_back(before[i++].stroke.get()); };
@@ -83,14 +85,14 @@ void paintQuickLines(QPainter &painter, const View &view, const std::vector<Outl
     for (const OutlinedStroke &shown : strokes)
         if (shown.apart == apart)
             drawStroke(pen, *shown.stroke, PixelMap(view, shown.stroke->origin), view.scale, leastSpacing * dpr);
-    painter.setPen(QPen(colour, 0)); // one device pixel, not smoothed
+    painter.setPen(QPen(colour, 0)); // The lines are one device pixel wide and not smoothed.
     painter.drawLines(pen.lines);
 }
 
-/// About how many pixels all lines are long.
+/// The length of all lines together in pixels, estimated from some of the strokes.
 double ThinOutline::lengthOfLines() const
 {
-    constexpr std::size_t most = 64; // strokes that are measured
+    constexpr std::size_t most = 64; // how many strokes are measured
     const std::size_t step = m_of.strokes.size() / most + 1;
     double sum = 0;
     for (std::size_t i = 0; i < m_of.strokes.size(); i += step)
@@ -115,7 +117,7 @@ void ThinOutline::draw(double dpr, bool moving)
             drawStroke(pen, *shown.stroke, PixelMap(wide, shown.stroke->origin), m_of.view.scale, m_spacing);
 }
 
-/// Lines that lie close together are fainter: they are not to hide the paint.
+/// Makes lines that lie close together fainter, since they must not hide the paint.
 void ThinOutline::weigh()
 {
     const double area = m_of.box.width() * m_of.box.height() * m_of.view.scale * m_of.view.scale;
@@ -124,10 +126,10 @@ void ThinOutline::weigh()
         m_weight *= quietWeight;
 }
 
-/// Of the mask.
+/// The view that the mask shows.
 View ThinOutline::around() const
 {
-    View wide = m_of.view; // the same middle
+    View wide = m_of.view; // It has the same centre.
     wide.width += 2 * margin;
     wide.height += 2 * margin;
     return wide;
@@ -138,11 +140,12 @@ QRect ThinOutline::inkedBy(const Rect &box) const
 {
     const View wide = around();
     const Rect pixels = pixelBox(wide, box).grown(2);
-    const QRectF inView = QRectF(0, 0, wide.width, wide.height); // the box may be as large as a deep zoom makes it
+    // At deep zoom the box may be too large for whole numbers.
+    const QRectF inView = QRectF(0, 0, wide.width, wide.height);
     return (inView & QRectF(QPointF(pixels.left, pixels.top), QPointF(pixels.right, pixels.bottom))).toAlignedRect();
 }
 
-/// Draws thin lines anew where what was shown before and what is shown now differ, if that is by few strokes.
+/// Draws thin lines anew where what was shown before and what is shown now differ, if few strokes do.
 void ThinOutline::mend(const std::vector<OutlinedStroke> &before, const StrokeBoxes &boxes)
 {
     const std::vector<const Stroke *> differing = differingStrokes(before, m_of.strokes);
@@ -151,7 +154,7 @@ void ThinOutline::mend(const std::vector<OutlinedStroke> &before, const StrokeBo
     m_drawn = m_rough = true;
     weigh();
     m_inked = inkedBy(m_of.box);
-    Rect box; // one: most often they stand together
+    Rect box; // One box serves all, since most often the strokes stand together.
     for (const Stroke *stroke : differing)
         box = box.united(controlBox(*stroke));
     const QRect part = inkedBy(box);
@@ -175,15 +178,16 @@ void ThinOutline::paint(QPainter &painter, const View &view, double dpr, const Q
         draw(dpr, moving);
     const Point shift = *shiftBetween(m_of.view, view);
     const QPoint corner(int(std::round(shift.x)) - margin, int(std::round(shift.y)) - margin);
-    QColor veiled = colour, rim = Qt::white; // the paint below is still to be seen
+    QColor veiled = colour, rim = Qt::white; // The paint below must still be seen.
     veiled.setAlphaF(float(thinOpacity * m_weight));
-    rim.setAlphaF(float(rimOpacity * std::pow(m_weight, 1.5))); // it is wider
+    rim.setAlphaF(float(rimOpacity * std::pow(m_weight, 1.5))); // The rim is wider, so it fades faster.
     m_mask.paint(painter, corner, m_inked, {{rim, 1}, {veiled, 0}});
     paintQuickLines(painter, view, m_of.strokes, true, colour, dpr);
     paintChosen(painter, colour, dpr, shift);
 }
 
-/// Over all the others, where these are no fine lines; `shift`: of the view since strokes were gathered.
+/// Draws the selected segments over all lines, where these are not smooth. `shift` is how far the view has moved since
+/// strokes were gathered.
 void ThinOutline::paintChosen(QPainter &painter, const QColor &colour, double dpr, Point shift)
 {
     if (!m_of.anyChosen)

@@ -1,4 +1,4 @@
-// The picture of thin lines through many strokes, and through selected segments among them.
+// A picture of thin lines through many strokes, and of heavy ones through selected segments among them.
 #pragma once
 
 #include "app/canvas/overlay/pixel_mask.h"
@@ -16,47 +16,49 @@ class QPainter;
 
 namespace suffuse {
 
-/// A selected stroke in the view.
+/// A selected stroke that the view shows.
 struct OutlinedStroke {
-    std::size_t place = 0; ///< in the order
+    std::size_t place = 0; ///< its place in the order
     StrokePtr stroke;
-    std::set<int> chosen; ///< segments
-    bool apart = false;   ///< it is in no picture
+    std::set<int> chosen; ///< the segments that are selected
+    bool apart = false;   ///< whether it is drawn apart, and is in no picture
 };
 
-/// What there is to outline in a view.
+/// What a view shows that is to be outlined.
 struct OutlinedStrokes {
     View view;
     std::vector<OutlinedStroke> strokes; ///< bottom to top
-    Rect box;                            ///< of their control points, canvas units
-    bool anyChosen = false;              ///< segments are selected, be they in the view or not
+    Rect box;                            ///< around their control points, canvas units
+    bool anyChosen = false;              ///< whether segments are selected, in the view or beside it
 };
 
-/// By how many pixels a picture of one view lies off in another that differs from it in its centre alone, if it does.
+/// How far the picture of one view lies off in another one, in pixels. It has no value where the views differ in more
+/// than their centres.
 std::optional<Point> shiftBetween(const View &from, const View &to);
 
-/// Lines of one pixel through the strokes that are apart, or those that are not, drawn where they are now.
+/// Draws lines of one pixel where strokes are now, through either those that are drawn apart or the others.
 void paintQuickLines(QPainter &painter, const View &view, const std::vector<OutlinedStroke> &strokes, bool apart,
                      const QColor &colour, double dpr);
 
-/// Keeps a picture of lines that are not smoothed, thinned out, the fainter the denser they lie; heavy lines through
-/// selected segments are a picture of their own.
+/// Keeps a picture of lines that are not smoothed. They are thinned out, and are fainter the denser they lie. Heavy
+/// lines through selected segments are a picture of their own.
 class ThinOutline {
 public:
-    /// Pixels of thin lines around the view, so that it can be moved without drawing them anew.
+    /// Thin lines are drawn so many pixels beyond the view, so that it can be moved without drawing them anew.
     static constexpr int margin = 160;
 
     explicit ThinOutline(const OutlinedStrokes &of) : m_of(of) {}
 
     bool isDrawn() const { return m_drawn; }
-    /// The lines, or those through selected segments, are to be drawn anew.
+    /// Has the lines, or the heavy ones through selected segments, drawn anew.
     void forgetLines() { m_drawn = false; }
     void forgetChosen() { m_chosenDrawn = false; }
-    /// Draws thin lines anew where what was shown before and what is shown now differ, if that is by few strokes.
+    /// Draws thin lines anew where what was shown before and what is shown now differ, if few strokes do.
     void mend(const std::vector<OutlinedStroke> &before, const StrokeBoxes &boxes);
 
     void paint(QPainter &painter, const View &view, double dpr, const QColor &colour, bool moving);
-    /// Over all the others, where these are no fine lines; `shift`: of the view since strokes were gathered.
+    /// Paints the selected segments over all lines, where these are not smooth. `shift` is how far the view has moved
+    /// since strokes were gathered.
     void paintChosen(QPainter &painter, const QColor &colour, double dpr, Point shift);
 
 private:
@@ -67,13 +69,15 @@ private:
     QRect inkedBy(const Rect &box) const;
 
     const OutlinedStrokes &m_of;
-    PixelMask m_mask; ///< of thin lines, larger than the view, with the same middle; kept, since a new one is slow
-    QRect m_inked;    ///< where lines may be
+    /// The mask of thin lines is larger than the view and has the same centre. It is kept, since making a new one takes
+    /// long.
+    PixelMask m_mask;
+    QRect m_inked;    ///< where in the mask there may be lines
     bool m_drawn = false;
-    bool m_rough = false;   ///< drawn with fewer lines, or in parts, since they moved
+    bool m_rough = false;   ///< whether it was drawn with fewer lines, or only in parts, since the strokes moved
     double m_spacing = 0;   ///< pixels between the points of its lines
-    double m_weight = 1;    ///< of its lines' opacity
-    PixelMask m_chosenMask; ///< the same of the chosen segments, in any mode but the fine one
+    double m_weight = 1;    ///< a factor of its lines' opacity
+    PixelMask m_chosenMask; ///< the mask of the selected segments, wherever lines are not smooth
     bool m_chosenDrawn = false;
 };
 

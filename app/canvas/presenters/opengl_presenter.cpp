@@ -18,10 +18,11 @@ namespace suffuse {
 
 namespace {
 
-// Not in the header of OpenGL ES, which Qt may have been built for.
+// The headers of OpenGL ES, which Qt may have been built for, do not define this.
 constexpr GLenum unpackRowLength = 0x0CF2;
 
-// A pixel's bytes are blue, green, red, alpha. The texture takes them as they are, from memory as from a device.
+// The bytes of a pixel are blue, green, red, alpha. The texture takes them in this order from memory and from a device,
+// so the shader swaps them.
 constexpr const char *fragmentShader = R"(
 uniform sampler2D picture;
 varying highp vec2 texel;
@@ -31,7 +32,7 @@ void main()
 }
 )";
 
-/// Keeps the frame in a texture, of which only what is dirty is sent, and draws it as one quad. A frame that is on a
+/// Keeps the frame in a texture, and draws it as one quad. Only what is dirty is sent to the texture. A frame on a
 /// device is copied there; where that device does not draw this context, frames are asked for in memory.
 class OpenGlPresenter : public QOpenGLWidget, public Presenter, protected QOpenGLFunctions {
 public:
@@ -40,13 +41,14 @@ public:
         setAttribute(Qt::WA_TransparentForMouseEvents);
         setFocusPolicy(Qt::NoFocus);
         QSurfaceFormat format = QSurfaceFormat::defaultFormat();
-        format.setSamples(4); // QPainter's lines; the picture's pixels are exact either way
+        // Samples smooth the lines that QPainter draws; the pixels of the picture are exact without them.
+        format.setSamples(4);
         setFormat(format);
     }
 
     ~OpenGlPresenter() override
     {
-        if (context()) // it ends after this object's members do
+        if (context()) // The context ends after the members of this object do.
             disconnect(context(), nullptr, this, nullptr);
         release();
     }
@@ -59,7 +61,7 @@ protected:
     void initializeGL() override
     {
         initializeOpenGLFunctions();
-        // Floating a dock or moving to another screen makes another context.
+        // Qt makes another context when a dock is made to float or the window moves to another screen.
         connect(context(), &QOpenGLContext::aboutToBeDestroyed, this, [this] { release(); });
         m_program = std::make_unique<QOpenGLShaderProgram>();
         m_program->addShaderFromSourceCode(QOpenGLShader::Vertex, vertexShader);
@@ -71,7 +73,8 @@ protected:
         m_corners.setUsagePattern(QOpenGLBuffer::DynamicDraw);
         glGenTextures(1, &m_texture);
         glBindTexture(GL_TEXTURE_2D, m_texture);
-        glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST); // it has one level: else it is incomplete
+        // The texture has one level, and would be incomplete with a filter that uses more.
+        glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
         glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
         glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
         m_textureWidth = m_textureHeight = 0;
@@ -103,7 +106,7 @@ protected:
     }
 
 private:
-    /// False where the texture does not show the frame.
+    /// Sends the frame to the texture. Returns false where the texture does not show the frame afterwards.
     bool upload(ShownFrame &frame)
     {
         const int width = frame.width(), height = frame.height();
@@ -113,7 +116,7 @@ private:
             m_link.reset();
         glBindTexture(GL_TEXTURE_2D, m_texture);
         if (width != m_textureWidth || height != m_textureHeight) {
-            m_link.reset(); // it holds on to the old pixels
+            m_link.reset(); // The link would keep the pixels from before.
             glTexImage2D(GL_TEXTURE_2D, 0, rgba8, width, height, 0, GL_RGBA, GL_UNSIGNED_BYTE, nullptr);
             m_textureWidth = width;
             m_textureHeight = height;
@@ -142,7 +145,7 @@ private:
     bool copyFromDevice(const std::shared_ptr<DeviceFrame> &device, const std::vector<PixelRect> &dirty)
     {
         if (m_refused)
-            return false; // a frame in memory is on its way
+            return false; // A frame in memory is under way.
         if (!m_link || m_linked.owner_before(device) || device.owner_before(m_linked)) {
             m_link.reset();
             Result<std::unique_ptr<TextureLink>> link = device->link(m_texture);
@@ -215,9 +218,10 @@ private:
     QOpenGLBuffer m_corners;
     UnderlayTexture m_underlay;
     GLuint m_texture = 0;
-    std::unique_ptr<TextureLink> m_link; ///< of m_texture with the device of m_linked; ends before the texture does
+    /// Links m_texture with the device of m_linked; it must end before the texture does.
+    std::unique_ptr<TextureLink> m_link;
     std::weak_ptr<DeviceFrame> m_linked;
-    bool m_refused = false; ///< no device draws this context, or it failed
+    bool m_refused = false; ///< whether no device draws this context, or the device failed
     int m_textureWidth = 0;
     int m_textureHeight = 0;
 };

@@ -13,7 +13,7 @@ namespace suffuse {
 
 namespace {
 
-/// The driver's name for what draws, or nothing where there is no OpenGL.
+/// The driver's name for what draws; empty where there is no OpenGL.
 QByteArray openGlRendererName()
 {
     QOpenGLContext context;
@@ -51,7 +51,7 @@ Presenter *makePresenter(CanvasContent &content, QWidget *parent)
     QByteArray wish = QByteArray::fromStdString(environment::value(environment::Variable::Presenter)).toLower();
     if (wish.isEmpty() && settings::presenter() != settings::Presenter::Auto)
         wish = settings::presenter() == settings::Presenter::OpenGL ? "opengl" : "raster";
-    if (QGuiApplication::platformName() == "offscreen") // it has no OpenGL at all
+    if (QGuiApplication::platformName() == "offscreen") // The offscreen platform has no OpenGL.
         wish = "raster";
     const bool openGl = wish == "opengl" || (wish != "raster" && isHardwareOpenGl());
     return openGl ? makeOpenGlPresenter(content, parent) : makeRasterPresenter(content, parent);
@@ -69,7 +69,7 @@ void prepareOpenGl()
     format.setRenderableType(QSurfaceFormat::OpenGL);
     format.setSwapInterval(1);
     format.setDepthBufferSize(0);
-    format.setStencilBufferSize(8); // QPainter's clipping
+    format.setStencilBufferSize(8); // QPainter clips with it.
     QSurfaceFormat::setDefaultFormat(format);
 }
 

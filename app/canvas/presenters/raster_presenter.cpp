@@ -9,7 +9,7 @@ namespace suffuse {
 
 namespace {
 
-/// Draws the frame with QPainter on a plain widget: the fast way where OpenGL is software.
+/// Draws the frame with QPainter on a plain widget, which is the faster way where OpenGL is software.
 class RasterPresenter : public QWidget, public Presenter {
 public:
     RasterPresenter(CanvasContent &content, QWidget *parent) : QWidget(parent), m_content(content)
@@ -33,7 +33,7 @@ protected:
     }
 
 private:
-    /// In device pixels, within a region that is in logical ones.
+    /// Sets a painter up to work in device pixels, within a region of logical pixels.
     void begin(QPainter &painter, const QRegion &within)
     {
         const double toDevice = 1 / devicePixelRatioF();
@@ -42,8 +42,8 @@ private:
         painter.scale(toDevice, toDevice);
     }
 
-    /// A few rows after the other, so that the pasteboard finds the frame in the cache. (Around a sheet that is turned
-    /// it is a path, which takes longer to make than to fill.)
+    /// Paints a few rows at a time, so that the pasteboard finds the frame in the cache. (Around a sheet that is turned
+    /// the pasteboard is a path, which takes longer to make than to fill.)
     void paintPicture(QPainter &painter, ShownFrame &frame, const QRegion &region)
     {
         const std::optional<ShownUnderlay> underlay = m_content.underlay();

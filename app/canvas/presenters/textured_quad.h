@@ -1,11 +1,11 @@
-// What drawing a picture on a quad with OpenGL begins with.
+// What is needed to draw a picture on a quad with OpenGL.
 #pragma once
 
 #include <qopengl.h>
 
 namespace suffuse {
 
-/// Not in the header of OpenGL ES, which Qt may have been built for.
+/// The headers of OpenGL ES, which Qt may have been built for, do not define this.
 inline constexpr GLenum rgba8 = 0x8058;
 
 inline constexpr const char *vertexShader = R"(

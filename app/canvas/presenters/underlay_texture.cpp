@@ -9,8 +9,8 @@ namespace suffuse {
 
 namespace {
 
-// What is below is multiplied by white where the picture is clear, or screened with black. Bytes are blue, green, red,
-// alpha, premultiplied.
+// Where the underlay is clear, what is below is multiplied by white, or screened with black. The bytes of a pixel are
+// blue, green, red, alpha, premultiplied.
 constexpr const char *underlayShader = R"(
 uniform sampler2D picture;
 uniform highp float opacity;
@@ -62,7 +62,8 @@ void UnderlayTexture::upload(const UnderlayImagePtr &image)
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
 }
 
-/// Those of what the view shows of it, as a fan: at deep zoom its own lie beyond what floats can tell apart.
+/// Sets the corners of the part of the underlay that the view shows, as a fan. At deep zoom the underlay's own corners
+/// lie beyond what floats can tell apart.
 int UnderlayTexture::putCorners(const ShownUnderlay &shown, const View &view)
 {
     const QPolygonF polygon = clippedCorners(view, shown.area, Rect::of(0, 0, view.width, view.height).grown(1));

@@ -26,7 +26,7 @@ private:
     std::unique_ptr<QOpenGLShaderProgram> m_program;
     QOpenGLBuffer m_corners;
     GLuint m_texture = 0;
-    UnderlayImagePtr m_image; ///< that the texture has
+    UnderlayImagePtr m_image; ///< the picture that the texture has
 };
 
 } // namespace suffuse
