@@ -8,7 +8,7 @@ namespace suffuse {
 
 class ColourSwatch;
 
-/// The second colour, and how far the paint strays from its colour.
+/// The page for the second colour, and for how far the paint strays from its colour.
 class BrushColourPage : public BrushPage {
     Q_OBJECT
 

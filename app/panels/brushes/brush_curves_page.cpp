@@ -13,7 +13,7 @@ namespace suffuse {
 
 namespace {
 
-/// What a curve is when it is switched on: haste, distance and slant take away, the rest adds.
+/// The curve that a switch begins with. For haste, distance and slant it takes away, for the others it adds.
 ResponseCurve usualCurve(BrushInput input)
 {
     switch (input) {
@@ -41,11 +41,12 @@ void BrushCurvesPage::makeTable()
         {tr("Pressure"), tr("Tilt"), tr("Speed"), tr("Distance"), tr("By stroke"), tr("Drift")});
     m_curves->setAccessibleName(tr("Curves"));
     m_curves->setToolTip(tr("What changes with what: a tick switches a curve on, a click shows it below"));
-    m_curves->viewport()->setBackgroundRole(QPalette::Button); // empty boxes show on it in the dark, too
+    // Empty boxes are seen on this ground in dark themes, too.
+    m_curves->viewport()->setBackgroundRole(QPalette::Button);
     m_curves->setSelectionMode(QAbstractItemView::SingleSelection);
     m_curves->setEditTriggers(QAbstractItemView::NoEditTriggers);
     m_curves->horizontalHeader()->setSectionResizeMode(QHeaderView::Stretch);
-    int widest = 0; // the columns are alike, and none cuts its name
+    int widest = 0; // The columns have one width, which cuts no name.
     for (int i = 0; i < brushInputs; ++i)
         widest = std::max(widest, m_curves->horizontalHeader()->sectionSizeHint(i));
     m_curves->horizontalHeader()->setMinimumSectionSize(widest);
@@ -120,7 +121,7 @@ void BrushCurvesPage::showCell()
     const int q = m_curves->currentRow(), i = m_curves->currentColumn();
     const ResponseCurve *curve = m_brush.curve(BrushQuantity(q), BrushInput(i));
     m_curve->setEnabled(curve != nullptr);
-    // Curves multiply ω; shown is the grain, which grows as ω falls.
+    // Curves multiply ω, but the grain is shown, which grows as ω falls. So the curve is drawn upside down.
     m_curve->setUpsideDown(BrushQuantity(q) == BrushQuantity::Granulation);
     m_curve->setTexts(m_curves->verticalHeaderItem(q)->text(), {}, m_curves->horizontalHeaderItem(i)->text());
     m_curve->setCurve(curve ? *curve : ResponseCurve{{{0, 1}, {1, 1}}});

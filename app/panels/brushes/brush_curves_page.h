@@ -9,7 +9,8 @@ namespace suffuse {
 
 class ResponseEditor;
 
-/// What of the brush changes with what of the pen: a table of switches, and the curve of the current one.
+/// Says which input of the pen changes which number of the brush: a table of switches, and the curve of the current
+/// one.
 class BrushCurvesPage : public BrushPage {
     Q_OBJECT
 
@@ -24,7 +25,7 @@ private:
     void cellChanged(QTableWidgetItem *item);
     void showCell();
 
-    Brush m_brush; ///< that is shown
+    Brush m_brush; ///< the brush that is shown
     QTableWidget *m_curves = nullptr;
     ResponseEditor *m_curve = nullptr;
 };

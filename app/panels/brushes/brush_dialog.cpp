@@ -72,7 +72,7 @@ void BrushDialog::addButtons(QVBoxLayout &column)
     auto *shut = new QPushButton(tr("&Close"), this);
     shut->setToolTip(tr("Closes this window; the brush stays in hand as it is"));
     for (QPushButton *button : {m_save, saveAsNew, shut})
-        button->setAutoDefault(false); // Return in a field is no press
+        button->setAutoDefault(false); // Return in a field must not press a button.
     row->addWidget(m_save);
     row->addWidget(saveAsNew);
     row->addStretch();
@@ -134,7 +134,7 @@ void BrushDialog::changeEvent(QEvent *event)
 {
     QDialog::changeEvent(event);
     if (event->type() == QEvent::ApplicationPaletteChange)
-        m_drawSoon.start(); // its paper is the theme's
+        m_drawSoon.start(); // The stroke is painted on paper of the theme's colour.
 }
 
 void BrushDialog::drawPreview()

@@ -24,7 +24,7 @@ class HintLabel;
 class ResponseEditor;
 class SliderField;
 
-/// All settings of the brush in hand, with a stroke of it; what is changed is painted with at once.
+/// Shows all settings of the brush in hand, and a stroke of it. The brush in hand takes each change at once.
 class BrushDialog : public QDialog {
     Q_OBJECT
 
@@ -57,7 +57,7 @@ private:
     QLabel *m_picture = nullptr;
     BrushPaintPage *m_paint = nullptr;
     BrushCurvesPage *m_curves = nullptr;
-    std::array<BrushPage *, 4> m_pages{}; ///< as the tabs stand
+    std::array<BrushPage *, 4> m_pages{}; ///< in the order of the tabs
     HintLabel *m_hint = nullptr;
     QPushButton *m_save = nullptr;
 };

@@ -7,7 +7,7 @@ class QComboBox;
 
 namespace suffuse {
 
-/// The tip, the ends of strokes, and how the hand is steadied.
+/// The page for the tip, the ends of strokes, and how the hand is steadied.
 class BrushHandPage : public BrushPage {
     Q_OBJECT
 

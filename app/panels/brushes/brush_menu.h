@@ -1,4 +1,4 @@
-// What can be done with the brush in hand and with brush files.
+// The commands for the brush in hand and for brush files.
 #pragma once
 
 #include <QMenu>
@@ -9,18 +9,18 @@ namespace suffuse {
 class BrushDialog;
 class Editor;
 
-/// The menu of the brushes dock; it knows when it opens what can be done.
+/// The menu of the Brushes dock. When it opens, it finds out which of its entries can be used.
 class BrushMenu : public QMenu {
     Q_OBJECT
 
 public:
     BrushMenu(Editor &editor, QWidget *panel);
 
-    /// All settings of the brush in hand.
+    /// Opens the dialog with all settings of the brush in hand.
     void showDialog();
 
 signals:
-    /// Why something could not be done, or not all of it; empty: nothing more is to be said.
+    /// Says why something could not be done, or not wholly. An empty text takes the message away.
     void noted(const QString &text);
 
 private:

@@ -16,18 +16,20 @@ namespace suffuse {
 class SliderField;
 struct FieldSpec;
 
-/// A page of fields that show a brush. What is entered comes out as a change of the brush; the page shows it when it is
-/// told of it.
+/// A page of fields that show a brush. What is entered is emitted as a change of the brush; the page shows it when
+/// `showBrush` brings it back.
 class BrushPage : public QWidget {
     Q_OBJECT
 
 public:
+    /// Shows the brush in all fields.
     virtual void showBrush(const Brush &brush);
     SliderField *field(const QString &name) const; ///< by its label; null if there is none
 
 signals:
+    /// Emitted when something was entered; `apply` makes the change to a brush.
     void changed(const std::function<void(suffuse::Brush &)> &apply);
-    /// What was typed into a field is no value of it, and why.
+    /// Emitted when a text that was typed into a field is no value of it; says why.
     void refused(const QString &hint);
 
 protected:
@@ -36,11 +38,11 @@ protected:
 
     explicit BrushPage(QWidget *parent);
     QVBoxLayout &column() const { return *m_column; }
-    /// A field in the next row of the grid, for a number of the brush.
+    /// Adds a field for a number of the brush to the next row of the grid.
     SliderField *bind(QGridLayout &grid, const FieldSpec &spec, const Get &get, const Set &set);
 
 private:
-    /// A field and the value that it shows.
+    /// A field, and how to get the value that it shows.
     struct Bound {
         SliderField *field;
         QString name;

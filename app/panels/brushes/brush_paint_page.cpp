@@ -54,7 +54,8 @@ BrushPaintPage::BrushPaintPage(QWidget *parent) : BrushPage(parent)
     QGridLayout *grid = addFieldGrid(column());
     for (std::size_t i = 0; i < m_xi.size(); ++i) {
         FieldSpec spec = xiSpec(StyleKind::Edge, int(i));
-        spec.name = QStringLiteral("ξ%1").arg(i + 1); // until a brush is shown: its name depends on the kind of style
+        // The name depends on the kind of style, so it is known only when a brush is shown.
+        spec.name = QStringLiteral("ξ%1").arg(i + 1);
         spec.minimum = 0.001;
         spec.maximum = i < 2 ? 1000 : 1;
         spec.sliderMinimum = i < 2 ? 0.005 : 0.05;

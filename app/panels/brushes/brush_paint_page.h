@@ -9,7 +9,7 @@ class QGridLayout;
 
 namespace suffuse {
 
-/// How the paint becomes a picture: style, mixing, and the numbers of the paint.
+/// The page for how paint becomes a picture: the style, the mixing, and the numbers of the paint.
 class BrushPaintPage : public BrushPage {
     Q_OBJECT
 

@@ -26,7 +26,8 @@ namespace {
 constexpr QSize previewSize{112, 44};
 constexpr int headingRole = Qt::UserRole + 1;
 
-/// `key`: 0: no favourite, else its number; beyond those with a key it has a star only.
+/// A brush's picture on paper. `key` is 0 for a brush that is no favourite, else its number among the favourites.
+/// Favourites without a key of their own have only a star.
 QPixmap onPaper(const QImage &stroke, double ratio, bool chosen, int key)
 {
     QPixmap pixmap(previewSize * ratio);
@@ -56,7 +57,7 @@ QPixmap onPaper(const QImage &stroke, double ratio, bool chosen, int key)
     return pixmap;
 }
 
-/// The chosen one gets a frame, not a tint over its colours.
+/// The icon of a brush. When it is chosen it gets a frame, since a tint would change its colours.
 QIcon previewIcon(const QImage &stroke, double ratio, int key)
 {
     QIcon result(onPaper(stroke, ratio, false, key));
@@ -165,7 +166,7 @@ void BrushPanel::addList(QVBoxLayout &column)
     });
     connect(m_list, &QListWidget::itemClicked, this, [this](const QListWidgetItem *item) {
         if (!item->data(headingRole).toBool())
-            emit chosen(); // that in hand, too, while another tool is
+            emit chosen(); // A click on the brush in hand counts, too, since another tool may be in use.
     });
     connect(m_list, &QListWidget::itemDoubleClicked, m_menu, &BrushMenu::showDialog);
     connect(m_list, &QListWidget::customContextMenuRequested, this,
@@ -194,7 +195,7 @@ void BrushPanel::fillList()
 {
     const QSignalBlocker blocker(m_list);
     m_list->clear();
-    // The user's brushes stand in their groups, behind the built-in ones.
+    // The user's brushes stand in groups of their own, behind the built-in ones.
     std::vector<QString> groups;
     const auto &brushes = BrushLibrary::instance().brushes();
     for (const Brush &brush : brushes)
@@ -310,7 +311,7 @@ void BrushPanel::paintEvent(QPaintEvent *event)
     QWidget::paintEvent(event);
     if (m_started)
         return;
-    // Pictures come after the first paint, one at a time: the window is there at once.
+    // Pictures are made one at a time after the first paint, so that the window appears at once.
     m_started = true;
     fitHeadings();
     schedulePreviews();
@@ -321,7 +322,7 @@ void BrushPanel::changeEvent(QEvent *event)
     QWidget::changeEvent(event);
     const bool otherColours =
         event->type() == QEvent::ApplicationPaletteChange || event->type() == QEvent::PaletteChange;
-    if (otherColours && m_hint) { // all is there
+    if (otherColours && m_hint) { // The list exists only once everything is built.
         fillList();
         refresh();
     }

@@ -22,8 +22,8 @@ class Editor;
 class HintLabel;
 class SliderField;
 
-/// The brushes in their groups with pictures of their strokes; search, favourites and what can be done with a brush;
-/// and size, flow and opacity of the one in hand.
+/// Shows the brushes in their groups, with pictures of their strokes. It has a search, favourites and a menu for the
+/// brush, and fields for size, flow and opacity of the brush in hand.
 class BrushPanel : public QWidget {
     Q_OBJECT
 
@@ -38,16 +38,16 @@ public:
     SliderField *flow() const { return m_flow; }
     SliderField *opacity() const { return m_opacity; }
     QToolButton *resetButton() const { return m_reset; }
-    /// The item of a brush that is shown; null if there is none.
+    /// The item that shows a brush; null if there is none.
     QListWidgetItem *itemOf(const QString &name) const;
-    /// Pictures still to be drawn.
+    /// The number of pictures that are still to be drawn.
     int pendingPreviews() const { return int(m_pending.size()); }
 
     QSize sizeHint() const override;
 
 signals:
-    /// A brush was chosen to paint with, by mouse or keys, be it the one in hand. A press of the right button, for the
-    /// menu, only takes it in hand.
+    /// Emitted when somebody has chosen a brush to paint with, by mouse or keys; it may be the one in hand. A press of
+    /// the right button, which opens the menu, only takes the brush in hand.
     void chosen();
 
 protected:
@@ -82,13 +82,13 @@ private:
     SliderField *m_opacity = nullptr;
     HintLabel *m_hint = nullptr;
     BrushPreview m_preview;
-    /// Pictures that are drawn, and of what.
+    /// Which pictures are drawn, and what they show.
     struct Drawn {
         Brush brush;
         QImage image;
     };
     QHash<QString, Drawn> m_drawn;
-    std::vector<QString> m_pending; ///< brushes whose picture is missing, last first
+    std::vector<QString> m_pending; ///< the brushes without a picture yet, the next one last
     bool m_started = false;
 };
 

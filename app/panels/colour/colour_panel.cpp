@@ -23,7 +23,7 @@ namespace suffuse {
 
 namespace {
 
-/// "#rrggbb" without the opacity.
+/// The colour as "#rrggbb", without the opacity.
 QString hexOf(const Colour &colour)
 {
     return toOpaqueScreen(colour).name();
@@ -33,7 +33,7 @@ std::optional<Colour> storedColour(const QString &name)
 {
     if (const auto colour = colourOfText(name))
         return colour;
-    const QColor screen(name); // as earlier versions kept them
+    const QColor screen(name); // Earlier versions kept colours like this.
     return screen.isValid() ? std::optional(fromScreen(screen)) : std::nullopt;
 }
 
@@ -60,7 +60,7 @@ ColourPanel::ColourPanel(Editor &editor, QWidget *parent)
     column->setContentsMargins(8, 8, 8, 8);
     column->setSpacing(8);
 
-    auto *top = new QHBoxLayout; // what is taken most often, in low windows too
+    auto *top = new QHBoxLayout; // What is used most often stands on top, where low windows show it, too.
     top->setSpacing(8);
     m_wheel = new ColourWheel(content);
     m_swatches = new SwatchesSection(editor, content);
@@ -76,7 +76,7 @@ ColourPanel::ColourPanel(Editor &editor, QWidget *parent)
     m_mixing = new MixingSection(editor, content);
     column->addWidget(m_mixing, 1);
     scroll->setWidget(content);
-    addApply(*outer); // below what scrolls: it is seen however low the dock is
+    addApply(*outer); // The button stands below what scrolls, so it is seen however low the dock is.
 
     connect(m_wheel, &ColourWheel::picked, &editor, &Editor::setColour);
     connect(m_rows, &ColourRows::edited, this, [this](int channel, double value) {
@@ -157,7 +157,7 @@ void ColourPanel::addApply(QVBoxLayout &column)
 void ColourPanel::refresh()
 {
     const Colour &colour = m_editor.brush().colour;
-    m_hint->showHint({}); // whatever was refused, this is the colour now
+    m_hint->showHint({}); // An earlier message about a refused colour no longer applies.
     m_wheel->setColour(colour);
     m_rows->setColour(colour);
     m_current->setColour(colour);
@@ -199,10 +199,12 @@ void ColourPanel::rememberUsed()
         return;
     m_used = colour;
     m_previous->setColour(m_used);
-    std::erase_if(m_recent, [&](const Colour &c) { return toScreen(c) == toScreen(colour); }); // look the same
+    // Two colours that look the same stand here once.
+    std::erase_if(m_recent, [&](const Colour &c) { return toScreen(c) == toScreen(colour); });
     m_recent.insert(m_recent.begin(), colour);
     m_recent.resize(std::min(m_recent.size(), recentCount));
-    settings::updateList("recentColours", [&colour](QStringList names) { // and what was used in other windows
+    // What was used in other windows stays in the list.
+    settings::updateList("recentColours", [&colour](QStringList names) {
         names.removeIf([&colour](const QString &name) {
             const auto other = storedColour(name);
             return !other || toScreen(*other) == toScreen(colour);

@@ -21,8 +21,8 @@ class MixingSection;
 class SwatchGrid;
 class SwatchesSection;
 
-/// The colour that is painted with: wheel, RYB and opacity sliders, hex, the colours used last, the painting's swatches
-/// and a sheet to mix on.
+/// Shows the colour that is painted with: a wheel, sliders for RYB and opacity, a field for its hex number, the colours
+/// that were used last, the painting's swatches, and a sheet to mix on.
 class ColourPanel : public QWidget {
     Q_OBJECT
 
@@ -63,7 +63,7 @@ private:
     SwatchesSection *m_swatches = nullptr;
     MixingSection *m_mixing = nullptr;
     std::vector<Colour> m_recent;
-    Colour m_used; ///< painted with last
+    Colour m_used; ///< the colour that was painted with last
 };
 
 } // namespace suffuse

@@ -57,7 +57,7 @@ QSize ColourWheel::minimumSizeHint() const
 void ColourWheel::setColour(const Colour &colour)
 {
     if (m_part != Part::None)
-        return; // the hand is leading
+        return; // The wheel itself is being dragged.
     m_shares = toShares(colour, m_shares.hue);
     m_opacity = colour.opacity;
     update();
@@ -86,7 +86,7 @@ QPointF ColourWheel::ringPoint(double hue) const
 
 QPointF ColourWheel::trianglePoint(double chroma, double black) const
 {
-    // Corners: pure on top, white lower left, black lower right.
+    // The pure hue is the corner on top, white the lower left one, black the lower right one.
     const double radius = innerRadius() - 5, white = 1 - chroma - black;
     const auto corner = [&](double angle) { return centre() + radius * QPointF(std::cos(angle), std::sin(angle)); };
     return chroma * corner(-pi / 2) + white * corner(5 * pi / 6) + black * corner(pi / 6);
@@ -112,7 +112,7 @@ void ColourWheel::pickInTriangle(QPointF at)
     double chroma = (d.x() * k.y() - d.y() * k.x()) / area;
     double black = (p.x() * d.y() - p.y() * d.x()) / area;
     double white = 1 - chroma - black;
-    // Outside: the nearest mixture along the lines to the far corners.
+    // Outside of the triangle the nearest mixture is taken, along the lines to the far corners.
     chroma = std::max(chroma, 0.0);
     black = std::max(black, 0.0);
     white = std::max(white, 0.0);
@@ -199,7 +199,7 @@ void ColourWheel::paintRing(QPainter &painter)
 
 void ColourWheel::paintTriangle(QPainter &painter)
 {
-    // RYB to RGB is not linear: a small picture of the mixtures, stretched to the triangle.
+    // The way from RYB to RGB is not linear, so a small picture of the mixtures is stretched to the triangle.
     constexpr int side = 64;
     if (m_triangle.isNull() || m_triangleHue != m_shares.hue) {
         m_triangleHue = m_shares.hue;
@@ -213,7 +213,7 @@ void ColourWheel::paintTriangle(QPainter &painter)
     }
     const QPointF white = trianglePoint(0, 0), pure = trianglePoint(1, 0), black = trianglePoint(0, 1);
     const QPointF x = (black - white) / (side - 1), y = (pure - white) / (side - 1);
-    // Pixel (0, 0) has its centre at ½, ½.
+    // Pixel (0, 0) has its centre at (½, ½).
     const QPointF origin = white - 0.5 * x - 0.5 * y;
     QBrush brush(m_triangle);
     brush.setTransform(QTransform(x.x(), x.y(), y.x(), y.y(), origin.x(), origin.y()));

@@ -8,18 +8,18 @@
 namespace suffuse {
 
 /// A ring of the RYB hues around a triangle from the pure hue to white and black.
-/// Keys: left and right turn the hue, up and down lighten and darken.
+/// Left and right arrow turn the hue, up and down arrow lighten and darken the colour.
 class ColourWheel : public QWidget {
     Q_OBJECT
 
 public:
     explicit ColourWheel(QWidget *parent = nullptr);
 
-    /// Emits nothing. Greys keep the hue that the ring shows; opacity is kept.
+    /// Shows a colour, and emits nothing. For a grey the ring keeps its hue. The opacity is kept for `colour()`.
     void setColour(const Colour &colour);
     Colour colour() const { return fromShares(m_shares, m_opacity); }
 
-    /// Where a hue lies on the ring and a mixture in the triangle, widget coordinates.
+    /// Where a hue lies on the ring, and a mixture in the triangle, in pixels of the widget.
     QPointF ringPoint(double hue) const;
     QPointF trianglePoint(double chroma, double black) const;
 
@@ -28,8 +28,9 @@ public:
     QSize minimumSizeHint() const override;
 
 signals:
+    /// Emitted at each colour that is picked.
     void picked(const suffuse::Colour &colour);
-    /// The mouse was let go after picking.
+    /// Emitted when the mouse is released after picking.
     void finished();
 
 protected:

@@ -295,7 +295,7 @@ void SwatchGrid::dropEvent(QDropEvent *event)
     setGap(-1);
     const int to = gapAt(event->position().toPoint());
     if (event->source() == this)
-        move(m_current, to); // the one that the drag began with
+        move(m_current, to); // The current swatch is the one that the drag began with.
     else if (const auto colour = colourOf(*event->mimeData()))
         insert(to, *colour);
     event->acceptProposedAction();

@@ -6,9 +6,10 @@
 
 namespace suffuse {
 
-/// Colours to pick from: one line of them, as many as fit; or, where it may be edited, rows. Then colours can be
-/// dropped, moved by dragging, named and removed; it changes nothing itself but says what there should be. Keys:
-/// arrows, Return picks, Delete removes, F2 names.
+/// Shows colours to pick from. It has one line, with as many as fit; where it may be edited, it has rows. Then colours
+/// can be dropped, moved by dragging, named and removed. It changes nothing itself, but emits which swatches there
+/// should be.
+/// Arrow keys choose a swatch, Return picks it, Delete removes it, F2 names it.
 class SwatchGrid : public QWidget {
     Q_OBJECT
 
@@ -17,15 +18,15 @@ public:
 
     void setSwatches(std::vector<Swatch> swatches);
     const std::vector<Swatch> &swatches() const { return m_swatches; }
-    /// What an empty one says.
+    /// Sets the text that is shown where there is no swatch.
     void setEmptyText(const QString &text);
 
     void insert(int index, const Colour &colour);
-    void move(int from, int to); ///< `to`: before which one, counted before the move
+    void move(int from, int to); ///< `to` is the swatch before which it goes, counted before the move
     void rename(int index, const QString &name);
     void remove(int index);
 
-    /// Where a swatch is; of the one after the last: where it would be.
+    /// Where a swatch stands. The index after the last one is the place where the next one would stand.
     QRect cell(int index) const;
 
     bool hasHeightForWidth() const override { return true; }
@@ -34,7 +35,9 @@ public:
     QSize minimumSizeHint() const override;
 
 signals:
+    /// Emitted when a colour is picked.
     void picked(const suffuse::Colour &colour);
+    /// Emitted when there should be other swatches; `undoText` names the step.
     void edited(const std::vector<suffuse::Swatch> &swatches, const QString &undoText);
 
 protected:
@@ -52,9 +55,9 @@ protected:
 
 private:
     int columns(int width) const;
-    int shown(int width) const;   ///< how many there is room for
-    int indexAt(QPoint at) const; ///< −1: none
-    int gapAt(QPoint at) const;   ///< before which one something dropped would come
+    int shown(int width) const;   ///< how many there is room for in a width
+    int indexAt(QPoint at) const; ///< the swatch at a place; −1: none
+    int gapAt(QPoint at) const;   ///< the swatch before which something would go that is dropped at a place
     void setCurrent(int index);
     void setGap(int gap);
     void askName(int index);
@@ -67,7 +70,7 @@ private:
     int m_current = 0;
     int m_pressed = -1;
     QPoint m_pressedAt;
-    int m_gap = -1; ///< where a drop would come
+    int m_gap = -1; ///< the swatch before which a drop would go; −1: no drag
 };
 
 } // namespace suffuse

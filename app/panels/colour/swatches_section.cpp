@@ -51,7 +51,8 @@ SwatchesSection::SwatchesSection(Editor &editor, QWidget *parent) : QWidget(pare
     m_grid->setAccessibleName(tr("Swatches"));
     m_grid->setToolTip(tr("Colours kept with the painting. Click: take it. Drag to move; Delete removes."));
     m_grid->setEmptyText(tr("None yet: + keeps the current colour."));
-    auto *scroll = new QScrollArea(this); // beside the wheel, however many there are
+    // The list scrolls, so it stays beside the wheel however many swatches there are.
+    auto *scroll = new QScrollArea(this);
     scroll->setWidgetResizable(true);
     scroll->setFrameShape(QFrame::NoFrame);
     scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
@@ -65,7 +66,7 @@ SwatchesSection::SwatchesSection(Editor &editor, QWidget *parent) : QWidget(pare
     connect(m_add, &QToolButton::clicked, this,
             [this] { m_grid->insert(int(m_grid->swatches().size()), m_editor.brush().colour); });
     connect(m_grid, &SwatchGrid::picked, this, [this](Colour colour) {
-        if (colour.opacity == 1) // as palettes have them: it says nothing of how thin the brush paints
+        if (colour.opacity == 1) // Colours of palettes are opaque, which says nothing about how thin the brush paints.
             colour.opacity = m_editor.brush().colour.opacity;
         m_editor.setColour(colour);
     });

@@ -11,7 +11,8 @@ namespace suffuse {
 class Editor;
 class SwatchGrid;
 
-/// The painting's swatches, and GIMP palettes in and out. They are part of the document: each change is an undo step.
+/// Shows the painting's swatches, and reads and writes palettes of GIMP. Swatches are part of the document, so each
+/// change is an undo step.
 class SwatchesSection : public QWidget {
     Q_OBJECT
 
@@ -22,8 +23,9 @@ public:
     QToolButton *addButton() const { return m_add; }
     QToolButton *menuButton() const { return m_menu; }
 
-    /// Appends the palette's colours; says what is wrong with the file.
+    /// Appends the colours of a palette. Shows a message if the file cannot be read.
     void importPalette(const QString &path);
+    /// Writes the swatches as a palette. Shows a message if that fails.
     void exportPalette(const QString &path);
 
 private:

@@ -14,7 +14,7 @@ namespace suffuse {
 
 namespace {
 
-/// Steps that are undone are grey: below the place where the painting stands.
+/// Shows steps that are undone in grey. These stand below the present step.
 class StepDelegate : public QStyledItemDelegate {
 public:
     StepDelegate(const QUndoStack &stack, QObject *parent) : QStyledItemDelegate(parent), m_stack(stack) {}
@@ -22,7 +22,7 @@ public:
     void initStyleOption(QStyleOptionViewItem *option, const QModelIndex &index) const override
     {
         QStyledItemDelegate::initStyleOption(option, index);
-        if (index.row() > m_stack.index()) // the first row is the start
+        if (index.row() > m_stack.index()) // The first row is the start, which is no step.
             option->palette.setColor(QPalette::Text, option->palette.color(QPalette::Disabled, QPalette::Text));
     }
 
@@ -30,7 +30,7 @@ private:
     const QUndoStack &m_stack;
 };
 
-/// The present step stays in sight when the list gets lower.
+/// Keeps the present step in sight when the list gets lower.
 class StepList : public QUndoView {
 public:
     using QUndoView::QUndoView;

@@ -9,8 +9,8 @@ namespace suffuse {
 class Editor;
 class StrokeHistoryList;
 
-/// The undo stack as a list: a click goes to that moment; the saved state is marked. Below it, while one stroke is
-/// selected, the states of that stroke alone.
+/// Shows the undo stack as a list. A click goes to a step, and the saved one is marked. While one stroke is selected,
+/// the states of that stroke alone are listed below.
 class HistoryPanel : public QWidget {
     Q_OBJECT
 

@@ -49,7 +49,8 @@ void StrokeHistoryList::timerEvent(QTimerEvent *event)
 
 void StrokeHistoryList::followLater()
 {
-    // Once for all that happens before the event loop comes round: a drag merges into one step many times.
+    // The list is filled once for all that happens before the event loop comes round, since a drag merges into one step
+    // many times.
     if (!m_later.isActive())
         m_later.start(0, this);
 }

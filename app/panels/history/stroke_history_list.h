@@ -10,8 +10,8 @@ namespace suffuse {
 
 class Editor;
 
-/// The states that the one selected stroke has had. A click puts it back to one, as a step of its own: what was done to
-/// the rest of the painting since then stays.
+/// Lists the states that the one selected stroke has had. A click puts the stroke back to one of them as a new step.
+/// What was done to the rest of the painting since then stays.
 class StrokeHistoryList : public QListWidget {
     Q_OBJECT
 
@@ -22,11 +22,12 @@ public:
     bool hasStroke() const { return m_stroke != 0; }
 
 signals:
+    /// Emitted when another stroke, or none, is listed.
     void strokeChanged();
 
 protected:
     void showEvent(QShowEvent *event) override;
-    /// The present state stays in sight when the list gets lower.
+    /// Keeps the present state in sight when the list gets lower.
     void resizeEvent(QResizeEvent *event) override;
     void timerEvent(QTimerEvent *event) override;
 

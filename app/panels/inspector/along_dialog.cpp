@@ -51,7 +51,7 @@ AlongDialog::AlongDialog(Editor &editor, QWidget *parent)
 
 AlongDialog::~AlongDialog()
 {
-    m_gesture.commit(); // its window may go without being closed
+    m_gesture.commit(); // The window may be destroyed without closing this dialog.
 }
 
 void AlongDialog::addChoice()
@@ -76,7 +76,7 @@ void AlongDialog::addChoice()
         button->setText(name);
         button->setToolTip(tip);
         button->setCheckable(true);
-        button->setAutoRaise(true); // the chosen one shows in a dark palette, too
+        button->setAutoRaise(true); // The chosen button is seen in a dark palette, too.
         button->setSizePolicy(QSizePolicy::Minimum, QSizePolicy::Preferred);
         m_shapes->addButton(button, int(m_shapes->buttons().size()));
         row->addWidget(button);
@@ -120,7 +120,7 @@ double AlongDialog::Axis::toValue(double place) const
     return std::clamp(logarithmic ? low * std::pow(high / low, share) : std::lerp(low, high, share), low, high);
 }
 
-/// The slider's range, widened to what is there.
+/// The axis has the slider's range, widened to the values that there are.
 AlongDialog::Axis AlongDialog::axisOf(Quantity quantity) const
 {
     const FieldSpec spec = specOf(quantity);
@@ -172,7 +172,7 @@ void AlongDialog::showQuantity()
     PlaceCurve curve;
     if (const auto it = m_set.find(m_quantity); it != m_set.end()) {
         curve = it->second.curve;
-    } else if (!present.empty()) { // as it is, from end to end
+    } else if (!present.empty()) { // The values are shown as they are, from end to end.
         curve.knots = {present.front().y(), present.back().y()};
         const bool same =
             std::all_of(present.begin(), present.end(), [&](QPointF p) { return p.y() == present.front().y(); });
@@ -199,7 +199,7 @@ void AlongDialog::choose(Shape shape)
     m_curve->setCurve(next);
     showFields();
     if (m_set.contains(m_quantity))
-        apply(); // a curve set here goes on in its new shape; one that was only looked at changes nothing
+        apply(); // A curve that was set here is applied in its new shape; one that was only looked at changes nothing.
 }
 
 void AlongDialog::showFields()
@@ -216,7 +216,7 @@ void AlongDialog::showFields()
 
 void AlongDialog::setEnd(std::size_t knot, double value)
 {
-    // The axis grows where more is asked for; what else is set keeps its values.
+    // The axis grows where a value beyond it is asked for, and the other knots keep their values.
     PlaceCurve curve = m_curve->curve();
     Axis grown = m_axis;
     if (value > 0 || !grown.logarithmic)
@@ -234,7 +234,7 @@ void AlongDialog::setEnd(std::size_t knot, double value)
 void AlongDialog::apply()
 {
     if (m_finished)
-        return; // a drag that went on while the strokes went
+        return; // The strokes have gone while a drag went on.
     m_set[m_quantity] = {m_curve->curve(), m_axis};
     std::map<Quantity, std::function<double(double)>> values;
     for (const auto &[quantity, set] : m_set)
@@ -268,7 +268,7 @@ void AlongDialog::accept()
 
 void AlongDialog::reject()
 {
-    // A part of it may be a step already, where something else was done meanwhile.
+    // If something else was done meanwhile, a part of the changes is a step already, so the old values are set anew.
     const QScopedValueRollback applying(m_applying, true);
     m_gesture.show(setAlong(m_editor.document(), m_runs, {}));
     m_gesture.commit();
@@ -277,7 +277,7 @@ void AlongDialog::reject()
 
 void AlongDialog::keyPressEvent(QKeyEvent *event)
 {
-    // Return enters a number; it does not close the dialog.
+    // Return enters a number, and does not close the dialog.
     const bool enters = event->key() == Qt::Key_Return || event->key() == Qt::Key_Enter;
     if (!enters || !qobject_cast<NumberField *>(focusWidget()))
         QDialog::keyPressEvent(event);

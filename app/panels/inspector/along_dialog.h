@@ -18,9 +18,9 @@ class Editor;
 class HintLabel;
 class NumberField;
 
-/// "Along the stroke": sets quantities of the segments that are selected when it opens over the arc length of their
-/// runs. All that is done in it shows at once and is one undo step; Cancel takes it back. It closes by itself, keeping
-/// what was done, when something else changes the strokes that it is about.
+/// The dialog "Along the Stroke". It sets quantities over the arc length of runs of segments: those that are selected
+/// when it opens. All that is done in it shows at once and is one undo step; Cancel takes it back. When something else
+/// changes the strokes that it is about, it closes by itself and keeps what was done.
 class AlongDialog : public QDialog {
     Q_OBJECT
 
@@ -30,7 +30,9 @@ public:
     AlongDialog(Editor &editor, QWidget *parent);
     ~AlongDialog() override;
 
+    /// Shows another quantity.
     void choose(Quantity quantity);
+    /// Gives the curve another shape.
     void choose(Shape shape);
     CurveEditor *curve() const { return m_curve; }
     NumberField *start() const { return m_start; }
@@ -43,11 +45,11 @@ protected:
     void keyPressEvent(QKeyEvent *event) override;
 
 private:
-    /// The axis of a quantity: values ↔ [0, 1].
+    /// The axis of a quantity, which maps values to [0, 1] and back.
     struct Axis {
         double low = 0, high = 1;
         bool logarithmic = false;
-        bool reversed = false; ///< what is shown falls as the value grows
+        bool reversed = false; ///< whether the displayed number falls as the value grows
         double toShare(double value) const;
         double toValue(double place) const;
     };
@@ -65,18 +67,18 @@ private:
 
     Editor &m_editor;
     StrokeRuns m_runs;
-    std::optional<StrokeRuns> m_refined; ///< once something varies
-    Gesture m_gesture;                   ///< from the first change until the dialog closes
+    std::optional<StrokeRuns> m_refined; ///< the runs with shorter segments, made once something varies
+    Gesture m_gesture;                   ///< open from the first change until the dialog closes
     Quantity m_quantity = Quantity::Density;
     Axis m_axis;
-    /// A curve that was set here, and the axis that it belongs to.
+    /// A curve that was set in this dialog, and the axis that it belongs to.
     struct Set {
         PlaceCurve curve;
         Axis axis;
     };
     std::map<Quantity, Set> m_set;
     bool m_applying = false;
-    bool m_finished = false; ///< by a change from elsewhere
+    bool m_finished = false; ///< whether a change from elsewhere has ended the dialog
 
     QComboBox *m_choice = nullptr;
     QButtonGroup *m_shapes = nullptr;

@@ -55,7 +55,7 @@ void CrossSectionPlot::paintEvent(QPaintEvent *)
     painter.drawText(below, Qt::AlignLeft, tr("cross-section"));
     painter.drawText(below, Qt::AlignRight, QStringLiteral("±") + lengthDisplay().text(range));
 
-    // The ground is what the eye sees: each column in the colour of the stroke on the background there.
+    // The ground shows what the eye sees: each column has the colour that the stroke has there on the background.
     const auto at = [&](const CrossSectionPoint &p) {
         return QPointF(plot.center().x() + 0.5 * plot.width() * p.offset / range,
                        plot.bottom() - plot.height() * p.opacity);

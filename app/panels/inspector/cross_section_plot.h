@@ -6,7 +6,8 @@
 
 namespace suffuse {
 
-/// The cut through a stroke: how strongly it covers across its width, in the colours that it has on the background.
+/// Shows the cut through a stroke: how strongly it covers across its width, in the colours that it has on the
+/// background.
 class CrossSectionPlot : public QWidget {
     Q_OBJECT
 

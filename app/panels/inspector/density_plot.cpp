@@ -43,7 +43,7 @@ QSize DensityPlot::minimumSizeHint() const
 double DensityPlot::horizontalRange() const
 {
     const double inside = plottedDensity(*m_style);
-    // A far peak must not flatten the curve to nothing: it is marked at the right end then.
+    // A far peak must not flatten the curve to nothing. It is then marked at the right end.
     return std::max(inside, std::min(1.15 * m_highestPeak, 4 * inside));
 }
 
@@ -67,7 +67,7 @@ void DensityPlot::paintEvent(QPaintEvent *)
     painter.setPen(QPen(hairline(), 1));
     painter.drawLine(at(0, 0), at(range, 0));
 
-    // Steps are drawn as steps: the curve is sampled twice a pixel.
+    // Two samples a pixel draw steps as steps.
     QPainterPath curve(at(0, 0));
     const int samples = std::max(2, int(2 * plot.width()));
     for (int i = 1; i <= samples; ++i) {

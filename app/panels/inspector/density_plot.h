@@ -8,14 +8,15 @@
 
 namespace suffuse {
 
-/// The curve of F over the density φ′, with the selected segments' peak densities marked.
+/// Shows the curve of F over the density φ′, and marks the peak densities of the selected segments.
 class DensityPlot : public QWidget {
     Q_OBJECT
 
 public:
     explicit DensityPlot(QWidget *parent = nullptr);
 
-    /// The style of the first selected segment, lowest and highest peak; `several`: other styles are selected too.
+    /// Shows the style of the first selected segment, and the lowest and highest peak of all; `several` tells that
+    /// other styles are selected, too.
     void show(const Style &style, double lowestPeak, double highestPeak, bool several);
     using QWidget::show;
 

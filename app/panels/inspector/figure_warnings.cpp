@@ -9,9 +9,9 @@ namespace suffuse {
 
 namespace {
 
-/// Below this ratio ξ1/ξ2 the uniform style covers noticeably (5 %) where there is hardly any paint.
+/// If the ratio ξ1/ξ2 is smaller than this, the uniform style covers noticeably (5 %) where there is hardly any paint.
 constexpr double clearestEdge = 3;
-/// Coverage inside a dark rim that nobody sees.
+/// With less coverage than this nobody sees the paint inside a dark rim.
 constexpr double bareInside = 0.02;
 
 struct WarningText {

@@ -1,4 +1,4 @@
-// What a painter should know about values that defeat their purpose.
+// Warnings about values that defeat their purpose.
 #pragma once
 
 #include "app/panels/inspector/figures_summary.h"
@@ -7,7 +7,7 @@
 
 namespace suffuse {
 
-/// Translated sentences, each once, the gravest first; empty where all is well.
+/// Translated sentences, each of them once and the gravest first; empty where there is nothing to warn of.
 QStringList figureWarnings(const FiguresSummary &figures);
 
 } // namespace suffuse

@@ -18,7 +18,7 @@ namespace {
 
 constexpr int figuresLaterMs = 40;
 
-/// "3.2 – 5.6" or "3.2"
+/// A range as "3.2 – 5.6", or one number as "3.2".
 QString rangeText(double low, double high, const QString &unit)
 {
     const QLocale locale;
@@ -53,7 +53,7 @@ FiguresSection::FiguresSection(Editor &editor, QWidget *parent) : QWidget(parent
         if (isVisible())
             refreshCut();
     });
-    // While paint spreads, the cut does.
+    // While paint spreads, the cut through the stroke changes with time.
     connect(&editor.clock(), &PaintingClock::timeChanged, this, &FiguresSection::refreshCutSoon);
 }
 
@@ -87,7 +87,7 @@ void FiguresSection::refresh(const Inspected &inspected)
 {
     if (inspected.isEmpty())
         return;
-    // A whole stroke is cut in its middle, a run of segments at its first.
+    // A stroke that is selected whole is cut in its middle, a run of segments at the first of them.
     const bool whole = m_editor.unsettled().selection().segments.empty();
     m_cutAt = inspected.refs.front();
     if (whole)

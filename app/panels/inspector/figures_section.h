@@ -17,8 +17,8 @@ class DensityPlot;
 class Editor;
 class HintLabel;
 
-/// What the selected segments' values come to: the density function, the cut through the stroke, derived figures, and
-/// warnings where values defeat their purpose.
+/// Shows what follows from the selected segments' values: the density function, the cut through the stroke, derived
+/// figures, and warnings where values defeat their purpose.
 class FiguresSection : public QWidget {
     Q_OBJECT
 
@@ -30,7 +30,8 @@ public:
     DensityPlot *densityPlot() const { return m_plot; }
     CrossSectionPlot *crossSection() const { return m_cut; }
     HintLabel *warnings() const { return m_warnings; }
-    /// Spread, spread along, peak, half-width, fades. The second is there where spread is uneven.
+    /// The labels of spread, spread along, peak, half-width and fading, in this order. The second is shown only where
+    /// spread is uneven.
     QLabel *figure(int index) const { return m_figures[std::size_t(index)]; }
 
 protected:
@@ -44,8 +45,8 @@ private:
 
     Editor &m_editor;
     FiguresKeeper m_keeper;
-    SegmentRef m_cutAt; ///< where the stroke is cut
-    QTimer m_later;     ///< the cut costs more than the rest: the picture goes first
+    SegmentRef m_cutAt; ///< the segment at which the stroke is cut
+    QTimer m_later;     ///< The cut takes longer than the rest, so the picture is drawn first.
     DensityPlot *m_plot = nullptr;
     CrossSectionPlot *m_cut = nullptr;
     HintLabel *m_warnings = nullptr;

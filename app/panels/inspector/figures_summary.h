@@ -1,11 +1,11 @@
-// What the derived figures of many segments come to.
+// The derived figures of many segments, taken together.
 #pragma once
 
 #include "app/panels/inspector/inspected.h"
 
 namespace suffuse {
 
-/// The least and the most of some values.
+/// The least and the greatest of some values.
 struct Extent {
     double least = 0, most = 0;
     std::size_t count = 0;
@@ -13,20 +13,22 @@ struct Extent {
     void add(const Extent &other);
 };
 
-/// Of some segments together.
+/// The figures of some segments together.
 struct FiguresSummary {
     std::size_t segments = 0, transparent = 0, withoutPaint = 0;
-    Extent spread, along, peak, halfWidth; ///< DerivedFigures
-    Extent driesOut;                       ///< of those that do, with paint or without
-    Extent fading, shrinking;              ///< ages at which paint vanishes, or is widest, before it is dry
+    Extent spread, along, peak, halfWidth; ///< as in DerivedFigures
+    Extent driesOut;                       ///< of the segments that dry out, with paint or without
+    /// the ages at which paint vanishes, or is widest, if that is before it is dry
+    Extent fading, shrinking;
     bool uneven = false;
-    std::vector<Style> styles; ///< in the order of the segments, the same ones that follow each other once
+    std::vector<Style> styles; ///< in the order of the segments; where equal styles follow each other, once
 
     void add(const InspectedSegment &inspected);
     void add(const FiguresSummary &other);
 };
 
-/// Summaries of what is inspected. Those of strokes that stay as they are, are kept.
+/// Makes the summary of what is inspected. It keeps the summaries of strokes, and uses those of strokes that have not
+/// changed.
 class FiguresKeeper {
 public:
     FiguresSummary summaryOf(const Inspected &inspected);
@@ -36,8 +38,8 @@ private:
         const Stroke *stroke = nullptr;
         FiguresSummary figures;
     };
-    std::vector<Kept> m_kept; ///< strokes that are inspected as a whole, in order
-    PaintingPtr m_painting;   ///< theirs; while it lives, no other stroke has the address of one of them
+    std::vector<Kept> m_kept; ///< the strokes that are inspected as a whole, in order
+    PaintingPtr m_painting;   ///< Holds these strokes: while it lives, no other stroke gets the address of one of them.
 };
 
 } // namespace suffuse

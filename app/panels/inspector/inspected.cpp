@@ -7,11 +7,11 @@ namespace suffuse {
 
 namespace {
 
-/// Bottom to top.
+/// The selected strokes from bottom to top.
 std::vector<const Stroke *> selectedStrokes(const Painting &painting, const std::set<StrokeId> &wanted)
 {
     std::vector<const Stroke *> strokes;
-    auto next = wanted.begin(); // most often the order is that of the ids
+    auto next = wanted.begin(); // Most often the order of strokes is that of their ids.
     for (const StrokePtr &stroke : painting.strokes) {
         if (strokes.size() == wanted.size())
             break;

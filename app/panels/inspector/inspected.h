@@ -1,4 +1,4 @@
-// What the inspector's sections show: the target segments with their strokes, and values that they have in common.
+// What the inspector's sections show: the target segments with their strokes, and the values that they have in common.
 #pragma once
 
 #include "model/document/document.h"
@@ -14,19 +14,19 @@ struct InspectedSegment {
     const Style &style() const { return stroke->styleOf(*segment); }
 };
 
-/// Pointers live as long as `painting`.
+/// What is inspected. The pointers are valid as long as `painting` lives.
 struct Inspected {
     PaintingPtr painting;
     std::vector<SegmentRef> refs;
-    std::vector<InspectedSegment> segments; ///< in step with refs
-    std::vector<const Stroke *> strokes;    ///< each once, bottom to top
+    std::vector<InspectedSegment> segments; ///< in the order of `refs`
+    std::vector<const Stroke *> strokes;    ///< each stroke once, bottom to top
     bool isEmpty() const { return segments.empty(); }
 };
 
-/// Of the document's selection (targetSegments). One pass over the painting.
+/// Finds what is inspected by the document's selection (see targetSegments), in one pass over the painting.
 Inspected inspect(const Document &document);
 
-/// The value that all items have; none if they differ, or there are none.
+/// The value that all items have. There is none if they differ, or if there is no item.
 template <typename Items, typename Get>
 auto commonValue(const Items &items, Get get) -> std::optional<std::decay_t<decltype(get(*items.begin()))>>
 {
@@ -39,7 +39,7 @@ auto commonValue(const Items &items, Get get) -> std::optional<std::decay_t<decl
     return first;
 }
 
-/// As commonValue, for fields that show doubles.
+/// Does the same as commonValue, for fields that show doubles.
 template <typename Items, typename Get>
 std::optional<double> commonNumber(const Items &items, Get get)
 {

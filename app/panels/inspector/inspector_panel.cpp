@@ -61,7 +61,7 @@ InspectorPanel::InspectorPanel(Editor &editor, QWidget *parent) : QWidget(parent
     canvas->addWidget(m_underlay);
     m_scroll->setWidget(content);
     alignFieldLabels(*content);
-    // As wide for one page as for the other: the dock must not change with the selection.
+    // Both pages ask for the same width, since the dock must not change with the selection.
     const int wider = std::max(m_selectionPage->minimumSizeHint().width(), m_canvasPage->minimumSizeHint().width());
     content->setMinimumWidth(wider + pages->contentsMargins().left() + pages->contentsMargins().right());
 
@@ -120,7 +120,7 @@ QSize InspectorPanel::sizeHint() const
 
 void InspectorPanel::documentChanged(const Change &change)
 {
-    // The stroke in hand is not inspected, and comes many times a second.
+    // The stroke in hand is not inspected, and changes many times a second.
     if (change.strokes.empty() && !change.selection && !change.canvas && !change.reset)
         return;
     if (change.selection || change.reset)

@@ -23,8 +23,8 @@ class StrokeSection;
 class StyleSection;
 class UnderlaySection;
 
-/// Values of the selected segments and strokes; with nothing selected, those of the canvas. Each change is one undo
-/// step, a slider drag too.
+/// Shows the values of the selected segments and strokes; with nothing selected, those of the canvas. Each change is
+/// one undo step, and so is each drag of a slider.
 class InspectorPanel : public QWidget {
     Q_OBJECT
 
@@ -45,7 +45,7 @@ public:
     QSize sizeHint() const override;
 
 signals:
-    /// Before it is shown: where it goes is for the window to say.
+    /// Emitted before the dialog is shown, so that the window can place it.
     void alongOpening(QWidget *dialog);
 
 protected:

@@ -27,7 +27,8 @@ RewetRows::RewetRows(Editor &editor, QWidget *parent) : QWidget(parent), m_edito
 
 void RewetRows::refresh(const Inspected &inspected)
 {
-    std::map<std::pair<Microseconds, Microseconds>, std::size_t> counts; // segments by time and length
+    // number of segments by time and length of the wetting
+    std::map<std::pair<Microseconds, Microseconds>, std::size_t> counts;
     for (const InspectedSegment &s : inspected.segments)
         for (const Rewet &r : s.segment->rewet)
             ++counts[{r.time, r.extra}];
@@ -45,7 +46,7 @@ void RewetRows::show(const std::vector<Row> &rows, bool more)
     m_rows = rows;
     m_more = more;
     if (m_list)
-        m_list->deleteLater(); // the button that was pressed may be in it
+        m_list->deleteLater(); // The button that was pressed may stand in the list, so it is deleted later.
     m_list = new QWidget(this);
     auto *column = new QVBoxLayout(m_list);
     column->setContentsMargins(0, 4, 0, 0);

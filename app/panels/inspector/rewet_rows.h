@@ -10,8 +10,8 @@ namespace suffuse {
 
 class Editor;
 
-/// When the inspected segments are wetted again, a row for each time, with a button that takes it away. Hidden where
-/// none are.
+/// Shows when the inspected segments are wetted again: a row for each time, with a button that removes it. It is hidden
+/// where no segment is wetted again.
 class RewetRows : public QWidget {
     Q_OBJECT
 
@@ -21,7 +21,7 @@ public:
     void refresh(const Inspected &inspected);
 
 private:
-    /// A time at which some or all of the segments are wetted.
+    /// A time at which some or all of the segments are wetted again.
     struct Row {
         Rewet rewet;
         bool ofAll = false;

@@ -28,13 +28,13 @@ FieldSpec bornSpec()
                 SegmentSection::tr("When the stroke, or what is selected of it, begins. All of that moves in time "
                                    "as one."),
             .display = timeDisplay(),
-            .minimum = 0, // edits keep a painting from beginning earlier
+            .minimum = 0, // Edits keep a painting from beginning before this.
             .maximum = moment.greatest,
             .sliderMaximum = 10,
             .step = 0.1};
 }
 
-/// When the selected segments of each stroke begin.
+/// The times at which the selected segments of each stroke begin.
 std::vector<Microseconds> beginsOf(const std::vector<InspectedSegment> &segments)
 {
     std::vector<Microseconds> begins;
@@ -187,7 +187,7 @@ void SegmentSection::takeCurrentColour()
 void SegmentSection::showBorn(const Inspected &inspected)
 {
     const std::vector<Microseconds> begins = beginsOf(inspected.segments);
-    if (!begins.empty() && !m_born->slider()->isSliderDown()) // a drag keeps its scale
+    if (!begins.empty() && !m_born->slider()->isSliderDown()) // The scale of the slider must not change during a drag.
         m_born->setSliderRange(0, 10 * (1 + std::floor(toSeconds(std::ranges::max(begins)) / 10)));
     m_born->setValue(commonNumber(begins, [](Microseconds begin) { return toSeconds(begin); }));
 }

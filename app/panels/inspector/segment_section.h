@@ -10,7 +10,7 @@ class ColourSwatch;
 class Editor;
 class RewetRows;
 
-/// D, φ, ω, t_max, birth, anisotropy and colour of the selected segments.
+/// Shows and changes D, φ, ω, t_max, birth, anisotropy and colour of the selected segments.
 class SegmentSection : public QWidget {
     Q_OBJECT
 
@@ -23,15 +23,16 @@ public:
     SliderField *density() const { return m_density; }
     SliderField *granulation() const { return m_granulation; }
     SliderField *maxAge() const { return m_maxAge; }
-    SliderField *born() const { return m_born; }             ///< of each stroke's first selected segment, seconds
+    SliderField *born() const { return m_born; }             ///< birth of each stroke's first selected segment, seconds
     SliderField *anisotropy() const { return m_anisotropy; } ///< ratio
     SliderField *angle() const { return m_angle; }           ///< radians
-    /// Of a number that is none of its colour's.
+    /// The row of a number of segments that does not belong to their colour.
     SliderField *row(float Segment::*member) const;
     ColourRows *colour() const { return m_colour; }
     RewetRows *rewet() const { return m_rewet; }
 
 signals:
+    /// Emitted when a text that was typed is no value; says why.
     void refused(const QString &hint);
 
 private:
@@ -40,13 +41,14 @@ private:
     void showBorn(const Inspected &inspected);
     void refuse();
     SliderField *addRow(const FieldSpec &spec, QGridLayout &grid, float Segment::*member, const QString &undoText);
-    /// Each of the values by the map, or none of them.
+    /// Changes each of the values by the map, or none if one of them has no result.
     void changeEach(const std::function<float &(Segment &)> &member, const ValueMap &map, const QString &undoText);
     void changeColour(int channel, double value, ValueEntry *entry);
     void takeCurrentColour();
 
     Editor &m_editor;
-    std::vector<std::pair<float Segment::*, SliderField *>> m_rows; ///< one for each number that is no colour's
+    /// one for each number that does not belong to the colour
+    std::vector<std::pair<float Segment::*, SliderField *>> m_rows;
     SliderField *m_diffusion = nullptr;
     SliderField *m_density = nullptr;
     SliderField *m_granulation = nullptr;

@@ -12,8 +12,8 @@ namespace suffuse {
 
 namespace {
 
-constexpr int mostPieces = 64;           ///< of one segment
-constexpr std::size_t mostCuts = 50'000; ///< of all
+constexpr int mostPieces = 64;           ///< No segment is split into more pieces than these.
+constexpr std::size_t mostCuts = 50'000; ///< All strokes together are not split in more places than these.
 
 double lengthOf(const Stroke &stroke, int segment)
 {

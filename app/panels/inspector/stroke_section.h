@@ -10,7 +10,7 @@ namespace suffuse {
 
 class Editor;
 
-/// Name, mixing and β of the selected strokes.
+/// Shows and changes name, mixing and β of the selected strokes.
 class StrokeSection : public QWidget {
     Q_OBJECT
 
@@ -24,6 +24,7 @@ public:
     SliderField *beta() const { return m_beta; }
 
 signals:
+    /// Emitted when a text that was typed is no value; says why.
     void refused(const QString &hint);
 
 private:

@@ -17,10 +17,10 @@ namespace suffuse {
 
 namespace {
 
-/// A little less than may be: the bound must hold after rounding to float.
+/// The factor is a little smaller than allowed, since the bound must hold after rounding to float.
 const double edgeFactor = greatestLightening() * (1 - 1e-7);
 
-/// Indices of the target segments, stroke by stroke.
+/// The indices of the target segments of each stroke.
 std::map<StrokeId, std::vector<int>> targetsByStroke(const Document &document)
 {
     std::map<StrokeId, std::vector<int>> targets;
@@ -89,7 +89,7 @@ void StyleSection::addXiRows(QGridLayout &grid)
         });
         connect(row, &SliderField::editedRelative, this, [this, i](const ValueMap &map) {
             const auto change = [&](Style &s) {
-                // A value beyond the range makes the style invalid, and so the whole change.
+                // A value beyond the range makes the style invalid, and the whole change is refused.
                 s.xi[std::size_t(i)] = float(map(double(s.xi[std::size_t(i)])).value_or(-1));
             };
             changeStyles(change, tr("Change style"), nullptr);

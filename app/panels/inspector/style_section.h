@@ -12,8 +12,8 @@ namespace suffuse {
 
 class Editor;
 
-/// Style of the selected segments (the stroke's or their own) with its ξ.
-/// A change goes to where each segment's style lives: to the segment where it has its own, else to its stroke.
+/// Shows and changes the style of the selected segments, with its ξ. A segment may have a style of its own, or that of
+/// its stroke. A change goes where each segment's style is kept: into the segment or into the stroke.
 class StyleSection : public QWidget {
     Q_OBJECT
 
@@ -26,10 +26,11 @@ public:
     QComboBox *kind() const { return m_kind; }
     SliderField *xi(int index) const { return m_xi[std::size_t(index)]; }
 
-    /// A style of that kind to begin with.
+    /// The style with which a kind begins.
     static Style defaultStyle(StyleKind kind);
 
 signals:
+    /// Emitted when a text that was typed is no value; says why.
     void refused(const QString &hint);
 
 private:

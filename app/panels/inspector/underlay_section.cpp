@@ -74,7 +74,7 @@ NumberField *UnderlaySection::addNumber(Number number, const QString &name, cons
     field->setDisplay(lengthDisplay());
     field->setAccessibleName(name);
     field->setToolTip(toolTip);
-    field->setMinimumWidth(fontMetrics().horizontalAdvance(QStringLiteral("00000 u"))); // two stand in a row
+    field->setMinimumWidth(fontMetrics().horizontalAdvance(QStringLiteral("00000 u"))); // Two fields stand in a row.
     field->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
     connect(field, &NumberField::refused, this, &UnderlaySection::refused);
     connect(field, &NumberField::entered, this, [this, number](double value) { enter(number, value); });
@@ -176,7 +176,7 @@ void UnderlaySection::enter(Number number, double value, ValueEntry *entry)
         break;
     }
     underlay::setArea(m_editor, Rect::of(x, y, width, height), entry);
-    refresh(); // of what was too far the old number
+    refresh(); // A number that was too far shows what became of it.
 }
 
 void UnderlaySection::refresh()

@@ -14,7 +14,8 @@ namespace suffuse {
 
 class Editor;
 
-/// The picture to paint over: whether and how strongly it shows, and where it lies. Without one, the way to it.
+/// Shows the picture to paint over: whether and how strongly it is seen, and where it lies. If there is none, it offers
+/// to load one.
 class UnderlaySection : public QWidget {
     Q_OBJECT
 
@@ -34,6 +35,7 @@ public:
     QToolButton *removeButton() const { return m_remove; }
 
 signals:
+    /// Emitted when a text that was typed is no value; says why.
     void refused(const QString &hint);
 
 private:
@@ -48,7 +50,7 @@ private:
     void choose();
 
     Editor &m_editor;
-    QWidget *m_values = nullptr; ///< all that is there only with an underlay
+    QWidget *m_values = nullptr; ///< the fields that are shown only with an underlay
     QToolButton *m_visible = nullptr;
     SliderField *m_opacity = nullptr;
     std::array<NumberField *, 4> m_fields = {};
@@ -57,7 +59,7 @@ private:
     QPushButton *m_fit = nullptr;
     QPushButton *m_replace = nullptr;
     QToolButton *m_remove = nullptr;
-    ValueEntry m_steps; ///< those that follow each other in one field
+    ValueEntry m_steps; ///< steps of one field that follow each other
     Number m_stepped = Number::X;
 };
 

@@ -24,16 +24,16 @@ namespace suffuse {
 
 namespace {
 
-constexpr int restMs = 250; ///< the pointer rests when it has not moved for so long
-constexpr int pauseMs = 40; ///< between two probes: the canvas comes first
+constexpr int restMs = 250; ///< The pointer rests when it has not moved for so long.
+constexpr int pauseMs = 40; ///< milliseconds between two probes, which leave the canvas its time
 constexpr int ageSamples = 64;
-constexpr int mostSegments = 200; ///< rows of one stroke
+constexpr int mostSegments = 200; ///< rows shown for one stroke
 constexpr double leastShare = 0.0005;
 
 enum Role { StrokeRole = Qt::UserRole, SegmentRole };
 
-/// Shares of the final colour, in step with the strokes, that of the canvas last; their sum is 1. What lies above lets
-/// 1 − w through, with pigment mixing 1 − w(1 − β).
+/// The shares of the final colour in the order of the strokes, with the share of the canvas last; their sum is 1. A
+/// stroke that lies above lets 1 − w through or, with pigment mixing, 1 − w(1 − β).
 std::vector<double> colourShares(const Probe &probe, const Painting &painting)
 {
     std::vector<double> shares(probe.strokes.size() + 1);
@@ -168,7 +168,7 @@ void ProbePanel::start()
     m_running = true;
     const Job job{m_editor.document().painting(), m_editor.clock().time(), *m_point};
     m_thread.start([job, panel = this] {
-        // The panel waits for this in its destructor; the answer then finds nobody and is dropped.
+        // The panel's destructor waits for this task. An answer that comes after it is dropped.
         const Painting near = strokesInReach(job);
         auto result = std::make_shared<Result<Probe>>(probe(near, job.time, job.point.x, job.point.y));
         QMetaObject::invokeMethod(
@@ -178,7 +178,7 @@ void ProbePanel::start()
 
 Painting ProbePanel::strokesInReach(const Job &job)
 {
-    // The solver would integrate every segment of the painting.
+    // The solver would otherwise integrate every segment of the painting.
     Painting near = *job.painting;
     near.strokes.clear();
     for (const StrokePtr &stroke : job.painting->strokes)
@@ -207,7 +207,7 @@ void ProbePanel::take(const Job &job, const Result<Probe> &result)
 
 void ProbePanel::showProbe(const Probe &probe)
 {
-    // What was open and chosen stays so while the pointer moves.
+    // What was open or chosen stays so while the pointer moves.
     std::set<StrokeId> open;
     for (int i = 0; i < m_view->topLevelItemCount(); ++i)
         if (m_view->topLevelItem(i)->isExpanded())
@@ -219,7 +219,7 @@ void ProbePanel::showProbe(const Probe &probe)
     const std::vector<double> shares = colourShares(probe, *m_shown.painting);
     for (std::size_t i = probe.strokes.size(); i-- > 0;) {
         if (probe.strokes[i].opacity < leastShare)
-            continue; // within its reach, but there is nothing of it to see
+            continue; // The stroke reaches the point, but nothing of it is seen there.
         QTreeWidgetItem *item = addStroke(probe.strokes[i], shares[i]);
         item->setExpanded(open.contains(probe.strokes[i].id));
         if (probe.strokes[i].id == chosen)
@@ -270,7 +270,7 @@ void ProbePanel::showAges()
     const Microseconds born = whole ? stroke->born() : one.born, dry = whole ? stroke->driesAt() : one.driesAt();
     std::vector<QPointF> points;
     for (int i = 1; i <= ageSamples; ++i) {
-        // Closer together at first, where it changes fastest.
+        // Samples stand closer together at first, where the density changes fastest.
         const double share = double(i * i) / (ageSamples * ageSamples);
         const Microseconds time = born + Microseconds(share * double(dry - born));
         points.emplace_back(toSeconds(time - born), whole ? strokeDensityAt(*stroke, time, m_shown.point)

@@ -19,9 +19,10 @@ namespace suffuse {
 class AgePlot;
 class Editor;
 
-/// What lies under the pointer: the strokes from top to bottom with their share of the colour, their segments with
-/// their share of the density, and the density over the stroke's age. A click on a row selects it. When the pointer
-/// leaves the canvas, the place where it last rested is shown. Computed on a thread of its own, the newest place only.
+/// Shows what lies under the pointer: the strokes from top to bottom with their shares of the colour, their segments
+/// with their shares of the density, and the density over the stroke's age. A click on a row selects what it shows.
+/// When the pointer has left the canvas, the place where it last rested is shown. A thread of its own computes the
+/// newest place only.
 class ProbePanel : public QWidget {
     Q_OBJECT
 
@@ -31,13 +32,14 @@ public:
     explicit ProbePanel(Editor &editor, QWidget *parent = nullptr);
     ~ProbePanel() override;
 
-    /// The pointer is over a canvas point.
+    /// Shows a point of the canvas, which the pointer is over.
     void setPoint(Point point);
+    /// To be called when the pointer leaves the canvas.
     void leaveCanvas();
 
     QTreeWidget *view() const { return m_view; }
     AgePlot *plot() const { return m_plot; }
-    /// The numbers that are shown belong to the place and the painting of now.
+    /// Whether the numbers that are shown belong to the present place and painting.
     bool isUpToDate() const { return !m_running && !m_wanted; }
 
     QSize sizeHint() const override { return {280, 320}; }
@@ -73,7 +75,7 @@ private:
     QBasicTimer m_pause;
     bool m_running = false;
     bool m_wanted = false;
-    Job m_shown; ///< what the rows are about
+    Job m_shown; ///< the place and painting that the rows show
 };
 
 } // namespace suffuse

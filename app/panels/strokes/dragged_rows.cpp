@@ -12,7 +12,7 @@ quint64 numberOf(const void *source)
     return quint64(reinterpret_cast<quintptr>(source));
 }
 
-/// The order of the painting with the strokes in their new place.
+/// The order of all strokes when some are put in their new place.
 std::vector<StrokeId> orderWith(const Painting &painting, const std::set<StrokeId> &strokes, StrokeId before)
 {
     std::vector<StrokeId> order, moved;
@@ -75,13 +75,14 @@ DraggedRows DraggedRows::movable(const StrokesTree &tree) const
 DropPlace dropPlace(const StrokesTree::Node &onto, int row, const std::set<StrokeId> &moved)
 {
     const StrokesTree::Node *target = &onto;
-    if (target->stroke) { // onto a stroke: just above it
+    if (target->stroke) { // What is dropped onto a stroke goes just above it.
         row = target->row;
         target = target->parent;
     }
     if (row < 0)
         row = target->group ? 0 : int(target->children.size());
-    // Below the next row above that stays where it is; on top of a group: below what stands above the group.
+    // The rows go below the next row above them that stays where it is. On top of a group, they go below what stands
+    // above the group.
     StrokeId before = 0;
     const StrokesTree::Node *at = target;
     for (int above = row - 1; at && !before;) {

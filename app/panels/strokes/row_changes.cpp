@@ -6,7 +6,7 @@ namespace suffuse {
 
 void changeStroke(Editor &editor, StrokeId id, const std::function<void(Stroke &)> &change, const QString &text)
 {
-    // Names, eyes and locks of locked strokes change too: `changeStrokes` would leave them alone.
+    // A locked stroke can be renamed, hidden and unlocked, while `changeStrokes` would leave it alone.
     const StrokePtr old = editor.document().painting()->find(id);
     if (!old)
         return;

@@ -1,4 +1,4 @@
-// Changes of what a row of the strokes dock has of its own: name, eye and lock.
+// Changes of what a row of the Strokes dock has of its own: name, eye and lock.
 #pragma once
 
 #include "model/painting/painting.h"
@@ -11,7 +11,7 @@ namespace suffuse {
 
 class Editor;
 
-/// One undo step with the text; none where nothing changes.
+/// Changes a stroke or group in one undo step with this text. If nothing changes, there is no step.
 void changeStroke(Editor &editor, StrokeId id, const std::function<void(Stroke &)> &change, const QString &text);
 void changeGroup(Editor &editor, GroupId id, const std::function<void(Group &)> &change, const QString &text);
 

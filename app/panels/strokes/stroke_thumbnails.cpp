@@ -9,11 +9,11 @@
 namespace suffuse {
 
 namespace {
-constexpr std::size_t mostWanted = 64; ///< rows scrolled past are not drawn
+constexpr std::size_t mostWanted = 64; ///< Older wishes are dropped, since their rows have been scrolled past.
 constexpr double thumbnailMargin = 0.04;
 } // namespace
 
-/// Lives on the worker's thread.
+/// Draws the pictures; it lives on the worker's thread.
 class StrokeThumbnails::Maker {
 public:
     QImage make(const StrokePtr &stroke, double ratio)

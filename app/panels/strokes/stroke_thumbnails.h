@@ -14,8 +14,8 @@ namespace suffuse {
 
 class Renderer;
 
-/// Small pictures of strokes, dry, by the real renderer: made when a row that shows one is first painted, on a thread
-/// of its own, the newest wish first.
+/// Small pictures of dry strokes, drawn by the real renderer. A picture is made when a row that shows it is first
+/// painted, on a thread of its own, and the newest wish comes first.
 class StrokeThumbnails : public QObject {
     Q_OBJECT
 
@@ -25,19 +25,20 @@ public:
     explicit StrokeThumbnails(QObject *parent = nullptr);
     ~StrokeThumbnails() override;
 
-    /// The picture of this state of the stroke, or of the last one known; null where there is none yet. Asks for it
-    /// unless `quiet`.
+    /// The picture of a stroke in this state, or the last one that is known; null if there is none yet. A picture that
+    /// is missing is asked for, unless `quiet`.
     QImage of(const StrokePtr &stroke, double ratio, bool quiet);
 
-    /// All pictures that were asked for are there.
+    /// Whether all pictures that were asked for are there.
     bool isIdle() const { return !m_running && m_wanted.empty(); }
 
 signals:
+    /// Emitted when the picture of a stroke is there.
     void ready(suffuse::StrokeId stroke);
 
 private:
     struct Entry {
-        StrokePtr stroke; ///< what the picture is of
+        StrokePtr stroke; ///< the state that the picture shows
         QImage image;
     };
     class Maker;
@@ -46,7 +47,7 @@ private:
     void take(const StrokePtr &stroke, const QImage &image);
 
     QCache<StrokeId, Entry> m_known{4096};
-    std::vector<std::pair<StrokePtr, double>> m_wanted; ///< the newest last
+    std::vector<std::pair<StrokePtr, double>> m_wanted; ///< the newest wish last
     StrokePtr m_running;
     std::shared_ptr<Maker> m_maker;
     QThreadPool m_thread;

@@ -36,7 +36,7 @@ bool StrokesFilter::filterAcceptsRow(int row, const QModelIndex &parent) const
         return true;
     const QModelIndex index = sourceModel()->index(row, StrokesModel::NameColumn, parent);
     if (index.data(StrokesModel::SegmentRole).toInt() >= 0)
-        return true; // shown with its stroke
+        return true; // A segment is shown with its stroke.
     for (QModelIndex above = parent; above.isValid(); above = above.parent())
         if (matches(above))
             return true;

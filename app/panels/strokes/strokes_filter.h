@@ -4,25 +4,27 @@
 
 namespace suffuse {
 
-/// Strokes and groups whose names hold a text, with all that is in them and around them. Segments have no names of
-/// their own.
+/// Shows the strokes and groups whose names contain a text, with all that is in them and around them. Segments have no
+/// names of their own.
 class StrokesFilter : public QSortFilterProxyModel {
     Q_OBJECT
 
 public:
     using QSortFilterProxyModel::QSortFilterProxyModel;
 
+    /// Sets the text; an empty one shows all rows.
     void setText(const QString &text);
     const QString &text() const { return m_text; }
-    /// Whether something in a group matches by its own name; `group` is an index of the source.
+    /// Whether something in a group matches by its own name. `group` is an index of the source.
     bool holdsMatchWithin(const QModelIndex &group) const;
-    /// As the source says: what is shown is shown with its children, and asking each row must cost nothing.
+    /// The source's answer is right, since a row is always shown with its children, and asking must not cost a look at
+    /// each of these.
     bool hasChildren(const QModelIndex &parent = {}) const override
     {
         return sourceModel()->hasChildren(mapToSource(parent));
     }
 
-    /// By its own name; an index of the source.
+    /// Whether a row matches by its own name. `index` is an index of the source.
     bool matches(const QModelIndex &index) const;
 
 protected:

@@ -25,7 +25,7 @@ QString titleOf(const Group &group)
 
 namespace {
 
-/// In a row's internal pointer: it stands for a segment of the node's stroke.
+/// This bit in a row's internal pointer says that the row is a segment of the node's stroke.
 constexpr quintptr segmentTag = 1;
 const char rowsMime[] = "application/x-suffuse-stroke-rows";
 
@@ -304,7 +304,8 @@ void StrokesModel::follow(const Change &change)
 
 void StrokesModel::announce(const StrokesTree::Changed &changed)
 {
-    // From the first to the last below a parent: views look for each row, and a row that did not change costs less.
+    // Below each parent the rows from the first to the last that changed are announced at once: views look for each
+    // row, and announcing one that did not change costs less.
     std::unordered_map<const Node *, std::pair<const Node *, const Node *>> ends;
     for (const Node *node : changed.strokes) {
         auto &[first, last] = ends.try_emplace(node->parent, node, node).first->second;
@@ -342,7 +343,7 @@ void StrokesModel::rowsMoved(const Node &parent)
     const QModelIndexList before = persistentIndexList();
     QModelIndexList after;
     for (const QModelIndex &old : before)
-        after << (segmentAt(old) < 0 ? indexOf(&nodeAt(old), old.column()) : old); // segments stay in their stroke
+        after << (segmentAt(old) < 0 ? indexOf(&nodeAt(old), old.column()) : old); // Segments stay in their stroke.
     changePersistentIndexList(before, after);
     emit layoutChanged({QPersistentModelIndex(indexOf(&parent))});
 }
@@ -385,7 +386,7 @@ bool StrokesModel::dropMimeData(const QMimeData *data, Qt::DropAction action, in
     const DropPlace place = dropPlace(nodeAt(parent), row, rows.strokes);
     if (std::optional<Edit> edit = dropEdit(m_tree, *m_editor.document().painting(), rows, place))
         m_editor.push(std::move(*edit), tr("Reorder strokes"));
-    // The rows have moved already, with the document: the view has nothing to remove.
+    // The document has moved the rows already, so the view has nothing to remove.
     return false;
 }
 

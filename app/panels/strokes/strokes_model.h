@@ -8,26 +8,27 @@ namespace suffuse {
 
 class Editor;
 
-/// The name that people see: of a stroke or group without one, what it is and its number.
+/// The name that people see. A stroke or group without a name has what it is and its number.
 QString titleOf(const Stroke &stroke);
 QString titleOf(const Group &group);
 
-/// Groups, strokes and their segments as a tree, the topmost first. Follows the document by difference: a change of
-/// values touches the rows that changed, strokes that come or go are inserted or removed in runs, and only another
-/// grouping or painting resets it. Edits go through the editor, one undo step each.
+/// Shows groups, strokes and their segments as a tree, the topmost first. It compares the document with the state
+/// before: a change of values touches only rows that changed, strokes that are new or gone are inserted or removed in
+/// runs, and only another grouping or another painting resets the model. Edits go through the editor, and each is an
+/// undo step.
 class StrokesModel : public QAbstractItemModel, private StrokesTree::Listener {
     Q_OBJECT
 
 public:
     enum Column { NameColumn, EyeColumn, LockColumn, ColumnCount };
     enum Role {
-        StrokeIdRole = Qt::UserRole, ///< StrokeId, 0 for groups
-        GroupIdRole,                 ///< GroupId, 0 for strokes
+        StrokeIdRole = Qt::UserRole, ///< StrokeId; 0 for groups
+        GroupIdRole,                 ///< GroupId; 0 for strokes
         ColourRole,                  ///< QColor of a stroke
         UnnamedRole,                 ///< bool
         SwitchRole,                  ///< bool of an eye (visible) or lock (locked)
-        SegmentRole,                 ///< int: index of a segment in its stroke, -1 for other rows
-        WhollySelectedRole           ///< bool of a group: all strokes in it are selected
+        SegmentRole,                 ///< int: the index of a segment in its stroke; -1 for other rows
+        WhollySelectedRole           ///< bool: whether all strokes of a group are selected
     };
 
     explicit StrokesModel(Editor &editor, QObject *parent = nullptr);
@@ -52,28 +53,30 @@ public:
 
     bool hasChildren(const QModelIndex &parent = {}) const override { return rowCount(parent) > 0; }
 
-    /// Invalid where there is no such stroke.
+    /// The row of a stroke; invalid where there is no such stroke.
     QModelIndex indexOf(StrokeId id) const;
+    /// The row of a segment; invalid where there is none.
     QModelIndex indexOf(const SegmentRef &ref) const;
-    /// Index of a segment in its stroke, -1 for other rows.
+    /// The index of a segment's row in its stroke; -1 for other rows.
     int segmentAt(const QModelIndex &index) const;
-    /// Of a stroke's row or a segment's in it; null for groups.
+    /// The stroke of a row, also of a segment's row; null for groups.
     StrokePtr strokeValueAt(const QModelIndex &index) const;
-    /// Of a segment: its stroke. 0 for groups.
+    /// The id of that stroke; 0 for groups.
     StrokeId strokeAt(const QModelIndex &index) const;
-    /// Strokes of a row: itself, or all in the group.
+    /// The strokes that belong to a row: the stroke itself, or all in the group.
     std::set<StrokeId> strokesBelow(const QModelIndex &index) const;
 
-    /// True while rows change because the document did: what views then deselect was not deselected by a person.
+    /// True while rows change because the document has changed. What views deselect then was not deselected by a
+    /// person.
     bool isFollowing() const { return m_following; }
 
-    /// Shows or hides, locks or unlocks what the row stands for.
+    /// Shows or hides, or locks or unlocks, what the row stands for. The column of the index says which.
     void toggle(const QModelIndex &index);
 
 private:
     using Node = StrokesTree::Node;
 
-    // StrokesTree::Listener
+    // These are called by the tree (StrokesTree::Listener).
     void rowsCome(const Node &parent, int first, int last) override;
     void rowsCame() override { endInsertRows(); }
     void rowsGo(const Node &parent, int first, int last) override;
@@ -81,7 +84,7 @@ private:
     void rowsMove(const Node &parent) override;
     void rowsMoved(const Node &parent) override;
 
-    /// Of a segment's row: its stroke's node.
+    /// The node of a row; for a segment's row it is that of its stroke.
     const Node &nodeAt(const QModelIndex &index) const;
     QModelIndex indexOf(const Node *node, int column = 0) const;
     bool isWhollySelected(const Node &node) const;

@@ -43,7 +43,7 @@ StrokesPanel::StrokesPanel(Editor &editor, QWidget *parent) : QWidget(parent), m
 
     connect(m_search, &QLineEdit::textChanged, this, [this](const QString &text) { search(text.trimmed()); });
     connect(m_search, &QLineEdit::returnPressed, this, &StrokesPanel::selectFound);
-    // Strokes come, go and get names while a search goes on.
+    // Strokes may come, go and be renamed during a search.
     for (const auto signal : {&QAbstractItemModel::rowsInserted, &QAbstractItemModel::rowsRemoved})
         connect(m_filter, signal, this, &StrokesPanel::showWhetherFound);
     connect(m_filter, &QAbstractItemModel::modelReset, this, &StrokesPanel::showWhetherFound);
@@ -65,11 +65,11 @@ bool StrokesPanel::isSearching() const
 void StrokesPanel::search(const QString &text)
 {
     const bool before = isSearching();
-    m_syncing = true; // rows that the search hides stay selected in the painting
+    m_syncing = true; // Rows that the search hides stay selected in the painting.
     if (!before)
         m_openGroups = openGroups();
     m_filter->setText(text);
-    // What is found is seen, in closed groups too; afterwards they are closed again.
+    // Groups are opened where something in them was found; after the search they are closed again.
     if (isSearching() || before)
         forEachGroup({}, [this](const QModelIndex &group) {
             const QModelIndex source = m_filter->mapToSource(group);
@@ -142,7 +142,7 @@ void StrokesPanel::goToFirstFound()
     QModelIndex row = m_filter->index(0, StrokesModel::NameColumn);
     while (isSearching() && row.isValid() && !m_filter->matches(m_filter->mapToSource(row)) &&
            m_view->indexBelow(row).isValid())
-        row = m_view->indexBelow(row); // a group around it
+        row = m_view->indexBelow(row); // A row above it may be a group's.
     if (!row.isValid())
         return;
     m_view->setFocus(Qt::TabFocusReason);
@@ -178,7 +178,7 @@ bool StrokesPanel::eventFilter(QObject *watched, QEvent *event)
         goToFirstFound();
         return true;
     }
-    // Eyes and locks switch without a change of the selection.
+    // Eyes and locks are switched without changing the selection.
     const bool press = event->type() == QEvent::MouseButtonPress || event->type() == QEvent::MouseButtonDblClick;
     if (watched != m_view->viewport() || (!press && event->type() != QEvent::MouseButtonRelease))
         return QWidget::eventFilter(watched, event);
@@ -203,12 +203,12 @@ void StrokesPanel::documentChanged(const Change &change)
 
 void StrokesPanel::takeSelectionFromDocument()
 {
-    m_view->viewport()->update(); // rows of groups, too
+    m_view->viewport()->update(); // The rows of groups change, too.
     if (m_syncing)
         return;
     m_stale = false;
     m_syncing = true;
-    // Runs of neighbouring rows: ten thousand single ranges would be slow.
+    // Runs of neighbouring rows are selected at once, since ten thousand single ranges would take long.
     std::map<QModelIndex, std::vector<int>> rows;
     for (const StrokeId id : m_editor.selection().strokes)
         if (const QModelIndex index = viewIndexOf(id); index.isValid())
@@ -245,7 +245,7 @@ void StrokesPanel::giveSelectionToDocument()
     if (m_syncing || m_model->isFollowing())
         return;
     Selection selection;
-    QModelIndexList passed; // groups that a range goes through: each row in them stands for itself
+    QModelIndexList passed; // These groups lie in the range, and each row in them stands for itself.
     const std::set<QModelIndex> holding = m_view->isRanging() ? groupsAroundSelected() : std::set<QModelIndex>();
     const auto take = [&](const QModelIndex &index) {
         const QModelIndex source = m_filter->mapToSource(index);
@@ -258,23 +258,23 @@ void StrokesPanel::giveSelectionToDocument()
             selection.strokes.merge(isSearching() ? foundBelow(index) : m_model->strokesBelow(source));
         }
     };
-    // Not selectedRows: Qt 6.4 leaves out rows that have the number of one just toggled under another parent.
+    // In Qt 6.4 selectedRows leaves out rows with the number of a row that was just toggled under another parent.
     for (const QItemSelectionRange &range : m_view->selectionModel()->selection())
         for (int row = range.top(); row <= range.bottom() && range.left() == StrokesModel::NameColumn; ++row)
             take(m_filter->index(row, StrokesModel::NameColumn, range.parent()));
     Document &document = m_editor.document();
-    // Of strokes that are not open here, no segment's row could be selected: those of the painting stay.
+    // Rows of segments can be selected only below open strokes, so segments of the others stay selected.
     for (const SegmentRef &ref : document.selection().segments)
         if (selection.strokes.contains(ref.stroke) && !m_view->isExpanded(viewIndexOf(ref.stroke)))
             selection.segments.insert(ref);
-    m_syncing = true; // a group's members get selected, the group's row stays
+    m_syncing = true; // The members of a group get selected, and its row stays so.
     for (const QModelIndex &group : passed)
         m_view->selectionModel()->select(group, QItemSelectionModel::Deselect | QItemSelectionModel::Rows);
     document.setSelection(std::move(selection));
     m_syncing = false;
 }
 
-/// Rows that hold a selected row.
+/// The groups that contain a selected row.
 std::set<QModelIndex> StrokesPanel::groupsAroundSelected() const
 {
     std::set<QModelIndex> around;
@@ -319,7 +319,7 @@ void StrokesPanel::fillMenu(QMenu &menu, const QModelIndex &index)
 
 void StrokesPanel::addSwitches(QMenu &menu, const QModelIndex &index)
 {
-    if (!m_model->strokeAt(index)) { // a group
+    if (!m_model->strokeAt(index)) { // The row is a group's.
         for (const int column : {StrokesModel::EyeColumn, StrokesModel::LockColumn}) {
             const QModelIndex cell = index.siblingAtColumn(column);
             const bool on = cell.data(StrokesModel::SwitchRole).toBool();
@@ -329,7 +329,7 @@ void StrokesPanel::addSwitches(QMenu &menu, const QModelIndex &index)
         }
         return;
     }
-    // All that is selected goes the way of the row that was clicked.
+    // All that is selected changes as the row does that was clicked.
     const StrokePtr stroke = m_model->strokeValueAt(index);
     std::set<StrokeId> strokes = m_editor.selection().strokes;
     strokes.insert(stroke->id);

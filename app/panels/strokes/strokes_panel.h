@@ -19,8 +19,9 @@ class StrokesFilter;
 class StrokesModel;
 class StrokesView;
 
-/// The painting's strokes and groups, topmost first, with thumbnails, names, eyes and locks, and the strokes' segments.
-/// Selecting here selects in the painting and the other way round; dragging reorders.
+/// Shows the painting's strokes and groups, the topmost first, with pictures, names, eyes and locks, and the segments
+/// of the strokes. Selecting rows selects strokes in the painting, and the other way round; dragging rows reorders
+/// strokes.
 class StrokesPanel : public QWidget {
     Q_OBJECT
 
@@ -32,17 +33,18 @@ public:
     QLineEdit *search() const { return m_search; }
     /// The view's index of a stroke; invalid where the search hides it.
     QModelIndex viewIndexOf(StrokeId id) const;
-    /// What can be done with what is selected; `index`: the row that was clicked.
+    /// Fills a menu with what can be done with the selection; `index` is the row that was clicked.
     void fillMenu(QMenu &menu, const QModelIndex &index);
 
-    /// Something is searched for: not all rows are shown.
+    /// Whether something is searched for, so that not all rows are shown.
     bool isSearching() const;
-    /// Selects the visible, unlocked strokes that the search has found; does nothing where none is made.
+    /// Selects the visible, unlocked strokes that the search has found. Without a search it does nothing.
     void selectFound();
 
     QSize sizeHint() const override;
 
 signals:
+    /// Emitted when a search begins or ends.
     void searchingChanged();
 
 protected:
@@ -52,15 +54,15 @@ protected:
 private:
     void search(const QString &text);
     void showWhetherFound();
-    /// From the search to the list.
+    /// Moves the focus from the search to the first row that was found.
     void goToFirstFound();
     void documentChanged(const Change &change);
     void takeSelectionFromDocument();
     void giveSelectionToDocument();
-    /// Of the view's rows, those below other groups too.
+    /// Visits the groups among the view's rows below a parent, including groups in groups.
     void forEachGroup(const QModelIndex &parent, const std::function<void(const QModelIndex &)> &visit) const;
     std::set<GroupId> openGroups() const;
-    /// The strokes that the view has in a row of its own: all where it is invalid.
+    /// The strokes that have a row of their own in the view below a row; all of them where the index is invalid.
     std::set<StrokeId> foundBelow(const QModelIndex &index) const;
     std::set<QModelIndex> groupsAroundSelected() const;
     void showMenu(const QPoint &at);
@@ -71,8 +73,8 @@ private:
     StrokesFilter *m_filter = nullptr;
     StrokesView *m_view = nullptr;
     QLineEdit *m_search = nullptr;
-    QLabel *m_notFound = nullptr;   ///< only there while it says so
-    std::set<GroupId> m_openGroups; ///< before the search
+    QLabel *m_notFound = nullptr;   ///< shown only while nothing is found
+    std::set<GroupId> m_openGroups; ///< the groups that were open before the search
     bool m_syncing = false;
     bool m_stale = true;
 };

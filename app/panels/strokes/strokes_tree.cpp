@@ -7,14 +7,14 @@ namespace suffuse {
 
 namespace {
 
-/// Groups alike but for their switches and names: the tree has the same shape.
+/// Whether two lists of groups make trees of the same shape. Switches and names may differ.
 bool sameTree(const std::vector<Group> &a, const std::vector<Group> &b)
 {
     return std::equal(a.begin(), a.end(), b.begin(), b.end(),
                       [](const Group &x, const Group &y) { return x.id == y.id && x.parent == y.parent; });
 }
 
-/// The strokes of a painting that a change names, as far as they are there.
+/// Those of the named strokes that are in the painting.
 std::unordered_map<StrokeId, StrokePtr> changedStrokes(const Painting &painting, const std::set<StrokeId> &ids)
 {
     std::unordered_map<StrokeId, StrokePtr> changed;
@@ -157,7 +157,8 @@ std::optional<StrokesTree::Changed> StrokesTree::follow(const PaintingPtr &paint
     if (regrouped)
         return {};
     for (const auto &[id, stroke] : changed)
-        m_values.emplace(id, stroke); // what is new; rows that stay show their old values until they have followed
+        // Only what is new is taken; rows that stay show their old values until their changes are announced.
+        m_values.emplace(id, stroke);
     if (change.order)
         followOrder(*painting, listener);
     m_painting = painting;
@@ -250,7 +251,7 @@ void StrokesTree::removeMissing(Node &node, const Entries &wanted, Listener &lis
 void StrokesTree::insertNew(Node &node, const Entries &wanted, Listener &listener)
 {
     const auto isNew = [&](const Entry &entry) { return entry.stroke && !m_nodes.contains(entry.stroke); };
-    // Behind the row that they follow in the new order; sorting moves what is left.
+    // A new row goes behind the one that it follows in the new order. Sorting moves what is left.
     int at = 0;
     for (std::size_t i = 0; i < wanted.size();) {
         if (!isNew(wanted[i])) {

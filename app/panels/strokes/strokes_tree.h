@@ -1,4 +1,4 @@
-// The tree that the strokes dock shows, as a value that follows a painting.
+// The tree that the Strokes dock shows, as a value that follows a painting.
 #pragma once
 
 #include "model/document/document.h"
@@ -11,21 +11,21 @@
 
 namespace suffuse {
 
-/// Groups and strokes, the topmost first, and how many segments each stroke has. Follows a painting by difference, and
-/// tells a listener which rows come, go and move meanwhile.
+/// The groups and strokes, the topmost first, and the number of segments of each stroke. It follows a painting by
+/// comparing it with the state before, and meanwhile tells a listener which rows come, go and move.
 class StrokesTree {
 public:
-    /// A row with what is below it: a group, a stroke, or the root, which is neither.
+    /// A row and what is below it. It is a group, a stroke, or the root, which is neither.
     struct Node {
         StrokeId stroke = 0;
         GroupId group = 0;
         Node *parent = nullptr;
         int row = 0;
-        int segments = 0; ///< rows below a stroke
+        int segments = 0; ///< the number of rows below a stroke
         std::vector<std::unique_ptr<Node>> children;
     };
 
-    /// Hears of the rows before and after they change; rows are counted below a node, from `first` to `last`.
+    /// Is told of rows before and after they change. Rows are counted below a node, from `first` to `last`.
     class Listener {
     public:
         virtual void rowsCome(const Node &parent, int first, int last) = 0;
@@ -39,37 +39,39 @@ public:
         ~Listener() = default;
     };
 
-    /// Rows that stayed and whose values changed.
+    /// The rows that stayed and whose values have changed.
     struct Changed {
         std::vector<const Node *> strokes;
-        std::vector<const Node *> withSegments; ///< of these: those of whose segments that changed
+        std::vector<const Node *> withSegments; ///< those of them whose segments have changed
         bool groups = false;
     };
 
     StrokesTree() : m_root(std::make_unique<Node>()) {}
 
-    /// Another painting, without a look at the one before.
+    /// Takes another painting, without comparing it with the one before.
     void build(const PaintingPtr &painting);
-    /// The same painting after a change. None, and nothing is done, where its strokes are grouped in another way: then
-    /// the tree is to be built anew.
+    /// Takes the same painting after a change. If its strokes are grouped in another way, nothing is done and nothing
+    /// is returned: then the tree must be built anew.
     std::optional<Changed> follow(const PaintingPtr &painting, const Change &change, Listener &listener);
 
-    /// Null before the first one is built.
+    /// The painting; null before the first one is built.
     const PaintingPtr &painting() const { return m_painting; }
     const Node &root() const { return *m_root; }
-    /// Null where there is no such stroke or group.
+    /// The node of a stroke; null where there is no such stroke.
     const Node *nodeOf(StrokeId id) const;
+    /// The stroke; null where there is none.
     StrokePtr strokeOf(StrokeId id) const;
+    /// The group; null where there is none.
     const Group *groupOf(GroupId id) const;
     /// Whether the group is one of `groups`, or lies in one of them.
     bool isWithin(GroupId group, const std::set<GroupId> &groups) const;
-    /// The stroke of a node, or all in the group.
+    /// The strokes that belong to a node: the stroke itself, or all in the group.
     static std::set<StrokeId> strokesBelow(const Node &node);
-    /// 0 where the group is empty.
+    /// The lowest stroke of a node in the order of painting; 0 where a group is empty.
     static StrokeId lowestStrokeOf(const Node &node);
 
 private:
-    /// What stands under each parent, top to bottom: strokes as themselves, groups marked.
+    /// What stands below each parent from top to bottom. An entry has the id of a stroke or that of a group.
     struct Entry {
         StrokeId stroke = 0;
         GroupId group = 0;

@@ -23,8 +23,8 @@ namespace suffuse {
 
 namespace {
 
-/// A small picture of the stroke before its name, a chip of its colour before a segment's; eyes and locks in the middle
-/// of their columns.
+/// Paints a small picture of a stroke before its name, a chip of its colour before a segment's name, and eyes and locks
+/// in the middle of their columns.
 class StrokeRowDelegate : public QStyledItemDelegate {
 public:
     StrokeRowDelegate(const StrokesFilter &filter, const StrokesModel &model, StrokeThumbnails &thumbnails,
@@ -36,7 +36,8 @@ public:
     {
         QStyledItemDelegate::initStyleOption(option, index);
         addPicture(option, index);
-        // Paler, not in italics: Chinese has none. Last, as pictures are remembered by the palette.
+        // A name that nobody gave is paler, not in italics, which Chinese does not have. This comes last, since
+        // pictures are remembered by the palette.
         if (index.column() == StrokesModel::NameColumn && index.data(StrokesModel::UnnamedRole).toBool())
             option->palette.setBrush(QPalette::Text, option->palette.brush(QPalette::PlaceholderText));
     }
@@ -54,7 +55,7 @@ public:
             option->decorationSize = StrokeThumbnails::size;
             const double ratio = option->widget ? option->widget->devicePixelRatioF() : 1;
             const StrokePtr stroke = m_model.strokeValueAt(m_filter.mapToSource(index));
-            // While a value is dragged, the canvas needs the cores.
+            // While a value is dragged, the canvas needs the processor.
             const QImage image = stroke ? m_thumbnails.of(stroke, ratio, m_editor.isDragging()) : QImage();
             option->icon = image.isNull() ? chipOf(colour, *option)
                                           : remembered({option->palette.cacheKey(), image.cacheKey()},
@@ -95,7 +96,7 @@ public:
     }
 
 private:
-    /// Icons are outlines that would be drawn anew in each of a screenful of rows.
+    /// Draws an icon once. Icons are outlines, which would otherwise be drawn anew in each row.
     static QPixmap drawn(const QIcon &icon, const QModelIndex &index, bool selected, const QPainter &painter,
                          const QStyleOptionViewItem &option)
     {
@@ -114,7 +115,7 @@ private:
         return pixmap;
     }
 
-    /// A new icon for each painting would fill Qt's cache of pixmaps with the same ones.
+    /// Keeps icons. A new icon for each painting would fill Qt's cache of pixmaps with equal ones.
     template <typename Make>
     QIcon remembered(std::pair<qint64, qint64> key, Make make) const
     {
@@ -148,7 +149,7 @@ private:
         painter.setPen(QPen(hairline(), 1));
         painter.drawRoundedRect(paper.boundingRect().adjusted(0.5, 0.5, -0.5, -0.5), 3, 3);
         QIcon icon(pixmap);
-        icon.addPixmap(pixmap, QIcon::Selected); // selected paint keeps its colours
+        icon.addPixmap(pixmap, QIcon::Selected); // Paint keeps its colours in a selected row.
         return icon;
     }
 
@@ -234,7 +235,7 @@ void StrokesView::keyPressEvent(QKeyEvent *event)
     }
 }
 
-/// A group all of whose strokes are selected looks selected, too.
+/// A group looks selected when all of its strokes are selected.
 void StrokesView::drawRow(QPainter *painter, const QStyleOptionViewItem &option, const QModelIndex &index) const
 {
     QStyleOptionViewItem row = option;
@@ -253,7 +254,7 @@ void StrokesView::dataChanged(const QModelIndex &topLeft, const QModelIndex &bot
     if (!together)
         viewport()->update();
     else if (topLeft.row() <= last.row() &&
-             bottomRight.row() >= first.row()) // others would be looked for among all rows
+             bottomRight.row() >= first.row()) // Otherwise the view would look for the rows among all others.
         QTreeView::dataChanged(topLeft.siblingAtRow(std::max(topLeft.row(), first.row())),
                                bottomRight.siblingAtRow(std::min(bottomRight.row(), last.row())), roles);
 }

@@ -8,8 +8,7 @@ class Editor;
 class StrokesFilter;
 class StrokesModel;
 
-/// How the rows of the Strokes dock look, and how they are dragged. Many rows that change at once cost no more than
-/// what is to be seen of them.
+/// Paints the rows of the Strokes dock, and drags them. When many rows change at once, only those in sight cost time.
 class StrokesView : public QTreeView {
     Q_OBJECT
 
@@ -19,18 +18,18 @@ public:
     void dataChanged(const QModelIndex &topLeft, const QModelIndex &bottomRight,
                      const QList<int> &roles = QList<int>()) override;
 
-    /// What is being selected is a range of rows, not one row after the other.
+    /// Whether a range of rows is being selected, and not one row after the other.
     bool isRanging() const { return m_ranging; }
 
 protected:
     QItemSelectionModel::SelectionFlags selectionCommand(const QModelIndex &index,
                                                          const QEvent *event = nullptr) const override;
-    /// The first key selects the row that is framed where none is selected.
+    /// If no row is selected, the first key selects the row that has the frame.
     void keyPressEvent(QKeyEvent *event) override;
     void drawRow(QPainter *painter, const QStyleOptionViewItem &option, const QModelIndex &index) const override;
 
 private:
-    mutable bool m_ranging = false; ///< by the last event that selected
+    mutable bool m_ranging = false; ///< what the last event selected
 };
 
 } // namespace suffuse

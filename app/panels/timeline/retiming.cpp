@@ -48,7 +48,7 @@ std::pair<Edit, QString> Retiming::shifted(Microseconds by) const
 
 std::pair<Edit, QString> Retiming::stretched(Microseconds by) const
 {
-    // The end that is held follows the pointer, whichever stroke's it is.
+    // The end that is held follows the pointer, whichever stroke it belongs to.
     const bool begin = m_kind == Kind::StretchBegin;
     TimeSpan span = m_drawn;
     const Microseconds held = begin ? m_held.begin : m_held.drawn;
@@ -64,7 +64,7 @@ std::pair<Edit, QString> Retiming::stretched(Microseconds by) const
 
 std::pair<Edit, QString> Retiming::eased(Microseconds by) const
 {
-    // Half of the bar inwards, and the pen is as slow there as it can be.
+    // When the pointer has moved half of the bar inwards, the pen is as slow there as it can be.
     const bool begin = m_kind == Kind::EaseBegin;
     const double half = 0.5 * double(std::max<Microseconds>(m_held.drawn - m_held.begin, 1));
     const double slower = std::pow(Ease::most, std::clamp(double(begin ? by : -by) / half, -1.0, 1.0));

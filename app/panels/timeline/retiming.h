@@ -1,4 +1,4 @@
-// A drag on the timeline that retimes what is selected.
+// A drag on the Timeline that changes when the selected strokes are painted.
 #pragma once
 
 #include "app/panels/timeline/timeline_bars.h"
@@ -11,22 +11,22 @@ namespace suffuse {
 
 class Editor;
 
-/// Moves the selected strokes in time, stretches what they were drawn in, or makes their begin or end slower: one undo
-/// step, each state computed from the painting as it was before.
+/// Moves the selected strokes in time, stretches the time in which they were drawn, or makes their begin or end slower.
+/// The drag is one undo step, and each state of it is computed from the painting before the drag.
 class Retiming {
     Q_DECLARE_TR_FUNCTIONS(Retiming)
 
 public:
     enum class Kind { Shift, StretchBegin, StretchEnd, EaseBegin, EaseEnd };
 
-    /// `held`: the bar that is dragged. None if all that is selected is locked.
+    /// Begins a drag of the bar `held`. Returns nothing if all that is selected is locked.
     static std::optional<Retiming> begin(Editor &editor, Kind kind, const TimelineBar &held);
 
-    /// So much from where the drag began. Returns what that makes of the strokes, in words.
+    /// Shows the strokes when the drag has gone so far from its begin. Returns in words what that makes of them.
     QString moveBy(Microseconds by);
-    /// The strokes are where they were.
+    /// Gives the drag up: the strokes are where they were.
     void giveUp() { m_gesture.giveUp(); }
-    /// They stay where they are: a step.
+    /// Ends the drag, and makes a step of it.
     void commit() { m_gesture.commit(); }
     const std::set<StrokeId> &strokes() const { return m_selection.strokes; }
 
@@ -41,7 +41,7 @@ private:
     TimelineBar m_held;
     PaintingPtr m_before;
     Selection m_selection;
-    TimeSpan m_drawn; ///< before
+    TimeSpan m_drawn; ///< the time in which the strokes were drawn, before the drag
     Gesture m_gesture;
 };
 

@@ -7,12 +7,13 @@ namespace suffuse {
 
 namespace {
 
-constexpr double margin = 12;                ///< pixels at both ends when all is shown
-constexpr double finest = 20;                ///< microseconds a pixel
-constexpr double mostPixels = 1e9;           ///< of the whole length, so that scroll bars can count them
-constexpr Microseconds shortest = 1'000'000; ///< of what is shown of an empty painting
+constexpr double margin = 12; ///< logical pixels at both ends when all is shown
+constexpr double finest = 20; ///< microseconds a pixel
+/// The whole length has no more pixels than these, so that scroll bars can count them.
+constexpr double mostPixels = 1e9;
+constexpr Microseconds shortest = 1'000'000; ///< So much of the time of an empty painting is shown.
 
-/// Time ahead of what is painted.
+/// The room that is left after what is painted, in microseconds.
 Microseconds roomFor(const TimeSpan &span)
 {
     return (span.end - span.begin) / 16;
@@ -23,7 +24,7 @@ double lengthOf(const TimeSpan &span)
     return double(span.end - span.begin);
 }
 
-/// Microseconds a pixel where all is shown.
+/// The microseconds a pixel at which all is shown.
 double fittedScale(const TimeSpan &span, double width)
 {
     return std::max(lengthOf(span) / std::max(width - 2 * margin, 1.0), finest);
@@ -42,7 +43,7 @@ TimeSpan ShownTime::spanOf(const TimeSpan &painted, Microseconds now) const
     TimeSpan span = painted;
     span.begin = std::min<Microseconds>(span.begin, 0);
     span.end = std::max({span.end, now, span.begin + shortest});
-    if (m_room < span.end + 2 * roomFor(span)) // else undone since
+    if (m_room < span.end + 2 * roomFor(span)) // Otherwise strokes have been undone since the room was made.
         span.end = std::max(span.end, m_room);
     return span;
 }

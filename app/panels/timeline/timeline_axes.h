@@ -1,4 +1,4 @@
-// How moments and lanes lie on the timeline.
+// Where moments and lanes lie on the Timeline.
 #pragma once
 
 #include "model/document/timelapse.h"
@@ -7,14 +7,14 @@
 
 namespace suffuse {
 
-/// Time runs across, lanes down; logical pixels of the viewport.
+/// Time runs from left to right, lanes from top to bottom. Units are logical pixels of the viewport.
 struct TimelineAxes {
     static constexpr double laneHeight = 14, laneGap = 3;
 
-    Microseconds from = 0; ///< at the left edge
+    Microseconds from = 0; ///< the moment at the left edge
     double scale = 10'000; ///< microseconds a pixel
     int rulerHeight = 0;
-    int scrolled = 0; ///< pixels of lanes above the view
+    int scrolled = 0; ///< logical pixels of lanes above the view
 
     double xOf(Microseconds time) const { return double(time - from) / scale; }
     Microseconds timeAt(double x) const { return from + Microseconds(std::llround(x * scale)); }

@@ -49,7 +49,8 @@ bool TimelineBars::setPainting(const PaintingPtr &painting)
     return updated.value_or(true);
 }
 
-/// Whether anything looks different; nothing if that takes another pass over all.
+/// Changes the bars that differ, and returns whether anything looks different. Returns nothing if all bars must be laid
+/// out anew.
 std::optional<bool> TimelineBars::update(const Painting &painting)
 {
     if (painting.strokes.size() != m_painting->strokes.size())
@@ -90,7 +91,7 @@ void TimelineBars::place(const std::vector<std::size_t> &moved)
         std::erase_if(row, [&](std::size_t i) { return std::ranges::binary_search(moved, i); });
     for (const std::size_t i : moved) {
         TimelineBar &bar = m_bars[i];
-        for (int lane = 0; !isFree(bar.lane, bar); ++lane) { // the uppermost that is free
+        for (int lane = 0; !isFree(bar.lane, bar); ++lane) { // The bar goes into the uppermost lane that is free.
             if (lane == laneCount())
                 m_lanes.emplace_back();
             bar.lane = lane;
@@ -123,7 +124,8 @@ void TimelineBars::layOut()
     if (!order.empty())
         m_span = {m_bars[order.front()].begin, m_bars[order.front()].end};
     using Ending = std::pair<Microseconds, int>;
-    std::priority_queue<Ending, std::vector<Ending>, std::greater<>> busy; // lanes by the end of their last bar
+    // the lanes that are busy, by the end of their last bar
+    std::priority_queue<Ending, std::vector<Ending>, std::greater<>> busy;
     std::priority_queue<int, std::vector<int>, std::greater<>> idle;
     for (const std::size_t i : order) {
         TimelineBar &bar = m_bars[i];
@@ -134,7 +136,7 @@ void TimelineBars::layOut()
             idle.push(laneCount());
             m_lanes.emplace_back();
         }
-        bar.lane = idle.top(); // the uppermost that is free
+        bar.lane = idle.top(); // The uppermost free lane is taken.
         idle.pop();
         m_lanes[std::size_t(bar.lane)].push_back(i);
         busy.emplace(bar.end, bar.lane);

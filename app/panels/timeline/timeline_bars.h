@@ -9,39 +9,41 @@ namespace suffuse {
 
 class Document;
 
-/// A stroke in time.
+/// The times of a stroke.
 struct TimelineBar {
     StrokeId stroke = 0;
     int lane = 0;
-    Microseconds begin = 0; ///< its first segment is born
-    Microseconds drawn = 0; ///< its last segment is born
-    Microseconds dry = 0;   ///< it stops spreading for the first time
-    Microseconds end = 0;   ///< for the last time, where it is wetted again
-    Colour colour;          ///< of its middle segment
+    Microseconds begin = 0; ///< when its first segment is born
+    Microseconds drawn = 0; ///< when its last segment is born
+    Microseconds dry = 0;   ///< when it stops spreading for the first time
+    Microseconds end = 0;   ///< when it stops for the last time, if it is wetted again
+    Colour colour;          ///< the colour of its middle segment
     friend bool operator==(const TimelineBar &, const TimelineBar &) = default;
 };
 
+/// The bar of a stroke.
 TimelineBar barOf(const Stroke &stroke);
 
-/// All strokes of a painting in time: bars in lanes, of which none overlaps another of its lane. Where a few are moved
-/// or stretched, each stays in its lane if there is room, and the others stay in any case.
+/// All strokes of a painting as bars in lanes. No bar overlaps another one of its lane. If a few strokes are moved or
+/// stretched, each of them stays in its lane if there is room, and the others stay in any case.
 class TimelineBars {
 public:
-    /// Costs little where few strokes changed, and none came or went. True if anything looks different now.
+    /// Takes a painting. It takes little time where few strokes changed, and none was added or removed. Returns true if
+    /// anything looks different now.
     bool setPainting(const PaintingPtr &painting);
     const Painting &painting() const { return *m_painting; }
 
     int laneCount() const { return int(m_lanes.size()); }
-    /// Bar i belongs to stroke i of the painting.
+    /// The bar of stroke i of the painting.
     const TimelineBar &operator[](std::size_t i) const { return m_bars[i]; }
     std::size_t size() const { return m_bars.size(); }
     /// The uppermost lane in which there is nothing from a moment on.
     int laneFrom(Microseconds begin) const;
-    /// From the first birth to when all has dried; empty at 0 without strokes.
+    /// The time from the first birth until all has dried; empty at 0 without strokes.
     TimeSpan span() const { return m_span; }
 
-    /// Calls visit(i) for the bars of a lane that meet the span, ascending; of those that begin within `grain` after
-    /// the end of the last visited one none: they would not be seen beside it.
+    /// Calls visit(i) in ascending order for the bars of a lane that meet the span. A bar that begins within `grain`
+    /// after the end of the last visited one is left out, since it would not be seen beside it.
     template <typename Visit>
     void forEachIn(int lane, TimeSpan span, Microseconds grain, Visit visit) const
     {
@@ -65,12 +67,12 @@ private:
 
     PaintingPtr m_painting = std::make_shared<const Painting>();
     std::vector<TimelineBar> m_bars;
-    std::vector<std::vector<std::size_t>> m_lanes; ///< ascending
+    std::vector<std::vector<std::size_t>> m_lanes; ///< in ascending order
     TimeSpan m_span;
 };
 
-/// The bar of the stroke in hand, in the lane where it will be when the pen has lifted; none: nothing is painted at the
-/// moment.
+/// The bar of the stroke in hand, in the lane where it will be when the pen has lifted. There is none where nothing is
+/// being painted.
 std::optional<TimelineBar> draftBar(const TimelineBars &bars, const Document &document);
 
 } // namespace suffuse

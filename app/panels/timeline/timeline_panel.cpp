@@ -22,7 +22,7 @@ namespace suffuse {
 
 namespace {
 
-constexpr int endLaterMs = 100; ///< the end is looked for now and then while edits follow each other fast
+constexpr int endLaterMs = 100; ///< milliseconds after which the end is looked for while edits follow each other fast
 constexpr std::array<double, 11> speeds{0.1, 0.25, 0.5, 1, 2, 4, 10, 25, 100, 250, 1000};
 
 QString speedText(double speed)
@@ -36,7 +36,7 @@ QToolButton *buttonOf(QAction &action, QWidget *parent)
     button->setDefaultAction(&action);
     button->setAutoRaise(true);
     button->setIconSize({18, 18});
-    button->setFocusPolicy(Qt::NoFocus); // keys stay the canvas' or the timeline's
+    button->setFocusPolicy(Qt::NoFocus); // The keyboard stays with the canvas or the Timeline.
     return button;
 }
 

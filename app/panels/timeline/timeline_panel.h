@@ -13,12 +13,12 @@ class Editor;
 class Playback;
 class TimelineView;
 
-/// The timeline with a row to play it.
+/// The Timeline, with a row of buttons to play it.
 class TimelinePanel : public QWidget {
     Q_OBJECT
 
 public:
-    /// Buttons trigger the window's commands.
+    /// The buttons trigger commands of the window.
     TimelinePanel(Editor &editor, Playback &playback, const Commands &commands, QWidget *parent = nullptr);
 
     TimelineView *view() const { return m_view; }

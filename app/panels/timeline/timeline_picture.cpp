@@ -16,10 +16,10 @@ namespace suffuse {
 
 namespace {
 
-constexpr double leastForSegments = 5; ///< pixels a segment
-constexpr double tickDistance = 80;    ///< pixels at least
+constexpr double leastForSegments = 5; ///< logical pixels of each segment from which on segments are shown
+constexpr double tickDistance = 80;    ///< logical pixels between two ticks, at least
 
-/// A step of ticks that people count in: seconds · 1, 2, 5, 10, 15, 30, minutes, hours.
+/// A step for ticks in which people count: 1, 2, 5, 10, 15 or 30 seconds, the same in minutes, or hours.
 double tickStep(double leastSeconds)
 {
     constexpr std::array<double, 14> coarse{1, 2, 5, 10, 15, 30, 60, 120, 300, 600, 900, 1800, 3600, 7200};
@@ -85,7 +85,7 @@ QRectF TimelinePicture::lanesRect() const
 
 double TimelinePicture::labelLeft(double tick, double width, double head, double view)
 {
-    constexpr double beside = 4, clear = 8; // of a tick's line, of the playhead's middle
+    constexpr double beside = 4, clear = 8; // pixels beside the line of a tick, and from the middle of the playhead
     for (const double left : {tick + beside, tick - beside - width, head + clear, head - clear - width}) {
         const bool isClear = left >= head + clear - 1 || left + width <= head - clear + 1;
         if (tick >= 0 && tick <= view && left >= 0 && left + width <= view && isClear)
@@ -141,7 +141,7 @@ void TimelinePicture::paintLanes(QPainter &painter, const QRect &area, const std
                     paintBar(painter, m_bars[i], *m_bars.painting().strokes[i]);
             });
     }
-    // What is dragged is where it is now, in the lanes of before.
+    // What is dragged is shown where it is now, in the lanes from before the drag.
     const Painting &now = *m_document.painting();
     for (std::size_t i = 0; dragged && i < std::min(m_bars.size(), now.strokes.size()); ++i) {
         if (!isShown(m_bars[i].lane) || !dragged->contains(m_bars[i].stroke) || now.strokes[i]->id != m_bars[i].stroke)
@@ -167,9 +167,10 @@ void TimelinePicture::paintBar(QPainter &painter, const TimelineBar &bar, const 
     QColor colour = toOpaqueScreen(bar.colour);
     colour.setAlphaF(m_bars.painting().isVisible(stroke) ? 1.0f : 0.35f);
     const bool selected = m_document.selection().strokes.contains(bar.stroke);
-    if (end - begin < 3) { // too small for parts
+    if (end - begin < 3) { // The bar is too small to show parts.
         const QRectF bar(begin, top, end - begin, TimelineAxes::laneHeight);
-        painter.fillRect(bar.adjusted(-0.5, -0.5, 0.5, 0.5), edgeOfColours()); // colours may be the ground's
+        // The colours of the bar may be those of the ground.
+        painter.fillRect(bar.adjusted(-0.5, -0.5, 0.5, 0.5), edgeOfColours());
         painter.fillRect(bar, selected ? m_palette.color(QPalette::Highlight) : colour);
         return;
     }
@@ -178,7 +179,7 @@ void TimelinePicture::paintBar(QPainter &painter, const TimelineBar &bar, const 
     wet.setAlphaF(0.4f * wet.alphaF());
     const QRectF body(begin, top, dry - begin, TimelineAxes::laneHeight),
         later(dry, top + TimelineAxes::laneHeight - 4, end - dry, 4);
-    for (const QRectF &ground : {body, later}) // paint is seen on paper, in dark themes too
+    for (const QRectF &ground : {body, later}) // Paint is shown on paper, in dark themes too.
         painter.fillRect(ground, previewPaper());
     painter.fillRect(later, wet);
     painter.fillRect(QRectF(drawn, top, dry - drawn, TimelineAxes::laneHeight), wet);
@@ -190,7 +191,7 @@ void TimelinePicture::paintBar(QPainter &painter, const TimelineBar &bar, const 
                 painter.drawLine(QPointF(x, top + 3), QPointF(x, top + TimelineAxes::laneHeight - 3));
     }
     painter.setBrush(Qt::NoBrush);
-    // A line around: paint may have the colour of the ground.
+    // Each bar has a line around it, since paint may have the colour of the ground.
     painter.setPen(selected ? QPen(m_palette.color(isDarkTheme() ? QPalette::Link : QPalette::Highlight), 2)
                             : QPen(edgeOfColours(), 1));
     painter.drawRect(body.adjusted(0.5, 0.5, -0.5, -0.5));
@@ -202,7 +203,7 @@ void TimelinePicture::paintSelectedRuns(QPainter &painter, const Stroke &stroke,
 {
     const std::set<SegmentRef> &segments = m_document.selection().segments;
     const QColor accent = painter.pen().color();
-    // Bars wait for a pause: the stroke that is selected may have more segments by now.
+    // Bars are brought up to date in a pause, so the selected stroke may have more segments than its bar knows.
     const auto end = segments.lower_bound({stroke.id, int(stroke.segments.size())});
     for (auto it = segments.lower_bound({stroke.id, 0}); it != end; ++it) {
         const std::size_t k = std::size_t(it->segment), next = k + 1;
@@ -215,7 +216,7 @@ void TimelinePicture::paintSelectedRuns(QPainter &painter, const Stroke &stroke,
 void TimelinePicture::paintPlayhead(QPainter &painter) const
 {
     const double x = std::floor(m_axes.xOf(m_clock.shown())) + 0.5;
-    // In the past it warns: what is painted now lies below what came later.
+    // In the past the playhead warns: what is painted there lies below what was painted later.
     const QColor colour = m_clock.isInPast() ? warningText() : m_palette.color(QPalette::Text);
     painter.setPen(QPen(colour, 1.4));
     painter.drawLine(QPointF(x, m_axes.rulerHeight - 6), QPointF(x, m_viewport.height()));

@@ -1,4 +1,4 @@
-// What the timeline looks like.
+// How the Timeline looks.
 #pragma once
 
 #include "app/panels/timeline/timeline_axes.h"
@@ -17,7 +17,7 @@ namespace suffuse {
 class Document;
 class PaintingClock;
 
-/// Paints ruler, bars and playhead into the timeline's viewport. Made for one painting of it.
+/// Paints ruler, bars and playhead into the Timeline's viewport. It is made anew for each painting of it.
 class TimelinePicture {
     Q_DECLARE_TR_FUNCTIONS(TimelinePicture)
 
@@ -25,14 +25,15 @@ public:
     TimelinePicture(const QWidget &viewport, const Document &document, const PaintingClock &clock,
                     const TimelineBars &bars, const TimelineAxes &axes);
 
-    /// `dragged`: strokes that are retimed, shown where they are now in the lanes of before; null: none.
+    /// `dragged` are the strokes that are being retimed. They are shown where they are now, in the lanes from before
+    /// the drag; null if there are none.
     void paint(QPainter &painter, const QRect &area, const std::set<StrokeId> *dragged,
                const std::optional<QRectF> &band) const;
 
-    /// Where a label of this width begins: right of its tick, or where it leaves the view or the playhead's head would
-    /// cover it, left of it, or beside the playhead. Logical pixels.
+    /// The left edge of a label of this width. The label stands to the right of its tick. Where it would leave the view
+    /// or lie under the playhead's head, it stands to the left of the tick or beside the playhead. Logical pixels.
     static double labelLeft(double tick, double width, double head, double view);
-    /// Where labels of the ruler make way for a playhead, in a view of this width.
+    /// Where labels of the ruler make room for a playhead, in a view of this width.
     static QRect headArea(const TimelineAxes &axes, Microseconds time, int width);
 
 private:

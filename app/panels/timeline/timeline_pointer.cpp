@@ -12,10 +12,10 @@ namespace suffuse {
 
 namespace {
 
-constexpr double gripReach = 4; ///< pixels around an end
+constexpr double gripReach = 4; ///< logical pixels around an end
 constexpr double leastForGrips = 14;
 
-/// The segment that is born last before a moment.
+/// The segment that is the last one born before a moment.
 int segmentAt(const Stroke &stroke, Microseconds T)
 {
     int found = 0;
@@ -49,7 +49,8 @@ TimelinePointer::Hit TimelinePointer::hitAt(QPointF at, const TimelineAxes &axes
         const double begin = axes.xOf(bar.begin), drawn = axes.xOf(bar.drawn),
                      end = std::max(axes.xOf(bar.end), begin + 3);
         const bool inside = at.x() >= begin && at.x() < end;
-        // Ends are taken hold of where there is room between them. Of what was there at once, they lie side by side.
+        // Ends can be taken hold of where there is room between them. If all was painted at once, they lie side by
+        // side.
         const bool grips = end - begin >= leastForGrips, atOnce = drawn - begin < gripReach;
         const bool atBegin = std::abs(at.x() - begin) <= gripReach, atDrawn = std::abs(at.x() - drawn) <= gripReach;
         if (grips && atBegin && (!atOnce || !inside))

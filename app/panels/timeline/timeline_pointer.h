@@ -1,4 +1,4 @@
-// The mouse on the timeline: the playhead, selecting, retiming.
+// The mouse on the Timeline: it moves the playhead, selects and retimes.
 #pragma once
 
 #include "app/panels/timeline/retiming.h"
@@ -16,8 +16,8 @@ namespace suffuse {
 
 class Playback;
 
-/// What is held of the timeline from press to release, and what is below the pointer. The bars that it is called with
-/// stay those of the press while something is held.
+/// Knows what the mouse holds from press to release, and what is below the pointer. While something is held, the bars
+/// must stay those of the press.
 class TimelinePointer : public QObject {
     Q_OBJECT
 
@@ -28,35 +28,35 @@ public:
 
     bool isBusy() const { return m_drag != Drag::None; }
     bool isRetiming() const { return m_retiming.has_value(); }
-    /// Of a retiming; null: there is none.
+    /// The strokes that are being retimed; null if none are.
     const std::set<StrokeId> *retimed() const { return m_retiming ? &m_retiming->strokes() : nullptr; }
-    /// While a band is drawn around strokes.
+    /// The rectangle that is drawn around strokes to select them; no value if there is none.
     std::optional<QRectF> band() const;
 
     void press(const QMouseEvent &event, const TimelineAxes &axes);
     void move(const QMouseEvent &event, const TimelineAxes &axes);
-    /// True if nothing is held any more.
+    /// Returns true if nothing is held any more.
     bool release(const QMouseEvent &event);
-    /// The pointer goes over the bars, and holds nothing.
+    /// To be called when the pointer moves over the bars and holds nothing.
     void hover(QPointF at, const TimelineAxes &axes);
-    /// Selects the segment under the pointer; elsewhere it is a press.
+    /// Selects the segment under the pointer. Elsewhere it acts like a press.
     void doubleClick(const QMouseEvent &event, const TimelineAxes &axes);
-    /// A menu is wanted at a place: selects what is there. False if there is no bar.
+    /// Selects what is at a place where a menu is wanted. Returns false if there is no bar.
     bool selectForMenu(QPointF at, const TimelineAxes &axes);
-    /// As if the drag had not begun.
+    /// Gives the drag up, as if it had not begun.
     void giveUp();
-    /// Another painting is there: nothing is held any more, and what was is given up.
+    /// To be called when there is another painting. What is held is given up.
     void forget();
 
     /// What is below the pointer, in words.
     QString toolTipAt(QPointF at, const TimelineAxes &axes) const;
 
 signals:
-    /// What is being dragged, in words; empty: nothing.
+    /// What is being dragged, in words; empty if nothing is.
     void dragged(const QString &what);
-    /// The view is to be scrolled by so many pixels.
+    /// The view is to be scrolled by so many logical pixels.
     void panned(QPointF by);
-    /// Retiming is over: lanes may be other ones.
+    /// Retiming is over, so lanes may change.
     void retimingEnded();
 
 private:
@@ -85,7 +85,7 @@ private:
     QPointF m_pressed, m_pointer;
     Qt::KeyboardModifiers m_pressedWith;
     Hit m_hit;
-    Selection m_selectionBefore; ///< at the press
+    Selection m_selectionBefore; ///< the selection at the press
     std::optional<Retiming> m_retiming;
 };
 

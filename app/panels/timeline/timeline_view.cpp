@@ -34,7 +34,8 @@ TimelineView::TimelineView(Editor &editor, Playback &playback, QWidget *parent)
 {
     setFrameShape(QFrame::NoFrame);
     setFocusPolicy(Qt::StrongFocus);
-    setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOn); // nothing moves while one zooms
+    // The bar is always shown, so that nothing moves when one zooms.
+    setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOn);
     setVerticalScrollBarPolicy(Qt::ScrollBarAsNeeded);
     setAccessibleName(tr("Timeline"));
     viewport()->setMouseTracking(true);
@@ -102,7 +103,7 @@ void TimelineView::refresh()
     const auto seen = [this] { return std::tuple(m_shown.from(), m_shown.scale(), verticalScrollBar()->value()); };
     const auto before = seen();
     bool differs = std::exchange(m_looksStale, false);
-    // While bars are dragged the lanes stay: what is dragged is painted over them.
+    // While bars are dragged the lanes stay, and what is dragged is painted over them.
     if (m_stale && !m_pointer.isRetiming()) {
         differs = m_bars.setPainting(m_editor.unsettled().painting()) || differs;
         m_stale = false;
@@ -254,7 +255,7 @@ void TimelineView::timeChanged()
         }
         updateScrollBars();
     }
-    // A page on, where it is played out of the view.
+    // When playing leaves the view, the view goes a page on.
     const double x = xOf(time);
     if (m_playback.isPlaying() && !m_shown.isFitted() && (x < 0 || x > viewport()->width())) {
         m_shown.turnPageTo(time);
@@ -317,11 +318,11 @@ bool TimelineView::event(QEvent *event)
     if (event->type() != QEvent::ShortcutOverride)
         return QAbstractScrollArea::event(event);
     auto *key = static_cast<QKeyEvent *>(event);
-    if (m_pointer.isBusy() && key->matches(QKeySequence::Undo)) { // as on the canvas: it gives up the drag
+    if (m_pointer.isBusy() && key->matches(QKeySequence::Undo)) { // Undo gives up the drag, as on the canvas.
         m_pointer.giveUp();
         key->accept();
     }
-    // The canvas' commands have some of these keys.
+    // Some of these keys are also keys of the canvas' commands.
     constexpr int own[] = {Qt::Key_Left, Qt::Key_Right, Qt::Key_Home,  Qt::Key_End, Qt::Key_Space,
                            Qt::Key_Plus, Qt::Key_Minus, Qt::Key_Equal, Qt::Key_0};
     const bool plain = !(key->modifiers() & ~(Qt::ShiftModifier | Qt::KeypadModifier));

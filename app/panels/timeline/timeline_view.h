@@ -15,29 +15,31 @@ namespace suffuse {
 class Editor;
 class Playback;
 
-/// The painting in time: a ruler with the playhead, and a bar per stroke that can be selected, moved and stretched.
+/// Shows the painting in time: a ruler with the playhead, and for each stroke a bar that can be selected, moved and
+/// stretched.
 class TimelineView : public QAbstractScrollArea {
     Q_OBJECT
 
 public:
     TimelineView(Editor &editor, Playback &playback, QWidget *parent = nullptr);
 
-    /// Shows all of the time; stays so when the painting grows.
+    /// Shows all of the time, also when the painting grows.
     void fit();
+    /// Zooms in by a factor around the playhead or the middle.
     void zoomBy(double factor);
-    /// Pixels of the viewport, and back.
+    /// The place of a moment in pixels of the viewport, and the moment at a place.
     double xOf(Microseconds time) const { return axes().xOf(time); }
     Microseconds timeAt(double x) const { return axes().timeAt(x); }
-    /// Where a stroke's bar is in the viewport; its drawn part alone.
+    /// The rectangle of a stroke's bar in the viewport: the part in which it was drawn.
     QRectF drawnRect(StrokeId stroke);
     int rulerHeight() const;
 
     QSize sizeHint() const override { return {640, 150}; }
 
 signals:
-    /// What is being dragged, in words; empty: nothing.
+    /// What is being dragged, in words; empty if nothing is.
     void dragged(const QString &what);
-    /// The menu of what is selected; of the timeline itself where `onBar` is false.
+    /// A menu is wanted: that of the selection or, where `onBar` is false, of the Timeline itself.
     void menuWanted(QPoint globalPosition, bool onBar);
 
 protected:
@@ -58,7 +60,7 @@ protected:
 private:
     TimelineAxes axes() const;
     void refresh();
-    /// Brings the bars up to date now, where they wait for a pause.
+    /// Brings the bars up to date now, if they wait for a pause.
     void catchUp();
     void documentChanged(bool painting, bool selection, bool reset);
     void draftChanged();
@@ -75,13 +77,14 @@ private:
     TimelineBars m_bars;
     TimelinePointer m_pointer;
     bool m_stale = true;
-    bool m_looksStale = true; ///< the selection is another one, or what is dragged
-    QTimer m_later;           ///< edits that follow each other fast are followed now and then: frames go first
+    bool m_looksStale = true; ///< whether the selection, or what is dragged, has changed since the last painting
+    /// Edits that follow each other fast are followed only now and then, so that frames come first.
+    QTimer m_later;
     ShownTime m_shown;
-    bool m_scrolling = false; ///< the scroll bars are being set
-    Microseconds m_head = 0;  ///< where the playhead is painted
+    bool m_scrolling = false; ///< whether the scroll bars are being set
+    Microseconds m_head = 0;  ///< the moment at which the playhead is painted
     bool m_draftStale = false;
-    QRect m_draftRect; ///< where the stroke in hand is painted
+    QRect m_draftRect; ///< the rectangle in which the stroke in hand is painted
 };
 
 } // namespace suffuse
