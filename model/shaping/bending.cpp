@@ -9,11 +9,11 @@ namespace suffuse {
 
 namespace {
 
-constexpr double mostTurn = 0.5;  ///< radians that a segment turns before it is split for an offset
-constexpr int mostParts = 64;     ///< of a segment
-constexpr double mostMitre = 4;   ///< of an offset's distance
-constexpr double joinRamp = 3;    ///< distances within which an offset grows from the end of a run
-constexpr int offsetSamples = 12; ///< points of a segment that its offset is fitted to
+constexpr double mostTurn = 0.5;  ///< A segment that turns by more radians than these is split before it is offset.
+constexpr int mostParts = 64;     ///< No segment is split into more parts than these.
+constexpr double mostMitre = 4;   ///< The length of a mitre is at most this times the distance of the offset.
+constexpr double joinRamp = 3;    ///< The offset grows from the ends of a run within this times its distance.
+constexpr int offsetSamples = 12; ///< the number of points of a segment to which its offset is fitted
 
 bool hasPoints(const Stroke &after)
 {
@@ -25,7 +25,7 @@ Point normalOf(Point direction)
     return {-direction.y, direction.x};
 }
 
-/// The angle between a curve's control polygon's sides, which is no less than the curve's turn.
+/// The sum of the angles between the sides of a curve's control polygon. The curve turns by no more.
 double turnOf(const Cubic &curve)
 {
     double turn = 0;
@@ -84,7 +84,8 @@ private:
         for (int i = 1; i < offsetSamples; ++i)
             between.push_back(at(double(i) / offsetSamples));
         const Point from = at(0), to = at(1);
-        // Directions: along the curve, or against it inside of its centre of curvature, and with the slope of a ramp.
+        // Directions lie along the curve or, inside of its centre of curvature, against it. On a ramp its slope is
+        // added.
         const auto directionAt = [&](Point tangent, Point step, double place) {
             const double h = 1e-3 * std::max(m_ramp, 1e-12);
             const double slope = m_ramp > 0 ? (distanceAt(place + h) - distanceAt(place - h)) / (2 * h) : 0;
@@ -96,7 +97,7 @@ private:
         return fittedCubic(fit, direction, arrival, 4);
     }
 
-    /// Brings the ends of two offset curves together: they lie there already, or are mitred at a corner.
+    /// Brings the ends of two offset curves together. They meet already, or are mitred at a corner.
     void meet(std::size_t k, Cubic &before, Cubic &after) const
     {
         const Point in = normalOf(endDirection(m_path.curves[k - 1])), out = normalOf(startDirection(m_path.curves[k]));
@@ -128,8 +129,8 @@ Stroke straightened(const Stroke &stroke, double share, const std::vector<bool> 
         const RunPath path(stroke, run);
         const Point start = path.curves.front().p[0], chord = path.curves.back().p[3] - start;
         if (!(path.total() > 0) || chord == Point())
-            continue;                                   // a closed curve has no chord
-        const Point along = (1 / path.total()) * chord; // a unit of the arc's way on the chord
+            continue;                                   // A closed curve has no chord.
+        const Point along = (1 / path.total()) * chord; // the way on the chord for each unit of the arc
         std::vector<Cubic> curves = path.curves;
         for (std::size_t k = 0; k < curves.size(); ++k) {
             Cubic &c = curves[k];
@@ -144,7 +145,7 @@ Stroke straightened(const Stroke &stroke, double share, const std::vector<bool> 
         writeCurves(result, run.first, curves);
         result.segments[std::size_t(run.first)].bezier[0] = stroke.segments[std::size_t(run.first)].bezier[0];
         result.segments[std::size_t(run.last)].bezier[3] = stroke.segments[std::size_t(run.last)].bezier[3];
-        // Neighbours keep their direction: there is a corner now.
+        // The neighbours keep their direction, so there is a corner now.
         for (const int node : {run.first, run.last + 1})
             if (share > 0 && isInnerNode(stroke, node))
                 result.segments[std::size_t(node)].node = NodeKind::Corner;

@@ -40,7 +40,7 @@ NodeSides sidesOf(const Stroke &stroke, int node)
         return {stroke.beginsChain(std::size_t(node)) ? -1 : node - 1, node};
     if (node == n)
         return {n - 1, -1};
-    int ends = node - n; // of chains before the last
+    int ends = node - n; // counts the ends of the chains before the last one
     for (int k = 1; k < n; ++k)
         if (stroke.segments[std::size_t(k)].start && --ends == 0)
             return {k - 1, -1};

@@ -7,7 +7,7 @@
 
 namespace suffuse {
 
-/// Segments first … last of a stroke, each of which begins where the one before it ends.
+/// The segments first … last of a stroke, each of which begins where the one before it ends.
 struct Chain {
     int first = 0;
     int last = 0;
@@ -18,27 +18,27 @@ std::vector<Chain> chainsOf(const Stroke &stroke);
 /// The chain that a segment belongs to.
 Chain chainAt(const Stroke &stroke, int segment);
 
-/// Nodes of a stroke of n segments: node k < n is the start of segment k; the ends of the chains follow: node n is that
-/// of the last chain, nodes n + 1, n + 2, … are those of the others in order. So a stroke of one chain has the nodes 0
-/// … n along its curve.
+/// The number of nodes of a stroke. In a stroke of n segments, node k < n is the start of segment k. The ends of the
+/// chains follow: node n is that of the last chain; nodes n + 1, n + 2, … are those of the others in order. So a stroke
+/// of one chain has the nodes 0 … n along its curve.
 int nodeCount(const Stroke &stroke);
 
-/// The segments that meet at a node: the one that ends there and the one that begins there; −1: none.
+/// The segments that meet at a node: the one that ends there and the one that begins there; −1 where there is none.
 struct NodeSides {
     int before = -1;
     int after = -1;
     friend bool operator==(const NodeSides &, const NodeSides &) = default;
 };
-/// Both −1 where there is no such node.
+/// The segments at a node; both are −1 where there is no such node.
 NodeSides sidesOf(const Stroke &stroke, int node);
 /// The node where a segment ends.
 int endNode(const Stroke &stroke, int segment);
-/// Whether a chain goes on at both sides of the node.
+/// Whether the chain goes on at both sides of the node.
 bool isInnerNode(const Stroke &stroke, int node);
 
-/// The stroke of one chain alone.
+/// A stroke that consists of one chain of another one.
 Stroke chainOnly(const Stroke &stroke, const Chain &chain);
-/// Appends segments as another chain.
+/// Appends segments as a new chain.
 void appendChain(Stroke &stroke, std::vector<Segment> segments);
 
 } // namespace suffuse

@@ -85,7 +85,7 @@ Cubic fittedCubic(CurveFit &fit, Point direction, Point arrival, int rounds)
 
 namespace {
 
-/// The direction of points around one of them, by those within a distance.
+/// The direction of the path at one of its points, from the points within a distance around it.
 Point directionAmong(const std::vector<Point> &points, std::size_t i, double within)
 {
     std::size_t from = i, to = i;

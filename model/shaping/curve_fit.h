@@ -1,4 +1,4 @@
-// One cubic through many points: least squares with the directions at its ends given.
+// Fits one cubic to many points by least squares, with the directions at its ends given.
 #pragma once
 
 #include "model/painting/geometry.h"
@@ -7,24 +7,25 @@
 
 namespace suffuse {
 
-/// Points of a path, in order, with a parameter each: at first its share of the way. Canvas units.
+/// The points of a path in order, in canvas units. Each has a parameter, at first its share of the way.
 class CurveFit {
 public:
-    /// Points on curves that follow each other, `each` of a curve.
+    /// Takes `each` points of every curve; the curves follow each other.
     explicit CurveFit(const std::vector<Cubic> &curves, int each = 16);
-    /// Points between two ends, which are not among them.
+    /// Takes points between two ends. The ends are not among them.
     CurveFit(Point from, std::vector<Point> between, Point to);
 
-    /// Length of the way through the points.
+    /// The length of the way through the points.
     double total() const { return m_total; }
 
-    /// Handles along the directions (both along the way, of length 1) that come nearest to the points in the sense of
-    /// least squares (P. J. Schneider, An Algorithm for Automatically Fitting Digitized Curves, 1990). Where these
-    /// would be no handles, both are a third of the way.
+    /// The cubic whose handles, along the given directions (both along the way, of length 1), bring it nearest to the
+    /// points in the sense of least squares (P. J. Schneider, An Algorithm for Automatically Fitting Digitized Curves,
+    /// 1990). If a handle would point backwards, both handles are a third of the way long.
     Cubic fitted(Point direction, Point arrival) const;
-    /// Puts the points' parameters where the curve is nearest (one step of Newton's).
+    /// Moves each point's parameter to where the curve is nearest to it, by one step of Newton's method.
     void reparametrise(const Cubic &curve);
-    /// The greatest distance of a point to the curve's place at its parameter: at least its distance to the curve.
+    /// The greatest distance of a point to the curve's place at its parameter. It is no less than the point's distance
+    /// to the curve.
     double error(const Cubic &curve) const;
 
 private:
@@ -36,11 +37,12 @@ private:
     double m_total = 0;
 };
 
-/// The cubic that comes of several rounds of both.
+/// Fits and moves parameters in turn for some rounds, and returns the last cubic.
 Cubic fittedCubic(CurveFit &fit, Point direction, Point arrival, int rounds = 8);
 
-/// Cubics through points, each no farther from them than `tolerance`, which go on from each other in one direction.
-/// Two points or more; the directions at both ends are of length 1, or 0: that of the points.
+/// Cubics through points (two or more), none of which is farther from them than `tolerance`. Each goes on in the
+/// direction of the one before. The directions at both ends have length 1; where one is 0, the direction of the points
+/// is taken.
 std::vector<Cubic> cubicsThrough(const std::vector<Point> &points, Point direction, Point arrival, double tolerance);
 
 } // namespace suffuse

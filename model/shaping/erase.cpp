@@ -10,7 +10,7 @@ namespace suffuse {
 
 namespace {
 
-/// The points nearer than a radius to a line from a to b: a disc where they are one.
+/// The points that are nearer than a radius to a line from a to b. It is a disc where both are one point.
 struct Capsule {
     Point a, b;
     Rect box;
@@ -25,7 +25,7 @@ double squaredDistance(const Capsule &capsule, Point p)
     return dot(off, off);
 }
 
-/// The path, seen from a stroke's origin.
+/// The capsules of a path, seen from a stroke's origin.
 std::vector<Capsule> capsulesOf(const std::vector<Point> &path, double radius, Point origin)
 {
     std::vector<Capsule> capsules;
@@ -43,7 +43,7 @@ std::vector<Capsule> capsulesOf(const std::vector<Point> &path, double radius, P
     return capsules;
 }
 
-/// One segment against the part of the path that comes near it.
+/// Compares one segment with the part of the path that comes near it.
 class Eraser {
 public:
     Eraser(const std::vector<Capsule> &path, double radius, const Cubic &curve) : m_radius(radius), m_curve(curve)
@@ -61,7 +61,8 @@ public:
                            [&](const Capsule *c) { return squaredDistance(*c, at) < m_radius * m_radius; });
     }
 
-    /// Where the curve goes in or out. Where it only touches, it does neither.
+    /// The parameters where the curve goes into the path's area or out of it. Where it only touches the area, it does
+    /// neither.
     std::vector<double> cuts() const
     {
         if (m_near.empty())
@@ -99,7 +100,7 @@ private:
     std::vector<const Capsule *> m_near;
 };
 
-/// Appends runs of pieces as strokes of their own; `starts` says before which piece a run begins, `keeps` which pieces
+/// Appends runs of pieces as strokes of their own. `starts` says before which piece a run begins, `keeps` which pieces
 /// stay.
 template <typename Starts, typename Keeps>
 std::vector<Stroke> runsOf(const Stroke &stroke, std::vector<Piece> &pieces, Starts starts, Keeps keeps)
@@ -123,19 +124,19 @@ std::vector<Stroke> runsOf(const Stroke &stroke, std::vector<Piece> &pieces, Sta
     return runs;
 }
 
-/// Whether anything of it can be seen: a stroke that only takes away is none.
+/// Whether anything of the stroke can be seen. A stroke that only takes paint away cannot be.
 bool laysPaint(const Stroke &stroke)
 {
     return std::any_of(stroke.segments.begin(), stroke.segments.end(), [](const Segment &s) { return !s.lift; });
 }
 
-/// The segments cut where the path goes in or out, and which of the pieces lie inside.
+/// The segments, cut where the path goes in or out, and which of the pieces lie inside.
 struct ErasedPieces {
     std::vector<Piece> pieces;
     std::vector<bool> inside;
 };
 
-/// None where nothing is touched.
+/// The pieces of a stroke; no value where the path touches nothing of it.
 std::optional<ErasedPieces> erasedPieces(const Stroke &stroke, const std::vector<Point> &path, double radius,
                                          Microseconds T)
 {
@@ -157,7 +158,7 @@ std::optional<ErasedPieces> erasedPieces(const Stroke &stroke, const std::vector
     if (!touched)
         return std::nullopt;
     ErasedPieces result{piecesOf(stroke, cuts), {}};
-    for (std::size_t i = 0; i < result.pieces.size(); ++i) { // each cut goes in or out
+    for (std::size_t i = 0; i < result.pieces.size(); ++i) { // Each cut goes in or out.
         const Piece &piece = result.pieces[i];
         result.inside.push_back(piece.from == 0 ? startsInside[std::size_t(piece.source)] : !result.inside[i - 1]);
     }
@@ -171,7 +172,7 @@ std::vector<int> allSegments(const Stroke &stroke)
     return all;
 }
 
-/// The stroke made of some of the pieces; what follows a gap, or a place where `cuts(i)`, begins another chain.
+/// The stroke that some of the pieces make. A new chain begins behind a gap, and before each piece i with `cuts(i)`.
 template <typename Keeps, typename Cuts>
 Stroke chainsOfPieces(const Stroke &stroke, std::vector<Piece> &pieces, Keeps keeps, Cuts cuts,
                       std::vector<int> *sources)
@@ -196,7 +197,7 @@ Stroke chainsOfPieces(const Stroke &stroke, std::vector<Piece> &pieces, Keeps ke
     return result;
 }
 
-/// Where a stroke is cut: places inside segments, and nodes as the segments that begin there.
+/// The places where a stroke is cut: parameters inside segments, and nodes, named by the segments that begin there.
 struct Cuts {
     std::vector<CurvePlace> splits;
     std::set<int> nodes;

@@ -1,4 +1,4 @@
-// Cutting strokes: the eraser and the knife.
+// Cuts strokes, for the eraser and the knife.
 #pragma once
 
 #include "model/shaping/reshape.h"
@@ -7,34 +7,36 @@
 
 namespace suffuse {
 
-/// What is left of a stroke where the curve comes nearer than `radius` to a path (one point: a disc): runs of segments,
-/// cut by exact splits where the distance is the radius. All have the stroke's id, which the caller gives to one of
-/// them. {stroke} where nothing is touched; empty where nothing is left. Segments that are not cut keep their bits.
-/// `sources`: for the segments of all runs, one after the other, the index of that each came from. Segments that are
-/// painted after document time T stay, and so do those that take paint away.
+/// What is left of a stroke without the parts whose curve is nearer than `radius` to a path (of one point: in a disc).
+/// The result has a stroke for each run of segments, cut by exact splits where the distance is the radius. All have the
+/// id of the stroke, which the caller gives to one of them. The result is {stroke} where nothing is touched, and empty
+/// where nothing is left. Segments that are not cut keep their bits. `sources` gets, for the segments of all runs one
+/// after the other, the index of the segment that each came from. Segments that are painted after document time T stay,
+/// and so do those that take paint away.
 std::vector<Stroke> erased(const Stroke &stroke, const std::vector<Point> &path, double radius,
                            std::vector<int> *sources = nullptr,
                            Microseconds T = std::numeric_limits<Microseconds>::max());
 
-/// The same as one stroke, whose chains are the runs: so what is left mixes as before, and the picture changes only
-/// where the removed part reached. None where nothing is left that lays paint.
+/// The same as one stroke whose chains are the runs. What is left then mixes as before, and the picture changes only
+/// where the removed part reached. No value where nothing is left that lays paint.
 std::optional<Stroke> erasedInOne(const Stroke &stroke, const std::vector<Point> &path, double radius,
                                   std::vector<int> *sources = nullptr,
                                   Microseconds T = std::numeric_limits<Microseconds>::max());
-/// The stroke without some segments, what follows a gap being another chain. None as above. `sources` as above.
+/// The stroke without some of its segments; behind a gap a new chain begins. No value where nothing is left that lays
+/// paint. `sources` is filled as by `erased`.
 std::optional<Stroke> withoutSegments(const Stroke &stroke, const std::vector<int> &gone,
                                       std::vector<int> *sources = nullptr);
 
-/// False where the eraser surely leaves a stroke as it is, by boxes alone.
+/// Returns false where the boxes alone show that the eraser leaves a stroke as it is.
 bool mayErase(const Stroke &stroke, const std::vector<Point> &path, double radius);
 
-/// Where the line from a to b crosses the curve, in order along the stroke; the ends of its chains are left out, an
-/// inner node comes as p = 0 of the segment after it.
+/// Where the line from a to b crosses the curve, in order along the stroke. The ends of its chains are left out; an
+/// inner node is named as p = 0 of the segment behind it.
 std::vector<CurvePlace> crossings(const Stroke &stroke, Point a, Point b);
 
-/// The stroke cut into strokes at places: exact splits; all have its id, which the caller gives to one of them.
+/// Cuts the stroke into strokes at places, by exact splits. All have its id, which the caller gives to one of them.
 std::vector<Stroke> cutAt(const Stroke &stroke, const std::vector<CurvePlace> &places);
-/// The stroke cut into chains at places; the picture stays. `sources` as above.
+/// Cuts the stroke into chains at places, which leaves the picture as it is. `sources` is filled as by `erased`.
 Stroke cutInOne(const Stroke &stroke, const std::vector<CurvePlace> &places, std::vector<int> *sources = nullptr);
 
 } // namespace suffuse

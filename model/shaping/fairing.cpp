@@ -6,12 +6,12 @@ namespace suffuse {
 
 namespace {
 
-constexpr double stepsInLength = 6;    ///< of the samples, within a standard deviation
-constexpr double mostSamples = 60'000; ///< of a part
-constexpr double kernelReach = 3.5;    ///< standard deviations
-constexpr double longestShare = 0.25;  ///< standard deviation: of a part's length
+constexpr double stepsInLength = 6;    ///< samples within a standard deviation
+constexpr double mostSamples = 60'000; ///< A part has no more samples than these.
+constexpr double kernelReach = 3.5;    ///< standard deviations that the kernel reaches
+constexpr double longestShare = 0.25;  ///< The standard deviation is at most this share of a part's length.
 
-/// A part of a curve without corners, as points at even arc lengths.
+/// A part of a curve without corners, as points at even distances along its arc.
 class EvenPath {
 public:
     EvenPath(const RunPath &path, std::size_t first, std::size_t end, double step)
@@ -19,12 +19,12 @@ public:
         const double total = path.lengths[end] - path.lengths[first];
         const auto count = std::size_t(std::clamp(std::ceil(total / step), 8.0, mostSamples));
         m_step = total / double(count);
-        constexpr int each = 24; // chords of a curve
+        constexpr int each = 24; // chords for each curve
         m_points.push_back(path.curves[first].p[0]);
         Point last = m_points.front();
         double way = path.lengths[first];
         for (std::size_t k = first; k < end; ++k) {
-            // Chords are shorter than the arc; their sum is stretched to it.
+            // Chords are shorter than the arc, so their sum is stretched to it.
             const Cubic &curve = path.curves[k];
             double sum = 0;
             Point before = curve.p[0];
@@ -51,7 +51,8 @@ public:
         m_points.back() = path.curves[end - 1].p[3];
     }
 
-    /// Convolved with a Gaussian; beyond its ends the path goes on point-symmetrically, so that they stay.
+    /// This path convolved with a Gaussian. Beyond its ends the path goes on point-symmetrically, which keeps the ends
+    /// in their places.
     EvenPath convolved(double deviation) const
     {
         const auto n = std::ptrdiff_t(m_points.size()) - 1;
@@ -80,7 +81,7 @@ public:
         return result;
     }
 
-    /// What 2g − g∗g has taken away from this path, as a path of differences.
+    /// The path of differences that the kernel 2g − g∗g takes away from this path.
     EvenPath fairness(double deviation) const
     {
         const EvenPath once = convolved(deviation), twice = once.convolved(deviation);
@@ -108,7 +109,7 @@ private:
     double m_step = 1;
 };
 
-/// Segments first … end − 1 of a run, which have no corner between them.
+/// Smooths the segments first … end − 1 of a run, which have no corner between them.
 void smoothPart(const RunPath &path, std::size_t first, std::size_t end, double deviation, std::vector<Cubic> &result)
 {
     const double total = path.lengths[end] - path.lengths[first];

@@ -8,14 +8,14 @@ namespace suffuse {
 
 namespace {
 
-/// The cubic of which `a` and `b` are the parts below and above p, if they are.
+/// The cubic whose parts below and above p are `a` and `b`, if they are such parts.
 Cubic unsplit(const Cubic &a, const Cubic &b, double p)
 {
     const Point start = (1 / p) * (a.p[1] - a.p[0]), end = (1 / (1 - p)) * (b.p[2] - b.p[3]);
     return {{a.p[0], a.p[0] + start, b.p[3] + end, b.p[3]}};
 }
 
-/// How far the parts of that cubic are from `a` and `b` in the middle, squared.
+/// How far the parts of that cubic are from `a` and `b` in their middles, squared.
 double mismatch(const Cubic &a, const Cubic &b, double p)
 {
     const auto parts = unsplit(a, b, p).split(p);
@@ -23,7 +23,7 @@ double mismatch(const Cubic &a, const Cubic &b, double p)
     return dot(before, before) + dot(at, at) + dot(after, after);
 }
 
-/// The parameter at which one cubic would have been split into `a` and `b`.
+/// The parameter at which a cubic would have been split into `a` and `b`.
 double splitBetween(const Cubic &a, const Cubic &b)
 {
     constexpr int steps = 64;
@@ -31,12 +31,12 @@ double splitBetween(const Cubic &a, const Cubic &b)
     for (int i = 1; i < steps; ++i)
         if (mismatch(a, b, double(i) / steps) < mismatch(a, b, best))
             best = double(i) / steps;
-    // At the node between parts of one cubic the handles are as long as the shares of the parameter.
+    // At a node between parts of one cubic, the lengths of the handles are in proportion to the parts of the parameter.
     const double before = length(a.p[3] - a.p[2]), after = length(b.p[1] - b.p[0]);
     if (const double share = before / (before + after); share > 0 && share < 1)
         if (mismatch(a, b, share) < mismatch(a, b, best))
             best = share;
-    // Halving the distance to neighbours that are better or not.
+    // The step to the neighbours is halved each time, whether one of them was better or not.
     for (double step = 0.5 / steps; step > 1e-9; step *= 0.5)
         for (double other : {best - step, best + step})
             if (other > 0 && other < 1 && mismatch(a, b, other) < mismatch(a, b, best)) {
@@ -52,11 +52,12 @@ Cubic fitted(const std::vector<Cubic> &curves)
     return fittedCubic(fit, startDirection(curves.front()), endDirection(curves.back()));
 }
 
-/// The cubic of which the curves are parts, one after the other; none if they are not, as far as float32 can tell.
+/// The cubic of which the curves, one after the other, are parts. No value if they are no such parts, as far as float32
+/// can tell.
 std::optional<Cubic> wholeOf(const std::vector<Cubic> &curves)
 {
     Cubic whole = curves.front();
-    std::vector<double> ends{1}; // of the parts, in the whole's parameter
+    std::vector<double> ends{1}; // the parameters of the whole at which the parts end, from the last one
     double polygon = polygonLength(whole);
     for (std::size_t i = 1; i < curves.size(); ++i) {
         const double p = splitBetween(whole, curves[i]);

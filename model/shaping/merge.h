@@ -1,17 +1,17 @@
-// Several segments that become one.
+// Merges several segments into one.
 #pragma once
 
 #include "model/painting/segment.h"
 
 namespace suffuse {
 
-/// One segment with the values of several, one or more: means by length; style and rewetting are the longest one's, the
-/// node's kind the first's, and so is whether it begins a chain, the time of birth the earliest. The curve is the
-/// longest one's.
+/// A segment with the values of several (one or more): their means by length. It has the style, the rewetting and the
+/// curve of the longest segment, the kind of node and the beginning of a chain of the first, and the earliest time of
+/// birth.
 Segment withValuesOf(const std::vector<Segment> &run);
 
-/// One segment from the start of the first to the end of the last with their tangents there. Parts of one cubic become
-/// that cubic (to float32); else it comes as near to them as handles of some length can.
+/// A segment from the start of the first to the end of the last of several, with their tangents there. Parts of one
+/// cubic become that cubic again (to float32). Otherwise its handles are as long as brings it nearest to the segments.
 Segment merged(const std::vector<Segment> &run);
 
 } // namespace suffuse

@@ -10,17 +10,19 @@ namespace suffuse {
 
 namespace {
 
-constexpr int pointsEach = 8;                 ///< of a segment's curve
-constexpr double blendReach = 2;              ///< of `reach`: how far a line bends at a joint
-constexpr double toleranceInReach = 1.0 / 40; ///< of the curve that follows the line
-constexpr double shortestPart = 1e-3;         ///< of `reach`: what lies nearer together is one place
+constexpr int pointsEach = 8;    ///< points of a segment's curve
+constexpr double blendReach = 2; ///< How far a line bends at a joint, as a multiple of `reach`.
+/// The tolerance of the curve that follows the line, as a share of `reach`.
+constexpr double toleranceInReach = 1.0 / 40;
+/// As a share of `reach`: places that are nearer to each other are one place.
+constexpr double shortestPart = 1e-3;
 
 struct Nearest {
     CurvePlace place;
     double distance = std::numeric_limits<double>::infinity();
 };
 
-/// The nearest place of what lays paint in some segments.
+/// The nearest place in some segments, among those that lay paint.
 Nearest nearestIn(const Stroke &stroke, const Chain &within, Point point)
 {
     Nearest best;
@@ -52,7 +54,7 @@ Point pointAt(const Stroke &stroke, const CurvePlace &place)
     return stroke.cubicOf(stroke.segments[std::size_t(place.segment)]).at(place.p);
 }
 
-/// The first place on the line that is so far from its start, as a direction from there.
+/// The direction from the start of the line to its first point that is so far away.
 Point departure(const std::vector<Point> &line, double way)
 {
     for (const Point &p : line)
@@ -61,8 +63,8 @@ Point departure(const std::vector<Point> &line, double way)
     return unit(line.back() - line.front());
 }
 
-/// Bends the beginning of a line so that it starts at a point in a direction; where it would have to turn back, it is
-/// only moved there. Returns the direction in which it starts, 0 for its own.
+/// Bends the beginning of a line so that it starts at a point in a direction. If it would have to turn back, it is only
+/// moved there. Returns the direction in which it starts; 0 means the line's own.
 Point blendStart(std::vector<Point> &line, Point start, Point direction, double within)
 {
     const Point first = line.front();
@@ -87,10 +89,10 @@ double wayOf(const std::vector<Point> &line)
     return way;
 }
 
-/// Values of a path, by shares of its arc length.
+/// The values along a path, by shares of its arc length.
 struct Dress {
     std::vector<Segment> segments;
-    std::vector<double> ends; ///< shares at which they end
+    std::vector<double> ends; ///< the shares at which the values end
 };
 
 Dress dressOf(std::vector<Segment> segments)
@@ -117,7 +119,7 @@ double parameterAt(const Cubic &cubic, double share)
     return 0.5 * (low + high);
 }
 
-/// Segments along curves, with the values that lie at the same shares of the way.
+/// Segments along curves, with the values that `dress` has at the same shares of the way.
 std::vector<Segment> dressed(const std::vector<Cubic> &curves, const Dress &dress)
 {
     std::vector<double> ends;
@@ -145,7 +147,7 @@ std::vector<Segment> dressed(const std::vector<Cubic> &curves, const Dress &dres
             ++value;
             if (const double last = cuts.empty() ? 0 : cuts.back();
                 distinct({p - last}, partOf(curves[k], last, 1)).empty() || !(p > last && p < 1)) {
-                values.back() = value; // too short a piece for a segment of its own
+                values.back() = value; // The piece is too short to be a segment of its own.
                 continue;
             }
             cuts.push_back(p);
@@ -162,7 +164,7 @@ std::vector<Segment> dressed(const std::vector<Cubic> &curves, const Dress &dres
     return result;
 }
 
-/// The kind of a node after a part has been put in: a corner where the direction breaks.
+/// Sets the kind of a node after a part has been put in: it is a corner where the direction breaks.
 void setKindAt(Stroke &stroke, std::size_t node)
 {
     if (!isInnerNode(stroke, int(node)))
@@ -207,7 +209,7 @@ std::optional<RedrawnPart> partToRedraw(const Stroke &stroke, const std::vector<
     }
     if (!hasStart && !hasEnd)
         return std::nullopt;
-    // Towards which end of the chain the line goes away, or from which it comes.
+    // This tells towards which end of the chain the line goes or, where it joins behind, from which it comes.
     const CurvePlace place = hasStart ? start.place : end.place;
     std::vector<Point> away = line;
     if (!hasStart)
@@ -233,7 +235,7 @@ std::optional<Stroke> redrawn(const Stroke &stroke, const RedrawnPart &part, con
     if (part.reversed)
         std::reverse(points.begin(), points.end());
 
-    // The stroke before, within and behind the part.
+    // The stroke is divided into what is before, within and behind the part.
     const std::vector<Piece> pieces = piecesOf(stroke, std::vector<CurvePlace>{part.from, part.to});
     std::vector<Segment> before, within, behind;
     std::vector<int> sourcesBefore, sourcesBehind;
@@ -254,7 +256,7 @@ std::optional<Stroke> redrawn(const Stroke &stroke, const RedrawnPart &part, con
     const bool begins = before.empty() || within.front().start;
     const bool ends = behind.empty() || behind.front().start;
 
-    // The line, bent into the stroke where it joins it.
+    // The line is bent into the stroke where it joins it.
     const double reachOfBlend = std::min(blendReach * reach, wayOf(points) / 3);
     Point leaving, arriving;
     if (part.joinsStart && !begins)

@@ -11,7 +11,7 @@ namespace suffuse {
 
 namespace {
 
-/// Squared distance from a point to a box; 0 inside.
+/// The squared distance from a point to a box; 0 inside of it.
 double squaredDistance(const Rect &box, Point p)
 {
     const double x = std::max({box.left - p.x, p.x - box.right, 0.0});
@@ -19,11 +19,12 @@ double squaredDistance(const Rect &box, Point p)
     return x * x + y * y;
 }
 
-/// Appends what is left of a chain without some nodes to `result`, and the segments that it comes from to `sources`.
+/// Appends what is left of a chain without some nodes to `result`, and the indices of the segments that it came from to
+/// `sources`.
 void appendWithoutNodes(const Stroke &stroke, const Chain &chain, const std::set<int> &gone, Stroke &result,
                         std::vector<int> &sources)
 {
-    int first = chain.first, end = chain.last + 1; // segments
+    int first = chain.first, end = chain.last + 1; // indices of segments
     while (first < end && gone.contains(first))
         ++first;
     if (gone.contains(endNode(stroke, chain.last)))
@@ -77,7 +78,7 @@ std::vector<int> cornersOf(const Stroke &stroke)
             continue;
         const Point in = endDirection(offsetsOf(stroke.segments[k - 1]));
         const Point out = startDirection(offsetsOf(stroke.segments[k]));
-        if (dot(in, out) < 0.9998) // more than about a degree
+        if (dot(in, out) < 0.9998) // The direction breaks by more than about a degree.
             corners.push_back(int(k));
     }
     return corners;
@@ -86,7 +87,7 @@ std::vector<int> cornersOf(const Stroke &stroke)
 CurvePlace nearestPlace(const Stroke &stroke, Point point, double *distance)
 {
     CurvePlace best;
-    double nearest = std::numeric_limits<double>::infinity(); // squared
+    double nearest = std::numeric_limits<double>::infinity(); // squared distance
     const Point local = point - stroke.origin;
     for (std::size_t k = 0; k < stroke.segments.size(); ++k) {
         const Cubic curve = offsetsOf(stroke.segments[k]);

@@ -30,7 +30,7 @@ bool makesPoints(const Stroke &after, const Stroke &before)
 /// An inner node with its two handles.
 struct HandleNode {
     Offset &before;
-    Offset &arriving; ///< the end of the segment before: the same place as `leaving`
+    Offset &arriving; ///< the end of the segment before, at the same place as `leaving`
     Offset &leaving;
     Offset &after;
 
@@ -62,7 +62,7 @@ void moveNode(Stroke &stroke, int node, Point by)
     }
 }
 
-/// Turns or mirrors the handle opposite to the one that was moved, as the node's kind wants.
+/// Turns or mirrors the handle that is opposite to the moved one, as the kind of the node demands.
 void followHandle(Stroke &stroke, int node, bool after)
 {
     if (!isInnerNode(stroke, node) || stroke.segments[std::size_t(node)].node == NodeKind::Corner)
@@ -77,7 +77,7 @@ void followHandle(Stroke &stroke, int node, bool after)
         opposite = toOffset(n.place() - reach * unit(own), {});
 }
 
-/// Turns the two handles into one line along the bisector of where they point.
+/// Turns the two handles into one line, along the mean of the directions in which they point.
 void makeSmooth(Stroke &stroke, int node, bool symmetric)
 {
     HandleNode n(stroke, node);
@@ -91,7 +91,7 @@ void makeSmooth(Stroke &stroke, int node, bool symmetric)
     const Point arriving = vectorBetween(first.bezier[0], n.leaving);
     const Point leaving = vectorBetween(n.leaving, second.bezier[3]);
     Point direction = unit(unit(before > 0 ? in : arriving) + unit(after > 0 ? out : leaving));
-    if (direction == Point()) // a hairpin: across it
+    if (direction == Point()) // At a hairpin the line lies across it.
         direction = unit(Point{-in.y, in.x} + Point{-arriving.y, arriving.x});
     if (direction == Point())
         return;
@@ -119,7 +119,7 @@ Stroke withNodeMoved(const Stroke &stroke, const std::vector<int> &nodes, Point 
         result.origin = {decimalSum(stroke.origin.x, by.x), decimalSum(stroke.origin.y, by.y)};
         return validOr(std::move(result), stroke);
     }
-    // A segment that shrinks to a point stops a hair's breadth short of it.
+    // A segment that would shrink to a point stops a hair's breadth before.
     double hair = 0;
     for (const Segment &s : stroke.segments)
         hair = std::max(hair, resolutionAt(offsetsOf(s)));
@@ -164,7 +164,8 @@ Stroke withCurveDragged(const Stroke &stroke, int segment, double p, Point by)
 {
     if (segment < 0 || segment >= int(stroke.segments.size()))
         return stroke;
-    // The smallest movement of the two handles that takes the point along. At the ends it would have no bound.
+    // This is the smallest movement of the two handles that takes the point along. Near the ends it would have no
+    // bound.
     p = std::clamp(p, 0.05, 0.95);
     const double first = 3 * (1 - p) * (1 - p) * p, second = 3 * (1 - p) * p * p;
     const double scale = 1 / (first * first + second * second);

@@ -6,7 +6,7 @@ namespace suffuse {
 
 namespace {
 
-/// Offsets that are as near as this to each other are one place.
+/// Offsets whose distance is at most this are one place.
 double weldingDistance(Offset a, Offset b)
 {
     return resolutionAt(Cubic{{Point() + a, Point() + b, {}, {}}});
@@ -23,7 +23,7 @@ NodeKind kindBetween(const Segment &before, const Segment &after)
                                                                                            : NodeKind::Corner;
 }
 
-/// From the end of one segment to the start of another, with the values of `values`.
+/// A segment from the end of one segment to the start of another, with the values of a third.
 Segment bridgeBetween(const Segment &before, const Segment &after, const Segment &values)
 {
     Segment bridge = values;
@@ -34,7 +34,7 @@ Segment bridgeBetween(const Segment &before, const Segment &after, const Segment
     return bridge;
 }
 
-/// The segments as offsets from another origin, and with the style that they had.
+/// A stroke's segments as offsets from another stroke's origin, with the style that they had.
 std::vector<Segment> movedOver(const Stroke &stroke, const Stroke &to)
 {
     std::vector<Segment> segments = stroke.segments;
@@ -48,12 +48,12 @@ std::vector<Segment> movedOver(const Stroke &stroke, const Stroke &to)
     return segments;
 }
 
-/// Appends `tail` to `segments`; a bridge has the values of the side that says so.
+/// Appends `tail` to `segments`. A bridge gets the values of the tail if `valuesOfTail`, else those before it.
 void append(std::vector<Segment> &segments, std::vector<Segment> tail, bool valuesOfTail)
 {
     Segment &last = segments.back(), &first = tail.front();
     if (distance(last.bezier[3], first.bezier[0]) <= weldingDistance(last.bezier[3], first.bezier[0])) {
-        // The side that gives the values keeps its place, to the bit.
+        // The side that gives the values keeps its place, to the last bit.
         if (valuesOfTail)
             last.bezier[3] = first.bezier[0];
         else
@@ -83,8 +83,8 @@ Stroke reversed(const Stroke &stroke)
     for (std::size_t k = 0; k < n; ++k) {
         Segment &s = result.segments[k];
         std::reverse(s.bezier.begin(), s.bezier.end());
-        // The kind belongs to the node at the start, as does a gap there; the two ends, which have none, share what is
-        // written there.
+        // The kind, and whether there is a gap, belong to the node at the start. Ends have no kind, so the two share
+        // what is written there.
         const Segment &node = stroke.segments[k == 0 ? 0 : n - k];
         s.node = node.node;
         s.start = k > 0 && node.start;
@@ -94,14 +94,14 @@ Stroke reversed(const Stroke &stroke)
 
 bool join(Stroke &a, bool aAtEnd, const Stroke &b, bool bAtEnd)
 {
-    // What comes new, and a's segment beside it.
+    // Only what is new is checked, and a's segment beside it.
     const Segment &end = aAtEnd ? a.segments.back() : a.segments.front();
     Stroke added;
     added.id = a.id;
     added.style = a.style;
     added.origin = a.origin;
     if (aAtEnd) {
-        added.segments = {end}; // may begin a chain of a's: that counts for nothing here
+        added.segments = {end}; // If the segment begins a chain of a, that does not matter here.
         append(added.segments, movedOver(bAtEnd ? reversed(b) : b, a), false);
     } else {
         added.segments = movedOver(bAtEnd ? b : reversed(b), a);
@@ -145,7 +145,7 @@ std::optional<Stroke> closed(const Stroke &stroke)
 
 namespace {
 
-/// The chain that ends or begins at a node, by itself, and on which side the node is.
+/// The chain that ends or begins at a node, by itself, and the side on which the node is.
 struct ChainEnd {
     Chain chain;
     Stroke stroke;
@@ -162,7 +162,7 @@ bool isChainEnd(const NodeSides &sides)
     return (sides.before < 0) != (sides.after < 0);
 }
 
-/// The stroke with another chain in the place of one of its chains, and without some others.
+/// The stroke with other segments in the place of one of its chains, and without another chain if one is given.
 Stroke withChain(const Stroke &stroke, const Chain &place, const std::vector<Segment> &segments, const Chain *gone)
 {
     Stroke result = stroke;

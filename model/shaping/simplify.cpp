@@ -12,10 +12,10 @@ namespace suffuse {
 
 namespace {
 
-constexpr int samplesEach = 5; ///< points of a segment that a fit goes by
-constexpr int fitRounds = 4;   ///< of the points' parameters
+constexpr int samplesEach = 5; ///< points of a segment for a fit
+constexpr int fitRounds = 4;   ///< rounds that improve the points' parameters
 
-/// A segment's values on scales on which the same step is the same change to the eye: logarithms of what is a ratio.
+/// A segment's values on scales on which equal steps are equal changes to the eye. Ratios are taken as logarithms.
 using SeenValues = std::array<double, 13>;
 
 SeenValues seenValuesOf(const Segment &s, const Style &style)
@@ -27,7 +27,7 @@ SeenValues seenValuesOf(const Segment &s, const Style &style)
     return {m,
             d * std::cos(angle),
             d * std::sin(angle),
-            logarithm(s.density) - m, // the peak's, but for a constant
+            logarithm(s.density) - m, // the logarithm of the peak, but for a constant
             std::log(t),
             s.granulation,
             s.colour.red,
@@ -39,7 +39,7 @@ SeenValues seenValuesOf(const Segment &s, const Style &style)
             logarithm(style.xi[2])};
 }
 
-/// A run of segments that may become one, as far as their values go.
+/// Knows whether the values of a run of segments are near enough to become one value.
 class ValueRange {
 public:
     ValueRange(const Segment &first, const Style &style, double tolerance)
@@ -47,10 +47,10 @@ public:
           m_maxAge(first.maxAge), m_tolerance(tolerance)
     {}
 
-    /// Takes another segment in; false if it lies too far from the others.
+    /// Takes another segment. Returns false if it lies too far from the others.
     bool take(const Segment &s, const Style &style)
     {
-        constexpr double rounding = 1e-6; // of float32
+        constexpr double rounding = 1e-6; // for the rounding of float32
         const SeenValues seen = seenValuesOf(s, style);
         for (std::size_t i = 0; i < seen.size(); ++i) {
             m_low[i] = std::min(m_low[i], seen[i]);
@@ -91,7 +91,7 @@ public:
             auto [next, segment] = longestFrom(k);
             const bool isMerged = next > k + 1;
             if ((isMerged || afterMerged) && segment.node == NodeKind::Symmetric)
-                segment.node = NodeKind::Smooth; // its handles are no longer equally long
+                segment.node = NodeKind::Smooth; // Its handles are no longer equally long.
             result.segments.push_back(std::move(segment));
             from.push_back(int(k));
             afterMerged = isMerged;
@@ -104,17 +104,17 @@ public:
 
 private:
     struct Merged {
-        std::size_t next; ///< one behind the run
+        std::size_t next; ///< the index behind the run
         Segment segment;
     };
 
-    /// Doubles the run while it can be one segment, and then looks between.
+    /// Doubles the run while it can be one segment, and then searches in between.
     Merged longestFrom(std::size_t first) const
     {
         const Segment &start = m_stroke.segments[first];
         Merged best{first + 1, start};
         ValueRange range(start, m_stroke.styleOf(start), m_tolerance.values);
-        std::size_t reach = first + 1; // as far as values go, or farther than was asked
+        std::size_t reach = first + 1; // how far values allow a run, or more than was asked for
         bool ends = false;
         const auto grow = [&](std::size_t wanted) {
             while (!ends && reach < wanted) {
@@ -124,7 +124,7 @@ private:
             }
             return std::min(wanted, reach);
         };
-        std::size_t good = first + 1, bad = 0; // ends of runs; bad: none yet
+        std::size_t good = first + 1, bad = 0; // ends of runs; `bad` is 0 while none is known
         for (std::size_t size = 2; bad == 0; size *= 2) {
             const std::size_t end = grow(first + size);
             if (end <= good)
@@ -148,7 +148,7 @@ private:
         return best;
     }
 
-    /// Whether a segment may be merged with the one before it, but for its values.
+    /// Whether a segment may be merged with the one before it, apart from its values.
     bool mayGoOn(std::size_t k) const
     {
         if (k >= m_stroke.segments.size() || m_stroke.beginsChain(k))
@@ -160,7 +160,7 @@ private:
                dot(endDirection(m_curves[k - 1]), startDirection(m_curves[k])) >= smoothCosine;
     }
 
-    /// Segments first … end − 1 as one, if its curve is near enough to theirs.
+    /// The segments first … end − 1 as one, if its curve is near enough to theirs.
     std::optional<Segment> merge(std::size_t first, std::size_t end) const
     {
         const std::vector<Cubic> curves(m_curves.begin() + std::ptrdiff_t(first),

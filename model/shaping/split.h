@@ -1,4 +1,4 @@
-// What reshaping, erasing and transforming have in common: exact splits, held to float32.
+// What reshaping, erasing and transforming have in common: exact splits, rounded to float32.
 #pragma once
 
 #include "model/painting/stroke.h"
@@ -9,47 +9,48 @@
 
 namespace suffuse {
 
-/// Part of a stroke's segment between two of its parameters.
+/// The part of a stroke's segment between two of its parameters.
 struct Piece {
-    int source = 0; ///< index of the segment
+    int source = 0; ///< the index of the segment
     double from = 0;
     double to = 1;
     Segment segment;
 };
 
-/// The part of a cubic between two parameters, from ≤ to; exact but for the last bits of double precision.
+/// The part of a cubic between two parameters, from ≤ to. It is exact except for the last bits of double precision.
 Cubic partOf(const Cubic &cubic, double from, double to);
-/// Those of the parameters that lie in (0, 1) and farther than float32 resolution from each other and from the ends.
+/// Those of the parameters that lie in (0, 1) and are farther than float32 resolution from each other and from the
+/// ends.
 std::vector<double> distinct(std::vector<double> ps, const Cubic &curve);
-/// The stroke's segments, each split at parameters that are `distinct`. Segments without any come as they are.
+/// A stroke's segments, each split at its parameters, which must be `distinct`. A segment without any is one piece.
 std::vector<Piece> piecesOf(const Stroke &stroke, const std::vector<std::vector<double>> &parameters);
-/// The same for places in any order, near to each other or not.
+/// The same for places in any order, which may lie near to each other.
 std::vector<Piece> piecesOf(const Stroke &stroke, const std::vector<CurvePlace> &places);
-/// The place as a node, if it is nearer than float32 resolution to one; −1 if not.
+/// The node at a place, if it is nearer to one than float32 resolution; −1 otherwise.
 int nodeAt(const Stroke &stroke, const CurvePlace &place);
 
-/// The control points as offsets from the stroke's origin, in double precision: exact.
+/// The control points as offsets from the stroke's origin, in double precision, which is exact.
 Cubic offsetsOf(const Segment &segment);
 std::array<Offset, 4> toOffsets(const Cubic &cubic);
 
-/// All four control points are one point: without length, and so without density.
+/// Whether all four control points are one point. Such a segment has no length, and so no density.
 bool isPoint(const Segment &segment);
-/// A few steps of float32 at the largest of these offsets: what is nearer is the same place.
+/// A few steps of float32 at the largest of these offsets. Points that are nearer to each other are one place.
 double resolutionAt(const Cubic &offsets);
 
-/// The curve's direction at its start (end), also where handles are drawn in; length 1, or 0 for a point.
+/// The curve's direction at its start (or end), also where handles are drawn in. Its length is 1, or 0 for a point.
 Point startDirection(const Cubic &cubic);
 Point endDirection(const Cubic &cubic);
-/// Of length 1; 0 stays 0.
+/// The vector with length 1; 0 stays 0.
 Point unit(Point vector);
 
-/// A cubic from one point in a direction to another in a direction (both along the way), as round as an arc.
+/// A cubic from one point in a direction to another point in a direction (both along the way), as round as an arc.
 Cubic arcBetween(Point from, Point direction, Point to, Point arrival);
 
-/// The same segment with values that are means by length; style, rewetting and the node's kind are those of `values`.
+/// Gives a segment means by length of several. Style, rewetting and the node's kind stay those of the segment itself.
 void setMeanValues(Segment &result, const std::vector<const Segment *> &of);
 
-/// `result`, or the stroke that it was made of where it left the domains.
+/// Returns `result` or, where it has left the domains, the stroke that it was made of.
 Stroke validOr(Stroke result, const Stroke &before);
 
 } // namespace suffuse

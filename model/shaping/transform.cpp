@@ -12,17 +12,18 @@ namespace suffuse {
 
 namespace {
 
-constexpr double largestStretch = 1.01; ///< greatest ratio of |dl′|/|dl| within a part longer than the spread
-/// In shorter parts the spread evens out what one density for all of a part gets wrong. A part of length l in which the
-/// ratio is 1 + δ has a first moment of error of at most δφl²/12; a row of such parts, each in proportion right, sums
-/// to δφl/12 times the kernel at its ends, 0.047·δ·l/s of what is there, half as much again where the curve bends. Half
-/// a per cent, as in the longer parts, is δ = 0.07·s/l.
+/// The greatest ratio of |dl′|/|dl| within a part that is longer than the spread.
+constexpr double largestStretch = 1.01;
+/// In shorter parts the spread evens out the error of having one density for the whole part. A part of length l, in
+/// which the ratio is 1 + δ, has an error whose first moment is at most δφl²/12. A row of such parts, each in
+/// proportion right, sums to δφl/12 times the kernel at its ends: 0.047·δ·l/s of the density there, and half as much
+/// again where the curve bends. Half a per cent, as in the longer parts, means δ = 0.07·s/l.
 constexpr double evenedStretch = 0.07;
 
-/// Of the spread: within so short a part only the amount of paint matters, not where in it it lies.
+/// As a share of the spread: in so short a part only the amount of paint matters, not where it lies.
 constexpr double shortestEvenPart = 1.0 / 256;
 
-/// Of a dry segment, along the tensor's shorter axis.
+/// The spread of a dry segment along the shorter axis of its tensor.
 double fullSpread(const Segment &segment)
 {
     return segment.spread(segment.driesAt()) * std::sqrt(std::min(1.0, double(segment.anisotropyRatio)));
@@ -35,13 +36,13 @@ double squaredStretch(const Affine &map, Point direction)
     return dot(turned, turned);
 }
 
-/// How uneven a part of a length may be.
+/// How uneven a part of a given length may be.
 double largestRatio(double length, double spread)
 {
     return length < spread ? 1 + evenedStretch * spread / length : largestStretch;
 }
 
-/// |d ln stretch/dθ| is nowhere more: (σ₁/σ₂ − σ₂/σ₁)/2 for the map's singular values.
+/// An upper bound of |d ln stretch/dθ|: (σ₁/σ₂ − σ₂/σ₁)/2 for the map's singular values.
 double steepestOf(const Affine &map)
 {
     const double squares = map.a * map.a + map.b * map.b + map.c * map.c + map.d * map.d; // σ₁² + σ₂²
@@ -49,8 +50,8 @@ double steepestOf(const Affine &map)
     return 0.5 * std::sqrt(std::max(0.0, squares * squares - 4 * product * product)) / product;
 }
 
-/// Whether the stretch is even along a curve, by the angle between its control polygon's sides, which holds all its
-/// directions.
+/// Whether the stretch is surely even along a curve. The angle between the sides of its control polygon, which contains
+/// all its directions, decides.
 bool isSurelyEven(const Cubic &curve, double steepest, double spread)
 {
     double angle = 0;
@@ -63,7 +64,7 @@ bool isSurelyEven(const Cubic &curve, double steepest, double spread)
     return angle < 1 && 2 * angle * steepest < std::log(largestRatio(polygonLength(curve), spread));
 }
 
-/// Walks along a curve and marks where its stretch has changed too much since the last mark.
+/// Walks along a curve, and marks each place where the stretch has changed too much since the last mark.
 class EvenParts {
 public:
     EvenParts(const Cubic &curve, const Affine &map, double steepest, double spread)
@@ -79,7 +80,7 @@ public:
         while (m_at < 1) {
             const double to = std::min(1.0, m_at + step);
             const Point direction = directionAt(to);
-            // A sharp turn may come back to the stretch that it had: look closer.
+            // At a sharp turn the stretch may come back to what it was, so smaller steps are taken there.
             const bool isClose = dot(direction, m_direction) > m_close || step <= smallestStep;
             const double length = m_length + suffuse::length(m_curve.at(to) - m_curve.at(m_at));
             const double most = largestRatio(length, m_spread);
@@ -89,7 +90,7 @@ public:
             } else if (step > smallestStep) {
                 step = 0.5 * step;
             } else {
-                // Around a cusp there would be no end.
+                // Around a cusp the parts would never be even.
                 if (polygonLength(partOf(m_curve, m_mark, m_at)) >= shortestEvenPart * m_spread) {
                     m_mark = m_at;
                     m_marks.push_back(m_mark);
@@ -103,14 +104,14 @@ public:
     }
 
 private:
-    /// The last one at a cusp, or where handles are drawn in.
+    /// The direction at p or, at a cusp and where handles are drawn in, the last direction before.
     Point directionAt(double p) const
     {
         const Point direction = unit(m_curve.derivative(p));
         return direction == Point() ? m_direction : direction;
     }
 
-    /// False, and nothing done, if the part would become too uneven.
+    /// Adds a direction to the part. Returns false, and does nothing, if the part would become too uneven.
     bool take(Point direction, double most)
     {
         const double g = squaredStretch(m_map, direction);
@@ -143,15 +144,16 @@ private:
     const Cubic &m_curve;
     const Affine &m_map;
     double m_spread;
-    double m_close; ///< cosine of the angle within which the stretch changes by at most a hundredth
+    double m_close; ///< the cosine of the angle within which the stretch changes by at most a hundredth
     double m_at = 0, m_mark = 0;
-    double m_length = 0; ///< from the mark
+    double m_length = 0; ///< from the last mark
     Point m_direction;
-    double m_least = 1, m_most = 1; ///< squared
+    double m_least = 1, m_most = 1; ///< squared stretches
     std::vector<double> m_marks;
 };
 
-/// Arc lengths before and after, by one rule, so that their quotient lies between the extremes of the stretch.
+/// The quotient of the arc lengths after and before the map. Both are computed by one rule, so it lies between the
+/// extremes of the stretch.
 double meanStretch(const Cubic &curve, const Affine &map)
 {
     constexpr std::array<double, 3> nodes{0, 0.5384693101056831, 0.9061798459386640};

@@ -10,10 +10,10 @@ namespace suffuse {
 
 namespace {
 
-constexpr double longestPart = 0.4;   ///< of the radius: a segment that follows a push
-constexpr double longestRough = 0.15; ///< the same, that can be roughened
-constexpr double roughCell = 0.3;     ///< of the radius: how far the noise goes one way
-constexpr double slopeStep = 1e-3;    ///< of the radius: for the slope of a field
+constexpr double longestPart = 0.4;   ///< As a share of the radius: the longest segment that follows a push.
+constexpr double longestRough = 0.15; ///< As a share of the radius: the longest segment that can be roughened.
+constexpr double roughCell = 0.3;     ///< As a share of the radius: how far the noise pushes in one direction.
+constexpr double slopeStep = 1e-3;    ///< As a share of the radius: the step by which the slope of a field is measured.
 
 double squaredDistanceTo(const Rect &box, Point p)
 {
@@ -22,11 +22,11 @@ double squaredDistanceTo(const Rect &box, Point p)
     return x * x + y * y;
 }
 
-/// A number in [−1, 1] for a cell of the plane.
+/// A pseudo-random number in [−1, 1] for a cell of the plane.
 double noiseOf(std::int64_t x, std::int64_t y, std::uint64_t seed)
 {
     std::uint64_t h = std::uint64_t(x) * 0x9e3779b97f4a7c15u ^ std::uint64_t(y) * 0xc2b2ae3d27d4eb4fu ^ seed;
-    for (int round = 0; round < 2; ++round) { // splitmix64's finish
+    for (int round = 0; round < 2; ++round) { // the last part of splitmix64
         h = (h ^ (h >> 30)) * 0xbf58476d1ce4e5b9u;
         h = (h ^ (h >> 27)) * 0x94d049bb133111ebu;
         h ^= h >> 31;
@@ -34,7 +34,7 @@ double noiseOf(std::int64_t x, std::int64_t y, std::uint64_t seed)
     return double(h >> 11) * 0x1p-52 - 1;
 }
 
-/// How the plane moves under the brush. Places are relative to its middle.
+/// How the plane moves under the brush. Places are relative to the middle of the brush.
 class TouchField {
 public:
     explicit TouchField(const Tweak &tweak) : m_tweak(tweak) {}
@@ -63,7 +63,7 @@ public:
         return {};
     }
 
-    /// What becomes of a vector that begins at p, as far as the field is linear there; opposite vectors stay opposite.
+    /// The vector at p after the move, as far as the field is linear there. Opposite vectors stay opposite.
     Point turned(Point p, Point vector) const
     {
         const double l = length(vector);
@@ -91,7 +91,7 @@ private:
     const Tweak &m_tweak;
 };
 
-/// Halves what lies under the circle until it is short enough.
+/// Halves the parts of a curve under the circle until they are short enough.
 void addCuts(const Cubic &curve, double from, double to, Point centre, double radius, double longest,
              std::vector<double> &cuts)
 {
@@ -105,7 +105,8 @@ void addCuts(const Cubic &curve, double from, double to, Point centre, double ra
     addCuts(curve, middle, to, centre, radius, longest, cuts);
 }
 
-/// Turns a run of curves, which become a chain again: its ends stay where they lie outside of the circle.
+/// Turns the segments of a run, and makes a chain of them again. Its ends stay in their places where they lie outside
+/// of the circle.
 class Combing {
 public:
     Combing(RunPath &path, const Tweak &tweak, Point centre) : m_path(path), m_tweak(tweak), m_field(tweak)
@@ -159,7 +160,7 @@ private:
     {
         return node < m_path.curves.size() ? m_path.curves[node].p[0] : m_path.curves.back().p[3];
     }
-    /// From the curve's direction to that of the brush or against it, whichever is nearer.
+    /// The angle from the curve's direction to that of the brush or to the opposite one, whichever is nearer.
     double angleAt(std::size_t node) const
     {
         const Point in = node > 0 ? endDirection(m_path.curves[node - 1]) : Point();
@@ -177,7 +178,7 @@ private:
         }
         return moves;
     }
-    /// The share of the weighed way at each node, and the whole of it.
+    /// The share of the weighted way at each node, and the whole of it.
     std::vector<double> sharesOfWay()
     {
         std::vector<double> shares{0};
