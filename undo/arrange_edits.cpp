@@ -6,7 +6,7 @@ namespace suffuse {
 
 namespace {
 
-/// Fills in how far what is visible of the siblings reaches.
+/// Computes how far the visible strokes of each sibling reach.
 void fillInfluence(std::vector<Sibling> &siblings, const std::unordered_map<StrokeId, Rect> &influences)
 {
     for (Sibling &s : siblings) {
@@ -18,7 +18,8 @@ void fillInfluence(std::vector<Sibling> &siblings, const std::unordered_map<Stro
     }
 }
 
-/// Each selected sibling, the topmost first, goes above the next one whose influence it meets, unless that is selected.
+/// Raises each selected sibling, the topmost first, above the next one whose influence it meets, unless that one is
+/// selected, too.
 void raise(std::vector<Sibling> &siblings)
 {
     for (std::size_t i = siblings.size(); i-- > 0;) {
@@ -65,7 +66,7 @@ bool isOrderOf(const std::vector<StrokeId> &order, const Painting &painting)
                       [](StrokeId id, const StrokePtr &s) { return s->id == id; });
 }
 
-/// Root groups of which every member is among the moved.
+/// The groups in no other group all of whose members are moved.
 std::set<GroupId> wholeGroups(const Painting &painting, const std::set<StrokeId> &moved)
 {
     std::set<GroupId> whole, broken;
@@ -114,7 +115,7 @@ Edit reorder(const Document &document, const std::set<StrokeId> &strokes, Stroke
         if (place == painting.strokes.end())
             return {};
         group = (*place)->group;
-        // Dropped on one of themselves: below the next that stays.
+        // What is dropped on one of the moved strokes goes below the next one that stays.
         while (place != painting.strokes.end() && moved.contains((*place)->id))
             ++place;
     }

@@ -11,14 +11,15 @@ bool sameStroke(const StrokePtr &a, const StrokePtr &b)
     return a == b || (a && b && *a == *b);
 }
 
-/// Both in order, so that the usual case, a drag of the same strokes, costs one pass.
+/// Whether one map has all strokes of the other. Both are in order, so the usual case, a drag of the same strokes,
+/// takes one pass.
 bool holdsAllOf(const std::map<StrokeId, StrokePtr> &older, const std::map<StrokeId, StrokePtr> &newer)
 {
     return std::includes(older.begin(), older.end(), newer.begin(), newer.end(),
                          [](const auto &a, const auto &b) { return a.first < b.first; });
 }
 
-/// Keeps the older state of each part.
+/// Keeps the older one of two states of a part.
 template <typename T>
 void keepOldest(std::optional<T> &older, std::optional<T> &newer)
 {
@@ -51,7 +52,7 @@ bool changesNothing(const Edit &back, const Painting &painting)
         if (it == back.strokes.end())
             continue;
         if (!sameStroke(it->second, stroke))
-            return false; // soon, of many that are dragged
+            return false; // Where many strokes are dragged, this is known soon.
         ++found;
     }
     const auto comes = [](const auto &entry) { return bool(entry.second); };

@@ -46,7 +46,7 @@ void goOnWithStep(QUndoStack &stack, Document &document, Edit edit)
     const std::shared_ptr<Edit> back = step->sharedEdit();
     extendBack(*back, std::move(edit), *document.painting());
     if (!changesNothing(*back, *document.painting())) {
-        emit stack.indexChanged(stack.index()); // it does something else now
+        emit stack.indexChanged(stack.index()); // The stack's step does something else now.
         return;
     }
     // A stack removes an obsolete step without calling it.

@@ -12,37 +12,36 @@ class QUndoStack;
 
 namespace suffuse {
 
-/// One step of an undo stack. What it did is done before the step is made, by whoever exchanged the edit with the
-/// document; redo() and undo() are the same exchange, and undo brings the selection back, too. A stack calls redo() for
-/// each step that is pushed, and undo() for those that were undone in an earlier session: these calls do nothing.
+/// One step of an undo stack. Whoever makes it has done its edit already. redo() and undo() exchange the edit with the
+/// document, and undo() brings back the selection, too. A stack calls redo() when a step is pushed, and calls undo()
+/// when steps are restored that an earlier session has undone: these calls do nothing.
 class EditCommand : public QUndoCommand {
 public:
     enum class State { Done, Undone };
 
-    /// `edit` holds the state that the document does not have: the one before what is done, the one after what is
-    /// undone.
+    /// `edit` holds the state that the document does not have. For a step that is done this is the state before it, and
+    /// for one that is undone the state after it.
     EditCommand(Document &document, Edit edit, const QString &text, State state = State::Done);
 
     void redo() override;
     void undo() override;
 
-    /// The state that the document does not have: the one before while the command is done, the one after while it is
-    /// undone.
+    /// The edit with the state that the document does not have, as in the constructor.
     const Edit &edit() const { return *m_edit; }
-    /// The same, for whoever goes on with a step that is the last one (`goOnWithStep`).
+    /// The same edit, for whoever extends this step while it is the last one (`goOnWithStep`).
     const std::shared_ptr<Edit> &sharedEdit() const { return m_edit; }
 
 private:
     Document &m_document;
     std::shared_ptr<Edit> m_edit; ///< never null
-    int m_skips = 0;              ///< calls that are not to do anything
+    int m_skips = 0;              ///< the number of calls that must do nothing
 };
 
-/// Does an edit, and returns the way back, which brings back what was selected, too. Nothing where it changes nothing
-/// but the selection: that is no step.
+/// Does an edit, and returns the way back, which also brings back the selection. No value if the edit changes nothing
+/// but the selection, since that is no step.
 std::optional<Edit> doEdit(Document &document, Edit edit);
 
-/// Does an edit as a part of the step that was done last. Where the step comes back to its start, it is dropped.
+/// Does an edit as a part of the step that was done last. If the step then leads back to its start, it is removed.
 void goOnWithStep(QUndoStack &stack, Document &document, Edit edit);
 
 } // namespace suffuse

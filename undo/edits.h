@@ -1,5 +1,5 @@
-// Edits as values, one function per kind. Each returns an empty Edit where there is nothing to do; locked strokes are
-// left alone. The program does them by `Editor::push`.
+// Edits as values, with a function for each kind. A function returns an empty Edit if there is nothing to do, and
+// leaves locked strokes alone. The program does edits by `Editor::push`.
 #pragma once
 
 #include "model/document/document.h"
@@ -8,36 +8,40 @@
 
 namespace suffuse {
 
-/// The segments that an inspector change means: the selected ones, or all of the selected strokes without any.
+/// The segments that a change in the inspector means: the selected ones or, if none is selected, all of the selected
+/// strokes.
 std::vector<SegmentRef> targetSegments(const Document &document);
 
-/// Applies `change` to each of the segments. A change that makes a segment invalid (`problemOf`) is dropped for it.
+/// Applies `change` to each of the segments. If a segment becomes invalid (`problemOf`), it stays as it was.
 Edit changeSegments(const Document &document, const std::vector<SegmentRef> &targets,
                     const std::function<void(Segment &)> &change);
-/// Applies `change` to strokes (name, style, mix, visible, locked, origin, segments); not their id.
+/// Applies `change` to strokes. It may set their name, style, mix, visibility, lock, origin and segments, but not their
+/// id.
 Edit changeStrokes(const Document &document, const std::set<StrokeId> &targets,
                    const std::function<void(Stroke &)> &change);
 
-/// Appends strokes on top (ids taken from the document beforehand); selects them if `select`.
+/// Adds strokes on top, and selects them if `select`. Their ids must have been taken from the document.
 Edit addStrokes(const Document &document, const std::vector<StrokePtr> &strokes, bool select);
-/// What a stroke becomes of which something in the middle is taken.
+/// What becomes of a stroke when something in its middle is removed.
 enum class Leaves {
-    Strokes, ///< strokes of their own, which mix over each other
-    Chains   ///< one stroke of several chains: the picture stays but for what was taken
+    Strokes, ///< The parts are strokes of their own, which mix over each other.
+    Chains   ///< The parts are chains of one stroke, so the rest of the picture stays.
 };
-/// Deletes the selected segments, or the selected strokes.
+/// Deletes the selected segments or, if none is selected, the selected strokes.
 Edit deleteSelection(Document &document, Leaves leaves = Leaves::Strokes);
-/// Copies of the selected strokes above the topmost of them, moved by `offset`, and selects the copies. Groups selected
-/// as a whole are copied as groups, with their tree and their names; what is hidden or locked in them stays out.
+/// Puts copies of the selected strokes above the topmost of them, moved by `offset`, and selects the copies. Groups
+/// that are selected as a whole are copied as groups, with the tree in them and their names, but without what is hidden
+/// or locked in them.
 Edit duplicateSelection(Document &document, Point offset);
 
 enum class Arrange { Raise, Lower, Top, Bottom };
-/// Moves the selected strokes in the order: one step over the next stroke whose influence they meet (as Inkscape), or
-/// to the end of it. Groups stay together.
+/// Moves the selected strokes in the order: one step past the next stroke whose influence they meet (as in Inkscape),
+/// or to the end of the order. Groups stay together.
 Edit arrangeSelection(const Document &document, Arrange how);
-/// Moves strokes so that they stand just below `before` (0: on top).
+/// Moves strokes to the place just below `before`, or on top of all if it is 0.
 Edit reorder(const Document &document, const std::set<StrokeId> &strokes, StrokeId before);
 
+/// Sets the canvas.
 Edit setCanvas(const Document &document, const Canvas &canvas);
 
 } // namespace suffuse

@@ -11,7 +11,7 @@ bool holdsSelected(const Sibling &sibling)
     return sibling.selected || std::any_of(sibling.members.begin(), sibling.members.end(), holdsSelected);
 }
 
-/// Moves the selected siblings, wherever they lie, out of the tree; what is left without members goes too.
+/// Moves the selected siblings out of the tree, wherever they lie. Groups that have no members left are removed.
 void takeSelected(std::vector<Sibling> &siblings, std::vector<Sibling> &taken)
 {
     std::vector<Sibling> rest;
@@ -26,7 +26,8 @@ void takeSelected(std::vector<Sibling> &siblings, std::vector<Sibling> &taken)
     siblings = std::move(rest);
 }
 
-/// Groups what is selected, in the innermost group that holds all of it; returns that group's id, 0 at the top level.
+/// Groups what is selected, in the innermost group that contains all of it. Returns the id of that group, which is 0 at
+/// the top level.
 GroupId groupWithin(std::vector<Sibling> &siblings, GroupId around, Sibling &made)
 {
     const auto holding = std::count_if(siblings.begin(), siblings.end(), holdsSelected);
@@ -112,7 +113,7 @@ Edit changeGroup(const Document &document, GroupId group, const std::function<vo
     });
 }
 
-/// All strokes and groups, whatever they are.
+/// Changes all strokes and groups that need it, selected or not.
 template <typename Strokes, typename Groups>
 Edit changeEverything(const Document &document, Strokes needsChange, const std::function<void(Stroke &)> &change,
                       Groups changeGroup)

@@ -5,7 +5,7 @@ namespace suffuse {
 
 namespace {
 
-/// The gap between two ends, one of each stroke, that are nearest.
+/// The gap between the two nearest ends of two strokes.
 struct Gap {
     double distance = std::numeric_limits<double>::infinity();
     bool firstAtEnd = true, secondAtEnd = false;
@@ -24,7 +24,7 @@ Gap nearestEnds(const Stroke &a, const Stroke &b)
     return best;
 }
 
-/// `whole` in the place of one stroke, the others gone.
+/// Puts `whole` in the place of the stroke with its id, and removes others.
 Edit mergedInto(const Document &document, Stroke whole, const std::set<StrokeId> &gone)
 {
     Edit edit;

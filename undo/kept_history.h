@@ -1,4 +1,4 @@
-// The undo stack as it goes into a file, and out of it again.
+// Converts the undo stack to what is kept in files, and back.
 #pragma once
 
 #include "model/document/document.h"
@@ -13,8 +13,8 @@ namespace suffuse {
 /// The steps of a stack around its place, as far as they are edits of a document.
 UndoHistory historyOf(const QUndoStack &stack);
 
-/// Fills an empty stack with the steps of the painting that the document holds (`readHistory` has tried them). The
-/// document stays as it is; the stack is clean.
+/// Fills an empty stack with the steps of the painting that the document has. `readHistory` must have checked them. The
+/// document stays as it is, and the stack is clean.
 void restoreHistory(QUndoStack &stack, Document &document, const UndoHistory &history);
 
 } // namespace suffuse

@@ -19,8 +19,7 @@ NodesOfStrokes nodesByStroke(const std::set<NodeRef> &nodes)
     return result;
 }
 
-/// Calls `change` for the unlocked strokes among the keys of a map; a stroke that comes out otherwise goes into the
-/// edit.
+/// Calls `change` for the unlocked strokes among the keys of a map. Strokes that it changes go into the edit.
 template <typename Map, typename Change>
 Edit reshape(const Document &document, const Map &targets, Change change)
 {
@@ -45,8 +44,8 @@ void setSelection(Edit &edit, const Document &document, Selection selection)
         edit.selection = std::move(selection);
 }
 
-/// For each segment of `shaped`, which replaced [sources[k], sources[k + 1]) of a stroke, one of these that is
-/// selected, if there is one. `end` is one behind the last segment that was replaced.
+/// For each segment k of the reshaped stroke, which replaces the segments [sources[k], sources[k + 1]), the index of a
+/// selected one of these, if there is one. `end` is one behind the last segment that was replaced.
 std::vector<int> selectedSources(const std::vector<int> &sources, int end, StrokeId stroke, const Selection &selection)
 {
     std::vector<int> result = sources;
@@ -61,14 +60,14 @@ std::vector<int> selectedSources(const std::vector<int> &sources, int end, Strok
     return result;
 }
 
-/// Puts the parts of strokes in their places: the first keeps the id, the others get one.
+/// Puts parts of strokes in the strokes' places. The first part keeps the id, the others get new ones.
 class Parts {
 public:
     explicit Parts(Document &document) : m_document(document), m_selection(document.selection()) {}
 
     void keep(const Stroke &stroke) { m_order.push_back(stroke.id); }
 
-    /// `sources`: where the parts' segments came from, one part after the other.
+    /// `sources` says which segments of the stroke the segments of the parts came from, one part after the other.
     void replace(const Stroke &stroke, std::vector<Stroke> parts, const std::vector<int> &sources)
     {
         const bool wasSelected = m_selection.strokes.contains(stroke.id);
@@ -109,7 +108,7 @@ private:
     std::vector<StrokeId> m_order;
 };
 
-/// Segments become several; `split(stroke, places, &sources)` makes the stroke.
+/// Splits segments. `split(stroke, places, &sources)` makes the new stroke.
 template <typename Split>
 Edit splitSegments(const Document &document, const PlacesOfStrokes &places, Split split)
 {
@@ -153,7 +152,7 @@ Edit deleteNodes(const Document &document, const std::set<NodeRef> &nodes)
     Edit edit = reshape(document, nodesByStroke(nodes), [&](const Stroke &stroke, const std::vector<int> &gone) {
         int end = int(stroke.segments.size());
         const auto isGone = [&](int node) { return std::find(gone.begin(), gone.end(), node) != gone.end(); };
-        const auto staysOf = [&](const Chain &chain) { // a segment takes two nodes
+        const auto staysOf = [&](const Chain &chain) { // A segment needs two nodes.
             int left = !isGone(endNode(stroke, chain.last));
             for (int node = chain.first; node <= chain.last; ++node)
                 left += !isGone(node);
@@ -198,7 +197,7 @@ Edit bridgeSegments(const Document &document, const std::set<SegmentRef> &segmen
         std::vector<int> sources;
         for (int k = 0; k < n; ++k)
             sources.push_back(k);
-        // From the last run to the first: indices before it stay.
+        // The last run comes first, so that the indices before it stay right.
         for (std::size_t i = chosen.size(); i > 0;) {
             const int last = chosen[--i];
             int first = last;

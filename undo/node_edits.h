@@ -1,5 +1,6 @@
-// Edits of nodes and curves. As in edits.h: an empty Edit where there is nothing to do, locked strokes left alone.
-// Selected segments stay selected: both parts of one that is split, and what one becomes part of.
+// Edits of nodes and curves. A function returns an empty Edit if there is nothing to do, and leaves locked strokes
+// alone. Selected segments stay selected: of one that is split both parts, and of one that is merged the segment that
+// it has become a part of.
 #pragma once
 
 #include "model/shaping/reshape.h"
@@ -12,34 +13,39 @@ namespace suffuse {
 
 using PlacesOfStrokes = std::map<StrokeId, std::vector<CurvePlace>>;
 
-/// Puts in strokes that take the place of those with the same ids. What drags push: the state made from the one at the
-/// press, whatever stands in the document now. Strokes that are there already, to the bit, are left out.
+/// Puts strokes in the places of those with the same ids. Drags use it: their state is made from the strokes at the
+/// press, whatever the document has now. Strokes that the document has already, to the last bit, are left out.
 Edit replaceStrokes(const Document &document, std::vector<Stroke> strokes);
 
+/// Adds nodes at places, by exact splits.
 Edit insertNodes(const Document &document, const PlacesOfStrokes &places);
-/// Inner nodes: their two segments become one. End nodes go with their segment; strokes of which less than a segment
-/// would be left go as a whole.
+/// Deletes nodes. The two segments at an inner node become one. An end node goes with its segment. A stroke is removed
+/// if less than a segment of it would be left.
 Edit deleteNodes(const Document &document, const std::set<NodeRef> &nodes);
-/// Each run of these segments becomes one that goes on smoothly from its neighbours.
+/// Replaces each run of the segments by one that goes on smoothly from its neighbours.
 Edit bridgeSegments(const Document &document, const std::set<SegmentRef> &segments);
+/// Moves nodes, with their handles, by a vector in canvas units.
 Edit moveNodes(const Document &document, const std::set<NodeRef> &nodes, Point by);
 Edit setNodeKind(const Document &document, const std::set<NodeRef> &nodes, NodeKind kind);
 
-/// Cuts strokes into strokes of their own, or chains, at places or nodes. The first part keeps the id; all are selected
-/// if the stroke was. Parts stand together in the order.
+/// Cuts strokes, at places or nodes, into strokes or into chains. The first part keeps the id, and all parts are
+/// selected if the stroke was. They stand together in the order.
 Edit splitAt(Document &document, const PlacesOfStrokes &places, Leaves leaves = Leaves::Strokes);
 Edit splitAtNodes(Document &document, const std::set<NodeRef> &nodes, Leaves leaves = Leaves::Strokes);
-/// Takes away what lies nearer than `radius` to the path and is painted by T; of all visible strokes if `targets` is
-/// empty.
+/// Removes what is nearer than `radius` to the path and painted by time T. It acts on all visible strokes if `targets`
+/// is empty.
 Edit eraseAlong(Document &document, const std::set<StrokeId> &targets, const std::vector<Point> &path, double radius,
                 Microseconds T = std::numeric_limits<Microseconds>::max(), Leaves leaves = Leaves::Strokes);
 
-/// Joins the ends of two chains, of two strokes or of one. The upper stroke's place, name and style stay.
+/// Joins the ends of two chains, which may be chains of one stroke. Place, name and style are those of the upper
+/// stroke.
 Edit joinNodes(const Document &document, NodeRef a, NodeRef b);
-/// Joins the selected strokes to the topmost one, each time the one that has the end nearest to its ends.
+/// Joins the selected strokes to the topmost one, each time the one whose end is nearest to its ends.
 Edit joinSelection(const Document &document);
+/// Reverses the direction of the selected strokes.
 Edit reverseSelection(const Document &document);
-/// Goes on with a stroke at its end (or start): the segments of `added`, from its start on, with the values they have.
+/// Continues a stroke at its end or start with the segments of `added`, from its start on. The segments keep their
+/// values.
 Edit extendStroke(const Document &document, StrokeId stroke, bool atEnd, const Stroke &added);
 
 } // namespace suffuse

@@ -8,7 +8,7 @@ namespace {
 
 using Parents = std::unordered_map<GroupId, GroupId>;
 
-/// The members of a group that is on top of its siblings, which it is made if it is not there yet.
+/// The members of a group, which is put on top of its siblings if it is not there yet.
 std::vector<Sibling> &membersOf(GroupId id, const Parents &parents, std::vector<Sibling> &roots)
 {
     const auto it = parents.find(id);

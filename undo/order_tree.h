@@ -9,27 +9,28 @@
 
 namespace suffuse {
 
-/// A group with its members, or one stroke. Siblings stand from bottom to top.
+/// A group with its members, or one stroke. Siblings are in order from bottom to top.
 struct Sibling {
-    GroupId group = 0; ///< 0: a stroke
+    GroupId group = 0; ///< 0 if it is a stroke
     StrokeId stroke = 0;
     std::vector<Sibling> members;
-    bool selected = false; ///< the stroke, or all members
-    Rect influence;        ///< of what is visible, once it is filled in
+    bool selected = false; ///< whether the stroke, or all members, are selected
+    Rect influence;        ///< the influence of what is visible, once it is computed
 };
 
-/// Locked strokes do not count as selected.
+/// The tree of a painting. Locked strokes do not count as selected.
 std::vector<Sibling> orderTree(const Painting &painting, const std::set<StrokeId> &selected);
-/// The selected siblings that lie in no selected group.
+/// The selected siblings that are in no selected group.
 std::vector<const Sibling *> selectedUnits(const std::vector<Sibling> &siblings);
-/// The strokes of a sibling, itself or its members.
+/// Visits the strokes of a sibling: itself, or its members.
 void forEachStroke(const Sibling &sibling, const std::function<void(StrokeId)> &visit);
 
+/// The order of the strokes in a tree, from bottom to top.
 std::vector<StrokeId> orderOf(const std::vector<Sibling> &siblings);
 
-/// This group and those around it, from the inside out; none of 0.
+/// The group with this id and the groups around it, from the inside out; none for the id 0.
 std::vector<GroupId> groupsAround(const Painting &painting, GroupId id);
-/// The group that holds this one and lies in no other.
+/// The group that this group is in and that is in no other.
 GroupId outermostGroup(const Painting &painting, GroupId id);
 
 } // namespace suffuse

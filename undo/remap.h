@@ -1,11 +1,11 @@
-// What becomes of selected segments when strokes are reshaped.
+// Keeps the selection of segments when strokes are reshaped.
 #pragma once
 
 #include "model/painting/selection.h"
 
 namespace suffuse {
 
-/// Takes a stroke's segments out of the selection.
+/// Removes a stroke's segments from the selection, and returns them.
 inline std::set<SegmentRef> takeSegments(Selection &selection, StrokeId stroke)
 {
     const auto first = selection.segments.lower_bound({stroke, 0});
@@ -15,7 +15,7 @@ inline std::set<SegmentRef> takeSegments(Selection &selection, StrokeId stroke)
     return taken;
 }
 
-/// Selects the segments of a stroke that came from selected ones: segment k from sources[k].
+/// Selects those segments of a stroke that came from selected ones. Segment k came from sources[k].
 inline void remap(Selection &selection, StrokeId stroke, const std::vector<int> &sources)
 {
     const std::set<SegmentRef> before = takeSegments(selection, stroke);

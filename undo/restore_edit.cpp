@@ -6,7 +6,7 @@ Edit restorePainting(const Document &document, const Painting &state)
 {
     const Painting &now = *document.painting();
     Edit edit;
-    for (const StrokePtr &stroke : now.strokes) // those that are not in `state` go
+    for (const StrokePtr &stroke : now.strokes) // Strokes that are not in `state` are removed.
         edit.strokes.emplace(stroke->id, nullptr);
     for (const StrokePtr &stroke : state.strokes)
         edit.strokes[stroke->id] = stroke;

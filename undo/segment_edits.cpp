@@ -8,7 +8,7 @@ namespace suffuse {
 
 namespace {
 
-using SegmentsOfStrokes = std::unordered_map<StrokeId, std::vector<int>>; ///< ascending, without repetition
+using SegmentsOfStrokes = std::unordered_map<StrokeId, std::vector<int>>; ///< in ascending order, each once
 
 SegmentsOfStrokes segmentsByStroke(const std::vector<SegmentRef> &targets)
 {
@@ -19,7 +19,7 @@ SegmentsOfStrokes segmentsByStroke(const std::vector<SegmentRef> &targets)
     return result;
 }
 
-/// Changes the segments it can; null if none.
+/// The stroke with `change` applied to the segments that allow it; null if none does.
 StrokePtr withChanged(const Stroke &stroke, const std::vector<int> &segments,
                       const std::function<void(Segment &)> &change)
 {
@@ -32,13 +32,13 @@ StrokePtr withChanged(const Stroke &stroke, const std::vector<int> &segments,
         if (problemOf(segment).isEmpty())
             result->segments[std::size_t(index)] = std::move(segment);
     }
-    // A segment that came off its neighbours breaks the whole stroke.
+    // A segment that no longer meets its neighbours makes the whole stroke invalid.
     if (result->segments == stroke.segments || !problemOf(*result).isEmpty())
         return nullptr;
     return result;
 }
 
-/// What is left of a stroke without the segments (ascending).
+/// What is left of a stroke without some segments (in ascending order).
 std::vector<StrokePtr> remainingRuns(const Stroke &stroke, const std::vector<int> &deleted, Leaves leaves,
                                      Document &document)
 {

@@ -9,7 +9,7 @@ namespace suffuse {
 
 namespace {
 
-/// A locked stroke may be renamed, hidden and unlocked, nothing else.
+/// Restores all that may not change in a locked stroke: it may only be renamed, hidden and unlocked.
 void keepLocked(const Stroke &before, Stroke &after)
 {
     Stroke kept = before;
@@ -19,13 +19,13 @@ void keepLocked(const Stroke &before, Stroke &after)
     after = std::move(kept);
 }
 
-/// Copies of strokes, and of groups as a whole with the tree that is in them.
+/// The copies of strokes, and of whole groups with the tree in them.
 struct Copies {
     Document &document;
     const Painting &painting;
     Point offset;
     std::unordered_map<StrokeId, StrokePtr> originals;
-    std::vector<StrokePtr> strokes; ///< bottom to top
+    std::vector<StrokePtr> strokes; ///< from bottom to top
     std::vector<Group> groups;
 
     void add(const Sibling &sibling, GroupId around)
@@ -57,7 +57,7 @@ std::unordered_map<StrokeId, StrokePtr> byId(const Painting &painting)
     return found;
 }
 
-/// The group in which a sibling stands.
+/// The group that a sibling is in.
 GroupId aroundOf(const Painting &painting, const Sibling &sibling)
 {
     if (sibling.group == 0)
@@ -65,7 +65,7 @@ GroupId aroundOf(const Painting &painting, const Sibling &sibling)
     return std::ranges::find(painting.groups, sibling.group, &Group::id)->parent;
 }
 
-/// The place in the order right above a sibling, and all that is in it.
+/// The place in the order just above a sibling and all that is in it.
 std::ptrdiff_t placeAbove(const Painting &painting, const Sibling &sibling)
 {
     const auto isOf = [&](const StrokePtr &stroke) {
@@ -119,7 +119,7 @@ Edit addStrokes(const Document &document, const std::vector<StrokePtr> &strokes,
         if (!stroke || !problemOf(*stroke).isEmpty() || !taken.insert(stroke->id).second)
             continue;
         StrokePtr added = stroke;
-        // Members of a group stand together: only the topmost stroke's group can be joined on top.
+        // The members of a group stand together, so a stroke on top can join only the group of the topmost stroke.
         if (stroke->group != topGroup && stroke->group != 0) {
             auto ungrouped = std::make_shared<Stroke>(*stroke);
             ungrouped->group = 0;
@@ -141,7 +141,7 @@ Edit addStrokes(const Document &document, const std::vector<StrokePtr> &strokes,
 Edit duplicateSelection(Document &document, Point offset)
 {
     const PaintingPtr painting = document.painting();
-    // A click on a group does not select what is hidden or locked in it: it is the group as a whole all the same.
+    // A click on a group does not select what is hidden or locked in it. The group counts as selected all the same.
     const std::set<StrokeId> &selected = document.selection().strokes;
     Painting selectable = *painting;
     selectable.strokes.clear();

@@ -16,7 +16,7 @@ const EditCommand *commandAt(const QUndoStack &stack, int index)
     return dynamic_cast<const EditCommand *>(stack.command(index));
 }
 
-/// Whether the step altered strokes of the set and nothing else.
+/// Whether a step altered strokes of the set and nothing else.
 bool onlyAlters(const Edit &edit, const std::set<StrokeId> &strokes)
 {
     if (edit.strokes.empty() || edit.reorders() || edit.touchesTheRest())

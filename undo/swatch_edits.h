@@ -4,7 +4,7 @@
 
 namespace suffuse {
 
-/// Replaces the painting's swatches; an empty Edit where they are these.
+/// Replaces the painting's swatches. The edit is empty if they are equal.
 Edit setSwatches(const Document &document, const std::vector<Swatch> &swatches);
 
 } // namespace suffuse

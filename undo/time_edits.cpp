@@ -14,7 +14,7 @@ namespace {
 
 constexpr Microseconds latest = std::numeric_limits<Microseconds>::max() / 4;
 
-/// Which segments of a stroke a selection means: all, or those in [first, last).
+/// Knows which segments of a stroke a selection means: all, or those in [first, last).
 class Selected {
 public:
     Selected(const Selection &selection, StrokeId stroke)
@@ -36,7 +36,7 @@ private:
     bool m_all;
 };
 
-/// Calls visit(segment) for what is selected and not locked.
+/// Calls visit(segment) for each segment that is selected and not locked.
 template <typename Visit>
 void forEachSelected(const Painting &painting, const Selection &selection, Visit visit)
 {
@@ -57,7 +57,7 @@ void shift(Segment &segment, const TimeMap &map)
         r.time = map(r.time);
 }
 
-/// Share of the time after which the pen is at `way`, a share of the curve.
+/// The share of the time after which the pen has gone `way`, a share of the curve.
 double timeAt(Pace pace, double way)
 {
     switch (pace) {
@@ -73,10 +73,10 @@ double timeAt(Pace pace, double way)
     return way;
 }
 
-/// Segments from … to (inclusive) between the births of the first and the last.
+/// Sets the births of the segments from … to (inclusive) between those of the first and the last.
 void paceRun(Stroke &stroke, std::size_t from, std::size_t to, Pace pace)
 {
-    std::vector<double> ways{0}; // from the start of the first to that of each
+    std::vector<double> ways{0}; // from the start of the first segment to that of each
     for (std::size_t k = from; k < to; ++k)
         ways.push_back(ways.back() + arcLength(stroke.cubicOf(stroke.segments[k])));
     const Microseconds begin = stroke.segments[from].born, end = stroke.segments[to].born;
@@ -89,7 +89,8 @@ void paceRun(Stroke &stroke, std::size_t from, std::size_t to, Pace pace)
     }
 }
 
-/// Share of the time that has gone after easing, over that before: a cubic with the ease's slopes at its ends.
+/// The share of the time that has passed after easing, for a share before it: a cubic with the ease's slopes at its
+/// ends.
 double eased(const Ease &ease, double share)
 {
     const double left = 1 - share;
@@ -125,8 +126,8 @@ void forEachRun(const Stroke &stroke, const Selected &selected, Visit visit)
     }
 }
 
-/// The selected strokes of `before`, changed; the strokes themselves where nothing changes, so that a drag that comes
-/// back leaves no trace.
+/// The selected strokes of `before`, changed. A stroke that does not change is put back as it was, so that a drag that
+/// comes back leaves no trace.
 template <typename Apply>
 Edit changedSince(const Painting &before, const Selection &selection, Apply apply)
 {
@@ -148,7 +149,8 @@ void freezeSegment(Segment &segment, Microseconds T)
 {
     if (T < segment.born || T >= segment.driesAt())
         return;
-    if (toSeconds(T - segment.born) < double(segment.maxAge)) // born just now: the smallest age that there is
+    // A segment that was born just now gets the smallest possible age.
+    if (toSeconds(T - segment.born) < double(segment.maxAge))
         segment.maxAge = float(toSeconds(std::max<Microseconds>(T - segment.born, 1)));
     for (Rewet &r : segment.rewet)
         if (r.time <= T)
@@ -163,8 +165,8 @@ bool takesPaint(const Painting &painting, GroupId group)
     return painting.isVisible(member) && !painting.isLocked(member);
 }
 
-/// The edit does nothing but add strokes, and its order has the painting's as its beginning: then the strokes behind
-/// it, else none. Parts of strokes that are cut stay where these are.
+/// If an edit does nothing but add strokes on top of all others, the strokes that it adds; otherwise none. The parts of
+/// strokes that are cut stay where the strokes are.
 std::vector<StrokeId> addedOnTop(const Painting &painting, const Edit &edit)
 {
     if (!edit.order || edit.order->size() <= painting.strokes.size() ||
@@ -193,7 +195,7 @@ Edit retime(const Painting &before, const Selection &selection, const TimeMap &m
     const TimeSpan span = drawnSpan(before, selection);
     if (span.end < span.begin)
         return {};
-    TimeMap kept = map; // nothing begins before time 0 that did not before
+    TimeMap kept = map; // Nothing begins before time 0 that did not do so before.
     kept.by += std::max<Microseconds>(0, std::min<Microseconds>(0, span.begin) - map(span.begin));
     return changedSince(before, selection, [&kept](Stroke &stroke, const Selected &selected) {
         for (std::size_t k = 0; k < stroke.segments.size(); ++k)
@@ -318,7 +320,7 @@ PlaceInTime placeInTime(const Painting &painting, Microseconds born)
         ++place.index;
     if (place.index == 0 || place.index == strokes.size())
         return place;
-    // In the middle of groups: the innermost that both neighbours lie in.
+    // Between members of groups the stroke goes into the innermost group that both neighbours are in.
     const std::vector<GroupId> below = groupsAround(painting, strokes[place.index - 1]->group);
     for (const GroupId group : groupsAround(painting, strokes[place.index]->group)) {
         if (std::ranges::find(below, group) == below.end())
@@ -343,7 +345,7 @@ Edit placedInTime(const Document &document, Edit edit)
     if (added.empty() || edit.groups)
         return edit;
     edit.order->resize(painting.strokes.size());
-    // From the last one on, so that the places of those before stay what they were.
+    // The last one comes first, so that the places of those before it stay right.
     std::vector<std::pair<PlaceInTime, StrokeId>> places;
     for (const StrokeId id : added) {
         const PlaceInTime place = placeInTime(painting, edit.strokes.at(id)->born());

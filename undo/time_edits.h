@@ -1,5 +1,6 @@
-// Changing when things happen: retiming, freezing, re-wetting, painting in the past. As in edits.h: an empty Edit where
-// there is nothing to do, locked strokes left alone. What is selected are segments, or whole strokes without any.
+// Edits that change when things happen: retiming, freezing, re-wetting, painting in the past. A function returns an
+// empty Edit if there is nothing to do, and leaves locked strokes alone. The selection means its segments or, without
+// any, its whole strokes.
 #pragma once
 
 #include "model/document/timelapse.h"
@@ -10,7 +11,7 @@
 
 namespace suffuse {
 
-/// Document time T to from + (T − from)·factor + by. The factor is not negative.
+/// Maps document time T to from + (T − from)·factor + by. The factor must not be negative.
 struct TimeMap {
     Microseconds from = 0;
     double factor = 1;
@@ -22,55 +23,60 @@ struct TimeMap {
     }
 };
 
-/// Moves the births of what is selected, and when it is wetted again. For a drag: gives the strokes as they were in
-/// `before` with the selection of then, whatever stands in the document now; the identity brings them back. What would
-/// be painted before time 0 begins at 0, all of it later by the same.
+/// Moves the births of the selection, and the times at which it is wetted again. For drags, it makes the strokes from
+/// those in `before` and the selection of then, whatever the document has now; so the identity brings them back. If
+/// something would be painted before time 0, it begins at 0, and all of it is later by the same time.
 Edit retime(const Painting &before, const Selection &selection, const TimeMap &map);
 
-/// When the first and the last selected segment are born; empty (end before begin) where nothing can be retimed.
+/// When the first and the last selected segment are born; empty (its end before its begin) where nothing can be
+/// retimed.
 TimeSpan drawnSpan(const Painting &painting, const Selection &selection);
-/// Births of each selected stroke, or of its segments that are selected, shifted as one so that the first of them comes
-/// when `map` says of its time; so is when it is wetted again. Nothing where `map` gives none for one of them.
+/// Shifts the births of each selected stroke, or of its selected segments, by one time, so that the first of them comes
+/// at the time to which the map takes it. Times of wetting are shifted, too. Nothing changes if the map has no value
+/// for one of them.
 using BeginMap = std::function<std::optional<Microseconds>(Microseconds)>;
 Edit beginAt(const Painting &before, const Selection &selection, const BeginMap &map);
-/// As `retime`, so that what is selected is drawn from `begin` to `end`. What was there all at once is drawn at an even
-/// pace then, each stroke over the whole time.
+/// Retimes the selection, as `retime` does, so that it is drawn during `span`. Segments that all appeared at once are
+/// then drawn at an even pace, each stroke in the whole time.
 Edit stretch(const Painting &before, const Selection &selection, TimeSpan span);
 
 /// How fast the pen goes along a stroke.
 enum class Pace { Even, EaseIn, EaseOut, EaseInOut };
-/// Births after the way along the curve, for each selected stroke, or run of its segments, between its first and last.
+/// Sets the births along each selected stroke, or run of its segments, between its first and last birth.
 Edit setPace(const Document &document, Pace pace);
 
-/// How much slower the pen is at the ends of what it draws than it was: 1 leaves it as it is, 2 is half as fast there.
+/// How much slower than before the pen is at the ends of what it draws: 1 leaves it as it is, 2 makes it half as fast
+/// there.
 struct Ease {
-    static constexpr double most = 2.8; ///< times slower or faster; beyond it the pen would go back
+    /// The pen is at most so many times slower or faster; beyond that it would have to go back.
+    static constexpr double most = 2.8;
     double atBegin = 1;
     double atEnd = 1;
 };
-/// Births of each selected stroke, or run of its segments, between its first and its last. For a drag, as `retime`.
+/// Eases the births of each selected stroke, or run of its segments, between its first and last birth. It is meant for
+/// drags, as `retime` is.
 Edit ease(const Painting &before, const Selection &selection, const Ease &ease);
 
-/// All that is wet at T stops spreading then, selected or not: t_max becomes the age. What is painted or wetted later
+/// Stops the spreading of all that is wet at T, selected or not: t_max becomes the age. What is painted or wetted later
 /// is left alone.
 Edit freeze(const Document &document, Microseconds T);
 
-/// What is selected, and there at T, spreads on from T for another `extra`.
+/// Wets again, at T and for the time `extra`, the selected segments that are there at T.
 Edit rewet(const Document &document, Microseconds T, Microseconds extra);
-/// What is selected is never wetted again.
+/// Removes all wetting again from the selection.
 Edit removeRewetting(const Document &document);
-/// Whether that changes something.
+/// Whether that would change something.
 bool canRemoveRewetting(const Document &document);
-/// What is selected is not wetted then.
+/// Removes one time of wetting again from the selection.
 Edit removeRewetting(const Document &document, const Rewet &one);
 
-/// Where a stroke stands that is painted at a moment of the past.
+/// The place of a stroke that is painted at a moment of the past.
 struct PlaceInTime {
-    std::size_t index = 0; ///< below the stroke that is there now
-    GroupId group = 0;     ///< the one that it comes to lie in
+    std::size_t index = 0; ///< The stroke comes below the one that has this index now.
+    GroupId group = 0;     ///< the group that it joins
 };
-/// Below all strokes that were begun after `born`. Within a group it joins the group; below one that is hidden or
-/// locked.
+/// The place below all strokes that were begun after `born`. Between members of a group it joins the group; if that is
+/// hidden or locked, it goes below it.
 PlaceInTime placeInTime(const Painting &painting, Microseconds born);
 /// The edit with the strokes that it adds on top put to their places in time instead.
 Edit placedInTime(const Document &document, Edit edit);

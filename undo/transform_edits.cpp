@@ -9,7 +9,7 @@ namespace suffuse {
 
 namespace {
 
-/// What moves as one: a stroke, or a group that is selected as a whole.
+/// A stroke, or a group that is selected as a whole, which moves as one.
 struct MovedUnit {
     std::vector<StrokePtr> strokes;
     Rect box;
@@ -47,7 +47,7 @@ void move(const MovedUnit &unit, Point by, Edit &edit)
     }
 }
 
-/// How far a box must go to be aligned with another.
+/// How far a box must move to be aligned with another one.
 Point wayTo(const Rect &target, const Rect &box, Align how)
 {
     switch (how) {
@@ -142,7 +142,7 @@ Rect selectionBox(const Painting &painting, const Selection &selection)
             };
             if (isWithin())
                 continue;
-            // Its ends first: only a curve that may reach beyond what there is already is worth solving for.
+            // The ends come first: a curve is solved for only if it may reach beyond the box so far.
             box.include(cubic.p[0]);
             box.include(cubic.p[3]);
             if (!isWithin())

@@ -6,12 +6,12 @@
 
 namespace suffuse {
 
-/// Puts a picture under the painting, in place of the one that is there; nothing: takes that away.
+/// Puts a picture under the painting in place of the present one. Without a value it removes that.
 Edit setUnderlay(const Document &document, std::optional<Underlay> underlay);
-/// Applies `change` to the underlay that is there. One that would be none (`problemOf`) is left as it is.
+/// Applies `change` to the present underlay. If it would become invalid (`problemOf`), it stays as it was.
 Edit changeUnderlay(const Document &document, const std::function<void(Underlay &)> &change);
 
-/// The largest area of `width` to `height` that lies in `around`, in its middle.
+/// The largest area with the proportions of `width` to `height` in `around`, in its middle.
 Rect fitted(double width, double height, const Rect &around);
 
 } // namespace suffuse
