@@ -1,5 +1,7 @@
 #include "render/nodes/frozen_nodes.h"
 
+#include "render/nodes/blocks.h"
+
 #include <algorithm>
 
 namespace suffuse {
@@ -13,20 +15,14 @@ bool hasOneStyle(const Stroke &stroke)
                                [&](const Segment &s) { return s.lift || stroke.styleOf(s) == stroke.style; });
 }
 
-/// Where the whole blocks at the stroke's begin end, after `known` segments, that are dry.
-std::size_t drySegments(const Stroke &stroke, Microseconds T, std::size_t known)
+/// The last firm border up to which all segments from `known` on are dry.
+std::size_t drySegments(const Stroke &stroke, const StrokeBlocks &blocks, Microseconds T, std::size_t known)
 {
     const auto &segments = stroke.segments;
     const auto firstWet = std::find_if(segments.begin() + std::ptrdiff_t(known), segments.end(),
                                        [T](const Segment &s) { return s.driesAt() > T; });
-    const auto wet = std::size_t(firstWet - segments.begin());
-    const std::vector<std::size_t> borders = blockBorders(stroke);
-    // The last block may grow: it is whole only where it cannot.
-    std::size_t whole = 0;
-    for (std::size_t i = 1; i < borders.size() && borders[i] <= wet; ++i)
-        if (i + 1 < borders.size() || borders[i] - borders[i - 1] == mergeBlock)
-            whole = borders[i];
-    return whole;
+    const auto after = std::ranges::upper_bound(blocks.firm, std::size_t(firstWet - segments.begin()));
+    return after == blocks.firm.begin() ? known : *(after - 1);
 }
 
 /// The stroke still begins with what is frozen, in the same blocks, and looks the same.
@@ -36,7 +32,7 @@ bool holds(const FrozenNodes &frozen, const Stroke &stroke, Microseconds T, int 
         frozen.stroke->origin != stroke.origin || frozen.stroke->style != stroke.style)
         return false;
     const auto end = stroke.segments.begin() + std::ptrdiff_t(frozen.segments);
-    return std::ranges::binary_search(blockBorders(stroke), frozen.segments) &&
+    return isFirmBorder(stroke, frozen.segments) &&
            std::equal(stroke.segments.begin(), end, frozen.stroke->segments.begin()) &&
            std::all_of(stroke.segments.begin(), end, [T](const Segment &s) { return s.driesAt() <= T; });
 }
@@ -53,19 +49,25 @@ std::shared_ptr<const StrokeNodes> buildNodes(const StrokePtr &stroke, Microseco
     if (!holds(frozen, *stroke, T, octave))
         frozen = {nullptr, octave, 0, {}};
     const NodeContext context{T, octave, clip, {stroke->style}};
-    const std::size_t known = frozen.segments, dry = drySegments(*stroke, T, known);
+    const std::size_t known = frozen.segments;
+    const StrokeBlocks blocks = blocksOf(*stroke, known);
+    const std::span<const std::size_t> borders(blocks.borders);
+    const std::size_t dry = drySegments(*stroke, blocks, T, known);
+    std::size_t built = 0; // blocks
     if (dry > known) {
+        const auto count = std::size_t(std::ranges::lower_bound(borders, dry) - borders.begin());
         StrokeNodes more;
-        appendNodes(*stroke, known, dry, context, threads, more);
+        appendNodes(*stroke, borders.first(count + 1), context, threads, more);
         if (!more.clipped) { // or they would depend on the view
             appendNodes(more, frozen.nodes);
             frozen.segments = dry;
+            built = count;
         }
     }
     frozen.stroke = stroke;
     auto nodes = std::make_shared<StrokeNodes>(frozen.nodes);
     nodes->settledRows = std::uint32_t(nodes->rows.size());
-    appendNodes(*stroke, frozen.segments, stroke->segments.size(), context, threads, *nodes);
+    appendNodes(*stroke, borders.subspan(built), context, threads, *nodes);
     return nodes;
 }
 

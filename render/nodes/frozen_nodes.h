@@ -11,7 +11,7 @@ namespace suffuse {
 struct FrozenNodes {
     StrokePtr stroke;
     int octave = 0;
-    std::size_t segments = 0; ///< so many from the stroke's begin; whole blocks
+    std::size_t segments = 0; ///< so many from the stroke's begin: a firm border of it
     StrokeNodes nodes;
 };
 

@@ -74,7 +74,7 @@ struct Centred {
     }
 };
 
-float norm(Point p)
+float lengthOf(Point p)
 {
     return float(std::sqrt(dot(p, p)));
 }
@@ -85,13 +85,13 @@ float nodesIfNearlyStraight(const Cubic &whitened, const Cubic &metric, float ta
 {
     const Centred c(whitened), g(metric);
     const Point first = c.m1 + 0.75 * c.m3, second = 0.5 * c.m2; // Chebyshev coefficients
-    const float speed = 2 * norm(g.m1 + 1.5 * g.m3);
+    const float speed = 2 * lengthOf(g.m1 + 1.5 * g.m3);
     if (!(speed > 1e-20f && speed < 1e20f))
         return 1e30f;
     EvenCurve curve;
-    curve.first = norm(first), curve.second = norm(second), curve.third = 0.25f * norm(c.m3);
+    curve.first = lengthOf(first), curve.second = lengthOf(second), curve.third = 0.25f * lengthOf(c.m3);
     curve.crossed = float(std::abs(dot(first, second)));
-    curve.rest1 = 4 * norm(g.m2), curve.rest2 = 3 * norm(g.m3);
+    curve.rest1 = 4 * lengthOf(g.m2), curve.rest2 = 3 * lengthOf(g.m3);
     curve.perSpeed = 1 / speed;
     return nodesOfEvenCurve(curve, std::log(speed) - target);
 }

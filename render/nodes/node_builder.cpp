@@ -1,5 +1,6 @@
 #include "render/nodes/node_builder.h"
 
+#include "render/nodes/blocks.h"
 #include "render/nodes/level1.h"
 #include "render/nodes/segment_nodes.h"
 #include "render/threads/parallel.h"
@@ -241,14 +242,11 @@ void appendNodes(const StrokeNodes &part, StrokeNodes &out)
     out.clipped |= part.clipped;
 }
 
-void appendNodes(const Stroke &stroke, std::size_t from, std::size_t to, const NodeContext &context, Threads threads,
-                 StrokeNodes &out)
+void appendNodes(const Stroke &stroke, std::span<const std::size_t> borders, const NodeContext &context,
+                 Threads threads, StrokeNodes &out)
 {
-    if (from == to)
+    if (borders.size() < 2)
         return;
-    const std::vector<std::size_t> all = blockBorders(stroke);
-    const auto first = std::ranges::lower_bound(all, from), last = std::ranges::lower_bound(all, to);
-    const std::span<const std::size_t> borders(first, last + 1);
     constexpr std::size_t share = 2; // blocks: tens of microseconds
     const std::size_t blocks = borders.size() - 1, shares = (blocks + share - 1) / share;
     if (threads.count() == 1 || shares < 4)
@@ -269,18 +267,6 @@ void appendNodes(const Stroke &stroke, std::size_t from, std::size_t to, const N
     parallelFor(shares, threads, [&](std::size_t i) { copyNodes(parts[i], places[i], out); });
 }
 
-std::vector<std::size_t> blockBorders(const Stroke &stroke)
-{
-    const std::vector<Segment> &segments = stroke.segments;
-    std::vector<std::size_t> borders{0};
-    for (std::size_t k = 1; k < segments.size(); ++k)
-        if (segments[k].start || segments[k].lift != segments[k - 1].lift || k - borders.back() == mergeBlock)
-            borders.push_back(k);
-    if (!segments.empty())
-        borders.push_back(segments.size());
-    return borders;
-}
-
 std::shared_ptr<const StrokeNodes> buildNodes(const Stroke &stroke, Microseconds T, int octave, const Rect &clip,
                                               Threads threads)
 {
@@ -290,7 +276,7 @@ std::shared_ptr<const StrokeNodes> buildNodes(const Stroke &stroke, Microseconds
         if (!segment.lift && std::find(styles.begin(), styles.end(), stroke.styleOf(segment)) == styles.end())
             styles.push_back(stroke.styleOf(segment));
     auto result = std::make_shared<StrokeNodes>();
-    appendNodes(stroke, 0, stroke.segments.size(), context, threads, *result);
+    appendNodes(stroke, blocksOf(stroke).borders, context, threads, *result);
     // Kept for as long as the stroke stays as it is.
     result->nodes.shrink_to_fit();
     result->groups.shrink_to_fit();

@@ -71,13 +71,6 @@ struct StrokeNodes {
     std::uint32_t settledRows = 0; ///< rows of leading blocks that have dried: they stay while the stroke grows
 };
 
-/// Segments are merged within blocks of so many, all of them dry: so an edit changes nodes of its block only. A chain
-/// begins a block, and so do segments that take paint away behind others that lay it: strokes that get more chains, or
-/// are lifted from, keep the nodes that they have.
-inline constexpr int mergeBlock = 32;
-/// The segments where blocks begin, in order, and the number of segments.
-std::vector<std::size_t> blockBorders(const Stroke &stroke);
-
 /// Zoom octave of a scale in pixels per unit: the smallest o with 2^o ≥ scale.
 int zoomOctave(double scale);
 
@@ -93,9 +86,9 @@ struct NodeContext {
     std::vector<Style> styles; ///< of all segments of the stroke that lay paint, each once
 };
 
-/// Appends the nodes of the stroke's segments [from, to), `from` a multiple of mergeBlock; `to` another one or the end.
-void appendNodes(const Stroke &stroke, std::size_t from, std::size_t to, const NodeContext &context, Threads threads,
-                 StrokeNodes &out);
+/// Appends the nodes of the stroke's blocks between these borders, which are some of blocksOf, one after the other.
+void appendNodes(const Stroke &stroke, std::span<const std::size_t> borders, const NodeContext &context,
+                 Threads threads, StrokeNodes &out);
 
 /// Appends all of `part`.
 void appendNodes(const StrokeNodes &part, StrokeNodes &out);

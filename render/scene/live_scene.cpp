@@ -1,5 +1,7 @@
 #include "render/scene/live_scene.h"
 
+#include "render/nodes/blocks.h"
+
 #include <algorithm>
 
 namespace suffuse {
@@ -162,7 +164,7 @@ void LiveScene::prepare(const std::vector<Stale> &stale, const RenderRequest &re
         m_nodeCount -= nodesOf(s.index);
         const Stroke &stroke = *m_sources[s.index];
         const auto known = m_frozen.find(stroke.id);
-        const bool isWet = m_driesAt[s.index] > request.time && stroke.segments.size() > mergeBlock;
+        const bool isWet = m_driesAt[s.index] > request.time && stroke.segments.size() > 2 * blockReach;
         const bool keeps = !s.nodesHold && (isWet || known != m_frozen.end());
         frozen.push_back(keeps ? &wet[stroke.id] : nullptr);
         if (keeps && known != m_frozen.end())

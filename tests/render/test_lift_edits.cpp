@@ -1,4 +1,5 @@
 // Edits of paint that is lifted: what an erasure leaves as it was, and redraws of what changed.
+#include "tests/render/edited_strokes.h"
 #include "tests/render/lifted.h"
 
 #include "model/painting/influence.h"
@@ -78,7 +79,7 @@ private slots:
     }
 
     /// Erasing leaves one stroke. Pixels outside the influence of the segments that were taken or cut keep their bits
-    /// while the stroke is wet; once dry its other segments are merged anew, which is too little to see.
+    /// while the stroke is wet; once dry, those that the blocks around the cuts do not reach (test_local_edits).
     void erasingChangesNothingElse()
     {
         for (const Style &style :
@@ -103,6 +104,8 @@ private slots:
                 const double outside = differenceOutside(a, b, influence, view);
                 QVERIFY2(outside <= (time == p->end() ? 1.0 / 512 : 0),
                          qPrintable(QStringLiteral("%1: %2").arg(QString::fromLatin1(nameOf(style))).arg(outside)));
+                const EditReach reach = reachOfEdit(s, *left, {}, time, view);
+                QCOMPARE(pixelsChangedOutside(a, b, reach.areas), 0);
             }
         }
     }
