@@ -27,16 +27,8 @@ QString WidthHandle::hint()
 
 std::optional<WidthHandle::Target> WidthHandle::targetOf(const Stroke &stroke, const SegmentRef &ref) const
 {
-    const Segment &segment = stroke.segments[std::size_t(ref.segment)];
-    Target target{ref, segment};
-    // The width of paint that is not there yet is set for the time when it is dry.
-    const double age = segment.age(m_canvas.editor().clock().time());
-    target.age = age > 0 ? age : double(segment.maxAge);
-    target.across = diffusionAcross(segment, tangentAt(stroke.cubicOf(segment), 0.5)) / double(segment.diffusion);
-    target.cut = visibleCut(stroke.styleOf(segment));
-    target.width =
-        halfWidth(target.across * double(segment.diffusion), double(segment.density), target.age, target.cut);
-    return target.cut > 0 ? std::optional(target) : std::nullopt;
+    const auto seen = seenWidth(stroke, ref.segment, m_canvas.editor().clock().time());
+    return seen ? std::optional<Target>({ref, stroke.segments[std::size_t(ref.segment)], *seen}) : std::nullopt;
 }
 
 std::optional<WidthHandle::Place> WidthHandle::place() const
@@ -56,7 +48,7 @@ std::optional<WidthHandle::Place> WidthHandle::place() const
         return {};
     const Cubic cubic = stroke->cubicOf(stroke->segments[std::size_t(middle)]);
     const Point tangent = tangentAt(cubic, 0.5);
-    return Place{{stroke->id, middle}, cubic.at(0.5), {-tangent.y, tangent.x}, target->width};
+    return Place{{stroke->id, middle}, cubic.at(0.5), {-tangent.y, tangent.x}, target->seen.width};
 }
 
 Point WidthHandle::pixelOf(const Place &place, const View &view, double dpr) const
@@ -97,23 +89,6 @@ void WidthHandle::move(const PointerEvent &event)
     setWidth(std::max(width, 0.0), event.modifiers & Qt::ShiftModifier);
 }
 
-void WidthHandle::widen(Segment &segment, const Target &target, double width, bool diffusionAlone) const
-{
-    if (target.width <= 0 && m_start.width > 0)
-        return; // Where other segments are seen, those that have faded keep their width.
-    const double diffusion = target.across * double(segment.diffusion);
-    if (diffusionAlone) {
-        if (width > 0 && segment.density > 0)
-            segment.diffusion =
-                float(diffusionForHalfWidth(width, double(segment.density), target.age, target.cut) / target.across);
-        return;
-    }
-    const WidthValues values = valuesForHalfWidth(width, diffusion, target.age, target.cut);
-    if (values.diffusion != diffusion)
-        segment.diffusion = float(values.diffusion / target.across);
-    segment.density = float(values.density);
-}
-
 void WidthHandle::setWidth(double width, bool diffusionAlone)
 {
     // At the start of the drag every value is again what it was, to the last bit.
@@ -127,8 +102,10 @@ void WidthHandle::setWidth(double width, bool diffusionAlone)
             Segment &segment = stroke.segments[std::size_t(target.ref.segment)];
             segment.diffusion = target.before.diffusion;
             segment.density = target.before.density;
-            if (!back)
-                widen(segment, target, m_start.width > 0 ? ratio * target.width : width, diffusionAlone);
+            const bool faded = target.seen.width <= 0 && m_start.width > 0; // it stays so beside what is seen
+            if (!back && !faded)
+                setSeenWidth(segment, target.seen, m_start.width > 0 ? ratio * target.seen.width : width,
+                             diffusionAlone);
         }
     });
     m_gesture.show(std::move(edit));

@@ -3,6 +3,7 @@
 
 #include "app/canvas/input/pointer_event.h"
 #include "app/session/gesture.h"
+#include "app/session/painting/seen_width.h"
 #include "model/painting/selection.h"
 #include "render/view.h"
 
@@ -52,16 +53,12 @@ private:
     struct Target {
         SegmentRef ref;
         Segment before;
-        double across = 1; ///< D across the curve, as a share of D
-        double cut = 0;
-        double width = 0;
-        double age = 0;
+        SeenWidth seen;
     };
 
     std::optional<Place> place() const;
     Point pixelOf(const Place &place, const View &view, double dpr) const;
     std::optional<Target> targetOf(const Stroke &stroke, const SegmentRef &ref) const;
-    void widen(Segment &segment, const Target &target, double width, bool diffusionAlone) const;
     void setWidth(double width, bool diffusionAlone);
 
     CanvasWidget &m_canvas;
