@@ -1,8 +1,7 @@
 #pragma once
 
-#include "app/widgets/brush/brush_preview.h"
+#include "model/brush/brush.h"
 
-#include <QHash>
 #include <QWidget>
 
 #include <functional>
@@ -17,6 +16,7 @@ class QVBoxLayout;
 
 namespace suffuse {
 
+class BrushGrid;
 class BrushMenu;
 class Editor;
 class HintLabel;
@@ -30,7 +30,7 @@ class BrushPanel : public QWidget {
 public:
     explicit BrushPanel(Editor &editor, QWidget *parent = nullptr);
 
-    QListWidget *list() const { return m_list; }
+    QListWidget *list() const;
     QLineEdit *search() const { return m_search; }
     QToolButton *favouritesButton() const { return m_favourites; }
     QMenu *menu() const;
@@ -41,7 +41,7 @@ public:
     /// The item that shows a brush; null if there is none.
     QListWidgetItem *itemOf(const QString &name) const;
     /// The number of pictures that are still to be drawn.
-    int pendingPreviews() const { return int(m_pending.size()); }
+    int pendingPreviews() const;
 
     QSize sizeHint() const override;
 
@@ -50,46 +50,27 @@ signals:
     /// the right button, which opens the menu, only takes the brush in hand.
     void chosen();
 
-protected:
-    void paintEvent(QPaintEvent *event) override;
-    void resizeEvent(QResizeEvent *event) override;
-    void changeEvent(QEvent *event) override;
-
 private:
     void addHead(QVBoxLayout &column);
     void addList(QVBoxLayout &column);
     void addFields(QVBoxLayout &column);
     void fillList();
-    void addHeading(const QString &group);
-    void fitHeadings();
     bool isShown(const Brush &brush) const;
     void edit(const std::function<void(Brush &)> &change);
     void refresh();
-    void setPicture(QListWidgetItem *item);
-    void schedulePreviews();
-    void renderNext();
     QString inHand() const;
 
     Editor &m_editor;
     QLineEdit *m_search = nullptr;
     QToolButton *m_favourites = nullptr;
     BrushMenu *m_menu = nullptr;
-    QListWidget *m_list = nullptr;
+    BrushGrid *m_list = nullptr;
     QLabel *m_title = nullptr;
     QToolButton *m_reset = nullptr;
     SliderField *m_size = nullptr;
     SliderField *m_flow = nullptr;
     SliderField *m_opacity = nullptr;
     HintLabel *m_hint = nullptr;
-    BrushPreview m_preview;
-    /// Which pictures are drawn, and what they show.
-    struct Drawn {
-        Brush brush;
-        QImage image;
-    };
-    QHash<QString, Drawn> m_drawn;
-    std::vector<QString> m_pending; ///< the brushes without a picture yet, the next one last
-    bool m_started = false;
 };
 
 } // namespace suffuse

@@ -3,6 +3,7 @@
 #include "app/session/editor.h"
 #include "app/session/settings/brush_library.h"
 #include "app/tools/tool_fields.h"
+#include "app/widgets/brush/brush_combo.h"
 #include "app/widgets/numbers/quantity.h"
 
 #include <QComboBox>
@@ -27,20 +28,19 @@ BrushToolOptions::BrushToolOptions(Editor &editor) : m_editor(editor)
     row->addStretch();
     connect(&editor, &Editor::brushChanged, this, &BrushToolOptions::refresh);
     connect(&BrushLibrary::instance(), &BrushLibrary::changed, this, [this] {
-        fillPresets();
+        m_presets->fill();
         refresh();
     });
-    fillPresets();
+    m_presets->fill();
     refresh();
 }
 
 void BrushToolOptions::addPresets(QHBoxLayout &row)
 {
-    m_presets = new QComboBox(this);
-    m_presets->setToolTip(tr("What to paint with; the Brushes dock has pictures"));
+    m_presets = new BrushCombo(this);
+    m_presets->setToolTip(tr("What to paint with. Click: all brushes, with pictures."));
     m_presets->setAccessibleName(tr("Brush"));
-    m_presets->setSizeAdjustPolicy(QComboBox::AdjustToContents);
-    m_presets->setMaxVisibleItems(32);
+    m_presets->setPlaceholderText(tr("Own brush"));
     row.addWidget(m_presets);
     row.addSpacing(10);
     connect(m_presets, &QComboBox::activated, this,
@@ -78,19 +78,6 @@ void BrushToolOptions::change(const std::function<void(Brush &)> &apply)
     Brush brush = m_editor.brush();
     apply(brush);
     m_editor.setBrush(brush);
-}
-
-void BrushToolOptions::fillPresets()
-{
-    m_presets->clear();
-    QString group;
-    for (const Brush &brush : BrushLibrary::instance().brushes()) {
-        if (m_presets->count() > 0 && brush.group != group)
-            m_presets->insertSeparator(m_presets->count());
-        group = brush.group;
-        m_presets->addItem(brushTitle(brush.name), brush.name);
-    }
-    m_presets->setPlaceholderText(tr("Own brush"));
 }
 
 void BrushToolOptions::refresh()

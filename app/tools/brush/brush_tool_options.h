@@ -10,6 +10,7 @@ class QHBoxLayout;
 
 namespace suffuse {
 
+class BrushCombo;
 class Editor;
 class NumberField;
 struct Brush;
@@ -24,13 +25,12 @@ public:
 private:
     void addPresets(QHBoxLayout &row);
     void addSmoothing(QHBoxLayout &row);
-    void fillPresets();
     void refresh();
     void change(const std::function<void(Brush &)> &apply);
     void takeAmount(double value);
 
     Editor &m_editor;
-    QComboBox *m_presets = nullptr;
+    BrushCombo *m_presets = nullptr;
     NumberField *m_size = nullptr;
     NumberField *m_flow = nullptr;
     NumberField *m_opacity = nullptr;

@@ -1,0 +1,161 @@
+#include "app/widgets/brush/brush_grid.h"
+
+#include "app/session/settings/brush_library.h"
+#include "app/widgets/brush/brush_pictures.h"
+#include "app/widgets/numbers/display.h"
+
+#include <QApplication>
+#include <QEvent>
+#include <QScrollBar>
+
+#include <algorithm>
+
+namespace suffuse {
+
+namespace {
+
+constexpr int headingRole = Qt::UserRole + 1;
+
+} // namespace
+
+BrushGrid::BrushGrid(QWidget *parent) : QListWidget(parent)
+{
+    setViewMode(QListView::IconMode);
+    setMovement(QListView::Static);
+    setResizeMode(QListView::Adjust);
+    setIconSize(BrushPictures::size);
+    setFrameShape(QFrame::NoFrame);
+    setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    setVerticalScrollMode(QAbstractItemView::ScrollPerPixel);
+    setAccessibleName(tr("Brushes"));
+    viewport()->setAutoFillBackground(false);
+    connect(&BrushPictures::instance(), &BrushPictures::drawn, this, [this](const QString &name) {
+        if (QListWidgetItem *item = itemOf(name))
+            setPicture(item);
+    });
+}
+
+QString BrushGrid::brushOf(const QListWidgetItem *item)
+{
+    return item && !item->data(headingRole).toBool() ? item->data(Qt::UserRole).toString() : QString();
+}
+
+QListWidgetItem *BrushGrid::itemOf(const QString &name) const
+{
+    for (int row = 0; row < count(); ++row)
+        if (!item(row)->data(headingRole).toBool() && brushOf(item(row)) == name)
+            return item(row);
+    return nullptr;
+}
+
+void BrushGrid::mark(const QString &name)
+{
+    const QSignalBlocker blocker(this);
+    setCurrentItem(itemOf(name));
+}
+
+QSize BrushGrid::cell() const
+{
+    return {BrushPictures::size.width() + 6, BrushPictures::size.height() + fontMetrics().height() + 10};
+}
+
+QSize BrushGrid::sizeFor(int columns, int rows) const
+{
+    constexpr int slack = 4; // that a view keeps for itself
+    return {columns * cell().width() + verticalScrollBar()->sizeHint().width() + slack, rows * cell().height() + slack};
+}
+
+void BrushGrid::addHeading(const QString &group)
+{
+    auto *heading = new QListWidgetItem(brushGroupTitle(group), this);
+    heading->setFlags(Qt::NoItemFlags);
+    heading->setData(headingRole, true);
+    heading->setTextAlignment(Qt::AlignLeft | Qt::AlignBottom);
+    heading->setForeground(QApplication::palette().color(QPalette::PlaceholderText));
+}
+
+void BrushGrid::addBrush(const Brush &brush)
+{
+    auto *item = new QListWidgetItem(brushTitle(brush.name), this);
+    item->setData(Qt::UserRole, brush.name);
+    item->setToolTip(tr("%1: size %2, dry after %3")
+                         .arg(brushTitle(brush.name), lengthDisplay().text(brush.spread()),
+                              timeDisplay().text(double(brush.maxAge))));
+    item->setSizeHint(cell());
+    setPicture(item);
+}
+
+void BrushGrid::fillGroups(const std::function<bool(const Brush &brush)> &isShown)
+{
+    const QSignalBlocker blocker(this);
+    clear();
+    std::vector<QString> groups;
+    const auto &brushes = BrushLibrary::instance().brushes();
+    for (const Brush &brush : brushes)
+        if (isShown(brush) && std::find(groups.begin(), groups.end(), brush.group) == groups.end())
+            groups.push_back(brush.group);
+    for (const QString &group : groups) {
+        addHeading(group);
+        for (const Brush &brush : brushes)
+            if (brush.group == group && isShown(brush))
+                addBrush(brush);
+    }
+    fitHeadings();
+    if (m_started)
+        BrushPictures::instance().want(devicePixelRatioF());
+}
+
+void BrushGrid::fill(const QStringList &names)
+{
+    const QSignalBlocker blocker(this);
+    clear();
+    for (const QString &name : names)
+        if (const Brush *brush = BrushLibrary::instance().find(name))
+            addBrush(*brush);
+    if (m_started)
+        BrushPictures::instance().want(devicePixelRatioF());
+}
+
+void BrushGrid::setPicture(QListWidgetItem *item)
+{
+    item->setIcon(BrushPictures::instance().icon(brushOf(item), devicePixelRatioF()));
+}
+
+void BrushGrid::fitHeadings()
+{
+    const int width = viewport()->width() - 2 * spacing() - 2;
+    for (int row = 0; row < count(); ++row)
+        if (item(row)->data(headingRole).toBool())
+            item(row)->setSizeHint({width, fontMetrics().height() + (row > 0 ? 10 : 2)});
+}
+
+void BrushGrid::resizeEvent(QResizeEvent *event)
+{
+    QListWidget::resizeEvent(event);
+    fitHeadings();
+}
+
+void BrushGrid::paintEvent(QPaintEvent *event)
+{
+    QListWidget::paintEvent(event);
+    if (m_started)
+        return;
+    // Pictures come after the first paint: the window is there at once.
+    m_started = true;
+    fitHeadings();
+    BrushPictures::instance().want(devicePixelRatioF());
+}
+
+void BrushGrid::changeEvent(QEvent *event)
+{
+    QListWidget::changeEvent(event);
+    if (event->type() != QEvent::ApplicationPaletteChange && event->type() != QEvent::PaletteChange)
+        return;
+    for (int row = 0; row < count(); ++row)
+        if (item(row)->data(headingRole).toBool())
+            item(row)->setForeground(QApplication::palette().color(QPalette::PlaceholderText));
+        else
+            setPicture(item(row));
+}
+
+} // namespace suffuse

@@ -1,0 +1,49 @@
+// Brushes with pictures of their strokes, to choose from.
+#pragma once
+
+#include "model/brush/brush.h"
+
+#include <QListWidget>
+
+#include <functional>
+
+namespace suffuse {
+
+/// Lists brushes of the library as pictures in rows, with their names below. It chooses none by itself: whoever shows
+/// it listens to the list.
+class BrushGrid : public QListWidget {
+    Q_OBJECT
+
+public:
+    explicit BrushGrid(QWidget *parent = nullptr);
+
+    /// The brushes that pass, in their groups below headings; the user's stand behind those that came along.
+    void fillGroups(const std::function<bool(const Brush &brush)> &isShown);
+    /// These, in this order, without headings.
+    void fill(const QStringList &names);
+
+    /// Empty for a heading.
+    static QString brushOf(const QListWidgetItem *item);
+    /// The item of a brush that is shown; null if there is none.
+    QListWidgetItem *itemOf(const QString &name) const;
+    /// Marks a brush, or none, and tells nobody.
+    void mark(const QString &name);
+    /// The size of the list's contents where so many pictures stand in a row and so many rows are seen.
+    QSize sizeFor(int columns, int rows) const;
+
+protected:
+    void paintEvent(QPaintEvent *event) override;
+    void resizeEvent(QResizeEvent *event) override;
+    void changeEvent(QEvent *event) override;
+
+private:
+    void addHeading(const QString &group);
+    void addBrush(const Brush &brush);
+    void fitHeadings();
+    void setPicture(QListWidgetItem *item);
+    QSize cell() const;
+
+    bool m_started = false;
+};
+
+} // namespace suffuse
