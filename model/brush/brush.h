@@ -109,6 +109,8 @@ QString problemOf(const Brush &brush);
 /// The brushes that come with the program, by groups ("ink", "watercolour", "dry", "flat", "air"); the first is the
 /// default, which recordings are converted with.
 const std::vector<Brush> &builtinBrushes();
+/// The built-in one that people begin with in the window.
+const Brush &firstBrush();
 /// The built-in one with this id; null if there is none.
 const Brush *findBrush(const QString &name);
 

@@ -79,10 +79,11 @@ std::vector<Brush> inkBrushes()
     // It runs out of ink on the way, sooner where it hurries; only the hills of the paper take what is left.
     Brush dry = make({"dry-brush", uniform(0.68f, 0.05f), 18, 0.25f, 1.65f}, {0.88f, 0.84f, 0.94f, 0.95f}, 0,
                      {{Size, Pressure, ramp(0.55f, 1)},
+                      {Size, Speed, ramp(1, 0.8f)},
                       {Density, Pressure, ramp(0.75f, 1)},
-                      {Density, Speed, ramp(1, 0.8f)},
+                      {Density, Speed, ramp(1, 0.76f)},
                       {Density, Distance, {{{0, 1}, {0.3f, 0.85f}, {1, 0.6f}}}},
-                      {Density, Drift, ramp(0.85f, 1)}});
+                      {Density, Drift, ramp(0.8f, 1)}});
     dry.fullDistance = 30;
     dry.driftLength = 2;
     dry.taper = {0.5f, 1.5f, 0.4f};
@@ -103,21 +104,53 @@ std::vector<Brush> inkBrushes()
     return {wash, pen, dry, splash, nib};
 }
 
+/// A loaded round brush, for a mouse as much as for a pen: a slow hand lays down broad, deep paint, a quick one a thin
+/// and watery line. Both ends are drawn out, the edge is darker, and the pigment is nowhere quite even.
+Brush roundWash()
+{
+    Brush round = make({"round-wash", edge(0.42f, 0.3f, 0.8f), 22, 2.5f, 1.1f}, {0.3f, 0.22f, 0.92f, 0.95f}, 0.55f,
+                       {{Size, Pressure, {{{0, 0.2f}, {0.5f, 0.65f}, {1, 1}}}},
+                        {Size, Speed, {{{0, 1}, {0.35f, 0.65f}, {1, 0.32f}}}},
+                        {Opacity, Speed, ramp(1, 0.6f)}});
+    round.mix = beta(0.7f);
+    round.fullSpeed = 70;
+    round.taper = {1.2f, 2.5f, 0.08f};
+    round.jitter = {0.05f, 0.05f, 0.05f, 0.06f, true};
+    round.driftLength = 2.5f;
+    round.stabiliser = {Stabiliser::Kind::Weighted, 0.2f, 30};
+    return round;
+}
+
 std::vector<Brush> watercolourBrushes()
 {
     Brush flat = make({"flat-wash", uniform(0.35f, 0.035f), 26, 1.5f, 1.3f}, {0.25f, 0.12f, 0.75f, 0.5f}, 0.7f,
-                      {{Size, Pressure, ramp(0.7f, 1)}});
+                      {{Size, Pressure, ramp(0.7f, 1)},
+                       {Size, Speed, ramp(1, 0.8f)},
+                       {Size, Drift, ramp(0.9f, 1)},
+                       {Opacity, Drift, ramp(0.8f, 1)}});
     flat.mix = beta(0.5f);
+    flat.driftLength = 3;
 
     // A pale wash, F ≈ 0.3 inside, within a dark rim.
     Brush dark = make({"watercolour-edge", edge(0.5f, 0.5f, 0.4f), 20, 2, 0.85f}, {0.2f, 0.3f, 0.9f, 0.9f}, 0.6f,
-                      {{Density, Pressure, ramp(0.7f, 1)}});
+                      {{Size, Speed, ramp(1, 0.55f)},
+                       {Size, Drift, ramp(0.85f, 1)},
+                       {Density, Pressure, ramp(0.7f, 1)}});
     dark.mix = beta(0.7f);
+    dark.fullSpeed = 80;
+    dark.driftLength = 3;
+    dark.taper = {0.8f, 1.6f, 0.2f};
 
     // Pigment settles in the paper's grain.
     Brush granulating = make({"granulating-wash", feathering(0.9f, 2.4f), 24, 2, 0.95f}, {0.55f, 0.2f, 0.8f, 0.9f},
-                             0.05f, {{Density, Pressure, ramp(0.7f, 1)}, {Density, Drift, ramp(0.85f, 1)}});
+                             0.05f,
+                             {{Size, Speed, ramp(1, 0.6f)},
+                              {Density, Pressure, ramp(0.7f, 1)},
+                              {Density, Drift, ramp(0.85f, 1)}});
     granulating.mix = beta(0.6f);
+    granulating.fullSpeed = 70;
+    granulating.taper = {0.6f, 1.2f, 0.4f};
+    granulating.jitter = {0.06f, 0.03f, 0.04f, 0.03f, true};
 
     // Long-running, no edge, uneven as water is.
     Brush wet = make({"wet-in-wet", feathering(1.2f, 1), 42, 6, 1.1f}, {0.75f, 0.25f, 0.5f, 0.75f}, 0.9f,
@@ -131,17 +164,25 @@ std::vector<Brush> watercolourBrushes()
 
     // Loaded with two colours: the second comes through on the way.
     Brush twoTone = make({"two-tone", uniform(0.4f, 0.06f), 20, 1.5f, 1.3f}, {0.9f, 0.55f, 0.1f, 0.8f}, 0.7f,
-                         {{Size, Pressure, ramp(0.6f, 1)}, {ColourMix, Distance, {{{0, 0}, {0.5f, 0.45f}, {1, 1}}}}});
+                         {{Size, Pressure, ramp(0.6f, 1)},
+                          {Size, Speed, ramp(1, 0.5f)},
+                          {ColourMix, Distance, {{{0, 0}, {0.5f, 0.45f}, {1, 1}}}}});
     twoTone.secondColour = {0.35f, 0.2f, 0.85f, 0.8f};
     twoTone.fullDistance = 16;
+    twoTone.fullSpeed = 70;
+    twoTone.taper = {0.8f, 1.6f, 0.2f};
     twoTone.mix = beta(0.5f);
-    return {flat, dark, granulating, wet, glaze, twoTone};
+    return {roundWash(), flat, dark, granulating, wet, glaze, twoTone};
 }
 
 std::vector<Brush> dryBrushes()
 {
     Brush pencil = make({"pencil", uniform(0.6f, 0.1f), 2, 0.2f, 1}, {0.78f, 0.76f, 0.78f, 0.85f}, 0.3f,
-                        {{Density, Pressure, ramp(0.6f, 1)}});
+                        {{Size, Speed, ramp(1, 0.7f)},
+                         {Density, Pressure, ramp(0.6f, 1)},
+                         {Density, Speed, ramp(1, 0.8f)}});
+    pencil.fullSpeed = 700; // of a fine point
+    pencil.taper = {2, 5, 0.3f};
 
     // In the paper's hollows (γ ≈ 0.55) a light touch falls below ξ1, so that only its hills take chalk.
     Brush chalk = make({"dry-chalk", uniform(0.7f, 0.04f), 12, 0.25f, 1.3f}, {0.75f, 0.55f, 0.4f, 0.9f}, 0.1f,
@@ -170,8 +211,10 @@ std::vector<Brush> flatBrushes()
 
     // Opaque, a little uneven in tone, the grain just shows where it is thin.
     Brush gouache = make({"gouache", uniform(0.5f, 0.03f), 16, 0.4f, 1.6f}, {0.75f, 0.15f, 0.2f, 0.98f}, 0.45f,
-                         {{Size, Pressure, ramp(0.6f, 1)}, {Density, Speed, ramp(1, 0.75f)}});
-    gouache.jitter = {0, 0, 0, 0.05f, true};
+                         {{Size, Pressure, ramp(0.6f, 1)},
+                          {Size, Speed, ramp(1, 0.65f)},
+                          {Density, Speed, ramp(1, 0.75f)}});
+    gouache.jitter = {0, 0.03f, 0, 0.05f, true};
     gouache.fullSpeed = 120;
     gouache.taper = {0.4f, 0.8f, 0.5f};
     return {marker, gouache};
@@ -209,6 +252,11 @@ const std::vector<Brush> &builtinBrushes()
         return all;
     }();
     return brushes;
+}
+
+const Brush &firstBrush()
+{
+    return *findBrush(QStringLiteral("round-wash"));
 }
 
 const Brush *findBrush(const QString &name)

@@ -439,6 +439,7 @@ private slots:
     /// The status bar says so until something else is done.
     void paintBeyondTheCanvasIsNoSecret()
     {
+        settings::setHasSelected(); // else it would be said how that is done
         Session s;
         const QString said = "This stroke lies beyond the canvas: View ▸ Show Paint beyond the Canvas shows it.";
         const auto hint = [&s] { return s.canvas().tool()->hint(); };

@@ -247,6 +247,7 @@ QString brushTitle(const QString &name)
         {"dry-brush", QT_TRANSLATE_NOOP("Brushes", "Dry brush")},
         {"ink-splash", QT_TRANSLATE_NOOP("Brushes", "Ink splash")},
         {"broad-nib", QT_TRANSLATE_NOOP("Brushes", "Broad nib")},
+        {"round-wash", QT_TRANSLATE_NOOP("Brushes", "Round wash")},
         {"flat-wash", QT_TRANSLATE_NOOP("Brushes", "Flat wash")},
         {"watercolour-edge", QT_TRANSLATE_NOOP("Brushes", "Watercolour edge")},
         {"granulating-wash", QT_TRANSLATE_NOOP("Brushes", "Granulating wash")},

@@ -86,6 +86,17 @@ void setScalesSpread(bool scales)
     store().setValue("scalesSpread", scales);
 }
 
+bool hasSelected()
+{
+    return store().value("hints/hasSelected").toBool();
+}
+
+void setHasSelected()
+{
+    if (!hasSelected())
+        store().setValue("hints/hasSelected", true);
+}
+
 CanvasAids canvasAids()
 {
     const QSettings &s = store();
@@ -140,7 +151,7 @@ Brush brush()
 {
     const QByteArray bytes = QByteArray::fromBase64(store().value("brush").toString().toLatin1());
     Result<Brush> kept = readBrush(bytes, QStringLiteral("brush"));
-    return kept ? std::move(*kept) : builtinBrushes().front();
+    return kept ? std::move(*kept) : firstBrush();
 }
 
 void setBrush(const Brush &brush)

@@ -58,7 +58,11 @@ void setCanvasAids(const CanvasAids &aids);
 PenSettings penSettings();
 void setPenSettings(const PenSettings &pen);
 
-/// The brush that was in hand last, or the first built-in one where no readable brush is stored.
+/// Whether a stroke was ever selected with a tool: until then the brush says how.
+bool hasSelected();
+void setHasSelected();
+
+/// The brush that was in hand last, or `firstBrush` where no readable brush is stored.
 Brush brush();
 void setBrush(const Brush &brush);
 

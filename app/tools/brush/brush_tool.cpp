@@ -3,6 +3,7 @@
 #include "app/canvas/canvas_widget.h"
 #include "app/session/editor.h"
 #include "app/session/settings/brush_library.h"
+#include "app/session/settings/settings.h"
 #include "app/tools/brush/brush_tool_options.h"
 #include "app/widgets/habits/at_next_change.h"
 #include "model/brush/brush_dynamics.h"
@@ -20,6 +21,7 @@ namespace suffuse {
 
 namespace {
 
+constexpr std::size_t firstStrokes = 3; ///< after which it is said what can be done with them
 constexpr double endReach = 8; ///< logical pixels around an end node in which a stroke can be continued
 
 double spreadOf(const Segment &segment)
@@ -95,8 +97,8 @@ QString BrushTool::hint() const
         return m_said;
     if (m_nearEnd)
         return tr("Shift+drag to go on with the selected stroke from its end.");
-    return tr("Drag to paint, tap for a dot. Shift+drag: size and opacity. Ctrl+click: take the picture's colour, with "
-              "Shift the stroke's own.");
+    return tr("Drag to paint, tap for a dot. Right button: brushes and colours. Shift+drag: size and opacity. "
+              "Ctrl+click: take the picture's colour, with Shift the stroke's own.");
 }
 
 QWidget *BrushTool::options()
@@ -202,7 +204,7 @@ void BrushTool::release(const PointerEvent &event)
     document.setDraft(nullptr);
     if (stroke && problemOf(*stroke).isEmpty()) {
         pushStroke(stroke);
-        tellIfUnseen(*stroke);
+        tellAbout(*stroke);
     }
     m_editor.clock().hold(false);
     showOutlineAt(event.pixel);
@@ -218,12 +220,14 @@ void BrushTool::pushStroke(const StrokePtr &stroke)
     m_editor.push(addStrokes(document, {stroke}, false), tr("Brush stroke"));
 }
 
-void BrushTool::tellIfUnseen(const Stroke &stroke)
+void BrushTool::tellAbout(const Stroke &stroke)
 {
     const Canvas &canvas = m_editor.document().painting()->canvas;
     const Rect sheet = Rect::of(0, 0, canvas.width, canvas.height);
     if (!m_canvas.aids().showBeyond && !seenBox(stroke).intersects(sheet))
         say(tr("This stroke lies beyond the canvas: View ▸ Show Paint beyond the Canvas shows it."));
+    else if (m_editor.document().painting()->strokes.size() >= firstStrokes && !settings::hasSelected())
+        say(tr("All that you paint stays editable: press V and click paint to move, scale or recolour it."));
 }
 
 void BrushTool::say(const QString &text)

@@ -50,8 +50,9 @@ private:
     void paintOutline(QPainter &painter, const View &view, double dpr) const;
     void paintNote(QPainter &painter, double dpr) const;
     void pushStroke(const StrokePtr &stroke);
-    /// Says so where nothing of a new stroke can be seen. The message stays until something else is done.
-    void tellIfUnseen(const Stroke &stroke);
+    /// Says it where nothing of a new stroke can be seen, and, until a stroke was ever selected, how that is done; until
+    /// something else is done.
+    void tellAbout(const Stroke &stroke);
     void say(const QString &text);
     /// The end node of a selected stroke that is near enough to the pixel to be continued.
     std::optional<NodeRef> endAt(Point pixel) const;

@@ -4,6 +4,7 @@
 #include "app/session/commands/commands.h"
 #include "app/session/editor.h"
 #include "app/session/selecting/choosing.h"
+#include "app/session/settings/settings.h"
 #include "app/tools/select/select_hints.h"
 #include "app/tools/select/transform_bar.h"
 #include "undo/transform_edits.h"
@@ -82,6 +83,8 @@ bool SelectTool::isMoving(const PointerEvent &event) const
 void SelectTool::release(const PointerEvent &event)
 {
     SelectionTool::release(event);
+    if (!selection().isEmpty())
+        settings::setHasSelected();
     m_canvas.lifted().endLift(); // The press was only a click, so nothing floats any more.
 }
 
@@ -123,7 +126,8 @@ void SelectTool::clickedStroke(const PointerEvent &event)
     } else if (start().doubleClick) {
         if (turned)
             m_handles.setMode(TransformHandles::Mode::Scale);
-        selectSegment(*m_hit);
+        select(Selection{{m_hit->stroke}, {}}); // of a group the one
+        emit valuesAsked(event, *m_hit);
     } else if (event.modifiers & Qt::ControlModifier) {
         select(Selection{{m_hit->stroke}, {}});
     } else if (!m_selectedByPress) {
