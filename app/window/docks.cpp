@@ -26,8 +26,17 @@ namespace {
 
 /// Logical pixels that every screen has for a panel.
 constexpr int lowPanel = 110;
-/// Of a screen, from which on the inspector and the strokes have room below each other.
-constexpr int highScreen = 950;
+/// Heights of a screen from which on the inspector has a place of its own below the brushes, and the list of strokes
+/// one below the inspector.
+constexpr int mediumScreen = 900, highScreen = 1300;
+/// Logical pixels of the column of docks.
+constexpr int columnWidth = 312;
+
+/// It is not behind another one.
+bool isInFront(const QDockWidget &dock)
+{
+    return !dock.isHidden() && !dock.visibleRegion().isEmpty();
+}
 
 /// Gives a panel as much room as it wants, and lets it scroll where the window is low.
 class LowScroll : public PanelScroll {
@@ -101,23 +110,51 @@ void Docks::makeDocks()
     QDockWidget *inspector = add("inspectorDock", tr("Inspector"), inspectorPanel);
     QDockWidget *strokes = add("strokesDock", tr("Strokes"), m_strokes, CommandScope::Strokes);
     QDockWidget *history = add("historyDock", tr("History"), new HistoryPanel(editor));
-    window.tabifyDockWidget(colour, brushes);
-    const bool isHigh = window.screen()->availableSize().height() >= highScreen;
-    if (!isHigh)
-        window.tabifyDockWidget(inspector, strokes);
-    window.tabifyDockWidget(strokes, history);
-    window.tabifyDockWidget(history, makeProbe());
-    colour->raise();
-    (isHigh ? strokes : inspector)->raise();
     window.setTabPosition(Qt::RightDockWidgetArea, QTabWidget::North);
-    QDockWidget *timeline = makeTimeline();
+    m_brushes = brushes;
+    m_inspector = inspector;
+    QDockWidget *probe = makeProbe(), *timeline = makeTimeline();
     window.setCorner(Qt::BottomRightCorner, Qt::RightDockWidgetArea);
-    window.resizeDocks({timeline}, {150}, Qt::Vertical);
-    window.resizeDocks({colour, inspector, strokes}, {300, 300, 300}, Qt::Horizontal);
-    if (isHigh)
-        window.resizeDocks({colour, inspector, strokes}, {360, 285, 255}, Qt::Vertical);
+    arrange({colour, brushes, inspector, strokes}, {history, probe}, timeline);
+    connect(&m_place.canvas, &CanvasWidget::toolChanged, this, &Docks::followTool);
+}
+
+/// Colour and brushes stand together on any screen, and the canvas gets what room there is. What has no place of its
+/// own on the screen stands behind something else: `rest` always.
+void Docks::arrange(const QList<QDockWidget *> &column, const QList<QDockWidget *> &rest, QDockWidget *timeline)
+{
+    QMainWindow &window = m_place.window;
+    QDockWidget *colour = column[0], *brushes = column[1], *inspector = column[2], *strokes = column[3];
+    const int height = window.screen()->availableSize().height();
+    const bool low = height < mediumScreen, high = height >= highScreen;
+    if (low)
+        window.tabifyDockWidget(brushes, inspector);
+    if (!high)
+        window.tabifyDockWidget(inspector, strokes);
+    window.tabifyDockWidget(low ? colour : strokes, rest[0]);
+    window.tabifyDockWidget(rest[0], rest[1]);
+    window.resizeDocks({timeline}, {low ? 118 : 150}, Qt::Vertical);
+    window.resizeDocks(column, {columnWidth, columnWidth, columnWidth, columnWidth}, Qt::Horizontal);
+    if (low)
+        window.resizeDocks({colour, brushes}, {300, 340}, Qt::Vertical);
+    else if (!high)
+        window.resizeDocks({colour, brushes, inspector}, {300, 270, 350}, Qt::Vertical);
     else
-        window.resizeDocks({colour, inspector}, {300, 360}, Qt::Vertical);
+        window.resizeDocks(column, {420, 300, 380, 260}, Qt::Vertical);
+    colour->raise();
+    (low ? brushes : high ? strokes : inspector)->raise();
+}
+
+/// Where brushes and inspector share a place, the one stands in front that the tool in use needs. Who has brought
+/// something else to the front there keeps it.
+void Docks::followTool()
+{
+    const Commands &table = m_place.commands;
+    const bool paints = table[Command::Brush].isChecked();
+    const bool selects = table[Command::Select].isChecked() || table[Command::Segments].isChecked();
+    QDockWidget *to = paints ? m_brushes : m_inspector, *from = paints ? m_inspector : m_brushes;
+    if ((paints || selects) && isInFront(*from) && m_place.window.tabifiedDockWidgets(from).contains(to))
+        to->raise();
 }
 
 void Docks::addRows(KeyboardFocus &keyboard)

@@ -30,6 +30,8 @@ private:
     /// Keys of a scope are the panel's as much as the canvas'.
     QDockWidget *add(const char *name, const QString &title, QWidget *panel, CommandScope scope = CommandScope::Window);
     void makeDocks();
+    void arrange(const QList<QDockWidget *> &column, const QList<QDockWidget *> &rest, QDockWidget *timeline);
+    void followTool();
     QDockWidget *makeTimeline();
     QDockWidget *makeProbe();
     void addRows(KeyboardFocus &keyboard);
@@ -38,6 +40,8 @@ private:
 
     Workplace m_place;
     StrokesPanel *m_strokes = nullptr;
+    QDockWidget *m_brushes = nullptr;
+    QDockWidget *m_inspector = nullptr;
     QList<QDockWidget *> m_docks;
     QByteArray m_layout; ///< while they are hidden
 };

@@ -137,12 +137,20 @@ bool isCut(const QDockWidget &dock)
            dock.style()->subElementRect(QStyle::SE_DockWidgetTitleBarText, &option, &dock).width();
 }
 
+/// A dock behind another one lies anywhere, in any size.
+bool isBehind(const QWidget *widget)
+{
+    while (widget && !qobject_cast<const QDockWidget *>(widget))
+        widget = widget->parentWidget();
+    return widget && widget->visibleRegion().isEmpty();
+}
+
 /// The texts in a window that cannot be read to their ends.
 QStringList cutTexts(const QWidget &root)
 {
     QStringList cut;
     for (const QWidget *widget : root.findChildren<QWidget *>()) {
-        if (!widget->isVisible())
+        if (!widget->isVisible() || isBehind(widget))
             continue;
         QStringList own;
         if (const auto *label = qobject_cast<const QLabel *>(widget);
@@ -231,6 +239,10 @@ private slots:
             dock->raise();
             look(dock->objectName() + ": ");
         }
+        s.use(Command::EditHere);
+        look("values: ");
+        s.use(Command::BrushPalette);
+        look("palette: ");
         s.editor().document().setSelection({});
         s.window.findChild<QDockWidget *>("inspectorDock")->raise();
         look("nothing selected: ");

@@ -12,6 +12,9 @@
 #include <QTemporaryDir>
 #include <QTreeView>
 
+#include <map>
+#include <tuple>
+
 using namespace suffuse;
 
 class TestWindowLayout : public QObject {
@@ -135,7 +138,7 @@ private slots:
         const auto places = [&] {
             QList<QRect> list{s.canvas().geometry()};
             for (const QDockWidget *d : docks)
-                list << (d->isHidden() ? QRect() : d->geometry());
+                list << (d->visibleRegion().isEmpty() ? QRect() : d->geometry()); // behind another one it has none
             return list;
         };
         const QList<QRect> before = places();
@@ -152,6 +155,61 @@ private slots:
         s.use(Command::HideDocks);
         QVERIFY(!dock("probeDock")->isHidden());
         QVERIFY(!dock("colourDock")->isHidden());
+    }
+
+    /// Colour and brushes are seen together on a low screen, as that of the tests is, and the canvas is the largest.
+    void colourAndBrushesStandTogether()
+    {
+        Session s;
+        s.window.resize(1366, 738);
+        QTest::qWait(50);
+        const auto seen = [&](const char *name) {
+            return !s.window.findChild<QDockWidget *>(name)->visibleRegion().isEmpty();
+        };
+        QVERIFY(seen("colourDock") && seen("brushesDock") && !seen("inspectorDock"));
+        const QDockWidget *colour = s.window.findChild<QDockWidget *>("colourDock");
+        QVERIFY2(s.canvas().width() > 3 * colour->width(),
+                 qPrintable(QString("%1 %2").arg(s.canvas().width()).arg(colour->width())));
+        QVERIFY(s.canvas().height() > 0.65 * s.window.height());
+        // The one of brushes and inspector is in front that the tool needs.
+        s.use(Command::Select);
+        QVERIFY(!seen("brushesDock") && seen("inspectorDock") && seen("colourDock"));
+        s.use(Command::Brush);
+        QVERIFY(seen("brushesDock") && !seen("inspectorDock"));
+        s.window.findChild<QDockWidget *>("strokesDock")->raise(); // somebody wants to see this
+        s.use(Command::Select);
+        s.use(Command::Brush);
+        QVERIFY(seen("strokesDock"));
+    }
+
+    /// A layout that was stored is put back as it was, whatever the first start looks like now.
+    void storedLayoutsAreKept()
+    {
+        const auto place = [](MainWindow &window, const char *name) {
+            const auto *dock = window.findChild<QDockWidget *>(name);
+            return std::tuple(window.dockWidgetArea(const_cast<QDockWidget *>(dock)), dock->isFloating(),
+                              window.tabifiedDockWidgets(const_cast<QDockWidget *>(dock)).size());
+        };
+        const char *const names[] = {"colourDock", "brushesDock", "inspectorDock", "strokesDock", "historyDock"};
+        std::map<QString, std::tuple<Qt::DockWidgetArea, bool, qsizetype>> before;
+        {
+            Session s;
+            const auto dock = [&](const char *name) { return s.window.findChild<QDockWidget *>(name); };
+            s.window.tabifyDockWidget(dock("colourDock"), dock("brushesDock")); // as it was before
+            s.window.addDockWidget(Qt::LeftDockWidgetArea, dock("strokesDock"));
+            dock("timelineDock")->hide();
+            QTest::qWait(20);
+            for (const char *name : names)
+                before[name] = place(s.window, name);
+            window_layout::save(s.window);
+        }
+        Session s; // puts it back
+        QTest::qWait(20);
+        for (const char *name : names)
+            QVERIFY2(place(s.window, name) == before[name], name);
+        QVERIFY(s.window.findChild<QDockWidget *>("timelineDock")->isHidden());
+        QCOMPARE(std::get<0>(before["strokesDock"]), Qt::LeftDockWidgetArea);
+        window_layout::reset();
     }
 
 private:
