@@ -53,6 +53,7 @@ CanvasWidget::CanvasWidget(Editor &editor, QWidget *parent, MakeRenderer make)
 void CanvasWidget::connectInput()
 {
     connect(&m_input.hand(), &Hand::moved, this, &CanvasWidget::pointerMoved);
+    connect(&m_input.hand(), &Hand::asked, this, &CanvasWidget::asked);
     connect(&m_input, &CanvasInput::pointerLeft, this, &CanvasWidget::pointerLeft);
     connect(&m_input, &CanvasInput::penTurned, this, &CanvasWidget::penTurned);
     connect(&m_input, &CanvasInput::modifiersChanged, this, &CanvasWidget::modifiersChanged);

@@ -107,6 +107,8 @@ public:
     const PenSettings &penSettings() const { return m_input.pen().settings(); }
     void setPenSettings(const PenSettings &settings) { m_input.pen().setSettings(settings); }
     /// The modifier keys that were held at the last event of the canvas.
+    /// Where the pointer is, if it is over the canvas; device pixels.
+    std::optional<Point> pointer() const { return m_input.pointer(); }
     Qt::KeyboardModifiers modifiers() const { return m_input.modifiers(); }
 
 signals:
@@ -117,6 +119,7 @@ signals:
     void busyChanged();                    ///< something has come into the tool's hand, or has left it
     void pointerMoved(double x, double y); ///< canvas units
     void pointerLeft();
+    void asked(const suffuse::PointerEvent &event); ///< the right button asks what is there
     void framePresented(const suffuse::FrameInfo &frame);
     void backendChanged();                       ///< the text of the backend, or the notice about it, has changed
     void underlayFailed(const QString &problem); ///< the underlay cannot be shown

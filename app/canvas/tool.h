@@ -2,6 +2,7 @@
 #pragma once
 
 #include "app/canvas/input/pointer_event.h"
+#include "model/painting/selection.h"
 #include "render/view.h"
 
 #include <QCursor>
@@ -64,6 +65,8 @@ public:
 signals:
     /// Emitted when `hint` returns another line than before.
     void hintChanged();
+    /// The values of a segment that is selected, or of its stroke, are to be shown and changed where the pointer is.
+    void valuesAsked(const suffuse::PointerEvent &event, const suffuse::SegmentRef &segment);
 };
 
 } // namespace suffuse

@@ -14,6 +14,7 @@
 #include "app/widgets/habits/house_rules.h"
 #include "app/widgets/habits/keyboard_focus.h"
 #include "app/widgets/look/icons.h"
+#include "app/window/at_pointer.h"
 #include "app/window/dialog_rows.h"
 #include "app/window/docks.h"
 #include "app/window/exporting.h"
@@ -151,6 +152,7 @@ void MainWindow::makeParts(const Workplace &place)
     new Pasting(place, m_parts);
     addDialogRows(place);
     m_docks = new Docks(place, *keyboard, m_parts);
+    new AtPointer(place, m_parts);
 }
 
 void MainWindow::addRows()

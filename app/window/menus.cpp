@@ -62,6 +62,7 @@ void addEditMenu(QMenuBar &bar, const Commands &table)
                           {{Undo, Redo},
                            {Cut, Copy, Paste, PasteInPlace},
                            {Delete, Duplicate},
+                           {EditHere, CanvasMenu},
                            {SelectAll, SelectFound, Deselect, InvertSelection}});
     addMenu(*edit, Commands::tr("Select Sa&me"), table, {{SameColour, SameStyle, SameBrush, SameName}});
     append(*edit, table, {{Settings}});
@@ -116,7 +117,7 @@ void addToolsMenu(QMenuBar &bar, const Commands &table)
     for (int i = int(Favourite1); i <= int(Favourite9); ++i)
         favourites << Command(i);
     addMenu(*tools, Commands::tr("&Favourite Brushes"), table, {favourites});
-    append(*tools, table, {{SmallerSize, LargerSize, LessOpacity, MoreOpacity}});
+    append(*tools, table, {{BrushPalette}, {SmallerSize, LargerSize, LessOpacity, MoreOpacity}});
 }
 
 } // namespace

@@ -105,8 +105,8 @@ private slots:
             QStringLiteral(
                 "new open save saveAs saveCopy revert restoreBackup keepHistory importStrokes importUnderlay export "
                 "exportAgain close quit undo redo cut copy paste pasteInPlace delete duplicate selectAll selectFound "
-                "deselect settings brush select segments redraw push knife eraser attributeBrush eyedropper pan raise "
-                "lower top "
+                "deselect settings canvasMenu brushPalette editHere brush select segments redraw push knife eraser "
+                "attributeBrush eyedropper pan raise lower top "
                 "bottom insertNodes nodeCorner nodeSmooth nodeSymmetric breakNodes joinNodes deleteSegments "
                 "bridgeSegments reverseStrokes invertSelection sameColour sameStyle sameBrush sameName lasso touchPath "
                 "group ungroup lock unlockAll hide showAll rename flipAcross flipDown quarterLeft quarterRight "

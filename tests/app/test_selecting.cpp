@@ -84,13 +84,16 @@ private slots:
         QCOMPARE(s.steps(), 0);
     }
 
-    void doubleClickSelectsTheSegment()
+    void doubleClickSelectsTheStrokeAndAsksForItsValues()
     {
         Selecting s({line(1, {200, 300}, {600, 300})});
+        QSignalSpy asked(&s.tool(), &Tool::valuesAsked);
         s.click({250, 300});
         s.send(QEvent::MouseButtonDblClick, s.logical(s.canvas().view().toPixels({250, 300})), none);
         s.send(QEvent::MouseButtonRelease, s.logical(s.canvas().view().toPixels({250, 300})), none);
-        QCOMPARE(s.selection().segments, (std::set<SegmentRef>{{1, 0}}));
+        QCOMPARE(s.selection(), (Selection{{1}, {}}));
+        QCOMPARE(asked.size(), 1);
+        QCOMPARE(asked.front()[1].value<SegmentRef>(), (SegmentRef{1, 0}));
         QCOMPARE(s.tool().handles().mode(), TransformHandles::Mode::Scale);
     }
 

@@ -3,6 +3,7 @@
 #include "app/canvas/canvas_view.h"
 #include "app/canvas/tool.h"
 #include "app/session/painting_clock.h"
+#include "app/widgets/habits/floating_card.h"
 
 #include <QAbstractSpinBox>
 #include <QApplication>
@@ -333,7 +334,7 @@ void CanvasInput::enter(const QPointF &position)
     // While the pointer is over the canvas, keys mean the canvas, unless something is being typed.
     const QWidget *focus = QApplication::focusWidget();
     const bool typing = qobject_cast<const QLineEdit *>(focus) || qobject_cast<const QAbstractSpinBox *>(focus);
-    if (!typing && m_canvas.isActiveWindow())
+    if (!typing && !FloatingCard::holds(focus) && m_canvas.isActiveWindow())
         m_canvas.setFocus(Qt::MouseFocusReason);
 }
 

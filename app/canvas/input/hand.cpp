@@ -29,6 +29,9 @@ void Hand::press(const PointerEvent &event, Navigation navigation)
     m_button = event.button;
     if (navigation != Navigation::None) {
         setNavigation(navigation);
+    } else if (event.button == Qt::RightButton && event.device == PointerDevice::Mouse) {
+        m_button = Qt::NoButton; // what opens may hear of the release
+        emit asked(event);
     } else if (m_tool && event.button == Qt::LeftButton) {
         m_pressed = true;
         m_tool->press(event);
@@ -61,6 +64,8 @@ void Hand::release(const PointerEvent &event)
         m_pressed = false;
         if (m_tool)
             m_tool->release(event);
+    } else if (event.button == Qt::RightButton) { // a pen's: it is up again before something opens
+        emit asked(event);
     }
 }
 

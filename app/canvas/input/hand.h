@@ -43,6 +43,8 @@ public:
 signals:
     void moved(double x, double y); ///< canvas units
     void navigationChanged();
+    /// The right button, or the pen's button, has asked what is there.
+    void asked(const suffuse::PointerEvent &event);
 
 private:
     void setNavigation(Navigation navigation);

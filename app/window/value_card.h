@@ -1,0 +1,55 @@
+// The values of what was double-clicked, where it was.
+#pragma once
+
+#include "app/panels/inspector/inspected.h"
+#include "app/widgets/habits/floating_card.h"
+
+#include <optional>
+
+class QLabel;
+class QToolButton;
+
+namespace suffuse {
+
+class CanvasWidget;
+class HintLabel;
+class SegmentSection;
+class SliderField;
+
+/// Width, D, φ, colour and opacity of the selected strokes, or of the one segment that was pointed at. The rows are
+/// those of the inspector and do what they do there; the widths of several segments keep their proportions.
+class ValueCard : public FloatingCard {
+    Q_OBJECT
+
+public:
+    explicit ValueCard(CanvasWidget &canvas);
+
+    /// For the selection, which has strokes; `at` is the segment that was pointed at, if any.
+    void openAt(QPoint global, std::optional<SegmentRef> at);
+
+    SegmentSection *segments() const { return m_segments; }
+    SliderField *width() const { return m_width; }
+    QToolButton *wholeButton() const { return m_whole; }
+    QToolButton *segmentButton() const { return m_one; }
+
+private:
+    void addHead();
+    void showFew();
+    void refresh();
+    void setWidth(double width, ValueEntry *entry);
+    double widest(const Inspected &inspected) const;
+    void choose(bool whole);
+
+    CanvasWidget &m_canvas;
+    Editor &m_editor;
+    QLabel *m_title = nullptr;
+    QToolButton *m_whole = nullptr;
+    QToolButton *m_one = nullptr;
+    SliderField *m_width = nullptr;
+    SegmentSection *m_segments = nullptr;
+    HintLabel *m_hint = nullptr;
+    std::optional<SegmentRef> m_at;
+    std::set<StrokeId> m_strokes; ///< of the selection that it was opened for
+};
+
+} // namespace suffuse
