@@ -162,6 +162,10 @@
         <source>Others</source>
         <translation>Andere</translation>
     </message>
+    <message>
+        <source>Round wash</source>
+        <translation>Runde Lavierung</translation>
+    </message>
 </context>
 <context>
     <name>Buttons</name>
@@ -1534,10 +1538,6 @@ Rückgabewerte: 0 erledigt, 1 fehlgeschlagen, 2 falscher Aufruf.</translation>
         <translation>Klick auf Farbe wählt ihren Strich. Ziehen: Rahmen, über Farbe mit Umschalt. Alt+Klick: der Strich darunter.</translation>
     </message>
     <message>
-        <source>Drag: move. Click again: rotate and skew. Double click: its segment. Shift+click: add. Shift+drag: a band. Alt+click: the stroke below.</source>
-        <translation>Ziehen: verschieben. Noch ein Klick: drehen. Doppelklick: Segment. Umschalt+Klick: dazu. Umschalt+Ziehen: Rahmen. Alt+Klick: darunter.</translation>
-    </message>
-    <message>
         <source>Move by %1, %2</source>
         <translation>Verschieben um %1; %2</translation>
     </message>
@@ -1552,6 +1552,10 @@ Rückgabewerte: 0 erledigt, 1 fehlgeschlagen, 2 falscher Aufruf.</translation>
     <message>
         <source>Skew by %1°</source>
         <translation>Scheren um %1°</translation>
+    </message>
+    <message>
+        <source>Drag: move. Click again: rotate and skew. Double click: its values. Right button: menu. Shift+click: add. Shift+drag: a band. Alt+click: the stroke below.</source>
+        <translation>Ziehen: verschieben. Noch ein Klick: drehen. Doppelklick: Werte. Rechts: Menü. Umschalt+Klick: dazu. Umschalt+Ziehen: Rahmen. Alt+Klick: darunter.</translation>
     </message>
 </context>
 <context>
@@ -2037,6 +2041,17 @@ Rückgabewerte: 0 erledigt, 1 fehlgeschlagen, 2 falscher Aufruf.</translation>
     </message>
 </context>
 <context>
+    <name>suffuse::BrushCombo</name>
+    <message>
+        <source>Search</source>
+        <translation>Suchen</translation>
+    </message>
+    <message>
+        <source>Search brushes</source>
+        <translation>Pinsel suchen</translation>
+    </message>
+</context>
+<context>
     <name>suffuse::BrushCurvesPage</name>
     <message>
         <source>Second colour</source>
@@ -2164,6 +2179,17 @@ Rückgabewerte: 0 erledigt, 1 fehlgeschlagen, 2 falscher Aufruf.</translation>
     <message>
         <source>&amp;Close</source>
         <translation>S&amp;chließen</translation>
+    </message>
+</context>
+<context>
+    <name>suffuse::BrushGrid</name>
+    <message>
+        <source>Brushes</source>
+        <translation>Pinsel</translation>
+    </message>
+    <message>
+        <source>%1: size %2, dry after %3</source>
+        <translation>%1: Größe %2, trocken nach %3</translation>
     </message>
 </context>
 <context>
@@ -2395,11 +2421,54 @@ Rückgabewerte: 0 erledigt, 1 fehlgeschlagen, 2 falscher Aufruf.</translation>
     </message>
 </context>
 <context>
-    <name>suffuse::BrushPanel</name>
+    <name>suffuse::BrushPalette</name>
     <message>
-        <source>Brushes</source>
-        <translation>Pinsel</translation>
+        <source>Zoom</source>
+        <translation>Zoom</translation>
     </message>
+    <message>
+        <source>How large the painting is shown</source>
+        <translation>Wie groß das Bild gezeigt wird</translation>
+    </message>
+    <message>
+        <source>Brush palette</source>
+        <translation>Pinselpalette</translation>
+    </message>
+    <message>
+        <source>Choose what to paint with. The colour stays.</source>
+        <translation>Wählen, womit gemalt wird. Die Farbe bleibt.</translation>
+    </message>
+    <message>
+        <source>Current colour</source>
+        <translation>Aktuelle Farbe</translation>
+    </message>
+    <message>
+        <source>The colour that is painted with</source>
+        <translation>Die Farbe, mit der gemalt wird</translation>
+    </message>
+    <message>
+        <source>Colour</source>
+        <translation>Farbe</translation>
+    </message>
+    <message>
+        <source>Near colours</source>
+        <translation>Nahe Farben</translation>
+    </message>
+    <message>
+        <source>Lighter and darker, the neighbouring hues, and from grey to full</source>
+        <translation>Heller und dunkler, die benachbarten Farbtöne, und von Grau bis satt</translation>
+    </message>
+    <message>
+        <source>Painted with last</source>
+        <translation>Zuletzt gemalt</translation>
+    </message>
+    <message>
+        <source>Recent colours</source>
+        <translation>Letzte Farben</translation>
+    </message>
+</context>
+<context>
+    <name>suffuse::BrushPanel</name>
     <message>
         <source>Choose what to paint with. The colour stays.</source>
         <translation>Womit gemalt wird. Die Farbe bleibt.</translation>
@@ -2444,10 +2513,6 @@ Rückgabewerte: 0 erledigt, 1 fehlgeschlagen, 2 falscher Aufruf.</translation>
         <source>Edit, save, import and export brushes</source>
         <translation>Pinsel bearbeiten, speichern, importieren und exportieren</translation>
     </message>
-    <message>
-        <source>%1: size %2, dry after %3</source>
-        <translation>%1: Größe %2, trocken nach %3</translation>
-    </message>
 </context>
 <context>
     <name>suffuse::BrushTool</name>
@@ -2464,12 +2529,16 @@ Rückgabewerte: 0 erledigt, 1 fehlgeschlagen, 2 falscher Aufruf.</translation>
         <translation>Strich fortsetzen</translation>
     </message>
     <message>
-        <source>Drag to paint, tap for a dot. Shift+drag: size and opacity. Ctrl+click: take the picture&apos;s colour, with Shift the stroke&apos;s own.</source>
-        <translation>Ziehen malt, Tippen: Punkt. Umschalt+Ziehen: Größe, Deckkraft. Strg+Klick: Farbe des Bildes, mit Umschalt die des Strichs.</translation>
-    </message>
-    <message>
         <source>This stroke lies beyond the canvas: View ▸ Show Paint beyond the Canvas shows it.</source>
         <translation>Dieser Strich liegt neben der Leinwand: Ansicht ▸ Farbe neben der Leinwand zeigen.</translation>
+    </message>
+    <message>
+        <source>Drag to paint, tap for a dot. Right button: brushes and colours. Shift+drag: size and opacity. Ctrl+click: take the picture&apos;s colour, with Shift the stroke&apos;s own.</source>
+        <translation>Ziehen malt, Tippen: Punkt. Rechtsklick: Pinsel, Farben. Umschalt+Ziehen: Größe, Deckkraft. Strg+Klick: Farbe des Bildes, mit Umschalt die des Strichs.</translation>
+    </message>
+    <message>
+        <source>All that you paint stays editable: press V and click paint to move, scale or recolour it.</source>
+        <translation>Alles Gemalte bleibt bearbeitbar: V, dann Farbe anklicken, um sie zu verschieben, zu skalieren oder umzufärben.</translation>
     </message>
 </context>
 <context>
@@ -2481,10 +2550,6 @@ Rückgabewerte: 0 erledigt, 1 fehlgeschlagen, 2 falscher Aufruf.</translation>
     <message>
         <source>How much the paint covers ({ and } change it)</source>
         <translation>Wie stark die Farbe deckt ({ und } ändern es)</translation>
-    </message>
-    <message>
-        <source>What to paint with; the Brushes dock has pictures</source>
-        <translation>Womit gemalt wird; das Andockfenster „Pinsel“ zeigt Bilder</translation>
     </message>
     <message>
         <source>Brush</source>
@@ -2522,12 +2587,47 @@ Rückgabewerte: 0 erledigt, 1 fehlgeschlagen, 2 falscher Aufruf.</translation>
         <source>Own brush</source>
         <translation>Eigener Pinsel</translation>
     </message>
+    <message>
+        <source>What to paint with. Click: all brushes, with pictures.</source>
+        <translation>Womit gemalt wird. Klick: alle Pinsel, mit Bildern.</translation>
+    </message>
 </context>
 <context>
     <name>suffuse::CanvasDrops</name>
     <message>
         <source>Drop colour</source>
         <translation>Farbe ablegen</translation>
+    </message>
+</context>
+<context>
+    <name>suffuse::CanvasMenu</name>
+    <message>
+        <source>Under the Pointer</source>
+        <translation>Unter dem Zeiger</translation>
+    </message>
+    <message>
+        <source>Further Below</source>
+        <translation>Weiter unten</translation>
+    </message>
+    <message>
+        <source>A&amp;rrange</source>
+        <translation>An&amp;ordnen</translation>
+    </message>
+    <message>
+        <source>Tra&amp;nsform</source>
+        <translation>Tra&amp;nsformieren</translation>
+    </message>
+    <message>
+        <source>R&amp;eshape</source>
+        <translation>Um&amp;formen</translation>
+    </message>
+    <message>
+        <source>Select Sa&amp;me</source>
+        <translation>&amp;Gleiche auswählen</translation>
+    </message>
+    <message>
+        <source>Dr&amp;ying</source>
+        <translation>T&amp;rocknen</translation>
     </message>
 </context>
 <context>
@@ -3951,6 +4051,30 @@ Auch die Pfeiltasten wirken.</translation>
     <message>
         <source>Push, comb, pinch or roughen strokes</source>
         <translation>Schiebt, kämmt, rafft oder raut Striche auf</translation>
+    </message>
+    <message>
+        <source>Me&amp;nu at the Pointer</source>
+        <translation>Menü am &amp;Zeiger</translation>
+    </message>
+    <message>
+        <source>What lies under the pointer, and what can be done with it</source>
+        <translation>Was unter dem Zeiger liegt, und was damit getan werden kann</translation>
+    </message>
+    <message>
+        <source>Br&amp;ush Palette at the Pointer</source>
+        <translation>Pinselpa&amp;lette am Zeiger</translation>
+    </message>
+    <message>
+        <source>Brushes, colours, size and zoom where the pointer is</source>
+        <translation>Pinsel, Farben, Größe und Zoom dort, wo der Zeiger ist</translation>
+    </message>
+    <message>
+        <source>Edit Value&amp;s Here…</source>
+        <translation>Wer&amp;te hier bearbeiten …</translation>
+    </message>
+    <message>
+        <source>Width, diffusion, density, colour and opacity of what is selected, at the pointer</source>
+        <translation>Breite, Diffusion, Dichte, Farbe und Deckkraft des Ausgewählten, am Zeiger</translation>
     </message>
 </context>
 <context>
@@ -7488,6 +7612,52 @@ Auch die Pfeiltasten wirken.</translation>
     <message>
         <source>Import underlay</source>
         <translation>Vorlage importieren</translation>
+    </message>
+</context>
+<context>
+    <name>suffuse::ValueCard</name>
+    <message>
+        <source>Width</source>
+        <translation>Breite</translation>
+    </message>
+    <message>
+        <source>From one visible edge of the paint to the other, at its widest, as it is now</source>
+        <translation>Von einem sichtbaren Rand der Farbe zum anderen, an der breitesten Stelle, so wie sie jetzt ist</translation>
+    </message>
+    <message>
+        <source>Values</source>
+        <translation>Werte</translation>
+    </message>
+    <message>
+        <source>Whole</source>
+        <translation>Ganz</translation>
+    </message>
+    <message>
+        <source>All that is selected</source>
+        <translation>Alles, was ausgewählt ist</translation>
+    </message>
+    <message>
+        <source>Segment</source>
+        <translation>Segment</translation>
+    </message>
+    <message>
+        <source>The segment under the pointer alone</source>
+        <translation>Nur das Segment unter dem Zeiger</translation>
+    </message>
+    <message>
+        <source>Change width</source>
+        <translation>Breite ändern</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n stroke(s)</source>
+        <translation>
+            <numerusform>%n Strich</numerusform>
+            <numerusform>%n Striche</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1, segment %2</source>
+        <translation>%1, Segment %2</translation>
     </message>
 </context>
 <context>

@@ -288,4 +288,14 @@
         </translation>
     </message>
 </context>
+<context>
+    <name>suffuse::ValueCard</name>
+    <message numerus="yes">
+        <source>%n stroke(s)</source>
+        <translation>
+            <numerusform>%n stroke</numerusform>
+            <numerusform>%n strokes</numerusform>
+        </translation>
+    </message>
+</context>
 </TS>

@@ -162,6 +162,10 @@
         <source>Others</source>
         <translation>其他</translation>
     </message>
+    <message>
+        <source>Round wash</source>
+        <translation>圆头淡彩</translation>
+    </message>
 </context>
 <context>
     <name>Buttons</name>
@@ -1526,10 +1530,6 @@ Exit codes: 0 done, 1 the work failed, 2 wrong usage.</source>
         <translation>点击颜料选择其笔画。拖动：框选，在颜料上按住 Shift。Alt+点击：下层笔画。</translation>
     </message>
     <message>
-        <source>Drag: move. Click again: rotate and skew. Double click: its segment. Shift+click: add. Shift+drag: a band. Alt+click: the stroke below.</source>
-        <translation>拖动：移动。再次点击：旋转和倾斜。双击：其线段。Shift+点击：添加。Shift+拖动：框选。Alt+点击：下层笔画。</translation>
-    </message>
-    <message>
         <source>Move by %1, %2</source>
         <translation>移动 %1, %2</translation>
     </message>
@@ -1544,6 +1544,10 @@ Exit codes: 0 done, 1 the work failed, 2 wrong usage.</source>
     <message>
         <source>Skew by %1°</source>
         <translation>倾斜 %1°</translation>
+    </message>
+    <message>
+        <source>Drag: move. Click again: rotate and skew. Double click: its values. Right button: menu. Shift+click: add. Shift+drag: a band. Alt+click: the stroke below.</source>
+        <translation>拖动：移动。再次点击：旋转和倾斜。双击：数值。右键：菜单。Shift+点击：添加。Shift+拖动：框选。Alt+点击：下层笔画。</translation>
     </message>
 </context>
 <context>
@@ -2029,6 +2033,17 @@ Exit codes: 0 done, 1 the work failed, 2 wrong usage.</source>
     </message>
 </context>
 <context>
+    <name>suffuse::BrushCombo</name>
+    <message>
+        <source>Search</source>
+        <translation>搜索</translation>
+    </message>
+    <message>
+        <source>Search brushes</source>
+        <translation>搜索画笔</translation>
+    </message>
+</context>
+<context>
     <name>suffuse::BrushCurvesPage</name>
     <message>
         <source>Second colour</source>
@@ -2156,6 +2171,17 @@ Exit codes: 0 done, 1 the work failed, 2 wrong usage.</source>
     <message>
         <source>&amp;Close</source>
         <translation>关闭(&amp;C)</translation>
+    </message>
+</context>
+<context>
+    <name>suffuse::BrushGrid</name>
+    <message>
+        <source>Brushes</source>
+        <translation>画笔</translation>
+    </message>
+    <message>
+        <source>%1: size %2, dry after %3</source>
+        <translation>%1：大小 %2，%3 后干</translation>
     </message>
 </context>
 <context>
@@ -2387,11 +2413,54 @@ Exit codes: 0 done, 1 the work failed, 2 wrong usage.</source>
     </message>
 </context>
 <context>
-    <name>suffuse::BrushPanel</name>
+    <name>suffuse::BrushPalette</name>
     <message>
-        <source>Brushes</source>
-        <translation>画笔</translation>
+        <source>Zoom</source>
+        <translation>缩放</translation>
     </message>
+    <message>
+        <source>How large the painting is shown</source>
+        <translation>画作显示得多大</translation>
+    </message>
+    <message>
+        <source>Brush palette</source>
+        <translation>画笔面板</translation>
+    </message>
+    <message>
+        <source>Choose what to paint with. The colour stays.</source>
+        <translation>选择用什么来画。颜色不变。</translation>
+    </message>
+    <message>
+        <source>Current colour</source>
+        <translation>当前颜色</translation>
+    </message>
+    <message>
+        <source>The colour that is painted with</source>
+        <translation>用来画的颜色</translation>
+    </message>
+    <message>
+        <source>Colour</source>
+        <translation>颜色</translation>
+    </message>
+    <message>
+        <source>Near colours</source>
+        <translation>相近颜色</translation>
+    </message>
+    <message>
+        <source>Lighter and darker, the neighbouring hues, and from grey to full</source>
+        <translation>更亮与更暗、相邻的色相，以及从灰到饱和</translation>
+    </message>
+    <message>
+        <source>Painted with last</source>
+        <translation>最近用过</translation>
+    </message>
+    <message>
+        <source>Recent colours</source>
+        <translation>最近的颜色</translation>
+    </message>
+</context>
+<context>
+    <name>suffuse::BrushPanel</name>
     <message>
         <source>Choose what to paint with. The colour stays.</source>
         <translation>选择作画所用的画笔，颜色保持不变。</translation>
@@ -2436,10 +2505,6 @@ Exit codes: 0 done, 1 the work failed, 2 wrong usage.</source>
         <source>Edit, save, import and export brushes</source>
         <translation>编辑、保存、导入和导出画笔</translation>
     </message>
-    <message>
-        <source>%1: size %2, dry after %3</source>
-        <translation>%1：大小 %2，%3后干透</translation>
-    </message>
 </context>
 <context>
     <name>suffuse::BrushTool</name>
@@ -2456,12 +2521,16 @@ Exit codes: 0 done, 1 the work failed, 2 wrong usage.</source>
         <translation>延长笔画</translation>
     </message>
     <message>
-        <source>Drag to paint, tap for a dot. Shift+drag: size and opacity. Ctrl+click: take the picture&apos;s colour, with Shift the stroke&apos;s own.</source>
-        <translation>拖动绘制，轻点成点。Shift+拖动：大小和不透明度。Ctrl+点击：拾取画面颜色，再加 Shift：笔画本身的颜色。</translation>
-    </message>
-    <message>
         <source>This stroke lies beyond the canvas: View ▸ Show Paint beyond the Canvas shows it.</source>
         <translation>此笔画位于画布之外：视图 ▸ 显示画布外的颜料。</translation>
+    </message>
+    <message>
+        <source>Drag to paint, tap for a dot. Right button: brushes and colours. Shift+drag: size and opacity. Ctrl+click: take the picture&apos;s colour, with Shift the stroke&apos;s own.</source>
+        <translation>拖动绘制，轻点成点。右键：画笔和颜色。Shift+拖动：大小和不透明度。Ctrl+点击：拾取画面颜色，再加 Shift：笔画本身的颜色。</translation>
+    </message>
+    <message>
+        <source>All that you paint stays editable: press V and click paint to move, scale or recolour it.</source>
+        <translation>画下的一切都可以再编辑：按 V 并点击颜料，即可移动、缩放或重新上色。</translation>
     </message>
 </context>
 <context>
@@ -2473,10 +2542,6 @@ Exit codes: 0 done, 1 the work failed, 2 wrong usage.</source>
     <message>
         <source>How much the paint covers ({ and } change it)</source>
         <translation>颜料的覆盖程度（{ 和 } 可更改）</translation>
-    </message>
-    <message>
-        <source>What to paint with; the Brushes dock has pictures</source>
-        <translation>作画所用的画笔；“画笔”面板中有示例图</translation>
     </message>
     <message>
         <source>Brush</source>
@@ -2514,12 +2579,47 @@ Exit codes: 0 done, 1 the work failed, 2 wrong usage.</source>
         <source>Own brush</source>
         <translation>自定义画笔</translation>
     </message>
+    <message>
+        <source>What to paint with. Click: all brushes, with pictures.</source>
+        <translation>用什么来画。点击：所有画笔及其图样。</translation>
+    </message>
 </context>
 <context>
     <name>suffuse::CanvasDrops</name>
     <message>
         <source>Drop colour</source>
         <translation>拖放颜色</translation>
+    </message>
+</context>
+<context>
+    <name>suffuse::CanvasMenu</name>
+    <message>
+        <source>Under the Pointer</source>
+        <translation>指针下方</translation>
+    </message>
+    <message>
+        <source>Further Below</source>
+        <translation>更下方</translation>
+    </message>
+    <message>
+        <source>A&amp;rrange</source>
+        <translation>排列(&amp;R)</translation>
+    </message>
+    <message>
+        <source>Tra&amp;nsform</source>
+        <translation>变换(&amp;N)</translation>
+    </message>
+    <message>
+        <source>R&amp;eshape</source>
+        <translation>整形(&amp;E)</translation>
+    </message>
+    <message>
+        <source>Select Sa&amp;me</source>
+        <translation>选择相同项(&amp;M)</translation>
+    </message>
+    <message>
+        <source>Dr&amp;ying</source>
+        <translation>干燥(&amp;Y)</translation>
     </message>
 </context>
 <context>
@@ -3942,6 +4042,30 @@ Arrow keys work too.</source>
     <message>
         <source>Push, comb, pinch or roughen strokes</source>
         <translation>推移、梳理、收拢或粗糙化笔画</translation>
+    </message>
+    <message>
+        <source>Me&amp;nu at the Pointer</source>
+        <translation>指针处的菜单(&amp;N)</translation>
+    </message>
+    <message>
+        <source>What lies under the pointer, and what can be done with it</source>
+        <translation>指针下有什么，以及可以对它做什么</translation>
+    </message>
+    <message>
+        <source>Br&amp;ush Palette at the Pointer</source>
+        <translation>指针处的画笔面板(&amp;U)</translation>
+    </message>
+    <message>
+        <source>Brushes, colours, size and zoom where the pointer is</source>
+        <translation>在指针处选择画笔、颜色、大小和缩放</translation>
+    </message>
+    <message>
+        <source>Edit Value&amp;s Here…</source>
+        <translation>在此编辑数值(&amp;H)…</translation>
+    </message>
+    <message>
+        <source>Width, diffusion, density, colour and opacity of what is selected, at the pointer</source>
+        <translation>在指针处编辑所选内容的宽度、扩散、密度、颜色和不透明度</translation>
     </message>
 </context>
 <context>
@@ -7451,6 +7575,51 @@ Arrow keys work too.</source>
     <message>
         <source>Import underlay</source>
         <translation>导入底图</translation>
+    </message>
+</context>
+<context>
+    <name>suffuse::ValueCard</name>
+    <message>
+        <source>Width</source>
+        <translation>宽度</translation>
+    </message>
+    <message>
+        <source>From one visible edge of the paint to the other, at its widest, as it is now</source>
+        <translation>颜料从一侧可见边缘到另一侧的宽度，取最宽处，按当前时刻</translation>
+    </message>
+    <message>
+        <source>Values</source>
+        <translation>数值</translation>
+    </message>
+    <message>
+        <source>Whole</source>
+        <translation>整体</translation>
+    </message>
+    <message>
+        <source>All that is selected</source>
+        <translation>所有选中的内容</translation>
+    </message>
+    <message>
+        <source>Segment</source>
+        <translation>线段</translation>
+    </message>
+    <message>
+        <source>The segment under the pointer alone</source>
+        <translation>只有指针下的线段</translation>
+    </message>
+    <message>
+        <source>Change width</source>
+        <translation>更改宽度</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n stroke(s)</source>
+        <translation>
+            <numerusform>%n 个笔画</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1, segment %2</source>
+        <translation>%1，线段 %2</translation>
     </message>
 </context>
 <context>
