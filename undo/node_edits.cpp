@@ -2,6 +2,7 @@
 
 #include "model/painting/validate.h"
 #include "model/shaping/erase.h"
+#include "model/shaping/soft_move.h"
 #include "undo/order_tree.h"
 #include "undo/remap.h"
 
@@ -218,10 +219,10 @@ Edit bridgeSegments(const Document &document, const std::set<SegmentRef> &segmen
     return edit;
 }
 
-Edit moveNodes(const Document &document, const std::set<NodeRef> &nodes, Point by)
+Edit moveNodes(const Document &document, const std::set<NodeRef> &nodes, Point by, double reach)
 {
-    return reshape(document, nodesByStroke(nodes), [by](const Stroke &stroke, const std::vector<int> &which) {
-        return withNodeMoved(stroke, which, by);
+    return reshape(document, nodesByStroke(nodes), [&](const Stroke &stroke, const std::vector<int> &which) {
+        return SoftMove(stroke, which, reach).by(by);
     });
 }
 

@@ -24,8 +24,9 @@ Edit insertNodes(const Document &document, const PlacesOfStrokes &places);
 Edit deleteNodes(const Document &document, const std::set<NodeRef> &nodes);
 /// Replaces each run of the segments by one that goes on smoothly from its neighbours.
 Edit bridgeSegments(const Document &document, const std::set<SegmentRef> &segments);
-/// Moves nodes, with their handles, by a vector in canvas units.
-Edit moveNodes(const Document &document, const std::set<NodeRef> &nodes, Point by);
+/// Moves nodes, with their handles, by a vector in canvas units. The curve follows within `reach` (canvas units along
+/// it; see `SoftMove`).
+Edit moveNodes(const Document &document, const std::set<NodeRef> &nodes, Point by, double reach = 0);
 Edit setNodeKind(const Document &document, const std::set<NodeRef> &nodes, NodeKind kind);
 
 /// Cuts strokes, at places or nodes, into strokes or into chains. The first part keeps the id, and all parts are

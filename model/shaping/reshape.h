@@ -65,7 +65,9 @@ Stroke withHandleMoved(const Stroke &stroke, int node, bool after, Point to);
 /// one; handles that are drawn in come out by a third of the way to the next node; those of symmetric nodes become
 /// equally long.
 Stroke withNodeKind(const Stroke &stroke, const std::vector<int> &nodes, NodeKind kind);
-/// Drags the point at parameter p of a segment by moving its two handles. The nodes stay, and keep their kinds.
+/// Drags the point at parameter p of a segment by moving its two handles. The point gets exactly where it is dragged
+/// to. The nodes stay, and keep their kinds; only within an eighth of the segment from a node, that node comes along in
+/// part.
 Stroke withCurveDragged(const Stroke &stroke, int segment, double p, Point by);
 
 } // namespace suffuse

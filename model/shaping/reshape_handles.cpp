@@ -9,6 +9,8 @@ namespace suffuse {
 
 namespace {
 
+constexpr double nodeZone = 1.0 / 8; ///< parameters within which a drag of the curve takes the node along
+
 Offset moved(Offset o, Point by)
 {
     return toOffset(by + o, {});
@@ -60,6 +62,18 @@ void moveNode(Stroke &stroke, int node, Point by)
         s.bezier[0] = moved(s.bezier[0], by);
         s.bezier[1] = moved(s.bezier[1], by);
     }
+}
+
+/// A node, and the other end of its chain where that is closed and the node is an end.
+std::vector<int> nodesTogether(const Stroke &stroke, int node)
+{
+    const NodeSides sides = sidesOf(stroke, node);
+    if (sides.before >= 0 && sides.after >= 0)
+        return {node};
+    const Chain chain = chainAt(stroke, std::max(sides.before, sides.after));
+    if (stroke.segments[std::size_t(chain.first)].bezier[0] != stroke.segments[std::size_t(chain.last)].bezier[3])
+        return {node};
+    return {chain.first, endNode(stroke, chain.last)};
 }
 
 /// Turns or mirrors the handle that is opposite to the moved one, as the kind of the node demands.
@@ -164,15 +178,20 @@ Stroke withCurveDragged(const Stroke &stroke, int segment, double p, Point by)
 {
     if (segment < 0 || segment >= int(stroke.segments.size()))
         return stroke;
-    // This is the smallest movement of the two handles that takes the point along. Near the ends it would have no
-    // bound.
-    p = std::clamp(p, 0.05, 0.95);
-    const double first = 3 * (1 - p) * (1 - p) * p, second = 3 * (1 - p) * p * p;
-    const double scale = 1 / (first * first + second * second);
     Stroke result = stroke;
     Segment &s = result.segments[std::size_t(segment)];
-    s.bezier[1] = moved(s.bezier[1], (first * scale) * by);
-    s.bezier[2] = moved(s.bezier[2], (second * scale) * by);
+    const Point before = offsetsOf(s).at(p);
+    // Near a node the handles alone would have to swing far out.
+    if (const double toNode = std::min(p, 1 - p); toNode < nodeZone)
+        for (const int node : nodesTogether(stroke, p < 0.5 ? segment : endNode(stroke, segment)))
+            moveNode(result, node, (1 - toNode / nodeZone) * by);
+    // The smallest movement of the two handles that takes the point the rest of the way.
+    const Point rest = before + by - offsetsOf(s).at(p);
+    const double first = 3 * (1 - p) * (1 - p) * p, second = 3 * (1 - p) * p * p;
+    if (const double squares = first * first + second * second; squares > 1e-12) {
+        s.bezier[1] = moved(s.bezier[1], (first / squares) * rest);
+        s.bezier[2] = moved(s.bezier[2], (second / squares) * rest);
+    }
     followHandle(result, segment, true);
     followHandle(result, segment + 1, false);
     return makesPoints(result, stroke) ? stroke : validOr(std::move(result), stroke);

@@ -1,0 +1,23 @@
+// The nodes of a stroke that a view shows.
+#pragma once
+
+#include "model/painting/stroke_places.h"
+#include "model/shaping/chains.h"
+
+#include <vector>
+
+namespace suffuse {
+
+/// Some nodes of a stroke, in order. Two neighbours among them lie at least `gap` apart along their chain (canvas
+/// units), and at most three times that where there are nodes between. The ends of chains are always among them, and so
+/// are corners that lie at least a third of the gap apart. A smaller gap gives the same nodes and more. Nodes are
+/// chosen by their number in the chain rather than by lengths, so that a small change of shape leaves most of them.
+std::vector<int> coarseNodes(const Stroke &stroke, double gap);
+
+/// Whether `coarseNodes` leaves out at least half of the nodes within `way` of a place, along its chain.
+bool isCrowded(const Stroke &stroke, const CurvePlace &place, double gap, double way);
+
+/// The place of a node on its stroke's curve.
+CurvePlace placeOfNode(const Stroke &stroke, int node);
+
+} // namespace suffuse
