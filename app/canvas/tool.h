@@ -47,6 +47,9 @@ public:
     /// Changes the size by so many steps, for a command. A tool without a size does nothing.
     virtual void stepSize(int /*steps*/) {}
     virtual void stepOpacity(int /*steps*/) {}
+    /// Takes a turn of the wheel while the tool is pressed, in notches away from the hand. Returns true if the tool has
+    /// used it.
+    virtual bool wheel(double /*notches*/) { return false; }
     /// Takes a key. Returns true if the tool has used it.
     virtual bool keyPress(QKeyEvent *) { return false; }
     /// Whether the key means the tool, even where it is the shortcut of a command.

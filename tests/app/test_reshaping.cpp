@@ -2,9 +2,8 @@
 #include "app/dialogs/reshape_dialog.h"
 #include "app/session/settings/settings.h"
 #include "app/widgets/numbers/number_field.h"
-#include "model/brush/stroke_builder.h"
 #include "model/brush/stroke_fit.h"
-#include "tests/app/shapes.h"
+#include "tests/app/trunk.h"
 
 #include <QRegularExpression>
 #include <QSignalSpy>
@@ -13,26 +12,6 @@
 using namespace suffuse;
 
 namespace {
-
-/// A session with a trunk as a hand paints it, selected.
-struct TrunkSession : WaveSession {
-    StrokeId trunk = 0;
-
-    TrunkSession()
-    {
-        std::vector<PenSample> samples;
-        for (int i = 0; i <= 200; ++i) {
-            const double u = i / 200.0;
-            samples.push_back({{300 + 30 * std::sin(5 * u) + 9 * std::sin(17 * u), 620 - 520 * u},
-                               Microseconds(i) * 8000,
-                               float(0.25 + 0.6 * std::sin(3 * u))});
-        }
-        trunk = editor().document().takeStrokeId();
-        editor().push(addStrokes(editor().document(), {buildStroke(*findBrush("brush-pen"), trunk, samples)}, true),
-                      "trunk");
-        editor().clock().setTime(painting().end());
-    }
-};
 
 double widthOf(const Segment &s)
 {

@@ -13,8 +13,9 @@ namespace {
 std::set<QString> classesDefinedIn(const QString &text)
 {
     // At the start of a line: what is returned, the class, and the member with its parameters.
-    static const QRegularExpression member("^(?:[\\w:][\\w:<>,*& ]*[ *&])?([A-Z]\\w*)::(?:~?\\w+|operator[^\\s(]*) *\\(",
-                                           QRegularExpression::MultilineOption);
+    static const QRegularExpression member(
+        "^(?:[\\w:][\\w:<>,*& ]*[ *&])?([A-Z]\\w*)::(?:~?\\w+|operator[^\\s(]*) *\\(",
+        QRegularExpression::MultilineOption);
     std::set<QString> found;
     for (auto it = member.globalMatch(text); it.hasNext();) {
         const QRegularExpressionMatch match = it.next();
@@ -27,9 +28,7 @@ std::set<QString> classesDefinedIn(const QString &text)
 /// Classes that still live in several source files, and why.
 const std::map<QString, QString> &slicedClasses()
 {
-    static const std::map<QString, QString> table = {
-        {"NodeTool", "its drags are to become a class of their own"},
-    };
+    static const std::map<QString, QString> table = {};
     return table;
 }
 

@@ -212,6 +212,8 @@ void CanvasInput::wheel(const QWheelEvent &event)
     const QPoint angle = event.angleDelta();
     const bool sideways = angle.y() == 0; // A wheel that tilts scrolls sideways.
     const double notches = (sideways ? angle.x() : angle.y()) / notch;
+    if (!sideways && !(modifiers & Qt::ControlModifier) && m_hand.isPressed() && m_hand.tool()->wheel(notches))
+        return;
     const double pan = notches * pixelsPerNotch * m_canvas.devicePixelRatioF();
     if (!touchpad && modifiers.testFlags(Qt::ControlModifier | Qt::ShiftModifier))
         m_view.panBy({0, pan});

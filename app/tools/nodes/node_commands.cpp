@@ -4,6 +4,7 @@
 #include "app/session/commands/commands.h"
 #include "app/session/editor.h"
 #include "app/tools/nodes/node_tool.h"
+#include "model/shaping/coarse_nodes.h"
 #include "undo/node_edits.h"
 
 #include <QHBoxLayout>
@@ -31,7 +32,7 @@ constexpr std::optional<Command> rowOfCommands[] = {Command::InsertNodes,
 bool isEnd(const Painting &painting, const NodeRef &node)
 {
     const StrokePtr stroke = painting.find(node.stroke);
-    return stroke && (node.node == 0 || node.node == nodeCount(*stroke) - 1);
+    return stroke && node.node < nodeCount(*stroke) && !isInnerNode(*stroke, node.node);
 }
 
 } // namespace
@@ -86,33 +87,34 @@ void NodeCommands::update()
             m_table.update(*command);
 }
 
-QWidget *NodeCommands::makeRow()
+void NodeCommands::addButtons(QHBoxLayout &row)
 {
-    auto *widget = new QWidget;
-    auto *row = new QHBoxLayout(widget);
-    row->setContentsMargins(4, 0, 4, 0);
-    row->setSpacing(2);
+    QWidget *widget = row.parentWidget();
+    auto *buttons = new QHBoxLayout;
+    buttons->setSpacing(2);
     for (const std::optional<Command> &command : rowOfCommands) {
         if (!command) {
-            row->addSpacing(10);
+            buttons->addSpacing(10);
             continue;
         }
         auto *button = new QToolButton(widget);
         button->setDefaultAction(&m_table[*command]);
         button->setIconSize(QSize(20, 20));
         button->setAutoRaise(true);
-        row->addWidget(button);
+        buttons->addWidget(button);
     }
-    row->addStretch();
-    return widget;
+    row.addLayout(buttons);
 }
 
 std::set<SegmentRef> NodeCommands::chosenSegments() const
 {
     std::set<SegmentRef> chosen = m_editor.document().selection().segments;
-    for (const NodeRef &node : m_nodes)
-        if (m_nodes.contains({node.stroke, node.node + 1}))
+    for (const NodeRef &node : m_nodes) {
+        const StrokePtr stroke = m_editor.document().painting()->find(node.stroke);
+        if (stroke && node.node < int(stroke->segments.size()) &&
+            m_nodes.contains({node.stroke, endNode(*stroke, node.node)}))
             chosen.insert({node.stroke, node.node});
+    }
     return chosen;
 }
 
@@ -169,8 +171,12 @@ void NodeCommands::reverse()
 {
     std::set<NodeRef> nodes;
     for (const NodeRef &node : m_nodes)
-        if (const StrokePtr stroke = m_editor.document().painting()->find(node.stroke))
-            nodes.insert({node.stroke, nodeCount(*stroke) - 1 - node.node});
+        if (const StrokePtr stroke = m_editor.document().painting()->find(node.stroke)) {
+            const NodeSides sides = sidesOf(*stroke, node.node);
+            const int last = int(stroke->segments.size()) - 1;
+            nodes.insert({node.stroke, sides.before >= 0 ? last - sides.before
+                                                         : endNode(suffuse::reversed(*stroke), last - sides.after)});
+        }
     m_editor.push(reverseSelection(m_editor.document()), tr("Reverse strokes"));
     if (!m_nodes.empty())
         emit chosen(nodes);
@@ -237,11 +243,16 @@ void NodeCommands::selectNext(int step)
         emit chosen({{first.id, step > 0 ? 0 : nodeCount(first) - 1}});
         return;
     }
-    int node = from.node + step;
-    if (node < 0 || node >= nodeCount(*strokes[at])) {
+    const double gap = NodeMarks::gap(m_canvas.view(), m_canvas.devicePixelRatioF());
+    std::vector<int> shown = coarseNodes(*strokes[at], gap);
+    const auto next = step > 0 ? std::upper_bound(shown.begin(), shown.end(), from.node)
+                               : std::lower_bound(shown.begin(), shown.end(), from.node);
+    if (next == (step > 0 ? shown.end() : shown.begin())) {
         at = (at + strokes.size() + std::size_t(step)) % strokes.size();
-        node = step > 0 ? 0 : nodeCount(*strokes[at]) - 1;
+        emit chosen({{strokes[at]->id, step > 0 ? 0 : nodeCount(*strokes[at]) - 1}});
+        return;
     }
+    const int node = step > 0 ? *next : *std::prev(next);
     emit chosen({{strokes[at]->id, node}});
 }
 

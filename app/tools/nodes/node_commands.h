@@ -9,7 +9,7 @@
 
 #include <set>
 
-class QWidget;
+class QHBoxLayout;
 
 namespace suffuse {
 
@@ -29,13 +29,13 @@ public:
 
     /// Enables the commands that the selected nodes and segments allow.
     void update();
-    /// Makes a row with a button for each command. The caller owns it.
-    QWidget *makeRow();
+    /// Adds a button for each command to the row of the tool.
+    void addButtons(QHBoxLayout &row);
     /// Deletes the selected nodes and bridges the gaps between their neighbours. Returns false if no node is selected.
     bool deleteNodes();
     /// Selects all nodes of the selected strokes. Returns false if no stroke is selected.
     bool selectAll();
-    /// Selects the next (1) or the previous (-1) node of the selected strokes instead.
+    /// Selects the next (1) or the previous (-1) node instead, of those of the selected strokes that the view shows.
     void selectNext(int step);
 
 signals:

@@ -1,6 +1,7 @@
 #include "app/tools/nodes/node_marks.h"
 
 #include "app/canvas/view_transform.h"
+#include "model/shaping/coarse_nodes.h"
 #include "render/pixel_map.h"
 
 #include <QPixmap>
@@ -9,10 +10,10 @@ namespace suffuse {
 
 namespace {
 
-constexpr double leastGap = 24;        ///< logical pixels between nodes that are shown
+constexpr double leastGap = 24;        ///< logical pixels along the curve between nodes that are shown
 constexpr double nodeRadius = 4;       ///< logical pixels
 constexpr double handleMarkRadius = 3; ///< logical pixels
-constexpr double leastHandle = 2;      ///< logical pixels; shorter handles are not shown
+constexpr double leastHandle = 6;      ///< logical pixels; shorter handles would lie under their node
 constexpr std::size_t manyMarks = 2000;
 constexpr std::size_t manySelected = 500;
 constexpr double place = 10; ///< logical pixels of a square that shows one mark only, where there are many
@@ -53,9 +54,11 @@ QPixmap stampOf(NodeKind kind, bool selected, double radius, const QColor &accen
 } // namespace
 
 NodeMarks::NodeMarks(const Painting &painting, const std::set<StrokeId> &strokes, const std::set<NodeRef> &selected,
-                     const View &view, double dpr)
-    : m_view(view), m_dpr(dpr)
+                     const View &view, double dpr, ShownNodes &shown)
+    : m_view(view), m_dpr(dpr), m_shown(shown)
 {
+    if (const double now = gap(view, dpr); now != shown.gap)
+        shown = {now, {}};
     if (strokes.empty())
         return;
     for (const StrokePtr &stroke : painting.strokes)
@@ -88,25 +91,43 @@ Rect NodeMarks::window() const
     return Rect::of(0, 0, m_view.width, m_view.height).grown(reach * m_dpr);
 }
 
+double NodeMarks::gap(const View &view, double dpr)
+{
+    return leastGap * dpr / view.scale;
+}
+
+/// The coarse nodes and the selected ones. Within a run of selected nodes only the coarse ones are shown.
+std::vector<int> NodeMarks::shownNodes(const Stroke &stroke, const std::set<NodeRef> &selected)
+{
+    auto &[count, coarse] = m_shown.ofStrokes[stroke.id];
+    if (const int now = nodeCount(stroke); coarse.empty() || now != count) {
+        count = now;
+        coarse = coarseNodes(stroke, m_shown.gap);
+    }
+    std::vector<int> shown = coarse;
+    for (auto it = selected.lower_bound({stroke.id, 0}); it != selected.end() && it->stroke == stroke.id; ++it) {
+        const int k = it->node;
+        if (!selected.contains({stroke.id, k - 1}) || !selected.contains({stroke.id, k + 1}))
+            shown.push_back(k);
+    }
+    std::sort(shown.begin(), shown.end());
+    shown.erase(std::unique(shown.begin(), shown.end()), shown.end());
+    return shown;
+}
+
 void NodeMarks::addNodes(const Stroke &stroke, const std::set<NodeRef> &selected)
 {
     const Rect visible = window();
-    const int last = nodeCount(stroke) - 1;
-    auto next = selected.lower_bound({stroke.id, 0});
-    std::optional<Point> shown;
     const PixelMap pixelOf(m_view, stroke.origin);
-    for (int k = 0; k <= last; ++k) {
-        const bool isSelected = next != selected.end() && *next == NodeRef{stroke.id, k};
-        if (isSelected)
-            ++next;
-        const Point pixel = pixelOf(nodePosition(stroke, k) - stroke.origin);
-        if (!visible.contains(pixel))
-            continue;
-        if (!isSelected && k > 0 && k < last && shown && length(pixel - *shown) < leastGap * m_dpr)
-            continue;
-        shown = pixel;
-        m_nodes.push_back({{stroke.id, k}, pixel, nodeKind(stroke, k), isSelected});
-    }
+    const auto isSeen = [&](const Segment &segment) {
+        return visible.contains(pixelOf(Point() + segment.bezier[0])) ||
+               visible.contains(pixelOf(Point() + segment.bezier[3]));
+    };
+    if (std::none_of(stroke.segments.begin(), stroke.segments.end(), isSeen))
+        return;
+    for (const int k : shownNodes(stroke, selected))
+        if (const Point pixel = pixelOf(nodePosition(stroke, k) - stroke.origin); visible.contains(pixel))
+            m_nodes.push_back({{stroke.id, k}, pixel, nodeKind(stroke, k), selected.contains({stroke.id, k})});
 }
 
 void NodeMarks::addHandles(const Stroke &stroke, const std::set<NodeRef> &selected)

@@ -3,8 +3,10 @@
 #include "app/canvas/canvas_widget.h"
 #include "app/session/editor.h"
 #include "app/session/selecting/pick.h"
+#include "app/tools/tool_fields.h"
 #include "undo/node_edits.h"
 
+#include <QHBoxLayout>
 #include <QKeyEvent>
 
 #include <algorithm>
@@ -12,7 +14,8 @@
 namespace suffuse {
 
 NodeTool::NodeTool(CanvasWidget &canvas, Commands &commands, QObject *parent)
-    : SelectionTool(canvas, parent), m_commands(canvas, m_editor, commands, *this, m_nodes), m_width(canvas)
+    : SelectionTool(canvas, parent), m_commands(canvas, m_editor, commands, *this, m_nodes), m_drag(canvas, m_reach),
+      m_width(canvas)
 {
     connect(&m_editor.document(), &Document::changed, this, &NodeTool::followDocument);
     connect(&canvas, &CanvasWidget::begunChanged, this, [this] {
@@ -41,11 +44,13 @@ QString NodeTool::hint() const
         return tr("Drag the handle to bend the curve. Shift: make the node a corner. Ctrl: steps of 15°.");
     if (m_hovered.mark.node)
         return tr(
-            "Drag to move the selected nodes. Ctrl: along an axis. Alt: along the handle. Shift+click for more nodes.");
+            "Drag to move nodes, softly within the reach (wheel, Alt+drag). Ctrl: along an axis, Ctrl+Alt: the handle. "
+            "Shift+click for more.");
     if (m_hovered.width)
         return WidthHandle::hint();
     if (m_hovered.curve)
-        return tr("Drag to bend the curve. Double click to insert a node. Click to select the segment.");
+        return tr("Drag to bend the curve within the reach (wheel, Alt+drag). Double click to insert a node. Click to "
+                  "select the segment.");
     return tr(
         "Click a segment to select it, Shift+click for a run or another stroke's, Ctrl+click to add or remove one. "
         "Drag around nodes.");
@@ -60,8 +65,14 @@ QCursor NodeTool::cursor() const
 
 QWidget *NodeTool::options()
 {
-    if (!m_options)
-        m_options = m_commands.makeRow();
+    if (m_options)
+        return m_options;
+    m_options = new QWidget;
+    QHBoxLayout *row = toolRow(m_options);
+    m_commands.addButtons(*row);
+    row->addSpacing(10);
+    m_reach.addTo(*row);
+    row->addStretch();
     return m_options;
 }
 
@@ -80,10 +91,16 @@ void NodeTool::followDocument(const Change &change)
         std::erase_if(m_nodes,
                       [&](const NodeRef &n) { return !counts.contains(n.stroke) || n.node >= counts[n.stroke]; });
     }
-    if (m_marks && m_nodes.size() == nodes && isOfDrag(change))
+    if (m_marks && m_nodes.size() == nodes && isOfDrag(change)) {
         m_marks->follow(*m_editor.document().painting(), change.strokes, m_nodes);
-    else
+    } else {
+        for (const StrokeId stroke : change.strokes)
+            if (!m_drag.holds(stroke))
+                m_shown.ofStrokes.erase(stroke);
+        if (change.reset)
+            m_shown.ofStrokes.clear();
         m_marks.reset();
+    }
     m_commands.update();
 }
 
@@ -92,8 +109,7 @@ bool NodeTool::isOfDrag(const Change &change) const
 {
     constexpr std::size_t few = 32;
     return !change.selection && !change.order && !change.canvas && !change.reset && change.strokes.size() <= few &&
-           std::all_of(change.strokes.begin(), change.strokes.end(),
-                       [this](StrokeId id) { return m_gesture.before(id); });
+           std::all_of(change.strokes.begin(), change.strokes.end(), [this](StrokeId id) { return m_drag.holds(id); });
 }
 
 std::set<StrokeId> NodeTool::strokesOfNodes() const
@@ -119,16 +135,17 @@ const NodeMarks &NodeTool::marks() const
 {
     if (!m_marks || m_marks->view() != m_canvas.view())
         m_marks.emplace(*m_editor.document().painting(), m_canvas.selection().strokes, m_nodes, m_canvas.view(),
-                        m_canvas.devicePixelRatioF());
+                        m_canvas.devicePixelRatioF(), m_shown);
     return *m_marks;
 }
 
-std::optional<NodeTool::CurveHit> NodeTool::curveAt(const PointerEvent &event) const
+NodeHit NodeTool::hitAt(const PointerEvent &event) const
 {
-    std::optional<CurveHit> hit;
+    NodeHit hit;
+    hit.mark = marks().hit(event.pixel);
     double nearest = NodeMarks::reach * m_canvas.devicePixelRatioF() / m_canvas.view().scale;
     const std::set<StrokeId> &shown = m_canvas.selection().strokes;
-    if (shown.empty())
+    if (!hit.mark.isEmpty() || shown.empty())
         return hit;
     const Painting &painting = *m_editor.document().painting();
     for (const StrokePtr &stroke : painting.strokes) {
@@ -143,7 +160,8 @@ std::optional<NodeTool::CurveHit> NodeTool::curveAt(const PointerEvent &event) c
         const CurvePlace place = nearestPlace(*stroke, event.point, &distance);
         if (distance <= nearest) {
             nearest = distance;
-            hit = {stroke->id, place};
+            hit.curve = stroke->id;
+            hit.place = place;
         }
     }
     return hit;
@@ -161,10 +179,11 @@ void NodeTool::setHovered(const Hovered &hovered)
 
 void NodeTool::hover(const PointerEvent &event)
 {
+    const NodeHit hit = hitAt(event);
     Hovered hovered;
-    hovered.mark = marks().hit(event.pixel);
+    hovered.mark = hit.mark;
     hovered.width = hovered.mark.isEmpty() && m_width.isAt(event.pixel);
-    hovered.curve = hovered.mark.isEmpty() && !hovered.width && curveAt(event);
+    hovered.curve = !hovered.width && hit.curve;
     setHovered(hovered);
 }
 
@@ -205,24 +224,23 @@ void NodeTool::cancel()
 void NodeTool::pressed(const PointerEvent &event)
 {
     m_inserted = false;
-    m_hit = marks().hit(event.pixel);
-    m_onCurve = m_hit.isEmpty() ? curveAt(event) : std::nullopt;
-    if (event.doubleClick && m_onCurve && !(event.modifiers & (Qt::ShiftModifier | Qt::ControlModifier)))
-        insertNode(*m_onCurve);
+    m_hit = hitAt(event);
+    if (event.doubleClick && m_hit.curve && !(event.modifiers & (Qt::ShiftModifier | Qt::ControlModifier)))
+        insertNode(m_hit);
 }
 
-void NodeTool::insertNode(const CurveHit &at)
+void NodeTool::insertNode(const NodeHit &at)
 {
-    const StrokePtr before = m_editor.document().painting()->find(at.stroke);
-    m_editor.push(insertNodes(m_editor.document(), {{at.stroke, {at.place}}}), tr("Insert node"));
-    const StrokePtr after = m_editor.document().painting()->find(at.stroke);
+    const StrokePtr before = m_editor.document().painting()->find(at.curve);
+    m_editor.push(insertNodes(m_editor.document(), {{at.curve, {at.place}}}), tr("Insert node"));
+    const StrokePtr after = m_editor.document().painting()->find(at.curve);
     if (!before || !after || nodeCount(*after) == nodeCount(*before))
         return;
-    const NodeRef node{at.stroke, at.place.segment + 1};
+    const NodeRef node{at.curve, at.place.segment + 1};
     selectNodes({node});
     m_inserted = true;
-    m_hit = {node, {}};
-    m_onCurve.reset();
+    m_hit = {};
+    m_hit.mark.node = node;
 }
 
 void NodeTool::clicked(const PointerEvent &event)
@@ -232,12 +250,12 @@ void NodeTool::clicked(const PointerEvent &event)
     const bool add = event.modifiers & Qt::ShiftModifier;
     const bool goesOnWithSegments = add && !selection().segments.empty();
     const bool nodesCount = !goesOnWithSegments && !(event.modifiers & Qt::ControlModifier);
-    if (m_hit.node && nodesCount) {
+    if (m_hit.mark.node && nodesCount) {
         std::set<NodeRef> nodes = add ? m_nodes : std::set<NodeRef>();
-        if (!add || !nodes.erase(*m_hit.node))
-            nodes.insert(*m_hit.node);
+        if (!add || !nodes.erase(*m_hit.mark.node))
+            nodes.insert(*m_hit.mark.node);
         selectNodes(std::move(nodes));
-    } else if (!(m_hit.handle && nodesCount)) {
+    } else if (!(m_hit.mark.handle && nodesCount)) {
         clickedSegment(event);
     }
 }
@@ -246,7 +264,7 @@ void NodeTool::clickedSegment(const PointerEvent &event)
 {
     if (event.modifiers & Qt::ShiftModifier && selectRun(event))
         return;
-    std::optional<SegmentRef> hit = m_onCurve ? m_onCurve->segment() : pick(event);
+    std::optional<SegmentRef> hit = m_hit.curve ? m_hit.segment() : pick(event);
     if (!hit) {
         if (!(event.modifiers & (Qt::ShiftModifier | Qt::ControlModifier))) {
             if (m_nodes.empty())
@@ -335,23 +353,62 @@ bool NodeTool::nudge(QKeyEvent *event)
         return false;
     if (!event->isAutoRepeat()) // A key that is held down is one step.
         m_nodeNudges.endSteps();
-    m_editor.push(moveNodes(m_editor.document(), m_nodes, *way),
+    const Painting &painting = *m_editor.document().painting();
+    const StrokePtr first = painting.find(m_nodes.begin()->stroke);
+    const double reach =
+        first ? m_reach.ofNode(*first, m_nodes.begin()->node, m_canvas.view(), m_canvas.devicePixelRatioF()) : 0;
+    m_editor.push(moveNodes(m_editor.document(), m_nodes, *way, reach),
                   m_nodes.size() > 1 ? tr("Move nodes") : tr("Move node"), &m_nodeNudges);
     return true;
+}
+
+bool NodeTool::beginDrag(const PointerEvent &)
+{
+    const std::optional<NodeRef> &node = m_hit.mark.node;
+    if (node && !m_nodes.contains(*node)) {
+        std::set<NodeRef> nodes = start().modifiers & Qt::ShiftModifier ? m_nodes : std::set<NodeRef>();
+        nodes.insert(*node);
+        selectNodes(std::move(nodes));
+    }
+    if (!m_hit.mark.isEmpty() || m_hit.curve)
+        m_drag.begin(start(), m_hit, m_nodes);
+    return m_drag.isOpen();
+}
+
+void NodeTool::drag(const PointerEvent &event)
+{
+    m_drag.move(event);
+}
+
+void NodeTool::endDrag(bool cancelled)
+{
+    if (cancelled)
+        m_drag.giveUp();
+    else
+        m_drag.commit();
+    m_marks.reset();
+}
+
+void NodeTool::stepSize(int steps)
+{
+    if (m_drag.stepReach(steps))
+        return;
+    const View &view = m_canvas.view();
+    const double dpr = m_canvas.devicePixelRatioF();
+    m_reach.choose(SoftReach::stepped(m_reach.chosen().value_or(SoftReach::usual(view, dpr)), steps, view, dpr));
 }
 
 std::optional<double> NodeTool::paintMargin() const
 {
     constexpr double marks = 20; // logical pixels that nodes, handles and the mark of a snap take
-    return std::max(marks * m_canvas.devicePixelRatioF(), m_width.reach());
+    return std::max({marks * m_canvas.devicePixelRatioF(), m_width.reach(), m_drag.margin()});
 }
 
 void NodeTool::paint(QPainter &painter, const View &view, double dpr) const
 {
     m_width.paint(painter, view, dpr);
+    m_drag.paint(painter, view, dpr);
     marks().paint(painter, m_canvas.overlayColours(), m_hovered.mark);
-    if (m_snap.to != SnapTo::Nothing)
-        paintSnapMark(painter, view.toPixels(m_snap.point), m_canvas.overlayColours(), dpr);
     SelectionTool::paint(painter, view, dpr);
 }
 

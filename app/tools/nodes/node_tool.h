@@ -1,9 +1,7 @@
 #pragma once
 
-#include "app/session/gesture.h"
-#include "app/session/selecting/snapping.h"
 #include "app/tools/nodes/node_commands.h"
-#include "app/tools/nodes/node_marks.h"
+#include "app/tools/nodes/node_drag.h"
 #include "app/tools/nodes/width_handle.h"
 #include "app/tools/selection_tool.h"
 
@@ -33,6 +31,9 @@ public:
     void cancel() override;
     void hover(const PointerEvent &event) override;
     void leave() override;
+    /// Changes the reach within which a stroke follows a drag.
+    bool wheel(double notches) override { return m_drag.stepReach(notches); }
+    void stepSize(int steps) override;
     bool keyPress(QKeyEvent *event) override;
     bool wantsKey(const QKeyEvent &event) const override;
     /// Deletes the selected nodes and bridges the gaps between their neighbours.
@@ -55,13 +56,6 @@ protected:
     void endDrag(bool cancelled) override;
 
 private:
-    /// A place on a selected stroke's curve.
-    struct CurveHit {
-        StrokeId stroke = 0;
-        CurvePlace place;
-        SegmentRef segment() const { return {stroke, place.segment}; }
-    };
-
     void followDocument(const Change &change);
     bool isOfDrag(const Change &change) const;
     const NodeMarks &marks() const;
@@ -74,29 +68,26 @@ private:
         friend bool operator==(const Hovered &, const Hovered &) = default;
     };
     void setHovered(const Hovered &hovered);
-    std::optional<CurveHit> curveAt(const PointerEvent &event) const;
+    /// The node, the handle, or the place on the curve of a selected stroke that the pointer is over.
+    NodeHit hitAt(const PointerEvent &event) const;
     void clickedSegment(const PointerEvent &event);
     void addStroke(const SegmentRef &hit);
-    void insertNode(const CurveHit &at);
-    void begin(const std::set<StrokeId> &strokes, const QString &name);
-    void dragNodes(const PointerEvent &event);
-    void dragHandle(const PointerEvent &event);
+    void insertNode(const NodeHit &at);
     std::set<StrokeId> strokesOfNodes() const;
     bool nudge(QKeyEvent *event);
 
     QPointer<QWidget> m_options;
     std::set<NodeRef> m_nodes;
     NodeCommands m_commands;
+    mutable ShownNodes m_shown;
     /// the marks of the present state; none after a change, until they are needed
     mutable std::optional<NodeMarks> m_marks;
     Hovered m_hovered;
 
-    NodeMarks::Hit m_hit; ///< the mark that the press hit
-    std::optional<CurveHit> m_onCurve;
+    SoftReach m_reach;
+    NodeDrag m_drag;
+    NodeHit m_hit;           ///< what the press hit
     bool m_inserted = false; ///< whether this press has inserted a node
-    Gesture m_gesture;
-    Snapping m_snapping;
-    Snap m_snap;
     WidthHandle m_width;
     ValueEntry m_nodeNudges;
 };
