@@ -35,7 +35,8 @@ std::set<StrokeId> firstStrokes(const Painting &painting, std::size_t count);
 Report measureDrags(EditingSession &session, int events, const QString &wanted);
 Report measureViews(EditingSession &session, int events);
 Report measureSelecting(EditingSession &session, int events, const QString &wanted);
-/// Touch path, knife and eraser, and a node of one of all strokes, which are selected.
+/// Touch path, knife, push and eraser, a node of one of all strokes, which are selected, and a push of one stroke of
+/// 10,000 segments.
 Report measureTools(EditingSession &session, int events, const QString &wanted);
 /// By kind of edit: in the call of the undo stack, and until the frame is on the screen.
 Report measureUndo(EditingSession &session, int times, const QString &wanted);

@@ -1,5 +1,7 @@
 // Tools that look at every stroke.
 #include "app/tools/nodes/node_tool.h"
+#include "app/tools/shaping/push_tool.h"
+#include "model/shaping/split.h"
 #include "tests/bench/editing_benches.h"
 #include "undo/node_edits.h"
 
@@ -36,6 +38,49 @@ Row nodeAmongAllSelected(EditingSession &s, const QString &name, int events)
     const auto at = [&](int i) { return start + Point{14 * std::sin(0.21 * i), 14 * std::cos(0.21 * i)}; };
     const Row row = rowOf(name, s.paced(events, [&](int i) { s.mouse(QEvent::MouseMove, at(i)); }));
     s.mouse(QEvent::MouseButtonRelease, at(events));
+    return row;
+}
+
+/// A wash of 10,000 segments, back and forth over the middle of the canvas.
+StrokePtr washOfManySegments(const Painting &painting, StrokeId id)
+{
+    constexpr int rows = 50, inRow = 200;
+    const Point middle{0.5 * painting.canvas.width, 0.5 * painting.canvas.height};
+    const double width = 0.8 * painting.canvas.width, height = 0.8 * painting.canvas.height;
+    auto stroke = std::make_shared<Stroke>();
+    stroke->id = id;
+    stroke->origin = middle;
+    const auto at = [&](int k) {
+        const int row = k / inRow, step = k % inRow;
+        const double x = double(row % 2 ? inRow - step : step) / inRow;
+        return Point{width * (x - 0.5), height * ((row + double(step) / inRow) / rows - 0.5)};
+    };
+    for (int k = 0; k < rows * inRow; ++k) {
+        const Point a = at(k), b = at(k + 1);
+        Segment s;
+        s.bezier = toOffsets({{a, a + (1.0 / 3) * (b - a), b - (1.0 / 3) * (b - a), b}});
+        if (k > 0)
+            s.bezier[0] = stroke->segments.back().bezier[3];
+        s.diffusion = float(height * height / 3e4);
+        s.density = float(height / 60);
+        s.born = k * 1000;
+        stroke->segments.push_back(s);
+    }
+    return stroke;
+}
+
+/// Pushes one stroke of very many segments.
+Row pushOfMany(EditingSession &s, const QString &name, int events)
+{
+    s.editor().push(addStrokes(s.document(), {washOfManySegments(s.painting(), s.document().takeStrokeId())}, true),
+                    "wash");
+    s.editor().clock().setTime(s.painting().end());
+    s.settle();
+    s.window().action(Command::Push).trigger();
+    auto &push = *static_cast<PushTool *>(s.canvas().tool());
+    push.setRadius(60 / s.canvas().view().scale);
+    const Row row = rowOf(name, wave(s, events));
+    s.mouse(QEvent::MouseButtonRelease, {s.canvas().view().width * 0.8, s.canvas().view().height * 0.5});
     return row;
 }
 
@@ -82,6 +127,10 @@ Report measureTools(EditingSession &s, int events, const QString &wanted)
     }
     if (const QString name = "a node, all strokes selected"; name.contains(wanted)) {
         report.rows.push_back(nodeAmongAllSelected(s, name, events));
+        undoAll();
+    }
+    if (const QString name = "push on 10,000 segments"; name.contains(wanted)) {
+        report.rows.push_back(pushOfMany(s, name, events));
         undoAll();
     }
     return report;
