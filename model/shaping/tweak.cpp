@@ -113,7 +113,11 @@ public:
     {
         for (std::size_t node = 0; node <= path.curves.size(); ++node) {
             const Point place = placeOf(node) - centre;
-            m_weights.push_back(m_field.weight(place));
+            const double weight = m_field.weight(place);
+            m_weights.push_back(weight);
+            // A run that is held at both ends gives way on both sides of the middle. If it gave way where it turns, it
+            // would turn back.
+            m_closing.push_back(weight * (1 - std::sqrt(weight)));
             m_turns.push_back(m_tweak.share * m_weights.back() * angleAt(node));
         }
     }
@@ -139,7 +143,7 @@ public:
         for (std::size_t k = 0; k < m_path.curves.size(); ++k) {
             Cubic &c = m_path.curves[k];
             const auto handle = [&](Point vector, std::size_t node, double sense) {
-                const Point closing = closes && total > 0 ? (m_weights[node] / total) * gap : Point();
+                const Point closing = closes && total > 0 ? (m_closing[node] / total) * gap : Point();
                 return rotated(vector, m_turns[node]) - (sense * length(vector)) * closing;
             };
             const Point leaving = handle(c.p[1] - c.p[0], k, 1), arriving = handle(c.p[2] - c.p[3], k + 1, -1);
@@ -184,7 +188,7 @@ private:
         std::vector<double> shares{0};
         for (std::size_t k = 0; k < m_path.curves.size(); ++k)
             shares.push_back(shares.back() +
-                             0.5 * (m_weights[k] + m_weights[k + 1]) * (m_path.lengths[k + 1] - m_path.lengths[k]));
+                             0.5 * (m_closing[k] + m_closing[k + 1]) * (m_path.lengths[k + 1] - m_path.lengths[k]));
         m_weighedWay = shares.back();
         for (double &share : shares)
             share = m_weighedWay > 0 ? share / m_weighedWay : 0;
@@ -194,7 +198,7 @@ private:
     RunPath &m_path;
     const Tweak &m_tweak;
     TouchField m_field;
-    std::vector<double> m_weights, m_turns;
+    std::vector<double> m_weights, m_closing, m_turns;
     double m_weighedWay = 0;
 };
 

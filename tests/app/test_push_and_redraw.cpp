@@ -72,7 +72,8 @@ double sharpestNode(const Stroke &stroke)
 {
     double most = 0;
     for (std::size_t k = 1; k < stroke.segments.size(); ++k) {
-        const Point a = endDirection(offsetsOf(stroke.segments[k - 1])), b = startDirection(offsetsOf(stroke.segments[k]));
+        const Point a = endDirection(offsetsOf(stroke.segments[k - 1])),
+                    b = startDirection(offsetsOf(stroke.segments[k]));
         most = std::max(most, std::abs(std::atan2(cross(a, b), dot(a, b))));
     }
     return most;
@@ -224,7 +225,8 @@ private slots:
         s.editor().document().setSelection({});
         s.drag({300, 300}, {340, 330});
         QVERIFY(!(s.stroke() == wave));
-        s.editor().push(changeStrokes(s.editor().document(), {s.id, s.trunk}, [](Stroke &t) { t.locked = true; }), "lock");
+        s.editor().push(changeStrokes(s.editor().document(), {s.id, s.trunk}, [](Stroke &t) { t.locked = true; }),
+                        "lock");
         const auto locked = s.editor().document().painting();
         s.drag({300, 300}, {340, 330});
         QVERIFY(s.painting() == *locked);
