@@ -60,14 +60,11 @@ Edit tweakStrokes(const Document &document, const std::vector<StrokePtr> &stroke
             continue;
         std::optional<Stroke> result;
         for (const Tweak &touch : touches) {
-            const Stroke &before = result ? *result : *stroke;
             std::vector<int> sources;
-            std::optional<Stroke> next = tweaked(before, touch, &sources);
-            if (!next)
+            if (result ? !tweak(*result, touch, &sources) : !(result = tweaked(*stroke, touch, &sources)))
                 continue;
-            if (next->segments.size() != before.segments.size())
+            if (!sources.empty())
                 remap(after, stroke->id, sources);
-            result = std::move(next);
         }
         if (result && *result != *stroke)
             edit.strokes.emplace(stroke->id, std::make_shared<const Stroke>(std::move(*result)));

@@ -202,14 +202,13 @@ private:
     double m_weighedWay = 0;
 };
 
-void moveByField(Stroke &stroke, const Tweak &tweak, const std::vector<bool> &near)
+void moveByField(Stroke &stroke, const Tweak &tweak, const std::vector<int> &under)
 {
     const TouchField field(tweak);
     const Point toMiddle = stroke.origin - tweak.centre;
-    for (std::size_t k = 0; k < stroke.segments.size(); ++k) {
-        if (!near[k])
-            continue;
-        const Cubic c = offsetsOf(stroke.segments[k]);
+    for (const int k : under) {
+        Segment &segment = stroke.segments[std::size_t(k)];
+        const Cubic c = offsetsOf(segment);
         Cubic moved = c;
         for (const std::size_t end : {std::size_t(0), std::size_t(3)}) {
             const std::size_t handle = end == 0 ? 1 : 2;
@@ -217,66 +216,125 @@ void moveByField(Stroke &stroke, const Tweak &tweak, const std::vector<bool> &ne
             moved.p[end] = c.p[end] + field.move(place);
             moved.p[handle] = moved.p[end] + field.turned(place, c.p[handle] - c.p[end]);
         }
-        stroke.segments[k].bezier = toOffsets(moved);
+        segment.bezier = toOffsets(moved);
     }
+}
+
+void comb(Stroke &stroke, const Tweak &tweak, const std::vector<int> &under)
+{
+    std::vector<bool> near(stroke.segments.size());
+    for (const int k : under)
+        near[std::size_t(k)] = true;
+    for (const Chain &run : runsOf(stroke, near)) {
+        RunPath path(stroke, run);
+        Segment &first = stroke.segments[std::size_t(run.first)], &last = stroke.segments[std::size_t(run.last)];
+        const Offset start = first.bezier[0], end = last.bezier[3];
+        Combing(path, tweak, tweak.centre - stroke.origin).run();
+        writeCurves(stroke, run.first, path.curves);
+        if (path.joinsBefore)
+            first.bezier[0] = start;
+        if (path.joinsAfter)
+            last.bezier[3] = end;
+    }
+}
+
+/// The segments of a stroke of which the circle may touch something, in order.
+std::vector<int> segmentsUnder(const Stroke &stroke, const Tweak &tweak)
+{
+    const Point centre = tweak.centre - stroke.origin;
+    std::vector<int> under;
+    for (std::size_t k = 0; k < stroke.segments.size(); ++k)
+        if (squaredDistanceTo(offsetsOf(stroke.segments[k]).controlBox(), centre) < tweak.radius * tweak.radius)
+            under.push_back(int(k));
+    return under;
+}
+
+/// Splits what lies under the circle and is too long to follow. Returns the segments that there were, and gets where
+/// each of those that there are came from; both are empty if nothing is split.
+std::vector<Segment> split(Stroke &stroke, const Tweak &tweak, const std::vector<int> &under, std::vector<int> &from)
+{
+    const Point centre = tweak.centre - stroke.origin;
+    const double longest = (tweak.kind == TweakKind::Roughen ? longestRough : longestPart) * tweak.radius;
+    std::vector<std::vector<double>> all;
+    for (const int k : under) {
+        const Cubic curve = offsetsOf(stroke.segments[std::size_t(k)]);
+        std::vector<double> cuts;
+        addCuts(curve, 0, 1, centre, tweak.radius, longest, cuts);
+        cuts = distinct(std::move(cuts), curve);
+        if (cuts.empty())
+            continue;
+        all.resize(stroke.segments.size());
+        all[std::size_t(k)] = std::move(cuts);
+    }
+    if (all.empty())
+        return {};
+    std::vector<Segment> parts;
+    for (Piece &piece : piecesOf(stroke, all)) {
+        parts.push_back(std::move(piece.segment));
+        from.push_back(piece.source);
+    }
+    stroke.segments.swap(parts);
+    return parts;
+}
+
+/// Whether a segment is what a stroke may have, now that its curve is another one.
+bool isGood(const Segment &now, const Segment &before, Point origin)
+{
+    Stroke alone;
+    alone.id = 1;
+    alone.origin = origin;
+    alone.segments = {now};
+    alone.segments.front().start = false;
+    return problemOf(alone).isEmpty() && (!isPoint(now) || isPoint(before));
 }
 
 } // namespace
 
-std::optional<Stroke> tweaked(const Stroke &stroke, const Tweak &tweak, std::vector<int> *sources)
+bool tweak(Stroke &stroke, const Tweak &touch, std::vector<int> *sources)
 {
-    const Point centre = tweak.centre - stroke.origin;
-    const double longest = (tweak.kind == TweakKind::Roughen ? longestRough : longestPart) * tweak.radius;
-    std::vector<std::vector<double>> cuts(stroke.segments.size());
-    bool touches = false, splits = false;
-    for (std::size_t k = 0; k < stroke.segments.size(); ++k) {
-        const Cubic curve = offsetsOf(stroke.segments[k]);
-        if (squaredDistanceTo(curve.controlBox(), centre) >= tweak.radius * tweak.radius)
-            continue;
-        touches = true;
-        addCuts(curve, 0, 1, centre, tweak.radius, longest, cuts[k]);
-        cuts[k] = distinct(std::move(cuts[k]), curve);
-        splits = splits || !cuts[k].empty();
+    std::vector<int> under = segmentsUnder(stroke, touch);
+    if (under.empty())
+        return false;
+    std::vector<int> from;
+    std::vector<Segment> whole = split(stroke, touch, under, from);
+    if (!whole.empty())
+        under = segmentsUnder(stroke, touch);
+    std::vector<Segment> before;
+    for (const int k : under)
+        before.push_back(stroke.segments[std::size_t(k)]);
+    if (touch.kind == TweakKind::Comb)
+        comb(stroke, touch, under);
+    else
+        moveByField(stroke, touch, under);
+    // Only what lies under the circle differs: so it alone is looked at, and put back.
+    bool changes = !whole.empty(), good = true;
+    for (std::size_t i = 0; i < under.size() && good; ++i) {
+        const Segment &now = stroke.segments[std::size_t(under[i])];
+        changes = changes || now.bezier != before[i].bezier;
+        good = now.bezier == before[i].bezier || isGood(now, before[i], stroke.origin);
     }
-    if (!touches)
+    if (changes && good) {
+        if (sources)
+            *sources = std::move(from);
+        return true;
+    }
+    for (std::size_t i = 0; i < under.size(); ++i)
+        stroke.segments[std::size_t(under[i])] = std::move(before[i]);
+    if (!whole.empty())
+        stroke.segments = std::move(whole);
+    return false;
+}
+
+std::optional<Stroke> tweaked(const Stroke &stroke, const Tweak &touch, std::vector<int> *sources)
+{
+    if (segmentsUnder(stroke, touch).empty())
         return std::nullopt;
     Stroke result = stroke;
-    std::vector<int> from;
-    if (splits) {
-        result.segments.clear();
-        for (Piece &piece : piecesOf(stroke, cuts)) {
-            result.segments.push_back(std::move(piece.segment));
-            from.push_back(piece.source);
-        }
-    }
-    std::vector<bool> near(result.segments.size());
-    for (std::size_t k = 0; k < near.size(); ++k)
-        near[k] = squaredDistanceTo(offsetsOf(result.segments[k]).controlBox(), centre) < tweak.radius * tweak.radius;
-    if (tweak.kind == TweakKind::Comb) {
-        for (const Chain &run : runsOf(result, near)) {
-            RunPath path(result, run);
-            const Segment first = result.segments[std::size_t(run.first)],
-                          last = result.segments[std::size_t(run.last)];
-            Combing(path, tweak, centre).run();
-            writeCurves(result, run.first, path.curves);
-            if (path.joinsBefore)
-                result.segments[std::size_t(run.first)].bezier[0] = first.bezier[0];
-            if (path.joinsAfter)
-                result.segments[std::size_t(run.last)].bezier[3] = last.bezier[3];
-        }
-    } else {
-        moveByField(result, tweak, near);
-    }
-    for (std::size_t k = 0; k < near.size(); ++k)
-        if (near[k] && isPoint(result.segments[k]) && !isPoint(stroke.segments[splits ? std::size_t(from[k]) : k]))
-            return std::nullopt;
-    if (!problemOf(result).isEmpty() || result == stroke)
+    if (!tweak(result, touch, sources))
         return std::nullopt;
-    if (sources) {
-        *sources = std::move(from);
-        for (int k = int(sources->size()); !splits && k < int(result.segments.size()); ++k)
+    if (sources && sources->empty())
+        for (int k = 0; k < int(result.segments.size()); ++k)
             sources->push_back(k);
-    }
     return result;
 }
 

@@ -25,10 +25,13 @@ struct Tweak {
     unsigned seed = 0; ///< Roughen: each seed gives other moves, and always the same ones.
 };
 
-/// The stroke after a touch; no value where the circle does not reach it. Segments under the circle that are too long
-/// to follow are first split, exactly. Nodes and handles move with the plane around them, so that smooth curves stay
-/// smooth. Values, times and kinds of nodes stay. `sources` gets, for each segment of the result, the index of the
-/// segment that it came from.
+/// Touches a stroke, in place. Returns false, and leaves it as it is, where the circle does not reach it. Segments
+/// under the circle that are too long to follow are first split, exactly. Nodes and handles move with the plane around
+/// them, so that smooth curves stay smooth. Values, times and kinds of nodes stay. `sources` gets, for each segment of
+/// the result, the index of the segment that it came from; nothing if none is split.
+bool tweak(Stroke &stroke, const Tweak &tweak, std::vector<int> *sources = nullptr);
+
+/// The stroke after a touch; no value where the circle does not reach it. `sources` gets an index for each segment.
 std::optional<Stroke> tweaked(const Stroke &stroke, const Tweak &tweak, std::vector<int> *sources = nullptr);
 
 } // namespace suffuse
