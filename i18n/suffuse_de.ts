@@ -1371,6 +1371,25 @@ Rückgabewerte: 0 erledigt, 1 fehlgeschlagen, 2 falscher Aufruf.</translation>
     </message>
 </context>
 <context>
+    <name>NodeDrag</name>
+    <message>
+        <source>Move nodes</source>
+        <translation>Knoten verschieben</translation>
+    </message>
+    <message>
+        <source>Move node</source>
+        <translation>Knoten verschieben</translation>
+    </message>
+    <message>
+        <source>Move handle</source>
+        <translation>Anfasser verschieben</translation>
+    </message>
+    <message>
+        <source>Bend curve</source>
+        <translation>Kurve biegen</translation>
+    </message>
+</context>
+<context>
     <name>Paper</name>
     <message>
         <source>paper image</source>
@@ -5724,14 +5743,6 @@ Auch die Pfeiltasten wirken.</translation>
         <translation>Ziehen am Anfasser biegt die Kurve. Umschalt: Knoten eckig machen. Strg: Schritte von 15°.</translation>
     </message>
     <message>
-        <source>Drag to move the selected nodes. Ctrl: along an axis. Alt: along the handle. Shift+click for more nodes.</source>
-        <translation>Ziehen verschiebt die ausgewählten Knoten. Strg: entlang einer Achse. Alt: entlang des Anfassers. Umschalt+Klick: weitere Knoten.</translation>
-    </message>
-    <message>
-        <source>Drag to bend the curve. Double click to insert a node. Click to select the segment.</source>
-        <translation>Ziehen biegt die Kurve. Doppelklick fügt einen Knoten ein. Klick wählt das Segment aus.</translation>
-    </message>
-    <message>
         <source>Insert node</source>
         <translation>Knoten einfügen</translation>
     </message>
@@ -5744,16 +5755,16 @@ Auch die Pfeiltasten wirken.</translation>
         <translation>Knoten verschieben</translation>
     </message>
     <message>
-        <source>Move handle</source>
-        <translation>Anfasser verschieben</translation>
-    </message>
-    <message>
-        <source>Bend curve</source>
-        <translation>Kurve biegen</translation>
-    </message>
-    <message>
         <source>Click a segment to select it, Shift+click for a run or another stroke&apos;s, Ctrl+click to add or remove one. Drag around nodes.</source>
         <translation>Klick auf ein Segment wählt es aus, Umschalt+Klick eine Folge oder das eines anderen Strichs, Strg+Klick nimmt eines dazu oder heraus. Knoten durch Ziehen umrahmen.</translation>
+    </message>
+    <message>
+        <source>Drag to move nodes, softly within the reach (wheel, Alt+drag). Ctrl: along an axis, Ctrl+Alt: the handle. Shift+click for more.</source>
+        <translation>Ziehen verschiebt Knoten, weich innerhalb der Reichweite (Mausrad, Alt+Ziehen). Strg: entlang einer Achse, Strg+Alt: des Anfassers. Umschalt+Klick wählt weitere.</translation>
+    </message>
+    <message>
+        <source>Drag to bend the curve within the reach (wheel, Alt+drag). Double click to insert a node. Click to select the segment.</source>
+        <translation>Ziehen biegt die Kurve innerhalb der Reichweite (Mausrad, Alt+Ziehen). Doppelklick fügt einen Knoten ein. Klick wählt das Segment.</translation>
     </message>
 </context>
 <context>
@@ -6809,6 +6820,29 @@ Auch die Pfeiltasten wirken.</translation>
     <message>
         <source>%1, slider</source>
         <translation>%1, Schieberegler</translation>
+    </message>
+</context>
+<context>
+    <name>suffuse::SoftReach</name>
+    <message>
+        <source>Reach</source>
+        <translation>Reichweite</translation>
+    </message>
+    <message>
+        <source>How far along the stroke a dragged node or curve takes along what lies near, canvas units; 0: nothing (wheel or [ and ] during the drag, or Alt+drag, change it)</source>
+        <translation>Wie weit entlang des Strichs ein gezogener Knoten oder Bogen seine Umgebung mitnimmt, in Leinwandeinheiten; 0: nichts (Mausrad oder [ und ] beim Ziehen oder Alt+Ziehen ändern es)</translation>
+    </message>
+    <message>
+        <source>Auto</source>
+        <translation>Auto</translation>
+    </message>
+    <message>
+        <source>Let the reach follow the view: soft where nodes would crowd, else the node alone</source>
+        <translation>Reichweite der Ansicht folgen lassen: weich, wo sich Knoten drängen würden, sonst der Knoten allein</translation>
+    </message>
+    <message>
+        <source>Let the reach follow the view</source>
+        <translation>Reichweite der Ansicht folgen lassen</translation>
     </message>
 </context>
 <context>

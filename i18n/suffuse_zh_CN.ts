@@ -1364,6 +1364,25 @@ Exit codes: 0 done, 1 the work failed, 2 wrong usage.</source>
     </message>
 </context>
 <context>
+    <name>NodeDrag</name>
+    <message>
+        <source>Move nodes</source>
+        <translation>移动节点</translation>
+    </message>
+    <message>
+        <source>Move node</source>
+        <translation>移动节点</translation>
+    </message>
+    <message>
+        <source>Move handle</source>
+        <translation>移动控制柄</translation>
+    </message>
+    <message>
+        <source>Bend curve</source>
+        <translation>弯曲曲线</translation>
+    </message>
+</context>
+<context>
     <name>Paper</name>
     <message>
         <source>paper image</source>
@@ -5691,14 +5710,6 @@ Arrow keys work too.</source>
         <translation>拖动控制柄以弯曲曲线。Shift：使节点变为尖角。Ctrl：以 15° 为步长。</translation>
     </message>
     <message>
-        <source>Drag to move the selected nodes. Ctrl: along an axis. Alt: along the handle. Shift+click for more nodes.</source>
-        <translation>拖动以移动所选节点。Ctrl：沿坐标轴。Alt：沿控制柄。Shift+点击：选择更多节点。</translation>
-    </message>
-    <message>
-        <source>Drag to bend the curve. Double click to insert a node. Click to select the segment.</source>
-        <translation>拖动以弯曲曲线。双击插入节点。点击选择线段。</translation>
-    </message>
-    <message>
         <source>Insert node</source>
         <translation>插入节点</translation>
     </message>
@@ -5711,16 +5722,16 @@ Arrow keys work too.</source>
         <translation>移动节点</translation>
     </message>
     <message>
-        <source>Move handle</source>
-        <translation>移动控制柄</translation>
-    </message>
-    <message>
-        <source>Bend curve</source>
-        <translation>弯曲曲线</translation>
-    </message>
-    <message>
         <source>Click a segment to select it, Shift+click for a run or another stroke&apos;s, Ctrl+click to add or remove one. Drag around nodes.</source>
         <translation>单击选择线段，Shift+单击选择连续线段或其他笔画的线段，Ctrl+单击添加或移除一段。拖动框选节点。</translation>
+    </message>
+    <message>
+        <source>Drag to move nodes, softly within the reach (wheel, Alt+drag). Ctrl: along an axis, Ctrl+Alt: the handle. Shift+click for more.</source>
+        <translation>拖动以移动节点，影响范围内柔和跟随（滚轮、Alt+拖动）。Ctrl：沿坐标轴，Ctrl+Alt：沿控制柄。Shift+点击选择更多。</translation>
+    </message>
+    <message>
+        <source>Drag to bend the curve within the reach (wheel, Alt+drag). Double click to insert a node. Click to select the segment.</source>
+        <translation>拖动以在影响范围内弯曲曲线（滚轮、Alt+拖动）。双击插入节点。点击选择线段。</translation>
     </message>
 </context>
 <context>
@@ -6775,6 +6786,29 @@ Arrow keys work too.</source>
     <message>
         <source>%1, slider</source>
         <translation>%1，滑块</translation>
+    </message>
+</context>
+<context>
+    <name>suffuse::SoftReach</name>
+    <message>
+        <source>Reach</source>
+        <translation>影响范围</translation>
+    </message>
+    <message>
+        <source>How far along the stroke a dragged node or curve takes along what lies near, canvas units; 0: nothing (wheel or [ and ] during the drag, or Alt+drag, change it)</source>
+        <translation>拖动节点或曲线时沿笔画带动邻近部分的距离，画布单位；0：不带动（拖动时用滚轮或 [ 和 ]，或按住 Alt 拖动可更改）</translation>
+    </message>
+    <message>
+        <source>Auto</source>
+        <translation>自动</translation>
+    </message>
+    <message>
+        <source>Let the reach follow the view: soft where nodes would crowd, else the node alone</source>
+        <translation>让影响范围随视图而定：节点密集处柔和带动，否则只移动该节点</translation>
+    </message>
+    <message>
+        <source>Let the reach follow the view</source>
+        <translation>让影响范围随视图而定</translation>
     </message>
 </context>
 <context>
