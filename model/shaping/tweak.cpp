@@ -5,6 +5,7 @@
 #include "model/shaping/split.h"
 
 #include <cstdint>
+#include <numbers>
 
 namespace suffuse {
 
@@ -118,7 +119,16 @@ public:
             // A run that is held at both ends gives way on both sides of the middle. If it gave way where it turns, it
             // would turn back.
             m_closing.push_back(weight * (1 - std::sqrt(weight)));
-            m_turns.push_back(m_tweak.share * m_weights.back() * angleAt(node));
+        }
+        m_startIsFree = !path.joinsBefore && m_weights.front() > 0;
+        m_endIsFree = !path.joinsAfter && m_weights.back() > 0;
+        const double sense = senseOfRun();
+        double angle = 0;
+        for (std::size_t node = 0; node <= path.curves.size(); ++node) {
+            const Point t = sense * directionAt(node);
+            const double here = std::atan2(cross(t, tweak.by), dot(t, tweak.by));
+            angle = node == 0 ? here : angle + std::remainder(here - angle, 2 * std::numbers::pi);
+            m_turns.push_back(tweak.share * m_weights[node] * angle);
         }
     }
 
@@ -126,8 +136,6 @@ public:
     {
         std::vector<Point> moves = movesOfNodes();
         std::vector<double> shares = sharesOfWay();
-        const bool startIsFree = !m_path.joinsBefore && m_weights.front() > 0;
-        const bool endIsFree = !m_path.joinsAfter && m_weights.back() > 0;
         const Point gap = moves.back();
         double weights = 0;
         Point mean;
@@ -135,8 +143,8 @@ public:
             mean = mean + m_weights[k] * moves[k];
             weights += m_weights[k];
         }
-        const bool closes = !startIsFree && !endIsFree;
-        const Point shift = startIsFree && endIsFree ? (1 / weights) * mean : startIsFree ? gap : Point();
+        const bool closes = !m_startIsFree && !m_endIsFree;
+        const Point shift = m_startIsFree && m_endIsFree ? (1 / weights) * mean : m_startIsFree ? gap : Point();
         for (std::size_t k = 0; k < moves.size(); ++k)
             moves[k] = moves[k] - shift - (closes ? shares[k] : 0.0) * gap;
         const double total = m_weighedWay;
@@ -164,14 +172,22 @@ private:
     {
         return node < m_path.curves.size() ? m_path.curves[node].p[0] : m_path.curves.back().p[3];
     }
-    /// The angle from the curve's direction to that of the brush or to the opposite one, whichever is nearer.
-    double angleAt(std::size_t node) const
+    Point directionAt(std::size_t node) const
     {
         const Point in = node > 0 ? endDirection(m_path.curves[node - 1]) : Point();
         const Point out = node < m_path.curves.size() ? startDirection(m_path.curves[node]) : Point();
-        const Point t = in + out;
-        const double sense = dot(t, m_tweak.by) < 0 ? -1 : 1;
-        return std::atan2(sense * cross(t, m_tweak.by), sense * dot(t, m_tweak.by));
+        return in + out;
+    }
+    /// Whether the run turns into the direction of the brush (1) or into the opposite one (-1). A free end is drawn
+    /// along by the brush; a run with no free end, or with two, turns by as little as it can.
+    double senseOfRun() const
+    {
+        if (m_startIsFree != m_endIsFree)
+            return m_endIsFree ? 1 : -1;
+        double along = 0;
+        for (std::size_t node = 0; node < m_weights.size(); ++node)
+            along += m_weights[node] * dot(directionAt(node), m_tweak.by);
+        return along < 0 ? -1 : 1;
     }
     std::vector<Point> movesOfNodes() const
     {
@@ -199,6 +215,7 @@ private:
     const Tweak &m_tweak;
     TouchField m_field;
     std::vector<double> m_weights, m_closing, m_turns;
+    bool m_startIsFree = false, m_endIsFree = false; ///< an end of the stroke that lies under the circle
     double m_weighedWay = 0;
 };
 

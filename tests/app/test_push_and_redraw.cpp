@@ -155,7 +155,10 @@ private slots:
         s.drag(tip + Point{-15, 25}, tip + Point{35, 25});
         const double is = meanAngle(s.shape(), n - 30, n - 1, {1, 0});
         QVERIFY2(is < was - 20, qPrintable(QString("%1 %2").arg(was).arg(is)));
-        QVERIFY(length(nodePosition(s.shape(), n) - tip) > 10); // it is not held
+        QVERIFY(nodePosition(s.shape(), n).x > tip.x + 10); // It goes where the hand goes.
+        s.use(Command::Undo);
+        s.drag(tip + Point{15, 25}, tip + Point{-35, 25});
+        QVERIFY(nodePosition(s.shape(), n).x < tip.x - 10);
         QVERIFY(s.shape().segments.front() == before.segments.front());
     }
 
