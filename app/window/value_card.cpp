@@ -97,8 +97,11 @@ void ValueCard::openAt(QPoint global, std::optional<SegmentRef> at)
     m_at = at;
     m_strokes = m_editor.selection().strokes;
     const bool whole = m_editor.selection().segments.empty();
-    if (!m_at && m_editor.selection().segments.size() == 1)
-        m_at = *m_editor.selection().segments.begin();
+    const std::set<SegmentRef> &segments = m_editor.selection().segments;
+    if (segments.size() > 1)
+        m_at.reset(); // a run stays as it is
+    else if (segments.size() == 1)
+        m_at = *segments.begin();
     m_hint->showHint({});
     refresh();
     (whole ? m_whole : m_one)->setChecked(true);

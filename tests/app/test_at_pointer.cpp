@@ -396,6 +396,33 @@ private slots:
         QVERIFY(std::abs(width(2) / width(1) - ratio) < 1e-9);
     }
 
+    /// The handle that shows a width takes a number, too.
+    void doubleClickOnTheWidthHandleTypesTheWidth()
+    {
+        Crossing s;
+        s.use(Command::Segments);
+        s.editor().document().setSelection({{1}, {{1, 1}}});
+        s.dry();
+        std::optional<Point> handle;
+        for (double y = 250; y <= 350 && !handle; ++y) { // beside the middle of the segment
+            const Point at{350, y};
+            s.send(QEvent::MouseMove, s.at(at), none);
+            if (s.canvas().tool()->hint().contains("set the width"))
+                handle = at;
+        }
+        QVERIFY(handle);
+        s.doubleClick(*handle);
+        QVERIFY(s.values() && s.values()->isOpen());
+        QCOMPARE(QApplication::focusWidget(), s.values()->width()->number());
+        QVERIFY(s.values()->segmentButton()->isChecked());
+        QCOMPARE(s.steps(), 0);
+        enter(*s.values()->width()->number(), "24");
+        const double width = seenWidth(s.stroke(1), 1, s.editor().clock().time())->width;
+        QVERIFY2(std::abs(2 * width - 24) < 1e-3, qPrintable(QString::number(2 * width)));
+        QCOMPARE(s.stroke(1).segments[0].density, 20.f);
+        QCOMPARE(s.steps(), 1);
+    }
+
     void returnOpensTheValuesOfTheSelection()
     {
         Crossing s;

@@ -75,7 +75,7 @@ private slots:
             View::ofArea(sheet.painting().canvas.area(), sheet.canvas().view().width, sheet.canvas().view().height);
         QVERIFY(sheet.canvas().view() == whole);
         const std::vector<Brush> &brushes = builtinBrushes();
-        QCOMPARE(brushes.size(), std::size_t(19));
+        QCOMPARE(brushes.size(), std::size_t(20));
         const double width = sheet.canvas().width(), height = sheet.canvas().height();
         int compared = 0;
         for (std::size_t k = 0; k < brushes.size(); ++k) {
@@ -90,7 +90,7 @@ private slots:
         compare(sheet, "dry");
         sheet.editor().clock().lookAt(sheet.painting().end() / 2); // the past, by way of the present
         compare(sheet, "the past");
-        QCOMPARE(compared, 4);
+        QCOMPARE(compared, 5);
     }
 
 private:

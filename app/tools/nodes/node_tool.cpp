@@ -194,7 +194,10 @@ void NodeTool::leave()
 
 void NodeTool::press(const PointerEvent &event)
 {
-    if (!marks().hit(event.pixel).isEmpty() || !m_width.press(event))
+    const bool atWidth = marks().hit(event.pixel).isEmpty() && m_width.isAt(event.pixel);
+    if (atWidth && event.doubleClick)
+        emit valuesAsked(event, *m_width.segment()); // to type the number
+    else if (!atWidth || !m_width.press(event))
         SelectionTool::press(event);
 }
 

@@ -65,6 +65,12 @@ bool WidthHandle::isAt(Point pixel) const
     return at && length(pixel - pixelOf(*at, m_canvas.view(), dpr)) <= widthHitRadius * dpr;
 }
 
+std::optional<SegmentRef> WidthHandle::segment() const
+{
+    const std::optional<Place> at = place();
+    return at ? std::optional(at->ref) : std::nullopt;
+}
+
 bool WidthHandle::press(const PointerEvent &event)
 {
     if (isBusy() || !isAt(event.pixel))

@@ -26,6 +26,8 @@ public:
 
     /// Whether a press at a pixel of the canvas would take hold of the handle.
     bool isAt(Point pixel) const;
+    /// The segment that the handle stands beside; nothing where there is no handle.
+    std::optional<SegmentRef> segment() const;
     /// Returns true if the press took hold of the handle: then moves and the release belong to it, too.
     bool press(const PointerEvent &event);
     /// Goes on with the drag.
