@@ -28,7 +28,7 @@ namespace {
 constexpr int lowPanel = 110;
 /// Heights of a screen from which on the inspector has a place of its own below the brushes, and the list of strokes
 /// one below the inspector.
-constexpr int mediumScreen = 900, highScreen = 1300;
+constexpr int mediumScreen = 1000, highScreen = 1300;
 /// Logical pixels of the column of docks.
 constexpr int columnWidth = 312;
 
