@@ -12,8 +12,9 @@ namespace suffuse {
 
 namespace {
 
-constexpr int samplesEach = 5; ///< points of a segment for a fit
-constexpr int fitRounds = 4;   ///< rounds that improve the points' parameters
+constexpr int samplesEach = 5;        ///< points of a segment for a fit
+constexpr double timeShare = 1.0 / 6; ///< of the painting time; births are relative to that at least
+constexpr int fitRounds = 4;          ///< rounds that improve the points' parameters
 
 /// A segment's values on scales on which equal steps are equal changes to the eye. Ratios are taken as logarithms.
 using SeenValues = std::array<double, 13>;
@@ -42,9 +43,10 @@ SeenValues seenValuesOf(const Segment &s, const Style &style)
 /// Knows whether the values of a run of segments are near enough to become one value.
 class ValueRange {
 public:
-    ValueRange(const Segment &first, const Style &style, double tolerance)
+    /// `atLeast`: seconds to which births are relative if drying takes less.
+    ValueRange(const Segment &first, const Style &style, double tolerance, double atLeast)
         : m_low(seenValuesOf(first, style)), m_high(m_low), m_earliest(first.born), m_latest(first.born),
-          m_maxAge(first.maxAge), m_tolerance(tolerance)
+          m_maxAge(first.maxAge), m_tolerance(tolerance), m_atLeast(atLeast)
     {}
 
     /// Takes another segment. Returns false if it lies too far from the others.
@@ -61,7 +63,7 @@ public:
         m_earliest = std::min(m_earliest, s.born);
         m_latest = std::max(m_latest, s.born);
         m_maxAge = std::min(m_maxAge, double(s.maxAge));
-        return toSeconds(m_latest - m_earliest) <= m_tolerance * m_maxAge;
+        return toSeconds(m_latest - m_earliest) <= m_tolerance * std::max(m_maxAge, m_atLeast);
     }
 
 private:
@@ -69,12 +71,25 @@ private:
     Microseconds m_earliest, m_latest;
     double m_maxAge;
     double m_tolerance;
+    double m_atLeast;
 };
+
+/// The time in which a stroke is painted, in seconds. What comes later than the paint before it takes to dry is a pause
+/// of that time.
+double paintingTime(const Stroke &stroke)
+{
+    double time = 0;
+    for (std::size_t k = 1; k < stroke.segments.size(); ++k) {
+        const Segment &a = stroke.segments[k - 1], &b = stroke.segments[k];
+        time += std::min(toSeconds(std::abs(b.born - a.born)), double(a.maxAge));
+    }
+    return time;
+}
 
 class Simplifier {
 public:
     Simplifier(const Stroke &stroke, const SimplifyTolerance &tolerance, const std::vector<bool> &chosen)
-        : m_stroke(stroke), m_tolerance(tolerance), m_chosen(chosen)
+        : m_stroke(stroke), m_tolerance(tolerance), m_chosen(chosen), m_time(paintingTime(stroke))
     {
         m_curves.reserve(stroke.segments.size());
         for (const Segment &s : stroke.segments)
@@ -113,7 +128,7 @@ private:
     {
         const Segment &start = m_stroke.segments[first];
         Merged best{first + 1, start};
-        ValueRange range(start, m_stroke.styleOf(start), m_tolerance.values);
+        ValueRange range(start, m_stroke.styleOf(start), m_tolerance.values, timeShare * m_time);
         std::size_t reach = first + 1; // how far values allow a run, or more than was asked for
         bool ends = false;
         const auto grow = [&](std::size_t wanted) {
@@ -196,6 +211,7 @@ private:
     const SimplifyTolerance &m_tolerance;
     const std::vector<bool> &m_chosen;
     std::vector<Cubic> m_curves;
+    double m_time; ///< in which the stroke is painted, seconds
 };
 
 } // namespace

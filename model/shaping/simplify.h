@@ -9,7 +9,8 @@ namespace suffuse {
 struct SimplifyTolerance {
     double distance = 0.5; ///< the distance of the curves, canvas units
     /// How far apart the values that become one value may lie: spreads, peak densities, drying times and ξ relative to
-    /// themselves; ω, colour and opacity absolutely; births relative to the drying time.
+    /// themselves; ω, colour and opacity absolutely; births relative to the drying time, or
+    /// to a sixth of the time in which the stroke is painted, without its pauses, if that is longer.
     double values = 0.3;
 };
 
