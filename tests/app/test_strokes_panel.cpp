@@ -140,6 +140,80 @@ private slots:
         QCOMPARE(model.rowCount(), 3);
     }
 
+    /// A group's own row says what is hidden or locked in it, and a click on it undoes that where it is all of it.
+    void groupsTellWhatIsHiddenAndLockedInThem()
+    {
+        Bench bench(0);
+        auto painting = std::make_shared<Painting>();
+        painting->groups = {{1, "Trees", 0, true, false}, {2, "Leaves", 1, true, false}};
+        for (const auto &[id, group] : {std::pair<StrokeId, GroupId>{1, 0}, {2, 2}, {3, 2}, {4, 1}}) {
+            Stroke stroke = *makeStroke(id, 1, 5);
+            stroke.group = group;
+            painting->strokes.push_back(std::make_shared<const Stroke>(stroke));
+        }
+        bench.editor.document().reset(painting);
+        StrokesModel model(bench.editor);
+        QAbstractItemModelTester tester(&model, QAbstractItemModelTester::FailureReportingMode::QtTest);
+        QSignalSpy data(&model, &QAbstractItemModel::dataChanged);
+        const auto announced = [&](const QModelIndex &row) {
+            const bool is = std::any_of(data.begin(), data.end(), [&](const QList<QVariant> &change) {
+                const auto from = change[0].toModelIndex(), to = change[1].toModelIndex();
+                return from.parent() == row.parent() && from.row() <= row.row() && to.row() >= row.row();
+            });
+            return is;
+        };
+        // Rows: Trees(4, Leaves(3, 2)), 1.
+        const auto trees = [&](int column) { return model.index(0, column); };
+        const auto leaves = [&](int column) { return model.index(1, column, model.index(0, 0)); };
+        constexpr int eye = StrokesModel::EyeColumn, lock = StrokesModel::LockColumn;
+        const auto isOn = [](const QModelIndex &cell) { return cell.data(StrokesModel::SwitchRole).toBool(); };
+        const auto isPart = [](const QModelIndex &cell) { return cell.data(StrokesModel::PartRole).toBool(); };
+        const QString visibleTip = trees(eye).data(Qt::ToolTipRole).toString();
+        QVERIFY(isOn(trees(eye)) && !isPart(trees(eye)) && !isOn(trees(lock)) && !isPart(trees(lock)));
+
+        bench.editor.push(setVisible(bench.editor.document(), {2}, false), "hide");
+        QVERIFY(announced(trees(eye)) && announced(leaves(eye)));
+        QVERIFY(isOn(leaves(eye)) && isPart(leaves(eye)) && isOn(trees(eye)) && isPart(trees(eye)));
+        QVERIFY(trees(eye).data(Qt::ToolTipRole).toString() != visibleTip);
+        QVERIFY(!isPart(trees(lock)));
+        data.clear();
+        bench.editor.push(setVisible(bench.editor.document(), {3}, false), "hide");
+        QVERIFY(announced(leaves(eye)));
+        QVERIFY(!isOn(leaves(eye)) && !isPart(leaves(eye)) && isOn(trees(eye)) && isPart(trees(eye)));
+        // What is said does not change: no row of a group is announced.
+        data.clear();
+        bench.editor.push(changeStrokes(bench.editor.document(), {2}, [](Stroke &s) { s.name = "two"; }), "name");
+        QVERIFY(!announced(trees(eye)) && !announced(leaves(eye)));
+
+        // A click shows all that is hidden in it, as one step.
+        const int steps = bench.steps();
+        model.toggle(leaves(eye));
+        QCOMPARE(bench.steps(), steps + 1);
+        QVERIFY(bench.stroke(2).visible && bench.stroke(3).visible && isOn(leaves(eye)) && !isPart(trees(eye)));
+        bench.editor.undoStack().undo();
+        QVERIFY(!bench.stroke(2).visible && !isOn(leaves(eye)));
+        bench.editor.undoStack().undo(); // stroke 2 has no name
+        bench.editor.undoStack().undo(); // stroke 3 is visible
+        QVERIFY(isOn(leaves(eye)) && isPart(leaves(eye)));
+        // Where it is a part, the click is about the group itself.
+        model.toggle(leaves(eye));
+        QVERIFY(!bench.editor.document().painting()->groups[1].visible && !isOn(leaves(eye)));
+        QVERIFY(isPart(trees(eye))); // stroke 4 is seen
+
+        // A group that is locked counts for all that is in it.
+        data.clear();
+        bench.editor.push(setGroupLocked(bench.editor.document(), 2, true), "lock");
+        QVERIFY(announced(trees(lock)) && announced(leaves(lock)));
+        QVERIFY(isOn(leaves(lock)) && isPart(trees(lock)));
+        bench.editor.push(setLocked(bench.editor.document(), {4}, true), "lock");
+        QVERIFY(isOn(trees(lock)) && !isPart(trees(lock)));
+        model.toggle(trees(lock));
+        QVERIFY(!bench.stroke(4).locked && !bench.editor.document().painting()->groups[1].locked);
+        QVERIFY(!isOn(trees(lock)) && !isPart(trees(lock)) && !isOn(leaves(lock)));
+        bench.editor.undoStack().undo();
+        QVERIFY(isOn(trees(lock)) && bench.stroke(4).locked);
+    }
+
     void groupsAreRenamedInPlace()
     {
         Bench bench;

@@ -1,6 +1,10 @@
 #include "app/panels/strokes/row_changes.h"
 
 #include "app/session/editor.h"
+#include "undo/order_tree.h"
+
+#include <algorithm>
+#include <set>
 
 namespace suffuse {
 
@@ -30,6 +34,34 @@ void changeGroup(Editor &editor, GroupId id, const std::function<void(Group &)> 
     Edit edit;
     edit.groups = std::move(groups);
     editor.push(std::move(edit), text);
+}
+
+void changeWithin(Editor &editor, GroupId id, const std::function<void(Stroke &)> &changeStroke,
+                  const std::function<void(Group &)> &changeGroup, const QString &text)
+{
+    const Painting &painting = *editor.document().painting();
+    std::vector<Group> groups = painting.groups;
+    std::set<GroupId> within{id};
+    for (Group &group : groups) {
+        const std::vector<GroupId> around = groupsAround(painting, group.id);
+        if (group.id == id || std::ranges::find(around, id) == around.end())
+            continue;
+        within.insert(group.id);
+        changeGroup(group);
+    }
+    Edit edit;
+    if (groups != painting.groups)
+        edit.groups = std::move(groups);
+    for (const StrokePtr &old : painting.strokes) {
+        if (!within.contains(old->group))
+            continue;
+        Stroke stroke = *old;
+        changeStroke(stroke);
+        if (stroke != *old)
+            edit.strokes.emplace(old->id, std::make_shared<const Stroke>(std::move(stroke)));
+    }
+    if (edit.groups || !edit.strokes.empty())
+        editor.push(std::move(edit), text);
 }
 
 } // namespace suffuse

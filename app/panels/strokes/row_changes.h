@@ -14,5 +14,8 @@ class Editor;
 /// Changes a stroke or group in one undo step with this text. If nothing changes, there is no step.
 void changeStroke(Editor &editor, StrokeId id, const std::function<void(Stroke &)> &change, const QString &text);
 void changeGroup(Editor &editor, GroupId id, const std::function<void(Group &)> &change, const QString &text);
+/// Changes all strokes and groups in a group, but not the group itself, in one undo step.
+void changeWithin(Editor &editor, GroupId id, const std::function<void(Stroke &)> &changeStroke,
+                  const std::function<void(Group &)> &changeGroup, const QString &text);
 
 } // namespace suffuse

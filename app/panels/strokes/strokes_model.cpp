@@ -2,14 +2,14 @@
 
 #include "app/panels/strokes/dragged_rows.h"
 #include "app/panels/strokes/row_changes.h"
-#include "app/session/colour_convert.h"
+#include "app/panels/strokes/row_data.h"
 #include "app/session/editor.h"
 #include "app/session/files/clipboard.h"
-#include "app/widgets/look/icons.h"
 
 #include <QScopedValueRollback>
 
 #include <algorithm>
+#include <utility>
 
 namespace suffuse {
 
@@ -28,92 +28,6 @@ namespace {
 /// This bit in a row's internal pointer says that the row is a segment of the node's stroke.
 constexpr quintptr segmentTag = 1;
 const char rowsMime[] = "application/x-suffuse-stroke-rows";
-
-QVariant switchData(bool visible, bool locked, int column, int role)
-{
-    if (role == StrokesModel::SwitchRole)
-        return column == StrokesModel::EyeColumn ? visible : locked;
-    if (column == StrokesModel::EyeColumn) {
-        if (role == Qt::DecorationRole)
-            return icon(visible ? "eye" : "eye-off");
-        if (role == Qt::ToolTipRole || role == Qt::AccessibleTextRole)
-            return visible ? StrokesModel::tr("Visible. Click: hide.") : StrokesModel::tr("Hidden. Click: show.");
-    } else if (column == StrokesModel::LockColumn) {
-        if (role == Qt::DecorationRole)
-            return icon(locked ? "lock" : "unlock");
-        if (role == Qt::ToolTipRole || role == Qt::AccessibleTextRole)
-            return locked ? StrokesModel::tr("Locked. Click: unlock.") : StrokesModel::tr("Not locked. Click: lock.");
-    }
-    return {};
-}
-
-QVariant segmentData(const Stroke &stroke, int segment, int column, int role)
-{
-    if (role == StrokesModel::StrokeIdRole)
-        return QVariant::fromValue<qulonglong>(stroke.id);
-    if (role == StrokesModel::GroupIdRole)
-        return QVariant::fromValue<qulonglong>(0);
-    if (role == StrokesModel::SegmentRole)
-        return segment;
-    if (column != StrokesModel::NameColumn || std::size_t(segment) >= stroke.segments.size())
-        return {};
-    if (role == Qt::DisplayRole)
-        return StrokesModel::tr("Segment %1").arg(segment + 1);
-    if (role == StrokesModel::ColourRole)
-        return toOpaqueScreen(stroke.segments[std::size_t(segment)].colour);
-    return {};
-}
-
-QVariant strokeData(const Stroke &stroke, int column, int role)
-{
-    if (role == StrokesModel::SegmentRole)
-        return -1;
-    if (role == StrokesModel::StrokeIdRole)
-        return QVariant::fromValue<qulonglong>(stroke.id);
-    if (role == StrokesModel::GroupIdRole)
-        return QVariant::fromValue<qulonglong>(0);
-    if (column != StrokesModel::NameColumn)
-        return switchData(stroke.visible, stroke.locked, column, role);
-    switch (role) {
-    case Qt::DisplayRole:
-        return titleOf(stroke);
-    case Qt::EditRole:
-        return stroke.name;
-    case Qt::ToolTipRole:
-        return StrokesModel::tr("%n segment(s)", nullptr, int(stroke.segments.size()));
-    case StrokesModel::ColourRole:
-        return stroke.segments.empty() ? QVariant()
-                                       : toOpaqueScreen(stroke.segments[stroke.segments.size() / 2].colour);
-    case StrokesModel::UnnamedRole:
-        return stroke.name.isEmpty();
-    default:
-        return {};
-    }
-}
-
-QVariant groupData(const Group &group, int column, int role)
-{
-    if (role == StrokesModel::SegmentRole)
-        return -1;
-    if (role == StrokesModel::StrokeIdRole)
-        return QVariant::fromValue<qulonglong>(0);
-    if (role == StrokesModel::GroupIdRole)
-        return QVariant::fromValue<qulonglong>(group.id);
-    if (column != StrokesModel::NameColumn)
-        return switchData(group.visible, group.locked, column, role);
-    switch (role) {
-    case Qt::DisplayRole:
-        return titleOf(group);
-    case Qt::EditRole:
-        return group.name;
-    case Qt::DecorationRole:
-        return icon("group");
-    case StrokesModel::UnnamedRole:
-        return group.name.isEmpty();
-    default:
-        return {};
-    }
-}
 
 } // namespace
 
@@ -232,14 +146,14 @@ QVariant StrokesModel::data(const QModelIndex &index, int role) const
         const Group *group = m_tree.groupOf(node.group);
         if (role == WhollySelectedRole)
             return isWhollySelected(node);
-        return group ? groupData(*group, index.column(), role) : QVariant();
+        return group ? groupRowData(*group, marksOf(node.group), index.column(), role) : QVariant();
     }
     const StrokePtr stroke = m_tree.strokeOf(node.stroke);
     if (!stroke)
         return {};
     const int segment = segmentAt(index);
-    return segment < 0 ? strokeData(*stroke, index.column(), role)
-                       : segmentData(*stroke, segment, index.column(), role);
+    return segment < 0 ? strokeRowData(*stroke, index.column(), role)
+                       : segmentRowData(*stroke, segment, index.column(), role);
 }
 
 bool StrokesModel::setData(const QModelIndex &index, const QVariant &value, int role)
@@ -271,9 +185,15 @@ void StrokesModel::toggle(const QModelIndex &index)
     };
     if (node.group) {
         const Group *group = m_tree.groupOf(node.group);
-        const bool on = group && (eye ? group->visible : group->locked);
-        changeGroup(m_editor, node.group, flip,
-                    eye ? (on ? tr("Hide group") : tr("Show group")) : (on ? tr("Unlock group") : tr("Lock group")));
+        const bool own = group && (eye ? group->visible : group->locked);
+        const bool on = data(index, SwitchRole).toBool();
+        const QString text =
+            eye ? (on ? tr("Hide group") : tr("Show group")) : (on ? tr("Unlock group") : tr("Lock group"));
+        const auto clear = [eye](auto &item) { (eye ? item.visible : item.locked) = eye; };
+        if (own == on)
+            changeGroup(m_editor, node.group, flip, text);
+        else
+            changeWithin(m_editor, node.group, clear, clear, text);
     } else if (const StrokePtr stroke = m_tree.strokeOf(node.stroke)) {
         const bool on = eye ? stroke->visible : stroke->locked;
         changeStroke(m_editor, node.stroke, flip,
@@ -286,6 +206,7 @@ void StrokesModel::rebuild()
 {
     beginResetModel();
     m_tree.build(m_editor.document().painting());
+    m_marks = suffuse::marksOf(m_tree);
     endResetModel();
 }
 
@@ -319,8 +240,37 @@ void StrokesModel::announce(const StrokesTree::Changed &changed)
         if (node->segments > 0)
             emit dataChanged(index(0, NameColumn, stroke), index(node->segments - 1, NameColumn, stroke));
     }
-    if (changed.groups && rowCount() > 0)
-        emit dataChanged(index(0, 0), index(rowCount() - 1, LockColumn));
+    if (!changed.groups && !changed.switches)
+        return;
+    const MarksOfGroups before = std::exchange(m_marks, suffuse::marksOf(m_tree));
+    if (changed.groups || before != m_marks)
+        announceGroups();
+}
+
+/// Announces the rows of all groups, for each parent at once.
+void StrokesModel::announceGroups()
+{
+    std::vector<const Node *> open{&m_tree.root()};
+    while (!open.empty()) {
+        const Node *parent = open.back();
+        open.pop_back();
+        const Node *first = nullptr, *last = nullptr;
+        for (const auto &child : parent->children) {
+            if (!child->group)
+                continue;
+            open.push_back(child.get());
+            first = first ? first : child.get();
+            last = child.get();
+        }
+        if (first)
+            emit dataChanged(indexOf(first), indexOf(last, LockColumn));
+    }
+}
+
+GroupMarks StrokesModel::marksOf(GroupId group) const
+{
+    const auto it = m_marks.find(group);
+    return it == m_marks.end() ? GroupMarks() : it->second;
 }
 
 void StrokesModel::rowsCome(const Node &parent, int first, int last)

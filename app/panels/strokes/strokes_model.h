@@ -1,6 +1,6 @@
 #pragma once
 
-#include "app/panels/strokes/strokes_tree.h"
+#include "app/panels/strokes/group_marks.h"
 
 #include <QAbstractItemModel>
 
@@ -26,7 +26,8 @@ public:
         GroupIdRole,                 ///< GroupId; 0 for strokes
         ColourRole,                  ///< QColor of a stroke
         UnnamedRole,                 ///< bool
-        SwitchRole,                  ///< bool of an eye (visible) or lock (locked)
+        SwitchRole,                  ///< bool of an eye (visible) or lock (locked); for a group also what is in it
+        PartRole,                    ///< bool of a group's eye or lock: some strokes in it are hidden, or locked
         SegmentRole,                 ///< int: the index of a segment in its stroke; -1 for other rows
         WhollySelectedRole           ///< bool: whether all strokes of a group are selected
     };
@@ -91,9 +92,12 @@ private:
     void rebuild();
     void follow(const Change &change);
     void announce(const StrokesTree::Changed &changed);
+    void announceGroups();
+    GroupMarks marksOf(GroupId group) const;
 
     Editor &m_editor;
     StrokesTree m_tree;
+    MarksOfGroups m_marks; ///< of the painting that the tree shows
     bool m_following = false;
 };
 

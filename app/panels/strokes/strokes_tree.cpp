@@ -167,6 +167,7 @@ std::optional<StrokesTree::Changed> StrokesTree::follow(const PaintingPtr &paint
             followSegments(*it->second, *stroke, listener);
     Changed result = takeValues(ids, changed);
     result.groups = m_groups != painting->groups;
+    result.switches |= change.order;
     m_groups = painting->groups;
     return result;
 }
@@ -185,6 +186,7 @@ StrokesTree::Changed StrokesTree::takeValues(const std::set<StrokeId> &ids, cons
             result.strokes.push_back(it->second);
             if (value->segments != now->second->segments)
                 result.withSegments.push_back(it->second);
+            result.switches |= value->visible != now->second->visible || value->locked != now->second->locked;
         }
         value = now->second;
     }

@@ -43,7 +43,9 @@ public:
     struct Changed {
         std::vector<const Node *> strokes;
         std::vector<const Node *> withSegments; ///< those of them whose segments have changed
-        bool groups = false;
+        bool groups = false;                    ///< a group has another name, or is switched
+        bool switches =
+            false; ///< a stroke is shown, hidden, locked or unlocked, or strokes were added, removed or moved
     };
 
     StrokesTree() : m_root(std::make_unique<Node>()) {}

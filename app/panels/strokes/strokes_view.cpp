@@ -101,9 +101,10 @@ private:
                          const QStyleOptionViewItem &option)
     {
         const double ratio = painter.device()->devicePixelRatioF();
-        const QString key = QStringLiteral("strokes %1 %2 %3 %4 %5")
+        const QString key = QStringLiteral("strokes %1 %2 %3 %4 %5 %6")
                                 .arg(index.column())
                                 .arg(index.data(StrokesModel::SwitchRole).toBool())
+                                .arg(index.data(StrokesModel::PartRole).toBool())
                                 .arg(selected)
                                 .arg(option.palette.cacheKey())
                                 .arg(ratio);

@@ -1,0 +1,123 @@
+#include "app/panels/strokes/row_data.h"
+
+#include "app/panels/strokes/strokes_model.h"
+#include "app/session/colour_convert.h"
+#include "app/widgets/look/icons.h"
+
+namespace suffuse {
+
+namespace {
+
+QVariant switchData(bool visible, bool locked, int column, int role)
+{
+    if (role == StrokesModel::SwitchRole)
+        return column == StrokesModel::EyeColumn ? visible : locked;
+    if (column == StrokesModel::EyeColumn) {
+        if (role == Qt::DecorationRole)
+            return icon(visible ? "eye" : "eye-off");
+        if (role == Qt::ToolTipRole || role == Qt::AccessibleTextRole)
+            return visible ? StrokesModel::tr("Visible. Click: hide.") : StrokesModel::tr("Hidden. Click: show.");
+    } else if (column == StrokesModel::LockColumn) {
+        if (role == Qt::DecorationRole)
+            return icon(locked ? "lock" : "unlock");
+        if (role == Qt::ToolTipRole || role == Qt::AccessibleTextRole)
+            return locked ? StrokesModel::tr("Locked. Click: unlock.") : StrokesModel::tr("Not locked. Click: lock.");
+    }
+    return {};
+}
+
+/// The icon and the tool tip of a group's eye or lock. They also tell about the strokes in the group.
+QVariant groupSwitchData(const Group &group, const GroupMarks &marks, int column, int role)
+{
+    const bool eye = column == StrokesModel::EyeColumn;
+    const Share share = eye ? marks.hidden : marks.locked;
+    const bool own = eye ? !group.visible : group.locked;
+    if (role == StrokesModel::PartRole)
+        return !own && share == Share::Some;
+    if (own || share == Share::None)
+        return switchData(group.visible, group.locked, column, role);
+    const bool all = share == Share::All;
+    if (role == Qt::ToolTipRole || role == Qt::AccessibleTextRole) {
+        if (eye)
+            return all ? StrokesModel::tr("All in it is hidden. Click: show it.")
+                       : StrokesModel::tr("Some of it is hidden. Click: hide the group.");
+        return all ? StrokesModel::tr("All in it is locked. Click: unlock it.")
+                   : StrokesModel::tr("Some of it is locked. Click: lock the group.");
+    }
+    if (all)
+        return switchData(false, true, column, role);
+    return role == Qt::DecorationRole ? icon(eye ? "eye-part" : "lock-part")
+                                      : switchData(group.visible, group.locked, column, role);
+}
+
+} // namespace
+
+QVariant segmentRowData(const Stroke &stroke, int segment, int column, int role)
+{
+    if (role == StrokesModel::StrokeIdRole)
+        return QVariant::fromValue<qulonglong>(stroke.id);
+    if (role == StrokesModel::GroupIdRole)
+        return QVariant::fromValue<qulonglong>(0);
+    if (role == StrokesModel::SegmentRole)
+        return segment;
+    if (column != StrokesModel::NameColumn || std::size_t(segment) >= stroke.segments.size())
+        return {};
+    if (role == Qt::DisplayRole)
+        return StrokesModel::tr("Segment %1").arg(segment + 1);
+    if (role == StrokesModel::ColourRole)
+        return toOpaqueScreen(stroke.segments[std::size_t(segment)].colour);
+    return {};
+}
+
+QVariant strokeRowData(const Stroke &stroke, int column, int role)
+{
+    if (role == StrokesModel::SegmentRole)
+        return -1;
+    if (role == StrokesModel::StrokeIdRole)
+        return QVariant::fromValue<qulonglong>(stroke.id);
+    if (role == StrokesModel::GroupIdRole)
+        return QVariant::fromValue<qulonglong>(0);
+    if (column != StrokesModel::NameColumn)
+        return switchData(stroke.visible, stroke.locked, column, role);
+    switch (role) {
+    case Qt::DisplayRole:
+        return titleOf(stroke);
+    case Qt::EditRole:
+        return stroke.name;
+    case Qt::ToolTipRole:
+        return StrokesModel::tr("%n segment(s)", nullptr, int(stroke.segments.size()));
+    case StrokesModel::ColourRole:
+        return stroke.segments.empty() ? QVariant()
+                                       : toOpaqueScreen(stroke.segments[stroke.segments.size() / 2].colour);
+    case StrokesModel::UnnamedRole:
+        return stroke.name.isEmpty();
+    default:
+        return {};
+    }
+}
+
+QVariant groupRowData(const Group &group, const GroupMarks &marks, int column, int role)
+{
+    if (role == StrokesModel::SegmentRole)
+        return -1;
+    if (role == StrokesModel::StrokeIdRole)
+        return QVariant::fromValue<qulonglong>(0);
+    if (role == StrokesModel::GroupIdRole)
+        return QVariant::fromValue<qulonglong>(group.id);
+    if (column != StrokesModel::NameColumn)
+        return groupSwitchData(group, marks, column, role);
+    switch (role) {
+    case Qt::DisplayRole:
+        return titleOf(group);
+    case Qt::EditRole:
+        return group.name;
+    case Qt::DecorationRole:
+        return icon("group");
+    case StrokesModel::UnnamedRole:
+        return group.name.isEmpty();
+    default:
+        return {};
+    }
+}
+
+} // namespace suffuse
