@@ -279,12 +279,16 @@ private slots:
                             own << keys;
                 const bool shift = std::ranges::any_of(
                     own, [](const QKeySequence &k) { return k[0].keyboardModifiers() == Qt::ShiftModifier; });
-                for (const QKeyCombination keys : typed)
+                const bool isTimeline = widget->inherits("suffuse::TimelineView");
+                for (const QKeyCombination keys : typed) {
                     // Of those with Shift Qt's table decides there; see keysWithShiftAreFoundByQt.
-                    if (!own.contains(QKeySequence(keys)) && !(shift && keys.keyboardModifiers() == Qt::ShiftModifier))
-                        QVERIFY2(isTaken(*widget, keys),
-                                 qPrintable(panel->objectName() + ' ' + widget->accessibleName() + ' ' +
-                                            QKeySequence(keys).toString()));
+                    if (own.contains(QKeySequence(keys)) || (shift && keys.keyboardModifiers() == Qt::ShiftModifier))
+                        continue;
+                    const bool passes = isTimeline && keys.key() >= Qt::Key_A && keys.key() <= Qt::Key_Z;
+                    QVERIFY2(isTaken(*widget, keys) != passes,
+                             qPrintable(panel->objectName() + ' ' + widget->accessibleName() + ' ' +
+                                        QKeySequence(keys).toString()));
+                }
                 ++places;
             }
         QVERIFY2(places > 60, qPrintable(QString::number(places)));
@@ -294,6 +298,27 @@ private slots:
         auto *tree = s.window.findChild<QDockWidget *>("strokesDock")->findChild<QTreeView *>();
         QVERIFY(!isTaken(*tree, Qt::CTRL | Qt::Key_D));
         QVERIFY(!isTaken(*tree, Qt::Key_F6));
+    }
+
+    /// The timeline keeps the keyboard after a click, but it has no use for letters.
+    void lettersGoFromTheTimelineToTheTools()
+    {
+        WaveSession s;
+        QVERIFY(QTest::qWaitForWindowActive(&s.window));
+        s.use(Command::Select);
+        QWidget *timeline = nullptr;
+        for (QWidget *widget : focusableIn(*s.window.findChild<QDockWidget *>("timelineDock")))
+            timeline = widget->inherits("suffuse::TimelineView") ? widget : timeline;
+        QVERIFY(timeline);
+        QTest::mouseClick(static_cast<QAbstractScrollArea *>(timeline)->viewport(), Qt::LeftButton, {}, {40, 8});
+        QCoreApplication::processEvents();
+        QVERIFY(timeline->hasFocus());
+        const QKeySequence brush = s.window.action(Command::Brush).shortcut();
+        QTest::keyClick(timeline, brush[0].key(), brush[0].keyboardModifiers());
+        QVERIFY(s.window.action(Command::Brush).isChecked());
+        const Brush inHand = s.editor().brush();
+        QTest::keyClick(timeline, Qt::Key_4); // a number is not a letter
+        QCOMPARE(s.editor().brush(), inHand);
     }
 
     /// What is about a panel's own things goes on working there.
@@ -466,7 +491,7 @@ private slots:
         view->setFocus();
         for (const Qt::Key key : {Qt::Key_Greater, Qt::Key_Less, Qt::Key_Colon, Qt::Key_Semicolon, Qt::Key_Period})
             QVERIFY(!isTaken(*view, Qt::SHIFT | key));
-        // Of what Qt finds then, the panel's own goes through, and the canvas' does not.
+        // Of what Qt finds then, the panel's own goes through, and of the canvas' the letters alone.
         const auto isStopped = [&s](Command command) {
             QAction &action = s.window.action(command);
             QShortcutEvent event(action.shortcut(), 0, true); // ambiguous: the action says so and does nothing
@@ -474,7 +499,8 @@ private slots:
         };
         QVERIFY(!isStopped(Command::ToEnd));
         QVERIFY(!isStopped(Command::ToStart));
-        QVERIFY(isStopped(Command::Brush));
+        QVERIFY(isStopped(Command::Favourite1));
+        QVERIFY(!isStopped(Command::Brush));
         QVERIFY(!isStopped(Command::Save));
         s.canvas().setFocus();
         QVERIFY(!isStopped(Command::Brush));

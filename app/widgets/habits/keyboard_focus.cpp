@@ -12,10 +12,12 @@
 #include <QLineEdit>
 #include <QMainWindow>
 #include <QPainter>
+#include <QPlainTextEdit>
 #include <QScrollArea>
 #include <QShortcutEvent>
 #include <QStatusBar>
 #include <QTabBar>
+#include <QTextEdit>
 #include <QToolBar>
 #include <QTreeView>
 
@@ -80,6 +82,17 @@ bool canBeTypedInto(const QWidget &widget)
     return qobject_cast<const QLineEdit *>(&widget) || qobject_cast<const QAbstractSpinBox *>(&widget) ||
            qobject_cast<const QComboBox *>(&widget) ||
            (qobject_cast<const QAbstractScrollArea *>(&widget) && !qobject_cast<const QScrollArea *>(&widget));
+}
+
+/// Whether a key is a letter for which a widget has no use. A view that shows neither rows nor a text, such as the
+/// timeline, is not typed into.
+bool isLetterToPass(const QWidget &widget, int key)
+{
+    const bool isView = qobject_cast<const QAbstractScrollArea *>(&widget) &&
+                        !qobject_cast<const QScrollArea *>(&widget) &&
+                        !qobject_cast<const QAbstractItemView *>(&widget) &&
+                        !qobject_cast<const QTextEdit *>(&widget) && !qobject_cast<const QPlainTextEdit *>(&widget);
+    return isView && key >= Qt::Key_A && key <= Qt::Key_Z;
 }
 
 /// Whether a letter would choose a row by the first letter of its name.
@@ -170,7 +183,8 @@ QWidget *KeyboardFocus::panelOf(QWidget *widget) const
 
 bool KeyboardFocus::keepsFromCanvas(QWidget &widget, const QKeyEvent &key) const
 {
-    if (!isTyped(key) || &widget == &m_window || &widget == &m_canvas || m_canvas.isAncestorOf(&widget))
+    if (!isTyped(key) || isLetterToPass(widget, key.key()) || &widget == &m_window || &widget == &m_canvas ||
+        m_canvas.isAncestorOf(&widget))
         return false;
     if (const QWidget *focus = QApplication::focusWidget(); focus && focus != &widget && widget.isAncestorOf(focus))
         return false; // the widget with the focus has let the event through
@@ -193,7 +207,7 @@ bool KeyboardFocus::keepsShortcut(const QObject &owner, const QKeySequence &keys
 {
     QWidget *focus = QApplication::focusWidget(), *panel = panelOf(focus);
     const auto *action = qobject_cast<const QAction *>(&owner);
-    if (!panel || !action || keys.isEmpty() || !isTypedKey(keys[0]))
+    if (!panel || !action || keys.isEmpty() || !isTypedKey(keys[0]) || isLetterToPass(*focus, keys[0].key()))
         return false;
     for (const QWidget *w = focus; w; w = w == panel ? nullptr : w->parentWidget())
         if (std::ranges::any_of(w->actions(), [action](const QAction *own) { return own == action; }))

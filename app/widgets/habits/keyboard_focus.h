@@ -13,7 +13,8 @@ class PanelFrame;
 
 /// Keeps keys that are typed in a panel (a dock or a tool bar) from the canvas' commands. Without Ctrl, Alt or Meta a
 /// key reaches no shortcut of the window except those of the panel itself, which are the actions that the panel or a
-/// widget in it has by addAction(). Esc and Enter give the keyboard back to the canvas where nothing in the panel has a
+/// widget in it has by addAction(). Letters do reach the canvas' commands from the timeline, which has no use for them.
+/// Esc and Enter give the keyboard back to the canvas where nothing in the panel has a
 /// use for them. So does the release of the mouse over something that cannot be typed into. Lists do not go to the row
 /// whose name begins with a typed letter: the letter would be a command's key anywhere else, and the status bar says
 /// who has the keyboard.
