@@ -14,6 +14,7 @@
 #include "app/widgets/habits/keyboard_focus.h"
 #include "app/widgets/habits/place_beside.h"
 #include "app/widgets/look/section.h"
+#include "app/window/free_hand.h"
 
 #include <QApplication>
 #include <QDockWidget>
@@ -163,7 +164,9 @@ void Docks::addRows(KeyboardFocus &keyboard)
     Commands &table = m_place.commands;
     table.add(HideDocks, "hideDocks", Commands::tr("&Hide the Docks"), "", {QKeySequence(Qt::Key_Tab)})
         .checkable()
-        .runs([this] { hide(m_place.commands[HideDocks].isChecked()); });
+        .runs([this] {
+            whenHandIsFree(m_place.canvas, *this, [this] { hide(m_place.commands[HideDocks].isChecked()); });
+        });
     table
         .add(NextPanel, "nextPanel", Commands::tr("Ne&xt Panel"), "", {QKeySequence(Qt::Key_F6)},
              Commands::tr("The keyboard goes from the canvas to the docks and tool bars in turn"))
@@ -198,6 +201,9 @@ void Docks::addSelectingRows()
 
 void Docks::hide(bool hide)
 {
+    if (hide == m_hidden)
+        return;
+    m_hidden = hide;
     // The way back is the same in every tool.
     m_place.canvas.setWindowKeys(hide ? m_place.commands[Command::HideDocks].shortcuts() : QList<QKeySequence>());
     if (hide) {

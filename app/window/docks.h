@@ -44,6 +44,7 @@ private:
     QDockWidget *m_inspector = nullptr;
     QList<QDockWidget *> m_docks;
     QByteArray m_layout; ///< while they are hidden
+    bool m_hidden = false;
 };
 
 } // namespace suffuse

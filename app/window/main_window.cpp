@@ -21,6 +21,7 @@
 #include "app/window/file_opening.h"
 #include "app/window/file_restoring.h"
 #include "app/window/file_saving.h"
+#include "app/window/free_hand.h"
 #include "app/window/importing.h"
 #include "app/window/menus.h"
 #include "app/window/palette_entries.h"
@@ -170,8 +171,10 @@ void MainWindow::addRows()
     m_commands->add(FullScreen, "fullScreen", Commands::tr("Full S&creen"), "", {QKeySequence(Qt::Key_F11)})
         .checkable()
         .runs([this] {
-            const bool full = action(FullScreen).isChecked();
-            setWindowState(full ? windowState() | Qt::WindowFullScreen : windowState() & ~Qt::WindowFullScreen);
+            whenHandIsFree(*m_canvas, *this, [this] {
+                const bool full = action(FullScreen).isChecked();
+                setWindowState(full ? windowState() | Qt::WindowFullScreen : windowState() & ~Qt::WindowFullScreen);
+            });
         });
     m_commands
         ->add(FindCommand, "findCommand", Commands::tr("&Find a Command…"), "", {QKeySequence(Commands::tr("Ctrl+K"))},

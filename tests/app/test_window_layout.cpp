@@ -212,6 +212,31 @@ private slots:
         window_layout::reset();
     }
 
+    /// The canvas would move below the pen, and the stroke would jump.
+    void docksWaitForTheStrokeInHand()
+    {
+        Session s;
+        QVERIFY(QTest::qWaitForWindowActive(&s.window));
+        const auto *dock = s.window.findChild<QDockWidget *>("colourDock");
+        s.canvas().setFocus();
+        const QRect place = s.canvas().geometry();
+        QTest::mousePress(&s.canvas(), Qt::LeftButton, {}, s.at({100, 200}));
+        for (int i = 1; i <= 5; ++i) {
+            s.advance(interval);
+            QTest::mouseMove(&s.canvas(), s.at({100 + 20.0 * i, 200}));
+        }
+        QTest::keyClick(&s.canvas(), Qt::Key_Tab);
+        QTest::qWait(10);
+        QVERIFY(!dock->isHidden());
+        QCOMPARE(s.canvas().geometry(), place);
+        QTest::mouseRelease(&s.canvas(), Qt::LeftButton, {}, s.at({200, 200}));
+        QCOMPARE(s.painting().strokes.size(), std::size_t(1));
+        QCOMPARE(s.canvas().geometry(), place);
+        QTRY_VERIFY(dock->isHidden()); // now that it is painted
+        QTest::keyClick(&s.canvas(), Qt::Key_Tab);
+        QTRY_VERIFY(!dock->isHidden());
+    }
+
 private:
     QTemporaryDir m_folder;
 };
