@@ -23,6 +23,8 @@
 #include <QPushButton>
 #include <QSpinBox>
 
+#include <algorithm>
+
 namespace suffuse {
 
 namespace {
@@ -126,18 +128,39 @@ void ExportDialog::addFields(QGridLayout &grid, const Rect &shown)
     browseButton->setAutoDefault(false);
     grid.addWidget(browseButton, 1, 2);
     connect(browseButton, &QPushButton::clicked, this, &ExportDialog::browse);
-    m_area = new AreaRow(grid, 2, m_editor, shown, m_form);
-    m_size = new SizeRow(grid, 4, maxSideOf(ImageFormat::Png), m_form);
+    addFormat(grid);
+    m_area = new AreaRow(grid, 3, m_editor, shown, m_form);
+    m_size = new SizeRow(grid, 5, maxSideOf(ImageFormat::Png), m_form);
     m_size->setArea(m_area->area());
     m_limits = quietLabel({}, m_form);
-    grid.addWidget(m_limits, 5, 1, 1, 2);
-    m_print = new PrintRows(grid, 6, widthBox(), heightBox(), m_form);
+    grid.addWidget(m_limits, 6, 1, 1, 2);
+    m_print = new PrintRows(grid, 7, widthBox(), heightBox(), m_form);
     connect(m_area, &AreaRow::areaChanged, this, [this] {
         m_size->setArea(m_area->area());
         showLimits();
     });
-    m_moment = new MomentRow(grid, 8, m_editor, m_form);
+    m_moment = new MomentRow(grid, 9, m_editor, m_form);
     addImageFields(grid);
+}
+
+/// A choice of format changes the ending of the name, and a typed ending changes the choice.
+void ExportDialog::addFormat(QGridLayout &grid)
+{
+    m_format = new QComboBox(m_form);
+    for (const QString &ending : imageEndings())
+        if (const int format = int(imageFormatForPath('.' + ending)); m_format->findData(format) < 0)
+            m_format->addItem(nameOf(ImageFormat(format)), format);
+    m_format->setPlaceholderText(tr("No picture format"));
+    addField(grid, 2, tr("Format"), m_format, tr("What is written. The ending of the file's name says the same."));
+    connect(m_format, &QComboBox::activated, this, [this] {
+        const QStringList all = imageEndings();
+        const auto chosen = std::ranges::find_if(all, [this](const QString &ending) {
+            return int(imageFormatForPath('.' + ending)) == m_format->currentData().toInt();
+        });
+        // Another ending may be a part of the name, as in "edited 1.0".
+        const bool replaces = imageFormatForPath(m_path->text()) != ImageFormat::Unknown;
+        m_path->setText(replaces ? withEnding(m_path->text(), *chosen) : m_path->text() + '.' + *chosen);
+    });
 }
 
 void ExportDialog::addImageFields(QGridLayout &grid)
@@ -145,15 +168,15 @@ void ExportDialog::addImageFields(QGridLayout &grid)
     m_depth = new QComboBox(m_form);
     for (const ImageDepth depth : {ImageDepth::Bits8, ImageDepth::Bits16, ImageDepth::Half, ImageDepth::Float})
         m_depth->addItem(depthTitle(depth), int(depth));
-    addField(grid, 9, tr("Depth"), m_depth, tr("Precision of each colour channel"));
+    addField(grid, 10, tr("Depth"), m_depth, tr("Precision of each colour channel"));
     m_quality = new QSpinBox(m_form);
     m_quality->setRange(1, 100);
     m_quality->setValue(ImageOptions{}.quality);
-    addField(grid, 10, tr("Quality"), m_quality, tr("Of JPEG and WebP; 100 is the best. WebP loses nothing then."));
+    addField(grid, 11, tr("Quality"), m_quality, tr("Of JPEG and WebP; 100 is the best. WebP loses nothing then."));
     m_transparent = new QCheckBox(tr("Transparent background"), m_form);
     m_transparent->setToolTip(tr("Leaves the background out and stores how much the paint covers."));
     m_transparent->setAccessibleName(m_transparent->text());
-    grid.addWidget(m_transparent, 11, 1, 1, 2);
+    grid.addWidget(m_transparent, 12, 1, 1, 2);
 }
 
 ExportSettings ExportDialog::settings() const
@@ -235,6 +258,7 @@ void ExportDialog::formatChanged()
 {
     const ImageFormat format = imageFormatForPath(m_path->text());
     m_hint->showHint({});
+    m_format->setCurrentIndex(m_format->findData(int(format)));
     m_quality->setEnabled(hasQuality(format));
     if (format != ImageFormat::Unknown)
         m_size->setLargestSide(maxSideOf(format));

@@ -43,6 +43,7 @@ public:
     QLabel *limits() const { return m_limits; }
     QSpinBox *quality() const { return m_quality; }
     QLineEdit *path() const { return m_path; }
+    QComboBox *format() const { return m_format; }
     AreaRow *area() const { return m_area; }
     MomentRow *moment() const { return m_moment; }
     QSpinBox *widthBox() const { return m_size->widthBox(); }
@@ -57,6 +58,7 @@ public:
 
 private:
     void addFields(QGridLayout &grid, const Rect &shown);
+    void addFormat(QGridLayout &grid);
     void addImageFields(QGridLayout &grid);
     void addField(QGridLayout &grid, int row, const QString &name, QWidget *field, const QString &tip);
     void browse();
@@ -75,6 +77,7 @@ private:
     QWidget *m_form = nullptr;
     PresetRow *m_presets = nullptr;
     QLineEdit *m_path = nullptr;
+    QComboBox *m_format = nullptr;
     AreaRow *m_area = nullptr;
     SizeRow *m_size = nullptr;
     QLabel *m_limits = nullptr;

@@ -116,6 +116,35 @@ private slots:
         QVERIFY(bytes.size() >= 64 * 48 * 12);
     }
 
+    /// Typing an ending chooses the format, and choosing a format changes the ending.
+    void theFormatIsShown()
+    {
+        Bench bench;
+        ExportDialog dialog(bench.editor, shown);
+        dialog.show();
+        QCOMPARE(dialog.format()->currentText(), QString("PNG"));
+        for (const auto &[name, format] :
+             {std::pair("a.tif", "TIFF"), std::pair("a.JPG", "JPEG"), std::pair("b/a 1.0.exr", "EXR")}) {
+            dialog.path()->selectAll();
+            QTest::keyClicks(dialog.path(), name);
+            QCOMPARE(dialog.format()->currentText(), QString(format));
+        }
+        const auto choose = [&](const char *format) {
+            dialog.format()->setFocus();
+            QTest::keyClick(dialog.format(), Qt::Key_Home);
+            while (dialog.format()->currentText() != format)
+                QTest::keyClick(dialog.format(), Qt::Key_Down);
+        };
+        choose("WebP");
+        QCOMPARE(dialog.path()->text(), QString("b/a 1.0.webp"));
+        QVERIFY(dialog.quality()->isEnabled());
+        dialog.path()->setText("edited 1.0");
+        QCOMPARE(dialog.format()->currentIndex(), -1);
+        QVERIFY(!dialog.format()->placeholderText().isEmpty());
+        choose("PNG");
+        QCOMPARE(dialog.path()->text(), QString("edited 1.0.png"));
+    }
+
     void exportOfAnyAreaAndMoment_data()
     {
         using Area = AreaRow::Choice;
