@@ -67,10 +67,12 @@ PenPage::PenPage(const PenSettings &settings, const Brush &brush, QWidget *paren
         m_curve->setCurve(feels()[std::size_t(index)]);
         m_pad->setCurve(m_curve->curve());
     });
-    connect(m_curve, &ResponseEditor::edited, this, [this] {
+    const auto takeCurve = [this] {
         m_pad->setCurve(m_curve->curve());
         showFeel();
-    });
+    };
+    connect(m_curve, &ResponseEditor::edited, this, takeCurve);
+    connect(m_curve, &ResponseEditor::givenUp, this, takeCurve);
     connect(clear, &QPushButton::clicked, m_pad, &PenPad::clear);
     connect(m_pad, &PenPad::pressureReported, m_curve, [this](double pressure) { m_curve->setMark(pressure); });
     connect(m_pad, &PenPad::lifted, m_curve, [this] { m_curve->setMark({}); });

@@ -188,6 +188,43 @@ private slots:
         QTRY_VERIFY(!dialog);
     }
 
+    /// Esc gives up what is in hand before it means the dialog.
+    void escGivesUpTheDragOfTheCurve()
+    {
+        Bench bench;
+        InspectorPanel panel(bench.editor);
+        showAt(panel);
+        bench.select({1, 3});
+        const PaintingPtr before = bench.editor.document().painting();
+        QTest::mouseClick(panel.alongButton(), Qt::LeftButton);
+        QPointer<AlongDialog> dialog = panel.along();
+        dialog->choose(AlongDialog::Ramp);
+        const std::vector<double> present = dialog->curve()->curve().knots;
+        // The first drag: nothing was set before it.
+        dragCurve(*dialog->curve(), {1, 0.5}, {1, 0.9}, false);
+        QVERIFY(!(*bench.editor.document().painting() == *before));
+        QTest::keyClick(dialog->curve(), Qt::Key_Escape);
+        QVERIFY(dialog && dialog->isVisible());
+        QCOMPARE(dialog->curve()->curve().knots, present);
+        QVERIFY(*bench.editor.document().painting() == *before);
+        // What the hand does until it lets go changes nothing any more.
+        QTest::mouseMove(dialog->curve(), dialog->curve()->toWidget({1, 0.2}).toPoint());
+        QTest::mouseRelease(dialog->curve(), Qt::LeftButton, {}, dialog->curve()->toWidget({1, 0.2}).toPoint());
+        QVERIFY(*bench.editor.document().painting() == *before);
+        // A later drag: what was set before it stays.
+        dragCurve(*dialog->curve(), {1, 0.5}, {1, 0.8});
+        const PaintingPtr set = bench.editor.document().painting();
+        const std::vector<double> knots = dialog->curve()->curve().knots;
+        dragCurve(*dialog->curve(), {0, 0.5}, {0, 0.1}, false);
+        QTest::keyClick(dialog->curve(), Qt::Key_Escape);
+        QVERIFY(*bench.editor.document().painting() == *set);
+        QCOMPARE(dialog->curve()->curve().knots, knots);
+        dialog->accept();
+        QCOMPARE(bench.steps(), 1);
+        bench.editor.undo();
+        QVERIFY(*bench.editor.document().painting() == *before);
+    }
+
     void strokesGoUnderAnOpenCurveEditor()
     {
         for (const bool undo : {false, true}) {

@@ -77,11 +77,13 @@ BrushCurvesPage::BrushCurvesPage(QWidget *parent) : BrushPage(parent)
     m_curves->setCurrentCell(int(BrushQuantity::Density), int(BrushInput::Pressure));
     connect(m_curves, &QTableWidget::itemChanged, this, &BrushCurvesPage::cellChanged);
     connect(m_curves, &QTableWidget::currentCellChanged, this, &BrushCurvesPage::showCell);
-    connect(m_curve, &ResponseEditor::edited, this, [this] {
+    const auto takeCurve = [this] {
         const auto quantity = BrushQuantity(m_curves->currentRow());
         const auto input = BrushInput(m_curves->currentColumn());
         emit changed([&](Brush &b) { b.setCurve(quantity, input, m_curve->curve()); });
-    });
+    };
+    connect(m_curve, &ResponseEditor::edited, this, takeCurve);
+    connect(m_curve, &ResponseEditor::givenUp, this, takeCurve);
     QGridLayout *grid = addFieldGrid(column());
     const auto scale = [&](const QString &name, const QString &tip, const QString &unit, float Brush::*member) {
         bind(

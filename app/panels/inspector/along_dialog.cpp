@@ -43,7 +43,11 @@ AlongDialog::AlongDialog(Editor &editor, QWidget *parent)
         showFields();
         apply();
     });
-    connect(m_curve, &CurveEditor::released, this, [this] { m_gesture.rest(); });
+    connect(m_curve, &CurveEditor::released, this, [this] {
+        m_beforeDrag.reset();
+        m_gesture.rest();
+    });
+    connect(m_curve, &CurveEditor::givenUp, this, &AlongDialog::giveUpDrag);
     connect(&editor.document(), &Document::changed, this, &AlongDialog::documentChanged);
     giveMnemonics(*this);
     choose(Quantity::Density);
@@ -235,7 +239,25 @@ void AlongDialog::apply()
 {
     if (m_finished)
         return; // The strokes have gone while a drag went on.
+    if (m_curve->isDragging() && !m_beforeDrag)
+        m_beforeDrag = m_set;
     m_set[m_quantity] = {m_curve->curve(), m_axis};
+    showValues();
+}
+
+void AlongDialog::giveUpDrag()
+{
+    if (!m_finished && m_beforeDrag)
+        m_set = *m_beforeDrag;
+    m_beforeDrag.reset();
+    showFields();
+    if (!m_finished)
+        showValues();
+}
+
+/// Shows what was set so far.
+void AlongDialog::showValues()
+{
     std::map<Quantity, std::function<double(double)>> values;
     for (const auto &[quantity, set] : m_set)
         values[quantity] = [&set = set](double place) { return set.axis.toValue(set.curve.at(place)); };

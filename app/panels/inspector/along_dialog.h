@@ -62,6 +62,8 @@ private:
     std::vector<QPointF> presentOf(Quantity quantity) const;
     void setEnd(std::size_t knot, double value);
     void apply();
+    void showValues();
+    void giveUpDrag();
     const StrokeRuns &runsToSet();
     void documentChanged(const Change &change);
 
@@ -77,6 +79,7 @@ private:
         Axis axis;
     };
     std::map<Quantity, Set> m_set;
+    std::optional<std::map<Quantity, Set>> m_beforeDrag; ///< what was set when the drag of the curve began
     bool m_applying = false;
     bool m_finished = false; ///< whether a change from elsewhere has ended the dialog
 

@@ -46,6 +46,7 @@ void CurveEditor::mousePressEvent(QMouseEvent *event)
     if (event->button() != Qt::LeftButton)
         return;
     m_dragging = true;
+    m_before = m_curve;
     m_last = fromWidget(event->position());
     m_knot = m_curve.knots.size() == 2 && m_last.x() > 0.5 ? 1 : 0;
     dragTo(m_last);

@@ -38,12 +38,14 @@ protected:
     void mousePressEvent(QMouseEvent *event) override;
     void mouseMoveEvent(QMouseEvent *event) override;
     void keyPressEvent(QKeyEvent *event) override;
+    void takeBack() override { setCurve(m_before); }
 
 private:
     void dragTo(QPointF at);
     void drawTo(QPointF to);
 
     PlaceCurve m_curve;
+    PlaceCurve m_before; ///< the curve when the drag began
     std::vector<QPointF> m_present;
     std::size_t m_knot = 0; ///< the knot that was dragged last
     QPointF m_last;

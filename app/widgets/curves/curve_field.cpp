@@ -2,6 +2,7 @@
 
 #include "app/widgets/look/theme.h"
 
+#include <QKeyEvent>
 #include <QMouseEvent>
 #include <QPainter>
 #include <QPainterPath>
@@ -57,6 +58,21 @@ QPointF CurveField::fromWidget(QPointF at) const
     const QRectF f = field();
     const double up = std::clamp((f.bottom() - at.y()) / f.height(), 0.0, 1.0);
     return {std::clamp((at.x() - f.left()) / f.width(), 0.0, 1.0), m_upsideDown ? 1 - up : up};
+}
+
+bool CurveField::event(QEvent *event)
+{
+    const bool isKey = event->type() == QEvent::KeyPress || event->type() == QEvent::ShortcutOverride;
+    if (!m_dragging || !isKey || static_cast<QKeyEvent *>(event)->key() != Qt::Key_Escape)
+        return QWidget::event(event);
+    event->accept(); // The dialog around the field stays open.
+    if (event->type() == QEvent::KeyPress) {
+        m_dragging = false;
+        takeBack();
+        update();
+        emit givenUp();
+    }
+    return true;
 }
 
 void CurveField::mouseReleaseEvent(QMouseEvent *event)

@@ -8,7 +8,7 @@ class QPainterPath;
 
 namespace suffuse {
 
-/// A field of [0, 1] × [0, 1]. Derived classes start the drags.
+/// A field of [0, 1] × [0, 1]. Derived classes start the drags. Esc gives a drag up.
 class CurveField : public QWidget {
     Q_OBJECT
 
@@ -26,9 +26,13 @@ public:
 signals:
     void edited();   ///< the user has edited the curve
     void released(); ///< a drag has ended
+    void givenUp();  ///< a drag was given up, and the curve is as it was before
 
 protected:
+    bool event(QEvent *event) override;
     void mouseReleaseEvent(QMouseEvent *event) override;
+    /// Makes the curve what it was when the drag began.
+    virtual void takeBack() = 0;
 
     QRectF field() const;
     QPointF fromWidget(QPointF at) const; ///< clamped to the field

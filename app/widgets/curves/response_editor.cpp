@@ -47,6 +47,7 @@ void ResponseEditor::mousePressEvent(QMouseEvent *event)
 {
     if (event->button() != Qt::LeftButton)
         return;
+    m_before = m_curve;
     const int there = pointAt(event->position());
     if (there >= 0) {
         m_point = std::size_t(there);

@@ -28,6 +28,7 @@ protected:
     void mousePressEvent(QMouseEvent *event) override;
     void mouseMoveEvent(QMouseEvent *event) override;
     void keyPressEvent(QKeyEvent *event) override;
+    void takeBack() override { setCurve(m_before); }
 
 private:
     int pointAt(QPointF at) const;
@@ -35,6 +36,7 @@ private:
     bool removePoint();
 
     ResponseCurve m_curve;
+    ResponseCurve m_before;  ///< the curve when the drag began
     std::size_t m_point = 0; ///< the point in hand
     std::optional<double> m_mark;
 };
