@@ -95,10 +95,13 @@ void StatusLine::makeLabels()
 {
     m_place.window.setStatusBar(new MessageBar(&m_place.window));
     const QFontMetrics metrics = m_place.window.fontMetrics();
-    const auto label = [this](const QString &tip, int width) {
+    // Characters that the font lacks come from another one, whose lines may be higher. A status bar keeps the height
+    // that it has at first, so it must know them before there is a text.
+    const int height = metrics.size(0, tr("What renders the picture")).height();
+    const auto label = [this, height](const QString &tip, int width) {
         auto *l = new QLabel(&m_place.window);
         l->setToolTip(tip);
-        l->setMinimumWidth(width);
+        l->setMinimumSize(width, height);
         l->setContentsMargins(8, 0, 8, 0);
         return l;
     };
