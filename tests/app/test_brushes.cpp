@@ -1,6 +1,7 @@
 // Brushes under the hand: library, dock, settings, tool, stabiliser and the pen's dynamics.
 #include "app/panels/brushes/brush_dialog.h"
 #include "app/panels/brushes/brush_panel.h"
+#include "app/session/commands/commands.h"
 #include "app/session/painting/stabiliser.h"
 #include "app/session/settings/brush_library.h"
 #include "app/session/settings/settings.h"
@@ -194,6 +195,71 @@ private slots:
         QTest::mouseClick(panel.resetButton(), Qt::LeftButton);
         QCOMPARE(bench.editor.brush().diffusion, preset.diffusion);
         QVERIFY(!panel.resetButton()->isEnabled());
+    }
+
+    /// As in Krita: a brush is found as it was left, until the program ends or it is reloaded.
+    void changesOfABrushAreKept()
+    {
+        Bench bench;
+        BrushPanel panel(bench.editor);
+        showAt(panel, {280, 700});
+        const Brush &marker = *findBrush("flat-marker"), &pencil = *findBrush("pencil");
+        const auto isMarked = [&](const Brush &brush) {
+            return panel.itemOf(brush.name)->toolTip().contains("Changed");
+        };
+        panel.list()->setCurrentItem(panel.itemOf(marker.name));
+        const QImage unmarked = panel.itemOf(marker.name)->icon().pixmap(112, 44).toImage();
+        type(*panel.size()->number(), "40");
+        QVERIFY(isMarked(marker));
+        QVERIFY(panel.itemOf(marker.name)->icon().pixmap(112, 44).toImage() != unmarked);
+        panel.list()->setCurrentItem(panel.itemOf(pencil.name));
+        QVERIFY(isSameBrush(bench.editor.brush(), pencil));
+        QVERIFY(isMarked(marker) && !isMarked(pencil));
+        bench.editor.setColour({0.1f, 0.2f, 0.3f, 1});
+        panel.list()->setCurrentItem(panel.itemOf(marker.name));
+        QVERIFY(std::abs(bench.editor.brush().spread() - 40) < 1e-3);
+        QCOMPARE(bench.editor.brush().colour.blue, 0.3f); // the colour belongs to the hand
+        // The key of the brush in hand does not change it.
+        BrushLibrary::instance().use(bench.editor, marker.name);
+        QVERIFY(std::abs(bench.editor.brush().spread() - 40) < 1e-3);
+
+        QAction *reload = nullptr;
+        emit panel.menu()->aboutToShow();
+        for (QAction *action : panel.menu()->actions())
+            reload = plainTitle(action->text()) == "Reload" ? action : reload;
+        QVERIFY(reload && reload->isEnabled());
+        reload->trigger();
+        QVERIFY(isSameBrush(bench.editor.brush(), marker));
+        QVERIFY(!isMarked(marker));
+        emit panel.menu()->aboutToShow();
+        for (const QAction *action : panel.menu()->actions())
+            QVERIFY(plainTitle(action->text()) != "Reload" || !action->isEnabled());
+        panel.list()->setCurrentItem(panel.itemOf(pencil.name));
+        panel.list()->setCurrentItem(panel.itemOf(marker.name));
+        QVERIFY(isSameBrush(bench.editor.brush(), marker));
+    }
+
+    /// Changes that were saved under another name are that brush's, and the old one is as it came.
+    void changesGoIntoTheNewBrush()
+    {
+        BrushLibrary library(m_folder.filePath("kept"));
+        Bench bench;
+        library.use(bench.editor, "flat-marker");
+        Brush changed = bench.editor.brush();
+        changed.setSpread(33);
+        bench.editor.setBrush(changed);
+        library.use(bench.editor, "pencil");
+        QVERIFY(library.hasChanges("flat-marker"));
+        library.use(bench.editor, "flat-marker");
+        QVERIFY(!library.hasChanges("flat-marker")); // they are in hand
+        changed.name = "Mine";
+        QCOMPARE(*library.add(changed), QString("Mine"));
+        library.use(bench.editor, "Mine");
+        QSignalSpy spy(&library, &BrushLibrary::changesKept);
+        library.forgetChanges("flat-marker");
+        QCOMPARE(spy.count(), 1);
+        library.use(bench.editor, "flat-marker");
+        QVERIFY(isSameBrush(bench.editor.brush(), *findBrush("flat-marker")));
     }
 
     void dockSearchesAndShowsFavourites()

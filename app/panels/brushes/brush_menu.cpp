@@ -41,6 +41,8 @@ void BrushMenu::fill()
     connect(favourite, &QAction::triggered, this, [name](bool on) { BrushLibrary::instance().setFavourite(name, on); });
     addSeparator();
     add(tr("&Save Changes"), own && library.isChanged(m_editor.brush()), &BrushMenu::saveChanges);
+    add(tr("Rel&oad"), library.isChanged(m_editor.brush()),
+        [this] { BrushLibrary::instance().reload(m_editor, inHand()); });
     add(tr("Save as &New…"), true, &BrushMenu::saveAsNew);
     add(tr("&Duplicate"), known, [this] {
         Brush brush = *BrushLibrary::instance().find(inHand());
@@ -84,11 +86,13 @@ void BrushMenu::saveAsNew()
     if (!taken)
         return;
     Brush brush = m_editor.brush();
+    const QString before = brush.name;
     brush.name = name;
     Result<QString> added = BrushLibrary::instance().add(brush);
     if (!added)
         return noted(added.error());
     BrushLibrary::instance().use(m_editor, *added);
+    BrushLibrary::instance().forgetChanges(before); // They are in the new brush.
 }
 
 void BrushMenu::rename()

@@ -150,7 +150,7 @@ void BrushPanel::addFields(QVBoxLayout &column)
     head->addWidget(m_title, 1);
     head->addWidget(m_reset);
     column.addLayout(head);
-    connect(m_reset, &QToolButton::clicked, this, [this] { BrushLibrary::instance().use(m_editor, inHand()); });
+    connect(m_reset, &QToolButton::clicked, this, [this] { BrushLibrary::instance().reload(m_editor, inHand()); });
 
     QGridLayout *grid = addFieldGrid(column);
     m_size = new SliderField(specOf(Quantity::Size), *grid, 0, this);
@@ -179,8 +179,8 @@ QString BrushPanel::inHand() const
 void BrushPanel::refresh()
 {
     const Brush &brush = m_editor.brush();
-    m_list->mark(brush.name);
     const bool modified = BrushLibrary::instance().isChanged(brush);
+    m_list->showInHand(brush);
     m_title->setText(modified ? tr("%1 (changed)").arg(brushTitle(brush.name)) : brushTitle(brush.name));
     m_reset->setEnabled(modified);
     if (const Brush *preset = BrushLibrary::instance().find(brush.name)) {

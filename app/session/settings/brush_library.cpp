@@ -139,6 +139,7 @@ Result<void> BrushLibrary::save(const Brush &brush)
         return written;
     std::replace_if(
         m_brushes.begin(), m_brushes.end(), [&](const Brush &b) { return b.name == brush.name; }, brush);
+    m_left.remove(brush.name);
     emit changed();
     return {};
 }
@@ -167,6 +168,7 @@ Result<void> BrushLibrary::rename(const QString &name, const QString &to)
 void BrushLibrary::erase(const QString &name)
 {
     m_files.remove(name);
+    m_left.remove(name);
     std::erase_if(m_brushes, [&](const Brush &b) { return b.name == name; });
 }
 
@@ -221,15 +223,39 @@ void BrushLibrary::setFavourite(const QString &name, bool favourite)
     emit changed();
 }
 
-void BrushLibrary::use(Editor &editor, const QString &name) const
+void BrushLibrary::use(Editor &editor, const QString &name)
 {
     const Brush *preset = find(name);
-    if (!preset)
+    const Brush inHand = editor.brush();
+    if (!preset || inHand.name == name)
         return;
-    Brush brush = *preset;
+    if (isChanged(inHand)) {
+        m_left.insert(inHand.name, inHand);
+        emit changesKept(inHand.name);
+    }
+    take(editor, m_left.value(name, *preset));
+    m_left.remove(name); // The changes are in hand now.
+}
+
+void BrushLibrary::reload(Editor &editor, const QString &name)
+{
+    if (const Brush *preset = find(name)) {
+        forgetChanges(name);
+        take(editor, *preset);
+    }
+}
+
+void BrushLibrary::take(Editor &editor, Brush brush)
+{
     const Colour &current = editor.brush().colour;
-    brush.colour = {current.red, current.yellow, current.blue, preset->colour.opacity};
+    brush.colour = {current.red, current.yellow, current.blue, brush.colour.opacity};
     editor.setBrush(brush);
+}
+
+void BrushLibrary::forgetChanges(const QString &name)
+{
+    if (m_left.remove(name) > 0)
+        emit changesKept(name);
 }
 
 bool isSameBrush(const Brush &a, const Brush &b)

@@ -47,13 +47,23 @@ public:
     bool isFavourite(const QString &name) const { return favourites().contains(name); }
     void setFavourite(const QString &name, bool favourite);
 
-    /// Takes a brush into the editor's hand. Red, yellow and blue of the current colour stay.
-    void use(Editor &editor, const QString &name) const;
+    /// Takes a brush into the editor's hand, as it was left there last. Changes of the brush that was in hand are kept
+    /// until the program ends. Red, yellow and blue of the current colour stay.
+    void use(Editor &editor, const QString &name);
+    /// Takes a brush into the editor's hand as it is in the library, and forgets its changes.
+    void reload(Editor &editor, const QString &name);
+    /// Whether changes of a brush are kept that is not in hand.
+    bool hasChanges(const QString &name) const { return m_left.contains(name); }
+    /// Forgets the changes of a brush that is not in hand.
+    void forgetChanges(const QString &name);
 
 signals:
     void changed();
+    /// Changes of a brush are kept, or forgotten.
+    void changesKept(const QString &name);
 
 private:
+    static void take(Editor &editor, Brush brush);
     void readFolder();
     void sort();
     void erase(const QString &name);
@@ -62,6 +72,7 @@ private:
     QString m_folder;
     std::vector<Brush> m_brushes;
     QHash<QString, QString> m_files; ///< files of the user's brushes, by name
+    QHash<QString, Brush> m_left;    ///< brushes as they were left, by name; only those that differ from the library
 };
 
 /// Whether two brushes are equal except for red, yellow and blue, which belong to the hand.

@@ -158,7 +158,7 @@ void BrushPalette::fillBrushes()
         if (!names.contains(brush.name))
             names << brush.name;
     m_grid->fill(names);
-    m_grid->mark(m_editor.brush().name);
+    m_grid->showInHand(m_editor.brush());
 }
 
 void BrushPalette::openAt(QPoint global)
@@ -198,7 +198,7 @@ void BrushPalette::refreshNear()
 void BrushPalette::refresh()
 {
     const Brush &brush = m_editor.brush();
-    m_grid->mark(brush.name);
+    m_grid->showInHand(brush);
     m_colour->setColour(brush.colour);
     if (!m_picking)
         refreshNear();

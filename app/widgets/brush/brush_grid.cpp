@@ -14,7 +14,7 @@ namespace suffuse {
 
 namespace {
 
-constexpr int headingRole = Qt::UserRole + 1;
+constexpr int headingRole = Qt::UserRole + 1, changedRole = Qt::UserRole + 2;
 
 } // namespace
 
@@ -29,10 +29,12 @@ BrushGrid::BrushGrid(QWidget *parent) : QListWidget(parent)
     setVerticalScrollMode(QAbstractItemView::ScrollPerPixel);
     setAccessibleName(tr("Brushes"));
     viewport()->setAutoFillBackground(false);
-    connect(&BrushPictures::instance(), &BrushPictures::drawn, this, [this](const QString &name) {
+    const auto showAnew = [this](const QString &name) {
         if (QListWidgetItem *item = itemOf(name))
             setPicture(item);
-    });
+    };
+    connect(&BrushPictures::instance(), &BrushPictures::drawn, this, showAnew);
+    connect(&BrushLibrary::instance(), &BrushLibrary::changesKept, this, showAnew);
 }
 
 QString BrushGrid::brushOf(const QListWidgetItem *item)
@@ -52,6 +54,15 @@ void BrushGrid::mark(const QString &name)
 {
     const QSignalBlocker blocker(this);
     setCurrentItem(itemOf(name));
+}
+
+void BrushGrid::showInHand(const Brush &brush)
+{
+    m_inHand = brush.name;
+    m_isChanged = BrushLibrary::instance().isChanged(brush);
+    mark(brush.name);
+    if (QListWidgetItem *item = currentItem(); item && item->data(changedRole).toBool() != m_isChanged)
+        setPicture(item);
 }
 
 QSize BrushGrid::cell() const
@@ -78,9 +89,6 @@ void BrushGrid::addBrush(const Brush &brush)
 {
     auto *item = new QListWidgetItem(brushTitle(brush.name), this);
     item->setData(Qt::UserRole, brush.name);
-    item->setToolTip(tr("%1: size %2, dry after %3")
-                         .arg(brushTitle(brush.name), lengthDisplay().text(brush.spread()),
-                              timeDisplay().text(double(brush.maxAge))));
     item->setSizeHint(cell());
     setPicture(item);
 }
@@ -118,7 +126,18 @@ void BrushGrid::fill(const QStringList &names)
 
 void BrushGrid::setPicture(QListWidgetItem *item)
 {
-    item->setIcon(BrushPictures::instance().icon(brushOf(item), devicePixelRatioF()));
+    const QString name = brushOf(item);
+    const bool changed = name == m_inHand ? m_isChanged : BrushLibrary::instance().hasChanges(name);
+    item->setIcon(BrushPictures::instance().icon(name, devicePixelRatioF(), changed));
+    item->setData(changedRole, changed);
+    const Brush *brush = BrushLibrary::instance().find(name);
+    if (!brush)
+        return;
+    const QString about =
+        tr("%1: size %2, dry after %3")
+            .arg(brushTitle(name), lengthDisplay().text(brush->spread()), timeDisplay().text(double(brush->maxAge)));
+    item->setToolTip(
+        changed ? about + '\n' + tr("Changed since the program was started; Reload in its menu undoes that") : about);
 }
 
 void BrushGrid::fitHeadings()

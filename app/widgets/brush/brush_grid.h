@@ -28,6 +28,8 @@ public:
     QListWidgetItem *itemOf(const QString &name) const;
     /// Marks a brush, or none, and tells nobody.
     void mark(const QString &name);
+    /// Marks the brush in hand, which may have changes, and tells nobody.
+    void showInHand(const Brush &brush);
     /// The size of the list's contents where so many pictures stand in a row and so many rows are seen.
     QSize sizeFor(int columns, int rows) const;
 
@@ -43,6 +45,8 @@ private:
     void setPicture(QListWidgetItem *item);
     QSize cell() const;
 
+    QString m_inHand;         ///< empty where nobody has told
+    bool m_isChanged = false; ///< whether the brush in hand is
     bool m_started = false;
 };
 

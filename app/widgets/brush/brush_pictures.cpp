@@ -25,6 +25,16 @@ void paintStar(QPainter &painter, int key, int width)
     painter.drawText(QRectF(0, 3, width - 5, 14), Qt::AlignRight | Qt::AlignTop, QStringLiteral("★") + number);
 }
 
+/// The mark of a brush that differs from what is saved.
+void paintDot(QPixmap &sheet)
+{
+    QPainter painter(&sheet);
+    painter.setRenderHint(QPainter::Antialiasing);
+    painter.setPen(QPen(Qt::white, 1.5));
+    painter.setBrush(QApplication::palette().color(QPalette::Highlight));
+    painter.drawEllipse(QPointF(9, 9), 4, 4);
+}
+
 QPixmap onPaper(const QImage &stroke, QSize size, double ratio, bool chosen, int key)
 {
     QPixmap pixmap(size * ratio);
@@ -58,12 +68,18 @@ BrushPictures &BrushPictures::instance()
     return *pictures;
 }
 
-QIcon BrushPictures::icon(const QString &name, double ratio) const
+QIcon BrushPictures::icon(const QString &name, double ratio, bool changed) const
 {
     const int key = int(BrushLibrary::instance().favourites().indexOf(name)) + 1;
     const QImage image = m_drawn.value(name).image;
-    QIcon result(onPaper(image, size, ratio, false, key));
-    result.addPixmap(onPaper(image, size, ratio, true, key), QIcon::Selected); // a frame, not a tint over its colours
+    QIcon result;
+    // A brush that is chosen has a frame, since a tint would change its colours.
+    for (const QIcon::Mode mode : {QIcon::Normal, QIcon::Selected}) {
+        QPixmap sheet = onPaper(image, size, ratio, mode == QIcon::Selected, key);
+        if (changed)
+            paintDot(sheet);
+        result.addPixmap(sheet, mode);
+    }
     return result;
 }
 

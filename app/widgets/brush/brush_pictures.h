@@ -24,8 +24,9 @@ public:
     static BrushPictures &instance();
 
     /// A brush's stroke on its sheet, at so many device pixels a logical one: framed where an item is selected, and
-    /// with its star and key where it is a favourite. The sheet is empty until the stroke is drawn.
-    QIcon icon(const QString &name, double ratio) const;
+    /// with its star and key where it is a favourite. A dot says that the brush is `changed`. The sheet is empty until
+    /// the stroke is drawn.
+    QIcon icon(const QString &name, double ratio, bool changed = false) const;
     /// The sheet alone, at any size.
     QPixmap sheet(const QString &name, QSize size, double ratio) const;
     /// Has drawn what is missing, or is another brush now; `drawn` tells of each.
