@@ -2210,6 +2210,10 @@ Rückgabewerte: 0 erledigt, 1 fehlgeschlagen, 2 falscher Aufruf.</translation>
         <source>%1: size %2, dry after %3</source>
         <translation>%1: Größe %2, trocken nach %3</translation>
     </message>
+    <message>
+        <source>Changed since the program was started; Reload in its menu undoes that</source>
+        <translation>Seit dem Programmstart geändert; „Neu laden“ in seinem Menü macht das rückgängig</translation>
+    </message>
 </context>
 <context>
     <name>suffuse::BrushHandPage</name>
@@ -2414,6 +2418,10 @@ Rückgabewerte: 0 erledigt, 1 fehlgeschlagen, 2 falscher Aufruf.</translation>
     <message>
         <source>Suffuse brush</source>
         <translation>Suffuse-Pinsel</translation>
+    </message>
+    <message>
+        <source>Rel&amp;oad</source>
+        <translation>Neu l&amp;aden</translation>
     </message>
 </context>
 <context>
@@ -4335,6 +4343,18 @@ Auch die Pfeiltasten wirken.</translation>
     <message>
         <source>Export Picture</source>
         <translation>Bild exportieren</translation>
+    </message>
+    <message>
+        <source>No picture format</source>
+        <translation>Kein Bildformat</translation>
+    </message>
+    <message>
+        <source>Format</source>
+        <translation>Format</translation>
+    </message>
+    <message>
+        <source>What is written. The ending of the file&apos;s name says the same.</source>
+        <translation>Was geschrieben wird. Die Endung des Dateinamens sagt dasselbe.</translation>
     </message>
 </context>
 <context>
@@ -7040,6 +7060,22 @@ Auch die Pfeiltasten wirken.</translation>
     <message>
         <source>Segment %1</source>
         <translation>Segment %1</translation>
+    </message>
+    <message>
+        <source>All in it is hidden. Click: show it.</source>
+        <translation>Alles darin ist ausgeblendet. Klick: einblenden.</translation>
+    </message>
+    <message>
+        <source>Some of it is hidden. Click: hide the group.</source>
+        <translation>Ein Teil davon ist ausgeblendet. Klick: die Gruppe ausblenden.</translation>
+    </message>
+    <message>
+        <source>All in it is locked. Click: unlock it.</source>
+        <translation>Alles darin ist gesperrt. Klick: entsperren.</translation>
+    </message>
+    <message>
+        <source>Some of it is locked. Click: lock the group.</source>
+        <translation>Ein Teil davon ist gesperrt. Klick: die Gruppe sperren.</translation>
     </message>
 </context>
 <context>

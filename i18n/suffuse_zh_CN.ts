@@ -2202,6 +2202,10 @@ Exit codes: 0 done, 1 the work failed, 2 wrong usage.</source>
         <source>%1: size %2, dry after %3</source>
         <translation>%1：大小 %2，%3 后干</translation>
     </message>
+    <message>
+        <source>Changed since the program was started; Reload in its menu undoes that</source>
+        <translation>启动程序后已更改；菜单中的“重新载入”可还原</translation>
+    </message>
 </context>
 <context>
     <name>suffuse::BrushHandPage</name>
@@ -2406,6 +2410,10 @@ Exit codes: 0 done, 1 the work failed, 2 wrong usage.</source>
     <message>
         <source>Suffuse brush</source>
         <translation>Suffuse 画笔</translation>
+    </message>
+    <message>
+        <source>Rel&amp;oad</source>
+        <translation>重新载入(&amp;O)</translation>
     </message>
 </context>
 <context>
@@ -4326,6 +4334,18 @@ Arrow keys work too.</source>
     <message>
         <source>Export Picture</source>
         <translation>导出图片</translation>
+    </message>
+    <message>
+        <source>No picture format</source>
+        <translation>不是图像格式</translation>
+    </message>
+    <message>
+        <source>Format</source>
+        <translation>格式</translation>
+    </message>
+    <message>
+        <source>What is written. The ending of the file&apos;s name says the same.</source>
+        <translation>要写入的格式，与文件名的扩展名一致。</translation>
     </message>
 </context>
 <context>
@@ -7005,6 +7025,22 @@ Arrow keys work too.</source>
     <message>
         <source>Segment %1</source>
         <translation>线段 %1</translation>
+    </message>
+    <message>
+        <source>All in it is hidden. Click: show it.</source>
+        <translation>其中全部已隐藏。点击显示。</translation>
+    </message>
+    <message>
+        <source>Some of it is hidden. Click: hide the group.</source>
+        <translation>其中部分已隐藏。点击隐藏整组。</translation>
+    </message>
+    <message>
+        <source>All in it is locked. Click: unlock it.</source>
+        <translation>其中全部已锁定。点击解锁。</translation>
+    </message>
+    <message>
+        <source>Some of it is locked. Click: lock the group.</source>
+        <translation>其中部分已锁定。点击锁定整组。</translation>
     </message>
 </context>
 <context>
