@@ -132,21 +132,18 @@ std::vector<Brush> watercolourBrushes()
     flat.driftLength = 3;
 
     // A pale wash, F ≈ 0.3 inside, within a dark rim.
-    Brush dark = make({"watercolour-edge", edge(0.5f, 0.5f, 0.4f), 20, 2, 0.85f}, {0.2f, 0.3f, 0.9f, 0.9f}, 0.6f,
-                      {{Size, Speed, ramp(1, 0.55f)},
-                       {Size, Drift, ramp(0.85f, 1)},
-                       {Density, Pressure, ramp(0.7f, 1)}});
+    Brush dark =
+        make({"watercolour-edge", edge(0.5f, 0.5f, 0.4f), 20, 2, 0.85f}, {0.2f, 0.3f, 0.9f, 0.9f}, 0.6f,
+             {{Size, Speed, ramp(1, 0.55f)}, {Size, Drift, ramp(0.85f, 1)}, {Density, Pressure, ramp(0.7f, 1)}});
     dark.mix = beta(0.7f);
     dark.fullSpeed = 80;
     dark.driftLength = 3;
     dark.taper = {0.8f, 1.6f, 0.2f};
 
     // Pigment settles in the paper's grain.
-    Brush granulating = make({"granulating-wash", feathering(0.9f, 2.4f), 24, 2, 0.95f}, {0.55f, 0.2f, 0.8f, 0.9f},
-                             0.05f,
-                             {{Size, Speed, ramp(1, 0.6f)},
-                              {Density, Pressure, ramp(0.7f, 1)},
-                              {Density, Drift, ramp(0.85f, 1)}});
+    Brush granulating =
+        make({"granulating-wash", feathering(0.9f, 2.4f), 24, 2, 0.95f}, {0.55f, 0.2f, 0.8f, 0.9f}, 0.05f,
+             {{Size, Speed, ramp(1, 0.6f)}, {Density, Pressure, ramp(0.7f, 1)}, {Density, Drift, ramp(0.85f, 1)}});
     granulating.mix = beta(0.6f);
     granulating.fullSpeed = 70;
     granulating.taper = {0.6f, 1.2f, 0.4f};
@@ -177,10 +174,9 @@ std::vector<Brush> watercolourBrushes()
 
 std::vector<Brush> dryBrushes()
 {
-    Brush pencil = make({"pencil", uniform(0.6f, 0.1f), 2, 0.2f, 1}, {0.78f, 0.76f, 0.78f, 0.85f}, 0.3f,
-                        {{Size, Speed, ramp(1, 0.7f)},
-                         {Density, Pressure, ramp(0.6f, 1)},
-                         {Density, Speed, ramp(1, 0.8f)}});
+    Brush pencil =
+        make({"pencil", uniform(0.6f, 0.1f), 2, 0.2f, 1}, {0.78f, 0.76f, 0.78f, 0.85f}, 0.3f,
+             {{Size, Speed, ramp(1, 0.7f)}, {Density, Pressure, ramp(0.6f, 1)}, {Density, Speed, ramp(1, 0.8f)}});
     pencil.fullSpeed = 700; // of a fine point
     pencil.taper = {2, 5, 0.3f};
 
@@ -210,10 +206,9 @@ std::vector<Brush> flatBrushes()
     Brush marker = make({"flat-marker", uniform(0.5f, 0.012f), 14, 0.25f, 1.5f}, {0.95f, 0.6f, 0.05f, 0.9f}, 1, {});
 
     // Opaque, a little uneven in tone, the grain just shows where it is thin.
-    Brush gouache = make({"gouache", uniform(0.5f, 0.03f), 16, 0.4f, 1.6f}, {0.75f, 0.15f, 0.2f, 0.98f}, 0.45f,
-                         {{Size, Pressure, ramp(0.6f, 1)},
-                          {Size, Speed, ramp(1, 0.65f)},
-                          {Density, Speed, ramp(1, 0.75f)}});
+    Brush gouache =
+        make({"gouache", uniform(0.5f, 0.03f), 16, 0.4f, 1.6f}, {0.75f, 0.15f, 0.2f, 0.98f}, 0.45f,
+             {{Size, Pressure, ramp(0.6f, 1)}, {Size, Speed, ramp(1, 0.65f)}, {Density, Speed, ramp(1, 0.75f)}});
     gouache.jitter = {0, 0.03f, 0, 0.05f, true};
     gouache.fullSpeed = 120;
     gouache.taper = {0.4f, 0.8f, 0.5f};

@@ -22,7 +22,7 @@ namespace suffuse {
 namespace {
 
 constexpr std::size_t firstStrokes = 3; ///< after which it is said what can be done with them
-constexpr double endReach = 8; ///< logical pixels around an end node in which a stroke can be continued
+constexpr double endReach = 8;          ///< logical pixels around an end node in which a stroke can be continued
 
 double spreadOf(const Segment &segment)
 {
@@ -97,8 +97,8 @@ QString BrushTool::hint() const
         return m_said;
     if (m_nearEnd)
         return tr("Shift+drag to go on with the selected stroke from its end.");
-    return tr("Drag to paint, tap for a dot. Right button: brushes and colours. Shift+drag: size and opacity. "
-              "Ctrl+click: take the picture's colour, with Shift the stroke's own.");
+    return tr("Drag to paint, tap for a dot. Right button: palette. Shift+drag: size and opacity. Ctrl+click: take the "
+              "picture's colour, with Shift the stroke's own.");
 }
 
 QWidget *BrushTool::options()

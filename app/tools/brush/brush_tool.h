@@ -50,8 +50,8 @@ private:
     void paintOutline(QPainter &painter, const View &view, double dpr) const;
     void paintNote(QPainter &painter, double dpr) const;
     void pushStroke(const StrokePtr &stroke);
-    /// Says it where nothing of a new stroke can be seen, and, until a stroke was ever selected, how that is done; until
-    /// something else is done.
+    /// Says it where nothing of a new stroke can be seen, and, until a stroke was ever selected, how that is done;
+    /// until something else is done.
     void tellAbout(const Stroke &stroke);
     void say(const QString &text);
     /// The end node of a selected stroke that is near enough to the pixel to be continued.
