@@ -2560,12 +2560,12 @@ Rückgabewerte: 0 erledigt, 1 fehlgeschlagen, 2 falscher Aufruf.</translation>
         <translation>Dieser Strich liegt neben der Leinwand: Ansicht ▸ Farbe neben der Leinwand zeigen.</translation>
     </message>
     <message>
-        <source>Drag to paint, tap for a dot. Right button: brushes and colours. Shift+drag: size and opacity. Ctrl+click: take the picture&apos;s colour, with Shift the stroke&apos;s own.</source>
-        <translation>Ziehen malt, Tippen: Punkt. Rechtsklick: Pinsel, Farben. Umschalt+Ziehen: Größe, Deckkraft. Strg+Klick: Farbe des Bildes, mit Umschalt die des Strichs.</translation>
-    </message>
-    <message>
         <source>All that you paint stays editable: press V and click paint to move, scale or recolour it.</source>
         <translation>Alles Gemalte bleibt bearbeitbar: V, dann Farbe anklicken, um sie zu verschieben, zu skalieren oder umzufärben.</translation>
+    </message>
+    <message>
+        <source>Drag to paint, tap for a dot. Right button: palette. Shift+drag: size and opacity. Ctrl+click: take the picture&apos;s colour, with Shift the stroke&apos;s own.</source>
+        <translation>Ziehen malt, Tippen: Punkt. Rechtsklick: Palette. Umschalt+Ziehen: Größe, Deckkraft. Strg+Klick: Farbe des Bildes, mit Umschalt die des Strichs.</translation>
     </message>
 </context>
 <context>
