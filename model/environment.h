@@ -5,8 +5,8 @@
 
 namespace suffuse::environment {
 
-/// What a person sets for good stands in the settings. Variables are for tests, for finding faults, and for starting
-/// the program once in another way, so they go before the settings.
+/// What a person sets permanently stands in the settings. The variables are for tests, for finding faults, and for
+/// starting the program once in another way, so they override the settings.
 enum class Variable {
     Settings,       ///< SUFFUSE_SETTINGS: the file of the settings
     Journals,       ///< SUFFUSE_JOURNALS: the folder in which journals are kept (docs/recovery.md)
@@ -21,10 +21,11 @@ enum class Variable {
     QtPlatform,     ///< QT_QPA_PLATFORM: how Qt reaches a screen, or that it does without
 };
 
-/// Its value; empty where it is not set.
+/// The value of a variable; empty where it is not set.
 std::string value(Variable variable);
 bool isSet(Variable variable);
-/// For this process and for what it starts. Not while other threads read the environment.
+/// Sets a variable for this process and for those that it starts. It must not be called while other threads read the
+/// environment.
 void set(Variable variable, const std::string &value);
 
 } // namespace suffuse::environment

@@ -17,7 +17,7 @@ struct BrushNumber {
     Domain domain;
 };
 
-/// What becomes a number of a segment has that one's domain.
+/// Checks the numbers. Those that become numbers of a segment have the domains of these.
 QString problemOfNumbers(const Brush &b)
 {
     const auto segmentDomain = [](float Segment::*member) { return numberOf(member).traits.domain; };

@@ -14,12 +14,12 @@ namespace suffuse {
 enum class BrushQuantity : std::uint8_t { Size, Density, Granulation, Opacity, MaxAge, ColourMix };
 inline constexpr int brushQuantities = 6;
 
-/// What it can change with, each in [0, 1] (docs/brushes.md): random values are drawn once a stroke, or drift smoothly
-/// along it.
+/// The inputs with which it can change, each in [0, 1] (docs/brushes.md). Random values are drawn once a stroke, or
+/// drift smoothly along it.
 enum class BrushInput : std::uint8_t { Pressure, Tilt, Speed, Distance, StrokeRandom, Drift };
 inline constexpr int brushInputs = 6;
 
-/// One curve: the quantity is the brush's own value times the curve of the input.
+/// One curve: the quantity is the brush's own value times the value of the curve at the input.
 struct BrushDynamic {
     BrushQuantity quantity = BrushQuantity::Density;
     BrushInput input = BrushInput::Pressure;
@@ -27,26 +27,26 @@ struct BrushDynamic {
     friend bool operator==(const BrushDynamic &, const BrushDynamic &) = default;
 };
 
-/// Strokes grow from a point and run out into one: lengths in spreads, 0: blunt.
+/// How strokes grow from a point and run out into one. Lengths are in spreads; 0 means blunt.
 struct Taper {
     float in = 0;
-    float out = 0;     ///< laid on when the pen lifts
-    float tip = 0.05f; ///< size at the very end, a share of the brush's
+    float out = 0;     ///< painted when the pen lifts
+    float tip = 0.05f; ///< the size at the very end, as a share of the brush's
     friend bool operator==(const Taper &, const Taper &) = default;
 };
 
-/// How far the colour strays from the brush's own, each way; by stroke, or drifting along it.
+/// How far the colour strays from the brush's own in both directions, by stroke or drifting along it.
 struct ColourJitter {
     float red = 0;
     float yellow = 0;
     float blue = 0;
-    float lightness = 0; ///< all three together
+    float lightness = 0; ///< red, yellow and blue together
     bool along = false;
     friend bool operator==(const ColourJitter &, const ColourJitter &) = default;
 };
 
-/// The tip is not round: it spreads ratio times as fast along an angle, radians, which turns with the path or stands
-/// still on the canvas.
+/// A tip that is not round: it spreads `ratio` times as fast along an angle, in radians, which turns with the path or
+/// keeps its direction on the canvas.
 struct TipShape {
     float ratio = 1;
     float angle = 0;
@@ -54,27 +54,27 @@ struct TipShape {
     friend bool operator==(const TipShape &, const TipShape &) = default;
 };
 
-/// What smooths the pen's way before it becomes a stroke.
+/// What smooths the way of the pen before it becomes a stroke.
 struct Stabiliser {
     enum class Kind : std::uint8_t { Off, Weighted, String };
     Kind kind = Kind::Off;
-    float strength = 0.5f; ///< of Weighted, [0, 1]
-    float length = 30;     ///< of String, logical pixels
+    float strength = 0.5f; ///< of the kind Weighted, [0, 1]
+    float length = 30;     ///< of the kind String, logical pixels
     friend bool operator==(const Stabiliser &, const Stabiliser &) = default;
 };
 
-/// Interval at which the knots of a stroke are taken along its time, unless the brush says otherwise.
+/// The time between the knots of a stroke, unless the brush has another one.
 inline constexpr Microseconds samplingInterval = 1'000'000 / 60;
 
-/// What a new stroke is painted with. Density is given as the peak of a long straight line at full age,
-/// pk = φˢ/(√π s), because that is what the style's ξ are compared with; the builder turns it into φˢ.
+/// What a new stroke is painted with. The density is given as the peak of a long straight line at full age, pk = φˢ/(√π
+/// s), since the style's ξ are compared with that. The builder turns it into φˢ.
 struct Brush {
-    QString name;  ///< of the preset; built-in ones have ids
-    QString group; ///< where the preset stands in lists; built-in ones have ids
+    QString name;  ///< of the preset; a built-in one has an id
+    QString group; ///< the group of the preset in lists; a built-in one has an id
     Style style;
     Mix mix;
     float diffusion = 12.5f; ///< D, unit²/s
-    float peak = 1.2f;       ///< pk where no curve takes away
+    float peak = 1.2f;       ///< pk where no curve makes it smaller
     float granulation = 1;   ///< ω
     float maxAge = 1;        ///< t_max, s
     Colour colour{0.85f, 0.75f, 0.9f, 1};
@@ -83,19 +83,19 @@ struct Brush {
     TipShape tip;
     Taper taper;
     Stabiliser stabiliser;
-    /// At most one of a quantity and input, in their order.
+    /// At most one for each quantity and input, in their order.
     std::vector<BrushDynamic> dynamics{{BrushQuantity::Density, BrushInput::Pressure, {{{0, 0.5f}, {1, 1}}}}};
-    float fullSpeed = 60;    ///< at which the input Speed is 1, spreads a second
-    float fullDistance = 40; ///< at which the input Distance is 1, spreads
-    float driftLength = 4;   ///< over which what drifts becomes another, spreads
+    float fullSpeed = 60;    ///< the speed at which the input Speed is 1, spreads a second
+    float fullDistance = 40; ///< the distance at which the input Distance is 1, spreads
+    float driftLength = 4;   ///< the length over which what drifts takes another value, spreads
     Microseconds interval = samplingInterval;
 
     /// s = √(4 D t_max)
     double spread() const { return std::sqrt(4.0 * diffusion * maxAge); }
-    /// Sets D so that the spread is s; all else stays, the peak among it.
+    /// Sets D so that the spread is s. All else stays, also the peak.
     void setSpread(double s) { diffusion = float(s * s / (4 * double(maxAge))); }
 
-    /// The curve of a quantity and input, or null.
+    /// The curve of a quantity and an input; null if there is none.
     const ResponseCurve *curve(BrushQuantity quantity, BrushInput input) const;
     void setCurve(BrushQuantity quantity, BrushInput input, const ResponseCurve &curve);
     void removeCurve(BrushQuantity quantity, BrushInput input);
@@ -103,11 +103,12 @@ struct Brush {
     friend bool operator==(const Brush &, const Brush &) = default;
 };
 
-/// Empty if every value is in its domain, else as problemOf(Segment) says it, with the member's path in the brush file.
+/// Empty if every value is in its domain. Otherwise it is a text like that of problemOf(Segment), with the member's
+/// path in the brush file.
 QString problemOf(const Brush &brush);
 
-/// The brushes that come with the program, by groups ("ink", "watercolour", "dry", "flat", "air"); the first is the
-/// default, which recordings are converted with.
+/// The brushes that come with the program, by groups ("ink", "watercolour", "dry", "flat", "air"). The first is the
+/// default, with which recordings are converted, too.
 const std::vector<Brush> &builtinBrushes();
 /// The built-in one that people begin with in the window.
 const Brush &firstBrush();

@@ -4,10 +4,10 @@ namespace suffuse {
 
 namespace {
 
-/// Channels of random values: the quantities, then those of the jitter.
+/// The channels of random values are the quantities, then those of the jitter.
 constexpr int jitterChannel = 16;
 
-/// A number in [0, 1) that depends on all of its arguments: Steele, Lea and Flood's mixing function.
+/// A number in [0, 1) that depends on all arguments, by the mixing function of Steele, Lea and Flood.
 double randomAt(std::uint64_t seed, int channel, std::int64_t cell)
 {
     std::uint64_t z = seed + 0x9E3779B97F4A7C15u * (std::uint64_t(cell) * 64 + std::uint64_t(channel) + 1);
@@ -16,16 +16,16 @@ double randomAt(std::uint64_t seed, int channel, std::int64_t cell)
     return double((z ^ (z >> 31)) >> 11) * 0x1p-53;
 }
 
-/// One value for the stroke.
+/// One random value for a stroke.
 double strokeRandom(std::uint64_t seed, int channel)
 {
     return randomAt(seed, channel, -1);
 }
 
-/// A value that goes smoothly from one random number to the next every unit of `x`.
+/// A value that goes smoothly from one random number to the next at each unit of `x`.
 double drift(std::uint64_t seed, int channel, double x)
 {
-    x = std::min(x, 1e15); // cells are whole numbers
+    x = std::min(x, 1e15); // Cells are whole numbers.
     const double cell = std::floor(x), u = x - cell;
     const double from = randomAt(seed, channel, std::int64_t(cell)),
                  to = randomAt(seed, channel, std::int64_t(cell) + 1);

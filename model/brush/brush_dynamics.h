@@ -1,5 +1,5 @@
-// What a brush lays down at a moment of a stroke: a pure function of brush, pen and the stroke's seed, so that a stroke
-// is the same while it is drawn, when it is done, and when its recording is painted again (docs/brushes.md).
+// What a brush paints at a moment of a stroke. It is a pure function of brush, pen and the stroke's seed, so that a
+// stroke is the same while it is drawn, when it is done, and when its recording is painted again (docs/brushes.md).
 #pragma once
 
 #include "model/brush/brush.h"
@@ -14,7 +14,7 @@ struct PenState {
     double distance = 0; ///< arc length since the stroke's start, spreads
 };
 
-/// What is laid down there.
+/// What is painted at that moment.
 struct Paint {
     double size = 1; ///< share of the brush's spread
     double peak = 0; ///< pk
@@ -23,24 +23,24 @@ struct Paint {
     Colour colour;
 };
 
-/// Sizes and drying times never get below these shares of the brush's: a segment needs both above 0.
+/// Sizes and drying times never become smaller shares of the brush's than these, since a segment needs both above 0.
 inline constexpr double leastSize = 0.02;
 inline constexpr double leastAge = 0.01;
 
-/// `seed` makes all that is random: the same for one stroke.
+/// What is painted. All that is random follows from `seed`, which is the same for a whole stroke.
 Paint paintAt(const Brush &brush, const PenState &pen, std::uint64_t seed);
 
 /// The share of the size that the taper leaves `distance` after the stroke's start and `rest` before its end, both in
-/// spreads (rest: infinite while the pen is down): from the tip's to 1 along a parabola.
+/// spreads (`rest` is infinite while the pen is down). It rises from the tip's share to 1 along a parabola.
 double taperAt(const Taper &taper, double distance, double rest);
 
-/// s of what is laid down, units; without a tip's ratio.
+/// The spread s of what is painted, units, without a tip's ratio.
 double spreadOf(const Brush &brush, double size, double maxAge);
 
-/// s across a path of this direction: the tip's spread in the direction of the path's normal.
+/// The spread s across a path of a direction: that of the tip in the direction of the path's normal.
 double spreadAcross(const TipShape &tip, double spread, Point direction);
 
-/// The angle of the tip on a path of this direction.
+/// The angle of the tip on a path of a direction.
 double tipAngle(const TipShape &tip, Point direction);
 
 } // namespace suffuse

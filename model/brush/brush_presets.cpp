@@ -12,7 +12,7 @@ using enum BrushInput;
 
 using Curves = std::vector<std::tuple<BrushQuantity, BrushInput, ResponseCurve>>;
 
-/// From one share at input 0 to another at 1.
+/// A line from one share at input 0 to another at 1.
 ResponseCurve ramp(float from, float to)
 {
     return {{{0, from}, {1, to}}};
@@ -65,7 +65,7 @@ Mix beta(float value)
 
 std::vector<Brush> inkBrushes()
 {
-    // Wet ink: light strokes stay thin and grey.
+    // Wet ink, of which light strokes stay thin and grey.
     Brush wash = make({"ink-wash", uniform(0.4f, 0.1f), 10, 2, 1.2f}, {0.86f, 0.8f, 0.94f, 0.92f}, 0.85f,
                       {{Density, Pressure, ramp(0.35f, 1)}});
 
@@ -76,7 +76,7 @@ std::vector<Brush> inkBrushes()
     pen.taper = {2, 3.5f, 0.05f};
     pen.stabiliser = {Stabiliser::Kind::Weighted, 0.35f, 30};
 
-    // It runs out of ink on the way, sooner where it hurries; only the hills of the paper take what is left.
+    // It runs out of ink on the way, sooner where the hand hurries. Only the hills of the paper take what is left.
     Brush dry = make({"dry-brush", uniform(0.68f, 0.05f), 18, 0.25f, 1.65f}, {0.88f, 0.84f, 0.94f, 0.95f}, 0,
                      {{Size, Pressure, ramp(0.55f, 1)},
                       {Size, Speed, ramp(1, 0.8f)},
@@ -96,7 +96,7 @@ std::vector<Brush> inkBrushes()
                          {Density, Pressure, ramp(0.6f, 1)}});
     splash.driftLength = 0.7f;
 
-    // A broad nib, held slantwise: the width is the path's direction.
+    // A broad nib that is held slantwise: the direction of the path decides the width.
     Brush nib = make({"broad-nib", uniform(0.5f, 0.03f), 2.6, 0.2f, 1.7f}, {0.9f, 0.86f, 0.97f, 0.97f}, 1,
                      {{Size, Pressure, ramp(0.7f, 1)}});
     nib.tip = {14, -0.7853982f, false};
@@ -149,7 +149,7 @@ std::vector<Brush> watercolourBrushes()
     granulating.taper = {0.6f, 1.2f, 0.4f};
     granulating.jitter = {0.06f, 0.03f, 0.04f, 0.03f, true};
 
-    // Long-running, no edge, uneven as water is.
+    // It spreads for a long time, has no edge, and is as uneven as water.
     Brush wet = make({"wet-in-wet", feathering(1.2f, 1), 42, 6, 1.1f}, {0.75f, 0.25f, 0.5f, 0.75f}, 0.9f,
                      {{Size, Drift, ramp(0.55f, 1)}, {Density, Pressure, ramp(0.4f, 1)}});
     wet.mix = beta(0.8f);
@@ -159,7 +159,7 @@ std::vector<Brush> watercolourBrushes()
                        {{Opacity, Pressure, ramp(0.4f, 1)}});
     glaze.mix = beta(1);
 
-    // Loaded with two colours: the second comes through on the way.
+    // It is loaded with two colours, and the second comes through on the way.
     Brush twoTone = make({"two-tone", uniform(0.4f, 0.06f), 20, 1.5f, 1.3f}, {0.9f, 0.55f, 0.1f, 0.8f}, 0.7f,
                          {{Size, Pressure, ramp(0.6f, 1)},
                           {Size, Speed, ramp(1, 0.5f)},
@@ -180,11 +180,11 @@ std::vector<Brush> dryBrushes()
     pencil.fullSpeed = 700; // of a fine point
     pencil.taper = {2, 5, 0.3f};
 
-    // In the paper's hollows (γ ≈ 0.55) a light touch falls below ξ1, so that only its hills take chalk.
+    // In the hollows of the paper (γ ≈ 0.55) a light touch falls below ξ1, so that only the hills take chalk.
     Brush chalk = make({"dry-chalk", uniform(0.7f, 0.04f), 12, 0.25f, 1.3f}, {0.75f, 0.55f, 0.4f, 0.9f}, 0.1f,
                        {{Density, Pressure, ramp(0.7f, 1)}});
 
-    // The side of the stick, when the pen lies down, is broad and catches the grain only.
+    // The side of the stick, which paints when the pen lies down, is broad and catches only the grain.
     Brush charcoal = make({"charcoal", uniform(0.78f, 0.09f), 11, 0.2f, 1.5f}, {0.86f, 0.84f, 0.88f, 0.9f}, 0,
                           {{Size, Pressure, ramp(0.55f, 1)},
                            {Size, Tilt, ramp(0.6f, 1)},
@@ -217,11 +217,11 @@ std::vector<Brush> flatBrushes()
 
 std::vector<Brush> airBrushes()
 {
-    // Nearly Gaussian across; pressure is opacity.
+    // It is nearly Gaussian across, and pressure is opacity.
     Brush soft = make({"soft-airbrush", feathering(1, 1.2f), 40, 0.5f, 1}, {0.8f, 0.35f, 0.25f, 0.35f}, 1,
                       {{Density, Pressure, ramp(0.05f, 1)}});
 
-    // Light that a dark ground shows: a bright core in a wide halo.
+    // Light that is seen on dark grounds: a bright core in a wide halo.
     Brush glow = make({"glow", feathering(1.6f, 2), 34, 0.5f, 1.6f}, {0.02f, 0.45f, 0, 0.85f}, 1,
                       {{Size, Pressure, ramp(0.5f, 1)}, {Opacity, Pressure, ramp(0.3f, 1)}});
     return {soft, glow};

@@ -5,13 +5,13 @@
 
 namespace suffuse {
 
-/// Half-width of the visible paint of a long, straight, dry stroke at full pressure: where its profile pk·e^(−v²/s²)
-/// falls to the density at which the style is half opaque (edge darkening: where it ends). 0 if it never gets there.
-/// Canvas units.
+/// The half-width of the visible paint of a long, straight, dry stroke at full pressure, canvas units. There its
+/// profile pk·e^(−v²/s²) has fallen to the density at which the style is half opaque (for edge darkening: at which it
+/// ends). It is 0 if the profile never has so much density.
 double halfWidthOf(const Brush &brush);
 
-/// Width of a long, straight, dry stroke of the brush where no curve takes away, units; twice the spread of brushes
-/// whose strokes are too thin to have an edge. It is in proportion to the spread.
+/// The width of a long, straight, dry stroke of the brush where no curve makes it smaller, units. If strokes of the
+/// brush are too thin to have an edge, it is twice the spread. It is in proportion to the spread.
 double visibleWidth(const Brush &brush);
 
 } // namespace suffuse

@@ -9,8 +9,8 @@ double slopeBetween(Offset a, Offset b)
     return (double(b.y) - double(a.y)) / (double(b.x) - double(a.x));
 }
 
-/// The slope at a point between two intervals of these lengths and slopes: 0 at an extremum, else the weighted harmonic
-/// mean, so that the curve stays monotone (Fritsch and Butland).
+/// The slope at a point between two intervals of given lengths and slopes. At an extremum it is 0, otherwise the
+/// weighted harmonic mean, so that the curve stays monotone (Fritsch and Butland).
 double slopeAtInner(double h0, double d0, double h1, double d1)
 {
     if (d0 * d1 <= 0)
@@ -38,7 +38,7 @@ double ResponseCurve::at(double x) const
         start = slopeAtInner(double(a.x) - double(points[i - 1].x), slopeBetween(points[i - 1], a), h, d);
     if (i + 2 < points.size())
         end = slopeAtInner(h, d, double(points[i + 2].x) - double(b.x), slopeBetween(b, points[i + 2]));
-    // From the straight line, which two points give exactly.
+    // This is the distance from the straight line, which two points give exactly.
     const double bend = h * u * (1 - u) * ((1 - u) * (start - d) - u * (end - d));
     return std::clamp(double(a.y) + u * (double(b.y) - double(a.y)) + bend, 0.0, 1.0);
 }

@@ -4,8 +4,8 @@ namespace suffuse {
 
 namespace {
 
-/// Rows below·d_{i−1} + diagonal·d_i + above·d_{i+1} = right, solved in place by elimination without pivoting: the
-/// matrix is diagonally dominant.
+/// Rows below·d_{i−1} + diagonal·d_i + above·d_{i+1} = right. They are solved in place by elimination without pivoting,
+/// since the matrix is diagonally dominant.
 struct Tridiagonal {
     Eigen::VectorXd below, diagonal, above;
     Eigen::MatrixXd right;

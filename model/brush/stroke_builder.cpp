@@ -4,16 +4,16 @@ namespace suffuse {
 
 namespace {
 
-/// Derivatives are fixed when this many later knots exist; a knot's influence falls by 0.268 a knot.
+/// Derivatives are fixed when so many later knots exist; the influence of a knot falls to 0.268 with each knot.
 constexpr std::size_t knotsAhead = 6;
-/// A device that reports no pressure so many times has none.
+/// A device that reports no pressure so many times in a row has none.
 constexpr int zeroSamplesOfMouse = 32;
-/// A gap between samples counts at most this long in the spline's parameter, in intervals.
+/// A gap between samples counts as at most so many intervals in the spline's parameter.
 constexpr double longestStep = 8;
-/// The pen's speed is an average over about this time.
+/// The pen's speed is averaged over about this time.
 constexpr double speedMemory = 40e-3; // s
 constexpr double tapLength = 0.1;     // in s
-constexpr double shortLength = 2;     // in s: below, a stroke is raised and its tips are blunter
+constexpr double shortLength = 2;     // in s; a shorter stroke is raised, and its tips are blunter
 constexpr double shortestStep = 1e-3; // in s
 constexpr double farthestSample = 3.3e11;
 constexpr Microseconds latestSample = 1'000'000'000'000'000;
@@ -24,7 +24,8 @@ bool isUsable(const PenSample &s)
            std::isfinite(s.pressure);
 }
 
-/// A nearby point of a grid a little finer than the stroke's spread: offsets stay small, and exact in float32.
+/// A point of a grid near p that is a little finer than the stroke's spread. Offsets from it are small, and exact in
+/// float32.
 Point originFor(Point p, double spread)
 {
     const double grid = std::exp2(std::floor(std::log2(spread)));
@@ -48,7 +49,7 @@ void StrokeBuilder::add(const PenSample &sample)
     const double pressure = std::clamp(double(sample.pressure), 0.0, 1.0);
     if (pressure > 0) {
         if (m_pressure == Pressure::Unknown) {
-            // What came before was a blip, not a device without pressure.
+            // What came before was an outlier, not a device without pressure.
             m_pressure = Pressure::Real;
             m_knots.clear();
         }
@@ -140,8 +141,8 @@ double StrokeBuilder::parameterStep(const Knot &next) const
         return m_interval;
     if (elapsed <= m_interval)
         return elapsed;
-    // A gap: a slow device, a stalled one, or a pen that stood still. Its length is what the way takes at the speed
-    // that the pen had.
+    // There is a gap: a slow device, a stalled one, or a pen that stood still. It counts as long as the way takes at
+    // the speed that the pen had.
     const Knot *before = &m_knots.back();
     if (before->parameter == m_last.parameter && m_knots.size() > 1)
         before = &m_knots[m_knots.size() - 2];
@@ -154,7 +155,7 @@ double StrokeBuilder::parameterStep(const Knot &next) const
 bool StrokeBuilder::isStep(Point from, Point to) const
 {
     const double reach = std::max({std::abs(from.x), std::abs(from.y), std::abs(to.x), std::abs(to.y)});
-    return length(to - from) >= std::max(shortestStep * m_brush.spread(), 5e-7 * reach); // 4 float32 steps
+    return length(to - from) >= std::max(shortestStep * m_brush.spread(), 5e-7 * reach); // four steps of float32
 }
 
 void StrokeBuilder::addKnot(const Knot &knot)
@@ -186,7 +187,7 @@ void StrokeBuilder::settle()
 
 double StrokeBuilder::appendTail(std::vector<Segment> &segments) const
 {
-    const std::size_t first = m_settledKnot > 0 ? m_settledKnot - 1 : 0; // the one before limits handles
+    const std::size_t first = m_settledKnot > 0 ? m_settledKnot - 1 : 0; // The knot before limits the handles.
     std::vector<Knot> tail(m_knots.begin() + std::ptrdiff_t(first), m_knots.end());
     if (m_last.parameter > tail.back().parameter && isStep(tail.back().position(), m_last.position()))
         tail.push_back(m_last);
@@ -195,7 +196,7 @@ double StrokeBuilder::appendTail(std::vector<Segment> &segments) const
         return 0;
     fitSpline(std::span(tail).subspan(m_fixedKnot - first), m_fixedKnot > 0);
     TaperedPath path{m_brush.taper};
-    // Short strokes are blunter, so that one that grows out of a tap begins with the tap's size.
+    // Short strokes are blunter, so that a stroke that grows out of a tap begins with the size of the tap.
     path.taper.tip = float(std::lerp(1.0, double(path.taper.tip), std::min(1.0, tail.back().distance / shortLength)));
     if (m_finished)
         path.length = tail.back().distance;

@@ -11,16 +11,16 @@ namespace {
 
 using namespace knot_column;
 
-/// A pause this long does not belong to the segment after it.
+/// A pause of at least this length does not belong to the segment after it.
 constexpr Microseconds longestBirthGap = 1'000'000 / 6;
 constexpr int mostPieces = 1024;
 constexpr double constantBelow = 1e-3;
-/// A tip that is not round counts as constant while the path turns by less, radians.
+/// A tip that is not round counts as constant while the path turns by fewer radians.
 constexpr double largestTurn = 0.01;
 /// Control points stay this close to the origin, so that origin plus offset stays in its domain.
 constexpr double largestOffset = 6.7e11;
 
-/// Hermite form of the spline between two knots at fraction u.
+/// The Hermite form of the spline between two knots, at fraction u.
 KnotValues valuesAt(const Knot &a, const Knot &b, double u)
 {
     const double h = b.parameter - a.parameter, v = 1 - u;
@@ -36,8 +36,8 @@ double chord(const Knot &a, const Knot &b)
     return length(b.position() - a.position());
 }
 
-/// Handles longer than this would make a loop that the pen did not: next to a jump of the pointer the spline's speed is
-/// that of the jump.
+/// Handles longer than this would make a loop that the pen did not draw: beside a jump of the pointer the spline has
+/// the speed of the jump.
 double handleLimit(std::span<const Knot> knots, std::size_t i)
 {
     const double own = chord(knots[i], knots[i + 1]);
@@ -59,7 +59,7 @@ Offset offsetOf(Point p)
             float(std::clamp(p.y, -largestOffset, largestOffset))};
 }
 
-/// Emits the pieces of one interval.
+/// Appends the pieces of one interval.
 class Splitter {
 public:
     Splitter(const Brush &brush, const Knot &a, const Knot &b, const TaperedPath &path, std::vector<Segment> &segments)
@@ -67,7 +67,7 @@ public:
           m_born(std::max(a.time, b.time - longestBirthGap))
     {}
 
-    /// Emits the smallest number of pieces, equal in time, that are short enough. Returns their arc length.
+    /// Appends the smallest number of pieces, equal in time, that are short enough. Returns their arc length.
     double append(const Cubic &whole)
     {
         m_whole = whole;
@@ -102,7 +102,7 @@ private:
         return spreadOf(m_brush, paint.size, paint.maxAge);
     }
 
-    /// Every piece is at most s/2 long, or its attributes are constant.
+    /// Whether every piece is at most s/2 long, or its attributes are constant.
     bool isFineEnough(int pieces) const
     {
         Cubic rest = m_whole;
@@ -116,7 +116,7 @@ private:
         return true;
     }
 
-    /// The greatest variation of an attribute, in multiples of what counts as constant.
+    /// The greatest variation of an attribute, as a multiple of the variation that counts as constant.
     double variation(double from, double to) const
     {
         const double middle = 0.5 * (from + to);
@@ -139,7 +139,7 @@ private:
         return greatest;
     }
 
-    /// Angle between the directions at two places, radians.
+    /// The angle between the directions at two places, radians.
     double turn(double from, double to) const
     {
         const Point a = m_whole.derivative(from), b = m_whole.derivative(to);
@@ -251,7 +251,7 @@ double appendInterval(const Brush &brush, std::span<const Knot> knots, std::size
 
 double arcLength(const Cubic &cubic)
 {
-    // Gauss-Legendre, 5 points on each quarter.
+    // Gauss-Legendre quadrature with 5 points on each quarter.
     static constexpr double node[] = {0, 0.5384693101056831, 0.9061798459386640};
     static constexpr double weight[] = {0.5688888888888889, 0.4786286704993665, 0.2369268850561891};
     constexpr int parts = 4;

@@ -1,4 +1,4 @@
-// From knots to segments: the spline's pieces (docs/strokes.md).
+// Makes segments of knots: the pieces of the spline (docs/strokes.md).
 #pragma once
 
 #include "model/brush/brush_dynamics.h"
@@ -8,15 +8,16 @@
 
 namespace suffuse {
 
-/// What the spline runs through at a knot: position (offset from the stroke's origin) and what is laid down there.
+/// What the spline goes through at a knot: the position (as an offset from the stroke's origin) and what is painted
+/// there.
 using KnotValues = std::array<double, 10>;
 namespace knot_column {
 enum { X, Y, Size, Peak, Granulation, MaxAge, Red, Yellow, Blue, Opacity };
 }
 
 struct Knot {
-    double parameter = 0;  ///< of the spline, µs: real time without its pauses
-    double distance = 0;   ///< from the stroke's start along the samples, spreads
+    double parameter = 0;  ///< the spline's parameter, µs: real time without its pauses
+    double distance = 0;   ///< the distance from the stroke's start along the samples, spreads
     Microseconds time = 0; ///< document time
     KnotValues value{};
     KnotValues derivative{}; ///< with respect to the parameter
@@ -26,11 +27,11 @@ struct Knot {
     Paint paint() const; ///< in the domains of segments
 };
 
-/// A segment with what is laid down where the path has this direction; its curve, birth and node are left as they are.
-/// φˢ = pk·√π·s, s across the path, is that of a long line.
+/// Gives a segment what is painted where the path has a direction. Its curve, birth and node stay. φˢ = pk·√π·s, with s
+/// across the path, is that of a long line.
 void setPaint(Segment &segment, const Brush &brush, const Paint &paint, Point direction);
 
-/// Between two knots' values at fraction u in [0, 1], linearly; derivatives are left at 0.
+/// The values between two knots at fraction u in [0, 1], linearly. Derivatives are left at 0.
 Knot interpolated(const Knot &a, const Knot &b, double u);
 
 /// How a stroke grows from its start and runs out at its end.
@@ -39,13 +40,14 @@ struct TaperedPath {
     double length = std::numeric_limits<double>::infinity(); ///< spreads; infinite while it is drawn
 };
 
-/// Fits the C² spline through the knots (two or more) and stores the derivatives. The end is natural, and so is the
-/// start unless its derivative is `startIsFixed`.
+/// Fits the C² spline through the knots (two or more), and stores the derivatives in them. The end is natural, and so
+/// is the start unless its derivative is given (`startIsFixed`).
 void fitSpline(std::span<Knot> knots, bool startIsFixed);
 
-/// Appends the segments of the interval from knots[i] to knots[i + 1], split where attributes vary until they are at
-/// most s/2 long; each has the spline's attributes at the middle of its interval, tapered towards the ends of the path.
-/// The first starts at the end of the last segment of `segments`, if there is one. Returns their arc length, units.
+/// Appends the segments of the interval from knots[i] to knots[i + 1], which is split where attributes vary until
+/// segments are at most s/2 long. Each has the spline's attributes at the middle of its interval, tapered towards the
+/// ends of the path. The first starts at the end of the last segment of `segments`, if there is one. Returns their arc
+/// length, units.
 double appendInterval(const Brush &brush, std::span<const Knot> knots, std::size_t i, const TaperedPath &path,
                       std::vector<Segment> &segments);
 

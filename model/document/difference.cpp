@@ -14,7 +14,7 @@ bool sameUnderlay(const std::shared_ptr<const Underlay> &a, const std::shared_pt
     return a == b || (a && b && *a == *b);
 }
 
-/// True if the strokes stand as they did, some with other values, which are noted.
+/// Returns true if the same strokes stand in the same order. Those that have other values are added to `changed`.
 bool onlyValuesDiffer(const Painting &before, const Painting &after, std::vector<StrokeId> &changed)
 {
     if (before.strokes.size() != after.strokes.size())

@@ -8,7 +8,7 @@ namespace suffuse {
 
 namespace {
 
-/// Null: it is not there.
+/// Appends what differs between two things, which may be null where they do not exist.
 template <typename Thing>
 void compare(const QString &path, const Thing *before, const Thing *after, std::vector<ValueDifference> &out)
 {

@@ -7,7 +7,8 @@ namespace suffuse {
 
 namespace {
 
-/// Without ids and segments that the painting lacks, and with the strokes of selected segments.
+/// The selection without ids and segments that the painting does not have. The strokes of selected segments are
+/// selected, too.
 Selection existing(Selection selection, const Painting &painting)
 {
     if (selection.strokes.empty() && selection.segments.empty())
@@ -16,9 +17,9 @@ Selection existing(Selection selection, const Painting &painting)
     there.reserve(painting.strokes.size());
     for (const StrokePtr &stroke : painting.strokes)
         there.emplace_back(stroke->id, int(stroke->segments.size()));
-    if (!std::ranges::is_sorted(there)) // most often the order is nearly that of the ids
+    if (!std::ranges::is_sorted(there)) // Most often the order is nearly that of the ids.
         std::ranges::sort(there);
-    auto next = there.begin(); // what is selected rises, too
+    auto next = there.begin(); // The selection is in ascending order, too.
     const auto segmentsOf = [&](StrokeId id) {
         while (next != there.end() && next->first < id)
             ++next;
@@ -33,12 +34,13 @@ Selection existing(Selection selection, const Painting &painting)
     return selection;
 }
 
-/// Swaps strokes in place; none comes or goes.
+/// Swaps strokes in place; none is added or removed.
 void swapStrokes(StrokeList &strokes, std::map<StrokeId, StrokePtr> &states)
 {
     std::size_t found = 0;
     for (std::size_t i = 0; i < strokes.size(); ++i) {
-        const auto it = states.find(std::as_const(strokes)[i]->id); // writing would end the sharing
+        // A write access would end the sharing of the block.
+        const auto it = states.find(std::as_const(strokes)[i]->id);
         if (it == states.end())
             continue;
         Q_ASSERT_X(it->second, "Document::exchange", "a stroke goes, but the edit gives no order");
@@ -50,7 +52,7 @@ void swapStrokes(StrokeList &strokes, std::map<StrokeId, StrokePtr> &states)
     Q_ASSERT_X(found == states.size(), "Document::exchange", "a stroke comes, but the edit gives no order");
 }
 
-/// Swaps strokes and their order. What lies below the first that differs goes on sharing its blocks.
+/// Swaps strokes and their order. Below the first place that differs, blocks stay shared.
 void swapStrokesAndOrder(Painting &painting, Edit &edit)
 {
     StrokeList &strokes = painting.strokes;
@@ -146,7 +148,7 @@ void Document::exchange(Edit &edit)
 void Document::exchangeSelection(Edit &edit, Change &change)
 {
     const bool same = !edit.selection || *edit.selection == m_selection;
-    // What stays and keeps its segments needs no look at all the strokes.
+    // If all selected strokes stay and keep their segments, the strokes need not be looked at.
     if (same && !edit.reorders() && (edit.strokes.empty() || m_selection.segments.empty()))
         return;
     const bool given = edit.selection.has_value();

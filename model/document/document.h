@@ -6,7 +6,7 @@
 
 namespace suffuse {
 
-/// The only writer of a painting. Lives on the GUI thread; snapshots may go anywhere.
+/// The only writer of a painting. It lives on the GUI thread; its snapshots may be used on any thread.
 class Document : public QObject {
     Q_OBJECT
 
@@ -15,39 +15,39 @@ public:
 
     /// The committed painting, without the draft.
     const PaintingPtr &painting() const { return m_painting; }
-    /// What is to be seen: the painting with the draft on top, if there is one.
+    /// What is to be shown: the painting with the draft on top, if there is one.
     PaintingPtr snapshot() const;
 
     const Selection &selection() const { return m_selection; }
     /// Selects without an undo step. Ids and segments that do not exist are dropped.
     void setSelection(Selection selection);
 
-    /// Swaps the edit's state with the document's and emits `changed` once. The edit must name existing strokes or ones
-    /// that it adds, and its order must be a permutation of what is then there (asserted). A whole order is replaced by
-    /// the places that differ: what an undo step holds is in proportion to what it changes. Segments that no longer
-    /// exist leave the selection.
+    /// Swaps the edit's state with the document's, and emits `changed` once. The edit must name strokes that exist or
+    /// that it adds, and its order must be a permutation of those that exist then (asserted). A whole order is replaced
+    /// by the places that differ, so that the size of an undo step is in proportion to what it changes. Segments that
+    /// no longer exist leave the selection.
     void exchange(Edit &edit);
 
-    /// The stroke in hand, drawn on top, in no undo step; null removes it.
+    /// Sets the stroke in hand, which is drawn on top and is in no undo step; null removes it.
     void setDraft(StrokePtr draft);
     const StrokePtr &draft() const { return m_draft; }
 
-    /// Another painting: selection and draft are cleared.
+    /// Takes another painting. Selection and draft are cleared.
     void reset(PaintingPtr painting);
 
-    /// An id that no stroke has, nor had in this document's life (undo may bring strokes back).
+    /// An id that no stroke has or has had while this document exists (undo may bring strokes back).
     StrokeId takeStrokeId();
     GroupId takeGroupId();
-    /// Never gives away the ids that an edit names: a later undo may bring them back.
+    /// Reserves the ids that an edit names, so that none of them is given away: a later undo may bring them back.
     void reserve(const Edit &edit);
 
 signals:
-    /// An edit is about to be exchanged. Who shows a state that is in no step yet takes it back before that.
+    /// Emitted before an edit is exchanged. Whoever shows a state that is in no step yet must take it back now.
     void aboutToExchange();
     void changed(const suffuse::Change &change);
 
 private:
-    /// Once all else is exchanged. Segments that no longer exist leave the selection.
+    /// Swaps the selection, after all else. Segments that no longer exist leave it.
     void exchangeSelection(Edit &edit, Change &change);
 
     PaintingPtr m_painting;

@@ -10,13 +10,14 @@
 
 namespace suffuse {
 
-/// The state to put in; after `Document::exchange` it holds the state that was there, so exchanging again undoes it.
-/// Absent members leave that part of the document alone. Cost: in proportion to what it touches.
+/// An edit holds the state to put in. After `Document::exchange` it holds the state that was there before, so that
+/// exchanging it again undoes it. Members that are absent leave their part of the document alone. Its cost is in
+/// proportion to what it touches.
 struct Edit {
-    std::map<StrokeId, StrokePtr> strokes; ///< null: the stroke is absent
-    /// The whole order wanted, bottom to top; given whenever strokes come or go.
+    std::map<StrokeId, StrokePtr> strokes; ///< null: the stroke does not exist in this state
+    /// The whole order that is wanted, from bottom to top. It must be given whenever strokes are added or removed.
     std::optional<std::vector<StrokeId>> order;
-    /// In place of `order` in an edit that was exchanged: what makes the order that was there of the one that is.
+    /// In an edit that was exchanged, this stands in place of `order`. It turns the present order into the one before.
     std::optional<OrderDifference> places;
     std::optional<Canvas> canvas;
     std::optional<std::vector<Group>> groups;
@@ -25,23 +26,23 @@ struct Edit {
     std::optional<Selection> selection;
 
     bool reorders() const { return order || places; }
-    /// Whether anything but strokes is touched, the selection aside.
+    /// Whether anything but strokes and selection is touched.
     bool touchesTheRest() const { return canvas || groups || swatches || underlay; }
     bool isEmpty() const { return strokes.empty() && !reorders() && !touchesTheRest() && !selection; }
 };
 
-/// The order that the edit wants where `before` is there.
+/// The order that the edit wants where the present order is `before`.
 std::vector<StrokeId> orderWanted(const Edit &edit, const std::vector<StrokeId> &before);
 
-/// What an exchange altered, for views that refresh. What must be redrawn is never taken from here: renderers compare
+/// What an exchange has altered, for views that refresh. What must be redrawn is never told by it: renderers compare
 /// snapshots.
 struct Change {
     std::vector<StrokeId> strokes; ///< replaced, added or removed
-    bool order = false;            ///< strokes came, went or moved
-    bool canvas = false;           ///< canvas, groups, swatches or underlay
+    bool order = false;            ///< whether strokes were added, removed or moved
+    bool canvas = false;           ///< whether canvas, groups, swatches or underlay changed
     bool selection = false;
-    bool draft = false; ///< the stroke being drawn
-    bool reset = false; ///< another painting altogether
+    bool draft = false; ///< whether the stroke that is being drawn changed
+    bool reset = false; ///< whether it is another painting altogether
 };
 
 } // namespace suffuse

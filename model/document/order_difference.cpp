@@ -12,7 +12,7 @@ namespace {
 using Ids = std::span<const StrokeId>;
 constexpr std::size_t none = ~std::size_t(0);
 
-/// Which of `after` belong to a longest sequence that rises in `before` (patience sorting).
+/// Which elements of `after` belong to a longest sequence that rises in `before` (patience sorting).
 std::vector<bool> staying(Ids before, Ids after)
 {
     std::unordered_map<StrokeId, std::size_t> old;
@@ -21,7 +21,8 @@ std::vector<bool> staying(Ids before, Ids after)
         old.emplace(before[i], i);
 
     std::vector<std::size_t> place(after.size(), none), previous(after.size(), none);
-    std::vector<std::size_t> ends; // ends[k]: where the sequence of k + 1 with the least last place ends
+    // ends[k] is where the sequence of k + 1 elements ends that has the lowest last place
+    std::vector<std::size_t> ends;
     for (std::size_t i = 0; i < after.size(); ++i) {
         const auto it = old.find(after[i]);
         if (it == old.end())

@@ -1,4 +1,4 @@
-// What differs between two orders of strokes, at the cost of what moved.
+// What differs between two orders of strokes. Its size is in proportion to the strokes that moved.
 #pragma once
 
 #include "model/painting/ids.h"
@@ -9,7 +9,7 @@
 
 namespace suffuse {
 
-/// A stroke and where it stands in an order, 0 at the bottom.
+/// A stroke and its place in an order, counted from 0 at the bottom.
 struct StrokePlace {
     std::uint32_t index = 0;
     StrokeId stroke = 0;
@@ -17,15 +17,16 @@ struct StrokePlace {
     bool operator==(const StrokePlace &) const = default;
 };
 
-/// The strokes that came or moved, by rising index. The others keep their turn, and strokes that went are not named: an
-/// edit knows them.
+/// The strokes that were added or moved, by rising index. The others keep their order. Strokes that were removed are
+/// not named, since an edit knows them.
 using OrderDifference = std::vector<StrokePlace>;
 
-/// What makes `after` of `before`, both without repeats. As few strokes as there can be (the others are a longest
-/// rising sequence). Costs n + m log m, where m stand between the first and the last that differ.
+/// What turns `before` into `after`, which are both without repeats. It names as few strokes as possible (the others
+/// are a longest rising sequence), and costs n + m log m, where m strokes stand between the first and the last
+/// difference.
 OrderDifference orderDifference(const std::vector<StrokeId> &before, const std::vector<StrokeId> &after);
 
-/// `before` without the strokes that go, with those of the difference at their places.
+/// The order `before` without the strokes that are removed, and with those of the difference in their places.
 std::vector<StrokeId> reordered(const std::vector<StrokeId> &before, const OrderDifference &difference,
                                 const std::function<bool(StrokeId)> &goes);
 

@@ -29,7 +29,7 @@ std::vector<TimeSpan> activeSpans(const Painting &painting)
 FilmClock::FilmClock(const Painting &painting, Microseconds idle)
 {
     const std::vector<TimeSpan> active = activeSpans(painting);
-    m_shown = active; // each but the last with what is kept of the pause behind it
+    m_shown = active; // each but the last with the part of the pause behind it that is kept
     for (std::size_t k = 0; k < m_shown.size(); ++k) {
         if (k + 1 < m_shown.size())
             m_shown[k].end = std::min(active[k].end + idle, active[k + 1].begin);
@@ -42,7 +42,7 @@ Microseconds FilmClock::documentTime(Microseconds film) const
 {
     if (m_shown.empty())
         return 0;
-    // The last span that begins before: where two meet, the moment is the first one's end.
+    // The last span that begins before is taken: where two spans meet, the moment is the first one's end.
     const auto after = std::lower_bound(m_before.begin() + 1, m_before.end(), film);
     const auto k = std::size_t(after - m_before.begin()) - 1;
     return m_shown[k].begin + film - m_before[k];

@@ -18,13 +18,14 @@ namespace suffuse {
 
 namespace {
 
-/// Only after this does the new name survive a power failure. Empty, or why not.
+/// Syncs a folder, without which a new name does not survive a power failure. Returns an empty text, or why it failed.
 QString syncFolder(const QString &folder)
 {
 #ifdef Q_OS_UNIX
     const int fd = ::open(QFile::encodeName(folder).constData(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
     if (fd < 0)
-        return errno == EACCES ? QString() : QString::fromLocal8Bit(std::strerror(errno)); // may write, may not list
+        // A user may be allowed to write to the folder, but not to list it.
+        return errno == EACCES ? QString() : QString::fromLocal8Bit(std::strerror(errno));
     const int result = ::fsync(fd);
     const int problem = errno;
     ::close(fd);
@@ -37,7 +38,7 @@ QString syncFolder(const QString &folder)
     return {};
 }
 
-/// Brings what was written to the disk; QSaveFile tries, but does not tell.
+/// Brings what was written to the disk. QSaveFile tries this, too, but does not tell whether it worked.
 bool syncFile(QSaveFile &file)
 {
 #ifdef Q_OS_UNIX
@@ -48,7 +49,8 @@ bool syncFile(QSaveFile &file)
 #endif
 }
 
-/// The new file is to belong to whom the old one does. False where that cannot be: saving would take it away from them.
+/// Gives the new file the owner of the old one. Returns false where that is not possible: saving would take the file
+/// away from its owner.
 bool keepOwner(QSaveFile &file, const QString &path)
 {
 #ifdef Q_OS_UNIX
@@ -57,7 +59,7 @@ bool keepOwner(QSaveFile &file, const QString &path)
     if (::stat(QFile::encodeName(path).constData(), &old) != 0 || ::fstat(file.handle(), &made) != 0)
         return true;
     if (old.st_gid != made.st_gid && ::fchown(file.handle(), uid_t(-1), old.st_gid) != 0)
-        old.st_gid = made.st_gid; // a group that this user is not in: the owner matters more
+        old.st_gid = made.st_gid; // The user is not in that group. The owner matters more.
     return old.st_uid == made.st_uid || ::fchown(file.handle(), old.st_uid, old.st_gid) == 0;
 #else
     Q_UNUSED(file)
@@ -66,7 +68,7 @@ bool keepOwner(QSaveFile &file, const QString &path)
 #endif
 }
 
-/// Why `path` cannot be replaced, with the remedy; empty if it may be tried.
+/// Why `path` cannot be replaced, with the remedy. Empty if the attempt may be made.
 QString obstacle(const QString &path)
 {
     const QFileInfo info(path);
@@ -117,7 +119,7 @@ Result<void> writeFileAtomically(const QString &path, const QByteArray &bytes)
         return fileError(path, FileMessages::tr("belongs to %1, and would not any more; save under another name")
                                    .arg(QFileInfo(path).owner()));
     }
-    // QSaveFile forgets a short write when it commits, so every step is asked for its outcome.
+    // QSaveFile forgets a short write when it commits, so the result of every step is checked.
     qint64 written = 0;
     while (written < bytes.size()) {
         const qint64 part = file.write(bytes.constData() + written, bytes.size() - written);

@@ -17,7 +17,8 @@ namespace suffuse {
 
 namespace {
 
-/// A second name costs nothing where the file system has them; the file that is replaced keeps living under it.
+/// Gives a file a second name, which costs nothing where the file system can do it: the file lives on under it when it
+/// is replaced. Elsewhere the file is copied.
 bool linkOrCopy(const QString &from, const QString &to)
 {
 #ifdef Q_OS_UNIX
@@ -26,7 +27,7 @@ bool linkOrCopy(const QString &from, const QString &to)
 #endif
     if (!QFile::copy(from, to))
         return false;
-    QFile copy(to); // a backup is as old as what it holds
+    QFile copy(to); // A backup has the time of what is in it.
     if (copy.open(QIODevice::ReadWrite))
         copy.setFileTime(QFileInfo(from).lastModified(), QFileDevice::FileModificationTime);
     return true;
@@ -42,7 +43,7 @@ bool haveSameBytes(const QString &a, const QString &b)
 std::optional<QByteArray> hashOfFile(const QString &path)
 {
     QFile file(path);
-    // A pipe would be waited for.
+    // Opening a pipe would wait for a writer.
     if (!QFileInfo(path).isFile() || !file.open(QIODevice::ReadOnly))
         return std::nullopt;
     QCryptographicHash hash(QCryptographicHash::Sha256);

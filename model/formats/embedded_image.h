@@ -1,4 +1,4 @@
-// Images inside a painting: encoded file bytes, in the text form as data: URLs.
+// Images inside a painting: encoded bytes of files, which the text form writes as data: URLs.
 #pragma once
 
 #include "model/painting/painting.h"
@@ -6,14 +6,14 @@
 
 namespace suffuse {
 
-/// "image/png" and so on, from the first bytes; empty unless it is PNG, JPEG, TIFF, WebP or EXR.
+/// The media type, "image/png" and so on, by the first bytes. It is empty unless they are PNG, JPEG, TIFF, WebP or EXR.
 QString imageMediaType(const QByteArray &bytes);
-/// Refuses bytes that are no image that is supported, or more than 64 MB. The message has no file name or path.
+/// Refuses bytes that are no supported image, or more than 64 MB. The message has no file name and no path.
 Result<EncodedImage> checkedImage(const QByteArray &bytes);
-/// The image of an "image" member: "data:…;base64,…", or the path of a file relative to the folder of `fileName`.
-/// The message has no file name or path.
+/// The image of an "image" member: "data:…;base64,…", or the path of a file relative to the folder of `fileName`. The
+/// message has no file name and no path.
 Result<EncodedImage> imageFromText(const QString &text, const QString &fileName);
-/// "data:image/png;base64,…"
+/// The image as "data:image/png;base64,…".
 QByteArray imageToText(const QByteArray &bytes);
 
 } // namespace suffuse

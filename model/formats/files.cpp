@@ -16,7 +16,7 @@ namespace suffuse {
 
 namespace {
 
-/// Walks over the top level of a JSON object, however damaged, and finds what kind of file it is.
+/// Walks over the top level of a JSON object, however damaged, and finds out what kind of file it is.
 class JsonGlance {
 public:
     explicit JsonGlance(std::string_view text) : m_text(text) {}
@@ -24,7 +24,7 @@ public:
     FileFormat format()
     {
         std::string_view key, word;
-        bool value = false; // after a colon
+        bool value = false; // true after a colon
         for (m_at = m_text.find('{') + 1; m_at < m_text.size(); ++m_at) {
             const char c = m_text[m_at];
             if (c == '"') {
@@ -45,7 +45,7 @@ public:
                 value = c == ':';
             }
         }
-        // One that is cut off, or like a painting: its reader says what is wrong, and where.
+        // The text is cut off, or it looks like a painting, whose reader says what is wrong, and where.
         return m_canvas || m_at >= m_text.size() ? FileFormat::Text : FileFormat::Unknown;
     }
 
@@ -80,7 +80,7 @@ bool isText(std::string_view text)
     });
 }
 
-/// Recordings made of lines: the first line that is not empty nor a comment tells.
+/// Tells recordings made of lines apart by the first line that is neither empty nor a comment.
 FileFormat formatOfLines(std::string_view text)
 {
     std::string_view line;
@@ -146,7 +146,7 @@ Result<QByteArray> readAll(QFile &file, const QString &path)
         const QByteArray part = file.read(std::max(step, file.isSequential() ? 0 : file.size() - bytes.size()));
         if (part.isEmpty())
             break;
-        bytes.append(part); // the first part is shared, not copied
+        bytes.append(part); // The first part is shared, not copied.
         if (bytes.size() > largestFile)
             return tooLarge();
     }
@@ -180,7 +180,7 @@ FileFormat detectFormat(const QByteArray &bytes)
     if (startsAsSuffuse(bytes) || hasFirstChunk(bytes))
         return FileFormat::Suffuse;
     const FileFormat format = formatOfText(bytes);
-    // Whatever became of its start, what is whole of a document is to be found.
+    // Whatever has happened to the start of a document, its whole parts are to be found.
     return format == FileFormat::Unknown && hasAnyChunk(bytes) ? FileFormat::Suffuse : format;
 }
 
@@ -219,7 +219,7 @@ QString nameOf(FileFormat format)
 
 namespace {
 
-/// How a .suffuse file is read is the caller's; all else is read here. `leftOut`: as in LoadedDocument.
+/// Reads all formats except .suffuse, which the caller reads. `leftOut` is that of LoadedDocument.
 Result<Painting> readOther(const QByteArray &bytes, const QString &fileName, FileFormat format, const Brush *brush,
                            QString &leftOut)
 {

@@ -1,4 +1,4 @@
-// Reading and writing paintings. The input's format is found from its content, the output's from its ending.
+// Reads and writes paintings. The format of an input is found from its content, that of an output from its ending.
 #pragma once
 
 #include "model/brush/brush.h"
@@ -16,86 +16,90 @@ namespace suffuse {
 
 enum class FileFormat { Unknown, Suffuse, Text, InkCsv, UniversalInk, Excalidraw, MyPaintEvents, DiffusionCurves, Svg };
 
-/// From the first bytes; never from the name.
+/// The format by the first bytes, never by the name.
 FileFormat detectFormat(const QByteArray &bytes);
-/// ".suffuse" or ".json"; Unknown for other endings.
+/// The format by the ending ".suffuse" or ".json"; Unknown for other endings.
 FileFormat formatForSaving(const QString &path);
-QString nameOf(FileFormat format); ///< for people, translated
+QString nameOf(FileFormat format); ///< translated, for people
 
-/// A painting from a file's bytes, whatever its format. `fileName` is used in messages ("a.json: strokes[3]…") and to
-/// find images beside it. Recordings and drawings are painted with `brush` (default: the first built-in one).
+/// Reads a painting from a file's bytes, whatever the format. `fileName` is used in messages ("a.json: strokes[3]…")
+/// and to find images beside the file. Recordings and drawings are painted with `brush` (by default with the first
+/// built-in one).
 Result<Painting> readPainting(const QByteArray &bytes, const QString &fileName, const Brush *brush = nullptr);
-/// Reads a file ("-": standard input). Errors name the file, the place and the remedy.
+/// Reads a file, or the standard input for "-". Errors name the file, the place and the remedy.
 Result<Painting> loadPainting(const QString &path, const Brush *brush = nullptr);
 
 /// The bytes of a painting in a format that can be saved (Suffuse or Text).
 QByteArray writePainting(const Painting &painting, FileFormat format);
-/// Atomic: the old file stays until the new one is whole and on disk. Errors name the file and the remedy.
+/// Saves a painting. The old file stays until the new one is whole and on disk. Errors name the file and the remedy.
 Result<void> savePainting(const Painting &painting, const QString &path);
 
-/// How a painting was last looked at; no part of the picture.
+/// How a painting was looked at last. This is no part of the picture.
 struct WorkspaceState {
-    Point centre;        ///< canvas units, in the middle of the view
-    double scale = 1;    ///< pixels of a screen of usual density a canvas unit
+    Point centre;        ///< the centre of the view, canvas units
+    double scale = 1;    ///< pixels of a screen of usual density for each canvas unit
     double rotation = 0; ///< radians
     bool mirrored = false;
-    std::optional<Microseconds> time; ///< the moment looked at; none: the end
+    std::optional<Microseconds> time; ///< the moment that was looked at; no value: the end
     friend bool operator==(const WorkspaceState &, const WorkspaceState &) = default;
 };
 
-/// A part of a file that this program does not know and carries along: type of four letters, a small one first.
+/// A part of a file that this program does not know, but keeps. Its type has four letters, and the first is small.
 struct AncillaryChunk {
     QByteArray type;
     QByteArray payload;
     friend bool operator==(const AncillaryChunk &, const AncillaryChunk &) = default;
 };
 
-/// What a .suffuse file holds beside the picture. The text form holds none of it.
+/// What a .suffuse file has besides the picture. The text form has none of it.
 struct DocumentExtras {
-    QByteArray preview; ///< PNG, at most 256 pixels a side; empty: none
+    QByteArray preview; ///< PNG of at most 256 pixels a side; empty if there is none
     std::optional<WorkspaceState> view;
-    QByteArray history;                  ///< undo steps as bytes (model/formats/suffuse/suffuse_history.h); empty: none
-    std::vector<AncillaryChunk> unknown; ///< in the file's order
+    /// undo steps as bytes (model/formats/suffuse/suffuse_history.h); empty if there are none
+    QByteArray history;
+    std::vector<AncillaryChunk> unknown; ///< in the order of the file
     friend bool operator==(const DocumentExtras &, const DocumentExtras &) = default;
 };
 
-/// A document as it was opened. Where `losses` is not empty the file is damaged, and these are the parts that are
-/// missing, as sentences for people; the painting holds what is whole and must not replace the file unasked.
+/// A document that was opened. If `losses` is not empty, the file is damaged, and these are sentences for people about
+/// the parts that are missing. The painting then has what is whole, and must not replace the file without asking.
 struct LoadedDocument {
     Painting painting;
     DocumentExtras extras;
     FileFormat format = FileFormat::Unknown;
     std::vector<QString> losses;
     qint64 lostStrokes = 0; ///< as far as the file tells
-    /// What is not here though the picture is whole, as a sentence: what a foreign file holds and a painting cannot, or
-    /// damaged parts beside the picture. Empty: nothing.
+    /// What was left out although the picture is whole, as a sentence: what a foreign file has and a painting cannot
+    /// have, or damaged parts besides the picture. It is empty if there is nothing.
     QString leftOut;
 };
 
-/// As readPainting and loadPainting, which refuse a damaged file: these give what is whole of it.
+/// Reads a document like readPainting and loadPainting. While these refuse a damaged file, this returns what is whole
+/// of it.
 Result<LoadedDocument> readDocument(const QByteArray &bytes, const QString &fileName, const Brush *brush = nullptr);
 Result<LoadedDocument> loadDocument(const QString &path, const Brush *brush = nullptr);
 
-/// As writePainting and savePainting, with what belongs beside the picture. Any thread.
+/// Write a document like writePainting and savePainting, with what it has besides the picture. They may be called on
+/// any thread.
 QByteArray writeDocument(const Painting &painting, const DocumentExtras &extras, FileFormat format);
 Result<void> saveDocument(const Painting &painting, const DocumentExtras &extras, const QString &path);
 
-/// Replaces a file's content or leaves it as it was: every write, the flush, the size and the rename are checked, and
-/// the folder is synced (QSaveFile alone reports success over a truncated file on a full disk).
+/// Replaces a file's content, or leaves it as it was. Every write, the flush, the size and the rename are checked, and
+/// the folder is synced (QSaveFile alone reports success for a truncated file on a full disk).
 Result<void> writeFileAtomically(const QString &path, const QByteArray &bytes);
 
-/// Exact text form (docs/text-form.md) and binary document (docs/file-format.md).
+/// Read and write the exact text form (docs/text-form.md) and the binary document (docs/file-format.md).
 Result<Painting> readTextForm(const QByteArray &bytes, const QString &fileName);
 QByteArray writeTextForm(const Painting &painting);
 Result<Painting> readSuffuseFile(const QByteArray &bytes, const QString &fileName);
 Result<LoadedDocument> readSuffuseDocument(const QByteArray &bytes, const QString &fileName);
 QByteArray writeSuffuseFile(const Painting &painting, const DocumentExtras &extras = {});
-/// Chunks of a .suffuse file for `info`, damaged ones too.
+/// The chunks of a .suffuse file for `info`, including damaged ones.
 struct ChunkInfo {
-    QString name; ///< four letters; empty where they cannot be told
+    QString name; ///< four letters; empty where they are not known
     qint64 start = 0;
-    qint64 bytes = 0; ///< 0 where it cannot be told
-    QString damage;   ///< empty: it is whole
+    qint64 bytes = 0; ///< 0 where the size is not known
+    QString damage;   ///< empty if the chunk is whole
 };
 Result<std::vector<ChunkInfo>> suffuseChunks(const QByteArray &bytes, const QString &fileName);
 

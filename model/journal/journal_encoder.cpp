@@ -93,7 +93,7 @@ QByteArray JournalEncoder::edit(PaintingPtr painting, bool modified, qint64 now)
     return bytes;
 }
 
-/// An image is written when it first comes up.
+/// Writes an image when it is used for the first time.
 QByteArray JournalEncoder::writeImages(const std::vector<EncodedImage> &images, std::vector<qint64> &numbers)
 {
     QByteArray bytes;

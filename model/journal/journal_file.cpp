@@ -24,8 +24,7 @@ Error systemError(const QString &path, int problem)
         FileMessages::tr("the journal cannot be written (%1)").arg(QString::fromLocal8Bit(std::strerror(problem))));
 }
 
-/// A new or another name is safe from a power cut only after this. Some file systems cannot; then nothing is to be
-/// done.
+/// Makes a new file, or its new name, survive a power cut. On file systems that cannot do it, nothing is done.
 void syncFolderOf(const QString &path)
 {
     const QByteArray folder = QFile::encodeName(QFileInfo(path).absolutePath());
@@ -48,12 +47,12 @@ bool makePrivateFolder(const QString &folder)
 
 Result<std::unique_ptr<JournalFile>> JournalFile::create(const QString &path)
 {
-    makePrivateFolder(QFileInfo(path).absolutePath()); // where it fails, so does what comes
+    makePrivateFolder(QFileInfo(path).absolutePath()); // If this fails, so does what follows.
     const int fd = ::open(QFile::encodeName(path).constData(), O_RDWR | O_CREAT | O_EXCL | O_CLOEXEC, 0600);
     if (fd < 0)
         return systemError(path, errno);
     std::unique_ptr<JournalFile> file(new JournalFile(path, fd, 0));
-    // Waits for one that looks at it in this very moment.
+    // The call waits for a program that looks at the file in this very moment.
     while (::flock(fd, LOCK_EX) != 0)
         if (errno != EINTR)
             return systemError(path, errno);
@@ -71,7 +70,7 @@ std::unique_ptr<JournalFile> JournalFile::openAbandoned(const QString &path)
     }, named{};
     if (::fstat(fd, &info) != 0 || !S_ISREG(info.st_mode) || ::flock(fd, LOCK_EX | LOCK_NB) != 0)
         return nullptr;
-    // Its owner may have put another file in its place, or removed it, since it was opened.
+    // Since it was opened, its owner may have removed the file or put another one in its place.
     if (::stat(QFile::encodeName(path).constData(), &named) != 0 || named.st_ino != info.st_ino)
         return nullptr;
     file->m_size = info.st_size;
@@ -103,7 +102,7 @@ Result<void> JournalFile::append(const QByteArray &bytes)
 {
     const auto failed = [&] {
         const int problem = errno;
-        // Should this fail too, the next record is written over what is left.
+        // If this fails as well, the next record is written over what is left.
         const int cut = ::ftruncate(m_file, m_size);
         Q_UNUSED(cut)
         return systemError(m_path, problem);

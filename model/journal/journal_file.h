@@ -9,13 +9,13 @@
 
 namespace suffuse {
 
-/// A journal on disk, locked while this lives. The system drops the lock of a program that dies, however it dies, so a
-/// journal that can be locked has been abandoned.
+/// A journal on disk, which is locked while this object lives. The system drops the lock of a program that dies,
+/// however it dies. So a journal that can be locked has been abandoned.
 class JournalFile {
 public:
-    /// A new, empty one that only its owner may read. The folder is made where it is missing.
+    /// Creates an empty journal that only its owner may read. The folder is made if it is missing.
     static Result<std::unique_ptr<JournalFile>> create(const QString &path);
-    /// Null where some program still writes it, or it is gone.
+    /// Opens an abandoned journal. Returns null if a program is still writing it, or if it no longer exists.
     static std::unique_ptr<JournalFile> openAbandoned(const QString &path);
     ~JournalFile();
     JournalFile(const JournalFile &) = delete;
@@ -24,9 +24,10 @@ public:
     const QString &path() const { return m_path; }
     qint64 size() const { return m_size; }
     QByteArray readAll() const;
-    /// On disk when it returns. Where it fails the file counts as long as it was, and can be tried again.
+    /// Appends bytes, which are on disk when it returns. If it fails, the file counts as long as it was before, and the
+    /// call can be repeated.
     Result<void> append(const QByteArray &bytes);
-    /// Takes another's place, on disk when it returns.
+    /// Takes the name of another journal and replaces it. This is on disk when it returns.
     Result<void> renameTo(const QString &path);
     void remove();
 

@@ -1,4 +1,4 @@
-// What writing and reading a journal share.
+// What is shared by writing and reading a journal.
 #pragma once
 
 #include "model/document/order_difference.h"
@@ -6,13 +6,13 @@
 
 namespace suffuse {
 
-/// Its first bytes; then come line ends and chunks as in a .suffuse file.
+/// The first bytes of a journal. Line ends and chunks follow, as in a .suffuse file.
 inline constexpr char journalName[] = "\x89SUFFJRN";
 inline constexpr int journalVersion = 2;
-/// Readers of version 1 know no chains and no lifting segments, which a later record may bring.
+/// Readers of version 1 do not know chains and lifting segments, which a later record may bring.
 inline constexpr int journalLeastReader = 2;
 
-/// Whether the difference only adds strokes on top of `before` others: that is cheap, however many there are.
+/// Whether a difference only adds strokes on top of `before` others. That costs little, however many these are.
 inline bool onlyOnTop(const OrderDifference &places, bool anyRemoved, std::size_t before)
 {
     return !anyRemoved && (places.empty() || places.front().index >= before);

@@ -28,7 +28,7 @@ std::optional<QCborMap> mapIn(QByteArrayView payload)
     return value.toMap();
 }
 
-/// Replays records. What a record cannot mean ends the reading as a torn one does: what came before it stands.
+/// Replays records. A record that makes no sense ends the reading like a torn one: what came before it counts.
 class JournalReader {
     using Ids = std::unordered_set<StrokeId>;
 
@@ -103,7 +103,7 @@ private:
         m_content.lastChange = integerIn(map.value(QLatin1String("time")));
     }
 
-    /// False where the record means nothing.
+    /// Applies a record. Returns false if it makes no sense.
     bool take(const Chunk &chunk)
     {
         if (chunk.type == "IMAG") {
@@ -113,7 +113,7 @@ private:
             return bool(image);
         }
         const bool known = chunk.type == "EDIT" || chunk.type == "SAVE";
-        if (!known) // a small first letter: may be skipped
+        if (!known) // A chunk whose name begins with a small letter may be skipped.
             return chunk.type.front() >= 'a' && chunk.type.front() <= 'z';
         const auto map = mapIn(chunk.payload);
         if (!map)
@@ -157,7 +157,7 @@ private:
         return true;
     }
 
-    /// Whether the order goes on naming each stroke once.
+    /// Whether the order still names each stroke once.
     bool fits(const std::vector<StrokePtr> &strokes, const OrderDifference &places, const Ids &removed) const
     {
         const auto isThere = [&](StrokeId id) { return m_strokes.contains(id); };
@@ -177,7 +177,7 @@ private:
                std::all_of(removed.begin(), removed.end(), isThere);
     }
 
-    /// Canvas, groups, swatches and underlay, where the record has them.
+    /// Reads canvas, groups, swatches and underlay, as far as the record has them.
     bool readRest(const QCborMap &map)
     {
         const QCborValue document = map.value(QLatin1String("document"));
@@ -193,7 +193,7 @@ private:
         Painting rest;
         if (!readProperties(document.toByteArray(), images, rest).isEmpty())
             return false;
-        m_content.painting = std::move(rest); // its strokes are kept apart until the end
+        m_content.painting = std::move(rest); // The strokes are kept apart until the end.
         return true;
     }
 

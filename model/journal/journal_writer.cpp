@@ -12,7 +12,7 @@ namespace suffuse {
 
 namespace {
 
-/// A journal may be so many times as large as the whole painting, and so much more, before it is begun anew.
+/// A journal is begun anew when it gets larger than so many times the whole painting, and so many bytes more.
 constexpr qint64 growth = 4;
 constexpr qint64 freeGrowth = qint64(4) << 20;
 
@@ -82,7 +82,7 @@ void JournalWriter::add(Order order)
     {
         const std::lock_guard lock(m_mutex);
         if (order.task == Task::Record && !m_orders.empty() && m_orders.back().task == Task::Record) {
-            // It may be the last that holds many strokes: what it costs to free them is the writer's.
+            // It may be the last painting that has many strokes, so it is freed on the writer's thread.
             m_superseded.push_back(std::move(m_orders.back().painting));
             m_orders.back() = std::move(order);
         } else {
@@ -142,7 +142,7 @@ Result<void> JournalWriter::carryOut(Order &order)
 Result<void> JournalWriter::begin(Order &order)
 {
     if (m_file)
-        m_file->remove(); // of the document before, which went in peace
+        m_file->remove(); // The document before was closed in the regular way.
     m_file.reset();
     m_head = order.head;
     m_replaced = std::move(order.replaced);
@@ -199,7 +199,7 @@ bool JournalWriter::isTooLarge(const Painting &painting) const
            m_encoder.ordering() + 2 * painting.strokes.size() > JournalEncoder::mostOrdering;
 }
 
-/// Tells when, and by which process.
+/// A name that says when, and by which process, the journal was made.
 QString JournalWriter::freeName() const
 {
     static std::atomic<int> count = 0;

@@ -11,28 +11,28 @@
 
 namespace suffuse {
 
-/// Keeps one document's journal on a thread of its own: the caller hands over a snapshot and goes on. What lies between
-/// two snapshots is found, written and synced there; a snapshot that has not been looked at is superseded by a newer
-/// one.
+/// Keeps the journal of one document on a thread of its own. The caller hands over a snapshot and goes on; what lies
+/// between two snapshots is found, written and synced on that thread. A snapshot that has not been looked at is
+/// superseded by a newer one.
 class JournalWriter {
 public:
-    /// Both are called on the writer's thread.
+    /// Both functions are called on the writer's thread.
     struct Reports {
         std::function<void(quint64 serial)> written;        ///< that snapshot and all before it are on disk
-        std::function<void(const QString &message)> failed; ///< the first time only
+        std::function<void(const QString &message)> failed; ///< called only the first time
     };
 
     JournalWriter(QString folder, Reports reports);
-    ~JournalWriter(); ///< does what is left; the journal stays unless `remove` was called
+    ~JournalWriter(); ///< Finishes what is left to do. The journal stays unless `remove` was called.
 
-    /// Another document. An empty, unmodified one gets a file with its first edit. `replaced`: its journal of an
-    /// earlier run, which goes when the new one is on disk.
+    /// Begins the journal of another document. An empty, unmodified document gets a file with its first edit.
+    /// `replaced` is the document's journal of an earlier run, which is removed when the new one is on disk.
     void begin(JournalHead head, PaintingPtr painting, bool modified, std::shared_ptr<JournalFile> replaced = {});
-    /// Returns the snapshot's number, from 1 on.
+    /// Records a snapshot. Returns its number, from 1 on.
     quint64 record(PaintingPtr painting, bool modified);
-    /// It was saved under this name. `modified`: it has been edited since.
+    /// Records that the document was saved under this name. `modified` says whether it has been edited since.
     void saved(JournalHead head, bool modified);
-    /// The document goes in peace: nothing is to be recovered.
+    /// Removes the journal, since the document was closed in the regular way and nothing is to be recovered.
     void remove();
     /// Waits until all is done.
     void flush();
@@ -55,25 +55,25 @@ private:
     Result<void> begin(Order &order);
     Result<void> record(const Order &order);
     Result<void> append(const QByteArray &bytes);
-    /// A file of its own for the whole painting; takes the place of the one before.
+    /// Begins a new file with the whole painting, which replaces the file before.
     Result<void> startFile(const PaintingPtr &painting, bool modified, qint64 now);
     bool isTooLarge(const Painting &painting) const;
     QString freeName() const;
 
-    // Writer thread only.
+    // What follows is used only on the writer's thread.
     const QString m_folder;
     const Reports m_reports;
     JournalHead m_head;
     JournalEncoder m_encoder;
     std::unique_ptr<JournalFile> m_file;
     std::shared_ptr<JournalFile> m_replaced;
-    qint64 m_startBytes = 0; ///< of the file, when it was begun
+    qint64 m_startBytes = 0; ///< the size of the file when it was begun
     bool m_complained = false;
 
     std::mutex m_mutex;
     std::condition_variable m_wake, m_idle;
     std::deque<Order> m_orders;
-    std::vector<PaintingPtr> m_superseded; ///< to be freed by the writer
+    std::vector<PaintingPtr> m_superseded; ///< paintings that the writer's thread frees
     quint64 m_serial = 0;
     bool m_busy = false;
     bool m_stop = false;

@@ -15,7 +15,7 @@ std::vector<StrokeId> orderOf(const StrokeList &strokes)
     return ids;
 }
 
-/// Finds strokes that have other states; false where strokes came, went or moved.
+/// Finds strokes that have other states. Returns false if strokes were added, removed or moved.
 bool onlyAltered(const StrokeList &before, const StrokeList &after, std::vector<StrokePtr> &altered)
 {
     if (before.size() != after.size())
@@ -29,7 +29,7 @@ bool onlyAltered(const StrokeList &before, const StrokeList &after, std::vector<
     return only;
 }
 
-/// The usual case, a stroke painted on top, looks at no other stroke's id.
+/// In the usual case, when a stroke was painted on top, no other stroke's id is looked at.
 bool onlyAppended(const StrokeList &before, const StrokeList &after, SnapshotDifference &difference)
 {
     if (before.size() >= after.size() || !std::equal(before.begin(), before.end(), after.begin()))

@@ -7,7 +7,7 @@
 
 namespace suffuse {
 
-/// D along a segment's curve and across it, in its middle; the same where it spreads evenly.
+/// D along the curve of a segment and across it, in the middle of the segment. They are equal where it spreads evenly.
 struct CurveDiffusion {
     double along = 0;
     double across = 0;
@@ -16,11 +16,12 @@ CurveDiffusion curveDiffusion(const Segment &segment);
 
 /// Figures of a long straight stroke of constant values, dried out.
 struct DerivedFigures {
-    double spread = 0;              ///< s = √(4 D t_max), units; across the curve
-    double along = 0;               ///< the same along the curve
-    double peak = 0;                ///< pk = φˢ/(√π s)
-    double halfWidth = 0;           ///< w = s √ln(pk/cut), units; 0 where nothing is visible
-    std::optional<double> driesOut; ///< age at which the peak falls under the cut, s; none: it stays visible
+    double spread = 0;    ///< s = √(4 D t_max), units; across the curve
+    double along = 0;     ///< the spread along the curve, units
+    double peak = 0;      ///< pk = φˢ/(√π s)
+    double halfWidth = 0; ///< w = s √ln(pk/cut), units; 0 where nothing is visible
+    /// the age at which the peak falls below the cut, s; no value if the stroke stays visible
+    std::optional<double> driesOut;
 };
 DerivedFigures derivedFigures(const Segment &segment, const Style &style);
 

@@ -12,11 +12,11 @@ namespace {
 using std::numbers::e;
 using std::numbers::pi;
 
-/// Beyond so many spreads φˢ grows faster than anybody wants.
+/// Beyond so many spreads φˢ would grow faster than anybody wants.
 constexpr double mostSpreads = 2;
-/// Nothing is seen further from a curve: e^(−36) of any density.
+/// In spreads: nothing is seen farther away from a curve, where the density is e^(−36) of its peak.
 constexpr double farthestSpreads = 6;
-/// Places of a curve, apart from its start, where its width is looked at.
+/// The number of places of a curve, besides its start, at which its width is computed.
 constexpr int widthPlaces = 8;
 
 /// Where the dry paint of a segment is seen, in a stroke of a given length.
@@ -26,14 +26,14 @@ public:
         : m_segment(segment), m_age(segment.age(segment.driesAt())), m_cut(visibleCut(style)), m_length(strokeLength)
     {}
 
-    /// How far beside a curve along `tangent`.
+    /// How far beside a curve along `tangent` paint is seen.
     double beside(Point tangent) const
     {
         const double density = double(m_segment.density) * share(-m_length / 2, spreadAlong(tangent));
         return m_cut > 0 ? halfWidth(diffusionAcross(m_segment, tangent), density, m_age, m_cut) : 0;
     }
 
-    /// How far beyond the end of a curve along `tangent`.
+    /// How far beyond the end of a curve along `tangent` paint is seen.
     double beyond(Point tangent) const
     {
         const double s = spreadAlong(tangent);
@@ -54,7 +54,8 @@ private:
     {
         return std::sqrt(4 * diffusionAcross(m_segment, {-tangent.y, tangent.x}) * m_age);
     }
-    /// Of an endless line's density, so far beyond the end; in the middle where that is −length / 2.
+    /// The share of an endless line's density that is left so far beyond the end of the stroke; in its middle that is
+    /// −length / 2.
     double share(double beyond, double s) const
     {
         return 0.5 * (std::erf((beyond + m_length) / s) - std::erf(beyond / s));
@@ -171,14 +172,14 @@ double lowerLambertW(double x)
     if (fromBranch <= 0)
         return -1;
     double y;
-    if (fromBranch < 0.2) { // the series at the branch point
+    if (fromBranch < 0.2) { // Near the branch point its series is used.
         const double p = std::sqrt(2 * fromBranch);
         y = -1 - p - p * p / 3 - 11 * p * p * p / 72;
     } else {
         const double l = std::log(-x);
         y = l - std::log(-l);
     }
-    for (int i = 0; i < 40; ++i) { // Halley's steps on y·e^y = x
+    for (int i = 0; i < 40; ++i) { // These are Halley's steps on y·e^y = x.
         const double ey = std::exp(y), f = y * ey - x;
         const double step = f / (ey * (y + 1) - (y + 2) * f / (2 * y + 2));
         if (!std::isfinite(step))

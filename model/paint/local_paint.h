@@ -1,4 +1,4 @@
-// What a stroke is at a point, of the densities that its segments have there (eq 15, 16, 20, 21).
+// What a stroke is at a point, from the densities that its segments have there (eq 15, 16, 20, 21).
 #pragma once
 
 #include "model/paint/style_function.h"
@@ -8,22 +8,22 @@
 
 namespace suffuse {
 
-/// Sums over the segments at a point. What segments say counts by their densities there; those that take paint away say
-/// nothing but how much.
+/// Sums over the segments at a point. The values of segments are weighted by their densities there. Those that take
+/// paint away count only by their density.
 class LocalPaint {
 public:
-    /// φ_k of a segment, and its style.
+    /// Adds the density φ_k of a segment with its values and its style.
     void add(const Segment &segment, const Style &style, double density);
 
     /// φ = max(0, φ⁺ − φ⁻) (14).
     double density() const { return std::max(0.0, m_laid - m_lifted); }
-    /// φ⁺, of the segments that lay paint.
+    /// φ⁺, the density of the segments that lay paint.
     double laid() const { return m_laid; }
-    /// φ⁻, of those that take it away.
+    /// φ⁻, the density of the segments that take paint away.
     double lifted() const { return m_lifted; }
-    /// ω̄ (15); 1 where no paint was laid.
+    /// ω̄ (15); 1 where no paint is laid.
     double granulation() const;
-    /// C̄ (20): R, Y, B, opacity; 0 where no paint was laid.
+    /// C̄ (20): R, Y, B, opacity; 0 where no paint is laid.
     std::array<double, 4> colour() const;
     /// F(φ′) = Σ share·F_kind(φ′; ξ̄_kind), φ′ = γφ (16), where the paper's texture is η; 0 where there is no paint.
     double coverage(double eta) const;

@@ -8,9 +8,9 @@ namespace suffuse {
 
 namespace {
 
-/// How the curve is cut.
+/// How a curve is divided.
 struct Pieces {
-    double flatness; ///< between the curve and its pieces, spreads
+    double flatness; ///< the distance between the curve and its pieces, in spreads
     int most;
 };
 
@@ -19,7 +19,7 @@ Pieces piecesFor(CurveDetail detail)
     return detail == CurveDetail::Rough ? Pieces{0.03, 64} : Pieces{0.001, 1024};
 }
 
-/// To where the segment's Gaussian is e^(−|x|²): lengths in spreads.
+/// Maps to where the segment's Gaussian is e^(−|x|²), so that lengths are in spreads.
 class Whitening {
 public:
     Whitening(const Segment &segment, double spread)
@@ -30,14 +30,14 @@ public:
     {
         return {m_along * (m_cos * d.x + m_sin * d.y), m_across * (m_cos * d.y - m_sin * d.x)};
     }
-    /// Of the Gaussian's integral over the plane.
+    /// The reciprocal of the Gaussian's integral over the plane.
     double norm() const { return m_along * m_across / std::numbers::pi; }
 
 private:
     double m_cos, m_sin, m_along, m_across;
 };
 
-/// Pieces of equal parameter that stay so near to the whitened curve.
+/// How many pieces of equal parameter stay near enough to the whitened curve.
 int pieceCount(const Cubic &c, const Pieces &pieces)
 {
     const Point a = c.p[0] - 2 * c.p[1] + c.p[2], b = c.p[1] - 2 * c.p[2] + c.p[3];
@@ -73,7 +73,7 @@ double segmentDensity(const Segment &segment, double spread, Point fromOrigin, C
         const Point b = k == pieces ? cubic.p[3] : cubic.at(double(k) / pieces);
         const Point wa = whiten(a), wb = whiten(b);
         const double whitenedLength = length(wb - wa);
-        if (whitenedLength > 0) // dl on the canvas, the exponent in spreads
+        if (whitenedLength > 0) // The length counts on the canvas, while the exponent counts in spreads.
             sum += lineIntegral(wa, wb) * length(b - a) / whitenedLength;
         a = b;
     }

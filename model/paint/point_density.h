@@ -1,27 +1,27 @@
-// Density at a point (eq 13, 14), quickly: for tools and panels. render/probe.h has the exact figures.
+// The density at a point (eq 13, 14), quickly, for tools and panels. render/probe.h has the exact figures.
 #pragma once
 
 #include "model/painting/stroke.h"
 
 namespace suffuse {
 
-/// How near a segment's curve its straight pieces stay, in spreads; the density is off by about half as much of its
-/// peak.
+/// How near the straight pieces of a segment's curve stay to it, in spreads. The density is wrong by about half as much
+/// of its peak.
 enum class CurveDetail {
-    Rough, ///< 0.03: what hit tests ask thousands of times
-    Fine   ///< 0.001: figures and plots
+    Rough, ///< 0.03, for hit tests, which ask thousands of times
+    Fine   ///< 0.001, for figures and plots
 };
 
-/// φ_k of a segment of a spread s > 0, at a point as seen from its stroke's origin. The curve counts as straight
-/// pieces, whose density has a closed form.
+/// φ_k of a segment of spread s > 0, at a point relative to its stroke's origin. The curve counts as straight pieces,
+/// whose density has a closed form.
 double segmentDensity(const Segment &segment, double spread, Point fromOrigin, CurveDetail detail);
 
-/// Whether the influence of a segment of a spread (`influenceOf`) reaches a point as seen from its stroke's origin.
+/// Whether the influence of a segment of a spread (see `influenceOf`) reaches a point relative to its stroke's origin.
 bool reaches(const Segment &segment, double spread, Point fromOrigin);
 
-/// φ_k of a segment at a canvas point, fine; 0 where it is not there yet, and out of its reach.
+/// φ_k of a segment at a canvas point, in fine detail. It is 0 where the segment is not there yet and beyond its reach.
 double segmentDensityAt(const Stroke &stroke, const Segment &segment, Microseconds time, Point point);
-/// φ = max(0, φ⁺ − φ⁻) of the stroke.
+/// φ = max(0, φ⁺ − φ⁻) of a stroke.
 double strokeDensityAt(const Stroke &stroke, Microseconds time, Point point);
 
 } // namespace suffuse

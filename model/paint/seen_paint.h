@@ -1,17 +1,19 @@
-// How much of a stroke is seen at a point, quickly: what hit tests ask thousands of times.
+// How much of a stroke is seen at a point, quickly, for hit tests, which ask thousands of times.
 #pragma once
 
 #include "model/painting/stroke.h"
 
 namespace suffuse {
 
-/// A stroke at a point.
+/// What is seen of a stroke at a point.
 struct SeenPaint {
-    double opacity = 0; ///< w (21), on smooth paper, to about a hundredth of it
-    int segment = -1;   ///< the one with the largest share of the density that is laid; -1: none reaches the point
+    double opacity = 0; ///< w (21) on smooth paper, right to about a hundredth of it
+    /// the segment with the largest share of the density that is laid; -1 if none reaches the point
+    int segment = -1;
 };
 
-/// Each curve counts as a few straight pieces, whose density has a closed form. `render/probe.h` has the exact figures.
+/// Computes it with a few straight pieces for each curve, whose density has a closed form. `render/probe.h` has the
+/// exact figures.
 SeenPaint seenPaint(const Stroke &stroke, Microseconds T, Point point);
 
 } // namespace suffuse

@@ -19,7 +19,7 @@ double uniform(double xi1, double xi2, double density)
     return std::max(0.0, (logistic(density) - lowest) / (1 - lowest));
 }
 
-/// φ_e: where (19) first reaches 1 coming from inside.
+/// φ_e: the density at which (19), coming from inside, first reaches 1.
 double edgeStart(const Xi &xi)
 {
     const double a = std::pow(xi[1], 3), b = std::pow(xi[0], 6);

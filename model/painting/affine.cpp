@@ -7,7 +7,7 @@ namespace suffuse {
 
 namespace {
 
-constexpr double evenness = 1e-12; // what rounding may take from a similarity
+constexpr double evenness = 1e-12; // relative rounding errors that a similarity may have
 
 } // namespace
 
@@ -20,7 +20,7 @@ Affine Affine::about(Point fixed, double a, double b, double c, double d)
 
 Affine Affine::rotation(Point fixed, double angle)
 {
-    // Quarter turns are exact.
+    // Quarter turns must be exact.
     const double quarters = angle / (0.5 * 3.14159265358979323846);
     double c = std::cos(angle), s = std::sin(angle);
     if (std::abs(quarters - std::round(quarters)) < 1e-15 * std::max(1.0, std::abs(quarters))) {

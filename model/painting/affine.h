@@ -15,14 +15,14 @@ struct Affine {
     friend bool operator==(const Affine &, const Affine &) = default;
 
     static Affine translation(Point by) { return {1, 0, 0, 1, by}; }
-    /// M with a point that stays where it is.
+    /// The map with matrix M that leaves a point where it is.
     static Affine about(Point fixed, double a, double b, double c, double d);
     static Affine scaling(Point fixed, double x, double y) { return about(fixed, x, 0, 0, y); }
-    /// Radians, from the x axis towards the y axis.
+    /// A rotation in radians, from the x axis towards the y axis.
     static Affine rotation(Point fixed, double angle);
-    /// x′ = x + kx·y, y′ = y + ky·x, seen from the fixed point.
+    /// x′ = x + kx·y, y′ = y + ky·x, relative to the fixed point.
     static Affine skew(Point fixed, double kx, double ky) { return about(fixed, 1, kx, ky, 1); }
-    /// Maps one rectangle onto another, sides parallel; a side of no length is not scaled.
+    /// Maps one rectangle onto another with parallel sides. A side without length is not scaled.
     static Affine between(const Rect &from, const Rect &to);
 
     Point turned(Point vector) const { return {a * vector.x + b * vector.y, c * vector.x + d * vector.y}; }
@@ -30,12 +30,12 @@ struct Affine {
     double determinant() const { return a * d - b * c; }
     bool isIdentity() const { return *this == Affine(); }
     bool isTranslation() const { return a == 1 && b == 0 && c == 0 && d == 1; }
-    /// Turns, mirrors and scales evenly, but for rounding.
+    /// Whether the map only turns, mirrors and scales evenly, apart from rounding.
     bool isSimilarity() const;
-    /// None where the determinant is 0.
+    /// The inverse map; no value where the determinant is 0.
     std::optional<Affine> inverse() const;
 };
-/// First `before`, then `after`.
+/// The map that applies `before` first and `after` then.
 Affine operator*(const Affine &after, const Affine &before);
 
 } // namespace suffuse

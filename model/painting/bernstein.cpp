@@ -7,14 +7,14 @@ namespace {
 constexpr std::size_t mostCoefficients = 7;
 using Coefficients = std::array<double, mostCoefficients>;
 
-/// De Casteljau in the middle; `right` takes the upper half.
+/// De Casteljau's algorithm in the middle; `right` gets the upper half.
 void halve(Coefficients &left, Coefficients &right, std::size_t n)
 {
     right = left;
     for (std::size_t level = 1; level < n; ++level)
         for (std::size_t i = 0; i + level < n; ++i)
             right[i] = 0.5 * (right[i] + right[i + 1]);
-    // right[i] is now the polynomial from level n − 1 − i; the left half stands on the triangle's other side.
+    // right[i] now is the polynomial from level n − 1 − i. The left half is on the other side of the triangle.
     Coefficients row = left;
     for (std::size_t level = 0; level < n; ++level) {
         left[level] = row[0];
@@ -55,7 +55,7 @@ public:
     }
 
 private:
-    /// Roots strictly between `from` and `to`, which may be 0 themselves.
+    /// Finds the roots strictly between `from` and `to`, which may be roots themselves.
     void search(Coefficients f, double from, double to)
     {
         const int changes = signChanges(f, m_f.size());
@@ -78,7 +78,7 @@ private:
         search(right, middle, to);
     }
 
-    /// On the whole polynomial: subdivided coefficients have gathered rounding errors.
+    /// Bisects with the whole polynomial, since subdivided coefficients have gathered rounding errors.
     double bisected(const Coefficients &f, double from, double to) const
     {
         double atStart = 0;

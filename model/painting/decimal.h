@@ -1,4 +1,4 @@
-// Sums that people count in decimals.
+// Sums that people expect to be exact in decimals.
 #pragma once
 
 #include <algorithm>
@@ -7,8 +7,8 @@
 
 namespace suffuse {
 
-/// a + b; where that is a number of at most nine decimals but for rounding, that number: 0.1 + 0.2 is 0.3. So steps
-/// there and back end where they began, and files hold what was meant.
+/// a + b; if that is a number of at most nine decimals but for rounding, it is that number: 0.1 + 0.2 is 0.3. So steps
+/// there and back end where they began, and files contain what was meant.
 inline double decimalSum(double a, double b)
 {
     constexpr double decimals = 1e9;

@@ -1,4 +1,5 @@
-// Whether the fields of a value are in their domains; model/painting/validate.cpp adds what fields say of each other.
+// Checks whether the fields of a value are in their domains. model/painting/validate.cpp also checks what fields demand
+// of each other.
 #pragma once
 
 #include "model/painting/fields.h"
@@ -9,11 +10,11 @@
 
 namespace suffuse {
 
-/// Where a value stands, as the text form names it; written out only where something is wrong.
+/// The place of a value, as the text form names it. It is written out only where something is wrong.
 struct FieldPath {
     const FieldPath *parent = nullptr;
     const char *name = ""; ///< "[2]" stands behind what it belongs to without a dot
-    int index = -1;        ///< of an element, where there is no name
+    int index = -1;        ///< the index of an element, which has no name
 
     QString text() const;
 };
@@ -21,12 +22,12 @@ struct FieldPath {
 /// Finds the first field that is not in its domain.
 class DomainCheck {
 public:
-    /// Empty, or "diffusion: -3 is not in (0, 1e12]".
+    /// Empty, or a text such as "diffusion: -3 is not in (0, 1e12]".
     const QString &problem() const { return m_problem; }
     bool ok() const { return m_problem.isEmpty(); }
     void fail(const QString &problem) { m_problem = problem; }
 
-    /// All fields of a value; strings, images and the segments of a stroke have no domain.
+    /// Checks all fields of a value. Strings, images and the segments of a stroke have no domain.
     template <HasFields T>
     void checkFields(const T &value, const FieldPath &path = {})
     {
@@ -87,7 +88,8 @@ private:
     void checkParts(const QString &, const FieldTraits &, const FieldPath &) {}
     void checkParts(const EncodedImage &, const FieldTraits &, const FieldPath &) {}
     void checkParts(bool, const FieldTraits &, const FieldPath &) {}
-    void checkParts(std::uint32_t, const FieldTraits &, const FieldPath &) {} // its domain is all that it can be
+    // its type allows no other values than its domain
+    void checkParts(std::uint32_t, const FieldTraits &, const FieldPath &) {}
 
     static const char *noSuch(NodeKind);
     static const char *noSuch(PaperKind);
@@ -108,7 +110,7 @@ private:
     QString m_problem;
 };
 
-/// "diffusion: -3 is not in (0, 1e12]"
+/// A text such as "diffusion: -3 is not in (0, 1e12]".
 QString outsideText(const QString &path, double value, const Domain &domain);
 
 } // namespace suffuse

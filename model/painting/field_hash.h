@@ -1,4 +1,4 @@
-// Values as one canonical sequence of bytes, for hashes.
+// Makes one canonical sequence of bytes of values, for hashes.
 #pragma once
 
 #include "model/painting/fields.h"
@@ -13,8 +13,8 @@
 
 namespace suffuse {
 
-/// Feeds values to SHA-256: fixed-width little-endian numbers, floats as bits, texts and lists with their length, all
-/// else field by field. Documents hold these hashes, so the sequence stays what it is.
+/// Feeds values to SHA-256: fixed-width little-endian numbers, floats as bits, texts and lists with their length, and
+/// all else field by field. Documents contain these hashes, so the sequence must never change.
 class FieldHash {
 public:
     template <typename T>
@@ -71,7 +71,8 @@ public:
         if (value)
             put(*value);
     }
-    /// What later versions brought counts only where it is not as usual: paintings of before keep their hash.
+    /// Fields of later versions count only where they differ from their defaults, so that earlier paintings keep their
+    /// hashes.
     template <HasFields T>
     void put(const T &value)
     {
@@ -85,7 +86,7 @@ public:
             put(member);
         });
     }
-    /// The grain of paper came last, and stands there.
+    /// The grain was added to papers last, so it comes last.
     void put(const Paper &paper)
     {
         forEachField(paper, [&](const auto &field, const auto &member) {

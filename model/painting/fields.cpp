@@ -6,7 +6,7 @@ namespace suffuse {
 
 namespace {
 
-/// With as few digits as tell these bounds apart: 1e12, 0.5, 3.4e38, and whole numbers in full.
+/// A bound with as few digits as tell it from others: 1e12, 0.5, 3.4e38, and whole numbers in full.
 QString boundText(double value)
 {
     if (std::abs(value) < 1e16 && std::abs(value) > 1e9 && std::fmod(value, 1e6) != 0)
@@ -24,7 +24,7 @@ bool equalImages(const EncodedImage &a, const EncodedImage &b)
     return a == b || (a && b && *a == *b);
 }
 
-/// Images by their bytes.
+/// Whether all fields are equal; images are compared by their bytes.
 template <HasFields T>
 bool equalFields(const T &a, const T &b)
 {

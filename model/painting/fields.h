@@ -1,8 +1,8 @@
-// What the values of a painting hold: the one list of their fields, with names, units and domains.
+// The one list of the fields that the values of a painting have, with names, units and domains.
 //
 // A field's default is the one that its struct gives it. Hash, validation, the text form, the document's columns, the
-// difference of two paintings, means of segments and the inspector walk through these lists: a number that is added to
-// a struct is one row here (CONTRIBUTING.md, "A number of a segment").
+// difference of two paintings, means of segments and the inspector walk through these lists. So a number that is added
+// to a struct is one row here (CONTRIBUTING.md, "A number of a segment").
 #pragma once
 
 #include "model/paint/style_function.h"
@@ -18,26 +18,25 @@
 
 namespace suffuse {
 
-/// What a number is counted in. Units are canvas units.
+/// The unit of a number. A length is in canvas units.
 enum class Unit : std::uint8_t { None, Length, Diffusion, Seconds, Share, Radians };
 
-/// The numbers that are allowed: from `least`, which is not itself among them where the domain is open, to `greatest`.
+/// The numbers that are allowed, from `least` to `greatest`. In an open domain `least` itself is not allowed.
 struct Domain {
     double least = -double(std::numeric_limits<float>::max());
     double greatest = double(std::numeric_limits<float>::max());
     bool open = false;
 
-    /// False for NaN.
+    /// Whether a number is allowed; NaN never is.
     constexpr bool contains(double value) const { return (open ? value > least : value >= least) && value <= greatest; }
-    /// Bounds are rounded as values are.
+    /// The same for float32, where the bounds are rounded as values are.
     constexpr bool contains(float value) const
     {
         return (open ? value > float(least) : value >= float(least)) && value <= float(greatest);
     }
     /// "(0, 1e12]"
     QString text() const;
-    /// The least number that is both among them and usual as a float32: `least`, or what comes after it where the
-    /// domain is open.
+    /// The least allowed number that float32 can hold: `least` or, in an open domain, the number after it.
     double leastFloat() const;
 };
 
@@ -46,19 +45,20 @@ inline constexpr Domain positive{0, anyNumber.greatest, true};
 inline constexpr Domain share{0, 1};
 inline constexpr Domain coordinate{-1e12, 1e12};
 inline constexpr Domain moment{-1e9, 1e9};                  ///< seconds of document time
-inline constexpr Domain identity{1, 9'007'199'254'740'991}; ///< up to 2^53 − 1: exact in every JSON reader
+inline constexpr Domain identity{1, 9'007'199'254'740'991}; ///< up to 2^53 − 1, which is exact in every JSON reader
 
-/// When the text form has a field.
+/// When a field is in the text form.
 enum class Presence : std::uint8_t {
-    Required, ///< it is written always, and a reader refuses a value without it
-    Written,  ///< it is written always; a reader takes the default where it is missing
-    Unusual   ///< it is written only where it is not the default
+    Required, ///< It is always written, and a reader refuses a value without it.
+    Written,  ///< It is always written; a reader takes the default where it is missing.
+    Unusual   ///< It is written only where it differs from the default.
 };
 
-/// How the columns of a document hold a number (docs/file-format.md).
+/// How the columns of a document store a number (docs/file-format.md).
 enum class Column : std::uint8_t {
-    Predicted, ///< by what stands before it in the stroke, as numbers that mostly change slowly
-    Plain      ///< the difference of its bits from the default's
+    /// relative to a prediction from what comes before it in the stroke, for numbers that mostly change slowly
+    Predicted,
+    Plain ///< as the difference of its bits from the default's
 };
 
 struct FieldTraits {
@@ -66,17 +66,18 @@ struct FieldTraits {
     Domain domain = anyNumber;
     Presence presence = Presence::Written;
     Column column = Column::Plain;
-    /// Version of the documents that first hold it. Numbers of later versions stand behind the columns of version 1,
-    /// and only in documents that use them.
+    /// The first version of documents that has the number. Numbers of later versions stand behind the columns of
+    /// version 1, and only in documents that use them.
     int since = 1;
-    bool averages = true;  ///< it is averaged by length where segments become one; else they say how themselves
-    bool nullable = false; ///< 0 is none
+    /// whether it is averaged by length where segments become one; other numbers have rules of their own
+    bool averages = true;
+    bool nullable = false; ///< whether 0 means "none"
 };
 
 /// One member of a struct.
 template <class Owner, class Value>
 struct Field {
-    const char *name; ///< its path in the text form; members of one part stand together: "anisotropy.ratio"
+    const char *name; ///< its path in the text form; members of one part stand together, as "anisotropy.ratio"
     Value Owner::*member;
     FieldTraits traits;
 };
@@ -87,7 +88,7 @@ constexpr Field<Owner, Value> field(const char *name, Value Owner::*member, Fiel
     return {name, member, traits};
 }
 
-/// The fields of a type, in the order in which the text form writes them: `list`, a tuple of Field.
+/// The fields of a type in the order in which the text form writes them: `list` is a tuple of Field.
 template <class T>
 struct FieldsOf;
 
@@ -97,14 +98,14 @@ concept HasFields = requires
     FieldsOf<T>::list;
 };
 
-/// Calls f(field) for each.
+/// Calls f(field) for each field of a type.
 template <HasFields T, class F>
 constexpr void forEachFieldOf(F f)
 {
     std::apply([&](const auto &...fields) { (f(fields), ...); }, FieldsOf<T>::list);
 }
 
-/// Calls f(field, member) for each; `value` may be constant.
+/// Calls f(field, member) for each field of a value, which may be constant.
 template <class T, class F>
 requires HasFields<std::remove_const_t<T>>
 constexpr void forEachField(T &value, F f)
@@ -112,7 +113,7 @@ constexpr void forEachField(T &value, F f)
     forEachFieldOf<std::remove_const_t<T>>([&](const auto &field) { f(field, value.*field.member); });
 }
 
-/// Words of an enumeration in files, in the order of its values.
+/// The words for an enumeration's values in files, in the order of the values.
 template <class Enum>
 struct WordsOf;
 
@@ -137,7 +138,7 @@ struct WordsOf<PaperGrain> {
     static constexpr std::array<std::string_view, 3> list{"tooth", "fibres", "weave"};
 };
 
-/// The domain of ξ1, ξ2, ξ3 (`index` 0 … 2) of a kind by itself; those that it does not have are 0.
+/// The domain of ξ1, ξ2 or ξ3 (`index` 0 … 2) of a kind of style by itself. Those that a kind does not have are 0.
 constexpr Domain domainOfXi(StyleKind kind, int index)
 {
     if (index >= xiCount(kind))
@@ -146,7 +147,8 @@ constexpr Domain domainOfXi(StyleKind kind, int index)
         return {0.5, 64};
     return index == 2 ? Domain{0, 1, true} : positive;
 }
-/// Edge darkening's ξ2 is at most so many times its ξ1: 2^(1/3), else the inside of the stroke would go below nothing.
+/// The ξ2 of edge darkening is at most so many times its ξ1: 2^(1/3). Beyond that the inside of the stroke would become
+/// negative.
 double greatestLightening();
 
 template <>
@@ -157,7 +159,7 @@ struct FieldsOf<Colour> {
                                      field("[3]", &Colour::opacity, {.unit = Unit::Share, .domain = share})};
 };
 
-/// Domains of ξ depend on the kind: domainOfXi.
+/// The domains of ξ depend on the kind (see domainOfXi).
 template <>
 struct FieldsOf<Style> {
     static constexpr std::tuple list{field("kind", &Style::kind, {.presence = Presence::Required}),
@@ -261,13 +263,13 @@ struct FieldsOf<Underlay> {
         field("visible", &Underlay::visible)};
 };
 
-/// A float32 of a value: a member, or a channel of a colour that is one.
+/// A float32 of a value: a member, or a channel of a member that is a colour.
 template <class Owner>
 struct Number {
-    const char *name; ///< the field's
+    const char *name; ///< the field's name
     FieldTraits traits;
     float Owner::*member = nullptr;
-    Colour Owner::*colour = nullptr; ///< where there is no `member`
+    Colour Owner::*colour = nullptr; ///< set where `member` is not
     float Colour::*channel = nullptr;
 
     constexpr float &of(Owner &owner) const { return member ? owner.*member : (owner.*colour).*channel; }
@@ -329,7 +331,7 @@ inline constexpr auto laterSink = numbers<Owner>([](const FieldTraits &t) { retu
 
 } // namespace fields
 
-/// The numbers of a type in the order of its fields; all of them, or those that a document holds in one way.
+/// The numbers of a type in the order of its fields: all of them, or those that a document stores in one way.
 template <class Owner>
 inline constexpr auto numbersOf = fields::packed<fields::allSink<Owner>, Owner>();
 template <class Owner>
@@ -339,7 +341,7 @@ inline constexpr auto plainNumbersOf = fields::packed<fields::plainSink<Owner>, 
 template <class Owner>
 inline constexpr auto laterNumbersOf = fields::packed<fields::laterSink<Owner>, Owner>();
 
-/// Sets the numbers of `result` that average to their means over some values by their weights (> 0).
+/// Sets the numbers of `result` that can be averaged to their means over some values, by weights (> 0).
 template <class Owner>
 void setMeanNumbers(Owner &result, const std::vector<const Owner *> &of, const std::vector<double> &weights)
 {
@@ -355,7 +357,8 @@ void setMeanNumbers(Owner &result, const std::vector<const Owner *> &of, const s
             numbersOf<Owner>[k].of(result) = float(sums[k] / weight);
 }
 
-/// The least version of files that holds a value: the greatest that brought a field which is not as usual.
+/// The least version of files that can hold a value: the greatest version that brought a field which differs from its
+/// default.
 template <HasFields T>
 int versionNeededBy(const T &value)
 {
@@ -370,7 +373,7 @@ int versionNeededBy(const T &value)
 /// The same for all segments of a painting.
 int versionNeededBy(const Painting &painting);
 
-/// The number of a segment that a member is; the member must be one.
+/// The description of a segment's number, given as a member; the member must be one of its numbers.
 const Number<Segment> &numberOf(float Segment::*member);
 /// The same for a channel of its colour.
 const Number<Segment> &numberOf(float Colour::*channel);

@@ -1,4 +1,4 @@
-// Plain geometry in canvas units, y down.
+// Plain geometry in canvas units; y points down.
 #pragma once
 
 #include <algorithm>
@@ -22,7 +22,7 @@ inline double dot(Point a, Point b) { return a.x * b.x + a.y * b.y; }
 inline double cross(Point a, Point b) { return a.x * b.y - a.y * b.x; }
 inline double length(Point a) { return std::hypot(a.x, a.y); }
 
-/// Offset of a control point from its stroke's origin: what files hold, float32.
+/// The offset of a control point from its stroke's origin in float32, as files store it.
 struct Offset {
     float x = 0;
     float y = 0;
@@ -64,7 +64,7 @@ struct Rect {
     friend bool operator==(const Rect &, const Rect &) = default;
 };
 
-/// A cubic Bézier curve in double precision, c(p), p in [0, 1].
+/// A cubic Bézier curve c(p), p in [0, 1], in double precision.
 struct Cubic {
     std::array<Point, 4> p;
 
@@ -78,7 +78,7 @@ struct Cubic {
         const double u = 1 - t;
         return (3 * u * u) * (p[1] - p[0]) + (6 * u * t) * (p[2] - p[1]) + (3 * t * t) * (p[3] - p[2]);
     }
-    /// The box of the control points: contains the curve.
+    /// The box of the control points, which contains the curve.
     Rect controlBox() const
     {
         Rect r;
@@ -86,7 +86,7 @@ struct Cubic {
             r.include(q);
         return r;
     }
-    /// De Casteljau at t: the two parts trace the same curve.
+    /// Splits the curve at t by de Casteljau's algorithm: the two parts trace the same curve.
     std::array<Cubic, 2> split(double t) const
     {
         const auto mix = [t](Point a, Point b) { return (1 - t) * a + t * b; };
@@ -96,7 +96,7 @@ struct Cubic {
     }
 };
 
-/// Of the control polygon; no arc of the curve is longer.
+/// The length of the control polygon. No arc of the curve is longer.
 inline double polygonLength(const Cubic &c)
 {
     return length(c.p[1] - c.p[0]) + length(c.p[2] - c.p[1]) + length(c.p[3] - c.p[2]);

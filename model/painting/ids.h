@@ -1,4 +1,4 @@
-// Identities. A stroke keeps its id through every edit, undo and save; values never point at each other.
+// Identities. A stroke keeps its id through every edit, undo and save, and values never point at each other.
 #pragma once
 
 #include <cstdint>

@@ -12,7 +12,7 @@ const Group *findGroup(const std::vector<Group> &groups, GroupId id)
     return it == groups.end() ? nullptr : &*it;
 }
 
-/// True if the predicate holds for a group of the chain from `id` to the root. Ends on damaged chains too.
+/// Whether a predicate is true of a group on the way from `id` to the root. The search ends on damaged chains, too.
 template <typename Predicate>
 bool anyGroup(const std::vector<Group> &groups, GroupId id, Predicate predicate)
 {

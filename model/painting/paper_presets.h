@@ -17,10 +17,10 @@ struct PaperPreset {
 /// Smooth, cold press, rough, rice, canvas.
 std::span<const PaperPreset> paperPresets();
 
-/// The preset's paper with this seed.
+/// The paper of a preset, with a seed.
 Paper paperOf(const PaperPreset &preset, std::uint32_t seed = 1);
 
-/// Index of the preset that a paper is, whatever its seed; −1: none.
+/// The index of the preset that a paper equals, whatever its seed; −1 if it equals none.
 int presetOf(const Paper &paper);
 
 /// The preset's name in the user's language.

@@ -13,7 +13,7 @@ double greatest(const Triple &c)
     return std::max({c[0], c[1], c[2]});
 }
 
-/// Both directions: take white out, turn the hue, keep the greatest value, put black in.
+/// Converts in either direction: it takes white out, turns the hue, keeps the greatest value, and puts black in.
 template <typename Turn>
 Triple convert(const Triple &c, Turn turn)
 {

@@ -24,7 +24,7 @@ inline Microseconds toMicroseconds(double seconds)
     return Microseconds(std::llround(seconds * 1e6));
 }
 
-/// Kind of the node at a segment's start.
+/// The kind of the node at the start of a segment.
 enum class NodeKind : std::uint8_t { Smooth, Symmetric, Corner };
 
 /// From `time` (T_r) on, the segment spreads for another `extra` seconds.
@@ -34,7 +34,7 @@ struct Rewet {
     friend bool operator==(const Rewet &, const Rewet &) = default;
 };
 
-/// Values of one segment (eq 13). Domains are checked by `problemOf` (model/painting/validate.h), not here.
+/// The values of one segment (eq 13). Their domains are checked by `problemOf` (model/painting/validate.h), not here.
 struct Segment {
     std::array<Offset, 4> bezier;     ///< control points, offsets from the stroke's origin, canvas units
     float diffusion = 12.5f;          ///< D, unit²/s, (0, 1e12]
@@ -43,21 +43,22 @@ struct Segment {
     float maxAge = 1;                 ///< t_max, s, (0, 1e6]
     Microseconds born = 0;            ///< time of the segment's first sample
     Colour colour;                    ///< C, RYB and opacity
-    std::optional<Style> style;       ///< overrides the stroke's
+    std::optional<Style> style;       ///< if set, it replaces the stroke's style
     float anisotropyRatio = 1;        ///< D·ratio along the angle, D across it
     float anisotropyAngle = 0;        ///< radians, from the x axis towards the y axis
     NodeKind node = NodeKind::Smooth; ///< kind of the node at its start
     std::vector<Rewet> rewet;         ///< in order of time
-    /// It begins another chain, so it need not start where the one before it ends. A stroke's first segment begins one
-    /// in any case, and leaves this as it is.
+    /// Whether the segment begins a new chain, so that it need not start where the one before it ends. A stroke's first
+    /// segment begins a chain in any case, and has false here.
     bool start = false;
-    bool lift = false; ///< it takes paint away: its density is subtracted from that of the stroke's other segments
+    /// whether it takes paint away: its density is subtracted from that of the stroke's other segments
+    bool lift = false;
 
     friend bool operator==(const Segment &, const Segment &) = default;
 
     bool isIsotropic() const { return anisotropyRatio == 1; }
 
-    /// Age t in seconds at document time T; 0 or less: it is not there yet.
+    /// The age t in seconds at document time T. Up to 0 the segment is not there yet.
     double age(Microseconds T) const
     {
         double t = std::min(toSeconds(T - born), double(maxAge));
@@ -66,7 +67,7 @@ struct Segment {
                 t += toSeconds(std::min(std::max<Microseconds>(T - r.time, 0), r.extra));
         return t;
     }
-    /// When it stops spreading; rounded up, so that from then on its age is t_max to the last bit.
+    /// The time when it stops spreading. It is rounded up, so that from then on the age is t_max to the last bit.
     Microseconds driesAt() const
     {
         Microseconds end = born + Microseconds(std::ceil(double(maxAge) * 1e6));
@@ -74,7 +75,8 @@ struct Segment {
             end = std::max(end, r.time + r.extra);
         return end;
     }
-    /// Spread s = √(4Dt), canvas units (across the tensor's angle where anisotropic); 0 at age 0.
+    /// The spread s = √(4Dt), canvas units; 0 at age 0. Of an anisotropic segment it is the spread across the tensor's
+    /// angle.
     double spread(Microseconds T) const { return std::sqrt(4 * double(diffusion) * std::max(age(T), 0.0)); }
 };
 

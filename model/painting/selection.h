@@ -14,8 +14,8 @@ struct SegmentRef {
     friend auto operator<=>(const SegmentRef &, const SegmentRef &) = default;
 };
 
-/// Selected strokes, and within them selected segments. A selected segment's stroke is selected too; a selected stroke
-/// without selected segments means the whole stroke.
+/// Selected strokes, and selected segments within them. The stroke of a selected segment is selected, too. A selected
+/// stroke without selected segments is selected as a whole.
 struct Selection {
     std::set<StrokeId> strokes;
     std::set<SegmentRef> segments;

@@ -9,8 +9,9 @@
 
 namespace suffuse {
 
-/// A stroke as a value. Paintings share them as `StrokePtr`; an edit makes a new one with the same id.
-/// It has one or more chains: within a chain segment k + 1 starts where segment k ends, in equal float32 numbers.
+/// A stroke as a value. Paintings share strokes as `StrokePtr`; an edit makes a new one with the same id.
+/// A stroke has one or more chains. Within a chain, segment k + 1 starts where segment k ends, in equal float32
+/// numbers.
 struct Stroke {
     StrokeId id = 0;
     QString name;
@@ -19,8 +20,8 @@ struct Stroke {
     bool locked = false;
     Style style;
     Mix mix;
-    Point origin;                  ///< the segments' control points are offsets from it
-    QString brush;                 ///< name of the preset it was painted with, may be empty
+    Point origin;                  ///< the control points of the segments are offsets from it
+    QString brush;                 ///< the name of the preset that it was painted with; may be empty
     std::vector<Segment> segments; ///< at least one
 
     friend bool operator==(const Stroke &, const Stroke &) = default;

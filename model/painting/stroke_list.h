@@ -1,4 +1,4 @@
-// Strokes in order, as a sequence whose copies share what none of them has written since.
+// The strokes in order, as a sequence whose copies share what none of them has written to since.
 #pragma once
 
 #include "model/painting/stroke.h"
@@ -13,9 +13,9 @@
 
 namespace suffuse {
 
-/// Behaves like a vector of strokes, in blocks that copies share until one of them is written to. So a snapshot of 10,000
-/// strokes costs 157 pointers, and two snapshots are compared by blocks. Reading a shared list from several threads is
-/// safe; writing is not, as with a vector.
+/// Behaves like a vector of strokes. It consists of blocks, which copies share until one of them writes to a block. So
+/// a snapshot of 10,000 strokes costs 157 pointers, and two snapshots are compared by blocks. As with a vector, a
+/// shared list may be read from several threads, but not written to.
 class StrokeList {
     template <class List, class Reference>
     class Cursor;
@@ -53,7 +53,7 @@ public:
             throw std::out_of_range("StrokeList::at");
         return (*this)[i];
     }
-    /// Makes its block this list's own.
+    /// A write access makes the block this list's own.
     StrokePtr &operator[](std::size_t i) { return m_blocks[i / blockSize][qsizetype(i % blockSize)]; }
     const StrokePtr &front() const { return (*this)[0]; }
     StrokePtr &front() { return (*this)[0]; }
@@ -82,14 +82,14 @@ public:
         if (m_blocks.back().isEmpty())
             m_blocks.pop_back();
     }
-    /// Added strokes are null.
+    /// Strokes that are added are null.
     void resize(std::size_t n);
-    /// Costs in proportion to what lies above.
+    /// The cost is in proportion to what lies above the place.
     iterator insert(const_iterator place, StrokePtr stroke);
     iterator erase(const_iterator place);
 
-    /// Calls visit(i) for the places where the lists hold other strokes; they have equal sizes. Blocks that are shared cost
-    /// one comparison.
+    /// Calls visit(i) for the places where two lists of equal size have different strokes. A shared block costs one
+    /// comparison.
     template <class Visit>
     void forEachDifference(const StrokeList &other, Visit visit) const
     {
@@ -104,10 +104,10 @@ public:
 
 private:
     static constexpr std::size_t blockSize = 64;
-    std::vector<QList<StrokePtr>> m_blocks; ///< full but for the last; none is empty
+    std::vector<QList<StrokePtr>> m_blocks; ///< all are full except the last, and none is empty
 };
 
-/// A place in a list, as an index: writing to the list does not move it.
+/// A place in a list, as an index. Writing to the list does not move it.
 template <class List, class Reference>
 class StrokeList::Cursor {
 public:

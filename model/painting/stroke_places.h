@@ -7,7 +7,7 @@
 
 namespace suffuse {
 
-/// A node of a stroke of n segments: node k is the start of segment k, node n the end of the last one; the ends of
+/// A node of a stroke of n segments. Node k is the start of segment k, node n the end of the last one, and the ends of
 /// other chains follow (model/shaping/chains.h).
 struct NodeRef {
     StrokeId stroke = 0;
@@ -15,7 +15,7 @@ struct NodeRef {
     friend auto operator<=>(const NodeRef &, const NodeRef &) = default;
 };
 
-/// A place on a stroke's curve: parameter p in [0, 1] of a segment.
+/// A place on a stroke's curve: the parameter p in [0, 1] of a segment.
 struct CurvePlace {
     int segment = 0;
     double p = 0;

@@ -1,4 +1,4 @@
-// Something that is found out about each stroke of a painting, at the cost of the strokes that changed.
+// Values that are computed for each stroke of a painting, at the cost of the strokes that changed.
 #pragma once
 
 #include "model/painting/stroke_list.h"
@@ -8,12 +8,12 @@
 
 namespace suffuse {
 
-/// A value of each stroke of a list, by its place in the order. Those of strokes that stay are kept.
+/// A value for each stroke of a list, by its place in the order. The values of strokes that stay are kept.
 template <class Value>
 class StrokeValues {
 public:
-    /// Calls valueOf(const Stroke &) for strokes that were not there. True where the same strokes stand in the same
-    /// order as before, whatever their values are.
+    /// Calls valueOf(const Stroke &) for strokes that were not there before. Returns true if the same strokes stand in
+    /// the same order as before, whatever their values are.
     template <class ValueOf>
     bool follow(const StrokeList &strokes, ValueOf valueOf)
     {
@@ -34,11 +34,11 @@ public:
     auto end() const { return m_values.end(); }
 
 private:
-    /// What comes or goes leaves most of those below, between and above as they are.
+    /// Finds kept values. When strokes are added or removed, most of those below, between and above stay as they are.
     template <class ValueOf>
     void realign(const StrokeList &strokes, ValueOf valueOf)
     {
-        constexpr std::size_t near = 8; // places that are looked at
+        constexpr std::size_t near = 8; // how many places ahead are compared
         const StrokeList &before = m_strokes;
         const std::size_t n = strokes.size(), old = before.size(), least = std::min(n, old);
         std::size_t below = 0, above = 0;

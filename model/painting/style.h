@@ -1,10 +1,10 @@
-// How a stroke's density becomes opacity (eq 17-19), and how it mixes with what lies below (eq 22, 23).
+// How a stroke's density becomes opacity (eq 17-19), and how it mixes with what lies below it (eq 22, 23).
 #pragma once
 
 #include <array>
 #include <cstdint>
 
-// Read as C++17 by device compilers, which compare nothing.
+// Compilers for devices read this as C++17, and compare nothing.
 #if __cplusplus >= 202002L
 #define SUFFUSE_COMPARES_VALUES(T) friend bool operator==(const T &, const T &) = default;
 #else
@@ -24,7 +24,7 @@ struct Colour {
 
 enum class StyleKind : std::uint8_t { Uniform, Feathering, Edge };
 
-/// Density modification: its kind and ξ1, ξ2, ξ3 (only edge darkening has ξ3; the others keep 0 there).
+/// How density becomes coverage: a kind and ξ1, ξ2, ξ3. Only edge darkening has ξ3; it is 0 for the others.
 struct Style {
     StyleKind kind = StyleKind::Uniform;
     std::array<float, 3> xi{0.5f, 0.05f, 0};
@@ -33,7 +33,8 @@ struct Style {
 
 enum class MixMode : std::uint8_t { Alpha, Beta };
 
-/// Mixing with the backdrop: alpha (eq 22) or pigment (eq 23) with β in [0, 1] (0 while the mode is alpha).
+/// How a stroke mixes with the backdrop: alpha (eq 22), or pigment (eq 23) with β in [0, 1]. β is 0 while the mode is
+/// alpha.
 struct Mix {
     MixMode mode = MixMode::Alpha;
     float beta = 0;

@@ -17,7 +17,7 @@ void setTensor(Segment &segment, const Tensor &t)
     const double difference = 0.5 * (t.xx - t.yy);
     const double radius = std::hypot(difference, t.xy);
     const double larger = 0.5 * (t.xx + t.yy) + radius;
-    const double smaller = (t.xx * t.yy - t.xy * t.xy) / larger; // their product is the determinant
+    const double smaller = (t.xx * t.yy - t.xy * t.xy) / larger; // The product of both is the determinant.
     segment.diffusion = float(smaller);
     segment.anisotropyRatio = float(larger / smaller);
     segment.anisotropyAngle = segment.isIsotropic() ? 0 : float(0.5 * std::atan2(t.xy, difference));

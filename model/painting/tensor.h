@@ -1,4 +1,4 @@
-// A segment's diffusion tensor: D·ratio along its angle, D across.
+// The diffusion tensor of a segment: D·ratio along its angle, D across it.
 #pragma once
 
 #include "model/painting/segment.h"
@@ -6,7 +6,7 @@
 
 namespace suffuse {
 
-/// Symmetric: (xx xy; xy yy), unit²/s.
+/// A symmetric tensor (xx xy; xy yy), unit²/s.
 struct Tensor {
     double xx = 0, xy = 0, yy = 0;
     friend Tensor operator+(const Tensor &a, const Tensor &b) { return {a.xx + b.xx, a.xy + b.xy, a.yy + b.yy}; }
@@ -14,7 +14,7 @@ struct Tensor {
 };
 
 Tensor tensorOf(const Segment &segment);
-/// Sets diffusion, ratio (≥ 1) and angle (of the longer axis) by the tensor's eigenvalues.
+/// Sets diffusion, ratio (≥ 1) and angle (of the longer axis) from the tensor's eigenvalues.
 void setTensor(Segment &segment, const Tensor &tensor);
 /// M·T·Mᵀ.
 Tensor mapped(const Tensor &tensor, const Affine &map);

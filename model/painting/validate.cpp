@@ -37,7 +37,7 @@ bool isPlace(Point p)
     return coordinate.contains(p.x) && coordinate.contains(p.y);
 }
 
-/// Ids unique and in range; parents exist; no cycle.
+/// Checks that ids are unique and in range, that parents exist, and that no group is within itself.
 QString problemOfGroups(const std::vector<Group> &groups)
 {
     std::unordered_map<GroupId, GroupId> parents;
@@ -130,7 +130,7 @@ QString problemOf(const Style &style)
         return says(QStringLiteral("style.xi[2]"),
                     QT_TRANSLATE_NOOP("Validate", "only edge darkening has a third value"));
     const double xi1 = style.xi[0], xi2 = style.xi[1];
-    // Exactly 2^(1/3) rounded to float32 must pass.
+    // 2^(1/3) itself, rounded to float32, must pass.
     if (hasRim(style.kind) && !(xi2 <= greatestLightening() * xi1 * (1 + 1e-6)))
         return QCoreApplication::translate("Validate", "style.xi[1]: %1 is more than 2^(1/3) times xi[0], which is %2")
             .arg(number(xi2), number(xi1));
@@ -202,14 +202,14 @@ QString problemOf(const Canvas &canvas)
     return {};
 }
 
-/// Members of a group, those of its subgroups among them, must stand together in the order.
+/// Checks that the members of a group, including those of its subgroups, stand together in the order.
 QString problemOfMembership(const Painting &painting)
 {
     std::unordered_map<GroupId, GroupId> parents;
     for (const Group &g : painting.groups)
         parents.emplace(g.id, g.parent);
     std::unordered_set<GroupId> closed;
-    std::vector<GroupId> open; // chain of the stroke before, innermost first
+    std::vector<GroupId> open; // the groups around the stroke before, the innermost first
     for (std::size_t j = 0; j < painting.strokes.size(); ++j) {
         const auto path = [j] { return QStringLiteral("strokes[%1].group").arg(j); };
         std::vector<GroupId> chain;

@@ -1,26 +1,28 @@
-// The domains of solver quantities: the one border that every reader, tool and field passes.
+// The domains of the solver's quantities, which every reader, tool and field checks here.
 #pragma once
 
 #include "model/painting/painting.h"
 
 namespace suffuse {
 
-/// Empty if every value is finite and in its domain, else e.g. "diffusion: -3 is not in (0, 1e12]"; starts with the
-/// member's path as the text form names it ("diffusion", "bezier[2][0]", "style.xi[1]", "rewet[0][1]").
+/// Empty if every value is finite and in its domain. Otherwise it is a text such as "diffusion: -3 is not in (0,
+/// 1e12]", which starts with the member's path as the text form names it ("diffusion", "bezier[2][0]", "style.xi[1]",
+/// "rewet[0][1]").
 QString problemOf(const Segment &segment);
 QString problemOf(const Style &style);
 QString problemOf(const Mix &mix);
 QString problemOf(const Colour &colour);
-/// Also: at least one segment, and each starts where the one before it ends. Paths start with "segments[k].".
+/// Also checks that there is at least one segment, and that each starts where the one before it ends in a chain. Paths
+/// start with "segments[k].".
 QString problemOf(const Stroke &stroke);
 QString problemOf(const Canvas &canvas);
 QString problemOf(const Underlay &underlay);
-/// Also: ids unique and not 0, groups exist, no group cycle, members of a group together. Paths start with
-/// "strokes[j].".
+/// Also checks that ids are unique and not 0, that groups exist, that no group is within itself, and that the members
+/// of a group stand together. Paths start with "strokes[j].".
 QString problemOf(const Painting &painting);
 
-/// The part of it about the order: groups of strokes exist and their members stand together. Groups must be in no
-/// cycle.
+/// Checks only the part about the order: that the groups of strokes exist, and that their members stand together. No
+/// group may be within itself.
 QString problemOfMembership(const Painting &painting);
 
 } // namespace suffuse

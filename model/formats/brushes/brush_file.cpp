@@ -189,7 +189,7 @@ QByteArray quoted(std::string_view text)
     return '"' + QByteArray(text.data(), qsizetype(text.size())) + '"';
 }
 
-/// One line of numbers by their names.
+/// Appends one line of numbers with their names.
 void appendNumbers(QByteArray &out, std::initializer_list<std::pair<const char *, float>> members)
 {
     for (bool first = true; const auto &[name, value] : members) {

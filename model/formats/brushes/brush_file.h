@@ -1,4 +1,4 @@
-// Brushes as files, one each (docs/brushes.md).
+// Brushes as files, one brush in each (docs/brushes.md).
 #pragma once
 
 #include "model/brush/brush.h"
@@ -9,7 +9,7 @@
 
 namespace suffuse {
 
-/// Ending of brush files, without the dot.
+/// The ending of brush files, without the dot.
 inline constexpr const char *brushFileEnding = "suffuse-brush";
 
 Result<Brush> readBrush(const QByteArray &bytes, const QString &fileName);
@@ -18,9 +18,10 @@ QByteArray writeBrush(const Brush &brush);
 /// A brush from a file of any kind, and what of it has no counterpart here.
 struct LoadedBrush {
     Brush brush;
-    QStringList left; ///< names of a MyPaint brush's settings that do not map
+    QStringList left; ///< the names of a MyPaint brush's settings that have no counterpart
 };
-/// Reads a brush file or a MyPaint brush (.myb), told apart by their content. A brush without a name gets the file's.
+/// Reads a brush file or a MyPaint brush (.myb), which are told apart by their content. A brush without a name gets the
+/// file's.
 Result<LoadedBrush> loadBrush(const QString &path);
 
 } // namespace suffuse

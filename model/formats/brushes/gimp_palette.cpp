@@ -16,9 +16,9 @@ namespace {
 constexpr qsizetype largestPalette = 1 << 20;
 constexpr std::size_t mostColours = 10'000;
 constexpr QLatin1String signature("GIMP Palette");
-constexpr QLatin1String nameless("Untitled"); ///< how GIMP names a colour without a name
+constexpr QLatin1String nameless("Untitled"); ///< the name that GIMP gives to a colour without a name
 
-/// UTF-8, or Latin-1 from programs before it.
+/// Decodes UTF-8, or Latin-1 from older programs.
 QString decoded(const QByteArray &bytes)
 {
     QStringDecoder utf8(QStringDecoder::Utf8);
@@ -26,7 +26,7 @@ QString decoded(const QByteArray &bytes)
     return utf8.hasError() ? QString::fromLatin1(bytes) : text;
 }
 
-/// "R G B NAME": the numbers are taken off the front of `rest`. Empty, or what is wrong.
+/// Takes the numbers of "R G B NAME" off the front of `rest`. Returns an empty text, or what is wrong.
 QString takeChannels(QStringView &rest, std::array<int, 3> &channels)
 {
     for (int &channel : channels) {

@@ -8,12 +8,12 @@ namespace suffuse {
 
 struct GimpPalette {
     QString name;
-    std::vector<Swatch> swatches; ///< opaque: the format has no opacity
+    std::vector<Swatch> swatches; ///< opaque, since the format has no opacity
 };
 
-/// At most 1 MiB and 10,000 colours. Errors name the line and what to do.
+/// Reads a palette of at most 1 MiB and 10,000 colours. Errors name the line and the remedy.
 Result<GimpPalette> readGimpPalette(const QByteArray &bytes, const QString &fileName);
-/// Colours as 8-bit sRGB, without their opacity.
+/// Writes the colours as 8-bit sRGB, without their opacity.
 QByteArray writeGimpPalette(const GimpPalette &palette);
 
 } // namespace suffuse

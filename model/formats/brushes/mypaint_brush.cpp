@@ -14,7 +14,7 @@ namespace {
 
 constexpr int curvePoints = 5;
 
-/// One of MyPaint's inputs, and where its values 0 and 1 of ours are.
+/// One of MyPaint's inputs, and its values where our input is 0 and 1.
 struct InputMap {
     const char *name;
     BrushInput input;
@@ -27,7 +27,7 @@ constexpr InputMap inputMaps[] = {
     {"stroke", BrushInput::Distance, 0, 1},   {"tilt_declination", BrushInput::Tilt, 90, 30},
 };
 
-/// Settings that say how dabs are laid out, or what only a program of dabs has; nothing is lost without them.
+/// Settings that say how dabs are laid out, or that only programs with dabs have. Nothing is lost without them.
 constexpr const char *withoutMeaning[] = {
     "dabs_per_actual_radius",
     "dabs_per_basic_radius",
@@ -49,7 +49,8 @@ constexpr const char *withoutMeaning[] = {
     "snap_to_pixel",
 };
 
-/// Settings that say how another one works, and that one; without it nothing is lost either.
+/// Settings that only say how another one works, with that one. If the other one is not used, nothing is lost without
+/// them.
 constexpr std::pair<const char *, const char *> helpers[] = {
     {"offset_by_speed_slowness", "offset_by_speed"},
     {"smudge_length", "smudge"},
@@ -65,7 +66,7 @@ struct Setting {
     QJsonObject inputs;
 };
 
-/// A setting's curve at x: straight lines through its points, constant beyond them.
+/// The value of a setting's curve at x: straight lines through its points, constant beyond them.
 double valueAt(const QJsonArray &points, double x)
 {
     const auto at = [&points](qsizetype i, int axis) { return points.at(i).toArray().at(axis).toDouble(); };
@@ -118,7 +119,8 @@ private:
         return {o.value(QLatin1String("base_value")).toDouble(), o.value(QLatin1String("inputs")).toObject()};
     }
 
-    /// Maps a setting's curves, which add up and go through `map`, to shares of its greatest value, which is returned.
+    /// Converts a setting's curves, which add up and then go through `map`, to shares of their greatest value. Returns
+    /// that value.
     double apply(const char *name, BrushQuantity quantity, double fallback, const std::function<double(double)> &map)
     {
         const bool given = m_settings.contains(QLatin1String(name));
@@ -167,7 +169,8 @@ private:
         return whole;
     }
 
-    /// Style, spread and ellipse so that paint is `radius` units to each side. Soft dabs fade, hard ones have an edge.
+    /// Sets style, spread and ellipse so that paint reaches `radius` units to each side. Soft dabs fade, hard ones have
+    /// an edge.
     void shape(double radius)
     {
         Brush &b = m_loaded.brush;
@@ -216,7 +219,7 @@ private:
         }
     }
 
-    /// Whether a setting is there and not 0.
+    /// Whether a setting exists and is not 0.
     bool does(const QString &name) const
     {
         const QJsonObject o = m_settings.value(name).toObject();

@@ -15,12 +15,12 @@ namespace suffuse {
 namespace {
 
 constexpr qint64 largestXml = qint64(64) << 20;
-constexpr double stopsPerCubic = 10; ///< positions of colours and blurs ("globalID") count tenths of a cubic
-constexpr int piecesPerCubic = 4;    ///< segments that a cubic becomes: colours change within it
-constexpr double widthShare = 0.04;  ///< of the picture's greater side: how wide a side's stroke is
-constexpr double sharpness = 1.5;    ///< half-width in spreads
+constexpr double stopsPerCubic = 10; ///< The positions of colours and blurs ("globalID") count tenths of a cubic.
+constexpr int piecesPerCubic = 4;    ///< A cubic becomes so many segments, since colours change within it.
+constexpr double widthShare = 0.04;  ///< The stroke of a side is as wide as this share of the picture's greater side.
+constexpr double sharpness = 1.5;    ///< the half-width in spreads
 
-/// Values at rising positions along a curve, linear between them.
+/// Values at rising positions along a curve; between them they are linear.
 template <typename Value>
 class Stops {
 public:
@@ -65,7 +65,7 @@ Rgb mixed(const Rgb &a, const Rgb &b, double t)
 }
 
 struct Curve {
-    std::vector<Point> points; ///< 3n + 1
+    std::vector<Point> points; ///< 3n + 1 points
     Stops<Rgb> left, right;
     Stops<double> blur; ///< pixels
 };
@@ -103,7 +103,7 @@ private:
             m_xml.raiseError(what);
     }
 
-    /// A finite attribute of the current element.
+    /// An attribute of the current element as a finite number.
     double number(const char *name)
     {
         const auto text = m_xml.attributes().value(QLatin1String(name));
@@ -115,7 +115,8 @@ private:
         return ok ? value : 0;
     }
 
-    /// Colours are written in the order of OpenCV's images: what is called R is blue.
+    /// The colour of the current element. Colours are written in the order of OpenCV's images, so what is called R is
+    /// blue.
     Rgb colour()
     {
         Rgb rgb{number("B"), number("G"), number("R")};
@@ -130,7 +131,7 @@ private:
         while (m_xml.readNextStartElement()) {
             while (m_xml.readNextStartElement()) {
                 const auto name = m_xml.name();
-                if (name == QLatin1String("control_point")) // rows first
+                if (name == QLatin1String("control_point")) // Rows come first.
                     curve.points.push_back({number("y"), number("x")});
                 else if (name == QLatin1String("left_color"))
                     curve.left.add(number("globalID"), colour());
@@ -163,7 +164,7 @@ Point unit(Point v)
     return size > 0 ? (1 / size) * v : Point{};
 }
 
-/// The pieces of a curve: cubics that are no points, and where on the curve the middle of each lies.
+/// The pieces of a curve: its cubics that are no points, and the places of their middles on the curve.
 struct CurvePiece {
     Cubic cubic;
     double place = 0;
@@ -185,7 +186,7 @@ std::vector<CurvePiece> piecesOf(const Curve &curve)
     return pieces;
 }
 
-/// Directions at the nodes between pieces: halfway between the one that comes and the one that goes.
+/// The directions at the nodes between pieces, halfway between the arriving and the leaving one.
 std::vector<Point> directionsAt(const std::vector<CurvePiece> &pieces)
 {
     std::vector<Point> directions(pieces.size() + 1);
@@ -204,14 +205,15 @@ std::vector<Point> directionsAt(const std::vector<CurvePiece> &pieces)
     return directions;
 }
 
-/// The softness ξ₂ for which coverage goes from 0 to 1 over `blur` pixels where density is ξ₁ and falls by 2w/s² ξ₁ a
-/// pixel.
+/// The softness ξ₂ for which coverage goes from 0 to 1 over `blur` pixels, where density is ξ₁ and falls by 2w/s² ξ₁
+/// with each pixel.
 float softness(double xi1, double halfWidth, double spread, double blur)
 {
     return float(std::clamp(2 * halfWidth / (spread * spread) * xi1 * blur, 0.02, xi1));
 }
 
-/// One side of a curve; `away` is +1 or −1 times the distance of the stroke's middle from the curve.
+/// The stroke along one side of a curve. `away` is the distance of the stroke's middle from the curve, with the sign of
+/// the side.
 StrokePtr sideOf(const Curve &curve, const Stops<Rgb> &colours, double away, StrokeId id)
 {
     const std::vector<CurvePiece> pieces = piecesOf(curve);
@@ -234,7 +236,7 @@ StrokePtr sideOf(const Curve &curve, const Stops<Rgb> &colours, double away, Str
     for (std::size_t k = 0; k < pieces.size(); ++k) {
         const auto &[cubic, place] = pieces[k];
         const Point from = moved(cubic.p[0], k), to = moved(cubic.p[3], k + 1);
-        // Handles as much shorter or longer as the chord became.
+        // Handles become longer or shorter as the chord does.
         const double scale = std::min(length(to - from) / length(cubic.p[3] - cubic.p[0]), 4.0);
         const std::array<Point, 4> p{from, from + scale * (cubic.p[1] - cubic.p[0]),
                                      to + scale * (cubic.p[2] - cubic.p[3]), to};

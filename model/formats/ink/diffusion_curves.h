@@ -1,4 +1,4 @@
-// Diffusion-curve pictures (Orzan et al. 2008) as the XML of their authors' program.
+// Pictures of diffusion curves (Orzan et al. 2008), in the XML of their authors' program.
 #pragma once
 
 #include "model/painting/painting.h"
@@ -8,10 +8,10 @@
 
 namespace suffuse {
 
-/// A diffusion curve is a boundary with a colour on either side that spreads from it; strokes are paint. So each curve
-/// comes in as two uniform strokes, one along each side, whose edges meet on the curve: the left colours on one, the
-/// right ones on the other, as soft at the edge as the curve's blur says. What lies further from a curve than a stroke
-/// is wide stays bare. 1 pixel is 1 canvas unit. Errors name the line.
+/// A diffusion curve is a boundary whose colours spread from both sides, while strokes are paint. So each curve becomes
+/// two uniform strokes, one along each side, whose edges meet on the curve. They have the left and the right colours,
+/// and their edges are as soft as the curve's blur says. What lies farther from a curve than a stroke is wide stays
+/// bare. 1 pixel is 1 canvas unit. Errors name the line.
 Result<Painting> readDiffusionCurves(const QByteArray &bytes, const QString &fileName);
 
 } // namespace suffuse

@@ -19,7 +19,7 @@ std::optional<Colour> colourOfElement(const QJsonObject &element)
     return rybFromSrgb((*rgba)[0], (*rgba)[1], (*rgba)[2], (*rgba)[3] * opacity);
 }
 
-/// Excalidraw turns an element around the middle of its box.
+/// Turns a point around the middle of its element's box, as Excalidraw does.
 Point turned(Point p, Point centre, double angle)
 {
     const Point d = p - centre;
@@ -27,8 +27,8 @@ Point turned(Point p, Point centre, double angle)
     return centre + Point{c * d.x - s * d.y, s * d.x + c * d.y};
 }
 
-/// As Excalidraw draws freehand strokes (by perfect-freehand): 4.25 times the stroke's width is the size, which the
-/// pressure thins by up to 0.6, eased by a quarter of a sine; the size is a radius.
+/// The width of a freehand stroke as Excalidraw draws it (with perfect-freehand). Its size is 4.25 times the stroke's
+/// width. Pressure makes it thinner by up to 0.6, eased by a quarter of a sine. The size is a radius.
 double widthAt(double strokeWidth, double pressure)
 {
     const double radius = 4.25 * strokeWidth * std::sin(0.5 * std::numbers::pi * (0.5 - 0.6 * (0.5 - pressure)));
@@ -56,7 +56,7 @@ Result<Recording::Path> pathOf(const QJsonObject &element, const QString &fileNa
             return Error{xy.error()};
         if (xy->size() < 2)
             return fileError(fileName, FileMessages::tr("%1: has less than 2 numbers").arg(place));
-        // No pressure, or 0 all the way in older files, means that the device had none.
+        // If there is no pressure, or 0 throughout in older files, the device had none.
         const double pressure = pressures.at(k).toDouble(1);
         const Point p = corner + Point{(*xy)[0], (*xy)[1]};
         box.include(p);
@@ -73,16 +73,17 @@ Result<Recording::Path> pathOf(const QJsonObject &element, const QString &fileNa
     return result;
 }
 
-/// Excalidraw fills freehand strokes that end where they began.
+/// Whether Excalidraw fills a freehand stroke, which it does if the stroke ends where it began.
 bool isFilled(const QJsonObject &element, const Recording::Path &path)
 {
     const auto rgba = cssColour(element.value(QLatin1String("backgroundColor")).toString());
-    constexpr double loop = 8; // units
+    constexpr double loop = 8; // canvas units
     return rgba && (*rgba)[3] > 0 && path.samples.size() > 2 &&
            length(path.samples.front().position - path.samples.back().position) <= loop;
 }
 
-/// The lists of elements of a drawing ("elements") or of a library (version 1: "library", 2: "libraryItems").
+/// The lists of elements of a drawing ("elements") or of a library ("library" in version 1, "libraryItems" in version
+/// 2).
 std::vector<std::pair<QString, QJsonArray>> elementLists(const QJsonObject &top)
 {
     std::vector<std::pair<QString, QJsonArray>> lists;

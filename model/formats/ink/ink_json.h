@@ -1,4 +1,4 @@
-// What the two JSON recordings share: a parsed tree and errors with a path.
+// What the readers of JSON recordings share: a parsed tree, and errors with a path.
 #pragma once
 
 #include "model/formats/ink/recording.h"
@@ -9,9 +9,9 @@
 
 namespace suffuse {
 
-/// The top object of a JSON file; errors give line and column.
+/// The top object of a JSON file. Errors give line and column.
 Result<QJsonObject> parseJsonObject(const QByteArray &bytes, const QString &fileName);
-/// Finite numbers of a list; `path` names it in the message. Numbers beyond ±1e15 are refused.
+/// The numbers of a list, which must be finite and within ±1e15. `path` names the list in messages.
 Result<std::vector<double>> numbersIn(const QJsonValue &list, const QString &fileName, const QString &path);
 
 } // namespace suffuse

@@ -17,11 +17,11 @@ using Columns = std::array<int, columnCount>;
 constexpr std::array<InkColumn, 6> numberColumns{X, Y, Time, Pressure, Width, Altitude};
 
 struct Row {
-    std::array<double, numberColumns.size()> values{0, 0, 0, 1, 0, 0}; ///< by InkColumn
+    std::array<double, numberColumns.size()> values{0, 0, 0, 1, 0, 0}; ///< in the order of InkColumn
     std::string stroke;
 };
 
-/// Largest pen coordinate and time (in the recording's unit) that is taken for real.
+/// Larger coordinates of the pen, and larger times (in the recording's unit), are not believed.
 constexpr double largestValue = 1e15;
 
 class Lines {
@@ -31,7 +31,7 @@ public:
         if (m_rest.starts_with("\xef\xbb\xbf"))
             m_rest.remove_prefix(3);
     }
-    /// The next line that is neither empty nor a comment (#).
+    /// Reads the next line that is neither empty nor a comment (#).
     bool next(std::string_view &line)
     {
         while (!m_rest.empty()) {
@@ -75,7 +75,7 @@ char separatorOf(std::string_view line)
     return ',';
 }
 
-/// Names of a column, best first; a name also matches as the end of a longer one ("SPLINE_X").
+/// Finds a column by its possible names, the best first. A name also matches the end of a longer one ("SPLINE_X").
 int findColumn(const std::vector<std::string> &header, std::initializer_list<std::string_view> names)
 {
     for (const bool whole : {true, false}) {
@@ -98,8 +98,8 @@ struct Header {
         none.fill(-1);
         return none;
     }();
-    double secondsPerUnit = 0; ///< of the time; 0: to be found from the steps
-    QString leftOut;           ///< columns that are not taken, as a sentence
+    double secondsPerUnit = 0; ///< the unit of the time in seconds; 0: it must be found from the steps
+    QString leftOut;           ///< the columns that are not used, as a sentence
 };
 
 Header headerOf(const std::vector<std::string_view> &cells)
@@ -133,7 +133,7 @@ Header headerOf(const std::vector<std::string_view> &cells)
     return h;
 }
 
-/// Median of the steps between neighbours of a path that are not 0; 0 without any.
+/// The median of the steps between neighbours of a path, without steps of 0; 0 if there are none.
 double medianStep(const std::vector<std::vector<Row>> &paths)
 {
     std::vector<double> steps;
@@ -151,14 +151,14 @@ double medianStep(const std::vector<std::vector<Row>> &paths)
     return *middle;
 }
 
-/// Pens report every 1 to 50 ms: the size of the usual step tells the unit.
+/// The unit of time, from the usual step: pens report every 1 to 50 ms.
 double secondsPerStep(double step)
 {
     return step < 0.5 ? 1 : step < 500 ? 1e-3 : 1e-6;
 }
 
-/// Fills in times. Stamps of some recorders count the milliseconds since 1970 when a stroke starts, plus the seconds
-/// since then: such a stroke keeps its start in milliseconds and its steps in seconds.
+/// Sets the times. Some recorders write for the start of a stroke the milliseconds since 1970, and add the seconds
+/// since then. Such a stroke keeps its start in milliseconds and its steps in seconds.
 void setTimes(Recording &recording, const std::vector<std::vector<Row>> &paths, const Header &header)
 {
     const bool timed = header.columns[Time] >= 0;
@@ -182,7 +182,8 @@ void setTimes(Recording &recording, const std::vector<std::vector<Row>> &paths, 
     }
 }
 
-/// Pressures above 1 are a device's own steps: the greatest becomes 1. A recording whose pressures are all 0 has none.
+/// The factor for pressures. Pressures above 1 are steps of the device, of which the greatest becomes 1. If all
+/// pressures of a recording are 0, it has none.
 double pressureScale(const std::vector<std::vector<Row>> &paths)
 {
     double most = 0;
@@ -193,7 +194,7 @@ double pressureScale(const std::vector<std::vector<Row>> &paths)
     return most > 1 ? 1 / most : most > 0 ? 1 : 0;
 }
 
-/// Radians for each unit of the altitude's column; 0 where pens wrote 0 all the way, since they do not measure it.
+/// Radians for each unit of the altitude's column. It is 0 where pens wrote 0 throughout, since they do not measure it.
 double altitudeScale(const std::vector<std::vector<Row>> &paths)
 {
     double most = 0;
@@ -233,7 +234,7 @@ class RowReader {
 public:
     RowReader(const Header &header, const QString &fileName) : m_header(header), m_fileName(fileName) {}
 
-    /// False: see error().
+    /// Reads a row. If it returns false, error() says why.
     bool read(const std::vector<std::string_view> &cells, qint64 line, Row &row)
     {
         for (const InkColumn column : numberColumns) {
@@ -264,7 +265,7 @@ private:
     Error m_error{};
 };
 
-/// By the stroke column, or where the pen is up (pressure 0).
+/// Splits rows into paths by the stroke column, or where the pen is up (pressure 0).
 std::vector<std::vector<Row>> splitPaths(std::vector<Row> rows, bool named, bool pressed)
 {
     std::vector<std::vector<Row>> paths;

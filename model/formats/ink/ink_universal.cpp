@@ -16,11 +16,11 @@ enum class Channel { Other, Time, Pressure, Altitude, Azimuth };
 
 struct ChannelType {
     Channel kind = Channel::Other;
-    double scale = 1; ///< value = sum of the deltas · scale; time in seconds, altitude in radians
+    double scale = 1; ///< A value is the sum of the deltas times this. Times are in seconds, altitudes in radians.
 };
 
 struct Sensor {
-    double start = 0; ///< s
+    double start = 0; ///< seconds
     std::vector<double> times, pressures, altitudes;
     bool hasAzimuth = false;
 };
@@ -55,7 +55,7 @@ QHash<QString, ChannelType> channelTypes(const QJsonObject &input)
     return types;
 }
 
-/// Sensor values come as differences of whole numbers.
+/// The values of a sensor, which are stored as differences of whole numbers.
 std::vector<double> summed(const std::vector<double> &deltas, double scale)
 {
     std::vector<double> values;
@@ -93,13 +93,13 @@ Result<QHash<QString, Sensor>> sensorsOf(const QJsonObject &input, const QString
                                               : sensor.altitudes) = summed(*values, type.scale);
         }
         if (std::ranges::all_of(sensor.altitudes, [](double a) { return a == 0; }))
-            sensor.altitudes.clear(); // pens that do not measure it write 0
+            sensor.altitudes.clear(); // Pens that do not measure the altitude write 0.
         sensors.insert(data.value(QLatin1String("id")).toString(), sensor);
     }
     return sensors;
 }
 
-/// Linear between values, `at` in [0, 1] over the whole list.
+/// The value at a place in [0, 1] of the whole list, linear between its values.
 double sampled(const std::vector<double> &values, double at)
 {
     const double place = at * double(values.size() - 1);
@@ -114,14 +114,15 @@ std::optional<Colour> colourOf(const QJsonObject &stroke)
         stroke.value(QLatin1String("style")).toObject().value(QLatin1String("properties")).toObject();
     if (!properties.contains(QLatin1String("red")))
         return {};
-    // A channel of 0 is written as an empty object; alpha then is left to the brush, which means opaque.
+    // A channel of 0 is written as an empty object. Alpha then is left to the brush, which means opaque.
     const auto channel = [&](const char *name, double usual) {
         return properties.value(QLatin1String(name)).toObject().value(QLatin1String("value")).toDouble(usual);
     };
     return rybFromSrgb(channel("red", 0), channel("green", 0), channel("blue", 0), channel("alpha", 1));
 }
 
-/// Sizes along a stroke, its own or its style's; empty where it has none. A brush's shape is scaled by them.
+/// The sizes along a stroke, from the stroke itself or from its style; empty where it has none. They scale the brush's
+/// shape.
 Result<std::vector<double>> sizesOf(const QJsonObject &stroke, const QString &fileName, const QString &path)
 {
     if (stroke.contains(QLatin1String("size"))) {
@@ -139,8 +140,8 @@ Result<std::vector<double>> sizesOf(const QJsonObject &stroke, const QString &fi
     return size.toDouble() > 0 ? std::vector<double>{size.toDouble()} : std::vector<double>();
 }
 
-/// Radius of each brush's shape at size 1, by the brush's name: of circles ("…/Circle?precision=8&radius=0.5", 1 where
-/// it is not said); others count as circles of radius 1.
+/// The radius of each brush's shape at size 1, by the brush's name. Circles ("…/Circle?precision=8&radius=0.5") may
+/// have a radius; it is 1 where none is written, and for other shapes.
 struct Shapes {
     QHash<QString, double> radii;
     QSet<QString> notRound;
@@ -170,7 +171,7 @@ Shapes shapesOf(const QJsonObject &brushes)
     return shapes;
 }
 
-/// What of a file no stroke can show.
+/// Counts what is in a file but cannot be shown by strokes.
 class Losses {
 public:
     void see(const QJsonObject &stroke, const Shapes &shapes, const Sensor *sensor)

@@ -31,8 +31,8 @@ TimesAndBox extentOf(const Recording &recording)
     return e;
 }
 
-/// The brush as it paints a path of given widths: the pressure of the samples says the width from here on, so that the
-/// spread follows it and the density, which a curve of the pressure would have made, does not.
+/// Makes brush and samples paint a path of given widths. From then on a sample's pressure means its width: the spread
+/// follows it, and the density, which would have followed a curve of the pressure, does not.
 void takeWidths(const std::vector<double> &widths, Brush &brush, std::vector<PenSample> &samples)
 {
     const double most = widths.size() == samples.size() && !widths.empty() ? *std::ranges::max_element(widths) : 0;
@@ -47,7 +47,7 @@ void takeWidths(const std::vector<double> &widths, Brush &brush, std::vector<Pen
         if (input == BrushInput::Pressure)
             brush.removeCurve(BrushQuantity::Density, input);
     }
-    constexpr double least = 0.02; // of which brushes make nothing smaller; and 0 would be a lifted pen
+    constexpr double least = 0.02; // Brushes make nothing smaller than this share, and 0 would be a lifted pen.
     brush.setCurve(BrushQuantity::Size, BrushInput::Pressure, {});
     for (std::size_t k = 0; k < samples.size(); ++k)
         samples[k].pressure = float(std::clamp(widths[k] / most, least, 1.0));

@@ -1,4 +1,4 @@
-// Numbers of a type as columns of a document, each by itself (docs/file-format.md).
+// The numbers of a type as columns of a document, each by itself (docs/file-format.md).
 #pragma once
 
 #include "model/formats/suffuse/suffuse_columns.h"
@@ -8,7 +8,8 @@
 
 namespace suffuse {
 
-/// For each of `numbers` a column of the differences of its bits from the default's: 0 where it is as usual.
+/// Has a column for each of `numbers`. An element is the difference of a number's bits from those of the default, so it
+/// is 0 where the number has its default.
 template <class Owner, const auto &numbers>
 class NumberColumns {
 public:
@@ -17,7 +18,7 @@ public:
         for (std::size_t k = 0; k < m_columns.size(); ++k)
             m_columns[k].push_back(bitsOf(numbers[k].of(owner)) - m_usual[k]);
     }
-    /// Sets the numbers to what the columns have at a place.
+    /// Sets the numbers of `owner` to the elements at a place.
     void set(Owner &owner, std::size_t place) const
     {
         for (std::size_t k = 0; k < m_columns.size(); ++k)
@@ -36,14 +37,14 @@ public:
     }
 
     bool isUsed() const { return usedColumns() > 0; }
-    /// Up to the last column that has a number which is not as usual.
+    /// Writes the columns up to the last one that has a number other than its default.
     void putUsed(ColumnWriter &out) const
     {
         const std::size_t used = usedColumns();
         for (std::size_t k = 0; k < used; ++k)
             out.put(m_columns[k]);
     }
-    /// What the columns lack is as usual.
+    /// Reads columns. Numbers of columns that are missing have their defaults.
     void getUsed(ColumnReader &in, std::size_t count)
     {
         for (Column &column : m_columns)
@@ -73,14 +74,14 @@ private:
     std::array<std::uint32_t, numbers.size()> m_usual = usualBits();
 };
 
-/// Those of version 1 that nothing predicts.
+/// The numbers of version 1 that are not predicted.
 template <class Owner>
 using PlainColumns = NumberColumns<Owner, plainNumbersOf<Owner>>;
-/// Those of later versions.
+/// The numbers of later versions.
 template <class Owner>
 using LaterColumns = NumberColumns<Owner, laterNumbersOf<Owner>>;
 
-/// The flags of a type that later versions brought, in one column: the first is bit 0. They are usually false.
+/// The flags of a type that later versions brought, in one column: the first is bit 0. Flags are usually false.
 template <class Owner>
 class FlagColumn {
 public:
@@ -90,8 +91,8 @@ public:
         forEachFlag([&](bool Owner::*flag, int bit) { bits |= std::uint8_t(owner.*flag << bit); });
         m_bits.push_back(bits);
     }
-    /// Sets the flags to what the column has at a place; false where it has one that is unknown. Does nothing where
-    /// nothing was read.
+    /// Sets the flags to those at a place of the column. Returns false if there is an unknown one. Does nothing where
+    /// no column was read.
     bool set(Owner &owner, std::size_t place) const
     {
         if (m_bits.empty())
@@ -117,7 +118,7 @@ public:
     void get(ColumnReader &in, std::size_t size) { m_bits = in.get<std::uint8_t>(size); }
 
 private:
-    /// Calls use(flag, bit).
+    /// Calls use(flag, bit) for each flag.
     template <class Use>
     static void forEachFlag(Use use)
     {

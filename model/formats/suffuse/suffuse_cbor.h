@@ -1,4 +1,4 @@
-// Values out of the CBOR maps of a .suffuse file.
+// Takes values out of the CBOR maps of a .suffuse file.
 #pragma once
 
 #include "model/painting/painting.h"
@@ -9,14 +9,14 @@
 
 namespace suffuse {
 
-/// The integer, or `otherwise` for any other type: Qt's own converts a double of any size, whose result C++ leaves
-/// open.
+/// The integer of a value, or `otherwise` for any other type. Qt's own function converts a double of any size, for
+/// which C++ leaves the result undefined.
 inline qint64 integerIn(const QCborValue &value, qint64 otherwise = 0)
 {
     return value.isInteger() ? value.toInteger() : otherwise;
 }
 
-/// Takes values out of a map and remembers whether all had the right type; absent ones leave the default.
+/// Takes values out of a map, and remembers whether all had the right type. Values that are absent leave the default.
 class MapReader {
 public:
     MapReader(const QCborValue &map, bool &ok) : m_map(map.toMap()), m_ok(ok) { m_ok = m_ok && map.isMap(); }
@@ -55,7 +55,7 @@ public:
             value = {float(list.at(0).toDouble()), float(list.at(1).toDouble()), float(list.at(2).toDouble()),
                      float(list.at(3).toDouble())};
     }
-    /// The number of one of `images`.
+    /// Reads an image by its number among `images`.
     void read(const char *name, EncodedImage &value, const std::vector<EncodedImage> &images) const
     {
         const QCborValue v = take(name);

@@ -8,10 +8,10 @@ namespace suffuse {
 
 namespace {
 
-/// Level 9 takes twice the time for 2 % less.
+/// Level 9 would take twice the time for 2 % less.
 constexpr int zstdLevel = 5;
 
-/// Made once a thread: planes are short, and a new one takes as long as a plane.
+/// A compressor, made once for each thread: planes are short, and making one takes as long as a plane.
 ZSTD_CCtx *compressor()
 {
     thread_local const std::unique_ptr<ZSTD_CCtx, decltype(&ZSTD_freeCCtx)> context(ZSTD_createCCtx(), &ZSTD_freeCCtx);
@@ -30,7 +30,7 @@ QByteArray compressed(const QByteArray &bytes)
     const std::size_t size = ZSTD_compressCCtx(compressor(), out.data(), std::size_t(out.size()), bytes.constData(),
                                                std::size_t(bytes.size()), zstdLevel);
     if (ZSTD_isError(size))
-        return bytes; // not smaller: the caller stores the bytes as they are
+        return bytes; // Compressing does not make them smaller, so the caller stores the bytes as they are.
     out.truncate(qsizetype(size));
     return out;
 }

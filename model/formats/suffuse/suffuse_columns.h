@@ -1,4 +1,5 @@
-// Columns of a stroke chunk: numbers of one width, split into planes of bytes, each plane stored as small as it gets.
+// The columns of a stroke chunk: numbers of one width, split into planes of bytes, each of which is stored as small as
+// possible.
 #pragma once
 
 #include "model/formats/suffuse/suffuse_layout.h"
@@ -11,8 +12,8 @@ enum class PlaneCoding : std::uint8_t { Raw, Zstd, Constant, Zero };
 
 class ColumnWriter {
 public:
-    /// Appends a column of little-endian numbers of 1, 4 or 8 bytes. `dense`: the lowest plane is stored raw, so that
-    /// the file has a byte for each element.
+    /// Appends a column of little-endian numbers of 1, 4 or 8 bytes. If `dense`, the lowest plane is stored raw, so
+    /// that the file has at least a byte for each element.
     template <typename Number>
     void put(const std::vector<Number> &values, bool dense = false)
     {
@@ -24,7 +25,8 @@ public:
             putPlane(plane, dense && b == 0);
         }
     }
-    /// Bytes whose number the reader does not know beforehand; compressed only within `budget`, which shrinks.
+    /// Appends bytes whose number the reader does not know. They are compressed only within `budget`, which shrinks by
+    /// it.
     void putBlock(const QByteArray &bytes, std::uint64_t &budget);
     void putU32(std::uint32_t value) { appendU32(m_out, value); }
 
@@ -36,7 +38,7 @@ private:
     QByteArray m_out;
 };
 
-/// Reads what ColumnWriter wrote; never allocates more than the element counts that it is asked for.
+/// Reads what ColumnWriter has written. It never allocates more than the numbers of elements that it is asked for.
 class ColumnReader {
 public:
     explicit ColumnReader(QByteArrayView bytes) : m_cursor(bytes) {}
@@ -55,7 +57,7 @@ public:
         }
         return ok() ? values : std::vector<Number>();
     }
-    /// Of a compressed block `mayUnpack(size)` is asked first.
+    /// Reads a block. For a compressed one, `mayUnpack(size)` is asked first.
     QByteArray getBlock(const std::function<bool(std::uint64_t)> &mayUnpack);
     std::uint32_t getU32() { return m_cursor.u32(); }
     bool atEnd() const { return ok() && m_cursor.left() == 0; }

@@ -15,7 +15,7 @@ QCborArray toCbor(const Colour &c)
     return {double(c.red), double(c.yellow), double(c.blue), double(c.opacity)};
 }
 
-/// Ids take all 64 bits; CBOR's signed integers of Qt carry them by their bits.
+/// Ids use all 64 bits, so they are stored as the signed integers with the same bits.
 qint64 toCbor(std::uint64_t id)
 {
     return qint64(id);
@@ -56,7 +56,7 @@ QCborValue cborOf(const Value &value, Images &images)
         return value;
 }
 
-/// Members that are always there, then those that are unusual, and images where there are any.
+/// The members that are always there, then those that differ from their defaults, and images if there are any.
 template <HasFields T>
 QCborMap toCbor(const T &value, Images &images)
 {

@@ -27,7 +27,7 @@ std::optional<WorkspaceState> readView(QByteArrayView payload)
 {
     QCborParserError problem;
     const QCborValue value = QCborValue::fromCbor(payload.data(), payload.size(), &problem);
-    if (problem.error != QCborError::NoError) // then nothing of it may be looked into
+    if (problem.error != QCborError::NoError) // Nothing of CBOR that is not whole may be looked into.
         return std::nullopt;
     WorkspaceState view;
     bool ok = true;

@@ -1,4 +1,4 @@
-// Chunks that a reader may skip: what belongs to a document, but not to its picture.
+// The chunks that a reader may skip: what belongs to a document, but not to its picture.
 #pragma once
 
 #include "model/formats/files.h"
@@ -9,17 +9,19 @@ namespace suffuse {
 inline constexpr char previewType[] = "prev";
 inline constexpr char viewType[] = "view";
 inline constexpr char historyType[] = "hist";
-/// Largest preview that is kept, bytes.
+/// The largest preview that is kept, bytes.
 inline constexpr qsizetype largestPreview = 1 << 20;
 
-/// A type whose first letter is small.
+/// Whether a chunk may be skipped: its type begins with a small letter.
 bool isAncillary(const Chunk &chunk);
-/// What a known one is, for people; empty for other types.
+/// What a chunk of a known type is, for people; empty for other types.
 QString partBeside(const QByteArray &type);
-/// Keeps an ancillary chunk in `extras`; what is known but makes no sense is left out. The first of a kind counts.
+/// Keeps a chunk that may be skipped in `extras`. A known one that makes no sense is left out. Of several of one type
+/// the first counts.
 void readExtra(const Chunk &chunk, DocumentExtras &extras);
 
-/// The chunks that stand before the picture, for programs that read the start of a file only; and those behind it.
+/// Append the chunks that stand before the picture, for programs that only read the start of a file, and those behind
+/// it.
 void appendFirstExtras(QByteArray &out, const DocumentExtras &extras);
 void appendLastExtras(QByteArray &out, const DocumentExtras &extras);
 

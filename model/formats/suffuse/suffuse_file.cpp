@@ -28,17 +28,18 @@ static_assert(laterFieldsHaveColumns(),
 struct Totals {
     std::uint64_t segments = 0;
     std::uint64_t rewets = 0;
-    std::uint64_t blocks = 0;        ///< bytes that all palettes can have at most
-    int reader = suffuseLeastReader; ///< least version of a reader that understands it
+    std::uint64_t blocks = 0;        ///< the number of bytes that all palettes may have at most
+    int reader = suffuseLeastReader; ///< the least version of a reader that understands the document
 };
 
 Totals totalsOf(const Painting &painting)
 {
-    constexpr std::uint64_t style = 16, stroke = style + 8 + 4 * 10; // varints have up to 10 bytes
+    constexpr std::uint64_t style = 16, stroke = style + 8 + 4 * 10; // A varint has up to 10 bytes.
     Totals t;
     for (const StrokePtr &s : painting.strokes) {
         t.segments += s->segments.size();
-        t.blocks += stroke + 3 * std::uint64_t(s->name.size() + s->brush.size()); // UTF-8 of UTF-16
+        // UTF-8 may have three bytes for each unit of UTF-16.
+        t.blocks += stroke + 3 * std::uint64_t(s->name.size() + s->brush.size());
         for (const Segment &segment : s->segments) {
             t.rewets += segment.rewet.size();
             t.blocks += segment.style ? style : 0;
@@ -50,7 +51,7 @@ Totals totalsOf(const Painting &painting)
 
 QByteArray header(const Painting &painting, const Totals &totals)
 {
-    // A document that needs nothing of a later version is the bytes that it was before that version.
+    // A document that needs nothing of a later version has the same bytes as before that version.
     const QCborMap map{{QLatin1String("version"), totals.reader},
                        {QLatin1String("reader"), totals.reader},
                        {QLatin1String("program"), QStringLiteral("Suffuse " SUFFUSE_VERSION)},
@@ -65,7 +66,7 @@ std::vector<QByteArray> strokeChunks(const std::vector<Strokes> &parts, const To
 {
     std::vector<QByteArray> chunks(parts.size());
     Density density{totals.segments > freeElements, totals.rewets > freeElements, blockBudget};
-    if (totals.blocks <= blockBudget) { // then none needs to know what the others took
+    if (totals.blocks <= blockBudget) { // Then no chunk needs to know what the others have used.
         forEachInParallel(parts.size(), [&](std::size_t k) {
             Density own = density;
             chunks[k] = writeStrokes(parts[k], own);

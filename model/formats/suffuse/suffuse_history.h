@@ -1,4 +1,4 @@
-// Undo steps as the bytes of a chunk beside the picture (docs/file-format.md, "Undo history").
+// Undo steps as the bytes of a chunk besides the picture (docs/file-format.md, "Undo history").
 #pragma once
 
 #include "model/document/edit.h"
@@ -12,22 +12,26 @@
 namespace suffuse {
 
 struct HistoryStep {
-    QString text; ///< its name
-    Edit edit;    ///< exchanged: the state before the step while it is done, the one after it while it is undone
+    QString text; ///< the name of the step
+    /// an exchanged edit: it has the state before the step while that is done, and the state after it while it is
+    /// undone
+    Edit edit;
 };
 
 struct UndoHistory {
     std::vector<HistoryStep> steps;
-    std::size_t done = 0; ///< so many of them; the others are undone
+    std::size_t done = 0; ///< so many of the steps are done; the others are undone
 };
 
-/// Steps that are kept in a file, the nearest ones.
+/// At most so many steps are kept in a file: those nearest to the present one.
 inline constexpr std::size_t mostHistorySteps = 1000;
 
-/// States that the painting holds, or that steps share, are stored once. Empty where there is no step.
+/// Writes a history. States that the painting has, or that several steps have, are stored once. Empty if there is no
+/// step.
 QByteArray writeHistory(const UndoHistory &history, const Painting &painting);
 
-/// Every step is tried, so that a history that fits can be walked to both ends. Errors say why it does not fit.
+/// Reads a history. Every step is tried, so that a history that fits can be walked through to both ends. Errors say why
+/// it does not fit.
 Result<UndoHistory> readHistory(const QByteArray &bytes, const Painting &painting);
 
 } // namespace suffuse

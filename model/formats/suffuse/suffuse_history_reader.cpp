@@ -12,14 +12,14 @@ namespace suffuse {
 
 namespace {
 
-/// Values become steps; whether they fit is tried afterwards.
+/// Makes steps of values. Whether the steps fit is tried afterwards.
 class HistoryReader {
 public:
     explicit HistoryReader(const Painting &painting) : m_painting(painting)
     {
         for (const StrokePtr &stroke : painting.strokes)
             m_own.emplace(stroke->id, stroke);
-        writeProperties(painting, m_images); // for the images alone
+        writeProperties(painting, m_images); // only the images are needed
     }
 
     QString read(const QByteArray &bytes, UndoHistory &history)
@@ -30,7 +30,7 @@ public:
         for (const StrokePtr &stroke : m_stored)
             if (const QString problem = problemOf(*stroke); !problem.isEmpty())
                 return problem;
-        QCborParserError parsed; // what there is of CBOR that is not whole must not be looked into
+        QCborParserError parsed; // CBOR that is not whole must not be looked into.
         const QCborValue value = QCborValue::fromCbor(cbor, &parsed);
         if (parsed.error != QCborError::NoError)
             return FileMessages::tr("it is damaged");
@@ -102,7 +102,7 @@ private:
         return list.size() % 2 == 0;
     }
 
-    /// Absent: as in the step before.
+    /// Reads a selection. If it is absent, it is that of the step before.
     bool readSelection(const QCborValue &selected, const QCborArray &segments)
     {
         if (!selected.isArray())
@@ -146,7 +146,7 @@ private:
     Selection m_selection;
 };
 
-/// Walks through steps on a document of its own.
+/// Walks through the steps on a document of its own.
 class Trial {
 public:
     explicit Trial(const Painting &painting)
@@ -156,7 +156,7 @@ public:
             m_present.insert(stroke->id);
     }
 
-    /// False where the step does not fit what is there, or does not lead to a painting.
+    /// Exchanges an edit. Returns false if the step does not fit the present painting, or does not lead to a valid one.
     bool exchange(Edit edit)
     {
         if (!(edit.places ? placesFit(edit) : statesFit(edit)))
@@ -172,14 +172,14 @@ public:
     }
 
 private:
-    /// None comes or goes.
+    /// Whether the edit neither adds nor removes strokes.
     bool statesFit(const Edit &edit) const
     {
         return std::all_of(edit.strokes.begin(), edit.strokes.end(),
                            [&](const auto &entry) { return entry.second && m_present.contains(entry.first); });
     }
 
-    /// The order is one of just the strokes that are then there. Those that the places do not name keep their turn.
+    /// Whether the order has exactly the strokes that exist then. Those that the places do not name keep their order.
     bool placesFit(const Edit &edit) const
     {
         std::unordered_set<StrokeId> placed;

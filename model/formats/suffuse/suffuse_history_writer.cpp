@@ -11,7 +11,7 @@ namespace suffuse {
 
 namespace {
 
-/// The strokes that steps name and the painting does not hold.
+/// The strokes that steps name and the painting does not have.
 class StrokeTable {
 public:
     explicit StrokeTable(const Painting &painting)
@@ -34,7 +34,8 @@ public:
         m_places.emplace(stroke.get(), 0);
     }
 
-    /// After the last `add`: states of one stroke stand together, they resemble each other.
+    /// Numbers the strokes after the last `add`. The states of one stroke stand together, since they resemble each
+    /// other.
     void number()
     {
         for (const auto &[id, states] : m_states) {
@@ -73,7 +74,7 @@ private:
 QCborArray selectedStrokes(const Selection &selection)
 {
     QCborArray list;
-    StrokeId before = 0; // steps are small numbers
+    StrokeId before = 0; // The ids are written as differences, which are small numbers.
     for (const StrokeId id : selection.strokes) {
         list.append(qint64(id - before));
         before = id;
@@ -142,7 +143,7 @@ QCborMap stepMap(const HistoryStep &step, const StrokeTable &table, std::vector<
 
 using Steps = std::span<const HistoryStep>;
 
-/// The nearest `count` steps.
+/// The `count` steps that are nearest to the present one.
 Steps nearest(const UndoHistory &history, std::size_t count, std::size_t &done)
 {
     const std::size_t all = history.steps.size();

@@ -90,7 +90,8 @@ QString problemOfSignature(const QByteArray &bytes)
     if (bytes.size() < suffuseSignatureSize)
         return FileMessages::tr("ends after %1 bytes").arg(bytes.size());
     const QByteArray ends = bytes.mid(8, 5);
-    for (const char *changed : {"\n\x1a\n", "\r\r\n", "\r\n\x1a\r\n"}) // as text goes from one system to another
+    // These arise when a file is transferred as text between systems.
+    for (const char *changed : {"\n\x1a\n", "\r\r\n", "\r\n\x1a\r\n"})
         if (startsAsSuffuse(bytes) && ends.startsWith(changed))
             return FileMessages::tr("its line endings were changed on the way, transfer it as a binary file");
     return FileMessages::tr("its first bytes are damaged");

@@ -1,5 +1,6 @@
-// How the columns of a stroke are predicted from what was read before, the same walk for writing and reading
-// (docs/file-format.md, "Prediction"). Only +, −, ×, ÷ of doubles and rounding: the same bits everywhere.
+// How the columns of a stroke are predicted from what was read before, by the same walk for writing and reading
+// (docs/file-format.md, "Prediction"). It uses only +, −, ×, ÷ of doubles and rounding, so it gives the same bits
+// everywhere.
 #pragma once
 
 #include "model/painting/fields.h"
@@ -12,8 +13,8 @@
 
 namespace suffuse {
 
-/// How a column of one stroke is stored: digits −1: by the bits of its floats; 0…7: as decimals of so many places.
-/// `predictor`: series 0…3, the order of the extrapolation; handles see HandlePredictor.
+/// How a column of one stroke is stored. With −1 digits it is stored by the bits of its floats, with 0…7 as decimals of
+/// so many places. `predictor` is, for a series, the order of the extrapolation, 0…3; for handles see HandlePredictor.
 struct ColumnMode {
     int digits = -1;
     int predictor = 1;
@@ -27,7 +28,7 @@ enum HandlePredictor { StraightHandles, NeighbourHandles, SmoothHandles, TimedHa
 
 inline constexpr std::array<double, 8> powersOfTen{1, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6, 1e7};
 
-/// A float's bits as an integer that grows with the value.
+/// The bits of a float as an integer that grows with the value.
 inline std::int32_t orderedBits(float value)
 {
     const auto bits = std::bit_cast<std::int32_t>(value);
@@ -47,7 +48,8 @@ inline std::int32_t quantised(double value, int digits)
     if (!(std::abs(scaled) < 2e9))
         return 0;
     const double up = scaled + 0.5;
-    const auto whole = std::int32_t(up); // towards 0; std::floor is a call where there is no SSE 4.1
+    // This rounds towards 0. std::floor would be a function call where there is no SSE 4.1.
+    const auto whole = std::int32_t(up);
     return whole - (double(whole) > up);
 }
 
@@ -56,7 +58,7 @@ inline float dequantised(std::int32_t step, int digits)
     return digits < 0 ? fromOrderedBits(step) : float(double(step) / powersOfTen[std::size_t(digits)]);
 }
 
-/// Small numbers of either sign become small ones without.
+/// Turns small numbers of either sign into small numbers without sign.
 inline std::uint32_t zigzag(std::uint32_t difference)
 {
     return difference << 1 ^ (difference & 0x80000000u ? ~0u : 0u);
@@ -74,7 +76,7 @@ inline std::uint64_t unzigzag64(std::uint64_t code)
     return code >> 1 ^ (code & 1 ? ~std::uint64_t(0) : 0);
 }
 
-/// The numbers of a stroke as columns. Segment k runs from node k to node k + 1; one that begins another chain runs
+/// The numbers of a stroke as columns. Segment k goes from node k to node k + 1; one that begins another chain goes
 /// from a place of its own to node k + 1.
 struct StrokeColumns {
     /// The numbers that are predicted: D, φ, ω, t_max, red, yellow, blue, opacity.
@@ -83,8 +85,9 @@ struct StrokeColumns {
     std::array<std::array<std::vector<float>, 2>, 2> handle; ///< [first, second][x, y]
     std::array<std::vector<float>, attributeCount> attribute;
     std::vector<Microseconds> born;
-    std::vector<std::uint8_t> starts;           ///< by segment, 1 where it begins another chain; empty where none does
-    std::array<std::vector<float>, 2> startsAt; ///< x, y by segment, of those that do; as long as `starts`
+    std::vector<std::uint8_t> starts; ///< 1 for each segment that begins another chain; empty where none does
+    /// x and y by segment, for those that begin another chain; as long as `starts`
+    std::array<std::vector<float>, 2> startsAt;
 
     bool isStart(std::size_t segment) const { return !starts.empty() && starts[segment]; }
     /// Where a segment begins, on one axis.
@@ -106,8 +109,8 @@ struct StrokeColumns {
     }
 };
 
-/// Calls code(value, prediction) for each value in turn; a prediction only uses values before it. `carry` stands
-/// before the first.
+/// Calls code(value, prediction) for each value in turn. A prediction uses only values before it. `carry` counts as the
+/// value before the first.
 template <typename Code>
 void walkSeries(std::span<float> values, float carry, int predictor, Code code)
 {
@@ -123,7 +126,8 @@ void walkSeries(std::span<float> values, float carry, int predictor, Code code)
     }
 }
 
-/// Ratio of the time of segment k to that of the one before, as far as `born` tells; a power of 2 where it is near one.
+/// The ratio of the time of segment k to that of the one before, as far as `born` tells. If it is near a power of 2, it
+/// is that.
 inline double timeRatio(const std::vector<Microseconds> &born, std::size_t k)
 {
     if (k + 1 >= born.size())
@@ -139,7 +143,8 @@ inline double timeRatio(const std::vector<Microseconds> &born, std::size_t k)
     return ratio;
 }
 
-/// Handles of one axis, first and second of each of the first `count` segments in turn; all nodes and births are known.
+/// Calls code(value, prediction) for the handles of one axis: the first and the second of each of the first `count`
+/// segments in turn. All nodes and births are known.
 template <typename Code>
 void walkHandles(StrokeColumns &columns, std::size_t axis, std::size_t count, int predictor, Code code)
 {
@@ -156,7 +161,7 @@ void walkHandles(StrokeColumns &columns, std::size_t axis, std::size_t count, in
             code(first[k], a + (b - a) / 3);
             code(second[k], b - (b - a) / 3);
         } else {
-            // Velocity and acceleration go on over the node, as in a spline with knots at the nodes.
+            // Velocity and acceleration continue through the node, as in a spline with knots at the nodes.
             const double ratio = predictor == TimedHandles ? timeRatio(born, k) : 1;
             const double p1 = first[k - 1], p2 = second[k - 1];
             code(first[k], a + ratio * (a - p2));

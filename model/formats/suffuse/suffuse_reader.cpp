@@ -15,7 +15,7 @@ namespace suffuse {
 
 namespace {
 
-/// The paper's and the underlay's.
+/// the paper's image and the underlay's
 constexpr std::size_t mostImages = 2;
 
 class FileReader {
@@ -55,7 +55,7 @@ public:
 private:
     void lose(const QString &what) { m_out.losses.push_back(what); }
 
-    /// What it costs is said once all is read (`mend`); here, what cannot be told then.
+    /// Notes damage that later steps cannot find out. What is lost by it is said once all is read (`mend`).
     void noteDamage(const Chunk &chunk, const QString &problem)
     {
         if (m_firstDamage.isEmpty())
@@ -77,7 +77,8 @@ private:
         }
     }
 
-    /// The signature says nothing of the painting. But where HEAD does not follow it, more than that is gone.
+    /// Notes a damaged signature, which has nothing of the painting. If HEAD does not follow it, more than that is
+    /// lost.
     void noteSignature(const QString &problem, const QByteArray &next)
     {
         m_firstDamage = problem;
@@ -89,7 +90,7 @@ private:
         lose(FileMessages::tr("the file is damaged or cut off at byte %1").arg(0));
     }
 
-    /// Empty, or what is wrong with the chunk.
+    /// Reads a chunk. Returns an empty text, or what is wrong with it.
     QString readChunk(const Chunk &chunk, bool isFirst)
     {
         if (isFirst != (chunk.type == "HEAD")) {
@@ -153,7 +154,7 @@ private:
         if (m_hasDocument)
             return FileMessages::tr("there is more than one");
         if (m_salvages) {
-            // Without the right number an image might be taken for another one.
+            // Without the right number an image could be taken for another one.
             if (m_missedUnknown)
                 m_images.clear();
             m_images.resize(std::max(m_images.size(), mostImages));
@@ -167,7 +168,7 @@ private:
         return {};
     }
 
-    /// Each chunk stands alone, so that they are read at the same time.
+    /// Reads the chunks of strokes at the same time, since each stands alone.
     Result<void> readStrokeChunks()
     {
         std::vector<std::vector<StrokePtr>> strokes(m_strokeChunks.size());
@@ -205,7 +206,7 @@ private:
                              .arg(painting.segmentCount()));
     }
 
-    /// Makes a painting of what is left, and says what is missing. Fails where nothing is.
+    /// Makes a painting of what is left, and says what is missing. It fails if nothing is left.
     Result<void> mend()
     {
         Painting &painting = m_out.painting;
@@ -271,14 +272,14 @@ private:
     const bool m_salvages;
     Allowance m_allowance;
     LoadedDocument m_out;
-    std::vector<EncodedImage> m_images; ///< null: it is missing
+    std::vector<EncodedImage> m_images; ///< null where an image is missing
     std::vector<Chunk> m_strokeChunks;
-    QStringList m_leftOut; ///< damaged parts beside the picture
+    QStringList m_leftOut; ///< the damaged parts besides the picture
     QString m_firstDamage;
-    QString m_refusal; ///< a newer file, not a damaged one
+    QString m_refusal; ///< why a newer file, which is not a damaged one, is refused
     bool m_pictureIsHurt = false;
     bool m_hasDocument = false;
-    bool m_missedUnknown = false; ///< a stretch was lost that may have been anything
+    bool m_missedUnknown = false; ///< whether a part was lost that may have been anything
     qint64 m_strokes = -1, m_segments = -1;
 };
 

@@ -1,4 +1,4 @@
-// What is whole of a damaged .suffuse file.
+// Finds what is whole of a damaged .suffuse file.
 #include "model/formats/files.h"
 #include "model/formats/messages.h"
 #include "model/formats/suffuse/suffuse_layout.h"
@@ -11,7 +11,7 @@ namespace suffuse {
 
 namespace {
 
-/// Four letters as a number: every byte of a file may be where a chunk starts.
+/// The four letters of a type as a number, for quick comparison: a chunk may start at every byte of a file.
 std::uint32_t tagOf(const char *type)
 {
     std::uint32_t tag = 0;
@@ -54,7 +54,7 @@ public:
         return std::move(m_pieces);
     }
 
-    /// Where a whole chunk of a known type is, from byte `at` on, or -1.
+    /// The place of the first whole chunk of a known type from byte `at` on, or -1.
     qsizetype findWhole(qsizetype at)
     {
         for (; at + 12 <= m_bytes.size() && m_budget > 0; ++at)
@@ -64,7 +64,7 @@ public:
     }
 
 private:
-    /// Where the chunks begin. A signature that is damaged may be longer or shorter than it was.
+    /// The place where the chunks begin. A damaged signature may have become longer or shorter.
     qsizetype start()
     {
         const QString problem = problemOfSignature(m_bytes);
@@ -89,15 +89,15 @@ private:
         const bool before = std::any_of(m_pieces.begin(), m_pieces.end(),
                                         [](const FilePiece &p) { return !p.damage.isEmpty() && !p.isSignature(); });
         const QString problem = problemOfEnd(m_bytes, chunk, m_first);
-        // Where something is damaged the hash differs anyway.
+        // If something is damaged, the hash differs anyway.
         if (problem.isEmpty() || (before && chunk.start + chunk.size() == m_bytes.size()))
             add(chunk, {});
         else
             add(chunk, problem);
     }
 
-    /// The next whole chunk of a known type after a damaged one, or -1: right behind it, as its length says, or where
-    /// one is found.
+    /// The next whole chunk of a known type after a damaged one, or -1. It is directly behind it, as its length says,
+    /// or where one is found.
     qsizetype nextWhole(const Chunk &broken)
     {
         if (!broken.payload.isNull()) {
@@ -110,7 +110,7 @@ private:
         return findWhole(broken.start + 1);
     }
 
-    /// Each check costs its bytes, so that a hostile file cannot make this long.
+    /// Whether a chunk is whole. Each check counts its bytes, so that a hostile file cannot make this take long.
     bool isWhole(qsizetype at)
     {
         if (m_budget <= 0 || !isKnown(QByteArrayView(m_bytes).sliced(at, std::min<qsizetype>(4, m_bytes.size() - at))))
@@ -123,7 +123,7 @@ private:
     const QByteArray &m_bytes;
     std::vector<FilePiece> m_pieces;
     qint64 m_budget;
-    qsizetype m_first = suffuseSignatureSize; ///< byte of the first chunk
+    qsizetype m_first = suffuseSignatureSize; ///< the byte where the first chunk begins
     bool m_ended = false;
 };
 

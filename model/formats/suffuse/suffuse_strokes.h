@@ -1,4 +1,4 @@
-// Chunks of a .suffuse file that hold strokes, and the one that holds the rest.
+// The chunks of a .suffuse file that contain strokes, and the one that contains the rest.
 #pragma once
 
 #include "model/formats/suffuse/suffuse_columns.h"
@@ -11,16 +11,16 @@ namespace suffuse {
 
 /// What keeps a file within the bounds that a reader sets (docs/file-format.md, "Bounds").
 struct Density {
-    bool segments = false; ///< their lowest plane is stored raw
+    bool segments = false; ///< whether the lowest plane of segments is stored raw
     bool rewets = false;
     std::uint64_t blocks = blockBudget; ///< bytes of blocks that may still be compressed
 };
 
-/// The strokes of one chunk each.
+/// Divides strokes into chunks.
 std::vector<std::span<const StrokePtr>> inChunks(std::span<const StrokePtr> strokes);
 QByteArray writeStrokes(std::span<const StrokePtr> strokes, Density &density);
 
-/// What may still be declared in a file; reading takes from it. Any thread.
+/// How much a file may still declare. Reading takes from it, on any thread.
 class Allowance {
 public:
     Allowance(std::uint64_t elements, std::uint64_t blocks) : m_segments(elements), m_rewets(elements), m_blocks(blocks)
@@ -41,13 +41,13 @@ private:
 
     std::atomic<std::uint64_t> m_segments, m_rewets, m_blocks;
 };
-/// Appends the strokes of a chunk; empty, or what is wrong with it.
+/// Appends the strokes of a chunk. Returns an empty text, or what is wrong with the chunk.
 QString readStrokes(QByteArrayView payload, Allowance &allowance, std::vector<StrokePtr> &strokes);
 
-/// Canvas, groups, swatches and underlay as CBOR; images that `images` lacks are appended to it,
-/// and all are named by their place in it.
+/// Writes canvas, groups, swatches and underlay as CBOR. Images that are not in `images` are appended to it, and all
+/// are named by their places in it.
 QByteArray writeProperties(const Painting &painting, std::vector<EncodedImage> &images);
-/// Empty, or what is wrong.
+/// Reads them. Returns an empty text, or what is wrong.
 QString readProperties(QByteArrayView payload, const std::vector<EncodedImage> &images, Painting &painting);
 
 } // namespace suffuse

@@ -9,7 +9,7 @@ namespace suffuse {
 
 namespace {
 
-/// Integers become values only here; what they mean is checked by validate.h afterwards.
+/// Turns integers into values. What the values mean is checked afterwards by validate.h.
 class StrokesReader {
 public:
     explicit StrokesReader(QByteArrayView payload) : m_in(payload) {}
@@ -34,7 +34,7 @@ public:
     }
 
 private:
-    /// No more entries than there are users of them.
+    /// Reads the palettes. A palette must not have more entries than users.
     bool readPalettes(const QByteArray &bytes, std::size_t n, std::size_t m)
     {
         ByteCursor in(bytes);
@@ -178,7 +178,7 @@ private:
         }
     }
 
-    /// Where its segments begin that need not begin where the one before ends. `value(code, prediction)`.
+    /// Decodes where segments begin that need not begin where the one before them ends, by `value(code, prediction)`.
     template <typename Value>
     void decodeStarts(StrokeColumns &c, Value value)
     {

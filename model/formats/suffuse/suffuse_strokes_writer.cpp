@@ -9,7 +9,7 @@ namespace suffuse {
 
 namespace {
 
-/// Values that repeat, numbered in order of first use.
+/// Values that repeat, numbered in the order of their first use.
 template <typename Value>
 class Palette {
 public:
@@ -78,12 +78,12 @@ bool fits(float value, int digits)
            std::bit_cast<std::uint32_t>(value);
 }
 
-/// Fewest decimals that give back every float bit for bit; −1 if seven do not.
+/// The fewest decimals that give back every float bit for bit; −1 if seven are not enough.
 int decimalsOf(std::initializer_list<std::span<const float>> columns)
 {
     int digits = 0;
     for (bool raised = true; raised;) {
-        // A value that needs more decimals sends all back to the start: those before it must fit too.
+        // If a value needs more decimals, those before it must be checked again.
         raised = false;
         for (const auto &column : columns) {
             const auto misfit =
@@ -128,7 +128,7 @@ ColumnMode bestMode(int decimals, int predictors, Walk walk)
     return best;
 }
 
-/// Enough of a stroke to choose its modes by.
+/// So many segments of a stroke are enough to choose its modes.
 constexpr std::size_t sampleSize = 16;
 
 class StrokesWriter {
@@ -314,7 +314,7 @@ private:
     std::array<Column<std::uint32_t>, StrokeColumns::attributeCount> m_attribute;
     PlainColumns<Segment> m_plain;
     FlagColumn<Segment> m_marks;
-    std::array<Column<std::uint32_t>, 2> m_start; ///< of the segments that begin another chain
+    std::array<Column<std::uint32_t>, 2> m_start; ///< for the segments that begin another chain
     LaterColumns<Segment> m_later;
     Column<std::uint32_t> m_ownStyle, m_rewetCount;
     Column<std::uint64_t> m_born, m_rewetTime, m_rewetExtra;

@@ -15,7 +15,7 @@ struct NamedColour {
 };
 
 // clang-format off
-/// CSS Color Module Level 4, in alphabetical order.
+/// The named colours of CSS Color Module Level 4, in alphabetical order.
 constexpr NamedColour namedColours[] = {
     {"aliceblue", 0xf0f8ff}, {"antiquewhite", 0xfaebd7}, {"aqua", 0x00ffff}, {"aquamarine", 0x7fffd4},
     {"azure", 0xf0ffff}, {"beige", 0xf5f5dc}, {"bisque", 0xffe4c4}, {"black", 0x000000}, {"blanchedalmond", 0xffebcd},
@@ -75,7 +75,7 @@ std::optional<Rgba> fromHex(QStringView digits)
     return colour;
 }
 
-/// "255", "50%" (of `whole`) or "120deg"; nothing for what is not finite.
+/// A number such as "255", "50%" (of `whole`) or "120deg"; no value if it is not finite.
 std::optional<double> component(QString text, double whole)
 {
     const bool isShare = text.endsWith(QLatin1Char('%'));
@@ -85,7 +85,7 @@ std::optional<double> component(QString text, double whole)
     return good && std::isfinite(value) ? std::optional(isShare ? value / 100 * whole : value) : std::nullopt;
 }
 
-/// Hue in degrees, saturation and lightness in [0, 1] (CSS Color 4, 7.1).
+/// Converts hue in degrees, and saturation and lightness in [0, 1] (CSS Color 4, 7.1).
 Rgba fromHsl(double hue, double saturation, double lightness)
 {
     const auto channel = [&](double n) {
@@ -97,7 +97,7 @@ Rgba fromHsl(double hue, double saturation, double lightness)
     return {channel(0), channel(8), channel(4), 1};
 }
 
-/// What stands in the brackets of rgb(), rgba(), hsl() and hsla(): with commas, or with spaces and a slash.
+/// Reads what stands in the brackets of rgb(), rgba(), hsl() and hsla(), with commas, or with spaces and a slash.
 std::optional<Rgba> fromFunction(QString arguments, bool isHsl)
 {
     const QStringList parts = arguments.replace(QLatin1Char(','), QLatin1Char(' '))

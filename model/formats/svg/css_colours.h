@@ -8,9 +8,9 @@
 
 namespace suffuse {
 
-/// sRGB-encoded red, green, blue and alpha in [0, 1] of "#rgb", "#rgba", "#rrggbb", "#rrggbbaa", "rgb(1, 2, 3)",
-/// "rgba(10%, 20%, 30%, 0.5)", "rgb(1 2 3 / 50%)", "hsl(20, 50%, 40%)", "transparent" or a CSS colour name; nothing for
-/// other text.
+/// The sRGB-encoded red, green, blue and alpha in [0, 1] of "#rgb", "#rgba", "#rrggbb", "#rrggbbaa", "rgb(1, 2, 3)",
+/// "rgba(10%, 20%, 30%, 0.5)", "rgb(1 2 3 / 50%)", "hsl(20, 50%, 40%)", "transparent" or a CSS colour name; no value
+/// for other texts.
 std::optional<std::array<double, 4>> cssColour(const QString &text);
 
 } // namespace suffuse

@@ -11,7 +11,8 @@ constexpr std::size_t mostSelectors = 20'000;
 constexpr int deepestBlocks = 8;
 constexpr std::size_t mostCompounds = 16;
 
-/// The first of `stops` at or after `from` that stands outside of quotes and brackets; the text's size if none does.
+/// The first of the characters `stops`, at or after `from`, that stands outside of quotes and brackets; the size of the
+/// text if none does.
 qsizetype findOutside(QStringView text, qsizetype from, QStringView stops)
 {
     QChar quote;
@@ -35,7 +36,7 @@ qsizetype findOutside(QStringView text, qsizetype from, QStringView stops)
     return text.size();
 }
 
-/// Comments become spaces, and so do the <!-- and --> in which HTML hides sheets.
+/// The text with spaces for comments, and for the <!-- and --> in which HTML hides sheets.
 QString withoutComments(const QString &text)
 {
     QString result;
@@ -86,7 +87,7 @@ bool isNameCharacter(QChar c)
     return c.isLetterOrNumber() || c == u'-' || c == u'_' || c == u'\\' || c.unicode() >= 0x80;
 }
 
-/// The name that starts at `at`, which is moved behind it; escapes (\3a, \:) are taken out.
+/// Takes the name that starts at `at`, which is moved behind it. Escapes (\3a, \:) are replaced by what they mean.
 QString takeName(QStringView text, qsizetype &at)
 {
     QString name;
@@ -144,7 +145,7 @@ void CssSheet::addRules(QStringView text, int depth)
         at = open + 1;
         if (open == text.size())
             return;
-        if (text[open] != u'{') { // @import, @charset; or a bracket too many
+        if (text[open] != u'{') { // It is @import or @charset, or there is a bracket too many.
             m_unread += head.startsWith(QLatin1String("@import"), Qt::CaseInsensitive) ? 1 : 0;
             continue;
         }
@@ -217,7 +218,7 @@ CssSheet::Reading CssSheet::readSelector(QStringView text, Selector &selector)
         if (c == u':' && (isStateOfInteraction(name) || text.mid(at).startsWith(u':')))
             return Reading::Never;
         if (c == u':' || (c != u'*' && name.isEmpty()) || (!isNamed && isStarted))
-            return Reading::NotUnderstood; // attributes, siblings, counting
+            return Reading::NotUnderstood; // Attributes, siblings and counting are not understood.
         if (c == u'#')
             compound.id = name;
         else if (c == u'.')
@@ -240,8 +241,8 @@ bool CssSheet::isMatch(const Compound &compound, const CssElement &element)
                                [&element](const QString &name) { return element.classes.contains(name); });
 }
 
-/// From right to left. `reachable` is the set of parts that the path of ancestors so far can have matched, so that no
-/// choice has to be taken back.
+/// Matches from right to left. `reachable` is the set of parts that the path of ancestors so far can have matched, so
+/// no choice has to be taken back.
 bool CssSheet::isMatch(const Selector &selector, const CssElement &element)
 {
     const std::vector<Compound> &parts = selector.compounds;
@@ -249,7 +250,7 @@ bool CssSheet::isMatch(const Selector &selector, const CssElement &element)
         return false;
     const std::size_t count = parts.size();
     quint32 floating = 0; ///< bit k: part k may be any ancestor from here on
-    quint32 next = 0;     ///< bit k: part k must be the very next one
+    quint32 next = 0;     ///< bit k: part k must be the next ancestor
     const auto expect = [&](std::size_t matched) { (parts[matched].isChild ? next : floating) |= 1u << (matched - 1); };
     if (count == 1)
         return true;
@@ -276,7 +277,8 @@ void CssSheet::collect(const CssElement &element, const std::vector<std::size_t>
             matches.push_back(candidate);
 }
 
-/// What selectors can tell an element by. Ids that none of them names say nothing, and ancestors only where one asks.
+/// Sorts elements by what selectors can tell apart. Ids that no selector names do not count, and ancestors count only
+/// if a selector asks for them.
 int CssSheet::kindOf(const CssElement &element)
 {
     QString key = element.name + u'\n' + element.classes.join(u' ') + u'\n';

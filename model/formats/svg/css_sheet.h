@@ -1,4 +1,4 @@
-// Style sheets, as far as drawings need them: which declarations apply to which elements of a tree.
+// Style sheets as far as drawings need them: which declarations apply to which elements of a tree.
 #pragma once
 
 #include <QHash>
@@ -10,58 +10,59 @@
 
 namespace suffuse {
 
-/// "fill: red !important", its property in lower case.
+/// A declaration such as "fill: red !important", with its property in lower case.
 struct CssDeclaration {
     QString property;
     QString value;
     bool important = false;
 };
 
-/// The declarations of a block or of a style attribute, in their order. Comments and what is no declaration are left
+/// The declarations of a block or of a style attribute, in their order. Comments, and what is no declaration, are left
 /// out.
 std::vector<CssDeclaration> cssDeclarations(const QString &text);
 
 /// What selectors ask about an element.
 struct CssElement {
-    QString name; ///< without namespace
+    QString name; ///< without its namespace
     QString id;
     QStringList classes;
     const CssElement *parent = nullptr;
 };
 
-/// The rules of a document's style sheets. Selectors are made of types, *, classes and ids, one element's or
-/// descendants' ("g .a") and children's ("g > .a"). Bounded for any text: at most 20,000 selectors are kept, and
-/// matching ends after some 3·10⁷ steps, as if there were no rules.
+/// The rules of a document's style sheets. Selectors are made of types, *, classes and ids, of one element, of
+/// descendants ("g .a") and of children ("g > .a"). The cost is bounded for any text: at most 20,000 selectors are
+/// kept, and matching ends after about 3·10⁷ steps, as if there were no more rules.
 class CssSheet {
 public:
     using Declarations = std::vector<const CssDeclaration *>;
 
-    /// The text of a <style>, after what was added before.
+    /// Adds the text of a <style> behind what was added before.
     void add(const QString &text);
 
-    /// The declarations that apply to an element, the weakest first (specificity, then order); those with !important
-    /// stand among the others. The element's ancestors must stay where they are. Valid until the
-    /// next call.
+    /// The declarations that apply to an element, the weakest first (by specificity, then by order). Those with
+    /// !important stand among the others. The element's ancestors must stay where they are. The result is valid until
+    /// the next call.
     const Declarations &matching(const CssElement &element);
 
-    /// Selectors that were not understood, so that their rules were left out; states such as :hover, which a drawing
-    /// at rest never has, are not among them.
+    /// The number of selectors that were not understood, so that their rules were left out. States such as :hover,
+    /// which a drawing never has, do not count.
     int unread() const { return m_unread + (m_steps > mostSteps ? int(m_selectors.size()) : 0); }
 
 private:
     static constexpr qint64 mostSteps = 30'000'000;
 
-    /// One element's part of a selector.
+    /// The part of a selector that is about one element.
     struct Compound {
-        QString type; ///< empty: any
+        QString type; ///< empty: any type
         QString id;
         QStringList classes;
-        bool isChild = false; ///< of what the part to its left describes; else a descendant
+        /// whether it must be a child of what the part to its left describes; else it may be any descendant
+        bool isChild = false;
     };
     struct Selector {
-        std::vector<Compound> compounds; ///< the last describes the element itself
+        std::vector<Compound> compounds; ///< the last one describes the element itself
         int specificity = 0;
-        std::size_t block = 0; ///< of m_blocks
+        std::size_t block = 0; ///< the index of its block in m_blocks
     };
 
     void addRules(QStringView text, int depth);
@@ -77,12 +78,12 @@ private:
 
     std::vector<std::vector<CssDeclaration>> m_blocks;
     std::vector<Selector> m_selectors;
-    /// Selectors by the rarest thing that their last part asks for.
+    /// The selectors by the rarest thing for which their last part asks.
     QHash<QString, std::vector<std::size_t>> m_byId, m_byClass, m_byType;
     std::vector<std::size_t> m_universal;
     QSet<QString> m_askedIds;
     bool m_asksForAncestors = false;
-    /// Elements of one kind look the same to every selector, and share what was found.
+    /// The elements of one kind look the same to every selector, and share what was found.
     QHash<QString, int> m_kinds;
     QHash<const CssElement *, int> m_kindOfParent;
     QHash<int, Declarations> m_found;

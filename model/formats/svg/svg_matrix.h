@@ -1,4 +1,4 @@
-// SVG's transforms.
+// The transforms of SVG.
 #pragma once
 
 #include "model/painting/geometry.h"
@@ -10,7 +10,7 @@
 
 namespace suffuse {
 
-/// x′ = a x + c y + e, y′ = b x + d y + f, as SVG writes it.
+/// x′ = a x + c y + e, y′ = b x + d y + f, with the letters of SVG.
 struct SvgMatrix {
     double a = 1, b = 0, c = 0, d = 1, e = 0, f = 0;
 
@@ -23,14 +23,14 @@ struct SvgMatrix {
     double scale() const { return std::sqrt(std::abs(a * d - b * c)); }
 };
 
-/// "translate(10 20) rotate(45)": of an attribute, or of a style sheet with its units (px, deg). What it does not know
-/// changes nothing.
+/// The transform of an attribute such as "translate(10 20) rotate(45)", or of a style sheet with its units (px, deg).
+/// What is not understood changes nothing.
 SvgMatrix svgTransform(const QString &text);
 
-/// The four numbers of "viewBox"; empty where there are none that enclose an area.
+/// The four numbers of "viewBox" as a rectangle. It is empty if there are none that enclose an area.
 Rect svgViewBox(const QXmlStreamAttributes &attributes);
 
-/// From a view box into `port`, as "preserveAspectRatio" says.
+/// Maps a view box into `port` as "preserveAspectRatio" says.
 SvgMatrix svgViewport(const Rect &viewBox, const Rect &port, const QString &preserveAspectRatio);
 
 } // namespace suffuse

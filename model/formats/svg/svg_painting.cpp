@@ -17,7 +17,8 @@ namespace {
 constexpr qint64 largestSvg = qint64(64) << 20;
 constexpr double largestCanvas = 1e6;
 
-/// The values of a segment painted with the brush, so that the dry stroke is `width` wide (0: as the brush is).
+/// The values of a segment that is painted with the brush, so that the dry stroke is `width` wide (0: as the brush
+/// makes it).
 Segment valuesOf(const Brush &brush, double width)
 {
     Segment segment;
@@ -42,14 +43,14 @@ Rect boundsOf(const std::vector<SvgPath> &paths)
     return box;
 }
 
-/// Whole units, however the size was rounded on its way.
+/// The size in whole units, however it was rounded before.
 double wholeUnits(double size)
 {
     return std::max(1.0, std::ceil(size - 1e-3));
 }
 
-/// The stroke along a path whose units are `scale` canvas units, and whose point `corner` lies at (0, 0); nothing where
-/// files could not hold it.
+/// The stroke along a path whose units are `scale` canvas units, and whose point `corner` comes to (0, 0). No value if
+/// files could not store it.
 std::optional<Stroke> strokeAlong(const SvgPath &path, Point corner, double scale, const Brush &brush,
                                   Microseconds born)
 {
@@ -59,7 +60,7 @@ std::optional<Stroke> strokeAlong(const SvgPath &path, Point corner, double scal
     values.born = born;
     const auto placed = [&](Point p) { return scale * (p - corner); };
     Stroke stroke;
-    stroke.id = 1; // to be checked with
+    stroke.id = 1; // A stroke needs an id to be checked.
     stroke.name = path.name;
     stroke.style = brush.style;
     stroke.mix = brush.mix;
@@ -82,7 +83,7 @@ std::optional<Stroke> strokeAlong(const SvgPath &path, Point corner, double scal
     return stroke;
 }
 
-/// The groups that hold strokes, themselves or in groups of theirs.
+/// The groups that have strokes, in them or in groups within them.
 std::vector<Group> heldGroups(const SvgDrawing &drawing, const StrokeList &strokes)
 {
     std::vector<bool> held(drawing.groups.size() + 1, false); // by id

@@ -1,4 +1,4 @@
-// SVG drawings as strokes: their curves, painted with a brush.
+// Makes strokes of SVG drawings: their curves, painted with a brush.
 #pragma once
 
 #include "model/brush/brush.h"
@@ -7,17 +7,18 @@
 
 namespace suffuse {
 
-/// What a drawing shows as strokes and groups, painted with the brush at time `born`: scaled so that a dry stroke is as
-/// wide as the path's stroke, in the colour of its stroke or else its fill. Names come along. The canvas is as large as
-/// the drawing (where it says no size: as its paths and 2 s around them), its corner at (0, 0); 1 CSS pixel is 1 canvas
-/// unit. Paths that files cannot hold are left out.
+/// What a drawing shows as strokes and groups, painted with the brush at time `born`. They are scaled so that a dry
+/// stroke is as wide as the path's stroke, in the colour of its stroke or else of its fill. Names are kept. The canvas
+/// is as large as the drawing (if the drawing has no size: as its paths and 2 s around them), with its corner at (0,
+/// 0). 1 CSS pixel is 1 canvas unit. Paths that files cannot store are left out.
 Painting paintingAlong(const SvgDrawing &drawing, const Brush &brush, Microseconds born);
 
-/// Sentences for people on what of a drawing strokes cannot show, each kind with its number; empty: nothing.
+/// Sentences for people about what strokes cannot show of a drawing, each kind with its number; empty if there is
+/// nothing.
 QString leftOutOf(const SvgDrawing &drawing);
 
-/// A whole file as `paintingAlong` paints it, at time 0. `leftOut` receives leftOutOf. Errors name the file and the
-/// line.
+/// Reads a whole file and paints it like `paintingAlong`, at time 0. `leftOut` receives leftOutOf. Errors name the file
+/// and the line.
 Result<Painting> readSvg(const QByteArray &bytes, const QString &fileName, const Brush &brush,
                          QString *leftOut = nullptr);
 

@@ -1,4 +1,4 @@
-// Path data: the grammar of the attribute d.
+// Reads path data: the grammar of the attribute d.
 #include "model/formats/svg/svg_paths.h"
 
 #include <QString>
@@ -10,7 +10,7 @@ namespace suffuse {
 
 namespace {
 
-constexpr std::size_t mostCurves = 2'000'000; ///< bounded memory for hostile input
+constexpr std::size_t mostCurves = 2'000'000; ///< Bounds the memory for hostile input.
 
 class PathData {
 public:
@@ -29,7 +29,7 @@ public:
                 break;
             if (!step(command))
                 break;
-            if (command == 'M') // further pairs are lines
+            if (command == 'M') // Further pairs of numbers are lines.
                 command = 'L';
             else if (command == 'm')
                 command = 'l';
@@ -139,7 +139,7 @@ private:
 
     Point reflected() const { return m_pen + (m_pen - m_control); }
 
-    /// An elliptical arc (SVG 2, B.2.4) as cubics of at most a quarter turn.
+    /// Adds an elliptical arc (SVG 2, B.2.4) as cubics of at most a quarter turn.
     bool arc(bool relative)
     {
         const auto rx0 = number(), ry0 = number(), turn = number();
@@ -173,11 +173,11 @@ private:
             sweepAngle += 2 * std::numbers::pi;
         else if (!*sweep && sweepAngle > 0)
             sweepAngle -= 2 * std::numbers::pi;
-        const auto at = [&](double t, double along) { // the ellipse's point plus `along` of its derivative
+        const auto at = [&](double t, double along) { // a point of the ellipse plus `along` times its derivative
             const double x = rx * (std::cos(t) - along * std::sin(t)), y = ry * (std::sin(t) + along * std::cos(t));
             return centre + Point{c * x - s * y, s * x + c * y};
         };
-        if (!std::isfinite(sweepAngle)) // radii or ends whose squares overflow
+        if (!std::isfinite(sweepAngle)) // The squares of radii or ends have overflowed.
             return line(to);
         const int parts = std::max(1, int(std::ceil(std::abs(sweepAngle) / (std::numbers::pi / 2) - 1e-9)));
         const double step = sweepAngle / parts, handle = 4.0 / 3 * std::tan(step / 4);
@@ -212,7 +212,7 @@ private:
         return relative ? m_pen + p : p;
     }
 
-    /// Flags need no space behind them: "a1 1 0 0110 10".
+    /// Reads a flag, which needs no space behind it: "a1 1 0 0110 10".
     std::optional<bool> flag()
     {
         skipSpace();

@@ -15,11 +15,11 @@ namespace {
 
 constexpr int deepestNesting = 256;
 constexpr int deepestGroups = 32;
-constexpr int mostDrawn = 200'000; ///< elements, those of every <use> counted
-constexpr int mostCopied = 50'000; ///< of these, elements that a <use> repeats
+constexpr int mostDrawn = 200'000; ///< the greatest number of elements, including those of every <use>
+constexpr int mostCopied = 50'000; ///< the greatest number of elements among these that a <use> repeats
 constexpr std::size_t mostCurvesInAll = 2'000'000;
 
-/// Not all on one straight line.
+/// Whether curves do not all lie on one straight line.
 bool enclosesArea(const std::vector<Cubic> &curves)
 {
     const Point from = curves.front().p[0];
@@ -48,7 +48,7 @@ bool mayHaveMarkers(const QString &element)
            element == QLatin1String("polyline") || element == QLatin1String("polygon");
 }
 
-/// The subpaths of path data under a matrix, those that stay finite.
+/// The subpaths of path data under a matrix, without those that are not finite.
 std::vector<std::vector<Cubic>> placed(const QString &data, const SvgMatrix &matrix)
 {
     std::vector<std::vector<Cubic>> subpaths = parsePathData(data);
@@ -64,7 +64,7 @@ std::vector<std::vector<Cubic>> placed(const QString &data, const SvgMatrix &mat
     return subpaths;
 }
 
-/// What a document draws.
+/// Collects what a document draws.
 class Drawing {
 public:
     explicit Drawing(SvgTree &tree) : m_tree(tree) {}
@@ -89,11 +89,11 @@ public:
     }
 
 private:
-    /// Where in the tree of groups, and how deep, an element is drawn.
+    /// Where an element is drawn in the tree of groups, and how deep.
     struct Place {
         int depth = 0, groupDepth = 0, group = -1;
         bool isCopy = false;
-        QString name; ///< of the <use> that draws it
+        QString name; ///< the name of the <use> that draws it
     };
 
     int &countOf(const QString &definition)
@@ -107,7 +107,7 @@ private:
                                                               : losses.filters;
     }
 
-    /// A definition that is asked for, if there is one of that kind, cannot be shown.
+    /// Notes that a definition of a kind is used and cannot be shown, if it exists.
     void lose(const QString &reference, const char *kind)
     {
         const SvgElement *definition = m_tree.find(svgReference(reference));
@@ -168,7 +168,8 @@ private:
         drawChildren(element, style, place);
     }
 
-    /// A nested <svg> and a <symbol> lie in a rectangle of their own; `placing` says which, `element` what of it shows.
+    /// The style inside a nested <svg> or a <symbol>, which has a rectangle of its own. `placing` says where that is,
+    /// and `element` what of it is shown.
     static SvgStyle inViewport(const SvgElement &element, SvgStyle style, const SvgElement &placing)
     {
         const auto length = [&](const char *name) {
@@ -245,7 +246,8 @@ private:
         }
     }
 
-    /// Groups that hold nothing go, and those that hold one thing, too: its name goes to what has none.
+    /// Removes groups that have nothing in them, and those with only one thing, which gets the group's name if it has
+    /// none.
     static void dissolveGroups(SvgDrawing &drawing)
     {
         std::vector<SvgGroup> &groups = drawing.groups;
@@ -254,7 +256,7 @@ private:
             if (path.group >= 0)
                 ++held[std::size_t(path.group)];
         std::vector<QString> handed(groups.size());
-        for (std::size_t i = groups.size(); i-- > 0;) // those inside come after those around them
+        for (std::size_t i = groups.size(); i-- > 0;) // Groups come before those within them.
             if (held[i] > 0 && groups[i].parent >= 0)
                 ++held[std::size_t(groups[i].parent)];
         const auto isKept = [&](std::size_t i) { return held[i] > 1; };
@@ -288,14 +290,15 @@ private:
     std::size_t m_curves = 0;
 };
 
-/// A size of the document; nothing for per cents and what is no size.
+/// A size of the document; no value for per cents and what is no size.
 std::optional<double> sizeOf(const QXmlStreamAttributes &root, const char *name)
 {
     const std::optional<double> size = svgLength(root.value(QLatin1String(name)).toString());
     return size && *size > 0 ? size : std::nullopt;
 }
 
-/// Area and scale; the sides' ratio is the view box's, however it is to be placed in width × height.
+/// Finds area and scale. The ratio of the sides is that of the view box, however that is to be placed in width ×
+/// height.
 void takeSize(SvgDrawing &drawing, const QXmlStreamAttributes &root)
 {
     const std::optional<double> width = sizeOf(root, "width"), height = sizeOf(root, "height");

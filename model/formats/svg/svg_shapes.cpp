@@ -11,7 +11,7 @@ namespace suffuse {
 
 namespace {
 
-/// Attributes as numbers.
+/// Reads attributes as numbers.
 class Numbers {
 public:
     explicit Numbers(const QXmlStreamAttributes &attributes) : m_attributes(attributes) {}
@@ -26,7 +26,7 @@ private:
     const QXmlStreamAttributes &m_attributes;
 };
 
-/// "M" with two numbers, and the like.
+/// A command such as "M" with its numbers.
 QString command(const char *letter, std::initializer_list<double> numbers)
 {
     QString text = QString::fromLatin1(letter);
@@ -40,7 +40,7 @@ QString rectangle(const Numbers &n)
     const double x = n["x"], y = n["y"], width = n["width"], height = n["height"];
     if (!(width > 0 && height > 0))
         return {};
-    // One radius alone is both.
+    // One radius alone counts for both.
     const std::optional<double> givenX = n.find("rx"), givenY = n.find("ry");
     const double rx = std::clamp(givenX.value_or(givenY.value_or(0)), 0.0, 0.5 * width);
     const double ry = std::clamp(givenY.value_or(givenX.value_or(0)), 0.0, 0.5 * height);
@@ -53,7 +53,7 @@ QString rectangle(const Numbers &n)
            arc(x + rx, y) + 'Z';
 }
 
-/// From its right end clockwise, as SVG says.
+/// The path of an ellipse, from its right end clockwise, as SVG says.
 QString ellipse(double x, double y, double rx, double ry)
 {
     if (!(rx > 0 && ry > 0))

@@ -31,7 +31,7 @@ bool isPaint(const QString &text)
            cssColour(text);
 }
 
-/// Whether these are the lengths of dashes, one of them longer than 0. Negative ones make the list void.
+/// Whether a text gives lengths of dashes, one of which is longer than 0. Negative ones make the list invalid.
 bool areDashes(const QString &text)
 {
     static const QRegularExpression separator(QStringLiteral("[\\s,]+"));
@@ -55,7 +55,7 @@ const QSet<QString> &knownProperties()
     return names;
 }
 
-/// Whether a value means something, so that it may take the place of a weaker one.
+/// Whether a value makes sense for a property, so that it may replace a weaker one.
 bool isValid(const QString &property, const QString &value)
 {
     if (value == QLatin1String("inherit"))
@@ -73,7 +73,7 @@ bool isValid(const QString &property, const QString &value)
 
 using Properties = QMap<QString, QString>;
 
-/// What holds for an element, the strongest of each.
+/// The properties of an element: the strongest declaration of each.
 Properties propertiesOf(const SvgElement &element, CssSheet &sheet)
 {
     Properties properties;
@@ -99,10 +99,10 @@ Properties propertiesOf(const SvgElement &element, CssSheet &sheet)
 
 SvgColour colourFrom(const QString &text, const SvgColour &current)
 {
-    return cssColour(text).value_or(current); // currentColor
+    return cssColour(text).value_or(current); // It is currentColor.
 }
 
-/// The children that matter of a gradient, or of the one that it takes them from.
+/// The colours of a gradient's stops, or of the stops of the gradient from which it takes them.
 std::vector<SvgColour> stopsOf(const SvgElement *gradient, const SvgColour &current, SvgTree &tree)
 {
     std::vector<SvgColour> stops;

@@ -1,4 +1,4 @@
-// How an SVG element is painted: attributes, style sheets and what is inherited.
+// How an SVG element is painted, by attributes, style sheets and inheritance.
 #pragma once
 
 #include "model/formats/svg/svg_matrix.h"
@@ -12,32 +12,32 @@ namespace suffuse {
 
 using SvgColour = std::array<double, 4>; ///< sRGB-encoded red, green, blue and opacity
 
-/// What children inherit, and what holds for one element alone.
+/// The properties that children inherit, and those that count for one element alone.
 struct SvgStyle {
     SvgMatrix matrix;
-    QString fill = "black", stroke = "none"; ///< as CSS writes them
+    QString fill = "black", stroke = "none"; ///< as written in CSS
     QString markers[3] = {"none", "none", "none"};
     SvgColour current{0, 0, 0, 1};
     double fillOpacity = 1, strokeOpacity = 1, opacity = 1, strokeWidth = 1;
     bool isVisible = true;
     bool isDashed = false;
-    // Of this element alone.
+    // What follows counts for this element alone.
     bool isDisplayed = true;
     bool keepsWidth = false; ///< vector-effect: non-scaling-stroke
     QString clipPath, mask, filter;
 
-    /// Of an element, in the style of its parent. What sheets say goes before attributes, the style attribute before
-    /// sheets, and what is !important before all; values that are none are passed over.
+    /// The style of an element, within that of its parent. Style sheets override attributes, the style attribute
+    /// overrides style sheets, and !important overrides all. Values that make no sense are ignored.
     static SvgStyle of(const SvgElement &element, const SvgStyle &parent, CssSheet &sheet);
 };
 
-/// "#id" of "url(#id) fallback"; empty of other paints.
+/// The "#id" of "url(#id) fallback"; empty for other paints.
 QString svgReference(const QString &paint);
 
-/// A stroke or a fill as one colour. Of gradients the mean of their stops.
+/// A stroke or a fill as one colour. For a gradient it is the mean of its stops.
 struct SvgPaint {
-    std::optional<SvgColour> colour;      ///< none: nothing is painted
-    const SvgElement *replaced = nullptr; ///< the gradient or pattern in whose place the colour stands
+    std::optional<SvgColour> colour;      ///< no value: nothing is painted
+    const SvgElement *replaced = nullptr; ///< the gradient or pattern that the colour stands for
 };
 SvgPaint svgPaint(const QString &paint, double opacity, const SvgColour &current, SvgTree &tree);
 

@@ -12,7 +12,7 @@ constexpr std::size_t deepestElement = 256;
 constexpr std::size_t mostElements = 500'000;
 constexpr qsizetype longestName = 200;
 
-/// Illustrator writes what an id must not hold as "_x20_".
+/// Illustrator writes characters that an id must not have as "_x20_".
 QString withoutEscapes(const QString &id)
 {
     static const QRegularExpression escape(QStringLiteral("_x([0-9A-Fa-f]{2,4})_"));
@@ -29,10 +29,10 @@ QString withoutEscapes(const QString &id)
     return name + id.mid(at);
 }
 
-/// Tarjan's strongly connected components, without recursion: of each element, the number of its component.
+/// Tarjan's strongly connected components, without recursion. Each element gets the number of its component.
 class Components {
 public:
-    /// `next(i, k)`: the k-th element that i leads to; −1 after the last.
+    /// `next(i, k)` returns the k-th element to which i leads, and −1 after the last.
     template <class Next>
     Components(int count, const Next &next) : m_order(std::size_t(count), -1), m_low(m_order), m_component(m_order)
     {
@@ -158,8 +158,8 @@ const SvgElement *SvgTree::target(const SvgElement &element) const
                     : QStringView(href));
 }
 
-/// An element leads to its children, and a <use> to its target. Who is led back to itself would never end; the <use>
-/// on the way back is what makes it so.
+/// An element leads to its children, and a <use> to its target. An element that leads back to itself would never end,
+/// and the <use> on the way back is the reason.
 void SvgTree::markCycles()
 {
     std::vector<int> targets(m_elements.size(), -1);

@@ -13,31 +13,32 @@ namespace suffuse {
 
 struct SvgElement : CssElement {
     QXmlStreamAttributes attributes;
-    QString title; ///< of its <title>
+    QString title; ///< the text of its <title>
     std::vector<std::unique_ptr<SvgElement>> children;
-    int index = 0; ///< in the document's order
-    /// A <use> of what contains it, directly or by way of others: it would never end.
+    int index = 0; ///< its place in the order of the document
+    /// Whether it is a <use> of something that contains it, directly or through others, which would never end.
     bool isCycle = false;
 
     QString attribute(const char *attributeName) const
     {
         return attributes.value(QLatin1String(attributeName)).toString();
     }
-    /// The name that people gave it: Inkscape's label, the title, or Illustrator's name, or else the id. At most 200
-    /// characters.
+    /// The name that people gave it: Inkscape's label, the title, or Illustrator's name, or else the id. It has at most
+    /// 200 characters.
     QString givenName() const;
 };
 
 class SvgTree {
 public:
-    /// Elements deeper than 256 levels, and more than 500,000, are left out. Empty, or what is wrong with the document.
+    /// Reads a document. Elements deeper than 256 levels, and more than 500,000, are left out. Returns an empty text,
+    /// or what is wrong with the document.
     QString read(QXmlStreamReader &xml);
 
-    /// The document's outermost element is its only child.
+    /// The root, whose only child is the document's outermost element.
     const SvgElement &root() const { return m_root; }
-    /// What "#id" stands for, the first of the document; null where there is none.
+    /// The element that "#id" names, the first in the document; null if there is none.
     const SvgElement *find(QStringView reference) const;
-    /// What `href`, or `xlink:href`, of an element refers to.
+    /// The element to which `href`, or `xlink:href`, of an element refers; null if there is none.
     const SvgElement *target(const SvgElement &element) const;
     CssSheet &sheet() { return m_sheet; }
     /// Whether elements were left out.
@@ -48,7 +49,7 @@ private:
     void markCycles();
 
     SvgElement m_root;
-    std::vector<SvgElement *> m_elements; ///< by index
+    std::vector<SvgElement *> m_elements; ///< in the order of the document
     QHash<QString, const SvgElement *> m_named;
     CssSheet m_sheet;
     bool m_isCut = false;

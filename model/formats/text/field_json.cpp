@@ -9,7 +9,7 @@ namespace suffuse {
 
 namespace {
 
-/// The extent that, added to `from`, gives `to` again; a plain difference may be off by one rounding.
+/// The extent that gives exactly `to` when it is added to `from`. The plain difference may be wrong by one rounding.
 double extentTo(double from, double to)
 {
     const double plain = to - from;

@@ -1,4 +1,5 @@
-// Values as JSON, field by field: what the text form is made of (docs/text-form.md), and how single values are printed.
+// Values as JSON, field by field. The text form is made of it (docs/text-form.md), and single values are printed with
+// it.
 #pragma once
 
 #include "model/formats/text/json_reader.h"
@@ -12,16 +13,16 @@ namespace suffuse {
 
 namespace field_json {
 
-/// Fields as members of JSON objects. "anisotropy.ratio" is the member ratio of a member anisotropy.
+/// Arranges fields as members of JSON objects. "anisotropy.ratio" becomes the member `ratio` of a member `anisotropy`.
 struct MemberNames {
     static constexpr std::size_t most = 32;
-    std::array<std::string_view, most> heads{}; ///< members of the object, each once
-    std::array<int, most> first{};              ///< the field that a head is, or the first of its part
-    std::array<int, most> parts{};              ///< fields of a part; 0: it is a field itself
-    std::array<int, most> headOf{};             ///< by field
-    std::array<std::string_view, most> tails{}; ///< by field
+    std::array<std::string_view, most> heads{}; ///< the members of the object, each once
+    std::array<int, most> first{};              ///< the field that a head is, or the first field of its part
+    std::array<int, most> parts{};              ///< the number of fields of a part; 0: the head is a field itself
+    std::array<int, most> headOf{};             ///< the head of each field
+    std::array<std::string_view, most> tails{}; ///< the name of each field within its part
     std::size_t headCount = 0;
-    std::uint32_t required = 0; ///< bits of heads
+    std::uint32_t required = 0; ///< a bit for each head
 
     constexpr void add(std::string_view name, bool isRequired, int field)
     {
@@ -68,13 +69,14 @@ bool isWritten(const T &value, const FieldTraits &traits, const Value &member, c
         return true;
     bool isUnusual = traits.presence == Presence::Unusual;
     if constexpr (std::is_same_v<T, Paper>)
-        isUnusual = isUnusual || value.kind == PaperKind::None; // what it would be like is said where it was changed
+        // What a paper without a kind would be like is written only where it was changed.
+        isUnusual = isUnusual || value.kind == PaperKind::None;
     return !isUnusual || !(member == usual);
 }
 
 } // namespace field_json
 
-/// An image in the text form, or a failure of the reader.
+/// Reads an image of the text form, or makes the reader fail.
 void readImage(JsonReader &json, EncodedImage &image);
 void readBezier(JsonReader &json, std::array<Offset, 4> &points);
 void readRewet(JsonReader &json, std::vector<Rewet> &list);
@@ -82,13 +84,14 @@ void readArea(JsonReader &json, Rect &area);
 void readSeed(JsonReader &json, std::uint32_t &seed);
 
 void appendImage(QByteArray &out, const EncodedImage &image);
-/// [left, top, width, height]: with the extents that give right and bottom again, to the last bit.
+/// Writes [left, top, width, height] with extents from which right and bottom follow to the last bit.
 void appendArea(QByteArray &out, const Rect &area);
 
-/// Returns which members were there, as bits of the fields' heads in their order. Fails where a required one is not.
+/// Reads an object. Returns which members it has, as bits of the fields' heads in their order. It fails if a required
+/// member is missing.
 template <HasFields T>
 std::uint32_t readObject(JsonReader &json, T &value);
-/// `{"name": value, …}`. `between(name)` stands before each member but the first.
+/// Writes `{"name": value, …}`. The text `between(name)` stands before each member except the first.
 template <HasFields T, class Between>
 void appendObject(QByteArray &out, const T &value, Between between);
 template <HasFields T>
@@ -97,7 +100,7 @@ void appendObject(QByteArray &out, const T &value)
     appendObject(out, value, [](std::string_view) { return ", "; });
 }
 
-/// The value of a field.
+/// Reads the value of a field.
 template <class Value>
 void readMember(JsonReader &json, Value &value, const FieldTraits &traits)
 {
@@ -177,7 +180,7 @@ void appendMember(QByteArray &out, const Value &value, const FieldTraits &traits
         out.append(']');
     } else if constexpr (std::is_same_v<Value, std::vector<Segment>>) {
         out.append('[');
-        for (std::size_t k = 0; k < value.size(); ++k) // one a line
+        for (std::size_t k = 0; k < value.size(); ++k) // one on each line
             appendObject(out.append(k ? ",\n    " : "\n    "), value[k]);
         out.append(']');
     } else if constexpr (std::is_same_v<Value, EncodedImage>) {
@@ -223,7 +226,7 @@ void appendObject(QByteArray &out, const T &value, Between between)
 {
     static constexpr const field_json::MemberNames &names = field_json::namesOf<T>;
     static const T usual;
-    std::uint32_t written = 0; // heads: a part is written as a whole
+    std::uint32_t written = 0; // a bit for each head, since a part is written as a whole
     std::size_t index = 0;
     forEachField(value, [&](const auto &field, const auto &member) {
         if (field_json::isWritten(value, field.traits, member, usual.*field.member))
@@ -257,8 +260,8 @@ void appendObject(QByteArray &out, const T &value, Between between)
     out.append('}');
 }
 
-/// Names and values of a thing's fields, as the text form names and writes them; control points one by one, images by
-/// their size and hash, and neither its id nor a stroke's segments.
+/// The names and values of a thing's fields as the text form writes them. Control points come one by one, images by
+/// their size and hash. Ids, and the segments of a stroke, are left out.
 using FieldTexts = std::vector<std::pair<QByteArray, QByteArray>>;
 QByteArray imageSummary(const EncodedImage &image);
 

@@ -166,7 +166,7 @@ void JsonReader::failSyntax(const QString &what)
 
 bool JsonReader::readText(std::string &text)
 {
-    ++m_at; // the quote
+    ++m_at; // behind the quote
     char escape = 0;
     switch (json::readString(m_at, m_end, text, escape)) {
     case json::StringEnd::EndOfFile:

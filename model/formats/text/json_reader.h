@@ -1,4 +1,4 @@
-// A pull parser for JSON whose shape is known: no tree is built, numbers are read straight into their type, and every
+// A pull parser for JSON whose shape is known. It builds no tree, reads numbers directly into their types, and every
 // error says where it is.
 #pragma once
 
@@ -16,8 +16,8 @@
 
 namespace suffuse {
 
-/// Reads UTF-8 JSON (RFC 8259). After the first error every call fails, so callers check once at the end.
-/// Nesting is bounded by the caller's calls: unknown members are refused, never walked into.
+/// Reads UTF-8 JSON (RFC 8259). After the first error all calls fail, so callers need to check only once at the end.
+/// Nesting is bounded by the calls, since unknown members are refused without walking into them.
 class JsonReader {
 public:
     /// `bytes` must live as long as the reader. A byte order mark is skipped.
@@ -27,8 +27,9 @@ public:
     const QString &error() const { return m_error; }
     const QString &fileName() const { return m_fileName; }
 
-    /// Reads an object; calls `handler(k)` with the reader before the value of member names[k]. Unknown and repeated
-    /// members are errors. Returns the set of members found (bit k), 0 after an error. At most 32 names.
+    /// Reads an object. Calls `handler(k)` when the reader stands before the value of member names[k]. Unknown and
+    /// repeated members are errors. Returns the set of members that were found (bit k), or 0 after an error. There may
+    /// be at most 32 names.
     template <typename Handler>
     std::uint32_t object(std::span<const std::string_view> names, Handler handler)
     {
@@ -49,7 +50,7 @@ public:
         return ok() ? found : 0;
     }
 
-    /// Reads an array; calls `handler(i)` before each element. Returns the number of elements.
+    /// Reads an array. Calls `handler(i)` before each element. Returns the number of elements.
     template <typename Handler>
     std::size_t array(Handler handler)
     {
@@ -66,18 +67,19 @@ public:
         return count;
     }
 
-    /// Numbers: the nearest value of the type, straight from the decimal digits; too large is an error, too small is 0.
+    /// Read the nearest value of the type, directly from the decimal digits. A number that is too large is an error;
+    /// one that is too small is 0.
     void read(float &value);
     void read(double &value);
     void read(bool &value);
     void read(QString &value);
-    /// Whole numbers from 0 on.
+    /// Reads a whole number, 0 or greater.
     void read(std::uint64_t &value);
-    /// Seconds, at most ±1e12; decimals of up to six places are exact.
+    /// Reads seconds, at most ±1e12. Decimals of up to six places are exact.
     void readSeconds(Microseconds &value);
-    /// Consumes null if it is next.
+    /// Skips null if it is next, and returns whether it was.
     bool skipNull();
-    /// An array of exactly N numbers.
+    /// Reads an array of exactly N numbers.
     template <typename Number, std::size_t N>
     void readAll(std::array<Number, N> &values)
     {
@@ -88,19 +90,19 @@ public:
         if (ok() && count != N)
             failCount(count, N);
     }
-    /// Nothing but white space may follow.
+    /// Fails if anything but white space follows.
     void finish();
 
-    /// Fails with "file: path: what".
+    /// Fails with the message "file: path: what".
     void fail(const QString &what);
     /// Fails at a member of the current object.
     void failMember(std::string_view member, const QString &what);
-    /// Fails with "file: line L, column C: what" at the reading position.
+    /// Fails with the message "file: line L, column C: what" at the present position.
     void failSyntax(const QString &what);
 
 private:
     struct Step {
-        std::string_view name; ///< empty: an element
+        std::string_view name; ///< empty: an element of an array
         std::size_t index = 0;
     };
 

@@ -15,7 +15,7 @@ bool isDigit(char c)
     return c >= '0' && c <= '9';
 }
 
-/// Four digits of a UTF-16 unit.
+/// Reads the four digits of a UTF-16 unit.
 bool readHex(const char *&at, const char *end, std::uint32_t &unit)
 {
     unit = 0;
@@ -116,7 +116,7 @@ bool isTooLarge(std::string_view number)
         if (code != std::errc())
             return number[from] != '-';
     }
-    // Power of ten of the first digit that is not 0.
+    // This is the power of ten of the first digit that is not 0.
     const std::string_view digits = number.substr(0, e);
     const std::size_t point = std::min(digits.find('.'), digits.size());
     const std::size_t first = digits.find_first_of("123456789");
@@ -133,7 +133,7 @@ std::optional<Microseconds> secondsOf(std::string_view number)
     if (code != std::errc() ? isTooLarge(number) : std::abs(seconds) > 1e12)
         return {};
     Microseconds value = 0;
-    // Whole microseconds are read as integers: a double has no room for them beyond 285 years.
+    // Whole microseconds are read as integers, since a double has too few digits for them beyond 285 years.
     const std::size_t point = std::min(number.find('.'), number.size());
     if (number.find_first_of("eE") == number.npos && number.size() <= point + 7) {
         std::string digits(number.substr(0, point));

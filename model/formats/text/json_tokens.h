@@ -9,21 +9,21 @@
 
 namespace suffuse::json {
 
-/// A value, as far as messages show it, or a word as true and null; `at` is behind white space.
+/// A value as far as messages show it, or a word such as true and null. `at` must be behind white space.
 std::string_view valueAt(const char *at, const char *end);
 
-/// The number that stands there; empty if none does, or something else follows it at once.
+/// The number at a place; empty if there is none, or if something else follows it at once.
 std::string_view numberAt(const char *at, const char *end);
-/// Of a number that no double or float can hold: is it too large (rather than too small)?
+/// Whether a number that no double or float can hold is too large (and not too small).
 bool isTooLarge(std::string_view number);
-/// None beyond ±1e12; decimals of up to six places are exact.
+/// The seconds of a number; no value beyond ±1e12. Decimals of up to six places are exact.
 std::optional<Microseconds> secondsOf(std::string_view number);
 
-/// How a string ends: as it should, or where it cannot be read.
+/// How a string ends: with its quote, or at what cannot be read.
 enum class StringEnd { Quote, EndOfFile, ControlCharacter, WrongEscape };
 
-/// Reads a string into `text`. `at`: behind the opening quote, and afterwards behind the closing one, or where it
-/// cannot be read. `escape`: the letter of the escape that was read last.
+/// Reads a string into `text`. `at` must be behind the opening quote. Afterwards it is behind the closing one, or at
+/// what cannot be read. `escape` gets the letter of the escape that was read last.
 StringEnd readString(const char *&at, const char *end, std::string &text, char &escape);
 
 } // namespace suffuse::json

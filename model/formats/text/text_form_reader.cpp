@@ -1,4 +1,4 @@
-// docs/text-form.md, reading.
+// Reads the text form (docs/text-form.md).
 #include "model/formats/files.h"
 #include "model/formats/messages.h"
 #include "model/formats/text/field_json.h"
@@ -105,7 +105,7 @@ private:
         requireMembers(m_json, found, names, memberBit(0) | memberBit(1) | memberBit(3));
     }
 
-    /// Strokes without an id take the ids after the greatest one.
+    /// Gives strokes without an id the ids after the greatest one.
     void giveIds()
     {
         StrokeId next = 0;

@@ -1,4 +1,5 @@
-// docs/text-form.md, writing. One segment a line, so that a version control system shows what changed.
+// Writes the text form (docs/text-form.md). Each segment has a line of its own, so that a version control system shows
+// what changed.
 #include "model/formats/files.h"
 #include "model/formats/text/field_json.h"
 
@@ -33,7 +34,8 @@ QByteArray writeTextForm(const Painting &painting)
 {
     QByteArray out;
     out.reserve(qsizetype(1024 + 320 * painting.segmentCount()));
-    // Of the least version that holds it: a painting that uses nothing new is the text that it was before.
+    // The version is the least that can hold the painting, so that a painting which uses nothing new is the same text
+    // as before.
     out.append("{\"format\": \"suffuse-text\", \"version\": ").append(QByteArray::number(versionNeededBy(painting)));
     out.append(",\n \"canvas\": ");
     append(out, painting.canvas);

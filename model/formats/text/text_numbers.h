@@ -10,9 +10,9 @@ namespace suffuse {
 void appendNumber(QByteArray &out, float value);
 void appendNumber(QByteArray &out, double value);
 void appendNumber(QByteArray &out, std::uint64_t value);
-/// Seconds as an exact decimal: 16000 µs is 0.016.
+/// Appends seconds as an exact decimal: 16000 µs is 0.016.
 void appendSeconds(QByteArray &out, Microseconds value);
-/// A JSON string in quotes.
+/// Appends a JSON string in quotes.
 void appendString(QByteArray &out, const QString &text);
 
 } // namespace suffuse

@@ -1,11 +1,11 @@
-// Styles, mixing and colours as JSON: the same in the text form and in brush files.
+// Styles, mixing and colours as JSON, which are the same in the text form and in brush files.
 #pragma once
 
 #include "model/formats/text/json_reader.h"
 
 namespace suffuse {
 
-/// A member of a name table as a bit of what JsonReader::object returns.
+/// The bit of a member of a name table in what JsonReader::object returns.
 constexpr std::uint32_t memberBit(int k)
 {
     return 1u << k;
@@ -13,7 +13,7 @@ constexpr std::uint32_t memberBit(int k)
 /// Fails at the first of the `wanted` members that was not found.
 void requireMembers(JsonReader &json, std::uint32_t found, std::span<const std::string_view> names,
                     std::uint32_t wanted);
-/// One of a few words; its position in `words`.
+/// Reads one of a few words. Returns its position in `words`.
 int readChoice(JsonReader &json, std::span<const std::string_view> words);
 
 void readJson(JsonReader &json, Colour &colour);
