@@ -44,7 +44,7 @@ Result<std::vector<std::unique_ptr<Renderer>>> makeRenderers(const RendererOptio
     for (int i = 0; i < options.devices || options.devices == allDevices; ++i) {
         one.firstDevice = i;
         if (i > 0)
-            one.backend = Backend::Cuda; // where there is no other GPU, this fails and all are found
+            one.backend = Backend::Cuda; // If there is no other GPU, this fails, and all have been found.
         Result<std::unique_ptr<Renderer>> renderer = makeRenderer(one);
         if (!renderer && i == 0)
             return Error{renderer.error()};

@@ -1,15 +1,15 @@
-// Which renderers there are, and making them. Only the programs include this: a backend knows no other one.
+// Lists the renderers, and makes them. Only the programs include this, since no backend knows another one.
 #pragma once
 
 #include "render/renderer.h"
 
 namespace suffuse {
 
-/// Auto, Cpu and Reference never fail; Cuda fails with the reason where it cannot run.
+/// Makes a renderer. Auto, Cpu and Reference never fail. Cuda fails with the reason where it cannot run.
 Result<std::unique_ptr<Renderer>> makeRenderer(const RendererOptions &options);
 
-/// Renderers that share work by whole pictures (render/sequence.h): one a GPU (`options.devices` of them), or one for
-/// the CPU.
+/// Makes renderers that share work by whole pictures (render/sequence.h): one for each GPU (`options.devices` of them),
+/// or one for the CPU.
 Result<std::vector<std::unique_ptr<Renderer>>> makeRenderers(const RendererOptions &options);
 
 struct BackendInfo {

@@ -1,4 +1,4 @@
-// How far two pictures are apart.
+// Measures how far apart two pictures are.
 #pragma once
 
 #include "model/result.h"
@@ -10,27 +10,28 @@
 
 namespace suffuse {
 
-/// What the contract allows between a backend and the reference, per channel.
+/// The greatest difference that the contract allows between a backend and the reference, in each channel.
 inline constexpr double pictureTolerance = 1.0 / 512;
 
-/// Differences of colour are taken of associated colour (colour · alpha): where little is covered, straight colour says
-/// little. For opaque pictures the two are the same.
+/// Differences of colour are taken of associated colour (colour · alpha), since straight colour says little where
+/// little is covered. For opaque pictures both are the same.
 struct PictureDifference {
     std::array<double, 4> maximum{}; ///< largest difference in R, G, B and A
     std::array<double, 4> mean{};
     int x = 0; ///< pixel of the largest difference in any channel
     int y = 0;
-    std::array<float, 4> first{}; ///< the two pictures there, straight
+    std::array<float, 4> first{}; ///< the two pictures at that pixel, straight
     std::array<float, 4> second{};
-    std::size_t pixels = 0;    ///< compared
-    std::size_t over = 0;      ///< pixels with a channel over pictureTolerance
-    std::size_t notFinite = 0; ///< pixels with a value that is no number, in either picture; they count as over
+    std::size_t pixels = 0; ///< number of pixels that were compared
+    std::size_t over = 0;   ///< pixels with a channel over pictureTolerance
+    /// pixels with a value that is not a number, in either picture; they count as over the tolerance
+    std::size_t notFinite = 0;
 
     double largest() const { return std::max({maximum[0], maximum[1], maximum[2], maximum[3]}); }
     bool isWithinTolerance() const { return over == 0; }
 };
 
-/// Fails if the sizes differ.
+/// Compares two pictures. It fails if their sizes differ.
 Result<PictureDifference> compare(const FloatPicture &a, const FloatPicture &b);
 
 } // namespace suffuse

@@ -1,4 +1,4 @@
-// Goes on with the CPU where a device fails.
+// A renderer that goes on with the CPU when a device fails.
 #pragma once
 
 #include "render/renderer.h"
@@ -8,11 +8,11 @@
 
 namespace suffuse {
 
-/// Draws with another renderer until that one's device is lost; then draws the same request with the one that stands in
-/// for it at once, and all that follow. What it is and its notice may be asked for by any thread.
+/// Draws with another renderer until its device is lost. Then it draws the same request, and all that follow, with a
+/// CPU renderer. Any thread may ask for its backend and its notice.
 class FallbackRenderer : public Renderer {
 public:
-    /// `makeCpu` makes the renderer that draws once `primary` is lost. It cannot fail, and is called once at most.
+    /// `makeCpu` makes the renderer that draws once `primary` is lost. It must not fail, and is called at most once.
     FallbackRenderer(std::unique_ptr<Renderer> primary, std::function<std::unique_ptr<Renderer>()> makeCpu);
 
     Backend backend() const override;
@@ -23,7 +23,7 @@ public:
     QString notice() const override;
 
 private:
-    mutable std::mutex m_mutex; ///< guards what is pointed to while it is named or replaced
+    mutable std::mutex m_mutex; ///< guards the pointer while the renderer is named or replaced
     std::unique_ptr<Renderer> m_renderer;
     const std::function<std::unique_ptr<Renderer>()> m_makeCpu;
     QString m_notice;

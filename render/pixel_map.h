@@ -1,11 +1,12 @@
-// Many points of the canvas as pixels of one view.
+// Maps many points of the canvas to pixels of one view.
 #pragma once
 
 #include "render/view.h"
 
 namespace suffuse {
 
-/// View::toPixels of many points that are given as offsets from one of the canvas, without sines for each.
+/// Does what View::toPixels does, for many points that are given as offsets from one point of the canvas, without
+/// computing sines for each.
 class PixelMap {
 public:
     explicit PixelMap(const View &view, Point origin = {})

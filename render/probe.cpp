@@ -18,7 +18,7 @@ double densityAt(const Stroke &stroke, const Segment &segment, Microseconds time
     const reference::Kernel kernel =
         segment.isIsotropic() ? reference::isotropicKernel(s)
                               : reference::anisotropicKernel(s, segment.anisotropyRatio, segment.anisotropyAngle);
-    // Offsets from the stroke's origin, so that far from the canvas' corner nothing is lost.
+    // Offsets from the stroke's origin lose no digits far from the corner of the canvas.
     Cubic cubic;
     for (std::size_t i = 0; i < 4; ++i)
         cubic.p[i] = Point{} + segment.bezier[i];

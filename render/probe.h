@@ -1,4 +1,4 @@
-// What lies at a point of a painting, number by number.
+// Computes what lies at a point of a painting, number by number.
 #pragma once
 
 #include "model/painting/painting.h"
@@ -9,20 +9,20 @@
 
 namespace suffuse {
 
-/// One segment's part of a stroke's density at the point.
+/// The part of one segment in a stroke's density at the point.
 struct ProbeShare {
-    int segment = 0;    ///< index
-    bool lifts = false; ///< it takes so much away
+    int segment = 0;    ///< index of the segment
+    bool lifts = false; ///< whether it takes so much paint away
     double density = 0; ///< φ_k
-    double share = 0;   ///< φ_k/φ⁺, φ⁺ the sum over the segments that lay paint
+    double share = 0;   ///< φ_k/φ⁺, where φ⁺ is the sum over the segments that lay paint
 };
 
-/// A stroke at the point, and the canvas after it.
+/// A stroke at the point, and the colour of the canvas after it.
 struct ProbeStroke {
     StrokeId id = 0;
     QString name;
     double density = 0;               ///< φ (14): what is left of φ⁺ where paint is taken away
-    double lifted = 0;                ///< φ⁻, what is taken away
+    double lifted = 0;                ///< φ⁻, the density that is taken away
     double granulation = 1;           ///< ω̄ (15)
     double modulated = 0;             ///< φ′ = γφ (16)
     double densityFunction = 0;       ///< F (17-19)
@@ -37,11 +37,11 @@ struct Probe {
     double paper = 1;                  ///< η, all octaves
     std::array<double, 3> rybBefore{}; ///< background over white
     std::array<double, 3> rgbBefore{};
-    std::vector<ProbeStroke> strokes; ///< bottom to top; those within whose reach the point lies or that colour it
+    std::vector<ProbeStroke> strokes; ///< from bottom to top; those whose reach contains the point, or that colour it
 };
 
-/// At the point itself (px → 0: no coverage, no supersampling), in canvas units, at document time T; hidden strokes are
-/// left out. Fails where an image paper cannot be decoded.
+/// Probes the point itself (px → 0: without coverage and supersampling), in canvas units, at document time T. Hidden
+/// strokes are left out. It fails if an image paper cannot be decoded.
 Result<Probe> probe(const Painting &painting, Microseconds time, double x, double y);
 
 } // namespace suffuse

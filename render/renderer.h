@@ -1,4 +1,4 @@
-// A picture from a painting, by any backend.
+// The interface of all backends: a picture from a painting.
 #pragma once
 
 #include "model/painting/painting.h"
@@ -14,67 +14,70 @@
 
 namespace suffuse {
 
-/// What is to be drawn. The picture is a pure function of this.
+/// What is to be drawn. The picture is a pure function of it.
 struct RenderRequest {
     PaintingPtr painting;
     Microseconds time = 0; ///< document time T
     View view;
-    bool transparent = false; ///< no background: alpha holds the coverage
-    /// A value is being dragged: this frame may differ by 1e-5 a channel from the exact one, if that makes it faster.
-    /// The next frame without it is exact again.
+    bool transparent = false; ///< whether there is no background, so that alpha is the coverage
+    /// Whether a value is being dragged. Then this frame may differ by 1e-5 a channel from the exact one, if that makes
+    /// it faster. The next frame without it is exact again.
     bool interactive = false;
 };
 
 struct RenderStats {
-    double nodesMs = 0;   ///< segments to Gaussian nodes
-    double binningMs = 0; ///< nodes to tiles
-    double tilesMs = 0;   ///< pixels
+    double nodesMs = 0;   ///< time for making nodes of segments
+    double binningMs = 0; ///< time for sorting nodes into tiles
+    double tilesMs = 0;   ///< time for the pixels
     double totalMs = 0;
-    int tiles = 0;                      ///< in the picture
-    int tilesEvaluated = 0;             ///< of them evaluated in this call
-    std::size_t nodes = 0;              ///< in the scene
-    std::vector<PixelRect> dirty;       ///< what was stored, disjoint
-    double deviceMs = 0;                ///< of the device alone, by its clock; 0 on the CPU
-    std::shared_ptr<DeviceFrame> frame; ///< where the picture stayed on the device; null: it is in the target
-    bool cancelled = false;             ///< `cancel` was set: what was not stored is still dirty for the next call
+    int tiles = 0;                      ///< tiles of the picture
+    int tilesEvaluated = 0;             ///< tiles that were evaluated in this call
+    std::size_t nodes = 0;              ///< nodes of the scene
+    std::vector<PixelRect> dirty;       ///< the rectangles that were stored, which do not overlap
+    double deviceMs = 0;                ///< time of the device alone, by its clock; 0 on the CPU
+    std::shared_ptr<DeviceFrame> frame; ///< the picture if it stayed on the device; null if it is in the target
+    /// whether `cancel` was set; what was not stored is then still dirty for the next call
+    bool cancelled = false;
 };
 
 enum class Backend { Auto, Cpu, Cuda, Reference };
-/// "CPU", "CUDA", "reference": what people and JSON call it, in every language.
+/// The name that people and JSON use for a backend, in every language: "CPU", "CUDA", "reference".
 QString nameOf(Backend backend);
 
-/// Draws into one target again and again, evaluating only what differs from its last call.
+/// Draws into one target again and again, and evaluates only what differs from the last call.
 class Renderer {
 public:
     virtual ~Renderer() = default;
-    virtual Backend backend() const = 0;    ///< which one draws now, never Auto
+    virtual Backend backend() const = 0;    ///< the one that draws now, never Auto
     virtual QString deviceName() const = 0; ///< "2 threads · AVX2", "H100"
 
-    /// Brings `target` up to date with the request. The first call, another target, size, view or paper draw all of it.
-    /// Returns early, with `cancelled`, soon after `cancel` becomes true.
+    /// Brings `target` up to date with the request. The first call draws all of it, and so does a call with another
+    /// target, size, view or paper. It returns early, with `cancelled`, soon after `cancel` becomes true.
     virtual Result<RenderStats> render(const RenderRequest &request, Target &target,
                                        const std::atomic<bool> *cancel = nullptr) = 0;
-    /// Forgets what was drawn: the next call draws all of it.
+    /// Forgets what was drawn, so that the next call draws all of it.
     virtual void invalidate() = 0;
-    /// Empty, or why another backend draws than the one that was asked for: "CUDA stopped: out of memory. …".
+    /// Why another backend draws than the one that was asked for, as "CUDA stopped: out of memory. …"; empty if that is
+    /// not so.
     virtual QString notice() const { return {}; }
-    /// True once its device failed: every further call would fail, and another renderer may take the same request over.
+    /// Whether the device has failed. Then every further call fails, too, and another renderer may take the same
+    /// request over.
     virtual bool isLost() const { return false; }
 };
 
-/// For RendererOptions::devices.
+/// A value of RendererOptions::devices that means all of them.
 inline constexpr int allDevices = -1;
 
 struct RendererOptions {
     Backend backend = Backend::Auto;
     int threads = 0;     ///< 0: all cores
     int tileSize = 0;    ///< 0: the backend's choice; the picture's bits do not depend on it
-    bool cull = true;    ///< false: every stroke is evaluated everywhere, to test that culling changes no bit
-    int firstDevice = 0; ///< the GPU to begin with
-    int devices = 1; ///< of several GPUs so many share each picture, or allDevices; the picture's bits stay the same
+    bool cull = true;    ///< if false, every stroke is evaluated everywhere, to test that culling changes no bit
+    int firstDevice = 0; ///< the first GPU to use
+    int devices = 1; ///< how many GPUs share each picture, or allDevices; the bits of the picture do not depend on it
 };
 
-/// How renderers are made: makeRenderer (render/backends.h), or what a test has in its place.
+/// A function that makes renderers: makeRenderer (render/backends.h), or a substitute in tests.
 using MakeRenderer = std::function<Result<std::unique_ptr<Renderer>>(const RendererOptions &)>;
 
 } // namespace suffuse

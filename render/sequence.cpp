@@ -27,7 +27,7 @@ public:
         : m_request(request), m_moments(moments), m_use(use), m_cancel(cancel)
     {}
 
-    /// Moments [from, to): pictures are used while the next ones are drawn.
+    /// Draws the moments [from, to). Pictures are used while the next ones are drawn.
     void run(Renderer &renderer, std::size_t from, std::size_t to, int threads)
     {
         if (threads == 1)
@@ -51,7 +51,7 @@ public:
 private:
     bool isOver() const { return m_failed || (m_cancel && m_cancel->load(std::memory_order_relaxed)); }
 
-    /// It may be a thread of its own.
+    /// Calls a function that may run on a thread of its own, and keeps its failure.
     template <typename Function>
     void guarded(Function work)
     {
@@ -68,7 +68,7 @@ private:
     template <typename Take>
     void drawAll(Renderer &renderer, std::size_t from, std::size_t to, Take take)
     {
-        FloatPicture canvas; // drawn again and again
+        FloatPicture canvas; // It is drawn into again and again.
         for (std::size_t i = from; i < to && !isOver(); ++i) {
             draw(renderer, m_moments[i], canvas);
             if (!isOver())
@@ -76,10 +76,10 @@ private:
         }
     }
 
-    /// A picture that waits for its thread, or is used by it.
+    /// A place for a picture that waits for a thread, or is used by one.
     struct Place {
         FloatPicture picture;
-        std::optional<std::size_t> moment; ///< none: there are no more
+        std::optional<std::size_t> moment; ///< no value: there are no more moments
         std::binary_semaphore isFree{1}, isFilled{0};
     };
 
@@ -98,7 +98,7 @@ private:
             drawAll(renderer, from, to, [&](std::size_t i, const FloatPicture &canvas) {
                 Place &place = places[(i - from) % places.size()];
                 place.isFree.acquire();
-                auto giveBack = qScopeGuard([&] { place.isFree.release(); }); // where the copy fails
+                auto giveBack = qScopeGuard([&] { place.isFree.release(); }); // This also covers a copy that fails.
                 place.picture = canvas;
                 giveBack.dismiss();
                 place.moment = i;

@@ -1,4 +1,4 @@
-// Pictures of a painting at one moment after another: films.
+// Draws a painting at many moments, for films.
 #pragma once
 
 #include "render/renderer.h"
@@ -8,14 +8,14 @@
 namespace suffuse {
 
 struct SequenceStats {
-    std::int64_t tiles = 0;          ///< of all pictures
-    std::int64_t tilesEvaluated = 0; ///< of them evaluated: the others did not change since the picture before
-    QString notice;                  ///< of the first renderer that has one
+    std::int64_t tiles = 0;          ///< tiles of all pictures
+    std::int64_t tilesEvaluated = 0; ///< tiles that were evaluated; the others had not changed since the picture before
+    QString notice;                  ///< the first notice of a renderer
 };
 
-/// Draws `request` (its time is not used) at each of the moments. Each renderer takes a run of them, so that it
-/// evaluates only what changed. `use(i, picture)` gets the pictures, up to `threads` at once from threads of their own,
-/// while the next ones are drawn; its first error ends the work, as `cancel` does (an empty error).
+/// Draws `request` at each of the moments (its own time is not used). Each renderer takes a run of the moments, so that
+/// it evaluates only what changed. `use(i, picture)` gets the pictures while the next ones are drawn, up to `threads`
+/// at once on threads of their own. Its first error ends the work. So does `cancel`, with an empty error.
 Result<SequenceStats> renderSequence(const std::vector<std::unique_ptr<Renderer>> &renderers,
                                      const RenderRequest &request, const std::vector<Microseconds> &moments,
                                      int threads,

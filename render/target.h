@@ -8,25 +8,26 @@
 
 namespace suffuse {
 
-/// Receives finished pixels: straight (unassociated) RGBA, RGB sRGB-encoded, each in [0, 1].
+/// Receives finished pixels as straight (unassociated) RGBA. RGB is sRGB-encoded, and all values are in [0, 1].
 class Target {
 public:
     Target() : m_serial(nextSerial()) {}
     Target(const Target &) : Target() {}
     Target &operator=(const Target &) { return *this; }
     virtual ~Target() = default;
-    /// Never used twice in a process, as an address is: a renderer knows by it which target it drew last.
+    /// Unlike an address it is never used twice in a process, so a renderer can tell by it which target it drew last.
     std::uint64_t serial() const { return m_serial; }
-    /// Before the first store of a picture of another size.
+    /// Called before the first `store` of a picture of another size.
     virtual void resize(int width, int height) = 0;
-    /// `rgba`: 4 floats a pixel, rows of `stride` pixels. Called from several threads at once for disjoint rectangles.
+    /// Stores a rectangle. `rgba` has 4 floats for each pixel, in rows of `stride` pixels. It is called from several
+    /// threads at once for rectangles that do not overlap.
     virtual void store(const PixelRect &rect, const float *rgba, int stride) = 0;
 
-    /// True where 8 bits are all that is kept: then renderers that make them themselves call `storeArgb` instead.
+    /// Whether only 8 bits are kept. Renderers that can make these themselves then call `storeArgb` instead.
     virtual bool keepsArgb() const { return false; }
-    /// `argb`: 0xAARRGGBB, rows of `stride` pixels.
+    /// Stores a rectangle of 0xAARRGGBB, in rows of `stride` pixels.
     virtual void storeArgb(const PixelRect &, const std::uint32_t *, int) {}
-    /// True where the picture may stay on the device (RenderStats::frame) and nothing need be stored.
+    /// Whether the picture may stay on the device (RenderStats::frame), so that nothing need be stored.
     virtual bool takesDeviceFrames() const { return false; }
 
 private:
@@ -35,7 +36,7 @@ private:
     std::uint64_t m_serial;
 };
 
-/// A picture in memory, float RGBA.
+/// A picture in memory, as float RGBA.
 class FloatPicture : public Target {
 public:
     int width = 0;
@@ -51,7 +52,8 @@ public:
     const float *at(int x, int y) const { return rgba.data() + (std::size_t(y) * width + x) * 4; }
 };
 
-/// A picture in memory, 8 bits a channel, 0xAARRGGBB straight alpha (QImage::Format_ARGB32), rounded to nearest.
+/// A picture in memory with 8 bits a channel, 0xAARRGGBB with straight alpha (QImage::Format_ARGB32), rounded to
+/// nearest.
 class Picture8 : public Target {
 public:
     int width = 0;

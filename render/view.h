@@ -15,8 +15,8 @@ struct PixelRect {
     friend bool operator==(const PixelRect &, const PixelRect &) = default;
 };
 
-/// A similarity between canvas units and pixels, kept as the canvas point at the picture's centre so that deep zoom
-/// loses nothing: subtract in double first, then scale.
+/// A similarity between canvas units and pixels. It is stored with the canvas point at the centre of the picture, so
+/// that deep zoom loses no digits: subtract in double first, then scale.
 struct View {
     Point centre;            ///< canvas point at the centre of the picture
     double scale = 1;        ///< pixels per unit (the zoom), 1e-3 … 1e9
@@ -28,7 +28,7 @@ struct View {
 
     double px() const { return 1 / scale; } ///< size of a pixel in canvas units
 
-    /// The picture of an area: pixel (i, j) samples area.xy + (i+½, j+½)·px, px = area.width/width.
+    /// The view of an area: pixel (i, j) samples area.xy + (i+½, j+½)·px, px = area.width/width.
     static View ofArea(const Rect &area, int width, int height)
     {
         View v;
@@ -57,7 +57,7 @@ struct View {
     }
 };
 
-/// Height of a picture of `area`, pixels: round(area.height / (area.width / width)).
+/// The height of a picture of `area` in pixels: round(area.height / (area.width / width)).
 inline int heightForWidth(const Rect &area, int width)
 {
     return int(std::lround(area.height() / (area.width() / width)));

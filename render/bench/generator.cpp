@@ -9,7 +9,7 @@ namespace suffuse::bench {
 
 namespace {
 
-/// The standard's distributions differ between libraries; its engines do not.
+/// Random numbers. The distributions of the standard library differ between libraries, its engines do not.
 class Random {
 public:
     explicit Random(std::uint64_t seed) : m_engine(seed) {}
@@ -48,7 +48,7 @@ std::vector<int> segmentCounts(const PaintingOptions &o, Random &random)
     return counts;
 }
 
-/// n + 1 pen samples around `centre`.
+/// Makes n + 1 samples of a pen around `centre`.
 std::vector<Point> penPath(int n, Point centre, double unit, Random &random)
 {
     std::vector<Point> points;
@@ -69,7 +69,7 @@ std::vector<Point> penPath(int n, Point centre, double unit, Random &random)
     return points;
 }
 
-/// Cubics through the points, handles from the neighbours.
+/// Makes cubics through the points, with handles from the neighbours.
 std::vector<Segment> segmentsThrough(const std::vector<Point> &points, Point origin)
 {
     std::vector<Segment> out(points.size() - 1);
@@ -127,7 +127,7 @@ Stroke randomStroke(const PaintingOptions &o, int segments, Microseconds &clock,
     for (int i = 0; i < segments; ++i) {
         Segment &s = stroke.segments[std::size_t(i)];
         const double along = (i + 0.5) / segments;
-        // A pen lands, presses unevenly and lifts.
+        // The pen lands, presses unevenly and lifts.
         const double pressure =
             std::min({1.0, 0.3 + 6 * along, 0.3 + 6 * (1 - along)}) * (0.85 + 0.15 * std::sin(9 * along + phase));
         s.diffusion = float(spread * spread / 4);

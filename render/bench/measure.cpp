@@ -24,13 +24,13 @@ Error stopped()
     return Error{QCoreApplication::translate("Bench", "stopped before all was measured")};
 }
 
-/// As the canvas takes a picture: on the device where that can be, else in memory.
+/// A target as the canvas has it: the picture stays on the device if possible, and comes to memory otherwise.
 class CanvasPicture : public Picture8 {
 public:
     bool takesDeviceFrames() const override { return true; }
 };
 
-/// One renderer with the picture it keeps up to date, as a window has it.
+/// One renderer with the picture that it keeps up to date, as a window has it.
 class Session {
 public:
     static Result<Session> make(const Job &job)
@@ -69,13 +69,14 @@ private:
     std::unique_ptr<CanvasPicture> m_picture;
 };
 
-/// Binning and pixels: on the device by its own clock.
+/// The time for sorting and pixels; on a device it is measured by its own clock.
 double fullRenderMs(const RenderStats &stats)
 {
     return stats.deviceMs > 0 ? stats.deviceMs : stats.binningMs + stats.tilesMs;
 }
 
-/// The painting with a factor on the density of one stroke's segments [from, to): an edit as the document makes it.
+/// The painting with a factor on the density of a stroke's segments [from, to), made by an edit as the document does
+/// it.
 PaintingPtr withDensity(const Painting &painting, int index, std::size_t from, std::size_t to, float factor)
 {
     Painting out = painting;
@@ -87,7 +88,7 @@ PaintingPtr withDensity(const Painting &painting, int index, std::size_t from, s
     return std::make_shared<const Painting>(std::move(out));
 }
 
-/// Frames in which the density of the stroke's segments [from, to) changes.
+/// Measures frames in which the density of a stroke's segments [from, to) changes.
 Result<Timing> measureEdits(const Job &job, int index, std::size_t from, std::size_t to)
 {
     Result<Session> session = Session::make(job);
@@ -96,7 +97,7 @@ Result<Timing> measureEdits(const Job &job, int index, std::size_t from, std::si
     if (const Result<RenderStats> drawn = session->draw(); !drawn)
         return Error{drawn.error()};
     std::vector<double> times;
-    PaintingPtr before = job.painting; // freed outside of the frame's time, as the editor's worker does
+    PaintingPtr before = job.painting; // It is freed outside of the measured time, as the editor's worker does.
     for (int step = 0; step < job.dragSteps; ++step) {
         QElapsedTimer timer;
         timer.start();
@@ -151,7 +152,7 @@ Result<StageTimings> measureStages(const Job &job)
         onDevice = again->deviceMs > 0;
     }
     StageTimings out{timingOf(nodes), timingOf(binning), timingOf(full), timingOf(first)};
-    if (onDevice) { // its clock rate rises with use
+    if (onDevice) { // The clock rate of a device rises with use.
         const Result<Timing> warm = measureFullRender(job);
         if (!warm)
             return Error{warm.error()};
@@ -202,7 +203,7 @@ Result<Timing> measureOpen(const Job &job)
             session->draw(std::make_shared<const Painting>(std::move(*painting)), job.time);
         if (!drawn)
             return Error{drawn.error()};
-        if (run > 0) // the first one warms caches
+        if (run > 0) // The first run warms the caches.
             times.push_back(milliseconds(timer));
     }
     return timingOf(times);
@@ -242,7 +243,7 @@ Result<Timing> measureLiveStroke(const Job &job, double spread, int end, float m
         Stroke live = makeLiveStroke(job.painting->canvas, spread, segments, id, start);
         for (Segment &s : live.segments) {
             s.maxAge = maxAge;
-            s.diffusion /= maxAge; // so wide when it has dried
+            s.diffusion /= maxAge; // It is so wide when it has dried.
         }
         auto stroke = std::make_shared<const Stroke>(std::move(live));
         QElapsedTimer timer;
@@ -251,7 +252,7 @@ Result<Timing> measureLiveStroke(const Job &job, double spread, int end, float m
         painting.strokes.push_back(std::move(stroke));
         PaintingPtr after = std::make_shared<const Painting>(std::move(painting));
         const Result<RenderStats> drawn = session->draw(after, now);
-        if (segments > begin) // the first frame draws all of the stroke
+        if (segments > begin) // The first frame draws all of the stroke.
             times.push_back(milliseconds(timer));
         if (!drawn)
             return Error{drawn.error()};

@@ -1,4 +1,4 @@
-// Times a renderer at the jobs an editor gives it.
+// Measures how long a renderer takes for the work of an editor.
 #pragma once
 
 #include "render/bench/rows.h"
@@ -8,7 +8,7 @@
 
 namespace suffuse::bench {
 
-/// What is drawn, by what, how often.
+/// What is drawn, by which renderer, and how often.
 struct Job {
     PaintingPtr painting;
     View view;
@@ -20,46 +20,48 @@ struct Job {
     const std::atomic<bool> *cancel = nullptr;
 };
 
-/// The job's painting at its end, all of its canvas, `width` pixels wide. `make`: makeRenderer (render/backends.h).
+/// A job for a painting at its end, with its whole canvas, `width` pixels wide. `make` is makeRenderer
+/// (render/backends.h).
 Job jobOf(PaintingPtr painting, int width, const RendererOptions &renderer, MakeRenderer make);
 
 struct StageTimings {
-    Timing nodeBuild;  ///< segments to nodes, by a fresh renderer
-    Timing binning;    ///< nodes to tiles, of a full render
-    Timing fullRender; ///< binning and pixels, nodes being there; on a device by its clock (RenderStats::deviceMs)
-    Timing first;      ///< all three, by a fresh renderer
+    Timing nodeBuild;  ///< segments to nodes, by a new renderer
+    Timing binning;    ///< nodes to tiles, in a full render
+    Timing fullRender; ///< sorting and pixels, while nodes exist; on a device by its clock (RenderStats::deviceMs)
+    Timing first;      ///< all three, by a new renderer
 };
 
-/// A fresh renderer for each run, then a full render by one that has its nodes. All of these fail as the renderer does,
-/// or with a message when `cancel` was set.
+/// Measures with a new renderer for each run, then full renders by one that has its nodes. This function and those
+/// below fail as the renderer does, or with a message if `cancel` was set.
 Result<StageTimings> measureStages(const Job &job);
 
-/// Full renders as in StageTimings, all by one renderer that is warm.
+/// Measures full renders as in StageTimings, all by one warm renderer.
 Result<Timing> measureFullRender(const Job &job);
 
-/// Reading the painting from a `.suffuse` file and drawing it with a fresh renderer: what opening costs.
+/// Measures the cost of opening: reading the painting from a `.suffuse` file, and drawing it with a new renderer.
 Result<Timing> measureOpen(const Job &job);
 
-/// Frames in which one stroke's density changes a little, snapshot and all, up to the finished picture in memory or on
-/// the device. `stroke` is a stroke of the painting.
+/// Measures frames in which the density of one stroke changes a little, from the snapshot to the finished picture in
+/// memory or on the device. `stroke` is a stroke of the painting.
 Result<Timing> measureDrag(const Job &job, StrokeId stroke);
 
-/// The same for one segment from the middle of the stroke.
+/// The same for one segment in the middle of the stroke.
 Result<Timing> measureSegmentEdit(const Job &job, StrokeId stroke);
 
-/// Frames of a stroke on top of the painting that grows to `segments` (at least 140), one each 1/60 s, while they
-/// spread: the last 140 of them. They spread for `maxAge` seconds, so that 60 · maxAge of them are active.
+/// Measures frames of a stroke on top of the painting that grows to `segments` (at least 140), with a frame each 1/60 s
+/// while segments spread: the last 140 of them. Segments spread for `maxAge` seconds, so that 60 · maxAge of them are
+/// active.
 Result<Timing> measureLiveStroke(const Job &job, double spread, int segments, float maxAge = 1);
 
-/// An ordinary stroke from the middle of the order: of the ten there, the visible one with the median number of
+/// An ordinary stroke from the middle of the order: of the ten strokes there, the visible one with the median number of
 /// segments. Null where no stroke is visible.
 StrokePtr middleStroke(const Painting &painting);
 
-/// `stroke` amid `count` strokes like the painting's own, spread over the canvas, half of them below it; it
-/// has the id 1.
+/// A painting with `stroke` among `count` strokes like those of `painting`, which are spread over the canvas, half of
+/// them below it. The stroke gets the id 1.
 Painting amongOthers(const Painting &painting, const StrokePtr &stroke, std::size_t count);
 
-/// Backend and device as the renderer names them, threads as they are used.
+/// A row with backend and device as the renderer names them, and with the number of threads that are used.
 Result<Row> rowFor(const Job &job, const QString &name, const QString &paintingName);
 
 } // namespace suffuse::bench

@@ -17,7 +17,7 @@ public:
            std::vector<Row> &rows)
         : m_plan(plan), m_device(device), m_progress(progress), m_rows(rows)
     {}
-    /// Each returns false where a figure could not be taken; `error` says why.
+    /// These functions return false if a figure could not be measured; `error` says why.
     bool stages(const PaintingPtr &painting, const QString &name);
     bool open(const PaintingPtr &painting);
     bool drag(const PaintingPtr &painting);
@@ -89,7 +89,7 @@ bool Runner::stages(const PaintingPtr &painting, const QString &name)
                          binning = QStringLiteral("binning");
     if (!wanted(full) && !wanted(nodes) && !wanted(binning))
         return true;
-    const bool onDevice = m_device.backend == Backend::Cuda; // then threads hardly count
+    const bool onDevice = m_device.backend == Backend::Cuda; // On a device the number of threads hardly matters.
     const std::vector<int> threadCounts = onDevice ? std::vector{m_plan.threads.back()} : m_plan.threads;
     for (int width : m_plan.widths)
         for (int threads : threadCounts) {
@@ -121,7 +121,7 @@ bool Runner::drag(const PaintingPtr &painting)
 {
     const StrokePtr stroke = middleStroke(*painting);
     if (!stroke)
-        return true; // an empty painting has nothing to drag
+        return true; // An empty painting has nothing to drag.
     for (const auto &[name, measure] :
          {std::pair(QStringLiteral("drag"), &measureDrag), {QStringLiteral("edit-segment"), &measureSegmentEdit}}) {
         if (!wanted(name))

@@ -1,4 +1,4 @@
-// Which figures a bench takes: the rows of the performance page, one after the other.
+// Which figures a bench measures: the rows of the performance page, one after the other.
 #pragma once
 
 #include "render/bench/generator.h"
@@ -12,24 +12,26 @@ namespace suffuse::bench {
 
 /// What is measured. Without `painting`, a painting is generated from `generated`.
 struct Plan {
-    PaintingPtr painting; ///< null: generate one
+    PaintingPtr painting; ///< null: a painting is generated
     QString name = QStringLiteral("figure11f");
     PaintingOptions generated;
-    MakeRenderer make;                    ///< makeRenderer (render/backends.h)
-    std::vector<RendererOptions> devices; ///< backends, one after the other; `threads` is taken from `threads` below
-    std::vector<int> threads{0};          ///< full renders are taken with each, the rest with the last; 0: all cores
-    std::vector<int> widths;              ///< of full renders, pixels; the rest is taken at the first
-    std::vector<int> growth;              ///< segments of the growth rows
-    bool table2 = false;                  ///< full renders of all paintings of the paper's Table 2 too
-    QStringList only;                     ///< names of rows ("growth": all of them); empty: all
+    MakeRenderer make; ///< makeRenderer (render/backends.h)
+    /// the backends, one after the other; their `threads` come from `threads` below
+    std::vector<RendererOptions> devices;
+    /// full renders are measured with each number, the rest with the last; 0: all cores
+    std::vector<int> threads{0};
+    std::vector<int> widths; ///< widths of full renders in pixels; the rest is measured at the first
+    std::vector<int> growth; ///< segments of the growth rows
+    bool table2 = false;     ///< whether all paintings of the paper's Table 2 are rendered, too
+    QStringList only;        ///< names of rows (all those of "growth" have this name); empty: all rows
     int runs = 9;
     const std::atomic<bool> *cancel = nullptr;
 };
 
-/// Every name that `Plan::only` may hold.
+/// All names that `Plan::only` may have.
 QStringList rowNames();
 
-/// Takes the figures. `progress` is told what is measured next (translated); may be empty.
+/// Measures the figures. `progress`, which may be empty, is told what is measured next (translated).
 Result<std::vector<Row>> run(const Plan &plan, const std::function<void(const QString &)> &progress = {});
 
 } // namespace suffuse::bench

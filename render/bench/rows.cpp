@@ -13,7 +13,7 @@ namespace suffuse::bench {
 
 namespace {
 
-/// To four places: a tenth of a microsecond where the unit is milliseconds.
+/// A number to four places: to a tenth of a microsecond where the unit is milliseconds.
 double rounded(double value)
 {
     return std::round(value * 1e4) / 1e4;

@@ -9,13 +9,13 @@
 
 namespace suffuse::bench {
 
-/// Of the times of several runs.
+/// The times of several runs, summed up.
 struct Timing {
     double medianMs = 0;
     double minMs = 0;
     int runs = 0;
 };
-/// Median (of an even number: the mean of the middle two) and minimum. Zero runs give zeros.
+/// The median (of an even number, the mean of the middle two) and the minimum. Without runs both are zero.
 Timing timingOf(std::vector<double> milliseconds);
 
 /// One figure (docs/cli.md describes the members).
@@ -28,13 +28,13 @@ struct Row {
     int height = 0;
     int threads = 0;
     Timing timing;
-    QString baseline;            ///< the method timed, or the row compared with; empty: none
-    std::optional<double> ratio; ///< this median over that of the row it is compared with
+    QString baseline;            ///< the method that was measured, or the row that it is compared with; empty: none
+    std::optional<double> ratio; ///< this median divided by that of the row it is compared with
 };
 
-/// A JSON array with one object a row, UTF-8.
+/// A JSON array with one object for each row, UTF-8.
 QByteArray toJson(const std::vector<Row> &rows);
-/// Aligned columns with a heading.
+/// A table of aligned columns with a heading.
 QString toTable(const std::vector<Row> &rows);
 
 } // namespace suffuse::bench

@@ -1,4 +1,4 @@
-// What the inner loops read and write: blocks of samples, and areas that nodes are chosen for.
+// What the inner loops read and write: blocks of samples, and the areas for which nodes are chosen.
 #pragma once
 
 #include "render/math/shade_params.h"
@@ -13,17 +13,17 @@ namespace suffuse::cpu {
 /// Samples are evaluated in blocks of 16 × 16.
 inline constexpr int blockSide = 16;
 inline constexpr int blockSize = blockSide * blockSide;
-/// Node distances are taken from the centres of cells of 8 × 8 samples whose corners lie on the picture's 8-pixel grid,
-/// so that a sample's bits do not depend on the tile it is evaluated in.
+/// The distances of nodes are measured from the centres of cells of 8 × 8 samples, whose corners lie on the picture's
+/// 8-pixel grid. So the bits of a sample do not depend on the tile in which it is evaluated.
 inline constexpr int cellSide = 8;
 
-/// A rectangle of pixels as centre and half-sizes.
+/// A rectangle of pixels, as its centre and half-sizes.
 struct Area {
     double x = 0, y = 0;
     double halfWidth = 0, halfHeight = 0;
 };
 
-/// Square cells side by side, the first at (x, y): at most gridSide columns and rows.
+/// Square cells side by side, the first one at (x, y). A grid has at most gridSide columns and rows.
 inline constexpr int gridSide = 4;
 struct Grid {
     double x = 0, y = 0;
@@ -31,7 +31,7 @@ struct Grid {
     int columns = 1, rows = 1;
 };
 
-/// How many nodes meet an area, and upper bounds of their φ and |∇φ| (per pixel) over it.
+/// How many nodes meet an area, and upper bounds of their φ and |∇φ| (per pixel) in it.
 struct Meeting {
     int count = 0;
     float density = 0;
@@ -54,7 +54,7 @@ struct Block {
 struct Sums {
     alignas(64) float v[fixedSums + maxChannels][blockSize];
 
-    /// The first rows, one after the other; there may be none.
+    /// Takes over the first rows, which follow each other. There may be none.
     void take(std::span<const float> rows)
     {
         if (!rows.empty())
@@ -76,8 +76,8 @@ struct Backdrop {
     bool transparent = false;
 };
 
-/// A run of strokes as one map of the backdrop: B ← min(limit, keep·B + add), coverage a ← hold·a + gain. Such maps
-/// compose (docs/solver.md, "Layers").
+/// A run of strokes as one map of the backdrop: B ← min(limit, keep·B + add), coverage a ← hold·a + gain. Such maps can
+/// be composed (docs/solver.md, "Layers").
 struct OverMap {
     alignas(64) float keep[3][blockSize];
     alignas(64) float add[3][blockSize];

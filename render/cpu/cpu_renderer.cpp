@@ -16,7 +16,7 @@ double milliseconds(const QElapsedTimer &timer)
     return double(timer.nsecsElapsed()) * 1e-6;
 }
 
-/// As processors name it, not as Highway does.
+/// The name of the instruction set as processors have it, which is not Highway's.
 QString instructionSet()
 {
     const QString name = QString::fromLatin1(cpu::kernels().name);
@@ -140,7 +140,7 @@ void CpuRenderer::paint(const Job &job, Target &target)
     const auto &scene = m_history.scene().strokes();
     const std::size_t first = m_history.edited();
     const SceneStroke *edited = first < scene.size() ? scene[first].get() : nullptr;
-    thread_local cpu::TileStrokes strokes; // keeps its memory from tile to tile
+    thread_local cpu::TileStrokes strokes; // It keeps its memory from tile to tile.
     strokes.begin(*m_frame.kernels, tile);
     cpu::TilePlan plan = job.plan;
     for (const std::uint32_t i : job.strokes)
@@ -190,7 +190,7 @@ Result<RenderStats> CpuRenderer::render(const RenderRequest &request, Target &ta
             stats.dirty.push_back(m_history.region().tile(jobs[i].column, jobs[i].row));
             used.push_back(m_history.tileIndex(jobs[i].column, jobs[i].row));
         } else if (jobs[i].plan.layers) {
-            *jobs[i].plan.layers = {}; // not filled
+            *jobs[i].plan.layers = {}; // The layers were not filled.
         }
     }
     m_layers.keep(used);

@@ -7,10 +7,11 @@
 
 namespace suffuse {
 
-/// Tiles on all cores, evaluating only what differs from the last call.
+/// Draws tiles on all cores, and evaluates only what differs from the last call.
 class CpuRenderer : public Renderer {
 public:
-    /// `tileSize`: a multiple of 8, 0 for the default; `threads`: 0 for all cores; `cull`: see RendererOptions.
+    /// `tileSize` is a multiple of 8, or 0 for the default; `threads` is 0 for all cores; for `cull` see
+    /// RendererOptions.
     CpuRenderer(int threads, int tileSize, bool cull = true);
 
     Backend backend() const override { return Backend::Cpu; }
@@ -25,23 +26,24 @@ private:
         int column = 0;
         int row = 0;
         cpu::TilePlan plan;
-        std::size_t from = 0, to = 0;       ///< the strokes that it needs, of the scene's order,
-        std::vector<std::uint32_t> strokes; ///< and those of them whose bounds meet it
+        std::size_t from = 0, to = 0;       ///< the range of the scene's order with the strokes that it needs,
+        std::vector<std::uint32_t> strokes; ///< and those of them whose bounds meet the tile
     };
 
-    /// Drops layers that no longer hold, and finds what of the changed strokes stays.
+    /// Drops layers that are no longer valid, and finds what stays of the changed strokes.
     void followEdits(const FrameHistory::Step &step);
     std::vector<Job> planJobs(bool interactive);
-    /// Gives each job its strokes: rows of tiles first, then columns, so that it costs what strokes touch.
+    /// Gives each job its strokes, by rows of tiles first and then by columns, so that the cost is in proportion to
+    /// what strokes touch.
     void binStrokes(std::vector<Job> &jobs) const;
-    /// Sums of what stays of a stroke that changes, for the job's tile; null where nothing does.
+    /// The sums of what stays of a stroke that changes, for the job's tile; null if nothing stays.
     const cpu::StrokePrefix *prefixOf(const Job &job, std::uint32_t stroke, cpu::TileStrokes &strokes) const;
     void paint(const Job &job, Target &target);
 
     const Threads m_threads;
     FrameHistory m_history;
     cpu::LayerCache m_layers{std::size_t(64) << 20};
-    std::vector<cpu::SteadyStroke> m_changed; ///< strokes that differ from the frame before, ascending
+    std::vector<cpu::SteadyStroke> m_changed; ///< the strokes that differ from the frame before, in ascending order
     cpu::Frame m_frame;
 };
 

@@ -1,7 +1,7 @@
 #include "render/cpu/deep.h"
 
 #include "render/math/scalar.h"
-// After the numbers: templates over them.
+// It has templates over the numbers, which must be declared before.
 #include "render/math/shade.h"
 
 #include <cstring>
@@ -10,10 +10,11 @@ namespace suffuse::cpu {
 
 namespace {
 
-/// c0 + c1 x + c2 y + c3 x² + c4 xy + c5 y² + c6 x³ + c7 x²y + c8 xy² + c9 y³
+/// The polynomial c0 + c1 x + c2 y + c3 x² + c4 xy + c5 y² + c6 x³ + c7 x²y + c8 xy² + c9 y³.
 using Cubic2 = std::array<double, 10>;
 
-/// Adds value · e^(−q(x − node)) about the cell's centre: with g = −∇q and −½H = M, e^(g·δ − δᵀMδ) to third order.
+/// Adds value · e^(−q(x − node)) as a polynomial about the cell's centre. With g = −∇q and −½H = M it is e^(g·δ − δᵀMδ)
+/// to third order.
 void addGaussian(const DeepNode &n, Point centre, Cubic2 &out)
 {
     const double dx = centre.x - n.x, dy = centre.y - n.y;
@@ -33,7 +34,7 @@ void addGaussian(const DeepNode &n, Point centre, Cubic2 &out)
     out[9] += e * (h * h * h / 6 + h * yy);
 }
 
-/// A row of a polynomial: c0 + c1 x + c2 x² + c3 x³.
+/// The polynomial in one row: c0 + c1 x + c2 x² + c3 x³.
 struct Row {
     double c0, c1, c2, c3;
 
@@ -56,8 +57,8 @@ Row slopeYRow(const Cubic2 &c, double y)
     return {-0.5 * (c[2] + y * (2 * c[5] + 3 * y * c[9])), -(0.5 * c[4] + y * c[8]), -0.5 * c[7], 0};
 }
 
-/// Side of the cells in pixels: twice as wide where the narrowest deep node is twice as wide, so that a cell spans the
-/// same small part of it (the fourth-order term stays below 1e-12 of the peak).
+/// The side of the cells in pixels. It doubles when the width of the narrowest deep node doubles, so that a cell always
+/// covers the same small part of it (the fourth-order term stays below 1e-12 of the peak).
 double cellSideFor(const SceneStroke &stroke)
 {
     double steepest = 0;
@@ -67,13 +68,13 @@ double cellSideFor(const SceneStroke &stroke)
     return std::exp2(std::clamp(std::floor(std::log2(spread / deepSpread)), 0.0, 3.0)) * cellSide;
 }
 
-/// Part of a block that lies in one cell.
+/// The part of a block that lies in one cell.
 struct Piece {
     int x0, y0, x1, y1; // samples of the block
-    double left, top;   // first sample, from the cell's centre
+    double left, top;   // the first sample, relative to the centre of the cell
 };
 
-/// One cell's polynomials: density, then density times each channel.
+/// The polynomials of one cell: the density, then the density times each channel.
 class Cell {
 public:
     Cell(const SceneStroke &stroke, Point centre) : m_stroke(stroke)
@@ -108,7 +109,7 @@ public:
         }
     }
 
-    /// In double from the sum to the opacity: `other` holds what nodes that are not deep add.
+    /// Computes in double from the sum to the opacity. `other` has what nodes that are not deep add.
     void shadeSharply(const Sums &other, const Piece &p, double step, const float *eta, Shaded &out) const
     {
         double channels[maxChannels];
@@ -139,7 +140,8 @@ private:
     std::array<Cubic2, 1 + maxChannels> m_polynomial;
 };
 
-/// Whether floats could show in the style at densities of [low, high]: where it jumps or is steeper than 1000/φ.
+/// Whether the precision of floats could be seen in the style at densities of [low, high]: where it jumps or is steeper
+/// than 1000/φ.
 bool isSharp(const ShadeParams &shade, double low, double high)
 {
     for (int k = 0; k < shade.kinds; ++k) {
@@ -163,7 +165,7 @@ template <class Use>
 void forEachPiece(const Block &block, double side, Use use)
 {
     const auto cellOf = [&](double at) { return std::floor(at / side); };
-    const auto border = [&](double origin, int from) { // first sample of the next cell
+    const auto border = [&](double origin, int from) { // the first sample of the next cell
         const double next = (cellOf(origin + (from + 0.5) * block.step) + 1) * side;
         return std::min(blockSide, int(std::ceil((next - origin) / block.step - 0.5)));
     };
@@ -197,7 +199,7 @@ void shadeDeep(const Kernels &kernels, const SceneStroke &stroke, const Block &b
                 high = std::max(high, sums.v[0][j * blockSide + i]);
             }
         if (stroke.granulated && eta)
-            low = 0; // the paper takes some away
+            low = 0; // The paper takes some of it away.
         if (isSharp(stroke.shade, double(low), double(high)))
             sharp.emplace_back(cell, piece);
     });

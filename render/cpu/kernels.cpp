@@ -2,7 +2,7 @@
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "render/cpu/kernels.cpp"
 #define SUFFUSE_HIGHWAY
-// Sets that differ too little from their neighbours to be worth the compile time and size.
+// These sets differ too little from their neighbours to be worth time and size of the compilation.
 #ifdef SUFFUSE_FEW_SIMD
 #define HWY_DISABLED_TARGETS (HWY_SSSE3 | HWY_SSE4 | HWY_AVX3 | HWY_AVX3_DL)
 #else
@@ -15,7 +15,7 @@
 #include "render/cpu/kernels.h"
 #include "render/cpu/shading-inl.h"
 #include "render/cpu/sums-inl.h"
-// After the lanes: templates over them.
+// It has templates over the lanes, which must be declared before.
 #include "render/math/colour.h"
 
 #include <algorithm>
@@ -27,10 +27,10 @@ namespace suffuse::HWY_NAMESPACE {
 
 using namespace suffuse::cpu;
 
-/// Boxes and an area along one axis.
+/// Boxes and an area, along one axis.
 struct Approach {
     Mask meets;
-    Lanes u2; // square of the distance in spreads to the nearest point
+    Lanes u2; // squared distance to the nearest point, in spreads
 
     HWY_INLINE Approach() {}
     HWY_INLINE Approach(Lanes at, Lanes reach, Lanes slowest, double centre, double half)
@@ -39,19 +39,19 @@ struct Approach {
         meets = hn::Le(d.v, reach.v);
         u2 = beyond * beyond * slowest;
     }
-    /// e^(−u²), from 2^−63 on: products of two are normal.
+    /// e^(−u²), but at least 2^−63, so that products of two are normal numbers.
     HWY_INLINE Lanes e() const { return Lanes(exp2InRange(hn::Max((Lanes(-log2e) * u2).v, hn::Set(tag, -63.0f)))); }
 };
 
-/// Bounds summed over boxes.
+/// Bounds that are summed over boxes.
 struct Bounds {
     Lanes density, slope;
     int count = 0;
 
-    HWY_INLINE Bounds() {} // compiled for the target, as the implicit one is not
+    HWY_INLINE Bounds() {} // It is compiled for the target, while the implicit one is not.
     HWY_INLINE void add(Mask there, Lanes u2, Lanes e, Lanes weight, Lanes steepest)
     {
-        // 2u e^(−u²) is greatest at u² = ½, √2 e^−½ = 0.85776, and then at most (1 + u²) e^(−u²).
+        // 2u e^(−u²) is greatest at u² = ½, where it is √2 e^−½ = 0.85776. Beyond that it is at most (1 + u²) e^(−u²).
         const Lanes rise = select_(less_(u2, Lanes(0.5)), Lanes(0.8578), mulAdd_(u2, e, e));
         density = density + Lanes(hn::IfThenElseZero(there, (weight * e).v));
         slope = slope + Lanes(hn::IfThenElseZero(there, (steepest * rise).v));
@@ -113,7 +113,7 @@ void listNodes(const NodeBoxes &in, int count, const std::uint32_t *runs, int ru
             const Mask inRow = hn::And(within, down.meets);
             for (int column = 0; column < grid.columns; ++column, ++i) {
                 const Mask there = hn::And(inRow, across[column].meets);
-                // Compressed in a register: storing a whole vector is faster, and there is room.
+                // It is compressed in a register, since storing a whole vector is faster, and there is room.
                 hn::StoreU(hn::Compress(node, hn::RebindMask(indexTag, there)), indexTag,
                            nodes + i * room + bounds[i].count);
                 bounds[i].add(there, across[column].u2 + down.u2, acrossE[column] * downE, weight, steepest);
@@ -159,7 +159,7 @@ HWY_INLINE void composeSample(int at, Lanes w, const Lanes (&colour)[3], float k
 void shadeInto(const ShadeParams &params, const Sums &sums, const float *eta, float step, float keep,
                Backdrop &backdrop, OverMap *map)
 {
-    const ShadeParams own = params; // cannot alias what is stored
+    const ShadeParams own = params; // A copy cannot alias what is stored.
     shadeBlock(own, sums, eta, step, [&](int at, const Paint<Lanes> &paint) {
         const Lanes colour[3] = {paint.red, paint.yellow, paint.blue};
         mixSample(at, paint.w, colour, keep, backdrop);
@@ -228,7 +228,7 @@ void toArgb(const float *rgba, int count, std::uint32_t *argb)
         const auto high = hn::Or(hn::ShiftLeft<24>(level(a)), hn::ShiftLeft<16>(level(r)));
         hn::StoreU(hn::Or(high, hn::Or(hn::ShiftLeft<8>(level(g)), level(b))), argbTag, argb + i);
     }
-    if (i < count) { // the rest through a padded copy
+    if (i < count) { // The rest goes through a padded copy.
         alignas(64) float rest[4 * boxRun] = {};
         alignas(64) std::uint32_t out[boxRun];
         std::copy_n(rgba + 4 * i, 4 * (count - i), rest);

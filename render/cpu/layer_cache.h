@@ -1,4 +1,5 @@
-// What lies below and above the strokes that are being edited, per tile, so that a frame costs those strokes only.
+// Keeps for each tile what lies below and above the strokes that are being edited, so that a frame costs only those
+// strokes.
 #pragma once
 
 #include "render/cpu/kernels.h"
@@ -11,34 +12,36 @@
 
 namespace suffuse::cpu {
 
-/// Layers of one tile, by block.
+/// The layers of one tile, by block.
 struct TileLayers {
     std::vector<Backdrop> under; ///< the picture before the first edited stroke: a prefix of the order, exact
-    std::size_t below = 0;       ///< so many of the scene's strokes are in it
-    std::vector<OverMap> over;   ///< all strokes above it as one affine map: exact in arithmetic, not in its last bits
-    std::list<StrokePrefix> prefixes; ///< of strokes that grow: what of them has dried, exact
+    std::size_t below = 0;       ///< how many of the scene's strokes are in it
+    /// all strokes above it as one affine map: exact in arithmetic, but not in its last bits
+    std::vector<OverMap> over;
+    std::list<StrokePrefix> prefixes; ///< for strokes that grow: what of them has dried, exact
     std::uint64_t used = 0;
 
-    /// The stroke's prefix, empty if it is new.
+    /// The prefix of a stroke, which is empty if it is new.
     StrokePrefix &prefixOf(std::uint32_t stroke);
 };
 
-/// Layers by tile, bounded in memory: what was not used for longest goes first. Prepared by one thread; then several
-/// threads may fill different tiles.
+/// The layers of tiles, bounded in memory: what was not used for the longest time is dropped first. One thread prepares
+/// them; then several threads may fill different tiles.
 class LayerCache {
 public:
     explicit LayerCache(std::size_t bytes) : m_capacity(bytes) {}
 
-    /// The tile's layers, empty if they are new.
+    /// The layers of a tile, which are empty if they are new.
     TileLayers &at(std::size_t tile) { return m_tiles[tile]; }
     void clear() { m_tiles.clear(); }
     void dropOver();
     void dropPrefixes();
-    /// Drops sums of the scene's first `below` strokes.
+    /// Drops the sums of the scene's first `below` strokes.
     void dropPrefixes(std::size_t below);
-    /// Drops sums over more nodes than stay. `changed`: the strokes that differ from the frame before, ascending.
+    /// Drops sums over more nodes than stay. `changed` are the strokes that differ from the frame before, in ascending
+    /// order.
     void dropPrefixes(const std::vector<SteadyStroke> &changed);
-    /// Marks tiles as used now and drops the rest, oldest first, down to the capacity.
+    /// Marks tiles as used now, and drops the others, the oldest first, down to the capacity.
     void keep(const std::vector<std::size_t> &usedNow);
 
 private:

@@ -1,4 +1,4 @@
-// Sums over the part of a growing stroke that has dried, so that a frame costs the young part only.
+// Sums over the part of a growing stroke that has dried, so that a frame costs only the young part.
 #pragma once
 
 #include "render/cpu/kernels.h"
@@ -9,30 +9,30 @@
 
 namespace suffuse::cpu {
 
-/// What a block's sums start from.
+/// The sums from which those of a block start.
 struct BlockPrefix {
-    Meeting meeting;         ///< of the nodes that are summed
-    std::vector<float> sums; ///< the rows of Sums that the stroke has; empty where no node meets the block
+    Meeting meeting;         ///< for the nodes that are summed
+    std::vector<float> sums; ///< the rows of Sums that the stroke has; empty if no node meets the block
 };
 
-/// A tile's sums over the first nodes of one stroke. Sums run in the nodes' order, so going on from here gives the bits
-/// of sums from the start.
+/// The sums of a tile over the first nodes of one stroke. Sums are computed in the order of the nodes, so continuing
+/// from here gives the same bits as sums from the start.
 struct StrokePrefix {
-    std::uint32_t stroke = 0; ///< in the scene's order
-    std::size_t nodes = 0;    ///< so many of them
-    Meeting meeting;          ///< with the whole tile
+    std::uint32_t stroke = 0; ///< its index in the scene
+    std::size_t nodes = 0;    ///< how many of its nodes are summed
+    Meeting meeting;          ///< for the whole tile
     std::vector<BlockPrefix> blocks;
 };
 
 std::size_t bytesOf(const StrokePrefix &prefix);
 
-/// How many leading nodes of a stroke stay as they are.
+/// How many of a stroke's first nodes stay as they are.
 struct SteadyStroke {
-    std::uint32_t stroke = 0; ///< in the scene's order
+    std::uint32_t stroke = 0; ///< its index in the scene
     std::size_t nodes = 0;
 };
 
-/// So many separable nodes of settled blocks, with their channel values, do both states of a stroke begin with.
+/// With how many equal separable nodes of settled blocks, and their channel values, both states of a stroke begin.
 std::size_t steadyNodes(const SceneStroke &before, const SceneStroke &now);
 
 } // namespace suffuse::cpu

@@ -1,4 +1,4 @@
-// Sums at the samples of a block to what they show. Included once per Highway target.
+// Turns sums at the samples of a block into what they show. It is included once for each Highway target.
 #if defined(SUFFUSE_RENDER_CPU_SHADING_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef SUFFUSE_RENDER_CPU_SHADING_INL_H
 #undef SUFFUSE_RENDER_CPU_SHADING_INL_H
@@ -7,7 +7,7 @@
 #endif
 
 #include "render/cpu/block-inl.h"
-// After the lanes: templates over them.
+// It has templates over the lanes, which must be declared before.
 #include "render/math/shade.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -15,8 +15,7 @@ namespace suffuse::HWY_NAMESPACE {
 
 using namespace suffuse::cpu;
 
-/// Where what a vector of samples shows is stored or mixed: `use(at, paint)`. Samples that show nothing may be left
-/// out.
+/// `use(at, paint)` stores or mixes what a vector of samples shows. Samples that show nothing may be left out.
 template <class Use>
 HWY_INLINE void shadeMixedStyles(const ShadeParams &params, const Sums &sums, const float *eta, float step, Use use)
 {
@@ -29,7 +28,7 @@ HWY_INLINE void shadeMixedStyles(const ShadeParams &params, const Sums &sums, co
     }
 }
 
-/// The long form of the mean for single samples of a block, wherever they lie, a vector at a time.
+/// Computes the long form of the mean for single samples of a block, wherever they lie, a vector at a time.
 class LongMeans {
 public:
     HWY_INLINE void add(hn::Vec<hn::RebindToSigned<Tag>> samples, Mask where, Lanes phi, Lanes h2)
@@ -42,7 +41,7 @@ public:
     template <class Style>
     HWY_INLINE void write(const Style &style, float *f)
     {
-        // Pad: beside the block.
+        // The padding stands beside the block.
         hn::StoreU(hn::Zero(tag), tag, m_phi + m_count);
         hn::StoreU(hn::Zero(tag), tag, m_h2 + m_count);
         hn::StoreU(hn::Set(indexTag, blockSize), indexTag, m_at + m_count);
@@ -61,14 +60,14 @@ private:
     alignas(64) std::int32_t m_at[blockSize + boxRun];
 };
 
-/// In passes, so that nothing waits for a branch that depends on a sample, and only samples that need the long form of
-/// the mean pay for it.
+/// Works in passes, so that nothing waits for a branch that depends on a sample, and only samples that need the long
+/// form of the mean pay for it.
 template <class Style, class Use>
 HWY_INLINE void shadeOneStyle(const Style &style, const ShadeParams &params, const Sums &sums, const float *eta,
                               float step, Use use)
 {
     alignas(64) float phi[blockSize], h2[blockSize], f[blockSize + 1];
-    std::uint8_t seen[blockSize]; // first samples of vectors that show something
+    std::uint8_t seen[blockSize]; // the first samples of vectors that show something
     int vectors = 0;
     LongMeans others;
     const hn::RebindToSigned<Tag> indexTag;
@@ -80,7 +79,7 @@ HWY_INLINE void shadeOneStyle(const Style &style, const ShadeParams &params, con
             modulate(params, sum(0, at), sum(1, at), sum(2, at), channel, eta ? load(eta + at) : Lanes(1), Lanes(step));
         const Mask isSeen = style.seen(m.phi, m.h2), simple = style.simple(m.phi, m.h2);
         store(Lanes(hn::IfThenElseZero(isSeen, m.phi.v)), phi + at);
-        store(Lanes(hn::IfThenElseZero(isSeen, m.h2.v)), h2 + at); // where φ lies below 0, too, nothing is left
+        store(Lanes(hn::IfThenElseZero(isSeen, m.h2.v)), h2 + at); // Where φ lies below 0, nothing is left, either.
         seen[vectors] = std::uint8_t(at);
         vectors += !hn::AllFalse(tag, isSeen);
         if (!hn::AllTrue(tag, simple))
@@ -101,7 +100,7 @@ HWY_INLINE void shadeOneStyle(const Style &style, const ShadeParams &params, con
     }
 }
 
-/// One style whose mean depends on how much is lifted. Where nothing is, the same bits as above.
+/// Shades one style whose mean depends on how much paint is lifted. Where none is, it gives the same bits as above.
 template <class Use>
 HWY_INLINE void shadeLifted(const Edge<Lanes> &style, const ShadeParams &params, const Sums &sums, const float *eta,
                             float step, Use use)

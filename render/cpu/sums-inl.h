@@ -1,4 +1,5 @@
-// Density, slopes and channels at the samples of a block: sums over nodes. Included once per Highway target.
+// Sums of density, slopes and channels over nodes, at the samples of a block. It is included once for each Highway
+// target.
 #if defined(SUFFUSE_RENDER_CPU_SUMS_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef SUFFUSE_RENDER_CPU_SUMS_INL_H
 #undef SUFFUSE_RENDER_CPU_SUMS_INL_H
@@ -15,7 +16,7 @@ namespace suffuse::HWY_NAMESPACE {
 
 using namespace suffuse::cpu;
 
-inline constexpr int chunk = 32; // nodes whose tables are in cache at once
+inline constexpr int chunk = 32; // nodes whose tables are in the cache at once
 
 struct alignas(64) Tables {
     float column[chunk][blockSide];      // e^(−a dx²) − cut
@@ -23,27 +24,28 @@ struct alignas(64) Tables {
     float row[chunk][blockSide];         // weight · (e^(−c dy²) − cut)
     float rowSlope[chunk][blockSide];
     float scaledRow[chunk][blockSide]; // row · channel value
-    float place[chunk][4];             // of the node from the centres of the first cell (x, y) and of the last
+    // of the node, relative to the centres of the first cell (x, y) and of the last one
+    float place[chunk][4];
 };
 
-/// Distances from a node to the block's 16 sample columns (or rows), lanes from `from` on. `first`, `last`: the node
-/// from the centres of the block's cells.
+/// The distances from a node to the block's 16 sample columns (or rows), for lanes from `from` on. `first` and `last`
+/// are the places of the node relative to the centres of the block's cells.
 HWY_INLINE Lanes distances(float first, float last, const float *offsets, int from)
 {
     const Lanes offset = load(offsets + from);
-    if (hn::Lanes(tag) > cellSide) // both cells in one vector
+    if (hn::Lanes(tag) > cellSide) // Both cells are in one vector.
         return offset - Lanes(hn::IfThenElse(hn::FirstN(tag, cellSide), Lanes(first).v, Lanes(last).v));
     return offset - Lanes(from < cellSide ? first : last);
 }
 
-/// Offsets of a block's samples from the centres of their cells.
+/// The offsets of a block's samples from the centres of their cells.
 HWY_INLINE void cellOffsets(double step, float *out)
 {
     for (int i = 0; i < blockSide; ++i)
         out[i] = (float(i % cellSide) - 3.5f) * float(step);
 }
 
-/// Cut Gaussian along one axis and −½ of its slope, times `weight` where there is one.
+/// The cut Gaussian along one axis and −½ of its slope, times `weight` if there is one.
 template <bool weighted>
 HWY_INLINE void axisTable(float first, float last, const float *offsets, float metric, float cut, float weight,
                           float *value, float *slope)
@@ -62,10 +64,10 @@ HWY_INLINE void axisTable(float first, float last, const float *offsets, float m
     }
 }
 
-/// Rows of a block whose sums are in registers at once: of one product, of two.
+/// How many rows of a block have their sums in registers at once: for one product, and for two.
 inline constexpr int tallRows = hn::MaxLanes(tag) >= blockSide ? 16 : 8, pairRows = tallRows / 2;
 
-/// Sums of `rows` rows of one vector of columns.
+/// The sums of `rows` rows of one vector of columns.
 template <int rows>
 struct Accumulators {
     Vec v[rows];
@@ -82,7 +84,7 @@ struct Accumulators {
     }
 };
 
-/// sums[row][column] (+)= Σ left[node][column] · right[node][row].
+/// sums[row][column] = Σ left[node][column] · right[node][row], or += if `add`.
 HWY_INLINE void addOuter(const float (*left)[blockSide], const float (*right)[blockSide], int nodes, bool add,
                          float *sums)
 {
@@ -99,7 +101,7 @@ HWY_INLINE void addOuter(const float (*left)[blockSide], const float (*right)[bl
         }
 }
 
-/// Two products that share `right`.
+/// The same for two products that share `right`.
 HWY_INLINE void addOuterPair(const float (*left0)[blockSide], const float (*left1)[blockSide],
                              const float (*right)[blockSide], int nodes, bool add, float *sums0, float *sums1)
 {
@@ -164,7 +166,7 @@ void addSeparable(const Block &block, const ViewNode *nodes, const std::uint32_t
     }
 }
 
-/// Nodes whose axes lie askew: no product of two tables.
+/// Adds nodes whose axes are oblique, and so are no product of two tables.
 void addOblique(const Block &block, const ViewNode *nodes, const std::uint32_t *listed, int count, const float *values,
                 int channels, Sums &sums)
 {
@@ -186,7 +188,7 @@ void addOblique(const Block &block, const ViewNode *nodes, const std::uint32_t *
                 const Lanes e = exp2Down(Lanes(-log2e) * (X * ax + Y * cy)), inside = e - Lanes(node.cut);
                 const auto there = less_(Lanes(0), inside);
                 const Lanes density = select_(there, inside * Lanes(node.weight), Lanes(0));
-                const Lanes slope = select_(there, Lanes(node.weight) * e, Lanes(0)); // −½ of it, as above
+                const Lanes slope = select_(there, Lanes(node.weight) * e, Lanes(0)); // −½ of the slope, as above
                 const int at = y * blockSide + x;
                 store(load(sums.v[0] + at) + density, sums.v[0] + at);
                 store(load(sums.v[1] + at) + slope * ax, sums.v[1] + at);

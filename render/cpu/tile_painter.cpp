@@ -10,7 +10,7 @@ namespace suffuse::cpu {
 
 namespace {
 
-/// Scratch of one block; large, so it lives on the heap, one a thread.
+/// The working memory for one block. It is large, so each thread has one on the heap.
 struct Scratch {
     Sums sums;
     Shaded shaded;
@@ -19,13 +19,13 @@ struct Scratch {
     alignas(64) float eta[blockSize];
     alignas(64) float sampleEta[blockSize];
     float rgba[blockSize * 4];
-    std::vector<std::uint32_t> runs;  ///< of boxes that meet the block, where it is supersampled,
+    std::vector<std::uint32_t> runs;  ///< runs of boxes that meet the block, where it is supersampled,
     std::vector<std::uint32_t> group; ///< and nodes that meet a group of its pixels
 };
 
 class BlockPainter {
 public:
-    /// `under`: what to start from; null for the background.
+    /// `under` is the picture to start from; null for the background.
     BlockPainter(const Frame &frame, int x, int y, const Backdrop *under, Scratch &scratch)
         : m_frame(frame), m_x(x), m_y(y), m_s(scratch)
     {
@@ -34,7 +34,7 @@ public:
             return;
         }
         const Colour &b = frame.canvas.background;
-        // An unopaque background lies on white, RYB (0, 0, 0).
+        // A background that is not opaque lies on white, RYB (0, 0, 0).
         const float ryb[3] = {b.red * b.opacity, b.yellow * b.opacity, b.blue * b.opacity};
         for (int c = 0; c < 3; ++c)
             std::fill_n(m_s.backdrop.ryb[c], blockSize, frame.transparent ? 0.0f : ryb[c]);
@@ -44,7 +44,7 @@ public:
 
     Backdrop &backdrop() { return m_s.backdrop; }
 
-    /// Starts a map of the strokes that follow; null ends it.
+    /// Begins a map of the strokes that follow; null ends it.
     void record(OverMap *map)
     {
         m_map = map;
@@ -59,7 +59,7 @@ public:
         std::fill_n(map->gain, blockSize, 0.0f);
     }
 
-    /// `prefix`: sums of the nodes before those that are listed; empty for none.
+    /// Adds a stroke. `prefix` has the sums of the nodes before those that are listed; it is empty if there are none.
     void add(const SceneStroke &scene, NodeList listed, std::span<const float> prefix)
     {
         const Block block{double(m_x), double(m_y), 1};
@@ -78,7 +78,7 @@ public:
             m_frame.kernels->compose(m_s.shaded, scene.keep, *m_map);
     }
 
-    /// Writes the block's first columns and rows into `rgba`, rows `stride` pixels apart.
+    /// Writes the block's first columns and rows into `rgba`, in rows that are `stride` pixels apart.
     void finish(float *rgba, int stride, int columns, int rows)
     {
         const bool whole = columns == blockSide && rows == blockSide;
@@ -97,7 +97,7 @@ private:
                                     m_s.sums);
     }
 
-    /// Opacity and colour of a stroke at a block of samples.
+    /// Computes opacity and colour of a stroke at a block of samples.
     void evaluate(const SceneStroke &scene, NodeList listed, const Block &block, const float *eta, Shaded &out,
                   std::span<const float> prefix = {})
     {
@@ -128,7 +128,7 @@ private:
             }
     }
 
-    /// The paper at the block's pixels, once for all strokes.
+    /// The paper at the block's pixels, which is computed once for all strokes.
     const float *eta()
     {
         if (!hasPaper())
@@ -139,7 +139,8 @@ private:
         return m_s.eta;
     }
 
-    /// For each pixel the greatest level of the small segments that reach it (docs/reference.md); false: none.
+    /// Finds for each pixel the greatest level of the small segments that reach it (docs/reference.md). Returns false
+    /// if there are none.
     bool markLevels(const SceneStroke &stroke)
     {
         if (stroke.small.empty())
@@ -178,7 +179,7 @@ private:
         for (int level = 1; level <= 6; ++level) {
             if (std::find(m_level.begin(), m_level.end(), level) == m_level.end())
                 continue;
-            const int side = std::max(1, blockSide >> level); // pixels of a group of samples
+            const int side = std::max(1, blockSide >> level); // pixels along a side of a group of samples
             for (int j = 0; j < blockSide; j += side)
                 for (int i = 0; i < blockSide; i += side)
                     supersampleGroup(stroke, runs, level, i, j, side);
@@ -198,10 +199,10 @@ private:
                                    {double(m_x + i), double(m_y + j), double(side)}, m_s.group.data(), &cell);
         const bool shown = shows(stroke, cell);
         const NodeList listed(m_s.group.data(), std::size_t(cell.count));
-        std::array<std::array<double, 4>, blockSize> mean{}; // w, w·C of the group's pixels
-        const int samples = 1 << level;                      // a side of a pixel
+        std::array<std::array<double, 4>, blockSize> mean{}; // w and w·C of the group's pixels
+        const int samples = 1 << level;                      // along a side of a pixel
         const double step = 1.0 / samples;
-        const int blocks = std::max(1, samples / blockSide); // of samples, a side of the group
+        const int blocks = std::max(1, samples / blockSide); // blocks of samples along a side of the group
         for (int v = 0; v < blocks && shown; ++v)
             for (int u = 0; u < blocks; ++u) {
                 const Block block{m_x + i + u * blockSide * step, m_y + j + v * blockSide * step, step};
@@ -240,7 +241,7 @@ private:
     std::array<std::uint8_t, blockSize> m_level{};
 };
 
-/// Strokes [from, to) at a block of the tile.
+/// Adds the strokes [from, to) to a block of the tile.
 void addStrokes(BlockPainter &painter, const TileStrokes &strokes, std::size_t block, std::size_t from, std::size_t to)
 {
     for (std::size_t i = from; i < to; ++i)
@@ -254,7 +255,7 @@ void paintTile(const Frame &frame, const PixelRect &tile, const TileStrokes &str
                const SceneStroke *edited, float *rgba)
 {
     thread_local const auto scratch = std::make_unique<Scratch>();
-    // The edited stroke may miss this tile; then all the rest lies above it.
+    // If the edited stroke misses this tile, all the rest lies above it.
     const bool meetsEdited = plan.below < strokes.size() && &strokes[plan.below] == edited;
     const std::size_t above = plan.below + (meetsEdited ? 1 : 0);
     std::size_t index = 0;

@@ -1,4 +1,4 @@
-// Paints one tile: every stroke that meets it, from bottom to top.
+// Paints one tile: all strokes that meet it, from bottom to top.
 #pragma once
 
 #include "render/cpu/kernels.h"
@@ -19,16 +19,16 @@ struct Frame {
 
 /// How a tile is painted with layers (render/cpu/layer_cache.h).
 struct TilePlan {
-    std::size_t below = 0;    ///< so many of its strokes lie below the first edited one and are not in `under`
+    std::size_t below = 0; ///< how many of its strokes lie below the first edited one and are not in `under`
     TileLayers *layers = nullptr;
-    bool haveUnder = false;   ///< in the layers: it is what to start from
-    bool storeUnder = false;  ///< into the layers, before the first edited stroke
-    bool storeOver = false;   ///< strokes after the first edited one, as a map
-    bool applyOver = false;   ///< instead of those strokes
+    bool haveUnder = false;  ///< whether `under` of the layers is filled, so that painting starts from it
+    bool storeUnder = false; ///< whether `under` is to be filled before the first edited stroke
+    bool storeOver = false;  ///< whether the strokes after the first edited one are to be stored as a map
+    bool applyOver = false;  ///< whether that map is used instead of those strokes
 };
 
-/// Evaluates `tile` (its corner on the picture's 8-pixel grid) into `rgba`, rows of tile.width pixels. `strokes` in
-/// order; with layers, the one at `plan.below` may be the edited one (`edited` names it).
+/// Evaluates `tile`, whose corner lies on the picture's 8-pixel grid, into `rgba`, in rows of tile.width pixels.
+/// `strokes` are in order. With layers, the one at `plan.below` may be the edited one, which `edited` names.
 void paintTile(const Frame &frame, const PixelRect &tile, const TileStrokes &strokes, const TilePlan &plan,
                const SceneStroke *edited, float *rgba);
 

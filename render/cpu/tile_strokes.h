@@ -1,4 +1,4 @@
-// Which strokes show in a tile, and which of their nodes meet each of its blocks.
+// Finds which strokes show in a tile, and which of their nodes meet each of its blocks.
 #pragma once
 
 #include "render/cpu/kernels.h"
@@ -13,17 +13,17 @@ namespace suffuse::cpu {
 /// Nodes of a stroke, as indices.
 using NodeList = std::span<const std::uint32_t>;
 
-/// Nodes [from, to) of a stroke.
+/// The nodes [from, to) of a stroke.
 struct NodeRange {
     std::size_t from = 0, to = 0;
     int size() const { return int(to - from); }
 };
 
-/// Runs of the nodes' boxes that meet `area`, as places in the range, in `room`.
+/// Finds the runs of the nodes' boxes that meet `area`. They are written to `room`, as places in the range.
 int findRuns(const Kernels &kernels, const SceneStroke &stroke, const NodeRange &range, const Area &area,
              std::vector<std::uint32_t> &room, Meeting &meeting);
 
-/// False only where the stroke shows nothing in an area that its nodes meet so.
+/// Returns false only if a stroke shows nothing in an area that its nodes meet in this way.
 bool shows(const SceneStroke &stroke, const Meeting &meeting);
 
 Area areaOf(const Rect &rect);
@@ -31,16 +31,16 @@ Area areaOf(const Rect &rect);
 /// The strokes that show in a tile, in order, with their nodes by block (rows of blocks first).
 class TileStrokes {
 public:
-    /// Starts a tile of at most gridSide × gridSide blocks; keeps its memory.
+    /// Begins a tile of at most gridSide × gridSide blocks. It keeps its memory.
     void begin(const Kernels &kernels, const PixelRect &tile);
-    /// Adds a stroke, whose sums start from `prefix` where there is one; false where it shows nothing in any block.
+    /// Adds a stroke. Its sums start from `prefix` if there is one. Returns false if it shows nothing in any block.
     bool add(const SceneStroke &stroke, const StrokePrefix *prefix = nullptr);
-    /// Brings `prefix`, of the tile, up to the first `steady` nodes of the stroke.
+    /// Extends `prefix`, which belongs to the tile, to the first `steady` nodes of the stroke.
     void settle(const SceneStroke &stroke, std::size_t steady, StrokePrefix &prefix);
 
     std::size_t size() const { return m_strokes.size(); }
     const SceneStroke &operator[](std::size_t i) const { return *m_strokes[i].scene; }
-    /// The nodes of stroke `i` after its prefix that meet a block; none where it shows nothing there.
+    /// The nodes of stroke `i` after its prefix that meet a block. No value if it shows nothing there.
     std::optional<NodeList> nodesAt(std::size_t i, std::size_t block) const
     {
         const Run &run = m_strokes[i].blocks[block];
@@ -48,7 +48,7 @@ public:
             return {};
         return NodeList(m_nodes.data() + run.from, std::size_t(run.count));
     }
-    /// Sums of the nodes before them; empty where there are none.
+    /// The sums of the nodes before them; empty if there are none.
     std::span<const float> sumsAt(std::size_t i, std::size_t block) const
     {
         const StrokePrefix *prefix = m_strokes[i].prefix;
@@ -67,7 +67,8 @@ private:
     };
     using Cells = std::array<Meeting, gridSide * gridSide>;
 
-    /// Lists the nodes in m_runs' first runs by block, behind what is in use of m_nodes. Returns the room of a block.
+    /// Lists the nodes in the first runs of m_runs by block, behind the part of m_nodes that is in use. Returns the
+    /// room of a block.
     std::size_t list(const SceneStroke &stroke, const NodeRange &range, int runs, Cells &cells);
     std::size_t blockCount() const { return std::size_t(m_grid.columns * m_grid.rows); }
 
@@ -76,7 +77,7 @@ private:
     Area m_area;
     std::vector<Entry> m_strokes;
     std::vector<std::uint32_t> m_nodes, m_runs;
-    std::size_t m_used = 0; ///< of m_nodes
+    std::size_t m_used = 0; ///< how much of m_nodes is in use
 };
 
 } // namespace suffuse::cpu

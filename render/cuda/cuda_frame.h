@@ -10,15 +10,15 @@
 
 namespace suffuse {
 
-/// Holds its device. `link` and `copyTo` may be called while another thread renders; all else is for the thread that
-/// uses the device.
+/// Keeps its device alive. `link` and `copyTo` may be called while another thread renders; all else
+/// belongs to the thread that uses the device.
 class CudaFrame : public DeviceFrame {
 public:
-    /// Where to render: device memory, 0xAARRGGBB, `width` pixels a row.
+    /// Where to render: device memory of 0xAARRGGBB, `width` pixels in a row.
     virtual std::uint32_t *picture() = 0;
 };
 
-/// Two cleared pictures in the device's memory; null, and why, where it has no room for them.
+/// Makes two cleared pictures in the device's memory. Returns null, and says why, if it has no room for them.
 std::shared_ptr<CudaFrame> makeCudaFrame(std::shared_ptr<cuda::Device> device, int width, int height, std::string &why);
 
 } // namespace suffuse

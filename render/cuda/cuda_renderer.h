@@ -1,4 +1,4 @@
-// Draws on one or several CUDA devices, evaluating only what differs from the last call.
+// Draws on one or several CUDA devices, and evaluates only what differs from the last call.
 #pragma once
 
 #include "render/cuda/cuda_frame.h"
@@ -12,7 +12,8 @@ namespace suffuse {
 
 class CudaRenderer : public Renderer {
 public:
-    /// `devices`: at least one; they share each picture by macro-tiles. `threads`: of the host, 0 for all cores.
+    /// `devices` has at least one device; they share each picture by macro-tiles. `threads` are those of the host, 0
+    /// for all cores.
     CudaRenderer(const std::vector<std::shared_ptr<cuda::Device>> &devices, int threads, bool cull = true);
     ~CudaRenderer() override;
 
@@ -24,16 +25,17 @@ public:
     bool isLost() const override { return m_lost; }
 
 private:
-    /// The tiles that a device evaluates.
+    /// The tiles that one device evaluates.
     struct Share {
         std::vector<cuda::TileTask> room; ///< kept from frame to frame
         std::span<cuda::TileTask> tasks;
     };
-    /// The picture on the device where the target takes it and the device has room, else null: then into the target.
+    /// The picture on the device, if the target takes it and the device has room. Otherwise null: then the picture goes
+    /// into the target.
     std::uint32_t *pictureFor(const RenderRequest &request, const Target &target);
     /// Lists the tiles to evaluate, for each device its own.
     void planTasks();
-    /// Calls work(i) for each device, at the same time; the first fault.
+    /// Calls work(i) for all devices at the same time, and returns the first fault.
     cuda::Fault onDevices(const std::function<cuda::Fault(std::size_t)> &work);
     /// Notes what was drawn.
     void finish(RenderStats &stats);
@@ -49,15 +51,16 @@ private:
     std::vector<Share> m_shares; ///< of each of them
     std::vector<std::shared_ptr<cuda::Device>> m_devices;
     std::shared_ptr<CudaFrame> m_frame;
-    bool m_noFrame = false; ///< the device has no room for one of this size
+    bool m_noFrame = false; ///< whether the device has no room for a picture of this size
     int m_frameWidth = 0, m_frameHeight = 0;
-    bool m_onDevice = false; ///< where the last picture went
+    bool m_onDevice = false; ///< whether the last picture stayed on the device
     bool m_lost = false;
 };
 
-/// For a user: why there is no device.
+/// Why there is no device, for a user.
 QString whyNone(const cuda::Devices &devices);
-/// Opens devices as RendererOptions::devices says, those that can be opened; fails with the reason where none can.
+/// Opens the devices that RendererOptions::devices asks for, as far as they can be opened. It fails with the reason if
+/// none can.
 Result<std::unique_ptr<Renderer>> makeCudaRenderer(const RendererOptions &options);
 
 } // namespace suffuse

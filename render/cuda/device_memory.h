@@ -1,4 +1,4 @@
-// Memory of a device, owned. C++20, no Qt.
+// Memory of a device that is owned by an object. C++20, no Qt.
 #pragma once
 
 #include "render/cuda/device.h"
@@ -12,7 +12,7 @@ namespace suffuse::cuda {
 
 enum class Where { Device, PinnedHost };
 
-/// An array that grows by doubling; what it held is lost when it grows.
+/// An array that grows by doubling. When it grows, its content is lost.
 template <class T, Where where>
 class Buffer {
 public:
@@ -21,7 +21,7 @@ public:
     Buffer &operator=(const Buffer &) = delete;
     ~Buffer() { release(); }
 
-    /// Room for `count`. `grown`, where not null, becomes true if it is new memory.
+    /// Makes room for `count`. `grown`, if not null, becomes true if it is new memory.
     Fault reserve(std::size_t count, bool *grown = nullptr)
     {
         if (count <= m_room)
@@ -70,20 +70,20 @@ using DeviceArray = Buffer<T, Where::Device>;
 template <class T>
 using PinnedArray = Buffer<T, Where::PinnedHost>;
 
-/// Indices [first, second).
+/// The indices [first, second).
 using IndexRange = std::pair<std::size_t, std::size_t>;
 
-/// An array that the host writes and the device reads: only what was touched is uploaded.
+/// An array that the host writes and the device reads. Only what was touched is uploaded.
 template <class T>
 class Mirror {
 public:
     explicit Mirror(Device &device) : m_device(device), m_copy(device) {}
 
-    std::vector<T> &host() { return m_host; } ///< change its length by `resize`
+    std::vector<T> &host() { return m_host; } ///< its length must be changed by `resize`
     const std::vector<T> &host() const { return m_host; }
     const T *device() const { return m_copy.data(); }
 
-    /// Makes elements [at, at + count) anew, make(i) for the i-th of them, and returns those whose bytes changed, to be
+    /// Makes the elements [at, at + count) anew, the i-th of them by make(i). Returns those whose bytes changed, to be
     /// given to `touch`. Several threads may do so for elements of their own.
     template <class Make>
     IndexRange set(std::size_t at, std::size_t count, Make make)
@@ -99,13 +99,13 @@ public:
         }
         return changed;
     }
-    /// These were written.
+    /// Notes that these were written.
     void touch(const IndexRange &range)
     {
         if (range.first < range.second)
             m_touched.push_back(range);
     }
-    /// What is added is zero, and touched.
+    /// Changes the length. What is added is zero, and touched.
     void resize(std::size_t count)
     {
         touch({m_host.size(), count});

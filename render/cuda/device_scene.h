@@ -1,4 +1,4 @@
-// The scene in a device's memory, kept up to date with what changes.
+// The scene in a device's memory, which follows what changes.
 #pragma once
 
 #include "render/cuda/device_memory.h"
@@ -12,26 +12,27 @@ class DeviceScene {
 public:
     explicit DeviceScene(Device &device);
 
-    /// Brings the device up to date with the scene's strokes; `change` tells how they differ from the last call's, in a
-    /// picture of width × height pixels. Uploads the records whose bytes differ. After a fault, call `forget`.
+    /// Brings the device up to date with the scene's strokes in a picture of width × height pixels; `change` says how
+    /// they differ from those of the last call. Only records whose bytes differ are uploaded. After a fault, `forget`
+    /// must be called.
     Fault update(const std::vector<SceneStrokePtr> &strokes, const SceneChange &change, int width, int height,
                  Threads threads);
-    /// The next update writes everything anew.
+    /// Makes the next update write everything anew.
     void forget();
 
     void fill(Frame &frame) const;
-    /// Where the chunks of the i-th stroke begin; their end for i ≥ number of strokes.
+    /// Where the chunks of the i-th stroke begin. For i ≥ number of strokes it is the end of all chunks.
     std::uint32_t firstChunk(std::size_t i) const;
     std::uint32_t chunkCount() const { return std::uint32_t(m_chunks.host().size()); }
-    /// Whether no stroke near a tile, counted row by row, needs the general kernel.
+    /// Whether no stroke near a tile (counted row by row) needs the general kernel.
     bool isPlain(std::size_t tile) const { return m_general[tile] == 0; }
 
 private:
     struct Entry {
         SceneStrokePtr stroke;
-        std::uint32_t slot = 0; ///< of its StrokeRecord
+        std::uint32_t slot = 0; ///< index of its StrokeRecord
         Run nodes, values, deep, small;
-        std::uint32_t firstChunk = 0, chunkRoom = 0; ///< chunks that it does not need are empty
+        std::uint32_t firstChunk = 0, chunkRoom = 0; ///< chunks of the room that it does not need are empty
     };
     /// A stroke whose records were made anew.
     struct Prepared {
@@ -41,15 +42,15 @@ private:
         IndexRange nodes, values, deep, small;
     };
 
-    /// Takes over a list of strokes in which some came, went or moved; returns the first that did.
+    /// Takes over a list of strokes, some of which were added, removed or moved. Returns the index of the first one.
     std::size_t align(const std::vector<SceneStrokePtr> &strokes, std::vector<Prepared> &changed);
     void reset(int width, int height);
     void drop(Entry &entry);
     void placeRecords(const std::vector<Prepared> &changed);
     void prepare(Prepared &p, Threads threads);
-    /// Writes the stroke's node records and makes its chunks.
+    /// Writes the node records of a stroke, and makes its chunks.
     void setNodes(Prepared &p, Threads threads);
-    /// Puts chunks in document order: in place before stroke `from`, moved together from there on.
+    /// Puts chunks in document order: in place before stroke `from`, and moved together from there on.
     void placeChunks(std::vector<Prepared> &changed, std::size_t from);
     void moveChunks(std::vector<Prepared> &changed, std::size_t from);
     void writeChunks(std::size_t at, const std::vector<ChunkRecord> &chunks, std::uint32_t room);
@@ -68,7 +69,7 @@ private:
     std::vector<Entry> m_entries; ///< in document order
     bool m_valid = false;
     int m_width = 0, m_height = 0, m_columns = 0;
-    std::vector<std::int32_t> m_general; ///< chunks of strokes that are not plain, by tile
+    std::vector<std::int32_t> m_general; ///< by tile, the number of chunks of strokes that are not plain
 };
 
 } // namespace suffuse::cuda

@@ -1,4 +1,4 @@
-// A device whose n-th call fails, to test what happens then.
+// A device whose n-th call fails, for tests of what happens then.
 #pragma once
 
 #include "render/cuda/device.h"
@@ -10,15 +10,15 @@ namespace suffuse::cuda {
 /// Which call of a device fails, counted from 1 (0: none), and how.
 struct PlannedFault {
     int call = 0;
-    Fault::Kind kind = Fault::Lost; ///< Lost: all calls after it fail, too. OutOfMemory: this one alone
+    Fault::Kind kind = Fault::Lost; ///< Lost: all calls after it fail, too. OutOfMemory: only this one fails.
 };
 
-/// Passes everything on to another device but the call that is to fail.
+/// Passes everything on to another device, except the call that is to fail.
 class FailingDevice : public Device {
 public:
     FailingDevice(std::unique_ptr<Device> device, PlannedFault plan) : m_device(std::move(device)), m_plan(plan) {}
 
-    /// Calls that could have failed so far.
+    /// The number of calls so far that could have failed.
     int calls() const { return m_calls; }
 
     std::string name() const override { return m_device->name(); }
@@ -44,8 +44,7 @@ private:
     std::atomic<int> m_calls = 0; ///< textures are registered by another thread
 };
 
-/// The device itself, or, where the environment variable SUFFUSE_CUDA_FAIL says "n" or "n:oom", one whose n-th call
-/// fails.
+/// The device itself or, if the environment variable SUFFUSE_CUDA_FAIL is "n" or "n:oom", one whose n-th call fails.
 std::unique_ptr<Device> failingIfAsked(std::unique_ptr<Device> device);
 
 } // namespace suffuse::cuda

@@ -1,4 +1,4 @@
-// Runs of records in one array, taken and given back.
+// Runs of records in one array, which are handed out and taken back.
 #pragma once
 
 #include <algorithm>
@@ -14,15 +14,15 @@ struct Run {
     std::uint32_t begin = 0, count = 0, room = 0;
 };
 
-/// Rooms are rounded up by at most a quarter, so that what one run leaves another one fits.
+/// Rooms are rounded up by at most a quarter, so that another run fits where one has been.
 class RunPool {
 public:
-    /// Length of the array.
+    /// The length of the array.
     std::size_t size() const { return m_size; }
-    /// Records that runs have room for.
+    /// The number of records for which runs have room.
     std::size_t used() const { return m_used; }
 
-    /// Makes the run hold `count` records; they may then lie elsewhere.
+    /// Makes a run have `count` records, which may then lie elsewhere.
     void fit(Run &run, std::uint32_t count)
     {
         if (count > run.room || 4 * std::uint64_t(count) < run.room) {
@@ -58,7 +58,7 @@ private:
     }
 
     std::size_t m_size = 0, m_used = 0;
-    std::unordered_map<std::uint32_t, std::vector<std::uint32_t>> m_free; ///< begins, by room
+    std::unordered_map<std::uint32_t, std::vector<std::uint32_t>> m_free; ///< where free runs begin, by their room
 };
 
 } // namespace suffuse::cuda

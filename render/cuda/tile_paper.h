@@ -1,4 +1,4 @@
-// The paper texture at a sample (eq 16), and what granulation makes of it.
+// The paper texture at a sample (eq 16).
 #pragma once
 
 #include "render/cuda/records.h"
@@ -7,7 +7,7 @@
 
 namespace suffuse::cuda {
 
-/// Pixels of the picture to canvas units.
+/// Converts pixels of the picture to canvas units.
 SUFFUSE_PROGRAM void toCanvas(const Frame &frame, double X, double Y, double &x, double &y)
 {
     const ToCanvas &m = frame.toCanvas;
@@ -15,7 +15,7 @@ SUFFUSE_PROGRAM void toCanvas(const Frame &frame, double X, double Y, double &x,
     y = m.y0 + m.yx * X + m.yy * Y;
 }
 
-/// η at (X, Y), pixels, of a sample `step` pixels wide.
+/// η of a sample at (X, Y), pixels, that is `step` pixels wide.
 SUFFUSE_CALL float etaAt(const Frame &frame, double X, double Y, float step)
 {
     const PaperParams &p = frame.paper;

@@ -1,4 +1,4 @@
-// A plain stroke (records.h) at one tile, by one warp: what most strokes are, with sums and mixing in registers.
+// Draws a plain stroke (records.h) at one tile, by one warp. Most strokes are plain. Sums and mixing stay in registers.
 #pragma once
 
 #include "render/cuda/tile_paper.h"
@@ -16,14 +16,14 @@ public:
         : m_warp(warp), m_frame(frame), m_stroke(stroke), m_s(scratch)
     {}
 
-    /// How often the stroke's nodes are summed: density and slopes first; then, where colours vary and do not lie on a
+    /// How often the stroke's nodes are summed: density and slopes first; then, if colours vary and do not lie on a
     /// line, one component after the other.
     SUFFUSE_PROGRAM int passes() const { return m_stroke.shade.colourChannel < 0 ? 1 : 5; }
-    /// 0 red, 1 yellow, 2 blue, 3 opacity, which is summed first.
+    /// The component of a pass: 0 red, 1 yellow, 2 blue, 3 opacity, which is summed first.
     static SUFFUSE_PROGRAM int componentOf(int pass) { return (pass + 2) % 4; }
 
-    /// Adds up a pass. `forEachListing(use)` calls use(listing) until all nodes that meet the tile were listed;
-    /// `chosenAgain`: it lists them anew each time.
+    /// Adds up a pass. `forEachListing(use)` calls use(listing) until all nodes that meet the tile were listed.
+    /// `chosenAgain` says that it lists them anew each time.
     template <class ForEachListing>
     SUFFUSE_PROGRAM void sum(ForEachListing forEachListing, bool chosenAgain, int pass)
     {
@@ -37,7 +37,7 @@ public:
             SUFFUSE_ROLLED
             for (int from = 0; from < listing.separable; from += batch) {
                 const int to = from + batch < listing.separable ? from + batch : listing.separable;
-                if (pass == 0 || chosenAgain || listing.separable > batch) // else the tables still hold
+                if (pass == 0 || chosenAgain || listing.separable > batch) // Otherwise the tables are still valid.
                     fillTables(m_warp, from, to, Block{}, m_s);
                 if (pass == 0)
                     addBatch(m_warp, to - from, m_s, m_sums);
@@ -48,8 +48,8 @@ public:
         });
     }
 
-    /// After the first pass: finds F at the tile's pixels; false: the stroke shows nothing. `eta`: paper at the pixels,
-    /// as `sampleAt` says; null for 1.
+    /// Finds F at the tile's pixels after the first pass. Returns false if the stroke shows nothing. `eta` is the paper
+    /// at the pixels, in the order of `sampleAt`; null for 1.
     SUFFUSE_PROGRAM bool style(const float *eta)
     {
         if (m_stroke.channels > 0)
@@ -85,7 +85,7 @@ public:
         });
     }
 
-    /// After a later pass: calls use(lane, sample, w, mean of its component).
+    /// Calls use(lane, sample, w, mean of its component) after a later pass.
     template <class Use>
     SUFFUSE_PROGRAM void forEachSample(int pass, Use use)
     {
@@ -101,7 +101,7 @@ public:
     }
 
 private:
-    /// Hands φ′ = γφ and h² = (½γ|∇φ|)² on to the style.
+    /// Hands φ′ = γφ and h² = (½γ|∇φ|)² to the style.
     SUFFUSE_PROGRAM void modulate(const float *eta)
     {
         const auto give = [&](int lane, auto gammaAt) {
@@ -124,15 +124,15 @@ private:
         });
     }
 
-    /// F.
+    /// F at a sample.
     SUFFUSE_PROGRAM float meanAt(int lane, int k) const { return m_s.means.density[sampleAt(lane, k)]; }
 
     Warp &m_warp;
     const Frame &m_frame;
     const StrokeRecord &m_stroke;
     SumScratch &m_s;
-    Var<SampleSums> m_sums;      ///< at last, where colours vary, w in the density
-    Var<SampleValues> m_values;  ///< of the pass's channel; the place on the line of colours
+    Var<SampleSums> m_sums;      ///< finally w in the density, if colours vary
+    Var<SampleValues> m_values;  ///< of the channel of the pass; the place on the line of colours
     Var<SampleValues> m_inverse; ///< 1/φ
 };
 

@@ -1,4 +1,4 @@
-// Evaluates one tile: every stroke that meets it, from bottom to top. A program of one warp.
+// Evaluates one tile: all strokes that meet it, from bottom to top. It is a program of one warp.
 #pragma once
 
 #include "render/cuda/tile_general.h"
@@ -6,18 +6,18 @@
 
 namespace suffuse::cuda {
 
-/// Shared memory while strokes are painted.
+/// The shared memory while strokes are painted.
 struct PaintScratch {
     SumScratch sums;
-    Fetched fetched[2]; ///< the chunk at hand and the next one
+    Fetched fetched[2]; ///< the present chunk and the next one
     Float4 stroke[sizeof(StrokeRecord) / sizeof(Float4)];
-    float eta[tileSize]; ///< paper at the tile's pixels, once it is needed
+    float eta[tileSize]; ///< the paper at the tile's pixels, once it is needed
 };
 
-/// Shared memory of a warp that paints tiles.
+/// The shared memory of a warp that paints tiles.
 template <bool general>
 struct TileScratch {
-    union { // one after the other
+    union { // used one after the other
         PaintScratch paint;
         Float4 finished[tileSize]; ///< RYB and coverage
     };
@@ -27,8 +27,8 @@ struct TileScratch<true> : TileScratch<false> {
     GeneralScratch general;
 };
 
-/// `general`: anything; else as TileFlag::plainTile says.
-/// What a plain stroke shows has the same bits either way.
+/// `general` paints anything, otherwise only what TileFlag::plainTile says. A plain stroke shows the same bits either
+/// way.
 template <bool general, class Warp>
 class TilePainter {
 public:
@@ -43,7 +43,7 @@ public:
     {
         begin();
         Found next = findChunk();
-        for (int turn = 0;; turn ^= 1) { // one place that ends strokes: its code is long
+        for (int turn = 0;; turn ^= 1) { // Only one place ends strokes, since its code is long.
             const Found found = next;
             if (found.stroke != none)
                 next = findChunk();
@@ -80,7 +80,7 @@ private:
         std::uint32_t chunk = none, stroke = none, nodes = 0;
     };
 
-    /// The next chunk of the half macro-tile's lists that meets the tile, on its way to shared memory.
+    /// Finds the next chunk of the half macro-tile's lists that meets the tile, and starts its way to shared memory.
     SUFFUSE_PROGRAM Found findChunk()
     {
         while (m_hits == 0) {
@@ -158,7 +158,7 @@ private:
         m_overBegun = !general || !(m_job.flags & storeOver);
     }
 
-    /// Before anything of `chunk` is painted: layers end and begin where the edited stroke does.
+    /// Called before anything of `chunk` is painted: layers end and begin where the edited stroke does.
     SUFFUSE_PROGRAM void enter(std::uint32_t chunk)
     {
         if (!m_underStored && chunk >= m_frame.editedFrom) {
@@ -184,7 +184,7 @@ private:
 
     SUFFUSE_PROGRAM void startStroke(const Found &found, const Fetched &fetched)
     {
-        m_warp.meet(); // all have done with the last stroke's record
+        m_warp.meet(); // All lanes have finished with the last stroke's record.
         enter(found.chunk);
         m_stroke = found.stroke;
         m_listing = {};
@@ -194,12 +194,12 @@ private:
                 m_s.paint.stroke[lane] = fetched.stroke[lane];
         });
         if (strokeOf(m_s.paint.stroke).granulated && !m_haveEta)
-            findEta(); // while no sums are in registers
+            findEta(); // This is done while no sums are in registers.
     }
     SUFFUSE_PROGRAM void addChunk(const Fetched &fetched, int nodes)
     {
         if (m_listing.count + chunkNodes > nodeRoom)
-            m_overflown = true; // too many to keep: they are chosen again when they are summed
+            m_overflown = true; // There are too many to keep, so they are chosen again when they are summed.
         if (!m_overflown)
             listNodes(m_warp, m_frame.cull != 0, fetched, nodes, m_job.column, m_job.row, m_s.paint.sums, m_listing);
     }
@@ -215,7 +215,7 @@ private:
             paintGeneral(stroke);
     }
 
-    /// Calls `use` for runs of listed nodes until all that meet the tile were there.
+    /// Calls `use` for runs of listed nodes until all that meet the tile were listed.
     template <class Use>
     SUFFUSE_PROGRAM void forEachListing(const StrokeRecord &stroke, Use use)
     {
@@ -228,7 +228,7 @@ private:
         } while (part.chunk < end);
     }
 
-    /// Paper at the tile's pixels.
+    /// Finds the paper at the tile's pixels.
     SUFFUSE_PROGRAM void findEta()
     {
         m_haveEta = true;
@@ -278,10 +278,10 @@ private:
         }
     }
 
-    /// One sample of a stroke onto the backdrop and the map of layers (eq 22, 23).
+    /// Mixes one sample of a stroke into the backdrop and into the map of layers (eq 22, 23).
     SUFFUSE_PROGRAM void mixCoverage(int lane, int k, float w, float keep)
     {
-        if (general) { // else the picture is not transparent
+        if (general) { // Otherwise the picture is not transparent.
             float &coverage = m_backdrop[lane].coverage[k];
             coverage = math::mulAdd_(1 - w, coverage, w);
         }
@@ -351,18 +351,19 @@ private:
     TileScratch<general> &m_s;
     Var<LaneBackdrop> m_backdrop;
     Var<std::uint32_t> m_chunk, m_firstNode, m_strokeAndNodes; ///< of the candidates
-    const ListEntry *m_lists = nullptr;                        ///< of the tile's half of the macro job
-    Var<std::uint32_t> m_ends;                                 ///< of its quarters, as if they were one; one a lane
+    const ListEntry *m_lists = nullptr;                        ///< those of the tile's half of the macro job
+    /// where its quarters end, counted through; one in each lane
+    Var<std::uint32_t> m_ends;
     std::uint32_t m_count = 0;
     std::uint32_t m_listed = 0, m_hits = 0;
     std::uint32_t m_stroke = none;
     Listing m_listing;
-    int m_turn = 1; ///< of `fetched`, where the last chunk goes
+    int m_turn = 1; ///< the place of `fetched` where the last chunk goes
     bool m_overflown = false;
     bool m_underStored = false, m_overBegun = false, m_haveEta = false;
 };
 
-/// One tile job.
+/// Paints one tile job.
 template <bool general, class Warp>
 SUFFUSE_PROGRAM void paintTile(Warp &warp, const Frame &frame, std::uint32_t job, TileScratch<general> &scratch)
 {

@@ -11,7 +11,7 @@ struct LaneBackdrop {
     float red[laneSamples], yellow[laneSamples], blue[laneSamples], coverage[laneSamples];
 };
 
-/// Calls `use` with one of the stroke's styles, made by the host.
+/// Calls `use` with one of the stroke's styles, which the host has made.
 template <class Use>
 SUFFUSE_PROGRAM void withMadeStyle(const StrokeRecord &stroke, int kind, Use use)
 {
@@ -26,8 +26,8 @@ SUFFUSE_PROGRAM void withMadeStyle(const StrokeRecord &stroke, int kind, Use use
     }
 }
 
-/// From φ′ and h² to the pixel mean of F, which takes the place of φ′, for a stroke of one style; false: it shows
-/// nothing at any sample. Loops over samples are hardly unrolled: the styles' code would not fit the instruction cache.
+/// Replaces φ′ by the pixel mean of F, from φ′ and h², for a stroke of one style. Returns false if it shows nothing at
+/// any sample. Loops over samples are hardly unrolled, since the styles' code would not fit the instruction cache.
 template <class Warp>
 SUFFUSE_PROGRAM bool meanOfStyle(Warp &warp, const StrokeRecord &stroke, MeanScratch &s)
 {
@@ -74,8 +74,8 @@ SUFFUSE_PROGRAM bool meanOfStyle(Warp &warp, const StrokeRecord &stroke, MeanScr
     return true;
 }
 
-/// One sample of a stroke on top of a map: the planes of all colours, then those of one (0 red, 1 yellow, 2 blue).
-/// `over`: the tile's planes.
+/// Puts one sample of a stroke on top of a map: first into the planes of all colours, then into those of one (0 red, 1
+/// yellow, 2 blue). `over` has the tile's planes.
 SUFFUSE_PROGRAM void composeCoverage(float *over, int pixel, float w, float keep)
 {
     const auto plane = [&](int p) -> float & { return over[p * tileSize + pixel]; };
@@ -101,7 +101,8 @@ SUFFUSE_PROGRAM void applySample(const float *over, int pixel, LaneBackdrop &b, 
     b.coverage[k] = math::mulAdd_(plane(7), b.coverage[k], plane(8));
 }
 
-/// Straight RGBA of a finished sample, RYB and coverage (1: the picture is not transparent, or all is covered).
+/// The straight RGBA of a finished sample, from RYB and coverage (1 if the picture is not transparent, or all is
+/// covered).
 SUFFUSE_PROGRAM Float4 finishSample(const Float4 &sample)
 {
     const auto rgb = math::rgbFromRyb(sample.x, sample.y, sample.z);

@@ -1,18 +1,18 @@
-// Density, slopes and channels at the samples of a block, by one warp: which nodes meet the tile, and their sums
-// (docs/solver.md, "Sums").
+// Which nodes meet a tile, and their sums at the samples of a block: density, slopes and channels (docs/solver.md,
+// "Sums"). By one warp.
 #pragma once
 
 #include "render/cuda/tile_nodes.h"
 
 namespace suffuse::cuda {
 
-/// 16 × 16 samples: (i, j) lies at (x + (i − 7½)·step, y + (j − 7½)·step) from the tile's centre, px.
+/// 16 × 16 samples. (i, j) lies at (x + (i − 7½)·step, y + (j − 7½)·step) from the tile's centre, px.
 struct Block {
     float x = 0, y = 0, step = 1;
 };
 
-/// Samples of a lane: two columns and four rows. Sample k: column 2·(lane mod 8) + k mod 2, row 4·(lane div 8) + k
-/// div 2.
+/// The number of samples of a lane: two columns and four rows. Sample k is in column 2·(lane mod 8) + k mod 2 and row
+/// 4·(lane div 8) + k div 2.
 inline constexpr int laneSamples = tileSize / warpLanes;
 
 SUFFUSE_PROGRAM int sampleColumn(int lane, int k)
@@ -24,7 +24,7 @@ SUFFUSE_PROGRAM int sampleRow(int lane, int k)
     return lane / 8 * 4 + k / 2;
 }
 
-/// Where a lane's sample lies in shared memory, so that lanes meet no bank twice.
+/// The place of a lane's sample in shared memory, arranged so that lanes never meet in a bank.
 SUFFUSE_PROGRAM int sampleAt(int lane, int k)
 {
     return k * warpLanes + lane;
@@ -35,39 +35,39 @@ SUFFUSE_PROGRAM int sampleAtPixel(int column, int row)
 }
 
 inline constexpr int nodeRoom = 96; ///< nodes of a stroke that are listed at once
-inline constexpr int stride = 4;    ///< nodes are summed by fours: empty ones fill up the last
-inline constexpr int batch = 16;    ///< of them whose tables are in shared memory at once
+inline constexpr int stride = 4;    ///< nodes are summed by fours, and empty ones fill up the last
+inline constexpr int batch = 16;    ///< nodes whose tables are in shared memory at once
 
-/// Tables hold exponents to base 2: slopes come out times −log₂ e, and are put right by this.
+/// Tables have exponents to base 2, so slopes come out times −log₂ e. This factor corrects them.
 inline constexpr float slopeUnit = -float(math::ln2);
 
-/// A node near the tile. Separable: (dx, −a log₂ e, cut, 1) and (dy, −c log₂ e, cut·weight, weight), d from the tile's
-/// centre.
-/// Oblique: (dx, dy, a, b) and (c, cut, weight, 0).
+/// A node near the tile. If it is separable: (dx, −a log₂ e, cut, 1) and (dy, −c log₂ e, cut·weight, weight), where d
+/// is from the tile's centre.
+/// If it is oblique: (dx, dy, a, b) and (c, cut, weight, 0).
 struct ListedNode {
     Float4 first, second;
 };
 static_assert(sizeof(ListedNode) == 2 * sizeof(Float4));
 
-/// Shared memory of one warp while it sums a batch.
+/// The shared memory of one warp while it sums a batch.
 struct BatchScratch {
     /// (e^(−a dx²) − cut, a dx e^(−a dx²)/slopeUnit) by column, then the same by row times the weight.
     Float4 tables[batch][warpLanes / 2];
-    Float4 channel[batch][tileSide / 4]; ///< row's value times a channel's
+    Float4 channel[batch][tileSide / 4]; ///< a row's value times a channel's
 };
 
-/// φ′ and h² at the tile's pixels, as `sampleAt` says; then the pixel mean of F in place of φ′.
+/// φ′ and h² at the tile's pixels, in the order of `sampleAt`; later the pixel mean of F in place of φ′.
 struct MeanScratch {
     float density[tileSize], h2[tileSize];
     std::uint8_t
-        longOnes[tileSize]; ///< samples that need the long form, wherever they lie, so that lanes share the work
+        longOnes[tileSize]; ///< the samples that need the long form, wherever they lie, so that lanes share the work
 };
 
-/// Shared memory of one warp.
+/// The shared memory of one warp.
 struct SumScratch {
-    ListedNode listed[nodeRoom + 2 * stride - 1]; ///< also read ahead
-    std::uint32_t rows[nodeRoom + stride - 1];    ///< of channel values, from the stroke's first
-    union {                                       // one after the other
+    ListedNode listed[nodeRoom + 2 * stride - 1]; ///< some are read ahead
+    std::uint32_t rows[nodeRoom + stride - 1];    ///< of channel values, counted from the stroke's first
+    union {                                       // used one after the other
         BatchScratch sums;
         Fetched chosenAgain;
     };
@@ -81,19 +81,19 @@ struct SampleValues {
     float v[laneSamples];
 };
 
-/// Nodes chosen so far, the same in all lanes.
+/// The nodes chosen so far, which are the same in all lanes.
 struct Listing {
-    int count = 0;     ///< listed
-    int separable = 0; ///< of them, the first
+    int count = 0;     ///< how many are listed
+    int separable = 0; ///< how many of them are separable; these come first
 };
 
-/// Places of so many separable nodes and of the empty ones after them.
+/// The places that so many separable nodes take, with the empty ones after them.
 SUFFUSE_PROGRAM int wholeStrides(int nodes)
 {
     return (nodes + stride - 1) / stride * stride;
 }
 
-/// Adds to the list those of a chunk's nodes, which have arrived, that meet the tile. There has to be room for 32.
+/// Lists those nodes of a chunk that meet the tile. The chunk must have arrived, and there must be room for 32.
 template <class Warp>
 SUFFUSE_PROGRAM void listNodes(Warp &warp, bool cull, const Fetched &chunk, int nodes, std::int32_t cellX,
                                std::int32_t cellY, SumScratch &s, Listing &listing)
@@ -119,7 +119,7 @@ SUFFUSE_PROGRAM void listNodes(Warp &warp, bool cull, const Fetched &chunk, int 
     });
     const bool askew = warp.any([&](int lane) { return oblique[lane]; });
     if (askew && listing.count == listing.separable)
-        listing.count = wholeStrides(listing.count); // leaves the empty ones
+        listing.count = wholeStrides(listing.count); // the empty ones stay
     warp.each([&](int lane) {
         if (hits >> lane & 1) {
             const int at = listing.count + Warp::rank(hits, lane);
@@ -128,20 +128,20 @@ SUFFUSE_PROGRAM void listNodes(Warp &warp, bool cull, const Fetched &chunk, int 
         }
         if (lane < stride - 1) {
             const int at = listing.count + Warp::count(hits) + lane;
-            s.listed[at] = {{0, 0, 2, 1}, {0, 0, 2, 1}}; // e⁰ lies below its cut
+            s.listed[at] = {{0, 0, 2, 1}, {0, 0, 2, 1}}; // e⁰ lies below its cut.
             s.rows[at] = 0;
         }
     });
     listing.count += Warp::count(hits);
     if (!askew)
-        listing.separable = listing.count; // a chunk holds one kind, and the separable ones come first
+        listing.separable = listing.count; // A chunk has one kind, and the separable ones come first.
 }
 
-/// Where a stroke has more nodes near a tile than can be listed at once: lists those of chunks [chunk, end) until the
-/// list is full. Rare, so it is called, not inlined.
+/// If a stroke has more nodes near a tile than can be listed at once, this lists those of the chunks [chunk, end) until
+/// the list is full. It is rare, so it is called, not inlined.
 struct PartialListing {
     Listing listing;
-    std::uint32_t chunk = 0; ///< the first that is not listed
+    std::uint32_t chunk = 0; ///< the first chunk that is not listed
 };
 template <class Warp>
 SUFFUSE_CALL PartialListing listChunks(Warp warp, const Frame &frame, std::uint32_t chunk, std::uint32_t end,
@@ -169,7 +169,7 @@ SUFFUSE_CALL PartialListing listChunks(Warp warp, const Frame &frame, std::uint3
     return part;
 }
 
-/// Tables of nodes [from, to) of the list, one entry a lane: its column or its row.
+/// Fills the tables of nodes [from, to) of the list. Each lane makes one entry: its column or its row.
 template <class Warp>
 SUFFUSE_PROGRAM void fillTables(Warp &warp, int from, int to, const Block &block, SumScratch &s)
 {
@@ -178,7 +178,7 @@ SUFFUSE_PROGRAM void fillTables(Warp &warp, int from, int to, const Block &block
         const float offset = math::mulAdd_(float(lane % tileSide) - 7.5f, block.step, isRow ? block.y : block.x);
         const Float4 *axes = &s.listed[from].first + isRow;
         Float2 *entries = reinterpret_cast<Float2 *>(s.sums.tables[0]) + lane;
-        Float4 axis[stride]; // of the next nodes, on their way meanwhile
+        Float4 axis[stride]; // those of the next nodes, which are on their way meanwhile
         SUFFUSE_UNROLL
         for (int k = 0; k < stride; ++k)
             axis[k] = axes[2 * k];
@@ -189,7 +189,7 @@ SUFFUSE_PROGRAM void fillTables(Warp &warp, int from, int to, const Block &block
             for (int k = 0; k < stride; ++k) {
                 const float d = offset - axis[k].x, rise = axis[k].y * d;
                 const float e = math::exp2_(rise * d) * axis[k].w;
-                const bool there = math::abs_(axis[k].z) < math::abs_(e); // weights may be negative
+                const bool there = math::abs_(axis[k].z) < math::abs_(e); // Weights may be negative.
                 entry[k] = {there ? e - axis[k].z : 0.0f, there ? rise * e : 0.0f};
             }
             axes += 2 * stride;
@@ -203,7 +203,7 @@ SUFFUSE_PROGRAM void fillTables(Warp &warp, int from, int to, const Block &block
     });
 }
 
-/// Sums of a batch of separable nodes whose tables are filled.
+/// Adds up a batch of separable nodes whose tables are filled.
 template <class Warp>
 SUFFUSE_PROGRAM void addBatch(Warp &warp, int nodes, const SumScratch &s, typename Warp::template Var<SampleSums> &sums)
 {
@@ -229,12 +229,12 @@ SUFFUSE_PROGRAM void addBatch(Warp &warp, int nodes, const SumScratch &s, typena
     });
 }
 
-/// The same for one channel: Σ φ·value. `values` of the stroke, `channels` a row.
+/// Does the same for one channel: Σ φ·value. `values` of the stroke has rows of `channels`.
 template <class Warp>
 SUFFUSE_PROGRAM void addChannel(Warp &warp, int from, int nodes, const float *values, std::uint32_t channels,
                                 std::uint32_t channel, SumScratch &s, typename Warp::template Var<SampleValues> &sums)
 {
-    warp.each([&](int lane) { // a lane takes one node's 16 rows by halves
+    warp.each([&](int lane) { // A lane takes one node's 16 rows by halves.
         const int n = lane % batch, part = lane / batch * 2;
         if (n < wholeStrides(nodes)) {
             const float value = values[std::size_t(s.rows[from + n]) * channels + channel];

@@ -8,18 +8,18 @@ namespace suffuse::cuda {
 
 namespace {
 
-constexpr std::size_t mostBandTiles = 65535; // counted by 16 bits
-/// Of float pixels: 32 MiB.
+constexpr std::size_t mostBandTiles = 65535; // They are counted by 16 bits.
+/// So many tiles of float pixels take 32 MiB.
 constexpr std::size_t mostFloatTiles = 8192;
 constexpr std::size_t fewestBandTiles = 64;
-/// Entries of all lists of a band; macro-tiles are counted by 16 bits.
+/// The greatest numbers of entries in all lists of a band, and of macro-tiles, which are counted by 16 bits.
 constexpr std::size_t mostListed = std::size_t(1) << 23, mostMacros = 65535;
 
 ToCanvas toCanvasOf(const View &v)
 {
     const Point origin = v.toCanvas({0, 0});
     const double c = std::cos(v.rotation) / v.scale, s = std::sin(v.rotation) / v.scale, flip = v.mirrored ? -1 : 1;
-    // As the CPU does: a pixel turned against the canvas' axes may reach half its diagonal.
+    // As on the CPU, a pixel that is turned against the canvas' axes may reach half its diagonal.
     const double quarter = v.rotation / (0.5 * std::numbers::pi);
     const bool upright = std::abs(quarter - std::round(quarter)) < 1e-12;
     return {origin.x, origin.y, flip * c, flip * s, -s, c, v.px(), v.px() * (upright ? 0.5 : std::numbers::sqrt2 / 2)};
@@ -108,7 +108,7 @@ Fault TileWorker::prepare(const FrameHistory &history, const FrameHistory::Step 
     m_frame.editedFrom = edits ? m_scene.firstChunk(history.edited()) : 0xffffffff;
     m_frame.editedTo = edits ? m_scene.firstChunk(history.edited() + 1) : 0xffffffff;
     m_frame.width = request.view.width, m_frame.height = request.view.height;
-    // An unopaque background lies on white, RYB (0, 0, 0).
+    // A background that is not opaque lies on white, RYB (0, 0, 0).
     const Colour &b = canvas.background;
     const float opacity = request.transparent ? 0 : b.opacity;
     m_frame.background[0] = b.red * opacity;
@@ -138,8 +138,8 @@ TileWorker::Band TileWorker::plan(const FrameHistory &history, bool interactive,
     MacroJob *const macroJobs = m_macroJobs.data();
     std::size_t macros = 0;
     TileJob *job = m_tileJobs.data();
-    std::array<std::size_t, 4> lists{}; // of the current macro-tile, by which chunks are left out
-    std::size_t list = none;            // of the last tile
+    std::array<std::size_t, 4> lists{}; // the lists of the present macro-tile, by which chunks are left out
+    std::size_t list = none;            // the list of the last tile
     int column = -macroTiles, row = -macroTiles, last = 0;
     int any = 0, all = plainTile;
     for (const TileTask &task : tasks) {
@@ -276,8 +276,8 @@ Fault TileWorker::paint(const FrameHistory &history, bool interactive, std::span
                         std::function<void()> meanwhile)
 {
     const Output output = picture ? Output::Picture : target.keepsArgb() ? Output::Argb : Output::Rgba;
-    std::size_t current = 0;      // buffer that the device writes to
-    std::span<TileTask> finished; // in the other one, not stored yet
+    std::size_t current = 0;      // the buffer that the device writes to
+    std::span<TileTask> finished; // the tasks in the other one, which are not stored yet
     const auto storeFinished = [&] {
         store(history, output, m_buffers[1 - current], std::exchange(finished, {}), target, cancel);
     };
@@ -297,7 +297,7 @@ Fault TileWorker::paint(const FrameHistory &history, bool interactive, std::span
         storeFinished();
         if (meanwhile)
             std::exchange(meanwhile, nullptr)();
-        // Always waits: what was asked for reads and writes host memory.
+        // This always waits, since what was asked for reads and writes host memory.
         double milliseconds = 0;
         const Fault waited = m_device->finish(&milliseconds);
         if (!fault)
@@ -308,7 +308,7 @@ Fault TileWorker::paint(const FrameHistory &history, bool interactive, std::span
             return fault;
         m_deviceMs += milliseconds;
         if (const std::uint32_t longest = m_hostStatus.data()[longestList]; longest > m_listRoom) {
-            m_listRoom = std::bit_ceil(longest); // lists were cut off: once more
+            m_listRoom = std::bit_ceil(longest); // Lists were cut off, so the band is run again.
             continue;
         }
         finished = tasks.first(band.tiles);

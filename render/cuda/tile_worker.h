@@ -1,4 +1,4 @@
-// One device's share of a picture: what differs goes up, tiles come back.
+// The share of one device in a picture: what differs is uploaded, and tiles come back.
 #pragma once
 
 #include "render/cuda/device_layers.h"
@@ -14,12 +14,12 @@
 
 namespace suffuse::cuda {
 
-/// A tile to evaluate. Those of a macro-tile lie side by side.
+/// A tile to evaluate. Those of a macro-tile follow each other.
 struct TileTask {
     std::uint16_t column = 0, row = 0;
     std::uint32_t index = 0;  ///< counted row by row
-    bool drawn = false;       ///< it is where it was wanted
-    bool approximate = false; ///< drawn with an over map
+    bool drawn = false;       ///< whether it was stored where it was wanted
+    bool approximate = false; ///< whether it was drawn with an over map
 };
 
 class TileWorker {
@@ -27,17 +27,17 @@ public:
     TileWorker(std::shared_ptr<Device> device, bool cull, Threads threads);
 
     Device &device() { return *m_device; }
-    /// Brings the device up to date with the step that `history` made.
+    /// Brings the device up to date with the step that `history` has made.
     Fault prepare(const FrameHistory &history, const FrameHistory::Step &step, const RenderRequest &request,
                   const std::shared_ptr<const PaperTexture> &paper);
-    /// Evaluates tiles into `picture` (device memory), or, where that is null, into `target`; `drewAll` and the tasks
-    /// then tell what became of them.
-    /// `meanwhile` is called while the device is at work, where there is any.
+    /// Evaluates tiles into `picture` (device memory) or, if that is null, into `target`. `drewAll` and the tasks then
+    /// say what became of them. `meanwhile`, if there is any, is called while the device works.
     Fault paint(const FrameHistory &history, bool interactive, std::span<TileTask> tasks, std::uint32_t *picture,
                 Target &target, const std::atomic<bool> *cancel, std::function<void()> meanwhile);
-    /// Whether the last `paint` drew all tasks, none of them with an over map; the tasks tell only where it did not.
+    /// Whether the last `paint` drew all tasks, none of them with an over map. The tasks themselves say it only if it
+    /// did not.
     bool drewAll() const { return m_drewAll; }
-    /// Milliseconds that the device took for the last `paint`, by its own clock.
+    /// The milliseconds that the device took for the last `paint`, by its own clock.
     double deviceMs() const { return m_deviceMs; }
 
 private:
@@ -45,10 +45,10 @@ private:
     /// What one run of the device evaluates.
     struct Band {
         std::size_t tiles = 0, macros = 0;
-        int flags = 0;           ///< of any of its tiles
-        bool anyGeneral = false; ///< not all of them are plain
+        int flags = 0;           ///< the flags of all its tiles together
+        bool anyGeneral = false; ///< whether some of them are not plain
     };
-    /// Finished tiles, 0xAARRGGBB or four floats a pixel.
+    /// Finished tiles, with 0xAARRGGBB or four floats for each pixel.
     struct TileBuffer {
         explicit TileBuffer(Device &device) : onDevice(device), onHost(device) {}
 
@@ -61,15 +61,16 @@ private:
     /// Makes jobs of the first tasks, as many as fit.
     Band plan(const FrameHistory &history, bool interactive, std::span<const TileTask> tasks);
     Fault run(const Band &band);
-    /// Asks for the band's tiles and status words; `buffer` is where tiles arrive that do not stay in `picture`.
+    /// Asks for the band's tiles and status words. Tiles that do not stay in `picture` arrive in `buffer`.
     Fault start(const Band &band, Output output, std::uint32_t *picture, TileBuffer &buffer);
     void store(const FrameHistory &history, Output output, const TileBuffer &buffer, std::span<TileTask> tasks,
                Target &target, const std::atomic<bool> *cancel);
-    /// Notes which layers the band's jobs filled.
+    /// Notes which layers the band's jobs have filled.
     void keepLayers(const Band &band, std::span<TileTask> tasks);
-    /// After memory ran out for so many tiles: true where it is worth another try, without layers or with less.
+    /// Called after memory ran out for so many tiles. Returns true if it is worth another try, without layers or with
+    /// fewer tiles.
     bool makeRoom(std::size_t triedTiles);
-    /// Gives up layers and buffers; false where there are none.
+    /// Gives up layers and buffers. Returns false if there are none.
     bool releaseSpare();
     void releaseBuffers();
 
@@ -90,7 +91,7 @@ private:
     DeviceArray<ListEntry> m_lists;
     std::array<TileBuffer, 2> m_buffers; ///< one band is computed while the other is stored
     std::uint32_t m_listRoom = 128;
-    std::size_t m_bandTiles; ///< at most in one run
+    std::size_t m_bandTiles; ///< the greatest number of tiles in one run
     bool m_drewAll = false;
     double m_deviceMs = 0;
 };

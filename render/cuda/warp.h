@@ -1,8 +1,7 @@
-// Programs of one warp of 32 lanes, written once: a program is a template over the warp it runs on. DeviceWarp is a
-// warp of a GPU; HostWarp does the same lane after lane, for tests and for machines without one.
-//
-// A program's own variables are the same in all lanes; what differs by lane is a Var, and is touched inside `each`,
-// whose lanes do not see what other lanes write to shared memory before it ends.
+// Programs of one warp of 32 lanes, which are written once: a program is a template over the warp on which it runs.
+// DeviceWarp is a warp of a GPU. HostWarp does the same lane after lane, for tests and for machines without one.
+// A program's own variables are the same in all lanes. What differs by lane is a Var, and is used inside `each`. There,
+// a lane sees what other lanes write to shared memory only after `each` has ended.
 #pragma once
 
 #include "render/math/compat.h"
@@ -54,9 +53,9 @@ public:
         f(m_lane);
         __syncwarp();
     }
-    /// What lanes read outside of `each` may be written to afterwards.
+    /// After this, what lanes read outside of `each` may be written to.
     SUFFUSE_PROGRAM void meet() { __syncwarp(); }
-    /// Bit i: what f(i) says.
+    /// A mask whose bit i is f(i).
     template <class F>
     SUFFUSE_PROGRAM std::uint32_t ballot(F f)
     {
@@ -67,13 +66,13 @@ public:
     {
         return __any_sync(everyLane, f(m_lane)) != 0;
     }
-    /// Lane `from`'s value.
+    /// The value of lane `from`.
     template <class T>
     SUFFUSE_PROGRAM T read(const Var<T> &v, int from)
     {
         return __shfl_sync(everyLane, v.value, from);
     }
-    /// Of all lanes, always in the same order.
+    /// The sum over all lanes, always in the same order.
     template <class T>
     SUFFUSE_PROGRAM T sum(const Var<T> &v)
     {
@@ -98,8 +97,8 @@ public:
             s = fminf(s, __shfl_xor_sync(everyLane, s, by));
         return s;
     }
-    /// Starts copies of 16 bytes to shared memory, one a lane: copy(lane, start) calls start(to, from) as often as it
-    /// likes. They have arrived after `arrive`, which may leave the copies of the last `fetch` under way.
+    /// Starts copies of 16 bytes to shared memory in each lane: copy(lane, start) calls start(to, from) as often as it
+    /// likes. They have arrived after `arrive`, which may leave the copies of the last `fetch` on their way.
     template <class Copy>
     SUFFUSE_PROGRAM void fetch(Copy copy)
     {
@@ -114,18 +113,18 @@ public:
             __pipeline_wait_prior(0);
         __syncwarp();
     }
-    /// How many bits of a mask lie below a lane's.
+    /// The number of bits of a mask below that of a lane.
     static SUFFUSE_PROGRAM int rank(std::uint32_t mask, int lane) { return __popc(mask & ((1u << lane) - 1)); }
     static SUFFUSE_PROGRAM int count(std::uint32_t mask) { return __popc(mask); }
     static SUFFUSE_PROGRAM int lowest(std::uint32_t mask) { return __ffs(int(mask)) - 1; }
     /// For words that other warps change, too.
     static SUFFUSE_PROGRAM void raise(std::uint32_t *word, std::uint32_t to) { atomicMax(word, to); }
-    /// Returns what it was.
+    /// Adds to a word, and returns what it was before.
     static SUFFUSE_PROGRAM std::uint32_t add(std::uint32_t *word, std::uint32_t value)
     {
         return atomicAdd(word, value);
     }
-    /// Counts a word up: what it was.
+    /// Counts a word up, and returns what it was before.
     SUFFUSE_PROGRAM std::uint32_t take(std::uint32_t *word)
     {
         return __shfl_sync(everyLane, m_lane == 0 ? atomicAdd(word, 1u) : 0, 0);
@@ -137,21 +136,21 @@ private:
     int m_lane;
 };
 
-/// Warps that work together on one thing, in phases: after each they see what the others wrote. Outside of phases all
-/// do the same.
+/// Warps that work together on one thing, in phases. After each phase they see what the others wrote. Outside of phases
+/// all do the same.
 class DeviceBlock {
 public:
     using Warp = DeviceWarp;
 
     SUFFUSE_PROGRAM Warp &warp() { return m_warp; }
-    /// Calls f(warp, own) once per warp.
+    /// Calls f(warp, own) once in each warp.
     template <class F>
     SUFFUSE_PROGRAM void each(F f)
     {
         f(m_warp, int(threadIdx.x) / warpLanes);
         __syncthreads();
     }
-    /// Calls f(warp) of one of the warps; the others go on to the next phase meanwhile.
+    /// Calls f(warp) in one of the warps. The others go on to the next phase meanwhile.
     template <class F>
     SUFFUSE_PROGRAM void one(F f)
     {

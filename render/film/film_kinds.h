@@ -15,14 +15,14 @@ Result<std::unique_ptr<FilmWriter>> openFrames(const FilmOptions &options);
 Result<std::unique_ptr<FilmWriter>> openWebP(const FilmOptions &options);
 Result<std::unique_ptr<FilmWriter>> openVideo(const FilmOptions &options);
 
-/// Puts frames into order, as 8 bit pixels of three channels or, with alpha, four.
+/// Puts frames into order, as pixels of 8 bits with three channels or, with alpha, four.
 class OrderedFilm : public FilmWriter {
 public:
     explicit OrderedFilm(const FilmOptions &options) : m_options(options) {}
     Result<void> write(std::size_t i, const FloatPicture &picture) override;
 
 protected:
-    /// Frame after frame, one call at a time.
+    /// Appends the next frame. One call is made at a time.
     virtual Result<void> append(QByteArray pixels) = 0;
     int channels() const { return m_options.image.alpha ? 4 : 3; }
 

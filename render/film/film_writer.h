@@ -1,4 +1,4 @@
-// Films on their way to disk: numbered frames, an animated WebP, or a video by way of ffmpeg.
+// Writes films: numbered frames, an animated WebP, or a video by way of ffmpeg.
 #pragma once
 
 #include "render/image_io/image_io.h"
@@ -10,28 +10,30 @@ namespace suffuse {
 enum class FilmKind { Frames, WebP, Video };
 
 struct FilmOptions {
-    QString path; ///< film/%05d.png, film.webp, film.webm, film.mp4
+    QString path; ///< as film/%05d.png, film.webp, film.webm or film.mp4
     std::size_t frames = 1;
     double fps = 25;
     int width = 0, height = 0;
     ImageOptions image;
-    bool loops = true; ///< animated WebP: again and again
+    bool loops = true; ///< whether an animated WebP repeats
 };
 
-/// By the path: with a number (%d) frames, else by the ending; what is none of these counts as frames.
+/// The kind by the path: frames if it has a number (%d), otherwise by the ending. A path with neither counts as frames.
 FilmKind filmKindOf(const QString &path);
-/// Empty, or why such a film cannot be made and what to choose instead.
+/// Empty, or why such a film cannot be made, and what to choose instead.
 QString problemOf(const FilmOptions &options);
 /// The endings of films that are one file.
 QStringList filmEndings();
 
-/// Takes a film's frames. Nothing stands at its place before `commit`; destroyed before that, it leaves all as it was.
+/// Takes the frames of a film. Nothing stands in its place before `commit`. If it is destroyed before that, all is as
+/// it was.
 class FilmWriter {
 public:
     virtual ~FilmWriter() = default;
-    /// Frame i, from 0, each of them once. Any thread; frames come in order but for those that are in work at once.
+    /// Takes frame i, counted from 0, each of them once. Any thread may call it. Frames come in order, except for those
+    /// that are made at the same time.
     virtual Result<void> write(std::size_t i, const FloatPicture &picture) = 0;
-    /// When all frames are written: puts the film into its place.
+    /// Puts the film into its place. To be called when all frames are written.
     virtual Result<void> commit() = 0;
 };
 

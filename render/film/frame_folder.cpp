@@ -1,4 +1,4 @@
-// Numbered pictures.
+// Films as numbered pictures.
 #include "render/film/film_kinds.h"
 
 #include <QCoreApplication>
@@ -13,7 +13,7 @@ namespace suffuse {
 
 namespace {
 
-/// Names of numbered files: "film/%05d.png".
+/// The names of numbered files, as "film/%05d.png".
 struct FrameNames {
     QString folder, before, after;
     int digits = 1;
@@ -56,7 +56,8 @@ public:
     Result<void> write(std::size_t i, const FloatPicture &picture) override
     {
         ImageOptions options = m_options.image;
-        options.quick = true; // as many frames as an hour of painting has; programs that cut films read any PNG
+        // There are as many frames as in an hour of painting, and programs that cut films read any PNG.
+        options.quick = true;
         return writeImage(pathOf(i), picture, options);
     }
 
@@ -65,7 +66,7 @@ public:
         for (std::size_t i = 0; i < m_options.frames; ++i) {
             const QString path = QDir(m_names.folder).filePath(m_names.nameOf(i + 1));
             std::error_code error;
-            std::filesystem::rename(pathOf(i).toStdString(), path.toStdString(), error); // over an older film
+            std::filesystem::rename(pathOf(i).toStdString(), path.toStdString(), error); // This replaces an older film.
             if (error)
                 return Error{QStringLiteral("%1: %2").arg(path, QString::fromLocal8Bit(error.message().c_str()))};
         }

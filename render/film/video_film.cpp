@@ -1,4 +1,4 @@
-// Video: ffmpeg, where it is installed, is given the frames.
+// Films as video: ffmpeg, where it is installed, gets the frames.
 #include "render/film/film_kinds.h"
 
 #include <QCoreApplication>
@@ -21,7 +21,7 @@ namespace {
 constexpr std::size_t mostWaiting = 4; ///< frames
 constexpr int pollMs = 100;
 
-/// QProcess belongs to one thread: frames come from any.
+/// Gives the frames to ffmpeg. A QProcess belongs to one thread, while frames come from any.
 class VideoFilm : public OrderedFilm {
 public:
     explicit VideoFilm(const FilmOptions &options) : OrderedFilm(options)
@@ -44,7 +44,7 @@ public:
                                                      "%1: ffmpeg, which makes videos, is not installed. Install "
                                                      "it, or choose WebP or frames.")
                              .arg(m_options.path)};
-        QFile file(m_temporary); // so that ffmpeg's messages need not say why
+        QFile file(m_temporary); // If the file cannot be written, this says why, so that ffmpeg's messages need not.
         if (!file.open(QIODevice::WriteOnly))
             return Error{QCoreApplication::translate("Film", "%1: cannot write into this folder. Choose another one.")
                              .arg(QFileInfo(m_options.path).path())};
@@ -91,7 +91,7 @@ private:
         add("-colorspace bt709 -color_primaries bt709 -color_trc iec61966-2-1");
         if (webm)
             add("-vf scale=out_color_matrix=bt709 -c:v libvpx-vp9 -crf 18 -b:v 0 -row-mt 1 -deadline good -cpu-used 4");
-        else // two pixels share a colour, so that sides are even
+        else // Two pixels share a colour, so the sides must be even.
             add("-vf pad=ceil(iw/2)*2:ceil(ih/2)*2,scale=out_color_matrix=bt709 -c:v libx264 -crf 14 -preset medium "
                 "-movflags +faststart");
         add(alpha ? "-pix_fmt yuva420p -auto-alt-ref 0" : "-pix_fmt yuv420p");
@@ -129,7 +129,7 @@ private:
         m_changed.notify_all();
     }
 
-    /// False after the last frame.
+    /// Waits for the next frame. Returns false after the last one.
     bool next(QByteArray &pixels)
     {
         std::unique_lock lock(m_queueMutex);

@@ -1,4 +1,4 @@
-// Animated WebP, made by libwebp in the image module.
+// Films as animated WebP, made by libwebp in the image module.
 #include "render/film/film_kinds.h"
 #include "render/image_io/file_replacement.h"
 #include "render/image_io/image_module.h"
@@ -14,7 +14,7 @@ namespace suffuse {
 namespace {
 
 constexpr qint64 mostBytes =
-    std::numeric_limits<quint32>::max() - (qint64(1) << 20); ///< less what frames have around them
+    std::numeric_limits<quint32>::max() - (qint64(1) << 20); ///< without the room that frames need around their pixels
 
 class WebPFilm : public OrderedFilm {
 public:
@@ -65,7 +65,7 @@ private:
     FileReplacement m_file;
     ImageModuleFilm m_film;
     std::array<char, 512> m_error{};
-    std::size_t m_shown = 0; ///< frames so far
+    std::size_t m_shown = 0; ///< the number of frames so far
 };
 
 } // namespace

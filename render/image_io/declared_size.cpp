@@ -51,10 +51,11 @@ Size pngSize(const QByteArray &bytes)
 /// An attribute of an EXR header: name, type, size, value.
 struct ExrAttribute {
     QByteArray name, type;
-    qsizetype at = 0, size = 0; ///< of the value
+    qsizetype at = 0, size = 0; ///< place and size of the value
 };
 
-/// Goes on behind the attribute; none at a header's end. A size that the file has not is left as it is.
+/// Reads an attribute and moves `at` behind it. No value at the end of a header. A size beyond the file is kept as it
+/// is.
 std::optional<ExrAttribute> nextAttribute(const QByteArray &bytes, qsizetype &at)
 {
     const auto text = [&] {
@@ -74,7 +75,8 @@ std::optional<ExrAttribute> nextAttribute(const QByteArray &bytes, qsizetype &at
     return attribute;
 }
 
-/// OpenEXR reads some types by their own end, whatever size is written: then the next attribute is elsewhere for it.
+/// Whether OpenEXR reads a type up to an end of its own, whatever size is written. Then it finds the next attribute
+/// elsewhere.
 bool endsElsewhere(const QByteArray &bytes, const ExrAttribute &a)
 {
     static const std::map<QByteArray, qsizetype> sizes = {
@@ -86,7 +88,7 @@ bool endsElsewhere(const QByteArray &bytes, const ExrAttribute &a)
         return a.size != known->second;
     if (a.type != "chlist")
         return false;
-    qsizetype at = a.at; // a name and 16 bytes for each channel, until an empty name
+    qsizetype at = a.at; // A name and 16 bytes follow for each channel, until an empty name.
     while (at < bytes.size() && bytes[at] != '\0') {
         const qsizetype end = bytes.indexOf('\0', at);
         at = end < 0 ? bytes.size() : end + 1 + 16;
@@ -101,14 +103,14 @@ bool asksTooMuch(const QByteArray &bytes, const ExrAttribute &a)
         return true;
     if (a.name == "dataWindow" && a.size == 16)
         return isTooLarge({number(2) - number(0) + 1, number(3) - number(1) + 1});
-    if (a.name == "chunkCount" && a.size == 4) // eight bytes each follow in a table
+    if (a.name == "chunkCount" && a.size == 4) // A table follows with eight bytes for each chunk.
         return number(0) > bytes.size() / 8;
     if (a.name == "preview" && a.size >= 8)
         return isTooLarge({number(0), number(1)}) || number(0) < 0 || 4 * number(0) * number(1) + 8 != a.size;
     return false;
 }
 
-/// One header, or one for each part until an empty one.
+/// Checks one header, or a header for each part until an empty one.
 bool exrAsksTooMuch(const QByteArray &bytes)
 {
     constexpr std::uint32_t hasParts = 1 << 12;

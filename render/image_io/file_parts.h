@@ -1,4 +1,4 @@
-// Parts of image files that are found without decoding them.
+// Finds parts of image files without decoding them.
 #pragma once
 
 #include <QByteArray>
@@ -8,7 +8,7 @@
 
 namespace suffuse {
 
-/// Whole numbers of a file, most or least significant byte first; 0 beyond the end.
+/// Whole numbers of a file with the most or the least significant byte first; 0 beyond its end.
 struct FileNumbers {
     const QByteArray &bytes;
     bool littleEndian = false;
@@ -26,14 +26,14 @@ struct FileNumbers {
     }
 };
 
-/// A marker of a JPEG file with what belongs to it.
+/// A marker of a JPEG file, with what belongs to it.
 struct JpegSegment {
     int marker = 0;
-    qsizetype at = 0, length = 0; ///< from the marker's first byte on; less than 4 where it is broken
+    qsizetype at = 0, length = 0; ///< from the first byte of the marker on; the length is less than 4 if it is broken
 };
 
-/// The next one from `at` on, which goes behind it; none at the file's end. Stray bytes and markers without a length
-/// are passed over, as decoders do.
+/// The next marker from `at` on, which is moved behind it; no value at the end of the file. Stray bytes, and markers
+/// without a length, are skipped, as decoders do.
 inline std::optional<JpegSegment> nextJpegSegment(const QByteArray &bytes, qsizetype &at)
 {
     const FileNumbers numbers{bytes};
@@ -52,16 +52,17 @@ inline std::optional<JpegSegment> nextJpegSegment(const QByteArray &bytes, qsize
     return {};
 }
 
-/// Entries of the first directory of a TIFF file, BigTIFF or Exif data.
+/// The entries of the first directory of a TIFF file, of BigTIFF or of Exif data.
 struct TiffDirectory {
     bool big = false;
-    quint64 first = 0, count = 0; ///< where the first entry stands; how many the file has room for
+    /// the place of the first entry, and the number of entries for which the file has room
+    quint64 first = 0, count = 0;
 
     quint64 at(quint64 i) const { return first + i * (big ? 20 : 12); }
     quint64 valueAt(quint64 i) const { return at(i) + (big ? 12 : 8); }
 };
 
-/// None where there is no directory in the file.
+/// The directory; no value if there is none in the file.
 inline std::optional<TiffDirectory> tiffDirectory(const FileNumbers &numbers)
 {
     const bool big = numbers.at(2, 2) == 43;

@@ -145,7 +145,8 @@ Result<void> FileReplacement::commit()
         return Error{message};
     }
     m_temporary.clear();
-    // The new name is durable once the folder is; a folder that cannot be opened or synced is no reason to fail now.
+    // The new name is durable once the folder is synced. A folder that cannot be opened or synced is no reason to fail
+    // now.
     const int folder = ::open(m_folder.constData(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
     if (folder >= 0) {
         ::fsync(folder);

@@ -58,7 +58,7 @@ ImageFormat detectImageFormat(const QByteArray &bytes)
         return ImageFormat::Png;
     if (bytes.startsWith("\xFF\xD8\xFF"))
         return ImageFormat::Jpeg;
-    // Classic and BigTIFF, either byte order.
+    // Classic TIFF and BigTIFF, in either byte order.
     for (const char *magic : {"II*\0", "MM\0*", "II+\0", "MM\0+"})
         if (bytes.startsWith(QByteArray(magic, 4)))
             return ImageFormat::Tiff;

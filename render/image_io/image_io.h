@@ -1,4 +1,5 @@
-// Image files: pictures out, images in. Everything but PFM goes through modules that are loaded on first use.
+// Writes pictures to image files, and reads images. Everything except PFM goes through modules, which are loaded on
+// first use.
 #pragma once
 
 #include "model/result.h"
@@ -15,57 +16,61 @@ namespace suffuse {
 
 enum class ImageFormat { Unknown, Png, Tiff, Exr, Jpeg, WebP, Pfm };
 
-/// Bits of a channel: 8 or 16 bit whole numbers, 16 bit (half) or 32 bit floating point.
+/// The bits of a channel: whole numbers of 8 or 16 bits, or floating point of 16 (half) or 32 bits.
 enum class ImageDepth { Bits8, Bits16, Half, Float };
 
-/// How a picture is stored. PNG, TIFF, JPEG, WebP and PFM hold sRGB-encoded values as they are; EXR holds linear light
-/// with associated (premultiplied) alpha, as OpenEXR has it; the others hold straight alpha.
+/// How a picture is stored. PNG, TIFF, JPEG, WebP and PFM store sRGB-encoded values as they are. EXR stores linear
+/// light with associated (premultiplied) alpha, as OpenEXR demands; the others store straight alpha.
 struct ImageOptions {
-    std::optional<ImageDepth> depth;           ///< none: the format's usual one (`usualDepth`)
-    bool alpha = false;                        ///< four channels instead of three
-    int quality = 92;                          ///< JPEG and WebP, 1 … 100; 100 is lossless in WebP
-    double dpi = 0;                            ///< pixels an inch, 1 … 10,000, where the format says it; 0: none
-    bool quick = false;                        ///< PNG of 8 bits: in a quarter of the time, a fifteenth larger
-    const std::atomic<bool> *cancel = nullptr; ///< becomes true: stop soon, leave nothing behind
+    std::optional<ImageDepth> depth; ///< no value: the usual depth of the format (`usualDepth`)
+    bool alpha = false;              ///< whether there are four channels instead of three
+    int quality = 92;                ///< JPEG and WebP, 1 … 100; 100 is lossless in WebP
+    double dpi = 0;                  ///< pixels an inch, 1 … 10,000, if the format can say it; 0: not said
+    /// whether a PNG of 8 bits is written in a quarter of the time, a fifteenth larger
+    bool quick = false;
+    const std::atomic<bool> *cancel = nullptr; ///< when it becomes true, writing stops soon and leaves nothing behind
     std::function<void(int done, int rows)> progress; ///< called after each row
 };
 
-/// From the file's ending, whatever its case; Unknown for others.
+/// The format by the ending of a path, in upper or lower case; Unknown for other endings.
 ImageFormat imageFormatForPath(const QString &path);
-/// PNG, JPEG, TIFF, EXR or WebP by the first bytes, never by name; Unknown for anything else.
+/// PNG, JPEG, TIFF, EXR or WebP by the first bytes, never by a name; Unknown for anything else.
 ImageFormat detectImageFormat(const QByteArray &bytes);
-QString nameOf(ImageFormat format); ///< "PNG" …
-QString nameOf(ImageDepth depth);   ///< "8", "16", "half", "float": as the command line spells them
+QString nameOf(ImageFormat format); ///< a name such as "PNG"
+QString nameOf(ImageDepth depth);   ///< "8", "16", "half" or "float", as on the command line
 ImageDepth usualDepth(ImageFormat format);
-/// The endings that can be written, for messages and file dialogs: "png", "tiff", "tif", "exr", "jpg", "jpeg", "webp",
-/// "pfm".
+/// The endings of files that can be written, for messages and file dialogs: "png", "tiff", "tif", "exr", "jpg", "jpeg",
+/// "webp", "pfm".
 QStringList imageEndings();
-/// Whether the format's files can say how many pixels an inch has.
+/// Whether files of a format can say how many pixels an inch has.
 bool hasResolution(ImageFormat format);
-/// Whether `ImageOptions::quality` means something to it.
+/// Whether `ImageOptions::quality` has a meaning for a format.
 bool hasQuality(ImageFormat format);
 
-/// Largest picture that is drawn and written: pixels, at 16 bytes each in memory.
+/// The largest picture that is drawn and written, in pixels, each of which takes 16 bytes in memory.
 inline constexpr qint64 maxPicturePixels = qint64(1) << 28;
-/// Pixels a side that the format holds.
+/// The greatest number of pixels along a side that a format can store.
 int maxSideOf(ImageFormat format);
 
-/// Empty if the format can hold such a picture, else why not and what to choose instead (depth, alpha, size).
+/// Empty if a format can store such a picture. Otherwise it says why not, and what to choose instead (depth, alpha,
+/// size).
 QString problemOf(ImageFormat format, const ImageOptions &options, int width, int height);
 
-/// Writes the picture in the format of the path's ending. The target is replaced when the whole picture is on disk, or
-/// left as it was: rows are streamed to a temporary file beside it. Errors name the file and the remedy. Any thread.
+/// Writes a picture in the format of the path's ending. The target is replaced when the whole picture is on disk, or
+/// left as it was: rows are streamed to a temporary file beside it. Errors name the file and the remedy. It may be
+/// called on any thread.
 Result<void> writeImage(const QString &path, const FloatPicture &picture, const ImageOptions &options);
-/// The same as the bytes of a file. `name` stands in messages.
+/// Returns the same as the bytes of a file. `name` is used in messages.
 Result<QByteArray> encodeImage(ImageFormat format, const FloatPicture &picture, const ImageOptions &options,
                                const QString &name);
 
-/// Largest image that is read: sides, and pixels (256 MB as 8 bit RGBA). Declared sizes are checked before decoding.
+/// The largest image that is read: its sides, and its pixels (256 MB as 8 bit RGBA). Declared sizes are checked before
+/// decoding.
 inline constexpr int maxImageSide = 16384;
 inline constexpr qint64 maxImagePixels = qint64(1) << 26;
 
-/// Decodes PNG, JPEG, TIFF, EXR or WebP: sRGB-encoded, straight alpha, values in [0, 1] (NaN becomes 0), upright as the
-/// file's Exif data say. `name` stands in messages. Any thread.
+/// Decodes PNG, JPEG, TIFF, EXR or WebP to sRGB-encoded values in [0, 1] (NaN becomes 0) with straight alpha, upright
+/// as the file's Exif data say. `name` is used in messages. It may be called on any thread.
 Result<FloatPicture> readImage(const QByteArray &bytes, const QString &name);
 
 /// Pixels of an image that follow each other: pixel i lies at (x + i·dx, y + i·dy). (dx, dy) is a step along a row or a
@@ -73,10 +78,10 @@ Result<FloatPicture> readImage(const QByteArray &bytes, const QString &name);
 struct ImageRun {
     int x = 0, y = 0;
     int dx = 1, dy = 0;
-    const float *rgba = nullptr; ///< count straight RGBA pixels
+    const float *rgba = nullptr; ///< `count` straight RGBA pixels
     int count = 0;
 
-    /// Calls put(x, y, rgba) for each.
+    /// Calls put(x, y, rgba) for each pixel.
     template <typename Put>
     void forEach(const Put &put) const
     {
@@ -85,15 +90,16 @@ struct ImageRun {
     }
 };
 
-/// Receives an image while it is decoded: its size, upright, then a row of the file at a time, where that lies.
+/// Receives an image while it is decoded: first its upright size, then each row of the file, with its place in the
+/// image.
 struct ImageRows {
     std::function<void(int width, int height)> begin;
     std::function<void(const ImageRun &run)> row;
 };
-/// As `readImage`, without holding the picture.
+/// Does what `readImage` does, without keeping the picture.
 Result<void> readImageRows(const QByteArray &bytes, const QString &name, const ImageRows &rows);
 
-/// Empty if the modules can be loaded, else why not, with the remedy.
+/// Empty if the modules can be loaded. Otherwise it says why not, with the remedy.
 QString imageModuleProblem();
 
 } // namespace suffuse

@@ -45,7 +45,7 @@ Result<ImageModule> load(const QString &name)
     return module;
 }
 
-/// PNG, TIFF, JPEG and WebP.
+/// The module for PNG, TIFF, JPEG and WebP.
 const Result<ImageModule> &smallModule()
 {
     static const Result<ImageModule> module = load(QStringLiteral("suffuse_image_io"));
@@ -58,7 +58,7 @@ const Result<ImageModule> &largeModule()
     return module;
 }
 
-constexpr qint64 mostPngBytes = qint64(1) << 28; ///< the small module makes a PNG's stream as a whole
+constexpr qint64 mostPngBytes = qint64(1) << 28; ///< The small module makes the stream of a PNG as a whole.
 
 } // namespace
 

@@ -8,7 +8,7 @@ namespace suffuse {
 
 class FileReplacement;
 
-/// An image module's functions, all set but those of films, which the small one alone has.
+/// The functions of an image module. All are set, except those for films, which only the small module has.
 struct ImageModule {
     ImageModuleWriteFunction write = nullptr;
     ImageModuleReadFunction read = nullptr;
@@ -16,17 +16,18 @@ struct ImageModule {
     ImageModuleFilmEndFunction filmEnd = nullptr;
 };
 
-/// There are two modules: a small one for what is written often, which loads at once, and OpenImageIO, which brings
-/// some 260 libraries. Each is loaded when it is first asked for: from the folder SUFFUSE_MODULE_DIR if that is set,
-/// else from ../lib/suffuse beside the program's folder. The outcome stays for the life of the process. Any thread.
+/// There are two modules: a small one for formats that are written often, which loads at once, and OpenImageIO, which
+/// loads some 260 libraries. Each is loaded when it is first asked for, from the folder SUFFUSE_MODULE_DIR if that is
+/// set, else from ../lib/suffuse beside the program's folder. The result stays for the life of the process. These may
+/// be called on any thread.
 const Result<ImageModule> &readingModule(ImageFormat format);
-/// `bytes`: of the picture's pixels in the file, before they are packed.
+/// `bytes` is the size of the picture's pixels in the file before they are packed.
 const Result<ImageModule> &writingModule(ImageFormat format, qint64 bytes);
 
 /// The file as modules see it.
 ImageModuleFile moduleFile(FileReplacement &file);
 
-/// What the modules call a format (OpenImageIO's names).
+/// The name of a format in modules (OpenImageIO's name).
 const char *imageModuleName(ImageFormat format);
 
 } // namespace suffuse

@@ -14,7 +14,7 @@ namespace suffuse {
 
 namespace {
 
-/// Turns the module's rows into straight sRGB-encoded RGBA.
+/// Converts the rows of the module to straight sRGB-encoded RGBA.
 struct RowConverter {
     const ImageRows &rows;
     Orientation orientation;
@@ -46,7 +46,7 @@ struct RowConverter {
             out[c] = v[grey ? 0 : c];
         out[3] = channels == 2 ? v[1] : channels == 4 ? v[3] : 1;
         for (int c = 0; c < 4; ++c)
-            if (!(out[c] >= 0)) // NaN too
+            if (!(out[c] >= 0)) // This is true of NaN, too.
                 out[c] = 0;
         out[3] = std::min(out[3], 1.0f);
         for (int c = 0; c < 3; ++c) {

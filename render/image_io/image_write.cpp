@@ -14,7 +14,7 @@ namespace suffuse {
 
 namespace {
 
-/// Hands out the picture's rows as the format stores them.
+/// Hands out the rows of the picture as the format stores them.
 class RowSource {
 public:
     RowSource(const FloatPicture &picture, const ImageOptions &options, ImageFormat format)
@@ -25,7 +25,7 @@ public:
     int channels() const { return m_options.alpha ? 4 : 3; }
     bool isCancelled() const { return m_cancelled; }
 
-    /// width·channels values, or null once the writing was cancelled.
+    /// A row of width·channels values, or null once the writing was cancelled.
     const float *row(int y)
     {
         if (m_options.cancel && m_options.cancel->load()) {
@@ -49,7 +49,7 @@ private:
         if (!m_options.alpha)
             return;
         to[3] = from[3];
-        if (m_linear) // OpenEXR's colours are associated with alpha
+        if (m_linear) // In OpenEXR colours are associated with alpha.
             for (int c = 0; c < 3; ++c)
                 to[c] *= from[3];
     }
@@ -62,7 +62,7 @@ private:
     std::vector<float> m_values;
 };
 
-/// The bytes are the file.
+/// A file that is an array of bytes.
 ImageModuleFile moduleFile(QByteArray &bytes)
 {
     ImageModuleFile out{};
@@ -77,7 +77,7 @@ ImageModuleFile moduleFile(QByteArray &bytes)
         QByteArray &file = *static_cast<QByteArray *>(c);
         const qsizetype before = file.size(), end = qsizetype(at) + qsizetype(n);
         if (end > file.capacity())
-            file.reserve(std::max(end, 2 * before)); // many small writes
+            file.reserve(std::max(end, 2 * before)); // There may be many small writes.
         if (end > before)
             file.resize(end);
         if (at > before)
@@ -89,7 +89,7 @@ ImageModuleFile moduleFile(QByteArray &bytes)
     return out;
 }
 
-/// Portable float map: RGB, rows from bottom to top, the sign of the scale tells the byte order.
+/// Writes a portable float map: RGB, rows from bottom to top; the sign of the scale tells the byte order.
 void writePfm(const ImageModuleFile &file, RowSource &source, int width, int height)
 {
     const char *order = std::endian::native == std::endian::little ? "-1.0" : "1.0";
@@ -108,7 +108,7 @@ void writePfm(const ImageModuleFile &file, RowSource &source, int width, int hei
     }
 }
 
-/// Empty, or what the module said.
+/// Writes by a module. Returns an empty text, or what the module said.
 QString writeThroughModule(const ImageModule &module, const ImageModuleFile &file, RowSource &source,
                            ImageFormat format, const FloatPicture &picture, const ImageOptions &options)
 {
@@ -142,15 +142,15 @@ qint64 bytesOf(const FloatPicture &picture, const ImageOptions &options, ImageFo
     return qint64(picture.width) * picture.height * (options.alpha ? 4 : 3) * each;
 }
 
-/// A picture on its way into a file.
+/// A picture that is being written to a file.
 struct Writing {
-    QString name; ///< in messages
+    QString name; ///< used in messages
     ImageFormat format;
     const FloatPicture &picture;
     const ImageOptions &options;
     const ImageModule *module = nullptr; ///< null for PFM
 
-    /// Whether it can be written at all. Loads the module.
+    /// Checks whether the picture can be written at all. It loads the module.
     Result<void> prepare()
     {
         const QString problem = problemOf(format, options, picture.width, picture.height);
@@ -166,7 +166,7 @@ struct Writing {
         return {};
     }
 
-    /// `fileProblem` says what went wrong with the file itself, empty: nothing.
+    /// `fileProblem` returns what went wrong with the file itself, or an empty text.
     template <typename Problem>
     Result<void> write(const ImageModuleFile &file, const Problem &fileProblem) const
     {

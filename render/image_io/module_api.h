@@ -1,4 +1,5 @@
-// The border between the program and the image modules: plain C types, so that a module needs nothing of the program.
+// The border between the program and the image modules. It has plain C types, so that a module needs nothing of the
+// program.
 #pragma once
 
 #include <cstddef>
@@ -6,13 +7,14 @@
 
 namespace suffuse {
 
-/// Both sides must have the same number; raise it with every change below.
+/// Both sides must have the same number. Raise it with every change below.
 inline constexpr int imageModuleVersion = 4;
 
-/// Codes of `ImageDepth` and `ImageFormat` on the border.
+/// The codes for `ImageDepth` and `ImageFormat` on the border.
 enum ImageModuleDepth { ModuleBits8, ModuleBits16, ModuleHalf, ModuleFloat };
 
-/// A file to write as the module sees it; offsets in bytes. A short count means that the transfer failed.
+/// A file to be written, as the module sees it. Offsets are in bytes. A count that is too small means that the transfer
+/// failed.
 struct ImageModuleFile {
     void *context;
     std::size_t (*read)(void *context, void *to, std::size_t bytes, std::int64_t offset);
@@ -27,13 +29,14 @@ struct ImageModuleWrite {
     int height;
     int channels; ///< 3, or 4 with alpha
     int depth;    ///< ImageModuleDepth
-    bool linear;  ///< linear light instead of sRGB
+    bool linear;  ///< whether values are linear light instead of sRGB
     bool associated;
     int quality; ///< 1 … 100
-    bool quick;  ///< PNG of 8 bits: less compression
+    bool quick;  ///< whether a PNG of 8 bits is compressed less
     double dpi;  ///< pixels an inch; 0: not said
     void *context;
-    const float *(*row)(void *context, int y); ///< width·channels floats, valid until the next call; null: stop
+    /// returns width·channels floats, which are valid until the next call; null: stop
+    const float *(*row)(void *context, int y);
 };
 
 struct ImageModuleRead {
@@ -47,27 +50,28 @@ struct ImageModuleRead {
     void (*row)(void *context, int y, const float *values); ///< width·channels floats, 1 … 4 channels
 };
 
-/// An animated WebP on its way.
+/// An animated WebP that is being made.
 struct ImageModuleFilm {
     int width;
     int height;
     int channels; ///< 3, or 4 with alpha
     int quality;  ///< 1 … 100
     bool loops;
-    std::int64_t bytes; ///< out: of the file so far
-    void *work;         ///< the module's own: null at first and after the end
+    std::int64_t bytes; ///< set by the module: the size of the file so far
+    void *work;         ///< belongs to the module; null at first and after the end
 };
 
-/// A module's entry points (C linkage): `suffuse_image_module_version`, `suffuse_image_write`, `suffuse_image_read`,
-/// and in the small module `suffuse_image_film_add` and `suffuse_image_film_end`. All but the first return false and
-/// put a message (UTF-8, cut to `size` bytes) into `error` where they fail.
+/// The entry points of a module (C linkage): `suffuse_image_module_version`, `suffuse_image_write`,
+/// `suffuse_image_read`, and in the small module `suffuse_image_film_add` and `suffuse_image_film_end`. All except the
+/// first return false if they fail, and put a message (UTF-8, cut to `size` bytes) into `error`.
 using ImageModuleVersionFunction = int (*)();
 using ImageModuleWriteFunction = bool (*)(const ImageModuleWrite *job, char *error, std::size_t size);
 using ImageModuleReadFunction = bool (*)(const ImageModuleRead *job, char *error, std::size_t size);
-/// Shows a picture, width·height·channels bytes, from so many milliseconds after the film's start on.
+/// Shows a picture of width·height·channels bytes from so many milliseconds after the start of the film.
 using ImageModuleFilmAddFunction = bool (*)(ImageModuleFilm *film, const std::uint8_t *pixels,
                                             std::int64_t milliseconds, char *error, std::size_t size);
-/// Writes the film, which is so long, into the file; without a file, it is given up. Frees `work` in any case.
+/// Writes the film, which lasts so many milliseconds, to the file. Without a file it is given up. `work` is freed in
+/// any case.
 using ImageModuleFilmEndFunction = bool (*)(ImageModuleFilm *film, const ImageModuleFile *file,
                                             std::int64_t milliseconds, char *error, std::size_t size);
 

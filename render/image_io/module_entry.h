@@ -1,4 +1,4 @@
-// What the image modules have in common: how they begin and how they fail.
+// What the image modules have in common: how they begin, and how they fail.
 #pragma once
 
 #include "render/image_io/module_api.h"
@@ -11,7 +11,7 @@
 
 namespace suffuse {
 
-/// Puts the message into `error` (cut to `size` bytes) and returns false.
+/// Puts the message into `error` (cut to `size` bytes), and returns false.
 inline bool fail(char *error, std::size_t size, const std::string &message)
 {
     if (size > 0) {
@@ -22,7 +22,7 @@ inline bool fail(char *error, std::size_t size, const std::string &message)
     return false;
 }
 
-/// No exception leaves a module.
+/// Calls a function so that no exception leaves the module.
 template <typename Work>
 bool guarded(const Work &work, char *error, std::size_t size)
 {
@@ -39,7 +39,7 @@ bool guarded(const Work &work, char *error, std::size_t size)
 
 } // namespace suffuse
 
-/// The entry points of a module, which writes and reads by these functions.
+/// Defines the entry points of a module, which writes and reads by these functions.
 #define SUFFUSE_IMAGE_MODULE(writeRows, readRows)                                                                      \
     extern "C" {                                                                                                       \
     __attribute__((visibility("default"))) int suffuse_image_module_version()                                          \

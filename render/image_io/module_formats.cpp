@@ -1,4 +1,4 @@
-// The module of the common formats: what it links is small, so that a picture is written without a wait.
+// The module of the common formats. What it links is small, so that a picture is written without a wait.
 #include "render/image_io/module_formats.h"
 
 namespace suffuse {

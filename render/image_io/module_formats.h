@@ -1,4 +1,4 @@
-// What the module of the common formats is made of.
+// The parts of the module of the common formats.
 #pragma once
 
 #include "render/image_io/module_entry.h"
@@ -8,28 +8,29 @@
 
 namespace suffuse {
 
-/// An sRGB ICC profile (version 4, parametric curves), always the same bytes.
+/// An ICC profile of sRGB (version 4, parametric curves), which always has the same bytes.
 const std::string &srgbProfile();
 
-/// Appends the number, the highest byte first, as PNG has it.
+/// Appends a number with the highest byte first, as in PNG.
 inline void put32(std::string &out, std::uint32_t v)
 {
     for (int shift = 24; shift >= 0; shift -= 8)
         out.push_back(char(v >> shift));
 }
 
-/// The value as a whole number from 0 to `most`, rounded to nearest; what is no colour as the nearest one.
+/// The value as a whole number from 0 to `most`, rounded to nearest. What is no colour becomes the nearest one.
 template <typename Number>
 Number toWhole(float v, float most)
 {
     return Number(most * (v > 0 ? std::min(v, 1.0f) : 0.0f) + 0.5f);
 }
 
-/// Packs bytes, at least one, as a zlib stream, quickly: `to` has room for `packedRunsBound(size)`. Returns the size.
+/// Packs bytes, at least one, as a zlib stream, quickly. `to` must have room for `packedRunsBound(size)`. Returns the
+/// size.
 std::size_t packRuns(const unsigned char *from, std::size_t size, unsigned char *to);
 std::size_t packedRunsBound(std::size_t size);
 
-/// Each returns false, with a message, where it fails.
+/// These return false, with a message, if they fail.
 bool writePng(const ImageModuleWrite &job, char *error, std::size_t size);
 bool writeTiff(const ImageModuleWrite &job, char *error, std::size_t size);
 bool writeJpeg(const ImageModuleWrite &job, char *error, std::size_t size);

@@ -1,4 +1,4 @@
-// The ICC profile of sRGB (IEC 61966-2-1) that TIFF and JPEG carry, by lcms2.
+// The ICC profile of sRGB (IEC 61966-2-1) in TIFF and JPEG files, made by lcms2.
 #include "render/image_io/module_formats.h"
 
 #include <lcms2.h>
@@ -18,7 +18,8 @@ std::string makeProfile()
         bytes.resize(size);
     if (bytes.empty() || !cmsSaveProfileToMem(profile.get(), bytes.data(), &size))
         throw std::bad_alloc();
-    // lcms2 dates a profile by the clock; the same picture is to be the same file. 2024-01-01, midnight:
+    // lcms2 dates a profile by the clock, while equal pictures must give equal files. So the date is set to midnight of
+    // 2024-01-01.
     constexpr std::size_t creationDate = 24;
     constexpr char date[] = {2024 / 256, char(2024 % 256), 0, 1, 0, 1, 0, 0, 0, 0, 0, 0};
     return bytes.replace(creationDate, sizeof date, date, sizeof date);

@@ -1,4 +1,4 @@
-// JPEG by libjpeg.
+// Writes JPEG by libjpeg.
 #include "render/image_io/module_formats.h"
 
 #include <cstdio> // jpeglib.h needs it
@@ -13,7 +13,7 @@ namespace suffuse {
 
 namespace {
 
-constexpr int leastQualityOfFullColour = 90; ///< below it colour is stored at half the resolution
+constexpr int leastQualityOfFullColour = 90; ///< Below this quality colour is stored at half the resolution.
 
 /// Where the bytes go, and where libjpeg jumps to when something goes wrong.
 struct JpegFile {
@@ -66,7 +66,8 @@ void describe(jpeg_compress_struct &jpeg, const ImageModuleWrite &job)
     }
 }
 
-/// False where libjpeg gave up; then `file` says why. Nothing in here has a destructor that its jump could pass over.
+/// Compresses the picture. If it returns false, libjpeg has given up, and `file` says why. Nothing in here has a
+/// destructor, which libjpeg's jump would skip.
 bool compress(jpeg_compress_struct &jpeg, JpegFile &file, const ImageModuleWrite &job, unsigned char *row)
 {
     if (setjmp(file.escape))

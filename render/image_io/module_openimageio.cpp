@@ -1,4 +1,4 @@
-// The module of the other formats: the only place that knows OpenImageIO.
+// The module of the other formats, which is the only place that knows OpenImageIO.
 #include "render/image_io/module_proxy.h"
 
 #include <OpenImageIO/imageio.h>
@@ -49,7 +49,7 @@ ImageSpec specOf(const ImageModuleWrite &job)
 
 bool writeRows(const ImageModuleWrite &job, char *error, std::size_t size)
 {
-    ModuleProxy proxy(job.file); // outlives `out`, whose destructor may flush
+    ModuleProxy proxy(job.file); // It must outlive `out`, whose destructor may write.
     auto out = ImageOutput::create(job.format);
     if (!out)
         return fail(error, size, OIIO::geterror());
@@ -78,9 +78,9 @@ std::string problemOf(const ImageSpec &spec, const ImageModuleRead &job)
         return "it declares " + std::to_string(spec.width) + " x " + std::to_string(spec.height) + " pixels";
     if (spec.nchannels < 1 || spec.nchannels > 16)
         return "it declares " + std::to_string(spec.nchannels) + " channels";
-    if (spec.get_int_attribute("tiff:RowsPerStrip", 1) < 1) // it divides by them
+    if (spec.get_int_attribute("tiff:RowsPerStrip", 1) < 1) // The library divides by it.
         return "its strips have no rows";
-    if (spec.tile_width > 0) { // a row of tiles is decoded at a time
+    if (spec.tile_width > 0) { // A row of tiles is decoded at a time.
         const std::int64_t across =
             (spec.width + std::int64_t(spec.tile_width) - 1) / spec.tile_width * spec.tile_width;
         if (spec.tile_height < 1 || spec.tile_depth > 1 || across > 2 * std::int64_t(job.maxSide) ||
@@ -92,7 +92,7 @@ std::string problemOf(const ImageSpec &spec, const ImageModuleRead &job)
 
 bool readRows(const ImageModuleRead &job, char *error, std::size_t size)
 {
-    OIIO::Filesystem::IOMemReader proxy(const_cast<void *>(job.bytes), job.size); // the one kind that JPEG takes
+    OIIO::Filesystem::IOMemReader proxy(const_cast<void *>(job.bytes), job.size); // JPEG accepts only this kind.
     auto in = ImageInput::create(job.format);
     if (!in)
         return fail(error, size, OIIO::geterror());
@@ -108,12 +108,12 @@ bool readRows(const ImageModuleRead &job, char *error, std::size_t size)
     const bool linear = std::string(job.format) == "openexr";
     const bool associated = linear || (spec.alpha_channel >= 0 && !spec.get_int_attribute("oiio:UnassociatedAlpha"));
     job.begin(job.context, spec.width, spec.height, channels, linear, associated);
-    // A strip at a time: some readers decode a whole tile row or strip for each call.
+    // A strip is read at a time, since some readers decode a whole row of tiles or a strip for each call.
     const int strip = spec.tile_height > 1 ? spec.tile_height : 16;
     std::vector<float> values(std::size_t(spec.width) * channels * std::min(strip, spec.height));
     for (int y = 0; y < spec.height; y += strip) {
         const int end = std::min(y + strip, spec.height);
-        // Scanlines of tiles: some readers divide by a strip's height, which is 0 then.
+        // For tiles some readers divide by the height of a strip, which is 0 then.
         const bool isRead =
             spec.tile_width > 0
                 ? in->read_tiles(0, 0, spec.x, spec.x + spec.width, spec.y + y, spec.y + end, spec.z, spec.z + 1, 0,

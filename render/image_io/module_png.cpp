@@ -1,4 +1,4 @@
-// PNG by libdeflate: the way through libpng and zlib takes three times as long.
+// Writes PNG by libdeflate. libpng and zlib would take three times as long.
 #include "render/image_io/module_formats.h"
 
 #include <libdeflate.h>
@@ -13,7 +13,7 @@ namespace {
 
 using Byte = unsigned char;
 
-/// Half of the bytes of 16 bit colours are noise: to search longer makes them no smaller.
+/// Half of the bytes of 16 bit colours are noise, which a longer search does not make smaller.
 int levelFor(const ImageModuleWrite &job)
 {
     return job.depth == ModuleBits16 ? 1 : 6;
@@ -46,7 +46,7 @@ void putRow(const ImageModuleWrite &job, const float *from, Byte *to)
     }
 }
 
-/// What a row adds to the mean of its left neighbour and the row above, as PNG defines it.
+/// Filters a row: each byte is what it adds to the mean of its left neighbour and the byte above, as PNG defines it.
 void filterRow(const Byte *row, const Byte *above, std::size_t stride, std::size_t pixel, Byte *to)
 {
     for (std::size_t i = 0; i < pixel; ++i)
@@ -55,7 +55,7 @@ void filterRow(const Byte *row, const Byte *above, std::size_t stride, std::size
         to[i] = Byte(row[i] - (row[i - pixel] + above[i]) / 2);
 }
 
-/// The picture's rows, each behind the number of its filter; empty once the writing was stopped.
+/// The rows of the picture, each behind the number of its filter; empty once the writing was stopped.
 std::vector<Byte> filteredRows(const ImageModuleWrite &job)
 {
     const std::size_t stride = strideOf(job);
@@ -111,7 +111,8 @@ std::string numbers(std::initializer_list<std::uint32_t> values)
     return out;
 }
 
-/// What comes before the pixels: they are sRGB, and for readers that do not know that chunk its gamma and primaries.
+/// Writes what comes before the pixels: that they are sRGB and, for readers that do not know that chunk, gamma and
+/// primaries.
 void putHead(Chunks &out, const ImageModuleWrite &job)
 {
     constexpr char rgb = 2, rgba = 6, absoluteColorimetric = 3, metre = 1;
@@ -129,7 +130,7 @@ void putHead(Chunks &out, const ImageModuleWrite &job)
     out.chunk("tEXt", std::string(software, sizeof software - 1));
 }
 
-/// False where there is not enough memory.
+/// Writes the pixels. Returns false if there is not enough memory.
 bool putPixels(Chunks &out, const std::vector<Byte> &rows, const ImageModuleWrite &job)
 {
     const bool quick = job.quick && job.depth == ModuleBits8;
@@ -139,7 +140,7 @@ bool putPixels(Chunks &out, const std::vector<Byte> &rows, const ImageModuleWrit
         return false;
     const std::size_t most =
         quick ? packedRunsBound(rows.size()) : libdeflate_zlib_compress_bound(compressor.get(), rows.size());
-    const std::unique_ptr<Byte[]> packed(new Byte[most]); // not set to 0 first
+    const std::unique_ptr<Byte[]> packed(new Byte[most]); // It need not be set to 0 first.
     out.chunk("IDAT", packed.get(),
               quick ? packRuns(rows.data(), rows.size(), packed.get())
                     : libdeflate_zlib_compress(compressor.get(), rows.data(), rows.size(), packed.get(), most));

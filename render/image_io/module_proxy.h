@@ -6,7 +6,7 @@
 
 namespace suffuse {
 
-/// OpenImageIO's view of the file that the program writes. Remembers a failed transfer, which some of its writers do
+/// OpenImageIO's view of the file that the program writes. It remembers a failed transfer, which some of its writers do
 /// not report.
 class ModuleProxy : public OIIO::Filesystem::IOProxy {
 public:

@@ -1,5 +1,5 @@
-// Deflate (RFC 1951) without a search for matches: Huffman codes, and runs of one byte. Of rows that PNG's filters went
-// over, runs of zeros are most of what a search finds; what this leaves out makes pictures of soft paint 2 % larger.
+// Deflate (RFC 1951) without a search for matches, by Huffman codes and runs of one byte. After PNG's filters, runs of
+// zeros are most of what a search would find. Pictures of soft paint get 2 % larger by what is left out.
 #include "render/image_io/module_formats.h"
 
 #include <libdeflate.h>
@@ -22,18 +22,18 @@ constexpr int shortestRun = 3, longestRun = 258;
 constexpr int endOfBlock = 256, firstLength = 257, codes = 286, longestCode = 15;
 constexpr std::size_t blockBytes = 1 << 17;
 
-/// What a block is made of: a byte, or 256 and the length of a run of the byte before.
+/// The elements of a block: a byte, or 256 plus the length of a run of the byte before.
 using Token = std::uint16_t;
 constexpr int tokens = endOfBlock + longestRun + 1;
 
 struct Bits {
-    std::uint64_t value = 0; ///< the first one lowest
+    std::uint64_t value = 0; ///< the first one is the lowest
     int count = 0;
 
     Bits then(Bits next) const { return {value | next.value << count, count + next.count}; }
 };
 
-/// The code of a run's length, and its extra bits.
+/// The code for the length of a run, and its extra bits.
 std::pair<int, Bits> lengthCode(int length)
 {
     if (length == longestRun)
@@ -43,10 +43,10 @@ std::pair<int, Bits> lengthCode(int length)
     return {firstLength + 4 * extra + int(over >> extra), {over & ((1u << extra) - 1), extra}};
 }
 
-/// Lengths of a Huffman code's words; 0 where a count is. Counts are evened out until no word is too long.
+/// The lengths of a Huffman code's words; 0 where a count is 0. Counts are evened out until no word is too long.
 std::array<Byte, codes> wordLengths(std::array<std::uint32_t, codes> counts)
 {
-    using Node = std::pair<std::uint64_t, int>; // count, index
+    using Node = std::pair<std::uint64_t, int>; // count and index
     while (true) {
         std::priority_queue<Node, std::vector<Node>, std::greater<>> open;
         std::array<int, 2 * codes> parent{};
@@ -84,7 +84,7 @@ std::uint32_t reversed(std::uint32_t word, int count)
     return out;
 }
 
-/// The canonical words of these lengths.
+/// The canonical words that have these lengths.
 std::array<Bits, codes> wordsOf(const std::array<Byte, codes> &lengths)
 {
     std::array<Bits, codes> words;
@@ -100,7 +100,7 @@ class BitWriter {
 public:
     explicit BitWriter(Byte *to) : m_to(to) {}
 
-    /// At most 56 bits; eight bytes are written, and count as far as they are whole.
+    /// Writes at most 56 bits. Eight bytes are written, of which the whole ones count.
     void put(Bits bits)
     {
         m_waiting |= bits.value << m_count;
@@ -110,7 +110,7 @@ public:
         m_waiting >>= m_count & ~7;
         m_count &= 7;
     }
-    /// The end, after what fills the last byte.
+    /// The end, after filling up the last byte.
     Byte *finish() { return m_to + (m_count > 0); }
 
 private:
@@ -121,7 +121,7 @@ private:
     int m_count = 0;
 };
 
-/// Writes the tokens of a block and counts their codes; the end of the tokens.
+/// Writes the tokens of a block, and counts their codes. Returns the end of the tokens.
 Token *findRuns(const Byte *from, const Byte *end, Token *to, std::array<std::uint32_t, codes> &counts)
 {
     const auto put = [&](Byte byte) {
@@ -132,7 +132,7 @@ Token *findRuns(const Byte *from, const Byte *end, Token *to, std::array<std::ui
         std::uint32_t four;
         std::memcpy(&four, from, sizeof four);
         put(*from++);
-        if (four != std::rotl(four, 8)) // bytes differ
+        if (four != std::rotl(four, 8)) // The bytes differ.
             continue;
         const Byte *const most = from + std::min<std::ptrdiff_t>(end - from, longestRun);
         const int length = int(std::find_if(from, most, [four](Byte b) { return b != Byte(four); }) - from);
@@ -145,7 +145,7 @@ Token *findRuns(const Byte *from, const Byte *end, Token *to, std::array<std::ui
     return to;
 }
 
-/// A dynamic block's head: the lengths of all words, each in four bits, and one distance, 1.
+/// Writes the head of a dynamic block: the lengths of all words, each in four bits, and one distance, 1.
 void putHead(BitWriter &out, const std::array<Byte, codes> &lengths, bool last)
 {
     constexpr std::uint32_t dynamic = 2;
@@ -165,14 +165,14 @@ void putBlock(BitWriter &out, std::span<const Token> found, const std::array<std
     const std::array<Byte, codes> lengths = wordLengths(counts);
     const std::array<Bits, codes> words = wordsOf(lengths);
     putHead(out, lengths, last);
-    std::array<Bits, tokens> of; // whole: length, extra bits, and the one bit of the distance
+    std::array<Bits, tokens> of; // whole words: length, extra bits, and the one bit of the distance
     std::copy(words.begin(), words.begin() + firstLength, of.begin());
     for (int length = shortestRun; length <= longestRun; ++length) {
         const auto [code, extra] = lengthCode(length);
         const Bits word = words[std::size_t(code)];
         of[std::size_t(endOfBlock + length)] = word.then(extra).then({0, 1});
     }
-    for (; found.size() > 1; found = found.subspan(2)) // two at once: that is what takes the time
+    for (; found.size() > 1; found = found.subspan(2)) // Two are written at once, since this takes most of the time.
         out.put(of[found[0]].then(of[found[1]]));
     for (const Token token : found)
         out.put(of[token]);
@@ -183,7 +183,7 @@ void putBlock(BitWriter &out, std::span<const Token> found, const std::array<std
 
 std::size_t packedRunsBound(std::size_t size)
 {
-    return size / 8 * 15 + (size / blockBytes + 1) * 256 + 64; // no word is longer than 15 bits
+    return size / 8 * 15 + (size / blockBytes + 1) * 256 + 64; // No word is longer than 15 bits.
 }
 
 std::size_t packRuns(const unsigned char *from, std::size_t size, unsigned char *to)

@@ -1,4 +1,4 @@
-// TIFF by libtiff, in strips that are packed as they come.
+// Writes TIFF by libtiff, in strips that are packed as they come.
 #include "render/image_io/module_formats.h"
 
 #define IMATH_HALF_NO_LOOKUP_TABLE // it is for the way back, and a library of its own
@@ -13,7 +13,8 @@ namespace suffuse {
 
 namespace {
 
-constexpr std::int64_t mostClassicBytes = std::int64_t(3) << 30; ///< offsets of 32 bits; packed rows may grow a little
+/// offsets have 32 bits, and packed rows may grow a little
+constexpr std::int64_t mostClassicBytes = std::int64_t(3) << 30;
 constexpr std::size_t stripBytes = 1 << 18;
 
 /// libtiff's view of the file, and the first thing that went wrong.
@@ -54,7 +55,7 @@ struct TiffFile {
         auto &problem = static_cast<TiffFile *>(to)->problem;
         if (problem.empty())
             problem = text;
-        return 1; // it is said by us
+        return 1; // The message is ours.
     }
 };
 
@@ -94,7 +95,7 @@ void describe(TIFF *tiff, const ImageModuleWrite &job, std::uint32_t stripRows)
     TIFFSetField(tiff, TIFFTAG_ROWSPERSTRIP, stripRows);
     TIFFSetField(tiff, TIFFTAG_COMPRESSION, COMPRESSION_ADOBE_DEFLATE);
     TIFFSetField(tiff, TIFFTAG_PREDICTOR, whole ? PREDICTOR_HORIZONTAL : PREDICTOR_FLOATINGPOINT);
-    // Half of the bytes of deeper ones are noise: to search longer makes them no smaller.
+    // Half of the bytes of deeper pictures are noise, which a longer search does not make smaller.
     TIFFSetField(tiff, TIFFTAG_ZIPQUALITY, job.depth == ModuleBits8 ? 4 : 1);
     TIFFSetField(tiff, TIFFTAG_SOFTWARE, "Suffuse " SUFFUSE_VERSION);
     if (job.channels == 4) {
@@ -148,7 +149,7 @@ bool writeTiff(const ImageModuleWrite &job, char *error, std::size_t size)
     if (!tiff)
         return failed();
     describe(tiff.get(), job, stripRows);
-    std::vector<unsigned char> strip(stride * stripRows); // from operator new: aligned for every depth
+    std::vector<unsigned char> strip(stride * stripRows); // operator new aligns it for every depth
     for (int y = 0; y < job.height; y += int(stripRows)) {
         const int rows = std::min(int(stripRows), job.height - y);
         for (int i = 0; i < rows; ++i) {
@@ -164,7 +165,7 @@ bool writeTiff(const ImageModuleWrite &job, char *error, std::size_t size)
     }
     if (!TIFFWriteDirectory(tiff.get()))
         return failed();
-    tiff.reset(); // what is left is written
+    tiff.reset(); // This writes what is left.
     return file.whole && file.problem.empty() ? true : failed();
 }
 

@@ -9,7 +9,7 @@ namespace suffuse {
 
 namespace {
 
-/// How the encoder works: as its makers' simple functions have it, on two threads.
+/// Sets up the encoder as the simple functions of its makers do, but with two threads.
 bool configure(WebPConfig &config, int quality)
 {
     if (!WebPConfigInit(&config))

@@ -1,6 +1,6 @@
-// Animated WebP. A frame holds what changed, encoded like a still picture; libwebp's multiplexer makes the file. Its
-// WebPAnimEncoder would choose what changed, too, but leaves out differences from the frame before that are small, and
-// so whatever changes slowly, as wet paint does, stands still.
+// Animated WebP. A frame has what changed, encoded like a still picture, and libwebp's multiplexer makes the file. Its
+// WebPAnimEncoder would choose what changed, too, but leaves out small differences from the frame before. So whatever
+// changes slowly, as wet paint does, would stand still.
 #include "render/image_io/module_entry.h"
 #include "render/image_io/module_webp_pixels.h"
 
@@ -12,12 +12,12 @@ namespace suffuse {
 
 namespace {
 
-/// Pixels from (left, top) up to right and bottom, which are outside.
+/// The pixels from (left, top) up to right and bottom, which are outside.
 struct Changed {
     int left = 0, top = 0, right = 0, bottom = 0;
 };
 
-/// Where two pictures differ, from even coordinates on, as the format counts; empty: nowhere.
+/// Where two pictures differ, from even coordinates on, as the format demands; empty if they are equal.
 Changed difference(const std::uint8_t *a, const std::uint8_t *b, const ImageModuleFilm &film)
 {
     Changed out{film.width, film.height, 0, 0};
@@ -43,9 +43,9 @@ struct FilmWork {
     std::vector<std::uint8_t> before; ///< the picture of the frame that waits
     WebPBytes waiting{nullptr, nullptr};
     Changed place;
-    std::int64_t begun = 0; ///< of the frame that waits, in milliseconds
+    std::int64_t begun = 0; ///< when the frame that waits has begun, in milliseconds
 
-    /// The frame that waits ends now.
+    /// Ends the frame that waits.
     bool push(std::int64_t end)
     {
         WebPMuxFrameInfo frame{};
@@ -69,7 +69,7 @@ bool add(ImageModuleFilm &film, const std::uint8_t *pixels, std::int64_t millise
     Changed place{0, 0, film.width, film.height};
     if (work.waiting) {
         place = difference(work.before.data(), pixels, film);
-        if (place.right == 0) // it is still shown
+        if (place.right == 0) // It is still shown.
             return true;
         if (!work.push(milliseconds))
             return fail(error, size, "libwebp could not take a frame");

@@ -1,4 +1,4 @@
-// What WebP's pictures and films are encoded by.
+// Encodes WebP's pictures and films.
 #pragma once
 
 #include <webp/encode.h>
@@ -8,17 +8,17 @@
 
 namespace suffuse {
 
-/// Part of a picture of 8 bit pixels: `pixels` is its first one, `stride` the bytes from row to row.
+/// A part of a picture of 8 bit pixels: `pixels` is its first pixel, `stride` the bytes from row to row.
 struct WebPPixels {
     const std::uint8_t *pixels = nullptr;
     int stride = 0;
     int width = 0, height = 0;
-    int channels = 3; ///< or 4 with alpha
+    int channels = 3; ///< 3, or 4 with alpha
 };
 
 using WebPBytes = std::unique_ptr<WebPMemoryWriter, void (*)(WebPMemoryWriter *)>;
 
-/// The pixels as a file of one picture; null, with a message, where libwebp fails. `quality`: 1 … 100, which is
+/// The pixels as a file of one picture; null, with a message, if libwebp fails. `quality` is 1 … 100, where 100 is
 /// lossless.
 WebPBytes encodeWebP(const WebPPixels &from, int quality, char *error, std::size_t size);
 

@@ -8,7 +8,7 @@ namespace suffuse {
 
 namespace {
 
-/// The tag of the first directory of a TIFF file, which Exif data are, too.
+/// The tag in the first directory of a TIFF file. Exif data are such a file, too.
 Orientation orientationOfTiff(const QByteArray &tiff)
 {
     constexpr quint64 orientationTag = 274, shortType = 3;
@@ -26,7 +26,7 @@ Orientation orientationOfTiff(const QByteArray &tiff)
     return {};
 }
 
-/// Of the first APP1 segment that holds Exif; segments after the first scan do not count.
+/// The Exif data of the first APP1 segment that has some. Segments after the first scan do not count.
 QByteArray exifOfJpeg(const QByteArray &bytes)
 {
     const QByteArray mark("Exif\0\0", 6);
@@ -41,7 +41,7 @@ QByteArray exifOfJpeg(const QByteArray &bytes)
     return {};
 }
 
-/// A chunk of this type in a file of chunks from `at` on: a length of four bytes and a type, in either order.
+/// A chunk of a type in a file of chunks from `at` on, each with a length of four bytes and a type, in either order.
 QByteArray chunkOf(const QByteArray &bytes, qsizetype at, const QByteArray &type)
 {
     const bool riff = bytes.startsWith("RIFF");
@@ -50,7 +50,7 @@ QByteArray chunkOf(const QByteArray &bytes, qsizetype at, const QByteArray &type
         const qsizetype length = qsizetype(numbers.at(quint64(at) + (riff ? 4 : 0), 4));
         if (bytes.mid(at + (riff ? 0 : 4), 4) == type)
             return bytes.mid(at + 8, length);
-        at += riff ? 8 + length + length % 2 : 12 + length; // PNG has a checksum behind
+        at += riff ? 8 + length + length % 2 : 12 + length; // In PNG a checksum follows.
     }
     return {};
 }

@@ -4,15 +4,15 @@
 
 namespace suffuse {
 
-/// How a picture lies in its file, as Exif counts it: 1 upright; 2 to 4 mirrored or turned by 180°; 5 to 8 with rows as
-/// columns.
+/// How a picture lies in its file, in the numbers of Exif: 1 is upright; 2 to 4 are mirrored or turned by 180°; 5 to 8
+/// have rows as columns.
 class Orientation {
 public:
     Orientation() = default;
     explicit Orientation(int exif) : m_exif(exif >= 1 && exif <= 8 ? exif : 1) {}
 
     int exif() const { return m_exif; }
-    /// The picture's rows are the file's columns: width and height change places.
+    /// Whether the rows of the picture are columns of the file, so that width and height are exchanged.
     bool swapsSides() const { return m_exif >= 5; }
     /// Where row y of a file of width × height pixels lies in the upright picture.
     ImageRun run(int y, int width, int height) const;
@@ -21,8 +21,8 @@ private:
     int m_exif = 1;
 };
 
-/// What a JPEG, TIFF, PNG or WebP file says, wherever it has its Exif data; upright where it says nothing that can be
-/// understood. Reads nothing beyond the bytes, whatever they hold.
+/// What a JPEG, TIFF, PNG or WebP file says, wherever it has its Exif data; upright if it says nothing that can be
+/// understood. It never reads beyond the bytes, whatever they are.
 Orientation orientationOf(const QByteArray &bytes, ImageFormat format);
 
 } // namespace suffuse

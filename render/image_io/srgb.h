@@ -4,7 +4,7 @@
 
 namespace suffuse {
 
-/// sRGB-encoded value to linear light (IEC 61966-2-1), and back; continued straight below 0.
+/// Convert a sRGB-encoded value to linear light (IEC 61966-2-1), and back. Below 0 both continue straight.
 inline float linearFromSrgb(float v)
 {
     return v <= 0.04045f ? v / 12.92f : float(std::pow((double(v) + 0.055) / 1.055, 2.4));

@@ -8,7 +8,7 @@ namespace suffuse {
 
 namespace {
 
-/// The chunks that make the picture; a broken chunk ends it.
+/// Keeps the chunks that make the picture. A broken chunk ends it.
 QByteArray strippedPng(const QByteArray &bytes)
 {
     const FileNumbers numbers{bytes};
@@ -23,8 +23,8 @@ QByteArray strippedPng(const QByteArray &bytes)
     return out;
 }
 
-/// Without APP1 … APP13, APP15 and comments up to the first scan. APP14 tells how the colours are stored. Stray bytes
-/// between markers are left out, as the decoder does.
+/// Leaves out APP1 … APP13, APP15 and comments up to the first scan. APP14, which says how colours are stored, stays.
+/// Stray bytes between markers are left out, as decoders do.
 QByteArray strippedJpeg(const QByteArray &bytes)
 {
     QByteArray out = bytes.left(2);
@@ -33,7 +33,7 @@ QByteArray strippedJpeg(const QByteArray &bytes)
         const int marker = segment->marker;
         if (marker == 0xDA)
             return out + bytes.mid(segment->at);
-        if (marker == 0xD8 || marker == 0xD9 || segment->length < 4) // begins again, ends, or is broken
+        if (marker == 0xD8 || marker == 0xD9 || segment->length < 4) // It begins again, ends, or is broken.
             return out;
         const bool isMetadata = marker == 0xFE || (marker >= 0xE1 && marker <= 0xEF && marker != 0xEE);
         if (!isMetadata)
@@ -42,11 +42,11 @@ QByteArray strippedJpeg(const QByteArray &bytes)
     return out;
 }
 
-/// Entries of the first directory that are not about pixels get a tag that nothing reads. Offsets stay.
+/// Gives entries of the first directory that are not about pixels a tag that nothing reads. Offsets stay.
 QByteArray strippedTiff(const QByteArray &bytes)
 {
-    // XMP, IPTC, Photoshop, ICC profile, Exif, GPS, Interoperability; and the orientation, which libtiff heeds for some
-    // pictures only.
+    // These are XMP, IPTC, Photoshop, ICC profile, Exif, GPS, Interoperability, and the orientation, which libtiff
+    // respects only for some pictures.
     static const QSet<quint64> metadata = {700, 33723, 34377, 34675, 34665, 34853, 40965, 274};
     const FileNumbers numbers{bytes, bytes.startsWith('I')};
     const std::optional<TiffDirectory> directory = tiffDirectory(numbers);

@@ -49,7 +49,7 @@ std::optional<ColourLine> lineThrough(std::span<const NodeValues> rows)
         };
         return std::max_element(rows.begin(), rows.end(), isNearer)->colour;
     };
-    // On a line, the colour farthest from any other is one of its ends.
+    // On a line, the colour that is farthest from any other is one of its ends.
     ColourLine line;
     line.from = farthestFrom(firstLaying(rows)->colour);
     line.to = farthestFrom(line.from);

@@ -1,7 +1,7 @@
 // Compiled once per SIMD target by Highway's foreach_target.
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "render/nodes/ellipse_bounds.cpp"
-// Vectors of eight are all that pays here.
+// Only vectors of eight are worth it here.
 #define HWY_DISABLED_TARGETS (HWY_SSSE3 | HWY_AVX3 | HWY_AVX3_DL)
 #include "hwy/foreach_target.h" // first: it includes this file again for each target
 
@@ -13,22 +13,22 @@
 #include <complex>
 #include <numbers>
 
-// Tables, the same for every target.
+// The tables are the same for every target.
 #ifndef SUFFUSE_ELLIPSE_TABLES
 #define SUFFUSE_ELLIPSE_TABLES
 namespace suffuse::ellipse {
 
 constexpr int points = 16;
-constexpr int padded = 24; ///< ellipseCount as whole vectors
+constexpr int padded = 24; ///< ellipseCount rounded up to whole vectors
 
-/// Bernstein basis on the points of each ellipse: imaginary parts for the curve, both parts for its derivative.
+/// The Bernstein basis at the points of each ellipse: imaginary parts for the curve, and both parts for its derivative.
 struct alignas(32) Basis {
     float curve[4][points];
     float real[3][points];
     float imag[3][points];
 };
 
-/// Bounds of Chebyshev polynomials on the ellipses: |Im T_k| ≤ (ρ^k − ρ^−k)/2, |T_k| ≤ (ρ^k + ρ^−k)/2.
+/// Bounds of the Chebyshev polynomials on the ellipses: |Im T_k| ≤ (ρ^k − ρ^−k)/2, |T_k| ≤ (ρ^k + ρ^−k)/2.
 struct alignas(32) Chebyshev {
     float imaginary[3][padded]; // k = 1 … 3
     float whole[2][padded];     // k = 1, 2
@@ -53,7 +53,7 @@ HWY_INLINE Vec product(Vec a, Vec b, Vec c)
     return hn::Mul(hn::Mul(a, b), c);
 }
 
-/// Σ w[i]·v[i], i < 3, in order.
+/// Σ w[i]·v[i] for i < 3, in order.
 HWY_INLINE Vec sum(const Vec *w, const Vec *v)
 {
     return hn::Add(hn::Add(hn::Mul(w[0], v[0]), hn::Mul(w[1], v[1])), hn::Mul(w[2], v[2]));
@@ -74,8 +74,8 @@ float leastNodes(const ellipse::Chebyshev &bounds, const EvenCurve &curve, float
         const Vec crossed = product(vec(1.54f * curve.crossed), im1, im2);
         const Vec lift = hn::Add(hn::Sqrt(hn::Add(apart, crossed)),
                                  hn::Mul(vec(curve.third), hn::Load(tag, bounds.imaginary[2] + e)));
-        // g′·g′ is the product of x′ ± iy′, neither of which has a root where the rest r is less than the constant d;
-        // and ln|g′| ≤ ln d + ln(1 + r/d).
+        // g′·g′ is the product of x′ ± iy′. Neither has a root where the rest r is less than the constant d, and ln|g′|
+        // ≤ ln d + ln(1 + r/d).
         const Vec rest = hn::Add(hn::Mul(vec(curve.rest1), hn::Load(tag, bounds.whole[0] + e)),
                                  hn::Mul(vec(curve.rest2), hn::Load(tag, bounds.whole[1] + e)));
         const Vec r = hn::Mul(rest, vec(curve.perSpeed));
@@ -176,7 +176,7 @@ int sampleEllipses(const CurveDifferences &curve, int count, float (&growth)[ell
     const auto sample = HWY_DYNAMIC_DISPATCH(sampleEllipse);
     for (int e = 0; e < count; ++e) {
         sample(basis[std::size_t(e)], curve, growth[e], speed[e]);
-        if (!(growth[e] < 1e4f)) // larger ellipses only grow; also stops on overflow
+        if (!(growth[e] < 1e4f)) // On larger ellipses it only grows. The test also ends the loop on overflow.
             return e;
     }
     return count;

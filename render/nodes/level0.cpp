@@ -30,14 +30,14 @@ QuadratureRule makeRule(int n)
             if (std::fabs(dz) < 1e-19L)
                 break;
         }
-        // Ascending in x.
+        // They are ascending in x.
         rule.x[n - 1 - i] = double(0.5L * (1 + z));
         rule.weight[n - 1 - i] = double(1 / ((1 - z * z) * slope * slope));
     }
     return rule;
 }
 
-// The bound is sampled at 16 points of the (symmetric) half ellipse; this covers what lies between them.
+// The bound is sampled at 16 points of the (symmetric) half ellipse. This factor covers what lies between them.
 constexpr double samplingSlack = 1.1;
 
 double bernsteinRadius(Complex z)
@@ -79,8 +79,9 @@ float lengthOf(Point p)
     return float(std::sqrt(dot(p, p)));
 }
 
-/// Nodes that the bound asks for (not rounded) with its maxima bounded by Chebyshev coefficients: close where the curve
-/// is nearly straight and even, and an order of magnitude faster than sampling. 1e30: nothing can be said.
+/// The number of nodes that the bound demands (not rounded), with its maxima bounded by Chebyshev coefficients. It is
+/// close if the curve is nearly straight and even, and ten times faster than sampling. 1e30 means that nothing can be
+/// said.
 float nodesIfNearlyStraight(const Cubic &whitened, const Cubic &metric, float target)
 {
     const Centred c(whitened), g(metric);
@@ -96,12 +97,12 @@ float nodesIfNearlyStraight(const Cubic &whitened, const Cubic &metric, float ta
     return nodesOfEvenCurve(curve, std::log(speed) - target);
 }
 
-/// Nodes by sampling the bound's maxima; 0: more than maxPanelNodes.
+/// The number of nodes by sampling the maxima of the bound; 0 if it is more than maxPanelNodes.
 int sampledNodes(const Cubic &whitened, const Cubic &metric, double target)
 {
     CurveDifferences curve;
     for (int i = 0; i < 4; ++i) {
-        // From the first point: float differences keep their digits.
+        // Relative to the first point, float differences keep their digits.
         curve.x[i] = float(whitened.p[i].x - whitened.p[0].x);
         curve.y[i] = float(whitened.p[i].y - whitened.p[0].y);
     }
@@ -111,13 +112,13 @@ int sampledNodes(const Cubic &whitened, const Cubic &metric, double target)
     }
     const double radius = 0.97 * analyticRadius(metric);
     const auto within = std::ranges::find_if(ellipseRadii, [&](double rho) { return !(rho < radius); });
-    float growth[ellipseCount], speed[ellipseCount]; // max |Im c|², max |g′·g′|²: their product bounds the maximum
+    float growth[ellipseCount], speed[ellipseCount]; // max |Im c|² and max |g′·g′|²; their product bounds the maximum
     const int count = sampleEllipses(curve, int(within - ellipseRadii.begin()), growth, speed);
     double best = 1e300;
     for (int e = 0; e < count; ++e) {
         const double rho = ellipseRadii[std::size_t(e)];
         const double bound = growth[e] + 0.25 * std::log(double(speed[e]) + 1e-300) - std::log(1 - 1 / (rho * rho));
-        // n nodes suffice when bound − 2n ln ρ ≤ target.
+        // n nodes are enough if bound − 2n ln ρ ≤ target.
         best = std::min(best, (bound - target) / (2 * std::log(rho)));
     }
     if (best > maxPanelNodes)

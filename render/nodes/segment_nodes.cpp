@@ -3,7 +3,7 @@
 #include "model/painting/influence.h"
 #include "render/math/scalar.h"
 #include "render/nodes/level0.h"
-// After the numbers: templates over them.
+// It has templates over the numbers, which must be declared before.
 #include "render/math/style.h"
 
 #include <numbers>
@@ -12,30 +12,32 @@ namespace suffuse {
 
 namespace {
 
-constexpr double unseen = 5e-4;        // opacity
-constexpr double finest = 0x1p-22;     // float sums carry no more
-constexpr double finestDeep = 0x1p-44; // double ones, for segments that a deep zoom shows the edge of
-constexpr double mergeable = 0x1p-20;  // the check of merged nodes is in float
+constexpr double unseen = 5e-4;        // opacity that nobody sees
+constexpr double finest = 0x1p-22;     // Float sums have no more precision.
+constexpr double finestDeep = 0x1p-44; // the same in double, for segments whose edge a deep zoom shows
+constexpr double mergeable = 0x1p-20;  // The check of merged nodes is in float.
 constexpr double coarsest = 0x1p-12;
-constexpr double thinnest = 0x1p-13; // px: a line of this spread covers less than 1/512 of a pixel
-constexpr double cutShare = 0.35;    // of the tolerance, for cutting nodes off at R
-// What the kernel b(u)b(v), b(u) = e^(−u²) − e^(−R²), takes from a long line is between 1 and 5 e^(−R²) of its peak, as
-// the line lies. Raising the weights by 3.5 e^(−R²) leaves −2.5 to 0.7, and for oblique nodes −3.3 to −0.4.
+constexpr double thinnest = 0x1p-13; // px; a line of this spread covers less than 1/512 of a pixel
+constexpr double cutShare = 0.35;    // the share of the tolerance for cutting nodes off at R
+// The kernel b(u)b(v), b(u) = e^(−u²) − e^(−R²), takes between 1 and 5 e^(−R²) of its peak from a long line, depending
+// on the direction of the line. Raising the weights by 3.5 e^(−R²) leaves −2.5 to 0.7, and for oblique nodes −3.3 to
+// −0.4.
 constexpr double cutGain = 3.5;
 constexpr double lossSeparable = 2.5, lossOblique = 3.3, lossUnraised = 5;
 constexpr int maxDepth = 40;
-constexpr std::size_t mostNodes = std::size_t(1) << 18; // of a segment; a hair 200,000 times as long as wide has more
-constexpr double longSegment = 512;                     // spreads: longer ones are built per view
+// nodes of a segment; a hair that is 200,000 times as long as wide has more
+constexpr std::size_t mostNodes = std::size_t(1) << 18;
+constexpr double longSegment = 512;                     // in spreads; longer segments are built for each view
 
-/// A segment ready to be cut into panels.
+/// A segment that is ready to be cut into panels.
 struct Source {
     Cubic curve;          // offsets from the stroke's origin
     double a, b, c;       // metric, unit⁻²
-    double wxx, wxy, wyy; // its square root: whitening
+    double wxx, wxy, wyy; // the square root of the metric, for whitening
     double speedScale;    // makes |g′| comparable: 1/s of the smaller axis
     double gain;          // φˢ √det M / π
     double radius;        // R
-    Rect clip;            // empty: none
+    Rect clip;            // empty: there is none
     double reach;         // R · larger axis
     bool isotropic;
 };
@@ -58,7 +60,7 @@ Cubic scaled(const Source &s, const Cubic &curve)
     return w;
 }
 
-/// Without hypot's care for overflow, which canvas coordinates do not need.
+/// The length without hypot's care for overflow, which canvas coordinates do not need.
 double norm(Point p)
 {
     return std::sqrt(dot(p, p));
@@ -80,7 +82,8 @@ void addPanel(const Source &s, const Cubic &curve, int n, UnsetVector<Node> &out
     }
 }
 
-/// Once `out` holds `most` nodes, what is left takes few: no painting, however extreme, takes memory without end.
+/// Adds panels. Once `out` has `most` nodes, what is left gets few, so that no painting, however extreme, takes memory
+/// without end.
 void addPanels(const Source &s, const Cubic &curve, double tolerance, int depth, std::size_t most,
                UnsetVector<Node> &out)
 {
@@ -88,7 +91,7 @@ void addPanels(const Source &s, const Cubic &curve, double tolerance, int depth,
         return;
     const Cubic metric = scaled(s, curve);
     int n = panelNodes(s.isotropic ? metric : whitened(s, curve), metric, tolerance);
-    // A piece (of a cusp) so short that all its mass counts for less than the tolerance takes any rule.
+    // Any rule is good enough for a piece (of a cusp) so short that all its mass counts for less than the tolerance.
     if (n == 0 &&
         (depth == maxDepth || out.size() >= most || 2 * sumOfSides(metric) < tolerance * std::sqrt(std::numbers::pi)))
         n = 4;
@@ -99,7 +102,7 @@ void addPanels(const Source &s, const Cubic &curve, double tolerance, int depth,
     addPanels(s, halves[1], tolerance / 2, depth + 1, most, out);
 }
 
-/// Metric M = D⁻¹/4t of an age and its square root.
+/// Sets the metric M = D⁻¹/4t of an age, and its square root.
 void setMetric(Source &s, const Segment &segment, double spread)
 {
     const double across = 1 / (spread * spread), along = across / segment.anisotropyRatio;
@@ -119,33 +122,33 @@ void setMetric(Source &s, const Segment &segment, double spread)
     };
     compose(along, across, s.a, s.b, s.c);
     compose(std::sqrt(along), std::sqrt(across), s.wxx, s.wxy, s.wyy);
-    // Axis-aligned tensors are separable: keep that exact.
+    // Axis-aligned tensors are separable, which must stay exact.
     if (std::abs(s.b) < 1e-9 * std::min(s.a, s.c))
         s.b = s.wxy = 0;
 }
 
-/// R: beyond it neither the density itself nor its slope over a sample can be seen. `lineLoss`: what cutting takes from
-/// a line at most, in units of e^(−R²) of its peak.
+/// R, beyond which neither the density itself nor its slope over a sample can be seen. `lineLoss` is what cutting takes
+/// from a line at most, in units of e^(−R²) of its peak.
 double cutRadius(double tolerance, const std::vector<Style> &styles, double peak, double spreadPixels, double lineLoss)
 {
-    // A sample is at most one spread wide, but where even 64 × 64 of them a pixel do not suffice.
+    // A sample is at most one spread wide, unless even 64 × 64 of them in a pixel are not enough.
     const double sample = spreadPixels < 1 ? std::max(1.0, 1 / (64 * spreadPixels)) : 1 / spreadPixels;
-    // At the edge of its box a node's slope jumps by 2R e^(−R²), half of which counts.
+    // At the edge of its box the slope of a node jumps by 2R e^(−R²), half of which counts.
     double r2 = std::log((lineLoss + 3.5 * sample) / cutShare * std::max(peak / tolerance, 1.0));
     for (const Style &style : styles)
-        if (style.kind == StyleKind::Feathering) // its tail reaches far where ξ2 is small
+        if (style.kind == StyleKind::Feathering) // Its tail reaches far if ξ2 is small.
             r2 = std::max(r2, std::log(std::max(peak / style.xi[0], 1e-6)) + std::log(1 / unseen) / style.xi[1]);
     return std::sqrt(std::clamp(r2, 6.0, 80.0));
 }
 
-/// Density from which on a style shows plainly.
+/// The density from which on a style is plainly seen.
 double shownFrom(const Style &style)
 {
     const double xi1 = style.xi[0];
     return style.kind == StyleKind::Edge ? math::Edge<double>(xi1, style.xi[1], style.xi[2]).phiE : xi1;
 }
 
-/// A segment's spreads at a time, canvas units.
+/// The spreads of a segment at a time, canvas units.
 struct Axes {
     double across, smaller, larger;
 
@@ -174,8 +177,8 @@ double densityTolerance(const Style &style, double peak, double spreadPixels)
     case StyleKind::Edge:
         break;
     }
-    // A jump: the pixel's width alone softens it. It spans 2h = |∇φ| px of density, |∇φ| = 2uφ/s at u spreads from a
-    // line.
+    // At a jump only the width of the pixel softens. It covers 2h = |∇φ| px of density, and |∇φ| = 2uφ/s at u spreads
+    // from a line.
     const double edge = math::Edge<double>(xi1, xi2, style.xi[2]).phiE;
     const double u = std::sqrt(std::max(std::log(peak / edge), 0.25));
     return unseen * 2 * u * edge / std::max(spreadPixels, 1.0);
@@ -196,7 +199,8 @@ bool buildSegment(const Stroke &stroke, const Segment &segment, const NodeContex
     const double spread = axes.smaller, larger = axes.larger;
     out.peak = segment.density / (std::sqrt(std::numbers::pi) * spread);
     double tolerance = 1e300;
-    // Where a segment alone does not reach what the style shows, several lie on top of each other and their errors add.
+    // Where a segment alone has too little density for the style to show, several lie on top of each other, and their
+    // errors add up.
     for (const Style &style : styles)
         tolerance = std::min(tolerance, densityTolerance(style, out.peak, spread * scale) *
                                             std::min(1.0, out.peak / shownFrom(style)));
@@ -208,12 +212,12 @@ bool buildSegment(const Stroke &stroke, const Segment &segment, const NodeContex
     setMetric(s, segment, axes.across);
     s.speedScale = 1 / spread;
     s.gain = segment.density * std::sqrt(s.a * s.c - s.b * s.b) / std::numbers::pi;
-    // Nodes evaluated in double are not cut.
+    // Nodes that are evaluated in double are not cut.
     const bool raised = larger * scale <= deepSpread;
     const double lineLoss = !raised ? lossUnraised : s.isotropic ? lossSeparable : lossOblique;
     const Rect box = s.curve.controlBox();
     const double polygon = sumOfSides(s.curve);
-    // How often the segment may lie on top of itself.
+    // This is how often the segment may lie on top of itself.
     const double folds = std::max(1.0, polygon / (norm({box.width(), box.height()}) + 0.5 * spread));
     s.radius = cutRadius(out.epsilon * out.peak, styles, out.peak, spread * scale, folds * lineLoss);
     out.radius = float(s.radius);

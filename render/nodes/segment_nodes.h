@@ -5,26 +5,26 @@
 
 namespace suffuse {
 
-/// One segment's Level 0 nodes, before they are put together.
+/// The Level 0 nodes of one segment, before they are put together.
 struct SegmentNodes {
-    std::size_t begin = 0; ///< range of its nodes in the block's
+    std::size_t begin = 0; ///< the range of its nodes among those of the block
     std::size_t end = 0;
     NodeValues values;
     SegmentReach reach;
-    double epsilon = 0; ///< error budget relative to the peak
+    double epsilon = 0; ///< the error budget relative to the peak
     double peak = 0;
     double spread = 0;      ///< s, the smaller axis where anisotropic
-    double weightGain = 1;  ///< makes up for the cut; negative where it takes paint away
+    double weightGain = 1;  ///< makes up for the cut; negative if the segment takes paint away
     float radius = 0;       ///< R
-    bool clipped = false;   ///< to the view
-    bool mergeable = false; ///< isotropic, dry, not clipped, and not too exact
+    bool clipped = false;   ///< whether it is clipped to the view
+    bool mergeable = false; ///< whether it is isotropic, dry, not clipped, and not too exact
 };
 
-/// Whether the segment is there at T and can be seen at a scale of so many pixels per unit.
+/// Whether the segment is there at T, and can be seen at a scale in pixels per unit.
 bool isSeen(const Segment &segment, Microseconds T, double scale);
 
-/// Appends the segment's nodes, whose weights are still to be multiplied by `weightGain`, and tells about them; false:
-/// it is not seen.
+/// Appends the nodes of the segment, whose weights are still to be multiplied by `weightGain`, and describes them.
+/// Returns false if the segment is not seen.
 bool buildSegment(const Stroke &stroke, const Segment &segment, const NodeContext &context, double scale,
                   UnsetVector<Node> &nodes, SegmentNodes &out);
 

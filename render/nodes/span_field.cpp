@@ -1,7 +1,7 @@
 // Compiled once per SIMD target by Highway's foreach_target.
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "render/nodes/span_field.cpp"
-// Vectors of eight are all that pays here.
+// Only vectors of eight are worth it here.
 #define HWY_DISABLED_TARGETS (HWY_SSSE3 | HWY_AVX3 | HWY_AVX3_DL)
 #include "hwy/foreach_target.h" // first: it includes this file again for each target
 
@@ -20,7 +20,7 @@ using Vec = hn::Vec<Tag>;
 constexpr Tag tag;
 // Products and sums are rounded one by one: with fused ones, nodes would differ between machines.
 
-/// out[i] = e^(−(i·step − at)²) to 2e-7, i < count, a multiple of 4; up to 8 are written.
+/// out[i] = e^(−(i·step − at)²) to 2e-7 for i < count, a multiple of 4. Up to 8 are written at once.
 void gaussians(float at, float step, int count, float *out)
 {
     const hn::RebindToSigned<Tag> ints;
@@ -28,7 +28,7 @@ void gaussians(float at, float step, int count, float *out)
     for (int i = 0; i < count; i += int(hn::Lanes(tag))) {
         const Vec d = hn::Sub(hn::Mul(hn::Iota(tag, float(i)), hn::Set(tag, step)), hn::Set(tag, at));
         const Vec x = hn::Max(hn::Mul(hn::Mul(hn::Set(tag, -1.44269504f), d), d), hn::Set(tag, -60.0f));
-        const auto whole = hn::ConvertTo(ints, hn::Add(x, half)); // 2^x = 2^whole 2^f, |f| ≤ ½
+        const auto whole = hn::ConvertTo(ints, hn::Add(x, half)); // 2^x = 2^whole 2^f with |f| ≤ ½
         const Vec f = hn::Sub(x, hn::ConvertTo(tag, whole));
         Vec p = hn::Set(tag, 1.32647425e-3f);
         for (const float c : {9.671518e-3f, 5.55073376e-2f, 2.4022242e-1f, 6.93146978e-1f, 1.0f})
@@ -58,7 +58,7 @@ HWY_INLINE void forEachVector(const SpanField::Table &column, const SpanField::T
         }
 }
 
-/// plane += Σ_n row[n]·column[n], or = where `first`.
+/// plane += Σ_n row[n]·column[n], or plane = the sum if `first`.
 void addProducts(const SpanField::Table &column, const SpanField::Table &row, int nodes, int columns, int rows,
                  bool first, SpanField::Plane &plane)
 {
@@ -68,7 +68,7 @@ void addProducts(const SpanField::Table &column, const SpanField::Table &row, in
         [&](int y, int x, Vec sum) { hn::Store(sum, tag, plane[y] + x); });
 }
 
-/// Greatest |plane + Σ_n row[n]·column[n]|.
+/// The greatest |plane + Σ_n row[n]·column[n]|.
 float greatestRest(const SpanField::Table &column, const SpanField::Table &row, int nodes, int columns, int rows,
                    const SpanField::Plane &plane)
 {
@@ -91,7 +91,7 @@ HWY_EXPORT(greatestRest);
 
 namespace {
 
-// In spreads. What merging adds has no waves shorter than 0.9, and falls off as fast as the density.
+// in spreads. What merging adds has no waves shorter than 0.9, and falls off as fast as the density.
 constexpr double finestStep = 0.55;
 constexpr double margin = 1.3;
 
@@ -124,7 +124,7 @@ void SpanField::scaleRows(const SpanNode *nodes, int count, int sum)
 
 void SpanField::start(const SpanNode *nodes, int count, bool valuesVary)
 {
-    // Along the chord: the grid is smaller then.
+    // Along the chord the grid is smaller.
     m_x = nodes[0].x, m_y = nodes[0].y;
     const double chordX = nodes[count - 1].x - m_x, chordY = nodes[count - 1].y - m_y;
     const double chord = std::sqrt(chordX * chordX + chordY * chordY);

@@ -37,7 +37,7 @@ void SpanRule::start(const SpanNode *fine, const double *arc, int count, bool va
     m_beta[0] = 0;
 }
 
-/// Orthonormal polynomials up to degree n − 1; false: the nodes lie at fewer than n places.
+/// Computes orthonormal polynomials up to degree n − 1. Returns false if the nodes lie at fewer than n places.
 bool SpanRule::extend(int n)
 {
     if (m_degree > maxNodes)
@@ -67,18 +67,18 @@ bool SpanRule::extend(int n)
     return true;
 }
 
-/// Zeros of the polynomial of degree n: eigenvalues of the Jacobi matrix, by the QL method with implicit shifts, in the
-/// form without square roots (Pal, Walker and Kahan).
+/// The zeros of the polynomial of degree n: the eigenvalues of the Jacobi matrix, by the QL method with implicit shifts
+/// in the form without square roots (Pal, Walker and Kahan).
 void SpanRule::roots(int n, double *d) const
 {
-    double e2[maxNodes]; // squares of the entries beside the diagonal
+    double e2[maxNodes]; // the squares of the entries beside the diagonal
     for (int i = 0; i < n; ++i) {
         d[i] = m_alpha[i];
         e2[i] = i + 1 < n ? m_beta[i + 1] * m_beta[i + 1] : 0;
     }
     for (int first = 0; first < n; ++first)
         for (int step = 0; step < 60; ++step) {
-            // Leaving out an entry e moves an eigenvalue by e² over the gap to the next one.
+            // Leaving out an entry e moves an eigenvalue by e² divided by the gap to the next one.
             int last = first;
             while (last + 1 < n && e2[last] > 1e-12)
                 ++last;
@@ -91,7 +91,7 @@ void SpanRule::roots(int n, double *d) const
                 const double r = rest + e2[i], inverse = 1 / r, ratio = r / rest, gammaBefore = gamma;
                 if (i + 1 < last)
                     e2[i + 1] = sine * r;
-                const double unturned = cosine * e2[i]; // what is left where rest is 0
+                const double unturned = cosine * e2[i]; // what is left if rest is 0
                 cosine = rest * inverse;
                 sine = e2[i] * inverse;
                 gamma = cosine * (d[i] - shift) - sine * gammaBefore;

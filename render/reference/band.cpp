@@ -14,7 +14,7 @@ double halfPixel(const View &view)
     return view.px() * (parallel ? 0.5 : std::numbers::sqrt2 / 2);
 }
 
-/// A rectangle of the canvas as a box in the picture, a little larger than need be.
+/// A rectangle of the canvas as a box in the picture, which may be a little too large.
 Rect boxInPixels(const Rect &canvas, const View &view)
 {
     Rect box;
@@ -120,7 +120,7 @@ void BandPainter::mixSupersampled(const StrokeSource &stroke, const SampleBlock 
                 ++i;
                 continue;
             }
-            // Neighbours of one level go together, at most 8192 samples at once.
+            // Neighbours of one level are computed together, at most 8192 samples at once.
             const int longest = std::max(1, 8192 >> (2 * level));
             int run = 1;
             while (run < longest && i + run < block.nx && levels[i + run] == level)

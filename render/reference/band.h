@@ -1,4 +1,4 @@
-// A band of rows of the reference's picture.
+// Draws a band of rows of the reference's picture.
 #pragma once
 
 #include "render/reference/paper.h"
@@ -9,18 +9,19 @@ namespace suffuse::reference {
 /// What all bands share.
 struct Scene {
     View view;
-    std::vector<StrokeSource> strokes; ///< visible ones, bottom to top
+    std::vector<StrokeSource> strokes; ///< the visible strokes, from bottom to top
     PaperField paper;
     Colour background;
     bool transparent = false;
 };
 
-/// Draws rows of a scene; one a thread, used again for band after band.
+/// Draws rows of a scene. Each thread has one, and uses it again for band after band.
 class BandPainter {
 public:
     explicit BandPainter(const Scene &scene) : m_scene(scene) {}
 
-    /// Rows [first, first + count) as stored colours, 4 floats a pixel. Empty once `cancel` is set.
+    /// Draws the rows [first, first + count) as stored colours, 4 floats for each pixel. The result is empty once
+    /// `cancel` is set.
     const std::vector<float> &draw(int first, int count, const std::atomic<bool> *cancel);
 
 private:
@@ -35,7 +36,7 @@ private:
     int m_first = 0;
     int m_count = 0;
     std::vector<Spot> m_spots;
-    std::vector<std::uint8_t> m_levels; ///< k of each pixel of the block in hand
+    std::vector<std::uint8_t> m_levels; ///< k of each pixel of the present block
     StrokeSums m_sums;
     std::vector<float> m_stored;
 };

@@ -47,7 +47,7 @@ Spot bareSpot(const Colour &background, bool transparent)
 {
     if (transparent)
         return {};
-    const double opacity = background.opacity; // white is 0 in RYB, so "over white" is a product
+    const double opacity = background.opacity; // White is 0 in RYB, so "over white" is a product.
     return {{opacity * background.red, opacity * background.yellow, opacity * background.blue}, 1};
 }
 

@@ -10,12 +10,12 @@ namespace suffuse::reference {
 using Ryb = std::array<double, 3>; ///< red, yellow, blue; white (0, 0, 0), black (1, 1, 1)
 using Rgb = std::array<double, 3>; ///< sRGB-encoded
 
-/// Exact inverses of each other on [0, 1]³. Public copies of the formulas print g′ = y + 2m in the second; only
-/// g′ = y + m inverts the first.
+/// These are exact inverses of each other on [0, 1]³. Public copies of the formulas print g′ = y + 2m in the second
+/// one, but only g′ = y + m inverts the first.
 Ryb rybOfRgb(const Rgb &rgb);
 Rgb rgbOfRyb(const Ryb &ryb);
 
-/// One stroke's paint on one spot: opacity w and colour C̄.
+/// The paint of one stroke at one spot: opacity w and colour C̄.
 struct Paint {
     double opacity = 0;
     Ryb colour{};
@@ -27,14 +27,15 @@ struct Spot {
     double coverage = 0; ///< a, kept for transparent export
 };
 
-/// A spot of the bare canvas: the background over white, or nothing at all over white.
+/// A spot of the bare canvas: the background over white, or nothing over white.
 Spot bareSpot(const Colour &background, bool transparent);
 
-/// Alpha (22): B ← w·C̄ + (1 − w)B. Beta (23): B ← min(1, w·C̄ + (1 − w(1 − β))B). a ← w + (1 − w)a in both.
+/// Mixes by alpha (22): B ← w·C̄ + (1 − w)B, or by beta (23): B ← min(1, w·C̄ + (1 − w(1 − β))B). In both, a ← w + (1 −
+/// w)a.
 void mix(Spot &spot, const Mix &how, const Paint &paint);
 
-/// What is stored: RGB of B with alpha 1; transparent: straight colour clamp((RGB(B) − (1 − a))/a) and a, all 0 where
-/// a = 0.
+/// The colour that is stored: RGB of B with alpha 1 or, if transparent, the straight colour clamp((RGB(B) − (1 − a))/a)
+/// and a, which are all 0 where a = 0.
 std::array<double, 4> storedColour(const Spot &spot, bool transparent);
 
 } // namespace suffuse::reference

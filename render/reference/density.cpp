@@ -29,7 +29,7 @@ double distanceToOrigin(const Rect &r)
     return std::hypot(x, y);
 }
 
-/// A piece of the curve: `plain` for |c′|, `q` = A(x − c) for the exponent.
+/// A piece of the curve: `plain` for |c′|, and `q` = A(x − c) for the exponent.
 struct Piece {
     Cubic plain;
     Cubic q;
@@ -67,7 +67,7 @@ Moments integrate(const Piece &piece, double tolerance, int depth)
     return integrate({plain[0], q[0]}, tolerance, depth + 1) + integrate({plain[1], q[1]}, tolerance, depth + 1);
 }
 
-/// The root of a polynomial (coefficients from the constant up) in (lo, hi), where it changes sign.
+/// The root of a polynomial (coefficients from the constant up) in (lo, hi), where it changes its sign.
 double bisect(const std::array<double, 4> &f, double lo, double hi)
 {
     const auto value = [&f](double p) { return f[0] + p * (f[1] + p * (f[2] + p * f[3])); };
@@ -197,7 +197,7 @@ double rampDensity(double length, double s, double density, double slope, double
 
 double straightDensity(Point a, Point b, const Kernel &kernel, double density, Point x)
 {
-    // In whitened space the segment is straight too and the spread is 1; lengths along it shrink by one factor.
+    // In whitened space the segment is straight, too, and the spread is 1. Lengths along it shrink by one factor.
     const double plainLength = length(b - a);
     const Point end = kernel.whiten(b - a);
     const Point d = kernel.whiten(x - a);

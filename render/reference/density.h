@@ -1,4 +1,5 @@
-// Density of one segment (eq 13) to 1e-12 of the peak, its gradient, and the closed forms that tests compare it with.
+// The density of one segment (eq 13) to 1e-12 of the peak, its gradient, and the closed forms with which tests compare
+// it.
 #pragma once
 
 #include "model/painting/geometry.h"
@@ -30,32 +31,33 @@ struct DensityAndGradient {
     Point gradient; ///< per unit
 };
 
-/// Where e^(−r²) is below any double that matters (6e-36).
+/// Here e^(−r²) is below any double that matters (6e-36).
 inline constexpr double adaptiveReach = 9;
 
-/// φ_k(x) = φˢ·norm ∫₀¹ e^(−|A(x − c(p))|²) |c′(p)| dp (eq 13) and its gradient, by adaptive Gauss-Kronrod quadrature:
-/// split where |c′| has a minimum (cusps), halved until short against the spread, and on until G7 and K15 agree to
-/// 1e-14 of the peak φˢ/(√π s). What is farther than `adaptiveReach` spreads counts as 0.
+/// φ_k(x) = φˢ·norm ∫₀¹ e^(−|A(x − c(p))|²) |c′(p)| dp (eq 13) and its gradient, by adaptive Gauss-Kronrod quadrature.
+/// The curve is split where |c′| has a minimum (cusps), and halved until pieces are short relative to the spread, and
+/// further until G7 and K15 agree to 1e-14 of the peak φˢ/(√π s). What is farther away than `adaptiveReach` spreads
+/// counts as 0.
 DensityAndGradient segmentDensity(const Cubic &cubic, const Kernel &kernel, double density, Point x);
 /// φ_k(x) of an isotropic segment of spread s and density φˢ.
 double segmentDensity(const Cubic &cubic, double s, double density, Point x);
 /// ∇φ_k(x), per unit.
 Point segmentDensityGradient(const Cubic &cubic, double s, double density, Point x);
 
-/// Parameters in (0, 1), increasing, where the speed |c′| has a minimum or maximum: the real roots of c′·c″. Cusps are
-/// among them.
+/// The parameters in (0, 1), in increasing order, where the speed |c′| has a minimum or maximum: the real roots of
+/// c′·c″. Cusps are among them.
 std::vector<double> speedExtrema(const Cubic &cubic);
-/// The cubic cut at those parameters.
+/// The cubic, cut at those parameters.
 std::vector<Cubic> piecesBetweenSpeedExtrema(const Cubic &cubic);
 
-/// erf(a) − erf(b) without cancellation: erfc where both are on one side of 0.
+/// erf(a) − erf(b) without cancellation, by erfc where both are on one side of 0.
 double erfDifference(double a, double b);
 
-/// Straight segment of length L and even density φˢ, at u along it from its start and v across it.
+/// The density of a straight segment of length L and even density φˢ, at u along it from its start and v across it.
 double straightDensity(double length, double s, double density, double u, double v);
 /// The same with a density φ0 + gℓ that grows linearly along the segment.
 double rampDensity(double length, double s, double density, double slope, double u, double v);
-/// Straight segment from a to b under any kernel.
+/// The density of a straight segment from a to b under any kernel.
 double straightDensity(Point a, Point b, const Kernel &kernel, double density, Point x);
 
 } // namespace suffuse::reference

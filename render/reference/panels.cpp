@@ -11,7 +11,7 @@ namespace {
 constexpr double tolerance = 1e-13 * 1.7724538509055160273;
 constexpr int deepest = 60;
 
-/// The piece's own integral seen from a probe, in units of the spread.
+/// The piece's own integral as seen from a probe, in units of the spread.
 struct Probe {
     double density = 0;
     Point moment;
@@ -29,7 +29,8 @@ Probe integrateWith(const GaussRule &rule, const Cubic &plain, const Cubic &whit
     return sum;
 }
 
-/// Whether 10 points do for the piece: seen from its middle and ends, and from half a spread and a spread beside them.
+/// Whether 10 points are enough for the piece, as seen from its middle and ends, and from half a spread and a spread
+/// beside them.
 bool isExact(const Cubic &plain, const Cubic &white, double spread)
 {
     const Point probes[] = {white.at(0.5),
@@ -53,7 +54,7 @@ void refine(const Cubic &piece, const Kernel &kernel, const PanelFilter &skip, i
     const Rect box = piece.controlBox();
     if (skip && skip(box))
         return;
-    // Relative to its start, so that far from the origin nothing is lost.
+    // Relative to its start no digits are lost far from the origin.
     const Point start = piece.p[0];
     const Cubic plain{{Point{}, piece.p[1] - start, piece.p[2] - start, piece.p[3] - start}};
     const Cubic white = kernel.whiten(plain);

@@ -103,7 +103,7 @@ double PaperField::octaves(Point cell, double samples) const
     for (int i = 0; i < octaveCount; ++i) {
         const double share = bandLimit(std::ldexp(samples, -i));
         if (share == 0)
-            break; // finer octaves have none either
+            break; // Finer octaves have no part in it, either.
         const Point lattice = std::ldexp(1.0, i) * turned(cell, i + 1) + Point{0.5, 0.5};
         sum += share * std::pow(2.0, -0.5 * i) * gradientNoise(lattice, std::uint32_t(i), m_paper.seed);
     }

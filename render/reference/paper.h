@@ -7,10 +7,10 @@ namespace suffuse::reference {
 
 class PaperField {
 public:
-    /// `texture`: the decoded image of an image paper, else null.
+    /// `texture` is the decoded image of an image paper, otherwise null.
     PaperField(const Paper &paper, std::shared_ptr<const PaperTexture> texture);
 
-    /// η ∈ [0, 1] at a canvas point; `px`: size of a sample in canvas units, 0 for all 48 octaves.
+    /// η ∈ [0, 1] at a canvas point. `px` is the size of a sample in canvas units; 0 means all 48 octaves.
     double at(Point canvas, double px) const;
 
 private:
@@ -24,7 +24,7 @@ private:
     std::shared_ptr<const PaperTexture> m_texture;
 };
 
-/// Gradient c of noise n_k at the lattice point whose coordinates are X, Y modulo 2³².
+/// The gradient c of noise n_k at the lattice point whose coordinates are X, Y modulo 2³².
 Point paperGradient(std::uint32_t x, std::uint32_t y, std::uint32_t layer, std::uint32_t seed);
 
 } // namespace suffuse::reference

@@ -12,10 +12,11 @@ struct GaussRule {
     std::vector<double> weights;
 };
 
-/// Gauss-Legendre rule of n ≥ 1 points on [0, 1], by Newton's method on P_n; exact for polynomials of degree 2n − 1.
+/// The Gauss-Legendre rule of n ≥ 1 points on [0, 1], by Newton's method on P_n. It is exact for polynomials of degree
+/// 2n − 1.
 GaussRule gaussLegendre(int n);
 
-/// The same, computed once for the orders that the reference uses.
+/// The same rules, computed once for the orders that the reference uses.
 const GaussRule &gauss10();
 const GaussRule &gauss20();
 

@@ -19,7 +19,7 @@ bool isSet(const std::atomic<bool> *cancel)
     return cancel && cancel->load(std::memory_order_relaxed);
 }
 
-/// Calls work(next), next() handing out 0 … count − 1 once each and then −1, on every thread.
+/// Calls work(next) on every thread. next() hands out 0 … count − 1, each once, and then −1.
 void onThreads(const Threads &threads, int count, const std::function<void(const std::function<int()> &)> &work)
 {
     std::atomic<int> taken = 0;

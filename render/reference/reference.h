@@ -6,11 +6,11 @@
 
 namespace suffuse {
 
-/// Always draws the whole picture, a band of rows at a time on each thread. `cancel` is looked at before every row's
-/// band and every stroke. Shares no maths with the other backends.
+/// Always draws the whole picture, a band of rows at a time on each thread. `cancel` is checked before every band and
+/// every stroke. It shares no mathematics with the other backends.
 class ReferenceRenderer : public Renderer {
 public:
-    /// `threads`: 0 for all cores.
+    /// `threads` is 0 for all cores.
     explicit ReferenceRenderer(int threads);
 
     Backend backend() const override { return Backend::Reference; }

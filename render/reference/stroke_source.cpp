@@ -11,10 +11,10 @@ namespace suffuse::reference {
 namespace {
 
 constexpr double leastReach = 6.5;
-constexpr double greatestReach = 27.3; // e^−745 is the least double
-constexpr double thinPixels = 0.125;   // thinner segments would need too many panels to keep
+constexpr double greatestReach = 27.3; // e^−745 is the least double.
+constexpr double thinPixels = 0.125;   // Thinner segments would need too many panels to keep them.
 
-/// In pixels. Subtracts in double before it scales: nothing is lost at deep zoom.
+/// The curve in pixels. Subtracting in double before scaling loses no digits at deep zoom.
 Cubic toPixels(const Stroke &stroke, const Segment &segment, const View &view)
 {
     const Point d = stroke.origin - view.centre;
@@ -40,7 +40,7 @@ Kernel kernelInPixels(const Segment &segment, double spread, const View &view)
     return anisotropicKernel(s, segment.anisotropyRatio, turned);
 }
 
-/// Kinds in the order of the enumeration, if the segments' styles differ; else none.
+/// The kinds in the order of the enumeration, if the styles of segments differ; otherwise none.
 std::vector<StyleKind> mixedKinds(const Stroke &stroke, Microseconds time)
 {
     const Style *first = nullptr;
@@ -74,7 +74,7 @@ std::vector<double> channelsOf(const Segment &segment, const Style &style, const
     return channels;
 }
 
-/// Smallest k ≤ 6 with s·2^k ≥ least, s in pixels.
+/// The smallest k ≤ 6 with s·2^k ≥ least; s is in pixels.
 int levelOf(double s, double least)
 {
     int k = 0;

@@ -1,4 +1,4 @@
-// A stroke made ready for one picture: its segments in pixel space, cut into panels.
+// A stroke prepared for one picture: its segments in pixel space, cut into panels.
 #pragma once
 
 #include "render/reference/panels.h"
@@ -6,40 +6,40 @@
 
 namespace suffuse::reference {
 
-/// Where a segment's channels stand: density-weighted means over the segments (eq 15, 20), and for strokes of mixed
-/// styles four channels for each kind there is: its share and ξ1, ξ2, ξ3.
+/// The places of a segment's channels: density-weighted means over the segments (eq 15, 20) and, for strokes of mixed
+/// styles, four channels for each kind: its share and ξ1, ξ2, ξ3.
 enum Channel : std::size_t { GranulationChannel, ColourChannel, FirstStyleChannel = ColourChannel + 4 };
 
 struct SegmentSource {
     Cubic curve;                  ///< pixels
     Kernel kernel;                ///< in pixels, turned and mirrored with the view
-    double factor = 0;            ///< φˢ in pixels · norm: what a node's weight is multiplied with
+    double factor = 0;            ///< φˢ in pixels · norm, by which the weight of a node is multiplied
     double reach = 0;             ///< pixels beyond which its density counts as 0
-    Rect box;                     ///< of all it reaches, pixels
-    bool onTheFly = false;        ///< so thin that panels are made where they are needed
-    std::vector<Panel> panels;    ///< else: those that reach the picture
+    Rect box;                     ///< around all that it reaches, pixels
+    bool onTheFly = false;        ///< whether it is so thin that panels are made where they are needed
+    std::vector<Panel> panels;    ///< otherwise the panels that reach the picture
     std::vector<double> channels; ///< values by `Channel`
-    bool lifts = false;           ///< it takes paint away; its channels count for nothing
-    int level = 0;                ///< smallest k ≤ 6 with s·2^k ≥ 1 px, where it lifts 4 px
-    Rect influence;               ///< canvas units, for the supersampling rule
+    bool lifts = false;           ///< whether it takes paint away; its channels then do not count
+    int level = 0;                ///< the smallest k ≤ 6 with s·2^k ≥ 1 px, or 4 px if it takes paint away
+    Rect influence;               ///< canvas units, for the rule of supersampling
 };
 
 struct StrokeSource {
     Mix mix;
-    Style style;                  ///< of all segments, where `kinds` is empty
-    std::vector<StyleKind> kinds; ///< there are, where segments differ
+    Style style;                  ///< of all segments, if `kinds` is empty
+    std::vector<StyleKind> kinds; ///< the kinds of style that there are, if segments differ
     std::size_t channels = 0;
     double reach = 0; ///< in spreads
     std::vector<SegmentSource> segments;
     Rect box; ///< pixels
 };
 
-/// The stroke at time T in the view; segments of age 0 are left out. Pixel (i, j) covers [i, i+1] × [j, j+1]. Styles
-/// are those of the segments that lay paint.
+/// The stroke at time T in the view, without segments of age 0. Pixel (i, j) covers [i, i+1] × [j, j+1]. Styles are
+/// those of the segments that lay paint.
 StrokeSource strokeSource(const Stroke &stroke, Microseconds time, const View &view);
 
 /// How many spreads a node must reach so that what is cut off is below 1e-14 of the density at which the stroke's
-/// styles begin to show: at least 6.5 (e^−42).
+/// styles begin to show; at least 6.5 (e^−42).
 double reachOf(const Stroke &stroke, Microseconds time);
 
 } // namespace suffuse::reference

@@ -71,7 +71,7 @@ double uniformMean(const Xi &xi, double density, double h)
 double featheringMean(const Xi &xi, double density, double h)
 {
     const double from = std::clamp(-density / h, -1.0, 1.0);
-    const double full = std::clamp((xi[0] - density) / h, -1.0, 1.0); // from here on F = 1
+    const double full = std::clamp((xi[0] - density) / h, -1.0, 1.0); // F = 1 from here on
     const double a = std::max(0.0, density + h * from), b = std::max(0.0, density + h * full);
     double below = 0;
     if (full > from) {
@@ -109,7 +109,7 @@ double edgeMeanOverDensity(const Xi &xi, double density, double h)
     const double low = std::max(edgeCut(xi), density - h), high = density + h;
     if (high <= low)
         return 0;
-    // The antiderivative loses digits where the range is short against the density.
+    // The antiderivative loses digits if the range is short relative to the density.
     if (high - low <= 0.05 * low)
         return halfIntegral((low - density) / h, 1, [&](double t) { return edgeAt(xi, std::log(density + h * t)); });
     const auto antiderivative = [&](double v) {

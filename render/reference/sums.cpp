@@ -6,7 +6,7 @@ namespace suffuse::reference {
 
 namespace {
 
-/// out += k·in. Separate from its caller so that the compiler sees that nothing overlaps.
+/// out += k·in. It is separate from its caller so that the compiler sees that nothing overlaps.
 void addScaled(double *__restrict out, const double *__restrict in, double k, int n)
 {
     for (int i = 0; i < n; ++i)
@@ -27,7 +27,7 @@ void addSeparable(double *__restrict density, double *__restrict gradientX, doub
 
 SampleBlock::Range SampleBlock::range(double lo, double hi, double start, int n) const
 {
-    // Compared before they become integers: far away they would not fit.
+    // They are compared before they become integers, which could not hold them far away.
     const double from = std::clamp(std::ceil((lo - start) / step), 0.0, double(n));
     const double to = std::clamp(std::floor((hi - start) / step) + 1, 0.0, double(n));
     return {int(from), int(to)};
@@ -96,8 +96,8 @@ void StrokeSums::addSegment(const SegmentSource &segment)
 
 void StrokeSums::addNode(const Node &node, const SegmentSource &segment)
 {
-    // e^(−(dx² + dy²)/s²) = e^(−dx²/s²) · e^(−dy²/s²): exact, and an exponential a row and a column instead of one a
-    // pixel.
+    // e^(−(dx² + dy²)/s²) = e^(−dx²/s²) · e^(−dy²/s²) is exact, and needs an exponential for each row and column
+    // instead of one for each pixel.
     const double inverse = 1 / segment.kernel.smallerSpread;
     const auto columns = m_block.columns(node.at.x - segment.reach, node.at.x + segment.reach);
     const auto rows = m_block.rows(node.at.y - segment.reach, node.at.y + segment.reach);

@@ -1,4 +1,4 @@
-// Sums over a stroke's segments at a block of sample points.
+// Sums over the segments of a stroke at a block of sample points.
 #pragma once
 
 #include "render/reference/local_paint.h"
@@ -14,7 +14,7 @@ struct SampleBlock {
     int ny = 0;
 
     Rect area() const { return {first.x, first.y, first.x + step * (nx - 1), first.y + step * (ny - 1)}; }
-    /// Samples i with lo ≤ x_i ≤ hi: [from, to).
+    /// The samples i with lo ≤ x_i ≤ hi: [from, to).
     struct Range {
         int from = 0;
         int to = 0;
@@ -27,16 +27,16 @@ private:
     Range range(double lo, double hi, double start, int n) const;
 };
 
-/// φ⁺, φ⁻, ∇(φ⁺ − φ⁻) and Σφ_k·value over the segments that lay paint for every channel, at every sample of a block.
+/// φ⁺, φ⁻, ∇(φ⁺ − φ⁻), and Σφ_k·value over the segments that lay paint for every channel, at every sample of a block.
 /// Its memory is used again and again.
 class StrokeSums {
 public:
     /// Adds up all segments of the stroke that reach the block.
     void evaluate(const StrokeSource &stroke, const SampleBlock &block);
 
-    /// φ⁺ = 0 there: nothing of the stroke.
+    /// Whether φ⁺ = 0 at a sample, so that the stroke shows nothing there.
     bool isEmpty(int i, int j) const { return !(m_density[index(i, j)] > 0); }
-    /// The slope is per pixel.
+    /// What the stroke is at a sample. The slope is per pixel.
     LocalDensity at(const StrokeSource &stroke, int i, int j) const;
 
 private:
@@ -48,8 +48,8 @@ private:
     SampleBlock m_block;
     std::vector<double> m_density, m_lifted, m_gradientX, m_gradientY;
     std::vector<std::vector<double>> m_channels;
-    std::vector<double> m_own, m_ownX, m_ownY; ///< of the segment in hand
-    std::vector<double> m_column, m_columnX;   ///< factors of the node in hand
+    std::vector<double> m_own, m_ownX, m_ownY; ///< of the present segment
+    std::vector<double> m_column, m_columnX;   ///< the factors of the present node
     std::vector<Panel> m_panels;
 };
 

@@ -45,14 +45,15 @@ void DirtyRegion::mark(const std::vector<TileRange> &ranges)
             mark(range);
         return;
     }
-    TileRange box{m_columns, m_rows, 0, 0}; // of all of them
+    TileRange box{m_columns, m_rows, 0, 0}; // around all ranges
     for (const TileRange &t : ranges)
         if (!t.isEmpty())
             box = {std::min(box.left, t.left), std::min(box.top, t.top), std::max(box.right, t.right),
                    std::max(box.bottom, t.bottom)};
     if (box.isEmpty())
         return;
-    // Differences along columns and rows of how many ranges cover a tile, summed up at the end.
+    // At each tile stands the difference of how many ranges cover it, along columns and rows. The differences are
+    // summed up at the end.
     const std::size_t columns = std::size_t(box.right - box.left), stride = columns + 1;
     std::vector<std::int32_t> covered(stride * std::size_t(box.bottom - box.top + 1), 0);
     for (const TileRange &t : ranges) {
@@ -89,7 +90,7 @@ bool sameGroup(const StrokeNodes &a, const NodeGroup &g, const StrokeNodes &b, c
                       b.reaches.begin() + h.reachBegin, b.reaches.begin() + h.reachEnd);
 }
 
-/// Everything about a stroke that is not a segment's own.
+/// Whether everything about a stroke is the same that does not belong to single segments.
 bool samePlan(const SceneStroke &a, const SceneStroke &b)
 {
     const auto sameKinds = [&] {
@@ -133,10 +134,10 @@ void markChanged(const SceneStroke &before, const SceneStroke &after, const View
     const auto same = [&](std::size_t i, std::size_t j) {
         return sameGroup(*before.source, a[i], *after.source, b[j]);
     };
-    std::size_t prefix = 0, suffix = 0;        // what stays the same at the ends
-    const bool inPlace = a.size() == b.size(); // the same groups, some with other values
+    std::size_t prefix = 0, suffix = 0;        // how many groups stay the same at both ends
+    const bool inPlace = a.size() == b.size(); // The groups are the same, and some have other values.
     const std::size_t shorter = std::min(a.size(), b.size());
-    while (!inPlace && prefix < shorter && same(prefix, prefix)) // groups came or went in the middle
+    while (!inPlace && prefix < shorter && same(prefix, prefix)) // Groups were added or removed in the middle.
         ++prefix;
     while (!inPlace && suffix < shorter - prefix && same(a.size() - 1 - suffix, b.size() - 1 - suffix))
         ++suffix;
@@ -148,7 +149,7 @@ void markChanged(const SceneStroke &before, const SceneStroke &after, const View
                 i < b.size() - suffix ? tilesOf(after, i) : TileRange{}};
     };
     std::vector<TileRange> ranges;
-    const auto add = [&](const TileRange &range) { // neighbours along a stroke reach the same tiles
+    const auto add = [&](const TileRange &range) { // Neighbours along a stroke reach the same tiles.
         if (!range.isEmpty() && (ranges.empty() || !ranges.back().contains(range)))
             ranges.push_back(range);
     };

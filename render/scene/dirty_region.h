@@ -1,4 +1,4 @@
-// Which tiles differ between two scenes.
+// Finds the tiles in which two scenes differ.
 #pragma once
 
 #include "render/scene/scene.h"
@@ -8,7 +8,7 @@
 
 namespace suffuse {
 
-/// Columns left … right − 1 and rows top … bottom − 1 of tiles.
+/// The columns left … right − 1 and the rows top … bottom − 1 of tiles.
 struct TileRange {
     int left = 0, top = 0, right = 0, bottom = 0;
 
@@ -19,23 +19,23 @@ struct TileRange {
     }
 };
 
-/// The tiles of a picture, each clean or dirty.
+/// The tiles of a picture, each of which is clean or dirty.
 class DirtyRegion {
 public:
     void reset(int width, int height, int tileSize);
     int columns() const { return m_columns; }
     int rows() const { return m_rows; }
     PixelRect tile(int column, int row) const;
-    /// The tiles that pixels of the picture lie in; empty where they are.
+    /// The tiles in which pixels of the picture lie; empty if there are no pixels.
     TileRange tilesOf(const PixelRect &pixels) const;
 
     void markAll() { std::fill(m_dirty.begin(), m_dirty.end(), std::uint8_t(1)); }
     void mark(const PixelRect &pixels) { mark(tilesOf(pixels)); }
     void mark(const TileRange &tiles);
-    /// All of them, at a cost that hardly depends on how large they are.
+    /// Marks many ranges, at a cost that hardly depends on how large they are.
     void mark(const std::vector<TileRange> &ranges);
     bool isDirty(int column, int row) const { return m_dirty[index(column, row)] != 0; }
-    /// A byte for each column of a row, 1 where the tile is dirty, else 0. The next row's follow.
+    /// A byte for each column of a row: 1 where the tile is dirty, else 0. Those of the next row follow.
     const std::uint8_t *dirtyRow(int row) const { return m_dirty.data() + index(0, row); }
     void clean(int column, int row) { m_dirty[index(column, row)] = 0; }
     void cleanAll() { std::fill(m_dirty.begin(), m_dirty.end(), std::uint8_t(0)); }
@@ -44,12 +44,12 @@ private:
     std::size_t index(int column, int row) const { return std::size_t(row) * m_columns + column; }
 
     int m_width = 0, m_height = 0, m_tileSize = 1, m_columns = 0, m_rows = 0;
-    int m_shift = 0; ///< where the tiles' size is a power of two, 2^m_shift; else −1
+    int m_shift = 0; ///< the tiles' size is 2^m_shift; −1 if it is no power of two
     std::vector<std::uint8_t> m_dirty;
 };
 
-/// Marks where one stroke differs from what it was, in the same view: only segments whose nodes or values differ, old
-/// and new; all of it where a choice for the whole stroke differs. The same tiles for any number of threads.
+/// Marks where a stroke differs from what it was in the same view: the segments whose nodes or values differ, old and
+/// new, or all of it if a property of the whole stroke differs. The tiles are the same for any number of threads.
 void markChanged(const SceneStroke &before, const SceneStroke &after, const View &view, Threads threads,
                  DirtyRegion &region);
 

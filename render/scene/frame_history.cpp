@@ -6,17 +6,17 @@ namespace suffuse {
 
 namespace {
 
-/// Strokes that must be marked whole because they moved against the others: those outside a longest sequence that rises
-/// in the places before.
+/// The strokes that must be marked whole because they moved relative to the others: those outside a longest sequence
+/// that rises in the places before.
 std::vector<std::size_t> movedInOrder(const std::vector<std::size_t> &places)
 {
-    std::vector<std::size_t> common, old; // strokes of both orders
+    std::vector<std::size_t> common, old; // the strokes of both orders
     for (std::size_t i = 0; i < places.size(); ++i)
         if (places[i] != SceneChange::nowhere)
             common.push_back(i), old.push_back(places[i]);
     if (std::is_sorted(old.begin(), old.end()))
         return {};
-    std::vector<std::size_t> tails, previous(old.size(), SIZE_MAX); // by patience sorting: O(n log n)
+    std::vector<std::size_t> tails, previous(old.size(), SIZE_MAX); // patience sorting takes O(n log n)
     for (std::size_t i = 0; i < old.size(); ++i) {
         const auto at = std::lower_bound(tails.begin(), tails.end(), i,
                                          [&](std::size_t tail, std::size_t k) { return old[tail] < old[k]; });
@@ -76,7 +76,7 @@ std::size_t FrameHistory::firstDifference(const SceneChange &change) const
 {
     if (!change.reordered)
         return change.replaced.empty() ? noEdit : change.replaced.front().index;
-    // Scene strokes are shared while they stay the same: what both scenes begin with did not change.
+    // Strokes of a scene are shared while they stay the same, so what both scenes begin with has not changed.
     const auto &scene = m_scene.strokes();
     const auto [before, now] = std::mismatch(change.before.begin(), change.before.end(), scene.begin(), scene.end());
     return before == change.before.end() && now == scene.end() ? noEdit : std::size_t(now - scene.begin());
@@ -87,7 +87,8 @@ void FrameHistory::followEdits(Step &step, bool interactive)
     step.keepsUnder = step.keepsOver = true;
     m_oneEdited = false;
     if (const std::size_t first = firstDifference(step.scene); first != noEdit) {
-        // Kept a little lower than needed while several strokes change by turns (they dry one after another).
+        // It is kept a little lower than needed while several strokes change by turns (as when they dry one after
+        // another).
         const std::size_t slack = interactive ? 0 : 4;
         step.keepsUnder = m_edited != noEdit && first >= m_edited;
         step.raisesUnder = step.keepsUnder && first > m_edited + slack;

@@ -1,5 +1,5 @@
-// What a renderer that draws into one target again and again remembers of its last frame, and what the next one must
-// evaluate anew.
+// What a renderer that draws into one target again and again remembers of its last frame, and what must be evaluated
+// anew for the next one.
 #pragma once
 
 #include "render/scene/dirty_region.h"
@@ -18,30 +18,31 @@ public:
     /// What one frame changes.
     struct Step {
         SceneChange scene;
-        bool whole = false;       ///< another target, view or paper: everything is dirty
-        bool keepsUnder = false;  ///< layers below the first edited stroke still hold (docs/solver.md, "Layers"),
-        bool raisesUnder = false; ///< though they end lower than it now: what lies between rests again;
-        bool keepsOver = false;   ///< and those above it
+        bool whole = false; ///< whether everything is dirty, since target, view or paper changed
+        /// whether layers below the first edited stroke are still valid (docs/solver.md, "Layers"),
+        bool keepsUnder = false;
+        bool raisesUnder = false; ///< though they end below it, since what lies between no longer changes;
+        bool keepsOver = false;   ///< and whether those above it are
     };
-    /// Brings scene and region up to date with the request; resizes the target where its size changes.
+    /// Brings scene and region up to date with the request. Resizes the target if its size changes.
     Step advance(const RenderRequest &request, Target &target, Threads threads);
-    /// The next step is whole.
+    /// Forgets the last frame, so that the next step is whole.
     void forget() { m_target = 0; }
-    /// Tile (column, row) was drawn; `approximate`: with an over map.
+    /// Notes that a tile was drawn; `approximate` says that an over map was used.
     void drawn(int column, int row, bool approximate)
     {
         m_region.clean(column, row);
         m_approximate[tileIndex(column, row)] = approximate;
         m_anyApproximate |= approximate;
     }
-    /// All dirty tiles were drawn, none of them with an over map.
+    /// Notes that all dirty tiles were drawn without an over map.
     void drawnAll();
 
     const LiveScene &scene() const { return m_scene; }
     const DirtyRegion &region() const { return m_region; }
-    /// Index in the scene of the first edited stroke, what lies below being worth a layer; or noEdit.
+    /// The index in the scene of the first edited stroke, if what lies below it is worth a layer; otherwise noEdit.
     std::size_t edited() const { return m_edited; }
-    /// It alone differs from the frame before.
+    /// Whether that stroke alone differs from the frame before.
     bool oneEdited() const { return m_oneEdited; }
     std::size_t tileIndex(int column, int row) const
     {
@@ -51,9 +52,9 @@ public:
 private:
     bool sameFrame(const RenderRequest &request, const Target &target) const;
     void markDifferences(const SceneChange &change, Threads threads);
-    /// Where the scene's strokes begin to differ from the last frame's, or noEdit.
+    /// Where the scene's strokes begin to differ from those of the last frame, or noEdit.
     std::size_t firstDifference(const SceneChange &change) const;
-    /// Decides which layers still hold and where the edited strokes begin.
+    /// Decides which layers are still valid, and where the edited strokes begin.
     void followEdits(Step &step, bool interactive);
 
     int m_tileSize;
@@ -61,12 +62,12 @@ private:
     DirtyRegion m_region;
     std::size_t m_edited = noEdit;
     bool m_oneEdited = false;
-    std::vector<std::uint8_t> m_approximate; ///< tiles drawn with an over map, by index
-    bool m_anyApproximate = false;           ///< some of them may be
+    std::vector<std::uint8_t> m_approximate; ///< whether each tile was drawn with an over map
+    bool m_anyApproximate = false;           ///< whether some of them may be
     View m_view;
     bool m_transparent = false;
     Canvas m_canvas;
-    std::uint64_t m_target = 0; ///< serial of the one drawn last
+    std::uint64_t m_target = 0; ///< the serial of the target that was drawn last
 };
 
 } // namespace suffuse

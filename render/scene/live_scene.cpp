@@ -8,7 +8,7 @@ namespace suffuse {
 
 namespace {
 
-/// What culling looks at says that nothing can be left out; what is evaluated stays as it is.
+/// Changes what culling looks at so that nothing is left out. What is evaluated stays as it is.
 void reachEverywhere(SceneStroke &stroke, const View &view)
 {
     stroke.bounds = {0, 0, view.width, view.height};
@@ -19,7 +19,8 @@ void reachEverywhere(SceneStroke &stroke, const View &view)
     }
 }
 
-/// Nodes are offsets from the origin: a stroke that only moved keeps them, unless they depend on what the view shows.
+/// Whether a stroke can keep its nodes. They are offsets from the origin, so a stroke that only moved keeps them,
+/// unless they depend on what the view shows.
 bool keepsNodes(const SceneStroke &known, const Stroke &now)
 {
     return known.stroke.get() == &now ||
@@ -54,12 +55,12 @@ bool LiveScene::replace(const RenderRequest &request, std::vector<Stale> &stale)
     return true;
 }
 
-/// Where these strokes stand now. Most stand in the same order: the next place is looked at first.
+/// Where strokes stand now. Most stand in the same order, so the next place is looked at first.
 std::vector<std::size_t> LiveScene::placesOf(const std::vector<StrokePtr> &strokes) const
 {
-    constexpr std::size_t near = 8; // places that are looked at
+    constexpr std::size_t near = 8; // how many places ahead are looked at
     std::vector<std::size_t> places(strokes.size(), SceneChange::nowhere);
-    std::unordered_map<StrokeId, std::size_t> all; // where that is not enough
+    std::unordered_map<StrokeId, std::size_t> all; // needed where that is not enough
     StrokeId greatest = 0;
     for (const StrokePtr &stroke : m_sources)
         greatest = std::max(greatest, stroke->id);
@@ -67,7 +68,7 @@ std::vector<std::size_t> LiveScene::placesOf(const std::vector<StrokePtr> &strok
     for (std::size_t i = 0; i < strokes.size(); ++i) {
         const StrokeId id = strokes[i]->id;
         if (id > greatest)
-            continue; // it is new
+            continue; // The stroke is new.
         const auto from = m_sources.begin() + std::ptrdiff_t(next);
         const auto to = from + std::ptrdiff_t(std::min(near, m_sources.size() - next));
         if (const auto it = std::find_if(from, to, [id](const StrokePtr &s) { return s->id == id; }); it != to) {
@@ -158,7 +159,7 @@ void LiveScene::prepare(const std::vector<Stale> &stale, const RenderRequest &re
     const int octave = zoomOctave(request.view.scale);
     const Rect visible = visibleBox(request.view);
     const auto nodesOf = [this](std::size_t i) { return m_strokes[i] ? m_strokes[i]->source->nodes.size() : 0; };
-    std::vector<FrozenNodes *> frozen; // null where a stroke will not be built often
+    std::vector<FrozenNodes *> frozen; // null for a stroke that will not be built often
     std::unordered_map<StrokeId, FrozenNodes> wet;
     for (const Stale &s : stale) {
         m_nodeCount -= nodesOf(s.index);

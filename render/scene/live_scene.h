@@ -1,5 +1,5 @@
-// The strokes of a painting that is being edited, prepared for a view: each snapshot costs what differs from the last
-// one.
+// The strokes of a painting that is being edited, prepared for a view. Each snapshot costs only what differs from the
+// last one.
 #pragma once
 
 #include "render/nodes/frozen_nodes.h"
@@ -20,46 +20,47 @@ struct SceneChange {
         std::size_t index = 0;
         SceneStrokePtr before;
     };
-    /// Strokes that were prepared anew, by ascending index, where all else stayed.
+    /// The strokes that were prepared anew, by ascending index, if nothing else changed.
     std::vector<Replaced> replaced;
-    /// Strokes came, went or moved: `before` are all that were there, `places` says where among them each one stood.
+    /// Whether strokes were added, removed or moved. Then `before` has all strokes that existed, and `places` says
+    /// where among them each stroke was.
     bool reordered = false;
     std::vector<SceneStrokePtr> before;
     std::vector<std::size_t> places;
     static constexpr std::size_t nowhere = std::size_t(-1);
 };
 
-/// Strokes of equal id, time, view and values keep what was prepared for them, and so do their nodes over changes of
-/// the view within an octave.
+/// Strokes of equal id, time, view and values keep what was prepared for them. Their nodes also stay when the view
+/// changes within an octave.
 class LiveScene {
 public:
-    /// `cull`: false, and every stroke seems to reach and show everywhere, for tests.
+    /// With `cull` false, every stroke seems to reach and show everywhere, for tests.
     explicit LiveScene(bool cull = true) : m_cull(cull) {}
 
-    /// Brings the scene up to date with the request. What is told of the change is of use where the view is the same.
+    /// Brings the scene up to date with the request. The returned change is useful only if the view is the same.
     SceneChange update(const RenderRequest &request, Threads threads);
 
-    /// Visible strokes from bottom to top.
+    /// The visible strokes from bottom to top.
     const std::vector<SceneStrokePtr> &strokes() const { return m_strokes; }
-    /// Their bounds, side by side.
+    /// The bounds of these strokes, in the same order.
     const std::vector<PixelRect> &bounds() const { return m_bounds; }
     std::size_t nodeCount() const { return m_nodeCount; }
 
 private:
-    /// A stroke to prepare anew, and whether its nodes still hold.
+    /// A stroke to be prepared anew, and whether its nodes are still valid.
     struct Stale {
         std::size_t index = 0;
         bool nodesHold = false;
     };
-    /// Takes the painting's strokes over in place and returns where they differ; false where strokes came, went or
-    /// moved.
+    /// Takes over the painting's strokes in place, and lists where they differ. Returns false if strokes were added,
+    /// removed or moved.
     bool replace(const RenderRequest &request, std::vector<Stale> &stale);
-    /// Brings the strokes into the painting's order, keeping what is known of each; returns SceneChange::places.
+    /// Brings the strokes into the painting's order, and keeps what is known of each. Returns SceneChange::places.
     std::vector<std::size_t> align(const Painting &painting);
     std::vector<std::size_t> placesOf(const std::vector<StrokePtr> &strokes) const;
     std::vector<Stale> staleAfterAlign(const RenderRequest &request) const;
     void addWet(Microseconds time, std::vector<Stale> &stale) const;
-    /// A stroke as it is once it has dried, where that is known: scrubbing comes back to it.
+    /// A stroke as it is once it has dried, if that is known: scrubbing through time comes back to it.
     SceneStrokePtr dryOf(std::size_t i, const View &view) const;
     void prepare(const std::vector<Stale> &stale, const RenderRequest &request, Threads threads);
     bool sameAge(std::size_t i, Microseconds time) const
@@ -70,15 +71,16 @@ private:
     bool m_cull;
     View m_view;
     Microseconds m_time = 0;
-    StrokeList m_seen;                     ///< the painting's, visible or not
-    std::vector<Group> m_groups;           ///< the painting's
-    std::vector<std::int64_t> m_place;     ///< of each of m_seen among the visible ones, −1 where it is not
-    std::vector<StrokePtr> m_sources;      ///< the visible ones
-    std::vector<SceneStrokePtr> m_strokes; ///< the same, prepared; null where that was never done
-    std::vector<Microseconds> m_driesAt;   ///< the same
-    std::vector<PixelRect> m_bounds;       ///< the same
+    StrokeList m_seen;           ///< the strokes of the painting, visible or not
+    std::vector<Group> m_groups; ///< the groups of the painting
+    /// the place of each stroke of m_seen among the visible ones; −1 if it is not visible
+    std::vector<std::int64_t> m_place;
+    std::vector<StrokePtr> m_sources;      ///< the visible strokes
+    std::vector<SceneStrokePtr> m_strokes; ///< the visible strokes as they were prepared; null if that was never done
+    std::vector<Microseconds> m_driesAt;   ///< when each visible stroke dries
+    std::vector<PixelRect> m_bounds;       ///< the bounds of each visible stroke
     std::size_t m_nodeCount = 0;
-    std::unordered_map<StrokeId, FrozenNodes> m_frozen; ///< of strokes that were wet in the last update
+    std::unordered_map<StrokeId, FrozenNodes> m_frozen; ///< for strokes that were wet in the last update
 };
 
 } // namespace suffuse

@@ -1,5 +1,5 @@
-// Nodes in pixels of a picture, as every backend takes them; and where they reach and how dense they are, side by side,
-// which is what choosing among them needs.
+// The nodes of strokes in pixels of a picture, as every backend takes them. Beside them, in separate arrays, is what is
+// needed to choose among them: where they reach and how dense they are.
 #pragma once
 
 #include <cstddef>
@@ -8,19 +8,19 @@
 
 namespace suffuse {
 
-/// A node in pixels of the picture. Separable: b = 0.
+/// A node in pixels of the picture. If it is separable, b = 0.
 struct ViewNode {
     double x = 0, y = 0;
     float a = 0, b = 0, c = 0; ///< metric, px⁻²
     float weight = 0;          ///< density at its centre
     float cut = 0;             ///< e^(−R²)
-    std::uint32_t row = 0;     ///< of the stroke's channel values
+    std::uint32_t row = 0;     ///< its row in the stroke's channel values
     friend bool operator==(const ViewNode &, const ViewNode &) = default;
 };
 
-/// Boxes are read and written in runs of so many, whichever comes first.
+/// Boxes are read and written in runs of so many.
 inline constexpr std::size_t boxRun = 16;
-/// Positions are floats: they are off by less than this, px.
+/// Positions are floats, so they are wrong by less than this, px.
 inline constexpr double boxMargin = 0.05;
 
 template <class F, class I>
@@ -30,9 +30,9 @@ struct BoxPlanes {
     F *weight = nullptr;                    ///< density at the centre
     F *slowest = nullptr;                   ///< least eigenvalue of the metric, px⁻²: q ≥ slowest·d²
     F *steepest = nullptr; ///< weight times the root of the greatest, px⁻¹: weight·|∇q| ≤ 2·steepest·√q
-    I *node = nullptr;     ///< index of the node in its stroke
+    I *node = nullptr;     ///< weight times the root of the greatest eigenvalue, px⁻¹: weight·|∇q| ≤ 2·steepest·√q
 
-    /// Those from the one at `first` on.
+    /// The boxes from the one at `first` on.
     BoxPlanes from(std::size_t first) const
     {
         return {x + first,      y + first,       reachX + first,   reachY + first,
@@ -40,13 +40,13 @@ struct BoxPlanes {
     }
 };
 using NodeBoxes = BoxPlanes<const float, const std::uint32_t>;
-/// To write to; where x is null, only `node` is written.
+/// Boxes to be written. If x is null, only `node` is written.
 using NodeBoxSink = BoxPlanes<float, std::uint32_t>;
 
 /// Boxes with their memory.
 class NodeBoxStore {
 public:
-    /// Room for `count`; what was there is lost where it grows.
+    /// Makes room for `count` boxes. If it grows, what was there is lost.
     void reserve(std::size_t count)
     {
         const std::size_t padded = (count + boxRun - 1) / boxRun * boxRun + boxRun;

@@ -14,15 +14,15 @@ namespace {
 using Texture = std::shared_ptr<const PaperTexture>;
 
 struct CacheEntry {
-    std::weak_ptr<const QByteArray> image; ///< identity; an expired one never matches
+    std::weak_ptr<const QByteArray> image; ///< identifies the image; an expired one never matches
     Texture texture;
 };
 
 constexpr std::size_t cachedPapers = 4;
 std::mutex cacheMutex;
-std::list<CacheEntry> cache; ///< most recent first
+std::list<CacheEntry> cache; ///< the most recent entry first
 
-/// Null if it is not in the cache.
+/// The texture of an image; null if it is not in the cache.
 Texture cached(const EncodedImage &image)
 {
     const std::lock_guard lock(cacheMutex);

@@ -16,7 +16,7 @@ struct PaperTexture {
     std::vector<float> grey;
 };
 
-/// Decodes an image paper through the image module (cached by the image's identity). Null without an error for papers
+/// Decodes an image paper by the image module (cached by the identity of the image). Null without an error for papers
 /// that are not images.
 Result<std::shared_ptr<const PaperTexture>> paperTexture(const Paper &paper);
 

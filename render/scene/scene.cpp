@@ -3,7 +3,7 @@
 #include "model/paint/style_function.h"
 #include "render/math/scalar.h"
 #include "render/nodes/colour_line.h"
-// After the numbers: templates over them.
+// It has templates over the numbers, which must be declared before.
 #include "render/math/shade.h"
 
 #include <algorithm>
@@ -13,7 +13,7 @@ namespace suffuse {
 
 namespace {
 
-/// The view's linear part, canvas to pixels: (dx, dy) → (m00 dx + m01 dy, m10 dx + m11 dy).
+/// The linear part of the view, from canvas to pixels: (dx, dy) → (m00 dx + m01 dy, m10 dx + m11 dy).
 struct Linear {
     double m00, m01, m10, m11;
 
@@ -28,7 +28,7 @@ struct Linear {
     Point operator()(Point d) const { return {m00 * d.x + m01 * d.y, m10 * d.x + m11 * d.y}; }
 };
 
-/// A node's metric in pixels: J^−T M J^−1 with J a similarity.
+/// The metric of a node in pixels: J^−T M J^−1, where J is a similarity.
 struct Metric {
     double a, b, c;
 
@@ -49,16 +49,16 @@ struct Metric {
         if (std::abs(b) < 1e-9 * std::min(a, c))
             b = 0;
     }
-    /// Half-sizes of the box of q ≤ r².
+    /// The half-sizes of the box of q ≤ r².
     Point reach(double r) const
     {
         const double det = a * c - b * b;
         return {r * std::sqrt(c / det), r * std::sqrt(a / det)};
     }
-    /// Eigenvalues.
+    /// The eigenvalues.
     double greatest() const { return 0.5 * (a + c) + radius(); }
     double least() const { return 0.5 * (a + c) - radius(); }
-    /// Spread along the narrowest axis.
+    /// The spread along the narrowest axis.
     double narrowest() const { return 1 / std::sqrt(greatest()); }
 
 private:
@@ -77,7 +77,7 @@ PixelRect toPixelRect(const Rect &r, const View &view)
 
 /// What neighbours along a stroke have in common: most segments have nodes of one metric.
 struct Footprint {
-    double a, b, c, cutRadius; ///< of the node that it was made for
+    double a, b, c, cutRadius; ///< of the node for which it was made
     Metric metric;
     Point reach;
     double narrowest;
@@ -97,7 +97,8 @@ struct Placed {
     std::uint32_t footprint;
 };
 
-/// What segments of a stroke that lay paint differ in, from the first of them; and whether there are some that lift it.
+/// How the segments of a stroke that lay paint differ from the first of them, and whether there are segments that take
+/// paint away.
 struct Differences {
     bool colour = false, granulation = false, style = false, kind = false, lift = false;
 
@@ -117,7 +118,7 @@ struct Differences {
     }
 };
 
-/// What shows of some of a stroke's groups.
+/// What is seen of some of a stroke's groups.
 struct PlacedNodes {
     Differences differences;
     std::vector<SmallSegment> small;
@@ -127,7 +128,7 @@ struct PlacedNodes {
     Rect box;
 };
 
-/// Writes nodes of a stroke from the `at`-th on.
+/// Writes the nodes of a stroke, from the `at`-th on.
 void writeNodes(const std::vector<Placed> &placed, const std::vector<Footprint> &footprints, SceneStroke &s,
                 std::size_t at)
 {
@@ -139,7 +140,7 @@ void writeNodes(const std::vector<Placed> &placed, const std::vector<Footprint> 
         const Metric &m = f.metric;
         if (p.footprint != last) {
             last = p.footprint;
-            if (float(f.cutRadius) != radius) // most nodes of a stroke share it
+            if (float(f.cutRadius) != radius) // Most nodes of a stroke have the same one.
                 radius = float(f.cutRadius), cut = std::exp(-radius * radius);
             slowest = float(m.least() * 0.9999);
             steepest = float(std::sqrt(m.greatest()));
@@ -147,10 +148,10 @@ void writeNodes(const std::vector<Placed> &placed, const std::vector<Footprint> 
         s.nodes[at] = {p.at.x, p.at.y, float(m.a), float(m.b), float(m.c), p.weight, cut, p.row};
         boxes.x[at] = float(p.at.x);
         boxes.y[at] = float(p.at.y);
-        // 1.0001: rounded to float.
+        // The factor 1.0001 covers the rounding to float.
         boxes.reachX[at] = float(f.reach.x * 1.0001);
         boxes.reachY[at] = float(f.reach.y * 1.0001);
-        boxes.weight[at] = std::max(p.weight, 0.0f); // a bound of what is laid
+        boxes.weight[at] = std::max(p.weight, 0.0f); // It is a bound of the paint that is laid.
         boxes.slowest[at] = slowest;
         boxes.steepest[at] = std::abs(p.weight) * steepest;
         boxes.node[at] = std::uint32_t(at);
@@ -158,14 +159,15 @@ void writeNodes(const std::vector<Placed> &placed, const std::vector<Footprint> 
     }
 }
 
-/// Where the node may show: its box, and a pixel around it for the coverage of the pixel that it ends in.
+/// Extends a box by where a node may be seen: the node's box, and a pixel around it for the coverage of the pixel in
+/// which it ends.
 void includeNode(Rect &box, Point at, Point reach)
 {
     box.include({at.x - reach.x - 1, at.y - reach.y - 1});
     box.include({at.x + reach.x + 1, at.y + reach.y + 1});
 }
 
-/// A small segment sets how pixels of its neighbours are sampled.
+/// Extends a box for small segments, which decide how the pixels of their neighbours are sampled.
 void includeSmall(Rect &box, const StrokeNodes &nodes, const NodeGroup &group, Point base, const Linear &j,
                   const View &view)
 {
@@ -182,7 +184,7 @@ SmallSegment smallSegment(const SegmentReach &r, Point origin, const View &view)
     return {level, {origin.x + r.box.left, origin.y + r.box.top, origin.x + r.box.right, origin.y + r.box.bottom}};
 }
 
-/// Puts groups [from, to) into the picture. `bounds`, where not null: the pixels that each group can change.
+/// Puts the groups [from, to) into the picture. If `bounds` is not null, it gets the pixels that each group can change.
 PlacedNodes placeGroups(const StrokeNodes &source, std::size_t from, std::size_t to, Point origin, const View &view,
                         PixelRect *bounds)
 {
@@ -190,9 +192,9 @@ PlacedNodes placeGroups(const StrokeNodes &source, std::size_t from, std::size_t
     out.footprints.reserve(to - from);
     out.separable.reserve(source.groups[to - 1].end - source.groups[from].begin);
     const Linear j(view);
-    // Subtract in double before scaling: a document far from 0 loses nothing at deep zoom.
+    // Subtracting in double before scaling keeps the digits of a painting far from 0 at deep zoom.
     const Point fromCentre = origin - view.centre, base = view.toPixels(origin);
-    Rect box; // of a group
+    Rect box; // the box of a group
     const auto add = [&](const Node &n, std::uint32_t row) {
         if (out.footprints.empty() || !out.footprints.back().fits(n))
             out.footprints.emplace_back(n, j, view.scale);
@@ -230,12 +232,12 @@ PlacedNodes placeGroups(const StrokeNodes &source, std::size_t from, std::size_t
     return out;
 }
 
-/// Puts the stroke's nodes into the picture, the separable ones first, and finds its bounds and what its segments
-/// differ in.
+/// Puts the nodes of the stroke into the picture, the separable ones first. Finds its bounds, and in what its segments
+/// differ.
 Differences placeNodes(SceneStroke &s, const View &view, Threads threads, bool changes)
 {
     const StrokeNodes &source = *s.source;
-    constexpr std::size_t share = 64, worthSharing = 8 * share; // groups
+    constexpr std::size_t share = 64, worthSharing = 8 * share; // counted in groups
     const std::size_t count = source.groups.size();
     if (changes)
         s.groupBounds.resize(count);
@@ -259,7 +261,7 @@ Differences placeNodes(SceneStroke &s, const View &view, Threads threads, bool c
     s.bounds = toPixelRect(box, view);
     s.nodes.resize(nodes);
     s.boxes.reserve(nodes);
-    std::vector<std::array<std::size_t, 2>> places; // where each part's separable and oblique ones begin
+    std::vector<std::array<std::size_t, 2>> places; // where the separable and the oblique nodes of each part begin
     for (std::size_t first = 0, second = separable; const PlacedNodes &part : parts) {
         places.push_back({first, second});
         first += part.separable.size(), second += part.oblique.size();
@@ -271,7 +273,7 @@ Differences placeNodes(SceneStroke &s, const View &view, Threads threads, bool c
     return differences;
 }
 
-/// Chooses constants where all segments agree, channels where they differ.
+/// Chooses constants where all segments agree, and channels where they differ.
 void planChannels(SceneStroke &s, const Differences &differ)
 {
     const auto &rows = s.source->rows;
@@ -302,12 +304,12 @@ void planChannels(SceneStroke &s, const Differences &differ)
         if (differ.style)
             p.xiChannel = s.channels, s.channels += xiCount(kind);
     }
-    // φ⁺ itself, where anything is asked of it: else max(0, φ⁺ − φ⁻) is all that counts.
+    // φ⁺ itself has a channel if it is needed. Otherwise only max(0, φ⁺ − φ⁻) matters.
     if (differ.lift && (s.channels > 0 || hasRim(first.style.kind)))
         s.shade.laidChannel = s.channels++;
 }
 
-/// Where ξ varies the levels do too: not worth a bound.
+/// Finds the levels of styles. If ξ varies, the levels do, too, and a bound is not worth it.
 void findLevels(SceneStroke &s)
 {
     s.hasLevels = s.deep.empty();
@@ -330,7 +332,7 @@ void fillValues(SceneStroke &s)
         float *row = s.values.data() + k * s.channels;
         const NodeValues &v = rows[k];
         if (v.lift)
-            continue; // it only counts in the density
+            continue; // It only counts in the density.
         if (s.shade.laidChannel >= 0)
             row[s.shade.laidChannel] = 1;
         if (const int c = s.shade.colourChannel; c >= 0) {

@@ -1,4 +1,4 @@
-// A painting prepared for one view: strokes in order, with their nodes in pixels.
+// A painting prepared for one view: its strokes in order, with their nodes in pixels.
 #pragma once
 
 #include "render/math/shade_params.h"
@@ -11,7 +11,7 @@
 
 namespace suffuse {
 
-/// Double-precision node of a segment so wide on screen (s > deepSpread px) that floats would lose its edge.
+/// A node in double precision, of a segment so wide on the screen (s > deepSpread px) that floats would lose its edge.
 struct DeepNode {
     double x = 0, y = 0;        ///< pixels
     double a = 0, b = 0, c = 0; ///< px⁻²
@@ -19,7 +19,7 @@ struct DeepNode {
     std::uint32_t row = 0;
 };
 
-/// A segment with s < 1 px (4 px where it takes paint away): the pixels that it reaches are supersampled 2^level ×
+/// A segment with s < 1 px (4 px if it takes paint away). The pixels that it reaches are supersampled 2^level ×
 /// 2^level.
 struct SmallSegment {
     int level = 0;
@@ -29,9 +29,9 @@ struct SmallSegment {
 struct SceneStroke {
     StrokePtr stroke;
     std::shared_ptr<const StrokeNodes> source;
-    PixelRect bounds;            ///< pixels of the picture that it can touch; empty: none
-    UnsetVector<ViewNode> nodes; ///< the separable ones first
-    NodeBoxStore boxes;          ///< of `nodes`
+    PixelRect bounds;            ///< the pixels of the picture that it can change; empty if there are none
+    UnsetVector<ViewNode> nodes; ///< the separable nodes first
+    NodeBoxStore boxes;          ///< the boxes of `nodes`
     int separable = 0;
     std::vector<DeepNode> deep;
     std::vector<SmallSegment> small;
@@ -39,16 +39,17 @@ struct SceneStroke {
     float level[3] = {0, 0,
                       0}; ///< of each kind of style: it shows nothing where densities stay below (render/math/style.h)
     bool hasLevels = false;
-    float lowest = -1; ///< of the levels: a density above shows in any case
+    float lowest = -1; ///< the lowest of the levels; a density above it shows in any case
     int channels = 0;
-    std::vector<float> values; ///< channels a row of `source`
+    std::vector<float> values; ///< the channels of each row of `source`
     float keep = 1;            ///< eq 23: 1 − β
     bool granulated = false;
-    std::vector<PixelRect> groupBounds; ///< as pixelBounds, of each group of `source`; only where that was asked for
-    std::shared_ptr<const SceneStroke> dry; ///< the same once it has dried, where LiveScene has seen it so in this view
+    /// as pixelBounds gives them for each group of `source`; only if that was asked for
+    std::vector<PixelRect> groupBounds;
+    std::shared_ptr<const SceneStroke> dry; ///< the stroke once it has dried, if LiveScene has seen it so in this view
 };
 
-/// True only where opacity is exactly zero for every density φ⁺ and slope (per pixel) up to these.
+/// True only if opacity is exactly zero for all densities φ⁺ and slopes (per pixel) up to these.
 inline bool canVanish(const SceneStroke &stroke, float density, float slope)
 {
     if (!stroke.hasLevels || density > stroke.lowest)
@@ -59,14 +60,15 @@ inline bool canVanish(const SceneStroke &stroke, float density, float slope)
     return true;
 }
 
-/// Pixels that a group can change, rounded outwards and cut to the picture.
+/// The pixels that a group can change, rounded outwards and clipped to the picture.
 PixelRect pixelBounds(const StrokeNodes &nodes, const NodeGroup &group, Point origin, const View &view);
 
-/// `changes`: it will be compared with what it becomes, group by group. The same bits for any number of threads.
+/// Prepares a stroke. `changes` says that it will be compared, group by group, with what it becomes. The bits are the
+/// same for any number of threads.
 SceneStroke makeSceneStroke(StrokePtr stroke, std::shared_ptr<const StrokeNodes> nodes, const View &view,
                             Threads threads = 1, bool changes = false);
 
-/// The canvas as the view shows it, as a box in canvas units.
+/// The part of the canvas that the view shows, as a box in canvas units.
 Rect visibleBox(const View &view);
 
 } // namespace suffuse

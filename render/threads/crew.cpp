@@ -10,7 +10,7 @@ namespace suffuse {
 namespace {
 
 constexpr std::chrono::milliseconds awake{2};
-constexpr int mostThreads = 12; // more share too little work of a frame to pay for waking them
+constexpr int mostThreads = 12; // More threads would share too little work of a frame to pay for waking them.
 
 } // namespace
 
@@ -40,7 +40,9 @@ void Crew::work(Loop &loop)
 
 void Crew::help()
 {
-    ++m_inside; // before the loop is looked at: run() takes it away first and then waits for all that are inside
+    // This comes before the loop is looked at, since run() takes the loop away first and then waits for all that are
+    // inside.
+    ++m_inside;
     if (Loop *loop = m_loop; loop && loop->next < loop->count && loop->room-- > 0)
         work(*loop);
     --m_inside;
@@ -60,7 +62,7 @@ void Crew::serve()
 {
     for (;;) {
         const std::uint32_t seen = m_posted;
-        if (m_end) // set before the last post
+        if (m_end) // It is set before the last post.
             return;
         help();
         await(seen);

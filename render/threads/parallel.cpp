@@ -22,7 +22,7 @@ namespace suffuse {
 #ifndef SUFFUSE_JTHREAD
 namespace {
 
-/// While a thread is in a loop's body; loops in there share the outer one's threads.
+/// Marks that a thread is in the body of a loop. Loops in there share the outer loop's threads.
 class InLoop {
 public:
     InLoop() : m_before(std::exchange(s_now, true)) {}
@@ -33,11 +33,11 @@ public:
 
 private:
     static inline thread_local bool s_now = false;
-    const bool m_before; // a thread that waits for an inner loop may run more of the outer one's bodies
+    const bool m_before; // A thread that waits for an inner loop may run more bodies of the outer one.
 };
 
-/// A calling thread's own: after a loop oneTBB's threads wait in its arena for the next one for a while, whereas into a
-/// new one they must be woken, which takes as long as a small loop.
+/// The arena of a calling thread. After a loop, oneTBB's threads wait in it for the next one for a while; into a new
+/// arena they must be woken, which takes as long as a small loop.
 tbb::task_arena &arenaOf(int threads)
 {
     thread_local std::optional<tbb::task_arena> arena;
@@ -51,8 +51,8 @@ tbb::task_arena &arenaOf(int threads)
 
 int hardwareThreads()
 {
-    // Asked once, since each asking reads a file. oneTBB counts the cores that this process may use, and warns on the
-    // error output where it is asked for more.
+    // It is asked once, since each call reads a file. oneTBB counts the cores that this process may use, and warns on
+    // the error output if it is asked for more threads.
 #ifdef SUFFUSE_JTHREAD
     static const int threads = std::max(1, int(std::thread::hardware_concurrency()));
 #else
@@ -95,7 +95,7 @@ void parallelFor(std::size_t count, const Threads &on, const std::function<void(
     };
     if (InLoop::now())
         return loop();
-    std::optional<tbb::global_control> more; // by itself oneTBB starts a thread a core
+    std::optional<tbb::global_control> more; // By itself oneTBB starts one thread for each core.
     if (threads > hardwareThreads())
         more.emplace(tbb::global_control::max_allowed_parallelism, std::size_t(threads));
     arenaOf(threads).execute(loop);

@@ -18,20 +18,21 @@ namespace suffuse {
 
 class Crew;
 
-/// Cores that this process may use, at least 1.
+/// The number of cores that this process may use, at least 1.
 int hardwareThreads();
 
-/// The threads that the loops of a task run on. Whoever begins the task chooses them, and hands them to all that have
-/// loops in it.
+/// The threads on which the loops of a task run. Whoever begins the task chooses them, and hands them to all code that
+/// has loops.
 class Threads {
 public:
-    /// At most `count` threads, 0 for one a core: of `crew` where there is one, else of the task library.
+    /// At most `count` threads, or one for each core if it is 0. They are those of `crew` if there is one, and of the
+    /// task library otherwise.
     Threads(int count = 0, Crew *crew = nullptr) : m_count(count > 0 ? count : hardwareThreads()), m_crew(crew) {}
 
     int count() const { return m_count; } ///< at least 1
     Crew *crew() const { return m_crew; }
-    /// What each body of a loop of `bodies` has for loops of its own. A crew runs one loop at a time, so bodies that
-    /// run beside each other have none.
+    /// The threads that each body of a loop of `bodies` has for loops of its own. A crew runs one loop at a time, so
+    /// bodies that run at the same time have no further threads.
     Threads within(std::size_t bodies) const;
 
 private:

@@ -1,4 +1,4 @@
-// Vectors whose `resize` leaves what it adds unset, for large ones that are written at once, by several threads.
+// Vectors whose `resize` does not set what it adds. They are for large ones that several threads write at once.
 #pragma once
 
 #include <memory>
