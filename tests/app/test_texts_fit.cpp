@@ -222,6 +222,7 @@ private slots:
         s.window.setGeometry(0, 24, 1366, 744);
         for (auto *dock : s.window.findChildren<QDockWidget *>())
             dock->show();
+        QTRY_VERIFY_WITH_TIMEOUT(s.canvas().isUpToDate(), waitMs); // the status bar then says what draws
         QStringList cut;
         const auto look = [&](const QString &when) {
             settle();
