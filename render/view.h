@@ -46,9 +46,10 @@ struct View {
         const double c = std::cos(rotation), s = std::sin(rotation);
         return {scale * (c * d.x - s * d.y) + 0.5 * width, scale * (s * d.x + c * d.y) + 0.5 * height};
     }
-    Point toCanvas(Point pixel) const
+    Point toCanvas(Point pixel) const { return toCanvas(pixel, std::cos(rotation), std::sin(rotation)); }
+    /// The same for many pixels, with the cosine and the sine of the rotation.
+    Point toCanvas(Point pixel, double c, double s) const
     {
-        const double c = std::cos(rotation), s = std::sin(rotation);
         const Point q{(pixel.x - 0.5 * width) / scale, (pixel.y - 0.5 * height) / scale};
         Point d{c * q.x + s * q.y, c * q.y - s * q.x};
         if (mirrored)

@@ -19,6 +19,7 @@ struct Scratch {
     alignas(64) float eta[blockSize];
     alignas(64) float sampleEta[blockSize];
     float rgba[blockSize * 4];
+    Point centres[blockSize]; ///< of the block's pixels, canvas units
     std::vector<std::uint32_t> runs;  ///< runs of boxes that meet the block, where it is supersampled,
     std::vector<std::uint32_t> group; ///< and nodes that meet a group of its pixels
 };
@@ -70,7 +71,8 @@ public:
             m_frame.kernels->shadeInto(scene.shade, m_s.sums, paper, 1, scene.keep, m_s.backdrop, m_map);
             return;
         }
-        evaluate(scene, listed, block, paper, m_s.shaded, prefix);
+        if (!small || std::ranges::find(m_level, 0) != m_level.end()) // some pixel is not supersampled
+            evaluate(scene, listed, block, paper, m_s.shaded, prefix);
         if (small)
             supersample(scene);
         m_frame.kernels->mix(m_s.shaded, scene.keep, m_s.backdrop);
@@ -114,9 +116,11 @@ private:
     {
         const Paper &paper = m_frame.canvas.paper;
         const View &view = m_frame.view;
+        const double cosine = std::cos(view.rotation), sine = std::sin(view.rotation);
         for (int j = 0; j < blockSide; ++j)
             for (int i = 0; i < blockSide; ++i) {
-                const Point at = view.toCanvas({block.x + (i + 0.5) * block.step, block.y + (j + 0.5) * block.step});
+                const Point at = view.toCanvas({block.x + (i + 0.5) * block.step, block.y + (j + 0.5) * block.step},
+                                               cosine, sine);
                 double eta = 1;
                 if (paper.kind == PaperKind::Procedural)
                     eta = math::proceduralPaper(at.x, at.y, block.step * view.px(), std::int32_t(paper.grain),
@@ -139,6 +143,17 @@ private:
         return m_s.eta;
     }
 
+    /// The centres of the block's pixels in canvas units, once for all strokes.
+    const Point *centres()
+    {
+        const View &view = m_frame.view;
+        const double cosine = std::cos(view.rotation), sine = std::sin(view.rotation);
+        for (int at = 0; at < blockSize && !m_haveCentres; ++at)
+            m_s.centres[at] = view.toCanvas({m_x + at % blockSide + 0.5, m_y + at / blockSide + 0.5}, cosine, sine);
+        m_haveCentres = true;
+        return m_s.centres;
+    }
+
     /// Finds for each pixel the greatest level of the small segments that reach it (docs/reference.md). Returns false
     /// if there are none.
     bool markLevels(const SceneStroke &stroke)
@@ -151,20 +166,22 @@ private:
         const double quarter = view.rotation / (0.5 * std::numbers::pi);
         const bool upright = std::abs(quarter - std::round(quarter)) < 1e-12;
         const double margin = view.px() * (upright ? 0.5 : std::numbers::sqrt2 / 2);
+        const Point *centre = centres();
+        Rect area; // of the centres, and more than rounding takes
+        for (const int corner : {0, blockSide - 1, blockSize - blockSide, blockSize - 1})
+            area.include(centre[corner]);
+        area = area.grown(0.1 * view.px());
+        int everywhere = 0; // the level that all pixels have at least
         for (const SmallSegment &segment : stroke.small) {
             const Rect box = segment.reach.grown(margin);
-            Rect pixels;
-            for (const Point corner : {Point{box.left, box.top}, Point{box.right, box.top}, Point{box.left, box.bottom},
-                                       Point{box.right, box.bottom}})
-                pixels.include(view.toPixels(corner));
-            const auto clampTo = [](double v) { return int(std::clamp(v, 0.0, double(blockSide))); };
-            const int x0 = clampTo(std::floor(pixels.left - m_x - 1)), x1 = clampTo(std::ceil(pixels.right - m_x + 1));
-            const int y0 = clampTo(std::floor(pixels.top - m_y - 1)), y1 = clampTo(std::ceil(pixels.bottom - m_y + 1));
-            for (int j = y0; j < y1; ++j)
-                for (int i = x0; i < x1; ++i)
-                    if (m_level[j * blockSide + i] < segment.level &&
-                        box.contains(view.toCanvas({m_x + i + 0.5, m_y + j + 0.5})))
-                        m_level[j * blockSide + i] = std::uint8_t(segment.level), any = true;
+            if (segment.level <= everywhere || box.right < area.left || box.left > area.right ||
+                box.bottom < area.top || box.top > area.bottom)
+                continue;
+            if (box.contains({area.left, area.top}) && box.contains({area.right, area.bottom}))
+                everywhere = segment.level;
+            for (int at = 0; at < blockSize; ++at)
+                if (m_level[std::size_t(at)] < segment.level && box.contains(centre[at]))
+                    m_level[std::size_t(at)] = std::uint8_t(segment.level), any = true;
         }
         return any;
     }
@@ -238,6 +255,7 @@ private:
     Scratch &m_s;
     OverMap *m_map = nullptr;
     bool m_haveEta = false;
+    bool m_haveCentres = false;
     std::array<std::uint8_t, blockSize> m_level{};
 };
 
