@@ -49,6 +49,8 @@ struct Timed : Selecting {
         panel = window.findChild<TimelinePanel *>();
         qobject_cast<QDockWidget *>(panel->parentWidget())->show();
         use(Command::Brush);
+        window.resizeDocks({window.findChild<QDockWidget *>("timelineDock")}, {150},
+                           Qt::Vertical); // lower on a low screen
         QTRY_VERIFY_WITH_TIMEOUT(view().viewport()->height() > 80, waitMs);
     }
     TimelineView &view() { return *panel->view(); }
