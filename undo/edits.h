@@ -15,6 +15,10 @@ std::vector<SegmentRef> targetSegments(const Document &document);
 /// Applies `change` to each of the segments. If a segment becomes invalid (`problemOf`), it stays as it was.
 Edit changeSegments(const Document &document, const std::vector<SegmentRef> &targets,
                     const std::function<void(Segment &)> &change);
+/// The same for a change that counts from an earlier painting, as a drag does from where it began: `change` gets the
+/// segment as it is and as it was in `before`. Strokes that have another number of segments now are left alone.
+Edit changeSegmentsSince(const Document &document, const Painting &before, const std::vector<SegmentRef> &targets,
+                         const std::function<void(Segment &now, const Segment &then)> &change);
 /// Applies `change` to strokes. It may set their name, style, mix, visibility, lock, origin and segments, but not their
 /// id.
 Edit changeStrokes(const Document &document, const std::set<StrokeId> &targets,

@@ -107,6 +107,37 @@ Edit changeSegments(const Document &document, const std::vector<SegmentRef> &tar
     return edit;
 }
 
+Edit changeSegmentsSince(const Document &document, const Painting &before, const std::vector<SegmentRef> &targets,
+                         const std::function<void(Segment &now, const Segment &then)> &change)
+{
+    Edit edit;
+    const SegmentsOfStrokes wanted = segmentsByStroke(targets);
+    std::unordered_map<StrokeId, const Stroke *> earlier;
+    for (const StrokePtr &stroke : before.strokes)
+        if (wanted.contains(stroke->id))
+            earlier.emplace(stroke->id, stroke.get());
+    const Painting &painting = *document.painting();
+    for (const StrokePtr &stroke : painting.strokes) {
+        const auto it = wanted.find(stroke->id);
+        const auto then = earlier.find(stroke->id);
+        if (it == wanted.end() || then == earlier.end() || painting.isLocked(*stroke) ||
+            then->second->segments.size() != stroke->segments.size())
+            continue;
+        auto changed = std::make_shared<Stroke>(*stroke);
+        for (const int index : it->second) {
+            if (index < 0 || std::size_t(index) >= stroke->segments.size())
+                continue;
+            Segment segment = stroke->segments[std::size_t(index)];
+            change(segment, then->second->segments[std::size_t(index)]);
+            if (problemOf(segment).isEmpty())
+                changed->segments[std::size_t(index)] = std::move(segment);
+        }
+        if (changed->segments != stroke->segments && problemOf(*changed).isEmpty())
+            edit.strokes.emplace(stroke->id, std::move(changed));
+    }
+    return edit;
+}
+
 Edit deleteSelection(Document &document, Leaves leaves)
 {
     const PaintingPtr painting = document.painting();

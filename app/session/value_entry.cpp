@@ -20,6 +20,13 @@ void ValueEntry::commitDrag()
     m_gesture.commit();
 }
 
+const PaintingPtr &ValueEntry::start(const Document &document)
+{
+    if (!m_start)
+        m_start = document.painting();
+    return m_start;
+}
+
 void ValueEntry::giveUpDrag()
 {
     m_drags = false;

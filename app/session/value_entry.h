@@ -2,6 +2,7 @@
 #pragma once
 
 #include "app/session/gesture.h"
+#include "model/document/document.h"
 
 namespace suffuse {
 
@@ -24,12 +25,19 @@ public:
     /// The next value begins a step of its own.
     void endSteps() { m_step.reset(); }
 
+    /// The painting from which a change of several values is counted: that of the first call since it was forgotten.
+    const PaintingPtr &start(const Document &document);
+    /// The same, null where there is none.
+    const PaintingPtr &start() const { return m_start; }
+    void forgetStart() { m_start.reset(); }
+
 private:
     friend class Editor;
 
     bool m_drags = false;
     Gesture m_gesture;          ///< of the drag, once it has brought an edit
     std::weak_ptr<Edit> m_step; ///< that was done last
+    PaintingPtr m_start;
 };
 
 } // namespace suffuse

@@ -123,8 +123,11 @@ void InspectorPanel::documentChanged(const Change &change)
     // The stroke in hand is not inspected, and changes many times a second.
     if (change.strokes.empty() && !change.selection && !change.canvas && !change.reset)
         return;
-    if (change.selection || change.reset)
+    if (change.selection || change.reset) {
         m_hint->showHint({});
+        for (SliderField *field : m_selectionPage->findChildren<SliderField *>())
+            field->forgetChange();
+    }
     if (isVisible())
         refresh();
     else

@@ -48,6 +48,53 @@ std::vector<Microseconds> beginsOf(const std::vector<InspectedSegment> &segments
     return begins;
 }
 
+/// The same of what a selection means in a painting.
+std::vector<Microseconds> beginsIn(const Painting &painting, const Selection &selection)
+{
+    std::vector<Microseconds> begins;
+    beginAt(painting, selection, [&](Microseconds begin) {
+        begins.push_back(begin);
+        return begin;
+    });
+    return begins;
+}
+
+/// Whether all of it has moved by this time, or as far back as the beginning allows.
+bool isMovedBy(const Painting &now, const Painting &then, const Selection &selection, Microseconds by)
+{
+    const std::vector<Microseconds> begins = beginsIn(now, selection), before = beginsIn(then, selection);
+    if (begins.empty() || begins.size() != before.size())
+        return false;
+    const Microseconds moved = begins.front() - before.front();
+    for (std::size_t i = 0; i < begins.size(); ++i)
+        if (begins[i] - before[i] != moved)
+            return false;
+    return moved == by || (by < moved && std::ranges::min(begins) == 0);
+}
+
+const Number<Segment> &numberOfChannel(int channel)
+{
+    const std::array channels{&Colour::red, &Colour::yellow, &Colour::blue, &Colour::opacity};
+    return numberOf(channels[std::size_t(channel)]);
+}
+
+/// A change that is shown is forgotten when the values are not what it made of them any more.
+void forgetUnless(SliderField &row, const Number<Segment> &number, const Inspected &inspected)
+{
+    const std::optional<ValueChange> change = row.change();
+    const PaintingPtr &start = row.entry().start();
+    const auto valueOf = [&](const Segment &segment) { return number.of(segment); };
+    if (change && !(start && isChangedBy(*inspected.painting, *start, inspected.refs, valueOf, *change)))
+        row.forgetChange();
+}
+
+/// Shows the value that all segments have, or the change that all of them had.
+void showCommon(SliderField &row, const Number<Segment> &number, const Inspected &inspected)
+{
+    forgetUnless(row, number, inspected);
+    row.setValue(commonNumber(inspected.segments, [&](const InspectedSegment &s) { return number.of(*s.segment); }));
+}
+
 QString colourText(int channel)
 {
     return channel == ColourRows::Opacity ? SegmentSection::tr("Change opacity") : SegmentSection::tr("Change colour");
@@ -94,6 +141,9 @@ SegmentSection::SegmentSection(Editor &editor, QWidget *parent) : QWidget(parent
         changeEach([channel](Segment &s) -> float & { return ColourRows::channelOf(s.colour, channel); }, map,
                    colourText(channel));
     });
+    connect(m_colour, &ColourRows::changed, this, [this](int channel, const ValueChange &change, ValueEntry *entry) {
+        changeTogether(numberOfChannel(channel), change, colourText(channel), entry);
+    });
     connect(m_colour, &ColourRows::refused, this, &SegmentSection::refused);
     connect(m_swatch, &ColourSwatch::clicked, this, &SegmentSection::takeCurrentColour);
 }
@@ -104,6 +154,7 @@ void SegmentSection::addBorn(QGridLayout &grid)
     connect(m_born, &SliderField::edited, this,
             [this](double value, ValueEntry *entry) { changeBorn([value](double) { return value; }, entry); });
     connect(m_born, &SliderField::editedRelative, this, [this](const ValueMap &map) { changeBorn(map, nullptr); });
+    connect(m_born, &SliderField::changed, this, &SegmentSection::changeBornTogether);
     connect(m_born, &SliderField::refused, this, &SegmentSection::refused);
 }
 
@@ -121,6 +172,20 @@ void SegmentSection::changeBorn(const ValueMap &map, ValueEntry *entry)
         m_editor.push(std::move(edit), tr("Change birth"), entry);
     else
         refuse();
+}
+
+void SegmentSection::changeBornTogether(const ValueChange &change, ValueEntry *entry)
+{
+    const Document &document = m_editor.document();
+    const std::vector<Microseconds> now = beginsIn(*document.painting(), document.selection()),
+                                    then = beginsIn(*entry->start(document), document.selection());
+    if (now.empty() || now.size() != then.size())
+        return;
+    // All of them move by the same time, so what is between them stays; none begins before the painting does.
+    const Microseconds wished = toMicroseconds(change.amount) - (now.front() - then.front());
+    const Microseconds by = std::max(wished, std::min<Microseconds>(0, -std::ranges::min(now)));
+    m_editor.push(beginAt(*document.painting(), document.selection(), [by](Microseconds begin) { return begin + by; }),
+                  tr("Change birth"), entry);
 }
 
 void SegmentSection::refuse()
@@ -141,6 +206,9 @@ SliderField *SegmentSection::addRow(const FieldSpec &spec, QGridLayout &grid, fl
     });
     connect(field, &SliderField::editedRelative, this, [this, member, undoText](const ValueMap &map) {
         changeEach([member](Segment &s) -> float & { return s.*member; }, map, undoText);
+    });
+    connect(field, &SliderField::changed, this, [this, member, undoText](const ValueChange &change, ValueEntry *entry) {
+        changeTogether(numberOf(member), change, undoText, entry);
     });
     connect(field, &SliderField::refused, this, &SegmentSection::refused);
     return field;
@@ -169,6 +237,17 @@ void SegmentSection::changeEach(const std::function<float &(Segment &)> &member,
         refuse();
 }
 
+void SegmentSection::changeTogether(const Number<Segment> &number, const ValueChange &change, const QString &undoText,
+                                    ValueEntry *entry)
+{
+    Document &document = m_editor.document();
+    m_editor.push(changeSegmentsSince(document, *entry->start(document), targetSegments(document),
+                                      [&](Segment &now, const Segment &then) {
+                                          number.of(now) = float(change.applied(double(number.of(then))));
+                                      }),
+                  undoText, entry);
+}
+
 void SegmentSection::changeColour(int channel, double value, ValueEntry *entry)
 {
     Document &document = m_editor.document();
@@ -187,6 +266,9 @@ void SegmentSection::takeCurrentColour()
 void SegmentSection::showBorn(const Inspected &inspected)
 {
     const std::vector<Microseconds> begins = beginsOf(inspected.segments);
+    if (m_born->change() && !isMovedBy(*inspected.painting, *m_born->entry().start(), m_editor.selection(),
+                                       toMicroseconds(m_born->change()->amount)))
+        m_born->forgetChange();
     if (!begins.empty() && !m_born->slider()->isSliderDown()) // The scale of the slider must not change during a drag.
         m_born->setSliderRange(0, 10 * (1 + std::floor(toSeconds(std::ranges::max(begins)) / 10)));
     m_born->setValue(commonNumber(begins, [](Microseconds begin) { return toSeconds(begin); }));
@@ -195,11 +277,8 @@ void SegmentSection::showBorn(const Inspected &inspected)
 void SegmentSection::refresh(const Inspected &inspected)
 {
     const auto &segments = inspected.segments;
-    const auto common = [&segments](float Segment::*member) {
-        return commonNumber(segments, [member](const InspectedSegment &s) { return s.segment->*member; });
-    };
     for (const auto &[member, row] : m_rows)
-        row->setValue(common(member));
+        showCommon(*row, numberOf(member), inspected);
     showBorn(inspected);
     m_angle->setEnabled(std::any_of(segments.begin(), segments.end(),
                                     [](const InspectedSegment &s) { return !s.segment->isIsotropic(); }));
@@ -207,6 +286,8 @@ void SegmentSection::refresh(const Inspected &inspected)
     m_rewet->refresh(inspected);
 
     std::array<std::optional<double>, 4> channels;
+    for (int channel = 0; channel < 4; ++channel)
+        forgetUnless(*m_colour->row(channel), numberOfChannel(channel), inspected);
     for (int channel = 0; channel < 4; ++channel)
         channels[std::size_t(channel)] = commonNumber(segments, [channel](const InspectedSegment &s) {
             return ColourRows::channelOf(s.segment->colour, channel);

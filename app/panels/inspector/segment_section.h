@@ -2,6 +2,7 @@
 
 #include "app/panels/inspector/inspected.h"
 #include "app/widgets/numbers/slider_field.h"
+#include "model/painting/fields.h"
 
 namespace suffuse {
 
@@ -43,6 +44,10 @@ private:
     SliderField *addRow(const FieldSpec &spec, QGridLayout &grid, float Segment::*member, const QString &undoText);
     /// Changes each of the values by the map, or none if one of them has no result.
     void changeEach(const std::function<float &(Segment &)> &member, const ValueMap &map, const QString &undoText);
+    /// Changes each of the values from what it was when the entry began.
+    void changeTogether(const Number<Segment> &number, const ValueChange &change, const QString &undoText,
+                        ValueEntry *entry);
+    void changeBornTogether(const ValueChange &change, ValueEntry *entry);
     void changeColour(int channel, double value, ValueEntry *entry);
     void takeCurrentColour();
 

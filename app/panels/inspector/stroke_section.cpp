@@ -16,7 +16,20 @@ namespace suffuse {
 
 namespace {
 constexpr float usualBeta = 0.5f;
+
+/// A change that is shown is forgotten when β is not what it made of it any more.
+void forgetBetaUnless(SliderField &row, const Painting &now, const std::vector<const Stroke *> &strokes)
+{
+    const std::optional<ValueChange> change = row.change();
+    const PaintingPtr &start = row.entry().start();
+    const auto isMade = [&](const Stroke *stroke) {
+        const StrokePtr then = start ? start->find(stroke->id) : nullptr;
+        return then && (now.isLocked(*stroke) || stroke->mix.beta == float(change->applied(double(then->mix.beta))));
+    };
+    if (change && !std::ranges::all_of(strokes, isMade))
+        row.forgetChange();
 }
+} // namespace
 
 StrokeSection::StrokeSection(Editor &editor, QWidget *parent) : QWidget(parent), m_editor(editor)
 {
@@ -82,6 +95,17 @@ void StrokeSection::addMixing(QGridLayout &grid)
         else
             emit refused(tr("Not possible for all that is selected: a value would be out of range."));
     });
+    connect(m_beta, &SliderField::changed, this, [this](const ValueChange &change, ValueEntry *entry) {
+        Document &document = m_editor.document();
+        const PaintingPtr start = entry->start(document);
+        m_editor.push(changeStrokes(document, document.selection().strokes,
+                                    [&](Stroke &s) {
+                                        const StrokePtr then = start->find(s.id);
+                                        if (then && s.mix.mode == MixMode::Beta)
+                                            s.mix.beta = float(change.applied(double(then->mix.beta)));
+                                    }),
+                      tr("Change pigment mixing"), entry);
+    });
     connect(m_beta, &SliderField::edited, this, [this](double value, ValueEntry *entry) {
         Document &document = m_editor.document();
         m_editor.push(changeStrokes(document, document.selection().strokes,
@@ -120,6 +144,7 @@ void StrokeSection::refresh(const Inspected &inspected)
     std::copy_if(strokes.begin(), strokes.end(), std::back_inserter(pigments),
                  [](const Stroke *s) { return s->mix.mode == MixMode::Beta; });
     m_beta->setEnabled(!pigments.empty());
+    forgetBetaUnless(*m_beta, *inspected.painting, pigments);
     m_beta->setValue(commonNumber(pigments, [](const Stroke *s) { return s->mix.beta; }));
 }
 

@@ -29,6 +29,27 @@ std::map<StrokeId, std::vector<int>> targetsByStroke(const Document &document)
     return targets;
 }
 
+/// A change that is shown is forgotten when the styles are not what it made of them any more.
+void forgetStyleChange(SliderField &row, const Inspected &inspected, std::size_t xi)
+{
+    const std::optional<ValueChange> change = row.change();
+    const PaintingPtr &start = row.entry().start();
+    if (!change)
+        return;
+    StrokePtr then;
+    const auto isMade = [&](const InspectedSegment &s, const SegmentRef &ref) {
+        if (!then || then->id != ref.stroke)
+            then = start->find(ref.stroke);
+        const auto k = std::size_t(ref.segment);
+        return then && k < then->segments.size() &&
+               s.style().xi[xi] == float(change->applied(double(then->styleOf(then->segments[k]).xi[xi])));
+    };
+    for (std::size_t i = 0; i < inspected.refs.size(); ++i)
+        if (!start || !(inspected.painting->isLocked(*inspected.segments[i].stroke) ||
+                        isMade(inspected.segments[i], inspected.refs[i])))
+            return row.forgetChange();
+}
+
 } // namespace
 
 StyleSection::StyleSection(Editor &editor, QWidget *parent) : QWidget(parent), m_editor(editor)
@@ -87,6 +108,8 @@ void StyleSection::addXiRows(QGridLayout &grid)
                 },
                 tr("Change style"), entry);
         });
+        connect(row, &SliderField::changed, this,
+                [this, i](const ValueChange &change, ValueEntry *entry) { changeXiTogether(i, change, entry); });
         connect(row, &SliderField::editedRelative, this, [this, i](const ValueMap &map) {
             const auto change = [&](Style &s) {
                 // A value beyond the range makes the style invalid, and the whole change is refused.
@@ -157,6 +180,30 @@ void StyleSection::changeStyles(const std::function<void(Style &)> &change, cons
     }
 }
 
+void StyleSection::changeXiTogether(int index, const ValueChange &change, ValueEntry *entry)
+{
+    Document &document = m_editor.document();
+    const auto xi = std::size_t(index);
+    const PaintingPtr start = entry->start(document);
+    std::map<StrokeId, std::vector<int>> targets = targetsByStroke(document);
+    Edit edit = changeStrokes(document, document.selection().strokes, [&](Stroke &stroke) {
+        const StrokePtr then = start->find(stroke.id);
+        if (!then || then->segments.size() != stroke.segments.size())
+            return;
+        bool strokeStyle = false;
+        for (const int k : targets[stroke.id]) {
+            std::optional<Style> &own = stroke.segments[std::size_t(k)].style;
+            const std::optional<Style> &was = then->segments[std::size_t(k)].style;
+            strokeStyle = strokeStyle || !own;
+            if (own && was)
+                own->xi[xi] = float(change.applied(double(was->xi[xi])));
+        }
+        if (strokeStyle)
+            stroke.style.xi[xi] = float(change.applied(double(then->style.xi[xi])));
+    });
+    m_editor.push(std::move(edit), tr("Change style"), entry);
+}
+
 void StyleSection::refresh(const Inspected &inspected)
 {
     const auto &segments = inspected.segments;
@@ -175,6 +222,8 @@ void StyleSection::refreshXi(const Inspected &inspected, std::optional<StyleKind
         return;
     nameXi(*kind);
     limitXi(inspected, *kind);
+    for (std::size_t i = 0; i < 3; ++i)
+        forgetStyleChange(*m_xi[i], inspected, i);
     for (std::size_t i = 0; i < 3; ++i)
         m_xi[i]->setValue(commonNumber(inspected.segments, [i](const InspectedSegment &s) { return s.style().xi[i]; }));
 }

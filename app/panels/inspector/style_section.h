@@ -38,6 +38,8 @@ private:
     void addXiRows(QGridLayout &grid);
     void chooseSource(bool own);
     void changeStyles(const std::function<void(Style &)> &change, const QString &text, ValueEntry *entry);
+    /// Changes ξ `index` of each style from what it was when the entry began.
+    void changeXiTogether(int index, const ValueChange &change, ValueEntry *entry);
     void refreshXi(const Inspected &inspected, std::optional<StyleKind> kind);
     void nameXi(StyleKind kind);
     void limitXi(const Inspected &inspected, StyleKind kind);

@@ -6,6 +6,8 @@
 
 #include <QGridLayout>
 
+#include <algorithm>
+
 namespace suffuse {
 
 ColourRows::ColourRows(bool withOpacity, QWidget *parent) : QWidget(parent)
@@ -23,6 +25,9 @@ ColourRows::ColourRows(bool withOpacity, QWidget *parent) : QWidget(parent)
                 [this, channel](double value, ValueEntry *entry) { emit edited(channel, value, entry); });
         connect(row, &SliderField::editedRelative, this,
                 [this, channel](const ValueMap &map) { emit editedRelative(channel, map); });
+        connect(row, &SliderField::changed, this, [this, channel](const ValueChange &change, ValueEntry *entry) {
+            emit changed(channel, change, entry);
+        });
         connect(row, &SliderField::refused, this, &ColourRows::refused);
     }
 }
@@ -34,9 +39,12 @@ void ColourRows::setColour(const std::array<std::optional<double>, 4> &channels,
         if (!row)
             continue;
         row->setValue(channels[std::size_t(channel)]);
-        row->slider()->setGradient([shown, channel](double at) {
+        // The middle of a bar that changes mixed values stands for the colour as it was.
+        const std::optional<ValueChange> change = row->change();
+        const double from = double(channelOf(shown, channel)) - (change ? change->amount : 0) - 0.5;
+        row->slider()->setGradient([shown, channel, from, mixed = row->slider()->isMixed()](double at) {
             Colour colour = shown;
-            channelOf(colour, channel) = float(at);
+            channelOf(colour, channel) = float(mixed ? std::clamp(from + at, 0.0, 1.0) : at);
             return channel == Opacity ? toScreen(colour) : toOpaqueScreen(colour);
         });
     }

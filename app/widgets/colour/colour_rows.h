@@ -28,6 +28,7 @@ public:
 signals:
     void edited(int channel, double value, suffuse::ValueEntry *entry);
     void editedRelative(int channel, const suffuse::ValueMap &map);
+    void changed(int channel, const suffuse::ValueChange &change, suffuse::ValueEntry *entry);
     void refused(const QString &hint);
 
 private:

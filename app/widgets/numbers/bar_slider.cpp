@@ -79,13 +79,18 @@ void BarSlider::mousePressEvent(QMouseEvent *event)
         event->ignore();
         return;
     }
+    m_makesOne = event->modifiers() & Qt::ControlModifier;
+    const bool wasMixed = m_mixed;
     setSliderDown(true);
     qApp->installEventFilter(this);
     // A press on the handle takes hold of it without a jump; a press elsewhere jumps there.
     const QRectF bar = track();
     const double handle = bar.left() + bar.width() * sliderPosition() / steps;
-    if (m_mixed || std::abs(event->position().x() - handle) > sliderHandleRadius)
-        setSliderPosition(positionAt(event->position().x()));
+    const int position = positionAt(event->position().x());
+    if (wasMixed && m_makesOne && position == sliderPosition())
+        emit valueChanged(position); // the handle stood there for something else
+    else if ((wasMixed && m_makesOne) || std::abs(event->position().x() - handle) > sliderHandleRadius)
+        setSliderPosition(position);
 }
 
 void BarSlider::mouseMoveEvent(QMouseEvent *event)
@@ -143,14 +148,20 @@ void BarSlider::paintEvent(QPaintEvent *)
         painter.strokePath(shape, QPen(hairline(), 1));
     } else {
         painter.fillPath(shape, colours.color(QPalette::Mid));
-        if (!m_mixed && isEnabled() && !m_gradient) {
+        if (isEnabled()) {
             QPainterPath filled;
-            filled.addRoundedRect(QRectF(bar.topLeft(), QPointF(x, bar.bottom())), bar.height() / 2, bar.height() / 2);
+            const double from = m_mixed ? bar.center().x() : bar.left();
+            filled.addRoundedRect(QRectF(QPointF(from, bar.top()), QPointF(x, bar.bottom())).normalized(),
+                                  bar.height() / 2, bar.height() / 2);
             painter.fillPath(filled, colours.color(QPalette::Highlight));
         }
     }
-    if (m_mixed || !isEnabled())
+    if (!isEnabled())
         return;
+    if (m_mixed) { // a change is measured from the middle
+        painter.setPen(QPen(colours.color(QPalette::PlaceholderText), 1));
+        painter.drawLine(QPointF(bar.center().x(), 2), QPointF(bar.center().x(), height() - 2.0));
+    }
     const bool strong = hasFocus() || isSliderDown();
     painter.setPen(QPen(strong ? colours.color(QPalette::Highlight) : colours.color(QPalette::Dark), strong ? 2 : 1.2));
     painter.setBrush(isDarkTheme() ? QColor(0xE3, 0xE4, 0xE6) : QColor(Qt::white));

@@ -18,9 +18,11 @@ public:
 
     /// Sets the colour along the bar at positions 0 … 1; null: a plain bar.
     void setGradient(std::function<QColor(double)> gradient);
-    /// Shows no handle, since the values are mixed.
+    /// The values are mixed: the handle stands for a change of all of them, which begins in the middle.
     void setMixed(bool mixed);
     bool isMixed() const { return m_mixed; }
+    /// Ctrl was held at the press: mixed values are to become one, that of the place under the pointer.
+    bool makesOne() const { return m_makesOne; }
 
     QSize sizeHint() const override;
     QSize minimumSizeHint() const override;
@@ -43,6 +45,7 @@ private:
 
     std::function<QColor(double)> m_gradient;
     bool m_mixed = false;
+    bool m_makesOne = false;
 };
 
 } // namespace suffuse

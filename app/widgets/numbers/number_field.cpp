@@ -56,9 +56,19 @@ void NumberField::setValue(std::optional<double> value)
     show(value);
 }
 
+void NumberField::setMixedText(const QString &text)
+{
+    if (text == m_mixedText)
+        return;
+    m_mixedText = text;
+    if (!m_value && !isModified())
+        show(m_value);
+}
+
 void NumberField::show(std::optional<double> value)
 {
-    m_shown = value ? m_display.text(*value) : QStringLiteral("—");
+    const QString mixed = m_mixedText.isEmpty() ? QStringLiteral("—") : m_mixedText;
+    m_shown = value ? m_display.text(*value) : mixed;
     const bool wasSelected = hasFocus() && hasSelectedText() && selectedText() == text();
     setText(m_shown);
     setCursorPosition(0);
@@ -123,8 +133,11 @@ void NumberField::commit()
 
 void NumberField::stepBy(double steps)
 {
-    if (!m_value)
+    if (!m_value) {
+        complain({});
+        emit steppedMixed(steps);
         return;
+    }
     const double step = m_step > 0 ? m_step : std::max(std::abs(*m_value) * 0.1, m_minimum);
     const double sense = m_display.isReversed() ? -1 : 1; // up means up in the shown sense
     const double value = std::clamp(*m_value + sense * steps * step, m_minimum, m_maximum);

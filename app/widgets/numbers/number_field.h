@@ -40,6 +40,8 @@ public:
 
     /// Shows a value, or "—" for mixed ones; emits nothing.
     void setValue(std::optional<double> value);
+    /// Sets what is shown for mixed values; empty: "—".
+    void setMixedText(const QString &text);
     std::optional<double> value() const { return m_value; }
 
 signals:
@@ -50,6 +52,8 @@ signals:
     void enteredRelative(const suffuse::ValueMap &map);
     /// The user has stepped the number by the arrow keys or the wheel.
     void stepped(double value);
+    /// The same where the values are mixed: each of them is to go up by so many steps.
+    void steppedMixed(double steps);
     /// The typed text was refused, and `hint` says why. An empty hint: all is well again.
     void refused(const QString &hint);
 
@@ -76,6 +80,7 @@ private:
     bool m_complains = false; ///< the last typed text was refused
     Display m_display;
     QString m_shown;
+    QString m_mixedText;
     std::optional<double> m_value;
 };
 

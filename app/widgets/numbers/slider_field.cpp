@@ -4,6 +4,7 @@
 
 #include <QEvent>
 #include <QGridLayout>
+#include <QLocale>
 #include <QSignalBlocker>
 
 #include <algorithm>
@@ -13,7 +14,10 @@ namespace suffuse {
 
 namespace {
 constexpr int stepGapMs = 900; ///< key and wheel steps closer than this are one undo step
-}
+/// The slider's ends multiply mixed values by this, or divide them by it. Where values are added to, its ends are half
+/// of its range away.
+constexpr double greatestFactor = 10;
+} // namespace
 
 SliderField::SliderField(const FieldSpec &spec, QGridLayout &grid, int row, QWidget *parent)
     : QObject(parent), m_spec(spec), m_label(new QLabel(spec.name, parent)), m_slider(new BarSlider(parent)),
@@ -46,17 +50,117 @@ SliderField::SliderField(const FieldSpec &spec, QGridLayout &grid, int row, QWid
         });
     });
     connect(m_number, &NumberField::stepped, this, [this](double value) { emit edited(value, step()); });
+    connect(m_number, &NumberField::steppedMixed, this, &SliderField::stepAll);
     connect(m_number, &NumberField::refused, this, &SliderField::refused);
 }
 
 void SliderField::rename(const QString &name, const QString &toolTip)
 {
     m_label->setText(name);
+    m_toolTip = toolTip;
     m_label->setToolTip(toolTip + "\n" + tr("Double-click: back to the default."));
     m_slider->setAccessibleName(tr("%1, slider").arg(name));
-    m_slider->setToolTip(toolTip);
     m_number->setAccessibleName(name);
-    m_number->setToolTip(toolTip);
+    showMixed(m_slider->isMixed());
+}
+
+void SliderField::showMixed(bool mixed)
+{
+    m_slider->setMixed(mixed);
+    const QString scales = tr("The values differ. The slider multiplies each of them; with Ctrl it makes them one.");
+    const QString shifts = tr("The values differ. The slider adds to each of them; with Ctrl it makes them one.");
+    const QString says = mixed ? changeKind() == ValueChange::Scale ? scales : shifts : QString();
+    m_slider->setStatusTip(says);
+    m_slider->setToolTip(mixed ? m_toolTip + '\n' + says : m_toolTip);
+    m_number->setToolTip(mixed ? m_toolTip + '\n' +
+                                     tr("The values differ. A number makes them one; *1.2 or +2 changes each of them.")
+                               : m_toolTip);
+}
+
+ValueChange::Kind SliderField::changeKind() const
+{
+    return m_spec.logarithmic ? ValueChange::Scale : ValueChange::Shift;
+}
+
+std::optional<ValueChange> SliderField::change() const
+{
+    if (!m_amount)
+        return std::nullopt;
+    return ValueChange{changeKind(), *m_amount, m_spec.minimum, m_spec.maximum};
+}
+
+int SliderField::positionOf(double amount) const
+{
+    const double range = m_spec.sliderMaximum - m_spec.sliderMinimum;
+    double share = 0;
+    if (changeKind() == ValueChange::Scale)
+        share = 0.5 * std::log(amount) / std::log(greatestFactor);
+    else if (range > 0)
+        share = (m_spec.display.isReversed() ? -amount : amount) / range;
+    return int(std::lround((0.5 + std::clamp(share, -0.5, 0.5)) * BarSlider::steps));
+}
+
+double SliderField::amountAt(int position) const
+{
+    const double share = double(position) / BarSlider::steps - 0.5;
+    if (changeKind() == ValueChange::Scale) {
+        const double factor = std::pow(greatestFactor, 2 * share);
+        const double unit = factor < 1 ? 1e-3 : 1e-2;
+        return std::round(factor / unit) * unit;
+    }
+    const double amount =
+        (m_spec.display.isReversed() ? -share : share) * (m_spec.sliderMaximum - m_spec.sliderMinimum);
+    const double unit = m_spec.sliderStep > 0 ? m_spec.sliderStep : m_spec.step;
+    return unit > 0 ? std::round(amount / unit) * unit : amount;
+}
+
+QString SliderField::changeText() const
+{
+    if (!m_amount || *m_amount == ValueChange::neutral(changeKind()))
+        return {};
+    if (changeKind() == ValueChange::Scale)
+        return QStringLiteral("×") + QLocale().toString(*m_amount, 'f', *m_amount < 1 ? 3 : 2);
+    Display display = m_spec.display;
+    const double shown = *m_amount * display.factor;
+    display.factor = 1;
+    display.offset = 0;
+    return (shown < 0 ? QStringLiteral("−") : QStringLiteral("+")) + display.text(std::abs(shown));
+}
+
+void SliderField::forgetChange()
+{
+    if (m_slider->isSliderDown())
+        return;
+    m_entry.forgetStart();
+    if (!m_amount)
+        return;
+    m_amount.reset();
+    setValue(m_value);
+}
+
+void SliderField::changeAll(double amount, ValueEntry *entry)
+{
+    m_amount = amount;
+    m_number->setMixedText(changeText());
+    emit refused({});
+    emit changed(*change(), entry);
+}
+
+void SliderField::stepAll(double steps)
+{
+    const double from = m_amount.value_or(ValueChange::neutral(changeKind()));
+    double amount = 0;
+    if (changeKind() == ValueChange::Scale) {
+        const double factor = std::clamp(from * std::pow(1.1, steps), 1e-3, 1e3);
+        const double unit = factor < 1 ? 1e-3 : 1e-2;
+        amount = std::round(factor / unit) * unit;
+    } else {
+        const double range = m_spec.sliderMaximum - m_spec.sliderMinimum;
+        const double step = (m_spec.step > 0 ? m_spec.step : 0.01 * range) * (m_spec.display.isReversed() ? -1 : 1);
+        amount = from + steps * step;
+    }
+    changeAll(amount, step());
+    setValue(m_value);
 }
 
 int SliderField::toPosition(double value) const
@@ -87,11 +191,16 @@ double SliderField::toValue(int position) const
 void SliderField::setValue(std::optional<double> value)
 {
     m_value = value;
-    m_number->setValue(value);
+    // A change goes on being shown where it has made the values equal, by a limit: it can be taken back.
+    const bool mixed = !value || m_amount;
+    m_number->setMixedText(changeText());
+    m_number->setValue(mixed ? std::nullopt : value);
     const QSignalBlocker blocker(m_slider);
-    m_slider->setMixed(!value);
-    if (value && !m_slider->isSliderDown())
-        m_slider->setValue(toPosition(*value));
+    if (mixed != m_slider->isMixed())
+        showMixed(mixed);
+    if (!m_slider->isSliderDown())
+        m_slider->setValue(mixed ? positionOf(m_amount.value_or(ValueChange::neutral(changeKind())))
+                                 : toPosition(*value));
 }
 
 void SliderField::setEnabled(bool enabled)
@@ -126,12 +235,21 @@ void SliderField::sliderPressed()
 {
     m_entry.beginDrag();
     m_pressedValue = m_value;
+    m_pressedAmount = m_amount;
     m_pressedPosition = m_slider->value();
+    if (!m_amount)
+        m_entry.forgetStart();
     emit dragStarted();
 }
 
 void SliderField::sliderChanged(int position)
 {
+    if (m_slider->isMixed() && !(m_slider->isSliderDown() && m_slider->makesOne())) {
+        const bool back = m_slider->isSliderDown() && m_pressedAmount && position == m_pressedPosition;
+        ValueEntry *entry = m_slider->isSliderDown() ? &m_entry : step();
+        changeAll(back ? *m_pressedAmount : amountAt(position), entry);
+        return;
+    }
     double value = toValue(position);
     ValueEntry *entry = &m_entry;
     if (!m_slider->isSliderDown())
@@ -139,7 +257,8 @@ void SliderField::sliderChanged(int position)
     else if (m_pressedValue && position == m_pressedPosition)
         value = *m_pressedValue;
     m_value = value;
-    m_slider->setMixed(false);
+    m_amount.reset();
+    showMixed(false);
     m_number->setValue(value);
     emit refused({});
     emit edited(value, entry);
@@ -148,7 +267,8 @@ void SliderField::sliderChanged(int position)
 void SliderField::giveUp()
 {
     m_value = m_pressedValue;
-    if (m_pressedValue) // for whoever keeps values without an editor
+    m_amount = m_pressedAmount;
+    if (m_pressedValue && !m_amount) // for whoever keeps values without an editor
         emit edited(*m_pressedValue, &m_entry);
     m_entry.giveUpDrag();
 }
@@ -158,6 +278,8 @@ ValueEntry *SliderField::step()
 {
     if (!m_sinceStep.isValid() || m_sinceStep.elapsed() > stepGapMs)
         m_entry.endSteps();
+    if (!m_amount)
+        m_entry.forgetStart();
     m_sinceStep.restart();
     return &m_entry;
 }

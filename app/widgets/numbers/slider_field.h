@@ -2,6 +2,7 @@
 
 #include "app/session/value_entry.h"
 #include "app/widgets/numbers/number_field.h"
+#include "model/restyling/value_change.h"
 
 #include <QElapsedTimer>
 #include <QLabel>
@@ -33,6 +34,10 @@ struct FieldSpec {
 /// A label, a slider and a number field for one quantity, laid out in three columns of a grid that the panel owns.
 /// Emits changes with the entry by which they come in: a whole drag is one gesture, quick repeated key or wheel steps
 /// are one step.
+///
+/// Where the values are mixed, the slider changes each of them: by a factor where it is logarithmic, else by a
+/// difference. Its handle begins in the middle, and the number says the change ("×1.20", "+10 %") until the panel has
+/// it forgotten. With Ctrl the slider makes one value of all.
 class SliderField : public QObject {
     Q_OBJECT
 
@@ -41,6 +46,11 @@ public:
     SliderField(const FieldSpec &spec, QGridLayout &grid, int row, QWidget *parent);
 
     void setValue(std::optional<double> value); ///< nullopt: mixed; emits nothing
+    /// The change of mixed values that is shown, if any. It counts from the painting `entry().start()`.
+    std::optional<ValueChange> change() const;
+    /// The values are what they are now; the handle goes back to the middle.
+    void forgetChange();
+    ValueEntry &entry() { return m_entry; }
     void setEnabled(bool enabled);
     void setVisible(bool visible);
     /// Sets another domain (those of ξ depend on each other). The slider's part of it is cut to fit.
@@ -60,6 +70,8 @@ signals:
     void edited(double value, suffuse::ValueEntry *entry);
     /// Each of the mixed values is to change by the map, which keeps to the field's range: nothing beyond it.
     void editedRelative(const suffuse::ValueMap &map);
+    /// Each of the mixed values is to be what the change makes of the one that it had in `entry->start(document)`.
+    void changed(const suffuse::ValueChange &change, suffuse::ValueEntry *entry);
     void dragStarted();
     void dragEnded();
     void refused(const QString &hint);
@@ -70,17 +82,28 @@ protected:
 private:
     void sliderPressed();
     void sliderChanged(int position);
+    void changeAll(double amount, ValueEntry *entry);
+    void stepAll(double steps);
     void giveUp();
     ValueEntry *step();
     int toPosition(double value) const;
     double toValue(int position) const;
+    /// The same for the change of mixed values.
+    ValueChange::Kind changeKind() const;
+    int positionOf(double amount) const;
+    double amountAt(int position) const;
+    QString changeText() const;
+    void showMixed(bool mixed);
 
     FieldSpec m_spec;
+    QString m_toolTip;
     QLabel *m_label;
     BarSlider *m_slider;
     NumberField *m_number;
     std::optional<double> m_value;
+    std::optional<double> m_amount;       ///< of the change of mixed values that is shown
     std::optional<double> m_pressedValue; ///< returned to exactly where the handle returns to m_pressedPosition
+    std::optional<double> m_pressedAmount;
     int m_pressedPosition = 0;
     ValueEntry m_entry;
     QElapsedTimer m_sinceStep;
