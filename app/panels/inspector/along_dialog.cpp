@@ -3,6 +3,7 @@
 #include "app/session/editor.h"
 #include "app/widgets/habits/mnemonics.h"
 #include "app/widgets/look/section.h"
+#include "model/restyling/profile.h"
 
 #include <QButtonGroup>
 #include <QComboBox>
@@ -18,6 +19,19 @@
 
 namespace suffuse {
 
+namespace {
+
+AlongDialog::Shape shapeOf(const PlaceCurve &curve)
+{
+    if (curve.isPoints())
+        return AlongDialog::Points;
+    return curve.knots.size() == 1   ? AlongDialog::Constant
+           : curve.knots.size() == 2 ? AlongDialog::Ramp
+                                     : AlongDialog::Drawn;
+}
+
+} // namespace
+
 AlongDialog::AlongDialog(Editor &editor, QWidget *parent)
     : QDialog(parent), m_editor(editor), m_runs(runsOf(editor.document()))
 {
@@ -28,8 +42,8 @@ AlongDialog::AlongDialog(Editor &editor, QWidget *parent)
     m_curve = new CurveEditor(this);
     m_curve->setAccessibleName(tr("Curve along the stroke"));
     m_curve->setToolTip(
-        tr("Drag the line or its ends; a drawn curve is drawn with the pointer. The dots are the values "
-           "of the segments."));
+        tr("Drag the line, its ends or its points; a press beside them makes a point, Del removes one. A drawn curve "
+           "is drawn with the pointer. The dots are the values of the segments."));
     column->addWidget(m_curve, 1);
     addFields();
     m_hint = new HintLabel(this);
@@ -73,6 +87,7 @@ void AlongDialog::addChoice()
     const std::pair<QString, QString> shapes[] = {
         {tr("Constant"), tr("The same value all along")},
         {tr("Ramp"), tr("Evenly from one value to another")},
+        {tr("Points"), tr("The values that there are, as a curve of points that can be moved")},
         {tr("Drawn"), tr("A curve drawn with the pointer")},
     };
     for (const auto &[name, tip] : shapes) {
@@ -108,27 +123,43 @@ void AlongDialog::addFields()
     m_start = add(tr("Start"), 0).second;
     row->addStretch(1);
     std::tie(m_endLabel, m_end) = add(tr("End"), 1);
+    row->addStretch(1);
+    addScale(*row);
     static_cast<QVBoxLayout *>(layout())->addLayout(row);
 }
 
-double AlongDialog::Axis::toShare(double value) const
+void AlongDialog::addScale(QHBoxLayout &row)
 {
-    const double v = std::clamp(value, low, high);
-    const double share = logarithmic ? std::log(v / low) / std::log(high / low) : (v - low) / (high - low);
-    return reversed ? 1 - share : share;
+    m_scaleLabel = new QLabel(this);
+    m_scale = new NumberField(this);
+    m_scaleLabel->setBuddy(m_scale);
+    row.addWidget(m_scaleLabel);
+    row.addWidget(m_scale);
+    connect(m_scale, &NumberField::entered, this, &AlongDialog::scaleBy);
+    connect(m_scale, &NumberField::stepped, this, &AlongDialog::scaleBy);
+    connect(m_scale, &NumberField::refused, this, [this](const QString &hint) { m_hint->showRefusal(hint); });
 }
 
-double AlongDialog::Axis::toValue(double place) const
+void AlongDialog::showScale()
 {
-    const double share = reversed ? 1 - place : place;
-    return std::clamp(logarithmic ? low * std::pow(high / low, share) : std::lerp(low, high, share), low, high);
+    const FieldSpec spec = specOf(m_quantity);
+    const bool scales = spec.logarithmic;
+    m_scaleLabel->setText(scales ? tr("Scale") : tr("Add"));
+    m_scale->setAccessibleName(m_scaleLabel->text());
+    m_scale->setToolTip(scales ? tr("Multiplies all of it; what varies along the stroke stays")
+                               : tr("Is added to all of it; what varies along the stroke stays"));
+    m_scale->setRange(scales ? 0.001 : spec.minimum - spec.maximum, scales ? 1000 : spec.maximum - spec.minimum);
+    Display difference = spec.display;
+    difference.offset = 0;
+    m_scale->setDisplay(scales ? Display{.unit = QStringLiteral(" ×")} : difference);
+    m_scale->setStep(scales ? 0 : spec.step);
+    m_scale->setValue(ValueChange::neutral(scales ? ValueChange::Scale : ValueChange::Shift));
 }
 
-/// The axis has the slider's range, widened to the values that there are.
-AlongDialog::Axis AlongDialog::axisOf(Quantity quantity) const
+ValueAxis AlongDialog::axisOf(Quantity quantity) const
 {
     const FieldSpec spec = specOf(quantity);
-    Axis axis{spec.sliderMinimum, spec.sliderMaximum, spec.logarithmic, spec.display.isReversed()};
+    ValueAxis axis{spec.sliderMinimum, spec.sliderMaximum, spec.logarithmic, spec.display.isReversed()};
     for (const auto &[id, run] : m_runs)
         for (const RunPlace &p : run.places) {
             const double value = valueOf(run.stroke->segments[std::size_t(p.segment)], quantity);
@@ -174,14 +205,16 @@ void AlongDialog::showQuantity()
         field->setStep(spec.step);
     }
     PlaceCurve curve;
+    m_from.reset();
     if (const auto it = m_set.find(m_quantity); it != m_set.end()) {
         curve = it->second.curve;
-    } else if (!present.empty()) { // The values are shown as they are, from end to end.
-        curve.knots = {present.front().y(), present.back().y()};
+        m_from = it->second.from;
+    } else if (!present.empty()) { // The values are shown as they are.
         const bool same =
             std::all_of(present.begin(), present.end(), [&](QPointF p) { return p.y() == present.front().y(); });
-        if (same)
-            curve.knots.pop_back();
+        curve.knots = {present.front().y()};
+        if (!same)
+            m_from = curve = presentCurve(m_runs, m_quantity, m_axis);
     }
     m_curve->setCurve(curve);
     showFields();
@@ -189,17 +222,28 @@ void AlongDialog::showQuantity()
 
 void AlongDialog::choose(Shape shape)
 {
-    const PlaceCurve &now = m_curve->curve();
+    const PlaceCurve now = m_curve->curve();
+    if (shape == shapeOf(now))
+        return showFields();
+    std::vector<Point> samples;
+    double mean = 0;
+    for (int i = 0; i < CurveEditor::drawnKnots; ++i) {
+        const double place = double(i) / (CurveEditor::drawnKnots - 1);
+        samples.push_back({place, now.at(place)});
+        mean += samples.back().y / CurveEditor::drawnKnots;
+    }
+    // A constant and a ramp take the place of what was there; the others go on from it.
+    if (shape == Constant || shape == Ramp)
+        m_from.reset();
     PlaceCurve next;
     if (shape == Constant)
-        next.knots = {now.at(0)};
+        next.knots = {now.knots.size() > 2 ? mean : now.at(0)};
     else if (shape == Ramp)
         next.knots = {now.at(0), now.at(1)};
+    else if (shape == Points)
+        next = pointsThrough(simplifiedProfile(samples, 0.01), m_from ? 0 : 1);
     else
-        for (int i = 0; i < CurveEditor::drawnKnots; ++i) {
-            next.knots.resize(CurveEditor::drawnKnots);
-            next.knots[std::size_t(i)] = now.at(double(i) / (CurveEditor::drawnKnots - 1));
-        }
+        next = drawnThrough(samples, m_from ? 0 : 1);
     m_curve->setCurve(next);
     showFields();
     if (m_set.contains(m_quantity))
@@ -209,30 +253,39 @@ void AlongDialog::choose(Shape shape)
 void AlongDialog::showFields()
 {
     const PlaceCurve &curve = m_curve->curve();
-    const std::size_t knots = curve.knots.size();
-    m_shapes->button(knots == 1 ? Constant : knots == 2 ? Ramp : Drawn)->setChecked(true);
+    const Shape shape = shapeOf(curve);
+    m_shapes->button(shape)->setChecked(true);
     m_start->setValue(m_axis.toValue(curve.at(0)));
     m_end->setValue(m_axis.toValue(curve.at(1)));
-    m_start->setEnabled(knots <= 2);
-    m_end->setEnabled(knots == 2);
-    m_endLabel->setEnabled(knots == 2);
+    showScale();
+    const bool hasEnds = shape == Ramp || shape == Points;
+    m_start->setEnabled(shape != Drawn);
+    m_end->setEnabled(hasEnds);
+    m_endLabel->setEnabled(hasEnds);
+}
+
+void AlongDialog::set(const CurveAlong &curve)
+{
+    m_set[m_quantity] = curve;
+    m_axis = curve.axis;
+    showQuantity();
+    apply();
 }
 
 void AlongDialog::setEnd(std::size_t knot, double value)
 {
-    // The axis grows where a value beyond it is asked for, and the other knots keep their values.
-    PlaceCurve curve = m_curve->curve();
-    Axis grown = m_axis;
-    if (value > 0 || !grown.logarithmic)
-        grown.low = std::min(grown.low, value);
-    grown.high = std::max(grown.high, value);
-    for (double &k : curve.knots)
-        k = grown.toShare(m_axis.toValue(k));
-    m_axis = grown;
-    curve.knots[std::min(knot, curve.knots.size() - 1)] = m_axis.toShare(value);
-    m_set[m_quantity] = {curve, m_axis};
-    showQuantity();
-    apply();
+    CurveAlong next = shown();
+    next.growAxis(value);
+    next.curve.knots[knot == 0 ? 0 : next.curve.knots.size() - 1] = next.axis.toShare(value);
+    set(next);
+}
+
+void AlongDialog::scaleBy(double amount)
+{
+    const FieldSpec spec = specOf(m_quantity);
+    CurveAlong next = shown();
+    next.change({spec.logarithmic ? ValueChange::Scale : ValueChange::Shift, amount, spec.minimum, spec.maximum});
+    set(next);
 }
 
 void AlongDialog::apply()
@@ -241,7 +294,7 @@ void AlongDialog::apply()
         return; // The strokes have gone while a drag went on.
     if (m_curve->isDragging() && !m_beforeDrag)
         m_beforeDrag = m_set;
-    m_set[m_quantity] = {m_curve->curve(), m_axis};
+    m_set[m_quantity] = shown();
     showValues();
 }
 
@@ -258,9 +311,9 @@ void AlongDialog::giveUpDrag()
 /// Shows what was set so far.
 void AlongDialog::showValues()
 {
-    std::map<Quantity, std::function<double(double)>> values;
+    std::map<Quantity, ValueAlong> values;
     for (const auto &[quantity, set] : m_set)
-        values[quantity] = [&set = set](double place) { return set.axis.toValue(set.curve.at(place)); };
+        values[quantity] = [&set = set](double place, double old) { return set.valueAt(place, old); };
     const QScopedValueRollback applying(m_applying, true);
     if (!m_gesture.isOpen())
         m_gesture = m_editor.begin(tr("Change along the stroke"));
@@ -271,10 +324,8 @@ void AlongDialog::showValues()
 
 const StrokeRuns &AlongDialog::runsToSet()
 {
-    const bool varies = std::any_of(m_set.begin(), m_set.end(), [](const auto &entry) {
-        const std::vector<double> &knots = entry.second.curve.knots;
-        return std::any_of(knots.begin(), knots.end(), [&](double k) { return k != knots.front(); });
-    });
+    const bool varies =
+        std::any_of(m_set.begin(), m_set.end(), [](const auto &entry) { return entry.second.varies(); });
     if (!varies)
         return m_runs;
     if (!m_refined)

@@ -1,8 +1,7 @@
 #pragma once
 
-#include "app/panels/inspector/stroke_run.h"
+#include "app/panels/inspector/along_curve.h"
 #include "app/session/gesture.h"
-#include "app/widgets/curves/curve_editor.h"
 
 #include <QDialog>
 
@@ -10,6 +9,7 @@
 
 class QButtonGroup;
 class QComboBox;
+class QHBoxLayout;
 class QLabel;
 
 namespace suffuse {
@@ -25,7 +25,7 @@ class AlongDialog : public QDialog {
     Q_OBJECT
 
 public:
-    enum Shape { Constant, Ramp, Drawn };
+    enum Shape { Constant, Ramp, Points, Drawn };
 
     AlongDialog(Editor &editor, QWidget *parent);
     ~AlongDialog() override;
@@ -37,6 +37,8 @@ public:
     CurveEditor *curve() const { return m_curve; }
     NumberField *start() const { return m_start; }
     NumberField *end() const { return m_end; }
+    /// Multiplies all values of the quantity, or adds to them, when a number is entered; what varies stays.
+    NumberField *scale() const { return m_scale; }
 
     void accept() override;
     void reject() override;
@@ -45,21 +47,18 @@ protected:
     void keyPressEvent(QKeyEvent *event) override;
 
 private:
-    /// The axis of a quantity, which maps values to [0, 1] and back.
-    struct Axis {
-        double low = 0, high = 1;
-        bool logarithmic = false;
-        bool reversed = false; ///< whether the displayed number falls as the value grows
-        double toShare(double value) const;
-        double toValue(double place) const;
-    };
-
     void addChoice();
     void addFields();
     void showQuantity();
     void showFields();
-    Axis axisOf(Quantity quantity) const;
+    ValueAxis axisOf(Quantity quantity) const;
     std::vector<QPointF> presentOf(Quantity quantity) const;
+    void addScale(QHBoxLayout &row);
+    void showScale();
+    /// The curve that is shown.
+    CurveAlong shown() const { return {m_curve->curve(), m_axis, m_from}; }
+    void set(const CurveAlong &curve);
+    void scaleBy(double amount);
     void setEnd(std::size_t knot, double value);
     void apply();
     void showValues();
@@ -72,14 +71,10 @@ private:
     std::optional<StrokeRuns> m_refined; ///< the runs with shorter segments, made once something varies
     Gesture m_gesture;                   ///< open from the first change until the dialog closes
     Quantity m_quantity = Quantity::Density;
-    Axis m_axis;
-    /// A curve that was set in this dialog, and the axis that it belongs to.
-    struct Set {
-        PlaceCurve curve;
-        Axis axis;
-    };
-    std::map<Quantity, Set> m_set;
-    std::optional<std::map<Quantity, Set>> m_beforeDrag; ///< what was set when the drag of the curve began
+    ValueAxis m_axis;
+    std::optional<PlaceCurve> m_from;     ///< belongs to the curve that is shown, as in CurveAlong
+    std::map<Quantity, CurveAlong> m_set; ///< the curves that were set in this dialog
+    std::optional<std::map<Quantity, CurveAlong>> m_beforeDrag; ///< what was set when the drag of the curve began
     bool m_applying = false;
     bool m_finished = false; ///< whether a change from elsewhere has ended the dialog
 
@@ -89,6 +84,8 @@ private:
     QLabel *m_endLabel = nullptr;
     NumberField *m_start = nullptr;
     NumberField *m_end = nullptr;
+    QLabel *m_scaleLabel = nullptr;
+    NumberField *m_scale = nullptr;
     HintLabel *m_hint = nullptr;
 };
 

@@ -1,8 +1,8 @@
 #include "app/panels/inspector/stroke_run.h"
 
-#include "model/shaping/reshape.h"
 #include "model/brush/stroke_fit.h"
 #include "model/painting/validate.h"
+#include "model/shaping/reshape.h"
 #include "undo/edits.h"
 
 #include <algorithm>
@@ -91,8 +91,7 @@ StrokeRuns refined(const StrokeRuns &runs)
     return result;
 }
 
-Edit setAlong(const Document &document, const StrokeRuns &runs,
-              const std::map<Quantity, std::function<double(double)>> &values)
+Edit setAlong(const Document &document, const StrokeRuns &runs, const std::map<Quantity, ValueAlong> &values)
 {
     Edit edit;
     Selection selection = document.selection();
@@ -100,8 +99,10 @@ Edit setAlong(const Document &document, const StrokeRuns &runs,
         const StrokePtr now = document.painting()->find(id);
         auto stroke = std::make_shared<Stroke>(*run.stroke);
         for (const RunPlace &p : run.places)
-            for (const auto &[quantity, value] : values)
-                valueOf(stroke->segments[std::size_t(p.segment)], quantity) = float(value(p.place));
+            for (const auto &[quantity, valueAt] : values) {
+                float &value = valueOf(stroke->segments[std::size_t(p.segment)], quantity);
+                value = float(valueAt(p.place, double(value)));
+            }
         if (!now || *now == *stroke || !problemOf(*stroke).isEmpty())
             continue;
         if (std::erase_if(selection.segments, [id = id](const SegmentRef &ref) { return ref.stroke == id; }) > 0)

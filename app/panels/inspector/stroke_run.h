@@ -29,9 +29,11 @@ StrokeRuns runsOf(const Document &document);
 /// Segments stay longer where strokes would get unreasonably heavy.
 StrokeRuns refined(const StrokeRuns &runs);
 
+/// The value at a place of a run where `old` was.
+using ValueAlong = std::function<double(double place, double old)>;
+
 /// Sets the values in the runs' strokes, each segment's at its place. Selected segments stay selected; of one that was
 /// split, all the pieces.
-Edit setAlong(const Document &document, const StrokeRuns &runs,
-              const std::map<Quantity, std::function<double(double place)>> &values);
+Edit setAlong(const Document &document, const StrokeRuns &runs, const std::map<Quantity, ValueAlong> &values);
 
 } // namespace suffuse

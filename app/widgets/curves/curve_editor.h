@@ -6,15 +6,24 @@
 
 namespace suffuse {
 
-/// A curve over [0, 1] with values in [0, 1]. One knot is a constant, two knots are a ramp, and more are a drawn curve;
-/// they are evenly spread and joined by straight lines.
+/// A curve over [0, 1] with values in [0, 1]: knots that are joined by straight lines. Without `places` one knot is a
+/// constant, two knots are a ramp, and more are a drawn curve; they are evenly spread.
 struct PlaceCurve {
     std::vector<double> knots{0.5};
+    /// Where the knots of a curve of points lie: in order, from 0 to 1.
+    std::vector<double> places = {};
+    /// Where a drawn curve was drawn over: 1 at such knots, 0 at those that show what was there. Empty: 1 everywhere.
+    std::vector<double> drawn = {};
+
     double at(double place) const;
+    double drawnAt(double place) const;
+    bool isPoints() const { return !places.empty(); }
+    friend bool operator==(const PlaceCurve &, const PlaceCurve &) = default;
 };
 
-/// Edits a PlaceCurve. The line of a constant and the ends of a ramp are dragged; a drawn curve is drawn over. Arrow
-/// keys move the knot that was dragged last.
+/// Edits a PlaceCurve. The line of a constant and the ends of a ramp are dragged; a drawn curve is drawn over; points
+/// are dragged, a press beside them makes another one, and Del or a double click removes one. Arrow keys move the knot
+/// that was dragged last.
 class CurveEditor : public CurveField {
     Q_OBJECT
 
@@ -37,10 +46,17 @@ protected:
     void paintEvent(QPaintEvent *event) override;
     void mousePressEvent(QMouseEvent *event) override;
     void mouseMoveEvent(QMouseEvent *event) override;
+    void mouseDoubleClickEvent(QMouseEvent *event) override;
     void keyPressEvent(QKeyEvent *event) override;
     void takeBack() override { setCurve(m_before); }
+    bool event(QEvent *event) override;
 
 private:
+    /// The point under the pointer, in widget coordinates; −1: none.
+    int pointAt(QPointF pointer) const;
+    void takePoint(QPointF pointer);
+    void removePoint(std::size_t point);
+    void stepPlace(double by);
     void dragTo(QPointF at);
     void drawTo(QPointF to);
 

@@ -13,8 +13,8 @@
 namespace suffuse {
 
 namespace {
-constexpr double reach = 10;     ///< the pointer takes hold of a point within so many logical pixels
-constexpr double outside = 30;   ///< a point dragged so far beyond the field is taken away
+constexpr double reach = 10;         ///< the pointer takes hold of a point within so many logical pixels
+constexpr double outside = 30;       ///< a point dragged so far beyond the field is taken away
 constexpr float pointsApart = 0.01f; ///< least distance between points
 } // namespace
 

@@ -1,0 +1,107 @@
+#include "app/panels/inspector/along_curve.h"
+
+#include "model/restyling/profile.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace suffuse {
+
+double ValueAxis::toShare(double value) const
+{
+    const double v = std::clamp(value, low, high);
+    const double share = logarithmic ? std::log(v / low) / std::log(high / low) : (v - low) / (high - low);
+    return reversed ? 1 - share : share;
+}
+
+double ValueAxis::toValue(double place) const
+{
+    const double share = reversed ? 1 - place : place;
+    return std::clamp(logarithmic ? low * std::pow(high / low, share) : std::lerp(low, high, share), low, high);
+}
+
+double CurveAlong::valueAt(double place, double old) const
+{
+    constexpr double least = 1e-9; // Curves that differ by rounding are the same.
+    const double now = curve.at(place), drawn = from ? curve.drawnAt(place) : 1;
+    const double change = from ? now - from->at(place) : 0;
+    if (drawn == 0 && std::abs(change) < least)
+        return old;
+    return axis.toValue(std::lerp(axis.toShare(old) + change, now, drawn));
+}
+
+bool CurveAlong::varies() const
+{
+    if (!from)
+        return std::ranges::any_of(curve.knots, [&](double k) { return k != curve.knots.front(); });
+    if (curve.places != from->places || curve.knots.size() != from->knots.size() || curve.drawn != from->drawn)
+        return true;
+    // The same change all along is exact on segments of any length.
+    const double change = curve.knots.front() - from->knots.front();
+    for (std::size_t i = 0; i < curve.knots.size(); ++i)
+        if (std::abs(curve.knots[i] - from->knots[i] - change) > 1e-9)
+            return true;
+    return false;
+}
+
+void CurveAlong::growAxis(double value)
+{
+    ValueAxis grown = axis;
+    if (value > 0 || !grown.logarithmic)
+        grown.low = std::min(grown.low, value);
+    grown.high = std::max(grown.high, value);
+    const auto move = [&](PlaceCurve &moved) {
+        for (double &k : moved.knots)
+            k = grown.toShare(axis.toValue(k));
+    };
+    move(curve);
+    if (from)
+        move(*from);
+    axis = grown;
+}
+
+void CurveAlong::change(const ValueChange &change)
+{
+    growAxis(change.applied(axis.high));
+    growAxis(change.applied(axis.low));
+    for (double &k : curve.knots)
+        k = axis.toShare(change.applied(axis.toValue(k)));
+}
+
+PlaceCurve pointsThrough(const std::vector<Point> &points, double drawn)
+{
+    PlaceCurve curve;
+    curve.knots.clear();
+    for (const Point &p : points) {
+        curve.places.push_back(p.x);
+        curve.knots.push_back(p.y);
+    }
+    curve.drawn = {drawn};
+    return curve;
+}
+
+PlaceCurve drawnThrough(const std::vector<Point> &points, double drawn)
+{
+    PlaceCurve curve = pointsThrough(points, drawn);
+    curve.places.clear();
+    curve.drawn.assign(points.size(), drawn);
+    return curve;
+}
+
+PlaceCurve presentCurve(const StrokeRuns &runs, Quantity quantity, const ValueAxis &axis)
+{
+    constexpr std::size_t mostRuns = 200;
+    constexpr double tolerance = 0.015;
+    std::vector<std::vector<Point>> shares;
+    for (const auto &[id, run] : runs) {
+        if (shares.size() == mostRuns)
+            break;
+        shares.emplace_back();
+        for (const RunPlace &p : run.places)
+            shares.back().push_back(
+                {p.place, axis.toShare(double(valueOf(run.stroke->segments[std::size_t(p.segment)], quantity)))});
+    }
+    return pointsThrough(simplifiedProfile(sampledProfile(shares, CurveEditor::drawnKnots), tolerance), 0);
+}
+
+} // namespace suffuse
