@@ -1,36 +1,13 @@
 #include "model/brush/brush_dynamics.h"
 
+#include "model/brush/random_values.h"
+
 namespace suffuse {
 
 namespace {
 
 /// The channels of random values are the quantities, then those of the jitter.
 constexpr int jitterChannel = 16;
-
-/// A number in [0, 1) that depends on all arguments, by the mixing function of Steele, Lea and Flood.
-double randomAt(std::uint64_t seed, int channel, std::int64_t cell)
-{
-    std::uint64_t z = seed + 0x9E3779B97F4A7C15u * (std::uint64_t(cell) * 64 + std::uint64_t(channel) + 1);
-    z = (z ^ (z >> 30)) * 0xBF58476D1CE4E5B9u;
-    z = (z ^ (z >> 27)) * 0x94D049BB133111EBu;
-    return double((z ^ (z >> 31)) >> 11) * 0x1p-53;
-}
-
-/// One random value for a stroke.
-double strokeRandom(std::uint64_t seed, int channel)
-{
-    return randomAt(seed, channel, -1);
-}
-
-/// A value that goes smoothly from one random number to the next at each unit of `x`.
-double drift(std::uint64_t seed, int channel, double x)
-{
-    x = std::min(x, 1e15); // Cells are whole numbers.
-    const double cell = std::floor(x), u = x - cell;
-    const double from = randomAt(seed, channel, std::int64_t(cell)),
-                 to = randomAt(seed, channel, std::int64_t(cell) + 1);
-    return from + (to - from) * u * u * (3 - 2 * u);
-}
 
 double inputOf(const Brush &brush, const BrushDynamic &dynamic, const PenState &pen, std::uint64_t seed)
 {
@@ -46,7 +23,7 @@ double inputOf(const Brush &brush, const BrushDynamic &dynamic, const PenState &
     case BrushInput::StrokeRandom:
         return strokeRandom(seed, int(dynamic.quantity));
     case BrushInput::Drift:
-        return drift(seed, int(dynamic.quantity), pen.distance / double(brush.driftLength));
+        return driftAt(seed, int(dynamic.quantity), pen.distance / double(brush.driftLength));
     }
     return 1;
 }
@@ -65,7 +42,7 @@ Colour jittered(const Brush &brush, Colour colour, double distance, std::uint64_
     const auto stray = [&](int i, float amount) {
         const int channel = jitterChannel + i;
         const double value =
-            j.along ? drift(seed, channel, distance / double(brush.driftLength)) : strokeRandom(seed, channel);
+            j.along ? driftAt(seed, channel, distance / double(brush.driftLength)) : strokeRandom(seed, channel);
         return double(amount) * (2 * value - 1);
     };
     const double lightness = -stray(3, j.lightness);
