@@ -1,6 +1,7 @@
 #include "app/window/dialog_rows.h"
 
 #include "app/dialogs/reshape_dialog.h"
+#include "app/dialogs/vary_dialog.h"
 #include "app/panels/strokes/strokes_model.h"
 #include "app/session/commands/selection_commands.h"
 #include "app/session/commands/session_rows.h"
@@ -73,6 +74,15 @@ void rewetSelected(const Workplace &place)
     editor.push(std::move(edit), Commands::tr("Re-wet"));
 }
 
+void varySelected(const Workplace &place)
+{
+    Editor &editor = place.open.editor;
+    if (chosenCount(*editor.document().painting(), editor.selection()) == 0)
+        emit place.commands.said(Commands::tr("What is selected is locked or hidden."), 5000);
+    else
+        VaryDialog(editor, &place.window).exec();
+}
+
 void reshapeSelectedBy(const Workplace &place, Reshaping what)
 {
     Editor &editor = place.open.editor;
@@ -100,6 +110,12 @@ void addDialogRows(const Workplace &place)
              {QKeySequence(Commands::tr("Ctrl+L"))}, Commands::tr("Make fewer segments of the selected strokes"))
         .when(anySelected(place.open.editor))
         .runs([place] { reshapeSelectedBy(place, Reshaping::Simplify); });
+    place.commands
+        .add(Command::VaryStrokes, "vary", Commands::tr("Vary at Rand&om…"), "",
+             {QKeySequence(Commands::tr("Ctrl+Alt+Y"))},
+             Commands::tr("Let values and colours of the selected strokes stray at random"))
+        .when(anySelected(place.open.editor))
+        .runs([place] { varySelected(place); });
     place.commands
         .add(Command::OffsetStrokes, "offset", Commands::tr("&Offset and More…"), "offset",
              {QKeySequence(Commands::tr("Ctrl+Alt+O"))},

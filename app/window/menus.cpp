@@ -61,6 +61,7 @@ void addEditMenu(QMenuBar &bar, const Commands &table)
     QMenu *edit = addMenu(bar, Commands::tr("&Edit"), table,
                           {{Undo, Redo},
                            {Cut, Copy, Paste, PasteInPlace},
+                           {CopyAppearance, PasteAppearance, PasteAppearanceEvenly},
                            {Delete, Duplicate},
                            {EditHere, CanvasMenu},
                            {SelectAll, SelectFound, Deselect, InvertSelection}});
@@ -90,6 +91,9 @@ void addObjectMenu(QMenuBar &bar, const Commands &table)
                              {FlipAcross, FlipDown, QuarterLeft, QuarterRight, ScaleSpread}});
     addMenu(*object, Commands::tr("Resha&pe"), table,
             {{SimplifyStrokes, SmoothStrokes, StraightenStrokes, OffsetStrokes}, {GrowPaint, ShrinkPaint}});
+    addMenu(*object, Commands::tr("Appl&y Brush"), table,
+            {{ApplyBrush}, {ApplyBrushForm, ApplyBrushColour, ApplyBrushTexture}});
+    object->addAction(&table[VaryStrokes]);
     object->addSeparator();
     addMenu(*object, Commands::tr("&Align"), table,
             {{AlignLeft, AlignCentre, AlignRight},

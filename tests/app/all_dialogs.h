@@ -8,6 +8,7 @@
 #include "app/dialogs/settings_dialog.h"
 #include "app/dialogs/shortcuts_dialog.h"
 #include "app/dialogs/timelapse_dialog.h"
+#include "app/dialogs/vary_dialog.h"
 #include "app/panels/brushes/brush_dialog.h"
 #include "app/panels/inspector/along_dialog.h"
 #include "app/window/palette_entries.h"
@@ -40,6 +41,7 @@ inline std::vector<DialogMaker> allDialogs()
         {"timelapse", [area](MainWindow &w) { return std::make_unique<TimelapseDialog>(w.editor(), area(w), &w); }},
         {"along", [](MainWindow &w) { return std::make_unique<AlongDialog>(w.editor(), &w); }},
         {"reshape", [](MainWindow &w) { return std::make_unique<ReshapeDialog>(w.editor(), Reshaping::Simplify, &w); }},
+        {"vary", [](MainWindow &w) { return std::make_unique<VaryDialog>(w.editor(), &w); }},
         {"recovery", [](MainWindow &w) { return std::make_unique<RecoveryDialog>(std::vector<LostDocument>(), &w); }},
         {"palette", [](MainWindow &w) { return std::make_unique<CommandPalette>(w.paletteEntries(), &w); }},
         {"about", [](MainWindow &w) { return std::make_unique<AboutDialog>(&w); }},

@@ -104,13 +104,15 @@ private slots:
         const QStringList known =
             QStringLiteral(
                 "new open save saveAs saveCopy revert restoreBackup keepHistory importStrokes importUnderlay export "
-                "exportAgain close quit undo redo cut copy paste pasteInPlace delete duplicate selectAll selectFound "
+                "exportAgain close quit undo redo cut copy paste pasteInPlace copyAppearance pasteAppearance "
+                "pasteAppearanceEvenly delete duplicate selectAll selectFound "
                 "deselect settings canvasMenu brushPalette editHere brush select segments redraw push knife eraser "
                 "attributeBrush eyedropper pan raise lower top "
                 "bottom insertNodes nodeCorner nodeSmooth nodeSymmetric breakNodes joinNodes deleteSegments "
                 "bridgeSegments reverseStrokes invertSelection sameColour sameStyle sameBrush sameName lasso touchPath "
                 "group ungroup lock unlockAll hide showAll rename flipAcross flipDown quarterLeft quarterRight "
-                "scaleSpread simplify smoothStrokes straighten growPaint shrinkPaint offset "
+                "scaleSpread simplify smoothStrokes straighten growPaint shrinkPaint offset applyBrush applyBrushForm "
+                "applyBrushColour applyBrushTexture vary "
                 "alignLeft alignCentre alignRight alignTop alignMiddle alignBottom alignToSelection "
                 "alignToLast alignToFirst alignToBiggest alignToCanvas distributeGapsAcross distributeGapsDown "
                 "distributeCentresAcross distributeCentresDown snapToNodes snapToGrid showGrid gridStep showUnderlay "

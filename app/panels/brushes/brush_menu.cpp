@@ -1,6 +1,7 @@
 #include "app/panels/brushes/brush_menu.h"
 
 #include "app/panels/brushes/brush_dialog.h"
+#include "app/session/commands/restyling.h"
 #include "app/session/editor.h"
 #include "app/session/settings/brush_library.h"
 #include "app/widgets/asking/messages.h"
@@ -12,9 +13,17 @@
 
 namespace suffuse {
 
-BrushMenu::BrushMenu(Editor &editor, QWidget *panel) : QMenu(panel), m_editor(editor), m_panel(panel)
+BrushMenu::BrushMenu(Editor &editor, QWidget *panel)
+    : QMenu(panel), m_editor(editor), m_panel(panel), m_apply(new QMenu(tr("&Apply to Selection"), this))
 {
     connect(this, &QMenu::aboutToShow, this, &BrushMenu::fill);
+    const auto addPart = [this](const QString &text, BrushPart part) {
+        m_apply->addAction(text, this, [this, part] { emit noted(commands::applyBrushInHand(m_editor, part)); });
+    };
+    addPart(tr("&Whole Brush"), BrushPart::Whole);
+    addPart(tr("&Form Only"), BrushPart::Form);
+    addPart(tr("&Colour Only"), BrushPart::Colour);
+    addPart(tr("&Texture Only"), BrushPart::Texture);
 }
 
 QString BrushMenu::inHand() const
@@ -39,6 +48,8 @@ void BrushMenu::fill()
     favourite->setEnabled(known);
     favourite->setChecked(library.isFavourite(name));
     connect(favourite, &QAction::triggered, this, [name](bool on) { BrushLibrary::instance().setFavourite(name, on); });
+    m_apply->setEnabled(!m_editor.selection().isEmpty());
+    addMenu(m_apply);
     addSeparator();
     add(tr("&Save Changes"), own && library.isChanged(m_editor.brush()), &BrushMenu::saveChanges);
     add(tr("Rel&oad"), library.isChanged(m_editor.brush()),

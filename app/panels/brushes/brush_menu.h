@@ -35,6 +35,7 @@ private:
 
     Editor &m_editor;
     QWidget *m_panel;
+    QMenu *m_apply; ///< puts parts of the brush in hand on the selection
     QPointer<BrushDialog> m_dialog;
 };
 

@@ -17,6 +17,7 @@ void addSessionRows(Commands &table, OpenPainting &open)
     addEditRows(table, open);
     addObjectRows(table, open);
     addReshapeRows(table, open);
+    addRestyleRows(table, open);
     addAlignRows(table, open);
     addTimeRows(table, open);
     addBrushRows(table, open);

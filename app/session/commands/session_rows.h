@@ -12,6 +12,7 @@ void addSessionRows(Commands &table, OpenPainting &open);
 void addEditRows(Commands &table, OpenPainting &open);
 void addObjectRows(Commands &table, OpenPainting &open);
 void addReshapeRows(Commands &table, OpenPainting &open);
+void addRestyleRows(Commands &table, OpenPainting &open);
 void addAlignRows(Commands &table, OpenPainting &open);
 void addTimeRows(Commands &table, OpenPainting &open);
 void addBrushRows(Commands &table, OpenPainting &open);

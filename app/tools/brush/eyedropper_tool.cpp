@@ -4,9 +4,13 @@
 #include "app/session/colour_convert.h"
 #include "app/session/editor.h"
 #include "app/session/selecting/pick.h"
+#include "app/tools/tool_fields.h"
 #include "model/painting/influence.h"
 #include "render/probe.h"
 
+#include <QComboBox>
+#include <QHBoxLayout>
+#include <QLabel>
 #include <QPainter>
 
 #include <utility>
@@ -105,11 +109,72 @@ void ColourPicker::paint(QPainter &painter, double dpr) const
     half(m_before, 180);
 }
 
-EyedropperTool::EyedropperTool(CanvasWidget &canvas, QObject *parent) : CanvasTool(canvas, parent), m_picker(canvas) {}
+EyedropperTool::EyedropperTool(CanvasWidget &canvas, QObject *parent)
+    : CanvasTool(canvas, parent), m_picker(canvas), m_match(canvas)
+{}
 
 QString EyedropperTool::hint() const
 {
+    if (m_matches)
+        return m_match.hint();
     return tr("Click to take the picture's colour as the current one. Shift: the stroke's own colour.");
+}
+
+QWidget *EyedropperTool::options()
+{
+    if (m_options)
+        return m_options;
+    m_options = new QWidget;
+    QHBoxLayout *row = toolRow(m_options);
+    auto *label = new QLabel(tr("A click takes"), m_options);
+    m_takes = new QComboBox(m_options);
+    m_takes->addItems({tr("The colour, to paint with"), tr("The appearance, for the selection")});
+    m_takes->setToolTip(tr("A colour to paint with, or style, values and colour of a stroke for the selected ones"));
+    m_takes->setAccessibleName(label->text());
+    m_takes->setCurrentIndex(m_matches ? 1 : 0);
+    label->setBuddy(m_takes);
+    connect(m_takes, &QComboBox::activated, this, [this](int i) { setMatches(i == 1); });
+    row->addWidget(label);
+    row->addWidget(m_takes);
+    row->addStretch();
+    return m_options;
+}
+
+void EyedropperTool::setMatches(bool matches)
+{
+    cancel();
+    m_matches = matches;
+    if (m_takes)
+        m_takes->setCurrentIndex(matches ? 1 : 0);
+    emit hintChanged();
+}
+
+void EyedropperTool::press(const PointerEvent &event)
+{
+    if (m_matches)
+        m_match.begin(event);
+    else
+        m_picker.begin(event);
+}
+
+void EyedropperTool::move(const PointerEvent &event)
+{
+    if (m_match.isActive())
+        m_match.move(event);
+    else
+        m_picker.move(event);
+}
+
+void EyedropperTool::release(const PointerEvent &)
+{
+    m_match.end();
+    m_picker.end();
+}
+
+void EyedropperTool::cancel()
+{
+    m_match.giveUp();
+    m_picker.giveUp();
 }
 
 void EyedropperTool::paint(QPainter &painter, const View &, double dpr) const

@@ -1,10 +1,14 @@
 #pragma once
 
+#include "app/tools/brush/match_picker.h"
 #include "app/tools/canvas_tool.h"
 #include "model/painting/style.h"
 
+#include <QPointer>
+
 #include <optional>
 
+class QComboBox;
 class QPainter;
 
 namespace suffuse {
@@ -39,7 +43,7 @@ private:
     Point m_pixel;
 };
 
-/// Picks the current colour from the canvas.
+/// Picks the current colour from the canvas, or matches the selection to a stroke.
 class EyedropperTool : public CanvasTool {
     Q_OBJECT
 
@@ -48,15 +52,23 @@ public:
 
     QString hint() const override;
     QCursor cursor() const override { return Qt::CrossCursor; }
-    void press(const PointerEvent &event) override { m_picker.begin(event); }
-    void move(const PointerEvent &event) override { m_picker.move(event); }
-    void release(const PointerEvent &) override { m_picker.end(); }
-    bool isBusy() const override { return m_picker.isActive(); }
-    void cancel() override { m_picker.giveUp(); }
+    QWidget *options() override;
+    void press(const PointerEvent &event) override;
+    void move(const PointerEvent &event) override;
+    void release(const PointerEvent &event) override;
+    bool isBusy() const override { return m_picker.isActive() || m_match.isActive(); }
+    void cancel() override;
     void paint(QPainter &painter, const View &view, double dpr) const override;
+
+    /// Whether a click puts the appearance of the stroke on the selection, instead of taking its colour.
+    void setMatches(bool matches);
 
 private:
     ColourPicker m_picker;
+    MatchPicker m_match;
+    bool m_matches = false;
+    QPointer<QWidget> m_options;
+    QPointer<QComboBox> m_takes; ///< in the options
 };
 
 } // namespace suffuse
