@@ -1,0 +1,571 @@
+// Values that differ along strokes keep what varies: sliders, the curve along the stroke, brushes and appearances that
+// are put on strokes, and random variation; each by events, as one step, and given up.
+#include "app/dialogs/vary_dialog.h"
+#include "app/panels/brushes/brush_menu.h"
+#include "app/panels/inspector/along_dialog.h"
+#include "app/panels/inspector/inspector_panel.h"
+#include "app/panels/inspector/segment_section.h"
+#include "app/panels/inspector/stroke_section.h"
+#include "app/session/commands/restyling.h"
+#include "app/session/settings/settings.h"
+#include "app/tools/brush/eyedropper_tool.h"
+#include "app/widgets/colour/colour_rows.h"
+#include "app/widgets/numbers/number_field.h"
+#include "model/brush/stroke_builder.h"
+#include "tests/app/panel_bench.h"
+#include "tests/app/shapes.h"
+
+#include <QComboBox>
+#include <QPushButton>
+#include <QSignalSpy>
+#include <QTemporaryDir>
+
+using namespace suffuse;
+
+namespace {
+
+/// A bench with a stroke of id 9 that a pen has painted, selected; its D and φ differ from segment to segment.
+struct PenBench : Bench {
+    PenBench()
+    {
+        std::vector<PenSample> samples;
+        for (int i = 0; i <= 100; ++i) {
+            const double u = i / 100.0;
+            samples.push_back({{50 + 300 * u, 200 + 20 * std::sin(5 * u)},
+                               Microseconds(i) * 8000,
+                               float(0.2 + 0.7 * std::sin(3 * u))});
+        }
+        auto stroke = std::make_shared<Stroke>(*buildStroke(*findBrush("brush-pen"), 9, samples));
+        for (std::size_t k = 0; k < stroke->segments.size(); ++k)
+            stroke->segments[k].colour.red = float(0.2 + 0.6 * double(k) / double(stroke->segments.size()));
+        editor.push(addStrokes(editor.document(), {stroke}, true), "stroke");
+        editor.undoStack().clear();
+    }
+    const Stroke &pen() { return stroke(9); }
+};
+
+/// Whether all ratios between the values of two states of a stroke are this one, up to the rounding of float32.
+bool areScaled(const Stroke &before, const Stroke &after, float Segment::*member, double factor)
+{
+    for (std::size_t k = 0; k < before.segments.size(); ++k)
+        if (std::abs(double(after.segments[k].*member) / double(before.segments[k].*member) / factor - 1) > 1e-6)
+            return false;
+    return before.segments.size() == after.segments.size();
+}
+
+/// A session with two painted strokes: a brush pen's, selected, and a marker's below it.
+struct TwoPainted : WaveSession {
+    StrokeId pen = 0, marker = 0;
+
+    TwoPainted()
+    {
+        pen = paint("brush-pen", 200);
+        marker = paint("gouache", 400);
+        editor().document().setSelection({{pen}, {}});
+        editor().clock().setTime(painting().end());
+    }
+    StrokeId paint(const char *brush, double y)
+    {
+        std::vector<PenSample> samples;
+        for (int i = 0; i <= 100; ++i)
+            samples.push_back({{150 + 4.0 * i, y}, Microseconds(i) * 8000, float(0.3 + 0.006 * i)});
+        const StrokeId id = editor().document().takeStrokeId();
+        editor().push(addStrokes(editor().document(), {buildStroke(*findBrush(brush), id, samples)}, true), brush);
+        return id;
+    }
+};
+
+} // namespace
+
+class TestMixedValues : public QObject {
+    Q_OBJECT
+
+private slots:
+    void initTestCase()
+    {
+        QVERIFY(m_folder.isValid());
+        qputenv("SUFFUSE_PRESENTER", "raster");
+        qputenv("SUFFUSE_SETTINGS", m_folder.filePath("settings.ini").toLocal8Bit());
+    }
+    void cleanup() { settings::store().remove("vary"); }
+
+    void aSliderScalesWhatDiffers()
+    {
+        PenBench bench;
+        InspectorPanel panel(bench.editor);
+        showAt(panel);
+        const Stroke before = bench.pen();
+        SliderField *density = panel.segmentSection()->density();
+        BarSlider *slider = density->slider();
+        QVERIFY(slider->isMixed());
+        QCOMPARE(slider->value(), BarSlider::steps / 2); // the handle stands in the middle
+        QTest::mousePress(slider, Qt::LeftButton, {}, sliderPoint(*slider, 0.5));
+        QVERIFY(bench.pen() == before); // a touch changes nothing
+        for (const double share : {0.2, 0.9, 0.6})
+            QTest::mouseMove(slider, sliderPoint(*slider, share));
+        QVERIFY(density->change());
+        const double factor = density->change()->amount;
+        QVERIFY(factor > 1.4 && factor < 1.8);
+        const QString says = QStringLiteral("×") + QLocale().toString(factor, 'f', 2);
+        QCOMPARE(density->number()->text(), says);
+        QVERIFY(areScaled(before, bench.pen(), &Segment::density, factor)); // what varies is kept
+        QTest::mouseRelease(slider, Qt::LeftButton, {}, sliderPoint(*slider, 0.6));
+        QCOMPARE(bench.steps(), 1);
+        QCOMPARE(density->number()->text(), says); // and after the drag
+        QVERIFY(slider->isMixed());
+        for (std::size_t k = 0; k < before.segments.size(); ++k)
+            QCOMPARE(bench.pen().segments[k].diffusion, before.segments[k].diffusion);
+        bench.select({1});
+        bench.select({9});
+        QCOMPARE(density->number()->text(), QString("—"));
+        QCOMPARE(slider->value(), BarSlider::steps / 2);
+        bench.editor.undo();
+        QVERIFY(bench.pen() == before);
+    }
+
+    /// The handle stays where it was let go, and goes on from there; back in the middle nothing has changed.
+    void aSecondDragGoesOn()
+    {
+        PenBench bench;
+        InspectorPanel panel(bench.editor);
+        showAt(panel);
+        const Stroke before = bench.pen();
+        SliderField *field = panel.segmentSection()->diffusion();
+        BarSlider *slider = field->slider();
+        const auto drag = [&](double from, double to) {
+            QTest::mousePress(slider, Qt::LeftButton, {}, sliderPoint(*slider, from));
+            slider->setSliderPosition(int(to * BarSlider::steps));
+            QTest::mouseRelease(slider, Qt::LeftButton, {}, sliderPoint(*slider, to));
+        };
+        drag(0.5, 0.7);
+        const double first = field->change()->amount;
+        QVERIFY(first > 2);
+        drag(double(slider->value()) / BarSlider::steps, 0.8);
+        QVERIFY(areScaled(before, bench.pen(), &Segment::diffusion, field->change()->amount));
+        QVERIFY(field->change()->amount > first);
+        drag(double(slider->value()) / BarSlider::steps, 0.5);
+        QVERIFY(bench.pen() == before); // to the last bit
+        bench.editor.undo();
+        bench.editor.undo();
+        QVERIFY(areScaled(before, bench.pen(), &Segment::diffusion, first));
+        // The step was undone by somebody else: the handle is in the middle again.
+        QTRY_COMPARE(slider->value(), BarSlider::steps / 2);
+        QCOMPARE(field->number()->text(), QString("—"));
+    }
+
+    void sharesAreAddedTo()
+    {
+        PenBench bench;
+        InspectorPanel panel(bench.editor);
+        showAt(panel);
+        const Stroke before = bench.pen();
+        SliderField *red = panel.segmentSection()->colour()->row(ColourRows::Red);
+        BarSlider *slider = red->slider();
+        QTest::mousePress(slider, Qt::LeftButton, {}, sliderPoint(*slider, 0.5));
+        QTest::mouseMove(slider, sliderPoint(*slider, 0.9)); // some are at the limit, and come back
+        QTest::mouseMove(slider, sliderPoint(*slider, 0.6));
+        QTest::mouseRelease(slider, Qt::LeftButton, {}, sliderPoint(*slider, 0.6));
+        const double by = red->change()->amount;
+        QVERIFY(by > 0.05 && by < 0.15);
+        QVERIFY2(red->number()->text().startsWith('+') && red->number()->text().endsWith('%'),
+                 qPrintable(red->number()->text()));
+        for (std::size_t k = 0; k < before.segments.size(); ++k)
+            QVERIFY(std::abs(double(bench.pen().segments[k].colour.red - before.segments[k].colour.red) - by) < 1e-6);
+        QCOMPARE(bench.steps(), 1);
+    }
+
+    void controlMakesThemOne()
+    {
+        PenBench bench;
+        InspectorPanel panel(bench.editor);
+        showAt(panel);
+        SliderField *density = panel.segmentSection()->density();
+        BarSlider *slider = density->slider();
+        for (const double share : {0.5, 0.4}) { // in the middle, too, where the handle stands for something else
+            QTest::mouseClick(slider, Qt::LeftButton, Qt::ControlModifier, sliderPoint(*slider, share));
+            const float first = bench.pen().segments.front().density;
+            for (const Segment &s : bench.pen().segments)
+                QCOMPARE(s.density, first);
+            QVERIFY(!slider->isMixed());
+            QVERIFY(std::abs(slider->value() - share * BarSlider::steps) < 12);
+            bench.editor.undo();
+            QTRY_VERIFY(slider->isMixed());
+        }
+        type(*density->number(), "12"); // as a number does
+        QCOMPARE(bench.pen().segments[7].density, 12.0f);
+        QVERIFY(!density->change());
+    }
+
+    void theLabelStillResets()
+    {
+        PenBench bench;
+        InspectorPanel panel(bench.editor);
+        showAt(panel);
+        QTest::mouseDClick(panel.segmentSection()->density()->label(), Qt::LeftButton);
+        QCOMPARE(bench.pen().segments[7].density, Segment{}.density);
+    }
+
+    void escapeGivesTheDragUp()
+    {
+        PenBench bench;
+        InspectorPanel panel(bench.editor);
+        showAt(panel);
+        const Stroke before = bench.pen();
+        SliderField *density = panel.segmentSection()->density();
+        BarSlider *slider = density->slider();
+        QTest::mousePress(slider, Qt::LeftButton, {}, sliderPoint(*slider, 0.5));
+        QTest::mouseMove(slider, sliderPoint(*slider, 0.8));
+        QVERIFY(!(bench.pen() == before));
+        QTest::keyClick(slider, Qt::Key_Escape);
+        QVERIFY(bench.pen() == before);
+        QTest::mouseRelease(slider, Qt::LeftButton, {}, sliderPoint(*slider, 0.8));
+        QCOMPARE(bench.steps(), 0);
+        QTRY_COMPARE(slider->value(), BarSlider::steps / 2);
+        QCOMPARE(density->number()->text(), QString("—"));
+    }
+
+    void arrowKeysChangeEach()
+    {
+        PenBench bench;
+        InspectorPanel panel(bench.editor);
+        showAt(panel);
+        const Stroke before = bench.pen();
+        NumberField *density = panel.segmentSection()->density()->number();
+        density->setFocus();
+        for (int i = 0; i < 2; ++i)
+            QTest::keyClick(density, Qt::Key_Up);
+        QVERIFY(areScaled(before, bench.pen(), &Segment::density, 1.21));
+        QCOMPARE(bench.steps(), 1); // keys that follow each other are one step
+        NumberField *red = panel.segmentSection()->colour()->row(ColourRows::Red)->number();
+        red->setFocus();
+        QTest::keyClick(red, Qt::Key_Down);
+        QVERIFY(std::abs(double(bench.pen().segments[3].colour.red - before.segments[3].colour.red) + 0.01) < 1e-6);
+    }
+
+    void severalStrokesKeepTheirDifference()
+    {
+        PenBench bench;
+        InspectorPanel panel(bench.editor);
+        showAt(panel);
+        bench.select({1, 2, 3});
+        for (const bool beta : {false, true}) {
+            if (beta)
+                bench.editor.push(changeStrokes(bench.editor.document(), {1, 2, 3},
+                                                [](Stroke &s) {
+                                                    s.mix = {MixMode::Beta, 0.2f * float(s.id)};
+                                                }),
+                                  "beta");
+            SliderField *field = beta ? panel.strokeSection()->beta() : panel.segmentSection()->diffusion();
+            BarSlider *slider = field->slider();
+            QTRY_VERIFY(slider->isMixed());
+            QTest::mousePress(slider, Qt::LeftButton, {}, sliderPoint(*slider, 0.5));
+            QTest::mouseMove(slider, sliderPoint(*slider, 0.6));
+            QTest::mouseRelease(slider, Qt::LeftButton, {}, sliderPoint(*slider, 0.6));
+            const double amount = field->change()->amount;
+            for (const StrokeId id : {1, 2, 3})
+                if (beta)
+                    QVERIFY(std::abs(double(bench.stroke(id).mix.beta) - (0.2 * double(id) + amount)) < 1e-6);
+                else
+                    QVERIFY(std::abs(double(bench.stroke(id).segments[2].diffusion) - 10 * double(id) * amount) < 1e-3);
+        }
+    }
+
+    void birthsMoveTogether()
+    {
+        Bench bench;
+        InspectorPanel panel(bench.editor);
+        showAt(panel);
+        bench.editor.push(changeStrokes(bench.editor.document(), {1, 2, 3},
+                                        [](Stroke &stroke) {
+                                            for (Segment &s : stroke.segments)
+                                                s.born = Microseconds(stroke.id) * 1'000'000;
+                                        }),
+                          "born");
+        bench.select({1, 2});
+        SliderField *born = panel.segmentSection()->born();
+        BarSlider *slider = born->slider();
+        QTRY_VERIFY(slider->isMixed());
+        QTest::mousePress(slider, Qt::LeftButton, {}, sliderPoint(*slider, 0.5));
+        for (const double share : {0.1, 0.7})
+            QTest::mouseMove(slider, sliderPoint(*slider, share));
+        QTest::mouseRelease(slider, Qt::LeftButton, {}, sliderPoint(*slider, 0.7));
+        QVERIFY(bench.stroke(1).born() > 2'000'000);
+        QCOMPARE(bench.stroke(2).born() - bench.stroke(1).born(), Microseconds(1'000'000));
+        QCOMPARE(bench.stroke(3).born(), Microseconds(3'000'000));
+        QVERIFY(born->number()->text().startsWith('+'));
+        QTest::mousePress(slider, Qt::LeftButton, {}, sliderPoint(*slider, double(slider->value()) / BarSlider::steps));
+        slider->setSliderPosition(0);
+        QTest::mouseRelease(slider, Qt::LeftButton, {}, sliderPoint(*slider, 0));
+        QCOMPARE(bench.stroke(1).born(), Microseconds(0)); // not before the painting
+        QCOMPARE(bench.stroke(2).born(), Microseconds(1'000'000));
+    }
+
+    void alongTheStrokeShowsWhatIsThere()
+    {
+        PenBench bench;
+        InspectorPanel panel(bench.editor);
+        showAt(panel);
+        const Stroke before = bench.pen();
+        AlongDialog dialog(bench.editor, &panel);
+        dialog.setAttribute(Qt::WA_DeleteOnClose, false);
+        dialog.show();
+        const PlaceCurve present = dialog.curve()->curve();
+        QVERIFY(present.isPoints() && present.knots.size() > 2 && present.knots.size() < 40);
+        // The curve runs through the values that there are.
+        QVERIFY(dialog.end()->value() && std::abs(*dialog.end()->value() / before.segments.back().density - 1) < 0.2);
+        QVERIFY(bench.pen() == before); // looking changes nothing
+
+        // A point is moved: what lies far from it stays to the last bit.
+        CurveEditor &curve = *dialog.curve();
+        const QPointF point(present.places[1], present.knots[1]);
+        QTest::mousePress(&curve, Qt::LeftButton, {}, curve.toWidget(point).toPoint());
+        QTest::mouseMove(&curve, curve.toWidget(point + QPointF(0, 0.1)).toPoint());
+        QTest::mouseRelease(&curve, Qt::LeftButton, {}, curve.toWidget(point + QPointF(0, 0.1)).toPoint());
+        QVERIFY(!(bench.pen() == before));
+        QCOMPARE(bench.pen().segments.back(), before.segments.back());
+        // A press on the curve makes a point, and Del removes it.
+        const std::vector<double> places = curve.curve().places;
+        std::size_t widest = 1;
+        for (std::size_t i = 1; i < places.size(); ++i)
+            if (places[i] - places[i - 1] > places[widest] - places[widest - 1])
+                widest = i;
+        const double between = 0.5 * (places[widest - 1] + places[widest]);
+        QTest::mouseClick(&curve, Qt::LeftButton, {}, curve.toWidget({between, curve.curve().at(between)}).toPoint());
+        QCOMPARE(curve.curve().knots.size(), places.size() + 1);
+        QTest::keyClick(&curve, Qt::Key_Delete);
+        QCOMPARE(curve.curve().places, places);
+        dialog.reject();
+        QVERIFY(bench.pen() == before);
+        QCOMPARE(bench.steps(), 0);
+    }
+
+    void alongTheStrokeIsScaled()
+    {
+        PenBench bench;
+        InspectorPanel panel(bench.editor);
+        const Stroke before = bench.pen();
+        AlongDialog dialog(bench.editor, &panel);
+        dialog.setAttribute(Qt::WA_DeleteOnClose, false);
+        dialog.show();
+        type(*dialog.scale(), "1.5");
+        QVERIFY(areScaled(before, bench.pen(), &Segment::density, 1.5));
+        type(*dialog.scale(), "2"); // the field scales what there is now
+        QVERIFY(areScaled(before, bench.pen(), &Segment::density, 3));
+        dialog.accept();
+        QCOMPARE(bench.steps(), 1);
+        bench.editor.undo();
+        QVERIFY(bench.pen() == before);
+    }
+
+    void drawnOverAPartTheRestStays()
+    {
+        PenBench bench;
+        InspectorPanel panel(bench.editor);
+        const Stroke before = bench.pen();
+        AlongDialog dialog(bench.editor, &panel);
+        dialog.setAttribute(Qt::WA_DeleteOnClose, false);
+        dialog.show();
+        dialog.choose(AlongDialog::Drawn);
+        QVERIFY(bench.pen() == before);
+        CurveEditor &curve = *dialog.curve();
+        QTest::mousePress(&curve, Qt::LeftButton, {}, curve.toWidget({0.4, 0.9}).toPoint());
+        for (int i = 1; i <= 10; ++i)
+            QTest::mouseMove(&curve, curve.toWidget({0.4 + 0.02 * i, 0.9}).toPoint());
+        QTest::mouseRelease(&curve, Qt::LeftButton, {}, curve.toWidget({0.6, 0.9}).toPoint());
+        const Stroke &after = bench.pen(); // its segments were split where they were long
+        QCOMPARE(after.segments.front().density, before.segments.front().density);
+        QCOMPARE(after.segments.back().density, before.segments.back().density);
+        const float drawn = after.segments[after.segments.size() / 2].density;
+        QVERIFY(drawn > 2 * before.segments[before.segments.size() / 2].density);
+        dialog.reject();
+        QVERIFY(bench.pen() == before);
+    }
+
+    void aBrushIsPutOnStrokes()
+    {
+        TwoPainted s;
+        const auto before = s.editor().document().painting();
+        s.editor().setBrush(*findBrush("dry-brush"));
+        const int steps = s.steps();
+        s.use(Command::ApplyBrush);
+        QCOMPARE(s.steps(), steps + 1);
+        QCOMPARE(s.editor().undoText(), QString("Apply brush"));
+        QCOMPARE(s.stroke(s.pen).brush, QString("dry-brush"));
+        QVERIFY(s.stroke(s.pen).style == findBrush("dry-brush")->style);
+        QVERIFY(s.stroke(s.marker) == *before->find(s.marker));
+        // The pressure rose along the stroke, and is heard again.
+        const std::vector<Segment> &segments = s.stroke(s.pen).segments;
+        const std::size_t n = segments.size();
+        QVERIFY(segments[n / 6].diffusion < segments[n / 2].diffusion);
+        QVERIFY(segments[n / 2].diffusion < segments[5 * n / 6].diffusion);
+        s.use(Command::Undo);
+        QVERIFY(s.painting() == *before);
+
+        s.use(Command::ApplyBrushColour);
+        QVERIFY(s.stroke(s.pen).segments[5].colour == findBrush("dry-brush")->colour);
+        QCOMPARE(s.stroke(s.pen).brush, QString("brush-pen"));
+        s.use(Command::ApplyBrushTexture);
+        QVERIFY(s.stroke(s.pen).style == findBrush("dry-brush")->style);
+        s.use(Command::ApplyBrushForm);
+        QCOMPARE(s.steps(), steps + 3);
+    }
+
+    void partsOfStrokesAreRestyled()
+    {
+        TwoPainted s;
+        Selection part{{s.pen}, {}};
+        for (int k = 10; k < 20; ++k)
+            part.segments.insert({s.pen, k});
+        s.editor().document().setSelection(part);
+        s.editor().setBrush(*findBrush("flat-marker"));
+        const Stroke before = s.stroke(s.pen);
+        s.use(Command::ApplyBrush);
+        QCOMPARE(s.stroke(s.pen).segments[5], before.segments[5]);
+        QVERIFY(s.stroke(s.pen).segments[15].style == findBrush("flat-marker")->style);
+        QVERIFY(s.selection() == part);
+    }
+
+    void theBrushesDockAppliesTheBrush()
+    {
+        TwoPainted s;
+        auto *menu = s.window.findChild<BrushMenu *>();
+        QVERIFY(menu);
+        emit menu->aboutToShow();
+        QAction *colour = nullptr;
+        for (QMenu *apply : menu->findChildren<QMenu *>())
+            for (QAction *action : apply->actions())
+                if (action->text().remove('&') == "Colour Only")
+                    colour = action;
+        QVERIFY(colour);
+        s.editor().setColour({0.1f, 0.2f, 0.3f, 0.9f});
+        colour->trigger();
+        QVERIFY(s.stroke(s.pen).segments[3].colour == (Colour{0.1f, 0.2f, 0.3f, 0.9f}));
+    }
+
+    void lockedStrokesAreLeftAlone()
+    {
+        TwoPainted s;
+        s.use(Command::CopyAppearance);
+        s.use(Command::LockStrokes);
+        s.editor().document().setSelection({{s.pen}, {}});
+        const auto before = s.editor().document().painting();
+        QSignalSpy said(s.window.findChild<Commands *>(), &Commands::said);
+        for (const Command command :
+             {Command::ApplyBrush, Command::ApplyBrushForm, Command::ApplyBrushColour, Command::ApplyBrushTexture,
+              Command::PasteAppearance, Command::PasteAppearanceEvenly, Command::VaryStrokes}) // no dialog opens
+            s.use(command);
+        QVERIFY(s.painting() == *before);
+        QCOMPARE(said.size(), 7);
+        s.editor().document().setSelection({});
+        QVERIFY(!s.window.action(Command::ApplyBrush).isEnabled());
+        QVERIFY(!s.window.action(Command::PasteAppearance).isEnabled());
+    }
+
+    void appearanceIsCopiedAndPasted()
+    {
+        TwoPainted s;
+        const Stroke pen = s.stroke(s.pen), marker = s.stroke(s.marker);
+        s.editor().document().setSelection({{s.marker}, {}});
+        s.use(Command::CopyAppearance);
+        s.editor().document().setSelection({{s.pen}, {}});
+        const int steps = s.steps();
+        s.use(Command::PasteAppearance);
+        QCOMPARE(s.steps(), steps + 1);
+        QVERIFY(s.stroke(s.pen).style == marker.style);
+        const double factor = double(s.stroke(s.pen).segments[0].diffusion) / double(pen.segments[0].diffusion);
+        QVERIFY(areScaled(pen, s.stroke(s.pen), &Segment::diffusion, factor));
+        s.use(Command::PasteAppearanceEvenly);
+        QCOMPARE(s.stroke(s.pen).segments[0].diffusion, s.stroke(s.pen).segments[30].diffusion);
+        s.use(Command::Undo);
+        s.use(Command::Undo);
+        QVERIFY(s.stroke(s.pen) == pen);
+    }
+
+    void theEyedropperMatches()
+    {
+        TwoPainted s;
+        const auto before = s.editor().document().painting();
+        const Colour inHand = s.editor().brush().colour;
+        s.use(Command::Eyedropper);
+        auto *tool = dynamic_cast<EyedropperTool *>(s.canvas().tool());
+        QVERIFY(tool);
+        tool->setMatches(true);
+        QVERIFY(tool->hint().contains("appearance"));
+        const int steps = s.steps();
+        const auto press = [&](Point at) { QTest::mousePress(&s.canvas(), Qt::LeftButton, {}, s.at(at)); };
+        press({350, 400});
+        QVERIFY(s.stroke(s.pen).style == s.stroke(s.marker).style);
+        QCOMPARE(s.steps(), steps);
+        QTest::keyClick(&s.canvas(), Qt::Key_Escape);
+        QVERIFY(s.painting() == *before);
+        QTest::mouseRelease(&s.canvas(), Qt::LeftButton, {}, s.at({350, 400}));
+        QCOMPARE(s.steps(), steps);
+        s.click({350, 400});
+        QCOMPARE(s.steps(), steps + 1);
+        QCOMPARE(s.editor().undoText(), QString("Match"));
+        QVERIFY(s.stroke(s.marker) == *before->find(s.marker));
+        s.click({600, 600}); // no stroke
+        QCOMPARE(s.steps(), steps + 1);
+        QVERIFY(s.editor().brush().colour == inHand);
+        QVERIFY(s.selection().strokes == std::set<StrokeId>{s.pen});
+        s.editor().document().setSelection({});
+        QVERIFY(tool->hint().startsWith("Select"));
+        s.click({350, 400});
+        QCOMPARE(s.steps(), steps + 1);
+        tool->setMatches(false);
+        s.click({350, 400});
+        QVERIFY(!(s.editor().brush().colour == inHand));
+    }
+
+    void variationIsRolled()
+    {
+        TwoPainted s;
+        const auto before = s.editor().document().painting();
+        const int steps = s.steps();
+        {
+            VaryDialog dialog(s.editor(), &s.window);
+            QVERIFY(!(s.painting() == *before)); // it shows at once
+            QCOMPARE(s.steps(), steps);
+            const Painting first = s.painting();
+            QTest::mouseClick(dialog.rollButton(), Qt::LeftButton);
+            QVERIFY(!(s.painting() == first));
+            emit dialog.field(&VaryAmounts::density)->entered(0);
+            emit dialog.field(&VaryAmounts::lightness)->entered(0);
+            QVERIFY(s.painting() == *before); // nothing strays
+            emit dialog.field(&VaryAmounts::diffusion)->entered(0.5);
+            dialog.per()->setCurrentIndex(VaryAmounts::EachSegment);
+            QVERIFY(!areScaled(*before->find(s.pen), s.stroke(s.pen), &Segment::diffusion,
+                               double(s.stroke(s.pen).segments[0].diffusion) /
+                                   double(before->find(s.pen)->segments[0].diffusion)));
+            dialog.accept();
+        }
+        QCOMPARE(s.steps(), steps + 1);
+        QCOMPARE(s.editor().undoText(), QString("Vary"));
+        QVERIFY(s.stroke(s.marker) == *before->find(s.marker));
+        s.use(Command::Undo);
+        QVERIFY(s.painting() == *before);
+        const VaryAmounts remembered = commands::storedVariation();
+        QCOMPARE(remembered.diffusion, 0.5);
+        QCOMPARE(remembered.per, VaryAmounts::EachSegment);
+    }
+
+    void cancelTakesVariationBack()
+    {
+        TwoPainted s;
+        const auto before = s.editor().document().painting();
+        const int steps = s.steps();
+        VaryDialog dialog(s.editor(), &s.window);
+        dialog.show();
+        QVERIFY(!(s.painting() == *before));
+        QTest::keyClick(&dialog, Qt::Key_Escape);
+        QVERIFY(!dialog.isVisible());
+        QVERIFY(s.painting() == *before);
+        QCOMPARE(s.steps(), steps);
+    }
+
+private:
+    QTemporaryDir m_folder;
+};
+
+QTEST_MAIN(TestMixedValues)
+#include "test_mixed_values.moc"
