@@ -12,8 +12,8 @@ namespace suffuse {
 
 namespace {
 constexpr double keyStep = 0.01;
-constexpr double pointReach = 9;       ///< logical pixels around a point
-constexpr double leastGap = 1.0 / 512; ///< between two points
+constexpr double pointReach = 9;            ///< logical pixels around a point
+constexpr double leastPointGap = 1.0 / 512; ///< between two points
 
 /// Between values that are evenly spread over [0, 1].
 double evenlyAt(const std::vector<double> &values, double place)
@@ -102,9 +102,9 @@ void CurveEditor::takePoint(QPointF pointer)
     const auto i =
         std::clamp<std::ptrdiff_t>(after - m_curve.places.begin(), 1, std::ptrdiff_t(m_curve.places.size()) - 1);
     const double from = m_curve.places[std::size_t(i) - 1], to = m_curve.places[std::size_t(i)];
-    if (to - from < 2 * leastGap)
+    if (to - from < 2 * leastPointGap)
         return;
-    const double place = std::clamp(m_last.x(), from + leastGap, to - leastGap);
+    const double place = std::clamp(m_last.x(), from + leastPointGap, to - leastPointGap);
     m_curve.knots.insert(m_curve.knots.begin() + i, m_curve.at(place));
     m_curve.places.insert(m_curve.places.begin() + i, place);
     m_knot = std::size_t(i);
@@ -143,7 +143,7 @@ void CurveEditor::dragTo(QPointF at)
     if (m_curve.isPoints()) {
         std::vector<double> &places = m_curve.places;
         if (m_knot > 0 && m_knot + 1 < places.size())
-            places[m_knot] = std::clamp(at.x(), places[m_knot - 1] + leastGap, places[m_knot + 1] - leastGap);
+            places[m_knot] = std::clamp(at.x(), places[m_knot - 1] + leastPointGap, places[m_knot + 1] - leastPointGap);
         m_curve.knots[m_knot] = at.y();
     } else if (m_curve.knots.size() > 2)
         drawTo(at);
@@ -201,7 +201,8 @@ void CurveEditor::stepPlace(double by)
     std::vector<double> &places = m_curve.places;
     if (m_knot == 0 || m_knot + 1 >= places.size())
         return;
-    places[m_knot] = std::clamp(places[m_knot] + by, places[m_knot - 1] + leastGap, places[m_knot + 1] - leastGap);
+    places[m_knot] =
+        std::clamp(places[m_knot] + by, places[m_knot - 1] + leastPointGap, places[m_knot + 1] - leastPointGap);
     update();
     emit edited();
 }
