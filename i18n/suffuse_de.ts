@@ -1114,6 +1114,30 @@ Rückgabewerte: 0 erledigt, 1 fehlgeschlagen, 2 falscher Aufruf.</translation>
         <source>Nothing changes.</source>
         <translation>Nichts ändert sich.</translation>
     </message>
+    <message>
+        <source>Apply brush</source>
+        <translation>Pinsel anwenden</translation>
+    </message>
+    <message>
+        <source>Apply form of the brush</source>
+        <translation>Form des Pinsels anwenden</translation>
+    </message>
+    <message>
+        <source>Apply colour of the brush</source>
+        <translation>Farbe des Pinsels anwenden</translation>
+    </message>
+    <message>
+        <source>Apply texture of the brush</source>
+        <translation>Textur des Pinsels anwenden</translation>
+    </message>
+    <message>
+        <source>No appearance was copied.</source>
+        <translation>Es wurde kein Aussehen kopiert.</translation>
+    </message>
+    <message>
+        <source>Paste appearance</source>
+        <translation>Aussehen einfügen</translation>
+    </message>
 </context>
 <context>
     <name>Export</name>
@@ -1807,10 +1831,6 @@ Rückgabewerte: 0 erledigt, 1 fehlgeschlagen, 2 falscher Aufruf.</translation>
         <translation>Kurve entlang des Strichs</translation>
     </message>
     <message>
-        <source>Drag the line or its ends; a drawn curve is drawn with the pointer. The dots are the values of the segments.</source>
-        <translation>Die Linie oder ihre Enden ziehen; eine gezeichnete Kurve zeichnet man mit dem Zeiger. Die Punkte sind die Werte der Segmente.</translation>
-    </message>
-    <message>
         <source>Quantity</source>
         <translation>Kenngröße</translation>
     </message>
@@ -1849,6 +1869,34 @@ Rückgabewerte: 0 erledigt, 1 fehlgeschlagen, 2 falscher Aufruf.</translation>
     <message>
         <source>Change along the stroke</source>
         <translation>Entlang des Strichs ändern</translation>
+    </message>
+    <message>
+        <source>Drag the line, its ends or its points; a press beside them makes a point, Del removes one. A drawn curve is drawn with the pointer. The dots are the values of the segments.</source>
+        <translation>Die Linie, ihre Enden oder ihre Punkte ziehen; ein Druck daneben macht einen Punkt, Entf entfernt einen. Eine gezeichnete Kurve zeichnet man mit dem Zeiger. Die kleinen Punkte sind die Werte der Segmente.</translation>
+    </message>
+    <message>
+        <source>Points</source>
+        <translation>Punkte</translation>
+    </message>
+    <message>
+        <source>The values that there are, as a curve of points that can be moved</source>
+        <translation>Die vorhandenen Werte als Kurve aus Punkten, die sich bewegen lassen</translation>
+    </message>
+    <message>
+        <source>Scale</source>
+        <translation>Skalieren</translation>
+    </message>
+    <message>
+        <source>Add</source>
+        <translation>Addieren</translation>
+    </message>
+    <message>
+        <source>Multiplies all of it; what varies along the stroke stays</source>
+        <translation>Vervielfacht alles; was entlang des Strichs wechselt, bleibt</translation>
+    </message>
+    <message>
+        <source>Is added to all of it; what varies along the stroke stays</source>
+        <translation>Wird zu allem addiert; was entlang des Strichs wechselt, bleibt</translation>
     </message>
 </context>
 <context>
@@ -2422,6 +2470,26 @@ Rückgabewerte: 0 erledigt, 1 fehlgeschlagen, 2 falscher Aufruf.</translation>
     <message>
         <source>Rel&amp;oad</source>
         <translation>Neu l&amp;aden</translation>
+    </message>
+    <message>
+        <source>&amp;Apply to Selection</source>
+        <translation>&amp;Auf die Auswahl anwenden</translation>
+    </message>
+    <message>
+        <source>&amp;Whole Brush</source>
+        <translation>&amp;Ganzer Pinsel</translation>
+    </message>
+    <message>
+        <source>&amp;Form Only</source>
+        <translation>Nur &amp;Form</translation>
+    </message>
+    <message>
+        <source>&amp;Colour Only</source>
+        <translation>Nur Fa&amp;rbe</translation>
+    </message>
+    <message>
+        <source>&amp;Texture Only</source>
+        <translation>Nur &amp;Textur</translation>
     </message>
 </context>
 <context>
@@ -4103,6 +4171,90 @@ Auch die Pfeiltasten wirken.</translation>
         <source>Width, diffusion, density, colour and opacity of what is selected, at the pointer</source>
         <translation>Breite, Diffusion, Dichte, Farbe und Deckkraft des Ausgewählten, am Zeiger</translation>
     </message>
+    <message>
+        <source>&amp;Whole Brush</source>
+        <translation>&amp;Ganzer Pinsel</translation>
+    </message>
+    <message>
+        <source>Ctrl+B</source>
+        <translation>Ctrl+B</translation>
+    </message>
+    <message>
+        <source>Put the brush in hand on the selected strokes; they remember the pen&apos;s pressure</source>
+        <translation>Gibt den gewählten Strichen den Pinsel in der Hand; sie erinnern sich an den Druck des Stifts</translation>
+    </message>
+    <message>
+        <source>&amp;Form Only</source>
+        <translation>Nur &amp;Form</translation>
+    </message>
+    <message>
+        <source>Width, density, tapering and tip of the brush in hand</source>
+        <translation>Breite, Dichte, Verjüngung und Spitze des Pinsels in der Hand</translation>
+    </message>
+    <message>
+        <source>&amp;Colour Only</source>
+        <translation>Nur Fa&amp;rbe</translation>
+    </message>
+    <message>
+        <source>Colour and opacity of the brush in hand</source>
+        <translation>Farbe und Deckkraft des Pinsels in der Hand</translation>
+    </message>
+    <message>
+        <source>&amp;Texture Only</source>
+        <translation>Nur &amp;Textur</translation>
+    </message>
+    <message>
+        <source>Style, mixing, grain and drying time of the brush in hand</source>
+        <translation>Stil, Mischung, Körnung und Trockenzeit des Pinsels in der Hand</translation>
+    </message>
+    <message>
+        <source>C&amp;opy Appearance</source>
+        <translation>Aussehen ko&amp;pieren</translation>
+    </message>
+    <message>
+        <source>Ctrl+Shift+C</source>
+        <translation>Ctrl+Shift+C</translation>
+    </message>
+    <message>
+        <source>Copy style, mixing, values and colour of the stroke that was selected last</source>
+        <translation>Kopiert Stil, Mischung, Werte und Farbe des zuletzt gewählten Strichs</translation>
+    </message>
+    <message>
+        <source>Paste Appearance</source>
+        <translation>Aussehen einfügen</translation>
+    </message>
+    <message>
+        <source>Ctrl+Shift+V</source>
+        <translation>Ctrl+Shift+V</translation>
+    </message>
+    <message>
+        <source>Put it on the selected strokes; what varies along them goes on varying</source>
+        <translation>Gibt es den gewählten Strichen; was entlang ihrer wechselt, wechselt weiterhin</translation>
+    </message>
+    <message>
+        <source>Paste Appearance Evenl&amp;y</source>
+        <translation>Aussehen gle&amp;ichmäßig einfügen</translation>
+    </message>
+    <message>
+        <source>Put it on the selected strokes, with the same values all along</source>
+        <translation>Gibt es den gewählten Strichen, mit denselben Werten von Anfang bis Ende</translation>
+    </message>
+    <message>
+        <source>Vary at Rand&amp;om…</source>
+        <translation>Zufällig ab&amp;wandeln …</translation>
+    </message>
+    <message>
+        <source>Ctrl+Alt+Y</source>
+        <translation>Ctrl+Alt+Y</translation>
+    </message>
+    <message>
+        <source>Let values and colours of the selected strokes stray at random</source>
+        <translation>Lässt Werte und Farben der gewählten Striche zufällig abweichen</translation>
+    </message>
+    <message>
+        <source>Appl&amp;y Brush</source>
+        <translation>&amp;Pinsel anwenden</translation>
+    </message>
 </context>
 <context>
     <name>suffuse::CompareButton</name>
@@ -4380,6 +4532,34 @@ Auch die Pfeiltasten wirken.</translation>
     <message>
         <source>Click to take the picture&apos;s colour as the current one. Shift: the stroke&apos;s own colour.</source>
         <translation>Klick übernimmt die Farbe des Bildes als aktuelle. Umschalt: die eigene Farbe des Strichs.</translation>
+    </message>
+    <message>
+        <source>A click takes</source>
+        <translation>Ein Klick nimmt</translation>
+    </message>
+    <message>
+        <source>The colour, to paint with</source>
+        <translation>Die Farbe, zum Malen</translation>
+    </message>
+    <message>
+        <source>The appearance, for the selection</source>
+        <translation>Das Aussehen, für die Auswahl</translation>
+    </message>
+    <message>
+        <source>A colour to paint with, or style, values and colour of a stroke for the selected ones</source>
+        <translation>Eine Farbe zum Malen, oder Stil, Werte und Farbe eines Strichs für die gewählten</translation>
+    </message>
+    <message>
+        <source>Match</source>
+        <translation>Angleichen</translation>
+    </message>
+    <message>
+        <source>Select strokes first: they get the appearance of the stroke you click.</source>
+        <translation>Zuerst Striche auswählen: sie erhalten das Aussehen des Strichs, der angeklickt wird.</translation>
+    </message>
+    <message>
+        <source>Click a stroke: the selected ones get its appearance, and what varies along them stays. Shift: the same values all along.</source>
+        <translation>Klick auf einen Strich: die gewählten erhalten sein Aussehen, und was entlang ihrer wechselt, bleibt. Umschalt: dieselben Werte von Anfang bis Ende.</translation>
     </message>
 </context>
 <context>
@@ -6841,6 +7021,18 @@ Auch die Pfeiltasten wirken.</translation>
         <source>%1, slider</source>
         <translation>%1, Schieberegler</translation>
     </message>
+    <message>
+        <source>The values differ. The slider multiplies each of them; with Ctrl it makes them one.</source>
+        <translation>Die Werte sind verschieden. Der Regler vervielfacht jeden von ihnen; mit Strg macht er einen aus allen.</translation>
+    </message>
+    <message>
+        <source>The values differ. The slider adds to each of them; with Ctrl it makes them one.</source>
+        <translation>Die Werte sind verschieden. Der Regler erhöht oder senkt jeden von ihnen; mit Strg macht er einen aus allen.</translation>
+    </message>
+    <message>
+        <source>The values differ. A number makes them one; *1.2 or +2 changes each of them.</source>
+        <translation>Die Werte sind verschieden. Eine Zahl macht einen aus allen; *1,2 oder +2 ändert jeden von ihnen.</translation>
+    </message>
 </context>
 <context>
     <name>suffuse::SoftReach</name>
@@ -7728,6 +7920,85 @@ Auch die Pfeiltasten wirken.</translation>
     <message>
         <source>%1, segment %2</source>
         <translation>%1, Segment %2</translation>
+    </message>
+</context>
+<context>
+    <name>suffuse::VaryDialog</name>
+    <message>
+        <source>Vary</source>
+        <translation>Abwandeln</translation>
+    </message>
+    <message>
+        <source>D becomes greater by up to this, or smaller by the same factor</source>
+        <translation>D wird um bis zu diesem größer, oder um denselben Faktor kleiner</translation>
+    </message>
+    <message>
+        <source>φ becomes greater by up to this, or smaller by the same factor</source>
+        <translation>φ wird um bis zu diesem größer, oder um denselben Faktor kleiner</translation>
+    </message>
+    <message>
+        <source>t_max becomes greater by up to this, or smaller by the same factor</source>
+        <translation>t_max wird um bis zu diesem größer, oder um denselben Faktor kleiner</translation>
+    </message>
+    <message>
+        <source>So much more grain, or less</source>
+        <translation>So viel mehr Körnung, oder weniger</translation>
+    </message>
+    <message>
+        <source>Hue</source>
+        <translation>Farbton</translation>
+    </message>
+    <message>
+        <source>Colours turn by up to this angle, either way</source>
+        <translation>Farben drehen sich um bis zu diesem Winkel, hin oder her</translation>
+    </message>
+    <message>
+        <source>Lightness</source>
+        <translation>Helligkeit</translation>
+    </message>
+    <message>
+        <source>Colours get lighter or darker by up to this</source>
+        <translation>Farben werden um bis zu diesem heller oder dunkler</translation>
+    </message>
+    <message>
+        <source>So much more opaque, or less</source>
+        <translation>So viel deckender, oder weniger</translation>
+    </message>
+    <message>
+        <source>Roll Again</source>
+        <translation>Neu würfeln</translation>
+    </message>
+    <message>
+        <source>Other random values by the same amounts</source>
+        <translation>Andere Zufallswerte im selben Maß</translation>
+    </message>
+    <message>
+        <source>Each stroke</source>
+        <translation>Jeder Strich</translation>
+    </message>
+    <message>
+        <source>Each segment</source>
+        <translation>Jedes Segment</translation>
+    </message>
+    <message>
+        <source>Along each stroke</source>
+        <translation>Entlang jedes Strichs</translation>
+    </message>
+    <message>
+        <source>What gets a random value of its own; along a stroke values drift smoothly</source>
+        <translation>Was einen eigenen Zufallswert erhält; entlang eines Strichs wandern die Werte sanft</translation>
+    </message>
+    <message>
+        <source>Of its own</source>
+        <translation>Für sich</translation>
+    </message>
+    <message>
+        <source>Length</source>
+        <translation>Länge</translation>
+    </message>
+    <message>
+        <source>Over this length along a stroke values become others</source>
+        <translation>Über diese Länge entlang eines Strichs werden die Werte andere</translation>
     </message>
 </context>
 <context>

@@ -1107,6 +1107,30 @@ Exit codes: 0 done, 1 the work failed, 2 wrong usage.</source>
         <source>Nothing changes.</source>
         <translation>没有变化。</translation>
     </message>
+    <message>
+        <source>Apply brush</source>
+        <translation>应用画笔</translation>
+    </message>
+    <message>
+        <source>Apply form of the brush</source>
+        <translation>应用画笔的形态</translation>
+    </message>
+    <message>
+        <source>Apply colour of the brush</source>
+        <translation>应用画笔的颜色</translation>
+    </message>
+    <message>
+        <source>Apply texture of the brush</source>
+        <translation>应用画笔的质感</translation>
+    </message>
+    <message>
+        <source>No appearance was copied.</source>
+        <translation>尚未复制外观。</translation>
+    </message>
+    <message>
+        <source>Paste appearance</source>
+        <translation>粘贴外观</translation>
+    </message>
 </context>
 <context>
     <name>Export</name>
@@ -1799,10 +1823,6 @@ Exit codes: 0 done, 1 the work failed, 2 wrong usage.</source>
         <translation>沿笔画的曲线</translation>
     </message>
     <message>
-        <source>Drag the line or its ends; a drawn curve is drawn with the pointer. The dots are the values of the segments.</source>
-        <translation>拖动线条或其两端；手绘曲线用指针绘制。圆点为各线段的值。</translation>
-    </message>
-    <message>
         <source>Quantity</source>
         <translation>参数</translation>
     </message>
@@ -1841,6 +1861,34 @@ Exit codes: 0 done, 1 the work failed, 2 wrong usage.</source>
     <message>
         <source>Change along the stroke</source>
         <translation>更改沿笔画的变化</translation>
+    </message>
+    <message>
+        <source>Drag the line, its ends or its points; a press beside them makes a point, Del removes one. A drawn curve is drawn with the pointer. The dots are the values of the segments.</source>
+        <translation>拖动线条、其两端或控制点；在旁边按下可添加点，Del 可删除点。手绘曲线用指针绘制。小圆点为各线段的值。</translation>
+    </message>
+    <message>
+        <source>Points</source>
+        <translation>控制点</translation>
+    </message>
+    <message>
+        <source>The values that there are, as a curve of points that can be moved</source>
+        <translation>以可移动的控制点曲线显示现有的值</translation>
+    </message>
+    <message>
+        <source>Scale</source>
+        <translation>缩放</translation>
+    </message>
+    <message>
+        <source>Add</source>
+        <translation>增减</translation>
+    </message>
+    <message>
+        <source>Multiplies all of it; what varies along the stroke stays</source>
+        <translation>整体相乘；沿笔画的变化保持不变</translation>
+    </message>
+    <message>
+        <source>Is added to all of it; what varies along the stroke stays</source>
+        <translation>整体增减；沿笔画的变化保持不变</translation>
     </message>
 </context>
 <context>
@@ -2414,6 +2462,26 @@ Exit codes: 0 done, 1 the work failed, 2 wrong usage.</source>
     <message>
         <source>Rel&amp;oad</source>
         <translation>重新载入(&amp;O)</translation>
+    </message>
+    <message>
+        <source>&amp;Apply to Selection</source>
+        <translation>应用于所选(&amp;A)</translation>
+    </message>
+    <message>
+        <source>&amp;Whole Brush</source>
+        <translation>整个画笔(&amp;W)</translation>
+    </message>
+    <message>
+        <source>&amp;Form Only</source>
+        <translation>仅形态(&amp;F)</translation>
+    </message>
+    <message>
+        <source>&amp;Colour Only</source>
+        <translation>仅颜色(&amp;C)</translation>
+    </message>
+    <message>
+        <source>&amp;Texture Only</source>
+        <translation>仅质感(&amp;T)</translation>
     </message>
 </context>
 <context>
@@ -4094,6 +4162,90 @@ Arrow keys work too.</source>
         <source>Width, diffusion, density, colour and opacity of what is selected, at the pointer</source>
         <translation>在指针处编辑所选内容的宽度、扩散、密度、颜色和不透明度</translation>
     </message>
+    <message>
+        <source>&amp;Whole Brush</source>
+        <translation>整个画笔(&amp;W)</translation>
+    </message>
+    <message>
+        <source>Ctrl+B</source>
+        <translation>Ctrl+B</translation>
+    </message>
+    <message>
+        <source>Put the brush in hand on the selected strokes; they remember the pen&apos;s pressure</source>
+        <translation>将当前画笔应用于所选笔画；笔画会记住落笔时的压感</translation>
+    </message>
+    <message>
+        <source>&amp;Form Only</source>
+        <translation>仅形态(&amp;F)</translation>
+    </message>
+    <message>
+        <source>Width, density, tapering and tip of the brush in hand</source>
+        <translation>当前画笔的宽度、密度、收尖和笔尖</translation>
+    </message>
+    <message>
+        <source>&amp;Colour Only</source>
+        <translation>仅颜色(&amp;C)</translation>
+    </message>
+    <message>
+        <source>Colour and opacity of the brush in hand</source>
+        <translation>当前画笔的颜色和不透明度</translation>
+    </message>
+    <message>
+        <source>&amp;Texture Only</source>
+        <translation>仅质感(&amp;T)</translation>
+    </message>
+    <message>
+        <source>Style, mixing, grain and drying time of the brush in hand</source>
+        <translation>当前画笔的样式、混合、颗粒和干燥时间</translation>
+    </message>
+    <message>
+        <source>C&amp;opy Appearance</source>
+        <translation>复制外观(&amp;O)</translation>
+    </message>
+    <message>
+        <source>Ctrl+Shift+C</source>
+        <translation>Ctrl+Shift+C</translation>
+    </message>
+    <message>
+        <source>Copy style, mixing, values and colour of the stroke that was selected last</source>
+        <translation>复制最后选择的笔画的样式、混合、数值和颜色</translation>
+    </message>
+    <message>
+        <source>Paste Appearance</source>
+        <translation>粘贴外观</translation>
+    </message>
+    <message>
+        <source>Ctrl+Shift+V</source>
+        <translation>Ctrl+Shift+V</translation>
+    </message>
+    <message>
+        <source>Put it on the selected strokes; what varies along them goes on varying</source>
+        <translation>应用于所选笔画；沿笔画的变化得以保留</translation>
+    </message>
+    <message>
+        <source>Paste Appearance Evenl&amp;y</source>
+        <translation>均匀粘贴外观(&amp;Y)</translation>
+    </message>
+    <message>
+        <source>Put it on the selected strokes, with the same values all along</source>
+        <translation>应用于所选笔画，且全程使用相同的值</translation>
+    </message>
+    <message>
+        <source>Vary at Rand&amp;om…</source>
+        <translation>随机变化(&amp;O)…</translation>
+    </message>
+    <message>
+        <source>Ctrl+Alt+Y</source>
+        <translation>Ctrl+Alt+Y</translation>
+    </message>
+    <message>
+        <source>Let values and colours of the selected strokes stray at random</source>
+        <translation>让所选笔画的数值和颜色随机偏移</translation>
+    </message>
+    <message>
+        <source>Appl&amp;y Brush</source>
+        <translation>应用画笔(&amp;Y)</translation>
+    </message>
 </context>
 <context>
     <name>suffuse::CompareButton</name>
@@ -4371,6 +4523,34 @@ Arrow keys work too.</source>
     <message>
         <source>Click to take the picture&apos;s colour as the current one. Shift: the stroke&apos;s own colour.</source>
         <translation>点击将画面的颜色取为当前颜色。Shift：取笔画本身的颜色。</translation>
+    </message>
+    <message>
+        <source>A click takes</source>
+        <translation>点击获取</translation>
+    </message>
+    <message>
+        <source>The colour, to paint with</source>
+        <translation>颜色，用于绘画</translation>
+    </message>
+    <message>
+        <source>The appearance, for the selection</source>
+        <translation>外观，用于所选</translation>
+    </message>
+    <message>
+        <source>A colour to paint with, or style, values and colour of a stroke for the selected ones</source>
+        <translation>用于绘画的颜色，或将某笔画的样式、数值和颜色用于所选笔画</translation>
+    </message>
+    <message>
+        <source>Match</source>
+        <translation>匹配</translation>
+    </message>
+    <message>
+        <source>Select strokes first: they get the appearance of the stroke you click.</source>
+        <translation>请先选择笔画：它们将获得所点击笔画的外观。</translation>
+    </message>
+    <message>
+        <source>Click a stroke: the selected ones get its appearance, and what varies along them stays. Shift: the same values all along.</source>
+        <translation>点击笔画：所选笔画获得其外观，沿笔画的变化保留。Shift：全程使用相同的值。</translation>
     </message>
 </context>
 <context>
@@ -6807,6 +6987,18 @@ Arrow keys work too.</source>
         <source>%1, slider</source>
         <translation>%1，滑块</translation>
     </message>
+    <message>
+        <source>The values differ. The slider multiplies each of them; with Ctrl it makes them one.</source>
+        <translation>各值不同。滑块将每个值相乘；按住 Ctrl 则统一为一个值。</translation>
+    </message>
+    <message>
+        <source>The values differ. The slider adds to each of them; with Ctrl it makes them one.</source>
+        <translation>各值不同。滑块对每个值进行增减；按住 Ctrl 则统一为一个值。</translation>
+    </message>
+    <message>
+        <source>The values differ. A number makes them one; *1.2 or +2 changes each of them.</source>
+        <translation>各值不同。输入数字则统一为一个值；*1.2 或 +2 会更改每个值。</translation>
+    </message>
 </context>
 <context>
     <name>suffuse::SoftReach</name>
@@ -7690,6 +7882,85 @@ Arrow keys work too.</source>
     <message>
         <source>%1, segment %2</source>
         <translation>%1，线段 %2</translation>
+    </message>
+</context>
+<context>
+    <name>suffuse::VaryDialog</name>
+    <message>
+        <source>Vary</source>
+        <translation>随机变化</translation>
+    </message>
+    <message>
+        <source>D becomes greater by up to this, or smaller by the same factor</source>
+        <translation>D 最多增大此值，或按相同倍数减小</translation>
+    </message>
+    <message>
+        <source>φ becomes greater by up to this, or smaller by the same factor</source>
+        <translation>φ 最多增大此值，或按相同倍数减小</translation>
+    </message>
+    <message>
+        <source>t_max becomes greater by up to this, or smaller by the same factor</source>
+        <translation>t_max 最多增大此值，或按相同倍数减小</translation>
+    </message>
+    <message>
+        <source>So much more grain, or less</source>
+        <translation>颗粒最多增减此值</translation>
+    </message>
+    <message>
+        <source>Hue</source>
+        <translation>色相</translation>
+    </message>
+    <message>
+        <source>Colours turn by up to this angle, either way</source>
+        <translation>颜色最多向任一方向旋转此角度</translation>
+    </message>
+    <message>
+        <source>Lightness</source>
+        <translation>明度</translation>
+    </message>
+    <message>
+        <source>Colours get lighter or darker by up to this</source>
+        <translation>颜色最多变亮或变暗此值</translation>
+    </message>
+    <message>
+        <source>So much more opaque, or less</source>
+        <translation>不透明度最多增减此值</translation>
+    </message>
+    <message>
+        <source>Roll Again</source>
+        <translation>重新随机</translation>
+    </message>
+    <message>
+        <source>Other random values by the same amounts</source>
+        <translation>以相同幅度生成另一组随机值</translation>
+    </message>
+    <message>
+        <source>Each stroke</source>
+        <translation>每条笔画</translation>
+    </message>
+    <message>
+        <source>Each segment</source>
+        <translation>每个线段</translation>
+    </message>
+    <message>
+        <source>Along each stroke</source>
+        <translation>沿每条笔画</translation>
+    </message>
+    <message>
+        <source>What gets a random value of its own; along a stroke values drift smoothly</source>
+        <translation>哪些对象各有随机值；沿笔画时数值平滑漂移</translation>
+    </message>
+    <message>
+        <source>Of its own</source>
+        <translation>各自</translation>
+    </message>
+    <message>
+        <source>Length</source>
+        <translation>长度</translation>
+    </message>
+    <message>
+        <source>Over this length along a stroke values become others</source>
+        <translation>沿笔画经过此长度后数值发生变化</translation>
     </message>
 </context>
 <context>
