@@ -8,8 +8,8 @@
 
 namespace suffuse {
 
-/// The segments that a change in the inspector means: the selected ones or, if none is selected, all of the selected
-/// strokes.
+/// The segments that an inspector change means: the selected ones, or without any those of the selected strokes that lay
+/// paint. What takes paint away keeps its values unless it is selected, or the stroke has nothing else.
 std::vector<SegmentRef> targetSegments(const Document &document);
 
 /// Applies `change` to each of the segments. If a segment becomes invalid (`problemOf`), it stays as it was.
@@ -31,7 +31,8 @@ enum class Leaves {
     Strokes, ///< The parts are strokes of their own, which mix over each other.
     Chains   ///< The parts are chains of one stroke, so the rest of the picture stays.
 };
-/// Deletes the selected segments or, if none is selected, the selected strokes.
+/// Deletes the selected segments, or the selected strokes. With `Chains`, strokes of which something is left stay
+/// selected.
 Edit deleteSelection(Document &document, Leaves leaves = Leaves::Strokes);
 /// Puts copies of the selected strokes above the topmost of them, moved by `offset`, and selects the copies. Groups
 /// that are selected as a whole are copied as groups, with the tree in them and their names, but without what is hidden

@@ -1,27 +1,52 @@
 #include "undo/node_edits.h"
 #include "undo/remap.h"
 
+#include <ranges>
+
 namespace suffuse {
 
 namespace {
 
+/// An end of one of a stroke's chains.
+struct StrokeEnd {
+    int node = 0;
+    Point at;
+};
+
+std::vector<StrokeEnd> endsOf(const Stroke &stroke)
+{
+    std::vector<StrokeEnd> ends;
+    for (const int node : endNodesOf(stroke))
+        ends.push_back({node, nodePosition(stroke, node)});
+    return ends;
+}
+
 /// The gap between the two nearest ends of two strokes.
 struct Gap {
     double distance = std::numeric_limits<double>::infinity();
-    bool firstAtEnd = true, secondAtEnd = false;
+    int first = 0, second = 0; ///< nodes
 };
 
-Gap nearestEnds(const Stroke &a, const Stroke &b)
+/// Of gaps that are alike, the one behind the last end counts.
+Gap nearestEnds(const std::vector<StrokeEnd> &a, const std::vector<StrokeEnd> &b)
 {
     Gap best;
-    for (bool aAtEnd : {true, false})
-        for (bool bAtEnd : {false, true}) {
-            const Point p = nodePosition(a, aAtEnd ? int(a.segments.size()) : 0);
-            const Point q = nodePosition(b, bAtEnd ? int(b.segments.size()) : 0);
-            if (const double d = length(p - q); d < best.distance)
-                best = {d, aAtEnd, bAtEnd};
-        }
+    for (const StrokeEnd &end : std::views::reverse(a))
+        for (const StrokeEnd &other : b)
+            if (const double d = length(end.at - other.at); d < best.distance)
+                best = {d, end.node, other.node};
     return best;
+}
+
+/// From bottom to top.
+std::vector<StrokePtr> unlockedSelected(const Document &document)
+{
+    const Painting &painting = *document.painting();
+    std::vector<StrokePtr> strokes;
+    for (const StrokePtr &stroke : painting.strokes)
+        if (document.selection().strokes.contains(stroke->id) && !painting.isLocked(*stroke))
+            strokes.push_back(stroke);
+    return strokes;
 }
 
 /// Puts `whole` in the place of the stroke with its id, and removes others.
@@ -73,28 +98,49 @@ Edit joinNodes(const Document &document, NodeRef a, NodeRef b)
 
 Edit joinSelection(const Document &document)
 {
-    const Painting &painting = *document.painting();
-    std::vector<StrokePtr> rest;
-    for (const StrokePtr &s : painting.strokes)
-        if (document.selection().strokes.contains(s->id) && !painting.isLocked(*s))
-            rest.push_back(s);
+    struct Joinable {
+        StrokePtr stroke;
+        std::vector<StrokeEnd> ends;
+    };
+    std::vector<Joinable> rest;
+    for (const StrokePtr &s : unlockedSelected(document))
+        rest.push_back({s, endsOf(*s)});
     if (rest.size() < 2)
         return {};
-    Stroke whole = *rest.back();
+    Stroke whole = *rest.back().stroke;
     rest.pop_back();
     std::set<StrokeId> gone;
     while (!rest.empty()) {
         Gap best;
         auto next = rest.begin();
+        const std::vector<StrokeEnd> ends = endsOf(whole);
         for (auto it = rest.begin(); it != rest.end(); ++it)
-            if (const Gap gap = nearestEnds(whole, **it); gap.distance < best.distance) {
+            if (const Gap gap = nearestEnds(ends, it->ends); gap.distance < best.distance) {
                 best = gap;
                 next = it;
             }
-        if (join(whole, best.firstAtEnd, **next, best.secondAtEnd))
-            gone.insert((*next)->id);
+        if (std::optional<Stroke> longer = joinedAt(whole, best.first, *next->stroke, best.second)) {
+            whole = std::move(*longer);
+            gone.insert(next->stroke->id);
+        }
         rest.erase(next);
     }
+    return gone.empty() ? Edit() : mergedInto(document, std::move(whole), gone);
+}
+
+Edit combineSelection(const Document &document)
+{
+    std::vector<StrokePtr> strokes = unlockedSelected(document);
+    if (strokes.size() < 2)
+        return {};
+    Stroke whole = *strokes.back();
+    strokes.pop_back();
+    std::set<StrokeId> gone;
+    for (const StrokePtr &stroke : strokes)
+        if (std::optional<Stroke> more = combined(whole, *stroke)) {
+            whole = std::move(*more);
+            gone.insert(stroke->id);
+        }
     return gone.empty() ? Edit() : mergedInto(document, std::move(whole), gone);
 }
 

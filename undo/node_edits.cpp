@@ -270,7 +270,7 @@ Edit eraseAlong(Document &document, const std::set<StrokeId> &targets, const std
     const PaintingPtr painting = document.painting();
     Parts parts(document);
     for (const StrokePtr &stroke : painting->strokes) {
-        const bool isMeant = (targets.empty() || targets.contains(stroke->id)) && painting->isVisible(*stroke) &&
+        const bool isMeant = targets.contains(stroke->id) && painting->isVisible(*stroke) &&
                              !painting->isLocked(*stroke);
         if (!isMeant || !mayErase(*stroke, path, radius)) {
             parts.keep(*stroke);
@@ -288,6 +288,47 @@ Edit eraseAlong(Document &document, const std::set<StrokeId> &targets, const std
             parts.replace(*stroke, std::move(left), sources);
     }
     return parts.edit();
+}
+
+Edit breakApart(Document &document)
+{
+    const PaintingPtr painting = document.painting();
+    Parts parts(document);
+    for (const StrokePtr &stroke : painting->strokes) {
+        std::vector<Stroke> chains;
+        std::vector<int> sources;
+        if (document.selection().strokes.contains(stroke->id) && !painting->isLocked(*stroke))
+            chains = strokesOfChains(*stroke, &sources);
+        if (chains.size() < 2)
+            parts.keep(*stroke);
+        else
+            parts.replace(*stroke, std::move(chains), sources);
+    }
+    return parts.edit();
+}
+
+Edit removeErasures(const Document &document)
+{
+    Selection selection = document.selection();
+    std::map<StrokeId, bool> targets;
+    for (const StrokeId id : selection.strokes)
+        targets.emplace(id, true);
+    Edit edit = reshape(document, targets, [&](const Stroke &stroke, bool) {
+        const auto chosen = selection.segments.lower_bound({stroke.id, 0});
+        const bool isPart = chosen != selection.segments.end() && chosen->stroke == stroke.id;
+        std::vector<int> gone, sources;
+        for (int k = 0; k < int(stroke.segments.size()); ++k)
+            if (stroke.segments[std::size_t(k)].lift && (!isPart || selection.segments.contains({stroke.id, k})))
+                gone.push_back(k);
+        std::optional<Stroke> left = gone.empty() ? std::nullopt : withoutSegments(stroke, gone, &sources);
+        if (!left)
+            return stroke;
+        remap(selection, stroke.id, sources);
+        return std::move(*left);
+    });
+    if (!edit.isEmpty())
+        setSelection(edit, document, std::move(selection));
+    return edit;
 }
 
 Edit reverseSelection(const Document &document)
@@ -308,19 +349,21 @@ Edit reverseSelection(const Document &document)
     return edit;
 }
 
-Edit extendStroke(const Document &document, StrokeId stroke, bool atEnd, const Stroke &added)
+Edit extendStroke(const Document &document, NodeRef end, const Stroke &added)
 {
-    const std::map<StrokeId, bool> target{{stroke, atEnd}};
+    const std::map<StrokeId, int> target{{end.stroke, end.node}};
     Selection selection = document.selection();
-    Edit edit = reshape(document, target, [&](const Stroke &before, bool) {
-        std::optional<Stroke> longer = joined(before, atEnd, added, false);
+    Edit edit = reshape(document, target, [&](const Stroke &before, int node) {
+        std::optional<Stroke> longer = joinedAt(before, node, added, 0);
         if (!longer)
             return before;
-        std::vector<int> sources;
+        const NodeSides sides = sidesOf(before, node);
         const int n = int(before.segments.size()), more = int(longer->segments.size()) - n;
+        const int place = sides.before >= 0 ? sides.before + 1 : sides.after; // where the new segments stand
+        std::vector<int> sources;
         for (int k = 0; k < n + more; ++k)
-            sources.push_back(atEnd ? (k < n ? k : -1) : k - more);
-        remap(selection, stroke, sources);
+            sources.push_back(k < place ? k : k < place + more ? -1 : k - more);
+        remap(selection, end.stroke, sources);
         return std::move(*longer);
     });
     if (!edit.isEmpty())

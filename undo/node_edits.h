@@ -33,8 +33,7 @@ Edit setNodeKind(const Document &document, const std::set<NodeRef> &nodes, NodeK
 /// selected if the stroke was. They stand together in the order.
 Edit splitAt(Document &document, const PlacesOfStrokes &places, Leaves leaves = Leaves::Strokes);
 Edit splitAtNodes(Document &document, const std::set<NodeRef> &nodes, Leaves leaves = Leaves::Strokes);
-/// Removes what is nearer than `radius` to the path and painted by time T. It acts on all visible strokes if `targets`
-/// is empty.
+/// Takes away what lies nearer than `radius` to the path and is painted by T, of those of the targets that are visible.
 Edit eraseAlong(Document &document, const std::set<StrokeId> &targets, const std::vector<Point> &path, double radius,
                 Microseconds T = std::numeric_limits<Microseconds>::max(), Leaves leaves = Leaves::Strokes);
 
@@ -43,10 +42,17 @@ Edit eraseAlong(Document &document, const std::set<StrokeId> &targets, const std
 Edit joinNodes(const Document &document, NodeRef a, NodeRef b);
 /// Joins the selected strokes to the topmost one, each time the one whose end is nearest to its ends.
 Edit joinSelection(const Document &document);
+/// The selected strokes become one, whose chains are theirs: their densities add up, and nothing mixes over anything. It
+/// takes the place, name and mixing of the topmost one; styles stay.
+Edit combineSelection(const Document &document);
+/// The opposite: the chains of the selected strokes become strokes, each with what takes paint away from it.
+Edit breakApart(Document &document);
+/// What takes paint away goes, of the selected segments, or of the selected strokes without any; so paint comes back.
+Edit removeErasures(const Document &document);
 /// Reverses the direction of the selected strokes.
 Edit reverseSelection(const Document &document);
-/// Continues a stroke at its end or start with the segments of `added`, from its start on. The segments keep their
-/// values.
-Edit extendStroke(const Document &document, StrokeId stroke, bool atEnd, const Stroke &added);
+/// Goes on with a stroke from an end of one of its chains: the segments of `added`, from its start on, with the values
+/// they have.
+Edit extendStroke(const Document &document, NodeRef end, const Stroke &added);
 
 } // namespace suffuse

@@ -83,8 +83,9 @@ std::vector<SegmentRef> targetSegments(const Document &document)
     if (inPart.size() < selection.strokes.size())
         for (const StrokePtr &stroke : document.painting()->strokes)
             if (selection.strokes.contains(stroke->id) && !inPart.contains(stroke->id))
-                for (std::size_t k = 0; k < stroke->segments.size(); ++k)
-                    result.push_back({stroke->id, int(k)});
+                for (std::size_t k = 0, lays = stroke->laysPaint(); k < stroke->segments.size(); ++k)
+                    if (!lays || !stroke->segments[k].lift)
+                        result.push_back({stroke->id, int(k)});
     std::sort(result.begin(), result.end());
     return result;
 }
@@ -144,6 +145,7 @@ Edit deleteSelection(Document &document, Leaves leaves)
     const Selection &selection = document.selection();
     const SegmentsOfStrokes parts = segmentsByStroke({selection.segments.begin(), selection.segments.end()});
     Edit edit;
+    Selection left;
     std::vector<StrokeId> order;
     for (const StrokePtr &stroke : painting->strokes) {
         if (!selection.strokes.contains(stroke->id) || painting->isLocked(*stroke)) {
@@ -157,12 +159,14 @@ Edit deleteSelection(Document &document, Leaves leaves)
         for (const StrokePtr &run : runs) {
             edit.strokes[run->id] = run;
             order.push_back(run->id);
+            if (leaves == Leaves::Chains)
+                left.strokes.insert(run->id);
         }
     }
     if (edit.strokes.empty())
         return {};
     edit.order = std::move(order);
-    edit.selection = Selection();
+    edit.selection = std::move(left);
     return edit;
 }
 

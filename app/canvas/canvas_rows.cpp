@@ -179,6 +179,12 @@ void addAidRows(Commands &table, CanvasWidget &canvas)
         .checkable(aids.showOutlines)
         .toggles([&canvas](bool on) { changeAid(canvas, &CanvasAids::showOutlines, on); });
     table
+        .add(ShowErasures, "showErasures", Commands::tr("Show Erasures"), "", {QKeySequence(Commands::tr("Shift+E"))},
+             Commands::tr("Dashed lines along what was erased softly from the selected strokes, or from all without a "
+                          "selection"))
+        .checkable(aids.showErasures)
+        .toggles([&canvas](bool on) { changeAid(canvas, &CanvasAids::showErasures, on); });
+    table
         .add(ShowBeyond, "showBeyond", Commands::tr("Show Paint &beyond the Canvas"), "", {},
              Commands::tr("Under a veil, what was painted beside the canvas; it is in no picture that is exported"))
         .checkable(aids.showBeyond)

@@ -79,10 +79,11 @@ void CanvasWidget::follow(const Change &change)
         m_input.hand().cancel();
         fit();
     }
-    if (change.canvas || change.reset) {
+    if (change.canvas || change.reset)
         wantUnderlay();
+    if (change.canvas || change.reset || m_aids.showErasures)
         updateOverlay();
-    } else if (change.selection || !m_editor.selection().isEmpty())
+    else if (change.selection || !m_editor.selection().isEmpty())
         m_repaint.follow(change);
     if (change.selection)
         m_worker.setCoarseWanted(wantsCoarse());
@@ -277,6 +278,7 @@ void CanvasWidget::paintOverlay(QPainter &painter)
         paintGrid(painter, view(), m_editor.unsettled().painting()->canvas.area(), m_aids.gridStep, dpr);
     if (showsOutlines())
         paintSelection(painter, dpr);
+    paintErasures(painter, dpr);
     painter.restore();
     painter.setRenderHint(QPainter::Antialiasing);
     if (tool() && !isBare())
@@ -292,6 +294,15 @@ void CanvasWidget::paintSelection(QPainter &painter, double dpr)
     if (selection().isEmpty() || m_lift.paintOutline(painter, outline, selection(), m_colours, dpr))
         return;
     outline.paint(painter, view(), *m_editor.unsettled().painting(), selection(), m_colours, dpr, isMoving());
+}
+
+void CanvasWidget::paintErasures(QPainter &painter, double dpr)
+{
+    const bool selected = !selection().isEmpty(); // else they are those of all strokes
+    const bool byTool = selected && showsOutlines() && tool() && tool()->showsErasures();
+    if (!isBare() && !m_lift.isFloating() && (m_aids.showErasures || byTool))
+        m_erasures.paint(painter, view(), m_editor.unsettled().painting(), selected ? &selection().strokes : nullptr,
+                         m_colours, dpr);
 }
 
 bool CanvasWidget::isBare() const

@@ -4,6 +4,7 @@
 #include "app/canvas/canvas_lift.h"
 #include "app/canvas/canvas_view.h"
 #include "app/canvas/input/canvas_input.h"
+#include "app/canvas/overlay/erasure_lines.h"
 #include "app/canvas/overlay/overlay.h"
 #include "app/canvas/overlay/overlay_repaint.h"
 #include "app/canvas/overlay/shown_selection.h"
@@ -166,6 +167,7 @@ private:
     bool isMoving() const;
     void handRests(quint64 serial);
     void paintSelection(QPainter &painter, double dpr);
+    void paintErasures(QPainter &painter, double dpr);
     void paintAngle(QPainter &painter, double dpr) const;
     void frameReady(const FrameInfo &frame);
     void viewMoved();
@@ -181,6 +183,7 @@ private:
     CanvasInput m_input;
     OverlayColours m_colours;
     CanvasAids m_aids;
+    ErasureLines m_erasures;
     ShownSelection m_selected;
     OverlayRepaint m_repaint;
     QString m_backendText;

@@ -40,6 +40,8 @@ public:
     virtual bool changesAnything() const { return false; }
     /// Whether lines are drawn through selected strokes while the tool is in use.
     virtual bool showsOutlines() const { return true; }
+    /// Whether selected strokes have dashed lines along what takes paint away while it is in use.
+    virtual bool showsErasures() const { return false; }
     /// Whether a press has come and no release yet.
     virtual bool isBusy() const = 0;
     /// Gives up what is in hand, as if it had not begun.

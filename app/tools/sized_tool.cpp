@@ -84,6 +84,16 @@ void SizedTool::repaintCircle()
     m_canvas.updateOverlay(QRectF(m_pixel.x - r, m_pixel.y - r, 2 * r, 2 * r));
 }
 
+void SizedTool::paintSoftRing(QPainter &painter, double share, const View &view, double dpr) const
+{
+    const double r = share * m_radius * view.scale;
+    if (!m_shown || !(r > 4 * dpr && r < 2.0 * (view.width + view.height)))
+        return;
+    painter.setOpacity(0.45);
+    paintRing(painter, m_pixel.x, m_pixel.y, r, dpr);
+    painter.setOpacity(1);
+}
+
 void SizedTool::paint(QPainter &painter, const View &view, double dpr) const
 {
     const double r = m_radius * view.scale;

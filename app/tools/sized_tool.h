@@ -36,6 +36,8 @@ protected:
     /// Adds a field to the tool's row that shows the radius as a diameter.
     void addSizeField(QHBoxLayout &row);
     void showCircleAt(Point pixel);
+    /// A faint ring within the circle, at a share of its radius: what is done fades from there on.
+    void paintSoftRing(QPainter &painter, double share, const View &view, double dpr) const;
 
 private:
     void repaintCircle();

@@ -74,7 +74,7 @@ QMenu *addViewMenu(QMenuBar &bar, const Commands &table)
     QMenu *view = addMenu(bar, Commands::tr("&View"), table,
                           {{ZoomIn, ZoomOut, Zoom100, Fit},
                            {RotateLeft, RotateRight, ResetRotation, Mirror},
-                           {SnapToNodes, SnapToGrid, ShowGrid, GridStep, ShowOutlines, ShowBeyond, ShowUnderlay}});
+                           {SnapToNodes, SnapToGrid, ShowGrid, GridStep, ShowOutlines, ShowErasures, ShowBeyond, ShowUnderlay}});
     view->addSeparator();
     QMenu *docks = view->addMenu(Commands::tr("&Docks"));
     for (const Command command : {HideDocks, NextPanel, PreviousPanel, FullScreen})
@@ -86,7 +86,7 @@ void addObjectMenu(QMenuBar &bar, const Commands &table)
 {
     QMenu *object = addMenu(bar, Commands::tr("&Object"), table,
                             {{Raise, Lower, Top, Bottom},
-                             {GroupStrokes, UngroupStrokes},
+                             {GroupStrokes, UngroupStrokes, CombineStrokes, BreakApart, RemoveErasures},
                              {LockStrokes, UnlockAll, HideStrokes, ShowAll, RenameStrokes},
                              {FlipAcross, FlipDown, QuarterLeft, QuarterRight, ScaleSpread}});
     addMenu(*object, Commands::tr("Resha&pe"), table,

@@ -44,7 +44,7 @@ void ToolRack::addTools()
         new PushTool(canvas, &canvas));
     add(Knife, "knife", Commands::tr("&Knife"), "knife", Qt::Key_K, Commands::tr("Cut strokes along a line"),
         new KnifeTool(canvas, &canvas));
-    add(Eraser, "eraser", Commands::tr("&Eraser"), "eraser", Qt::Key_E, Commands::tr("Erase parts of strokes"),
+    add(Eraser, "eraser", Commands::tr("&Eraser"), "eraser", Qt::Key_E, Commands::tr("Take paint away softly, or cut out parts of strokes"),
         new EraserTool(canvas, &canvas));
     add(AttributeBrush, "attributeBrush", Commands::tr("&Attribute Brush"), "attribute-brush", Qt::Key_A,
         Commands::tr("Paint values onto segments"), new AttributeBrushTool(canvas, &canvas));

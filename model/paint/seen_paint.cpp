@@ -23,6 +23,7 @@ SeenPaint seenPaint(const Stroke &stroke, Microseconds T, Point point)
             seen.segment = int(k);
         }
     }
+    seen.density = paint.density();
     seen.opacity = paint.opacity(1);
     return seen;
 }

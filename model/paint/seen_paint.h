@@ -5,8 +5,12 @@
 
 namespace suffuse {
 
+/// A stroke is not seen at a point where its opacity w is less than this.
+inline constexpr double visibleOpacity = 0.02;
+
 /// What is seen of a stroke at a point.
 struct SeenPaint {
+    double density = 0; ///< φ (14)
     double opacity = 0; ///< w (21) on smooth paper, right to about a hundredth of it
     /// the segment with the largest share of the density that is laid; -1 if none reaches the point
     int segment = -1;

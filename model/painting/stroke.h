@@ -33,6 +33,11 @@ struct Stroke {
     {
         return std::any_of(segments.begin(), segments.end(), [](const Segment &s) { return s.lift; });
     }
+    /// Whether some of its segments lay paint: others have nothing to take away from.
+    bool laysPaint() const
+    {
+        return std::any_of(segments.begin(), segments.end(), [](const Segment &s) { return !s.lift; });
+    }
     const Style &styleOf(const Segment &s) const { return s.style ? *s.style : style; }
     Cubic cubicOf(const Segment &s) const
     {

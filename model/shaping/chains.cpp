@@ -1,5 +1,7 @@
 #include "model/shaping/chains.h"
 
+#include "model/painting/influence.h"
+
 namespace suffuse {
 
 std::vector<Chain> chainsOf(const Stroke &stroke)
@@ -63,12 +65,58 @@ bool isInnerNode(const Stroke &stroke, int node)
     return node > 0 && node < int(stroke.segments.size()) && !stroke.segments[std::size_t(node)].start;
 }
 
+bool isEndNode(const Stroke &stroke, int node)
+{
+    const NodeSides sides = sidesOf(stroke, node);
+    return (sides.before < 0) != (sides.after < 0);
+}
+
+std::vector<int> endNodesOf(const Stroke &stroke)
+{
+    std::vector<int> nodes;
+    for (const Chain &chain : chainsOf(stroke)) {
+        if (!stroke.segments[std::size_t(chain.first)].lift)
+            nodes.push_back(chain.first);
+        if (!stroke.segments[std::size_t(chain.last)].lift)
+            nodes.push_back(endNode(stroke, chain.last));
+    }
+    return nodes;
+}
+
 Stroke chainOnly(const Stroke &stroke, const Chain &chain)
 {
     Stroke one = stroke;
     one.segments.assign(stroke.segments.begin() + chain.first, stroke.segments.begin() + chain.last + 1);
     one.segments.front().start = false;
     return one;
+}
+
+std::vector<Stroke> strokesOfChains(const Stroke &stroke, std::vector<int> *sources)
+{
+    std::vector<Stroke> strokes;
+    const std::vector<Chain> chains = chainsOf(stroke);
+    const Microseconds dry = stroke.driesAt();
+    const auto lifts = [&](const Chain &chain) { return stroke.segments[std::size_t(chain.first)].lift; };
+    for (const Chain &chain : chains) {
+        if (lifts(chain))
+            continue;
+        Stroke &one = strokes.emplace_back(chainOnly(stroke, chain));
+        const Rect reach = influenceOf(one, dry);
+        std::vector<int> from;
+        const auto note = [&from](const Chain &added) {
+            for (int k = added.first; k <= added.last; ++k)
+                from.push_back(k);
+        };
+        note(chain);
+        for (const Chain &other : chains)
+            if (lifts(other) && influenceOf(chainOnly(stroke, other), dry).intersects(reach)) {
+                appendChain(one, chainOnly(stroke, other).segments);
+                note(other);
+            }
+        if (sources)
+            sources->insert(sources->end(), from.begin(), from.end());
+    }
+    return strokes;
 }
 
 void appendChain(Stroke &stroke, std::vector<Segment> segments)

@@ -124,12 +124,6 @@ std::vector<Stroke> runsOf(const Stroke &stroke, std::vector<Piece> &pieces, Sta
     return runs;
 }
 
-/// Whether anything of the stroke can be seen. A stroke that only takes paint away cannot be.
-bool laysPaint(const Stroke &stroke)
-{
-    return std::any_of(stroke.segments.begin(), stroke.segments.end(), [](const Segment &s) { return !s.lift; });
-}
-
 /// The segments, cut where the path goes in or out, and which of the pieces lie inside.
 struct ErasedPieces {
     std::vector<Piece> pieces;
@@ -247,7 +241,7 @@ std::optional<Stroke> erasedInOne(const Stroke &stroke, const std::vector<Point>
     Stroke result = chainsOfPieces(
         stroke, left->pieces, [&](std::size_t i) { return !left->inside[i]; }, [](std::size_t) { return false; },
         sources);
-    return laysPaint(result) ? std::optional(std::move(result)) : std::nullopt;
+    return result.laysPaint() ? std::optional(std::move(result)) : std::nullopt;
 }
 
 std::optional<Stroke> withoutSegments(const Stroke &stroke, const std::vector<int> &gone, std::vector<int> *sources)
@@ -257,7 +251,7 @@ std::optional<Stroke> withoutSegments(const Stroke &stroke, const std::vector<in
     Stroke result = chainsOfPieces(
         stroke, pieces, [&](std::size_t i) { return !without.contains(int(i)); }, [](std::size_t) { return false; },
         sources);
-    return laysPaint(result) ? std::optional(std::move(result)) : std::nullopt;
+    return result.laysPaint() ? std::optional(std::move(result)) : std::nullopt;
 }
 
 bool mayErase(const Stroke &stroke, const std::vector<Point> &path, double radius)

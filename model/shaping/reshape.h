@@ -53,6 +53,9 @@ std::optional<Stroke> closed(const Stroke &stroke);
 /// Joins an end of one of b's chains to an end of one of a's, as `joined` does. The other chains of b become chains of
 /// a. No value if b cannot be stored, or a node is no end.
 std::optional<Stroke> joinedAt(const Stroke &a, int aNode, const Stroke &b, int bNode);
+/// Stroke b's chains as further chains of stroke a, in a's place and with the style that they had. None where a cannot
+/// hold them.
+std::optional<Stroke> combined(const Stroke &a, const Stroke &b);
 /// Joins the ends of two chains of a stroke, which become one chain, or both ends of one chain, which becomes closed.
 /// No value if there is nothing to join.
 std::optional<Stroke> joinedWithin(const Stroke &stroke, int node, int other);

@@ -194,6 +194,13 @@ std::optional<Stroke> joinedAt(const Stroke &a, int aNode, const Stroke &b, int 
     return problemOf(result).isEmpty() || !problemOf(a).isEmpty() ? std::optional(std::move(result)) : std::nullopt;
 }
 
+std::optional<Stroke> combined(const Stroke &a, const Stroke &b)
+{
+    Stroke result = a;
+    appendChain(result, movedOver(b, a));
+    return problemOf(result).isEmpty() ? std::optional(std::move(result)) : std::nullopt;
+}
+
 std::optional<Stroke> joinedWithin(const Stroke &stroke, int node, int other)
 {
     const NodeSides sides = sidesOf(stroke, node), otherSides = sidesOf(stroke, other);

@@ -6,10 +6,12 @@
 #include "model/paint/derived_figures.h"
 #include "model/painting/influence.h"
 #include "model/painting/validate.h"
+#include "model/shaping/chains.h"
 #include "tests/app/panel_bench.h"
 #include "tests/app/session.h"
 #include "undo/edits.h"
 #include "undo/group_edits.h"
+#include "undo/node_edits.h"
 
 #include <QClipboard>
 #include <QDropEvent>
@@ -83,7 +85,7 @@ private slots:
             }
             static const QRegularExpression width("stroke-width=\"([^\"]+)\"");
             std::set<double> found;
-            for (auto it = width.globalMatch(QString::fromUtf8(svgOf(rows))); it.hasNext();)
+            for (auto it = width.globalMatch(QString::fromUtf8(svgOf(rows).bytes)); it.hasNext();)
                 found.insert(it.next().captured(1).toDouble());
             return found;
         };
@@ -230,11 +232,34 @@ private slots:
         bench.select({1}, {{1, 0}, {1, 2}, {1, 3}});
         const Painting copied =
             clipboard::asPainting(*bench.editor.document().painting(), bench.editor.document().selection());
-        QCOMPARE(copied.strokes.size(), std::size_t(2));
-        QCOMPARE(copied.strokes[0]->segments.size(), std::size_t(1));
-        QCOMPARE(copied.strokes[1]->segments.size(), std::size_t(2));
-        QCOMPARE(copied.strokes[1]->segments[0], bench.stroke(1).segments[2]);
+        QCOMPARE(copied.strokes.size(), std::size_t(1)); // one stroke, as they were parts of one
+        QCOMPARE(chainsOf(*copied.strokes[0]), (std::vector<Chain>{{0, 0}, {1, 2}}));
+        QCOMPARE(copied.strokes[0]->segments[2], bench.stroke(1).segments[3]);
         QVERIFY(problemOf(copied).isEmpty());
+    }
+
+    void whatErasesIsNoSvg()
+    {
+        Bench bench;
+        Stroke stroke = bench.stroke(1);
+        Segment lift = stroke.segments.front();
+        lift.start = lift.lift = true;
+        stroke.segments.push_back(lift);
+        bench.editor.push(replaceStrokes(bench.editor.document(), {stroke}), "lift");
+        bench.select({1}, {{1, int(stroke.segments.size()) - 1}});
+        QVERIFY(clipboard::asPainting(*bench.editor.document().painting(), bench.editor.document().selection())
+                    .strokes.empty()); // it lays nothing by itself
+        bench.select({1});
+        Painting copied =
+            clipboard::asPainting(*bench.editor.document().painting(), bench.editor.document().selection());
+        const SvgStrokes svg = svgOf(copied);
+        QCOMPARE(svg.erasing, 1);
+        const auto paths = readSvgPaths(svg.bytes);
+        QVERIFY(bool(paths));
+        const QString leftOut = clipboard::copy(bench.editor);
+        QVERIFY2(leftOut.contains("1"), qPrintable(leftOut));
+        bench.select({2});
+        QCOMPARE(clipboard::copy(bench.editor), QString());
     }
 
     void picturesForOthers()
@@ -268,7 +293,7 @@ private slots:
             s.density = 20, s.colour = {1, 0, 0, 0.5f};
         stroke.segments[2].colour = {0, 0, 1, 1};
         painting.strokes = {std::make_shared<const Stroke>(stroke)};
-        const QByteArray svg = svgOf(painting);
+        const QByteArray svg = svgOf(painting).bytes;
         QVERIFY(svg.contains("A &amp; B"));
         const auto paths = readSvgPaths(svg);
         QVERIFY2(bool(paths), qPrintable(paths.error()));

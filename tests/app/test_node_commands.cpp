@@ -89,7 +89,9 @@ private slots:
         QCOMPARE(nodeCount(s.stroke()), 5);
         s.drag({280, 260}, {420, 380});
         s.key(Qt::Key_Delete, Qt::ControlModifier);
-        QCOMPARE(s.painting().strokes.size(), std::size_t(2));
+        QCOMPARE(s.painting().strokes.size(), std::size_t(1)); // one stroke with a gap
+        QCOMPARE(chainsOf(s.stroke()).size(), std::size_t(2));
+        QCOMPARE(s.selection(), (Selection{{s.id}, {}}));
         s.key(Qt::Key_K);
         QVERIFY(s.window.action(Command::Knife).isChecked());
         s.editor().undoStack().setIndex(1);
@@ -164,14 +166,16 @@ private slots:
         const Stroke before = s.stroke();
         s.click(nodeAt[2]);
         s.use(Command::BreakNodes);
-        QCOMPARE(s.painting().strokes.size(), std::size_t(2));
-        QCOMPARE(s.selection().strokes.size(), std::size_t(2));
+        QCOMPARE(s.painting().strokes.size(), std::size_t(1));
+        QCOMPARE(chainsOf(s.stroke()).size(), std::size_t(2));
+        QCOMPARE(s.selection().strokes, std::set<StrokeId>{s.id});
         QVERIFY(!s.window.action(Command::JoinNodes).isEnabled());
         s.drag({380, 280}, {420, 320}); // both ends that lie there
         QCOMPARE(s.tool().nodes().size(), std::size_t(2));
         s.use(Command::JoinNodes);
         QCOMPARE(s.painting().strokes.size(), std::size_t(1));
         QCOMPARE(s.painting().strokes[0]->segments.size(), std::size_t(4));
+        QCOMPARE(chainsOf(s.stroke()).size(), std::size_t(1));
         s.use(Command::Undo);
         s.use(Command::Undo);
         QVERIFY(s.stroke() == before);

@@ -40,12 +40,12 @@ private slots:
         s.use(Command::Eraser);
         static_cast<EraserTool *>(s.canvas().tool())->setRadius(12);
         const Stroke later = s.stroke(2);
-        s.drag({{400, 150}, {400, 350}});
-        QCOMPARE(s.painting().strokes.size(), std::size_t(3)); // the first one in two
+        s.drag({{400, 150}, {400, 350}}, shift); // cuts
+        QCOMPARE(chainsOf(s.stroke(1)).size(), std::size_t(2));
         QVERIFY(s.stroke(2) == later);
-        QCOMPARE(s.order().back(), StrokeId(2)); // both parts where the first one was
+        QCOMPARE(s.order(), (std::vector<StrokeId>{1, 2}));
         s.use(Command::ToEnd);
-        s.drag({{450, 150}, {450, 350}});
+        s.drag({{450, 150}, {450, 350}}, shift);
         QVERIFY(!(s.stroke(2) == later));
         s.use(Command::Undo);
         s.use(Command::Undo);
@@ -61,7 +61,8 @@ private slots:
         QCOMPARE(s.stroke(1).segments.size(), segments + 1);
         QCOMPARE(s.stroke(2).segments.size(), segments);
         s.drag({{470, 150}, {470, 350}}, shift);
-        QCOMPARE(s.painting().strokes.size(), std::size_t(3));
+        QCOMPARE(chainsOf(s.stroke(1)).size(), std::size_t(2));
+        QCOMPARE(chainsOf(s.stroke(2)).size(), std::size_t(1));
         QCOMPARE(s.order().back(), StrokeId(2));
         s.use(Command::ToEnd);
         s.drag({{430, 250}, {430, 350}});
@@ -75,31 +76,33 @@ private slots:
         s.use(Command::Eraser);
         static_cast<EraserTool *>(s.canvas().tool())->setRadius(12);
         const Stroke whole = s.stroke(1);
-        s.drag({{500, 150}, {500, 250}});
+        s.drag({{500, 150}, {500, 250}}, shift);
+        s.drag({{500, 150}, {500, 250}}); // nothing can be lifted there, either
         QVERIFY(s.stroke(1) == whole);
         QCOMPARE(s.steps(), 0);
-        s.drag({{300, 150}, {300, 250}});
-        QCOMPARE(s.painting().strokes.size(), std::size_t(3));
-        std::vector<Segment> left;
-        for (const StrokePtr &stroke : s.painting().strokes)
-            if (stroke->id != 2)
-                left.insert(left.end(), stroke->segments.begin(), stroke->segments.end());
+        s.drag({{300, 150}, {300, 250}}, shift);
+        QCOMPARE(chainsOf(s.stroke(1)).size(), std::size_t(2));
+        const std::vector<Segment> &left = s.stroke(1).segments;
         QVERIFY(std::ranges::find(left, whole.segments[2].born, &Segment::born) != left.end());
         QVERIFY(std::ranges::find(left, whole.segments[3].born, &Segment::born) != left.end());
     }
 
-    /// A stroke that was raised over a later one stays there when it is cut in the past.
-    void partsStayAboveWhatTheyWereAbove()
+    /// Lifting in the past: what is lifted is lifted from then on, and what comes later is spared.
+    void theEraserLiftsInThePast()
     {
-        StrokeList strokes = twoRows();
-        std::swap(strokes[0], strokes[1]);
-        Past s(4'500'000, strokes);
-        s.playback().seek(3'500'000);
+        Past s(2 * second);
         s.use(Command::Eraser);
         static_cast<EraserTool *>(s.canvas().tool())->setRadius(12);
-        s.drag({{400, 150}, {400, 250}});
-        QCOMPARE(s.painting().strokes.size(), std::size_t(3));
-        QCOMPARE(s.order().front(), StrokeId(2));
+        const Stroke later = s.stroke(2);
+        s.drag({{400, 150}, {400, 350}});
+        QVERIFY(s.stroke(1).hasLift());
+        QVERIFY(s.stroke(2) == later);
+        for (const Segment &segment : s.stroke(1).segments)
+            if (segment.lift)
+                QVERIFY(segment.born >= 2 * second && segment.born < 3 * second);
+        QVERIFY(s.editor().clock().isInPast());
+        s.use(Command::Undo);
+        QVERIFY(!s.stroke(1).hasLift());
     }
 
     /// What is selected and not painted yet has neither outline nor handles, and cannot be dragged on the canvas.

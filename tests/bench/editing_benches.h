@@ -38,6 +38,8 @@ Report measureSelecting(EditingSession &session, int events, const QString &want
 /// Touch path, knife, push and eraser, a node of one of all strokes, which are selected, and a push of one stroke of
 /// 10,000 segments.
 Report measureTools(EditingSession &session, int events, const QString &wanted);
+/// The eraser on one stroke of 600 segments, and whole frames of it with and without lifting segments.
+Report measureErasing(EditingSession &session, int events, const QString &wanted);
 /// By kind of edit: in the call of the undo stack, and until the frame is on the screen.
 Report measureUndo(EditingSession &session, int times, const QString &wanted);
 /// Bytes that a step of the undo stack keeps; the window's own caches left out.

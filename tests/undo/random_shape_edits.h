@@ -30,7 +30,7 @@ public:
     {
         if (m_random.below(3) == 0)
             selectSome();
-        switch (m_random.below(22)) {
+        switch (m_random.below(25)) {
         case 0:
             return insertNodes(m_document, places());
         case 1:
@@ -46,7 +46,7 @@ public:
         case 6:
             return splitAtNodes(m_document, nodes(3), leaves());
         case 7:
-            return eraseAlong(m_document, m_random.below(2) ? m_document.selection().strokes : std::set<StrokeId>(),
+            return eraseAlong(m_document, m_random.below(2) ? m_document.selection().strokes : allIds(),
                               {m_random.point(300), m_random.point(300)}, m_random.real(0, 30),
                               std::numeric_limits<Microseconds>::max(), leaves());
         case 8:
@@ -56,7 +56,7 @@ public:
         case 10:
             return reverseSelection(m_document);
         case 11:
-            return extendStroke(m_document, anyId(), m_random.below(2), m_random.stroke(2));
+            return extendStroke(m_document, endNode(), m_random.stroke(2));
         case 12: {
             const double k = std::exp(m_random.real(-0.3, 0.3));
             const Point fixed = m_random.point(200);
@@ -86,6 +86,12 @@ public:
             return m_random.below(2) ? renameStroke(m_document, anyId(), name)
                                      : renameGroup(m_document, anyGroup(), name);
         }
+        case 21:
+            return combineSelection(m_document);
+        case 22:
+            return breakApart(m_document);
+        case 23:
+            return removeErasures(m_document);
         default:
             return m_others.next();
         }
@@ -103,6 +109,13 @@ private:
     {
         const StrokePtr s = any();
         return s ? s->id : 0;
+    }
+    std::set<StrokeId> allIds()
+    {
+        std::set<StrokeId> ids;
+        for (const StrokePtr &stroke : m_document.painting()->strokes)
+            ids.insert(stroke->id);
+        return ids;
     }
     GroupId anyGroup()
     {

@@ -20,6 +20,14 @@ void lock(Document &d, StrokeId id)
     d.exchange(edit);
 }
 
+std::set<StrokeId> everyStroke(const Document &d)
+{
+    std::set<StrokeId> ids;
+    for (const StrokePtr &stroke : d.painting()->strokes)
+        ids.insert(stroke->id);
+    return ids;
+}
+
 } // namespace
 
 class TestShapeEdits : public QObject {
@@ -185,7 +193,7 @@ private slots:
         lock(d, 3);
         select(d, {1}, {{1, 3}});
         const PaintingPtr before = d.painting();
-        Edit edit = eraseAlong(d, {}, {{0, 0}, {500, 0}}, 3);
+        Edit edit = eraseAlong(d, {1, 2, 3, 4}, {{0, 0}, {500, 0}}, 3);
         QCOMPARE(edit.strokes.size(), std::size_t(3));
         d.exchange(edit);
         QCOMPARE(orderOf(d), Order{3});
@@ -193,7 +201,7 @@ private slots:
         d.exchange(edit);
         QCOMPARE(*d.painting(), *before);
         // A hole: two runs, the second one with an id of its own; the others are the same strokes.
-        edit = eraseAlong(d, {}, {{80, 5}}, 6);
+        edit = eraseAlong(d, {1, 2, 3, 4}, {{80, 5}}, 6);
         d.exchange(edit);
         QCOMPARE(orderOf(d), (Order{1, 5, 2, 3, 4}));
         QCOMPARE(d.selection().strokes, (std::set<StrokeId>{1, 5}));
@@ -207,7 +215,8 @@ private slots:
             QCOMPARE(d.painting()->strokes[i + 1], before->strokes[i]); // the pointers
         d.exchange(edit);
         QVERIFY(eraseAlong(d, {2}, {{80, 5}}, 6).isEmpty());
-        QVERIFY(eraseAlong(d, {}, {{80, 50}}, 6).isEmpty());
+        QVERIFY(eraseAlong(d, {1}, {{80, 50}}, 6).isEmpty());
+        QVERIFY(eraseAlong(d, {}, {{80, 5}}, 6).isEmpty()); // no targets: nothing
     }
 
     void anErasersDragIsOneStep()
@@ -217,12 +226,96 @@ private slots:
         QUndoStack stack;
         StepRun run;
         for (double x = 50; x < 250; x += 5)
-            if (Edit edit = eraseAlong(d, {}, {{x, -20}, {x + 5, 20}}, 2); !edit.isEmpty())
+            if (Edit edit = eraseAlong(d, everyStroke(d), {{x, -20}, {x + 5, 20}}, 2); !edit.isEmpty())
                 pushStep(stack, d, std::move(edit), QStringLiteral("erase"), &run);
         QCOMPARE(stack.count(), 1);
         QVERIFY(d.painting()->strokes.size() > 10);
         stack.undo();
         QCOMPARE(*d.painting(), *makePainting(3));
+    }
+
+    void combiningAndBreakingApart()
+    {
+        Document d;
+        d.reset(makePainting(3));
+        select(d, {1, 3}, {{1, 2}});
+        const PaintingPtr before = d.painting();
+        Edit edit = combineSelection(d);
+        d.exchange(edit);
+        QCOMPARE(orderOf(d), (Order{2, 3}));
+        QCOMPARE(d.selection(), (Selection{{3}, {}}));
+        const Stroke whole = strokeOf(d, 3);
+        QCOMPARE(chainsOf(whole), (std::vector<Chain>{{0, 3}, {4, 7}}));
+        QCOMPARE(nodePosition(whole, 4), nodePosition(*before->strokes[0], 0));
+        Edit apart = breakApart(d);
+        d.exchange(apart);
+        QCOMPARE(orderOf(d), (Order{2, 3, 4}));
+        QCOMPARE(d.selection().strokes, (std::set<StrokeId>{3, 4}));
+        QCOMPARE(strokeOf(d, 3).segments, before->strokes[2]->segments);
+        QVERIFY(!strokeOf(d, 4).segments.front().start);
+        QVERIFY(breakApart(d).isEmpty());
+        d.exchange(apart);
+        d.exchange(edit);
+        QCOMPARE(*d.painting(), *before);
+        QVERIFY(combineSelection(d).isEmpty() == false);
+        lock(d, 1);
+        QVERIFY(combineSelection(d).isEmpty()); // one is left
+    }
+
+    void erasuresGoWithTheirPartAndComeOff()
+    {
+        Document d;
+        auto painting = std::make_shared<Painting>(*makePainting(1));
+        Stroke stroke = *painting->strokes[0];
+        Segment lift = stroke.segments.front();
+        lift.lift = lift.start = true;
+        Stroke far = stroke; // a second chain, far off
+        far.origin.x += 1e4;
+        stroke = *combined(stroke, far);
+        stroke.segments.push_back(lift);
+        lift.start = false;
+        std::swap(lift.bezier[0], lift.bezier[3]);
+        std::swap(lift.bezier[1], lift.bezier[2]);
+        stroke.segments.push_back(lift); // back again
+        const StrokeList strokes{std::make_shared<const Stroke>(stroke)};
+        painting->strokes = strokes;
+        d.reset(painting);
+        select(d, {1}, {{1, 9}});
+        Edit one = removeErasures(d); // the selected one
+        QCOMPARE(one.strokes.at(1)->segments.size(), stroke.segments.size() - 1);
+        select(d, {1});
+        Edit all = removeErasures(d);
+        d.exchange(all);
+        QVERIFY(!strokeOf(d, 1).hasLift());
+        QCOMPARE(strokeOf(d, 1).segments.size(), std::size_t(8));
+        QVERIFY(removeErasures(d).isEmpty());
+        d.exchange(all);
+        QCOMPARE(strokeOf(d, 1), stroke);
+        Edit apart = breakApart(d);
+        d.exchange(apart);
+        QCOMPARE(strokeOf(d, 1).segments.size(), std::size_t(6));
+        QCOMPARE(strokeOf(d, 2).segments.size(), std::size_t(4)); // nothing is erased there
+        QVERIFY(!strokeOf(d, 2).hasLift());
+    }
+
+    void aStrokeOfChainsGoesOnFromEachEnd()
+    {
+        Document d;
+        d.reset(makePainting(3)); // from 60 i to 60 i + 40
+        select(d, {1, 2});
+        Edit edit = combineSelection(d);
+        d.exchange(edit);
+        const Stroke whole = strokeOf(d, 2);
+        QCOMPARE(endNodesOf(whole).size(), std::size_t(4));
+        for (const int node : endNodesOf(whole)) {
+            Stroke added = *d.painting()->strokes[1];
+            added.origin = nodePosition(whole, node) - (nodePosition(added, 0) - added.origin);
+            Edit longer = extendStroke(d, {2, node}, added);
+            QVERIFY(!longer.isEmpty());
+            QCOMPARE(chainsOf(*longer.strokes.at(2)).size(), std::size_t(2));
+            QCOMPARE(longer.strokes.at(2)->segments.size(), std::size_t(12));
+        }
+        QVERIFY(extendStroke(d, {2, 1}, whole).isEmpty()); // not an end
     }
 
     void reversingIsItsOwnInverse()
@@ -246,11 +339,11 @@ private slots:
         d.reset(makePainting(1));
         select(d, {1}, {{1, 1}});
         const Stroke more = *makeStroke(9, 100, 0, 2);
-        Edit edit = extendStroke(d, 1, true, more);
+        Edit edit = extendStroke(d, {1, nodeCount(strokeOf(d, 1)) - 1}, more);
         d.exchange(edit);
         QCOMPARE(strokeOf(d, 1).segments.size(), std::size_t(6));
         QCOMPARE(d.selection().segments, (std::set<SegmentRef>{{1, 1}}));
-        Edit front = extendStroke(d, 1, false, *makeStroke(9, 60, 0, 3));
+        Edit front = extendStroke(d, {1, 0}, *makeStroke(9, 60, 0, 3));
         d.exchange(front);
         QCOMPARE(strokeOf(d, 1).segments.size(), std::size_t(9));
         QCOMPARE(d.selection().segments, (std::set<SegmentRef>{{1, 4}}));

@@ -283,6 +283,25 @@ private slots:
         QVERIFY(rewet(d.document, 5 * second, 0).isEmpty());
     }
 
+    /// An erasure does not spread again with its stroke, unless it is selected itself.
+    void erasuresAreNotWettedAgain()
+    {
+        auto painting = std::make_shared<Painting>(*timedPainting(1));
+        auto stroke = std::make_shared<Stroke>(*painting->strokes[0]);
+        Segment lift = stroke->segments.front();
+        lift.start = lift.lift = true;
+        stroke->segments.push_back(lift);
+        painting->strokes[0] = stroke;
+        Desk d(painting);
+        select(d.document, {1});
+        d.push(rewet(d.document, 5 * second, second));
+        QCOMPARE(d.stroke(1).segments[0].rewet.size(), std::size_t(1));
+        QVERIFY(d.stroke(1).segments.back().rewet.empty());
+        select(d.document, {1}, {{1, int(stroke->segments.size()) - 1}});
+        d.push(rewet(d.document, 7 * second, second));
+        QCOMPARE(d.stroke(1).segments.back().rewet.size(), std::size_t(1));
+    }
+
     void oneRewettingOfManyIsRemoved()
     {
         Desk d(timedPainting(2));

@@ -65,15 +65,25 @@ struct ListPen {
     void line(Point a, Point b) { lines << QLineF(a.x, a.y, b.x, b.y); }
 };
 
-/// Draws a polyline through the stroke with points about `spacing` pixels apart.
+/// Draws a polyline through each chain of the stroke with points about `spacing` pixels apart. What takes paint away has
+/// lines of its own (ErasureLines).
 template <typename Pen>
 void drawStroke(Pen &pen, const Stroke &stroke, const PixelMap &pixelOf, double scale, double spacing)
 {
     constexpr double mostPieces = 16; // of one segment
     Point last = pixelOf(Point{} + stroke.segments.front().bezier[0]);
     double since = 0; // pixels along the curve since the last point
+    const auto goesOn = [&stroke](std::size_t k) { // whether the line goes on to this segment
+        return k < stroke.segments.size() && !stroke.beginsChain(k) && !stroke.segments[k].lift;
+    };
     for (std::size_t k = 0; k < stroke.segments.size(); ++k) {
         const Segment &segment = stroke.segments[k];
+        if (segment.lift)
+            continue;
+        if (!goesOn(k)) {
+            last = pixelOf(Point{} + segment.bezier[0]);
+            since = 0;
+        }
         const double size = polygonLength(segment) * scale;
         const int pieces = int(std::clamp(size / spacing, 1.0, mostPieces));
         Cubic cubic;
@@ -81,7 +91,7 @@ void drawStroke(Pen &pen, const Stroke &stroke, const PixelMap &pixelOf, double 
             for (std::size_t i = 0; i < 4; ++i)
                 cubic.p[i] = Point{} + segment.bezier[i];
         for (int i = 1; i <= pieces; ++i) {
-            const bool isEnd = k + 1 == stroke.segments.size() && i == pieces;
+            const bool isEnd = !goesOn(k + 1) && i == pieces;
             since += size / pieces;
             if (!isEnd && since < spacing)
                 continue;

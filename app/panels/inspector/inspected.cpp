@@ -52,8 +52,10 @@ Inspected inspect(const Document &document)
         const bool inPart = chosen != selection.segments.end() && chosen->stroke == stroke->id;
         for (; chosen != selection.segments.end() && chosen->stroke == stroke->id; ++chosen)
             add(chosen->segment);
+        const bool lays = !inPart && stroke->laysPaint();
         for (int k = 0; k < size && !inPart; ++k)
-            add(k);
+            if (!lays || !stroke->segments[std::size_t(k)].lift)
+                add(k);
     }
     return result;
 }

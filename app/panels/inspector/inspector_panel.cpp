@@ -3,6 +3,7 @@
 #include "app/panels/inspector/along_dialog.h"
 #include "app/panels/inspector/figures_section.h"
 #include "app/panels/inspector/segment_section.h"
+#include "app/panels/inspector/selection_summary.h"
 #include "app/panels/inspector/stroke_section.h"
 #include "app/panels/inspector/style_section.h"
 #include "app/panels/inspector/underlay_section.h"
@@ -153,13 +154,7 @@ void InspectorPanel::refresh()
         m_underlay->refresh();
         return;
     }
-    std::size_t all = 0;
-    for (const Stroke *stroke : inspected.strokes)
-        all += stroke->segments.size();
-    const std::size_t count = inspected.segments.size();
-    const QString segments =
-        count == all ? tr("%n segment(s)", nullptr, int(all)) : tr("%1 of %n segment(s)", nullptr, int(all)).arg(count);
-    m_summary->setText(tr("%1 · %2").arg(tr("%n stroke(s)", nullptr, int(inspected.strokes.size())), segments));
+    m_summary->setText(selectionSummary(inspected, !document.selection().segments.empty()));
     m_segments->refresh(inspected);
     m_style->refresh(inspected);
     m_figures->refresh(inspected);

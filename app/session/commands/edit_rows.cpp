@@ -25,11 +25,16 @@ void addEditRows(Commands &table, OpenPainting &open)
     Editor &editor = open.editor;
     const auto selected = anySelected(editor);
     const auto keys = [](QKeySequence::StandardKey key) { return QKeySequence::keyBindings(key); };
-    table.add(Cut, "cut", Commands::tr("Cu&t"), "cut", keys(QKeySequence::Cut)).when(selected).runs([&editor] {
-        clipboard::cut(editor);
+    const auto say = [&table](const QString &leftOut) {
+        constexpr int shownMs = 8'000;
+        if (!leftOut.isEmpty())
+            emit table.said(leftOut, shownMs);
+    };
+    table.add(Cut, "cut", Commands::tr("Cu&t"), "cut", keys(QKeySequence::Cut)).when(selected).runs([&editor, say] {
+        say(clipboard::cut(editor));
     });
-    table.add(Copy, "copy", Commands::tr("&Copy"), "copy", keys(QKeySequence::Copy)).when(selected).runs([&editor] {
-        clipboard::copy(editor);
+    table.add(Copy, "copy", Commands::tr("&Copy"), "copy", keys(QKeySequence::Copy)).when(selected).runs([&editor, say] {
+        say(clipboard::copy(editor));
     });
     table.add(Duplicate, "duplicate", Commands::tr("Dup&licate"), "duplicate", {QKeySequence(Commands::tr("Ctrl+D"))})
         .when(selected)

@@ -5,6 +5,8 @@
 #include "app/session/commands/underlay_commands.h"
 #include "app/session/settings/settings.h"
 
+#include <functional>
+
 namespace suffuse {
 
 namespace {
@@ -98,6 +100,40 @@ void addGroupRows(Commands &table, Editor &editor)
     });
 }
 
+bool anySelectedStroke(const Document &document, const std::function<bool(const Stroke &)> &predicate)
+{
+    const std::set<StrokeId> &selected = document.selection().strokes;
+    return !selected.empty() && std::ranges::any_of(document.painting()->strokes, [&](const StrokePtr &stroke) {
+        return selected.contains(stroke->id) && predicate(*stroke);
+    });
+}
+
+bool hasChains(const Stroke &stroke)
+{
+    return std::any_of(stroke.segments.begin() + 1, stroke.segments.end(),
+                       [](const Segment &segment) { return segment.start && !segment.lift; });
+}
+
+void addChainRows(Commands &table, Editor &editor)
+{
+    using enum Command;
+    table
+        .add(CombineStrokes, "combine", Commands::tr("&Combine"), "", key(Commands::tr("Ctrl+Alt+K")),
+             Commands::tr("Make one stroke of the selected ones, whose paint adds up"))
+        .when([&editor] { return editor.unsettled().selection().strokes.size() > 1; })
+        .runs([&editor] { commands::combineSelected(editor); });
+    table
+        .add(BreakApart, "breakApart", Commands::tr("Break Apart"), "", key(Commands::tr("Ctrl+Shift+K")),
+             Commands::tr("Make strokes of the parts of the selected ones"))
+        .when([&editor] { return anySelectedStroke(editor.unsettled(), hasChains); })
+        .runs([&editor] { commands::breakSelectedApart(editor); });
+    table
+        .add(RemoveErasures, "removeErasures", Commands::tr("Remove Erasures"), "", {},
+             Commands::tr("Bring back what was erased softly from the selected strokes, or by the selected segments"))
+        .when([&editor] { return anySelectedStroke(editor.unsettled(), &Stroke::hasLift); })
+        .runs([&editor] { commands::removeSelectedErasures(editor); });
+}
+
 void addShapeRows(Commands &table, Editor &editor)
 {
     using enum Command;
@@ -134,6 +170,7 @@ void addObjectRows(Commands &table, OpenPainting &open)
     addOrderRows(table, editor);
     addSelectingRows(table, editor);
     addGroupRows(table, editor);
+    addChainRows(table, editor);
     addShapeRows(table, editor);
     table
         .add(ShowUnderlay, "showUnderlay", Commands::tr("Show the Underl&ay"), "",

@@ -2,6 +2,7 @@
 
 #include "app/session/selecting/pick.h"
 #include "model/painting/decimal.h"
+#include "undo/node_edits.h"
 
 #include <QCoreApplication>
 
@@ -19,7 +20,7 @@ QString tr(const char *text)
 void deleteSelected(Editor &editor)
 {
     const bool segments = !editor.document().selection().segments.empty();
-    editor.push(deleteSelection(editor.document()), segments
+    editor.push(deleteSelection(editor.document(), Leaves::Chains), segments
                                                         ? QCoreApplication::translate("Commands", "Delete segments")
                                                         : QCoreApplication::translate("Commands", "Delete strokes"));
 }
@@ -119,6 +120,21 @@ void groupSelected(Editor &editor)
 void ungroupSelected(Editor &editor)
 {
     editor.push(ungroupSelection(editor.document()), QCoreApplication::translate("Commands", "Ungroup"));
+}
+
+void combineSelected(Editor &editor)
+{
+    editor.push(combineSelection(editor.document()), QCoreApplication::translate("Commands", "Combine strokes"));
+}
+
+void breakSelectedApart(Editor &editor)
+{
+    editor.push(breakApart(editor.document()), QCoreApplication::translate("Commands", "Break apart"));
+}
+
+void removeSelectedErasures(Editor &editor)
+{
+    editor.push(removeErasures(editor.document()), QCoreApplication::translate("Commands", "Remove erasures"));
 }
 
 void lockSelected(Editor &editor)

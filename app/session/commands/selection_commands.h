@@ -28,6 +28,10 @@ void distributeSelected(Editor &editor, Axis axis, Spacing spacing);
 
 void groupSelected(Editor &editor);
 void ungroupSelected(Editor &editor);
+void combineSelected(Editor &editor);
+void breakSelectedApart(Editor &editor);
+/// Of the selected segments, or of the selected strokes without any.
+void removeSelectedErasures(Editor &editor);
 /// Both deselect the strokes that they lock or hide.
 void lockSelected(Editor &editor);
 void hideSelected(Editor &editor);

@@ -6,6 +6,7 @@
 #include "app/session/files/svg_strokes.h"
 #include "model/formats/files.h"
 #include "model/painting/influence.h"
+#include "model/shaping/erase.h"
 #include "render/backends.h"
 #include "undo/edits.h"
 
@@ -72,7 +73,7 @@ protected:
         if (type == strokesMime)
             return writeTextForm(*m_painting);
         if (type == svgMime)
-            return svgOf(*m_painting);
+            return svgOf(*m_painting).bytes;
         if (type != pngMime && type != imageMime)
             return QMimeData::retrieveData(type, wanted);
         if (m_image.isNull())
@@ -91,23 +92,18 @@ private:
     mutable QImage m_image;
 };
 
-/// The runs of a stroke's selected segments, each as a stroke; or the stroke itself where no segments are selected.
-std::vector<Stroke> selectedRuns(const Stroke &stroke, const Selection &selection)
+/// The stroke of a stroke's selected segments, each run of them a chain; or the stroke itself where no segments are
+/// selected. None where the selected segments lay no paint.
+std::optional<Stroke> selectedPart(const Stroke &stroke, const Selection &selection)
 {
     const auto from = selection.segments.lower_bound({stroke.id, 0});
     if (from == selection.segments.end() || from->stroke != stroke.id)
-        return {stroke};
-    std::vector<Stroke> runs;
-    int last = -2;
-    for (auto it = from; it != selection.segments.end() && it->stroke == stroke.id; ++it) {
-        if (it->segment != last + 1) {
-            runs.push_back(stroke);
-            runs.back().segments.clear();
-        }
-        runs.back().segments.push_back(stroke.segments[std::size_t(it->segment)]);
-        last = it->segment;
-    }
-    return runs;
+        return stroke;
+    std::vector<int> others;
+    for (int k = 0; k < int(stroke.segments.size()); ++k)
+        if (!selection.segments.contains({stroke.id, k}))
+            others.push_back(k);
+    return withoutSegments(stroke, others);
 }
 
 QByteArray svgFrom(const QMimeData &data)
@@ -150,15 +146,13 @@ Painting asPainting(const Painting &painting, const Selection &selection)
     if (result.canvas.paper.kind == PaperKind::Image)
         result.canvas.paper = {};
     std::set<GroupId> groups;
-    StrokeId next = painting.nextStrokeId();
     for (const StrokePtr &stroke : painting.strokes) {
         if (!selection.strokes.contains(stroke->id))
             continue;
-        std::vector<Stroke> runs = selectedRuns(*stroke, selection);
-        for (std::size_t i = 0; i < runs.size(); ++i) {
-            runs[i].id = i == 0 ? stroke->id : next++;
-            result.strokes.push_back(std::make_shared<const Stroke>(std::move(runs[i])));
-        }
+        std::optional<Stroke> part = selectedPart(*stroke, selection);
+        if (!part)
+            continue;
+        result.strokes.push_back(std::make_shared<const Stroke>(std::move(*part)));
         groups.insert(stroke->group);
     }
     for (bool more = true; more;) { // adds the groups around the groups, too
@@ -183,17 +177,24 @@ bool canPaste(const QMimeData *data)
     return data && (data->hasFormat(strokesMime) || data->hasFormat(svgMime) || data->hasColor() || data->hasText());
 }
 
-void copy(Editor &editor)
+QString copy(Editor &editor)
 {
     Painting painting = asPainting(*editor.document().painting(), editor.document().selection());
-    if (!painting.strokes.empty())
-        QGuiApplication::clipboard()->setMimeData(mimeOf(std::move(painting), editor.clock().time()));
+    if (painting.strokes.empty())
+        return {};
+    const int erasing = erasingSegments(painting);
+    QGuiApplication::clipboard()->setMimeData(mimeOf(std::move(painting), editor.clock().time()));
+    if (erasing == 0)
+        return {};
+    return QCoreApplication::translate("Clipboard", "As SVG, for other programs, what was erased softly is left out: "
+                                                    "%n erasing segment(s).", nullptr, erasing);
 }
 
-void cut(Editor &editor)
+QString cut(Editor &editor)
 {
-    copy(editor);
-    editor.push(deleteSelection(editor.document()), QCoreApplication::translate("Clipboard", "Cut"));
+    const QString leftOut = copy(editor);
+    editor.push(deleteSelection(editor.document(), Leaves::Chains), QCoreApplication::translate("Clipboard", "Cut"));
+    return leftOut;
 }
 
 QString paste(Editor &editor, const QMimeData &data, std::optional<Point> centre)

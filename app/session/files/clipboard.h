@@ -30,8 +30,9 @@ QMimeData *mimeOf(Painting painting, Microseconds time);
 /// window wait.
 bool canPaste(const QMimeData *data);
 
-void copy(Editor &editor);
-void cut(Editor &editor);
+/// Both return an empty string, or what other programs do not get.
+QString copy(Editor &editor);
+QString cut(Editor &editor);
 /// Strokes and SVG paths become new strokes on top, selected (`addStrokes`). A colour becomes the current colour.
 /// Returns an empty string, or what could not be pasted and why, which includes the parts of an SVG drawing that
 /// strokes cannot show.

@@ -109,10 +109,19 @@ void writeStroke(QXmlStreamWriter &xml, const Stroke &stroke, std::vector<double
 
 } // namespace
 
-QByteArray svgOf(const Painting &painting)
+int erasingSegments(const Painting &painting)
 {
-    QByteArray bytes;
-    QXmlStreamWriter xml(&bytes);
+    std::ptrdiff_t count = 0;
+    for (const StrokePtr &stroke : painting.strokes)
+        if (painting.isVisible(*stroke))
+            count += std::ranges::count_if(stroke->segments, &Segment::lift);
+    return int(count);
+}
+
+SvgStrokes svgOf(const Painting &painting)
+{
+    SvgStrokes svg{{}, erasingSegments(painting)};
+    QXmlStreamWriter xml(&svg.bytes);
     Rect box = influenceOf(painting, painting.end());
     if (box.isEmpty())
         box = painting.canvas.area();
@@ -138,7 +147,7 @@ QByteArray svgOf(const Painting &painting)
         if (painting.isVisible(*stroke))
             writeStroke(xml, *stroke, half);
     xml.writeEndDocument();
-    return bytes;
+    return svg;
 }
 
 } // namespace suffuse

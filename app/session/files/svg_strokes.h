@@ -7,8 +7,15 @@
 
 namespace suffuse {
 
-/// The visible strokes of a painting as an SVG document: a <path> for each run of segments that look alike, in its
-/// colour and as wide as the dry paint is seen. The view box is the influence of the strokes, in canvas units.
-QByteArray svgOf(const Painting &painting);
+/// Strokes as an SVG document.
+struct SvgStrokes {
+    QByteArray bytes;
+    int erasing = 0; ///< segments that take paint away, which SVG has nothing for: they are left out
+};
+/// The visible strokes of a painting: a <path> for each run of segments that look alike, in its colour and as wide as
+/// the dry paint is seen; each chain is a subpath. The view box is the influence of the strokes, in canvas units.
+SvgStrokes svgOf(const Painting &painting);
+/// How many segments of visible strokes take paint away.
+int erasingSegments(const Painting &painting);
 
 } // namespace suffuse

@@ -1,6 +1,5 @@
 #include "app/session/selecting/pick.h"
 
-#include "model/paint/seen_paint.h"
 #include "model/painting/influence.h"
 #include "render/pixel_map.h"
 #include "undo/order_tree.h"

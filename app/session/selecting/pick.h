@@ -1,6 +1,7 @@
 // Finds the strokes under the pointer by their visible paint, not by the thin curve.
 #pragma once
 
+#include "model/paint/seen_paint.h"
 #include "model/painting/painting.h"
 #include "model/painting/selection.h"
 #include "render/view.h"
@@ -9,9 +10,6 @@
 #include <vector>
 
 namespace suffuse {
-
-/// A stroke is not seen at a point where its opacity w is less than this.
-inline constexpr double visibleOpacity = 0.02;
 
 /// The topmost visible, unlocked stroke that paints at the point or, for hairlines, within `tolerance` canvas units of
 /// it; `segment` is the one with the largest share of the density there.

@@ -1,5 +1,7 @@
 #include "app/session/selecting/snapping.h"
 
+#include "model/shaping/reshape.h"
+
 namespace suffuse {
 
 Snapping::Snapping(const Painting &painting, const CanvasAids &aids, const LeftOut &leftOut)
@@ -10,11 +12,9 @@ Snapping::Snapping(const Painting &painting, const CanvasAids &aids, const LeftO
     for (const StrokePtr &stroke : painting.strokes) {
         if (!painting.isVisible(*stroke))
             continue;
-        const int n = int(stroke->segments.size());
-        for (int k = 0; k <= n; ++k)
+        for (int k = 0; k < nodeCount(*stroke); ++k)
             if (!leftOut || !leftOut(*stroke, k))
-                m_nodes.push_back(k < n ? stroke->origin + stroke->segments[std::size_t(k)].bezier[0]
-                                        : stroke->origin + stroke->segments.back().bezier[3]);
+                m_nodes.push_back(nodePosition(*stroke, k));
     }
 }
 

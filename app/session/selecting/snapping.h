@@ -19,6 +19,7 @@ struct CanvasAids {
     bool showGrid = false;
     double gridStep = 20;     ///< canvas units
     bool showOutlines = true; ///< outlines of the selected strokes
+    bool showErasures = false; ///< lines along what takes paint away, of the selected strokes
     bool showBeyond = false;  ///< paint beyond the canvas, under a veil
     friend bool operator==(const CanvasAids &, const CanvasAids &) = default;
 };
@@ -36,7 +37,7 @@ class Snapping {
 public:
     /// A point snaps to places within so many logical pixels.
     static constexpr double reach = 8;
-    /// True for nodes that move themselves and are no places to snap to. Node n of n segments is the end.
+    /// True for nodes that move themselves and are no places to snap to. Nodes are counted as in model/shaping/chains.h.
     using LeftOut = std::function<bool(const Stroke &, int node)>;
 
     /// This one snaps to nothing.

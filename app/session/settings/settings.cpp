@@ -105,6 +105,7 @@ CanvasAids canvasAids()
     aids.snapToGrid = s.value("aids/snapToGrid").toBool();
     aids.showGrid = s.value("aids/showGrid").toBool();
     aids.showOutlines = s.value("aids/showOutlines", aids.showOutlines).toBool();
+    aids.showErasures = s.value("aids/showErasures").toBool();
     aids.showBeyond = s.value("aids/showBeyond").toBool();
     const double step = s.value("aids/gridStep", aids.gridStep).toDouble();
     if (step >= minGridStep && step <= maxGridStep)
@@ -120,6 +121,7 @@ void setCanvasAids(const CanvasAids &aids)
     s.setValue("aids/showGrid", aids.showGrid);
     s.setValue("aids/gridStep", aids.gridStep);
     s.setValue("aids/showOutlines", aids.showOutlines);
+    s.setValue("aids/showErasures", aids.showErasures);
     s.setValue("aids/showBeyond", aids.showBeyond);
 }
 

@@ -78,7 +78,7 @@ void AttributeBrushTool::gatherTargets()
             continue;
         const bool part = inPart.contains(stroke->id);
         for (int k = 0; k < int(stroke->segments.size()); ++k)
-            if (!part || selection.segments.contains({stroke->id, k}))
+            if (part ? selection.segments.contains({stroke->id, k}) : !stroke->segments[std::size_t(k)].lift)
                 m_targets.push_back({stroke->id, k, stroke->cubicOf(stroke->segments[std::size_t(k)]).at(0.5), 1});
     }
     std::sort(m_targets.begin(), m_targets.end(), [](const Target &a, const Target &b) {

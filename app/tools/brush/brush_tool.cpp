@@ -57,8 +57,11 @@ std::pair<const Segment *, double> bodyAtEnd(const Stroke &stroke, int node)
 
 /// A brush that continues a stroke at one of its ends, with the stroke's look and the values there. If the end is
 /// tapered, the new paint grows to the size that the stroke has before the taper, over a way as long as the taper.
-Brush brushAtEnd(const Stroke &stroke, int node, Brush brush)
+Brush brushAtEnd(const Stroke &whole, int endOfChain, Brush brush)
 {
+    const NodeSides sides = sidesOf(whole, endOfChain);
+    const Stroke stroke = chainOnly(whole, chainAt(whole, std::max(sides.before, sides.after)));
+    const int node = sides.before < 0 ? 0 : int(stroke.segments.size());
     const Segment &tip = node == 0 ? stroke.segments.front() : stroke.segments.back();
     const auto [body, way] = bodyAtEnd(stroke, node);
     const Segment &end = *body;
@@ -148,7 +151,7 @@ std::optional<NodeRef> BrushTool::endAt(Point pixel) const
     for (const StrokePtr &stroke : document.painting()->strokes) {
         if (!selected.contains(stroke->id) || document.painting()->isLocked(*stroke))
             continue;
-        for (const int node : {0, nodeCount(*stroke) - 1})
+        for (const int node : endNodesOf(*stroke))
             if (const double d = length(m_canvas.view().toPixels(nodePosition(*stroke, node)) - pixel); d <= nearest) {
                 nearest = d;
                 found = {stroke->id, node};
@@ -215,7 +218,7 @@ void BrushTool::pushStroke(const StrokePtr &stroke)
     const Document &document = m_editor.document();
     const std::optional<NodeRef> end = std::exchange(m_extended, std::nullopt);
     if (end)
-        if (Edit edit = extendStroke(document, end->stroke, end->node != 0, *stroke); !edit.isEmpty())
+        if (Edit edit = extendStroke(document, *end, *stroke); !edit.isEmpty())
             return m_editor.push(std::move(edit), tr("Extend stroke"));
     m_editor.push(addStrokes(document, {stroke}, false), tr("Brush stroke"));
 }

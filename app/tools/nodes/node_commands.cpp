@@ -73,7 +73,7 @@ NodeCommands::NodeCommands(const CanvasWidget &canvas, Editor &editor, Commands 
     add(JoinNodes, "joinNodes", Commands::tr("&Join Nodes"), "node-join", Commands::tr("Shift+J"),
         Commands::tr("Join two selected end nodes"), twoEnds, [this] { join(); });
     add(DeleteSegments, "deleteSegments", Commands::tr("&Delete Segments"), "segment-delete", Commands::tr("Ctrl+Del"),
-        Commands::tr("Delete the selected segments, so that strokes split"), anySegments, [this] { deleteSegments(); });
+        Commands::tr("Delete the selected segments, which leaves gaps in strokes"), anySegments, [this] { deleteSegments(); });
     add(BridgeSegments, "bridgeSegments", Commands::tr("Brid&ge Segments"), "bridge", Commands::tr("Alt+Del"),
         Commands::tr("Replace selected segments by one that goes on smoothly"), anySegments, [this] { bridge(); });
     add(ReverseStrokes, "reverseStrokes", Commands::tr("&Reverse"), "reverse", Commands::tr("Shift+R"),
@@ -139,7 +139,8 @@ void NodeCommands::insertBetween()
         const Stroke split = withNodes(*stroke, inStroke, &sources);
         for (int k = 0; k < nodeCount(split); ++k) {
             const bool isNew = k > 0 && k < int(sources.size()) && sources[k] == sources[k - 1];
-            const int old = k < int(sources.size()) ? sources[k] : nodeCount(*stroke) - 1;
+            const int old = k < int(sources.size()) ? sources[k]
+                                                    : k - int(sources.size()) + int(stroke->segments.size());
             if (isNew || m_nodes.contains({id, old}))
                 nodes.insert({id, k});
         }
@@ -150,7 +151,7 @@ void NodeCommands::insertBetween()
 
 void NodeCommands::breakAtNodes()
 {
-    const Edit edit = splitAtNodes(m_editor.document(), m_nodes);
+    const Edit edit = splitAtNodes(m_editor.document(), m_nodes, Leaves::Chains);
     if (edit.isEmpty())
         return;
     emit chosen({});
@@ -199,7 +200,7 @@ void NodeCommands::deleteSegments()
     for (const SegmentRef &segment : segments)
         strokes.insert(segment.stroke);
     m_editor.document().setSelection({strokes, segments});
-    m_editor.push(deleteSelection(m_editor.document()), tr("Delete segments"));
+    m_editor.push(deleteSelection(m_editor.document(), Leaves::Chains), tr("Delete segments"));
 }
 
 void NodeCommands::bridge()

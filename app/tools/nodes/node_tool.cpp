@@ -3,6 +3,7 @@
 #include "app/canvas/canvas_widget.h"
 #include "app/session/editor.h"
 #include "app/session/selecting/pick.h"
+#include "app/tools/nodes/erasures.h"
 #include "app/tools/tool_fields.h"
 #include "undo/node_edits.h"
 
@@ -263,8 +264,25 @@ void NodeTool::clicked(const PointerEvent &event)
     }
 }
 
+/// A click on what takes paint away means all of the erasure, and a second one its segment.
+bool NodeTool::chooseErasure(const SegmentRef &hit, bool add)
+{
+    std::set<SegmentRef> erasure = erasureOf(*m_editor.document().painting(), hit);
+    if (erasure.empty() || (!add && selection().segments == erasure))
+        return false;
+    Selection chosen = add ? selection() : Selection();
+    chosen.strokes.insert(hit.stroke);
+    chosen.segments.merge(erasure);
+    select(std::move(chosen));
+    return true;
+}
+
 void NodeTool::clickedSegment(const PointerEvent &event)
 {
+    const bool plain = !(event.modifiers & (Qt::ShiftModifier | Qt::ControlModifier));
+    const bool shift = (event.modifiers & Qt::ShiftModifier) && m_nodes.empty();
+    if (m_hit.curve && (plain || shift) && chooseErasure(m_hit.segment(), shift))
+        return;
     if (event.modifiers & Qt::ShiftModifier && selectRun(event))
         return;
     std::optional<SegmentRef> hit = m_hit.curve ? m_hit.segment() : pick(event);
@@ -352,16 +370,24 @@ bool NodeTool::keyPress(QKeyEvent *event)
 bool NodeTool::nudge(QKeyEvent *event)
 {
     const std::optional<Point> way = nudgeOf(*event);
-    if (m_nodes.empty() || !way)
+    const std::set<SegmentRef> &chosen = selection().segments;
+    const std::set<NodeRef> nodes =
+        m_nodes.empty() ? nodesOfErasures(*m_editor.document().painting(), chosen) : m_nodes;
+    if (nodes.empty() || !way)
         return false;
     if (!event->isAutoRepeat()) // A key that is held down is one step.
         m_nodeNudges.endSteps();
     const Painting &painting = *m_editor.document().painting();
-    const StrokePtr first = painting.find(m_nodes.begin()->stroke);
+    const NodeRef &front = *nodes.begin();
+    const StrokePtr first = painting.find(front.stroke);
     const double reach =
-        first ? m_reach.ofNode(*first, m_nodes.begin()->node, m_canvas.view(), m_canvas.devicePixelRatioF()) : 0;
-    m_editor.push(moveNodes(m_editor.document(), m_nodes, *way, reach),
-                  m_nodes.size() > 1 ? tr("Move nodes") : tr("Move node"), &m_nodeNudges);
+        first && !m_nodes.empty() ? m_reach.ofNode(*first, front.node, m_canvas.view(), m_canvas.devicePixelRatioF())
+                                  : 0;
+    m_editor.push(moveNodes(m_editor.document(), nodes, *way, reach),
+                  m_nodes.empty()      ? tr("Move erasure")
+                  : m_nodes.size() > 1 ? tr("Move nodes")
+                                       : tr("Move node"),
+                  &m_nodeNudges);
     return true;
 }
 
@@ -373,9 +399,26 @@ bool NodeTool::beginDrag(const PointerEvent &)
         nodes.insert(*node);
         selectNodes(std::move(nodes));
     }
+    if (m_hit.mark.isEmpty() && m_hit.curve && dragErasure(start()))
+        return m_drag.isOpen();
     if (!m_hit.mark.isEmpty() || m_hit.curve)
         m_drag.begin(start(), m_hit, m_nodes);
     return m_drag.isOpen();
+}
+
+/// Erasures are moved as they are: the selected ones if one of them was pressed, else the one that was. Returns false
+/// where the curve lays paint.
+bool NodeTool::dragErasure(const PointerEvent &press)
+{
+    const Painting &painting = *m_editor.document().painting();
+    if (erasureOf(painting, m_hit.segment()).empty())
+        return false;
+    if (!selection().segments.contains(m_hit.segment()))
+        chooseErasure(m_hit.segment(), false);
+    NodeHit node;
+    node.mark.node = NodeRef{m_hit.curve, m_hit.place.segment};
+    m_drag.begin(press, node, nodesOfErasures(painting, selection().segments));
+    return true;
 }
 
 void NodeTool::drag(const PointerEvent &event)

@@ -28,6 +28,7 @@ public:
     void move(const PointerEvent &event) override;
     void release(const PointerEvent &event) override;
     bool isBusy() const override { return m_width.isBusy() || SelectionTool::isBusy(); }
+    bool showsErasures() const override { return true; }
     void cancel() override;
     void hover(const PointerEvent &event) override;
     void leave() override;
@@ -72,6 +73,8 @@ private:
     NodeHit hitAt(const PointerEvent &event) const;
     void clickedSegment(const PointerEvent &event);
     void addStroke(const SegmentRef &hit);
+    bool chooseErasure(const SegmentRef &hit, bool add);
+    bool dragErasure(const PointerEvent &press);
     void insertNode(const NodeHit &at);
     std::set<StrokeId> strokesOfNodes() const;
     bool nudge(QKeyEvent *event);

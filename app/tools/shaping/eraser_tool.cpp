@@ -3,19 +3,70 @@
 #include "app/canvas/canvas_widget.h"
 #include "app/session/editor.h"
 #include "app/tools/tool_fields.h"
+#include "app/widgets/habits/at_next_change.h"
 #include "undo/node_edits.h"
 
 #include <QHBoxLayout>
+#include <QPainter>
 
 namespace suffuse {
 
-EraserTool::EraserTool(CanvasWidget &canvas, QObject *parent) : SizedTool("eraser", 10, canvas, parent) {}
+namespace {
+
+constexpr double pressSlack = 3;        ///< logical pixels around a press in which hairlines are found
+constexpr double strengthStep = 0.1;       ///< of the commands for opacity
+constexpr std::size_t mostExplained = 200; ///< samples that are looked at for why nothing was erased
+
+/// A dot with a rim, for a soft tip.
+QCursor softCursor(double dpr)
+{
+    constexpr int size = 13; // logical pixels
+    QPixmap picture(int(size * dpr), int(size * dpr));
+    picture.setDevicePixelRatio(dpr);
+    picture.fill(Qt::transparent);
+    QPainter painter(&picture);
+    painter.setRenderHint(QPainter::Antialiasing);
+    painter.setPen(QPen(QColor(20, 20, 24), 1.2));
+    painter.setBrush(Qt::white);
+    painter.drawEllipse(QPointF(0.5 * size, 0.5 * size), 2.6, 2.6);
+    return QCursor(picture);
+}
+
+EraserMode otherMode(EraserMode mode)
+{
+    return mode == EraserMode::Lift ? EraserMode::Cut : EraserMode::Lift;
+}
+
+} // namespace
+
+EraserTool::EraserTool(CanvasWidget &canvas, QObject *parent)
+    : SizedTool("eraser", 10, canvas, parent), m_choice(EraserChoice::stored()), m_mode(m_choice.mode)
+{}
 
 QString EraserTool::hint() const
 {
-    return m_editor.document().selection().isEmpty()
-               ? tr("Drag over strokes to erase what lies under the circle. [ and ] change its size.")
-               : tr("Drag over the selected strokes to erase what lies under the circle. [ and ] change its size.");
+    if (!m_said.isEmpty())
+        return m_said;
+    const bool selected = m_choice.scope == EraserScope::Selected && !m_editor.document().selection().isEmpty();
+    const bool group = m_choice.scope == EraserScope::Group;
+    if (m_mode == EraserMode::Lift)
+        return selected ? tr("Lift: drag to take paint away softly from the selected strokes. Shift: cut. [ and ] "
+                             "change the size, { and } the strength.")
+               : group  ? tr("Lift: drag to take paint away softly from the strokes of the group. Shift: cut. [ and ] "
+                              "change the size, { and } the strength.")
+                        : tr("Lift: drag to take paint away softly, wherever it is seen. Shift: cut. [ and ] change the "
+                             "size, { and } the strength.");
+    return selected ? tr("Cut: drag to cut out what of the selected curves lies under the circle. Shift: lift. [ and ] "
+                         "change the size.")
+           : group  ? tr("Cut: drag to cut out what of the group's curves lies under the circle. Shift: lift. [ and ] "
+                          "change the size.")
+                    : tr("Cut: drag to cut out what of the curves lies under the circle. Shift: lift. [ and ] change the "
+                         "size.");
+}
+
+QCursor EraserTool::cursor() const
+{
+    return m_mode == EraserMode::Lift ? softCursor(m_canvas.devicePixelRatioF()) : QCursor(Qt::CrossCursor);
 }
 
 QWidget *EraserTool::options()
@@ -24,33 +75,106 @@ QWidget *EraserTool::options()
         return m_options;
     m_options = new QWidget;
     QHBoxLayout *row = toolRow(m_options);
-    addSizeField(*row);
-    row->addStretch();
+    m_fields = new EraserFields(*row, [this, row] { addSizeField(*row); });
+    m_fields->show(m_choice);
+    connect(m_fields, &EraserFields::chosen, this, &EraserTool::setChoice);
     return m_options;
+}
+
+void EraserTool::setChoice(const EraserChoice &choice)
+{
+    if (choice == m_choice)
+        return;
+    m_choice = choice;
+    m_choice.store();
+    if (m_fields)
+        m_fields->show(choice);
+    say({});
+    if (!isBusy())
+        setMode(choice.mode);
+    emit hintChanged();
+}
+
+void EraserTool::setMode(EraserMode mode)
+{
+    if (mode == m_mode)
+        return;
+    m_mode = mode;
+    m_canvas.refreshCursor();
+    m_canvas.updateOverlay();
+    emit hintChanged();
+}
+
+void EraserTool::stepOpacity(int steps)
+{
+    EraserChoice choice = m_choice;
+    choice.strength = std::clamp(std::round((choice.strength + steps * strengthStep) / strengthStep) * strengthStep,
+                                 strengthStep, 1.0);
+    setChoice(choice);
+}
+
+void EraserTool::hover(const PointerEvent &event)
+{
+    SizedTool::hover(event);
+    setMode(event.modifiers & Qt::ShiftModifier ? otherMode(m_choice.mode) : m_choice.mode);
 }
 
 void EraserTool::press(const PointerEvent &event)
 {
-    const Document &document = m_editor.document();
+    say({});
+    setMode(event.modifiers & Qt::ShiftModifier ? otherMode(m_choice.mode) : m_choice.mode);
     m_gesture = m_editor.begin(tr("Erase"));
-    m_last = event.point;
-    m_fromSelected = !document.selection().isEmpty();
-    eraseTo(event.point);
+    const Document &document = m_editor.document();
+    m_began = m_editor.clock().time();
+    m_reach = EraserReach(document, m_began, m_choice.scope, event.point,
+                          pressSlack * m_canvas.devicePixelRatioF() / m_canvas.view().scale);
+    m_samples.clear();
+    m_took = false;
+    if (m_mode == EraserMode::Lift) {
+        m_soft = std::make_unique<SoftEraser>(SoftTip{radius(), m_choice.softness, m_choice.strength},
+                                              m_reach.strokesOf(*document.painting(), m_began), m_began);
+        m_editor.clock().hold(true, event.late); // what is laid down spreads at once
+        liftTo(event);
+    } else {
+        m_samples.push_back({event.point, event.time});
+        cutTo(event.point);
+    }
     showCircleAt(event.pixel);
 }
 
-void EraserTool::eraseTo(Point point)
+void EraserTool::liftTo(const PointerEvent &event)
+{
+    const Microseconds last = m_samples.empty() ? event.time : m_samples.back().time;
+    m_samples.push_back({event.point, std::max(last, event.time), float(event.pressure)});
+    m_soft->add(m_samples.back());
+    showLifted();
+}
+
+void EraserTool::showLifted()
+{
+    const std::set<StrokeId> touched = m_soft->touched();
+    m_took = !touched.empty();
+    m_gesture.take(touched);
+    m_gesture.show([this](const Stroke &stroke) { return m_soft->erased(stroke); });
+}
+
+void EraserTool::cutTo(Point point)
 {
     Document &document = m_editor.document();
-    if (const std::set<StrokeId> strokes = targets(m_last, point); !strokes.empty())
-        m_gesture.show(eraseAlong(document, strokes, {m_last, point}, radius(), m_editor.clock().time()));
-    m_last = point;
+    const Point from = m_samples.back().position;
+    if (Edit edit = eraseAlong(document, targets(from, point), {from, point}, radius(), m_editor.clock().time(),
+                               Leaves::Chains);
+        !edit.isEmpty()) {
+        m_took = true;
+        m_gesture.show(std::move(edit));
+    }
+    m_samples.push_back({point, m_samples.back().time});
 }
 
 std::set<StrokeId> EraserTool::targets(Point from, Point to)
 {
-    const StrokeList &strokes = m_editor.document().painting()->strokes;
-    const std::set<StrokeId> &selected = m_editor.document().selection().strokes;
+    const Painting &painting = *m_editor.document().painting();
+    const StrokeList &strokes = painting.strokes;
     m_boxes.follow(strokes);
     Rect path;
     path.include(from);
@@ -58,7 +182,7 @@ std::set<StrokeId> EraserTool::targets(Point from, Point to)
     path = path.grown(radius());
     std::set<StrokeId> result;
     for (std::size_t i = 0; i < strokes.size(); ++i)
-        if (m_boxes[i].intersects(path) && (!m_fromSelected || selected.contains(strokes[i]->id)))
+        if (m_boxes[i].intersects(path) && m_reach.spares(painting, *strokes[i]) == Spared::Nothing)
             result.insert(strokes[i]->id);
     return result;
 }
@@ -66,21 +190,82 @@ std::set<StrokeId> EraserTool::targets(Point from, Point to)
 void EraserTool::move(const PointerEvent &event)
 {
     showCircleAt(event.pixel);
-    if (isBusy() && event.point != m_last)
-        eraseTo(event.point);
+    if (!isBusy())
+        return;
+    if (m_soft)
+        liftTo(event);
+    else if (event.point != m_samples.back().position)
+        cutTo(event.point);
 }
 
 void EraserTool::release(const PointerEvent &event)
 {
-    if (isBusy() && event.point != m_last)
-        eraseTo(event.point);
+    if (!isBusy())
+        return;
+    if (m_soft) {
+        if (event.device == PointerDevice::Mouse || event.pressure > 0) // a pen lifts with pressure 0
+            liftTo(event);
+        m_soft->finish();
+        showLifted();
+    } else if (event.point != m_samples.back().position) {
+        cutTo(event.point);
+    }
+    const QString why = m_took ? QString() : whyNothing();
+    finish();
+    say(why);
+}
+
+void EraserTool::finish()
+{
     m_gesture.commit();
+    if (std::exchange(m_soft, nullptr))
+        m_editor.clock().hold(false);
 }
 
 void EraserTool::cancel()
 {
-    // If something else has changed the painting, what was erased before that stays as a step of its own.
+    // What was erased before something else changed the painting stays, as a step of its own.
     m_gesture.giveUp();
+    finish();
+    say({});
+}
+
+QString EraserTool::whyNothing() const
+{
+    const Painting &painting = *m_editor.document().painting();
+    SoftEraser anything({radius(), m_choice.softness, 1}, visibleStrokes(painting, m_began), m_began);
+    for (std::size_t i = 0; i < std::min(m_samples.size(), mostExplained); ++i)
+        anything.add({m_samples[i].position, m_samples[i].time});
+    anything.finish();
+    std::set<Spared> reasons;
+    for (const StrokeId id : anything.touched())
+        reasons.insert(m_reach.spares(painting, *painting.find(id)));
+    if (reasons.empty())
+        return tr("Nothing is erased: no paint is seen under the circle.");
+    if (reasons.contains(Spared::Nothing))
+        return tr("Nothing is cut: no curve lies under the circle. Lift takes paint away wherever it is seen.");
+    if (reasons.contains(Spared::NotSelected))
+        return tr("Nothing is erased: what lies under the circle is not selected.");
+    if (reasons.contains(Spared::OtherGroup))
+        return tr("Nothing is erased: what lies under the circle is in another group.");
+    return tr("Nothing is erased: what lies under the circle is locked.");
+}
+
+void EraserTool::say(const QString &text)
+{
+    if (text == m_said)
+        return;
+    m_said = text;
+    emit hintChanged();
+    if (!text.isEmpty())
+        atNextChange(m_editor.document(), this, [this] { say({}); });
+}
+
+void EraserTool::paint(QPainter &painter, const View &view, double dpr) const
+{
+    SizedTool::paint(painter, view, dpr);
+    if (m_mode == EraserMode::Lift)
+        paintSoftRing(painter, 0.5, view, dpr);
 }
 
 } // namespace suffuse

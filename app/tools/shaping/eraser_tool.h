@@ -2,12 +2,15 @@
 
 #include "app/session/gesture.h"
 #include "app/session/selecting/stroke_boxes.h"
+#include "app/tools/shaping/eraser_fields.h"
 #include "app/tools/sized_tool.h"
+#include "model/brush/stroke_builder.h"
 
 namespace suffuse {
 
-/// Removes the parts of strokes whose curves lie under the circle: of the selected strokes or, without a selection, of
-/// all.
+/// Takes paint away under its circle, of the selected strokes, of a group, or of all. Lifting, the usual way, is soft:
+/// it lays down segments that take paint away from each stroke that is seen there. Cutting takes out what of the curves
+/// lies under the circle. Shift takes the other way for one drag.
 class EraserTool : public SizedTool {
     Q_OBJECT
 
@@ -15,24 +18,47 @@ public:
     explicit EraserTool(CanvasWidget &canvas, QObject *parent = nullptr);
 
     QString hint() const override;
+    QCursor cursor() const override;
     QWidget *options() override;
     void press(const PointerEvent &event) override;
     void move(const PointerEvent &event) override;
     void release(const PointerEvent &event) override;
+    void hover(const PointerEvent &event) override;
     bool changesAnything() const override { return true; }
     bool isBusy() const override { return m_gesture.isOpen(); }
     void cancel() override;
+    /// The strength.
+    void stepOpacity(int steps) override;
+    void paint(QPainter &painter, const View &view, double dpr) const override;
+
+    const EraserChoice &choice() const { return m_choice; }
+    /// Is remembered in the settings.
+    void setChoice(const EraserChoice &choice);
 
 private:
-    void eraseTo(Point point);
-    /// The strokes that the circle may touch on its way from one point to the other.
+    void setMode(EraserMode mode);
+    void liftTo(const PointerEvent &event);
+    void showLifted();
+    void cutTo(Point point);
+    /// The strokes that the circle may cut on its way.
     std::set<StrokeId> targets(Point from, Point to);
+    void finish();
+    /// Why the last drag took nothing.
+    QString whyNothing() const;
+    void say(const QString &text);
 
     QPointer<QWidget> m_options;
+    QPointer<EraserFields> m_fields; ///< in the options
+    EraserChoice m_choice;
+    EraserMode m_mode; ///< of this drag; while there is none, of the next one
+    EraserReach m_reach;
     Gesture m_gesture;
-    Point m_last;
-    bool m_fromSelected = false;
+    std::unique_ptr<SoftEraser> m_soft; ///< while paint is lifted
+    std::vector<PenSample> m_samples;   ///< of this drag
+    Microseconds m_began = 0;
+    bool m_took = false; ///< whether this drag has taken anything
     StrokeBoxes m_boxes;
+    QString m_said;
 };
 
 } // namespace suffuse

@@ -68,20 +68,21 @@ void KnifeTool::cut()
 {
     const PlacesOfStrokes places = cuts();
     Document &document = m_editor.document();
-    const auto nodes = [&] { // counts the nodes of the strokes that are crossed
-        int count = 0;
+    const auto sum = [&](auto count) { // counts over the strokes that are crossed
+        int all = 0;
         for (const auto &[id, at] : places)
             if (const StrokePtr stroke = document.painting()->find(id))
-                count += nodeCount(*stroke);
-        return count;
+                all += int(count(*stroke));
+        return all;
     };
-    const int nodesBefore = nodes(), strokesBefore = int(document.painting()->strokes.size());
+    const auto chains = [&] { return sum([](const Stroke &stroke) { return chainsOf(stroke).size(); }); };
+    const int nodesBefore = sum(nodeCount), chainsBefore = chains();
     if (m_splits)
-        m_editor.push(splitAt(document, places), tr("Cut strokes"));
+        m_editor.push(splitAt(document, places, Leaves::Chains), tr("Cut strokes"));
     else
         m_editor.push(insertNodes(document, places), tr("Insert nodes"));
-    const int inserted = nodes() - nodesBefore, crossed = int(places.size());
-    const int parts = crossed + int(document.painting()->strokes.size()) - strokesBefore;
+    const int inserted = sum(nodeCount) - nodesBefore, crossed = int(places.size());
+    const int parts = crossed + chains() - chainsBefore;
     if (m_splits && parts > crossed)
         //: what the knife did; %1: "2 strokes", %2: "5 parts"
         say(tr("%1 cut into %2").arg(tr("%n stroke(s)", nullptr, crossed), tr("%n part(s)", nullptr, parts)));

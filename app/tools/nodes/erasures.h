@@ -1,0 +1,15 @@
+// Erasures as the Segments tool takes them: a chain of segments that take paint away is one thing.
+#pragma once
+
+#include "model/painting/painting.h"
+#include "model/painting/selection.h"
+#include "model/painting/stroke_places.h"
+
+namespace suffuse {
+
+/// The segments of the chain that a segment which takes paint away belongs to; none where it lays paint.
+std::set<SegmentRef> erasureOf(const Painting &painting, const SegmentRef &segment);
+/// The nodes of those of the segments that take paint away.
+std::set<NodeRef> nodesOfErasures(const Painting &painting, const std::set<SegmentRef> &segments);
+
+} // namespace suffuse

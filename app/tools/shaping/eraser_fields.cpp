@@ -1,0 +1,104 @@
+#include "app/tools/shaping/eraser_fields.h"
+
+#include "app/session/settings/settings.h"
+#include "app/tools/tool_fields.h"
+#include "app/widgets/numbers/number_field.h"
+#include "app/widgets/numbers/quantity.h"
+
+#include <QComboBox>
+#include <QHBoxLayout>
+
+namespace suffuse {
+
+namespace {
+
+constexpr double leastStrength = 0.05;
+
+double numberIn(const char *key, double usual, double least, double greatest)
+{
+    const double value = settings::store().value(QLatin1String(key), usual).toDouble();
+    return value >= least && value <= greatest ? value : usual;
+}
+
+} // namespace
+
+EraserChoice EraserChoice::stored()
+{
+    EraserChoice choice;
+    const QString scope = settings::store().value("eraser/scope").toString();
+    choice.mode = settings::store().value("eraser/mode").toString() == "cut" ? EraserMode::Cut : EraserMode::Lift;
+    choice.scope = scope == "all" ? EraserScope::All : scope == "group" ? EraserScope::Group : EraserScope::Selected;
+    choice.strength = numberIn("eraser/strength", choice.strength, leastStrength, 1);
+    choice.softness =
+        numberIn("eraser/softness", choice.softness, SoftTip::leastSoftness, SoftTip::greatestSoftness);
+    return choice;
+}
+
+void EraserChoice::store() const
+{
+    QSettings &s = settings::store();
+    s.setValue("eraser/mode", mode == EraserMode::Cut ? "cut" : "lift");
+    s.setValue("eraser/scope", scope == EraserScope::All ? "all" : scope == EraserScope::Group ? "group" : "selected");
+    s.setValue("eraser/strength", strength);
+    s.setValue("eraser/softness", softness);
+}
+
+EraserFields::EraserFields(QHBoxLayout &row, const std::function<void()> &addSize) : QObject(row.parentWidget())
+{
+    m_modes = addChoices(row, {tr("Lift"), tr("Cut")},
+                         tr("Lift takes paint away softly, wherever it is seen; Cut cuts curves out"),
+                         [this](int i) { change([i](EraserChoice &choice) { choice.mode = EraserMode(i); }); });
+    row.addSpacing(10);
+    addSize();
+    FieldSpec strength = shareSpec(tr("Strength"), tr("How much paint is taken away; a pen's pressure takes from it"), 1);
+    strength.minimum = leastStrength;
+    m_strength = addNumber(row, strength, [this](double value) {
+        change([value](EraserChoice &choice) { choice.strength = std::clamp(value, leastStrength, 1.0); });
+    });
+    FieldSpec softness = shareSpec(tr("Softness"), tr("How far what is taken away spreads, as a share of the radius"),
+                                   SoftTip{}.softness);
+    softness.minimum = SoftTip::leastSoftness;
+    softness.maximum = SoftTip::greatestSoftness;
+    m_softness = addNumber(row, softness, [this](double value) {
+        change([value](EraserChoice &choice) {
+            choice.softness = std::clamp(value, SoftTip::leastSoftness, SoftTip::greatestSoftness);
+        });
+    });
+    m_scopes = addChoices(row, {tr("Selected Strokes"), tr("Current Group"), tr("All Strokes")},
+                          tr("From which strokes; without a selection, the first choice means all"),
+                          [this](int i) { change([i](EraserChoice &choice) { choice.scope = EraserScope(i); }); });
+    row.addStretch();
+}
+
+QComboBox *EraserFields::addChoices(QHBoxLayout &row, const QStringList &names, const QString &toolTip,
+                                    const std::function<void(int)> &take)
+{
+    auto *box = new QComboBox(row.parentWidget());
+    box->addItems(names);
+    box->setToolTip(toolTip);
+    box->setAccessibleName(toolTip);
+    connect(box, &QComboBox::activated, this, take);
+    row.addWidget(box);
+    return box;
+}
+
+void EraserFields::change(const std::function<void(EraserChoice &)> &change)
+{
+    EraserChoice choice = m_choice;
+    change(choice);
+    show(choice);
+    emit chosen(choice);
+}
+
+void EraserFields::show(const EraserChoice &choice)
+{
+    m_choice = choice;
+    m_modes->setCurrentIndex(int(choice.mode));
+    m_scopes->setCurrentIndex(int(choice.scope));
+    m_strength->setValue(choice.strength);
+    m_softness->setValue(choice.softness);
+    m_strength->setEnabled(choice.mode == EraserMode::Lift);
+    m_softness->setEnabled(choice.mode == EraserMode::Lift);
+}
+
+} // namespace suffuse

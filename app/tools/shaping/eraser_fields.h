@@ -1,0 +1,63 @@
+// The fields of the eraser: what it does, how much of it, and to which strokes.
+#pragma once
+
+#include "app/session/selecting/eraser_scope.h"
+#include "model/shaping/soft_eraser.h"
+
+#include <QObject>
+
+#include <functional>
+
+class QComboBox;
+class QHBoxLayout;
+
+namespace suffuse {
+
+class NumberField;
+
+enum class EraserMode {
+    Lift, ///< takes paint away, softly, wherever it is seen
+    Cut   ///< cuts curves out, with hard edges
+};
+
+/// What the eraser does; the size is the tool's own.
+struct EraserChoice {
+    EraserMode mode = EraserMode::Lift;
+    EraserScope scope = EraserScope::Selected;
+    double strength = 1;
+    double softness = SoftTip{}.softness;
+
+    /// What was chosen last, from the settings. A value out of range counts as unset.
+    static EraserChoice stored();
+    void store() const;
+    friend bool operator==(const EraserChoice &, const EraserChoice &) = default;
+};
+
+/// The fields in the row over the canvas. They belong to the row that they are added to.
+class EraserFields : public QObject {
+    Q_OBJECT
+
+public:
+    /// `addSize` adds the tool's size behind the mode.
+    EraserFields(QHBoxLayout &row, const std::function<void()> &addSize);
+
+    /// Shows a choice, and emits nothing.
+    void show(const EraserChoice &choice);
+
+signals:
+    /// Emitted when somebody has changed it by hand.
+    void chosen(const suffuse::EraserChoice &choice);
+
+private:
+    QComboBox *addChoices(QHBoxLayout &row, const QStringList &names, const QString &toolTip,
+                          const std::function<void(int)> &take);
+    void change(const std::function<void(EraserChoice &)> &change);
+
+    EraserChoice m_choice;
+    QComboBox *m_modes = nullptr;
+    QComboBox *m_scopes = nullptr;
+    NumberField *m_strength = nullptr;
+    NumberField *m_softness = nullptr;
+};
+
+} // namespace suffuse

@@ -1,0 +1,132 @@
+#include "model/shaping/paint_samples.h"
+
+#include "model/brush/stroke_fit.h"
+#include "model/paint/point_density.h"
+#include "model/paint/seen_paint.h"
+#include "model/paint/style_function.h"
+#include "model/shaping/split.h"
+
+#include <algorithm>
+
+namespace suffuse {
+
+namespace {
+
+/// A grid meets each strip of paint that has spread so many of its spacings.
+constexpr double surelyMet = 1.5;
+constexpr int mostPlaces = 64; ///< on a segment
+
+double excessOf(const Style *style, double density, double opacity)
+{
+    if (!style || !(density > 0) || densityFunction(*style, density) * opacity < visibleOpacity)
+        return 0;
+    return std::max(density - visibleCut(*style), density / 4);
+}
+
+/// φ of a lifting segment that has spread, at a point as seen from its stroke's origin.
+double fullDensity(const Segment &lift, Point fromOrigin)
+{
+    const double spread = lift.spread(lift.driesAt());
+    return reaches(lift, spread, fromOrigin) ? segmentDensity(lift, spread, fromOrigin, CurveDetail::Rough) : 0;
+}
+
+} // namespace
+
+PaintSamples::PaintSamples(StrokePtr stroke, Microseconds T, Point corner, double spacing)
+    : m_stroke(std::move(stroke)), m_present(m_stroke), m_time(T), m_corner(corner - m_stroke->origin),
+      m_spacing(spacing)
+{
+    const auto comesLater = [T](const Segment &segment) { return segment.born > T; };
+    if (std::ranges::none_of(m_stroke->segments, comesLater))
+        return;
+    auto present = std::make_shared<Stroke>(*m_stroke);
+    std::erase_if(present->segments, comesLater);
+    m_present = std::move(present);
+}
+
+void PaintSamples::placeOnHairlines()
+{
+    if (std::exchange(m_isPlaced, true))
+        return;
+    for (const Segment &segment : m_present->segments) {
+        if (segment.lift || segment.spread(m_time) > surelyMet * m_spacing)
+            continue;
+        const Cubic curve = offsetsOf(segment);
+        const int count = int(std::clamp(std::ceil(arcLength(curve) / m_spacing), 1.0, double(mostPlaces)));
+        for (int i = 0; i < count; ++i)
+            m_places.push_back({curve.at((i + 0.5) / count), {}});
+    }
+}
+
+PaintSamples::PaintAt PaintSamples::look(Point fromOrigin) const
+{
+    PaintAt sample;
+    const Point at = m_present->origin + fromOrigin;
+    const Microseconds dry = m_present->segments.empty() ? m_time : m_present->driesAt();
+    for (const Microseconds moment : {m_time, std::max(m_time, dry)}) {
+        const SeenPaint seen = seenPaint(*m_present, moment, at);
+        if (seen.segment >= 0 && seen.density > sample.density) {
+            const Segment &segment = m_present->segments[std::size_t(seen.segment)];
+            sample = {&m_present->styleOf(segment), seen.density, double(segment.colour.opacity), 0};
+        }
+        if (dry <= m_time)
+            break;
+    }
+    for (const Segment &lift : m_taken)
+        sample.taken += fullDensity(lift, fromOrigin);
+    return sample;
+}
+
+Point PaintSamples::pointOf(const Cell &cell) const
+{
+    return m_corner + m_spacing * Point{double(cell.first), double(cell.second)};
+}
+
+PaintSamples::PaintAt &PaintSamples::sampleOf(const Cell &cell)
+{
+    const auto it = m_grid.find(cell);
+    return it != m_grid.end() ? it->second : m_grid.emplace(cell, look(pointOf(cell))).first->second;
+}
+
+double PaintSamples::excessWithin(Point centre, double radius)
+{
+    constexpr double farthestCell = 1e9; // so that cells are whole numbers
+    placeOnHairlines();
+    std::vector<double> seen;
+    const auto add = [&seen](const PaintAt &sample) {
+        if (const double excess = excessOf(sample.style, sample.density - sample.taken, sample.opacity); excess > 0)
+            seen.push_back(excess);
+    };
+    const Point at = centre - m_present->origin, in = (1 / m_spacing) * (at - m_corner);
+    const double reach = radius / m_spacing;
+    if (std::max(std::abs(in.x), std::abs(in.y)) + reach < farthestCell)
+        for (int y = int(std::ceil(in.y - reach)); y <= int(std::floor(in.y + reach)); ++y) {
+            const double half = std::sqrt(std::max(0.0, reach * reach - (y - in.y) * (y - in.y)));
+            for (int x = int(std::ceil(in.x - half)); x <= int(std::floor(in.x + half)); ++x)
+                add(sampleOf({x, y}));
+        }
+    for (HairlinePoint &place : m_places) {
+        if (length(place.at - at) > radius)
+            continue;
+        if (!place.sample)
+            place.sample = look(place.at);
+        add(*place.sample);
+    }
+    if (seen.empty())
+        return 0;
+    const auto quartile = seen.begin() + std::ptrdiff_t(seen.size() * 3 / 4);
+    std::ranges::nth_element(seen, quartile);
+    return *quartile;
+}
+
+void PaintSamples::take(const Segment &lift)
+{
+    m_taken.push_back(lift);
+    for (auto &[cell, sample] : m_grid)
+        sample.taken += fullDensity(lift, pointOf(cell));
+    for (HairlinePoint &place : m_places)
+        if (place.sample)
+            place.sample->taken += fullDensity(lift, place.at);
+}
+
+} // namespace suffuse

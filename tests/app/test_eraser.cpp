@@ -1,0 +1,338 @@
+// The eraser that lifts paint, and what it leaves: erasures that can be seen, moved, weakened and taken out.
+#include "app/panels/inspector/inspector_panel.h"
+#include "app/tools/shaping/eraser_tool.h"
+#include "model/painting/influence.h"
+#include "tests/app/nodes.h"
+#include "undo/group_edits.h"
+
+#include <QComboBox>
+#include <QLabel>
+#include <QTemporaryDir>
+
+using namespace suffuse;
+
+namespace {
+
+/// Two waves whose paint is 20 wide and more; the lifting eraser in hand, 24 across.
+struct EraserSession : WaveSession {
+    StrokeId other = addWave(200, 420, false);
+
+    EraserSession()
+    {
+        editor().document().setSelection({});
+        use(Command::Eraser);
+        eraser().setChoice({});
+        eraser().setRadius(12);
+    }
+    EraserTool &eraser() { return *window.findChild<EraserTool *>(); }
+    /// As a hand does: the clock goes on.
+    void erase(Point from, Point to, Qt::KeyboardModifiers modifiers = {}, bool release = true)
+    {
+        QTest::mousePress(&canvas(), Qt::LeftButton, modifiers, at(from));
+        for (int i = 1; i <= 12; ++i) {
+            advance(interval);
+            move(from + (i / 12.0) * (to - from), modifiers);
+        }
+        if (release)
+            QTest::mouseRelease(&canvas(), Qt::LeftButton, modifiers, at(to));
+    }
+    QString hint() { return canvas().tool()->hint(); }
+    int erasing(StrokeId which) { return int(std::ranges::count_if(stroke(which).segments, &Segment::lift)); }
+    QString summary()
+    {
+        for (const QLabel *label : window.findChild<InspectorPanel *>()->findChildren<QLabel *>())
+            if (label->text().contains(QStringLiteral("stroke(s)")))
+                return label->text();
+        return {};
+    }
+};
+
+/// Where pictures differ, in their pixels.
+QRect differing(const QImage &a, const QImage &b)
+{
+    QRect box;
+    for (int y = 0; y < a.height(); ++y)
+        for (int x = 0; x < a.width(); ++x)
+            if (a.pixel(x, y) != b.pixel(x, y))
+                box |= QRect(x, y, 1, 1);
+    return box;
+}
+
+} // namespace
+
+class TestEraser : public QObject {
+    Q_OBJECT
+
+private slots:
+    void initTestCase()
+    {
+        QVERIFY(m_folder.isValid());
+        qputenv("SUFFUSE_PRESENTER", "raster");
+        qputenv("SUFFUSE_BACKEND", "cpu");
+        qputenv("SUFFUSE_SETTINGS", m_folder.filePath("settings.ini").toLocal8Bit());
+    }
+
+    void itLiftsInOneStepAndChangesNothingElse()
+    {
+        EraserSession s;
+        const auto before = s.editor().document().painting();
+        const QImage picture = s.pictureNow();
+        s.erase({350, 250}, {350, 390});
+        QCOMPARE(s.steps(), 3);
+        QCOMPARE(s.editor().undoText(), EraserTool::tr("Erase"));
+        QCOMPARE(s.painting().strokes.size(), std::size_t(2)); // one stroke stays one
+        QVERIFY(s.erasing(s.id) > 2);
+        QCOMPARE(s.erasing(s.other), 0);
+        const Stroke &stroke = s.stroke();
+        QVERIFY(std::equal(before->strokes[0]->segments.begin(), before->strokes[0]->segments.end(),
+                           stroke.segments.begin()));
+        const QImage erased = s.pictureNow();
+        Rect influence;
+        for (const Segment &segment : stroke.segments)
+            if (segment.lift)
+                influence = influence.united(influenceOf(stroke, segment, s.editor().clock().time()));
+        const QRect changed = differing(picture, erased);
+        QVERIFY(!changed.isEmpty());
+        for (const QPoint corner : {changed.topLeft(), changed.bottomRight()}) {
+            const Point at = s.canvas().view().toCanvas({double(corner.x()), double(corner.y())});
+            QVERIFY(influence.grown(1).contains(at)); // outside of it every pixel has its bits
+        }
+        s.use(Command::Undo);
+        QVERIFY(s.painting() == *before);
+        QCOMPARE(s.pictureNow(), picture);
+        s.use(Command::Redo);
+        QCOMPARE(s.pictureNow(), erased);
+    }
+
+    void visiblePaintFarFromTheCurve()
+    {
+        EraserSession s;
+        const Point curve = s.stroke().cubicOf(s.stroke().segments[1]).at(0.5);
+        double distance = 0;
+        const Point beside = curve + Point{4, 11};
+        nearestPlace(s.stroke(), beside, &distance);
+        s.eraser().setRadius(3);
+        QVERIFY(distance > 2 * s.eraser().radius());
+        s.erase(beside, beside + Point{12, 4});
+        QVERIFY(s.erasing(s.id) > 0);
+        s.use(Command::Undo);
+        s.erase(beside, beside + Point{12, 4}, Qt::ShiftModifier); // cuts: there is no curve
+        QCOMPARE(s.steps(), 3); // that which is undone
+        QVERIFY2(s.hint().startsWith("Nothing is cut"), qPrintable(s.hint()));
+    }
+
+    void escapeAndUndoGiveItUp()
+    {
+        EraserSession s;
+        const auto before = s.editor().document().painting();
+        for (const bool escape : {true, false}) {
+            s.erase({350, 250}, {350, 390}, {}, false);
+            QVERIFY(s.erasing(s.id) > 0); // the button is still down
+            QVERIFY(s.editor().clock().isDrawing());
+            if (escape)
+                QTest::keyClick(&s.canvas(), Qt::Key_Escape);
+            else
+                s.use(Command::Undo);
+            QVERIFY(!s.editor().clock().isDrawing());
+            QTest::mouseRelease(&s.canvas(), Qt::LeftButton, {}, s.at({350, 390}));
+            QVERIFY(s.painting() == *before);
+            QCOMPARE(s.steps(), 2);
+        }
+    }
+
+    void itKeepsToItsScope()
+    {
+        EraserSession s;
+        s.editor().document().setSelection({{s.other}, {}});
+        s.erase({350, 250}, {350, 500}); // over both
+        QCOMPARE(s.erasing(s.id), 0);
+        QVERIFY(s.erasing(s.other) > 0);
+        QVERIFY(s.hint().contains("selected"));
+        s.use(Command::Undo);
+        s.erase({350, 250}, {350, 370});
+        QVERIFY2(s.hint().contains("not selected"), qPrintable(s.hint()));
+        EraserChoice choice;
+        choice.scope = EraserScope::All;
+        s.eraser().setChoice(choice);
+        s.erase({350, 250}, {350, 500});
+        QVERIFY(s.erasing(s.id) > 0 && s.erasing(s.other) > 0);
+        s.use(Command::Undo);
+        // The group of what is selected, or else of what is pressed.
+        s.editor().push(groupSelection(s.editor().document(), "group"), "group");
+        choice.scope = EraserScope::Group;
+        s.eraser().setChoice(choice);
+        s.erase({350, 250}, {350, 500});
+        QCOMPARE(s.erasing(s.id), 0);
+        QVERIFY(s.erasing(s.other) > 0);
+        s.use(Command::Undo);
+        s.editor().document().setSelection({});
+        s.erase({350, 320}, {350, 500}); // begins on the one that is in no group
+        QVERIFY(s.erasing(s.id) > 0);
+        QCOMPARE(s.erasing(s.other), 0);
+        s.use(Command::Undo);
+        s.editor().document().setSelection({{s.id}, {}});
+        s.erase({350, 400}, {350, 500});
+        QVERIFY2(s.hint().contains("another group"), qPrintable(s.hint()));
+    }
+
+    void itSaysWhyItTookNothing()
+    {
+        EraserSession s;
+        const int steps = s.steps();
+        s.erase({700, 600}, {760, 600});
+        QVERIFY2(s.hint().contains("no paint is seen"), qPrintable(s.hint()));
+        s.hover({350, 320});
+        s.editor().push(setLocked(s.editor().document(), {s.id}, true), "lock");
+        s.erase({350, 250}, {350, 380});
+        QVERIFY2(s.hint().contains("locked"), qPrintable(s.hint()));
+        QCOMPARE(s.erasing(s.id), 0);
+        QCOMPARE(s.steps(), steps + 1);
+        s.use(Command::Undo);
+        QVERIFY(s.hint().startsWith("Lift")); // it has gone with what it told of
+    }
+
+    void modeAndStrength()
+    {
+        EraserSession s;
+        QVERIFY(s.hint().startsWith("Lift"));
+        const QCursor soft = s.eraser().cursor();
+        s.hover({350, 320}, Qt::ShiftModifier);
+        QVERIFY(s.hint().startsWith("Cut"));
+        QCOMPARE(s.eraser().cursor().shape(), Qt::CrossCursor);
+        QVERIFY(soft.shape() != Qt::CrossCursor);
+        s.hover({350, 320});
+        QVERIFY(s.hint().startsWith("Lift"));
+        auto *modes = s.eraser().options()->findChild<QComboBox *>();
+        modes->setCurrentIndex(1);
+        emit modes->activated(1);
+        QCOMPARE(s.eraser().choice().mode, EraserMode::Cut);
+        QVERIFY(s.hint().startsWith("Cut"));
+        s.erase({350, 250}, {350, 390});
+        QCOMPARE(chainsOf(s.stroke()).size(), std::size_t(2));
+        QVERIFY(!s.stroke().hasLift());
+        QCOMPARE(EraserChoice::stored().mode, EraserMode::Cut); // it is remembered
+        s.erase({550, 250}, {550, 390}, Qt::ShiftModifier);
+        QVERIFY(s.stroke().hasLift());
+        s.eraser().setChoice({});
+        s.use(Command::LessOpacity);
+        s.use(Command::LessOpacity);
+        QVERIFY(std::abs(s.eraser().choice().strength - 0.8) < 1e-9);
+        for (int i = 0; i < 12; ++i)
+            s.use(Command::LessOpacity);
+        QVERIFY(s.eraser().choice().strength > 0);
+        s.use(Command::MoreOpacity);
+        QVERIFY(std::abs(s.eraser().choice().strength - 0.2) < 1e-9);
+        s.eraser().setChoice({});
+    }
+
+    void aPensPressureIsItsStrength()
+    {
+        const auto densityOf = [](double pressure) {
+            EraserSession s;
+            Pen pen;
+            pen.send(s.canvas(), QEvent::TabletPress, s.at({350, 250}), pressure);
+            for (int i = 1; i <= 12; ++i) {
+                s.advance(interval);
+                pen.send(s.canvas(), QEvent::TabletMove, s.at(Point{350, 250 + i * 11.0}), pressure);
+            }
+            pen.send(s.canvas(), QEvent::TabletRelease, s.at({350, 390}), 0);
+            double most = 0;
+            for (const Segment &segment : s.stroke().segments)
+                most = segment.lift ? std::max(most, double(segment.density)) : most;
+            return most;
+        };
+        QVERIFY(densityOf(0.3) > 0);
+        QVERIFY(densityOf(0.3) < 0.2 * densityOf(1));
+    }
+
+    /// In the Segments tool an erasure is one thing: a click takes it, a drag moves it, Del takes it out.
+    void erasuresAreSegments()
+    {
+        EraserSession s;
+        s.erase({350, 250}, {350, 390});
+        s.erase({250, 250}, {250, 390});
+        s.dry();
+        const int count = s.erasing(s.id), paint = int(s.stroke().segments.size()) - count;
+        s.use(Command::Segments);
+        s.editor().document().setSelection({{s.id}, {}});
+        QTRY_VERIFY(s.summary().contains("4 segment(s)") && s.summary().contains("erasing"));
+        const auto onCurve = [&](int k) { return s.stroke().cubicOf(s.stroke().segments[std::size_t(k)]).at(0.5); };
+        const Chain first = chainAt(s.stroke(), paint);
+        s.click(onCurve((first.first + first.last) / 2));
+        QCOMPARE(int(s.selection().segments.size()), first.last - first.first + 1);
+        QVERIFY(s.selection().segments.contains({s.id, first.first}));
+        QTRY_VERIFY(s.summary().contains("take paint away"));
+        const Stroke before = s.stroke();
+        const Point grabbed = onCurve((first.first + first.last) / 2);
+        s.drag(grabbed, grabbed + Point{40, 0});
+        for (int k = 0; k < int(before.segments.size()); ++k) {
+            const bool moves = k >= first.first && k <= first.last;
+            const double by = double(s.stroke().segments[std::size_t(k)].bezier[1].x) -
+                              double(before.segments[std::size_t(k)].bezier[1].x);
+            QVERIFY(std::abs(by - (moves ? 40 : 0)) < 1e-3);
+        }
+        QTest::keyClick(&s.canvas(), Qt::Key_Right);
+        QVERIFY(s.stroke().segments[std::size_t(first.first)].bezier[0].x >
+                before.segments[std::size_t(first.first)].bezier[0].x + 40.5f);
+        QCOMPARE(s.stroke().segments[0], before.segments[0]);
+        s.use(Command::Undo);
+        s.use(Command::Undo);
+        QVERIFY(s.stroke() == before);
+        // Weaker, in the inspector's way; then out.
+        s.editor().push(changeSegments(s.editor().document(), targetSegments(s.editor().document()),
+                                       [](Segment &segment) { segment.density *= 0.1f; }),
+                        "weaken");
+        QCOMPARE(s.stroke().segments[0].density, before.segments[0].density);
+        QTest::keyClick(&s.canvas(), Qt::Key_Delete);
+        QCOMPARE(s.erasing(s.id), count - (first.last - first.first + 1));
+        QCOMPARE(s.selection().strokes, std::set<StrokeId>{s.id});
+        s.use(Command::RemoveErasures);
+        QCOMPARE(s.erasing(s.id), 0);
+        QVERIFY(!s.window.action(Command::RemoveErasures).isEnabled());
+    }
+
+    /// Values of whole strokes are those of their paint.
+    void erasuresKeepTheirValues()
+    {
+        EraserSession s;
+        s.erase({350, 250}, {350, 390});
+        const Stroke before = s.stroke();
+        s.editor().document().setSelection({{s.id}, {}});
+        s.editor().push(changeSegments(s.editor().document(), targetSegments(s.editor().document()),
+                                       [](Segment &segment) { segment.diffusion = 3; }),
+                        "change");
+        for (std::size_t k = 0; k < before.segments.size(); ++k)
+            QCOMPARE(s.stroke().segments[k].diffusion, before.segments[k].lift ? before.segments[k].diffusion : 3.0f);
+    }
+
+    void erasuresAreShownWhenWanted()
+    {
+        EraserSession s;
+        s.erase({350, 250}, {350, 390});
+        s.dry();
+        s.use(Command::Pan);
+        const auto shown = [&] {
+            while (!s.canvas().isUpToDate())
+                QTest::qWait(5);
+            return s.canvas().grab().toImage();
+        };
+        const QImage bare = shown();
+        s.use(Command::ShowErasures);
+        const QImage lines = shown();
+        QVERIFY(lines != bare);
+        s.use(Command::ShowErasures);
+        QCOMPARE(shown(), bare);
+        s.editor().document().setSelection({{s.id}, {}});
+        const QImage outlined = shown();
+        s.use(Command::ShowErasures);
+        QVERIFY(shown() != outlined);
+        s.use(Command::ShowErasures);
+        QCOMPARE(shown(), outlined);
+    }
+
+private:
+    QTemporaryDir m_folder;
+};
+
+QTEST_MAIN(TestEraser)
+#include "test_eraser.moc"
