@@ -999,6 +999,13 @@ Rückgabewerte: 0 erledigt, 1 fehlgeschlagen, 2 falscher Aufruf.</translation>
             <numerusform>%n Striche können dort, so weit außen, nicht liegen und wurden weggelassen.</numerusform>
         </translation>
     </message>
+    <message numerus="yes">
+        <source>As SVG, for other programs, what was erased softly is left out: %n erasing segment(s).</source>
+        <translation>
+            <numerusform>Im SVG für andere Programme fehlt, was weich radiert wurde: %n radierendes Segment.</numerusform>
+            <numerusform>Im SVG für andere Programme fehlt, was weich radiert wurde: %n radierende Segmente.</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>Commands</name>
@@ -1137,6 +1144,18 @@ Rückgabewerte: 0 erledigt, 1 fehlgeschlagen, 2 falscher Aufruf.</translation>
     <message>
         <source>Paste appearance</source>
         <translation>Aussehen einfügen</translation>
+    </message>
+    <message>
+        <source>Combine strokes</source>
+        <translation>Striche kombinieren</translation>
+    </message>
+    <message>
+        <source>Break apart</source>
+        <translation>Zerlegen</translation>
+    </message>
+    <message>
+        <source>Remove erasures</source>
+        <translation>Radierungen entfernen</translation>
     </message>
 </context>
 <context>
@@ -3201,10 +3220,6 @@ Auch die Pfeiltasten wirken.</translation>
         <translation>&amp;Radierer</translation>
     </message>
     <message>
-        <source>Erase parts of strokes</source>
-        <translation>Teile von Strichen radieren</translation>
-    </message>
-    <message>
         <source>&amp;Attribute Brush</source>
         <translation>A&amp;ttributpinsel</translation>
     </message>
@@ -3295,10 +3310,6 @@ Auch die Pfeiltasten wirken.</translation>
     <message>
         <source>Ctrl+Del</source>
         <translation>Ctrl+Del</translation>
-    </message>
-    <message>
-        <source>Delete the selected segments, so that strokes split</source>
-        <translation>Die ausgewählten Segmente löschen, sodass sich Striche teilen</translation>
     </message>
     <message>
         <source>Brid&amp;ge Segments</source>
@@ -4255,6 +4266,58 @@ Auch die Pfeiltasten wirken.</translation>
         <source>Appl&amp;y Brush</source>
         <translation>&amp;Pinsel anwenden</translation>
     </message>
+    <message>
+        <source>Show Erasures</source>
+        <translation>Radierungen zeigen</translation>
+    </message>
+    <message>
+        <source>Shift+E</source>
+        <translation>Umschalt+E</translation>
+    </message>
+    <message>
+        <source>Dashed lines along what was erased softly from the selected strokes, or from all without a selection</source>
+        <translation>Gestrichelte Linien entlang dessen, was von den ausgewählten Strichen weich radiert wurde, ohne Auswahl von allen</translation>
+    </message>
+    <message>
+        <source>&amp;Combine</source>
+        <translation>&amp;Kombinieren</translation>
+    </message>
+    <message>
+        <source>Ctrl+Alt+K</source>
+        <translation>Strg+Alt+K</translation>
+    </message>
+    <message>
+        <source>Make one stroke of the selected ones, whose paint adds up</source>
+        <translation>Macht aus den ausgewählten Strichen einen, dessen Farbe sich addiert</translation>
+    </message>
+    <message>
+        <source>Break Apart</source>
+        <translation>Zerlegen</translation>
+    </message>
+    <message>
+        <source>Ctrl+Shift+K</source>
+        <translation>Strg+Umschalt+K</translation>
+    </message>
+    <message>
+        <source>Make strokes of the parts of the selected ones</source>
+        <translation>Macht aus den Teilen der ausgewählten Striche eigene Striche</translation>
+    </message>
+    <message>
+        <source>Remove Erasures</source>
+        <translation>Radierungen entfernen</translation>
+    </message>
+    <message>
+        <source>Bring back what was erased softly from the selected strokes, or by the selected segments</source>
+        <translation>Bringt zurück, was von den ausgewählten Strichen oder durch die ausgewählten Segmente weich radiert wurde</translation>
+    </message>
+    <message>
+        <source>Delete the selected segments, which leaves gaps in strokes</source>
+        <translation>Löscht die ausgewählten Segmente; in Strichen bleiben Lücken</translation>
+    </message>
+    <message>
+        <source>Take paint away softly, or cut out parts of strokes</source>
+        <translation>Farbe weich wegnehmen oder Teile von Strichen herausschneiden</translation>
+    </message>
 </context>
 <context>
     <name>suffuse::CompareButton</name>
@@ -4360,18 +4423,101 @@ Auch die Pfeiltasten wirken.</translation>
     </message>
 </context>
 <context>
+    <name>suffuse::EraserFields</name>
+    <message>
+        <source>Lift</source>
+        <translation>Abheben</translation>
+    </message>
+    <message>
+        <source>Cut</source>
+        <translation>Schneiden</translation>
+    </message>
+    <message>
+        <source>Lift takes paint away softly, wherever it is seen; Cut cuts curves out</source>
+        <translation>Abheben nimmt Farbe weich weg, wo immer sie zu sehen ist; Schneiden schneidet Kurven heraus</translation>
+    </message>
+    <message>
+        <source>Strength</source>
+        <translation>Stärke</translation>
+    </message>
+    <message>
+        <source>How much paint is taken away; a pen&apos;s pressure takes from it</source>
+        <translation>Wie viel Farbe weggenommen wird; der Druck eines Stifts mindert es</translation>
+    </message>
+    <message>
+        <source>Softness</source>
+        <translation>Weichheit</translation>
+    </message>
+    <message>
+        <source>How far what is taken away spreads, as a share of the radius</source>
+        <translation>Wie weit das Weggenommene ausläuft, als Anteil des Radius</translation>
+    </message>
+    <message>
+        <source>Selected Strokes</source>
+        <translation>Ausgewählte Striche</translation>
+    </message>
+    <message>
+        <source>Current Group</source>
+        <translation>Aktuelle Gruppe</translation>
+    </message>
+    <message>
+        <source>All Strokes</source>
+        <translation>Alle Striche</translation>
+    </message>
+    <message>
+        <source>From which strokes; without a selection, the first choice means all</source>
+        <translation>Von welchen Strichen; ohne Auswahl meint das Erste alle</translation>
+    </message>
+</context>
+<context>
     <name>suffuse::EraserTool</name>
-    <message>
-        <source>Drag over strokes to erase what lies under the circle. [ and ] change its size.</source>
-        <translation>Ziehen über Striche radiert, was unter dem Kreis liegt. [ und ] ändern seine Größe.</translation>
-    </message>
-    <message>
-        <source>Drag over the selected strokes to erase what lies under the circle. [ and ] change its size.</source>
-        <translation>Ziehen über die ausgewählten Striche radiert, was unter dem Kreis liegt. [ und ] ändern seine Größe.</translation>
-    </message>
     <message>
         <source>Erase</source>
         <translation>Radieren</translation>
+    </message>
+    <message>
+        <source>Lift: drag to take paint away softly from the selected strokes. Shift: cut. [ and ] change the size, { and } the strength.</source>
+        <translation>Abheben: Ziehen nimmt Farbe weich von den ausgewählten Strichen. Umschalt: schneiden. [ und ] ändern die Größe, { und } die Stärke.</translation>
+    </message>
+    <message>
+        <source>Lift: drag to take paint away softly from the strokes of the group. Shift: cut. [ and ] change the size, { and } the strength.</source>
+        <translation>Abheben: Ziehen nimmt Farbe weich von den Strichen der Gruppe. Umschalt: schneiden. [ und ] ändern die Größe, { und } die Stärke.</translation>
+    </message>
+    <message>
+        <source>Lift: drag to take paint away softly, wherever it is seen. Shift: cut. [ and ] change the size, { and } the strength.</source>
+        <translation>Abheben: Ziehen nimmt Farbe weich weg, wo immer sie zu sehen ist. Umschalt: schneiden. [ und ] ändern die Größe, { und } die Stärke.</translation>
+    </message>
+    <message>
+        <source>Cut: drag to cut out what of the selected curves lies under the circle. Shift: lift. [ and ] change the size.</source>
+        <translation>Schneiden: Ziehen schneidet heraus, was von den ausgewählten Kurven unter dem Kreis liegt. Umschalt: abheben. [ und ] ändern die Größe.</translation>
+    </message>
+    <message>
+        <source>Cut: drag to cut out what of the group&apos;s curves lies under the circle. Shift: lift. [ and ] change the size.</source>
+        <translation>Schneiden: Ziehen schneidet heraus, was von den Kurven der Gruppe unter dem Kreis liegt. Umschalt: abheben. [ und ] ändern die Größe.</translation>
+    </message>
+    <message>
+        <source>Cut: drag to cut out what of the curves lies under the circle. Shift: lift. [ and ] change the size.</source>
+        <translation>Schneiden: Ziehen schneidet heraus, was von den Kurven unter dem Kreis liegt. Umschalt: abheben. [ und ] ändern die Größe.</translation>
+    </message>
+    <message>
+        <source>Nothing is erased: no paint is seen under the circle.</source>
+        <translation>Nichts wurde radiert: Unter dem Kreis ist keine Farbe zu sehen.</translation>
+    </message>
+    <message>
+        <source>Nothing is cut: no curve lies under the circle. Lift takes paint away wherever it is seen.</source>
+        <translation>Nichts wurde geschnitten: Unter dem Kreis liegt keine Kurve. Abheben nimmt Farbe weg, wo immer sie zu sehen ist.</translation>
+    </message>
+    <message>
+        <source>Nothing is erased: what lies under the circle is not selected.</source>
+        <translation>Nichts wurde radiert: Was unter dem Kreis liegt, ist nicht ausgewählt.</translation>
+    </message>
+    <message>
+        <source>Nothing is erased: what lies under the circle is in another group.</source>
+        <translation>Nichts wurde radiert: Was unter dem Kreis liegt, gehört zu einer anderen Gruppe.</translation>
+    </message>
+    <message>
+        <source>Nothing is erased: what lies under the circle is locked.</source>
+        <translation>Nichts wurde radiert: Was unter dem Kreis liegt, ist gesperrt.</translation>
     </message>
 </context>
 <context>
@@ -5679,6 +5825,24 @@ Auch die Pfeiltasten wirken.</translation>
             <numerusform>%1 von %n Segmenten</numerusform>
         </translation>
     </message>
+    <message numerus="yes">
+        <source>%n erasing segment(s)</source>
+        <translation>
+            <numerusform>%n radierendes Segment</numerusform>
+            <numerusform>%n radierende Segmente</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>They take paint away: the more density, the more.</source>
+        <translation>Sie nehmen Farbe weg: je mehr Dichte, desto mehr.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n of them take(s) paint away.</source>
+        <translation>
+            <numerusform>%n davon nimmt Farbe weg.</numerusform>
+            <numerusform>%n davon nehmen Farbe weg.</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>suffuse::KeyboardFocus</name>
@@ -5965,6 +6129,10 @@ Auch die Pfeiltasten wirken.</translation>
     <message>
         <source>Drag to bend the curve within the reach (wheel, Alt+drag). Double click to insert a node. Click to select the segment.</source>
         <translation>Ziehen biegt die Kurve innerhalb der Reichweite (Mausrad, Alt+Ziehen). Doppelklick fügt einen Knoten ein. Klick wählt das Segment.</translation>
+    </message>
+    <message>
+        <source>Move erasure</source>
+        <translation>Radierung verschieben</translation>
     </message>
 </context>
 <context>

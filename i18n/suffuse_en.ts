@@ -51,6 +51,13 @@
             <numerusform>%n strokes cannot lie there, too far out, and were left out.</numerusform>
         </translation>
     </message>
+    <message numerus="yes">
+        <source>As SVG, for other programs, what was erased softly is left out: %n erasing segment(s).</source>
+        <translation>
+            <numerusform>As SVG, for other programs, what was erased softly is left out: %n erasing segment.</numerusform>
+            <numerusform>As SVG, for other programs, what was erased softly is left out: %n erasing segments.</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>Renderer</name>
@@ -216,6 +223,20 @@
         <translation>
             <numerusform>%1 of %n segment</numerusform>
             <numerusform>%1 of %n segments</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n erasing segment(s)</source>
+        <translation>
+            <numerusform>%n erasing segment</numerusform>
+            <numerusform>%n erasing segments</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n of them take(s) paint away.</source>
+        <translation>
+            <numerusform>%n of them takes paint away.</numerusform>
+            <numerusform>%n of them take paint away.</numerusform>
         </translation>
     </message>
 </context>

@@ -992,6 +992,12 @@ Exit codes: 0 done, 1 the work failed, 2 wrong usage.</source>
             <numerusform>有 %n 个笔画离得太远，无法放在那里，已略去。</numerusform>
         </translation>
     </message>
+    <message numerus="yes">
+        <source>As SVG, for other programs, what was erased softly is left out: %n erasing segment(s).</source>
+        <translation>
+            <numerusform>供其他程序使用的 SVG 中不含柔和擦除的部分:%n 个擦除线段。</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>Commands</name>
@@ -1130,6 +1136,18 @@ Exit codes: 0 done, 1 the work failed, 2 wrong usage.</source>
     <message>
         <source>Paste appearance</source>
         <translation>粘贴外观</translation>
+    </message>
+    <message>
+        <source>Combine strokes</source>
+        <translation>合并笔画</translation>
+    </message>
+    <message>
+        <source>Break apart</source>
+        <translation>拆分</translation>
+    </message>
+    <message>
+        <source>Remove erasures</source>
+        <translation>移除擦除</translation>
     </message>
 </context>
 <context>
@@ -3193,10 +3211,6 @@ Arrow keys work too.</source>
         <translation>橡皮擦(&amp;E)</translation>
     </message>
     <message>
-        <source>Erase parts of strokes</source>
-        <translation>擦除笔画的一部分</translation>
-    </message>
-    <message>
         <source>&amp;Attribute Brush</source>
         <translation>属性画笔(&amp;A)</translation>
     </message>
@@ -3287,10 +3301,6 @@ Arrow keys work too.</source>
     <message>
         <source>Ctrl+Del</source>
         <translation>Ctrl+Del</translation>
-    </message>
-    <message>
-        <source>Delete the selected segments, so that strokes split</source>
-        <translation>删除所选线段，使笔画分开</translation>
     </message>
     <message>
         <source>Brid&amp;ge Segments</source>
@@ -4246,6 +4256,58 @@ Arrow keys work too.</source>
         <source>Appl&amp;y Brush</source>
         <translation>应用画笔(&amp;Y)</translation>
     </message>
+    <message>
+        <source>Show Erasures</source>
+        <translation>显示擦除</translation>
+    </message>
+    <message>
+        <source>Shift+E</source>
+        <translation>Shift+E</translation>
+    </message>
+    <message>
+        <source>Dashed lines along what was erased softly from the selected strokes, or from all without a selection</source>
+        <translation>沿从所选笔画(未选择时为全部笔画)柔和擦去之处显示虚线</translation>
+    </message>
+    <message>
+        <source>&amp;Combine</source>
+        <translation>合并(&amp;C)</translation>
+    </message>
+    <message>
+        <source>Ctrl+Alt+K</source>
+        <translation>Ctrl+Alt+K</translation>
+    </message>
+    <message>
+        <source>Make one stroke of the selected ones, whose paint adds up</source>
+        <translation>将所选笔画合为一条,其颜料相加</translation>
+    </message>
+    <message>
+        <source>Break Apart</source>
+        <translation>拆分</translation>
+    </message>
+    <message>
+        <source>Ctrl+Shift+K</source>
+        <translation>Ctrl+Shift+K</translation>
+    </message>
+    <message>
+        <source>Make strokes of the parts of the selected ones</source>
+        <translation>将所选笔画的各部分变成独立的笔画</translation>
+    </message>
+    <message>
+        <source>Remove Erasures</source>
+        <translation>移除擦除</translation>
+    </message>
+    <message>
+        <source>Bring back what was erased softly from the selected strokes, or by the selected segments</source>
+        <translation>恢复从所选笔画柔和擦去的、或由所选线段擦去的颜料</translation>
+    </message>
+    <message>
+        <source>Delete the selected segments, which leaves gaps in strokes</source>
+        <translation>删除所选线段,笔画中留下空隙</translation>
+    </message>
+    <message>
+        <source>Take paint away softly, or cut out parts of strokes</source>
+        <translation>柔和地擦去颜料,或剪除笔画的部分</translation>
+    </message>
 </context>
 <context>
     <name>suffuse::CompareButton</name>
@@ -4351,18 +4413,101 @@ Arrow keys work too.</source>
     </message>
 </context>
 <context>
+    <name>suffuse::EraserFields</name>
+    <message>
+        <source>Lift</source>
+        <translation>提起</translation>
+    </message>
+    <message>
+        <source>Cut</source>
+        <translation>剪切</translation>
+    </message>
+    <message>
+        <source>Lift takes paint away softly, wherever it is seen; Cut cuts curves out</source>
+        <translation>“提起”柔和地擦去一切可见的颜料;“剪切”剪除曲线</translation>
+    </message>
+    <message>
+        <source>Strength</source>
+        <translation>强度</translation>
+    </message>
+    <message>
+        <source>How much paint is taken away; a pen&apos;s pressure takes from it</source>
+        <translation>擦去多少颜料;画笔压力会减弱它</translation>
+    </message>
+    <message>
+        <source>Softness</source>
+        <translation>柔和度</translation>
+    </message>
+    <message>
+        <source>How far what is taken away spreads, as a share of the radius</source>
+        <translation>擦除的扩散范围,占半径的比例</translation>
+    </message>
+    <message>
+        <source>Selected Strokes</source>
+        <translation>所选笔画</translation>
+    </message>
+    <message>
+        <source>Current Group</source>
+        <translation>当前群组</translation>
+    </message>
+    <message>
+        <source>All Strokes</source>
+        <translation>所有笔画</translation>
+    </message>
+    <message>
+        <source>From which strokes; without a selection, the first choice means all</source>
+        <translation>从哪些笔画擦除;未选择时,第一项表示全部</translation>
+    </message>
+</context>
+<context>
     <name>suffuse::EraserTool</name>
-    <message>
-        <source>Drag over strokes to erase what lies under the circle. [ and ] change its size.</source>
-        <translation>在笔画上拖动，擦除圆圈下的内容。[ 和 ] 更改其大小。</translation>
-    </message>
-    <message>
-        <source>Drag over the selected strokes to erase what lies under the circle. [ and ] change its size.</source>
-        <translation>在所选笔画上拖动，擦除圆圈下的内容。[ 和 ] 更改其大小。</translation>
-    </message>
     <message>
         <source>Erase</source>
         <translation>擦除</translation>
+    </message>
+    <message>
+        <source>Lift: drag to take paint away softly from the selected strokes. Shift: cut. [ and ] change the size, { and } the strength.</source>
+        <translation>提起:拖动以柔和地擦去所选笔画的颜料。Shift:剪切。[ 和 ] 改变大小,{ 和 } 改变强度。</translation>
+    </message>
+    <message>
+        <source>Lift: drag to take paint away softly from the strokes of the group. Shift: cut. [ and ] change the size, { and } the strength.</source>
+        <translation>提起:拖动以柔和地擦去该群组笔画的颜料。Shift:剪切。[ 和 ] 改变大小,{ 和 } 改变强度。</translation>
+    </message>
+    <message>
+        <source>Lift: drag to take paint away softly, wherever it is seen. Shift: cut. [ and ] change the size, { and } the strength.</source>
+        <translation>提起:拖动以柔和地擦去一切可见的颜料。Shift:剪切。[ 和 ] 改变大小,{ 和 } 改变强度。</translation>
+    </message>
+    <message>
+        <source>Cut: drag to cut out what of the selected curves lies under the circle. Shift: lift. [ and ] change the size.</source>
+        <translation>剪切:拖动以剪除所选曲线在圆下的部分。Shift:提起。[ 和 ] 改变大小。</translation>
+    </message>
+    <message>
+        <source>Cut: drag to cut out what of the group&apos;s curves lies under the circle. Shift: lift. [ and ] change the size.</source>
+        <translation>剪切:拖动以剪除该群组曲线在圆下的部分。Shift:提起。[ 和 ] 改变大小。</translation>
+    </message>
+    <message>
+        <source>Cut: drag to cut out what of the curves lies under the circle. Shift: lift. [ and ] change the size.</source>
+        <translation>剪切:拖动以剪除曲线在圆下的部分。Shift:提起。[ 和 ] 改变大小。</translation>
+    </message>
+    <message>
+        <source>Nothing is erased: no paint is seen under the circle.</source>
+        <translation>未擦除任何内容:圆下没有可见的颜料。</translation>
+    </message>
+    <message>
+        <source>Nothing is cut: no curve lies under the circle. Lift takes paint away wherever it is seen.</source>
+        <translation>未剪切任何内容:圆下没有曲线。“提起”可擦去一切可见的颜料。</translation>
+    </message>
+    <message>
+        <source>Nothing is erased: what lies under the circle is not selected.</source>
+        <translation>未擦除任何内容:圆下的笔画未被选择。</translation>
+    </message>
+    <message>
+        <source>Nothing is erased: what lies under the circle is in another group.</source>
+        <translation>未擦除任何内容:圆下的笔画属于另一个群组。</translation>
+    </message>
+    <message>
+        <source>Nothing is erased: what lies under the circle is locked.</source>
+        <translation>未擦除任何内容:圆下的笔画已锁定。</translation>
     </message>
 </context>
 <context>
@@ -5650,6 +5795,22 @@ Arrow keys work too.</source>
             <numerusform>%n 条线段中的 %1 条</numerusform>
         </translation>
     </message>
+    <message numerus="yes">
+        <source>%n erasing segment(s)</source>
+        <translation>
+            <numerusform>%n 个擦除线段</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>They take paint away: the more density, the more.</source>
+        <translation>它们擦去颜料:密度越大,擦去越多。</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n of them take(s) paint away.</source>
+        <translation>
+            <numerusform>其中 %n 个擦去颜料。</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>suffuse::KeyboardFocus</name>
@@ -5932,6 +6093,10 @@ Arrow keys work too.</source>
     <message>
         <source>Drag to bend the curve within the reach (wheel, Alt+drag). Double click to insert a node. Click to select the segment.</source>
         <translation>拖动以在影响范围内弯曲曲线（滚轮、Alt+拖动）。双击插入节点。点击选择线段。</translation>
+    </message>
+    <message>
+        <source>Move erasure</source>
+        <translation>移动擦除</translation>
     </message>
 </context>
 <context>
