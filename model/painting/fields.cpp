@@ -74,6 +74,8 @@ int versionNeededBy(const Painting &painting)
     for (const StrokePtr &stroke : painting.strokes)
         for (const Segment &segment : stroke->segments)
             version = std::max(version, versionNeededBy(segment));
+    for (const Swatch &swatch : painting.swatches)
+        version = std::max(version, versionNeededBy(swatch));
     return version;
 }
 

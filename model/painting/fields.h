@@ -251,7 +251,8 @@ template <>
 struct FieldsOf<Swatch> {
     static constexpr std::tuple list{
         field("name", &Swatch::name),
-        field("colour", &Swatch::colour, {.unit = Unit::Share, .domain = share, .presence = Presence::Required})};
+        field("colour", &Swatch::colour, {.unit = Unit::Share, .domain = share, .presence = Presence::Required}),
+        field("linked", &Swatch::linked, {.presence = Presence::Unusual, .since = 2})};
 };
 
 template <>
@@ -370,7 +371,7 @@ int versionNeededBy(const T &value)
     });
     return version;
 }
-/// The same for all segments of a painting.
+/// The same for all segments and swatches of a painting.
 int versionNeededBy(const Painting &painting);
 
 /// The description of a segment's number, given as a member; the member must be one of its numbers.

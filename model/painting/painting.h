@@ -53,6 +53,9 @@ struct Group {
 struct Swatch {
     QString name;  ///< may be empty, and two swatches may have one name
     Colour colour; ///< red, yellow, blue and opacity, each in [0, 1]
+    /// When the swatch is given another colour, every segment of the painting whose red, yellow and blue are exactly
+    /// those of the swatch gets that colour, too.
+    bool linked = false;
     friend bool operator==(const Swatch &, const Swatch &) = default;
 };
 

@@ -25,7 +25,7 @@ public:
             p.strokes.push_back(
                 stroke(StrokeId(k * 3 + 1), 1 + below(segments), p.groups.empty() || k > strokes / 2 ? 0 : 9));
         if (chance(2))
-            p.swatches = {{QStringLiteral("湖"), colour()}, {QString(), colour()}};
+            p.swatches = {{QStringLiteral("湖"), colour()}, {QString(), colour(), true}};
         if (chance(2)) {
             auto u = std::make_shared<Underlay>();
             u->image = image();
