@@ -3,11 +3,11 @@
 #include "model/painting/ryb.h"
 
 #include <QMimeData>
+#include <QRegularExpression>
 #include <QStringList>
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 
 namespace suffuse {
 
@@ -35,6 +35,13 @@ Colour fromScreen(const QColor &colour)
     Colour result = rybFromSrgb(colour.red() / 255.0, colour.green() / 255.0, colour.blue() / 255.0);
     result.opacity = float(colour.alpha() / 255.0);
     return result;
+}
+
+std::optional<Colour> colourOfHex(const QString &text)
+{
+    static const QRegularExpression form("^#?([0-9A-Fa-f]{3}|[0-9A-Fa-f]{6})$");
+    const QRegularExpressionMatch match = form.match(text.trimmed());
+    return match.hasMatch() ? std::optional(fromScreen(QColor("#" + match.captured(1)))) : std::nullopt;
 }
 
 QString textOf(const Colour &colour)
@@ -71,42 +78,6 @@ std::optional<Colour> colourOf(const QMimeData &data)
     if (const auto colour = colourOfText(QString::fromLatin1(data.data(colourMime))))
         return colour;
     return data.hasColor() ? std::optional(fromScreen(data.colorData().value<QColor>())) : std::nullopt;
-}
-
-Colour pureHue(double hue)
-{
-    const double h = 6 * (hue - std::floor(hue));
-    const auto channel = [h](double centre) {
-        double d = std::abs(h - centre);
-        d = std::min(d, 6 - d);
-        return float(std::clamp(2 - d, 0.0, 1.0));
-    };
-    return {channel(0), channel(2), channel(4), 1};
-}
-
-HueShares toShares(const Colour &colour, double hueOfGrey)
-{
-    const double r = colour.red, y = colour.yellow, b = colour.blue;
-    const double high = std::max({r, y, b}), low = std::min({r, y, b});
-    HueShares shares{hueOfGrey, high - low, low};
-    if (shares.chroma < 1e-6)
-        return shares;
-    double h = 0;
-    if (high == r)
-        h = (y - b) / shares.chroma;
-    else if (high == y)
-        h = 2 + (b - r) / shares.chroma;
-    else
-        h = 4 + (r - y) / shares.chroma;
-    shares.hue = h < 0 ? h / 6 + 1 : h / 6;
-    return shares;
-}
-
-Colour fromShares(const HueShares &shares, float opacity)
-{
-    const Colour pure = pureHue(shares.hue);
-    const auto channel = [&shares](float p) { return float(std::clamp(shares.chroma * p + shares.black, 0.0, 1.0)); };
-    return {channel(pure.red), channel(pure.yellow), channel(pure.blue), opacity};
 }
 
 } // namespace suffuse

@@ -1,0 +1,178 @@
+#include "model/colour/colour_uses.h"
+
+#include "model/colour/colour_shift.h"
+#include "model/colour/perceived.h"
+
+#include <algorithm>
+#include <functional>
+#include <map>
+#include <set>
+#include <tuple>
+
+namespace suffuse {
+
+namespace {
+
+constexpr double firstReach = 0.02; ///< about what is seen as another colour, side by side
+constexpr double reachGrowth = 1.5;
+
+/// Orders colours, so that each is found once. Nothing else is meant by the order.
+struct ByChannels {
+    bool operator()(const Colour &a, const Colour &b) const
+    {
+        return std::tie(a.red, a.yellow, a.blue, a.opacity) < std::tie(b.red, b.yellow, b.blue, b.opacity);
+    }
+};
+
+/// One colour exactly, and where it is.
+struct ExactUse {
+    Colour colour;
+    Perceived perceived;
+    std::size_t segments = 0;
+    std::set<StrokeId> strokes;
+    double paint = 0;
+};
+
+std::vector<ExactUse> exactUses(const ColourParts &parts)
+{
+    std::map<Colour, ExactUse, ByChannels> found;
+    for (const ColourPart &part : parts) {
+        const Stroke &stroke = *part.stroke;
+        for (std::size_t k = 0; k < stroke.segments.size(); ++k) {
+            const Segment &segment = stroke.segments[k];
+            if (!part.has(k) || segment.lift)
+                continue;
+            ExactUse &use = found[withOpacity(segment.colour, 1)];
+            ++use.segments;
+            use.strokes.insert(stroke.id);
+            use.paint +=
+                double(segment.density) * polygonLength(stroke.cubicOf(segment)) * double(segment.colour.opacity);
+        }
+    }
+    std::vector<ExactUse> uses;
+    for (auto &[colour, use] : found) {
+        use.colour = colour;
+        use.perceived = perceivedOf(colour);
+        uses.push_back(std::move(use));
+    }
+    std::ranges::stable_sort(uses, std::greater(), &ExactUse::paint);
+    return uses;
+}
+
+/// Each colour goes to the first one before it that it looks like, and begins a group where there is none. Returns for
+/// each the index of the colour that its group begins with. Nothing where there would be more than `most` groups.
+std::vector<std::size_t> grouped(const std::vector<ExactUse> &uses, double reach, std::size_t most)
+{
+    std::vector<std::size_t> leaders, leaderOf;
+    for (std::size_t i = 0; i < uses.size(); ++i) {
+        const auto near = std::ranges::find_if(leaders, [&](std::size_t leader) {
+            return distanceOf(uses[i].perceived, uses[leader].perceived) <= reach;
+        });
+        if (near == leaders.end() && leaders.size() == most)
+            return {};
+        leaderOf.push_back(near == leaders.end() ? i : *near);
+        if (near == leaders.end())
+            leaders.push_back(i);
+    }
+    return leaderOf;
+}
+
+std::vector<std::size_t> groupedInto(const std::vector<ExactUse> &uses, std::size_t most)
+{
+    std::vector<std::size_t> leaderOf = grouped(uses, 0, most);
+    for (double reach = firstReach; leaderOf.size() < uses.size(); reach *= reachGrowth)
+        leaderOf = grouped(uses, reach, most);
+    return leaderOf;
+}
+
+} // namespace
+
+std::size_t ColourPart::count() const
+{
+    return chosen.empty() ? stroke->segments.size() : std::size_t(std::ranges::count(chosen, true));
+}
+
+ColourParts partsToColour(const Painting &painting, const Selection &selection)
+{
+    ColourParts parts;
+    for (const StrokePtr &stroke : painting.strokes) {
+        const bool meant = selection.isEmpty() || selection.strokes.contains(stroke->id);
+        if (!meant || !painting.isVisible(*stroke) || painting.isLocked(*stroke))
+            continue;
+        ColourPart part{stroke, {}};
+        const auto first = selection.segments.lower_bound({stroke->id, 0});
+        for (auto at = first; at != selection.segments.end() && at->stroke == stroke->id; ++at) {
+            part.chosen.resize(stroke->segments.size());
+            if (std::size_t(at->segment) < part.chosen.size())
+                part.chosen[std::size_t(at->segment)] = true;
+        }
+        parts.push_back(std::move(part));
+    }
+    return parts;
+}
+
+ColourParts partsOfColour(const Painting &painting, const Colour &colour)
+{
+    ColourParts parts;
+    for (const StrokePtr &stroke : painting.strokes) {
+        std::vector<bool> chosen(stroke->segments.size());
+        for (std::size_t k = 0; k < chosen.size(); ++k)
+            chosen[k] = samePaint(stroke->segments[k].colour, colour);
+        if (std::ranges::find(chosen, true) != chosen.end())
+            parts.push_back({stroke, std::move(chosen)});
+    }
+    return parts;
+}
+
+std::vector<ColourUse> coloursOf(const ColourParts &parts, std::size_t most)
+{
+    const std::vector<ExactUse> exact = exactUses(parts);
+    const std::vector<std::size_t> leaderOf = groupedInto(exact, std::max<std::size_t>(most, 1));
+    double all = 0;
+    std::vector<ColourUse> uses;
+    std::map<std::size_t, std::size_t> placeOf; // of a leader's group
+    std::vector<std::set<StrokeId>> strokes;
+    for (std::size_t i = 0; i < exact.size(); ++i) {
+        const auto [place, isNew] = placeOf.emplace(leaderOf[i], uses.size());
+        if (isNew) {
+            uses.push_back({.colour = exact[i].colour, .members = {}});
+            strokes.emplace_back();
+        }
+        ColourUse &use = uses[place->second];
+        use.members.push_back(exact[i].colour);
+        use.segments += exact[i].segments;
+        use.paint += exact[i].paint;
+        all += exact[i].paint;
+        strokes[place->second].insert(exact[i].strokes.begin(), exact[i].strokes.end());
+    }
+    for (std::size_t i = 0; i < uses.size(); ++i) {
+        uses[i].strokes = strokes[i].size();
+        uses[i].paint = all > 0 ? uses[i].paint / all : 0;
+    }
+    std::ranges::stable_sort(uses, std::greater(), &ColourUse::paint);
+    return uses;
+}
+
+ColourSummary summaryOf(const ColourParts &parts, bool coloured)
+{
+    struct Count {
+        std::size_t segments = 0, first = 0;
+    };
+    std::map<Colour, Count, ByChannels> counts;
+    ColourSummary summary;
+    for (const ColourPart &part : parts)
+        for (std::size_t k = 0; k < part.stroke->segments.size(); ++k)
+            if (part.has(k))
+                ++counts.emplace(part.stroke->segments[k].colour, Count{0, summary.segments++}).first->second.segments;
+    const auto rank = [coloured](const auto &entry) {
+        const auto &[colour, count] = entry;
+        return std::tuple(!(coloured && isGrey(colour)), count.segments, std::size_t(-1) - count.first);
+    };
+    summary.strokes = parts.size();
+    summary.usual = std::ranges::max_element(counts, {}, rank)->first;
+    for (const auto &[colour, count] : counts)
+        summary.several = summary.several || !samePaint(colour, summary.usual);
+    return summary;
+}
+
+} // namespace suffuse

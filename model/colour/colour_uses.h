@@ -1,0 +1,51 @@
+// The colours that a painting is painted with, as a list that a person can read.
+#pragma once
+
+#include "model/painting/painting.h"
+#include "model/painting/selection.h"
+
+#include <vector>
+
+namespace suffuse {
+
+/// A stroke as it was at some moment, and which of its segments are meant.
+struct ColourPart {
+    StrokePtr stroke;
+    std::vector<bool> chosen; ///< for each segment; empty: all are
+
+    bool has(std::size_t segment) const { return chosen.empty() || chosen[segment]; }
+    std::size_t count() const;
+};
+using ColourParts = std::vector<ColourPart>;
+
+/// What a change of colour means: of visible, unlocked strokes, the segments that are selected, or all of the selected
+/// strokes without selected segments. Where nothing is selected, all of the painting. Bottom to top.
+ColourParts partsToColour(const Painting &painting, const Selection &selection);
+/// Where a painting has exactly this red, yellow and blue, in hidden and locked strokes, too.
+ColourParts partsOfColour(const Painting &painting, const Colour &colour);
+
+/// A colour of a painting, or several that look much alike. Opacity plays no part in it.
+struct ColourUse {
+    Colour colour;               ///< of those, the one with the most paint; opaque
+    std::vector<Colour> members; ///< all of them, `colour` among them, each once; opaque
+    std::size_t segments = 0;
+    std::size_t strokes = 0; ///< that have such segments
+    double paint = 0;        ///< share of all paint: ∫φˢ along the curves, by opacity
+};
+
+/// The colours of the parts, those with the most paint first. Where there are more than `most`, colours that look alike
+/// become one, and the less alike ones the more there are. Segments that take paint away show no colour, and are left
+/// out.
+std::vector<ColourUse> coloursOf(const ColourParts &parts, std::size_t most);
+
+/// What a person is told of the colours of some parts.
+struct ColourSummary {
+    Colour usual;         ///< that most segments have, opacity included; of several, the first
+    bool several = false; ///< they differ in red, yellow or blue
+    std::size_t strokes = 0;
+    std::size_t segments = 0;
+};
+/// Where `coloured`, greys are the usual colour only if there is nothing else. There must be at least one part.
+ColourSummary summaryOf(const ColourParts &parts, bool coloured);
+
+} // namespace suffuse

@@ -1,0 +1,240 @@
+// Colours under shifts, what looks nearest, the list of a painting's colours, and what is painted in one of them.
+#include "model/colour/colour_shift.h"
+#include "model/colour/colour_uses.h"
+#include "model/colour/hue_shares.h"
+#include "model/colour/perceived.h"
+#include "model/painting/ryb.h"
+
+#include <QRandomGenerator>
+#include <QTest>
+
+#include <cmath>
+
+using namespace suffuse;
+
+namespace {
+
+constexpr Colour red{1, 0, 0, 1}, yellow{0, 1, 0, 1}, blue{0, 0, 1, 1}, white{0, 0, 0, 1}, black{1, 1, 1, 1};
+
+double farthest(const Colour &a, const Colour &b)
+{
+    return std::max({std::abs(a.red - b.red), std::abs(a.yellow - b.yellow), std::abs(a.blue - b.blue)});
+}
+
+class RandomColours {
+public:
+    Colour next()
+    {
+        const auto share = [this] { return float(m_random.generateDouble()); };
+        return {share(), share(), share(), share()};
+    }
+
+private:
+    QRandomGenerator m_random{19};
+};
+
+/// A stroke of segments of 30 units, one of each colour.
+StrokePtr strokeOf(StrokeId id, const std::vector<Colour> &colours)
+{
+    auto stroke = std::make_shared<Stroke>();
+    stroke->id = id;
+    for (const Colour &colour : colours) {
+        const float x = float(30 * stroke->segments.size());
+        Segment segment;
+        segment.bezier = {Offset{x, 0}, {x + 10, 0}, {x + 20, 0}, {x + 30, 0}};
+        segment.colour = colour;
+        stroke->segments.push_back(segment);
+    }
+    return stroke;
+}
+
+} // namespace
+
+class TestColourMaps : public QObject {
+    Q_OBJECT
+
+private slots:
+    void aShiftOfNothingKeepsEveryBit()
+    {
+        RandomColours colours;
+        for (int i = 0; i < 1000; ++i) {
+            const Colour colour = colours.next();
+            QCOMPARE(shifted(colour, {}), colour);
+        }
+    }
+
+    void hueTurnsAroundTheWheel()
+    {
+        const ColourShift third{.hue = 1.0 / 3};
+        QVERIFY(farthest(shifted(red, third), yellow) < 1e-6);
+        QVERIFY(farthest(shifted(yellow, third), blue) < 1e-6);
+        QVERIFY(farthest(shifted(blue, third), red) < 1e-6);
+        RandomColours colours;
+        for (int i = 0; i < 200; ++i) { // there and back, white and black in it as they were
+            const Colour colour = colours.next();
+            const Colour there = shifted(colour, third);
+            QVERIFY(std::abs(toShares(there, 0).chroma - toShares(colour, 0).chroma) < 1e-6);
+            QVERIFY(farthest(shifted(there, {.hue = -1.0 / 3}), colour) < 1e-6);
+            QCOMPARE(there.opacity, colour.opacity);
+        }
+    }
+
+    void greysStayGrey()
+    {
+        for (const float level : {0.0f, 0.3f, 1.0f}) {
+            const Colour grey{level, level, level, 0.5f};
+            QVERIFY(isGrey(grey));
+            QVERIFY(isGrey(shifted(grey, {.hue = 0.4, .saturation = 5, .lightness = 0.2})));
+            QVERIFY(farthest(shifted(grey, {.hue = 0.4, .saturation = 5}), grey) < 1e-6);
+        }
+        QVERIFY(isGrey(shifted({0.2f, 0.8f, 0.4f, 1}, {.saturation = 0})));
+        QVERIFY(!isGrey({0.2f, 0.8f, 0.4f, 1}));
+    }
+
+    void lightnessGoesToWhiteAndBlack()
+    {
+        const Colour green{0.1f, 0.7f, 0.8f, 1};
+        QVERIFY(farthest(shifted(green, {.lightness = 1}), white) < 1e-6);
+        QVERIFY(farthest(shifted(green, {.lightness = -1}), black) < 1e-6);
+        const HueShares before = toShares(green, 0), paler = toShares(shifted(green, {.lightness = 0.5}), 0);
+        QVERIFY(std::abs(paler.hue - before.hue) < 1e-5);
+        QVERIFY(std::abs(paler.chroma - before.chroma / 2) < 1e-6);
+    }
+
+    /// Whatever is picked for a colour with a hue, the shift leads there.
+    void aShiftLeadsFromOneColourToAnother()
+    {
+        RandomColours colours;
+        for (int i = 0; i < 2000; ++i) {
+            const Colour from = colours.next(), to = colours.next();
+            const Colour reached = shifted(from, shiftBetween(from, to));
+            QVERIFY2(farthest(reached, to) < 2e-5, qPrintable(QString::number(i)));
+        }
+        QCOMPARE(shiftBetween(red, red), ColourShift());
+        const ColourShift ofGrey = shiftBetween({0.5f, 0.5f, 0.5f, 1}, red);
+        QCOMPARE(ofGrey.hue, 0.0);
+        QCOMPARE(ofGrey.saturation, 1.0);
+    }
+
+    void differencesStay()
+    {
+        const Colour leaf{0.05f, 0.6f, 0.5f, 1}, darker{0.25f, 0.75f, 0.66f, 1};
+        const ColourShift shift = shiftBetween(leaf, {0.6f, 0.3f, 0.05f, 1});
+        const HueShares a = toShares(shifted(leaf, shift), 0), b = toShares(shifted(darker, shift), 0);
+        const HueShares a0 = toShares(leaf, 0), b0 = toShares(darker, 0);
+        const double turned = (b.hue - a.hue) - (b0.hue - a0.hue);
+        QVERIFY(std::abs(turned - std::round(turned)) < 1e-5);
+        QVERIFY(b.black > a.black + 0.05);
+    }
+
+    void perceivedColoursAreThoseOfOklab()
+    {
+        QVERIFY(std::abs(distanceOf(perceivedOf(white), perceivedOf(black)) - 1) < 1e-3);
+        const Perceived p = perceivedOf(rybFromSrgb(1, 0, 0)); // as its author gives it
+        QVERIFY(std::abs(p[0] - 0.628) < 1e-3 && std::abs(p[1] - 0.225) < 1e-3 && std::abs(p[2] - 0.126) < 1e-3);
+        const ColourPalette palette({red, blue, white, white});
+        QCOMPARE(palette.nearest({0.9f, 0.2f, 0, 1}), red);
+        QCOMPARE(palette.nearest({0.1f, 0.1f, 0, 1}), white);
+        QVERIFY(ColourPalette({}).isEmpty());
+    }
+
+    void partsAreWhatCanBeChanged()
+    {
+        Painting painting;
+        painting.groups = {{1, "hidden", 0, false, false}};
+        for (StrokeId id = 1; id <= 4; ++id) {
+            Stroke stroke = *strokeOf(id, {red, blue});
+            stroke.locked = id == 2;
+            stroke.group = id == 3 ? 1 : 0;
+            painting.strokes.push_back(std::make_shared<const Stroke>(stroke));
+        }
+        const auto ids = [](const ColourParts &parts) {
+            std::vector<StrokeId> found;
+            for (const ColourPart &part : parts)
+                found.push_back(part.stroke->id);
+            return found;
+        };
+        QCOMPARE(ids(partsToColour(painting, {})), std::vector<StrokeId>({1, 4}));
+        QCOMPARE(ids(partsToColour(painting, {{2, 3, 4}, {}})), std::vector<StrokeId>({4}));
+        const ColourParts some = partsToColour(painting, {{1, 4}, {{4, 1}}});
+        QCOMPARE(ids(some), std::vector<StrokeId>({1, 4}));
+        QCOMPARE(some[0].count(), std::size_t(2)); // all of it
+        QCOMPARE(some[1].chosen, std::vector<bool>({false, true}));
+        // What has a colour is found in all of them.
+        QCOMPARE(ids(partsOfColour(painting, {0, 0, 1, 0.3f})), std::vector<StrokeId>({1, 2, 3, 4}));
+        QVERIFY(partsOfColour(painting, yellow).empty());
+    }
+
+    void coloursAreListedByPaint()
+    {
+        Painting painting;
+        const Colour thin{0, 1, 0, 0.25f};
+        painting.strokes = {strokeOf(1, {red, red, blue}), strokeOf(2, {red, thin})};
+        Stroke lifted = *strokeOf(3, {white});
+        lifted.segments[0].lift = true;
+        painting.strokes.push_back(std::make_shared<const Stroke>(lifted));
+        const std::vector<ColourUse> uses = coloursOf(partsToColour(painting, {}), 24);
+        QCOMPARE(uses.size(), std::size_t(3)); // what takes paint away has no colour
+        QCOMPARE(uses[0].colour, red);
+        QCOMPARE(uses[0].segments, std::size_t(3));
+        QCOMPARE(uses[0].strokes, std::size_t(2));
+        QCOMPARE(uses[1].colour, blue);
+        QCOMPARE(uses[2].colour, yellow); // opaque: the opacity is no colour, but less paint
+        QVERIFY(std::abs(uses[0].paint - 3 / 4.25) < 1e-9);
+        QVERIFY(std::abs(uses[2].paint - 0.25 / 4.25) < 1e-9);
+        QVERIFY(coloursOf({}, 24).empty());
+    }
+
+    void manyColoursBecomeFew()
+    {
+        RandomColours random;
+        std::vector<Colour> all;
+        for (int i = 0; i < 400; ++i) { // reds and blues that stray
+            Colour colour = i % 2 ? red : blue;
+            const Colour by = random.next();
+            colour.red = std::clamp(colour.red + 0.05f * (by.red - 0.5f), 0.0f, 1.0f);
+            colour.blue = std::clamp(colour.blue + 0.05f * (by.blue - 0.5f), 0.0f, 1.0f);
+            all.push_back(colour);
+        }
+        Painting painting;
+        painting.strokes = {strokeOf(1, all)};
+        const ColourParts parts = partsToColour(painting, {});
+        const std::vector<ColourUse> few = coloursOf(parts, 2);
+        QCOMPARE(few.size(), std::size_t(2));
+        for (const ColourUse &use : few) { // no red is taken for a blue
+            QCOMPARE(use.segments, std::size_t(200));
+            for (const Colour &member : use.members)
+                QVERIFY(farthest(member, use.colour) < 0.2);
+        }
+        for (const std::size_t most : {std::size_t(1), std::size_t(7), std::size_t(24)}) {
+            const std::vector<ColourUse> uses = coloursOf(parts, most);
+            std::size_t segments = 0;
+            double paint = 0;
+            for (const ColourUse &use : uses)
+                segments += use.segments, paint += use.paint;
+            QVERIFY(uses.size() <= most);
+            QCOMPARE(segments, std::size_t(400)); // each is in one of them
+            QVERIFY(std::abs(paint - 1) < 1e-9);
+        }
+    }
+
+    void theUsualColourIsTheMostFrequentOne()
+    {
+        Painting painting;
+        painting.strokes = {strokeOf(1, {red, blue, blue}), strokeOf(2, {black, black, black})};
+        const ColourSummary all = summaryOf(partsToColour(painting, {}), false);
+        QCOMPARE(all.usual, black);
+        QVERIFY(all.several);
+        QCOMPARE(all.strokes, std::size_t(2));
+        QCOMPARE(all.segments, std::size_t(6));
+        QCOMPARE(summaryOf(partsToColour(painting, {}), true).usual, blue); // a grey has no hue to shift
+        QCOMPARE(summaryOf(partsToColour(painting, {{2}, {}}), true).usual, black);
+        painting.strokes = {strokeOf(1, {red, {1, 0, 0, 0.5f}})};
+        const ColourSummary one = summaryOf(partsToColour(painting, {}), false);
+        QCOMPARE(one.usual, red);
+        QVERIFY(!one.several); // in opacity only
+    }
+};
+
+QTEST_GUILESS_MAIN(TestColourMaps)
+#include "test_colour_maps.moc"
