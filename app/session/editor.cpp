@@ -1,5 +1,6 @@
 #include "app/session/editor.h"
 
+#include "app/session/colour/colour_target.h"
 #include "app/session/files/opened_file.h"
 #include "app/session/gesture_state.h"
 #include "app/session/settings/settings.h"
@@ -60,6 +61,7 @@ Editor::Editor(QObject *parent) : QObject(parent), m_brush(builtinBrushes().fron
     connect(&m_gestures, &GestureDesk::undecidedChanged, this, &Editor::tellModified);
     connect(&m_gestures, &GestureDesk::restTold, this, &Editor::edited);
     connect(&m_document, &Document::changed, this, &Editor::followDocument);
+    m_colourTarget = std::make_unique<ColourTarget>(*this);
     connect(&m_clock, &PaintingClock::timeChanged, this, &Editor::settle); // what floats is of one moment
 }
 

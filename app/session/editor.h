@@ -20,8 +20,11 @@
 #include <QObject>
 #include <QUndoStack>
 
+#include <memory>
+
 namespace suffuse {
 
+class ColourTarget;
 struct OpenedFile;
 
 /// Holds document, undo stack, clock, file and brush; panels and tools talk to it, never to each other.
@@ -84,6 +87,8 @@ public:
     const Brush &brush() const { return m_brush; }
     void setBrush(const Brush &brush);
     void setColour(const Colour &colour);
+    /// Whose colour the colour dock changes: the brush's, or that of what is selected.
+    ColourTarget &colourTarget() { return *m_colourTarget; }
 
     /// The moment that is looked at.
     PaintingClock &clock() { return m_clock; }
@@ -191,6 +196,7 @@ private:
     StrokeValues<Microseconds> m_driesAt;
     PaintingPtr m_compared; ///< null: none
     Brush m_brush;
+    std::unique_ptr<ColourTarget> m_colourTarget;
     QString m_filePath;
     QString m_untitledName; ///< empty: "Untitled"
     QString m_suggestedPath;

@@ -109,7 +109,7 @@ private slots:
                 "deselect settings canvasMenu brushPalette editHere brush select segments redraw push knife eraser "
                 "attributeBrush eyedropper pan raise lower top "
                 "bottom insertNodes nodeCorner nodeSmooth nodeSymmetric breakNodes joinNodes deleteSegments "
-                "bridgeSegments reverseStrokes invertSelection sameColour sameStyle sameBrush sameName lasso touchPath "
+                "bridgeSegments reverseStrokes invertSelection sameColour sameStyle sameBrush sameName recolourArtwork mapToSwatches lasso touchPath "
                 "group ungroup combine breakApart removeErasures lock unlockAll hide showAll rename flipAcross flipDown quarterLeft quarterRight "
                 "scaleSpread simplify smoothStrokes straighten growPaint shrinkPaint offset applyBrush applyBrushForm "
                 "applyBrushColour applyBrushTexture vary "

@@ -66,6 +66,8 @@ enum class Command {
     SameStyle,
     SameBrush,
     SameName,
+    RecolourArtwork,
+    MapToSwatches,
     Lasso,
     TouchPath,
     GroupStrokes,

@@ -18,6 +18,7 @@ void addSessionRows(Commands &table, OpenPainting &open)
     addObjectRows(table, open);
     addReshapeRows(table, open);
     addRestyleRows(table, open);
+    addColourRows(table, open);
     addAlignRows(table, open);
     addTimeRows(table, open);
     addBrushRows(table, open);

@@ -13,6 +13,7 @@ void addEditRows(Commands &table, OpenPainting &open);
 void addObjectRows(Commands &table, OpenPainting &open);
 void addReshapeRows(Commands &table, OpenPainting &open);
 void addRestyleRows(Commands &table, OpenPainting &open);
+void addColourRows(Commands &table, OpenPainting &open);
 void addAlignRows(Commands &table, OpenPainting &open);
 void addTimeRows(Commands &table, OpenPainting &open);
 void addBrushRows(Commands &table, OpenPainting &open);

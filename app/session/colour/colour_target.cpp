@@ -1,0 +1,206 @@
+#include "app/session/colour/colour_target.h"
+
+#include "app/session/editor.h"
+#include "app/session/settings/settings.h"
+#include "model/colour/colour_shift.h"
+#include "undo/colour_edits.h"
+
+namespace suffuse {
+
+namespace {
+
+const QString modeKey = QStringLiteral("colour/shifts");
+
+} // namespace
+
+ColourTarget::ColourTarget(Editor &editor)
+    : m_editor(editor), m_mode(settings::store().value(modeKey).toBool() ? Mode::Shift : Mode::Set)
+{
+    connect(&editor, &Editor::brushChanged, this, [this] {
+        if (kind() == Kind::Brush)
+            emit changed();
+    });
+    connect(&editor.laterChanges(), &LaterChanges::changed, this, &ColourTarget::follow);
+}
+
+ColourTarget::Kind ColourTarget::kind() const
+{
+    if (isSwatchThere())
+        return Kind::Swatch;
+    const Kind wanted = m_chosen.value_or(m_use == ToolUse::Refines ? Kind::Selection : Kind::Brush);
+    return wanted == Kind::Selection && m_selected ? Kind::Selection : Kind::Brush;
+}
+
+void ColourTarget::choose(Kind kind)
+{
+    m_chosen = kind;
+    m_swatch.reset();
+    emit changed();
+}
+
+void ColourTarget::useTool(ToolUse use)
+{
+    if (use == ToolUse::Either || use == m_use)
+        return;
+    m_use = use;
+    m_chosen.reset();
+    m_swatch.reset();
+    emit changed();
+}
+
+void ColourTarget::editSwatch(std::size_t index)
+{
+    const std::vector<Swatch> &swatches = m_editor.document().painting()->swatches;
+    if (index >= swatches.size())
+        return;
+    m_swatch = {index, swatches};
+    emit changed();
+}
+
+void ColourTarget::endSwatch()
+{
+    if (!m_swatch)
+        return;
+    m_swatch.reset();
+    emit changed();
+}
+
+/// Whether the list is the one in which it was chosen, but for its colour.
+bool ColourTarget::isSwatchThere() const
+{
+    if (!m_swatch)
+        return false;
+    const std::vector<Swatch> &now = m_editor.unsettled().painting()->swatches;
+    if (now.size() != m_swatch->list.size())
+        return false;
+    for (std::size_t i = 0; i < now.size(); ++i) {
+        Swatch then = m_swatch->list[i];
+        if (i == m_swatch->index)
+            then.colour = now[i].colour;
+        if (now[i] != then)
+            return false;
+    }
+    return true;
+}
+
+void ColourTarget::setMode(Mode mode)
+{
+    m_mode = mode;
+    settings::store().setValue(modeKey, mode == Mode::Shift);
+    summarise();
+    emit changed();
+}
+
+Colour ColourTarget::colour() const
+{
+    switch (kind()) {
+    case Kind::Selection:
+        return m_selected->usual;
+    case Kind::Swatch:
+        return m_editor.unsettled().painting()->swatches[m_swatch->index].colour;
+    case Kind::Brush:
+        break;
+    }
+    return m_editor.brush().colour;
+}
+
+void ColourTarget::follow(const Change &change)
+{
+    const bool hadSelected = m_selected.has_value();
+    if (change.reset || change.selection || !isSwatchThere())
+        m_swatch.reset();
+    if (change.reset)
+        m_start.reset();
+    if (change.reset || change.selection || change.canvas || !change.strokes.empty())
+        summarise();
+    const bool another = change.reset || change.selection || change.canvas || hadSelected != m_selected.has_value();
+    if (another || kind() == Kind::Selection)
+        emit changed();
+}
+
+void ColourTarget::summarise()
+{
+    m_selected.reset();
+    const Document &document = m_editor.unsettled();
+    if (document.selection().isEmpty())
+        return;
+    if (const ColourParts parts = partsToColour(*document.painting(), document.selection()); !parts.empty())
+        m_selected = summaryOf(parts, m_mode == Mode::Shift);
+}
+
+/// What is meant, as it was when the drag began or, where nothing is dragged, as it is now.
+const ColourTarget::Start &ColourTarget::startOf(ValueEntry *entry)
+{
+    const bool goesOn =
+        m_start && entry && entry->isDragging() && m_start->entry == entry && m_editor.undecided() != nullptr;
+    if (goesOn)
+        return *m_start;
+    const Painting &painting = *m_editor.document().painting();
+    if (kind() == Kind::Swatch) {
+        m_start = {usersOf(painting, m_swatch->index), colour(), entry};
+        return *m_start;
+    }
+    ColourParts parts = m_editor.selection().isEmpty() ? ColourParts() : partsToColour(painting, m_editor.selection());
+    const Colour usual = parts.empty() ? Colour() : summaryOf(parts, m_mode == Mode::Shift).usual;
+    m_start = {std::move(parts), usual, entry};
+    return *m_start;
+}
+
+void ColourTarget::setPaint(const Colour &colour, ValueEntry *entry)
+{
+    switch (kind()) {
+    case Kind::Brush:
+        m_editor.setColour(withOpacity(colour, m_editor.brush().colour.opacity));
+        return;
+    case Kind::Swatch:
+        colourSwatch(withOpacity(colour, this->colour().opacity), entry);
+        return;
+    case Kind::Selection:
+        break;
+    }
+    const Colour from = startOf(entry).colour;
+    const ColourShift shift = m_mode == Mode::Shift ? shiftBetween(from, colour) : ColourShift();
+    colourSelection(
+        [=, this](const Colour &each) {
+            const bool becomesIt = m_mode == Mode::Set || samePaint(each, from);
+            return becomesIt ? withOpacity(colour, each.opacity) : shifted(each, shift);
+        },
+        tr("Change colour"), entry);
+}
+
+void ColourTarget::setOpacity(float opacity, ValueEntry *entry)
+{
+    const auto thinned = [opacity](const Colour &each) { return withOpacity(each, opacity); };
+    switch (kind()) {
+    case Kind::Brush:
+        m_editor.setColour(thinned(m_editor.brush().colour));
+        return;
+    case Kind::Swatch:
+        colourSwatch(thinned(colour()), entry);
+        return;
+    case Kind::Selection:
+        colourSelection(thinned, tr("Change opacity"), entry);
+    }
+}
+
+void ColourTarget::take(const Colour &colour)
+{
+    if (kind() == Kind::Brush && colour.opacity != 1)
+        m_editor.setColour(colour);
+    else
+        setPaint(colour);
+}
+
+void ColourTarget::colourSelection(const std::function<Colour(const Colour &)> &map, const QString &name,
+                                   ValueEntry *entry)
+{
+    m_editor.push(recolour(m_editor.document(), startOf(entry).parts, map), name, entry);
+}
+
+void ColourTarget::colourSwatch(const Colour &colour, ValueEntry *entry)
+{
+    const Start &start = startOf(entry);
+    m_editor.push(changeSwatch(m_editor.document(), m_swatch->index, colour, start.parts), tr("Change swatch"), entry);
+}
+
+} // namespace suffuse

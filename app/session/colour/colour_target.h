@@ -1,0 +1,94 @@
+// Whose colour it is that the colour dock shows and changes.
+#pragma once
+
+#include "model/colour/colour_uses.h"
+
+#include <QObject>
+
+#include <functional>
+#include <optional>
+
+namespace suffuse {
+
+struct Change;
+class Editor;
+class ValueEntry;
+
+/// The colour dock, its swatches and the eyedropper ask here which colour they show, and hand over here what is picked:
+/// it becomes the colour of the brush, of what is selected, or of a swatch. What is selected comes before the brush
+/// while a tool is in use that does not paint, unless the user chooses otherwise.
+class ColourTarget : public QObject {
+    Q_OBJECT
+
+public:
+    enum class Kind { Brush, Selection, Swatch };
+    /// What happens to a selection of several colours: all become the one that is picked, or all shift as the shown one
+    /// does.
+    enum class Mode { Set, Shift };
+    /// What a tool is about, as far as colours go. `Either`: it goes on with what the tool before it was about.
+    enum class ToolUse { Paints, Refines, Either };
+
+    explicit ColourTarget(Editor &editor);
+
+    Kind kind() const;
+    /// Something that can be changed is selected.
+    bool canBeSelection() const { return m_selected.has_value(); }
+    /// Brush or Selection, as the user chooses; holds until a tool of another use is taken.
+    void choose(Kind kind);
+    void useTool(ToolUse use);
+    /// From now on this swatch is meant, until something else is chosen or selected, or it is gone.
+    void editSwatch(std::size_t index);
+    void endSwatch();
+    /// Only while the kind is Swatch.
+    std::size_t swatch() const { return m_swatch->index; }
+
+    /// The settings remember it.
+    Mode mode() const { return m_mode; }
+    void setMode(Mode mode);
+
+    /// The colour that is shown: of a selection, the usual one.
+    Colour colour() const;
+    /// Only while the kind is Selection.
+    const ColourSummary &selected() const { return *m_selected; }
+
+    /// Gives red, yellow and blue; opacity stays. A drag with one entry is one step, and begins with the colours that
+    /// were there then.
+    void setPaint(const Colour &colour, ValueEntry *entry = nullptr);
+    void setOpacity(float opacity, ValueEntry *entry = nullptr);
+    /// As if the colour was taken out of a palette: an opaque one says nothing of how thin the brush paints, and of a
+    /// selection the opacity stays in any case.
+    void take(const Colour &colour);
+
+signals:
+    /// Another colour is shown, or it is another one's.
+    void changed();
+
+private:
+    /// What a drag began with.
+    struct Start {
+        ColourParts parts;
+        Colour colour;
+        const ValueEntry *entry = nullptr;
+    };
+    /// The swatch that is meant, and the list as it was when it was chosen.
+    struct EditedSwatch {
+        std::size_t index;
+        std::vector<Swatch> list;
+    };
+    const Start &startOf(ValueEntry *entry);
+    void colourSelection(const std::function<Colour(const Colour &)> &map, const QString &name, ValueEntry *entry);
+    void colourSwatch(const Colour &colour, ValueEntry *entry);
+    void follow(const Change &change);
+    void summarise();
+    bool isSwatchThere() const;
+
+    Editor &m_editor;
+    ToolUse m_use = ToolUse::Paints;
+    std::optional<Kind> m_chosen; ///< by the user, for this use
+    std::optional<EditedSwatch> m_swatch;
+    Mode m_mode;
+    std::optional<ColourSummary> m_selected; ///< nothing: no selection that could be changed
+    std::optional<Start> m_start;
+};
+
+} // namespace suffuse

@@ -1,0 +1,154 @@
+#include "app/session/colour/recolouring.h"
+
+#include "app/session/editor.h"
+#include "undo/colour_edits.h"
+
+#include <QCoreApplication>
+
+#include <map>
+#include <tuple>
+
+namespace suffuse {
+
+namespace {
+
+struct ByPaint {
+    bool operator()(const Colour &a, const Colour &b) const
+    {
+        return std::tie(a.red, a.yellow, a.blue) < std::tie(b.red, b.yellow, b.blue);
+    }
+};
+
+ColourPalette paletteOf(const Painting &painting)
+{
+    std::vector<Colour> colours;
+    for (const Swatch &swatch : painting.swatches)
+        colours.push_back(swatch.colour);
+    return ColourPalette(std::move(colours));
+}
+
+} // namespace
+
+Recolouring::Recolouring(Editor &editor)
+    : m_editor(editor), m_ofSelection(!editor.document().selection().isEmpty()),
+      m_parts(partsToColour(*editor.document().painting(), editor.selection())), m_uses(coloursOf(m_parts, mostUses)),
+      m_set(m_uses.size()), m_swatches(paletteOf(*editor.document().painting()))
+{}
+
+Recolouring::~Recolouring()
+{
+    m_gesture.giveUp();
+}
+
+Colour Recolouring::wanted(std::size_t use) const
+{
+    return m_set[use].value_or(m_uses[use].colour);
+}
+
+Colour Recolouring::mapped(const Colour &member, std::size_t use) const
+{
+    const Colour &from = m_uses[use].colour;
+    Colour colour = member;
+    if (m_set[use]) {
+        const bool becomesIt = !m_keeps || samePaint(member, from);
+        colour = becomesIt ? *m_set[use] : shifted(member, shiftBetween(from, *m_set[use]));
+    }
+    colour = shifted(colour, m_shift);
+    return withOpacity(m_maps && hasSwatches() ? m_swatches.nearest(colour) : colour, 1);
+}
+
+void Recolouring::set(const std::vector<std::size_t> &uses, std::optional<Colour> colour)
+{
+    for (const std::size_t use : uses)
+        m_set[use] = colour;
+    show();
+}
+
+void Recolouring::setKeepsDifferences(bool keeps)
+{
+    m_keeps = keeps;
+    show();
+}
+
+void Recolouring::setShift(const ColourShift &shift)
+{
+    m_shift = shift;
+    show();
+}
+
+void Recolouring::setMapped(bool mapped)
+{
+    m_maps = mapped;
+    show();
+}
+
+void Recolouring::show()
+{
+    std::map<Colour, Colour, ByPaint> becomes;
+    for (std::size_t use = 0; use < m_uses.size(); ++use)
+        for (const Colour &member : m_uses[use].members)
+            becomes.emplace(member, mapped(member, use));
+    if (!m_gesture.isOpen())
+        m_gesture = m_editor.begin(QCoreApplication::translate("Commands", "Recolour artwork"));
+    m_gesture.show(recolour(m_editor.document(), m_parts, [&](const Colour &each) {
+        const auto at = becomes.find(each);
+        return at == becomes.end() ? each : withOpacity(at->second, each.opacity);
+    }));
+}
+
+void Recolouring::rest()
+{
+    m_gesture.rest();
+}
+
+void Recolouring::accept()
+{
+    m_gesture.commit();
+}
+
+void Recolouring::giveUp()
+{
+    if (!m_gesture.isOpen())
+        return;
+    // A part of it may be a step already, where the painting was saved meanwhile.
+    m_gesture.show(recolour(m_editor.document(), m_parts, [](const Colour &each) { return each; }));
+    m_gesture.commit();
+}
+
+QString mapToSwatches(Editor &editor)
+{
+    const Document &document = editor.document();
+    const Painting &painting = *document.painting();
+    if (painting.swatches.empty())
+        return QCoreApplication::translate("Commands", "The painting has no swatches yet.");
+    const ColourParts parts = partsToColour(painting, document.selection());
+    if (parts.empty())
+        return QCoreApplication::translate("Commands", "What is selected is locked or hidden.");
+    const ColourPalette swatches = paletteOf(painting);
+    Edit edit = recolour(document, parts,
+                         [&](const Colour &each) { return withOpacity(swatches.nearest(each), each.opacity); });
+    if (edit.isEmpty())
+        return QCoreApplication::translate("Commands", "Nothing changes.");
+    editor.push(std::move(edit), QCoreApplication::translate("Commands", "Map colours to swatches"));
+    return {};
+}
+
+void selectColour(Editor &editor, const Colour &colour)
+{
+    const Painting &painting = *editor.document().painting();
+    Selection selection;
+    for (const ColourPart &part : partsOfColour(painting, colour)) {
+        const Stroke &stroke = *part.stroke;
+        if (!painting.isVisible(stroke) || painting.isLocked(stroke))
+            continue;
+        selection.strokes.insert(stroke.id);
+        if (part.count() == stroke.segments.size())
+            continue;
+        for (std::size_t k = 0; k < stroke.segments.size(); ++k)
+            if (part.has(k))
+                selection.segments.insert({stroke.id, int(k)});
+    }
+    editor.document().setSelection(std::move(selection));
+}
+
+} // namespace suffuse
