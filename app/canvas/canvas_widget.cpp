@@ -142,6 +142,8 @@ void CanvasWidget::setTool(Tool *next)
     if (next == tool())
         return;
     m_input.hand().setTool(next);
+    if (next)
+        m_editor.colourTarget().useTool(next->colourUse());
     m_worker.setCoarseWanted(wantsCoarse());
     refreshCursor();
     updateOverlay();

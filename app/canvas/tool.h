@@ -2,6 +2,7 @@
 #pragma once
 
 #include "app/canvas/input/pointer_event.h"
+#include "app/session/colour/colour_target.h"
 #include "model/painting/selection.h"
 #include "render/view.h"
 
@@ -42,6 +43,8 @@ public:
     virtual bool showsOutlines() const { return true; }
     /// Whether selected strokes have dashed lines along what takes paint away while it is in use.
     virtual bool showsErasures() const { return false; }
+    /// Whose colour the colour dock is to show while the tool is in use.
+    virtual ColourTarget::ToolUse colourUse() const { return ColourTarget::ToolUse::Refines; }
     /// Whether a press has come and no release yet.
     virtual bool isBusy() const = 0;
     /// Gives up what is in hand, as if it had not begun.

@@ -12,6 +12,7 @@ public:
     using CanvasTool::CanvasTool;
 
     QString hint() const override;
+    ColourTarget::ToolUse colourUse() const override { return ColourTarget::ToolUse::Either; }
     QCursor cursor() const override { return m_dragging ? Qt::ClosedHandCursor : Qt::OpenHandCursor; }
     void press(const PointerEvent &event) override;
     void move(const PointerEvent &event) override;

@@ -5,7 +5,8 @@
 #include "app/session/editor.h"
 #include "app/session/files/clipboard.h"
 #include "app/session/selecting/pick.h"
-#include "undo/edits.h"
+#include "model/colour/colour_shift.h"
+#include "undo/colour_edits.h"
 
 #include <QDropEvent>
 
@@ -21,15 +22,14 @@ std::optional<SegmentRef> strokeAt(CanvasWidget &canvas, Point point)
     return pickTopmost(*canvas.editor().document().painting(), canvas.editor().clock().time(), point, tolerance);
 }
 
-/// Each segment keeps its opacity.
-void colourStroke(Editor &editor, StrokeId id, const Colour &colour)
+/// Colours the stroke or, if it is selected, all that is selected. Each segment keeps its opacity.
+void dropColour(Editor &editor, StrokeId id, const Colour &colour)
 {
     const Document &document = editor.document();
-    editor.push(changeStrokes(document, {id},
-                              [&](Stroke &stroke) {
-                                  for (Segment &segment : stroke.segments)
-                                      segment.colour = {colour.red, colour.yellow, colour.blue, segment.colour.opacity};
-                              }),
+    const Selection &selection = document.selection();
+    const ColourParts parts =
+        partsToColour(*document.painting(), selection.strokes.contains(id) ? selection : Selection{{id}, {}});
+    editor.push(recolour(document, parts, [&](const Colour &each) { return withOpacity(colour, each.opacity); }),
                 CanvasDrops::tr("Drop colour"));
 }
 
@@ -69,7 +69,7 @@ bool CanvasDrops::eventFilter(QObject *watched, QEvent *event)
     if (event->type() != QEvent::Drop)
         return true;
     if (hit)
-        colourStroke(m_canvas.editor(), hit->stroke, colourOf(data).value_or(Colour{}));
+        dropColour(m_canvas.editor(), hit->stroke, colourOf(data).value_or(Colour{}));
     else if (const QString problem = clipboard::paste(m_canvas.editor(), data, point); !problem.isEmpty())
         emit leftOut(problem);
     return true;

@@ -1,6 +1,5 @@
 // History, swatches, palettes, the sheet to mix on, and the choice of papers.
 #include "app/panels/colour/colour_panel.h"
-#include "app/panels/colour/swatch_grid.h"
 #include "app/panels/colour/swatches_section.h"
 #include "app/panels/inspector/inspector_panel.h"
 #include "app/session/colour_convert.h"
@@ -8,6 +7,7 @@
 #include "app/widgets/asking/messages.h"
 #include "app/widgets/colour/colour_rows.h"
 #include "app/widgets/colour/mixing_pad.h"
+#include "app/widgets/colour/swatch_grid.h"
 #include "app/widgets/paper/canvas_section.h"
 #include "model/formats/brushes/gimp_palette.h"
 #include "model/painting/paper_presets.h"

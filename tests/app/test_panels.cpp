@@ -2,7 +2,6 @@
 // nothing.
 #include "app/panels/brushes/brush_panel.h"
 #include "app/panels/colour/colour_panel.h"
-#include "app/panels/colour/colour_wheel.h"
 #include "app/panels/history/history_panel.h"
 #include "app/panels/inspector/inspector_panel.h"
 #include "app/panels/inspector/segment_section.h"
@@ -12,6 +11,7 @@
 #include "app/panels/strokes/strokes_panel.h"
 #include "app/session/colour_convert.h"
 #include "app/widgets/colour/colour_rows.h"
+#include "app/widgets/colour/colour_wheel.h"
 #include "app/widgets/look/section.h"
 #include "app/widgets/numbers/arithmetic.h"
 #include "app/widgets/numbers/number_field.h"

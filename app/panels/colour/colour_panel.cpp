@@ -1,27 +1,31 @@
 #include "app/panels/colour/colour_panel.h"
 
-#include "app/panels/colour/colour_wheel.h"
-#include "app/panels/colour/swatch_grid.h"
+#include "app/panels/colour/colour_header.h"
 #include "app/panels/colour/swatches_section.h"
+#include "app/session/colour/colour_target.h"
 #include "app/session/colour_convert.h"
 #include "app/session/editor.h"
 #include "app/session/settings/settings.h"
 #include "app/widgets/colour/colour_rows.h"
 #include "app/widgets/colour/colour_swatch.h"
+#include "app/widgets/colour/colour_wheel.h"
 #include "app/widgets/colour/mixing_pad.h"
+#include "app/widgets/colour/screen_colour_rows.h"
+#include "app/widgets/colour/swatch_grid.h"
 #include "app/widgets/look/section.h"
-#include "undo/edits.h"
 
+#include <QComboBox>
 #include <QHBoxLayout>
 #include <QLineEdit>
-#include <QPushButton>
-#include <QRegularExpression>
+#include <QToolButton>
 
 #include <algorithm>
 
 namespace suffuse {
 
 namespace {
+
+const QString slidersKey = QStringLiteral("colour/sliders");
 
 /// The colour as "#rrggbb", without the opacity.
 QString hexOf(const Colour &colour)
@@ -53,6 +57,9 @@ ColourPanel::ColourPanel(Editor &editor, QWidget *parent)
 {
     auto *outer = new QVBoxLayout(this);
     outer->setContentsMargins(0, 0, 0, 0);
+    outer->setSpacing(0);
+    m_header = new ColourHeader(editor, this); // The header stands above what scrolls, so it is always seen.
+    outer->addWidget(m_header);
     auto *scroll = new PanelScroll(this);
     outer->addWidget(scroll);
     auto *content = new QWidget;
@@ -68,31 +75,20 @@ ColourPanel::ColourPanel(Editor &editor, QWidget *parent)
     top->addWidget(m_swatches, 2);
     column->addLayout(top);
     addCurrent(*column);
-    m_rows = new ColourRows(true, content);
-    column->addWidget(m_rows);
+    addSliders(*column);
     m_hint = new HintLabel(content);
     column->addWidget(m_hint);
     addRecent(*column);
     m_mixing = new MixingSection(editor, content);
     column->addWidget(m_mixing, 1);
     scroll->setWidget(content);
-    addApply(*outer); // The button stands below what scrolls, so it is seen however low the dock is.
-
-    connect(m_wheel, &ColourWheel::picked, &editor, &Editor::setColour);
-    connect(m_rows, &ColourRows::edited, this, [this](int channel, double value) {
-        Colour colour = m_editor.brush().colour;
-        ColourRows::channelOf(colour, channel) = float(value);
-        m_editor.setColour(colour);
-    });
-    connect(m_rows, &ColourRows::refused, m_hint, &HintLabel::showRefusal);
-    connect(&editor, &Editor::brushChanged, this, &ColourPanel::refresh);
+    ColourTarget &target = editor.colourTarget();
+    connect(m_wheel, &ColourWheel::picked, &target, &ColourTarget::setPaint);
+    connect(&target, &ColourTarget::changed, this, &ColourPanel::refresh);
     connect(&editor.laterChanges(), &LaterChanges::changed, this, [this](const Change &change) {
-        if (change.selection || change.reset)
-            m_apply->setEnabled(!m_editor.document().selection().isEmpty());
         if (change.draft && m_editor.document().draft())
             rememberUsed();
     });
-    m_apply->setEnabled(!editor.document().selection().isEmpty());
     showRecent();
     refresh();
 }
@@ -109,12 +105,9 @@ void ColourPanel::addCurrent(QVBoxLayout &column)
     m_current = new ColourSwatch(this);
     m_current->setSide(28);
     m_current->setAccessibleName(tr("Current colour"));
-    m_current->setToolTip(tr("The colour that is painted with"));
     m_current->setFocusPolicy(Qt::NoFocus);
     m_previous = new ColourSwatch(this);
     m_previous->setSide(28);
-    m_previous->setAccessibleName(tr("Previous colour"));
-    m_previous->setToolTip(tr("The colour painted with last. Click: back to it."));
     auto *label = new QLabel(tr("Hex"), this);
     m_hex = new QLineEdit(this);
     m_hex->setMaxLength(9);
@@ -124,13 +117,55 @@ void ColourPanel::addCurrent(QVBoxLayout &column)
     label->setBuddy(m_hex);
     row->addWidget(m_current);
     row->addWidget(m_previous);
+    row->addSpacing(4);
+    m_sliders = new QComboBox(this);
+    //: red, yellow, blue; hue, saturation, value; red, green, blue
+    m_sliders->addItems({tr("RYB"), tr("HSV"), tr("RGB")});
+    m_sliders->setAccessibleName(tr("Sliders"));
+    m_sliders->setToolTip(tr("The numbers that the sliders show: paint as red, yellow and blue, or the screen's hue, "
+                             "saturation and value, or its red, green and blue"));
+    row->addWidget(m_sliders);
     row->addStretch(1);
     row->addWidget(label);
     row->addSpacing(4);
     row->addWidget(m_hex);
     column.addLayout(row);
-    connect(m_previous, &ColourSwatch::clicked, this, [this] { m_editor.setColour(m_used); });
+    connect(m_previous, &ColourSwatch::clicked, this, [this] { m_editor.colourTarget().take(beside()); });
     connect(m_hex, &QLineEdit::editingFinished, this, &ColourPanel::takeHex);
+}
+
+void ColourPanel::addSliders(QVBoxLayout &column)
+{
+    ColourTarget &target = m_editor.colourTarget();
+    m_rows = new ColourRows(true, this);
+    m_screenRows = new ScreenColourRows(this);
+    column.addWidget(m_rows);
+    column.addWidget(m_screenRows);
+    connect(m_rows, &ColourRows::edited, this, [&target](int channel, double value, ValueEntry *entry) {
+        if (channel == ColourRows::Opacity)
+            return target.setOpacity(float(value), entry);
+        Colour colour = target.colour();
+        ColourRows::channelOf(colour, channel) = float(value);
+        target.setPaint(colour, entry);
+    });
+    connect(m_screenRows, &ScreenColourRows::paintEdited, &target, &ColourTarget::setPaint);
+    connect(m_screenRows, &ScreenColourRows::opacityEdited, &target,
+            [&target](double value, ValueEntry *entry) { target.setOpacity(float(value), entry); });
+    connect(m_rows, &ColourRows::refused, this, [this](const QString &why) { m_hint->showRefusal(why); });
+    connect(m_screenRows, &ScreenColourRows::refused, this, [this](const QString &why) { m_hint->showRefusal(why); });
+    connect(m_sliders, &QComboBox::activated, this, [this](int index) {
+        settings::store().setValue(slidersKey, index);
+        chooseSliders(index);
+    });
+    chooseSliders(std::clamp(settings::store().value(slidersKey).toInt(), 0, m_sliders->count() - 1));
+}
+
+void ColourPanel::chooseSliders(int index)
+{
+    m_sliders->setCurrentIndex(index);
+    m_rows->setVisible(index == 0);
+    m_screenRows->setVisible(index > 0);
+    m_screenRows->setModel(index == 1 ? ScreenColourRows::Model::Hsv : ScreenColourRows::Model::Rgb);
 }
 
 void ColourPanel::addRecent(QVBoxLayout &column)
@@ -140,28 +175,40 @@ void ColourPanel::addRecent(QVBoxLayout &column)
     m_history->setToolTip(tr("Colours painted with before. Click: take it."));
     m_history->setEmptyText(tr("Colours painted with come here."));
     column.addWidget(m_history);
-    connect(m_history, &SwatchGrid::picked, &m_editor, &Editor::setColour);
+    connect(m_history, &SwatchGrid::picked, &m_editor.colourTarget(), [this](const Colour &colour) {
+        if (m_editor.colourTarget().kind() == ColourTarget::Kind::Brush)
+            m_editor.setColour(colour); // It comes back with the opacity that it was painted with.
+        else
+            m_editor.colourTarget().setPaint(colour);
+    });
 }
 
-void ColourPanel::addApply(QVBoxLayout &column)
+QAbstractButton *ColourPanel::applyButton() const
 {
-    m_apply = new QPushButton(tr("Apply to selection"), this);
-    m_apply->setToolTip(tr("Gives the selected segments this colour. They keep their opacity."));
-    auto *row = new QHBoxLayout;
-    row->setContentsMargins(8, 4, 8, 8);
-    row->addWidget(m_apply);
-    column.addLayout(row);
-    connect(m_apply, &QPushButton::clicked, this, &ColourPanel::applyToSelection);
+    return m_header->applyButton();
+}
+
+/// The colour beside the shown one, to go back to: of the brush, the one that was painted with last; else the brush's.
+Colour ColourPanel::beside() const
+{
+    return m_editor.colourTarget().kind() == ColourTarget::Kind::Brush ? m_used : m_editor.brush().colour;
 }
 
 void ColourPanel::refresh()
 {
-    const Colour &colour = m_editor.brush().colour;
-    m_hint->showHint({}); // An earlier message about a refused colour no longer applies.
+    const ColourTarget &target = m_editor.colourTarget();
+    const Colour colour = target.colour();
+    const bool ofBrush = target.kind() == ColourTarget::Kind::Brush;
+    m_hint->showHint({}); // Whatever was refused, this is the colour now.
     m_wheel->setColour(colour);
     m_rows->setColour(colour);
+    m_screenRows->setColour(colour);
     m_current->setColour(colour);
-    m_previous->setColour(m_used);
+    m_current->setToolTip(ofBrush ? tr("The colour that is painted with") : m_header->text());
+    m_previous->setColour(beside());
+    m_previous->setAccessibleName(ofBrush ? tr("Previous colour") : tr("Colour of the brush"));
+    m_previous->setToolTip(ofBrush ? tr("The colour painted with last. Click: back to it.")
+                                   : tr("The colour of the brush. Click: take it."));
     if (!m_hex->hasFocus() || !m_hex->isModified())
         m_hex->setText(hexOf(colour));
 }
@@ -170,26 +217,14 @@ void ColourPanel::takeHex()
 {
     if (!m_hex->isModified())
         return;
-    static const QRegularExpression form("^#?([0-9A-Fa-f]{3}|[0-9A-Fa-f]{6})$");
-    const QRegularExpressionMatch match = form.match(m_hex->text().trimmed());
     m_hex->setModified(false);
-    if (match.hasMatch()) {
+    if (const std::optional<Colour> colour = colourOfHex(m_hex->text())) {
         m_hint->showHint({});
-        Colour colour = fromScreen(QColor("#" + match.captured(1)));
-        colour.opacity = m_editor.brush().colour.opacity;
-        m_editor.setColour(colour);
+        m_editor.colourTarget().setPaint(*colour);
     } else {
         m_hint->showRefusal(tr("“%1” is not a colour. Write it as #rrggbb, for example #2f6690.").arg(m_hex->text()));
     }
-    m_hex->setText(hexOf(m_editor.brush().colour));
-}
-
-void ColourPanel::applyToSelection()
-{
-    Document &document = m_editor.document();
-    const Colour colour = m_editor.brush().colour;
-    const auto apply = [&](Segment &s) { s.colour = {colour.red, colour.yellow, colour.blue, s.colour.opacity}; };
-    m_editor.push(changeSegments(document, targetSegments(document), apply), tr("Apply colour"));
+    m_hex->setText(hexOf(m_editor.colourTarget().colour()));
 }
 
 void ColourPanel::rememberUsed()
@@ -198,7 +233,7 @@ void ColourPanel::rememberUsed()
     if (colour == m_used && !m_recent.empty())
         return;
     m_used = colour;
-    m_previous->setColour(m_used);
+    m_previous->setColour(beside());
     // Two colours that look the same stand here once.
     std::erase_if(m_recent, [&](const Colour &c) { return toScreen(c) == toScreen(colour); });
     m_recent.insert(m_recent.begin(), colour);

@@ -6,33 +6,41 @@
 
 #include <vector>
 
+class QAbstractButton;
+class QComboBox;
 class QLineEdit;
-class QPushButton;
 class QVBoxLayout;
 
 namespace suffuse {
 
+class ColourHeader;
 class ColourRows;
 class ColourSwatch;
 class ColourWheel;
 class Editor;
 class HintLabel;
 class MixingSection;
+class ScreenColourRows;
 class SwatchGrid;
 class SwatchesSection;
 
-/// Shows the colour that is painted with: a wheel, sliders for RYB and opacity, a field for its hex number, the colours
-/// that were used last, the painting's swatches, and a sheet to mix on.
+/// Shows a colour: a wheel, sliders, a field for its hex number, the colours that were used last, the painting's
+/// swatches, and a sheet to mix on. The header says whose colour it is, the brush's or that of what is selected
+/// (ColourTarget).
 class ColourPanel : public QWidget {
     Q_OBJECT
 
 public:
     explicit ColourPanel(Editor &editor, QWidget *parent = nullptr);
 
+    ColourHeader *header() const { return m_header; }
     ColourWheel *wheel() const { return m_wheel; }
     ColourRows *rows() const { return m_rows; }
     QLineEdit *hex() const { return m_hex; }
-    QPushButton *applyButton() const { return m_apply; }
+    /// The sliders of the screen's colours, in place of those of the paint.
+    ScreenColourRows *screenRows() const { return m_screenRows; }
+    QComboBox *sliderChoice() const { return m_sliders; }
+    QAbstractButton *applyButton() const;
     SwatchGrid *history() const { return m_history; }
     SwatchesSection *swatches() const { return m_swatches; }
     MixingSection *mixing() const { return m_mixing; }
@@ -44,20 +52,23 @@ private:
 
     void addCurrent(QVBoxLayout &column);
     void addRecent(QVBoxLayout &column);
-    void addApply(QVBoxLayout &column);
+    void addSliders(QVBoxLayout &column);
+    void chooseSliders(int index);
     void refresh();
     void takeHex();
-    void applyToSelection();
+    Colour beside() const;
     void rememberUsed();
     void showRecent();
 
     Editor &m_editor;
+    ColourHeader *m_header = nullptr;
     ColourWheel *m_wheel = nullptr;
     ColourRows *m_rows = nullptr;
+    ScreenColourRows *m_screenRows = nullptr;
+    QComboBox *m_sliders = nullptr;
     QLineEdit *m_hex = nullptr;
     ColourSwatch *m_current = nullptr;
     ColourSwatch *m_previous = nullptr;
-    QPushButton *m_apply = nullptr;
     HintLabel *m_hint = nullptr;
     SwatchGrid *m_history = nullptr;
     SwatchesSection *m_swatches = nullptr;

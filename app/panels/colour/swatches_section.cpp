@@ -1,9 +1,11 @@
 #include "app/panels/colour/swatches_section.h"
 
-#include "app/panels/colour/swatch_grid.h"
+#include "app/session/colour/colour_target.h"
+#include "app/session/colour/recolouring.h"
 #include "app/session/editor.h"
 #include "app/widgets/asking/messages.h"
 #include "app/widgets/asking/save_name.h"
+#include "app/widgets/colour/swatch_grid.h"
 #include "app/widgets/look/icons.h"
 #include "app/widgets/look/section.h"
 #include "model/formats/brushes/gimp_palette.h"
@@ -63,12 +65,18 @@ SwatchesSection::SwatchesSection(Editor &editor, QWidget *parent) : QWidget(pare
     column->addWidget(scroll, 1);
     addMenu();
 
+    ColourTarget &target = editor.colourTarget();
     connect(m_add, &QToolButton::clicked, this,
-            [this] { m_grid->insert(int(m_grid->swatches().size()), m_editor.brush().colour); });
-    connect(m_grid, &SwatchGrid::picked, this, [this](Colour colour) {
-        if (colour.opacity == 1) // Colours of palettes are opaque, which says nothing about how thin the brush paints.
-            colour.opacity = m_editor.brush().colour.opacity;
-        m_editor.setColour(colour);
+            [this, &target] { m_grid->insert(int(m_grid->swatches().size()), target.colour()); });
+    connect(m_grid, &SwatchGrid::picked, this, [&target](const Colour &colour) {
+        target.endSwatch(); // A swatch is taken, not changed, by a click on another one.
+        target.take(colour);
+    });
+    connect(m_grid, &SwatchGrid::changeWanted, this, [&target](int index) { target.editSwatch(std::size_t(index)); });
+    connect(m_grid, &SwatchGrid::usersWanted, this,
+            [this](int index) { selectColour(m_editor, m_grid->swatches()[std::size_t(index)].colour); });
+    connect(&target, &ColourTarget::changed, this, [this, &target] {
+        m_grid->setEdited(target.kind() == ColourTarget::Kind::Swatch ? int(target.swatch()) : -1);
     });
     connect(m_grid, &SwatchGrid::edited, this, &SwatchesSection::push);
     connect(&editor.document(), &Document::changed, this, [this](const Change &change) {
@@ -92,6 +100,9 @@ void SwatchesSection::addMenu()
         if (!path.isEmpty())
             exportPalette(path);
     });
+    menu->addSeparator();
+    m_map = menu->addAction(tr("Map Colours to Swatches"), this, [this] { mapToSwatches(m_editor); });
+    m_map->setToolTip(tr("Gives what is selected, or else all of the painting, the swatch that looks nearest"));
     menu->addSeparator();
     m_clear = menu->addAction(tr("Remove all"), this, [this] { push({}, tr("Remove all swatches")); });
     m_menu->setMenu(menu);
@@ -127,6 +138,7 @@ void SwatchesSection::refresh()
 {
     m_grid->setSwatches(m_editor.document().painting()->swatches);
     m_export->setEnabled(!m_grid->swatches().empty());
+    m_map->setEnabled(!m_grid->swatches().empty());
     m_clear->setEnabled(!m_grid->swatches().empty());
 }
 

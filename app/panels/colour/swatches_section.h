@@ -38,6 +38,7 @@ private:
     QToolButton *m_add = nullptr;
     QToolButton *m_menu = nullptr;
     QAction *m_export = nullptr;
+    QAction *m_map = nullptr;
     QAction *m_clear = nullptr;
 };
 

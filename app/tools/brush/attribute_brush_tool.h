@@ -20,6 +20,7 @@ public:
     explicit AttributeBrushTool(CanvasWidget &canvas, QObject *parent = nullptr);
 
     QString hint() const override;
+    ColourTarget::ToolUse colourUse() const override { return ColourTarget::ToolUse::Paints; }
     QWidget *options() override;
     void press(const PointerEvent &event) override;
     void move(const PointerEvent &event) override;

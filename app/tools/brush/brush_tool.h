@@ -25,6 +25,7 @@ public:
     ~BrushTool() override;
 
     QString hint() const override;
+    ColourTarget::ToolUse colourUse() const override { return ColourTarget::ToolUse::Paints; }
     QCursor cursor() const override { return Qt::CrossCursor; }
     QWidget *options() override;
     void press(const PointerEvent &event) override;

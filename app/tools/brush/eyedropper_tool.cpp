@@ -25,16 +25,16 @@ constexpr double hairlineSlack = 3; ///< logical pixels around the pointer in wh
 
 } // namespace
 
-std::optional<Colour> pictureColourAt(Editor &editor, Point point)
+std::optional<Colour> pictureColourAt(const Painting &painting, Microseconds time, Point point)
 {
     // The probe computes all strokes that it gets, so it gets only those near the point.
-    Painting near = *editor.document().snapshot();
+    Painting near = painting;
     StrokeList strokes;
     for (const StrokePtr &stroke : std::as_const(near.strokes))
-        if (influenceOf(*stroke, editor.clock().time()).contains(point))
+        if (influenceOf(*stroke, time).contains(point))
             strokes.push_back(stroke);
     near.strokes = std::move(strokes);
-    const Result<Probe> found = probe(near, editor.clock().time(), point.x, point.y);
+    const Result<Probe> found = probe(near, time, point.x, point.y);
     if (!found)
         return {};
     const std::array<double, 3> &ryb = found->strokes.empty() ? found->rybBefore : found->strokes.back().rybAfter;
@@ -42,10 +42,9 @@ std::optional<Colour> pictureColourAt(Editor &editor, Point point)
     return Colour{channel(0), channel(1), channel(2), 1};
 }
 
-std::optional<Colour> strokeColourAt(Editor &editor, Point point, double tolerance)
+std::optional<Colour> strokeColourAt(const Painting &painting, Microseconds time, Point point, double tolerance)
 {
-    const Painting &painting = *editor.document().painting();
-    const std::optional<SegmentRef> hit = pickTopmost(painting, editor.clock().time(), point, tolerance);
+    const std::optional<SegmentRef> hit = pickTopmost(painting, time, point, tolerance);
     if (!hit)
         return {};
     return painting.find(hit->stroke)->segments[std::size_t(hit->segment)].colour;
@@ -55,44 +54,54 @@ ColourPicker::ColourPicker(CanvasWidget &canvas) : m_canvas(canvas), m_editor(ca
 
 void ColourPicker::begin(const PointerEvent &event)
 {
-    m_active = true;
-    m_before = m_editor.brush().colour;
+    m_picture = m_editor.document().snapshot();
+    m_before = m_picked = m_editor.colourTarget().colour();
+    m_entry.beginDrag();
     move(event);
 }
 
 void ColourPicker::move(const PointerEvent &event)
 {
-    if (!m_active)
+    if (!m_picture)
         return;
     m_pixel = event.pixel;
-    if (event.modifiers & Qt::ShiftModifier) {
-        const double tolerance = hairlineSlack * m_canvas.devicePixelRatioF() / m_canvas.view().scale;
-        if (const auto colour = strokeColourAt(m_editor, event.point, tolerance))
-            m_editor.setColour(*colour);
-    } else if (auto colour = pictureColourAt(m_editor, event.point)) {
-        colour->opacity = m_editor.brush().colour.opacity; // The picture has no opacity, so the brush keeps its own.
-        m_editor.setColour(*colour);
+    ColourTarget &target = m_editor.colourTarget();
+    const Microseconds time = m_editor.clock().time();
+    const bool ofStroke = event.modifiers & Qt::ShiftModifier;
+    const double tolerance = hairlineSlack * m_canvas.devicePixelRatioF() / m_canvas.view().scale;
+    const std::optional<Colour> colour = ofStroke ? strokeColourAt(*m_picture, time, event.point, tolerance)
+                                                  : pictureColourAt(*m_picture, time, event.point);
+    if (colour) {
+        m_picked = *colour;
+        target.setPaint(*colour, &m_entry);
+        if (ofStroke && target.kind() == ColourTarget::Kind::Brush) // The picture has no opacity, a stroke has one.
+            target.setOpacity(colour->opacity, &m_entry);
     }
     m_canvas.updateOverlay();
 }
 
 void ColourPicker::end()
 {
-    if (std::exchange(m_active, false))
-        m_canvas.updateOverlay();
+    if (!std::exchange(m_picture, nullptr))
+        return;
+    m_entry.commitDrag();
+    m_canvas.updateOverlay();
 }
 
 void ColourPicker::giveUp()
 {
-    if (!m_active)
+    if (!m_picture)
         return;
-    m_editor.setColour(m_before);
+    ColourTarget &target = m_editor.colourTarget();
+    if (target.kind() == ColourTarget::Kind::Brush)
+        m_editor.setColour(m_before);
+    m_entry.giveUpDrag();
     end();
 }
 
 void ColourPicker::paint(QPainter &painter, double dpr) const
 {
-    if (!m_active)
+    if (!m_picture)
         return;
     const double r = ringRadius * dpr;
     const QRectF box(m_pixel.x - r, m_pixel.y - r, 2 * r, 2 * r);
@@ -105,18 +114,22 @@ void ColourPicker::paint(QPainter &painter, double dpr) const
         painter.setPen(QPen(toOpaqueScreen(colour), ringWidth * dpr, Qt::SolidLine, Qt::FlatCap));
         painter.drawArc(box, from * 16, 180 * 16);
     };
-    half(m_editor.brush().colour, 0);
+    half(m_picked, 0);
     half(m_before, 180);
 }
 
 EyedropperTool::EyedropperTool(CanvasWidget &canvas, QObject *parent)
     : CanvasTool(canvas, parent), m_picker(canvas), m_match(canvas)
-{}
+{
+    connect(&canvas.editor().colourTarget(), &ColourTarget::changed, this, &Tool::hintChanged);
+}
 
 QString EyedropperTool::hint() const
 {
     if (m_matches)
         return m_match.hint();
+    if (m_editor.colourTarget().kind() == ColourTarget::Kind::Selection)
+        return tr("Click to give what is selected the picture's colour. Shift: the stroke's own colour.");
     return tr("Click to take the picture's colour as the current one. Shift: the stroke's own colour.");
 }
 

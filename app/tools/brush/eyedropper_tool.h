@@ -1,8 +1,9 @@
 #pragma once
 
+#include "app/session/value_entry.h"
 #include "app/tools/brush/match_picker.h"
 #include "app/tools/canvas_tool.h"
-#include "model/painting/style.h"
+#include "model/painting/painting.h"
 
 #include <QPointer>
 
@@ -14,11 +15,12 @@ class QPainter;
 namespace suffuse {
 
 /// The picture's colour at a point of the canvas: red, yellow and blue as they are mixed there, opacity 1.
-std::optional<Colour> pictureColourAt(Editor &editor, Point point);
+std::optional<Colour> pictureColourAt(const Painting &painting, Microseconds time, Point point);
 /// The colour of the topmost stroke that is seen at a point: that of its segment with the largest share there.
-std::optional<Colour> strokeColourAt(Editor &editor, Point point, double tolerance);
+std::optional<Colour> strokeColourAt(const Painting &painting, Microseconds time, Point point, double tolerance);
 
-/// Picks while the pointer is down: the picture's colour or, with Shift, the stroke's own becomes the current colour.
+/// Picks while the pointer is down: the picture's colour or, with Shift, the stroke's own becomes the colour of the
+/// brush or of what is selected (ColourTarget). It picks from the picture as it was at the press.
 class ColourPicker {
 public:
     explicit ColourPicker(CanvasWidget &canvas);
@@ -29,21 +31,23 @@ public:
     void move(const PointerEvent &event);
     /// Ends picking; the picked colour stays the current one.
     void end();
-    /// Makes the colour from before the press the current one again.
+    /// Gives back the colours from before the press.
     void giveUp();
-    bool isActive() const { return m_active; }
+    bool isActive() const { return m_picture != nullptr; }
     /// Paints a ring around the pointer: the picked colour above, the one before it below.
     void paint(QPainter &painter, double dpr) const;
 
 private:
     CanvasWidget &m_canvas;
     Editor &m_editor;
-    bool m_active = false;
+    PaintingPtr m_picture; ///< null: nothing is picked
     Colour m_before;
+    Colour m_picked;
+    ValueEntry m_entry;
     Point m_pixel;
 };
 
-/// Picks the current colour from the canvas, or matches the selection to a stroke.
+/// Picks a colour from the canvas, for the brush or for what is selected, or matches the selection to a stroke.
 class EyedropperTool : public CanvasTool {
     Q_OBJECT
 
@@ -51,6 +55,7 @@ public:
     explicit EyedropperTool(CanvasWidget &canvas, QObject *parent = nullptr);
 
     QString hint() const override;
+    ColourTarget::ToolUse colourUse() const override { return ColourTarget::ToolUse::Either; }
     QCursor cursor() const override { return Qt::CrossCursor; }
     QWidget *options() override;
     void press(const PointerEvent &event) override;

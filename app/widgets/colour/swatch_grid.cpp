@@ -1,4 +1,4 @@
-#include "app/panels/colour/swatch_grid.h"
+#include "app/widgets/colour/swatch_grid.h"
 
 #include "app/session/colour_convert.h"
 #include "app/widgets/colour/colour_swatch.h"
@@ -16,16 +16,30 @@
 #include <QToolTip>
 
 #include <algorithm>
+#include <memory>
 
 namespace suffuse {
 
 namespace {
-constexpr int side = 20;
+constexpr int cellSide = 20;
 constexpr int swatchGap = 3;
-constexpr int step = side + swatchGap;
+constexpr int cellStep = cellSide + swatchGap;
+
+/// A white corner with a dark edge, to be seen on every colour.
+void paintLink(QPainter &painter, const QPainterPath &swatch, const QRect &cell)
+{
+    constexpr int leg = 9;
+    const QPointF corner = QRectF(cell).bottomRight();
+    painter.save();
+    painter.setClipPath(swatch);
+    painter.setPen(QPen(QColor(0x1E, 0x1F, 0x22), 1));
+    painter.setBrush(Qt::white);
+    painter.drawPolygon(QPolygonF{corner, corner - QPointF(leg, 0), corner - QPointF(0, leg)});
+    painter.restore();
+}
 } // namespace
 
-SwatchGrid::SwatchGrid(bool editable, QWidget *parent) : QWidget(parent), m_editable(editable)
+SwatchGrid::SwatchGrid(bool editable, QWidget *parent) : QWidget(parent), m_editable(editable), m_rows(editable)
 {
     setFocusPolicy(Qt::StrongFocus);
     setAcceptDrops(editable);
@@ -33,7 +47,7 @@ SwatchGrid::SwatchGrid(bool editable, QWidget *parent) : QWidget(parent), m_edit
     policy.setHeightForWidth(editable);
     setSizePolicy(policy);
     if (!editable)
-        setFixedHeight(side);
+        setFixedHeight(cellSide);
 }
 
 void SwatchGrid::setSwatches(std::vector<Swatch> swatches)
@@ -44,6 +58,16 @@ void SwatchGrid::setSwatches(std::vector<Swatch> swatches)
     m_current = std::clamp(m_current, 0, std::max(0, size() - 1));
     updateGeometry();
     update();
+}
+
+void SwatchGrid::showAll()
+{
+    m_rows = true;
+    QSizePolicy policy = sizePolicy();
+    policy.setHeightForWidth(true);
+    setSizePolicy(policy);
+    setMinimumHeight(cellSide);
+    setMaximumHeight(QWIDGETSIZE_MAX);
 }
 
 void SwatchGrid::setEmptyText(const QString &text)
@@ -86,42 +110,55 @@ void SwatchGrid::remove(int index)
     emit edited(swatches, tr("Remove swatch"));
 }
 
+void SwatchGrid::setLinked(int index, bool linked)
+{
+    std::vector<Swatch> swatches = m_swatches;
+    swatches[std::size_t(index)].linked = linked;
+    emit edited(swatches, linked ? tr("Link swatch") : tr("Unlink swatch"));
+}
+
+void SwatchGrid::setEdited(int index)
+{
+    m_edited = index;
+    update();
+}
+
 int SwatchGrid::columns(int width) const
 {
-    return std::max(1, (width + swatchGap) / step);
+    return std::max(1, (width + swatchGap) / cellStep);
 }
 
 int SwatchGrid::shown(int width) const
 {
-    return m_editable ? size() : std::min(size(), columns(width));
+    return m_rows ? size() : std::min(size(), columns(width));
 }
 
 int SwatchGrid::heightForWidth(int width) const
 {
     const int across = columns(width);
-    return std::max(1, (shown(width) + across - 1) / across) * step - swatchGap;
+    return std::max(1, (shown(width) + across - 1) / across) * cellStep - swatchGap;
 }
 
 QSize SwatchGrid::sizeHint() const
 {
-    return {8 * step - swatchGap, heightForWidth(8 * step - swatchGap)};
+    return {8 * cellStep - swatchGap, heightForWidth(8 * cellStep - swatchGap)};
 }
 
 QSize SwatchGrid::minimumSizeHint() const
 {
-    return {4 * step - swatchGap, side};
+    return {4 * cellStep - swatchGap, cellSide};
 }
 
 QRect SwatchGrid::cell(int index) const
 {
     const int across = columns(width());
-    return {index % across * step, index / across * step, side, side};
+    return {index % across * cellStep, index / across * cellStep, cellSide, cellSide};
 }
 
 int SwatchGrid::indexAt(QPoint at) const
 {
     const int across = columns(width());
-    const int column = at.x() / step, row = at.y() / step, index = row * across + column;
+    const int column = at.x() / cellStep, row = at.y() / cellStep, index = row * across + column;
     const bool inside = at.x() >= 0 && at.y() >= 0 && column < across && index < shown(width());
     return inside && cell(index).contains(at) ? index : -1;
 }
@@ -129,8 +166,8 @@ int SwatchGrid::indexAt(QPoint at) const
 int SwatchGrid::gapAt(QPoint at) const
 {
     const int across = columns(width());
-    const int column = std::clamp((at.x() + step / 2) / step, 0, across);
-    return std::clamp(std::max(0, at.y() / step) * across + column, 0, size());
+    const int column = std::clamp((at.x() + cellStep / 2) / cellStep, 0, across);
+    return std::clamp(std::max(0, at.y() / cellStep) * across + column, 0, size());
 }
 
 void SwatchGrid::setCurrent(int index)
@@ -154,9 +191,10 @@ bool SwatchGrid::event(QEvent *event)
         if (const int index = indexAt(help->pos()); index >= 0) {
             const Swatch &swatch = m_swatches[std::size_t(index)];
             const QString hex = toOpaqueScreen(swatch.colour).name();
-            QToolTip::showText(help->globalPos(),
-                               swatch.name.isEmpty() ? hex : swatch.name + QStringLiteral(" · ") + hex, this,
-                               cell(index));
+            QString text = swatch.name.isEmpty() ? hex : swatch.name + QStringLiteral(" · ") + hex;
+            if (swatch.linked)
+                text += QStringLiteral(" · ") + tr("linked");
+            QToolTip::showText(help->globalPos(), text, this, cell(index));
             return true;
         }
     }
@@ -169,7 +207,7 @@ void SwatchGrid::paintEvent(QPaintEvent *)
     painter.setRenderHint(QPainter::Antialiasing);
     if (m_swatches.empty()) {
         painter.setPen(palette().color(QPalette::PlaceholderText));
-        if (height() > 2 * side)
+        if (height() > 2 * cellSide)
             painter.drawText(rect(), Qt::AlignLeft | Qt::AlignTop | Qt::TextWordWrap, m_emptyText);
         else
             painter.drawText(rect(), Qt::AlignLeft | Qt::AlignVCenter,
@@ -179,7 +217,9 @@ void SwatchGrid::paintEvent(QPaintEvent *)
         QPainterPath shape;
         shape.addRoundedRect(QRectF(cell(i)).adjusted(0.5, 0.5, -0.5, -0.5), 3, 3);
         paintColour(painter, shape, m_swatches[std::size_t(i)].colour);
-        const bool marked = hasFocus() && i == m_current;
+        if (m_swatches[std::size_t(i)].linked)
+            paintLink(painter, shape, cell(i));
+        const bool marked = (hasFocus() && i == m_current) || i == m_edited;
         painter.strokePath(shape,
                            QPen(marked ? palette().color(QPalette::Highlight) : edgeOfColours(), marked ? 2 : 1));
     }
@@ -188,7 +228,7 @@ void SwatchGrid::paintEvent(QPaintEvent *)
         const bool atEnd = m_gap > 0 && m_gap == size() && at.x() == 0;
         const double x = atEnd ? cell(m_gap - 1).right() + 2.5 : at.x() - 1;
         const double y = atEnd ? cell(m_gap - 1).y() : at.y();
-        painter.fillRect(QRectF(std::max(0.0, x - 1), y, 2, side), palette().color(QPalette::Highlight));
+        painter.fillRect(QRectF(std::max(0.0, x - 1), y, 2, cellSide), palette().color(QPalette::Highlight));
     }
 }
 
@@ -219,7 +259,7 @@ void SwatchGrid::startDrag(int index)
     auto *drag = new QDrag(this);
     drag->setMimeData(dragDataOf(m_swatches[std::size_t(index)].colour));
     drag->setPixmap(grab(cell(index)));
-    drag->setHotSpot({side / 2, side / 2});
+    drag->setHotSpot({cellSide / 2, cellSide / 2});
     drag->exec(Qt::CopyAction);
 }
 
@@ -229,11 +269,24 @@ void SwatchGrid::contextMenuEvent(QContextMenuEvent *event)
     if (!m_editable || index < 0 || index >= size())
         return;
     setCurrent(index);
-    QMenu menu(this);
-    menu.addAction(tr("Rename…"), this, [this, index] { askName(index); });
-    menu.addAction(tr("Remove"), this, [this, index] { remove(index); });
-    menu.exec(event->reason() == QContextMenuEvent::Keyboard ? mapToGlobal(cell(index).bottomLeft())
-                                                             : event->globalPos());
+    const std::unique_ptr<QMenu> menu(menuFor(index));
+    menu->exec(event->reason() == QContextMenuEvent::Keyboard ? mapToGlobal(cell(index).bottomLeft())
+                                                              : event->globalPos());
+}
+
+QMenu *SwatchGrid::menuFor(int index)
+{
+    auto *menu = new QMenu(this);
+    menu->addAction(tr("Change the Colour"), this, [this, index] { emit changeWanted(index); });
+    QAction *link = menu->addAction(tr("Linked to What Is Painted with It"));
+    link->setCheckable(true);
+    link->setChecked(m_swatches[std::size_t(index)].linked);
+    connect(link, &QAction::triggered, this, [this, index](bool on) { setLinked(index, on); });
+    menu->addAction(tr("Select What Has This Colour"), this, [this, index] { emit usersWanted(index); });
+    menu->addSeparator();
+    menu->addAction(tr("Rename…"), this, [this, index] { askName(index); });
+    menu->addAction(tr("Remove"), this, [this, index] { remove(index); });
+    return menu;
 }
 
 void SwatchGrid::askName(int index)

@@ -1,14 +1,16 @@
 #pragma once
 
-#include "app/session/colour_convert.h"
+#include "app/session/value_entry.h"
+#include "model/colour/hue_shares.h"
 
+#include <QElapsedTimer>
 #include <QImage>
 #include <QWidget>
 
 namespace suffuse {
 
 /// A ring of the RYB hues around a triangle from the pure hue to white and black.
-/// Left and right arrow turn the hue, up and down arrow lighten and darken the colour.
+/// Keys: left and right turn the hue, up and down lighten and darken. Esc gives a drag up.
 class ColourWheel : public QWidget {
     Q_OBJECT
 
@@ -28,12 +30,14 @@ public:
     QSize minimumSizeHint() const override;
 
 signals:
-    /// Emitted at each colour that is picked.
-    void picked(const suffuse::Colour &colour);
-    /// Emitted when the mouse is released after picking.
+    /// To be pushed with the entry: a drag is one gesture, and quick steps by keys are one step.
+    void picked(const suffuse::Colour &colour, suffuse::ValueEntry *entry);
+    /// The mouse was let go after picking, or the drag was given up.
     void finished();
 
 protected:
+    /// During a drag it filters the events of the whole program, since the keyboard may be elsewhere.
+    bool eventFilter(QObject *watched, QEvent *event) override;
     void paintEvent(QPaintEvent *event) override;
     void mousePressEvent(QMouseEvent *event) override;
     void mouseMoveEvent(QMouseEvent *event) override;
@@ -47,12 +51,17 @@ private:
     double innerRadius() const;
     void pick(QPointF at);
     void pickInTriangle(QPointF at);
+    void giveUp();
+    ValueEntry *entryOfStep();
     void paintRing(QPainter &painter);
     void paintTriangle(QPainter &painter);
 
     HueShares m_shares{0, 1, 0};
     float m_opacity = 1;
     Part m_part = Part::None;
+    HueShares m_pressed; ///< what was shown when the drag began
+    ValueEntry m_entry;
+    QElapsedTimer m_sinceStep;
     QImage m_triangle;
     double m_triangleHue = -1;
 };

@@ -4,12 +4,14 @@
 
 #include <QWidget>
 
+class QMenu;
+
 namespace suffuse {
 
 /// Shows colours to pick from. It has one line, with as many as fit; where it may be edited, it has rows. Then colours
-/// can be dropped, moved by dragging, named and removed. It changes nothing itself, but emits which swatches there
-/// should be.
-/// Arrow keys choose a swatch, Return picks it, Delete removes it, F2 names it.
+/// can be dropped, moved by dragging, named, linked and removed. It changes nothing itself, but emits which swatches
+/// there should be. A linked swatch has a white corner.
+/// Arrow keys choose a swatch, Return picks it, Delete removes it, F2 names it, the menu key shows what else there is.
 class SwatchGrid : public QWidget {
     Q_OBJECT
 
@@ -18,6 +20,8 @@ public:
 
     void setSwatches(std::vector<Swatch> swatches);
     const std::vector<Swatch> &swatches() const { return m_swatches; }
+    /// Shows all swatches in rows, though they may not be edited.
+    void showAll();
     /// Sets the text that is shown where there is no swatch.
     void setEmptyText(const QString &text);
 
@@ -25,6 +29,11 @@ public:
     void move(int from, int to); ///< `to` is the swatch before which it goes, counted before the move
     void rename(int index, const QString &name);
     void remove(int index);
+    void setLinked(int index, bool linked);
+    /// Frames a swatch while its colour is being changed; −1: none.
+    void setEdited(int index);
+    /// What can be done with a swatch that may be edited. The caller owns the menu.
+    QMenu *menuFor(int index);
 
     /// Where a swatch stands. The index after the last one is the place where the next one would stand.
     QRect cell(int index) const;
@@ -39,6 +48,8 @@ signals:
     void picked(const suffuse::Colour &colour);
     /// Emitted when there should be other swatches; `undoText` names the step.
     void edited(const std::vector<suffuse::Swatch> &swatches, const QString &undoText);
+    void changeWanted(int index); ///< the colour of the swatch is to be changed
+    void usersWanted(int index);  ///< what is painted in the colour of the swatch is to be selected
 
 protected:
     bool event(QEvent *event) override;
@@ -67,7 +78,9 @@ private:
     std::vector<Swatch> m_swatches;
     QString m_emptyText;
     bool m_editable;
+    bool m_rows; ///< as many as there are swatches, else one
     int m_current = 0;
+    int m_edited = -1;
     int m_pressed = -1;
     QPoint m_pressedAt;
     int m_gap = -1; ///< the swatch before which a drop would go; −1: no drag

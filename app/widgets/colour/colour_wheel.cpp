@@ -1,7 +1,9 @@
-#include "app/panels/colour/colour_wheel.h"
+#include "app/widgets/colour/colour_wheel.h"
 
+#include "app/session/colour_convert.h"
 #include "app/widgets/look/theme.h"
 
+#include <QCoreApplication>
 #include <QKeyEvent>
 #include <QMouseEvent>
 #include <QPainter>
@@ -16,7 +18,8 @@ namespace suffuse {
 namespace {
 
 constexpr double pi = std::numbers::pi;
-constexpr double ringShare = 0.16; ///< thickness of the ring as a share of the radius
+constexpr int wheelStepGapMs = 900; ///< key steps closer than this are one undo step
+constexpr double ringShare = 0.16;  ///< thickness of the ring as a share of the radius
 
 void paintMarker(QPainter &painter, QPointF at, const QColor &fill, double radius, bool focus)
 {
@@ -102,7 +105,7 @@ void ColourWheel::pick(QPointF at)
         m_shares.hue = hue - std::floor(hue);
     }
     update();
-    emit picked(colour());
+    emit picked(colour(), &m_entry);
 }
 
 void ColourWheel::pickInTriangle(QPointF at)
@@ -129,7 +132,10 @@ void ColourWheel::mousePressEvent(QMouseEvent *event)
         event->ignore();
         return;
     }
+    m_pressed = m_shares;
     m_part = distance >= innerRadius() - 2 ? Part::Ring : Part::Triangle;
+    m_entry.beginDrag();
+    qApp->installEventFilter(this);
     pick(event->position());
 }
 
@@ -143,8 +149,43 @@ void ColourWheel::mouseReleaseEvent(QMouseEvent *event)
 {
     if (event->button() != Qt::LeftButton || m_part == Part::None)
         return;
+    qApp->removeEventFilter(this);
     m_part = Part::None;
+    m_entry.commitDrag();
     emit finished();
+}
+
+void ColourWheel::giveUp()
+{
+    qApp->removeEventFilter(this);
+    m_part = Part::None;
+    m_shares = m_pressed;
+    emit picked(colour(), &m_entry); // for whoever keeps the colour without an editor
+    m_entry.giveUpDrag();
+    update();
+    emit finished();
+}
+
+bool ColourWheel::eventFilter(QObject *watched, QEvent *event)
+{
+    if (event->type() != QEvent::KeyPress && event->type() != QEvent::ShortcutOverride)
+        return QWidget::eventFilter(watched, event);
+    const auto &key = static_cast<const QKeyEvent &>(*event);
+    if (key.key() != Qt::Key_Escape && !key.matches(QKeySequence::Undo))
+        return QWidget::eventFilter(watched, event);
+    event->accept();
+    if (event->type() == QEvent::KeyPress)
+        giveUp();
+    return true;
+}
+
+/// The entry for a step by a key.
+ValueEntry *ColourWheel::entryOfStep()
+{
+    if (!m_sinceStep.isValid() || m_sinceStep.elapsed() > wheelStepGapMs)
+        m_entry.endSteps();
+    m_sinceStep.restart();
+    return &m_entry;
 }
 
 void ColourWheel::keyPressEvent(QKeyEvent *event)
@@ -169,7 +210,7 @@ void ColourWheel::keyPressEvent(QKeyEvent *event)
         return;
     }
     update();
-    emit picked(colour());
+    emit picked(colour(), entryOfStep());
     emit finished();
 }
 
