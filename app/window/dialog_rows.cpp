@@ -1,10 +1,13 @@
 #include "app/window/dialog_rows.h"
 
+#include "app/canvas/canvas_widget.h"
+#include "app/dialogs/recolour_dialog.h"
 #include "app/dialogs/reshape_dialog.h"
 #include "app/dialogs/vary_dialog.h"
 #include "app/panels/strokes/strokes_model.h"
 #include "app/session/commands/selection_commands.h"
 #include "app/session/commands/session_rows.h"
+#include "app/widgets/habits/place_beside.h"
 #include "undo/time_edits.h"
 
 #include <QInputDialog>
@@ -92,6 +95,20 @@ void reshapeSelectedBy(const Workplace &place, Reshaping what)
         ReshapeDialog(editor, what, &place.window).exec();
 }
 
+void recolourArtwork(const Workplace &place)
+{
+    Editor &editor = place.open.editor;
+    RecolourDialog dialog(editor, &place.window);
+    if (dialog.recolouring().uses().empty()) {
+        emit place.commands.said(Commands::tr("What is selected is locked or hidden."), 5000);
+        return;
+    }
+    const CanvasWidget &canvas = place.canvas;
+    moveBeside(dialog, editor.selection().isEmpty() ? QRect(canvas.mapToGlobal(QPoint()), canvas.size())
+                                                    : canvas.selectionOnScreen());
+    dialog.exec();
+}
+
 } // namespace
 
 void addDialogRows(const Workplace &place)
@@ -105,6 +122,12 @@ void addDialogRows(const Workplace &place)
              Commands::tr("Let the selected paint spread on for a while from this moment"))
         .when(anySelected(place.open.editor))
         .runs([place] { rewetSelected(place); });
+    place.commands
+        .add(Command::RecolourArtwork, "recolourArtwork", Commands::tr("Recol&our Artwork…"), "",
+             {QKeySequence(Commands::tr("Ctrl+Alt+C"))},
+             Commands::tr("Give each colour of the painting, or of what is selected, another one everywhere"))
+        .when(anyStrokes(place.open.editor))
+        .runs([place] { recolourArtwork(place); });
     place.commands
         .add(Command::SimplifyStrokes, "simplify", Commands::tr("Simp&lify…"), "simplify",
              {QKeySequence(Commands::tr("Ctrl+L"))}, Commands::tr("Make fewer segments of the selected strokes"))

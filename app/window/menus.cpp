@@ -66,7 +66,7 @@ void addEditMenu(QMenuBar &bar, const Commands &table)
                            {EditHere, CanvasMenu},
                            {SelectAll, SelectFound, Deselect, InvertSelection}});
     addMenu(*edit, Commands::tr("Select Sa&me"), table, {{SameColour, SameStyle, SameBrush, SameName}});
-    append(*edit, table, {{Settings}});
+    append(*edit, table, {{RecolourArtwork, MapToSwatches}, {Settings}});
 }
 
 QMenu *addViewMenu(QMenuBar &bar, const Commands &table)

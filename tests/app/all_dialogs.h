@@ -4,6 +4,7 @@
 #include "app/dialogs/about_dialog.h"
 #include "app/dialogs/export_dialog.h"
 #include "app/dialogs/new_dialog.h"
+#include "app/dialogs/recolour_dialog.h"
 #include "app/dialogs/reshape_dialog.h"
 #include "app/dialogs/settings_dialog.h"
 #include "app/dialogs/shortcuts_dialog.h"
@@ -42,6 +43,7 @@ inline std::vector<DialogMaker> allDialogs()
         {"along", [](MainWindow &w) { return std::make_unique<AlongDialog>(w.editor(), &w); }},
         {"reshape", [](MainWindow &w) { return std::make_unique<ReshapeDialog>(w.editor(), Reshaping::Simplify, &w); }},
         {"vary", [](MainWindow &w) { return std::make_unique<VaryDialog>(w.editor(), &w); }},
+        {"recolour", [](MainWindow &w) { return std::make_unique<RecolourDialog>(w.editor(), &w); }},
         {"recovery", [](MainWindow &w) { return std::make_unique<RecoveryDialog>(std::vector<LostDocument>(), &w); }},
         {"palette", [](MainWindow &w) { return std::make_unique<CommandPalette>(w.paletteEntries(), &w); }},
         {"about", [](MainWindow &w) { return std::make_unique<AboutDialog>(&w); }},

@@ -1,0 +1,444 @@
+// Colours of what was painted, as a user changes them: by the colour dock, the eyedropper, drops and Recolour Artwork.
+#include "app/dialogs/recolour_dialog.h"
+#include "app/panels/colour/colour_header.h"
+#include "app/panels/colour/colour_panel.h"
+#include "app/panels/colour/swatches_section.h"
+#include "app/session/colour/colour_target.h"
+#include "app/session/colour_convert.h"
+#include "app/session/settings/settings.h"
+#include "app/widgets/colour/colour_rows.h"
+#include "app/widgets/colour/colour_swatch.h"
+#include "app/widgets/colour/colour_wheel.h"
+#include "app/widgets/colour/screen_colour_rows.h"
+#include "app/widgets/colour/swatch_grid.h"
+#include "app/widgets/numbers/bar_slider.h"
+#include "app/widgets/numbers/number_field.h"
+#include "model/colour/colour_shift.h"
+#include "tests/app/shapes.h"
+#include "undo/swatch_edits.h"
+
+#include <QCheckBox>
+#include <QComboBox>
+#include <QDropEvent>
+#include <QLineEdit>
+#include <QMenu>
+#include <QMimeData>
+#include <QPushButton>
+#include <QTemporaryDir>
+#include <QToolButton>
+#include <QTreeWidget>
+
+using namespace suffuse;
+
+namespace {
+
+constexpr Colour waveColour{0.9f, 0.1f, 0.7f, 1}, green{0, 1, 1, 1}, red{1, 0, 0, 1};
+
+void type(QLineEdit &field, const QString &text)
+{
+    field.setFocus();
+    field.selectAll();
+    QTest::keyClicks(&field, text);
+    QTest::keyClick(&field, Qt::Key_Return);
+}
+
+double farthest(const Colour &a, const Colour &b)
+{
+    return std::max({std::abs(a.red - b.red), std::abs(a.yellow - b.yellow), std::abs(a.blue - b.blue)});
+}
+
+/// Two waves, one below the other; nothing is selected, and the Select tool is in use.
+struct TwoWaves : WaveSession {
+    StrokeId second = 0;
+    ColourPanel &panel = *window.findChild<ColourPanel *>();
+    PaintingPtr before;
+
+    TwoWaves()
+    {
+        window.resize(1366, 768);
+        second = addWave(200, 420, false);
+        use(Command::Select);
+        select({});
+        before = editor().document().painting();
+    }
+    void select(std::set<StrokeId> strokes, std::set<SegmentRef> segments = {})
+    {
+        editor().document().setSelection({std::move(strokes), std::move(segments)});
+        editor().laterChanges().flush();
+    }
+    Colour colour(StrokeId which, std::size_t segment = 0) { return stroke(which).segments[segment].colour; }
+    bool isAsBefore() { return painting() == *before; }
+    QPoint ring(double hue) { return panel.wheel()->ringPoint(hue).toPoint(); }
+    void addSwatches(const std::vector<Swatch> &swatches)
+    {
+        editor().push(setSwatches(editor().document(), swatches), "swatches");
+        before = editor().document().painting();
+    }
+};
+
+QPoint along(const BarSlider &slider, double share)
+{
+    return {int(8 + share * (slider.width() - 16)), slider.height() / 2};
+}
+
+} // namespace
+
+class TestRecolouring : public QObject {
+    Q_OBJECT
+
+private slots:
+    void initTestCase()
+    {
+        QVERIFY(m_folder.isValid());
+        qputenv("SUFFUSE_PRESENTER", "raster");
+        qputenv("SUFFUSE_SETTINGS", m_folder.filePath("settings.ini").toLocal8Bit());
+    }
+    void cleanup() { settings::store().remove("colour"); }
+
+    void theHeaderSaysWhoseColour()
+    {
+        TwoWaves s;
+        ColourHeader &header = *s.panel.header();
+        QCOMPARE(header.text(), QString("Colour of the brush"));
+        QVERIFY(!header.selectionButton()->isEnabled() && header.brushButton()->isChecked());
+        s.click({250, 318}); // on the first wave
+        QCOMPARE(s.selection().strokes, std::set<StrokeId>({s.id}));
+        s.editor().laterChanges().flush();
+        QCOMPARE(header.text(), QString("Colour of 1 stroke"));
+        QVERIFY(header.selectionButton()->isChecked() && !header.applyButton()->isVisibleTo(&header));
+        s.select({s.id, s.second}, {{s.id, 0}, {s.id, 2}, {s.second, 1}});
+        QCOMPARE(header.text(), QString("Colour of 3 segments"));
+        s.select({s.id, s.second});
+        QCOMPARE(header.text(), QString("Colour of 2 strokes"));
+        QVERIFY(!header.modeChoice()->isVisibleTo(&header));
+        QTest::mouseClick(header.brushButton(), Qt::LeftButton);
+        QCOMPARE(header.text(), QString("Colour of the brush"));
+        QVERIFY(header.applyButton()->isVisibleTo(&header) && header.applyButton()->isEnabled());
+        QTest::mouseClick(header.selectionButton(), Qt::LeftButton);
+        QCOMPARE(header.text(), QString("Colour of 2 strokes"));
+        s.use(Command::Brush);
+        QCOMPARE(header.text(), QString("Colour of the brush"));
+        s.use(Command::Segments);
+        QCOMPARE(header.text(), QString("Colour of 2 strokes"));
+    }
+
+    void theWheelColoursWhatIsSelected()
+    {
+        TwoWaves s;
+        const Colour brush = s.editor().brush().colour;
+        s.select({s.id});
+        const int steps = s.steps();
+        ColourWheel &wheel = *s.panel.wheel();
+        QTest::mousePress(&wheel, Qt::LeftButton, {}, s.ring(0.3));
+        QTest::mouseMove(&wheel, s.ring(0.5));
+        QVERIFY(!s.isAsBefore()); // it shows at once
+        QCOMPARE(s.steps(), steps);
+        QTest::keyClick(&s.window, Qt::Key_Escape);
+        QVERIFY(s.isAsBefore());
+        QCOMPARE(s.steps(), steps);
+        QTest::mouseMove(&wheel, s.ring(0.7)); // the button is still down
+        QTest::mouseRelease(&wheel, Qt::LeftButton, {}, s.ring(0.7));
+        QVERIFY(s.isAsBefore());
+
+        QTest::mousePress(&wheel, Qt::LeftButton, {}, s.ring(0.3));
+        for (const double hue : {0.35, 0.4, 0.45, 0.5})
+            QTest::mouseMove(&wheel, s.ring(hue));
+        QTest::mouseRelease(&wheel, Qt::LeftButton, {}, s.ring(0.5));
+        QCOMPARE(s.steps(), steps + 1);
+        QVERIFY(std::abs(toShares(s.colour(s.id), 0).hue - 0.5) < 0.02);
+        QCOMPARE(s.colour(s.second), waveColour);
+        QCOMPARE(s.editor().brush().colour, brush);
+        for (int i = 0; i < 3; ++i) // quick steps by keys are one step
+            QTest::keyClick(&wheel, Qt::Key_Right);
+        QCOMPARE(s.steps(), steps + 2);
+        s.use(Command::Undo);
+        s.use(Command::Undo);
+        QVERIFY(s.isAsBefore());
+    }
+
+    void escGivesTheBrushItsColourBack()
+    {
+        TwoWaves s;
+        const Colour brush = s.editor().brush().colour;
+        QTest::mousePress(s.panel.wheel(), Qt::LeftButton, {}, s.ring(0.3));
+        QVERIFY(s.editor().brush().colour != brush);
+        QTest::keyClick(&s.window, Qt::Key_Escape);
+        QVERIFY(farthest(s.editor().brush().colour, brush) < 1e-6);
+        QCOMPARE(s.editor().brush().colour.opacity, brush.opacity);
+    }
+
+    void hexSwatchesAndRecentColoursDoToo()
+    {
+        TwoWaves s;
+        s.addSwatches({{"leaf", withOpacity(green, 0.5f)}});
+        s.editor().setColour(red); // which is painted with, and so a recent colour
+        s.editor().document().setDraft(wave(99, 0, 0));
+        s.editor().document().setDraft(nullptr);
+        s.select({s.id}, {{s.id, 1}});
+        type(*s.panel.hex(), "#2f6690");
+        QCOMPARE(toOpaqueScreen(s.colour(s.id, 1)).name(), QString("#2f6690"));
+        QCOMPARE(s.colour(s.id, 0), waveColour);
+        SwatchGrid &grid = *s.panel.swatches()->grid();
+        QTest::mouseClick(&grid, Qt::LeftButton, {}, grid.cell(0).center());
+        QCOMPARE(s.colour(s.id, 1), green); // its opacity is its own
+        SwatchGrid &recent = *s.panel.history();
+        QTest::mouseClick(&recent, Qt::LeftButton, {}, recent.cell(0).center());
+        QCOMPARE(s.colour(s.id, 1), red);
+        grid.setFocus();
+        QTest::keyClick(&grid, Qt::Key_Return);
+        QCOMPARE(s.colour(s.id, 1), green);
+        QCOMPARE(s.editor().brush().colour, red);
+        for (int i = 0; i < 4; ++i)
+            s.use(Command::Undo);
+        QVERIFY(s.isAsBefore());
+        s.use(Command::Brush); // as ever
+        QTest::mouseClick(&grid, Qt::LeftButton, {}, grid.cell(0).center());
+        QCOMPARE(s.editor().brush().colour, withOpacity(green, 0.5f));
+        QVERIFY(s.isAsBefore());
+    }
+
+    void slidersOfThreeKinds()
+    {
+        TwoWaves s;
+        s.panel.resize(300, 600);
+        s.select({s.id, s.second});
+        const int steps = s.steps();
+        ColourRows &rows = *s.panel.rows();
+        ScreenColourRows &screen = *s.panel.screenRows();
+        QVERIFY(rows.isVisibleTo(&s.panel) && !screen.isVisibleTo(&s.panel));
+        type(*rows.row(ColourRows::Yellow)->number(), "50");
+        QCOMPARE(s.colour(s.second), (Colour{0.9f, 0.5f, 0.7f, 1}));
+        type(*rows.row(ColourRows::Opacity)->number(), "40");
+        QCOMPARE(s.colour(s.id), (Colour{0.9f, 0.5f, 0.7f, 0.4f}));
+        QCOMPARE(s.steps(), steps + 2);
+
+        s.panel.sliderChoice()->setCurrentIndex(2);
+        emit s.panel.sliderChoice()->activated(2);
+        QVERIFY(!rows.isVisibleTo(&s.panel) && screen.isVisibleTo(&s.panel));
+        type(*screen.row(ScreenColourRows::Red)->number(), "47");
+        type(*screen.row(ScreenColourRows::Green)->number(), "102");
+        type(*screen.row(ScreenColourRows::Blue)->number(), "144");
+        QCOMPARE(toOpaqueScreen(s.colour(s.id)).name(), QString("#2f6690"));
+        QCOMPARE(s.panel.hex()->text(), QString("#2f6690"));
+        QCOMPARE(s.colour(s.id).opacity, 0.4f);
+
+        s.panel.sliderChoice()->setCurrentIndex(1);
+        emit s.panel.sliderChoice()->activated(1);
+        type(*screen.row(ScreenColourRows::Saturation)->number(), "0");
+        QVERIFY(isGrey(s.colour(s.id)));
+        type(*screen.row(ScreenColourRows::Saturation)->number(), "100"); // the hue is not forgotten
+        const QColor blue = toOpaqueScreen(s.colour(s.id));
+        QVERIFY2(std::abs(blue.hue() - QColor("#2f6690").hue()) <= 1, qPrintable(blue.name()));
+        type(*screen.row(ScreenColourRows::Hue)->number(), "120");
+        QVERIFY(std::abs(toOpaqueScreen(s.colour(s.id)).hue() - 120) <= 1);
+
+        const PaintingPtr now = s.editor().document().painting();
+        const int count = s.steps();
+        BarSlider &hue = *screen.row(ScreenColourRows::Hue)->slider();
+        QTest::mousePress(&hue, Qt::LeftButton, {}, along(hue, 0.1));
+        QTest::mouseMove(&hue, along(hue, 0.9));
+        QVERIFY(s.painting() != *now);
+        QTest::keyClick(&s.window, Qt::Key_Escape);
+        QVERIFY(s.painting() == *now);
+        QCOMPARE(s.steps(), count);
+        QTest::mouseRelease(&hue, Qt::LeftButton, {}, along(hue, 0.9));
+        type(*screen.row(ScreenColourRows::Opacity)->number(), "100");
+        QCOMPARE(s.colour(s.id).opacity, 1.0f);
+        QCOMPARE(s.editor().undoText(), QString("Change opacity"));
+    }
+
+    void severalColoursAreSetOrShifted()
+    {
+        TwoWaves s;
+        s.select({s.second});
+        type(*s.panel.hex(), "#c0ffee");
+        const Colour pale = s.colour(s.second);
+        s.select({s.id, s.second});
+        QComboBox &mode = *s.panel.header()->modeChoice();
+        QVERIFY(mode.isVisibleTo(&s.panel));
+        QCOMPARE(s.panel.header()->text(), QString("Colours of 2 strokes"));
+        QCOMPARE(mode.currentIndex(), 0);
+        mode.setCurrentIndex(1);
+        emit mode.activated(1);
+        type(*s.panel.hex(), "#205020");
+        QVERIFY(s.colour(s.id) != s.colour(s.second));
+        QCOMPARE(toOpaqueScreen(s.colour(s.id)).name(), QString("#205020"));
+        QVERIFY(farthest(s.colour(s.second), pale) > 0.05);
+        mode.setCurrentIndex(0);
+        emit mode.activated(0);
+        type(*s.panel.hex(), "#802040");
+        QCOMPARE(s.colour(s.id), s.colour(s.second));
+    }
+
+    void theEyedropperColoursWhatIsSelected()
+    {
+        TwoWaves s;
+        s.select({s.second});
+        type(*s.panel.hex(), "#20a040");
+        s.dry();
+        const Colour leaf = s.colour(s.second);
+        const PaintingPtr now = s.editor().document().painting();
+        const Colour brush = s.editor().brush().colour;
+        const int steps = s.steps();
+        s.select({s.id});
+        s.use(Command::Eyedropper);
+        QVERIFY(s.canvas().tool()->hint().contains("selected"));
+        s.drag({350, 100}, {300, 460}, Qt::ShiftModifier, false); // from the paper onto the second wave
+        QCOMPARE(s.colour(s.id), leaf);
+        QTest::keyClick(&s.canvas(), Qt::Key_Escape);
+        QVERIFY(s.painting() == *now);
+        QTest::mouseRelease(&s.canvas(), Qt::LeftButton, {}, s.at({300, 460}));
+        QCOMPARE(s.steps(), steps);
+        s.drag({350, 100}, {300, 460}, Qt::ShiftModifier);
+        QCOMPARE(s.colour(s.id), leaf);
+        QCOMPARE(s.steps(), steps + 1);
+        QCOMPARE(s.editor().brush().colour, brush);
+        s.use(Command::Undo);
+        // Over what is being coloured it goes on picking what was there.
+        s.drag({350, 100}, {300, 340}, {}, false);
+        const Colour once = s.colour(s.id);
+        s.move({301, 340});
+        s.move({300, 340});
+        QCOMPARE(s.colour(s.id), once);
+        QVERIFY(farthest(once, waveColour) < 0.1);
+        QTest::mouseRelease(&s.canvas(), Qt::LeftButton, {}, s.at({300, 340}));
+
+        s.use(Command::Brush);
+        s.use(Command::Eyedropper);
+        s.drag({350, 100}, {300, 460}, Qt::ShiftModifier);
+        QCOMPARE(s.editor().brush().colour, leaf);
+    }
+
+    void aDropOnWhatIsSelectedColoursAllOfIt()
+    {
+        TwoWaves s;
+        const StrokeId third = s.addWave(200, 540, false);
+        const auto drop = [&s](Point where) {
+            QMimeData data;
+            data.setColorData(QColor("#00ff00"));
+            const QPoint at = s.at(where);
+            QDragEnterEvent enter(at, Qt::CopyAction, &data, Qt::LeftButton, {});
+            QCoreApplication::sendEvent(&s.canvas(), &enter);
+            QDropEvent dropped(at, Qt::CopyAction, &data, Qt::LeftButton, {});
+            QCoreApplication::sendEvent(&s.canvas(), &dropped);
+        };
+        s.select({s.id, s.second});
+        const int steps = s.steps();
+        drop({300, 340});
+        QCOMPARE(s.colour(s.id), green);
+        QCOMPARE(s.colour(s.second), green);
+        QCOMPARE(s.colour(third), waveColour);
+        QCOMPARE(s.steps(), steps + 1);
+        s.use(Command::Undo);
+        drop({300, 580}); // on what is not selected
+        QCOMPARE(s.colour(third), green);
+        QCOMPARE(s.colour(s.id), waveColour);
+        s.select({s.id}, {{s.id, 0}});
+        drop({300, 340});
+        QCOMPARE(s.colour(s.id, 0), green);
+        QCOMPARE(s.colour(s.id, 1), waveColour);
+    }
+
+    void aLinkedSwatchRecoloursItsPaint()
+    {
+        TwoWaves s;
+        s.addSwatches({{"wave", waveColour}, {{}, red}});
+        SwatchGrid &grid = *s.panel.swatches()->grid();
+        const auto trigger = [&grid](int action) {
+            const std::unique_ptr<QMenu> menu(grid.menuFor(0));
+            menu->actions()[action]->trigger();
+        };
+        trigger(1); // link
+        QVERIFY(s.painting().swatches[0].linked);
+        QCOMPARE(s.editor().undoText(), QString("Link swatch"));
+        trigger(2); // select what has the colour
+        QCOMPARE(s.selection().strokes, std::set<StrokeId>({s.id, s.second}));
+        s.select({});
+        const PaintingPtr linked = s.editor().document().painting();
+        trigger(0); // change the colour
+        QCOMPARE(s.panel.header()->text(), QString("Colour of the swatch “wave”"));
+        const int steps = s.steps();
+        ColourWheel &wheel = *s.panel.wheel();
+        QTest::mousePress(&wheel, Qt::LeftButton, {}, s.ring(0.3));
+        QTest::mouseMove(&wheel, s.ring(0.5));
+        QTest::keyClick(&s.window, Qt::Key_Escape);
+        QVERIFY(s.painting() == *linked);
+        QTest::mouseRelease(&wheel, Qt::LeftButton, {}, s.ring(0.5));
+        type(*s.panel.hex(), "#00ff00");
+        QCOMPARE(s.painting().swatches[0].colour, green);
+        QCOMPARE(s.colour(s.id, 3), green);
+        QCOMPARE(s.colour(s.second), green);
+        QCOMPARE(s.steps(), steps + 1);
+        s.use(Command::Undo);
+        QVERIFY(s.painting() == *linked);
+        const Colour brush = s.editor().brush().colour;
+        QTest::mouseClick(&grid, Qt::LeftButton, {}, grid.cell(1).center()); // taken, not changed
+        QCOMPARE(s.editor().brush().colour, withOpacity(red, brush.opacity));
+        QVERIFY(s.painting() == *linked);
+        QCOMPARE(s.panel.header()->text(), QString("Colour of the brush"));
+    }
+
+    void artworkIsRecoloured()
+    {
+        TwoWaves s;
+        s.addSwatches({{"leaf", green}, {"roof", red}});
+        s.select({s.second});
+        type(*s.panel.hex(), "#c0ffee");
+        s.select({});
+        const PaintingPtr now = s.editor().document().painting();
+        const int steps = s.steps();
+        {
+            RecolourDialog dialog(s.editor(), &s.window);
+            dialog.show();
+            QVERIFY(QTest::qWaitForWindowExposed(&dialog));
+            QTreeWidget &list = *dialog.list();
+            QCOMPARE(list.topLevelItemCount(), 2);
+            const int row = dialog.recolouring().uses()[0].colour == waveColour ? 0 : 1;
+            list.setCurrentItem(list.topLevelItem(row));
+            QTest::mousePress(dialog.wheel(), Qt::LeftButton, {}, dialog.wheel()->ringPoint(0.5).toPoint());
+            QVERIFY(farthest(s.colour(s.id), waveColour) > 0.1); // it shows at once
+            QTest::mouseRelease(dialog.wheel(), Qt::LeftButton, {}, dialog.wheel()->ringPoint(0.5).toPoint());
+            type(*dialog.hex(), "#ff0000");
+            QCOMPARE(s.colour(s.id), red);
+            QVERIFY(dialog.isVisible()); // Return did not close it
+            QCOMPARE(list.topLevelItem(row)->text(1), QString("#ff0000"));
+            SwatchGrid &grid = *dialog.swatches();
+            QTest::mouseClick(&grid, Qt::LeftButton, {}, grid.cell(0).center());
+            QCOMPARE(s.colour(s.id), green);
+            list.selectAll();
+            QTest::mouseClick(dialog.resetButton(), Qt::LeftButton);
+            QVERIFY(s.painting() == *now);
+            type(*dialog.saturation()->number(), "0");
+            QVERIFY(isGrey(s.colour(s.id)) && isGrey(s.colour(s.second)));
+            type(*dialog.saturation()->number(), "100");
+            QVERIFY(s.painting() == *now);
+            dialog.mapsBox()->click();
+            QCOMPARE(s.colour(s.second), green);
+            QCOMPARE(s.colour(s.id), red);
+            QCOMPARE(s.steps(), steps);
+            QTest::keyClick(&dialog, Qt::Key_Escape);
+            QVERIFY(!dialog.isVisible());
+        }
+        QVERIFY(s.painting() == *now);
+        QCOMPARE(s.steps(), steps);
+        {
+            RecolourDialog dialog(s.editor(), &s.window);
+            dialog.mapsBox()->click();
+            dialog.accept();
+        }
+        QCOMPARE(s.steps(), steps + 1);
+        QCOMPARE(s.editor().undoText(), QString("Recolour artwork"));
+        QCOMPARE(s.colour(s.id), red);
+        s.use(Command::Undo);
+        QVERIFY(s.painting() == *now);
+        s.select({s.id});
+        RecolourDialog dialog(s.editor(), &s.window);
+        QCOMPARE(dialog.list()->topLevelItemCount(), 1); // of what is selected
+    }
+
+private:
+    QTemporaryDir m_folder;
+};
+
+QTEST_MAIN(TestRecolouring)
+#include "test_recolouring.moc"
