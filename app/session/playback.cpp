@@ -111,7 +111,8 @@ void Playback::setSkipsPauses(bool skips)
 
 const TimeSpan &Playback::span() const
 {
-    const PaintingPtr &painting = m_editor.document().painting();
+    // What floats moves in space alone, so the timeline, which asks by a timer of its own, need not end it.
+    const PaintingPtr &painting = m_editor.unsettled().painting();
     if (m_measured.painting == painting)
         return m_measured.span;
     m_measured = {painting, {0, painting->end()}, {}};
