@@ -1157,6 +1157,18 @@ Rückgabewerte: 0 erledigt, 1 fehlgeschlagen, 2 falscher Aufruf.</translation>
         <source>Remove erasures</source>
         <translation>Radierungen entfernen</translation>
     </message>
+    <message>
+        <source>Recolour artwork</source>
+        <translation>Bild umfärben</translation>
+    </message>
+    <message>
+        <source>The painting has no swatches yet.</source>
+        <translation>Das Bild hat noch keine Farbfelder.</translation>
+    </message>
+    <message>
+        <source>Map colours to swatches</source>
+        <translation>Farben auf Farbfelder abbilden</translation>
+    </message>
 </context>
 <context>
     <name>Export</name>
@@ -2855,6 +2867,91 @@ Rückgabewerte: 0 erledigt, 1 fehlgeschlagen, 2 falscher Aufruf.</translation>
     </message>
 </context>
 <context>
+    <name>suffuse::ColourHeader</name>
+    <message>
+        <source>Colour of the brush</source>
+        <translation>Farbe des Pinsels</translation>
+    </message>
+    <message>
+        <source>Colour of a swatch</source>
+        <translation>Farbe eines Farbfelds</translation>
+    </message>
+    <message>
+        <source>Colour of the swatch “%1”</source>
+        <translation>Farbe des Farbfelds „%1“</translation>
+    </message>
+    <message numerus="yes">
+        <source>Colours of %n segment(s)</source>
+        <translation>
+            <numerusform>Farben von %n Segment</numerusform>
+            <numerusform>Farben von %n Segmenten</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Colour of %n segment(s)</source>
+        <translation>
+            <numerusform>Farbe von %n Segment</numerusform>
+            <numerusform>Farbe von %n Segmenten</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Colours of %n stroke(s)</source>
+        <translation>
+            <numerusform>Farben von %n Strich</numerusform>
+            <numerusform>Farben von %n Strichen</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Colour of %n stroke(s)</source>
+        <translation>
+            <numerusform>Farbe von %n Strich</numerusform>
+            <numerusform>Farbe von %n Strichen</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Shows and changes the colour that is painted with</source>
+        <translation>Zeigt und ändert die Farbe, mit der gemalt wird</translation>
+    </message>
+    <message>
+        <source>Colour of what is selected</source>
+        <translation>Farbe des Ausgewählten</translation>
+    </message>
+    <message>
+        <source>Shows and changes the colour of what is selected; it keeps its opacity</source>
+        <translation>Zeigt und ändert die Farbe des Ausgewählten; es behält seine Deckkraft</translation>
+    </message>
+    <message>
+        <source>Set</source>
+        <translation>Setzen</translation>
+    </message>
+    <message>
+        <source>Shift</source>
+        <translation>Versatz</translation>
+    </message>
+    <message>
+        <source>Several colours</source>
+        <translation>Mehrere Farben</translation>
+    </message>
+    <message>
+        <source>Set: all colours become the same.
+Shift: all change as the shown one does, and keep their differences.</source>
+        <translation>Setzen: Alle Farben werden gleich.
+Versatz: Alle ändern sich wie die gezeigte und behalten ihre Unterschiede.</translation>
+    </message>
+    <message>
+        <source>Apply to selection</source>
+        <translation>Auf Auswahl anwenden</translation>
+    </message>
+    <message>
+        <source>Apply to selection: gives the selected segments the brush&apos;s colour. They keep their opacity.</source>
+        <translation>Auf Auswahl anwenden: gibt den ausgewählten Segmenten die Farbe des Pinsels. Sie behalten ihre Deckkraft.</translation>
+    </message>
+    <message>
+        <source>Apply colour</source>
+        <translation>Farbe anwenden</translation>
+    </message>
+</context>
+<context>
     <name>suffuse::ColourPanel</name>
     <message>
         <source>Current colour</source>
@@ -2881,20 +2978,8 @@ Rückgabewerte: 0 erledigt, 1 fehlgeschlagen, 2 falscher Aufruf.</translation>
         <translation>sRGB-Farbe als #rrggbb oder #rgb</translation>
     </message>
     <message>
-        <source>Apply to selection</source>
-        <translation>Auf Auswahl anwenden</translation>
-    </message>
-    <message>
-        <source>Gives the selected segments this colour. They keep their opacity.</source>
-        <translation>Gibt den ausgewählten Segmenten diese Farbe. Ihre Deckkraft behalten sie.</translation>
-    </message>
-    <message>
         <source>“%1” is not a colour. Write it as #rrggbb, for example #2f6690.</source>
         <translation>„%1“ ist keine Farbe. Schreibweise: #rrggbb, zum Beispiel #2f6690.</translation>
-    </message>
-    <message>
-        <source>Apply colour</source>
-        <translation>Farbe anwenden</translation>
     </message>
     <message>
         <source>Recent colours</source>
@@ -2907,6 +2992,50 @@ Rückgabewerte: 0 erledigt, 1 fehlgeschlagen, 2 falscher Aufruf.</translation>
     <message>
         <source>Colours painted with come here.</source>
         <translation>Hierher kommen die gemalten Farben.</translation>
+    </message>
+    <message>
+        <source>RYB</source>
+        <extracomment>red, yellow, blue; hue, saturation, value; red, green, blue</extracomment>
+        <translation>RYB</translation>
+    </message>
+    <message>
+        <source>HSV</source>
+        <translation>HSV</translation>
+    </message>
+    <message>
+        <source>RGB</source>
+        <translation>RGB</translation>
+    </message>
+    <message>
+        <source>Sliders</source>
+        <translation>Regler</translation>
+    </message>
+    <message>
+        <source>The numbers that the sliders show: paint as red, yellow and blue, or the screen&apos;s hue, saturation and value, or its red, green and blue</source>
+        <translation>Die Zahlen, die die Regler zeigen: Farbe als Rot, Gelb und Blau, oder Farbton, Sättigung und Hellwert des Bildschirms, oder dessen Rot, Grün und Blau</translation>
+    </message>
+    <message>
+        <source>Colour of the brush</source>
+        <translation>Farbe des Pinsels</translation>
+    </message>
+    <message>
+        <source>The colour of the brush. Click: take it.</source>
+        <translation>Die Farbe des Pinsels. Klick: diese nehmen.</translation>
+    </message>
+</context>
+<context>
+    <name>suffuse::ColourTarget</name>
+    <message>
+        <source>Change colour</source>
+        <translation>Farbe ändern</translation>
+    </message>
+    <message>
+        <source>Change opacity</source>
+        <translation>Deckkraft ändern</translation>
+    </message>
+    <message>
+        <source>Change swatch</source>
+        <translation>Farbfeld ändern</translation>
     </message>
 </context>
 <context>
@@ -4318,6 +4447,26 @@ Auch die Pfeiltasten wirken.</translation>
         <source>Take paint away softly, or cut out parts of strokes</source>
         <translation>Farbe weich wegnehmen oder Teile von Strichen herausschneiden</translation>
     </message>
+    <message>
+        <source>Map Colours to S&amp;watches</source>
+        <translation>Far&amp;ben auf Farbfelder abbilden</translation>
+    </message>
+    <message>
+        <source>Give what is selected, or else all of the painting, the swatches that look nearest</source>
+        <translation>Dem Ausgewählten, sonst dem ganzen Bild, die Farbfelder geben, die am ähnlichsten aussehen</translation>
+    </message>
+    <message>
+        <source>Recol&amp;our Artwork…</source>
+        <translation>Bild u&amp;mfärben …</translation>
+    </message>
+    <message>
+        <source>Ctrl+Alt+C</source>
+        <translation>Ctrl+Alt+C</translation>
+    </message>
+    <message>
+        <source>Give each colour of the painting, or of what is selected, another one everywhere</source>
+        <translation>Jeder Farbe des Bildes oder des Ausgewählten überall eine andere geben</translation>
+    </message>
 </context>
 <context>
     <name>suffuse::CompareButton</name>
@@ -4706,6 +4855,10 @@ Auch die Pfeiltasten wirken.</translation>
     <message>
         <source>Click a stroke: the selected ones get its appearance, and what varies along them stays. Shift: the same values all along.</source>
         <translation>Klick auf einen Strich: die gewählten erhalten sein Aussehen, und was entlang ihrer wechselt, bleibt. Umschalt: dieselben Werte von Anfang bis Ende.</translation>
+    </message>
+    <message>
+        <source>Click to give what is selected the picture&apos;s colour. Shift: the stroke&apos;s own colour.</source>
+        <translation>Klicken gibt dem Ausgewählten die Farbe des Bildes. Umschalt: die eigene Farbe des Strichs.</translation>
     </message>
 </context>
 <context>
@@ -6468,6 +6621,128 @@ Auch die Pfeiltasten wirken.</translation>
     </message>
 </context>
 <context>
+    <name>suffuse::RecolourDialog</name>
+    <message>
+        <source>Recolour Artwork</source>
+        <translation>Bild umfärben</translation>
+    </message>
+    <message>
+        <source>Colours of what is selected</source>
+        <translation>Farben des Ausgewählten</translation>
+    </message>
+    <message>
+        <source>Colours of the painting</source>
+        <translation>Farben des Bildes</translation>
+    </message>
+    <message>
+        <source>Colours</source>
+        <translation>Farben</translation>
+    </message>
+    <message>
+        <source>The colours with the most paint come first. Choose one, or several, and give it another colour: it changes everywhere.</source>
+        <translation>Die Farben mit der meisten Malfarbe kommen zuerst. Eine oder mehrere auswählen und ihnen eine andere Farbe geben: Sie ändern sich überall.</translation>
+    </message>
+    <message>
+        <source>Before</source>
+        <translation>Vorher</translation>
+    </message>
+    <message>
+        <source>After</source>
+        <translation>Nachher</translation>
+    </message>
+    <message>
+        <source>Paint</source>
+        <translation>Menge</translation>
+    </message>
+    <message>
+        <source>Strokes</source>
+        <translation>Striche</translation>
+    </message>
+    <message>
+        <source>Segments</source>
+        <translation>Segmente</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n colours that look alike</source>
+        <translation>
+            <numerusform>%n Farbe, die ähnlich aussieht</numerusform>
+            <numerusform>%n Farben, die ähnlich aussehen</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Hex</source>
+        <translation>Hex</translation>
+    </message>
+    <message>
+        <source>sRGB colour as #rrggbb, or #rgb</source>
+        <translation>sRGB-Farbe als #rrggbb oder #rgb</translation>
+    </message>
+    <message>
+        <source>Swatches</source>
+        <translation>Farbfelder</translation>
+    </message>
+    <message>
+        <source>The swatches of the painting. Click: the chosen colour becomes this one.</source>
+        <translation>Die Farbfelder des Bildes. Klick: Die ausgewählte Farbe wird zu dieser.</translation>
+    </message>
+    <message>
+        <source>Keep differences</source>
+        <translation>Unterschiede behalten</translation>
+    </message>
+    <message>
+        <source>Colours that are one line in the list change together and stay different. Else they become the same.</source>
+        <translation>Farben, die eine Zeile der Liste sind, ändern sich gemeinsam und bleiben verschieden. Sonst werden sie gleich.</translation>
+    </message>
+    <message>
+        <source>Reset the Colour</source>
+        <translation>Farbe zurücksetzen</translation>
+    </message>
+    <message>
+        <source>Gives the chosen colours back what they were</source>
+        <translation>Gibt den ausgewählten Farben zurück, was sie waren</translation>
+    </message>
+    <message>
+        <source>All colours</source>
+        <translation>Alle Farben</translation>
+    </message>
+    <message>
+        <source>Hue</source>
+        <translation>Farbton</translation>
+    </message>
+    <message>
+        <source>Turns all hues around the colour wheel</source>
+        <translation>Dreht alle Farbtöne auf dem Farbrad</translation>
+    </message>
+    <message>
+        <source>Saturation</source>
+        <translation>Sättigung</translation>
+    </message>
+    <message>
+        <source>100 %: as it is; 0 %: grey; more: more colourful</source>
+        <translation>100 %: wie es ist; 0 %: grau; mehr: bunter</translation>
+    </message>
+    <message>
+        <source>Lightness</source>
+        <translation>Helligkeit</translation>
+    </message>
+    <message>
+        <source>Above 0 % nearer to white, below nearer to black</source>
+        <translation>Über 0 % näher an Weiß, darunter näher an Schwarz</translation>
+    </message>
+    <message>
+        <source>Map to the nearest swatches</source>
+        <translation>Auf die nächsten Farbfelder abbilden</translation>
+    </message>
+    <message>
+        <source>Each colour becomes the swatch of the painting that looks nearest</source>
+        <translation>Jede Farbe wird zu dem Farbfeld des Bildes, das am ähnlichsten aussieht</translation>
+    </message>
+    <message>
+        <source>“%1” is not a colour. Write it as #rrggbb, for example #2f6690.</source>
+        <translation>„%1“ ist keine Farbe. Schreibweise: #rrggbb, zum Beispiel #2f6690.</translation>
+    </message>
+</context>
+<context>
     <name>suffuse::RecoveryDialog</name>
     <message>
         <source>Recover Paintings</source>
@@ -6694,6 +6969,57 @@ Auch die Pfeiltasten wirken.</translation>
     <message>
         <source>Remove re-wetting</source>
         <translation>Wiederanfeuchten aufheben</translation>
+    </message>
+</context>
+<context>
+    <name>suffuse::ScreenColourRows</name>
+    <message>
+        <source>Hue</source>
+        <translation>Farbton</translation>
+    </message>
+    <message>
+        <source>Saturation</source>
+        <translation>Sättigung</translation>
+    </message>
+    <message>
+        <source>Value</source>
+        <translation>Hellwert</translation>
+    </message>
+    <message>
+        <source>Red</source>
+        <translation>Rot</translation>
+    </message>
+    <message>
+        <source>Green</source>
+        <translation>Grün</translation>
+    </message>
+    <message>
+        <source>Blue</source>
+        <translation>Blau</translation>
+    </message>
+    <message>
+        <source>Hue on the circle of the screen&apos;s colours: 0° red, 120° green, 240° blue</source>
+        <translation>Farbton auf dem Kreis der Bildschirmfarben: 0° Rot, 120° Grün, 240° Blau</translation>
+    </message>
+    <message>
+        <source>0 %: grey; 100 %: as colourful as a screen can be</source>
+        <translation>0 %: grau; 100 %: so bunt, wie ein Bildschirm sein kann</translation>
+    </message>
+    <message>
+        <source>0 %: black; 100 %: as bright as the colour can be</source>
+        <translation>0 %: schwarz; 100 %: so hell, wie die Farbe sein kann</translation>
+    </message>
+    <message>
+        <source>Red light of the screen, 0 to 255</source>
+        <translation>Rotes Licht des Bildschirms, 0 bis 255</translation>
+    </message>
+    <message>
+        <source>Green light of the screen, 0 to 255</source>
+        <translation>Grünes Licht des Bildschirms, 0 bis 255</translation>
+    </message>
+    <message>
+        <source>Blue light of the screen, 0 to 255</source>
+        <translation>Blaues Licht des Bildschirms, 0 bis 255</translation>
     </message>
 </context>
 <context>
@@ -7602,6 +7928,30 @@ Auch die Pfeiltasten wirken.</translation>
         <source>Name</source>
         <translation>Name</translation>
     </message>
+    <message>
+        <source>Link swatch</source>
+        <translation>Farbfeld verknüpfen</translation>
+    </message>
+    <message>
+        <source>Unlink swatch</source>
+        <translation>Verknüpfung des Farbfelds lösen</translation>
+    </message>
+    <message>
+        <source>linked</source>
+        <translation>verknüpft</translation>
+    </message>
+    <message>
+        <source>Change the Colour</source>
+        <translation>Farbe ändern</translation>
+    </message>
+    <message>
+        <source>Linked to What Is Painted with It</source>
+        <translation>Mit dem damit Gemalten verknüpft</translation>
+    </message>
+    <message>
+        <source>Select What Has This Colour</source>
+        <translation>Auswählen, was diese Farbe hat</translation>
+    </message>
 </context>
 <context>
     <name>suffuse::SwatchesSection</name>
@@ -7664,6 +8014,14 @@ Auch die Pfeiltasten wirken.</translation>
     <message>
         <source>%1 cannot be read: %2.</source>
         <translation>%1 kann nicht gelesen werden: %2.</translation>
+    </message>
+    <message>
+        <source>Map Colours to Swatches</source>
+        <translation>Farben auf Farbfelder abbilden</translation>
+    </message>
+    <message>
+        <source>Gives what is selected, or else all of the painting, the swatch that looks nearest</source>
+        <translation>Gibt dem Ausgewählten, sonst dem ganzen Bild, das Farbfeld, das am ähnlichsten aussieht</translation>
     </message>
 </context>
 <context>

@@ -70,6 +70,37 @@
     </message>
 </context>
 <context>
+    <name>suffuse::ColourHeader</name>
+    <message numerus="yes">
+        <source>Colours of %n segment(s)</source>
+        <translation>
+            <numerusform>Colours of %n segment</numerusform>
+            <numerusform>Colours of %n segments</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Colour of %n segment(s)</source>
+        <translation>
+            <numerusform>Colour of %n segment</numerusform>
+            <numerusform>Colour of %n segments</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Colours of %n stroke(s)</source>
+        <translation>
+            <numerusform>Colours of %n stroke</numerusform>
+            <numerusform>Colours of %n strokes</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Colour of %n stroke(s)</source>
+        <translation>
+            <numerusform>Colour of %n stroke</numerusform>
+            <numerusform>Colour of %n strokes</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>suffuse::Commands</name>
     <message numerus="yes">
         <source>Name of %n stroke(s)</source>
@@ -269,6 +300,16 @@
         <translation>
             <numerusform>%n stroke</numerusform>
             <numerusform>%n strokes</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>suffuse::RecolourDialog</name>
+    <message numerus="yes">
+        <source>%n colours that look alike</source>
+        <translation>
+            <numerusform>%n colour that looks alike</numerusform>
+            <numerusform>%n colours that look alike</numerusform>
         </translation>
     </message>
 </context>

@@ -1149,6 +1149,18 @@ Exit codes: 0 done, 1 the work failed, 2 wrong usage.</source>
         <source>Remove erasures</source>
         <translation>移除擦除</translation>
     </message>
+    <message>
+        <source>Recolour artwork</source>
+        <translation>重新着色图稿</translation>
+    </message>
+    <message>
+        <source>The painting has no swatches yet.</source>
+        <translation>这幅画还没有色板。</translation>
+    </message>
+    <message>
+        <source>Map colours to swatches</source>
+        <translation>将颜色映射到色板</translation>
+    </message>
 </context>
 <context>
     <name>Export</name>
@@ -2846,6 +2858,87 @@ Exit codes: 0 done, 1 the work failed, 2 wrong usage.</source>
     </message>
 </context>
 <context>
+    <name>suffuse::ColourHeader</name>
+    <message>
+        <source>Colour of the brush</source>
+        <translation>画笔的颜色</translation>
+    </message>
+    <message>
+        <source>Colour of a swatch</source>
+        <translation>色板的颜色</translation>
+    </message>
+    <message>
+        <source>Colour of the swatch “%1”</source>
+        <translation>色板“%1”的颜色</translation>
+    </message>
+    <message numerus="yes">
+        <source>Colours of %n segment(s)</source>
+        <translation>
+            <numerusform>%n 条线段的颜色（多种）</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Colour of %n segment(s)</source>
+        <translation>
+            <numerusform>%n 条线段的颜色</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Colours of %n stroke(s)</source>
+        <translation>
+            <numerusform>%n 条笔画的颜色（多种）</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Colour of %n stroke(s)</source>
+        <translation>
+            <numerusform>%n 条笔画的颜色</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Shows and changes the colour that is painted with</source>
+        <translation>显示并更改绘画所用的颜色</translation>
+    </message>
+    <message>
+        <source>Colour of what is selected</source>
+        <translation>所选内容的颜色</translation>
+    </message>
+    <message>
+        <source>Shows and changes the colour of what is selected; it keeps its opacity</source>
+        <translation>显示并更改所选内容的颜色；不透明度保持不变</translation>
+    </message>
+    <message>
+        <source>Set</source>
+        <translation>设为</translation>
+    </message>
+    <message>
+        <source>Shift</source>
+        <translation>偏移</translation>
+    </message>
+    <message>
+        <source>Several colours</source>
+        <translation>多种颜色</translation>
+    </message>
+    <message>
+        <source>Set: all colours become the same.
+Shift: all change as the shown one does, and keep their differences.</source>
+        <translation>设为：所有颜色变得相同。
+偏移：全部随所示颜色变化，并保持彼此的差异。</translation>
+    </message>
+    <message>
+        <source>Apply to selection</source>
+        <translation>应用到所选</translation>
+    </message>
+    <message>
+        <source>Apply to selection: gives the selected segments the brush&apos;s colour. They keep their opacity.</source>
+        <translation>应用到所选：将画笔的颜色赋予所选线段，不透明度保持不变。</translation>
+    </message>
+    <message>
+        <source>Apply colour</source>
+        <translation>应用颜色</translation>
+    </message>
+</context>
+<context>
     <name>suffuse::ColourPanel</name>
     <message>
         <source>Current colour</source>
@@ -2872,20 +2965,8 @@ Exit codes: 0 done, 1 the work failed, 2 wrong usage.</source>
         <translation>sRGB 颜色，写作 #rrggbb 或 #rgb</translation>
     </message>
     <message>
-        <source>Apply to selection</source>
-        <translation>应用到所选</translation>
-    </message>
-    <message>
-        <source>Gives the selected segments this colour. They keep their opacity.</source>
-        <translation>将所选线段设为此颜色，其不透明度不变。</translation>
-    </message>
-    <message>
         <source>“%1” is not a colour. Write it as #rrggbb, for example #2f6690.</source>
         <translation>“%1”不是颜色。请写成 #rrggbb，例如 #2f6690。</translation>
-    </message>
-    <message>
-        <source>Apply colour</source>
-        <translation>应用颜色</translation>
     </message>
     <message>
         <source>Recent colours</source>
@@ -2898,6 +2979,50 @@ Exit codes: 0 done, 1 the work failed, 2 wrong usage.</source>
     <message>
         <source>Colours painted with come here.</source>
         <translation>用过的颜色会显示在此处。</translation>
+    </message>
+    <message>
+        <source>RYB</source>
+        <extracomment>red, yellow, blue; hue, saturation, value; red, green, blue</extracomment>
+        <translation>RYB</translation>
+    </message>
+    <message>
+        <source>HSV</source>
+        <translation>HSV</translation>
+    </message>
+    <message>
+        <source>RGB</source>
+        <translation>RGB</translation>
+    </message>
+    <message>
+        <source>Sliders</source>
+        <translation>滑块</translation>
+    </message>
+    <message>
+        <source>The numbers that the sliders show: paint as red, yellow and blue, or the screen&apos;s hue, saturation and value, or its red, green and blue</source>
+        <translation>滑块显示的数值：颜料的红、黄、蓝，或屏幕的色相、饱和度、明度，或屏幕的红、绿、蓝</translation>
+    </message>
+    <message>
+        <source>Colour of the brush</source>
+        <translation>画笔的颜色</translation>
+    </message>
+    <message>
+        <source>The colour of the brush. Click: take it.</source>
+        <translation>画笔的颜色。点击：使用它。</translation>
+    </message>
+</context>
+<context>
+    <name>suffuse::ColourTarget</name>
+    <message>
+        <source>Change colour</source>
+        <translation>更改颜色</translation>
+    </message>
+    <message>
+        <source>Change opacity</source>
+        <translation>更改不透明度</translation>
+    </message>
+    <message>
+        <source>Change swatch</source>
+        <translation>更改色板</translation>
     </message>
 </context>
 <context>
@@ -4308,6 +4433,26 @@ Arrow keys work too.</source>
         <source>Take paint away softly, or cut out parts of strokes</source>
         <translation>柔和地擦去颜料,或剪除笔画的部分</translation>
     </message>
+    <message>
+        <source>Map Colours to S&amp;watches</source>
+        <translation>将颜色映射到色板(&amp;W)</translation>
+    </message>
+    <message>
+        <source>Give what is selected, or else all of the painting, the swatches that look nearest</source>
+        <translation>为所选内容（若无则为整幅画）换上看起来最接近的色板</translation>
+    </message>
+    <message>
+        <source>Recol&amp;our Artwork…</source>
+        <translation>重新着色图稿(&amp;O)…</translation>
+    </message>
+    <message>
+        <source>Ctrl+Alt+C</source>
+        <translation>Ctrl+Alt+C</translation>
+    </message>
+    <message>
+        <source>Give each colour of the painting, or of what is selected, another one everywhere</source>
+        <translation>将画中或所选内容中的每种颜色全部换成另一种</translation>
+    </message>
 </context>
 <context>
     <name>suffuse::CompareButton</name>
@@ -4696,6 +4841,10 @@ Arrow keys work too.</source>
     <message>
         <source>Click a stroke: the selected ones get its appearance, and what varies along them stays. Shift: the same values all along.</source>
         <translation>点击笔画：所选笔画获得其外观，沿笔画的变化保留。Shift：全程使用相同的值。</translation>
+    </message>
+    <message>
+        <source>Click to give what is selected the picture&apos;s colour. Shift: the stroke&apos;s own colour.</source>
+        <translation>点击将画面颜色赋予所选内容。Shift：笔画自身的颜色。</translation>
     </message>
 </context>
 <context>
@@ -6432,6 +6581,127 @@ Arrow keys work too.</source>
     </message>
 </context>
 <context>
+    <name>suffuse::RecolourDialog</name>
+    <message>
+        <source>Recolour Artwork</source>
+        <translation>重新着色图稿</translation>
+    </message>
+    <message>
+        <source>Colours of what is selected</source>
+        <translation>所选内容的颜色</translation>
+    </message>
+    <message>
+        <source>Colours of the painting</source>
+        <translation>画中的颜色</translation>
+    </message>
+    <message>
+        <source>Colours</source>
+        <translation>颜色</translation>
+    </message>
+    <message>
+        <source>The colours with the most paint come first. Choose one, or several, and give it another colour: it changes everywhere.</source>
+        <translation>用量最多的颜色排在最前。选择一种或多种并换成另一种颜色：所有位置都会更改。</translation>
+    </message>
+    <message>
+        <source>Before</source>
+        <translation>之前</translation>
+    </message>
+    <message>
+        <source>After</source>
+        <translation>之后</translation>
+    </message>
+    <message>
+        <source>Paint</source>
+        <translation>用量</translation>
+    </message>
+    <message>
+        <source>Strokes</source>
+        <translation>笔画</translation>
+    </message>
+    <message>
+        <source>Segments</source>
+        <translation>线段</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n colours that look alike</source>
+        <translation>
+            <numerusform>%n 种看起来相近的颜色</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Hex</source>
+        <translation>十六进制</translation>
+    </message>
+    <message>
+        <source>sRGB colour as #rrggbb, or #rgb</source>
+        <translation>sRGB 颜色，写作 #rrggbb 或 #rgb</translation>
+    </message>
+    <message>
+        <source>Swatches</source>
+        <translation>色板</translation>
+    </message>
+    <message>
+        <source>The swatches of the painting. Click: the chosen colour becomes this one.</source>
+        <translation>画的色板。点击：所选颜色变为此色。</translation>
+    </message>
+    <message>
+        <source>Keep differences</source>
+        <translation>保持差异</translation>
+    </message>
+    <message>
+        <source>Colours that are one line in the list change together and stay different. Else they become the same.</source>
+        <translation>列表中同一行的颜色一起变化并保持不同；否则变得相同。</translation>
+    </message>
+    <message>
+        <source>Reset the Colour</source>
+        <translation>重置颜色</translation>
+    </message>
+    <message>
+        <source>Gives the chosen colours back what they were</source>
+        <translation>将所选颜色恢复原样</translation>
+    </message>
+    <message>
+        <source>All colours</source>
+        <translation>所有颜色</translation>
+    </message>
+    <message>
+        <source>Hue</source>
+        <translation>色相</translation>
+    </message>
+    <message>
+        <source>Turns all hues around the colour wheel</source>
+        <translation>在色轮上旋转所有色相</translation>
+    </message>
+    <message>
+        <source>Saturation</source>
+        <translation>饱和度</translation>
+    </message>
+    <message>
+        <source>100 %: as it is; 0 %: grey; more: more colourful</source>
+        <translation>100 %：保持不变；0 %：灰色；更大：更鲜艳</translation>
+    </message>
+    <message>
+        <source>Lightness</source>
+        <translation>明度</translation>
+    </message>
+    <message>
+        <source>Above 0 % nearer to white, below nearer to black</source>
+        <translation>大于 0 % 趋向白色，小于 0 % 趋向黑色</translation>
+    </message>
+    <message>
+        <source>Map to the nearest swatches</source>
+        <translation>映射到最接近的色板</translation>
+    </message>
+    <message>
+        <source>Each colour becomes the swatch of the painting that looks nearest</source>
+        <translation>每种颜色变为画中看起来最接近的色板</translation>
+    </message>
+    <message>
+        <source>“%1” is not a colour. Write it as #rrggbb, for example #2f6690.</source>
+        <translation>“%1”不是颜色。请写成 #rrggbb，例如 #2f6690。</translation>
+    </message>
+</context>
+<context>
     <name>suffuse::RecoveryDialog</name>
     <message>
         <source>Recover Paintings</source>
@@ -6657,6 +6927,57 @@ Arrow keys work too.</source>
     <message>
         <source>Remove re-wetting</source>
         <translation>移除再次润湿</translation>
+    </message>
+</context>
+<context>
+    <name>suffuse::ScreenColourRows</name>
+    <message>
+        <source>Hue</source>
+        <translation>色相</translation>
+    </message>
+    <message>
+        <source>Saturation</source>
+        <translation>饱和度</translation>
+    </message>
+    <message>
+        <source>Value</source>
+        <translation>明度</translation>
+    </message>
+    <message>
+        <source>Red</source>
+        <translation>红</translation>
+    </message>
+    <message>
+        <source>Green</source>
+        <translation>绿</translation>
+    </message>
+    <message>
+        <source>Blue</source>
+        <translation>蓝</translation>
+    </message>
+    <message>
+        <source>Hue on the circle of the screen&apos;s colours: 0° red, 120° green, 240° blue</source>
+        <translation>屏幕色环上的色相：0° 红，120° 绿，240° 蓝</translation>
+    </message>
+    <message>
+        <source>0 %: grey; 100 %: as colourful as a screen can be</source>
+        <translation>0 %：灰色；100 %：屏幕所能显示的最鲜艳</translation>
+    </message>
+    <message>
+        <source>0 %: black; 100 %: as bright as the colour can be</source>
+        <translation>0 %：黑色；100 %：该颜色所能达到的最亮</translation>
+    </message>
+    <message>
+        <source>Red light of the screen, 0 to 255</source>
+        <translation>屏幕的红光，0 到 255</translation>
+    </message>
+    <message>
+        <source>Green light of the screen, 0 to 255</source>
+        <translation>屏幕的绿光，0 到 255</translation>
+    </message>
+    <message>
+        <source>Blue light of the screen, 0 to 255</source>
+        <translation>屏幕的蓝光，0 到 255</translation>
     </message>
 </context>
 <context>
@@ -7564,6 +7885,30 @@ Arrow keys work too.</source>
         <source>Name</source>
         <translation>名称</translation>
     </message>
+    <message>
+        <source>Link swatch</source>
+        <translation>链接色板</translation>
+    </message>
+    <message>
+        <source>Unlink swatch</source>
+        <translation>取消色板链接</translation>
+    </message>
+    <message>
+        <source>linked</source>
+        <translation>已链接</translation>
+    </message>
+    <message>
+        <source>Change the Colour</source>
+        <translation>更改颜色</translation>
+    </message>
+    <message>
+        <source>Linked to What Is Painted with It</source>
+        <translation>与用它绘制的内容链接</translation>
+    </message>
+    <message>
+        <source>Select What Has This Colour</source>
+        <translation>选择使用此颜色的内容</translation>
+    </message>
 </context>
 <context>
     <name>suffuse::SwatchesSection</name>
@@ -7626,6 +7971,14 @@ Arrow keys work too.</source>
     <message>
         <source>%1 cannot be read: %2.</source>
         <translation>无法读取 %1：%2。</translation>
+    </message>
+    <message>
+        <source>Map Colours to Swatches</source>
+        <translation>将颜色映射到色板</translation>
+    </message>
+    <message>
+        <source>Gives what is selected, or else all of the painting, the swatch that looks nearest</source>
+        <translation>为所选内容（若无则为整幅画）换上看起来最接近的色板</translation>
     </message>
 </context>
 <context>
