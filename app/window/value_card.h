@@ -12,9 +12,11 @@ class QToolButton;
 namespace suffuse {
 
 class CanvasWidget;
+class Editor;
 class HintLabel;
 class SegmentSection;
 class SliderField;
+class ValueEntry;
 
 /// Width, D, φ, colour and opacity of the selected strokes, or of the one segment that was pointed at. The rows are
 /// those of the inspector and do what they do there; the widths of several segments keep their proportions.
