@@ -4456,16 +4456,16 @@ Auch die Pfeiltasten wirken.</translation>
         <translation>Dem Ausgewählten, sonst dem ganzen Bild, die Farbfelder geben, die am ähnlichsten aussehen</translation>
     </message>
     <message>
-        <source>Recol&amp;our Artwork…</source>
-        <translation>Bild u&amp;mfärben …</translation>
-    </message>
-    <message>
         <source>Ctrl+Alt+C</source>
         <translation>Ctrl+Alt+C</translation>
     </message>
     <message>
         <source>Give each colour of the painting, or of what is selected, another one everywhere</source>
         <translation>Jeder Farbe des Bildes oder des Ausgewählten überall eine andere geben</translation>
+    </message>
+    <message>
+        <source>Recolour Artwork…</source>
+        <translation>Bild umfärben …</translation>
     </message>
 </context>
 <context>
@@ -6986,18 +6986,6 @@ Auch die Pfeiltasten wirken.</translation>
         <translation>Hellwert</translation>
     </message>
     <message>
-        <source>Red</source>
-        <translation>Rot</translation>
-    </message>
-    <message>
-        <source>Green</source>
-        <translation>Grün</translation>
-    </message>
-    <message>
-        <source>Blue</source>
-        <translation>Blau</translation>
-    </message>
-    <message>
         <source>Hue on the circle of the screen&apos;s colours: 0° red, 120° green, 240° blue</source>
         <translation>Farbton auf dem Kreis der Bildschirmfarben: 0° Rot, 120° Grün, 240° Blau</translation>
     </message>
@@ -7020,6 +7008,18 @@ Auch die Pfeiltasten wirken.</translation>
     <message>
         <source>Blue light of the screen, 0 to 255</source>
         <translation>Blaues Licht des Bildschirms, 0 bis 255</translation>
+    </message>
+    <message>
+        <source>R</source>
+        <translation>R</translation>
+    </message>
+    <message>
+        <source>G</source>
+        <translation>G</translation>
+    </message>
+    <message>
+        <source>B</source>
+        <translation>B</translation>
     </message>
 </context>
 <context>

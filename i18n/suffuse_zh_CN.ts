@@ -4442,16 +4442,16 @@ Arrow keys work too.</source>
         <translation>为所选内容（若无则为整幅画）换上看起来最接近的色板</translation>
     </message>
     <message>
-        <source>Recol&amp;our Artwork…</source>
-        <translation>重新着色图稿(&amp;O)…</translation>
-    </message>
-    <message>
         <source>Ctrl+Alt+C</source>
         <translation>Ctrl+Alt+C</translation>
     </message>
     <message>
         <source>Give each colour of the painting, or of what is selected, another one everywhere</source>
         <translation>将画中或所选内容中的每种颜色全部换成另一种</translation>
+    </message>
+    <message>
+        <source>Recolour Artwork…</source>
+        <translation>重新着色图稿…</translation>
     </message>
 </context>
 <context>
@@ -6944,18 +6944,6 @@ Arrow keys work too.</source>
         <translation>明度</translation>
     </message>
     <message>
-        <source>Red</source>
-        <translation>红</translation>
-    </message>
-    <message>
-        <source>Green</source>
-        <translation>绿</translation>
-    </message>
-    <message>
-        <source>Blue</source>
-        <translation>蓝</translation>
-    </message>
-    <message>
         <source>Hue on the circle of the screen&apos;s colours: 0° red, 120° green, 240° blue</source>
         <translation>屏幕色环上的色相：0° 红，120° 绿，240° 蓝</translation>
     </message>
@@ -6978,6 +6966,18 @@ Arrow keys work too.</source>
     <message>
         <source>Blue light of the screen, 0 to 255</source>
         <translation>屏幕的蓝光，0 到 255</translation>
+    </message>
+    <message>
+        <source>R</source>
+        <translation>R</translation>
+    </message>
+    <message>
+        <source>G</source>
+        <translation>G</translation>
+    </message>
+    <message>
+        <source>B</source>
+        <translation>B</translation>
     </message>
 </context>
 <context>

@@ -110,6 +110,10 @@ QWidget *RecolourDialog::makeList()
     }
     m_list->header()->setStretchLastSection(false);
     m_list->header()->setSectionResizeMode(QHeaderView::ResizeToContents);
+    int widest = 0; // Columns of short numbers are as wide as their names.
+    for (int i = 0; i < m_list->columnCount(); ++i)
+        widest = std::max(widest, m_list->header()->fontMetrics().horizontalAdvance(m_list->headerItem()->text(i)));
+    m_list->header()->setMinimumSectionSize(widest + 16);
     const int rows = 8, width = 5 * fontMetrics().horizontalAdvance(QStringLiteral("#dddddd")) + 120;
     m_list->setMinimumSize(width, rows * fontMetrics().height());
     column->addWidget(m_list, 1);

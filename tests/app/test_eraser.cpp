@@ -258,12 +258,12 @@ private slots:
         QTRY_VERIFY(s.summary().contains("4 segment(s)") && s.summary().contains("erasing"));
         const auto onCurve = [&](int k) { return s.stroke().cubicOf(s.stroke().segments[std::size_t(k)]).at(0.5); };
         const Chain first = chainAt(s.stroke(), paint);
-        s.click(onCurve((first.first + first.last) / 2));
+        s.click(onCurve(first.first + 2)); // beside the paint's own curve
         QCOMPARE(int(s.selection().segments.size()), first.last - first.first + 1);
         QVERIFY(s.selection().segments.contains({s.id, first.first}));
         QTRY_VERIFY(s.summary().contains("take paint away"));
         const Stroke before = s.stroke();
-        const Point grabbed = onCurve((first.first + first.last) / 2);
+        const Point grabbed = onCurve(first.first + 2);
         s.drag(grabbed, grabbed + Point{40, 0});
         for (int k = 0; k < int(before.segments.size()); ++k) {
             const bool moves = k >= first.first && k <= first.last;

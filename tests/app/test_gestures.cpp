@@ -181,7 +181,10 @@ private slots:
         d.release();
         QCOMPARE(s.steps(), index + 1);
         QVERIFY(!s.editor().isDragging());
-        QCOMPARE(s.painting(), before);
+        if (drag == "erase") // the end of a path that takes paint away is fitted when the pen is lifted, as the brush's
+            QVERIFY(s.painting() != s.start && problemOf(s.painting()).isEmpty());
+        else
+            QCOMPARE(s.painting(), before);
         s.editor().undo();
         QCOMPARE(s.painting(), s.start);
     }

@@ -37,6 +37,7 @@ constexpr Colour waveColour{0.9f, 0.1f, 0.7f, 1}, green{0, 1, 1, 1}, red{1, 0, 0
 void type(QLineEdit &field, const QString &text)
 {
     field.setFocus();
+    QTest::qWait(1); // the field selects its text when it gets the focus
     field.selectAll();
     QTest::keyClicks(&field, text);
     QTest::keyClick(&field, Qt::Key_Return);
@@ -104,22 +105,22 @@ private slots:
         s.click({250, 318}); // on the first wave
         QCOMPARE(s.selection().strokes, std::set<StrokeId>({s.id}));
         s.editor().laterChanges().flush();
-        QCOMPARE(header.text(), QString("Colour of 1 stroke"));
+        QCOMPARE(header.text(), QString("Colour of 1 stroke(s)"));
         QVERIFY(header.selectionButton()->isChecked() && !header.applyButton()->isVisibleTo(&header));
         s.select({s.id, s.second}, {{s.id, 0}, {s.id, 2}, {s.second, 1}});
-        QCOMPARE(header.text(), QString("Colour of 3 segments"));
+        QCOMPARE(header.text(), QString("Colour of 3 segment(s)"));
         s.select({s.id, s.second});
-        QCOMPARE(header.text(), QString("Colour of 2 strokes"));
+        QCOMPARE(header.text(), QString("Colour of 2 stroke(s)"));
         QVERIFY(!header.modeChoice()->isVisibleTo(&header));
         QTest::mouseClick(header.brushButton(), Qt::LeftButton);
         QCOMPARE(header.text(), QString("Colour of the brush"));
         QVERIFY(header.applyButton()->isVisibleTo(&header) && header.applyButton()->isEnabled());
         QTest::mouseClick(header.selectionButton(), Qt::LeftButton);
-        QCOMPARE(header.text(), QString("Colour of 2 strokes"));
+        QCOMPARE(header.text(), QString("Colour of 2 stroke(s)"));
         s.use(Command::Brush);
         QCOMPARE(header.text(), QString("Colour of the brush"));
         s.use(Command::Segments);
-        QCOMPARE(header.text(), QString("Colour of 2 strokes"));
+        QCOMPARE(header.text(), QString("Colour of 2 stroke(s)"));
     }
 
     void theWheelColoursWhatIsSelected()
@@ -256,7 +257,7 @@ private slots:
         s.select({s.id, s.second});
         QComboBox &mode = *s.panel.header()->modeChoice();
         QVERIFY(mode.isVisibleTo(&s.panel));
-        QCOMPARE(s.panel.header()->text(), QString("Colours of 2 strokes"));
+        QCOMPARE(s.panel.header()->text(), QString("Colours of 2 stroke(s)"));
         QCOMPARE(mode.currentIndex(), 0);
         mode.setCurrentIndex(1);
         emit mode.activated(1);

@@ -108,7 +108,7 @@ private slots:
         QCOMPARE(changed["values"].toArray(),
                  (QJsonArray{QJsonObject{{"path", "locked"}, {"before", false}, {"after", true}},
                              QJsonObject{{"path", "segments[1].diffusion"}, {"before", 12.5}, {"after", 20}}}));
-        QCOMPARE(json["values"].toArray().size(), 3);
+        QCOMPARE(json["values"].toArray().size(), 4); // one of the canvas, three of a swatch that came
         QCOMPARE(json["values"].toArray()[1].toObject()["before"], QJsonValue());
     }
 

@@ -146,6 +146,7 @@ void AlongDialog::showScale()
     const bool scales = spec.logarithmic;
     m_scaleLabel->setText(scales ? tr("Scale") : tr("Add"));
     m_scale->setAccessibleName(m_scaleLabel->text());
+    giveMnemonics(*this); // The label's new text has none yet.
     m_scale->setToolTip(scales ? tr("Multiplies all of it; what varies along the stroke stays")
                                : tr("Is added to all of it; what varies along the stroke stays"));
     m_scale->setRange(scales ? 0.001 : spec.minimum - spec.maximum, scales ? 1000 : spec.maximum - spec.minimum);

@@ -23,9 +23,9 @@ FieldSpec screenSpec(int row)
     static const char *const names[] = {QT_TRANSLATE_NOOP("suffuse::ScreenColourRows", "Hue"),
                                         QT_TRANSLATE_NOOP("suffuse::ScreenColourRows", "Saturation"),
                                         QT_TRANSLATE_NOOP("suffuse::ScreenColourRows", "Value"),
-                                        QT_TRANSLATE_NOOP("suffuse::ScreenColourRows", "Red"),
-                                        QT_TRANSLATE_NOOP("suffuse::ScreenColourRows", "Green"),
-                                        QT_TRANSLATE_NOOP("suffuse::ScreenColourRows", "Blue")};
+                                        QT_TRANSLATE_NOOP("suffuse::ScreenColourRows", "R"),
+                                        QT_TRANSLATE_NOOP("suffuse::ScreenColourRows", "G"),
+                                        QT_TRANSLATE_NOOP("suffuse::ScreenColourRows", "B")};
     static const char *const tips[] = {
         QT_TRANSLATE_NOOP("suffuse::ScreenColourRows",
                           "Hue on the circle of the screen's colours: 0° red, 120° green, 240° blue"),
