@@ -1,7 +1,6 @@
 #include "undo/node_edits.h"
 #include "undo/remap.h"
 
-#include <ranges>
 
 namespace suffuse {
 
@@ -31,10 +30,10 @@ struct Gap {
 Gap nearestEnds(const std::vector<StrokeEnd> &a, const std::vector<StrokeEnd> &b)
 {
     Gap best;
-    for (const StrokeEnd &end : std::views::reverse(a))
+    for (auto end = a.rbegin(); end != a.rend(); ++end)
         for (const StrokeEnd &other : b)
-            if (const double d = length(end.at - other.at); d < best.distance)
-                best = {d, end.node, other.node};
+            if (const double d = length(end->at - other.at); d < best.distance)
+                best = {d, end->node, other.node};
     return best;
 }
 
