@@ -9,24 +9,26 @@ namespace suffuse {
 
 namespace {
 
-/// A point as a number that has nothing to do with where it lies. Equal points have equal numbers: −0 is 0.
+/// Hashes a point, so that its number has nothing to do with where it lies. −0 counts as 0, since equal points must
+/// have equal numbers.
 std::uint64_t numberOf(const Offset &point)
 {
     const auto bits = [](float value) { return std::uint64_t(std::bit_cast<std::uint32_t>(value == 0 ? 0 : value)); };
-    std::uint64_t x = (bits(point.x) << 32 | bits(point.y)) + 0x9e3779b97f4a7c15; // what splitmix64 does
+    // The bits are mixed as the generator splitmix64 does it.
+    std::uint64_t x = (bits(point.x) << 32 | bits(point.y)) + 0x9e3779b97f4a7c15;
     x = (x ^ x >> 30) * 0xbf58476d1ce4e5b9;
     x = (x ^ x >> 27) * 0x94d049bb133111eb;
     return x ^ x >> 31;
 }
 
-/// Whether a stroke is cut before the segment, whatever its points are.
+/// Tells whether a stroke is cut before the segment, whatever its points are.
 bool isCutBefore(const std::vector<Segment> &segments, std::size_t k)
 {
     return segments[k].start || segments[k].lift != segments[k - 1].lift;
 }
 
-/// Whether number k is the least of `reach` numbers on both sides, which must all be there. Of equal ones it is the
-/// first.
+/// Tells whether number k is less than the `reach` numbers on each side, which must all be there. Of equal numbers the
+/// first counts as the least.
 bool isLeast(std::span<const std::uint64_t> numbers, std::size_t k, std::size_t reach)
 {
     if (k < reach || k + reach >= numbers.size())
@@ -40,7 +42,8 @@ bool isLeast(std::span<const std::uint64_t> numbers, std::size_t k, std::size_t 
     return true;
 }
 
-/// The places of numbers that are the least within reach, in order. A reach of 0: all but the first.
+/// Finds the places of numbers that are the least within reach, in order. With a reach of 0 that is every place but the
+/// first.
 ///
 /// The numbers may be those between two such places of a greater reach, and the numbers beyond are then not asked. That
 /// makes no difference: within reach of a place all other numbers are greater, so none of them is the least.
@@ -50,12 +53,13 @@ std::vector<std::size_t> leastOf(std::span<const std::uint64_t> numbers, std::si
     for (std::size_t k = std::max<std::size_t>(reach, 1); k + reach < numbers.size(); ++k)
         if (isLeast(numbers, k, reach)) {
             places.push_back(k);
-            k += reach; // none of these is less
+            k += reach; // None of these is the least, since number k is within their reach.
         }
     return places;
 }
 
-/// Appends the ends of the blocks of a run that begins with the segment `first`, between these places of it.
+/// Appends the ends of the blocks of a run that begins with segment `first` and is cut at `places`, which are counted
+/// within it. A piece that is too long is cut again with half the reach.
 void appendEnds(std::span<const std::uint64_t> numbers, std::vector<std::size_t> places, std::size_t reach,
                 std::size_t first, std::vector<std::size_t> &borders)
 {
@@ -101,7 +105,7 @@ bool isFirmBorder(const Stroke &stroke, std::size_t segment)
         return segment == 0 && !segments.empty();
     if (isCutBefore(segments, segment))
         return true;
-    std::size_t begin = segment, end = segment + 1; // of what counts of its run
+    std::size_t begin = segment, end = segment + 1; // These bound the part of its run that decides.
     while (begin > 0 && segment - begin < blockReach && !isCutBefore(segments, begin))
         --begin;
     while (end < segments.size() && end - segment <= blockReach && !isCutBefore(segments, end))

@@ -8,14 +8,15 @@ namespace suffuse {
 
 namespace {
 
-/// Of several styles each segment's nodes would depend on all segments.
+/// Tells whether the stroke has one style. If it has several, each segment's nodes depend on all segments, and none can
+/// be frozen.
 bool hasOneStyle(const Stroke &stroke)
 {
     return std::ranges::all_of(stroke.segments,
                                [&](const Segment &s) { return s.lift || stroke.styleOf(s) == stroke.style; });
 }
 
-/// The last firm border up to which all segments from `known` on are dry.
+/// Finds the last firm border up to which all segments from `known` on are dry.
 std::size_t drySegments(const Stroke &stroke, const StrokeBlocks &blocks, Microseconds T, std::size_t known)
 {
     const auto &segments = stroke.segments;
@@ -25,7 +26,7 @@ std::size_t drySegments(const Stroke &stroke, const StrokeBlocks &blocks, Micros
     return after == blocks.firm.begin() ? known : *(after - 1);
 }
 
-/// The stroke still begins with what is frozen, in the same blocks, and looks the same.
+/// Tells whether the stroke still begins with what is frozen, in the same blocks, and looks the same.
 bool holds(const FrozenNodes &frozen, const Stroke &stroke, Microseconds T, int octave)
 {
     if (!frozen.stroke || frozen.octave != octave || frozen.segments > stroke.segments.size() ||
@@ -53,12 +54,12 @@ std::shared_ptr<const StrokeNodes> buildNodes(const StrokePtr &stroke, Microseco
     const StrokeBlocks blocks = blocksOf(*stroke, known);
     const std::span<const std::size_t> borders(blocks.borders);
     const std::size_t dry = drySegments(*stroke, blocks, T, known);
-    std::size_t built = 0; // blocks
+    std::size_t built = 0; // how many blocks
     if (dry > known) {
         const auto count = std::size_t(std::ranges::lower_bound(borders, dry) - borders.begin());
         StrokeNodes more;
         appendNodes(*stroke, borders.first(count + 1), context, threads, more);
-        if (!more.clipped) { // or they would depend on the view
+        if (!more.clipped) { // Clipped nodes depend on the view and are not kept.
             appendNodes(more, frozen.nodes);
             frozen.segments = dry;
             built = count;

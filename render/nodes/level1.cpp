@@ -10,9 +10,9 @@ namespace suffuse {
 
 namespace {
 
-constexpr double share = 0.5;    // of the tolerance, for merging
-constexpr double windowSize = 8; // length in spreads and turning in radians
-constexpr int fewest = 3;        // fine nodes that are worth merging
+constexpr double share = 0.5;    // the part of the tolerance that merging may use
+constexpr double windowSize = 8; // the largest window: length in spreads plus turning in radians
+constexpr int fewest = 3;        // the least number of fine nodes that is worth merging
 
 double distance(const SpanNode &a, const SpanNode &b)
 {
@@ -20,7 +20,7 @@ double distance(const SpanNode &a, const SpanNode &b)
     return std::sqrt(dx * dx + dy * dy);
 }
 
-/// How long, and how long and winding, a run of nodes is up to each of them.
+/// Measures a run of nodes up to each of them: its length (`arc`), and its length plus its turning (`size`).
 struct Course {
     std::vector<double> arc;
     std::vector<double> size;
@@ -29,7 +29,7 @@ struct Course {
     {
         arc.assign(count, 0);
         size.assign(count, 0);
-        double beforeX = 0, beforeY = 0; // last direction
+        double beforeX = 0, beforeY = 0; // the direction of the last step
         for (std::size_t i = 1; i < count; ++i) {
             const double step = distance(nodes[i - 1], nodes[i]);
             arc[i] = arc[i - 1] + step;
@@ -47,13 +47,13 @@ struct Course {
 
 class Merger {
 public:
-    /// `segments`: where each begins in `fine`.
+    /// `segments` says where each segment begins in `fine`.
     Merger(const std::vector<SpanNode> &fine, std::span<const std::size_t> segments, MergedSpan &out)
         : m_fine(fine), m_segments(segments), m_out(out)
     {}
 
-    /// Segments [from, to). What becomes of a window depends on no others, to the bit; and a segment that becomes
-    /// longer moves no cut, since they halve the number of segments, not the length.
+    /// Merges segments [from, to). What becomes of a window depends on no others, to the bit. A segment that becomes
+    /// longer moves no cut, since cuts halve the number of segments, not the length.
     void cut(std::size_t from, std::size_t to)
     {
         const std::size_t begin = m_segments[from], end = to < m_segments.size() ? m_segments[to] : m_fine.size();
@@ -72,7 +72,7 @@ public:
     }
 
 private:
-    /// Fine nodes [begin, end) of the window.
+    /// Merges fine nodes [begin, end) of the window, or its halves if no rule will do.
     void merge(std::size_t begin, std::size_t end)
     {
         const int count = int(end - begin);
@@ -95,7 +95,7 @@ private:
         m_out.windows.push_back({begin, end, first, m_out.nodes.size()});
     }
 
-    /// Nodes that a window usually takes.
+    /// Returns how many nodes a window usually takes.
     double usual(std::size_t begin, int count, double mass, double tolerance) const
     {
         const std::size_t first = begin - m_first, last = first + std::size_t(count) - 1;
@@ -103,7 +103,7 @@ private:
         return 1.1 * size + 0.5 * std::log(mass / (tolerance * (arc + 1))) - 1.5;
     }
 
-    /// Leaves the nodes in m_best and returns how many there are; 0: no rule of up to maxNodes nodes will do.
+    /// Leaves the nodes in m_best and returns how many there are. 0 means that no rule of up to maxNodes nodes will do.
     int fewestNodes(std::size_t begin, int count)
     {
         const SpanNode *fine = &m_fine[begin];
@@ -127,7 +127,7 @@ private:
             if (error <= 1) {
                 best = n;
                 std::copy_n(nodes, n, m_best);
-                if (n - 1 == failed || error > 0.3) // one less seldom passes then
+                if (n - 1 == failed || error > 0.3) // One node less would seldom pass.
                     break;
                 --n;
             } else {
@@ -147,12 +147,12 @@ private:
     const std::vector<SpanNode> &m_fine;
     const std::span<const std::size_t> m_segments;
     MergedSpan &m_out;
-    Course m_course;         // of the window
-    std::size_t m_first = 0; // where it begins
+    Course m_course;         // that of the window
+    std::size_t m_first = 0; // the fine node at which the window begins
     SpanRule m_rule;
     SpanField m_field;
     SpanNode m_best[SpanRule::maxNodes];
-    double m_excess = 0; // nodes that the last part of the window makes this one expect beyond the usual
+    double m_excess = 0; // how many more nodes than usual the last part of the window makes this one expect
 };
 
 } // namespace
@@ -160,7 +160,8 @@ private:
 MergedSpan mergeSpan(const std::vector<SpanNode> &fine, std::span<const std::size_t> segments)
 {
     MergedSpan out;
-    std::make_unique<Merger>(fine, segments, out)->cut(0, segments.size()); // large
+    // A merger is too large for the stack.
+    std::make_unique<Merger>(fine, segments, out)->cut(0, segments.size());
     return out;
 }
 

@@ -1,4 +1,5 @@
-// Fewer nodes for spans of dry segments: Gauss rules of the measures that their Level 0 nodes already are.
+// Spans of dry segments get fewer nodes here: their Level 0 nodes are a discrete measure, and its Gauss rules replace
+// them (docs/solver.md, "Level 1").
 #pragma once
 
 #include "render/nodes/span_rule.h"
@@ -8,7 +9,7 @@
 
 namespace suffuse {
 
-/// Nodes [nodes, nodesEnd) of a merged span stand for fine nodes [begin, end).
+/// Says that nodes [nodes, nodesEnd) of a merged span stand for fine nodes [begin, end).
 struct SpanWindow {
     std::size_t begin = 0;
     std::size_t end = 0;
@@ -22,9 +23,9 @@ struct MergedSpan {
 };
 
 /// Replaces `fine`, a run along a stroke in order, by fewer nodes: windows of it get the Gauss rule with the fewest
-/// nodes whose density, on a grid over all that they reach, differs by at most half the tolerance; a window that finds
-/// none is halved. `segments`: where each segment begins in `fine`. A pure function of both; a window's nodes depend on
-/// its own fine nodes only, and its place in the run hardly on others.
+/// nodes whose density, on a grid over all that they reach, differs by at most half the tolerance. A window that finds
+/// none is halved. `segments` says where each segment begins in `fine`. The result is a pure function of both. A
+/// window's nodes depend on its own fine nodes only, and its place in the run hardly depends on others.
 MergedSpan mergeSpan(const std::vector<SpanNode> &fine, std::span<const std::size_t> segments);
 
 } // namespace suffuse

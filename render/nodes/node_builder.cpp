@@ -24,15 +24,15 @@ int zoomOctave(double scale)
 
 namespace {
 
-/// Segments of a block that can be seen, in order.
+/// Holds the segments of a block that can be seen, in order.
 struct BuiltBlock {
     std::vector<SegmentNodes> segments;
     UnsetVector<Node> nodes;
-    std::vector<SpanNode> fine;      ///< scratch of a run to be merged
-    std::vector<std::size_t> begins; ///< of its segments in `fine`
+    std::vector<SpanNode> fine;      ///< the nodes of a run to be merged; kept for its memory
+    std::vector<std::size_t> begins; ///< where the segments of that run begin in `fine`
 };
 
-/// Makes one segment a group of its own; its nodes are the last ones of `out`, from `begin` on.
+/// Makes one segment a group of its own. Its nodes are the last ones of `out`, from `begin` on.
 void appendGroup(const SegmentNodes &b, std::size_t begin, StrokeNodes &out)
 {
     NodeGroup g;
@@ -57,7 +57,7 @@ void append(const BuiltBlock &block, const SegmentNodes &b, StrokeNodes &out)
     appendGroup(b, begin, out);
 }
 
-/// Nodes of a run of segments in units of its spread.
+/// Writes the nodes of a run of segments in units of its spread.
 void toSpan(const BuiltBlock &block, std::span<const SegmentNodes> run, std::vector<SpanNode> &fine,
             std::vector<std::size_t> &begins)
 {
@@ -84,9 +84,9 @@ void appendMerged(BuiltBlock &block, std::span<const SegmentNodes> run, StrokeNo
     toSpan(block, run, block.fine, block.begins);
     const double s = run[0].spread, metric = 1 / (s * s);
     const MergedSpan merged = mergeSpan(block.fine, block.begins);
-    const NodeValues &values = run[0].values; // what they have in common
+    const NodeValues &values = run[0].values; // All segments of the run have its style and lift.
     const std::size_t origin = run[0].begin;
-    std::size_t first = 0, next = 0; // segments of the window, and of the next one
+    std::size_t first = 0, next = 0; // the first segments of the window and of the next one
     for (const SpanWindow &window : merged.windows) {
         float radius = 0;
         double gain = 1;
@@ -137,7 +137,7 @@ void appendBlock(BuiltBlock &block, StrokeNodes &out)
     }
 }
 
-/// Room for so many more.
+/// Makes room for so many more segments and nodes.
 void reserve(std::size_t segments, std::size_t nodes, StrokeNodes &out)
 {
     out.nodes.reserve(out.nodes.size() + nodes);
@@ -146,8 +146,8 @@ void reserve(std::size_t segments, std::size_t nodes, StrokeNodes &out)
     out.reaches.reserve(out.reaches.size() + segments);
 }
 
-/// Whether a segment keeps its block from being merged: as SegmentNodes::mergeable, as far as that does not take
-/// building it.
+/// Tells whether a segment keeps its block from being merged. It tests what SegmentNodes::mergeable does, as far as
+/// that can be known before the segment is built.
 bool standsAlone(const Segment &segment, const NodeContext &context, double scale)
 {
     return (!segment.isIsotropic() || segment.driesAt() > context.T) && isSeen(segment, context.T, scale);
@@ -195,7 +195,7 @@ void appendBlocks(const Stroke &stroke, std::span<const std::size_t> borders, co
     }
 }
 
-/// How many of each kind there are.
+/// Counts nodes, groups, rows and reaches.
 struct NodesExtent {
     std::size_t nodes, groups, rows, reaches;
 
@@ -247,7 +247,7 @@ void appendNodes(const Stroke &stroke, std::span<const std::size_t> borders, con
 {
     if (borders.size() < 2)
         return;
-    constexpr std::size_t share = 2; // blocks: tens of microseconds
+    constexpr std::size_t share = 2; // how many blocks a thread takes at a time: tens of microseconds
     const std::size_t blocks = borders.size() - 1, shares = (blocks + share - 1) / share;
     if (threads.count() == 1 || shares < 4)
         return appendBlocks(stroke, borders, context, out);
@@ -271,13 +271,13 @@ std::shared_ptr<const StrokeNodes> buildNodes(const Stroke &stroke, Microseconds
                                               Threads threads)
 {
     NodeContext context{T, octave, clip, {}};
-    auto &styles = context.styles; // every segment's density passes through all of the stroke's styles
+    auto &styles = context.styles; // Every segment's density passes through all of them.
     for (const Segment &segment : stroke.segments)
         if (!segment.lift && std::find(styles.begin(), styles.end(), stroke.styleOf(segment)) == styles.end())
             styles.push_back(stroke.styleOf(segment));
     auto result = std::make_shared<StrokeNodes>();
     appendNodes(stroke, blocksOf(stroke).borders, context, threads, *result);
-    // Kept for as long as the stroke stays as it is.
+    // The nodes are kept for as long as the stroke stays as it is, so spare room is given back.
     result->nodes.shrink_to_fit();
     result->groups.shrink_to_fit();
     result->rows.shrink_to_fit();

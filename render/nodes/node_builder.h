@@ -1,4 +1,4 @@
-// Segments to Gaussian nodes: a few positive-weighted Gaussians whose sum is the segment's density (docs/solver.md).
+// Segments become nodes: a few Gaussians with positive weights whose sum is the segment's density (docs/solver.md).
 #pragma once
 
 #include "model/painting/painting.h"
@@ -12,8 +12,9 @@
 
 namespace suffuse {
 
-/// weight · e^(−q(d)), q = a·dx² + 2b·dx·dy + c·dy², d = x − position; taken as zero where q > cutRadius² per axis.
-/// Nodes of segments that take paint away have negative weights: a stroke's sum over all its nodes is φ⁺ − φ⁻.
+/// A node is weight · e^(−q(d)) with q = a·dx² + 2b·dx·dy + c·dy² and d = x − position. It is taken as zero where q >
+/// cutRadius² per axis. Nodes of segments that take paint away have negative weights: a stroke's sum over all its nodes
+/// is φ⁺ − φ⁻.
 struct Node {
     double x = 0; ///< offset from the stroke's origin, canvas units
     double y = 0;
@@ -28,62 +29,64 @@ struct Node {
 /// Nodes with s > deepSpread px are evaluated in double (render/cpu/deep.h).
 inline constexpr double deepSpread = 4096;
 
-/// What a node carries beside its density.
+/// Holds what a node carries beside its density.
 struct NodeValues {
     Colour colour;
     float granulation = 1;
     Style style;       ///< the segment's own or the stroke's
-    bool lift = false; ///< it takes paint away; all else is then as usual, and counts for nothing
+    bool lift = false; ///< whether it takes paint away; the other values then count for nothing
     friend bool operator==(const NodeValues &, const NodeValues &) = default;
 };
 
-/// Samples of a pixel lie so many times closer where paint is taken away (docs/solver.md, "Lift").
+/// Where paint is taken away, the samples of a pixel lie this many times closer (docs/solver.md, "Lift").
 inline constexpr double liftFineness = 4;
 
-/// The first that lays paint; null: there is none.
+/// Returns the first row that lays paint, or null if there is none.
 const NodeValues *firstLaying(std::span<const NodeValues> rows);
 
-/// Where a segment makes pixels supersampled (docs/reference.md): offsets from the stroke's origin.
+/// Says where a segment makes pixels supersampled (docs/reference.md), in offsets from the stroke's origin.
 struct SegmentReach {
-    double spread = 0; ///< s, the smaller axis where anisotropic; of a segment that takes paint away liftFineness less
-    Rect box;          ///< influenceOf
+    double spread = 0; ///< s, the smaller axis where anisotropic; divided by liftFineness if it takes paint away
+    Rect box;          ///< as influenceOf gives it
     friend bool operator==(const SegmentReach &, const SegmentReach &) = default;
 };
 
-/// The nodes of one segment, or of a window of segments that were merged: the unit of what is redrawn.
+/// A group has the nodes of one segment, or of a window of segments that were merged. No smaller part of a stroke is
+/// redrawn by itself.
 struct NodeGroup {
     std::uint32_t begin = 0; ///< range in StrokeNodes::nodes
     std::uint32_t end = 0;
-    std::uint32_t row = 0; ///< in StrokeNodes::rows: of all its nodes, or of the first one
+    std::uint32_t row = 0; ///< index in StrokeNodes::rows, for all its nodes or for the first one
     bool rowPerNode = false;
     std::uint32_t reachBegin = 0; ///< range in StrokeNodes::reaches
     std::uint32_t reachEnd = 0;
 };
 
-/// The nodes of a stroke at a time and zoom octave. A pure function of stroke, T, octave (and clip, for segments of
-/// extreme length: outside of it nodes are left out).
+/// Holds the nodes of a stroke at a time and zoom octave. They are a pure function of stroke, T, octave (and clip, for
+/// segments of extreme length, whose nodes outside of it are left out).
 struct StrokeNodes {
-    UnsetVector<Node> nodes;       ///< by group, in order along the stroke
-    UnsetVector<NodeGroup> groups; ///< of what is there at T and can be seen at the octave
+    UnsetVector<Node> nodes;       ///< group by group, in order along the stroke
+    UnsetVector<NodeGroup> groups; ///< what is there at T and can be seen at the octave
     UnsetVector<NodeValues> rows;
     UnsetVector<SegmentReach> reaches;
-    bool clipped = false;          ///< depends on the clip
-    std::uint32_t settledRows = 0; ///< rows of leading blocks that have dried: they stay while the stroke grows
+    bool clipped = false;          ///< whether they depend on the clip
+    std::uint32_t settledRows = 0; ///< rows of leading blocks that have dried; these stay while the stroke grows
 };
 
-/// Zoom octave of a scale in pixels per unit: the smallest o with 2^o ≥ scale.
+/// Returns the zoom octave of a scale in pixels per unit, which is the smallest o with 2^o ≥ scale.
 int zoomOctave(double scale);
 
-/// `clip`: what the view shows, canvas units. The same bits for any number of threads.
+/// Builds the nodes of a stroke. `clip` is what the view shows, in canvas units. The bits are the same for any number
+/// of threads.
 std::shared_ptr<const StrokeNodes> buildNodes(const Stroke &stroke, Microseconds T, int octave, const Rect &clip,
                                               Threads threads = 1);
 
-/// What nodes depend on beside their block of segments.
+/// Holds what nodes depend on, beside their block of segments.
 struct NodeContext {
     Microseconds T = 0;
     int octave = 0;
     Rect clip;                 ///< what the view shows, canvas units
-    std::vector<Style> styles; ///< of all segments of the stroke that lay paint, each once
+    std::vector<Style> styles; ///< those of all segments of the stroke that lay paint, each once
 };
 
 /// Appends the nodes of the stroke's blocks between these borders, which are some of blocksOf, one after the other.
@@ -93,8 +96,9 @@ void appendNodes(const Stroke &stroke, std::span<const std::size_t> borders, con
 /// Appends all of `part`.
 void appendNodes(const StrokeNodes &part, StrokeNodes &out);
 
-/// Absolute density error that a style lets pass unseen: 5e-4 of opacity at its steepest; (19) jumps, but no pixel sees
-/// it sharper than its own width. `peak`: the segment's pk; `spreadPixels`: s in pixels at the octave.
+/// Returns the absolute density error that a style lets pass unseen, which changes opacity by 5e-4 where the style is
+/// steepest. (19) jumps, but no pixel sees it sharper than its own width. `peak` is the segment's pk, and
+/// `spreadPixels` is s in pixels at the octave.
 double densityTolerance(const Style &style, double peak, double spreadPixels);
 
 } // namespace suffuse

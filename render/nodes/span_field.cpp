@@ -1,9 +1,9 @@
-// Compiled once per SIMD target by Highway's foreach_target.
+// Highway's foreach_target compiles this file once for each SIMD instruction set.
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "render/nodes/span_field.cpp"
-// Only vectors of eight are worth it here.
+// Vectors have at most eight floats here, so these instruction sets would bring nothing.
 #define HWY_DISABLED_TARGETS (HWY_SSSE3 | HWY_AVX3 | HWY_AVX3_DL)
-#include "hwy/foreach_target.h" // first: it includes this file again for each target
+#include "hwy/foreach_target.h" // It comes first, since it includes this file again for each set.
 
 #include "hwy/highway.h"
 #include "render/nodes/span_field.h"
@@ -18,9 +18,11 @@ namespace hn = hwy::HWY_NAMESPACE;
 using Tag = hn::CappedTag<float, 8>;
 using Vec = hn::Vec<Tag>;
 constexpr Tag tag;
-// Products and sums are rounded one by one: with fused ones, nodes would differ between machines.
+// Products and sums are rounded one by one. Where a machine fused them into one instruction, its nodes would differ
+// from those of others.
 
-/// out[i] = e^(−(i·step − at)²) to 2e-7 for i < count, a multiple of 4. Up to 8 are written at once.
+/// Writes out[i] = e^(−(i·step − at)²), exact to 2e-7, for i < count, a multiple of 4. Up to 8 are written at once, so
+/// `out` must have room up to a multiple of 8.
 void gaussians(float at, float step, int count, float *out)
 {
     const hn::RebindToSigned<Tag> ints;
@@ -38,7 +40,8 @@ void gaussians(float at, float step, int count, float *out)
     }
 }
 
-/// Calls use(row, column, sum) with start(row, column) and Σ_n row[n]·column[n] added, four rows at a time.
+/// Calls use(row, column, sum) for each vector of the grid, where sum is start(row, column) + Σ_n row[n]·column[n].
+/// Four rows are taken at a time.
 template <class Start, class Use>
 HWY_INLINE void forEachVector(const SpanField::Table &column, const SpanField::Table &row, int nodes, int columns,
                               int rows, Start start, Use use)
@@ -58,7 +61,7 @@ HWY_INLINE void forEachVector(const SpanField::Table &column, const SpanField::T
         }
 }
 
-/// plane += Σ_n row[n]·column[n], or plane = the sum if `first`.
+/// Adds Σ_n row[n]·column[n] to the plane or, if `first`, makes the plane that sum.
 void addProducts(const SpanField::Table &column, const SpanField::Table &row, int nodes, int columns, int rows,
                  bool first, SpanField::Plane &plane)
 {
@@ -68,7 +71,7 @@ void addProducts(const SpanField::Table &column, const SpanField::Table &row, in
         [&](int y, int x, Vec sum) { hn::Store(sum, tag, plane[y] + x); });
 }
 
-/// The greatest |plane + Σ_n row[n]·column[n]|.
+/// Returns the greatest |plane + Σ_n row[n]·column[n]|.
 float greatestRest(const SpanField::Table &column, const SpanField::Table &row, int nodes, int columns, int rows,
                    const SpanField::Plane &plane)
 {
@@ -91,7 +94,7 @@ HWY_EXPORT(greatestRest);
 
 namespace {
 
-// in spreads. What merging adds has no waves shorter than 0.9, and falls off as fast as the density.
+// Both are in spreads. What merging adds has no waves shorter than 0.9, and falls off as fast as the density.
 constexpr double finestStep = 0.55;
 constexpr double margin = 1.3;
 
@@ -124,7 +127,7 @@ void SpanField::scaleRows(const SpanNode *nodes, int count, int sum)
 
 void SpanField::start(const SpanNode *nodes, int count, bool valuesVary)
 {
-    // Along the chord the grid is smaller.
+    // A grid along the chord is smaller.
     m_x = nodes[0].x, m_y = nodes[0].y;
     const double chordX = nodes[count - 1].x - m_x, chordY = nodes[count - 1].y - m_y;
     const double chord = std::sqrt(chordX * chordX + chordY * chordY);

@@ -67,8 +67,8 @@ bool SpanRule::extend(int n)
     return true;
 }
 
-/// The zeros of the polynomial of degree n: the eigenvalues of the Jacobi matrix, by the QL method with implicit shifts
-/// in the form without square roots (Pal, Walker and Kahan).
+/// Finds the zeros of the polynomial of degree n. They are the eigenvalues of the Jacobi matrix, found by the QL method
+/// with implicit shifts in the form without square roots (Pal, Walker and Kahan).
 void SpanRule::roots(int n, double *d) const
 {
     double e2[maxNodes]; // the squares of the entries beside the diagonal
@@ -91,7 +91,7 @@ void SpanRule::roots(int n, double *d) const
                 const double r = rest + e2[i], inverse = 1 / r, ratio = r / rest, gammaBefore = gamma;
                 if (i + 1 < last)
                     e2[i + 1] = sine * r;
-                const double unturned = cosine * e2[i]; // what is left if rest is 0
+                const double unturned = cosine * e2[i]; // what takes its place if rest is 0
                 cosine = rest * inverse;
                 sine = e2[i] * inverse;
                 gamma = cosine * (d[i] - shift) - sine * gammaBefore;

@@ -1,11 +1,11 @@
-// Gauss rules of the discrete measures that Level 0 nodes are.
+// Level 0 nodes are a discrete measure. This computes its Gauss rules.
 #pragma once
 
 #include <array>
 
 namespace suffuse {
 
-/// A node in units of the span's spread, with the values of its segment: R, Y, B, opacity, ω.
+/// Holds a node in units of the span's spread, with the values of its segment: R, Y, B, opacity, ω.
 struct SpanNode {
     double x = 0;
     double y = 0;
@@ -15,10 +15,10 @@ struct SpanNode {
     friend bool operator==(const SpanNode &, const SpanNode &) = default;
 };
 
-/// The n-point Gauss rule of a run of nodes, for growing n at little cost (Stieltjes, Golub-Welsch).
-/// The polynomials are in sin(ℓ), where ℓ is the arc length scaled to [−1, 1]: their nodes lie more evenly than those
-/// of polynomials in ℓ, and fewer are needed. Weighted sums of polynomials of degree 2n − 1 are kept, and those of
-/// positions and values times polynomials up to degree n − 1. Weights are positive.
+/// Computes the n-point Gauss rule of a run of nodes, for growing n at little cost (Stieltjes, Golub-Welsch). The
+/// polynomials are in sin(ℓ), where ℓ is the arc length scaled to [−1, 1]: their nodes lie more evenly than those of
+/// polynomials in ℓ, and fewer are needed. The rule has the same weighted sums of polynomials up to degree 2n − 1 as
+/// the run, and the same sums of positions and values times polynomials up to degree n − 1. Weights are positive.
 class SpanRule {
 public:
     static constexpr int maxFine = 128;
@@ -40,12 +40,12 @@ private:
 
     const SpanNode *m_fine;
     int m_count;  // rounded up to a multiple of lanes; the rest weighs nothing
-    int m_used;   // moments
-    int m_degree; // the degree known so far; more than maxNodes if there are no more
+    int m_used;   // how many of the moments are used
+    int m_degree; // how many polynomials are known so far; more than maxNodes if there are no others
     double m_mass;
     double m_weight[maxFine], m_at[maxFine], m_p[maxFine], m_before[maxFine];
     double m_carried[moments][maxFine];
-    // p[k+1] · beta[k+1] = (t − alpha[k]) p[k] − beta[k] p[k−1]
+    // The polynomials follow p[k+1] · beta[k+1] = (t − alpha[k]) p[k] − beta[k] p[k−1].
     double m_alpha[maxNodes], m_beta[maxNodes];
     double m_moment[maxNodes][moments];
 };
