@@ -12,13 +12,13 @@ namespace suffuse {
 struct ColourLine {
     Colour from, to;
 
-    /// The place of a colour on the line: 0 at `from`, 1 at `to`.
+    /// Returns the place of a colour on the line, which is 0 at `from` and 1 at `to`.
     float placeOf(const Colour &c) const;
 };
 
-/// The line through all colours that are laid, to 2e-6 a channel (opacity included), between the two that are farthest
-/// apart. No value if they do not lie on a line or are all equal. At least one row must lay paint. It is a pure
-/// function of the colours in order.
+/// Finds the line on which all colours that are laid lie, to 2e-6 in each channel (opacity is one of them). It ends at
+/// the two colours that are farthest apart. Returns no value if they do not lie on a line or are all equal. At least
+/// one row must lay paint. The result is a pure function of the colours in order.
 std::optional<ColourLine> lineThrough(std::span<const NodeValues> rows);
 
 } // namespace suffuse

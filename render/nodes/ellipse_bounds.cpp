@@ -1,9 +1,9 @@
-// Compiled once per SIMD target by Highway's foreach_target.
+// Highway's foreach_target compiles this file once for each SIMD instruction set.
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "render/nodes/ellipse_bounds.cpp"
-// Only vectors of eight are worth it here.
+// Vectors have at most eight floats here, so these instruction sets would bring nothing.
 #define HWY_DISABLED_TARGETS (HWY_SSSE3 | HWY_AVX3 | HWY_AVX3_DL)
-#include "hwy/foreach_target.h" // first: it includes this file again for each target
+#include "hwy/foreach_target.h" // It comes first, since it includes this file again for each set.
 
 #include "hwy/highway.h"
 #include "render/nodes/ellipse_bounds.h"
@@ -13,7 +13,7 @@
 #include <complex>
 #include <numbers>
 
-// The tables are the same for every target.
+// The tables are the same for every instruction set.
 #ifndef SUFFUSE_ELLIPSE_TABLES
 #define SUFFUSE_ELLIPSE_TABLES
 namespace suffuse::ellipse {
@@ -21,14 +21,15 @@ namespace suffuse::ellipse {
 constexpr int points = 16;
 constexpr int padded = 24; ///< ellipseCount rounded up to whole vectors
 
-/// The Bernstein basis at the points of each ellipse: imaginary parts for the curve, and both parts for its derivative.
+/// Holds the Bernstein basis at the points of one ellipse: imaginary parts for the curve, and both parts for its
+/// derivative.
 struct alignas(32) Basis {
     float curve[4][points];
     float real[3][points];
     float imag[3][points];
 };
 
-/// Bounds of the Chebyshev polynomials on the ellipses: |Im T_k| ≤ (ρ^k − ρ^−k)/2, |T_k| ≤ (ρ^k + ρ^−k)/2.
+/// Holds bounds of the Chebyshev polynomials on all ellipses: |Im T_k| ≤ (ρ^k − ρ^−k)/2 and |T_k| ≤ (ρ^k + ρ^−k)/2.
 struct alignas(32) Chebyshev {
     float imaginary[3][padded]; // k = 1 … 3
     float whole[2][padded];     // k = 1, 2
@@ -46,14 +47,15 @@ namespace hn = hwy::HWY_NAMESPACE;
 using Tag = hn::CappedTag<float, 8>;
 using Vec = hn::Vec<Tag>;
 constexpr Tag tag;
-// Products and sums are rounded one by one: with fused ones, nodes would differ between machines.
+// Products and sums are rounded one by one. Where a machine fused them into one instruction, its nodes would differ
+// from those of others.
 
 HWY_INLINE Vec product(Vec a, Vec b, Vec c)
 {
     return hn::Mul(hn::Mul(a, b), c);
 }
 
-/// Σ w[i]·v[i] for i < 3, in order.
+/// Returns Σ w[i]·v[i] for i < 3, added in order.
 HWY_INLINE Vec sum(const Vec *w, const Vec *v)
 {
     return hn::Add(hn::Add(hn::Mul(w[0], v[0]), hn::Mul(w[1], v[1])), hn::Mul(w[2], v[2]));
@@ -66,7 +68,7 @@ float leastNodes(const ellipse::Chebyshev &bounds, const EvenCurve &curve, float
     Vec best = none;
     for (int e = 0; e < ellipseCount; e += int(hn::Lanes(tag))) {
         const Vec im1 = hn::Load(tag, bounds.imaginary[0] + e), im2 = hn::Load(tag, bounds.imaginary[1] + e);
-        // Im c = Σ c_k (ρ^k − ρ^−k)/2 sin kθ on the ellipse; |sin θ sin 2θ| ≤ 0.77.
+        // On the ellipse Im c = Σ c_k (ρ^k − ρ^−k)/2 sin kθ, and |sin θ sin 2θ| ≤ 0.77.
         const Vec a = hn::Mul(vec(curve.first), im1), b = hn::Mul(vec(curve.second), im2);
         const Vec aa = hn::Mul(a, a), bb = product(vec(4), b, b), both = hn::Add(aa, bb);
         const Vec mixed = hn::Div(product(vec(0.25f), both, both), hn::Add(bb, vec(1e-30f)));
@@ -74,8 +76,8 @@ float leastNodes(const ellipse::Chebyshev &bounds, const EvenCurve &curve, float
         const Vec crossed = product(vec(1.54f * curve.crossed), im1, im2);
         const Vec lift = hn::Add(hn::Sqrt(hn::Add(apart, crossed)),
                                  hn::Mul(vec(curve.third), hn::Load(tag, bounds.imaginary[2] + e)));
-        // g′·g′ is the product of x′ ± iy′. Neither has a root where the rest r is less than the constant d, and ln|g′|
-        // ≤ ln d + ln(1 + r/d).
+        // g′·g′ is the product of x′ ± iy′. Neither has a root where the rest r is less than the constant coefficient
+        // d, and there ln|g′| ≤ ln d + ln(1 + r/d).
         const Vec rest = hn::Add(hn::Mul(vec(curve.rest1), hn::Load(tag, bounds.whole[0] + e)),
                                  hn::Mul(vec(curve.rest2), hn::Load(tag, bounds.whole[1] + e)));
         const Vec r = hn::Mul(rest, vec(curve.perSpeed));

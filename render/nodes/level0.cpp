@@ -30,7 +30,7 @@ QuadratureRule makeRule(int n)
             if (std::fabs(dz) < 1e-19L)
                 break;
         }
-        // They are ascending in x.
+        // The points ascend in x, while z descends.
         rule.x[n - 1 - i] = double(0.5L * (1 + z));
         rule.weight[n - 1 - i] = double(1 / ((1 - z * z) * slope * slope));
     }
@@ -60,7 +60,7 @@ double analyticRadius(const Cubic &g)
     return std::abs(b) > 1e-12 * size ? bernsteinRadius(-a / b) : 1e9;
 }
 
-/// A cubic about its middle: m1 u + m2 u² + m3 u³, u = 2z − 1.
+/// Writes a cubic about its middle as m1 u + m2 u² + m3 u³ and a constant, u = 2z − 1.
 struct Centred {
     Point m1, m2, m3;
 
@@ -79,9 +79,9 @@ float lengthOf(Point p)
     return float(std::sqrt(dot(p, p)));
 }
 
-/// The number of nodes that the bound demands (not rounded), with its maxima bounded by Chebyshev coefficients. It is
-/// close if the curve is nearly straight and even, and ten times faster than sampling. 1e30 means that nothing can be
-/// said.
+/// Returns the number of nodes that the bound demands (not rounded), with its maxima bounded by Chebyshev coefficients.
+/// It is close if the curve is nearly straight and even, and ten times faster than sampling. 1e30 means that nothing
+/// can be said.
 float nodesIfNearlyStraight(const Cubic &whitened, const Cubic &metric, float target)
 {
     const Centred c(whitened), g(metric);
@@ -97,7 +97,7 @@ float nodesIfNearlyStraight(const Cubic &whitened, const Cubic &metric, float ta
     return nodesOfEvenCurve(curve, std::log(speed) - target);
 }
 
-/// The number of nodes by sampling the maxima of the bound; 0 if it is more than maxPanelNodes.
+/// Returns the number of nodes by sampling the maxima of the bound, or 0 if it is more than maxPanelNodes.
 int sampledNodes(const Cubic &whitened, const Cubic &metric, double target)
 {
     CurveDifferences curve;
@@ -112,7 +112,8 @@ int sampledNodes(const Cubic &whitened, const Cubic &metric, double target)
     }
     const double radius = 0.97 * analyticRadius(metric);
     const auto within = std::ranges::find_if(ellipseRadii, [&](double rho) { return !(rho < radius); });
-    float growth[ellipseCount], speed[ellipseCount]; // max |Im c|² and max |g′·g′|²; their product bounds the maximum
+    // The bound needs the maximum of a product; the maxima of |Im c|² and |g′·g′|², taken separately, bound it.
+    float growth[ellipseCount], speed[ellipseCount];
     const int count = sampleEllipses(curve, int(within - ellipseRadii.begin()), growth, speed);
     double best = 1e300;
     for (int e = 0; e < count; ++e) {

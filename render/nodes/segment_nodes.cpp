@@ -3,7 +3,7 @@
 #include "model/painting/influence.h"
 #include "render/math/scalar.h"
 #include "render/nodes/level0.h"
-// It has templates over the numbers, which must be declared before.
+// This header has templates over the numbers of scalar.h, which must be declared before it.
 #include "render/math/style.h"
 
 #include <numbers>
@@ -12,12 +12,12 @@ namespace suffuse {
 
 namespace {
 
-constexpr double unseen = 5e-4;        // opacity that nobody sees
+constexpr double unseen = 5e-4;        // an error of opacity that nobody sees
 constexpr double finest = 0x1p-22;     // Float sums have no more precision.
 constexpr double finestDeep = 0x1p-44; // the same in double, for segments whose edge a deep zoom shows
 constexpr double mergeable = 0x1p-20;  // The check of merged nodes is in float.
 constexpr double coarsest = 0x1p-12;
-constexpr double thinnest = 0x1p-13; // px; a line of this spread covers less than 1/512 of a pixel
+constexpr double thinnest = 0x1p-13; // In px: a line of this spread covers less than 1/512 of a pixel.
 constexpr double cutShare = 0.35;    // the share of the tolerance for cutting nodes off at R
 // The kernel b(u)b(v), b(u) = e^(−u²) − e^(−R²), takes between 1 and 5 e^(−R²) of its peak from a long line, depending
 // on the direction of the line. Raising the weights by 3.5 e^(−R²) leaves −2.5 to 0.7, and for oblique nodes −3.3 to
@@ -25,19 +25,19 @@ constexpr double cutShare = 0.35;    // the share of the tolerance for cutting n
 constexpr double cutGain = 3.5;
 constexpr double lossSeparable = 2.5, lossOblique = 3.3, lossUnraised = 5;
 constexpr int maxDepth = 40;
-// nodes of a segment; a hair that is 200,000 times as long as wide has more
+// A segment has no more nodes than this. Only a hair that is 200,000 times as long as wide would have more.
 constexpr std::size_t mostNodes = std::size_t(1) << 18;
-constexpr double longSegment = 512;                     // in spreads; longer segments are built for each view
+constexpr double longSegment = 512; // in spreads; longer segments are built for each view
 
-/// A segment that is ready to be cut into panels.
+/// Holds a segment that is ready to be cut into panels.
 struct Source {
     Cubic curve;          // offsets from the stroke's origin
     double a, b, c;       // metric, unit⁻²
     double wxx, wxy, wyy; // the square root of the metric, for whitening
-    double speedScale;    // makes |g′| comparable: 1/s of the smaller axis
+    double speedScale;    // 1/s of the smaller axis, which scales |g′| like the whitened curve
     double gain;          // φˢ √det M / π
     double radius;        // R
-    Rect clip;            // empty: there is none
+    Rect clip;            // empty if nothing is clipped
     double reach;         // R · larger axis
     bool isotropic;
 };
@@ -60,7 +60,7 @@ Cubic scaled(const Source &s, const Cubic &curve)
     return w;
 }
 
-/// The length without hypot's care for overflow, which canvas coordinates do not need.
+/// Returns the length without hypot's care for overflow, which canvas coordinates do not need.
 double norm(Point p)
 {
     return std::sqrt(dot(p, p));
@@ -82,8 +82,8 @@ void addPanel(const Source &s, const Cubic &curve, int n, UnsetVector<Node> &out
     }
 }
 
-/// Adds panels. Once `out` has `most` nodes, what is left gets few, so that no painting, however extreme, takes memory
-/// without end.
+/// Adds panels. Once `out` has `most` nodes, what is left gets few nodes, so that no painting, however extreme, takes
+/// memory without end.
 void addPanels(const Source &s, const Cubic &curve, double tolerance, int depth, std::size_t most,
                UnsetVector<Node> &out)
 {
@@ -127,8 +127,8 @@ void setMetric(Source &s, const Segment &segment, double spread)
         s.b = s.wxy = 0;
 }
 
-/// R, beyond which neither the density itself nor its slope over a sample can be seen. `lineLoss` is what cutting takes
-/// from a line at most, in units of e^(−R²) of its peak.
+/// Returns R, beyond which neither the density itself nor its slope over a sample can be seen. `lineLoss` is what
+/// cutting takes from a line at most, in units of e^(−R²) of its peak.
 double cutRadius(double tolerance, const std::vector<Style> &styles, double peak, double spreadPixels, double lineLoss)
 {
     // A sample is at most one spread wide, unless even 64 × 64 of them in a pixel are not enough.
@@ -141,14 +141,14 @@ double cutRadius(double tolerance, const std::vector<Style> &styles, double peak
     return std::sqrt(std::clamp(r2, 6.0, 80.0));
 }
 
-/// The density from which on a style is plainly seen.
+/// Returns the density from which on a style is plainly seen.
 double shownFrom(const Style &style)
 {
     const double xi1 = style.xi[0];
     return style.kind == StyleKind::Edge ? math::Edge<double>(xi1, style.xi[1], style.xi[2]).phiE : xi1;
 }
 
-/// The spreads of a segment at a time, canvas units.
+/// Computes the spreads of a segment at a time, in canvas units.
 struct Axes {
     double across, smaller, larger;
 
@@ -177,8 +177,8 @@ double densityTolerance(const Style &style, double peak, double spreadPixels)
     case StyleKind::Edge:
         break;
     }
-    // At a jump only the width of the pixel softens. It covers 2h = |∇φ| px of density, and |∇φ| = 2uφ/s at u spreads
-    // from a line.
+    // Only the width of the pixel softens a jump. It covers 2h = |∇φ| px of density, and |∇φ| = 2uφ/s at u spreads from
+    // a line.
     const double edge = math::Edge<double>(xi1, xi2, style.xi[2]).phiE;
     const double u = std::sqrt(std::max(std::log(peak / edge), 0.25));
     return unseen * 2 * u * edge / std::max(spreadPixels, 1.0);
