@@ -1,4 +1,5 @@
-// What the device knows of a scene: plain records, written by the host (device_scene) and read by the kernels. C++17.
+// The device knows a scene as these plain records, which the host writes (device_scene) and the kernels read. The
+// header is C++17, since .cu files include it.
 #pragma once
 
 #include "render/math/shade_params.h"
@@ -8,35 +9,36 @@
 
 namespace suffuse::cuda {
 
-/// Pixels are evaluated in tiles of 16 × 16 whose corners lie on the picture's 16-pixel grid, one warp a tile.
+/// Pixels are evaluated in tiles of 16 × 16 whose corners lie on the picture's 16-pixel grid. One warp evaluates a
+/// tile.
 inline constexpr int tileSide = 16;
 inline constexpr int tileSize = tileSide * tileSide;
 /// Lists of chunks are made for macro-tiles of 8 × 8 tiles.
 inline constexpr int macroSide = 128;
 inline constexpr int macroTiles = macroSide / tileSide;
-/// A list is of half a macro-tile's 32 tiles: its upper four rows or the lower ones.
+/// A list is made for half a macro-tile, which has 32 tiles: its upper four rows or the lower ones.
 inline constexpr int listTiles = macroTiles * macroTiles / 2;
-/// The chunks of half a macro job are listed in so many quarters, side by side: each is a list of its own.
+/// The chunks of half a macro job are listed in this many quarters at the same time, and each is a list of its own.
 inline constexpr int listQuarters = 4;
-inline constexpr int listParts = 2 * listQuarters; ///< lists a macro job: those of the upper half, then the lower one's
-/// Tiles are painted in the order of so many classes of weights.
+inline constexpr int listParts = 2 * listQuarters; ///< the lists of a macro job: those of the upper half come first
+/// Tiles are put into this many classes by what they cost, and heavy classes are painted first (tile_order.h).
 inline constexpr int weightClasses = 128;
-/// Nodes of one stroke that are chosen together, one a lane.
+/// A chunk has up to this many nodes of one stroke. They are chosen together, one by each lane of a warp.
 inline constexpr int chunkNodes = 32;
 
-/// A node in pixels of the picture and the box where it is not zero. Its place is kept as a whole number of 16-pixel
-/// cells and the rest in [0, 16), so that floats lose nothing.
+/// Holds a node in pixels of the picture and the box where it is not zero. Its place is kept as a whole number of
+/// 16-pixel cells and the rest in [0, 16), so that floats lose nothing.
 struct alignas(16) NodeRecord {
     std::int32_t cellX = 0, cellY = 0;
     float x = 0, y = 0;
     float reachX = 0, reachY = 0; ///< half-sizes of the box, px
-    float a = 0, b = 0, c = 0;    ///< metric, px⁻²; separable: b = 0
+    float a = 0, b = 0, c = 0;    ///< metric, px⁻²; b = 0 if the node is separable
     float weight = 0;             ///< density at the centre
     float cut = 0;                ///< e^(−R²)
-    std::uint32_t row = 0;        ///< of the stroke's channel values
+    std::uint32_t row = 0;        ///< the row of the stroke's channel values that it carries
 };
 
-/// As DeepNode (render/scene/scene.h): s > 4096 px.
+/// Holds a DeepNode (render/scene/scene.h), which has s > 4096 px.
 struct DeepRecord {
     double x = 0, y = 0;
     double a = 0, b = 0, c = 0;
@@ -45,15 +47,16 @@ struct DeepRecord {
     std::uint32_t padding = 0;
 };
 
-/// As SmallSegment (render/scene/scene.h): where pixels are supersampled 2^level × 2^level. Canvas units.
+/// Holds a SmallSegment (render/scene/scene.h): where pixels are supersampled 2^level × 2^level, in canvas units.
 struct SmallRecord {
     double left = 0, top = 0, right = 0, bottom = 0;
     std::int32_t level = 0;
     std::int32_t padding = 0;
 };
 
-/// Up to 32 nodes of one stroke and the pixels that they can touch; all chunks of a scene lie in document order, those
-/// of a stroke side by side. A stroke with deep nodes has a chunk of no nodes whose bounds are the stroke's, its first.
+/// Holds up to 32 nodes of one stroke and the pixels that they can touch. All chunks of a scene lie in document order,
+/// and those of a stroke side by side. The first chunk of a stroke with deep nodes has no nodes, and the bounds of the
+/// stroke.
 struct alignas(16) ChunkRecord {
     std::int32_t left = 0, top = 0, right = 0, bottom = 0; ///< [left, right) × [top, bottom)
     std::uint32_t firstNode = 0;
@@ -62,64 +65,67 @@ struct alignas(16) ChunkRecord {
     std::uint32_t padding = 0;
 };
 
-/// A chunk in a list.
+/// Names a chunk in a list.
 struct alignas(16) ListEntry {
     std::uint32_t chunk, firstNode;
     std::uint32_t strokeAndNodes; ///< stroke·64 + nodes
-    std::uint32_t mask;           ///< bit 8·row + column: its stroke can be seen in that tile of the half
+    std::uint32_t mask;           ///< bit 8·row + column says whether its stroke can be seen in that tile of the half
 };
 
-/// How one stroke shows.
+/// Says how one stroke shows.
 struct alignas(16) StrokeRecord {
     ShadeParams shade;
-    float style[3][12] =
-        {}; ///< of each kind with constant ξ: math::Uniform, Feathering or Edge<float>, made by the host
-    float level[3] = {0, 0, 0}; ///< as SceneStroke
+    /// For each kind with constant ξ this is math::Uniform, Feathering or Edge<float>, as the host has made it.
+    float style[3][12] = {};
+    float level[3] = {0, 0, 0}; ///< as in SceneStroke
     float lowest = -1;
     float keep = 1;
     std::uint32_t hasLevels = 0;
     std::uint32_t channels = 0;
     std::uint32_t granulated = 0;
-    std::uint32_t plain =
-        0; ///< one style, one granulation, only separable nodes, nothing small or deep, no φ⁺ of its own
+    /// A plain stroke has one style, one granulation, only separable nodes, nothing small or deep, and no sum φ⁺.
+    std::uint32_t plain = 0;
     std::uint32_t firstChunk = 0, chunks = 0;
-    std::uint32_t firstValue = 0; ///< of its channel values, `channels` a row
+    std::uint32_t firstValue = 0; ///< where its channel values begin, `channels` in a row
     std::uint32_t firstDeep = 0, deep = 0;
     std::uint32_t firstSmall = 0, small = 0;
 };
 
-/// One tile to evaluate, by one warp.
+/// Names a tile to evaluate, by one warp.
 struct TileJob {
-    std::uint16_t column = 0, row = 0; ///< in tiles
+    std::uint16_t column = 0, row = 0; ///< counted in tiles
     std::uint16_t macro = 0;           ///< index in Frame::macros
-    std::uint16_t flags = 0;           ///< TileFlag
+    std::uint16_t flags = 0;           ///< some of TileFlag
     std::uint32_t layer = 0;           ///< slot in Frame::under and Frame::over
     std::uint32_t padding = 0;
 };
 
-/// How layers are used (docs/solver.md, "Layers").
+/// These flags say how layers are used (docs/solver.md, "Layers").
 enum TileFlag : std::uint16_t {
-    haveUnder = 1, ///< begin from the stored colour below the first edited stroke
+    haveUnder = 1, ///< the tile begins from the stored colour below the first edited stroke
     storeUnder = 2,
-    storeOver = 4, ///< strokes above the edited one as a map
-    applyOver = 8, ///< instead of those strokes
-    plainTile = 16 ///< all strokes near it are plain, the picture is not transparent, not storeOver; changes no bit
+    storeOver = 4, ///< the strokes above the edited one are stored as a map
+    applyOver = 8, ///< that map is applied instead of those strokes
+    /// The lean kernel paints the tile: all strokes near it are plain, the picture is not transparent, and storeOver is
+    /// not set. The general kernel would give the same bits.
+    plainTile = 16
 };
 
-/// A list of the chunks that meet a macro-tile, in order.
+/// Asks for lists of the chunks that meet a macro-tile, in order.
 struct MacroJob {
-    std::int32_t column = 0, row = 0; ///< in macro-tiles
-    std::uint32_t from = 0, to = 0;   ///< chunks looked at: [from, to)
+    std::int32_t column = 0, row = 0; ///< counted in macro-tiles
+    std::uint32_t from = 0, to = 0;   ///< chunks [from, to) are looked at
     std::uint32_t firstTile = 0;      ///< its tile jobs are among the macroTiles² from there on
 };
 
-/// RYB and coverage of one pixel while strokes are mixed into it.
+/// Holds RYB and coverage of one pixel while strokes are mixed into it.
 struct BackdropPixel {
     float red, yellow, blue, coverage;
 };
 
-/// B ← min(limit, keep·B + add) for each of RYB; coverage ← hold·coverage + gain.
-inline constexpr int overPlanes = 9; ///< keep, add 3, limit 3, hold, gain
+/// An over map (docs/solver.md, "Layers") makes B ← min(limit, keep·B + add) for each of RYB, and coverage ←
+/// hold·coverage + gain. It has this many planes of numbers.
+inline constexpr int overPlanes = 9; ///< keep, three of add, three of limit, hold, gain
 
 struct PaperParams {
     std::int32_t kind = 0;  ///< PaperKind
@@ -127,18 +133,18 @@ struct PaperParams {
     std::uint32_t seed = 0;
     double scale = 1;
     float strength = 0;
-    std::int32_t width = 0, height = 0; ///< of the image
+    std::int32_t width = 0, height = 0; ///< the size of the image
     const float *grey = nullptr;
 };
 
-/// Pixels to canvas units: x = x0 + xx·X + xy·Y, y = y0 + yx·X + yy·Y.
+/// Converts pixels to canvas units: x = x0 + xx·X + xy·Y, y = y0 + yx·X + yy·Y.
 struct ToCanvas {
     double x0 = 0, y0 = 0, xx = 1, xy = 0, yx = 0, yy = 1;
-    double px = 1;     ///< size of a pixel
+    double px = 1;     ///< the size of a pixel in canvas units
     double margin = 0; ///< half a pixel's extent along the canvas' axes, canvas units
 };
 
-/// One call: everything that the kernels read and write. All pointers are the device's.
+/// Holds everything that the kernels of one call read and write. All pointers are the device's.
 struct Frame {
     const NodeRecord *nodes = nullptr;
     const float *values = nullptr;
@@ -150,38 +156,38 @@ struct Frame {
     const MacroJob *macros = nullptr;
     const TileJob *tiles = nullptr;
     std::uint32_t macroCount = 0, tileCount = 0;
-    ListEntry *lists = nullptr;          ///< `listRoom` entries a list, listParts lists a macro job
-    std::uint32_t *listCounts = nullptr; ///< one a list
-    std::uint32_t listRoom = 0;          ///< what does not fit is cut off, and told in the status words
+    ListEntry *lists = nullptr; ///< with `listRoom` entries for each list and listParts lists for each macro job
+    std::uint32_t *listCounts = nullptr; ///< how many entries each list has
+    std::uint32_t listRoom = 0;          ///< what does not fit is cut off, and the word longestList says so
     std::uint32_t editedFrom = 0xffffffff,
                   editedTo = 0xffffffff; ///< chunks of the first edited stroke, where layers are used
 
-    std::int32_t width = 0, height = 0; ///< of the picture
-    float background[3] = {0, 0, 0};    ///< RYB on white; all 0 where transparent
+    std::int32_t width = 0, height = 0; ///< the size of the picture
+    float background[3] = {0, 0, 0};    ///< RYB on white; all 0 if the picture is transparent
     std::uint32_t transparent = 0;
     PaperParams paper;
     ToCanvas toCanvas;
     std::uint32_t cull = 1;
 
-    BackdropPixel *under = nullptr; ///< tileSize a slot
-    float *over = nullptr;          ///< overPlanes × tileSize a slot
+    BackdropPixel *under = nullptr; ///< with tileSize pixels for each slot
+    float *over = nullptr;          ///< with overPlanes × tileSize numbers for each slot
 
-    // Where finished pixels go; null: not there.
-    std::uint32_t *picture = nullptr;   ///< 0xAARRGGBB, `width` a row
-    std::uint32_t *tilesArgb = nullptr; ///< the same, tileSize a tile job
-    float *tilesRgba = nullptr;         ///< straight RGBA, 4·tileSize a tile job
+    // Finished pixels go to those of these arrays that are not null.
+    std::uint32_t *picture = nullptr;   ///< 0xAARRGGBB, with `width` pixels in a row
+    std::uint32_t *tilesArgb = nullptr; ///< the same, with tileSize pixels for each tile job
+    float *tilesRgba = nullptr;         ///< straight RGBA, with 4·tileSize numbers for each tile job
 
-    // Cleared by the host before each call.
-    std::uint32_t *status = nullptr;      ///< status words
-    std::uint32_t *classCounts = nullptr; ///< weightClasses: how many tile jobs `order` has of each
-    std::uint32_t *weights =
-        nullptr; ///< macroTiles² a macro job: what its tiles cost, roughly, and how many lists told
+    // The host clears these before each call.
+    std::uint32_t *status = nullptr;      ///< see StatusWord
+    std::uint32_t *classCounts = nullptr; ///< how many tile jobs `order` has of each of the weightClasses
+    /// For each of the macroTiles² tiles of a macro job this is what it costs, roughly, and how many lists said so.
+    std::uint32_t *weights = nullptr;
 
-    std::uint16_t *order = nullptr; ///< tile jobs, tileCount a class of weights, heavy ones first (tile_order.h)
-    std::uint32_t ordered = 0;      ///< whether they are painted so
+    std::uint16_t *order = nullptr; ///< tile jobs by classes of weights, each with room for tileCount (tile_order.h)
+    std::uint32_t ordered = 0;      ///< whether tiles are painted in that order
 };
 
-/// Words of Frame::status.
+/// Names the words of Frame::status.
 enum StatusWord { nextPlainTile, nextGeneralTile, longestList, statusWords };
 
 } // namespace suffuse::cuda

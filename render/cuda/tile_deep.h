@@ -1,5 +1,5 @@
-// Strokes so wide on screen that a float sum would lose their edge: a cubic Taylor polynomial for a block of samples,
-// in double (docs/solver.md, "Deep zoom"). By one warp.
+// Some strokes are so wide on screen that a float sum would lose their edge. Here one warp finds a cubic Taylor
+// polynomial of their sums for a block of samples, in double (docs/solver.md, "Deep zoom").
 #pragma once
 
 #include "render/cuda/records.h"
@@ -9,10 +9,10 @@
 
 namespace suffuse::cuda {
 
-/// c0 + c1 x + c2 y + c3 x² + c4 xy + c5 y² + c6 x³ + c7 x²y + c8 xy² + c9 y³
+/// A polynomial is c0 + c1 x + c2 y + c3 x² + c4 xy + c5 y² + c6 x³ + c7 x²y + c8 xy² + c9 y³.
 inline constexpr int deepTerms = 10;
 
-/// φ and −½ of its slopes, per pixel.
+/// Holds φ and −½ of its slopes, per pixel.
 struct DeepSample {
     double density = 0, slopeX = 0, slopeY = 0;
 };
@@ -30,7 +30,8 @@ SUFFUSE_PROGRAM DeepSample deepSample(const double *c, double x, double y)
     return {deepValue(c, x, y), -0.5 * dx, -0.5 * dy};
 }
 
-/// value · e^(−q(x − node)) about a centre: with g = −∇q and −½H = M, e^(g·δ − δᵀMδ) to third order.
+/// Adds value · weight · e^(−q) of a node as a polynomial about a centre. With δ from the centre, g = −∇q there and the
+/// node's metric M this is e^(g·δ − δᵀMδ), taken to third order.
 SUFFUSE_PROGRAM void addDeepNode(const DeepRecord &n, double value, double centreX, double centreY,
                                  double (&out)[deepTerms])
 {
@@ -50,7 +51,7 @@ SUFFUSE_PROGRAM void addDeepNode(const DeepRecord &n, double value, double centr
     out[9] += e * (h * h * h / 6 + h * yy);
 }
 
-/// Polynomials of φ and of φ times each channel about (centreX, centreY), pixels of the picture.
+/// Finds the polynomials of φ and of φ times each channel about (centreX, centreY), in pixels of the picture.
 template <class Warp>
 SUFFUSE_PROGRAM void sumDeep(Warp &warp, const Frame &frame, const StrokeRecord &stroke, double centreX, double centreY,
                              double (*out)[deepTerms])

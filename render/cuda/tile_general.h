@@ -1,5 +1,5 @@
-// Strokes of every kind at one tile: granulated, of several styles or colours, anisotropic, too wide on screen for
-// floats, or too narrow for single samples. By one warp.
+// One warp evaluates a stroke of any kind at one tile here: granulated, of several styles or colours, anisotropic, too
+// wide on screen for floats, or too narrow for single samples.
 #pragma once
 
 #include "render/cuda/tile_deep.h"
@@ -8,11 +8,12 @@
 
 namespace suffuse::cuda {
 
-/// Shared memory. Samples lie as `sampleAt` says, so that lanes meet no bank twice.
+/// A warp has this in shared memory. Samples lie as `sampleAt` says, so that no two lanes need the same bank at once
+/// (warp.h).
 struct GeneralScratch {
     float sums[fixedSums + maxChannels][tileSize];
-    float paint[4][tileSize];  ///< w and colour of a block of samples
-    float result[4][tileSize]; ///< of the tile's pixels
+    float paint[4][tileSize];  ///< w and colour at a block of samples
+    float result[4][tileSize]; ///< w and colour at the tile's pixels
     std::uint8_t level[tileSize];
     double deep[1 + maxChannels][deepTerms];
 };
@@ -54,7 +55,8 @@ public:
 private:
     SUFFUSE_PROGRAM bool hasPaper() const { return m_stroke.granulated && m_frame.paper.kind != 0; }
 
-    /// For each pixel the greatest level of the small segments that reach it (docs/reference.md); false: none.
+    /// Finds for each pixel the greatest level of the small segments that reach it (docs/reference.md). Returns false
+    /// if none reaches any.
     SUFFUSE_PROGRAM bool markLevels()
     {
         if (m_stroke.small == 0)
@@ -63,7 +65,7 @@ private:
             for (int k = 0; k < laneSamples; ++k)
                 m_s.level[sampleAt(lane, k)] = 0;
         });
-        double left = 1e300, top = 1e300, right = -1e300, bottom = -1e300; // the tile in canvas units
+        double left = 1e300, top = 1e300, right = -1e300, bottom = -1e300; // the tile's box in canvas units
         for (int corner = 0; corner < 4; ++corner) {
             double x, y;
             toCanvas(m_frame, m_left + corner % 2 * tileSide, m_top + corner / 2 * tileSide, x, y);
@@ -101,8 +103,8 @@ private:
         return any;
     }
 
-    /// Pixels (i…, j…) of the tile: level 0, the whole tile by its centres; above, a group of side × side pixels by
-    /// means over 2^level × 2^level points.
+    /// Evaluates a group of side × side pixels from (i, j) on, by means over 2^level × 2^level points. For level 0 the
+    /// group is the whole tile, evaluated at the centres of its pixels.
     template <class ForEachListing>
     SUFFUSE_PROGRAM void evaluateGroup(ForEachListing forEachListing, int level, int i, int j, int side)
     {
@@ -114,8 +116,8 @@ private:
             }))
             return;
         const float step = 1.0f / float(1 << level);
-        const int blocks = level > 4 ? 1 << (level - 4) : 1; // of samples, a side of the group
-        float total[4] = {0, 0, 0, 0};                       // w, w·C where the group is one pixel
+        const int blocks = level > 4 ? 1 << (level - 4) : 1; // blocks of samples along a side of the group
+        float total[4] = {0, 0, 0, 0};                       // w and w·C, used if the group is one pixel
         for (int b = 0; b < blocks * blocks; ++b) {
             Block block;
             if (level > 0) {
@@ -143,7 +145,7 @@ private:
             averageGroup(level, i, j, side, step);
     }
 
-    /// The block's sums of w and w·C over all samples.
+    /// Adds w and w·C of all samples of the block to `total`.
     SUFFUSE_PROGRAM void addToTotal(float (&total)[4])
     {
         for (int c = 0; c < 4; ++c) {
@@ -189,7 +191,7 @@ private:
         });
     }
 
-    /// Opacity and colour at a block of samples, into the scratch's `paint`.
+    /// Finds opacity and colour at a block of samples, and leaves them in the scratch's `paint`.
     template <class ForEachListing>
     SUFFUSE_PROGRAM void evaluateBlock(ForEachListing forEachListing, const Block &block)
     {
@@ -255,7 +257,7 @@ private:
         }
     }
 
-    /// A node whose axes lie askew: no product of two tables.
+    /// Adds a node whose axes lie askew, so that it is no product of two tables.
     SUFFUSE_PROGRAM void addOblique(int n, const Block &block)
     {
         const ListedNode node = m_sums.listed[n];
@@ -280,7 +282,7 @@ private:
         });
     }
 
-    /// From sums to opacity and colour, in double where the stroke is so wide that floats would lose its edge.
+    /// Turns sums into opacity and colour, in double if the stroke is so wide that floats would lose its edge.
     template <class V>
     SUFFUSE_PROGRAM void shade(const Block &block)
     {

@@ -1,25 +1,25 @@
-// Which chunks meet a macro-tile, and in which of its tiles their strokes can be seen: programs of a warp and
-// of a block of them.
+// These programs of a warp and of a block find which chunks meet a macro-tile, and in which tiles strokes can show.
 #pragma once
 
 #include "render/cuda/tile_order.h"
 
 namespace suffuse::cuda {
 
-/// Where a part of a macro job's chunks begins and ends: the first chunks from there on that begin a stroke.
+/// Bounds a part of a macro job's chunks.
 struct ListedPart {
     std::uint32_t from, to;
 };
+/// Moves both ends of a part on to the next chunk that begins a stroke, so that parts consist of whole strokes.
 template <class Warp>
 SUFFUSE_PROGRAM ListedPart wholeStrokes(Warp &warp, const Frame &frame, const MacroJob &macro, ListedPart part)
 {
-    const auto begins = [&](std::uint32_t at) { // bit i: whether chunk at + i does
+    const auto begins = [&](std::uint32_t at) { // Bit i says whether chunk at + i does.
         return warp.ballot([&](int lane) {
             const std::uint32_t i = at + std::uint32_t(lane);
             return i <= macro.from || i >= macro.to || frame.chunks[i].stroke != frame.chunks[i - 1].stroke;
         });
     };
-    for (;;) { // both at once, for their loads' sake
+    for (;;) { // Both ends are looked for at once, so that their loads overlap.
         const std::uint32_t first = begins(part.from), last = begins(part.to);
         part.from += first ? std::uint32_t(Warp::lowest(first)) : std::uint32_t(warpLanes);
         part.to += last ? std::uint32_t(Warp::lowest(last)) : std::uint32_t(warpLanes);
@@ -28,13 +28,14 @@ SUFFUSE_PROGRAM ListedPart wholeStrokes(Warp &warp, const Frame &frame, const Ma
     }
 }
 
-/// A node as culling sees it: centre from the corner of half a macro-tile and reach, px; least eigenvalue of the metric
-/// times −log₂ e, weight, and weight times the root of the greatest eigenvalue (as render/scene/node_boxes.h).
+/// Holds a node as culling sees it: its centre, from the corner of half a macro-tile, and its reach, px; the least
+/// eigenvalue of the metric times −log₂ e, the weight if it lays paint, and |weight| times the root of the greatest
+/// eigenvalue (as in render/scene/node_boxes.h).
 struct CullNode {
     Float4 place; ///< x, y, reachX, reachY
-    Float4 decay; ///< slowest, weight, steepest, –
+    Float4 decay; ///< slowest, weight, steepest, nothing
 
-    /// Whether it meets any tile of the half; what meets none adds nothing to them.
+    /// Tells whether it meets any tile of the half. If it meets none, it adds nothing to them.
     SUFFUSE_PROGRAM bool meetsHalf() const
     {
         constexpr float half = tileSide / 2, width = macroSide, height = macroSide / 2;
@@ -44,7 +45,7 @@ struct CullNode {
     }
 };
 
-/// Shared memory of a warp that culls.
+/// A warp that culls has this in shared memory.
 struct CullScratch {
     CullNode nodes[chunkNodes];
     Float4 stroke[sizeof(StrokeRecord) / sizeof(Float4)];
@@ -60,14 +61,14 @@ SUFFUSE_PROGRAM CullNode cullNodeOf(const NodeRecord &n, std::int32_t cellX, std
     return {{x, y, n.reachX, n.reachY}, {slowest * -float(math::log2e), laid, steepest, 0}};
 }
 
-/// Which tiles of half a macro-tile one stroke may show in, one tile a lane.
+/// Finds in which tiles of half a macro-tile one stroke may show. Each lane looks at one tile.
 template <class Warp>
 class StrokeCull {
 public:
     template <class T>
     using Var = typename Warp::template Var<T>;
 
-    /// The half's first tile lies at (cellX, cellY).
+    /// The half's first tile lies in cell (cellX, cellY).
     SUFFUSE_PROGRAM StrokeCull(Warp &warp, const Frame &frame, std::uint32_t stroke, std::int32_t cellX,
                                std::int32_t cellY, CullScratch &scratch)
         : m_warp(warp), m_frame(frame), m_cellX(cellX), m_cellY(cellY), m_s(scratch)
@@ -76,11 +77,11 @@ public:
         m_warp.each([&](int lane) { m_density[lane] = m_slope[lane] = 0, m_met[lane] = 0; });
     }
 
-    /// Bit i: whether nodes of the chunk meet tile i.
+    /// Adds a chunk of the stroke. Bit i of the result says whether nodes of the chunk meet tile i.
     SUFFUSE_PROGRAM std::uint32_t add(const ListEntry &chunk)
     {
         const std::uint32_t listed = nodesOf(chunk);
-        if (listed == 0) // deep nodes lie everywhere
+        if (listed == 0) // Deep nodes lie everywhere.
             return m_warp.ballot(
                 [&](int lane) { return meetsTile(m_frame.chunks[chunk.chunk], cellX(lane), cellY(lane)); });
         Var<CullNode> node;
@@ -107,8 +108,8 @@ public:
                 const Float4 place = m_s.nodes[n].place, decay = m_s.nodes[n].decay;
                 const float outX = NodePlace::outside(place.x - centreX), outY = NodePlace::outside(place.y - centreY);
                 const bool counts = outX <= place.z && outY <= place.w;
-                // Distance u in spreads to the nearest point: e^(−u²), and of 2u e^(−u²), which is greatest at u² = ½,
-                // at most (1 + u²) e^(−u²).
+                // The nearest point of the tile is u spreads away. The density there is e^(−u²). Its slope 2u e^(−u²),
+                // which is greatest at u² = ½, is at most (1 + u²) e^(−u²).
                 const float ox = math::max_(outX, 0.0f), oy = math::max_(outY, 0.0f);
                 const float log = counts ? math::mulAdd_(ox, ox, oy * oy) * decay.x : -1000.0f;
                 const float e = math::exp2_(log);
@@ -119,11 +120,11 @@ public:
             }
             return m_met[lane] != before;
         });
-        m_warp.meet(); // before the next chunk's nodes
+        m_warp.meet(); // The next chunk's nodes overwrite these.
         return hits;
     }
 
-    /// Of the tiles that nodes met those where the stroke may show: F is exactly zero in the others.
+    /// Finds the tiles where the stroke may show. In the others F is exactly zero.
     SUFFUSE_PROGRAM std::uint32_t seen()
     {
         m_warp.arrive(false);
@@ -139,10 +140,11 @@ public:
         });
     }
 
-    /// Tells what the stroke costs in the tiles of the mask.
+    /// Adds what the stroke costs to the weights of the tiles in the mask.
     SUFFUSE_PROGRAM void addWeights(std::uint32_t mask, std::uint32_t *weights)
     {
-        const ShadeParams &shade = strokeOf(m_s.stroke).shade; // how often its nodes are summed, as measured
+        // What a node costs was measured; it depends on how often the nodes are summed.
+        const ShadeParams &shade = strokeOf(m_s.stroke).shade;
         const std::uint32_t nodeWeight = shade.colourChannel >= 0 ? 17 : shade.lineChannel >= 0 ? 7 : 4;
         m_warp.each([&](int lane) {
             if (mask >> lane & 1)
@@ -151,7 +153,7 @@ public:
     }
 
 private:
-    static constexpr std::uint32_t strokeWeight = 96; ///< of shading and mixing a tile
+    static constexpr std::uint32_t strokeWeight = 96; ///< the cost of shading and mixing at a tile
 
     SUFFUSE_PROGRAM std::int32_t cellX(int lane) const { return m_cellX + lane % macroTiles; }
     SUFFUSE_PROGRAM std::int32_t cellY(int lane) const { return m_cellY + lane / macroTiles; }
@@ -166,20 +168,20 @@ private:
 
 inline constexpr int listWarps = 8;
 
-/// Shared memory of a block that makes a list.
+/// A block that makes a list has this in shared memory.
 struct ListScratch {
-    static constexpr int groups = 2; ///< of 32 chunks, a warp: so that several loads are under way
+    static constexpr int groups = 2; ///< A warp looks at so many groups of 32 chunks at once, so that loads overlap.
     std::uint32_t hits[listWarps * groups];
     std::uint32_t weights[listTiles];
-    std::uint32_t next; ///< entry to cull
-    union {             // one after the other
+    std::uint32_t next; ///< the entry that is culled next
+    union {             // They are used one after the other.
         CullScratch cull[listWarps];
         ListEntry kept[listWarps * warpLanes];
     };
 };
 
-/// Makes one list: of a quarter of a macro job's chunks, whole strokes, those that can be seen in half of its
-/// macro-tile, in order.
+/// Makes one list, in order: the chunks that can be seen in half of a macro-tile, of a quarter of the macro job's
+/// chunks (rounded to whole strokes).
 template <class Block>
 class ListMaker {
 public:
@@ -223,7 +225,7 @@ private:
         for (std::uint32_t base = chunks.from; base < chunks.to; base += listWarps * groups * warpLanes) {
             const auto chunkOf = [&](int group, int lane) { return base + std::uint32_t(group * warpLanes + lane); };
             m_block.each([&](Warp &warp, int own) {
-                typename Warp::template Var<ChunkRecord> chunk[groups]; // all loads at once
+                typename Warp::template Var<ChunkRecord> chunk[groups]; // All loads are started at once.
                 SUFFUSE_UNROLL
                 for (int g = 0; g < groups; ++g)
                     warp.each([&](int lane) {
@@ -262,7 +264,7 @@ private:
         m_count = m_count < m_frame.listRoom ? m_count : m_frame.listRoom;
     }
 
-    /// Tells the other warps what this one found in its groups of 32.
+    /// Tells the other warps which chunks this one found in its groups of 32.
     template <int count>
     SUFFUSE_PROGRAM void tellHits(Warp &warp, int own, const std::uint32_t (&hits)[count])
     {
@@ -273,7 +275,7 @@ private:
         });
     }
 
-    /// Calls use(group, lane, place) for what a warp told: places go on from `before`, in order.
+    /// Calls use(group, lane, place) for each chunk that this warp found. Places go on from `before`, over all warps.
     template <int count, class Use>
     SUFFUSE_PROGRAM void forEachHit(Warp &warp, int own, std::uint32_t before, Use use)
     {
@@ -291,7 +293,7 @@ private:
         m_after = at;
     }
 
-    /// Finds where strokes can be seen, until none is left.
+    /// Takes strokes and finds where they can be seen, until none is left.
     SUFFUSE_PROGRAM void cull(Warp &warp, CullScratch &scratch)
     {
         for (std::uint32_t entry; (entry = warp.take(&m_s.next)) < m_count;) {
@@ -329,7 +331,7 @@ private:
         cull.addWeights(all & seen, m_s.weights);
     }
 
-    /// Leaves out what can be seen nowhere, and tells the list's length.
+    /// Leaves out what can be seen nowhere, and writes down the list's length.
     SUFFUSE_PROGRAM void compact()
     {
         std::uint32_t count = 0;
@@ -360,10 +362,10 @@ private:
         });
     }
 
-    /// Adds up what the half's tiles cost; what the last of its lists completes takes its place in the order.
+    /// Adds up what the half's tiles cost. The last of a tile's lists to do so puts the tile in order.
     SUFFUSE_PROGRAM void tellWeights(Warp &warp)
     {
-        constexpr std::uint32_t told = 1u << 28; // how many lists did, beside the weight
+        constexpr std::uint32_t told = 1u << 28; // The bits from here on count the lists that have added theirs.
         constexpr int groups = macroTiles * macroTiles / warpLanes;
         typename Warp::template Var<TileJob> tile[groups];
         warp.each([&](int lane) {

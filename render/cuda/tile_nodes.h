@@ -1,15 +1,15 @@
-// Nodes as they come from memory, and where they lie seen from a tile.
+// Nodes are copied from memory here, and placed as a tile sees them.
 #pragma once
 
 #include "render/cuda/records.h"
 #include "render/cuda/warp.h"
 #include "render/math/scalar.h"
-// After the numbers: templates over them.
+// This header has templates over the numbers of scalar.h, which must be declared before it.
 #include "render/math/shade.h"
 
 namespace suffuse::cuda {
 
-/// 16 bytes of any record, too.
+/// Holds four numbers, or any 16 bytes of a record.
 struct alignas(16) [[gnu::may_alias]] Float4 {
     float x, y, z, w;
 };
@@ -26,14 +26,14 @@ SUFFUSE_PROGRAM std::uint32_t nodesOf(const ListEntry &entry)
     return entry.strokeAndNodes % 64;
 }
 
-/// A chunk's nodes and its stroke, as they come from memory: the nodes' parts of 16 bytes one after another, so that
-/// lanes meet no bank twice.
+/// Holds a chunk's nodes and its stroke, as they come from memory. The parts of 16 bytes of all nodes lie one after
+/// another, so that no two lanes need the same bank at once (warp.h).
 struct Fetched {
     Float4 nodes[sizeof(NodeRecord) / sizeof(Float4)][chunkNodes];
     Float4 stroke[sizeof(StrokeRecord) / sizeof(Float4)];
 };
 
-/// What a lane copies of a stroke's record.
+/// Starts the copy of a lane's part of a stroke's record.
 template <class Start>
 SUFFUSE_PROGRAM void fetchStroke(const Frame &frame, std::uint32_t stroke, int lane, Start start, Float4 *to)
 {
@@ -65,20 +65,20 @@ SUFFUSE_PROGRAM NodeRecord nodeOf(const Fetched &chunk, int n)
     return node;
 }
 
-/// The record of a stroke that has arrived.
+/// Returns the record of a stroke that has arrived.
 SUFFUSE_PROGRAM const StrokeRecord &strokeOf(const Float4 *arrived)
 {
     return *static_cast<const StrokeRecord *>(static_cast<const void *>(arrived));
 }
 
-/// Whether a tile shows pixels of a chunk's bounds.
+/// Tells whether a tile shows pixels of a chunk's bounds.
 SUFFUSE_PROGRAM bool meetsTile(const ChunkRecord &c, std::int32_t cellX, std::int32_t cellY)
 {
     const std::int32_t left = cellX * tileSide, top = cellY * tileSide;
     return c.left < left + tileSide && left < c.right && c.top < top + tileSide && top < c.bottom;
 }
 
-/// A node seen from the centre of a tile, px.
+/// Says where a node lies seen from the centre of a tile, in px.
 struct NodePlace {
     float dx, dy;
 
@@ -89,15 +89,15 @@ struct NodePlace {
         dy = float((n.cellY - cellY) * tileSide) + (n.y - half);
     }
 
-    /// Conservative: where false, the node adds exactly nothing.
+    /// Is false only if the node adds exactly nothing to the tile.
     SUFFUSE_PROGRAM bool meetsTile(float reachX, float reachY) const
     {
         return outside(dx) <= reachX && outside(dy) <= reachY;
     }
-    /// Distance from the tile's edge along an axis, below 0 inside.
+    /// Returns the distance from the tile's edge along an axis, which is below 0 inside.
     static SUFFUSE_PROGRAM float outside(float d)
     {
-        constexpr float half = tileSide / 2, margin = 0.05f; // places in floats are off by less
+        constexpr float half = tileSide / 2, margin = 0.05f; // Places in floats are off by less.
         return math::abs_(d) - (half + margin);
     }
 };

@@ -1,21 +1,22 @@
-// In which order tiles are painted: heavy ones first, so that no long one is begun last. Every tile has a class by its
-// weight; whoever finds a weight puts the tile into its class, and the tiles' warps count through the classes. Which
-// of two of a class comes first may differ from call to call; pixels do not depend on it. Programs of a warp.
+// These programs of a warp put tiles in order: heavy ones are painted first, so that no long one is begun last. Every
+// tile has a class by its weight. Who finds a weight puts the tile into its class, and the warps that paint count
+// through the classes. Which of two tiles of a class comes first may differ from call to call, but pixels do not depend
+// on it.
 #pragma once
 
 #include "render/cuda/tile_nodes.h"
 
 namespace suffuse::cuda {
 
-/// Sixteen an octave, heavy ones first.
+/// Returns the class of a weight. There are sixteen classes for each octave, heavy ones first.
 SUFFUSE_PROGRAM int weightClassOf(std::uint32_t weight)
 {
-    constexpr float perOctave = 16, lightest = 7, last = weightClasses - 1; // 2⁷ and below: one class
+    constexpr float perOctave = 16, lightest = 7, last = weightClasses - 1; // Weights up to 2⁷ are one class.
     const float above = (math::log2_(float(weight + 1)) - lightest) * perOctave;
     return int(last - math::min_(math::max_(above, 0.0f), last));
 }
 
-/// A tile job's place after those that are in its class already.
+/// Puts a tile job behind those that are in its class already.
 template <class Warp>
 SUFFUSE_PROGRAM void putInOrder(const Frame &frame, std::uint32_t job, std::uint32_t weight)
 {
@@ -23,12 +24,12 @@ SUFFUSE_PROGRAM void putInOrder(const Frame &frame, std::uint32_t job, std::uint
     frame.order[std::size_t(own) * frame.tileCount + Warp::add(frame.classCounts + own, 1)] = std::uint16_t(job);
 }
 
-/// Shared memory of a warp that goes through tiles in order.
+/// A warp that goes through tiles in order has this in shared memory.
 struct OrderScratch {
-    std::uint16_t ends[weightClasses]; ///< how many tiles there are up to each class
+    std::uint16_t ends[weightClasses]; ///< how many tiles there are up to the end of each class
 };
 
-/// Tiles in order, once all of them are there.
+/// Gives tiles in order, once all of them are in their classes.
 template <class Warp>
 class TileOrder {
 public:
@@ -59,7 +60,7 @@ public:
         });
     }
 
-    /// The i-th tile's job.
+    /// Returns the job of the i-th tile.
     SUFFUSE_PROGRAM std::uint32_t job(std::uint32_t i)
     {
         if (!m_frame.ordered)
@@ -75,7 +76,7 @@ public:
     }
 
 private:
-    static constexpr int classes = weightClasses / warpLanes; ///< a lane
+    static constexpr int classes = weightClasses / warpLanes; ///< how many classes a lane counts
 
     Warp &m_warp;
     const Frame &m_frame;

@@ -1,4 +1,4 @@
-// The paper texture at a sample (eq 16).
+// This finds the paper texture at a sample (16).
 #pragma once
 
 #include "render/cuda/records.h"
@@ -15,7 +15,7 @@ SUFFUSE_PROGRAM void toCanvas(const Frame &frame, double X, double Y, double &x,
     y = m.y0 + m.yx * X + m.yy * Y;
 }
 
-/// η of a sample at (X, Y), pixels, that is `step` pixels wide.
+/// Returns η of a sample at (X, Y) that is `step` wide, all in pixels.
 SUFFUSE_CALL float etaAt(const Frame &frame, double X, double Y, float step)
 {
     const PaperParams &p = frame.paper;

@@ -1,4 +1,5 @@
-// Draws a plain stroke (records.h) at one tile, by one warp. Most strokes are plain. Sums and mixing stay in registers.
+// One warp draws a plain stroke (records.h) at one tile here. Most strokes are plain. Sums and mixing stay in
+// registers.
 #pragma once
 
 #include "render/cuda/tile_paper.h"
@@ -16,13 +17,13 @@ public:
         : m_warp(warp), m_frame(frame), m_stroke(stroke), m_s(scratch)
     {}
 
-    /// How often the stroke's nodes are summed: density and slopes first; then, if colours vary and do not lie on a
-    /// line, one component after the other.
+    /// Returns how often the stroke's nodes are summed. Density and slopes are summed first, and then, if colours vary
+    /// and do not lie on a line, one component after the other.
     SUFFUSE_PROGRAM int passes() const { return m_stroke.shade.colourChannel < 0 ? 1 : 5; }
-    /// The component of a pass: 0 red, 1 yellow, 2 blue, 3 opacity, which is summed first.
+    /// Returns the component of a pass: 0 red, 1 yellow, 2 blue, 3 opacity, which is summed first.
     static SUFFUSE_PROGRAM int componentOf(int pass) { return (pass + 2) % 4; }
 
-    /// Adds up a pass. `forEachListing(use)` calls use(listing) until all nodes that meet the tile were listed.
+    /// Adds up a pass. `forEachListing(use)` calls use(listing) until all nodes that meet the tile have been listed.
     /// `chosenAgain` says that it lists them anew each time.
     template <class ForEachListing>
     SUFFUSE_PROGRAM void sum(ForEachListing forEachListing, bool chosenAgain, int pass)
@@ -49,7 +50,7 @@ public:
     }
 
     /// Finds F at the tile's pixels after the first pass. Returns false if the stroke shows nothing. `eta` is the paper
-    /// at the pixels, in the order of `sampleAt`; null for 1.
+    /// at the pixels, in the order of `sampleAt`, or null if it is 1 everywhere.
     SUFFUSE_PROGRAM bool style(const float *eta)
     {
         if (m_stroke.channels > 0)
@@ -124,15 +125,15 @@ private:
         });
     }
 
-    /// F at a sample.
+    /// Returns F at a sample, after `style`.
     SUFFUSE_PROGRAM float meanAt(int lane, int k) const { return m_s.means.density[sampleAt(lane, k)]; }
 
     Warp &m_warp;
     const Frame &m_frame;
     const StrokeRecord &m_stroke;
     SumScratch &m_s;
-    Var<SampleSums> m_sums;      ///< finally w in the density, if colours vary
-    Var<SampleValues> m_values;  ///< of the channel of the pass; the place on the line of colours
+    Var<SampleSums> m_sums;      ///< if colours vary, the density becomes w in the end
+    Var<SampleValues> m_values;  ///< the pass's channel, which is the place on the line of colours if there is one
     Var<SampleValues> m_inverse; ///< 1/φ
 };
 

@@ -1,4 +1,4 @@
-// Evaluates one tile: all strokes that meet it, from bottom to top. It is a program of one warp.
+// This program of one warp evaluates one tile: all strokes that meet it, from bottom to top.
 #pragma once
 
 #include "render/cuda/tile_general.h"
@@ -6,7 +6,7 @@
 
 namespace suffuse::cuda {
 
-/// The shared memory while strokes are painted.
+/// A warp has this in shared memory while it paints strokes.
 struct PaintScratch {
     SumScratch sums;
     Fetched fetched[2]; ///< the present chunk and the next one
@@ -14,10 +14,10 @@ struct PaintScratch {
     float eta[tileSize]; ///< the paper at the tile's pixels, once it is needed
 };
 
-/// The shared memory of a warp that paints tiles.
+/// A warp that paints tiles has this in shared memory.
 template <bool general>
 struct TileScratch {
-    union { // used one after the other
+    union { // They are used one after the other.
         PaintScratch paint;
         Float4 finished[tileSize]; ///< RYB and coverage
     };
@@ -27,8 +27,8 @@ struct TileScratch<true> : TileScratch<false> {
     GeneralScratch general;
 };
 
-/// `general` paints anything, otherwise only what TileFlag::plainTile says. A plain stroke shows the same bits either
-/// way.
+/// If `general`, this paints anything, otherwise only what TileFlag::plainTile says. A plain stroke shows the same bits
+/// either way.
 template <bool general, class Warp>
 class TilePainter {
 public:
@@ -80,7 +80,7 @@ private:
         std::uint32_t chunk = none, stroke = none, nodes = 0;
     };
 
-    /// Finds the next chunk of the half macro-tile's lists that meets the tile, and starts its way to shared memory.
+    /// Finds the next chunk of the half macro-tile's lists that meets the tile, and starts its copy to shared memory.
     SUFFUSE_PROGRAM Found findChunk()
     {
         while (m_hits == 0) {
@@ -158,7 +158,7 @@ private:
         m_overBegun = !general || !(m_job.flags & storeOver);
     }
 
-    /// Called before anything of `chunk` is painted: layers end and begin where the edited stroke does.
+    /// This is called before anything of `chunk` is painted, since layers end and begin where the edited stroke does.
     SUFFUSE_PROGRAM void enter(std::uint32_t chunk)
     {
         if (!m_underStored && chunk >= m_frame.editedFrom) {
@@ -278,7 +278,7 @@ private:
         }
     }
 
-    /// Mixes one sample of a stroke into the backdrop and into the map of layers (eq 22, 23).
+    /// Mixes one sample of a stroke into the backdrop and into the over map (22, 23).
     SUFFUSE_PROGRAM void mixCoverage(int lane, int k, float w, float keep)
     {
         if (general) { // Otherwise the picture is not transparent.
@@ -350,9 +350,9 @@ private:
     const TileJob m_job;
     TileScratch<general> &m_s;
     Var<LaneBackdrop> m_backdrop;
-    Var<std::uint32_t> m_chunk, m_firstNode, m_strokeAndNodes; ///< of the candidates
+    Var<std::uint32_t> m_chunk, m_firstNode, m_strokeAndNodes; ///< of the list entries that were looked at last
     const ListEntry *m_lists = nullptr;                        ///< those of the tile's half of the macro job
-    /// where its quarters end, counted through; one in each lane
+    /// These are the ends of the quarters of these lists, counted through, one in each lane.
     Var<std::uint32_t> m_ends;
     std::uint32_t m_count = 0;
     std::uint32_t m_listed = 0, m_hits = 0;

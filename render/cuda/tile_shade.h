@@ -1,4 +1,4 @@
-// From sums to what a stroke shows, and the mixing of strokes, by one warp.
+// A warp turns sums into what a stroke shows here, and mixes strokes.
 #pragma once
 
 #include "render/cuda/tile_sums.h"
@@ -6,7 +6,7 @@
 
 namespace suffuse::cuda {
 
-/// The picture at a lane's samples while strokes are mixed into it.
+/// Holds the picture at a lane's samples while strokes are mixed into it.
 struct LaneBackdrop {
     float red[laneSamples], yellow[laneSamples], blue[laneSamples], coverage[laneSamples];
 };
@@ -26,12 +26,13 @@ SUFFUSE_PROGRAM void withMadeStyle(const StrokeRecord &stroke, int kind, Use use
     }
 }
 
-/// Replaces φ′ by the pixel mean of F, from φ′ and h², for a stroke of one style. Returns false if it shows nothing at
-/// any sample. Loops over samples are hardly unrolled, since the styles' code would not fit the instruction cache.
+/// Replaces φ′ by the pixel mean of F, found from φ′ and h², for a stroke of one style. Returns false if the stroke
+/// shows nothing at any sample. Loops over samples are hardly unrolled, since the styles' code would not fit the
+/// instruction cache otherwise.
 template <class Warp>
 SUFFUSE_PROGRAM bool meanOfStyle(Warp &warp, const StrokeRecord &stroke, MeanScratch &s)
 {
-    typename Warp::template Var<std::uint32_t> seen, isLong; // by sample
+    typename Warp::template Var<std::uint32_t> seen, isLong; // bit k of isLong is for sample k
     withMadeStyle(stroke, 0, [&](const auto style) {
         warp.each([&](int lane) {
             seen[lane] = isLong[lane] = 0;
@@ -74,8 +75,8 @@ SUFFUSE_PROGRAM bool meanOfStyle(Warp &warp, const StrokeRecord &stroke, MeanScr
     return true;
 }
 
-/// Puts one sample of a stroke on top of a map: first into the planes of all colours, then into those of one (0 red, 1
-/// yellow, 2 blue). `over` has the tile's planes.
+/// Puts one sample of a stroke on top of an over map: first into the planes of all colours, then into those of one (0
+/// red, 1 yellow, 2 blue). `over` has the tile's planes.
 SUFFUSE_PROGRAM void composeCoverage(float *over, int pixel, float w, float keep)
 {
     const auto plane = [&](int p) -> float & { return over[p * tileSize + pixel]; };
@@ -101,8 +102,8 @@ SUFFUSE_PROGRAM void applySample(const float *over, int pixel, LaneBackdrop &b, 
     b.coverage[k] = math::mulAdd_(plane(7), b.coverage[k], plane(8));
 }
 
-/// The straight RGBA of a finished sample, from RYB and coverage (1 if the picture is not transparent, or all is
-/// covered).
+/// Returns the straight RGBA of a finished sample, from RYB and coverage (1 if the picture is not transparent, or all
+/// is covered).
 SUFFUSE_PROGRAM Float4 finishSample(const Float4 &sample)
 {
     const auto rgb = math::rgbFromRyb(sample.x, sample.y, sample.z);

@@ -1,17 +1,18 @@
-// Which nodes meet a tile, and their sums at the samples of a block: density, slopes and channels (docs/solver.md,
-// "Sums"). By one warp.
+// A warp finds here which nodes meet a tile, and sums them at the samples of a block: density, slopes and channels
+// (docs/solver.md, "Separable blocks").
 #pragma once
 
 #include "render/cuda/tile_nodes.h"
 
 namespace suffuse::cuda {
 
-/// 16 × 16 samples. (i, j) lies at (x + (i − 7½)·step, y + (j − 7½)·step) from the tile's centre, px.
+/// A block of samples has 16 × 16 of them. Sample (i, j) lies at (x + (i − 7½)·step, y + (j − 7½)·step) from the tile's
+/// centre, px.
 struct Block {
     float x = 0, y = 0, step = 1;
 };
 
-/// The number of samples of a lane: two columns and four rows. Sample k is in column 2·(lane mod 8) + k mod 2 and row
+/// Each lane has this many samples: two columns and four rows. Sample k is in column 2·(lane mod 8) + k mod 2 and row
 /// 4·(lane div 8) + k div 2.
 inline constexpr int laneSamples = tileSize / warpLanes;
 
@@ -24,7 +25,8 @@ SUFFUSE_PROGRAM int sampleRow(int lane, int k)
     return lane / 8 * 4 + k / 2;
 }
 
-/// The place of a lane's sample in shared memory, arranged so that lanes never meet in a bank.
+/// Returns the place of a lane's sample in shared memory. It is arranged so that no two lanes need the same bank at
+/// once (warp.h).
 SUFFUSE_PROGRAM int sampleAt(int lane, int k)
 {
     return k * warpLanes + lane;
@@ -41,33 +43,32 @@ inline constexpr int batch = 16;    ///< nodes whose tables are in shared memory
 /// Tables have exponents to base 2, so slopes come out times −log₂ e. This factor corrects them.
 inline constexpr float slopeUnit = -float(math::ln2);
 
-/// A node near the tile. If it is separable: (dx, −a log₂ e, cut, 1) and (dy, −c log₂ e, cut·weight, weight), where d
-/// is from the tile's centre.
-/// If it is oblique: (dx, dy, a, b) and (c, cut, weight, 0).
+/// Holds a node near the tile. A separable one is (dx, −a log₂ e, cut, 1) and (dy, −c log₂ e, cut·weight, weight), an
+/// oblique one (dx, dy, a, b) and (c, cut, weight, 0). d is from the tile's centre.
 struct ListedNode {
     Float4 first, second;
 };
 static_assert(sizeof(ListedNode) == 2 * sizeof(Float4));
 
-/// The shared memory of one warp while it sums a batch.
+/// A warp has this in shared memory while it sums a batch.
 struct BatchScratch {
-    /// (e^(−a dx²) − cut, a dx e^(−a dx²)/slopeUnit) by column, then the same by row times the weight.
+    /// A table has (e^(−a dx²) − cut, a dx e^(−a dx²)/slopeUnit) by column, then the same by row times the weight.
     Float4 tables[batch][warpLanes / 2];
     Float4 channel[batch][tileSide / 4]; ///< a row's value times a channel's
 };
 
-/// φ′ and h² at the tile's pixels, in the order of `sampleAt`; later the pixel mean of F in place of φ′.
+/// Holds φ′ and h² at the tile's pixels, in the order of `sampleAt`, and later the pixel mean of F in place of φ′.
 struct MeanScratch {
     float density[tileSize], h2[tileSize];
-    std::uint8_t
-        longOnes[tileSize]; ///< the samples that need the long form, wherever they lie, so that lanes share the work
+    /// These are the samples that need the long form, wherever they lie, so that lanes share the work.
+    std::uint8_t longOnes[tileSize];
 };
 
-/// The shared memory of one warp.
+/// A warp that sums nodes has this in shared memory.
 struct SumScratch {
-    ListedNode listed[nodeRoom + 2 * stride - 1]; ///< some are read ahead
-    std::uint32_t rows[nodeRoom + stride - 1];    ///< of channel values, counted from the stroke's first
-    union {                                       // used one after the other
+    ListedNode listed[nodeRoom + 2 * stride - 1]; ///< The places at the end are only read ahead.
+    std::uint32_t rows[nodeRoom + stride - 1];    ///< the rows of channel values, counted from the stroke's first
+    union {                                       // They are used one after the other.
         BatchScratch sums;
         Fetched chosenAgain;
     };
@@ -81,13 +82,13 @@ struct SampleValues {
     float v[laneSamples];
 };
 
-/// The nodes chosen so far, which are the same in all lanes.
+/// Counts the nodes that are chosen so far. The counts are the same in all lanes.
 struct Listing {
     int count = 0;     ///< how many are listed
     int separable = 0; ///< how many of them are separable; these come first
 };
 
-/// The places that so many separable nodes take, with the empty ones after them.
+/// Returns how many places so many separable nodes take, with the empty ones after them.
 SUFFUSE_PROGRAM int wholeStrides(int nodes)
 {
     return (nodes + stride - 1) / stride * stride;
@@ -119,7 +120,7 @@ SUFFUSE_PROGRAM void listNodes(Warp &warp, bool cull, const Fetched &chunk, int 
     });
     const bool askew = warp.any([&](int lane) { return oblique[lane]; });
     if (askew && listing.count == listing.separable)
-        listing.count = wholeStrides(listing.count); // the empty ones stay
+        listing.count = wholeStrides(listing.count); // The empty ones stay.
     warp.each([&](int lane) {
         if (hits >> lane & 1) {
             const int at = listing.count + Warp::rank(hits, lane);
@@ -137,12 +138,13 @@ SUFFUSE_PROGRAM void listNodes(Warp &warp, bool cull, const Fetched &chunk, int 
         listing.separable = listing.count; // A chunk has one kind, and the separable ones come first.
 }
 
-/// If a stroke has more nodes near a tile than can be listed at once, this lists those of the chunks [chunk, end) until
-/// the list is full. It is rare, so it is called, not inlined.
+/// Says what listChunks has listed.
 struct PartialListing {
     Listing listing;
     std::uint32_t chunk = 0; ///< the first chunk that is not listed
 };
+/// Lists nodes of the chunks [chunk, end) until the list is full, for a stroke with more nodes near a tile than can be
+/// listed at once. Such strokes are rare, so this is called, not inlined.
 template <class Warp>
 SUFFUSE_CALL PartialListing listChunks(Warp warp, const Frame &frame, std::uint32_t chunk, std::uint32_t end,
                                        std::int32_t cellX, std::int32_t cellY, SumScratch &s)

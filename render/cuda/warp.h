@@ -1,5 +1,8 @@
-// Programs of one warp of 32 lanes, which are written once: a program is a template over the warp on which it runs.
-// DeviceWarp is a warp of a GPU. HostWarp does the same lane after lane, for tests and for machines without one.
+// A warp is 32 lanes (threads of a GPU) that do the same at the same time. A program of one warp is written once, as a
+// template over the warp on which it runs: DeviceWarp is a warp of a GPU; HostWarp does the same lane after lane, for
+// tests and for machines without a GPU.
+// Warps that work together are a block. A block has fast memory of its own, the shared memory; it lies in 32 banks, and
+// lanes that need different words of one bank wait for each other.
 // A program's own variables are the same in all lanes. What differs by lane is a Var, and is used inside `each`. There,
 // a lane sees what other lanes write to shared memory only after `each` has ended.
 #pragma once
@@ -55,7 +58,7 @@ public:
     }
     /// After this, what lanes read outside of `each` may be written to.
     SUFFUSE_PROGRAM void meet() { __syncwarp(); }
-    /// A mask whose bit i is f(i).
+    /// Returns a mask whose bit i is f(i).
     template <class F>
     SUFFUSE_PROGRAM std::uint32_t ballot(F f)
     {
@@ -66,13 +69,13 @@ public:
     {
         return __any_sync(everyLane, f(m_lane)) != 0;
     }
-    /// The value of lane `from`.
+    /// Returns the value of lane `from`.
     template <class T>
     SUFFUSE_PROGRAM T read(const Var<T> &v, int from)
     {
         return __shfl_sync(everyLane, v.value, from);
     }
-    /// The sum over all lanes, always in the same order.
+    /// Returns the sum over all lanes, always added in the same order.
     template <class T>
     SUFFUSE_PROGRAM T sum(const Var<T> &v)
     {
@@ -113,11 +116,11 @@ public:
             __pipeline_wait_prior(0);
         __syncwarp();
     }
-    /// The number of bits of a mask below that of a lane.
+    /// Returns how many bits of a mask are set below that of a lane.
     static SUFFUSE_PROGRAM int rank(std::uint32_t mask, int lane) { return __popc(mask & ((1u << lane) - 1)); }
     static SUFFUSE_PROGRAM int count(std::uint32_t mask) { return __popc(mask); }
     static SUFFUSE_PROGRAM int lowest(std::uint32_t mask) { return __ffs(int(mask)) - 1; }
-    /// For words that other warps change, too.
+    /// Makes a word at least `to`. Other warps may change it at the same time.
     static SUFFUSE_PROGRAM void raise(std::uint32_t *word, std::uint32_t to) { atomicMax(word, to); }
     /// Adds to a word, and returns what it was before.
     static SUFFUSE_PROGRAM std::uint32_t add(std::uint32_t *word, std::uint32_t value)
@@ -136,8 +139,8 @@ private:
     int m_lane;
 };
 
-/// Warps that work together on one thing, in phases. After each phase they see what the others wrote. Outside of phases
-/// all do the same.
+/// The warps of a block work on one thing, in phases. After each phase they see what the others wrote. Outside of
+/// phases all do the same.
 class DeviceBlock {
 public:
     using Warp = DeviceWarp;
