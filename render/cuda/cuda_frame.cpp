@@ -16,8 +16,8 @@ Result<void> resultOf(const Fault &fault)
     return fault ? Result<void>(Error{QString::fromStdString(fault.what)}) : Result<void>();
 }
 
-/// Every copy costs a call: many rectangles are copied as the one that holds them all, which never shows what is
-/// unfinished, as both pictures are whole whenever they are copied.
+/// Every copy costs a call, so many rectangles are copied as the one that holds them all. That never shows anything
+/// unfinished, since both pictures are whole whenever they are copied.
 std::vector<PixelRect> fewRects(const std::vector<PixelRect> &rects)
 {
     constexpr std::size_t few = 4;
@@ -49,7 +49,7 @@ public:
     cuda::GlTexture &texture() { return *m_texture; }
 
 private:
-    std::shared_ptr<Device> m_device; ///< outlives the texture
+    std::shared_ptr<Device> m_device; ///< It must outlive the texture.
     std::unique_ptr<cuda::GlTexture> m_texture;
 };
 

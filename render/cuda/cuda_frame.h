@@ -1,4 +1,4 @@
-// The picture that a CUDA device keeps for the canvas.
+// A CUDA device keeps a picture for the canvas.
 #pragma once
 
 #include "render/cuda/device.h"
@@ -10,11 +10,11 @@
 
 namespace suffuse {
 
-/// Keeps its device alive. `link` and `copyTo` may be called while another thread renders; all else
-/// belongs to the thread that uses the device.
+/// A frame keeps its device alive. `link` and `copyTo` may be called while another thread renders; all else belongs to
+/// the thread that uses the device.
 class CudaFrame : public DeviceFrame {
 public:
-    /// Where to render: device memory of 0xAARRGGBB, `width` pixels in a row.
+    /// Returns where to render: device memory of 0xAARRGGBB, with `width` pixels in a row.
     virtual std::uint32_t *picture() = 0;
 };
 

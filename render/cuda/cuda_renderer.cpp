@@ -15,7 +15,7 @@ using cuda::TileTask;
 
 namespace {
 
-/// Tiles and macro-tiles are counted by 16 bits a side.
+/// Tiles and macro-tiles are counted by 16 bits along each side.
 constexpr int mostPixels = 65535 * cuda::tileSide;
 
 double milliseconds(const QElapsedTimer &timer)
@@ -23,7 +23,7 @@ double milliseconds(const QElapsedTimer &timer)
     return double(timer.nsecsElapsed()) * 1e-6;
 }
 
-/// Tiles that lie side by side in a row as one rectangle, and such rectangles below each other.
+/// Joins tiles that lie side by side in a row to one rectangle, and such rectangles that lie below each other.
 class DirtyRects {
 public:
     explicit DirtyRects(std::vector<PixelRect> &out) : m_out(out) {}
@@ -34,7 +34,7 @@ public:
         m_row.clear();
         m_next = 0;
     }
-    /// Runs that do not touch, in order of columns.
+    /// Adds a run of tiles. The runs of a row do not touch, and come in order of columns.
     void add(const PixelRect &run)
     {
         while (m_next < m_above.size() && m_out[m_above[m_next]].x < run.x)
@@ -50,11 +50,12 @@ public:
 
 private:
     std::vector<PixelRect> &m_out;
-    std::vector<std::size_t> m_above, m_row; ///< rectangles that end with the last row and with this one
+    std::vector<std::size_t> m_above, m_row; ///< the rectangles that end with the last row and with this one
     std::size_t m_next = 0;
 };
 
-/// Tiles of the region as few rectangles. `marked`: a byte a tile, row by row, 1 where it is one of them, else 0.
+/// Covers the marked tiles of the region by few rectangles. `marked` has a byte for each tile, row by row: 1 where the
+/// tile is marked, else 0.
 std::vector<PixelRect> dirtyRects(const DirtyRegion &region, const std::uint8_t *marked)
 {
     const auto find = [](const std::uint8_t *from, const std::uint8_t *end, int value) {
@@ -88,7 +89,7 @@ CudaRenderer::CudaRenderer(const std::vector<std::shared_ptr<cuda::Device>> &dev
     if (devices.size() > 1)
         m_deviceName = QStringLiteral("%1 × %2").arg(devices.size()).arg(m_deviceName);
     m_shares.resize(devices.size());
-    for (const auto &device : devices) { // further devices work beside the first one, which has the crew
+    for (const auto &device : devices) { // Further devices work beside the first one, which has the crew.
         const Threads own = m_workers.empty() ? m_threads : Threads(m_threads.count());
         m_workers.push_back(std::make_unique<cuda::TileWorker>(device, cull, own));
     }
@@ -128,7 +129,7 @@ void CudaRenderer::planTasks()
     }
     for (int top = 0; top < region.rows(); top += side) {
         for (int left = 0; left < region.columns(); left += side) {
-            // Always the same device's, which may have layers of it.
+            // A macro-tile always goes to the same device, which may have layers of it.
             TileTask *&share = next[std::size_t((top + left) / side) % next.size()], *task = share;
             for (int row = top; row < std::min(top + side, region.rows()); ++row) {
                 const std::uint8_t *dirty = region.dirtyRow(row);
@@ -138,7 +139,7 @@ void CudaRenderer::planTasks()
                 for (int column = left; column < right; ++column) {
                     *task = {std::uint16_t(column), std::uint16_t(row),
                              std::uint32_t(m_history.tileIndex(column, row))};
-                    task += dirty[column]; // without a jump that nobody can foresee
+                    task += dirty[column]; // A branch here would often be predicted wrongly.
                 }
             }
             share = task;
@@ -216,7 +217,7 @@ void CudaRenderer::finish(RenderStats &stats)
     std::size_t all = 0, drawn = 0;
     for (const Share &share : m_shares)
         all += share.tasks.size();
-    if (all > 0 && stats.dirty.empty()) // the first device had nothing to do
+    if (all > 0 && stats.dirty.empty()) // The first device had nothing to do.
         stats.dirty = dirtyRects(region, region.dirtyRow(0));
     if (std::ranges::all_of(m_workers, &cuda::TileWorker::drewAll)) {
         drawn = all;

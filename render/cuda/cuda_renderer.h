@@ -1,4 +1,4 @@
-// Draws on one or several CUDA devices, and evaluates only what differs from the last call.
+// This renderer draws on one or several CUDA devices, and evaluates only what differs from the last call.
 #pragma once
 
 #include "render/cuda/cuda_frame.h"
@@ -25,13 +25,13 @@ public:
     bool isLost() const override { return m_lost; }
 
 private:
-    /// The tiles that one device evaluates.
+    /// Holds the tiles that one device evaluates.
     struct Share {
-        std::vector<cuda::TileTask> room; ///< kept from frame to frame
+        std::vector<cuda::TileTask> room; ///< the memory of the tasks, kept from frame to frame
         std::span<cuda::TileTask> tasks;
     };
-    /// The picture on the device, if the target takes it and the device has room. Otherwise null: then the picture goes
-    /// into the target.
+    /// Returns the picture on the device, if the target takes it and the device has room. Otherwise returns null, and
+    /// the picture goes into the target.
     std::uint32_t *pictureFor(const RenderRequest &request, const Target &target);
     /// Lists the tiles to evaluate, for each device its own.
     void planTasks();
@@ -39,16 +39,16 @@ private:
     cuda::Fault onDevices(const std::function<cuda::Fault(std::size_t)> &work);
     /// Notes what was drawn.
     void finish(RenderStats &stats);
-    /// A byte for each tile of the picture, row by row: 1 where it was drawn.
+    /// Returns a byte for each tile of the picture, row by row, which is 1 where it was drawn.
     std::vector<std::uint8_t> drawnTiles() const;
     Error lose(const QString &why);
 
     Crew m_crew;
-    Threads m_threads; ///< the crew
+    Threads m_threads; ///< the threads of the crew
     QString m_deviceName;
     FrameHistory m_history;
     std::vector<std::unique_ptr<cuda::TileWorker>> m_workers;
-    std::vector<Share> m_shares; ///< of each of them
+    std::vector<Share> m_shares; ///< the share of each worker
     std::vector<std::shared_ptr<cuda::Device>> m_devices;
     std::shared_ptr<CudaFrame> m_frame;
     bool m_noFrame = false; ///< whether the device has no room for a picture of this size
@@ -57,7 +57,7 @@ private:
     bool m_lost = false;
 };
 
-/// Why there is no device, for a user.
+/// Says to a user why there is no device.
 QString whyNone(const cuda::Devices &devices);
 /// Opens the devices that RendererOptions::devices asks for, as far as they can be opened. It fails with the reason if
 /// none can.

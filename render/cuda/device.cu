@@ -1,4 +1,5 @@
-// The CUDA device. A stream in order; lists and tiles as one graph, whose kernels get the frame of each call.
+// This is the CUDA device. It does its calls in order, in one stream. The lists and tiles of a frame are one graph,
+// which is made once; its kernels get the frame of each call.
 #include "render/cuda/device.h"
 
 #include "render/cuda/gl_interop.h"
@@ -12,12 +13,12 @@ Fault faultOf(cudaError_t error)
 {
     if (error == cudaSuccess)
         return {};
-    cudaGetLastError(); // else the next call would find it
+    cudaGetLastError(); // Without this the next call would find the error.
     const bool memory = error == cudaErrorMemoryAllocation;
     return {memory ? Fault::OutOfMemory : Fault::Lost, cudaGetErrorString(error)};
 }
 
-/// The calls of one frame, made once for each kind of work.
+/// Holds the calls of one frame, which are made once for each kind of work.
 class FrameGraph {
 public:
     FrameGraph() = default;
@@ -42,7 +43,7 @@ private:
 
     cudaError_t record(const Frame &frame, Work work, const Grid &grid, cudaStream_t stream)
     {
-        if (m_graph) // of an attempt that failed
+        if (m_graph) // An attempt that failed has left it.
             cudaGraphDestroy(m_graph);
         m_graph = nullptr;
         cudaError_t error = cudaStreamBeginCapture(stream, cudaStreamCaptureModeThreadLocal);
@@ -188,7 +189,7 @@ public:
         m_timed = true;
         cudaEventRecord(m_begin, m_stream);
         Frame own = frame;
-        own.ordered = frame.tileCount > m_grid.plain; // else all tiles begin at once
+        own.ordered = frame.tileCount > m_grid.plain; // Otherwise all tiles begin at once.
         FrameGraph &graph = m_graphs[work.plain][work.general][own.ordered];
         if (const Fault fault = call([&] { return graph.launch(own, work, m_grid, m_stream); }))
             return fault;
@@ -212,7 +213,7 @@ public:
 
 private:
     cudaError_t use() const { return cudaSetDevice(m_index); }
-    /// Which device is used is a state of the thread.
+    /// Makes a call with this device in use, since CUDA remembers for each thread which device that is.
     template <class Calls>
     Fault call(Calls calls)
     {

@@ -1,4 +1,4 @@
-// A device that renders: what the host asks of it, without how CUDA does it. C++17, no Qt.
+// This is what the host asks of a device that renders, without how CUDA does it. The header is C++17 and knows no Qt.
 #pragma once
 
 #include "render/cuda/records.h"
@@ -10,22 +10,22 @@
 
 namespace suffuse::cuda {
 
-/// Why a call failed; empty if it did not fail.
+/// Says why a call failed, or by None that it did not fail.
 struct Fault {
-    enum Kind { None, OutOfMemory, Lost }; ///< Lost: this process can no longer use the device
+    enum Kind { None, OutOfMemory, Lost }; ///< Lost means that this process can no longer use the device.
     Kind kind = None;
-    std::string what; ///< in the words of the driver
+    std::string what; ///< the reason in the words of the driver
 
     explicit operator bool() const { return kind != None; }
 };
 
-/// Which kernels of a frame a call needs.
+/// Says which kernels of a frame a call needs.
 struct Work {
-    bool plain = true;   ///< tiles with the flag plainTile
-    bool general = true; ///< the others
+    bool plain = true;   ///< whether some tiles have the flag plainTile
+    bool general = true; ///< whether some have not
 };
 
-/// An OpenGL texture that the device writes to. It must be used and destroyed on the thread whose context is current
+/// The device writes to such an OpenGL texture. It must be used and destroyed on the thread whose context is current
 /// (the window's), also while another thread renders.
 class GlTexture {
 public:
@@ -40,8 +40,8 @@ public:
 class Device {
 public:
     virtual ~Device() = default;
-    virtual std::string name() const = 0; ///< "NVIDIA H100 80GB HBM3"
-    /// The number of bytes that are free now, at least roughly.
+    virtual std::string name() const = 0; ///< for example "NVIDIA H100 80GB HBM3"
+    /// Returns the number of bytes that are free now, at least roughly.
     virtual std::size_t freeMemory() const = 0;
 
     virtual Fault allocate(std::size_t bytes, void **memory) = 0;
@@ -50,14 +50,14 @@ public:
     virtual Fault allocateHost(std::size_t bytes, void **memory) = 0;
     virtual void releaseHost(void *memory) = 0;
 
-    // In the order of the calls, all of them after one another on the device; `from` and `to` on the host must stay
-    // until finish() where they come from allocateHost.
+    // The device does these calls one after another, in their order. Host memory that comes from allocateHost must stay
+    // as it is until finish().
     virtual Fault upload(void *to, const void *from, std::size_t bytes) = 0;
     virtual Fault download(void *to, const void *from, std::size_t bytes) = 0;
     /// Copies rectangles {x, y, width, height} of pictures with `rowPixels` in a row, within the device.
     virtual Fault copyRects(std::uint32_t *to, const std::uint32_t *from, int rowPixels, const int (*rects)[4],
                             int count) = 0;
-    virtual Fault clear(void *memory, std::size_t bytes) = 0; ///< to zeros
+    virtual Fault clear(void *memory, std::size_t bytes) = 0; ///< sets the memory to zeros
     /// Runs the kernels for lists, then those for tiles (render/cuda/tile_program.h).
     virtual Fault run(const Frame &frame, Work work) = 0;
     /// Waits for everything that was asked for. `milliseconds`, if not null, gets the time of the last run() on the
@@ -69,12 +69,12 @@ public:
     virtual std::unique_ptr<GlTexture> registerTexture(unsigned texture, Fault &fault) = 0;
 };
 
-/// Why there is no device.
+/// Says why there is no device.
 enum class NoDevice { NotBuilt, NoDriver, NoGpu, Failed };
-/// The devices that can be opened, by an index below `count`.
+/// Says which devices can be opened, by an index below `count`.
 struct Devices {
     int count = 0;
-    NoDevice why = NoDevice::NotBuilt; ///< the reason if there is none
+    NoDevice why = NoDevice::NotBuilt; ///< why there is none, if there is none
     std::string said;                  ///< what the driver says about it
 };
 Devices findDevices();

@@ -1,4 +1,5 @@
-// Layers of tiles in a device's memory (docs/solver.md, "Layers"), for tiles that are drawn while a stroke is edited.
+// While a stroke is edited, the layers of tiles that are drawn are kept in a device's memory (docs/solver.md,
+// "Layers").
 #pragma once
 
 #include "render/cuda/device_memory.h"
@@ -8,7 +9,7 @@
 
 namespace suffuse::cuda {
 
-/// Where the layers of a tile lie, and which of them are valid.
+/// Says where the layers of a tile lie, and which of them are valid.
 struct TileLayer {
     static constexpr std::uint32_t none = UINT32_MAX;
 
@@ -23,7 +24,7 @@ public:
     explicit DeviceLayers(Device &device) : m_device(device), m_under(device), m_over(device) {}
 
     /// Begins a frame of a picture of so many tiles. Makes room for their layers: at most 512 MiB, or a quarter of what
-    /// the device has free. If it cannot be had, there are no layers.
+    /// the device has free. If there is no room, there are no layers.
     Fault beginFrame(std::size_t tiles);
     /// Makes all layers invalid.
     void clear();
@@ -33,8 +34,8 @@ public:
     void allow() { m_refused = false; }
     bool hasMemory() const { return m_room > 0; }
 
-    /// The layers of a tile, which are made if it has none; null if there is no room. `tile` is below the number that
-    /// the frame began with.
+    /// Returns the layers of a tile, which are made if it has none, or null if there is no room. `tile` is below the
+    /// number that the frame began with.
     TileLayer *at(std::size_t tile)
     {
         TileLayer &layer = m_tiles[tile];

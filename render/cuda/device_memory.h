@@ -1,4 +1,4 @@
-// Memory of a device that is owned by an object. C++20, no Qt.
+// Objects of these types own memory of a device. The header is C++20 and knows no Qt.
 #pragma once
 
 #include "render/cuda/device.h"
@@ -12,7 +12,7 @@ namespace suffuse::cuda {
 
 enum class Where { Device, PinnedHost };
 
-/// An array that grows by doubling. When it grows, its content is lost.
+/// This array grows by doubling. When it grows, its content is lost.
 template <class T, Where where>
 class Buffer {
 public:
@@ -70,10 +70,10 @@ using DeviceArray = Buffer<T, Where::Device>;
 template <class T>
 using PinnedArray = Buffer<T, Where::PinnedHost>;
 
-/// The indices [first, second).
+/// Stands for the indices [first, second).
 using IndexRange = std::pair<std::size_t, std::size_t>;
 
-/// An array that the host writes and the device reads. Only what was touched is uploaded.
+/// The host writes this array and the device reads it. Only what was touched is uploaded.
 template <class T>
 class Mirror {
 public:
@@ -99,7 +99,7 @@ public:
         }
         return changed;
     }
-    /// Notes that these were written.
+    /// Notes that these elements were written.
     void touch(const IndexRange &range)
     {
         if (range.first < range.second)
@@ -134,7 +134,7 @@ public:
     }
 
 private:
-    /// A call costs as much as so many elements.
+    /// Ranges that lie nearer than this are uploaded together, since a call costs as much as so many elements.
     static constexpr std::size_t near = 16384 / sizeof(T);
 
     Device &m_device;

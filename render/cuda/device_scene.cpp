@@ -110,7 +110,7 @@ void DeviceScene::setNodes(Prepared &p, Threads threads)
     p.chunks.resize(deep + count);
     if (deep)
         p.chunks[0] = deepChunk(s);
-    constexpr std::size_t share = 16, worthSharing = 4 * share; // chunks
+    constexpr std::size_t share = 16, worthSharing = 4 * share; // Both are numbers of chunks.
     const std::size_t shares = (count + share - 1) / share;
     std::vector<IndexRange> changed(count);
     parallelFor(shares, count < worthSharing ? Threads(1) : threads, [&](std::size_t k) {
@@ -163,7 +163,7 @@ void DeviceScene::moveChunks(std::vector<Prepared> &changed, std::size_t from)
             ++next;
         if (next < changed.size() && changed[next].index == i) {
             const auto count = std::uint32_t(changed[next].chunks.size());
-            // What has grown once may grow again.
+            // A stroke that has grown once may grow again.
             if (count > e.chunkRoom)
                 e.chunkRoom = e.chunkRoom ? count + count / 2 : count;
             tail.insert(tail.end(), changed[next].chunks.begin(), changed[next].chunks.end());
@@ -223,7 +223,7 @@ Fault DeviceScene::update(const std::vector<SceneStrokePtr> &strokes, const Scen
     std::size_t from = m_entries.size();
     if (anew || change.reordered) {
         from = align(strokes, changed);
-        if (!anew && changed.size() == strokes.size() && !strokes.empty()) { // packed again
+        if (!anew && changed.size() == strokes.size() && !strokes.empty()) { // All are new, so they are packed again.
             reset(width, height);
             changed.clear();
             from = align(strokes, changed);

@@ -1,4 +1,4 @@
-// The scene in a device's memory, which follows what changes.
+// This keeps the scene in a device's memory, and follows what changes.
 #pragma once
 
 #include "render/cuda/device_memory.h"
@@ -21,10 +21,10 @@ public:
     void forget();
 
     void fill(Frame &frame) const;
-    /// Where the chunks of the i-th stroke begin. For i ≥ number of strokes it is the end of all chunks.
+    /// Returns where the chunks of the i-th stroke begin. For i ≥ number of strokes it is the end of all chunks.
     std::uint32_t firstChunk(std::size_t i) const;
     std::uint32_t chunkCount() const { return std::uint32_t(m_chunks.host().size()); }
-    /// Whether no stroke near a tile (counted row by row) needs the general kernel.
+    /// Tells whether no stroke near a tile (counted row by row) needs the general kernel.
     bool isPlain(std::size_t tile) const { return m_general[tile] == 0; }
 
 private:
@@ -32,9 +32,9 @@ private:
         SceneStrokePtr stroke;
         std::uint32_t slot = 0; ///< index of its StrokeRecord
         Run nodes, values, deep, small;
-        std::uint32_t firstChunk = 0, chunkRoom = 0; ///< chunks of the room that it does not need are empty
+        std::uint32_t firstChunk = 0, chunkRoom = 0; ///< Chunks of the room that are not needed are empty.
     };
-    /// A stroke whose records were made anew.
+    /// Holds a stroke whose records were made anew.
     struct Prepared {
         std::size_t index = 0;
         StrokeRecord record;
@@ -54,7 +54,7 @@ private:
     void placeChunks(std::vector<Prepared> &changed, std::size_t from);
     void moveChunks(std::vector<Prepared> &changed, std::size_t from);
     void writeChunks(std::size_t at, const std::vector<ChunkRecord> &chunks, std::uint32_t room);
-    /// Counts the tiles that need the general kernel because of a stroke.
+    /// Adds `by` to the counts of tiles near a stroke, if it needs the general kernel.
     void countGeneral(const Entry &entry, int by);
     Fault upload();
 
@@ -69,7 +69,7 @@ private:
     std::vector<Entry> m_entries; ///< in document order
     bool m_valid = false;
     int m_width = 0, m_height = 0, m_columns = 0;
-    std::vector<std::int32_t> m_general; ///< by tile, the number of chunks of strokes that are not plain
+    std::vector<std::int32_t> m_general; ///< for each tile, how many chunks of strokes that are not plain meet it
 };
 
 } // namespace suffuse::cuda

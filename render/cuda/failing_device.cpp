@@ -61,7 +61,7 @@ Fault FailingDevice::run(const Frame &frame, Work work)
 Fault FailingDevice::finish(double *milliseconds)
 {
     const Fault fault = next();
-    const Fault real = m_device->finish(milliseconds); // what was asked for uses host memory until then
+    const Fault real = m_device->finish(milliseconds); // What was asked for uses host memory until then.
     return fault ? fault : real;
 }
 

@@ -1,4 +1,4 @@
-// A device whose n-th call fails, for tests of what happens then.
+// Tests of what happens when a call fails use a device whose n-th call does.
 #pragma once
 
 #include "render/cuda/device.h"
@@ -7,18 +7,18 @@
 
 namespace suffuse::cuda {
 
-/// Which call of a device fails, counted from 1 (0: none), and how.
+/// Says which call of a device fails, counted from 1 (0: none), and how.
 struct PlannedFault {
     int call = 0;
     Fault::Kind kind = Fault::Lost; ///< Lost: all calls after it fail, too. OutOfMemory: only this one fails.
 };
 
-/// Passes everything on to another device, except the call that is to fail.
+/// This device passes everything on to another one, except the call that is to fail.
 class FailingDevice : public Device {
 public:
     FailingDevice(std::unique_ptr<Device> device, PlannedFault plan) : m_device(std::move(device)), m_plan(plan) {}
 
-    /// The number of calls so far that could have failed.
+    /// Returns the number of calls so far that could have failed.
     int calls() const { return m_calls; }
 
     std::string name() const override { return m_device->name(); }
@@ -41,10 +41,11 @@ private:
 
     std::unique_ptr<Device> m_device;
     PlannedFault m_plan;
-    std::atomic<int> m_calls = 0; ///< textures are registered by another thread
+    std::atomic<int> m_calls = 0; ///< Textures are registered by another thread.
 };
 
-/// The device itself or, if the environment variable SUFFUSE_CUDA_FAIL is "n" or "n:oom", one whose n-th call fails.
+/// Returns the device itself or, if the environment variable SUFFUSE_CUDA_FAIL is "n" or "n:oom", one whose n-th call
+/// fails.
 std::unique_ptr<Device> failingIfAsked(std::unique_ptr<Device> device);
 
 } // namespace suffuse::cuda

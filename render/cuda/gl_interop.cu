@@ -1,4 +1,4 @@
-// OpenGL textures as CUDA sees them. Links no libGL: the driver knows the context that is current.
+// CUDA writes to OpenGL textures here. This links no libGL, since the driver knows the context that is current.
 #include "render/cuda/gl_interop.h"
 
 #include <cuda_gl_interop.h>
@@ -11,7 +11,8 @@ namespace suffuse::cuda {
 
 namespace {
 
-/// Empty where the call was well; else what the driver says. Errors that pass are not left for the next call to find.
+/// Says nothing if the call went well, else what the driver says. The error is taken from CUDA, so that the next call
+/// does not find it.
 Fault faultOf(cudaError_t error)
 {
     if (error == cudaSuccess)
@@ -38,10 +39,10 @@ public:
 
     cudaError_t open(unsigned texture)
     {
-        // Rendering goes on in the device's own stream meanwhile.
+        // Rendering goes on in the device's own stream meanwhile, so this needs another one.
         if (const cudaError_t error = cudaStreamCreateWithFlags(&m_stream, cudaStreamNonBlocking))
             return error;
-        // What is not written must stay: no write-discard.
+        // What is not written must stay, so the flags do not say that it may be discarded.
         return cudaGraphicsGLRegisterImage(&m_resource, texture, GL_TEXTURE_2D, cudaGraphicsRegisterFlagsNone);
     }
 
@@ -84,7 +85,7 @@ private:
     cudaGraphicsResource_t m_resource = nullptr;
 };
 
-/// Empty where `device` draws the current context.
+/// Says why `device` does not draw the current context. The text is empty if it does.
 std::string whyNotDrawnBy(int device)
 {
     constexpr unsigned most = 16;

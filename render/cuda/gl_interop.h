@@ -1,4 +1,4 @@
-// OpenGL textures as CUDA sees them. C++17, no Qt.
+// CUDA writes to OpenGL textures here. The header is C++17 and knows no Qt.
 #pragma once
 
 #include "render/cuda/device.h"

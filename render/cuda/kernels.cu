@@ -7,8 +7,8 @@ namespace suffuse::cuda {
 
 namespace {
 
-/// What a kernel of a frame begins with: the next one may be made ready meanwhile, and the one before has to be done.
-/// Older chips run kernels one after another anyway.
+/// Begins a kernel of a frame: lets the next one be made ready, and waits until the one before is done. Older chips run
+/// kernels one after another anyway.
 __device__ void takeTurn()
 {
 #if defined(__CUDA_ARCH__) && __CUDA_ARCH__ >= 900
@@ -17,7 +17,7 @@ __device__ void takeTurn()
 #endif
 }
 
-// Runs once per list, by one block.
+// A block makes one list after the other.
 __global__ void __launch_bounds__(listWarps *warpLanes, 3) listsKernel(const __grid_constant__ Frame frame)
 {
     __shared__ ListScratch scratch;
@@ -27,12 +27,13 @@ __global__ void __launch_bounds__(listWarps *warpLanes, 3) listsKernel(const __g
         ListMaker<DeviceBlock>(block, frame, list, scratch).make();
 }
 
-/// Warps a multiprocessor.
+/// So many warps run at once on a multiprocessor, which is to a GPU what a core is to a processor.
 constexpr int plainWarps = 12, generalWarps = 5;
 
-/// Where a block begins in the order. Blocks of one multiprocessor follow one another where they are made ready while
-/// lists are made, and tiles of like weights go well together there; but the heaviest would make one multiprocessor
-/// late, so the first quarter of them is dealt out, there and back.
+/// Returns a block's first place in the order. Where blocks are made ready while lists are made, those of one
+/// multiprocessor get numbers in a row, and tiles of like weights go well together there. But one multiprocessor with
+/// all of the heaviest tiles would be late, so the first quarter of the multiprocessors get theirs as cards are dealt,
+/// there and back.
 template <int together>
 __device__ std::uint32_t firstPlace()
 {
@@ -44,7 +45,7 @@ __device__ std::uint32_t firstPlace()
     return blockIdx.x;
 }
 
-/// The first places are those of `firstPlace`; of the rest each block takes the next that nobody has.
+/// Returns the next place that no block has. The first places, one for each block, are those of `firstPlace`.
 template <StatusWord counter>
 __device__ std::uint32_t nextPlace(const Frame &frame)
 {
@@ -54,7 +55,7 @@ __device__ std::uint32_t nextPlace(const Frame &frame)
     return __shfl_sync(0xffffffffu, place, 0);
 }
 
-// Runs once per tile job, by one warp.
+// A block is one warp, which paints one tile job after the other.
 template <bool general>
 __global__ void __launch_bounds__(warpLanes, general ? generalWarps : plainWarps)
     tilesKernel(const __grid_constant__ Frame frame)
@@ -75,7 +76,7 @@ __global__ void __launch_bounds__(warpLanes, general ? generalWarps : plainWarps
 
 constexpr int copyThreads = 256, copySlices = 128;
 
-// Runs once per rectangle, by as many blocks as it has slices of rows.
+// A rectangle is copied by copySlices blocks, each of which takes every copySlices-th row.
 __global__ void __launch_bounds__(copyThreads)
     copyKernel(std::uint32_t *to, const std::uint32_t *from, int rowPixels, const int4 *rects)
 {
@@ -118,7 +119,7 @@ unsigned blocksOf(const void *kernel, const Frame &frame, const Grid &grid)
 
 namespace {
 
-/// Launches one of the kernels of a frame. `follows`: may be made ready while the one before runs.
+/// Launches one of the kernels of a frame. `follows` says that it may be made ready while the one before runs.
 cudaError_t launch(void (*kernel)(Frame), int threads, bool follows, const Frame &frame, const Grid &grid,
                    cudaStream_t stream)
 {

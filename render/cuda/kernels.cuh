@@ -1,4 +1,4 @@
-// The kernels, for device.cu.
+// Through this header device.cu launches the kernels.
 #pragma once
 
 #include "render/cuda/records.h"
@@ -7,14 +7,14 @@
 
 namespace suffuse::cuda {
 
-/// How many blocks of each kernel fill a device, and how kernels are launched.
+/// Says how many blocks of each kernel fill a device, and how kernels are launched.
 struct Grid {
     unsigned lists = 1, plain = 1, general = 1;
-    bool early = false; ///< whether kernels themselves wait for those before them
+    bool early = false; ///< whether kernels are begun early, and wait themselves for those before them
 };
 cudaError_t fillingGrid(int device, Grid &grid);
 
-/// How many blocks a kernel of a frame is launched with.
+/// Returns how many blocks a kernel of a frame is launched with.
 unsigned blocksOf(const void *kernel, const Frame &frame, const Grid &grid);
 
 /// Launches a run for each list, which finds its chunks and where they can be seen, and puts the tile jobs in order if

@@ -1,4 +1,4 @@
-// In place of the CUDA device where the program was built without nvcc.
+// This stands in for the CUDA device where the program was built without nvcc.
 #include "render/cuda/device.h"
 
 namespace suffuse::cuda {

@@ -1,4 +1,4 @@
-// Runs of records in one array, which are handed out and taken back.
+// A pool hands out runs of records in one array, and takes them back.
 #pragma once
 
 #include <algorithm>
@@ -9,7 +9,7 @@
 
 namespace suffuse::cuda {
 
-/// `count` records from `begin` on, with room for `room`.
+/// Stands for `count` records from `begin` on, with room for `room`.
 struct Run {
     std::uint32_t begin = 0, count = 0, room = 0;
 };
@@ -17,9 +17,9 @@ struct Run {
 /// Rooms are rounded up by at most a quarter, so that another run fits where one has been.
 class RunPool {
 public:
-    /// The length of the array.
+    /// Returns the length of the array.
     std::size_t size() const { return m_size; }
-    /// The number of records for which runs have room.
+    /// Returns the number of records for which runs have room.
     std::size_t used() const { return m_used; }
 
     /// Makes a run have `count` records, which may then lie elsewhere.

@@ -1,7 +1,7 @@
 #include "render/cuda/stroke_records.h"
 
 #include "render/math/scalar.h"
-// After the numbers: templates over them.
+// This header has templates over the numbers of scalar.h, which must be declared before it.
 #include "render/math/shade.h"
 
 #include <algorithm>
@@ -13,7 +13,7 @@ namespace suffuse::cuda {
 
 namespace {
 
-/// A style made once, as the bytes that the device takes for it.
+/// Keeps a style that the host has made, as the bytes that the device takes for it.
 template <class Style>
 void keepStyle(const Style &style, float (&bytes)[12])
 {
@@ -21,14 +21,15 @@ void keepStyle(const Style &style, float (&bytes)[12])
     std::memcpy(bytes, &style, sizeof(Style));
 }
 
-/// As StrokeRecord::plain.
+/// Tells whether a stroke is plain, as StrokeRecord::plain explains it.
 bool isPlain(const SceneStroke &s)
 {
     return math::hasOneStyle(s.shade) && s.shade.grainChannel < 0 && s.shade.laidChannel < 0 &&
            s.separable == int(s.nodes.size()) && s.deep.empty() && s.small.empty();
 }
 
-/// The pixels that nodes [begin, end) may show in: their boxes and a pixel around them for its coverage.
+/// Finds the pixels that nodes [begin, end) may show in: their boxes and a pixel around them, since coverage looks at
+/// the whole pixel.
 void bound(const SceneStroke &s, std::size_t begin, std::size_t end, int width, int height, ChunkRecord &chunk)
 {
     const NodeBoxes boxes = s.boxes.boxes();
@@ -44,7 +45,7 @@ void bound(const SceneStroke &s, std::size_t begin, std::size_t end, int width, 
     chunk.top = cut(std::floor(top), height), chunk.bottom = cut(std::ceil(bottom), height);
 }
 
-/// ⌊v / tileSide⌋, without a call.
+/// Returns ⌊v / tileSide⌋, without a call.
 std::int32_t cellOf(double v)
 {
     const double cells = v / tileSide;

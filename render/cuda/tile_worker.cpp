@@ -12,7 +12,7 @@ constexpr std::size_t mostBandTiles = 65535; // They are counted by 16 bits.
 /// So many tiles of float pixels take 32 MiB.
 constexpr std::size_t mostFloatTiles = 8192;
 constexpr std::size_t fewestBandTiles = 64;
-/// The greatest numbers of entries in all lists of a band, and of macro-tiles, which are counted by 16 bits.
+/// All lists of a band have at most so many entries. Macro-tiles are counted by 16 bits.
 constexpr std::size_t mostListed = std::size_t(1) << 23, mostMacros = 65535;
 
 ToCanvas toCanvasOf(const View &v)

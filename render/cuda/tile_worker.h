@@ -1,4 +1,4 @@
-// The share of one device in a picture: what differs is uploaded, and tiles come back.
+// A worker evaluates the share of one device in a picture: it uploads what differs, and tiles come back.
 #pragma once
 
 #include "render/cuda/device_layers.h"
@@ -14,7 +14,7 @@
 
 namespace suffuse::cuda {
 
-/// A tile to evaluate. Those of a macro-tile follow each other.
+/// Names a tile to evaluate. The tiles of a macro-tile follow each other.
 struct TileTask {
     std::uint16_t column = 0, row = 0;
     std::uint32_t index = 0;  ///< counted row by row
@@ -34,21 +34,21 @@ public:
     /// say what became of them. `meanwhile`, if there is any, is called while the device works.
     Fault paint(const FrameHistory &history, bool interactive, std::span<TileTask> tasks, std::uint32_t *picture,
                 Target &target, const std::atomic<bool> *cancel, std::function<void()> meanwhile);
-    /// Whether the last `paint` drew all tasks, none of them with an over map. The tasks themselves say it only if it
-    /// did not.
+    /// Tells whether the last `paint` drew all tasks, none of them with an over map. The tasks themselves say it only
+    /// if it did not.
     bool drewAll() const { return m_drewAll; }
-    /// The milliseconds that the device took for the last `paint`, by its own clock.
+    /// Returns the milliseconds that the device took for the last `paint`, by its own clock.
     double deviceMs() const { return m_deviceMs; }
 
 private:
     enum class Output { Picture, Argb, Rgba };
-    /// What one run of the device evaluates.
+    /// Says what one run of the device evaluates.
     struct Band {
         std::size_t tiles = 0, macros = 0;
         int flags = 0;           ///< the flags of all its tiles together
         bool anyGeneral = false; ///< whether some of them are not plain
     };
-    /// Finished tiles, with 0xAARRGGBB or four floats for each pixel.
+    /// Holds finished tiles, with 0xAARRGGBB or four floats for each pixel.
     struct TileBuffer {
         explicit TileBuffer(Device &device) : onDevice(device), onHost(device) {}
 
@@ -67,8 +67,8 @@ private:
                Target &target, const std::atomic<bool> *cancel);
     /// Notes which layers the band's jobs have filled.
     void keepLayers(const Band &band, std::span<TileTask> tasks);
-    /// Called after memory ran out for so many tiles. Returns true if it is worth another try, without layers or with
-    /// fewer tiles.
+    /// Makes room after memory ran out for so many tiles. Returns true if it is worth another try, without layers or
+    /// with fewer tiles.
     bool makeRoom(std::size_t triedTiles);
     /// Gives up layers and buffers. Returns false if there are none.
     bool releaseSpare();
@@ -79,7 +79,7 @@ private:
     DeviceScene m_scene;
     DeviceLayers m_layers;
     Frame m_frame;
-    std::shared_ptr<const PaperTexture> m_paperTexture; ///< on the device
+    std::shared_ptr<const PaperTexture> m_paperTexture; ///< the paper that is on the device
     DeviceArray<float> m_paper;
     PinnedArray<TileJob> m_tileJobs;
     PinnedArray<MacroJob> m_macroJobs;
