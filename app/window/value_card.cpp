@@ -37,6 +37,13 @@ FieldSpec widthSpec()
             .logarithmic = true};
 }
 
+/// The width of an inspected segment; nothing for one that takes paint away, which has no edge that is seen.
+std::optional<SeenWidth> seenOf(const Inspected &inspected, std::size_t index, Microseconds time)
+{
+    const auto &[stroke, segment] = inspected.segments[index];
+    return segment->lift ? std::nullopt : seenWidth(*stroke, inspected.refs[index].segment, time);
+}
+
 } // namespace
 
 ValueCard::ValueCard(CanvasWidget &canvas) : FloatingCard(canvas), m_canvas(canvas), m_editor(canvas.editor())
@@ -125,8 +132,8 @@ void ValueCard::choose(bool whole)
 double ValueCard::widest(const Inspected &inspected) const
 {
     double widest = 0;
-    for (const SegmentRef &ref : inspected.refs)
-        if (const auto seen = seenWidth(*inspected.painting->find(ref.stroke), ref.segment, m_editor.clock().time()))
+    for (std::size_t i = 0; i < inspected.refs.size(); ++i)
+        if (const auto seen = seenOf(inspected, i, m_editor.clock().time()))
             widest = std::max(widest, 2 * seen->width);
     return widest;
 }
@@ -139,9 +146,9 @@ void ValueCard::setWidth(double width, ValueEntry *entry)
     const Microseconds time = m_editor.clock().time();
     Edit edit = changeStrokes(document, document.selection().strokes, [&](Stroke &stroke) {
         for (const SegmentRef &ref : inspected.refs) {
-            if (ref.stroke != stroke.id)
+            Segment &segment = stroke.segments[std::size_t(ref.stroke == stroke.id ? ref.segment : 0)];
+            if (ref.stroke != stroke.id || segment.lift)
                 continue;
-            Segment &segment = stroke.segments[std::size_t(ref.segment)];
             const std::optional<SeenWidth> seen = seenWidth(stroke, ref.segment, time);
             if (seen && (seen->width > 0 || now == 0)) // what has faded stays so beside what is seen
                 setSeenWidth(segment, *seen, now > 0 ? seen->width * width / now : width / 2);

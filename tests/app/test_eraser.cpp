@@ -1,6 +1,12 @@
 // The eraser that lifts paint, and what it leaves: erasures that can be seen, moved, weakened and taken out.
+#include "app/panels/inspector/density_plot.h"
+#include "app/panels/inspector/figures_section.h"
 #include "app/panels/inspector/inspector_panel.h"
+#include "app/panels/inspector/segment_section.h"
 #include "app/tools/shaping/eraser_tool.h"
+#include "app/widgets/colour/colour_rows.h"
+#include "app/widgets/look/section.h"
+#include "app/widgets/numbers/number_field.h"
 #include "model/painting/influence.h"
 #include "tests/app/nodes.h"
 #include "undo/group_edits.h"
@@ -289,6 +295,43 @@ private slots:
         s.use(Command::RemoveErasures);
         QCOMPARE(s.erasing(s.id), 0);
         QVERIFY(!s.window.action(Command::RemoveErasures).isEnabled());
+    }
+
+    /// The inspector speaks of strength and size, not of ink; the handle that shows how wide paint is stays away.
+    void theInspectorSpeaksOfErasures()
+    {
+        EraserSession s;
+        s.erase({350, 250}, {350, 390});
+        s.dry();
+        s.use(Command::Segments);
+        auto &panel = *s.window.findChild<InspectorPanel *>();
+        auto &figures = *panel.findChild<FiguresSection *>();
+        auto &segments = *panel.findChild<SegmentSection *>();
+        std::set<SegmentRef> erasing;
+        for (int k = 0; k < int(s.stroke().segments.size()); ++k)
+            if (s.stroke().segments[std::size_t(k)].lift)
+                erasing.insert({s.id, k});
+        const auto speaksOfErasures = [&] { return segments.density()->number()->accessibleName() == "Strength φ"; };
+        const auto hasWidthHandle = [&] {
+            for (double x = 190; x <= 610; x += 4)
+                for (double y = 260; y <= 400; y += 4) {
+                    s.hover({x, y});
+                    if (s.hint().contains("set the width"))
+                        return true;
+                }
+            return false;
+        };
+        s.editor().document().setSelection({{s.id}, erasing});
+        QTRY_VERIFY(speaksOfErasures());
+        QVERIFY(figures.warnings()->text().isEmpty());
+        QVERIFY(figures.densityPlot()->isHidden() && figures.figure(3)->isHidden() && !figures.figure(6)->isHidden());
+        QVERIFY(segments.colour()->isHidden());
+        QVERIFY(!hasWidthHandle());
+        erasing.insert({s.id, 1}); // paint, too: it counts alone
+        s.editor().document().setSelection({{s.id}, erasing});
+        QTRY_VERIFY(!speaksOfErasures());
+        QVERIFY(figures.figure(6)->isHidden() && !figures.figure(3)->isHidden() && !segments.colour()->isHidden());
+        QVERIFY(hasWidthHandle());
     }
 
     /// Values of whole strokes are those of their paint.

@@ -24,6 +24,7 @@ StrokePtr randomStroke(StrokeId id, std::mt19937 &random)
         segment.maxAge = between(0.1, 4);
         segment.colour.opacity = random() % 7 == 0 ? 0 : between(0.1, 1);
         segment.anisotropyRatio = random() % 11 == 0 ? 2 : 1;
+        segment.lift = random() % 5 == 0;
     }
     return std::make_shared<const Stroke>(std::move(stroke));
 }
@@ -61,7 +62,8 @@ bool same(const FiguresSummary &a, const FiguresSummary &b)
     return a.segments == b.segments && a.transparent == b.transparent && a.withoutPaint == b.withoutPaint &&
            same(a.spread, b.spread) && same(a.along, b.along) && same(a.peak, b.peak) &&
            same(a.halfWidth, b.halfWidth) && same(a.driesOut, b.driesOut) && same(a.fading, b.fading) &&
-           same(a.shrinking, b.shrinking) && a.uneven == b.uneven && a.styles == b.styles;
+           same(a.shrinking, b.shrinking) && a.uneven == b.uneven && a.styles == b.styles && a.erasing == b.erasing &&
+           a.withoutEffect == b.withoutEffect && same(a.reach, b.reach) && same(a.taken, b.taken);
 }
 
 } // namespace
@@ -121,9 +123,35 @@ private slots:
             const Inspected inspected = inspect(document);
             const FiguresSummary kept = keeper.summaryOf(inspected), expected = summed(inspected);
             QVERIFY(same(kept, expected));
-            if (expected.segments > 0)
+            if (expected.segments + expected.erasing > 0)
                 QCOMPARE(figureWarnings(kept), figureWarnings(expected));
         }
+    }
+
+    /// What takes paint away is no paint: it is in no figure of paint, and no warning of paint is about it.
+    void erasuresHaveFiguresOfTheirOwn()
+    {
+        Stroke stroke = *line(1, {0, 0}, {100, 0}, 3);
+        stroke.segments[2].lift = true;
+        stroke.segments[2].density = 0;
+        stroke.segments[2].diffusion = 400;
+        stroke.segments[2].colour.opacity = 0;
+        FiguresSummary paint, mixed, erasure;
+        for (const std::size_t k : {0, 1})
+            paint.add({&stroke, &stroke.segments[k]});
+        for (const Segment &segment : stroke.segments)
+            mixed.add({&stroke, &segment});
+        erasure.add({&stroke, &stroke.segments[2]});
+        QVERIFY(same(mixed.spread, paint.spread) && same(mixed.halfWidth, paint.halfWidth));
+        QCOMPARE(mixed.segments, std::size_t(2));
+        QCOMPARE(figureWarnings(mixed), figureWarnings(paint));
+        QVERIFY(!mixed.isErasure() && erasure.isErasure());
+        QCOMPARE(figureWarnings(erasure), QStringList{"Strength 0: nothing is taken away."});
+        stroke.segments[2].density = 5;
+        FiguresSummary strong;
+        strong.add({&stroke, &stroke.segments[2]});
+        QVERIFY(figureWarnings(strong).isEmpty());
+        QVERIFY(strong.taken.most > 0 && strong.reach.most > paint.spread.most);
     }
 };
 

@@ -56,6 +56,11 @@ void addStyle(QStringList &warnings, const Style &style)
 QStringList figureWarnings(const FiguresSummary &figures)
 {
     QStringList warnings;
+    if (figures.isErasure()) { // What is said of paint means nothing for what takes it away.
+        if (figures.withoutEffect == figures.erasing)
+            warnings << WarningText::tr("Strength 0: nothing is taken away.");
+        return warnings;
+    }
     if (figures.withoutPaint == figures.segments)
         warnings << WarningText::tr("Density 0: there is no paint.");
     else if (figures.transparent == figures.segments)

@@ -12,6 +12,8 @@
 #include <QLocale>
 #include <QVBoxLayout>
 
+#include <algorithm>
+
 namespace suffuse {
 
 namespace {
@@ -24,6 +26,19 @@ QString rangeText(double low, double high, const QString &unit)
     const QLocale locale;
     const QString from = locale.toString(low, 'g', 3), to = locale.toString(high, 'g', 3);
     return (from == to ? from : from + QStringLiteral(" – ") + to) + unit;
+}
+
+/// Where the plot cuts: a stroke that is selected whole in the middle of its paint, a run of segments at the first that
+/// lays paint, an erasure at its first segment.
+SegmentRef placeOfCut(const Inspected &inspected, bool whole)
+{
+    const auto &segments = inspected.segments;
+    const auto ofFirst = [&](const InspectedSegment &s) { return s.stroke == segments.front().stroke; };
+    const auto paints = [](const InspectedSegment &s) { return !s.segment->lift; };
+    if (whole)
+        return inspected.refs[std::size_t(std::ranges::count_if(segments, ofFirst)) / 2];
+    const auto at = std::ranges::find_if(segments, paints);
+    return inspected.refs[at == segments.end() ? 0 : std::size_t(at - segments.begin())];
 }
 
 } // namespace
@@ -60,14 +75,18 @@ FiguresSection::FiguresSection(Editor &editor, QWidget *parent) : QWidget(parent
 void FiguresSection::addFigures(QVBoxLayout &column)
 {
     QGridLayout *grid = addFieldGrid(column);
-    const std::array<QString, 5> names{tr("Spread s"), tr("Spread along"), tr("Peak density"), tr("Half-width"),
-                                       tr("Fades away")};
-    const std::array<QString, 5> tips{tr("How far the paint has spread across the curve once it is dry: √(4·D·t_max)."),
-                                      tr("How far it has spread along the curve."),
-                                      tr("Density in the middle of a long straight stroke, dry."),
-                                      tr("From the middle to the visible edge of a long straight stroke, dry."),
-                                      tr("When the paint has spread so thin that nothing of it is visible any more.")};
-    for (int i = 0; i < 5; ++i) {
+    const std::array<QString, figureCount> names{
+        tr("Spread s"), tr("Spread along"), tr("Peak density"), tr("Half-width"), tr("Fades away"), tr("Softness"),
+        tr("Takes away")};
+    const std::array<QString, figureCount> tips{
+        tr("How far the paint has spread across the curve once it is dry: √(4·D·t_max)."),
+        tr("How far it has spread along the curve."),
+        tr("Density in the middle of a long straight stroke, dry."),
+        tr("From the middle to the visible edge of a long straight stroke, dry."),
+        tr("When the paint has spread so thin that nothing of it is visible any more."),
+        tr("How softly the erasure ends: how far it has spread beside its curve, √(4·D·t_max)."),
+        tr("Density that one segment of the erasure takes away in its middle; paint that is thinner is gone there.")};
+    for (int i = 0; i < figureCount; ++i) {
         auto *name = quietLabel(names[std::size_t(i)], this);
         name->setWordWrap(false);
         auto *figure = new QLabel(this);
@@ -87,11 +106,7 @@ void FiguresSection::refresh(const Inspected &inspected)
 {
     if (inspected.isEmpty())
         return;
-    // A stroke that is selected whole is cut in its middle, a run of segments at the first of them.
-    const bool whole = m_editor.unsettled().selection().segments.empty();
-    m_cutAt = inspected.refs.front();
-    if (whole)
-        m_cutAt.segment = int(inspected.segments.front().stroke->segments.size()) / 2;
+    m_cutAt = placeOfCut(inspected, m_editor.unsettled().selection().segments.empty());
     refreshCutSoon();
     const FiguresSummary figures = m_keeper.summaryOf(inspected);
     showFigures(figures);
@@ -124,12 +139,20 @@ void FiguresSection::showFigures(const FiguresSummary &figures)
     const auto range = [](const Extent &extent, const QString &unit) {
         return rangeText(extent.least, extent.most, unit);
     };
+    const bool erasure = figures.isErasure();
+    m_plot->setVisible(!erasure);
+    for (int i = 0; i < figureCount; ++i)
+        for (QLabel *label : {m_names[std::size_t(i)], m_figures[std::size_t(i)]})
+            label->setVisible(i == 1 ? figures.uneven : erasure == (i >= firstOfErasures));
+    if (erasure) {
+        m_figures[5]->setText(range(figures.reach, canvasUnit()));
+        m_figures[6]->setText(range(figures.taken, QString()));
+        return;
+    }
     const Extent &dries = figures.driesOut;
     const bool stays = dries.count < figures.segments;
     const QString seconds = secondsUnit();
     m_names[0]->setText(figures.uneven ? tr("Spread across") : tr("Spread s"));
-    m_names[1]->setVisible(figures.uneven);
-    m_figures[1]->setVisible(figures.uneven);
     m_figures[0]->setText(range(figures.spread, canvasUnit()));
     m_figures[1]->setText(range(figures.along, canvasUnit()));
     m_figures[2]->setText(range(figures.peak, QString()));

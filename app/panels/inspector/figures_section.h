@@ -30,14 +30,16 @@ public:
     DensityPlot *densityPlot() const { return m_plot; }
     CrossSectionPlot *crossSection() const { return m_cut; }
     HintLabel *warnings() const { return m_warnings; }
-    /// The labels of spread, spread along, peak, half-width and fading, in this order. The second is shown only where
-    /// spread is uneven.
+    /// The labels of spread, spread along, peak, half-width and fading, in this order, and, where all that is selected
+    /// takes paint away, instead of them those of softness and of what it takes. The second is shown only where spread
+    /// is uneven.
     QLabel *figure(int index) const { return m_figures[std::size_t(index)]; }
 
 protected:
     void showEvent(QShowEvent *event) override;
 
 private:
+    static constexpr int figureCount = 7, firstOfErasures = 5;
     void addFigures(QVBoxLayout &column);
     void showFigures(const FiguresSummary &figures);
     void refreshCutSoon();
@@ -50,8 +52,8 @@ private:
     DensityPlot *m_plot = nullptr;
     CrossSectionPlot *m_cut = nullptr;
     HintLabel *m_warnings = nullptr;
-    std::array<QLabel *, 5> m_figures{};
-    std::array<QLabel *, 5> m_names{};
+    std::array<QLabel *, figureCount> m_figures{};
+    std::array<QLabel *, figureCount> m_names{};
 };
 
 } // namespace suffuse

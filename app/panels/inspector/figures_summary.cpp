@@ -21,6 +21,13 @@ void FiguresSummary::add(const InspectedSegment &inspected)
     const Segment &segment = *inspected.segment;
     const Style &style = inspected.style();
     const DerivedFigures figures = derivedFigures(segment, style);
+    if (segment.lift) {
+        ++erasing;
+        withoutEffect += segment.density == 0;
+        reach.add(figures.spread);
+        taken.add(figures.peak);
+        return;
+    }
     ++segments;
     transparent += segment.colour.opacity == 0;
     withoutPaint += segment.density == 0;
@@ -53,6 +60,10 @@ void FiguresSummary::add(const FiguresSummary &other)
     fading.add(other.fading);
     shrinking.add(other.shrinking);
     uneven = uneven || other.uneven;
+    erasing += other.erasing;
+    withoutEffect += other.withoutEffect;
+    reach.add(other.reach);
+    taken.add(other.taken);
     for (const Style &style : other.styles)
         if (styles.empty() || !(styles.back() == style))
             styles.push_back(style);

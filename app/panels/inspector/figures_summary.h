@@ -13,18 +13,23 @@ struct Extent {
     void add(const Extent &other);
 };
 
-/// The figures of some segments together.
+/// The figures of some segments together. Those of paint stand for themselves: segments that take paint away have
+/// figures of their own.
 struct FiguresSummary {
-    std::size_t segments = 0, transparent = 0, withoutPaint = 0;
+    std::size_t segments = 0, transparent = 0, withoutPaint = 0; ///< of those that lay paint
     Extent spread, along, peak, halfWidth; ///< as in DerivedFigures
     Extent driesOut;                       ///< of the segments that dry out, with paint or without
     /// the ages at which paint vanishes, or is widest, if that is before it is dry
     Extent fading, shrinking;
     bool uneven = false;
+    std::size_t erasing = 0, withoutEffect = 0; ///< the segments that take paint away, and those that take nothing
+    Extent reach, taken;                        ///< of these, the spread and the greatest density that they take away
     std::vector<Style> styles; ///< in the order of the segments; where equal styles follow each other, once
 
     void add(const InspectedSegment &inspected);
     void add(const FiguresSummary &other);
+    /// Whether all of it takes paint away.
+    bool isErasure() const { return segments == 0 && erasing > 0; }
 };
 
 /// Makes the summary of what is inspected. It keeps the summaries of strokes, and uses those of strokes that have not

@@ -18,6 +18,8 @@
 #include <QToolButton>
 #include <QVBoxLayout>
 
+#include <algorithm>
+
 namespace suffuse {
 
 InspectorPanel::InspectorPanel(Editor &editor, QWidget *parent) : QWidget(parent), m_editor(editor)
@@ -156,6 +158,8 @@ void InspectorPanel::refresh()
     }
     m_summary->setText(selectionSummary(inspected, !document.selection().segments.empty()));
     m_segments->refresh(inspected);
+    // What takes paint away has no style of its own: it weakens what is there.
+    m_style->setVisible(std::ranges::any_of(inspected.segments, [](const auto &s) { return !s.segment->lift; }));
     m_style->refresh(inspected);
     m_figures->refresh(inspected);
     m_strokes->refresh(inspected);

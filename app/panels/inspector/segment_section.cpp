@@ -16,6 +16,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace suffuse {
 
@@ -107,7 +108,8 @@ SegmentSection::SegmentSection(Editor &editor, QWidget *parent) : QWidget(parent
     auto *column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, 0);
     column->setSpacing(4);
-    column->addWidget(sectionTitle(tr("Segments"), this));
+    m_title = sectionTitle(tr("Segments"), this);
+    column->addWidget(m_title);
     auto *grid = addFieldGrid(*column);
     m_diffusion = addRow(specOf(Quantity::Diffusion), *grid, &Segment::diffusion, tr("Change diffusion"));
     m_density = addRow(specOf(Quantity::Density), *grid, &Segment::density, tr("Change density"));
@@ -127,7 +129,8 @@ SegmentSection::SegmentSection(Editor &editor, QWidget *parent) : QWidget(parent
     column->addWidget(m_rewet);
 
     auto *head = new QHBoxLayout;
-    head->addWidget(sectionTitle(tr("Colour"), this), 1);
+    m_colourTitle = sectionTitle(tr("Colour"), this);
+    head->addWidget(m_colourTitle, 1);
     m_swatch = new ColourSwatch(this);
     m_swatch->setAccessibleName(tr("Colour of the selection"));
     m_swatch->setToolTip(tr("Colour of the selection. Click: paint with it."));
@@ -274,12 +277,32 @@ void SegmentSection::showBorn(const Inspected &inspected)
     m_born->setValue(commonNumber(begins, [](Microseconds begin) { return toSeconds(begin); }));
 }
 
+/// An erasure has a strength and a size; it has neither grain nor colour.
+void SegmentSection::nameForErasure(bool erasure)
+{
+    if (std::exchange(m_namesErasure, erasure) == erasure)
+        return;
+    m_title->setText(erasure ? tr("Erasure") : tr("Segments"));
+    const FieldSpec diffusion = specOf(Quantity::Diffusion), density = specOf(Quantity::Density);
+    if (erasure) {
+        m_diffusion->rename(tr("Size D"), tr("How wide and how softly it takes away."));
+        m_density->rename(tr("Strength φ"), tr("How much it takes away."));
+    } else {
+        m_diffusion->rename(diffusion.name, diffusion.toolTip);
+        m_density->rename(density.name, density.toolTip);
+    }
+    m_granulation->setVisible(!erasure);
+    for (QWidget *widget : std::initializer_list<QWidget *>{m_colourTitle, m_swatch, m_colour})
+        widget->setVisible(!erasure);
+}
+
 void SegmentSection::refresh(const Inspected &inspected)
 {
     const auto &segments = inspected.segments;
     for (const auto &[member, row] : m_rows)
         showCommon(*row, numberOf(member), inspected);
     showBorn(inspected);
+    nameForErasure(std::ranges::all_of(segments, [](const InspectedSegment &s) { return s.segment->lift; }));
     m_angle->setEnabled(std::any_of(segments.begin(), segments.end(),
                                     [](const InspectedSegment &s) { return !s.segment->isIsotropic(); }));
 

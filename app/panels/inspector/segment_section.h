@@ -50,6 +50,7 @@ private:
     void changeBornTogether(const ValueChange &change, ValueEntry *entry);
     void changeColour(int channel, double value, ValueEntry *entry);
     void takeCurrentColour();
+    void nameForErasure(bool erasure);
 
     Editor &m_editor;
     /// one for each number that does not belong to the colour
@@ -62,8 +63,11 @@ private:
     SliderField *m_anisotropy = nullptr;
     SliderField *m_angle = nullptr;
     RewetRows *m_rewet = nullptr;
+    QLabel *m_title = nullptr;
+    QLabel *m_colourTitle = nullptr;
     ColourSwatch *m_swatch = nullptr;
     ColourRows *m_colour = nullptr;
+    bool m_namesErasure = false; ///< the rows have the names that they have for erasures
 };
 
 } // namespace suffuse

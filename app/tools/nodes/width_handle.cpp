@@ -18,6 +18,27 @@ constexpr double handleGap = 9;      ///< logical pixels from the visible edge t
 constexpr double widthHitRadius = 8; ///< logical pixels
 constexpr double markRadius = 4.5;
 
+/// The segment in the middle of what is selected of a stroke, of those that lay paint: what takes paint away has no
+/// edge that is seen.
+std::optional<int> middlePaint(const Stroke &stroke, const Selection &selection)
+{
+    const auto lays = [&](int k) {
+        return k >= 0 && k < int(stroke.segments.size()) && !stroke.segments[std::size_t(k)].lift;
+    };
+    std::vector<int> chosen;
+    for (const SegmentRef &ref : selection.segments)
+        if (lays(ref.segment))
+            chosen.push_back(ref.segment);
+    if (!selection.segments.empty())
+        return chosen.empty() ? std::nullopt : std::optional(chosen[chosen.size() / 2]);
+    const int middle = int(stroke.segments.size()) / 2;
+    for (int way = 0; way <= middle; ++way)
+        for (const int k : {middle - way, middle + way})
+            if (lays(k))
+                return k;
+    return std::nullopt;
+}
+
 } // namespace
 
 QString WidthHandle::hint()
@@ -27,6 +48,8 @@ QString WidthHandle::hint()
 
 std::optional<WidthHandle::Target> WidthHandle::targetOf(const Stroke &stroke, const SegmentRef &ref) const
 {
+    if (stroke.segments[std::size_t(ref.segment)].lift)
+        return {};
     const auto seen = seenWidth(stroke, ref.segment, m_canvas.editor().clock().time());
     return seen ? std::optional<Target>({ref, stroke.segments[std::size_t(ref.segment)], *seen}) : std::nullopt;
 }
@@ -40,15 +63,13 @@ std::optional<WidthHandle::Place> WidthHandle::place() const
     const StrokePtr stroke = document.painting()->find(*selection.strokes.begin());
     if (!stroke || !document.painting()->isVisible(*stroke) || document.painting()->isLocked(*stroke))
         return {};
-    int middle = int(stroke->segments.size()) / 2;
-    if (!selection.segments.empty())
-        middle = std::next(selection.segments.begin(), std::ptrdiff_t(selection.segments.size() / 2))->segment;
-    const std::optional<Target> target = targetOf(*stroke, {stroke->id, middle});
+    const std::optional<int> middle = middlePaint(*stroke, selection);
+    const std::optional<Target> target = middle ? targetOf(*stroke, {stroke->id, *middle}) : std::nullopt;
     if (!target)
         return {};
-    const Cubic cubic = stroke->cubicOf(stroke->segments[std::size_t(middle)]);
+    const Cubic cubic = stroke->cubicOf(stroke->segments[std::size_t(*middle)]);
     const Point tangent = tangentAt(cubic, 0.5);
-    return Place{{stroke->id, middle}, cubic.at(0.5), {-tangent.y, tangent.x}, target->seen.width};
+    return Place{{stroke->id, *middle}, cubic.at(0.5), {-tangent.y, tangent.x}, target->seen.width};
 }
 
 Point WidthHandle::pixelOf(const Place &place, const View &view, double dpr) const

@@ -18,8 +18,9 @@ class CanvasWidget;
 
 /// The handle stands at the visible edge, beside the middle of what is selected in one stroke. Dragging it solves in
 /// closed form for the density φ, and beyond twice the spread for the diffusion D; with Shift it solves for D alone.
-/// The widths of all selected segments keep their proportions. Tools that select offer each press to the handle before
-/// they look at it themselves.
+/// Erasures have no such edge: beside them there is no handle, and it leaves them as they are. The widths of all
+/// selected segments keep their proportions. Tools that select offer each press to the handle before they look at it
+/// themselves.
 class WidthHandle {
 public:
     explicit WidthHandle(CanvasWidget &canvas) : m_canvas(canvas) {}
