@@ -284,6 +284,39 @@ private slots:
         QCOMPARE(bench.steps(), 1);
     }
 
+    /// A stroke of several chains says so in its row and in its tool tip; others say nothing of it.
+    void rowsTellOfPiecesAndErasures()
+    {
+        Bench bench;
+        StrokesPanel panel(bench.editor);
+        showAt(panel, {280, 300});
+        const auto saidOf = [&](StrokeId id, int role) {
+            return panel.model()->indexOf(id).data(role).toString();
+        };
+        QVERIFY(saidOf(2, StrokesModel::MakeUpRole).isEmpty());
+        const QString before = saidOf(2, Qt::ToolTipRole);
+        QVERIFY(!before.contains('\n'));
+        const auto row = [&] {
+            return panel.view()->viewport()->grab(panel.view()->visualRect(panel.viewIndexOf(2))).toImage();
+        };
+        const QImage plain = row();
+        bench.editor.push(changeStrokes(bench.editor.document(), {2},
+                                        [](Stroke &stroke) {
+                                            stroke.segments[1].start = true;
+                                            stroke.segments[2].start = stroke.segments[2].lift = true;
+                                            stroke.segments[3].start = stroke.segments[3].lift = true;
+                                        }),
+                          "parts");
+        QCOMPARE(saidOf(2, StrokesModel::MakeUpRole), QString("2 piece(s), 2 erasure(s)"));
+        QCOMPARE(saidOf(2, Qt::ToolTipRole), before + "\n2 piece(s), 2 erasure(s)");
+        QVERIFY(saidOf(1, StrokesModel::MakeUpRole).isEmpty());
+        const QImage told = row();
+        const QRect end(told.width() / 2, 0, told.width() / 4, told.height()); // between the name and the eye
+        QVERIFY(plain.copy(end) != told.copy(end));
+        bench.editor.undoStack().undo();
+        QVERIFY(saidOf(2, StrokesModel::MakeUpRole).isEmpty());
+    }
+
     void segmentsAreRows()
     {
         Bench bench;

@@ -3,6 +3,9 @@
 #include "app/panels/strokes/strokes_model.h"
 #include "app/session/colour_convert.h"
 #include "app/widgets/look/icons.h"
+#include "model/shaping/chains.h"
+
+#include <algorithm>
 
 namespace suffuse {
 
@@ -50,6 +53,33 @@ QVariant groupSwitchData(const Group &group, const GroupMarks &marks, int column
                                       : switchData(group.visible, group.locked, column, role);
 }
 
+/// How a stroke of several chains, or one that was erased softly, is made up: "3 pieces, 12 erasures". A chain that
+/// lays paint is a piece.
+QString makeUpOf(const Stroke &stroke)
+{
+    int pieces = 0, erasures = 0;
+    for (const Chain &chain : chainsOf(stroke)) {
+        const auto begin = stroke.segments.begin() + chain.first, end = stroke.segments.begin() + chain.last + 1;
+        const bool lays = std::any_of(begin, end, [](const Segment &s) { return !s.lift; });
+        ++(lays ? pieces : erasures);
+    }
+    QStringList parts;
+    if (pieces > 1)
+        parts << StrokesModel::tr("%n piece(s)", nullptr, pieces);
+    if (erasures > 0)
+        parts << StrokesModel::tr("%n erasure(s)", nullptr, erasures);
+    //: between "3 pieces" and "12 erasures"
+    return parts.join(StrokesModel::tr(", "));
+}
+
+/// "40 segments", and in a second line how the stroke is made up.
+QString tipFor(const Stroke &stroke)
+{
+    const QString segments = StrokesModel::tr("%n segment(s)", nullptr, int(stroke.segments.size()));
+    const QString makeUp = makeUpOf(stroke);
+    return makeUp.isEmpty() ? segments : segments + QLatin1Char('\n') + makeUp;
+}
+
 } // namespace
 
 QVariant segmentRowData(const Stroke &stroke, int segment, int column, int role)
@@ -85,7 +115,10 @@ QVariant strokeRowData(const Stroke &stroke, int column, int role)
     case Qt::EditRole:
         return stroke.name;
     case Qt::ToolTipRole:
-        return StrokesModel::tr("%n segment(s)", nullptr, int(stroke.segments.size()));
+        return tipFor(stroke);
+    case Qt::AccessibleDescriptionRole:
+    case StrokesModel::MakeUpRole:
+        return makeUpOf(stroke);
     case StrokesModel::ColourRole:
         return stroke.segments.empty() ? QVariant()
                                        : toOpaqueScreen(stroke.segments[stroke.segments.size() / 2].colour);

@@ -67,6 +67,7 @@ public:
     {
         if (index.column() == StrokesModel::NameColumn) {
             QStyledItemDelegate::paint(painter, option, index);
+            paintMakeUp(*painter, option, index);
             return;
         }
         QStyleOptionViewItem empty = option;
@@ -96,6 +97,31 @@ public:
     }
 
 private:
+    /// Writes of how many pieces and erasures a stroke is, small and pale at the end of its row, as far as the name
+    /// leaves room for that; the tool tip says all of it.
+    static void paintMakeUp(QPainter &painter, const QStyleOptionViewItem &option, const QModelIndex &index)
+    {
+        const QString text = index.data(StrokesModel::MakeUpRole).toString();
+        if (text.isEmpty())
+            return;
+        constexpr int gap = 8, leastRoom = 40;
+        constexpr double smaller = 0.85;
+        QFont font = option.font;
+        font.setPointSizeF(smaller * font.pointSizeF());
+        const QFontMetrics metrics(font);
+        const int name = StrokeThumbnails::size.width() + option.fontMetrics.horizontalAdvance(index.data().toString());
+        const int room = option.rect.width() - name - 2 * gap;
+        if (room < leastRoom)
+            return;
+        const bool selected = option.state & QStyle::State_Selected;
+        painter.save();
+        painter.setFont(font);
+        painter.setPen(option.palette.color(selected ? QPalette::HighlightedText : QPalette::PlaceholderText));
+        painter.drawText(option.rect.adjusted(0, 0, -gap / 2, 0), Qt::AlignRight | Qt::AlignVCenter,
+                         metrics.elidedText(text, Qt::ElideRight, room));
+        painter.restore();
+    }
+
     /// Draws an icon once. Icons are outlines, which would otherwise be drawn anew in each row.
     static QPixmap drawn(const QIcon &icon, const QModelIndex &index, bool selected, const QPainter &painter,
                          const QStyleOptionViewItem &option)
