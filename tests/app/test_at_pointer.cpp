@@ -1,5 +1,6 @@
 // What opens where the pointer is: the menu, the brush palette, the values; and the brushes in the row over the canvas.
 #include "app/panels/inspector/segment_section.h"
+#include "app/session/colour/colour_target.h"
 #include "app/session/colour_convert.h"
 #include "app/session/painting/seen_width.h"
 #include "app/session/settings/brush_library.h"
@@ -15,6 +16,7 @@
 #include "tests/app/selecting.h"
 #include "undo/edits.h"
 
+#include <QLabel>
 #include <QLineEdit>
 #include <QMenu>
 #include <QTemporaryDir>
@@ -307,6 +309,45 @@ private slots:
         s.editor().setColour(fromScreen(QColor("#208040")));
         QTest::mouseClick(s.palette()->recentChips(), Qt::LeftButton, {}, s.palette()->recentChips()->cell(0).center());
         QCOMPARE(toOpaqueScreen(s.editor().brush().colour).name(), QString("#c02040"));
+    }
+
+    /// As the Colour dock does, the palette colours what is selected where that is meant.
+    void paletteColoursWhatIsSelected()
+    {
+        Crossing s;
+        s.use(Command::Select);
+        s.select({1, 2});
+        s.editor().laterChanges().flush();
+        QCOMPARE(s.editor().colourTarget().kind(), ColourTarget::Kind::Selection);
+        const Colour ofBrush = s.editor().brush().colour;
+        const float opacity = s.stroke(1).segments[0].colour.opacity;
+        s.key(Qt::Key_Q);
+        BrushPalette &palette = *s.palette();
+        QCOMPARE(palette.whose()->text(), s.editor().colourTarget().title());
+        QVERIFY(palette.whose()->text() != "Colour of the brush");
+        const Colour wanted = palette.nearChips()->colours()[5];
+        QTest::mouseClick(palette.nearChips(), Qt::LeftButton, {}, palette.nearChips()->cell(5).center());
+        for (const StrokeId id : {1, 2}) {
+            QCOMPARE(s.stroke(id).segments[0].colour.red, wanted.red);
+            QCOMPARE(s.stroke(id).segments[0].colour.blue, wanted.blue);
+            QCOMPARE(s.stroke(id).segments[0].colour.opacity, opacity);
+        }
+        QVERIFY(!(s.stroke(3).segments[0].colour == s.stroke(1).segments[0].colour));
+        QCOMPARE(s.steps(), 1);
+        enter(*palette.opacity()->number(), "37");
+        QCOMPARE(s.stroke(2).segments[0].colour.opacity, 0.37f);
+        QCOMPARE(s.steps(), 2);
+        QCOMPARE(s.editor().brush().colour, ofBrush);
+        s.use(Command::Undo);
+        s.use(Command::Undo);
+        QCOMPARE(s.stroke(1).segments[0].colour.opacity, opacity);
+        // With the brush in hand it is the brush's again.
+        s.use(Command::Brush);
+        s.key(Qt::Key_Q);
+        QCOMPARE(palette.whose()->text(), QString("Colour of the brush"));
+        QTest::mouseClick(palette.nearChips(), Qt::LeftButton, {}, palette.nearChips()->cell(2).center());
+        QVERIFY(!(s.editor().brush().colour == ofBrush));
+        QCOMPARE(s.editor().undoStack().index(), 0);
     }
 
     void nearColoursGoThroughTheColour()

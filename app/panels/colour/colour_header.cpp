@@ -13,27 +13,6 @@
 
 namespace suffuse {
 
-namespace {
-
-QString textFor(const ColourTarget &target, const Painting &painting, const Selection &selection)
-{
-    if (target.kind() == ColourTarget::Kind::Brush)
-        return ColourHeader::tr("Colour of the brush");
-    if (target.kind() == ColourTarget::Kind::Swatch) {
-        const QString &name = painting.swatches[target.swatch()].name;
-        return name.isEmpty() ? ColourHeader::tr("Colour of a swatch")
-                              : ColourHeader::tr("Colour of the swatch “%1”").arg(name);
-    }
-    const ColourSummary &summary = target.selected();
-    if (!selection.segments.empty())
-        return summary.several ? ColourHeader::tr("Colours of %n segment(s)", "", int(summary.segments))
-                               : ColourHeader::tr("Colour of %n segment(s)", "", int(summary.segments));
-    return summary.several ? ColourHeader::tr("Colours of %n stroke(s)", "", int(summary.strokes))
-                           : ColourHeader::tr("Colour of %n stroke(s)", "", int(summary.strokes));
-}
-
-} // namespace
-
 ColourHeader::ColourHeader(Editor &editor, QWidget *parent) : QWidget(parent), m_editor(editor)
 {
     auto *row = new QHBoxLayout(this);
@@ -88,7 +67,6 @@ void ColourHeader::refresh()
 {
     const ColourTarget &target = m_editor.colourTarget();
     const ColourTarget::Kind kind = target.kind();
-    const Document &document = m_editor.unsettled();
     m_brush->setChecked(kind == ColourTarget::Kind::Brush);
     m_selection->setChecked(kind == ColourTarget::Kind::Selection);
     m_selection->setEnabled(target.canBeSelection());
@@ -96,7 +74,7 @@ void ColourHeader::refresh()
     m_mode->setCurrentIndex(int(target.mode()));
     m_apply->setVisible(kind == ColourTarget::Kind::Brush);
     m_apply->setEnabled(target.canBeSelection());
-    m_text = textFor(target, *document.painting(), document.selection());
+    m_text = target.title();
     showText();
 }
 

@@ -5,11 +5,17 @@
 #include "model/colour/colour_shift.h"
 #include "undo/colour_edits.h"
 
+#include <QCoreApplication>
+
 namespace suffuse {
 
 namespace {
 
 const QString modeKey = QStringLiteral("colour/shifts");
+
+struct TitleText {
+    Q_DECLARE_TR_FUNCTIONS(suffuse::ColourHeader)
+};
 
 } // namespace
 
@@ -102,6 +108,23 @@ Colour ColourTarget::colour() const
         break;
     }
     return m_editor.brush().colour;
+}
+
+QString ColourTarget::title() const
+{
+    if (kind() == Kind::Brush)
+        return TitleText::tr("Colour of the brush");
+    if (kind() == Kind::Swatch) {
+        const QString &name = m_editor.unsettled().painting()->swatches[m_swatch->index].name;
+        return name.isEmpty() ? TitleText::tr("Colour of a swatch")
+                              : TitleText::tr("Colour of the swatch “%1”").arg(name);
+    }
+    const ColourSummary &summary = *m_selected;
+    if (!m_editor.unsettled().selection().segments.empty())
+        return summary.several ? TitleText::tr("Colours of %n segment(s)", "", int(summary.segments))
+                               : TitleText::tr("Colour of %n segment(s)", "", int(summary.segments));
+    return summary.several ? TitleText::tr("Colours of %n stroke(s)", "", int(summary.strokes))
+                           : TitleText::tr("Colour of %n stroke(s)", "", int(summary.strokes));
 }
 
 void ColourTarget::follow(const Change &change)

@@ -51,6 +51,9 @@ public:
     /// Only while the kind is Selection.
     const ColourSummary &selected() const { return *m_selected; }
 
+    /// Whose colour it is, for people: "Colour of the brush", "Colours of 3 strokes".
+    QString title() const;
+
     /// Gives red, yellow and blue; opacity stays. A drag with one entry is one step, and begins with the colours that
     /// were there then.
     void setPaint(const Colour &colour, ValueEntry *entry = nullptr);

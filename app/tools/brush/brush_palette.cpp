@@ -1,6 +1,7 @@
 #include "app/tools/brush/brush_palette.h"
 
 #include "app/canvas/canvas_widget.h"
+#include "app/session/colour/colour_target.h"
 #include "app/session/colour_convert.h"
 #include "app/session/commands/commands.h"
 #include "app/session/editor.h"
@@ -68,10 +69,12 @@ BrushPalette::BrushPalette(CanvasWidget &canvas, const Commands &commands)
     side->addStretch(1);
     side->addWidget(makeNumbers());
     row->addLayout(side);
-    connect(&m_editor, &Editor::brushChanged, this, [this] {
+    const auto refreshOpen = [this] {
         if (isOpen())
             refresh();
-    });
+    };
+    connect(&m_editor, &Editor::brushChanged, this, refreshOpen);
+    connect(&m_editor.colourTarget(), &ColourTarget::changed, this, refreshOpen);
     connect(&canvas, &CanvasWidget::viewChanged, this, [this] { m_zoom->setValue(m_canvas.view().scale); });
     connect(&BrushLibrary::instance(), &BrushLibrary::changed, this, [this] {
         if (isOpen())
@@ -102,8 +105,9 @@ QWidget *BrushPalette::makeColours()
     m_colour = new ColourSwatch(part);
     m_colour->setFocusPolicy(Qt::NoFocus);
     m_colour->setAccessibleName(tr("Current colour"));
-    m_colour->setToolTip(tr("The colour that is painted with"));
-    head->addWidget(sectionTitle(tr("Colour"), part), 1);
+    m_whose = sectionTitle(QString(), part);
+    m_whose->setMinimumWidth(1); // A long name of a swatch makes the palette no wider.
+    head->addWidget(m_whose, 1);
     head->addWidget(m_colour);
     column->addLayout(head);
     m_near = new ColourChips(chipColumns, part);
@@ -116,13 +120,10 @@ QWidget *BrushPalette::makeColours()
     column->addWidget(m_recent);
     connect(m_near, &ColourChips::picked, this, [this](const Colour &colour) {
         const QScopedValueRollback<bool> picking(m_picking, true);
-        m_editor.setColour(colour);
+        m_editor.colourTarget().setPaint(colour);
     });
-    connect(m_recent, &ColourChips::picked, this, [this](const Colour &colour) {
-        Colour taken = colour;
-        taken.opacity = m_editor.brush().colour.opacity;
-        m_editor.setColour(taken);
-    });
+    connect(m_recent, &ColourChips::picked, &m_editor.colourTarget(),
+            [this](const Colour &colour) { m_editor.colourTarget().setPaint(colour); });
     return part;
 }
 
@@ -139,8 +140,9 @@ QWidget *BrushPalette::makeNumbers()
     connect(m_size, &SliderField::edited, this,
             [this](double spread) { edit([=](Brush &b) { b.setSpread(spread); }); });
     connect(m_flow, &SliderField::edited, this, [this](double peak) { edit([=](Brush &b) { b.peak = float(peak); }); });
-    connect(m_opacity, &SliderField::edited, this,
-            [this](double opacity) { edit([=](Brush &b) { b.colour.opacity = float(opacity); }); });
+    connect(m_opacity, &SliderField::edited, &m_editor.colourTarget(), [this](double opacity, ValueEntry *entry) {
+        m_editor.colourTarget().setOpacity(float(opacity), entry);
+    });
     connect(m_zoom, &SliderField::edited, this, [this](double scale) { m_canvas.setZoom(scale); });
     auto *hint = new HintLabel(part);
     column->addWidget(hint);
@@ -192,19 +194,23 @@ void BrushPalette::edit(const std::function<void(Brush &)> &change)
 
 void BrushPalette::refreshNear()
 {
-    m_near->setColours(nearColours(m_editor.brush().colour));
+    m_near->setColours(nearColours(m_editor.colourTarget().colour()));
 }
 
 void BrushPalette::refresh()
 {
     const Brush &brush = m_editor.brush();
     m_grid->showInHand(brush);
-    m_colour->setColour(brush.colour);
+    const Colour colour = m_editor.colourTarget().colour();
+    m_colour->setColour(colour);
+    m_colour->setToolTip(m_editor.colourTarget().title());
+    m_whose->setText(m_editor.colourTarget().title());
+    m_whose->setToolTip(m_editor.colourTarget().title());
     if (!m_picking)
         refreshNear();
     m_size->setValue(brush.spread());
     m_flow->setValue(double(brush.peak));
-    m_opacity->setValue(double(brush.colour.opacity));
+    m_opacity->setValue(double(colour.opacity));
 }
 
 } // namespace suffuse

@@ -6,6 +6,8 @@
 
 #include <functional>
 
+class QLabel;
+
 namespace suffuse {
 
 class BrushGrid;
@@ -18,7 +20,8 @@ class SliderField;
 
 /// Brushes with their pictures, the favourites first; colours near the one in hand, and those that were painted with
 /// last; size, flow, opacity and zoom. What is chosen works at once, and the palette stays until Esc, Return or the
-/// next press on the canvas.
+/// next press on the canvas. Colour and opacity are those that the Colour dock shows and changes: the brush's, or those
+/// of what is selected.
 class BrushPalette : public FloatingCard {
     Q_OBJECT
 
@@ -29,6 +32,8 @@ public:
     void openAt(QPoint global);
 
     BrushGrid *grid() const { return m_grid; }
+    /// Says whose colour it is.
+    QLabel *whose() const { return m_whose; }
     ColourChips *nearChips() const { return m_near; }
     ColourChips *recentChips() const { return m_recent; }
     SliderField *size() const { return m_size; }
@@ -49,6 +54,7 @@ private:
     Editor &m_editor;
     const Commands &m_commands;
     BrushGrid *m_grid = nullptr;
+    QLabel *m_whose = nullptr;
     ColourSwatch *m_colour = nullptr;
     ColourChips *m_near = nullptr;
     ColourChips *m_recent = nullptr;
