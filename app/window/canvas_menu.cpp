@@ -94,34 +94,53 @@ void addUsable(QMenu &menu, const Commands &table, std::initializer_list<Command
     }
 }
 
-void addUsable(QMenu &menu, const char *title, const Commands &table, std::initializer_list<Command> commands)
+using Groups = std::initializer_list<std::initializer_list<Command>>;
+
+/// The same in a menu of its own, with lines between groups; no menu where nothing can be used.
+void addUsable(QMenu &menu, const char *title, const Commands &table, Groups groups)
 {
     QMenu *below = menu.addMenu(words(title));
-    addUsable(*below, table, commands);
+    for (const auto &group : groups)
+        addUsable(*below, table, group);
     if (below->isEmpty())
         delete below;
+}
+
+void addBrushAndColours(QMenu &menu, const Commands &table)
+{
+    using enum Command;
+    QMenu *below = menu.addMenu(words(QT_TRANSLATE_NOOP("suffuse::CanvasMenu", "Brush and C&olours")));
+    addUsable(*below, QT_TRANSLATE_NOOP("suffuse::CanvasMenu", "Apply &Brush"), table,
+              {{ApplyBrush}, {ApplyBrushForm, ApplyBrushColour, ApplyBrushTexture}});
+    addUsable(*below, QT_TRANSLATE_NOOP("suffuse::CanvasMenu", "&Appearance"), table,
+              {{CopyAppearance, PasteAppearance, PasteAppearanceEvenly}});
+    addUsable(*below, table, {MapToSwatches, RecolourArtwork});
+    addUsable(*below, table, {VaryStrokes});
 }
 
 void addForSelection(QMenu &menu, const Commands &table)
 {
     using enum Command;
     if (table[Segments].isChecked())
-        addUsable(menu, table,
-                  {InsertNodes, NodeCorner, NodeSmooth, NodeSymmetric, BreakNodes, JoinNodes, DeleteSegments,
-                   BridgeSegments, ReverseStrokes});
+        addUsable(menu, QT_TRANSLATE_NOOP("suffuse::CanvasMenu", "&Nodes"), table,
+                  {{InsertNodes, NodeCorner, NodeSmooth, NodeSymmetric},
+                   {BreakNodes, JoinNodes, DeleteSegments, BridgeSegments, ReverseStrokes}});
     addUsable(menu, table, {EditHere});
     addUsable(menu, table, {Cut, Copy, Paste, PasteInPlace, Duplicate, Delete});
     addUsable(menu, table, {GroupStrokes, UngroupStrokes, LockStrokes, HideStrokes, RenameStrokes});
     menu.addSeparator();
-    addUsable(menu, QT_TRANSLATE_NOOP("suffuse::CanvasMenu", "A&rrange"), table, {Top, Raise, Lower, Bottom});
-    addUsable(menu, QT_TRANSLATE_NOOP("suffuse::CanvasMenu", "Tra&nsform"), table,
-              {FlipAcross, FlipDown, QuarterLeft, QuarterRight});
+    addUsable(menu, QT_TRANSLATE_NOOP("suffuse::CanvasMenu", "A&rrange"), table, {{Top, Raise, Lower, Bottom}});
+    addUsable(menu, QT_TRANSLATE_NOOP("suffuse::CanvasMenu", "Trans&form"), table,
+              {{FlipAcross, FlipDown, QuarterLeft, QuarterRight}});
     addUsable(menu, QT_TRANSLATE_NOOP("suffuse::CanvasMenu", "R&eshape"), table,
-              {SimplifyStrokes, SmoothStrokes, StraightenStrokes, OffsetStrokes, GrowPaint, ShrinkPaint});
-    addUsable(menu, QT_TRANSLATE_NOOP("suffuse::CanvasMenu", "Select Sa&me"), table,
-              {SameColour, SameStyle, SameBrush, SameName});
+              {{SimplifyStrokes, SmoothStrokes, StraightenStrokes, OffsetStrokes}, {GrowPaint, ShrinkPaint}});
+    addUsable(menu, QT_TRANSLATE_NOOP("suffuse::CanvasMenu", "Com&bine and Break"), table,
+              {{CombineStrokes, BreakApart, RemoveErasures}});
+    addBrushAndColours(menu, table);
+    addUsable(menu, QT_TRANSLATE_NOOP("suffuse::CanvasMenu", "Select S&ame"), table,
+              {{SameColour, SameStyle, SameBrush, SameName}});
     addUsable(menu, QT_TRANSLATE_NOOP("suffuse::CanvasMenu", "Dr&ying"), table,
-              {LetDry, FreezeNow, Rewet, RemoveRewetting});
+              {{LetDry, FreezeNow, Rewet, RemoveRewetting}});
 }
 
 void addForCanvas(QMenu &menu, const Commands &table)
@@ -131,7 +150,10 @@ void addForCanvas(QMenu &menu, const Commands &table)
     addUsable(menu, table, {Paste, PasteInPlace, SelectAll});
     addUsable(menu, table, {UnlockAll, ShowAll});
     addUsable(menu, table, {Fit, Zoom100, Mirror});
-    addUsable(menu, table, {ShowGrid, ShowOutlines, ShowBeyond, ShowUnderlay, ImportUnderlay});
+    addUsable(menu, table, {ShowGrid, ShowOutlines, ShowErasures, ShowBeyond});
+    menu.addSeparator();
+    addUsable(menu, QT_TRANSLATE_NOOP("suffuse::CanvasMenu", "Under&lay"), table, {{ShowUnderlay, ImportUnderlay}});
+    addUsable(menu, QT_TRANSLATE_NOOP("suffuse::CanvasMenu", "&Colours"), table, {{MapToSwatches, RecolourArtwork}});
 }
 
 } // namespace

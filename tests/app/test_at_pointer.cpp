@@ -19,6 +19,7 @@
 #include <QLabel>
 #include <QLineEdit>
 #include <QMenu>
+#include <QRegularExpression>
 #include <QTemporaryDir>
 #include <QToolButton>
 
@@ -53,12 +54,19 @@ struct Crossing : Selecting {
                 list << plainTitle(action->text());
         return list;
     }
-    QAction *entry(const QString &title)
+    QAction *entry(const QString &title) { return entryIn(menu(), title); }
+    static QAction *entryIn(const QMenu &menu, const QString &title)
     {
-        for (QAction *action : menu().actions())
+        for (QAction *action : menu.actions())
             if (plainTitle(action->text()).contains(title))
                 return action;
         return nullptr;
+    }
+    /// An entry of a menu below.
+    QAction *entry(const QString &menu, const QString &title)
+    {
+        const QAction *above = entry(menu);
+        return above && above->menu() ? entryIn(*above->menu(), title) : nullptr;
     }
     BrushPalette *palette() { return window.findChild<BrushPalette *>(); }
     ValueCard *values() { return window.findChild<ValueCard *>(); }
@@ -70,6 +78,24 @@ struct Crossing : Selecting {
     }
     bool canvasHasKeyboard() { return QApplication::focusWidget() == &canvas(); }
 };
+
+/// Letters that two entries of a menu, or of one below it, share.
+QStringList sharedLetters(const QMenu &menu)
+{
+    QStringList shared;
+    QString taken;
+    for (const QAction *action : menu.actions()) {
+        static const QRegularExpression letter("&([^&])");
+        if (const auto match = letter.match(QString(action->text()).remove("&&")); match.hasMatch()) {
+            if (taken.contains(match.captured(1), Qt::CaseInsensitive))
+                shared << menu.title() + ": " + action->text();
+            taken += match.captured(1);
+        }
+        if (action->menu())
+            shared += sharedLetters(*action->menu());
+    }
+    return shared;
+}
 
 /// Types into a field and presses Return there.
 void enter(QLineEdit &field, const QString &text)
@@ -160,7 +186,7 @@ private slots:
         s.use(Command::Segments);
         s.editor().document().setSelection({{1}, {{1, 1}}});
         s.askAt({250, 300});
-        QVERIFY(s.entry("Delete Segments"));
+        QVERIFY(s.entry("Nodes", "Delete Segments"));
         QCOMPARE(s.selection().segments.size(), std::size_t(1)); // as it was
         s.menu().hide();
         s.select({});
@@ -171,6 +197,45 @@ private slots:
         s.entry("Stroke 1")->trigger();
         QCOMPARE(s.selected(), std::set<StrokeId>{1});
         QVERIFY(s.window.action(Command::Select).isChecked()); // so that it is seen
+        s.menu().hide();
+    }
+
+    /// What refines strokes is there, in menus below; each letter once.
+    void menuHasWhatRefines()
+    {
+        Crossing s;
+        s.select({1, 2});
+        s.use(Command::CopyAppearance);
+        s.askAt({250, 300});
+        for (const auto &[menu, title] : std::initializer_list<std::pair<const char *, const char *>>{
+                 {"Combine and Break", "Combine"},
+                 {"Reshape", "Simplify"},
+                 {"Reshape", "Smooth"},
+                 {"Brush and Colours", "Apply Brush"},
+                 {"Brush and Colours", "Appearance"},
+                 {"Brush and Colours", "Recolour Artwork"}})
+            QVERIFY2(s.entry(menu, title), title);
+        QVERIFY(!s.entry("Combine and Break", "Break Apart")); // each is of one piece
+        QVERIFY2(s.texts().size() < 22, qPrintable(s.texts().join('|')));
+        QVERIFY2(sharedLetters(s.menu()).isEmpty(), qPrintable(sharedLetters(s.menu()).join('|')));
+        s.entry("Combine and Break", "Combine")->trigger();
+        QCOMPARE(s.painting().strokes.size(), std::size_t(2));
+        QCOMPARE(s.steps(), 1);
+        s.menu().hide();
+        s.askAt({250, 300});
+        QVERIFY(s.entry("Combine and Break", "Break Apart"));
+        s.menu().hide();
+        s.use(Command::Segments);
+        s.editor().document().setSelection({{s.painting().strokes.front()->id}, {}});
+        s.askAt({250, 300});
+        QVERIFY(s.entry("Nodes", "Reverse"));
+        QVERIFY2(sharedLetters(s.menu()).isEmpty(), qPrintable(sharedLetters(s.menu()).join('|')));
+        s.menu().hide();
+        s.select({});
+        s.use(Command::Select);
+        s.askAt({60, 60});
+        QVERIFY(s.entry("Colours", "Recolour Artwork"));
+        QVERIFY2(sharedLetters(s.menu()).isEmpty(), qPrintable(sharedLetters(s.menu()).join('|')));
         s.menu().hide();
     }
 
