@@ -302,9 +302,15 @@ void CanvasWidget::paintErasures(QPainter &painter, double dpr)
 {
     const bool selected = !selection().isEmpty(); // else they are those of all strokes
     const bool byTool = selected && showsOutlines() && tool() && tool()->showsErasures();
+    const bool ofSelected = selected && !showsAllErasures();
     if (!isBare() && !m_lift.isFloating() && (m_aids.showErasures || byTool))
-        m_erasures.paint(painter, view(), m_editor.unsettled().painting(), selected ? &selection().strokes : nullptr,
+        m_erasures.paint(painter, view(), m_editor.unsettled().painting(), ofSelected ? &selection().strokes : nullptr,
                          m_colours, dpr);
+}
+
+bool CanvasWidget::showsAllErasures() const
+{
+    return m_aids.showErasures && !isBare() && (selection().isEmpty() || (tool() && tool()->showsErasures()));
 }
 
 bool CanvasWidget::isBare() const

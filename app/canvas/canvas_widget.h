@@ -98,6 +98,8 @@ public:
     bool isBare() const;
     /// Whether lines are drawn through the selected strokes.
     bool showsOutlines() const;
+    /// Whether erasures of all strokes are shown: by the command, where nothing is selected or the tool takes them.
+    bool showsAllErasures() const;
     /// How snapping works, and what is drawn over the picture.
     const CanvasAids &aids() const { return m_aids; }
     void setAids(const CanvasAids &aids)

@@ -334,6 +334,38 @@ private slots:
         QVERIFY(hasWidthHandle());
     }
 
+    /// While erasures are shown, one of any stroke can be taken, also of one that is not selected.
+    void anErasureOfAnyStrokeIsTaken()
+    {
+        EraserSession s;
+        s.erase({350, 250}, {350, 390});
+        s.dry();
+        s.use(Command::Segments);
+        s.editor().document().setSelection({{s.other}, {}});
+        const Chain erasure = chainAt(s.stroke(), int(s.stroke().segments.size()) - 1);
+        const int middle = (erasure.first + erasure.last) / 2;
+        const Point at = s.stroke().cubicOf(s.stroke().segments[std::size_t(middle)]).at(0.5);
+        s.click(at); // not shown: the paint is meant, if there is any
+        QVERIFY(!s.selection().segments.contains({s.id, middle}));
+        s.editor().document().setSelection({{s.other}, {}});
+        s.use(Command::ShowErasures);
+        s.click(at);
+        QCOMPARE(s.selection().strokes, std::set<StrokeId>{s.id});
+        QCOMPARE(int(s.selection().segments.size()), erasure.last - erasure.first + 1);
+        QVERIFY(s.selection().segments.contains({s.id, middle}));
+        const int steps = s.steps();
+        s.editor().document().setSelection({});
+        s.drag(at, at + Point{30, 0}); // takes it and moves it
+        QCOMPARE(s.steps(), steps + 1);
+        QVERIFY(s.stroke().cubicOf(s.stroke().segments[std::size_t(middle)]).at(0.5).x > at.x + 29);
+        s.use(Command::Undo);
+        s.editor().push(setLocked(s.editor().document(), {s.id}, true), "lock");
+        s.editor().document().setSelection({});
+        s.click(at);
+        QVERIFY(s.selection().segments.empty());
+        s.use(Command::ShowErasures);
+    }
+
     /// Values of whole strokes are those of their paint.
     void erasuresKeepTheirValues()
     {

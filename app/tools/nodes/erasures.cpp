@@ -1,6 +1,7 @@
 #include "app/tools/nodes/erasures.h"
 
 #include "model/shaping/chains.h"
+#include "model/shaping/reshape.h"
 
 namespace suffuse {
 
@@ -16,6 +17,30 @@ std::set<SegmentRef> erasureOf(const Painting &painting, const SegmentRef &segme
         if (stroke->segments[std::size_t(k)].lift)
             segments.insert(segments.end(), SegmentRef{stroke->id, k});
     return segments;
+}
+
+std::optional<ErasurePlace> erasureAt(const Painting &painting, Point point, double reach)
+{
+    std::optional<ErasurePlace> found;
+    for (const StrokePtr &stroke : painting.strokes) {
+        if (!stroke->hasLift() || !painting.isVisible(*stroke) || painting.isLocked(*stroke))
+            continue;
+        for (std::size_t k = 0; k < stroke->segments.size(); ++k) {
+            const Segment &segment = stroke->segments[k];
+            if (!segment.lift || !stroke->cubicOf(segment).controlBox().grown(reach).contains(point))
+                continue;
+            Stroke one;
+            one.origin = stroke->origin;
+            one.segments = {segment};
+            double distance = 0;
+            const CurvePlace place = nearestPlace(one, point, &distance);
+            if (distance > reach)
+                continue;
+            reach = distance;
+            found = {stroke->id, int(k), place.p};
+        }
+    }
+    return found;
 }
 
 std::set<NodeRef> nodesOfErasures(const Painting &painting, const std::set<SegmentRef> &segments)

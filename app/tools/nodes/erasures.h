@@ -5,10 +5,21 @@
 #include "model/painting/selection.h"
 #include "model/painting/stroke_places.h"
 
+#include <optional>
+
 namespace suffuse {
 
 /// The segments of the chain that a segment which takes paint away belongs to; none where it lays paint.
 std::set<SegmentRef> erasureOf(const Painting &painting, const SegmentRef &segment);
+/// A place on an erasure.
+struct ErasurePlace {
+    StrokeId stroke = 0;
+    int segment = 0;
+    double p = 0;
+};
+/// The place of an erasure of any visible, unlocked stroke that is nearest to a point, at most so many canvas units
+/// away.
+std::optional<ErasurePlace> erasureAt(const Painting &painting, Point point, double reach);
 /// The nodes of those of the segments that take paint away.
 std::set<NodeRef> nodesOfErasures(const Painting &painting, const std::set<SegmentRef> &segments);
 

@@ -146,7 +146,7 @@ NodeHit NodeTool::hitAt(const PointerEvent &event) const
     hit.mark = marks().hit(event.pixel);
     double nearest = NodeMarks::reach * m_canvas.devicePixelRatioF() / m_canvas.view().scale;
     const std::set<StrokeId> &shown = m_canvas.selection().strokes;
-    if (!hit.mark.isEmpty() || shown.empty())
+    if (!hit.mark.isEmpty())
         return hit;
     const Painting &painting = *m_editor.document().painting();
     for (const StrokePtr &stroke : painting.strokes) {
@@ -165,6 +165,11 @@ NodeHit NodeTool::hitAt(const PointerEvent &event) const
             hit.place = place;
         }
     }
+    if (!hit.curve && m_canvas.showsAllErasures())
+        if (const auto erasure = erasureAt(painting, event.point, nearest)) {
+            hit.curve = erasure->stroke;
+            hit.place = {erasure->segment, erasure->p};
+        }
     return hit;
 }
 
