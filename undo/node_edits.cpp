@@ -1,6 +1,7 @@
 #include "undo/node_edits.h"
 
 #include "model/painting/validate.h"
+#include "model/shaping/coarse_nodes.h"
 #include "model/shaping/erase.h"
 #include "model/shaping/soft_move.h"
 #include "undo/order_tree.h"
@@ -146,11 +147,16 @@ Edit insertNodes(const Document &document, const PlacesOfStrokes &places)
     return splitSegments(document, places, withNodes);
 }
 
-Edit deleteNodes(const Document &document, const std::set<NodeRef> &nodes)
+Edit deleteNodes(const Document &document, const std::set<NodeRef> &nodes, double gap)
 {
     Selection selection = document.selection();
     std::set<StrokeId> emptied;
-    Edit edit = reshape(document, nodesByStroke(nodes), [&](const Stroke &stroke, const std::vector<int> &gone) {
+    Edit edit = reshape(document, nodesByStroke(nodes), [&](const Stroke &before, const std::vector<int> &chosen) {
+        const BendsRemoved removed = withoutBends(before, chosen, gap);
+        const Stroke &stroke = removed.stroke;
+        const std::vector<int> &gone = removed.deleted;
+        if (gone.empty())
+            return stroke;
         int end = int(stroke.segments.size());
         const auto isGone = [&](int node) { return std::find(gone.begin(), gone.end(), node) != gone.end(); };
         const auto staysOf = [&](const Chain &chain) { // A segment needs two nodes.
@@ -160,8 +166,8 @@ Edit deleteNodes(const Document &document, const std::set<NodeRef> &nodes)
             return left >= 2;
         };
         if (std::ranges::none_of(chainsOf(stroke), staysOf)) {
-            emptied.insert(stroke.id);
-            return stroke;
+            emptied.insert(before.id);
+            return before;
         }
         while (isGone(end))
             --end;

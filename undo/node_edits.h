@@ -20,8 +20,9 @@ Edit replaceStrokes(const Document &document, std::vector<Stroke> strokes);
 /// Adds nodes at places, by exact splits.
 Edit insertNodes(const Document &document, const PlacesOfStrokes &places);
 /// Deletes nodes. The two segments at an inner node become one. An end node goes with its segment. A stroke is removed
-/// if less than a segment of it would be left.
-Edit deleteNodes(const Document &document, const std::set<NodeRef> &nodes);
+/// if less than a segment of it would be left. Where nodes are shown so far apart (`coarseNodes`), one of them stands
+/// for the curve up to those beside it, and its bend goes (`withoutBends`).
+Edit deleteNodes(const Document &document, const std::set<NodeRef> &nodes, double gap = 0);
 /// Replaces each run of the segments by one that goes on smoothly from its neighbours.
 Edit bridgeSegments(const Document &document, const std::set<SegmentRef> &segments);
 /// Moves nodes, with their handles, by a vector in canvas units. The curve follows within `reach` (canvas units along

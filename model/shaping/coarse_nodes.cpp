@@ -1,9 +1,12 @@
 #include "model/shaping/coarse_nodes.h"
 
+#include "model/shaping/curve_fit.h"
+#include "model/shaping/runs.h"
 #include "model/shaping/split.h"
 
 #include <algorithm>
 #include <numeric>
+#include <set>
 
 namespace suffuse {
 
@@ -93,7 +96,123 @@ private:
     std::vector<bool> m_kept;
 };
 
+/// Gives a run of segments the curve of one cubic, which keeps the tangents at both ends and comes near to what was
+/// there. Returns false, and changes nothing, where that cannot be stored.
+bool takeOneCurve(Stroke &stroke, const Chain &run)
+{
+    const RunPath path(stroke, run);
+    CurveFit fit(path.curves);
+    const Cubic whole = fittedCubic(fit, startDirection(path.curves.front()), endDirection(path.curves.back()));
+    const double way = arcLength(whole);
+    std::vector<Cubic> curves;
+    double from = 0;
+    for (std::size_t k = 1; k < path.lengths.size(); ++k) {
+        double to = 1;
+        if (k + 1 < path.lengths.size()) {
+            double low = from, high = 1;
+            const double wanted = way * path.lengths[k] / path.total();
+            for (int i = 0; i < 30; ++i) {
+                to = 0.5 * (low + high);
+                (arcLength(partOf(whole, 0, to)) < wanted ? low : high) = to;
+            }
+        }
+        curves.push_back(partOf(whole, from, to));
+        from = to;
+    }
+    curves.front().p[0] = path.curves.front().p[0];
+    curves.back().p[3] = path.curves.back().p[3];
+    Stroke result = stroke;
+    writeCurves(result, run.first, curves);
+    for (int k = run.first; k <= run.last; ++k)
+        if (isPoint(result.segments[std::size_t(k)]))
+            return false;
+    for (int k = run.first + 1; k <= run.last; ++k)
+        result.segments[std::size_t(k)].node = NodeKind::Smooth;
+    result = validOr(std::move(result), stroke);
+    const bool changed = result != stroke;
+    stroke = std::move(result);
+    return changed;
+}
+
+/// Removes bends of one chain, whose nodes are counted from its start.
+class ChainBends {
+public:
+    ChainBends(const Stroke &stroke, const Chain &chain, double gap) : m_stroke(stroke), m_chain(chain)
+    {
+        ChainNodes of(stroke, chain);
+        of.keep(gap);
+        for (int i = 0; i < int(of.ways().size()); ++i)
+            m_shown.push_back(of.isKept(std::size_t(i)));
+    }
+
+    /// The place of a node in the chain; −1: it belongs to another one.
+    int placeOf(int node) const
+    {
+        if (node == endNode(m_stroke, m_chain.last))
+            return m_chain.last - m_chain.first + 1;
+        return node >= m_chain.first && node <= m_chain.last ? node - m_chain.first : -1;
+    }
+
+    void remove(const std::set<int> &places, BendsRemoved &result) const
+    {
+        for (auto it = places.begin(); it != places.end();) {
+            const int before = shownBeside(*it, -1, places);
+            const int behind = shownBeside(*it, 1, places);
+            const auto end = places.lower_bound(behind);
+            removeBetween(before, behind, std::set<int>(it, end), result);
+            it = end;
+        }
+    }
+
+private:
+    /// The next shown node that stays; beyond the end of the chain where there is none.
+    int shownBeside(int place, int step, const std::set<int> &places) const
+    {
+        const int count = int(m_shown.size());
+        for (place += step; place >= 0 && place < count; place += step)
+            if (m_shown[std::size_t(place)] && !places.contains(place))
+                return place;
+        return step > 0 ? count : -1;
+    }
+
+    void removeBetween(int before, int behind, const std::set<int> &places, BendsRemoved &result) const
+    {
+        const int count = int(m_shown.size());
+        const bool isRun = std::adjacent_find(places.begin(), places.end(), [](int a, int b) { return b == a + 1; }) !=
+                           places.end();
+        const bool inner = before >= 0 && behind < count;
+        const bool stands = !isRun && int(places.size()) < behind - before - 1;
+        if (stands && inner &&
+            takeOneCurve(result.stroke, {m_chain.first + before, m_chain.first + behind - 1}))
+            return;
+        std::set<int> gone = places;
+        if (stands && !inner)
+            for (int i = before + 1; i < behind; ++i)
+                gone.insert(i);
+        for (const int i : gone)
+            result.deleted.push_back(i + 1 < count ? m_chain.first + i : endNode(m_stroke, m_chain.last));
+    }
+
+    const Stroke &m_stroke;
+    Chain m_chain;
+    std::vector<bool> m_shown;
+};
+
 } // namespace
+
+BendsRemoved withoutBends(const Stroke &stroke, const std::vector<int> &nodes, double gap)
+{
+    BendsRemoved result{stroke, {}};
+    for (const Chain &chain : chainsOf(stroke)) {
+        const ChainBends bends(stroke, chain, gap);
+        std::set<int> places;
+        for (const int node : nodes)
+            if (const int place = bends.placeOf(node); place >= 0)
+                places.insert(place);
+        bends.remove(places, result);
+    }
+    return result;
+}
 
 std::vector<int> coarseNodes(const Stroke &stroke, double gap)
 {

@@ -124,6 +124,53 @@ private slots:
         QCOMPARE(s.tool().hint(), overNode); // what is selected is shown
     }
 
+    /// Del on a node that stands for many takes its bend away: the part between the shown nodes beside it becomes one
+    /// curve, whose segments keep their values. At the end of the stroke the part goes.
+    void deletingAShownNodeRemovesItsBend()
+    {
+        SoftSession s;
+        const std::vector<int> shown = coarseNodes(s.shape(), s.gap());
+        const std::size_t at = shown.size() / 2;
+        const int from = shown[at - 1], node = shown[at], to = shown[at + 1];
+        QVERIFY(to - from > 6);
+        s.drag(nodePosition(s.shape(), node), nodePosition(s.shape(), node) + Point{60, 0}); // the bend
+        const Stroke bent = s.shape();
+        const auto wayBetween = [&](const Stroke &stroke) {
+            double way = 0;
+            for (int k = from; k < to; ++k)
+                way += arcLength(stroke.cubicOf(stroke.segments[std::size_t(k)]));
+            return way / length(nodePosition(stroke, to) - nodePosition(stroke, from));
+        };
+        s.tool().selectNodes({{s.trunk, node}});
+        const int steps = s.steps();
+        s.use(Command::Delete);
+        QCOMPARE(s.steps(), steps + 1);
+        const Stroke &straight = s.shape();
+        QVERIFY(keepsValues(straight, bent));
+        QVERIFY(movedSegments(straight, bent) > 2 && movedSegments(straight, bent) <= to - from);
+        for (int k = 0; k < int(bent.segments.size()); ++k)
+            if (k < from || k >= to)
+                QCOMPARE(straight.segments[std::size_t(k)], bent.segments[std::size_t(k)]);
+        QVERIFY2(wayBetween(straight) < wayBetween(bent),
+                 qPrintable(QString("%1 %2").arg(wayBetween(straight)).arg(wayBetween(bent))));
+        for (const int k : cornersOf(straight))
+            QVERIFY(k <= from || k >= to); // one smooth curve
+        QVERIFY(s.tool().nodes().empty());
+        s.use(Command::Undo);
+        QVERIFY(s.shape() == bent);
+        // The end goes with the part that it stands for.
+        s.tool().selectNodes({{s.trunk, nodeCount(bent) - 1}});
+        s.use(Command::Delete);
+        const std::vector<int> now = coarseNodes(bent, s.gap());
+        QCOMPARE(int(s.shape().segments.size()), now[now.size() - 2]);
+        s.use(Command::Undo);
+        // Near enough to see all nodes, one node alone goes.
+        s.canvas().setZoom(1e6);
+        s.tool().selectNodes({{s.trunk, node}});
+        s.use(Command::Delete);
+        QCOMPARE(s.shape().segments.size(), bent.segments.size() - 1);
+    }
+
     void theSameNodesStayDuringADrag()
     {
         SoftSession s;

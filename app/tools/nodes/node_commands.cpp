@@ -187,7 +187,8 @@ bool NodeCommands::deleteNodes()
 {
     if (m_nodes.empty())
         return false;
-    const Edit edit = suffuse::deleteNodes(m_editor.document(), m_nodes);
+    const double gap = NodeMarks::gap(m_canvas.view(), m_canvas.devicePixelRatioF());
+    const Edit edit = suffuse::deleteNodes(m_editor.document(), m_nodes, gap);
     emit chosen({});
     m_editor.push(edit, tr("Delete nodes"));
     return true;
