@@ -40,7 +40,7 @@ void AtPointer::addRows()
 {
     Commands &table = m_place.commands;
     table
-        .add(Command::CanvasMenu, "canvasMenu", Commands::tr("Me&nu at the Pointer"), "",
+        .add(Command::CanvasMenu, "canvasMenu", Commands::tr("Menu at t&he Pointer"), "",
              {QKeySequence(Qt::Key_Menu), QKeySequence(Qt::SHIFT | Qt::Key_F10)},
              Commands::tr("What lies under the pointer, and what can be done with it"))
         .runs([this] { menuByKey(); });

@@ -123,7 +123,7 @@ void addDialogRows(const Workplace &place)
         .when(anySelected(place.open.editor))
         .runs([place] { rewetSelected(place); });
     place.commands
-        .add(Command::RecolourArtwork, "recolourArtwork", Commands::tr("Recolour Artwork…"), "",
+        .add(Command::RecolourArtwork, "recolourArtwork", Commands::tr("Recolour Artwor&k…"), "",
              {QKeySequence(Commands::tr("Ctrl+Alt+C"))},
              Commands::tr("Give each colour of the painting, or of what is selected, another one everywhere"))
         .when(anyStrokes(place.open.editor))

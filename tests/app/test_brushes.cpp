@@ -342,6 +342,30 @@ private slots:
         QCOMPARE(problemOf(bench.editor.brush()), QString());
     }
 
+    /// Esc gives a drag of the curve up, and only then closes the dialog.
+    void escapeGivesUpADragOfTheCurve()
+    {
+        Bench bench;
+        BrushLibrary::instance().use(bench.editor, "flat-marker");
+        BrushDialog dialog(bench.editor);
+        dialog.show();
+        dialog.curves()->item(int(BrushQuantity::Size), int(BrushInput::Pressure))->setCheckState(Qt::Checked);
+        ResponseEditor &curve = *dialog.curve();
+        const Brush before = bench.editor.brush();
+        curve.setFocus();
+        QTest::mousePress(&curve, Qt::LeftButton, {}, curve.toWidget({1, 1}).toPoint());
+        QTest::mouseMove(&curve, curve.toWidget({1, 0.4}).toPoint());
+        QVERIFY(!(bench.editor.brush() == before)); // it works at once
+        QTest::keyClick(&curve, Qt::Key_Escape);
+        QCOMPARE(bench.editor.brush(), before);
+        QVERIFY(dialog.isVisible());
+        QTest::mouseMove(&curve, curve.toWidget({1, 0.2}).toPoint());
+        QTest::mouseRelease(&curve, Qt::LeftButton, {}, curve.toWidget({1, 0.2}).toPoint());
+        QCOMPARE(bench.editor.brush(), before); // the drag is over
+        QTest::keyClick(&curve, Qt::Key_Escape);
+        QVERIFY(!dialog.isVisible());
+    }
+
     void penDynamicsReachTheStroke()
     {
         Session s;

@@ -61,6 +61,29 @@ private slots:
         QVERIFY2(repeated.isEmpty(), qPrintable(repeated.join("\n")));
     }
 
+    /// What stands in the Edit menu can be typed there.
+    void appearanceAndArtworkHaveALetter()
+    {
+        Session s;
+        for (const Command command : {Command::PasteAppearance, Command::RecolourArtwork})
+            QVERIFY2(!mnemonicOf(s.window.action(command).text()).isNull(),
+                     qPrintable(s.window.action(command).text()));
+    }
+
+    void f11FillsTheScreenAndGivesItBack()
+    {
+        Session s;
+        s.window.activateWindow();
+        QVERIFY(QTest::qWaitForWindowActive(&s.window));
+        s.canvas().setFocus();
+        for (const bool full : {true, false}) {
+            QTest::keyClick(&s.canvas(), Qt::Key_F11);
+            QTRY_COMPARE(s.window.isFullScreen(), full);
+            QTRY_COMPARE(s.window.action(Command::FullScreen).isChecked(), full);
+        }
+        QCOMPARE(s.editor().undoStack().count(), 0);
+    }
+
 private:
     QTemporaryDir m_folder;
 };

@@ -39,7 +39,7 @@ void addRestyleRows(Commands &table, OpenPainting &open)
             .when([&editor, selected = anySelected(editor)] { return commands::copiedAppearance() && selected(); })
             .runs([&editor, variation, say] { say(commands::pasteAppearance(editor, variation)); });
     };
-    paste(PasteAppearance, "pasteAppearance", Commands::tr("Paste Appearance"),
+    paste(PasteAppearance, "pasteAppearance", Commands::tr("Paste Appeara&nce"),
           {QKeySequence(Commands::tr("Ctrl+Shift+V"))},
           Commands::tr("Put it on the selected strokes; what varies along them goes on varying"), Variation::Kept);
     paste(PasteAppearanceEvenly, "pasteAppearanceEvenly", Commands::tr("Paste Appearance Evenl&y"), {},
