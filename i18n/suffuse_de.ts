@@ -1212,6 +1212,10 @@ Rückgabewerte: 0 erledigt, 1 fehlgeschlagen, 2 falscher Aufruf.</translation>
         <source>Parts fade away, the first at %1 s. More φ, or less D or drying time, keeps them.</source>
         <translation>Teile verblassen, der erste nach %1 s. Mehr φ oder weniger D oder Trockenzeit verhindert das.</translation>
     </message>
+    <message>
+        <source>Strength 0: nothing is taken away.</source>
+        <translation>Stärke 0: Es wird nichts weggenommen.</translation>
+    </message>
 </context>
 <context>
     <name>FileReplacement</name>
@@ -2569,14 +2573,6 @@ Rückgabewerte: 0 erledigt, 1 fehlgeschlagen, 2 falscher Aufruf.</translation>
         <translation>Aktuelle Farbe</translation>
     </message>
     <message>
-        <source>The colour that is painted with</source>
-        <translation>Die Farbe, mit der gemalt wird</translation>
-    </message>
-    <message>
-        <source>Colour</source>
-        <translation>Farbe</translation>
-    </message>
-    <message>
         <source>Near colours</source>
         <translation>Nahe Farben</translation>
     </message>
@@ -2740,20 +2736,48 @@ Rückgabewerte: 0 erledigt, 1 fehlgeschlagen, 2 falscher Aufruf.</translation>
         <translation>An&amp;ordnen</translation>
     </message>
     <message>
-        <source>Tra&amp;nsform</source>
-        <translation>Tra&amp;nsformieren</translation>
-    </message>
-    <message>
         <source>R&amp;eshape</source>
         <translation>Um&amp;formen</translation>
     </message>
     <message>
-        <source>Select Sa&amp;me</source>
-        <translation>&amp;Gleiche auswählen</translation>
-    </message>
-    <message>
         <source>Dr&amp;ying</source>
         <translation>T&amp;rocknen</translation>
+    </message>
+    <message>
+        <source>Brush and C&amp;olours</source>
+        <translation>&amp;Pinsel und Farben</translation>
+    </message>
+    <message>
+        <source>Apply &amp;Brush</source>
+        <translation>Pinsel &amp;anwenden</translation>
+    </message>
+    <message>
+        <source>&amp;Appearance</source>
+        <translation>Au&amp;ssehen</translation>
+    </message>
+    <message>
+        <source>&amp;Nodes</source>
+        <translation>K&amp;noten</translation>
+    </message>
+    <message>
+        <source>Trans&amp;form</source>
+        <translation>Transfor&amp;mieren</translation>
+    </message>
+    <message>
+        <source>Com&amp;bine and Break</source>
+        <translation>&amp;Verbinden und zerlegen</translation>
+    </message>
+    <message>
+        <source>Select S&amp;ame</source>
+        <translation>Gleiche &amp;auswählen</translation>
+    </message>
+    <message>
+        <source>Under&amp;lay</source>
+        <translation>Vor&amp;lage</translation>
+    </message>
+    <message>
+        <source>&amp;Colours</source>
+        <translation>Far&amp;ben</translation>
     </message>
 </context>
 <context>
@@ -4288,10 +4312,6 @@ Auch die Pfeiltasten wirken.</translation>
         <translation>Schiebt, kämmt, rafft oder raut Striche auf</translation>
     </message>
     <message>
-        <source>Me&amp;nu at the Pointer</source>
-        <translation>Menü am &amp;Zeiger</translation>
-    </message>
-    <message>
         <source>What lies under the pointer, and what can be done with it</source>
         <translation>Was unter dem Zeiger liegt, und was damit getan werden kann</translation>
     </message>
@@ -4358,10 +4378,6 @@ Auch die Pfeiltasten wirken.</translation>
     <message>
         <source>Copy style, mixing, values and colour of the stroke that was selected last</source>
         <translation>Kopiert Stil, Mischung, Werte und Farbe des zuletzt gewählten Strichs</translation>
-    </message>
-    <message>
-        <source>Paste Appearance</source>
-        <translation>Aussehen einfügen</translation>
     </message>
     <message>
         <source>Ctrl+Shift+V</source>
@@ -4464,8 +4480,16 @@ Auch die Pfeiltasten wirken.</translation>
         <translation>Jeder Farbe des Bildes oder des Ausgewählten überall eine andere geben</translation>
     </message>
     <message>
-        <source>Recolour Artwork…</source>
-        <translation>Bild umfärben …</translation>
+        <source>Paste Appeara&amp;nce</source>
+        <translation>Ausseh&amp;en einfügen</translation>
+    </message>
+    <message>
+        <source>Menu at t&amp;he Pointer</source>
+        <translation>Menü am &amp;Zeiger</translation>
+    </message>
+    <message>
+        <source>Recolour Artwor&amp;k…</source>
+        <translation>Bild umf&amp;ärben …</translation>
     </message>
 </context>
 <context>
@@ -4938,6 +4962,22 @@ Auch die Pfeiltasten wirken.</translation>
     <message>
         <source>Spread across</source>
         <translation>Ausbreitung quer</translation>
+    </message>
+    <message>
+        <source>Softness</source>
+        <translation>Weichheit</translation>
+    </message>
+    <message>
+        <source>Takes away</source>
+        <translation>Nimmt weg</translation>
+    </message>
+    <message>
+        <source>How softly the erasure ends: how far it has spread beside its curve, √(4·D·t_max).</source>
+        <translation>Wie weich die Radierung endet: wie weit sie sich neben ihrer Kurve ausgebreitet hat, √(4·D·t_max).</translation>
+    </message>
+    <message>
+        <source>Density that one segment of the erasure takes away in its middle; paint that is thinner is gone there.</source>
+        <translation>Dichte, die ein Segment der Radierung in seiner Mitte wegnimmt; dünnere Farbe ist dort ganz weg.</translation>
     </message>
 </context>
 <context>
@@ -7296,6 +7336,26 @@ Auch die Pfeiltasten wirken.</translation>
         <source>Pigment (β)</source>
         <translation>Pigment (β)</translation>
     </message>
+    <message>
+        <source>Erasure</source>
+        <translation>Radierung</translation>
+    </message>
+    <message>
+        <source>Size D</source>
+        <translation>Größe D</translation>
+    </message>
+    <message>
+        <source>How wide and how softly it takes away.</source>
+        <translation>Wie breit und wie weich sie wegnimmt.</translation>
+    </message>
+    <message>
+        <source>Strength φ</source>
+        <translation>Stärke φ</translation>
+    </message>
+    <message>
+        <source>How much it takes away.</source>
+        <translation>Wie viel sie wegnimmt.</translation>
+    </message>
 </context>
 <context>
     <name>suffuse::SelectTool</name>
@@ -7762,6 +7822,25 @@ Auch die Pfeiltasten wirken.</translation>
     <message>
         <source>Some of it is locked. Click: lock the group.</source>
         <translation>Ein Teil davon ist gesperrt. Klick: die Gruppe sperren.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n piece(s)</source>
+        <translation>
+            <numerusform>%n Stück</numerusform>
+            <numerusform>%n Stücke</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n erasure(s)</source>
+        <translation>
+            <numerusform>%n Radierung</numerusform>
+            <numerusform>%n Radierungen</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>, </source>
+        <extracomment>between &quot;3 pieces&quot; and &quot;12 erasures&quot;</extracomment>
+        <translation>, </translation>
     </message>
 </context>
 <context>

@@ -1204,6 +1204,10 @@ Exit codes: 0 done, 1 the work failed, 2 wrong usage.</source>
         <source>Parts fade away, the first at %1 s. More φ, or less D or drying time, keeps them.</source>
         <translation>部分会消褪，最早在 %1 秒。增大 φ，或减小 D 或干燥时间，可使其保留。</translation>
     </message>
+    <message>
+        <source>Strength 0: nothing is taken away.</source>
+        <translation>强度为 0：不会擦去任何颜料。</translation>
+    </message>
 </context>
 <context>
     <name>FileReplacement</name>
@@ -2560,14 +2564,6 @@ Exit codes: 0 done, 1 the work failed, 2 wrong usage.</source>
         <translation>当前颜色</translation>
     </message>
     <message>
-        <source>The colour that is painted with</source>
-        <translation>用来画的颜色</translation>
-    </message>
-    <message>
-        <source>Colour</source>
-        <translation>颜色</translation>
-    </message>
-    <message>
         <source>Near colours</source>
         <translation>相近颜色</translation>
     </message>
@@ -2731,20 +2727,48 @@ Exit codes: 0 done, 1 the work failed, 2 wrong usage.</source>
         <translation>排列(&amp;R)</translation>
     </message>
     <message>
-        <source>Tra&amp;nsform</source>
-        <translation>变换(&amp;N)</translation>
-    </message>
-    <message>
         <source>R&amp;eshape</source>
         <translation>整形(&amp;E)</translation>
     </message>
     <message>
-        <source>Select Sa&amp;me</source>
-        <translation>选择相同项(&amp;M)</translation>
-    </message>
-    <message>
         <source>Dr&amp;ying</source>
         <translation>干燥(&amp;Y)</translation>
+    </message>
+    <message>
+        <source>Brush and C&amp;olours</source>
+        <translation>画笔与颜色(&amp;O)</translation>
+    </message>
+    <message>
+        <source>Apply &amp;Brush</source>
+        <translation>应用画笔(&amp;B)</translation>
+    </message>
+    <message>
+        <source>&amp;Appearance</source>
+        <translation>外观(&amp;A)</translation>
+    </message>
+    <message>
+        <source>&amp;Nodes</source>
+        <translation>节点(&amp;N)</translation>
+    </message>
+    <message>
+        <source>Trans&amp;form</source>
+        <translation>变换(&amp;F)</translation>
+    </message>
+    <message>
+        <source>Com&amp;bine and Break</source>
+        <translation>合并与拆分(&amp;B)</translation>
+    </message>
+    <message>
+        <source>Select S&amp;ame</source>
+        <translation>选择相同项(&amp;A)</translation>
+    </message>
+    <message>
+        <source>Under&amp;lay</source>
+        <translation>底图(&amp;L)</translation>
+    </message>
+    <message>
+        <source>&amp;Colours</source>
+        <translation>颜色(&amp;C)</translation>
     </message>
 </context>
 <context>
@@ -4274,10 +4298,6 @@ Arrow keys work too.</source>
         <translation>推移、梳理、收拢或粗糙化笔画</translation>
     </message>
     <message>
-        <source>Me&amp;nu at the Pointer</source>
-        <translation>指针处的菜单(&amp;N)</translation>
-    </message>
-    <message>
         <source>What lies under the pointer, and what can be done with it</source>
         <translation>指针下有什么，以及可以对它做什么</translation>
     </message>
@@ -4344,10 +4364,6 @@ Arrow keys work too.</source>
     <message>
         <source>Copy style, mixing, values and colour of the stroke that was selected last</source>
         <translation>复制最后选择的笔画的样式、混合、数值和颜色</translation>
-    </message>
-    <message>
-        <source>Paste Appearance</source>
-        <translation>粘贴外观</translation>
     </message>
     <message>
         <source>Ctrl+Shift+V</source>
@@ -4450,8 +4466,16 @@ Arrow keys work too.</source>
         <translation>将画中或所选内容中的每种颜色全部换成另一种</translation>
     </message>
     <message>
-        <source>Recolour Artwork…</source>
-        <translation>重新着色图稿…</translation>
+        <source>Paste Appeara&amp;nce</source>
+        <translation>粘贴外观(&amp;N)</translation>
+    </message>
+    <message>
+        <source>Menu at t&amp;he Pointer</source>
+        <translation>指针处的菜单(&amp;H)</translation>
+    </message>
+    <message>
+        <source>Recolour Artwor&amp;k…</source>
+        <translation>重新着色图稿(&amp;K)…</translation>
     </message>
 </context>
 <context>
@@ -4924,6 +4948,22 @@ Arrow keys work too.</source>
     <message>
         <source>Spread across</source>
         <translation>横向扩散</translation>
+    </message>
+    <message>
+        <source>Softness</source>
+        <translation>柔和度</translation>
+    </message>
+    <message>
+        <source>Takes away</source>
+        <translation>擦去量</translation>
+    </message>
+    <message>
+        <source>How softly the erasure ends: how far it has spread beside its curve, √(4·D·t_max).</source>
+        <translation>擦除边缘的柔和程度：它在曲线旁扩散的距离，√(4·D·t_max)。</translation>
+    </message>
+    <message>
+        <source>Density that one segment of the erasure takes away in its middle; paint that is thinner is gone there.</source>
+        <translation>擦除的一个线段在其中央去除的密度；比它更薄的颜料在那里完全消失。</translation>
     </message>
 </context>
 <context>
@@ -7254,6 +7294,26 @@ Arrow keys work too.</source>
         <source>Pigment (β)</source>
         <translation>颜料（β）</translation>
     </message>
+    <message>
+        <source>Erasure</source>
+        <translation>擦除</translation>
+    </message>
+    <message>
+        <source>Size D</source>
+        <translation>大小 D</translation>
+    </message>
+    <message>
+        <source>How wide and how softly it takes away.</source>
+        <translation>擦除的宽度与柔和程度。</translation>
+    </message>
+    <message>
+        <source>Strength φ</source>
+        <translation>强度 φ</translation>
+    </message>
+    <message>
+        <source>How much it takes away.</source>
+        <translation>擦去的多少。</translation>
+    </message>
 </context>
 <context>
     <name>suffuse::SelectTool</name>
@@ -7719,6 +7779,23 @@ Arrow keys work too.</source>
     <message>
         <source>Some of it is locked. Click: lock the group.</source>
         <translation>其中部分已锁定。点击锁定整组。</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n piece(s)</source>
+        <translation>
+            <numerusform>%n 段</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n erasure(s)</source>
+        <translation>
+            <numerusform>%n 处擦除</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>, </source>
+        <extracomment>between &quot;3 pieces&quot; and &quot;12 erasures&quot;</extracomment>
+        <translation>，</translation>
     </message>
 </context>
 <context>
