@@ -85,6 +85,18 @@ std::vector<std::size_t> groupedInto(const std::vector<ExactUse> &uses, std::siz
     return leaderOf;
 }
 
+/// What takes paint away has no colour that could be seen.
+void leaveErasuresOut(ColourPart &part)
+{
+    const std::vector<Segment> &segments = part.stroke->segments;
+    if (!part.stroke->hasLift())
+        return;
+    if (part.chosen.empty())
+        part.chosen.assign(segments.size(), true);
+    for (std::size_t k = 0; k < segments.size(); ++k)
+        part.chosen[k] = part.chosen[k] && !segments[k].lift;
+}
+
 } // namespace
 
 std::size_t ColourPart::count() const
@@ -106,7 +118,9 @@ ColourParts partsToColour(const Painting &painting, const Selection &selection)
             if (std::size_t(at->segment) < part.chosen.size())
                 part.chosen[std::size_t(at->segment)] = true;
         }
-        parts.push_back(std::move(part));
+        leaveErasuresOut(part);
+        if (part.count() > 0)
+            parts.push_back(std::move(part));
     }
     return parts;
 }
@@ -117,7 +131,7 @@ ColourParts partsOfColour(const Painting &painting, const Colour &colour)
     for (const StrokePtr &stroke : painting.strokes) {
         std::vector<bool> chosen(stroke->segments.size());
         for (std::size_t k = 0; k < chosen.size(); ++k)
-            chosen[k] = samePaint(stroke->segments[k].colour, colour);
+            chosen[k] = !stroke->segments[k].lift && samePaint(stroke->segments[k].colour, colour);
         if (std::ranges::find(chosen, true) != chosen.end())
             parts.push_back({stroke, std::move(chosen)});
     }

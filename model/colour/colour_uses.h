@@ -19,7 +19,8 @@ struct ColourPart {
 using ColourParts = std::vector<ColourPart>;
 
 /// What a change of colour means: of visible, unlocked strokes, the segments that are selected, or all of the selected
-/// strokes without selected segments. Where nothing is selected, all of the painting. Bottom to top.
+/// strokes without selected segments. Where nothing is selected, all of the painting. Bottom to top. Erasures are left
+/// out: what takes paint away has no colour.
 ColourParts partsToColour(const Painting &painting, const Selection &selection);
 /// Where a painting has exactly this red, yellow and blue, in hidden and locked strokes, too.
 ColourParts partsOfColour(const Painting &painting, const Colour &colour);

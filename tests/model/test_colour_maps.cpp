@@ -54,6 +54,25 @@ class TestColourMaps : public QObject {
     Q_OBJECT
 
 private slots:
+    /// A stroke that was erased softly has the colour of its paint; nothing else of it is coloured.
+    void erasuresHaveNoColour()
+    {
+        Painting painting;
+        Stroke stroke = *strokeOf(1, {red, white, white, white});
+        for (const std::size_t k : {1, 2, 3})
+            stroke.segments[k].lift = true;
+        painting.strokes.push_back(std::make_shared<const Stroke>(stroke));
+        const ColourParts whole = partsToColour(painting, {{1}, {}});
+        QCOMPARE(whole.size(), std::size_t(1));
+        QCOMPARE(whole.front().count(), std::size_t(1));
+        const ColourSummary summary = summaryOf(whole, false);
+        QCOMPARE(summary.usual, red);
+        QVERIFY(!summary.several);
+        QVERIFY(partsToColour(painting, {{1}, {{1, 2}}}).empty());
+        QCOMPARE(partsToColour(painting, {{1}, {{1, 0}, {1, 2}}}).front().count(), std::size_t(1));
+        QVERIFY(partsOfColour(painting, white).empty());
+    }
+
     void aShiftOfNothingKeepsEveryBit()
     {
         RandomColours colours;
