@@ -174,10 +174,16 @@ ColourSummary summaryOf(const ColourParts &parts, bool coloured)
     };
     std::map<Colour, Count, ByChannels> counts;
     ColourSummary summary;
+    auto last = counts.end(); // Neighbours mostly have one colour, which is then not looked up again.
     for (const ColourPart &part : parts)
         for (std::size_t k = 0; k < part.stroke->segments.size(); ++k)
-            if (part.has(k))
-                ++counts.emplace(part.stroke->segments[k].colour, Count{0, summary.segments++}).first->second.segments;
+            if (part.has(k)) {
+                const Colour &colour = part.stroke->segments[k].colour;
+                if (last == counts.end() || last->first != colour)
+                    last = counts.emplace(colour, Count{0, summary.segments}).first;
+                ++last->second.segments;
+                ++summary.segments;
+            }
     const auto rank = [coloured](const auto &entry) {
         const auto &[colour, count] = entry;
         return std::tuple(!(coloured && isGrey(colour)), count.segments, std::size_t(-1) - count.first);

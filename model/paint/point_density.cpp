@@ -23,9 +23,13 @@ Pieces piecesFor(CurveDetail detail)
 class Whitening {
 public:
     Whitening(const Segment &segment, double spread)
-        : m_cos(std::cos(segment.anisotropyAngle)), m_sin(std::sin(segment.anisotropyAngle)),
-          m_along(1 / (spread * std::sqrt(double(segment.anisotropyRatio)))), m_across(1 / spread)
-    {}
+        : m_along(1 / (spread * std::sqrt(double(segment.anisotropyRatio)))), m_across(1 / spread)
+    {
+        if (segment.anisotropyRatio != 1) { // A round Gaussian needs no turning, which saves the two functions.
+            m_cos = std::cos(segment.anisotropyAngle);
+            m_sin = std::sin(segment.anisotropyAngle);
+        }
+    }
     Point operator()(Point d) const
     {
         return {m_along * (m_cos * d.x + m_sin * d.y), m_across * (m_cos * d.y - m_sin * d.x)};
@@ -34,60 +38,102 @@ public:
     double norm() const { return m_along * m_across / std::numbers::pi; }
 
 private:
-    double m_cos, m_sin, m_along, m_across;
+    double m_cos = 1, m_sin = 0, m_along, m_across;
 };
+
+double sizeOf(Point d)
+{
+    return std::sqrt(dot(d, d));
+} // quicker than std::hypot, which guards against overflow
 
 /// How many pieces of equal parameter stay near enough to the whitened curve.
 int pieceCount(const Cubic &c, const Pieces &pieces)
 {
     const Point a = c.p[0] - 2 * c.p[1] + c.p[2], b = c.p[1] - 2 * c.p[2] + c.p[3];
-    const double bend = 6 * std::max(length(a), length(b));
+    const double bend = 6 * std::sqrt(std::max(dot(a, a), dot(b, b)));
     return int(std::clamp(std::ceil(std::sqrt(bend / (8 * pieces.flatness))), 1.0, double(pieces.most)));
 }
 
-/// ∫ e^(−|x|²) dl over a straight piece from a to b, both as seen from the point.
-double lineIntegral(Point a, Point b)
+/// Calls `use` with each straight piece of a segment's curve.
+template <typename Use>
+void forEachPiece(const Segment &segment, const Whitening &whiten, CurveDetail detail, Use use)
 {
-    const double l = length(b - a);
-    if (l < 1e-6)
-        return l * std::exp(-dot(a, a));
-    const Point along = (1 / l) * (b - a);
-    const double u0 = dot(a, along), u1 = dot(b, along), v = cross(along, a);
-    return 0.5 * std::sqrt(std::numbers::pi) * std::exp(-v * v) * (std::erf(u1) - std::erf(u0));
+    Cubic cubic, whitened;
+    for (std::size_t i = 0; i < 4; ++i) {
+        cubic.p[i] = Point{} + segment.bezier[i];
+        whitened.p[i] = whiten(cubic.p[i]);
+    }
+    const double scale = 0.5 * std::sqrt(std::numbers::pi) * double(segment.density) * whiten.norm();
+    const int count = pieceCount(whitened, piecesFor(detail));
+    Point a = cubic.p[0], wa = whitened.p[0];
+    for (int k = 1; k <= count; ++k) {
+        const Point b = k == count ? cubic.p[3] : cubic.at(double(k) / count), wb = whiten(b);
+        const double whitenedLength = sizeOf(wb - wa);
+        if (whitenedLength > 0) // The length counts on the canvas, while the exponent counts in spreads.
+            use(DensityOfSegment::Piece{wa, (1 / whitenedLength) * (wb - wa), whitenedLength,
+                                        scale * sizeOf(b - a) / whitenedLength});
+        a = b;
+        wa = wb;
+    }
+}
+
+/// What a piece adds to the density at a point of the whitened plane.
+double densityOf(const DensityOfSegment::Piece &piece, Point at)
+{
+    constexpr double farthest = 6; // e^(−x²) and 1 − erf(x) are below 1e-15 from here on, in spreads.
+    constexpr double tiny = 1e-6;  // The difference of two error functions would have no digits left.
+    const Point from = piece.start - at;
+    const double u = dot(from, piece.along), v = cross(piece.along, from), end = u + piece.length;
+    if (std::abs(v) > farthest || u > farthest || end < -farthest)
+        return 0;
+    const double along = piece.length < tiny ? 2 / std::sqrt(std::numbers::pi) * piece.length * std::exp(-u * u)
+                                             : std::erf(end) - std::erf(u);
+    return piece.weight * std::exp(-v * v) * along;
+}
+
+Rect influenceBox(const Segment &segment, double spread)
+{
+    const auto &p = segment.bezier;
+    const double reach = reachInSpreads * spread * std::sqrt(std::max(1.0f, segment.anisotropyRatio));
+    const auto [left, right] = std::minmax({p[0].x, p[1].x, p[2].x, p[3].x});
+    const auto [top, bottom] = std::minmax({p[0].y, p[1].y, p[2].y, p[3].y});
+    return Rect{left, top, right, bottom}.grown(reach);
 }
 
 } // namespace
 
+DensityOfSegment::DensityOfSegment(const Segment &segment, double spread, CurveDetail detail)
+    : m_influence(influenceBox(segment, spread))
+{
+    const Whitening whiten(segment, spread);
+    m_toWhite = {whiten({1, 0}), whiten({0, 1})};
+    forEachPiece(segment, whiten, detail, [this](const Piece &piece) { m_pieces.push_back(piece); });
+}
+
+double DensityOfSegment::operator()(Point fromOrigin) const
+{
+    if (!reaches(fromOrigin))
+        return 0;
+    const Point at = fromOrigin.x * m_toWhite[0] + fromOrigin.y * m_toWhite[1];
+    double sum = 0;
+    for (const Piece &piece : m_pieces)
+        sum += densityOf(piece, at);
+    return sum;
+}
+
 double segmentDensity(const Segment &segment, double spread, Point fromOrigin, CurveDetail detail)
 {
     const Whitening whiten(segment, spread);
-    Cubic cubic, whitened;
-    for (std::size_t i = 0; i < 4; ++i) {
-        cubic.p[i] = (Point{} + segment.bezier[i]) - fromOrigin;
-        whitened.p[i] = whiten(cubic.p[i]);
-    }
-    const int pieces = pieceCount(whitened, piecesFor(detail));
+    const Point at = whiten(fromOrigin);
     double sum = 0;
-    Point a = cubic.p[0];
-    for (int k = 1; k <= pieces; ++k) {
-        const Point b = k == pieces ? cubic.p[3] : cubic.at(double(k) / pieces);
-        const Point wa = whiten(a), wb = whiten(b);
-        const double whitenedLength = length(wb - wa);
-        if (whitenedLength > 0) // The length counts on the canvas, while the exponent counts in spreads.
-            sum += lineIntegral(wa, wb) * length(b - a) / whitenedLength;
-        a = b;
-    }
-    return double(segment.density) * whiten.norm() * sum;
+    forEachPiece(segment, whiten, detail,
+                 [&sum, at](const DensityOfSegment::Piece &piece) { sum += densityOf(piece, at); });
+    return sum;
 }
 
 bool reaches(const Segment &segment, double spread, Point fromOrigin)
 {
-    const double reach = reachInSpreads * spread * std::sqrt(std::max(1.0f, segment.anisotropyRatio));
-    const auto &p = segment.bezier;
-    const auto [left, right] = std::minmax({p[0].x, p[1].x, p[2].x, p[3].x});
-    const auto [top, bottom] = std::minmax({p[0].y, p[1].y, p[2].y, p[3].y});
-    return fromOrigin.x >= left - reach && fromOrigin.x <= right + reach && fromOrigin.y >= top - reach &&
-           fromOrigin.y <= bottom + reach;
+    return influenceBox(segment, spread).contains(fromOrigin);
 }
 
 double segmentDensityAt(const Stroke &stroke, const Segment &segment, Microseconds time, Point point)

@@ -3,6 +3,9 @@
 
 #include "model/painting/stroke.h"
 
+#include <array>
+#include <vector>
+
 namespace suffuse {
 
 /// How near the straight pieces of a segment's curve stay to it, in spreads. The density is wrong by about half as much
@@ -12,8 +15,32 @@ enum class CurveDetail {
     Fine   ///< 0.001, for figures and plots
 };
 
-/// φ_k of a segment of spread s > 0, at a point relative to its stroke's origin. The curve counts as straight pieces,
-/// whose density has a closed form.
+/// φ_k of a segment of spread s > 0, as a function of the point. The curve counts as straight pieces, whose density has
+/// a closed form. Whoever asks for many points keeps the object, since the pieces are found when it is made.
+class DensityOfSegment {
+public:
+    DensityOfSegment(const Segment &segment, double spread, CurveDetail detail);
+    /// At a point relative to the stroke's origin; 0 beyond the reach.
+    double operator()(Point fromOrigin) const;
+    /// Whether the segment's influence (see `influenceOf`) reaches a point relative to its stroke's origin.
+    bool reaches(Point fromOrigin) const { return m_influence.contains(fromOrigin); }
+
+    struct Piece;
+
+private:
+    Rect m_influence;               ///< as seen from the stroke's origin
+    std::array<Point, 2> m_toWhite; ///< what the canvas' unit vectors are in that plane
+    std::vector<Piece> m_pieces;
+};
+
+/// A straight piece of a curve, in the plane where the segment's Gaussian is e^(−|x|²).
+struct DensityOfSegment::Piece {
+    Point start, along; ///< along: of length 1
+    double length;
+    double weight; ///< what the integral counts on the canvas
+};
+
+/// φ_k of a segment of spread s > 0, at one point relative to its stroke's origin.
 double segmentDensity(const Segment &segment, double spread, Point fromOrigin, CurveDetail detail);
 
 /// Whether the influence of a segment of a spread (see `influenceOf`) reaches a point relative to its stroke's origin.

@@ -1,31 +1,62 @@
 #include "model/paint/seen_paint.h"
 
 #include "model/paint/local_paint.h"
-#include "model/paint/point_density.h"
 
 namespace suffuse {
+
+namespace {
+
+/// Sums what the segments have at a point.
+class Sum {
+public:
+    explicit Sum(const Stroke &stroke) : m_stroke(stroke) {}
+    void add(std::size_t k, double density)
+    {
+        const Segment &segment = m_stroke.segments[k];
+        m_paint.add(segment, m_stroke.styleOf(segment), density);
+        if (density > m_largest && !segment.lift) {
+            m_largest = density;
+            m_segment = int(k);
+        }
+    }
+    SeenPaint seen() const { return {m_paint.density(), m_paint.opacity(1), m_segment}; }
+
+private:
+    const Stroke &m_stroke;
+    LocalPaint m_paint;
+    double m_largest = 0;
+    int m_segment = -1;
+};
+
+} // namespace
+
+PaintSight::PaintSight(const Stroke &stroke, Microseconds T) : m_stroke(&stroke)
+{
+    for (std::size_t k = 0; k < stroke.segments.size(); ++k)
+        if (const double spread = stroke.segments[k].spread(T); spread > 0)
+            m_sources.push_back({int(k), DensityOfSegment(stroke.segments[k], spread, CurveDetail::Rough)});
+}
+
+SeenPaint PaintSight::at(Point point) const
+{
+    const Point fromOrigin = point - m_stroke->origin;
+    Sum sum(*m_stroke);
+    for (const Source &source : m_sources)
+        if (source.density.reaches(fromOrigin))
+            sum.add(std::size_t(source.segment), source.density(fromOrigin));
+    return sum.seen();
+}
 
 SeenPaint seenPaint(const Stroke &stroke, Microseconds T, Point point)
 {
     const Point at = point - stroke.origin;
-    SeenPaint seen;
-    LocalPaint paint;
-    double largest = 0;
+    Sum sum(stroke);
     for (std::size_t k = 0; k < stroke.segments.size(); ++k) {
         const Segment &segment = stroke.segments[k];
-        const double spread = segment.spread(T);
-        if (!(spread > 0) || !reaches(segment, spread, at))
-            continue;
-        const double density = segmentDensity(segment, spread, at, CurveDetail::Rough);
-        paint.add(segment, stroke.styleOf(segment), density);
-        if (density > largest && !segment.lift) {
-            largest = density;
-            seen.segment = int(k);
-        }
+        if (const double spread = segment.spread(T); spread > 0 && reaches(segment, spread, at))
+            sum.add(k, segmentDensity(segment, spread, at, CurveDetail::Rough));
     }
-    seen.density = paint.density();
-    seen.opacity = paint.opacity(1);
-    return seen;
+    return sum.seen();
 }
 
 } // namespace suffuse

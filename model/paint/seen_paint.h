@@ -1,7 +1,7 @@
 // How much of a stroke is seen at a point, quickly, for hit tests, which ask thousands of times.
 #pragma once
 
-#include "model/painting/stroke.h"
+#include "model/paint/point_density.h"
 
 namespace suffuse {
 
@@ -16,8 +16,24 @@ struct SeenPaint {
     int segment = -1;
 };
 
-/// Computes it with a few straight pieces for each curve, whose density has a closed form. `render/probe.h` has the
-/// exact figures.
+/// Looks at a stroke at one time. Whoever asks for many points keeps it, since curves are divided when it is made. It
+/// refers to the stroke.
+class PaintSight {
+public:
+    PaintSight(const Stroke &stroke, Microseconds T);
+    SeenPaint at(Point point) const;
+
+private:
+    struct Source {
+        int segment;
+        DensityOfSegment density;
+    };
+    const Stroke *m_stroke;
+    std::vector<Source> m_sources; ///< the segments that are there
+};
+
+/// Computes it for one point with a few straight pieces for each curve, whose density has a closed form.
+/// `render/probe.h` has the exact figures.
 SeenPaint seenPaint(const Stroke &stroke, Microseconds T, Point point);
 
 } // namespace suffuse

@@ -1,8 +1,6 @@
 #include "model/shaping/paint_samples.h"
 
 #include "model/brush/stroke_fit.h"
-#include "model/paint/point_density.h"
-#include "model/paint/seen_paint.h"
 #include "model/paint/style_function.h"
 #include "model/shaping/split.h"
 
@@ -23,13 +21,6 @@ double excessOf(const Style *style, double density, double opacity)
     return std::max(density - visibleCut(*style), density / 4);
 }
 
-/// φ of a lifting segment that has spread, at a point as seen from its stroke's origin.
-double fullDensity(const Segment &lift, Point fromOrigin)
-{
-    const double spread = lift.spread(lift.driesAt());
-    return reaches(lift, spread, fromOrigin) ? segmentDensity(lift, spread, fromOrigin, CurveDetail::Rough) : 0;
-}
-
 } // namespace
 
 PaintSamples::PaintSamples(StrokePtr stroke, Microseconds T, Point corner, double spacing)
@@ -37,11 +28,14 @@ PaintSamples::PaintSamples(StrokePtr stroke, Microseconds T, Point corner, doubl
       m_spacing(spacing)
 {
     const auto comesLater = [T](const Segment &segment) { return segment.born > T; };
-    if (std::ranges::none_of(m_stroke->segments, comesLater))
-        return;
-    auto present = std::make_shared<Stroke>(*m_stroke);
-    std::erase_if(present->segments, comesLater);
-    m_present = std::move(present);
+    if (std::ranges::any_of(m_stroke->segments, comesLater)) {
+        auto present = std::make_shared<Stroke>(*m_stroke);
+        std::erase_if(present->segments, comesLater);
+        m_present = std::move(present);
+    }
+    m_sights.emplace_back(*m_present, T);
+    if (!m_present->segments.empty() && m_present->driesAt() > T)
+        m_sights.emplace_back(*m_present, m_present->driesAt());
 }
 
 void PaintSamples::placeOnHairlines()
@@ -62,18 +56,15 @@ PaintSamples::PaintAt PaintSamples::look(Point fromOrigin) const
 {
     PaintAt sample;
     const Point at = m_present->origin + fromOrigin;
-    const Microseconds dry = m_present->segments.empty() ? m_time : m_present->driesAt();
-    for (const Microseconds moment : {m_time, std::max(m_time, dry)}) {
-        const SeenPaint seen = seenPaint(*m_present, moment, at);
+    for (const PaintSight &sight : m_sights) {
+        const SeenPaint seen = sight.at(at);
         if (seen.segment >= 0 && seen.density > sample.density) {
             const Segment &segment = m_present->segments[std::size_t(seen.segment)];
             sample = {&m_present->styleOf(segment), seen.density, double(segment.colour.opacity), 0};
         }
-        if (dry <= m_time)
-            break;
     }
-    for (const Segment &lift : m_taken)
-        sample.taken += fullDensity(lift, fromOrigin);
+    for (const DensityOfSegment &lift : m_taken)
+        sample.taken += lift(fromOrigin);
     return sample;
 }
 
@@ -121,12 +112,12 @@ double PaintSamples::excessWithin(Point centre, double radius)
 
 void PaintSamples::take(const Segment &lift)
 {
-    m_taken.push_back(lift);
+    const DensityOfSegment &taken = m_taken.emplace_back(lift, lift.spread(lift.driesAt()), CurveDetail::Rough);
     for (auto &[cell, sample] : m_grid)
-        sample.taken += fullDensity(lift, pointOf(cell));
+        sample.taken += taken(pointOf(cell));
     for (HairlinePoint &place : m_places)
         if (place.sample)
-            place.sample->taken += fullDensity(lift, place.at);
+            place.sample->taken += taken(place.at);
 }
 
 } // namespace suffuse

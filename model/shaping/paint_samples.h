@@ -1,10 +1,10 @@
 // Where a stroke's paint is seen, looked at point by point: for the soft eraser.
 #pragma once
 
-#include "model/painting/stroke.h"
+#include "model/paint/seen_paint.h"
 
-#include <map>
 #include <optional>
+#include <unordered_map>
 #include <utility>
 
 namespace suffuse {
@@ -16,8 +16,8 @@ public:
     /// The stroke at time T, without what is painted later. `corner`: a point of the grid; `spacing`: of its points.
     PaintSamples(StrokePtr stroke, Microseconds T, Point corner, double spacing);
 
-    /// By how much density is over that at which paint ends (`visibleCut`), or a quarter of it if that is more, within a
-    /// circle: the upper quartile of the points at which paint is seen; 0: at none.
+    /// By how much density is over that at which paint ends (`visibleCut`), or a quarter of it if that is more, within
+    /// a circle: the upper quartile of the points at which paint is seen; 0: at none.
     double excessWithin(Point centre, double radius);
     /// From now on the density of a lifting segment, in the stroke's offsets, is taken away.
     void take(const Segment &lift);
@@ -37,6 +37,12 @@ private:
         std::optional<PaintAt> sample;
     };
     using Cell = std::pair<int, int>;
+    struct HashOfCell {
+        std::size_t operator()(const Cell &cell) const
+        {
+            return std::size_t(cell.first) * 0x9e3779b97f4a7c15 + std::size_t(cell.second);
+        }
+    };
 
     void placeOnHairlines();
     PaintAt look(Point fromOrigin) const;
@@ -44,13 +50,14 @@ private:
     Point pointOf(const Cell &cell) const;
 
     StrokePtr m_stroke;
-    StrokePtr m_present; ///< what of it is there at the moment: samples point into it
+    StrokePtr m_present;              ///< what of it is there at the moment: samples point into it
+    std::vector<PaintSight> m_sights; ///< now, and when it has dried
     Microseconds m_time;
     Point m_corner; ///< as seen from the stroke's origin
     double m_spacing;
-    std::map<Cell, PaintAt> m_grid;
+    std::unordered_map<Cell, PaintAt, HashOfCell> m_grid;
     std::vector<HairlinePoint> m_places;
-    std::vector<Segment> m_taken;
+    std::vector<DensityOfSegment> m_taken;
     bool m_isPlaced = false;
 };
 

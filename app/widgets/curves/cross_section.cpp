@@ -27,20 +27,25 @@ std::vector<CrossSectionPoint> crossSectionOf(const Painting &painting, const St
     Rect line;
     line.include(from);
     line.include(to);
-    std::vector<const Segment *> near;
+    struct Near {
+        const Segment *segment;
+        DensityOfSegment density;
+    };
+    std::vector<Near> near;
     for (const Segment &s : stroke.segments)
         if (influenceOf(stroke, s, time).intersects(line))
-            near.push_back(&s);
+            near.push_back({&s, DensityOfSegment(s, s.spread(time), CurveDetail::Fine)});
 
     const reference::Spot ground = reference::bareSpot(painting.canvas.background, false);
     std::vector<CrossSectionPoint> points;
     for (int i = 0; i < samples; ++i) {
         CrossSectionPoint point;
         point.offset = range * (2.0 * i / (samples - 1) - 1);
+        const Point fromOrigin = cubic.at(0.5) + point.offset * normal - stroke.origin;
         LocalPaint paint;
-        for (const Segment *s : near)
-            if (const double d = segmentDensityAt(stroke, *s, time, cubic.at(0.5) + point.offset * normal); d > 0)
-                paint.add(*s, stroke.styleOf(*s), d);
+        for (const Near &s : near)
+            if (const double d = s.density(fromOrigin); d > 0)
+                paint.add(*s.segment, stroke.styleOf(*s.segment), d);
         const std::array<double, 4> colour = paint.colour();
         point.density = paint.density();
         point.opacity = paint.opacity(1);
