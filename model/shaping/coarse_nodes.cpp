@@ -1,5 +1,7 @@
 #include "model/shaping/coarse_nodes.h"
 
+#include "model/brush/stroke_fit.h"
+
 #include "model/shaping/curve_fit.h"
 #include "model/shaping/runs.h"
 #include "model/shaping/split.h"
@@ -178,12 +180,11 @@ private:
     void removeBetween(int before, int behind, const std::set<int> &places, BendsRemoved &result) const
     {
         const int count = int(m_shown.size());
-        const bool isRun = std::adjacent_find(places.begin(), places.end(), [](int a, int b) { return b == a + 1; }) !=
-                           places.end();
+        const bool isRun =
+            std::adjacent_find(places.begin(), places.end(), [](int a, int b) { return b == a + 1; }) != places.end();
         const bool inner = before >= 0 && behind < count;
         const bool stands = !isRun && int(places.size()) < behind - before - 1;
-        if (stands && inner &&
-            takeOneCurve(result.stroke, {m_chain.first + before, m_chain.first + behind - 1}))
+        if (stands && inner && takeOneCurve(result.stroke, {m_chain.first + before, m_chain.first + behind - 1}))
             return;
         std::set<int> gone = places;
         if (stands && !inner)
