@@ -2893,46 +2893,6 @@ Rückgabewerte: 0 erledigt, 1 fehlgeschlagen, 2 falscher Aufruf.</translation>
 <context>
     <name>suffuse::ColourHeader</name>
     <message>
-        <source>Colour of the brush</source>
-        <translation>Farbe des Pinsels</translation>
-    </message>
-    <message>
-        <source>Colour of a swatch</source>
-        <translation>Farbe eines Farbfelds</translation>
-    </message>
-    <message>
-        <source>Colour of the swatch “%1”</source>
-        <translation>Farbe des Farbfelds „%1“</translation>
-    </message>
-    <message numerus="yes">
-        <source>Colours of %n segment(s)</source>
-        <translation>
-            <numerusform>Farben von %n Segment</numerusform>
-            <numerusform>Farben von %n Segmenten</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
-        <source>Colour of %n segment(s)</source>
-        <translation>
-            <numerusform>Farbe von %n Segment</numerusform>
-            <numerusform>Farbe von %n Segmenten</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
-        <source>Colours of %n stroke(s)</source>
-        <translation>
-            <numerusform>Farben von %n Strich</numerusform>
-            <numerusform>Farben von %n Strichen</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
-        <source>Colour of %n stroke(s)</source>
-        <translation>
-            <numerusform>Farbe von %n Strich</numerusform>
-            <numerusform>Farbe von %n Strichen</numerusform>
-        </translation>
-    </message>
-    <message>
         <source>Shows and changes the colour that is painted with</source>
         <translation>Zeigt und ändert die Farbe, mit der gemalt wird</translation>
     </message>
@@ -2973,6 +2933,10 @@ Versatz: Alle ändern sich wie die gezeigte und behalten ihre Unterschiede.</tra
     <message>
         <source>Apply colour</source>
         <translation>Farbe anwenden</translation>
+    </message>
+    <message>
+        <source>Colour of the brush</source>
+        <translation>Farbe des Pinsels</translation>
     </message>
 </context>
 <context>
@@ -3049,6 +3013,46 @@ Versatz: Alle ändern sich wie die gezeigte und behalten ihre Unterschiede.</tra
 </context>
 <context>
     <name>suffuse::ColourTarget</name>
+    <message>
+        <source>Colour of the brush</source>
+        <translation>Farbe des Pinsels</translation>
+    </message>
+    <message>
+        <source>Colour of a swatch</source>
+        <translation>Farbe eines Farbfelds</translation>
+    </message>
+    <message>
+        <source>Colour of the swatch “%1”</source>
+        <translation>Farbe des Farbfelds „%1“</translation>
+    </message>
+    <message numerus="yes">
+        <source>Colours of %n segment(s)</source>
+        <translation>
+            <numerusform>Farben von %n Segment</numerusform>
+            <numerusform>Farben von %n Segmenten</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Colour of %n segment(s)</source>
+        <translation>
+            <numerusform>Farbe von %n Segment</numerusform>
+            <numerusform>Farbe von %n Segmenten</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Colours of %n stroke(s)</source>
+        <translation>
+            <numerusform>Farben von %n Strich</numerusform>
+            <numerusform>Farben von %n Strichen</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Colour of %n stroke(s)</source>
+        <translation>
+            <numerusform>Farbe von %n Strich</numerusform>
+            <numerusform>Farbe von %n Strichen</numerusform>
+        </translation>
+    </message>
     <message>
         <source>Change colour</source>
         <translation>Farbe ändern</translation>

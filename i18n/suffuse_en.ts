@@ -70,7 +70,7 @@
     </message>
 </context>
 <context>
-    <name>suffuse::ColourHeader</name>
+    <name>suffuse::ColourTarget</name>
     <message numerus="yes">
         <source>Colours of %n segment(s)</source>
         <translation>

@@ -2884,42 +2884,6 @@ Exit codes: 0 done, 1 the work failed, 2 wrong usage.</source>
 <context>
     <name>suffuse::ColourHeader</name>
     <message>
-        <source>Colour of the brush</source>
-        <translation>画笔的颜色</translation>
-    </message>
-    <message>
-        <source>Colour of a swatch</source>
-        <translation>色板的颜色</translation>
-    </message>
-    <message>
-        <source>Colour of the swatch “%1”</source>
-        <translation>色板“%1”的颜色</translation>
-    </message>
-    <message numerus="yes">
-        <source>Colours of %n segment(s)</source>
-        <translation>
-            <numerusform>%n 条线段的颜色（多种）</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
-        <source>Colour of %n segment(s)</source>
-        <translation>
-            <numerusform>%n 条线段的颜色</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
-        <source>Colours of %n stroke(s)</source>
-        <translation>
-            <numerusform>%n 条笔画的颜色（多种）</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
-        <source>Colour of %n stroke(s)</source>
-        <translation>
-            <numerusform>%n 条笔画的颜色</numerusform>
-        </translation>
-    </message>
-    <message>
         <source>Shows and changes the colour that is painted with</source>
         <translation>显示并更改绘画所用的颜色</translation>
     </message>
@@ -2960,6 +2924,10 @@ Shift: all change as the shown one does, and keep their differences.</source>
     <message>
         <source>Apply colour</source>
         <translation>应用颜色</translation>
+    </message>
+    <message>
+        <source>Colour of the brush</source>
+        <translation>画笔的颜色</translation>
     </message>
 </context>
 <context>
@@ -3036,6 +3004,42 @@ Shift: all change as the shown one does, and keep their differences.</source>
 </context>
 <context>
     <name>suffuse::ColourTarget</name>
+    <message>
+        <source>Colour of the brush</source>
+        <translation>画笔的颜色</translation>
+    </message>
+    <message>
+        <source>Colour of a swatch</source>
+        <translation>色板的颜色</translation>
+    </message>
+    <message>
+        <source>Colour of the swatch “%1”</source>
+        <translation>色板“%1”的颜色</translation>
+    </message>
+    <message numerus="yes">
+        <source>Colours of %n segment(s)</source>
+        <translation>
+            <numerusform>%n 条线段的颜色（多种）</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Colour of %n segment(s)</source>
+        <translation>
+            <numerusform>%n 条线段的颜色</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Colours of %n stroke(s)</source>
+        <translation>
+            <numerusform>%n 条笔画的颜色（多种）</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Colour of %n stroke(s)</source>
+        <translation>
+            <numerusform>%n 条笔画的颜色</numerusform>
+        </translation>
+    </message>
     <message>
         <source>Change colour</source>
         <translation>更改颜色</translation>

@@ -146,8 +146,10 @@ void ValueCard::setWidth(double width, ValueEntry *entry)
     const Microseconds time = m_editor.clock().time();
     Edit edit = changeStrokes(document, document.selection().strokes, [&](Stroke &stroke) {
         for (const SegmentRef &ref : inspected.refs) {
-            Segment &segment = stroke.segments[std::size_t(ref.stroke == stroke.id ? ref.segment : 0)];
-            if (ref.stroke != stroke.id || segment.lift)
+            if (ref.stroke != stroke.id)
+                continue;
+            Segment &segment = stroke.segments[std::size_t(ref.segment)];
+            if (segment.lift)
                 continue;
             const std::optional<SeenWidth> seen = seenWidth(stroke, ref.segment, time);
             if (seen && (seen->width > 0 || now == 0)) // what has faded stays so beside what is seen

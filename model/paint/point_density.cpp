@@ -41,10 +41,11 @@ private:
     double m_cos = 1, m_sin = 0, m_along, m_across;
 };
 
+/// The length, quicker than by std::hypot, which guards against overflow.
 double sizeOf(Point d)
 {
     return std::sqrt(dot(d, d));
-} // quicker than std::hypot, which guards against overflow
+}
 
 /// How many pieces of equal parameter stay near enough to the whitened curve.
 int pieceCount(const Cubic &c, const Pieces &pieces)
@@ -58,11 +59,8 @@ int pieceCount(const Cubic &c, const Pieces &pieces)
 template <typename Use>
 void forEachPiece(const Segment &segment, const Whitening &whiten, CurveDetail detail, Use use)
 {
-    Cubic cubic, whitened;
-    for (std::size_t i = 0; i < 4; ++i) {
-        cubic.p[i] = Point{} + segment.bezier[i];
-        whitened.p[i] = whiten(cubic.p[i]);
-    }
+    const Cubic cubic = offsetsOf(segment);
+    const Cubic whitened{{whiten(cubic.p[0]), whiten(cubic.p[1]), whiten(cubic.p[2]), whiten(cubic.p[3])}};
     const double scale = 0.5 * std::sqrt(std::numbers::pi) * double(segment.density) * whiten.norm();
     const int count = pieceCount(whitened, piecesFor(detail));
     Point a = cubic.p[0], wa = whitened.p[0];
@@ -93,11 +91,8 @@ double densityOf(const DensityOfSegment::Piece &piece, Point at)
 
 Rect influenceBox(const Segment &segment, double spread)
 {
-    const auto &p = segment.bezier;
     const double reach = reachInSpreads * spread * std::sqrt(std::max(1.0f, segment.anisotropyRatio));
-    const auto [left, right] = std::minmax({p[0].x, p[1].x, p[2].x, p[3].x});
-    const auto [top, bottom] = std::minmax({p[0].y, p[1].y, p[2].y, p[3].y});
-    return Rect{left, top, right, bottom}.grown(reach);
+    return offsetsOf(segment).controlBox().grown(reach);
 }
 
 } // namespace

@@ -80,4 +80,11 @@ struct Segment {
     double spread(Microseconds T) const { return std::sqrt(4 * double(diffusion) * std::max(age(T), 0.0)); }
 };
 
+/// The control points as offsets from the stroke's origin, in double precision, which is exact.
+inline Cubic offsetsOf(const Segment &segment)
+{
+    const auto &b = segment.bezier;
+    return {{Point{} + b[0], Point{} + b[1], Point{} + b[2], Point{} + b[3]}};
+}
+
 } // namespace suffuse

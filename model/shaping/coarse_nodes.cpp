@@ -1,7 +1,6 @@
 #include "model/shaping/coarse_nodes.h"
 
 #include "model/brush/stroke_fit.h"
-
 #include "model/shaping/curve_fit.h"
 #include "model/shaping/runs.h"
 #include "model/shaping/split.h"

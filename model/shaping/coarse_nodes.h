@@ -19,7 +19,7 @@ bool isCrowded(const Stroke &stroke, const CurvePlace &place, double gap, double
 
 /// What a stroke becomes where nodes of which not all are shown are deleted.
 struct BendsRemoved {
-    Stroke stroke;           ///< as many segments, with their values; only curves differ
+    Stroke stroke;            ///< as many segments, with their values; only curves differ
     std::vector<int> deleted; ///< the nodes of it that are still to be deleted one by one
 };
 

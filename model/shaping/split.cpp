@@ -41,14 +41,6 @@ void appendParts(const Segment &segment, int source, const std::vector<double> &
 
 } // namespace
 
-Cubic offsetsOf(const Segment &segment)
-{
-    Cubic c;
-    for (std::size_t i = 0; i < 4; ++i)
-        c.p[i] = {double(segment.bezier[i].x), double(segment.bezier[i].y)};
-    return c;
-}
-
 std::array<Offset, 4> toOffsets(const Cubic &cubic)
 {
     return {rounded(cubic.p[0]), rounded(cubic.p[1]), rounded(cubic.p[2]), rounded(cubic.p[3])};

@@ -29,8 +29,7 @@ std::vector<Piece> piecesOf(const Stroke &stroke, const std::vector<CurvePlace> 
 /// The node at a place, if it is nearer to one than float32 resolution; −1 otherwise.
 int nodeAt(const Stroke &stroke, const CurvePlace &place);
 
-/// The control points as offsets from the stroke's origin, in double precision, which is exact.
-Cubic offsetsOf(const Segment &segment);
+/// The control points rounded to float32.
 std::array<Offset, 4> toOffsets(const Cubic &cubic);
 
 /// Whether all four control points are one point. Such a segment has no length, and so no density.

@@ -5,17 +5,11 @@
 #include "model/colour/colour_shift.h"
 #include "undo/colour_edits.h"
 
-#include <QCoreApplication>
-
 namespace suffuse {
 
 namespace {
 
 const QString modeKey = QStringLiteral("colour/shifts");
-
-struct TitleText {
-    Q_DECLARE_TR_FUNCTIONS(suffuse::ColourHeader)
-};
 
 } // namespace
 
@@ -113,18 +107,17 @@ Colour ColourTarget::colour() const
 QString ColourTarget::title() const
 {
     if (kind() == Kind::Brush)
-        return TitleText::tr("Colour of the brush");
+        return tr("Colour of the brush");
     if (kind() == Kind::Swatch) {
         const QString &name = m_editor.unsettled().painting()->swatches[m_swatch->index].name;
-        return name.isEmpty() ? TitleText::tr("Colour of a swatch")
-                              : TitleText::tr("Colour of the swatch “%1”").arg(name);
+        return name.isEmpty() ? tr("Colour of a swatch") : tr("Colour of the swatch “%1”").arg(name);
     }
     const ColourSummary &summary = *m_selected;
     if (!m_editor.unsettled().selection().segments.empty())
-        return summary.several ? TitleText::tr("Colours of %n segment(s)", "", int(summary.segments))
-                               : TitleText::tr("Colour of %n segment(s)", "", int(summary.segments));
-    return summary.several ? TitleText::tr("Colours of %n stroke(s)", "", int(summary.strokes))
-                           : TitleText::tr("Colour of %n stroke(s)", "", int(summary.strokes));
+        return summary.several ? tr("Colours of %n segment(s)", "", int(summary.segments))
+                               : tr("Colour of %n segment(s)", "", int(summary.segments));
+    return summary.several ? tr("Colours of %n stroke(s)", "", int(summary.strokes))
+                           : tr("Colour of %n stroke(s)", "", int(summary.strokes));
 }
 
 void ColourTarget::follow(const Change &change)
