@@ -1006,6 +1006,10 @@ Rückgabewerte: 0 erledigt, 1 fehlgeschlagen, 2 falscher Aufruf.</translation>
             <numerusform>Im SVG für andere Programme fehlt, was weich radiert wurde: %n radierende Segmente.</numerusform>
         </translation>
     </message>
+    <message>
+        <source>An erasure is not copied without the paint that it takes away. Delete removes it.</source>
+        <translation>Eine Radierung wird nicht ohne die Farbe kopiert, die sie wegnimmt. „Löschen“ entfernt sie.</translation>
+    </message>
 </context>
 <context>
     <name>Commands</name>

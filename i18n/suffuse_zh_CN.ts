@@ -998,6 +998,10 @@ Exit codes: 0 done, 1 the work failed, 2 wrong usage.</source>
             <numerusform>供其他程序使用的 SVG 中不含柔和擦除的部分:%n 个擦除线段。</numerusform>
         </translation>
     </message>
+    <message>
+        <source>An erasure is not copied without the paint that it takes away. Delete removes it.</source>
+        <translation>擦除不能脱离它所擦去的颜料单独复制。按“删除”可将其移除。</translation>
+    </message>
 </context>
 <context>
     <name>Commands</name>

@@ -513,6 +513,26 @@ private slots:
         QCOMPARE(session.editor().undoStack().count(), steps);
     }
 
+    void anErasureIsNotCutAlone()
+    {
+        Session session;
+        Stroke stroke = *makeStroke(1, 8, 40);
+        Segment lift = stroke.segments[3];
+        lift.lift = lift.start = true;
+        stroke.segments.push_back(lift);
+        auto painting = std::make_shared<Painting>();
+        painting->strokes = {std::make_shared<const Stroke>(stroke)};
+        session.editor().document().reset(painting);
+        session.editor().document().setSelection({{1}, {{1, 8}}});
+        QVERIFY(!clipboard::copy(session.editor()).isEmpty());
+        QVERIFY(!clipboard::cut(session.editor()).isEmpty());
+        QCOMPARE(session.painting().find(1)->segments.size(), std::size_t(9));
+        QCOMPARE(session.editor().undoStack().count(), 0);
+        session.editor().document().setSelection({{1}, {{1, 2}}}); // paint
+        clipboard::cut(session.editor());
+        QCOMPARE(session.painting().find(1)->segments.size(), std::size_t(8));
+    }
+
 private:
     QTemporaryDir m_folder;
 };

@@ -177,21 +177,37 @@ bool canPaste(const QMimeData *data)
     return data && (data->hasFormat(strokesMime) || data->hasFormat(svgMime) || data->hasColor() || data->hasText());
 }
 
+namespace {
+
+QString erasuresAlone()
+{
+    return QCoreApplication::translate("Clipboard", "An erasure is not copied without the paint that it takes away. "
+                                                    "Delete removes it.");
+}
+
+} // namespace
+
 QString copy(Editor &editor)
 {
-    Painting painting = asPainting(*editor.document().painting(), editor.document().selection());
+    const Selection &selection = editor.document().selection();
+    Painting painting = asPainting(*editor.document().painting(), selection);
     if (painting.strokes.empty())
-        return {};
+        return selection.isEmpty() ? QString() : erasuresAlone();
     const int erasing = erasingSegments(painting);
     QGuiApplication::clipboard()->setMimeData(mimeOf(std::move(painting), editor.clock().time()));
     if (erasing == 0)
         return {};
-    return QCoreApplication::translate("Clipboard", "As SVG, for other programs, what was erased softly is left out: "
-                                                    "%n erasing segment(s).", nullptr, erasing);
+    return QCoreApplication::translate("Clipboard",
+                                       "As SVG, for other programs, what was erased softly is left out: "
+                                       "%n erasing segment(s).",
+                                       nullptr, erasing);
 }
 
 QString cut(Editor &editor)
 {
+    const Document &document = editor.document();
+    if (asPainting(*document.painting(), document.selection()).strokes.size() < document.selection().strokes.size())
+        return erasuresAlone(); // What would be lost stays.
     const QString leftOut = copy(editor);
     editor.push(deleteSelection(editor.document(), Leaves::Chains), QCoreApplication::translate("Clipboard", "Cut"));
     return leftOut;

@@ -30,7 +30,8 @@ QMimeData *mimeOf(Painting painting, Microseconds time);
 /// window wait.
 bool canPaste(const QMimeData *data);
 
-/// Both return an empty string, or what other programs do not get.
+/// Both return an empty string, or what other programs do not get, or why nothing is copied. Nothing is cut that could
+/// not be pasted.
 QString copy(Editor &editor);
 QString cut(Editor &editor);
 /// Strokes and SVG paths become new strokes on top, selected (`addStrokes`). A colour becomes the current colour.
