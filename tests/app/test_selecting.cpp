@@ -411,6 +411,18 @@ private slots:
         QCOMPARE(s.selected(), (std::set<StrokeId>{1, 2}));
     }
 
+    void aClickMeansTheWholeStrokeAgain()
+    {
+        Selecting s({line(1, {200, 200}, {400, 260})});
+        s.editor().document().setSelection({{1}, {{1, 0}}}); // as the Segments tool left it
+        s.use(Command::Select);
+        const QPointF at = s.logical(s.canvas().view().toPixels({300, 230}));
+        s.send(QEvent::MouseButtonPress, at, Qt::NoModifier);
+        s.send(QEvent::MouseButtonRelease, at, Qt::NoModifier);
+        QCOMPARE(s.selected(), std::set<StrokeId>{1});
+        QVERIFY(s.editor().document().selection().segments.empty());
+    }
+
 private:
     QTemporaryDir m_folder;
 };

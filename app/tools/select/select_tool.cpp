@@ -130,6 +130,8 @@ void SelectTool::clickedStroke(const PointerEvent &event)
         emit valuesAsked(event, *m_hit);
     } else if (event.modifiers & Qt::ControlModifier) {
         select(Selection{{m_hit->stroke}, {}});
+    } else if (!selection().segments.empty()) {
+        select(Selection{selection().strokes, {}}); // The frame is round whole strokes, and so are the next commands.
     } else if (!m_selectedByPress) {
         const bool scales = m_handles.mode() == TransformHandles::Mode::Scale;
         m_handles.setMode(scales ? TransformHandles::Mode::Turn : TransformHandles::Mode::Scale);
