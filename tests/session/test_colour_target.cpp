@@ -135,6 +135,27 @@ private slots:
         QVERIFY(w.isAsBefore());
     }
 
+    void aDragOfOpacityKeepsWhatVaries()
+    {
+        Work w;
+        w.target.useTool(ToolUse::Refines);
+        w.select({1, 3}); // opacities 1 and 0.25
+        ValueEntry entry;
+        entry.beginDrag();
+        w.target.setOpacity(0.9f, &entry);
+        w.target.setOpacity(0.8f, &entry);
+        entry.commitDrag();
+        QVERIFY(std::abs(w.colour(1).opacity - 0.8f) < 1e-6f);
+        QVERIFY(std::abs(w.colour(3).opacity - 0.05f) < 1e-6f);
+        QCOMPARE(w.steps(), 1);
+        w.target.setOpacity(0.5f); // a number
+        QCOMPARE(w.colour(1).opacity, 0.5f);
+        QCOMPARE(w.colour(3).opacity, 0.5f);
+        w.editor.undoStack().undo();
+        w.editor.undoStack().undo();
+        QVERIFY(w.isAsBefore());
+    }
+
     void allBecomeOne()
     {
         Work w;

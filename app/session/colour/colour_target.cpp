@@ -5,6 +5,8 @@
 #include "model/colour/colour_shift.h"
 #include "undo/colour_edits.h"
 
+#include <algorithm>
+
 namespace suffuse {
 
 namespace {
@@ -187,6 +189,7 @@ void ColourTarget::setPaint(const Colour &colour, ValueEntry *entry)
 void ColourTarget::setOpacity(float opacity, ValueEntry *entry)
 {
     const auto thinned = [opacity](const Colour &each) { return withOpacity(each, opacity); };
+    const bool drags = entry && entry->isDragging();
     switch (kind()) {
     case Kind::Brush:
         m_editor.setColour(thinned(m_editor.brush().colour));
@@ -195,8 +198,16 @@ void ColourTarget::setOpacity(float opacity, ValueEntry *entry)
         colourSwatch(thinned(colour()), entry);
         return;
     case Kind::Selection:
-        colourSelection(thinned, tr("Change opacity"), entry);
+        break;
     }
+    const float by = opacity - startOf(entry).colour.opacity;
+    const auto shiftedBy = [by](const Colour &each) {
+        return withOpacity(each, std::clamp(each.opacity + by, 0.0f, 1.0f));
+    };
+    if (drags) // A slider keeps what varies, as those of the inspector do; a number is meant for all.
+        colourSelection(shiftedBy, tr("Change opacity"), entry);
+    else
+        colourSelection(thinned, tr("Change opacity"), entry);
 }
 
 void ColourTarget::take(const Colour &colour)
