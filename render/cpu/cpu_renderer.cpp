@@ -16,6 +16,19 @@ double milliseconds(const QElapsedTimer &timer)
     return double(timer.nsecsElapsed()) * 1e-6;
 }
 
+/// The side of tiles for a size that was asked for.
+int tileSide(int asked)
+{
+    return asked > 0 ? std::min((asked + 7) / 8 * 8, greatestTile) : defaultTile;
+}
+
+/// How many blocks a tile has.
+std::size_t blocksIn(int width, int height)
+{
+    const auto across = [](int pixels) { return std::size_t((pixels + cpu::blockSide - 1) / cpu::blockSide); };
+    return across(width) * across(height);
+}
+
 /// The name of the instruction set as processors have it, which is not Highway's.
 QString instructionSet()
 {
@@ -26,7 +39,7 @@ QString instructionSet()
 } // namespace
 
 CpuRenderer::CpuRenderer(int threads, int tileSize, bool cull)
-    : m_threads(threads), m_history(tileSize > 0 ? std::min((tileSize + 7) / 8 * 8, greatestTile) : defaultTile, cull)
+    : m_threads(threads), m_history(tileSide(tileSize), cull), m_paper(blocksIn(tileSide(tileSize), tileSide(tileSize)))
 {}
 
 QString CpuRenderer::deviceName() const
@@ -64,13 +77,11 @@ std::vector<CpuRenderer::Job> CpuRenderer::planJobs(bool interactive)
             Job job;
             job.column = column;
             job.row = row;
+            job.plan.tile = m_history.tileIndex(column, row);
             if (m_history.edited() != FrameHistory::noEdit) {
-                cpu::TileLayers &layers = m_layers.at(m_history.tileIndex(column, row));
+                cpu::TileLayers &layers = m_layers.at(job.plan.tile);
                 const PixelRect tile = region.tile(column, row);
-                const auto across = [](int pixels) {
-                    return std::size_t((pixels + cpu::blockSide - 1) / cpu::blockSide);
-                };
-                const std::size_t blocks = across(tile.width) * across(tile.height);
+                const std::size_t blocks = blocksIn(tile.width, tile.height);
                 job.plan.layers = &layers;
                 job.plan.haveUnder = !layers.under.empty();
                 job.from = job.plan.haveUnder ? layers.below : 0;
@@ -163,7 +174,10 @@ Result<RenderStats> CpuRenderer::render(const RenderRequest &request, Target &ta
         return Error{paper.error()};
 
     const FrameHistory::Step step = m_history.advance(request, target, m_threads);
-    m_frame = {request.view, request.painting->canvas, *paper, request.transparent, &cpu::kernels()};
+    const DirtyRegion &region = m_history.region();
+    m_paper.begin(cpu::kernels(), request.view, request.painting->canvas.paper, *paper,
+                  std::size_t(region.columns()) * std::size_t(region.rows()));
+    m_frame = {request.view, request.painting->canvas, &m_paper, request.transparent, &cpu::kernels()};
     followEdits(step);
     stats.nodes = m_history.scene().nodeCount();
     stats.nodesMs = milliseconds(stage);

@@ -45,6 +45,7 @@ private:
     cpu::LayerCache m_layers{std::size_t(64) << 20};
     std::vector<cpu::SteadyStroke> m_changed; ///< the strokes that differ from the frame before, in ascending order
     cpu::Frame m_frame;
+    cpu::PaperTiles m_paper;
 };
 
 } // namespace suffuse

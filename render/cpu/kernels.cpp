@@ -13,12 +13,14 @@
 #include "hwy/highway.h"
 #include "model/environment.h"
 #include "render/cpu/kernels.h"
+#include "render/cpu/paper-inl.h"
 #include "render/cpu/shading-inl.h"
 #include "render/cpu/sums-inl.h"
 // It has templates over the lanes, which must be declared before.
 #include "render/math/colour.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstring>
 #include <string>
 
@@ -249,7 +251,8 @@ Kernels table()
             compose,
             apply,
             finish,
-            toArgb};
+            toArgb,
+            paper};
 }
 
 } // namespace suffuse::HWY_NAMESPACE

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "render/cpu/blocks.h"
+#include "render/cpu/paper_plan.h"
 
 namespace suffuse::cpu {
 
@@ -34,6 +35,9 @@ struct Kernels {
     void (*finish)(const Backdrop &backdrop, bool transparent, float *rgba, int stride);
     /// Converts `count` pixels of RGBA in [0, 1] to 8 bits as 0xAARRGGBB.
     void (*toArgb)(const float *rgba, int count, std::uint32_t *argb);
+    /// Computes η of a procedural paper at the samples of a block, whose cells lie on the grid of such cells. The plan is
+    /// for samples of this size.
+    void (*paper)(const PaperPlan &plan, const Block &block, float *eta);
 };
 
 /// The loops for the best set of this machine. SUFFUSE_SIMD can name another one that it supports ("SSE2", "AVX2", …).

@@ -1,7 +1,6 @@
 #include "render/cpu/tile_painter.h"
 
 #include "render/cpu/deep.h"
-#include "render/math/paper.h"
 
 #include <algorithm>
 #include <numbers>
@@ -26,9 +25,10 @@ struct Scratch {
 
 class BlockPainter {
 public:
-    /// `under` is the picture to start from; null for the background.
-    BlockPainter(const Frame &frame, int x, int y, const Backdrop *under, Scratch &scratch)
-        : m_frame(frame), m_x(x), m_y(y), m_s(scratch)
+    /// The block is the `index`-th one of tile `tile`. `under` is the picture to start from; null for the background.
+    BlockPainter(const Frame &frame, std::size_t tile, std::size_t index, int x, int y, const Backdrop *under,
+                 Scratch &scratch)
+        : m_frame(frame), m_tile(tile), m_index(index), m_x(x), m_y(y), m_s(scratch)
     {
         if (under) {
             m_s.backdrop = *under;
@@ -110,37 +110,12 @@ private:
             shadeDeep(*m_frame.kernels, scene, block, m_s.sums, eta, out);
     }
 
-    bool hasPaper() const { return m_frame.canvas.paper.kind != PaperKind::None && m_frame.canvas.paper.strength > 0; }
-
-    void fillEta(const Block &block, float *out) const
-    {
-        const Paper &paper = m_frame.canvas.paper;
-        const View &view = m_frame.view;
-        const double cosine = std::cos(view.rotation), sine = std::sin(view.rotation);
-        for (int j = 0; j < blockSide; ++j)
-            for (int i = 0; i < blockSide; ++i) {
-                const Point at = view.toCanvas({block.x + (i + 0.5) * block.step, block.y + (j + 0.5) * block.step},
-                                               cosine, sine);
-                double eta = 1;
-                if (paper.kind == PaperKind::Procedural)
-                    eta = math::proceduralPaper(at.x, at.y, block.step * view.px(), std::int32_t(paper.grain),
-                                                paper.seed, paper.scale, paper.strength);
-                else if (m_frame.paperImage)
-                    eta = math::imagePaper(at.x, at.y, m_frame.paperImage->grey.data(), m_frame.paperImage->width,
-                                           m_frame.paperImage->height, paper.scale, paper.strength);
-                out[j * blockSide + i] = float(eta);
-            }
-    }
-
     /// The paper at the block's pixels, which is computed once for all strokes.
     const float *eta()
     {
-        if (!hasPaper())
-            return nullptr;
-        if (!m_haveEta)
-            fillEta({double(m_x), double(m_y), 1}, m_s.eta);
-        m_haveEta = true;
-        return m_s.eta;
+        if (!m_eta && m_frame.paper->isThere())
+            m_eta = m_frame.paper->at(m_tile, m_index, {double(m_x), double(m_y), 1}, m_s.eta);
+        return m_eta;
     }
 
     /// The centres of the block's pixels in canvas units, once for all strokes.
@@ -223,9 +198,9 @@ private:
         for (int v = 0; v < blocks && shown; ++v)
             for (int u = 0; u < blocks; ++u) {
                 const Block block{m_x + i + u * blockSide * step, m_y + j + v * blockSide * step, step};
-                const bool paper = stroke.granulated && hasPaper();
+                const bool paper = stroke.granulated && m_frame.paper->isThere();
                 if (paper)
-                    fillEta(block, m_s.sampleEta);
+                    m_frame.paper->fill(block, level, m_s.sampleEta);
                 evaluate(stroke, listed, block, paper ? m_s.sampleEta : nullptr, m_s.samples);
                 for (int y = 0; y < blockSide; ++y)
                     for (int x = 0; x < blockSide; ++x) {
@@ -250,11 +225,12 @@ private:
     }
 
     const Frame &m_frame;
+    const std::size_t m_tile, m_index;
     int m_x;
     int m_y;
     Scratch &m_s;
     OverMap *m_map = nullptr;
-    bool m_haveEta = false;
+    const float *m_eta = nullptr;
     bool m_haveCentres = false;
     std::array<std::uint8_t, blockSize> m_level{};
 };
@@ -279,8 +255,8 @@ void paintTile(const Frame &frame, const PixelRect &tile, const TileStrokes &str
     std::size_t index = 0;
     for (int y = 0; y < tile.height; y += blockSide)
         for (int x = 0; x < tile.width; x += blockSide, ++index) {
-            BlockPainter painter(frame, tile.x + x, tile.y + y, plan.haveUnder ? &plan.layers->under[index] : nullptr,
-                                 *scratch);
+            const Backdrop *under = plan.haveUnder ? &plan.layers->under[index] : nullptr;
+            BlockPainter painter(frame, plan.tile, index, tile.x + x, tile.y + y, under, *scratch);
             addStrokes(painter, strokes, index, 0, plan.below);
             if (plan.storeUnder)
                 plan.layers->under[index] = painter.backdrop();

@@ -3,8 +3,8 @@
 
 #include "render/cpu/kernels.h"
 #include "render/cpu/layer_cache.h"
+#include "render/cpu/paper_tiles.h"
 #include "render/cpu/tile_strokes.h"
-#include "render/scene/paper.h"
 
 namespace suffuse::cpu {
 
@@ -12,13 +12,14 @@ namespace suffuse::cpu {
 struct Frame {
     View view;
     Canvas canvas;
-    std::shared_ptr<const PaperTexture> paperImage;
+    PaperTiles *paper = nullptr;
     bool transparent = false;
     const Kernels *kernels = nullptr;
 };
 
 /// How a tile is painted with layers (render/cpu/layer_cache.h).
 struct TilePlan {
+    std::size_t tile = 0;  ///< its place among the tiles of the picture
     std::size_t below = 0; ///< how many of its strokes lie below the first edited one and are not in `under`
     TileLayers *layers = nullptr;
     bool haveUnder = false;  ///< whether `under` of the layers is filled, so that painting starts from it

@@ -1,4 +1,4 @@
-// The paper texture η, docs/paper.md. Scalar: a picture needs it once a pixel.
+// The paper texture η, docs/paper.md, at one point in double. render/cpu computes the same noise many samples at a time.
 #pragma once
 
 #include "render/math/compat.h"
@@ -41,13 +41,23 @@ SUFFUSE_INLINE double paperCorner(std::uint32_t base, std::uint32_t x, std::uint
     return ((h & 0xFFFFu) / 32768.0 - 1) * f + ((h >> 16) / 32768.0 - 1) * g;
 }
 
+/// The greatest number of octaves, and how much less each counts than the one before.
+inline constexpr std::uint32_t paperMostOctaves = 48;
+inline constexpr double paperFalloff = 0.70710678118654752;
+
+/// What the hashes of a layer's lattice points begin with.
+SUFFUSE_INLINE std::uint32_t paperBase(std::uint32_t layer, std::uint32_t seed)
+{
+    return seed * 0x9E3779B9u + layer * 0x85EBCA6Bu;
+}
+
 /// Gradient noise of a layer.
 SUFFUSE_INLINE double paperNoise(double u, double v, std::uint32_t layer, std::uint32_t seed)
 {
     const std::int64_t left = paperFloor(u), above = paperFloor(v);
     const double f = u - double(left), g = v - double(above), a = paperFade(f), b = paperFade(g);
     const auto x = std::uint32_t(left), y = std::uint32_t(above);
-    const std::uint32_t base = seed * 0x9E3779B9u + layer * 0x85EBCA6Bu;
+    const std::uint32_t base = paperBase(layer, seed);
     const double top = paperCorner(base, x, y, f, g) * (1 - a) + paperCorner(base, x + 1, y, f - 1, g) * a;
     const double bottom =
         paperCorner(base, x, y + 1, f, g - 1) * (1 - a) + paperCorner(base, x + 1, y + 1, f - 1, g - 1) * a;
@@ -74,13 +84,13 @@ SUFFUSE_INLINE double paperOctaves(double u, double v, double samples, std::uint
 {
     paperTurn(u, v, 1);
     double sum = 0, amplitude = 1;
-    for (std::uint32_t i = 0; i < 48; ++i) {
+    for (std::uint32_t i = 0; i < paperMostOctaves; ++i) {
         const double band = paperBand(samples);
         if (band <= 0)
             break;
         sum += band * amplitude * paperNoise(u + 0.5, v + 0.5, i, seed);
         paperTurn(u, v, 2);
-        amplitude *= 0.70710678118654752;
+        amplitude *= paperFalloff;
         samples *= 0.5;
     }
     return sum;
