@@ -36,7 +36,8 @@ enum class Leaves {
 Edit deleteSelection(Document &document, Leaves leaves = Leaves::Strokes);
 /// Puts copies of the selected strokes above the topmost of them, moved by `offset`, and selects the copies. Groups
 /// that are selected as a whole are copied as groups, with the tree in them and their names, but without what is hidden
-/// or locked in them.
+/// or locked in them. Of a stroke of which segments are selected, they alone are copied, as a stroke. Where they take
+/// paint away, they are doubled within their stroke, and their copies are selected.
 Edit duplicateSelection(Document &document, Point offset);
 
 enum class Arrange { Raise, Lower, Top, Bottom };

@@ -1,4 +1,6 @@
 #include "model/painting/validate.h"
+#include "model/shaping/chains.h"
+#include "model/shaping/erase.h"
 #include "undo/edits.h"
 #include "undo/order_tree.h"
 
@@ -65,6 +67,57 @@ GroupId aroundOf(const Painting &painting, const Sibling &sibling)
     return std::ranges::find(painting.groups, sibling.group, &Group::id)->parent;
 }
 
+/// The indices of the selected segments of a stroke. It is empty where the stroke is selected as a whole.
+std::vector<int> selectedSegmentsOf(const Selection &selection, const Stroke &stroke)
+{
+    std::vector<int> indices;
+    for (auto it = selection.segments.lower_bound({stroke.id, 0}); it != selection.segments.end(); ++it) {
+        if (it->stroke != stroke.id || it->segment >= int(stroke.segments.size()))
+            break;
+        indices.push_back(it->segment);
+    }
+    return indices;
+}
+
+/// The stroke with copies of some of its segments behind the others, moved by `offset`. Each run of them is a chain.
+Stroke withDoubled(const Stroke &stroke, const std::vector<int> &segments, Point offset)
+{
+    Stroke result = stroke;
+    std::vector<Segment> run;
+    for (std::size_t i = 0; i < segments.size(); ++i) {
+        const auto k = std::size_t(segments[i]);
+        Segment copy = stroke.segments[k];
+        for (Offset &point : copy.bezier)
+            point = {float(point.x + offset.x), float(point.y + offset.y)};
+        run.push_back(std::move(copy));
+        if (i + 1 < segments.size() && segments[i + 1] == segments[i] + 1 && !stroke.beginsChain(k + 1))
+            continue;
+        appendChain(result, std::exchange(run, {}));
+    }
+    return result;
+}
+
+/// Doubles erasures within their strokes, since without the paint that it takes away an erasure is nothing, and
+/// selects the copies besides what the edit selects.
+void doubleErasures(const Document &document, const std::set<StrokeId> &strokes, Point offset, Edit &edit)
+{
+    for (const StrokeId id : strokes) {
+        const StrokePtr stroke = document.painting()->find(id);
+        if (document.painting()->isLocked(*stroke))
+            continue;
+        auto doubled = std::make_shared<const Stroke>(
+            withDoubled(*stroke, selectedSegmentsOf(document.selection(), *stroke), offset));
+        if (!problemOf(*doubled).isEmpty())
+            continue;
+        if (!edit.selection)
+            edit.selection.emplace();
+        edit.selection->strokes.insert(id);
+        for (std::size_t k = stroke->segments.size(); k < doubled->segments.size(); ++k)
+            edit.selection->segments.insert({id, int(k)});
+        edit.strokes.emplace(id, std::move(doubled));
+    }
+}
+
 /// The place in the order just above a sibling and all that is in it.
 std::ptrdiff_t placeAbove(const Painting &painting, const Sibling &sibling)
 {
@@ -81,6 +134,43 @@ std::ptrdiff_t placeAbove(const Painting &painting, const Sibling &sibling)
             above = place;
     }
     return above;
+}
+
+/// Copies of strokes above the topmost of them. `originals` says for each stroke what a copy of it is made of.
+Edit copiesOf(Document &document, const std::set<StrokeId> &selected,
+              std::unordered_map<StrokeId, StrokePtr> originals, Point offset)
+{
+    const PaintingPtr painting = document.painting();
+    // A click on a group does not select what is hidden or locked in it. The group counts as selected all the same.
+    Painting selectable = *painting;
+    selectable.strokes.clear();
+    for (const StrokePtr &stroke : painting->strokes)
+        if (selected.contains(stroke->id) || (painting->isVisible(*stroke) && !painting->isLocked(*stroke)))
+            selectable.strokes.push_back(stroke);
+    const std::vector<Sibling> tree = orderTree(selectable, selected);
+    const std::vector<const Sibling *> units = selectedUnits(tree);
+    if (units.empty())
+        return {};
+    const Sibling &topmost = *units.back();
+    Copies copies{document, *painting, offset, std::move(originals), {}, {}};
+    for (const Sibling *unit : units)
+        copies.add(*unit, aroundOf(*painting, topmost));
+    if (copies.strokes.empty())
+        return {};
+    Edit edit;
+    edit.order = orderOf(*painting);
+    std::vector<StrokeId> added;
+    for (StrokePtr &copy : copies.strokes) {
+        added.push_back(copy->id);
+        edit.strokes.emplace(copy->id, std::move(copy));
+    }
+    edit.order->insert(edit.order->begin() + placeAbove(*painting, topmost), added.begin(), added.end());
+    edit.selection.emplace().strokes = {added.begin(), added.end()};
+    if (!copies.groups.empty()) {
+        edit.groups = painting->groups;
+        edit.groups->insert(edit.groups->end(), copies.groups.begin(), copies.groups.end());
+    }
+    return edit;
 }
 
 } // namespace
@@ -140,37 +230,22 @@ Edit addStrokes(const Document &document, const std::vector<StrokePtr> &strokes,
 
 Edit duplicateSelection(Document &document, Point offset)
 {
-    const PaintingPtr painting = document.painting();
-    // A click on a group does not select what is hidden or locked in it. The group counts as selected all the same.
-    const std::set<StrokeId> &selected = document.selection().strokes;
-    Painting selectable = *painting;
-    selectable.strokes.clear();
-    for (const StrokePtr &stroke : painting->strokes)
-        if (selected.contains(stroke->id) || (painting->isVisible(*stroke) && !painting->isLocked(*stroke)))
-            selectable.strokes.push_back(stroke);
-    const std::vector<Sibling> tree = orderTree(selectable, selected);
-    const std::vector<const Sibling *> units = selectedUnits(tree);
-    if (units.empty())
-        return {};
-    const Sibling &topmost = *units.back();
-    Copies copies{document, *painting, offset, byId(*painting), {}, {}};
-    for (const Sibling *unit : units)
-        copies.add(*unit, aroundOf(*painting, topmost));
-    if (copies.strokes.empty())
-        return {};
-    Edit edit;
-    edit.order = orderOf(*painting);
-    std::vector<StrokeId> added;
-    for (StrokePtr &copy : copies.strokes) {
-        added.push_back(copy->id);
-        edit.strokes.emplace(copy->id, std::move(copy));
+    std::set<StrokeId> strokes = document.selection().strokes, erased;
+    std::unordered_map<StrokeId, StrokePtr> originals = byId(*document.painting());
+    for (const StrokeId id : document.selection().strokes) {
+        StrokePtr &stroke = originals[id];
+        if (!stroke)
+            continue;
+        const std::vector<int> chosen = selectedSegmentsOf(document.selection(), *stroke);
+        if (chosen.empty())
+            continue;
+        if (std::optional<Stroke> part = withSegmentsOnly(*stroke, chosen))
+            stroke = std::make_shared<const Stroke>(std::move(*part));
+        else
+            erased.insert(strokes.extract(id).value());
     }
-    edit.order->insert(edit.order->begin() + placeAbove(*painting, topmost), added.begin(), added.end());
-    edit.selection.emplace().strokes = {added.begin(), added.end()};
-    if (!copies.groups.empty()) {
-        edit.groups = painting->groups;
-        edit.groups->insert(edit.groups->end(), copies.groups.begin(), copies.groups.end());
-    }
+    Edit edit = copiesOf(document, strokes, std::move(originals), offset);
+    doubleErasures(document, erased, offset, edit);
     return edit;
 }
 

@@ -254,6 +254,16 @@ std::optional<Stroke> withoutSegments(const Stroke &stroke, const std::vector<in
     return result.laysPaint() ? std::optional(std::move(result)) : std::nullopt;
 }
 
+std::optional<Stroke> withSegmentsOnly(const Stroke &stroke, const std::vector<int> &kept)
+{
+    const std::set<int> stays(kept.begin(), kept.end());
+    std::vector<int> others;
+    for (int k = 0; k < int(stroke.segments.size()); ++k)
+        if (!stays.contains(k))
+            others.push_back(k);
+    return withoutSegments(stroke, others);
+}
+
 bool mayErase(const Stroke &stroke, const std::vector<Point> &path, double radius)
 {
     Rect box;

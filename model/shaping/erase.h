@@ -27,6 +27,9 @@ std::optional<Stroke> erasedInOne(const Stroke &stroke, const std::vector<Point>
 std::optional<Stroke> withoutSegments(const Stroke &stroke, const std::vector<int> &gone,
                                       std::vector<int> *sources = nullptr);
 
+/// The stroke of some of its segments alone, each run of them a chain. No value where they lay no paint.
+std::optional<Stroke> withSegmentsOnly(const Stroke &stroke, const std::vector<int> &kept);
+
 /// Returns false where the boxes alone show that the eraser leaves a stroke as it is.
 bool mayErase(const Stroke &stroke, const std::vector<Point> &path, double radius);
 

@@ -8,7 +8,8 @@
 namespace suffuse::commands {
 
 void deleteSelected(Editor &editor);
-/// Copies the selected strokes in place, above them; then the copies are selected.
+/// Copies the selected strokes, or the selected segments of them, in place, above them; erasures are doubled within
+/// their stroke. Then the copies are selected.
 void duplicateSelected(Editor &editor);
 void arrangeSelected(Editor &editor, Arrange how);
 void selectAll(Editor &editor);

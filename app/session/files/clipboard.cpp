@@ -99,11 +99,10 @@ std::optional<Stroke> selectedPart(const Stroke &stroke, const Selection &select
     const auto from = selection.segments.lower_bound({stroke.id, 0});
     if (from == selection.segments.end() || from->stroke != stroke.id)
         return stroke;
-    std::vector<int> others;
-    for (int k = 0; k < int(stroke.segments.size()); ++k)
-        if (!selection.segments.contains({stroke.id, k}))
-            others.push_back(k);
-    return withoutSegments(stroke, others);
+    std::vector<int> chosen;
+    for (auto it = from; it != selection.segments.end() && it->stroke == stroke.id; ++it)
+        chosen.push_back(it->segment);
+    return withSegmentsOnly(stroke, chosen);
 }
 
 QByteArray svgFrom(const QMimeData &data)
@@ -182,7 +181,7 @@ namespace {
 QString erasuresAlone()
 {
     return QCoreApplication::translate("Clipboard", "An erasure is not copied without the paint that it takes away. "
-                                                    "Delete removes it.");
+                                                    "Duplicate doubles it within its stroke, Delete removes it.");
 }
 
 } // namespace
