@@ -10,7 +10,7 @@ constexpr int clockTickMs = 16;
 
 } // namespace
 
-Microseconds PaintingClock::time() const
+Microseconds PaintingClock::reached() const
 {
     if (!m_running || m_manual)
         return m_time;
@@ -52,7 +52,7 @@ void PaintingClock::lookAt(Microseconds time)
 
 void PaintingClock::setManual(bool manual)
 {
-    m_time = time();
+    m_time = reached();
     m_since.start();
     m_manual = manual;
 }
@@ -102,7 +102,7 @@ void PaintingClock::timerEvent(QTimerEvent *event)
 
 void PaintingClock::tick()
 {
-    if (!m_drawing && time() >= runsUntil()) {
+    if (!m_drawing && reached() >= runsUntil()) {
         stop();
         if (m_time >= m_end)
             setInPast(false);
@@ -121,7 +121,7 @@ void PaintingClock::start()
 
 void PaintingClock::stop()
 {
-    m_time = time();
+    m_time = reached();
     m_running = false;
     m_timer.stop();
 }

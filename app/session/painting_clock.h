@@ -12,22 +12,27 @@
 namespace suffuse {
 
 /// Keeps the document time T, in µs. In the present it runs while a stroke is drawn or paint still spreads, and stands
-/// still otherwise. Opening a document sets it to the end; undo never turns it back. In the past it stands still,
-/// except while a stroke is drawn and dries.
+/// still otherwise. Opening a document sets it to the end. In the past it stands still, except while a stroke is drawn
+/// and dries.
 class PaintingClock : public QObject {
     Q_OBJECT
 
 public:
     using QObject::QObject;
 
-    Microseconds time() const;
-    /// The moment that is shown. It is never after the end, from which on the picture stays the same, except while a
-    /// stroke is drawn. When the newest strokes are undone, the clock itself stays where it is, so that a redo brings
-    /// them back as dry as they were.
+    /// The moment that is looked at. It is never after the end, from which on the picture stays the same, except while a
+    /// stroke is drawn. When the newest strokes are undone, it is that of the new end, where the next stroke then begins.
+    /// The clock remembers where it was, so that a redo brings them back as dry as they were.
+    Microseconds time() const { return m_drawing || m_manual ? reached() : std::min(reached(), m_end); }
+    /// The same, and not after the end where a manual clock is.
     Microseconds shown() const { return m_drawing ? time() : std::min(time(), m_end); }
     bool isRunning() const { return m_running; }
     /// The moment that was `late` ago. While the clock stands still, this is the present moment.
-    Microseconds momentBefore(Microseconds late) const { return std::max(m_time, time() - late); }
+    Microseconds momentBefore(Microseconds late) const
+    {
+        const Microseconds now = time();
+        return std::max(std::min(m_time, now), now - late);
+    }
     /// With `drawing`, a stroke began `late` ago, at `momentBefore(late)`: starts the clock. Without `drawing`, the
     /// stroke has ended: the clock stops by itself when all has dried.
     void hold(bool drawing, Microseconds late = 0);
@@ -61,6 +66,8 @@ protected:
     void timerEvent(QTimerEvent *event) override;
 
 private:
+    /// How far it has gone, whatever has been undone.
+    Microseconds reached() const;
     void tick();
     void start();
     void stop();

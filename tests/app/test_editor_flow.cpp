@@ -231,6 +231,32 @@ private slots:
         QVERIFY(!s.editor().clock().isInPast());
     }
 
+    /// The next stroke begins where the painting ends as it is now; a redo brings strokes back as dry as they were.
+    void whatIsUndoneTakesNoTime()
+    {
+        Session s;
+        s.paintLine({200, 300}, {700, 300});
+        s.dry();
+        PaintingClock &clock = s.editor().clock();
+        clock.setManual(false);
+        const Microseconds end = clock.time();
+        QVERIFY(end > 0);
+        s.use(Command::Undo);
+        QCOMPARE(clock.time(), 0);
+        QTest::qWait(50);
+        QCOMPARE(clock.time(), 0);
+        s.use(Command::Redo);
+        QCOMPARE(clock.time(), end);
+        s.use(Command::Undo);
+        QTest::mousePress(&s.canvas(), Qt::LeftButton, {}, s.at({100, 100}));
+        QTest::qWait(5);
+        QTest::mouseMove(&s.canvas(), s.at({300, 200}));
+        QTest::mouseRelease(&s.canvas(), Qt::LeftButton, {}, s.at({300, 200}));
+        QCOMPARE(s.painting().strokes.size(), std::size_t(1));
+        QCOMPARE(s.painting().strokes[0]->born(), 0);
+        QVERIFY(!clock.isInPast());
+    }
+
     void undoGivesUpEvenTheFirstStroke()
     {
         Session s;
