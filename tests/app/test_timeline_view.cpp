@@ -452,6 +452,33 @@ private slots:
         QCOMPARE(seen, (std::vector<std::size_t>{0}));
     }
 
+    /// What takes paint away has neither a colour nor a drying time that anybody sees.
+    void barsAreOfPaint()
+    {
+        const Stroke painted = *drawnAt(1, second, {0, 0}, {10, 0});
+        const TimelineBar before = barOf(painted);
+        Stroke erased = painted;
+        for (int k = 0; k < 3 * int(painted.segments.size()); ++k) {
+            Segment lift = painted.segments.front();
+            lift.lift = lift.start = true;
+            lift.colour = {};
+            lift.born = 20 * second;
+            erased.segments.push_back(lift);
+        }
+        TimelineBar after = barOf(erased);
+        QCOMPARE(after.done, erased.driesAt());
+        after.done = before.done;
+        QVERIFY(after == before);
+        TimelineBars bars;
+        auto painting = std::make_shared<Painting>();
+        painting->strokes = {std::make_shared<const Stroke>(painted)};
+        bars.setPainting(painting);
+        auto now = std::make_shared<Painting>();
+        now->strokes = {std::make_shared<const Stroke>(erased)};
+        QVERIFY(bars.setPainting(now));
+        QCOMPARE(bars.span(), (TimeSpan{second, erased.driesAt()})); // There is something to see until then.
+    }
+
     void aMovedBarStaysInItsLane()
     {
         TimelineBars bars;

@@ -12,15 +12,22 @@ TimelineBar barOf(const Stroke &stroke)
 {
     TimelineBar bar;
     bar.stroke = stroke.id;
-    bar.begin = bar.drawn = stroke.born();
-    bar.end = stroke.driesAt();
-    bar.dry = bar.begin;
-    for (const Segment &s : stroke.segments) {
-        bar.drawn = std::max(bar.drawn, s.born);
-        bar.dry = std::max(bar.dry, s.born + toMicroseconds(double(s.maxAge)));
+    std::vector<const Segment *> paint;
+    for (const Segment &s : stroke.segments)
+        if (!s.lift)
+            paint.push_back(&s);
+    if (paint.empty())
+        paint.push_back(&stroke.segments.front());
+    bar.begin = bar.drawn = bar.dry = bar.end = paint.front()->born;
+    for (const Segment *s : paint) {
+        bar.begin = std::min(bar.begin, s->born);
+        bar.drawn = std::max(bar.drawn, s->born);
+        bar.dry = std::max(bar.dry, s->born + toMicroseconds(double(s->maxAge)));
+        bar.end = std::max(bar.end, s->driesAt());
     }
     bar.end = std::max(bar.end, bar.dry);
-    bar.colour = stroke.segments[stroke.segments.size() / 2].colour;
+    bar.done = std::max(bar.end, stroke.driesAt());
+    bar.colour = paint[paint.size() / 2]->colour;
     return bar;
 }
 
@@ -61,7 +68,7 @@ std::optional<bool> TimelineBars::update(const Painting &painting)
         TimelineBar bar = barOf(*painting.strokes[i]);
         same = same && bar.stroke == m_bars[i].stroke;
         bar.lane = m_bars[i].lane;
-        if (bar.begin != m_bars[i].begin || bar.end != m_bars[i].end)
+        if (bar.begin != m_bars[i].begin || bar.end != m_bars[i].end || bar.done != m_bars[i].done)
             moved.push_back(i);
         const Stroke &before = *m_painting->strokes[i], &now = *painting.strokes[i];
         differs = differs || bar != m_bars[i] || before.visible != now.visible || before.group != now.group ||
@@ -101,9 +108,9 @@ void TimelineBars::place(const std::vector<std::size_t> &moved)
     }
     while (!m_lanes.empty() && m_lanes.back().empty())
         m_lanes.pop_back();
-    m_span = {m_bars.front().begin, m_bars.front().end};
+    m_span = {m_bars.front().begin, m_bars.front().done};
     for (const TimelineBar &bar : m_bars)
-        m_span = {std::min(m_span.begin, bar.begin), std::max(m_span.end, bar.end)};
+        m_span = {std::min(m_span.begin, bar.begin), std::max(m_span.end, bar.done)};
 }
 
 int TimelineBars::laneFrom(Microseconds begin) const
@@ -122,14 +129,14 @@ void TimelineBars::layOut()
     m_lanes.clear();
     m_span = {};
     if (!order.empty())
-        m_span = {m_bars[order.front()].begin, m_bars[order.front()].end};
+        m_span = {m_bars[order.front()].begin, m_bars[order.front()].done};
     using Ending = std::pair<Microseconds, int>;
     // the lanes that are busy, by the end of their last bar
     std::priority_queue<Ending, std::vector<Ending>, std::greater<>> busy;
     std::priority_queue<int, std::vector<int>, std::greater<>> idle;
     for (const std::size_t i : order) {
         TimelineBar &bar = m_bars[i];
-        m_span.end = std::max(m_span.end, bar.end);
+        m_span.end = std::max(m_span.end, bar.done);
         for (; !busy.empty() && busy.top().first < bar.begin; busy.pop())
             idle.push(busy.top().second);
         if (idle.empty()) {

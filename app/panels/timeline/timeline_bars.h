@@ -9,7 +9,7 @@ namespace suffuse {
 
 class Document;
 
-/// The times of a stroke.
+/// The times of a stroke's paint. What takes paint away has neither a colour nor a drying time that anybody sees.
 struct TimelineBar {
     StrokeId stroke = 0;
     int lane = 0;
@@ -17,7 +17,8 @@ struct TimelineBar {
     Microseconds drawn = 0; ///< when its last segment is born
     Microseconds dry = 0;   ///< when it stops spreading for the first time
     Microseconds end = 0;   ///< when it stops for the last time, if it is wetted again
-    Colour colour;          ///< the colour of its middle segment
+    Microseconds done = 0;  ///< when nothing of the stroke changes any more, its erasures included
+    Colour colour;          ///< the colour of the segment in its middle
     friend bool operator==(const TimelineBar &, const TimelineBar &) = default;
 };
 
@@ -39,7 +40,7 @@ public:
     std::size_t size() const { return m_bars.size(); }
     /// The uppermost lane in which there is nothing from a moment on.
     int laneFrom(Microseconds begin) const;
-    /// The time from the first birth until all has dried; empty at 0 without strokes.
+    /// The time from the first birth until all has dried and all erasures are at rest; empty at 0 without strokes.
     TimeSpan span() const { return m_span; }
 
     /// Calls visit(i) in ascending order for the bars of a lane that meet the span. A bar that begins within `grain`

@@ -184,10 +184,11 @@ void TimelinePicture::paintBar(QPainter &painter, const TimelineBar &bar, const 
     painter.fillRect(later, wet);
     painter.fillRect(QRectF(drawn, top, dry - drawn, TimelineAxes::laneHeight), wet);
     painter.fillRect(QRectF(begin, top, drawn - begin, TimelineAxes::laneHeight), colour);
-    if ((drawn - begin) / double(stroke.segments.size()) >= leastForSegments) {
+    const auto segments = double(std::ranges::count(stroke.segments, false, &Segment::lift));
+    if ((drawn - begin) / segments >= leastForSegments) {
         painter.setPen(QPen(qGray(colour.rgb()) > 127 ? QColor(0, 0, 0, 90) : QColor(255, 255, 255, 110), 1));
         for (const Segment &s : stroke.segments)
-            if (const double x = m_axes.xOf(s.born); x > begin + 1)
+            if (const double x = m_axes.xOf(s.born); x > begin + 1 && !s.lift)
                 painter.drawLine(QPointF(x, top + 3), QPointF(x, top + TimelineAxes::laneHeight - 3));
     }
     painter.setBrush(Qt::NoBrush);
