@@ -366,6 +366,82 @@ private slots:
         s.use(Command::ShowErasures);
     }
 
+    /// An erasure is nothing without the paint that it takes away.
+    void duplicateDoublesAnErasure()
+    {
+        EraserSession s;
+        s.eraser().setChoice({.strength = 0.4});
+        s.erase({350, 250}, {350, 390});
+        s.dry();
+        s.use(Command::Segments);
+        const Stroke before = s.stroke();
+        const Chain erasure = chainAt(before, int(before.segments.size()) - 1);
+        Selection chosen{{s.id}, {}};
+        for (int k = erasure.first; k <= erasure.last; ++k)
+            chosen.segments.insert({s.id, k});
+        s.editor().document().setSelection(chosen);
+        const QImage weak = s.pictureNow();
+        s.use(Command::Duplicate);
+        QCOMPARE(s.editor().undoText(), QString("Duplicate"));
+        QCOMPARE(s.painting().strokes.size(), std::size_t(2)); // no stroke more
+        const int count = erasure.last - erasure.first + 1;
+        QCOMPARE(s.stroke().segments.size(), before.segments.size() + std::size_t(count));
+        QCOMPARE(chainsOf(s.stroke()).back(), (Chain{erasure.last + 1, erasure.last + count}));
+        QVERIFY(std::equal(s.stroke().segments.end() - count, s.stroke().segments.end(),
+                           before.segments.end() - count));
+        std::set<SegmentRef> copies;
+        for (int k = 1; k <= count; ++k)
+            copies.insert({s.id, erasure.last + k});
+        QCOMPARE(s.selection().segments, copies); // Arrow keys move the copy.
+        QVERIFY(s.pictureNow() != weak);          // It takes away once more.
+        QTest::keyClick(&s.canvas(), Qt::Key_Right);
+        QCOMPARE(s.stroke().segments[std::size_t(erasure.first)], before.segments[std::size_t(erasure.first)]);
+        QVERIFY(s.stroke().segments.back().bezier[0].x > before.segments.back().bezier[0].x);
+        s.use(Command::Undo);
+        s.use(Command::Undo);
+        QCOMPARE(s.stroke(), before);
+        QCOMPARE(s.selection().segments, chosen.segments);
+        s.editor().push(setLocked(s.editor().document(), {s.id}, true), "lock");
+        const int steps = s.steps();
+        s.editor().document().setSelection(chosen);
+        s.use(Command::Duplicate);
+        QCOMPARE(s.steps(), steps);
+    }
+
+    void hintsSpeakOfTheErasure()
+    {
+        EraserSession s;
+        s.erase({350, 250}, {350, 390});
+        s.dry();
+        s.use(Command::Segments);
+        s.editor().document().setSelection({{s.id}, {}});
+        const Chain erasure = chainAt(s.stroke(), int(s.stroke().segments.size()) - 1);
+        const Segment &beside = s.stroke().segments[std::size_t(erasure.first) + 2]; // no node is shown near its middle
+        const Point at = s.stroke().cubicOf(beside).at(0.5);
+        s.hover(at);
+        QVERIFY2(s.hint().startsWith("Drag to move the erasure"), qPrintable(s.hint()));
+        QTest::mousePress(&s.canvas(), Qt::LeftButton, {}, s.at(at));
+        for (int i = 1; i <= 6; ++i)
+            s.move(at + Point{4.0 * i, 0});
+        QVERIFY2(s.hint().startsWith("Move the erasure"), qPrintable(s.hint()));
+        QTest::mouseRelease(&s.canvas(), Qt::LeftButton, {}, s.at(at + Point{24, 0}));
+        QCOMPARE(s.editor().undoText(), QString("Move erasure"));
+        s.hover({20, 20});
+        QVERIFY(!s.hint().contains("erasure"));
+    }
+
+    void theScopeSaysWhatIsMeant()
+    {
+        EraserSession s;
+        auto *scopes = s.eraser().options()->findChildren<QComboBox *>().at(1);
+        QCOMPARE(scopes->itemText(0), QString("All (None Selected)"));
+        s.editor().document().setSelection({{s.id}, {}});
+        QCOMPARE(scopes->itemText(0), QString("Selected Strokes"));
+        QVERIFY(s.hint().contains("selected"));
+        s.editor().document().setSelection({});
+        QCOMPARE(scopes->itemText(0), QString("All (None Selected)"));
+    }
+
     /// Values of whole strokes are those of their paint.
     void erasuresKeepTheirValues()
     {

@@ -48,6 +48,8 @@ Point alongHandles(const Stroke &stroke, int node, Point by)
 /// The name of the step that a drag makes.
 QString stepName(const NodeHit &hit, std::size_t nodes)
 {
+    if (hit.erasure)
+        return QCoreApplication::translate("NodeDrag", "Move erasure");
     if (hit.mark.node)
         return nodes > 1 ? QCoreApplication::translate("NodeDrag", "Move nodes")
                          : QCoreApplication::translate("NodeDrag", "Move node");
@@ -98,18 +100,18 @@ void NodeDrag::begin(const PointerEvent &press, const NodeHit &hit, const std::s
     if (!stroke)
         return;
     m_reach = 0;
-    if (hit.mark.node)
+    if (hit.mark.node && !hit.erasure)
         m_reach = m_soft.ofNode(*stroke, hit.mark.node->node, m_canvas.view(), dpr());
     else if (hit.curve)
         m_reach = m_soft.ofCurve(*stroke, hit.place, m_canvas.view(), dpr());
-    if (alt && !hit.mark.handle) {
+    if (alt && !hit.mark.handle && !hit.erasure) {
         m_setsReach = true;
         m_chosenBefore = m_soft.chosen();
     } else {
         take(strokes, stepName(hit, nodes.size()));
         gatherPlaces();
     }
-    if (isOpen() && !hit.mark.handle)
+    if (isOpen() && !hit.mark.handle && !hit.erasure)
         m_soft.showInEffect(m_reach);
 }
 
@@ -151,7 +153,7 @@ void NodeDrag::setReach(double reach)
 
 bool NodeDrag::stepReach(double steps)
 {
-    if (!isOpen() || m_hit.mark.handle)
+    if (!isOpen() || m_hit.mark.handle || m_hit.erasure)
         return false;
     setReach(SoftReach::stepped(m_reach, steps, m_canvas.view(), dpr()));
     if (!m_setsReach)

@@ -18,6 +18,8 @@ struct NodeHit {
     NodeMarks::Hit mark;
     StrokeId curve = 0; ///< the stroke whose curve is hit; 0 if none is
     CurvePlace place;   ///< the place on that curve
+    /// Whether an erasure is meant, which is moved as it is: by its nodes, and without a reach.
+    bool erasure = false;
 
     SegmentRef segment() const { return {curve, place.segment}; }
 };

@@ -49,12 +49,21 @@ QString NodeTool::hint() const
             "Shift+click for more.");
     if (m_hovered.width)
         return WidthHandle::hint();
+    if (m_hovered.erasure || (m_drag.isOpen() && m_hit.erasure))
+        return erasureHint();
     if (m_hovered.curve)
         return tr("Drag to bend the curve within the reach (wheel, Alt+drag). Double click to insert a node. Click to "
                   "select the segment.");
     return tr(
         "Click a segment to select it, Shift+click for a run or another stroke's, Ctrl+click to add or remove one. "
         "Drag around nodes.");
+}
+
+QString NodeTool::erasureHint() const
+{
+    return m_drag.isOpen() ? tr("Move the erasure: it takes away where it lies. Ctrl: along an axis. Esc gives it up.")
+                           : tr("Drag to move the erasure. Click to select it, again for one segment of it. Delete "
+                                "removes it, Duplicate doubles it.");
 }
 
 QCursor NodeTool::cursor() const
@@ -190,6 +199,7 @@ void NodeTool::hover(const PointerEvent &event)
     hovered.mark = hit.mark;
     hovered.width = hovered.mark.isEmpty() && m_width.isAt(event.pixel);
     hovered.curve = !hovered.width && hit.curve;
+    hovered.erasure = hovered.curve && !erasureOf(*m_editor.document().painting(), hit.segment()).empty();
     setHovered(hovered);
 }
 
@@ -420,9 +430,11 @@ bool NodeTool::dragErasure(const PointerEvent &press)
         return false;
     if (!selection().segments.contains(m_hit.segment()))
         chooseErasure(m_hit.segment(), false);
-    NodeHit node;
+    m_hit.erasure = true;
+    NodeHit node = m_hit;
     node.mark.node = NodeRef{m_hit.curve, m_hit.place.segment};
     m_drag.begin(press, node, nodesOfErasures(painting, selection().segments));
+    emit hintChanged();
     return true;
 }
 
@@ -438,6 +450,8 @@ void NodeTool::endDrag(bool cancelled)
     else
         m_drag.commit();
     m_marks.reset();
+    if (std::exchange(m_hit.erasure, false))
+        emit hintChanged();
 }
 
 void NodeTool::stepSize(int steps)

@@ -65,6 +65,7 @@ private:
     struct Hovered {
         NodeMarks::Hit mark;
         bool curve = false;
+        bool erasure = false; ///< The curve takes paint away.
         bool width = false;
         friend bool operator==(const Hovered &, const Hovered &) = default;
     };
@@ -75,6 +76,7 @@ private:
     void addStroke(const SegmentRef &hit);
     bool chooseErasure(const SegmentRef &hit, bool add);
     bool dragErasure(const PointerEvent &press);
+    QString erasureHint() const;
     void insertNode(const NodeHit &at);
     std::set<StrokeId> strokesOfNodes() const;
     bool nudge(QKeyEvent *event);

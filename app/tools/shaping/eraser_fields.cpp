@@ -90,6 +90,12 @@ void EraserFields::change(const std::function<void(EraserChoice &)> &change)
     emit chosen(choice);
 }
 
+void EraserFields::setAnySelected(bool selected)
+{
+    //: scope of the eraser, while no stroke is selected
+    m_scopes->setItemText(int(EraserScope::Selected), selected ? tr("Selected Strokes") : tr("All (None Selected)"));
+}
+
 void EraserFields::show(const EraserChoice &choice)
 {
     m_choice = choice;

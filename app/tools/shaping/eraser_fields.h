@@ -43,6 +43,8 @@ public:
 
     /// Shows a choice, and emits nothing.
     void show(const EraserChoice &choice);
+    /// Says what the scope of the selected strokes means now: all, where none is selected.
+    void setAnySelected(bool selected);
 
 signals:
     /// Emitted when somebody has changed it by hand.

@@ -41,7 +41,20 @@ EraserMode otherMode(EraserMode mode)
 
 EraserTool::EraserTool(CanvasWidget &canvas, QObject *parent)
     : SizedTool("eraser", 10, canvas, parent), m_choice(EraserChoice::stored()), m_mode(m_choice.mode)
-{}
+{
+    connect(&m_editor.document(), &Document::changed, this, [this](const Change &change) {
+        if (change.selection || change.reset)
+            followSelection();
+    });
+}
+
+/// Hint and row say whether the selected strokes are meant, or all as none is selected.
+void EraserTool::followSelection()
+{
+    if (m_fields)
+        m_fields->setAnySelected(!m_editor.selection().isEmpty());
+    emit hintChanged();
+}
 
 QString EraserTool::hint() const
 {
@@ -77,6 +90,7 @@ QWidget *EraserTool::options()
     QHBoxLayout *row = toolRow(m_options);
     m_fields = new EraserFields(*row, [this, row] { addSizeField(*row); });
     m_fields->show(m_choice);
+    followSelection();
     connect(m_fields, &EraserFields::chosen, this, &EraserTool::setChoice);
     return m_options;
 }

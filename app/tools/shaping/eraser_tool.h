@@ -37,6 +37,7 @@ public:
 
 private:
     void setMode(EraserMode mode);
+    void followSelection();
     void liftTo(const PointerEvent &event);
     void showLifted();
     void cutTo(Point point);
