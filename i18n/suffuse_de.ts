@@ -1007,8 +1007,8 @@ Rückgabewerte: 0 erledigt, 1 fehlgeschlagen, 2 falscher Aufruf.</translation>
         </translation>
     </message>
     <message>
-        <source>An erasure is not copied without the paint that it takes away. Delete removes it.</source>
-        <translation>Eine Radierung wird nicht ohne die Farbe kopiert, die sie wegnimmt. „Löschen“ entfernt sie.</translation>
+        <source>An erasure is not copied without the paint that it takes away. Duplicate doubles it within its stroke, Delete removes it.</source>
+        <translation>Eine Radierung wird nicht ohne die Farbe kopiert, die sie wegnimmt. „Duplizieren“ verdoppelt sie in ihrem Strich, „Löschen“ entfernt sie.</translation>
     </message>
 </context>
 <context>
@@ -1450,6 +1450,10 @@ Rückgabewerte: 0 erledigt, 1 fehlgeschlagen, 2 falscher Aufruf.</translation>
     <message>
         <source>Bend curve</source>
         <translation>Kurve biegen</translation>
+    </message>
+    <message>
+        <source>Move erasure</source>
+        <translation>Radierung verschieben</translation>
     </message>
 </context>
 <context>
@@ -4635,6 +4639,7 @@ Auch die Pfeiltasten wirken.</translation>
     </message>
     <message>
         <source>Selected Strokes</source>
+        <extracomment>scope of the eraser, while no stroke is selected</extracomment>
         <translation>Ausgewählte Striche</translation>
     </message>
     <message>
@@ -4648,6 +4653,10 @@ Auch die Pfeiltasten wirken.</translation>
     <message>
         <source>From which strokes; without a selection, the first choice means all</source>
         <translation>Von welchen Strichen; ohne Auswahl meint das Erste alle</translation>
+    </message>
+    <message>
+        <source>All (None Selected)</source>
+        <translation>Alle (nichts ausgewählt)</translation>
     </message>
 </context>
 <context>
@@ -6334,6 +6343,14 @@ Auch die Pfeiltasten wirken.</translation>
     <message>
         <source>Move erasure</source>
         <translation>Radierung verschieben</translation>
+    </message>
+    <message>
+        <source>Move the erasure: it takes away where it lies. Ctrl: along an axis. Esc gives it up.</source>
+        <translation>Die Radierung verschieben: Sie nimmt weg, wo sie liegt. Strg: entlang einer Achse. Esc bricht ab.</translation>
+    </message>
+    <message>
+        <source>Drag to move the erasure. Click to select it, again for one segment of it. Delete removes it, Duplicate doubles it.</source>
+        <translation>Ziehen verschiebt die Radierung. Klick wählt sie aus, noch einer ein Segment von ihr. „Löschen“ entfernt sie, „Duplizieren“ verdoppelt sie.</translation>
     </message>
 </context>
 <context>

@@ -999,8 +999,8 @@ Exit codes: 0 done, 1 the work failed, 2 wrong usage.</source>
         </translation>
     </message>
     <message>
-        <source>An erasure is not copied without the paint that it takes away. Delete removes it.</source>
-        <translation>擦除不能脱离它所擦去的颜料单独复制。按“删除”可将其移除。</translation>
+        <source>An erasure is not copied without the paint that it takes away. Duplicate doubles it within its stroke, Delete removes it.</source>
+        <translation>擦除不能脱离它所去除的颜料单独复制。“再制”会在笔画内复制它，“删除”会移除它。</translation>
     </message>
 </context>
 <context>
@@ -1442,6 +1442,10 @@ Exit codes: 0 done, 1 the work failed, 2 wrong usage.</source>
     <message>
         <source>Bend curve</source>
         <translation>弯曲曲线</translation>
+    </message>
+    <message>
+        <source>Move erasure</source>
+        <translation>移动擦除</translation>
     </message>
 </context>
 <context>
@@ -4621,6 +4625,7 @@ Arrow keys work too.</source>
     </message>
     <message>
         <source>Selected Strokes</source>
+        <extracomment>scope of the eraser, while no stroke is selected</extracomment>
         <translation>所选笔画</translation>
     </message>
     <message>
@@ -4634,6 +4639,10 @@ Arrow keys work too.</source>
     <message>
         <source>From which strokes; without a selection, the first choice means all</source>
         <translation>从哪些笔画擦除;未选择时,第一项表示全部</translation>
+    </message>
+    <message>
+        <source>All (None Selected)</source>
+        <translation>全部（未选择）</translation>
     </message>
 </context>
 <context>
@@ -6294,6 +6303,14 @@ Arrow keys work too.</source>
     <message>
         <source>Move erasure</source>
         <translation>移动擦除</translation>
+    </message>
+    <message>
+        <source>Move the erasure: it takes away where it lies. Ctrl: along an axis. Esc gives it up.</source>
+        <translation>移动擦除：它在所处的位置去除颜料。Ctrl：沿坐标轴移动。Esc：放弃。</translation>
+    </message>
+    <message>
+        <source>Drag to move the erasure. Click to select it, again for one segment of it. Delete removes it, Duplicate doubles it.</source>
+        <translation>拖动可移动擦除。单击选择它，再次单击选择其中一段。“删除”会移除它，“再制”会复制它。</translation>
     </message>
 </context>
 <context>
