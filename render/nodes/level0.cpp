@@ -43,7 +43,7 @@ constexpr double samplingSlack = 1.1;
 double bernsteinRadius(Complex z)
 {
     const Complex w = 2.0 * z - 1.0, q = std::sqrt(w * w - 1.0);
-    return std::max(std::abs(w + q), std::abs(w - q));
+    return std::sqrt(std::max(std::norm(w + q), std::norm(w - q)));
 }
 
 // |g′| is analytic inside the ellipse that passes through the nearest root of g′·g′ = (x′ + iy′)(x′ − iy′).

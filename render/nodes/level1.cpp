@@ -10,48 +10,69 @@ namespace suffuse {
 
 namespace {
 
-constexpr double share = 0.5;    // the part of the tolerance that merging may use
-constexpr double windowSize = 8; // the largest window: length in spreads plus turning in radians
-constexpr int fewest = 3;        // the least number of fine nodes that is worth merging
+constexpr double share = 0.5;     // the part of the tolerance that merging may use
+constexpr double windowSize = 16; // the largest window, as Course measures it
+constexpr int fewest = 3;         // the least number of fine nodes that is worth merging
+constexpr int smallest = 6;       // A window of so many fine nodes is not halved.
+constexpr int tooMany = 2;        // A rule that is expected to need so many more nodes than there may be is not tried.
 
-double distance(const SpanNode &a, const SpanNode &b)
-{
-    const double dx = b.x - a.x, dy = b.y - a.y;
-    return std::sqrt(dx * dx + dy * dy);
-}
+/// What lies between each node of a run and the one before it: the distance in spreads, and 1.5 times the turning from
+/// the step before, in radians.
+struct Steps {
+    std::vector<double> length;
+    std::vector<double> turning;
 
-/// Measures a run of nodes up to each of them: its length (`arc`), and its length plus its turning (`size`).
-struct Course {
-    std::vector<double> arc;
-    std::vector<double> size;
-
-    void follow(const SpanNode *nodes, std::size_t count)
+    void measure(std::span<const SpanNode> nodes)
     {
-        arc.assign(count, 0);
-        size.assign(count, 0);
+        length.assign(nodes.size(), 0);
+        turning.assign(nodes.size(), 0);
         double beforeX = 0, beforeY = 0; // the direction of the last step
-        for (std::size_t i = 1; i < count; ++i) {
-            const double step = distance(nodes[i - 1], nodes[i]);
-            arc[i] = arc[i - 1] + step;
-            size[i] = size[i - 1] + step;
+        for (std::size_t i = 1; i < nodes.size(); ++i) {
+            const double dx = nodes[i].x - nodes[i - 1].x, dy = nodes[i].y - nodes[i - 1].y;
+            const double step = std::sqrt(dx * dx + dy * dy);
+            length[i] = step;
             if (!(step > 1e-9))
                 continue;
-            const double x = (nodes[i].x - nodes[i - 1].x) / step, y = (nodes[i].y - nodes[i - 1].y) / step;
+            const double x = dx / step, y = dy / step;
             if (beforeX != 0 || beforeY != 0)
-                size[i] += std::sqrt((x - beforeX) * (x - beforeX) + (y - beforeY) * (y - beforeY));
+                turning[i] = 1.5 * std::sqrt((x - beforeX) * (x - beforeX) + (y - beforeY) * (y - beforeY));
             beforeX = x;
             beforeY = y;
         }
     }
 };
 
+/// Measures a window up to each of its nodes: its length (`arc`), and its length plus its turning (`size`), which
+/// decides how many nodes it needs. Nothing outside of the window makes a difference.
+struct Course {
+    std::vector<double> arc;
+    std::vector<double> size;
+
+    void follow(const Steps &steps, std::size_t begin, std::size_t end)
+    {
+        arc.assign(end - begin, 0);
+        size.assign(end - begin, 0);
+        for (std::size_t i = 1; i < end - begin; ++i) {
+            const double length = steps.length[begin + i];
+            arc[i] = arc[i - 1] + length;
+            size[i] = size[i - 1] + length + (i > 1 ? steps.turning[begin + i] : 0);
+        }
+    }
+};
+
 class Merger {
 public:
-    /// `segments` says where each segment begins in `fine`.
-    Merger(const std::vector<SpanNode> &fine, std::span<const std::size_t> segments, MergedSpan &out)
-        : m_fine(fine), m_segments(segments), m_out(out)
-    {}
+    /// Merges the whole run. `segments` says where each segment begins in `fine`.
+    void merge(std::span<const SpanNode> fine, std::span<const std::size_t> segments, MergedSpan &out)
+    {
+        m_fine = fine;
+        m_segments = segments;
+        m_out = &out;
+        m_steps.measure(fine);
+        cut(0, segments.size());
+    }
 
+private:
     /// Merges segments [from, to). What becomes of a window depends on no others, to the bit. A segment that becomes
     /// longer moves no cut, since cuts halve the number of segments, not the length.
     void cut(std::size_t from, std::size_t to)
@@ -59,7 +80,7 @@ public:
         const std::size_t begin = m_segments[from], end = to < m_segments.size() ? m_segments[to] : m_fine.size();
         if (begin == end)
             return;
-        m_course.follow(&m_fine[begin], end - begin);
+        m_course.follow(m_steps, begin, end);
         if (m_course.size.back() > windowSize && to - from > 1) {
             const std::size_t middle = from + (to - from) / 2;
             cut(from, middle);
@@ -71,7 +92,6 @@ public:
         merge(begin, end);
     }
 
-private:
     /// Merges fine nodes [begin, end) of the window, or its halves if no rule will do.
     void merge(std::size_t begin, std::size_t end)
     {
@@ -81,7 +101,7 @@ private:
         if (count <= SpanRule::maxFine)
             if (const int n = fewestNodes(begin, count))
                 return keep(m_best, n, begin, end);
-        if (count <= SpanRule::maxNodes / 2)
+        if (count <= smallest)
             return keep(&m_fine[begin], count, begin, end);
         const std::size_t middle = begin + std::size_t(count / 2);
         merge(begin, middle);
@@ -90,17 +110,18 @@ private:
 
     void keep(const SpanNode *nodes, int count, std::size_t begin, std::size_t end)
     {
-        const std::size_t first = m_out.nodes.size();
-        m_out.nodes.insert(m_out.nodes.end(), nodes, nodes + count);
-        m_out.windows.push_back({begin, end, first, m_out.nodes.size()});
+        const std::size_t first = m_out->nodes.size();
+        m_out->nodes.insert(m_out->nodes.end(), nodes, nodes + count);
+        m_out->windows.push_back({begin, end, first, m_out->nodes.size()});
     }
 
-    /// Returns how many nodes a window usually takes.
-    double usual(std::size_t begin, int count, double mass, double tolerance) const
+    /// Returns how many nodes a window usually takes, as windows of the sample paintings do: within 1.5 for three
+    /// quarters of them.
+    double usual(std::size_t begin, int count, double mass, double tolerance, bool vary) const
     {
         const std::size_t first = begin - m_first, last = first + std::size_t(count) - 1;
         const double size = m_course.size[last] - m_course.size[first], arc = m_course.arc[last] - m_course.arc[first];
-        return 1.1 * size + 0.5 * std::log(mass / (tolerance * (arc + 1))) - 1.5;
+        return 1.15 * size + 1.05 * std::log(mass / (tolerance * (arc + 1))) + (vary ? 1.2 : 0.0) - 6.4;
     }
 
     /// Leaves the nodes in m_best and returns how many there are. 0 means that no rule of up to maxNodes nodes will do.
@@ -108,16 +129,17 @@ private:
     {
         const SpanNode *fine = &m_fine[begin];
         double tolerance = fine[0].tolerance, mass = 0;
-        bool vary = false;
         for (int i = 0; i < count; ++i) {
             mass += fine[i].weight;
             tolerance = std::min(tolerance, fine[i].tolerance);
-            vary |= fine[i].values != fine[0].values;
         }
-        const double expected = usual(begin, count, mass, tolerance);
+        const VaryingValues varying(std::span(fine, std::size_t(count)));
+        const double expected = usual(begin, count, mass, tolerance, varying.count > 0);
         const int most = std::min(SpanRule::maxNodes, count - 1);
-        m_rule.start(fine, &m_course.arc[begin - m_first], count, vary);
-        m_field.start(fine, count, vary);
+        if (expected + m_excess > SpanRule::maxNodes + tooMany)
+            return 0;
+        m_rule.start(fine, &m_course.arc[begin - m_first], count, varying);
+        m_field.start(fine, count, varying);
         int n = std::clamp(int(std::lround(expected + m_excess)), 1, most), best = 0, failed = 0;
         for (;;) {
             SpanNode nodes[SpanRule::maxNodes];
@@ -132,7 +154,7 @@ private:
                 --n;
             } else {
                 // Another node makes the error two or three times smaller.
-                const int missing = std::max(1, int(std::log(error)));
+                const int missing = std::max(1, int(1.1 * std::log(error)));
                 failed = n;
                 if (best || n == most || n + missing > most + 1)
                     break;
@@ -144,9 +166,10 @@ private:
         return best;
     }
 
-    const std::vector<SpanNode> &m_fine;
-    const std::span<const std::size_t> m_segments;
-    MergedSpan &m_out;
+    std::span<const SpanNode> m_fine;
+    std::span<const std::size_t> m_segments;
+    MergedSpan *m_out = nullptr;
+    Steps m_steps;
     Course m_course;         // that of the window
     std::size_t m_first = 0; // the fine node at which the window begins
     SpanRule m_rule;
@@ -157,12 +180,13 @@ private:
 
 } // namespace
 
-MergedSpan mergeSpan(const std::vector<SpanNode> &fine, std::span<const std::size_t> segments)
+void mergeSpan(std::span<const SpanNode> fine, std::span<const std::size_t> segments, MergedSpan &out)
 {
-    MergedSpan out;
-    // A merger is too large for the stack.
-    std::make_unique<Merger>(fine, segments, out)->cut(0, segments.size());
-    return out;
+    out.nodes.clear();
+    out.windows.clear();
+    // A merger is too large for the stack, and keeps its memory.
+    thread_local const auto merger = std::make_unique<Merger>();
+    merger->merge(fine, segments, out);
 }
 
 } // namespace suffuse

@@ -22,10 +22,10 @@ struct MergedSpan {
     std::vector<SpanWindow> windows; ///< in order along the span
 };
 
-/// Replaces `fine`, a run along a stroke in order, by fewer nodes: windows of it get the Gauss rule with the fewest
+/// Replaces `fine`, a run along a stroke in order, by the fewer nodes of `out`, which may be used again and again: windows of it get the Gauss rule with the fewest
 /// nodes whose density, on a grid over all that they reach, differs by at most half the tolerance. A window that finds
 /// none is halved. `segments` says where each segment begins in `fine`. The result is a pure function of both. A
 /// window's nodes depend on its own fine nodes only, and its place in the run hardly depends on others.
-MergedSpan mergeSpan(const std::vector<SpanNode> &fine, std::span<const std::size_t> segments);
+void mergeSpan(std::span<const SpanNode> fine, std::span<const std::size_t> segments, MergedSpan &out);
 
 } // namespace suffuse

@@ -30,6 +30,7 @@ struct BuiltBlock {
     UnsetVector<Node> nodes;
     std::vector<SpanNode> fine;      ///< the nodes of a run to be merged; kept for its memory
     std::vector<std::size_t> begins; ///< where the segments of that run begin in `fine`
+    MergedSpan merged;               ///< what that run becomes; kept for its memory
 };
 
 /// Makes one segment a group of its own. Its nodes are the last ones of `out`, from `begin` on.
@@ -83,7 +84,8 @@ void appendMerged(BuiltBlock &block, std::span<const SegmentNodes> run, StrokeNo
 {
     toSpan(block, run, block.fine, block.begins);
     const double s = run[0].spread, metric = 1 / (s * s);
-    const MergedSpan merged = mergeSpan(block.fine, block.begins);
+    mergeSpan(block.fine, block.begins, block.merged);
+    const MergedSpan &merged = block.merged;
     const NodeValues &values = run[0].values; // All segments of the run have its style and lift.
     const std::size_t origin = run[0].begin;
     std::size_t first = 0, next = 0; // the first segments of the window and of the next one
@@ -174,7 +176,7 @@ void appendBlocks(const Stroke &stroke, std::span<const std::size_t> borders, co
     const double scale = std::ldexp(1.0, context.octave);
     const std::size_t count = borders.back() - borders.front();
     reserve(count, 5 * count, out);
-    BuiltBlock block;
+    thread_local BuiltBlock block; // It keeps its memory.
     for (std::size_t i = 0; i + 1 < borders.size(); ++i) {
         const std::size_t first = borders[i], end = borders[i + 1];
         const auto alone = [&](const Segment &s) { return standsAlone(s, context, scale); };

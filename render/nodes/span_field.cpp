@@ -21,13 +21,20 @@ constexpr Tag tag;
 // Products and sums are rounded one by one. Where a machine fused them into one instruction, its nodes would differ
 // from those of others.
 
+constexpr float reach = 4; // Farther than so many spreads away there is less than 1.2e-7.
+
 /// Writes out[i] = e^(−(i·step − at)²), exact to 2e-7, for i < count, a multiple of 4. Up to 8 are written at once, so
 /// `out` must have room up to a multiple of 8.
-void gaussians(float at, float step, int count, float *out)
+HWY_INLINE void gaussians(float at, float step, int count, float *out)
 {
     const hn::RebindToSigned<Tag> ints;
     const Vec half = hn::Set(tag, -0.5f);
     for (int i = 0; i < count; i += int(hn::Lanes(tag))) {
+        // Nothing is computed where all would be left out below.
+        if (float(i) * step - at > reach || at - float(i + int(hn::Lanes(tag)) - 1) * step > reach) {
+            hn::Store(hn::Zero(tag), tag, out + i);
+            continue;
+        }
         const Vec d = hn::Sub(hn::Mul(hn::Iota(tag, float(i)), hn::Set(tag, step)), hn::Set(tag, at));
         const Vec x = hn::Max(hn::Mul(hn::Mul(hn::Set(tag, -1.44269504f), d), d), hn::Set(tag, -60.0f));
         const auto whole = hn::ConvertTo(ints, hn::Add(x, half)); // 2^x = 2^whole 2^f with |f| ≤ ½
@@ -36,7 +43,18 @@ void gaussians(float at, float step, int count, float *out)
         for (const float c : {9.671518e-3f, 5.55073376e-2f, 2.4022242e-1f, 6.93146978e-1f, 1.0f})
             p = hn::Add(hn::Mul(p, f), hn::Set(tag, c));
         const auto power = hn::ShiftLeft<23>(hn::Add(whole, hn::Set(ints, 127)));
-        hn::Store(hn::Mul(p, hn::BitCast(tag, power)), tag, out + i);
+        const Vec value = hn::Mul(p, hn::BitCast(tag, power));
+        hn::Store(hn::IfThenElseZero(hn::Le(hn::Abs(d), hn::Set(tag, reach)), value), tag, out + i);
+    }
+}
+
+/// Writes the Gaussians of nodes at the places `x` and `y`.
+void fillAxes(const float *x, const float *y, int nodes, float step, int columns, int rows, SpanField::Table &column,
+              SpanField::Table &row)
+{
+    for (int n = 0; n < nodes; ++n) {
+        gaussians(x[n], step, columns, column[n]);
+        gaussians(y[n], step, rows, row[n]);
     }
 }
 
@@ -88,7 +106,7 @@ HWY_AFTER_NAMESPACE();
 #if HWY_ONCE
 namespace suffuse {
 
-HWY_EXPORT(gaussians);
+HWY_EXPORT(fillAxes);
 HWY_EXPORT(addProducts);
 HWY_EXPORT(greatestRest);
 
@@ -97,6 +115,7 @@ namespace {
 // Both are in spreads. What merging adds has no waves shorter than 0.9, and falls off as fast as the density.
 constexpr double finestStep = 0.55;
 constexpr double margin = 1.3;
+constexpr double flat = 0.02; // the height of a run that counts as straight
 
 int roundedUp(int n, int to)
 {
@@ -107,25 +126,26 @@ int roundedUp(int n, int to)
 
 void SpanField::fillTables(const SpanNode *nodes, int count)
 {
-    const auto axis = HWY_DYNAMIC_DISPATCH(gaussians);
+    float x[batch], y[batch];
     for (int n = 0; n < count; ++n) {
         const double dx = nodes[n].x - m_x, dy = nodes[n].y - m_y;
-        axis(float(dx * m_cos + dy * m_sin - m_left), m_step, m_columns, m_column[n]);
-        axis(float(dy * m_cos - dx * m_sin - m_top), m_step, m_rows, m_row[n]);
+        x[n] = float(dx * m_cos + dy * m_sin - m_left);
+        y[n] = float(dy * m_cos - dx * m_sin - m_top);
     }
+    HWY_DYNAMIC_DISPATCH(fillAxes)(x, y, count, m_step, m_columns, m_rows, m_column, m_row);
 }
 
 void SpanField::scaleRows(const SpanNode *nodes, int count, int sum)
 {
     for (int n = 0; n < count; ++n) {
-        const double value = sum == 0 ? 1 : 0.5 * nodes[n].values[std::size_t(sum - 1)];
+        const double value = sum == 0 ? 1 : 0.5 * nodes[n].values[m_varying.which[std::size_t(sum - 1)]];
         const float factor = float(nodes[n].weight * value);
         for (int i = 0; i < m_rows; ++i)
             m_scaled[n][i] = factor * m_row[n][i];
     }
 }
 
-void SpanField::start(const SpanNode *nodes, int count, bool valuesVary)
+void SpanField::start(const SpanNode *nodes, int count, const VaryingValues &varying)
 {
     // A grid along the chord is smaller.
     m_x = nodes[0].x, m_y = nodes[0].y;
@@ -140,14 +160,17 @@ void SpanField::start(const SpanNode *nodes, int count, bool valuesVary)
         left = std::min(left, x), right = std::max(right, x);
         top = std::min(top, y), bottom = std::max(bottom, y);
     }
+    // Across a run that is straight the difference falls off as the density does, so that few rows are enough.
+    const bool straight = bottom - top < flat;
     const double width = right - left + 2 * margin, height = bottom - top + 2 * margin;
     const double step = std::max(finestStep, std::max(width, height) / (side - 2));
     m_left = left - margin;
-    m_top = top - margin;
+    m_top = straight ? 0.5 * (top + bottom) - step : top - margin;
     m_step = float(step);
     m_columns = roundedUp(int(width / step) + 2, 8);
-    m_rows = roundedUp(int(height / step) + 2, 4);
-    m_sums = valuesVary ? sums : 1;
+    m_rows = straight ? 4 : roundedUp(int(height / step) + 2, 4);
+    m_sums = 1 + varying.count;
+    m_varying = varying;
     for (int first = 0; first < count; first += batch) {
         const int n = std::min(batch, count - first);
         fillTables(nodes + first, n);

@@ -11,18 +11,18 @@ namespace suffuse {
 class SpanField {
 public:
     /// Samples `count` nodes on a grid so fine that no ripple of their sum falls between its points.
-    void start(const SpanNode *nodes, int count, bool valuesVary);
+    void start(const SpanNode *nodes, int count, const VaryingValues &varying);
     /// Returns the greatest difference of the density at a point of the grid, or half the difference of density times a
     /// value if that is greater.
     float difference(const SpanNode *nodes, int count);
 
     static constexpr int side = 40;  // points along an axis at most
-    static constexpr int batch = 16; // nodes that are added at a time
+    static constexpr int batch = SpanRule::maxNodes; // nodes that are added at a time
     using Table = float[batch][side];
     using Plane = float[side][side];
 
 private:
-    static constexpr int sums = 6; // density, and density times each value
+    static constexpr int sums = 6; // density, and density times each value that varies
 
     void fillTables(const SpanNode *nodes, int count);
     void scaleRows(const SpanNode *nodes, int count, int sum);
@@ -32,6 +32,7 @@ private:
     float m_step;
     int m_columns, m_rows; // rounded up to multiples of 8 and 4
     int m_sums;
+    VaryingValues m_varying;
     alignas(64) Table m_column; // e^(−dx²)
     alignas(64) Table m_row;    // e^(−dy²)
     alignas(64) Table m_scaled; // m_row times weight and value

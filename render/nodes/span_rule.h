@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <span>
 
 namespace suffuse {
 
@@ -15,39 +16,65 @@ struct SpanNode {
     friend bool operator==(const SpanNode &, const SpanNode &) = default;
 };
 
-/// Computes the n-point Gauss rule of a run of nodes, for growing n at little cost (Stieltjes, Golub-Welsch). The
-/// polynomials are in sin(ℓ), where ℓ is the arc length scaled to [−1, 1]: their nodes lie more evenly than those of
-/// polynomials in ℓ, and fewer are needed. The rule has the same weighted sums of polynomials up to degree 2n − 1 as
-/// the run, and the same sums of positions and values times polynomials up to degree n − 1. Weights are positive.
+/// Says which values differ between the nodes of a run. The others stay exactly as they are: rounding must not make
+/// them differ from node to node.
+struct VaryingValues {
+    int count = 0;
+    std::array<std::size_t, 5> which{}; ///< the first `count` of them, ascending
+
+    VaryingValues() = default;
+    explicit VaryingValues(std::span<const SpanNode> nodes);
+};
+
+/// Holds a run of nodes, and the polynomials that are orthonormal over it. They follow p[k+1] · beta[k+1] =
+/// (t − alpha[k]) p[k] − beta[k] p[k−1].
+struct SpanPolynomials {
+    static constexpr int maxFine = 128;
+    static constexpr int maxNodes = 24;
+    static constexpr int moments = 7; ///< x, y, the values that vary
+
+    int count = 0; ///< of nodes, rounded up to a multiple of 8; those that were added weigh nothing
+    int used = 0;  ///< how many of the moments are used
+    alignas(64) double weight[maxFine];
+    alignas(64) double at[maxFine]; ///< t
+    alignas(64) double p[maxFine];  ///< the last polynomial that is known, at the nodes, and the one before
+    alignas(64) double before[maxFine];
+    alignas(64) double carried[moments][maxFine];
+    double alpha[maxNodes], beta[maxNodes], inverseBeta[maxNodes];
+    double moment[maxNodes][moments];
+};
+
+/// Computes the n-point Gauss rule of a run of nodes, for growing n at little cost (Stieltjes; the roots by Newton's
+/// method, or by Golub and Welsch's where that fails). The polynomials are in t = sin(aℓ), where ℓ is the arc length
+/// scaled to [−1, 1]: their nodes lie more evenly than those of polynomials in ℓ, and fewer are needed. The rule has
+/// the same weighted sums of polynomials up to degree 2n − 1 as the run, and the same sums of positions and values
+/// times polynomials up to degree n − 1. Weights are positive. All SIMD instruction sets give the same bits.
 class SpanRule {
 public:
-    static constexpr int maxFine = 128;
-    static constexpr int maxNodes = 12;
+    static constexpr int maxFine = SpanPolynomials::maxFine;
+    static constexpr int maxNodes = SpanPolynomials::maxNodes;
 
     /// Begins a run. `arc` has the arc lengths of the nodes; count is in [1, maxFine]. The nodes must outlive the rule.
-    void start(const SpanNode *fine, const double *arc, int count, bool valuesVary);
+    void start(const SpanNode *fine, const double *arc, int count, const VaryingValues &varying);
+    /// Returns the number a, which depends on the run's length.
+    double bend() const;
     /// Writes n nodes, n in [1, min(maxNodes, count)]. Returns false if the run lies at too few places for that many.
     bool nodes(int n, SpanNode *out);
 
 private:
-    static constexpr int lanes = 4;   // Sums are computed in so many parts, in a fixed order.
-    static constexpr int moments = 7; // x, y, values
-
     bool extend(int n);
-    void roots(int n, double *out) const;
-    template <class Term>
-    double sum(Term term) const;
+    bool improve(int n, double *out) const;
+    bool rootsOfEvenRun(int n, double *out) const;
+    bool rootsBetweenPlaces(int n, double *out) const;
+    void rootsAsEigenvalues(int n, double *out) const;
 
     const SpanNode *m_fine;
-    int m_count;  // rounded up to a multiple of lanes; the rest weighs nothing
-    int m_used;   // how many of the moments are used
-    int m_degree; // how many polynomials are known so far; more than maxNodes if there are no others
+    VaryingValues m_varying;
+    int m_bend;    // which of the numbers a
+    bool m_isEven; // whether its roots have been found from those of an even run so far
+    int m_degree;  // how many polynomials are known so far; more than maxNodes if there are no others
     double m_mass;
-    double m_weight[maxFine], m_at[maxFine], m_p[maxFine], m_before[maxFine];
-    double m_carried[moments][maxFine];
-    // The polynomials follow p[k+1] · beta[k+1] = (t − alpha[k]) p[k] − beta[k] p[k−1].
-    double m_alpha[maxNodes], m_beta[maxNodes];
-    double m_moment[maxNodes][moments];
+    SpanPolynomials m_run;
 };
 
 } // namespace suffuse
