@@ -79,14 +79,14 @@ const Number<Segment> &numberOfChannel(int channel)
     return numberOf(channels[std::size_t(channel)]);
 }
 
-/// A change that is shown is forgotten when the values are not what it made of them any more.
+/// A change that is shown is forgotten when the values are not what it made of them any more, nor what an undo or a
+/// redo of it makes.
 void forgetUnless(SliderField &row, const Number<Segment> &number, const Inspected &inspected)
 {
-    const std::optional<ValueChange> change = row.change();
-    const PaintingPtr &start = row.entry().start();
-    const auto valueOf = [&](const Segment &segment) { return number.of(segment); };
-    if (change && !(start && isChangedBy(*inspected.painting, *start, inspected.refs, valueOf, *change)))
-        row.forgetChange();
+    row.keepChange([&, start = row.entry().start()](const ValueChange &change) {
+        const auto valueOf = [&](const Segment &segment) { return number.of(segment); };
+        return start && isChangedBy(*inspected.painting, *start, inspected.refs, valueOf, change);
+    });
 }
 
 /// Shows the value that all segments have, or the change that all of them had.
@@ -269,9 +269,9 @@ void SegmentSection::takeCurrentColour()
 void SegmentSection::showBorn(const Inspected &inspected)
 {
     const std::vector<Microseconds> begins = beginsOf(inspected.segments);
-    if (m_born->change() && !isMovedBy(*inspected.painting, *m_born->entry().start(), m_editor.selection(),
-                                       toMicroseconds(m_born->change()->amount)))
-        m_born->forgetChange();
+    m_born->keepChange([&, start = m_born->entry().start()](const ValueChange &change) {
+        return start && isMovedBy(*inspected.painting, *start, m_editor.selection(), toMicroseconds(change.amount));
+    });
     if (!begins.empty() && !m_born->slider()->isSliderDown()) // The scale of the slider must not change during a drag.
         m_born->setSliderRange(0, 10 * (1 + std::floor(toSeconds(std::ranges::max(begins)) / 10)));
     m_born->setValue(commonNumber(begins, [](Microseconds begin) { return toSeconds(begin); }));

@@ -20,14 +20,12 @@ constexpr float usualBeta = 0.5f;
 /// A change that is shown is forgotten when β is not what it made of it any more.
 void forgetBetaUnless(SliderField &row, const Painting &now, const std::vector<const Stroke *> &strokes)
 {
-    const std::optional<ValueChange> change = row.change();
-    const PaintingPtr &start = row.entry().start();
-    const auto isMade = [&](const Stroke *stroke) {
-        const StrokePtr then = start ? start->find(stroke->id) : nullptr;
-        return then && (now.isLocked(*stroke) || stroke->mix.beta == float(change->applied(double(then->mix.beta))));
-    };
-    if (change && !std::ranges::all_of(strokes, isMade))
-        row.forgetChange();
+    row.keepChange([&, start = row.entry().start()](const ValueChange &change) {
+        return std::ranges::all_of(strokes, [&](const Stroke *stroke) {
+            const StrokePtr then = start ? start->find(stroke->id) : nullptr;
+            return then && (now.isLocked(*stroke) || stroke->mix.beta == float(change.applied(double(then->mix.beta))));
+        });
+    });
 }
 } // namespace
 

@@ -32,22 +32,23 @@ std::map<StrokeId, std::vector<int>> targetsByStroke(const Document &document)
 /// A change that is shown is forgotten when the styles are not what it made of them any more.
 void forgetStyleChange(SliderField &row, const Inspected &inspected, std::size_t xi)
 {
-    const std::optional<ValueChange> change = row.change();
-    const PaintingPtr &start = row.entry().start();
-    if (!change)
-        return;
-    StrokePtr then;
-    const auto isMade = [&](const InspectedSegment &s, const SegmentRef &ref) {
-        if (!then || then->id != ref.stroke)
-            then = start->find(ref.stroke);
-        const auto k = std::size_t(ref.segment);
-        return then && k < then->segments.size() &&
-               s.style().xi[xi] == float(change->applied(double(then->styleOf(then->segments[k]).xi[xi])));
-    };
-    for (std::size_t i = 0; i < inspected.refs.size(); ++i)
-        if (!start || !(inspected.painting->isLocked(*inspected.segments[i].stroke) ||
-                        isMade(inspected.segments[i], inspected.refs[i])))
-            return row.forgetChange();
+    row.keepChange([&, start = row.entry().start()](const ValueChange &change) {
+        if (!start)
+            return false;
+        StrokePtr then;
+        for (std::size_t i = 0; i < inspected.refs.size(); ++i) {
+            const InspectedSegment &now = inspected.segments[i];
+            if (inspected.painting->isLocked(*now.stroke))
+                continue;
+            if (!then || then->id != inspected.refs[i].stroke)
+                then = start->find(inspected.refs[i].stroke);
+            const auto k = std::size_t(inspected.refs[i].segment);
+            if (!then || k >= then->segments.size() ||
+                now.style().xi[xi] != float(change.applied(double(then->styleOf(then->segments[k]).xi[xi]))))
+                return false;
+        }
+        return true;
+    });
 }
 
 } // namespace

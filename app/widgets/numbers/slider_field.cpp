@@ -17,6 +17,7 @@ constexpr int stepGapMs = 900; ///< key and wheel steps closer than this are one
 /// The slider's ends multiply mixed values by this, or divide them by it. Where values are added to, its ends are half
 /// of its range away.
 constexpr double greatestFactor = 10;
+constexpr std::size_t mostAmounts = 64; ///< steps that an undo or a redo is looked for among
 } // namespace
 
 SliderField::SliderField(const FieldSpec &spec, QGridLayout &grid, int row, QWidget *parent)
@@ -39,6 +40,7 @@ SliderField::SliderField(const FieldSpec &spec, QGridLayout &grid, int row, QWid
     connect(m_slider, &QSlider::sliderReleased, this, [this] {
         m_entry.commitDrag();
         m_pressedValue.reset();
+        noteAmount();
         setValue(m_value);
         emit dragEnded();
     });
@@ -116,7 +118,7 @@ double SliderField::amountAt(int position) const
 
 QString SliderField::changeText() const
 {
-    if (!m_amount || *m_amount == ValueChange::neutral(changeKind()))
+    if (!m_amount)
         return {};
     if (changeKind() == ValueChange::Scale)
         return QStringLiteral("×") + QLocale().toString(*m_amount, 'f', *m_amount < 1 ? 3 : 2);
@@ -132,15 +134,44 @@ void SliderField::forgetChange()
     if (m_slider->isSliderDown())
         return;
     m_entry.forgetStart();
+    m_amounts.clear();
     if (!m_amount)
         return;
     m_amount.reset();
     setValue(m_value);
 }
 
+void SliderField::keepChange(const std::function<bool(const ValueChange &)> &holds)
+{
+    if (!m_amount || m_slider->isSliderDown())
+        return;
+    const auto isOf = [&](double amount) { return holds({changeKind(), amount, m_spec.minimum, m_spec.maximum}); };
+    if (isOf(*m_amount))
+        return;
+    const auto found = std::find_if(m_amounts.rbegin(), m_amounts.rend(), isOf);
+    if (found != m_amounts.rend())
+        m_amount = *found;
+    else if (const double none = ValueChange::neutral(changeKind()); isOf(none))
+        m_amount = none;
+    else
+        forgetChange();
+}
+
+/// What is shown has become a step.
+void SliderField::noteAmount()
+{
+    if (!m_amount || std::find(m_amounts.begin(), m_amounts.end(), *m_amount) != m_amounts.end())
+        return;
+    if (m_amounts.size() == mostAmounts)
+        m_amounts.erase(m_amounts.begin());
+    m_amounts.push_back(*m_amount);
+}
+
 void SliderField::changeAll(double amount, ValueEntry *entry)
 {
     m_amount = amount;
+    if (!m_entry.isDragging())
+        noteAmount();
     m_number->setMixedText(changeText());
     emit refused({});
     emit changed(*change(), entry);
@@ -258,6 +289,7 @@ void SliderField::sliderChanged(int position)
         value = *m_pressedValue;
     m_value = value;
     m_amount.reset();
+    m_amounts.clear();
     showMixed(false);
     m_number->setValue(value);
     emit refused({});

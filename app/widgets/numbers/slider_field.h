@@ -8,7 +8,9 @@
 #include <QLabel>
 #include <QWidget>
 
+#include <functional>
 #include <optional>
+#include <vector>
 
 class QGridLayout;
 
@@ -50,6 +52,10 @@ public:
     std::optional<ValueChange> change() const;
     /// The values are what they are now; the handle goes back to the middle.
     void forgetChange();
+    /// Keeps showing the change while `holds` says that the values are what it makes of those in `entry().start()`.
+    /// After an undo or a redo it shows that of the changes since then which holds, which may be none at all (×1.00).
+    /// Where no change holds, it is forgotten.
+    void keepChange(const std::function<bool(const ValueChange &)> &holds);
     ValueEntry &entry() { return m_entry; }
     void setEnabled(bool enabled);
     void setVisible(bool visible);
@@ -83,6 +89,7 @@ private:
     void sliderPressed();
     void sliderChanged(int position);
     void changeAll(double amount, ValueEntry *entry);
+    void noteAmount();
     void stepAll(double steps);
     void giveUp();
     ValueEntry *step();
@@ -102,6 +109,7 @@ private:
     NumberField *m_number;
     std::optional<double> m_value;
     std::optional<double> m_amount;       ///< of the change of mixed values that is shown
+    std::vector<double> m_amounts;        ///< those of steps since the change began to be counted
     std::optional<double> m_pressedValue; ///< returned to exactly where the handle returns to m_pressedPosition
     std::optional<double> m_pressedAmount;
     int m_pressedPosition = 0;
