@@ -77,22 +77,38 @@ void rewetSelected(const Workplace &place)
     editor.push(std::move(edit), Commands::tr("Re-wet"));
 }
 
+/// Puts a dialog whose work shows on the canvas at once beside what is selected, or beside the canvas, as far as there is
+/// room.
+void moveBesideSelected(QDialog &dialog, const Workplace &place)
+{
+    constexpr int paint = 24; // logical pixels that the paint may reach beyond its curves
+    const CanvasWidget &canvas = place.canvas;
+    const QRect selected = canvas.selectionOnScreen(), all(canvas.mapToGlobal(QPoint()), canvas.size());
+    moveBeside(dialog, selected.isEmpty() ? all : selected.adjusted(-paint, -paint, paint, paint) & all);
+}
+
 void varySelected(const Workplace &place)
 {
     Editor &editor = place.open.editor;
-    if (chosenCount(*editor.document().painting(), editor.selection()) == 0)
+    if (chosenCount(*editor.document().painting(), editor.selection()) == 0) {
         emit place.commands.said(Commands::tr("What is selected is locked or hidden."), 5000);
-    else
-        VaryDialog(editor, &place.window).exec();
+        return;
+    }
+    VaryDialog dialog(editor, &place.window);
+    moveBesideSelected(dialog, place);
+    dialog.exec();
 }
 
 void reshapeSelectedBy(const Workplace &place, Reshaping what)
 {
     Editor &editor = place.open.editor;
-    if (chosenCount(*editor.document().painting(), editor.selection()) == 0)
+    if (chosenCount(*editor.document().painting(), editor.selection()) == 0) {
         emit place.commands.said(Commands::tr("What is selected is locked or hidden."), 5000);
-    else
-        ReshapeDialog(editor, what, &place.window).exec();
+        return;
+    }
+    ReshapeDialog dialog(editor, what, &place.window);
+    moveBesideSelected(dialog, place);
+    dialog.exec();
 }
 
 void recolourArtwork(const Workplace &place)
@@ -103,9 +119,7 @@ void recolourArtwork(const Workplace &place)
         emit place.commands.said(Commands::tr("What is selected is locked or hidden."), 5000);
         return;
     }
-    const CanvasWidget &canvas = place.canvas;
-    moveBeside(dialog, editor.selection().isEmpty() ? QRect(canvas.mapToGlobal(QPoint()), canvas.size())
-                                                    : canvas.selectionOnScreen());
+    moveBesideSelected(dialog, place);
     dialog.exec();
 }
 

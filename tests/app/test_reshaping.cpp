@@ -55,6 +55,28 @@ private slots:
         QVERIFY(s.painting() == *before);
     }
 
+    /// What the dialog changes is seen.
+    void theDialogsOpenBesideTheSelection()
+    {
+        TrunkSession s;
+        const QRect all = s.window.screen()->availableGeometry();
+        s.window.setGeometry(all.left(), all.top(), all.width() - 40, std::min(620, all.height() - 80));
+        s.editor().document().setSelection({{s.trunk}, {}});
+        for (const Command command :
+             {Command::SimplifyStrokes, Command::VaryStrokes, Command::OffsetStrokes, Command::RecolourArtwork}) {
+            QRect placed;
+            QTimer::singleShot(200, &s.window, [&] {
+                QWidget *dialog = QApplication::activeModalWidget();
+                placed = dialog->frameGeometry();
+                QTest::keyClick(dialog, Qt::Key_Escape);
+            });
+            s.use(command);
+            const QRect selected = s.canvas().selectionOnScreen();
+            QVERIFY(!selected.isEmpty() && all.contains(placed));
+            QVERIFY2(!placed.intersects(selected), qPrintable(s.window.action(command).text()));
+        }
+    }
+
     void cancelLeavesNoTrace()
     {
         TrunkSession s;
