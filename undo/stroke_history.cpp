@@ -16,10 +16,16 @@ const EditCommand *commandAt(const QUndoStack &stack, int index)
     return dynamic_cast<const EditCommand *>(stack.command(index));
 }
 
-/// Whether a step altered strokes of the set and nothing else.
+/// Whether a step changed no picture, but swatches or what is selected.
+bool changesNoPicture(const Edit &edit)
+{
+    return edit.strokes.empty() && !edit.reorders() && !edit.canvas && !edit.groups && !edit.underlay;
+}
+
+/// Whether a step altered strokes of the set and nothing else that is seen.
 bool onlyAlters(const Edit &edit, const std::set<StrokeId> &strokes)
 {
-    if (edit.strokes.empty() || edit.reorders() || edit.touchesTheRest())
+    if (edit.strokes.empty() || edit.reorders() || edit.canvas || edit.groups || edit.underlay)
         return false;
     return std::all_of(edit.strokes.begin(), edit.strokes.end(),
                        [&](const auto &entry) { return entry.second && strokes.contains(entry.first); });
@@ -61,16 +67,22 @@ Edit putBack(const Document &document, const Stroke &state)
 
 bool endsWithEditOfSelection(const QUndoStack &stack, const Document &document, const Edit *undecided)
 {
-    if (undecided)
+    if (undecided && !changesNoPicture(*undecided))
         return onlyAlters(*undecided, document.selection().strokes);
-    const EditCommand *command = stack.index() > 0 ? commandAt(stack, stack.index() - 1) : nullptr;
-    return command && onlyAlters(command->edit(), document.selection().strokes);
+    for (int i = stack.index() - 1; i >= 0; --i) {
+        const EditCommand *command = commandAt(stack, i);
+        if (!command || !changesNoPicture(command->edit()))
+            return command && onlyAlters(command->edit(), document.selection().strokes);
+    }
+    return false;
 }
 
 PaintingPtr beforeEditsOfSelection(const QUndoStack &stack, const Document &document, const Edit *undecided)
 {
     std::map<StrokeId, StrokePtr> before;
     const auto goBack = [&](const Edit &edit) {
+        if (changesNoPicture(edit))
+            return true;
         if (!onlyAlters(edit, document.selection().strokes))
             return false;
         for (const auto &[id, stroke] : edit.strokes)

@@ -19,6 +19,7 @@
 #include "tests/app/panel_bench.h"
 #include "tests/app/session.h"
 #include "undo/edits.h"
+#include "undo/swatch_edits.h"
 
 #include <QDockWidget>
 #include <QMouseEvent>
@@ -335,6 +336,12 @@ private slots:
         QCOMPARE(shown(1).maxAge, 2.0f);
         QVERIFY(!compare->isChecked());
         QCOMPARE(bench.steps(), 3);
+
+        bench.editor.push(setSwatches(bench.editor.document(), {{"leaf", {0, 1, 1, 1}}}), "swatch"); // in no picture
+        QTRY_VERIFY(compare->isEnabled());
+        QTest::mouseClick(compare, Qt::LeftButton);
+        QCOMPARE(shown(1).density, 9.0f);
+        QTest::mouseClick(compare, Qt::LeftButton);
 
         // Only what was done to the selection: the step before it was another stroke's.
         bench.select({3});
