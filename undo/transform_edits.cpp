@@ -135,7 +135,10 @@ Rect selectionBox(const Painting &painting, const Selection &selection)
     for (const StrokePtr &stroke : painting.strokes) {
         if (!selection.strokes.contains(stroke->id) || painting.isLocked(*stroke))
             continue;
+        const bool lays = stroke->laysPaint();
         for (const Segment &segment : stroke->segments) {
+            if (segment.lift && lays)
+                continue;
             const Cubic cubic = stroke->cubicOf(segment);
             const auto isWithin = [&box, control = cubic.controlBox()] {
                 return box.contains({control.left, control.top}) && box.contains({control.right, control.bottom});

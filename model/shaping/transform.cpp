@@ -266,7 +266,10 @@ Rect curveBox(const Cubic &cubic)
 Rect curveBox(const Stroke &stroke)
 {
     Rect box;
+    const bool lays = stroke.laysPaint();
     for (const Segment &segment : stroke.segments) {
+        if (segment.lift && lays)
+            continue;
         const Cubic curve = stroke.cubicOf(segment);
         // Most segments lie within what is covered already.
         const Rect control = curve.controlBox();

@@ -10,6 +10,7 @@
 #include "model/painting/influence.h"
 #include "tests/app/nodes.h"
 #include "undo/group_edits.h"
+#include "undo/transform_edits.h"
 
 #include <QComboBox>
 #include <QLabel>
@@ -406,6 +407,25 @@ private slots:
         s.editor().document().setSelection(chosen);
         s.use(Command::Duplicate);
         QCOMPARE(s.steps(), steps);
+    }
+
+    /// The frame goes by what is seen.
+    void erasuresDoNotEnlargeTheFrame()
+    {
+        EraserSession s;
+        s.editor().document().setSelection({{s.id}, {}});
+        const Rect before = selectionBox(s.painting(), s.selection());
+        const QRect onScreen = s.canvas().selectionOnScreen();
+        s.editor().document().setSelection({});
+        s.erase({350, 250}, {350, 390});
+        s.dry();
+        s.editor().document().setSelection({{s.id}, {}});
+        bool beyond = false;
+        for (const Segment &segment : s.stroke().segments)
+            beyond = beyond || (segment.lift && s.stroke().cubicOf(segment).p[3].y > before.bottom + 1);
+        QVERIFY(beyond);
+        QCOMPARE(selectionBox(s.painting(), s.selection()), before);
+        QCOMPARE(s.canvas().selectionOnScreen(), onScreen);
     }
 
     void hintsSpeakOfTheErasure()
