@@ -3,7 +3,6 @@
 #include "model/painting/validate.h"
 #include "model/shaping/coarse_nodes.h"
 #include "model/shaping/erase.h"
-#include "model/shaping/soft_move.h"
 #include "undo/order_tree.h"
 #include "undo/remap.h"
 
@@ -225,10 +224,11 @@ Edit bridgeSegments(const Document &document, const std::set<SegmentRef> &segmen
     return edit;
 }
 
-Edit moveNodes(const Document &document, const std::set<NodeRef> &nodes, Point by, double reach)
+Edit moveNodes(const Document &document, const std::set<NodeRef> &nodes, Point by, double reach,
+               SoftMove::Ends ends)
 {
     return reshape(document, nodesByStroke(nodes), [&](const Stroke &stroke, const std::vector<int> &which) {
-        return SoftMove(stroke, which, reach).by(by);
+        return SoftMove(stroke, which, reach, ends).by(by);
     });
 }
 

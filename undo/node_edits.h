@@ -4,6 +4,7 @@
 #pragma once
 
 #include "model/shaping/reshape.h"
+#include "model/shaping/soft_move.h"
 #include "undo/edits.h"
 
 #include <limits>
@@ -27,7 +28,8 @@ Edit deleteNodes(const Document &document, const std::set<NodeRef> &nodes, doubl
 Edit bridgeSegments(const Document &document, const std::set<SegmentRef> &segments);
 /// Moves nodes, with their handles, by a vector in canvas units. The curve follows within `reach` (canvas units along
 /// it; see `SoftMove`).
-Edit moveNodes(const Document &document, const std::set<NodeRef> &nodes, Point by, double reach = 0);
+Edit moveNodes(const Document &document, const std::set<NodeRef> &nodes, Point by, double reach = 0,
+               SoftMove::Ends ends = SoftMove::Ends::Follow);
 Edit setNodeKind(const Document &document, const std::set<NodeRef> &nodes, NodeKind kind);
 
 /// Cuts strokes, at places or nodes, into strokes or into chains. The first part keeps the id, and all parts are

@@ -11,6 +11,7 @@ namespace suffuse {
 namespace {
 
 constexpr double leastPlaceShare = 0.75; ///< of the move; below it the segment of a place is too long for the reach
+constexpr double nearEnd = 0.25; ///< in reaches; an end that is nearer follows in any case
 
 bool isClosed(const Stroke &stroke, const Chain &chain)
 {
@@ -38,14 +39,26 @@ Falloff falloffAt(double way, double reach)
     return rest > 0 ? Falloff{rest * rest, -4 * u * rest / reach} : Falloff();
 }
 
+/// How far moved places reach: towards the start of the chain, among themselves, and towards its end.
+struct Reaches {
+    double before = 0, between = 0, behind = 0;
+};
+
+/// The reach towards an end of the chain that stays.
+double reachTo(double end, double reach)
+{
+    return end > nearEnd * reach ? std::min(end, reach) : reach;
+}
+
 /// The falloff at `at` beside the moved places, which are in order.
-Falloff falloffBeside(const std::vector<double> &places, double at, double reach)
+Falloff falloffBeside(const std::vector<double> &places, double at, const Reaches &reach)
 {
     const auto next = std::lower_bound(places.begin(), places.end(), at);
     if (next != places.end() && *next == at)
         return {1, 0};
-    const Falloff a = next != places.begin() ? falloffAt(at - *std::prev(next), reach) : Falloff();
-    const Falloff b = next != places.end() ? falloffAt(at - *next, reach) : Falloff();
+    const bool isBefore = next == places.begin(), isBehind = next == places.end();
+    const Falloff a = !isBefore ? falloffAt(at - *std::prev(next), isBehind ? reach.behind : reach.between) : Falloff();
+    const Falloff b = !isBehind ? falloffAt(at - *next, isBefore ? reach.before : reach.between) : Falloff();
     return {1 - (1 - a.share) * (1 - b.share), a.slope * (1 - b.share) + b.slope * (1 - a.share)};
 }
 
@@ -59,8 +72,8 @@ double slopeShare(double handle, double reach)
 
 } // namespace
 
-SoftMove::SoftMove(const Stroke &stroke, std::vector<int> nodes, double reach)
-    : m_stroke(stroke), m_nodes(std::move(nodes))
+SoftMove::SoftMove(const Stroke &stroke, std::vector<int> nodes, double reach, Ends ends)
+    : m_stroke(stroke), m_ends(ends), m_nodes(std::move(nodes))
 {
     if (!(reach > 0))
         return;
@@ -80,7 +93,8 @@ SoftMove::SoftMove(const Stroke &stroke, std::vector<int> nodes, double reach)
         m_segments.clear();
 }
 
-SoftMove::SoftMove(const Stroke &stroke, const CurvePlace &place, double reach) : m_stroke(stroke), m_place(place)
+SoftMove::SoftMove(const Stroke &stroke, const CurvePlace &place, double reach, Ends ends)
+    : m_stroke(stroke), m_ends(ends), m_place(place)
 {
     if (!(reach > 0) || place.segment < 0 || place.segment >= int(stroke.segments.size()))
         return;
@@ -103,6 +117,11 @@ void SoftMove::spread(const Chain &chain, const std::vector<double> &ways, const
     if (places.empty())
         return;
     std::vector<double> around = places;
+    Reaches reaches{reach, reach, reach};
+    if (m_ends == Ends::Stay && !isClosed(m_stroke, chain)) {
+        reaches.before = reachTo(places.front(), reach);
+        reaches.behind = reachTo(ways.back() - places.back(), reach);
+    }
     if (isClosed(m_stroke, chain)) { // The nearest places beyond the seam count, too.
         around.insert(around.begin(), places.back() - ways.back());
         around.push_back(places.front() + ways.back());
@@ -110,7 +129,7 @@ void SoftMove::spread(const Chain &chain, const std::vector<double> &ways, const
     // Both handles of a node follow the same slope, and so stay in one line.
     std::vector<Falloff> atNode;
     for (std::size_t i = 0; i < ways.size(); ++i) {
-        Falloff f = falloffBeside(around, ways[i], reach);
+        Falloff f = falloffBeside(around, ways[i], reaches);
         double handle = 0;
         if (const std::size_t before = std::size_t(chain.first) + i; i > 0) {
             const Cubic c = offsetsOf(m_stroke.segments[before - 1]);
@@ -120,7 +139,9 @@ void SoftMove::spread(const Chain &chain, const std::vector<double> &ways, const
             const Cubic c = offsetsOf(m_stroke.segments[after]);
             handle = std::max(handle, length(c.p[1] - c.p[0]));
         }
-        f.slope *= slopeShare(handle, reach);
+        f.slope *= slopeShare(handle, ways[i] < places.front()  ? reaches.before
+                                      : ways[i] > places.back() ? reaches.behind
+                                                                : reach);
         atNode.push_back(f);
     }
     if (around.size() > places.size()) // Both ends of a closed chain are one node.

@@ -253,7 +253,34 @@ private slots:
         QVERIFY(s.canvas().view() != view);
         s.follows()->click();
         QVERIFY(s.follows()->isChecked());
-        QVERIFY(!s.field()->value());
+        QCOMPARE(s.field()->value(), // It shows the reach of the view.
+                 std::optional(SoftReach::usual(s.canvas().view(), s.canvas().devicePixelRatioF())));
+    }
+
+    /// Where nobody has chosen a reach, a drag leaves the ends of a stroke; the field shows what is in use.
+    void theEndsStay()
+    {
+        SoftSession s;
+        const double usual = SoftReach::usual(s.canvas().view(), s.canvas().devicePixelRatioF());
+        QCOMPARE(s.field()->value(), std::optional(usual));
+        const Stroke before = s.shape();
+        const std::vector<int> shown = coarseNodes(before, s.gap());
+        int node = -1; // nearer to the foot than the reach
+        double way = 0;
+        for (int k = 0; k < int(before.segments.size()) && node < 0; ++k) {
+            if (way > 0.5 * usual && std::ranges::find(shown, k) != shown.end())
+                node = k;
+            way += arcLength(offsetsOf(before.segments[std::size_t(k)]));
+        }
+        QVERIFY(node > 0 && way < 0.9 * usual);
+        const Point from = nodePosition(before, node);
+        s.drag(from, from + Point{40, 0});
+        QVERIFY(length(nodePosition(s.shape(), node) - from) > 30);
+        QCOMPARE(nodePosition(s.shape(), 0), nodePosition(before, 0));
+        s.use(Command::Undo);
+        emit s.field()->entered(usual); // chosen: all within it follows
+        s.drag(from, from + Point{40, 0});
+        QVERIFY(length(nodePosition(s.shape(), 0) - nodePosition(before, 0)) > 1);
     }
 
     void keysAndTheFieldChangeIt()

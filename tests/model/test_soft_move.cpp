@@ -197,6 +197,36 @@ private slots:
         QVERIFY(moved.origin != s.origin && moved.segments == s.segments);
     }
 
+    /// A drag in the upper part of a trunk leaves its foot and its top.
+    void endsMayStay()
+    {
+        const Stroke s = chainOnly(twoTrunks(), chainsOf(twoTrunks()).front());
+        const int n = int(s.segments.size());
+        const auto moved = [&](int node, double reach, SoftMove::Ends ends) {
+            const Stroke bent = SoftMove(s, Nodes{node}, reach, ends).by({30, 0});
+            return std::pair(length(nodePosition(bent, 0) - nodePosition(s, 0)),
+                             length(nodePosition(bent, n) - nodePosition(s, n)));
+        };
+        double way = 0; // to the start
+        int node = 0;
+        for (; way < 60; ++node)
+            way += arcLength(offsetsOf(s.segments[std::size_t(node)]));
+        QVERIFY(moved(node, 150, SoftMove::Ends::Follow).first > 1);
+        QCOMPARE(moved(node, 150, SoftMove::Ends::Stay).first, 0.0);
+        QVERIFY(moved(node, 4.5 * way, SoftMove::Ends::Stay).first > 1); // very near, it follows
+        QCOMPARE(moved(n, 150, SoftMove::Ends::Stay).second, 30.0);      // moved itself
+        const Stroke bent = SoftMove(s, Nodes{node}, 150, SoftMove::Ends::Stay).by({30, 0});
+        QVERIFY(length(nodePosition(bent, node) - nodePosition(s, node) - Point{30, 0}) < 1e-3);
+        const Stroke free = SoftMove(s, Nodes{node}, 150).by({30, 0});
+        for (int k = node; k < n; ++k) // Towards the far end nothing is different.
+            QVERIFY(length(nodePosition(bent, k) - nodePosition(free, k)) < 1e-3);
+        const CurvePlace place{node, 0.5};
+        const Point at = s.cubicOf(s.segments[std::size_t(node)]).at(0.5);
+        const Stroke curve = SoftMove(s, place, 150, SoftMove::Ends::Stay).by({20, 5});
+        QVERIFY(length(curve.cubicOf(curve.segments[std::size_t(node)]).at(0.5) - at - Point{20, 5}) < 1e-3);
+        QCOMPARE(nodePosition(curve, 0), nodePosition(s, 0));
+    }
+
     void chainsAreApart()
     {
         const Stroke s = twoTrunks();

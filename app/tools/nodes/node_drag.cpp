@@ -3,7 +3,6 @@
 #include "app/canvas/canvas_widget.h"
 #include "app/session/editor.h"
 #include "app/tools/tool_fields.h"
-#include "model/shaping/soft_move.h"
 
 #include <QCoreApplication>
 
@@ -198,7 +197,7 @@ void NodeDrag::showNodes()
         if (m_snap.to != SnapTo::Nothing)
             by = m_snap.point - node;
     }
-    m_gesture.show([&](const Stroke &stroke) { return SoftMove(stroke, m_nodes[stroke.id], m_reach).by(by); });
+    m_gesture.show([&](const Stroke &stroke) { return SoftMove(stroke, m_nodes[stroke.id], m_reach, m_soft.ends()).by(by); });
 }
 
 void NodeDrag::showHandle()
@@ -226,7 +225,7 @@ void NodeDrag::showHandle()
 void NodeDrag::showCurve()
 {
     const Point by = m_now.point - m_start.point;
-    m_gesture.show([&](const Stroke &stroke) { return SoftMove(stroke, m_hit.place, m_reach).by(by); });
+    m_gesture.show([&](const Stroke &stroke) { return SoftMove(stroke, m_hit.place, m_reach, m_soft.ends()).by(by); });
 }
 
 void NodeDrag::commit()
@@ -273,8 +272,8 @@ void NodeDrag::paint(QPainter &painter, const View &view, double dpr) const
         if (!shown || !before || before->segments.size() != shown->segments.size())
             continue;
         const auto nodes = m_nodes.find(id);
-        const SoftMove move = nodes != m_nodes.end() ? SoftMove(*before, nodes->second, m_reach)
-                                                     : SoftMove(*before, m_hit.place, m_reach);
+        const SoftMove move = nodes != m_nodes.end() ? SoftMove(*before, nodes->second, m_reach, m_soft.ends())
+                                                     : SoftMove(*before, m_hit.place, m_reach, m_soft.ends());
         for (const int k : move.segments())
             addCurve(following, shown->cubicOf(shown->segments[std::size_t(k)]), view);
     }

@@ -30,8 +30,14 @@ NodeTool::NodeTool(CanvasWidget &canvas, Commands &commands, QObject *parent)
         m_marks.reset();
         m_commands.update();
     });
+    connect(&canvas, &CanvasWidget::viewChanged, this, &NodeTool::followView);
     connect(&m_commands, &NodeCommands::chosen, this, &NodeTool::selectNodes);
     m_commands.update();
+}
+
+void NodeTool::followView()
+{
+    m_reach.follow(m_canvas.view(), m_canvas.devicePixelRatioF());
 }
 
 bool NodeTool::isInUse() const
@@ -82,6 +88,7 @@ QWidget *NodeTool::options()
     m_commands.addButtons(*row);
     row->addSpacing(10);
     m_reach.addTo(*row);
+    followView();
     row->addStretch();
     return m_options;
 }
@@ -398,7 +405,7 @@ bool NodeTool::nudge(QKeyEvent *event)
     const double reach =
         first && !m_nodes.empty() ? m_reach.ofNode(*first, front.node, m_canvas.view(), m_canvas.devicePixelRatioF())
                                   : 0;
-    m_editor.push(moveNodes(m_editor.document(), nodes, *way, reach),
+    m_editor.push(moveNodes(m_editor.document(), nodes, *way, reach, m_reach.ends()),
                   m_nodes.empty()      ? tr("Move erasure")
                   : m_nodes.size() > 1 ? tr("Move nodes")
                                        : tr("Move node"),

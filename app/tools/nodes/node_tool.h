@@ -61,6 +61,7 @@ private:
     bool isOfDrag(const Change &change) const;
     const NodeMarks &marks() const;
     bool isInUse() const;
+    void followView();
     /// What lies under the pointer, besides paint.
     struct Hovered {
         NodeMarks::Hit mark;

@@ -105,10 +105,17 @@ void SoftReach::showInEffect(std::optional<double> reach)
     update();
 }
 
+void SoftReach::follow(const View &view, double dpr)
+{
+    m_usual = usual(view, dpr);
+    if (!m_inEffect && !m_chosen)
+        update();
+}
+
 void SoftReach::update()
 {
     if (m_field)
-        m_field->setValue(m_inEffect ? m_inEffect : m_chosen);
+        m_field->setValue(m_inEffect ? m_inEffect : m_chosen ? m_chosen : m_usual);
     if (m_follows)
         m_follows->setChecked(!m_chosen);
 }

@@ -3,6 +3,7 @@
 
 #include "model/painting/stroke.h"
 #include "model/painting/stroke_places.h"
+#include "model/shaping/soft_move.h"
 #include "render/view.h"
 
 #include <QObject>
@@ -30,6 +31,9 @@ public:
     std::optional<double> chosen() const { return m_chosen; }
     void choose(std::optional<double> reach);
 
+    /// What the ends of strokes do: where the reach follows the view, they stay.
+    SoftMove::Ends ends() const { return m_chosen ? SoftMove::Ends::Follow : SoftMove::Ends::Stay; }
+
     /// The reach of a drag of a node that begins in a view. If it is 0, the drag takes nothing along.
     double ofNode(const Stroke &stroke, int node, const View &view, double dpr) const;
     /// The reach of a drag of a place on the curve.
@@ -43,6 +47,8 @@ public:
 
     /// Adds a field for it, and a button that lets it follow the view, to the tool's row.
     void addTo(QHBoxLayout &row);
+    /// Follows the view: the field shows the reach that a soft drag has there, unless the user has chosen one.
+    void follow(const View &view, double dpr);
     /// Shows in the field the reach of the drag that goes on; no value if the drag is over.
     void showInEffect(std::optional<double> reach);
 
@@ -51,6 +57,7 @@ private:
 
     std::optional<double> m_chosen;
     std::optional<double> m_inEffect; ///< the reach of the drag that goes on
+    std::optional<double> m_usual;    ///< that of the view
     QPointer<NumberField> m_field;
     QPointer<QToolButton> m_follows;
 };
