@@ -113,7 +113,7 @@ void addBrushAndColours(QMenu &menu, const Commands &table)
     addUsable(*below, QT_TRANSLATE_NOOP("suffuse::CanvasMenu", "Apply &Brush"), table,
               {{ApplyBrush}, {ApplyBrushForm, ApplyBrushColour, ApplyBrushTexture}});
     addUsable(*below, QT_TRANSLATE_NOOP("suffuse::CanvasMenu", "&Appearance"), table,
-              {{CopyAppearance, PasteAppearance, PasteAppearanceEvenly}});
+              {{CopyAppearance, PasteAppearance, PasteAppearanceEvenly}, {MatchAppearance}});
     addUsable(*below, table, {MapToSwatches, RecolourArtwork});
     addUsable(*below, table, {VaryStrokes});
 }

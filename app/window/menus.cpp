@@ -61,7 +61,7 @@ void addEditMenu(QMenuBar &bar, const Commands &table)
     QMenu *edit = addMenu(bar, Commands::tr("&Edit"), table,
                           {{Undo, Redo},
                            {Cut, Copy, Paste, PasteInPlace},
-                           {CopyAppearance, PasteAppearance, PasteAppearanceEvenly},
+                           {CopyAppearance, PasteAppearance, PasteAppearanceEvenly, MatchAppearance},
                            {Delete, Duplicate},
                            {EditHere, CanvasMenu},
                            {SelectAll, SelectFound, Deselect, InvertSelection}});

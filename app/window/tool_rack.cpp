@@ -2,6 +2,7 @@
 
 #include "app/canvas/canvas_widget.h"
 #include "app/session/commands/commands.h"
+#include "app/session/commands/session_rows.h"
 #include "app/tools/brush/attribute_brush_tool.h"
 #include "app/tools/brush/brush_tool.h"
 #include "app/tools/brush/eyedropper_tool.h"
@@ -48,8 +49,14 @@ void ToolRack::addTools()
         new EraserTool(canvas, &canvas));
     add(AttributeBrush, "attributeBrush", Commands::tr("&Attribute Brush"), "attribute-brush", Qt::Key_A,
         Commands::tr("Paint values onto segments"), new AttributeBrushTool(canvas, &canvas));
+    auto *eyedropper = new EyedropperTool(canvas, &canvas);
     add(Eyedropper, "eyedropper", Commands::tr("Eye&dropper"), "eyedropper", Qt::Key_I, Commands::tr("Pick a colour"),
-        new EyedropperTool(canvas, &canvas));
+        eyedropper);
+    m_place.commands
+        .add(MatchAppearance, "matchAppearance", Commands::tr("Match &by Eyedropper"), "eyedropper", {},
+             Commands::tr("Click a stroke: the selected ones get its style, mixing, values and colour"))
+        .when(anySelected(m_place.open.editor))
+        .runs([this, eyedropper] { eyedropper->beginMatching(m_place.commands); });
     add(Pan, "pan", Commands::tr("&Hand"), "pan", Qt::Key_H, Commands::tr("Move the canvas"),
         new PanTool(canvas, &canvas));
     m_place.commands.makeExclusive(

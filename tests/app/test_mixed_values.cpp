@@ -148,9 +148,55 @@ private slots:
         bench.editor.undo();
         bench.editor.undo();
         QVERIFY(areScaled(before, bench.pen(), &Segment::diffusion, first));
-        // The step was undone by somebody else: the handle is in the middle again.
+        QTRY_COMPARE(field->change()->amount, first); // An undo shows the change that is there now.
+        QCOMPARE(field->number()->text(), QStringLiteral("×") + QLocale().toString(first, 'f', 2));
+        // Somebody else changes the values: the handle is in the middle again.
+        bench.editor.push(changeSegments(bench.editor.document(), targetSegments(bench.editor.document()),
+                                         [](Segment &segment) { segment.diffusion += 1; }),
+                          "other");
         QTRY_COMPARE(slider->value(), BarSlider::steps / 2);
         QCOMPARE(field->number()->text(), QString("—"));
+    }
+
+    /// The field says how the values stand to those from which the change counts, after an undo and a redo, too.
+    void undoAndRedoKeepTheRelation()
+    {
+        PenBench bench;
+        InspectorPanel panel(bench.editor);
+        showAt(panel);
+        for (SliderField *field :
+             {panel.segmentSection()->density(), panel.segmentSection()->colour()->row(ColourRows::Red)}) {
+            const Stroke before = bench.pen();
+            BarSlider *slider = field->slider();
+            QVERIFY(slider->isMixed());
+            QTest::mousePress(slider, Qt::LeftButton, {}, sliderPoint(*slider, 0.5));
+            QTest::mouseMove(slider, sliderPoint(*slider, 0.3));
+            QTest::mouseRelease(slider, Qt::LeftButton, {}, sliderPoint(*slider, 0.3));
+            const QString made = field->number()->text();
+            const int at = slider->value();
+            QVERIFY(made.startsWith(QStringLiteral("×0")) || made.startsWith(QStringLiteral("−")));
+            const Stroke after = bench.pen();
+            QTest::mousePress(slider, Qt::LeftButton, {}, sliderPoint(*slider, double(at) / BarSlider::steps));
+            slider->setSliderPosition(int(0.6 * BarSlider::steps));
+            QTest::mouseRelease(slider, Qt::LeftButton, {}, sliderPoint(*slider, 0.6));
+            const QString second = field->number()->text();
+            QVERIFY(second != made);
+            bench.editor.undo();
+            QTRY_COMPARE(field->number()->text(), made);
+            QCOMPARE(slider->value(), at);
+            bench.editor.undo();
+            QVERIFY(bench.pen() == before);
+            const bool ratio = field == panel.segmentSection()->density();
+            QTRY_COMPARE(field->number()->text(), ratio ? QStringLiteral("×1.00") : QStringLiteral("+0 %"));
+            QCOMPARE(slider->value(), BarSlider::steps / 2);
+            bench.editor.redo();
+            QTRY_COMPARE(field->number()->text(), made);
+            QVERIFY(bench.pen() == after);
+            bench.editor.redo();
+            QTRY_COMPARE(field->number()->text(), second);
+            bench.editor.undo();
+            bench.editor.undo();
+        }
     }
 
     void sharesAreAddedTo()
@@ -514,6 +560,34 @@ private slots:
         QCOMPARE(s.steps(), steps + 1);
         tool->setMatches(false);
         s.click({350, 400});
+        QVERIFY(!(s.editor().brush().colour == inHand));
+    }
+
+    void matchIsACommand()
+    {
+        TwoPainted s;
+        s.use(Command::Select);
+        s.editor().document().setSelection({});
+        QVERIFY(!s.window.action(Command::MatchAppearance).isEnabled());
+        s.editor().document().setSelection({{s.pen}, {}});
+        const Colour inHand = s.editor().brush().colour;
+        const int steps = s.steps();
+        s.use(Command::MatchAppearance);
+        auto *tool = dynamic_cast<EyedropperTool *>(s.canvas().tool());
+        QVERIFY(tool);
+        QVERIFY(s.window.action(Command::Eyedropper).isChecked());
+        QVERIFY(tool->hint().startsWith("Click a stroke"));
+        s.click({350, 400});
+        QCOMPARE(s.steps(), steps + 1);
+        QVERIFY(s.stroke(s.pen).style == s.stroke(s.marker).style);
+        QVERIFY(s.editor().brush().colour == inHand);
+        s.use(Command::Undo);
+        s.use(Command::Select); // With another tool matching is over.
+        s.use(Command::Eyedropper);
+        QVERIFY(!tool->hint().startsWith("Click a stroke"));
+        s.editor().document().setSelection({});
+        s.click({350, 400});
+        QCOMPARE(s.steps(), steps + 1); // That which is undone; the click took a colour.
         QVERIFY(!(s.editor().brush().colour == inHand));
     }
 

@@ -105,7 +105,7 @@ private slots:
             QStringLiteral(
                 "new open save saveAs saveCopy revert restoreBackup keepHistory importStrokes importUnderlay export "
                 "exportAgain close quit undo redo cut copy paste pasteInPlace copyAppearance pasteAppearance "
-                "pasteAppearanceEvenly delete duplicate selectAll selectFound "
+                "pasteAppearanceEvenly matchAppearance delete duplicate selectAll selectFound "
                 "deselect settings canvasMenu brushPalette editHere brush select segments redraw push knife eraser "
                 "attributeBrush eyedropper pan raise lower top "
                 "bottom insertNodes nodeCorner nodeSmooth nodeSymmetric breakNodes joinNodes deleteSegments "

@@ -29,6 +29,7 @@ enum class Command {
     CopyAppearance,
     PasteAppearance,
     PasteAppearanceEvenly,
+    MatchAppearance,
     Delete,
     Duplicate,
     SelectAll,

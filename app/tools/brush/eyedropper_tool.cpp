@@ -2,6 +2,7 @@
 
 #include "app/canvas/canvas_widget.h"
 #include "app/session/colour_convert.h"
+#include "app/session/commands/commands.h"
 #include "app/session/editor.h"
 #include "app/session/selecting/pick.h"
 #include "app/tools/tool_fields.h"
@@ -122,6 +123,18 @@ EyedropperTool::EyedropperTool(CanvasWidget &canvas, QObject *parent)
     : CanvasTool(canvas, parent), m_picker(canvas), m_match(canvas)
 {
     connect(&canvas.editor().colourTarget(), &ColourTarget::changed, this, &Tool::hintChanged);
+    connect(&canvas, &CanvasWidget::toolChanged, this, [this] {
+        if (m_canvas.tool() != this && m_untilNextTool)
+            setMatches(false);
+    });
+}
+
+void EyedropperTool::beginMatching(Commands &commands)
+{
+    commands[Command::Eyedropper].setChecked(true);
+    const bool chosen = m_matches && !m_untilNextTool;
+    setMatches(true);
+    m_untilNextTool = !chosen;
 }
 
 QString EyedropperTool::hint() const
@@ -157,6 +170,7 @@ void EyedropperTool::setMatches(bool matches)
 {
     cancel();
     m_matches = matches;
+    m_untilNextTool = false;
     if (m_takes)
         m_takes->setCurrentIndex(matches ? 1 : 0);
     emit hintChanged();

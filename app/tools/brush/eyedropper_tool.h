@@ -14,6 +14,8 @@ class QPainter;
 
 namespace suffuse {
 
+class Commands;
+
 /// The picture's colour at a point of the canvas: red, yellow and blue as they are mixed there, opacity 1.
 std::optional<Colour> pictureColourAt(const Painting &painting, Microseconds time, Point point);
 /// The colour of the topmost stroke that is seen at a point: that of its segment with the largest share there.
@@ -65,6 +67,8 @@ public:
     void cancel() override;
     void paint(QPainter &painter, const View &view, double dpr) const override;
 
+    /// Takes the tool in hand to match the selection; once another tool is taken, a click takes colours again.
+    void beginMatching(Commands &commands);
     /// Whether a click puts the appearance of the stroke on the selection, instead of taking its colour.
     void setMatches(bool matches);
 
@@ -72,6 +76,7 @@ private:
     ColourPicker m_picker;
     MatchPicker m_match;
     bool m_matches = false;
+    bool m_untilNextTool = false; ///< It matches until another tool is taken.
     QPointer<QWidget> m_options;
     QPointer<QComboBox> m_takes; ///< in the options
 };
