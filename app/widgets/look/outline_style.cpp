@@ -3,6 +3,7 @@
 #include "app/widgets/look/icons.h"
 #include "app/widgets/look/theme.h"
 
+#include <QMainWindow>
 #include <QPainter>
 #include <QStyleOption>
 #include <QWidget>
@@ -128,6 +129,28 @@ void OutlineStyle::drawPrimitive(PrimitiveElement element, const QStyleOption *o
     painter->setBrush(Qt::NoBrush);
     painter->drawRect(option->rect.adjusted(0, 0, -1, -1));
     painter->restore();
+}
+
+void OutlineStyle::drawControl(ControlElement element, const QStyleOption *option, QPainter *painter,
+                               const QWidget *widget) const
+{
+    const auto *bar = qstyleoption_cast<const QStyleOptionToolBar *>(option);
+    const auto *entry = qstyleoption_cast<const QStyleOptionMenuItem *>(option);
+    const QRect &area = option->rect;
+    if (isDarkTheme() && element == CE_ToolBar && bar && widget && qobject_cast<QMainWindow *>(widget->parentWidget())) {
+        painter->fillRect(area, option->palette.color(QPalette::Window));
+        const bool lies = bar->state & State_Horizontal;
+        const QRect edge = lies ? QRect(area.left(), area.bottom(), area.width(), 1)
+                                : QRect(bar->toolBarArea == Qt::RightToolBarArea ? area.left() : area.right(),
+                                        area.top(), 1, area.height());
+        painter->fillRect(edge, hairline());
+    } else if (isDarkTheme() && element == CE_MenuItem && entry && entry->text.isEmpty() && entry->icon.isNull() &&
+               entry->menuItemType == QStyleOptionMenuItem::Separator) {
+        constexpr int margin = 5;
+        painter->fillRect(QRect(area.left() + margin, area.center().y(), area.width() - 2 * margin, 1), hairline());
+    } else {
+        QProxyStyle::drawControl(element, option, painter, widget);
+    }
 }
 
 int OutlineStyle::styleHint(StyleHint hint, const QStyleOption *option, const QWidget *widget,

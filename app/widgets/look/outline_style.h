@@ -18,6 +18,10 @@ public:
     /// Check boxes have an edge that is seen on every ground, in menus too: Fusion's is dark on dark there.
     void drawPrimitive(PrimitiveElement element, const QStyleOption *option, QPainter *painter,
                        const QWidget *widget) const override;
+    /// In the dark palette tool bars have quiet edges, and lines between the entries of a menu are seen: Fusion's edges
+    /// are white there and its lines black.
+    void drawControl(ControlElement element, const QStyleOption *option, QPainter *painter,
+                     const QWidget *widget) const override;
     int styleHint(StyleHint hint, const QStyleOption *option, const QWidget *widget,
                   QStyleHintReturn *result) const override;
     int pixelMetric(PixelMetric metric, const QStyleOption *option, const QWidget *widget) const override;
