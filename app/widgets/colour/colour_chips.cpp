@@ -6,6 +6,7 @@
 
 #include <QHelpEvent>
 #include <QKeyEvent>
+#include <QLocale>
 #include <QPainter>
 #include <QPainterPath>
 #include <QToolTip>
@@ -19,6 +20,15 @@ namespace {
 
 constexpr int side = 22;
 constexpr int nearCount = 7; ///< in a row, the colour itself in the middle
+
+/// As people read it, with its opacity where it is not opaque.
+QString chipText(const Colour &colour)
+{
+    const QString name = toOpaqueScreen(colour).name();
+    return colour.opacity == 1
+               ? name
+               : ColourChips::tr("%1, opacity %2 %").arg(name, QLocale().toString(100 * double(colour.opacity), 'f', 0));
+}
 
 } // namespace
 
@@ -102,7 +112,7 @@ void ColourChips::paintEvent(QPaintEvent *)
     for (int i = 0; i < int(m_colours.size()); ++i) {
         QPainterPath shape;
         shape.addRoundedRect(QRectF(cell(i)).adjusted(1.5, 1.5, -1.5, -1.5), 3, 3);
-        painter.fillPath(shape, toOpaqueScreen(m_colours[std::size_t(i)]));
+        paintColour(painter, shape, m_colours[std::size_t(i)]);
         const bool marked = (hasFocus() && i == m_current) || i == m_pressed;
         painter.strokePath(shape,
                            QPen(marked ? palette().color(QPalette::Highlight) : edgeOfColours(), marked ? 3 : 1));
@@ -115,7 +125,7 @@ bool ColourChips::event(QEvent *event)
         return QWidget::event(event);
     const auto *help = static_cast<QHelpEvent *>(event);
     const int index = indexAt(help->pos());
-    const QString tip = index < 0 ? toolTip() : toOpaqueScreen(m_colours[std::size_t(index)]).name();
+    const QString tip = index < 0 ? toolTip() : chipText(m_colours[std::size_t(index)]);
     QToolTip::showText(help->globalPos(), tip, this);
     return true;
 }
