@@ -70,6 +70,36 @@ private slots:
         QVERIFY(edited.count() > 5);
     }
 
+    /// Esc gives a drag of the curve up, and only then closes the dialog, which keeps nothing.
+    void escapeOnThePage()
+    {
+        SettingsDialog dialog;
+        dialog.show();
+        QVERIFY(QTest::qWaitForWindowExposed(&dialog));
+        PenPage &page = *dialog.pen();
+        for (QTabWidget *tabs : dialog.findChildren<QTabWidget *>())
+            tabs->setCurrentWidget(&page);
+        ResponseEditor &curve = *page.curve();
+        curve.setFocus();
+        QTest::mousePress(&curve, Qt::LeftButton, {}, curve.toWidget({1, 1}).toPoint());
+        QTest::mouseMove(&curve, curve.toWidget({1, 0.4}).toPoint());
+        QVERIFY(!(page.settings() == PenSettings{}));
+        QTest::keyClick(&curve, Qt::Key_F11); // is none of the curve's keys
+        QTest::keyClick(&curve, Qt::Key_Escape);
+        QCOMPARE(page.settings(), PenSettings{});
+        QCOMPARE(page.feel()->currentIndex(), 1);
+        QVERIFY(dialog.isVisible());
+        QTest::mouseRelease(&curve, Qt::LeftButton, {}, curve.toWidget({1, 0.4}).toPoint());
+        QCOMPARE(page.settings(), PenSettings{});
+        QTest::keyClick(&curve, Qt::Key_F11);
+        QCOMPARE(page.settings(), PenSettings{});
+        QVERIFY(dialog.isVisible() && !dialog.isFullScreen());
+        page.fingersMoveView()->setChecked(true);
+        QTest::keyClick(&curve, Qt::Key_Escape);
+        QVERIFY(!dialog.isVisible());
+        QCOMPARE(settings::penSettings(), PenSettings{});
+    }
+
     void thePageIsTriedAndKept()
     {
         {
