@@ -1325,8 +1325,8 @@ Rückgabewerte: 0 erledigt, 1 fehlgeschlagen, 2 falscher Aufruf.</translation>
         <translation>gehört zu einer anderen Version von Suffuse</translation>
     </message>
     <message>
-        <source>the image module %1 %2; install or build Suffuse again (target %3). Pictures ending in .pfm work without it</source>
-        <translation>das Bildmodul %1 %2; Suffuse bitte neu installieren oder bauen (Ziel %3). Bilder mit der Endung .pfm gehen auch ohne</translation>
+        <source>a part of Suffuse, %1, %2; install Suffuse again. Pictures ending in .pfm work without it</source>
+        <translation>ein Teil von Suffuse, %1, %2; Suffuse bitte neu installieren. Bilder mit der Endung .pfm gehen auch ohne</translation>
     </message>
 </context>
 <context>
@@ -1640,8 +1640,8 @@ Rückgabewerte: 0 erledigt, 1 fehlgeschlagen, 2 falscher Aufruf.</translation>
         <translation>Scheren um %1°</translation>
     </message>
     <message>
-        <source>Drag: move. Click again: rotate and skew. Double click: its values. Right button: menu. Shift+click: add. Shift+drag: a band. Alt+click: the stroke below.</source>
-        <translation>Ziehen: verschieben. Noch ein Klick: drehen. Doppelklick: Werte. Rechts: Menü. Umschalt+Klick: dazu. Umschalt+Ziehen: Rahmen. Alt+Klick: darunter.</translation>
+        <source>Drag: move. Click again: turn and skew. Double click: values. Shift+click: add. Alt+click: the one below.</source>
+        <translation>Ziehen: verschieben. Noch ein Klick: drehen, scheren. Doppelklick: Werte. Umschalt+Klick: dazu. Alt+Klick: darunter.</translation>
     </message>
 </context>
 <context>
@@ -2899,6 +2899,13 @@ Rückgabewerte: 0 erledigt, 1 fehlgeschlagen, 2 falscher Aufruf.</translation>
     </message>
 </context>
 <context>
+    <name>suffuse::ColourChips</name>
+    <message>
+        <source>%1, opacity %2 %</source>
+        <translation>%1, Deckkraft %2 %</translation>
+    </message>
+</context>
+<context>
     <name>suffuse::ColourHeader</name>
     <message>
         <source>Shows and changes the colour that is painted with</source>
@@ -3650,7 +3657,7 @@ Auch die Pfeiltasten wirken.</translation>
     </message>
     <message>
         <source>&amp;Scale Spread with the Shape</source>
-        <translation>Ausbreitung mit der &amp;Form skalieren</translation>
+        <translation>Ausbreitung mit &amp;der Form skalieren</translation>
     </message>
     <message>
         <source>Spread and density follow the shape when it is scaled</source>
@@ -3762,7 +3769,7 @@ Auch die Pfeiltasten wirken.</translation>
     </message>
     <message>
         <source>&amp;Favourite Brushes</source>
-        <translation>Pinselfa&amp;voriten</translation>
+        <translation>Pinselfav&amp;oriten</translation>
     </message>
     <message>
         <source>Favourite Brush %1</source>
@@ -3934,7 +3941,7 @@ Auch die Pfeiltasten wirken.</translation>
     </message>
     <message>
         <source>Export Ti&amp;melapse…</source>
-        <translation>Zeit&amp;raffer exportieren …</translation>
+        <translation>Zeitr&amp;affer exportieren …</translation>
     </message>
     <message>
         <source>Ctrl+Alt+E</source>
@@ -3962,7 +3969,7 @@ Auch die Pfeiltasten wirken.</translation>
     </message>
     <message>
         <source>Import &amp;Underlay…</source>
-        <translation>Vorlage &amp;importieren …</translation>
+        <translation>Vor&amp;lage importieren …</translation>
     </message>
     <message>
         <source>A picture to paint over, which shows on the canvas only</source>
@@ -3970,7 +3977,7 @@ Auch die Pfeiltasten wirken.</translation>
     </message>
     <message>
         <source>Show the Underl&amp;ay</source>
-        <translation>Vorl&amp;age zeigen</translation>
+        <translation>Vorlage ze&amp;igen</translation>
     </message>
     <message>
         <source>Shift+U</source>
@@ -3998,7 +4005,7 @@ Auch die Pfeiltasten wirken.</translation>
     </message>
     <message>
         <source>More &amp;Opacity</source>
-        <translation>&amp;Mehr Deckkraft</translation>
+        <translation>Mehr &amp;Deckkraft</translation>
     </message>
     <message>
         <source>Move the Canvas While Held</source>
@@ -4062,7 +4069,7 @@ Auch die Pfeiltasten wirken.</translation>
     </message>
     <message>
         <source>Export A&amp;gain</source>
-        <translation>E&amp;rneut exportieren</translation>
+        <translation>Erneut exp&amp;ortieren</translation>
     </message>
     <message>
         <source>Ctrl+E</source>
@@ -4114,7 +4121,7 @@ Auch die Pfeiltasten wirken.</translation>
     </message>
     <message>
         <source>Ne&amp;xt Panel</source>
-        <translation>&amp;Nächster Bereich</translation>
+        <translation>Näc&amp;hster Bereich</translation>
     </message>
     <message>
         <source>The keyboard goes from the canvas to the docks and tool bars in turn</source>
@@ -4122,7 +4129,7 @@ Auch die Pfeiltasten wirken.</translation>
     </message>
     <message>
         <source>&amp;Previous Panel</source>
-        <translation>&amp;Voriger Bereich</translation>
+        <translation>Voriger Berei&amp;ch</translation>
     </message>
     <message>
         <source>The keyboard goes back from panel to panel</source>
@@ -4317,7 +4324,7 @@ Auch die Pfeiltasten wirken.</translation>
     </message>
     <message>
         <source>&amp;Push</source>
-        <translation>&amp;Schieben</translation>
+        <translation>Sch&amp;ieben</translation>
     </message>
     <message>
         <source>Push, comb, pinch or roughen strokes</source>
@@ -4437,7 +4444,7 @@ Auch die Pfeiltasten wirken.</translation>
     </message>
     <message>
         <source>&amp;Combine</source>
-        <translation>&amp;Kombinieren</translation>
+        <translation>K&amp;ombinieren</translation>
     </message>
     <message>
         <source>Ctrl+Alt+K</source>
@@ -4493,7 +4500,7 @@ Auch die Pfeiltasten wirken.</translation>
     </message>
     <message>
         <source>Paste Appeara&amp;nce</source>
-        <translation>Ausseh&amp;en einfügen</translation>
+        <translation>Aussehen einf&amp;ügen</translation>
     </message>
     <message>
         <source>Menu at t&amp;he Pointer</source>
@@ -4502,6 +4509,14 @@ Auch die Pfeiltasten wirken.</translation>
     <message>
         <source>Recolour Artwor&amp;k…</source>
         <translation>Bild umf&amp;ärben …</translation>
+    </message>
+    <message>
+        <source>Match &amp;by Eyedropper</source>
+        <translation>&amp;Mit Farbpipette angleichen</translation>
+    </message>
+    <message>
+        <source>Click a stroke: the selected ones get its style, mixing, values and colour</source>
+        <translation>Einen Strich anklicken: Die ausgewählten bekommen seinen Stil, seine Mischung, seine Werte und seine Farbe</translation>
     </message>
 </context>
 <context>
@@ -4626,10 +4641,6 @@ Auch die Pfeiltasten wirken.</translation>
         <translation>Stärke</translation>
     </message>
     <message>
-        <source>How much paint is taken away; a pen&apos;s pressure takes from it</source>
-        <translation>Wie viel Farbe weggenommen wird; der Druck eines Stifts mindert es</translation>
-    </message>
-    <message>
         <source>Softness</source>
         <translation>Weichheit</translation>
     </message>
@@ -4657,6 +4668,10 @@ Auch die Pfeiltasten wirken.</translation>
     <message>
         <source>All (None Selected)</source>
         <translation>Alle (nichts ausgewählt)</translation>
+    </message>
+    <message>
+        <source>How much density is taken away: feathered paint gets paler, paint with a sharp edge narrower. A pen&apos;s pressure takes from it</source>
+        <translation>Wie viel Dichte weggenommen wird: Auslaufende Farbe wird blasser, scharf begrenzte schmaler. Der Druck eines Stifts mindert es</translation>
     </message>
 </context>
 <context>

@@ -995,7 +995,7 @@ Exit codes: 0 done, 1 the work failed, 2 wrong usage.</source>
     <message numerus="yes">
         <source>As SVG, for other programs, what was erased softly is left out: %n erasing segment(s).</source>
         <translation>
-            <numerusform>供其他程序使用的 SVG 中不含柔和擦除的部分:%n 个擦除线段。</numerusform>
+            <numerusform>供其他程序使用的 SVG 中不含柔和擦除的部分：%n 个擦除线段。</numerusform>
         </translation>
     </message>
     <message>
@@ -1317,8 +1317,8 @@ Exit codes: 0 done, 1 the work failed, 2 wrong usage.</source>
         <translation>属于另一版本的 Suffuse</translation>
     </message>
     <message>
-        <source>the image module %1 %2; install or build Suffuse again (target %3). Pictures ending in .pfm work without it</source>
-        <translation>图像模块 %1 %2；请重新安装或构建 Suffuse（目标 %3）。以 .pfm 结尾的图片无需它</translation>
+        <source>a part of Suffuse, %1, %2; install Suffuse again. Pictures ending in .pfm work without it</source>
+        <translation>Suffuse 的组件 %1 %2；请重新安装 Suffuse。以 .pfm 结尾的图片无需它</translation>
     </message>
 </context>
 <context>
@@ -1631,8 +1631,8 @@ Exit codes: 0 done, 1 the work failed, 2 wrong usage.</source>
         <translation>倾斜 %1°</translation>
     </message>
     <message>
-        <source>Drag: move. Click again: rotate and skew. Double click: its values. Right button: menu. Shift+click: add. Shift+drag: a band. Alt+click: the stroke below.</source>
-        <translation>拖动：移动。再次点击：旋转和倾斜。双击：数值。右键：菜单。Shift+点击：添加。Shift+拖动：框选。Alt+点击：下层笔画。</translation>
+        <source>Drag: move. Click again: turn and skew. Double click: values. Shift+click: add. Alt+click: the one below.</source>
+        <translation>拖动：移动。再次点击：旋转和倾斜。双击：数值。Shift+点击：添加。Alt+点击：下层笔画。</translation>
     </message>
 </context>
 <context>
@@ -2890,6 +2890,13 @@ Exit codes: 0 done, 1 the work failed, 2 wrong usage.</source>
     </message>
 </context>
 <context>
+    <name>suffuse::ColourChips</name>
+    <message>
+        <source>%1, opacity %2 %</source>
+        <translation>%1，不透明度 %2 %</translation>
+    </message>
+</context>
+<context>
     <name>suffuse::ColourHeader</name>
     <message>
         <source>Shows and changes the colour that is painted with</source>
@@ -3465,7 +3472,7 @@ Arrow keys work too.</source>
     </message>
     <message>
         <source>Brid&amp;ge Segments</source>
-        <translation>桥接线段(&amp;D)</translation>
+        <translation>桥接线段(&amp;G)</translation>
     </message>
     <message>
         <source>Alt+Del</source>
@@ -3629,7 +3636,7 @@ Arrow keys work too.</source>
     </message>
     <message>
         <source>Rotate by 90° R&amp;ight</source>
-        <translation>向右旋转 90°(&amp;R)</translation>
+        <translation>向右旋转 90°(&amp;I)</translation>
     </message>
     <message>
         <source>Ctrl+]</source>
@@ -4109,7 +4116,7 @@ Arrow keys work too.</source>
     </message>
     <message>
         <source>&amp;Previous Panel</source>
-        <translation>上一个面板(&amp;P)</translation>
+        <translation>上一个面板(&amp;K)</translation>
     </message>
     <message>
         <source>The keyboard goes back from panel to panel</source>
@@ -4431,7 +4438,7 @@ Arrow keys work too.</source>
     </message>
     <message>
         <source>Make one stroke of the selected ones, whose paint adds up</source>
-        <translation>将所选笔画合为一条,其颜料相加</translation>
+        <translation>将所选笔画合为一条，其颜料相加</translation>
     </message>
     <message>
         <source>Break Apart</source>
@@ -4455,11 +4462,11 @@ Arrow keys work too.</source>
     </message>
     <message>
         <source>Delete the selected segments, which leaves gaps in strokes</source>
-        <translation>删除所选线段,笔画中留下空隙</translation>
+        <translation>删除所选线段，笔画中留下空隙</translation>
     </message>
     <message>
         <source>Take paint away softly, or cut out parts of strokes</source>
-        <translation>柔和地擦去颜料,或剪除笔画的部分</translation>
+        <translation>柔和地擦去颜料，或剪除笔画的部分</translation>
     </message>
     <message>
         <source>Map Colours to S&amp;watches</source>
@@ -4483,11 +4490,19 @@ Arrow keys work too.</source>
     </message>
     <message>
         <source>Menu at t&amp;he Pointer</source>
-        <translation>指针处的菜单(&amp;H)</translation>
+        <translation>指针处的菜单(&amp;G)</translation>
     </message>
     <message>
         <source>Recolour Artwor&amp;k…</source>
         <translation>重新着色图稿(&amp;K)…</translation>
+    </message>
+    <message>
+        <source>Match &amp;by Eyedropper</source>
+        <translation>用取色器匹配(&amp;B)</translation>
+    </message>
+    <message>
+        <source>Click a stroke: the selected ones get its style, mixing, values and colour</source>
+        <translation>点击一条笔画：所选笔画获得其样式、混合、数值和颜色</translation>
     </message>
 </context>
 <context>
@@ -4597,7 +4612,7 @@ Arrow keys work too.</source>
     <name>suffuse::EraserFields</name>
     <message>
         <source>Lift</source>
-        <translation>提起</translation>
+        <translation>柔擦</translation>
     </message>
     <message>
         <source>Cut</source>
@@ -4605,15 +4620,11 @@ Arrow keys work too.</source>
     </message>
     <message>
         <source>Lift takes paint away softly, wherever it is seen; Cut cuts curves out</source>
-        <translation>“提起”柔和地擦去一切可见的颜料;“剪切”剪除曲线</translation>
+        <translation>“柔擦”柔和地擦去一切可见的颜料；“剪切”剪除曲线</translation>
     </message>
     <message>
         <source>Strength</source>
         <translation>强度</translation>
-    </message>
-    <message>
-        <source>How much paint is taken away; a pen&apos;s pressure takes from it</source>
-        <translation>擦去多少颜料;画笔压力会减弱它</translation>
     </message>
     <message>
         <source>Softness</source>
@@ -4621,7 +4632,7 @@ Arrow keys work too.</source>
     </message>
     <message>
         <source>How far what is taken away spreads, as a share of the radius</source>
-        <translation>擦除的扩散范围,占半径的比例</translation>
+        <translation>擦除的扩散范围，占半径的比例</translation>
     </message>
     <message>
         <source>Selected Strokes</source>
@@ -4638,11 +4649,15 @@ Arrow keys work too.</source>
     </message>
     <message>
         <source>From which strokes; without a selection, the first choice means all</source>
-        <translation>从哪些笔画擦除;未选择时,第一项表示全部</translation>
+        <translation>从哪些笔画擦除；未选择时，第一项表示全部</translation>
     </message>
     <message>
         <source>All (None Selected)</source>
         <translation>全部（未选择）</translation>
+    </message>
+    <message>
+        <source>How much density is taken away: feathered paint gets paler, paint with a sharp edge narrower. A pen&apos;s pressure takes from it</source>
+        <translation>去除多少密度：羽化的颜料变淡，边缘清晰的颜料变窄。画笔压力会减弱它</translation>
     </message>
 </context>
 <context>
@@ -4653,47 +4668,47 @@ Arrow keys work too.</source>
     </message>
     <message>
         <source>Lift: drag to take paint away softly from the selected strokes. Shift: cut. [ and ] change the size, { and } the strength.</source>
-        <translation>提起:拖动以柔和地擦去所选笔画的颜料。Shift:剪切。[ 和 ] 改变大小,{ 和 } 改变强度。</translation>
+        <translation>柔擦：拖动以柔和地擦去所选笔画的颜料。Shift：剪切。[ 和 ] 改变大小，{ 和 } 改变强度。</translation>
     </message>
     <message>
         <source>Lift: drag to take paint away softly from the strokes of the group. Shift: cut. [ and ] change the size, { and } the strength.</source>
-        <translation>提起:拖动以柔和地擦去该群组笔画的颜料。Shift:剪切。[ 和 ] 改变大小,{ 和 } 改变强度。</translation>
+        <translation>柔擦：拖动以柔和地擦去该群组笔画的颜料。Shift：剪切。[ 和 ] 改变大小，{ 和 } 改变强度。</translation>
     </message>
     <message>
         <source>Lift: drag to take paint away softly, wherever it is seen. Shift: cut. [ and ] change the size, { and } the strength.</source>
-        <translation>提起:拖动以柔和地擦去一切可见的颜料。Shift:剪切。[ 和 ] 改变大小,{ 和 } 改变强度。</translation>
+        <translation>柔擦：拖动以柔和地擦去一切可见的颜料。Shift：剪切。[ 和 ] 改变大小，{ 和 } 改变强度。</translation>
     </message>
     <message>
         <source>Cut: drag to cut out what of the selected curves lies under the circle. Shift: lift. [ and ] change the size.</source>
-        <translation>剪切:拖动以剪除所选曲线在圆下的部分。Shift:提起。[ 和 ] 改变大小。</translation>
+        <translation>剪切：拖动以剪除所选曲线在圆下的部分。Shift：柔擦。[ 和 ] 改变大小。</translation>
     </message>
     <message>
         <source>Cut: drag to cut out what of the group&apos;s curves lies under the circle. Shift: lift. [ and ] change the size.</source>
-        <translation>剪切:拖动以剪除该群组曲线在圆下的部分。Shift:提起。[ 和 ] 改变大小。</translation>
+        <translation>剪切：拖动以剪除该群组曲线在圆下的部分。Shift：柔擦。[ 和 ] 改变大小。</translation>
     </message>
     <message>
         <source>Cut: drag to cut out what of the curves lies under the circle. Shift: lift. [ and ] change the size.</source>
-        <translation>剪切:拖动以剪除曲线在圆下的部分。Shift:提起。[ 和 ] 改变大小。</translation>
+        <translation>剪切：拖动以剪除曲线在圆下的部分。Shift：柔擦。[ 和 ] 改变大小。</translation>
     </message>
     <message>
         <source>Nothing is erased: no paint is seen under the circle.</source>
-        <translation>未擦除任何内容:圆下没有可见的颜料。</translation>
+        <translation>未擦除任何内容：圆下没有可见的颜料。</translation>
     </message>
     <message>
         <source>Nothing is cut: no curve lies under the circle. Lift takes paint away wherever it is seen.</source>
-        <translation>未剪切任何内容:圆下没有曲线。“提起”可擦去一切可见的颜料。</translation>
+        <translation>未剪切任何内容：圆下没有曲线。“柔擦”可擦去一切可见的颜料。</translation>
     </message>
     <message>
         <source>Nothing is erased: what lies under the circle is not selected.</source>
-        <translation>未擦除任何内容:圆下的笔画未被选择。</translation>
+        <translation>未擦除任何内容：圆下的笔画未被选择。</translation>
     </message>
     <message>
         <source>Nothing is erased: what lies under the circle is in another group.</source>
-        <translation>未擦除任何内容:圆下的笔画属于另一个群组。</translation>
+        <translation>未擦除任何内容：圆下的笔画属于另一个群组。</translation>
     </message>
     <message>
         <source>Nothing is erased: what lies under the circle is locked.</source>
-        <translation>未擦除任何内容:圆下的笔画已锁定。</translation>
+        <translation>未擦除任何内容：圆下的笔画已锁定。</translation>
     </message>
 </context>
 <context>
@@ -6009,7 +6024,7 @@ Arrow keys work too.</source>
     </message>
     <message>
         <source>They take paint away: the more density, the more.</source>
-        <translation>它们擦去颜料:密度越大,擦去越多。</translation>
+        <translation>它们擦去颜料：密度越大，擦去越多。</translation>
     </message>
     <message numerus="yes">
         <source>%n of them take(s) paint away.</source>

@@ -36,8 +36,8 @@ SettingsDialog::SettingsDialog(QWidget *parent, const Brush &brush)
     m_language = addCombo(*form, tr("Language"), tr("Language of the program"));
     m_language->addItem(tr("System"), QString());
     m_language->addItem(QStringLiteral("English"), QStringLiteral("en"));
-    m_language->addItem(QStringLiteral("简体中文"), QStringLiteral("zh_CN"));
-    m_language->addItem(QStringLiteral("Deutsch"), QStringLiteral("de"));
+    m_language->addItem(QStringLiteral("简体中文 (Chinese, simplified)"), QStringLiteral("zh_CN"));
+    m_language->addItem(QStringLiteral("Deutsch (German)"), QStringLiteral("de"));
     m_language->setCurrentIndex(std::max(0, m_language->findData(settings::language())));
 
     m_theme = addCombo(*form, tr("Theme"), tr("Colours of the windows"));

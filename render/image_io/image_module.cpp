@@ -25,9 +25,9 @@ Result<ImageModule> load(const QString &name)
     const QString path = modulePath(name);
     const auto problem = [&](const QString &what) {
         return Error{QCoreApplication::translate("ImageModule",
-                                                 "the image module %1 %2; install or build Suffuse again (target "
-                                                 "%3). Pictures ending in .pfm work without it")
-                         .arg(path, what, name)};
+                                                 "a part of Suffuse, %1, %2; install Suffuse again. Pictures "
+                                                 "ending in .pfm work without it")
+                         .arg(path, what)};
     };
     if (!QFileInfo::exists(path))
         return problem(QCoreApplication::translate("ImageModule", "is missing"));

@@ -1,4 +1,6 @@
 // The menus as a whole: what can be typed is typed once.
+#include "app/session/settings/settings.h"
+#include "app/session/translation.h"
 #include "tests/app/session.h"
 
 #include <QMenu>
@@ -53,8 +55,22 @@ private slots:
         qputenv("SUFFUSE_SETTINGS", m_folder.filePath("settings.ini").toLocal8Bit());
     }
 
+    void noMnemonicTwice_data()
+    {
+        QTest::addColumn<QString>("code");
+        for (const QString &code : translationCodes())
+            QTest::newRow(qPrintable(code)) << code;
+    }
+
     void noMnemonicTwice()
     {
+        QFETCH(QString, code);
+        settings::setLanguage(code);
+        installTranslators();
+        const auto back = qScopeGuard([] {
+            settings::setLanguage("en");
+            installTranslators();
+        });
         Session s;
         QVERIFY(s.window.menuBar()->actions().size() > 5);
         const QStringList repeated = repeatedIn(s.window.menuBar()->actions(), "menu bar");

@@ -42,8 +42,9 @@ QString SelectHints::ofKeys(Qt::KeyboardModifiers held, bool anySelected)
     if (!anySelected)
         return tr("Click paint to select its stroke. Drag for a band, over paint with Shift. Alt+click: the stroke "
                   "below.");
-    return tr("Drag: move. Click again: rotate and skew. Double click: its values. Right button: menu. Shift+click: "
-              "add. Shift+drag: a band. Alt+click: the stroke below.");
+    // The keys Shift, Ctrl and Alt have hints of their own while they are held.
+    return tr("Drag: move. Click again: turn and skew. Double click: values. Shift+click: add. Alt+click: the one "
+              "below.");
 }
 
 QString SelectHints::ofMove(Point by)

@@ -50,7 +50,9 @@ EraserFields::EraserFields(QHBoxLayout &row, const std::function<void()> &addSiz
                          [this](int i) { change([i](EraserChoice &choice) { choice.mode = EraserMode(i); }); });
     row.addSpacing(10);
     addSize();
-    FieldSpec strength = shareSpec(tr("Strength"), tr("How much paint is taken away; a pen's pressure takes from it"), 1);
+    FieldSpec strength = shareSpec(tr("Strength"), tr("How much density is taken away: feathered paint gets paler, paint with a sharp edge narrower. A pen's "
+                                   "pressure takes from it"),
+                                1);
     strength.minimum = leastStrength;
     m_strength = addNumber(row, strength, [this](double value) {
         change([value](EraserChoice &choice) { choice.strength = std::clamp(value, leastStrength, 1.0); });
