@@ -450,6 +450,36 @@ private slots:
         QVERIFY(!s.hint().contains("erasure"));
     }
 
+    /// A short erasure is little more than its nodes: they are taken only once it is selected.
+    void itsNodesComeSecond()
+    {
+        EraserSession s;
+        s.erase({350, 250}, {350, 390});
+        s.dry();
+        s.use(Command::Segments);
+        s.editor().document().setSelection({{s.id}, {}});
+        const Chain erasure = chainAt(s.stroke(), int(s.stroke().segments.size()) - 1);
+        const Point end = nodePosition(s.stroke(), endNode(s.stroke(), erasure.last));
+        s.hover(end);
+        QVERIFY2(s.hint().startsWith("Drag to move the erasure"), qPrintable(s.hint()));
+        const Stroke before = s.stroke();
+        s.drag(end, end + Point{25, 0});
+        QCOMPARE(s.editor().undoText(), QString("Move erasure"));
+        for (int k = erasure.first; k <= erasure.last; ++k)
+            QVERIFY(s.stroke().segments[std::size_t(k)].bezier[0].x >
+                    before.segments[std::size_t(k)].bezier[0].x + 24);
+        s.use(Command::Undo);
+        s.editor().document().setSelection({{s.id}, {}});
+        const auto *tool = qobject_cast<NodeTool *>(s.canvas().tool());
+        s.click(end);
+        QCOMPARE(int(s.selection().segments.size()), erasure.last - erasure.first + 1);
+        QVERIFY(tool->nodes().empty());
+        s.click(end);
+        QCOMPARE(tool->nodes(), (std::set<NodeRef>{{s.id, endNode(s.stroke(), erasure.last)}}));
+        s.hover(end);
+        QVERIFY2(s.hint().startsWith("Drag to move nodes"), qPrintable(s.hint()));
+    }
+
     void theScopeSaysWhatIsMeant()
     {
         EraserSession s;

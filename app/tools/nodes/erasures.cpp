@@ -43,6 +43,16 @@ std::optional<ErasurePlace> erasureAt(const Painting &painting, Point point, dou
     return found;
 }
 
+std::set<NodeRef> nodesOfErasureAt(const Painting &painting, const NodeRef &node)
+{
+    const StrokePtr stroke = painting.find(node.stroke);
+    if (!stroke)
+        return {};
+    const NodeSides sides = sidesOf(*stroke, node.node);
+    const int segment = std::max(sides.after, sides.before);
+    return segment < 0 ? std::set<NodeRef>() : nodesOfErasures(painting, erasureOf(painting, {node.stroke, segment}));
+}
+
 std::set<NodeRef> nodesOfErasures(const Painting &painting, const std::set<SegmentRef> &segments)
 {
     std::set<NodeRef> nodes;

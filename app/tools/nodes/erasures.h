@@ -20,6 +20,8 @@ struct ErasurePlace {
 /// The place of an erasure of any visible, unlocked stroke that is nearest to a point, at most so many canvas units
 /// away.
 std::optional<ErasurePlace> erasureAt(const Painting &painting, Point point, double reach);
+/// The nodes of the erasure that a node belongs to; none where it lies on paint.
+std::set<NodeRef> nodesOfErasureAt(const Painting &painting, const NodeRef &node);
 /// The nodes of those of the segments that take paint away.
 std::set<NodeRef> nodesOfErasures(const Painting &painting, const std::set<SegmentRef> &segments);
 

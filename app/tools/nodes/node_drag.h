@@ -20,6 +20,8 @@ struct NodeHit {
     CurvePlace place;   ///< the place on that curve
     /// Whether an erasure is meant, which is moved as it is: by its nodes, and without a reach.
     bool erasure = false;
+    /// The node of an erasure that lies there. The erasure is meant, and the node only by a click once that is selected.
+    std::optional<NodeRef> within;
 
     SegmentRef segment() const { return {curve, place.segment}; }
 };

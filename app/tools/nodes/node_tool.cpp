@@ -5,6 +5,7 @@
 #include "app/session/selecting/pick.h"
 #include "app/tools/nodes/erasures.h"
 #include "app/tools/tool_fields.h"
+#include "model/shaping/coarse_nodes.h"
 #include "undo/node_edits.h"
 
 #include <QHBoxLayout>
@@ -156,15 +157,27 @@ const NodeMarks &NodeTool::marks() const
     return *m_marks;
 }
 
+/// Whether a node belongs to an erasure of which no node is selected.
+bool NodeTool::meansErasure(const NodeRef &node) const
+{
+    const std::set<NodeRef> nodes = nodesOfErasureAt(*m_editor.document().painting(), node);
+    return !nodes.empty() && std::ranges::none_of(nodes, [this](const NodeRef &n) { return m_nodes.contains(n); });
+}
+
 NodeHit NodeTool::hitAt(const PointerEvent &event) const
 {
     NodeHit hit;
     hit.mark = marks().hit(event.pixel);
     double nearest = NodeMarks::reach * m_canvas.devicePixelRatioF() / m_canvas.view().scale;
     const std::set<StrokeId> &shown = m_canvas.selection().strokes;
-    if (!hit.mark.isEmpty())
-        return hit;
     const Painting &painting = *m_editor.document().painting();
+    if (hit.mark.node && meansErasure(*hit.mark.node)) {
+        hit.within = std::exchange(hit.mark.node, std::nullopt);
+        hit.curve = hit.within->stroke;
+        hit.place = placeOfNode(*painting.find(hit.curve), hit.within->node);
+    }
+    if (!hit.mark.isEmpty() || hit.within)
+        return hit;
     for (const StrokePtr &stroke : painting.strokes) {
         if (!shown.contains(stroke->id) || painting.isLocked(*stroke) || !painting.isVisible(*stroke))
             continue;
@@ -276,7 +289,9 @@ void NodeTool::clicked(const PointerEvent &event)
     const bool add = event.modifiers & Qt::ShiftModifier;
     const bool goesOnWithSegments = add && !selection().segments.empty();
     const bool nodesCount = !goesOnWithSegments && !(event.modifiers & Qt::ControlModifier);
-    if (m_hit.mark.node && nodesCount) {
+    if (m_hit.within && nodesCount && selection().segments.contains(m_hit.segment())) {
+        selectNodes({*m_hit.within});
+    } else if (m_hit.mark.node && nodesCount) {
         std::set<NodeRef> nodes = add ? m_nodes : std::set<NodeRef>();
         if (!add || !nodes.erase(*m_hit.mark.node))
             nodes.insert(*m_hit.mark.node);
