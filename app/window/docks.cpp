@@ -137,7 +137,7 @@ void Docks::arrange(const QList<QDockWidget *> &column, const QList<QDockWidget 
     window.resizeDocks({timeline}, {low ? 118 : 150}, Qt::Vertical);
     window.resizeDocks(column, {columnWidth, columnWidth, columnWidth, columnWidth}, Qt::Horizontal);
     if (low)
-        window.resizeDocks({colour, brushes}, {300, 340}, Qt::Vertical);
+        window.resizeDocks({colour, brushes}, {332, 308}, Qt::Vertical);
     else if (!high)
         window.resizeDocks({colour, brushes, inspector}, {300, 270, 350}, Qt::Vertical);
     else

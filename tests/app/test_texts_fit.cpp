@@ -1,9 +1,12 @@
 // Every text is seen as a whole, and every dialog lies on the screen: in all languages, and in ones that take more
 // room.
+#include "app/panels/colour/colour_panel.h"
 #include "app/session/settings/settings.h"
 #include "app/session/translation.h"
+#include "app/widgets/colour/colour_rows.h"
 #include "app/widgets/habits/place_beside.h"
 #include "app/widgets/numbers/bar_slider.h"
+#include "app/widgets/numbers/slider_field.h"
 #include "app/window/window_layout.h"
 #include "tests/app/all_dialogs.h"
 
@@ -252,6 +255,19 @@ private slots:
         QVERIFY2(s.window.width() <= 1366, qPrintable(QString::number(s.window.width())));
         QVERIFY2(s.window.height() <= 744, qPrintable(QString::number(s.window.height())));
         QVERIFY2(s.canvas().width() >= 400, qPrintable(QString::number(s.canvas().width())));
+    }
+
+    /// No slider of the colour is cut in the lowest window.
+    void colourSlidersAreSeen()
+    {
+        WaveSession s;
+        s.window.setGeometry(0, 24, 1366, 744);
+        settle();
+        const ColourPanel &panel = *s.window.findChild<ColourPanel *>();
+        for (int channel = 0; channel < 4; ++channel) {
+            const QWidget &slider = *panel.rows()->row(channel)->slider();
+            QCOMPARE(slider.visibleRegion().boundingRect(), slider.rect());
+        }
     }
 
     void slidersCanBeDragged_data() { languages(); }

@@ -98,6 +98,14 @@ QSize ColourPanel::sizeHint() const
     return {280, 420};
 }
 
+/// In a low window the wheel makes room for all of the sliders.
+void ColourPanel::resizeEvent(QResizeEvent *event)
+{
+    constexpr int others = 190; // logical pixels that header, hex number and sliders take
+    m_wheel->setMaximumHeight(std::max(m_wheel->minimumSizeHint().height(), height() - others));
+    QWidget::resizeEvent(event);
+}
+
 void ColourPanel::addCurrent(QVBoxLayout &column)
 {
     auto *row = new QHBoxLayout;
