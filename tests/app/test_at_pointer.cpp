@@ -372,6 +372,13 @@ private slots:
         QVERIFY(!recent.empty());
         QCOMPARE(toOpaqueScreen(recent.front()).name(), QString("#c02040"));
         s.editor().setColour(fromScreen(QColor("#208040")));
+        // Colours that differ only in their opacity are told apart.
+        ColourChips chips(2);
+        chips.showOpacity();
+        const Colour opaque{0.2f, 0.3f, 0.8f, 1}, faint{0.2f, 0.3f, 0.8f, 0.3f};
+        chips.setColours({opaque, faint});
+        const QImage shown = chips.grab().toImage();
+        QVERIFY(shown.copy(chips.cell(0)) != shown.copy(chips.cell(1)));
         QTest::mouseClick(s.palette()->recentChips(), Qt::LeftButton, {}, s.palette()->recentChips()->cell(0).center());
         QCOMPARE(toOpaqueScreen(s.editor().brush().colour).name(), QString("#c02040"));
     }

@@ -116,6 +116,7 @@ QWidget *BrushPalette::makeColours()
     column->addWidget(m_near);
     column->addWidget(quietLabel(tr("Painted with last"), part));
     m_recent = new ColourChips(chipColumns, part);
+    m_recent->showOpacity();
     m_recent->setAccessibleName(tr("Recent colours"));
     column->addWidget(m_recent);
     connect(m_near, &ColourChips::picked, this, [this](const Colour &colour) {

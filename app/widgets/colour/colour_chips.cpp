@@ -112,7 +112,11 @@ void ColourChips::paintEvent(QPaintEvent *)
     for (int i = 0; i < int(m_colours.size()); ++i) {
         QPainterPath shape;
         shape.addRoundedRect(QRectF(cell(i)).adjusted(1.5, 1.5, -1.5, -1.5), 3, 3);
-        paintColour(painter, shape, m_colours[std::size_t(i)]);
+        const Colour &colour = m_colours[std::size_t(i)];
+        if (m_showsOpacity)
+            paintColour(painter, shape, colour);
+        else
+            painter.fillPath(shape, toOpaqueScreen(colour));
         const bool marked = (hasFocus() && i == m_current) || i == m_pressed;
         painter.strokePath(shape,
                            QPen(marked ? palette().color(QPalette::Highlight) : edgeOfColours(), marked ? 3 : 1));

@@ -18,6 +18,8 @@ public:
     explicit ColourChips(int columns, QWidget *parent = nullptr);
 
     void setColours(std::vector<Colour> colours);
+    /// Colours that are not opaque are shown over checks, too, in one half.
+    void showOpacity() { m_showsOpacity = true; }
     const std::vector<Colour> &colours() const { return m_colours; }
     /// The one that Return takes; from the first on.
     int current() const { return m_current; }
@@ -46,6 +48,7 @@ private:
     std::vector<Colour> m_colours;
     int m_current = 0;
     int m_pressed = -1;
+    bool m_showsOpacity = false;
 };
 
 /// Colours around one, in rows of seven that go through it: from lighter to darker, from one neighbouring hue to the
