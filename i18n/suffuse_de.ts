@@ -1375,6 +1375,14 @@ Rückgabewerte: 0 erledigt, 1 fehlgeschlagen, 2 falscher Aufruf.</translation>
     </message>
 </context>
 <context>
+    <name>Keys</name>
+    <message>
+        <source>Return</source>
+        <extracomment>the key, as it is called on keyboards</extracomment>
+        <translation>Eingabe</translation>
+    </message>
+</context>
+<context>
     <name>Messages</name>
     <message>
         <source>Save the changes to “%1” before closing?</source>
@@ -8674,7 +8682,7 @@ Auch die Pfeiltasten wirken.</translation>
     </message>
     <message>
         <source>multiply by</source>
-        <translation>multiplizieren mit</translation>
+        <translation>multiplizieren</translation>
     </message>
     <message>
         <source>add</source>

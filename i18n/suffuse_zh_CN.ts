@@ -1367,6 +1367,14 @@ Exit codes: 0 done, 1 the work failed, 2 wrong usage.</source>
     </message>
 </context>
 <context>
+    <name>Keys</name>
+    <message>
+        <source>Return</source>
+        <extracomment>the key, as it is called on keyboards</extracomment>
+        <translation>回车</translation>
+    </message>
+</context>
+<context>
     <name>Messages</name>
     <message>
         <source>Save the changes to “%1” before closing?</source>

@@ -51,6 +51,9 @@ public:
     QString translate(const char *context, const char *source, const char *, int) const override
     {
         const QByteArrayView place(context);
+        //: the key, as it is called on keyboards
+        if (place == "QShortcut" && QByteArrayView(source) == "Return")
+            return QCoreApplication::translate("Keys", "Return");
         if (place != "QPlatformTheme" && place != "QGnomeTheme" && place != "QMessageBox")
             return {};
         const auto plain = [](QByteArray text) { return text.replace('&', ""); };

@@ -77,6 +77,17 @@ private slots:
         QVERIFY2(repeated.isEmpty(), qPrintable(repeated.join("\n")));
     }
 
+    /// Qt's own German leaves it in English, while the texts speak of the key by its name.
+    void theReturnKeyHasAName()
+    {
+        for (const auto &[code, name] : {std::pair("de", "Eingabe"), std::pair("zh_CN", "回车"), std::pair("en", "Return")}) {
+            settings::setLanguage(code);
+            installTranslators();
+            QCOMPARE(QKeySequence(Qt::Key_Return).toString(QKeySequence::NativeText), QString(name));
+            QCOMPARE(QKeySequence(Qt::Key_Return).toString(QKeySequence::PortableText), QString("Return"));
+        }
+    }
+
     /// What stands in the Edit menu can be typed there.
     void appearanceAndArtworkHaveALetter()
     {
