@@ -34,8 +34,8 @@ Brush pathBrush(const SoftTip &tip)
 
 double liftingPeak(double excess, double share, const SoftTip &tip)
 {
-    const double x = 1 / (tip.softness * tip.softness);
-    return excess * share * std::exp(share * share * x);
+    const double ends = std::max(0.0, 2 * share - 1) / tip.softness; // in spreads
+    return excess * std::min(1.0, 2 * share) * std::exp(ends * ends);
 }
 
 SoftEraser::SoftEraser(const SoftTip &tip, const std::vector<StrokePtr> &strokes, Microseconds T)

@@ -20,8 +20,8 @@ struct SoftTip {
 };
 
 /// The peak of a lifting density, for paint whose density is by `excess` over that at which it ends. `share`: of the
-/// whole strength, q. It is q·e^{q²x}, x = (radius/s)²: at 1 the paint ends at the radius, a half just reaches the
-/// middle.
+/// whole strength, q. Up to a half it is 2q: a half just reaches the middle, and what is feathered gets paler. Beyond, it
+/// is e^{(2q − 1)²x}, x = (radius/s)²: the paint ends at (2q − 1) radii, whatever the softness.
 double liftingPeak(double excess, double share, const SoftTip &tip);
 
 /// One drag of the eraser over strokes. What it has laid down at one place counts when the path comes by again: where

@@ -119,6 +119,36 @@ private slots:
         QVERIFY(std::abs(density(pressed) - density(weak)) < 0.01);
     }
 
+    /// Half of the strength takes half of what is seen of it, and less takes less.
+    void featheredPaintGetsPaler()
+    {
+        Stroke before = wash(14);
+        before.style = {StyleKind::Feathering, {3, 1, 0}};
+        const auto seen = [](const Stroke &s) { return seenAt(s, {150, 100}); };
+        QVERIFY(seen(before) > 0.8);
+        for (const double softness : {0.4, 0.6, 1.0, 1.6}) {
+            double last = seen(before);
+            for (const double strength : {0.1, 0.25, 0.4, 0.5}) {
+                const double now = seen(erasedBy({20, softness, strength}, before, line({150, -60}, {150, 260})));
+                QVERIFY2(now < last - 0.01, qPrintable(QString("%1 %2: %3").arg(softness).arg(strength).arg(now)));
+                last = now;
+            }
+            QVERIFY2(last > 0.35 && last < 0.65, qPrintable(QString("%1: %2").arg(softness).arg(last)));
+        }
+    }
+
+    /// Beyond a half it is the width that grows, evenly.
+    void strengthBeyondAHalfIsWidth()
+    {
+        for (const double softness : {0.6, 1.0})
+            for (const double strength : {0.6, 0.8, 1.0}) {
+                const double gone = clearedAt(
+                    erasedBy({25, softness, strength}, wash(12), line({150, -60}, {150, 260})), 100);
+                const double wished = 25 * (2 * strength - 1);
+                QVERIFY2(std::abs(gone - wished) < 5, qPrintable(QString("%1 %2: %3").arg(softness).arg(strength).arg(gone)));
+            }
+    }
+
     /// Wherever paint is seen, however far from a curve; and nothing is added where none is.
     void itFindsWhatIsSeen()
     {
