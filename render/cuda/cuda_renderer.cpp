@@ -82,7 +82,8 @@ std::vector<PixelRect> dirtyRects(const DirtyRegion &region, const std::uint8_t 
 
 } // namespace
 
-CudaRenderer::CudaRenderer(const std::vector<std::shared_ptr<cuda::Device>> &devices, int threads, bool cull)
+CudaRenderer::CudaRenderer(const std::vector<std::shared_ptr<cuda::Device>> &devices, int threads, bool cull,
+                           const cuda::ApartLimits &apart)
     : m_crew(Threads(threads).count()), m_threads(threads, &m_crew), m_history(cuda::tileSide, cull), m_devices(devices)
 {
     m_deviceName = QString::fromStdString(devices.front()->name());
@@ -91,7 +92,7 @@ CudaRenderer::CudaRenderer(const std::vector<std::shared_ptr<cuda::Device>> &dev
     m_shares.resize(devices.size());
     for (const auto &device : devices) { // Further devices work beside the first one, which has the crew.
         const Threads own = m_workers.empty() ? m_threads : Threads(m_threads.count());
-        m_workers.push_back(std::make_unique<cuda::TileWorker>(device, cull, own));
+        m_workers.push_back(std::make_unique<cuda::TileWorker>(device, cull, own, apart));
     }
 }
 

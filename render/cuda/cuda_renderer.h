@@ -13,8 +13,9 @@ namespace suffuse {
 class CudaRenderer : public Renderer {
 public:
     /// `devices` has at least one device; they share each picture by macro-tiles. `threads` are those of the host, 0
-    /// for all cores.
-    CudaRenderer(const std::vector<std::shared_ptr<cuda::Device>> &devices, int threads, bool cull = true);
+    /// for all cores. `apart` says which strokes are evaluated apart from their tiles, which changes no bit.
+    CudaRenderer(const std::vector<std::shared_ptr<cuda::Device>> &devices, int threads, bool cull = true,
+                 const cuda::ApartLimits &apart = {});
     ~CudaRenderer() override;
 
     Backend backend() const override { return Backend::Cuda; }

@@ -190,7 +190,7 @@ public:
         cudaEventRecord(m_begin, m_stream);
         Frame own = frame;
         own.ordered = frame.tileCount > m_grid.plain; // Otherwise all tiles begin at once.
-        FrameGraph &graph = m_graphs[work.plain][work.general][own.ordered];
+        FrameGraph &graph = m_graphs[work.plain][work.general][own.ordered][own.apartRoom != 0];
         if (const Fault fault = call([&] { return graph.launch(own, work, m_grid, m_stream); }))
             return fault;
         return call([&] { return cudaEventRecord(m_end, m_stream); });
@@ -227,7 +227,7 @@ private:
     cudaEvent_t m_begin = nullptr, m_end = nullptr;
     bool m_timed = false;
     Grid m_grid;
-    FrameGraph m_graphs[2][2][2];
+    FrameGraph m_graphs[2][2][2][2];
     int4 *m_rects = nullptr;
     int m_rectRoom = 0;
 };

@@ -56,7 +56,8 @@ __device__ std::uint32_t nextPlace(const Frame &frame)
 }
 
 // A block is one warp, which paints one tile job after the other.
-template <bool general>
+// With `apart`, it first evaluates strokes apart from their tiles.
+template <bool general, bool apart>
 __global__ void __launch_bounds__(warpLanes, general ? generalWarps : plainWarps)
     tilesKernel(const __grid_constant__ Frame frame)
 {
@@ -64,13 +65,15 @@ __global__ void __launch_bounds__(warpLanes, general ? generalWarps : plainWarps
     __shared__ OrderScratch orderScratch;
     takeTurn();
     DeviceWarp warp;
+    if constexpr (apart)
+        paintApart<general>(warp, frame, scratch);
     TileOrder order(warp, frame, orderScratch);
     constexpr StatusWord counter = general ? nextGeneralTile : nextPlainTile;
     constexpr int together = general ? generalWarps : plainWarps;
     for (std::uint32_t i = firstPlace<together>(); i < frame.tileCount; i = nextPlace<counter>(frame)) {
         const std::uint32_t job = order.job(i);
         if (((frame.tiles[job].flags & plainTile) == 0) == general)
-            paintTile<general>(warp, frame, job, scratch);
+            paintTile<general, apart>(warp, frame, job, scratch);
     }
 }
 
@@ -97,9 +100,9 @@ cudaError_t fillingGrid(int device, Grid &grid)
     if (error == cudaSuccess)
         error = cudaOccupancyMaxActiveBlocksPerMultiprocessor(&lists, listsKernel, listWarps * warpLanes, 0);
     if (error == cudaSuccess)
-        error = cudaOccupancyMaxActiveBlocksPerMultiprocessor(&plain, tilesKernel<false>, warpLanes, 0);
+        error = cudaOccupancyMaxActiveBlocksPerMultiprocessor(&plain, tilesKernel<false, true>, warpLanes, 0);
     if (error == cudaSuccess)
-        error = cudaOccupancyMaxActiveBlocksPerMultiprocessor(&general, tilesKernel<true>, warpLanes, 0);
+        error = cudaOccupancyMaxActiveBlocksPerMultiprocessor(&general, tilesKernel<true, true>, warpLanes, 0);
     cudaFuncAttributes compiled = {};
     if (error == cudaSuccess)
         error = cudaFuncGetAttributes(&compiled, listsKernel);
@@ -113,8 +116,9 @@ unsigned blocksOf(const void *kernel, const Frame &frame, const Grid &grid)
     const auto least = [](unsigned a, std::size_t b) { return unsigned(b < a ? b : a); };
     if (kernel == reinterpret_cast<const void *>(listsKernel))
         return least(grid.lists, std::size_t(frame.macroCount) * listParts);
-    const bool general = kernel == reinterpret_cast<const void *>(tilesKernel<true>);
-    return least(general ? grid.general : grid.plain, frame.tileCount);
+    const bool general = kernel == reinterpret_cast<const void *>(tilesKernel<true, true>);
+    const unsigned blocks = general ? grid.general : grid.plain;
+    return frame.apartRoom ? blocks : least(blocks, frame.tileCount);
 }
 
 namespace {
@@ -144,7 +148,11 @@ cudaError_t launchLists(const Frame &frame, const Grid &grid, cudaStream_t strea
 
 cudaError_t launchTiles(const Frame &frame, bool general, const Grid &grid, cudaStream_t stream)
 {
-    return launch(general ? tilesKernel<true> : tilesKernel<false>, warpLanes, true, frame, grid, stream);
+    const bool apart = frame.apartRoom != 0;
+    return launch(general ? tilesKernel<true, true>
+                  : apart ? tilesKernel<false, true>
+                          : tilesKernel<false, false>,
+                  warpLanes, true, frame, grid, stream);
 }
 
 cudaError_t launchCopy(std::uint32_t *to, const std::uint32_t *from, int rowPixels, const int4 *rects, int count,

@@ -116,7 +116,34 @@ struct MacroJob {
     std::int32_t column = 0, row = 0; ///< counted in macro-tiles
     std::uint32_t from = 0, to = 0;   ///< chunks [from, to) are looked at
     std::uint32_t firstTile = 0;      ///< its tile jobs are among the macroTiles² from there on
+    /// Bit 8·row + column of the upper and of the lower half says whether that tile is painted, and whether by the
+    /// general kernel.
+    std::uint32_t painted[2] = {0, 0}, general[2] = {0, 0};
 };
+
+/// Asks for one stroke at one tile, which a warp evaluates apart from the tile's other strokes (tile_apart.h).
+struct ApartJob {
+    std::uint16_t column = 0, row = 0; ///< the tile, counted in tiles
+    std::uint32_t stroke = 0;          ///< index of the StrokeRecord
+    std::uint32_t from = 0, to = 0;    ///< Of its chunks, only those in [from, to) can meet the tile.
+    std::uint32_t slot = 0;            ///< where its samples go, in Frame::apartSamples
+};
+
+/// This bit of a list's count says that some of its entries have bits in their ApartEntry.
+inline constexpr std::uint32_t anyApart = 1u << 31;
+
+/// Says for an entry of a list at which tiles of the half its stroke is evaluated apart: a bit for each, as in
+/// ListEntry. The slots of these tiles are `slot` and those behind it, in the order of the bits.
+struct ApartEntry {
+    std::uint32_t mask, slot;
+};
+
+/// Jobs of strokes evaluated apart are put into these classes; costly ones are taken first.
+enum ApartClass { costlyPlain, otherPlain, costlyGeneral, otherGeneral, apartClasses };
+/// A job of a general stroke has so many parts, which several warps take: the pixels with one sample, and the
+/// supersampled ones of each quadrant of the tile.
+inline constexpr int generalParts = 5;
+inline constexpr int apartParts = 8; ///< the distance of the slots' words in Frame::apartDone
 
 /// Holds RYB and coverage of one pixel while strokes are mixed into it.
 struct BackdropPixel {
@@ -126,6 +153,13 @@ struct BackdropPixel {
 /// An over map (docs/solver.md, "Layers") makes B ← min(limit, keep·B + add) for each of RYB, and coverage ←
 /// hold·coverage + gain. It has this many planes of numbers.
 inline constexpr int overPlanes = 9; ///< keep, three of add, three of limit, hold, gain
+
+/// Says from which cost on a stroke is evaluated apart from its tile. Pixels do not depend on it.
+struct ApartLimits {
+    std::uint32_t from = 400;    ///< the cost of a stroke
+    std::uint32_t inGeneral = 0; ///< the same at a tile of the general kernel, where plain strokes cost more
+    std::uint32_t above = 20000; ///< what the strokes of a list may cost before all others are evaluated apart
+};
 
 struct PaperParams {
     std::int32_t kind = 0;  ///< PaperKind
@@ -183,11 +217,38 @@ struct Frame {
     /// For each of the macroTiles² tiles of a macro job this is what it costs, roughly, and how many lists said so.
     std::uint32_t *weights = nullptr;
 
+    // Strokes that are evaluated apart. `apart` has an entry beside each of `lists`, `apartJobs` has room for apartRoom
+    // jobs of each class, `apartSamples` has tileSize samples (w, red, yellow, blue) for each of the apartRoom slots,
+    // and `apartDone` has apartParts words for each: 2·apartStamp, and 1 more where the stroke shows something.
+    ApartEntry *apart = nullptr;
+    ApartJob *apartJobs = nullptr;
+    float *apartSamples = nullptr;
+    std::uint32_t *apartDone = nullptr;
+    std::uint32_t apartRoom = 0;  ///< What finds no room is evaluated with the tile.
+    std::uint32_t apartStamp = 0; ///< the number of the call
+    ApartLimits apartLimits;
+
+    // The paper at tiles of the picture, row by row, in etaPlanes planes of tileSize numbers for each tile: at the
+    // pixels, and then, if there are more, at the 2 × 2 samples a pixel of each quadrant. `etaKnown` has a word for
+    // each plane, which is etaStamp once the plane is there.
+    float *eta = nullptr;
+    std::uint32_t *etaKnown = nullptr;
+    std::uint32_t etaPlanes = 0, etaStamp = 0;
+
     std::uint16_t *order = nullptr; ///< tile jobs by classes of weights, each with room for tileCount (tile_order.h)
     std::uint32_t ordered = 0;      ///< whether tiles are painted in that order
 };
 
 /// Names the words of Frame::status.
-enum StatusWord { nextPlainTile, nextGeneralTile, longestList, statusWords };
+enum StatusWord {
+    nextPlainTile,
+    nextGeneralTile,
+    longestList,
+    slotsTaken, ///< This may be more than apartRoom.
+    nextPlainApart,
+    nextGeneralApart,
+    firstApartCount, ///< how many jobs each ApartClass has
+    statusWords = firstApartCount + apartClasses
+};
 
 } // namespace suffuse::cuda

@@ -5,6 +5,7 @@
 #include "render/cuda/tile_deep.h"
 #include "render/cuda/tile_paper.h"
 #include "render/cuda/tile_shade.h"
+#include "render/cuda/tile_stream.h"
 
 namespace suffuse::cuda {
 
@@ -15,8 +16,19 @@ struct GeneralScratch {
     float paint[4][tileSize];  ///< w and colour at a block of samples
     float result[4][tileSize]; ///< w and colour at the tile's pixels
     std::uint8_t level[tileSize];
-    double deep[1 + maxChannels][deepTerms];
 };
+
+/// Returns the quadrant of a tile in which a pixel lies.
+SUFFUSE_PROGRAM int quadrantOf(int column, int row)
+{
+    constexpr int half = tileSide / 2;
+    return column / half + 2 * (row / half);
+}
+/// Returns the part of a stroke's job to which a lane's pixel belongs, by the level that `markLevels` has found there.
+SUFFUSE_PROGRAM int partOf(const StrokeRecord &stroke, int level, int lane, int k)
+{
+    return stroke.small == 0 || level == 0 ? 0 : 1 + quadrantOf(sampleColumn(lane, k), sampleRow(lane, k));
+}
 
 template <class Warp>
 class GeneralStroke {
@@ -24,21 +36,24 @@ public:
     template <class T>
     using Var = typename Warp::template Var<T>;
 
-    SUFFUSE_PROGRAM GeneralStroke(Warp &warp, const Frame &frame, const TileJob &job, const StrokeRecord &stroke,
-                                  SumScratch &sums, GeneralScratch &scratch)
-        : m_warp(warp), m_frame(frame), m_stroke(stroke), m_left(job.column * tileSide), m_top(job.row * tileSide),
+    /// `fetched` has two places.
+    SUFFUSE_PROGRAM GeneralStroke(Warp &warp, const Frame &frame, const ApartJob &job, const StrokeRecord &stroke,
+                                  Fetched *fetched, SumScratch &sums, GeneralScratch &scratch)
+        : m_warp(warp), m_frame(frame), m_stroke(stroke), m_column(job.column), m_row(job.row),
+          m_left(job.column * tileSide), m_top(job.row * tileSide), m_nodes(warp, frame, job, fetched, sums),
           m_sums(sums), m_s(scratch)
     {}
 
-    /// Leaves what the stroke shows at the tile's pixels in the scratch's `result`. `forEachListing(use)` calls
-    /// use(listing) until all nodes that meet the tile were listed.
-    template <class ForEachListing>
-    SUFFUSE_PROGRAM void evaluateTile(ForEachListing forEachListing)
+    static constexpr int allParts = -1;
+
+    /// Leaves what the stroke shows at the tile's pixels in the scratch's `result`: at those of one part of the job
+    /// (`partOf`), or at all.
+    SUFFUSE_PROGRAM void evaluateTile(int part)
     {
-        const bool small = markLevels();
+        const bool small = markLevels(part);
         const int levels = small ? 7 : 1;
-        for (int level = 0; level < levels; ++level) {
-            if (level > 0 && !m_warp.any([&](int lane) {
+        for (int level = part > 0 ? 1 : 0; level < (part == 0 ? 1 : levels); ++level) {
+            if (small && !m_warp.any([&](int lane) {
                     bool there = false;
                     for (int k = 0; k < laneSamples; ++k)
                         there = there || m_s.level[sampleAt(lane, k)] == level;
@@ -47,17 +62,20 @@ public:
                 continue;
             const int side = level == 0 ? 1 : tileSide >> (level < 4 ? level : 4);
             const int groups = level == 0 ? 1 : tileSide / side;
-            for (int group = 0; group < groups * groups; ++group)
-                evaluateGroup(forEachListing, level, group % groups * side, group / groups * side, side);
+            for (int group = 0; group < groups * groups; ++group) {
+                const int i = group % groups * side, j = group / groups * side;
+                if (part <= 0 || 1 + quadrantOf(i, j) == part)
+                    evaluateGroup(level, i, j, side);
+            }
         }
     }
 
 private:
     SUFFUSE_PROGRAM bool hasPaper() const { return m_stroke.granulated && m_frame.paper.kind != 0; }
 
-    /// Finds for each pixel the greatest level of the small segments that reach it (docs/reference.md). Returns false
-    /// if none reaches any.
-    SUFFUSE_PROGRAM bool markLevels()
+    /// Finds for each pixel of a part the greatest level of the small segments that reach it (docs/reference.md).
+    /// Returns false if none reaches any.
+    SUFFUSE_PROGRAM bool markLevels(int part)
     {
         if (m_stroke.small == 0)
             return false;
@@ -66,12 +84,24 @@ private:
                 m_s.level[sampleAt(lane, k)] = 0;
         });
         double left = 1e300, top = 1e300, right = -1e300, bottom = -1e300; // the tile's box in canvas units
+        const int width = part > 0 ? tileSide / 2 : tileSide;              // Of the other quadrants no level is needed.
+        const int i = part > 0 ? (part - 1) % 2 * width : 0, j = part > 0 ? (part - 1) / 2 * width : 0;
         for (int corner = 0; corner < 4; ++corner) {
             double x, y;
-            toCanvas(m_frame, m_left + corner % 2 * tileSide, m_top + corner / 2 * tileSide, x, y);
+            toCanvas(m_frame, m_left + i + corner % 2 * width, m_top + j + corner / 2 * width, x, y);
             left = x < left ? x : left, right = x > right ? x : right;
             top = y < top ? y : top, bottom = y > bottom ? y : bottom;
         }
+        struct Centres {
+            double x[laneSamples], y[laneSamples];
+        };
+        Var<Centres> centre; // of the pixels, in canvas units
+        m_warp.each([&](int lane) {
+            SUFFUSE_UNROLL
+            for (int k = 0; k < laneSamples; ++k)
+                toCanvas(m_frame, m_left + sampleColumn(lane, k) + 0.5, m_top + sampleRow(lane, k) + 0.5,
+                         centre[lane].x[k], centre[lane].y[k]);
+        });
         const double margin = m_frame.toCanvas.margin;
         const SmallRecord *small = m_frame.small + m_stroke.firstSmall;
         bool any = false;
@@ -87,9 +117,9 @@ private:
                 const SmallRecord s = small[base + std::uint32_t(Warp::lowest(hits))];
                 any |= m_warp.any([&](int lane) {
                     bool marked = false;
+                    SUFFUSE_UNROLL
                     for (int k = 0; k < laneSamples; ++k) {
-                        double x, y;
-                        toCanvas(m_frame, m_left + sampleColumn(lane, k) + 0.5, m_top + sampleRow(lane, k) + 0.5, x, y);
+                        const double x = centre[lane].x[k], y = centre[lane].y[k];
                         std::uint8_t &level = m_s.level[sampleAt(lane, k)];
                         if (level < s.level && x >= s.left - margin && x <= s.right + margin && y >= s.top - margin &&
                             y <= s.bottom + margin)
@@ -105,8 +135,7 @@ private:
 
     /// Evaluates a group of side × side pixels from (i, j) on, by means over 2^level × 2^level points. For level 0 the
     /// group is the whole tile, evaluated at the centres of its pixels.
-    template <class ForEachListing>
-    SUFFUSE_PROGRAM void evaluateGroup(ForEachListing forEachListing, int level, int i, int j, int side)
+    SUFFUSE_PROGRAM void evaluateGroup(int level, int i, int j, int side)
     {
         if (level > 0 && !m_warp.any([&](int lane) {
                 bool there = false;
@@ -126,7 +155,7 @@ private:
                 block.y = float(j - tileSide / 2) + (float(b / blocks * tileSide) + half) * step;
                 block.step = step;
             }
-            evaluateBlock(forEachListing, block);
+            evaluateBlock(block, level == 0 ? 0 : level == 1 ? 1 + quadrantOf(i, j) : -1);
             if (side == 1 && level > 0)
                 addToTotal(total);
         }
@@ -191,23 +220,25 @@ private:
         });
     }
 
-    /// Finds opacity and colour at a block of samples, and leaves them in the scratch's `paint`.
-    template <class ForEachListing>
-    SUFFUSE_PROGRAM void evaluateBlock(ForEachListing forEachListing, const Block &block)
+    /// Finds opacity and colour at a block of samples, and leaves them in the scratch's `paint`. `plane` is that of the
+    /// block's η (`etaPlane`).
+    SUFFUSE_PROGRAM void evaluateBlock(const Block &block, int plane)
     {
         m_warp.each([&](int lane) {
             for (int k = 0; k < laneSamples; ++k)
                 for (int c = 0; c < fixedSums + int(m_stroke.channels); ++c)
                     m_s.sums[c][sampleAt(lane, k)] = 0;
         });
-        forEachListing([&](const Listing &listing) {
+        m_nodes.forEachListing(block, [&](const Listing &listing) {
             addSeparable(listing, block);
             for (int n = wholeStrides(listing.separable); n < listing.count; ++n)
                 addOblique(n, block);
         });
+        if (hasPaper())
+            findEta(m_warp, m_frame, m_column, m_row, block, plane, m_s.paint[0]);
         if (m_stroke.deep) {
             sumDeep(m_warp, m_frame, m_stroke, double(m_left + tileSide / 2) + double(block.x),
-                    double(m_top + tileSide / 2) + double(block.y), m_s.deep);
+                    double(m_top + tileSide / 2) + double(block.y), m_sums.deep);
             shade<double>(block);
         } else {
             shade<float>(block);
@@ -294,17 +325,16 @@ private:
                              y = (double(row) - 7.5) * double(block.step);
                 DeepSample deep;
                 if (sizeof(V) == sizeof(double))
-                    deep = deepSample(m_s.deep[0], x, y);
+                    deep = deepSample(m_sums.deep[0], x, y);
                 const auto channel = [&](int c) {
                     V sum = V(m_s.sums[fixedSums + c][at]);
                     if (sizeof(V) == sizeof(double))
-                        sum += V(deepValue(m_s.deep[1 + c], x, y));
+                        sum += V(deepValue(m_sums.deep[1 + c], x, y));
                     return sum;
                 };
                 V eta(1);
                 if (hasPaper())
-                    eta = V(etaAt(m_frame, m_left + tileSide / 2 + double(block.x) + x,
-                                  m_top + tileSide / 2 + double(block.y) + y, block.step));
+                    eta = V(m_s.paint[0][at]);
                 const V slopeX = V(m_s.sums[1][at]) * V(slopeUnit) + V(deep.slopeX);
                 const V slopeY = V(m_s.sums[2][at]) * V(slopeUnit) + V(deep.slopeY);
                 const auto m = math::modulate(params, V(m_s.sums[0][at]) + V(deep.density), slopeX, slopeY, channel,
@@ -337,7 +367,9 @@ private:
     Warp &m_warp;
     const Frame &m_frame;
     const StrokeRecord &m_stroke;
+    int m_column, m_row;
     int m_left, m_top;
+    NodeStream<Warp> m_nodes;
     SumScratch &m_sums;
     GeneralScratch &m_s;
 };

@@ -1,6 +1,7 @@
 // These programs of a warp and of a block find which chunks meet a macro-tile, and in which tiles strokes can show.
 #pragma once
 
+#include "render/cuda/tile_cull.h"
 #include "render/cuda/tile_order.h"
 
 namespace suffuse::cuda {
@@ -28,155 +29,31 @@ SUFFUSE_PROGRAM ListedPart wholeStrokes(Warp &warp, const Frame &frame, const Ma
     }
 }
 
-/// Holds a node as culling sees it: its centre, from the corner of half a macro-tile, and its reach, px; the least
-/// eigenvalue of the metric times −log₂ e, the weight if it lays paint, and |weight| times the root of the greatest
-/// eigenvalue (as in render/scene/node_boxes.h).
-struct CullNode {
-    Float4 place; ///< x, y, reachX, reachY
-    Float4 decay; ///< slowest, weight, steepest, nothing
-
-    /// Tells whether it meets any tile of the half. If it meets none, it adds nothing to them.
-    SUFFUSE_PROGRAM bool meetsHalf() const
-    {
-        constexpr float half = tileSide / 2, width = macroSide, height = macroSide / 2;
-        const auto beyond = [](float d, float side) { return math::max_(half - d, d - (side - half)); };
-        return NodePlace::outside(math::max_(beyond(place.x, width), 0.0f)) <= place.z &&
-               NodePlace::outside(math::max_(beyond(place.y, height), 0.0f)) <= place.w;
-    }
-};
-
-/// A warp that culls has this in shared memory.
-struct CullScratch {
-    CullNode nodes[chunkNodes];
-    Float4 stroke[sizeof(StrokeRecord) / sizeof(Float4)];
-};
-
-SUFFUSE_PROGRAM CullNode cullNodeOf(const NodeRecord &n, std::int32_t cellX, std::int32_t cellY)
-{
-    const float middle = 0.5f * (n.a + n.c), half = 0.5f * (n.a - n.c);
-    const float spread = n.b == 0 ? math::abs_(half) : math::sqrt_(math::mulAdd_(half, half, n.b * n.b));
-    const float slowest = math::max_(0.9999f * (middle - spread), 0.0f), greatest = 1.0001f * (middle + spread);
-    const float x = float((n.cellX - cellX) * tileSide) + n.x, y = float((n.cellY - cellY) * tileSide) + n.y;
-    const float laid = math::max_(n.weight, 0.0f), steepest = math::abs_(n.weight) * math::sqrt_(greatest);
-    return {{x, y, n.reachX, n.reachY}, {slowest * -float(math::log2e), laid, steepest, 0}};
-}
-
-/// Finds in which tiles of half a macro-tile one stroke may show. Each lane looks at one tile.
-template <class Warp>
-class StrokeCull {
-public:
-    template <class T>
-    using Var = typename Warp::template Var<T>;
-
-    /// The half's first tile lies in cell (cellX, cellY).
-    SUFFUSE_PROGRAM StrokeCull(Warp &warp, const Frame &frame, std::uint32_t stroke, std::int32_t cellX,
-                               std::int32_t cellY, CullScratch &scratch)
-        : m_warp(warp), m_frame(frame), m_cellX(cellX), m_cellY(cellY), m_s(scratch)
-    {
-        m_warp.fetch([&](int lane, auto start) { fetchStroke(m_frame, stroke, lane, start, m_s.stroke); });
-        m_warp.each([&](int lane) { m_density[lane] = m_slope[lane] = 0, m_met[lane] = 0; });
-    }
-
-    /// Adds a chunk of the stroke. Bit i of the result says whether nodes of the chunk meet tile i.
-    SUFFUSE_PROGRAM std::uint32_t add(const ListEntry &chunk)
-    {
-        const std::uint32_t listed = nodesOf(chunk);
-        if (listed == 0) // Deep nodes lie everywhere.
-            return m_warp.ballot(
-                [&](int lane) { return meetsTile(m_frame.chunks[chunk.chunk], cellX(lane), cellY(lane)); });
-        Var<CullNode> node;
-        const std::uint32_t near = m_warp.ballot([&](int lane) {
-            if (std::uint32_t(lane) >= listed)
-                return false;
-            node[lane] = cullNodeOf(m_frame.nodes[chunk.firstNode + std::uint32_t(lane)], m_cellX, m_cellY);
-            if (!m_frame.cull)
-                node[lane].place.z = node[lane].place.w = 1e30f;
-            return node[lane].meetsHalf();
-        });
-        m_warp.each([&](int lane) {
-            if (near >> lane & 1)
-                m_s.nodes[Warp::rank(near, lane)] = node[lane];
-        });
-        const int nodes = Warp::count(near);
-        const std::uint32_t hits = m_warp.ballot([&](int lane) {
-            constexpr float half = tileSide / 2;
-            const float centreX = float(lane % macroTiles * tileSide) + half;
-            const float centreY = float(lane / macroTiles * tileSide) + half;
-            const std::uint32_t before = m_met[lane];
-            SUFFUSE_UNROLL_BY_4
-            for (int n = 0; n < nodes; ++n) {
-                const Float4 place = m_s.nodes[n].place, decay = m_s.nodes[n].decay;
-                const float outX = NodePlace::outside(place.x - centreX), outY = NodePlace::outside(place.y - centreY);
-                const bool counts = outX <= place.z && outY <= place.w;
-                // The nearest point of the tile is u spreads away. The density there is e^(−u²). Its slope 2u e^(−u²),
-                // which is greatest at u² = ½, is at most (1 + u²) e^(−u²).
-                const float ox = math::max_(outX, 0.0f), oy = math::max_(outY, 0.0f);
-                const float log = counts ? math::mulAdd_(ox, ox, oy * oy) * decay.x : -1000.0f;
-                const float e = math::exp2_(log);
-                const float rise = math::min_(0.8578f, math::negMulAdd_(log * float(math::ln2), e, e));
-                m_met[lane] += counts;
-                m_density[lane] = math::mulAdd_(decay.y, e, m_density[lane]);
-                m_slope[lane] = math::mulAdd_(decay.z, rise, m_slope[lane]);
-            }
-            return m_met[lane] != before;
-        });
-        m_warp.meet(); // The next chunk's nodes overwrite these.
-        return hits;
-    }
-
-    /// Finds the tiles where the stroke may show. In the others F is exactly zero.
-    SUFFUSE_PROGRAM std::uint32_t seen()
-    {
-        m_warp.arrive(false);
-        const StrokeRecord &stroke = strokeOf(m_s.stroke);
-        return m_warp.ballot([&](int lane) {
-            const float phi = m_density[lane] * 1.001f, h = 0.5f * m_slope[lane] * 1.001f;
-            if (!m_frame.cull || !stroke.hasLevels || phi > stroke.lowest)
-                return true;
-            for (int k = 0; k < stroke.shade.kinds; ++k)
-                if (!vanishes(stroke.shade, k, stroke.level[k], phi, h))
-                    return true;
-            return false;
-        });
-    }
-
-    /// Adds what the stroke costs to the weights of the tiles in the mask.
-    SUFFUSE_PROGRAM void addWeights(std::uint32_t mask, std::uint32_t *weights)
-    {
-        // What a node costs was measured; it depends on how often the nodes are summed.
-        const ShadeParams &shade = strokeOf(m_s.stroke).shade;
-        const std::uint32_t nodeWeight = shade.colourChannel >= 0 ? 17 : shade.lineChannel >= 0 ? 7 : 4;
-        m_warp.each([&](int lane) {
-            if (mask >> lane & 1)
-                Warp::add(weights + lane, strokeWeight + nodeWeight * m_met[lane]);
-        });
-    }
-
-private:
-    static constexpr std::uint32_t strokeWeight = 96; ///< the cost of shading and mixing at a tile
-
-    SUFFUSE_PROGRAM std::int32_t cellX(int lane) const { return m_cellX + lane % macroTiles; }
-    SUFFUSE_PROGRAM std::int32_t cellY(int lane) const { return m_cellY + lane / macroTiles; }
-
-    Warp &m_warp;
-    const Frame &m_frame;
-    std::int32_t m_cellX, m_cellY;
-    CullScratch &m_s;
-    Var<float> m_density, m_slope; ///< bounds of φ and |∇φ| (per pixel) in the lane's tile
-    Var<std::uint32_t> m_met;      ///< nodes that meet the tile
-};
-
 inline constexpr int listWarps = 8;
+
+/// Holds an entry of a list while what is seen nowhere is left out.
+struct KeptEntry {
+    ListEntry entry;
+    ApartEntry apart;
+};
 
 /// A block that makes a list has this in shared memory.
 struct ListScratch {
+    /// A stroke of more than longEntries entries is long: all warps cull it together, so that none is late. Rounds of
+    /// longTogether long strokes are culled at once. There is room for mostLong; a warp culls others alone.
+    static constexpr std::uint32_t longEntries = 12, mostLong = 64;
+    static constexpr int longTogether = 4;
     static constexpr int groups = 2; ///< A warp looks at so many groups of 32 chunks at once, so that loads overlap.
     std::uint32_t hits[listWarps * groups];
     std::uint32_t weights[listTiles];
-    std::uint32_t next; ///< the entry that is culled next
-    union {             // They are used one after the other.
+    std::uint32_t next;            ///< the entry that is culled next
+    std::uint32_t apart;           ///< whether a stroke is evaluated apart
+    std::uint32_t longOnes;        ///< how many of these there are
+    std::uint32_t first[mostLong]; ///< the first entries of long strokes
+    CullPart parts[longTogether][listWarps];
+    union { // They are used one after the other.
         CullScratch cull[listWarps];
-        ListEntry kept[listWarps * warpLanes];
+        KeptEntry kept[listWarps * warpLanes];
     };
 };
 
@@ -190,13 +67,14 @@ public:
     SUFFUSE_PROGRAM ListMaker(Block &block, const Frame &frame, std::uint32_t index, ListScratch &scratch)
         : m_block(block), m_frame(frame), m_index(index), m_half(index / listQuarters % 2),
           m_macro(frame.macros[index / listParts]), m_list(frame.lists + std::size_t(index) * frame.listRoom),
-          m_s(scratch)
+          m_apart(frame.apart + std::size_t(index) * frame.listRoom), m_s(scratch)
     {}
 
     SUFFUSE_PROGRAM void make()
     {
         gather();
         m_block.each([&](Warp &warp, int own) { cull(warp, m_s.cull[own]); });
+        cullLong();
         if (m_frame.ordered)
             m_block.one([&](Warp &warp) { tellWeights(warp); });
         compact();
@@ -249,6 +127,8 @@ private:
                         return;
                     const ChunkRecord &c = m_frame.chunks[i];
                     m_list[at] = {i, c.firstNode, c.stroke * 64 + c.nodes, 0};
+                    if (m_frame.apartRoom)
+                        m_apart[at] = {0, 0};
                 });
             });
             m_count = m_after;
@@ -258,7 +138,7 @@ private:
                 if (own == 0 && lane == 0)
                     Warp::raise(m_frame.status + longestList, m_count);
                 if (own == 0)
-                    m_s.weights[lane] = 0, m_s.next = 0;
+                    m_s.weights[lane] = 0, m_s.next = 0, m_s.apart = 0, m_s.longOnes = 0;
             });
         });
         m_count = m_count < m_frame.listRoom ? m_count : m_frame.listRoom;
@@ -299,13 +179,101 @@ private:
         for (std::uint32_t entry; (entry = warp.take(&m_s.next)) < m_count;) {
             const ListEntry chunk = m_list[entry];
             if (entry == 0 || strokeIndexOf(m_list[entry - 1]) != strokeIndexOf(chunk))
-                cullStroke(warp, entry, chunk, scratch);
+                if (!isLong(warp, entry, strokeIndexOf(chunk)))
+                    cullStroke(warp, entry, chunk, scratch);
         }
+    }
+
+    /// Tells whether the stroke that begins with an entry is long, and then remembers it.
+    SUFFUSE_PROGRAM bool isLong(Warp &warp, std::uint32_t entry, std::uint32_t stroke)
+    {
+        constexpr std::uint32_t longEntries = ListScratch::longEntries, most = ListScratch::mostLong;
+        if (entry + longEntries >= m_count || strokeIndexOf(m_list[entry + longEntries]) != stroke ||
+            nodesOf(m_list[entry]) == 0) // Where deep nodes lie is not counted.
+            return false;
+        const std::uint32_t place = warp.take(&m_s.longOnes);
+        if (place >= most)
+            return false;
+        warp.each([&](int lane) {
+            if (lane == 0)
+                m_s.first[place] = entry;
+        });
+        return true;
+    }
+
+    /// Culls long strokes: each warp takes some entries of each, and then one warp for each stroke adds the parts.
+    SUFFUSE_PROGRAM void cullLong()
+    {
+        constexpr std::uint32_t together = ListScratch::longTogether, most = ListScratch::mostLong;
+        const std::uint32_t count = m_s.longOnes < most ? m_s.longOnes : most;
+        for (std::uint32_t from = 0; from < count; from += together) {
+            const std::uint32_t to = from + together < count ? from + together : count;
+            m_block.each([&](Warp &warp, int own) {
+                for (std::uint32_t i = from; i < to; ++i)
+                    cullPart(warp, m_s.first[i], own, m_s.parts[i - from][own]);
+            });
+            m_block.each([&](Warp &warp, int own) {
+                if (from + std::uint32_t(own) < to)
+                    finishLong(warp, m_s.first[from + std::uint32_t(own)], m_s.cull[own], m_s.parts[own]);
+            });
+        }
+    }
+
+    SUFFUSE_PROGRAM void cullPart(Warp &warp, std::uint32_t begin, int own, CullPart &part)
+    {
+        const std::uint32_t stroke = strokeIndexOf(m_list[begin]);
+        StrokeCull<Warp> cull(warp, m_frame, stroke, cellX(), cellY(), m_s.cull[own]);
+        for (std::uint32_t i = begin + std::uint32_t(own); i < m_count; i += listWarps) {
+            const ListEntry entry = m_list[i];
+            if (strokeIndexOf(entry) != stroke)
+                break;
+            const std::uint32_t hits = cull.add(entry);
+            warp.each([&](int lane) {
+                if (lane == 0)
+                    m_list[i].mask = hits;
+            });
+        }
+        warp.arrive(false);
+        cull.give(part);
+    }
+
+    SUFFUSE_PROGRAM void finishLong(Warp &warp, std::uint32_t begin, CullScratch &scratch,
+                                    const CullPart (&parts)[listWarps])
+    {
+        const ListEntry first = m_list[begin];
+        const std::uint32_t stroke = strokeIndexOf(first);
+        StrokeCull<Warp> cull(warp, m_frame, stroke, cellX(), cellY(), scratch);
+        for (const CullPart &part : parts)
+            cull.take(part);
+        std::uint32_t all = 0, entry = begin, lastChunk = first.chunk;
+        for (std::uint32_t base = begin; base < m_count; base += warpLanes) { // Finds the stroke's last entry.
+            typename Warp::template Var<std::uint32_t> chunk;
+            const std::uint32_t own = warp.ballot([&](int lane) {
+                const std::uint32_t i = base + std::uint32_t(lane);
+                const ListEntry e = m_list[i < m_count ? i : m_count - 1];
+                chunk[lane] = e.chunk;
+                return i < m_count && strokeIndexOf(e) == stroke;
+            });
+            if (own == 0)
+                break;
+            const int count = Warp::count(own); // They lie side by side.
+            entry = base + std::uint32_t(count) - 1;
+            lastChunk = warp.read(chunk, count - 1);
+            if (count < warpLanes)
+                break;
+        }
+        all = cull.metTiles();
+        const std::uint32_t seen = cull.seen();
+        warp.each([&](int lane) {
+            for (std::uint32_t i = begin + std::uint32_t(lane); i <= entry; i += warpLanes)
+                m_list[i].mask &= seen;
+        });
+        finishStroke(warp, cull, all & seen, begin, entry, first.chunk, lastChunk);
     }
 
     SUFFUSE_PROGRAM void cullStroke(Warp &warp, std::uint32_t entry, ListEntry chunk, CullScratch &scratch)
     {
-        const std::uint32_t stroke = strokeIndexOf(chunk), begin = entry;
+        const std::uint32_t stroke = strokeIndexOf(chunk), begin = entry, firstChunk = chunk.chunk;
         StrokeCull<Warp> cull(warp, m_frame, stroke, cellX(), cellY(), scratch);
         std::uint32_t all = 0, last = 0;
         for (;;) {
@@ -328,7 +296,61 @@ private:
             if (lane == 0)
                 m_list[entry].mask = last & seen;
         });
-        cull.addWeights(all & seen, m_s.weights);
+        finishStroke(warp, cull, all & seen, begin, entry, firstChunk, chunk.chunk);
+    }
+
+    /// Decides where a stroke with the entries [begin, end] is evaluated, and adds what it costs to the tiles.
+    SUFFUSE_PROGRAM void finishStroke(Warp &warp, StrokeCull<Warp> &cull, std::uint32_t visible, std::uint32_t begin,
+                                      std::uint32_t end, std::uint32_t firstChunk, std::uint32_t lastChunk)
+    {
+        const std::uint32_t shown = visible & m_frame.macros[m_index / listParts].painted[m_half];
+        ApartEntry apart{0, 0};
+        apart.mask = cull.apart(shown, m_frame.macros[m_index / listParts].general[m_half], m_s.weights);
+        if (apart.mask && findSlots(warp, apart)) {
+            ApartJob job;
+            job.stroke = strokeIndexOf(m_list[begin]), job.from = firstChunk, job.to = lastChunk + 1;
+            const std::uint32_t costly = cull.costly(apart.mask);
+            const bool plain = cull.stroke().plain != 0;
+            giveJobs(warp, job, apart, costly, plain ? costlyPlain : costlyGeneral);
+            giveJobs(warp, job, apart, apart.mask & ~costly, plain ? otherPlain : otherGeneral);
+            warp.each([&](int lane) {
+                for (std::uint32_t i = begin + std::uint32_t(lane); i <= end; i += warpLanes)
+                    m_apart[i] = apart;
+                if (lane == 0)
+                    m_s.apart = 1;
+            });
+        }
+        cull.addWeights(shown, apart.mask, m_s.weights);
+    }
+
+    /// Finds slots for a stroke at the tiles of `apart`. If there is no room, it is evaluated with the tiles.
+    SUFFUSE_PROGRAM bool findSlots(Warp &warp, ApartEntry &apart)
+    {
+        const auto count = std::uint32_t(Warp::count(apart.mask));
+        apart.slot = warp.take(m_frame.status + slotsTaken, count);
+        if (apart.slot + count > m_frame.apartRoom)
+            apart = {0, 0};
+        return apart.mask != 0;
+    }
+
+    /// Gives jobs of a class for those tiles of the stroke that are in the mask.
+    SUFFUSE_PROGRAM void giveJobs(Warp &warp, const ApartJob &stroke, const ApartEntry &apart, std::uint32_t mask,
+                                  ApartClass kind)
+    {
+        if (mask == 0)
+            return;
+        const std::uint32_t first =
+            warp.take(m_frame.status + firstApartCount + kind, std::uint32_t(Warp::count(mask)));
+        warp.each([&](int lane) {
+            if (!(mask >> lane & 1))
+                return;
+            ApartJob job = stroke;
+            job.column = std::uint16_t(cellX() + lane % macroTiles);
+            job.row = std::uint16_t(cellY() + lane / macroTiles);
+            job.slot = apart.slot + std::uint32_t(Warp::rank(apart.mask, lane));
+            m_frame.apartJobs[std::size_t(kind) * m_frame.apartRoom + first + std::uint32_t(Warp::rank(mask, lane))] =
+                job;
+        });
     }
 
     /// Leaves out what can be seen nowhere, and writes down the list's length.
@@ -342,14 +364,18 @@ private:
                     if (i >= m_count)
                         return false;
                     const ListEntry entry = m_list[i];
-                    m_s.kept[own * warpLanes + lane] = entry;
+                    m_s.kept[own * warpLanes + lane].entry = entry;
+                    if (m_s.apart)
+                        m_s.kept[own * warpLanes + lane].apart = m_apart[i];
                     return entry.mask != 0;
                 })};
                 tellHits(warp, own, hits);
             });
             m_block.each([&](Warp &warp, int own) {
                 forEachHit<1>(warp, own, count, [&](int group, int lane, std::uint32_t at) {
-                    m_list[at] = m_s.kept[group * warpLanes + lane];
+                    m_list[at] = m_s.kept[group * warpLanes + lane].entry;
+                    if (m_s.apart)
+                        m_apart[at] = m_s.kept[group * warpLanes + lane].apart;
                 });
             });
             count = m_after;
@@ -357,7 +383,7 @@ private:
         m_block.each([&](Warp &warp, int own) {
             warp.each([&](int lane) {
                 if (own == 0 && lane == 0)
-                    m_frame.listCounts[m_index] = count;
+                    m_frame.listCounts[m_index] = count | (m_s.apart ? anyApart : 0);
             });
         });
     }
@@ -400,6 +426,7 @@ private:
     const std::uint32_t m_index, m_half;
     const MacroJob m_macro;
     ListEntry *m_list;
+    ApartEntry *m_apart; ///< beside the list
     ListScratch &m_s;
     std::uint32_t m_count = 0, m_after = 0;
 };

@@ -43,10 +43,12 @@ SUFFUSE_PROGRAM void fetchStroke(const Frame &frame, std::uint32_t stroke, int l
 }
 
 template <class Warp>
-SUFFUSE_PROGRAM void fetchChunk(Warp &warp, const Frame &frame, const ChunkRecord &chunk, Fetched &to)
+SUFFUSE_PROGRAM void fetchChunk(Warp &warp, const Frame &frame, const ChunkRecord &chunk, Fetched &to,
+                                bool withStroke = true)
 {
     warp.fetch([&](int lane, auto start) {
-        fetchStroke(frame, chunk.stroke, lane, start, to.stroke);
+        if (withStroke)
+            fetchStroke(frame, chunk.stroke, lane, start, to.stroke);
         if (std::uint32_t(lane) >= chunk.nodes)
             return;
         const auto *node = reinterpret_cast<const Float4 *>(frame.nodes + chunk.firstNode + std::uint32_t(lane));
@@ -93,6 +95,13 @@ struct NodePlace {
     SUFFUSE_PROGRAM bool meetsTile(float reachX, float reachY) const
     {
         return outside(dx) <= reachX && outside(dy) <= reachY;
+    }
+    /// The same for a block of samples of the tile around (x, y), from the tile's centre, that is step times as wide.
+    SUFFUSE_PROGRAM bool meets(float x, float y, float step, float reachX, float reachY) const
+    {
+        constexpr float half = tileSide / 2, margin = 0.05f;
+        const float side = half * step + margin;
+        return math::abs_(dx - x) - side <= reachX && math::abs_(dy - y) - side <= reachY;
     }
     /// Returns the distance from the tile's edge along an axis, which is below 0 inside.
     static SUFFUSE_PROGRAM float outside(float d)

@@ -7,6 +7,32 @@
 
 namespace suffuse::cuda {
 
+/// Hands φ′ = γφ and h² = (½γ|∇φ|)² of a plain stroke to its style. `eta` is the paper, or null where it is 1.
+template <class Warp>
+SUFFUSE_PROGRAM void giveMeans(Warp &warp, const StrokeRecord &stroke,
+                               const typename Warp::template Var<SampleSums> &sums, const float *eta,
+                               MeanScratch &means)
+{
+    const auto give = [&](int lane, auto gammaAt) {
+        const SampleSums &s = sums[lane];
+        SUFFUSE_UNROLL
+        for (int k = 0; k < laneSamples; ++k) {
+            const int at = sampleAt(lane, k);
+            const float gamma = gammaAt(at), width = gamma * slopeUnit;
+            const float h2 = math::mulAdd_(s.slopeX[k], s.slopeX[k], s.slopeY[k] * s.slopeY[k]) * (width * width);
+            means.density[at] = math::min_(s.density[k], 1e18f) * gamma;
+            means.h2[at] = math::min_(h2, 1e36f);
+        }
+    };
+    const float grain = stroke.shade.grain;
+    warp.each([&](int lane) {
+        if (eta)
+            give(lane, [&](int at) { return math::mulAdd_(1 - grain, eta[at], grain); });
+        else
+            give(lane, [](int) { return 1.0f; });
+    });
+}
+
 template <class Warp>
 class PlainStroke {
 public:
@@ -61,7 +87,7 @@ public:
                     m_values[lane].v[k] = math::min_(m_values[lane].v[k] * m_inverse[lane].v[k], 1.0f);
                 }
             });
-        modulate(eta);
+        giveMeans(m_warp, m_stroke, m_sums, eta, m_s.means);
         return meanOfStyle(m_warp, m_stroke, m_s.means);
     }
 
@@ -102,29 +128,6 @@ public:
     }
 
 private:
-    /// Hands φ′ = γφ and h² = (½γ|∇φ|)² to the style.
-    SUFFUSE_PROGRAM void modulate(const float *eta)
-    {
-        const auto give = [&](int lane, auto gammaAt) {
-            const SampleSums &s = m_sums[lane];
-            SUFFUSE_UNROLL
-            for (int k = 0; k < laneSamples; ++k) {
-                const int at = sampleAt(lane, k);
-                const float gamma = gammaAt(at), width = gamma * slopeUnit;
-                const float h2 = math::mulAdd_(s.slopeX[k], s.slopeX[k], s.slopeY[k] * s.slopeY[k]) * (width * width);
-                m_s.means.density[at] = math::min_(s.density[k], 1e18f) * gamma;
-                m_s.means.h2[at] = math::min_(h2, 1e36f);
-            }
-        };
-        const float grain = m_stroke.shade.grain;
-        m_warp.each([&](int lane) {
-            if (eta)
-                give(lane, [&](int at) { return math::mulAdd_(1 - grain, eta[at], grain); });
-            else
-                give(lane, [](int) { return 1.0f; });
-        });
-    }
-
     /// Returns F at a sample, after `style`.
     SUFFUSE_PROGRAM float meanAt(int lane, int k) const { return m_s.means.density[sampleAt(lane, k)]; }
 

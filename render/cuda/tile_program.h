@@ -1,18 +1,9 @@
 // This program of one warp evaluates one tile: all strokes that meet it, from bottom to top.
 #pragma once
 
-#include "render/cuda/tile_general.h"
-#include "render/cuda/tile_plain.h"
+#include "render/cuda/tile_apart.h"
 
 namespace suffuse::cuda {
-
-/// A warp has this in shared memory while it paints strokes.
-struct PaintScratch {
-    SumScratch sums;
-    Fetched fetched[2]; ///< the present chunk and the next one
-    Float4 stroke[sizeof(StrokeRecord) / sizeof(Float4)];
-    float eta[tileSize]; ///< the paper at the tile's pixels, once it is needed
-};
 
 /// A warp that paints tiles has this in shared memory.
 template <bool general>
@@ -27,9 +18,9 @@ struct TileScratch<true> : TileScratch<false> {
     GeneralScratch general;
 };
 
-/// If `general`, this paints anything, otherwise only what TileFlag::plainTile says. A plain stroke shows the same bits
-/// either way.
-template <bool general, class Warp>
+/// If `general`, this paints anything, otherwise only what TileFlag::plainTile says. If `apart`, strokes may have been
+/// evaluated apart. A plain stroke shows the same bits either way.
+template <bool general, bool apart, class Warp>
 class TilePainter {
 public:
     template <class T>
@@ -52,7 +43,16 @@ public:
                 endStroke();
                 if (found.stroke == none)
                     break;
+                if (general && m_streams && m_stroke != none &&
+                    !m_isApart) { // Its nodes have come to where these chunks were.
+                    fetchAgain(found, turn);
+                    fetchAgain(next, turn ^ 1);
+                    m_warp.arrive(next.stroke != none);
+                }
                 startStroke(found, m_s.paint.fetched[turn]);
+                if constexpr (apart)
+                    if (m_isApart)
+                        mixApart(found, strokeOf(m_s.paint.stroke));
             }
             addChunk(m_s.paint.fetched[turn], int(found.nodes));
         }
@@ -77,8 +77,11 @@ private:
     SUFFUSE_PROGRAM BackdropPixel *under() const { return m_frame.under + std::size_t(m_job.layer) * tileSize; }
 
     struct Found {
-        std::uint32_t chunk = none, stroke = none, nodes = 0;
+        std::uint32_t chunk = none, stroke = none;
+        std::uint32_t nodes = 0;     ///< or apartNodes, if the stroke is evaluated apart
+        std::uint32_t firstNode = 0; ///< or the slot
     };
+    static constexpr std::uint32_t apartNodes = 63; ///< No chunk has so many.
 
     /// Finds the next chunk of the half macro-tile's lists that meets the tile, and starts its copy to shared memory.
     SUFFUSE_PROGRAM Found findChunk()
@@ -104,6 +107,13 @@ private:
                 const ListEntry entry = m_lists[at];
                 m_chunk[lane] = entry.chunk, m_firstNode[lane] = entry.firstNode;
                 m_strokeAndNodes[lane] = entry.strokeAndNodes;
+                if (apart && m_anyApart) {
+                    const ApartEntry slots = m_frame.apart[m_lists - m_frame.lists + std::ptrdiff_t(at)];
+                    if (slots.mask >> tile & 1) {
+                        m_firstNode[lane] = slots.slot + std::uint32_t(Warp::rank(slots.mask, tile));
+                        m_strokeAndNodes[lane] |= apartNodes;
+                    }
+                }
                 return (entry.mask >> tile & 1) != 0 && isWanted(entry.chunk);
             });
             m_listed += warpLanes;
@@ -113,12 +123,28 @@ private:
         ListEntry entry;
         entry.chunk = m_warp.read(m_chunk, from), entry.firstNode = m_warp.read(m_firstNode, from);
         entry.strokeAndNodes = m_warp.read(m_strokeAndNodes, from);
-        const Found found{entry.chunk, strokeIndexOf(entry), nodesOf(entry)};
-        ChunkRecord chunk;
-        chunk.firstNode = entry.firstNode, chunk.nodes = found.nodes, chunk.stroke = found.stroke;
+        const Found found{entry.chunk, strokeIndexOf(entry), nodesOf(entry), entry.firstNode};
+        if (apart && found.nodes == apartNodes) // One entry of the stroke is enough.
+            m_hits &= ~m_warp.ballot([&](int lane) { return m_strokeAndNodes[lane] == entry.strokeAndNodes; });
         m_turn ^= 1;
-        fetchChunk(m_warp, m_frame, chunk, m_s.paint.fetched[m_turn]);
+        fetch(found, m_turn);
         return found;
+    }
+
+    /// Starts the copy of a chunk, or only of its stroke if that is evaluated apart.
+    SUFFUSE_PROGRAM void fetch(const Found &found, int turn)
+    {
+        ChunkRecord chunk;
+        chunk.firstNode = found.firstNode, chunk.stroke = found.stroke;
+        chunk.nodes = apart && found.nodes == apartNodes ? 0 : found.nodes;
+        fetchChunk(m_warp, m_frame, chunk, m_s.paint.fetched[turn]);
+    }
+    SUFFUSE_PROGRAM void fetchAgain(const Found &found, int turn)
+    {
+        if (found.stroke == none)
+            m_warp.fetch([](int, auto) {});
+        else
+            fetch(found, turn);
     }
 
     SUFFUSE_PROGRAM bool isWanted(std::uint32_t chunk) const
@@ -136,8 +162,11 @@ private:
             std::uint32_t end = 0;
             SUFFUSE_UNROLL
             for (int quarter = 0; quarter < listQuarters; ++quarter)
-                end += quarter <= lane ? m_frame.listCounts[first + std::size_t(quarter)] : 0;
+                end += quarter <= lane ? m_frame.listCounts[first + std::size_t(quarter)] & ~anyApart : 0;
             m_ends[lane] = end;
+        });
+        m_anyApart = apart && m_warp.any([&](int lane) {
+            return lane < listQuarters && (m_frame.listCounts[first + std::size_t(lane)] & anyApart) != 0;
         });
         m_count = m_warp.read(m_ends, listQuarters - 1);
         m_warp.each([&](int lane) {
@@ -187,26 +216,36 @@ private:
         m_warp.meet(); // All lanes have finished with the last stroke's record.
         enter(found.chunk);
         m_stroke = found.stroke;
+        m_isApart = apart && found.nodes == apartNodes;
+        m_firstChunk = found.chunk;
         m_listing = {};
         m_overflown = false;
         m_warp.each([&](int lane) {
             if (lane < int(sizeof(m_s.paint.stroke) / sizeof(Float4)))
                 m_s.paint.stroke[lane] = fetched.stroke[lane];
         });
-        if (strokeOf(m_s.paint.stroke).granulated && !m_haveEta)
-            findEta(); // This is done while no sums are in registers.
+        const StrokeRecord &stroke = strokeOf(m_s.paint.stroke);
+        m_streams = general && !stroke.plain;
+        if (stroke.granulated && !m_haveEta && !(apart && m_isApart) && !(general && m_streams)) {
+            m_haveEta = true; // This is done while no sums are in registers.
+            if (m_frame.paper.kind != 0)
+                findEta(m_warp, m_frame, m_job.column, m_job.row, Block{}, 0, m_s.paint.eta);
+        }
     }
     SUFFUSE_PROGRAM void addChunk(const Fetched &fetched, int nodes)
     {
+        if ((apart && m_isApart) || (general && m_streams))
+            return; // Another warp lists the nodes, or this one does so when it evaluates the stroke.
         if (m_listing.count + chunkNodes > nodeRoom)
             m_overflown = true; // There are too many to keep, so they are chosen again when they are summed.
         if (!m_overflown)
-            listNodes(m_warp, m_frame.cull != 0, fetched, nodes, m_job.column, m_job.row, m_s.paint.sums, m_listing);
+            listNodes(m_warp, m_frame.cull != 0, fetched, nodes, m_job.column, m_job.row, Block{}, m_s.paint.sums,
+                      m_listing);
     }
 
     SUFFUSE_PROGRAM void endStroke()
     {
-        if (m_stroke == none)
+        if (m_stroke == none || (apart && m_isApart))
             return;
         const StrokeRecord &stroke = strokeOf(m_s.paint.stroke);
         if (stroke.plain)
@@ -228,16 +267,31 @@ private:
         } while (part.chunk < end);
     }
 
-    /// Finds the paper at the tile's pixels.
-    SUFFUSE_PROGRAM void findEta()
+    /// Mixes a stroke that another warp has evaluated, or is about to.
+    SUFFUSE_PROGRAM void mixApart(const Found &found, const StrokeRecord &stroke)
     {
-        m_haveEta = true;
-        if (m_frame.paper.kind == 0)
+        const int parts = general && !stroke.plain && stroke.small ? generalParts : 1;
+        const std::uint32_t done = 2 * m_frame.apartStamp;
+        const bool shows = m_warp.any([&](int lane) {
+            return lane < parts && Warp::await(apartDone(m_frame, found.firstNode, lane),
+                                               [&](std::uint32_t word) { return word >> 1 == done >> 1; }) != done;
+        });
+        if (!shows)
             return;
+        const Float4 *slot = apartSlot(m_frame, found.firstNode);
+        const float keep = stroke.keep;
         m_warp.each([&](int lane) {
+            Float4 samples[laneSamples]; // All loads are started at once.
+            SUFFUSE_UNROLL
             for (int k = 0; k < laneSamples; ++k)
-                m_s.paint.eta[sampleAt(lane, k)] = etaAt(m_frame, m_job.column * tileSide + sampleColumn(lane, k) + 0.5,
-                                                         m_job.row * tileSide + sampleRow(lane, k) + 0.5, 1);
+                samples[k] = Warp::readPublished(slot + sampleAt(lane, k));
+            SUFFUSE_UNROLL
+            for (int k = 0; k < laneSamples; ++k) {
+                mixCoverage(lane, k, samples[k].x, keep);
+                mixColour<0>(lane, k, samples[k].x, samples[k].y, keep);
+                mixColour<1>(lane, k, samples[k].x, samples[k].z, keep);
+                mixColour<2>(lane, k, samples[k].x, samples[k].w, keep);
+            }
         });
     }
 
@@ -300,8 +354,9 @@ private:
 
     SUFFUSE_PROGRAM void paintGeneral(const StrokeRecord &stroke)
     {
-        GeneralStroke<Warp> evaluator(m_warp, m_frame, m_job, stroke, m_s.paint.sums, m_s.general);
-        evaluator.evaluateTile([&](auto use) { forEachListing(stroke, use); });
+        const ApartJob whole{m_job.column, m_job.row, m_stroke, m_firstChunk, stroke.firstChunk + stroke.chunks, 0};
+        m_warp.arrive(false); // Nothing may still come to where its nodes will.
+        evaluateGeneral(m_warp, m_frame, whole, GeneralStroke<Warp>::allParts, m_s.paint, stroke, m_s.general);
         const float keep = stroke.keep;
         m_warp.each([&](int lane) {
             SUFFUSE_UNROLL
@@ -358,16 +413,20 @@ private:
     std::uint32_t m_listed = 0, m_hits = 0;
     std::uint32_t m_stroke = none;
     Listing m_listing;
-    int m_turn = 1; ///< the place of `fetched` where the last chunk goes
+    int m_turn = 1;                 ///< the place of `fetched` where the last chunk goes
+    std::uint32_t m_firstChunk = 0; ///< the stroke's first chunk that meets the tile
     bool m_overflown = false;
+    bool m_anyApart = false; ///< whether some strokes of the lists are evaluated apart from some tiles
+    bool m_isApart = false;  ///< whether the present stroke is, from this one
+    bool m_streams = false;  ///< whether its nodes are listed when it is evaluated
     bool m_underStored = false, m_overBegun = false, m_haveEta = false;
 };
 
 /// Paints one tile job.
-template <bool general, class Warp>
+template <bool general, bool apart, class Warp>
 SUFFUSE_PROGRAM void paintTile(Warp &warp, const Frame &frame, std::uint32_t job, TileScratch<general> &scratch)
 {
-    TilePainter<general, Warp>(warp, frame, frame.tiles[job], scratch).paint(job);
+    TilePainter<general, apart, Warp>(warp, frame, frame.tiles[job], scratch).paint(job);
 }
 
 } // namespace suffuse::cuda

@@ -2,6 +2,7 @@
 // (docs/solver.md, "Separable blocks").
 #pragma once
 
+#include "render/cuda/tile_deep.h"
 #include "render/cuda/tile_nodes.h"
 
 namespace suffuse::cuda {
@@ -71,6 +72,7 @@ struct SumScratch {
     union {                                       // They are used one after the other.
         BatchScratch sums;
         Fetched chosenAgain;
+        double deep[1 + maxChannels][deepTerms];
     };
     MeanScratch means;
 };
@@ -94,10 +96,11 @@ SUFFUSE_PROGRAM int wholeStrides(int nodes)
     return (nodes + stride - 1) / stride * stride;
 }
 
-/// Lists those nodes of a chunk that meet the tile. The chunk must have arrived, and there must be room for 32.
+/// Lists those nodes of a chunk that meet a block of the tile's samples. The chunk must have arrived, and there must be
+/// room for 32.
 template <class Warp>
 SUFFUSE_PROGRAM void listNodes(Warp &warp, bool cull, const Fetched &chunk, int nodes, std::int32_t cellX,
-                               std::int32_t cellY, SumScratch &s, Listing &listing)
+                               std::int32_t cellY, const Block &block, SumScratch &s, Listing &listing)
 {
     typename Warp::template Var<ListedNode> node;
     typename Warp::template Var<std::uint32_t> row;
@@ -108,7 +111,7 @@ SUFFUSE_PROGRAM void listNodes(Warp &warp, bool cull, const Fetched &chunk, int 
             return false;
         const NodeRecord n = nodeOf(chunk, lane);
         const NodePlace place(n, cellX, cellY);
-        if (cull && !place.meetsTile(n.reachX, n.reachY))
+        if (cull && !place.meets(block.x, block.y, block.step, n.reachX, n.reachY))
             return false;
         oblique[lane] = n.b != 0;
         constexpr float base2 = -float(math::log2e);
@@ -118,6 +121,8 @@ SUFFUSE_PROGRAM void listNodes(Warp &warp, bool cull, const Fetched &chunk, int 
         row[lane] = n.row;
         return true;
     });
+    if (hits == 0)
+        return;
     const bool askew = warp.any([&](int lane) { return oblique[lane]; });
     if (askew && listing.count == listing.separable)
         listing.count = wholeStrides(listing.count); // The empty ones stay.
@@ -165,7 +170,7 @@ SUFFUSE_CALL PartialListing listChunks(Warp warp, const Frame &frame, std::uint3
             const ChunkRecord c = frame.chunks[at];
             fetchChunk(warp, frame, c, s.chosenAgain);
             warp.arrive(false);
-            listNodes(warp, frame.cull != 0, s.chosenAgain, int(c.nodes), cellX, cellY, s, part.listing);
+            listNodes(warp, frame.cull != 0, s.chosenAgain, int(c.nodes), cellX, cellY, Block{}, s, part.listing);
         }
     }
     return part;

@@ -12,6 +12,13 @@ constexpr std::size_t mostBandTiles = 65535; // They are counted by 16 bits.
 /// So many tiles of float pixels take 32 MiB.
 constexpr std::size_t mostFloatTiles = 8192;
 constexpr std::size_t fewestBandTiles = 64;
+/// Slots for strokes that are evaluated apart take 4 kB each: 1 to 128 MiB.
+constexpr std::size_t fewestApart = 256, mostApart = 32768;
+/// Where fewer than one in so many tiles has a stroke that costs much, the next call has none evaluated apart, since
+/// the kernel that cannot do so is the faster one.
+constexpr std::size_t fewApart = 4;
+/// Planes of the paper take 1 kB each, at most 64 MiB.
+constexpr std::size_t mostEtaPlanes = 65536, manyEtaPlanes = 5;
 /// All lists of a band have at most so many entries. Macro-tiles are counted by 16 bits.
 constexpr std::size_t mostListed = std::size_t(1) << 23, mostMacros = 65535;
 
@@ -27,18 +34,23 @@ ToCanvas toCanvasOf(const View &v)
 
 } // namespace
 
-TileWorker::TileWorker(std::shared_ptr<Device> device, bool cull, Threads threads)
+TileWorker::TileWorker(std::shared_ptr<Device> device, bool cull, Threads threads, const ApartLimits &apart)
     : m_device(std::move(device)), m_threads(threads), m_scene(*m_device), m_layers(*m_device), m_paper(*m_device),
       m_tileJobs(*m_device), m_macroJobs(*m_device), m_hostStatus(*m_device), m_deviceTileJobs(*m_device),
       m_deviceMacroJobs(*m_device), m_status(*m_device), m_listCounts(*m_device), m_order(*m_device),
-      m_lists(*m_device), m_buffers{TileBuffer(*m_device), TileBuffer(*m_device)}, m_bandTiles(mostBandTiles)
+      m_lists(*m_device), m_apart(*m_device), m_apartJobs(*m_device), m_apartSamples(*m_device), m_apartDone(*m_device),
+      m_eta(*m_device), m_etaKnown(*m_device), m_buffers{TileBuffer(*m_device), TileBuffer(*m_device)},
+      m_bandTiles(mostBandTiles)
 {
     m_frame.cull = cull;
+    m_frame.apartLimits = apart;
 }
 
 void TileWorker::releaseBuffers()
 {
     m_lists.release();
+    m_apart.release(), m_apartJobs.release(), m_apartSamples.release(), m_apartDone.release();
+    m_apartRoom = 0;
     for (TileBuffer &buffer : m_buffers)
         buffer.onDevice.release(), buffer.onHost.release();
 }
@@ -81,6 +93,7 @@ Fault TileWorker::prepare(const FrameHistory &history, const FrameHistory::Step 
 {
     if (step.whole) {
         m_layers.allow();
+        m_apartRefused = m_etaRefused = false;
         m_bandTiles = mostBandTiles;
     }
     if (!step.keepsUnder || step.raisesUnder)
@@ -116,7 +129,77 @@ Fault TileWorker::prepare(const FrameHistory &history, const FrameHistory::Step 
     m_frame.background[2] = b.blue * opacity;
     m_frame.transparent = request.transparent;
     m_frame.toCanvas = toCanvasOf(request.view);
+    return keepEta();
+}
+
+Fault TileWorker::keepEta()
+{
+    const auto tiles = [&](int pixels) { return std::size_t(pixels + tileSide - 1) / tileSide; };
+    const std::size_t all = tiles(m_frame.width) * tiles(m_frame.height);
+    const PaperParams &p = m_frame.paper;
+    const ToCanvas &c = m_frame.toCanvas;
+    const EtaOf now{{double(p.kind), double(p.grain), double(p.seed), p.scale, double(p.strength), double(p.width),
+                     double(p.height), c.x0, c.y0, c.xx, c.xy, c.yx, c.yy, double(m_frame.width),
+                     double(m_frame.height)},
+                    m_paperTexture.get()};
+    m_frame.etaPlanes = 0;
+    if (m_frame.paper.kind == 0 || m_etaRefused || all > mostEtaPlanes)
+        return {};
+    m_frame.etaPlanes = all * manyEtaPlanes > mostEtaPlanes ? 1 : manyEtaPlanes;
+    const std::size_t planes = all * m_frame.etaPlanes;
+    bool grown = false;
+    Fault fault = m_eta.reserve(planes * tileSize);
+    if (!fault)
+        fault = m_etaKnown.reserve(planes, &grown);
+    if (fault) {
+        m_eta.release(), m_etaKnown.release();
+        m_etaRefused = true;
+        m_frame.etaPlanes = 0;
+        return fault.kind == Fault::Lost ? fault : Fault{};
+    }
+    m_frame.eta = m_eta.data();
+    m_frame.etaKnown = m_etaKnown.data();
+    if (grown) {
+        m_frame.etaStamp = 0;
+        if (Fault cleared = m_device->clear(m_etaKnown.data(), planes * sizeof(std::uint32_t)))
+            return cleared;
+    }
+    if (grown || now != m_etaOf)
+        ++m_frame.etaStamp;
+    m_etaOf = now;
     return {};
+}
+
+Fault TileWorker::reserveApart(std::size_t tiles, std::size_t listed)
+{
+    m_frame.apartRoom = 0;
+    if (m_apartRefused || !m_apartWorthIt)
+        return {};
+    const std::size_t wanted = std::clamp(std::max(2 * tiles, m_apartWanted), fewestApart, mostApart);
+    bool grown = false;
+    Fault fault = m_apart.reserve(listed);
+    if (!fault && wanted > m_apartRoom) {
+        const std::size_t room = std::bit_ceil(wanted);
+        for (const Fault &f : {m_apartSamples.reserve(room * tileSize * 4), m_apartJobs.reserve(room * apartClasses),
+                               m_apartDone.reserve(room * apartParts, &grown)})
+            if (!fault)
+                fault = f;
+        m_apartRoom = fault ? 0 : room;
+    }
+    if (!fault && grown)
+        fault = m_device->clear(m_apartDone.data(), m_apartRoom * apartParts * sizeof(std::uint32_t));
+    if (fault.kind == Fault::OutOfMemory) {
+        m_apart.release(), m_apartJobs.release(), m_apartSamples.release(), m_apartDone.release();
+        m_apartRoom = 0, m_apartRefused = true;
+        return {};
+    }
+    m_frame.apart = m_apart.data();
+    m_frame.apartJobs = m_apartJobs.data();
+    m_frame.apartSamples = m_apartSamples.data();
+    m_frame.apartDone = m_apartDone.data();
+    m_frame.apartRoom = std::uint32_t(m_apartRoom);
+    ++m_frame.apartStamp;
+    return fault;
 }
 
 Fault TileWorker::reserveJobs(std::size_t tiles)
@@ -162,13 +245,22 @@ TileWorker::Band TileWorker::plan(const FrameHistory &history, bool interactive,
             if (known == none) {
                 if (macros == macroLimit)
                     break;
-                macroJobs[macros] = {column / macroTiles, row / macroTiles, flags & haveUnder ? editedFrom : 0,
-                                     flags & applyOver ? editedTo : chunks, std::uint32_t(job - m_tileJobs.data())};
+                macroJobs[macros] = {column / macroTiles,
+                                     row / macroTiles,
+                                     flags & haveUnder ? editedFrom : 0,
+                                     flags & applyOver ? editedTo : chunks,
+                                     std::uint32_t(job - m_tileJobs.data()),
+                                     {},
+                                     {}};
                 known = macros++;
             }
             list = known;
             any |= flags, all &= flags;
         }
+        const int half = task.row % macroTiles / (macroTiles / 2);
+        const std::uint32_t bit = 1u << (task.row % (macroTiles / 2) * macroTiles + task.column % macroTiles);
+        macroJobs[list].painted[half] |= bit;
+        macroJobs[list].general[half] |= flags & plainTile ? 0 : bit;
         *job++ = {task.column, task.row, std::uint16_t(list), std::uint16_t(flags), slot, 0};
     }
     return {std::size_t(job - m_tileJobs.data()), macros, any, !(all & plainTile)};
@@ -182,6 +274,8 @@ Fault TileWorker::run(const Band &band)
                                m_status.reserve(words), m_order.reserve(band.tiles * weightClasses)})
         if (fault)
             return fault;
+    if (Fault fault = reserveApart(band.tiles, lists * m_listRoom))
+        return fault;
     m_frame.macros = m_deviceMacroJobs.data();
     m_frame.macroCount = std::uint32_t(band.macros);
     m_frame.tiles = m_deviceTileJobs.data();
@@ -201,7 +295,8 @@ Fault TileWorker::run(const Band &band)
         return fault;
     if (Fault fault = m_device->upload(m_deviceMacroJobs.data(), m_macroJobs.data(), band.macros * sizeof(MacroJob)))
         return fault;
-    if (Fault fault = m_device->run(m_frame, {(band.flags & plainTile) != 0, band.anyGeneral}))
+    if (Fault fault =
+            m_device->run(m_frame, {(band.flags & plainTile) != 0 || m_frame.apartRoom != 0, band.anyGeneral}))
         return fault;
     return m_device->download(m_hostStatus.data(), m_status.data(), statusWords * sizeof(std::uint32_t));
 }
@@ -307,6 +402,8 @@ Fault TileWorker::paint(const FrameHistory &history, bool interactive, std::span
         if (fault)
             return fault;
         m_deviceMs += milliseconds;
+        m_apartWanted = m_hostStatus.data()[slotsTaken];
+        m_apartWorthIt = m_apartWanted > band.tiles / fewApart;
         if (const std::uint32_t longest = m_hostStatus.data()[longestList]; longest > m_listRoom) {
             m_listRoom = std::bit_ceil(longest); // Lists were cut off, so the band is run again.
             continue;

@@ -24,7 +24,7 @@ struct TileTask {
 
 class TileWorker {
 public:
-    TileWorker(std::shared_ptr<Device> device, bool cull, Threads threads);
+    TileWorker(std::shared_ptr<Device> device, bool cull, Threads threads, const ApartLimits &apart = {});
 
     Device &device() { return *m_device; }
     /// Brings the device up to date with the step that `history` has made.
@@ -57,6 +57,10 @@ private:
     };
 
     Fault updatePaper(const Paper &paper, const std::shared_ptr<const PaperTexture> &texture);
+    /// Keeps the paper that the device has found as long as view and paper stand.
+    Fault keepEta();
+    /// Makes room for strokes that are evaluated apart from so many tiles.
+    Fault reserveApart(std::size_t tiles, std::size_t listed);
     Fault reserveJobs(std::size_t tiles);
     /// Makes jobs of the first tasks, as many as fit.
     Band plan(const FrameHistory &history, bool interactive, std::span<const TileTask> tasks);
@@ -89,6 +93,24 @@ private:
     DeviceArray<std::uint32_t> m_status, m_listCounts;
     DeviceArray<std::uint16_t> m_order;
     DeviceArray<ListEntry> m_lists;
+    DeviceArray<ApartEntry> m_apart;
+    DeviceArray<ApartJob> m_apartJobs;
+    DeviceArray<float> m_apartSamples;
+    DeviceArray<std::uint32_t> m_apartDone;
+    std::size_t m_apartRoom = 0;   ///< slots for strokes that are evaluated apart
+    std::size_t m_apartWanted = 0; ///< slots that the last band would have taken
+    bool m_apartWorthIt = true;    ///< whether the last band had enough strokes for it
+    bool m_apartRefused = false;   ///< whether there was no memory for them
+    DeviceArray<float> m_eta;
+    DeviceArray<std::uint32_t> m_etaKnown;
+    bool m_etaRefused = false;
+    /// What the paper that is kept depends on.
+    struct EtaOf {
+        std::array<double, 15> numbers{};
+        const void *texture = nullptr;
+        bool operator==(const EtaOf &) const = default;
+    };
+    EtaOf m_etaOf;
     std::array<TileBuffer, 2> m_buffers; ///< one band is computed while the other is stored
     std::uint32_t m_listRoom = 128;
     std::size_t m_bandTiles; ///< the greatest number of tiles in one run

@@ -22,6 +22,7 @@
 #else
 #include <array>
 #include <bit>
+#include <cstdlib>
 #include <cstring>
 #include <utility>
 #define SUFFUSE_PROGRAM inline
@@ -127,10 +128,47 @@ public:
     {
         return atomicAdd(word, value);
     }
-    /// Counts a word up, and returns what it was before.
-    SUFFUSE_PROGRAM std::uint32_t take(std::uint32_t *word)
+    /// Adds to a word once, and returns in all lanes what it was before.
+    SUFFUSE_PROGRAM std::uint32_t take(std::uint32_t *word, std::uint32_t count = 1)
     {
-        return __shfl_sync(everyLane, m_lane == 0 ? atomicAdd(word, 1u) : 0, 0);
+        return __shfl_sync(everyLane, m_lane == 0 ? atomicAdd(word, count) : 0, 0);
+    }
+    /// Sets a word. Whoever finds the value by `await` or `look` finds what this warp wrote before, too.
+    SUFFUSE_PROGRAM void publish(std::uint32_t *word, std::uint32_t value)
+    {
+        __threadfence();
+        __syncwarp();
+        if (m_lane == 0)
+            atomicExch(word, value);
+        __syncwarp();
+    }
+    /// Waits in one lane until found(value of a word), and returns the value.
+    template <class Found>
+    static SUFFUSE_PROGRAM std::uint32_t await(const std::uint32_t *word, Found found)
+    {
+        std::uint32_t value = look(word);
+        while (!found(value)) {
+#if __CUDA_ARCH__ >= 700
+            __nanosleep(200);
+#endif
+            value = look(word);
+        }
+        __threadfence();
+        return value;
+    }
+    /// Returns what a word is now. Other warps may change it at the same time.
+    static SUFFUSE_PROGRAM std::uint32_t look(const std::uint32_t *word)
+    {
+        const std::uint32_t value = *static_cast<const volatile std::uint32_t *>(word);
+        __threadfence();
+        return value;
+    }
+    /// Reads 16 bytes that another warp has published.
+    template <class T>
+    static SUFFUSE_PROGRAM T readPublished(const T *from)
+    {
+        const float4 v = __ldcg(reinterpret_cast<const float4 *>(from));
+        return {v.x, v.y, v.z, v.w};
     }
 
 private:
@@ -234,7 +272,21 @@ public:
     static int lowest(std::uint32_t mask) { return std::countr_zero(mask); }
     static void raise(std::uint32_t *word, std::uint32_t to) { *word = *word < to ? to : *word; }
     static std::uint32_t add(std::uint32_t *word, std::uint32_t value) { return std::exchange(*word, *word + value); }
-    std::uint32_t take(std::uint32_t *word) { return (*word)++; }
+    std::uint32_t take(std::uint32_t *word, std::uint32_t count = 1) { return add(word, count); }
+    void publish(std::uint32_t *word, std::uint32_t value) { *word = value; }
+    template <class Found>
+    static std::uint32_t await(const std::uint32_t *word, Found found)
+    {
+        if (!found(*word)) // Nobody else is working.
+            std::abort();
+        return *word;
+    }
+    static std::uint32_t look(const std::uint32_t *word) { return *word; }
+    template <class T>
+    static T readPublished(const T *from)
+    {
+        return *from;
+    }
 };
 
 template <int warps>

@@ -229,6 +229,56 @@ inline void checkTargetsAndCulling(const OpenDevice &open)
     QVERIFY(eight.argb == rounded.argb);
 }
 
+/// Thousands of strokes over each other at one tile, and washes of hundreds of nodes whose colours vary.
+inline PaintingPtr heavyPainting(int strokes)
+{
+    std::mt19937_64 random(61);
+    std::uniform_real_distribution<float> u(0, 1);
+    std::vector<Stroke> all;
+    for (int i = 0; i < strokes; ++i) {
+        Stroke s = stroke(StrokeId(i + 1), allShapes[i % 4], {6.0 + 4 * double(u(random)), 6.0 + 4 * double(u(random))},
+                          4, 1.5 + double(u(random)), styleOf(StyleKind(i % 3)));
+        for (Segment &g : s.segments)
+            g.colour = {u(random), u(random), u(random), 0.2f};
+        all.push_back(std::move(s));
+    }
+    for (int i = 0; i < 6; ++i) {
+        Stroke s = wash(StrokeId(strokes + i + 1), Rect::of(2, 2, 44, 30), 10 + 4 * i, i == 5 ? 0.7 : 2,
+                        styleOf(StyleKind(i % 3)));
+        for (std::size_t k = 0; k < s.segments.size(); ++k)
+            s.segments[k].colour = {float(k % 7) / 7, float(k % 5) / 5, float(k % 3) / 3, 0.6f};
+        if (i == 4)
+            liftAlong(s, {4, 4}, {40, 30}, 3, 1);
+        all.push_back(std::move(s));
+    }
+    return painting(all, 48, 36, {PaperKind::Procedural, 5, 20, 0.8f, {}});
+}
+
+/// Who evaluates a stroke changes no bit: its tile, or another warp; whatever was drawn before; on several devices.
+inline void checkHeavyTiles(const OpenDevice &open, int strokes, int repeats)
+{
+    constexpr std::uint32_t never = UINT32_MAX;
+    auto p = heavyPainting(strokes);
+    const View view = View::ofArea(p->canvas.area(), 48, 36);
+    CudaRenderer together({open()}, 0, true, {never, never, never}), apart({open()}, 0, true, {0, 0, 0});
+    CudaRenderer some({open()}, 0, true, {300, 100, 900}), usual({open(), open()}, 0), live({open()}, 0);
+    FloatPicture picture;
+    for (int step = 0; step < 3; ++step) {
+        const FloatPicture expected = test::render(together, p, view);
+        if (step == 0)
+            compare8(expected, test::render(*make(Backend::Cpu), p, view), "heavy tiles");
+        for (CudaRenderer *renderer : {&apart, &some, &usual})
+            for (int i = 0; i < repeats; ++i) {
+                renderer->invalidate();
+                QVERIFY2(test::render(*renderer, p, view).rgba == expected.rgba,
+                         qPrintable(QStringLiteral("step %1, repeat %2").arg(step).arg(i)));
+            }
+        QVERIFY(live.render({p, p->end(), view, false, false}, picture));
+        QVERIFY2(picture.rgba == expected.rgba, qPrintable(QStringLiteral("history, step %1").arg(step)));
+        p = withDensity(p, step == 0 ? p->strokes.size() - 2 : p->strokes.size() / 2, 0.8);
+    }
+}
+
 /// Keeps its picture on the device.
 struct DeviceTarget : Picture8 {
     bool onDevice = true;

@@ -145,6 +145,13 @@ void EmulatedDevice::paint(Frame frame, Work work)
         ListMaker(block, frame, i, *listing).make();
     const auto plain = std::make_unique<TileScratch<false>>();
     const auto general = std::make_unique<TileScratch<true>>();
+    const auto apart = [&](auto general, auto &scratch) { paintApart<general.value>(warp, frame, scratch); };
+    if (work.plain)
+        apart(std::false_type{}, *plain);
+    if (work.general)
+        apart(std::true_type{}, *general);
+    for (int kind = 0; kind < apartClasses; ++kind)
+        counts.apart += frame.status[firstApartCount + kind];
     OrderScratch ordering;
     TileOrder order(warp, frame, ordering);
     for (std::uint32_t i = 0; i < frame.tileCount; ++i) {
@@ -153,10 +160,12 @@ void EmulatedDevice::paint(Frame frame, Work work)
         counts.haveUnder += (flags & haveUnder) != 0;
         counts.applyOver += (flags & applyOver) != 0;
         counts.plainTiles += (flags & plainTile) != 0;
-        if ((flags & plainTile) && work.plain)
-            paintTile<false>(warp, frame, job, *plain);
+        if ((flags & plainTile) && work.plain && frame.apartRoom)
+            paintTile<false, true>(warp, frame, job, *plain);
+        else if ((flags & plainTile) && work.plain)
+            paintTile<false, false>(warp, frame, job, *plain);
         else if (!(flags & plainTile) && work.general)
-            paintTile<true>(warp, frame, job, *general);
+            paintTile<true, true>(warp, frame, job, *general);
     }
     ++counts.runs;
     counts.tiles += frame.tileCount;

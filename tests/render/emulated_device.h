@@ -40,6 +40,7 @@ public:
         std::size_t uploaded = 0; ///< bytes
         std::size_t runs = 0, tiles = 0, plainTiles = 0;
         std::size_t haveUnder = 0, applyOver = 0; ///< tiles that used layers
+        std::size_t apart = 0;                    ///< strokes at tiles that were evaluated apart
         std::uint32_t longestList = 0;
     };
     Counts counts;

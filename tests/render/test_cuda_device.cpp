@@ -31,6 +31,7 @@ private slots:
     void growingStroke() { checkGrowingStroke(open); }
     void layers() { checkLayers(open); }
     void targetsAndCulling() { checkTargetsAndCulling(open); }
+    void heavyTiles() { checkHeavyTiles(open, 5000, 34); } // 102 times for each way
     void deviceFrames() { checkDeviceFrames(open); }
     void cancelling() { checkCancelling(open); }
 

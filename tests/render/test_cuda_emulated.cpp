@@ -24,6 +24,7 @@ private slots:
     void growingStroke() { checkGrowingStroke(open); }
     void layers() { checkLayers(open); }
     void targetsAndCulling() { checkTargetsAndCulling(open); }
+    void heavyTiles() { checkHeavyTiles(open, 5000, 1); }
     void deviceFrames() { checkDeviceFrames(open); }
     void cancelling() { checkCancelling(open); }
 
@@ -83,6 +84,38 @@ private slots:
         QVERIFY(device->counts.longestList > 128);
         QVERIFY(device->counts.runs > 1);
         compare8(picture, test::render(*make(Backend::Cpu), p, view), "many strokes");
+    }
+
+    /// Strokes of many nodes are evaluated apart from their tiles, and next time as well; where none costs much, none
+    /// is.
+    void costlyStrokesAreEvaluatedApart()
+    {
+        const auto device = std::make_shared<EmulatedDevice>();
+        CudaRenderer renderer({device}, 1);
+        const auto p = heavyPainting(20);
+        const View view = View::ofArea(p->canvas.area(), 48, 36);
+        const FloatPicture first = test::render(renderer, p, view);
+        const std::size_t apart = device->counts.apart;
+        QVERIFY(apart > 0);
+        renderer.invalidate();
+        QVERIFY(test::render(renderer, p, view).rgba == first.rgba);
+        QCOMPARE(device->counts.apart, 2 * apart);
+        const auto light = painting({stroke(1, Shape::Straight, {24, 18}, 15, 4, styleOf(StyleKind::Uniform))}, 48, 36);
+        test::render(renderer, light, view);
+        QCOMPARE(device->counts.apart, 2 * apart);
+    }
+
+    /// Where memory is short, strokes are evaluated with their tiles.
+    void withoutRoomForStrokesApart()
+    {
+        const auto p = heavyPainting(20);
+        const View view = View::ofArea(p->canvas.area(), 48, 36);
+        CudaRenderer plenty({open()}, 1);
+        const auto device = std::make_shared<EmulatedDevice>(std::size_t(900) << 10);
+        CudaRenderer little({device}, 1);
+        QVERIFY(test::render(little, p, view).rgba == test::render(plenty, p, view).rgba);
+        QCOMPARE(device->counts.apart, 0u);
+        QVERIFY(!little.isLost());
     }
 
     /// The paper's image as the CPU sees it, upright and turned.
