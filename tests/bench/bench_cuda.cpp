@@ -1,4 +1,5 @@
 // The CUDA renderer, the paper's kernels on the same device, the CPU renderer and the reference, in one run.
+#include "model/formats/files.h"
 #include "render/backends.h"
 #include "render/bench/plan.h"
 #include "render/compare.h"
@@ -44,7 +45,12 @@ struct Case {
     QString name;
     bench::PaintingOptions painting;
     int width = 1024;
+    QString sample; ///< a file of the samples' folder, instead of a generated painting
 };
+
+/// The samples that come with the program; each is drawn at the widths below.
+const QStringList samples{"ink-landscape", "still-life", "flat", "sheet"};
+constexpr int sampleWidths[] = {512, 1024, 2048};
 
 std::vector<Case> cases()
 {
@@ -55,10 +61,24 @@ std::vector<Case> cases()
     million.segments = 1'000'000;
     million.width = 3840;
     million.height = 2160;
-    return {{"figure11f", {}, 1024},
-            {"figure11f-2880", {}, 2880},
-            {"spread-32-72", wide, 1024},
-            {"million", million, 3840}};
+    std::vector<Case> all{{"figure11f", {}, 1024, {}},
+                          {"figure11f-2880", {}, 2880, {}},
+                          {"spread-32-72", wide, 1024, {}},
+                          {"million", million, 3840, {}}};
+    for (const QString &sample : samples)
+        for (const int width : sampleWidths)
+            all.push_back({QStringLiteral("%1-%2").arg(sample).arg(width), {}, width, sample});
+    return all;
+}
+
+/// The names of the samples' cases.
+QStringList sampleCases()
+{
+    QStringList names;
+    for (const Case &c : cases())
+        if (!c.sample.isEmpty())
+            names << c.name;
+    return names;
 }
 
 Result<Case> caseOf(const QString &name)
@@ -69,12 +89,28 @@ Result<Case> caseOf(const QString &name)
     return Error{QStringLiteral("there is no painting %1").arg(name)};
 }
 
-bench::Job jobOf(const Case &c, Backend backend, int runs)
+/// Where `--samples` says that the samples lie.
+QString &samplesFolder()
+{
+    static QString folder = QStringLiteral("packaging/samples");
+    return folder;
+}
+
+Result<PaintingPtr> paintingOf(const Case &c)
+{
+    if (c.sample.isEmpty())
+        return std::make_shared<const Painting>(bench::makePainting(c.painting));
+    Result<LoadedDocument> loaded = loadDocument(QStringLiteral("%1/%2.suffuse").arg(samplesFolder(), c.sample));
+    if (!loaded)
+        return Error{loaded.error()};
+    return std::make_shared<const Painting>(std::move(loaded->painting));
+}
+
+bench::Job jobOf(const Case &c, const PaintingPtr &painting, Backend backend, int runs)
 {
     RendererOptions renderer;
     renderer.backend = backend;
-    bench::Job job = bench::jobOf(std::make_shared<const Painting>(bench::makePainting(c.painting)), c.width, renderer,
-                                  makeRenderer);
+    bench::Job job = bench::jobOf(painting, c.width, renderer, makeRenderer);
     job.runs = runs;
     return job;
 }
@@ -153,7 +189,10 @@ Result<void> addPaper(const bench::Job &job, const bench::Row &ours, const Optio
 
 Result<void> fullRenders(const Case &c, const Options &options, Report &report)
 {
-    const bench::Job job = jobOf(c, Backend::Cuda, options.runs);
+    const Result<PaintingPtr> painting = paintingOf(c);
+    if (!painting)
+        return Error{painting.error()};
+    const bench::Job job = jobOf(c, *painting, Backend::Cuda, options.runs);
     const Result<bench::Timing> timing = bench::measureFullRender(job);
     if (!timing)
         return Error{timing.error()};
@@ -162,6 +201,8 @@ Result<void> fullRenders(const Case &c, const Options &options, Report &report)
         return Error{row.error()};
     row->timing = *timing;
     report.rows.push_back(*row);
+    if (!c.sample.isEmpty())
+        return {}; // The paper's kernels know neither paper nor styles of segments.
     return addPaper(job, *row, options, report);
 }
 
@@ -186,11 +227,14 @@ Result<void> edits(const Case &c, const Options &options, Report &report)
 /// A stroke of which 180 and 2,000 segments spread, on top of figure 11f's strokes, 3840 × 2160 pixels.
 Result<void> liveStrokes(const Options &options, Report &report)
 {
-    Case c{"figure11f-3840", {}, 3840};
+    Case c{"figure11f-3840", {}, 3840, {}};
     c.painting.width = 3840;
     c.painting.height = 2160;
     c.painting.unit = 3.75;
-    const bench::Job job = jobOf(c, Backend::Cuda, 1);
+    const Result<PaintingPtr> painting = paintingOf(c);
+    if (!painting)
+        return Error{painting.error()};
+    const bench::Job job = jobOf(c, *painting, Backend::Cuda, 1);
     for (int active : {180, 2000}) {
         const Result<bench::Timing> timing =
             bench::measureLiveStroke(job, options.liveSpread, active + 140, float(active) / 60);
@@ -225,7 +269,10 @@ Result<Picture> drawn(Backend backend, const RenderRequest &request)
 
 Result<void> againstCpu(const Case &c, const Options &, Report &report)
 {
-    const RenderRequest request = requestOf(jobOf(c, Backend::Cpu, 1));
+    const Result<PaintingPtr> painting = paintingOf(c);
+    if (!painting)
+        return Error{painting.error()};
+    const RenderRequest request = requestOf(jobOf(c, *painting, Backend::Cpu, 1));
     const Result<Picture8> cpu = drawn<Picture8>(Backend::Cpu, request);
     const Result<Picture8> cuda = drawn<Picture8>(Backend::Cuda, request);
     if (!cpu || !cuda)
@@ -249,7 +296,10 @@ Result<void> againstReference(Case c, const Options &options, Report &report)
 {
     c.painting.segments = c.painting.segments * options.referenceStrokes / c.painting.strokes;
     c.painting.strokes = options.referenceStrokes;
-    const RenderRequest request = requestOf(jobOf(c, Backend::Reference, 1));
+    const Result<PaintingPtr> painting = paintingOf(c);
+    if (!painting)
+        return Error{painting.error()};
+    const RenderRequest request = requestOf(jobOf(c, *painting, Backend::Reference, 1));
     const Result<FloatPicture> cuda = drawn<FloatPicture>(Backend::Cuda, request);
     if (!cuda)
         return Error{cuda.error()};
@@ -272,7 +322,10 @@ Result<void> againstReference(Case c, const Options &options, Report &report)
 /// Pictures of as many full renders as there are runs, and how many of them differ from the first in any bit.
 Result<void> repeats(const Case &c, const Options &options, Report &report)
 {
-    const RenderRequest request = requestOf(jobOf(c, Backend::Cuda, 1));
+    const Result<PaintingPtr> painting = paintingOf(c);
+    if (!painting)
+        return Error{painting.error()};
+    const RenderRequest request = requestOf(jobOf(c, *painting, Backend::Cuda, 1));
     RendererOptions cuda;
     cuda.backend = Backend::Cuda;
     const Result<std::unique_ptr<Renderer>> renderer = makeRenderer(cuda);
@@ -305,11 +358,12 @@ struct Group {
 std::vector<Group> groups()
 {
     const QStringList all{"figure11f", "figure11f-2880", "spread-32-72", "million"};
-    return {{"full", fullRenders, all},
+    const QStringList withSamples = sampleCases() + all;
+    return {{"full", fullRenders, withSamples},
             {"edits", edits, {"figure11f"}},
             {"live", [](const Case &, const Options &o, Report &r) { return liveStrokes(o, r); }, {"figure11f"}},
-            {"cpu", againstCpu, {"figure11f", "figure11f-2880", "spread-32-72"}},
-            {"repeats", repeats, {"figure11f"}},
+            {"cpu", againstCpu, sampleCases() + QStringList{"figure11f", "figure11f-2880", "spread-32-72"}},
+            {"repeats", repeats, {"figure11f", "ink-landscape-1024", "still-life-512"}},
             {"reference", againstReference, {"figure11f", "spread-32-72"}}};
 }
 
@@ -373,14 +427,17 @@ int main(int argc, char *argv[])
     parser.setApplicationDescription("Times the CUDA renderer and the paper's kernels on the same device, and compares "
                                      "its pictures with the CPU renderer's and the reference's.");
     parser.addHelpOption();
-    parser.addOptions({{"json", "Prints an object with rows and facts."},
-                       {"only", "Groups, with commas between: full, edits, live, cpu, repeats, reference.", "GROUPS"},
-                       {"paintings", "figure11f, figure11f-2880, spread-32-72, million.", "NAMES"},
-                       {"runs", "Runs a row.", "N", "101"},
-                       {"seconds", "A row of the paper's kernels ends after so long.", "S", "10"},
-                       {"live-spread", "Spread of the live stroke when dry, in pixels.", "PX", "48.75"},
-                       {"reference-strokes", "Strokes that the reference draws.", "N", "100"}});
+    parser.addOptions(
+        {{"json", "Prints an object with rows and facts."},
+         {"only", "Groups, with commas between: full, edits, live, cpu, repeats, reference.", "GROUPS"},
+         {"paintings", "figure11f, figure11f-2880, spread-32-72, million; samples, as ink-landscape-1024.", "NAMES"},
+         {"samples", "The samples' folder.", "FOLDER", samplesFolder()},
+         {"runs", "Runs a row.", "N", "101"},
+         {"seconds", "A row of the paper's kernels ends after so long.", "S", "10"},
+         {"live-spread", "Spread of the live stroke when dry, in pixels.", "PX", "48.75"},
+         {"reference-strokes", "Strokes that the reference draws.", "N", "100"}});
     parser.process(app);
+    samplesFolder() = parser.value("samples");
     RendererOptions cuda;
     cuda.backend = Backend::Cuda;
     if (const Result<std::unique_ptr<Renderer>> renderer = makeRenderer(cuda); !renderer) {
