@@ -86,8 +86,8 @@ bool Runner::addCompared(const Job &job, const QString &name, const Timing &timi
 bool Runner::stages(const PaintingPtr &painting, const QString &name)
 {
     static const QString full = QStringLiteral("full-render"), nodes = QStringLiteral("node-build"),
-                         binning = QStringLiteral("binning");
-    if (!wanted(full) && !wanted(nodes) && !wanted(binning))
+                         binning = QStringLiteral("binning"), cold = QStringLiteral("cold-render");
+    if (!wanted(full) && !wanted(cold) && !wanted(nodes) && !wanted(binning))
         return true;
     const bool onDevice = m_device.backend == Backend::Cuda; // On a device the number of threads hardly matters.
     const std::vector<int> threadCounts = onDevice ? std::vector{m_plan.threads.back()} : m_plan.threads;
@@ -99,6 +99,7 @@ bool Runner::stages(const PaintingPtr &painting, const QString &name)
             if (!timings)
                 return failed(timings.error());
             if ((wanted(full) && !add(j, full, name, timings->fullRender)) ||
+                (wanted(cold) && !add(j, cold, name, timings->first)) ||
                 (wanted(nodes) && !add(j, nodes, name, timings->nodeBuild)) ||
                 (wanted(binning) && !add(j, binning, name, timings->binning)))
                 return false;
@@ -203,8 +204,8 @@ bool Runner::growth(const PaintingPtr &painting)
 
 QStringList rowNames()
 {
-    return {"full-render",      "node-build",  "binning",          "open",    "drag", "edit-segment", "drag-among-100",
-            "drag-among-10000", "live-stroke", "live-stroke-2000", growthName};
+    return {"full-render",  "cold-render",    "node-build",       "binning",     "open",             "drag",
+            "edit-segment", "drag-among-100", "drag-among-10000", "live-stroke", "live-stroke-2000", growthName};
 }
 
 Result<std::vector<Row>> run(const Plan &plan, const std::function<void(const QString &)> &progress)
