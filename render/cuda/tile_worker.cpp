@@ -14,9 +14,9 @@ constexpr std::size_t mostFloatTiles = 8192;
 constexpr std::size_t fewestBandTiles = 64;
 /// Slots for strokes that are evaluated apart take 4 kB each: 1 to 128 MiB.
 constexpr std::size_t fewestApart = 256, mostApart = 32768;
-/// Where fewer than one in so many tiles has a stroke that costs much, the next call has none evaluated apart, since
-/// the kernel that cannot do so is the faster one.
-constexpr std::size_t fewApart = 4;
+/// Where there are fewer costly strokes than one in so many tiles, the next call has none evaluated apart, since the
+/// kernel that cannot do so is the faster one. In the general kernel strokes cost more.
+constexpr std::size_t fewApart = 2, fewApartInGeneral = 4;
 /// Planes of the paper take 1 kB each, at most 64 MiB.
 constexpr std::size_t mostEtaPlanes = 65536, manyEtaPlanes = 5;
 /// All lists of a band have at most so many entries. Macro-tiles are counted by 16 bits.
@@ -403,7 +403,7 @@ Fault TileWorker::paint(const FrameHistory &history, bool interactive, std::span
             return fault;
         m_deviceMs += milliseconds;
         m_apartWanted = m_hostStatus.data()[slotsTaken];
-        m_apartWorthIt = m_apartWanted > band.tiles / fewApart;
+        m_apartWorthIt = m_apartWanted > band.tiles / (band.anyGeneral ? fewApartInGeneral : fewApart);
         if (const std::uint32_t longest = m_hostStatus.data()[longestList]; longest > m_listRoom) {
             m_listRoom = std::bit_ceil(longest); // Lists were cut off, so the band is run again.
             continue;
