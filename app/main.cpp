@@ -7,8 +7,8 @@
 #include "app/widgets/look/icons.h"
 #include "app/widgets/look/theme.h"
 #include "app/window/main_window.h"
-#include "app/window/recovery.h"
-#include "app/window/window_layout.h"
+#include "app/window/files/recovery.h"
+#include "app/window/layout/window_layout.h"
 #include "model/environment.h"
 
 #include <QApplication>

@@ -2,18 +2,18 @@
 #pragma once
 
 #include "app/dialogs/about_dialog.h"
-#include "app/dialogs/export_dialog.h"
+#include "app/dialogs/export/export_dialog.h"
 #include "app/dialogs/new_dialog.h"
 #include "app/dialogs/recolour_dialog.h"
 #include "app/dialogs/reshape_dialog.h"
 #include "app/dialogs/settings_dialog.h"
 #include "app/dialogs/shortcuts_dialog.h"
-#include "app/dialogs/timelapse_dialog.h"
+#include "app/dialogs/export/timelapse_dialog.h"
 #include "app/dialogs/vary_dialog.h"
 #include "app/panels/brushes/brush_dialog.h"
 #include "app/panels/inspector/along_dialog.h"
 #include "app/window/palette_entries.h"
-#include "app/window/recovery.h"
+#include "app/window/files/recovery.h"
 #include "tests/app/shapes.h"
 
 #include <functional>

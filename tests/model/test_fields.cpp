@@ -1,5 +1,5 @@
 // A number that is added to a segment is one row of the list of its fields: a segment with one more is tried here in
-// all that walks through the list. tests/app/test_number_rows.cpp does the same with the inspector.
+// all that walks through the list. tests/app/panels/test_number_rows.cpp does the same with the inspector.
 #include "model/formats/files.h"
 #include "model/formats/suffuse/field_columns.h"
 #include "model/formats/text/field_json.h"

@@ -1,0 +1,354 @@
+#include "app/dialogs/export/export_dialog.h"
+
+#include "app/dialogs/export/preset_row.h"
+#include "app/dialogs/export/print_rows.h"
+#include "app/session/editor.h"
+#include "app/session/settings/settings.h"
+#include "app/widgets/asking/messages.h"
+#include "app/widgets/asking/save_name.h"
+#include "app/widgets/habits/mnemonics.h"
+#include "app/widgets/look/icons.h"
+#include "app/widgets/look/section.h"
+
+#include <QCheckBox>
+#include <QComboBox>
+#include <QDialogButtonBox>
+#include <QDir>
+#include <QFileDialog>
+#include <QFileInfo>
+#include <QGridLayout>
+#include <QLineEdit>
+#include <QLocale>
+#include <QProgressBar>
+#include <QPushButton>
+#include <QSpinBox>
+
+#include <algorithm>
+
+namespace suffuse {
+
+namespace {
+
+/// Returns the path with another ending.
+QString withEnding(const QString &path, const QString &ending)
+{
+    const qsizetype dot = path.lastIndexOf(QLatin1Char('.'));
+    return path.left(dot > path.lastIndexOf(QLatin1Char('/')) ? dot : path.size()) + QLatin1Char('.') + ending;
+}
+
+QString endingOf(const QString &path)
+{
+    return path.section(QLatin1Char('.'), -1);
+}
+
+QString depthTitle(ImageDepth depth)
+{
+    switch (depth) {
+    case ImageDepth::Bits8:
+        return ExportDialog::tr("8 bit");
+    case ImageDepth::Bits16:
+        return ExportDialog::tr("16 bit");
+    case ImageDepth::Half:
+        return ExportDialog::tr("16 bit floating point");
+    case ImageDepth::Float:
+        return ExportDialog::tr("32 bit floating point");
+    }
+    return {};
+}
+
+} // namespace
+
+ExportDialog::ExportDialog(Editor &editor, const Rect &shown, QWidget *parent) : QDialog(parent), m_editor(editor)
+{
+    setWindowTitle(tr("Export Picture"));
+    auto *column = new QVBoxLayout(this);
+    column->setContentsMargins(16, 16, 16, 16);
+    column->setSpacing(12);
+    m_form = new QWidget(this);
+    auto *grid = new QGridLayout(m_form);
+    grid->setContentsMargins(0, 0, 0, 0);
+    grid->setHorizontalSpacing(16);
+    grid->setVerticalSpacing(8);
+    grid->setColumnStretch(1, 1);
+    addFields(*grid, shown);
+    column->addWidget(m_form);
+    m_progress = new QProgressBar(this);
+    m_progress->setRange(0, 1000);
+    m_progress->setTextVisible(false);
+    m_progress->setAccessibleName(tr("Progress"));
+    m_progress->hide();
+    column->addWidget(m_progress);
+    m_hint = new HintLabel(this);
+    column->addWidget(m_hint);
+    column->addStretch(1);
+    auto *buttons = new QDialogButtonBox(QDialogButtonBox::Cancel, this);
+    m_export = buttons->addButton(tr("&Export"), QDialogButtonBox::AcceptRole);
+    m_export->setDefault(true);
+    m_export->setIcon(icon("export"));
+    m_cancel = buttons->button(QDialogButtonBox::Cancel);
+    column->addWidget(buttons);
+
+    connect(m_export, &QPushButton::clicked, this, &ExportDialog::startExport);
+    connect(buttons, &QDialogButtonBox::rejected, this, &ExportDialog::reject);
+    connect(m_path, &QLineEdit::textChanged, this, &ExportDialog::formatChanged);
+    connect(&m_job, &ExportJob::progressed, m_progress, &QProgressBar::setValue);
+    connect(&m_job, &ExportJob::finished, this, &ExportDialog::exportFinished);
+    const std::optional<ExportSettings> last = exports::last();
+    m_path->setText(suggestedExportPath(editor, QStandardPaths::PicturesLocation,
+                                        last ? endingOf(last->path) : QStringLiteral("png")));
+    if (last)
+        takeFormat(*last);
+    if (const auto own = exports::lastOf(editor.filePath()))
+        restore(*own);
+    giveMnemonics(*this);
+    showLimits();
+    beginWithName(*m_path);
+    setMinimumWidth(480);
+}
+
+void ExportDialog::addField(QGridLayout &grid, int row, const QString &name, QWidget *field, const QString &tip)
+{
+    auto *label = new QLabel(name, m_form);
+    label->setBuddy(field);
+    field->setAccessibleName(name);
+    field->setToolTip(tip);
+    grid.addWidget(label, row, 0);
+    grid.addWidget(field, row, 1, 1, field == m_path ? 1 : 2);
+}
+
+void ExportDialog::addFields(QGridLayout &grid, const Rect &shown)
+{
+    m_presets = new PresetRow(
+        grid, 0, [this] { return settings(); }, m_form);
+    connect(m_presets, &PresetRow::chosen, this, &ExportDialog::takePreset);
+    m_path = new QLineEdit(m_form);
+    addField(grid, 1, tr("File"), m_path, tr("The ending chooses the format: png, tiff, exr, jpg, webp or pfm."));
+    auto *browseButton = new QPushButton(tr("&Browse…"), m_form);
+    browseButton->setToolTip(tr("Choose a folder and a name"));
+    browseButton->setAutoDefault(false);
+    grid.addWidget(browseButton, 1, 2);
+    connect(browseButton, &QPushButton::clicked, this, &ExportDialog::browse);
+    addFormat(grid);
+    m_area = new AreaRow(grid, 3, m_editor, shown, m_form);
+    m_size = new SizeRow(grid, 5, maxSideOf(ImageFormat::Png), m_form);
+    m_size->setArea(m_area->area());
+    m_limits = quietLabel({}, m_form);
+    grid.addWidget(m_limits, 6, 1, 1, 2);
+    m_print = new PrintRows(grid, 7, widthBox(), heightBox(), m_form);
+    connect(m_area, &AreaRow::areaChanged, this, [this] {
+        m_size->setArea(m_area->area());
+        showLimits();
+    });
+    m_moment = new MomentRow(grid, 9, m_editor, m_form);
+    addImageFields(grid);
+}
+
+/// A choice of format changes the ending of the name, and a typed ending changes the choice.
+void ExportDialog::addFormat(QGridLayout &grid)
+{
+    m_format = new QComboBox(m_form);
+    for (const QString &ending : imageEndings())
+        if (const int format = int(imageFormatForPath('.' + ending)); m_format->findData(format) < 0)
+            m_format->addItem(nameOf(ImageFormat(format)), format);
+    m_format->setPlaceholderText(tr("No picture format"));
+    addField(grid, 2, tr("Format"), m_format, tr("What is written. The ending of the file's name says the same."));
+    connect(m_format, &QComboBox::activated, this, [this] {
+        const QStringList all = imageEndings();
+        const auto chosen = std::ranges::find_if(all, [this](const QString &ending) {
+            return int(imageFormatForPath('.' + ending)) == m_format->currentData().toInt();
+        });
+        // Another ending may be a part of the name, as in "edited 1.0".
+        const bool replaces = imageFormatForPath(m_path->text()) != ImageFormat::Unknown;
+        m_path->setText(replaces ? withEnding(m_path->text(), *chosen) : m_path->text() + '.' + *chosen);
+    });
+}
+
+void ExportDialog::addImageFields(QGridLayout &grid)
+{
+    m_depth = new QComboBox(m_form);
+    for (const ImageDepth depth : {ImageDepth::Bits8, ImageDepth::Bits16, ImageDepth::Half, ImageDepth::Float})
+        m_depth->addItem(depthTitle(depth), int(depth));
+    addField(grid, 10, tr("Depth"), m_depth, tr("Precision of each colour channel"));
+    m_quality = new QSpinBox(m_form);
+    m_quality->setRange(1, 100);
+    m_quality->setValue(ImageOptions{}.quality);
+    addField(grid, 11, tr("Quality"), m_quality, tr("Of JPEG and WebP; 100 is the best. WebP loses nothing then."));
+    m_transparent = new QCheckBox(tr("Transparent background"), m_form);
+    m_transparent->setToolTip(tr("Leaves the background out and stores how much the paint covers."));
+    m_transparent->setAccessibleName(m_transparent->text());
+    grid.addWidget(m_transparent, 12, 1, 1, 2);
+}
+
+ExportSettings ExportDialog::settings() const
+{
+    ExportSettings s;
+    s.path = QFileInfo(m_path->text()).absoluteFilePath();
+    s.depth = ImageDepth(m_depth->currentData().toInt());
+    s.quality = m_quality->value();
+    s.transparent = imageOptions().alpha;
+    s.dpi = m_print->dpi();
+    s.area = m_area->choice();
+    s.numbers = m_area->area();
+    s.width = widthBox()->value();
+    s.scale = m_size->scale();
+    s.moment = m_moment->choice();
+    s.time = m_moment->moment();
+    return s;
+}
+
+/// Shows the values that belong to the format. The ending is in the path already.
+void ExportDialog::takeFormat(const ExportSettings &settings)
+{
+    m_depth->setCurrentIndex(m_depth->findData(int(settings.depth)));
+    m_quality->setValue(settings.quality);
+    m_transparent->setChecked(settings.transparent);
+    m_print->setDpi(settings.dpi);
+    formatChanged();
+}
+
+void ExportDialog::takeArea(const ExportSettings &settings)
+{
+    if (settings.area == AreaRow::Choice::Numbers)
+        m_area->setNumbers(settings.numbers);
+    else
+        m_area->choose(settings.area);
+    m_moment->choose(settings.moment, settings.time);
+}
+
+void ExportDialog::restore(const ExportSettings &settings)
+{
+    if (QFileInfo(settings.path).absoluteDir().exists())
+        m_path->setText(settings.path);
+    else
+        m_path->setText(withEnding(m_path->text(), endingOf(settings.path)));
+    takeFormat(settings);
+    takeArea(settings);
+    m_size->setArea(m_area->area(), m_area->area().width() * settings.scale);
+}
+
+void ExportDialog::takePreset(const ExportSettings &settings)
+{
+    m_path->setText(withEnding(m_path->text(), endingOf(settings.path)));
+    takeFormat(settings);
+    takeArea(settings);
+    m_size->setArea(m_area->area(), settings.width);
+}
+
+/// Tells about limits before they are hit.
+void ExportDialog::showLimits()
+{
+    const QLocale locale;
+    m_limits->setText(
+        tr("At most %1 × %2 px").arg(locale.toString(widthBox()->maximum()), locale.toString(heightBox()->maximum())));
+}
+
+void ExportDialog::browse()
+{
+    const FileKind pictures{tr("Pictures"), imageEndings()};
+    const QString path = QFileDialog::getSaveFileName(this, windowTitle(), m_path->text(), filterOf(pictures), nullptr,
+                                                      QFileDialog::DontConfirmOverwrite);
+    if (path.isEmpty())
+        return;
+    const QString before = QFileInfo(m_path->text()).suffix();
+    m_path->setText(
+        withEnding(path, {pictures}, pictures.endings.contains(before) ? before : pictures.endings.front()));
+}
+
+void ExportDialog::formatChanged()
+{
+    const ImageFormat format = imageFormatForPath(m_path->text());
+    m_hint->showHint({});
+    m_format->setCurrentIndex(m_format->findData(int(format)));
+    m_quality->setEnabled(hasQuality(format));
+    if (format != ImageFormat::Unknown)
+        m_size->setLargestSide(maxSideOf(format));
+    showLimits();
+    // The depth is kept where the new format has it, too.
+    ImageOptions options = imageOptions();
+    if (format != ImageFormat::Unknown && !problemOf(format, options, 1, 1).isEmpty()) {
+        options.alpha = false;
+        if (!problemOf(format, options, 1, 1).isEmpty())
+            m_depth->setCurrentIndex(m_depth->findData(int(usualDepth(format))));
+    }
+    m_transparent->setEnabled(format != ImageFormat::Jpeg);
+}
+
+ImageOptions ExportDialog::imageOptions() const
+{
+    ImageOptions options;
+    options.depth = ImageDepth(m_depth->currentData().toInt());
+    options.alpha = m_transparent->isChecked() && m_transparent->isEnabled();
+    options.quality = m_quality->value();
+    options.dpi = m_print->dpi();
+    return options;
+}
+
+void ExportDialog::startExport()
+{
+    const QFileInfo target(m_path->text());
+    const ImageFormat format = imageFormatForPath(m_path->text());
+    const int width = widthBox()->value();
+    if (format == ImageFormat::Unknown) {
+        m_hint->showHint(tr("“%1” has no ending of a picture format. Choose one of: %2.")
+                             .arg(target.fileName(), imageEndings().join(QStringLiteral(", "))));
+        return;
+    }
+    const int whole = std::max(suffuse::heightForWidth(m_area->area(), width), 1);
+    const QString problem = problemOf(format, imageOptions(), width, whole);
+    if (!problem.isEmpty()) {
+        m_hint->showHint(problem);
+        return;
+    }
+    if (target.exists() && !confirm(this, tr("%1 exists. Replace it?").arg(target.fileName()),
+                                    tr("What it holds now is lost."), tr("&Replace")))
+        return;
+
+    ExportOrder order;
+    order.path = target.absoluteFilePath();
+    order.painting = m_editor.document().painting();
+    order.time = m_moment->moment();
+    order.area = m_area->area();
+    order.width = width;
+    order.height = whole;
+    order.image = imageOptions();
+    order.transparent = order.image.alpha;
+    order.threads = suffuse::settings::threads();
+    setBusy(true);
+    m_job.start(order);
+}
+
+void ExportDialog::setBusy(bool busy)
+{
+    m_form->setEnabled(!busy);
+    m_export->setEnabled(!busy);
+    m_cancel->setEnabled(true);
+    m_progress->setValue(0);
+    m_progress->setVisible(busy);
+    if (busy)
+        m_hint->showHint({});
+}
+
+void ExportDialog::exportFinished(bool written, const QString &error)
+{
+    setBusy(false);
+    if (written) {
+        suffuse::settings::store().setValue("exportFolder", QFileInfo(m_path->text()).absolutePath());
+        exports::remember(m_editor.filePath(), settings());
+        accept();
+    } else if (!error.isEmpty()) {
+        m_hint->showHint(error);
+    }
+}
+
+void ExportDialog::reject()
+{
+    // The first Cancel stops the work; the dialog stays so that the user can try again.
+    if (m_job.isRunning()) {
+        m_job.cancel();
+        m_cancel->setEnabled(false);
+        return;
+    }
+    QDialog::reject();
+}
+
+} // namespace suffuse

@@ -1,0 +1,285 @@
+#include "app/dialogs/export/timelapse_dialog.h"
+
+#include "app/session/editor.h"
+#include "app/session/settings/settings.h"
+#include "app/widgets/asking/messages.h"
+#include "app/widgets/asking/save_name.h"
+#include "app/widgets/habits/mnemonics.h"
+#include "app/widgets/look/icons.h"
+#include "app/widgets/look/section.h"
+
+#include <QCheckBox>
+#include <QDialogButtonBox>
+#include <QDir>
+#include <QDoubleSpinBox>
+#include <QFileDialog>
+#include <QFileInfo>
+#include <QGridLayout>
+#include <QLineEdit>
+#include <QProgressBar>
+#include <QPushButton>
+#include <QSpinBox>
+
+namespace suffuse {
+
+namespace {
+
+constexpr int largestSide = 8192;
+constexpr int mostFrames = 1'000'000;
+constexpr int numberWidth = 140;
+
+} // namespace
+
+TimelapseDialog::TimelapseDialog(Editor &editor, const Rect &shown, QWidget *parent) : QDialog(parent), m_editor(editor)
+{
+    setWindowTitle(tr("Export Timelapse"));
+    auto *column = new QVBoxLayout(this);
+    column->setContentsMargins(16, 16, 16, 16);
+    column->setSpacing(12);
+    m_form = new QWidget(this);
+    auto *grid = new QGridLayout(m_form);
+    grid->setContentsMargins(0, 0, 0, 0);
+    grid->setHorizontalSpacing(16);
+    grid->setVerticalSpacing(8);
+    grid->setColumnStretch(1, 1);
+    addFields(*grid, shown);
+    column->addWidget(m_form);
+    m_progress = new QProgressBar(this);
+    m_progress->setTextVisible(false);
+    m_progress->setAccessibleName(tr("Progress"));
+    m_left = quietLabel({}, this);
+    column->addWidget(m_progress);
+    column->addWidget(m_left);
+    m_hint = new HintLabel(this);
+    column->addWidget(m_hint);
+    column->addStretch(1);
+    auto *buttons = new QDialogButtonBox(QDialogButtonBox::Cancel, this);
+    m_export = buttons->addButton(tr("&Export"), QDialogButtonBox::AcceptRole);
+    m_export->setDefault(true);
+    m_export->setIcon(icon("film"));
+    m_cancel = buttons->button(QDialogButtonBox::Cancel);
+    column->addWidget(buttons);
+
+    connect(m_export, &QPushButton::clicked, this, &TimelapseDialog::startExport);
+    connect(buttons, &QDialogButtonBox::rejected, this, &TimelapseDialog::reject);
+    connect(m_path, &QLineEdit::textChanged, this, &TimelapseDialog::changed);
+    for (QDoubleSpinBox *box : {m_fps, m_length})
+        connect(box, &QDoubleSpinBox::valueChanged, this, &TimelapseDialog::changed);
+    connect(&m_job, &TimelapseJob::progressed, this, &TimelapseDialog::showProgress);
+    connect(&m_job, &TimelapseJob::finished, this, &TimelapseDialog::exportFinished);
+    m_path->setText(suggestedExportPath(editor, QStandardPaths::MoviesLocation, QStringLiteral("webm")));
+    giveMnemonics(*this);
+    setBusy(false);
+    beginWithName(*m_path);
+    setMinimumWidth(480);
+}
+
+QDoubleSpinBox *TimelapseDialog::addNumber(QGridLayout &grid, int row, const QString &name, const QString &suffix,
+                                           const QString &tip)
+{
+    auto *label = new QLabel(name, m_form);
+    auto *box = new QDoubleSpinBox(m_form);
+    label->setBuddy(box);
+    box->setAccessibleName(name);
+    box->setToolTip(tip);
+    box->setSuffix(suffix);
+    grid.addWidget(label, row, 0);
+    grid.addWidget(box, row, 1, 1, 2, Qt::AlignLeft);
+    box->setFixedWidth(numberWidth);
+    return box;
+}
+
+void TimelapseDialog::addFields(QGridLayout &grid, const Rect &shown)
+{
+    auto *fileLabel = new QLabel(tr("File"), m_form);
+    m_path = new QLineEdit(m_form);
+    fileLabel->setBuddy(m_path);
+    m_path->setAccessibleName(tr("File"));
+    m_path->setToolTip(tr("The ending chooses the format: webm or mp4 is a video, webp an animation, and png, tiff, "
+                          "exr, jpg or pfm numbered pictures, such as frame%04d.png."));
+    auto *browseButton = new QPushButton(tr("&Browse…"), m_form);
+    browseButton->setToolTip(tr("Choose a folder and a name"));
+    browseButton->setAutoDefault(false);
+    connect(browseButton, &QPushButton::clicked, this, &TimelapseDialog::browse);
+    grid.addWidget(fileLabel, 0, 0);
+    grid.addWidget(m_path, 0, 1);
+    grid.addWidget(browseButton, 0, 2);
+
+    m_area = new AreaRow(grid, 1, m_editor, shown, m_form);
+    connect(m_area, &AreaRow::areaChanged, this, &TimelapseDialog::areaChanged);
+    m_size = new SizeRow(grid, 3, largestSide, m_form);
+    areaChanged();
+
+    m_fps = addNumber(grid, 4, tr("Frame rate"), tr(" frames/s"), tr("How many pictures a second the film has"));
+    m_fps->setRange(0.1, 240);
+    m_fps->setValue(FilmOptions{}.fps);
+    m_length = addNumber(grid, 5, tr("Length"), tr(" s"),
+                         tr("How long the film is; the painting's time is stretched over it."));
+    m_length->setRange(0.1, 36'000);
+    m_length->setValue(10);
+    m_idle = addNumber(grid, 6, tr("Longest pause"), tr(" s"),
+                       tr("Pauses in which nothing is painted or spreads are cut to this, in the painting's time."));
+    m_idle->setRange(0, 1e6);
+    m_idle->setValue(TimelapseOptions{}.idle);
+    auto *qualityLabel = new QLabel(tr("Quality"), m_form);
+    m_quality = new QSpinBox(m_form);
+    m_quality->setRange(1, 100);
+    m_quality->setValue(ImageOptions{}.quality);
+    m_quality->setFixedWidth(numberWidth);
+    m_quality->setAccessibleName(tr("Quality"));
+    m_quality->setToolTip(tr("Of JPEG and WebP; 100 is the best. WebP loses nothing then."));
+    qualityLabel->setBuddy(m_quality);
+    grid.addWidget(qualityLabel, 7, 0);
+    grid.addWidget(m_quality, 7, 1, 1, 2, Qt::AlignLeft);
+    m_transparent = new QCheckBox(tr("Transparent background"), m_form);
+    m_transparent->setToolTip(tr("Leaves the background out and stores how much the paint covers."));
+    m_loops = new QCheckBox(tr("Loop"), m_form);
+    m_loops->setToolTip(tr("Animated WebP: begins anew at its end. Players decide it for videos."));
+    m_loops->setChecked(true);
+    grid.addWidget(m_transparent, 8, 1, 1, 2);
+    grid.addWidget(m_loops, 9, 1, 1, 2);
+}
+
+void TimelapseDialog::areaChanged()
+{
+    // The film has as many pixels as the canvas has units, or as the window shows, within the size that videos can
+    // have.
+    const Rect area = m_area->area();
+    double width = m_area->choice() == AreaRow::Choice::Canvas ? area.width() : 1280;
+    if (const double height = width * area.height() / area.width(); height > largestSide / 4)
+        width *= largestSide / 4 / height;
+    m_size->setArea(area, std::min(width, double(largestSide / 4)));
+}
+
+void TimelapseDialog::browse()
+{
+    const FileKind films{tr("Films"), filmEndings()}, pictures{tr("Numbered pictures"), imageEndings()};
+    QString filter;
+    const QString path =
+        QFileDialog::getSaveFileName(this, windowTitle(), m_path->text(), filterOf(films) + ";;" + filterOf(pictures),
+                                     &filter, QFileDialog::DontConfirmOverwrite);
+    if (path.isEmpty())
+        return;
+    const FileKind &kind = filter == filterOf(pictures) ? pictures : films;
+    const QString before = QFileInfo(m_path->text()).suffix();
+    m_path->setText(withEnding(path, {films, pictures}, kind.endings.contains(before) ? before : kind.endings.front()));
+}
+
+QString TimelapseDialog::target() const
+{
+    const QFileInfo file(m_path->text());
+    QString name = file.fileName();
+    if (filmKindOf(m_path->text()) == FilmKind::Frames && !name.contains(QLatin1Char('%')) &&
+        imageFormatForPath(name) != ImageFormat::Unknown)
+        name.insert(name.lastIndexOf(QLatin1Char('.')), QStringLiteral("%04d"));
+    return file.dir().filePath(name);
+}
+
+FilmOptions TimelapseDialog::film() const
+{
+    FilmOptions film;
+    film.path = QFileInfo(target()).absoluteFilePath();
+    film.fps = m_fps->value();
+    film.frames = std::size_t(std::max(1.0, std::round(m_fps->value() * m_length->value())));
+    film.width = widthBox()->value();
+    film.height = heightBox()->value();
+    film.image.alpha = m_transparent->isChecked();
+    film.image.quality = m_quality->value();
+    film.loops = m_loops->isChecked();
+    return film;
+}
+
+void TimelapseDialog::changed()
+{
+    m_hint->showHint({});
+    const FilmKind kind = filmKindOf(target());
+    const ImageFormat format = imageFormatForPath(target());
+    m_quality->setEnabled(kind != FilmKind::Video && (format == ImageFormat::Jpeg || format == ImageFormat::WebP));
+    m_loops->setEnabled(kind == FilmKind::WebP);
+    if (isExporting())
+        return;
+    const QLocale locale;
+    const QString frames = tr("%1 frames").arg(locale.toString(qulonglong(film().frames)));
+    m_left->setText(kind == FilmKind::Frames ? tr("%1: %2").arg(frames, QFileInfo(target()).fileName()) : frames);
+}
+
+void TimelapseDialog::startExport()
+{
+    TimelapseOrder order;
+    order.film = film();
+    order.idle = m_idle->value();
+    order.painting = m_editor.document().painting();
+    order.area = m_area->area();
+    order.threads = settings::threads();
+    QString problem = problemOf(order.film);
+    if (problem.isEmpty() && order.film.frames > mostFrames)
+        problem =
+            tr("A film of %1 frames is too long. Choose a lower rate or a shorter length.").arg(order.film.frames);
+    if (!problem.isEmpty()) {
+        m_hint->showHint(problem);
+        return;
+    }
+    const QFileInfo file(order.film.path);
+    if (file.exists() && !confirm(this, tr("%1 exists. Replace it?").arg(file.fileName()),
+                                  tr("What it holds now is lost."), tr("&Replace")))
+        return;
+    m_progress->setRange(0, int(order.film.frames));
+    setBusy(true);
+    m_clock.start();
+    m_job.start(order);
+}
+
+void TimelapseDialog::showProgress(int frames)
+{
+    if (!isExporting())
+        return;
+    m_progress->setValue(frames);
+    const int all = m_progress->maximum();
+    const double left = double(m_clock.elapsed()) / 1000 / frames * (all - frames);
+    const QString drawn = tr("Frame %1 of %2").arg(frames).arg(all);
+    if (frames == all)
+        m_left->setText(tr("Writing the film…"));
+    else if (m_clock.elapsed() < 1000) // it is too early to tell how long the rest will take
+        m_left->setText(drawn);
+    else if (left < 90)
+        m_left->setText(tr("%1; %n second(s) left", nullptr, int(std::ceil(left))).arg(drawn));
+    else
+        m_left->setText(tr("%1; %n minute(s) left", nullptr, int(std::ceil(left / 60))).arg(drawn));
+}
+
+void TimelapseDialog::setBusy(bool busy)
+{
+    m_form->setEnabled(!busy);
+    m_export->setEnabled(!busy);
+    m_cancel->setEnabled(true);
+    m_progress->setValue(0);
+    m_progress->setVisible(busy);
+    if (busy)
+        m_hint->showHint({});
+    else
+        changed();
+}
+
+void TimelapseDialog::exportFinished(bool written, const QString &error)
+{
+    setBusy(false);
+    if (written) {
+        settings::store().setValue("exportFolder", QFileInfo(m_path->text()).absolutePath());
+        accept();
+    } else if (!error.isEmpty()) {
+        m_hint->showHint(error);
+    }
+}
+
+void TimelapseDialog::reject()
+{
+    // The first Cancel stops the work; the dialog stays so that the user can try again.
+    if (m_job.isRunning()) {
+        m_job.cancel();
+        m_cancel->setEnabled(false);
+        return;
+    }
+    QDialog::reject();
+}
+
+} // namespace suffuse

@@ -1,0 +1,27 @@
+#include "app/window/files/file_choice.h"
+
+#include "app/session/editor.h"
+#include "app/session/settings/settings.h"
+#include "app/window/files/file_opening.h"
+
+#include <QFileInfo>
+
+namespace suffuse {
+
+QString openFilter()
+{
+    return FileOpening::tr("All that can be opened (*.suffuse *.json *.csv *.excalidraw *.dat *.svg *.xml)") + ";;" +
+           FileOpening::tr("Suffuse paintings (*.suffuse *.json)") + ";;" +
+           FileOpening::tr("Backups of paintings (*.suffuse~* *.json~*)") + ";;" +
+           FileOpening::tr("Pen recordings (*.csv *.json *.excalidraw *.dat)") + ";;" +
+           FileOpening::tr("SVG drawings (*.svg)") + ";;" + FileOpening::tr("Diffusion curves (*.xml)") + ";;" +
+           FileOpening::tr("All files (*)");
+}
+
+QString folderNear(const Editor &editor)
+{
+    const QString near = editor.filePath().isEmpty() ? settings::recentFiles().value(0) : editor.filePath();
+    return near.isEmpty() ? QString() : QFileInfo(near).absolutePath();
+}
+
+} // namespace suffuse

@@ -1,0 +1,72 @@
+#include "app/window/files/importing.h"
+
+#include "app/canvas/canvas_widget.h"
+#include "app/session/commands/commands.h"
+#include "app/session/commands/underlay_commands.h"
+#include "app/session/files/import_strokes.h"
+#include "app/session/open_painting.h"
+#include "app/widgets/asking/choose_picture.h"
+#include "app/widgets/asking/messages.h"
+#include "app/widgets/habits/at_next_change.h"
+#include "app/window/files/file_choice.h"
+
+#include <QFileDialog>
+#include <QFileInfo>
+#include <QMainWindow>
+#include <QStatusBar>
+
+namespace suffuse {
+
+Importing::Importing(const Workplace &place, QObject *parent) : QObject(parent), m_place(place)
+{
+    using enum Command;
+    place.commands
+        .add(ImportStrokes, "importStrokes", Commands::tr("&Import Strokes…"), "", {},
+             Commands::tr("Drawings, recordings and the strokes of other paintings, into this one"))
+        .runs([this] { chooseStrokes(); });
+    place.commands
+        .add(ImportUnderlay, "importUnderlay", Commands::tr("Import &Underlay…"), "", {},
+             Commands::tr("A picture to paint over, which shows on the canvas only"))
+        .runs([this] {
+            if (const QString path = choosePicture(&m_place.window, tr("Import underlay")); !path.isEmpty())
+                importUnderlay(path);
+        });
+    connect(&place.canvas, &CanvasWidget::underlayFailed, this,
+            [this](const QString &problem) { m_place.window.statusBar()->showMessage(problem, 15'000); });
+}
+
+void Importing::chooseStrokes()
+{
+    if (const Tool *tool = m_place.canvas.tool(); tool && tool->isBusy())
+        return;
+    const QString path = QFileDialog::getOpenFileName(&m_place.window, tr("Import Strokes"),
+                                                      folderNear(m_place.open.editor), openFilter());
+    if (!path.isEmpty())
+        importStrokes(path);
+}
+
+void Importing::importStrokes(const QString &path)
+{
+    const View &view = m_place.canvas.view();
+    const Point middle = view.toCanvas({0.5 * view.width, 0.5 * view.height});
+    const Result<ImportReport> report = suffuse::importStrokes(m_place.open.editor, path, middle);
+    if (!report) {
+        showError(&m_place.window, report.error());
+        return;
+    }
+    m_place.commands[Command::Select].setChecked(true); // it is to be put where it belongs
+    if (!report->leftOut.isEmpty())
+        sayUntilChange(*m_place.window.statusBar(), m_place.open.editor.document(), report->leftOut);
+    if (!report->losses.empty())
+        showNotice(&m_place.window,
+                   tr("“%1” is damaged. What is whole of it was imported.").arg(QFileInfo(path).fileName()),
+                   QStringList(report->losses.begin(), report->losses.end()).join('\n'));
+}
+
+void Importing::importUnderlay(const QString &path)
+{
+    if (const QString problem = underlay::importFile(m_place.open.editor, path); !problem.isEmpty())
+        showError(&m_place.window, problem);
+}
+
+} // namespace suffuse

@@ -1,0 +1,225 @@
+#include "app/window/layout/docks.h"
+
+#include "app/canvas/canvas_widget.h"
+#include "app/panels/brushes/brush_panel.h"
+#include "app/panels/colour/colour_panel.h"
+#include "app/panels/history/history_panel.h"
+#include "app/panels/inspector/inspector_panel.h"
+#include "app/panels/probe/probe_panel.h"
+#include "app/panels/strokes/strokes_panel.h"
+#include "app/panels/timeline/timeline_panel.h"
+#include "app/session/commands/commands.h"
+#include "app/session/commands/selection_commands.h"
+#include "app/session/open_painting.h"
+#include "app/widgets/habits/keyboard_focus.h"
+#include "app/widgets/habits/place_beside.h"
+#include "app/widgets/look/section.h"
+#include "app/window/free_hand.h"
+
+#include <QApplication>
+#include <QDockWidget>
+#include <QMainWindow>
+#include <QScreen>
+
+namespace suffuse {
+
+namespace {
+
+/// Logical pixels that every screen has for a panel.
+constexpr int lowPanel = 110;
+/// Heights of a screen from which on the inspector has a place of its own below the brushes, and the list of strokes
+/// one below the inspector.
+constexpr int mediumScreen = 1000, highScreen = 1300;
+/// Logical pixels of the column of docks.
+constexpr int columnWidth = 312;
+
+/// It is not behind another one.
+bool isInFront(const QDockWidget &dock)
+{
+    return !dock.isHidden() && !dock.visibleRegion().isEmpty();
+}
+
+/// Gives a panel as much room as it wants, and lets it scroll where the window is low.
+class LowScroll : public PanelScroll {
+public:
+    explicit LowScroll(QWidget *panel) { setWidget(panel); }
+    QSize sizeHint() const override { return widget()->sizeHint(); }
+    QSize minimumSizeHint() const override { return {PanelScroll::minimumSizeHint().width(), lowPanel}; }
+};
+
+} // namespace
+
+Docks::Docks(const Workplace &place, KeyboardFocus &keyboard, QObject *parent) : QObject(parent), m_place(place)
+{
+    makeDocks();
+    addRows(keyboard);
+    addSelectingRows();
+}
+
+Docks::~Docks()
+{
+    qDeleteAll(m_docks); // they show the painting, which may go before their window
+}
+
+QDockWidget *Docks::add(const char *name, const QString &title, QWidget *panel, CommandScope scope)
+{
+    if (scope != CommandScope::Window)
+        panel->addActions(m_place.commands.of(scope));
+    auto *dock = new QDockWidget(title, &m_place.window);
+    dock->setObjectName(QString::fromLatin1(name));
+    dock->setWidget(panel->minimumSizeHint().height() > lowPanel ? new LowScroll(panel) : panel);
+    m_place.window.addDockWidget(Qt::RightDockWidgetArea, dock);
+    connect(dock->toggleViewAction(), &QAction::triggered, dock, [dock](bool shown) {
+        if (shown) // and not as a tab behind another
+            dock->raise();
+    });
+    m_docks << dock;
+    return dock;
+}
+
+QDockWidget *Docks::makeProbe()
+{
+    auto *probe = new ProbePanel(m_place.open.editor);
+    const CanvasWidget *canvas = &m_place.canvas;
+    connect(canvas, &CanvasWidget::pointerMoved, probe, [probe](double x, double y) { probe->setPoint({x, y}); });
+    connect(canvas, &CanvasWidget::pointerLeft, probe, &ProbePanel::leaveCanvas);
+    QDockWidget *dock = add("probeDock", tr("Probe"), probe);
+    dock->hide();
+    return dock;
+}
+
+QDockWidget *Docks::makeTimeline()
+{
+    auto *panel = new TimelinePanel(m_place.open.editor, m_place.open.playback, m_place.commands);
+    QDockWidget *dock = add("timelineDock", tr("Timeline"), panel, CommandScope::Timeline);
+    m_place.window.addDockWidget(Qt::BottomDockWidgetArea, dock);
+    return dock;
+}
+
+void Docks::makeDocks()
+{
+    Editor &editor = m_place.open.editor;
+    QMainWindow &window = m_place.window;
+    auto *brushPanel = new BrushPanel(editor);
+    auto *inspectorPanel = new InspectorPanel(editor);
+    m_strokes = new StrokesPanel(editor);
+    connect(brushPanel, &BrushPanel::chosen, this, [this] { m_place.commands[Command::Brush].setChecked(true); });
+    connect(inspectorPanel, &InspectorPanel::alongOpening, this,
+            [this](QWidget *dialog) { moveBeside(*dialog, m_place.canvas.selectionOnScreen()); });
+    QDockWidget *colour = add("colourDock", tr("Colour"), new ColourPanel(editor));
+    QDockWidget *brushes = add("brushesDock", tr("Brushes"), brushPanel);
+    QDockWidget *inspector = add("inspectorDock", tr("Inspector"), inspectorPanel);
+    QDockWidget *strokes = add("strokesDock", tr("Strokes"), m_strokes, CommandScope::Strokes);
+    QDockWidget *history = add("historyDock", tr("History"), new HistoryPanel(editor));
+    window.setTabPosition(Qt::RightDockWidgetArea, QTabWidget::North);
+    m_brushes = brushes;
+    m_inspector = inspector;
+    QDockWidget *probe = makeProbe(), *timeline = makeTimeline();
+    window.setCorner(Qt::BottomRightCorner, Qt::RightDockWidgetArea);
+    arrange({colour, brushes, inspector, strokes}, {history, probe}, timeline);
+    connect(&m_place.canvas, &CanvasWidget::toolChanged, this, &Docks::followTool);
+}
+
+/// Colour and brushes stand together on any screen, and the canvas gets what room there is. What has no place of its
+/// own on the screen stands behind something else: `rest` always.
+void Docks::arrange(const QList<QDockWidget *> &column, const QList<QDockWidget *> &rest, QDockWidget *timeline)
+{
+    QMainWindow &window = m_place.window;
+    QDockWidget *colour = column[0], *brushes = column[1], *inspector = column[2], *strokes = column[3];
+    const int height = window.screen()->availableSize().height();
+    const bool low = height < mediumScreen, high = height >= highScreen;
+    if (low)
+        window.tabifyDockWidget(brushes, inspector);
+    if (!high)
+        window.tabifyDockWidget(inspector, strokes);
+    window.tabifyDockWidget(low ? colour : strokes, rest[0]);
+    window.tabifyDockWidget(rest[0], rest[1]);
+    window.resizeDocks({timeline}, {low ? 118 : 150}, Qt::Vertical);
+    window.resizeDocks(column, {columnWidth, columnWidth, columnWidth, columnWidth}, Qt::Horizontal);
+    if (low)
+        window.resizeDocks({colour, brushes}, {332, 308}, Qt::Vertical);
+    else if (!high)
+        window.resizeDocks({colour, brushes, inspector}, {300, 270, 350}, Qt::Vertical);
+    else
+        window.resizeDocks(column, {420, 300, 380, 260}, Qt::Vertical);
+    colour->raise();
+    (low ? brushes : high ? strokes : inspector)->raise();
+}
+
+/// Where brushes and inspector share a place, the one stands in front that the tool in use needs. Who has brought
+/// something else to the front there keeps it.
+void Docks::followTool()
+{
+    const Commands &table = m_place.commands;
+    const bool paints = table[Command::Brush].isChecked();
+    const bool selects = table[Command::Select].isChecked() || table[Command::Segments].isChecked();
+    QDockWidget *to = paints ? m_brushes : m_inspector, *from = paints ? m_inspector : m_brushes;
+    if ((paints || selects) && isInFront(*from) && m_place.window.tabifiedDockWidgets(from).contains(to))
+        to->raise();
+}
+
+void Docks::addRows(KeyboardFocus &keyboard)
+{
+    using enum Command;
+    Commands &table = m_place.commands;
+    table.add(HideDocks, "hideDocks", Commands::tr("&Hide the Docks"), "", {QKeySequence(Qt::Key_Tab)})
+        .checkable()
+        .runs([this] {
+            whenHandIsFree(m_place.canvas, *this, [this] { hide(m_place.commands[HideDocks].isChecked()); });
+        });
+    table
+        .add(NextPanel, "nextPanel", Commands::tr("Ne&xt Panel"), "", {QKeySequence(Qt::Key_F6)},
+             Commands::tr("The keyboard goes from the canvas to the docks and tool bars in turn"))
+        .runs([&keyboard] { keyboard.walk(true); });
+    table
+        .add(PreviousPanel, "previousPanel", Commands::tr("&Previous Panel"), "",
+             {QKeySequence(Qt::SHIFT | Qt::Key_F6)}, Commands::tr("The keyboard goes back from panel to panel"))
+        .runs([&keyboard] { keyboard.walk(false); });
+}
+
+/// What is to be selected may be what the search in the Strokes dock shows.
+void Docks::addSelectingRows()
+{
+    using enum Command;
+    Commands &table = m_place.commands;
+    table
+        .add(SelectAll, "selectAll", Commands::tr("Select &All"), "",
+             QKeySequence::keyBindings(QKeySequence::SelectAll))
+        .runs([this] {
+            if (m_strokes->isSearching() && m_strokes->isAncestorOf(QApplication::focusWidget()))
+                m_strokes->selectFound(); // all of what is to be seen there
+            else if (!m_place.canvas.tool()->selectAll())
+                commands::selectAll(m_place.open.editor);
+        });
+    table
+        .add(SelectFound, "selectFound", Commands::tr("Select &Found"), "", {},
+             Commands::tr("Select what the search in the Strokes dock has found"))
+        .when([this] { return m_strokes->isSearching(); })
+        .runs([this] { m_strokes->selectFound(); });
+    connect(m_strokes, &StrokesPanel::searchingChanged, this, [this] { m_place.commands.update(SelectFound); });
+}
+
+void Docks::hide(bool hide)
+{
+    if (hide == m_hidden)
+        return;
+    m_hidden = hide;
+    // The way back is the same in every tool.
+    m_place.canvas.setWindowKeys(hide ? m_place.commands[Command::HideDocks].shortcuts() : QList<QKeySequence>());
+    if (hide) {
+        m_layout = m_place.window.saveState();
+        for (QDockWidget *dock : std::as_const(m_docks))
+            dock->hide();
+        return;
+    }
+    const QList<QDockWidget *> opened = [this] { // meanwhile, by their own entries in the menu
+        QList<QDockWidget *> shown = m_docks;
+        shown.removeIf([](const QDockWidget *dock) { return dock->isHidden(); });
+        return shown;
+    }();
+    m_place.window.restoreState(m_layout); // with the very sizes that they had
+    for (QDockWidget *dock : opened)
+        dock->show();
+}
+
+} // namespace suffuse

@@ -1,0 +1,109 @@
+#include "app/window/layout/window_layout.h"
+
+#include "app/session/settings/settings.h"
+
+#include <QDataStream>
+#include <QMainWindow>
+#include <QTimer>
+
+#include <zlib.h>
+
+namespace suffuse::window_layout {
+
+namespace {
+
+constexpr int layoutVersion = 1;
+constexpr int maxLayoutBytes = 1 << 20;
+
+/// CRC-32 (IEEE 802.3) in hexadecimal digits.
+QString checksum(const QByteArray &bytes)
+{
+    return QString::number(crc32(0, reinterpret_cast<const Bytef *>(bytes.constData()), uInt(bytes.size())), 16);
+}
+
+struct Layout {
+    QByteArray geometry;
+    QByteArray state;
+};
+
+QByteArray pack(const Layout &layout)
+{
+    QByteArray body;
+    QDataStream out(&body, QIODevice::WriteOnly);
+    out.setVersion(QDataStream::Qt_6_4);
+    out << layout.geometry << layout.state;
+    return body;
+}
+
+/// Empty state where the stored bytes are not exactly what was saved.
+Layout readLayout()
+{
+    QSettings &s = settings::store();
+    const QByteArray body = QByteArray::fromBase64(s.value("layout/bytes").toString().toLatin1());
+    Layout layout;
+    if (s.value("layout/version").toInt() != layoutVersion || body.isEmpty() || body.size() > maxLayoutBytes ||
+        s.value("layout/crc").toString() != checksum(body))
+        return layout;
+    QDataStream in(body);
+    in.setVersion(QDataStream::Qt_6_4);
+    in >> layout.geometry >> layout.state;
+    return in.status() == QDataStream::Ok ? layout : Layout{};
+}
+
+/// Clears the "starting" flag at the first idle moment with the window shown.
+void watchStart(QMainWindow &window)
+{
+    auto *timer = new QTimer(&window);
+    timer->setInterval(300);
+    QObject::connect(timer, &QTimer::timeout, &window, [timer, &window] {
+        if (!window.isVisible())
+            return;
+        settings::store().remove("layout/starting");
+        settings::store().sync();
+        timer->deleteLater();
+    });
+    timer->start();
+}
+
+} // namespace
+
+void save(const QMainWindow &window)
+{
+    const QByteArray body = pack({window.saveGeometry(), window.saveState(layoutVersion)});
+    QSettings &s = settings::store();
+    s.setValue("layout/version", layoutVersion);
+    s.setValue("layout/crc", checksum(body));
+    s.setValue("layout/bytes", QString::fromLatin1(body.toBase64()));
+    s.remove("layout/starting");
+    s.sync();
+}
+
+bool restore(QMainWindow &window)
+{
+    const bool lastStartFailed = settings::store().value("layout/starting").toBool();
+    if (lastStartFailed) {
+        reset();
+        return false;
+    }
+    const Layout layout = readLayout();
+    if (layout.state.isEmpty())
+        return false;
+    settings::store().setValue("layout/starting", true);
+    settings::store().sync();
+    const bool restored = window.restoreGeometry(layout.geometry) && window.restoreState(layout.state, layoutVersion);
+    watchStart(window);
+    return restored;
+}
+
+void reset()
+{
+    settings::store().remove("layout");
+    settings::store().sync();
+}
+
+bool isStored()
+{
+    return !readLayout().state.isEmpty();
+}
+
+} // namespace suffuse::window_layout

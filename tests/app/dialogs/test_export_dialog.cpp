@@ -1,0 +1,596 @@
+// File ▸ Export…: any area, moment and size, as the renderer draws them; whole pictures or nothing.
+#include "app/dialogs/export/clock_box.h"
+#include "app/dialogs/export/export_dialog.h"
+#include "app/dialogs/export/preset_row.h"
+#include "app/dialogs/export/print_rows.h"
+#include "app/widgets/look/section.h"
+#include "app/widgets/numbers/time_text.h"
+#include "app/window/main_window.h"
+#include "model/painting/influence.h"
+#include "render/backends.h"
+#include "tests/app/file_dialogs.h"
+#include "tests/app/panel_bench.h"
+#include "tests/files.h"
+
+#include <QCheckBox>
+#include <QComboBox>
+#include <QDir>
+#include <QJsonArray>
+#include <QJsonObject>
+#include <QPushButton>
+#include <QSpinBox>
+#include <QStatusBar>
+#include <QTemporaryDir>
+
+#include <cmath>
+#include <cstring>
+#include <set>
+
+using namespace suffuse;
+
+namespace {
+
+const Rect shown = Rect::of(40, 80, 100, 50);
+
+/// What a PFM holds: red, green and blue of each pixel, from the top.
+struct Pfm {
+    int width = 0, height = 0;
+    std::vector<float> rgb;
+};
+
+Pfm pfmIn(const QString &path)
+{
+    QFile file(path);
+    Pfm pfm;
+    if (!file.open(QIODevice::ReadOnly) || file.readLine() != "PF\n")
+        return pfm;
+    const QList<QByteArray> size = file.readLine().trimmed().split(' ');
+    pfm.width = size.value(0).toInt();
+    pfm.height = size.value(1).toInt();
+    file.readLine(); // the order of bytes
+    const QByteArray bytes = file.readAll();
+    const qsizetype row = qsizetype(sizeof(float)) * 3 * pfm.width;
+    pfm.rgb.resize(std::size_t(3 * pfm.width) * std::size_t(pfm.height));
+    for (int y = 0; y < pfm.height && bytes.size() == row * pfm.height; ++y) // rows go upwards
+        std::memcpy(pfm.rgb.data() + 3 * pfm.width * y, bytes.constData() + row * (pfm.height - 1 - y),
+                    std::size_t(row));
+    return pfm;
+}
+
+/// The same from the renderer.
+Pfm rendered(Editor &editor, const Rect &area, Microseconds time, int width)
+{
+    Pfm pfm{width, heightForWidth(area, width), {}};
+    const auto renderer = makeRenderer({.backend = Backend::Auto});
+    RenderRequest request;
+    request.painting = editor.document().painting();
+    request.time = time;
+    request.view = View::ofArea(area, pfm.width, pfm.height);
+    FloatPicture picture;
+    if (!renderer || !(*renderer)->render(request, picture))
+        return {};
+    for (std::size_t i = 0; i < picture.rgba.size(); ++i)
+        if (i % 4 < 3)
+            pfm.rgb.push_back(picture.rgba[i]);
+    return pfm;
+}
+
+} // namespace
+
+class TestExportDialog : public QObject {
+    Q_OBJECT
+
+    static void enter(QDoubleSpinBox &box, const QString &text)
+    {
+        box.setFocus();
+        box.selectAll();
+        QTest::keyClicks(&box, text);
+        QTest::keyClick(&box, Qt::Key_Tab);
+    }
+
+private slots:
+    void init()
+    {
+        m_folder = std::make_unique<QTemporaryDir>();
+        QVERIFY(m_folder->isValid());
+        qputenv("SUFFUSE_SETTINGS", m_folder->filePath("settings.ini").toUtf8());
+    }
+
+    void exportWritesThePicture()
+    {
+        Bench bench;
+        ExportDialog dialog(bench.editor, shown);
+        dialog.show();
+        QCOMPARE(dialog.widthBox()->value(), 1024);
+        dialog.widthBox()->setValue(64);
+        QCOMPARE(dialog.heightBox()->value(), 48);
+        const QString path = m_folder->filePath("picture.pfm"); // needs no image module
+        dialog.path()->setText(path);
+        dialog.depth()->setCurrentIndex(dialog.depth()->findData(int(ImageDepth::Float)));
+        QTest::mouseClick(dialog.exportButton(), Qt::LeftButton);
+        QTRY_COMPARE_WITH_TIMEOUT(dialog.result(), int(QDialog::Accepted), 20000);
+        QFile file(path);
+        QVERIFY(file.open(QIODevice::ReadOnly));
+        const QByteArray bytes = file.readAll();
+        QVERIFY(bytes.startsWith("PF\n64 48\n"));
+        QVERIFY(bytes.size() >= 64 * 48 * 12);
+    }
+
+    /// Typing an ending chooses the format, and choosing a format changes the ending.
+    void theFormatIsShown()
+    {
+        Bench bench;
+        ExportDialog dialog(bench.editor, shown);
+        dialog.show();
+        QCOMPARE(dialog.format()->currentText(), QString("PNG"));
+        for (const auto &[name, format] :
+             {std::pair("a.tif", "TIFF"), std::pair("a.JPG", "JPEG"), std::pair("b/a 1.0.exr", "EXR")}) {
+            dialog.path()->selectAll();
+            QTest::keyClicks(dialog.path(), name);
+            QCOMPARE(dialog.format()->currentText(), QString(format));
+        }
+        const auto choose = [&](const char *format) {
+            dialog.format()->setFocus();
+            QTest::keyClick(dialog.format(), Qt::Key_Home);
+            while (dialog.format()->currentText() != format)
+                QTest::keyClick(dialog.format(), Qt::Key_Down);
+        };
+        choose("WebP");
+        QCOMPARE(dialog.path()->text(), QString("b/a 1.0.webp"));
+        QVERIFY(dialog.quality()->isEnabled());
+        dialog.path()->setText("edited 1.0");
+        QCOMPARE(dialog.format()->currentIndex(), -1);
+        QVERIFY(!dialog.format()->placeholderText().isEmpty());
+        choose("PNG");
+        QCOMPARE(dialog.path()->text(), QString("edited 1.0.png"));
+    }
+
+    void exportOfAnyAreaAndMoment_data()
+    {
+        using Area = AreaRow::Choice;
+        using Moment = MomentRow::Choice;
+        QTest::addColumn<int>("choice");
+        QTest::addColumn<int>("moment");
+        QTest::newRow("all") << int(Area::Canvas) << int(Moment::Dried);
+        QTest::newRow("painted, now") << int(Area::Painted) << int(Moment::Now);
+        QTest::newRow("selected, at a time") << int(Area::Selected) << int(Moment::Time);
+        QTest::newRow("shown, at a time") << int(Area::Shown) << int(Moment::Time);
+        QTest::newRow("numbers, now") << int(Area::Numbers) << int(Moment::Now);
+    }
+    void exportOfAnyAreaAndMoment()
+    {
+        QFETCH(const int, choice);
+        QFETCH(const int, moment);
+        Bench bench;
+        auto red = std::make_shared<Painting>(*bench.editor.document().painting());
+        red->strokes = {};
+        for (const StrokePtr &stroke : bench.editor.document().painting()->strokes) {
+            Stroke copy = *stroke;
+            for (Segment &segment : copy.segments)
+                segment.colour = {1, 0, 0, 1};
+            red->strokes.push_back(std::make_shared<const Stroke>(std::move(copy)));
+        }
+        bench.editor.document().reset(red);
+        bench.editor.clock().setManual(true);
+        bench.editor.clock().setTime(300'000);
+        bench.select({2});
+        const Painting &painting = *bench.editor.document().painting();
+        const Rect painted = influenceOf(painting, painting.end()), byNumbers = Rect::of(45.5, 90.25, 60, 20);
+        const Rect selected = influenceOf(bench.stroke(2), painting.end());
+        const Rect areas[] = {
+            painting.canvas.area(),
+            {std::floor(painted.left), std::floor(painted.top), std::ceil(painted.right), std::ceil(painted.bottom)},
+            {std::floor(selected.left), std::floor(selected.top), std::ceil(selected.right),
+             std::ceil(selected.bottom)},
+            shown,
+            byNumbers};
+        const Rect &area = areas[choice];
+        const Microseconds times[] = {painting.end(), 300'000, 125'000};
+
+        ExportDialog dialog(bench.editor, shown);
+        dialog.show();
+        QVERIFY(QTest::qWaitForWindowActive(&dialog));
+        if (AreaRow::Choice(choice) == AreaRow::Choice::Numbers) {
+            const char *typed[] = {"45.5", "90.25", "60", "20"};
+            for (std::size_t i = 0; i < 4; ++i)
+                enter(*dialog.area()->numbers()[i], typed[i]);
+        } else {
+            dialog.area()->choose(AreaRow::Choice(choice));
+        }
+        QCOMPARE(dialog.area()->choice(), AreaRow::Choice(choice));
+        QCOMPARE(dialog.area()->area(), area);
+        QCOMPARE(dialog.area()->numbers()[0]->value(), area.left);
+        QCOMPARE(dialog.area()->numbers()[3]->value(), area.height());
+        QCOMPARE(dialog.widthBox()->value(), int(std::round(area.width()))); // a pixel a unit
+        dialog.widthBox()->setValue(64);
+        QCOMPARE(dialog.heightBox()->value(), std::max(heightForWidth(area, 64), 1));
+        if (MomentRow::Choice(moment) == MomentRow::Choice::Time)
+            enter(*dialog.moment()->clock(), "0:00.125");
+        else
+            dialog.moment()->box()->setCurrentIndex(moment);
+        QCOMPARE(int(dialog.moment()->choice()), moment);
+        QCOMPARE(dialog.moment()->clock()->time(), times[moment]);
+
+        const QString path = m_folder->filePath("area.pfm");
+        dialog.path()->setText(path);
+        dialog.depth()->setCurrentIndex(dialog.depth()->findData(int(ImageDepth::Float)));
+        QTest::mouseClick(dialog.exportButton(), Qt::LeftButton);
+        QTRY_COMPARE_WITH_TIMEOUT(dialog.result(), int(QDialog::Accepted), 20000);
+        const Pfm written = pfmIn(path), expected = rendered(bench.editor, area, times[moment], 64);
+        QCOMPARE(QSize(written.width, written.height), QSize(expected.width, expected.height));
+        QVERIFY(!expected.rgb.empty());
+        QVERIFY(written.rgb == expected.rgb);
+        QVERIFY(std::set<float>(written.rgb.begin(), written.rgb.end()).size() > 10); // there is paint in it
+    }
+
+    void exportKeepsTheScaleForAnotherArea()
+    {
+        Bench bench(0);
+        ExportDialog dialog(bench.editor, shown);
+        using enum AreaRow::Choice;
+        for (const AreaRow::Choice missing : {Painted, Selected}) {
+            dialog.area()->choose(missing);
+            QCOMPARE(dialog.area()->choice(), Canvas);
+        }
+        dialog.widthBox()->setValue(2048);
+        dialog.area()->choose(Shown);
+        QCOMPARE(dialog.widthBox()->value(), 200);
+        dialog.area()->numbers()[2]->setValue(0.01);
+        QCOMPARE(dialog.area()->choice(), Numbers);
+        QCOMPARE(dialog.widthBox()->value(), 1);
+        dialog.area()->choose(Canvas);
+        QCOMPARE(dialog.widthBox()->value(), 2048);
+    }
+
+    void limitsAreSaidAndOne()
+    {
+        Bench bench;
+        ExportDialog dialog(bench.editor, shown);
+        const int width = dialog.widthBox()->maximum(), height = dialog.heightBox()->maximum();
+        QVERIFY(qint64(width) * height <= maxPicturePixels); // what suffuse-cli has, too
+        QVERIFY(qint64(width + 1) * heightForWidth(bench.editor.document().painting()->canvas.area(), width + 1) >
+                maxPicturePixels);
+        QVERIFY(dialog.limits()->text().contains(QLocale().toString(width)));
+        QVERIFY(dialog.limits()->text().contains(QLocale().toString(height)));
+        dialog.widthBox()->setValue(20'000);
+        dialog.path()->setText(m_folder->filePath("small.webp"));
+        QCOMPARE(dialog.widthBox()->maximum(), 16383);
+        QCOMPARE(dialog.widthBox()->value(), 16383);
+        QVERIFY(dialog.limits()->text().contains(QLocale().toString(16383)));
+        dialog.area()->setNumbers(Rect::of(0, 0, 10, 40)); // a high one: its height is the limit
+        QCOMPARE(dialog.heightBox()->maximum(), 16383 / 4 * 4);
+    }
+
+    void printSizeAndResolution()
+    {
+        Bench bench;
+        ExportDialog dialog(bench.editor, shown);
+        PrintRows &print = *dialog.print();
+        print.unitBox()->setCurrentIndex(0);
+        QCOMPARE(print.dpi(), 300.0);
+        dialog.widthBox()->setValue(3000);
+        QCOMPARE(print.widthBox()->value(), 254.0);
+        QCOMPARE(print.heightBox()->value(), 190.5); // 4:3
+        print.dpiBox()->setValue(600);               // pixels were set: they stay
+        QCOMPARE(dialog.widthBox()->value(), 3000);
+        QCOMPARE(print.widthBox()->value(), 127.0);
+        print.widthBox()->setValue(254);
+        QCOMPARE(dialog.widthBox()->value(), 6000);
+        QCOMPARE(dialog.heightBox()->value(), 4500);
+        print.dpiBox()->setValue(150); // the print size was set: it stays
+        QCOMPARE(dialog.widthBox()->value(), 1500);
+        QCOMPARE(print.widthBox()->value(), 254.0);
+        print.heightBox()->setValue(95.2);
+        QCOMPARE(dialog.heightBox()->value(), heightForWidth({0, 0, 1024, 768}, dialog.widthBox()->value()));
+        QVERIFY(std::abs(print.heightBox()->value() - 95.2) < 0.2);
+        print.unitBox()->setCurrentIndex(1);
+        dialog.widthBox()->setValue(450);
+        QCOMPARE(print.widthBox()->value(), 3.0);
+        ExportDialog next(bench.editor, shown);
+        QCOMPARE(next.print()->unitBox()->currentIndex(), 1);
+    }
+
+    void whatWasExportedLastIsKept()
+    {
+        Bench bench;
+        const QString file = m_folder->filePath("kept.suffuse"), picture = m_folder->filePath("out/kept.tif");
+        QVERIFY(QDir(m_folder->path()).mkpath("out"));
+        bench.editor.startSaving(file);
+        QTRY_VERIFY_WITH_TIMEOUT(bench.editor.filePath() == file && !bench.editor.isSaving(), 20000);
+        ExportSettings settings;
+        {
+            ExportDialog dialog(bench.editor, shown);
+            dialog.show();
+            dialog.path()->setText(picture);
+            dialog.depth()->setCurrentIndex(dialog.depth()->findData(int(ImageDepth::Bits16)));
+            dialog.area()->setNumbers(Rect::of(45.5, 90.25, 60, 20));
+            dialog.widthBox()->setValue(120);
+            dialog.print()->dpiBox()->setValue(150);
+            dialog.transparent()->setChecked(true);
+            dialog.moment()->choose(MomentRow::Choice::Time, 125'000);
+            settings = dialog.settings();
+            QTest::mouseClick(dialog.exportButton(), Qt::LeftButton);
+            QTRY_COMPARE_WITH_TIMEOUT(dialog.result(), int(QDialog::Accepted), 20000);
+        }
+        QCOMPARE(settings.image().dpi, 150.0);
+        ExportDialog again(bench.editor, shown);
+        QVERIFY(again.settings() == settings);
+        Bench other; // another painting has format and resolution, not area, size and moment
+        ExportDialog elsewhere(other.editor, shown);
+        QVERIFY(elsewhere.path()->text().endsWith(".tif"));
+        QCOMPARE(elsewhere.depth()->currentData().toInt(), int(ImageDepth::Bits16));
+        QCOMPARE(elsewhere.print()->dpi(), 150.0);
+        QCOMPARE(elsewhere.area()->choice(), AreaRow::Choice::Canvas);
+        QCOMPARE(elsewhere.widthBox()->value(), 1024);
+        QCOMPARE(elsewhere.moment()->choice(), MomentRow::Choice::Dried);
+    }
+
+    void settingsAreReadWithCare()
+    {
+        ExportSettings settings;
+        settings.path = "/a/b.png";
+        settings.numbers = Rect::of(1, 2, 3, 4);
+        QVERIFY(ExportSettings::fromJson(settings.toJson()) == settings);
+        QVERIFY(!ExportSettings::fromJson({}));
+        for (const auto &[key, value] :
+             std::initializer_list<std::pair<const char *, QJsonValue>>{{"path", "a.doc"},
+                                                                        {"quality", 101},
+                                                                        {"dpi", 0},
+                                                                        {"area", 9},
+                                                                        {"moment", -1},
+                                                                        {"width", 0},
+                                                                        {"scale", -1.0},
+                                                                        {"numbers", QJsonArray{0, 0, 0, 0}}}) {
+            QJsonObject object = settings.toJson();
+            object[key] = value;
+            QVERIFY2(!ExportSettings::fromJson(object), key);
+        }
+        for (int i = 0; i < 60; ++i)
+            exports::remember(QStringLiteral("/paintings/%1.suffuse").arg(i), settings);
+        int kept = 0;
+        for (int i = 0; i < 60; ++i)
+            kept += exports::lastOf(QStringLiteral("/paintings/%1.suffuse").arg(i)).has_value();
+        QCOMPARE(kept, 50);
+    }
+
+    void presets()
+    {
+        Bench bench;
+        ExportDialog dialog(bench.editor, shown);
+        dialog.show();
+        QVERIFY(!dialog.presets()->removeButton()->isEnabled());
+        dialog.path()->setText(m_folder->filePath("a.jpg"));
+        dialog.quality()->setValue(71);
+        dialog.widthBox()->setValue(500);
+        dialog.print()->dpiBox()->setValue(96);
+        dialog.presets()->saveAs("Web/ü");
+        QCOMPARE(dialog.presets()->box()->currentText(), QString("Web/ü"));
+        dialog.path()->setText(m_folder->filePath("b.png"));
+        dialog.widthBox()->setValue(2000);
+        dialog.presets()->saveAs("Large");
+
+        ExportDialog next(bench.editor, shown);
+        QComboBox &box = *next.presets()->box();
+        QCOMPARE(box.count(), 2);
+        QCOMPARE(box.currentIndex(), -1);
+        next.path()->setText(m_folder->filePath("v1.0 sky.png"));
+        box.setCurrentIndex(box.findText("Web/ü"));
+        emit box.activated(box.currentIndex());
+        QCOMPARE(next.path()->text(), m_folder->filePath("v1.0 sky.jpg"));
+        QCOMPARE(next.quality()->value(), 71);
+        QCOMPARE(next.widthBox()->value(), 500);
+        QCOMPARE(next.print()->dpi(), 96.0);
+        QVERIFY(next.presets()->removeButton()->isEnabled());
+        next.presets()->removeButton()->click();
+        QCOMPARE(exports::presets(), QStringList("Large"));
+        QCOMPARE(box.count(), 1);
+    }
+
+    void exportAgain()
+    {
+        MainWindow window;
+        window.show();
+        auto painting = std::make_shared<Painting>();
+        painting->strokes.push_back(makeStroke(1, 4, 10));
+        window.editor().document().reset(painting);
+        const QString picture = m_folder->filePath("again.png");
+        const auto inDialog = [&](const std::function<void(ExportDialog &)> &work, Command command) {
+            bool done = false;
+            QTimer::singleShot(0, &window, [&] {
+                auto *dialog = qobject_cast<ExportDialog *>(QApplication::activeModalWidget());
+                if (!dialog)
+                    return;
+                work(*dialog);
+                done = true;
+            });
+            window.action(command).trigger();
+            return done;
+        };
+        // Nothing was exported yet: it asks.
+        QVERIFY(inDialog(
+            [&](ExportDialog &dialog) {
+                dialog.path()->setText(picture);
+                dialog.widthBox()->setValue(80);
+                dialog.exportButton()->click();
+            },
+            Command::ExportAgain));
+        QTRY_VERIFY_WITH_TIMEOUT(QFile::exists(picture), 20000);
+        QVERIFY(window.statusBar()->currentMessage().contains("again.png"));
+        window.statusBar()->clearMessage();
+        const QByteArray before = bytesOf(picture);
+        auto more = std::make_shared<Painting>(*painting);
+        more->canvas.background = {1, 0, 0, 1};
+        window.editor().document().reset(more);
+        window.action(Command::ExportAgain).trigger();
+        QVERIFY(!QApplication::activeModalWidget());
+        QTRY_VERIFY_WITH_TIMEOUT(window.statusBar()->currentMessage().contains("again.png") &&
+                                     window.action(Command::ExportAgain).isEnabled(),
+                                 20000);
+        const QByteArray after = bytesOf(picture);
+        QVERIFY(after != before);
+        QCOMPARE(after.mid(16, 8), before.mid(16, 8)); // of the same size
+        QVERIFY(inDialog(                              // and the dialog begins with it
+            [&](ExportDialog &dialog) {
+                QCOMPARE(dialog.path()->text(), picture);
+                QCOMPARE(dialog.widthBox()->value(), 80);
+                dialog.reject();
+            },
+            Command::Export));
+    }
+
+    void browsingAppendsTheEnding()
+    {
+        Bench bench;
+        ExportDialog dialog(bench.editor, shown);
+        dialog.show();
+        QPushButton *browse = nullptr;
+        for (auto *button : dialog.findChildren<QPushButton *>())
+            if (button->text().remove('&').startsWith("Browse"))
+                browse = button;
+        QVERIFY(browse);
+        dialog.path()->setText(m_folder->filePath("picture.tiff"));
+        int answered = 0;
+        for (const auto &[name, wanted] :
+             {std::pair("edited v1.0", "edited v1.0.tiff"), {"22.11.2026", "22.11.2026.tiff"}, {"a.webp", "a.webp"}}) {
+            whenAskedForFile(&dialog, answered, m_folder->filePath(name));
+            browse->click();
+            QCOMPARE(dialog.path()->text(), m_folder->filePath(wanted));
+        }
+        QCOMPARE(answered, 3);
+    }
+
+    /// As it was exported last, in whatever session that was.
+    void exportAgainAfterOpening()
+    {
+        Painting painting;
+        painting.strokes.push_back(makeStroke(1, 4, 10));
+        const QString file = m_folder->filePath("a.suffuse"), picture = m_folder->filePath("of a.png");
+        QVERIFY(savePainting(painting, file));
+        ExportSettings settings;
+        settings.path = picture;
+        settings.scale = 64 / painting.canvas.width;
+        settings.numbers = painting.canvas.area();
+        exports::remember(file, settings);
+        MainWindow window;
+        window.show();
+        QVERIFY(window.openFile(file));
+        bool isAsked = false;
+        QTimer::singleShot(0, &window, [&] {
+            if (auto *dialog = qobject_cast<QDialog *>(QApplication::activeModalWidget())) {
+                isAsked = true;
+                dialog->reject();
+            }
+        });
+        window.action(Command::ExportAgain).trigger();
+        QVERIFY(!isAsked);
+        QTRY_VERIFY_WITH_TIMEOUT(window.statusBar()->currentMessage().contains("of a.png") &&
+                                     window.action(Command::ExportAgain).isEnabled(),
+                                 20000);
+        QCOMPARE(QImage(picture).width(), 64);
+    }
+
+    void namedAreasAreLookedUpAnew()
+    {
+        Bench bench;
+        ExportSettings settings;
+        settings.path = "/a/b.png";
+        settings.area = AreaRow::Choice::Selected;
+        settings.scale = 2;
+        const Result<ExportOrder> nothing = exportOrder(settings, bench.editor, shown);
+        QVERIFY(!nothing);
+        QVERIFY2(nothing.error().contains("selected"), qPrintable(nothing.error()));
+        bench.select({2});
+        const Result<ExportOrder> order = exportOrder(settings, bench.editor, shown);
+        QVERIFY(order);
+        QCOMPARE(order->width, int(std::round(2 * order->area.width())));
+        QCOMPARE(order->height, heightForWidth(order->area, order->width));
+        settings.scale = 1e6;
+        QVERIFY(!exportOrder(settings, bench.editor, shown)); // the limit holds here, too
+    }
+
+    void momentsFollowTheCanvas()
+    {
+        Bench bench;
+        bench.editor.clock().setManual(true);
+        ExportDialog dialog(bench.editor, shown);
+        const ClockBox &clock = *dialog.moment()->clock();
+        QCOMPARE(clock.text(), clockText(bench.editor.document().painting()->end()));
+        dialog.moment()->box()->setCurrentIndex(int(MomentRow::Choice::Now));
+        bench.editor.clock().setTime(250'000);
+        QCOMPARE(clock.text(), clockText(250'000));
+        QCOMPARE(dialog.moment()->moment(), Microseconds(250'000));
+        dialog.moment()->clock()->stepUp();
+        QCOMPARE(dialog.moment()->choice(), MomentRow::Choice::Time);
+        bench.editor.clock().setTime(500'000);
+        QCOMPARE(dialog.moment()->moment(), Microseconds(350'000));
+    }
+
+    void timesAreTypedAsClocksShowThem_data()
+    {
+        QTest::addColumn<QString>("text");
+        QTest::addColumn<double>("seconds"); ///< NaN: refused
+        QTest::newRow("as shown") << clockText(62'345'000) << 62.345;
+        QTest::newRow("before the beginning") << clockText(-2'500'000) << -2.5;
+        QTest::newRow("seconds") << "62.345" << 62.345;
+        QTest::newRow("decimal comma") << "1:02,5" << 62.5;
+        QTest::newRow("unit") << " 3 s" << 3.0;
+        QTest::newRow("hours") << "1:00:01" << 3601.0;
+        QTest::newRow("many seconds") << "1:90" << 150.0;
+        QTest::newRow("nothing") << "" << qQNaN();
+        QTest::newRow("no number") << "soon" << qQNaN();
+        QTest::newRow("too many colons") << "1:2:3:4" << qQNaN();
+        QTest::newRow("half a minute") << "1.5:00" << qQNaN();
+        QTest::newRow("hex") << "0x10" << qQNaN();
+    }
+    void timesAreTypedAsClocksShowThem()
+    {
+        QFETCH(const QString, text);
+        QFETCH(const double, seconds);
+        const std::optional<Microseconds> time = timeOfClock(text);
+        QCOMPARE(time.has_value(), !std::isnan(seconds));
+        if (time)
+            QCOMPARE(*time, toMicroseconds(seconds));
+    }
+
+    void exportRefusesWithAReason()
+    {
+        Bench bench;
+        ExportDialog dialog(bench.editor, shown);
+        dialog.show();
+        dialog.widthBox()->setValue(32);
+        const auto refused = [&](const QString &name) {
+            dialog.path()->setText(m_folder->filePath(name));
+            QTest::mouseClick(dialog.exportButton(), Qt::LeftButton);
+            return QTest::qWaitFor([&] { return dialog.hint()->isVisible() && !dialog.isExporting(); }, 20000);
+        };
+        QVERIFY(refused("picture.doc"));
+        QVERIFY(dialog.hint()->text().contains("png"));
+        QVERIFY(refused("no/such/folder/picture.pfm"));
+        QVERIFY(dialog.hint()->text().contains("folder"));
+        QVERIFY(dialog.isVisible());
+        QCOMPARE(QDir(m_folder->path()).entryList(QDir::Files).filter("picture").size(), 0);
+    }
+
+    void cancelledExportLeavesNothing()
+    {
+        Bench bench(200);
+        ExportDialog dialog(bench.editor, shown);
+        dialog.show();
+        dialog.widthBox()->setValue(4000);
+        dialog.path()->setText(m_folder->filePath("large.pfm"));
+        dialog.depth()->setCurrentIndex(dialog.depth()->findData(int(ImageDepth::Float)));
+        QTest::mouseClick(dialog.exportButton(), Qt::LeftButton);
+        QVERIFY(dialog.isExporting());
+        dialog.reject();
+        QTRY_VERIFY_WITH_TIMEOUT(!dialog.isExporting(), 60000);
+        QVERIFY(dialog.isVisible()); // it can be tried again
+        QVERIFY(dialog.exportButton()->isEnabled());
+        QCOMPARE(QDir(m_folder->path()).entryList(QDir::Files).filter("large").size(), 0);
+    }
+
+private:
+    std::unique_ptr<QTemporaryDir> m_folder;
+};
+
+QTEST_MAIN(TestExportDialog)
+#include "test_export_dialog.moc"

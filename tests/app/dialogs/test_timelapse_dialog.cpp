@@ -1,0 +1,204 @@
+// File ▸ Export Timelapse…: films of every kind, mistakes, and a film that is stopped.
+#include "app/dialogs/export/timelapse_dialog.h"
+#include "app/widgets/look/section.h"
+#include "tests/app/file_dialogs.h"
+#include "tests/app/selecting.h"
+
+#include <QCheckBox>
+#include <QComboBox>
+#include <QDir>
+#include <QDoubleSpinBox>
+#include <QLineEdit>
+#include <QPushButton>
+#include <QSpinBox>
+#include <QTemporaryDir>
+
+using namespace suffuse;
+
+class TestTimelapseDialog : public QObject {
+    Q_OBJECT
+
+    static void fill(Editor &editor)
+    {
+        auto painting = std::make_shared<Painting>();
+        painting->canvas.width = 80;
+        painting->canvas.height = 60;
+        for (const int i : {1, 2}) {
+            auto stroke = std::make_shared<Stroke>(*line(StrokeId(i), {10, 20.0 * i}, {70, 20.0 * i}));
+            for (Segment &segment : stroke->segments)
+                segment.colour = {1, 0, 0, 1};
+            painting->strokes.push_back(std::move(stroke));
+        }
+        editor.document().reset(painting);
+    }
+    QStringList files() const
+    {
+        return QDir(m_folder.path()).entryList(QDir::AllEntries | QDir::Hidden | QDir::NoDotAndDotDot);
+    }
+    void clear()
+    {
+        for (const QString &name : files())
+            QDir(m_folder.path()).remove(name);
+    }
+
+private slots:
+    void initTestCase() { qputenv("SUFFUSE_SETTINGS", QDir(m_settings.path()).filePath("settings.ini").toLocal8Bit()); }
+
+    void browsingAppendsTheEnding()
+    {
+        Editor editor;
+        fill(editor);
+        TimelapseDialog dialog(editor, Rect::of(0, 0, 40, 30));
+        dialog.show();
+        QPushButton *browse = nullptr;
+        for (auto *button : dialog.findChildren<QPushButton *>())
+            if (button->text().remove('&').startsWith("Browse"))
+                browse = button;
+        QVERIFY(browse);
+        dialog.path()->setText(m_folder.filePath("film.webp"));
+        int answered = 0;
+        for (const auto &[name, wanted] :
+             {std::pair("film v1.0", "film v1.0.webp"), {"22.11.2026", "22.11.2026.webp"}, {"f.png", "f.png"}}) {
+            whenAskedForFile(&dialog, answered, m_folder.filePath(name));
+            browse->click();
+            QCOMPARE(dialog.path()->text(), m_folder.filePath(wanted));
+        }
+        QCOMPARE(answered, 3);
+    }
+
+    void makesFilms_data()
+    {
+        QTest::addColumn<QString>("name");
+        QTest::addColumn<QStringList>("expected");
+        QTest::newRow("WebP") << "film.webp" << QStringList{"film.webp"};
+        QTest::newRow("frames") << "f.png" << QStringList{"f0001.png", "f0002.png", "f0003.png", "f0004.png"};
+        QTest::newRow("numbered") << "%d.pfm" << QStringList{"1.pfm", "2.pfm", "3.pfm", "4.pfm"};
+    }
+
+    void makesFilms()
+    {
+        QFETCH(QString, name);
+        QFETCH(QStringList, expected);
+        Editor editor;
+        fill(editor);
+        TimelapseDialog dialog(editor, Rect::of(0, 0, 40, 30));
+        dialog.show();
+        QCOMPARE(dialog.widthBox()->value(), 80);
+        QCOMPARE(dialog.heightBox()->value(), 60);
+        dialog.path()->setText(m_folder.filePath(name));
+        dialog.fps()->setValue(4);
+        dialog.length()->setValue(1);
+        QVERIFY2(dialog.progressText()->text().startsWith("4 frames"), qPrintable(dialog.progressText()->text()));
+        QCOMPARE(dialog.loops()->isEnabled(), name.endsWith("webp"));
+        dialog.exportButton()->click();
+        QVERIFY(dialog.isExporting());
+        QTRY_VERIFY_WITH_TIMEOUT(!dialog.isExporting(), waitMs);
+        QCOMPARE(dialog.result(), int(QDialog::Accepted));
+        QCOMPARE(files(), expected);
+        if (name.endsWith("png")) {
+            const QImage last(m_folder.filePath("f0004.png"));
+            QCOMPARE(last.size(), QSize(80, 60));
+            QVERIFY(last.pixel(40, 20) != last.pixel(0, 59));
+        }
+        clear();
+    }
+
+    void rateIsThatOfTheCommandLine()
+    {
+        Editor editor;
+        fill(editor);
+        TimelapseDialog dialog(editor, Rect::of(0, 0, 80, 60));
+        QCOMPARE(dialog.fps()->value(), FilmOptions{}.fps);
+    }
+
+    void areasSetTheSize()
+    {
+        Editor editor;
+        fill(editor);
+        editor.document().setSelection({{1}, {}});
+        TimelapseDialog dialog(editor, Rect::of(0, 0, 40, 10));
+        using enum AreaRow::Choice;
+        QCOMPARE(dialog.area()->box()->count(), 5);
+        dialog.area()->choose(Shown);
+        QCOMPARE(dialog.heightBox()->value(), dialog.widthBox()->value() / 4);
+        dialog.widthBox()->setValue(400);
+        QCOMPARE(dialog.heightBox()->value(), 100);
+        dialog.area()->choose(Selected);
+        QVERIFY(dialog.widthBox()->value() > dialog.heightBox()->value());
+        dialog.area()->numbers()[3]->setValue(1000);
+        QCOMPARE(dialog.area()->choice(), Numbers);
+        QVERIFY(dialog.widthBox()->value() < dialog.heightBox()->value());
+    }
+
+    void filmsTheArea()
+    {
+        Editor editor;
+        fill(editor);
+        TimelapseDialog dialog(editor, Rect::of(0, 0, 40, 30));
+        dialog.show();
+        const double numbers[] = {20, 10, 40, 20};
+        for (std::size_t i = 0; i < 4; ++i)
+            dialog.area()->numbers()[i]->setValue(numbers[i]);
+        dialog.widthBox()->setValue(40);
+        QCOMPARE(dialog.heightBox()->value(), 20);
+        dialog.path()->setText(m_folder.filePath("f.png"));
+        dialog.fps()->setValue(2);
+        dialog.length()->setValue(1);
+        dialog.exportButton()->click();
+        QTRY_VERIFY_WITH_TIMEOUT(!dialog.isExporting(), waitMs);
+        QCOMPARE(dialog.result(), int(QDialog::Accepted));
+        const QImage last(m_folder.filePath("f0002.png"));
+        QCOMPARE(last.size(), QSize(40, 20));
+        QVERIFY(last.pixel(20, 10) != last.pixel(20, 19)); // a stroke lies across its middle
+        clear();
+    }
+
+    void mistakesAreShown()
+    {
+        Editor editor;
+        fill(editor);
+        TimelapseDialog dialog(editor, Rect::of(0, 0, 40, 30));
+        dialog.show();
+        for (const auto &[name, transparent, says] :
+             {std::tuple{"film.txt", false, "%05d"}, std::tuple{"film.mp4", true, "WebM"},
+              std::tuple{"f.jpg", true, "JPEG"}}) {
+            dialog.path()->setText(m_folder.filePath(name));
+            dialog.transparent()->setChecked(transparent);
+            dialog.exportButton()->click();
+            QVERIFY(!dialog.isExporting());
+            QVERIFY2(dialog.hint()->text().contains(says), qPrintable(dialog.hint()->text()));
+        }
+        dialog.transparent()->setChecked(false);
+        dialog.path()->setText(m_folder.filePath("nowhere/film.webp"));
+        QCOMPARE(dialog.hint()->text(), QString());
+        dialog.exportButton()->click();
+        QTRY_VERIFY_WITH_TIMEOUT(!dialog.isExporting(), waitMs);
+        QVERIFY2(dialog.hint()->text().contains("nowhere"), qPrintable(dialog.hint()->text()));
+        QCOMPARE(files(), QStringList());
+    }
+
+    void cancelLeavesNothing()
+    {
+        Editor editor;
+        fill(editor);
+        TimelapseDialog dialog(editor, Rect::of(0, 0, 40, 30));
+        dialog.show();
+        dialog.path()->setText(m_folder.filePath("film.webp"));
+        dialog.length()->setValue(3600);
+        dialog.exportButton()->click();
+        QTRY_VERIFY_WITH_TIMEOUT(dialog.progressText()->text().contains("Frame "), waitMs);
+        dialog.reject(); // stops the work, the dialog stays
+        QVERIFY(dialog.isVisible());
+        QTRY_VERIFY_WITH_TIMEOUT(!dialog.isExporting(), waitMs);
+        QCOMPARE(files(), QStringList());
+        QVERIFY(dialog.exportButton()->isEnabled());
+        dialog.reject();
+        QVERIFY(!dialog.isVisible());
+    }
+
+private:
+    QTemporaryDir m_folder, m_settings;
+};
+
+QTEST_MAIN(TestTimelapseDialog)
+#include "test_timelapse_dialog.moc"

@@ -1,0 +1,245 @@
+// Where windows go, and how their docks share the room.
+#include "app/panels/strokes/strokes_panel.h"
+#include "app/session/settings/settings.h"
+#include "app/widgets/habits/place_beside.h"
+#include "app/window/layout/window_layout.h"
+#include "model/formats/files.h"
+#include "tests/app/session.h"
+
+#include <QDockWidget>
+#include <QLabel>
+#include <QStatusBar>
+#include <QTemporaryDir>
+#include <QTreeView>
+
+#include <map>
+#include <tuple>
+
+using namespace suffuse;
+
+class TestWindowLayout : public QObject {
+    Q_OBJECT
+
+private slots:
+    void initTestCase()
+    {
+        QVERIFY(m_folder.isValid());
+        qputenv("SUFFUSE_PRESENTER", "raster");
+        qputenv("SUFFUSE_BACKEND", "cpu");
+        qputenv("SUFFUSE_SETTINGS", m_folder.filePath("settings.ini").toLocal8Bit());
+    }
+
+    void init() { window_layout::reset(); }
+
+    void rectanglesKeepToTheScreen()
+    {
+        const QRect screen(0, 20, 1000, 700);
+        QCOMPARE(placeWithin({100, 100, 300, 200}, screen), QRect(100, 100, 300, 200));
+        QCOMPARE(placeWithin({900, 600, 300, 200}, screen), QRect(700, 520, 300, 200));
+        QCOMPARE(placeWithin({-50, 0, 300, 200}, screen), QRect(0, 20, 300, 200));
+        QCOMPARE(placeWithin({28, 48, 1000, 900}, screen), screen);
+    }
+
+    /// Whether what is written up to `right` ends in "…": ink at the foot of the line only.
+    static bool endsInDots(QWidget &widget, int right)
+    {
+        const QImage image = widget.grab().toImage();
+        const QColor ground = widget.palette().color(QPalette::Window);
+        const auto topOfInk = [&](int x) {
+            for (int y = 2; y < image.height(); ++y)
+                if (std::abs(qGray(image.pixel(x, y)) - qGray(ground.rgb())) > 60)
+                    return y;
+            return -1;
+        };
+        int last = std::min(right, image.width() - 1);
+        while (last > 0 && topOfInk(last) < 0)
+            --last;
+        return last > 0 && topOfInk(last) > image.height() / 2;
+    }
+
+    /// What the status bar has no room for is in the tool tip.
+    void statusTextsEndInDotsWhereTheyAreCut()
+    {
+        Session s;
+        s.window.resize(s.window.minimumSizeHint().width(), 700);
+        QVERIFY(QTest::qWaitForWindowExposed(&s.window));
+        QStatusBar &bar = *s.window.statusBar();
+        const QString hint = s.canvas().tool()->hint();
+        QLabel *line = nullptr;
+        for (QLabel *label : bar.findChildren<QLabel *>())
+            if (label->text() == hint)
+                line = label;
+        QVERIFY(line && line->isVisible());
+        QVERIFY(line->fontMetrics().horizontalAdvance(hint) > line->width());
+        QVERIFY(endsInDots(*line, line->width()));
+        QCOMPARE(line->toolTip(), hint);
+        const int right = line->geometry().right();
+        const QString message(300, 'H');
+        bar.showMessage(message);
+        QVERIFY(!line->isVisible());
+        QVERIFY(endsInDots(bar, right));
+        QCOMPARE(bar.toolTip(), message);
+        bar.showMessage("HHH");
+        QVERIFY(!endsInDots(bar, right)); // all of it is there
+        bar.clearMessage();
+        QCOMPARE(bar.toolTip(), QString());
+        QVERIFY(line->isVisible());
+    }
+
+    /// A window that is opened from a maximised one is maximised, too, and has somewhere to go back to.
+    void windowsOpenAsTheFirstOneStands()
+    {
+        const QString path = m_folder.filePath("one.suffuse");
+        QVERIFY(savePainting(Painting(), path));
+        for (const bool maximised : {false, true}) {
+            MainWindow first;
+            first.setGeometry(100, 90, 640, 520);
+            maximised ? first.showMaximized() : first.show();
+            const QRect screen = first.screen()->availableGeometry();
+            MainWindow *own = first.openFile(path); // in it, since it is untouched
+            QCOMPARE(own, &first);
+            for (int k = 0; k < 3; ++k) {
+                const QString other = m_folder.filePath(QString("%1-%2.suffuse").arg(maximised).arg(k));
+                QVERIFY(savePainting(Painting(), other));
+                MainWindow *next = first.openFile(other);
+                QVERIFY(next && next != &first);
+                QVERIFY(next->isVisible());
+                QCOMPARE(next->isMaximized(), maximised);
+                const QRect normal = maximised ? next->normalGeometry() : next->geometry();
+                QVERIFY(screen.contains(normal.topLeft()) && normal.bottom() <= screen.bottom());
+                QVERIFY(normal.right() <= screen.right() || normal.width() <= next->minimumSizeHint().width());
+                next->close();
+            }
+        }
+    }
+
+    /// Half of a screen of 1920 × 1080 in each direction, less a title bar: what is left at a scale of 2.
+    void allDocksFitOnALowScreen()
+    {
+        Session s;
+        for (QDockWidget *dock : s.window.findChildren<QDockWidget *>())
+            dock->show();
+        s.window.resize(900, 505);
+        QTest::qWait(50);
+        QCOMPARE(s.window.height(), 505);
+    }
+
+    /// Hidden and shown again they are where they were, to the pixel.
+    void hiddenDocksComeBackAsTheyWere()
+    {
+        Session s;
+        const QList<QDockWidget *> docks = s.window.findChildren<QDockWidget *>();
+        const auto dock = [&](const char *name) { return s.window.findChild<QDockWidget *>(name); };
+        s.window.resizeDocks({dock("colourDock"), dock("inspectorDock")}, {367, 211}, Qt::Vertical);
+        s.window.resizeDocks({dock("colourDock")}, {341}, Qt::Horizontal);
+        s.window.resizeDocks({dock("timelineDock")}, {187}, Qt::Vertical);
+        dock("brushesDock")->raise();
+        QTest::qWait(50);
+        const auto places = [&] {
+            QList<QRect> list{s.canvas().geometry()};
+            for (const QDockWidget *d : docks)
+                list << (d->visibleRegion().isEmpty() ? QRect() : d->geometry()); // behind another one it has none
+            return list;
+        };
+        const QList<QRect> before = places();
+        for (int i = 0; i < 3; ++i) {
+            s.use(Command::HideDocks);
+            QTest::qWait(10);
+            QVERIFY(places() != before);
+            s.use(Command::HideDocks);
+            QTest::qWait(10);
+            QCOMPARE(places(), before);
+        }
+        s.use(Command::HideDocks);
+        dock("probeDock")->show(); // opened meanwhile
+        s.use(Command::HideDocks);
+        QVERIFY(!dock("probeDock")->isHidden());
+        QVERIFY(!dock("colourDock")->isHidden());
+    }
+
+    /// Colour and brushes are seen together on a low screen, as that of the tests is, and the canvas is the largest.
+    void colourAndBrushesStandTogether()
+    {
+        Session s;
+        s.window.resize(1366, 738);
+        QTest::qWait(50);
+        const auto seen = [&](const char *name) {
+            return !s.window.findChild<QDockWidget *>(name)->visibleRegion().isEmpty();
+        };
+        QVERIFY(seen("colourDock") && seen("brushesDock") && !seen("inspectorDock"));
+        const QDockWidget *colour = s.window.findChild<QDockWidget *>("colourDock");
+        QVERIFY2(s.canvas().width() > 3 * colour->width(),
+                 qPrintable(QString("%1 %2").arg(s.canvas().width()).arg(colour->width())));
+        QVERIFY(s.canvas().height() > 0.65 * s.window.height());
+        // The one of brushes and inspector is in front that the tool needs.
+        s.use(Command::Select);
+        QVERIFY(!seen("brushesDock") && seen("inspectorDock") && seen("colourDock"));
+        s.use(Command::Brush);
+        QVERIFY(seen("brushesDock") && !seen("inspectorDock"));
+        s.window.findChild<QDockWidget *>("strokesDock")->raise(); // somebody wants to see this
+        s.use(Command::Select);
+        s.use(Command::Brush);
+        QVERIFY(seen("strokesDock"));
+    }
+
+    /// A layout that was stored is put back as it was, whatever the first start looks like now.
+    void storedLayoutsAreKept()
+    {
+        const auto place = [](MainWindow &window, const char *name) {
+            const auto *dock = window.findChild<QDockWidget *>(name);
+            return std::tuple(window.dockWidgetArea(const_cast<QDockWidget *>(dock)), dock->isFloating(),
+                              window.tabifiedDockWidgets(const_cast<QDockWidget *>(dock)).size());
+        };
+        const char *const names[] = {"colourDock", "brushesDock", "inspectorDock", "strokesDock", "historyDock"};
+        std::map<QString, std::tuple<Qt::DockWidgetArea, bool, qsizetype>> before;
+        {
+            Session s;
+            const auto dock = [&](const char *name) { return s.window.findChild<QDockWidget *>(name); };
+            s.window.tabifyDockWidget(dock("colourDock"), dock("brushesDock")); // as it was before
+            s.window.addDockWidget(Qt::LeftDockWidgetArea, dock("strokesDock"));
+            dock("timelineDock")->hide();
+            QTest::qWait(20);
+            for (const char *name : names)
+                before[name] = place(s.window, name);
+            window_layout::save(s.window);
+        }
+        Session s; // puts it back
+        QTest::qWait(20);
+        for (const char *name : names)
+            QVERIFY2(place(s.window, name) == before[name], name);
+        QVERIFY(s.window.findChild<QDockWidget *>("timelineDock")->isHidden());
+        QCOMPARE(std::get<0>(before["strokesDock"]), Qt::LeftDockWidgetArea);
+        window_layout::reset();
+    }
+
+    /// The canvas would move below the pen, and the stroke would jump.
+    void docksWaitForTheStrokeInHand()
+    {
+        Session s;
+        QVERIFY(QTest::qWaitForWindowActive(&s.window));
+        const auto *dock = s.window.findChild<QDockWidget *>("colourDock");
+        s.canvas().setFocus();
+        const QRect place = s.canvas().geometry();
+        QTest::mousePress(&s.canvas(), Qt::LeftButton, {}, s.at({100, 200}));
+        for (int i = 1; i <= 5; ++i) {
+            s.advance(interval);
+            QTest::mouseMove(&s.canvas(), s.at({100 + 20.0 * i, 200}));
+        }
+        QTest::keyClick(&s.canvas(), Qt::Key_Tab);
+        QTest::qWait(10);
+        QVERIFY(!dock->isHidden());
+        QCOMPARE(s.canvas().geometry(), place);
+        QTest::mouseRelease(&s.canvas(), Qt::LeftButton, {}, s.at({200, 200}));
+        QCOMPARE(s.painting().strokes.size(), std::size_t(1));
+        QCOMPARE(s.canvas().geometry(), place);
+        QTRY_VERIFY(dock->isHidden()); // now that it is painted
+        QTest::keyClick(&s.canvas(), Qt::Key_Tab);
+        QTRY_VERIFY(!dock->isHidden());
+    }
+
+private:
+    QTemporaryDir m_folder;
+};
+
+QTEST_MAIN(TestWindowLayout)
+#include "test_window_layout.moc"
