@@ -1,5 +1,6 @@
 // Tools that look at every stroke.
 #include "app/tools/nodes/node_tool.h"
+#include "app/tools/shaping/eraser_tool.h"
 #include "app/tools/shaping/push_tool.h"
 #include "model/shaping/split.h"
 #include "tests/bench/editing_benches.h"
@@ -112,15 +113,23 @@ Report measureTools(EditingSession &s, int events, const QString &wanted)
         QString name;
         Command tool;
         Command before; ///< what is selected
+        EraserMode mode = EraserMode::Lift;
     };
-    for (const auto &[name, tool, before] :
+    for (const auto &[name, tool, before, mode] :
          {Sweep{"knife", Command::Knife, Command::Deselect}, Sweep{"push", Command::Push, Command::Deselect},
-          Sweep{"eraser", Command::Eraser, Command::Deselect},
-          Sweep{"eraser, all strokes selected", Command::Eraser, Command::SelectAll}}) {
+          Sweep{"eraser, lifting", Command::Eraser, Command::Deselect},
+          Sweep{"eraser, lifting, all strokes selected", Command::Eraser, Command::SelectAll},
+          Sweep{"eraser, cutting", Command::Eraser, Command::Deselect, EraserMode::Cut},
+          Sweep{"eraser, cutting, all strokes selected", Command::Eraser, Command::SelectAll, EraserMode::Cut}}) {
         if (!name.contains(wanted))
             continue;
         s.window().action(before).trigger();
         s.window().action(tool).trigger();
+        if (auto *eraser = qobject_cast<EraserTool *>(s.canvas().tool())) {
+            EraserChoice choice = eraser->choice();
+            choice.mode = mode;
+            eraser->setChoice(choice);
+        }
         report.rows.push_back(rowOf(name, wave(s, events)));
         s.mouse(QEvent::MouseButtonRelease, corner);
         undoAll();

@@ -33,6 +33,7 @@ struct CommandRow {
     Predicate shown;
     Words text; ///< where it changes, as that of Undo
     Words icon; ///< name of the icon, where it changes
+    QString shownIcon; ///< the name of the one that was made last
     std::function<void()> run;
     std::function<void(bool on)> toggled;
     std::function<void(const QList<QKeySequence> &keys)> keysChanged; ///< of a row whose keys are held

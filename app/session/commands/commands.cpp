@@ -82,7 +82,7 @@ void Commands::run(const CommandRow &row)
     const QPointer<Commands> alive = this; // a command may close the window
     if (row.run)
         row.run();
-    if (alive)
+    if (alive && !(m_isWaiting && m_isWaiting()))
         update();
 }
 
@@ -114,16 +114,16 @@ QList<QAction *> Commands::of(CommandScope scope) const
 
 void Commands::update()
 {
-    for (const auto &[command, row] : m_rows)
+    for (auto &[command, row] : m_rows)
         follow(row);
 }
 
 void Commands::update(Command command)
 {
-    follow(row(command));
+    follow(m_rows.at(command));
 }
 
-void Commands::follow(const CommandRow &row)
+void Commands::follow(CommandRow &row)
 {
     if (row.enabled)
         row.action->setEnabled(row.enabled());
@@ -133,8 +133,12 @@ void Commands::follow(const CommandRow &row)
         row.action->setVisible(row.shown());
     if (row.text)
         row.action->setText(row.text());
-    if (row.icon && m_icons)
-        row.action->setIcon(m_icons(row.icon()));
+    if (!row.icon || !m_icons)
+        return;
+    if (const QString name = row.icon(); name != row.shownIcon) {
+        row.action->setIcon(m_icons(name));
+        row.shownIcon = name;
+    }
 }
 
 CommandScope scopeOf(const QAction &action)

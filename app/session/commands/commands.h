@@ -41,9 +41,12 @@ public:
     QList<QAction *> of(CommandScope scope) const;
 
     /// Enables, checks, shows and names all commands by their rows. To be called when something that they look at has
-    /// changed; after a command has run it is done anyway.
+    /// changed; after a command has run it is done anyway, unless `updatesComeBy` says that it is about to be called.
     void update();
     void update(Command command);
+    /// While this is true, what a command did is still to be told to those who only show it, and `update` is called then:
+    /// what people look at, the picture, is not kept waiting by buttons that turn grey.
+    void updatesComeBy(std::function<bool()> isWaiting) { m_isWaiting = std::move(isWaiting); }
 
 signals:
     /// What a command has to say to people, for so many milliseconds at most and until something else is done.
@@ -51,9 +54,10 @@ signals:
 
 private:
     void run(const CommandRow &row);
-    void follow(const CommandRow &row);
+    void follow(CommandRow &row);
 
     MakeIcon m_icons;
+    std::function<bool()> m_isWaiting;
     std::map<Command, CommandRow> m_rows;
 };
 

@@ -23,10 +23,12 @@ void addSessionRows(Commands &table, OpenPainting &open)
     addTimeRows(table, open);
     addBrushRows(table, open);
     Editor &editor = open.editor;
-    const auto follow = [&table, &editor] {
-        if (!editor.laterChanges().isWaiting()) // else it comes with what waits
+    const auto isWaiting = [&editor] { return editor.laterChanges().isWaiting(); };
+    const auto follow = [&table, isWaiting] {
+        if (!isWaiting()) // else it comes with what waits
             table.update();
     };
+    table.updatesComeBy(isWaiting);
     QObject::connect(&editor.laterChanges(), &LaterChanges::changed, &table, [&table] { table.update(); });
     QObject::connect(&editor.undoStack(), &QUndoStack::indexChanged, &table, follow);
     QObject::connect(&editor, &Editor::dragEnded, &table, follow);
