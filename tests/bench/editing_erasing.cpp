@@ -116,7 +116,7 @@ Report measureErasing(EditingSession &s, int events, const QString &wanted)
             return Point{view.width * (0.2 + 0.6 * x), view.height * (0.5 + 0.3 * std::sin(9 * x))};
         };
         s.mouse(QEvent::MouseButtonPress, at(-1));
-        s.rest();
+        s.holdStill();
         report.rows.push_back(rowOf(name, s.paced(events, [&](int i) { s.mouse(QEvent::MouseMove, at(i)); })));
         s.mouse(QEvent::MouseButtonRelease, at(events));
         s.settle();

@@ -187,6 +187,11 @@ void EditingSession::settle()
 void EditingSession::rest()
 {
     settle();
+    holdStill();
+}
+
+void EditingSession::holdStill()
+{
     const Clock::time_point start = Clock::now();
     runUntil([start] { return Clock::now() - start > handRests; });
 }

@@ -66,6 +66,8 @@ public:
     void settle();
     /// The same, and for as long as a hand does, which panels have to come to rest, too.
     void rest();
+    /// The same pause with the button down, where an open drag would never settle.
+    void holdStill();
     /// Pixels evaluated since the last call, by the frames shown since then.
     double takeEvaluatedPixels();
 

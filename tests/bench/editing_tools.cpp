@@ -21,7 +21,7 @@ DragTimes wave(EditingSession &s, int events)
         return Point{view.width * (0.2 + 0.6 * x), view.height * (0.5 + 0.3 * std::sin(9 * x))};
     };
     s.mouse(QEvent::MouseButtonPress, at(-1));
-    s.rest();
+    s.holdStill();
     const DragTimes times = s.paced(events, [&](int i) { s.mouse(QEvent::MouseMove, at(i)); });
     return times;
 }

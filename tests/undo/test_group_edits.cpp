@@ -39,13 +39,14 @@ private slots:
         Selection some{{1, 2}, {{1, 0}}};
         d.setSelection(some);
         const PaintingPtr before = d.painting();
-        Edit edit = duplicateSelection(d, {5, 0});
+        const Point by{5, 0};
+        Edit edit = duplicateSelection(d, by);
         d.exchange(edit);
         QCOMPARE(d.painting()->strokes.size(), std::size_t(5));
         const Stroke &part = *d.painting()->strokes[2], &whole = *d.painting()->strokes[3]; // above the topmost
         QCOMPARE(part.segments.size(), std::size_t(1));
         QCOMPARE(part.segments[0], strokeOf(d, 1).segments[0]);
-        QCOMPARE(part.origin, strokeOf(d, 1).origin + Point(5, 0));
+        QCOMPARE(part.origin, strokeOf(d, 1).origin + by);
         QCOMPARE(whole.segments, strokeOf(d, 2).segments);
         QCOMPARE(d.selection().strokes, (std::set<StrokeId>{part.id, whole.id}));
         QVERIFY(d.selection().segments.empty());
