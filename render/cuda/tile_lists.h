@@ -67,7 +67,7 @@ public:
     SUFFUSE_PROGRAM ListMaker(Block &block, const Frame &frame, std::uint32_t index, ListScratch &scratch)
         : m_block(block), m_frame(frame), m_index(index), m_half(index / listQuarters % 2),
           m_macro(frame.macros[index / listParts]), m_list(frame.lists + std::size_t(index) * frame.listRoom),
-          m_apart(frame.apart + std::size_t(index) * frame.listRoom), m_s(scratch)
+          m_apart(frame.apart ? frame.apart + std::size_t(index) * frame.listRoom : nullptr), m_s(scratch)
     {}
 
     SUFFUSE_PROGRAM void make()
