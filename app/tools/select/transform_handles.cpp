@@ -68,6 +68,41 @@ QPainterPath centreMark()
     return path;
 }
 
+const QColor lightGap(255, 255, 255, 120); ///< between dashes, so that the line is seen on any paint
+
+/// Fills of an upright line, to be repeated along it: a dash and a gap.
+QImage dashAndGap(const QColor &dash, int width, bool across)
+{
+    const int dashLength = 4 * width, length = 6 * width;
+    QImage image(across ? QSize(length, 1) : QSize(1, length), QImage::Format_ARGB32_Premultiplied);
+    image.fill(lightGap);
+    QPainter(&image).fillRect(0, 0, across ? dashLength : 1, across ? 1 : dashLength, dash);
+    return image;
+}
+
+/// Draws a side of the box in dashes. An upright one is a rectangle, which takes a tenth of the time of a line.
+void paintSide(QPainter &painter, const QLineF &side, const QColor &colour, double dpr)
+{
+    constexpr double straight = 1e-6;
+    constexpr int piece = 64; // A painter hands more rows than these to other threads, and waking them takes longer.
+    const int width = std::max(1, int(std::lround(dpr)));
+    const QRectF between = QRectF(side.p1(), side.p2()).normalized();
+    const QRect upright((between.topLeft() - QPointF(0.5 * width, 0.5 * width)).toPoint(),
+                        between.size().toSize() + QSize(width, width));
+    if (between.height() < straight) {
+        painter.fillRect(upright, dashAndGap(colour, width, true));
+    } else if (between.width() < straight) {
+        const QBrush brush = dashAndGap(colour, width, false);
+        for (int y = upright.top(); y <= upright.bottom(); y += piece)
+            painter.fillRect(upright & QRect(upright.left(), y, width, piece), brush);
+    } else {
+        painter.setPen(QPen(lightGap, dpr));
+        painter.drawLine(side);
+        painter.setPen(QPen(colour, dpr, Qt::DashLine));
+        painter.drawLine(side);
+    }
+}
+
 } // namespace
 
 void TransformHandles::setBox(const Rect &box)
@@ -215,17 +250,11 @@ void TransformHandles::paint(QPainter &painter, const View &view, double dpr, co
     if (list.empty())
         return;
     const Rect window = Rect::of(0, 0, view.width, view.height).grown(8);
-    QPainterPath outline;
-    outline.addPolygon(clippedCorners(view, m_box, window));
-    outline.closeSubpath();
+    const QPolygonF corners = clippedCorners(view, m_box, window);
     QColor quiet = accent;
     quiet.setAlpha(190);
-    painter.setBrush(Qt::NoBrush);
-    // The gaps between the dashes are light, so that the line is seen on any paint.
-    painter.setPen(QPen(QColor(255, 255, 255, 120), dpr));
-    painter.drawPath(outline);
-    painter.setPen(QPen(quiet, dpr, Qt::DashLine));
-    painter.drawPath(outline);
+    for (qsizetype i = 0; i < corners.size(); ++i)
+        paintSide(painter, {corners[i], corners[(i + 1) % corners.size()]}, quiet, dpr);
     for (const TransformHandle &handle : list)
         paintHandle(painter, handle, view, dpr, hovered == handle ? accent : QColor(40, 44, 52));
 }

@@ -1,5 +1,6 @@
 // What lies over the picture: outlines that give way to it, angles and sizes beside the pointer, the pasteboard.
 #include "app/tools/brush/brush_tool.h"
+#include "app/tools/select/transform_handles.h"
 #include "app/widgets/numbers/number_field.h"
 #include "tests/app/shapes.h"
 
@@ -264,6 +265,52 @@ private slots:
         QCOMPARE(s.canvas().picture().pixel(beside), paint); // the picture is as it was
         s.use(Command::ShowBeyond);
         QVERIFY(s.shot() == covered);
+    }
+
+    void theBoxOfTheSelectionIsDashed_data()
+    {
+        QTest::addColumn<double>("dpr");
+        QTest::newRow("a pixel wide") << 1.0;
+        QTest::newRow("two pixels wide") << 2.0;
+    }
+
+    void theBoxOfTheSelectionIsDashed()
+    {
+        QFETCH(double, dpr);
+        const int width = int(dpr), size = 400;
+        TransformHandles handles;
+        handles.setBox(Rect::of(40.5, 40.5, 320, 320));
+        View view = View::ofArea(Rect::of(0, 0, size, size), size, size);
+        const auto drawn = [&] {
+            QImage image(size, size, QImage::Format_RGB32);
+            image.fill(Qt::black);
+            QPainter painter(&image);
+            painter.setRenderHint(QPainter::Antialiasing);
+            handles.paint(painter, view, dpr, QColor(4, 46, 124), {});
+            return image;
+        };
+        const QImage upright = drawn();
+        const int periods = 40, length = 6 * width * (periods / width), from = 80;
+        for (const int at : {40, 360}) {
+            int dashes = 0, gaps = 0;
+            for (int i = from; i < from + length; ++i)
+                for (const QPoint pixel : {QPoint(at, i), QPoint(i, at)}) {
+                    const QRgb colour = upright.pixel(pixel);
+                    dashes += qBlue(colour) > qRed(colour) + 40;
+                    gaps += qRed(colour) == qBlue(colour) && qRed(colour) > 100;
+                }
+            QCOMPARE(dashes, 2 * length * 2 / 3);
+            QCOMPARE(gaps, 2 * length / 3);
+            QCOMPARE(upright.pixel(at - width, from), qRgb(0, 0, 0)); // beside it nothing
+            QCOMPARE(upright.pixel(at + width, from), qRgb(0, 0, 0));
+        }
+        view.rotation = 0.3;
+        const QImage turned = drawn();
+        const Point middle = view.toPixels({40.5, 120});
+        const QImage onTheLine = turned.copy(int(middle.x) - 8, int(middle.y) - 8, 16, 16);
+        QImage nothing = onTheLine;
+        nothing.fill(Qt::black);
+        QVERIFY(onTheLine != nothing);
     }
 
 private:
