@@ -35,10 +35,9 @@ std::size_t nextBelow(const std::vector<SegmentRef> &hits, const Selection &sele
 
 StrokeId nextStroke(const Painting &painting, Microseconds T, const Selection &selection, int step)
 {
-    const std::set<StrokeId> selectable = selectableStrokes(painting, T);
     std::vector<StrokeId> order;
     for (const StrokePtr &stroke : painting.strokes)
-        if (selectable.contains(stroke->id))
+        if (isSelectable(painting, T, *stroke))
             order.push_back(stroke->id);
     if (order.empty())
         return 0;

@@ -11,12 +11,6 @@ namespace suffuse {
 
 namespace {
 
-/// Whether a stroke can be selected at T. One that is painted only later cannot.
-bool isSelectable(const Painting &painting, Microseconds T, const Stroke &stroke)
-{
-    return painting.isVisible(stroke) && !painting.isLocked(stroke) && stroke.born() <= T;
-}
-
 /// The segment with the largest share where the stroke is seen at the point.
 std::optional<SegmentRef> hitOf(const Stroke &stroke, Microseconds T, Point point)
 {
@@ -259,6 +253,11 @@ std::set<SegmentRef> segmentsWithin(const Painting &painting, Microseconds T, co
                 found.insert({stroke->id, k});
     }
     return found;
+}
+
+bool isSelectable(const Painting &painting, Microseconds T, const Stroke &stroke)
+{
+    return painting.isVisible(stroke) && !painting.isLocked(stroke) && stroke.born() <= T;
 }
 
 std::set<StrokeId> selectableStrokes(const Painting &painting, Microseconds T)

@@ -58,7 +58,9 @@ private:
 /// The segments of visible, unlocked strokes, begun by T, whose curves' middles lie within a rectangle of the view's
 /// pixels.
 std::set<SegmentRef> segmentsWithin(const Painting &painting, Microseconds T, const View &view, const Rect &pixels);
-/// All visible, unlocked strokes that are begun by T.
+/// Whether a stroke can be selected at T: it is visible, unlocked and begun.
+bool isSelectable(const Painting &painting, Microseconds T, const Stroke &stroke);
+/// All strokes that can be selected at T.
 std::set<StrokeId> selectableStrokes(const Painting &painting, Microseconds T);
 
 } // namespace suffuse
