@@ -35,8 +35,8 @@ std::set<StrokeId> firstStrokes(const Painting &painting, std::size_t count);
 Report measureDrags(EditingSession &session, int events, const QString &wanted);
 Report measureViews(EditingSession &session, int events);
 Report measureSelecting(EditingSession &session, int events, const QString &wanted);
-/// Touch path, knife, push and eraser, a node of one of all strokes, which are selected, and a push of one stroke of
-/// 10,000 segments.
+/// Knife, push and eraser, a node of one of all strokes, which are selected, and a push of one stroke of 10,000
+/// segments.
 Report measureTools(EditingSession &session, int events, const QString &wanted);
 /// The eraser on one stroke of 600 segments, and whole frames of it with and without lifting segments.
 Report measureErasing(EditingSession &session, int events, const QString &wanted);

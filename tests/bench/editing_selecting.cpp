@@ -23,13 +23,44 @@ Report measureViews(EditingSession &s, int events)
     return report;
 }
 
+namespace {
+
+using Act = std::function<void(int)>;
+/// What is measured: its name, how often, what is done, and what is done before it.
+using Measure = std::function<void(const QString &name, int times, const Act &act, const Act &before)>;
+
+void measureTouchPath(EditingSession &s, int events, const Measure &measure)
+{
+    const View view = s.canvas().view();
+    const auto along = [&](int i) {
+        return Point{view.width * 0.2 + 4 * i, view.height * (0.5 + 0.3 * std::sin(0.04 * i))};
+    };
+    const auto touch = [&](int i) {
+        s.document().setSelection({});
+        s.mouse(QEvent::MouseButtonPress, {4, 4}); // A drag that begins on a stroke moves it.
+        for (int k = 0; k < 20; ++k)
+            s.mouse(QEvent::MouseMove, along(i + k));
+    };
+    const auto goOn = [&](int i) { s.mouse(QEvent::MouseMove, along(20 + i)); };
+    const auto letGo = [&](int i) { s.mouse(QEvent::MouseButtonRelease, along(20 + i)); };
+    s.window().action(Command::TouchPath).setChecked(true);
+    measure("touch path, a step of it", events, goOn, [&](int i) {
+        if (i == 0)
+            touch(0);
+    });
+    letGo(events);
+    measure("touch path, what it touches", events / 3, letGo, touch);
+    s.window().action(Command::TouchPath).setChecked(false);
+}
+
+} // namespace
+
 Report measureSelecting(EditingSession &s, int events, const QString &wanted)
 {
     Report report{"Selecting: event to selection and overlay on the screen, ms", {}};
     s.window().action(Command::Select).trigger();
     const auto nothing = [](int) {};
-    const auto measure = [&](const QString &name, int times, const std::function<void(int)> &act,
-                             const std::function<void(int)> &before) {
+    const auto measure = [&](const QString &name, int times, const Act &act, const Act &before) {
         if (!name.contains(wanted))
             return;
         Times result, computed;
@@ -61,6 +92,7 @@ Report measureSelecting(EditingSession &s, int events, const QString &wanted)
     };
     measure(
         "band over a quarter", events / 3, [&](int i) { s.mouse(QEvent::MouseButtonRelease, corner(i)); }, band);
+    measureTouchPath(s, events, measure);
     measure(
         "select all, select none", events / 3,
         [&](int i) { s.window().action(i % 2 == 0 ? Command::SelectAll : Command::Deselect).trigger(); }, nothing);

@@ -98,17 +98,6 @@ Report measureTools(EditingSession &s, int events, const QString &wanted)
         s.settle();
     };
     s.document().setSelection({});
-    if (const QString name = "touch path"; name.contains(wanted)) {
-        s.window().action(Command::Select).trigger();
-        s.window().action(Command::TouchPath).setChecked(true);
-        report.rows.push_back(rowOf(name + ": the path", wave(s, events)));
-        Times release;
-        release.ms = {s.untilPainted([&] { s.mouse(QEvent::MouseButtonRelease, corner); })};
-        report.rows.push_back(rowOf(name + ": what it touches", release));
-        report.rows.back().values.resize(report.rows.front().values.size(), {"", 0});
-        s.window().action(Command::TouchPath).setChecked(false);
-        undoAll();
-    }
     struct Sweep {
         QString name;
         Command tool;
