@@ -8154,20 +8154,8 @@ Auch die Pfeiltasten wirken.</translation>
 <context>
     <name>suffuse::TimelapseDialog</name>
     <message>
-        <source>Progress</source>
-        <translation>Fortschritt</translation>
-    </message>
-    <message>
-        <source>File</source>
-        <translation>Datei</translation>
-    </message>
-    <message>
         <source>The ending chooses the format: webm or mp4 is a video, webp an animation, and png, tiff, exr, jpg or pfm numbered pictures, such as frame%04d.png.</source>
         <translation>Die Endung bestimmt das Format: webm oder mp4 ist ein Video, webp eine Animation, und png, tiff, exr, jpg oder pfm sind nummerierte Bilder, etwa frame%04d.png.</translation>
-    </message>
-    <message>
-        <source>Choose a folder and a name</source>
-        <translation>Ordner und Namen wählen</translation>
     </message>
     <message>
         <source>Frame rate</source>
@@ -8194,22 +8182,6 @@ Auch die Pfeiltasten wirken.</translation>
         <translation>Wie lang der Film ist; die Zeit des Bildes wird darauf gestreckt.</translation>
     </message>
     <message>
-        <source>Quality</source>
-        <translation>Qualität</translation>
-    </message>
-    <message>
-        <source>Of JPEG and WebP; 100 is the best. WebP loses nothing then.</source>
-        <translation>Für JPEG und WebP; 100 ist am besten. WebP verliert dann nichts.</translation>
-    </message>
-    <message>
-        <source>Transparent background</source>
-        <translation>Transparenter Hintergrund</translation>
-    </message>
-    <message>
-        <source>Leaves the background out and stores how much the paint covers.</source>
-        <translation>Lässt den Hintergrund weg und speichert, wie stark die Farbe deckt.</translation>
-    </message>
-    <message>
         <source>Animated WebP: begins anew at its end. Players decide it for videos.</source>
         <translation>WebP-Animation: beginnt am Ende von vorn. Bei Videos entscheidet das Abspielprogramm.</translation>
     </message>
@@ -8232,10 +8204,6 @@ Auch die Pfeiltasten wirken.</translation>
     <message>
         <source>A film of %1 frames is too long. Choose a lower rate or a shorter length.</source>
         <translation>Ein Film von %1 Bildern ist zu lang. Bitte eine niedrigere Bildrate oder eine kürzere Länge wählen.</translation>
-    </message>
-    <message>
-        <source>%1 exists. Replace it?</source>
-        <translation>%1 gibt es schon. Ersetzen?</translation>
     </message>
     <message>
         <source>Frame %1 of %2</source>
@@ -8270,22 +8238,6 @@ Auch die Pfeiltasten wirken.</translation>
     <message>
         <source>Loop</source>
         <translation>Endlos wiederholen</translation>
-    </message>
-    <message>
-        <source>&amp;Export</source>
-        <translation>&amp;Exportieren</translation>
-    </message>
-    <message>
-        <source>&amp;Browse…</source>
-        <translation>&amp;Durchsuchen …</translation>
-    </message>
-    <message>
-        <source>What it holds now is lost.</source>
-        <translation>Was sie jetzt enthält, geht verloren.</translation>
-    </message>
-    <message>
-        <source>&amp;Replace</source>
-        <translation>&amp;Ersetzen</translation>
     </message>
     <message>
         <source>Export Timelapse</source>

@@ -8109,20 +8109,8 @@ Arrow keys work too.</source>
 <context>
     <name>suffuse::TimelapseDialog</name>
     <message>
-        <source>Progress</source>
-        <translation>进度</translation>
-    </message>
-    <message>
-        <source>File</source>
-        <translation>文件</translation>
-    </message>
-    <message>
         <source>The ending chooses the format: webm or mp4 is a video, webp an animation, and png, tiff, exr, jpg or pfm numbered pictures, such as frame%04d.png.</source>
         <translation>扩展名决定格式：webm 或 mp4 为视频，webp 为动画，png、tiff、exr、jpg 或 pfm 为带编号的图片，例如 frame%04d.png。</translation>
-    </message>
-    <message>
-        <source>Choose a folder and a name</source>
-        <translation>选择文件夹和文件名</translation>
     </message>
     <message>
         <source>Frame rate</source>
@@ -8149,22 +8137,6 @@ Arrow keys work too.</source>
         <translation>影片的时长；画作的时间会伸缩到此长度。</translation>
     </message>
     <message>
-        <source>Quality</source>
-        <translation>质量</translation>
-    </message>
-    <message>
-        <source>Of JPEG and WebP; 100 is the best. WebP loses nothing then.</source>
-        <translation>用于 JPEG 和 WebP；100 为最佳，此时 WebP 无损。</translation>
-    </message>
-    <message>
-        <source>Transparent background</source>
-        <translation>透明背景</translation>
-    </message>
-    <message>
-        <source>Leaves the background out and stores how much the paint covers.</source>
-        <translation>去掉背景，并保存颜料的覆盖程度。</translation>
-    </message>
-    <message>
         <source>Animated WebP: begins anew at its end. Players decide it for videos.</source>
         <translation>WebP 动画：播放到结尾后重新开始。视频是否循环由播放器决定。</translation>
     </message>
@@ -8187,10 +8159,6 @@ Arrow keys work too.</source>
     <message>
         <source>A film of %1 frames is too long. Choose a lower rate or a shorter length.</source>
         <translation>%1 帧的影片太长。请选择较低的帧率或较短的时长。</translation>
-    </message>
-    <message>
-        <source>%1 exists. Replace it?</source>
-        <translation>%1 已存在。要替换吗？</translation>
     </message>
     <message>
         <source>Frame %1 of %2</source>
@@ -8223,22 +8191,6 @@ Arrow keys work too.</source>
     <message>
         <source>Loop</source>
         <translation>循环播放</translation>
-    </message>
-    <message>
-        <source>&amp;Export</source>
-        <translation>导出(&amp;E)</translation>
-    </message>
-    <message>
-        <source>&amp;Browse…</source>
-        <translation>浏览(&amp;B)…</translation>
-    </message>
-    <message>
-        <source>What it holds now is lost.</source>
-        <translation>其现有内容将丢失。</translation>
-    </message>
-    <message>
-        <source>&amp;Replace</source>
-        <translation>替换(&amp;R)</translation>
     </message>
     <message>
         <source>Export Timelapse</source>

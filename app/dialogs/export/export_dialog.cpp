@@ -4,15 +4,11 @@
 #include "app/dialogs/export/print_rows.h"
 #include "app/session/editor.h"
 #include "app/session/settings/settings.h"
-#include "app/widgets/asking/messages.h"
 #include "app/widgets/asking/save_name.h"
-#include "app/widgets/habits/mnemonics.h"
-#include "app/widgets/look/icons.h"
 #include "app/widgets/look/section.h"
 
 #include <QCheckBox>
 #include <QComboBox>
-#include <QDialogButtonBox>
 #include <QDir>
 #include <QFileDialog>
 #include <QFileInfo>
@@ -20,7 +16,6 @@
 #include <QLineEdit>
 #include <QLocale>
 #include <QProgressBar>
-#include <QPushButton>
 #include <QSpinBox>
 
 #include <algorithm>
@@ -58,41 +53,14 @@ QString depthTitle(ImageDepth depth)
 
 } // namespace
 
-ExportDialog::ExportDialog(Editor &editor, const Rect &shown, QWidget *parent) : QDialog(parent), m_editor(editor)
+ExportDialog::ExportDialog(Editor &editor, const Rect &shown, QWidget *parent)
+    : ExportingDialog(tr("Export Picture"), parent), m_editor(editor)
 {
-    setWindowTitle(tr("Export Picture"));
-    auto *column = new QVBoxLayout(this);
-    column->setContentsMargins(16, 16, 16, 16);
-    column->setSpacing(12);
-    m_form = new QWidget(this);
-    auto *grid = new QGridLayout(m_form);
-    grid->setContentsMargins(0, 0, 0, 0);
-    grid->setHorizontalSpacing(16);
-    grid->setVerticalSpacing(8);
-    grid->setColumnStretch(1, 1);
-    addFields(*grid, shown);
-    column->addWidget(m_form);
-    m_progress = new QProgressBar(this);
+    addFields(*m_grid, shown);
+    addWork(QStringLiteral("export"));
     m_progress->setRange(0, 1000);
-    m_progress->setTextVisible(false);
-    m_progress->setAccessibleName(tr("Progress"));
-    m_progress->hide();
-    column->addWidget(m_progress);
-    m_hint = new HintLabel(this);
-    column->addWidget(m_hint);
-    column->addStretch(1);
-    auto *buttons = new QDialogButtonBox(QDialogButtonBox::Cancel, this);
-    m_export = buttons->addButton(tr("&Export"), QDialogButtonBox::AcceptRole);
-    m_export->setDefault(true);
-    m_export->setIcon(icon("export"));
-    m_cancel = buttons->button(QDialogButtonBox::Cancel);
-    column->addWidget(buttons);
-
-    connect(m_export, &QPushButton::clicked, this, &ExportDialog::startExport);
-    connect(buttons, &QDialogButtonBox::rejected, this, &ExportDialog::reject);
-    connect(m_path, &QLineEdit::textChanged, this, &ExportDialog::formatChanged);
     connect(&m_job, &ExportJob::progressed, m_progress, &QProgressBar::setValue);
-    connect(&m_job, &ExportJob::finished, this, &ExportDialog::exportFinished);
+    connect(&m_job, &ExportJob::finished, this, &ExportDialog::finish);
     const std::optional<ExportSettings> last = exports::last();
     m_path->setText(suggestedExportPath(editor, QStandardPaths::PicturesLocation,
                                         last ? endingOf(last->path) : QStringLiteral("png")));
@@ -100,20 +68,8 @@ ExportDialog::ExportDialog(Editor &editor, const Rect &shown, QWidget *parent) :
         takeFormat(*last);
     if (const auto own = exports::lastOf(editor.filePath()))
         restore(*own);
-    giveMnemonics(*this);
     showLimits();
-    beginWithName(*m_path);
-    setMinimumWidth(480);
-}
-
-void ExportDialog::addField(QGridLayout &grid, int row, const QString &name, QWidget *field, const QString &tip)
-{
-    auto *label = new QLabel(name, m_form);
-    label->setBuddy(field);
-    field->setAccessibleName(name);
-    field->setToolTip(tip);
-    grid.addWidget(label, row, 0);
-    grid.addWidget(field, row, 1, 1, field == m_path ? 1 : 2);
+    begin();
 }
 
 void ExportDialog::addFields(QGridLayout &grid, const Rect &shown)
@@ -121,14 +77,8 @@ void ExportDialog::addFields(QGridLayout &grid, const Rect &shown)
     m_presets = new PresetRow(
         grid, 0, [this] { return settings(); }, m_form);
     connect(m_presets, &PresetRow::chosen, this, &ExportDialog::takePreset);
-    m_path = new QLineEdit(m_form);
-    addField(grid, 1, tr("File"), m_path, tr("The ending chooses the format: png, tiff, exr, jpg, webp or pfm."));
-    auto *browseButton = new QPushButton(tr("&Browse…"), m_form);
-    browseButton->setToolTip(tr("Choose a folder and a name"));
-    browseButton->setAutoDefault(false);
-    grid.addWidget(browseButton, 1, 2);
-    connect(browseButton, &QPushButton::clicked, this, &ExportDialog::browse);
-    addFormat(grid);
+    addFile(1, tr("The ending chooses the format: png, tiff, exr, jpg, webp or pfm."));
+    addFormat();
     m_area = new AreaRow(grid, 3, m_editor, shown, m_form);
     m_size = new SizeRow(grid, 5, maxSideOf(ImageFormat::Png), m_form);
     m_size->setArea(m_area->area());
@@ -140,18 +90,23 @@ void ExportDialog::addFields(QGridLayout &grid, const Rect &shown)
         showLimits();
     });
     m_moment = new MomentRow(grid, 9, m_editor, m_form);
-    addImageFields(grid);
+    m_depth = new QComboBox(m_form);
+    for (const ImageDepth depth : {ImageDepth::Bits8, ImageDepth::Bits16, ImageDepth::Half, ImageDepth::Float})
+        m_depth->addItem(depthTitle(depth), int(depth));
+    addField(10, tr("Depth"), m_depth, tr("Precision of each colour channel"));
+    addQuality(11);
+    addTransparent(12);
 }
 
 /// A choice of format changes the ending of the name, and a typed ending changes the choice.
-void ExportDialog::addFormat(QGridLayout &grid)
+void ExportDialog::addFormat()
 {
     m_format = new QComboBox(m_form);
     for (const QString &ending : imageEndings())
         if (const int format = int(imageFormatForPath('.' + ending)); m_format->findData(format) < 0)
             m_format->addItem(nameOf(ImageFormat(format)), format);
     m_format->setPlaceholderText(tr("No picture format"));
-    addField(grid, 2, tr("Format"), m_format, tr("What is written. The ending of the file's name says the same."));
+    addField(2, tr("Format"), m_format, tr("What is written. The ending of the file's name says the same."));
     connect(m_format, &QComboBox::activated, this, [this] {
         const QStringList all = imageEndings();
         const auto chosen = std::ranges::find_if(all, [this](const QString &ending) {
@@ -161,22 +116,6 @@ void ExportDialog::addFormat(QGridLayout &grid)
         const bool replaces = imageFormatForPath(m_path->text()) != ImageFormat::Unknown;
         m_path->setText(replaces ? withEnding(m_path->text(), *chosen) : m_path->text() + '.' + *chosen);
     });
-}
-
-void ExportDialog::addImageFields(QGridLayout &grid)
-{
-    m_depth = new QComboBox(m_form);
-    for (const ImageDepth depth : {ImageDepth::Bits8, ImageDepth::Bits16, ImageDepth::Half, ImageDepth::Float})
-        m_depth->addItem(depthTitle(depth), int(depth));
-    addField(grid, 10, tr("Depth"), m_depth, tr("Precision of each colour channel"));
-    m_quality = new QSpinBox(m_form);
-    m_quality->setRange(1, 100);
-    m_quality->setValue(ImageOptions{}.quality);
-    addField(grid, 11, tr("Quality"), m_quality, tr("Of JPEG and WebP; 100 is the best. WebP loses nothing then."));
-    m_transparent = new QCheckBox(tr("Transparent background"), m_form);
-    m_transparent->setToolTip(tr("Leaves the background out and stores how much the paint covers."));
-    m_transparent->setAccessibleName(m_transparent->text());
-    grid.addWidget(m_transparent, 12, 1, 1, 2);
 }
 
 ExportSettings ExportDialog::settings() const
@@ -203,7 +142,7 @@ void ExportDialog::takeFormat(const ExportSettings &settings)
     m_quality->setValue(settings.quality);
     m_transparent->setChecked(settings.transparent);
     m_print->setDpi(settings.dpi);
-    formatChanged();
+    pathChanged();
 }
 
 void ExportDialog::takeArea(const ExportSettings &settings)
@@ -254,7 +193,7 @@ void ExportDialog::browse()
         withEnding(path, {pictures}, pictures.endings.contains(before) ? before : pictures.endings.front()));
 }
 
-void ExportDialog::formatChanged()
+void ExportDialog::pathChanged()
 {
     const ImageFormat format = imageFormatForPath(m_path->text());
     m_hint->showHint({});
@@ -299,8 +238,7 @@ void ExportDialog::startExport()
         m_hint->showHint(problem);
         return;
     }
-    if (target.exists() && !confirm(this, tr("%1 exists. Replace it?").arg(target.fileName()),
-                                    tr("What it holds now is lost."), tr("&Replace")))
+    if (!mayReplace(target))
         return;
 
     ExportOrder order;
@@ -317,38 +255,9 @@ void ExportDialog::startExport()
     m_job.start(order);
 }
 
-void ExportDialog::setBusy(bool busy)
+void ExportDialog::remember()
 {
-    m_form->setEnabled(!busy);
-    m_export->setEnabled(!busy);
-    m_cancel->setEnabled(true);
-    m_progress->setValue(0);
-    m_progress->setVisible(busy);
-    if (busy)
-        m_hint->showHint({});
-}
-
-void ExportDialog::exportFinished(bool written, const QString &error)
-{
-    setBusy(false);
-    if (written) {
-        suffuse::settings::store().setValue("exportFolder", QFileInfo(m_path->text()).absolutePath());
-        exports::remember(m_editor.filePath(), settings());
-        accept();
-    } else if (!error.isEmpty()) {
-        m_hint->showHint(error);
-    }
-}
-
-void ExportDialog::reject()
-{
-    // The first Cancel stops the work; the dialog stays so that the user can try again.
-    if (m_job.isRunning()) {
-        m_job.cancel();
-        m_cancel->setEnabled(false);
-        return;
-    }
-    QDialog::reject();
+    exports::remember(m_editor.filePath(), settings());
 }
 
 } // namespace suffuse

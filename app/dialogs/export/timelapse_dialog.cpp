@@ -2,14 +2,10 @@
 
 #include "app/session/editor.h"
 #include "app/session/settings/settings.h"
-#include "app/widgets/asking/messages.h"
 #include "app/widgets/asking/save_name.h"
-#include "app/widgets/habits/mnemonics.h"
-#include "app/widgets/look/icons.h"
 #include "app/widgets/look/section.h"
 
 #include <QCheckBox>
-#include <QDialogButtonBox>
 #include <QDir>
 #include <QDoubleSpinBox>
 #include <QFileDialog>
@@ -17,8 +13,8 @@
 #include <QGridLayout>
 #include <QLineEdit>
 #include <QProgressBar>
-#include <QPushButton>
 #include <QSpinBox>
+#include <QVBoxLayout>
 
 namespace suffuse {
 
@@ -30,113 +26,56 @@ constexpr int numberWidth = 140;
 
 } // namespace
 
-TimelapseDialog::TimelapseDialog(Editor &editor, const Rect &shown, QWidget *parent) : QDialog(parent), m_editor(editor)
+TimelapseDialog::TimelapseDialog(Editor &editor, const Rect &shown, QWidget *parent)
+    : ExportingDialog(tr("Export Timelapse"), parent), m_editor(editor)
 {
-    setWindowTitle(tr("Export Timelapse"));
-    auto *column = new QVBoxLayout(this);
-    column->setContentsMargins(16, 16, 16, 16);
-    column->setSpacing(12);
-    m_form = new QWidget(this);
-    auto *grid = new QGridLayout(m_form);
-    grid->setContentsMargins(0, 0, 0, 0);
-    grid->setHorizontalSpacing(16);
-    grid->setVerticalSpacing(8);
-    grid->setColumnStretch(1, 1);
-    addFields(*grid, shown);
-    column->addWidget(m_form);
-    m_progress = new QProgressBar(this);
-    m_progress->setTextVisible(false);
-    m_progress->setAccessibleName(tr("Progress"));
+    addFields(*m_grid, shown);
+    addWork(QStringLiteral("film"));
     m_left = quietLabel({}, this);
-    column->addWidget(m_progress);
-    column->addWidget(m_left);
-    m_hint = new HintLabel(this);
-    column->addWidget(m_hint);
-    column->addStretch(1);
-    auto *buttons = new QDialogButtonBox(QDialogButtonBox::Cancel, this);
-    m_export = buttons->addButton(tr("&Export"), QDialogButtonBox::AcceptRole);
-    m_export->setDefault(true);
-    m_export->setIcon(icon("film"));
-    m_cancel = buttons->button(QDialogButtonBox::Cancel);
-    column->addWidget(buttons);
-
-    connect(m_export, &QPushButton::clicked, this, &TimelapseDialog::startExport);
-    connect(buttons, &QDialogButtonBox::rejected, this, &TimelapseDialog::reject);
-    connect(m_path, &QLineEdit::textChanged, this, &TimelapseDialog::changed);
+    m_column->insertWidget(m_column->indexOf(m_progress) + 1, m_left);
     for (QDoubleSpinBox *box : {m_fps, m_length})
-        connect(box, &QDoubleSpinBox::valueChanged, this, &TimelapseDialog::changed);
+        connect(box, &QDoubleSpinBox::valueChanged, this, &TimelapseDialog::pathChanged);
     connect(&m_job, &TimelapseJob::progressed, this, &TimelapseDialog::showProgress);
-    connect(&m_job, &TimelapseJob::finished, this, &TimelapseDialog::exportFinished);
+    connect(&m_job, &TimelapseJob::finished, this, &TimelapseDialog::finish);
     m_path->setText(suggestedExportPath(editor, QStandardPaths::MoviesLocation, QStringLiteral("webm")));
-    giveMnemonics(*this);
-    setBusy(false);
-    beginWithName(*m_path);
-    setMinimumWidth(480);
+    begin();
 }
 
-QDoubleSpinBox *TimelapseDialog::addNumber(QGridLayout &grid, int row, const QString &name, const QString &suffix,
-                                           const QString &tip)
+QDoubleSpinBox *TimelapseDialog::addNumber(int row, const QString &name, const QString &suffix, const QString &tip)
 {
-    auto *label = new QLabel(name, m_form);
     auto *box = new QDoubleSpinBox(m_form);
-    label->setBuddy(box);
-    box->setAccessibleName(name);
-    box->setToolTip(tip);
     box->setSuffix(suffix);
-    grid.addWidget(label, row, 0);
-    grid.addWidget(box, row, 1, 1, 2, Qt::AlignLeft);
     box->setFixedWidth(numberWidth);
+    addField(row, name, box, tip, 2, Qt::AlignLeft);
     return box;
 }
 
 void TimelapseDialog::addFields(QGridLayout &grid, const Rect &shown)
 {
-    auto *fileLabel = new QLabel(tr("File"), m_form);
-    m_path = new QLineEdit(m_form);
-    fileLabel->setBuddy(m_path);
-    m_path->setAccessibleName(tr("File"));
-    m_path->setToolTip(tr("The ending chooses the format: webm or mp4 is a video, webp an animation, and png, tiff, "
-                          "exr, jpg or pfm numbered pictures, such as frame%04d.png."));
-    auto *browseButton = new QPushButton(tr("&Browse…"), m_form);
-    browseButton->setToolTip(tr("Choose a folder and a name"));
-    browseButton->setAutoDefault(false);
-    connect(browseButton, &QPushButton::clicked, this, &TimelapseDialog::browse);
-    grid.addWidget(fileLabel, 0, 0);
-    grid.addWidget(m_path, 0, 1);
-    grid.addWidget(browseButton, 0, 2);
-
+    addFile(0, tr("The ending chooses the format: webm or mp4 is a video, webp an animation, and png, tiff, exr, jpg "
+                  "or pfm numbered pictures, such as frame%04d.png."));
     m_area = new AreaRow(grid, 1, m_editor, shown, m_form);
     connect(m_area, &AreaRow::areaChanged, this, &TimelapseDialog::areaChanged);
     m_size = new SizeRow(grid, 3, largestSide, m_form);
     areaChanged();
 
-    m_fps = addNumber(grid, 4, tr("Frame rate"), tr(" frames/s"), tr("How many pictures a second the film has"));
+    m_fps = addNumber(4, tr("Frame rate"), tr(" frames/s"), tr("How many pictures a second the film has"));
     m_fps->setRange(0.1, 240);
     m_fps->setValue(FilmOptions{}.fps);
-    m_length = addNumber(grid, 5, tr("Length"), tr(" s"),
-                         tr("How long the film is; the painting's time is stretched over it."));
+    m_length =
+        addNumber(5, tr("Length"), tr(" s"), tr("How long the film is; the painting's time is stretched over it."));
     m_length->setRange(0.1, 36'000);
     m_length->setValue(10);
-    m_idle = addNumber(grid, 6, tr("Longest pause"), tr(" s"),
+    m_idle = addNumber(6, tr("Longest pause"), tr(" s"),
                        tr("Pauses in which nothing is painted or spreads are cut to this, in the painting's time."));
     m_idle->setRange(0, 1e6);
     m_idle->setValue(TimelapseOptions{}.idle);
-    auto *qualityLabel = new QLabel(tr("Quality"), m_form);
-    m_quality = new QSpinBox(m_form);
-    m_quality->setRange(1, 100);
-    m_quality->setValue(ImageOptions{}.quality);
+    addQuality(7, Qt::AlignLeft);
     m_quality->setFixedWidth(numberWidth);
-    m_quality->setAccessibleName(tr("Quality"));
-    m_quality->setToolTip(tr("Of JPEG and WebP; 100 is the best. WebP loses nothing then."));
-    qualityLabel->setBuddy(m_quality);
-    grid.addWidget(qualityLabel, 7, 0);
-    grid.addWidget(m_quality, 7, 1, 1, 2, Qt::AlignLeft);
-    m_transparent = new QCheckBox(tr("Transparent background"), m_form);
-    m_transparent->setToolTip(tr("Leaves the background out and stores how much the paint covers."));
+    addTransparent(8);
     m_loops = new QCheckBox(tr("Loop"), m_form);
     m_loops->setToolTip(tr("Animated WebP: begins anew at its end. Players decide it for videos."));
     m_loops->setChecked(true);
-    grid.addWidget(m_transparent, 8, 1, 1, 2);
     grid.addWidget(m_loops, 9, 1, 1, 2);
 }
 
@@ -189,7 +128,7 @@ FilmOptions TimelapseDialog::film() const
     return film;
 }
 
-void TimelapseDialog::changed()
+void TimelapseDialog::pathChanged()
 {
     m_hint->showHint({});
     const FilmKind kind = filmKindOf(target());
@@ -220,8 +159,7 @@ void TimelapseDialog::startExport()
         return;
     }
     const QFileInfo file(order.film.path);
-    if (file.exists() && !confirm(this, tr("%1 exists. Replace it?").arg(file.fileName()),
-                                  tr("What it holds now is lost."), tr("&Replace")))
+    if (!mayReplace(file))
         return;
     m_progress->setRange(0, int(order.film.frames));
     setBusy(true);
@@ -249,37 +187,9 @@ void TimelapseDialog::showProgress(int frames)
 
 void TimelapseDialog::setBusy(bool busy)
 {
-    m_form->setEnabled(!busy);
-    m_export->setEnabled(!busy);
-    m_cancel->setEnabled(true);
-    m_progress->setValue(0);
-    m_progress->setVisible(busy);
-    if (busy)
-        m_hint->showHint({});
-    else
-        changed();
-}
-
-void TimelapseDialog::exportFinished(bool written, const QString &error)
-{
-    setBusy(false);
-    if (written) {
-        settings::store().setValue("exportFolder", QFileInfo(m_path->text()).absolutePath());
-        accept();
-    } else if (!error.isEmpty()) {
-        m_hint->showHint(error);
-    }
-}
-
-void TimelapseDialog::reject()
-{
-    // The first Cancel stops the work; the dialog stays so that the user can try again.
-    if (m_job.isRunning()) {
-        m_job.cancel();
-        m_cancel->setEnabled(false);
-        return;
-    }
-    QDialog::reject();
+    ExportingDialog::setBusy(busy);
+    if (!busy)
+        pathChanged();
 }
 
 } // namespace suffuse
