@@ -6,7 +6,6 @@
 
 #include <limits>
 #include <numbers>
-#include <span>
 
 namespace suffuse {
 
@@ -14,41 +13,68 @@ namespace {
 
 constexpr Microseconds latest = std::numeric_limits<Microseconds>::max() / 4;
 
-/// Knows which segments of a stroke a selection means: all, or those in [first, last).
+/// Knows which segments of a stroke a selection means (all of them, or those that are selected), and which of these
+/// draw it. What erases softly is no part of the drawing: it was done at a time of its own, which may be long after.
+/// Only where nothing but erasures is meant are they what is drawn.
 class Selected {
 public:
-    Selected(const Selection &selection, StrokeId stroke)
-        : m_selection(selection), m_stroke(stroke), m_there(selection.strokes.contains(stroke))
+    Selected(const Selection &selection, const Stroke &stroke)
+        : m_selection(selection), m_stroke(stroke), m_there(selection.strokes.contains(stroke.id))
     {
-        const auto first = selection.segments.lower_bound({stroke, 0});
-        m_all = first == selection.segments.end() || first->stroke != stroke;
+        const auto first = selection.segments.lower_bound({stroke.id, 0});
+        m_all = first == selection.segments.end() || first->stroke != stroke.id;
+        for (std::size_t k = 0; k < stroke.segments.size() && !m_drawsPaint; ++k)
+            m_drawsPaint = !stroke.segments[k].lift && contains(k);
     }
     bool any() const { return m_there; }
     bool contains(std::size_t segment) const
     {
-        return m_there && (m_all || m_selection.segments.contains({m_stroke, int(segment)}));
+        return m_there && (m_all || m_selection.segments.contains({m_stroke.id, int(segment)}));
     }
+    /// Whether the segment is of the kind that is drawn, selected or not.
+    bool isOfDrawing(std::size_t segment) const { return m_stroke.segments[segment].lift != m_drawsPaint; }
+    bool draws(std::size_t segment) const { return isOfDrawing(segment) && contains(segment); }
 
 private:
     const Selection &m_selection;
-    StrokeId m_stroke;
+    const Stroke &m_stroke;
     bool m_there;
     bool m_all;
+    bool m_drawsPaint = false;
 };
 
-/// Calls visit(segment) for each segment that is selected and not locked.
-template <typename Visit>
-void forEachSelected(const Painting &painting, const Selection &selection, Visit visit)
+/// Segments of one stroke that are drawn one after the other, by their indices in ascending order.
+using Run = std::vector<std::size_t>;
+
+/// The births of all segments for which `which` is true in strokes that are selected and not locked; the end comes
+/// before the begin if there are none.
+TimeSpan birthsOf(const Painting &painting, const Selection &selection, bool (Selected::*which)(std::size_t) const)
 {
+    TimeSpan span{latest, -latest};
     for (const StrokePtr &stroke : painting.strokes) {
-        const Selected selected(selection, stroke->id);
-        if (!selected.any() || painting.isLocked(*stroke))
+        if (!selection.strokes.contains(stroke->id) || painting.isLocked(*stroke))
             continue;
+        const Selected selected(selection, *stroke);
         for (std::size_t k = 0; k < stroke->segments.size(); ++k)
-            if (selected.contains(k))
-                visit(stroke->segments[k]);
+            if ((selected.*which)(k)) {
+                span.begin = std::min(span.begin, stroke->segments[k].born);
+                span.end = std::max(span.end, stroke->segments[k].born);
+            }
     }
+    return span;
 }
+
+/// Maps document time T to from + (T − from)·factor + by. The factor must not be negative.
+struct TimeMap {
+    Microseconds from = 0;
+    double factor = 1;
+    Microseconds by = 0;
+
+    Microseconds operator()(Microseconds T) const
+    {
+        return from + by + (factor == 1 ? T - from : Microseconds(std::llround(double(T - from) * factor)));
+    }
+};
 
 void shift(Segment &segment, const TimeMap &map)
 {
@@ -73,19 +99,19 @@ double timeAt(Pace pace, double way)
     return way;
 }
 
-/// Sets the births of the segments from … to (inclusive) between those of the first and the last.
-void paceRun(Stroke &stroke, std::size_t from, std::size_t to, Pace pace)
+/// Sets the births of the segments of a run between those of the first and the last.
+void paceRun(Stroke &stroke, const Run &run, Pace pace)
 {
     std::vector<double> ways{0}; // from the start of the first segment to that of each
-    for (std::size_t k = from; k < to; ++k)
-        ways.push_back(ways.back() + arcLength(stroke.cubicOf(stroke.segments[k])));
-    const Microseconds begin = stroke.segments[from].born, end = stroke.segments[to].born;
+    for (std::size_t i = 0; i + 1 < run.size(); ++i)
+        ways.push_back(ways.back() + arcLength(stroke.cubicOf(stroke.segments[run[i]])));
+    const Microseconds begin = stroke.segments[run.front()].born, end = stroke.segments[run.back()].born;
     if (!(ways.back() > 0))
         return;
-    for (std::size_t k = from + 1; k < to; ++k) {
-        const double share = timeAt(pace, std::clamp(ways[k - from] / ways.back(), 0.0, 1.0));
+    for (std::size_t i = 1; i + 1 < run.size(); ++i) {
+        const double share = timeAt(pace, std::clamp(ways[i] / ways.back(), 0.0, 1.0));
         const Microseconds born = begin + Microseconds(std::llround(double(end - begin) * share));
-        shift(stroke.segments[k], {.by = born - stroke.segments[k].born});
+        shift(stroke.segments[run[i]], {.by = born - stroke.segments[run[i]].born});
     }
 }
 
@@ -97,33 +123,61 @@ double eased(const Ease &ease, double share)
     return share * (ease.atBegin * left * left + share * (3 - 2 * share) - ease.atEnd * share * left);
 }
 
-void easeRun(Stroke &stroke, std::size_t from, std::size_t to, const Ease &ease)
+void easeRun(Stroke &stroke, const Run &run, const Ease &ease)
 {
-    const std::span<Segment> run(stroke.segments.begin() + std::ptrdiff_t(from), to - from + 1);
-    const auto [first, last] = std::ranges::minmax(run, {}, &Segment::born);
-    const Microseconds begin = first.born, length = last.born - begin;
-    for (Segment &segment : run) {
-        const Microseconds since = segment.born - begin;
+    const auto bornOf = [&stroke](std::size_t k) { return stroke.segments[k].born; };
+    const auto [first, last] = std::ranges::minmax(run, {}, bornOf);
+    const Microseconds begin = bornOf(first), length = bornOf(last) - begin;
+    for (const std::size_t k : run) {
+        const Microseconds since = bornOf(k) - begin;
         if (since > 0 && since < length)
-            shift(segment,
+            shift(stroke.segments[k],
                   {.by = Microseconds(std::llround(double(length) * eased(ease, double(since) / double(length)))) -
                          since});
     }
 }
 
-/// Calls visit(first, last) for each run of selected segments.
+/// Calls visit(run) for each run of segments that the selection draws. Erasures between them are no part of a run, and
+/// do not end it.
 template <typename Visit>
 void forEachRun(const Stroke &stroke, const Selected &selected, Visit visit)
 {
-    const std::size_t count = stroke.segments.size();
-    for (std::size_t from = 0; from < count;) {
-        std::size_t behind = from;
-        while (behind < count && selected.contains(behind))
-            ++behind;
-        if (behind > from)
-            visit(from, behind - 1);
-        from = behind + 1;
+    Run run;
+    const auto end = [&] {
+        if (!run.empty())
+            visit(std::as_const(run));
+        run.clear();
+    };
+    for (std::size_t k = 0; k < stroke.segments.size(); ++k) {
+        if (selected.draws(k))
+            run.push_back(k);
+        else if (selected.isOfDrawing(k))
+            end();
     }
+    end();
+}
+
+/// When the first paint of a stroke is laid; `latest` where it has none.
+Microseconds paintBegins(const Stroke &stroke)
+{
+    Microseconds begin = latest;
+    for (const Segment &segment : stroke.segments)
+        if (!segment.lift)
+            begin = std::min(begin, segment.born);
+    return begin;
+}
+
+/// Draws a stroke in another time by `apply`. Erasures keep their time, but nothing is erased before the stroke is
+/// begun: those that would be come at its begin.
+template <typename Apply>
+void drawAnew(Stroke &stroke, Apply apply)
+{
+    const Microseconds before = paintBegins(stroke);
+    apply(stroke);
+    const Microseconds begin = paintBegins(stroke);
+    for (Segment &segment : stroke.segments)
+        if (segment.lift && segment.born >= before && segment.born < begin)
+            shift(segment, {.by = begin - segment.born});
 }
 
 /// The selected strokes of `before`, changed. A stroke that does not change is put back as it was, so that a drag that
@@ -133,7 +187,7 @@ Edit changedSince(const Painting &before, const Selection &selection, Apply appl
 {
     Edit edit;
     for (const StrokePtr &stroke : before.strokes) {
-        const Selected selected(selection, stroke->id);
+        const Selected selected(selection, *stroke);
         if (!selected.any() || before.isLocked(*stroke))
             continue;
         auto changed = std::make_shared<Stroke>(*stroke);
@@ -182,25 +236,20 @@ std::vector<StrokeId> addedOnTop(const Painting &painting, const Edit &edit)
 
 TimeSpan drawnSpan(const Painting &painting, const Selection &selection)
 {
-    TimeSpan span{latest, -latest};
-    forEachSelected(painting, selection, [&span](const Segment &s) {
-        span.begin = std::min(span.begin, s.born);
-        span.end = std::max(span.end, s.born);
-    });
-    return span;
+    return birthsOf(painting, selection, &Selected::draws);
 }
 
-Edit retime(const Painting &before, const Selection &selection, const TimeMap &map)
+Edit retime(const Painting &before, const Selection &selection, Microseconds by)
 {
-    const TimeSpan span = drawnSpan(before, selection);
+    const TimeSpan span = birthsOf(before, selection, &Selected::contains);
     if (span.end < span.begin)
         return {};
-    TimeMap kept = map; // Nothing begins before time 0 that did not do so before.
-    kept.by += std::max<Microseconds>(0, std::min<Microseconds>(0, span.begin) - map(span.begin));
-    return changedSince(before, selection, [&kept](Stroke &stroke, const Selected &selected) {
+    // Nothing begins before time 0 that did not do so before.
+    by += std::max<Microseconds>(0, std::min<Microseconds>(0, span.begin) - (span.begin + by));
+    return changedSince(before, selection, [by](Stroke &stroke, const Selected &selected) {
         for (std::size_t k = 0; k < stroke.segments.size(); ++k)
             if (selected.contains(k))
-                shift(stroke.segments[k], kept);
+                shift(stroke.segments[k], {.by = by});
     });
 }
 
@@ -210,7 +259,7 @@ Edit beginAt(const Painting &before, const Selection &selection, const BeginMap 
     Edit edit = changedSince(before, selection, [&](Stroke &stroke, const Selected &selected) {
         Microseconds first = latest;
         for (std::size_t k = 0; k < stroke.segments.size(); ++k)
-            if (selected.contains(k))
+            if (selected.draws(k))
                 first = std::min(first, stroke.segments[k].born);
         const std::optional<Microseconds> begin = map(first);
         possible = possible && begin;
@@ -224,20 +273,29 @@ Edit beginAt(const Painting &before, const Selection &selection, const BeginMap 
 Edit stretch(const Painting &before, const Selection &selection, TimeSpan span)
 {
     const TimeSpan drawn = drawnSpan(before, selection);
+    if (drawn.end < drawn.begin)
+        return {};
     span.begin = std::max(span.begin, std::min<Microseconds>(0, drawn.begin));
     span.end = std::max(span.end, span.begin);
-    if (drawn.begin < drawn.end) {
-        const double factor = double(span.end - span.begin) / double(drawn.end - drawn.begin);
-        return retime(before, selection, {drawn.begin, factor, span.begin - drawn.begin});
-    }
-    return changedSince(before, selection, [&](Stroke &stroke, const Selected &selected) {
-        forEachRun(stroke, selected, [&](std::size_t from, std::size_t to) {
-            shift(stroke.segments[from], {.by = span.begin - stroke.segments[from].born});
-            if (to > from) {
-                shift(stroke.segments[to], {.by = span.end - stroke.segments[to].born});
-                paceRun(stroke, from, to, Pace::Even);
+    const bool atOnce = drawn.begin == drawn.end;
+    const double factor = atOnce ? 1 : double(span.end - span.begin) / double(drawn.end - drawn.begin);
+    const TimeMap map{drawn.begin, factor, span.begin - drawn.begin};
+    const auto slowed = [&](Stroke &stroke, const Selected &selected) {
+        for (std::size_t k = 0; k < stroke.segments.size(); ++k)
+            if (selected.draws(k))
+                shift(stroke.segments[k], map);
+    };
+    const auto drawnEvenly = [&](Stroke &stroke, const Selected &selected) {
+        forEachRun(stroke, selected, [&](const Run &run) {
+            shift(stroke.segments[run.front()], {.by = span.begin - stroke.segments[run.front()].born});
+            if (run.size() > 1) {
+                shift(stroke.segments[run.back()], {.by = span.end - stroke.segments[run.back()].born});
+                paceRun(stroke, run, Pace::Even);
             }
         });
+    };
+    return changedSince(before, selection, [&](Stroke &stroke, const Selected &selected) {
+        drawAnew(stroke, [&](Stroke &anew) { atOnce ? drawnEvenly(anew, selected) : slowed(anew, selected); });
     });
 }
 
@@ -245,8 +303,9 @@ Edit setPace(const Document &document, Pace pace)
 {
     const Selection &selection = document.selection();
     return changeStrokes(document, selection.strokes, [&](Stroke &stroke) {
-        forEachRun(stroke, Selected(selection, stroke.id),
-                   [&](std::size_t from, std::size_t to) { paceRun(stroke, from, to, pace); });
+        drawAnew(stroke, [&](Stroke &anew) {
+            forEachRun(anew, Selected(selection, anew), [&](const Run &run) { paceRun(anew, run, pace); });
+        });
     });
 }
 
@@ -256,7 +315,9 @@ Edit ease(const Painting &before, const Selection &selection, const Ease &ease)
     const Ease kept{allowed(ease.atBegin), allowed(ease.atEnd)};
     return changedSince(before, selection, [&kept](Stroke &stroke, const Selected &selected) {
         if (kept.atBegin != 1 || kept.atEnd != 1)
-            forEachRun(stroke, selected, [&](std::size_t from, std::size_t to) { easeRun(stroke, from, to, kept); });
+            drawAnew(stroke, [&](Stroke &anew) {
+                forEachRun(anew, selected, [&](const Run &run) { easeRun(anew, run, kept); });
+            });
     });
 }
 

@@ -11,33 +11,26 @@
 
 namespace suffuse {
 
-/// Maps document time T to from + (T − from)·factor + by. The factor must not be negative.
-struct TimeMap {
-    Microseconds from = 0;
-    double factor = 1;
-    Microseconds by = 0;
+/// Moves the births of the selection by a time, and the times at which it is wetted again: what erases it goes along.
+/// For drags, it makes the strokes from those in `before` and the selection of then, whatever the document has now; so
+/// 0 brings them back. If something would be painted before time 0, it begins at 0, and all of it is later by the same
+/// time.
+Edit retime(const Painting &before, const Selection &selection, Microseconds by);
 
-    Microseconds operator()(Microseconds T) const
-    {
-        return from + by + (factor == 1 ? T - from : Microseconds(std::llround(double(T - from) * factor)));
-    }
-};
-
-/// Moves the births of the selection, and the times at which it is wetted again. For drags, it makes the strokes from
-/// those in `before` and the selection of then, whatever the document has now; so the identity brings them back. If
-/// something would be painted before time 0, it begins at 0, and all of it is later by the same time.
-Edit retime(const Painting &before, const Selection &selection, const TimeMap &map);
-
-/// When the first and the last selected segment are born; empty (its end before its begin) where nothing can be
+/// What the selection draws: its segments that lay paint. A stroke of which only erasures are selected is drawn by
+/// these. All else that is called the drawing here means that; what was erased softly keeps its time where the drawing
+/// is changed, but never comes before the stroke is begun.
+///
+/// When the first and the last segment of the drawing are born; empty (its end before its begin) where nothing can be
 /// retimed.
 TimeSpan drawnSpan(const Painting &painting, const Selection &selection);
-/// Shifts the births of each selected stroke, or of its selected segments, by one time, so that the first of them comes
-/// at the time to which the map takes it. Times of wetting are shifted, too. Nothing changes if the map has no value
-/// for one of them.
+/// Shifts the births of each selected stroke, or of its selected segments, by one time, so that its drawing begins at
+/// the time to which the map takes its begin. Erasures go along, and times of wetting are shifted, too. Nothing changes
+/// if the map has no value for one of them.
 using BeginMap = std::function<std::optional<Microseconds>(Microseconds)>;
 Edit beginAt(const Painting &before, const Selection &selection, const BeginMap &map);
-/// Retimes the selection, as `retime` does, so that it is drawn during `span`. Segments that all appeared at once are
-/// then drawn at an even pace, each stroke in the whole time.
+/// Makes the selection be drawn during `span`. Segments that all appeared at once are then drawn at an even pace, each
+/// stroke in the whole time. It is meant for drags, as `retime` is.
 Edit stretch(const Painting &before, const Selection &selection, TimeSpan span);
 
 /// How fast the pen goes along a stroke.

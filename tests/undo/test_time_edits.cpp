@@ -37,6 +37,22 @@ std::vector<Microseconds> births(const Stroke &stroke)
 
 using Times = std::vector<Microseconds>;
 
+/// A stroke that was erased softly long after it was painted.
+PaintingPtr erasedLater()
+{
+    auto painting = std::make_shared<Painting>(*timedPainting(1));
+    auto stroke = std::make_shared<Stroke>(*painting->strokes[0]);
+    for (int k = 0; k < 3; ++k) {
+        Segment lift = stroke->segments[std::size_t(k)];
+        lift.start = k == 0;
+        lift.lift = true;
+        lift.born = 20 * second + k * second / 10;
+        stroke->segments.push_back(lift);
+    }
+    painting->strokes[0] = stroke;
+    return painting;
+}
+
 /// A document with a stack.
 struct Desk {
     Document document;
@@ -64,7 +80,7 @@ private slots:
         const QByteArray first = hashOf(*d.document.painting());
         const PaintingPtr before = d.document.painting();
         select(d.document, {1, 2}, {{2, 1}, {2, 2}});
-        d.push(retime(*before, d.document.selection(), {.by = second / 2}));
+        d.push(retime(*before, d.document.selection(), second / 2));
         QCOMPARE(births(d.stroke(1)), (Times{1'500'000, 1'600'000, 1'700'000, 1'800'000}));
         QCOMPARE(births(d.stroke(2)), (Times{2'000'000, 2'600'000, 2'700'000, 2'300'000}));
         QCOMPARE(d.document.painting()->find(3), before->find(3));
@@ -96,7 +112,7 @@ private slots:
     {
         Desk d(timedPainting(2));
         select(d.document, {1, 2});
-        d.push(retime(*d.document.painting(), d.document.selection(), {.by = -10 * second}));
+        d.push(retime(*d.document.painting(), d.document.selection(), -10 * second));
         QCOMPARE(births(d.stroke(1)).front(), Microseconds(0));
         QCOMPARE(births(d.stroke(2)).front(), second); // both by the same
         // What began before zero may stay there, but goes no further.
@@ -109,7 +125,7 @@ private slots:
             return painting;
         }()));
         select(early.document, {1});
-        d.push(retime(*early.document.painting(), early.document.selection(), {.by = -second}));
+        d.push(retime(*early.document.painting(), early.document.selection(), -second));
         QCOMPARE(births(early.stroke(1)).front(), -second);
     }
 
@@ -146,7 +162,7 @@ private slots:
         const Selection selection = d.document.selection();
         StepRun run;
         for (const Microseconds by : {100'000, 500'000, -300'000, 250'000})
-            d.push(retime(*before, selection, {.by = by}), &run);
+            d.push(retime(*before, selection, by), &run);
         QCOMPARE(d.stack.count(), 1);
         QCOMPARE(d.stroke(2).born(), 2'250'000);
         d.stack.undo();
@@ -155,7 +171,7 @@ private slots:
         run.reset();
         const PaintingPtr now = d.document.painting();
         for (const Microseconds by : {100'000, -100'000, 0})
-            d.push(retime(*now, selection, {.by = by}), &run);
+            d.push(retime(*now, selection, by), &run);
         QCOMPARE(d.stack.count(), 1);
         QVERIFY(*d.document.painting() == *now);
     }
@@ -169,7 +185,7 @@ private slots:
         Desk d(painting);
         select(d.document, {1, 2});
         QCOMPARE(drawnSpan(*painting, d.document.selection()).begin, 2 * second);
-        d.push(retime(*painting, d.document.selection(), {.by = second}));
+        d.push(retime(*painting, d.document.selection(), second));
         d.push(setPace(d.document, Pace::EaseIn));
         d.push(freeze(d.document, 1'200'000));
         d.push(rewet(d.document, 9 * second, second));
@@ -177,7 +193,7 @@ private slots:
         QCOMPARE(d.stroke(2).born(), 3 * second);
         select(d.document, {1});
         QVERIFY(drawnSpan(*painting, d.document.selection()).end < drawnSpan(*painting, d.document.selection()).begin);
-        QVERIFY(retime(*painting, d.document.selection(), {.by = second}).isEmpty());
+        QVERIFY(retime(*painting, d.document.selection(), second).isEmpty());
     }
 
     void pacesFollowTheCurve()
@@ -302,6 +318,71 @@ private slots:
         QCOMPARE(d.stroke(1).segments.back().rewet.size(), std::size_t(1));
     }
 
+    /// What is drawn is the paint.
+    void anErasureIsNoPartOfTheDrawing()
+    {
+        const PaintingPtr before = erasedLater();
+        Desk d(before);
+        const QByteArray first = hashOf(*before);
+        select(d.document, {1});
+        const Selection selection = d.document.selection();
+        const Times erased{20'000'000, 20'100'000, 20'200'000};
+        const auto checkDrawn = [&](const Times &paint, const Times &erasure) {
+            Times all = paint;
+            all.insert(all.end(), erasure.begin(), erasure.end());
+            QCOMPARE(births(d.stroke(1)), all);
+        };
+        QCOMPARE(drawnSpan(*before, selection), (TimeSpan{second, 1'300'000}));
+        d.push(stretch(*before, selection, {second, 4 * second}));
+        checkDrawn({1'000'000, 2'000'000, 3'000'000, 4'000'000}, erased);
+        d.push(setPace(d.document, Pace::EaseIn));
+        checkDrawn({1'000'000, 2'732'051, 3'449'490, 4'000'000}, erased);
+        d.push(setPace(d.document, Pace::Even));
+        checkDrawn({1'000'000, 2'000'000, 3'000'000, 4'000'000}, erased);
+        d.push(ease(*d.document.painting(), selection, {2, 1}));
+        checkDrawn({1'000'000, 2'444'444, 3'222'222, 4'000'000}, erased);
+        // Nothing is erased before the stroke is begun, and what went along comes back with it.
+        d.push(stretch(*before, selection, {30 * second, 33 * second}));
+        checkDrawn({30'000'000, 31'000'000, 32'000'000, 33'000'000}, {30'000'000, 30'000'000, 30'000'000});
+        d.push(stretch(*before, selection, drawnSpan(*before, selection)));
+        QCOMPARE(hashOf(*d.document.painting()), first);
+        // The whole of it moves as one.
+        d.push(retime(*before, selection, second));
+        checkDrawn({2'000'000, 2'100'000, 2'200'000, 2'300'000}, {21'000'000, 21'100'000, 21'200'000});
+        d.push(beginAt(*before, selection, [](Microseconds begin) { return begin + second / 2; }));
+        checkDrawn({1'500'000, 1'600'000, 1'700'000, 1'800'000}, {20'500'000, 20'600'000, 20'700'000});
+        checkUndoAllAndRedo(d.stack, d.document, first);
+    }
+
+    /// An erasure that is selected by itself has a time that can be changed.
+    void aSelectedErasureIsRetimed()
+    {
+        const PaintingPtr before = erasedLater();
+        Desk d(before);
+        select(d.document, {1}, {{1, 4}, {1, 5}, {1, 6}});
+        const Selection selection = d.document.selection();
+        QCOMPARE(drawnSpan(*before, selection), (TimeSpan{20 * second, 20'200'000}));
+        d.push(stretch(*before, selection, {20 * second, 22 * second}));
+        QCOMPARE(births(d.stroke(1)),
+                 (Times{1'000'000, 1'100'000, 1'200'000, 1'300'000, 20'000'000, 21'000'000, 22'000'000}));
+    }
+
+    /// Paint before and behind an erasure in the list of segments is one run: the pen did not rest between.
+    void anErasureDoesNotEndARun()
+    {
+        auto painting = std::make_shared<Painting>(*erasedLater());
+        auto stroke = std::make_shared<Stroke>(*painting->strokes[0]);
+        stroke->segments[2].start = true;
+        std::rotate(stroke->segments.begin() + 2, stroke->segments.begin() + 4, stroke->segments.end());
+        painting->strokes[0] = stroke;
+        Desk d(painting);
+        select(d.document, {1});
+        d.push(stretch(*painting, d.document.selection(), {second, second}));
+        d.push(stretch(*d.document.painting(), d.document.selection(), {second, 4 * second}));
+        QCOMPARE(births(d.stroke(1)),
+                 (Times{1'000'000, 2'000'000, 20'000'000, 20'100'000, 20'200'000, 3'000'000, 4'000'000}));
+    }
+
     void oneRewettingOfManyIsRemoved()
     {
         Desk d(timedPainting(2));
@@ -400,7 +481,7 @@ private slots:
             const Microseconds T = below(8'000'000);
             switch (below(6)) {
             case 0:
-                d.push(retime(*now, selection, {.by = below(4'000'000) - 2'000'000}));
+                d.push(retime(*now, selection, below(4'000'000) - 2'000'000));
                 break;
             case 1:
                 d.push(stretch(*now, selection, {T, T + below(3'000'000)}));

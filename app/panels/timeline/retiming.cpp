@@ -43,7 +43,7 @@ QString Retiming::moveBy(Microseconds by)
 
 std::pair<Edit, QString> Retiming::shifted(Microseconds by) const
 {
-    return {retime(*m_before, m_selection, {.by = by}), tr("Later by %1 s").arg(signedSeconds(by))};
+    return {retime(*m_before, m_selection, by), tr("Later by %1 s").arg(signedSeconds(by))};
 }
 
 std::pair<Edit, QString> Retiming::stretched(Microseconds by) const
@@ -58,7 +58,7 @@ std::pair<Edit, QString> Retiming::stretched(Microseconds by) const
     if (begin)
         span.begin = std::min(span.begin, span.end);
     const double seconds = toSeconds(std::max<Microseconds>(span.end - span.begin, 0));
-    return {by != 0 ? stretch(*m_before, m_selection, span) : retime(*m_before, m_selection, {}),
+    return {by != 0 ? stretch(*m_before, m_selection, span) : retime(*m_before, m_selection, 0),
             tr("Drawn in %1 s").arg(QLocale().toString(seconds, 'f', 3))};
 }
 
