@@ -204,6 +204,9 @@ bool buildSegment(const Stroke &stroke, const Segment &segment, const NodeContex
     for (const Style &style : styles)
         tolerance = std::min(tolerance, densityTolerance(style, out.peak, spread * scale) *
                                             std::min(1.0, out.peak / shownFrom(style)));
+    // What is left of paint may fall more gently than the segment itself, so that a jump is less softened.
+    if (segment.lift)
+        tolerance *= 0.5;
     out.epsilon = std::clamp(tolerance / out.peak, spread * scale > deepSpread ? finestDeep : finest, coarsest);
 
     Source s{};
