@@ -63,6 +63,13 @@ struct Sums {
     void give(std::span<float> rows) const { std::memcpy(rows.data(), v, rows.size_bytes()); }
 };
 
+/// How the sums of a block bend: ½∂²φ/∂x², ¼∂²φ/∂x∂y, ½∂²φ/∂y² (per pixel), then −½ of the slopes along x and y of
+/// each channel.
+inline constexpr int fixedBends = 3;
+struct Bends {
+    alignas(64) float v[fixedBends + 2 * maxChannels][blockSize];
+};
+
 /// Opacity w = F·C̄_opacity and colour C̄ at the samples of a block.
 struct Shaded {
     alignas(64) float w[blockSize];

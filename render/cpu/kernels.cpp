@@ -16,6 +16,7 @@
 #include "render/cpu/paper-inl.h"
 #include "render/cpu/shading-inl.h"
 #include "render/cpu/sums-inl.h"
+#include "render/cpu/told-inl.h"
 // It has templates over the lanes, which must be declared before.
 #include "render/math/colour.h"
 
@@ -137,6 +138,18 @@ void shade(const ShadeParams &params, const Sums &sums, const float *eta, float 
     });
 }
 
+void shadeBent(const ShadeParams &params, int channels, Sums &sums, const Bends &bends, const float *eta,
+               const float (*etaOfSamples)[blockSize], std::uint8_t *marks, Shaded &out)
+{
+    Told told;
+    withStyle<Lanes>(
+        params.kind[0].kind, [&](int i) { return Lanes(params.kind[0].xi[i]); },
+        [&](const auto &style) { tell(style, params, channels, sums, bends, etaOfSamples, marks, told); });
+    shade(params, sums, eta, 1, out);
+    if (told.count > 0)
+        shadeTold(params, channels, told, etaOfSamples, out);
+}
+
 HWY_INLINE void mixSample(int at, Lanes w, const Lanes (&colour)[3], float keep, Backdrop &backdrop)
 {
     for (int c = 0; c < 3; ++c)
@@ -245,6 +258,8 @@ Kernels table()
             findRuns,
             listNodes,
             accumulate,
+            accumulateBent,
+            shadeBent,
             shade,
             shadeInto,
             mix,

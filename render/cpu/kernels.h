@@ -19,6 +19,14 @@ struct Kernels {
     /// what `sums` has. `values` has rows of `channels` floats.
     void (*accumulate)(const Block &block, const ViewNode *nodes, const std::uint32_t *listed, int count, int separable,
                        const float *values, int channels, bool add, Sums &sums);
+    /// Computes the sums at the pixels of a block, and how they bend.
+    void (*accumulateBent)(const Block &block, const ViewNode *nodes, const std::uint32_t *listed, int count,
+                           int separable, const float *values, int channels, Sums &sums, Bends &bends);
+    /// Computes opacity and colour of the pixels of level 0, and of those of level 1 (`marks`: levelQuarters times the
+    /// level, plus the quarter) whose four samples can be told from their centres: their marks become 0. The densities
+    /// are lost. `etaOfSamples` is η at the samples (left and right ones above, then below), or null for 1.
+    void (*shadeBent)(const ShadeParams &params, int channels, Sums &sums, const Bends &bends, const float *eta,
+                      const float (*etaOfSamples)[blockSize], std::uint8_t *marks, Shaded &out);
     /// Computes opacity and colour. `eta` is the paper texture at the samples, or null for 1. `step` is the size of a
     /// sample in pixels.
     void (*shade)(const ShadeParams &params, const Sums &sums, const float *eta, float step, Shaded &out);
@@ -35,8 +43,8 @@ struct Kernels {
     void (*finish)(const Backdrop &backdrop, bool transparent, float *rgba, int stride);
     /// Converts `count` pixels of RGBA in [0, 1] to 8 bits as 0xAARRGGBB.
     void (*toArgb)(const float *rgba, int count, std::uint32_t *argb);
-    /// Computes η of a procedural paper at the samples of a block, whose cells lie on the grid of such cells. The plan is
-    /// for samples of this size.
+    /// Computes η of a procedural paper at the samples of a block, whose cells lie on the grid of such cells. The plan
+    /// is for samples of this size.
     void (*paper)(const PaperPlan &plan, const Block &block, float *eta);
 };
 

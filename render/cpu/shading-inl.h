@@ -17,9 +17,10 @@ using namespace suffuse::cpu;
 
 /// `use(at, paint)` stores or mixes what a vector of samples shows. Samples that show nothing may be left out.
 template <class Use>
-HWY_INLINE void shadeMixedStyles(const ShadeParams &params, const Sums &sums, const float *eta, float step, Use use)
+HWY_INLINE void shadeMixedStyles(const ShadeParams &params, const Sums &sums, const float *eta, float step, Use use,
+                                 int count = blockSize)
 {
-    for (int at = 0; at < blockSize; at += int(hn::Lanes(tag))) {
+    for (int at = 0; at < count; at += int(hn::Lanes(tag))) {
         const auto sum = [&](int i) { return load(sums.v[i] + at); };
         const auto channel = [&](int c) { return sum(fixedSums + c); };
         const auto m = modulate(params, sum(0), sum(1), sum(2), channel, eta ? load(eta + at) : Lanes(1), Lanes(step));
@@ -64,7 +65,7 @@ private:
 /// form of the mean pay for it.
 template <class Style, class Use>
 HWY_INLINE void shadeOneStyle(const Style &style, const ShadeParams &params, const Sums &sums, const float *eta,
-                              float step, Use use)
+                              float step, Use use, int count = blockSize)
 {
     alignas(64) float phi[blockSize], h2[blockSize], f[blockSize + 1];
     std::uint8_t seen[blockSize]; // the first samples of vectors that show something
@@ -73,7 +74,7 @@ HWY_INLINE void shadeOneStyle(const Style &style, const ShadeParams &params, con
     const hn::RebindToSigned<Tag> indexTag;
     const auto iota = hn::Iota(indexTag, 0);
     const auto sum = [&](int i, int at) { return load(sums.v[i] + at); };
-    for (int at = 0; at < blockSize; at += int(hn::Lanes(tag))) {
+    for (int at = 0; at < count; at += int(hn::Lanes(tag))) {
         const auto channel = [&](int c) { return sum(fixedSums + c, at); };
         const auto m =
             modulate(params, sum(0, at), sum(1, at), sum(2, at), channel, eta ? load(eta + at) : Lanes(1), Lanes(step));
@@ -103,26 +104,31 @@ HWY_INLINE void shadeOneStyle(const Style &style, const ShadeParams &params, con
 /// Shades one style whose mean depends on how much paint is lifted. Where none is, it gives the same bits as above.
 template <class Use>
 HWY_INLINE void shadeLifted(const Edge<Lanes> &style, const ShadeParams &params, const Sums &sums, const float *eta,
-                            float step, Use use)
+                            float step, Use use, int count = blockSize)
 {
-    for (int at = 0; at < blockSize; at += int(hn::Lanes(tag))) {
+    for (int at = 0; at < count; at += int(hn::Lanes(tag))) {
         const auto sum = [&](int i) { return load(sums.v[i] + at); };
         const auto channel = [&](int c) { return sum(fixedSums + c); };
         const auto m = modulate(params, sum(0), sum(1), sum(2), channel, eta ? load(eta + at) : Lanes(1), Lanes(step));
+        const Lanes beyond =
+            m.phi - style.phiE; // Where no part of a vector's pixels lies inside the edge nothing shows.
+        if (all_(not_(or_(style.seen(m.phi, m.h2), or_(less_(Lanes(0), beyond), less_(beyond * beyond, m.h2))))))
+            continue;
         use(at, paintOf(params, m.inverse, channel, meanWhere(style, m.phi, m.h2, m.lifted)));
     }
 }
 
 template <class Use>
-HWY_INLINE void shadeBlock(const ShadeParams &params, const Sums &sums, const float *eta, float step, Use use)
+HWY_INLINE void shadeBlock(const ShadeParams &params, const Sums &sums, const float *eta, float step, Use use,
+                           int count = blockSize)
 {
     if (!hasOneStyle(params))
-        return shadeMixedStyles(params, sums, eta, step, use);
+        return shadeMixedStyles(params, sums, eta, step, use, count);
     const auto xi = [&](int i) { return Lanes(params.kind[0].xi[i]); };
     if (params.laidChannel >= 0 && params.kind[0].kind == StyleKind::Edge)
-        return shadeLifted(Edge<Lanes>(xi(0), xi(1), xi(2)), params, sums, eta, step, use);
+        return shadeLifted(Edge<Lanes>(xi(0), xi(1), xi(2)), params, sums, eta, step, use, count);
     withStyle<Lanes>(params.kind[0].kind, xi,
-                     [&](const auto &style) { shadeOneStyle(style, params, sums, eta, step, use); });
+                     [&](const auto &style) { shadeOneStyle(style, params, sums, eta, step, use, count); });
 }
 
 } // namespace suffuse::HWY_NAMESPACE

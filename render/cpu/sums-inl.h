@@ -45,10 +45,11 @@ HWY_INLINE void cellOffsets(double step, float *out)
         out[i] = (float(i % cellSide) - 3.5f) * float(step);
 }
 
-/// The cut Gaussian along one axis and −½ of its slope, times `weight` if there is one.
-template <bool weighted>
+/// The cut Gaussian along one axis, −½ of its slope and, if `bent`, ½ of its second derivative, times `weight` if there
+/// is one.
+template <bool weighted, bool bent = false>
 HWY_INLINE void axisTable(float first, float last, const float *offsets, float metric, float cut, float weight,
-                          float *value, float *slope)
+                          float *value, float *slope, float *bend = nullptr)
 {
     for (int i = 0; i < blockSide; i += int(hn::Lanes(tag))) {
         const Lanes d = distances(first, last, offsets, i), rise = Lanes(metric) * d;
@@ -61,6 +62,11 @@ HWY_INLINE void axisTable(float first, float last, const float *offsets, float m
         const Mask there = less_(Lanes(cut), e);
         store(Lanes(hn::IfThenElseZero(there, inside.v)), value + i);
         store(Lanes(hn::IfThenElseZero(there, fall.v)), slope + i);
+        if (bent) { // ½(e^(−ad²))″ = (2a²d² − a) e^(−ad²)
+            const Lanes rest = Lanes(weighted ? metric * weight : metric) * e;
+            const Lanes second = mulAdd_(Lanes(2) * rise, fall, Lanes(0) - rest);
+            store(Lanes(hn::IfThenElseZero(there, second.v)), bend + i);
+        }
     }
 }
 
@@ -123,29 +129,46 @@ HWY_INLINE void addOuterPair(const float (*left0)[blockSide], const float (*left
         }
 }
 
+/// Finds the places of nodes, subtracting in double.
+HWY_INLINE void fillPlaces(const Block &block, const ViewNode *nodes, const std::uint32_t *listed, int count, Tables &t)
+{
+    const double toCell = block.step * (cellSide / 2);
+    const double firstCell[2] = {block.x + toCell, block.y + toCell};
+    const double lastCell[2] = {block.x + 3 * toCell, block.y + 3 * toCell};
+    const hn::CappedTag<double, 2> pairTag;
+    const hn::Rebind<float, decltype(pairTag)> pairOut;
+    for (int i = 0; i < count; ++i) {
+        const ViewNode &node = nodes[listed[i]];
+        for (int axis = 0; axis < 2; axis += int(hn::Lanes(pairTag))) {
+            const auto at = hn::LoadU(pairTag, &node.x + axis);
+            hn::StoreU(hn::DemoteTo(pairOut, hn::Sub(at, hn::LoadU(pairTag, firstCell + axis))), pairOut,
+                       t.place[i] + axis);
+            hn::StoreU(hn::DemoteTo(pairOut, hn::Sub(at, hn::LoadU(pairTag, lastCell + axis))), pairOut,
+                       t.place[i] + 2 + axis);
+        }
+    }
+}
+
+/// Multiplies tables by the nodes' values of a channel.
+HWY_INLINE void scaleRows(const float (*rows)[blockSide], const ViewNode *nodes, const std::uint32_t *listed, int count,
+                          const float *values, int channels, int channel, float (*out)[blockSide])
+{
+    for (int i = 0; i < count; ++i) {
+        const Lanes value(values[std::size_t(nodes[listed[i]].row) * channels + channel]);
+        for (int y = 0; y < blockSide; y += int(hn::Lanes(tag)))
+            store(load(rows[i] + y) * value, out[i] + y);
+    }
+}
+
 void addSeparable(const Block &block, const ViewNode *nodes, const std::uint32_t *listed, int count,
                   const float *values, int channels, bool addFirst, Sums &sums)
 {
     Tables t;
     alignas(64) float offsets[blockSide];
     cellOffsets(block.step, offsets);
-    const double toCell = block.step * (cellSide / 2);
-    const double firstCell[2] = {block.x + toCell, block.y + toCell};
-    const double lastCell[2] = {block.x + 3 * toCell, block.y + 3 * toCell};
-    const hn::CappedTag<double, 2> pairTag;
-    const hn::Rebind<float, decltype(pairTag)> pairOut;
     for (int first = 0; first < count || (first == 0 && !addFirst); first += chunk) {
         const int n = std::min(chunk, count - first);
-        for (int i = 0; i < n; ++i) {
-            const ViewNode &node = nodes[listed[first + i]];
-            for (int axis = 0; axis < 2; axis += int(hn::Lanes(pairTag))) {
-                const auto at = hn::LoadU(pairTag, &node.x + axis);
-                hn::StoreU(hn::DemoteTo(pairOut, hn::Sub(at, hn::LoadU(pairTag, firstCell + axis))), pairOut,
-                           t.place[i] + axis);
-                hn::StoreU(hn::DemoteTo(pairOut, hn::Sub(at, hn::LoadU(pairTag, lastCell + axis))), pairOut,
-                           t.place[i] + 2 + axis);
-            }
-        }
+        fillPlaces(block, nodes, listed + first, n, t);
         for (int i = 0; i < n; ++i) {
             const ViewNode &node = nodes[listed[first + i]];
             const float *place = t.place[i];
@@ -156,19 +179,16 @@ void addSeparable(const Block &block, const ViewNode *nodes, const std::uint32_t
         addOuterPair(t.column, t.columnSlope, t.row, n, add, sums.v[0], sums.v[1]);
         addOuter(t.column, t.rowSlope, n, add, sums.v[2]);
         for (int c = 0; c < channels; ++c) {
-            for (int i = 0; i < n; ++i) {
-                const Lanes value(values[std::size_t(nodes[listed[first + i]].row) * channels + c]);
-                for (int y = 0; y < blockSide; y += int(hn::Lanes(tag)))
-                    store(load(t.row[i] + y) * value, t.scaledRow[i] + y);
-            }
+            scaleRows(t.row, nodes, listed + first, n, values, channels, c, t.scaledRow);
             addOuter(t.column, t.scaledRow, n, add, sums.v[fixedSums + c]);
         }
     }
 }
 
-/// Adds nodes whose axes are oblique, and so are no product of two tables.
+/// Adds nodes whose axes are oblique, and so are no product of two tables. `bends` only counts if `bent`.
+template <bool bent>
 void addOblique(const Block &block, const ViewNode *nodes, const std::uint32_t *listed, int count, const float *values,
-                int channels, Sums &sums)
+                int channels, Sums &sums, Bends *bends)
 {
     alignas(64) float dx[blockSide], dy[blockSide], offsets[blockSide];
     cellOffsets(block.step, offsets);
@@ -195,15 +215,65 @@ void addOblique(const Block &block, const ViewNode *nodes, const std::uint32_t *
                 store(load(sums.v[2] + at) + slope * cy, sums.v[2] + at);
                 for (int c = 0; c < channels; ++c)
                     store(load(sums.v[fixedSums + c] + at) + density * Lanes(value[c]), sums.v[fixedSums + c] + at);
+                if (!bent)
+                    continue;
+                const auto add = [&](Lanes v, int i) { store(load(bends->v[i] + at) + v, bends->v[i] + at); };
+                add(slope * (Lanes(2) * ax * ax - Lanes(node.a)), 0);
+                add(slope * (ax * cy - Lanes(0.5f * node.b)), 1);
+                add(slope * (Lanes(2) * cy * cy - Lanes(node.c)), 2);
+                for (int c = 0; c < channels; ++c) {
+                    add(slope * ax * Lanes(value[c]), fixedBends + 2 * c);
+                    add(slope * cy * Lanes(value[c]), fixedBends + 2 * c + 1);
+                }
             }
     }
+}
+
+/// Tables for second derivatives.
+struct alignas(64) BendTables {
+    float column[chunk][blockSide]; // ½ of the second derivative
+    float row[chunk][blockSide];    // the same, weighted
+};
+
+void accumulateBent(const Block &block, const ViewNode *nodes, const std::uint32_t *listed, int count, int separable,
+                    const float *values, int channels, Sums &sums, Bends &bends)
+{
+    Tables t;
+    BendTables b;
+    alignas(64) float offsets[blockSide];
+    cellOffsets(block.step, offsets);
+    for (int first = 0; first < separable || first == 0; first += chunk) {
+        const int n = std::min(chunk, separable - first);
+        fillPlaces(block, nodes, listed + first, n, t);
+        for (int i = 0; i < n; ++i) {
+            const ViewNode &node = nodes[listed[first + i]];
+            const float *place = t.place[i];
+            axisTable<false, true>(place[0], place[2], offsets, node.a, node.cut, 1, t.column[i], t.columnSlope[i],
+                                   b.column[i]);
+            axisTable<true, true>(place[1], place[3], offsets, node.c, node.cut, node.weight, t.row[i], t.rowSlope[i],
+                                  b.row[i]);
+        }
+        const bool add = first > 0;
+        addOuterPair(t.column, t.columnSlope, t.row, n, add, sums.v[0], sums.v[1]);
+        addOuterPair(t.column, t.columnSlope, t.rowSlope, n, add, sums.v[2], bends.v[1]);
+        addOuter(b.column, t.row, n, add, bends.v[0]);
+        addOuter(t.column, b.row, n, add, bends.v[2]);
+        for (int c = 0; c < channels; ++c) {
+            scaleRows(t.row, nodes, listed + first, n, values, channels, c, t.scaledRow);
+            addOuterPair(t.column, t.columnSlope, t.scaledRow, n, add, sums.v[fixedSums + c],
+                         bends.v[fixedBends + 2 * c]);
+            scaleRows(t.rowSlope, nodes, listed + first, n, values, channels, c, t.scaledRow);
+            addOuter(t.column, t.scaledRow, n, add, bends.v[fixedBends + 2 * c + 1]);
+        }
+    }
+    addOblique<true>(block, nodes, listed + separable, count - separable, values, channels, sums, &bends);
 }
 
 void accumulate(const Block &block, const ViewNode *nodes, const std::uint32_t *listed, int count, int separable,
                 const float *values, int channels, bool add, Sums &sums)
 {
     addSeparable(block, nodes, listed, separable, values, channels, add, sums);
-    addOblique(block, nodes, listed + separable, count - separable, values, channels, sums);
+    addOblique<false>(block, nodes, listed + separable, count - separable, values, channels, sums, nullptr);
 }
 
 } // namespace suffuse::HWY_NAMESPACE

@@ -1,9 +1,9 @@
 #include "render/cpu/tile_painter.h"
 
 #include "render/cpu/deep.h"
+#include "render/cpu/pixel_levels.h"
 
 #include <algorithm>
-#include <numbers>
 
 namespace suffuse::cpu {
 
@@ -18,9 +18,12 @@ struct Scratch {
     alignas(64) float eta[blockSize];
     alignas(64) float sampleEta[blockSize];
     float rgba[blockSize * 4];
-    Point centres[blockSize]; ///< of the block's pixels, canvas units
-    std::vector<std::uint32_t> runs;  ///< runs of boxes that meet the block, where it is supersampled,
-    std::vector<std::uint32_t> group; ///< and nodes that meet a group of its pixels
+    PixelLevels levels;
+    Bends bends;
+    alignas(64) float quarterEta[4][blockSize]; ///< at the four samples of each pixel
+    std::vector<std::uint32_t> runs;            ///< runs of boxes that meet the block, where it is supersampled,
+    std::vector<std::uint32_t> whole;           ///< nodes that meet the block
+    std::vector<std::uint32_t> group;           ///< and nodes that meet a group of its pixels
 };
 
 class BlockPainter {
@@ -30,6 +33,7 @@ public:
                  Scratch &scratch)
         : m_frame(frame), m_tile(tile), m_index(index), m_x(x), m_y(y), m_s(scratch)
     {
+        m_s.levels.begin(frame.view, x, y);
         if (under) {
             m_s.backdrop = *under;
             return;
@@ -65,16 +69,23 @@ public:
     {
         const Block block{double(m_x), double(m_y), 1};
         const float *paper = scene.granulated ? eta() : nullptr;
-        const bool small = markLevels(scene);
+        const bool small = m_s.levels.mark(scene);
         if (!small && scene.deep.empty()) {
             sum(scene, listed, block, prefix);
             m_frame.kernels->shadeInto(scene.shade, m_s.sums, paper, 1, scene.keep, m_s.backdrop, m_map);
             return;
         }
-        if (!small || std::ranges::find(m_level, 0) != m_level.end()) // some pixel is not supersampled
+        if (small && !prefix.empty()) {
+            listed = listWhole(scene);
+            prefix = {};
+        }
+        const bool calm = small && scene.calm && m_s.levels.has(1);
+        if (calm)
+            shadeCalm(scene, listed, block, paper);
+        else if (!small || m_s.levels.has(0))
             evaluate(scene, listed, block, paper, m_s.shaded, prefix);
         if (small)
-            supersample(scene);
+            supersample(scene, listed);
         m_frame.kernels->mix(m_s.shaded, scene.keep, m_s.backdrop);
         if (m_map)
             m_frame.kernels->compose(m_s.shaded, scene.keep, *m_map);
@@ -118,79 +129,101 @@ private:
         return m_eta;
     }
 
-    /// The centres of the block's pixels in canvas units, once for all strokes.
-    const Point *centres()
+    /// Computes opacity and colour of the pixels of levels 0 and 1. Those of level 1 whose samples can be told from
+    /// their centres become pixels of level 0; the others are left to `supersample`.
+    void shadeCalm(const SceneStroke &stroke, NodeList listed, const Block &block, const float *paper)
     {
-        const View &view = m_frame.view;
-        const double cosine = std::cos(view.rotation), sine = std::sin(view.rotation);
-        for (int at = 0; at < blockSize && !m_haveCentres; ++at)
-            m_s.centres[at] = view.toCanvas({m_x + at % blockSide + 0.5, m_y + at / blockSide + 0.5}, cosine, sine);
-        m_haveCentres = true;
-        return m_s.centres;
+        const auto oblique = std::lower_bound(listed.begin(), listed.end(), std::uint32_t(stroke.separable));
+        m_frame.kernels->accumulateBent(block, stroke.nodes.data(), listed.data(), int(listed.size()),
+                                        int(oblique - listed.begin()), stroke.values.data(), stroke.channels, m_s.sums,
+                                        m_s.bends);
+        const float(*eta)[blockSize] = paper ? etaOfSamples(block) : nullptr;
+        m_frame.kernels->shadeBent(stroke.shade, stroke.channels, m_s.sums, m_s.bends, paper, eta, m_s.levels.marks(),
+                                   m_s.shaded);
+        m_s.levels.recount();
     }
 
-    /// Finds for each pixel the greatest level of the small segments that reach it (docs/reference.md). Returns false
-    /// if there are none.
-    bool markLevels(const SceneStroke &stroke)
+    /// The paper at the four samples of each pixel.
+    const float (*etaOfSamples(const Block &block))[blockSize]
     {
-        if (stroke.small.empty())
-            return false;
-        m_level.fill(0);
-        bool any = false;
-        const View &view = m_frame.view;
-        const double quarter = view.rotation / (0.5 * std::numbers::pi);
-        const bool upright = std::abs(quarter - std::round(quarter)) < 1e-12;
-        const double margin = view.px() * (upright ? 0.5 : std::numbers::sqrt2 / 2);
-        const Point *centre = centres();
-        Rect area; // of the centres, and more than rounding takes
-        for (const int corner : {0, blockSide - 1, blockSize - blockSide, blockSize - 1})
-            area.include(centre[corner]);
-        area = area.grown(0.1 * view.px());
-        int everywhere = 0; // the level that all pixels have at least
-        for (const SmallSegment &segment : stroke.small) {
-            const Rect box = segment.reach.grown(margin);
-            if (segment.level <= everywhere || box.right < area.left || box.left > area.right ||
-                box.bottom < area.top || box.top > area.bottom)
-                continue;
-            if (box.contains({area.left, area.top}) && box.contains({area.right, area.bottom}))
-                everywhere = segment.level;
-            for (int at = 0; at < blockSize; ++at)
-                if (m_level[std::size_t(at)] < segment.level && box.contains(centre[at]))
-                    m_level[std::size_t(at)] = std::uint8_t(segment.level), any = true;
+        constexpr int half = blockSide / 2;
+        for (int part = 0; part < 4; ++part) {
+            const int left = part % 2 * half, top = part / 2 * half;
+            m_frame.paper->fill({block.x + left, block.y + top, 0.5}, 1, m_s.sampleEta);
+            for (int y = 0; y < blockSide; ++y)
+                for (int x = 0; x < blockSide; ++x)
+                    m_s.quarterEta[y % 2 * 2 + x % 2][(top + y / 2) * blockSide + left + x / 2] =
+                        m_s.sampleEta[y * blockSide + x];
         }
-        return any;
+        return m_s.quarterEta;
     }
 
-    /// Replaces opacity and colour of the marked pixels by means over 2^k × 2^k points.
-    void supersample(const SceneStroke &stroke)
+    /// All nodes that meet the block.
+    NodeList listWhole(const SceneStroke &stroke)
+    {
+        const int runs = findRunsOf(stroke);
+        m_s.whole.resize(std::max(m_s.whole.size(), std::size_t(runs) * boxRun));
+        Meeting meeting;
+        m_frame.kernels->listNodes(stroke.boxes.boxes(), int(stroke.nodes.size()), m_s.runs.data(), runs,
+                                   {double(m_x), double(m_y)}, m_s.whole.data(), &meeting);
+        return NodeList(m_s.whole.data(), std::size_t(meeting.count));
+    }
+
+    /// Replaces opacity and colour of the marked pixels by means over 2^k × 2^k points. `listed` has all nodes that
+    /// meet the block.
+    void supersample(const SceneStroke &stroke, NodeList listed)
+    {
+        const int runs = runsOf(listed);
+        m_s.group.resize(std::max(m_s.group.size(), std::size_t(runs) * boxRun * gridSide * gridSide));
+        for (int level = 1; level <= 6; ++level) {
+            if (!m_s.levels.has(level))
+                continue;
+            const int side = std::max(1, blockSide >> level); // pixels along a side of a group of samples
+            const int across = std::min(blockSide / side, gridSide), stride = across * side;
+            for (int j = 0; j < blockSide; j += stride)
+                for (int i = 0; i < blockSide; i += stride)
+                    if (m_s.levels.has(level, i, j, stride))
+                        supersampleGroups(stroke, runs, level, i, j, side, across);
+        }
+    }
+
+    int findRunsOf(const SceneStroke &stroke)
     {
         Meeting block;
         const Area area = areaOf(Rect::of(m_x, m_y, blockSide, blockSide));
-        const int runs = findRuns(*m_frame.kernels, stroke, {0, stroke.nodes.size()}, area, m_s.runs, block);
-        m_s.group.resize(std::max(m_s.group.size(), std::size_t(runs) * boxRun));
-        for (int level = 1; level <= 6; ++level) {
-            if (std::find(m_level.begin(), m_level.end(), level) == m_level.end())
-                continue;
-            const int side = std::max(1, blockSide >> level); // pixels along a side of a group of samples
-            for (int j = 0; j < blockSide; j += side)
-                for (int i = 0; i < blockSide; i += side)
-                    supersampleGroup(stroke, runs, level, i, j, side);
+        return findRuns(*m_frame.kernels, stroke, {0, stroke.nodes.size()}, area, m_s.runs, block);
+    }
+
+    /// The runs of boxes in which the listed nodes lie.
+    int runsOf(NodeList listed)
+    {
+        m_s.runs.resize(std::max(m_s.runs.size(), listed.size()));
+        int count = 0;
+        for (const std::uint32_t node : listed)
+            if (const std::uint32_t run = node / boxRun * boxRun; count == 0 || m_s.runs[std::size_t(count - 1)] != run)
+                m_s.runs[std::size_t(count++)] = run;
+        return count;
+    }
+
+    /// Evaluates `across` × `across` groups of pixels from (i, j) on.
+    void supersampleGroups(const SceneStroke &stroke, int runs, int level, int i, int j, int side, int across)
+    {
+        std::array<Meeting, gridSide * gridSide> cells;
+        m_frame.kernels->listNodes(stroke.boxes.boxes(), int(stroke.nodes.size()), m_s.runs.data(), runs,
+                                   {double(m_x + i), double(m_y + j), double(side), across, across}, m_s.group.data(),
+                                   cells.data());
+        const std::size_t room = std::size_t(runs) * boxRun;
+        for (int k = 0; k < across * across; ++k) {
+            const int x = i + k % across * side, y = j + k / across * side;
+            const Meeting &cell = cells[std::size_t(k)];
+            if (m_s.levels.has(level, x, y, side))
+                supersampleGroup(stroke, NodeList(m_s.group.data() + std::size_t(k) * room, std::size_t(cell.count)),
+                                 shows(stroke, cell), level, x, y, side);
         }
     }
 
-    void supersampleGroup(const SceneStroke &stroke, int runs, int level, int i, int j, int side)
+    void supersampleGroup(const SceneStroke &stroke, NodeList listed, bool shown, int level, int i, int j, int side)
     {
-        bool any = false;
-        for (int y = j; y < j + side; ++y)
-            for (int x = i; x < i + side; ++x)
-                any |= m_level[y * blockSide + x] == level;
-        if (!any)
-            return;
-        Meeting cell;
-        m_frame.kernels->listNodes(stroke.boxes.boxes(), int(stroke.nodes.size()), m_s.runs.data(), runs,
-                                   {double(m_x + i), double(m_y + j), double(side)}, m_s.group.data(), &cell);
-        const bool shown = shows(stroke, cell);
-        const NodeList listed(m_s.group.data(), std::size_t(cell.count));
         std::array<std::array<double, 4>, blockSize> mean{}; // w and w·C of the group's pixels
         const int samples = 1 << level;                      // along a side of a pixel
         const double step = 1.0 / samples;
@@ -215,7 +248,7 @@ private:
         for (int y = 0; y < side; ++y)
             for (int x = 0; x < side; ++x) {
                 const int at = (j + y) * blockSide + i + x;
-                if (m_level[at] != level)
+                if (m_s.levels.at(at) != level)
                     continue;
                 const auto &m = mean[std::size_t(y * side + x)];
                 m_s.shaded.w[at] = float(m[0] * share);
@@ -231,8 +264,6 @@ private:
     Scratch &m_s;
     OverMap *m_map = nullptr;
     const float *m_eta = nullptr;
-    bool m_haveCentres = false;
-    std::array<std::uint8_t, blockSize> m_level{};
 };
 
 /// Adds the strokes [from, to) to a block of the tile.

@@ -11,6 +11,9 @@ namespace suffuse {
 inline constexpr int fixedSums = 3;
 inline constexpr int maxChannels = 16; ///< colour 4, granulation 1, shares 3, ξ 7, φ⁺ 1
 
+/// A level of supersampling (docs/reference.md) is divided into so many parts by the spread.
+inline constexpr int levelQuarters = 4;
+
 /// How one kind of style of a stroke is evaluated: from constants, or from channels where segments differ.
 struct KindParams {
     StyleKind kind = StyleKind::Uniform;

@@ -104,7 +104,7 @@ bool samePlan(const SceneStroke &a, const SceneStroke &b)
         }
         return true;
     };
-    return a.keep == b.keep && a.granulated == b.granulated && a.channels == b.channels &&
+    return a.keep == b.keep && a.granulated == b.granulated && a.calm == b.calm && a.channels == b.channels &&
            a.shade.colourChannel == b.shade.colourChannel && a.shade.lineChannel == b.shade.lineChannel &&
            a.shade.grainChannel == b.shade.grainChannel && a.shade.laidChannel == b.shade.laidChannel &&
            (a.shade.colourChannel >= 0 || a.shade.colour == b.shade.colour) &&

@@ -126,6 +126,7 @@ struct PlacedNodes {
     std::vector<Placed> separable, oblique;
     std::vector<DeepNode> deep;
     Rect box;
+    double narrowestLaid = 1e300; ///< px, of the nodes that lay paint
 };
 
 /// Writes the nodes of a stroke, from the `at`-th on.
@@ -180,8 +181,11 @@ void includeSmall(Rect &box, const StrokeNodes &nodes, const NodeGroup &group, P
 
 SmallSegment smallSegment(const SegmentReach &r, Point origin, const View &view)
 {
-    const int level = std::min(6, int(std::ceil(-std::log2(r.spread * view.scale))));
-    return {level, {origin.x + r.box.left, origin.y + r.box.top, origin.x + r.box.right, origin.y + r.box.bottom}};
+    const double octaves = -std::log2(r.spread * view.scale);
+    const int level = std::min(6, int(std::ceil(octaves)));
+    const int quarter = std::clamp(int(std::floor(levelQuarters * (1 + octaves - level))), 0, levelQuarters - 1);
+    return {
+        level, quarter, {origin.x + r.box.left, origin.y + r.box.top, origin.x + r.box.right, origin.y + r.box.bottom}};
 }
 
 /// Puts the groups [from, to) into the picture. If `bounds` is not null, it gets the pixels that each group can change.
@@ -199,6 +203,8 @@ PlacedNodes placeGroups(const StrokeNodes &source, std::size_t from, std::size_t
         if (out.footprints.empty() || !out.footprints.back().fits(n))
             out.footprints.emplace_back(n, j, view.scale);
         const Footprint &f = out.footprints.back();
+        if (n.weight > 0)
+            out.narrowestLaid = std::min(out.narrowestLaid, f.narrowest);
         const Point d = j(fromCentre + Point{n.x, n.y});
         const Point at{d.x + 0.5 * view.width, d.y + 0.5 * view.height};
         if (at.x + f.reach.x < -1 || at.y + f.reach.y < -1 || at.x - f.reach.x > view.width + 1 ||
@@ -249,7 +255,9 @@ Differences placeNodes(SceneStroke &s, const View &view, Threads threads, bool c
     std::size_t separable = 0, nodes = 0;
     Differences differences;
     Rect box;
+    s.calm = true;
     for (const PlacedNodes &part : parts) {
+        s.calm &= part.narrowestLaid >= liftFineness;
         separable += part.separable.size();
         nodes += part.separable.size() + part.oblique.size();
         box = box.united(part.box);
@@ -257,6 +265,9 @@ Differences placeNodes(SceneStroke &s, const View &view, Threads threads, bool c
         s.small.insert(s.small.end(), part.small.begin(), part.small.end());
         s.deep.insert(s.deep.end(), part.deep.begin(), part.deep.end());
     }
+    s.smallRuns.resize((s.small.size() + smallRun - 1) / smallRun);
+    for (std::size_t i = 0; i < s.small.size(); ++i)
+        s.smallRuns[i / smallRun] = s.smallRuns[i / smallRun].united(s.small[i].reach);
     s.separable = int(separable);
     s.bounds = toPixelRect(box, view);
     s.nodes.resize(nodes);
@@ -395,6 +406,7 @@ SceneStroke makeSceneStroke(StrokePtr stroke, std::shared_ptr<const StrokeNodes>
     s.keep = s.stroke->mix.mode == MixMode::Beta ? 1 - s.stroke->mix.beta : 1;
     const Differences differences = placeNodes(s, view, threads, changes);
     planChannels(s, differences);
+    s.calm &= math::hasOneStyle(s.shade) && s.deep.empty();
     findLevels(s);
     fillValues(s);
     return s;

@@ -23,8 +23,12 @@ struct DeepNode {
 /// 2^level.
 struct SmallSegment {
     int level = 0;
-    Rect reach; ///< canvas units
+    int quarter = 0; ///< below levelQuarters; 2^level·s ≥ 2^(1 − (quarter + 1)/4) px (or liftFineness times that)
+    Rect reach;      ///< canvas units
 };
+
+/// Small segments are looked for in runs of so many.
+inline constexpr std::size_t smallRun = 16;
 
 struct SceneStroke {
     StrokePtr stroke;
@@ -35,6 +39,7 @@ struct SceneStroke {
     int separable = 0;
     std::vector<DeepNode> deep;
     std::vector<SmallSegment> small;
+    std::vector<Rect> smallRuns; ///< the box of each run of `smallRun` of them
     ShadeParams shade;
     float level[3] = {0, 0,
                       0}; ///< of each kind of style: it shows nothing where densities stay below (render/math/style.h)
@@ -44,6 +49,8 @@ struct SceneStroke {
     std::vector<float> values; ///< the channels of each row of `source`
     float keep = 1;            ///< eq 23: 1 − β
     bool granulated = false;
+    /// whether densities are so calm that samples of a pixel can be told from its centre (render/math/bends.h)
+    bool calm = false;
     /// as pixelBounds gives them for each group of `source`; only if that was asked for
     std::vector<PixelRect> groupBounds;
     std::shared_ptr<const SceneStroke> dry; ///< the stroke once it has dried, if LiveScene has seen it so in this view

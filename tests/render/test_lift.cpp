@@ -8,6 +8,7 @@
 #include "render/nodes/node_builder.h"
 #include "render/probe.h"
 #include "render/reference/style.h"
+#include "render/scene/scene.h"
 
 using namespace suffuse;
 using namespace suffuse::test;
@@ -58,6 +59,41 @@ private slots:
                     compare(p, View::ofArea(sheet, 96, 72),
                             nameOf(style) + ", spread " + QByteArray::number(spread) + ", peak " +
                                 QByteArray::number(peak));
+                    if (QTest::currentTestFailed())
+                        return;
+                }
+    }
+
+    /// Erasures of s = 2 to 4 px on calm paint: the four samples of most pixels are told from the centre.
+    void calmPaint()
+    {
+        std::mt19937_64 random(31);
+        std::uniform_real_distribution<double> u(0, 1);
+        int number = 0;
+        for (const Style &style : someStyles())
+            for (const double spread : {2.02, 2.9, 3.97})
+                for (const double peak : {0.3, 1.0, 30.0}) {
+                    Stroke s = wash(2, Rect::of(14, 12, 68, 48), 6, 6 + 3 * u(random), style);
+                    liftAlong(s, {20, 4}, {60 + 10 * u(random), 44}, spread, peak * double(style.xi[0]));
+                    liftAlong(s, {30 + 10 * u(random), 60}, {70, 14}, spread, peak * double(style.xi[0]));
+                    const int kind = ++number % 4; // colours anywhere, on a line, granulated, plain
+                    for (std::size_t k = 0; k < s.segments.size(); ++k) {
+                        Segment &g = s.segments[k];
+                        if (kind == 1)
+                            g.colour = {float(u(random)), float(u(random)), float(u(random)), float(u(random))};
+                        if (kind == 2)
+                            g.colour = {0.1f, k % 2 ? 1.0f : 0.0f, 0.9f, k % 2 ? 1.0f : 0.5f};
+                        if (kind == 3)
+                            g.granulation = 0.4f;
+                    }
+                    const View straight = View::ofArea(sheet, 96, 72), turned{{48, 36}, 1, 0.6, true, 96, 72};
+                    const auto scene = makeSceneStroke(std::make_shared<const Stroke>(s),
+                                                       buildNodes(s, 10'000'000, 0, sheet), straight);
+                    QVERIFY(scene.calm && !scene.small.empty());
+                    const Paper paper = number % 3 ? Paper{} : Paper{PaperKind::Procedural, 5, 20, 0.8f, {}};
+                    compare(painting({s}, 96, 72, paper), number % 5 ? straight : turned,
+                            nameOf(style) + ", spread " + QByteArray::number(spread) + ", peak " +
+                                QByteArray::number(peak) + ", number " + QByteArray::number(number));
                     if (QTest::currentTestFailed())
                         return;
                 }
@@ -150,7 +186,7 @@ private slots:
         const auto p =
             painting(liftedStrokes(random, 20, 130, 101), 130, 101, {PaperKind::Procedural, 1, 16, 0.7f, {}});
         for (const View &v : {View::ofArea(p->canvas.area(), 130, 101), View{{60, 50}, 0.11, 0.5, true, 70, 61},
-                              View{{60, 50}, 900, 0, false, 70, 61}}) {
+                              View{{60, 50}, 0.6, 0, false, 78, 61}, View{{60, 50}, 900, 0, false, 70, 61}}) {
             const FloatPicture first = test::render(*make(Backend::Cpu, 1, 16), p, v);
             for (int tile : {8, 24, 64})
                 QVERIFY(first.rgba == test::render(*make(Backend::Cpu, 2, tile), p, v).rgba);
