@@ -1949,6 +1949,25 @@ Rückgabewerte: 0 erledigt, 1 fehlgeschlagen, 2 falscher Aufruf.</translation>
         <source>Is added to all of it; what varies along the stroke stays</source>
         <translation>Wird zu allem addiert; was entlang des Strichs wechselt, bleibt</translation>
     </message>
+    <message>
+        <source>Stroke %1</source>
+        <translation>Strich %1</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n stroke(s)</source>
+        <translation>
+            <numerusform>%n Strich</numerusform>
+            <numerusform>%n Striche</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Along the Stroke – %1</source>
+        <translation>Entlang des Strichs – %1</translation>
+    </message>
+    <message>
+        <source>Nothing is selected that can be changed. Click a stroke, and its values are shown here.</source>
+        <translation>Nichts ist ausgewählt, was geändert werden kann. Klicken Sie auf einen Strich, dann stehen seine Werte hier.</translation>
+    </message>
 </context>
 <context>
     <name>suffuse::AreaRow</name>

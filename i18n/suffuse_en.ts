@@ -70,6 +70,16 @@
     </message>
 </context>
 <context>
+    <name>suffuse::AlongDialog</name>
+    <message numerus="yes">
+        <source>%n stroke(s)</source>
+        <translation>
+            <numerusform>%n stroke</numerusform>
+            <numerusform>%n strokes</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>suffuse::ColourTarget</name>
     <message numerus="yes">
         <source>Colours of %n segment(s)</source>

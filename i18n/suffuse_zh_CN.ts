@@ -1940,6 +1940,24 @@ Exit codes: 0 done, 1 the work failed, 2 wrong usage.</source>
         <source>Is added to all of it; what varies along the stroke stays</source>
         <translation>整体增减；沿笔画的变化保持不变</translation>
     </message>
+    <message>
+        <source>Stroke %1</source>
+        <translation>笔画 %1</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n stroke(s)</source>
+        <translation>
+            <numerusform>%n 个笔画</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Along the Stroke – %1</source>
+        <translation>沿笔画变化 – %1</translation>
+    </message>
+    <message>
+        <source>Nothing is selected that can be changed. Click a stroke, and its values are shown here.</source>
+        <translation>没有选中可以更改的内容。单击一个笔画，这里就会显示它的值。</translation>
+    </message>
 </context>
 <context>
     <name>suffuse::AreaRow</name>

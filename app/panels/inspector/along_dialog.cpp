@@ -30,14 +30,22 @@ AlongDialog::Shape shapeOf(const PlaceCurve &curve)
                                      : AlongDialog::Drawn;
 }
 
+QString nameOfStroke(const Stroke &stroke)
+{
+    return stroke.name.isEmpty() ? AlongDialog::tr("Stroke %1").arg(stroke.id) : stroke.name;
+}
+
 } // namespace
 
 AlongDialog::AlongDialog(Editor &editor, QWidget *parent)
     : QDialog(parent), m_editor(editor), m_runs(runsOf(editor.document()))
 {
-    setWindowTitle(tr("Along the Stroke"));
     setAttribute(Qt::WA_DeleteOnClose);
-    auto *column = new QVBoxLayout(this);
+    auto *outer = new QVBoxLayout(this);
+    m_body = new QWidget(this);
+    outer->addWidget(m_body, 1);
+    auto *column = new QVBoxLayout(m_body);
+    column->setContentsMargins({});
     addChoice();
     m_curve = new CurveEditor(this);
     m_curve->setAccessibleName(tr("Curve along the stroke"));
@@ -48,9 +56,9 @@ AlongDialog::AlongDialog(Editor &editor, QWidget *parent)
     addFields();
     m_hint = new HintLabel(this);
     m_hint->setMargin(0);
-    column->addWidget(m_hint);
+    outer->addWidget(m_hint);
     auto *buttons = new QDialogButtonBox(QDialogButtonBox::Ok | QDialogButtonBox::Cancel, this);
-    column->addWidget(buttons);
+    outer->addWidget(buttons);
     connect(buttons, &QDialogButtonBox::accepted, this, &QDialog::accept);
     connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
     connect(m_curve, &CurveEditor::edited, this, [this] {
@@ -64,6 +72,7 @@ AlongDialog::AlongDialog(Editor &editor, QWidget *parent)
     connect(m_curve, &CurveEditor::givenUp, this, &AlongDialog::giveUpDrag);
     connect(&editor.document(), &Document::changed, this, &AlongDialog::documentChanged);
     giveMnemonics(*this);
+    showSubject();
     choose(Quantity::Density);
 }
 
@@ -100,7 +109,7 @@ void AlongDialog::addChoice()
         m_shapes->addButton(button, int(m_shapes->buttons().size()));
         row->addWidget(button);
     }
-    static_cast<QVBoxLayout *>(layout())->addLayout(row);
+    static_cast<QVBoxLayout *>(m_body->layout())->addLayout(row);
     connect(m_choice, &QComboBox::activated, this, [this](int index) { choose(curveQuantities[std::size_t(index)]); });
     connect(m_shapes, &QButtonGroup::idClicked, this, [this](int shape) { choose(Shape(shape)); });
 }
@@ -125,7 +134,7 @@ void AlongDialog::addFields()
     std::tie(m_endLabel, m_end) = add(tr("End"), 1);
     row->addStretch(1);
     addScale(*row);
-    static_cast<QVBoxLayout *>(layout())->addLayout(row);
+    static_cast<QVBoxLayout *>(m_body->layout())->addLayout(row);
 }
 
 void AlongDialog::addScale(QHBoxLayout &row)
@@ -359,12 +368,42 @@ void AlongDialog::keyPressEvent(QKeyEvent *event)
 
 void AlongDialog::documentChanged(const Change &change)
 {
+    if (m_applying || m_finished)
+        return;
     const bool ours =
         std::any_of(change.strokes.begin(), change.strokes.end(), [this](StrokeId id) { return m_runs.contains(id); });
-    if (m_applying || m_finished || !(change.reset || ours))
-        return;
-    m_finished = true;
-    accept();
+    if (change.reset || ours) {
+        m_finished = true;
+        accept();
+    } else if (change.selection) {
+        follow();
+    }
+}
+
+/// Goes on with what is selected now.
+void AlongDialog::follow()
+{
+    const QScopedValueRollback applying(m_applying, true);
+    m_gesture.commit();
+    m_curve->dropDrag();
+    m_beforeDrag.reset();
+    m_set.clear();
+    m_refined.reset();
+    m_runs = runsOf(m_editor.document());
+    showSubject();
+    choose(m_quantity);
+}
+
+/// Says which strokes it is about, or that there are none.
+void AlongDialog::showSubject()
+{
+    const QString name = m_runs.size() == 1 ? nameOfStroke(*m_runs.begin()->second.stroke)
+                                            : tr("%n stroke(s)", nullptr, int(m_runs.size()));
+    setWindowTitle(m_runs.empty() ? tr("Along the Stroke") : tr("Along the Stroke – %1").arg(name));
+    m_body->setEnabled(!m_runs.empty());
+    m_hint->showHint(m_runs.empty() ? tr("Nothing is selected that can be changed. Click a stroke, and its values "
+                                         "are shown here.")
+                                    : QString());
 }
 
 } // namespace suffuse

@@ -18,9 +18,10 @@ class Editor;
 class HintLabel;
 class NumberField;
 
-/// The dialog "Along the Stroke". It sets quantities over the arc length of runs of segments: those that are selected
-/// when it opens. All that is done in it shows at once and is one undo step; Cancel takes it back. When something else
-/// changes the strokes that it is about, it closes by itself and keeps what was done.
+/// The dialog "Along the Stroke". It sets quantities over the arc length of the runs of segments that are selected, and
+/// names their stroke in its title. All that is done in it shows at once and is one undo step; Cancel takes it back.
+/// Where something else is selected it goes on with that; what was done before is a step of its own then. When
+/// something else changes the strokes that it is about, it closes by itself and keeps what was done.
 class AlongDialog : public QDialog {
     Q_OBJECT
 
@@ -65,11 +66,13 @@ private:
     void giveUpDrag();
     const StrokeRuns &runsToSet();
     void documentChanged(const Change &change);
+    void follow();
+    void showSubject();
 
     Editor &m_editor;
     StrokeRuns m_runs;
     std::optional<StrokeRuns> m_refined; ///< the runs with shorter segments, made once something varies
-    Gesture m_gesture;                   ///< open from the first change until the dialog closes
+    Gesture m_gesture;                   ///< open from the first change until the dialog closes or goes on
     Quantity m_quantity = Quantity::Density;
     ValueAxis m_axis;
     std::optional<PlaceCurve> m_from;     ///< belongs to the curve that is shown, as in CurveAlong
@@ -78,6 +81,7 @@ private:
     bool m_applying = false;
     bool m_finished = false; ///< whether a change from elsewhere has ended the dialog
 
+    QWidget *m_body = nullptr; ///< all but the hint and the buttons
     QComboBox *m_choice = nullptr;
     QButtonGroup *m_shapes = nullptr;
     CurveEditor *m_curve = nullptr;

@@ -22,6 +22,8 @@ public:
     /// Where a place and value of the curve lie in the widget.
     QPointF toWidget(QPointF at) const;
     bool isDragging() const { return m_dragging; }
+    /// Ends a drag without a word, since the curve is about something else now.
+    void dropDrag() { m_dragging = false; }
 
 signals:
     void edited();   ///< the user has edited the curve

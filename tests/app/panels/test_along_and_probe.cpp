@@ -188,6 +188,53 @@ private slots:
         QTRY_VERIFY(!dialog);
     }
 
+    /// What the dialog changes is what the inspector shows.
+    void itFollowsTheSelection()
+    {
+        Bench bench;
+        InspectorPanel panel(bench.editor);
+        showAt(panel);
+        bench.select({1});
+        const PaintingPtr before = bench.editor.document().painting();
+        QTest::mouseClick(panel.alongButton(), Qt::LeftButton);
+        QPointer<AlongDialog> dialog = panel.along();
+        QVERIFY(dialog->windowTitle().endsWith("Stroke 1"));
+        dialog->choose(AlongDialog::Constant);
+        dragCurve(*dialog->curve(), {0.5, 0.5}, {0.5, 0.9});
+        const Stroke first = bench.stroke(1);
+        QVERIFY(first != *before->find(1));
+
+        bench.select({2});
+        QVERIFY(dialog && dialog->isVisible());
+        QVERIFY(dialog->windowTitle().endsWith("Stroke 2"));
+        QCOMPARE(bench.steps(), 1); // what was done to the stroke before
+        dialog->choose(AlongDialog::Constant);
+        dragCurve(*dialog->curve(), {0.5, 0.5}, {0.5, 0.2});
+        QCOMPARE(bench.stroke(1), first);
+        QVERIFY(bench.stroke(2) != *before->find(2));
+        // What is in hand is not drawn on along another stroke.
+        dragCurve(*dialog->curve(), {0.5, 0.2}, {0.5, 0.6}, false);
+        const Stroke second = bench.stroke(2);
+        bench.select({1, 3});
+        QTest::mouseMove(dialog->curve(), dialog->curve()->toWidget({0.5, 0.1}).toPoint());
+        QCOMPARE(bench.stroke(1), first);
+        QVERIFY(dialog->windowTitle().contains(" – 2 "));
+
+        const auto fields = dialog->findChildren<NumberField *>();
+        const auto isGrey = [](const QWidget *widget) { return !widget->isEnabled(); };
+        bench.select({});
+        QVERIFY(dialog && isGrey(dialog->curve()) && std::ranges::all_of(fields, isGrey));
+        bench.select({3});
+        QVERIFY(dialog->curve()->isEnabled() && dialog->start()->isEnabled());
+        QVERIFY(std::abs(dialog->start()->value().value() - 9) < 1e-6);
+        dialog->reject(); // nothing was done to this one
+        QCOMPARE(bench.steps(), 2);
+        QCOMPARE(bench.stroke(2), second);
+        bench.editor.undo();
+        bench.editor.undo();
+        QVERIFY(*bench.editor.document().painting() == *before);
+    }
+
     /// Esc gives up what is in hand before it means the dialog.
     void escGivesUpTheDragOfTheCurve()
     {
