@@ -4924,10 +4924,6 @@ Auch die Pfeiltasten wirken.</translation>
         <translation>Das Aussehen, für die Auswahl</translation>
     </message>
     <message>
-        <source>A colour to paint with, or style, values and colour of a stroke for the selected ones</source>
-        <translation>Eine Farbe zum Malen, oder Stil, Werte und Farbe eines Strichs für die gewählten</translation>
-    </message>
-    <message>
         <source>Match</source>
         <translation>Angleichen</translation>
     </message>
@@ -4942,6 +4938,22 @@ Auch die Pfeiltasten wirken.</translation>
     <message>
         <source>Click to give what is selected the picture&apos;s colour. Shift: the stroke&apos;s own colour.</source>
         <translation>Klicken gibt dem Ausgewählten die Farbe des Bildes. Umschalt: die eigene Farbe des Strichs.</translation>
+    </message>
+    <message>
+        <source>Click to give the swatch the picture&apos;s colour. Shift: the stroke&apos;s own colour.</source>
+        <translation>Klicken gibt dem Farbfeld die Farbe des Bildes. Umschalt: die eigene Farbe des Strichs.</translation>
+    </message>
+    <message>
+        <source>A colour, or style, values and colour of a stroke for the selected ones. The colour is for what the Colour dock shows: the brush, the selection or a swatch.</source>
+        <translation>Eine Farbe, oder Stil, Werte und Farbe eines Strichs für die gewählten. Die Farbe bekommt, wessen Farbe das Farbenfenster zeigt: der Pinsel, die Auswahl oder ein Farbfeld.</translation>
+    </message>
+    <message>
+        <source>The colour, for the selection</source>
+        <translation>Die Farbe, für die Auswahl</translation>
+    </message>
+    <message>
+        <source>The colour, for the swatch</source>
+        <translation>Die Farbe, für das Farbfeld</translation>
     </message>
 </context>
 <context>

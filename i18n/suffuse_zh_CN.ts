@@ -4909,10 +4909,6 @@ Arrow keys work too.</source>
         <translation>外观，用于所选</translation>
     </message>
     <message>
-        <source>A colour to paint with, or style, values and colour of a stroke for the selected ones</source>
-        <translation>用于绘画的颜色，或将某笔画的样式、数值和颜色用于所选笔画</translation>
-    </message>
-    <message>
         <source>Match</source>
         <translation>匹配</translation>
     </message>
@@ -4927,6 +4923,22 @@ Arrow keys work too.</source>
     <message>
         <source>Click to give what is selected the picture&apos;s colour. Shift: the stroke&apos;s own colour.</source>
         <translation>点击将画面颜色赋予所选内容。Shift：笔画自身的颜色。</translation>
+    </message>
+    <message>
+        <source>Click to give the swatch the picture&apos;s colour. Shift: the stroke&apos;s own colour.</source>
+        <translation>点击将画面颜色赋予色板。Shift：笔画自身的颜色。</translation>
+    </message>
+    <message>
+        <source>A colour, or style, values and colour of a stroke for the selected ones. The colour is for what the Colour dock shows: the brush, the selection or a swatch.</source>
+        <translation>取一种颜色，或将某笔画的样式、数值和颜色用于所选笔画。颜色用于颜色面板当前所示的对象：画笔、所选内容或色板。</translation>
+    </message>
+    <message>
+        <source>The colour, for the selection</source>
+        <translation>颜色，用于所选</translation>
+    </message>
+    <message>
+        <source>The colour, for the swatch</source>
+        <translation>颜色，用于色板</translation>
     </message>
 </context>
 <context>

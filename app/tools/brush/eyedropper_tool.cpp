@@ -122,7 +122,7 @@ void ColourPicker::paint(QPainter &painter, double dpr) const
 EyedropperTool::EyedropperTool(CanvasWidget &canvas, QObject *parent)
     : CanvasTool(canvas, parent), m_picker(canvas), m_match(canvas)
 {
-    connect(&canvas.editor().colourTarget(), &ColourTarget::changed, this, &Tool::hintChanged);
+    connect(&canvas.editor().colourTarget(), &ColourTarget::changed, this, &EyedropperTool::showTarget);
     connect(&canvas, &CanvasWidget::toolChanged, this, [this] {
         if (m_canvas.tool() != this && m_untilNextTool)
             setMatches(false);
@@ -143,6 +143,8 @@ QString EyedropperTool::hint() const
         return m_match.hint();
     if (m_editor.colourTarget().kind() == ColourTarget::Kind::Selection)
         return tr("Click to give what is selected the picture's colour. Shift: the stroke's own colour.");
+    if (m_editor.colourTarget().kind() == ColourTarget::Kind::Swatch)
+        return tr("Click to give the swatch the picture's colour. Shift: the stroke's own colour.");
     return tr("Click to take the picture's colour as the current one. Shift: the stroke's own colour.");
 }
 
@@ -154,8 +156,10 @@ QWidget *EyedropperTool::options()
     QHBoxLayout *row = toolRow(m_options);
     auto *label = new QLabel(tr("A click takes"), m_options);
     m_takes = new QComboBox(m_options);
-    m_takes->addItems({tr("The colour, to paint with"), tr("The appearance, for the selection")});
-    m_takes->setToolTip(tr("A colour to paint with, or style, values and colour of a stroke for the selected ones"));
+    m_takes->addItems({colourUseText(), tr("The appearance, for the selection")});
+    m_takes->setSizeAdjustPolicy(QComboBox::AdjustToContents);
+    m_takes->setToolTip(tr("A colour, or style, values and colour of a stroke for the selected ones. The colour is for "
+                           "what the Colour dock shows: the brush, the selection or a swatch."));
     m_takes->setAccessibleName(label->text());
     m_takes->setCurrentIndex(m_matches ? 1 : 0);
     label->setBuddy(m_takes);
@@ -164,6 +168,27 @@ QWidget *EyedropperTool::options()
     row->addWidget(m_takes);
     row->addStretch();
     return m_options;
+}
+
+/// What a click does with the colour.
+QString EyedropperTool::colourUseText() const
+{
+    switch (m_editor.colourTarget().kind()) {
+    case ColourTarget::Kind::Selection:
+        return tr("The colour, for the selection");
+    case ColourTarget::Kind::Swatch:
+        return tr("The colour, for the swatch");
+    case ColourTarget::Kind::Brush:
+        break;
+    }
+    return tr("The colour, to paint with");
+}
+
+void EyedropperTool::showTarget()
+{
+    if (m_takes)
+        m_takes->setItemText(0, colourUseText());
+    emit hintChanged();
 }
 
 void EyedropperTool::setMatches(bool matches)

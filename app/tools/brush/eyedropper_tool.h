@@ -73,6 +73,9 @@ public:
     void setMatches(bool matches);
 
 private:
+    QString colourUseText() const;
+    void showTarget();
+
     ColourPicker m_picker;
     MatchPicker m_match;
     bool m_matches = false;

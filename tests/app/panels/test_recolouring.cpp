@@ -310,6 +310,28 @@ private slots:
         QCOMPARE(s.editor().brush().colour, leaf);
     }
 
+    /// The row over the canvas says what a click does, as the hint does.
+    void theEyedroppersRowSaysWhatItColours()
+    {
+        TwoWaves s;
+        s.select({});
+        s.use(Command::Eyedropper);
+        auto *takes = s.canvas().tool()->options()->findChild<QComboBox *>();
+        QCOMPARE(takes->itemText(0), QString("The colour, to paint with"));
+        s.use(Command::Select);
+        s.select({s.id});
+        s.use(Command::Eyedropper);
+        QCOMPARE(takes->currentText(), QString("The colour, for the selection"));
+        s.select({});
+        QCOMPARE(takes->currentText(), QString("The colour, to paint with"));
+        QVERIFY(takes->sizeHint().width() <= takes->width());
+        s.select({s.second});
+        QCOMPARE(takes->currentText(), QString("The colour, for the selection"));
+        s.use(Command::Brush);
+        s.use(Command::Eyedropper); // goes on with what the tool before was about
+        QCOMPARE(takes->currentText(), QString("The colour, to paint with"));
+    }
+
     void aDropOnWhatIsSelectedColoursAllOfIt()
     {
         TwoWaves s;
