@@ -6437,6 +6437,10 @@ Auch die Pfeiltasten wirken.</translation>
         <source> u²/s</source>
         <translation> E²/s</translation>
     </message>
+    <message>
+        <source>%1 is out of range: more than 0 and up to %2 is possible.</source>
+        <translation>%1 liegt außerhalb des Bereichs: Möglich ist mehr als 0 und bis %2.</translation>
+    </message>
 </context>
 <context>
     <name>suffuse::PanTool</name>

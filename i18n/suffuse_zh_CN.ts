@@ -6396,6 +6396,10 @@ Arrow keys work too.</source>
         <source> u²/s</source>
         <translation> u²/秒</translation>
     </message>
+    <message>
+        <source>%1 is out of range: more than 0 and up to %2 is possible.</source>
+        <translation>%1 超出范围：允许大于 0 且不超过 %2。</translation>
+    </message>
 </context>
 <context>
     <name>suffuse::PanTool</name>

@@ -2,6 +2,9 @@
 
 #include "app/widgets/numbers/display.h"
 
+#include <QLocale>
+#include <QRegularExpression>
+
 #include <cmath>
 
 namespace suffuse {
@@ -118,11 +121,46 @@ double worthOf(const QString &shownName, const QString &shownField)
     return 0;
 }
 
-/// The place where the unit at the end begins: behind the last digit, point or bracket.
+/// A number of digits, points and commas with a decimal point and nothing else. In groups as the language writes them
+/// ("1,536.5" in English, "1.536,5" in German) it is read so. Otherwise one point or comma is a decimal one, since
+/// hands are used to the key of their keyboard: "1,5" and "0,125" are no groups in English. What has more of them can
+/// be read in two ways, so it has no value.
+std::optional<QString> plainNumber(const QString &token)
+{
+    const QString group = QLocale().groupSeparator();
+    QString plain = token;
+    if (group == QLatin1String(",") || group == QLatin1String(".")) {
+        const QString decimal = QLatin1String(group == QLatin1String(",") ? "." : ",");
+        const QRegularExpression grouped(
+            QStringLiteral("^[1-9]\\d{0,2}(?:\\%1\\d{3})+(?:\\%2\\d*)?$").arg(group, decimal));
+        if (grouped.match(token).hasMatch())
+            plain.remove(group);
+    }
+    return plain.count('.') + plain.count(',') > 1 ? std::nullopt : std::optional(plain.replace(',', '.'));
+}
+
+/// The text with all its numbers plain.
+std::optional<QString> withPlainNumbers(const QString &text)
+{
+    static const QRegularExpression number(QStringLiteral("[\\d.,]+"));
+    QString result;
+    qsizetype at = 0;
+    for (auto it = number.globalMatch(text); it.hasNext();) {
+        const QRegularExpressionMatch match = it.next();
+        const std::optional<QString> plain = plainNumber(match.captured());
+        if (!plain)
+            return std::nullopt;
+        result += text.mid(at, match.capturedStart() - at) + *plain;
+        at = match.capturedEnd();
+    }
+    return result + text.mid(at);
+}
+
+/// The place where the unit at the end begins: behind the last digit, point, comma or bracket.
 qsizetype unitStart(const QString &text)
 {
     qsizetype end = text.size();
-    while (end > 0 && !text[end - 1].isDigit() && text[end - 1] != '.' && text[end - 1] != ')')
+    while (end > 0 && !text[end - 1].isDigit() && !QStringLiteral(".,)").contains(text[end - 1]))
         --end;
     // The "2" of "u²" is no digit, but an "e" may be the end of a broken number.
     return end;
@@ -130,7 +168,7 @@ qsizetype unitStart(const QString &text)
 
 QString compact(QString text)
 {
-    text.replace(QChar(0x2212), '-').replace(QChar(0x00D7), '*').replace(QChar(0x00F7), '/').replace(',', '.');
+    text.replace(QChar(0x2212), '-').replace(QChar(0x00D7), '*').replace(QChar(0x00F7), '/');
     text.remove(QChar(' ')).remove(QChar(0x00A0)).remove(QChar(0x202F)).remove(QChar('\t'));
     return text;
 }
@@ -158,12 +196,13 @@ QString foreignUnit(const QString &text, const QString &unit)
 
 std::optional<double> evaluateArithmetic(const QString &text, std::optional<double> current, const QString &unit)
 {
-    QString t = compact(text);
-    const qsizetype end = unitStart(t);
-    const double worth = worthOf(t.mid(end), unit);
-    t.truncate(end);
-    if (t.isEmpty() || worth == 0)
+    const QString whole = compact(text);
+    const qsizetype end = unitStart(whole);
+    const double worth = worthOf(whole.mid(end), unit);
+    const std::optional<QString> plain = withPlainNumbers(whole.left(end));
+    if (!plain || plain->isEmpty() || worth == 0)
         return std::nullopt;
+    QString t = *plain;
     if (!isRelative(t)) {
         const std::optional<double> value = Parser(t).whole();
         return value ? std::optional(*value * worth) : std::nullopt;

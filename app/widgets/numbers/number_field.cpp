@@ -4,6 +4,7 @@
 
 #include <QDialog>
 #include <QKeyEvent>
+#include <QLocale>
 #include <QTimer>
 #include <QWheelEvent>
 
@@ -86,13 +87,23 @@ QString NumberField::whyRefused(const QString &text) const
                           : tr("“%1” is not possible here: the unit is %2.").arg(foreign, unit);
 }
 
+/// A number in a sentence. Large ones are grouped there, which is easier to read than an exponent.
+QString NumberField::inWords(double value) const
+{
+    const double shown = m_display.toShown(value), size = std::abs(shown);
+    const bool isLarge = size >= 1e6 && size < 1e16;
+    return isLarge ? QLocale().toString(shown, 'f', 0) : m_display.number(value);
+}
+
 QString NumberField::rangeHint(double value) const
 {
     double low = m_minimum, high = m_maximum;
     if (m_display.isReversed())
         std::swap(low, high);
-    return tr("%1 is out of range: %2 to %3 is possible.")
-        .arg(m_display.number(value), m_display.number(low), m_display.number(high));
+    // The smallest number of the machine says nothing to anybody.
+    if (const double shown = m_display.toShown(low); shown > 0 && shown < 1e-30)
+        return tr("%1 is out of range: more than 0 and up to %2 is possible.").arg(inWords(value), inWords(high));
+    return tr("%1 is out of range: %2 to %3 is possible.").arg(inWords(value), inWords(low), inWords(high));
 }
 
 void NumberField::commit()

@@ -68,6 +68,7 @@ protected:
 private:
     void commit();
     QString whyRefused(const QString &text) const;
+    QString inWords(double value) const;
     QString rangeHint(double value) const;
     void complain(const QString &hint); ///< an empty hint takes the complaint back
     void stepBy(double steps);

@@ -55,6 +55,63 @@ private slots:
         QVERIFY(!evaluateArithmetic(QString(10000, '('), {}));
     }
 
+    /// A number that the program writes is read as what it says, in every language.
+    void groupsOfThousands()
+    {
+        const auto restore = qScopeGuard([] { QLocale::setDefault(QLocale::English); });
+        struct Row {
+            const char *text;
+            std::optional<double> english, german;
+        };
+        const std::optional<double> refused;
+        for (const Row &row : std::initializer_list<Row>{
+                 {"1,536", 1536, 1.536},
+                 {"1.536", 1.536, 1536},
+                 {"18,918,001", 18'918'001, refused},
+                 {"18.918.001", refused, 18'918'001},
+                 {"1,001.9", 1001.9, refused},
+                 {"1.001,9", refused, 1001.9},
+                 {"1,5", 1.5, 1.5}, // the decimal key of another keyboard
+                 {"1.5", 1.5, 1.5},
+                 {"0,125", 0.125, 0.125}, // no group begins with a zero
+                 {"0.125", 0.125, 0.125},
+                 {",125", 0.125, 0.125},
+                 {"1536,125", 1536.125, 1536.125},
+                 {"1,53,600", refused, refused},
+                 {"1,5,3", refused, refused},
+                 {"12,3456", 12.3456, 12.3456},
+                 {"1,000*2 + 1,5", 2001.5, 3.5},
+                 {"1,536 u", 1536, 1.536},
+                 {"1 536", 1536, 1536},
+             })
+            for (const bool german : {false, true}) {
+                QLocale::setDefault(german ? QLocale::German : QLocale::English);
+                const std::optional<double> wanted = german ? row.german : row.english;
+                const std::optional<double> value = evaluateArithmetic(row.text, {}, "u");
+                QVERIFY2(value.has_value() == wanted.has_value() &&
+                             std::abs(value.value_or(0) - wanted.value_or(0)) < 1e-9,
+                         row.text);
+            }
+        QLocale::setDefault(QLocale::German);
+        QCOMPARE(evaluateArithmetic("+1", 1.536).value(), 2.536); // the value that is there is no text of the language
+        QLocale::setDefault(QLocale::English);
+        Bench bench;
+        InspectorPanel panel(bench.editor);
+        showAt(panel);
+        bench.select({1});
+        type(*panel.segmentSection()->density()->number(), "1,536");
+        QCOMPARE(bench.stroke(1).segments[0].density, 1536.0f);
+        type(*panel.segmentSection()->density()->number(), "1,53,600");
+        QCOMPARE(bench.stroke(1).segments[0].density, 1536.0f);
+        QVERIFY(panel.hint()->text().contains("1,53,600"));
+        // What is possible is said in numbers that people read.
+        type(*panel.segmentSection()->diffusion()->number(), "0");
+        QVERIFY2(panel.hint()->text().contains("more than 0 and up to 1,000,000,000,000"),
+                 qPrintable(panel.hint()->text()));
+        type(*panel.segmentSection()->density()->number(), "9e12");
+        QVERIFY2(panel.hint()->text().contains("0 to 1,000,000,000,000"), qPrintable(panel.hint()->text()));
+    }
+
     void headingSaysHowManySegmentsOfAll()
     {
         Bench bench;
