@@ -92,17 +92,30 @@ bool TimelineBars::isFree(int lane, const TimelineBar &bar) const
     return after == row.end() || m_bars[*after].begin > bar.end;
 }
 
+/// The lane for a bar that has moved; one more than there are if there is no room.
+int TimelineBars::laneOf(std::size_t i) const
+{
+    const TimelineBar &bar = m_bars[i], &was = m_laidOut[i];
+    const bool isBack = bar.begin == was.begin && bar.end == was.end;
+    if (isBack && was.lane < laneCount() && isFree(was.lane, bar))
+        return was.lane;
+    if (bar.lane < laneCount() && isFree(bar.lane, bar))
+        return bar.lane;
+    int lane = 0; // the uppermost one that is free
+    while (lane < laneCount() && !isFree(lane, bar))
+        ++lane;
+    return lane;
+}
+
 void TimelineBars::place(const std::vector<std::size_t> &moved)
 {
     for (std::vector<std::size_t> &row : m_lanes)
         std::erase_if(row, [&](std::size_t i) { return std::ranges::binary_search(moved, i); });
     for (const std::size_t i : moved) {
         TimelineBar &bar = m_bars[i];
-        for (int lane = 0; !isFree(bar.lane, bar); ++lane) { // The bar goes into the uppermost lane that is free.
-            if (lane == laneCount())
-                m_lanes.emplace_back();
-            bar.lane = lane;
-        }
+        bar.lane = laneOf(i);
+        if (bar.lane == laneCount())
+            m_lanes.emplace_back();
         std::vector<std::size_t> &row = m_lanes[std::size_t(bar.lane)];
         row.insert(std::ranges::upper_bound(row, bar.begin, {}, [this](std::size_t k) { return m_bars[k].begin; }), i);
     }
@@ -148,6 +161,7 @@ void TimelineBars::layOut()
         m_lanes[std::size_t(bar.lane)].push_back(i);
         busy.emplace(bar.end, bar.lane);
     }
+    m_laidOut = m_bars;
 }
 
 std::optional<TimelineBar> draftBar(const TimelineBars &bars, const Document &document)

@@ -26,7 +26,8 @@ struct TimelineBar {
 TimelineBar barOf(const Stroke &stroke);
 
 /// All strokes of a painting as bars in lanes. No bar overlaps another one of its lane. If a few strokes are moved or
-/// stretched, each of them stays in its lane if there is room, and the others stay in any case.
+/// stretched, each of them stays in its lane if there is room, and the others stay in any case. One that comes back to
+/// where it was, as undo makes it, comes back into its lane.
 class TimelineBars {
 public:
     /// Takes a painting. It takes little time where few strokes changed, and none was added or removed. Returns true if
@@ -64,10 +65,12 @@ private:
     std::optional<bool> update(const Painting &painting);
     void layOut();
     void place(const std::vector<std::size_t> &moved);
+    int laneOf(std::size_t bar) const;
     bool isFree(int lane, const TimelineBar &bar) const;
 
     PaintingPtr m_painting = std::make_shared<const Painting>();
     std::vector<TimelineBar> m_bars;
+    std::vector<TimelineBar> m_laidOut;            ///< the bars as they were when all were laid out
     std::vector<std::vector<std::size_t>> m_lanes; ///< in ascending order
     TimeSpan m_span;
 };

@@ -510,6 +510,37 @@ private slots:
         QCOMPARE(seen, (std::vector<std::size_t>{0, 3, 2, 1}));
     }
 
+    /// Undo brings a bar back to where it was seen.
+    void aBarThatComesBackTakesItsLane()
+    {
+        TimelineBars bars;
+        auto painting = std::make_shared<Painting>();
+        painting->strokes = fourStrokes(); // lanes 0, 1, 0, 0
+        bars.setPainting(painting);
+        const auto lanesOf = [&] {
+            std::vector<int> result;
+            for (std::size_t i = 0; i < bars.size(); ++i)
+                result.push_back(bars[i].lane);
+            return result;
+        };
+        const std::vector<int> first = lanesOf();
+        const auto moved = std::make_shared<Painting>(*painting);
+        moved->strokes[3] = drawnAt(4, 1'100'000, {0, 0}, {10, 0});
+        bars.setPainting(moved);
+        QVERIFY(lanesOf() != first); // there is no room for it
+        bars.setPainting(painting);
+        QCOMPARE(lanesOf(), first);
+        // It does not come back into a lane that is taken meanwhile.
+        bars.setPainting(moved);
+        const auto taken = std::make_shared<Painting>(*moved);
+        taken->strokes[2] = drawnAt(3, painting->strokes[3]->born(), {0, 0}, {10, 0});
+        bars.setPainting(taken);
+        const auto back = std::make_shared<Painting>(*taken);
+        back->strokes[3] = painting->strokes[3];
+        bars.setPainting(back);
+        QVERIFY(bars[3].lane != bars[2].lane);
+    }
+
     void tenThousandStrokes()
     {
         Painting painting;
