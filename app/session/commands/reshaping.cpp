@@ -43,7 +43,9 @@ ReshapeRuns changeOf(Reshaping what, const ReshapeAmounts &a)
     switch (what) {
     case Reshaping::Simplify:
         return [a](const Stroke &stroke, Chosen chosen, std::vector<int> *sources) {
-            return simplified(stroke, {a.distance, a.values}, chosen, sources);
+            // One segment alone cannot become fewer; every click with the Segments tool selects one.
+            const bool isOne = std::ranges::count(chosen, true) == 1;
+            return simplified(stroke, {a.distance, a.values}, isOne ? std::vector<bool>() : chosen, sources);
         };
     case Reshaping::Smooth: {
         // A wiggle of wave length l loses ninety per cent where deviation·2π/l is 2.4.

@@ -3,6 +3,7 @@
 #include "app/session/settings/settings.h"
 #include "app/widgets/numbers/number_field.h"
 #include "model/brush/stroke_fit.h"
+#include "model/painting/validate.h"
 #include "tests/app/trunk.h"
 
 #include <QRegularExpression>
@@ -31,6 +32,24 @@ private slots:
         qputenv("SUFFUSE_SETTINGS", m_folder.filePath("settings.ini").toLocal8Bit());
     }
     void cleanup() { settings::store().remove("reshape"); }
+
+    /// Every click with the Segments tool selects one segment, which alone could not become fewer.
+    void oneSelectedSegmentMeansItsStroke()
+    {
+        TrunkSession s;
+        const std::size_t before = s.stroke(s.trunk).segments.size();
+        s.editor().document().setSelection({{s.trunk}, {{s.trunk, 40}}});
+        QCOMPARE(reshapeSelected(s.editor(), Reshaping::Simplify, {}), QString());
+        const std::size_t all = s.stroke(s.trunk).segments.size();
+        QVERIFY(all < before / 2);
+        QVERIFY(problemOf(s.stroke(s.trunk)).isEmpty());
+        s.use(Command::Undo);
+        QCOMPARE(s.stroke(s.trunk).segments.size(), before);
+        // Two are a run, and only that is changed.
+        s.editor().document().setSelection({{s.trunk}, {{s.trunk, 40}, {s.trunk, 41}}});
+        reshapeSelected(s.editor(), Reshaping::Simplify, {});
+        QVERIFY(s.stroke(s.trunk).segments.size() >= before - 1);
+    }
 
     void aTrunkIsSimplified()
     {
