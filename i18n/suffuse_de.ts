@@ -5276,18 +5276,6 @@ Auch die Pfeiltasten wirken.</translation>
         <translation>die base64-Daten des Bildes sind beschädigt</translation>
     </message>
     <message>
-        <source>is UTF-16 text; save it as UTF-8</source>
-        <translation>ist UTF-16-Text; bitte als UTF-8 speichern</translation>
-    </message>
-    <message>
-        <source>is a picture, not a painting; %1</source>
-        <translation>ist eine Bilddatei, kein gemaltes Bild; %1</translation>
-    </message>
-    <message>
-        <source>is not a painting nor a recording; %1</source>
-        <translation>ist weder ein Bild noch eine Aufzeichnung; %1</translation>
-    </message>
-    <message>
         <source>has more than 2 GB; that is more than can be opened</source>
         <translation>hat mehr als 2 GB; das ist mehr, als sich öffnen lässt</translation>
     </message>
@@ -5322,10 +5310,6 @@ Auch die Pfeiltasten wirken.</translation>
     <message>
         <source>Unknown format</source>
         <translation>Unbekanntes Format</translation>
-    </message>
-    <message>
-        <source>is empty; nothing was saved in it</source>
-        <translation>ist leer; darin wurde nichts gespeichert</translation>
     </message>
     <message>
         <source>there is no such file: %1</source>
@@ -5800,10 +5784,6 @@ Auch die Pfeiltasten wirken.</translation>
         <translation>Suffuse liest .suffuse, seine Textform (.json), Stiftdaten als CSV, Universal Ink JSON, Excalidraw, MyPaint-Ereignisse, SVG und Diffusionskurven (XML)</translation>
     </message>
     <message>
-        <source>is compressed with gzip; unpack it first</source>
-        <translation>ist mit gzip gepackt; entpacken Sie es zuerst</translation>
-    </message>
-    <message>
         <source>SVG drawing</source>
         <translation>SVG-Zeichnung</translation>
     </message>
@@ -6007,6 +5987,26 @@ Auch die Pfeiltasten wirken.</translation>
     <message>
         <source>%1 is newer than this program, which reads up to version %2; update Suffuse</source>
         <translation>%1 ist neuer als dieses Programm, das bis Version %2 liest; bitte Suffuse aktualisieren</translation>
+    </message>
+    <message>
+        <source>This file is empty: nothing was saved in it.</source>
+        <translation>Diese Datei ist leer: Darin wurde nichts gespeichert.</translation>
+    </message>
+    <message>
+        <source>This is UTF-16 text. Save it as UTF-8.</source>
+        <translation>Das ist UTF-16-Text. Bitte als UTF-8 speichern.</translation>
+    </message>
+    <message>
+        <source>This file is compressed with gzip. Unpacking it helps only where something is in it that can be read: %1. Other programs can export SVG.</source>
+        <translation>Diese Datei ist mit gzip gepackt. Entpacken hilft nur, wenn darin etwas ist, das gelesen werden kann: %1. Andere Programme können SVG exportieren.</translation>
+    </message>
+    <message>
+        <source>This is a picture, not a painting. %1.</source>
+        <translation>Das ist eine Bilddatei, kein gemaltes Bild. %1.</translation>
+    </message>
+    <message>
+        <source>This is neither a painting nor a recording that can be read. %1. Other programs can export SVG.</source>
+        <translation>Das ist weder ein gemaltes Bild noch eine Aufzeichnung, die gelesen werden kann. %1. Andere Programme können SVG exportieren.</translation>
     </message>
 </context>
 <context>

@@ -5261,18 +5261,6 @@ Arrow keys work too.</source>
         <translation>图像的 base64 数据已损坏</translation>
     </message>
     <message>
-        <source>is UTF-16 text; save it as UTF-8</source>
-        <translation>是 UTF-16 文本；请保存为 UTF-8</translation>
-    </message>
-    <message>
-        <source>is a picture, not a painting; %1</source>
-        <translation>是图片而不是画作；%1</translation>
-    </message>
-    <message>
-        <source>is not a painting nor a recording; %1</source>
-        <translation>既不是画作也不是笔迹记录；%1</translation>
-    </message>
-    <message>
         <source>has more than 2 GB; that is more than can be opened</source>
         <translation>超过 2 GB，无法打开</translation>
     </message>
@@ -5307,10 +5295,6 @@ Arrow keys work too.</source>
     <message>
         <source>Unknown format</source>
         <translation>未知格式</translation>
-    </message>
-    <message>
-        <source>is empty; nothing was saved in it</source>
-        <translation>为空；其中没有保存任何内容</translation>
     </message>
     <message>
         <source>there is no such file: %1</source>
@@ -5785,10 +5769,6 @@ Arrow keys work too.</source>
         <translation>Suffuse 可读取 .suffuse 及其文本形式（.json）、CSV 笔迹、Universal Ink JSON、Excalidraw、MyPaint 事件、SVG 和扩散曲线（XML）</translation>
     </message>
     <message>
-        <source>is compressed with gzip; unpack it first</source>
-        <translation>是 gzip 压缩文件；请先解压</translation>
-    </message>
-    <message>
         <source>SVG drawing</source>
         <translation>SVG 图形</translation>
     </message>
@@ -5975,6 +5955,26 @@ Arrow keys work too.</source>
     <message>
         <source>%1 is newer than this program, which reads up to version %2; update Suffuse</source>
         <translation>%1 比此程序新（此程序最高读取版本 %2）；请更新 Suffuse</translation>
+    </message>
+    <message>
+        <source>This file is empty: nothing was saved in it.</source>
+        <translation>此文件为空：其中没有保存任何内容。</translation>
+    </message>
+    <message>
+        <source>This is UTF-16 text. Save it as UTF-8.</source>
+        <translation>这是 UTF-16 文本。请保存为 UTF-8。</translation>
+    </message>
+    <message>
+        <source>This file is compressed with gzip. Unpacking it helps only where something is in it that can be read: %1. Other programs can export SVG.</source>
+        <translation>此文件是 gzip 压缩文件。只有其中是可读取的内容时，解压才有用：%1。其他程序可以导出 SVG。</translation>
+    </message>
+    <message>
+        <source>This is a picture, not a painting. %1.</source>
+        <translation>这是图片而不是画作。%1。</translation>
+    </message>
+    <message>
+        <source>This is neither a painting nor a recording that can be read. %1. Other programs can export SVG.</source>
+        <translation>这既不是画作，也不是可以读取的笔迹记录。%1。其他程序可以导出 SVG。</translation>
     </message>
 </context>
 <context>

@@ -1,8 +1,8 @@
 #include "model/formats/files.h"
 
 #include "model/formats/ink/diffusion_curves.h"
-#include "model/formats/messages.h"
 #include "model/formats/ink/recording.h"
+#include "model/formats/messages.h"
 #include "model/formats/suffuse/suffuse_layout.h"
 #include "model/formats/svg/svg_painting.h"
 
@@ -119,18 +119,25 @@ FileFormat formatOfLines(std::string_view text)
     return has(QLatin1Char('x')) && has(QLatin1Char('y')) ? FileFormat::InkCsv : FileFormat::Unknown;
 }
 
+/// What is wrong with a file that is of no format that can be read, and what can be.
 QString unknownFormat(const QByteArray &bytes)
 {
     const QString known =
         FileMessages::tr("Suffuse reads .suffuse, its text form (.json), ink as CSV, Universal Ink JSON, "
                          "Excalidraw, MyPaint events, SVG and diffusion curves (XML)");
+    if (bytes.isEmpty())
+        return FileMessages::tr("This file is empty: nothing was saved in it.");
     if (bytes.startsWith("\xff\xfe") || bytes.startsWith("\xfe\xff"))
-        return FileMessages::tr("is UTF-16 text; save it as UTF-8");
+        return FileMessages::tr("This is UTF-16 text. Save it as UTF-8.");
     if (bytes.startsWith("\x1f\x8b"))
-        return FileMessages::tr("is compressed with gzip; unpack it first");
+        return FileMessages::tr("This file is compressed with gzip. Unpacking it helps only where something is in it "
+                                "that can be read: %1. Other programs can export SVG.")
+            .arg(known);
     if (bytes.startsWith("\x89PNG") || bytes.startsWith("\xff\xd8\xff"))
-        return FileMessages::tr("is a picture, not a painting; %1").arg(known);
-    return FileMessages::tr("is not a painting nor a recording; %1").arg(known);
+        return FileMessages::tr("This is a picture, not a painting. %1.").arg(known);
+    return FileMessages::tr("This is neither a painting nor a recording that can be read. %1. Other programs can "
+                            "export SVG.")
+        .arg(known);
 }
 
 Result<QByteArray> readAll(QFile &file, const QString &path)
@@ -248,8 +255,7 @@ Result<Painting> readOther(const QByteArray &bytes, const QString &fileName, Fil
     case FileFormat::Unknown:
         break;
     }
-    return fileError(fileName,
-                     bytes.isEmpty() ? FileMessages::tr("is empty; nothing was saved in it") : unknownFormat(bytes));
+    return fileError(fileName, unknownFormat(bytes));
 }
 
 Result<QByteArray> loadBytes(const QString &path)

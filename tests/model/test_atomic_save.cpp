@@ -143,7 +143,7 @@ private slots:
         QVERIFY(!folder && folder.error().contains(QLatin1String("is a folder")));
         QVERIFY(writeFileAtomically(at("empty.json"), {}));
         const auto empty = loadPainting(at("empty.json"));
-        QVERIFY(!empty && empty.error().startsWith(at("empty.json") + QLatin1String(": is empty")));
+        QVERIFY(!empty && empty.error().startsWith(at("empty.json") + QLatin1String(": This file is empty")));
     }
 };
 

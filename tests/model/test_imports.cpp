@@ -207,19 +207,25 @@ private slots:
                     .contains(QLatin1String("inkData.strokes[0]: splineX has 2 numbers, splineY 1")));
         QVERIFY(errorOf("{\"inkData\": {\"strokes\": [{\"splineX\": 3}]}}")
                     .contains(QLatin1String("inkData.strokes[0].splineX")));
-        QVERIFY(errorOf("{\"inkData\": 7}").contains(QLatin1String("not a painting")) ||
+        QVERIFY(errorOf("{\"inkData\": 7}").contains(QLatin1String("neither a painting")) ||
                 errorOf("{\"inkData\": 7}").contains(QLatin1String("no pen strokes")));
     }
 
     void foreignFilesAreNamed()
     {
         QVERIFY(errorOf({}).contains(QLatin1String("is empty")));
+        // A compressed file may hold what can be read, or not: the message says what that is.
+        const QString gzip = errorOf(QByteArray("\x1f\x8b\x08\x00", 4) + QByteArray(60, 'x'));
+        QVERIFY2(gzip.contains(QLatin1String("gzip")) && gzip.contains(QLatin1String("Suffuse reads .suffuse")) &&
+                     gzip.contains(QLatin1String("SVG")),
+                 qPrintable(gzip));
+        QVERIFY(errorOf("<?xml version=\"1.0\"?><xournal/>").contains(QLatin1String("Suffuse reads .suffuse")));
         QVERIFY(errorOf("\x89PNG\r\n\x1a\n").contains(QLatin1String("is a picture")));
-        QVERIFY(errorOf("<?xml version=\"1.0\"?><kml/>").contains(QLatin1String("not a painting")));
-        QVERIFY(errorOf("{\"a\": [1,2]}").contains(QLatin1String("not a painting")));
+        QVERIFY(errorOf("<?xml version=\"1.0\"?><kml/>").contains(QLatin1String("neither a painting")));
+        QVERIFY(errorOf("{\"a\": [1,2]}").contains(QLatin1String("neither a painting")));
         QVERIFY(errorOf(QByteArray("\xff\xfe{\0", 4)).contains(QLatin1String("UTF-16")));
-        QVERIFY(errorOf(QByteArray(100, '\0')).contains(QLatin1String("not a painting")));
-        QVERIFY(errorOf("name,value\na,1\n").contains(QLatin1String("not a painting")));
+        QVERIFY(errorOf(QByteArray(100, '\0')).contains(QLatin1String("neither a painting")));
+        QVERIFY(errorOf("name,value\na,1\n").contains(QLatin1String("neither a painting")));
         QCOMPARE(detectFormat("{\"canvas\": {}, \"format\": \"suffuse-text\"}"), FileFormat::Text);
         QCOMPARE(detectFormat("{\"strokes\": [{\"format\": \"}\\\"\"}]}"), FileFormat::Text);
     }
