@@ -3159,6 +3159,10 @@ Auch die Pfeiltasten wirken.</translation>
         <source>Open Recent</source>
         <translation>Zuletzt geöffnet</translation>
     </message>
+    <message>
+        <source>“%1” cannot be used now.</source>
+        <translation>„%1“ ist gerade nicht möglich.</translation>
+    </message>
 </context>
 <context>
     <name>suffuse::Commands</name>
@@ -8150,24 +8154,12 @@ Auch die Pfeiltasten wirken.</translation>
         <translation>GIMP-Paletten</translation>
     </message>
     <message>
-        <source>Import palette…</source>
-        <translation>Palette importieren …</translation>
-    </message>
-    <message>
         <source>Import palette</source>
         <translation>Palette importieren</translation>
     </message>
     <message>
-        <source>Export palette…</source>
-        <translation>Palette exportieren …</translation>
-    </message>
-    <message>
         <source>Export palette</source>
         <translation>Palette exportieren</translation>
-    </message>
-    <message>
-        <source>Remove all</source>
-        <translation>Alle entfernen</translation>
     </message>
     <message>
         <source>Remove all swatches</source>
@@ -8184,6 +8176,18 @@ Auch die Pfeiltasten wirken.</translation>
     <message>
         <source>Gives what is selected, or else all of the painting, the swatch that looks nearest</source>
         <translation>Gibt dem Ausgewählten, sonst dem ganzen Bild, das Farbfeld, das am ähnlichsten aussieht</translation>
+    </message>
+    <message>
+        <source>Import Palette…</source>
+        <translation>Palette importieren …</translation>
+    </message>
+    <message>
+        <source>Export Palette…</source>
+        <translation>Palette exportieren …</translation>
+    </message>
+    <message>
+        <source>Remove All</source>
+        <translation>Alle entfernen</translation>
     </message>
 </context>
 <context>

@@ -3145,6 +3145,10 @@ Arrow keys work too.</source>
         <source>Open Recent</source>
         <translation>最近打开</translation>
     </message>
+    <message>
+        <source>“%1” cannot be used now.</source>
+        <translation>“%1”现在无法使用。</translation>
+    </message>
 </context>
 <context>
     <name>suffuse::Commands</name>
@@ -8104,24 +8108,12 @@ Arrow keys work too.</source>
         <translation>GIMP 调色板</translation>
     </message>
     <message>
-        <source>Import palette…</source>
-        <translation>导入调色板…</translation>
-    </message>
-    <message>
         <source>Import palette</source>
         <translation>导入调色板</translation>
     </message>
     <message>
-        <source>Export palette…</source>
-        <translation>导出调色板…</translation>
-    </message>
-    <message>
         <source>Export palette</source>
         <translation>导出调色板</translation>
-    </message>
-    <message>
-        <source>Remove all</source>
-        <translation>全部移除</translation>
     </message>
     <message>
         <source>Remove all swatches</source>
@@ -8138,6 +8130,18 @@ Arrow keys work too.</source>
     <message>
         <source>Gives what is selected, or else all of the painting, the swatch that looks nearest</source>
         <translation>为所选内容（若无则为整幅画）换上看起来最接近的色板</translation>
+    </message>
+    <message>
+        <source>Import Palette…</source>
+        <translation>导入调色板…</translation>
+    </message>
+    <message>
+        <source>Export Palette…</source>
+        <translation>导出调色板…</translation>
+    </message>
+    <message>
+        <source>Remove All</source>
+        <translation>全部移除</translation>
     </message>
 </context>
 <context>

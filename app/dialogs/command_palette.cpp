@@ -40,8 +40,10 @@ public:
         // This paints the ground and the icon of the whole row.
         style->drawControl(QStyle::CE_ItemViewItem, &option, painter, option.widget);
         const bool selected = option.state & QStyle::State_Selected, enabled = index.data(enabledRole).toBool();
-        const QPalette::ColorGroup group = enabled ? QPalette::Active : QPalette::Disabled;
-        painter->setPen(option.palette.color(group, selected ? QPalette::HighlightedText : QPalette::Text));
+        // Grey letters could not be read on the colour of what is marked; there the line below the list says it.
+        painter->setPen(selected
+                            ? option.palette.color(QPalette::Active, QPalette::HighlightedText)
+                            : option.palette.color(enabled ? QPalette::Active : QPalette::Disabled, QPalette::Text));
         const QRect room =
             option.rect.adjusted(keysGap / 2 + option.decorationSize.width() + keysGap / 2, 0, -keysGap, 0);
         const QRect left = room.adjusted(0, 0, -width, 0);
@@ -128,11 +130,15 @@ CommandPalette::CommandPalette(std::vector<PaletteEntry> entries, QWidget *paren
     m_nothing = new QLabel(tr("Nothing is called so."), this);
     m_nothing->setAlignment(Qt::AlignCenter);
     column->addWidget(m_nothing);
+    m_state = new QLabel(this);
+    m_state->setMinimumHeight(m_state->fontMetrics().height()); // The list keeps its size when something is said.
+    column->addWidget(m_state);
+    connect(m_list, &QListWidget::currentRowChanged, this, &CommandPalette::showState);
     connect(m_search, &QLineEdit::textChanged, this, &CommandPalette::fill);
     connect(m_list, &QListWidget::itemClicked, this, &CommandPalette::choose);
     fill();
     const int row = std::max(m_list->sizeHintForRow(0), fontMetrics().height() + 2 * rowPadding);
-    resize(usualWidth, rowsShown * row + m_search->sizeHint().height() + 32);
+    resize(usualWidth, rowsShown * row + m_search->sizeHint().height() + m_state->minimumHeight() + 40);
 }
 
 void CommandPalette::ask(std::vector<PaletteEntry> entries, QWidget &over)
@@ -188,6 +194,14 @@ void CommandPalette::fill()
     m_list->setCurrentRow(0);
     m_list->setVisible(!found.empty());
     m_nothing->setVisible(found.empty());
+}
+
+void CommandPalette::showState()
+{
+    const PaletteEntry *entry = current();
+    m_state->setText(!entry || entry->enabled
+                         ? QString()
+                         : tr("“%1” cannot be used now.").arg(entry->title.section(QStringLiteral(" ▸ "), -1)));
 }
 
 void CommandPalette::choose()

@@ -48,6 +48,7 @@ protected:
 private:
     void fill();
     void choose();
+    void showState();
     const PaletteEntry *current() const;
 
     std::vector<PaletteEntry> m_entries;
@@ -55,6 +56,7 @@ private:
     QLineEdit *m_search = nullptr;
     QListWidget *m_list = nullptr;
     QLabel *m_nothing = nullptr;
+    QLabel *m_state = nullptr; ///< says that what is marked cannot be used now
 };
 
 } // namespace suffuse

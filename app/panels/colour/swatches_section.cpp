@@ -90,11 +90,11 @@ void SwatchesSection::addMenu()
 {
     auto *menu = new QMenu(m_menu);
     const QString filter = tr("GIMP palettes") + QStringLiteral(" (*.gpl)");
-    menu->addAction(tr("Import palette…"), this, [=, this] {
+    menu->addAction(tr("Import Palette…"), this, [=, this] {
         if (const QString path = QFileDialog::getOpenFileName(this, tr("Import palette"), {}, filter); !path.isEmpty())
             importPalette(path);
     });
-    m_export = menu->addAction(tr("Export palette…"), this, [=, this] {
+    m_export = menu->addAction(tr("Export Palette…"), this, [=, this] {
         const QString path =
             chooseFileToSave(this, tr("Export palette"), QString(), {{tr("GIMP palettes"), {QStringLiteral("gpl")}}});
         if (!path.isEmpty())
@@ -104,7 +104,7 @@ void SwatchesSection::addMenu()
     m_map = menu->addAction(tr("Map Colours to Swatches"), this, [this] { mapToSwatches(m_editor); });
     m_map->setToolTip(tr("Gives what is selected, or else all of the painting, the swatch that looks nearest"));
     menu->addSeparator();
-    m_clear = menu->addAction(tr("Remove all"), this, [this] { push({}, tr("Remove all swatches")); });
+    m_clear = menu->addAction(tr("Remove All"), this, [this] { push({}, tr("Remove all swatches")); });
     m_menu->setMenu(menu);
     m_menu->setPopupMode(QToolButton::InstantPopup);
 }

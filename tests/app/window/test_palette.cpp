@@ -7,6 +7,7 @@
 #include "tests/app/session.h"
 
 #include <QDockWidget>
+#include <QLabel>
 #include <QLineEdit>
 #include <QListWidget>
 #include <QMenu>
@@ -39,6 +40,7 @@ struct Asked {
     QString first;
     bool enabled = false;
     bool stayed = false; ///< the key did not close it; Escape did
+    QString said;        ///< all that the palette says
 };
 Asked ask(Session &s, const QString &typed, Qt::Key key = Qt::Key_Return)
 {
@@ -52,6 +54,9 @@ Asked ask(Session &s, const QString &typed, Qt::Key key = Qt::Key_Return)
             asked.first = item->text();
             asked.enabled = item->toolTip().isEmpty();
         }
+        for (const QLabel *label : palette->findChildren<QLabel *>())
+            if (label->isVisible())
+                asked.said += label->text();
         QTest::keyClick(palette->search(), key);
         asked.stayed = palette->isVisible();
         if (asked.stayed)
@@ -109,14 +114,17 @@ private slots:
                 "deselect settings canvasMenu brushPalette editHere brush select segments redraw push knife eraser "
                 "attributeBrush eyedropper pan raise lower top "
                 "bottom insertNodes nodeCorner nodeSmooth nodeSymmetric breakNodes joinNodes deleteSegments "
-                "bridgeSegments reverseStrokes invertSelection sameColour sameStyle sameBrush sameName recolourArtwork mapToSwatches lasso touchPath "
-                "group ungroup combine breakApart removeErasures lock unlockAll hide showAll rename flipAcross flipDown quarterLeft quarterRight "
+                "bridgeSegments reverseStrokes invertSelection sameColour sameStyle sameBrush sameName recolourArtwork "
+                "mapToSwatches lasso touchPath "
+                "group ungroup combine breakApart removeErasures lock unlockAll hide showAll rename flipAcross "
+                "flipDown quarterLeft quarterRight "
                 "scaleSpread simplify smoothStrokes straighten growPaint shrinkPaint offset applyBrush applyBrushForm "
                 "applyBrushColour applyBrushTexture vary "
                 "alignLeft alignCentre alignRight alignTop alignMiddle alignBottom alignToSelection "
                 "alignToLast alignToFirst alignToBiggest alignToCanvas distributeGapsAcross distributeGapsDown "
                 "distributeCentresAcross distributeCentresDown snapToNodes snapToGrid showGrid gridStep showUnderlay "
-                "showOutlines showErasures showBeyond play toStart previousStroke nextStroke toEnd loopPlaying skipPauses letDry "
+                "showOutlines showErasures showBeyond play toStart previousStroke nextStroke toEnd loopPlaying "
+                "skipPauses letDry "
                 "freezeNow rewet removeRewetting paceEven paceEaseIn paceEaseOut paceEaseInOut finalPreview "
                 "exportTimelapse favourite1 favourite2 favourite3 favourite4 favourite5 favourite6 favourite7 "
                 "favourite8 favourite9 smallerSize largerSize lessOpacity moreOpacity holdToPan holdToTurn "
@@ -198,6 +206,8 @@ private slots:
         const Asked asked = ask(s, "flipacross");
         QVERIFY(asked.first.endsWith("Flip Horizontally"));
         QVERIFY(!asked.enabled && asked.stayed);
+        QCOMPARE(asked.said, QString("“Flip Horizontally” cannot be used now."));
+        QCOMPARE(ask(s, "attribute br").said, QString());
         QCOMPARE(s.editor().undoStack().count(), 0);
     }
 
