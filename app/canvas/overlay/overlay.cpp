@@ -4,6 +4,7 @@
 
 #include <QLocale>
 
+#include <cmath>
 #include <numbers>
 
 namespace suffuse {
@@ -111,15 +112,19 @@ void paintBadge(QPainter &painter, const QString &text, Point pixel, double radi
     painter.restore();
 }
 
-void strokeTwoTone(QPainter &painter, const QPainterPath &path, const QColor &colour, double width, Qt::PenStyle style)
+void strokeTwoTone(QPainter &painter, const QPainterPath &path, const QColor &colour, double width, Qt::PenStyle style,
+                   double weight)
 {
-    QPen under(QColor(255, 255, 255, 235), width * 2.6);
+    QColor core = colour, rim(255, 255, 255, 235);
+    core.setAlphaF(float(colour.alphaF() * weight));
+    rim.setAlphaF(float(rim.alphaF() * std::pow(weight, 1.5)));
+    QPen under(rim, width * 2.6);
     under.setJoinStyle(Qt::RoundJoin);
     under.setCapStyle(Qt::RoundCap);
     painter.setBrush(Qt::NoBrush);
     painter.setPen(under);
     painter.drawPath(path);
-    QPen over(colour, width, style);
+    QPen over(core, width, style);
     over.setJoinStyle(Qt::RoundJoin);
     painter.setPen(over);
     painter.drawPath(path);

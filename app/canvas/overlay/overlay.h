@@ -24,7 +24,8 @@ struct OverlayColours {
 void addCurve(QPainterPath &path, const Cubic &cubic, const View &view);
 
 /// Covers what lies outside of the canvas, with a soft shadow and a hairline along its border.
-void paintPasteboard(QPainter &painter, const View &view, const Rect &canvas, const OverlayColours &colours, double dpr);
+void paintPasteboard(QPainter &painter, const View &view, const Rect &canvas, const OverlayColours &colours,
+                     double dpr);
 
 /// Draws lines through the multiples of `step` (canvas units) over the canvas. Where they would stand too close, only
 /// every fifth or tenth of them is drawn.
@@ -43,8 +44,9 @@ QString angleText(double angle);
 /// view.
 void paintBadge(QPainter &painter, const QString &text, Point pixel, double radius, const View &view, double dpr);
 
-/// Draws a line in two tones, which is seen on any picture.
+/// Draws a line in two tones, which is seen on any picture. `weight` is a factor of its opacity; the rim fades faster,
+/// since it is wider.
 void strokeTwoTone(QPainter &painter, const QPainterPath &path, const QColor &colour, double width,
-                   Qt::PenStyle style = Qt::SolidLine);
+                   Qt::PenStyle style = Qt::SolidLine, double weight = 1);
 
 } // namespace suffuse

@@ -3,6 +3,9 @@
 #include "app/canvas/view_transform.h"
 #include "model/shaping/transform.h"
 
+#include <cmath>
+#include <map>
+
 namespace suffuse {
 
 namespace {
@@ -11,6 +14,13 @@ namespace {
 constexpr std::size_t fineSegments = 600;
 /// With so many segments in the view, and with more, quick lines are drawn while they move.
 constexpr std::size_t smoothSegments = 120;
+/// The width of a line, logical pixels.
+constexpr double lineWidth = 1.1;
+/// Lines are fainter where they cover a larger share than this of the pixels around them, so that together they hide
+/// little more than that.
+constexpr double crowded = 0.15;
+/// Logical pixels at the side of the squares in which that share is measured.
+constexpr double crowdSquare = 12;
 /// Logical pixels between dots, so that the line is seen between them.
 constexpr double nodeDistance = 10;
 /// Up to so many strokes that change are drawn apart from the picture of the others.
@@ -26,6 +36,49 @@ Rect shownBox(const View &view, double beyond)
         box.include(view.toCanvas(corner));
     return box;
 }
+
+/// How much of the pixels the lines of paths cover, by squares.
+class Crowd {
+public:
+    explicit Crowd(double dpr) : m_side(crowdSquare * dpr), m_share(lineWidth * dpr / (m_side * m_side)) {}
+
+    void add(const QPainterPath &path)
+    {
+        forEachPiece(path, [this](QPointF middle, double length) { m_lengths[squareOf(middle)] += length; });
+    }
+    /// The share that lines cover around a path, as a mean over its length.
+    double around(const QPainterPath &path) const
+    {
+        double sum = 0, whole = 0;
+        forEachPiece(path, [&](QPointF middle, double length) {
+            sum += length * m_lengths.at(squareOf(middle));
+            whole += length;
+        });
+        return whole > 0 ? sum / whole * m_share : 0;
+    }
+
+private:
+    using Square = std::pair<int, int>;
+
+    Square squareOf(QPointF at) const { return {int(std::floor(at.x() / m_side)), int(std::floor(at.y() / m_side))}; }
+    /// Calls visit(middle, length) for pieces of a path of lines that are shorter than half of a square.
+    template <typename Visit>
+    void forEachPiece(const QPainterPath &path, Visit visit) const
+    {
+        for (int i = 1; i < path.elementCount(); ++i) {
+            if (path.elementAt(i).isMoveTo())
+                continue;
+            const QPointF from = path.elementAt(i - 1), way = QPointF(path.elementAt(i)) - from;
+            const double length = std::hypot(way.x(), way.y());
+            const int pieces = std::max(1, int(std::ceil(2 * length / m_side)));
+            for (int k = 0; k < pieces; ++k)
+                visit(from + way * ((k + 0.5) / pieces), length / pieces);
+        }
+    }
+
+    double m_side, m_share;
+    std::map<Square, double> m_lengths;
+};
 
 } // namespace
 
@@ -129,7 +182,7 @@ void SelectionOutline::gather(const View &view, const Painting &painting)
         m_lines.clear();
     m_shown.view = view;
     m_strokes = painting.strokes;
-    m_stale = false;
+    m_stale = m_weighed = false;
     m_thinLines.forgetLines();
     m_thinLines.forgetChosen();
     m_shown.strokes.clear();
@@ -159,7 +212,7 @@ const SelectionOutline::Line &SelectionOutline::lineOf(const OutlinedStroke &sho
     Line &line = m_lines[stroke->id];
     if (line.stroke == stroke && line.chosen == shown.chosen)
         return line;
-    line = {stroke, shown.chosen, {}, {}, {}};
+    line = {stroke, shown.chosen, {}, {}, {}, 1};
     const Rect window = Rect::of(0, 0, m_shown.view.width, m_shown.view.height).grown(8);
     for (int k = 0; k < int(stroke->segments.size()); ++k) {
         const Cubic cubic = stroke->cubicOf(stroke->segments[std::size_t(k)]);
@@ -176,13 +229,27 @@ const SelectionOutline::Line &SelectionOutline::lineOf(const OutlinedStroke &sho
     return line;
 }
 
+/// Makes lines fainter that lie close to others or to themselves.
+void SelectionOutline::weigh(double dpr)
+{
+    Crowd crowd(dpr);
+    for (const OutlinedStroke &shown : m_shown.strokes)
+        crowd.add(m_lines.at(shown.stroke->id).path);
+    for (const OutlinedStroke &shown : m_shown.strokes) {
+        Line &line = m_lines.at(shown.stroke->id);
+        line.weight = std::min(1.0, crowded / std::max(crowd.around(line.path), 1e-6));
+    }
+    m_weighed = true;
+}
+
 void SelectionOutline::paintFine(QPainter &painter, const OverlayColours &colours, double dpr) const
 {
     QColor quiet = colours.accent;
     quiet.setAlpha(m_selection.segments.empty() ? 255 : 150);
     // Each stroke is a path of its own, since one path of all would be searched for crossings.
     for (const OutlinedStroke &shown : m_shown.strokes)
-        strokeTwoTone(painter, m_lines.at(shown.stroke->id).path, quiet, 1.1 * dpr);
+        strokeTwoTone(painter, m_lines.at(shown.stroke->id).path, quiet, lineWidth * dpr, Qt::SolidLine,
+                      m_lines.at(shown.stroke->id).weight);
     for (const OutlinedStroke &shown : m_shown.strokes)
         if (!shown.chosen.empty())
             strokeTwoTone(painter, m_lines.at(shown.stroke->id).segments, colours.accent, 2.2 * dpr);
@@ -220,6 +287,8 @@ void SelectionOutline::paint(QPainter &painter, const View &view, const Painting
     }
     for (const OutlinedStroke &shown : m_shown.strokes)
         lineOf(shown);
+    if (!m_weighed)
+        weigh(dpr);
     painter.setRenderHint(QPainter::Antialiasing);
     paintFine(painter, colours, dpr);
 }

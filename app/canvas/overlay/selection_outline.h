@@ -13,7 +13,8 @@
 
 namespace suffuse {
 
-/// Draws thin two-tone lines through the selected strokes. Selected segments stand out, and have dots at their nodes.
+/// Draws thin two-tone lines through the selected strokes, fainter where they lie close, so that the paint below is
+/// seen. Selected segments stand out, and have dots at their nodes.
 /// What was computed for a stroke in a view is kept.
 /// Where there is more to draw than lines could show, lines are not smoothed. They are thinned out, are fainter the
 /// denser they lie, and are kept as a picture; heavy lines through selected segments are a picture of their own. While
@@ -40,6 +41,7 @@ private:
         QPainterPath path;        ///< through the other segments
         QPainterPath segments;    ///< through the selected segments
         std::vector<Point> nodes; ///< the nodes of the selected segments, device pixels
+        double weight = 1;        ///< a factor of the path's opacity
     };
 
     void locate(const Painting &painting, const Selection &selection);
@@ -48,11 +50,13 @@ private:
     void gather(const View &view, const Painting &painting);
     std::set<int> chosenOf(StrokeId id) const;
     const Line &lineOf(const OutlinedStroke &shown);
+    void weigh(double dpr);
     void paintFine(QPainter &painter, const OverlayColours &colours, double dpr) const;
 
     StrokeBoxes m_boxes;
     Selection m_selection;             ///< the selection whose places are known
     std::vector<std::size_t> m_places; ///< the places of its strokes in the order
+    bool m_weighed = false;            ///< whether the lines' weights are those of what is shown
     bool m_stale = true;               ///< whether other strokes are selected than were gathered
 
     StrokeList m_strokes; ///< the strokes of the painting that was shown

@@ -353,6 +353,41 @@ private slots:
         }
     }
 
+    /// A few strokes are drawn finely. Where their lines lie closer than they are wide, the paint is seen through them;
+    /// one that lies apart is as strong as it is alone.
+    void fewLinesThatLieCloseTogetherAreFainter()
+    {
+        const View view = View::ofArea(Rect::of(0, 0, 400, 400), 400, 400);
+        Painting painting;
+        painting.strokes.push_back(line(1, {50, 300}, {350, 300}));
+        for (int i = 0; i < 80; ++i) // half a pixel apart
+            painting.strokes.push_back(line(StrokeId(i + 2), {100, 100 + 0.5 * i}, {300, 100 + 0.5 * i}));
+        const auto change = [&](const Selection &selection, const QRect &where, const QColor &paper) {
+            SelectionOutline outline;
+            QImage image(400, 400, QImage::Format_RGB32);
+            image.fill(paper);
+            QPainter painter(&image);
+            outline.paint(painter, view, painting, selection, {Qt::gray, Qt::black, QColor(20, 110, 230)}, 1);
+            painter.end();
+            double sum = 0;
+            for (int y = where.top(); y <= where.bottom(); ++y)
+                for (int x = where.left(); x <= where.right(); ++x) {
+                    const QRgb p = image.pixel(x, y);
+                    sum += std::abs(qRed(p) - paper.red()) + std::abs(qGreen(p) - paper.green()) +
+                           std::abs(qBlue(p) - paper.blue());
+                }
+            return sum / (double(where.width()) * where.height() * 765);
+        };
+        const Selection all{selectableStrokes(painting, painting.end()), {}}, alone{{1}, {}};
+        const QRect crowd(110, 105, 180, 30), apart(60, 297, 280, 7);
+        for (const QColor &paper : {QColor(Qt::white), QColor(Qt::black), QColor(200, 60, 30)}) {
+            const double covered = change(all, crowd, paper);
+            QVERIFY2(covered > 0.02 && covered < 0.3, qPrintable(QString::number(covered)));
+            QVERIFY(change(alone, apart, paper) > 0.05);
+            QCOMPARE(change(all, apart, paper), change(alone, apart, paper));
+        }
+    }
+
     void aMaskIsPaintedTurned()
     {
         PixelMask mask;
