@@ -90,6 +90,24 @@ void placeDialog(QDialog &dialog)
     dialog.setGeometry(place.marginsRemoved(frame)); // this tells the window manager, too
 }
 
+void keepOnScreen(QWidget &window)
+{
+    if (!window.screen() || window.windowState() & (Qt::WindowMaximized | Qt::WindowFullScreen))
+        return;
+    QMargins frame = frameOf(window);
+    if (window.frameGeometry() == window.geometry()) { // not known yet: there may be a border, too
+        const int border = window.style()->pixelMetric(QStyle::PM_MdiSubWindowFrameWidth);
+        frame += QMargins(border, 0, border, border);
+    }
+    const QRect framed = window.geometry().marginsAdded(frame);
+    const QRect place = placeWithin(framed, window.screen()->availableGeometry());
+    if (place.size() != framed.size())
+        window.resize(place.marginsRemoved(frame).size());
+    // A window that has no place yet gets it from the window manager.
+    if (place.topLeft() != framed.topLeft() && window.testAttribute(Qt::WA_Moved))
+        window.setGeometry(place.marginsRemoved(frame));
+}
+
 void showLike(QWidget &window, const QWidget &other)
 {
     constexpr int step = 28;

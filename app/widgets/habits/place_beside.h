@@ -29,6 +29,10 @@ QRect placeOver(QSize size, const QRect &owner, const QRect &screen);
 /// parent. A dialog that has a place already keeps it as far as it lies on the screen.
 void placeDialog(QDialog &dialog);
 
+/// Makes a window that is neither maximised nor full screen no larger than its screen has room for, frame included, and
+/// moves it there. The frame is known from a window that is shown; else a title and a border are assumed.
+void keepOnScreen(QWidget &window);
+
 /// Shows a window for the first time: as large as another window and a little off it, on the same screen; maximised if
 /// the other one is.
 void showLike(QWidget &window, const QWidget &other);

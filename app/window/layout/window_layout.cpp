@@ -1,6 +1,7 @@
 #include "app/window/layout/window_layout.h"
 
 #include "app/session/settings/settings.h"
+#include "app/widgets/habits/place_beside.h"
 
 #include <QDataStream>
 #include <QMainWindow>
@@ -24,6 +25,7 @@ QString checksum(const QByteArray &bytes)
 struct Layout {
     QByteArray geometry;
     QByteArray state;
+    bool isMaximised = false; ///< told beside the geometry, which Qt does not restore on a screen of another size
 };
 
 QByteArray pack(const Layout &layout)
@@ -31,7 +33,7 @@ QByteArray pack(const Layout &layout)
     QByteArray body;
     QDataStream out(&body, QIODevice::WriteOnly);
     out.setVersion(QDataStream::Qt_6_4);
-    out << layout.geometry << layout.state;
+    out << layout.geometry << layout.state << layout.isMaximised;
     return body;
 }
 
@@ -47,6 +49,8 @@ Layout readLayout()
     QDataStream in(body);
     in.setVersion(QDataStream::Qt_6_4);
     in >> layout.geometry >> layout.state;
+    if (!in.atEnd()) // layouts of earlier versions end here
+        in >> layout.isMaximised;
     return in.status() == QDataStream::Ok ? layout : Layout{};
 }
 
@@ -65,20 +69,8 @@ void watchStart(QMainWindow &window)
     timer->start();
 }
 
-} // namespace
-
-void save(const QMainWindow &window)
-{
-    const QByteArray body = pack({window.saveGeometry(), window.saveState(layoutVersion)});
-    QSettings &s = settings::store();
-    s.setValue("layout/version", layoutVersion);
-    s.setValue("layout/crc", checksum(body));
-    s.setValue("layout/bytes", QString::fromLatin1(body.toBase64()));
-    s.remove("layout/starting");
-    s.sync();
-}
-
-bool restore(QMainWindow &window)
+/// Puts a stored layout back, if there is one that has not made the last start fail.
+bool restoreStored(QMainWindow &window)
 {
     const bool lastStartFailed = settings::store().value("layout/starting").toBool();
     if (lastStartFailed) {
@@ -90,8 +82,30 @@ bool restore(QMainWindow &window)
         return false;
     settings::store().setValue("layout/starting", true);
     settings::store().sync();
-    const bool restored = window.restoreGeometry(layout.geometry) && window.restoreState(layout.state, layoutVersion);
+    if (!window.restoreGeometry(layout.geometry) && layout.isMaximised)
+        window.setWindowState(window.windowState() | Qt::WindowMaximized);
+    const bool restored = window.restoreState(layout.state, layoutVersion);
     watchStart(window);
+    return restored;
+}
+
+} // namespace
+
+void save(const QMainWindow &window)
+{
+    const QByteArray body = pack({window.saveGeometry(), window.saveState(layoutVersion), window.isMaximized()});
+    QSettings &s = settings::store();
+    s.setValue("layout/version", layoutVersion);
+    s.setValue("layout/crc", checksum(body));
+    s.setValue("layout/bytes", QString::fromLatin1(body.toBase64()));
+    s.remove("layout/starting");
+    s.sync();
+}
+
+bool restore(QMainWindow &window)
+{
+    const bool restored = restoreStored(window);
+    keepOnScreen(window); // the screen may be another one, or the usual size too large for it
     return restored;
 }
 

@@ -6,11 +6,18 @@
 #include "model/formats/files.h"
 #include "tests/app/session.h"
 
+#include <QDataStream>
 #include <QDockWidget>
+#include <QGuiApplication>
 #include <QLabel>
+#include <QMainWindow>
+#include <QScreen>
 #include <QStatusBar>
+#include <QStyle>
 #include <QTemporaryDir>
 #include <QTreeView>
+
+#include <zlib.h>
 
 #include <map>
 #include <tuple>
@@ -38,6 +45,67 @@ private slots:
         QCOMPARE(placeWithin({900, 600, 300, 200}, screen), QRect(700, 520, 300, 200));
         QCOMPARE(placeWithin({-50, 0, 300, 200}, screen), QRect(0, 20, 300, 200));
         QCOMPARE(placeWithin({28, 48, 1000, 900}, screen), screen);
+    }
+
+    /// A window that stood on another screen is no larger than this one, its frame included.
+    void storedWindowsKeepToTheScreen()
+    {
+        const QRect room = QGuiApplication::primaryScreen()->availableGeometry();
+        {
+            QMainWindow large;
+            large.setGeometry(QRect(room.topLeft() + QPoint(0, 20), room.size()));
+            large.show();
+            window_layout::save(large);
+        }
+        QMainWindow restored;
+        QVERIFY(window_layout::restore(restored));
+        const int title = restored.style()->pixelMetric(QStyle::PM_TitleBarHeight);
+        QVERIFY(restored.height() <= room.height() - title);
+        QVERIFY(restored.geometry().top() >= room.top() + title);
+        QVERIFY(room.contains(restored.geometry()));
+        // The first window of all does so, too, though its usual size may be larger.
+        window_layout::reset();
+        QMainWindow usual;
+        usual.resize(room.size() + QSize(200, 100));
+        QVERIFY(!window_layout::restore(usual));
+        QVERIFY(usual.width() <= room.width() && usual.height() <= room.height() - title);
+    }
+
+    /// Qt does not restore the geometry of a screen of quite another width; docks and "maximised" are kept all the
+    /// same.
+    void maximisedIsKeptOnAnotherScreen()
+    {
+        QSettings &store = settings::store();
+        {
+            QMainWindow wide;
+            auto *dock = new QDockWidget(&wide);
+            dock->setObjectName("dock");
+            wide.addDockWidget(Qt::LeftDockWidgetArea, dock);
+            wide.showMaximized();
+            dock->hide();
+            window_layout::save(wide);
+        }
+        // As if it had been stored on a screen of twelve times the width.
+        QByteArray body = QByteArray::fromBase64(store.value("layout/bytes").toString().toLatin1());
+        const int width = QGuiApplication::primaryScreen()->geometry().width();
+        QByteArray was, is;
+        QDataStream(&was, QIODevice::WriteOnly) << qint32(width);
+        QDataStream(&is, QIODevice::WriteOnly) << qint32(12 * width);
+        constexpr qsizetype behindFlags = 4 + 4 + 4 + 16 + 16 + 4 + 2; // of the list of bytes, and of Qt's own
+        QCOMPARE(body.mid(behindFlags, 4), was);
+        body.replace(behindFlags, 4, is);
+        store.setValue("layout/bytes", QString::fromLatin1(body.toBase64()));
+        store.setValue(
+            "layout/crc",
+            QString::number(crc32(0, reinterpret_cast<const Bytef *>(body.constData()), uInt(body.size())), 16));
+        QMainWindow restored;
+        auto *dock = new QDockWidget(&restored);
+        dock->setObjectName("dock");
+        restored.addDockWidget(Qt::LeftDockWidgetArea, dock);
+        QVERIFY(window_layout::restore(restored));
+        QVERIFY(restored.isMaximized());
+        QVERIFY(dock->isHidden());
+        window_layout::reset();
     }
 
     /// Whether what is written up to `right` ends in "…": ink at the foot of the line only.
