@@ -6407,8 +6407,8 @@ Auch die Pfeiltasten wirken.</translation>
         <translation>Die Radierung verschieben: Sie nimmt weg, wo sie liegt. Strg: entlang einer Achse. Esc bricht ab.</translation>
     </message>
     <message>
-        <source>Drag to move the erasure. Click to select it, again for one segment of it. Delete removes it, Duplicate doubles it.</source>
-        <translation>Ziehen verschiebt die Radierung. Klick wählt sie aus, noch einer ein Segment von ihr. „Löschen“ entfernt sie, „Duplizieren“ verdoppelt sie.</translation>
+        <source>Drag to move the erasure. Click to select it in all strokes, again for its part in this one, again for a segment. Delete removes it.</source>
+        <translation>Ziehen verschiebt die Radierung. Klick wählt sie in allen Strichen aus, noch einer ihren Teil in diesem, ein dritter ein Segment. „Löschen“ entfernt sie.</translation>
     </message>
 </context>
 <context>

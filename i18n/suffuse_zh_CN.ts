@@ -6366,8 +6366,8 @@ Arrow keys work too.</source>
         <translation>移动擦除：它在所处的位置去除颜料。Ctrl：沿坐标轴移动。Esc：放弃。</translation>
     </message>
     <message>
-        <source>Drag to move the erasure. Click to select it, again for one segment of it. Delete removes it, Duplicate doubles it.</source>
-        <translation>拖动可移动擦除。单击选择它，再次单击选择其中一段。“删除”会移除它，“再制”会复制它。</translation>
+        <source>Drag to move the erasure. Click to select it in all strokes, again for its part in this one, again for a segment. Delete removes it.</source>
+        <translation>拖动可移动擦除。单击在所有笔画中选择它，再次单击选择它在此笔画中的部分，第三次选择其中一段。“删除”会移除它。</translation>
     </message>
 </context>
 <context>

@@ -3,7 +3,97 @@
 #include "model/shaping/chains.h"
 #include "model/shaping/reshape.h"
 
+#include <algorithm>
+#include <span>
+#include <tuple>
+
 namespace suffuse {
+
+namespace {
+
+/// What takes paint away in one chain.
+struct ErasurePart {
+    StrokeId stroke = 0;
+    std::vector<int> segments;
+    std::vector<Microseconds> births; ///< in ascending order
+    Point from, to;
+};
+
+/// The parts in visible, unlocked strokes with the same size and softness as a segment, in the order of their births.
+std::vector<ErasurePart> partsLike(const Painting &painting, const Segment &sample)
+{
+    std::vector<ErasurePart> parts;
+    for (const StrokePtr &stroke : painting.strokes) {
+        if (!stroke->hasLift() || !painting.isVisible(*stroke) || painting.isLocked(*stroke))
+            continue;
+        for (const Chain &chain : chainsOf(*stroke)) {
+            ErasurePart part{stroke->id, {}, {}, {}, {}};
+            for (int k = chain.first; k <= chain.last; ++k) {
+                const Segment &segment = stroke->segments[std::size_t(k)];
+                if (!segment.lift || segment.diffusion != sample.diffusion || segment.maxAge != sample.maxAge)
+                    continue;
+                const Cubic curve = stroke->cubicOf(segment);
+                if (part.segments.empty())
+                    part.from = curve.p[0];
+                part.to = curve.p[3];
+                part.segments.push_back(k);
+                part.births.push_back(segment.born);
+            }
+            if (part.segments.empty())
+                continue;
+            std::ranges::sort(part.births);
+            parts.push_back(std::move(part));
+        }
+    }
+    std::ranges::stable_sort(parts, {}, [](const ErasurePart &part) { return part.births.front(); });
+    return parts;
+}
+
+/// Whether one of the parts is a copy of another one.
+bool areDoubled(std::span<const ErasurePart> parts)
+{
+    std::set<std::tuple<StrokeId, std::size_t, std::vector<Microseconds>>> seen;
+    return std::ranges::any_of(parts, [&seen](const ErasurePart &part) {
+        return !seen.emplace(part.stroke, part.segments.size(), part.births).second;
+    });
+}
+
+} // namespace
+
+std::set<SegmentRef> wholeErasureOf(const Painting &painting, const SegmentRef &segment)
+{
+    const std::set<SegmentRef> own = erasureOf(painting, segment);
+    if (own.empty())
+        return own;
+    const Segment &sample = painting.find(segment.stroke)->segments[std::size_t(segment.segment)];
+    const std::vector<ErasurePart> parts = partsLike(painting, sample);
+    constexpr double touching = 0.01; // canvas units; strokes round places in different ways
+    std::size_t begin = 0, end = 0;
+    bool isFound = false;
+    Microseconds latest = 0;
+    for (; end < parts.size(); ++end) {
+        const ErasurePart &part = parts[end];
+        const bool goesOn = end > begin && (part.births.front() < latest + toMicroseconds(double(sample.maxAge)) ||
+                                            length(part.from - parts[end - 1].to) < touching);
+        if (!goesOn) {
+            if (isFound)
+                break;
+            begin = end;
+            latest = part.births.front();
+        }
+        latest = std::max(latest, part.births.back());
+        isFound =
+            isFound || (part.stroke == segment.stroke && std::ranges::binary_search(part.segments, segment.segment));
+    }
+    const std::span<const ErasurePart> whole = std::span(parts).subspan(begin, end - begin);
+    if (!isFound || areDoubled(whole))
+        return own;
+    std::set<SegmentRef> segments = own;
+    for (const ErasurePart &part : whole)
+        for (const int k : part.segments)
+            segments.insert({part.stroke, k});
+    return segments;
+}
 
 std::set<SegmentRef> erasureOf(const Painting &painting, const SegmentRef &segment)
 {

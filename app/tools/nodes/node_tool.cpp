@@ -68,9 +68,10 @@ QString NodeTool::hint() const
 
 QString NodeTool::erasureHint() const
 {
-    return m_drag.isOpen() ? tr("Move the erasure: it takes away where it lies. Ctrl: along an axis. Esc gives it up.")
-                           : tr("Drag to move the erasure. Click to select it, again for one segment of it. Delete "
-                                "removes it, Duplicate doubles it.");
+    return m_drag.isOpen()
+               ? tr("Move the erasure: it takes away where it lies. Ctrl: along an axis. Esc gives it up.")
+               : tr("Drag to move the erasure. Click to select it in all strokes, again for its part in this "
+                    "one, again for a segment. Delete removes it.");
 }
 
 QCursor NodeTool::cursor() const
@@ -289,7 +290,7 @@ void NodeTool::clicked(const PointerEvent &event)
     const bool add = event.modifiers & Qt::ShiftModifier;
     const bool goesOnWithSegments = add && !selection().segments.empty();
     const bool nodesCount = !goesOnWithSegments && !(event.modifiers & Qt::ControlModifier);
-    if (m_hit.within && nodesCount && selection().segments.contains(m_hit.segment())) {
+    if (m_hit.within && nodesCount && selection().segments.contains(m_hit.segment()) && !isWhole(m_hit.segment())) {
         selectNodes({*m_hit.within});
     } else if (m_hit.mark.node && nodesCount) {
         std::set<NodeRef> nodes = add ? m_nodes : std::set<NodeRef>();
@@ -301,14 +302,28 @@ void NodeTool::clicked(const PointerEvent &event)
     }
 }
 
-/// A click on what takes paint away means all of the erasure, and a second one its segment.
+/// Whether an erasure of several parts, one of which has the segment, is what is selected.
+bool NodeTool::isWhole(const SegmentRef &segment) const
+{
+    const Painting &painting = *m_editor.document().painting();
+    return selection().segments == wholeErasureOf(painting, segment) &&
+           selection().segments != erasureOf(painting, segment);
+}
+
+/// A click on what takes paint away means all of the erasure, in all strokes; a second one its part in this stroke, and
+/// one more the segment.
 bool NodeTool::chooseErasure(const SegmentRef &hit, bool add)
 {
-    std::set<SegmentRef> erasure = erasureOf(*m_editor.document().painting(), hit);
-    if (erasure.empty() || (!add && selection().segments == erasure))
+    const Painting &painting = *m_editor.document().painting();
+    std::set<SegmentRef> erasure = wholeErasureOf(painting, hit);
+    if (!add && selection().segments == erasure && !erasure.empty())
+        erasure = erasureOf(painting, hit);
+    const bool isChosen = selection().segments == erasure;
+    if (erasure.empty() || (!add && isChosen))
         return false;
     Selection chosen = add ? selection() : Selection();
-    chosen.strokes.insert(hit.stroke);
+    for (const SegmentRef &ref : erasure)
+        chosen.strokes.insert(ref.stroke);
     chosen.segments.merge(erasure);
     select(std::move(chosen));
     return true;
@@ -417,9 +432,9 @@ bool NodeTool::nudge(QKeyEvent *event)
     const Painting &painting = *m_editor.document().painting();
     const NodeRef &front = *nodes.begin();
     const StrokePtr first = painting.find(front.stroke);
-    const double reach =
-        first && !m_nodes.empty() ? m_reach.ofNode(*first, front.node, m_canvas.view(), m_canvas.devicePixelRatioF())
-                                  : 0;
+    const double reach = first && !m_nodes.empty()
+                             ? m_reach.ofNode(*first, front.node, m_canvas.view(), m_canvas.devicePixelRatioF())
+                             : 0;
     m_editor.push(moveNodes(m_editor.document(), nodes, *way, reach, m_reach.ends()),
                   m_nodes.empty()      ? tr("Move erasure")
                   : m_nodes.size() > 1 ? tr("Move nodes")

@@ -77,6 +77,7 @@ private:
     void clickedSegment(const PointerEvent &event);
     void addStroke(const SegmentRef &hit);
     bool chooseErasure(const SegmentRef &hit, bool add);
+    bool isWhole(const SegmentRef &segment) const;
     bool dragErasure(const PointerEvent &press);
     QString erasureHint() const;
     void insertNode(const NodeHit &at);

@@ -32,9 +32,10 @@ struct EraserSession : WaveSession {
         eraser().setRadius(12);
     }
     EraserTool &eraser() { return *window.findChild<EraserTool *>(); }
-    /// As a hand does: the clock goes on.
+    /// As a hand does: the clock goes on, and it takes a moment from one path to the next.
     void erase(Point from, Point to, Qt::KeyboardModifiers modifiers = {}, bool release = true)
     {
+        advance(200'000);
         QTest::mousePress(&canvas(), Qt::LeftButton, modifiers, at(from));
         for (int i = 1; i <= 12; ++i) {
             advance(interval);
@@ -124,7 +125,7 @@ private slots:
         QVERIFY(s.erasing(s.id) > 0);
         s.use(Command::Undo);
         s.erase(beside, beside + Point{12, 4}, Qt::ShiftModifier); // cuts: there is no curve
-        QCOMPARE(s.steps(), 3); // that which is undone
+        QCOMPARE(s.steps(), 3);                                    // that which is undone
         QVERIFY2(s.hint().startsWith("Nothing is cut"), qPrintable(s.hint()));
     }
 
@@ -367,6 +368,70 @@ private slots:
         s.use(Command::ShowErasures);
     }
 
+    /// One path of the hand through several strokes is one thing, as it was when it was painted.
+    void anErasureThroughSeveralStrokesIsOne()
+    {
+        EraserSession s;
+        s.erase({350, 250}, {350, 500}); // through both
+        s.dry();
+        s.erase({250, 250}, {250, 390}); // another one, through the first stroke only
+        s.dry();
+        QVERIFY(s.erasing(s.other) > 0);
+        s.use(Command::ShowErasures);
+        s.use(Command::Segments);
+        s.editor().document().setSelection({});
+        const auto lifts = [&](StrokeId id, double x) {
+            std::set<SegmentRef> found;
+            const Stroke &stroke = s.stroke(id);
+            for (int k = 0; k < int(stroke.segments.size()); ++k)
+                if (const Segment &segment = stroke.segments[std::size_t(k)];
+                    segment.lift && std::abs(stroke.cubicOf(segment).at(0.5).x - x) < 20)
+                    found.insert({id, k});
+            return found;
+        };
+        const std::set<SegmentRef> above = lifts(s.id, 350), below = lifts(s.other, 350);
+        std::set<SegmentRef> both = above;
+        both.insert(below.begin(), below.end());
+        QVERIFY(!above.empty() && !below.empty() && !lifts(s.id, 250).empty());
+        const int middle = std::next(above.begin(), std::ptrdiff_t(above.size() / 2))->segment;
+        const Point at = s.stroke().cubicOf(s.stroke().segments[std::size_t(middle)]).at(0.5);
+        s.click(at);
+        QCOMPARE(s.selection().segments, both);
+        QCOMPARE(s.selection().strokes, (std::set<StrokeId>{s.id, s.other}));
+        // It moves as one, in one step, and so it is taken out.
+        const PaintingPtr before = s.editor().document().painting();
+        const int steps = s.steps();
+        s.drag(at, at + Point{40, 0});
+        QCOMPARE(s.steps(), steps + 1);
+        for (const StrokeId id : {s.id, s.other})
+            for (int k = 0; k < int(s.stroke(id).segments.size()); ++k) {
+                const double by = double(s.stroke(id).segments[std::size_t(k)].bezier[0].x) -
+                                  double(before->find(id)->segments[std::size_t(k)].bezier[0].x);
+                QVERIFY(std::abs(by - (both.contains({id, k}) ? 40 : 0)) < 1e-3);
+            }
+        s.use(Command::Undo);
+        s.editor().document().setSelection({});
+        s.click(at);
+        QTest::keyClick(&s.canvas(), Qt::Key_Delete);
+        QCOMPARE(s.erasing(s.other), 0);
+        QCOMPARE(s.erasing(s.id), int(lifts(s.id, 250).size()));
+        QCOMPARE(s.steps(), steps + 1);
+        s.use(Command::Undo);
+        // A second click means the part in this stroke, a third one its segment.
+        s.editor().document().setSelection({});
+        s.click(at);
+        s.click(at);
+        QCOMPARE(s.selection().segments, above);
+        s.click(at); // it is short, so its nodes lie everywhere
+        QVERIFY(s.selection().segments.empty() && dynamic_cast<NodeTool *>(s.canvas().tool())->nodes().size() == 1);
+        // What is locked is left out.
+        s.editor().push(setLocked(s.editor().document(), {s.other}, true), "lock");
+        s.editor().document().setSelection({});
+        s.click(at);
+        QCOMPARE(s.selection().segments, above);
+        s.use(Command::ShowErasures);
+    }
+
     /// An erasure is nothing without the paint that it takes away.
     void duplicateDoublesAnErasure()
     {
@@ -388,8 +453,8 @@ private slots:
         const int count = erasure.last - erasure.first + 1;
         QCOMPARE(s.stroke().segments.size(), before.segments.size() + std::size_t(count));
         QCOMPARE(chainsOf(s.stroke()).back(), (Chain{erasure.last + 1, erasure.last + count}));
-        QVERIFY(std::equal(s.stroke().segments.end() - count, s.stroke().segments.end(),
-                           before.segments.end() - count));
+        QVERIFY(
+            std::equal(s.stroke().segments.end() - count, s.stroke().segments.end(), before.segments.end() - count));
         std::set<SegmentRef> copies;
         for (int k = 1; k <= count; ++k)
             copies.insert({s.id, erasure.last + k});
@@ -466,8 +531,7 @@ private slots:
         s.drag(end, end + Point{25, 0});
         QCOMPARE(s.editor().undoText(), QString("Move erasure"));
         for (int k = erasure.first; k <= erasure.last; ++k)
-            QVERIFY(s.stroke().segments[std::size_t(k)].bezier[0].x >
-                    before.segments[std::size_t(k)].bezier[0].x + 24);
+            QVERIFY(s.stroke().segments[std::size_t(k)].bezier[0].x > before.segments[std::size_t(k)].bezier[0].x + 24);
         s.use(Command::Undo);
         s.editor().document().setSelection({{s.id}, {}});
         const auto *tool = qobject_cast<NodeTool *>(s.canvas().tool());
