@@ -2332,6 +2332,10 @@ Rückgabewerte: 0 erledigt, 1 fehlgeschlagen, 2 falscher Aufruf.</translation>
         <source>Changed since the program was started; Reload in its menu undoes that</source>
         <translation>Seit dem Programmstart geändert; „Neu laden“ in seinem Menü macht das rückgängig</translation>
     </message>
+    <message>
+        <source>There is no such brush.</source>
+        <translation>Einen solchen Pinsel gibt es nicht.</translation>
+    </message>
 </context>
 <context>
     <name>suffuse::BrushHandPage</name>

@@ -2322,6 +2322,10 @@ Exit codes: 0 done, 1 the work failed, 2 wrong usage.</source>
         <source>Changed since the program was started; Reload in its menu undoes that</source>
         <translation>启动程序后已更改；菜单中的“重新载入”可还原</translation>
     </message>
+    <message>
+        <source>There is no such brush.</source>
+        <translation>没有这样的画笔。</translation>
+    </message>
 </context>
 <context>
     <name>suffuse::BrushHandPage</name>

@@ -5,6 +5,7 @@
 #include "app/session/settings/brush_library.h"
 #include "app/widgets/brush/brush_grid.h"
 #include "app/widgets/brush/brush_pictures.h"
+#include "app/widgets/habits/keyboard_focus.h"
 #include "app/widgets/look/icons.h"
 #include "app/widgets/look/section.h"
 #include "app/widgets/numbers/quantity.h"
@@ -86,10 +87,21 @@ void BrushPanel::addHead(QVBoxLayout &column)
         fillList();
         refresh();
     });
+    connect(m_search, &QLineEdit::returnPressed, this, &BrushPanel::chooseFound);
     connect(m_favourites, &QToolButton::toggled, this, [this] {
         fillList();
         refresh();
     });
+}
+
+/// Takes what was searched for, as the list of the tool's row does: the brush in hand if it is shown, else the first.
+void BrushPanel::chooseFound()
+{
+    const QString name = m_list->currentItem() ? inHand() : m_list->first();
+    if (name.isEmpty())
+        return;
+    BrushLibrary::instance().use(m_editor, name);
+    emit chosen();
 }
 
 void BrushPanel::addList(QVBoxLayout &column)
@@ -97,6 +109,7 @@ void BrushPanel::addList(QVBoxLayout &column)
     m_list = new BrushGrid(this);
     m_list->setToolTip(tr("Choose what to paint with. The colour stays."));
     m_list->setContextMenuPolicy(Qt::CustomContextMenu);
+    KeyboardFocus::leaveAfterClicks(*m_list);
     column.addWidget(m_list, 1);
     connect(m_list, &QListWidget::currentItemChanged, this, [this](QListWidgetItem *item) {
         if (BrushGrid::brushOf(item).isEmpty())
@@ -118,9 +131,7 @@ bool BrushPanel::isShown(const Brush &brush) const
 {
     if (m_favourites->isChecked() && !BrushLibrary::instance().isFavourite(brush.name))
         return false;
-    const QString text = m_search->text().trimmed();
-    return text.isEmpty() || brushTitle(brush.name).contains(text, Qt::CaseInsensitive) ||
-           brushGroupTitle(brush.group).contains(text, Qt::CaseInsensitive);
+    return isBrushCalled(brush, m_search->text());
 }
 
 void BrushPanel::fillList()

@@ -55,6 +55,7 @@ private:
     void addList(QVBoxLayout &column);
     void addFields(QVBoxLayout &column);
     void fillList();
+    void chooseFound();
     bool isShown(const Brush &brush) const;
     void edit(const std::function<void(Brush &)> &change);
     void refresh();

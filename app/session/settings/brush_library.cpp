@@ -308,4 +308,11 @@ QString brushGroupTitle(const QString &group)
     return group.isEmpty() ? QCoreApplication::translate("Brushes", "Others") : group;
 }
 
+bool isBrushCalled(const Brush &brush, const QString &typed)
+{
+    const QString text = typed.trimmed();
+    const QString names[] = {brushTitle(brush.name), brushGroupTitle(brush.group), brush.name, brush.group};
+    return std::ranges::any_of(names, [&](const QString &name) { return name.contains(text, Qt::CaseInsensitive); });
+}
+
 } // namespace suffuse

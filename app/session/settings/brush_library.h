@@ -81,5 +81,8 @@ bool isSameBrush(const Brush &a, const Brush &b);
 QString brushTitle(const QString &name);
 /// A group's name for people.
 QString brushGroupTitle(const QString &group);
+/// Whether a search finds a brush: by its name or its group's, as people see them or as files and the manual write them
+/// ("flat-wash"). An empty text finds all.
+bool isBrushCalled(const Brush &brush, const QString &typed);
 
 } // namespace suffuse

@@ -112,14 +112,9 @@ void BrushCombo::makePopup()
 
 void BrushCombo::filter()
 {
-    const QString text = m_search->text().trimmed();
-    m_grid->fillGroups([&](const Brush &brush) {
-        return text.isEmpty() || brushTitle(brush.name).contains(text, Qt::CaseInsensitive) ||
-               brushGroupTitle(brush.group).contains(text, Qt::CaseInsensitive);
-    });
-    m_grid->mark(currentData().toString());
-    for (int row = 0; !m_grid->currentItem() && row < m_grid->count(); ++row)
-        m_grid->mark(BrushGrid::brushOf(m_grid->item(row)));
+    const QString text = m_search->text();
+    m_grid->fillGroups([&text](const Brush &brush) { return isBrushCalled(brush, text); });
+    m_grid->mark(m_grid->itemOf(currentData().toString()) ? currentData().toString() : m_grid->first());
 }
 
 void BrushCombo::showPopup()

@@ -6,6 +6,7 @@
 
 #include <QApplication>
 #include <QEvent>
+#include <QPainter>
 #include <QScrollBar>
 
 #include <algorithm>
@@ -48,6 +49,14 @@ QListWidgetItem *BrushGrid::itemOf(const QString &name) const
         if (!item(row)->data(headingRole).toBool() && brushOf(item(row)) == name)
             return item(row);
     return nullptr;
+}
+
+QString BrushGrid::first() const
+{
+    for (int row = 0; row < count(); ++row)
+        if (const QString name = brushOf(item(row)); !name.isEmpty())
+            return name;
+    return {};
 }
 
 void BrushGrid::mark(const QString &name)
@@ -157,6 +166,12 @@ void BrushGrid::resizeEvent(QResizeEvent *event)
 void BrushGrid::paintEvent(QPaintEvent *event)
 {
     QListWidget::paintEvent(event);
+    if (count() == 0) {
+        QPainter painter(viewport());
+        painter.setPen(palette().color(QPalette::PlaceholderText));
+        painter.drawText(viewport()->rect().adjusted(8, 8, -8, -8), Qt::AlignHCenter | Qt::AlignTop | Qt::TextWordWrap,
+                         tr("There is no such brush."));
+    }
     if (m_started)
         return;
     // Pictures come after the first paint: the window is there at once.

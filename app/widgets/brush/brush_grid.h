@@ -26,6 +26,8 @@ public:
     static QString brushOf(const QListWidgetItem *item);
     /// The item of a brush that is shown; null if there is none.
     QListWidgetItem *itemOf(const QString &name) const;
+    /// The name of the first brush that is shown; empty if there is none.
+    QString first() const;
     /// Marks a brush, or none, and tells nobody.
     void mark(const QString &name);
     /// Marks the brush in hand, which may have changes, and tells nobody.
@@ -34,6 +36,7 @@ public:
     QSize sizeFor(int columns, int rows) const;
 
 protected:
+    /// Where it shows no brush it says so.
     void paintEvent(QPaintEvent *event) override;
     void resizeEvent(QResizeEvent *event) override;
     void changeEvent(QEvent *event) override;

@@ -137,6 +137,16 @@ bool actsOnPanels(QEvent::Type type)
     }
 }
 
+/// The property of widgets that leave the keyboard after clicks.
+constexpr char leavesProperty[] = "leavesKeyboardAfterClicks";
+
+bool leavesAfterClicks(const QWidget *widget)
+{
+    while (widget && !widget->property(leavesProperty).toBool())
+        widget = widget->isWindow() ? nullptr : widget->parentWidget();
+    return widget;
+}
+
 bool takesFocus(const QWidget &widget)
 {
     return widget.focusPolicy() & Qt::TabFocus && widget.isEnabled() && !widget.focusProxy();
@@ -161,6 +171,11 @@ KeyboardFocus::KeyboardFocus(QMainWindow &window, QWidget &canvas)
 KeyboardFocus::~KeyboardFocus()
 {
     delete m_frame;
+}
+
+void KeyboardFocus::leaveAfterClicks(QWidget &widget)
+{
+    widget.setProperty(leavesProperty, true);
 }
 
 void KeyboardFocus::toCanvas()
@@ -235,14 +250,14 @@ bool KeyboardFocus::keyPressed(QWidget &widget, const QKeyEvent &key)
 }
 
 /// Gives the keyboard back after a click: the mouse has been let go, so the clicked widget has done its work.
-void KeyboardFocus::letClicked()
+void KeyboardFocus::letClicked(const QWidget *clicked)
 {
     if (QApplication::mouseButtons() != Qt::NoButton)
         return;
     QWidget *focus = QApplication::focusWidget();
     // This works behind a dialog, too, that the click has opened.
     for (QWidget *had : {focus, m_window.focusWidget()})
-        if (had && panelOf(had) && !canBeTypedInto(*had)) {
+        if (had && panelOf(had) && (!canBeTypedInto(*had) || leavesAfterClicks(clicked))) {
             if (had == focus)
                 toCanvas();
             else
@@ -292,7 +307,8 @@ bool KeyboardFocus::eventFilter(QObject *watched, QEvent *event)
         break;
     case QEvent::MouseButtonRelease:
         if (widget && panelOf(widget)) // after the widget has handled the release
-            QMetaObject::invokeMethod(this, &KeyboardFocus::letClicked, Qt::QueuedConnection);
+            QMetaObject::invokeMethod(
+                this, [this, clicked = QPointer<QWidget>(widget)] { letClicked(clicked); }, Qt::QueuedConnection);
         break;
     case QEvent::MouseButtonPress:
         delete m_frame;

@@ -15,7 +15,8 @@ class PanelFrame;
 /// key reaches no shortcut of the window except those of the panel itself, which are the actions that the panel or a
 /// widget in it has by addAction(). Letters do reach the canvas' commands from the timeline, which has no use for them.
 /// Esc and Enter give the keyboard back to the canvas where nothing in the panel has a
-/// use for them. So does the release of the mouse over something that cannot be typed into. Lists do not go to the row
+/// use for them. So does the release of the mouse over something that cannot be typed into, or that one chooses from
+/// to go on at the canvas (`leaveAfterClicks`). Lists do not go to the row
 /// whose name begins with a typed letter: the letter would be a command's key anywhere else, and the status bar says
 /// who has the keyboard.
 class KeyboardFocus : public QObject {
@@ -25,6 +26,10 @@ public:
     /// The window owns this object.
     KeyboardFocus(QMainWindow &window, QWidget &canvas);
     ~KeyboardFocus() override;
+
+    /// A click on the widget gives the keyboard back to the canvas, though it can be typed into: what was clicked there
+    /// is what the hand goes on with.
+    static void leaveAfterClicks(QWidget &widget);
 
     void toCanvas();
     /// Gives the keyboard to the next of canvas, docks and tool bars, in the order in which they stand, or to the one
@@ -43,7 +48,7 @@ private:
     bool keepsFromCanvas(QWidget &widget, const QKeyEvent &key) const;
     bool keepsShortcut(const QObject &owner, const QKeySequence &keys) const;
     bool keyPressed(QWidget &widget, const QKeyEvent &key);
-    void letClicked();
+    void letClicked(const QWidget *clicked);
     void tellWhoHasIt(QWidget &panel, const QKeyEvent &key);
     QList<QWidget *> stops() const;
     bool enter(QWidget &stop);

@@ -6,6 +6,7 @@
 #include "app/session/settings/brush_library.h"
 #include "app/session/settings/settings.h"
 #include "app/tools/brush/brush_tool.h"
+#include "app/widgets/brush/brush_grid.h"
 #include "app/widgets/curves/response_editor.h"
 #include "app/widgets/numbers/slider_field.h"
 #include "model/formats/files.h"
@@ -15,6 +16,7 @@
 
 #include <QComboBox>
 #include <QDockWidget>
+#include <QLineEdit>
 #include <QListWidget>
 #include <QMenu>
 #include <QScopeGuard>
@@ -288,6 +290,76 @@ private slots:
         (*it)->trigger();
         QVERIFY(BrushLibrary::instance().isFavourite("gouache"));
         BrushLibrary::instance().setFavourite("gouache", false);
+    }
+
+    /// Return in the search of the dock takes what was found, as it does in the list of the tool's row.
+    void returnTakesWhatWasSearchedFor()
+    {
+        Bench bench;
+        BrushPanel panel(bench.editor);
+        showAt(panel, {280, 700});
+        BrushLibrary::instance().use(bench.editor, "pencil");
+        QSignalSpy chosen(&panel, &BrushPanel::chosen);
+        panel.search()->setFocus();
+        const auto search = [&panel](const QString &text) {
+            panel.search()->clear();
+            QTest::keyClicks(panel.search(), text);
+            QTest::keyClick(panel.search(), Qt::Key_Return);
+        };
+        search("chal");
+        QCOMPARE(bench.editor.brush().name, QString("dry-chalk"));
+        QCOMPARE(chosen.count(), 1);
+        search("wash"); // several: the first of them
+        QString first;
+        for (int row = 0; row < panel.list()->count() && first.isEmpty(); ++row)
+            first = BrushGrid::brushOf(panel.list()->item(row));
+        QCOMPARE(bench.editor.brush().name, first);
+        for (const char *name : {"flat-wash", "wet-in-wet"}) { // as files and the manual write them
+            search(name);
+            QCOMPARE(bench.editor.brush().name, QString(name));
+        }
+        const int before = int(chosen.count());
+        const QString inHand = bench.editor.brush().name;
+        search("no such thing");
+        QCOMPARE(int(chosen.count()), before);
+        QCOMPARE(bench.editor.brush().name, inHand);
+        // The empty list says that it is empty.
+        QImage empty = panel.list()->viewport()->grab().toImage();
+        const QRgb ground = empty.pixel(2, empty.height() - 3);
+        bool speaks = false;
+        for (int y = 0; y < empty.height() / 2 && !speaks; ++y)
+            for (int x = 0; x < empty.width(); ++x)
+                speaks = speaks || std::abs(qGray(empty.pixel(x, y)) - qGray(ground)) > 30;
+        QVERIFY(speaks);
+    }
+
+    /// What was clicked is what the hand goes on with at the canvas.
+    void clicksOnBrushesLeaveTheKeyboard()
+    {
+        Session s;
+        auto *panel = s.window.findChild<BrushPanel *>();
+        for (QWidget *parent = panel; parent; parent = parent->parentWidget())
+            if (auto *dock = qobject_cast<QDockWidget *>(parent))
+                dock->raise();
+        QTRY_VERIFY(!panel->list()->visibleRegion().isEmpty());
+        s.window.activateWindow();
+        QTRY_VERIFY(s.window.isActiveWindow());
+        const auto click = [&](const char *name) {
+            QListWidgetItem *item = panel->itemOf(name);
+            panel->list()->scrollToItem(item);
+            QTest::mouseClick(panel->list()->viewport(), Qt::LeftButton, {},
+                              panel->list()->visualItemRect(item).center());
+        };
+        click("pencil");
+        QTRY_COMPARE(QApplication::focusWidget(), static_cast<QWidget *>(&s.canvas()));
+        QCOMPARE(s.editor().brush().name, QString("pencil"));
+        panel->search()->setFocus();
+        QTest::keyClicks(panel->search(), "chal");
+        click("dry-chalk");
+        QTRY_COMPARE(QApplication::focusWidget(), static_cast<QWidget *>(&s.canvas()));
+        QTest::keyClick(QApplication::focusWidget(), Qt::Key_V);
+        QVERIFY(s.window.action(Command::Select).isChecked());
+        panel->search()->clear();
     }
 
     void previewsArePaint()

@@ -460,6 +460,7 @@ private slots:
                 const bool isField = qobject_cast<QLineEdit *>(widget) || qobject_cast<QAbstractSpinBox *>(widget) ||
                                      qobject_cast<QAbstractItemView *>(widget);
                 const bool plain = qobject_cast<QAbstractSlider *>(widget) || widget->inherits("suffuse::SwatchGrid") ||
+                                   widget->inherits("suffuse::BrushGrid") || // a brush is what the hand goes on with
                                    widget->inherits("suffuse::ColourWheel") || qobject_cast<QCheckBox *>(widget);
                 if (!(isField || plain) || !(widget->focusPolicy() & Qt::StrongFocus) || !widget->isVisible())
                     continue;
