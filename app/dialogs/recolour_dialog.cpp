@@ -113,13 +113,27 @@ QWidget *RecolourDialog::makeList()
     int widest = 0; // Columns of short numbers are as wide as their names.
     for (int i = 0; i < m_list->columnCount(); ++i)
         widest = std::max(widest, m_list->header()->fontMetrics().horizontalAdvance(m_list->headerItem()->text(i)));
-    m_list->header()->setMinimumSectionSize(widest + 16);
-    const int rows = 8, width = 5 * fontMetrics().horizontalAdvance(QStringLiteral("#dddddd")) + 120;
-    m_list->setMinimumSize(width, rows * fontMetrics().height());
+    m_list->header()->setMinimumSectionSize(widest + 8);
+    constexpr int rows = 8;
+    m_list->setMinimumSize(widthOfColumns(), rows * fontMetrics().height());
     column->addWidget(m_list, 1);
     connect(m_list, &QTreeWidget::itemSelectionChanged, this, &RecolourDialog::showColour);
     connect(m_list, &QTreeWidget::currentItemChanged, this, &RecolourDialog::showColour);
     return side;
+}
+
+/// The width at which no column of the list is cut off.
+int RecolourDialog::widthOfColumns() const
+{
+    const QAbstractItemView &view = *m_list;
+    const QHeaderView &header = *m_list->header();
+    const auto widthOf = [&](int column) {
+        return std::max({view.sizeHintForColumn(column), header.sectionSizeHint(column), header.minimumSectionSize()});
+    };
+    int width = 2 * m_list->frameWidth() + m_list->style()->pixelMetric(QStyle::PM_ScrollBarExtent);
+    for (int i = 0; i < m_list->columnCount(); ++i)
+        width += widthOf(i == AfterColumn ? BeforeColumn : i); // Both show a colour; the results are not there yet.
+    return width;
 }
 
 void RecolourDialog::addColour(QVBoxLayout &column, const std::vector<Swatch> &swatches)

@@ -48,6 +48,7 @@ protected:
 
 private:
     QWidget *makeList();
+    int widthOfColumns() const;
     void addColour(QVBoxLayout &column, const std::vector<Swatch> &swatches);
     void addShift(QVBoxLayout &column);
     SliderField *addRow(const FieldSpec &spec, QGridLayout &grid, double ColourShift::*member);

@@ -20,6 +20,7 @@
 #include <QCheckBox>
 #include <QComboBox>
 #include <QDropEvent>
+#include <QHeaderView>
 #include <QLineEdit>
 #include <QMenu>
 #include <QMimeData>
@@ -457,6 +458,17 @@ private slots:
         s.select({s.id});
         RecolourDialog dialog(s.editor(), &s.window);
         QCOMPARE(dialog.list()->topLevelItemCount(), 1); // of what is selected
+    }
+
+    /// The list of Recolour Artwork shows all of its columns at the size with which the dialog opens.
+    void recolourArtworkShowsAllColumns()
+    {
+        TwoWaves s;
+        RecolourDialog dialog(s.editor(), &s.window);
+        dialog.show();
+        QApplication::processEvents();
+        QVERIFY(dialog.list()->header()->length() <= dialog.list()->viewport()->width());
+        dialog.reject();
     }
 
 private:
