@@ -42,10 +42,14 @@ public:
     }
     Result<RenderStats> draw(PaintingPtr painting, Microseconds time, bool interactive = false)
     {
+        return draw(std::move(painting), time, m_job->view, interactive);
+    }
+    Result<RenderStats> draw(PaintingPtr painting, Microseconds time, const View &view, bool interactive = false)
+    {
         RenderRequest request;
         request.painting = std::move(painting);
         request.time = time;
-        request.view = m_job->view;
+        request.view = view;
         request.interactive = interactive;
         Result<RenderStats> stats = m_renderer->render(request, *m_picture, m_job->cancel);
         if (stats && stats->cancelled)
@@ -175,6 +179,27 @@ Result<Timing> measureFullRender(const Job &job)
             return Error{drawn.error()};
         if (run >= 0)
             times.push_back(fullRenderMs(*drawn));
+    }
+    return timingOf(times);
+}
+
+Result<Timing> measureZoom(const Job &job)
+{
+    Result<Session> session = Session::make(job);
+    if (!session)
+        return Error{session.error()};
+    View other = job.view;
+    other.scale *= 2;
+    constexpr int warmUps = 2;
+    std::vector<double> times;
+    for (int run = -warmUps; run < job.runs; ++run) {
+        if (const Result<RenderStats> away = session->draw(job.painting, job.time, other); !away)
+            return Error{away.error()};
+        const Result<RenderStats> back = session->draw();
+        if (!back)
+            return Error{back.error()};
+        if (run >= 0)
+            times.push_back(back->totalMs);
     }
     return timingOf(times);
 }

@@ -38,6 +38,10 @@ Result<StageTimings> measureStages(const Job &job);
 /// Measures full renders as in StageTimings, all by one warm renderer.
 Result<Timing> measureFullRender(const Job &job);
 
+/// Measures the picture after the zoom has come to the next octave and back, from segments to pixels, by one warm
+/// renderer.
+Result<Timing> measureZoom(const Job &job);
+
 /// Measures the cost of opening: reading the painting from a `.suffuse` file, and drawing it with a new renderer.
 Result<Timing> measureOpen(const Job &job);
 

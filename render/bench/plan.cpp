@@ -86,8 +86,10 @@ bool Runner::addCompared(const Job &job, const QString &name, const Timing &timi
 bool Runner::stages(const PaintingPtr &painting, const QString &name)
 {
     static const QString full = QStringLiteral("full-render"), nodes = QStringLiteral("node-build"),
-                         binning = QStringLiteral("binning"), cold = QStringLiteral("cold-render");
-    if (!wanted(full) && !wanted(cold) && !wanted(nodes) && !wanted(binning))
+                         binning = QStringLiteral("binning"), cold = QStringLiteral("cold-render"),
+                         zoom = QStringLiteral("zoom-render");
+    const bool parts = wanted(full) || wanted(cold) || wanted(nodes) || wanted(binning);
+    if (!parts && !wanted(zoom))
         return true;
     const bool onDevice = m_device.backend == Backend::Cuda; // On a device the number of threads hardly matters.
     const std::vector<int> threadCounts = onDevice ? std::vector{m_plan.threads.back()} : m_plan.threads;
@@ -95,6 +97,15 @@ bool Runner::stages(const PaintingPtr &painting, const QString &name)
         for (int threads : threadCounts) {
             const Job j = job(painting, width, threads);
             say(QStringLiteral("%1, %2, %3×%4").arg(full, name).arg(j.view.width).arg(j.view.height));
+            if (wanted(zoom)) {
+                const Result<Timing> timing = measureZoom(j);
+                if (!timing)
+                    return failed(timing.error());
+                if (!add(j, zoom, name, *timing))
+                    return false;
+            }
+            if (!parts)
+                continue;
             const Result<StageTimings> timings = measureStages(j);
             if (!timings)
                 return failed(timings.error());
@@ -204,7 +215,7 @@ bool Runner::growth(const PaintingPtr &painting)
 
 QStringList rowNames()
 {
-    return {"full-render",  "cold-render",    "node-build",       "binning",     "open",             "drag",
+    return {"full-render",  "cold-render",    "zoom-render",      "node-build",  "binning",          "open",    "drag",
             "edit-segment", "drag-among-100", "drag-among-10000", "live-stroke", "live-stroke-2000", growthName};
 }
 
