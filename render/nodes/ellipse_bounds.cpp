@@ -7,38 +7,13 @@
 
 #include "hwy/highway.h"
 #include "render/nodes/ellipse_bounds.h"
+#include "render/nodes/level0.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <complex>
 #include <numbers>
-
-// The tables are the same for every instruction set.
-#ifndef SUFFUSE_ELLIPSE_TABLES
-#define SUFFUSE_ELLIPSE_TABLES
-namespace suffuse::ellipse {
-
-constexpr int points = 16;
-constexpr int padded = 24; ///< ellipseCount rounded up to whole vectors
-
-/// Holds the Bernstein basis at the points of one ellipse: imaginary parts for the curve, and both parts for its
-/// derivative.
-struct alignas(32) Basis {
-    float curve[4][points];
-    float real[3][points];
-    float imag[3][points];
-};
-
-/// Holds bounds of the Chebyshev polynomials on all ellipses: |Im T_k| ≤ (ρ^k − ρ^−k)/2 and |T_k| ≤ (ρ^k + ρ^−k)/2.
-struct alignas(32) Chebyshev {
-    float imaginary[3][padded]; // k = 1 … 3
-    float whole[2][padded];     // k = 1, 2
-    float remainder[padded];    // −ln(1 − ρ⁻²)
-    float perNode[padded];      // 1 / (2 ln ρ)
-};
-
-} // namespace suffuse::ellipse
-#endif
 
 HWY_BEFORE_NAMESPACE();
 namespace suffuse::HWY_NAMESPACE {
@@ -61,12 +36,12 @@ HWY_INLINE Vec sum(const Vec *w, const Vec *v)
     return hn::Add(hn::Add(hn::Mul(w[0], v[0]), hn::Mul(w[1], v[1])), hn::Mul(w[2], v[2]));
 }
 
-float leastNodes(const ellipse::Chebyshev &bounds, const EvenCurve &curve, float logAllowed)
+float leastNodes(const panels::ChebyshevBounds &bounds, const panels::EvenCurve &curve, float logAllowed)
 {
     const auto vec = [](float v) { return hn::Set(tag, v); };
     const Vec one = vec(1), none = vec(1e30f);
     Vec best = none;
-    for (int e = 0; e < ellipseCount; e += int(hn::Lanes(tag))) {
+    for (int e = 0; e < panels::ellipses; e += int(hn::Lanes(tag))) {
         const Vec im1 = hn::Load(tag, bounds.imaginary[0] + e), im2 = hn::Load(tag, bounds.imaginary[1] + e);
         // On the ellipse Im c = Σ c_k (ρ^k − ρ^−k)/2 sin kθ, and |sin θ sin 2θ| ≤ 0.77.
         const Vec a = hn::Mul(vec(curve.first), im1), b = hn::Mul(vec(curve.second), im2);
@@ -90,15 +65,15 @@ float leastNodes(const ellipse::Chebyshev &bounds, const EvenCurve &curve, float
     return hn::GetLane(hn::MinOfLanes(tag, best));
 }
 
-void sampleEllipse(const ellipse::Basis &basis, const CurveDifferences &curve, float &growth, float &speed)
+void greatestOn(const panels::EllipseBasis &basis, const panels::Differences &curve, float &growth, float &speed)
 {
-    Vec x[3], y[3], dx[3], dy[3];
-    for (int i = 0; i < 3; ++i) {
-        x[i] = hn::Set(tag, curve.x[i + 1]), y[i] = hn::Set(tag, curve.y[i + 1]);
-        dx[i] = hn::Set(tag, curve.dx[i]), dy[i] = hn::Set(tag, curve.dy[i]);
-    }
+    const auto all = [](float v) { return hn::Set(tag, v); };
+    const Vec x[3] = {all(curve.x1), all(curve.x2), all(curve.x3)},
+              y[3] = {all(curve.y1), all(curve.y2), all(curve.y3)};
+    const Vec dx[3] = {all(curve.dx0), all(curve.dx1), all(curve.dx2)};
+    const Vec dy[3] = {all(curve.dy0), all(curve.dy1), all(curve.dy2)};
     Vec greatestLift = hn::Zero(tag), greatestSpeed = hn::Zero(tag);
-    for (int k = 0; k < ellipse::points; k += int(hn::Lanes(tag))) {
+    for (int k = 0; k < panels::ellipsePoints; k += int(hn::Lanes(tag))) {
         Vec c[3], re[3], im[3];
         for (int i = 0; i < 3; ++i) {
             c[i] = hn::Load(tag, basis.curve[i + 1] + k);
@@ -122,37 +97,36 @@ HWY_AFTER_NAMESPACE();
 namespace suffuse {
 
 HWY_EXPORT(leastNodes);
-HWY_EXPORT(sampleEllipse);
+HWY_EXPORT(greatestOn);
 
 namespace {
 
 using Complex = std::complex<double>;
 
-std::array<ellipse::Basis, ellipseCount> makeBasis()
+constexpr std::array<double, panels::ellipses> radii{1.15, 1.3, 1.5, 1.75, 2,  2.4, 2.9, 3.5, 4.2,
+                                                     5,    6,   7.5, 9.5,  12, 16,  22,  30};
+
+void fillBasis(double radius, panels::EllipseBasis &basis)
 {
-    std::array<ellipse::Basis, ellipseCount> all;
-    for (std::size_t e = 0; e < all.size(); ++e)
-        for (int k = 0; k < ellipse::points; ++k) {
-            const double angle = std::numbers::pi * k / (ellipse::points - 1);
-            const Complex w = 0.5 * (std::polar(ellipseRadii[e], angle) + std::polar(1 / ellipseRadii[e], -angle));
-            const Complex z = 0.5 * (w + 1.0), u = 1.0 - z;
-            const Complex c[4] = {u * u * u, 3.0 * u * u * z, 3.0 * u * z * z, z * z * z};
-            const Complex d[3] = {3.0 * u * u, 6.0 * u * z, 3.0 * z * z};
-            for (int i = 0; i < 4; ++i)
-                all[e].curve[i][k] = float(c[i].imag());
-            for (int i = 0; i < 3; ++i) {
-                all[e].real[i][k] = float(d[i].real());
-                all[e].imag[i][k] = float(d[i].imag());
-            }
+    for (int k = 0; k < panels::ellipsePoints; ++k) {
+        const double angle = std::numbers::pi * k / (panels::ellipsePoints - 1);
+        const Complex w = 0.5 * (std::polar(radius, angle) + std::polar(1 / radius, -angle));
+        const Complex z = 0.5 * (w + 1.0), u = 1.0 - z;
+        const Complex c[4] = {u * u * u, 3.0 * u * u * z, 3.0 * u * z * z, z * z * z};
+        const Complex d[3] = {3.0 * u * u, 6.0 * u * z, 3.0 * z * z};
+        for (int i = 0; i < 4; ++i)
+            basis.curve[i][k] = float(c[i].imag());
+        for (int i = 0; i < 3; ++i) {
+            basis.real[i][k] = float(d[i].real());
+            basis.imag[i][k] = float(d[i].imag());
         }
-    return all;
+    }
 }
 
-ellipse::Chebyshev makeChebyshev()
+void fillBounds(panels::ChebyshevBounds &all)
 {
-    ellipse::Chebyshev all;
-    for (int e = 0; e < ellipse::padded; ++e) {
-        const double rho = ellipseRadii[std::size_t(std::min(e, ellipseCount - 1))];
+    for (int e = 0; e < panels::paddedEllipses; ++e) {
+        const double rho = radii[std::size_t(std::min(e, panels::ellipses - 1))];
         for (int k = 1; k <= 3; ++k)
             all.imaginary[k - 1][e] = float(0.5 * (std::pow(rho, k) - std::pow(rho, -k)));
         for (int k = 1; k <= 2; ++k)
@@ -160,28 +134,43 @@ ellipse::Chebyshev makeChebyshev()
         all.remainder[e] = float(-std::log(1 - 1 / (rho * rho)));
         all.perNode[e] = float(0.5 / std::log(rho));
     }
-    return all;
+}
+
+panels::Tables makeTables()
+{
+    panels::Tables tables{};
+    fillBounds(tables.bounds);
+    for (int e = 0; e < panels::ellipses; ++e) {
+        const double rho = radii[std::size_t(e)];
+        fillBasis(rho, tables.basis[e]);
+        tables.radius[e] = rho;
+        tables.remainder[e] = std::log(1 - 1 / (rho * rho));
+        tables.perNode[e] = 2 * std::log(rho);
+    }
+    for (int n = 1; n <= panels::mostNodes; ++n) {
+        const QuadratureRule &rule = gaussLegendre(n);
+        std::ranges::copy(rule.x, tables.x[n]);
+        std::ranges::copy(rule.weight, tables.weight[n]);
+    }
+    return tables;
 }
 
 } // namespace
 
-float nodesOfEvenCurve(const EvenCurve &curve, float logAllowed)
+const panels::Tables &panelTables()
 {
-    static const ellipse::Chebyshev bounds = makeChebyshev();
-    return HWY_DYNAMIC_DISPATCH(leastNodes)(bounds, curve, logAllowed);
+    static const panels::Tables tables = makeTables();
+    return tables;
 }
 
-int sampleEllipses(const CurveDifferences &curve, int count, float (&growth)[ellipseCount],
-                   float (&speed)[ellipseCount])
+float nodesOfEvenCurve(const panels::EvenCurve &curve, float logAllowed)
 {
-    static const std::array<ellipse::Basis, ellipseCount> basis = makeBasis();
-    const auto sample = HWY_DYNAMIC_DISPATCH(sampleEllipse);
-    for (int e = 0; e < count; ++e) {
-        sample(basis[std::size_t(e)], curve, growth[e], speed[e]);
-        if (!(growth[e] < 1e4f)) // On larger ellipses it only grows. The test also ends the loop on overflow.
-            return e;
-    }
-    return count;
+    return HWY_DYNAMIC_DISPATCH(leastNodes)(panelTables().bounds, curve, logAllowed);
+}
+
+void sampleEllipse(const panels::EllipseBasis &basis, const panels::Differences &curve, float &lift, float &speed)
+{
+    HWY_DYNAMIC_DISPATCH(greatestOn)(basis, curve, lift, speed);
 }
 
 } // namespace suffuse

@@ -2,12 +2,13 @@
 #pragma once
 
 #include "model/painting/geometry.h"
+#include "render/math/panels.h"
 
 namespace suffuse {
 
 /// One rule has at most this many nodes. A panel is a piece of a curve that gets one rule; a curve that needs more
 /// nodes is split into several.
-inline constexpr int maxPanelNodes = 10;
+inline constexpr int maxPanelNodes = panels::mostNodes;
 
 /// Holds a Gauss-Legendre rule on [0, 1].
 struct QuadratureRule {
@@ -17,10 +18,12 @@ struct QuadratureRule {
 /// Returns the rule of n points, n in [1, maxPanelNodes].
 const QuadratureRule &gaussLegendre(int n);
 
-/// Returns the smallest n for which n nodes integrate e^(−|x − c(p)|²) |g′(p)| over [0, 1] to within tolerance · √π at
-/// every x, by the Bernstein-ellipse bound, or 0 if more than maxPanelNodes are needed. `whitened` is the curve in
-/// coordinates in which the Gaussian is e^(−r²) (canvas / s if isotropic). `metric` is the curve whose speed |g′| is
-/// the measure, in the same scale (equal to `whitened` if isotropic).
-int panelNodes(const Cubic &whitened, const Cubic &metric, double tolerance);
+/// Returns panels::nodesOf.
+int panelNodes(const panels::Curve &whitened, const panels::Curve &metric, double tolerance);
+
+inline panels::Curve panelCurve(const Cubic &c)
+{
+    return {{c.p[0].x, c.p[0].y}, {c.p[1].x, c.p[1].y}, {c.p[2].x, c.p[2].y}, {c.p[3].x, c.p[3].y}};
+}
 
 } // namespace suffuse

@@ -10,12 +10,6 @@ namespace suffuse {
 
 namespace {
 
-constexpr double share = 0.5;     // the part of the tolerance that merging may use
-constexpr double windowSize = 16; // the largest window, as Course measures it
-constexpr int fewest = 3;         // the least number of fine nodes that is worth merging
-constexpr int smallest = 6;       // A window of so many fine nodes is not halved.
-constexpr int tooMany = 2;        // A rule that is expected to need so many more nodes than there may be is not tried.
-
 /// What lies between each node of a run and the one before it: the distance in spreads, and 1.5 times the turning from
 /// the step before, in radians.
 struct Steps {
@@ -35,7 +29,7 @@ struct Steps {
                 continue;
             const double x = dx / step, y = dy / step;
             if (beforeX != 0 || beforeY != 0)
-                turning[i] = 1.5 * std::sqrt((x - beforeX) * (x - beforeX) + (y - beforeY) * (y - beforeY));
+                turning[i] = spans::turning({beforeX, beforeY}, {x, y});
             beforeX = x;
             beforeY = y;
         }
@@ -81,7 +75,7 @@ private:
         if (begin == end)
             return;
         m_course.follow(m_steps, begin, end);
-        if (m_course.size.back() > windowSize && to - from > 1) {
+        if (m_course.size.back() > spans::windowSize && to - from > 1) {
             const std::size_t middle = from + (to - from) / 2;
             cut(from, middle);
             cut(middle, to);
@@ -96,12 +90,12 @@ private:
     void merge(std::size_t begin, std::size_t end)
     {
         const int count = int(end - begin);
-        if (count < fewest)
+        if (count < spans::fewest)
             return keep(&m_fine[begin], count, begin, end);
         if (count <= SpanRule::maxFine)
             if (const int n = fewestNodes(begin, count))
                 return keep(m_best, n, begin, end);
-        if (count <= smallest)
+        if (count <= spans::smallest)
             return keep(&m_fine[begin], count, begin, end);
         const std::size_t middle = begin + std::size_t(count / 2);
         merge(begin, middle);
@@ -115,55 +109,37 @@ private:
         m_out->windows.push_back({begin, end, first, m_out->nodes.size()});
     }
 
-    /// Returns how many nodes a window usually takes, as windows of the sample paintings do: within 1.5 for three
-    /// quarters of them.
-    double usual(std::size_t begin, int count, double mass, double tolerance, bool vary) const
-    {
-        const std::size_t first = begin - m_first, last = first + std::size_t(count) - 1;
-        const double size = m_course.size[last] - m_course.size[first], arc = m_course.arc[last] - m_course.arc[first];
-        return 1.15 * size + 1.05 * std::log(mass / (tolerance * (arc + 1))) + (vary ? 1.2 : 0.0) - 6.4;
-    }
-
     /// Leaves the nodes in m_best and returns how many there are. 0 means that no rule of up to maxNodes nodes will do.
     int fewestNodes(std::size_t begin, int count)
     {
         const SpanNode *fine = &m_fine[begin];
-        double tolerance = fine[0].tolerance, mass = 0;
-        for (int i = 0; i < count; ++i) {
-            mass += fine[i].weight;
+        double tolerance = fine[0].tolerance;
+        for (int i = 0; i < count; ++i)
             tolerance = std::min(tolerance, fine[i].tolerance);
-        }
+        const std::size_t first = begin - m_first, last = first + std::size_t(count) - 1;
+        const double size = m_course.size[last] - m_course.size[first], arc = m_course.arc[last] - m_course.arc[first];
         const VaryingValues varying(std::span(fine, std::size_t(count)));
-        const double expected = usual(begin, count, mass, tolerance, varying.count > 0);
-        const int most = std::min(SpanRule::maxNodes, count - 1);
-        if (expected + m_excess > SpanRule::maxNodes + tooMany)
+        const double mass = massOf(fine, count);
+        const double usual = spans::usualNodes(size, arc, mass, tolerance, varying.count > 0);
+        if (usual + m_excess > SpanRule::maxNodes + spans::tooMany)
             return 0;
-        m_rule.start(fine, &m_course.arc[begin - m_first], count, varying);
+        m_rule.start(fine, &m_course.arc[first], count, varying, mass);
         m_field.start(fine, count, varying);
-        int n = std::clamp(int(std::lround(expected + m_excess)), 1, most), best = 0, failed = 0;
+        spans::Search search(usual, m_excess, count);
         for (;;) {
             SpanNode nodes[SpanRule::maxNodes];
-            if (!m_rule.nodes(n, nodes))
+            if (!m_rule.nodes(search.n, nodes))
                 break;
-            const double error = double(m_field.difference(nodes, n)) / (share * tolerance);
-            if (error <= 1) {
-                best = n;
+            const int n = search.n;
+            const bool ends = search.take(double(m_field.difference(nodes, n)) / (spans::share * tolerance));
+            if (search.best == n)
                 std::copy_n(nodes, n, m_best);
-                if (n - 1 == failed || error > 0.3) // One node less would seldom pass.
-                    break;
-                --n;
-            } else {
-                // Another node makes the error two or three times smaller.
-                const int missing = std::max(1, int(1.1 * std::log(error)));
-                failed = n;
-                if (best || n == most || n + missing > most + 1)
-                    break;
-                n = std::min(most, n + std::min(missing, 3));
-            }
+            if (ends)
+                break;
         }
-        if (best)
-            m_excess = 0.4 * (best - expected);
-        return best;
+        if (search.best)
+            m_excess = search.excess();
+        return search.best;
     }
 
     std::span<const SpanNode> m_fine;

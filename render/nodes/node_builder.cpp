@@ -1,7 +1,6 @@
 #include "render/nodes/node_builder.h"
 
 #include "render/nodes/blocks.h"
-#include "render/nodes/level1.h"
 #include "render/nodes/segment_nodes.h"
 #include "render/threads/parallel.h"
 
@@ -22,6 +21,16 @@ int zoomOctave(double scale)
     return mantissa == 0.5 ? exponent - 1 : exponent;
 }
 
+NodeContext contextOf(const Stroke &stroke, Microseconds T, int octave, const Rect &clip)
+{
+    NodeContext context{T, octave, clip, {}};
+    auto &styles = context.styles; // Every segment's density passes through all of them.
+    for (const Segment &segment : stroke.segments)
+        if (!segment.lift && std::find(styles.begin(), styles.end(), stroke.styleOf(segment)) == styles.end())
+            styles.push_back(stroke.styleOf(segment));
+    return context;
+}
+
 namespace {
 
 /// Holds the segments of a block that can be seen, in order.
@@ -32,22 +41,6 @@ struct BuiltBlock {
     std::vector<std::size_t> begins; ///< where the segments of that run begin in `fine`
     MergedSpan merged;               ///< what that run becomes; kept for its memory
 };
-
-/// Makes one segment a group of its own. Its nodes are the last ones of `out`, from `begin` on.
-void appendGroup(const SegmentNodes &b, std::size_t begin, StrokeNodes &out)
-{
-    NodeGroup g;
-    g.begin = std::uint32_t(begin);
-    g.end = std::uint32_t(out.nodes.size());
-    for (std::size_t i = begin; i < out.nodes.size(); ++i)
-        out.nodes[i].weight *= b.weightGain;
-    g.row = std::uint32_t(out.rows.size());
-    out.rows.push_back(b.values);
-    g.reachBegin = std::uint32_t(out.reaches.size());
-    out.reaches.push_back(b.reach);
-    g.reachEnd = std::uint32_t(out.reaches.size());
-    out.groups.push_back(g);
-}
 
 /// Appends one segment of a block as a group of its own.
 void append(const BuiltBlock &block, const SegmentNodes &b, StrokeNodes &out)
@@ -83,60 +76,20 @@ void toSpan(const BuiltBlock &block, std::span<const SegmentNodes> run, std::vec
 void appendMerged(BuiltBlock &block, std::span<const SegmentNodes> run, StrokeNodes &out)
 {
     toSpan(block, run, block.fine, block.begins);
-    const double s = run[0].spread, metric = 1 / (s * s);
     mergeSpan(block.fine, block.begins, block.merged);
-    const MergedSpan &merged = block.merged;
-    const NodeValues &values = run[0].values; // All segments of the run have its style and lift.
-    const std::size_t origin = run[0].begin;
-    std::size_t first = 0, next = 0; // the first segments of the window and of the next one
-    for (const SpanWindow &window : merged.windows) {
-        float radius = 0;
-        double gain = 1;
-        while (run[first].end - origin <= window.begin)
-            ++first;
-        for (std::size_t k = first; k < run.size() && run[k].begin - origin < window.end; ++k)
-            if (run[k].radius > radius)
-                radius = run[k].radius, gain = run[k].weightGain;
-        const std::span nodes(&merged.nodes[window.nodes], window.nodesEnd - window.nodes);
-        NodeGroup g;
-        g.begin = std::uint32_t(out.nodes.size());
-        g.row = std::uint32_t(out.rows.size());
-        g.rowPerNode = std::ranges::any_of(nodes, [&](const SpanNode &n) { return n.values != nodes[0].values; });
-        for (const SpanNode &n : nodes) {
-            out.nodes.push_back({n.x * s, n.y * s, metric, 0, metric, n.weight * gain, radius});
-            if (g.rowPerNode || out.rows.size() == g.row) {
-                const auto &v = n.values;
-                out.rows.push_back(
-                    {{float(v[0]), float(v[1]), float(v[2]), float(v[3])}, float(v[4]), values.style, values.lift});
-            }
-        }
-        g.end = std::uint32_t(out.nodes.size());
-        g.reachBegin = std::uint32_t(out.reaches.size());
-        for (; next < run.size() && run[next].begin - origin < window.end; ++next)
-            out.reaches.push_back(run[next].reach);
-        g.reachEnd = std::uint32_t(out.reaches.size());
-        out.groups.push_back(g);
-    }
+    appendWindows(run, block.merged, out);
 }
 
 /// Appends a block's segments, merging runs of them if all are dry.
 void appendBlock(BuiltBlock &block, StrokeNodes &out)
 {
     const auto &segments = block.segments;
-    const bool merge = std::ranges::all_of(segments, &SegmentNodes::mergeable);
-    const auto together = [](const SegmentNodes &a, const SegmentNodes &b) {
-        return a.spread == b.spread && a.values.style == b.values.style && a.values.lift == b.values.lift;
-    };
-    for (std::size_t i = 0; i < segments.size();) {
-        std::size_t end = i + 1;
-        while (merge && end < segments.size() && together(segments[i], segments[end]))
-            ++end;
+    forEachRun(segments, [&](std::size_t i, std::size_t end) {
         if (end - i > 1 && segments[end - 1].end > segments[i].begin)
             appendMerged(block, std::span(&segments[i], end - i), out);
         else
             append(block, segments[i], out);
-        i = end;
-    }
+    });
 }
 
 /// Makes room for so many more segments and nodes.
@@ -272,18 +225,10 @@ void appendNodes(const Stroke &stroke, std::span<const std::size_t> borders, con
 std::shared_ptr<const StrokeNodes> buildNodes(const Stroke &stroke, Microseconds T, int octave, const Rect &clip,
                                               Threads threads)
 {
-    NodeContext context{T, octave, clip, {}};
-    auto &styles = context.styles; // Every segment's density passes through all of them.
-    for (const Segment &segment : stroke.segments)
-        if (!segment.lift && std::find(styles.begin(), styles.end(), stroke.styleOf(segment)) == styles.end())
-            styles.push_back(stroke.styleOf(segment));
+    const NodeContext context = contextOf(stroke, T, octave, clip);
     auto result = std::make_shared<StrokeNodes>();
     appendNodes(stroke, blocksOf(stroke).borders, context, threads, *result);
-    // The nodes are kept for as long as the stroke stays as it is, so spare room is given back.
-    result->nodes.shrink_to_fit();
-    result->groups.shrink_to_fit();
-    result->rows.shrink_to_fit();
-    result->reaches.shrink_to_fit();
+    giveBackSpareRoom(*result);
     return result;
 }
 

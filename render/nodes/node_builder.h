@@ -89,6 +89,9 @@ struct NodeContext {
     std::vector<Style> styles; ///< those of all segments of the stroke that lay paint, each once
 };
 
+/// Returns what the nodes of all segments of a stroke depend on.
+NodeContext contextOf(const Stroke &stroke, Microseconds T, int octave, const Rect &clip);
+
 /// Appends the nodes of the stroke's blocks between these borders, which are some of blocksOf, one after the other.
 void appendNodes(const Stroke &stroke, std::span<const std::size_t> borders, const NodeContext &context,
                  Threads threads, StrokeNodes &out);

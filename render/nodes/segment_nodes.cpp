@@ -24,7 +24,6 @@ constexpr double cutShare = 0.35;    // the share of the tolerance for cutting n
 // −0.4.
 constexpr double cutGain = 3.5;
 constexpr double lossSeparable = 2.5, lossOblique = 3.3, lossUnraised = 5;
-constexpr int maxDepth = 40;
 // A segment has no more nodes than this. Only a hair that is 200,000 times as long as wide would have more.
 constexpr std::size_t mostNodes = std::size_t(1) << 18;
 constexpr double longSegment = 512; // in spreads; longer segments are built for each view
@@ -42,22 +41,19 @@ struct Source {
     bool isotropic;
 };
 
-Cubic whitened(const Source &s, const Cubic &curve)
+panels::Curve whitened(const Source &s, const panels::Curve &curve)
 {
-    Cubic w;
-    for (int i = 0; i < 4; ++i) {
-        const Point d = curve.p[i] - s.curve.p[0];
-        w.p[i] = {s.wxx * d.x + s.wxy * d.y, s.wxy * d.x + s.wyy * d.y};
-    }
-    return w;
+    const panels::Vector from{s.curve.p[0].x, s.curve.p[0].y};
+    const auto white = [&](panels::Vector p) {
+        const panels::Vector d = p - from;
+        return panels::Vector{s.wxx * d.x + s.wxy * d.y, s.wxy * d.x + s.wyy * d.y};
+    };
+    return {white(curve.a), white(curve.b), white(curve.c), white(curve.d)};
 }
 
-Cubic scaled(const Source &s, const Cubic &curve)
+panels::Curve scaled(const Source &s, const panels::Curve &curve)
 {
-    Cubic w;
-    for (int i = 0; i < 4; ++i)
-        w.p[i] = s.speedScale * (curve.p[i] - s.curve.p[0]);
-    return w;
+    return panels::scaledFrom(curve, {s.curve.p[0].x, s.curve.p[0].y}, s.speedScale);
 }
 
 /// Returns the length without hypot's care for overflow, which canvas coordinates do not need.
@@ -71,35 +67,52 @@ double sumOfSides(const Cubic &c)
     return norm(c.p[1] - c.p[0]) + norm(c.p[2] - c.p[1]) + norm(c.p[3] - c.p[2]);
 }
 
-void addPanel(const Source &s, const Cubic &curve, int n, UnsetVector<Node> &out)
+void addPanel(const Source &s, const panels::Curve &curve, int n, UnsetVector<Node> &out)
 {
     const QuadratureRule &rule = gaussLegendre(n);
     for (int i = 0; i < n; ++i) {
-        const Point at = curve.at(rule.x[i]);
-        const double weight = s.gain * rule.weight[i] * norm(curve.derivative(rule.x[i]));
+        const panels::Vector at = panels::pointAt(curve, rule.x[i]);
+        const double weight = s.gain * rule.weight[i] * panels::size(panels::derivativeAt(curve, rule.x[i]));
         if (weight > 0)
             out.push_back({at.x, at.y, s.a, s.b, s.c, weight, float(s.radius)});
     }
 }
 
+/// Tells whether a piece reaches into the clip.
+bool isNear(const Source &s, const panels::Curve &piece)
+{
+    if (s.clip.isEmpty())
+        return true;
+    Rect box;
+    for (const panels::Vector p : {piece.a, piece.b, piece.c, piece.d})
+        box.include({p.x, p.y});
+    return box.grown(s.reach).intersects(s.clip);
+}
+
 /// Adds panels. Once `out` has `most` nodes, what is left gets few nodes, so that no painting, however extreme, takes
 /// memory without end.
-void addPanels(const Source &s, const Cubic &curve, double tolerance, int depth, std::size_t most,
-               UnsetVector<Node> &out)
+void addPanels(const Source &s, double tolerance, std::size_t most, UnsetVector<Node> &out)
 {
-    if (!s.clip.isEmpty() && !curve.controlBox().grown(s.reach).intersects(s.clip))
-        return;
-    const Cubic metric = scaled(s, curve);
-    int n = panelNodes(s.isotropic ? metric : whitened(s, curve), metric, tolerance);
-    // Any rule is good enough for a piece (of a cusp) so short that all its mass counts for less than the tolerance.
-    if (n == 0 &&
-        (depth == maxDepth || out.size() >= most || 2 * sumOfSides(metric) < tolerance * std::sqrt(std::numbers::pi)))
-        n = 4;
-    if (n > 0)
-        return addPanel(s, curve, n, out);
-    const auto halves = curve.split(0.5);
-    addPanels(s, halves[0], tolerance / 2, depth + 1, most, out);
-    addPanels(s, halves[1], tolerance / 2, depth + 1, most, out);
+    const panels::Curve curve = panelCurve(s.curve);
+    panels::Place place;
+    for (bool more = true; more;) {
+        const panels::Curve piece = place.piece(curve);
+        if (!isNear(s, piece)) {
+            more = place.next();
+            continue;
+        }
+        const panels::Curve metric = scaled(s, piece);
+        const double allowed = place.tolerance(tolerance);
+        int n = panelNodes(s.isotropic ? metric : whitened(s, piece), metric, allowed);
+        if (n == 0 && (place.depth == panels::mostHalvings || out.size() >= most || panels::isTiny(metric, allowed)))
+            n = panels::anyRule;
+        if (n == 0) {
+            place.halve();
+            continue;
+        }
+        addPanel(s, piece, n, out);
+        more = place.next();
+    }
 }
 
 /// Sets the metric M = D⁻¹/4t of an age, and its square root.
@@ -189,8 +202,11 @@ bool isSeen(const Segment &segment, Microseconds T, double scale)
     return isSeen(segment, Axes(segment, T), scale);
 }
 
-bool buildSegment(const Stroke &stroke, const Segment &segment, const NodeContext &context, double scale,
-                  UnsetVector<Node> &nodes, SegmentNodes &out)
+namespace {
+
+/// Describes the segment, and makes it ready to be cut into panels.
+bool describe(const Stroke &stroke, const Segment &segment, const NodeContext &context, double scale, SegmentNodes &out,
+              Source &s)
 {
     const std::vector<Style> &styles = context.styles;
     const Axes axes(segment, context.T);
@@ -209,7 +225,6 @@ bool buildSegment(const Stroke &stroke, const Segment &segment, const NodeContex
         tolerance *= 0.5;
     out.epsilon = std::clamp(tolerance / out.peak, spread * scale > deepSpread ? finestDeep : finest, coarsest);
 
-    Source s{};
     for (int i = 0; i < 4; ++i)
         s.curve.p[i] = Point{} + segment.bezier[i];
     setMetric(s, segment, axes.across);
@@ -231,9 +246,10 @@ bool buildSegment(const Stroke &stroke, const Segment &segment, const NodeContex
         s.clip = {context.clip.left - stroke.origin.x, context.clip.top - stroke.origin.y,
                   context.clip.right - stroke.origin.x, context.clip.bottom - stroke.origin.y};
     const double chord = norm(s.curve.p[3] - s.curve.p[0]);
-    out.begin = nodes.size();
-    addPanels(s, s.curve, out.epsilon * std::min(1.0, chord / (4 * spread) + 0.1), 0, out.begin + mostNodes, nodes);
-    out.end = nodes.size();
+    out.length = polygon / spread;
+    out.gain = s.gain;
+    out.tolerance = out.epsilon * std::min(1.0, chord / (4 * spread) + 0.1);
+    out.isotropic = s.isotropic;
     if (segment.lift)
         out.values = {{}, 1, stroke.style, true}, out.weightGain = -out.weightGain;
     else
@@ -242,6 +258,96 @@ bool buildSegment(const Stroke &stroke, const Segment &segment, const NodeContex
     out.reach = {segment.lift ? spread / liftFineness : spread, box.grown(reachInSpreads * larger)};
     out.mergeable = segment.isIsotropic() && !out.clipped && segment.driesAt() <= context.T && out.epsilon >= mergeable;
     return true;
+}
+
+} // namespace
+
+bool describeSegment(const Stroke &stroke, const Segment &segment, const NodeContext &context, double scale,
+                     SegmentNodes &out)
+{
+    Source source{};
+    return describe(stroke, segment, context, scale, out, source);
+}
+
+bool buildSegment(const Stroke &stroke, const Segment &segment, const NodeContext &context, double scale,
+                  UnsetVector<Node> &nodes, SegmentNodes &out)
+{
+    Source source{};
+    if (!describe(stroke, segment, context, scale, out, source))
+        return false;
+    out.begin = nodes.size();
+    addPanels(source, out.tolerance, out.begin + mostNodes, nodes);
+    out.end = nodes.size();
+    return true;
+}
+
+namespace {
+
+/// Tells whether nodes have the same values in floats, as rows hold them.
+bool sameRow(const SpanNode &a, const SpanNode &b)
+{
+    return std::ranges::equal(a.values, b.values, [](double x, double y) { return float(x) == float(y); });
+}
+
+} // namespace
+
+void appendGroup(const SegmentNodes &b, std::size_t begin, StrokeNodes &out)
+{
+    NodeGroup g;
+    g.begin = std::uint32_t(begin);
+    g.end = std::uint32_t(out.nodes.size());
+    for (std::size_t i = begin; i < out.nodes.size(); ++i)
+        out.nodes[i].weight *= b.weightGain;
+    g.row = std::uint32_t(out.rows.size());
+    out.rows.push_back(b.values);
+    g.reachBegin = std::uint32_t(out.reaches.size());
+    out.reaches.push_back(b.reach);
+    g.reachEnd = std::uint32_t(out.reaches.size());
+    out.groups.push_back(g);
+}
+
+void appendWindows(std::span<const SegmentNodes> run, const MergedSpan &merged, StrokeNodes &out)
+{
+    const double s = run[0].spread, metric = 1 / (s * s);
+    const NodeValues &values = run[0].values; // All segments of the run have its style and lift.
+    const std::size_t origin = run[0].begin;
+    std::size_t first = 0, next = 0; // the first segments of the window and of the next one
+    for (const SpanWindow &window : merged.windows) {
+        float radius = 0;
+        double gain = 1;
+        while (run[first].end - origin <= window.begin)
+            ++first;
+        for (std::size_t k = first; k < run.size() && run[k].begin - origin < window.end; ++k)
+            if (run[k].radius > radius)
+                radius = run[k].radius, gain = run[k].weightGain;
+        const std::span nodes(&merged.nodes[window.nodes], window.nodesEnd - window.nodes);
+        NodeGroup g;
+        g.begin = std::uint32_t(out.nodes.size());
+        g.row = std::uint32_t(out.rows.size());
+        g.rowPerNode = std::ranges::any_of(nodes, [&](const SpanNode &n) { return !sameRow(n, nodes[0]); });
+        for (const SpanNode &n : nodes) {
+            out.nodes.push_back({n.x * s, n.y * s, metric, 0, metric, n.weight * gain, radius});
+            if (g.rowPerNode || out.rows.size() == g.row) {
+                const auto &v = n.values;
+                out.rows.push_back(
+                    {{float(v[0]), float(v[1]), float(v[2]), float(v[3])}, float(v[4]), values.style, values.lift});
+            }
+        }
+        g.end = std::uint32_t(out.nodes.size());
+        g.reachBegin = std::uint32_t(out.reaches.size());
+        for (; next < run.size() && run[next].begin - origin < window.end; ++next)
+            out.reaches.push_back(run[next].reach);
+        g.reachEnd = std::uint32_t(out.reaches.size());
+        out.groups.push_back(g);
+    }
+}
+
+void giveBackSpareRoom(StrokeNodes &nodes)
+{
+    nodes.nodes.shrink_to_fit();
+    nodes.groups.shrink_to_fit();
+    nodes.rows.shrink_to_fit();
+    nodes.reaches.shrink_to_fit();
 }
 
 } // namespace suffuse

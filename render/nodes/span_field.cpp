@@ -18,12 +18,11 @@ namespace hn = hwy::HWY_NAMESPACE;
 using Tag = hn::CappedTag<float, 8>;
 using Vec = hn::Vec<Tag>;
 constexpr Tag tag;
+using spans::reach;
 // Products and sums are rounded one by one. Where a machine fused them into one instruction, its nodes would differ
 // from those of others.
 
-constexpr float reach = 4; // Farther than so many spreads away there is less than 1.2e-7.
-
-/// Writes out[i] = e^(−(i·step − at)²), exact to 2e-7, for i < count, a multiple of 4. Up to 8 are written at once, so
+/// Writes out[i] = spans::gaussian(i, step, at) for i < count, a multiple of 4. Up to 8 are written at once, so
 /// `out` must have room up to a multiple of 8.
 HWY_INLINE void gaussians(float at, float step, int count, float *out)
 {
@@ -110,20 +109,6 @@ HWY_EXPORT(fillAxes);
 HWY_EXPORT(addProducts);
 HWY_EXPORT(greatestRest);
 
-namespace {
-
-// Both are in spreads. What merging adds has no waves shorter than 0.9, and falls off as fast as the density.
-constexpr double finestStep = 0.55;
-constexpr double margin = 1.3;
-constexpr double flat = 0.02; // the height of a run that counts as straight
-
-int roundedUp(int n, int to)
-{
-    return (n + to - 1) / to * to;
-}
-
-} // namespace
-
 void SpanField::fillTables(const SpanNode *nodes, int count)
 {
     float x[batch], y[batch];
@@ -160,15 +145,10 @@ void SpanField::start(const SpanNode *nodes, int count, const VaryingValues &var
         left = std::min(left, x), right = std::max(right, x);
         top = std::min(top, y), bottom = std::max(bottom, y);
     }
-    // Across a run that is straight the difference falls off as the density does, so that few rows are enough.
-    const bool straight = bottom - top < flat;
-    const double width = right - left + 2 * margin, height = bottom - top + 2 * margin;
-    const double step = std::max(finestStep, std::max(width, height) / (side - 2));
-    m_left = left - margin;
-    m_top = straight ? 0.5 * (top + bottom) - step : top - margin;
-    m_step = float(step);
-    m_columns = roundedUp(int(width / step) + 2, 8);
-    m_rows = straight ? 4 : roundedUp(int(height / step) + 2, 4);
+    const spans::Grid grid(left, top, right, bottom);
+    m_left = grid.left, m_top = grid.top;
+    m_step = grid.step;
+    m_columns = grid.columns, m_rows = grid.rows;
     m_sums = 1 + varying.count;
     m_varying = varying;
     for (int first = 0; first < count; first += batch) {

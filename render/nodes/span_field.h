@@ -16,7 +16,7 @@ public:
     /// value if that is greater.
     float difference(const SpanNode *nodes, int count);
 
-    static constexpr int side = 40;  // points along an axis at most
+    static constexpr int side = spans::Grid::side;
     static constexpr int batch = SpanRule::maxNodes; // nodes that are added at a time
     using Table = float[batch][side];
     using Plane = float[side][side];

@@ -209,55 +209,62 @@ HWY_EXPORT(sumsAt);
 namespace {
 
 constexpr int maxNodes = SpanPolynomials::maxNodes;
-/// The numbers a. The longer a run, the more evenly its nodes may lie.
-constexpr std::array bends{0.7, 0.85, 1.0, 1.1, 1.2, 1.3};
+/// The longer a run, the more evenly its nodes may lie.
+constexpr std::array<double, spans::bends> bendNumbers{0.7, 0.85, 1.0, 1.1, 1.2, 1.3};
 
-int bendOf(double arc)
+/// Where the roots of polynomials lie if the run is even, by Szegő's asymptotics of those with the weight (1 − t²)^−½ on
+/// [−c, c].
+void fillEvenRoots(double bend, double (&at)[maxNodes + 1][maxNodes])
 {
-    const double wanted = 0.65 + 0.047 * arc;
-    int i = 0;
-    while (i + 1 < int(bends.size()) && bends[std::size_t(i + 1)] <= wanted)
-        ++i;
-    return i;
+    const double c = std::sin(bend), half = c * c / (4 - 2 * c * c);
+    const double q = 2 * half / (1 + std::sqrt(1 - 4 * half * half)); // q / (1 + q²) = half
+    for (int n = 1; n <= maxNodes; ++n)
+        for (int j = 0; j < maxNodes; ++j) {
+            const double phase = std::numbers::pi * (std::max(n - j, 1) - 0.25);
+            double angle = phase / (n + 0.5);
+            for (int step = 0; step < 4; ++step)
+                angle = (phase - 0.5 * std::atan2(q * std::sin(2 * angle), 1 - q * std::cos(2 * angle))) / (n + 0.5);
+            at[n][j] = c * std::cos(angle);
+        }
 }
 
-/// Where the roots of polynomials lie if the run is even, by Szegő's asymptotics of those with the weight
-/// (1 − t²)^−½ on [−c, c].
-struct EvenRoots {
-    double at[bends.size()][maxNodes + 1][maxNodes];
-
-    EvenRoots()
-    {
-        for (std::size_t i = 0; i < bends.size(); ++i) {
-            const double c = std::sin(bends[i]), half = c * c / (4 - 2 * c * c);
-            const double q = 2 * half / (1 + std::sqrt(1 - 4 * half * half)); // q / (1 + q²) = half
-            for (int n = 1; n <= maxNodes; ++n)
-                for (int j = 0; j < maxNodes; ++j) {
-                    const double phase = std::numbers::pi * (std::max(n - j, 1) - 0.25);
-                    double angle = phase / (n + 0.5);
-                    for (int step = 0; step < 4; ++step)
-                        angle = (phase - 0.5 * std::atan2(q * std::sin(2 * angle), 1 - q * std::cos(2 * angle))) /
-                                (n + 0.5);
-                    at[i][n][j] = c * std::cos(angle);
-                }
-        }
-    }
-};
-
 /// Places between which roots are looked for, from the least to the greatest, denser towards the ends.
-struct SignPlaces {
-    static constexpr int count = 4 * maxNodes;
-    alignas(64) double at[bends.size()][count];
+void fillPlaces(double bend, double (&at)[spans::places])
+{
+    for (int k = 0; k < spans::places; ++k)
+        at[k] = -(1 + 1e-9) * std::sin(bend) * std::cos(std::numbers::pi * k / (spans::places - 1));
+}
 
-    SignPlaces()
-    {
-        for (std::size_t i = 0; i < bends.size(); ++i)
-            for (int k = 0; k < count; ++k)
-                at[i][k] = -(1 + 1e-9) * std::sin(bends[i]) * std::cos(std::numbers::pi * k / (count - 1));
+spans::Tables makeTables()
+{
+    spans::Tables tables{};
+    for (std::size_t i = 0; i < bendNumbers.size(); ++i) {
+        tables.bend[i] = bendNumbers[i];
+        fillEvenRoots(bendNumbers[i], tables.even[i]);
+        fillPlaces(bendNumbers[i], tables.place[i]);
     }
-};
+    return tables;
+}
 
 } // namespace
+
+const spans::Tables &spanTables()
+{
+    static const spans::Tables tables = makeTables();
+    return tables;
+}
+
+double massOf(const SpanNode *nodes, int count)
+{
+    double part[spans::parts] = {};
+    int i = 0;
+    for (; i + spans::parts <= count; i += spans::parts)
+        for (int k = 0; k < spans::parts; ++k)
+            part[k] += nodes[i + k].weight;
+    for (int k = 0; i + k < count; ++k)
+        part[k] += nodes[i + k].weight;
+    return ((part[0] + part[1]) + (part[2] + part[3])) + ((part[4] + part[5]) + (part[6] + part[7]));
+}
 
 VaryingValues::VaryingValues(std::span<const SpanNode> nodes)
 {
@@ -266,7 +273,7 @@ VaryingValues::VaryingValues(std::span<const SpanNode> nodes)
             which[std::size_t(count++)] = v;
 }
 
-void SpanRule::start(const SpanNode *fine, const double *arc, int count, const VaryingValues &varying)
+void SpanRule::start(const SpanNode *fine, const double *arc, int count, const VaryingValues &varying, double mass)
 {
     m_fine = fine;
     m_varying = varying;
@@ -275,9 +282,8 @@ void SpanRule::start(const SpanNode *fine, const double *arc, int count, const V
     m_run.count = (count + 7) / 8 * 8;
     m_run.used = 2 + varying.count;
     const double middle = 0.5 * (arc[0] + arc[count - 1]), half = std::max(1e-9, 0.5 * (arc[count - 1] - arc[0]));
-    m_bend = bendOf(2 * half);
+    m_bend = spans::bendOf(spanTables(), 2 * half);
     const double scale = bend() / half;
-    double mass = 0;
     for (int i = 0; i < m_run.count; ++i) {
         const SpanNode &n = fine[std::min(i, count - 1)];
         m_run.weight[i] = i < count ? n.weight : 0;
@@ -286,7 +292,6 @@ void SpanRule::start(const SpanNode *fine, const double *arc, int count, const V
         m_run.carried[1][i] = n.y - fine[0].y;
         for (int v = 0; v < varying.count; ++v)
             m_run.carried[2 + v][i] = n.values[varying.which[std::size_t(v)]];
-        mass += m_run.weight[i];
     }
     m_mass = mass;
     HWY_DYNAMIC_DISPATCH(makeSines)(m_run);
@@ -297,7 +302,7 @@ void SpanRule::start(const SpanNode *fine, const double *arc, int count, const V
 
 double SpanRule::bend() const
 {
-    return bends[std::size_t(m_bend)];
+    return bendNumbers[std::size_t(m_bend)];
 }
 
 /// Computes orthonormal polynomials up to degree n − 1. Returns false if the nodes lie at fewer than n places.
@@ -339,20 +344,18 @@ bool SpanRule::improve(int n, double *out) const
 /// Finds them from those of an even run.
 bool SpanRule::rootsOfEvenRun(int n, double *out) const
 {
-    static const EvenRoots guesses;
-    std::copy_n(guesses.at[m_bend][n], maxNodes, out);
+    std::copy_n(spanTables().even[m_bend][n], maxNodes, out);
     return improve(n, out);
 }
 
 /// Finds them from changes of sign between places that lie four times as close as the roots of an even run.
 bool SpanRule::rootsBetweenPlaces(int n, double *out) const
 {
-    static const SignPlaces places;
-    const double *at = places.at[m_bend];
-    alignas(64) double values[SignPlaces::count];
-    HWY_DYNAMIC_DISPATCH(valuesAt)(m_run, n, at, SignPlaces::count, values);
+    const double *at = spanTables().place[m_bend];
+    alignas(64) double values[spans::places];
+    HWY_DYNAMIC_DISPATCH(valuesAt)(m_run, n, at, spans::places, values);
     int found = 0;
-    for (int i = 0; i + 1 < SignPlaces::count; ++i)
+    for (int i = 0; i + 1 < spans::places; ++i)
         if ((values[i] < 0) != (values[i + 1] < 0)) {
             if (found == n)
                 return false;
@@ -364,42 +367,11 @@ bool SpanRule::rootsBetweenPlaces(int n, double *out) const
     return improve(n, out);
 }
 
-/// Finds them as the eigenvalues of the Jacobi matrix, by the QL method with implicit shifts in the form without square
-/// roots (Pal, Walker and Kahan).
-void SpanRule::rootsAsEigenvalues(int n, double *d) const
+void SpanRule::rootsAsEigenvalues(int n, double *out) const
 {
-    double e2[maxNodes]; // the squares of the entries beside the diagonal
-    for (int i = 0; i < n; ++i) {
-        d[i] = m_run.alpha[i];
-        e2[i] = i + 1 < n ? m_run.beta[i + 1] * m_run.beta[i + 1] : 0;
-    }
-    for (int first = 0; first < n; ++first)
-        for (int step = 0; step < 60; ++step) {
-            // Leaving out an entry e moves an eigenvalue by e² divided by the gap to the next one.
-            int last = first;
-            while (last + 1 < n && e2[last] > 1e-12)
-                ++last;
-            if (last == first)
-                break;
-            const double e = std::sqrt(e2[first]), p = (d[first + 1] - d[first]) / (2 * e);
-            const double shift = d[first] - e / (p + std::copysign(std::sqrt(p * p + 1), p));
-            double cosine = 1, sine = 0, gamma = d[last] - shift, rest = gamma * gamma;
-            for (int i = last - 1; i >= first; --i) {
-                const double r = rest + e2[i], inverse = 1 / r, ratio = r / rest, gammaBefore = gamma;
-                if (i + 1 < last)
-                    e2[i + 1] = sine * r;
-                const double unturned = cosine * e2[i]; // what takes its place if rest is 0
-                cosine = rest * inverse;
-                sine = e2[i] * inverse;
-                gamma = cosine * (d[i] - shift) - sine * gammaBefore;
-                d[i + 1] = gammaBefore + (d[i] - gamma);
-                rest = rest > 0 ? gamma * gamma * ratio : unturned;
-            }
-            e2[first] = sine * rest;
-            d[first] = shift + gamma;
-        }
-    std::sort(d, d + n);
-    std::fill(d + n, d + maxNodes, d[n - 1]);
+    double squares[maxNodes];
+    spans::eigenvalues(n, m_run.alpha, m_run.beta, out, squares);
+    std::fill(out + n, out + maxNodes, out[n - 1]);
 }
 
 bool SpanRule::nodes(int n, SpanNode *out)

@@ -1,6 +1,8 @@
 // Level 0 nodes are a discrete measure. This computes its Gauss rules.
 #pragma once
 
+#include "render/math/spans.h"
+
 #include <array>
 #include <span>
 
@@ -29,9 +31,9 @@ struct VaryingValues {
 /// Holds a run of nodes, and the polynomials that are orthonormal over it. They follow p[k+1] · beta[k+1] =
 /// (t − alpha[k]) p[k] − beta[k] p[k−1].
 struct SpanPolynomials {
-    static constexpr int maxFine = 128;
-    static constexpr int maxNodes = 24;
-    static constexpr int moments = 7; ///< x, y, the values that vary
+    static constexpr int maxFine = spans::mostFine;
+    static constexpr int maxNodes = spans::mostNodes;
+    static constexpr int moments = spans::moments; ///< x, y, the values that vary
 
     int count = 0; ///< of nodes, rounded up to a multiple of 8; those that were added weigh nothing
     int used = 0;  ///< how many of the moments are used
@@ -44,6 +46,12 @@ struct SpanPolynomials {
     double moment[maxNodes][moments];
 };
 
+/// Returns the sum of the weights of a run.
+double massOf(const SpanNode *nodes, int count);
+
+/// Returns the tables that all runs share.
+const spans::Tables &spanTables();
+
 /// Computes the n-point Gauss rule of a run of nodes, for growing n at little cost (Stieltjes; the roots by Newton's
 /// method, or by Golub and Welsch's where that fails). The polynomials are in t = sin(aℓ), where ℓ is the arc length
 /// scaled to [−1, 1]: their nodes lie more evenly than those of polynomials in ℓ, and fewer are needed. The rule has
@@ -54,8 +62,9 @@ public:
     static constexpr int maxFine = SpanPolynomials::maxFine;
     static constexpr int maxNodes = SpanPolynomials::maxNodes;
 
-    /// Begins a run. `arc` has the arc lengths of the nodes; count is in [1, maxFine]. The nodes must outlive the rule.
-    void start(const SpanNode *fine, const double *arc, int count, const VaryingValues &varying);
+    /// Begins a run. `arc` has the arc lengths of the nodes; count is in [1, maxFine], `mass` is massOf
+    /// the run. The nodes must outlive the rule.
+    void start(const SpanNode *fine, const double *arc, int count, const VaryingValues &varying, double mass);
     /// Returns the number a, which depends on the run's length.
     double bend() const;
     /// Writes n nodes, n in [1, min(maxNodes, count)]. Returns false if the run lies at too few places for that many.

@@ -54,7 +54,7 @@ Span randomSpan(std::mt19937_64 &random, const StrokeShape &shape, int segments)
         const Cubic c{
             {a, a + (1.0 / 6) * (b - points[std::size_t(k) - 1]), b - (1.0 / 6) * (points[std::size_t(k) + 2] - a), b}};
         const double density = 0.6 + 0.4 * std::sin(0.9 * k + phase), along = double(k) / segments;
-        const int n = panelNodes(c, c, 0.1 * shape.tolerance);
+        const int n = panelNodes(panelCurve(c), panelCurve(c), 0.1 * shape.tolerance);
         const QuadratureRule &rule = gaussLegendre(n);
         span.segments.push_back(span.nodes.size());
         for (std::size_t i = 0; i < std::size_t(n); ++i) {
@@ -180,11 +180,11 @@ private slots:
                     return v.begin == begin && v.end - v.begin == w.end - w.begin;
                 });
                 all += isApart;
-                kept += isApart && same != b.windows.end() &&
-                        std::equal(a.nodes.begin() + std::ptrdiff_t(w.nodes),
-                                   a.nodes.begin() + std::ptrdiff_t(w.nodesEnd),
-                                   b.nodes.begin() + std::ptrdiff_t(same->nodes),
-                                   b.nodes.begin() + std::ptrdiff_t(same->nodesEnd));
+                kept +=
+                    isApart && same != b.windows.end() &&
+                    std::equal(a.nodes.begin() + std::ptrdiff_t(w.nodes), a.nodes.begin() + std::ptrdiff_t(w.nodesEnd),
+                               b.nodes.begin() + std::ptrdiff_t(same->nodes),
+                               b.nodes.begin() + std::ptrdiff_t(same->nodesEnd));
             }
         }
         qInfo("%zu of %zu windows without a changed segment stay", kept, all);
@@ -233,7 +233,8 @@ private slots:
         for (std::size_t i = 1; i < fine.size(); ++i)
             arc.push_back(arc.back() + std::hypot(fine[i].x - fine[i - 1].x, fine[i].y - fine[i - 1].y));
         SpanRule rule;
-        rule.start(fine.data(), arc.data(), int(fine.size()), VaryingValues(fine));
+        rule.start(fine.data(), arc.data(), int(fine.size()), VaryingValues(fine),
+                   massOf(fine.data(), int(fine.size())));
         const double half = 0.5 * arc.back();
         for (int n = 1; n <= SpanRule::maxNodes; ++n) {
             std::array<SpanNode, SpanRule::maxNodes> nodes;
