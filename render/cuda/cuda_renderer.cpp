@@ -83,8 +83,9 @@ std::vector<PixelRect> dirtyRects(const DirtyRegion &region, const std::uint8_t 
 } // namespace
 
 CudaRenderer::CudaRenderer(const std::vector<std::shared_ptr<cuda::Device>> &devices, int threads, bool cull,
-                           const cuda::ApartLimits &apart)
-    : m_crew(Threads(threads).count()), m_threads(threads, &m_crew), m_history(cuda::tileSide, cull), m_devices(devices)
+                           const cuda::ApartLimits &apart, std::size_t worthwhile)
+    : m_crew(Threads(threads).count()), m_threads(threads, &m_crew), m_nodes(devices.front(), worthwhile),
+      m_history(cuda::tileSide, cull, &m_nodes), m_devices(devices)
 {
     m_deviceName = QString::fromStdString(devices.front()->name());
     if (devices.size() > 1)
@@ -280,7 +281,9 @@ Result<std::unique_ptr<Renderer>> makeCudaRenderer(const RendererOptions &option
             devices.push_back(cuda::failingIfAsked(std::move(device)));
     if (devices.empty())
         return Error{QString::fromStdString(why)};
-    return std::unique_ptr<Renderer>(std::make_unique<CudaRenderer>(devices, options.threads, options.cull));
+    auto renderer = std::make_unique<CudaRenderer>(devices, options.threads, options.cull);
+    renderer->makeReady();
+    return std::unique_ptr<Renderer>(std::move(renderer));
 }
 
 } // namespace suffuse

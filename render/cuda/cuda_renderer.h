@@ -2,6 +2,7 @@
 #pragma once
 
 #include "render/cuda/cuda_frame.h"
+#include "render/cuda/device_nodes.h"
 #include "render/cuda/tile_worker.h"
 #include "render/renderer.h"
 #include "render/threads/crew.h"
@@ -13,10 +14,14 @@ namespace suffuse {
 class CudaRenderer : public Renderer {
 public:
     /// `devices` has at least one device; they share each picture by macro-tiles. `threads` are those of the host, 0
-    /// for all cores. `apart` says which strokes are evaluated apart from their tiles, which changes no bit.
+    /// for all cores. `apart` says which strokes are evaluated apart from their tiles, and `worthwhile` from how many
+    /// segments a thread on the first device builds nodes; neither changes a bit.
     CudaRenderer(const std::vector<std::shared_ptr<cuda::Device>> &devices, int threads, bool cull = true,
-                 const cuda::ApartLimits &apart = {});
+                 const cuda::ApartLimits &apart = {}, std::size_t worthwhile = cuda::DeviceNodes::usuallyWorthwhile);
     ~CudaRenderer() override;
+
+    /// Takes memory that the first picture will need.
+    void makeReady() { m_nodes.makeReady(); }
 
     Backend backend() const override { return Backend::Cuda; }
     QString deviceName() const override { return m_deviceName; }
@@ -47,6 +52,7 @@ private:
     Crew m_crew;
     Threads m_threads; ///< the threads of the crew
     QString m_deviceName;
+    cuda::DeviceNodes m_nodes;
     FrameHistory m_history;
     std::vector<std::unique_ptr<cuda::TileWorker>> m_workers;
     std::vector<Share> m_shares; ///< the share of each worker

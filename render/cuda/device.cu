@@ -4,6 +4,7 @@
 
 #include "render/cuda/gl_interop.h"
 #include "render/cuda/kernels.cuh"
+#include "render/cuda/node_kernels.cuh"
 
 namespace suffuse::cuda {
 
@@ -110,9 +111,10 @@ public:
     Fault open()
     {
         cudaDeviceProp properties;
-        for (cudaError_t error : {use(), cudaGetDeviceProperties(&properties, m_index),
-                                  cudaStreamCreateWithFlags(&m_stream, cudaStreamNonBlocking),
-                                  cudaEventCreate(&m_begin), cudaEventCreate(&m_end), fillingGrid(m_index, m_grid)})
+        for (cudaError_t error :
+             {use(), cudaGetDeviceProperties(&properties, m_index),
+              cudaStreamCreateWithFlags(&m_stream, cudaStreamNonBlocking), cudaEventCreate(&m_begin),
+              cudaEventCreate(&m_end), fillingGrid(m_index, m_grid), fillingMergers(m_index, m_mergers)})
             if (error != cudaSuccess)
                 return faultOf(error);
         m_name = properties.name;
@@ -196,6 +198,11 @@ public:
         return call([&] { return cudaEventRecord(m_end, m_stream); });
     }
 
+    Fault buildNodes(const NodeWork &work) override
+    {
+        return call([&] { return launchNodes(work, m_mergers, m_stream); });
+    }
+
     Fault finish(double *milliseconds) override
     {
         use();
@@ -227,6 +234,7 @@ private:
     cudaEvent_t m_begin = nullptr, m_end = nullptr;
     bool m_timed = false;
     Grid m_grid;
+    unsigned m_mergers = 1;
     FrameGraph m_graphs[2][2][2][2];
     int4 *m_rects = nullptr;
     int m_rectRoom = 0;

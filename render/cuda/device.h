@@ -1,6 +1,7 @@
 // This is what the host asks of a device that renders, without how CUDA does it. The header is C++17 and knows no Qt.
 #pragma once
 
+#include "render/cuda/node_records.h"
 #include "render/cuda/records.h"
 
 #include <cstddef>
@@ -60,6 +61,8 @@ public:
     virtual Fault clear(void *memory, std::size_t bytes) = 0; ///< sets the memory to zeros
     /// Runs the kernels for lists, then those for tiles (render/cuda/tile_program.h).
     virtual Fault run(const Frame &frame, Work work) = 0;
+    /// Runs the programs that build nodes (render/cuda/node_place.h and node_merge.h).
+    virtual Fault buildNodes(const NodeWork &work) = 0;
     /// Waits for everything that was asked for. `milliseconds`, if not null, gets the time of the last run() on the
     /// device's clock.
     virtual Fault finish(double *milliseconds) = 0;

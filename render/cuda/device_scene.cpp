@@ -2,7 +2,9 @@
 
 #include "render/cuda/stroke_records.h"
 
+#include <algorithm>
 #include <unordered_map>
+#include <unordered_set>
 
 namespace suffuse::cuda {
 
@@ -23,6 +25,8 @@ void DeviceScene::reset(int width, int height)
     m_nodes.resize(0), m_values.resize(0), m_deep.resize(0), m_small.resize(0), m_chunks.resize(0), m_strokes.resize(0);
     m_nodeRuns.clear(), m_valueRuns.clear(), m_deepRuns.clear(), m_smallRuns.clear();
     m_freeSlots.clear();
+    for (Entry &entry : m_entries)
+        m_dropped.push_back(std::move(entry.stroke));
     m_entries.clear();
     m_valid = true;
 }
@@ -50,6 +54,25 @@ void DeviceScene::drop(Entry &entry)
     m_deepRuns.give(entry.deep);
     m_smallRuns.give(entry.small);
     m_freeSlots.push_back(entry.slot);
+    m_dropped.push_back(std::move(entry.stroke));
+}
+
+void DeviceScene::freeDropped(Threads threads)
+{
+    constexpr std::size_t share = 16;
+    parallelFor((m_dropped.size() + share - 1) / share, threads, [this](std::size_t k) {
+        for (std::size_t i = k * share; i < std::min((k + 1) * share, m_dropped.size()); ++i)
+            m_dropped[i] = nullptr;
+    });
+    m_dropped.clear();
+}
+
+bool DeviceScene::knowsAny(const std::vector<SceneStrokePtr> &strokes) const
+{
+    std::unordered_set<const SceneStroke *> known;
+    for (const Entry &entry : m_entries)
+        known.insert(entry.stroke.get());
+    return std::ranges::any_of(strokes, [&](const SceneStrokePtr &stroke) { return known.contains(stroke.get()); });
 }
 
 std::size_t DeviceScene::align(const std::vector<SceneStrokePtr> &strokes, std::vector<Prepared> &changed)
@@ -215,19 +238,17 @@ Fault DeviceScene::upload()
 Fault DeviceScene::update(const std::vector<SceneStrokePtr> &strokes, const SceneChange &change, int width, int height,
                           Threads threads)
 {
+    freeDropped(threads);
     const bool wasteful = m_nodeRuns.size() > 2 * m_nodeRuns.used() + (std::size_t(1) << 16);
-    const bool anew = !m_valid || wasteful || width != m_width || height != m_height;
+    // If all strokes are new, they are packed again.
+    const bool anew =
+        !m_valid || wasteful || width != m_width || height != m_height || (change.reordered && !knowsAny(strokes));
     if (anew)
         reset(width, height);
     std::vector<Prepared> changed;
     std::size_t from = m_entries.size();
     if (anew || change.reordered) {
         from = align(strokes, changed);
-        if (!anew && changed.size() == strokes.size() && !strokes.empty()) { // All are new, so they are packed again.
-            reset(width, height);
-            changed.clear();
-            from = align(strokes, changed);
-        }
     } else {
         for (const SceneChange::Replaced &r : change.replaced) {
             countGeneral(m_entries[r.index], -1);

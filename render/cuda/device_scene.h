@@ -20,6 +20,9 @@ public:
     /// Makes the next update write everything anew.
     void forget();
 
+    /// Frees strokes that are no longer needed. There may be hundreds, so it is called while the device works.
+    void freeDropped(Threads threads);
+
     void fill(Frame &frame) const;
     /// Returns where the chunks of the i-th stroke begin. For i ≥ number of strokes it is the end of all chunks.
     std::uint32_t firstChunk(std::size_t i) const;
@@ -42,6 +45,8 @@ private:
         IndexRange nodes, values, deep, small;
     };
 
+    /// Tells whether some of these strokes are known.
+    bool knowsAny(const std::vector<SceneStrokePtr> &strokes) const;
     /// Takes over a list of strokes, some of which were added, removed or moved. Returns the index of the first one.
     std::size_t align(const std::vector<SceneStrokePtr> &strokes, std::vector<Prepared> &changed);
     void reset(int width, int height);
@@ -66,7 +71,8 @@ private:
     Mirror<StrokeRecord> m_strokes;
     RunPool m_nodeRuns, m_valueRuns, m_deepRuns, m_smallRuns;
     std::vector<std::uint32_t> m_freeSlots;
-    std::vector<Entry> m_entries; ///< in document order
+    std::vector<Entry> m_entries;          ///< in document order
+    std::vector<SceneStrokePtr> m_dropped; ///< strokes that may be freed
     bool m_valid = false;
     int m_width = 0, m_height = 0, m_columns = 0;
     std::vector<std::int32_t> m_general; ///< for each tile, how many chunks of strokes that are not plain meet it

@@ -58,6 +58,12 @@ Fault FailingDevice::run(const Frame &frame, Work work)
     return fault ? fault : m_device->run(frame, work);
 }
 
+Fault FailingDevice::buildNodes(const NodeWork &work)
+{
+    const Fault fault = next();
+    return fault ? fault : m_device->buildNodes(work);
+}
+
 Fault FailingDevice::finish(double *milliseconds)
 {
     const Fault fault = next();

@@ -33,6 +33,7 @@ public:
                     int count) override;
     Fault clear(void *memory, std::size_t bytes) override;
     Fault run(const Frame &frame, Work work) override;
+    Fault buildNodes(const NodeWork &work) override;
     Fault finish(double *milliseconds) override;
     std::unique_ptr<GlTexture> registerTexture(unsigned texture, Fault &fault) override;
 

@@ -392,6 +392,7 @@ Fault TileWorker::paint(const FrameHistory &history, bool interactive, std::span
         storeFinished();
         if (meanwhile)
             std::exchange(meanwhile, nullptr)();
+        m_scene.freeDropped(m_threads);
         // This always waits, since what was asked for reads and writes host memory.
         double milliseconds = 0;
         const Fault waited = m_device->finish(&milliseconds);

@@ -38,6 +38,11 @@ namespace suffuse::cuda {
 inline constexpr int warpLanes = 32;
 inline constexpr int fetchBytes = 16;
 
+/// Four numbers that are read and written together.
+struct alignas(16) Four {
+    float x, y, z, w;
+};
+
 #ifdef __CUDACC__
 
 class DeviceWarp {
@@ -94,12 +99,27 @@ public:
             v.value += m_lane >= by ? before : 0;
         }
     }
-    SUFFUSE_PROGRAM float least(const Var<float> &v)
+    template <class T>
+    SUFFUSE_PROGRAM T least(const Var<T> &v)
     {
-        float s = v.value;
+        T s = v.value;
         for (int by = warpLanes / 2; by > 0; by /= 2)
-            s = fminf(s, __shfl_xor_sync(everyLane, s, by));
+            s = fmin(s, __shfl_xor_sync(everyLane, s, by));
         return s;
+    }
+    /// Makes each lane's value the sum over its eight lanes (0 to 7, 8 to 15, …): ((0+1)+(2+3))+((4+5)+(6+7)).
+    template <class T>
+    SUFFUSE_PROGRAM void sumEights(Var<T> &v)
+    {
+        SUFFUSE_UNROLL
+        for (int by = 1; by < 8; by *= 2)
+            v.value += __shfl_xor_sync(everyLane, v.value, by);
+    }
+    /// Sets the value of lane `to`.
+    template <class T>
+    SUFFUSE_PROGRAM void put(Var<T> &v, int to, T value)
+    {
+        v.value = m_lane == to ? value : v.value;
     }
     /// Starts copies of 16 bytes to shared memory in each lane: copy(lane, start) calls start(to, from) as often as it
     /// likes. They have arrived after `arrive`, which may leave the copies of the last `fetch` on their way.
@@ -162,6 +182,12 @@ public:
         const std::uint32_t value = *static_cast<const volatile std::uint32_t *>(word);
         __threadfence();
         return value;
+    }
+    /// Reads four numbers from an address that is a multiple of 16.
+    static SUFFUSE_PROGRAM Four readFour(const float *from)
+    {
+        const float4 v = *reinterpret_cast<const float4 *>(from);
+        return {v.x, v.y, v.z, v.w};
     }
     /// Reads 16 bytes that another warp has published.
     template <class T>
@@ -253,12 +279,27 @@ public:
         for (int lane = 1; lane < warpLanes; ++lane)
             v[lane] += v[lane - 1];
     }
-    float least(const Var<float> &v)
+    template <class T>
+    T least(const Var<T> &v)
     {
-        float s = v[0];
-        for (const float value : v.values)
+        T s = v[0];
+        for (const T value : v.values)
             s = value < s ? value : s;
         return s;
+    }
+    template <class T>
+    void sumEights(Var<T> &v)
+    {
+        for (int i = 0; i < warpLanes; i += 8) {
+            const T sum = ((v[i] + v[i + 1]) + (v[i + 2] + v[i + 3])) + ((v[i + 4] + v[i + 5]) + (v[i + 6] + v[i + 7]));
+            for (int lane = i; lane < i + 8; ++lane)
+                v[lane] = sum;
+        }
+    }
+    template <class T>
+    void put(Var<T> &v, int to, T value)
+    {
+        v[to] = value;
     }
     template <class Copy>
     void fetch(Copy copy)
@@ -282,6 +323,7 @@ public:
         return *word;
     }
     static std::uint32_t look(const std::uint32_t *word) { return *word; }
+    static Four readFour(const float *from) { return {from[0], from[1], from[2], from[3]}; }
     template <class T>
     static T readPublished(const T *from)
     {

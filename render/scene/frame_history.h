@@ -12,8 +12,9 @@ class FrameHistory {
 public:
     static constexpr std::size_t noEdit = SIZE_MAX;
 
-    /// `cull`: see RendererOptions.
-    FrameHistory(int tileSize, bool cull) : m_tileSize(tileSize), m_scene(cull) {}
+    /// `cull`: see RendererOptions. `bulk`: see LiveScene.
+    FrameHistory(int tileSize, bool cull, BulkNodeBuilder *bulk = nullptr) : m_tileSize(tileSize), m_scene(cull, bulk)
+    {}
 
     /// What one frame changes.
     struct Step {

@@ -154,6 +154,34 @@ SceneStrokePtr LiveScene::dryOf(std::size_t i, const View &view) const
     return m_driesAt[i] <= m_time ? known : known->dry;
 }
 
+std::vector<std::shared_ptr<const StrokeNodes>> LiveScene::buildBulk(const std::vector<Stale> &stale,
+                                                                     const std::vector<FrozenNodes *> &frozen,
+                                                                     const RenderRequest &request,
+                                                                     Threads threads) const
+{
+    std::vector<std::shared_ptr<const StrokeNodes>> nodes(stale.size());
+    if (!m_bulk)
+        return nodes;
+    std::vector<StrokePtr> strokes;
+    std::vector<std::size_t> places; // where they are among the stale ones
+    std::size_t segments = 0;
+    for (std::size_t k = 0; k < stale.size(); ++k) {
+        const std::size_t i = stale[k].index;
+        if (stale[k].nodesHold || frozen[k] || (m_driesAt[i] <= request.time && dryOf(i, request.view)))
+            continue;
+        strokes.push_back(m_sources[i]);
+        places.push_back(k);
+        segments += m_sources[i]->segments.size();
+    }
+    if (segments / std::size_t(threads.count()) < m_bulk->worthwhile())
+        return nodes;
+    auto built =
+        m_bulk->build(strokes, request.time, zoomOctave(request.view.scale), visibleBox(request.view), threads);
+    for (std::size_t k = 0; k < places.size(); ++k)
+        nodes[places[k]] = std::move(built[k]);
+    return nodes;
+}
+
 void LiveScene::prepare(const std::vector<Stale> &stale, const RenderRequest &request, Threads threads)
 {
     const int octave = zoomOctave(request.view.scale);
@@ -171,6 +199,7 @@ void LiveScene::prepare(const std::vector<Stale> &stale, const RenderRequest &re
         if (keeps && known != m_frozen.end())
             *frozen.back() = std::move(known->second);
     }
+    const auto bulk = buildBulk(stale, frozen, request, threads);
     const Threads threadsEach = threads.within(stale.size());
     parallelFor(stale.size(), threads, [&](std::size_t k) {
         const std::size_t i = stale[k].index;
@@ -182,6 +211,7 @@ void LiveScene::prepare(const std::vector<Stale> &stale, const RenderRequest &re
             return;
         }
         auto nodes = stale[k].nodesHold ? m_strokes[i]->source
+                     : bulk[k]          ? bulk[k]
                      : frozen[k] ? buildNodes(m_sources[i], request.time, octave, visible, *frozen[k], threadsEach)
                                  : buildNodes(*m_sources[i], request.time, octave, visible, threadsEach);
         auto stroke = std::make_shared<SceneStroke>(

@@ -2,6 +2,7 @@
 // last one.
 #pragma once
 
+#include "render/nodes/bulk_nodes.h"
 #include "render/nodes/frozen_nodes.h"
 #include "render/scene/scene.h"
 #include "render/threads/parallel.h"
@@ -34,8 +35,9 @@ struct SceneChange {
 /// changes within an octave.
 class LiveScene {
 public:
-    /// With `cull` false, every stroke seems to reach and show everywhere, for tests.
-    explicit LiveScene(bool cull = true) : m_cull(cull) {}
+    /// With `cull` false, every stroke seems to reach and show everywhere, for tests. `bulk`, if there is one, builds
+    /// nodes where many are missing; the nodes are the same.
+    explicit LiveScene(bool cull = true, BulkNodeBuilder *bulk = nullptr) : m_cull(cull), m_bulk(bulk) {}
 
     /// Brings the scene up to date with the request. The returned change is useful only if the view is the same.
     SceneChange update(const RenderRequest &request, Threads threads);
@@ -62,6 +64,10 @@ private:
     void addWet(Microseconds time, std::vector<Stale> &stale) const;
     /// A stroke as it is once it has dried, if that is known: scrubbing through time comes back to it.
     SceneStrokePtr dryOf(std::size_t i, const View &view) const;
+    /// Builds nodes in bulk, if there are many to be built. The others are null.
+    std::vector<std::shared_ptr<const StrokeNodes>> buildBulk(const std::vector<Stale> &stale,
+                                                              const std::vector<FrozenNodes *> &frozen,
+                                                              const RenderRequest &request, Threads threads) const;
     void prepare(const std::vector<Stale> &stale, const RenderRequest &request, Threads threads);
     bool sameAge(std::size_t i, Microseconds time) const
     {
@@ -69,6 +75,7 @@ private:
     }
 
     bool m_cull;
+    BulkNodeBuilder *m_bulk;
     View m_view;
     Microseconds m_time = 0;
     StrokeList m_seen;           ///< the strokes of the painting, visible or not

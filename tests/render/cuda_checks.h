@@ -1,6 +1,7 @@
 // What a CUDA renderer must do on any device, emulated or real.
 #pragma once
 
+#include "render/bench/generator.h"
 #include "render/cuda/cuda_renderer.h"
 #include "tests/render/lifted.h"
 
@@ -42,6 +43,97 @@ inline void compareWithOthers(Renderer &cuda, const PaintingPtr &p, const View &
         w.difference <= 1.0 / 512,
         qPrintable(
             QStringLiteral("%1: %2/512 at %3, %4").arg(QLatin1String(what)).arg(w.difference * 512).arg(w.x).arg(w.y)));
+}
+
+/// How many strokes the device built, and how many segments those that it left to the host have.
+struct BuiltByDevice {
+    int strokes = 0, ofAll = 0;
+    std::size_t segmentsLeft = 0;
+};
+
+/// Compares what a device builds with what the host builds, bit for bit.
+inline BuiltByDevice checkNodesOf(cuda::DeviceNodes &device, const Painting &p, Microseconds time, int octave)
+{
+    const std::vector<StrokePtr> strokes(p.strokes.begin(), p.strokes.end());
+    const Rect all = p.canvas.area();
+    const auto built = device.build(strokes, time, octave, all, 0);
+    const auto sameGroup = [](const NodeGroup &a, const NodeGroup &b) {
+        return a.begin == b.begin && a.end == b.end && a.row == b.row && a.rowPerNode == b.rowPerNode &&
+               a.reachBegin == b.reachBegin && a.reachEnd == b.reachEnd;
+    };
+    BuiltByDevice counts{0, int(strokes.size()), 0};
+    for (std::size_t i = 0; i < strokes.size(); ++i) {
+        if (!built[i]) {
+            counts.segmentsLeft += strokes[i]->segments.size();
+            continue;
+        }
+        ++counts.strokes;
+        const auto host = buildNodes(*strokes[i], time, octave, all);
+        const StrokeNodes &a = *built[i], &b = *host;
+        const auto [x, y] = std::ranges::mismatch(a.nodes, b.nodes);
+        if (a.nodes.size() != b.nodes.size() || x != a.nodes.end())
+            qWarning("stroke %zu: %zu nodes against %zu, which differ from number %td on", i, a.nodes.size(),
+                     b.nodes.size(), x - a.nodes.begin());
+        const bool same = a.nodes == b.nodes && a.rows == b.rows && a.reaches == b.reaches && a.clipped == b.clipped &&
+                          std::ranges::equal(a.groups, b.groups, sameGroup);
+        if (!same) {
+            QTest::qFail("the device built other nodes", __FILE__, __LINE__);
+            return counts;
+        }
+    }
+    return counts;
+}
+
+/// A device builds the host's nodes.
+inline void checkNodes(const OpenDevice &open, int strokes)
+{
+    cuda::DeviceNodes device(open());
+    bench::PaintingOptions options;
+    options.strokes = strokes, options.segments = 23 * strokes;
+    for (const double spread : {6.0, 32.0}) {
+        options.spreadLow = spread, options.spreadHigh = 3 * spread;
+        const Painting p = bench::makePainting(options);
+        for (const int octave : {-4, 0, 3}) {
+            const BuiltByDevice built = checkNodesOf(device, p, p.end(), octave);
+            QCOMPARE(built.strokes, built.ofAll);
+        }
+        checkNodesOf(device, p, p.end() / 2, 0);
+    }
+    std::mt19937_64 random(3);
+    for (int i = 0; i < 8; ++i) {
+        const auto p =
+            painting(i % 2 ? liftedStrokes(random, 12, 300, 200) : randomStrokes(random, 12, 300, 200), 300, 200);
+        QVERIFY(checkNodesOf(device, *p, p->end(), 3 * i - 9).strokes > 0);
+        checkNodesOf(device, *p, 600000, 1);
+    }
+}
+
+/// Pictures are the same whether the device or the host builds nodes, from scratch, after edits, zoomed and in between
+/// times.
+inline void checkPicturesByNodes(const OpenDevice &open)
+{
+    std::mt19937_64 random(29);
+    std::uniform_real_distribution<double> u(0, 1);
+    auto p = painting(randomStrokes(random, 40, 120, 90), 120, 90);
+    CudaRenderer byDevice({open()}, 0, true, {}, 0), byHost({open()}, 0, true, {}, SIZE_MAX);
+    FloatPicture one, other;
+    Microseconds time = p->end();
+    for (int step = 0; step < 24; ++step) {
+        View view = View::ofArea(p->canvas.area(), 120, 90);
+        view.scale *= std::exp2(step / 6 - 1);
+        QVERIFY(byDevice.render({p, time, view}, one));
+        QVERIFY(byHost.render({p, time, view}, other));
+        QVERIFY2(one.rgba == other.rgba, qPrintable(QString::number(step)));
+        p = randomlyEdited(p, random);
+        if (step % 5 == 4)
+            time = Microseconds(u(random) * double(p->end()));
+        if (step % 7 == 6)
+            time = p->end();
+    }
+    CudaRenderer fresh({open(), open()}, 0, true, {}, 0);
+    const View view = View::ofArea(p->canvas.area(), 120, 90);
+    QVERIFY(byHost.render({p, time, view}, other));
+    QVERIFY(test::render(fresh, p, view, time).rgba == other.rgba);
 }
 
 inline void checkPictures(const OpenDevice &open)

@@ -1,5 +1,7 @@
 #include "tests/render/emulated_device.h"
 
+#include "render/cuda/node_merge.h"
+#include "render/cuda/node_place.h"
 #include "render/cuda/tile_lists.h"
 #include "render/cuda/tile_program.h"
 
@@ -170,6 +172,27 @@ void EmulatedDevice::paint(Frame frame, Work work)
     ++counts.runs;
     counts.tiles += frame.tileCount;
     counts.longestList = std::max(counts.longestList, frame.status[longestList]);
+}
+
+Fault EmulatedDevice::buildNodes(const NodeWork &work)
+{
+    perform([=, this] { makeNodes(work); });
+    return {};
+}
+
+void EmulatedDevice::makeNodes(NodeWork work)
+{
+    HostWarp warp;
+    PlaceScratch placing{};
+    for (std::uint32_t job = 0; job < work.jobCount; ++job)
+        NodePlacer<HostWarp>(warp, work, job, placing).run();
+    const auto merging = std::make_unique<MergeScratch>();
+    const std::uint32_t leaves = work.status[leavesTaken];
+    HostFieldCrew crew(merging->field, reinterpret_cast<Four *>(work.planes));
+    SpanMerger<HostFieldCrew> merger(crew, work, *merging);
+    for (std::uint32_t leaf; (leaf = warp.take(work.status + nextLeaf)) < leaves;)
+        merger.merge(leaf);
+    counts.nodeJobs += work.jobCount;
 }
 
 Fault EmulatedDevice::finish(double *milliseconds)

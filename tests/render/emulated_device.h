@@ -32,6 +32,7 @@ public:
                           int count) override;
     cuda::Fault clear(void *memory, std::size_t bytes) override;
     cuda::Fault run(const cuda::Frame &frame, cuda::Work work) override;
+    cuda::Fault buildNodes(const cuda::NodeWork &work) override;
     cuda::Fault finish(double *milliseconds) override;
     std::unique_ptr<cuda::GlTexture> registerTexture(unsigned texture, cuda::Fault &fault) override;
 
@@ -42,6 +43,7 @@ public:
         std::size_t haveUnder = 0, applyOver = 0; ///< tiles that used layers
         std::size_t apart = 0;                    ///< strokes at tiles that were evaluated apart
         std::uint32_t longestList = 0;
+        std::size_t nodeJobs = 0; ///< jobs for nodes, of which some found no room
     };
     Counts counts;
 
@@ -51,6 +53,7 @@ private:
     static bool holds(const Blocks &blocks, const void *memory, std::size_t bytes);
     void perform(std::function<void()> work);
     void performLate();
+    void makeNodes(cuda::NodeWork work);
     void paint(cuda::Frame frame, cuda::Work work);
 
     std::size_t m_memory, m_used = 0;

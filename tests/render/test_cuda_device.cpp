@@ -24,6 +24,8 @@ private slots:
         qInfo("%s", open()->name().c_str());
     }
 
+    void nodes() { checkNodes(open, 778); }
+    void picturesByNodes() { checkPicturesByNodes(open); }
     void pictures() { checkPictures(open); }
     void kinds() { checkKinds(open); }
     void lifts() { checkLifts(open); }

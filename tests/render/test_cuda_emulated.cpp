@@ -1,4 +1,5 @@
 // The CUDA renderer on an emulated device: the kernels' programs and all of the host side, without a GPU.
+#include "model/formats/files.h"
 #include "render/image_io/image_io.h"
 #include "tests/render/cuda_checks.h"
 #include "tests/render/emulated_device.h"
@@ -17,6 +18,22 @@ class TestCudaEmulated : public QObject {
     static std::shared_ptr<cuda::Device> open() { return std::make_shared<EmulatedDevice>(); }
 
 private slots:
+    void nodes() { checkNodes(open, 60); }
+    void picturesByNodes() { checkPicturesByNodes(open); }
+    void nodesOfSamples()
+    {
+        for (const char *name : {"flat", "ink-landscape", "still-life", "sheet"}) {
+            const auto p = loadPainting(
+                QStringLiteral(SUFFUSE_SOURCE_DIR "/packaging/samples/%1.suffuse").arg(QLatin1String(name)));
+            QVERIFY2(p, p ? "" : qPrintable(p.error()));
+            const auto device = std::make_shared<EmulatedDevice>();
+            cuda::DeviceNodes nodes(device);
+            const BuiltByDevice built = checkNodesOf(nodes, *p, p->end(), 0);
+            qInfo("%s: %d of %d strokes, %zu segments left, %zu jobs", name, built.strokes, built.ofAll,
+                  built.segmentsLeft, device->counts.nodeJobs);
+            QCOMPARE(built.strokes, built.ofAll);
+        }
+    }
     void pictures() { checkPictures(open); }
     void kinds() { checkKinds(open); }
     void lifts() { checkLifts(open); }

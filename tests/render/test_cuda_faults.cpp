@@ -17,12 +17,14 @@ class TestCudaFaults : public QObject {
         std::shared_ptr<cuda::FailingDevice> device;
         std::unique_ptr<FallbackRenderer> renderer;
     };
-    static Session open(cuda::PlannedFault fault, std::size_t memory = std::size_t(1) << 30)
+    static Session open(cuda::PlannedFault fault, std::size_t memory = std::size_t(1) << 30,
+                        std::size_t worthwhile = cuda::DeviceNodes::usuallyWorthwhile)
     {
         Session s;
         auto late = std::make_unique<EmulatedDevice>(memory, EmulatedDevice::Timing::Late);
         s.device = std::make_shared<cuda::FailingDevice>(std::move(late), fault);
-        auto cuda = std::make_unique<CudaRenderer>(std::vector<std::shared_ptr<cuda::Device>>{s.device}, 1);
+        auto cuda = std::make_unique<CudaRenderer>(std::vector<std::shared_ptr<cuda::Device>>{s.device}, 1, true,
+                                                   cuda::ApartLimits{}, worthwhile);
         s.renderer = std::make_unique<FallbackRenderer>(std::move(cuda), [] { return make(Backend::Cpu, 1); });
         return s;
     }
@@ -102,6 +104,28 @@ private slots:
             survived += s.renderer->backend() == Backend::Cuda;
         }
         QVERIFY(survived > 0);
+    }
+
+    /// The same where the device builds nodes. What it cannot build the host does, with the same bits.
+    void nodesThatTheDeviceDoesNotBuild()
+    {
+        constexpr std::size_t always = 0, memory = std::size_t(1) << 30;
+        Session whole = open({}, memory, always), byHost = open({}, memory, SIZE_MAX);
+        std::vector<std::vector<float>> expected;
+        const auto keep = [&](const RenderRequest &, const FloatPicture &picture) { expected.push_back(picture.rgba); };
+        drag<FloatPicture>(byHost, keep);
+        for (int n = 0; n <= whole.device->calls(); ++n) {
+            Session s = open({n, n % 2 ? cuda::Fault::Lost : cuda::Fault::OutOfMemory}, memory, always);
+            std::size_t step = 0;
+            drag<FloatPicture>(n == 0 ? whole : s, [&](const RenderRequest &request, const FloatPicture &picture) {
+                const bool cpu = s.renderer->backend() == Backend::Cpu;
+                if (!request.interactive)
+                    QVERIFY2(cpu ? isCpu(request, picture) : picture.rgba == expected[step],
+                             qPrintable(QStringLiteral("call %1").arg(n)));
+                ++step;
+            });
+            QVERIFY(n == 0 || n % 2 == 0 || s.renderer->backend() == Backend::Cpu);
+        }
     }
 
     /// Ever less memory: first it goes without layers, then tile by tile, at last the CPU draws.
