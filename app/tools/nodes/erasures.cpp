@@ -4,6 +4,7 @@
 #include "model/shaping/reshape.h"
 
 #include <algorithm>
+#include <array>
 #include <span>
 #include <tuple>
 
@@ -17,7 +18,36 @@ struct ErasurePart {
     std::vector<int> segments;
     std::vector<Microseconds> births; ///< in ascending order
     Point from, to;
+    Point start, end; ///< the directions at its ends
+    double length = 0;
+
+    /// How fast the hand went, in units a microsecond; 0 where the births do not tell.
+    double speed() const
+    {
+        return births.back() > births.front() ? length / double(births.back() - births.front()) : 0;
+    }
 };
+
+/// Whether the hand may have gone from one part to a later one in one go, over ground without paint: straight on, as
+/// fast as before or behind.
+bool goesStraightOn(const ErasurePart &before, const ErasurePart &after)
+{
+    constexpr Microseconds longest = 3'000'000;
+    constexpr double within = 0.7; // the cosine of 45°
+    constexpr double factor = 4;
+    const Point way = after.from - before.to;
+    const double far = length(way);
+    const Microseconds time = after.births.front() - before.births.back();
+    const auto leads = [&](Point direction) {
+        return direction.x * way.x + direction.y * way.y > within * far * length(direction);
+    };
+    if (!(far > 0) || time <= 0 || time > longest || !leads(before.end) || !leads(after.start))
+        return false;
+    const double speed = far / double(time);
+    return std::ranges::all_of(std::array{before.speed(), after.speed()}, [speed](double known) {
+        return known == 0 || (speed < factor * known && speed > known / factor);
+    });
+}
 
 /// The parts in visible, unlocked strokes with the same size and softness as a segment, in the order of their births.
 std::vector<ErasurePart> partsLike(const Painting &painting, const Segment &sample)
@@ -27,15 +57,21 @@ std::vector<ErasurePart> partsLike(const Painting &painting, const Segment &samp
         if (!stroke->hasLift() || !painting.isVisible(*stroke) || painting.isLocked(*stroke))
             continue;
         for (const Chain &chain : chainsOf(*stroke)) {
-            ErasurePart part{stroke->id, {}, {}, {}, {}};
+            ErasurePart part;
+            part.stroke = stroke->id;
             for (int k = chain.first; k <= chain.last; ++k) {
                 const Segment &segment = stroke->segments[std::size_t(k)];
                 if (!segment.lift || segment.diffusion != sample.diffusion || segment.maxAge != sample.maxAge)
                     continue;
                 const Cubic curve = stroke->cubicOf(segment);
-                if (part.segments.empty())
+                const Point way = curve.p[3] - curve.p[0];
+                if (part.segments.empty()) {
                     part.from = curve.p[0];
+                    part.start = way;
+                }
                 part.to = curve.p[3];
+                part.end = way;
+                part.length += length(way);
                 part.segments.push_back(k);
                 part.births.push_back(segment.born);
             }
@@ -73,8 +109,9 @@ std::set<SegmentRef> wholeErasureOf(const Painting &painting, const SegmentRef &
     Microseconds latest = 0;
     for (; end < parts.size(); ++end) {
         const ErasurePart &part = parts[end];
-        const bool goesOn = end > begin && (part.births.front() < latest + toMicroseconds(double(sample.maxAge)) ||
-                                            length(part.from - parts[end - 1].to) < touching);
+        const bool goesOn =
+            end > begin && (part.births.front() < latest + toMicroseconds(double(sample.maxAge)) ||
+                            length(part.from - parts[end - 1].to) < touching || goesStraightOn(parts[end - 1], part));
         if (!goesOn) {
             if (isFound)
                 break;

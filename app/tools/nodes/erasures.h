@@ -14,7 +14,8 @@ std::set<SegmentRef> erasureOf(const Painting &painting, const SegmentRef &segme
 /// All that one stroke of the eraser's hand has left: the erasure of that segment, and its parts in other visible,
 /// unlocked strokes and behind gaps. Nothing in a painting says which parts belong together, so they are told by their
 /// births and size. Parts further apart in time than an erasure takes to dry are parts of another one, unless they
-/// touch. An erasure that was doubled is a thing of its own.
+/// touch, or the hand may have gone straight on from one to the other at its pace. An erasure that was doubled is a
+/// thing of its own.
 std::set<SegmentRef> wholeErasureOf(const Painting &painting, const SegmentRef &segment);
 /// A place on an erasure.
 struct ErasurePlace {

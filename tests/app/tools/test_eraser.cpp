@@ -432,6 +432,43 @@ private slots:
         s.use(Command::ShowErasures);
     }
 
+    /// Between two strokes a slow hand is over bare paper for longer than an erasure takes to dry.
+    void aSlowHandsErasureIsOneToo()
+    {
+        EraserSession s;
+        QTest::mousePress(&s.canvas(), Qt::LeftButton, {}, s.at({350, 250}));
+        for (int i = 1; i <= 50; ++i) {
+            s.advance(40'000);
+            s.move({350, 250 + 5.0 * i});
+        }
+        QTest::mouseRelease(&s.canvas(), Qt::LeftButton, {}, s.at({350, 500}));
+        s.dry();
+        s.erase({390, 250}, {390, 500}); // a path beside it is another one
+        s.dry();
+        const auto birthsOf = [&](StrokeId id) {
+            std::vector<Microseconds> births;
+            for (const Segment &segment : s.stroke(id).segments)
+                if (segment.lift && std::abs(s.stroke(id).cubicOf(segment).at(0.5).x - 350) < 15)
+                    births.push_back(segment.born);
+            return births;
+        };
+        const std::vector<Microseconds> above = birthsOf(s.id), below = birthsOf(s.other);
+        QVERIFY(!above.empty() && !below.empty());
+        QVERIFY2(below.front() - above.back() > 150'000, qPrintable(QString::number(below.front() - above.back())));
+        s.use(Command::ShowErasures);
+        s.use(Command::Segments);
+        s.editor().document().setSelection({});
+        for (int k = 0; k < int(s.stroke().segments.size()); ++k)
+            if (const Segment &segment = s.stroke().segments[std::size_t(k)];
+                segment.lift && segment.born == above[above.size() / 2]) {
+                s.click(s.stroke().cubicOf(segment).at(0.5));
+                break;
+            }
+        QCOMPARE(s.selection().segments.size(), above.size() + below.size());
+        QCOMPARE(s.selection().strokes, (std::set<StrokeId>{s.id, s.other}));
+        s.use(Command::ShowErasures);
+    }
+
     /// An erasure is nothing without the paint that it takes away.
     void duplicateDoublesAnErasure()
     {
