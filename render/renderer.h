@@ -33,7 +33,8 @@ struct RenderStats {
     int tiles = 0;                      ///< tiles of the picture
     int tilesEvaluated = 0;             ///< tiles that were evaluated in this call
     std::size_t nodes = 0;              ///< nodes of the scene
-    std::vector<PixelRect> dirty;       ///< the rectangles that were stored, which do not overlap
+    std::vector<PixelRect> dirty;       ///< where the target's pixels may differ, in rectangles that do not overlap
+    double pixelsEvaluated = 0;         ///< those that were drawn; the rest of `dirty` was moved there
     double deviceMs = 0;                ///< time of the device alone, by its clock; 0 on the CPU
     std::shared_ptr<DeviceFrame> frame; ///< the picture if it stayed on the device; null if it is in the target
     /// whether `cancel` was set; what was not stored is then still dirty for the next call

@@ -19,6 +19,9 @@ public:
     std::uint64_t serial() const { return m_serial; }
     /// Called before the first `store` of a picture of another size.
     virtual void resize(int width, int height) = 0;
+    /// Moves the picture's pixels to the right and down (or left and up), if it can; those that come into view are
+    /// stored afterwards. Returns false where it cannot.
+    virtual bool move(int /*dx*/, int /*dy*/) { return false; }
     /// Stores a rectangle. `rgba` has 4 floats for each pixel, in rows of `stride` pixels. It is called from several
     /// threads at once for rectangles that do not overlap.
     virtual void store(const PixelRect &rect, const float *rgba, int stride) = 0;
@@ -48,6 +51,7 @@ public:
         width = w, height = h;
         rgba.assign(std::size_t(w) * h * 4, 0.0f);
     }
+    bool move(int dx, int dy) override;
     void store(const PixelRect &rect, const float *pixels, int stride) override;
     const float *at(int x, int y) const { return rgba.data() + (std::size_t(y) * width + x) * 4; }
 };
@@ -65,6 +69,7 @@ public:
         width = w, height = h;
         argb.assign(std::size_t(w) * h, 0);
     }
+    bool move(int dx, int dy) override;
     void store(const PixelRect &rect, const float *pixels, int stride) override;
     bool keepsArgb() const override { return true; }
     void storeArgb(const PixelRect &rect, const std::uint32_t *pixels, int stride) override;

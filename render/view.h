@@ -3,6 +3,8 @@
 
 #include "model/painting/geometry.h"
 
+#include <vector>
+
 namespace suffuse {
 
 /// A rectangle of whole pixels.
@@ -15,14 +17,23 @@ struct PixelRect {
     friend bool operator==(const PixelRect &, const PixelRect &) = default;
 };
 
+/// How many pixels lie in rectangles that do not overlap.
+inline double pixelsIn(const std::vector<PixelRect> &rects)
+{
+    double pixels = 0;
+    for (const PixelRect &r : rects)
+        pixels += double(r.width) * r.height;
+    return pixels;
+}
+
 /// A similarity between canvas units and pixels. It is stored with the canvas point at the centre of the picture, so
 /// that deep zoom loses no digits: subtract in double first, then scale.
 struct View {
-    Point centre;            ///< canvas point at the centre of the picture
-    double scale = 1;        ///< pixels per unit (the zoom), 1e-3 … 1e9
-    double rotation = 0;     ///< radians, clockwise on screen (y down)
-    bool mirrored = false;   ///< left and right swapped, before the rotation
-    int width = 0;           ///< pixels
+    Point centre;          ///< canvas point at the centre of the picture
+    double scale = 1;      ///< pixels per unit (the zoom), 1e-3 … 1e9
+    double rotation = 0;   ///< radians, clockwise on screen (y down)
+    bool mirrored = false; ///< left and right swapped, before the rotation
+    int width = 0;         ///< pixels
     int height = 0;
     friend bool operator==(const View &, const View &) = default;
 

@@ -29,6 +29,12 @@ std::size_t blocksIn(int width, int height)
     return across(width) * across(height);
 }
 
+/// A rectangle of the grid, counted from the picture's corner.
+PixelRect inPicture(const PixelRect &r, const PixelRect &picture)
+{
+    return {r.x - picture.x, r.y - picture.y, r.width, r.height};
+}
+
 /// The name of the instruction set as processors have it, which is not Highway's.
 QString instructionSet()
 {
@@ -152,14 +158,17 @@ void CpuRenderer::paint(const Job &job, Target &target)
     const std::size_t first = m_history.edited();
     const SceneStroke *edited = first < scene.size() ? scene[first].get() : nullptr;
     thread_local cpu::TileStrokes strokes; // It keeps its memory from tile to tile.
-    strokes.begin(*m_frame.kernels, tile);
+    strokes.begin(*m_frame.kernels, tile, m_frame.grid.window);
     cpu::TilePlan plan = job.plan;
     for (const std::uint32_t i : job.strokes)
         plan.below += strokes.add(*scene[i], prefixOf(job, i, strokes)) && first != FrameHistory::noEdit && i < first;
     thread_local std::vector<float> rgba;
     rgba.resize(std::size_t(tile.width) * std::size_t(tile.height) * 4);
     cpu::paintTile(m_frame, tile, strokes, plan, edited, rgba.data());
-    target.store(tile, rgba.data(), tile.width);
+    const DirtyRegion &region = m_history.region();
+    const PixelRect seen = region.clipped(tile);
+    const std::size_t skipped = std::size_t(seen.y - tile.y) * std::size_t(tile.width) + std::size_t(seen.x - tile.x);
+    target.store(inPicture(seen, region.picture()), rgba.data() + skipped * 4, tile.width);
 }
 
 Result<RenderStats> CpuRenderer::render(const RenderRequest &request, Target &target, const std::atomic<bool> *cancel)
@@ -173,11 +182,12 @@ Result<RenderStats> CpuRenderer::render(const RenderRequest &request, Target &ta
     if (!paper)
         return Error{paper.error()};
 
-    const FrameHistory::Step step = m_history.advance(request, target, m_threads);
+    const PictureGrid grid = PictureGrid::ofDocument(request.view);
+    const FrameHistory::Step step = m_history.advance(request, grid, target, m_threads);
     const DirtyRegion &region = m_history.region();
-    m_paper.begin(cpu::kernels(), request.view, request.painting->canvas.paper, *paper,
+    m_paper.begin(cpu::kernels(), grid, request.painting->canvas.paper, *paper,
                   std::size_t(region.columns()) * std::size_t(region.rows()));
-    m_frame = {request.view, request.painting->canvas, &m_paper, request.transparent, &cpu::kernels()};
+    m_frame = {grid, request.painting->canvas, &m_paper, request.transparent, &cpu::kernels()};
     followEdits(step);
     stats.nodes = m_history.scene().nodeCount();
     stats.nodesMs = milliseconds(stage);
@@ -201,16 +211,20 @@ Result<RenderStats> CpuRenderer::render(const RenderRequest &request, Target &ta
     for (std::size_t i = 0; i < jobs.size(); ++i) {
         if (done[i]) {
             m_history.drawn(jobs[i].column, jobs[i].row, jobs[i].plan.applyOver);
-            stats.dirty.push_back(m_history.region().tile(jobs[i].column, jobs[i].row));
+            stats.dirty.push_back(
+                inPicture(region.clipped(region.tile(jobs[i].column, jobs[i].row)), region.picture()));
             used.push_back(m_history.tileIndex(jobs[i].column, jobs[i].row));
         } else if (jobs[i].plan.layers) {
             *jobs[i].plan.layers = {}; // The layers were not filled.
         }
     }
     m_layers.keep(used);
-    stats.tiles = m_history.region().columns() * m_history.region().rows();
+    stats.tiles = region.columns() * region.rows();
     stats.tilesEvaluated = int(stats.dirty.size());
     stats.cancelled = stats.dirty.size() < jobs.size();
+    stats.pixelsEvaluated = pixelsIn(stats.dirty);
+    if (step.moved)
+        stats.dirty = {{0, 0, request.view.width, request.view.height}};
     stats.tilesMs = milliseconds(stage);
     stats.totalMs = milliseconds(total);
     return stats;

@@ -25,23 +25,24 @@ void fillImagePaper(const PaperTexture &image, const Paper &paper, const View &v
 
 } // namespace
 
-void PaperTiles::begin(const Kernels &kernels, const View &view, const Paper &paper,
+void PaperTiles::begin(const Kernels &kernels, const PictureGrid &grid, const Paper &paper,
                        std::shared_ptr<const PaperTexture> image, std::size_t tiles)
 {
     m_kernels = &kernels;
-    const bool same = view == m_view && paper == m_paper && image == m_image;
+    const bool same = grid.sameGrid(m_grid) && paper == m_paper && image == m_image;
+    const bool sameTiles = same && grid.picture == m_grid.picture;
+    m_grid = grid;
     if (!same) {
-        m_view = view;
         m_paper = paper;
         m_image = std::move(image);
         for (int level = 0; level < levels && isThere() && paper.kind == PaperKind::Procedural; ++level)
-            m_plans[std::size_t(level)] = planPaper(paper, view, std::ldexp(1.0, -level));
+            m_plans[std::size_t(level)] = planPaper(paper, grid.view, std::ldexp(1.0, -level));
     }
     if (!isThere() || tiles * m_blocksPerTile * sizeof(BlockEta) > mostBytes)
         tiles = 0;
     if (m_tiles.size() != tiles)
         m_tiles = std::vector<Tile>(tiles);
-    else if (!same)
+    else if (!sameTiles)
         for (Tile &tile : m_tiles)
             tile.known = 0; // Its memory is used again.
 }
@@ -67,7 +68,7 @@ void PaperTiles::fill(const Block &block, int level, float *eta) const
     if (m_paper.kind == PaperKind::Procedural)
         m_kernels->paper(m_plans[std::size_t(level)], block, eta);
     else if (m_image)
-        fillImagePaper(*m_image, m_paper, m_view, block, eta);
+        fillImagePaper(*m_image, m_paper, m_grid.view, block, eta);
     else
         std::fill_n(eta, blockSize, 1.0f);
 }

@@ -3,6 +3,7 @@
 
 #include "render/cpu/kernels.h"
 #include "render/cpu/paper_plan.h"
+#include "render/picture_grid.h"
 #include "render/scene/paper.h"
 #include "render/threads/unset_vector.h"
 
@@ -16,9 +17,10 @@ class PaperTiles {
 public:
     explicit PaperTiles(std::size_t blocksPerTile) : m_blocksPerTile(blocksPerTile) {}
 
-    /// Begins a frame. What is known of the paper stays if view and paper do. One thread may call it while none paints.
-    void begin(const Kernels &kernels, const View &view, const Paper &paper, std::shared_ptr<const PaperTexture> image,
-               std::size_t tiles);
+    /// Begins a frame. What is known of the paper stays if the picture's place and the paper do. One thread may call it
+    /// while none paints.
+    void begin(const Kernels &kernels, const PictureGrid &grid, const Paper &paper,
+               std::shared_ptr<const PaperTexture> image, std::size_t tiles);
 
     /// Whether η differs from 1 anywhere.
     bool isThere() const { return m_paper.kind != PaperKind::None && m_paper.strength > 0; }
@@ -42,7 +44,7 @@ private:
 
     const std::size_t m_blocksPerTile;
     const Kernels *m_kernels = nullptr;
-    View m_view;
+    PictureGrid m_grid;
     Paper m_paper;
     std::shared_ptr<const PaperTexture> m_image;
     std::array<PaperPlan, levels> m_plans; ///< for procedural papers

@@ -33,7 +33,7 @@ public:
                  Scratch &scratch)
         : m_frame(frame), m_tile(tile), m_index(index), m_x(x), m_y(y), m_s(scratch)
     {
-        m_s.levels.begin(frame.view, x, y);
+        m_s.levels.begin(frame.grid.view, x, y);
         if (under) {
             m_s.backdrop = *under;
             return;
@@ -165,7 +165,7 @@ private:
         m_s.whole.resize(std::max(m_s.whole.size(), std::size_t(runs) * boxRun));
         Meeting meeting;
         m_frame.kernels->listNodes(stroke.boxes.boxes(), int(stroke.nodes.size()), m_s.runs.data(), runs,
-                                   {double(m_x), double(m_y)}, m_s.whole.data(), &meeting);
+                                   inWindow(0, 0), m_s.whole.data(), &meeting);
         return NodeList(m_s.whole.data(), std::size_t(meeting.count));
     }
 
@@ -187,11 +187,19 @@ private:
         }
     }
 
+    /// Cells from pixel (i, j) of the block on, in pixels from the corner of the window, as boxes of nodes are.
+    Grid inWindow(int i, int j, int side = blockSide, int across = 1) const
+    {
+        const PixelRect &window = m_frame.grid.window;
+        return {double(m_x + i - window.x), double(m_y + j - window.y), double(side), across, across};
+    }
+
     int findRunsOf(const SceneStroke &stroke)
     {
-        Meeting block;
-        const Area area = areaOf(Rect::of(m_x, m_y, blockSide, blockSide));
-        return findRuns(*m_frame.kernels, stroke, {0, stroke.nodes.size()}, area, m_s.runs, block);
+        Meeting meeting;
+        const Grid block = inWindow(0, 0);
+        const Area area = areaOf(Rect::of(block.x, block.y, blockSide, blockSide));
+        return findRuns(*m_frame.kernels, stroke, {0, stroke.nodes.size()}, area, m_s.runs, meeting);
     }
 
     /// The runs of boxes in which the listed nodes lie.
@@ -210,7 +218,7 @@ private:
     {
         std::array<Meeting, gridSide * gridSide> cells;
         m_frame.kernels->listNodes(stroke.boxes.boxes(), int(stroke.nodes.size()), m_s.runs.data(), runs,
-                                   {double(m_x + i), double(m_y + j), double(side), across, across}, m_s.group.data(),
+                                   inWindow(i, j, side, across), m_s.group.data(),
                                    cells.data());
         const std::size_t room = std::size_t(runs) * boxRun;
         for (int k = 0; k < across * across; ++k) {

@@ -10,7 +10,7 @@ namespace suffuse::cpu {
 
 /// What all tiles of a picture share.
 struct Frame {
-    View view;
+    PictureGrid grid;
     Canvas canvas;
     PaperTiles *paper = nullptr;
     bool transparent = false;
@@ -28,7 +28,7 @@ struct TilePlan {
     bool applyOver = false;  ///< whether that map is used instead of those strokes
 };
 
-/// Evaluates `tile`, whose corner lies on the picture's 8-pixel grid, into `rgba`, in rows of tile.width pixels.
+/// Evaluates `tile`, whose corner lies on the grid's 8-pixel cells, into `rgba`, in rows of tile.width pixels.
 /// `strokes` are in order. With layers, the one at `plan.below` may be the edited one, which `edited` names.
 void paintTile(const Frame &frame, const PixelRect &tile, const TileStrokes &strokes, const TilePlan &plan,
                const SceneStroke *edited, float *rgba);

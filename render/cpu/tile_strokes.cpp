@@ -6,7 +6,7 @@ namespace suffuse::cpu {
 
 namespace {
 
-bool meets(const PixelRect &bounds, double x, double y)
+bool meets(const PixelRect &bounds, int x, int y)
 {
     return bounds.x < x + blockSide && x < bounds.x + bounds.width && bounds.y < y + blockSide &&
            y < bounds.y + bounds.height;
@@ -34,12 +34,13 @@ bool shows(const SceneStroke &stroke, const Meeting &meeting)
     return meeting.count == 0 ? !stroke.deep.empty() : !canVanish(stroke, meeting.density, meeting.slope);
 }
 
-void TileStrokes::begin(const Kernels &kernels, const PixelRect &tile)
+void TileStrokes::begin(const Kernels &kernels, const PixelRect &tile, const PixelRect &window)
 {
     const auto blocks = [](int pixels) { return (pixels + blockSide - 1) / blockSide; };
     m_kernels = &kernels;
-    m_grid = {double(tile.x), double(tile.y), blockSide, blocks(tile.width), blocks(tile.height)};
-    m_area = areaOf(Rect::of(tile.x, tile.y, m_grid.columns * blockSide, m_grid.rows * blockSide));
+    m_tile = tile;
+    m_grid = {double(tile.x - window.x), double(tile.y - window.y), blockSide, blocks(tile.width), blocks(tile.height)};
+    m_area = areaOf(Rect::of(m_grid.x, m_grid.y, m_grid.columns * blockSide, m_grid.rows * blockSide));
     m_strokes.clear();
     m_used = 0;
 }
@@ -74,7 +75,7 @@ bool TileStrokes::add(const SceneStroke &stroke, const StrokePrefix *prefix)
         if (prefix)
             cells[i] += prefix->blocks[i].meeting;
         if (!shows(stroke, cells[i]) ||
-            !meets(stroke.bounds, m_grid.x + column * blockSide, m_grid.y + row * blockSide))
+            !meets(stroke.bounds, m_tile.x + column * blockSide, m_tile.y + row * blockSide))
             continue;
         entry.blocks[i] = {std::uint32_t(m_used + i * room), listed};
         shown = true;
@@ -107,8 +108,8 @@ void TileStrokes::settle(const SceneStroke &stroke, std::size_t steady, StrokePr
             continue;
         block.meeting += cells[i];
         sums.take(block.sums);
-        const Block place{m_grid.x + int(i) % m_grid.columns * blockSide,
-                          m_grid.y + int(i) / m_grid.columns * blockSide};
+        const Block place{double(m_tile.x + int(i) % m_grid.columns * blockSide),
+                          double(m_tile.y + int(i) / m_grid.columns * blockSide)};
         m_kernels->accumulate(place, stroke.nodes.data(), m_nodes.data() + m_used + i * room, count, count,
                               stroke.values.data(), stroke.channels, !block.sums.empty(), sums);
         block.sums.resize(floats);

@@ -31,8 +31,8 @@ Area areaOf(const Rect &rect);
 /// The strokes that show in a tile, in order, with their nodes by block (rows of blocks first).
 class TileStrokes {
 public:
-    /// Begins a tile of at most gridSide × gridSide blocks. It keeps its memory.
-    void begin(const Kernels &kernels, const PixelRect &tile);
+    /// Begins a tile of at most gridSide × gridSide blocks. It keeps its memory. `window` is that of the strokes' grid.
+    void begin(const Kernels &kernels, const PixelRect &tile, const PixelRect &window);
     /// Adds a stroke. Its sums start from `prefix` if there is one. Returns false if it shows nothing in any block.
     bool add(const SceneStroke &stroke, const StrokePrefix *prefix = nullptr);
     /// Extends `prefix`, which belongs to the tile, to the first `steady` nodes of the stroke.
@@ -73,7 +73,8 @@ private:
     std::size_t blockCount() const { return std::size_t(m_grid.columns * m_grid.rows); }
 
     const Kernels *m_kernels = nullptr;
-    Grid m_grid;
+    PixelRect m_tile;
+    Grid m_grid; ///< the blocks, in pixels from the corner of the window, as boxes are
     Area m_area;
     std::vector<Entry> m_strokes;
     std::vector<std::uint32_t> m_nodes, m_runs;

@@ -188,7 +188,7 @@ Result<RenderStats> CudaRenderer::render(const RenderRequest &request, Target &t
         m_history.forget();
     m_onDevice = picture != nullptr;
 
-    const FrameHistory::Step step = m_history.advance(request, target, m_threads);
+    const FrameHistory::Step step = m_history.advance(request, PictureGrid::ofPicture(request.view), target, m_threads);
     stats.nodes = m_history.scene().nodeCount();
     stats.nodesMs = milliseconds(stage);
     stage.restart();
@@ -235,6 +235,7 @@ void CudaRenderer::finish(RenderStats &stats)
     if (drawn < all)
         stats.dirty = dirtyRects(region, drawnTiles().data());
     stats.cancelled = drawn < all;
+    stats.pixelsEvaluated = pixelsIn(stats.dirty);
     stats.tilesEvaluated = int(drawn);
     stats.tiles = region.columns() * region.rows();
     for (const auto &worker : m_workers)

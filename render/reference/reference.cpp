@@ -96,6 +96,7 @@ Result<RenderStats> ReferenceRenderer::render(const RenderRequest &request, Targ
     stats.cancelled = done < stats.tiles;
     if (!stats.cancelled)
         stats.dirty = {{0, 0, view.width, view.height}};
+    stats.pixelsEvaluated = pixelsIn(stats.dirty);
     stats.tilesMs = millisecondsSince(tilesStart);
     stats.totalMs = millisecondsSince(start);
     return stats;

@@ -6,28 +6,73 @@
 
 namespace suffuse {
 
-void DirtyRegion::reset(int width, int height, int tileSize)
+namespace {
+
+/// The number of the cell of this size in which a pixel lies.
+int cellOf(int pixel, int size)
 {
-    m_width = width, m_height = height, m_tileSize = tileSize;
+    return pixel >= 0 ? pixel / size : -((-pixel + size - 1) / size);
+}
+
+bool containsRect(const PixelRect &outer, const PixelRect &r)
+{
+    return r.x >= outer.x && r.y >= outer.y && r.x + r.width <= outer.x + outer.width &&
+           r.y + r.height <= outer.y + outer.height;
+}
+
+} // namespace
+
+void DirtyRegion::reset(const PixelRect &picture, int tileSize)
+{
+    m_picture = picture;
+    m_tileSize = tileSize;
     m_shift = std::has_single_bit(unsigned(tileSize)) ? std::countr_zero(unsigned(tileSize)) : -1;
-    m_columns = (width + tileSize - 1) / tileSize;
-    m_rows = (height + tileSize - 1) / tileSize;
+    m_left = cellOf(picture.x, tileSize);
+    m_top = cellOf(picture.y, tileSize);
+    m_columns = cellOf(picture.x + picture.width + tileSize - 1, tileSize) - m_left;
+    m_rows = cellOf(picture.y + picture.height + tileSize - 1, tileSize) - m_top;
     m_dirty.assign(std::size_t(m_columns) * m_rows, 1);
 }
 
 PixelRect DirtyRegion::tile(int column, int row) const
 {
-    const int x = column * m_tileSize, y = row * m_tileSize;
-    return {x, y, std::min(m_tileSize, m_width - x), std::min(m_tileSize, m_height - y)};
+    const auto range = [this](int number, int first, int size) -> std::array<int, 2> {
+        const int begin = number * m_tileSize, step = std::min(alignment, m_tileSize);
+        return {std::max(begin, cellOf(first, step) * step), std::min(begin + m_tileSize, first + size)};
+    };
+    const auto [left, right] = range(m_left + column, m_picture.x, m_picture.width);
+    const auto [top, bottom] = range(m_top + row, m_picture.y, m_picture.height);
+    return {left, top, right - left, bottom - top};
+}
+
+void DirtyRegion::moveTo(const PixelRect &picture)
+{
+    const DirtyRegion before = *this;
+    reset(picture, m_tileSize);
+    for (int row = 0; row < m_rows; ++row)
+        for (int column = 0; column < m_columns; ++column) {
+            const int x = m_left + column - before.m_left, y = m_top + row - before.m_top;
+            const bool there = x >= 0 && y >= 0 && x < before.m_columns && y < before.m_rows;
+            if (there && !before.isDirty(x, y) && containsRect(before.m_picture, clipped(tile(column, row))))
+                clean(column, row);
+        }
+}
+
+PixelRect DirtyRegion::clipped(const PixelRect &r) const
+{
+    const int left = std::max(r.x, m_picture.x), top = std::max(r.y, m_picture.y);
+    return {left, top, std::min(r.x + r.width, m_picture.x + m_picture.width) - left,
+            std::min(r.y + r.height, m_picture.y + m_picture.height) - top};
 }
 
 TileRange DirtyRegion::tilesOf(const PixelRect &r) const
 {
     if (r.isEmpty())
         return {};
-    const auto tile = [this](int pixel) { return m_shift >= 0 ? pixel >> m_shift : pixel / m_tileSize; };
-    return {std::max(0, tile(r.x)), std::max(0, tile(r.y)), std::min(tile(r.x + r.width - 1) + 1, m_columns),
-            std::min(tile(r.y + r.height - 1) + 1, m_rows)};
+    const auto tile = [this](int pixel) { return m_shift >= 0 ? pixel >> m_shift : cellOf(pixel, m_tileSize); };
+    return {std::max(0, tile(r.x) - m_left), std::max(0, tile(r.y) - m_top),
+            std::min(tile(r.x + r.width - 1) + 1 - m_left, m_columns),
+            std::min(tile(r.y + r.height - 1) + 1 - m_top, m_rows)};
 }
 
 void DirtyRegion::mark(const TileRange &tiles)
@@ -115,7 +160,7 @@ bool samePlan(const SceneStroke &a, const SceneStroke &b)
 
 } // namespace
 
-void markChanged(const SceneStroke &before, const SceneStroke &after, const View &view, Threads threads,
+void markChanged(const SceneStroke &before, const SceneStroke &after, const PictureGrid &grid, Threads threads,
                  DirtyRegion &region)
 {
     const auto &a = before.source->groups, &b = after.source->groups;
@@ -128,7 +173,7 @@ void markChanged(const SceneStroke &before, const SceneStroke &after, const View
     }
     const auto tilesOf = [&](const SceneStroke &s, std::size_t i) {
         return region.tilesOf(s.groupBounds.empty()
-                                  ? pixelBounds(*s.source, s.source->groups[i], s.stroke->origin, view)
+                                  ? pixelBounds(*s.source, s.source->groups[i], s.stroke->origin, grid)
                                   : s.groupBounds[i]);
     };
     const auto same = [&](std::size_t i, std::size_t j) {

@@ -22,10 +22,20 @@ struct TileRange {
 /// The tiles of a picture, each of which is clean or dirty.
 class DirtyRegion {
 public:
-    void reset(int width, int height, int tileSize);
+    /// Divides a picture, which may begin anywhere in its grid, into tiles whose corners are multiples of `tileSize`.
+    /// All of them are dirty.
+    void reset(const PixelRect &picture, int tileSize);
     int columns() const { return m_columns; }
     int rows() const { return m_rows; }
+    /// The pixels of a tile: those that lie in the picture, and at its left and upper edge as many more as bring its
+    /// corner to a multiple of `alignment`, or of the tile's size.
     PixelRect tile(int column, int row) const;
+    static constexpr int alignment = 16;
+    /// The part of a rectangle of the grid that lies in the picture.
+    PixelRect clipped(const PixelRect &rect) const;
+    const PixelRect &picture() const { return m_picture; }
+    /// Moves the picture in its grid. A tile of which every pixel was in the picture, and clean, stays clean.
+    void moveTo(const PixelRect &picture);
     /// The tiles in which pixels of the picture lie; empty if there are no pixels.
     TileRange tilesOf(const PixelRect &pixels) const;
 
@@ -43,14 +53,16 @@ public:
 private:
     std::size_t index(int column, int row) const { return std::size_t(row) * m_columns + column; }
 
-    int m_width = 0, m_height = 0, m_tileSize = 1, m_columns = 0, m_rows = 0;
+    PixelRect m_picture;
+    int m_tileSize = 1, m_left = 0, m_top = 0; ///< the number of the first column and row in the grid
+    int m_columns = 0, m_rows = 0;
     int m_shift = 0; ///< the tiles' size is 2^m_shift; −1 if it is no power of two
     std::vector<std::uint8_t> m_dirty;
 };
 
 /// Marks where a stroke differs from what it was in the same view: the segments whose nodes or values differ, old and
 /// new, or all of it if a property of the whole stroke differs. The tiles are the same for any number of threads.
-void markChanged(const SceneStroke &before, const SceneStroke &after, const View &view, Threads threads,
+void markChanged(const SceneStroke &before, const SceneStroke &after, const PictureGrid &grid, Threads threads,
                  DirtyRegion &region);
 
 } // namespace suffuse

@@ -39,11 +39,21 @@ std::vector<std::size_t> movedInOrder(const std::vector<std::size_t> &places)
 
 } // namespace
 
-bool FrameHistory::sameFrame(const RenderRequest &request, const Target &target) const
+bool FrameHistory::samePaper(const RenderRequest &request, const Target &target) const
 {
-    return m_target == target.serial() && m_view == request.view && m_transparent == request.transparent &&
+    return m_target == target.serial() && m_transparent == request.transparent &&
            m_canvas.background == request.painting->canvas.background &&
            m_canvas.paper == request.painting->canvas.paper;
+}
+
+bool FrameHistory::move(const RenderRequest &request, const PictureGrid &grid, Target &target)
+{
+    const PixelRect &was = m_grid.picture, &is = grid.picture;
+    const int dx = was.x - is.x, dy = was.y - is.y;
+    if (!m_grid.sameGrid(grid) || m_painting != request.painting || m_time != request.time || m_anyApproximate ||
+        was.width != is.width || was.height != is.height || std::abs(dx) >= is.width || std::abs(dy) >= is.height)
+        return false;
+    return target.move(dx, dy);
 }
 
 void FrameHistory::markDifferences(const SceneChange &change, Threads threads)
@@ -51,7 +61,7 @@ void FrameHistory::markDifferences(const SceneChange &change, Threads threads)
     const auto &scene = m_scene.strokes();
     if (!change.reordered) {
         for (const SceneChange::Replaced &r : change.replaced)
-            markChanged(*r.before, *scene[r.index], m_view, threads, m_region);
+            markChanged(*r.before, *scene[r.index], m_grid, threads, m_region);
         return;
     }
     std::vector<char> stays(change.before.size(), 0);
@@ -63,7 +73,7 @@ void FrameHistory::markDifferences(const SceneChange &change, Threads threads)
         }
         stays[place] = 1;
         if (change.before[place] != scene[i])
-            markChanged(*change.before[place], *scene[i], m_view, threads, m_region);
+            markChanged(*change.before[place], *scene[i], m_grid, threads, m_region);
     }
     for (std::size_t i = 0; i < stays.size(); ++i)
         if (!stays[i])
@@ -108,20 +118,28 @@ void FrameHistory::followEdits(Step &step, bool interactive)
             }
 }
 
-FrameHistory::Step FrameHistory::advance(const RenderRequest &request, Target &target, Threads threads)
+FrameHistory::Step FrameHistory::advance(const RenderRequest &request, const PictureGrid &grid, Target &target,
+                                         Threads threads)
 {
     Step step;
-    step.whole = !sameFrame(request, target);
-    const bool resized =
-        m_target != target.serial() || m_view.width != request.view.width || m_view.height != request.view.height;
-    step.scene = m_scene.update(request, threads);
-    m_view = request.view;
+    const bool samePicture = m_grid.samePlace(grid) && m_grid.picture == grid.picture;
+    step.moved = !samePicture && samePaper(request, target) && move(request, grid, target);
+    step.whole = !step.moved && !(samePicture && samePaper(request, target));
+    const bool resized = m_target != target.serial() || m_grid.picture.width != grid.picture.width ||
+                         m_grid.picture.height != grid.picture.height;
+    step.scene = m_scene.update(request, grid, threads);
+    m_grid = grid;
+    m_painting = request.painting;
+    m_time = request.time;
     m_transparent = request.transparent;
     m_canvas = request.painting->canvas;
     if (resized)
-        target.resize(m_view.width, m_view.height);
-    if (step.whole) {
-        m_region.reset(m_view.width, m_view.height, m_tileSize);
+        target.resize(grid.picture.width, grid.picture.height);
+    if (step.whole || step.moved) {
+        if (step.whole)
+            m_region.reset(grid.picture, m_tileSize);
+        else
+            m_region.moveTo(grid.picture);
         m_edited = noEdit;
         m_oneEdited = false;
         m_approximate.assign(std::size_t(m_region.columns()) * std::size_t(m_region.rows()), 0);

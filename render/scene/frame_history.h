@@ -20,13 +20,15 @@ public:
     struct Step {
         SceneChange scene;
         bool whole = false; ///< whether everything is dirty, since target, view or paper changed
+        bool moved = false; ///< whether the target's pixels were moved, and what came into view is dirty
         /// whether layers below the first edited stroke are still valid (docs/solver.md, "Layers"),
         bool keepsUnder = false;
         bool raisesUnder = false; ///< though they end below it, since what lies between no longer changes;
         bool keepsOver = false;   ///< and whether those above it are
     };
-    /// Brings scene and region up to date with the request. Resizes the target if its size changes.
-    Step advance(const RenderRequest &request, Target &target, Threads threads);
+    /// Brings scene and region up to date with the request, whose picture lies in `grid`. Resizes the target if its
+    /// size changes. Where the view moved by whole pixels, and nothing else changed, it moves the target's pixels.
+    Step advance(const RenderRequest &request, const PictureGrid &grid, Target &target, Threads threads);
     /// Forgets the last frame, so that the next step is whole.
     void forget() { m_target = 0; }
     /// Notes that a tile was drawn; `approximate` says that an over map was used.
@@ -39,6 +41,7 @@ public:
     /// Notes that all dirty tiles were drawn without an over map.
     void drawnAll();
 
+    const PictureGrid &grid() const { return m_grid; }
     const LiveScene &scene() const { return m_scene; }
     const DirtyRegion &region() const { return m_region; }
     /// The index in the scene of the first edited stroke, if what lies below it is worth a layer; otherwise noEdit.
@@ -51,7 +54,9 @@ public:
     }
 
 private:
-    bool sameFrame(const RenderRequest &request, const Target &target) const;
+    bool samePaper(const RenderRequest &request, const Target &target) const;
+    /// Moves the target's pixels to where they lie now, if that is all that the request asks for.
+    bool move(const RenderRequest &request, const PictureGrid &grid, Target &target);
     void markDifferences(const SceneChange &change, Threads threads);
     /// Where the scene's strokes begin to differ from those of the last frame, or noEdit.
     std::size_t firstDifference(const SceneChange &change) const;
@@ -65,7 +70,9 @@ private:
     bool m_oneEdited = false;
     std::vector<std::uint8_t> m_approximate; ///< whether each tile was drawn with an over map
     bool m_anyApproximate = false;           ///< whether some of them may be
-    View m_view;
+    PictureGrid m_grid;
+    PaintingPtr m_painting;
+    Microseconds m_time = 0;
     bool m_transparent = false;
     Canvas m_canvas;
     std::uint64_t m_target = 0; ///< the serial of the target that was drawn last

@@ -9,9 +9,9 @@ namespace suffuse {
 namespace {
 
 /// Changes what culling looks at so that nothing is left out. What is evaluated stays as it is.
-void reachEverywhere(SceneStroke &stroke, const View &view)
+void reachEverywhere(SceneStroke &stroke, const PixelRect &window)
 {
-    stroke.bounds = {0, 0, view.width, view.height};
+    stroke.bounds = window;
     const NodeBoxSink boxes = stroke.boxes.sink();
     for (std::size_t i = 0; i < stroke.nodes.size(); ++i) {
         boxes.reachX[i] = boxes.reachY[i] = boxes.weight[i] = 1e30f;
@@ -118,17 +118,19 @@ std::vector<std::size_t> LiveScene::align(const Painting &painting)
     return places;
 }
 
-std::vector<LiveScene::Stale> LiveScene::staleAfterAlign(const RenderRequest &request) const
+std::vector<LiveScene::Stale> LiveScene::staleAfterAlign(Microseconds time, const PictureGrid &grid) const
 {
-    const bool sameView = m_view == request.view;
-    const bool sameOctave = zoomOctave(m_view.scale) == zoomOctave(request.view.scale);
+    const bool samePlace = m_grid.samePlace(grid);
+    const bool sameOctave = zoomOctave(m_grid.view.scale) == zoomOctave(grid.view.scale);
     std::vector<Stale> stale;
     for (std::size_t i = 0; i < m_strokes.size(); ++i) {
         const SceneStroke *known = m_strokes[i].get();
-        const bool nodesHold = known && sameAge(i, request.time) && sameOctave &&
-                               (sameView || !known->source->clipped) && keepsNodes(*known, *m_sources[i]);
-        if (!nodesHold || !sameView || known->stroke != m_sources[i])
-            stale.push_back({i, nodesHold});
+        const bool hasAge = known && sameAge(i, time);
+        if (hasAge && samePlace && known->stroke == m_sources[i])
+            continue;
+        const bool nodesHold =
+            hasAge && sameOctave && (samePlace || !known->source->clipped) && keepsNodes(*known, *m_sources[i]);
+        stale.push_back({i, nodesHold});
     }
     return stale;
 }
@@ -146,17 +148,17 @@ void LiveScene::addWet(Microseconds time, std::vector<Stale> &stale) const
     stale.erase(std::unique(stale.begin(), stale.end(), same), stale.end());
 }
 
-SceneStrokePtr LiveScene::dryOf(std::size_t i, const View &view) const
+SceneStrokePtr LiveScene::dryOf(std::size_t i, const PictureGrid &grid) const
 {
     const SceneStrokePtr &known = m_strokes[i];
-    if (!known || known->stroke != m_sources[i] || m_view != view)
+    if (!known || known->stroke != m_sources[i] || !m_grid.samePlace(grid))
         return nullptr;
     return m_driesAt[i] <= m_time ? known : known->dry;
 }
 
 std::vector<std::shared_ptr<const StrokeNodes>> LiveScene::buildBulk(const std::vector<Stale> &stale,
                                                                      const std::vector<FrozenNodes *> &frozen,
-                                                                     const RenderRequest &request,
+                                                                     Microseconds time, const PictureGrid &grid,
                                                                      Threads threads) const
 {
     std::vector<std::shared_ptr<const StrokeNodes>> nodes(stale.size());
@@ -167,7 +169,7 @@ std::vector<std::shared_ptr<const StrokeNodes>> LiveScene::buildBulk(const std::
     std::size_t segments = 0;
     for (std::size_t k = 0; k < stale.size(); ++k) {
         const std::size_t i = stale[k].index;
-        if (stale[k].nodesHold || frozen[k] || (m_driesAt[i] <= request.time && dryOf(i, request.view)))
+        if (stale[k].nodesHold || frozen[k] || (m_driesAt[i] <= time && dryOf(i, grid)))
             continue;
         strokes.push_back(m_sources[i]);
         places.push_back(k);
@@ -176,16 +178,16 @@ std::vector<std::shared_ptr<const StrokeNodes>> LiveScene::buildBulk(const std::
     if (segments / std::size_t(threads.count()) < m_bulk->worthwhile())
         return nodes;
     auto built =
-        m_bulk->build(strokes, request.time, zoomOctave(request.view.scale), visibleBox(request.view), threads);
+        m_bulk->build(strokes, time, zoomOctave(grid.view.scale), visibleBox(grid), threads);
     for (std::size_t k = 0; k < places.size(); ++k)
         nodes[places[k]] = std::move(built[k]);
     return nodes;
 }
 
-void LiveScene::prepare(const std::vector<Stale> &stale, const RenderRequest &request, Threads threads)
+void LiveScene::prepare(const std::vector<Stale> &stale, Microseconds time, const PictureGrid &grid, Threads threads)
 {
-    const int octave = zoomOctave(request.view.scale);
-    const Rect visible = visibleBox(request.view);
+    const int octave = zoomOctave(grid.view.scale);
+    const Rect visible = visibleBox(grid);
     const auto nodesOf = [this](std::size_t i) { return m_strokes[i] ? m_strokes[i]->source->nodes.size() : 0; };
     std::vector<FrozenNodes *> frozen; // null for a stroke that will not be built often
     std::unordered_map<StrokeId, FrozenNodes> wet;
@@ -193,18 +195,18 @@ void LiveScene::prepare(const std::vector<Stale> &stale, const RenderRequest &re
         m_nodeCount -= nodesOf(s.index);
         const Stroke &stroke = *m_sources[s.index];
         const auto known = m_frozen.find(stroke.id);
-        const bool isWet = m_driesAt[s.index] > request.time && stroke.segments.size() > 2 * blockReach;
+        const bool isWet = m_driesAt[s.index] > time && stroke.segments.size() > 2 * blockReach;
         const bool keeps = !s.nodesHold && (isWet || known != m_frozen.end());
         frozen.push_back(keeps ? &wet[stroke.id] : nullptr);
         if (keeps && known != m_frozen.end())
             *frozen.back() = std::move(known->second);
     }
-    const auto bulk = buildBulk(stale, frozen, request, threads);
+    const auto bulk = buildBulk(stale, frozen, time, grid, threads);
     const Threads threadsEach = threads.within(stale.size());
     parallelFor(stale.size(), threads, [&](std::size_t k) {
         const std::size_t i = stale[k].index;
-        const bool dries = m_driesAt[i] <= request.time;
-        SceneStrokePtr dry = dryOf(i, request.view);
+        const bool dries = m_driesAt[i] <= time;
+        SceneStrokePtr dry = dryOf(i, grid);
         if (dry && dries && !frozen[k]) {
             m_bounds[i] = dry->bounds;
             m_strokes[i] = std::move(dry);
@@ -212,12 +214,12 @@ void LiveScene::prepare(const std::vector<Stale> &stale, const RenderRequest &re
         }
         auto nodes = stale[k].nodesHold ? m_strokes[i]->source
                      : bulk[k]          ? bulk[k]
-                     : frozen[k] ? buildNodes(m_sources[i], request.time, octave, visible, *frozen[k], threadsEach)
-                                 : buildNodes(*m_sources[i], request.time, octave, visible, threadsEach);
+                     : frozen[k]        ? buildNodes(m_sources[i], time, octave, visible, *frozen[k], threadsEach)
+                                        : buildNodes(*m_sources[i], time, octave, visible, threadsEach);
         auto stroke = std::make_shared<SceneStroke>(
-            makeSceneStroke(m_sources[i], std::move(nodes), request.view, threadsEach, frozen[k] != nullptr));
+            makeSceneStroke(m_sources[i], std::move(nodes), grid, threadsEach, frozen[k] != nullptr));
         if (!m_cull)
-            reachEverywhere(*stroke, request.view);
+            reachEverywhere(*stroke, grid.window);
         if (!dries)
             stroke->dry = std::move(dry);
         m_bounds[i] = stroke->bounds;
@@ -228,26 +230,26 @@ void LiveScene::prepare(const std::vector<Stale> &stale, const RenderRequest &re
     m_frozen = std::move(wet);
 }
 
-SceneChange LiveScene::update(const RenderRequest &request, Threads threads)
+SceneChange LiveScene::update(const RenderRequest &request, const PictureGrid &grid, Threads threads)
 {
     SceneChange change;
     std::vector<Stale> stale;
     const Painting &painting = *request.painting;
-    const bool sameView = m_view == request.view;
-    if (sameView && replace(request, stale)) {
+    const bool samePlace = m_grid.samePlace(grid);
+    if (samePlace && replace(request, stale)) {
         addWet(request.time, stale);
         for (const Stale &s : stale)
             change.replaced.push_back({s.index, m_strokes[s.index]});
     } else {
         change.reordered = true;
-        if (sameView)
+        if (samePlace)
             change.before = m_strokes;
         change.places = align(painting);
-        stale = staleAfterAlign(request);
+        stale = staleAfterAlign(request.time, grid);
     }
-    prepare(stale, request, threads);
+    prepare(stale, request.time, grid, threads);
     m_seen = painting.strokes;
-    m_view = request.view;
+    m_grid = grid;
     m_time = request.time;
     return change;
 }

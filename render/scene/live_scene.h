@@ -31,16 +31,17 @@ struct SceneChange {
     static constexpr std::size_t nowhere = std::size_t(-1);
 };
 
-/// Strokes of equal id, time, view and values keep what was prepared for them. Their nodes also stay when the view
-/// changes within an octave.
+/// Strokes of equal id, time, place in the grid and values keep what was prepared for them. Their nodes also stay when
+/// the view changes within an octave.
 class LiveScene {
 public:
     /// With `cull` false, every stroke seems to reach and show everywhere, for tests. `bulk`, if there is one, builds
     /// nodes where many are missing; the nodes are the same.
     explicit LiveScene(bool cull = true, BulkNodeBuilder *bulk = nullptr) : m_cull(cull), m_bulk(bulk) {}
 
-    /// Brings the scene up to date with the request. The returned change is useful only if the view is the same.
-    SceneChange update(const RenderRequest &request, Threads threads);
+    /// Brings the scene up to date with the request, whose view lies in `grid`. The returned change is useful only if
+    /// the place in the grid is the same.
+    SceneChange update(const RenderRequest &request, const PictureGrid &grid, Threads threads);
 
     /// The visible strokes from bottom to top.
     const std::vector<SceneStrokePtr> &strokes() const { return m_strokes; }
@@ -60,15 +61,15 @@ private:
     /// Brings the strokes into the painting's order, and keeps what is known of each. Returns SceneChange::places.
     std::vector<std::size_t> align(const Painting &painting);
     std::vector<std::size_t> placesOf(const std::vector<StrokePtr> &strokes) const;
-    std::vector<Stale> staleAfterAlign(const RenderRequest &request) const;
+    std::vector<Stale> staleAfterAlign(Microseconds time, const PictureGrid &grid) const;
     void addWet(Microseconds time, std::vector<Stale> &stale) const;
     /// A stroke as it is once it has dried, if that is known: scrubbing through time comes back to it.
-    SceneStrokePtr dryOf(std::size_t i, const View &view) const;
+    SceneStrokePtr dryOf(std::size_t i, const PictureGrid &grid) const;
     /// Builds nodes in bulk, if there are many to be built. The others are null.
     std::vector<std::shared_ptr<const StrokeNodes>> buildBulk(const std::vector<Stale> &stale,
                                                               const std::vector<FrozenNodes *> &frozen,
-                                                              const RenderRequest &request, Threads threads) const;
-    void prepare(const std::vector<Stale> &stale, const RenderRequest &request, Threads threads);
+                                                              Microseconds time, const PictureGrid &grid, Threads threads) const;
+    void prepare(const std::vector<Stale> &stale, Microseconds time, const PictureGrid &grid, Threads threads);
     bool sameAge(std::size_t i, Microseconds time) const
     {
         return time == m_time || (m_driesAt[i] <= m_time && m_driesAt[i] <= time);
@@ -76,7 +77,7 @@ private:
 
     bool m_cull;
     BulkNodeBuilder *m_bulk;
-    View m_view;
+    PictureGrid m_grid;
     Microseconds m_time = 0;
     StrokeList m_seen;           ///< the strokes of the painting, visible or not
     std::vector<Group> m_groups; ///< the groups of the painting

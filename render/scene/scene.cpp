@@ -65,13 +65,15 @@ private:
     double radius() const { return a == c && b == 0 ? 0 : std::hypot(0.5 * (a - c), b); }
 };
 
-PixelRect toPixelRect(const Rect &r, const View &view)
+PixelRect toPixelRect(const Rect &r, const PixelRect &window)
 {
-    if (r.isEmpty() || r.right < 0 || r.bottom < 0 || r.left > view.width || r.top > view.height)
+    const int right = window.x + window.width, bottom = window.y + window.height;
+    if (r.isEmpty() || r.right < window.x || r.bottom < window.y || r.left > right || r.top > bottom)
         return {};
-    const int x0 = int(std::max(0.0, std::floor(r.left))), y0 = int(std::max(0.0, std::floor(r.top)));
-    const int x1 = int(std::min<double>(view.width, std::ceil(r.right)));
-    const int y1 = int(std::min<double>(view.height, std::ceil(r.bottom)));
+    const int x0 = int(std::max<double>(window.x, std::floor(r.left)));
+    const int y0 = int(std::max<double>(window.y, std::floor(r.top)));
+    const int x1 = int(std::min<double>(right, std::ceil(r.right)));
+    const int y1 = int(std::min<double>(bottom, std::ceil(r.bottom)));
     return {x0, y0, x1 - x0, y1 - y0};
 }
 
@@ -129,9 +131,10 @@ struct PlacedNodes {
     double narrowestLaid = 1e300; ///< px, of the nodes that lay paint
 };
 
-/// Writes the nodes of a stroke, from the `at`-th on.
-void writeNodes(const std::vector<Placed> &placed, const std::vector<Footprint> &footprints, SceneStroke &s,
-                std::size_t at)
+/// Writes the nodes of a stroke, from the `at`-th on. Floats could not tell boxes far from the corner of the grid
+/// apart.
+void writeNodes(const std::vector<Placed> &placed, const std::vector<Footprint> &footprints, const PixelRect &window,
+                SceneStroke &s, std::size_t at)
 {
     const NodeBoxSink boxes = s.boxes.sink();
     std::uint32_t last = ~0u;
@@ -147,8 +150,8 @@ void writeNodes(const std::vector<Placed> &placed, const std::vector<Footprint> 
             steepest = float(std::sqrt(m.greatest()));
         }
         s.nodes[at] = {p.at.x, p.at.y, float(m.a), float(m.b), float(m.c), p.weight, cut, p.row};
-        boxes.x[at] = float(p.at.x);
-        boxes.y[at] = float(p.at.y);
+        boxes.x[at] = float(p.at.x - window.x);
+        boxes.y[at] = float(p.at.y - window.y);
         // The factor 1.0001 covers the rounding to float.
         boxes.reachX[at] = float(f.reach.x * 1.0001);
         boxes.reachY[at] = float(f.reach.y * 1.0001);
@@ -189,9 +192,11 @@ SmallSegment smallSegment(const SegmentReach &r, Point origin, const View &view)
 }
 
 /// Puts the groups [from, to) into the picture. If `bounds` is not null, it gets the pixels that each group can change.
-PlacedNodes placeGroups(const StrokeNodes &source, std::size_t from, std::size_t to, Point origin, const View &view,
-                        PixelRect *bounds)
+PlacedNodes placeGroups(const StrokeNodes &source, std::size_t from, std::size_t to, Point origin,
+                        const PictureGrid &grid, PixelRect *bounds)
 {
+    const View &view = grid.view;
+    const Rect seen = Rect::of(grid.window.x, grid.window.y, grid.window.width, grid.window.height).grown(1);
     PlacedNodes out;
     out.footprints.reserve(to - from);
     out.separable.reserve(source.groups[to - 1].end - source.groups[from].begin);
@@ -207,8 +212,8 @@ PlacedNodes placeGroups(const StrokeNodes &source, std::size_t from, std::size_t
             out.narrowestLaid = std::min(out.narrowestLaid, f.narrowest);
         const Point d = j(fromCentre + Point{n.x, n.y});
         const Point at{d.x + 0.5 * view.width, d.y + 0.5 * view.height};
-        if (at.x + f.reach.x < -1 || at.y + f.reach.y < -1 || at.x - f.reach.x > view.width + 1 ||
-            at.y - f.reach.y > view.height + 1)
+        if (at.x + f.reach.x < seen.left || at.y + f.reach.y < seen.top || at.x - f.reach.x > seen.right ||
+            at.y - f.reach.y > seen.bottom)
             return;
         includeNode(box, at, f.reach);
         if (f.narrowest > deepSpread)
@@ -226,7 +231,7 @@ PlacedNodes placeGroups(const StrokeNodes &source, std::size_t from, std::size_t
         if (!bounds)
             continue;
         includeSmall(box, source, group, base, j, view);
-        bounds[g] = toPixelRect(box, view);
+        bounds[g] = toPixelRect(box, grid.window);
     }
     const std::size_t rowsEnd = to < source.groups.size() ? source.groups[to].row : source.rows.size();
     const NodeValues &first = *firstLaying(source.rows);
@@ -240,7 +245,7 @@ PlacedNodes placeGroups(const StrokeNodes &source, std::size_t from, std::size_t
 
 /// Puts the nodes of the stroke into the picture, the separable ones first. Finds its bounds, and in what its segments
 /// differ.
-Differences placeNodes(SceneStroke &s, const View &view, Threads threads, bool changes)
+Differences placeNodes(SceneStroke &s, const PictureGrid &grid, Threads threads, bool changes)
 {
     const StrokeNodes &source = *s.source;
     constexpr std::size_t share = 64, worthSharing = 8 * share; // counted in groups
@@ -250,7 +255,7 @@ Differences placeNodes(SceneStroke &s, const View &view, Threads threads, bool c
     std::vector<PlacedNodes> parts(threads.count() == 1 || count < worthSharing ? 1 : (count + share - 1) / share);
     parallelFor(parts.size(), threads, [&](std::size_t k) {
         const std::size_t from = k * share, to = k + 1 == parts.size() ? count : from + share;
-        parts[k] = placeGroups(source, from, to, s.stroke->origin, view, changes ? s.groupBounds.data() : nullptr);
+        parts[k] = placeGroups(source, from, to, s.stroke->origin, grid, changes ? s.groupBounds.data() : nullptr);
     });
     std::size_t separable = 0, nodes = 0;
     Differences differences;
@@ -269,7 +274,7 @@ Differences placeNodes(SceneStroke &s, const View &view, Threads threads, bool c
     for (std::size_t i = 0; i < s.small.size(); ++i)
         s.smallRuns[i / smallRun] = s.smallRuns[i / smallRun].united(s.small[i].reach);
     s.separable = int(separable);
-    s.bounds = toPixelRect(box, view);
+    s.bounds = toPixelRect(box, grid.window);
     s.nodes.resize(nodes);
     s.boxes.reserve(nodes);
     std::vector<std::array<std::size_t, 2>> places; // where the separable and the oblique nodes of each part begin
@@ -278,8 +283,8 @@ Differences placeNodes(SceneStroke &s, const View &view, Threads threads, bool c
         first += part.separable.size(), second += part.oblique.size();
     }
     parallelFor(parts.size(), threads, [&](std::size_t k) {
-        writeNodes(parts[k].separable, parts[k].footprints, s, places[k][0]);
-        writeNodes(parts[k].oblique, parts[k].footprints, s, places[k][1]);
+        writeNodes(parts[k].separable, parts[k].footprints, grid.window, s, places[k][0]);
+        writeNodes(parts[k].oblique, parts[k].footprints, grid.window, s, places[k][1]);
     });
     return differences;
 }
@@ -368,17 +373,19 @@ void fillValues(SceneStroke &s)
 
 } // namespace
 
-Rect visibleBox(const View &view)
+Rect visibleBox(const PictureGrid &grid)
 {
+    const PixelRect &w = grid.window;
     Rect box;
-    for (double x : {0.0, double(view.width)})
-        for (double y : {0.0, double(view.height)})
-            box.include(view.toCanvas({x, y}));
+    for (const int x : {w.x, w.x + w.width})
+        for (const int y : {w.y, w.y + w.height})
+            box.include(grid.view.toCanvas({double(x), double(y)}));
     return box;
 }
 
-PixelRect pixelBounds(const StrokeNodes &nodes, const NodeGroup &group, Point origin, const View &view)
+PixelRect pixelBounds(const StrokeNodes &nodes, const NodeGroup &group, Point origin, const PictureGrid &grid)
 {
+    const View &view = grid.view;
     const Linear j(view);
     const Point base = view.toPixels(origin);
     Rect box;
@@ -392,10 +399,10 @@ PixelRect pixelBounds(const StrokeNodes &nodes, const NodeGroup &group, Point or
         includeNode(box, {centres.right, centres.bottom}, f.reach);
     }
     includeSmall(box, nodes, group, base, j, view);
-    return toPixelRect(box, view);
+    return toPixelRect(box, grid.window);
 }
 
-SceneStroke makeSceneStroke(StrokePtr stroke, std::shared_ptr<const StrokeNodes> nodes, const View &view,
+SceneStroke makeSceneStroke(StrokePtr stroke, std::shared_ptr<const StrokeNodes> nodes, const PictureGrid &grid,
                             Threads threads, bool changes)
 {
     SceneStroke s;
@@ -404,7 +411,7 @@ SceneStroke makeSceneStroke(StrokePtr stroke, std::shared_ptr<const StrokeNodes>
     if (!firstLaying(s.source->rows))
         return s;
     s.keep = s.stroke->mix.mode == MixMode::Beta ? 1 - s.stroke->mix.beta : 1;
-    const Differences differences = placeNodes(s, view, threads, changes);
+    const Differences differences = placeNodes(s, grid, threads, changes);
     planChannels(s, differences);
     s.calm &= math::hasOneStyle(s.shade) && s.deep.empty();
     findLevels(s);

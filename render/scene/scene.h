@@ -3,6 +3,7 @@
 
 #include "render/math/shade_params.h"
 #include "render/nodes/node_builder.h"
+#include "render/picture_grid.h"
 #include "render/renderer.h"
 #include "render/scene/node_boxes.h"
 #include "render/threads/parallel.h"
@@ -33,9 +34,9 @@ inline constexpr std::size_t smallRun = 16;
 struct SceneStroke {
     StrokePtr stroke;
     std::shared_ptr<const StrokeNodes> source;
-    PixelRect bounds;            ///< the pixels of the picture that it can change; empty if there are none
+    PixelRect bounds;            ///< the pixels of the grid's window that it can change; empty if there are none
     UnsetVector<ViewNode> nodes; ///< the separable nodes first
-    NodeBoxStore boxes;          ///< the boxes of `nodes`
+    NodeBoxStore boxes;          ///< the boxes of `nodes`, in pixels from the corner of the grid's window
     int separable = 0;
     std::vector<DeepNode> deep;
     std::vector<SmallSegment> small;
@@ -67,15 +68,15 @@ inline bool canVanish(const SceneStroke &stroke, float density, float slope)
     return true;
 }
 
-/// The pixels that a group can change, rounded outwards and clipped to the picture.
-PixelRect pixelBounds(const StrokeNodes &nodes, const NodeGroup &group, Point origin, const View &view);
+/// The pixels that a group can change, rounded outwards and clipped to the grid's window.
+PixelRect pixelBounds(const StrokeNodes &nodes, const NodeGroup &group, Point origin, const PictureGrid &grid);
 
 /// Prepares a stroke. `changes` says that it will be compared, group by group, with what it becomes. The bits are the
 /// same for any number of threads.
-SceneStroke makeSceneStroke(StrokePtr stroke, std::shared_ptr<const StrokeNodes> nodes, const View &view,
+SceneStroke makeSceneStroke(StrokePtr stroke, std::shared_ptr<const StrokeNodes> nodes, const PictureGrid &grid,
                             Threads threads = 1, bool changes = false);
 
-/// The part of the canvas that the view shows, as a box in canvas units.
-Rect visibleBox(const View &view);
+/// The part of the canvas that lies in the grid's window, as a box in canvas units.
+Rect visibleBox(const PictureGrid &grid);
 
 } // namespace suffuse

@@ -49,7 +49,7 @@ const QList<Rule> &rules()
         {"render/nodes/", {"model/", "render/math/", "render/nodes/", "render/threads/"}, {"QtCore"}, {"hwy"}},
         {"render/scene/",
          {"model/", "render/math/", "render/nodes/", "render/scene/", "render/threads/", "render/renderer.h",
-          "render/target.h", "render/view.h", "render/image_io/image_io.h"},
+          "render/target.h", "render/view.h", "render/picture_grid.h", "render/image_io/image_io.h"},
          {"QtCore"},
          {}},
         {"render/cpu/", {"model/", "render/"}, {"QtCore"}, {"hwy"}, allBut("render/cpu/")},

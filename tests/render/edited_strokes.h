@@ -87,11 +87,11 @@ inline EditReach reachOfEdit(const Stroke &before, const Stroke &after, const st
                              Microseconds time, const View &view)
 {
     const int octave = zoomOctave(view.scale);
-    const auto a = buildNodes(before, time, octave, visibleBox(view));
-    const auto b = buildNodes(after, time, octave, visibleBox(view));
+    const auto a = buildNodes(before, time, octave, visibleBox(PictureGrid::ofPicture(view)));
+    const auto b = buildNodes(after, time, octave, visibleBox(PictureGrid::ofPicture(view)));
     EditReach reach;
     for (const NodeGroup &g : groupsOnlyIn(*a, *b)) {
-        reach.areas.push_back(pixelBounds(*a, g, before.origin, view));
+        reach.areas.push_back(pixelBounds(*a, g, before.origin, PictureGrid::ofPicture(view)));
         for (std::uint32_t k = g.reachBegin; k < g.reachEnd; ++k) { // a reach for each segment
             std::size_t nearest = before.segments.size();
             for (const std::size_t e : edited)
@@ -100,7 +100,7 @@ inline EditReach reachOfEdit(const Stroke &before, const Stroke &after, const st
         }
     }
     for (const NodeGroup &g : groupsOnlyIn(*b, *a))
-        reach.areas.push_back(pixelBounds(*b, g, after.origin, view));
+        reach.areas.push_back(pixelBounds(*b, g, after.origin, PictureGrid::ofPicture(view)));
     return reach;
 }
 

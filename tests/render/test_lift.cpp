@@ -87,8 +87,9 @@ private slots:
                             g.granulation = 0.4f;
                     }
                     const View straight = View::ofArea(sheet, 96, 72), turned{{48, 36}, 1, 0.6, true, 96, 72};
-                    const auto scene = makeSceneStroke(std::make_shared<const Stroke>(s),
-                                                       buildNodes(s, 10'000'000, 0, sheet), straight);
+                    const auto scene =
+                        makeSceneStroke(std::make_shared<const Stroke>(s), buildNodes(s, 10'000'000, 0, sheet),
+                                        PictureGrid::ofPicture(straight));
                     QVERIFY(scene.calm && !scene.small.empty());
                     const Paper paper = number % 3 ? Paper{} : Paper{PaperKind::Procedural, 5, 20, 0.8f, {}};
                     compare(painting({s}, 96, 72, paper), number % 5 ? straight : turned,

@@ -32,6 +32,11 @@ class TestLiveScene : public QObject {
                a.nodeCount() == b.nodeCount();
     }
 
+    static SceneChange update(LiveScene &scene, const RenderRequest &request, int threads)
+    {
+        return scene.update(request, PictureGrid::ofDocument(request.view), threads);
+    }
+
     /// `segments` of a wandering stroke, a sample each 16 ms.
     static Stroke longStroke(int segments)
     {
@@ -71,23 +76,33 @@ private slots:
             const std::size_t at = random() % q->strokes.size();
             Stroke s = *std::as_const(*q).strokes[at];
             switch (random() % 7) {
-            case 0: s.visible = !s.visible; break;
-            case 1: s.group = 1 - s.group; break;
-            case 2: q->strokes.erase(q->strokes.begin() + std::ptrdiff_t(at)); break;
-            case 3: view.scale *= 1.3; break;
+            case 0:
+                s.visible = !s.visible;
+                break;
+            case 1:
+                s.group = 1 - s.group;
+                break;
+            case 2:
+                q->strokes.erase(q->strokes.begin() + std::ptrdiff_t(at));
+                break;
+            case 3:
+                view.scale *= 1.3;
+                break;
             case 4:
                 q->groups = {{1, {}, 0, random() % 2 == 0, false}};
                 break;
-            default: s.segments.front().density *= 1.1f; break;
+            default:
+                s.segments.front().density *= 1.1f;
+                break;
             }
             if (at < q->strokes.size() && std::as_const(*q).strokes[at]->id == s.id)
                 q->strokes[at] = std::make_shared<const Stroke>(s);
             p = q;
             const Microseconds time = random() % 2 ? p->end() : Microseconds(random() % 1'000'000);
             const RenderRequest request{p, time, view};
-            live.update(request, 2);
+            update(live, request, 2);
             LiveScene fresh;
-            fresh.update(request, 2);
+            update(fresh, request, 2);
             QVERIFY2(sameScene(live, fresh), qPrintable(QStringLiteral("step %1").arg(step)));
         }
     }
@@ -97,7 +112,7 @@ private slots:
         std::mt19937_64 random(43);
         const auto p = painting(randomStrokes(random, 200, 200, 150), 200, 150);
         LiveScene live;
-        live.update({p, p->end(), m_view}, 1);
+        update(live, {p, p->end(), m_view}, 1);
         const auto before = live.strokes();
         auto q = std::make_shared<Painting>(*p);
         for (const std::size_t i : {std::size_t(150), std::size_t(7)}) {
@@ -105,7 +120,7 @@ private slots:
             s.segments.front().density *= 2;
             q->strokes[i] = std::make_shared<const Stroke>(s);
         }
-        const SceneChange change = live.update({q, q->end(), m_view}, 1);
+        const SceneChange change = update(live, {q, q->end(), m_view}, 1);
         QVERIFY(!change.reordered);
         QCOMPARE(change.replaced.size(), std::size_t(2));
         QCOMPARE(change.replaced[0].index, std::size_t(7));
@@ -113,7 +128,7 @@ private slots:
         QVERIFY(change.replaced[1].before == before[150]);
         for (std::size_t i = 0; i < before.size(); ++i)
             QCOMPARE(live.strokes()[i] == before[i], i != 7 && i != 150);
-        QVERIFY(live.update({q, q->end() + 1000, m_view}, 1).replaced.empty());
+        QVERIFY(update(live, {q, q->end() + 1000, m_view}, 1).replaced.empty());
     }
 
     /// Scrubbing to and fro prepares what has dried once.
@@ -122,17 +137,17 @@ private slots:
         std::mt19937_64 random(47);
         const auto p = painting(randomStrokes(random, 60, 200, 150), 200, 150);
         LiveScene live;
-        live.update({p, p->end(), m_view}, 2);
+        update(live, {p, p->end(), m_view}, 2);
         const auto dry = live.strokes();
         for (int round = 1; round < 6; ++round) {
-            live.update({p, p->end() * round / 7, m_view}, 2);
-            live.update({p, p->end() * round / 9, m_view}, 2);
+            update(live, {p, p->end() * round / 7, m_view}, 2);
+            update(live, {p, p->end() * round / 9, m_view}, 2);
             QVERIFY(!std::ranges::equal(live.strokes(), dry));
-            live.update({p, p->end(), m_view}, 2);
+            update(live, {p, p->end(), m_view}, 2);
             QVERIFY(std::ranges::equal(live.strokes(), dry));
         }
         // Another stroke in its place, another view: what was kept no longer holds.
-        live.update({p, p->end() / 9, m_view}, 2);
+        update(live, {p, p->end() / 9, m_view}, 2);
         auto q = std::make_shared<Painting>(*p);
         Stroke edited = *std::as_const(*q).strokes[5];
         edited.segments.front().density *= 2;
@@ -140,10 +155,10 @@ private slots:
         View other = m_view;
         for (const double turn : {0.0, 0.3}) {
             other.rotation = turn;
-            live.update({q, q->end() / 9, other}, 2);
-            live.update({q, q->end(), other}, 2);
+            update(live, {q, q->end() / 9, other}, 2);
+            update(live, {q, q->end(), other}, 2);
             LiveScene fresh;
-            fresh.update({q, q->end(), other}, 2);
+            update(fresh, {q, q->end(), other}, 2);
             QVERIFY(sameScene(live, fresh));
             for (std::size_t i = 0; i < dry.size(); ++i)
                 QVERIFY(live.strokes()[i]->nodes == fresh.strokes()[i]->nodes);
@@ -181,16 +196,17 @@ private slots:
                    std::ranges::equal(a.deep, b.deep, deep);
         };
         for (const Microseconds time : {Microseconds(1500 * 16000), stroke->driesAt() - 1, stroke->driesAt()}) {
-            const auto serial = buildNodes(*stroke, time, 0, visibleBox(m_view));
-            const SceneStroke scene = makeSceneStroke(stroke, serial, m_view);
+            const auto serial = buildNodes(*stroke, time, 0, visibleBox(PictureGrid::ofPicture(m_view)));
+            const SceneStroke scene = makeSceneStroke(stroke, serial, PictureGrid::ofPicture(m_view));
             QVERIFY(scene.separable > 0 && scene.separable < int(scene.nodes.size()) && !scene.deep.empty());
             QVERIFY(serial->groups.size() >= 1024);
             for (const int threads : {2, 3, 16}) {
-                const auto parallel = buildNodes(*stroke, time, 0, visibleBox(m_view), threads);
+                const auto parallel = buildNodes(*stroke, time, 0, visibleBox(PictureGrid::ofPicture(m_view)), threads);
                 QVERIFY(sameNodes(*serial, *parallel));
                 FrozenNodes frozen;
-                QVERIFY(sameNodes(*serial, *buildNodes(stroke, time, 0, visibleBox(m_view), frozen, threads)));
-                QVERIFY(same(scene, makeSceneStroke(stroke, parallel, m_view, threads)));
+                QVERIFY(sameNodes(*serial, *buildNodes(stroke, time, 0, visibleBox(PictureGrid::ofPicture(m_view)),
+                                                       frozen, threads)));
+                QVERIFY(same(scene, makeSceneStroke(stroke, parallel, PictureGrid::ofPicture(m_view), threads)));
             }
         }
     }
@@ -205,15 +221,17 @@ private slots:
         stroke->segments[3].bezier[3] = {400, 75};          // partly outside
         stroke->segments[5].diffusion = 1e-4f;              // supersampled
         for (const View &view : {m_view, View::ofArea(Rect::of(30, 10, 100, 75), 400, 300)}) {
-            const auto nodes = buildNodes(*stroke, 699 * 16000, zoomOctave(view.scale), visibleBox(view));
-            const SceneStroke scene = makeSceneStroke(stroke, nodes, view, 1, true);
+            const auto nodes =
+                buildNodes(*stroke, 699 * 16000, zoomOctave(view.scale), visibleBox(PictureGrid::ofPicture(view)));
+            const SceneStroke scene = makeSceneStroke(stroke, nodes, PictureGrid::ofPicture(view), 1, true);
             QCOMPARE(scene.groupBounds.size(), nodes->groups.size());
-            QVERIFY(makeSceneStroke(stroke, nodes, view, 3, true).groupBounds == scene.groupBounds);
-            QVERIFY(makeSceneStroke(stroke, nodes, view).groupBounds.empty());
+            QVERIFY(makeSceneStroke(stroke, nodes, PictureGrid::ofPicture(view), 3, true).groupBounds ==
+                    scene.groupBounds);
+            QVERIFY(makeSceneStroke(stroke, nodes, PictureGrid::ofPicture(view)).groupBounds.empty());
             std::size_t seen = 0;
             for (std::size_t g = 0; g < nodes->groups.size(); ++g) {
                 const PixelRect &a = scene.groupBounds[g];
-                const PixelRect b = pixelBounds(*nodes, nodes->groups[g], stroke->origin, view);
+                const PixelRect b = pixelBounds(*nodes, nodes->groups[g], stroke->origin, PictureGrid::ofPicture(view));
                 const auto edges = [](const PixelRect &r) {
                     return std::array{-r.x, -r.y, r.x + r.width, r.y + r.height};
                 };

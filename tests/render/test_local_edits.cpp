@@ -63,7 +63,8 @@ class TestLocalEdits : public QObject {
                  const View &view, const QByteArray &what)
     {
         const EditReach reach = reachOfEdit(before, after, edited, time, view);
-        QVERIFY2(reach.farthest <= borderReach, (what + ": " + QByteArray::number(qulonglong(reach.farthest))).constData());
+        QVERIFY2(reach.farthest <= borderReach,
+                 (what + ": " + QByteArray::number(qulonglong(reach.farthest))).constData());
         m_reaches.push_back(reach.farthest);
         const auto picture = [&](const Stroke &s) {
             return test::render(*m_cpu, painting({s}, width, height, {PaperKind::Procedural, 1, 16, 0.7f, {}}), view,
@@ -130,8 +131,12 @@ private slots:
             Stroke t = s;
             std::vector<std::size_t> edited{k};
             switch (trial % 3) {
-            case 0: t.segments[k].diffusion *= u(random); break;
-            case 1: t.segments[k].density *= u(random); break;
+            case 0:
+                t.segments[k].diffusion *= u(random);
+                break;
+            case 1:
+                t.segments[k].density *= u(random);
+                break;
             case 2: {
                 const Offset to{s.segments[k].bezier[0].x + u(random), s.segments[k].bezier[0].y - u(random)};
                 t.segments[k].bezier[0] = t.segments[k - 1].bezier[3] = to;
@@ -162,8 +167,10 @@ private slots:
                     for (int chain = 0; chain < 3; ++chain)
                         liftAlong(lifted, {60.0 + 30 * chain, 50}, {80.0 + 30 * chain, 90}, 2.5, 1, 30);
                     const View view = someViews(sheet)[std::size_t(trial++ % 3)];
-                    const auto a = buildNodes(m.stroke, m.time, zoomOctave(view.scale), visibleBox(view));
-                    const auto b = buildNodes(lifted, m.time, zoomOctave(view.scale), visibleBox(view));
+                    const auto a =
+                        buildNodes(m.stroke, m.time, zoomOctave(view.scale), visibleBox(PictureGrid::ofPicture(view)));
+                    const auto b =
+                        buildNodes(lifted, m.time, zoomOctave(view.scale), visibleBox(PictureGrid::ofPicture(view)));
                     QCOMPARE(groupsOnlyIn(*a, *b).size(), std::size_t(0));
                     compare(m.stroke, lifted, {}, m.time, view,
                             nameOf(style) + " varies " + QByteArray::number(int(what)) + " lifted");

@@ -23,6 +23,36 @@ class TestOnePicture : public QObject {
         return q;
     }
 
+    /// A view of other pixels in the same grid: its first one is (left, top) of the old one's.
+    static View moved(const View &view, int left, int top, int width, int height)
+    {
+        View out = view;
+        out.width = width, out.height = height;
+        out.centre = view.toCanvas({left + 0.5 * width, top + 0.5 * height});
+        return out;
+    }
+
+    static bool isPartOf(const FloatPicture &part, const FloatPicture &whole, int left, int top)
+    {
+        for (int y = 0; y < part.height; ++y)
+            if (!std::equal(part.at(0, y), part.at(0, y) + part.width * 4, whole.at(left, top + y)))
+                return false;
+        return true;
+    }
+
+    /// A picture whose rendering is given up when some tiles have been stored.
+    struct GivenUp : FloatPicture {
+        std::atomic<bool> cancel = false;
+        std::atomic<int> tilesLeft = 0;
+
+        void store(const PixelRect &rect, const float *pixels, int stride) override
+        {
+            FloatPicture::store(rect, pixels, stride);
+            if (--tilesLeft == 0)
+                cancel = true;
+        }
+    };
+
 private slots:
     /// ctest runs this program once for each SIMD instruction set that a machine may have.
     void initTestCase()
@@ -87,6 +117,68 @@ private slots:
                      qPrintable(QStringLiteral("step %1").arg(step)));
         }
         QVERIFY(partial);
+    }
+
+    /// A picture of a part has the bits of that part of the whole picture, wherever its tiles begin.
+    void aCropIsAPartOfTheWhole()
+    {
+        std::mt19937_64 random(12);
+        for (const PaperGrain grain : {PaperGrain::Tooth, PaperGrain::Weave}) {
+            const auto p = painting(randomStrokes(random, 25, 130, 101), 130, 101,
+                                    {PaperKind::Procedural, 1, 16, 0.7f, {}, grain});
+            for (const View &whole :
+                 {View::ofArea(p->canvas.area(), 390, 303), View{{60, 50}, 0.11, 0.5, true, 170, 161},
+                  View{{60.1, 50.7}, 7.3, 0.2, false, 211, 120}, View{{60, 50}, 900, 0, false, 170, 161},
+                  View{{60, 50}, 3e6, 1, true, 96, 64}}) {
+                const FloatPicture all = test::render(*make(Backend::Cpu, 2), p, whole);
+                for (int k = 0; k < 6; ++k) {
+                    const int left = int(random() % 60), top = int(random() % 40);
+                    const View part = moved(whole, left, top, whole.width - left - int(random() % 30),
+                                            whole.height - top - int(random() % 20));
+                    QVERIFY2(
+                        isPartOf(test::render(*make(Backend::Cpu, 1 + int(random() % 2)), p, part), all, left, top),
+                        qPrintable(QStringLiteral("zoom %1, from %2, %3").arg(whole.scale).arg(left).arg(top)));
+                }
+            }
+        }
+    }
+
+    /// A renderer whose picture is moved by whole pixels draws what comes into view alone, and has the bits of a new
+    /// one, whatever is edited between.
+    void movingByWholePixelsIsFullRedraw()
+    {
+        std::mt19937_64 random(13);
+        auto p = painting(randomStrokes(random, 20, 400, 300), 400, 300, {PaperKind::Procedural, 1, 16, 0.7f, {}});
+        for (const View &start :
+             {View::ofArea(p->canvas.area(), 400, 300), View{{200, 150}, 1.7, 0.4, true, 301, 233}}) {
+            const auto live = make(Backend::Cpu, 2, 16);
+            GivenUp picture;
+            View view = start;
+            Microseconds time = p->end();
+            QVERIFY(live->render({p, time, view, false}, picture));
+            int partial = 0;
+            for (int step = 0; step < 60; ++step) {
+                const bool edits = random() % 5 == 0;
+                if (edits)
+                    p = randomlyEdited(p, random);
+                if (random() % 8 == 0)
+                    time = Microseconds(double(random() % 1000) * 1e-3 * double(p->end()));
+                if (random() % 6 == 0) {
+                    picture.cancel = false;
+                    picture.tilesLeft = 5;
+                    QVERIFY(live->render({p, time, view, false}, picture, &picture.cancel));
+                }
+                view = moved(view, int(random() % 41) - 20, int(random() % 41) - 20, view.width, view.height);
+                const auto stats = live->render({p, time, view, false, step % 7 == 0}, picture);
+                QVERIFY(stats);
+                partial += stats->tilesEvaluated < stats->tiles;
+                if (step % 7 == 0) // A gesture may use maps that are not exact to the bit.
+                    QVERIFY(live->render({p, time, view, false}, picture));
+                QVERIFY2(same(picture, test::render(*make(Backend::Cpu), p, view, time)),
+                         qPrintable(QStringLiteral("step %1").arg(step)));
+            }
+            QVERIFY2(partial > 30, qPrintable(QString::number(partial)));
+        }
     }
 
     void onlyWhatChangedIsEvaluated()

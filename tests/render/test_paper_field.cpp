@@ -21,7 +21,7 @@ Paper paperOf(PaperGrain grain, float scale)
 Samples fieldAt(const View &view, const Paper &paper, const cpu::Block &block, int level)
 {
     cpu::PaperTiles tiles(9);
-    tiles.begin(cpu::kernels(), view, paper, nullptr, 0);
+    tiles.begin(cpu::kernels(), PictureGrid::ofPicture(view), paper, nullptr, 0);
     alignas(64) Samples eta;
     tiles.fill(block, level, eta.data());
     return eta;
@@ -33,9 +33,8 @@ double greatestDifference(const View &view, const Paper &paper, const cpu::Block
     for (int j = 0; j < cpu::blockSide; ++j)
         for (int i = 0; i < cpu::blockSide; ++i) {
             const Point at = view.toCanvas({block.x + (i + 0.5) * block.step, block.y + (j + 0.5) * block.step});
-            const double exact =
-                math::proceduralPaper(at.x, at.y, block.step * view.px(), std::int32_t(paper.grain), paper.seed,
-                                      double(paper.scale), double(paper.strength));
+            const double exact = math::proceduralPaper(at.x, at.y, block.step * view.px(), std::int32_t(paper.grain),
+                                                       paper.seed, double(paper.scale), double(paper.strength));
             worst = std::max(worst, std::abs(double(eta[std::size_t(j * cpu::blockSide + i)]) - exact));
         }
     return worst;
@@ -59,8 +58,7 @@ private slots:
                     for (const int level : {0, 1, 4}) {
                         const Paper paper = paperOf(grain, scale);
                         const cpu::Block block{104, 216, std::ldexp(1.0, -level)};
-                        const double worst =
-                            greatestDifference(view, paper, block, fieldAt(view, paper, block, level));
+                        const double worst = greatestDifference(view, paper, block, fieldAt(view, paper, block, level));
                         // The threads of a weave have edges, beside which rounding may take the other thread.
                         QVERIFY2(worst < 2e-5, qPrintable(QStringLiteral("zoom %1, grain %2, scale %3, level %4: %5")
                                                               .arg(view.scale)
@@ -93,7 +91,7 @@ private slots:
         cpu::PaperTiles tiles(9);
         const cpu::Block block{64, 16, 1};
         const auto ask = [&] {
-            tiles.begin(cpu::kernels(), view, paper, nullptr, 4);
+            tiles.begin(cpu::kernels(), PictureGrid::ofPicture(view), paper, nullptr, 4);
             return tiles.at(1, 4, block, nullptr); // Without room it must be kept.
         };
         const auto isRight = [&](const float *eta) {
@@ -115,7 +113,7 @@ private slots:
     {
         const View view{{512, 384}, 1, 0, false, 16384, 12288};
         cpu::PaperTiles tiles(9);
-        tiles.begin(cpu::kernels(), view, paperOf(PaperGrain::Weave, 12), nullptr, 342 * 256);
+        tiles.begin(cpu::kernels(), PictureGrid::ofPicture(view), paperOf(PaperGrain::Weave, 12), nullptr, 342 * 256);
         alignas(64) Samples room;
         QCOMPARE(tiles.at(5, 3, {64, 16, 1}, room.data()), room.data());
         QVERIFY(room == fieldAt(view, paperOf(PaperGrain::Weave, 12), {64, 16, 1}, 0));

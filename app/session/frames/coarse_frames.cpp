@@ -75,6 +75,16 @@ void enlargeRect(const Picture8 &from, Picture8 &to, const PixelRect &r, std::sp
     }
 }
 
+/// All of a view, in parts that several threads can enlarge.
+std::vector<PixelRect> bandsOf(const View &view)
+{
+    constexpr int rows = 64;
+    std::vector<PixelRect> bands;
+    for (int y = 0; y < view.height; y += rows)
+        bands.push_back({0, y, view.width, std::min(rows, view.height - y)});
+    return bands;
+}
+
 /// A rectangle of the coarse picture in pixels of the view.
 PixelRect enlarged(const PixelRect &r, const View &view, const View &coarse, int factor)
 {
@@ -98,7 +108,8 @@ CoarseFrames::CoarseFrames(const RendererOptions &options, MakeRenderer make, in
 FrameResult CoarseFrames::show(const FrameTask &task, FrameBoard &board, FrameInfo &frame)
 {
     const RenderRequest &request = task.job.request;
-    if (!isAt(*task.before) && !draw(*task.before))
+    const bool moved = task.before->view != request.view;
+    if (!moved && !isAt(*task.before) && !draw(*task.before))
         return {.outcome = FrameOutcome::Failed};
     Result<RenderStats> stats = draw(request);
     if (!stats)
@@ -108,15 +119,18 @@ FrameResult CoarseFrames::show(const FrameTask &task, FrameBoard &board, FrameIn
         fits = shown.picture.width == request.view.width && shown.picture.height == request.view.height;
         if (!fits)
             return; // the last one stayed on a device
+        if (moved)
+            stats->dirty = bandsOf(request.view);
         enlargeInto(shown.picture, stats->dirty);
         shown.dirty.insert(shown.dirty.end(), stats->dirty.begin(), stats->dirty.end());
+        shown.view = request.view;
     });
     if (!fits)
         return {.outcome = FrameOutcome::Unfit};
     board.notePatches(stats->dirty);
-    FrameResult result{.ms = stats->totalMs, .pixels = areaOf(stats->dirty)};
+    FrameResult result{.ms = stats->totalMs, .pixels = stats->pixelsEvaluated * m_factor * m_factor};
     frame.coarseness = m_factor;
-    frame.evaluated = result.pixels / (m_factor * m_factor);
+    frame.evaluated = stats->pixelsEvaluated;
     frame.stats = std::move(*stats);
     return result;
 }

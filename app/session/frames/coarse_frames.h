@@ -21,8 +21,8 @@ public:
 
     CoarseFrames(const RendererOptions &options, MakeRenderer make, int factor = usualFactor);
 
-    /// Draws the task's job, and enlarges what differs from the frame before it into the picture on the board. `frame`
-    /// gets figures.
+    /// Draws the task's job, and enlarges what differs from the frame before it into the picture on the board: all,
+    /// where that was of another view. `frame` gets figures.
     FrameResult show(const FrameTask &task, FrameBoard &board, FrameInfo &frame);
     /// Draws what the task has on the screen, so that the next frame has to draw only what differs.
     FrameResult prepare(const FrameTask &task, const std::atomic<bool> *cancel);

@@ -1,7 +1,5 @@
 #include "app/session/frames/exact_frames.h"
 
-#include "render/backends.h"
-
 #include <cstring>
 #include <utility>
 
@@ -11,17 +9,11 @@ namespace {
 
 constexpr std::size_t maxDirtyRects = 4096;
 
-/// Empty where CUDA can run.
-QString whyNoCuda()
+/// Adds rectangles of a picture to others of it. One that is all of the picture replaces them.
+void append(std::vector<PixelRect> &to, const std::vector<PixelRect> &rects, const Picture8 &picture)
 {
-    for (const BackendInfo &backend : backends())
-        if (backend.backend == Backend::Cuda && !backend.unavailable.isEmpty())
-            return QStringLiteral("CUDA: %1").arg(backend.unavailable);
-    return {};
-}
-
-void append(std::vector<PixelRect> &to, const std::vector<PixelRect> &rects)
-{
+    if (rects == std::vector<PixelRect>{{0, 0, picture.width, picture.height}})
+        to.clear();
     to.insert(to.end(), rects.begin(), rects.end());
 }
 
@@ -43,8 +35,6 @@ ExactFrames::ExactFrames(const RendererOptions &options, const MakeRenderer &mak
         RendererOptions byCpu = options;
         byCpu.backend = Backend::Cpu;
         renderer = make(byCpu);
-    } else if (options.backend == Backend::Auto && (*renderer)->backend() == Backend::Cpu) {
-        m_notice = whyNoCuda();
     }
     if (renderer)
         m_renderer = std::move(*renderer);
@@ -80,14 +70,14 @@ FrameResult ExactFrames::show(const FrameTask &task, const std::atomic<bool> *ca
     Result<RenderStats> stats = m_renderer->render(task.job.request, m_back, cancel);
     if (!stats)
         return failed(stats.error());
-    FrameResult result{.ms = stats->totalMs, .pixels = areaOf(stats->dirty)};
+    FrameResult result{.ms = stats->totalMs, .pixels = stats->pixelsEvaluated};
     m_evaluated += result.pixels;
-    append(m_unpublished, stats->dirty);
+    append(m_unpublished, stats->dirty, m_back);
     if (stats->cancelled) {
         result.outcome = FrameOutcome::Cancelled;
         return result;
     }
-    append(m_unpublished, m_board.takePatches());
+    append(m_unpublished, m_board.takePatches(), m_back);
     stats->dirty = m_unpublished;
     // The device belongs to this thread: nobody else may hold its last picture.
     const Result<void> published = publish(task.job.request.view, std::exchange(stats->frame, nullptr));
@@ -110,7 +100,7 @@ FrameOutcome ExactFrames::draw(const RenderRequest &request, const std::atomic<b
     const Result<RenderStats> stats = m_renderer->render(request, m_back, cancel);
     if (!stats)
         return FrameOutcome::Failed;
-    append(m_unpublished, stats->dirty);
+    append(m_unpublished, stats->dirty, m_back);
     if (stats->cancelled)
         return FrameOutcome::Cancelled;
     picture = m_back;

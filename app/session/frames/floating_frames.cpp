@@ -72,7 +72,7 @@ FrameResult FloatingFrames::show(const FrameTask &task, FrameInfo &frame)
     frame.stats.totalMs = std::chrono::duration<double, std::milli>(Clock::now() - start).count();
     frame.coarseness = m_layers->factor();
     frame.floats = true;
-    return {.ms = frame.stats.totalMs, .pixels = areaOf(frame.stats.dirty)};
+    return {.ms = frame.stats.totalMs, .pixels = pixelsIn(frame.stats.dirty)};
 }
 
 FrameResult FloatingFrames::prepare(const FrameTask &task, const std::atomic<bool> *cancel)

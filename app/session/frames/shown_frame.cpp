@@ -6,14 +6,6 @@
 
 namespace suffuse {
 
-double areaOf(const std::vector<PixelRect> &rects)
-{
-    double area = 0;
-    for (const PixelRect &r : rects)
-        area += double(r.width) * r.height;
-    return area;
-}
-
 void FrameBoard::with(const std::function<void(ShownFrame &)> &use)
 {
     const std::lock_guard lock(m_mutex);

@@ -39,9 +39,6 @@ struct ShownFrame {
     int height() const { return device ? device->height() : picture.height; }
 };
 
-/// Pixels in rectangles that do not overlap.
-double areaOf(const std::vector<PixelRect> &rects);
-
 /// Where the frame sources put what they have drawn, and presenters find it.
 class FrameBoard {
 public:
