@@ -29,7 +29,9 @@ void CanvasView::moveByHand()
 
 void CanvasView::panBy(Point pixels)
 {
-    m_transform.panBy(pixels);
+    const Point asked = m_leftOver + pixels, whole{std::round(asked.x), std::round(asked.y)};
+    m_leftOver = asked - whole;
+    m_transform.panBy(whole);
     moveByHand();
 }
 

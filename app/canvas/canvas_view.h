@@ -26,7 +26,9 @@ public:
     /// too.
     void resize(int width, int height) { m_transform.resize(width, height); }
 
-    /// Moves the canvas by pixels. This and what follows are moves by hand, after which the view is no longer fitted.
+    /// Moves the canvas by pixels, as many whole ones as there are with what was left over before: then the picture has
+    /// to be drawn only where it comes into view. This and what follows are moves by hand, after which the view is no
+    /// longer fitted.
     void panBy(Point pixels);
     /// Zooms by a factor; the point under the pixel stays there.
     void zoomAt(Point pixel, double factor);
@@ -54,6 +56,7 @@ private:
 
     ViewTransform m_transform;
     bool m_fitted = true;
+    Point m_leftOver; ///< what the canvas is still to be moved by, less than half a pixel
 };
 
 } // namespace suffuse

@@ -8,18 +8,28 @@ namespace suffuse {
 Report measureViews(EditingSession &s, int events)
 {
     Report report{"Moving the view at 60 events a second: event to frame on the screen, ms", {}};
-    const auto pan = [&](const QString &name) {
-        int moves = 0;
-        const DragTimes times = s.paced(events, [&](int) { s.canvas().panBy({moves++ % 40 < 20 ? 2.0 : -2.0, 1.0}); });
+    const auto measure = [&](const QString &name, const std::function<void(int)> &move) {
+        const DragTimes times = s.paced(events, move);
         report.rows.push_back(rowOf(name, times));
         s.canvas().fit();
         s.settle();
     };
+    const auto pan = [&](const QString &name, double pixels) {
+        int moves = 0;
+        measure(name, [&](int) { s.canvas().panBy({moves++ % 40 < 20 ? pixels : -pixels, 0.5 * pixels}); });
+    };
     s.document().setSelection({});
-    pan("pan, nothing selected");
+    pan("pan, nothing selected", 2);
+    pan("pan, 20 pixels an event", 20);
     s.window().action(Command::SelectAll).trigger();
-    pan("pan, all selected");
+    pan("pan, all selected", 2);
     s.document().setSelection({});
+    s.canvas().setZoom(0.1);
+    s.settle();
+    const double step = std::pow(1e4, 2.0 / std::max(events, 2)); // from 0.1 to 1,000 times, and back
+    int moves = 0;
+    measure("zoom, 0.1 to 1000 times and back",
+            [&](int) { s.canvas().setZoom(s.canvas().view().scale * (moves++ < events / 2 ? step : 1 / step)); });
     return report;
 }
 

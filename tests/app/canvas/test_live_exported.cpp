@@ -24,8 +24,10 @@ struct Sheet : Session {
         size.height = canvas().view().height;
         editor().newPainting(size);
         use(Command::Brush);
-        canvas().setZoom(1);
-        canvas().panBy(-1.0 * canvas().view().toPixels({0, 0}));
+        View view = canvas().view();
+        view.scale = 1;
+        view.centre = {0.5 * view.width, 0.5 * view.height};
+        canvas().lookThrough(view);
         editor().clock().setTime(0);
     }
 

@@ -108,8 +108,10 @@ struct Replay : Session {
         editor().newPainting(size);
         editor().setBrush(brush());
         use(Command::Brush);
-        canvas().setZoom(1);
-        canvas().panBy(-1.0 * canvas().view().toPixels({0, 0}));
+        View view = canvas().view();
+        view.scale = 1;
+        view.centre = {0.5 * view.width, 0.5 * view.height};
+        canvas().lookThrough(view);
         editor().clock().setTime(0);
     }
     void send(const Row &row, quint64 stamp = 0)
