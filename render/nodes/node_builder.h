@@ -81,6 +81,10 @@ int zoomOctave(double scale);
 std::shared_ptr<const StrokeNodes> buildNodes(const Stroke &stroke, Microseconds T, int octave, const Rect &clip,
                                               Threads threads = 1);
 
+/// Returns a box outside of which no node of the stroke adds anything, whatever the octave. Canvas units; empty if the
+/// stroke has no nodes.
+Rect greatestReach(const Stroke &stroke, Microseconds T);
+
 /// Holds what nodes depend on, beside their block of segments.
 struct NodeContext {
     Microseconds T = 0;

@@ -17,8 +17,9 @@ constexpr double finest = 0x1p-22;     // Float sums have no more precision.
 constexpr double finestDeep = 0x1p-44; // the same in double, for segments whose edge a deep zoom shows
 constexpr double mergeable = 0x1p-20;  // The check of merged nodes is in float.
 constexpr double coarsest = 0x1p-12;
-constexpr double thinnest = 0x1p-13; // In px: a line of this spread covers less than 1/512 of a pixel.
-constexpr double cutShare = 0.35;    // the share of the tolerance for cutting nodes off at R
+constexpr double thinnest = 0x1p-13;  // In px: a line of this spread covers less than 1/512 of a pixel.
+constexpr double greatestSquare = 80; // of R, in spreads
+constexpr double cutShare = 0.35;     // the share of the tolerance for cutting nodes off at R
 // The kernel b(u)b(v), b(u) = e^(−u²) − e^(−R²), takes between 1 and 5 e^(−R²) of its peak from a long line, depending
 // on the direction of the line. Raising the weights by 3.5 e^(−R²) leaves −2.5 to 0.7, and for oblique nodes −3.3 to
 // −0.4.
@@ -151,7 +152,7 @@ double cutRadius(double tolerance, const std::vector<Style> &styles, double peak
     for (const Style &style : styles)
         if (style.kind == StyleKind::Feathering) // Its tail reaches far if ξ2 is small.
             r2 = std::max(r2, std::log(std::max(peak / style.xi[0], 1e-6)) + std::log(1 / unseen) / style.xi[1]);
-    return std::sqrt(std::clamp(r2, 6.0, 80.0));
+    return std::sqrt(std::clamp(r2, 6.0, greatestSquare));
 }
 
 /// Returns the density from which on a style is plainly seen.
@@ -195,6 +196,17 @@ double densityTolerance(const Style &style, double peak, double spreadPixels)
     const double edge = math::Edge<double>(xi1, xi2, style.xi[2]).phiE;
     const double u = std::sqrt(std::max(std::log(peak / edge), 0.25));
     return unseen * 2 * u * edge / std::max(spreadPixels, 1.0);
+}
+
+Rect greatestReach(const Stroke &stroke, Microseconds T)
+{
+    // In spreads, and one more that stand for several may lie a little beside the curve.
+    const double radius = std::sqrt(greatestSquare) + 1;
+    Rect box;
+    for (const Segment &segment : stroke.segments)
+        if (const Axes axes(segment, T); axes.across > 0)
+            box = box.united(stroke.cubicOf(segment).controlBox().grown(radius * axes.larger));
+    return box;
 }
 
 bool isSeen(const Segment &segment, Microseconds T, double scale)

@@ -23,8 +23,18 @@ void reachEverywhere(SceneStroke &stroke, const PixelRect &window)
 /// unless they depend on what the view shows.
 bool keepsNodes(const SceneStroke &known, const Stroke &now)
 {
-    return known.stroke.get() == &now ||
-           (!known.source->clipped && known.stroke->style == now.style && known.stroke->segments == now.segments);
+    return !known.outside &&
+           (known.stroke.get() == &now ||
+            (!known.source->clipped && known.stroke->style == now.style && known.stroke->segments == now.segments));
+}
+
+/// A stroke that is not seen.
+SceneStroke outsideStroke(StrokePtr stroke, const PictureGrid &grid)
+{
+    static const auto none = std::make_shared<const StrokeNodes>();
+    SceneStroke out = makeSceneStroke(std::move(stroke), none, grid);
+    out.outside = true;
+    return out;
 }
 
 } // namespace
@@ -158,6 +168,7 @@ SceneStrokePtr LiveScene::dryOf(std::size_t i, const PictureGrid &grid) const
 
 std::vector<std::shared_ptr<const StrokeNodes>> LiveScene::buildBulk(const std::vector<Stale> &stale,
                                                                      const std::vector<FrozenNodes *> &frozen,
+                                                                     const std::vector<char> &outside,
                                                                      Microseconds time, const PictureGrid &grid,
                                                                      Threads threads) const
 {
@@ -169,7 +180,7 @@ std::vector<std::shared_ptr<const StrokeNodes>> LiveScene::buildBulk(const std::
     std::size_t segments = 0;
     for (std::size_t k = 0; k < stale.size(); ++k) {
         const std::size_t i = stale[k].index;
-        if (stale[k].nodesHold || frozen[k] || (m_driesAt[i] <= time && dryOf(i, grid)))
+        if (stale[k].nodesHold || frozen[k] || outside[k] || (m_driesAt[i] <= time && dryOf(i, grid)))
             continue;
         strokes.push_back(m_sources[i]);
         places.push_back(k);
@@ -177,8 +188,7 @@ std::vector<std::shared_ptr<const StrokeNodes>> LiveScene::buildBulk(const std::
     }
     if (segments / std::size_t(threads.count()) < m_bulk->worthwhile())
         return nodes;
-    auto built =
-        m_bulk->build(strokes, time, zoomOctave(grid.view.scale), visibleBox(grid), threads);
+    auto built = m_bulk->build(strokes, time, zoomOctave(grid.view.scale), visibleBox(grid), threads);
     for (std::size_t k = 0; k < places.size(); ++k)
         nodes[places[k]] = std::move(built[k]);
     return nodes;
@@ -187,7 +197,7 @@ std::vector<std::shared_ptr<const StrokeNodes>> LiveScene::buildBulk(const std::
 void LiveScene::prepare(const std::vector<Stale> &stale, Microseconds time, const PictureGrid &grid, Threads threads)
 {
     const int octave = zoomOctave(grid.view.scale);
-    const Rect visible = visibleBox(grid);
+    const Rect visible = visibleBox(grid), near = visible.grown(2 * grid.view.px());
     const auto nodesOf = [this](std::size_t i) { return m_strokes[i] ? m_strokes[i]->source->nodes.size() : 0; };
     std::vector<FrozenNodes *> frozen; // null for a stroke that will not be built often
     std::unordered_map<StrokeId, FrozenNodes> wet;
@@ -201,7 +211,11 @@ void LiveScene::prepare(const std::vector<Stale> &stale, Microseconds time, cons
         if (keeps && known != m_frozen.end())
             *frozen.back() = std::move(known->second);
     }
-    const auto bulk = buildBulk(stale, frozen, time, grid, threads);
+    std::vector<char> outside(stale.size(), 0);
+    parallelFor(stale.size(), threads, [&](std::size_t k) {
+        outside[k] = m_cull && !greatestReach(*m_sources[stale[k].index], time).intersects(near);
+    });
+    const auto bulk = buildBulk(stale, frozen, outside, time, grid, threads);
     const Threads threadsEach = threads.within(stale.size());
     parallelFor(stale.size(), threads, [&](std::size_t k) {
         const std::size_t i = stale[k].index;
@@ -210,6 +224,14 @@ void LiveScene::prepare(const std::vector<Stale> &stale, Microseconds time, cons
         if (dry && dries && !frozen[k]) {
             m_bounds[i] = dry->bounds;
             m_strokes[i] = std::move(dry);
+            return;
+        }
+        if (outside[k]) {
+            auto stroke = std::make_shared<SceneStroke>(outsideStroke(m_sources[i], grid));
+            if (!dries)
+                stroke->dry = std::move(dry);
+            m_bounds[i] = stroke->bounds;
+            m_strokes[i] = std::move(stroke);
             return;
         }
         auto nodes = stale[k].nodesHold ? m_strokes[i]->source

@@ -68,7 +68,8 @@ private:
     /// Builds nodes in bulk, if there are many to be built. The others are null.
     std::vector<std::shared_ptr<const StrokeNodes>> buildBulk(const std::vector<Stale> &stale,
                                                               const std::vector<FrozenNodes *> &frozen,
-                                                              Microseconds time, const PictureGrid &grid, Threads threads) const;
+                                                              const std::vector<char> &outside, Microseconds time,
+                                                              const PictureGrid &grid, Threads threads) const;
     void prepare(const std::vector<Stale> &stale, Microseconds time, const PictureGrid &grid, Threads threads);
     bool sameAge(std::size_t i, Microseconds time) const
     {

@@ -52,6 +52,7 @@ struct SceneStroke {
     bool granulated = false;
     /// whether densities are so calm that samples of a pixel can be told from its centre (render/math/bends.h)
     bool calm = false;
+    bool outside = false; ///< whether it has no nodes because it cannot reach the window
     /// as pixelBounds gives them for each group of `source`; only if that was asked for
     std::vector<PixelRect> groupBounds;
     std::shared_ptr<const SceneStroke> dry; ///< the stroke once it has dried, if LiveScene has seen it so in this view
