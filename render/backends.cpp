@@ -1,9 +1,11 @@
 #include "render/backends.h"
 
+#include "render/cost.h"
 #include "render/cpu/cpu_renderer.h"
 #include "render/cuda/cuda_renderer.h"
 #include "render/fallback_renderer.h"
 #include "render/reference/reference.h"
+#include "render/starting_renderer.h"
 #include "render/threads/parallel.h"
 
 #include <QCoreApplication>
@@ -17,17 +19,57 @@ std::unique_ptr<Renderer> makeCpuRenderer(const RendererOptions &options)
     return std::make_unique<CpuRenderer>(options.threads, options.tileSize, options.cull);
 }
 
+/// A renderer on GPUs that goes on with the CPU when they fail.
+Result<std::unique_ptr<Renderer>> makeDeviceRenderer(const RendererOptions &options)
+{
+    Result<std::unique_ptr<Renderer>> cuda = makeCudaRenderer(options);
+    if (!cuda)
+        return cuda;
+    return std::unique_ptr<Renderer>(
+        std::make_unique<FallbackRenderer>(std::move(*cuda), [options] { return makeCpuRenderer(options); }));
+}
+
+/// Draws a small picture, since a device loads its programs when they are first used.
+void warmUp(Renderer &renderer)
+{
+    RenderRequest request;
+    request.painting = std::make_shared<const Painting>();
+    request.view = View::ofArea(Rect::of(0, 0, 16, 16), 16, 16);
+    Picture8 picture;
+    (void)renderer.render(request, picture);
+}
+
 } // namespace
+
+Result<std::unique_ptr<Renderer>> makeRendererAtOnce(const RendererOptions &options)
+{
+    if (options.backend == Backend::Cpu || options.backend == Backend::Reference)
+        return makeRenderer(options);
+    const auto make = [options]() -> Result<std::unique_ptr<Renderer>> {
+        Result<std::unique_ptr<Renderer>> device = makeDeviceRenderer(options);
+        if (!device)
+            return Error{QStringLiteral("CUDA: %1").arg(device.error())};
+        warmUp(**device);
+        return device;
+    };
+    return std::unique_ptr<Renderer>(std::make_unique<StartingRenderer>(makeCpuRenderer(options), make));
+}
+
+Backend quickestBackend(const RenderRequest &request, std::size_t pictures, const RendererOptions &options)
+{
+    constexpr double secondsToStart = 0.5; // of one GPU, on the machines that were measured (docs/performance.md)
+    const double seconds = double(pictures) * cpuSeconds(request) / Threads(options.threads).count();
+    return seconds < secondsToStart ? Backend::Cpu : Backend::Auto;
+}
 
 Result<std::unique_ptr<Renderer>> makeRenderer(const RendererOptions &options)
 {
     if (options.backend == Backend::Reference)
         return makeReferenceRenderer(options.threads);
     if (options.backend != Backend::Cpu) {
-        Result<std::unique_ptr<Renderer>> cuda = makeCudaRenderer(options);
+        Result<std::unique_ptr<Renderer>> cuda = makeDeviceRenderer(options);
         if (cuda)
-            return std::unique_ptr<Renderer>(
-                std::make_unique<FallbackRenderer>(std::move(*cuda), [options] { return makeCpuRenderer(options); }));
+            return cuda;
         if (options.backend == Backend::Cuda)
             return Error{
                 QCoreApplication::translate("Renderer", "The CUDA backend cannot run: %1. Use the CPU backend.")

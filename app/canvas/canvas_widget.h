@@ -30,7 +30,7 @@ class CanvasWidget : public QWidget, private CanvasContent {
     Q_OBJECT
 
 public:
-    explicit CanvasWidget(Editor &editor, QWidget *parent = nullptr, MakeRenderer make = makeRenderer);
+    explicit CanvasWidget(Editor &editor, QWidget *parent = nullptr, MakeRenderer make = makeRendererAtOnce);
     ~CanvasWidget() override;
 
     Editor &editor() { return m_editor; }

@@ -186,15 +186,18 @@ int render(const CommandLine &line, ImageFormat format, ImageOptions image, cons
     const QString problem = problemOf(format, image, picture->width, picture->height);
     if (!problem.isEmpty())
         return failUsage("render", QStringLiteral("%1: %2").arg(line.value("output"), problem));
-    Result<std::unique_ptr<Renderer>> renderer = makeRenderer(options);
-    if (!renderer)
-        return fail(renderer.error());
-
     RenderRequest request;
     request.painting = std::make_shared<const Painting>(std::move(*painting));
     request.time = picture->time;
     request.view = View::ofArea(picture->area, picture->width, picture->height);
     request.transparent = image.alpha;
+    RendererOptions chosen = options;
+    if (options.backend == Backend::Auto)
+        chosen.backend = quickestBackend(request, 1, options);
+    Result<std::unique_ptr<Renderer>> renderer = makeRenderer(chosen);
+    if (!renderer)
+        return fail(renderer.error());
+
     FloatPicture pixels;
     const Result<RenderStats> stats = renderPicture(**renderer, request, pixels);
     if (!stats)

@@ -112,6 +112,15 @@ int timelapse(const CommandLine &line, Film film, RendererOptions options)
         return failUsage("timelapse", QStringLiteral("%1: %2").arg(film.file.path, problem));
     if (filmKindOf(film.file.path) != FilmKind::Frames)
         options.devices = 1; // its frames are wanted in order
+    const std::vector<Microseconds> moments = timelapseMoments(*painting, film.options);
+    RenderRequest request;
+    request.time = painting->end();
+    request.painting = std::make_shared<const Painting>(std::move(*painting));
+    request.view = View::ofArea(picture->area, picture->width, picture->height);
+    request.transparent = film.file.image.alpha;
+    constexpr std::size_t framesOfPicture = 8; // Frames are drawn only where they differ from the one before.
+    if (options.backend == Backend::Auto && options.devices == 1)
+        options.backend = quickestBackend(request, moments.size() / framesOfPicture + 1, options);
     const auto renderers = makeRenderers(options);
     if (!renderers)
         return fail(renderers.error());
@@ -119,11 +128,6 @@ int timelapse(const CommandLine &line, Film film, RendererOptions options)
     if (!file)
         return fail(file.error());
 
-    const std::vector<Microseconds> moments = timelapseMoments(*painting, film.options);
-    RenderRequest request;
-    request.painting = std::make_shared<const Painting>(std::move(*painting));
-    request.view = View::ofArea(picture->area, picture->width, picture->height);
-    request.transparent = film.file.image.alpha;
     Result<SequenceStats> stats = Error{};
     {
         ProgressLine progress(QCoreApplication::translate("Cli", "drawing"), true);

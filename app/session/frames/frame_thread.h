@@ -23,7 +23,8 @@ class FrameThread : public QObject {
 
 public:
     /// `make` is called on the frame thread. Where it fails the CPU draws, and `FrameInfo::notice` says why.
-    explicit FrameThread(const RendererOptions &options, MakeRenderer make = makeRenderer, QObject *parent = nullptr);
+    explicit FrameThread(const RendererOptions &options, MakeRenderer make = makeRendererAtOnce,
+                         QObject *parent = nullptr);
     ~FrameThread() override;
 
     /// Asks for a picture; a request that has not begun is forgotten, one that runs is cancelled where the view has
