@@ -19,7 +19,8 @@ const QStringList slowGesture =
 /// A slow painting whose strokes are lifted.
 const QStringList lifted{"0 ask a > exact a", "40 done 40 > wait", "100 lift a > prepare lift over exact"};
 
-/// Lets anything happen, in any order, and watches each coarse frame: it is of the view of the last exact one.
+/// Lets anything happen, in any order, and watches each coarse frame: it is of the view that is shown, or of the one
+/// that was asked for last.
 class RandomWalk {
 public:
     explicit RandomWalk(unsigned seed) : m_random(seed) {}
@@ -53,16 +54,21 @@ private:
     static constexpr const char *events[] = {"coarse on", "coarse off", "device on", "device off",
                                              "lift a",    "lift b",     "lift none"};
 
+    static QString viewIn(const QString &task) { return task.section('@', 1).left(1); }
     int below(int n) { return std::uniform_int_distribution<int>(0, n - 1)(m_random); }
     void happen(const QString &event)
     {
+        const QString triedBefore = viewIn(state);
         state = stage.after(QString("%1 %2").arg(m_ms).arg(event));
+        if (state.startsWith("coarse ") && !QStringList{m_askedView, m_shownView, triedBefore}.contains(viewIn(state)))
+            problem = "a coarse frame of another view";
         log += QString("%1 %2 > %3\n").arg(m_ms).arg(event, state);
     }
     void ask()
     {
         ++asked;
-        const QString name = QString("ask %1@%2").arg(QChar('a' + below(4))).arg(2 + below(2));
+        m_askedView = QString::number(2 + below(2));
+        const QString name = QString("ask %1@%2").arg(QChar('a' + below(4))).arg(m_askedView);
         happen(name + (below(3) ? " drag" : "") + (below(4) ? "" : " float a settled"));
     }
     void askMeanwhile()
@@ -76,25 +82,22 @@ private:
     }
     void work(bool fails)
     {
-        const QString view = state.section('@', 1).left(1);
         const bool isExact = state.startsWith("exact ");
-        if (state.startsWith("coarse ") && view != m_exactView)
-            problem = "a coarse frame of another view";
         m_ms += 1 + below(60);
         if (state.startsWith("estimate")) {
             happen(QString("differs %1 %2").arg(below(6)).arg(below(side * side)));
         } else if (fails) {
             happen(isExact ? (state.endsWith("device") ? "unpublished" : "failed") : below(2) ? "unfit" : "failed");
         } else {
-            if (isExact)
-                m_exactView = view;
+            if (state.contains('@') && !state.startsWith("prepare"))
+                m_shownView = viewIn(state);
             happen(QString("done %1 %2").arg(below(40)).arg(below(side * side)));
         }
     }
 
     std::mt19937 m_random;
     int m_ms = 0;
-    QString m_exactView;
+    QString m_askedView, m_shownView;
 };
 
 } // namespace
@@ -137,6 +140,19 @@ void TestFrameSchedule::requests()
          "122 cancelled > exact a@3"});
     row("but not where no frame came for long", {"0 ask a > exact a", "10 done > wait", "300 ask a@2 > exact a@2",
                                                  "401 ask a@3 > busy", "402 done > exact a@3"});
+    row("a view that keeps moving is shown coarsely until it stops",
+        {"0 ask a > exact a", "40 done 40 > wait", "100 ask a@2 > exact a@2", "140 done 40 > wait",
+         "150 ask a@3 > coarse a@3 from a@2", "155 done > wait 185", "166 ask a@4 > coarse a@4 from a@3",
+         "170 done > wait 200", "200 rest > exact a@4", "240 done 40 > wait 5240"});
+    row("where a picture is quick, a moving view is exact",
+        {"0 ask a > exact a", "9 done 9 > wait", "100 ask a@2 > exact a@2", "109 done 9 > wait",
+         "116 ask a@3 > exact a@3"});
+    row("a single change of the view is exact", {"0 ask a > exact a", "40 done 40 > wait", "100 ask a@2 > exact a@2",
+                                                 "140 done 40 > wait", "400 ask a@3 > exact a@3"});
+    row("where a moving view cannot be coarse, it is exact",
+        {"0 ask a > exact a", "40 done 40 > wait", "100 ask a@2 > exact a@2", "140 done 40 > wait",
+         "150 ask a@3 > coarse a@3 from a@2", "155 failed > exact a@3", "195 done 40 > wait 5195",
+         "200 ask a@4 > exact a@4"});
     row("unless it takes for ever", {"0 ask a > exact a", "10 done > wait", "300 ask a@2 > exact a@2",
                                      "401 ask a@3 > busy", "701 ask a@4 > cancelled", "702 cancelled > exact a@4"});
     row("an error answers a request, too",

@@ -1,5 +1,7 @@
 #include "app/session/frames/frame_schedule.h"
 
+#include "render/picture_grid.h"
+
 #include <utility>
 
 namespace suffuse {
@@ -18,6 +20,8 @@ constexpr auto starving = 250ms;
 constexpr auto patience = 400ms;
 /// A gesture that pauses for this long gets its exact frame.
 constexpr auto pause = 30ms;
+/// A view that changes again within this time is in motion.
+constexpr auto motion = 150ms;
 /// When nothing was asked for so long, what the next gesture will need is made ready…
 constexpr auto rest = 100ms;
 /// A hand that does not move for this long rests.
@@ -34,6 +38,14 @@ bool isSlow(double ms)
     return ms > slowMs;
 }
 
+/// Whether one view shows the same pixels as the other, but for those that come into view at its edges.
+bool isStep(const View &from, const View &to)
+{
+    const PictureGrid a = PictureGrid::ofDocument(from), b = PictureGrid::ofDocument(to);
+    return a.sameGrid(b) && std::abs(a.picture.x - b.picture.x) < to.width / 4 &&
+           std::abs(a.picture.y - b.picture.y) < to.height / 4;
+}
+
 } // namespace
 
 quint64 FrameSchedule::request(RenderRequest request, std::optional<Floating> floating, Time now)
@@ -41,7 +53,12 @@ quint64 FrameSchedule::request(RenderRequest request, std::optional<Floating> fl
     if (m_hand && (m_hand->yields || isUseless(request.view, now)))
         m_cancelled = true;
     m_moving = request.interactive ? m_serial + 1 : 0;
-    m_pending = FrameJob{std::move(request), ++m_serial, std::move(floating)};
+    const bool moves = m_asked && *m_asked != request.view;
+    const bool inMotion = moves && now - m_movedAt < motion;
+    m_asked = request.view;
+    if (moves)
+        m_movedAt = now;
+    m_pending = FrameJob{std::move(request), ++m_serial, std::move(floating), inMotion};
     return m_serial;
 }
 
@@ -168,6 +185,8 @@ FrameSchedule::Kind FrameSchedule::kindFor(const Hand &hand)
         return Kind::Exact;
     if (floats(hand.job))
         return Kind::Floating;
+    if (movesCoarsely(hand.job))
+        return Kind::Coarse;
     if (!request.interactive || !m_shown.exact || m_shown.floats || !canBeCoarse(request.view)) {
         m_gesture = {};
         return Kind::Exact;
@@ -185,6 +204,13 @@ bool FrameSchedule::floats(const FrameJob &job) const
         return false;
     const bool isOnScreen = m_shown.exact && !m_shown.floats && isSameFrame(*m_shown.exact, job.request);
     return !(job.floating->settled && isOnScreen);
+}
+
+bool FrameSchedule::movesCoarsely(const FrameJob &job) const
+{
+    const View &view = job.request.view;
+    return job.inMotion && m_shown.exact && m_ready.inMemory && !m_coarseFailed && !isStep(m_shown.exact->view, view) &&
+           isSlowFor(double(view.width) * view.height);
 }
 
 bool FrameSchedule::isShown(const Lift &lift) const
@@ -257,6 +283,8 @@ bool FrameSchedule::endsCoarse(const FrameResult &result, Time now)
         return false;
     }
     m_shown.coarse = m_shown.coarse || result.pixels > 0;
+    m_shown.view = m_hand->view;
+    m_shown.floats.reset();
     m_shown.at = now;
     m_unrefined = m_hand->job;
     return true;

@@ -23,6 +23,7 @@ struct FrameJob {
     RenderRequest request;
     quint64 serial = 0;               ///< from 1
     std::optional<Floating> floating; ///< what floats in it
+    bool inMotion = false;            ///< the view had changed shortly before, and changed again with this request
 };
 
 /// What came of a task, in a word.
@@ -89,6 +90,7 @@ struct FrameResult {
 /// - A picture that is being drawn is cancelled where it would be of no use, but requests that come without end do not
 ///   keep the screen from changing.
 /// - Frames of a gesture are coarse only while that is wanted, and in the view of the last exact frame.
+/// - Frames of a view that keeps moving are coarse, unless the picture moved by whole pixels alone, which is quick.
 /// - They are coarse only where exact ones take longer than a frame has, which the schedule estimates from the last
 /// ones.
 /// - A pause of the gesture brings the exact frame.
@@ -154,6 +156,7 @@ private:
 
     Kind kindFor(const Hand &hand);
     bool floats(const FrameJob &job) const;
+    bool movesCoarsely(const FrameJob &job) const;
     bool canBeCoarse(const View &view) const;
     bool isShown(const Lift &lift) const;
     bool isUseless(const View &wanted, Time now) const;
@@ -179,6 +182,8 @@ private:
     FrameReadiness m_ready;
     LiftPtr m_lift;
     Time m_idleSince;
+    std::optional<View> m_asked; ///< the view of the last request
+    Time m_movedAt;              ///< when a request had another view than the one before it
     quint64 m_serial = 0;
     double m_msPerPixel = 0; ///< of exact frames
     bool m_coarseWanted = false;
