@@ -6005,8 +6005,8 @@ Auch die Pfeiltasten wirken.</translation>
         <translation>Das ist UTF-16-Text. Bitte als UTF-8 speichern.</translation>
     </message>
     <message>
-        <source>This file is compressed with gzip. Unpacking it helps only where something is in it that can be read: %1. Other programs can export SVG.</source>
-        <translation>Diese Datei ist mit gzip gepackt. Entpacken hilft nur, wenn darin etwas ist, das gelesen werden kann: %1. Andere Programme können SVG exportieren.</translation>
+        <source>This file is compressed with gzip. If it is a compressed SVG, unpack it first. %1. Other programs can export SVG.</source>
+        <translation>Diese Datei ist mit gzip gepackt. Ist sie ein gepacktes SVG, bitte erst entpacken. %1. Andere Programme können SVG exportieren.</translation>
     </message>
     <message>
         <source>This is a picture, not a painting. %1.</source>

@@ -5973,8 +5973,8 @@ Arrow keys work too.</source>
         <translation>这是 UTF-16 文本。请保存为 UTF-8。</translation>
     </message>
     <message>
-        <source>This file is compressed with gzip. Unpacking it helps only where something is in it that can be read: %1. Other programs can export SVG.</source>
-        <translation>此文件是 gzip 压缩文件。只有其中是可读取的内容时，解压才有用：%1。其他程序可以导出 SVG。</translation>
+        <source>This file is compressed with gzip. If it is a compressed SVG, unpack it first. %1. Other programs can export SVG.</source>
+        <translation>此文件是 gzip 压缩文件。如果它是压缩的 SVG，请先解压。%1。其他程序可以导出 SVG。</translation>
     </message>
     <message>
         <source>This is a picture, not a painting. %1.</source>

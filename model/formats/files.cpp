@@ -130,8 +130,8 @@ QString unknownFormat(const QByteArray &bytes)
     if (bytes.startsWith("\xff\xfe") || bytes.startsWith("\xfe\xff"))
         return FileMessages::tr("This is UTF-16 text. Save it as UTF-8.");
     if (bytes.startsWith("\x1f\x8b"))
-        return FileMessages::tr("This file is compressed with gzip. Unpacking it helps only where something is in it "
-                                "that can be read: %1. Other programs can export SVG.")
+        return FileMessages::tr("This file is compressed with gzip. If it is a compressed SVG, unpack it first. %1. "
+                                "Other programs can export SVG.")
             .arg(known);
     if (bytes.startsWith("\x89PNG") || bytes.startsWith("\xff\xd8\xff"))
         return FileMessages::tr("This is a picture, not a painting. %1.").arg(known);
