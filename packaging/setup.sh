@@ -48,6 +48,17 @@ configure_preset() {
     cmake --preset "$1" "${options[@]}" >&2
 }
 
+# What the CUDA renderer is compiled for: the GPUs of this machine, or, where there is none, code that any driver compiles
+# when it is first used. All chips that nvcc knows (no option: the presets) take a minute more of a processor.
+gpu_architectures() {
+    local found=""
+    if command -v nvidia-smi >/dev/null; then
+        found=$(nvidia-smi --query-gpu=compute_cap --format=csv,noheader 2>/dev/null | tr -d . | sort -u | sed 's/$/-real/' \
+            | paste -sd ';') || found=""
+    fi
+    printf '%s' "${found:-75-virtual}"
+}
+
 # Ninja runs CMake again by itself when a CMake file changes; this is for the first time and for another setting.
 configure() {
     local werror=OFF
@@ -56,7 +67,7 @@ configure() {
         && grep -q "^SUFFUSE_WERROR:BOOL=$werror\$" $build/CMakeCache.txt; then
         return
     fi
-    configure_preset default "-DSUFFUSE_WERROR=$werror" -DSUFFUSE_UNITY=ON
+    configure_preset default "-DSUFFUSE_WERROR=$werror" -DSUFFUSE_UNITY=ON "-DSUFFUSE_CUDA_ARCHITECTURES=$(gpu_architectures)"
 }
 
 build_targets() {

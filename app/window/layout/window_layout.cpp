@@ -4,6 +4,7 @@
 #include "app/widgets/habits/place_beside.h"
 
 #include <QDataStream>
+#include <QIODevice>
 #include <QMainWindow>
 #include <QTimer>
 
