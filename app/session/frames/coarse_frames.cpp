@@ -127,6 +127,8 @@ FrameResult CoarseFrames::show(const FrameTask &task, FrameBoard &board, FrameIn
     });
     if (!fits)
         return {.outcome = FrameOutcome::Unfit};
+    if (moved)
+        board.takePatches(); // They lay in another view, and all of it is replaced.
     board.notePatches(stats->dirty);
     FrameResult result{.ms = stats->totalMs, .pixels = stats->pixelsEvaluated * m_factor * m_factor};
     frame.coarseness = m_factor;

@@ -67,6 +67,7 @@ FrameResult ExactFrames::show(const FrameTask &task, const std::atomic<bool> *ca
         return failed(m_error);
     if (std::exchange(m_back.onDevice, task.onDevice) != task.onDevice)
         m_renderer->invalidate();
+    begin(task.job.request.view);
     Result<RenderStats> stats = m_renderer->render(task.job.request, m_back, cancel);
     if (!stats)
         return failed(stats.error());
@@ -97,6 +98,7 @@ FrameOutcome ExactFrames::draw(const RenderRequest &request, const std::atomic<b
 {
     if (!isInMemory())
         return FrameOutcome::Unfit;
+    begin(request.view);
     const Result<RenderStats> stats = m_renderer->render(request, m_back, cancel);
     if (!stats)
         return FrameOutcome::Failed;
@@ -105,6 +107,13 @@ FrameOutcome ExactFrames::draw(const RenderRequest &request, const std::atomic<b
         return FrameOutcome::Cancelled;
     picture = m_back;
     return FrameOutcome::Done;
+}
+
+void ExactFrames::begin(const View &view)
+{
+    if (m_drawn != view)
+        m_unpublished.clear();
+    m_drawn = view;
 }
 
 Result<void> ExactFrames::publish(const View &view, const std::shared_ptr<DeviceFrame> &device)

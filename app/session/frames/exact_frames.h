@@ -38,6 +38,8 @@ private:
         bool takesDeviceFrames() const override { return onDevice; }
     };
 
+    /// Begins a frame: what was stored for another view is stored anew.
+    void begin(const View &view);
     Result<void> publish(const View &view, const std::shared_ptr<DeviceFrame> &device);
     void copyToShown(ShownFrame &shown, const std::shared_ptr<DeviceFrame> &device, bool whole) const;
 
@@ -46,7 +48,8 @@ private:
     QString m_error;  ///< why there is no renderer
     QString m_notice; ///< where the renderer itself has none
     Back m_back;
-    std::vector<PixelRect> m_unpublished; ///< stored and not shown yet
+    View m_drawn;                         ///< the view of the last request, of which m_back has some or all
+    std::vector<PixelRect> m_unpublished; ///< stored for this view and not shown yet
     double m_evaluated = 0;               ///< pixels since a frame was shown
 };
 
