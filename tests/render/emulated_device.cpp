@@ -87,6 +87,8 @@ Fault EmulatedDevice::upload(void *to, const void *from, std::size_t bytes)
 {
     if (!holds(m_blocks, to, bytes))
         return outside;
+    if (bytes == 0) // the addresses may be null then, which std::memcpy does not take
+        return {};
     counts.uploaded += bytes;
     if (holds(m_pinned, from, bytes)) {
         perform([=] { std::memcpy(to, from, bytes); });
@@ -101,6 +103,8 @@ Fault EmulatedDevice::download(void *to, const void *from, std::size_t bytes)
 {
     if (!holds(m_blocks, from, bytes))
         return outside;
+    if (bytes == 0)
+        return {};
     perform([=] { std::memcpy(to, from, bytes); });
     if (!holds(m_pinned, to, bytes))
         performLate();
