@@ -143,7 +143,7 @@ void RecolourDialog::addColour(QVBoxLayout &column, const std::vector<Swatch> &s
     column.addWidget(m_wheel, 0, Qt::AlignHCenter);
     auto *row = new QHBoxLayout;
     auto *label = new QLabel(tr("Hex"), this);
-    m_hex = new QLineEdit(this);
+    m_hex = new EntryField(this);
     m_hex->setMaxLength(9);
     m_hex->setAccessibleName(tr("Hex"));
     m_hex->setToolTip(tr("sRGB colour as #rrggbb, or #rgb"));
@@ -181,7 +181,7 @@ void RecolourDialog::addColour(QVBoxLayout &column, const std::vector<Swatch> &s
     column.addStretch(1);
     connect(m_wheel, &ColourWheel::picked, this, &RecolourDialog::give);
     connect(m_wheel, &ColourWheel::finished, this, [this] { m_recolouring.rest(); });
-    connect(m_hex, &QLineEdit::editingFinished, this, &RecolourDialog::takeHex);
+    connect(m_hex, &EntryField::typed, this, &RecolourDialog::takeHex);
     connect(m_swatches, &SwatchGrid::picked, this, [this](const Colour &colour) {
         give(colour);
         m_recolouring.rest();
@@ -254,18 +254,15 @@ void RecolourDialog::give(const Colour &colour)
 {
     m_hint->showHint({});
     m_recolouring.set(chosen(), withOpacity(colour, 1));
-    m_hex->setText(toOpaqueScreen(colour).name());
+    m_hex->showText(toOpaqueScreen(colour).name());
     showResults();
 }
 
-void RecolourDialog::takeHex()
+void RecolourDialog::takeHex(const QString &text)
 {
-    if (!m_hex->isModified())
-        return;
-    m_hex->setModified(false);
-    const std::optional<Colour> colour = colourOfHex(m_hex->text());
+    const std::optional<Colour> colour = colourOfHex(text);
     if (!colour) {
-        m_hint->showRefusal(tr("“%1” is not a colour. Write it as #rrggbb, for example #2f6690.").arg(m_hex->text()));
+        m_hint->showRefusal(tr("“%1” is not a colour. Write it as #rrggbb, for example #2f6690.").arg(text));
         return showColour();
     }
     give(*colour);
@@ -282,8 +279,7 @@ void RecolourDialog::showColour()
         return;
     const Colour colour = m_recolouring.wanted(uses.front());
     m_wheel->setColour(colour);
-    if (!m_hex->hasFocus() || !m_hex->isModified())
-        m_hex->setText(toOpaqueScreen(colour).name());
+    m_hex->showText(toOpaqueScreen(colour).name());
 }
 
 void RecolourDialog::showResults()

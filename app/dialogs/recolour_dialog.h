@@ -1,12 +1,12 @@
 #pragma once
 
 #include "app/session/colour/recolouring.h"
+#include "app/widgets/habits/entry_field.h"
 
 #include <QDialog>
 
 class QCheckBox;
 class QGridLayout;
-class QLineEdit;
 class QPushButton;
 class QTreeWidget;
 class QVBoxLayout;
@@ -31,7 +31,7 @@ public:
     Recolouring &recolouring() { return m_recolouring; }
     QTreeWidget *list() const { return m_list; }
     ColourWheel *wheel() const { return m_wheel; }
-    QLineEdit *hex() const { return m_hex; }
+    EntryField *hex() const { return m_hex; }
     SwatchGrid *swatches() const { return m_swatches; }
     QCheckBox *keepsBox() const { return m_keeps; }
     QCheckBox *mapsBox() const { return m_maps; }
@@ -54,14 +54,14 @@ private:
     SliderField *addRow(const FieldSpec &spec, QGridLayout &grid, double ColourShift::*member);
     std::vector<std::size_t> chosen() const;
     void give(const Colour &colour);
-    void takeHex();
+    void takeHex(const QString &text);
     void showColour();
     void showResults();
 
     Recolouring m_recolouring;
     QTreeWidget *m_list = nullptr;
     ColourWheel *m_wheel = nullptr;
-    QLineEdit *m_hex = nullptr;
+    EntryField *m_hex = nullptr;
     HintLabel *m_hint = nullptr;
     SwatchGrid *m_swatches = nullptr;
     QCheckBox *m_keeps = nullptr;

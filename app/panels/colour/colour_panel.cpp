@@ -16,7 +16,6 @@
 
 #include <QComboBox>
 #include <QHBoxLayout>
-#include <QLineEdit>
 #include <QToolButton>
 
 #include <algorithm>
@@ -117,7 +116,7 @@ void ColourPanel::addCurrent(QVBoxLayout &column)
     m_previous = new ColourSwatch(this);
     m_previous->setSide(28);
     auto *label = new QLabel(tr("Hex"), this);
-    m_hex = new QLineEdit(this);
+    m_hex = new EntryField(this);
     m_hex->setMaxLength(9);
     m_hex->setAccessibleName(tr("Hex"));
     m_hex->setToolTip(tr("sRGB colour as #rrggbb, or #rgb"));
@@ -139,7 +138,7 @@ void ColourPanel::addCurrent(QVBoxLayout &column)
     row->addWidget(m_hex);
     column.addLayout(row);
     connect(m_previous, &ColourSwatch::clicked, this, [this] { m_editor.colourTarget().take(beside()); });
-    connect(m_hex, &QLineEdit::editingFinished, this, &ColourPanel::takeHex);
+    connect(m_hex, &EntryField::typed, this, &ColourPanel::takeHex);
 }
 
 void ColourPanel::addSliders(QVBoxLayout &column)
@@ -217,22 +216,18 @@ void ColourPanel::refresh()
     m_previous->setAccessibleName(ofBrush ? tr("Previous colour") : tr("Colour of the brush"));
     m_previous->setToolTip(ofBrush ? tr("The colour painted with last. Click: back to it.")
                                    : tr("The colour of the brush. Click: take it."));
-    if (!m_hex->hasFocus() || !m_hex->isModified())
-        m_hex->setText(hexOf(colour));
+    m_hex->showText(hexOf(colour));
 }
 
-void ColourPanel::takeHex()
+void ColourPanel::takeHex(const QString &text)
 {
-    if (!m_hex->isModified())
-        return;
-    m_hex->setModified(false);
-    if (const std::optional<Colour> colour = colourOfHex(m_hex->text())) {
+    if (const std::optional<Colour> colour = colourOfHex(text)) {
         m_hint->showHint({});
         m_editor.colourTarget().setPaint(*colour);
     } else {
-        m_hint->showRefusal(tr("“%1” is not a colour. Write it as #rrggbb, for example #2f6690.").arg(m_hex->text()));
+        m_hint->showRefusal(tr("“%1” is not a colour. Write it as #rrggbb, for example #2f6690.").arg(text));
     }
-    m_hex->setText(hexOf(m_editor.colourTarget().colour()));
+    m_hex->showText(hexOf(m_editor.colourTarget().colour()));
 }
 
 void ColourPanel::rememberUsed()

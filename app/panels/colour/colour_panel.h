@@ -1,5 +1,6 @@
 #pragma once
 
+#include "app/widgets/habits/entry_field.h"
 #include "model/painting/style.h"
 
 #include <QWidget>
@@ -8,7 +9,6 @@
 
 class QAbstractButton;
 class QComboBox;
-class QLineEdit;
 class QVBoxLayout;
 
 namespace suffuse {
@@ -36,7 +36,7 @@ public:
     ColourHeader *header() const { return m_header; }
     ColourWheel *wheel() const { return m_wheel; }
     ColourRows *rows() const { return m_rows; }
-    QLineEdit *hex() const { return m_hex; }
+    EntryField *hex() const { return m_hex; }
     /// The sliders of the screen's colours, in place of those of the paint.
     ScreenColourRows *screenRows() const { return m_screenRows; }
     QComboBox *sliderChoice() const { return m_sliders; }
@@ -58,7 +58,7 @@ private:
     void addSliders(QVBoxLayout &column);
     void chooseSliders(int index);
     void refresh();
-    void takeHex();
+    void takeHex(const QString &text);
     Colour beside() const;
     void rememberUsed();
     void showRecent();
@@ -69,7 +69,7 @@ private:
     ColourRows *m_rows = nullptr;
     ScreenColourRows *m_screenRows = nullptr;
     QComboBox *m_sliders = nullptr;
-    QLineEdit *m_hex = nullptr;
+    EntryField *m_hex = nullptr;
     ColourSwatch *m_current = nullptr;
     ColourSwatch *m_previous = nullptr;
     HintLabel *m_hint = nullptr;

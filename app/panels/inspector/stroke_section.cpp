@@ -7,7 +7,6 @@
 
 #include <QComboBox>
 #include <QGridLayout>
-#include <QLineEdit>
 #include <QVBoxLayout>
 
 #include <algorithm>
@@ -44,18 +43,14 @@ StrokeSection::StrokeSection(Editor &editor, QWidget *parent) : QWidget(parent),
 void StrokeSection::addName(QGridLayout &grid)
 {
     auto *nameLabel = new QLabel(tr("Name"), this);
-    m_name = new QLineEdit(this);
+    m_name = new EntryField(this);
     m_name->setAccessibleName(tr("Name"));
     m_name->setToolTip(tr("Name of the selected strokes, as the list of strokes shows it."));
     nameLabel->setBuddy(m_name);
     grid.addWidget(nameLabel, 0, 0);
     grid.addWidget(m_name, 0, 1, 1, 2);
-    connect(m_name, &QLineEdit::editingFinished, this, [this] {
-        if (!m_name->isModified())
-            return;
-        m_name->setModified(false);
+    connect(m_name, &EntryField::typed, this, [this](const QString &text) {
         Document &document = m_editor.document();
-        const QString text = m_name->text();
         m_editor.push(changeStrokes(document, document.selection().strokes, [&](Stroke &s) { s.name = text; }),
                       tr("Rename stroke"));
     });
@@ -131,11 +126,8 @@ void StrokeSection::refresh(const Inspected &inspected)
 {
     const auto &strokes = inspected.strokes;
     const auto name = commonValue(strokes, [](const Stroke *s) { return s->name; });
-    if (!m_name->hasFocus() || !m_name->isModified()) {
-        m_name->setText(name.value_or(QString()));
-        m_name->setPlaceholderText(name ? tr("unnamed") : QStringLiteral("—"));
-        m_name->setModified(false);
-    }
+    m_name->showText(name.value_or(QString()));
+    m_name->setPlaceholderText(name ? tr("unnamed") : QStringLiteral("—"));
     const auto mode = commonValue(strokes, [](const Stroke *s) { return s->mix.mode; });
     m_mode->setCurrentIndex(mode ? int(*mode) : -1);
     std::vector<const Stroke *> pigments;

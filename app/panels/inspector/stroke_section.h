@@ -1,10 +1,10 @@
 #pragma once
 
 #include "app/panels/inspector/inspected.h"
+#include "app/widgets/habits/entry_field.h"
 #include "app/widgets/numbers/slider_field.h"
 
 class QComboBox;
-class QLineEdit;
 
 namespace suffuse {
 
@@ -19,7 +19,7 @@ public:
 
     void refresh(const Inspected &inspected);
 
-    QLineEdit *name() const { return m_name; }
+    EntryField *name() const { return m_name; }
     QComboBox *mode() const { return m_mode; }
     SliderField *beta() const { return m_beta; }
 
@@ -33,7 +33,7 @@ private:
     void chooseMode(MixMode mode);
 
     Editor &m_editor;
-    QLineEdit *m_name = nullptr;
+    EntryField *m_name = nullptr;
     QComboBox *m_mode = nullptr;
     SliderField *m_beta = nullptr;
 };

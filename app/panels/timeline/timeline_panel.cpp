@@ -4,13 +4,13 @@
 #include "app/session/commands/commands.h"
 #include "app/session/editor.h"
 #include "app/session/playback.h"
+#include "app/widgets/habits/entry_field.h"
 #include "app/widgets/look/icons.h"
 #include "app/widgets/look/section.h"
 #include "app/widgets/numbers/time_text.h"
 
 #include <QComboBox>
 #include <QHBoxLayout>
-#include <QLineEdit>
 #include <QLocale>
 #include <QMenu>
 #include <QToolButton>
@@ -63,7 +63,8 @@ TimelinePanel::TimelinePanel(Editor &editor, Playback &playback, const Commands 
     row->addWidget(buttonOf(commands[Command::LoopPlaying], this));
     row->addWidget(buttonOf(commands[Command::SkipPauses], this));
     m_speed = new QComboBox(this);
-    m_speed->setEditable(true);
+    m_speedField = new EntryField(m_speed);
+    m_speed->setLineEdit(m_speedField); // which makes it editable
     m_speed->setInsertPolicy(QComboBox::NoInsert);
     for (const double speed : speeds)
         m_speed->addItem(speedText(speed));
@@ -97,7 +98,7 @@ TimelinePanel::TimelinePanel(Editor &editor, Playback &playback, const Commands 
     });
     connect(m_view, &TimelineView::menuWanted, this, &TimelinePanel::showMenu);
     connect(m_speed, &QComboBox::textActivated, this, &TimelinePanel::takeSpeed);
-    connect(m_speed->lineEdit(), &QLineEdit::editingFinished, this, [this] { takeSpeed(m_speed->currentText()); });
+    connect(m_speedField, &EntryField::typed, this, &TimelinePanel::takeSpeed);
     connect(&playback, &Playback::stateChanged, this, &TimelinePanel::showState);
     connect(&editor.clock(), &PaintingClock::timeChanged, this, &TimelinePanel::showTime);
     connect(&editor.clock(), &PaintingClock::pastChanged, this, &TimelinePanel::showTime);
@@ -161,7 +162,7 @@ void TimelinePanel::showMenu(QPoint globalPosition, bool onBar)
 void TimelinePanel::showState()
 {
     const QSignalBlocker blocker(m_speed);
-    m_speed->setEditText(speedText(m_playback.speed()));
+    m_speedField->showText(speedText(m_playback.speed()));
 }
 
 void TimelinePanel::takeSpeed(const QString &text)

@@ -10,6 +10,7 @@ namespace suffuse {
 
 class Commands;
 class Editor;
+class EntryField;
 class Playback;
 class TimelineView;
 
@@ -38,6 +39,7 @@ private:
     const Commands &m_commands;
     TimelineView *m_view = nullptr;
     QComboBox *m_speed = nullptr;
+    EntryField *m_speedField = nullptr; ///< of `m_speed`
     QLabel *m_time = nullptr;
     QLabel *m_what = nullptr;
     QTimer m_later;

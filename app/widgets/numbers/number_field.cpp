@@ -2,7 +2,6 @@
 
 #include "app/widgets/numbers/arithmetic.h"
 
-#include <QDialog>
 #include <QKeyEvent>
 #include <QLocale>
 #include <QTimer>
@@ -13,11 +12,11 @@
 
 namespace suffuse {
 
-NumberField::NumberField(QWidget *parent) : QLineEdit(parent)
+NumberField::NumberField(QWidget *parent) : EntryField(parent)
 {
     setAlignment(Qt::AlignRight | Qt::AlignVCenter);
     setSizePolicy(QSizePolicy::Fixed, QSizePolicy::Fixed);
-    connect(this, &QLineEdit::editingFinished, this, &NumberField::commit);
+    connect(this, &EntryField::typed, this, &NumberField::take);
     connect(this, &QLineEdit::textEdited, this, [this] {
         if (m_complains)
             complain({});
@@ -69,13 +68,7 @@ void NumberField::setMixedText(const QString &text)
 void NumberField::show(std::optional<double> value)
 {
     const QString mixed = m_mixedText.isEmpty() ? QStringLiteral("—") : m_mixedText;
-    m_shown = value ? m_display.text(*value) : mixed;
-    const bool wasSelected = hasFocus() && hasSelectedText() && selectedText() == text();
-    setText(m_shown);
-    setCursorPosition(0);
-    if (wasSelected) // the next typed text replaces all of it, also where the painting has just changed
-        selectAll();
-    setModified(false);
+    replaceText(value ? m_display.text(*value) : mixed);
 }
 
 QString NumberField::whyRefused(const QString &text) const
@@ -106,13 +99,9 @@ QString NumberField::rangeHint(double value) const
     return tr("%1 is out of range: %2 to %3 is possible.").arg(inWords(value), inWords(low), inWords(high));
 }
 
-void NumberField::commit()
+void NumberField::take(const QString &typedText)
 {
-    if (!isModified() || text() == m_shown) {
-        show(m_value);
-        return;
-    }
-    const QString typedText = text(), unit = m_display.unit.trimmed();
+    const QString unit = m_display.unit.trimmed();
     if (!m_value && isRelative(typedText) && evaluateArithmetic(typedText, 1.0, unit)) {
         show(m_value);
         complain({});
@@ -160,29 +149,12 @@ void NumberField::stepBy(double steps)
     emit stepped(value);
 }
 
-bool NumberField::event(QEvent *event)
-{
-    // Where nothing has been typed there is nothing to undo in the field, so the keys undo in the painting.
-    if (event->type() == QEvent::ShortcutOverride && !isModified()) {
-        const auto *key = static_cast<QKeyEvent *>(event);
-        if (key->matches(QKeySequence::Undo) || key->matches(QKeySequence::Redo)) {
-            event->ignore();
-            return true;
-        }
-    }
-    return QLineEdit::event(event);
-}
-
 void NumberField::keyPressEvent(QKeyEvent *event)
 {
     if (event->key() == Qt::Key_Up || event->key() == Qt::Key_Down) {
         stepBy((event->key() == Qt::Key_Up ? 1 : -1) * (event->modifiers() & Qt::ShiftModifier ? 10 : 1));
-    } else if (event->key() == Qt::Key_Escape && isModified()) {
-        show(m_value);
-        // In a dialog the key stops here, since Esc would close it; in a panel it goes on and gives the keyboard back.
-        event->setAccepted(qobject_cast<QDialog *>(window()));
     } else {
-        QLineEdit::keyPressEvent(event);
+        EntryField::keyPressEvent(event);
     }
 }
 
@@ -194,7 +166,7 @@ void NumberField::wheelEvent(QWheelEvent *event)
 
 void NumberField::focusInEvent(QFocusEvent *event)
 {
-    QLineEdit::focusInEvent(event);
+    EntryField::focusInEvent(event);
     QTimer::singleShot(0, this, &QLineEdit::selectAll);
 }
 

@@ -1,8 +1,7 @@
 #pragma once
 
+#include "app/widgets/habits/entry_field.h"
 #include "app/widgets/numbers/display.h"
-
-#include <QLineEdit>
 
 #include <functional>
 #include <optional>
@@ -15,7 +14,7 @@ using ValueMap = std::function<std::optional<double>(double)>;
 /// A field for one number with a unit. It takes arithmetic ("12*1.5", "+2") and steps by arrow keys and the wheel.
 /// Where several values are mixed it shows "—", and "*1.2" or "+2" then changes each of them. A number outside the
 /// range is refused, never clamped in silence.
-class NumberField : public QLineEdit {
+class NumberField : public EntryField {
     Q_OBJECT
 
 public:
@@ -58,7 +57,6 @@ signals:
     void refused(const QString &hint);
 
 protected:
-    bool event(QEvent *event) override;
     void keyPressEvent(QKeyEvent *event) override;
     void wheelEvent(QWheelEvent *event) override;
     void focusInEvent(QFocusEvent *event) override;
@@ -66,7 +64,7 @@ protected:
     QSize minimumSizeHint() const override;
 
 private:
-    void commit();
+    void take(const QString &typedText);
     QString whyRefused(const QString &text) const;
     QString inWords(double value) const;
     QString rangeHint(double value) const;
@@ -80,7 +78,6 @@ private:
     bool m_integer = false;
     bool m_complains = false; ///< the last typed text was refused
     Display m_display;
-    QString m_shown;
     QString m_mixedText;
     std::optional<double> m_value;
 };

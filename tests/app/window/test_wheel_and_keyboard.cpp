@@ -151,6 +151,25 @@ NumberField *fieldCalled(QWidget &root, const QString &name)
     return nullptr;
 }
 
+/// The fields of a dialog that take a text as a whole. Those of spin boxes and of paths do not.
+QList<QLineEdit *> entriesOf(QDialog &dialog)
+{
+    QList<QLineEdit *> fields;
+    for (QLineEdit *field : dialog.findChildren<QLineEdit *>())
+        if (field->isVisible() && field->isEnabled() &&
+            (qobject_cast<NumberField *>(field) || field->accessibleName() == "Hex"))
+            fields << field;
+    return fields;
+}
+
+void enterInto(QLineEdit &field, const QString &text)
+{
+    field.setFocus();
+    QTest::qWait(1); // numbers are selected once they have the focus
+    field.selectAll();
+    QTest::keyClicks(&field, text);
+}
+
 } // namespace
 
 class TestWheelAndKeyboard : public QObject {
@@ -392,6 +411,78 @@ private slots:
         QCOMPARE(field->text(), before);
         QCOMPARE(s.steps(), steps);
         QVERIFY(s.canvas().hasFocus());
+    }
+
+    /// Whatever field of a dock or a bar it is: the key that gives up decides nothing.
+    void escInAFieldTakesBackWhatWasTyped()
+    {
+        WaveSession s;
+        QVERIFY(QTest::qWaitForWindowActive(&s.window));
+        s.use(Command::Select);
+        QList<QLineEdit *> fields;
+        for (QDockWidget *dock : s.window.findChildren<QDockWidget *>()) {
+            dock->show();
+            dock->raise();
+            QCoreApplication::processEvents();
+            s.editor().laterChanges().flush();
+            for (QLineEdit *field : dock->findChildren<QLineEdit *>())
+                if (field->isVisible() && field->isEnabled() && field->placeholderText() != "Search") {
+                    const PaintingPtr before = s.editor().document().snapshot();
+                    const Brush brush = s.editor().brush();
+                    const double speed = s.window.playback().speed();
+                    const int steps = s.steps();
+                    const QString text = field->text();
+                    enterInto(*field, field->accessibleName() == "Hex" ? "#00ff01" : "0.7");
+                    QVERIFY(field->isModified());
+                    QTest::keyClick(QApplication::focusWidget(), Qt::Key_Escape);
+                    const QString name = field->accessibleName() + field->parentWidget()->accessibleName();
+                    QVERIFY2(s.canvas().hasFocus(), qPrintable(name));
+                    QVERIFY2(s.editor().document().snapshot() == before && s.steps() == steps, qPrintable(name));
+                    QVERIFY2(s.editor().brush() == brush && s.window.playback().speed() == speed, qPrintable(name));
+                    QVERIFY2(field->text() == text, qPrintable(name + ": " + field->text()));
+                    fields << field;
+                }
+        }
+        const auto has = [&fields](const QString &name) {
+            return std::ranges::any_of(fields, [&](const QLineEdit *field) { return field->accessibleName() == name; });
+        };
+        QVERIFY(has("Hex") && has("Name") && has("Diffusion D")); // and the speed, whose name is that of its box
+        QVERIFY2(fields.size() > 20, qPrintable(QString::number(fields.size())));
+    }
+
+    /// In a dialog it takes back the text alone, and the dialog stays.
+    void escInAFieldOfADialog()
+    {
+        WaveSession s;
+        QVERIFY(QTest::qWaitForWindowActive(&s.window));
+        QStringList tried;
+        for (const DialogMaker &maker : allDialogs())
+            for (qsizetype i = 0, count = 1; i < count; ++i) {
+                const PaintingPtr before = s.editor().document().snapshot();
+                const int steps = s.steps();
+                const std::unique_ptr<QDialog> dialog = maker.make(s.window);
+                dialog->setAttribute(Qt::WA_DeleteOnClose, false);
+                dialog->show();
+                QVERIFY(QTest::qWaitForWindowActive(dialog.get()));
+                const QList<QLineEdit *> fields = entriesOf(*dialog);
+                count = fields.size();
+                if (fields.isEmpty())
+                    break;
+                const PaintingPtr shown = s.editor().document().snapshot();
+                QLineEdit *field = fields[i];
+                const QString text = field->text(), name = QString(maker.name) + ": " + field->accessibleName();
+                enterInto(*field, field->accessibleName() == "Hex" ? "#00ff01" : "0.7");
+                QTest::keyClick(field, Qt::Key_Escape);
+                QVERIFY2(dialog->isVisible() && field->hasFocus(), qPrintable(name));
+                QVERIFY2(field->text() == text && s.editor().document().snapshot() == shown, qPrintable(name));
+                QTest::keyClick(field, Qt::Key_Escape);
+                QVERIFY2(!dialog->isVisible(), qPrintable(name));
+                QVERIFY2(s.painting() == *before && s.steps() == steps, qPrintable(name));
+                tried << name;
+            }
+        QVERIFY2(tried.contains("recolour: Hex") && tried.contains("vary: Hue") && tried.contains("reshape: Values") &&
+                     tried.contains("along: Start") && tried.size() > 15,
+                 qPrintable(tried.join(", ")));
     }
 
     void f6WalksAllPanels()

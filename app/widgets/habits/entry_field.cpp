@@ -1,0 +1,66 @@
+#include "app/widgets/habits/entry_field.h"
+
+#include <QDialog>
+#include <QKeyEvent>
+
+namespace suffuse {
+
+EntryField::EntryField(QWidget *parent) : QLineEdit(parent)
+{
+    connect(this, &QLineEdit::editingFinished, this, &EntryField::finish);
+}
+
+void EntryField::showText(const QString &text)
+{
+    if (!hasFocus() || !isModified() || text != m_shown)
+        replaceText(text);
+}
+
+void EntryField::replaceText(const QString &text)
+{
+    m_shown = text;
+    const bool wasSelected = hasFocus() && hasSelectedText() && selectedText() == this->text();
+    setText(text);
+    setCursorPosition(0);
+    if (wasSelected) // the next typed text replaces all of it, also where the painting has just changed
+        selectAll();
+    setModified(false);
+}
+
+void EntryField::finish()
+{
+    if (!isModified())
+        return;
+    if (text() == m_shown)
+        return replaceText(m_shown);
+    const QString taken = text();
+    m_shown = taken;
+    setModified(false); // Return and leaving the field take a text once
+    emit typed(taken);
+}
+
+bool EntryField::event(QEvent *event)
+{
+    // Where nothing has been typed there is nothing to undo in the field, so the keys undo in the painting.
+    if (event->type() == QEvent::ShortcutOverride && !isModified()) {
+        const auto *key = static_cast<QKeyEvent *>(event);
+        if (key->matches(QKeySequence::Undo) || key->matches(QKeySequence::Redo)) {
+            event->ignore();
+            return true;
+        }
+    }
+    return QLineEdit::event(event);
+}
+
+void EntryField::keyPressEvent(QKeyEvent *event)
+{
+    if (event->key() == Qt::Key_Escape && isModified()) {
+        replaceText(m_shown);
+        // In a dialog the key stops here, since Esc would close it; in a panel it goes on and gives the keyboard back.
+        event->setAccepted(qobject_cast<QDialog *>(window()));
+    } else {
+        QLineEdit::keyPressEvent(event);
+    }
+}
+
+} // namespace suffuse

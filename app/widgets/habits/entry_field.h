@@ -1,0 +1,36 @@
+#pragma once
+
+#include <QLineEdit>
+
+namespace suffuse {
+
+/// A line of text that is taken as a whole, by Return or by leaving the field. Esc takes back what has been typed, and
+/// nothing is taken then. A line edit by itself knows no such text, and hands out whatever it holds when Esc moves the
+/// keyboard elsewhere.
+class EntryField : public QLineEdit {
+    Q_OBJECT
+
+public:
+    explicit EntryField(QWidget *parent = nullptr);
+
+    /// Shows the text that counts now; emits nothing. What is being typed stays while that text stays the same.
+    void showText(const QString &text);
+
+signals:
+    /// Another text has been typed. Whoever takes or refuses it shows the text that counts then.
+    void typed(const QString &text);
+
+protected:
+    bool event(QEvent *event) override;
+    void keyPressEvent(QKeyEvent *event) override;
+
+    /// Shows a text that counts in place of what is being typed.
+    void replaceText(const QString &text);
+
+private:
+    void finish();
+
+    QString m_shown; ///< the text that counts
+};
+
+} // namespace suffuse
