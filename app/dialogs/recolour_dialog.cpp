@@ -13,8 +13,6 @@
 #include <QDialogButtonBox>
 #include <QHBoxLayout>
 #include <QHeaderView>
-#include <QKeyEvent>
-#include <QLineEdit>
 #include <QLocale>
 #include <QPainter>
 #include <QPushButton>
@@ -72,6 +70,7 @@ RecolourDialog::RecolourDialog(Editor &editor, QWidget *parent) : QDialog(parent
     outer->addWidget(buttons);
     connect(buttons, &QDialogButtonBox::accepted, this, &QDialog::accept);
     connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
+    EntryField::letReturnShowFirst(*this);
     giveMnemonics(*this);
     showResults();
     if (m_list->topLevelItemCount() > 0)
@@ -301,14 +300,6 @@ void RecolourDialog::reject()
 {
     m_recolouring.giveUp();
     QDialog::reject();
-}
-
-void RecolourDialog::keyPressEvent(QKeyEvent *event)
-{
-    // Return enters a number; it does not close the dialog.
-    const bool enters = event->key() == Qt::Key_Return || event->key() == Qt::Key_Enter;
-    if (!enters || !qobject_cast<QLineEdit *>(focusWidget()))
-        QDialog::keyPressEvent(event);
 }
 
 } // namespace suffuse

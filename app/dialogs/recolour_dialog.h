@@ -43,9 +43,6 @@ public:
     void accept() override;
     void reject() override;
 
-protected:
-    void keyPressEvent(QKeyEvent *event) override;
-
 private:
     QWidget *makeList();
     int widthOfColumns() const;

@@ -7,7 +7,6 @@
 #include <QComboBox>
 #include <QDialogButtonBox>
 #include <QFormLayout>
-#include <QKeyEvent>
 #include <QLabel>
 #include <QLocale>
 
@@ -74,6 +73,7 @@ ReshapeDialog::ReshapeDialog(Editor &editor, Reshaping what, QWidget *parent)
     m_settled.setSingleShot(true);
     m_settled.setInterval(settledMs);
     connect(&m_settled, &QTimer::timeout, this, [this] { showReport(); });
+    EntryField::letReturnShowFirst(*this);
     giveMnemonics(*this);
     choose(what);
     showFields();
@@ -186,14 +186,6 @@ void ReshapeDialog::reject()
     m_gesture.show(reshapeSelection(m_editor.document(), *m_before, m_selection, asItWas));
     m_gesture.commit();
     QDialog::reject();
-}
-
-void ReshapeDialog::keyPressEvent(QKeyEvent *event)
-{
-    // Return enters a number; it does not close the dialog.
-    const bool enters = event->key() == Qt::Key_Return || event->key() == Qt::Key_Enter;
-    if (!enters || !qobject_cast<NumberField *>(focusWidget()))
-        QDialog::keyPressEvent(event);
 }
 
 } // namespace suffuse

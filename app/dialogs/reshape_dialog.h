@@ -37,9 +37,6 @@ public:
     void accept() override;
     void reject() override;
 
-protected:
-    void keyPressEvent(QKeyEvent *event) override;
-
 private:
     void addField(Reshaping of, double ReshapeAmounts::*amount, const QString &name, const QString &tip,
                   const Display &display, double least, double most);

@@ -9,7 +9,6 @@
 #include <QComboBox>
 #include <QDialogButtonBox>
 #include <QFormLayout>
-#include <QKeyEvent>
 #include <QLabel>
 #include <QPushButton>
 #include <QRandomGenerator>
@@ -52,6 +51,7 @@ VaryDialog::VaryDialog(Editor &editor, QWidget *parent)
     connect(m_roll, &QPushButton::clicked, this, &VaryDialog::roll);
     connect(buttons, &QDialogButtonBox::accepted, this, &QDialog::accept);
     connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
+    EntryField::letReturnShowFirst(*this);
     giveMnemonics(*this);
     apply();
 }
@@ -139,14 +139,6 @@ void VaryDialog::reject()
     m_gesture.show(varySelection(m_editor.document(), *m_before, m_selection, {}));
     m_gesture.commit();
     QDialog::reject();
-}
-
-void VaryDialog::keyPressEvent(QKeyEvent *event)
-{
-    // Return enters a number, and does not close the dialog.
-    const bool enters = event->key() == Qt::Key_Return || event->key() == Qt::Key_Enter;
-    if (!enters || !qobject_cast<NumberField *>(focusWidget()))
-        QDialog::keyPressEvent(event);
 }
 
 } // namespace suffuse

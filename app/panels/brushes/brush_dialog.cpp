@@ -71,8 +71,8 @@ void BrushDialog::addButtons(QVBoxLayout &column)
     saveAsNew->setToolTip(tr("Keeps the brush under another name"));
     auto *shut = new QPushButton(tr("&Close"), this);
     shut->setToolTip(tr("Closes this window; the brush stays in hand as it is"));
-    for (QPushButton *button : {m_save, saveAsNew, shut})
-        button->setAutoDefault(false); // Return in a field must not press a button.
+    for (QPushButton *button : findChildren<QPushButton *>())
+        button->setAutoDefault(false); // Return in a field must not press a button, the pages' neither.
     row->addWidget(m_save);
     row->addWidget(saveAsNew);
     row->addStretch();

@@ -9,7 +9,6 @@
 #include <QComboBox>
 #include <QDialogButtonBox>
 #include <QHBoxLayout>
-#include <QKeyEvent>
 #include <QScopedValueRollback>
 #include <QToolButton>
 #include <QVBoxLayout>
@@ -71,6 +70,7 @@ AlongDialog::AlongDialog(Editor &editor, QWidget *parent)
     });
     connect(m_curve, &CurveEditor::givenUp, this, &AlongDialog::giveUpDrag);
     connect(&editor.document(), &Document::changed, this, &AlongDialog::documentChanged);
+    EntryField::letReturnShowFirst(*this);
     giveMnemonics(*this);
     showSubject();
     choose(Quantity::Density);
@@ -356,14 +356,6 @@ void AlongDialog::reject()
     m_gesture.show(setAlong(m_editor.document(), m_runs, {}));
     m_gesture.commit();
     QDialog::reject();
-}
-
-void AlongDialog::keyPressEvent(QKeyEvent *event)
-{
-    // Return enters a number, and does not close the dialog.
-    const bool enters = event->key() == Qt::Key_Return || event->key() == Qt::Key_Enter;
-    if (!enters || !qobject_cast<NumberField *>(focusWidget()))
-        QDialog::keyPressEvent(event);
 }
 
 void AlongDialog::documentChanged(const Change &change)

@@ -44,9 +44,6 @@ public:
     void accept() override;
     void reject() override;
 
-protected:
-    void keyPressEvent(QKeyEvent *event) override;
-
 private:
     void addChoice();
     void addFields();

@@ -5,9 +5,21 @@
 
 namespace suffuse {
 
+namespace {
+
+/// The property of dialogs in which Return only shows what was typed.
+constexpr char showsFirstProperty[] = "returnShowsFirst";
+
+} // namespace
+
 EntryField::EntryField(QWidget *parent) : QLineEdit(parent)
 {
     connect(this, &QLineEdit::editingFinished, this, &EntryField::finish);
+}
+
+void EntryField::letReturnShowFirst(QDialog &dialog)
+{
+    dialog.setProperty(showsFirstProperty, true);
 }
 
 void EntryField::showText(const QString &text)
@@ -59,7 +71,11 @@ void EntryField::keyPressEvent(QKeyEvent *event)
         // In a dialog the key stops here, since Esc would close it; in a panel it goes on and gives the keyboard back.
         event->setAccepted(qobject_cast<QDialog *>(window()));
     } else {
+        const bool isReturn = event->key() == Qt::Key_Return || event->key() == Qt::Key_Enter;
+        const bool showsFirst = isReturn && isModified() && window()->property(showsFirstProperty).toBool();
         QLineEdit::keyPressEvent(event);
+        if (showsFirst)
+            event->accept();
     }
 }
 

@@ -2,6 +2,8 @@
 
 #include <QLineEdit>
 
+class QDialog;
+
 namespace suffuse {
 
 /// A line of text that is taken as a whole, by Return or by leaving the field. Esc takes back what has been typed, and
@@ -12,6 +14,10 @@ class EntryField : public QLineEdit {
 
 public:
     explicit EntryField(QWidget *parent = nullptr);
+
+    /// For a dialog whose work shows at once: Return shows what a typed text does, and only the next one presses the
+    /// default button. Elsewhere Return does both.
+    static void letReturnShowFirst(QDialog &dialog);
 
     /// Shows the text that counts now; emits nothing. What is being typed stays while that text stays the same.
     void showText(const QString &text);

@@ -2,6 +2,7 @@
 
 #include "app/widgets/numbers/arithmetic.h"
 
+#include <QDialog>
 #include <QKeyEvent>
 #include <QLocale>
 #include <QTimer>
@@ -154,7 +155,11 @@ void NumberField::keyPressEvent(QKeyEvent *event)
     if (event->key() == Qt::Key_Up || event->key() == Qt::Key_Down) {
         stepBy((event->key() == Qt::Key_Up ? 1 : -1) * (event->modifiers() & Qt::ShiftModifier ? 10 : 1));
     } else {
+        const bool isReturn = event->key() == Qt::Key_Return || event->key() == Qt::Key_Enter;
+        const bool typed = isReturn && isModified() && qobject_cast<QDialog *>(window());
         EntryField::keyPressEvent(event);
+        if (typed && m_complains) // a dialog does not go on with another number than the typed one
+            event->accept();
     }
 }
 

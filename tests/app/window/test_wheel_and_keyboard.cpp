@@ -13,6 +13,7 @@
 #include <QLineEdit>
 #include <QListWidget>
 #include <QMenu>
+#include <QPushButton>
 #include <QScrollArea>
 #include <QScrollBar>
 #include <QShortcutEvent>
@@ -482,6 +483,45 @@ private slots:
             }
         QVERIFY2(tried.contains("recolour: Hex") && tried.contains("vary: Hue") && tried.contains("reshape: Values") &&
                      tried.contains("along: Start") && tried.size() > 15,
+                 qPrintable(tried.join(", ")));
+    }
+
+    /// Return decides, too: at once where nothing shows before, and after the number where it is seen what it does.
+    void returnInAFieldOfADialog()
+    {
+        WaveSession s;
+        QVERIFY(QTest::qWaitForWindowActive(&s.window));
+        const QStringList showAtOnce{"along", "reshape", "vary", "recolour"};
+        QStringList tried;
+        for (const DialogMaker &maker : allDialogs())
+            for (qsizetype i = 0, count = 1; i < count; ++i) {
+                const std::unique_ptr<QDialog> dialog = maker.make(s.window);
+                dialog->setAttribute(Qt::WA_DeleteOnClose, false);
+                dialog->show();
+                QVERIFY(QTest::qWaitForWindowActive(dialog.get()));
+                const QList<QLineEdit *> fields = entriesOf(*dialog);
+                count = fields.size();
+                if (fields.isEmpty())
+                    break;
+                QLineEdit *field = fields[i];
+                const QString name = QString(maker.name) + ": " + field->accessibleName();
+                enterInto(*field, "nonsense");
+                QTest::keyClick(field, Qt::Key_Return);
+                QVERIFY2(dialog->isVisible() && field->text() != "nonsense", qPrintable(name));
+                enterInto(*field, field->accessibleName() == "Hex" ? "#00ff01" : "1");
+                QTest::keyClick(field, Qt::Key_Return);
+                const bool isTools =
+                    std::ranges::none_of(dialog->findChildren<QPushButton *>(), &QPushButton::isDefault);
+                QVERIFY2(dialog->isVisible() == (isTools || showAtOnce.contains(maker.name)), qPrintable(name));
+                QVERIFY2(!field->isModified(), qPrintable(name));
+                QTest::keyClick(field, Qt::Key_Return);
+                QVERIFY2(dialog->isVisible() == isTools && (dialog->result() == QDialog::Accepted) != isTools,
+                         qPrintable(name));
+                dialog->reject();
+                tried << name;
+            }
+        QVERIFY2(tried.contains("recolour: Hex") && tried.contains("vary: Hue") && tried.contains("reshape: Values") &&
+                     tried.contains("along: Start") && tried.contains("new: Width"),
                  qPrintable(tried.join(", ")));
     }
 
