@@ -353,7 +353,9 @@ void AlongDialog::reject()
 {
     // If something else was done meanwhile, a part of the changes is a step already, so the old values are set anew.
     const QScopedValueRollback applying(m_applying, true);
-    m_gesture.show(setAlong(m_editor.document(), m_runs, {}));
+    StrokeRuns all = m_earlier;
+    all.insert(m_runs.begin(), m_runs.end());
+    m_gesture.show(setAlong(m_editor.document(), all, {}));
     m_gesture.commit();
     QDialog::reject();
 }
@@ -367,16 +369,22 @@ void AlongDialog::documentChanged(const Change &change)
     if (change.reset || ours) {
         m_finished = true;
         accept();
-    } else if (change.selection) {
-        follow();
+        return;
     }
+    for (const StrokeId id : change.strokes)
+        m_earlier.erase(id); // What was done to it elsewhere goes on from what was done here.
+    if (change.selection)
+        follow();
 }
 
-/// Goes on with what is selected now.
+/// Goes on with what is selected now. OK and Cancel decide what was done before, too.
 void AlongDialog::follow()
 {
     const QScopedValueRollback applying(m_applying, true);
-    m_gesture.commit();
+    for (const auto &[id, run] : m_runs)
+        if (m_editor.document().painting()->find(id) != run.stroke)
+            m_earlier.emplace(id, run);
+    m_gesture.rest();
     m_curve->dropDrag();
     m_beforeDrag.reset();
     m_set.clear();

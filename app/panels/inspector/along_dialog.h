@@ -20,7 +20,7 @@ class NumberField;
 
 /// The dialog "Along the Stroke". It sets quantities over the arc length of the runs of segments that are selected, and
 /// names their stroke in its title. All that is done in it shows at once and is one undo step; Cancel takes it back.
-/// Where something else is selected it goes on with that; what was done before is a step of its own then. When
+/// Where something else is selected it goes on with that, and OK and Cancel decide what was done before, too. When
 /// something else changes the strokes that it is about, it closes by itself and keeps what was done.
 class AlongDialog : public QDialog {
     Q_OBJECT
@@ -68,8 +68,9 @@ private:
 
     Editor &m_editor;
     StrokeRuns m_runs;
+    StrokeRuns m_earlier; ///< what was selected before and is changed, as it was when the dialog came to it first
     std::optional<StrokeRuns> m_refined; ///< the runs with shorter segments, made once something varies
-    Gesture m_gesture;                   ///< open from the first change until the dialog closes or goes on
+    Gesture m_gesture;                   ///< open from the first change until the dialog closes
     Quantity m_quantity = Quantity::Density;
     ValueAxis m_axis;
     std::optional<PlaceCurve> m_from;     ///< belongs to the curve that is shown, as in CurveAlong

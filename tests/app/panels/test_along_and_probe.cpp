@@ -207,7 +207,8 @@ private slots:
         bench.select({2});
         QVERIFY(dialog && dialog->isVisible());
         QVERIFY(dialog->windowTitle().endsWith("Stroke 2"));
-        QCOMPARE(bench.steps(), 1); // what was done to the stroke before
+        QCOMPARE(bench.steps(), 0); // the dialog decides what was done to the stroke before, too
+        QCOMPARE(bench.stroke(1), first);
         dialog->choose(AlongDialog::Constant);
         dragCurve(*dialog->curve(), {0.5, 0.5}, {0.5, 0.2});
         QCOMPARE(bench.stroke(1), first);
@@ -227,11 +228,68 @@ private slots:
         bench.select({3});
         QVERIFY(dialog->curve()->isEnabled() && dialog->start()->isEnabled());
         QVERIFY(std::abs(dialog->start()->value().value() - 9) < 1e-6);
-        dialog->reject(); // nothing was done to this one
-        QCOMPARE(bench.steps(), 2);
+        dialog->accept(); // nothing was done to this one
+        QCOMPARE(bench.steps(), 1);
+        QCOMPARE(bench.stroke(1), first);
         QCOMPARE(bench.stroke(2), second);
         bench.editor.undo();
-        bench.editor.undo();
+        QVERIFY(*bench.editor.document().painting() == *before);
+    }
+
+    /// Cancel takes back all that the dialog did, whatever is selected by then.
+    void cancelTakesBackWhatWasDoneToOthers()
+    {
+        Bench bench;
+        InspectorPanel panel(bench.editor);
+        showAt(panel);
+        const auto change = [](AlongDialog &dialog, double from, double to) {
+            dialog.choose(AlongDialog::Ramp);
+            type(*dialog.start(), QString::number(from));
+            type(*dialog.end(), QString::number(to));
+        };
+        bench.select({2}, {{2, 1}, {2, 2}});
+        const PaintingPtr before = bench.editor.document().painting();
+        QTest::mouseClick(panel.alongButton(), Qt::LeftButton);
+        QPointer<AlongDialog> dialog = panel.along();
+        change(*dialog, 4, 12);
+        QVERIFY(bench.stroke(2).segments.size() > before->find(2)->segments.size());
+        bench.select({});
+        QVERIFY(dialog && dialog->isVisible());
+        bench.select({1});
+        change(*dialog, 2, 5);
+        bench.select({2}); // once more, which has other segments now
+        change(*dialog, 7, 3);
+        QVERIFY(bench.stroke(1) != *before->find(1));
+        bench.select({3});
+        QTest::keyClick(dialog, Qt::Key_Escape);
+        QVERIFY(!dialog->isVisible());
+        QVERIFY(*bench.editor.document().painting() == *before);
+        QCOMPARE(bench.steps(), 0);
+        QCOMPARE(bench.editor.document().selection().strokes, std::set<StrokeId>{3});
+    }
+
+    /// But not what was done elsewhere meanwhile, nor what became of it then.
+    void cancelLeavesWhatWasDoneElsewhere()
+    {
+        Bench bench;
+        InspectorPanel panel(bench.editor);
+        showAt(panel);
+        bench.select({1, 2});
+        const PaintingPtr before = bench.editor.document().painting();
+        QTest::mouseClick(panel.alongButton(), Qt::LeftButton);
+        QPointer<AlongDialog> dialog = panel.along();
+        dialog->choose(AlongDialog::Constant);
+        type(*dialog->start(), "3");
+        bench.select({3});
+        bench.editor.push(
+            changeStrokes(bench.editor.document(), {1}, [](Stroke &s) { s.name = QStringLiteral("one"); }), "name");
+        QVERIFY(dialog && dialog->isVisible()); // it is about another stroke
+        dialog->reject();
+        QCOMPARE(bench.stroke(1).name, QString("one"));
+        QCOMPARE(bench.stroke(1).segments[0].density, 3.0f);
+        QCOMPARE(bench.stroke(2), *before->find(2));
+        while (bench.editor.canUndo())
+            bench.editor.undo();
         QVERIFY(*bench.editor.document().painting() == *before);
     }
 

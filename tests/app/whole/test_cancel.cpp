@@ -204,6 +204,25 @@ private slots:
         session.check();
     }
 
+    /// A click beside the strokes changes what the dialog is about, and decides nothing.
+    void alongTheStrokeAndNothingSelected()
+    {
+        Undone session;
+        session.use(Command::Select);
+        AlongDialog dialog(session.editor(), &session.window);
+        dialog.setAttribute(Qt::WA_DeleteOnClose, false);
+        dialog.show();
+        emit dialog.start()->entered(3);
+        const PaintingPtr changed = session.editor().document().painting();
+        const Selection selection = session.selection();
+        session.click({600, 40});
+        QVERIFY(session.selection().strokes.empty());
+        QCOMPARE(*session.editor().document().painting(), *changed);
+        dialog.reject();
+        session.editor().document().setSelection(selection);
+        session.check();
+    }
+
     void sliders_data()
     {
         QTest::addColumn<bool>("mixed");
